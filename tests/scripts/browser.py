@@ -1,4 +1,5 @@
-"""A headless Chromium that tests talk to through pipes (Chrome DevTools Protocol): pages, keys, pictures, what it complains of."""
+"""Headless Chromium controlled by tests through pipes (Chrome DevTools Protocol): pages, keys, pictures, console
+messages."""
 import base64
 import json
 import os
@@ -15,7 +16,7 @@ OPTIONS = ("--headless=new", "--no-sandbox", "--no-first-run", "--disable-backgr
            "--disable-extensions", "--disable-gpu", "--enable-unsafe-swiftshader", "--force-device-scale-factor=1", "--disable-dev-shm-usage", "--remote-debugging-pipe")
 
 
-# What a browser without a graphics card says of itself.
+# Messages of a browser without a graphics card.
 ITS_OWN = ("GL Driver Message", "software WebGL")
 
 
@@ -46,7 +47,7 @@ class Browser:
         shutil.rmtree(self.profile, ignore_errors=True)
 
     def message(self, seconds):
-        """The next message; None when none comes in time."""
+        """The next message; None after the timeout."""
         end = time.monotonic() + seconds
         while b"\0" not in self.buffer:
             left = end - time.monotonic()
@@ -60,7 +61,7 @@ class Browser:
         return json.loads(text)
 
     def noted(self, message):
-        """Keeps complaints of the console and what is fetched."""
+        """Stores console errors and requests."""
         method, params = message.get("method"), message.get("params", {})
         if any(words in json.dumps(params) for words in ITS_OWN):
             return
@@ -94,7 +95,7 @@ class Browser:
         self.send("Page.navigate", url=Path(address).as_uri() if not str(address).startswith("http") else address)
 
     def value(self, expression, timeout=120):
-        """What an expression of JavaScript is, a promise waited for."""
+        """Value of a JavaScript expression; promises are awaited."""
         answer = self.send("Runtime.evaluate", timeout, expression=expression, awaitPromise=True, returnByValue=True)
         if "exceptionDetails" in answer:
             details = answer["exceptionDetails"]
@@ -102,7 +103,7 @@ class Browser:
         return answer["result"].get("value")
 
     def wait(self, expression, seconds=60):
-        """Until an expression is true."""
+        """Waits until an expression is true."""
         end = time.monotonic() + seconds
         while not self.value(f"Boolean({expression})"):
             if time.monotonic() > end:

@@ -1,4 +1,4 @@
-"""A model of two lines and a drum in a headless Chromium, for tests of what is drawn."""
+"""A model of two lines and a drum in a headless Chromium, for tests of drawing."""
 import sys
 import tempfile
 import unittest
@@ -98,7 +98,7 @@ class Drawing(unittest.TestCase):
         cls.addClassCleanup(cls.browser.close)
 
     def show(self, path, name="page"):
-        """Opens a page with the model alone."""
+        """Opens a page with only the model."""
         page = Page(name)
         results = Results(path)
         page.model(results)

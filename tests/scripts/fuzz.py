@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Gives the program what nobody should: mutants of a case, its meshes, its seabeds and its tables.
+"""Runs the program with mutants of a case, its meshes, its seabeds and its tables.
 
     tests/scripts/fuzz.py [--program FILE | --checker FILE] [--from N] [--mutants N] [--jobs N] [--keep FOLDER]
 
@@ -66,7 +66,7 @@ FACETS = [
 
 
 def seeds():
-    """{name: bytes} of the files beside the case, all sound."""
+    """{name: bytes} of the valid files beside the case."""
     lines = lambda rows: ("\n".join(" ".join(map(str, r)) for r in rows) + "\n").encode()
     stl = b"solid box\n"
     binary = b" " * 80 + struct.pack("<I", len(FACETS))
@@ -99,7 +99,7 @@ NUMBERS = (
     b"2147483648 -2147483649 4294967296 99999999999999999999 0x10 1.5 1. .5 1e 1,5 - + '' true ~ [] {} [1,2] 5m"
 ).split()
 SPECIAL = b":{}[],-&*!|>'\"%@`#?\n\r\t \\.~<=0e+/\0\xff\x80"
-# What makes a good case long, not wrong.
+# Keys that make a valid case expensive.
 COSTLY = re.compile(rb"elements|duration|step|every")
 
 
@@ -132,7 +132,7 @@ def mutant(data, random, text):
                     continue
                 if way == 6:
                     data[m.start() : m.end()] = random.choice(NUMBERS)
-                else:  # a digit of it
+                else:  # a digit of the text
                     digit = random.choice([i for i in range(m.start(), m.end()) if data[i : i + 1].isdigit()])
                     data[digit : digit + 1] = b"%d" % random.randrange(10)
         else:
@@ -147,7 +147,7 @@ def mutant(data, random, text):
 
 
 def make(number, folder):
-    """Writes mutant `number`; True when the case itself is as it was."""
+    """Writes mutant `number`; True if the case file itself is unchanged."""
     pick = random.Random(f"hawser {number}")
     files = seeds()
     bed, mesh = pick.choice(BEDS), pick.choice(MESHES)
@@ -168,7 +168,7 @@ SENTENCE = re.compile(r"\Ahawser: [^\n]*(case\.yaml|box\.|box_binary|bed\.|motio
 
 
 def wrong(program, command, folder, allowed, patience):
-    """(exit code, complaint) of one start of the program; an empty complaint is none."""
+    """(exit code, complaint) of one start of the program; an empty complaint means success."""
     try:
         done = subprocess.run(
             [program, *command.split(), "case.yaml"], cwd=folder, capture_output=True, timeout=patience, check=False, stdin=subprocess.DEVNULL
@@ -186,13 +186,13 @@ def wrong(program, command, folder, allowed, patience):
 
 
 class Checker:
-    """One process that checks one mutant after the other; a new one where it has died."""
+    """One process that checks mutants in sequence; restarted after a crash."""
 
     def __init__(self, program):
         self.program, self.process, self.stderr = program, None, None
 
     def wrong(self, folder, patience):
-        """As the function of that name."""
+        """As the function of the same name."""
         if not self.process:
             self.stderr = tempfile.TemporaryFile()
             self.process = subprocess.Popen([self.program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self.stderr)

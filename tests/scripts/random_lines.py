@@ -1,17 +1,18 @@
-"""Random cases of lines at sea, each sensible, the same for a seed on any machine: moorings, risers and pipes that are
-laid from a vessel. Numbers are drawn as an engineer would choose them: from water depth, weight and stiffness."""
+"""Random but realistic cases of lines at sea, reproducible by seed: moorings, risers and pipes laid from a vessel.
+Numbers are derived from water depth, weight and stiffness."""
 import math
 import random
 
 
 def catenary_arc(H, w, h):
-    """Length and horizontal reach of a line of weight w [N/m] that leaves a level bed with H [N] and rises by h [m]."""
+    """Length and horizontal extent of a line of weight w [N/m] that leaves a level bed with horizontal tension H [N]
+    and rises by h [m]."""
     s = math.sqrt(h * h + 2 * h * H / w)
     return s, H / w * math.asinh(w * s / H)
 
 
 def text(values):
-    """A flow of YAML: dictionaries, lists, numbers and words."""
+    """Flow-style YAML of dictionaries, lists, numbers and words."""
     if isinstance(values, dict):
         return "{" + ", ".join(f"{k}: {text(v)}" for k, v in values.items()) + "}"
     if isinstance(values, (list, tuple)):
@@ -31,7 +32,7 @@ def case(title, depth, slope, types, vessel, line, more=None):
 
 
 def vessel(r, heave):
-    """Still, or heaving by what a ship of the line's size does in a sea."""
+    """Stationary, or heaving like a ship of the line's size in a sea."""
     if not heave:
         return {}
     return {"motion": {"harmonic": {"amplitude": [0.0, 0.0, r.uniform(0.3, 2.5)], "period": r.uniform(7, 16)}, "ramp": 10}}
@@ -48,7 +49,7 @@ def chain(r):
 
 def rope(r):
     d = r.uniform(0.08, 0.22)
-    if r.random() < 0.5:  # steel wire, or polyester
+    if r.random() < 0.5:  # steel wire or polyester
         return {"outer_diameter": 0.5 * d, "mass_per_length": 0.25 * 3610 * d * d, "EA": 0.25 * 4e10 * d * d, "bending": False}
     return {"outer_diameter": 0.8 * d, "mass_per_length": 800 * d * d, "EA": 1.1e9 * d * d, "bending": False}
 
@@ -64,7 +65,7 @@ def mooring(r, heave):
     types = {"chain": chain(r)}
     lengths = r.randint(1, 3)
     w = water_weight(types["chain"])
-    # So much horizontal force that the line leaves the bed some depths away from the fairlead.
+    # Horizontal tension with which the line lifts off some depths away from the fairlead.
     H = w * depth * r.uniform(0.2, 3)
     reach = r.uniform(1.05, 2.5)
     s, x = catenary_arc(H, w, depth + top)
@@ -78,7 +79,7 @@ def mooring(r, heave):
         types["top"] = dict(types["chain"])
         sections.append(("top", r.uniform(10, 40)))
     length = sum(l for _, l in sections)
-    # The bed under the anchor may be higher or deeper; the line stays as much longer than its span.
+    # The bed at the anchor may be higher or deeper; the excess length over the span is kept.
     anchor_z = bed_height(depth, slope, -x)
     span = math.hypot(x, depth + top)
     slack = length / span
@@ -89,7 +90,7 @@ def mooring(r, heave):
     masses = []
     for _ in range(r.choice([0, 0, 1, 2])):
         at = length * r.uniform(0.3, 0.9)
-        if r.random() < 0.5:  # a clump weight or a buoy, of the weight of some metres of chain
+        if r.random() < 0.5:  # a clump weight or a buoy with the weight of some metres of chain
             masses.append({"at": at, "mass": w * r.uniform(5, 40) / 9.8, "volume": w * r.uniform(0.2, 4) / 9.8 / 7850})
         else:
             m = w * r.uniform(2, 15) / 9.8
@@ -125,7 +126,7 @@ def riser(r, heave):
     s, x = catenary_arc(H, w, depth + top)
     bed = r.uniform(0.2, 1.0) * depth
     sections = [("pipe", s + bed)]
-    if r.random() < 0.5:  # a lazy wave: modules that lift as much as the pipe weighs, twice over
+    if r.random() < 0.5:  # a lazy wave: buoyancy modules with twice the pipe's weight
         t = dict(types["pipe"])
         t["outer_diameter"] = math.sqrt(t["outer_diameter"] ** 2 + 4 / math.pi * w * r.uniform(1.5, 2.5) / 9.80665 / 1025)
         types["modules"] = t
@@ -148,7 +149,7 @@ def riser(r, heave):
 
 
 def lay(r, heave):
-    """A pipe from the tensioner over a stinger of rollers to the bed, where it has been laid."""
+    """A pipe from the tensioner over a stinger of rollers to the bed on which it was laid."""
     depth = r.uniform(30, 150)
     types = {"pipe": pipe(r, 0.2, 0.5)}
     w = abs(water_weight(types["pipe"])) + 100.0
@@ -156,7 +157,8 @@ def lay(r, heave):
     d = types["pipe"]["outer_diameter"]
     radius = max(250 * d, 70.0) * r.uniform(1, 1.5)
     H = w * depth * r.uniform(1.0, 3)
-    # The stinger turns the pipe from level to the slope of the catenary there; it goes some metres above the water.
+    # The stinger turns the pipe from level to the slope of the catenary at its end, some metres above the
+    # water.
     deck = r.uniform(4, 9)
     angle = 0.1
     for _ in range(60):
@@ -176,7 +178,7 @@ def lay(r, heave):
         points.append([tensioner + radius * math.sin(a), 0.0, deck - radius * (1 - math.cos(a))])
     x0, z0 = points[-1][0], points[-1][2]
     low = -depth + 0.5 * d
-    for i in range(1, 13):  # along the catenary from the stinger down
+    for i in range(1, 13):  # down along the catenary from the stinger
         left = s * (1 - i / 12)
         z = H / w * (math.sqrt(1 + (w * left / H) ** 2) - 1)
         points.append([x0 + x - H / w * math.asinh(w * left / H), 0.0, max(low, low + (z0 - low) * z / max(h, 1e-9))])

@@ -1,6 +1,6 @@
-"""Random scenes of contact, the same for a seed on any machine: lines and bodies on meshes and shapes, over edges and corners,
-in tubes, heaps and nets, on decks in motion. Sizes are drawn as an engineer would choose them. What is optional keeps its
-default, but for friction and the damping that notes and guide propose for what bounces."""
+"""Random contact scenes, reproducible by seed: lines and bodies on meshes and shapes, over edges and corners, in
+tubes, heaps and nets, on moving decks. Sizes are realistic. Optional keys keep their defaults, except friction and
+the damping recommended for bouncing contact."""
 import math
 
 import scene_meshes as meshes
@@ -36,7 +36,7 @@ def edge(s):
 
 
 def corner(s):
-    """A line round the corner of a deck: over its edge and round the vertical one, drawn by a boat or held by a quay."""
+    """A line around the corner of a deck, over its edge and the vertical one, pulled by a boat or held at a quay."""
     r = s.r
     kind = s.parts["line_types"]["line"] = cable(r)
     a = 0.5 * diameter(kind)
@@ -65,7 +65,7 @@ def j_path(r, top, bend, out):
 
 
 def tube(s):
-    """A cable or wire in a J-tube, drawn at its top."""
+    """A cable or wire in a J-tube, pulled at its top."""
     r = s.r
     kind = s.parts["line_types"]["line"] = hose(r, 0.06, 0.15) if r.random() < 0.6 else wire(r)
     d = diameter(kind)
@@ -81,12 +81,12 @@ def tube(s):
     tail = None if r.random() < 0.3 else "free"
     s.line("line", "line", points, 70, 1.02 if tail is None else 1.0, ends=({"body": "winch", "at": [0, 0, 0]}, tail),
            **({} if tail is None else {"masses": [{"at": "end_b", "mass": weight(kind) * r.uniform(3, 15) / 9.8}]}))
-    if tail is None:  # a loop of slack outside that the winch takes
+    if tail is None:  # a loop of slack outside for the winch to take
         s.parts["lines"]["line"]["sections"][0]["length"] += 1.5
 
 
 def heap(s):
-    """A line let down into a heap on the bed or on a deck, or slack in loops from the start."""
+    """A line lowered into a heap on the bed or a deck, or slack in loops from the start."""
     r = s.r
     kind = s.parts["line_types"]["line"] = r.choice([chain, chain, fibre, hose])(r)
     d, height = diameter(kind), r.uniform(4, 10)
@@ -113,7 +113,7 @@ def heap(s):
 
 
 def net(s):
-    """A net between four posts with a ball or box in it that comes to rest or is let fall."""
+    """A net between four posts with a ball or box at rest in it or dropped on it."""
     r = s.r
     kind = s.parts["line_types"]["rope"] = fibre(r, 0.01, 0.03)
     n, mesh = r.randint(3, 4), r.uniform(0.5, 1.0)
@@ -145,7 +145,7 @@ def net(s):
 
 
 def deck(s):
-    """Pipes, hoses and ropes on a deck between bulwarks, the ship in a sea."""
+    """Pipes, hoses and ropes on a deck between bulwarks of a ship in a sea."""
     r = s.r
     kind = s.parts["line_types"]["line"] = r.choice([steel_pipe, steel_pipe, hose, fibre])(r)
     a = 0.5 * diameter(kind)
@@ -168,7 +168,7 @@ def deck(s):
 
 
 def drum(s):
-    """A rope with turns about a drum that turns or stands, its other end drawn."""
+    """A rope with turns around a rotating or stationary drum, its other end pulled."""
     r = s.r
     kind = s.parts["line_types"]["line"] = r.choice([fibre, wire, hose])(r)
     d = diameter(kind)
@@ -200,7 +200,7 @@ def drum(s):
 
 
 def lines(s):
-    """Lines that cross, one of them drawn over the others."""
+    """Crossing lines, one of them pulled over the others."""
     r = s.r
     s.parts["line_types"]["line"] = r.choice([cable, hose, steel_pipe])(r)
     other = s.parts["line_types"]["other"] = r.choice([cable, hose])(r)
@@ -235,7 +235,7 @@ def hull(s):
              friction=r.choice([0.1, 0.25]), **({"relative_damping": 0.3} if r.random() < 0.5 else {}))
     y = 0.5 * beam
     under = r.random() < 0.4
-    if under:  # slung under the bottom, from side to side
+    if under:  # below the bottom, from side to side
         x = r.uniform(-0.3, 0.1) * length
         points = [(x, -y - 3, 2), (x, -y - 1.5 * a, -1), (x, -y - 0.5, -9), (x, y + 0.5, -9), (x, y + 1.5 * a, -1),
                   (x, y + 3, 2)]
@@ -247,7 +247,7 @@ def hull(s):
 
 
 def bodies(s):
-    """Crates and balls on a deck in motion, on a floor, or in a bowl."""
+    """Crates and balls on a moving deck, on a floor, or in a bowl."""
     r = s.r
     hard = {"per_point": 1e7}
     where = r.choice(["deck", "deck", "bowl", "floor"])
@@ -282,7 +282,7 @@ def bodies(s):
 
 
 def rocks(s):
-    """A pipe or cable on the bed over boulders, and a current or a pull that begins."""
+    """A pipe or cable on the bed over boulders, with an onset of current or tension."""
     r = s.r
     kind = s.parts["line_types"]["line"] = r.choice([steel_pipe(r, 0.1, 0.3), hose(r), wire(r), chain(r)])
     a = 0.5 * diameter(kind)
@@ -303,7 +303,7 @@ def rocks(s):
 
 
 def sheaves(s):
-    """A rope through a ring or over sheaves and rollers, loads at its ends or its end drawn."""
+    """A rope through a ring or over sheaves and rollers, with loads at its ends or an end pulled."""
     r = s.r
     kind = s.parts["line_types"]["line"] = r.choice([fibre(r), wire(r), hose(r, 0.05, 0.15)])
     d = diameter(kind)
@@ -357,7 +357,7 @@ def sheaves(s):
 
 
 def lift(s):
-    """A load on slings from a hook that is let down on a deck, or lifted off it."""
+    """A load on slings from a hook that is lowered onto a deck, or lifted off it."""
     r = s.r
     s.parts["line_types"]["sling"] = wire(r, 0.02, 0.04)
     s.parts["line_types"]["hoist"] = wire(r, 0.04, 0.06)

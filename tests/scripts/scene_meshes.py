@@ -1,4 +1,4 @@
-"""Meshes of random scenes: (vertices, facets from 0, outward) of bodies that a modeller would draw, and their OBJ text."""
+"""Meshes of random scenes: (vertices, facets from 0, outward) of typical bodies, and their OBJ text."""
 import math
 
 
@@ -22,7 +22,7 @@ def moved(mesh, by):
 
 
 def box(size, divisions=(1, 1, 1)):
-    """A box about the origin, its edges divided, so that vertices lie on its edges."""
+    """A box about the origin with divided edges, so that vertices lie on its edges."""
     vertices, index, facets = [], {}, []
 
     def corner(i):
@@ -48,7 +48,7 @@ def box(size, divisions=(1, 1, 1)):
 
 
 def frames(path):
-    """Two axes across each point of a path in the plane y = 0, and across the ends along the path."""
+    """Two axes across each point of a path in the plane y = 0, and at its ends."""
     out = []
     for i in range(len(path)):
         a, b = path[max(i - 1, 0)], path[min(i + 1, len(path) - 1)]
@@ -68,7 +68,8 @@ def ring(centre, axes, radius, sides, turn=0.0):
 
 
 def bands(rows, sides, closed):
-    """Facets between rings of `sides` vertices, outward where the rings turn anticlockwise about the way of the rows."""
+    """Facets between rings of `sides` vertices, outward if the rings are anticlockwise about the direction of the
+    rows."""
     facets = []
     for i in range(rows if closed else rows - 1):
         j = (i + 1) % rows
@@ -120,7 +121,7 @@ def tube(path, inner, outer, sides):
 
 
 def torus(radius, tube_radius, around, sides):
-    """A ring about x, of round section."""
+    """A ring about x of circular section."""
     vertices = []
     for i in range(around):
         a = 2 * math.pi * i / around
@@ -130,7 +131,7 @@ def torus(radius, tube_radius, around, sides):
 
 
 def sheave(radius, groove, half, sides):
-    """A sheave about y: its rim is `groove` higher at both sides than in the middle."""
+    """A sheave about y whose rim is `groove` higher at both sides than in the middle."""
     rows = [(-half, radius + groove), (-0.4 * half, radius), (0.4 * half, radius), (half, radius + groove)]
     axes = ((0.0, 0.0, 1.0), (1.0, 0.0, 0.0))
     vertices = [p for y, rad in rows for p in ring((0.0, y, 0.0), axes, rad, sides)]
@@ -185,19 +186,19 @@ def hull(length, beam, depth, bilge, stations=24):
 
 
 def deck(length, width, bulwark, thick):
-    """A deck with its top at z = 0 between two bulwarks along x, of one section."""
+    """A deck with its top at z = 0 between two bulwarks along x, of constant section."""
     w, b = 0.5 * width, 0.15
     section = [(-w - b, -thick), (w + b, -thick), (w + b, bulwark), (w, bulwark), (w, 0), (-w, 0), (-w, bulwark), (-w - b, bulwark)]
     n = len(section)
     vertices = [(x, y, z) for x in (-0.5 * length, 0.5 * length) for y, z in section]
     facets = bands(2, n, False)
-    for a, c, d in ((0, 4, 5), (0, 1, 4), (1, 2, 3), (1, 3, 4), (0, 5, 6), (0, 6, 7)):  # the section in triangles
+    for a, c, d in ((0, 4, 5), (0, 1, 4), (1, 2, 3), (1, 3, 4), (0, 5, 6), (0, 6, 7)):  # triangles of the section
         facets += [(a, d, c), (n + a, n + c, n + d)]
     return outward((vertices, facets))
 
 
 def bowl(radius, depth, rim, sides=32, rows=8):
-    """A round bowl whose bottom is at z = 0, in a block whose top is at z = depth."""
+    """A round bowl with its bottom at z = 0, in a block with its top at z = depth."""
     vertices = [(0.0, 0.0, 0.0)]
     for i in range(1, rows + 1):
         s = i / rows

@@ -1,4 +1,4 @@
-"""What random scenes are made of: a case under construction, line types from the library and by size, motions of bodies."""
+"""Parts of random scenes: a case under construction, line types from the library and by size, motions of bodies."""
 import math
 import random
 
@@ -14,7 +14,7 @@ class Scene:
         self.title, self.finer, self.shorter = title, finer, shorter
         self.parts = {k: {} for k in ("environment", "line_types", "bodies", "volumes", "joints", "lines", "contact")}
         self.files, self.statics = {}, None
-        self.longest = 0.05  # s, of steps that are shortened
+        self.longest = 0.05  # s, of shortened steps
 
     def mesh(self, name, mesh):
         self.files[name + ".obj"] = meshes.obj(mesh)
@@ -27,7 +27,7 @@ class Scene:
         self.parts["bodies"][name] = keys
 
     def line(self, name, kind, points, elements, slack=1.0, ends=(None, None), **keys):
-        """A line along points; its end is held there unless it is given."""
+        """A line along points; its ends are held there unless given."""
         length = sum(math.dist(p, q) for p, q in zip(points, points[1:])) * slack
         hold = lambda end, p: {"anchor": list(p)} if end is None else end
         self.parts["lines"][name] = {
@@ -82,7 +82,7 @@ def ship_motion(r, large=1.0):
 
 
 def travel(r, by, start=1.0, end=8.0):
-    """A body that moves by a vector between two times and stands before and after."""
+    """A body that moves by a vector between two times and rests before and after."""
     rows = [[t, *(s * c for c in by)] for t, s in ((0, 0.0), (start, 0.0), (0.5 * (start + end), 0.5), (end, 1.0), (12, 1.0))]
     return {"motion": {"table": {"interpolation": "monotone", "rows": rows}}}
 
@@ -96,7 +96,7 @@ def diameter(kind):
 
 
 def weight(kind):
-    """N/m in air, roughly."""
+    """Approximate weight in air, N/m."""
     d = diameter(kind)
     if "pipe" in kind:
         w = kind["pipe"]["wall_thickness"]
@@ -113,12 +113,12 @@ def box_inertia(mass, size):
 
 
 def deck_or_box(s, as_mesh, length, width):
-    """A deck with bulwarks as a mesh, or a box; its top at z = 0."""
+    """A deck with bulwarks as a mesh, or a box, with its top at z = 0."""
     if as_mesh:
         return s.mesh("deck", meshes.deck(length, width, 0.8, 0.5))
     return {"shape": {"box": {"centre": [0, 0, -0.5], "size": [length, width, 1]}}}
 
 
 def held_by(body, points, ends=(0, -1)):
-    """Both ends of a line at a body that is at the origin."""
+    """Both ends of a line held by a body at the origin."""
     return tuple({"body": body, "at": list(points[i])} for i in ends)

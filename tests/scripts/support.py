@@ -1,4 +1,4 @@
-"""Shared by the tests of the scripts: where the tree is, and a run of one of its scripts."""
+"""Common parts of the tests of scripts: location of the tree, and execution of its scripts."""
 import subprocess
 import sys
 import tempfile
@@ -8,22 +8,23 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 
 
 def run(*command, **options):
-    """The finished process of a command, output captured as text; a script of the tree is named by its path in it."""
+    """Completed process of a command with captured text output; scripts of the tree are named by their relative
+    path."""
     first = ROOT / command[0]
     words = [str(first) if first.exists() else command[0], *map(str, command[1:])]
     return subprocess.run(words, capture_output=True, text=True, check=False, **options)
 
 
 def write(root, path, text):
-    """Writes a file of a made-up tree."""
+    """Writes a file of an artificial tree."""
     file = Path(root) / path
     file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text(text, encoding="utf-8")
 
 
 def check_trees(test, script, sound, wrong):
-    """`script` passes the tree `sound` {path: text}, and complains of each file of `wrong` [(path, text,
-    complaint)] put into it."""
+    """Checks that `script` passes the tree `sound` {path: text} and complains of each file of `wrong` [(path, text,
+    complaint)] added to it."""
     with tempfile.TemporaryDirectory() as root:
         for path, text in sound.items():
             write(root, path, text)

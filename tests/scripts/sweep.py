@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Gives the program every key of the schema with values that are no number, far too large, nothing, or of another form.
+"""Runs the program with every key of the schema set to values that are NaN, far too large, empty, or of another form.
 
     tests/scripts/sweep.py [--program FILE] [--checker FILE] [--runs] [--only PATH] [--jobs N]
 
@@ -25,8 +25,8 @@ import h5py
 ROOT = Path(__file__).resolve().parent.parent.parent
 VALUES = ("nan", "inf", "1e300", "-1e300", "1e60", "-1e60", "1e-60", "0", "''", "[]", "{}")
 PATIENCE = 120.0  # s
-# Runs that take longer, and should be refused or short: a soil without resistance, a volume of the size of nothing else, steps as
-# short as this error asks for.
+# Runs that take longer, and should be refused or short: a soil without resistance, a volume of extreme size,
+# steps as short as this error tolerance requires.
 TOO_LONG = (("lines.*.buried.[].resistance.normal", "1e-60"), ("volumes.*.shape.capsule.radius", "1e60"), ("dynamics.error_tolerance", "1e-60"))
 
 TABLES = {
@@ -50,7 +50,7 @@ TABLES = {
 
 
 def write_coefficients(folder):
-    """A buoy in the layouts of BEMIO and Capytaine, of one heading."""
+    """A buoy in the layouts of BEMIO and Capytaine, with one heading."""
     omega, freedoms = [0.5, 1.0, 2.0], ["Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw"]
     at = range(3)
     matrix = [[[float(i == j) * (1 + k) for k in at] for j in range(6)] for i in range(6)]
@@ -79,7 +79,7 @@ def write_coefficients(folder):
                 file[name].dims[d].attach_scale(file[dimension])
 
 
-# The common part of the cases: a mooring line, a pipe, a hanging rope, bodies, volumes, a link.
+# Common part of the cases: a mooring line, a pipe, a hanging rope, bodies, volumes, a link.
 COMMON = """
 hawser: 1
 title: sweep
@@ -157,7 +157,7 @@ output: {file: out.h5, every: 0.5, checkpoint_every: 0.5, format: [hdf5], single
          clashes: {merge_gap: 0.1, merge_length: 1, rows: 100},
          histories: [{line: mooring, at: end_b, name: top}, {body: vessel}, {volume: post}]}
 """
-# What other cases have instead of, or beside, parts of it: by the dotted key of the part; null removes it.
+# Parts of other cases that replace or extend it, by dotted key; null removes the key.
 VARIANTS = (
     {},
     {"environment.current": "{profile: [{depth: 0, speed: 1, direction_deg: 0}, {depth: 40, speed: 0.2}], time_factor: {file: two.txt}}",
@@ -187,7 +187,7 @@ VARIANTS = (
     {"environment.waves": "{stokes: {height: 2, period: 8, direction_deg: 0, phase_deg: 0, current: 0, current_is: euler}}",
      "environment.current": "null", "volumes.post.shape": "{plane: {point: [0, 0, -60], normal: [0, 0, 1]}}",
      "bodies.vessel.motion.drift": "null", "bodies.vessel.motion.harmonic.amplitude": "[0, 0, 0]"},
-    # Joints, soil, plastic and bent pipes, targets, shapes to start from.
+    # Joints, soil, plastic and bent pipes, targets, start shapes.
     {"line_types.hard": "{outer_diameter: 0.2, mass_per_length: 60, EA: 1e9, EI: 1e7, GJ: 1e7, plasticity: {ramberg_osgood: {yield_moment: 2e5, A: 0.4, "
      "B: 12}}}",
      "line_types.soft": "{outer_diameter: 0.2, mass_per_length: 60, EA: 1e9, GJ: 1e7, plasticity: {table: [[0.02, 2e5], [0.1, 2.5e5]]}}",
@@ -247,7 +247,7 @@ VARIANTS = (
     {"lines.mooring.sections": "[{type: chain, length: 100, elements: 20}]",
      "lines.mooring.end_a": "{anchor: [70, 0, -50.9], feed: {stock: 15, speed: 0.1}}", "lines.mooring.masses": "null", "lines.mooring.loads": "null",
      "bodies.clump": "null", "stages": "[one]", "events": "[{feed: {line: mooring, end: end_a, paid_out: 1}, stage: one}]"},
-    # A pipe over rollers, and what was left by another run.
+    # A pipe over rollers, and start shapes from another run.
     {"supports": "{ramp: {body: vessel, line: laid, path: {from: [-30, -30, 2], direction: [-1, 0, 0], segments: [{length: 10}, {length: 20, radius: 60}]}, "
      "boxes: [{at: [0, 3], above_path: 0, type: V, roller_diameter: 0.3, roller_length: 0.6, angle_deg: 30, normal_stiffness: auto, "
      "relative_damping: 0.1, friction: {axial: 0.2, lateral: 0.2, kinetic: {axial: 0.1, lateral: 0.1}, blend_speed: 0.1, mobilisation_length: {axial: 0.01, lateral: 0.01}}}, {at: 5, type: U, roller_diameter: 0.3, roller_length: 0.6, side_height: 0.5}]}}",
@@ -262,7 +262,7 @@ VARIANTS = (
 
 
 def parsed(text):
-    """A case as maps, lists and texts, all scalars as they are written."""
+    """A case as maps, lists and texts, with scalars as written."""
     import yaml
 
     return yaml.load(text, yaml.BaseLoader)
@@ -291,12 +291,12 @@ def cases():
 
 
 def forms(schema):
-    """A schema, or the alternatives that it has."""
+    """A schema, or its alternatives."""
     return [form for one in schema["anyOf"] for form in forms(one)] if "anyOf" in schema else [schema]
 
 
 def keys_of(schema, path=()):
-    """All keys of a schema, with `*` for names and `[]` for places in lists."""
+    """All keys of a schema, with `*` for names and `[]` for list indices."""
     for form in forms(schema):
         for name, inner in form.get("properties", {}).items():
             yield (*path, name)
@@ -308,8 +308,8 @@ def keys_of(schema, path=()):
 
 
 def places_of(schema, value, key=(), place=()):
-    """(key of the schema, place in a case, whether it is there) of all that this part of a case has or may have; of lists of
-    numbers also the first."""
+    """(key of the schema, place in a case, present) of everything that this part of a case has or may have; for
+    lists of numbers also the first."""
     for form in forms(schema):
         if isinstance(value, dict) and form.get("type") == "object":
             for name, inner in form.get("properties", {}).items():
@@ -337,7 +337,7 @@ def changed(case, place, text):
 
 
 def sweep_places(schema):
-    """{key: (number of a case, place)}: where each key is tried; a case that has it comes before one that may have it."""
+    """{key: (number of a case, place)}: where each key is tried, preferably in a case that has it."""
     found = {}
     for k, case in enumerate(cases()):
         for key, place, there in places_of(schema, case):
@@ -351,13 +351,13 @@ NO_NUMBER = re.compile(r"(?<![\w./])[-+]?(nan|inf)\b", re.IGNORECASE)
 
 
 class Checker:
-    """One process that checks one case after the other; a new one where it has died."""
+    """One process that checks cases in sequence; restarted after a crash."""
 
     def __init__(self, program, folder):
         self.program, self.folder, self.process = program, folder, None
 
     def wrong(self, place):
-        """Exit code and complaint of the check of the case in a folder; an empty complaint is none."""
+        """Exit code and complaint of the check of the case in a folder; an empty complaint means success."""
         if not self.process:
             self.errors = tempfile.TemporaryFile()
             self.process = subprocess.Popen([self.program, self.folder / "said.txt"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
@@ -379,7 +379,7 @@ class Checker:
             return int(code), f"check: exit code {code}: {sentence[:400]!r}"
         shown = (self.folder / "said.txt").read_text(errors="replace")
         for line in (shown + sentence).splitlines()[1:]:  # the first is the title
-            if NO_NUMBER.search(re.sub(r"'[^']*'", "", line)):  # without what is quoted from the case
+            if NO_NUMBER.search(re.sub(r"'[^']*'", "", line)):  # quoted parts of the case are excluded
                 return int(code), f"check prints {line[:300]!r}"
         return int(code), ""
 
@@ -392,7 +392,7 @@ class Checker:
             self.process = None
 
 
-# What a run writes, by the case's `output.file` or without it, and what it prints.
+# Files written by a run, with or without `output.file`, and its printed output.
 RESULTS = ("out.", "case.h5", "case.xdmf", "said.txt")
 
 
@@ -419,8 +419,8 @@ def run_wrong(program, folder):
 
 
 def sweep(program, checker, runs=False, only=None, jobs=2, values=VALUES, share=1):
-    """Complaints, and how many of the changed cases were accepted and refused. share: of the values, every how manieth a key
-    meets, the next key those that follow."""
+    """Complaints, and numbers of changed cases accepted and refused. share: each key is tried with one in `share` of
+    the values, successive keys with different ones."""
     program, checker = Path(program).resolve(), Path(checker).resolve()
     schema = json.loads(subprocess.run([program, "schema", "--json"], capture_output=True, check=True).stdout)
     all_cases, places = list(cases()), sweep_places(schema)
@@ -469,7 +469,7 @@ def sweep(program, checker, runs=False, only=None, jobs=2, values=VALUES, share=
 
 
 def make_other(program, top, jobs):
-    """Results of another run, from which lines start."""
+    """Results of another run, used as start shapes."""
     case = parsed(COMMON)
     del case["dynamics"]
     (top / "0/case.yaml").write_text(written(case) + "\n")

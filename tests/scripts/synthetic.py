@@ -1,4 +1,4 @@
-"""A results file that was not computed, with as much as a test of the Python tools needs."""
+"""A synthetic results file with the data needed by tests of the Python tools."""
 import json
 import re
 
@@ -10,7 +10,7 @@ UNITS = {"": 1.0, "m": 1.0, "mm": 1e-3, "s": 1.0, "MPa": 1e6, "kN": 1e3}
 
 
 def as_read(value):
-    """What the program makes of texts of a case, as far as the tests have such."""
+    """The program's conversion of texts of a case, as far as needed by the tests."""
     if isinstance(value, dict):
         return {key: as_read(inner) for key, inner in value.items()}
     if isinstance(value, list):
@@ -31,9 +31,9 @@ def add_contacts(path, outputs):
 
 def results_file(path, time=(0.0,), lines=None, fields=None, series=None, statistics=None, case="hawser: 1\n",
                  attributes=None, ended=True, declared=None, stages=()):
-    """lines: {name: arc lengths of its nodes}; fields: {name: (unit, outputs x all nodes (x 3))}; statistics: {field:
-    (unit, all nodes (x 3) x 6)}; series: (times, {name: ([columns], [units], steps (x lines) x columns)}); declared: {field:
-    attributes that say how it is shown}. Without the field `position` nodes lie along x."""
+    """Writes the file. lines: {name: arc lengths of its nodes}; fields: {name: (unit, outputs x all nodes (x 3))};
+    statistics: {field: (unit, all nodes (x 3) x 6)}; series: (times, {name: ([columns], [units], steps (x lines) x
+    columns)}); declared: {field: display attributes}. Without the field `position` nodes are along x."""
     lines = lines or {"line": np.linspace(0, 10, 3)}
     fields = dict(fields or {})
     arc = np.concatenate(list(lines.values()))

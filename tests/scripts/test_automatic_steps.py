@@ -1,8 +1,8 @@
-"""Automatic steps where the case gives none, in ten kinds of motion, against runs with a fifth of their longest step: largest
-tension and standard deviation, and no tension that alternates from step to step (saw teeth).
+"""Default automatic steps in ten kinds of motion, against runs with a fifth of their longest step: largest tension,
+standard deviation, and no tension that alternates between steps (saw teeth).
 
-The reference is the same program with shorter steps: what is tested is the length of steps alone. The last takes long
-and runs only with HAWSER_FULL in the environment."""
+The reference is the same program with shorter steps, so only the step length is tested. The last case takes long and
+runs only with HAWSER_FULL in the environment."""
 import bisect
 import math
 import os
@@ -17,11 +17,11 @@ from test_cables import CASES, Results, extremes
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 APART = 0.005  # of the largest tension and of the deviation
-SAW = 0.02     # of the deviation: root mean square of second differences, beyond 1.2 times that of the reference at the same times
+SAW = 0.02  # fraction of the deviation: root mean square of second differences, beyond 1.2 times that of the reference at the same times
 
 
 def rows(every, duration, of_time):
-    """The rows of a table."""
+    """Rows of a table."""
     return "[" + ", ".join("[" + ", ".join(f"{x:.6g}" for x in (i * every, *of_time(i * every))) + "]"
                            for i in range(int(duration / every) + 1)) + "]"
 
@@ -31,7 +31,8 @@ def wave(amplitude, period, phase=0.0):
 
 
 SLOW, FAST = wave(2, 40), wave(0.8, 9)
-# Taut, and lying on the bed at its anchor: half a diameter below it would snap in the sea of `test_responses_in_a_sea`.
+# Taut, and lying on the bed at its anchor; half a diameter lower it would snap in the sea of
+# `test_responses_in_a_sea`.
 CHAIN = """\
 hawser: 1
 environment:
@@ -51,7 +52,7 @@ contact: {between_lines: false}
 dynamics: {duration: DURATION}
 output: {every: 1, histories: [{line: chain, at: end_b, name: top}]}
 """
-# Bare pipe, a buoyant part and bare pipe, from a vessel to a point at mid depth.
+# Bare pipe, a buoyant part and bare pipe, from a vessel to a point at mid-depth.
 LAZY_WAVE = """\
 hawser: 1
 environment: {water: {depth: 100}}
@@ -69,7 +70,7 @@ contact: {between_lines: false}
 dynamics: {duration: DURATION}
 output: {every: 1, histories: [{line: riser, at: end_a, name: top}]}
 """
-# Hauled and paid out at a speed that a table gives; the tension is that at the lower end of the stretch.
+# Hauled in and paid out at a tabulated speed; the tension is that at the lower end of the stretch.
 WINCH = """\
 hawser: 1
 environment: {water: {depth: 100}}
@@ -101,8 +102,8 @@ def moved(every, duration, of_time, more=""):
 
 
 def second_differences(times, values, at):
-    """Root mean square of f(t - h) - 2 f(t) + f(t + h) of values, straight between times, at three neighbours of `at` that are
-    equally far apart."""
+    """Root mean square of f(t - h) - 2 f(t) + f(t + h) of linearly interpolated values at equidistant triples around
+    `at`."""
     def value(t):
         i = min(max(bisect.bisect_left(times, t), 1), len(times) - 1)
         return values[i - 1] + (t - times[i - 1]) / (times[i] - times[i - 1]) * (values[i] - values[i - 1])

@@ -1,7 +1,7 @@
-"""Bad case files through the whole program: one sentence on stderr, exit code 2, nothing written.
+"""Invalid case files through the whole program: one sentence on stderr, exit code 2, no output files.
 
-That it is the right sentence for each of them is tested without the program (tests/unit/case_bad_files.cpp). Here it
-is every third; all of them with HAWSER_FULL in the environment.
+tests/unit/case_bad_files.cpp tests the sentences without the program. This test uses every third file; all of them with
+HAWSER_FULL in the environment.
 """
 import os
 import shutil
@@ -31,14 +31,14 @@ class BadFiles(unittest.TestCase):
             with self.subTest(file=file.name):
                 self.assertEqual(result.returncode, 2, result.stderr)
                 self.assertRegex(result.stderr, r"\Ahawser: [^\n]*\b" + file.name.replace(".", r"\.") + r":\d+: [^\n]+\n\Z")
-                # What can be read has said its title, or its name, before that.
+                # Readable cases have printed their title or name before.
                 self.assertRegex(result.stdout, r"\A([^\n]+\n)?\Z")
                 expected = file.read_text("utf-8").splitlines()[0].removeprefix("# expect: ")
                 self.assertIn(expected, result.stderr.replace(f"{folder / 'bad'}/", ""))
         self.assertEqual(sorted(folder.rglob("*")), before, "something was written")
 
     def test_meshes_on_several_ranks(self):
-        """One rank reads them, and all know what is wrong."""
+        """One rank reads them, and all get the error."""
         for name in ("mesh_absent", "mesh_open", "sign_open", "part_unknown", "bed_no_sheet", "bed_huge"):
             with self.subTest(file=name):
                 file = BAD / f"{name}.yaml"

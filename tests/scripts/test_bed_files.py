@@ -1,4 +1,4 @@
-"""Beds that are grids or meshes are drawn from their files, in every format that the program reads."""
+"""Gridded and meshed beds are drawn from their files in every supported format."""
 import struct
 import sys
 import tempfile
@@ -15,11 +15,11 @@ from hawser_post.results import Results  # noqa: E402
 from hawser_post.sea import Sea  # noqa: E402
 from hawser_post.viewer.model import Model  # noqa: E402
 
-N = 5  # places along a side, 10 m apart
+N = 5  # points along a side, 10 m apart
 
 
 def height(x, y):
-    return -50 - 0.1 * x + 0.2 * y  # a plane: the same between the places whatever joins them
+    return -50 - 0.1 * x + 0.2 * y  # a plane, reproduced by any interpolation
 
 
 X, Y = (v.ravel() for v in np.meshgrid(10.0 * np.arange(N), 10.0 * np.arange(N)))

@@ -1,4 +1,4 @@
-"""tests/bench/beside_moordyn.py: a quick run, with MoorDyn where HAWSER_MOORDYN names its library; files of all its cases."""
+"""tests/bench/beside_moordyn.py: a short run, with MoorDyn if HAWSER_MOORDYN names its library; files of all cases."""
 import os
 import sys
 import tempfile

@@ -1,4 +1,4 @@
-"""A report opens in a browser: every picture is shown, nothing is fetched, nothing is complained of, and it prints on A4."""
+"""A report in a browser: all pictures are shown, nothing is fetched, there are no errors, and it prints on A4."""
 import html
 import json
 import os
@@ -31,10 +31,10 @@ lines:
 dynamics: {duration: 8, step: 0.1}
 output: {every: 0.5, histories: [{line: hose, at: end_a}], clearances: [{line: hose, volume: buoy}]}
 """
-# The browser's log of the network says of each request what it was made for: this number stands for what a page asks for, and
-# not the browser on its own (test_sees_what_is_wrong fails should it change).
+# The browser's network log records the origin of each request: this number marks requests of a page, not of
+# the browser itself (test_sees_what_is_wrong fails if it changes).
 OF_PAGES = r'"traffic_annotation":101845102'
-# What the page itself says when it is there: pictures and whether they were read, what was loaded, how wide it is.
+# Report of the loaded page: pictures and their state, loaded resources, width.
 ASKED = """<script>addEventListener('load', () => {
   const pictures = [...document.images];
   document.body.setAttribute('data-result', JSON.stringify({
@@ -69,7 +69,7 @@ class Browser(unittest.TestCase):
         net = self.folder / "net.json"
         browser_run = self.browse(self.folder / "asked.html", "--dump-dom", "--virtual-time-budget=10000", f"--log-net-log={net}")
         output = json.loads(html.unescape(re.search(r'data-result="([^"]*)"', browser_run.stdout).group(1)))
-        # Without a graphics card the browser says of itself that it draws by software, and slowly.
+        # Without a graphics card the browser warns of slow software rendering.
         output["console"] = [line for line in re.findall(r"CONSOLE.*", browser_run.stderr) if not re.search("software WebGL|GL Driver Message", line)]
         output["requests"] = sorted(set(re.findall(OF_PAGES + r',"url":"(\w+://[^"]*)"', net.read_text(encoding="utf-8"))
                                       ) - {(self.folder / "asked.html").as_uri()})
@@ -84,7 +84,7 @@ class Browser(unittest.TestCase):
         self.assertLessEqual(output["wide"], output["window"])
 
     def test_sees_what_is_wrong(self):
-        # The same eyes on a page with a picture from outside, a broken one, and an error.
+        # The same checks on a page with an external picture, a broken one, and an error.
         bad = ('<html><head></head><body><img src="http://picture.invalid/a.png"><img src="data:image/png;base64,AAAA">'
                '<script>console.error("oh")</script><div style="width: 3000px">x</div></body></html>')
         output = self.state(bad)

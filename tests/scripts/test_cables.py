@@ -1,7 +1,8 @@
 """Reference cases of cables and mooring lines (tests/data/cables) against OrcaFlex and closed forms.
 
-References and acceptances are those of the validation record of CableDyn 0.1.1 (SMI-Lab-Inha/CableDyn, Apache-2.0,
-VALIDATION.md), under its names of the cases; docs/verification-cables.md explains them and what differs."""
+References and acceptance limits are those of the validation record of CableDyn 0.1.1 (SMI-Lab-Inha/CableDyn,
+Apache-2.0, VALIDATION.md), with its names of the cases; docs/verification-cables.md explains them and the
+differences."""
 import array
 import math
 import os
@@ -16,13 +17,14 @@ from support import ROOT, run
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 CASES = ROOT / "tests" / "data" / "cables"
 
-# Reference and acceptance, a share of it. Tensions at the upper end unless said otherwise, in N; curvatures in 1/m.
+# Reference and relative acceptance limit. Tensions [N] at the upper end unless stated otherwise; curvatures
+# [1/m].
 HEAVE = ("static curvature", "curvature", "amplification", "mean", "least", "largest")
 REFERENCES = {
     "L3-2": {"mean": (998148.769, 0.02), "swing": (7881.653, 0.15)},
-    # Acceptance: what CableDyn differs by.
+    # Acceptance: the difference of CableDyn.
     "L3-4": {"lower end": (11772.68, 0.0322), "upper end": (21794.491, 0.0167), "curvature": (0.017511018, 0.0086)},
-    # Acceptance: none of its own; that of the same cable in L3-6d.
+    # Acceptance: not given; that of the same cable in L3-6d is used.
     "L3-5-80": {"tension": (9320, 0.02), "curvature": (0.0968, 0.03)},
     "L3-6-80": dict(zip(HEAVE, zip((0.09643, 0.10279, 1.0659, 9321.0, 5634.2, 13080.6),
                                    (0.02, 0.015, 0.015, 0.01, 0.015, 0.01)))),
@@ -36,16 +38,16 @@ REFERENCES = {
     "L3-6d": dict(zip(HEAVE, zip((0.09676, 0.10321, 0.10321 / 0.09676, 9332.1, 5651.3, 13087.6),
                                  (0.03, 0.03, 0.03, 0.02, 0.03, 0.02))),
                   **{"curvature at touchdown": (0.08451, 0.05)}),
-    # Acceptance: none of its own.
+    # Acceptance: not given.
     "L3-7": {"static": (2427011, 0.01), "mean": (2439385, 0.01), "deviation": (206079, 0.01), "least": (2057857, 0.01),
              "largest": (2850911, 0.01), "90 s": (228569, 0.01), "12 s": (178796, 0.01)},
     "L4-1c-200": dict(zip(HEAVE, zip((0.0831, 0.08789, 1.0577, 25134.1, 23698.7, 26267.3),
                                      (0.02, 0.02, 0.02, 0.015, 0.015, 0.015)))),
-    # F = M cos a/r - EI cos²a sin a/r², K = EI cos³a/r + M sin a. Acceptance: none of its own.
+    # F = M cos a/r - EI cos²a sin a/r², K = EI cos³a/r + M sin a. Acceptance: not given.
     "T-7": {"axial force": (0.0580127019, 0.01), "axial couple": (0.8995190528, 0.001)},
 }
 
-# Turns: torque, N m; largest curvature; sideways deflection, m; tension. Acceptance: none of its own.
+# Turns: torque, N m; largest curvature; lateral deflection, m; tension. Acceptance: not given.
 TWISTED = {0: (0, 0.09684767, 0, 9317.6156), 1: (1765.406, 0.09721875, 1.671157, 9326.347),
            2: (3536.056, 0.09849395, 3.222998, 9351.198), 3: (5313.974, 0.1013181, 4.591115, 9389.006),
            4: (7097.222, 0.10703801, 5.77093, 9436.854), 5: (8879.083, 0.11963718, 6.788001, 9493.106)}
@@ -53,7 +55,7 @@ TWISTED_ACCEPTANCES = (0.01, 0.01, 0.02, 0.01)
 
 
 class Results:
-    """A results file, read by h5dump. Times in s, arc lengths in m from end A, which is the upper end in every case."""
+    """A results file read by h5dump. Times in s, arc lengths in m from end A, the upper end in every case."""
 
     def __init__(self, path):
         self.path = path
@@ -69,7 +71,7 @@ class Results:
         return array.array("d", raw.read_bytes())
 
     def tension(self, start=0.0):
-        """Times and effective tensions of the history "top", at every step from a time on."""
+        """Times and effective tensions of the history "top" at every step from a time on."""
         head = run("h5dump", "-a", "/series/top/columns", self.path).stdout.replace("\\000", "")
         columns = re.findall(r'"(\w+)"', head[head.index("DATA {"):])
         values = self.read("/series/top")[columns.index("effective_tension")::len(columns)]
@@ -81,18 +83,18 @@ class Results:
         return [(t, values[i * width:(i + 1) * width]) for i, t in enumerate(self.time)]
 
     def bend(self, start=0.0, stop=math.inf, low=0.0, high=math.inf):
-        """The largest curvature between two times and two arc lengths."""
+        """Largest curvature in a range of times and arc lengths."""
         return max(k for t, row in self.rows("curvature") if start - 1e-6 < t < stop + 1e-6
                    for s, k in zip(self.arc, row) if low <= s <= high)
 
     def touchdown(self, z):
-        """Arc length where the axis comes within half a diameter and 2 cm of the bed of the cable in 80 m."""
+        """Arc length at which the axis is within half a diameter and 2 cm of the bed, for the cable in 80 m."""
         level = -80 + 0.08 + 0.02
         i = next(i for i, s in enumerate(self.arc) if s > 118.114 and z[i] < level)
         return self.arc[i] - (self.arc[i] - self.arc[i - 1]) * (level - z[i]) / (z[i - 1] - z[i])
 
     def end_force(self, end):
-        """Magnitude at rest; end 0 is end A, 1 is end B."""
+        """Magnitude of the static force at end 0 (A) or 1 (B)."""
         return math.hypot(*self.read("/ends/force")[3 * end:3 * end + 3])
 
 
@@ -103,7 +105,7 @@ def extremes(times, values):
 
 
 def amplitude(times, values, period, start):
-    """Of the Fourier component over whole periods from a time on; equal steps."""
+    """Amplitude of the Fourier component over whole periods from a time on; equal steps."""
     rows = [(2 * math.pi * t / period, v) for t, v in zip(times, values) if t > start + 1e-6]
     return 2 / len(rows) * math.hypot(*(sum(v * f(phase) for phase, v in rows) for f in (math.cos, math.sin)))
 
@@ -134,7 +136,7 @@ class Cables(unittest.TestCase):
             self.near(name, key, measured[key], reference, acceptance)
 
     def compare_moved(self, name, start, stop, **more):
-        """The upper end of a lazy-wave cable moves, or the sea does."""
+        """Lazy-wave cable excited by its upper end or the sea."""
         results = more.pop("results", None) or self.solve(name)
         static, moved = results.bend(stop=0), results.bend(start, stop)
         mean, least, largest = extremes(*results.tension(start))
@@ -147,7 +149,7 @@ class Cables(unittest.TestCase):
 
     def test_stiff_line_touching_down(self):
         results = self.solve("L3-4")
-        # Beyond 105 m it bends down to its lower end, half a diameter under where it lies.
+        # Beyond 105 m it bends down to its lower end, half a diameter below the rest position.
         self.compare("L3-4", upper_end=results.end_force(0), lower_end=results.end_force(1), curvature=results.bend(high=105))
 
     def test_lazy_wave_at_rest(self):
@@ -191,7 +193,7 @@ class Cables(unittest.TestCase):
                      **{"90_s": amplitude(times, values, 90, 270), "12_s": amplitude(times, values, 12, 204)})
 
     def test_lazy_wave_under_a_floater(self):
-        """The table of motion is the sum of the harmonics in its header."""
+        """The motion table is the sum of the harmonics in its header."""
         lines = (CASES / "L4-1c-200.txt").read_text("utf-8").splitlines()
         numbers = [[float(x) for x in line.strip("# ").split()] for line in lines if re.match(r"[# ]*\d", line)]
         harmonics, rows = [n for n in numbers if len(n) == 5], [n for n in numbers if len(n) == 4]
@@ -207,7 +209,7 @@ class Cables(unittest.TestCase):
         twist, bend, tension = (results.rows(name) for name in ("torsion_moment", "curvature", "effective_tension"))
         places = results.rows("position", 3)
         for turns, references in TWISTED.items():
-            i = 2 + 3 * turns  # an output every 100 s: a turn, then two without
+            i = 2 + 3 * turns  # an output every 100 s: one turn, then two without
             self.assertAlmostEqual(results.time[i], 200 + 300 * turns)
             measured = abs(twist[i][1][0]), max(bend[i][1]), max(map(abs, places[i][1][1::3])), tension[i][1][0]
             for key, value, reference, acceptance in zip(("torque", "curvature", "sideways", "tension"), measured, references,

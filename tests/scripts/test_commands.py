@@ -1,4 +1,4 @@
-"""The commands a newcomer types first answer sensibly before anything is built."""
+"""First commands of a new user work before anything is built."""
 import os
 import shutil
 import tempfile
@@ -56,8 +56,9 @@ class Commands(unittest.TestCase):
         self.assertIn("lintian", run("scripts/install-deps", "--list", "--package").stdout.split())
 
     def test_install_deps_names_what_is_missing(self):
-        # A machine with nothing installed, played by a dpkg-query that knows no package, a user who needs no sudo, and
-        # an apt-get that writes down what it is asked and can install only after an update (or never).
+        # An empty machine, simulated by a dpkg-query without packages, a user who needs no sudo, and an
+        # apt-get that
+        # records its arguments and can install only after an update (or never).
         apt = ('echo "$*" >>"$0.log"; '
                'case $1 in update) : >"$0.lists";; install) [ -e "$0.lists" ] && [ {works} = 1 ];; esac')
         for works in (1, 0):
@@ -81,7 +82,7 @@ class Commands(unittest.TestCase):
         threads, root, jobs = run("bash", "-c", text, env={**os.environ, "OMP_NUM_THREADS": "3"}).stdout.split()
         self.assertEqual((threads, root), ("3", "1"))
         self.assertGreaterEqual(int(jobs), 1)
-        # One thread for OpenMP does not make it a machine of one core.
+        # A single OpenMP thread does not imply a single core.
         one = run("bash", "-c", f'. "{ROOT}/scripts/env.sh"; hawser_cores', env={**os.environ, "OMP_NUM_THREADS": "1"})
         self.assertEqual(int(one.stdout), len(os.sched_getaffinity(0)))
 

@@ -1,4 +1,4 @@
-"""hawser compare tells what differs between two results; hawser new writes case files that the program accepts."""
+"""hawser compare reports the differences of two results; hawser new writes valid case files."""
 import contextlib
 import io
 import os
@@ -24,7 +24,8 @@ HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 
 
 def two(folder):
-    """B's line is 2 m farther at its end B, has 10 % more tension, and its case another length; A has one line more."""
+    """B's line is 2 m farther at its end B, has 10 % more tension, and its case another length; A has an additional
+    line."""
     t, s = np.linspace(0, 10, 6), np.linspace(0, 20, 5)
     made = []
     for name, more, lines in (("a", 0.0, {"mooring": s, "spare": s}), ("b", 0.1, {"mooring": s})):
@@ -90,7 +91,7 @@ class New(unittest.TestCase):
             self.addCleanup(lambda n=name, b=before: os.environ.pop(n) if b is None else os.environ.update({n: b}))
 
     def talk(self, *answers, file=None):
-        """Exit code and what is printed."""
+        """Exit code and output."""
         out = io.StringIO()
         with mock.patch.object(sys, "stdin", io.StringIO("".join(f"{a}\n" for a in answers))), contextlib.redirect_stdout(out), \
                 contextlib.redirect_stderr(out):

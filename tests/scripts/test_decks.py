@@ -1,9 +1,9 @@
-"""Energy that steps make or lose where a stiff pipe lies on a deck, falls on it or is carried by it, at default settings and
-without damping, of the most energy that was brought in or stored at a time. Work that goes in and out with every bounce does
-not count, as what is made would hide behind it.
+"""Energy that steps create or lose when a stiff pipe lies on a deck, falls on it or is carried by it, at default
+settings without damping, relative to the largest energy brought in or stored. Work that enters and leaves with every
+bounce is excluded, since it would hide created energy.
 
-A few runs, on 1 and 2 ranks; all of them with HAWSER_FULL in the environment. `test_decks.py table PROGRAM...` prints what each
-program makes and loses in all of them."""
+A few runs on 1 and 2 ranks; all of them with HAWSER_FULL in the environment. `test_decks.py table PROGRAM...` prints
+the created and lost energy of each program in all runs."""
 import array
 import itertools
 import math
@@ -18,7 +18,7 @@ from support import ROOT, run, write
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 MADE, LOST = 0.3, 1.0  # %
-LOST_TILTED = 3.0      # %: the ends of a tilted pipe set off bending that a third of the contact's period does not resolve
+LOST_TILTED = 3.0  # %: the ends of a tilted pipe excite bending that a third of the contact's period does not resolve
 
 RADIUS, LENGTH, DURATION = 0.1, 4.0, 1.5  # m, m, s
 SHAPES = {"plane": "shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}",
@@ -87,7 +87,7 @@ def case(shape, drop, deck, element, step):
 
 
 def energies(path):
-    """Columns of the energy of a run, J."""
+    """Energy columns of a run, J."""
     head = run("h5dump", "-a", "/series/energy/columns", path).stdout.replace("\\000", "")
     names = re.findall(r'"(\w+)"', head[head.index("DATA {"):])
     raw = path.with_suffix(".raw")
@@ -97,7 +97,8 @@ def energies(path):
 
 
 class Run:
-    """Exit code, energy made and lost by the steps [% of the most that was there or taken out at a time], number of steps."""
+    """Exit code, energy created and lost by the steps [% of the largest energy present or dissipated], number of
+    steps."""
 
     def __init__(self, folder, what, program=HAWSER, ranks=1):
         write(folder, "box.obj", box())
@@ -120,7 +121,7 @@ class Run:
 
 
 def whole():
-    """All runs: of each shape, drop and deck at default steps, of each element and step where the deck is a mesh at rest."""
+    """All runs: each shape, drop and deck at default steps, each element length and step on a mesh deck at rest."""
     for shape, drop, deck in itertools.product(SHAPES, DROPS, DECKS):
         yield shape, drop, deck, 0.5, "auto"
     for drop, element, step in itertools.product(DROPS, ELEMENTS, STEPS):
@@ -157,7 +158,7 @@ class DecksTest(unittest.TestCase):
 
 
 def table(programs):
-    """Prints a line a run: exit code, energy made and lost [%] and number of steps of each program."""
+    """Prints one line per run: exit code, energy created and lost [%] and number of steps of each program."""
     with tempfile.TemporaryDirectory() as folder:
         for what in whole():
             runs = [Run(Path(folder), what, program=p) for p in programs]

@@ -1,4 +1,4 @@
-"""Links and names in the documentation lead somewhere, and scripts/check-docs finds those that do not."""
+"""Links and names in the documentation are valid, and scripts/check-docs finds invalid ones."""
 import importlib.util
 import re
 import unittest

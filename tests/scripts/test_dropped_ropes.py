@@ -1,4 +1,4 @@
-"""Two ropes dropped flat on a floor, one of them turned by 10 degrees, and a rope that hangs, with and without damping."""
+"""Two ropes dropped flat on a floor, one rotated by 10 degrees, and a hanging rope, with and without damping."""
 import os
 import tempfile
 import unittest
@@ -25,8 +25,8 @@ class DroppedRopes(unittest.TestCase):
                         for name, data in file["series"].items() if "columns" in data.attrs}
 
     def test_turned_rope_lies_as_the_other(self):
-        """Half a metre of 0.05 kg from 0.1 m, friction 0.5, 10 s: both alike after turning back, no drift to the side, at rest, their
-        weight on the floor, and never more energy than they fell with."""
+        """0.5 m of 0.05 kg from 0.1 m, friction 0.5, 10 s: equal after rotation, no lateral drift, at rest, their
+        weight on the floor, and never more energy than initially."""
         lines = ""
         for name, angle, middle in (("even", 0, np.zeros(2)), ("turned", TURN, np.array([-np.sin(TURN), np.cos(TURN)]))):
             along = 0.25 * np.array([np.cos(angle), np.sin(angle)])
@@ -53,7 +53,8 @@ class DroppedRopes(unittest.TestCase):
         self.assertLess(energy[-1] - energy[0], -0.09)
 
     def test_damping_does_not_change_rest(self):
-        """4.8 m of rope between points 4 m apart, with `stiffness_damping` of 0 and of 1 s: the same rest, from which nothing moves."""
+        """4.8 m of rope between points 4 m apart, with `stiffness_damping` of 0 and 1 s: the same equilibrium,
+        without later motion."""
         places = []
         for damping in (0, 1):
             found = self.series(f"line_types: {{rope: {{{ROPE}, stiffness_damping: {damping}}}}}\nlines:\n  rope: {{sections: [{{type: rope, "

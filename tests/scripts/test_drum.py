@@ -1,4 +1,5 @@
-"""The reel's drum: closed, of the right size, the one in the case's folder; and the script's own check can fail."""
+"""The reel's drum: closed, of the right size, equal to the one in the case's folder; the script's own check can
+fail."""
 import importlib.util
 import math
 import struct
@@ -40,7 +41,7 @@ class Drum(unittest.TestCase):
         self.assertEqual(len(made), len(kept))
         for (_, one), (_, two) in zip(made, kept):
             for a, b in zip(one, two):
-                # Half a micrometre: the single precision of a coordinate of 6 m.
+                # Half a micrometre: single precision of a coordinate of 6 m.
                 self.assertLess(math.dist(a, b), 1e-6)
 
     def test_is_closed_and_measures_what_the_case_has(self):
@@ -60,7 +61,7 @@ class Drum(unittest.TestCase):
             if radius < 3.61 and abs(y) < 2.74:
                 self.assertGreater((normal[0] * x + normal[2] * z) / radius, 0.999)
             elif 3.61 < radius < 6.39 and abs(y) < 2.76:
-                # An inner face of a flange looks at the middle.
+                # An inner face of a flange faces the middle.
                 self.assertLess(normal[1] * y / abs(y), -0.999)
 
     def test_check_notices(self):

@@ -1,5 +1,6 @@
-"""Cables in impact with edges: lines over edges and round the corners of decks in motion, a rope under a hull, and nets on which a crate falls, of
-random_scenes.py, at default settings. Steps make and lose hardly any energy of what is brought in, stored or set free."""
+"""Impacts of cables with edges: lines over edges and around corners of moving decks, a rope under a hull, and nets
+under a falling crate, from random_scenes.py at default settings. Steps create and lose little of the energy brought
+in, stored or released."""
 import os
 import re
 import tempfile
@@ -11,7 +12,7 @@ from support import ROOT, run, write
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 MOST = 1.0  # % of the work done
-SCENES = {13: 10, 26: 10, 79: 10, 151: 10, 170: 10, 183: 10, 196: 10, 43: 2}  # of random_scenes.py, and how long they run [s]
+SCENES = {13: 10, 26: 10, 79: 10, 151: 10, 170: 10, 183: 10, 196: 10, 43: 2}  # scenes of random_scenes.py, and duration [s]
 
 
 class Edges(unittest.TestCase):

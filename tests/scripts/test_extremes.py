@@ -1,4 +1,4 @@
-"""hawser extremes: against scipy, against closed forms, and what it says of too little."""
+"""hawser extremes: against scipy, against closed forms, and messages about insufficient data."""
 import contextlib
 import csv
 import io
@@ -26,14 +26,14 @@ HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 
 
 def cycles(amplitudes, period=8.0, mean=50e3, steps=40):
-    """A sine whose amplitude changes from one cycle to the next where it passes its mean."""
+    """A sine whose amplitude changes between cycles where it passes its mean."""
     t = np.arange(len(amplitudes) * steps + 1) * period / steps
     phase = np.arange(len(t)) / steps
     return t, mean + np.append(amplitudes, 0)[phase.astype(int)] * np.sin(2 * np.pi * phase)
 
 
 def rayleigh(n, sigma, seed=3):
-    """Amplitudes that are the quantiles of a Rayleigh distribution, in any order."""
+    """Amplitudes at the quantiles of a Rayleigh distribution, in random order."""
     values = sigma * np.sqrt(-2 * np.log(1 - (np.arange(n) + 0.5) / n))
     return np.random.default_rng(seed).permutation(values)
 
@@ -51,7 +51,7 @@ class Numbers(unittest.TestCase):
         fit = extremes.gumbel(sample)
         location, scale = stats.gumbel_r.fit(sample.values, scale=sample.values.std())
         np.testing.assert_allclose([fit.location, fit.scale], [location, scale], rtol=1e-8)
-        # 1 h is 36 blocks: F^36 is the same distribution further up.
+        # 1 h is 36 blocks: F^36 is the same distribution, shifted.
         law = stats.gumbel_r(location + scale * np.log(36), scale)
         np.testing.assert_allclose(fit.quantile(0.9, 3600), law.ppf(0.9), rtol=1e-8)
         mode = optimize.minimize_scalar(lambda x: -law.logpdf(x), bracket=(law.mean(), law.median()), tol=1e-12).x
@@ -67,7 +67,8 @@ class Numbers(unittest.TestCase):
         def tight(function, start, args=(), disp=0):
             return optimize.fmin(function, start, args=args, disp=disp, xtol=1e-10, ftol=1e-14, maxiter=4000)
 
-        # scipy looks for the largest likelihood itself; that is flat at its top, hence where its slope is zero as well.
+        # scipy maximizes the likelihood, which is flat at its maximum; therefore its slope is checked as
+        # well.
         y = (sample.values - 5e4) / 2e4
         shape, _, scale = stats.weibull_min.fit(y, floc=0, optimizer=tight)
         np.testing.assert_allclose([fit.shape, fit.scale], [shape, 2e4 * scale], rtol=1e-6)
@@ -99,7 +100,7 @@ class Numbers(unittest.TestCase):
         for duration in (3600, 3 * 3600, 24 * 3600):
             exact = 50e3 + sigma * np.sqrt(2 * np.log(duration / period))
             self.assertAlmostEqual(fit.most_probable(duration) / exact, 1, delta=2e-3)
-        # The distribution itself: 1/e instead of the exact mode makes no difference that counts.
+        # With the exact distribution 1/e instead of the mode makes no significant difference.
         law = extremes.Fit(sample, "Weibull", 0.0, sigma * np.sqrt(2), 2.0)
         self.assertAlmostEqual(law.most_probable(period * 1000) / (sigma * np.sqrt(2 * np.log(1000))), 1, delta=5e-5)
 
@@ -143,7 +144,7 @@ class Command(unittest.TestCase):
         self.assertEqual(by["blocks", "Gumbel"]["size"], 50)
         exact = 50e3 + 4e3 * np.sqrt(2 * np.log(10800 / 8))
         self.assertAlmostEqual(by["peaks", "Weibull"]["most_probable"] / exact, 1, delta=5e-3)
-        # Maxima of ten Rayleigh peaks each tend to Gumbel's law only slowly, from above.
+        # Maxima of ten Rayleigh peaks each converge to Gumbel's law slowly, from above.
         self.assertAlmostEqual(by["blocks", "Gumbel"]["most_probable"] / exact, 1, delta=0.06)
         for part in ("[kN]", "maxima in 3 h", "499", f"{by['peaks', 'Weibull']['most_probable'] / 1e3:.5g}", "90 % not exceeded"):
             self.assertIn(part, result.stdout)

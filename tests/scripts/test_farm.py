@@ -1,4 +1,4 @@
-"""The wind farm of cases/farm: one and two ranks agree, and every chain hangs at rest as the elastic catenary does."""
+"""The wind farm of cases/farm: one and two ranks agree, and every chain at rest is an elastic catenary."""
 import array
 import math
 import os
@@ -24,7 +24,7 @@ STIFFNESS, FRICTION, MOBILISATION = 100e3 * 2 * RADIUS, 0.6, 0.05  # N/m per m; 
 
 
 def root(f, low, high):
-    """Where a function that rises is zero."""
+    """Zero of an increasing function."""
     for _ in range(100):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if f(middle) < 0 else (low, middle)
@@ -32,10 +32,10 @@ def root(f, low, high):
 
 
 def lying(tension, length):
-    """Stretch, and tension at the anchor, of what lies with this tension at its other end.
+    """Stretch, and tension at the anchor, of the part on the bed with this tension at its other end.
 
-    Friction is FRICTION times WEIGHT min(1, u/MOBILISATION), u being what has been stretched from the anchor to there:
-    EA u'' = friction, so u = a sinh(k s) up to where u = MOBILISATION, and the tension rises evenly beyond."""
+    Friction is FRICTION times WEIGHT min(1, u/MOBILISATION), u being the displacement relative to the anchor: EA u''
+    = friction, so u = a sinh(k s) up to u = MOBILISATION, and the tension increases linearly beyond."""
     most = FRICTION * WEIGHT
     k = math.sqrt(most / (EA * MOBILISATION))
 
@@ -51,8 +51,8 @@ def lying(tension, length):
 def catenary(span, height, length):
     """Tension at the fairlead and at the anchor of a chain that lies in part.
 
-    On its bed of springs it lies in by d = WEIGHT/STIFFNESS, with the slope (d/l) exp(x/l) before it leaves, l =
-    sqrt(H/STIFFNESS); a parabola with the same height and slope there has its lowest point d/2 above what lies."""
+    On its elastic bed it penetrates by d = WEIGHT/STIFFNESS, with the slope (d/l) exp(x/l) before liftoff, l =
+    sqrt(H/STIFFNESS); a parabola with the same height and slope there has its lowest point d/2 above the lying part."""
     rise = height - RADIUS + 0.5 * WEIGHT / STIFFNESS
 
     def shape(h):
@@ -81,7 +81,7 @@ class Farm(unittest.TestCase):
         return array.array(kind, target.read_bytes())
 
     def tension(self, results, name):
-        """Of a history at every step."""
+        """Tension of a history at every step."""
         head = run("h5dump", "-a", f"/series/{name}/columns", results).stdout.replace("\\000", "")
         columns = re.findall(r'"(\w+)"', head[head.index("DATA {"):])
         return self.read(results, f"/series/{name}")[columns.index("effective_tension")::len(columns)]
@@ -105,7 +105,7 @@ class Farm(unittest.TestCase):
             self.assertEqual(result.returncode, 0, result.stderr)
         one, two = self.folder / "1.h5", self.folder / "2.h5"
         self.assertEqual(self.read(one, "/series/time"), self.read(two, "/series/time"))
-        # Nodes of chains in the order of the file: each process has one stretch.
+        # Chain nodes in file order: each process has one consecutive run.
         shares = [list(self.read(results, "/nodes/rank", "i")) for results in (one, two)]
         self.assertEqual(set(shares[0]), {0})
         self.assertEqual(shares[1], sorted(shares[1]))
@@ -119,7 +119,8 @@ class Farm(unittest.TestCase):
             self.assertLess(max(abs(x - y) for x, y in zip(a, b)), 1e-6 * max(a), name)
             moved = max(moved, max(a) - min(a))
         self.assertGreater(moved, 10e3)  # N
-        # Chords of 11 m where the bed takes the chain up over sqrt(T/STIFFNESS), 3 to 5 m: it matters where a node lies.
+        # Chords of 11 m where the bed lifts the chain over sqrt(T/STIFFNESS), 3 to 5 m: the position of nodes
+        # matters.
         self.check_at_rest(one, 1e-3)
 
     def test_extremes_through_a_restart_on_other_ranks(self):
@@ -145,8 +146,9 @@ class Farm(unittest.TestCase):
         self.check_at_rest(self.folder / "fine.h5", 5e-5)
 
     def check_at_rest(self, results, tolerance):
-        """Every chain's tension at both ends; anchors, fairleads and floats, pushed by the wind, as the case has them."""
-        # As seen from their float all are the same: chains follow each other float by float.
+        """Tensions at both ends of every chain, and positions of anchors, fairleads and floats displaced by the
+        wind."""
+        # Chains are equal relative to their float and consecutive float by float.
         (drift,) = numbers(r"offset: \[([^]]*)\]", FLOAT)
         anchors, fairleads = numbers(r"anchor: \[([^]]*)\]", FLOAT), numbers(r" at: \[([^]]*)\]", FLOAT)
         (length,) = set(re.findall(r"type: chain, length: (\d+)", FLOAT))

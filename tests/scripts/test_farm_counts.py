@@ -1,4 +1,4 @@
-"""What a run asks of MPI does not grow with the lines of a farm, nor with the ranks; a restart reads own shares."""
+"""MPI calls of a run do not grow with the lines of a farm or the ranks; a restart reads only its own share."""
 import os
 import re
 import sys
@@ -14,11 +14,11 @@ import farm  # noqa: E402
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 COUNTER = os.environ.get("HAWSER_MPI_COUNTER", str(ROOT / "build/tests/libmpi_counts.so"))
 FEW, MANY, RANKS = 100, 1000, (2, 4, 8)
-STEPS = 5  # more in the second run of each farm and number of ranks, and in the third, with an output each
+STEPS = 5  # additional steps in the second run of each farm and number of ranks, and in the third, with an output each
 MOST_OF_STEP, MOST_BYTES = 10, 1000  # collective calls in a step, and what they carry
 MOST_OF_OUTPUT = 60  # collective calls
 MOST_OF_RUN = 900  # collective calls of the start, statics and one of everything
-REST_OF_FILE = 100000  # bytes that a rank may read of a results file beside its share: names, headers, an output's counter
+REST_OF_FILE = 100000  # bytes that a rank may read of a results file besides its share: names, headers, the counter of an output
 ELEMENT = 208  # bytes of an element that ranks exchange
 
 
@@ -26,7 +26,7 @@ ELEMENT = 208  # bytes of an element that ranks exchange
 class Counts(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        """What MPI is asked for by runs of one step, of more, and of more with as many outputs: {(lines, ranks): [counts]}."""
+        """MPI calls of runs with one step, with more, and with more and as many outputs: {(lines, ranks): [counts]}."""
         cls.found, cls.index = {}, {}
         with tempfile.TemporaryDirectory() as folder:
             case = Path(folder) / "case.yaml"
@@ -39,7 +39,7 @@ class Counts(unittest.TestCase):
                         cls.found.setdefault((lines, ranks), []).append(counts)
 
     def test_a_restart(self):
-        """A rank reads what is its own, and as much again for the checksum; it gets nothing of it from others."""
+        """A rank reads its own data, and as much again for the checksum, and receives none from others."""
         with tempfile.TemporaryDirectory() as folder:
             case, rest = Path(folder) / "case.yaml", Path(folder) / "rest.h5"
             case.write_text(farm.farm(MANY, 3, 0.1, 0.1, 0.1), "utf-8")
@@ -47,17 +47,17 @@ class Counts(unittest.TestCase):
             results = Path(folder) / "case.h5"
             whole = 8 * max(self.checkpoint_numbers(results, slot) for slot in (0, 1))
             for ranks in RANKS:
-                # From its end, where nothing is left to compute.
+                # From the end, where nothing is left to compute.
                 counts = farm.counted_by_rank(HAWSER, COUNTER, ranks, case, folder, ["--restart", str(results), "-o", str(rest)])
                 for rank, each in enumerate(counts):
                     with self.subTest("ranks, rank", at=(ranks, rank)):
-                        copied = rest.stat().st_size if rank == 0 else 0  # of the new file, when it is cut to its rows
+                        copied = rest.stat().st_size if rank == 0 else 0  # of the new file, when it is trimmed
                         self.assertLess(each["pread"][1] - copied, 2.02 * whole / ranks + REST_OF_FILE)
                         self.assertLess(each["Bcast"][1], REST_OF_FILE)
 
     @staticmethod
     def checkpoint_numbers(results, slot):
-        """How long the array of a checkpoint is."""
+        """Length of the array of a checkpoint."""
         listed = run("h5ls", "-d", f"{results}/checkpoint/{slot}/header").stdout
         return int(listed.split("Data:")[1].replace(",", " ").split()[1])
 
@@ -86,7 +86,7 @@ class Counts(unittest.TestCase):
                 self.assertLessEqual(calls / STEPS, MOST_OF_OUTPUT)
 
     def test_checkpoints_name_no_lines(self):
-        """Every rank has the names of what is in a checkpoint."""
+        """Names in a checkpoint, which every rank stores, do not include lines."""
         few, many = max(self.index[FEW]), max(self.index[MANY])
         self.assertLess(many, 1.1 * few)
 

@@ -1,4 +1,4 @@
-"""No source file is longer than one can read: 500 lines is the end."""
+"""Source files have at most 500 lines."""
 import tempfile
 import unittest
 from pathlib import Path

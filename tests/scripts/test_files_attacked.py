@@ -1,4 +1,4 @@
-"""Results files under attack: by other runs, other people's files, full disks and odd names."""
+"""Results files under adverse conditions: concurrent runs, third-party files, full disks and unusual names."""
 import math
 import os
 import re
@@ -16,7 +16,7 @@ from support import ROOT, run, write
 from test_run_messages import CASE, HAWSER
 
 LONG = CASE.replace("duration: 0.2, step: 0.05", "duration: 4000, step: 0.002").replace("every: 0.1", "every: 0.5")
-ALONE = ["unshare", "--map-root-user", "--mount", "sh", "-c"]  # a file system of one's own
+ALONE = ["unshare", "--map-root-user", "--mount", "sh", "-c"]  # a separate file system
 
 
 class Attack(unittest.TestCase):
@@ -37,7 +37,7 @@ class Attack(unittest.TestCase):
         return result
 
     def refused(self, arguments, *parts, code=2, **options):
-        """One sentence with these parts, and nothing is other than before."""
+        """One sentence with these parts, and all files unchanged."""
         def state():
             return {p: p.is_file() and not p.is_symlink() and p.read_bytes() for p in self.folder.rglob("*")}
         before = state()
@@ -50,7 +50,7 @@ class Attack(unittest.TestCase):
         return result
 
     def running(self, *arguments, ranks=0):
-        """A run that is on its way."""
+        """A run in progress."""
         launch = ["mpirun", "-q", "-n", str(ranks), HAWSER] if ranks else [HAWSER]
         return self.launched([*launch, "run", *arguments])
 
@@ -81,7 +81,7 @@ class TwoRuns(Attack):
                     self.assertEqual(result.returncode, 2, result.stderr)
                     self.assertRegex(result.stderr, r"\Ahawser: cannot write the results to \S+/long.h5: another run is writing "
                                                     rf"them \({who}\); wait for its end, or give this one another file with -o\n\Z")
-                # Only reading is let be.
+                # Only reading is allowed.
                 self.succeed("long.yaml", "-q", "--restart", "long.h5", "-o", "other.h5", "--stop-at", "0.001")
                 os.kill(int(who.split()[1]), signal.SIGTERM)
                 first.wait()
@@ -117,7 +117,7 @@ class OldFiles(Attack):
             self.assertEqual((self.folder / "rod.h5~").read_bytes(), first)
             self.assertEqual((self.folder / "rod.xdmf~").read_bytes(), table)
             self.assertNotEqual((self.folder / "rod.h5").read_bytes(), first)
-            # In the same file nothing is replaced.
+            # Continuing in the same file replaces nothing.
             self.succeed("rod.yaml", "-q", "--restart", "rod.h5")
             self.assertEqual((self.folder / "rod.h5~").read_bytes(), first)
 
@@ -233,7 +233,7 @@ class Corrupted(Attack):
 
 
     def test_checkpoints(self):
-        """Numbers that are none, under a checksum that is right (src/io/checkpoint.cpp)."""
+        """NaN under a valid checksum (src/io/checkpoint.cpp)."""
         def mix(h):
             h ^= h >> 33
             h = h * 0xff51afd7ed558ccd % 2**64
@@ -329,7 +329,7 @@ class Signals(Attack):
     @unittest.skipUnless(Path(HAWSER).resolve() == ROOT / "build/hawser", "scripts/run runs another build")
     def test_the_script_turns_control_c_into_a_stop(self):
         (self.folder / "bin").mkdir()
-        cmake = self.folder / "bin/cmake"  # the program is there
+        cmake = self.folder / "bin/cmake"  # the program exists
         cmake.write_text("#!/bin/sh\n")
         cmake.chmod(0o755)
         process = self.launched([ROOT / "scripts/run", "long.yaml", "-n", "2"], start_new_session=True,
@@ -341,7 +341,7 @@ class Signals(Attack):
         self.assertIn("  numbers   long.h5", out)
 
     def test_mpirun_on_its_own_terms(self):
-        # What it does with these signals no program can change; what was accepted is there.
+        # The behaviour at these signals cannot be changed; accepted data must be there.
         for sign in (signal.SIGTERM, signal.SIGINT):
             process = self.running("long.yaml", ranks=2)
             process.send_signal(sign)

@@ -16,7 +16,7 @@ sys.path.insert(0, str(ROOT / "scripts"))
 from hawser_post.results import Results  # noqa: E402
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
-# A body that thrusters hold moves, and a rope that has nothing to do with it is released.
+# A body held by thrusters moves, and an unrelated rope is released.
 POSITIONED = """\
 hawser: 1
 line_types:

@@ -1,5 +1,5 @@
-"""Mutants of a case and its files through the program, as a user would, and many more checked in one process (fuzz.py; 10^4
-of them, under sanitizers, are a part of scripts/test --full)."""
+"""Mutants of a case and its files through the program, and many more checked in one process (fuzz.py; 10^4 of them,
+under sanitizers, are part of scripts/test --full)."""
 import os
 import tempfile
 import unittest
@@ -18,7 +18,7 @@ class Fuzz(unittest.TestCase):
     def fuzz(self, program, mutants, **settings):
         complaints, codes = fuzz(program, mutants=mutants, **settings)
         self.assertEqual(complaints, [])
-        # Neither are all of them refused at once nor is nothing wrong with them.
+        # Mutants are neither all refused nor all valid.
         self.assertGreater(codes.get(0, 0), mutants / 20)
         self.assertGreater(codes.get(2, 0), mutants / 20)
 

@@ -1,5 +1,5 @@
-"""The farm of cases/honeycomb: one and two ranks agree, its chains at rest are those of one turbine alone, anchors are shared, and cables
-without current are carried by their ends and the bed."""
+"""The farm of cases/honeycomb: one and two ranks agree, its chains at rest equal those of a single turbine, anchors
+are shared, and cables without current are carried by their ends and the bed."""
 import math
 import os
 import tempfile

@@ -1,4 +1,4 @@
-"""The tree's own includes point down, and scripts/check-includes finds each kind of wrong one."""
+"""The tree's includes point down, and scripts/check-includes finds each kind of wrong one."""
 import tempfile
 import unittest
 
@@ -13,7 +13,7 @@ SOUND = {
     "src/run/local.hpp": "#include <mpi.h>\n",
     "src/CMakeLists.txt": "hawser_room(math dep_eigen)\nhawser_room(geometry math dep_eigen)\n",
 }
-# What is planted, and a piece of the complaint that must follow.
+# Planted includes, and a part of the expected complaint.
 WRONG = [
     ("src/mesh/a.cpp", '#include "hawser/io/reader.hpp"\n', "src/mesh/a.cpp:1: hawser/io/reader.hpp: upward"),
     ("include/hawser/state/a.hpp", "\n#include <hawser/terms/t.hpp>\n", "a.hpp:2: hawser/terms/t.hpp: upward"),

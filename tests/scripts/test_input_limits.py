@@ -1,5 +1,5 @@
-"""What never ends or would not fit into memory is refused before it is read: one sentence with the file, exit code 2, in
-little memory and time."""
+"""Endless or oversized input is refused before it is read: one sentence with the file, exit code 2, in little memory
+and time."""
 import os
 import resource
 import subprocess
@@ -22,11 +22,11 @@ lines:
     end_b: {anchor: [60, 0, -60]}
 dynamics: {duration: 10}
 """
-MOST = 1_500_000_000  # bytes of memory; the program itself maps a third of it
+MOST = 1_500_000_000  # bytes of memory; the program maps a third of it
 
 
 def limited():
-    if "ASAN_OPTIONS" not in os.environ:  # the sanitizer maps all there is
+    if "ASAN_OPTIONS" not in os.environ:  # the sanitizer maps all memory
         resource.setrlimit(resource.RLIMIT_AS, (MOST, MOST))
 
 

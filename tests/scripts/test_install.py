@@ -1,6 +1,5 @@
-"""What `cmake --install` puts into a folder works after the folder has been moved: the program, its Python tools and
-its cases; manual page and completion are at the standard places. Program, CMake and Debian's changelog name one
-version."""
+"""The folder of `cmake --install` works after being moved: program, Python tools and cases; manual page and
+completion are at the standard places. Program, CMake and Debian's changelog have the same version."""
 import json
 import os
 import re
@@ -34,7 +33,7 @@ class Install(unittest.TestCase):
         first.rename(cls.prefix)
 
     def hawser(self, *words):
-        # Nothing of the sources nor of the environment helps.
+        # Neither the sources nor the environment are available.
         env = {k: v for k, v in os.environ.items() if not k.startswith(("HAWSER", "PYTHON"))}
         done = run(self.prefix / "bin/hawser", *words, cwd=self.folder.name, env=env)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)

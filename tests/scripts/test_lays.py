@@ -1,4 +1,4 @@
-"""Lays over supports as users write them: pipes that yield, and what the program says of a case that cannot be meant."""
+"""Typical lays over supports: yielding pipes, and messages about implausible cases."""
 import os
 import re
 import shutil
@@ -47,7 +47,7 @@ contact: {between_lines: false}
 
 
 def box(place, above):
-    """The case with the support at a place as much higher or lower above the path as said."""
+    """The case with the support this much higher or lower than the path."""
     others = BOXES.replace(f"{place}, ", "")
     one = others.replace(re.search(r"\[.*?\]", others)[0], f"[{place}]").replace("above_path: 0.5", f"above_path: {above}")
     return {BOXES: f"{one}\n{others}"}
@@ -78,11 +78,11 @@ class Lays(unittest.TestCase):
 class PipesThatYield(Lays):
     def test_statics_goes_over_the_elastic_rest(self):
         elastic = self.moments("elastic")
-        for kilo in (900, 700):  # little yields, and more than a little
+        for kilo in (900, 700):  # slight and moderate yielding
             yields = f"line_types.pipe.plasticity={{ramberg_osgood: {{yield_moment: {kilo} kN m, A: 0.4, B: 12}}}}"
             moment = self.moments("yields", yields)
             self.assertLess(moment.max(), (0.999 if kilo == 900 else 0.98) * elastic.max())
-            # The rest is that which is found from the elastic one by hand.
+            # The equilibrium equals that found manually from the elastic one.
             by_hand = self.moments("by_hand", yields, "lines.pipe.start={from: elastic.h5}")
             np.testing.assert_allclose(moment, by_hand, rtol=0, atol=1e-5 * elastic.max())
         shared = self.moments("shared", yields, ranks=2)
@@ -98,7 +98,7 @@ class PipesThatYield(Lays):
 
 
 class ThatCannotBeMeant(Lays):
-    """What is said of them, and how soon."""
+    """Messages about implausible cases, and how early they appear."""
 
     def refused(self, changes, *parts, command="run"):
         done = self.hawser(command, changes)

@@ -1,5 +1,5 @@
-"""Lines that differ only by their names and places are reported together, with ranges; what lies on the bed has one length, in the
-check, the log of a run, and the tables of its results."""
+"""Lines that differ only in name and position are reported together, with ranges; the length on the bed is the same
+in the check, the log of a run, and the tables of its results."""
 import csv
 import math
 import os
@@ -27,7 +27,7 @@ LEG = """\
 
 
 def legs(lengths, tops):
-    """Legs round a point, each with a length and the height of its upper end."""
+    """Legs around a point, each with a length and the height of its upper end."""
     out = HEAD
     for k, (length, top) in enumerate(zip(lengths, tops)):
         angle = 2 * math.pi * k / len(lengths)

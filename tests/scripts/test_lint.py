@@ -1,5 +1,5 @@
-"""scripts/lint finds a reference to what is gone, and passes a sound file. Only with HAWSER_FULL: it compiles nothing, but
-clang-tidy takes its time."""
+"""scripts/lint finds a dangling reference and passes a correct file. Only with HAWSER_FULL, because clang-tidy is
+slow."""
 import os
 import shutil
 import tempfile

@@ -1,4 +1,4 @@
-"""The manual page and the completion of bash have every command and option that the program says it has."""
+"""The manual page and the bash completion have every command and option of the program."""
 import gzip
 import os
 import shutil
@@ -15,7 +15,7 @@ import manual  # noqa: E402
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 
-# The two forms of help, with what is awkward in them: long terms, lines that go on, dots and dashes at the start.
+# The two forms of help with difficult parts: long terms, continued lines, dots and dashes at the start.
 CLI11 = """Run a case: statics, then dynamics.
 Usage: /some/where/hawser run [OPTIONS] case
 
@@ -73,7 +73,7 @@ class Made(unittest.TestCase):
         cls.commands = set(cls.helps)
 
     def words(self, *line):
-        """What bash offers in place of the last word."""
+        """Completions of bash for the last word."""
         script = (f". '{self.completion}'; COMP_WORDS=(hawser {' '.join(map(repr, line))}); COMP_CWORD={len(line)}; "
                   "_hawser; printf '%s\\n' \"${COMPREPLY[@]}\"")
         return run("bash", "-c", script, cwd=self.folder.name).stdout.split()

@@ -1,4 +1,4 @@
-"""hawser modes, as a user runs it: against an eigenproblem assembled here from the equilibrium alone."""
+"""hawser modes against an eigenproblem assembled here from the equilibrium alone."""
 import os
 import re
 import shutil
@@ -57,7 +57,7 @@ def chains(count):
 
 
 def frequencies_of(results, line):
-    """Hz, of a cable with consistent mass and added mass, from where its nodes are and what its elements are strained."""
+    """Frequencies [Hz] of a cable with consistent mass and added mass, from its node positions and element strains."""
     x = results.field("position", line, 0)
     n = len(x)
     K, M = np.zeros((3 * n, 3 * n)), np.zeros((3 * n, 3 * n))
@@ -74,8 +74,9 @@ def frequencies_of(results, line):
         for a, b, share in ((i, i, 1), (j, j, 1), (i, j, -1), (j, i, -1)):
             K[a, b] += share * k
             M[a, b] += m / (3 if share > 0 else 6)
-    # The bed: springs under the nodes and under the middles of elements, with the weights of Simpson's rule, that
-    # begin to act over twice the smoothing.
+    # The bed: springs under the nodes and mid-elements, with the weights of Simpson's rule, which start over
+    # twice
+    # the smoothing.
     z = x[:, 2]
 
     def spring(height):
@@ -91,7 +92,7 @@ def frequencies_of(results, line):
     return np.sqrt(np.abs(eigh(K[free, free], M[free, free], eigvals_only=True, subset_by_index=(0, 11)))) / (2 * np.pi)
 
 
-# A buoy on three chains: one mode is that of its own, with the chains' ends.
+# A buoy on three chains: one mode is its own, with the chain ends.
 BUOY = """\
 hawser: 1
 environment: {water: {depth: 100}, seabed: {depth: 100}}
@@ -126,12 +127,13 @@ class Modes(unittest.TestCase):
         output = run(HAWSER, "modes", self.folder / "buoy.yaml", "-n", "12").stdout
         rows = [line for line in output.splitlines() if re.match(r"\s+\d+\s", line)]
         self.assertEqual(len(rows), 12, output)
-        # Surge and sway of the chains' own take the buoy along; their high modes do not.
+        # Surge and sway of the chains move the buoy; their high modes do not.
         self.assertTrue(any("body buoy" in row for row in rows[:2]), output)
         self.assertTrue(any("body buoy" not in row for row in rows), output)
 
     def test_names_the_freedoms_of_bodies(self):
-        # Springs of growing stiffness: sway, heave, surge, yaw, roll, pitch. The body is turned by 90 degrees, so that it surges along y.
+        # Springs of increasing stiffness: sway, heave, surge, yaw, roll, pitch. The body is rotated by 90
+        # degrees, so that it surges along y.
         write(self.folder, "body.yaml", """\
 hawser: 1
 environment: {gravity: 0}
@@ -149,7 +151,7 @@ bodies:
             self.assertEqual(output.count(", turns in place"), 3, output)
 
     def test_a_body_that_turns_about_its_origin_is_named_by_its_rotations(self):
-        # The springs turn it about the origin, 5 m above the centre of mass, which moves then.
+        # The springs rotate it about the origin, 5 m above the centre of mass, which moves then.
         write(self.folder, "body.yaml", """\
 hawser: 1
 environment: {gravity: 0}
@@ -174,7 +176,7 @@ bodies:
         self.assertAlmostEqual(statics.field("effective_tension", line, 0)[-1] / 2435.56e3, 1, delta=2e-3)
         own = frequencies_of(statics, line)
         np.testing.assert_allclose(one[:8], own[:8], rtol=1e-3)
-        # Three of them about a platform that is held: each mode three times.
+        # Three chains on a fixed platform: each mode three times.
         three, results = self.modes(chains(3), "-n", "12", ranks=2)
         np.testing.assert_allclose(three, np.repeat(one[:4], 3), rtol=1e-3)
         self.assertEqual(len(results.lines), 3)
@@ -194,14 +196,16 @@ bodies:
             np.testing.assert_allclose(modes.column("frequency"), found, rtol=1e-4)
 
     def test_bodies_move(self):
-        """A load on slings: pictures show it where the mode takes it, on any ranks; the bodies turn by no more than 0.3 rad."""
+        """A load on slings: pictures show it displaced by the mode, on any number of ranks; bodies rotate by at most
+        0.3 rad."""
         case, poses = str(ROOT / "cases/lifted-load/lifted-load.yaml"), []
         for ranks in (1, 2):
             result = run(*(["mpirun", "-n", "2"] if ranks == 2 else []), HAWSER, "modes", case, "-n", "6", "-o", "modes.h5", cwd=self.folder)
             self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
             results = Results(self.folder / "modes.h5")
             poses.append(np.concatenate([results.file["bodies/position"][:], results.file["bodies/rotation"][:]], axis=2))
-        # One of the two free modes turns the hook; 3 and 4 are the pendulum along x and y, 5 % of the longest line, 20 m.
+        # One of the two free modes rotates the hook; 3 and 4 are the pendulum along x and y, 5 % of the
+        # longest line, 20 m.
         hook, module = poses[0][:, 1], poses[0][:, 2]
         self.assertAlmostEqual(2 * np.arccos(hook[1:3, 3].min()), 0.3, delta=1e-6)
         np.testing.assert_allclose(np.abs(module[3:5, :3] - module[0, :3]).max(axis=1), 0.05 * 20, rtol=0.05)

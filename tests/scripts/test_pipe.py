@@ -1,4 +1,4 @@
-"""hawser pipe: what it reads of the program's checks, and a lay as a user checks it."""
+"""hawser pipe: reading of the program's checks, and a typical lay."""
 import csv
 import os
 import re
@@ -21,7 +21,7 @@ HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 
 
 class Parts(unittest.TestCase):
-    """Lines without supports, and results of which none is at rest."""
+    """Lines without supports, and results without a state at rest."""
     case = """hawser: 1
 environment: {seabed: {depth: 50}}
 line_types:
@@ -32,7 +32,7 @@ lines:
 
     def results(self, upper="a", kind="", more="", time=(0.0, 1.0), name="riser.h5", moment=1e5,
                 codes=("dnv_local_buckling", "api_bending_pressure", "api_tension_pressure")):
-        """A line down to the bed, on which its last 20 m lie."""
+        """A line with its last 20 m on the bed."""
         folder = Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, folder)
         way = np.linspace(0, 100, 11) if upper == "a" else np.linspace(100, 0, 11)
@@ -105,8 +105,8 @@ lines:
 
 class Departing(unittest.TestCase):
     def lay(self, forwards, case="hawser: 1\n", stock=0):
-        """Supports at 10 and 20 m of a line that dives from there to the bed; the second carries it at the first output.
-        Arc lengths begin at the stock, of an end A that is fed."""
+        """Supports at 10 and 20 m of a line that descends from there to the bed; the second carries it at the first
+        output. Arc lengths begin at the stock if end A is fed."""
         arc = np.linspace(0, 100, 101)
         x = np.zeros((2, 101, 3))
         way = np.maximum(arc - stock, 0) if forwards else arc[::-1]
@@ -130,12 +130,12 @@ class Departing(unittest.TestCase):
             np.testing.assert_allclose(left.arc, [20, 10] if forwards else [80, 90])
             np.testing.assert_allclose(left.angle, np.degrees(np.arctan([0.4, 0.2])), atol=0.7)
             np.testing.assert_allclose(left.tip_clearance, [-0.01, 0.3])
-            # It is steepest just behind 50 m.
+            # The steepest point is just beyond 50 m.
             bend = laying.inflection(results, results.lines[0], left, None)
             np.testing.assert_allclose(bend, 50.5 if forwards else 49.5)
 
     def test_a_fed_line_leaves_from_its_feeder(self):
-        # Of its 100 m 45 are in the stock, and the supports are nearer to its other end.
+        # 45 of its 100 m are in the stock, and the supports are nearer to its other end.
         case = "hawser: 1\nlines: {pipe: {end_a: {anchor: [0, 0, 0], feed: {stock: 45, speed: 1}}}}\n"
         results = self.lay(True, case, stock=45)
         left = laying.departure(results, results.lines[0])
@@ -151,7 +151,7 @@ class Departing(unittest.TestCase):
 
 class Stations(unittest.TestCase):
     def results(self, end, ended=True):
-        """A line of 0, 4 and 10 m of which the last station from the feeder was never reached."""
+        """A line of 0, 4 and 10 m whose last station from the feeder was never reached."""
         def of(values):
             table = np.array([[v - 1, 1.0, v, 2.0, v - 0.5, 0.1] for v in values])
             return table if end == "end_a" else table[::-1]
@@ -188,7 +188,7 @@ class Searching(unittest.TestCase):
     asked = lay_search.Asked(0.3, 0.8)
 
     def search(self, lay_at):
-        """With 10 kN at the bottom to begin with, 40 kN less than at the top; and the tensions that were tried."""
+        """Search from 10 kN at the bottom, 40 kN less than at the top; and the tensions tried."""
         tried = []
 
         def trial(bottom):
@@ -197,7 +197,7 @@ class Searching(unittest.TestCase):
         return (*lay_search.smallest(trial, self.asked, 1e4, 4e4), tried)
 
     def test_between_one_that_keeps_and_one_that_does_not(self):
-        for edge in (317e3, 4e3, 10.01e3):  # above, below and beside where the search begins
+        for edge in (317e3, 4e3, 10.01e3):  # above, below and beside the start of the search
             keeps, fails, _ = self.search(lambda t: lay_search.Lay(t + 4e4, [], 0.3 + (t - edge) * 1e-6, 0.1))
             self.assertLess(fails[0], edge)
             self.assertGreaterEqual(keeps[0], edge)
@@ -254,14 +254,15 @@ class Lay(unittest.TestCase):
         self.assertAlmostEqual(static("overbend  bending moment [kN m]"), moment.max() / 1e3, delta=0.1)
         self.assertAlmostEqual(static("overbend  bending strain [%]"),
                                100 * moment.max() / 16272.6e3 * 0.125, delta=1e-3 * 0.114)
-        # By hand at the most bent node: f_y 432 MPa, M_p 357.9 kN m, alpha_c 1.0909, S_p 4784 kN, combination a.
+        # By hand at the node of largest bending: f_y 432 MPa, M_p 357.9 kN m, alpha_c 1.0909, S_p 4784 kN,
+        # combination a.
         node = int(np.argmax(moment))
         tension = results.field("effective_tension", line, 0)[node]
         share = 1.196 * 1.2 / 1.0909 * np.array([moment[node] / 357.9e3, tension / 4784.0e3])
         self.assertAlmostEqual(static("overbend  local buckling, DNV-ST-F101"), (share[0] + share[1] ** 2) ** 2, delta=2e-3)
         self.assertAlmostEqual(static("overbend  overbend strain at rest, DNV simplified I"),
                                moment.max() / 16272.6e3 * 0.125 / 0.0025, delta=2e-3)
-        # Lift-off: the last of eleven boxes, where the line dives by the angle of the stinger there and a little more.
+        # Lift-off: the last of eleven boxes, where the line slope slightly exceeds that of the stinger.
         self.assertAlmostEqual(static("arc length of lift-off [m]"), 104.7, delta=0.3)
         self.assertAlmostEqual(static("departure angle below the horizontal [deg]"), np.degrees(84 / 150), delta=0.6)
         self.assertAlmostEqual(static("top tension [kN]"), 151.85, delta=0.1)
@@ -281,7 +282,7 @@ class Lay(unittest.TestCase):
             self.assertEqual(made.returncode, 0, made.stderr)
             results = Results(path)
             checked = pipe_checks.of_case(results, results.lines[0])
-            # At rest, by part, and at the nodes that are well between the first and the last box.
+            # At rest, by part, and at nodes well between the first and last box.
             boxes = [results.series(f"stinger {k}").column("arc_length")[0] for k in (1, 11)]
             line = results.lines[0]
             inside = (line.arc > min(boxes) + 5) & (line.arc < max(boxes) - 5)
@@ -290,7 +291,7 @@ class Lay(unittest.TestCase):
         usual = worst()
         self.assertLess(worst("grade=X70")[0], usual[0])
         self.assertGreater(worst("safety_class=high")[0], usual[0])
-        # gamma_C of the stinger alone: the square of the moment's share, and hardly anything of the tension's.
+        # gamma_C on the stinger alone: the square of the moment's part, with little effect on the tension's.
         stinger = worst("condition_factor={supports: 0.8}")
         self.assertAlmostEqual(stinger[3] / usual[3], 0.64, delta=0.01)
         self.assertAlmostEqual(stinger[1], usual[1], delta=1e-6)
@@ -318,13 +319,13 @@ class Lay(unittest.TestCase):
         with open(table, encoding="utf-8") as file:
             row = {key: float(value) for key, value in next(csv.DictReader(file)).items()}
         self.assertTrue(table.with_suffix(".png").is_file())
-        # The smallest: the pipe clears the tip by what was asked, and hardly more.
+        # The smallest: the pipe clears the tip by little more than required.
         self.assertGreaterEqual(row["tip clearance [m]"], 0.2)
         self.assertLess(row["tip clearance [m]"], 0.23)
-        # The tension falls by the weight of the height that the pipe comes down, in air and under water.
+        # The tension decreases by the weight over the descent, in air and under water.
         self.assertAlmostEqual(row["tension [N]"] - row["tension at touchdown [N]"], 359.09 * (90 - 0.125) + 852.5 * 10.325,
                                delta=200)
-        # The same lay, with that tension as a target of the case's own.
+        # The same lay, with that tension as a target of the case itself.
         anchor = -549.9 - (row["layback [m]"] - 329.7)
         again = self.folder / "again.h5"
         made = run(HAWSER, "run", self.case, "-q", "-o", again, "--set", "dynamics=null", "--set", "environment.seabed.depth=90",
@@ -343,11 +344,12 @@ class Lay(unittest.TestCase):
             rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
         self.assertEqual([row["stinger radius [m]"] for row in rows], [60, 100])
         for row in rows:
-            # The mean of the overbend is bent as the stinger, 1.325 m above its path, by which 0.25 % are allowed to X65.
+            # The mean overbend curvature is that of the stinger, 1.325 m above its path, where X65 allows
+            # 0.25 %.
             self.assertGreater(row["overbend strain [%]"], 100 * 0.125 / (row["stinger radius [m]"] + 1.325))
             self.assertLess(row["overbend strain [%]"], 1.4 * 100 * 0.125 / (row["stinger radius [m]"] + 1.325))
             self.assertAlmostEqual(row["overbend strain, DNV simplified I [-]"], row["overbend strain [%]"] / 0.25, delta=1e-6)
-        # It clears the last box by 0.3 m and lies on the last but one, 72 m along the arc.
+        # It clears the last box by 0.3 m and rests on the last but one, 72 m along the arc.
         self.assertAlmostEqual(rows[1]["departure angle [deg]"], np.degrees(72 / 100), delta=1)
         self.assertGreater(rows[0]["overbend local buckling [-]"], 1)
         self.assertIn(f"In 90 m of water 100 m is the smallest of these radii whose overbend is used up to 1 ("

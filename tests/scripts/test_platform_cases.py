@@ -1,5 +1,5 @@
-"""The cases of platforms: what they say without the coefficients of other owners, and with them, beside the sources, equilibria,
-natural frequencies and decays against references, and that they run."""
+"""Cases of platforms: messages without the third-party coefficients and, if these are available, equilibria, natural
+frequencies and decays against references, and short runs."""
 import os
 import re
 import shutil
@@ -13,7 +13,7 @@ from support import ROOT, run
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 DATA = ROOT.parent / "shared/data"
-# Of each case: its coefficients here, and their names beside the case.
+# Coefficient files of each case, and their names beside the case.
 FILES = {
     "volturnus": ("umaine-semi", {"IEA-15-240-RWT-UMaineSemi": "IEA-15-240-RWT-UMaineSemi"}),
     "oc4": ("platforms/oc4-semi", {"marin_semi": "marin_semi", "oc4_excitation_raft_grid": "marin_semi"}),
@@ -31,7 +31,7 @@ class Cases(unittest.TestCase):
         (self.folder / "farm").symlink_to(ROOT / "cases/farm")
 
     def case(self, name, data=True):
-        """A copy of a case, with its coefficients."""
+        """A copy of a case with its coefficients."""
         folder = self.folder / name
         shutil.copytree(ROOT / "cases" / name, folder, ignore=shutil.ignore_patterns("*.h5*", "*.xdmf*", "*.png"))
         if not data or name not in FILES:
@@ -64,7 +64,7 @@ class Cases(unittest.TestCase):
                 self.assertRegex(done.stderr, rf"{name}\.yaml:\d+: bodies\.\w+\.floating\.hydrodynamics\.wamit: ")
                 missing = re.search(r"(\S+)/([^/\s]+): there is no such file", done.stderr)
                 self.assertIsNotNone(missing, done.stderr)
-                # The README names it, by its whole name or by its ending.
+                # The README names each file by its full name or extension.
                 page = (ROOT / "cases" / name / "README.md").read_text(encoding="utf-8")
                 self.assertIn(missing.group(2), page)
 
@@ -151,7 +151,7 @@ class Cases(unittest.TestCase):
             self.assertAlmostEqual(by_decay / published, 1, delta=0.07)
 
     def test_fpso(self):
-        """She lies between the directions that waves, wind and current come from, and starts into the storm from there."""
+        """The ship's heading is between the directions of waves, wind and current, and the storm starts from there."""
         file = self.run_case(self.case("fpso"), "--set", "dynamics.duration=20")
         _, found = self.series(file, "fpso")
         self.assertTrue(-30 < np.degrees(found["rotation_vector_z"][0]) < 0)
@@ -160,7 +160,7 @@ class Cases(unittest.TestCase):
         self.assertLess(np.abs(found["position_x"] - found["position_x"][0]).max(), 5)
 
     def test_ships_touch_and_rub(self):
-        """Pushed together without fenders, the boxes of the hulls stop each other, and with friction the vessel loses way."""
+        """Pushed together without fenders, the hulls stop each other, and friction slows the vessel."""
         path, after = self.case("side-by-side"), {}
         for friction in (0.4, 0.001):
             file = self.run_case(path, *NO_WAVES, "--set", "statics=false", "--set", "volumes.fender 1=null", "--set", "volumes.fender 2=null",
@@ -182,10 +182,10 @@ class Cases(unittest.TestCase):
         file = self.run_case(self.case("side-by-side"), "--set", "dynamics.duration=5")
         _, vessel = self.series(file, "vessel")
         _, fpso = self.series(file, "fpso")
-        self.assertGreater((fpso["position_y"] - vessel["position_y"]).min(), 46)  # on the fenders, 47.15 m where they touch
+        self.assertGreater((fpso["position_y"] - vessel["position_y"]).min(), 46)  # on the fenders; contact at 47.15 m
 
     def test_tanker_is_stopped(self):
-        """Set off at 0.3 m/s near the hawser she is slowed down by it, and no node of it gets into her."""
+        """Started at 0.3 m/s near the hawser, the tanker is slowed down by it, and no node penetrates its hull."""
         path = self.case("kvlcc2-adrift")
         file = self.run_case(path, "--set", "bodies.tanker.position=[0, 24, 0]", "--set", "bodies.tanker.floating.velocity=[0, 0.3, 0]",
                              "--set", "dynamics={duration: 150, step: 0.05}", "--set", "environment.wind.speed=0.1")

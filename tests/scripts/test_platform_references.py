@@ -1,5 +1,5 @@
-"""Platforms by coefficients of others, which lie beside the sources or these tests are skipped: decays, natural periods, responses and
-slow drift against solutions in the frequency domain (inverse Laplace transforms, eigenvalues, complex equations, double sums)."""
+"""Platforms with third-party coefficients (skipped if missing): decays, natural periods, responses and slow drift
+against frequency-domain solutions (inverse Laplace transforms, eigenvalues, complex equations, double sums)."""
 import csv
 import json
 import os
@@ -18,13 +18,13 @@ HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 DATA = ROOT.parent / "shared/data"
 UMAINE = "IEA-15-240-RWT-UMaineSemi"
 MOTION = ("position_x", "position_y", "position_z", "rotation_vector_x", "rotation_vector_y", "rotation_vector_z")
-# What the WAMIT run of the VolturnUS-S was given.
+# Mooring stiffness of the VolturnUS-S in its WAMIT run.
 MOORING = np.diag([7.192e4, 7.192e4, 6.076e4, 2.587e8, 2.587e8, 2.524e8])
 MOORING[0, 4] = MOORING[4, 0] = 1.145e6
 MOORING[1, 3] = MOORING[3, 1] = -1.145e6
 DAMPING = np.diag([1.6299e5, 1.6299e5, 1.4632e6, 1.2627e9, 1.2627e9, 0])
 UMAINE_INERTIA = [4.26e10 - 2.01e7 * 2.32**2] * 2 + [2.37e10]
-# Of three chains on the OC4 DeepCwind (exact catenaries); mass and inertia of platform, tower and turbine.
+# Three chains on the OC4 DeepCwind (exact catenaries); mass and inertia of platform, tower and turbine.
 OC4_MOORING = np.diag([70836.05, 70836.05, 19140.47, 8.724075e7, 8.724075e7, 1.169702e8])
 OC4_MOORING[0, 4] = OC4_MOORING[4, 0] = -107232
 OC4_MOORING[1, 3] = OC4_MOORING[3, 1] = 107232
@@ -63,7 +63,7 @@ class Platforms(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def files(self, names):
-        """Copies files of others, by their names here, or skips."""
+        """Copies third-party files by their names here, or skips the test."""
         for name, path in names.items():
             if not (DATA / path).exists():
                 self.skipTest(f"{DATA / path} is not there")
@@ -84,7 +84,7 @@ class Platforms(unittest.TestCase):
               f"bodies:\n{bodies}{end}\n{output}")
 
     def run_case(self, bodies, duration=0.0, step=0.0, end="", **how):
-        """The histories of a run, or of statics where it has no duration: time, and columns by body."""
+        """Histories of a run, or statics without a duration: time, and columns by body."""
         if duration:
             end += f"statics: false\ndynamics: {{duration: {duration}, step: {step}, rho_infinity: 1}}"
         self.case(bodies, end=end, **how)
@@ -103,8 +103,8 @@ class Platforms(unittest.TestCase):
         self.assertLess(error, tolerance)
 
     def test_decays_of_volturnus(self):
-        """Linear mooring and damping; steps of 0.05 s: 1e-3 of the start. Of free heave, which hardly anything damps, in steps of 0.1 and
-        0.2 s and in steps of 0.03 to 0.2 s by the local error: 2e-3."""
+        """Linear mooring and damping; steps of 0.05 s: 1e-3 of the start. Nearly undamped free heave in steps of 0.1
+        and 0.2 s and in steps of 0.03 to 0.2 s by the local error: 2e-3."""
         self.umaine()
         time, found = self.run_case(volturnus("", place=(0, 0, 1)), 110, 0.05)
         known = ((5, 0.0282245), (25, 0.20732), (45, 0.365117), (65, 0.512062), (85, 0.643978), (105, 0.757109))
@@ -123,7 +123,7 @@ class Platforms(unittest.TestCase):
         self.decay("its moored surge", known, 5, time, found["semi"]["position_x"], 1e-3)
 
     def test_decay_of_a_sphere(self):
-        """A hemisphere by a file whose moments are about a point below the water line, 40 s: 0.5 mm of 1 m."""
+        """A hemisphere from a file with moments about a point below the water line, 40 s: 0.5 mm of 1 m."""
         folder = "platforms/oes-sphere/"
         self.files({"ball.1.gz": f"{folder}sphere.1.gz", "ball.hst": f"{folder}sphere.hst"})
         ball = "  ball: {position: [0, 0, 1], floating: {mass: 261800, inertia: [2.6e6, 2.6e6, 2.6e6], hydrodynamics: {wamit: ball, place: [0, 0, 0]}}}\n"
@@ -132,8 +132,8 @@ class Platforms(unittest.TestCase):
         self.decay("heave of a sphere", known, 1, time, found["ball"]["position_z"], 5e-4)
 
     def test_decay_of_two_bodies(self):
-        """RM3, a float about a spar with a plate: each alone, with a damper between them, joined: 1e-3 of the start, 2e-3 joined by
-        a spring of 5e10 N/m."""
+        """RM3, a float around a spar with a plate: separate, with a damper between them, joined: 1e-3 of the start,
+        2e-3 if joined by a spring of 5e10 N/m."""
         self.files({"rm3.1.gz": "platforms/rm3/rm3.1.gz", "rm3.hst": "platforms/rm3/rm3.hst"})
 
         def pair(z1, z2):
@@ -154,7 +154,7 @@ class Platforms(unittest.TestCase):
             self.decay(f"RM3 {what}, spar", [(t, b) for t, _, b in known], z1, time, found["spar"]["position_z"], tolerance)
 
     def test_decay_about_a_hinge(self):
-        """A flap on a ball joint with its coefficients about it: 1e-3 of 1 deg, of linear equations."""
+        """A flap on a ball joint with coefficients about it: 1e-3 of 1 deg, linear equations."""
         self.files({"flap.csv": "platforms/oswec/flap_pitch_about_hinge.csv"})
         with open(self.folder / "flap.csv", newline="") as file:
             table = [[float(x) for x in row] for row in csv.reader(line for line in file if line[0] != "#")]
@@ -187,7 +187,7 @@ class Platforms(unittest.TestCase):
             np.testing.assert_allclose(found, exact, rtol=5e-4)
 
     def response(self, bodies, omega, direction, natural, step, duration=800, **how):
-        """Of 2 cm of wave: the part at its frequency beside free motion, which hardly anything damps."""
+        """Response to a wave of 2 cm: its frequency component, separated from nearly undamped free motion."""
         time, found = self.run_case(bodies, duration, step, waves=sea([omega], [0.02], direction, [0], 150), **how)
         use = time > 160
         columns = [np.ones(np.count_nonzero(use)), time[use]]
@@ -317,8 +317,8 @@ class Platforms(unittest.TestCase):
         return omegas, F
 
     def test_slow_drift(self):
-        """Mean and slow forces of the .12d on the VolturnUS-S, by all pairs and by Newman's roots, at the frequencies of the file:
-        1e-6 of a double sum; the mean of regular waves by the file's own numbers."""
+        """Mean and slow forces of the .12d on the VolturnUS-S, by all pairs and by Newman's roots, at the
+        frequencies of the file: 1e-6 of a double sum; mean of regular waves by the file's values."""
         self.umaine()
         omegas, F = self.difference_forces()
         for omega, surge, heave in ((0.5, 3411.948, 18955.01), (0.75, 24313.03, 77841.87), (1.6, 128553.7, 4351.441)):
@@ -337,12 +337,13 @@ class Platforms(unittest.TestCase):
             turn = A[:, None] * np.exp(1j * np.outer(omegas[use], time))
             exact = np.einsum("it,jt,ijk->tk", turn, turn.conj(), pairs).real
             for k, column in ((0, "drift_force_x"), (2, "drift_force_z")):
-                error = np.abs(found["semi"][column] - exact[:, k])[1:].max() / exact[:, k].std()  # the first is that of statics
+                error = np.abs(found["semi"][column] - exact[:, k])[1:].max() / exact[:, k].std()  # the first is static
                 print(f"slow drift, {order}, {column}: off by {error:.1e} of its deviation")
                 self.assertLess(error, 1e-6)
 
     def test_drift_of_a_tanker(self):
-        """Mean forces by pressures (.9), of waves to three directions and in a sea, 2 int S D domega by a sum: 1e-6, 1 %."""
+        """Mean forces by pressures (.9), for waves in three directions and in a sea, 2 int S D domega by a sum:
+        1e-6, 1 %."""
         folder = "platforms/mss-tanker/"
         self.files({f"tanker{e}": f"{folder}tanker{e}" for e in (".1", ".3.gz", ".9.gz", ".hst")})
         held = added(NONE, np.diag([1e8, 1e8, 0, 0, 0, 1e12])) + ", symmetry: port_starboard, gravity_in_stiffness: true, second_order: mean"
@@ -368,7 +369,8 @@ class Platforms(unittest.TestCase):
             self.assertAlmostEqual(found["semi"]["drift_force_y"][0], sway, delta=0.01 * max(abs(sway), abs(surge)))
 
     def test_drift_of_a_sphere(self):
-        """Mean forces by momentum (.8) and over a control surface (.7), as the files have them, which begin with a line of text."""
+        """Mean forces by momentum (.8) and over a control surface (.7) equal the files, which begin with a line of
+        text."""
         folder = "platforms/drift-sphere/"
         for ending, rows in ((".8", ((2.51328, 0.008229728), (1.848, 0.8765597), (1.0472, 0.6073183))),
                              (".7.gz", ((2.51328, 0.008109339), (1.848, 0.87851), (1.0472, 0.5754058)))):

@@ -1,4 +1,4 @@
-"""hawser check --radiation and its figure: of a spar, and of the VolturnUS-S where its files are beside the sources."""
+"""hawser check --radiation and its figure: for a spar, and for the VolturnUS-S if its files are available."""
 import csv
 import os
 import shutil
@@ -60,7 +60,7 @@ class Radiation(unittest.TestCase):
         self.assertIn("surge-surge", names)
         self.assertEqual(len(found["damping"]), len(found["added mass"]))
         self.assertEqual(len(found["damping"]), len(found["added mass by damping"]) + 1)
-        # K(0) = (2/pi) int B, by straight lines.
+        # K(0) = (2/pi) int B, by linear interpolation.
         omega, B = found["damping"][:, 0], found["damping"][:, 1:]
         whole = np.trapezoid(np.vstack([0 * B[:1], B]), np.append(0, omega), axis=0) if hasattr(np, "trapezoid") else np.trapz(
             np.vstack([0 * B[:1], B]), np.append(0, omega), axis=0)

@@ -1,4 +1,4 @@
-"""Statics of random moorings, risers and pipes that are laid, and their motion with the vessel's heave.
+"""Statics of random moorings, risers and laid pipes, and their motion with the vessel's heave.
 
 A dozen of each; 400 and 120 with HAWSER_FULL in the environment, of which one in a hundred may fail.
 """
@@ -33,7 +33,7 @@ class RandomLines(unittest.TestCase):
             return list(pool.map(one, seeds))
 
     def test_statics(self):
-        # Two that were hard: their slack was folded up on the bed before the anchor.
+        # Includes difficult ones: their slack was folded on the bed before the anchor.
         seeds = range(400) if FULL else [*range(9), 31, 115, 200]
         failed = [f"{seed}: {r.stderr.strip()}" for seed, r in self.run_all(seeds, False) if r.returncode != 0]
         self.assertLessEqual(len(failed), len(seeds) // 100, "\n".join(failed))

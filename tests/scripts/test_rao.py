@@ -1,5 +1,5 @@
-"""hawser rao, as a user runs it: responses of a spar on linear springs against its equations in the frequency domain, in a
-regular wave and in white noise, and those of the VolturnUS-S where its files are beside the sources."""
+"""hawser rao: responses of a spar on linear springs against its frequency-domain equations, in a regular wave and in
+white noise, and those of the VolturnUS-S if its files are available."""
 import csv
 import gzip
 import json
@@ -44,7 +44,7 @@ def rows_of(matrix):
 
 
 def text_of(stem, ending):
-    """Lines of a file that may be packed."""
+    """Lines of a file that may be compressed."""
     path = Path(f"{stem}{ending}")
     return (path.read_text() if path.exists() else gzip.decompress(Path(f"{path}.gz").read_bytes()).decode()).splitlines()
 
@@ -80,7 +80,7 @@ class Reference:
         self.damping = added_damping
 
     def at(self, omega, direction):
-        """Straight lines between the frequencies of the files."""
+        """Linear interpolation between the frequencies of the files."""
         n = np.clip(np.searchsorted(self.omegas, omega), 1, len(self.omegas) - 1)
         low, high = self.omegas[n - 1], self.omegas[n]
         s = (omega - low) / (high - low)
@@ -98,7 +98,7 @@ def table(path):
 
 
 def off(found, exact):
-    """The largest difference, over the largest of its kind."""
+    """Largest difference, relative to the largest of its kind."""
     size = np.repeat([np.abs(exact[:3]).max(), np.abs(exact[3:]).max()], 3)
     return float(np.max(np.abs(found - exact) / size))
 
@@ -127,7 +127,7 @@ class Responses(unittest.TestCase):
         return done.stdout
 
     def test_regular_waves(self):
-        """Waves of three periods at a spar that stands elsewhere, with a heading; also of a point of it."""
+        """Waves of three periods at a displaced spar with a heading; also for another point of it."""
         results, omegas = [], (1.0, 0.6, 0.35)
         for k, omega in enumerate(omegas):
             waves = f"{{regular: {{height: 0.2, period: {2 * np.pi / omega:.15g}, direction_deg: 110, phase_deg: 25}}, ramp: 60}}"
@@ -153,7 +153,8 @@ class Responses(unittest.TestCase):
             self.assertLess(off(moved[k], exact), 2e-4)
 
     def test_quadratic_damping_by_a_matrix(self):
-        """Its diagonal damps as six numbers do; heave that acts on surge pushes the spar along -x, with the sign of its speed."""
+        """Its diagonal damps like six numbers; heave that acts on surge pushes the spar along -x, with the sign of
+        its velocity."""
         found = {}
         mixed = np.diag([1e6, 1e6, 1e7, 1e10, 1e10, 1e8])
         mixed[0, 2] = 5e6
@@ -174,7 +175,7 @@ class Responses(unittest.TestCase):
         self.assertLess(found["mixed"][-1, 0], -0.05)
 
     def test_table_for_a_vessel_that_moves_by_it(self):
-        """The .rao file drives a body by responses as the spar moved, by the convention of `motion.rao`."""
+        """The .rao file drives a body to the spar's motion, by the convention of `motion.rao`."""
         wave = "{regular: {height: 0.2, period: 12, direction_deg: 30, phase_deg: 40}, ramp: 60}"
         results = self.motion("wave", wave, 600)
         self.rao(results, "-o", "spar.rao")
@@ -196,8 +197,9 @@ output: {{every: 1000, histories: [{{body: spar}}]}}
         self.assertLess(off(again[0], first[0]), 1e-4)
 
     def test_white_noise(self):
-        """H1 within 0.2 % of the largest at half of the frequencies, within 1 % at nine of ten that are off the resonances of
-        pitch (0.19 rad/s) and heave (0.32 rad/s), which are narrower than the segments resolve: within 15 % there."""
+        """H1 within 0.2 % of the largest at half of the frequencies, within 1 % at nine of ten away from the
+        resonances of pitch (0.19 rad/s) and heave (0.32 rad/s), which the segments do not resolve: within 15 %
+        there."""
         rows = "[[0.02, 0], [0.025, 0.01], [0.2, 0.01], [0.205, 0]]"
         results = self.motion("noise", f"{{spectrum: {{rows: {rows}, seed: 3, components: 500}}, ramp: 100}}", 4600, step=0.2)
         printed = self.rao(results, "--since", "1000", "--segment", "450")
@@ -218,8 +220,8 @@ output: {{every: 1000, histories: [{{body: spar}}]}}
             self.assertLess(error[np.abs(omega - resonance) < 0.04].max(), 0.15)
 
     def test_volturnus(self):
-        """Published coefficients of the UMaine VolturnUS-S, a regular wave of 0.1 m at 0 and 30 deg: own solution in the
-        frequency domain with the mass, mooring and damping that its WAMIT run was given."""
+        """Published coefficients of the UMaine VolturnUS-S, a regular wave of 0.1 m at 0 and 30 deg: own solution in
+        the frequency domain with the mass, mooring and damping of its WAMIT run."""
         folder = DATA / "umaine-semi"
         if not folder.is_dir():
             self.skipTest(f"{folder} is not there")
@@ -231,7 +233,7 @@ output: {{every: 1000, histories: [{{body: spar}}]}}
         stiffness[1, 3] = stiffness[3, 1] = -1.145e6
         damping = np.diag([1.6299e5, 1.6299e5, 1.4632e6, 1.2627e9, 1.2627e9, 0])
         exact = Reference(self.folder / stem, 2.01e7, -2.32, [4.25e10, 4.25e10, 2.37e10], damping, stiffness)
-        # Of 1 m, by an independent solution of the same equations: surge, sway, heave [m], pitch [rad].
+        # For 1 m, by an independent solution of the same equations: surge, sway, heave [m], pitch [rad].
         for omega, direction, known in ((0.6, 0, [0.366945, 0, 0.425242, 4.58827e-3]), (0.45, 30, [0.566368, 0.332726, 0.589693, 1.87842e-3])):
             write(self.folder, "semi.yaml", f"""\
 hawser: 1

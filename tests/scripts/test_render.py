@@ -1,4 +1,4 @@
-"""scripts/render.py draws a small run: the right pictures, of the right size, that show something that moves."""
+"""scripts/render.py draws a short run: the right pictures, of the right size, showing motion."""
 import os
 import shutil
 import struct
@@ -50,7 +50,7 @@ def read_png(path):
 
 
 def coloured(rows):
-    """(row, column) of the pixels that are neither grey nor white: the lines, the colour bar is off to the right."""
+    """(row, column) of pixels that are neither grey nor white: the lines; the colour bar is on the right."""
     return [(y, x // 3) for y, row in enumerate(rows) for x in range(0, len(row), 3)
             if max(row[x : x + 3]) - min(row[x : x + 3]) > 60]
 
@@ -73,7 +73,7 @@ class Render(unittest.TestCase):
                                  ("small_0000.png", "small_0001.png", "small.png"))
             self.assertEqual(first[:2], (200, 160))
             self.assertEqual(both[:2], (400, 160))
-            # 4 m high, 160 pixels: the line of x = 0 ... 1 m left of the colour bar stands at z = 0, then at 2 m.
+            # 4 m high, 160 pixels: the line of x = 0 ... 1 m left of the colour bar is at z = 0, then at 2 m.
             for picture, z in ((first, 0), (last, 2)):
                 found = [y for y, x in coloured(picture[2]) if 80 < x < 120]
                 self.assertGreater(len(found), 200)
@@ -145,20 +145,20 @@ class Scenery(unittest.TestCase):
             film = ["--film", str(Path(folder) / "run.mp4")] if shutil.which("ffmpeg") else []
             everything = self.picture(folder, *film)
             bare = self.picture(folder, "--no-names", "--no-sea")
-            # Almost from the side, 5 pixels a metre: water in the upper half, the bed in the lower one.
+            # Almost from the side, 5 pixels per metre: water in the upper half, the bed in the lower one.
             self.assertGreater(self.count(everything[5:70], lambda r, g, b: b > r + 25 > 175), 300)
             self.assertLess(self.count(bare[5:70], lambda r, g, b: b > r + 25 > 175), 100)
             self.assertGreater(self.count(everything[90:], lambda r, g, b: 230 > r > g > b + 15 > 80), 300)
             self.assertGreater(self.count(bare, orange), 20)  # the buoy, a ball of 0.78 m radius
             self.assertGreater(self.count(everything, dark), self.count(bare, dark) + 30)  # names
-            # True diameters: the left line is 2.5 times as thick as the right one; a factor holds for both.
+            # True diameters: the left line is 2.5 times as thick as the right one; a factor applies to both.
             thick = self.picture(folder, "--no-names", "--no-sea", "--factor", "3")
 
             def across(rows, columns):
                 return sum(max(row[3 * x : 3 * x + 3]) - min(row[3 * x : 3 * x + 3]) > 30
                            for row in rows[:100] for x in columns) / len(columns)
 
-            left, right = range(55, 76), range(131, 139)  # where each is almost level, and free of the colour bar
+            left, right = range(55, 76), range(131, 139)  # where each is almost level, and away from the colour bar
             self.assertAlmostEqual(across(thick, left) / across(thick, right), 2.5, delta=0.4)
             self.assertGreater(across(thick, right), 2 * across(bare, right))
             if film:

@@ -1,4 +1,4 @@
-"""hawser report, plot and export: of a run of their own, and what they say where there is nothing to show."""
+"""hawser report, plot and export: for a run, and messages if there is nothing to show."""
 import contextlib
 import csv
 import io
@@ -54,7 +54,7 @@ output: {every: 0.5, histories: [{line: riser, at: end_a, name: hang-off}]}
 
 
 class Balanced(HTMLParser):
-    """Every tag that is opened is closed, nothing is fetched, and the words that are shown."""
+    """Checks that tags are balanced and nothing is fetched; collects the displayed words."""
     VOID = {"meta", "link", "img", "br"}
 
     def __init__(self):
@@ -92,7 +92,7 @@ class Report(unittest.TestCase):
 
     @classmethod
     def python(cls, *arguments):
-        """The same without starting the program and Python anew."""
+        """The same without starting the program and Python again."""
         out, err = io.StringIO(), io.StringIO()
         before = os.getcwd()
         try:
@@ -124,7 +124,7 @@ class Report(unittest.TestCase):
         self.assertTrue(any(m.startswith("note: ") for m in self.results.messages()))
         for message in self.results.messages():
             self.assertIn(message, words)
-        # What is newer than the case is not run again.
+        # Results newer than the case are not computed again.
         again = self.hawser("report", "riser.yaml", "-o", "again.html", "--since", "8")
         self.assertEqual((again.returncode, again.stdout), (0, "report: again.html\n"), again.stderr)
 
@@ -185,7 +185,7 @@ class Report(unittest.TestCase):
         np.testing.assert_allclose([float(r[3]) for r in rows], self.results.series("hang-off").column("position_z"),
                                    rtol=1e-8, atol=1e-8)
         head, rows = table("ends.csv")
-        # At rest the ends carry what the line weighs in water, but for what lies on the bed.
+        # At rest the ends carry the submerged weight of the line except for the part on the bed.
         forces = [float(r[head.index("vertical force [N]")]) for r in rows if r[0] == "riser"]
         self.assertLess(forces[0], 0)
         self.assertEqual(table("extremes.csv")[1][0][0], self.results.summary()[0][0])
@@ -263,7 +263,7 @@ class Numbers(unittest.TestCase):
         found = {float(r): float(counts[ranges == r].sum()) for r in np.unique(ranges)}
         self.assertEqual(found, {3: 0.5, 4: 1.5, 6: 0.5, 8: 1.0, 9: 0.5})
         self.assertEqual(float(means[ranges == 3][0]), -0.5)
-        # Whatever lies between the turning points.
+        # Independent of values between the turning points.
         fine = np.interp(np.linspace(0, 8, 801), range(9), [-2, 1, -3, 5, -1, 3, -4, 4, -2])
         self.assertAlmostEqual(float((rainflow(fine)[0] ** 3 * rainflow(fine)[2]).sum()), float((ranges**3 * counts).sum()))
         self.assertEqual(rainflow([5, 5, 5]).size, 0)
@@ -287,7 +287,7 @@ class Numbers(unittest.TestCase):
         area, inertia = np.pi / 4 * (outer**2 - inner**2), np.pi / 64 * (outer**4 - inner**4)
         self.assertAlmostEqual(stress.mean(), 1.0 / area, places=9)
         bending = 1e-6 * moment * outer / 2 / inertia
-        # Of sixteen places one is within 11.25 degrees of the plane of bending.
+        # One of sixteen places is within 11.25 degrees of the plane of bending.
         self.assertLessEqual(stress.max() - stress.mean(), bending)
         self.assertGreater(stress.max() - stress.mean(), bending * np.cos(np.pi / 16))
 

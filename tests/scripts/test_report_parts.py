@@ -1,5 +1,5 @@
-"""Parts of a report on results files that were not computed: units, statistics of every step, stress of pipes, clearances,
-sea and seabed."""
+"""Parts of a report on synthetic results files: units, statistics of every step, stress of pipes, clearances, sea
+and seabed."""
 import contextlib
 import csv
 import io
@@ -82,7 +82,7 @@ class Parts(unittest.TestCase):
         np.testing.assert_allclose(found.most, self.tension.max(axis=0) + 5e3)
         np.testing.assert_allclose(found.least_time, 7.25)
         self.assertTrue(found.every_step)
-        # From another time on there are only the outputs.
+        # From another time on only outputs are available.
         later = envelopes.envelope(results, line, "effective_tension", 10.0)
         np.testing.assert_allclose(later.most, self.tension[TIME >= 10].max(axis=0))
         self.assertFalse(later.every_step)
@@ -98,7 +98,7 @@ class Parts(unittest.TestCase):
         going = Results(self.file(name="going.h5", ended=False))  # a run in progress: statistics are older than outputs
         self.assertFalse(envelopes.envelope(going, going.lines[0], "effective_tension").every_step)
         self.assertIn("the run has not ended", envelopes.description(going, ["effective_tension"], 0.0))
-        # The CSV files stay in SI units.
+        # CSV files are in SI units.
         head, rows = export.ranges(results, line)
         np.testing.assert_allclose(rows[:, head.index("effective_tension_max [N]")], found.most)
 
@@ -129,11 +129,12 @@ class Parts(unittest.TestCase):
         self.assertLessEqual(legend.y1, figure.bbox.y1 + 1)
 
     def test_stress_of_a_closed_cylinder(self):
-        # Pressure alone, the ends closed: sqrt(3) p b²/(b² - a²) at the inner fibre; tension and bending alone: My/I + N/A.
+        # Pressure alone with closed ends: sqrt(3) p b²/(b² - a²) at the inner fibre; tension and bending
+        # alone: My/I + N/A.
         wall, a, b, p = stress.Wall(0.3, 0.26), 0.13, 0.15, 20e6
         found = stress.von_mises(wall, p * np.pi * a**2, 0.0, 0.0, 0.0, p)
         self.assertAlmostEqual(found / (np.sqrt(3) * p * b**2 / (b**2 - a**2)), 1, places=12)
-        # The same pressure in and out, ends closed: hydrostatic, no shear anywhere.
+        # Equal internal and external pressure with closed ends: hydrostatic, without shear.
         even = stress.von_mises(wall, p * np.pi * (a**2 - b**2), 0.0, 0.0, p, p)
         self.assertLess(even, 1e-6 * p)
         area, inertia = np.pi * (b**2 - a**2), np.pi / 4 * (b**4 - a**4)
@@ -157,7 +158,7 @@ class Parts(unittest.TestCase):
         found = stress.along(results, line)
         self.assertTrue(np.isnan(found[:, ARC > 60]).all())
         self.assertTrue(np.isfinite(found[:, ARC <= 60]).all())
-        # The pressure inside is got back from the wall tension.
+        # The internal pressure is recovered from the wall tension.
         depth, k = 10 + ARC[5] / 5, 7
         wall = stress.Wall(0.3, 0.26)
         inside, outside = 10e6 + 8e3 * depth, 1e4 * depth
@@ -201,7 +202,7 @@ class Parts(unittest.TestCase):
                 "  rope: {library: wire-six-strand, diameter: 0.1}\n"
                 "lines: {riser: {sections: [{type: chain, length: 60}, {type: rope, length: 40}]}}\n")
         path = self.file(name=f"{grade}.h5", case=case)
-        with h5py.File(path, "r+") as file:  # as the program computes it
+        with h5py.File(path, "r+") as file:  # as computed by the program
             read = json.loads(file["case_read"][()])
             read["line_types"]["rope"] = {"breaking_load": 6333580.0}
             del file["case_read"]
@@ -264,7 +265,7 @@ class Parts(unittest.TestCase):
         self.assertIn("needs --area: line 'riser' has no chain of the library", err)
 
     def test_walls_end_where_the_target_has_put_them(self):
-        # The wall is 40 m long in the file, and a target has made it 60 m of the 100 m that the results have.
+        # The wall is 40 m long in the file, and a target has made it 60 m of the 100 m in the results.
         found = Results(self.file(name="found.h5", case=CASE.replace("length: 60}", "length: 40}").replace(
             "end_b: free}", "end_b: free, target: {tension: 1e5, at: end_a, section: 1}}")))
         given = Results(self.file())
@@ -283,7 +284,7 @@ class Parts(unittest.TestCase):
         self.assertEqual(rows[1], ["riser", "bend utilisation", 2 * share[k, 25], TIME[k], 50.0])
 
     def test_a_field_is_shown_as_the_file_declares_it(self):
-        # Fields that no tool knows by name: in a graph, in the table alone, at a feeder's stations, nowhere.
+        # Fields unknown to the tools: in a graph, in the table alone, at a feeder's stations, nowhere.
         n = len(ARC)
         values = {name: ("N", np.outer(np.sin(TIME), k + ARC)) for k, name in enumerate(("one", "two", "three"))}
         share = ("1", np.outer(0.5 + 0.1 * np.sin(TIME), 1 - ARC / 200))
@@ -316,7 +317,7 @@ class Parts(unittest.TestCase):
         for k, name in enumerate(results.stages):
             self.assertIn(f"Stage {name}, from the side", words)
             self.assertIn(f"riser A {0:g} {0:g} {0:g} {k + 1:g}", words)
-        # A run whose second stage found no rest: what there is, is shown.
+        # A run whose second stage found no equilibrium: existing data are shown.
         stopped = results_file(self.folder / "stopped.h5", (-2.0,), {"riser": ARC}, {"effective_tension": ("N", pull[:1])},
                                stages=results.stages)
         np.testing.assert_array_equal(Results(stopped).time, [-2])
@@ -364,7 +365,7 @@ class Parts(unittest.TestCase):
         self.assertAlmostEqual(tables.of_lines(Results(path))[1][0][4], 8.0)
 
     def test_statistics_say_from_when(self):
-        # A history at a node of which only every fourth step is kept: what the results have of every step counts.
+        # A history at a node with every fourth step: the statistics over every step are used.
         case = CASE + "  histories: [{line: riser, at: 20, name: here}, {line: riser, at: 21, name: between}]\n"
         case = case.replace("output: {statistics_from: 4 s}", "output:\n  statistics_from: 4 s")
         few = TIME[::4]

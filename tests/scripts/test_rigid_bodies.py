@@ -1,5 +1,6 @@
-"""Rigid bodies without water, as a user runs them: a bifilar pendulum, a heavy top, a body that turns freely, points of a turned body, and
-a body on elastic cables at rest, swinging and thrown. References: quadratures, elliptic integrals and Runge-Kutta solutions to 1e-12."""
+"""Rigid bodies without water: a bifilar pendulum, a heavy top, a freely rotating body, points of a rotated body, and
+a body on elastic cables at rest, swinging and thrown. References: quadratures, elliptic integrals and Runge-Kutta
+solutions to 1e-12."""
 import os
 import re
 import tempfile
@@ -28,7 +29,7 @@ links:
   c2: {end_a: {anchor: [-1.2, -2.2, 7.5]}, end_b: {body: load, at: [-0.7, -1, 0.4]}, stiffness: 65217.3913043478, rest_length: 4.6,
        tension_only: true}
 """
-# The load on three cables at rest: place, rotation vector, tensions, angular frequencies.
+# Load on three cables at rest: position, rotation vector, tensions, angular frequencies.
 REST = np.array([0.2981895, -0.189305, 2.561149])
 TURNED = np.array([-0.06025498, -0.008185496, -0.02822125])
 TENSIONS = (6558.542, 4023.814, 4694.573)
@@ -46,7 +47,7 @@ def rotation(vector):
 
 
 def period(time, x):
-    """Mean time between rises through zero."""
+    """Mean time between upward zero crossings."""
     up = np.flatnonzero((x[:-1] < 0) & (x[1:] >= 0))
     at = time[up] - x[up] * np.diff(time)[up] / (x[up + 1] - x[up])
     return (at[-1] - at[0]) / (len(at) - 1)
@@ -59,7 +60,7 @@ class RigidBodies(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def motion(self, text, duration=0.0, step=0.0, more=""):
-        """Time, the motion of the first body by column, and the file of a run, or of statics where it has no duration."""
+        """Time, motion of the first body by column, and the file of a run, or of statics without a duration."""
         name = re.search(r"\w+", text).group(0)
         end = f"statics: false\ndynamics: {{duration: {duration}, step: {step}, rho_infinity: 1}}\n" if duration else ""
         write(self.folder, "case.yaml", f"hawser: 1\nenvironment: {{gravity: {GRAVITY}}}\nbodies:\n{text}{end}"
@@ -97,7 +98,8 @@ class RigidBodies(unittest.TestCase):
         np.testing.assert_allclose(2 * np.pi / self.frequencies()[:4], [3.663185, 3.085036, 2.837491, 1.19121], rtol=1e-3)
 
     def test_heavy_top(self):
-        """Cuspidal nutation of a top of 60 rad/s held at a point, for 4 s, in steps of 1 ms, 0.06 rad of its spin: 1e-3 rad."""
+        """Cuspidal nutation of a top of 60 rad/s held at a point, for 4 s, in steps of 1 ms, 0.06 rad of its spin:
+        1e-3 rad."""
         tilt = 0.5235988
         text = (f"  top: {{position: [0, {-0.3 * np.sin(tilt):.15g}, {0.3 * np.cos(tilt):.15g}], rotation_deg: [{np.degrees(tilt):.15g}, 0, 0],\n"
                 "        floating: {mass: 2, inertia: [0.07, 0.07, 0.06], weight: true, angular_velocity: [0, 0, 60]}}\n"
@@ -149,7 +151,7 @@ class RigidBodies(unittest.TestCase):
         np.testing.assert_allclose(found[3:], np.cross([0, 0, 0.1], found[:3]), atol=1e-6)
 
     def test_load_on_three_cables(self):
-        """At rest, from a start beside it: 1e-4; small swings 0.1 %; thrown, in 5 s: 2 mm, 2e-3 rad, energy 1e-6."""
+        """At rest, from a nearby start: 1e-4; small swings 0.1 %; thrown, in 5 s: 2 mm, 2e-3 rad, energy 1e-6."""
         away = REST + [0.05, -0.03, -0.02]
         turned = np.degrees(TURNED) + [3, -2, 4]
         _, found, file = self.motion(LOAD.replace("PLACE", str(list(away))).replace("TURN", str(list(turned))).replace(" MOTION", ""))

@@ -1,4 +1,4 @@
-"""What the program says, and ends with, when it is asked for the impossible or when the solver fails."""
+"""Messages and exit codes of the program for impossible cases and solver failures."""
 import os
 import shutil
 import tempfile
@@ -22,7 +22,7 @@ lines:
 dynamics: {duration: 0.2, step: 0.05}
 output: {every: 0.1}
 """
-# What the solver cannot do: pieces of the case and what stands in their place, the code, parts of the sentence.
+# Cases that the solver cannot solve: replaced parts of the case, exit code, parts of the message.
 SECTION, STEP = "elements: 8}]", "step: 0.05"
 HOPELESS = [
     ({SECTION: SECTION + "\n    loads: [{per_length: [0, 0, 1.0e9]}]"}, "statics: {max_iterations: 3, relaxation_steps: 50}",
@@ -101,7 +101,8 @@ dynamics: {duration: 12, step: 0.05, min_step: 0.05}
                          r"'stiffness_damping' prevents it")
 
     def test_beam_that_is_rolled_up(self):
-        """Its ends turn against each other by more than half a turn, which an element takes for less in the other direction."""
+        """Its ends rotate against each other by more than half a turn, which an element takes for less in the other
+        direction."""
         wheel = "bodies:\n  wheel: {position: [12, 0, 0], motion: {rotation: {axis: [0, 1, 0], rate: 1}, ramp: 1}}\nlines:"
         roll = CASE.replace("lines:", wheel).replace("elements: 8", "elements: 1").replace("duration: 0.2", "duration: 6")
         roll = roll.replace("end_b: free", "end_b: {body: wheel, at: [0, 0, 0], direction: [1, 0, 0], clamped: true}")
@@ -218,7 +219,8 @@ dynamics: {duration: 1}
                       output.stdout)
 
     def test_a_riser_with_a_compressed_foot(self):
-        # 290 m of pipe between points 289.9 m apart, of which its own stretch takes 3 cm: its foot is pressed by 0.08 MN.
+        # 290 m of pipe between points 289.9 m apart, of which its own stretch takes 3 cm: 0.08 MN compression
+        # at its foot.
         # EI = 72 MN m², w = 1 kN/m: a pinned foot buckles at 1.02 (EI w²)^(1/3) = 42 kN.
         case = """\
 hawser: 1
@@ -259,7 +261,7 @@ dynamics: {duration: 1}
             self.assertEqual(len(output), 1, result.stderr)
             for part in parts:
                 self.assertIn(part, output[0])
-            if not ranks:  # mpirun has its own words on a job that ended with an error
+            if not ranks:  # mpirun adds its own message after an error
                 self.assertEqual(result.stderr, output[0] + "\n")
             self.assertNotRegex(result.stderr, "PETSC|MPI_ABORT|HDF5-DIAG|terminate called|internal error")
             if code == 2:
@@ -312,7 +314,7 @@ lines:
         self.assertIn("note: statics left 1 unstable equilibrium on its way", result.stdout)
 
     def test_wrong_energy_is_not_accepted(self):
-        # A pendulum in steps of a sixth of its period, with as much damping as there is.
+        # A pendulum in steps of a sixth of its period, with maximum damping.
         write(self.folder, "pendulum.yaml", """\
 hawser: 1
 line_types:
@@ -409,7 +411,7 @@ output: {every: 5}
         self.assertEqual(self.hawser("run", "rod.yaml", "-q", "--", "-walk").stdout, "")
 
     def test_full_disk(self):
-        """In a file system of its own that is too small: for the file, and for what is written as the run goes on."""
+        """In a separate file system that is too small: for the file, and for the data written during the run."""
         case = CASE.replace("elements: 8", "elements: 200").replace("duration: 0.2", "duration: 5")
         write(self.folder, "rod.yaml", case.replace("every: 0.1", "every: 0.05"))
         (self.folder / "disk").mkdir()
@@ -473,12 +475,12 @@ output: {every: 5}
             write(self.folder, f"{number}.yaml", case + more)
             for ranks in (0, 2):
                 self.refused(["run", f"{number}.yaml", "-q"], *parts, code=3, ranks=ranks)
-        # What was reached is there: dynamics failed, so at least the start was written.
+        # The results up to the failure exist: dynamics failed, so at least the start was written.
         self.assertTrue((self.folder / "1.h5").exists())
         self.assertFalse((self.folder / "0.h5").exists())
 
     def test_check_writes_nothing(self):
-        write(self.folder, "cut.yaml", CASE + "contact: {between_lines: false}\n")  # what may touch itself is not cut
+        write(self.folder, "cut.yaml", CASE + "contact: {between_lines: false}\n")  # lines with self-contact are not cut
         before = sorted(self.folder.rglob("*"))
         result = self.hawser("check", "cut.yaml", "-n", "3")
         self.assertEqual(result.returncode, 0, result.stderr)

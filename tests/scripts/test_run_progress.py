@@ -1,4 +1,4 @@
-"""How a run tells how far it is: one line that is rewritten on a terminal, plain lines elsewhere."""
+"""Progress of a run: one rewritten line on a terminal, plain lines otherwise."""
 import fcntl
 import os
 import pty
@@ -24,7 +24,7 @@ LINE = r"t = \d+\.\d{3} of 20 s \([ \d]{3} %\), step \S+ s, \d+ iterations, \d+:
 
 
 def on_terminal(*command, columns=100, **options):
-    """What a command writes to a terminal of that width."""
+    """Output of a command on a terminal of that width."""
     reader, writer = pty.openpty()
     fcntl.ioctl(writer, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
     process = subprocess.Popen([*map(str, command)], stdin=subprocess.DEVNULL, stdout=writer, stderr=writer, **options)
@@ -62,7 +62,7 @@ class Progress(unittest.TestCase):
         self.assertEqual(run(HAWSER, "run", "rod.yaml", "-q", cwd=self.folder).stdout, "")
 
     def test_title_comes_first(self):
-        """Before a mesh that takes long to read; what is being read, elsewhere than on a terminal, only where it is large."""
+        """Before a mesh that takes long to read; off a terminal the mesh is named only if it is large."""
         box = (ROOT / "tests/data/bad/box.obj").read_text("utf-8")
         write(self.folder, "box.obj", box)
         write(self.folder, "large.obj", box + "# nothing but this comment, again and again, as long as a row of numbers\n" * 600_000)
@@ -77,7 +77,7 @@ class Progress(unittest.TestCase):
                 self.assertEqual(lines.count("a cantilever"), 1)
         _, text = on_terminal(HAWSER, "run", "deck.yaml", cwd=self.folder)
         self.assertTrue(text.startswith("a cantilever\r\n\r\033[Kreading the mesh large.obj (44 MB)\r\033[K"), text[:200])
-        # A mesh that is refused: the title is there all the same, and the sentence begins a line.
+        # A refused mesh: the title is printed nevertheless, and the message begins on a new line.
         write(self.folder, "box.obj", "v 0 0 0\n")
         write(self.folder, "deck.yaml", case.replace("MESH", "box.obj"))
         code, text = on_terminal(HAWSER, "run", "deck.yaml", cwd=self.folder)
@@ -85,8 +85,8 @@ class Progress(unittest.TestCase):
         self.assertRegex(text, r"\Aa cantilever\r\n\r\033\[Kreading the mesh box.obj \([^)]*\)\r\033\[Khawser: deck.yaml:")
 
     def test_statics(self):
-        """On a terminal a line is rewritten and gone once statics is done."""
-        # Long enough on any machine for a line that is rewritten every 0.2 s: ten rods beside each other.
+        """On a terminal a line is rewritten, and removed when statics is done."""
+        # Long enough on any machine for a line rewritten every 0.2 s: ten rods side by side.
         case = CASE.replace("elements: 8", "elements: 400").replace("duration: 0.2", "duration: 0.1")
         rod = case[case.index("  rod:\n    sections"):case.index("dynamics:")]
         for i in range(9):
@@ -114,7 +114,7 @@ class Progress(unittest.TestCase):
             self.assertLess(len(line.splitlines()[0]), 40)
 
     def test_stopped_by_the_user(self):
-        # Ctrl-C and a polite kill: the run ends at the next output, everything on disk, to be continued.
+        # Ctrl-C and SIGTERM: the run ends at the next output, everything on disk, and can be continued.
         for sign in (signal.SIGINT, signal.SIGTERM):
             process = subprocess.Popen([HAWSER, "run", "rod.yaml"], cwd=self.folder, stdout=subprocess.PIPE, text=True)
             for line in process.stdout:

@@ -26,7 +26,7 @@ SCENES = 200
 
 
 class Run:
-    """What a scene came to: its exit code, energy error [%], number of warnings, largest tension [N] and what it printed."""
+    """Outcome of a scene: exit code, energy error [%], number of warnings, largest tension [N] and output."""
 
     def __init__(self, folder, seed, finer=1, shorter=1):
         s = scene(seed, finer, shorter)
@@ -45,7 +45,7 @@ class Run:
         self.tension = max((float(t) for t in re.findall(r"max effective tension +.+? +(\S+) N ", self.text)), default=0.0)
 
     def fault(self):
-        """Why the scene does not pass, in short; empty if it does."""
+        """Short reason why the scene does not pass; empty if it does."""
         if self.exit in (-24, -9):
             return f"more than {LIMIT} s of CPU time"
         if self.exit == 4:

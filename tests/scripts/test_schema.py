@@ -1,4 +1,4 @@
-"""The JSON Schema of case files against a JSON-Schema library: what editors complete and check YAML by."""
+"""The JSON Schema of case files, for editors, against a JSON Schema library."""
 import copy
 import json
 import os
@@ -18,7 +18,7 @@ SCHEMA = json.loads(run(HAWSER, "schema", "--json").stdout)
 
 
 class Loader(yaml.SafeLoader):
-    """YAML as the program (and YAML 1.2) reads it: 'on' and '12:30' are words, 1e6 is a number."""
+    """YAML as read by the program (YAML 1.2): 'on' and '12:30' are words, 1e6 is a number."""
 
 
 Loader.yaml_implicit_resolvers = {}
@@ -31,7 +31,7 @@ for tag, form, first in [
 
 
 def parts(node):
-    """Every map of the schema."""
+    """All maps of the schema."""
     if isinstance(node, dict):
         yield node
         node = list(node.values())
@@ -92,9 +92,9 @@ class Schema(unittest.TestCase):
         kind = next(iter(sound["line_types"]))
         line = next(iter(sound["lines"]))
         broken(lambda c: c.pop("lines") and c.update(line={}))                           # an unknown key
-        broken(lambda c: c["line_types"][kind].update(contents_pressure="2 furlong"))    # a kind of unit of its own
+        broken(lambda c: c["line_types"][kind].update(contents_pressure="2 furlong"))  # a unit of another kind
         broken(lambda c: c["line_types"][kind].update(outer_diameter=-1))                # out of range
-        broken(lambda c: c["lines"][line].pop("sections"))                               # a needed key
+        broken(lambda c: c["lines"][line].pop("sections"))  # a required key
         broken(lambda c: c["lines"][line].update(sections=[]))                           # too few
         broken(lambda c: c["dynamics"].update(duration="long"))                          # no number
         broken(lambda c: c["dynamics"].update({"step:0.1": None}))                       # a blank is missing

@@ -115,7 +115,7 @@ class Set(unittest.TestCase):
             result = self.hawser("export", "two.yaml", "--set", change)
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertEqual("statics:" in result.stdout, ran, change)
-        result = self.hawser("report", "two.yaml")  # of what there is
+        result = self.hawser("report", "two.yaml")  # existing results
         self.assertEqual(result.returncode, 0, result.stderr)
         page = (self.folder / "two.html").read_text("utf-8")
         self.assertIn("two.yaml --set dynamics.duration=0.6", page)

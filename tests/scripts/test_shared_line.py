@@ -1,5 +1,6 @@
-"""Two platforms with a shared line, cases/shared-line: at rest against catenaries that were solved separately, natural periods against
-a linearisation of its own: bars and lumped masses, hydrostatics and added mass read from the files, numpy's eigenvalues."""
+"""Two platforms with a shared line, cases/shared-line: at rest against separately solved catenaries, natural periods
+against an independent linearisation: bars and lumped masses, hydrostatics and added mass read from the files,
+numpy's eigenvalues."""
 import os
 import re
 import shutil
@@ -33,13 +34,13 @@ def turn(angle):
 
 
 def turned(matrix, angle):
-    """A matrix of forces and moments in axes that are turned about z."""
+    """A matrix of forces and moments in axes rotated about z."""
     R = np.kron(np.eye(2), turn(angle))
     return R @ matrix @ R.T
 
 
 def hydrostatic():
-    """Stiffness with the part of the weight (WAMIT manual 7, section 4.2), N/m ... N m/rad."""
+    """Stiffness with the contribution of weight (WAMIT manual 7, section 4.2), N/m ... N m/rad."""
     C = np.zeros((6, 6))
     for line in (DATA / f"{STEM}.hst").read_text("ascii").split("\n"):
         if line.strip():
@@ -51,7 +52,7 @@ def hydrostatic():
 
 
 def added_mass(omega):
-    """kg, kg m, kg m²; straight lines between the frequencies of the file."""
+    """Added mass, kg, kg m, kg m²; linear between the frequencies of the file."""
     rows = {}
     for line in (DATA / f"{STEM}.1").read_text("ascii").split("\n"):
         words = line.split()
@@ -69,10 +70,10 @@ def body_mass():
 
 
 class Model:
-    """Freedoms: 6 of each platform, place and rotation vector of its origin, then 3 of each free node of the ropes."""
+    """Freedoms: 6 per platform, position and rotation vector of its origin, then 3 of each free node of the ropes."""
 
     def __init__(self, file):
-        """Nodes and the first guess of where they are from a results file; nothing else."""
+        """Nodes and initial positions from a results file; nothing else."""
         self.ropes, self.start, count = [], [np.zeros(12)], 12
         arc, place = file["nodes/arc_length"][:], file["fields/position"][0]
         for k, name in enumerate(file["lines/name"][:]):
@@ -85,7 +86,7 @@ class Model:
         self.start, self.count = np.concatenate(self.start), count
 
     def end(self, q, end):
-        """Place of an end, its freedoms, their effect on it, and its arm from the platform's origin."""
+        """Position of an end, its freedoms, their effect on it, and its arm from the platform's origin."""
         if not isinstance(end, tuple):
             return np.array(end), [], np.zeros((3, 0)), None
         body, fairlead = end
@@ -93,11 +94,11 @@ class Model:
         place, heading = PLACES[body]
         u = q[6 * b:6 * b + 6]
         W = hat(u[3:])
-        arm = (np.eye(3) + W + W @ W / 2) @ turn(heading) @ FAIRLEADS[fairlead]  # of second order: rotations are below 0.01
+        arm = (np.eye(3) + W + W @ W / 2) @ turn(heading) @ FAIRLEADS[fairlead]  # second order: rotations are below 0.01
         return np.array(place) + u[:3] + arm, list(range(6 * b, 6 * b + 6)), np.hstack([np.eye(3), -hat(arm)]), arm
 
     def assemble(self, q, push):
-        """Forces that are out of balance, their stiffness and the mass of the ropes with the water around them."""
+        """Unbalanced forces, their stiffness, and the mass of the ropes with added mass."""
         f, K, M = np.zeros(self.count), np.zeros((self.count, self.count)), np.zeros((self.count, self.count))
         C = hydrostatic()
         for b, (_, heading) in enumerate(PLACES.values()):
@@ -132,7 +133,7 @@ class Model:
                     M[np.ix_(nodes[n][1], nodes[n][1])] += CLUMP * np.eye(3)
             for force, (_, i, J, arm) in zip(pull, nodes):
                 f[i] += J.T @ force
-                if arm is not None:  # the arm turns, the force does not
+                if arm is not None:  # the arm rotates, the force does not
                     K[np.ix_(i[3:], i[3:])] -= hat(force) @ hat(arm)
         return f, K, M
 

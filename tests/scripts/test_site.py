@@ -1,4 +1,4 @@
-"""scripts/site: Sphinx complains of nothing in the documentation but a link that was broken on purpose."""
+"""scripts/site: Sphinx warns of a deliberately broken link and nothing else."""
 import importlib.util
 import subprocess
 import tempfile
@@ -14,7 +14,7 @@ loader.exec_module(site)
 
 
 def missing():
-    """The packages of the site that are not installed."""
+    """Missing packages of the site."""
     return [p for p in site.PACKAGES if subprocess.run(["dpkg-query", "-W", p], capture_output=True).returncode != 0]
 
 
@@ -35,7 +35,7 @@ class Site(unittest.TestCase):
             self.assertIn("gone.md", complaints[0])
             self.assertIn("touchdown", (folder / "html/searchindex.js").read_text(encoding="utf-8"))
             beam = (folder / "html/docs/theory/beam.html").read_text(encoding="utf-8")
-            self.assertNotIn('src="http', beam)  # nothing of it comes from a network
+            self.assertNotIn('src="http', beam)  # no resource is loaded from a network
             self.assertIn("katex.min.js", beam)
 
     def test_a_folder_with_other_things_stays(self):

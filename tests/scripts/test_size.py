@@ -1,4 +1,4 @@
-"""The size of the results that `hawser check` expects is that of the file a run leaves."""
+"""The results size expected by `hawser check` is that of the file of a run."""
 import os
 import re
 import shutil
@@ -27,7 +27,7 @@ class Size(unittest.TestCase):
         return float(found.group(1)) * UNITS[found.group(2)], result.stdout
 
     def check_checkpoints(self, file, output):
-        """Without a trial the numbers of a node are known, but not how much friction holds where."""
+        """Without a trial the numbers per node are known, but not those of friction."""
         found = re.search(r"checkpoints ([\d.]+) (\w+)", output)
         sizes = []
         with h5py.File(file) as results:
@@ -51,7 +51,7 @@ class Size(unittest.TestCase):
         self.check_size("mooring-line/mooring-line.yaml", "--set", "dynamics.duration=20", "--set", "output.every=0.2")
 
     def test_of_bodies_and_meshes_in_automatic_steps(self):
-        # As long as the trial lasts: what comes later has other steps.
+        # As long as the trial lasts: later steps differ.
         self.check_size("barge-hawser/barge-hawser.yaml", "--set", "dynamics.duration=10", "--set", "output.every=0.1")
 
     def test_of_statics(self):

@@ -1,6 +1,6 @@
-"""A farm that is stopped and killed again and again, and goes on with other numbers of ranks, ends like one that was left
-alone, and a long run takes no more memory at its end than in its middle. Only with HAWSER_FULL in the environment;
-HAWSER_SOAK_SECONDS is about how long it takes (300), HAWSER_SOAK_SEED makes the same interruptions again."""
+"""A farm that is repeatedly stopped, killed and continued on other numbers of ranks ends like an uninterrupted run,
+and a long run needs no more memory at its end than in its middle. Only with HAWSER_FULL in the environment;
+HAWSER_SOAK_SECONDS is the approximate duration (300), HAWSER_SOAK_SEED reproduces the interruptions."""
 import os
 import random
 import shutil
@@ -23,13 +23,13 @@ import farm  # noqa: E402
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 SECONDS = float(os.environ.get("HAWSER_SOAK_SECONDS", "300"))
 SEED = int(os.environ.get("HAWSER_SOAK_SEED") or random.SystemRandom().randrange(10**6))
-LINES, ELEMENTS, STEP, EVERY = 7, 10, 0.1, 2.0  # lines that no number of ranks divides; s
-SAME = 1e-7  # of the range of a field: what Newton's tolerance allows (docs/decisions/005-several-ranks.md)
+LINES, ELEMENTS, STEP, EVERY = 7, 10, 0.1, 2.0  # number of lines not divisible by any number of ranks; s
+SAME = 1e-7  # fraction of the range of a field: effect of Newton's tolerance (docs/decisions/005-several-ranks.md)
 MORE = 1.0  # MB by which a rank may grow
 
 
 def descendants(process):
-    """Process ids of all that a process has started, and of what these have."""
+    """Process ids of all direct and indirect children."""
     parents = {}
     for folder in Path("/proc").glob("[0-9]*"):
         try:
@@ -47,7 +47,7 @@ def descendants(process):
 
 
 def resident(process):
-    """MB of memory of each rank, by its process id."""
+    """Memory of each rank [MB] by process id."""
     found = {}
     for child in descendants(process):
         try:
@@ -59,11 +59,11 @@ def resident(process):
 
 
 def outputs_in(results):
-    """How many outputs of a file count."""
+    """Number of valid outputs in a file."""
     try:
         with h5py.File(results, "r", locking=False) as file:
             return int(np.ravel(file["written"][()].item())[0])
-    except OSError:  # there is none yet
+    except OSError:  # no file yet
         return 0
 
 
@@ -83,7 +83,7 @@ class Soak(unittest.TestCase):
             return subprocess.Popen(words, stdout=printed, stderr=printed)
 
     def interrupt(self, process):
-        """As a person does, or as a batch system or a power cut does."""
+        """Interrupts as a user, a batch system or a power failure would."""
         if self.random.random() < 0.5:
             process.send_signal(signal.SIGINT)
             process.wait(120)
@@ -96,10 +96,10 @@ class Soak(unittest.TestCase):
                 pass
         process.wait(60)
         while any((Path("/proc") / str(each)).exists() for each in all_of_it):
-            time.sleep(0.1)  # its lock on the file goes with it
+            time.sleep(0.1)  # its lock on the file is released with it
 
     def until_done(self, results, outputs):
-        """A run interrupted each time it has written up to a tenth of its `outputs`, at some later moment; how often."""
+        """A run interrupted at random moments after up to a tenth of its `outputs`; number of interruptions."""
         restarts = 0
         while True:
             before, more = outputs_in(results), self.random.randint(0, outputs // 10)
@@ -123,13 +123,13 @@ class Soak(unittest.TestCase):
     def test_interrupted_like_unbroken(self):
         straight, broken = self.folder / "straight.h5", self.folder / "broken.h5"
         took = []
-        for duration in (20.0, 220.0):  # of which the start takes part
+        for duration in (20.0, 220.0):  # durations that include the start
             self.write_case(duration)
             begun = time.monotonic()
             self.assertEqual(self.start(2, straight, False).wait(600), 0, (self.folder / "printed.txt").read_text("utf-8"))
             took.append(time.monotonic() - begun)
             straight.unlink()
-        # As long as each of the two runs has time; the second one begins often.
+        # Time for each of the two runs; the second one restarts often.
         spent = 0.3 * SECONDS
         pace = max(took[1] - took[0], 0.1) / 200
         duration = EVERY * max(50, round(spent / pace / EVERY))

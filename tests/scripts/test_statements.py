@@ -1,4 +1,4 @@
-"""C++ sources have one statement in a line: scripts/check-statements finds those that are joined by commas."""
+"""C++ sources have one statement per line: scripts/check-statements finds those joined by commas."""
 import tempfile
 import unittest
 from pathlib import Path

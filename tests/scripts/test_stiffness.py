@@ -1,4 +1,4 @@
-"""hawser stiffness and its figure, as a user runs them: one chain on a vessel, on one and two ranks."""
+"""hawser stiffness and its figure: one chain on a vessel, on one and two ranks."""
 import csv
 import os
 import shutil
@@ -36,7 +36,7 @@ class Stiffness(unittest.TestCase):
         self.assertEqual(head[12], "K11 [N/m]")
         self.assertEqual(head[-1], "tension of mooring [N]")
         self.assertTrue(np.allclose(values[:, 0], [0, -2, -4, -6]))
-        # At the fairlead itself the line has a force and hardly a moment, and pulls as its tension.
+        # At the fairlead itself the line has almost no moment, and a force equal to its tension.
         force, tension = values[:, 6:9], values[:, -1]
         self.assertTrue(np.allclose(np.linalg.norm(force, axis=1), tension, rtol=5e-3))
         self.assertLess(np.abs(values[:, 9:12]).max(), 1e-6 * tension.max())

@@ -1,5 +1,5 @@
-"""Every key of the schema with what is no number, far too large or of another form: each is refused in a sentence, or accepted;
-a third of the values for each key, with HAWSER_FULL in the environment all, and what is accepted is also run."""
+"""Every key of the schema with NaN, far too large values or other forms: each is refused in a sentence or accepted;
+a third of the values for each key; with HAWSER_FULL all, and accepted cases are also run."""
 import os
 import unittest
 from pathlib import Path
@@ -20,7 +20,7 @@ class Sweep(unittest.TestCase):
         self.assertGreater(codes[0], 300 if full else 100)
 
     def test_what_is_wrong_is_found(self):
-        """Numbers that are none in what is printed, and the places of keys in a case."""
+        """NaN in printed output, and places of keys in a case."""
         self.assertTrue(sweep.NO_NUMBER.search("note: the density is inf t/m³"))
         self.assertTrue(sweep.NO_NUMBER.search("by -nan %"))
         self.assertFalse(sweep.NO_NUMBER.search("information, nanometres, res/inf.txt"))

@@ -1,4 +1,5 @@
-"""The Python tools under attack: names that YAML 1.1 reads as something else, outputs that are inputs, damaged results, Ctrl-C."""
+"""The Python tools under adverse conditions: names with a meaning in YAML 1.1, outputs that are inputs, damaged
+results, Ctrl-C."""
 import contextlib
 import io
 import json
@@ -24,7 +25,8 @@ from hawser_post import export  # noqa: E402
 from hawser_post.results import Refusal, Results  # noqa: E402
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
-# Names that are true, false, a date, 16 and 8 by YAML 1.1, and two that differ in what file names do not keep.
+# Names that are true, false, a date, 16 and 8 in YAML 1.1, and two that differ in characters not allowed in
+# file names.
 CASE = """\
 hawser: 1
 title: names
@@ -174,7 +176,7 @@ class Overwriting(Attack):
         for ending, (command, *more) in commands.items():
             self.refused(command, self.path, *more, "-o", self.path)
             self.refused(command, self.path, *more, "-o", self.folder / "run.yaml")
-            # By other names of the same files, with the ending that the tool asks for.
+            # Other names of the same files, with the extension that the tool requires.
             for file, link in (("run.h5", os.link), ("run.yaml", os.symlink), ("lines.csv", os.link), ("deck.obj", os.symlink)):
                 other = self.folder / f"other{ending}"
                 link(self.folder / file, other)
@@ -210,7 +212,8 @@ class Overwriting(Attack):
 
 
 class Damaged(Attack):
-    """Every data set of a results file missing, of other shapes, types and values: each tool ends with 0, or with 2 and a sentence."""
+    """Each data set of a results file missing, or with other shapes, types and values: each tool ends with 0, or
+    with 2 and a sentence."""
     TOOLS = (["report"], ["export"], ["pipe"], ["fatigue", "--curve", "api-studless-chain", "--line", "a_b"], ["plot", "range"],
              ["plot", "stress", "--line", "2024-01-01"], ["plot", "history", "--name", "a b"], ["plot", "elevation"], ["plot", "space"],
              ["extremes", "--name", "a b"])  # fmt: skip
@@ -226,7 +229,7 @@ class Damaged(Attack):
 
     @staticmethod
     def harms(data):
-        """Changed values of a data set: none, of another shape or type, no numbers, far too large."""
+        """Changed values of a data set: missing, other shape or type, NaN, far too large."""
         yield "gone", None
         if data.shape is None:
             return
@@ -265,7 +268,8 @@ class Damaged(Attack):
                     if harm is not None:
                         file[name] = harm
                         file[name].attrs.update(attributes)
-                # All tools open a file alike. In the ordinary run every tenth that is opened meets one of them in turn.
+                # All tools open a file in the same way. By default every tenth damaged file is opened by one
+                # of them in turn.
                 try:
                     Results(self.path)
                     turn += 1
@@ -301,12 +305,12 @@ class Interrupted(Attack):
                     time.sleep(wait)
                     os.killpg(process.pid, signal.SIGINT)
                     _, err = process.communicate(timeout=120)
-                    # Before Python has begun the signal ends the program, at the end it comes too late.
+                    # Before Python starts the signal ends the program, at the end it comes too late.
                     self.assertIn(process.returncode, (130, -signal.SIGINT, 0))
                     self.assertEqual(err, "hawser: stopped by Ctrl-C\n" if process.returncode == 130 else "")
 
     def test_ctrl_c_within_a_finalizer(self):
-        """Python ignores what a finalizer raises, and the command still ends."""
+        """Python ignores exceptions in finalizers; the command still ends."""
         write(self.folder, "sitecustomize.py", """
 import signal, sys
 class Interrupt:
@@ -323,7 +327,7 @@ sys.meta_path.insert(0, Finder())
         self.assertEqual((done.returncode, done.stderr), (130, "hawser: stopped by Ctrl-C\n"))
 
     def test_ctrl_c_while_a_case_runs(self):
-        """The run ends with what it has, and its results are looked at."""
+        """The run ends with its results so far, which are shown."""
         write(self.folder, "long.yaml", CASE.replace("duration: 2, step: 0.05", "duration: 5000, step: 0.005")
               .replace("table: {file: lines.csv}", "velocity: [0, 0, 0]"))
         process = subprocess.Popen([HAWSER, "export", "long.yaml"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,

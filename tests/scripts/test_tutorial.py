@@ -1,8 +1,8 @@
-"""The commands of the tutorial and of the how-to pages print what the pages say.
+"""Commands of the tutorial and the how-to pages print what the pages show.
 
-A block ```console of a page holds commands (`$ `, continued by `> `) and what they print. Lines may be excluded, and
-the ends of lines (` ...`): what is shown must come in this order. Words must be the same, numbers agree to 1 %. All
-commands of a page are run in one copy of docs/tutorial.
+A block ```console of a page holds commands (`$ `, continued by `> `) and their output. Lines and the ends of lines (`
+...`) may be omitted; the rest must occur in this order. Words must be equal, numbers agree to 1 %. All commands of a
+page are run in one copy of docs/tutorial.
 """
 import os
 import re
@@ -44,7 +44,7 @@ def number(word):
 
 
 def agree(expected, printed):
-    """Whether two lines have the same words, and numbers that agree."""
+    """True if two lines have the same words, and numbers that agree."""
     expected, printed = (re.split(r"[\s,;:()]+", line.strip()) for line in (expected, printed))
     if expected[-1] == "...":
         expected, printed = expected[:-1], printed[:len(expected) - 1]
@@ -61,7 +61,7 @@ def agree(expected, printed):
 
 
 def first_missing(expected, printed):
-    """The first of the expected lines that does not follow the one before it in what was printed, or None."""
+    """First of the expected lines that does not follow its predecessor in the output, or None."""
     printed = iter(printed)
     for line in expected:
         if not any(agree(line, other) for other in printed):

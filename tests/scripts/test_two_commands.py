@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""scripts/run and scripts/test have one build: the second compiles nothing again that the first has compiled."""
+"""scripts/run and scripts/test share one build: the second compiles nothing that the first has compiled."""
 import json
 import re
 import unittest
@@ -9,7 +9,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def preset(name):
-    """The cache variables of a preset with those that it inherits."""
+    """Cache variables of a preset, including inherited ones."""
     presets = {p["name"]: p for p in json.loads((ROOT / "CMakePresets.json").read_text())["configurePresets"]}
     own = presets[name]
     return {**(preset(own["inherits"]) if "inherits" in own else {}), **own.get("cacheVariables", {})}
@@ -22,7 +22,7 @@ def defaults():
 
 
 def configured(script):
-    """The preset and the variables that a script passes to CMake when it first configures."""
+    """Preset and variables that a script passes to CMake at its first configuration."""
     line = next(l for l in (ROOT / "scripts" / script).read_text().splitlines() if "cmake --preset" in l)
     return re.search(r'--preset "?(\$?\w+)"?', line)[1], dict(re.findall(r"-D(\w+)=(\w+)", line))
 

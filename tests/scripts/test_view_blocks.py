@@ -1,4 +1,4 @@
-"""What a browser is given of a results file: blocks of numbers, the header, and how large they are."""
+"""Data of a results file for the browser: blocks of numbers, header, and their size."""
 import json
 import os
 import sys
@@ -61,7 +61,7 @@ class Blocks(unittest.TestCase):
 
 
 def large(folder, outputs=200, nodes=120, name="run.h5"):
-    """A line that swings, with fields, one of them with what is no number, another with nothing else."""
+    """A line that swings, with fields, one of them with NaN, another with only NaN."""
     t = np.linspace(0, 100, outputs)
     s = np.linspace(0, 150, nodes)
     x = np.zeros((outputs, nodes, 3))
@@ -90,7 +90,7 @@ class Models(unittest.TestCase):
         back = blocks.unpacked(self.model.block("position/0")).reshape(len(self.model.rows), 3, -1).transpose(0, 2, 1)
         off = np.abs(back + self.model.centre - self.results.file["fields/position"][:]).max()
         self.assertLessEqual(off, 1e-3)
-        self.assertGreater(off, 0)  # of quantised ones
+        self.assertGreater(off, 0)  # error of quantised values
 
     def test_ranges_and_units_are_those_of_the_field(self):
         tension = next(f for f in self.header["fields"] if f["name"] == "effective_tension")

@@ -1,5 +1,5 @@
-"""A browser with a model: controls have names and can be used by keys, by clicks and by the wheel; unusual results are shown; a run is
-followed; figures of a report are graphs."""
+"""A browser with a model: controls have names and respond to keys, clicks and the wheel; unusual results are shown;
+a run is followed; figures of a report are graphs."""
 import contextlib
 import io
 import os
@@ -36,7 +36,7 @@ class Used(Drawing):
         for wanted in (("button", "Play"), ("slider", "Time"), ("combobox", "Colour by"), ("combobox", "Line"), ("checkbox", "Contact forces")):
             self.assertIn(wanted, controls)
         value, key = self.browser.value, self.browser.key
-        # The Tab key comes to every control.
+        # The Tab key reaches every control.
         reached = set()
         value("document.body.focus(), document.activeElement.blur()")
         for _ in range(60):
@@ -147,7 +147,7 @@ class Used(Drawing):
                               "return [[p.x / s.overlay.width, p.y / s.overlay.height], s.camera.pixelAtTarget() * s.overlay.height]})()")
         np.testing.assert_allclose(middle, [0.5, 0.5], atol=0.02)
         self.assertTrue(4 < pixel < 12, pixel)  # m over the height of the picture; the drum measures 4 by 2 by 2 m
-        # Of a round shape, which has no edges, too.
+        # Including a round shape, which has no edges.
         value("(() => {const v = hawserView.scene.bodies.volumes[0]; v.mesh.children[0].geometry = "
               "new THREE.EdgesGeometry(new THREE.SphereGeometry(1, 40, 40), 25)})()")
         box = value("(() => {const b = hawserView.scene.boxOf({body: 0}); return [...b.min.toArray(), ...b.max.toArray()]})()")
@@ -194,7 +194,7 @@ class Used(Drawing):
         clip = self.browser.value("(() => {const b = document.querySelector('.picture').getBoundingClientRect(); "
                                   "return {x: b.left + 0.6 * b.width, y: b.top + 0.3 * b.height, width: 150, height: 150}})()")
         tones = {}
-        for shown in ("true", "false"):  # slopes of the hill have tones of their own
+        for shown in ("true", "false"):  # slopes of the hill have different tones
             self.browser.value(f"hawserView.scene.shown.volumes = {shown}; hawserView.scene.draw()")
             shot = Path(self.folder.name) / f"mesh-{shown}.png"
             self.browser.picture(shot, clip)
@@ -219,7 +219,7 @@ class Used(Drawing):
 
     def test_a_run_is_followed_and_a_server_that_ends_is_reported(self):
         path = model(self.folder.name, 100, name="runs.h5", case=CASE + "dynamics: {duration: 49.5 s}\n")
-        def written(count):  # as the program would: in a process of its own
+        def written(count):  # as by the program, in a separate process
             subprocess.run([sys.executable, "-c", "import h5py, os, sys, time; file = h5py.File(sys.argv[1], 'r+', locking=False); "
                             "file['written'][0] = (int(sys.argv[2]), 0); file.pop('summary', None); file.close(); "
                             "os.utime(sys.argv[1], (time.time() + int(sys.argv[2]),) * 2)", str(path), str(count)], check=True)
@@ -235,7 +235,7 @@ class Used(Drawing):
         wait("hawserView.scene.output === 99")
         self.assertEqual(value("[hawserView.controls.slider.max, hawserView.player.speed]"), ["99", 2])
         self.assertIn("49.5 s of 49.5 s", value("document.querySelector('.hawser-view progress').parentNode.textContent"))
-        # A speed that was chosen stays; a run may be taken back, by a restart.
+        # A chosen speed stays; a run may be taken back by a restart.
         value("(() => {const s = hawserView.controls.speed; s.value = '5'; s.dispatchEvent(new Event('change'))})()")
         written(60)
         wait("hawserView.scene.output === 59")

@@ -1,5 +1,5 @@
-"""What a headless Chromium draws of results: places, colours and orientations are those of the file, what is drawn over them stands at
-its place, and nothing is black before."""
+"""Pictures of results in a headless Chromium: positions, colours and orientations are those of the file, overlays
+are in place, and nothing is black before the first picture."""
 import threading
 import unittest
 from pathlib import Path
@@ -34,14 +34,14 @@ class Drawn(Drawing):
                          "g.quaternion.z, ...g.position.toArray().map((v, k) => v + hawserView.model.header.centre[k])]})()")
             np.testing.assert_allclose(pose[:4], results.file["bodies/rotation"][output, 0], atol=1e-12)
             np.testing.assert_allclose(pose[4:], results.file["bodies/position"][output, 0], atol=1e-6)
-            # A corner of the drum where the matrices of the picture put it.
+            # A corner of the drum at the position of the picture's matrices.
             corner = value("hawserView.scene.bodies.volumes[0].mesh.localToWorld(new THREE.Vector3(2, 1, 1)).toArray()"
                            ".map((v, k) => v + hawserView.model.header.centre[k])")
             exact = results.rotation(0, output) @ [2, 1, 1] + results.file["bodies/position"][output, 0]
             np.testing.assert_allclose(corner, exact, atol=1e-4)
         value(PIXELS)
         tones = value("[-1, 0, 1, 5].map((body) => hawserView.scene.bodies.paint(body, true).uniforms.colour.value.getHex())")
-        self.assertEqual((len(set(tones)), tones[2]), (3, tones[3]))  # bodies that stand beside each other differ
+        self.assertEqual((len(set(tones)), tones[2]), (3, tones[3]))  # neighbouring bodies differ
         self.assertEqual(value("hawserView.scene.bodies.volumes[0].mesh.material.uniforms.colour.value.getHex()"), tones[1])
         value("hawserView.scene.shown.forces = hawserView.scene.shown.volumes = false; hawserView.scene.lines.uniforms.enlarged.value = 3;0")
         value("hawserView.look('y')")
@@ -158,7 +158,7 @@ class Drawn(Drawing):
         results = self.show(path)
         value = self.browser.value
         value("hawserView.player.show(5)")
-        value("hawserView.scene.draw()")  # what has been asked for is drawn with the next frame only
+        value("hawserView.scene.draw()")  # changes are drawn with the next frame only
         centre = np.array(value("hawserView.model.header.centre"))
         x = results.file["fields/position"][5]
         drum = results.rotation(0, 5) @ [2, 1, 1] + results.file["bodies/position"][5, 0]

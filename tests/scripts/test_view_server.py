@@ -1,5 +1,5 @@
-"""hawser view: its server gives a browser of this machine the model and nothing else, whatever it is asked for, and follows what is
-written; before a run it shows the start shape."""
+"""hawser view: its server delivers only the model, to browsers on this machine, for any request, and follows a file
+in progress; before a run it shows the start shape."""
 import http.client
 import json
 import os
@@ -43,7 +43,7 @@ lines:
 
 
 def run_of(path, outputs, nodes=50, written=None):
-    """A results file of a line that rises, with so many outputs, the first `written` of which count."""
+    """A results file of a line that rises, with `outputs` outputs, the first `written` of which are valid."""
     s = np.linspace(0, 10, nodes)
     x = np.zeros((outputs, nodes, 3))
     x[:, :, 0] = s
@@ -139,7 +139,7 @@ class Served(unittest.TestCase):
         self.assertEqual({codes[k] for k in range(3, REQUESTS, len(names))}, {404})
 
     def test_a_run_is_followed(self):
-        # By another process, as the program would.
+        # From another process, as by the program.
         subprocess.run([sys.executable, "-c", "import h5py, sys; file = h5py.File(sys.argv[1], 'r+', locking=False); "
                         "file['written'][0] = (25, 0); file['messages'] = [b'note: of the line']", str(self.file)], check=True)
         os.utime(self.file, (time.time() + 5, time.time() + 5))
@@ -223,7 +223,7 @@ class Cases(unittest.TestCase):
         self.assertEqual(done.returncode, 0)
         self.assertEqual(shown.status()["kind"], "run")
         self.assertIn("effective_tension", [field["name"] for field in shown.header()["fields"]])
-        # A case that is changed has its start shape again.
+        # A changed case has its start shape again.
         write(self.folder, "case.yaml", CASE.replace("480", "470"))
         os.utime(case, (time.time() + 5, time.time() + 5))
         self.assertEqual(shown.status()["kind"], "start")

@@ -1,4 +1,5 @@
-"""Names, comments, messages and pages use the terms of the field: scripts/check-words finds the words of the table "Words"."""
+"""Names, comments, messages and pages use the terms of the field: scripts/check-words finds the words of the table
+"Words"."""
 import tempfile
 import unittest
 

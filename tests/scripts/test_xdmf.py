@@ -1,4 +1,4 @@
-"""ParaView opens what the program writes: the times, the hose and its fields, and a drum that turns."""
+"""ParaView opens the program's files: times, the hose and its fields, and a rotating drum."""
 import json
 import math
 import os
@@ -10,7 +10,7 @@ from pathlib import Path
 from support import ROOT, run, write
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
-# Tells of the first and the last time what is drawn: nodes of the line, one field of it, vertices of the drum.
+# Prints the content at the first and the last time: nodes of the line, one field of it, vertices of the drum.
 LOOK = """
 import json, sys
 sys.path.insert(0, sys.argv[2])  # the tree's scripts
@@ -62,9 +62,10 @@ class Xdmf(unittest.TestCase):
             self.assertEqual(len(look["line"]), 41)
             self.assertEqual(len(look["drum"]), len(first["drum"]))
             self.assertGreater(look["triangles"], 100)
-            # It carries 60 m of hose in all, 273.4 kg/m; next to nothing at the free end.
+            # It carries 60 m of hose in total, 273.4 kg/m; almost nothing at the free end.
             self.assertAlmostEqual(max(look["tension"]) / (60 * 273.4 * 9.80665), 1, delta=0.1)
-        # Each vertex of the drum has gone about -y: at 0.1 rad/s, after a start of 10 s of half the way, by 0.7 rad.
+        # Each vertex of the drum has rotated about -y by 0.7 rad: at 0.1 rad/s, after a start of 10 s of half
+        # the angle.
         turned = []
         for a, b in zip(first["drum"], last["drum"]):
             self.assertAlmostEqual(a[1], b[1], delta=1e-5)
@@ -74,7 +75,7 @@ class Xdmf(unittest.TestCase):
         self.assertGreater(len(turned), 100)
         self.assertAlmostEqual(min(turned), 0.7, delta=1e-3)
         self.assertAlmostEqual(max(turned), 0.7, delta=1e-3)
-        # The hose is drawn up by that much of a turn.
+        # The hose is pulled up by the corresponding length.
         self.assertAlmostEqual(min(p[2] for p in last["line"]) - min(p[2] for p in first["line"]), 0.7 * 4.025, delta=0.3)
 
 

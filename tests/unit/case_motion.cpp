@@ -88,7 +88,7 @@ TEST(CaseMotion, MonotoneAndLinearStayBetweenTheRows) {
   }
 }
 
-// Steps end where a body's velocity jumps. Rows far from the start do not affect it.
+// Rows far from the start do not affect it.
 TEST(CaseMotion, PoseAtStartIsThatOfTheWholeTable) {
   for (const BetweenRows between : {BetweenRows::spline, BetweenRows::monotone, BetweenRows::linear})
     for (const double from : {-300.0, -7.5, 0.0}) {

@@ -1,4 +1,4 @@
-// The random campaign against geometry, short; geometry_fuzz_long.full.cpp is the long one.
+// Short random tests of the geometry; geometry_fuzz_long.full.cpp has the long ones.
 #include "support/geometry_fuzz.hpp"
 
 namespace {

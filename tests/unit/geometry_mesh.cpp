@@ -13,7 +13,7 @@ namespace {
 
 using namespace hawser::test;
 
-// Triangles with corners of their own, as an STL file has them.
+// Triangles with separate corners, as in an STL file.
 TriangleMesh soup(const TriangleMesh& m) {
   TriangleMesh s;
   for (const auto& t : m.triangles) {
@@ -75,7 +75,7 @@ TEST(GeometryMesh, WeldWithToleranceJoinsAcrossCellsAndDropsSlivers) {
   EXPECT_EQ(m.part.size(), m.triangles.size());
   const WeldResult w = weld(m, 0.3);
   EXPECT_GT(w.removed, 0);
-  // -0 and 0 are one place.
+  // -0 and 0 are equal.
   TriangleMesh z{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 0, -0.0}}, {{0, 1, 2}, {3, 1, 2}}, {}, {}};
   EXPECT_EQ(weld(z).welded, 1);
 }
@@ -111,7 +111,7 @@ TEST(GeometryMesh, ReportNamesFaults) {
   EXPECT_EQ(r.non_manifold_edges, 1);
   EXPECT_EQ(r.open_edges, 2);
 
-  // A corner in the middle of an edge: a triangle of no area closes the gap.
+  // A corner in the middle of an edge: a triangle of zero area closes the gap.
   m = tetrahedron_mesh();
   m.vertices.push_back({0.5, 0, 0});
   m.triangles = {{0, 2, 4}, {4, 2, 1}, {0, 1, 3}, {0, 4, 1}, {0, 3, 2}, {1, 2, 3}};
@@ -141,12 +141,12 @@ TEST(GeometryMesh, OrientationRepair) {
     EXPECT_EQ(m.triangles, valid.triangles);
     EXPECT_EQ(repair(m).turned, 0);
   }
-  // Inside out, cavity and all.
+  // Inside out, including the cavity.
   TriangleMesh m = hollow_cube_mesh();
   for (auto& t : m.triangles) std::swap(t[1], t[2]);
   EXPECT_EQ(repair(m).turned, static_cast<int>(m.triangles.size()));
   EXPECT_TRUE(inspect(m).valid());
-  // A body in the cavity of a body: depth 2 is outward again.
+  // A body in the cavity of a body: nesting depth 2 is outward again.
   m = hollow_cube_mesh();
   append(m, box_mesh(Vec3::Constant(1.4), Vec3::Constant(1.6)), true);
   EXPECT_FALSE(inspect(m).valid());

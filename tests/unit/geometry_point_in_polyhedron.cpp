@@ -1,5 +1,5 @@
-// The three tests of a point in a polyhedron against what is known of each shape in closed form: random
-// points, and points from which rays run exactly through vertices, along edges and in faces.
+// Three tests of a point in a polyhedron against closed forms of each shape: random points, and points whose
+// rays pass exactly through vertices, along edges and in faces.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -24,13 +24,13 @@ struct Shape {
   double grid;  // spacing of aligned points, 0: none
 };
 
-// Of a box, closed.
+// Location relative to a closed box.
 Location in_box(const Vec3& p, const Vec3& lo, const Vec3& hi) {
   const double d = (lo - p).cwiseMax(p - hi).maxCoeff();
   return d > 0 ? Location::outside : d < 0 ? Location::inside : Location::boundary;
 }
 
-// A polygon of unit squares drawn out to z in [0, height]: a point is inside when every box of a small
+// Polygon of unit squares extruded to z in [0, height]: a point is inside if every box of a small
 // neighbourhood is.
 Location in_squares(const Vec3& p, double height, const std::function<bool(int, int)>& filled) {
   int in = 0, out = 0;
@@ -53,7 +53,7 @@ std::vector<Shape> shapes() {
                },
                0.25});
   const auto drum = [](const Vec3& p) {
-    // Inside of the 96 facets: the facet under the angle of the point.
+    // Inside of the 96 facets: the facet at the angle of the point.
     const double step = 2 * M_PI / 96, angle = (std::floor(std::atan2(p.y(), p.x()) / step) + 0.5) * step;
     const double d = std::max(p.x() * std::cos(angle) + p.y() * std::sin(angle) - 3.6 * std::cos(step / 2),
                               std::abs(p.z()) - 2.75);
@@ -112,7 +112,7 @@ TEST(GeometryPointInPolyhedron, RandomPoints) {
 }
 
 TEST(GeometryPointInPolyhedron, RaysThroughVerticesAndEdges) {
-  // A grid that holds the vertices: rays along the axes meet vertices, run along edges and lie in faces.
+  // A grid that contains the vertices: rays along the axes meet vertices, run along edges and lie in faces.
   for (const Shape& s : shapes()) {
     const Box box = inspect(s.mesh).box;
     const Vec3 n = ((box.extent() / s.grid).array() + 0.5).floor();
@@ -123,7 +123,7 @@ TEST(GeometryPointInPolyhedron, RaysThroughVerticesAndEdges) {
           ASSERT_NO_FATAL_FAILURE(check(s, box.lo + s.grid * Vec3(i, j, k)));
     EXPECT_GT(count, 300);
   }
-  // And points level with every vertex of the drum, whose coordinates are no round numbers.
+  // Points level with every vertex of the drum, whose coordinates are not round numbers.
   const Shape drum = shapes()[2];
   for (const Vec3& v : drum.mesh.vertices)
     for (const Vec3& from :
@@ -134,7 +134,7 @@ TEST(GeometryPointInPolyhedron, RaysThroughVerticesAndEdges) {
 
 TEST(GeometryPointInPolyhedron, TetrahedraNeedConvexity) {
   for (const Shape& s : shapes()) EXPECT_EQ(is_convex(s.mesh, 1e-9), s.convex) << s.name;
-  // Inside one leg of the U, the volumes say outside: why nonconvex bodies need another test.
+  // Inside one leg of the U the test of tetrahedra reports outside: nonconvex bodies need another test.
   EXPECT_FALSE(inside_by_tetrahedra(u_channel_mesh(), {0.5, 1.5, 2}));
   EXPECT_TRUE(inside_by_ray(u_channel_mesh(), {0.5, 1.5, 2}));
 }

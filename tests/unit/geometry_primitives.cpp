@@ -1,5 +1,5 @@
-// Exact primitives: their distance against points and triangles of their surface, inside by implicit forms,
-// normal and curvature by finite differences.
+// Exact primitives: distance against points and triangles of their surface, inside by implicit forms, normal
+// and curvature by finite differences.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ struct Known {
   Primitive shape;
   double size;     // m, about the largest extent
   double sagitta;  // m, of its facets
-  // Negative inside, positive outside, zero on the surface; formed without a distance where there is a way.
+  // Negative inside, positive outside, zero on the surface; independent of a distance where possible.
   double (*implicit)(const Vec3&);
 };
 
@@ -45,7 +45,7 @@ double in_torus(const Vec3& y) {  // quartic: (|r|² + R² - a²)² = 4 R² rho�
 }
 double in_plane(const Vec3& y) { return kAxis.dot(y - kCentre); }
 
-// Of a chord over 2 pi / n on a circle of radius r.
+// Sagitta of a chord over 2 pi / n on a circle of radius r.
 double sagitta(double r, int n) { return r * (1 - std::cos(M_PI / n)); }
 
 std::vector<Known> shapes() {
@@ -75,7 +75,7 @@ Box view() {
   return box;
 }
 
-// About the shape, or near its surface.
+// Random point around the shape or near its surface.
 Vec3 sample(const Known& k, const TriangleMesh& m, Random& next) {
   const Vec3 wide = kCentre + Vec3(0.5, 1, -1) + 2.5 * next.vec();
   if (next() > 0) return wide;
@@ -95,7 +95,7 @@ TEST(GeometryPrimitives, DistanceAgainstTheSurface) {
     }
     const bool plane = std::holds_alternative<PlaneShape>(k.shape);
     if (plane) {
-      // The patch is square, faces outward and covers what it was shown.
+      // The patch is square, faces outward and covers the given box.
       ASSERT_EQ(m.triangles.size(), 2U);
       const Vec3 n = (m.vertices[1] - m.vertices[0]).cross(m.vertices[2] - m.vertices[0]).normalized();
       EXPECT_LE((n - kAxis.normalized()).norm(), 1e-15);
@@ -114,13 +114,13 @@ TEST(GeometryPrimitives, DistanceAgainstTheSurface) {
       const auto s = surface->query(y, kInfinity, i % 30);
       ASSERT_TRUE(s);
       const double rounding = 1e-14 * (k.size + (y - kCentre).norm());
-      // The answer's point is on the surface and as far as it says ...
+      // The returned point is on the surface and at the returned distance ...
       ASSERT_NEAR(surface->query(s->point, kInfinity)->distance, 0, rounding);
       ASSERT_NEAR(k.implicit(s->point), 0, 50 * rounding);
       ASSERT_NEAR((y - s->point).norm(), std::abs(s->distance), rounding);
       ASSERT_LE((y - s->point - s->distance * s->normal).norm(), rounding);
       ASSERT_NEAR(s->normal.norm(), 1, 1e-14);
-      // ... the sign is the implicit form's, and no other point of the surface is nearer.
+      // ... the sign is that of the implicit form, and no other point of the surface is nearer.
       if (std::abs(s->distance) > rounding) {
         ASSERT_EQ(s->distance < 0, k.implicit(y) < 0) << y.transpose();
       }
@@ -132,7 +132,7 @@ TEST(GeometryPrimitives, DistanceAgainstTheSurface) {
       if (mesh) {
         ASSERT_NEAR(mesh->query(y, kInfinity)->distance, s->distance, k.sagitta + rounding);
       }
-      // A limit takes answers away and changes none.
+      // A limit removes answers without changing others.
       const double limit = 0.1 * next();
       const auto near = surface->query(y, limit);
       ASSERT_EQ(near.has_value(), s->distance <= limit);
@@ -159,14 +159,14 @@ TEST(GeometryPrimitives, NormalAndCurvatureAreDerivatives) {
       const Vec3 y = sample(k, m, next);
       const auto s = surface->query(y, kInfinity);
       ASSERT_TRUE(s->curvature.isApprox(s->curvature.transpose(), 1e-12) || s->curvature.norm() < 1e-12);
-      const double bend = 1 / (s->curvature.norm() + 1e-9);  // length over which the distance bends
+      const double bend = 1 / (s->curvature.norm() + 1e-9);  // length scale of the distance's curvature
       Vec3 gradient;
       Mat3 hessian;
       bool same = bend > 200 * h;
       for (int a = 0; a < 3 && same; ++a) {
         const Vec3 e = h * Vec3::Unit(a);
         const auto up = surface->query(y + e, kInfinity), down = surface->query(y - e, kInfinity);
-        // Not across an edge of the surface or of the medial axis.
+        // Excludes edges of the surface and of the medial axis.
         same = up->triangle == s->triangle && down->triangle == s->triangle && up->feature == s->feature &&
                down->feature == s->feature && (up->point - down->point).norm() < 0.1 * bend + 20 * h;
         gradient[a] = (up->distance - down->distance) / (2 * h);
@@ -204,7 +204,7 @@ TEST(GeometryPrimitives, DistanceGrowsNoFasterThanTheWay) {
   }
 }
 
-// On centres, axes, diagonals and sharp edges: finite, unit, the same every time, and a true nearest point.
+// On centres, axes, diagonals and sharp edges: finite, unit, reproducible, and a true nearest point.
 TEST(GeometryPrimitives, WhereThereIsNoOneNearestPoint) {
   const Vec3 axis = (kTo - kFrom).normalized(), spin = kAxis.normalized();
   const Mat3 turn = exp_so3(kTurn).toRotationMatrix();

@@ -1,4 +1,4 @@
-// Closest points of two segments against the same problem in quadruple precision, solved another way.
+// Closest points of two segments against an independent solution in quadruple precision.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 using detail::Wide;
 
-// The minimum over the square by its inner point (normal equations) and its four edges, 113 bits.
+// Minimum over the square by its inner point (normal equations) and its four edges, 113 bits.
 double reference(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
   const auto A0 = detail::triple<Wide>(a0), B0 = detail::triple<Wide>(b0);
   const auto u = detail::triple<Wide>(a1) - A0, v = detail::triple<Wide>(b1) - B0, r = A0 - B0;
@@ -31,11 +31,11 @@ double reference(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1)
   }
   const Wide det = a * c - b * b;
   if (det > 0) {
-    // t by projection: apart from s, its error would count in full when the segments are nearly parallel.
+    // t by projection: computed from s, its error would be amplified when the segments are nearly parallel.
     const Wide s = (b * e - c * d) / det, t = (e + s * b) / c;
     if (s >= 0 && s <= 1 && t >= 0 && t <= 1) take(s, t);
   }
-  // The root in the range of double whatever the size.
+  // Square root in the range of double for any magnitude.
   Wide scale = 1;
   while (best > 0 && best * scale < Wide(1e-30)) scale *= Wide(1e20);
   while (best * scale > Wide(1e30)) scale /= Wide(1e20);
@@ -46,7 +46,7 @@ double size_of(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
   return std::max({(a1 - a0).stableNorm(), (b1 - b0).stableNorm(), (a0 - b0).stableNorm()});
 }
 
-// Everything promised of one pair; returns the error of the distance over the size.
+// Checks all guarantees for a pair; returns the error of the distance relative to the size.
 double check(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
   const SegmentPair p = closest_points_of_segments(a0, a1, b0, b1);
   const double size = size_of(a0, a1, b0, b1);
@@ -95,7 +95,7 @@ TEST(GeometrySegments, AnyTwo) {
   RecordProperty("worst", std::to_string(worst));
 }
 
-// Nearly parallel, at angles and offsets of all sizes; Eberly's failures lie at angles of 1e-7 to 1e-6.
+// Nearly parallel, at angles and offsets of all magnitudes; Eberly's failures are at angles of 1e-7 to 1e-6.
 TEST(GeometrySegments, NearlyParallel) {
   Random next(2);
   for (int i = 0; i < 150000; ++i) {
@@ -103,7 +103,7 @@ TEST(GeometrySegments, NearlyParallel) {
     const Vec3 u = next.unit(), across = u.cross(next.unit()).normalized();
     const Vec3 v =
         next.power(-1, 1) * (u + angle * across + angle * next() * next.unit()) * (next.pick(2) ? 1 : -1);
-    // Crossing somewhere on both, apart by `gap` across both.
+    // Crossing inside both, with distance `gap` normal to both.
     const double gap = next.pick(3) ? next.power(-12, 1) : 0;
     const Vec3 meet = 10 * next.vec(), off = gap * u.cross(v).normalized();
     const double s = 1.2 * next(), t = 1.2 * next();
@@ -113,7 +113,7 @@ TEST(GeometrySegments, NearlyParallel) {
   }
 }
 
-// Integer coordinates hit parallel, collinear, touching and shrunk segments exactly.
+// Integer coordinates produce parallel, collinear, touching and degenerate segments exactly.
 TEST(GeometrySegments, OnAGrid) {
   Random next(3);
   int parallel = 0, points = 0;
@@ -145,7 +145,7 @@ TEST(GeometrySegments, KnownAnswers) {
   EXPECT_EQ(p.s, 1);
   EXPECT_EQ(p.t, 0);
   EXPECT_EQ(p.distance, 5);
-  // Parallel: the middle of the overlap, whichever way they run.
+  // Parallel: the middle of the overlap, for either orientation.
   for (const bool turned : {false, true}) {
     const Vec3 b0(2, 1, 0), b1(8, 1, 0);
     p = closest_points_of_segments({0, 0, 0}, {4, 0, 0}, turned ? b1 : b0, turned ? b0 : b1);
@@ -167,9 +167,9 @@ TEST(GeometrySegments, KnownAnswers) {
   EXPECT_EQ(p.distance, 5);
 }
 
-// Distances by exact rational arithmetic on the coordinates as they are stored. The first two are examples of
-// Eberly, "Robust computation of distance between line segments" (Geometric Tools), where the usual formula
-// is wrong in the seventh digit; his values agree. The others are degenerate.
+// Distances by exact rational arithmetic on the stored coordinates. The first two are examples of Eberly,
+// "Robust computation of distance between line segments" (Geometric Tools), where the usual formula is wrong
+// in the seventh digit; his values agree. The others are degenerate.
 TEST(GeometrySegments, ExactRationals) {
   struct Case {
     Vec3 a0, a1, b0, b1;
@@ -201,7 +201,7 @@ TEST(GeometrySegments, ExactRationals) {
   }
 }
 
-// Where lines cross at an angle, the parameters are right too.
+// Where lines cross at an angle, the parameters are right as well.
 TEST(GeometrySegments, Parameters) {
   Random next(4);
   for (int i = 0; i < 100000; ++i) {
@@ -217,7 +217,7 @@ TEST(GeometrySegments, Parameters) {
   }
 }
 
-// Lengths far from 1 and very unlike each other.
+// Very large, very small and very different lengths.
 TEST(GeometrySegments, Scales) {
   Random next(5);
   for (int i = 0; i < 50000; ++i) {

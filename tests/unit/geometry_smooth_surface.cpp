@@ -1,6 +1,5 @@
-// Curved facets: how near they come to the true surface, that distance, normal and curvature are one
-// another's derivatives, that the nearest patch is found, that creases stay, and that no mesh makes them
-// fail.
+// Curved facets: accuracy against the true surface; consistency of distance, normal and curvature; nearest
+// patch; creases; robustness for arbitrary meshes.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -37,7 +36,7 @@ class Random {
   std::mt19937 gen_;
 };
 
-// Irregular: a sphere of dents and bumps, its corners moved about.
+// An irregular sphere with dents, bumps and displaced corners.
 TriangleMesh rough_mesh(double noise, unsigned seed = 5) {
   TriangleMesh m = sphere_mesh(3);
   Random random(seed);
@@ -46,7 +45,7 @@ TriangleMesh rough_mesh(double noise, unsigned seed = 5) {
   return m;
 }
 
-// A square of side 2 with corners rounded to the radius, drawn up 3 m: wide plates beside narrow facets.
+// A square of side 2 with rounded corners, extruded to 3 m: wide plates beside narrow facets.
 TriangleMesh rounded_box(double radius, int steps) {
   std::vector<std::pair<double, double>> polygon;
   std::vector<int> all;
@@ -64,7 +63,7 @@ struct Errors {
   double distance = 0, normal = 0, curvature = 0, jump = 0;
 };
 
-// Against the cylinder of radius 1, and the largest kink of the normal on the way round.
+// Errors against the cylinder of radius 1, and the largest kink of the normal around it.
 Errors around_drum(int facets, MeshSurfaceOptions options) {
   const MeshSurface drum(drum_mesh(facets, 1, 2, 3), {}, options);
   Errors e;
@@ -88,7 +87,7 @@ Errors around_drum(int facets, MeshSurfaceOptions options) {
   return e;
 }
 
-// What a line on a drum of 24 facets feels: the radius to 4e-5, no kink.
+// Contact on a drum of 24 facets: radius to 4e-5, no kink.
 TEST(GeometrySmoothSurface, DrumOf24FacetsIsRound) {
   const Errors flat = around_drum(24, {}), smooth = around_drum(24, kSmooth);
   EXPECT_GT(flat.distance, 0.008);  // 1 - cos(7.5 degrees)
@@ -97,7 +96,7 @@ TEST(GeometrySmoothSurface, DrumOf24FacetsIsRound) {
   EXPECT_LT(smooth.normal, 0.03 * kDegree);
   EXPECT_LT(smooth.jump, 1e-5);
   EXPECT_LT(smooth.curvature, 0.025);
-  // A parabola through the ends of an arc in their tangents: fourth order.
+  // A parabola through the ends of an arc with their tangents: fourth order.
   const Errors finer = around_drum(48, kSmooth);
   EXPECT_NEAR(smooth.distance / finer.distance, 16, 1);
 }
@@ -121,11 +120,11 @@ TEST(GeometrySmoothSurface, SphereConverges) {
 }
 
 TEST(GeometrySmoothSurface, CreasesAndPlanesStay) {
-  // A box has nothing but creases.
+  // A box has only creases.
   const MeshSurface box(box_mesh(Vec3::Zero(), Vec3::Ones()), {}, kSmooth);
   EXPECT_EQ(box.curved(), 0);
   EXPECT_EQ(box.sharp_edges(), 12);
-  // Between flanges: the planes are planes, the rims are round, the barrel ends at them.
+  // Between flanges: planes stay planar, rims are round, the barrel ends at them.
   const MeshSurface drum(flanged_drum_mesh(24, 1, 2, 1.5, 0.2), {}, kSmooth);
   EXPECT_EQ(drum.sharp_edges(), 6 * 24);
   Random random(3);
@@ -140,7 +139,7 @@ TEST(GeometrySmoothSurface, CreasesAndPlanesStay) {
     ASSERT_TRUE(is_edge(rim->feature) || is_vertex(rim->feature));
     ASSERT_NEAR(drum.query(1.02 * n + Vec3(0, 0, 0.9), 0.1)->distance, 0.02, 1e-4);
   }
-  // With a crease angle below that of its facets a drum stays as it is.
+  // With a crease angle below that of its facets a drum is unchanged.
   EXPECT_EQ(MeshSurface(drum_mesh(24, 1, 2), {}, {true, 14 * kDegree}).curved(), 0);
   EXPECT_GT(MeshSurface(drum_mesh(24, 1, 2), {}, {true, 16 * kDegree}).curved(), 0);
 }
@@ -153,7 +152,7 @@ TEST(GeometrySmoothSurface, PlatesBesideRoundedCornersStayFlat) {
   EXPECT_NEAR(box.query({0.3, 1.1, 1.5}, 1)->distance, 0.1, 1e-12);
   EXPECT_NEAR(box.query({0.79, -1.1, 1.5}, 1)->distance, 0.1, 1e-12);
   EXPECT_LT(box.bulge(), 0.005);
-  // And the corners are round, and meet the plates without a kink: polygon 0.0017 m off.
+  // The corners are round and meet the plates without a kink: polygon 0.0017 m off.
   double worst = 0;
   for (int i = 0; i <= 900; ++i) {
     const double a = M_PI / 2 * i / 900;
@@ -206,7 +205,7 @@ TEST(GeometrySmoothSurface, NormalAndCurvatureAreDerivatives) {
   EXPECT_GT(edges, 100);
 }
 
-// The patch under a fine grid of its points, and the nearest of all patches in turn.
+// Nearest point against a fine grid on the patch and against all patches.
 TEST(GeometrySmoothSurface, NearestOfAll) {
   for (const double noise : {0.0, 0.03, 0.08}) {
     const TriangleMesh m = rough_mesh(noise);
@@ -235,8 +234,8 @@ TEST(GeometrySmoothSurface, NearestOfAll) {
   }
 }
 
-// What is kept of the facets near a place never shows in an answer, to the last bit, however far the next
-// question is from it, also beyond centres of curvature; and a short way off it spares the search.
+// Cached facets never change an answer, bitwise, for any distance to the next query, also beyond centres of
+// curvature; nearby they avoid a search.
 TEST(GeometrySmoothSurface, AskedAgainNearAPlace) {
   const auto part = [](std::size_t count) {
     std::vector<bool> active(count);
@@ -278,9 +277,8 @@ TEST(GeometrySmoothSurface, AskedAgainNearAPlace) {
       }
 }
 
-// Neighbours share their edge to the last bit, and no patch folds.
-// No place of any patch is nearer than what is called free, also beyond centres of curvature, where the point
-// that is found need not be the nearest; near a round surface all of the distance is free.
+// No point of any patch is within the distance reported as free, also beyond centres of curvature, where the
+// found point need not be the nearest; near a round surface the whole distance is free.
 TEST(GeometrySmoothSurface, WhatIsFreeHoldsNoSurface) {
   const MeshSurface rough(rough_mesh(0.03), {}, kSmooth);
   std::vector<Vec3> places;
@@ -313,8 +311,8 @@ TEST(GeometrySmoothSurface, WhatIsFreeHoldsNoSurface) {
   }
 }
 
-// The squared distance along straight lines of a patch has no negative second difference where it is said to
-// be convex, and where it is not said it may.
+// The squared distance along straight lines of a patch has no negative second difference where it is reported
+// convex; elsewhere it may.
 TEST(GeometrySmoothSurface, OneNearestPointMeansConvex) {
   Random random(8);
   int convex = 0, bent = 0;
@@ -371,8 +369,8 @@ TEST(GeometrySmoothSurface, PatchesAreWatertightAndDoNotFold) {
   }
 }
 
-// The distance is that of one closed surface: it changes no faster than the point moves, has the sign of the
-// facets' inside wherever the bulge does not matter, and is the integral of its normal along any way.
+// The distance is that of one closed surface: Lipschitz with constant 1, with the sign of the facets' inside
+// where the bulge is irrelevant, and the integral of its normal along any path.
 TEST(GeometrySmoothSurface, DistanceIsContinuousAndAPotential) {
   for (const TriangleMesh& m :
        {flanged_drum_mesh(24, 1, 2, 1.5, 0.2), rough_mesh(0.05), l_prism_mesh(), drum_mesh(7, 1, 2)}) {
@@ -399,7 +397,7 @@ TEST(GeometrySmoothSurface, DistanceIsContinuousAndAPotential) {
 }
 
 TEST(GeometrySmoothSurface, DegenerateTrianglesAndActiveParts) {
-  // A triangle of no area along an edge of a drum.
+  // A triangle of zero area along an edge of a drum.
   TriangleMesh m = drum_mesh(24, 1, 2);
   const int corner = static_cast<int>(m.vertices.size());
   const auto whole = m.triangles[10];

@@ -1,5 +1,5 @@
-// The nearest triangle by the spatial hash and by the tree of boxes is the nearest of all, on even and graded
-// meshes, cold and warm, and the same by both.
+// Nearest triangle by spatial hash and by box tree, on even and graded meshes, cold and warm: both equal the
+// exhaustive search.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -43,7 +43,7 @@ struct Nearest {
   double squared_distance = 0;  // m²
 };
 
-// The nearest triangle, of those equally near the first, by a SpatialHash or a BoxTree.
+// Nearest triangle, the first of equally near ones, by a SpatialHash or a BoxTree.
 template <class Structure>
 class Search {
  public:
@@ -75,7 +75,7 @@ Box box_of(const TriangleMesh& m) {
   return b;
 }
 
-// A large box with small spheres beside and on it: sizes of triangles 1 : 1000.
+// A large box with small spheres beside and on it: triangle sizes 1 : 1000.
 TriangleMesh graded() {
   TriangleMesh m = box_mesh({-50, -10, -10}, {50, 10, 10});
   for (const Vec3& at : {Vec3(0, 0, 11), Vec3(49, 10, 10), Vec3(0, 0, -10)}) {
@@ -87,8 +87,8 @@ TriangleMesh graded() {
   return m;
 }
 
-// Points about the vertices, from the size of the mesh down to `finest` of it.
-// A tenth of the n points; all of them with HAWSER_FULL.
+// Points around the vertices, from the size of the mesh down to `finest` of it: a tenth of the n points, all
+// with HAWSER_FULL.
 void campaign(const TriangleMesh& m, int n, double finest = 1e-5) {
   if (!std::getenv("HAWSER_FULL")) n = (n + 9) / 10;
   const Search<SpatialHash> hash(m);
@@ -103,7 +103,7 @@ void campaign(const TriangleMesh& m, int n, double finest = 1e-5) {
     const double exact = brute_force(m, y);
     const Nearest all = hash.nearest(y).value();
     ASSERT_EQ(all.squared_distance, exact) << y.transpose();
-    // Whatever the hint and the limit, by one and by the other: the same, to the last bit.
+    // Bitwise equal for any hint and limit, by both structures.
     const int hint = static_cast<int>(gen() % m.triangles.size());
     const auto expect = [&](const std::optional<Nearest>& near, double factor) {
       ASSERT_TRUE(near) << y.transpose() << " x " << factor;
@@ -149,8 +149,8 @@ TEST(GeometrySpatialHash, ManyTrianglesInOnePlaceAndNoSize) {
 }
 
 TEST(GeometrySpatialHash, FarApart) {
-  // Small triangles with much room between them: most cells are empty, and the nearest is often only in a
-  // cell beside that of the point, along one axis, two or three, below it or above.
+  // Small triangles with wide gaps: most cells are empty, and the nearest is often only in a neighbouring
+  // cell along one, two or three axes.
   TriangleMesh m;
   std::mt19937 gen(6);
   std::uniform_real_distribution<double> u(-1, 1);
@@ -161,7 +161,7 @@ TEST(GeometrySpatialHash, FarApart) {
     m.triangles.push_back({v, v + 1, v + 2});
   }
   campaign(m, 3000, 1e-3);
-  // By cells of the whole and halves and quarters of it, at whose faces others begin.
+  // Cells of full, half and quarter size, with queries at their faces.
   const Search<SpatialHash> hash(m);
   const Box box = box_of(m);
   const double side = box.extent().maxCoeff();
@@ -177,7 +177,7 @@ TEST(GeometrySpatialHash, FarApart) {
 }
 
 TEST(GeometrySpatialHash, ManyOfEachSizeInOnePlace) {
-  // The finer ones all in one cube, and the largest in many.
+  // All small triangles in one cube, and the largest in many.
   TriangleMesh m;
   std::mt19937 gen(7);
   std::uniform_real_distribution<double> u(0, 1);
@@ -238,7 +238,7 @@ TEST(GeometrySpatialHash, VerySmallAndVeryLarge) {
   }
 }
 
-// Long facets along the diagonal have boxes as large as all, others are far smaller than the cubes.
+// Long diagonal facets have boxes as large as the mesh, others are far smaller than the cubes.
 TEST(GeometrySpatialHash, MemoryIsBounded) {
   TriangleMesh m = sphere_mesh(4);
   for (int i = 0; i < 300; ++i) {
@@ -252,7 +252,7 @@ TEST(GeometrySpatialHash, MemoryIsBounded) {
 }
 
 TEST(GeometrySpatialHash, WorkDoesNotGrowWithTheMesh) {
-  // Triangles per query a fixed fraction of a triangle above the surface.
+  // Triangles tested per query, for points a fixed fraction of a triangle above the surface.
   const auto work = [](int levels, auto search) {
     const TriangleMesh m = sphere_mesh(levels, 10);
     const decltype(search(m)) at(m);

@@ -1,5 +1,5 @@
-// Signed distance of meshes and primitives: against every triangle in turn, the solid angle, closed forms
-// and finite differences.
+// Signed distance of meshes and primitives: against all triangles, the solid angle, closed forms and finite
+// differences.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -29,7 +29,7 @@ double brute_force(const TriangleMesh& m, const Vec3& y, const std::vector<bool>
   return std::sqrt(best);
 }
 
-// A point about a mesh: anywhere in its grown box, or near a vertex, edge or face.
+// A point near a mesh: anywhere in its enlarged box, or near a vertex, edge or face.
 class Points {
  public:
   explicit Points(const MeshView& m, unsigned seed = 1) : mesh_(m), gen_(seed) {
@@ -67,7 +67,7 @@ std::vector<TriangleMesh> bodies() {
           sphere_mesh(2)};
 }
 
-// A few thousand points about each body; 13 000 with HAWSER_FULL.
+// A few thousand points per body; 13 000 with HAWSER_FULL.
 TEST(GeometrySurface, CampaignOfDistanceAndSign) {
   const int points_each = std::getenv("HAWSER_FULL") ? 13000 : 4000;
   int points = 0, inside = 0;
@@ -106,7 +106,7 @@ TEST(GeometrySurface, CampaignOfDistanceAndSign) {
   EXPECT_GT(10 * inside, points);
 }
 
-// Normal and curvature against central differences of distance, away from where they jump.
+// Normal and curvature against central differences of distance, away from discontinuities.
 void expect_derivatives(const Surface& surface, const Vec3& y, double h, int& checked) {
   const auto s = surface.query(y, kInfinity);
   ASSERT_TRUE(s);
@@ -123,7 +123,7 @@ void expect_derivatives(const Surface& surface, const Vec3& y, double h, int& ch
     hessian.col(a) = (up->normal - down->normal) / (2 * h);
   }
   ++checked;
-  // The length over which the distance bends.
+  // Length scale of the distance's curvature.
   const double d = std::min(std::abs(s->distance), 1 / (s->curvature.norm() + 1e-9));
   ASSERT_LE((gradient - s->normal).norm(), 10 * h * h / (d * d) + 1e-9) << y.transpose();
   ASSERT_LE((hessian - s->curvature).norm(), (10 * h * h / (d * d) + 1e-8) * (1 + 1 / d))
@@ -160,7 +160,7 @@ TEST(GeometrySurface, CurvatureOnEachFeature) {
   s = cube.query({1 + 1.0 / 3, 1 + 2.0 / 3, 1 + 2.0 / 3}, 2);  // vertex, d = 1
   EXPECT_TRUE(is_vertex(s->feature));
   EXPECT_NEAR(s->curvature.trace(), 2, 1e-14);
-  // On the very edge and vertex: bounded, and a normal between the faces'.
+  // Exactly on edge and vertex: bounded, with a normal between those of the faces.
   s = cube.query({1, 0.5, 1}, 1);
   EXPECT_NEAR(s->distance, 0, 1e-15);
   EXPECT_TRUE(s->curvature.allFinite());
@@ -177,8 +177,8 @@ TEST(GeometrySurface, CurvatureOnEachFeature) {
   EXPECT_NEAR(s->curvature.trace(), -1 / std::hypot(0.1, 0.2), 1e-13);
 }
 
-// A bar whose edges are divided in the middle: beside a vertex on a straight edge the distance is that from
-// the edge, over one on a face that from the face, and beside a corner that from a point.
+// A bar with edges divided in the middle: beside a vertex on a straight edge the distance is that to the
+// edge, over one on a face that to the face, and beside a corner that to a point.
 TEST(GeometrySurface, CurvatureBesideVerticesOnEdgesAndFaces) {
   TriangleMesh m;
   for (const double x : {-1.0, 0.0, 1.0})
@@ -244,7 +244,7 @@ TEST(GeometrySurface, PlaneAndCylinder) {
   EXPECT_LE((c.bounds().hi - Vec3(2, 2, 1)).norm(), 1e-15);
   EXPECT_THROW(CylinderSurface({0, 0, 0}, {0, 0, 0}, 1), std::invalid_argument);
   EXPECT_THROW(PlaneSurface({0, 0, 0}, {0, 0, 0}), std::invalid_argument);
-  // The drum's facets lie within radius (1 - cos(pi / n)) of the cylinder.
+  // The drum's facets are within radius (1 - cos(pi / n)) of the cylinder.
   const MeshSurface drum(drum_mesh(96, 2, 2));
   Points next(drum.mesh(), 8);
   for (int i = 0; i < 1000; ++i) {
@@ -258,7 +258,7 @@ TEST(GeometrySurface, ActivePart) {
   const TriangleMesh m = flanged_drum_mesh(24, 1, 2, 1.5, 0.2);
   const std::vector<bool> active = active_by_part(m, {"barrel"});
   const MeshSurface barrel(m, active), whole(m);
-  // Beside the barrel both agree; beside the flange only the whole is met.
+  // Beside the barrel both agree; beside the flange only the whole mesh has contact.
   const double across = std::cos(M_PI / 24);
   const Vec3 mid(std::cos(M_PI / 24), std::sin(M_PI / 24), 0);
   for (const double depth : {-0.3, -0.01, 0.01, 0.3}) {
@@ -272,7 +272,7 @@ TEST(GeometrySurface, ActivePart) {
   EXPECT_FALSE(barrel.query({0, 1.05, 1.15}, 0.1));
   EXPECT_FALSE(barrel.query({0, 1.4, 1.1}, 0.1));  // in the flange: not under the barrel
   EXPECT_TRUE(barrel.query({0, 0, 0.9}, 0.01));    // deep in the barrel, nearer to nothing active than 0.9
-  // A plate of which only the top is met: from below nothing, within all the way.
+  // A plate with only its top active: no contact from below, inside through the whole thickness.
   const TriangleMesh plate = box_mesh({0, 0, 0}, {4, 4, 0.1});
   std::vector<bool> top = active_by_box(plate, {{-1, -1, 0.05}, {5, 5, 1}});
   EXPECT_EQ(std::count(top.begin(), top.end(), true), 2);
@@ -280,7 +280,7 @@ TEST(GeometrySurface, ActivePart) {
   EXPECT_NEAR(deck.query({1, 2, 0.3}, 0.5)->distance, 0.2, 1e-15);
   EXPECT_NEAR(deck.query({1, 2, 0.02}, 0.5)->distance, -0.08, 1e-15);
   EXPECT_FALSE(deck.query({1, 2, -0.02}, 0.5));
-  // In the gap of a U of which only the far side of a leg is met: behind that side, but outside.
+  // In the gap of a U with only the far side of a leg active: behind that side, but outside.
   const TriangleMesh channel = u_channel_mesh();
   const MeshSurface far_side(channel, active_by_box(channel, {{-1, -1, -1}, {0.5, 9, 9}}));
   EXPECT_FALSE(far_side.query({1.0001, 1.5, 2}, 5));
@@ -299,7 +299,7 @@ TEST(GeometrySurface, ActivePart) {
         ASSERT_GT(winding_number(m, y), 0.5);
       }
     } else if (d < 0.4) {
-      // Only behind the barrel's faces can something near not be met.
+      // Only behind the barrel's faces a near point may be without contact.
       ASSERT_LT(std::hypot(y.x(), y.y()), 1.5);
     }
   }
@@ -340,7 +340,7 @@ TEST(GeometrySurface, SignWhereTheSurfaceTouchesItselfOrHasNoArea) {
   const MeshSurface s(m);
   Points next(m, 5);
   for (int i = 0; i < 5000; ++i) {
-    // Every other one straight out from that corner, between the normals of the faces that meet there.
+    // Every second point straight out from that corner, between the normals of the adjacent faces.
     const double out = i % 199 / 199.0;
     const Vec3 y = i % 2 ? next() : Vec3(Vec3(0.5, 0.5, 0) + out * Vec3(1, 1, 1) - (1 - out) * Vec3::UnitZ());
     const double d = brute_force(m, y);
@@ -353,8 +353,7 @@ TEST(GeometrySurface, SignWhereTheSurfaceTouchesItselfOrHasNoArea) {
   }
 }
 
-// Where squares of lengths leave the range of numbers no facet is the nearest: refused, with all facets
-// active or some, flat or smooth.
+// Overflow of squared lengths is refused, with all facets active or some, flat or smooth.
 TEST(GeometrySurface, TooLarge) {
   for (const bool smooth : {false, true})
     for (const bool partial : {false, true}) {

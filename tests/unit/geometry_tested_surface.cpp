@@ -1,4 +1,4 @@
-// Meshes whose inside is decided by the tests of points in polyhedra.
+// Meshes with an inside test by points in polyhedra.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -11,7 +11,7 @@ namespace {
 
 using namespace hawser::test;
 
-// Near the surface, deep inside and far away, with and without a limit of distance.
+// Near the surface, deep inside and far away, with and without a distance limit.
 void compare(const TriangleMesh& mesh, SignTest test) {
   const auto plain = std::make_shared<MeshSurface>(mesh);
   const TestedSurface tested(plain, test);
@@ -48,8 +48,8 @@ TEST(TestedSurface, BodiesThatAreNotConvex) {
       compare(mesh, test);
 }
 
-// An arm of an L is behind the plane of one of its faces, so the test of tetrahedra, which is not for such
-// bodies, takes it for outside; it is the test that decides.
+// An arm of an L is behind the plane of one of its faces, so the tetrahedra test, unsuitable for such bodies,
+// reports outside; the chosen test decides.
 TEST(TestedSurface, TheTestDecides) {
   const auto plain = std::make_shared<MeshSurface>(l_prism_mesh());
   const TestedSurface tested(plain, SignTest::tetrahedra);

@@ -1,5 +1,4 @@
-// Cracks along open edges, as noise and rounding of a file leave them, and what holes cost the smooth
-// surface.
+// Cracks along open edges from noise and rounding of a file, and the effect of holes on the smooth surface.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -20,8 +19,7 @@ using namespace hawser::test;
 constexpr double kNoise = 1e-4;  // m
 constexpr MeshSurfaceOptions kSmooth{true, 40 * M_PI / 180, false};
 
-// Each triangle with corners of its own, as an STL file has them, those of two in a hundred moved by up to
-// 0.1 mm each way.
+// Triangles with separate corners, as in an STL file; two in a hundred have corners moved by up to 0.1 mm.
 TriangleMesh noisy(const TriangleMesh& clean) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> each(-kNoise, kNoise);
@@ -133,7 +131,7 @@ TEST(GeometryWeld, ClosedMeshesStay) {
   EXPECT_EQ(mesh.triangles, before.triangles);
 }
 
-// A slit of 2 cm along an open edge of 1 m is none of the file's precision; one of 2 mm is.
+// A slit of 2 cm along an open edge of 1 m is no rounding error of the file; one of 2 mm is.
 TEST(GeometryWeld, SlitsStayAndCracksGo) {
   const auto lid_raised = [](double by) {
     TriangleMesh mesh = box_mesh(Vec3::Zero(), Vec3::Ones());
@@ -156,8 +154,8 @@ TEST(GeometryWeld, SlitsStayAndCracksGo) {
   EXPECT_TRUE(inspect(crack).valid());
 }
 
-// A drum without its lid is as round as one with it, up to the rim; half way between flat and curved facets
-// the sign is that of the curved ones.
+// A drum without its lid is as round as a closed one up to the rim; between flat and curved facets the sign
+// is that of the curved ones.
 TEST(GeometryWeld, AHoleCostsNothingElsewhere) {
   const TriangleMesh closed = drum_mesh(24, 1, 3, 6);
   TriangleMesh open = closed;
@@ -183,7 +181,7 @@ TEST(GeometryWeld, AHoleCostsNothingElsewhere) {
   }
 }
 
-// What the user reads of it, in a file as programs write them.
+// Message about the repair, for a typical file.
 TEST(GeometryWeld, TheRepairIsReported) {
   const TriangleMesh mesh = noisy(drum_mesh(48, 1, 3, 6));
   const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "hawser_noisy_drum.stl";

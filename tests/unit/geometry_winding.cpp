@@ -1,5 +1,5 @@
-// Winding numbers of meshes with holes, their fast evaluation, the repair of broken meshes, and the sign of
-// distance that follows.
+// Winding numbers of meshes with holes, their fast evaluation, repair of broken meshes, and the resulting
+// sign of the distance.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -58,7 +58,7 @@ TEST(GeometryWinding, FastIsNearExact) {
   EXPECT_GT(worst[1], worst[2]);
 }
 
-// Every sign is that of the winding number of all triangles.
+// Signs equal those of the winding number of all triangles.
 void expect_signs(const TriangleMesh& m, int points, double size) {
   const MeshSurface s(m, {}, open());
   Points next;
@@ -76,7 +76,7 @@ void expect_signs(const TriangleMesh& m, int points, double size) {
     const auto q = s.query(y, 1e9);
     ASSERT_EQ(q->distance<0, w> 0.5) << y.transpose() << " w " << w;
     ASSERT_NEAR(q->normal.norm(), 1, 1e-12);
-    // Near limits change nothing.
+    // Small limits change nothing.
     const auto near = s.query(y, 0.02);
     ASSERT_EQ(near.has_value(), q->distance <= 0.02) << y.transpose();
   }
@@ -115,17 +115,17 @@ TEST(GeometryWinding, RepairTurnsPatches) {
   EXPECT_EQ(r.turned, turned);
   EXPECT_GT(r.enclosing, 0.99);
   EXPECT_NEAR(winding_number(m, Vec3::Zero()), 1, 0.02);
-  // Most of them the wrong way round.
+  // Most of them reversed.
   for (auto& t : inside_out.triangles) std::swap(t[0], t[1]);
   repair(inside_out);
   EXPECT_NEAR(winding_number(inside_out, Vec3::Zero()), 1, 0.02);
   EXPECT_EQ(m.triangles.size(), valid.size());
-  // A sheet encloses nothing.
+  // A sheet encloses no volume.
   TriangleMesh sheet;
   sheet.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
   EXPECT_EQ(repair(sheet).enclosing, 0);
-  // A cavity is turned towards its void, a cube without a lid outward.
+  // A cavity is oriented towards its void, a cube without a lid outward.
   TriangleMesh hollow = hollow_cube_mesh();
   hollow = without(hollow, {0});
   for (std::size_t t = 12; t < hollow.triangles.size(); ++t)

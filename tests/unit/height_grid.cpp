@@ -1,4 +1,4 @@
-// The ground under a grid of heights: the spline, and the distance to it with its derivatives.
+// Surface through a grid of heights: the spline, and the distance to it with its derivatives.
 #include "hawser/geometry/height_grid.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ HeightGrid grid(const std::vector<double>& x, const std::vector<double>& y, F&& 
   return {x, y, z};
 }
 
-// A plane is a plane, also beyond the grid, and its distance that of the plane.
+// A plane is reproduced, also beyond the grid, with its exact distance.
 TEST(HeightGrid, Plane) {
   const Vec3 n = Vec3(-0.3, 0.2, 1).normalized();
   const HeightGrid g = grid(spaced(-50, 70, 7, 0.3), spaced(10, 90, 5, -0.4),
@@ -46,8 +46,8 @@ TEST(HeightGrid, Plane) {
 
 double waves(double x, double y) { return 2 * std::sin(0.21 * x + 0.4) * std::cos(0.17 * y); }
 
-// Slope and curvature are the derivatives of the height and continuous from cell to cell and beyond the edge;
-// the surface comes to a smooth one at fourth order.
+// Slope and curvature are derivatives of the height and continuous between cells and beyond the edge;
+// fourth-order convergence to a smooth surface.
 TEST(HeightGrid, SplineIsTwiceDifferentiable) {
   const HeightGrid g = grid(spaced(0, 40, 10, 0.2), spaced(0, 30, 8), waves);
   const double h = 1e-5;
@@ -60,7 +60,7 @@ TEST(HeightGrid, SplineIsTwiceDifferentiable) {
       EXPECT_LT((a.bend.col(0) - (e.slope - w.slope) / (2 * h)).norm(), 1e-8);
       EXPECT_LT((a.bend.col(1) - (n.slope - s.slope) / (2 * h)).norm(), 1e-8);
     }
-  // Across every line of the grid and its edges.
+  // Across every grid line and the edges.
   for (const double x : g.x())
     EXPECT_LT((g.at(x - 1e-9, 7.3).bend - g.at(x + 1e-9, 7.3).bend).norm(), 1e-7) << x;
   for (const double y : g.y())
@@ -84,8 +84,8 @@ TEST(HeightGrid, SplineIsTwiceDifferentiable) {
   EXPECT_LT(g.steepest(), 2 * steep);
 }
 
-// The distance is that to the nearest of many points, its gradient the normal, its Hessian the curvature:
-// above, below, on the surface and beyond the edge.
+// The distance is the minimum over many points, its gradient the normal, its Hessian the curvature: above,
+// below, on the surface and beyond the edge.
 TEST(HeightGrid, DistanceAndItsDerivatives) {
   const HeightGrid g = grid(spaced(0, 40, 12), spaced(0, 30, 9), waves);
   for (const Vec3& at : {Vec3(5, 6, 3), Vec3(21, 14, 1), Vec3(21, 14, -3), Vec3(30.2, 9.9, 0.5),
@@ -109,9 +109,9 @@ TEST(HeightGrid, DistanceAndItsDerivatives) {
   }
 }
 
-// Beside a step of 1 between equally spaced heights the slopes of a cubic spline fall by r = sqrt(3) - 2 from
-// point to point, from S = 3/(3 + sqrt(3)) on either side of the step: the spline is S u (1 - u) (r (1 - u) -
-// u) in the cell before it.
+// Beside a unit step between equidistant heights the slopes of a cubic spline decrease by r = sqrt(3) - 2
+// from point to point, from S = 3/(3 + sqrt(3)) on either side of the step: the spline is S u (1 - u) (r (1 -
+// u) - u) in the cell before it.
 TEST(HeightGrid, OvershootBesideAStep) {
   const double r = std::sqrt(3) - 2, S = 3 / (3 + std::sqrt(3));
   double most = 0, where = 0;
@@ -124,17 +124,17 @@ TEST(HeightGrid, OvershootBesideAStep) {
   const auto step = [](double x) { return x > 0.1 ? -90.0 : -100.0; };
   const auto along_x = grid(long_row, short_row, [&](double x, double) { return step(x); }).overshoot();
   EXPECT_NEAR(along_x.by, -10 * most, 1e-6);
-  // The hollow below the step and the rise above it are alike.
+  // The undershoot below the step and the overshoot above it are symmetric.
   EXPECT_NEAR(along_x.at.x(), along_x.above ? 20 - 10 * where : 10 * where - 10, 1e-2);
   const auto along_y = grid(short_row, long_row, [&](double, double y) { return -step(y); }).overshoot();
   EXPECT_NEAR(along_y.by, -10 * most, 1e-6);
   EXPECT_NEAR(along_y.at.y(), along_y.above ? 10 * where - 10 : 20 - 10 * where, 1e-2);
-  // Neighbours that are not quite level do not hide it.
+  // Slightly uneven neighbours do not hide it.
   const auto noise = [&](double x, double) { return step(x) + 0.01 * std::sin(7 * x * x); };
   EXPECT_NEAR(grid(long_row, short_row, noise).overshoot().by, -10 * most, 0.05);
 }
 
-// The tops of hills between the points are no overshoot, of a dozen points from hill to hill, nor is a plane.
+// Hills with a dozen points from top to top, and planes, have no overshoot.
 TEST(HeightGrid, NoOvershootOfHills) {
   const auto hills = [](double x, double y) {
     return 2 * std::sin(M_PI / 6 * x + 0.4) * std::cos(M_PI / 6 * y);

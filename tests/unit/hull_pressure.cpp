@@ -1,5 +1,5 @@
-// Pressure of the water on a hull: buoyancy and stiffness in closed form, the tangent with and without waves,
-// the potential, volumes by three fluxes; triangles of exact volume, edges that are split.
+// Water pressure on a hull: buoyancy and stiffness in closed form, tangent with and without waves, potential,
+// volumes by three fluxes; exact volumes, split edges.
 #include "hawser/kernels/hull_pressure.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ HullSurface surface(const TriangleMesh& mesh, const Vec3& centre) {
   return out;
 }
 
-// 8 x 5 x 3 m, its centre of mass off its middle.
+// 8 x 5 x 3 m, with an off-centre centre of mass.
 HullSurface barge() { return surface(test::box_mesh({-4, -2.5, 0}, {4, 2.5, 3}), Vec3(0.3, -0.2, 0.8)); }
 
 RigidBodyState state(const Vec3& turn, double z, const Vec6& by = Vec6::Zero()) {
@@ -48,7 +48,7 @@ TEST(HullPressure, UprightBoxInClosedForm) {
   EXPECT_NEAR(p.f[3], -kWeight * V * 0.2, 1e-10);
   EXPECT_NEAR(p.f[4], -kWeight * V * 0.3, 1e-10);
   EXPECT_LT(p.f.head<2>().norm() + std::abs(p.f[5]), 1e-10);
-  const double arm = draught / 2 - 0.8;  // of the centre of buoyancy over that of mass
+  const double arm = draught / 2 - 0.8;  // centre of buoyancy above that of mass
   EXPECT_NEAR(p.K(2, 2), kWeight * A, 1e-10 * kWeight * A);
   EXPECT_NEAR(p.K(3, 3), kWeight * (A * (25 / 12.0 + 0.04) + V * arm), 1e-9 * kWeight * A);
   EXPECT_NEAR(p.K(4, 4), kWeight * (A * (64 / 12.0 + 0.09) + V * arm), 1e-9 * kWeight * A);
@@ -56,7 +56,7 @@ TEST(HullPressure, UprightBoxInClosedForm) {
   EXPECT_NEAR(p.potential, kWeight * A * draught * draught / 2, 1e-10 * kWeight * V);
 }
 
-// Afloat at any tilt, with one corner in the water, under water, dry.
+// Floating at any tilt, with one corner submerged, fully submerged, dry.
 TEST(HullPressure, IsTheGradientOfItsPotentialWithItsTangent) {
   const HullSurface hull = barge();
   struct At {
@@ -96,13 +96,13 @@ TEST(HullPressure, TangentInWaves) {
     };
     EXPECT_LT((p.K * d - slope(force, d)).norm(), 1e-5) << k;
   }
-  // A head that is everywhere the same is a higher level.
+  // A uniform head equals a higher level.
   heads.assign(heads.size(), 0.35);
   const Vec6 higher = hull_pressure(hull, kWeight, 0.45, {}, state(turn, -0.4), false).f;
   EXPECT_LT((hull_pressure(hull, kWeight, 0.1, heads, state(turn, -0.4), false).f - higher).norm(), 1e-10);
 }
 
-// A missing side shows in the flux of one coordinate.
+// A missing side changes the flux of one coordinate.
 TEST(HullPressure, VolumesAgreeWhereTheSurfaceIsClosed) {
   HullSurface hull = barge();
   const RigidBodyState s = state({0.2, -0.1, 0.7}, -0.4);

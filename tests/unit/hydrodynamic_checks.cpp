@@ -1,5 +1,5 @@
-// Errors in coefficients, one at a time in the set of the tutorial: each is refused or noted by one sentence,
-// and the set as it is by none.
+// Single errors in the coefficients of the tutorial: each is refused or noted by one sentence, and the
+// unchanged set by none.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 using Row = std::vector<double>;
 using Change = std::function<void(std::vector<Row>&)>;
 
-// Of the set with what `change` makes of the rows of one file: the refusal, or else all notes.
+// The set with the rows of one file changed by `change`: the refusal, or else all notes.
 class HydrodynamicChecks : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -65,7 +65,7 @@ class HydrodynamicChecks : public ::testing::Test {
       return e.what();
     }
   }
-  // What is reported, which has `part` in it and is one sentence.
+  // Expects one sentence that contains `part`.
   void expect(const std::string& part, const std::string& keys = "", const std::string& rest = "") {
     const std::string text = reported(keys, rest);
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
@@ -86,7 +86,7 @@ TEST_F(HydrodynamicChecks, RowsOfAddedMass) {
     for (Row& r : rows) r[3] = -r[3];
   });
   expect("added mass of surge at infinite frequency is negative");
-  with(".1", [](auto& rows) {  // the rows at infinity as those at omega = 0, and the other way round
+  with(".1", [](auto& rows) {  // rows at infinity and at omega = 0 exchanged
     const std::vector<Row> before = rows;
     for (Row& r : rows) {
       if (r[0] != 0) continue;
@@ -154,7 +154,7 @@ TEST_F(HydrodynamicChecks, WaveForces) {
       for (const size_t k : {3, 5, 6}) r[k] *= 1.6;
   });
   expect("times the hydrostatic stiffness C33");
-  with(".3", [](auto& rows) {  // long waves are right, all else is not
+  with(".3", [](auto& rows) {  // only long waves are right
     for (Row& r : rows)
       for (const size_t k : {3, 5, 6})
         if (r[0] < 100) r[k] *= 2;
@@ -162,7 +162,7 @@ TEST_F(HydrodynamicChecks, WaveForces) {
   expect("by Haskind's relation");
 }
 
-// A wide float, where the damping shows in the phase of heave.
+// A wide float, where damping affects the phase of heave.
 TEST_F(HydrodynamicChecks, ConjugatedHeave) {
   const auto force = [](double sign) {
     return [sign](auto& rows) {
@@ -223,8 +223,8 @@ TEST_F(HydrodynamicChecks, FirstRowWithAnError) {
   expect("body: is 2, and ", ", body: 2");
 }
 
-// A spar of 28274 m³ that displaces ten times its mass, or has its buoyancy too low; dampers that are none; a
-// fairlead in axes of space.
+// A spar of 28274 m³ that displaces ten times its mass, or whose buoyancy is too low; active dampers; a
+// fairlead in space axes.
 TEST_F(HydrodynamicChecks, WhatCannotFloat) {
   expect("mean that without lines it floats 810 m higher, which is more than its size (65.6 m",
          ", displaced_volume: 282740");
@@ -277,7 +277,7 @@ TEST_F(HydrodynamicChecks, StiffnessTimesTheDensity) {
   EXPECT_NE(reported(", excitation: false").find("means a waterplane of"), std::string::npos) << reported();
 }
 
-// Of the momentum there are surge, sway and yaw only.
+// Momentum gives only surge, sway and yaw.
 TEST_F(HydrodynamicChecks, DriftWithoutHeave) {
   std::string text;
   for (const int period : {5, 10, 20})

@@ -1,5 +1,5 @@
-// Files of Capytaine (NetCDF 4 and classic) and BEMIO (HDF5) that are written here from a set of WAMIT's, by
-// the conventions that their documents state: the coefficients are those that the reader of WAMIT finds.
+// Files of Capytaine (NetCDF 4 and classic) and BEMIO (HDF5), written here from a WAMIT set by their
+// documented conventions: the coefficients equal those of the WAMIT reader.
 #include "hawser/io/hydrodynamic_files.hpp"
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ std::vector<std::vector<double>> rows_of(const std::string& path) {
   return rows;
 }
 
-// WAMIT's numbers as they are, ULEN = 1: by frequency (growing), infinite first where `infinite`.
+// WAMIT's numbers, ULEN = 1, by increasing frequency; infinite first if `infinite`.
 struct Set {
   std::vector<double> omega, directions;
   std::map<std::array<int, 3>, double> added, damping;    // frequency, i, j
@@ -203,8 +203,8 @@ void write_classic(const std::string& path, const Dimensions& dimensions, std::v
   std::ofstream(path, std::ios::binary) << head << body;
 }
 
-// A dataset as Capytaine writes it for that set, of a fluid of 1000 kg/m³: frequencies fall, and the order of
-// freedoms is not that of WAMIT.
+// A Capytaine dataset for that set, with a fluid of 1000 kg/m³, decreasing frequencies, and another order of
+// freedoms than WAMIT.
 std::pair<Dimensions, std::vector<Variable>> capytaine_set(const Set& s) {
   const double rho = 1000;
   const std::vector<std::string> names = {"Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw"};
@@ -234,7 +234,7 @@ std::pair<Dimensions, std::vector<Variable>> capytaine_set(const Set& s) {
           froude_krylov[static_cast<size_t>(part)].push_back(0.75 * x);
         }
       }
-  // Weight of a mass of 5000 t whose centre is at (1, -2, -3): it is in the stiffness.
+  // The stiffness includes the weight of a mass of 5000 t with its centre at (1, -2, -3).
   const double mass = 5e6;
   const Vec3 centre(1, -2, -3);
   for (const int j : order)
@@ -283,7 +283,7 @@ std::pair<Dimensions, std::vector<Variable>> capytaine_set(const Set& s) {
        {"forward_speed", {}, {0}}}};
 }
 
-// As BEMIO writes it: over rho, rho omega and rho g, or in SI units where `scaled`.
+// As written by BEMIO: over rho, rho omega and rho g, or in SI units if `scaled`.
 void write_bemio(const std::string& path, const Set& s, bool scaled) {
   const io::h5::Id file = io::h5::create(path);
   for (const char* group : {"/simulation_parameters", "/body1", "/body1/properties", "/body1/hydro_coeffs",
@@ -402,7 +402,7 @@ TEST_F(HydrodynamicFiles, CapytaineHasTheCoefficientsOfWamit) {
   }
 }
 
-// A frequency at which the panel method failed is as if it were not there.
+// A frequency at which the panel method failed is ignored.
 TEST_F(HydrodynamicFiles, ExcludesWhatIsNoNumber) {
   auto [dimensions, variables] = capytaine_set(wamit_set());
   variables[5].values[5 * 36 + 4] = NAN;
@@ -428,7 +428,7 @@ TEST_F(HydrodynamicFiles, BemioHasTheCoefficientsOfWamit) {
   }
 }
 
-// The point of moments and the weight in the stiffness are those of the file, and the case's mass centre is
+// The reference point and the weight in the stiffness come from the file, and the case's centre of mass is
 // compared with it.
 TEST_F(HydrodynamicFiles, GiveOriginAndWeightToTheBody) {
   const auto [dimensions, variables] = capytaine_set(wamit_set());

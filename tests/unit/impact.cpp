@@ -1,4 +1,5 @@
-// How steps are cut beside and in a contact, and how long what an impact set in motion is followed.
+// Step lengths before and during contact, and the duration for which oscillations after an impact are
+// resolved.
 #include "hawser/kernels/impact.hpp"
 
 #include <gtest/gtest.h>
@@ -25,22 +26,22 @@ StepLimit limit_of(const ImpactEvent& s) {
   return impact_limited_step({&s, 1}, {&bears, 1}, kMost, kAlone);
 }
 
-// All of the line that moves takes part in the impact.
+// All of the moving line takes part in the impact.
 double longest(double gap, double closing, double acceleration = 0, bool last = true) {
   const auto s = impact_event(kSlow, kSignificantDepth, kMass, {gap, closing, acceleration, last});
   return s ? limit_of(*s).longest : kNever;
 }
 
-// It is found by halving.
+// Found by bisection.
 void expect_step(double found, double length) { EXPECT_NEAR(found, length, 2e-4 * length); }
-// Beyond the touch or the end as far as what is lost or made is nothing to speak of.
+// Beyond the onset or end of contact as far as the lost or created energy is negligible.
 void expect_until(double found, double length) {
   EXPECT_GE(found, (1 - 1e-5) * length);
   EXPECT_LT(found, (1 + 3e-3) * length);
 }
 
 TEST(Impact, WhatIsSlowIsNone) {
-  // 0.09 m/s goes 0.9 mm deep, 9 m/s² is as far from its balance.
+  // 0.09 m/s penetrates 0.9 mm, and so does 9 m/s² from balance.
   EXPECT_EQ(longest(-0.01, 0.09), kNever);
   EXPECT_EQ(longest(0.01, 0.09), kNever);
   EXPECT_EQ(longest(-0.01, 0, 9), kNever);
@@ -57,31 +58,31 @@ TEST(Impact, StepsEndAtTheTouch) {
   EXPECT_NEAR(2 * t - 2.5 * t * t, 0.01, 5e-6);
   const double u = longest(0.01, 2, -5);
   EXPECT_NEAR(2 * u + 2.5 * u * u, 0.01, 5e-6);
-  // It turns before; accelerations change, so it is looked at again on the way.
+  // It reverses before; accelerations change, so it is checked again during the approach.
   expect_until(longest(0.2, 2, 50), 0.2);
-  // There already, but for rounding.
+  // In contact except for rounding.
   expect_step(longest(1e-6, 2), kStep);
   expect_step(longest(0, 2), kStep);
   EXPECT_EQ(longest(0.2, -2), kNever);
-  expect_step(longest(0.2, -2, 20), kStep);  // shakes as fast as the contact
-  expect_until(longest(1, 2), 0.25);         // half way: one step of 0.3 s does not get there
+  expect_step(longest(0.2, -2, 20), kStep);  // oscillates as fast as the contact
+  expect_until(longest(1, 2), 0.25);         // half way: one step of 0.3 s does not reach it
   EXPECT_EQ(longest(1.3, 2), kNever);        // nor do two
 }
 
 TEST(Impact, StepsEndAtItsEnd) {
-  // As the trapezoidal rule has it: pushed at the start of the step, no more at its end.
+  // By the trapezoidal rule: pushed at the start of the step, not at its end.
   const double p = 0.004, u = 2, a = 40;
   const double t = longest(-p, -u, a);
   EXPECT_NEAR(-p + t * u + t * t / 4 * a, 0, 2e-5);
   EXPECT_LT(t, kStep);
-  // One step does not get there, two do; three do.
+  // One step does not reach it, two do; three do.
   const double far = 2 * 0.008 / (u + std::sqrt(u * u + a * 0.008));
   ASSERT_TRUE(far > kStep && far < 2 * kStep);
   expect_until(longest(-0.008, -u, a), far / 2);
   expect_step(longest(-0.3, -u, a), kStep);
   expect_until(longest(-p, -u), p / u);
   expect_step(longest(-p, -u, -2000), kStep);  // pulled in again
-  // Others of the contact are deeper, or it is out but for rounding.
+  // Other parts of the contact are deeper, or it has separated except for rounding.
   expect_step(longest(-p, -u, a, false), kStep);
   expect_step(longest(-1e-6, -u, a), kStep);
 }
@@ -92,7 +93,7 @@ TEST(Impact, HasAPeriodWhileItTouches) {
   EXPECT_EQ(limit_of(*impact_event(kSlow, kSignificantDepth, kMass, {0.01, 1, 0})).period, kNever);
 }
 
-// What crosses the touch or the end by the trapezoidal rule: lost, made.
+// Energy lost or created by the trapezoidal rule in a step across the onset or end of contact.
 TEST(Impact, HasTheEnergyOfACrossing) {
   const double k = kMass / (kSlow * kSlow);
   for (const double h : {0.0015, 0.003, 0.0045})
@@ -103,7 +104,7 @@ TEST(Impact, HasTheEnergyOfACrossing) {
       EXPECT_NEAR(impact_event(kSlow, kSignificantDepth, kMass, {gap, 2, 0})->crossed(h), in > 0 ? lost : 0,
                   1e-12)
           << h;
-      // Leaves, pushed by the spring alone.
+      // Separates, pushed by the spring alone.
       const double p = gap, push = k / kMass * p, out = 2 * h + 0.25 * push * h * h - p;
       const double w = 2 + 0.5 * h * push, made = 0.5 * kMass * (w * w - 4) - 0.5 * k * p * p;
       EXPECT_NEAR(impact_event(kSlow, kSignificantDepth, kMass, {-p, -2, push})->crossed(h),
@@ -113,7 +114,7 @@ TEST(Impact, HasTheEnergyOfACrossing) {
 }
 
 TEST(Impact, OnlyWhatMattersCutsAStep) {
-  // 10 kg move at 3 m/s to and fro; a part of them has an impact at 2 m/s.
+  // 10 kg oscillate at 3 m/s; a part of them has an impact at 2 m/s.
   const auto of = [&](double mass, double drift) {
     std::vector<LineMotion> lines(1);
     lines[0].add(5, {3, drift, 0});
@@ -121,10 +122,10 @@ TEST(Impact, OnlyWhatMattersCutsAStep) {
     const auto s = impact_event(kSlow, kSignificantDepth, mass, {-0.01, 2, 0});
     lines[0].impact_energy = s->energy();
     const auto bears = energy_tolerance(lines);
-    EXPECT_NEAR(bears[0], kErrorOfStep * (45 + 2 * mass), 1e-9);  // what moves along does not count
+    EXPECT_NEAR(bears[0], kErrorOfStep * (45 + 2 * mass), 1e-9);  // uniform motion does not count
     return impact_limited_step({&*s, 1}, bears, kMost, kAlone);
   };
-  // 2 J a kilogram against 2e-5 of 45 J.
+  // 2 J per kilogram against 2e-5 of 45 J.
   EXPECT_EQ(of(0.000449, 0).longest, kNever);
   EXPECT_EQ(of(0.000449, 0).period, kNever);
   expect_step(of(0.000451, 0).longest, kStep);
@@ -143,7 +144,7 @@ TEST(Impact, ManySmallOnesTogetherDo) {
   const double bears = 0.0200001;  // ten of them
   EXPECT_EQ(impact_limited_step(impacts(10, kSlow), {&bears, 1}, kMost, kAlone).longest, kNever);
   expect_step(impact_limited_step(impacts(11, kSlow), {&bears, 1}, kMost, kAlone).longest, kStep);
-  // Few short ones among many longer: those that are excluded are the short ones.
+  // Few short impacts among many longer ones: the short ones are excluded.
   std::vector<ImpactEvent> both = impacts(11, kSlow), fast = impacts(9, kSlow / 10);
   both.insert(both.end(), fast.begin(), fast.end());
   expect_step(impact_limited_step(both, {&bears, 1}, kMost, kAlone).longest, kStep);
@@ -151,7 +152,7 @@ TEST(Impact, ManySmallOnesTogetherDo) {
 }
 
 TEST(Impact, AThousandLinesAreAsOne) {
-  // Each bears the part of its own energy; those without impacts change nothing.
+  // Each line tolerates a fraction of its own energy; lines without impacts change nothing.
   std::vector<LineMotion> lines(1001);
   std::vector<ImpactEvent> impacts;
   for (int l = 0; l < 1000; ++l) {
@@ -169,12 +170,12 @@ TEST(Impact, AThousandLinesAreAsOne) {
   for (LineMotion& l : lines)
     if (&l != &lines[6]) l.impact_energy = 0;
   const double alone = impact_limited_step({&impacts[6], 1}, energy_tolerance(lines), kMost, kAlone).longest;
-  // The first of them is a seventh of all.
+  // The first is a seventh of all.
   EXPECT_NEAR(together, 0.01, 5e-5);
   expect_until(alone, 0.07);
 }
 
-// Pressed in by 10 mm at one end of the step, 50 mm away at the other.
+// Penetration of 10 mm at one end of the step, separation of 50 mm at the other.
 TEST(Impact, UnresolvedCrossings) {
   const double k = kMass / (kSlow * kSlow), depth = 0.01, gap = 0.05;
   const auto error = [&](double path, double speed) {
@@ -182,10 +183,10 @@ TEST(Impact, UnresolvedCrossings) {
   };
   const double e = 0.5 * k * depth * gap;
   EXPECT_NEAR(error(depth + gap, 5), e, 1e-12 * e);
-  EXPECT_EQ(error(depth + gap, -5), 0);                                // it is on its way back
+  EXPECT_EQ(error(depth + gap, -5), 0);                                // moving away
   EXPECT_EQ(error(depth + gap, 0.99 * kSignificantDepth / kSlow), 0);  // lifted or laid down
   EXPECT_GT(error(depth + gap, 1.01 * kSignificantDepth / kSlow), 0);
-  EXPECT_EQ(error(0.9 * depth, 5), 0);                             // it was in touch all the time
+  EXPECT_EQ(error(0.9 * depth, 5), 0);                             // in contact all the time
   const std::vector<UnresolvedImpact> two{{0, -1, e}, {1, 0, e}};  // the second with the first line
   for (const auto& [bears, within] : {std::pair(1.99, false), {2.01, true}})
     EXPECT_EQ(within_tolerance(two, std::vector<double>{bears * e, 10 * e}, kAlone), within);
@@ -193,15 +194,15 @@ TEST(Impact, UnresolvedCrossings) {
   EXPECT_FALSE(resolves_contact(kSlow, 0.51 * kStep));
 }
 
-// A linear spring, no damping, the trapezoidal rule (rho = 1): with the steps cut so an impact gives back
-// what it took, wherever the steps began; steps of a sixth of the period that are not cut do not.
+// A linear spring without damping, the trapezoidal rule (rho = 1): with adapted steps an impact conserves
+// energy, wherever the steps began; fixed steps of a sixth of the period do not.
 TEST(Impact, MakesNoEnergy) {
   const double w = 1 / kSlow;
   const auto bounce = [&](double start, bool cut) {
     double x = start, v = -2, a = 0, made = 0;
     for (int n = 0; n < 200 && x < 0.2; ++n) {
       const double h = cut ? std::min(kStep, longest(x, -v, a)) : 2 * M_PI / 6 * kSlow;
-      // x1 = x + h (v + v1)/2, v1 = v + h (a + a1)/2, a1 = -w² x1 in touch.
+      // x1 = x + h (v + v1)/2, v1 = v + h (a + a1)/2, a1 = -w² x1 in contact.
       const double free = x + h * v + h * h / 4 * a;
       const double x1 = free < 0 ? free / (1 + w * w * h * h / 4) : free;
       const double a1 = x1 < 0 ? -w * w * x1 : 0;
@@ -224,8 +225,8 @@ TEST(Impact, MakesNoEnergy) {
   EXPECT_GT(uncut, 0.1);
 }
 
-// Masses that fall on springs one after the other, with one step for all: as many steps for a thousand as for
-// thirty, and the energy that is left is right.
+// Masses fall on springs one after the other, with common steps: as many steps for a thousand as for thirty,
+// and the remaining energy is right.
 TEST(Impact, StepsForManyAreNoMoreThanForFew) {
   struct Outcome {
     int steps = 0;
@@ -278,8 +279,8 @@ TEST(Impact, StepsForManyAreNoMoreThanForFew) {
   EXPECT_LT(more.steps, 1.05 * many.steps);
 }
 
-// A mass on a spring far too stiff for the steps that follow a single short one, in which it was caught: the
-// energy that the scheme holds in A, with the square of the step, comes out as motion.
+// A mass on a spring far too stiff for the steps after a single short one in which contact began: the energy
+// stored in the scheme's A, scaled with the square of the step, becomes motion.
 TEST(Impact, StepsGrowNoFasterThanWhatTheyHold) {
   const AlphaCoefficients c(0.8);
   const double w = 1e3, m1 = (1 - c.am) / (1 - c.af), m0 = c.am / (1 - c.af), d0 = c.af / (1 - c.af);
@@ -293,7 +294,7 @@ TEST(Impact, StepsGrowNoFasterThanWhatTheyHold) {
       A = end;
       a = -w * w * x;
       worst = std::max(worst, v * v + w * w * x * x - 1);
-      // The line it is a part of has another kilogram, which rests.
+      // Its line has another kilogram at rest.
       std::vector<LineMotion> line(1), held(1);
       line[0].add(1, {v, 0, 0});
       line[0].add(1, {0, 0, 0});
@@ -308,7 +309,7 @@ TEST(Impact, StepsGrowNoFasterThanWhatTheyHold) {
               most(true), most(false));
   EXPECT_LT(most(true), 0.05);
   EXPECT_GT(most(false), 1);
-  // No more than that: what turns as one, or is as slow as it is long, does not hold steps back.
+  // No further limit: rigid rotation and slow long lines do not restrict the steps.
   std::vector<LineMotion> line(1), held(1);
   line[0].add(1, {2, 0, 0});
   line[0].add(1, {-2, 0, 0});
@@ -330,13 +331,13 @@ TEST(StepControl, AnImpactIsFollowed) {
   EXPECT_DOUBLE_EQ(c.next(1, 2, kNever), 0.01);
   EXPECT_DOUBLE_EQ(c.next(1, 2, 0.002), 0.002);
   EXPECT_NEAR(c.next(1.59, 1.69, kNever), 0.01, 1e-12);
-  // Then steps double at most, until they are what they were.
+  // Then steps at most double until they reach their earlier length.
   EXPECT_NEAR(c.next(1.6, 2.6, kNever), 0.01, 1e-12);
   EXPECT_NEAR(c.next(1.61, 1.71, kNever), 0.02, 1e-12);
   EXPECT_NEAR(c.next(1.63, 1.79, kNever), 0.04, 1e-12);
   EXPECT_NEAR(c.next(1.67, 1.83, kNever), 0.08, 1e-12);
   EXPECT_NEAR(c.next(1.75, 1.85, kNever), 0.1, 1e-12);
-  // A softer one does not make steps longer meanwhile, nor while they grow; afterwards it counts.
+  // A softer impact does not lengthen steps meanwhile or during growth; afterwards it counts.
   c.follow_impact(1.2, 0.3);
   c.follow_impact(1.2, kNever);
   EXPECT_DOUBLE_EQ(c.next(1.3, 2.3, kNever), 0.01);
@@ -350,9 +351,9 @@ TEST(StepControl, AnImpactIsFollowed) {
   EXPECT_DOUBLE_EQ(d.next(1.8, 2.8, kNever), 0.05);
 }
 
-// Energy of what rings at the frequency w when steps of a third of the contact's period h are over and those
-// of a hundred times as long are wanted again: at most over phases, of what there was. jump: steps are so
-// many times as long at once; 0: as step control has them.
+// Energy of an oscillation at frequency w when steps of a third of the contact's period h end and steps a
+// hundred times as long are requested: maximum over phases, relative to the initial energy. jump: sudden
+// factor of the step length; 0: by step control.
 double energy_after(double rho, double w, double jump) {
   const double third = 0.01;
   const AlphaCoefficients c(rho);
@@ -379,8 +380,8 @@ double energy_after(double rho, double w, double jump) {
   return worst;
 }
 
-// What rings is not followed by the longer steps, and gets no energy from them if they grow step by step. Of
-// frequencies that a third of the period resolves less well than six times a period it gets some.
+// Longer steps do not resolve an oscillation and do not add energy to it if they grow gradually. Frequencies
+// between a third and six times the period gain some.
 TEST(StepControl, LongerStepsAfterAnImpactMakeNoEnergy) {
   for (const auto& [rho, bound] : {std::pair(0.8, 1.005), {0.5, 1.03}, {1.0, 1 + 1e-9}})
     for (const double turns : {0.05, 0.1, 1.0 / 6, 1.0 / 3}) {
@@ -393,7 +394,7 @@ TEST(StepControl, LongerStepsAfterAnImpactMakeNoEnergy) {
     }
 }
 
-// After a failure a step must wait before it grows. It shrinks meanwhile, as after any other step.
+// After a failure growth of steps is delayed; shrinking is not.
 TEST(StepControl, StepsShrinkWhileTheyMayNotGrow) {
   StepSettings s;
   s.first = s.longest = 0.1;
@@ -417,7 +418,7 @@ TEST(StepControl, FixedStepsAreDividedAtImpactsByDefault) {
   EXPECT_DOUBLE_EQ(c.next(0, 1, kNever), 0.1);
   EXPECT_DOUBLE_EQ(c.next(0, 1, 0.04), 0.04);
   c.accepted(0.04, 2, 0);
-  EXPECT_DOUBLE_EQ(c.next(0.04, 1.04, kNever), 0.1);  // it comes back to what was asked
+  EXPECT_DOUBLE_EQ(c.next(0.04, 1.04, kNever), 0.1);  // it returns to the requested step
   s.resolve_impacts = false;
   StepControl strict(s);
   EXPECT_FALSE(strict.respects_term_limits());

@@ -1,4 +1,4 @@
-// What is possible but unusual in a case gives a warning, and nothing of an ordinary one.
+// Possible but unusual input gives a warning; ordinary input gives none.
 #include "hawser/advice/input_warnings.hpp"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ std::vector<std::string> notes(const Changes& changes, const std::vector<std::st
   return advice::input_notes(c);
 }
 
-// One warning, which holds this.
+// Expects one warning that contains `part`.
 void expect_warning(const Changes& changes, const std::string& part) {
   const std::vector<std::string> found = notes(changes);
   ASSERT_EQ(found.size(), 1U) << part << "\n" << testing::PrintToString(found);
@@ -69,7 +69,7 @@ TEST(InputWarnings, NoneOfAnyShippedCase) {
       const model::Case c = io::read_case(entry.path().string());
       EXPECT_EQ(advice::input_notes(c), std::vector<std::string>{});
     } catch (const std::exception& e) {
-      // Coefficients of other owners, which a user puts beside the case.
+      // Third-party coefficients that a user puts beside the case.
       if (std::string(e.what()).find("there is no such file, which has added mass") == std::string::npos)
         throw;
       printf("excluded: %s\n", e.what());
@@ -78,8 +78,7 @@ TEST(InputWarnings, NoneOfAnyShippedCase) {
   EXPECT_GE(cases, 16);
 }
 
-// In deep water the waves of 11 s have a speed of g 11/2 pi = 17.2 m/s; a current across them does nothing to
-// them.
+// In deep water waves of 11 s have a speed of g 11/2 pi = 17.2 m/s; a current across them has no effect.
 TEST(InputWarnings, LinearWavesOnACurrent) {
   const auto current = [](const std::string& with) {
     return Changes{{"{speed: 0.2, direction_deg: 90}", with}};
@@ -102,7 +101,7 @@ TEST(InputWarnings, LinearWavesOnACurrent) {
   expect_warning(stokes, "of 2 m/s against the waves of 11 s is 12 %");
 }
 
-// Without weight and water nothing follows from the line type for the line.
+// Without weight and water the line type has no consequences for the line.
 Changes weightless(const std::string& from, const std::string& to) {
   return {{from, to},
           {"environment:", "environment:\n  gravity: 0"},
@@ -155,7 +154,7 @@ TEST(InputWarnings, ContentsAndCoatings) {
       "of 0.3 m; is it in mm? ('4 mm')");
 }
 
-// Of pipes that are judged by codes: DNV-ST-F101 5.4.6 from 15 to 45, API RP 1111 4.3.2.2 up to 50.
+// Pipes with code checks: DNV-ST-F101 5.4.6 from 15 to 45, API RP 1111 4.3.2.2 up to 50.
 TEST(InputWarnings, SlendernessOfPipesByCodes) {
   const auto pipe = [](const std::string& wall, const std::string& grade = ", grade: X65") {
     return weightless(
@@ -177,7 +176,7 @@ TEST(InputWarnings, SlendernessOfPipesByCodes) {
                          "'api_bending_pressure' is no check"),
             std::string::npos)
       << both[1];
-  EXPECT_EQ(notes(pipe("0.005", "")), std::vector<std::string>{});  // judged by none
+  EXPECT_EQ(notes(pipe("0.005", "")), std::vector<std::string>{});  // without code checks
 }
 
 TEST(InputWarnings, StiffnessOfTheBed) {
@@ -216,7 +215,7 @@ TEST(InputWarnings, TensionsOfLinesAndLengths) {
       {{"elements: 76", "elements: 2"}},
       "lines.mooring.sections: 2 elements for a line that is 4.4 % longer than the distance of its ends: it "
       "hangs or lies in a curve, which takes twenty or more to follow");
-  // What is inside a feeder does not reach from end to end.
+  // The stock of a feeder does not count in the span.
   expect_warning({{"length: 760", "length: 755"},
                   {"end_b: {body: vessel, at: [0, 0, 0]}",
                    "end_b: {body: vessel, at: [0, 0, 0], feed: {stock: 40, speed: 0}}"}},
@@ -287,7 +286,7 @@ TEST(InputWarnings, Releases) {
   EXPECT_TRUE(notes(damped).empty());
 }
 
-// Of the line's end B in the case, and of its stiffness-proportional damping.
+// End B of the line in the case, with stiffness-proportional damping.
 TEST(InputWarnings, FeedersThatStartAtOnce) {
   const auto fed = [](const std::string& feed, const std::string& damping) {
     return Changes{{"end_b: {", "end_b: {feed: {stock: 31, " + feed + "}, "},
@@ -308,7 +307,7 @@ TEST(InputWarnings, FeedersThatStartAtOnce) {
   EXPECT_TRUE(notes(event(", ramp: 2")).empty());
 }
 
-// What nodes have elsewhere: elements of 10 m, from an anchor to a vessel.
+// Attachments at other places than their nodes: elements of 10 m, from an anchor to a vessel.
 TEST(InputWarnings, PlacesBetweenNodes) {
   const auto line = [](const std::string& more) {
     return Changes{{"elements: 76}]", "elements: 76}]\n    " + more}};
@@ -318,7 +317,7 @@ TEST(InputWarnings, PlacesBetweenNodes) {
     EXPECT_EQ(notes(line("masses: [{at: " + std::string(at) + ", " + mass + "}]")),
               std::vector<std::string>{})
         << at;
-  // Two in the last element have one node.
+  // Two attachments in the last element share one node.
   expect_warning(
       line("masses: [{at: 752, " + mass + "}, {at: 755, " + mass + "}]"),
       "lines.mooring.masses: what is to be at 755 m of line mooring is fixed to the nearest node, at "
@@ -336,7 +335,7 @@ TEST(InputWarnings, PlacesBetweenNodes) {
        "links: {k: {end_a: {line: mooring, at: 500}, end_b: {anchor: [0, 0, 0]}, stiffness: 1}}\n"
        "dynamics:"});
   expect_warning(linked, "links.k: what is to be at 500 m of line mooring is fixed to the nearest node");
-  // At the end of a section there is one.
+  // The end of a section has a node.
   EXPECT_EQ(
       notes({{"[{type: chain, length: 760, elements: 76}]",
               "[{type: chain, length: 333.3, elements: 33}, {type: chain, length: 426.7, elements: 43}]\n"
@@ -374,7 +373,7 @@ TEST(InputWarnings, RotationsOfATurnedBody) {
   EXPECT_EQ(notes(turned("90", yaw)), std::vector<std::string>{});
 }
 
-// A body that moves by its own equations gives way to a line that is too short.
+// A body with mass yields to a line that is too short.
 TEST(InputWarnings, NoTensionOfALineToABodyThatGivesWay) {
   const Changes shorter = {{"length: 760", "length: 715"},
                            {"{motion: {harmonic: {amplitude: [0, 0, 2], period: 10}, ramp: 10}}",
@@ -383,7 +382,7 @@ TEST(InputWarnings, NoTensionOfALineToABodyThatGivesWay) {
     EXPECT_EQ(note.find("means a tension"), std::string::npos) << note;
 }
 
-// Notes of a hemisphere of 5 m by its coefficients, with wave forces of 5 and 6 s.
+// Notes on a hemisphere of 5 m by coefficients, with wave forces at 5 and 6 s.
 std::vector<std::string> notes_of_platform(const std::string& environment, const std::string& inertia) {
   const fs::path folder = fs::path(testing::TempDir()) / "hawser_warnings_platform";
   fs::create_directories(folder);
@@ -417,8 +416,8 @@ TEST(InputWarnings, Platforms) {
 }
 
 // 1154 kN and three elements of chain of 33 kN press on 100 kN/m³ times 0.25 m over 2 sqrt(H/k) = 15 m, with
-// the H of 1.4 MN that the chain has there without the mass: 3.3 m. Runs of a chain of 310 m to a point 240 m
-// away and 100 m up with 50 t at 100 m, elements of 5 m: 3.9 m (reported 4.3), 20 t: 1.87 m (1.9).
+// H = 1.4 MN of the chain without the mass: 3.3 m. Runs of a chain of 310 m to a point 240 m away and 100 m
+// up with 50 t at 100 m, elements of 5 m: 3.9 m (reported 4.3), 20 t: 1.87 m (1.9).
 TEST(InputWarnings, MassesThatSinkIntoTheBed) {
   const auto clump = [](const std::string& volume) {
     return Changes{{"elements: 76}]",
@@ -428,7 +427,7 @@ TEST(InputWarnings, MassesThatSinkIntoTheBed) {
       clump("12"),
       "lines.mooring.masses: where it lies on the bed, 1.3e+05 kg at 300 m of line mooring sinks in by "
       "about 3.3 m: it rests there on an element of 'chain', 0.25 m thick");
-  EXPECT_EQ(notes(clump("40")), std::vector<std::string>{});   // a light ball of 4.2 m
+  EXPECT_EQ(notes(clump("40")), std::vector<std::string>{});   // a light sphere of 4.2 m
   EXPECT_EQ(notes(clump("130")), std::vector<std::string>{});  // it floats
   Changes out_of_reach = clump("12");
   out_of_reach.push_back({"seabed: {depth: 200, friction: 0.6}", "seabed: {depth: 2000, friction: 0.6}"});

@@ -1,4 +1,4 @@
-// Where lines of a frame were laid: its ends hold each line by more ways than can be counted.
+// Laid positions of lines of a frame whose ends support each line along very many paths.
 #include "hawser/solve/laid_places.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kBays = 40;  // 2^40 ways and more from one end of the ladder to the other
 
-// Two rails along x that are held at one end, with rungs along y, all on the bed at z = -50.
+// Two rails along x held at one end, with rungs along y, all on the bed at z = -50.
 std::string ladder() {
   std::string joints;
   std::string lines;
@@ -48,7 +48,7 @@ TEST(LaidPlaces, OfALadderOnTheBed) {
   }
   const std::vector<std::vector<Vec3>> laid = laid_places(c, build_mesh(c), starts);
   ASSERT_EQ(laid.size(), starts.size());
-  // The bed gives way to anchors, which takes a little of the length.
+  // The bed is lowered at anchors, which takes a little of the length.
   for (size_t l = 0; l < laid.size(); ++l)
     for (size_t i = 0; i < 3; ++i) EXPECT_LT((laid[l][i] - starts[l][i]).norm(), 0.01) << l << " " << i;
 }

@@ -1,4 +1,4 @@
-// Line types from the library: numbers of tables that the formulas were made from, overriding, all entries.
+// Line types from the library: values of the underlying tables, overriding, all entries.
 #include "hawser/io/line_library.hpp"
 
 #include <gtest/gtest.h>

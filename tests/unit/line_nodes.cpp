@@ -56,13 +56,13 @@ TEST(LineNodes, NoneCloserThanATenthAndNoneThatIsNotThere) {
   expect_near(arcs(line, {9.3}), {0, 2.325, 4.65, 6.975, 9.3, 10});
   expect_near(arcs(line, {8.5, 9.3}), {0, 2.125, 4.25, 6.375, 8.5, 10});
   expect_near(arcs(line_of({{"chain", 10, 1}}), {4}), {0, 10});
-  // What is at a node stays there, and no element grows without bounds, from whichever end.
+  // Places at nodes stay, and no element grows without bounds, from either end.
   expect_near(arcs(line, {7.6, 8}), {0, 2, 4, 6, 8, 10});
   expect_near(arcs(line, {2, 2.4}), {0, 2, 4, 6, 8, 10});
   expect_near(arcs(line, {4.2, 4.5, 4.8, 5.1, 5.4}), {0, 2.1, 4.2, 5.4, 7.7, 10});
 }
 
-// What is fixed to a line by what: the node is where the mesh looks for it.
+// Nodes of all kinds of attachments are where the mesh expects them.
 TEST(LineNodes, OfMassesLoadsLinksAndBodies) {
   Case c;
   c.line_types.resize(1);

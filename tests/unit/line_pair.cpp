@@ -1,4 +1,4 @@
-// Contact of two elements: exact tangents in every situation, potential, balance of forces and moments.
+// Contact of two elements: exact tangents in all situations, potential, balance of forces and moments.
 #include "hawser/kernels/line_pair.hpp"
 
 #include <gtest/gtest.h>
@@ -40,9 +40,9 @@ constexpr double kRadius = 0.05, kStiffness = 1e5;
 struct Situation {
   const char* name;
   Vec3 a1, a2, b1, b2;       // the trial
-  double before = 0;         // m, how much further apart at the start, along z
+  double before = 0;         // m, additional distance at the start, along z
   Vec3 slip = Vec3::Zero();  // m, of a in the step
-  bool round = false;        // a cable a has turned half round in it, nearly
+  bool round = false;        // a cable a has turned by almost half a turn
 };
 
 std::vector<Situation> situations() {
@@ -124,7 +124,7 @@ std::vector<Situation> situations() {
   };
 }
 
-// What the side leaves behind.
+// Keeps the contact points of this side.
 void keep(const LinePairPass& pass, std::vector<LinePairContactPoint>& points) {
   AttachedForces unused(AttachedForces::kPositions, true);
   pass.add(pass.panels(), false, unused, &points);
@@ -150,7 +150,7 @@ struct Rig {
       Eigen::Map<Vec3>(u + 9, 3) = 0.01 * noise3(1, 8);
     }
     a0 = moved(a, u);
-    // Not to the last bit: then there is no slip at all, which has no direction.
+    // Not exactly: without slip it has no direction.
     if (s.round && !beam_a) {
       std::swap(a0.x1, a0.x2);
       a0.x1.y() += 0.01;
@@ -160,7 +160,7 @@ struct Rig {
       b0.q1 = b0.q1 * exp_so3(0.01 * noise3(2, 7));
       b0.q2 = b0.q2 * exp_so3(0.01 * noise3(2, 8));
     }
-    if (s.before == 0) {  // a step before lays down history
+    if (s.before == 0) {  // a previous step creates history
       double w[12] = {};
       Eigen::Map<Vec3>(w, 3) = Eigen::Map<Vec3>(w + (beam_a ? 6 : 3), 3) = Vec3(2e-4, -3e-4, 0);
       const AxisEnds older = moved(a0, w);
@@ -227,7 +227,7 @@ void for_all(const std::function<void(const std::string&, const Rig&, double fri
              Rig(s, beam_a, beam_b, friction), friction);
 }
 
-// With all of the slave, and with a part of it alone, as near a place that the two share.
+// With the whole slave, and with a part of it near a shared place.
 TEST(LinePair, Tangents) {
   double worst = 0;
   for_all([&](const std::string& name, const Rig& whole, double) {
@@ -283,7 +283,7 @@ TEST(LinePair, Tangents) {
   printf("  largest error of a tangent %.1e\n", worst);
 }
 
-// A cable that falls back on itself turns by half a turn: forces and their derivatives are numbers.
+// A cable that folds back turns by half a turn: forces and their derivatives are finite.
 TEST(LinePair, HalfATurn) {
   Rig rig({"half round", {-0.5, 0, 0.094}, {0.5, 0, 0.094}, {0.1, -0.4, 0}, {0.1, 0.6, 0}}, false, false,
           0.3);
@@ -298,7 +298,7 @@ TEST(LinePair, HalfATurn) {
   EXPECT_LT(largest, 1e3 * kStiffness);
 }
 
-// A cable swept along another one, in steps of `way`, 0.3 m in all: what it leaves behind.
+// A cable swept along another one in steps of `way`, 0.3 m in total: its contact points.
 std::array<std::vector<LinePairContactPoint>, 6> swept(double way, double mu) {
   Rig rig({"swept", {-0.5, 0, 0.094}, {0.5, 0, 0.094}, {0.1, -0.4, 0}, {0.1, 0.6, 0}}, false, false, mu);
   auto at = [&](double y) {
@@ -318,7 +318,7 @@ std::array<std::vector<LinePairContactPoint>, 6> swept(double way, double mu) {
   return past;
 }
 
-// The material that a crossing meets has the slip of its motion: in steps of any length friction is mu N.
+// New material in a crossing gets the slip of its motion: for any step length friction is mu N.
 TEST(LinePair, NewMaterialHasTheSlipOfTheSweep) {
   const double mu = 0.3, mobilised = 5e-3;
   const auto once = swept(0.3, mu);
@@ -357,12 +357,12 @@ TEST(LinePair, ForceIsTheGradientOfThePotential) {
       norm = std::max(norm, std::abs(f[i]));
       off = std::max(off, std::abs((p - m) / (2 * e) - f[i]));
     }
-    // The potential's quadrature is cut off differently from the force's: they agree to the rule's error.
+    // The quadratures of potential and force are truncated differently: they agree to the rule's error.
     EXPECT_LE(off, 5e-3 * norm) << name;
   });
 }
 
-// Two beams do nothing to the whole, friction included.
+// Two beams: zero total force and moment, friction included.
 TEST(LinePair, ForcesAndMomentsBalance) {
   for (const Situation& s : situations()) {
     const Rig rig(s, true, true, 0.3);
@@ -386,14 +386,14 @@ TEST(LinePair, ForcesAndMomentsBalance) {
   }
 }
 
-// A pair that turns and moves as one body keeps its friction: the elastic slip goes with it.
+// Rigid motion of a pair keeps its friction: the elastic slip rotates with it.
 TEST(LinePair, RigidMotionLeavesTheSlipAlone) {
   for (const Situation& s : situations())
     for (const bool beam : {true, false}) {
       Rig rig(s, beam, beam, 0.3);
       rig.settings.law.normal.damping = 0;
-      // A cable has no sections: they are taken to turn by the smallest rotation of its chord, which is the
-      // whole rotation only where the axis of turning is across it.
+      // A cable has no sections: they rotate by the smallest rotation of its chord, the full rotation only if
+      // its axis is normal to the chord.
       if (!beam && std::string(s.name).starts_with("end ")) continue;
       if (rig.history[0].empty() && rig.history[3].empty()) continue;
       const Quat turn = exp_so3(beam ? Vec3(0.4, -0.7, 1.1) : Vec3(0, 0, 0.9));

@@ -1,5 +1,5 @@
-// How far a contact of lines closed in a step: what comes nearer along the normal and is not made by sliding;
-// and the derivatives of the law that goes by it.
+// Closing of a contact of lines in a step: approach along the normal without sliding; and derivatives of the
+// law that uses it.
 #include "hawser/kernels/line_pair_closing.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kReach = 0.1;
 
-// x on top of y at the end, lines at the angle between them, both straight; `way`: of x relative to y.
+// x above y at the end, lines at the given angle, both straight; `way`: displacement of x relative to y.
 LinePairMotion<double> straight(double angle, const Vec3& way) {
   const Vec3 a = 0.7 * Vec3::UnitX(), b = 1.3 * Vec3(std::cos(angle), std::sin(angle), 0),
              away = kReach * Vec3::UnitZ();
@@ -29,7 +29,7 @@ TEST(LinePairClosing, SweepsHaveNoneAndImpactsHaveAll) {
     }
 }
 
-// An element that folds right round within the step, as those of a chain that is lowered exactly upright.
+// An element that reverses within the step, as in a chain lowered exactly upright.
 TEST(LinePairClosing, WhatTurnsRoundIsFinite) {
   LinePairMotion<double> way = straight(0, Vec3(0.1, 0, -0.02));
   way.slope_before = -way.slope;
@@ -38,8 +38,8 @@ TEST(LinePairClosing, WhatTurnsRoundIsFinite) {
   EXPECT_NEAR(line_pair_closing(way), 0.02, 1e-15);
 }
 
-// A rope drawn over a wire that it is bent about, sharply or to a radius: the material comes along the leg.
-// One that is bent away from the wire, to a radius, does so too.
+// A rope drawn over a wire around which it is bent, sharply or to a radius: the material moves along the leg.
+// The same for one bent away from the wire to a radius.
 TEST(LinePairClosing, MaterialThatComesRoundABendSlides) {
   const Vec3 z = Vec3::UnitZ(), b = Vec3::UnitY();
   for (const double turn : {0.3, 0.1, -0.1, -0.3}) {
@@ -52,8 +52,8 @@ TEST(LinePairClosing, MaterialThatComesRoundABendSlides) {
   }
 }
 
-// A rope wound up by a drum of radius r that turns by an angle, upon the turn that lies there: it comes down
-// by the height of its leg above that, r angle²/2.
+// A rope wound up by a drum of radius r that turns by an angle, onto the previous turn: it descends by the
+// height of its leg, r angle²/2.
 TEST(LinePairClosing, WhatIsWoundUpCloses) {
   const double r = 1, turn = 0.05;
   const Vec3 x = Vec3::UnitX(), z = Vec3::UnitZ();
@@ -67,7 +67,7 @@ TEST(LinePairClosing, WhatIsWoundUpCloses) {
   }
 }
 
-// Of force and couple by all that the law goes by, whether the slip of new material is cut or not.
+// Force and couple by all arguments of the law, with and without cut slip of new material.
 TEST(LinePairClosing, DerivativesOfTheLaw) {
   const auto noise = [](int i) { return std::sin(12.9898 * i + 4.1 * i * i); };
   using F = LinePairForce;

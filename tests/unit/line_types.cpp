@@ -1,5 +1,5 @@
-// Line types given as pipes and by the weights of data sheets: against tables of pipes, by hand, refusals,
-// and the table of `hawser check`.
+// Line types given as pipes and by data-sheet weights: against pipe tables, by hand, refusals, and the table
+// of `hawser check`.
 #include <gtest/gtest.h>
 
 #include "hawser/base/error.hpp"
@@ -103,8 +103,8 @@ TEST(LineTypes, ByWeights) {
   const model::LineType t = type_of("weight: {in_air: 90 kgf/m, submerged: 45 kgf/m}" + rest);
   EXPECT_NEAR(t.mass_per_length, 90, 1e-9);
   EXPECT_NEAR(1025 * M_PI / 4 * t.displaced() * t.displaced(), 45, 1e-9);
-  EXPECT_EQ(t.dragged(), 0.25);  // of the outside, whatever part of it displaces water
-  // Full of water of 1025 kg/m³ on the sheet, full of gas in the case.
+  EXPECT_EQ(t.dragged(), 0.25);  // of the outside, independent of the displaced diameter
+  // Filled with water of 1025 kg/m³ in the data sheet, with gas in the case.
   const double bore = M_PI / 4 * 0.01;
   const model::LineType gas = type_of(
       "weight: {in_air: 90 kgf/m, submerged: 45 kgf/m, full_of: 1025}, contents: {inner_diameter: 0.1, "
@@ -112,8 +112,8 @@ TEST(LineTypes, ByWeights) {
       rest);
   EXPECT_NEAR(gas.mass_per_length, 90 - 925 * bore, 1e-9);
   EXPECT_NEAR(gas.displaced(), t.displaced(), 1e-12);
-  // Of the drained line in air and the flooded one under water they are of the material alone, and a bore
-  // inside of that there is none.
+  // Weights of the drained line in air and the flooded one under water include only the material, and no bore
+  // fits inside.
   const std::string drained =
       "weight: {in_air: 338.893, submerged: 121.79}, outer_diameter: 0.3, EA: 60 MN, bending: false";
   const model::LineType open = type_of(drained);
@@ -170,7 +170,7 @@ TEST(LineTypes, Refusals) {
   expect_refused("outer_diameter: 0.1, EA: 1 MN", "mass_per_length (or weight)");
 }
 
-// The first row of a table of yielding is the bending stiffness, with `EI` or without.
+// The first row of a plasticity table is the bending stiffness, with `EI` or without.
 TEST(LineTypes, StiffnessOfATableOfPlasticity) {
   const std::string rest = "mass_per_length: 90, outer_diameter: 0.25, EA: 500 MN, GJ: 10 kNm2",
                     table = ", plasticity: {table: [[0.01, 500], [0.1, 2000]]}";

@@ -1,4 +1,4 @@
-// The longest automatic step from tables of motion, of bodies that swing or spin freely, and of platforms.
+// Longest automatic step from motion tables, freely swinging or spinning bodies, and platforms.
 #include "hawser/model/longest_step.hpp"
 
 #include <gtest/gtest.h>
@@ -35,8 +35,8 @@ model::TableMotion table(double every, double duration, const OfTime& of_time,
 
 double wave(double t, double amplitude, double period) { return amplitude * std::sin(2 * M_PI * t / period); }
 
-// A sine is a sine by whatever rows: a hundredth of its period, as where its amplitude and period are given.
-// A monotone cubic through few rows has corners where it turns, and is faster.
+// A tabulated sine gives a hundredth of its period for any rows, as with given amplitude and period. A
+// monotone cubic through few rows has corners at its extremes and is faster.
 TEST(LongestStep, OfASineInATableIsThatOfTheSine) {
   const auto step = [](double every, BetweenRows between) {
     const auto t = table(
@@ -51,8 +51,8 @@ TEST(LongestStep, OfASineInATableIsThatOfTheSine) {
   }
 }
 
-// In closed form: 2 pi sqrt of the sum of (a omega)² over that of (a omega²)². A drift and a steady velocity
-// beside it leave the waves their number of steps.
+// In closed form: 2 pi sqrt of the sum of (a omega)² over that of (a omega²)². A superposed drift or steady
+// velocity does not change the steps per wave.
 TEST(LongestStep, OfWavesOnADriftFollowsTheWaves) {
   const double fast = 2 * M_PI / 10, slow = 2 * M_PI / 100;
   const auto t =
@@ -76,7 +76,7 @@ TEST(LongestStep, OfSlowTablesIsLong) {
   EXPECT_EQ(model::longest_step(moved(steady)).length, 1e5 / 50);
 }
 
-// Pitch moves what is attached 40 m from the origin: it counts beside the heave by that lever.
+// Pitch moves attachments 40 m from the origin, and counts together with heave by that lever.
 TEST(LongestStep, OfRotationsGoesByWhatIsAttached) {
   model::TableMotion t = table(0.25, 1000, [](double time) { return wave(time, 2, 20); });
   for (const double time : t.time) t.rotation.emplace_back(0, wave(time, 0.01, 5), 0);
@@ -106,9 +106,8 @@ TEST(LongestStep, OfACurrentThatChanges) {
   EXPECT_NEAR(model::longest_step(c).length, 1, 0.02);
 }
 
-// A load on a rope that nothing drives: a sixtieth of 2 pi sqrt(m L/EA), with which the period of the scheme
-// is a thousandth too long (3.47/n², its own recursion). In waves it follows the hook, and its period sets no
-// step.
+// A load on a rope without excitation: a sixtieth of 2 pi sqrt(m L/EA), where the scheme lengthens the period
+// by a thousandth (3.47/n², its own recursion). In waves it follows the hook, and its period sets no step.
 TEST(LongestStep, OfALoadOnARope) {
   model::Case c;
   c.dynamics.duration = 100;
@@ -143,8 +142,8 @@ TEST(LongestStep, OfALoadOnARope) {
   EXPECT_NEAR(model::longest_step(c).length, 0.3, 1e-9);
 }
 
-// Nothing drives it: a sixtieth of the shortest period of heave, roll and pitch, here roll with
-// (J + A44)/(C44 - m g zG).
+// Without excitation: a sixtieth of the shortest period of heave, roll and pitch, here roll with (J +
+// A44)/(C44 - m g zG).
 TEST(LongestStep, OfAPlatformResolvesItsPeriods) {
   const auto data = std::make_shared<model::HydrodynamicData>();
   data->omega = {0.5, 1};

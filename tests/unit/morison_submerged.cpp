@@ -17,7 +17,7 @@ struct Four {
   WaterSections4 sections;
   CablesInWater4 motion;
 
-  // Elements of other sections, lengths and directions; the last is at rest in the water if that is calm.
+  // Elements of different sections, lengths and directions; the last is at rest in the water if that is calm.
   Four(unsigned seed, double depth, bool moving) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(-1, 1);
@@ -61,7 +61,7 @@ struct Four {
   }
 };
 
-// Origin of the numbers: the kernel of single elements, whose tangents have their own Taylor test.
+// Reference: the kernel of single elements, whose tangents have their own Taylor test.
 TEST(SubmergedCables, AreWhatSingleOnesAre) {
   constexpr double wK = 1, wC = 7.5, wM = 31;
   for (const bool moving : {false, true})
@@ -89,7 +89,7 @@ TEST(SubmergedCables, AreWhatSingleOnesAre) {
 TEST(SubmergedCables, AreNotWhereOneGetsDry) {
   Four q(1, 60, false);
   EXPECT_EQ(submerged(q.sections, q.motion), 15u);
-  // Just under the surface, level: as deep as its radius is enough.
+  // Just below the surface, level: a depth of its radius is enough.
   for (int k = 0; k < 2; ++k) q.motion.surface[k][2] = 0;
   for (int k = 0; k < 2; ++k) q.motion.x[k][2][2] = -1.001 * q.section[2].radius;
   EXPECT_EQ(submerged(q.sections, q.motion), 15u);

@@ -1,4 +1,4 @@
-// Statistics over steps of any length: those of the curve that is straight between the steps.
+// Statistics over steps of any length: those of the piecewise linear curve.
 #include "hawser/record/node_statistics.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ std::vector<std::vector<double>> values(double tension, double curvature) {
   return {std::vector<double>(6, 7), {tension, 2 * tension}, {curvature, -curvature}};
 }
 
-// Steps that grow and shrink over ten periods of 1000 + 50 sin(2 pi t).
+// Steps of varying length over ten periods of 1000 + 50 sin(2 pi t).
 template <class Each>
 void wave(Each&& each) {
   for (double t = 0, h = 0.002; t < 10; t += h) {
@@ -47,7 +47,7 @@ TEST(NodeStatistics, OfASineWithStepsOfAnyLength) {
   EXPECT_NEAR(row[4], 1000, 1e-3);
   EXPECT_NEAR(row[5], 50 / std::sqrt(2.0), 2e-3);
   EXPECT_NEAR(all[0][io::kStatistics + 4], 2000, 2e-3);  // of the second node
-  // What does not change has no deviation.
+  // Constant values have no deviation.
   EXPECT_EQ(all[1][0], 0.5);
   EXPECT_EQ(all[1][2], 0.5);
   EXPECT_DOUBLE_EQ(all[1][4], 0.5);
@@ -55,13 +55,13 @@ TEST(NodeStatistics, OfASineWithStepsOfAnyLength) {
   EXPECT_EQ(all[1][io::kStatistics], -0.5);
 }
 
-// What a file has of a checkpoint.
+// Checkpoint data as read back from a file.
 io::Checkpoint written(io::Checkpoint c) {
   for (auto& [name, field] : c.nodes) field.values = field.make();
   return c;
 }
 
-// Of a value that is there from 0 to 1 s and from 3 to 4 s only, also when it goes on from a checkpoint.
+// Values that exist only from 0 to 1 s and from 3 to 4 s, also across a checkpoint.
 TEST(NodeStatistics, ExcludeMissingValues) {
   NodeStatistics first(kFields, 2, 0), s(kFields, 2, 0);
   const double none = std::nan("");
@@ -134,7 +134,7 @@ TEST(NodeStatistics, GoOnFromACheckpoint) {
     rest.add(t, values(v, t));
   });
   EXPECT_EQ(tables(whole), tables(rest));
-  // One of an older version holds none: they begin anew.
+  // Older files have none: statistics start again.
   empty.restore({});
   EXPECT_TRUE(std::isnan(tables(empty)[0][0]));
 }

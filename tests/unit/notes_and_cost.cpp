@@ -1,4 +1,4 @@
-// What a run says of itself before it begins: notes by group, and what it will cost.
+// Messages of a run before it begins: grouped notes and expected cost.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -78,8 +78,8 @@ model::Case rod(int elements, const std::string& between = "false") {
   return io::read_case_text(text, "/nowhere/case.yaml");
 }
 
-// The whole of a short run; of a longer one what is left at the rate of its second half; where statics is not
-// over 60 iterations of it, and 4 a step of half the longest.
+// A short run completely; a longer one extrapolated at the rate of its second half; without an equilibrium 60
+// static iterations, and 4 per step of half the longest.
 TEST(Cost, ByATrial) {
   TrialRun t;
   t.duration = t.reached = 100;
@@ -124,7 +124,7 @@ TEST(Cost, ATrialEndsWithItsBudget) {
   EXPECT_LT(expected_cost(nothing), expected_cost(part) * 10);
 }
 
-// Too long for an equilibrium within one iteration: the sentence of the run.
+// Too long for an equilibrium within one iteration: the message of the run.
 TEST(Cost, ATrialReportsWhyTheRunStops) {
   model::Case c = rod(8);
   c.statics.max_iterations = 1;
@@ -135,7 +135,7 @@ TEST(Cost, ATrialReportsWhyTheRunStops) {
   EXPECT_EQ(trial.reached, 0);
 }
 
-// What a run refuses when it begins is refused here too; what happens in a run happens in the trial.
+// The trial refuses what a run refuses at its start, and has the events of the run.
 TEST(Cost, ATrialHasTheEventsOfTheRun) {
   const auto cut = [](const std::string& limit) {
     model::Case c = io::read_case_text(R"(hawser: 1
@@ -156,7 +156,7 @@ events: [{cut: {line: chain, at: 10}, )" + limit +
     EXPECT_EQ(trial.failure, "");
     EXPECT_NEAR(trial.reached, 0.1, 1e-9);
     const Kinematics rest = sim.state().view(0), end = sim.dynamics().kinematics();
-    double fallen = 0;  // of the centre of mass of the lower part: elements of equal mass
+    double fallen = 0;  // centre of mass of the lower part: elements of equal mass
     for (size_t n = 0; n <= 10; ++n) fallen += (n % 10 == 0 ? 0.05 : 0.1) * (rest.x[n].z() - end.x[n].z());
     return fallen;
   };
@@ -175,7 +175,7 @@ TEST(Cost, MemoryOfARun) {
   EXPECT_EQ(memory_sentence({43e6, 43e6, 43e6}, 1), "expected memory: about 0.043 GB");
   EXPECT_EQ(memory_sentence({43e6, 43e6, 573e6}, 1), "expected memory: about 0.73 GB");
   EXPECT_EQ(memory_sentence({43e6, 43e6, 316e6}, 1), "expected memory: about 0.4 GB");
-  // The mesh of 100 MB is on each of 8 ranks, the rest is shared out: 143 + 1.3 x 200 x 1.05/8.
+  // The mesh of 100 MB is on each of 8 ranks, the rest is distributed: 143 + 1.3 x 200 x 1.05/8.
   EXPECT_EQ(memory_sentence({43e6, 143e6, 343e6}, 1.05 / 8), "expected memory: about 0.18 GB on each rank");
   const double before = peak_memory();
   EXPECT_GT(before, 1e7);

@@ -1,4 +1,4 @@
-// Which rank gets which lines of a farm, and when lines are cut.
+// Assignment of the lines of a farm to ranks, and cutting of lines.
 #include "hawser/mesh/partition.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace hawser::test::partition_test {
 namespace {
 
-// Lines of so many cable nodes each.
+// Cable lines with these numbers of nodes.
 Mesh mesh_of(const std::vector<int>& nodes) {
   Mesh mesh;
   for (size_t l = 0; l < nodes.size(); ++l) {
@@ -22,7 +22,7 @@ Mesh mesh_of(const std::vector<int>& nodes) {
   return mesh;
 }
 
-// Lines that follow each other are one rank's, and no line is cut.
+// Consecutive lines are on one rank, and no line is cut.
 TEST(Partition, LinesOfAFarmAreStretches) {
   const Mesh mesh = mesh_of(std::vector<int>(100, 6));
   const std::vector<int> owner = partition(mesh, 4);
@@ -31,7 +31,7 @@ TEST(Partition, LinesOfAFarmAreStretches) {
   EXPECT_EQ(cut_elements(mesh, owner), 0);
 }
 
-// A joint and a coupling of nodes keep lines together, wherever they are in the file.
+// Joints and couplings of nodes keep lines together, independent of their order.
 TEST(Partition, JoinedLinesAreOnOneRank) {
   Mesh mesh = mesh_of(std::vector<int>(100, 6));
   mesh.nodes[6 * 99].pinned_to = 0;
@@ -43,7 +43,7 @@ TEST(Partition, JoinedLinesAreOnOneRank) {
   EXPECT_NE(owner[6 * 2], owner[6 * 97]);
 }
 
-// Two bodies, one on the first line and one on the last, that act on each other.
+// Two coupled bodies, one on the first line and one on the last.
 TEST(Partition, CoupledBodiesAreOnOneRank) {
   Mesh mesh = mesh_of(std::vector<int>(10, 6));
   for (const int node : {0, 6 * 9}) {
@@ -58,7 +58,7 @@ TEST(Partition, CoupledBodiesAreOnOneRank) {
   EXPECT_EQ(cut_elements(mesh, owner), 0);
 }
 
-// One long line and short ones: whole lines would leave a rank with far more than its share.
+// One long line and short ones: uncut lines would overload a rank.
 TEST(Partition, ALongLineIsCut) {
   const Mesh mesh = mesh_of({200, 20, 20, 20});
   const std::vector<int> owner = partition(mesh, 2);
@@ -66,7 +66,7 @@ TEST(Partition, ALongLineIsCut) {
   EXPECT_NEAR(static_cast<double>(std::count(owner.begin(), owner.end(), 0)), 130, 13);
 }
 
-// Platforms, each with three lines of cables: floating ones are a node that their ends are tied to.
+// Platforms with three cables each; a floating one is a node tied to their ends.
 Mesh platforms(int count, int line_nodes, bool floating) {
   Mesh mesh = mesh_of(std::vector<int>(static_cast<size_t>(3 * count), line_nodes));
   for (int p = 0; floating && p < count; ++p) {
@@ -83,7 +83,7 @@ std::vector<int> all_lines(const Mesh& mesh) {
   return lines;
 }
 
-// Stretches of one rank in the order of the nodes: each is a write of a data set of its own.
+// Largest number of runs of nodes per rank: each is a separate write of a data set.
 int most_runs(const std::vector<int>& owner, int ranks) {
   std::vector<int> runs(static_cast<size_t>(ranks), 0);
   for (size_t n = 0; n < owner.size(); ++n)
@@ -105,24 +105,23 @@ void expect(const Mesh& mesh, const Expected& e) {
   EXPECT_LE(most_runs(owner, e.ranks), e.runs) << e.ranks;
 }
 
-// The lines of platforms with prescribed motions are components of their own: some rank has at least
-// ceil(300 / ranks) of them, and none needs to be cut.
+// Lines of platforms with prescribed motions are separate components: some rank has at least ceil(300 /
+// ranks) of them, and none needs to be cut.
 TEST(Partition, LinesOfPrescribedPlatforms) {
   for (const Expected& e : {Expected{4, 1, 0, 1}, {16, 1.014, 0, 1}, {64, 1.067, 0, 1}, {256, 1.707, 0, 1}})
     expect(platforms(100, 11, false), e);
 }
 
 // A floating platform is one component with its lines. On 64 ranks with at most 1.07 times their share none
-// can have two, so at least 36 platforms are cut, each with one line at least apart from it. The nodes of
-// platforms are a stretch behind those of the lines.
+// can have two, so at least 36 platforms are cut, each with at least one separate line. Platform nodes are a
+// run after those of the lines.
 TEST(Partition, FloatingPlatforms) {
   for (const Expected& e : {Expected{4, 1, 0, 2}, {16, 1.07, 8, 3}, {64, 1.113, 36, 3}, {256, 1.35, 200, 3}})
     expect(platforms(100, 11, true), e);
   expect(platforms(100, 51, true), {64, 1.078, 36, 3});
 }
 
-// Two lines that touch along their length are cut beside each other, not parted: the stretches of the file
-// would be one line each.
+// Two lines in contact along their length are cut side by side: cuts in file order would separate them.
 TEST(Partition, TouchingLinesAreCutAcross) {
   const Mesh mesh = mesh_of({100, 100});
   std::vector<std::pair<int, int>> coupled;

@@ -1,5 +1,4 @@
-// Checks of pipes by codes: against an engineer's sheet, and every resistance by itself against its
-// definition.
+// Code checks of pipes: against an engineering sheet, and each resistance against its definition.
 #include "hawser/kernels/pipe_codes.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +26,7 @@ TEST(PipeCodes, MomentCapacityOfAnEngineersSheet) {
   s.safety_class = 1;
   const PipeCodes p(s);
   EXPECT_NEAR(p.flow_stress() * p.plastic_moment() / (1.15 * 1.2 * 0.8) / 1e3, 1379.9, 0.05);
-  // That moment at rest uses it up: combination a, with the functional factor 1.2 · 0.8.
+  // That moment at rest has utilisation 1: combination a, with the functional factor 1.2 · 0.8.
   EXPECT_NEAR(p.local_buckling({1379.9e3, 0, 0}, {1379.9e3, 0, 0}, 0.8, 0, 0), 1, 1e-4);
   EXPECT_NEAR(p.local_buckling({0, 689.95e3, 0}, {0, 689.95e3, 0}, 0.8, 0, 0), 0.25, 1e-4);
 }
@@ -47,7 +46,7 @@ TEST(PipeCodes, CollapsePressureIsARootOfItsEquation) {
       };
       EXPECT_GT(difference(p * (1 - 1e-9)), 0);
       EXPECT_LT(difference(p * (1 + 1e-9)), 0);
-      for (int k = 1; k < 1000; ++k) EXPECT_GT(difference(p * k / 1000), 0);  // the smallest
+      for (int k = 1; k < 1000; ++k) EXPECT_GT(difference(p * k / 1000), 0);  // the smallest root
     }
 }
 
@@ -71,7 +70,7 @@ TEST(PipeCodes, TensionAlone) {
   EXPECT_NEAR(p.pulled({0, 0, 1e6}, {0, 0, 2e6}, 1) * p.plastic_tension(), 1.1e6 + 1.3e6, 1e-3);
 }
 
-// gamma_F is 1/1.1 where functional loads relieve; gamma_C is of functional loads; moments are added by
+// gamma_F is 1/1.1 for relieving functional loads; gamma_C applies to functional loads; moments are added by
 // components.
 TEST(PipeCodes, FunctionalAndEnvironmentalLoads) {
   const PipeCodes p(sixteen());
@@ -101,7 +100,7 @@ TEST(PipeCodes, ApiRp1111) {
       s.ovality = oval;
       const PipeCodes p(s);
       EXPECT_NEAR(p.bending_and_pressure(0, (expanded ? 0.6 : 0.7) * p_c, 0), 1, 1e-12);
-      // The strain t/2D over 3.33 and times g uses it up; pressure inside does not help.
+      // The strain t/2D over 3.33 and times g has utilisation 1; internal pressure does not help.
       EXPECT_NEAR(p.bending_and_pressure(0.021 / (2 * 0.4064) / 3.33 / (1 + 10 * oval), 0, 1e6), 1, 1e-12);
     }
   const PipeCodes p(s);

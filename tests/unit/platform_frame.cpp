@@ -111,7 +111,7 @@ TEST(PlatformFrame, HeadingHasItsSlope) {
   EXPECT_NEAR(heading_of(exp_so3(Vec3(0, 0, 2.5))).angle, 2.5, 1e-14);
 }
 
-// Forces that depend on the heading, in its axes; equal forces where everything is turned.
+// Forces that depend on the heading, in its axes; equal forces if everything is rotated.
 TEST(PlatformFrame, TurningLoadHasItsTangent) {
   const auto F = [](double heading) {
     TurningForce out;

@@ -23,7 +23,7 @@ PlatformHydrostatics hydrostatics() {
   return V;
 }
 
-// A body of which the rotation is `tilt` and then a turn about the vertical.
+// A body with the rotation `tilt` followed by yaw.
 RigidBodyState state(const Vec3& tilt, double yaw, const Vec6& by = Vec6::Zero()) {
   RigidBodyState s;
   s.x = Vec3(0.3, -0.2, 0.5) + by.head<3>();
@@ -31,7 +31,7 @@ RigidBodyState state(const Vec3& tilt, double yaw, const Vec6& by = Vec6::Zero()
   return s;
 }
 
-// Upright, on both sides of where the series of alpha/sin alpha ends (0.451 rad), and beyond a right angle.
+// Upright, on both sides of the end of the series of alpha/sin alpha (0.451 rad), and beyond a right angle.
 TEST(PlatformHydrostatics, PullIsTheGradientOfItsPotentialWithItsTangent) {
   const PlatformHydrostatics V = hydrostatics();
   for (const Vec3& tilt : {Vec3(0, 0, 0), Vec3(0.05, -0.1, 0), Vec3(0.44, 0.05, 0), Vec3(0.2, 0.42, 0),
@@ -51,7 +51,7 @@ TEST(PlatformHydrostatics, PullIsTheGradientOfItsPotentialWithItsTangent) {
   }
 }
 
-// A tilt alone costs what a stiffness by the rotation vector costs.
+// Pure tilt has the energy of a stiffness by the rotation vector.
 TEST(PlatformHydrostatics, TiltIsTheRotationVector) {
   const PlatformHydrostatics V = hydrostatics();
   for (const Vec3& tilt : {Vec3(0.1, -0.2, 0), Vec3(0.7, 1.1, 0)}) {
@@ -64,7 +64,7 @@ TEST(PlatformHydrostatics, TiltIsTheRotationVector) {
   }
 }
 
-// Forces turn with the body, and none turns it about the vertical.
+// Forces rotate with the body, without yaw moment.
 TEST(PlatformHydrostatics, YawIsFree) {
   const PlatformHydrostatics V = hydrostatics();
   const Vec3 tilt(0.2, -0.3, 0);
@@ -79,7 +79,7 @@ TEST(PlatformHydrostatics, YawIsFree) {
   }
 }
 
-// Upright under its centre of mass buoyancy has no moment, at any yaw.
+// Upright below its centre of mass buoyancy has no moment, at any yaw.
 TEST(PlatformHydrostatics, OffsetBuoyancyTurnsWithTheBody) {
   PlatformHydrostatics V = hydrostatics();
   for (const double yaw : {0.0, 1.0, 2.0, 3.0}) {

@@ -47,7 +47,7 @@ WaveForceTable mean() {
   return {omega, {0}, values};
 }
 
-// (re cos - im sin) of a single wave, at a body that is turned and away from the origin.
+// (re cos - im sin) of a single wave, for a rotated body away from the origin.
 TEST(PlatformWaves, FirstOrderLeadsTheCrest) {
   std::vector<ComplexVec6> values(4, ComplexVec6::Zero());
   values[0][2] = Complex(1, 2);
@@ -87,7 +87,7 @@ TEST(PlatformWaves, FullDriftIsTheDoubleSum) {
   }
 }
 
-// sqrt(D_i D_j) of equal signs, 0 of others (Standing, Brendling and Wilson 1987).
+// sqrt(D_i D_j) for equal signs, else 0 (Standing, Brendling and Wilson 1987).
 TEST(PlatformWaves, NewmanIsTheDoubleSumOfRoots) {
   const auto components = sea();
   const PlatformWaves waves(components, 0, {}, mean(), {}, SecondOrder::newman);
@@ -105,7 +105,7 @@ TEST(PlatformWaves, NewmanIsTheDoubleSumOfRoots) {
   }
 }
 
-// A body that turns has the forces of one made at that heading, and its mean drift the slope of the table.
+// A rotated body has the forces of one made at that heading, and its mean drift the slope of the table.
 TEST(PlatformWaves, TurnsToAnotherHeading) {
   std::vector<ComplexVec6> values;
   for (int k = 0; k < 24; ++k) {

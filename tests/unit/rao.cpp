@@ -22,7 +22,7 @@ TEST(Rao, InterpolatesInTheComplexPlane) {
   EXPECT_NEAR(std::abs(t.at(0.75, 0)[2] - std::complex<double>(0.5, -0.25)), 0, 1e-14);
   EXPECT_NEAR(std::abs(t.at(0.1, 0)[2] - std::complex<double>(1, 0)), 0, 1e-14);  // beyond the ends
   EXPECT_NEAR(std::abs(t.at(9, 0)[2] - std::complex<double>(0, -0.5)), 0, 1e-14);
-  // All round: from 270 to 360 deg, and the long way from 0 to 270.
+  // All around: from 270 to 360 deg, and across the gap from 0 to 270.
   EXPECT_NEAR(std::abs(t.at(0.5, -45 * deg)[2] - 1.5), 0, 1e-12);
   EXPECT_NEAR(std::abs(t.at(0.5, 135 * deg)[2] - 1.5), 0, 1e-12);
   EXPECT_NEAR(std::abs(t.at(0.5, 360 * deg)[2] - 1.0), 0, 1e-12);
@@ -41,7 +41,8 @@ WaveField wave(double amplitude, double omega, double direction, double phase) {
   return WaveField({c}, 0, 9.80665, Stretching::none);
 }
 
-// Heave of 1 without lag follows the surface at the vessel's place; a lag of a quarter comes a quarter later.
+// Heave of 1 without lag follows the elevation at the vessel; a lag of a quarter follows a quarter of a
+// period later.
 TEST(Rao, PhaseIsALagAfterTheCrestAtTheOrigin) {
   const Vec3 origin(30, -12, 5);
   const WaveField w = wave(1.5, 0.7, 0.9, 0.4);
@@ -56,7 +57,7 @@ TEST(Rao, PhaseIsALagAfterTheCrestAtTheOrigin) {
   }
 }
 
-// Rows are what at() has at each of their times.
+// Rows equal at() at their times.
 TEST(Rao, RowsAreTheMotionAtTheirTimes) {
   std::vector<RaoTable::Row> rows;
   for (const double omega : {0.3, 0.8, 1.5})
@@ -81,7 +82,7 @@ TEST(Rao, RowsAreTheMotionAtTheirTimes) {
   }
 }
 
-// Surge and roll go with the bow, and the direction that counts is the one seen from it.
+// Surge and roll rotate with the bow, and the direction is relative to it.
 TEST(Rao, TurnsWithTheHeading) {
   const double heading = 2.1;
   Response ahead{}, abeam{};
@@ -97,8 +98,8 @@ TEST(Rao, TurnsWithTheHeading) {
   EXPECT_LT((x - 2 * port).norm() + (r - 0.1 * bow).norm(), 1e-12);
 }
 
-// A wave from the other side is one seen in a mirror: what goes to port there goes to starboard here. The
-// directions along the vessel stay one row each.
+// A wave from the other side is a mirror image: port becomes starboard. Directions along the vessel stay
+// single rows.
 TEST(Rao, OtherSideIsAMirror) {
   const double deg = M_PI / 180;
   std::vector<RaoTable::Row> rows;
@@ -106,7 +107,7 @@ TEST(Rao, OtherSideIsAMirror) {
     Response r;
     for (size_t k = 0; k < 6; ++k)
       r[k] = std::polar(0.3 + 0.1 * static_cast<double>(k), 0.2 * direction * deg + static_cast<double>(k)) *
-             (k % 2 ? std::sin(direction * deg) : 1);  // nothing goes sideways in a sea along the vessel
+             (k % 2 ? std::sin(direction * deg) : 1);  // no sway in waves along the vessel
     rows.push_back({0.7, direction * deg, r});
   }
   const auto both = with_other_side(rows);

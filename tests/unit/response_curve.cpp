@@ -1,5 +1,5 @@
-// Tables of tension and moment: a rising curve through the rows, its derivative and integral; elements made
-// of them.
+// Tables of tension and moment: an increasing curve through the rows, its derivative and integral; elements
+// with tables.
 #include "hawser/kernels/response_curve.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(ResponseCurve, GoesThroughItsRowsRising) {
       EXPECT_NEAR(v.force, (a.energy - b.energy) / (2 * h), 1e-4 * (1 + std::abs(v.force)));
       EXPECT_GE(v.energy, 0);
     }
-  // Straight beyond and, without negative rows, below.
+  // Linear beyond and, without negative rows, below.
   EXPECT_NEAR(rope.at(-0.2).force, -0.2 * rope.initial(), 1e-12);
   EXPECT_NEAR(rope.at(0.2).slope, rope.at(0.05).slope, 1e-9);
 }
@@ -77,7 +77,7 @@ BeamEnds moved(BeamEnds e, const Vec12& d) {
   return e;
 }
 
-// Bent into all parts of the table; initially curved and turned axes, and something stiffer on top.
+// Bending in all parts of the table; initial curvature and rotated axes, and a bend stiffener.
 TEST(ResponseCurve, BeamTangentAndEnergyBelongToItsForce) {
   const ResponseCurve rope(kRope, false), pipe(kPipe, true);
   std::mt19937 g(7);
@@ -124,7 +124,7 @@ TEST(ResponseCurve, BeamTangentAndEnergyBelongToItsForce) {
   }
 }
 
-// With tables that are straight an element is what it is without: stresses, energy, tangent.
+// Linear tables give the same element as none: stresses, energy, tangent.
 TEST(ResponseCurve, StraightTablesChangeNothing) {
   const ResponseCurve rope(std::vector<Row>{{0.1, 30}, {0.2, 60}}, false),
       pipe(std::vector<Row>{{0.1, 5}, {0.2, 10}}, true);
@@ -143,7 +143,7 @@ TEST(ResponseCurve, StraightTablesChangeNothing) {
   beam_tangent(plain, {}, e, false, f, K, &C);
   beam_tangent(tables, {}, e, false, g, L, &D);
   EXPECT_LT((f - g).norm() + (C - D).norm(), 1e-11 * (f.norm() + C.norm()));
-  // Damping forces lag behind the strain alone: what they add to the moments by the element is the same.
+  // Damping forces lag behind the strain alone: their contribution to the element moments is the same.
   EXPECT_LT((K - L).norm(), 1e-11 * K.norm());
   plain.beta = tables.beta = 0;
   const BeamStress a = beam_stress(plain, {}, e), b = beam_stress(tables, {}, e);

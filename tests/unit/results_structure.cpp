@@ -1,5 +1,5 @@
-// What the promise of a file that is valid at every moment rests on: writing changes bytes of rows only.
-// And the XDMF beside it: well formed, and everything it points at is there.
+// Basis of the file's validity at every moment: writing changes only bytes of rows. Also the XDMF file: well
+// formed, with existing references.
 #include <gtest/gtest.h>
 #include <mpi.h>
 
@@ -35,7 +35,7 @@ ResultContents contents(int lines, int nodes) {
   c.fields = {{"position", "m", 3}, {"contact force", "N", 3}, {"penetration", "m", 1}};
   c.series = {{"time", {{"value", "", 1}}}};
   c.bodies = {"reel"};
-  // Meshes are views of what is kept elsewhere.
+  // Meshes are views of memory owned elsewhere.
   static const std::vector<Vec3> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, many(30, Vec3(1, 2, 3));
   static const std::vector<std::array<int, 3>> one = {{0, 1, 2}}, two = {{0, 1, 2}, {3, 4, 5}};
   c.volumes = {{"drum & flange", 0, corners, one, {1}, {}},
@@ -64,7 +64,7 @@ void write(ResultsFile& file, double time) {
   file.write_output(time, fields, {&pose, 1});
 }
 
-// Where the raw data of all datasets lie: [first byte, end).
+// Byte ranges of the raw data of all datasets: [first byte, end).
 std::vector<std::pair<size_t, size_t>> data_of(const std::string& path) {
   const auto file = h5::open_read(path);
   std::vector<std::pair<size_t, size_t>> places;
@@ -88,7 +88,7 @@ TEST(ResultsStructure, WritingChangesRowsOnly) {
   auto file = ResultsFile::create(MPI_COMM_SELF, path, contents(2, 11), all_nodes(contents(2, 11)));
   Checkpoint checkpoint;
   checkpoint.scalars["step"] = 1;
-  file.write_checkpoint(checkpoint);  // makes room for checkpoints, once
+  file.write_checkpoint(checkpoint);  // creates room for checkpoints, once
   const std::string before = text_of(path);
   const auto data = data_of(path);
   EXPECT_GT(data.size(), 20u);
@@ -106,7 +106,7 @@ TEST(ResultsStructure, WritingChangesRowsOnly) {
     EXPECT_GT(changed, 200u);
     EXPECT_EQ(outside, 0u) << "structure changed by output " << k;
   }
-  // The counter is one write within one page of memory, so no kill can cut it.
+  // The counter is a single write within one memory page, so no kill can split it.
   const auto h5 = h5::open_read(path);
   const auto at = H5Dget_offset(h5::open_dataset(h5, "written"));
   EXPECT_EQ(at / 4096, (at + 15) / 4096);
@@ -118,7 +118,7 @@ TEST(ResultsStructure, SafeNames) {
             (std::vector<std::string>{"a_b", "a_b_2", "_", "__", "a_b_3"}));
 }
 
-// Tags open and close in order, and no bare & or < inside.
+// Tags open and close in order, without bare & or <.
 void expect_well_formed(const std::string& xml) {
   std::vector<std::string> open;
   const std::regex tag(
@@ -147,7 +147,7 @@ std::vector<hsize_t> numbers(const std::string& text) {
   return {std::istream_iterator<hsize_t>(in), {}};
 }
 
-// Every reference: the dataset is there, the box is inside it, and holds as much as Dimensions says.
+// Every reference: the dataset exists, the box is inside it, and its size equals Dimensions.
 int check_references(const std::string& folder, const std::string& xml) {
   const std::regex item(
       "<DataItem Dimensions=\"([0-9 ]+)\" NumberType=\"(\\w+)\" Precision=\"(\\d)\" "
@@ -181,7 +181,7 @@ int check_references(const std::string& folder, const std::string& xml) {
   return n;
 }
 
-// A mesh that moves is written once with the poses of its body; where it was at each output is for ParaView.
+// A moving mesh is written once with the poses of its body; its positions at outputs are for ParaView.
 TEST(ResultsXdmf, MeshesAreMovedForParaViewAlone) {
   for (const bool xdmf : {true, false}) {
     const std::string path = temporary(xdmf ? "drawn.h5" : "posed.h5");
@@ -216,8 +216,8 @@ TEST(ResultsXdmf, PointsAtWhatIsThere) {
       }
       const std::string xml = text_of(temporary("xdmf.xdmf"));
       expect_well_formed(xml);
-      // Of each output: a line has topology, 3 fields, arc length, line number, rank; the drum and its
-      // neighbour that is drawn coarser 3 each, the deck 2.
+      // Per output: a line has topology, 3 fields, arc length, line number, rank; the drum and its coarser
+      // neighbour 3 each, the deck 2.
       const int each = 7 * (lines == 3 ? 3 : 1) + 8;
       const int n = check_references(testing::TempDir(), xml);
       EXPECT_EQ(n, written * each);

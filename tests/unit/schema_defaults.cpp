@@ -1,5 +1,4 @@
-// Defaults of the schema and initial values of the structs that its keys fill: a case that is made in code
-// must mean the same as a file that does not give the key.
+// Defaults of the schema must equal the initial values of the structs that its keys fill.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -15,7 +14,8 @@
 namespace hawser::model::schema_defaults_test {
 namespace {
 
-// Whether the default of the only key of `root` leaves a new T as it is; none: the key is for another struct.
+// True if the default of the only key of `root` leaves a new T unchanged; none: the key is for another
+// struct.
 template <class T>
 std::optional<bool> keeps(const Value& root) {
   T object{};
@@ -52,8 +52,8 @@ bool has_fields(const Key& k) {
   return any;
 }
 
-// Without a spectrum there are no components, the peakedness of JONSWAP is that of no other spectrum, and the
-// keys of a Stokes wave make its row.
+// Without a spectrum there are no components, only JONSWAP has a peakedness, and the keys of a Stokes wave
+// create its row.
 const std::set<std::string> kFallback = {
     ".environment.waves.jonswap.components",           ".environment.waves.jonswap.gamma",
     ".environment.waves.pierson_moskowitz.components", ".environment.waves.spectrum.components",

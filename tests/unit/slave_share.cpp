@@ -1,4 +1,4 @@
-// How the pressure between two lines is shared between the two sides that it is summed from.
+// Distribution of the pressure between two lines over the two sides of the sum.
 #include <gtest/gtest.h>
 
 #include "hawser/kernels/line_pair.hpp"
@@ -6,7 +6,7 @@
 namespace hawser::slave_share_test {
 namespace {
 
-// All of the pressure is counted once, by the thinner line if the other is half as thick again.
+// All pressure counts once, by the thinner line if the other is at least 1.5 times as thick.
 TEST(SlaveShare, AddsUp) {
   double last = 0.5;
   for (double ratio = 1; ratio < 3; ratio *= 1.02) {

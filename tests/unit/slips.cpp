@@ -1,5 +1,5 @@
-// Slips that engineers make, each in a case of tests/data/slips that is otherwise clean: it is refused or
-// noted by what is wrong, and at most two other notes come with it.
+// Typical input errors, each in an otherwise valid case of tests/data/slips: each is refused or noted
+// specifically, with at most two other notes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::string text_of(const std::string& model) {
   return text.str();
 }
 
-// Heights of 96 to 116 m under x = 0 to 800; that at (400, 0) is another one.
+// Heights of 96 to 116 m under x = 0 to 800; that at (400, 0) is different.
 void write_bed(const std::string& path, double there, double sign = 1, const std::string& before = "") {
   std::ofstream out(path, std::ios::binary);
   out << before;
@@ -37,7 +37,7 @@ void write_bed(const std::string& path, double there, double sign = 1, const std
 
 std::string folder() { return testing::TempDir(); }
 
-// What a case of it says: its notes, or the sentence that refuses it.
+// Notes of a case, or the sentence that refuses it.
 std::vector<std::string> warnings_of(const std::string& model, const std::vector<std::string>& set) {
   try {
     return io::read_case_text(text_of(model), folder() + "/" + model + ".yaml", {}, MPI_COMM_SELF, set).notes;
@@ -344,7 +344,7 @@ TEST_F(Slips, EachIsRefusedOrNoted) {
   }
 }
 
-// What changes all results comes before what only resolves them.
+// Warnings that affect all results precede those about resolution.
 TEST_F(Slips, ByWhatTheyCanChange) {
   const std::vector<std::string> found =
       warnings_of("mooring", {"output.every=8", "environment.water.density=1.025"});
@@ -352,7 +352,7 @@ TEST_F(Slips, ByWhatTheyCanChange) {
   EXPECT_NE(found[0].find("the density of water"), std::string::npos) << found[0];
 }
 
-// Before a table in UTF-8 some spreadsheets put a mark; UTF-16 is refused.
+// Some spreadsheets begin tables with a UTF-8 byte order mark; UTF-16 is refused.
 TEST_F(Slips, MarksBeforeTexts) {
   EXPECT_EQ(warnings_of("grid", {"environment.seabed.grid.file=marked.xyz"}), std::vector<std::string>{});
   const std::vector<std::string> found = warnings_of("grid", {"environment.seabed.grid.file=utf16.xyz"});
@@ -360,7 +360,7 @@ TEST_F(Slips, MarksBeforeTexts) {
   EXPECT_NE(found[0].find("UTF-16; save it as UTF-8"), std::string::npos) << found[0];
 }
 
-// Rows of a profile that give no direction have that of the current.
+// Rows of a profile without a direction have that of the current.
 TEST_F(Slips, OneDirectionOfAProfile) {
   const auto rows = [](const std::vector<std::string>& set) {
     return io::read_case_text(text_of("taut"), "taut.yaml", {}, MPI_COMM_SELF, set)

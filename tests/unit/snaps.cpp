@@ -13,7 +13,7 @@
 namespace hawser::record::snaps_test {
 namespace {
 
-// Two elements of 2 m: a wave passes one in 2 sqrt(5/1e8) = 0.447 ms, and runs along the line and back in
+// Two elements of 2 m: a wave passes one in 2 sqrt(5/1e8) = 0.447 ms, and travels along the line and back in
 // 1.79 ms.
 const char* const kSling = R"(
 hawser: 1
@@ -25,7 +25,7 @@ lines:
     end_b: {anchor: [3.9, 0, 0]}
 )";
 
-// Half a wave of so many seconds and 1 kN in equal steps, one of them at its top.
+// Half a wave of this duration [s] and 1 kN in equal steps, one of them at its maximum.
 std::string warning(double half, int steps, double rest = 0, bool damped = false, double across = 0) {
   const model::Case c = io::read_case_text(kSling, "/nowhere/case.yaml");
   const run::Simulation sim(MPI_COMM_SELF, c);
@@ -40,7 +40,7 @@ std::string warning(double half, int steps, double rest = 0, bool damped = false
   return snaps.warning(0, "sling", 1000, damped, true);
 }
 
-// cos(pi/4) is 71 %, cos(pi/8) 92 % of the top.
+// cos(pi/4) is 71 %, cos(pi/8) 92 % of the maximum.
 TEST(Snaps, OfTooFewSteps) {
   EXPECT_EQ(
       warning(1, 4),
@@ -53,7 +53,7 @@ TEST(Snaps, OfTooFewSteps) {
   EXPECT_EQ(warning(1, 4, 600), "");  // a wave of 400 N on 600 N
 }
 
-// A peak of 3 ms, which turns by 0.35 rad in a third of a millisecond and by 1.05 in one, on the way of a
+// A peak of 3 ms, with a phase of 0.35 rad in a third of a millisecond and 1.05 in one, the travel time of a
 // wave across an element over a volume.
 TEST(Snaps, OfAnElementOverAVolume) {
   EXPECT_EQ(warning(3e-3, 100, 0, false, 0.33e-3), "");
@@ -63,15 +63,14 @@ TEST(Snaps, OfAnElementOverAVolume) {
   EXPECT_EQ(warning(3e-3, 100, 800, false, 1e-3), "");  // no impact
 }
 
-// A wave of 2 ms from top to top of zero turns by 0.70 rad while it passes an element, one of 4 ms by 0.35.
+// A wave of 2 ms between zeros has a phase of 0.70 rad while it passes an element, one of 4 ms 0.35.
 TEST(Snaps, OfTooFewElements) {
   EXPECT_NE(warning(2e-3, 100).find("comes and goes faster than a wave passes three elements"),
             std::string::npos);
   EXPECT_EQ(warning(4e-3, 100), "");
 }
 
-// Where axial waves are damped what comes up within an echo, 1.79 ms, is reported as well: half of 3 ms, not
-// of 4.
+// With damped axial waves a rise within an echo, 1.79 ms, is reported as well: half of 3 ms, not of 4.
 TEST(Snaps, OfDampedWaves) {
   EXPECT_EQ(warning(3e-3, 100), "");
   EXPECT_NE(warning(3e-3, 100, 0, true)
@@ -81,7 +80,7 @@ TEST(Snaps, OfDampedWaves) {
   EXPECT_EQ(warning(3e-3, 100, 700, true), "");
 }
 
-// What falls when something lets go was no impact.
+// A drop at a release is no impact.
 TEST(Snaps, NotOfWhatFalls) {
   const model::Case c = io::read_case_text(kSling, "/nowhere/case.yaml");
   const run::Simulation sim(MPI_COMM_SELF, c);

@@ -1,4 +1,4 @@
-// Waves of finite height: the equations of the flow, independent solutions, limits, what is refused.
+// Waves of finite height: equations of the flow, independent solutions, limits, refusals.
 #include "hawser/kernels/stokes_wave.hpp"
 
 #include <gtest/gtest.h>
@@ -20,8 +20,8 @@ StokesInput input(double height, double period, double depth) {
   return in;
 }
 
-// The largest violation of the two conditions at the surface, as seen from the crest: flow along it, and
-// Bernoulli's law; over the size of speed and pressure there.
+// Largest violation of the two surface conditions in the frame of the crest: flow along the surface, and
+// Bernoulli's law; relative to speed and pressure there.
 struct Residual {
   double flow = 0, pressure = 0;
 };
@@ -43,8 +43,8 @@ Residual residual(const StokesWave& w) {
   return r;
 }
 
-// Both are of sixth order in the steepness, on any depth, with and without a current. One wrong coefficient
-// of the theory leaves an error of its own, lower order.
+// Both are of sixth order in the steepness, at any depth, with and without current. A wrong coefficient of
+// the theory leaves an error of lower order.
 TEST(StokesWave, ConditionsAtTheSurfaceAreOfSixthOrder) {
   for (const double depth : {0.0, 200.0, 30.0, 12.0})
     for (const double current : {0.0, 1.0, -0.7})
@@ -76,8 +76,8 @@ TEST(StokesWave, ConditionsAtTheSurfaceAreOfSixthOrder) {
       }
 }
 
-// No divergence, no rotation, still at the bed; the acceleration is that of the water, so minus it is the
-// gradient of pressure: a gradient too. With a ramp as well.
+// No divergence, no rotation, no flow at the bed; minus the acceleration of the water is the gradient of
+// pressure. With a ramp as well.
 TEST(StokesWave, IsPotentialFlow) {
   StokesInput in = input(6, 9, 35);
   in.direction = 0.7;
@@ -109,7 +109,7 @@ TEST(StokesWave, IsPotentialFlow) {
   EXPECT_EQ(w.at({5, 6, -35}, 1).velocity.z(), 0);
 }
 
-// Minus the acceleration of the water is the gradient of pressure; at the surface there is none.
+// Minus the acceleration of the water is the gradient of pressure, which is zero at the surface.
 TEST(StokesWave, HeadIsItsPressure) {
   StokesInput in = input(6, 9, 35);
   in.direction = 0.7;
@@ -131,8 +131,8 @@ TEST(StokesWave, HeadIsItsPressure) {
   }
 }
 
-// The water that goes through a fixed plane is what fills and empties the space behind it; its mean is what
-// `transport` says.
+// The flux through a fixed plane fills and empties the space behind it; its mean is that given by
+// `transport`.
 TEST(StokesWave, ContinuityAndTransport) {
   for (const bool transport : {false, true})
     for (const double current : {0.0, 0.5}) {
@@ -187,7 +187,7 @@ TEST(StokesWave, FentonsProgram) {
                               -2.3287527e-005};
   const double k = w.number(), kd = k;
   for (int j = 1; j <= 5; ++j) {
-    // By projection on a period: elevation, and velocity at the bed, where cosh is 1.
+    // By projection over a period: elevation, and velocity at the bed, where cosh is 1.
     double eta = 0, u = 0;
     for (int i = 0; i < 32; ++i) {
       const double x = 8.0 * i / 32, c = std::cos(j * k * x) / 16;
@@ -199,8 +199,8 @@ TEST(StokesWave, FentonsProgram) {
   }
 }
 
-// Exact waves of the same program (Fourier method, 20 terms): a moderate one on shallow water, and one of
-// 86 % of the highest on deeper water, by its period.
+// Exact waves of the same program (Fourier method, 20 terms): a moderate one in shallow water, and one of 86
+// % of the highest in deeper water, by its period.
 TEST(StokesWave, NearExactWaves) {
   StokesInput in;
   in.gravity = 1;
@@ -217,7 +217,7 @@ TEST(StokesWave, NearExactWaves) {
   EXPECT_NEAR(steep.length(), 1.6526, 0.002 * 1.6526);
 }
 
-// Without height it is Airy's wave, at the rate H²; deep water is the limit of depth.
+// At zero height it is Airy's wave, with convergence H²; deep water is the limit of depth.
 TEST(StokesWave, Limits) {
   double last = 0;
   for (const double height : {0.2, 0.02, 0.002}) {

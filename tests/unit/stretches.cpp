@@ -1,4 +1,4 @@
-// A row of weights cut into stretches: as even as it can be, at the places where least is lost.
+// A row of weights cut into stretches: as even as possible, at the places with the smallest loss.
 #include "hawser/mesh/stretches.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ double heaviest(const std::vector<double>& weight, const std::vector<int>& first
   return most;
 }
 
-// Of the most even cut of the items from `first` on, by trying all.
+// Most even cut of the items from `first` on, by exhaustive search.
 double most_even(const std::vector<double>& weight, size_t first, int parts) {
   if (parts == 1) return std::accumulate(weight.begin() + static_cast<long>(first), weight.end(), 0.0);
   double least = HUGE_VAL, sum = 0;

@@ -14,7 +14,7 @@
 namespace hawser::volume_contact_test {
 namespace {
 
-// Distance field of a sphere of radius 2 about the origin less a line radius of 0.1, or of the plane z = 0.
+// Distance field of a sphere of radius 2 about the origin minus a line radius of 0.1, or of the plane z = 0.
 ContactTrial on_sphere(const Vec3& y, const Vec3& u) {
   ContactTrial t;
   const double r = y.norm();
@@ -102,7 +102,7 @@ TEST(VolumeContactKernel, TangentIsExact) {
       const PointContact c = volume_contact(law, s.start, s.field(s.point, u), true);
       if (law.normal.table && s.field(s.point, u).gap >= 0) continue;  // no ramp before a table
       ASSERT_GT(c.normal.force, 0) << s.name;
-      // The mobilisation laws cut at a length, the spring laws at a force; the situations suit both.
+      // Mobilisation laws are cut at a length, spring laws at a force; each situation suits one.
       if (law.friction.active() && std::string(s.name).find("slip") != std::string::npos) {
         EXPECT_TRUE(c.slides) << s.name;
       }
@@ -145,10 +145,10 @@ TEST(VolumeContactKernel, FacetChangeKeepsTheSlip) {
   EXPECT_LT((c.slip - s).norm(), 1e-16);
   const ContactStart across{{0, 0, -0.01}, -0.01, Vec3::UnitX(), n.cross(Vec3(3e-3, 0, 0)), n};
   const PointContact d = volume_contact(law, across, on_plane({0, 0, -0.01}, Vec3::Zero()), false);
-  EXPECT_LT((d.slip - Vec3(0, 3e-3, 0)).norm(), 1e-16);  // turned, not shortened
+  EXPECT_LT((d.slip - Vec3(0, 3e-3, 0)).norm(), 1e-16);  // rotated, not shortened
 }
 
-// Only the part of the motion after the touch counts: half of it, when the surface was met half way.
+// Only the motion after first contact counts: half of it if the surface was met half way.
 TEST(VolumeContactKernel, FirstTouch) {
   const ContactLaw law{{1e6, 0, 0}, {0.9, 0.9, 1e5, 0, 0}};
   const ContactStart start{{0, 0, 0.01}, 0.01, Vec3::UnitX(), Vec3::Zero(), Vec3::UnitZ()};

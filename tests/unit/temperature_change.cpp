@@ -1,4 +1,4 @@
-// `temperature_change` of a line: what is read, and what free strain its elements get.
+// `temperature_change` of a line: reading, and free strain of its elements.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -46,7 +46,7 @@ TEST(TemperatureChange, IsReadInKelvinAndAlongTheLine) {
   EXPECT_EQ(read("60").line_type("cold").thermal_expansion, 0);
 }
 
-// Straight between the rows, constant beyond: 60 K up to 10 m, -20 K at 50 m, none from 90 m on.
+// Linear between the rows, constant beyond: 60 K up to 10 m, -20 K at 50 m, none from 90 m on.
 TEST(TemperatureChange, MeanIsTheIntegral) {
   const model::Line line = read("[[10, 60], [50, -20], [90, 0]]").lines[0];
   const auto mean = [&](double from, double to) { return model::mean_temperature_change(line, from, to); };
@@ -61,7 +61,7 @@ TEST(TemperatureChange, MeanIsTheIntegral) {
   EXPECT_EQ(model::mean_temperature_change(read("0").lines[0], 3, 40), 0);
 }
 
-// Where elements end doesn't matter to the sum, and a type without expansion has none.
+// The sum is independent of element boundaries, and a type without expansion has none.
 TEST(TemperatureChange, ElementsAddUp) {
   const model::Case c = read("[[10, 60], [50, -20], [90, 0]]");
   const Mesh mesh = build_mesh(c);

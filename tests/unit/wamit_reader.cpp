@@ -1,4 +1,4 @@
-// WAMIT's files: scales, rows that are excluded, files packed by gzip, and what is refused.
+// WAMIT's files: scales, missing rows, gzip files, and refusals.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -78,8 +78,8 @@ TEST_F(WamitReader, ScalesByLengthDensityAndFrequency) {
   EXPECT_EQ(files.size(), 3u);
 }
 
-// Of a wave to 315 deg sway is that to 45 deg reversed, and what goes to 270 deg is on the straight line
-// between 180 and 315 deg.
+// In a wave to 315 deg sway is the reverse of that to 45 deg, and 270 deg is interpolated between 180 and 315
+// deg.
 TEST_F(WamitReader, MirrorsTheOtherSide) {
   std::string rows;
   for (const int deg : {0, 45, 180})
@@ -166,7 +166,7 @@ TEST_F(WamitReader, NamesThePeriodOfSkewAddedMass) {
   EXPECT_NE(notes[0].find("by up to 20 % of the diagonal, at 3.142 s"), std::string::npos) << notes[0];
 }
 
-// Damping (1, 2; 2, 1) has the eigenvalues 3 and -1, of which the second is excluded: (1.5, 1.5; 1.5, 1.5).
+// Damping (1, 2; 2, 1) has the eigenvalues 3 and -1, the second of which is removed: (1.5, 1.5; 1.5, 1.5).
 TEST_F(WamitReader, ExcludesNegativeDamping) {
   std::string text = "0 1 1 0.5\n0 2 2 0.5\n";
   for (const char* period : {"6.283185307179586", "3.141592653589793", "2.0943951023931953"})

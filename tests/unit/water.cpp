@@ -30,7 +30,7 @@ CableInWater cable(const WaterEnds& e) {
   return {e.x1, e.x2, m.v1, m.v2, m.a1, m.a2, e.water1, e.water2};
 }
 
-// On (x1, x2) of a cable, (x1, theta1, x2, theta2) of a beam.
+// Residual over (x1, x2) of a cable, (x1, theta1, x2, theta2) of a beam.
 Eigen::VectorXd water_residual(bool beam, const WaterSection& s, const WaterEnds& e) {
   Vec12 on_beam;
   Vec6 on_cable;
@@ -41,7 +41,7 @@ Eigen::VectorXd water_residual(bool beam, const WaterSection& s, const WaterEnds
   return beam ? Eigen::VectorXd(on_beam) : Eigen::VectorXd(on_cable);
 }
 
-// Against quadrature of the chord of a circle, and the ball's of its sections.
+// Against quadrature of the chord of a circle, and of the sections of a sphere.
 TEST(Wetting, IsTheSegmentOfACircleAndTheCapOfABall) {
   double area = 0, cap = 0, area_sum = 0, cap_sum = 0;
   const int n = 200000;
@@ -67,7 +67,7 @@ TEST(Wetting, IsTheSegmentOfACircleAndTheCapOfABall) {
 }
 
 // Displacement of 0.6 of the section: draught over diameter of a floating hose of 0.12 t/m in air and 0.20
-// t/m displacement (OMAE2006-92155, Table 4; the circular segment's own solution).
+// t/m displacement (OMAE2006-92155, Table 4; solution of the circular segment).
 TEST(WaterLoad, FloatingHoseSinksToItsDraught) {
   const double d = std::sqrt(200 / 1025. * 4 / M_PI), weight = 120 * kG;
   EXPECT_NEAR(d, 0.4984345337, 1e-9);
@@ -85,8 +85,8 @@ TEST(WaterLoad, FloatingHoseSinksToItsDraught) {
   }
 }
 
-// Means over a straight piece and its derivatives against quadrature of circle_wetting, for pieces that are
-// level, nearly so and steep, from both sides of where the formulas change.
+// Means over a straight piece and their derivatives against quadrature of circle_wetting, for level, nearly
+// level and steep pieces, on both sides of the changes of formulas.
 TEST(Wetting, OfAPieceIsTheMeanOfItsSections) {
   const double b = 0.7;
   const double rises[] = {0, 1e-8, -1e-6, 1e-3, 0.1, -0.17, 0.18, 0.5, -1.3, 4, 400};
@@ -106,7 +106,7 @@ TEST(Wetting, OfAPieceIsTheMeanOfItsSections) {
         slope[2] += z * z * w.slope / b / n;
       }
       const PieceWetting p = piece_wetting(h1, h2, b);
-      // The quadrature itself is that accurate at the edges of the band.
+      // Accuracy of the quadrature at the edges of the band.
       const double near = 1e-9 * (1 + std::abs(rise)), edge = 2e-5;
       EXPECT_NEAR(p.integral, integral, near) << rise << " " << middle;
       EXPECT_NEAR(p.share1, share[0], 2e-8) << rise << " " << middle;
@@ -117,9 +117,9 @@ TEST(Wetting, OfAPieceIsTheMeanOfItsSections) {
     }
 }
 
-// However thick a beam is and wherever it goes through the surface, what a vertical element displaces is what
-// is under water, and its stiffness is that of its waterplane, rho g A: both by hand. A cable gets wet over
-// its radius.
+// For any thickness and position of a beam through the surface, a vertical element displaces its submerged
+// volume, and its stiffness is that of its waterplane, rho g A: both by hand. A cable becomes wet over its
+// radius.
 TEST(WaterLoad, SteepElementsDisplaceWhatIsUnderWater) {
   for (const bool beam : {false, true})
     for (const double d : {0.3, 5.0, 6.0}) {
@@ -159,8 +159,8 @@ TEST(WaterLoad, SteepElementsDisplaceWhatIsUnderWater) {
     }
 }
 
-// The potential of beams, few or many, is that of a body: depth, times rho g, over what is under water of a
-// cylinder that leans, by quadrature.
+// The potential of beams, few or many, is that of a body: depth times rho g over the submerged part of a
+// leaning cylinder, by quadrature.
 TEST(WaterLoad, ALeaningCylinderDisplacesWhatIsUnderWater) {
   const double radius = 0.5, length = 4;
   for (const double angle : {0.0, 0.4, 1.0, 1.4}) {
@@ -184,13 +184,13 @@ TEST(WaterLoad, ALeaningCylinderDisplacesWhatIsUnderWater) {
         e.motion.q1 = e.motion.q2 = minimal_rotation(Vec3::UnitX(), t);
         sum += water_potential(s, e, true);
       }
-      EXPECT_NEAR(sum, exact, 5e-5 * exact) << angle << " " << n;  // of the quadrature
+      EXPECT_NEAR(sum, exact, 5e-5 * exact) << angle << " " << n;  // error of the quadrature
     }
   }
 }
 
-// Of forces on elements that lean, thin and thick beside their length, against fourth-order differences. What
-// statics takes far from its solution has no negative eigenvalue.
+// Forces on leaning elements, thin and thick relative to their length, against fourth-order differences. The
+// stiffness that statics uses far from the solution has no negative eigenvalue.
 TEST(WaterLoad, TangentOfALeaningElement) {
   for (const double d : {0.2, 8.0})
     for (const double angle : {0.1, 0.8, 1.5}) {
@@ -258,7 +258,7 @@ TEST(WaterLoad, ForceIsTheDerivativeOfThePotential) {
   }
 }
 
-// A slanting line in a uniform current: Morison by hand, and the same for cable and beam.
+// An inclined line in a uniform current: Morison by hand, and equal for cable and beam.
 TEST(WaterLoad, MorisonOfASlantingLine) {
   const WaterSection s = section(5, 0.2, 1.1, 0.05, 0.9);
   WaterEnds e;
@@ -281,7 +281,7 @@ TEST(WaterLoad, MorisonOfASlantingLine) {
   }
 }
 
-// Water that accelerates: (1 + Ca) across, 1 + Ca_axial along.
+// Accelerating water: (1 + Ca) across, 1 + Ca_axial along.
 TEST(WaterLoad, FroudeKrylovAndAddedMass) {
   WaterSection s = section(5, 0.2, 0, 0, 0.9);
   s.added_axial = 0.1 * s.displaced_mass;

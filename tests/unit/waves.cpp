@@ -57,9 +57,9 @@ WaveField regular(double height, double period, double depth, Stretching s = Str
   return WaveField({c}, depth, kG, s);
 }
 
-// An irregular sea component by component with the functions of the C library, at a place where x, y are far
-// from zero, and late: to rounding of the angles where no component is excluded, and within what may be cut
-// out where some are. Of a sea, and of one with hardly any energy but in short waves.
+// An irregular sea component by component with the functions of the C library, for large x, y and late times:
+// to rounding of the angles without excluded components, else within the exclusion tolerance. For a sea, and
+// for one with energy almost only in short waves.
 TEST(Waves, SumsOverComponents) {
   for (const double depth : {0.0, 30.0, 200.0}) {
     std::vector<WaveComponent> sea = irregular(Jonswap{6, 11, 3.3}, 0.4, 400, 7, 5);
@@ -95,7 +95,7 @@ TEST(Waves, SumsOverComponents) {
         }
         sums.add_motion(phases, z, u, a);
         const bool all = most >= sea.back().number;
-        excluded |= !all && (u - u0).norm() > 2e-10 * speed;  // more than rounding may, below
+        excluded |= !all && (u - u0).norm() > 2e-10 * speed;  // more than rounding
         EXPECT_LE((u - u0).norm(), (all ? 1e-10 : WaveSums::kNegligible) * speed) << depth << " " << z;
         EXPECT_LE((a - a0).norm(), (all ? 1e-10 : WaveSums::kNegligible) * growth) << depth << " " << z;
       }
@@ -104,9 +104,8 @@ TEST(Waves, SumsOverComponents) {
   }
 }
 
-// What a place at the bed excludes of the elevation does not show in the motion there: against the field
-// with the same components at the elevation that they all make. Only at a bed and with Wheeler's stretching
-// is anything excluded.
+// Components excluded at the bed do not affect the motion there: against the field with the same components
+// at their common elevation. Exclusion occurs only at a bed with Wheeler's stretching.
 TEST(Waves, PlacesAtTheBedSumSignificantComponents) {
   for (const double depth : {0.0, 200.0})
     for (const Stretching s : {Stretching::none, Stretching::vertical, Stretching::wheeler}) {
@@ -139,7 +138,7 @@ TEST(Waves, PlacesAtTheBedSumSignificantComponents) {
     }
 }
 
-// A long swell and waves so short that nothing of them is left at the bed, in one vector.
+// A long swell and waves too short to reach the bed, in one vector.
 TEST(Waves, AtTheBedUnderSwellAndShortWaves) {
   constexpr double depth = 1000;
   WaveComponent swell, chop;
@@ -156,8 +155,8 @@ TEST(Waves, AtTheBedUnderSwellAndShortWaves) {
   }
 }
 
-// The velocity field has no divergence and no rotation, fits the moving surface to first order, stands still
-// at the bed, and its acceleration is its derivative in time.
+// The velocity field has no divergence and rotation, fits the moving surface to first order, vanishes at the
+// bed, and its acceleration is its time derivative.
 TEST(Waves, IsPotentialFlow) {
   const double a = 1e-4, depth = 30, h = 1e-3;
   WaveComponent c, d;
@@ -189,11 +188,8 @@ TEST(Waves, IsPotentialFlow) {
   }
 }
 
-// In-line force and moment on a pile of 1 m, Cd 1.2, Cm 2: closed forms of the integrals to the still water
-// (linear), and of the drag under the crest to the surface by three stretchings. The velocity at the surface
-// as well.
-// Under the still water rho du/dt = -grad p, in waves of several directions; at the surface and above it the
-// head is the elevation, on any depth.
+// Below the still water rho du/dt = -grad p, in waves of several directions; at the surface and above it the
+// head is the elevation, at any depth.
 TEST(Waves, HeadIsTheirPressure) {
   for (const double depth : {0.0, 15.0, 200.0}) {
     const std::vector<WaveComponent> sea = {{0.8, 0.6, 0, 1, 0, 0.3}, {0.4, 1.1, 0, 0.6, 0.8, 1.7}};
@@ -221,6 +217,8 @@ TEST(Waves, HeadIsTheirPressure) {
   }
 }
 
+// In-line force and moment on a pile of 1 m, Cd 1.2, Cm 2: closed forms of the integrals to the still water
+// (linear), and of the drag under the crest to the surface by three stretchings; also the surface velocity.
 TEST(Waves, ForceOnAPile) {
   struct Row {
     double height, period, depth, inertia, drag, moment_inertia, moment_drag, wheeler, constant;
@@ -260,7 +258,7 @@ TEST(Waves, ForceOnAPile) {
 }
 
 // Moments by quadrature to 1e-12, scaled so that m0 is Hs²/16, against those of many components. These end at
-// ten times the peak's frequency and have what is beyond shared out to them; the test puts it back.
+// ten times the peak frequency with the energy beyond distributed over them; the test reverses this.
 TEST(Waves, JonswapMoments) {
   struct Row {
     double height, period, gamma, m_1, m0, m1, m2, m4;  // m4 up to five times the peak's frequency
@@ -290,8 +288,8 @@ TEST(Waves, JonswapMoments) {
   }
 }
 
-// Three hours of a sea with as many components as a case has unless it says otherwise: variance and mean
-// zero-crossing period within 1 % of the spectrum's, whatever the seed. The sums go by turning phasors.
+// Three hours of a sea with the default number of components: variance and mean zero-crossing period within 1
+// % of the spectrum's for any seed. The sums use rotating phasors.
 TEST(Waves, IrregularSeaOfThreeHours) {
   const double m0 = 1.5625, T02 = 2 * M_PI * std::sqrt(m0 / 1.020684631), h = 1;
   double worst[2] = {0, 0};
@@ -345,7 +343,7 @@ TEST(Waves, SeedsAndSpreading) {
     EXPECT_EQ(a[i].x, 1);
   }
   EXPECT_NEAR(a[0].phase, 4.0822127409094637, 1e-12);  // the same on every machine
-  // With spreading it has the same frequencies and phases.
+  // Spreading leaves frequencies and phases unchanged.
   const auto wide = irregular(s, 0, 50, 7, 5);
   for (size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].omega, wide[i].omega);
@@ -354,10 +352,9 @@ TEST(Waves, SeedsAndSpreading) {
   }
 }
 
-// Energy by direction of cos^(2s)((theta - direction)/2), whatever the seed, with as many components as a
-// case has unless it says otherwise: mean cosine s/(s + 1), of twice the angle s (s - 1)/((s + 1) (s + 2));
-// half of it on either side of the mean direction. Directions of half of the frequencies are no others than
-// those of the rest.
+// Energy by direction of cos^(2s)((theta - direction)/2), for any seed, with the default number of
+// components: mean cosine s/(s + 1), of twice the angle s (s - 1)/((s + 1) (s + 2)); half of it on either
+// side of the mean direction. Directions of half of the frequencies have the same distribution as the rest.
 TEST(Waves, SpreadingOfEverySeed) {
   const std::vector<SpectrumRow> rows{{0.4, 0}, {0.6, 9}, {0.8, 2}, {2, 0}};
   for (const double s : {1.0, 2.0, 4.0, 10.0, 100.0, 1000.0}) {
@@ -386,7 +383,7 @@ TEST(Waves, SpreadingOfEverySeed) {
   }
 }
 
-// No phase of one sea is found again in another, shifted by some components or not.
+// No phase of one sea recurs in another, shifted or not.
 TEST(Waves, SeedsAreIndependent) {
   std::map<double, std::uint64_t> first_seed;
   for (std::uint64_t seed = 0; seed < 40; ++seed)
@@ -396,8 +393,7 @@ TEST(Waves, SeedsAreIndependent) {
     }
 }
 
-// A spectrum by rows: energy and moments are those of the straight lines between them, direction and seed as
-// for the others.
+// A tabulated spectrum: energy and moments by linear interpolation, direction and seed as for the others.
 TEST(Waves, SpectrumByRows) {
   const std::vector<SpectrumRow> rows{{0.2, 0}, {0.5, 9}, {0.7, 4}, {0.9, 4}, {2, 0}};
   double m0 = 0, m1 = 0;
@@ -421,7 +417,7 @@ TEST(Waves, SpectrumByRows) {
   EXPECT_NEAR(first, m1, 5e-4 * m1);
   EXPECT_EQ(irregular(rows, 0.7, 400, 3)[17].phase, sea[17].phase);
   EXPECT_NE(irregular(rows, 0.7, 400, 4)[17].phase, sea[17].phase);
-  // What has no energy has no components.
+  // Rows without energy have no components.
   EXPECT_LT(irregular({{0.1, 0}, {0.5, 0}, {0.6, 5}, {0.7, 0}}, 0, 100, 1).size(), 20u);
 }
 
