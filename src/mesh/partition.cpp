@@ -198,7 +198,7 @@ std::vector<int> places_of_bodies(const Mesh& mesh, const std::vector<Edge>& all
   return out;
 }
 
-// Whether n is the first node of a line that belongs to the line's rank.
+// True if n is the first node of a line that belongs to the line's rank.
 bool begins_line(const Mesh& mesh, int n) {
   if (n >= mesh.line_nodes()) return false;
   const int first = mesh.lines[mesh.nodes[n].line].first_node;
