@@ -12,7 +12,7 @@ namespace {
 // Search distance in cube sides beyond which the hash visits too many cubes.
 constexpr double kNearBy = 3;
 
-// Whether a triangle is too flat for the short formula of the squared distance.
+// True if a triangle is too flat for the short formula of the squared distance.
 bool thin(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double l2 = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
   return !((b - a).cross(c - a).norm() > 1e-4 * l2);

@@ -179,7 +179,7 @@ class Bends {
     return q;
   }
 
-  // Whether the normal, a quadratic polynomial of (u, v), stays within 60 degrees of the facet's and is not
+  // True if the normal, a quadratic polynomial of (u, v), stays within 60 degrees of the facet's and is not
   // too small, from its six Bernstein coefficients.
   bool sound(int t) const {
     const SmoothPatch q = patch(t);

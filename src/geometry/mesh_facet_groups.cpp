@@ -37,7 +37,7 @@ const Vec3& beyond(const Facets& facets, int u, int t, int edge) {
   return facets.corner(u, k);
 }
 
-// Whether the facet u rises in front of t with the normal n.
+// True if the facet u rises in front of t with the normal n.
 bool rises(const Facets& facets, const Vec3& n, int t, int edge, int u) {
   return n.dot(beyond(facets, u, t, edge) - facets.corner(t, edge)) > 0;
 }
@@ -118,7 +118,7 @@ bool MeshFacetGroups::parallel(std::span<const Vec3> axis, double reach, std::ve
   return std::all_of(out.begin(), out.end(), [&](const Near& f) { return f.normal.dot(mean) > kCone; });
 }
 
-// Whether facets are connected and nearly convex. Sorts them.
+// True if facets are connected and nearly convex. Sorts them.
 bool MeshFacetGroups::bulging(std::vector<Near>& near) const {
   thread_local DisjointSets sets;
   if (near.size() < 2) return true;
@@ -150,7 +150,7 @@ bool MeshFacetGroups::one(std::span<const Vec3> axis, double reach) const {
   return parallel(axis, reach, near) || bulging(near);
 }
 
-// Whether the edge is reentrant and sharp. Curved patches may meet smoothly where their facets do not.
+// True if the edge is reentrant and sharp. Curved patches may meet smoothly where their facets do not.
 bool MeshFacetGroups::cut(int t, int edge, int other) const {
   const Vec3 n = normals_.quick_face(facets_, t), m = normals_.quick_face(facets_, other);
   if (n.isZero(0) || m.isZero(0) || n.dot(m) > kParallel || !rises(facets_, n, t, edge, other)) return false;
@@ -272,7 +272,7 @@ std::vector<FacetGroup::Facet> MeshFacetGroups::around(std::span<const Vec3> axi
   return out;
 }
 
-// Whether the segment from p to q comes within reach of the axis.
+// True if the segment from p to q comes within reach of the axis.
 bool MeshFacetGroups::comes_near(std::span<const Vec3> axis, double reach, const Vec3& p, const Vec3& q) {
   const Vec3 middle = 0.5 * (p + q);
   const double far = reach + 0.5 * (p - q).norm();

@@ -18,15 +18,15 @@ class MeshFacetGroups {
   MeshFacetGroups(const Facets& facets, const Pseudonormals& normals, const BoxTree& tree)
       : facets_(facets), normals_(normals), tree_(tree) {}
 
-  // Whether the facets form a convex body, which has a single facet group everywhere.
+  // True if the facets form a convex body, which has a single facet group everywhere.
   static bool convex(const Facets& facets, const Pseudonormals& normals, int components);
-  // Whether the part within reach of a polyline is one facet group: its facets have similar normals, or are
+  // True if the part within reach of a polyline is one facet group: its facets have similar normals, or are
   // connected and convex.
   bool one(std::span<const Vec3> axis, double reach) const;
   // See Surface::facet_groups().
   void find(std::span<const Vec3> axis, double reach, FacetGroups& out) const;
 
-  // Whether a facet group contains a triangle.
+  // True if a facet group contains a triangle.
   static bool holds(const FacetGroup& group, int triangle);
 
   struct Foot {
@@ -36,7 +36,7 @@ class MeshFacetGroups {
   };
   // Nearest point of a facet group within a distance [m] of y.
   std::optional<Foot> nearest(const FacetGroup& group, const Vec3& y, double within) const;
-  // Whether the facet group continues, at the border point `foot`, into facets that face away from y: then
+  // True if the facet group continues, at the border point `foot`, into facets that face away from y: then
   // the path to it leads through a body.
   bool through(const FacetGroup& group, const FacetSearch::Foot& foot, const Vec3& y) const;
 

@@ -89,7 +89,7 @@ struct MeshSurface::Data {
   SurfacePoint point_at(const Vec3& y, const FacetSearch::Foot& c, const Vec3& pseudonormal,
                         bool behind) const;
   Mat3 curvature_at_vertex(int triangle, int corner, double length, const SurfacePoint& s) const;
-  // Whether y is behind the surface at its closest point c with this pseudonormal.
+  // True if y is behind the surface at its closest point c with this pseudonormal.
   bool behind(const FacetSearch::Foot& c, const Vec3& y, const Vec3& pseudonormal) const {
     if (!undecided.empty() && undecided[static_cast<std::size_t>(c.triangle)])
       return winding.inside(mesh(), over_flat(c, y));
@@ -110,7 +110,7 @@ struct MeshSurface::Data {
     const auto c = nearest(whole, y, bound, hint);
     return c && behind(*c, y, normals.at(facets, c->triangle, *c));  // `hint` is within the bound
   }
-  // Whether a point behind the border of the active part lies below an active face, to within 45 degrees.
+  // True if a point behind the border of the active part lies below an active face, to within 45 degrees.
   bool under_active(const FacetSearch::Foot& c, const Vec3& y) const;
 };
 

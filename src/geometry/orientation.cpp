@@ -8,7 +8,7 @@
 namespace hawser {
 namespace {
 
-// Whether edge (a, b) of `other` runs from a to b as well.
+// True if edge (a, b) of `other` runs from a to b as well.
 bool same_way(const std::array<int, 3>& other, int a, int b) {
   for (std::size_t i = 0; i < 3; ++i)
     if (other[i] == a && other[(i + 1) % 3] == b) return true;

@@ -24,7 +24,7 @@ class Pseudonormals {
     const Vec3 n = quick_area(facets, t);
     return n.isZero(0) ? face(facets, t) : Vec3(n / n.norm());
   }
-  // Whether face() is not zero.
+  // True if face() is not zero.
   static bool has_area(const Facets& facets, int t) {
     return !quick_area(facets, t).isZero(0) || !face(facets, t).isZero(0);
   }
@@ -35,7 +35,7 @@ class Pseudonormals {
   // non-manifold edges and vertices, next to triangles without area, and where two faces are folded onto each
   // other.
   Vec3 at(const Facets& facets, int t, const PatchPoint& p) const;
-  // Whether all pseudonormals at the vertices and edges of facets with area are defined.
+  // True if all pseudonormals at the vertices and edges of facets with area are defined.
   bool complete() const { return complete_; }
   template <class Self, class P>
   static void pack(Self& self, P& p) {

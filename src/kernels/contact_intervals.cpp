@@ -43,14 +43,14 @@ class Scan {
   }
 
  private:
-  // Whether there is certainly no contact between two points out of contact.
+  // True if there is certainly no contact between two points out of contact.
   bool apart(double w, double A, double B) const {
     const double far = bounds_.contact_distance;
     return A + B >= slope_bound_ * w ||
            (far > 0 && least_between(w, A + far, B + far, slope_bound_, bounds_.bend) > far);
   }
 
-  // Whether the gap is neither convex nor concave (else its mean slope would be between those at the ends)
+  // True if the gap is neither convex nor concave (else its mean slope would be between those at the ends)
   // where that may matter: the cubic through the ends, at most `off` from their chord, might change its sign
   // twice.
   bool mixed(double w, const AxisGap& A, const AxisGap& B) const {

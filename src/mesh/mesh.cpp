@@ -14,7 +14,7 @@
 namespace hawser {
 namespace {
 
-// Whether an event releases this end.
+// True if an event releases this end.
 bool released(const model::Case& c, const model::Line& line, bool at_b) {
   return std::any_of(c.events.begin(), c.events.end(), [&](const model::Event& e) {
     return e.action.kind == model::Action::Kind::release && e.action.line == line.name &&

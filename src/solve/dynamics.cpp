@@ -29,7 +29,7 @@ constexpr double kHopeless = 1e10;
 // expected to reach the tolerance. Otherwise a new tangent is cheaper.
 constexpr double kChordRate = 0.1;
 
-// Whether iterations with the old tangent, which cost a fourth of those with a new one, are expected to reach
+// True if iterations with the old tangent, which cost a fourth of those with a new one, are expected to reach
 // the tolerance. Newton's error falls as e1 = C e0²; with the old tangent it then falls as e2 = 2 C e0 e1
 // (chord method: Kelley 1995, Iterative Methods for Linear and Nonlinear Equations, section 5.4). `before`
 // and `now` are relative residuals. `was_old`: the iteration from `before` to `now` used the old tangent,

@@ -77,7 +77,7 @@ class Laying {
     return std::vector<Vec3>(start.size(), Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
   }
 
-  // Whether the case prescribes the start shape and the line lies on the bed from end to end in it.
+  // True if the case prescribes the start shape and the line lies on the bed from end to end in it.
   bool given(size_t l) const {
     const model::Line& line = c_.lines[l];
     if (line.start != model::Start::straight && line.start != model::Start::points &&

@@ -232,7 +232,7 @@ NaturalMode mode_of(const System& system, const Kinematics& at, const Eigenpair&
 // 3-3); -1: not known.
 int eigenvalues_below(Mat K, Mat M, double squared) { return negative_pivots(shifted(K, M, squared).get()); }
 
-// Whether these modes are all those between the target and the first gap above the `count` lowest ones.
+// True if these modes are all those between the target and the first gap above the `count` lowest ones.
 bool complete(Mat K, Mat M, const std::vector<Eigenpair>& modes, size_t count) {
   size_t last = count - 1;
   const auto gap = [&](size_t i) { return modes[i + 1].squared - modes[i].squared; };

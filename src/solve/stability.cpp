@@ -25,7 +25,7 @@ struct OtherColumns {
   const PetscInt* columns = nullptr;
 };
 
-// Whether the part of a symmetric matrix in a rank's own rows and columns is positive definite, by Cholesky's
+// True if the part of a symmetric matrix in a rank's own rows and columns is positive definite, by Cholesky's
 // factorisation, which overwrites it. Chains have no fill in their own order. If there is fill, the result is
 // false as well.
 bool positive_definite(Mat a) {
@@ -46,7 +46,7 @@ bool positive_definite(Mat a) {
   return true;
 }
 
-// Whether the symmetric part of a tangent is positive definite; false also if a chain is cut between ranks.
+// True if the symmetric part of a tangent is positive definite; false also if a chain is cut between ranks.
 // Collective.
 bool positive_definite_chains(Mat J) {
   const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(J));

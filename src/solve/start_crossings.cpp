@@ -277,7 +277,7 @@ std::vector<Stretch> stretches_in(const Rope& rope, const Obstacle& volume) {
   return out;
 }
 
-// Whether a stretch must go over the volume: there is no room for it between the volume and the bed, and the
+// True if a stretch must go over the volume: there is no room for it between the volume and the bed, and the
 // way over the volume is shorter than the way round it.
 bool goes_over(const model::Case& c, const Stretch& s, const Obstacle& volume) {
   const model::Seabed& bed = c.environment.seabed;

@@ -16,13 +16,13 @@ double buoyancy(const model::Case& c, const model::LineType& t);
 // The current that acts in statics.
 CurrentProfile acting_current(const model::Case& c);
 
-// Whether a line with its nodes at x goes through the bed, or through the water's surface.
+// True if a line with its nodes at x goes through the bed, or through the water's surface.
 bool goes_through(const model::Case& c, const model::Line& line, const std::vector<Vec3>& x);
 
-// Whether the drag of a current on a line is more than a small share of the line's weight in water.
+// True if the drag of a current on a line is more than a small share of the line's weight in water.
 bool streams(const model::Case& c, const model::Line& line);
 
-// Whether neighbouring elements of such a line are folded on each other, or nearly.
+// True if neighbouring elements of such a line are folded on each other, or nearly.
 bool folded(const std::vector<Vec3>& x);
 
 // Shape at rest of a line without bending stiffness, on the bed, through the water's surface and in the

@@ -176,7 +176,7 @@ LineStart through(std::vector<Vec3> x) {
   return out;
 }
 
-// Whether the whole line sinks (or floats) and is longer than the way from one end to the bed (or the
+// True if the whole line sinks (or floats) and is longer than the way from one end to the bed (or the
 // surface), along it, and up to the other end. Its middle then lies there without tension, and equilibrium
 // does not determine where.
 bool lies_slack(const model::Case& c, const std::vector<CatenarySection>& sections, const LineStart& s,
@@ -244,7 +244,7 @@ LineStart lay_free(const model::Case& c, const model::Line& line, const Bodies& 
   return through(flexible_start(c, line, mesh, span, x, direction_of_free_end(c, line, end, false)));
 }
 
-// Whether a line that is no longer than the distance of its ends carries its weight by bending: as a cable it
+// True if a line that is no longer than the distance of its ends carries its weight by bending: as a cable it
 // would sag under the tension w L²/(8 sag), and a beam whose buckling load is above this tension sags less.
 bool is_beam(const model::Case& c, const model::Line& line, const std::vector<CatenarySection>& sections,
              double length, const std::vector<Vec3>& x) {
@@ -260,7 +260,7 @@ bool is_beam(const model::Case& c, const model::Line& line, const std::vector<Ca
   return load * std::pow(length, 4) < 8 * sag * M_PI * M_PI * stiffness;
 }
 
-// Whether a line that is clamped at one end stays straight in its given direction, whichever that is. A
+// True if a line that is clamped at one end stays straight in its given direction, whichever that is. A
 // column of the weight w [N/m] and the length L stands while w L³ < 7.837 EI (Greenhill 1881), one under a
 // load P at its end while P L² < pi²/4 EI (Euler).
 bool stands(const model::Case& c, const model::Line& line, const std::vector<CatenarySection>& sections,

@@ -52,7 +52,7 @@ bool rigid(const model::Case& c, const model::End& e) {
   return e.kind == model::EndKind::joint && c.joint(e.body).rigid;
 }
 
-// Whether the line would go into the ground if its end at x, on the ground, had the direction opposite to
+// True if the line would go into the ground if its end at x, on the ground, had the direction opposite to
 // this one.
 bool opposite_is_below_ground(const model::Case& c, bool at_b, const Vec3& x, const Vec3& given) {
   const model::Environment& e = c.environment;

@@ -319,7 +319,7 @@ double Feeders::power(const Feeder& f, const Kinematics& at, const LocalElement&
          mass * m.speed * at.v[i].dot(v - at.v[i]);
 }
 
-// Whether the feeder rests at the end of a step with the feed point m. It stops where the tension reaches the
+// True if the feeder rests at the end of a step with the feed point m. It stops where the tension reaches the
 // target, and restarts beyond the dead band.
 bool Feeders::rests(const Feeder& f, const FeedPoint& m, const Kinematics& accepted,
                     const LocalElement& e) const {

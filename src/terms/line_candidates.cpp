@@ -50,7 +50,7 @@ Middle middle(const SweptAxis& s) {
   return m;
 }
 
-// Whether two axes anywhere on their paths may come nearer than the sum of both thicknesses.
+// True if two axes anywhere on their paths may come nearer than the sum of both thicknesses.
 bool near(const Middle& p, const Middle& q) {
   const double reach = p.thickness + q.thickness + p.spread + q.spread + (p.shift - q.shift).norm();
   const double around = reach + p.around + q.around;
@@ -77,7 +77,7 @@ LineCandidates::LineCandidates(MPI_Comm comm, const LocalMesh& mesh, ContactRadi
   gather();
 }
 
-// Whether the list excludes pairs near a shared place that may touch in the present state.
+// True if the list excludes pairs near a shared place that may touch in the present state.
 bool LineCandidates::shares_less() const {
   for (size_t k = 0; k < within_.size(); ++k)
     if (settings_.shared->within(static_cast<int>(k)) < within_[k]) return true;
@@ -124,7 +124,7 @@ bool LineCandidates::is_in_feeder(int element) const {
   return element < first || element > last;
 }
 
-// Whether it is the element at a feeder's feed point, whose unstretched length differs from that of the mesh.
+// True if it is the element at a feeder's feed point, whose unstretched length differs from that of the mesh.
 bool LineCandidates::at_feeder(int element) const {
   if (inside_.empty()) return false;
   const int line = mesh_.mesh->elements[element].line;
@@ -164,7 +164,7 @@ std::array<Vec3, 4> LineCandidates::axis(const LocalElement& e, const Kinematics
   return BezierAxis::beam(a, tangent(i), b, tangent(j), length).b;
 }
 
-// Whether every axis is within its skin of its predicted place at the fraction `tau` of its path. All axes
+// True if every axis is within its skin of its predicted place at the fraction `tau` of its path. All axes
 // must be at the same fraction, because a pair is excluded by the motion of both: an axis that stopped on its
 // path could be hit by one that follows it.
 bool LineCandidates::holds(const Kinematics& at, double h, double tau) const {
@@ -271,7 +271,7 @@ std::vector<std::pair<int, int>> LineCandidates::search() const {
   return out;
 }
 
-// Whether two elements are excluded regardless of their motion.
+// True if two elements are excluded regardless of their motion.
 bool LineCandidates::never(const SweptAxis& p, const SweptAxis& q) const {
   if (!settings_.excluded.empty() &&
       std::binary_search(settings_.excluded.begin(), settings_.excluded.end(), ordered(p.line, q.line)))

@@ -81,7 +81,7 @@ std::vector<LinePairs::Rod> LinePairs::rods(const Kinematics& at) const {
   return out;
 }
 
-// Whether the surfaces may have met since the start of the step, where their distance was at least `clear`.
+// True if the surfaces may have met since the start of the step, where their distance was at least `clear`.
 bool LinePairs::met(const Pair& p, const std::vector<Rod>& moved) const {
   const auto path = [&](int segment) {
     return std::max((moved[segment].x1 - rods_[segment].x1).norm(),

@@ -83,7 +83,7 @@ LinePairs::Rod LinePairs::rod(const Kinematics& at, int segment) const {
   return {e.x1, e.x2, AxisShape(e).bezier().sagitta()};
 }
 
-// Whether the element has a neighbour at this end on the same line and outside feeders.
+// True if the element has a neighbour at this end on the same line and outside feeders.
 bool LinePairs::joint(int element, int end) const {
   const LineSpan& l = mesh_.mesh->lines[this->element(element).line];
   if (end ? element + 1 >= l.first_element + l.elements : element <= l.first_element) return false;

@@ -47,7 +47,7 @@ Verdict LinePairs::check_step(const Kinematics& trial) const {
   return {};
 }
 
-// Whether an axis passes through the other, or nearly does, from the start of the step to the trial.
+// True if an axis passes through the other, or nearly does, from the start of the step to the trial.
 bool LinePairs::tunnels(const Pair& p, const Kinematics& trial) const {
   const AxisShape a0(start(p.a)), b0(start(p.b)), a1(ends(trial, p.a)), b1(ends(trial, p.b));
   ApproachLimits limits;

@@ -16,7 +16,7 @@ double left_by_inertia(double force, double mass, double acceleration) {
   return force > 0 ? std::clamp(1 - mass * acceleration / force, 0.0, 1.0) : 1;
 }
 
-// Whether a penetrating mass is so slow that its m v² is at most a sixteenth of k d² of the spring. It is
+// True if a penetrating mass is so slow that its m v² is at most a sixteenth of k d² of the spring. It is
 // then pressed in statically and does not bounce.
 bool resting(double stiffness, double depth, double mass, double speed) {
   return stiffness * std::pow(0.25 * depth, 2) >= mass * speed * speed;

@@ -63,7 +63,7 @@ class LineVolumeFinder::Gap {
     if (p) pair_.hint = p->triangle;
     return p;
   }
-  // Whether the axis may touch somewhere: the gap at its middle is less than half the bound of the slope.
+  // True if the axis may touch somewhere: the gap at its middle is less than half the bound of the slope.
   bool may_touch() {
     const double within = kFirst * shape_.slope_bound();
     const auto p = query(0.5, within);

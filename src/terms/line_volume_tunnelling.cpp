@@ -58,7 +58,7 @@ bool LineVolumeContact::is_drawn_in(const Pair& pair, const AxisShape& shape, co
          !is_inside(pair, pair.start.shape, pair.start.pose);
 }
 
-// Whether the element is deeper in the volume than the range of its contact law: the radius of the line, or
+// True if the element is deeper in the volume than the range of its contact law: the radius of the line, or
 // the last row of a table of forces.
 bool LineVolumeContact::is_inside(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const {
   if (!volumes_.has_back(pair.volume)) return false;
@@ -73,7 +73,7 @@ bool LineVolumeContact::is_inside(const Pair& pair, const AxisShape& shape, cons
   });
 }
 
-// Whether the element passes through the volume. Most elements are far away or move by less than their
+// True if the element passes through the volume. Most elements are far away or move by less than their
 // radius. With contact at nodes only the nodes are tested; gap springs have no surface and are not tested. In
 // statics shorter displacements count as well, because a blocked solution advances in small steps.
 bool LineVolumeContact::tunnels(const Pair& pair, const AxisShape& shape, const RigidPose& pose,

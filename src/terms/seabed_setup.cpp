@@ -93,7 +93,7 @@ SeabedTerm::PointLaw law_of(const Share& s, const model::Seabed& bed) {
   return o;
 }
 
-// Whether a node is in the soil. A node where the line leaves the soil is not.
+// True if a node is in the soil. A node where the line leaves the soil is not.
 bool in_soil(const Mesh& mesh, const model::Case& c, int node) {
   const Node& n = mesh.nodes[node];
   if (n.body >= 0) return false;

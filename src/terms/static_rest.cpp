@@ -20,7 +20,7 @@ bool in_lines_or_links(const model::Case& c, int body) {
          }));
 }
 
-// Whether buoyancy and springs alone support the body at rest.
+// True if buoyancy and springs alone support the body at rest.
 bool floats_at_rest(const model::Case& c, const model::BodyMass& m) {
   if (!m.in_water && !m.hull) return false;
   const model::Water& w = c.environment.water;

@@ -77,7 +77,7 @@ T& all_reduce(MPI_Comm comm, MPI_Op op, T& of) {
   return of;
 }
 
-// Whether `here` is true on any rank. Collective.
+// True if `here` is true on any rank. Collective.
 inline bool on_any_rank(MPI_Comm comm, bool here) {
   int yes = here;
   return all_reduce(comm, MPI_MAX, yes) != 0;

@@ -8,7 +8,7 @@ namespace hawser {
 class ShareOfTime {
  public:
   explicit ShareOfTime(double share) : share_(share) {}
-  // Whether enough time has passed since the last run of the task, relative to its cost.
+  // True if enough time has passed since the last run of the task, relative to its cost.
   bool due() const { return share_ * seconds_since(end_) >= cost_; }
   template <class What>
   void spend(const What& what) {

@@ -25,7 +25,7 @@ double solid_angle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 // Sum of the solid angles over 4 pi: 1 inside and 0 outside a closed outward mesh, in between near holes.
 double winding_number(const MeshView& mesh, const Vec3& p);
 
-// Whether no vertex is above the plane of a face by more than `tolerance` [m], so that `tetrahedra` is valid.
+// True if no vertex is above the plane of a face by more than `tolerance` [m], so that `tetrahedra` is valid.
 // Checks the edges of a closed oriented manifold mesh of one piece.
 bool is_convex(const TriangleMesh& mesh, double tolerance = 0);
 

@@ -42,7 +42,7 @@ struct PatchPoint : ClosestPoint {
 // beyond the centres of curvature, else a local one.
 PatchPoint closest_point_on_patch(const Vec3& y, const SmoothPatch& patch);
 
-// Whether this local minimum is known to be global because the squared distance is convex over the patch.
+// True if this local minimum is known to be global because the squared distance is convex over the patch.
 // Along a direction b' of the barycentric coordinates, which moves the point of the flat triangle by w,
 //   (|q - y|²/2)'' = |q'|² + (q - y) . q'',
 //   q' = w + sum (b_i b_j' + b_i' b_j) c_k,  q'' = 2 sum b_i' b_j' c_k

@@ -61,7 +61,7 @@ class Surface {
   virtual void facet_groups(std::span<const Vec3>, double /*reach*/, FacetGroups& out) const {
     out.of.clear();
   }
-  // Whether it is certain that there is at most one; faster.
+  // True if it is certain that there is at most one; faster.
   virtual bool one_facet_group(std::span<const Vec3>, double /*reach*/) const { return true; }
   // query() of a single facet group. A point behind it has no result unless it is inside and the facet group
   // is the nearest of all. either_side: such a point has a negative distance from the facet group.

@@ -89,7 +89,7 @@ struct MeshReport {
   double area = 0;       // m²
   double shortest_edge = 0, longest_edge = 0;  // m
   Box box;
-  // Whether the mesh can be used for signed distances.
+  // True if the mesh can be used for signed distances.
   bool valid() const { return closed && consistently_oriented && outward; }
 };
 MeshReport inspect(const TriangleMesh& mesh);

@@ -22,7 +22,7 @@ class WindingTree {
   // for 3, 1e-3 for 10 (measured on a hull and a sphere). Triangle `without` is excluded.
   double winding_number(const MeshView& mesh, const Vec3& p, double accuracy = 3, int without = -1) const;
 
-  // Whether the winding number exceeds 1/2; evaluated more accurately the nearer it is to 1/2.
+  // True if the winding number exceeds 1/2; evaluated more accurately the nearer it is to 1/2.
   bool inside(const MeshView& mesh, const Vec3& p) const;
 
   // Number of triangles that the ray from p along u intersects, excluding `without`.

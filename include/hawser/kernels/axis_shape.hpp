@@ -51,9 +51,9 @@ class AxisShape {
   Vec3 bend(double xi) const { return combine(second_derivatives(xi), X_); }  // d²x/dxi², m
   Vec3 velocity(double xi) const { return combine(functions(xi), V_); }
   Vec3 velocity_slope(double xi) const { return combine(derivatives(xi), V_); }  // dv/dxi, m/s
-  // Whether the axis is identical to the last bit, regardless of velocities.
+  // True if the axis is identical to the last bit, regardless of velocities.
   bool same_axis(const AxisShape& o) const { return count_ == o.count_ && X_ == o.X_; }
-  // Whether also the velocities and rotations of the ends are identical.
+  // True if also the velocities and rotations of the ends are identical.
   bool same_motion(const AxisShape& o) const {
     return same_axis(o) && V_ == o.V_ && q_[0].coeffs() == o.q_[0].coeffs() &&
            q_[1].coeffs() == o.q_[1].coeffs();

@@ -5,7 +5,7 @@
 
 namespace hawser {
 
-// Whether a point of the axis that was outside comes nearer to the surface than a quarter of the line's
+// True if a point of the axis that was outside comes nearer to the surface than a quarter of the line's
 // radius during the step, and at the end is clear of it again or on another side, where the surface's normal
 // points backwards. Axes in the body's frame. Displacements of at most the radius are not tested, so that
 // steps are never reduced below that, however soft the contact. Pieces of the axis and of its path are

@@ -20,7 +20,7 @@ using AxisGapFunction = FunctionRef<AxisGap(double xi, double within)>;
 
 struct ContactInterval {
   double from = 0, to = 1;
-  // Whether the end is a root of the gap, which moves with the axis, or else an end of the element.
+  // True if the end is a root of the gap, which moves with the axis; false for an end of the element.
   bool from_moves = false, to_moves = false;
 };
 

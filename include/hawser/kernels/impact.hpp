@@ -58,10 +58,10 @@ class ImpactEvent {
 // if speed or acceleration drives the mass deeper than this. mass: kg.
 std::optional<ImpactEvent> impact_event(double inverse_frequency, double significant_depth, double mass,
                                         const Approach& at);
-// Whether an impact is possible at speeds [m/s] and accelerations [m/s²] up to these, in any direction.
+// True if an impact is possible at speeds [m/s] and accelerations [m/s²] up to these, in any direction.
 bool may_impact(double inverse_frequency, double significant_depth, double speed, double acceleration);
 
-// Whether a step of h [s] is short enough for a contact of this inverse frequency [s] that its energy error
+// True if a step of h [s] is short enough for a contact of this inverse frequency [s] that its energy error
 // at the beginning or end of contact is accepted: at most half of the steps that resolve an impact.
 bool resolves_contact(double inverse_frequency, double h);
 
@@ -138,7 +138,7 @@ std::vector<double> energy_tolerance(std::span<const LineMotion> lines);
 double growth_limited_step(std::span<const LineMotion> stored, std::span<const double> energy_tolerance,
                            double share, double last);
 
-// Whether the total error of all ranks is within the tolerance. Collective.
+// True if the total error of all ranks is within the tolerance. Collective.
 bool within_tolerance(std::span<const UnresolvedImpact> impacts, std::span<const double> energy_tolerance,
                       const Sum& sum);
 

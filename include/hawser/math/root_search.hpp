@@ -21,7 +21,7 @@ class RootSearch {
   void fail();             // there is no value at next()
 
   bool bracketed() const { return bracketed_; }
-  // Whether there is no change of sign between the limits, or between points with values.
+  // True if there is no change of sign between the limits, or between points with values.
   bool exhausted() const { return exhausted_; }
   // Width of the bracket.
   double width() const;

@@ -61,7 +61,7 @@ struct LineOwners {
   std::vector<int> uncut;  // this rank owns all nodes
 };
 LineOwners line_owners(const LocalMesh& mesh);
-// Whether this rank owns the first node of a line.
+// True if this rank owns the first node of a line.
 bool owns_line(const LocalMesh& mesh, int line);
 
 // Data that a term keeps for an element, or null; `kept` is sorted as LocalMesh::elements, each with its

@@ -59,7 +59,7 @@ struct Mesh {
   // Node that is the frame of a body of the case: its own, or one of the line it rides on; -1: prescribed
   // motion.
   int frame_node(int body) const;
-  // Whether any body's motion is part of the state.
+  // True if any body's motion is part of the state.
   bool has_frames() const { return line_nodes() < static_cast<int>(nodes.size()) || !rides.empty(); }
   // Node of `line` nearest to arc length s [m from end A].
   int nearest_node(int line, double s) const;

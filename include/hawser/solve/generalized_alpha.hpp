@@ -21,7 +21,7 @@ struct AlphaState {
   std::vector<Mat3> ad;
 };
 
-// Whether any node of the whole mesh rotates. If none does, states in time have no directors. The same on all
+// True if any node of the whole mesh rotates. If none does, states in time have no directors. The same on all
 // ranks.
 bool has_directors(const LocalMesh& mesh);
 

@@ -71,7 +71,7 @@ class StaticTrial {
   double sum(double x) const;
   // Strain energy and potential over all ranks, J.
   double potential(const State& s) const;
-  // Whether the residual is small enough for the exact tangent.
+  // True if the residual is small enough for the exact tangent.
   bool near(const ResidualNorms& n) const;
 
   void push(int attempt, double share, State& s) const;

@@ -23,9 +23,9 @@ class StepControl {
   // it is divided into equal steps. They are not longer than the proposal nor, where terms limit steps, than
   // `allowed` [s].
   double next(double t, double stop, double allowed) const;
-  // Whether the limits of the terms apply.
+  // True if the limits of the terms apply.
   bool respects_term_limits() const { return s_.fixed <= 0 || s_.resolve_impacts; }
-  // Whether a step of h may be repeated with a shorter length because of a condition that only its end shows.
+  // True if a step of h may be repeated with a shorter length because of a condition that only its end shows.
   bool divides(double h) const { return respects_term_limits() && !is_shortest(h); }
   bool is_shortest(double h) const { return h <= s_.shortest * (1 + 1e-9); }
   double shortest_length() const { return s_.shortest; }  // s
@@ -35,7 +35,7 @@ class StepControl {
   // twenty periods, since the ringing decides the next impact. From then on a step at most doubles the last
   // one.
   void follow_impact(double t, double period);
-  // Whether a converged step is accurate enough. A step of the shortest length always is.
+  // True if a converged step is accurate enough. A step of the shortest length always is.
   bool accurate(double h, double error) const;
 
   void accepted(double h, int iterations, double error);

@@ -62,7 +62,7 @@ class Assembler {
   // While this is on, contributions to rows of other ranks are kept and sent to their owners, which do not
   // compute them themselves.
   void send(bool on) { sending_ = on; }
-  // Whether derivatives by a block also act on a frame, so that add_weighted() cannot take them.
+  // True if derivatives by a block also act on a frame, so that add_weighted() cannot take them.
   bool tied(int block) const { return ties_->tied(block); }
   void add_weighted(int a, int b, const Vec6& f, const Mat6& J);
 

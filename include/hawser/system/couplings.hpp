@@ -28,7 +28,7 @@ struct Couplings {
     tidy(nodes);
     tidy(pairs);
   }
-  // Whether all nodes and pairs are also in `o`. Both must be sorted.
+  // True if all nodes and pairs are also in `o`. Both must be sorted.
   bool within(const Couplings& o) const {
     return std::includes(o.nodes.begin(), o.nodes.end(), nodes.begin(), nodes.end()) &&
            std::includes(o.pairs.begin(), o.pairs.end(), pairs.begin(), pairs.end());

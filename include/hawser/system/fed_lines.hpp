@@ -36,7 +36,7 @@ class FedLines {
   const std::vector<FedLine>& fed() const { return fed_; }  // by feeder
   // Entry of the mesh element if it is at a feed point; else null.
   const FedLine* find(int element) const;
-  // Whether an element of the mesh is inside a feeder.
+  // True if an element of the mesh is inside a feeder.
   bool idle(int element) const;
   // Sets the idle flag and the unstretched length of all elements of a term.
   template <class Of>

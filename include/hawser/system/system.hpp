@@ -33,7 +33,7 @@ struct ResidualNorms {
   double round_off = 0, arm = 0;  // N, round-off of the forces; m, lever by which it becomes that of moments
   double span = 1;                // m, length of the line
 
-  // Whether the residual is below `tolerance` times its scale, or within round-off. If nothing bends, the
+  // True if the residual is below `tolerance` times its scale, or within round-off. If nothing bends, the
   // scale of moments is that of forces times a millimetre.
   bool small(double tolerance) const;
   bool finite() const;  // whether neither residual nor scale has overflowed
@@ -86,9 +86,9 @@ class System {
   void spread(State& state) const;
   void spread(std::vector<Vec3>& values) const { exchange_.spread(values); }
   void spread(std::vector<Mat3>& values) const { exchange_.spread(values); }
-  // Whether any nodes on any rank are coupled by more than elements.
+  // True if any nodes on any rank are coupled by more than elements.
   bool coupled() const { return coupled_; }
-  // Whether this rank may compute forces on nodes of other ranks (contact of a line with a floating body).
+  // True if this rank may compute forces on nodes of other ranks (contact of a line with a floating body).
   bool sends() const { return coupled_ && mesh_.mesh->has_frames(); }
   // Checks a converged step or a trial of statics. Returns the most severe verdict of all terms and ranks,
   // the same on all ranks; its finding is on ranks that have it. impacts: also whether the step resolved its

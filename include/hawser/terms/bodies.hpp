@@ -28,7 +28,7 @@ class Bodies {
   void fix_drawn(MPI_Comm comm, const model::Case& c, const Kinematics& start);
 
   int size() const { return static_cast<int>(motions_.size()); }
-  // Whether the motion of the body is an unknown.
+  // True if the motion of the body is an unknown.
   bool floats(int body) const { return body >= 0 && frame(body) >= 0; }
   // Mesh node of a floating body, and its local node (-1: not on this rank).
   int frame(int body) const {

@@ -206,7 +206,7 @@ class BodyContactTerm final : public ForceTerm,
   double friction_power(const Pair& pair) const;
   // Sends the slip of pairs of two floating bodies from the rank of the first body to that of the second.
   void share_slip();
-  // Whether a ball, in the frame of a volume, may be nearer to the volume's surface than `gap` [m].
+  // True if a ball, in the frame of a volume, may be nearer to the volume's surface than `gap` [m].
   bool near(size_t volume, const Vec3& centre, double radius, double gap) const;
   bool tunnels(const Pair& pair, const Kinematics& trial) const;
   // Step limits, in body_contact_step_limits.cpp. Largest natural frequency of the bodies on the springs of

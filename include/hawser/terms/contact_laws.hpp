@@ -32,7 +32,7 @@ inline ContactSpring contact_spring(const NormalLaw& law, double mass, double ra
 
 // Limits a step so that no point of a line penetrates a surface deeper than half its radius [m].
 void limit_depth(double radius, const Approach& at, ImpactEvents& to);
-// Whether this limit can apply to a point with a gap of at least `gap` [m] at this speed [m/s].
+// True if this limit can apply to a point with a gap of at least `gap` [m] at this speed [m/s].
 inline bool may_limit_depth(double radius, double gap, double speed, const ImpactEvents& to) {
   return speed * to.most > (1 - 1e-9) * (std::max(gap, 0.0) + 0.5 * radius);
 }

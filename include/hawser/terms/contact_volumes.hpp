@@ -77,7 +77,7 @@ class ContactVolumes {
   // Poses of all bodies that carry volumes, indexed by body(volume).
   std::vector<RigidPose> poses(const Kinematics& at) const;
   size_t body(int volume) const { return static_cast<size_t>(at(volume).body + 1); }
-  // Whether the volume's body floats, so that the reaction acts on the body.
+  // True if the volume's body floats, so that the reaction acts on the body.
   bool floats(int volume) const { return bodies_->floats(at(volume).body); }
   FloatingFrame floating_frame(int volume, const Kinematics& at) const;
   // Lists the pairs of elements and floating bodies that may touch. thickest: largest radius on this rank, m.
@@ -109,7 +109,7 @@ class ContactVolumes {
   bool revert_raise();
   void commit_raise() { committed_ = stiffnesses(); }
   bool raised(int volume) const { return settings(volume).normal_stiffness != stiffness(volume); }
-  // Whether a line could pass through the volume and leave on its far side; false for a plane.
+  // True if a line could pass through the volume and leave on its far side; false for a plane.
   bool has_back(int volume) const;
   // Largest penetration for which the volume's law holds, m: the line's radius, or the last row of a force
   // table.

@@ -82,7 +82,7 @@ class LineCandidates {
   // distances along lines from shared places count from the feeders. Returns true if the numbers have
   // changed: update() will then change the pairs.
   bool set_elements_in_feeders(std::vector<std::array<int, 2>> inside);
-  // Whether an element is inside a feeder.
+  // True if an element is inside a feeder.
   bool is_in_feeder(int element) const;
 
   // Rebuilds the list if it is not valid for the next step h [s] from the committed motion (h = 0: no motion
@@ -92,7 +92,7 @@ class LineCandidates {
   void couple(Couplings& to) const;
   // Finds the local nodes of the segments. Throws std::logic_error if one is not on this rank.
   void locate();
-  // Whether the list is valid for this motion of this rank's elements, so that no pair is missed. Local.
+  // True if the list is valid for this motion of this rank's elements, so that no pair is missed. Local.
   bool covers(const Kinematics& trial) const;
   // Makes the next update() rebuild the list.
   void forget() { outdated_ = true; }

@@ -131,7 +131,7 @@ class LinePairs final : public ForceTerm,
     std::unique_ptr<ContactPoints> points;  // null: no contact
     std::unique_ptr<Trial> trial;           // null: not evaluated in this step
   };
-  // Whether the elements share a place with a length without contact, so that the distance of their chords
+  // True if the elements share a place with a length without contact, so that the distance of their chords
   // does not indicate contact.
   static bool clipped(const Pair& p) {
     return p.part_a[0] > 0 || p.part_a[1] < 1 || p.part_b[0] > 0 || p.part_b[1] < 1;

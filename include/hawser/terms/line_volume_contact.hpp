@@ -142,7 +142,7 @@ class LineVolumeContact final : public ForceTerm,
   bool tunnels(const Pair& pair, const AxisShape& shape, const RigidPose& pose, bool rests) const;
   bool is_drawn_in(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
   bool is_inside(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
-  // Whether stiffness cannot reduce the penetration of this element because one of its ends is held. With
+  // True if stiffness cannot reduce the penetration of this element because one of its ends is held. With
   // contact at nodes, held ends are excluded from contact.
   bool is_held(const Pair& p) const { return !finder_.at_nodes() && (p.held[0] || p.held[1]); }
   double static_share(const Pair& pair, const Kinematics& at, double force, double depth,

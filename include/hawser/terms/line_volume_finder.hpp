@@ -27,7 +27,7 @@ class LineVolumeFinder {
   // Contact of the pair in a trial. The result is stored, because residual, tangent and commit() need the
   // same one.
   const ContactQuadrature& find(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
-  // Whether the axis certainly does not touch; the stored contact is then cleared.
+  // True if the axis certainly does not touch; the stored contact is then cleared.
   bool clear(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
   static bool is_clear(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose);
   // Radius [m] of the tube about the axis at the start of the step that is free of contact.
@@ -35,7 +35,7 @@ class LineVolumeFinder {
   // Queries the surface, or one facet group of it, for the point xi of a pair, which is at y.
   std::optional<SurfacePoint> query(const LineVolumePair& pair, int group, double xi, const Vec3& y,
                                     double within, bool either_side = false) const;
-  // Whether contact is possible at this point of a pair.
+  // True if contact is possible at this point of a pair.
   bool takes_part(const LineVolumePair& pair, double xi) const;
   GapSpring spring_at(int volume, const Vec3& y, double contact_distance) const;
 
@@ -44,7 +44,7 @@ class LineVolumeFinder {
   // request.
   ContactStart start(const LineVolumePair& pair, int group, double xi, ContactRates* rates = nullptr) const;
 
-  // Whether only one facet group of the volume can be reached while the element moves by `motion` [m] from
+  // True if only one facet group of the volume can be reached while the element moves by `motion` [m] from
   // the start of the step.
   bool one_facet_group(const LineVolumePair& pair, double motion) const;
   // Facet groups within the contact distance plus `ahead` [m] at the start of the step.

@@ -36,7 +36,7 @@ class LinesInWater final : public ForceTerm,
 
   void scale_current(double factor) override { sea_.current_scale = factor; }
 
-  // Whether the water moves anywhere.
+  // True if the water moves anywhere.
   bool moving() const { return !sea_.calm(); }
   bool has_waves() const { return !sea_.waves.none(); }
   bool has_current() const { return !sea_.current.none(); }

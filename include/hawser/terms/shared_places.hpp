@@ -75,7 +75,7 @@ class SharedPlaces {
     int place = 0;
     std::array<double, 2> one, other;
   };
-  // Whether what(found) is true for any place between two elements.
+  // True if what(found) is true for any place between two elements.
   template <class What>
   bool any_between(int element, int second, const What& what) const;
   // Shortens the parts [from, to] of two elements by their lengths without contact with each other.

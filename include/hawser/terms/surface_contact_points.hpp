@@ -65,7 +65,7 @@ struct AxisBeside {
   AxisShape shape = no_axis();
   RigidPose pose;
 
-  // Whether the positions are equal, regardless of velocities.
+  // True if the positions are equal, regardless of velocities.
   bool same_configuration(const AxisShape& s, const RigidPose& p) const {
     return known && shape.same_axis(s) && pose.position == p.position &&
            pose.rotation.coeffs() == p.rotation.coeffs();
