@@ -22,7 +22,7 @@ namespace {
 struct Range {
   std::string_view path;  // '*': names of the user's choice; []: list entries
   double least, most;
-  const char* of;  // what lies in the range
+  const char* of;  // quantities in the range, for the message
 };
 
 // Currents: tidal streams of narrows have 5 m/s (Pentland Firth), ocean currents 2.5. Waves: hs of 20 m and

@@ -93,7 +93,7 @@ Dynamics::Moved FeederNodes::leaving(const Feeder& f, const Kinematics& k, const
   m.v = k.v[j] + share * (flow.velocity - k.v[j]);
   m.a = k.a[j] + share * (a - k.a[j]);
   if (f.beam) {
-    // Of the material: frames rotate along the bent line, and the outgoing material moves along it.
+    // Material rates: frames rotate along the bent line, and the outgoing material moves along it.
     const Vec3 turn = log_so3(k.q[j].conjugate() * k.q[i]),
                flows = -(feed_point.speed / feed_point.length) * turn;
     const double towards = (f.at_b ? 1 : -1) * flow.chord.norm();

@@ -49,7 +49,7 @@ volumes:
 constexpr const char* kCrate = "box: {centre: [0, 0, 0], size: [1, 0.6, 0.4]}";
 constexpr const char* kBar = "capsule: {from: [0, 0, 0], to: [1, 0, 0], radius: 0.2}";
 
-// Of two volumes the lowest coefficient counts.
+// Contact between two volumes uses the lowest coefficient.
 TEST(CaseContact, FrictionBetweenBodies) {
   const auto between = [](const std::string& slope, const std::string& load) {
     const auto pairs =

@@ -1,4 +1,4 @@
-// Tables of wind and current on bodies: conventions of their angles, sides that are made, what is refused.
+// Tables of wind and current on bodies: conventions of angles, mirrored sides, refusals.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -144,7 +144,7 @@ TEST(RigidBody, MassMatrixOfARigidBody) {
   EXPECT_LT((found.centre - body.centre).norm(), 1e-14);
   EXPECT_LT((found.tensor() - body.tensor()).norm(), 1e-13);
   EXPECT_LT(found.coupled.norm(), 1e-13);
-  // Of surge, heave and yaw about the origin, by hand.
+  // Surge, heave and yaw about the origin, by hand.
   const Mat6 M = model::whole_mass(body, Vec3::Zero());
   EXPECT_NEAR(M(0, 4), 3 * 1.1, 1e-14);
   EXPECT_NEAR(M(2, 3), 3 * -0.7, 1e-14);

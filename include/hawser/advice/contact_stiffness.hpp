@@ -18,8 +18,8 @@ struct StiffnessReason {
   bool penetration_given = false;  // penetration given by the case
 };
 
-// Chosen normal stiffness [N/m per m] and its reason; bounce: period [s] of a contact bounce that steps of
-// `step` [s] do not resolve, 0: resolved.
+// Chosen normal stiffness [N/m per m] and its reason; bounce: duration [s] of a bounce on it if steps of
+// `step` [s] do not resolve it, else 0.
 std::string chosen_stiffness(const std::string& volume, double stiffness, const StiffnessReason& reason,
                              double bounce, double step);
 // from, to: N/m per m; when: "in statics" or the like.

@@ -14,7 +14,7 @@ std::string folded_peak(const std::string& line, const FoldedPeak& at);
 
 // Peak of an impact.
 struct ImpactPeak {
-  enum class Cause { steps, elements, crosswise, damping };  // what does not resolve it
+  enum class Cause { steps, elements, crosswise, damping };  // reason why it is not resolved
   Cause cause = Cause::steps;
   double tension = 0, time = 0, arc = 0;  // N, s, m
   double step = 0;                        // s, step at the peak
