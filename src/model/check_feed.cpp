@@ -108,10 +108,11 @@ void check_speed_table(const Feed& f, const Issues& issue) {
 }
 
 // Checks other items of the line that cannot enter a feeder.
-void check_surroundings(const Case& c, const Line& line, const End& end, const Issues& issue) {
-  const Vec3 place = end_position(c, end);
+void check_surroundings(const Case& c, const Line& line, bool at_b, const Issues& issue) {
+  const Vec3 place = end_position(c, line.end(at_b));
+  const Section& fed = at_b ? line.sections.back() : line.sections.front();
   if (c.environment.seabed.present &&
-      height_above_bed(c.environment.seabed, place) < c.line_type(line.sections.front().type).outer_diameter)
+      height_above_bed(c.environment.seabed, place) < c.line_type(fed.type).outer_diameter)
     issue("", "the feeder is on the seabed or below it, where what is inside would lie; put it above");
   if (!line.buried.empty()) issue("", "a line with 'buried' stretches cannot be fed");
   if (line.target) issue("", "a line with a 'target' cannot be fed: give the length that meets it");
@@ -187,7 +188,7 @@ void check_feed(const Case& c, const Line& line, bool at_b, const Issues& all) {
             "a mass or buoy at arc length {:g} m is inside the feeder at the start, and only those outside "
             "can be; they must not be hauled in either",
             m.at);
-  check_surroundings(c, line, end, issue);
+  check_surroundings(c, line, at_b, issue);
 }
 
 }  // namespace hawser::model

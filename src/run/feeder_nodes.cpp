@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <vector>
 
 #include "hawser/advice/lengths.hpp"
 #include "hawser/advice/restart.hpp"
@@ -33,14 +34,24 @@ double of_all(MPI_Comm comm, bool known, double value) {
 
 void FeederNodes::agree() {
   if (!sim_.feeders()) return;
-  const MPI_Comm comm = sim_.system().comm();
+  std::vector<Feeder*> by_tension;
+  std::vector<double> values;  // four for each of them
   for (Feeder& f : sim_.feeders()->list()) {
     if (!f.feed.speed.empty()) continue;
-    const bool known = sim_.feeders()->at_feed_point(f) != nullptr;
-    f.length = of_all(comm, known, f.length);
-    f.speed = of_all(comm, known, f.speed);
-    f.length_rate = of_all(comm, known, f.length_rate);
-    f.resting = of_all(comm, known, f.resting) > 0.5;
+    by_tension.push_back(&f);
+    if (sim_.feeders()->at_feed_point(f))
+      values.insert(values.end(), {f.length, f.speed, f.length_rate, f.resting ? 1.0 : 0.0});
+    else
+      values.insert(values.end(), 4, -HUGE_VAL);
+  }
+  if (by_tension.empty()) return;
+  all_reduce(sim_.system().comm(), MPI_MAX, values);
+  for (size_t k = 0; k < by_tension.size(); ++k) {
+    Feeder& f = *by_tension[k];
+    f.length = values[4 * k];
+    f.speed = values[4 * k + 1];
+    f.length_rate = values[4 * k + 2];
+    f.resting = values[4 * k + 3] > 0.5;
   }
 }
 

@@ -9,7 +9,7 @@
 namespace hawser::run {
 
 struct RunOptions {
-  std::string case_path;
+  std::string case_path{};
   std::string output;                // results file that replaces the case's
   std::string restart;               // results file whose newest checkpoint is continued
   std::string options_text;          // PETSc options, for the record
@@ -22,7 +22,7 @@ struct RunOptions {
 int run(MPI_Comm comm, const RunOptions& options);
 
 struct CheckOptions {
-  std::string case_path;
+  std::string case_path{};
   int ranks = 0;                       // of the partition that is printed; 0: those of the communicator
   bool trial = true;                   // run the beginning of the case for some seconds
   std::vector<std::string> changes{};  // of the case, KEY=VALUE each
