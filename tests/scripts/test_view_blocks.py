@@ -178,6 +178,20 @@ class Models(unittest.TestCase):
         low, high = Model(Results(path)).extent
         self.assertEqual((low[2], high[1]), (-150, 7))
 
+    def test_a_model_without_lines_is_as_large_as_its_bodies_and_volumes(self):
+        path = large(self.folder.name, 3, 5, "bodies.h5")
+        with h5py.File(path, "r+") as file:
+            for name, shape in (("lines/name", (0,)), ("lines/first_node", (0,)), ("lines/nodes", (0,)), ("nodes/arc_length", (0,)), ("fields/position", (3, 0, 3))):
+                kind = file[name].dtype
+                del file[name]
+                file[name] = np.zeros(shape, kind)
+            file["bodies/name"] = [b"ship"]
+            file["bodies/position"] = [[[10.0, 20, 30]], [[40.0, 20, 30]], [[70.0, 20, 30]]]
+            file["bodies/rotation"] = np.tile([1.0, 0, 0, 0], (3, 1, 1))
+        model = Model(Results(path))
+        np.testing.assert_array_equal(model.extent, [[10, 20, 30], [70, 20, 30]])
+        np.testing.assert_array_equal(model.centre, [40, 20, 30])
+
     def test_what_stands_in_a_page_cannot_end_its_script(self):
         embedded_text = embedded.json_of({"title": "</script><!-- x", "low": float("nan"), "n": np.int64(3)})
         self.assertNotIn("</", embedded_text)

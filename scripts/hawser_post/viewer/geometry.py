@@ -34,8 +34,8 @@ def radii(results):
 
 
 def extent(results, rows, most=40):
-    """Smallest and largest coordinates of the lines at up to `most` of these outputs, and of nearby volumes and
-    bodies."""
+    """Smallest and largest coordinates of the lines at up to `most` of these outputs, and of volumes and bodies near
+    them; of all volumes and bodies if there are no lines."""
     low, high = np.full(3, np.inf), np.full(3, -np.inf)
     rows = list(rows)
     sample = {rows[int(k)] for k in np.linspace(0, len(rows) - 1, min(most, len(rows)))}
@@ -44,12 +44,16 @@ def extent(results, rows, most=40):
         x = x[np.isfinite(x).all(axis=-1)]
         if len(x):
             low, high = np.minimum(low, x.min(axis=0)), np.maximum(high, x.max(axis=0))
-    reach = 0.75 * (high - low).max() if len(results.lines) else np.inf
+    lines = low, high
+    near = 0.75 * (high - low).max() if np.all(np.isfinite(low)) else None
     others = [x for _, x, _ in results.volumes(0)] + [results.file["bodies/position"][row] for row in sample if results.bodies]
     for x in others:
         x = x[np.isfinite(x).all(axis=-1)]
         if len(x):
-            low, high = np.minimum(low, np.maximum(x.min(axis=0), low - reach)), np.maximum(high, np.minimum(x.max(axis=0), high + reach))
+            first, last = x.min(axis=0), x.max(axis=0)
+            if near is not None:
+                first, last = np.maximum(first, lines[0] - near), np.minimum(last, lines[1] + near)
+            low, high = np.minimum(low, first), np.maximum(high, last)
     if not np.all(np.isfinite(low)):
         low, high = np.full(3, -1.0), np.full(3, 1.0)
     return low, high

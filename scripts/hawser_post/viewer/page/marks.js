@@ -43,13 +43,15 @@ hawser.Marks = class {
 
   // Arrows of the forces of one kind: their drawings, and those of an output.
   arrowsOf(kind) {
-    const paint = new THREE.MeshBasicMaterial({color: ARROW_COLOURS[kind]});
+    // Forces between bodies act inside of what they press on: they are seen through it, as touchdown points are through the bed.
+    const paint = new THREE.MeshBasicMaterial({color: ARROW_COLOURS[kind], depthTest: kind !== "forces"});
     const shaft = new THREE.CylinderBufferGeometry(0.018, 0.018, 0.75, 6).translate(0, 0.375, 0);
     const head = new THREE.ConeBufferGeometry(0.06, 0.25, 8).translate(0, 0.875, 0);
     const meshes = [shaft, head].map((geometry) => {
       const mesh = new THREE.InstancedMesh(geometry, paint, MOST_ARROWS);
       mesh.frustumCulled = false;
       mesh.count = 0;
+      if (!paint.depthTest) mesh.renderOrder = 1;
       this.root.add(mesh);
       return mesh;
     });
