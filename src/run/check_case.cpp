@@ -34,8 +34,9 @@
 namespace hawser::run {
 namespace {
 
-constexpr double kTrial = 4;  // CPU s of the trial run
-constexpr double kLeast = 1;  // CPU s of it for motion after a length search used the rest
+constexpr double kTrial = 4;                 // CPU s, of the trial run
+constexpr double kLeast = 1;                 // CPU s of it, that motion has where a search took the rest
+constexpr double kOfNode = 2 * sizeof(int);  // bytes, of the owner and the number of a node on every rank
 
 struct TrialOver {};  // thrown when a search has used its share of the trial run
 
@@ -128,30 +129,43 @@ int check_case(MPI_Comm comm, const CheckOptions& options) {
     return 0;
   }
   MemoryUse memory{.read = peak_memory()};
-  const Mesh mesh = build_mesh(c);
-  const Bodies bodies(c.bodies);
-  const bool starts_outside = check_start(c, mesh, bodies, surfaces(volumes));
-  const double imbalance = print_partition(c, mesh, bodies, ranks);
-  memory.shared = peak_memory();
-  Simulation sim(MPI_COMM_SELF, c, surfaces(volumes), skeletons(c, volumes), volume_facets(volumes));
-  if (options.verbose)
+  io::RunInfo about = run_info(MPI_COMM_SELF, c, "");
+  bool starts_outside = true;
+  double imbalance = 1;
+  {
+    const Mesh mesh = build_mesh(c);
+    const Bodies bodies(c.bodies);
+    starts_outside = check_start(c, mesh, bodies, surfaces(volumes));
+    imbalance = print_partition(c, mesh, bodies, ranks);
+    forget_file(c);
+    give_back_memory();
+    memory.shared = memory_now() + kOfNode * static_cast<double>(mesh.nodes.size());
+  }
+  const double before = peak_memory();
+  std::vector<BodySkeleton> of_bodies = skeletons(c, volumes);
+  Simulation sim(MPI_COMM_SELF, std::move(c), surfaces(volumes), std::move(of_bodies),
+                 volume_facets(volumes));
+  const model::Case& checked = sim.model();
+  if (verbose)
     for (const std::string& d : sim.details()) fmt::print("detail: {}\n", d);
   fmt::print("{}\n", advice::case_is_valid(starts_outside));
   std::fflush(stdout);
-  record::Recorder recorder(sim.subject(surfaces(volumes)), volume_meshes(c, volumes),
-                            run_info(MPI_COMM_SELF, c, ""), nullptr, false, false);
+  record::Recorder recorder(sim.subject(surfaces(volumes)), volume_meshes(checked, volumes), std::move(about),
+                            nullptr, false, false);
   TrialRun tried;
   double checkpoint = planned_numbers(sim, recorder);
-  if (options.trial) {
-    tried = print_trial(sim, c, std::max(kTrial - searched, kLeast));
-    memory.measured = peak_memory();
+  if (trial) {
+    tried = print_trial(sim, checked, std::max(kTrial - searched, kLeast));
+    // The search for neighbours and the partition may have taken more than all that follows.
+    memory.moved = tried.moved;
+    memory.measured = peak_memory() > before ? peak_memory() : memory_now();
     fmt::print("{}\n", memory_sentence(memory, imbalance / ranks));
     if (tried.moved)
       checkpoint = io::checkpoint_numbers(make_checkpoint(sim, recorder, Events(MPI_COMM_SELF, sim)));
   }
   const io::ResultsSize size =
-      io::results_size(recorder.contents(), record::expected_rows(c, tried.steps, checkpoint));
-  fmt::print("{}\n", size_sentence(size, std::filesystem::path(c.output.file).parent_path().string()));
+      io::results_size(recorder.contents(), record::expected_rows(checked, tried.steps, checkpoint));
+  fmt::print("{}\n", size_sentence(size, std::filesystem::path(checked.output.file).parent_path().string()));
   return 0;
 }
 

@@ -2,11 +2,13 @@
 #include "hawser/run/cost.hpp"
 
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -129,12 +131,17 @@ double peak_memory() {
   return 1024.0 * static_cast<double>(use.ru_maxrss);
 }
 
+double memory_now() {
+  long pages = 0, resident = 0;  // as Linux counts them
+  if (std::ifstream("/proc/self/statm") >> pages >> resident)
+    return static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  return peak_memory();
+}
+
 std::string memory_sentence(const MemoryUse& use, double most_of_work) {
-  constexpr double kRun = 1.3;  // memory of a run relative to its beginning, excluding the files
-  const double whole = kRun * (use.measured - use.read);
-  const double own = kRun * (use.measured - use.shared) * most_of_work;
-  const bool several = most_of_work < 1;
-  return advice::expected_memory(several ? use.shared + own : use.read + whole, several);
+  constexpr double kStill = 1.3;  // what motion takes over what statics takes
+  const double own = (use.moved ? 1 : kStill) * (use.measured - use.shared) * most_of_work;
+  return advice::expected_memory(std::max(use.read, use.shared + own), most_of_work < 1);
 }
 
 }  // namespace hawser::run

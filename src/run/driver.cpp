@@ -11,9 +11,6 @@
 #include <memory>
 #include <optional>
 #include <utility>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 #include "hawser/advice/run.hpp"
 #include "hawser/base/error.hpp"
@@ -21,7 +18,6 @@
 #include "hawser/base/share_of_time.hpp"
 #include "hawser/io/case_json.hpp"
 #include "hawser/io/case_reader.hpp"
-#include "hawser/model/schema.hpp"
 #include "hawser/record/output_times.hpp"
 #include "hawser/record/recorder.hpp"
 #include "hawser/run/events.hpp"
@@ -56,21 +52,6 @@ class Stage {
   }
   ~Stage() { PetscLogStagePop(); }
 };
-
-// A run reads no value of the case file again: of its tree it needs lines for messages, and what a restart
-// compares.
-void forget_file(model::Case& c) {
-  c.text = std::string();
-  if (c.tree) c.tree = std::make_shared<model::Value>(model::without_values(*c.tree));
-}
-
-// Statics has a pair for every element and volume that may meet, motion a few of them. MPI libraries tell
-// malloc to keep what is freed, which would be gigabytes of a long line on many rollers.
-void give_back_memory() {
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
-}
 
 void print_remarks(record::Recorder& recorder, Progress& progress) {
   progress.print_warnings(recorder.remarks());
@@ -274,7 +255,8 @@ int run(MPI_Comm comm, const RunOptions& options) {
       if (made) finish_failed(*made, progress, e);
       throw;
     }
-    give_back_memory();
+    give_back_memory();  // statics has a pair for every element and volume that may meet, motion a few of
+                         // them
   }
 
   record::Recorder& recorder = recorder_of();

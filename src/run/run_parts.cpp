@@ -6,6 +6,10 @@
 #include <fmt/ranges.h>
 
 #include <ctime>
+#include <memory>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "hawser/advice/run.hpp"
 #include "hawser/advice/statics.hpp"
@@ -14,6 +18,7 @@
 #include "hawser/io/case_json.hpp"
 #include "hawser/model/farm.hpp"
 #include "hawser/model/notes.hpp"
+#include "hawser/model/schema.hpp"
 #include "hawser/run/events.hpp"
 #include "hawser/run/targets.hpp"
 #include "hawser/run/version.hpp"
@@ -107,6 +112,17 @@ StaticsReport solve_statics(Simulation& sim, Events& events, Progress& progress,
     throw;
   }
   return last;
+}
+
+void forget_file(model::Case& c) {
+  std::string().swap(c.text);  // an empty text that is assigned keeps the room
+  if (c.tree) c.tree = std::make_shared<model::Value>(model::without_values(*c.tree));
+}
+
+void give_back_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
 }
 
 io::ReadProgress read_progress(Progress& progress) {

@@ -1,6 +1,7 @@
-"""MPI calls of a run do not grow with the lines of a farm or the ranks; a restart reads only its own share."""
+"""What a run asks of MPI does not grow with the lines of a farm, nor with the ranks; restarts and memory by own shares."""
 import os
 import re
+import statistics
 import sys
 import tempfile
 import unittest
@@ -20,6 +21,8 @@ MOST_OF_OUTPUT = 60  # collective calls
 MOST_OF_RUN = 900  # collective calls of the start, statics and one of everything
 REST_OF_FILE = 100000  # bytes that a rank may read of a results file besides its share: names, headers, the counter of an output
 ELEMENT = 208  # bytes of an element that ranks exchange
+FINE = 600  # elements of the lines of which the memory for a node is measured
+MOST_OF_LINE, MOST_OF_NODE = 6500, 200  # bytes that every rank has of each, wherever it is
 
 
 @unittest.skipIf("ASAN_OPTIONS" in os.environ, "the sanitizers must be loaded first")
@@ -38,6 +41,28 @@ class Counts(unittest.TestCase):
                         cls.index.setdefault(lines, []).append(cls.size(Path(folder) / "case.h5", "/checkpoint/0/index"))
                         cls.found.setdefault((lines, ranks), []).append(counts)
 
+    def test_memory(self):
+        """Of lines and nodes that are others' a rank has little. What it has by all of them is r + s/ranks for each: the
+        peaks of four and of eight ranks tell r from the own share s."""
+        def on_all(few, many, more):
+            growth = {ranks: (many[ranks] - few[ranks]) / more for ranks in (4, 8)}
+            return 2 * growth[8] - growth[4]
+
+        with tempfile.TemporaryDirectory() as folder:
+            def peaks(lines, elements):
+                case = Path(folder) / "case.yaml"
+                case.write_text(farm.farm(lines, elements, 0.1, 0.1, 0.1), "utf-8")
+                counts = {ranks: farm.counted_by_rank(HAWSER, COUNTER, ranks, case, folder) for ranks in (4, 8)}
+                # The first rank writes descriptions, too.
+                return {ranks: statistics.median(c["Memory"][1] for c in all[1:]) for ranks, all in counts.items()}
+
+            few, many, fine = peaks(FEW, 3), peaks(MANY, 3), peaks(FEW, FINE)
+        node = on_all(few, fine, FEW * (FINE - 3))
+        line = on_all(few, many, MANY - FEW) - 4 * node
+        print(f"every rank has {line:.0f} B of a line and {node:.0f} B of a node of others")
+        self.assertLess(line, MOST_OF_LINE)
+        self.assertLess(node, MOST_OF_NODE)
+
     def test_a_restart(self):
         """A rank reads its own data, and as much again for the checksum, and receives none from others."""
         with tempfile.TemporaryDirectory() as folder:
@@ -54,6 +79,18 @@ class Counts(unittest.TestCase):
                         copied = rest.stat().st_size if rank == 0 else 0  # of the new file, when it is trimmed
                         self.assertLess(each["pread"][1] - copied, 2.02 * whole / ranks + REST_OF_FILE)
                         self.assertLess(each["Bcast"][1], REST_OF_FILE)
+
+    def test_going_on_in_the_same_file(self):
+        """It reads the checkpoint no more often than a run that goes on in another file."""
+        ranks = 2
+        with tempfile.TemporaryDirectory() as folder:
+            case, results = Path(folder) / "case.yaml", Path(folder) / "case.h5"
+            case.write_text(farm.farm(MANY, 3, 0.2, 0.1, 0.1), "utf-8")
+            farm.run(HAWSER, ranks, case, options=["--stop-at", "0.1"])
+            whole = 8 * max(self.checkpoint_numbers(results, slot) for slot in (0, 1))
+            counts = farm.counted_by_rank(HAWSER, COUNTER, ranks, case, folder, ["--restart", str(results)])
+            self.assertGreater(counts[1]["pread"][1], 1.9 * whole / ranks)
+            self.assertLess(counts[1]["pread"][1], 2.02 * whole / ranks + REST_OF_FILE)
 
     @staticmethod
     def checkpoint_numbers(results, slot):

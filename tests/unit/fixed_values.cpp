@@ -1,4 +1,5 @@
-// Values of a case that a restart compares with those of the checkpoint.
+// Which values of a case a restart compares with those of the checkpoint.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -74,7 +75,7 @@ void each(const model::Value& v, const What& what) {
 
 // The tree without what a run does not read still has the lines of messages and what a restart compares.
 TEST(FixedValues, AndLinesOfKeysSurviveInATreeWithoutValues) {
-  for (const char* name : {"reel", "lift", "parted-mooring", "lazy-wave", "fenders", "winch"}) {
+  for (const char* name : {"reel", "hanging-line", "parted-mooring", "lazy-wave", "fenders", "winch"}) {
     const model::Case c =
         io::read_case(std::string(HAWSER_SOURCE_DIR) + "/cases/" + name + "/" + name + ".yaml");
     const model::Value less = model::without_values(*c.tree);
@@ -96,10 +97,12 @@ TEST(FixedValues, KeepOneEntryOfALineInOneRow) {
   std::string text =
       "hawser: 1\nline_types: {chain: {outer_diameter: 0.1, mass_per_length: 30, EA: 1e8, bending: "
       "false}}\nlines:\n";
-  for (const char* name : {"a", "b", "c", "d", "e", "f"})
-    text += std::string("  ") + name +
-            ": {sections: [{type: chain, length: 100, elements: 10}], end_a: {anchor: [0, 5, 0]}, end_b: "
-            "{anchor: [90, 5, 0]}}\n";
+  for (int k = 0; k < 6; ++k)
+    text += fmt::format(
+        "  line {0}: {{sections: [{{type: chain, length: 100, elements: 10}}], end_a: {{anchor: [0, {0}0, "
+        "0]}}, "
+        "end_b: {{anchor: [90, {0}0, 0]}}}}\n",
+        k);
   int kept = 0;
   each(model::without_values(*io::read_case_text(text, "rows.yaml").tree),
        [&](const model::Value&) { ++kept; });

@@ -36,15 +36,17 @@ std::string cost_sentence(const TrialRun& trial);
 // exceeds the free space of the folder's disk.
 std::string size_sentence(const io::ResultsSize& size, const std::string& folder);
 
-// Peak memory of this process so far, bytes.
+// Bytes: the most that this process has had in memory so far, and what it has.
 double peak_memory();
-// peak_memory() on one rank: after the files were read, with the data that every rank has (mesh, owners,
-// start shapes for the search of neighbours), and after trial_run().
+double memory_now();
+// Bytes on one rank: the most by the time that the files were read; what every rank of several keeps of all
+// lines (the case, the mesh, its owners); and the most in trial_run() with all of that.
 struct MemoryUse {
   double read = 0, shared = 0, measured = 0;
+  bool moved = true;  // as in TrialRun
 };
-// "expected memory: about 0.9 GB", or that of the rank with the largest fraction `most_of_work` of the work;
-// 1: single rank. Adds the memory for rows of results.
+// "expected memory: about 0.9 GB", or of the rank with most of the work, a share of all; 1: there is one
+// rank.
 std::string memory_sentence(const MemoryUse& use, double most_of_work);
 
 }  // namespace hawser::run

@@ -35,6 +35,11 @@ model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<Loa
 StaticsReport solve_statics(
     Simulation& sim, Events& events, Progress& progress,
     const std::function<void(size_t)>& rested = [](size_t) {});
-io::ReadProgress read_progress(Progress& progress);  // progress must outlive it
+// Of a case that a run does not read again: its text goes, and its tree but for the lines of messages and
+// what a restart compares.
+void forget_file(model::Case& c);
+// MPI libraries tell malloc to keep what is freed, which can be gigabytes.
+void give_back_memory();
+io::ReadProgress read_progress(Progress& progress);  // which must live as long
 
 }  // namespace hawser::run

@@ -2,16 +2,14 @@
 // of each function on communicators of several ranks. Rank r writes them to $HAWSER_MPI_COUNTS.r when MPI
 // ends, a line a function: name, calls, bytes. Bytes are those that this rank hands in, or gets where it
 // hands in nothing. What a rank reads from files on its own by pread(), as HDF5 does without MPI, is counted
-// likewise. `OwnMemory` is no function: the most memory (resident) that the rank had, without what it shared
-// with others by then, bytes.
+// likewise. `Memory` is no function: the most that was resident of this rank, bytes.
 #include <dlfcn.h>
 #include <mpi.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <map>
 #include <string>
 
@@ -38,25 +36,10 @@ void add(const char* name, double bytes) {
   c.bytes += bytes;
 }
 
-// Bytes, by a line of /proc/self/status.
-double memory(const char* name) {
-  double found = 0;
-  if (std::FILE* in = std::fopen("/proc/self/status", "r")) {
-    const std::size_t length = std::strlen(name);
-    for (char line[256]; std::fgets(line, sizeof line, in);)
-      if (std::strncmp(line, name, length) == 0) found = 1024 * std::strtod(line + length, nullptr);
-    std::fclose(in);
-  }
-  return found;
-}
-double shared = 0;  // the most that there was at one of the calls
-
 void add(const char* name, MPI_Comm comm, double bytes) {
   int ranks = 1;
   PMPI_Comm_size(comm, &ranks);
-  if (ranks == 1) return;
-  add(name, bytes);
-  shared = std::max(shared, memory("RssShmem:"));
+  if (ranks > 1) add(name, bytes);
 }
 
 }  // namespace
@@ -133,7 +116,9 @@ ssize_t pread(int file, void* to, size_t n, off_t at) {
 int MPI_Finalize() {
   int rank = 0;
   PMPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  add("OwnMemory", memory("VmHWM:") - shared);
+  rusage use{};
+  getrusage(RUSAGE_SELF, &use);
+  add("Memory", 1024.0 * static_cast<double>(use.ru_maxrss));
   if (const char* path = std::getenv("HAWSER_MPI_COUNTS"))
     if (std::FILE* out = std::fopen((std::string(path) + "." + std::to_string(rank)).c_str(), "w")) {
       for (const auto& [name, count] : counts())
