@@ -129,6 +129,7 @@ TEST(LongestStep, OfALoadOnARope) {
   const double period = 2 * M_PI * std::sqrt(4e5 * 50 / 2e7);
   const model::LongestStep free = model::longest_step(c);
   EXPECT_NEAR(free.length, period / 60, 1e-9);
+  c.dynamics.enabled = true;
   EXPECT_EQ(free.divisor, 60);
   EXPECT_EQ(free.subject, "the period of body load on its lines");
   EXPECT_NE(model::summary(c).find("s (a sixtieth of the period of body load on its lines)"),
