@@ -35,6 +35,8 @@ std::string expected_results(const ResultBytes& size, const std::string& folder)
   for (const auto& [name, n] : size.parts)
     if (n > 0.005 * size.total) parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", name, bytes(n));
   std::string s = fmt::format("expected results: about {} ({})", bytes(size.total), parts);
+  if (size.contact_point > 0)
+    s += fmt::format(", and {:g} bytes for each point of contact at an output", size.contact_point);
   // At the end of a run the file is rewritten without spare capacity.
   if (size.left >= 0 && 2 * size.total > size.left)
     s += fmt::format(

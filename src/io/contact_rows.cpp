@@ -34,19 +34,17 @@ ContactPlaces contact_places(MPI_Comm comm, const std::vector<ContactRows>& outp
 void write_contacts(SharedFile& file, long long output, const std::vector<ContactRows>& outputs,
                     const ContactPlaces& at) {
   std::vector<int> pairs;
-  std::vector<float> positions, forces;
-  const auto put = [](std::vector<float>& to, const Vec3& v) {
-    for (const double x : v) to.push_back(static_cast<float>(x));
-  };
+  std::vector<double> positions;
+  std::vector<float> forces;
   for (const ContactRows& rows : outputs)
     for (const ContactRow& r : rows) {
       pairs.insert(pairs.end(), {r.line, r.other_line, r.volume, r.other_volume});
-      put(positions, r.position);
-      put(forces, r.force);
+      positions.insert(positions.end(), r.position.begin(), r.position.end());
+      for (const double x : r.force) forces.push_back(static_cast<float>(x));
     }
   if (at.any) {
     file.write_runs(kContactPairs, H5T_NATIVE_INT, -1, at.runs, pairs.data());
-    file.write_runs(kContactPositions, H5T_NATIVE_FLOAT, -1, at.runs, positions.data());
+    file.write_runs(kContactPositions, H5T_NATIVE_DOUBLE, -1, at.runs, positions.data());
     file.write_runs(kContactForces, H5T_NATIVE_FLOAT, -1, at.runs, forces.data());
   }
   const bool here = file.rank() == 0;

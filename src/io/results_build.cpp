@@ -287,9 +287,7 @@ void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, co
   }
   for (const auto& s : row_sets(c)) {
     // Statistics are made anew from the checkpoint.
-    const bool not_in_older_files =
-        s.by == RowsBy::node || s.by == RowsBy::contact || s.name == kContactCounts;
-    if (not_in_older_files && !h5::exists(from, s.name)) continue;
+    if (s.by == RowsBy::node && !h5::exists(from, s.name)) continue;
     if (!h5::exists(from, s.name)) throw differs(s.name);
     const h5::Id old = h5::open_dataset(from, s.name), made = h5::open_dataset(to, s.name);
     const h5::Shape shape = h5::shape_of(old);
@@ -421,7 +419,7 @@ std::vector<RowSet> row_sets(const ResultContents& c) {
   if (c.contact_points) {
     sets.push_back({kContactCounts, RowsBy::output, H5T_STD_I64LE, {}, ""});
     sets.push_back({kContactPairs, RowsBy::contact, H5T_STD_I32LE, {4}, ""});
-    sets.push_back({kContactPositions, RowsBy::contact, H5T_IEEE_F32LE, {3}, "m"});
+    sets.push_back({kContactPositions, RowsBy::contact, of_fields, {3}, "m"});
     sets.push_back({kContactForces, RowsBy::contact, H5T_IEEE_F32LE, {3}, "N"});
   }
   sets.push_back({"bodies/position", RowsBy::output, H5T_IEEE_F64LE, {c.bodies.size(), 3}, "m"});

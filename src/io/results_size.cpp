@@ -20,7 +20,7 @@ ResultsSize results_size(const ResultContents& c, const ExpectedRows& rows) {
     double row = static_cast<double>(H5Tget_size(s.type));
     for (const hsize_t n : s.tail) row *= static_cast<double>(n);
     if (s.by == RowsBy::contact)
-      row = 0;
+      size.contact_point += row;
     else if (s.by == RowsBy::step)
       size.histories += row * rows.steps;
     else if (s.by == RowsBy::node)

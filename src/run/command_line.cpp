@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <stdexcept>
 
 #include "hawser/base/error.hpp"
 #include "hawser/io/line_library.hpp"
@@ -74,7 +75,9 @@ CommandLine::CommandLine(const std::string& petsc_options) {
 }
 
 const Command& CommandLine::command() const {
-  return *std::find_if(commands_.begin(), commands_.end(), [](const Command& c) { return c.app->parsed(); });
+  for (const Command& c : commands_)
+    if (c.app->parsed()) return c;
+  throw std::logic_error("the command line names no command");
 }
 
 void CommandLine::add_run() {

@@ -119,6 +119,7 @@ std::string size_sentence(const io::ResultsSize& size, const std::string& folder
                              {"checkpoints", size.checkpoints},
                              {"meshes", size.meshes}},
                             size.total()};
+  bytes.contact_point = size.contact_point;
   std::error_code unknown;
   const std::filesystem::space_info disk = std::filesystem::space(folder, unknown);
   if (!unknown) bytes.left = static_cast<double>(disk.available);

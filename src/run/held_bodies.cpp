@@ -40,11 +40,6 @@ std::vector<TiedNode> without_bodies(Simulation& sim) {
   return out;
 }
 
-template <class Role>
-void remove_with(System& system) {
-  for (Role* term : system.with<Role>()) system.remove(dynamic_cast<const ForceTerm*>(term));
-}
-
 std::vector<int> with_mass(const model::Case& c) {
   std::vector<int> out;
   for (size_t b = 0; b < c.bodies.size(); ++b)
@@ -78,8 +73,7 @@ HeldBodies::HeldBodies(Simulation& sim)
     p.position = Vec3(pose.data());
     p.rotation = Quat(Eigen::Vector4d(pose.data() + 3)).normalized();
   }
-  remove_with<RestrainedInStatics>(system);
-  remove_with<ActsOnBodies>(system);
+  for (LoadsBodies* term : system.with<LoadsBodies>()) system.remove(dynamic_cast<const ForceTerm*>(term));
   motion_ = [poses = poses_, before = BodyMotion(system.tied_nodes().motion()), &c](int body, double time) {
     return c.bodies[static_cast<size_t>(body)].mass ? (*poses)[static_cast<size_t>(body)]
                                                     : before(body, time);

@@ -225,11 +225,11 @@ io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
   std::erase_if(there,
                 [](const auto& s) { return !s.first.starts_with("case.") && !s.first.starts_with(kKey); });
   if (!c.scalars.count(kKeys)) throw older(path, "the case");
+  if (!c.scalars.count(kResolvedUntil)) throw older(path, "the impacts of its steps");
   if (const std::string other = difference(there, signature(simulation)); !other.empty()) throw refuse(other);
   if (const std::string wrong = first_text(comm, damage(c)); !wrong.empty())
     throw InputError(advice::cannot_go_on(path, wrong));
   if (!c.nodes.count(kMeanQ)) throw older(path, "the mean forces of cables");
-  if (!c.scalars.count(kResolvedUntil)) throw older(path, "the impacts of its steps");
   check_records(c, simulation.system(), path);
   return c;
 }

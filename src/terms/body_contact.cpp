@@ -283,9 +283,19 @@ void BodyContactTerm::prepare(const Kinematics& committed, double h) {
     p.energy = relative_energy(p, p.at) + s.potential;
     p.damping_power = s.damping_power;
     p.work_power = s.work_power + friction_power(p);
-    if (!p.acted) p.acts = s.active ? Vec12(s.on.f) : Vec12(Vec12::Zero());
+    if (!p.acted) store_first_forces(p, h);
   }
   if (h > 0) check_overlap(committed.time);
+}
+
+// Forces of a state that no step has led to: the start without statics, or that of a checkpoint.
+void BodyContactTerm::store_first_forces(Pair& p, double h) const {
+  Slipping friction = slipping(p, 0);
+  Eighths eighths;
+  if (p.counted) friction.eighths = &eighths;
+  const Sum s = contact(p, p.at, {h > 0}, friction);
+  p.acts = s.active ? Vec12(s.on.f) : Vec12(Vec12::Zero());
+  if (p.counted) p.resultants = resultants_of(p, p.at, eighths);
 }
 
 void BodyContactTerm::commit(const Kinematics& accepted) {

@@ -186,6 +186,11 @@ class FreePlatforms(unittest.TestCase):
             one, two = (Results(self.folder / "run.h5").series(name) for name in ("sphere", "other"))
             most = abs(one.column("contact_force_x")).max()
             self.assertLess(one.column("contact_force_x")[0], -4e4)  # 5 cm, 1 MN/m
+            with h5py.File(self.folder / "run.h5") as file:  # the outputs at 0 and 0.5 s, where the two are in touch and apart
+                ends = file["outputs/contact_points"][:]
+                first = file["contact_points/force"][: ends[0]].sum(axis=0)
+                self.assertEqual(ends[-1] - ends[0] > 0, abs(one.column("contact_force_x")[-1]) > 0)
+            self.assertAlmostEqual(abs(first[0]) / abs(one.column("contact_force_x")[0]), 1, delta=1e-6)
             self.assertGreater(abs(one.column("contact_force_y")).max(), 0.1 * most)  # friction
             for axis in "xyz":
                 self.assertLess(abs(one.column(f"contact_force_{axis}") + two.column(f"contact_force_{axis}")).max(), 1e-9 * most)

@@ -81,6 +81,29 @@ lines:
         self.assertLess(np.abs(tables[0][0, 6:9]).max(), 1e6)
         self.assertTrue(np.allclose(tables[0], tables[1], rtol=1e-6, atol=1e-6 * np.abs(tables[0][0]).max()))
 
+    def test_contact_of_the_body_stays(self):
+        """A crate that a rope holds against a fender of 1 MN/m: the fender is in the stiffness, and the forces are in balance."""
+        (self.folder / "fender.yaml").write_text("""hawser: 1
+environment: {gravity: 0}
+line_types: {rope: {outer_diameter: 0.05, mass_per_length: 2, EA: 1e6, bending: false}}
+bodies:
+  crate: {position: [0, 0, 0], floating: {mass: 1e4, inertia: [2e4, 3e4, 3e4]}}
+volumes:
+  fender: {shape: {sphere: {centre: [2, 0, 0], radius: 1}}, body: crate, normal_stiffness: {per_point: 1e6}}
+  wall: {shape: {box: {centre: [5, 0, 0], size: [4, 8, 8]}}}
+lines:
+  east: {sections: [{type: rope, length: 48, elements: 4}], end_a: {anchor: [52, 0, 30]}, end_b: {body: crate, at: [2, 0, 1]}}
+  north: {sections: [{type: rope, length: 47, elements: 4}], end_a: {anchor: [0, 50, 3]}, end_b: {body: crate, at: [0, 2, 0.5]}}
+  south: {sections: [{type: rope, length: 47, elements: 4}], end_a: {anchor: [0, -50, 3]}, end_b: {body: crate, at: [0, -2, 0.5]}}
+  down: {sections: [{type: rope, length: 47, elements: 4}], end_a: {anchor: [0, 1, -50]}, end_b: {body: crate, at: [0, 0, -2]}}
+contact: {between_lines: false}
+""")
+        done = run(HAWSER, "stiffness", self.folder / "fender.yaml", "--body", "crate")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        values = table(self.folder / "fender-stiffness.csv")[1][0]
+        self.assertAlmostEqual(values[12] / 1.0195e6, 1, delta=1e-3)  # the fender's 1 MN/m, and 19.5 kN/m of the ropes
+        self.assertLess(np.abs(values[6:9]).max(), 10)  # of 150 kN
+
     def test_sentences(self):
         foreign = self.folder / "wind.csv"
         foreign.write_text("0,1,0,0\n180,-1,0,0\n")

@@ -22,6 +22,7 @@ std::string trial_fails(const std::string& why);
 struct ResultBytes {
   std::vector<std::pair<std::string, double>> parts;
   double total = 0, left = -1;
+  double contact_point = 0;  // of each point of contact, in addition to `total`
 };
 std::string expected_results(const ResultBytes& size, const std::string& folder);
 

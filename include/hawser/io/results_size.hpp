@@ -14,6 +14,7 @@ struct ExpectedRows {
 // Bytes of the HDF5 file. Clashes and points of contact, which nobody knows before, are not in it.
 struct ResultsSize {
   double fields = 0, histories = 0, checkpoints = 0, meshes = 0, rest = 0;
+  double contact_point = 0;  // of each point of contact at an output, which `total` does not contain
   double total() const { return fields + histories + checkpoints + meshes + rest; }
 };
 ResultsSize results_size(const ResultContents& contents, const ExpectedRows& rows);

@@ -16,7 +16,7 @@ void hold_body(Simulation& sim, int body);
 class HeldBodies {
  public:
   // Holds the bodies of the simulation where they are, and takes away what acts on them by themselves:
-  // weight, springs, loads, water, wind, thrusters (terms that are RestrainedInStatics or ActsOnBodies).
+  // weight, springs, loads, water, wind, thrusters (LoadsBodies).
   // Lines, links and contact stay. The simulation outlives it. Collective, as are the others.
   explicit HeldBodies(Simulation& sim);
 

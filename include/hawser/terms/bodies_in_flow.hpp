@@ -17,6 +17,7 @@ namespace hawser {
 Wind wind_of(const model::Case& c);
 
 class BodiesInFlow final : public ForceTerm,
+                           public LoadsBodies,
                            public RestrainedInStatics,
                            public InCurrent,
                            public ActsOnBodies {

@@ -19,6 +19,7 @@ struct BodyMember;
 }  // namespace model
 
 class BodiesInWater final : public ForceTerm,
+                            public LoadsBodies,
                             public ScalesResiduals,
                             public RestrainedInStatics,
                             public InCurrent,

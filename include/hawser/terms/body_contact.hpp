@@ -200,6 +200,7 @@ class BodyContactTerm final : public ForceTerm,
   void add_resultant(const Pair& pair, const Vec3& y, const Vec3& z, double r, const AxisContactPoint& point,
                      Eighths& to) const;
   ContactResultants resultants_of(const Pair& pair, const Both& at, const Eighths& sums) const;
+  void store_first_forces(Pair& pair, double h) const;
   // J, half of the work that friction at these points takes on the way of the step.
   double half_dissipation(const Pair& pair, const Both& trial, const BodyFrictionPoints& points) const;
   // Power of prescribed motion against friction at the points of the committed state, W.

@@ -23,6 +23,7 @@ using VolumeFacets = std::vector<std::shared_ptr<const MeshView>>;
 HullSurface hull_surface(const model::Case& c, int body, const VolumeFacets& facets, double longest);
 
 class Hulls final : public ForceTerm,
+                    public LoadsBodies,
                     public ScalesResiduals,
                     public RestrainedInStatics,
                     public ActsOnBodies {

@@ -24,6 +24,7 @@ namespace hawser {
 // Bodies with coefficients from the same files form a group and radiate on each other. Every rank that owns a
 // body of a group computes the whole group; the owner of a body counts its energy.
 class PlatformWater final : public ForceTerm,
+                            public LoadsBodies,
                             public CouplesNodes,
                             public ScalesResiduals,
                             public DependsOnFrequency,

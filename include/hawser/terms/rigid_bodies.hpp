@@ -18,7 +18,10 @@
 
 namespace hawser {
 
-class RigidBodies final : public ForceTerm, public ScalesResiduals, public RestrainedInStatics {
+class RigidBodies final : public ForceTerm,
+                          public LoadsBodies,
+                          public ScalesResiduals,
+                          public RestrainedInStatics {
  public:
   // Builds the term for the bodies with mass of the case that this rank owns. gravity [m/s²] along -z.
   RigidBodies(const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies);

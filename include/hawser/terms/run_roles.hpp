@@ -19,6 +19,13 @@ class HasFriction {
   virtual void enable_friction(bool on) = 0;
 };
 
+// Loads bodies with mass from outside of the model: weight, springs, water, wind, thrusters. Lines, links and
+// contact join bodies to something and do not have this role.
+class LoadsBodies {
+ public:
+  virtual ~LoadsBodies() = default;
+};
+
 // A term that acts differently in statics, which may hold bodies with mass at their start.
 class RestrainedInStatics {
  public:

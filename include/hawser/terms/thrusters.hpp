@@ -14,7 +14,7 @@
 
 namespace hawser {
 
-class Thrusters final : public ForceTerm, public ActsOnBodies {
+class Thrusters final : public ForceTerm, public LoadsBodies, public ActsOnBodies {
  public:
   // Builds the term for the bodies of the case that this rank owns.
   Thrusters(const model::Case& c, const LocalMesh& mesh);

@@ -115,6 +115,8 @@ class Model:
 
     def header(self):
         results = self.results
+        if "outputs/contact_points" not in self.file and any(f"fields/{name}" in self.file for name in ("contact_force", "line_contact_force")):
+            self.missing.append("Contact forces are not shown: the results have no points of contact; run the case again to have them.")
         self.missing += [] if not self.unknown_bed() else ["The seabed is not drawn, as its file was not found beside the case, or could not be read."]
         found = {
             "title": str(results.keys.get("title") or results.path.stem), "modes": results.modes,
