@@ -71,15 +71,30 @@ void warn_of_hull(const Body& b, std::vector<InputWarning>& out) {
                 "'members', or the 'hydrodynamics' of a diffraction program");
 }
 
-// Added mass that counts twice, of a hull or of the files, and of members beside them.
-void warn_of_members(const Body& b, std::vector<InputWarning>& out) {
+// Members much larger than the body, and added mass that counts twice, of the files and of members beside
+// them.
+void warn_of_members(const Case& c, const Body& b, std::vector<InputWarning>& out) {
+  constexpr double kLarge = 5;  // of the volume of water of the body's mass
   const BodyMass& m = *b.mass;
-  for (size_t i = 0; i < m.members.size(); ++i)
-    if (m.members[i].added > 0 || m.members[i].axial_added > 0)
-      add_warning(
-          out, fmt::format("bodies.{}.floating.members[{}]", b.name, i), Effect::all,
-          "has added mass beside that of 'hydrodynamics', so that it counts twice unless the files are "
-          "without this member: give it neither 'Ca' nor 'axial_Ca'");
+  for (size_t i = 0; i < m.members.size(); ++i) {
+    const BodyMember& member = m.members[i];
+    const double volume = 0.25 * M_PI * member.diameter * member.diameter * (member.to - member.from).norm();
+    const double own = m.mass / std::max(c.environment.water.density, 1e-300);
+    if (volume > kLarge * own)
+      out.push_back(
+          {fmt::format("bodies.{}.floating.members[{}]", b.name, i),
+           fmt::format("has a volume of {:.3g} m³, and the body's mass is that of {:.3g} m³ of water: are "
+                       "its ends and its diameter in metres?",
+                       volume, own),
+           117});
+    if (!m.hydrodynamics) continue;
+    if (member.added > 0 || member.axial_added > 0)
+      out.push_back(
+          {fmt::format("bodies.{}.floating.members[{}]", b.name, i),
+           "has added mass beside that of 'hydrodynamics', so that it counts twice unless the files are "
+           "without this member: give it neither 'Ca' nor 'axial_Ca'",
+           115});
+  }
 }
 
 // A stiffness that is added pushes the body away in the plane, where the water holds nothing. In heave, roll
@@ -187,6 +202,7 @@ void warn_of_platforms(const Case& c, std::vector<InputWarning>& out) {
                 "acts on no body and never on lines: give a body coefficients, 'floating.wind'");
   for (const Body& b : c.bodies) {
     if (b.mass) warn_of_hull(b, out);
+    if (b.mass) warn_of_members(c, b, out);
     if (b.mass) warn_of_fairleads(c, b, out);
     if (b.mass && b.mass->positioning) warn_of_positioning(b, out);
     if (!b.mass || !b.mass->hydrodynamics) continue;
@@ -194,7 +210,6 @@ void warn_of_platforms(const Case& c, std::vector<InputWarning>& out) {
     warn_of_coefficients(c, b, out);
     warn_of_floating(c, b, out);
     warn_of_damping(c, b, out);
-    warn_of_members(b, out);
     warn_of_stiffness(b, out);
     warn_of_sea_of_platform(c, b, out);
     warn_of_directions(c, b, out);

@@ -77,6 +77,11 @@ TEST(CaseHulls, BesideCoefficients) {
   EXPECT_EQ(counted_twice(plain), 0);
   EXPECT_EQ(counted_twice(added), 1);
   EXPECT_EQ(counted_twice(of(", axial_Ca: 1")), 1);
+  const std::vector<std::string> large = advice::input_notes(
+      read(std::string(kHull) + ", members: [{from: [0, 0, -4], to: [0, 0, 2], diameter: 80}]"));
+  ASSERT_EQ(large.size(), 1U);
+  EXPECT_NE(large[0].find("has a volume of 3.02e+04 m³, and the body's mass is that of 400 m³ of water"),
+            std::string::npos);
 }
 
 TEST(CaseHulls, WarningWithoutDragAndAddedMass) {
