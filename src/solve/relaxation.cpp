@@ -194,7 +194,6 @@ class Relaxation : StaticTrial {
     system_.residual(state_.view(0), r_.get());
     if (!kinks_.norms_without_jumps(system_, r_.get()).small(settings_.tolerance)) return false;
     report.norms = system_.norms(r_.get());
-    report.on_kinks = true;
     if (settings_.friction) system_.commit(state_.view(0));
     return true;
   }

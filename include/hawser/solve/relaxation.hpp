@@ -18,8 +18,6 @@ struct RelaxationReport {
   int steps = 0;       // accepted steps
   int rejected = 0;    // steps tried again with a larger mass
   int iterations = 0;  // Newton iterations
-  // At rest on kinks of the energy (kink_stiffness.hpp): what norms says is left are jumps of forces.
-  bool on_kinks = false;
   ResidualNorms norms;
 };
 
