@@ -116,9 +116,16 @@ std::string singular_mooring() {
 
 std::string statics_failed(const model::Case& c) {
   std::vector<std::string> ways;
+  const bool on_mesh =
+      !c.lines.empty() && !c.statics.contact_friction &&
+      std::any_of(c.volumes.begin(), c.volumes.end(), [](const model::Volume& v) { return !v.mesh.empty(); });
+  if (on_mesh)
+    ways.emplace_back(
+        "where a line lies on a mesh, whose facets hold it nowhere or in too many places, 'friction' of that "
+        "volume with 'statics: {contact_friction: true}'");
   if (c.statics.relaxation == model::Relaxation::never)
     ways.emplace_back("without 'dynamic_relaxation: never'");
-  else if (c.statics.relaxation == model::Relaxation::automatic && !c.statics.contact_friction)
+  else if (!on_mesh && c.statics.relaxation == model::Relaxation::automatic && !c.statics.contact_friction)
     ways.emplace_back("'statics: {dynamic_relaxation: always}'");
   if (c.environment.water.present && !c.environment.water.current.profile.empty() &&
       !(c.environment.water.current.ramp > 0) && c.dynamics.enabled)

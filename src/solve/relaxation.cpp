@@ -8,6 +8,7 @@
 #include "hawser/advice/statics.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
+#include "hawser/solve/kink_stiffness.hpp"
 #include "hawser/solve/static_trial.hpp"
 #include "hawser/system/imbalance.hpp"
 
@@ -16,6 +17,7 @@ namespace {
 
 // Newton iterations of a step: limit; number up to which the mass decreases
 constexpr int kMostIterations = 12, kEasyIterations = 4;
+constexpr int kMostOnKinks = 24;     // limit where Newton's iteration has to find kinks
 constexpr double kReduction = 1e-4;  // of the imbalance, for a step to count as solved
 constexpr double kHopeless = 1e6;    // growth of the imbalance beyond which Newton's iteration has diverged
 constexpr double kHeavier = 4, kLighter = 0.5;
@@ -43,7 +45,7 @@ class Relaxation : StaticTrial {
     turns_.assign(system.mesh().owned_blocks, 0);
     for (int n = 0; n < system.mesh().owned; ++n)
       if (system.mesh().rotates(n)) turns_[system.mesh().block[n] + 1] = 1;
-    check(SNESSetTolerances(snes_.get(), 0, 0, 0, kMostIterations, PETSC_DEFAULT));
+    check(SNESSetTolerances(snes_.get(), 0, 0, 0, kMostOnKinks, PETSC_DEFAULT));
   }
 
   RelaxationReport run() {
@@ -73,6 +75,7 @@ class Relaxation : StaticTrial {
       accept_trial();
       if (++free > kFree) blocked_by_.reset();
       if (iterations <= kEasyIterations) weigh(kLighter);
+      if (kinks_.active() && rests_on_kinks(report)) return report;
       if (settings_.friction) {
         system_.commit(state_.view(0));
         check_bodies();
@@ -169,6 +172,7 @@ class Relaxation : StaticTrial {
     weights.shift_position = mass_;
     weights.shift_rotation = mass_ * length_ * length_;
     system_.tangent(trial_.view(0), weights, local_, false, J_.get());
+    kinks_.add_to(system_, J_.get());
   }
   SNESConvergedReason check_step(int iteration) override {
     const ResidualNorms norms = system_.norms(r_.get());
@@ -177,17 +181,32 @@ class Relaxation : StaticTrial {
       return SNES_CONVERGED_ITERATING;
     }
     if (!std::isfinite(norms.force) || norms.relative() > hopeless_) return SNES_DIVERGED_DTOL;
-    return norms.relative() > goal_ ? SNES_CONVERGED_ITERATING : SNES_CONVERGED_FNORM_RELATIVE;
+    if (norms.relative() <= goal_) return SNES_CONVERGED_FNORM_RELATIVE;
+    if (!kinks_.observe(local_.data(), r_.get(), norms.relative()))
+      return iteration < kMostIterations ? SNES_CONVERGED_ITERATING : SNES_DIVERGED_MAX_IT;
+    const double goal = std::max(goal_, settings_.tolerance);
+    return kinks_.norms_without_jumps(system_, r_.get()).small(goal) ? SNES_CONVERGED_FNORM_RELATIVE
+                                                                     : SNES_CONVERGED_ITERATING;
+  }
+
+  // Whether only jumps of forces are left at the state that was accepted last, from which no node moves on.
+  bool rests_on_kinks(RelaxationReport& report) {
+    system_.residual(state_.view(0), r_.get());
+    if (!kinks_.norms_without_jumps(system_, r_.get()).small(settings_.tolerance)) return false;
+    report.norms = system_.norms(r_.get());
+    if (settings_.friction) system_.commit(state_.view(0));
+    return true;
   }
 
   // Tries one step. Returns the number of Newton iterations, or minus that number if the step failed.
   int attempt(const ResidualNorms& at_rest) {
     const double before = potential(state_) + kinetic_energy();
     goal_ = std::max(1e-3 * settings_.tolerance, kReduction * at_rest.relative());
+    kinks_.clear();
     const bool solved = solve() > 0;
     PetscInt solutions = 0;
     check(SNESGetLinearSolveIterations(snes_.get(), &solutions));
-    const int it = std::max(1, static_cast<int>(solutions));
+    const int it = kinks_.active() ? kinks_.smooth_iterations() : std::max(1, static_cast<int>(solutions));
     if (!solved || limit() < 1 || !path_is_clear()) return -it;
     if (settings_.friction) return it;  // friction has no potential
     // An exact step of a convex potential reduces the energy. If the energy has grown, the step has led
@@ -202,6 +221,7 @@ class Relaxation : StaticTrial {
   std::vector<double> momentum_;  // of owned components
   std::vector<char> turns_;       // by owned block: whether it is a rotation
   double mass_ = 0;
+  KinkStiffness kinks_;
   bool viscous_ = false;  // momentum is dropped after each step
   // relative imbalance at which a step is solved, and at which it has failed
   double goal_ = 0, hopeless_ = 0;

@@ -1,0 +1,93 @@
+#include "hawser/solve/kink_stiffness.hpp"
+
+#include <algorithm>
+
+#include "hawser/base/error.hpp"
+
+namespace hawser {
+namespace {
+
+// The iteration stagnates if kStale iterations in a row have not halved the least residual, below the
+// relative residual at which far states are left.
+constexpr int kStale = 2;
+constexpr double kAlmost = 1e-2;
+// cos of the angle between r and d below which their product is rounding.
+constexpr double kRounding = 1e-8;
+constexpr double kWithin = 1e-7;  // of the longest element: distance from a kink at which a node lies on it
+
+double longest_element(const System& system) {
+  double longest = 0;
+  for (const Element& e : system.mesh().mesh->elements) longest = std::max(longest, e.length);
+  return longest > 0 ? longest : 1;
+}
+
+}  // namespace
+
+void KinkStiffness::clear() {
+  blocks_.clear();
+  last_.clear();
+  iterations_ = stale_ = smooth_ = 0;
+  active_ = false;
+}
+
+bool KinkStiffness::observe(const double* u, Vec r, double relative) {
+  PetscInt size = 0;
+  check(VecGetLocalSize(r, &size));
+  const std::vector<double> before(std::move(last_));
+  last_.assign(u, u + size);
+  stale_ = iterations_ > 0 && relative > 0.5 * least_ ? stale_ + 1 : 0;
+  least_ = iterations_ > 0 ? std::min(least_, relative) : relative;
+  ++iterations_;
+  if (!active_) {
+    active_ = stale_ >= kStale && relative < kAlmost;
+    smooth_ = iterations_ - kStale;
+  }
+  if (!active_) return false;
+  blocks_.resize(static_cast<size_t>(size) / 3);
+  const PetscScalar* p = nullptr;
+  check(VecGetArrayRead(r, &p));
+  for (size_t b = 0; b < blocks_.size(); ++b) {
+    Block& k = blocks_[b];
+    const Eigen::Map<const Vec3> now(last_.data() + 3 * b), then(before.data() + 3 * b), left(p + 3 * b);
+    const Vec3 d = now - then;
+    k.distance += d.norm();
+    const double rise = left.dot(d);
+    if (!(rise > kRounding * left.norm() * d.norm())) continue;
+    k.S += left * left.transpose() / rise;
+    k.jump = k.S * d;
+    k.distance = d.norm();
+    ++k.rises;
+  }
+  check(VecRestoreArrayRead(r, &p));
+  return true;
+}
+
+void KinkStiffness::add_to(const System& system, Mat J) const {
+  if (!active_) return;
+  for (size_t b = 0; b < blocks_.size(); ++b) {
+    if (blocks_[b].rises == 0) continue;
+    const PetscInt row = system.mesh().global_block[b];
+    check(MatSetValuesBlocked(J, 1, &row, 1, &row, blocks_[b].S.data(), ADD_VALUES));
+  }
+  check(MatAssemblyBegin(J, MAT_FINAL_ASSEMBLY));
+  check(MatAssemblyEnd(J, MAT_FINAL_ASSEMBLY));
+}
+
+ResidualNorms KinkStiffness::norms_without_jumps(const System& system, Vec r) const {
+  const double within = kWithin * longest_element(system);
+  VecHandle rest;
+  check(VecDuplicate(r, rest.out()));
+  check(VecCopy(r, rest.get()));
+  PetscScalar* p = nullptr;
+  check(VecGetArray(rest.get(), &p));
+  for (size_t b = 0; b < blocks_.size(); ++b) {
+    const Block& k = blocks_[b];
+    if (k.rises < 2 || k.distance > within) continue;
+    Eigen::Map<Vec3> left(p + 3 * b);
+    left -= std::clamp(left.dot(k.jump) / k.jump.squaredNorm(), 0.0, 1.0) * k.jump;
+  }
+  check(VecRestoreArray(rest.get(), &p));
+  return system.norms(rest.get());
+}
+
+}  // namespace hawser

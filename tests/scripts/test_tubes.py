@@ -1,0 +1,98 @@
+"""Lines in smooth tubes of a mesh, whose facets meet in small kinks: the wire in a J-tube comes to rest with friction, and stays there in
+motion with long steps, on one rank and two and with either diagonal of the quadrilaterals of the mesh."""
+import os
+import re
+import tempfile
+import unittest
+from math import cos, exp, pi, sin
+from pathlib import Path
+
+import scene_meshes as meshes
+from support import ROOT, run, write
+
+HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
+EXACT = 2840  # N, top tension without friction in the bore of an exact torus
+FRICTION = 0.2
+
+J_TUBE = """hawser: 1
+environment: {water: {depth: 21.28}, seabed: {depth: 21.28, friction: 0.4}}
+line_types:
+  wire: {outer_diameter: 0.05, mass_per_length: 10, EA: 100 MN, bending: false, stiffness_damping: 0.01}
+volumes: {tube: {mesh: tube.obj, friction: 0.2}}
+lines:
+  wire:
+    sections: [{type: wire, length: 42.3, element_length: 0.5}]
+    end_a: {anchor: [0, 0, 12]}
+    end_b: free
+    masses: [{at: end_b, mass: 500}]
+    start: {points: [[0, 0, 12], [0, 0, -15], [0.457, 0, -17.3], [1.757, 0, -19.243], [3.704, 0, -20.543], [6, 0, -21], [12, 0, -21.2]]}
+contact: {between_lines: false}
+statics: {contact_friction: true}
+dynamics: {duration: 1}
+"""
+
+
+def j_tube(other_diagonals=False):
+    """A bore of 0.5 m in a wall of 30 mm: 8 m above the sea to 15 m below it, a bend of 6 m, 40 m level; coordinates with six decimals."""
+    path = [(0.0, 0.0, 8 - 0.5 * i) for i in range(47)]
+    path += [(6 - 6 * cos(t), 0.0, -15 - 6 * sin(t)) for t in (0.5 * pi * i / 30 for i in range(1, 31))]
+    path += [(7.0 + i, 0.0, -21.0) for i in range(40)]
+    n, sides = len(path), 32
+    vertices = []
+    for radius in (0.25, 0.28):
+        for c, (y, across) in zip(path, meshes.frames(path)):
+            for k in range(sides):
+                a = 2 * pi * k / sides
+                vertices.append(tuple(c[i] + radius * (sin(a) * y[i] - cos(a) * across[i]) for i in range(3)))
+    bore = lambda i, j: i * sides + j % sides
+    wall = lambda i, j: (n + i) * sides + j % sides
+    facets = []
+
+    def quadrilateral(a, b, c, d):
+        facets.extend([(a, b, c), (a, c, d)] if other_diagonals else [(a, b, d), (b, c, d)])
+
+    for i in range(n - 1):
+        for j in range(sides):
+            quadrilateral(bore(i, j), bore(i + 1, j), bore(i + 1, j + 1), bore(i, j + 1))
+            quadrilateral(wall(i, j), wall(i, j + 1), wall(i + 1, j + 1), wall(i + 1, j))
+    for j in range(sides):
+        quadrilateral(bore(0, j), bore(0, j + 1), wall(0, j + 1), wall(0, j))
+        quadrilateral(bore(n - 1, j), wall(n - 1, j), wall(n - 1, j + 1), bore(n - 1, j + 1))
+    return ("".join("v %.6f %.6f %.6f\n" % v for v in vertices) +
+            "".join("f %d %d %d\n" % tuple(k + 1 for k in f) for f in facets))
+
+
+class Tubes(unittest.TestCase):
+    def tensions(self, mesh, command=()):
+        with tempfile.TemporaryDirectory() as folder:
+            write(Path(folder), "tube.obj", mesh)
+            write(Path(folder), "case.yaml", J_TUBE)
+            result = run(*command, HAWSER, "run", "case.yaml", "-o", "case.h5", cwd=folder)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.assertNotIn("warning", result.stdout)
+        step = re.findall(r"step (\S+) s", result.stdout)
+        self.assertTrue(step, result.stdout)
+        self.assertGreater(float(step[-1]), 5e-3)
+        most, when = re.search(r"max effective tension +\S+ +(\S+) N +(\S+)", result.stdout).groups()
+        return float(most), float(when)
+
+    def check(self, mesh, command=()):
+        most, when = self.tensions(mesh, command)
+        # Friction along the bend, in either direction (Euler and Eytelwein).
+        band = exp(0.5 * pi * FRICTION)
+        self.assertLess(most, EXACT * band)
+        self.assertGreater(most, EXACT / band)
+        return most
+
+    def test_rest_and_motion(self):
+        self.check(j_tube())
+
+    def test_other_diagonals(self):
+        self.check(j_tube(True))
+
+    def test_ranks(self):
+        self.check(j_tube(), ("mpirun", "--oversubscribe", "--allow-run-as-root", "-n", "2"))
+
+
+if __name__ == "__main__":
+    unittest.main()
