@@ -146,7 +146,7 @@ int check_case(MPI_Comm comm, const CheckOptions& options) {
   Simulation sim(MPI_COMM_SELF, std::move(c), surfaces(volumes), std::move(of_bodies),
                  volume_facets(volumes));
   const model::Case& checked = sim.model();
-  if (verbose)
+  if (options.verbose)
     for (const std::string& d : sim.details()) fmt::print("detail: {}\n", d);
   fmt::print("{}\n", advice::case_is_valid(starts_outside));
   std::fflush(stdout);
@@ -154,7 +154,7 @@ int check_case(MPI_Comm comm, const CheckOptions& options) {
                             nullptr, false, false);
   TrialRun tried;
   double checkpoint = planned_numbers(sim, recorder);
-  if (trial) {
+  if (options.trial) {
     tried = print_trial(sim, checked, std::max(kTrial - searched, kLeast));
     // The search for neighbours and the partition may have taken more than all that follows.
     memory.moved = tried.moved;
