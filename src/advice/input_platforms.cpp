@@ -81,19 +81,16 @@ void warn_of_members(const Case& c, const Body& b, std::vector<InputWarning>& ou
     const double volume = 0.25 * M_PI * member.diameter * member.diameter * (member.to - member.from).norm();
     const double own = m.mass / std::max(c.environment.water.density, 1e-300);
     if (volume > kLarge * own)
-      out.push_back(
-          {fmt::format("bodies.{}.floating.members[{}]", b.name, i),
-           fmt::format("has a volume of {:.3g} m³, and the body's mass is that of {:.3g} m³ of water: are "
-                       "its ends and its diameter in metres?",
-                       volume, own),
-           117});
+      add_warning(out, fmt::format("bodies.{}.floating.members[{}]", b.name, i), Effect::all,
+                  "has a volume of {:.3g} m³, and the body's mass is that of {:.3g} m³ of water: are "
+                  "its ends and its diameter in metres?",
+                  volume, own);
     if (!m.hydrodynamics) continue;
     if (member.added > 0 || member.axial_added > 0)
-      out.push_back(
-          {fmt::format("bodies.{}.floating.members[{}]", b.name, i),
-           "has added mass beside that of 'hydrodynamics', so that it counts twice unless the files are "
-           "without this member: give it neither 'Ca' nor 'axial_Ca'",
-           115});
+      add_warning(
+          out, fmt::format("bodies.{}.floating.members[{}]", b.name, i), Effect::all,
+          "has added mass beside that of 'hydrodynamics', so that it counts twice unless the files are "
+          "without this member: give it neither 'Ca' nor 'axial_Ca'");
   }
 }
 

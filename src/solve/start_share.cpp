@@ -70,8 +70,8 @@ std::vector<bool> with_groups(const model::Case& c, const std::vector<GivenLine>
   DisjointSets group(lines.size());
   unite_overlapping(boxes, group);
   unite_joined(c, lines, group);
-  std::vector<bool> whole(lines.size(), false),
-      out(lines.size(), false);  // whole: by the first line of a group
+  std::vector<bool> whole(lines.size(), false);  // by the first line of a group
+  std::vector<bool> out(lines.size(), false);
   for (size_t g = 0; g < lines.size(); ++g)
     if (wanted[g]) whole[group.smallest(static_cast<int>(g))] = true;
   for (size_t g = 0; g < lines.size(); ++g) out[g] = whole[group.smallest(static_cast<int>(g))];
