@@ -22,12 +22,12 @@ struct RunOptions {
 int run(MPI_Comm comm, const RunOptions& options);
 
 struct CheckOptions {
-  std::string case_path;
-  int ranks = 0;                     // of the partition that is printed; 0: those of the communicator
-  bool trial = true;                 // run the beginning of the case for some seconds
-  std::vector<std::string> changes;  // of the case, KEY=VALUE each
-  bool verbose = false;              // also print what was chosen that rarely matters
-  std::string radiation;             // CSV file for the table of write_radiation(); empty: none
+  std::string case_path{};
+  int ranks = 0;                       // of the partition that is printed; 0: those of the communicator
+  bool trial = true;                   // run the beginning of the case for some seconds
+  std::vector<std::string> changes{};  // of the case, KEY=VALUE each
+  bool verbose = false;                // also print what was chosen that rarely matters
+  std::string radiation{};             // CSV file for the table of write_radiation(); empty: none
 };
 
 // Reads and checks, prints the summary with the partition. The trial writes nothing; it is for the expected
