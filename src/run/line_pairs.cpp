@@ -111,18 +111,17 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
   options.general = b.general;
   for (const auto& t : b.pairs)
     options.tuned[ordered(c.line_index(t.first), c.line_index(t.second))] = t.settings;
-  std::vector<LinePairType> types;
-  for (const model::LineType& t : c.line_types) {
-    const double radius = 0.5 * t.contact_diameter;
-    types.push_back({radius, t.mass_per_length, stiffness_by_weight(t.mass_per_length, radius),
-                     cubic_stiffness(t.EA, radius)});
-  }
+  // Types of no element that takes part keep a radius of 0.
+  std::vector<LinePairType> types(c.line_types.size());
   double least = HUGE_VAL, most = 0;  // N/m², of the types that take part
   for (const Element& e : mesh.mesh->elements) {
-    const LinePairType& type = types[e.type];
-    if (!takes_part[e.line] || !(type.radius > 0)) continue;
-    least = std::min(least, type.linear);
-    most = std::max(most, type.linear);
+    const model::LineType& t = c.line_types[e.type];
+    if (!takes_part[e.line] || !(t.contact_diameter > 0) || types[e.type].radius > 0) continue;
+    const double radius = 0.5 * t.contact_diameter;
+    types[e.type] = {radius, t.mass_per_length, stiffness_by_weight(t.mass_per_length, radius),
+                     cubic_stiffness(t.EA, radius)};
+    least = std::min(least, types[e.type].linear);
+    most = std::max(most, types[e.type].linear);
   }
   const bool automatic = b.general.basis == model::StiffnessBasis::automatic ||
                          std::any_of(b.pairs.begin(), b.pairs.end(), [](const auto& t) {

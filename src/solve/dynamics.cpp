@@ -126,10 +126,8 @@ PetscErrorCode Dynamics::residual(SNES, Vec u, Vec r, void* self) {
 // SNES evaluates the residual at u before it asks for the tangent, so trial_ already belongs to u.
 PetscErrorCode Dynamics::tangent(SNES, Vec, Mat J, Mat, void* self) {
   auto& d = *static_cast<Dynamics*>(self);
-  return d.error_.capture([&] {
-    d.system_.tangent(d.trial_.s.view(d.h_), alpha_weights(d.alpha_, d.h_), d.local_u_, false, J);
-    d.kinks_.add_to(d.system_, J);
-  });
+  return d.error_.capture(
+      [&] { d.system_.tangent(d.trial_.s.view(d.h_), alpha_weights(d.alpha_, d.h_), d.local_u_, false, J); });
 }
 
 PetscErrorCode Dynamics::converged(SNES snes, PetscInt it, PetscReal, PetscReal, PetscReal fnorm,
@@ -152,31 +150,15 @@ SNESConvergedReason Dynamics::judge_iteration(SNES snes, int it, double fnorm) {
   if (counted_ < 0 && norms_.small(std::max(tolerance, kCounted))) counted_ = it;
   if (fnorm == 0) return SNES_CONVERGED_FNORM_ABS;
   if (it > 0 && norms_.small(tolerance)) return SNES_CONVERGED_FNORM_RELATIVE;
-  const bool kinks = stagnates(snes, r);
-  if (kinks && counted_ < 0) counted_ = kinks_.smooth_iterations();
-  if (kinks && kinks_.norms_without_jumps(system_, r).small(tolerance)) return SNES_CONVERGED_FNORM_RELATIVE;
-  old_tangent_ = !kinks && it > 0 && old_tangent_will_do(before, norms_.relative(), old_tangent_, tolerance);
+  old_tangent_ = it > 0 && old_tangent_will_do(before, norms_.relative(), old_tangent_, tolerance);
   if (!old_tangent_) check(SNESSetLagJacobian(snes, kNextTangent));
   return SNES_CONVERGED_ITERATING;
 }
 
-// Whether the iteration stagnates on kinks. r: its residual.
-bool Dynamics::stagnates(SNES snes, Vec r) {
-  Vec u = nullptr;
-  const PetscScalar* p = nullptr;
-  check(SNESGetSolution(snes, &u));
-  check(VecGetArrayRead(u, &p));
-  const bool kinks = kinks_.observe(p, r, norms_.relative());
-  check(VecRestoreArrayRead(u, &p));
-  return kinks;
-}
-
-// Runs Newton's method from u_. The iteration count of a try is the largest over its rounds of penalty
-// raising.
+// Runs Newton's method from u_. The iteration count of a try is the largest over its penalty raises.
 void Dynamics::solve_once() {
   old_tangent_ = false;
   counted_ = -1;
-  kinks_.clear();
   error_.check(SNESSolve(snes_, nullptr, u_.get()));
   SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
   PetscInt its = 0;

@@ -33,8 +33,9 @@ LinePairs::LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LinePairT
       shared_(comm, mesh, radii(types_, options_), options_.shared, options_.whole),
       candidates_(comm, mesh, radii(types_, options_), sharing(options_.candidates, shared_)),
       accounts_(static_cast<size_t>(mesh.owned)) {
-  const bool automatic = std::all_of(types_.begin(), types_.end(),
-                                     [](const LinePairType& t) { return !(t.radius > 0) || t.linear > 0; });
+  const bool automatic = std::all_of(types_.begin(), types_.end(), [](const LinePairType& t) {
+    return !(t.radius > 0) || t.linear > 0 || t.cubic > 0;
+  });
   const auto check = [&](const model::LinePairSettings& s) {
     if (s.basis == model::StiffnessBasis::per_point)
       throw std::invalid_argument("the contact stiffness of lines is per length or per area");

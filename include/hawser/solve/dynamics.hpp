@@ -13,7 +13,6 @@
 #include "hawser/base/carried_error.hpp"
 #include "hawser/solve/event_search.hpp"
 #include "hawser/solve/generalized_alpha.hpp"
-#include "hawser/solve/kink_stiffness.hpp"
 #include "hawser/solve/linear_solver.hpp"
 #include "hawser/solve/step_control.hpp"
 #include "hawser/system/system.hpp"
@@ -127,7 +126,6 @@ class Dynamics {
   static PetscErrorCode converged(SNES, PetscInt it, PetscReal, PetscReal, PetscReal, SNESConvergedReason*,
                                   void*);
   SNESConvergedReason judge_iteration(SNES snes, int it, double fnorm);
-  bool stagnates(SNES snes, Vec r);
   void load(Vec u);
   void solve_once();
   void put(const std::vector<double>& u);
@@ -163,7 +161,6 @@ class Dynamics {
   // N, the larger of the first residual of this Newton solution and of the forces summed up in it
   double first_ = 0;
   int counted_ = -1;  // iterations until the residual fell below kCounted; < 0: not yet
-  KinkStiffness kinks_;
   VecHandle u_, r_;
   MatHandle J_;
   Handle<TS, TSDestroy> ts_;
