@@ -107,6 +107,8 @@ int check_case(MPI_Comm comm, const CheckOptions& options) {
     progress.end();
     write_radiation(comm, c, options.radiation);
   }
+  // Surfaces that ranks share are freed collectively: all ranks free the bed's after those of volumes.
+  const auto bed = c.environment.seabed.surface;
   const std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
   set_hydrostatics(c, volumes);
   if (rank != 0) return 0;
