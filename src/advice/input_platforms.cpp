@@ -130,7 +130,9 @@ void warn_of_floating(const Case& c, const Body& b, std::vector<InputWarning>& o
   const Vec3 added(0, m.hydrodynamics->stiffness(3, 3) + m.turning_stiffness.x(),
                    m.hydrodynamics->stiffness(4, 4) + m.turning_stiffness.y());
   const Vec3 heights = (restoring(m, still, g) + added) / weight;
-  const bool roll = heights[1] < 0, pitch = heights[2] < 0, lines = !line_ends_at(c, b).empty();
+  const bool roll = heights[1] < 0;
+  const bool pitch = heights[2] < 0;
+  const bool lines = !line_ends_at(c, b).empty();
   if (roll || pitch)
     add_warning(out, "bodies." + b.name + ".floating.centre_of_mass", Effect::all,
                 "{} its metacentric height in {} is {:.3g} m; {}is the centre of mass in the body's "

@@ -16,7 +16,7 @@ using model::Value;
 
 namespace {
 
-// Whether the case itself gives the key.
+// True if the case file contains the key, so that its value is not a default.
 bool given(const Value& map, const char* key) {
   const Value* v = map.find(key);
   return v && v->given;

@@ -13,17 +13,17 @@ namespace hawser::io {
 
 namespace {
 
-// Runs `work` on each rank; after a failure all ranks throw the error of the first failing rank. Collective.
+// Runs `work` on each rank. All ranks throw the error of the first failing rank, which any damage to the file
+// may cause, as an InputError. Collective.
 template <class Work>
 void on_each(MPI_Comm comm, const Work& work) {
-  std::string error;
-  try {
-    work();
-  } catch (const std::exception& e) {
-    error = e.what();
-  }
-  error = first_text(comm, std::move(error));
-  if (!error.empty()) throw InputError(error);
+  on_each_rank(comm, [&] {
+    try {
+      work();
+    } catch (const std::exception& e) {
+      throw InputError(e.what());
+    }
+  });
 }
 
 struct Slot {

@@ -1,4 +1,4 @@
-// Points of contact of several outputs and ranks as rows of the tables in a results file.
+// Rows of contact points of several outputs and ranks in the tables of a results file.
 #include "hawser/io/contact_rows.hpp"
 
 #include <algorithm>
@@ -13,7 +13,8 @@ ContactPlaces contact_places(MPI_Comm comm, const std::vector<ContactRows>& outp
   for (const ContactRows& rows : outputs) mine.push_back(std::ssize(rows));
   std::vector<long long> of_lower_ranks(mine.size());
   MPI_Exscan(mine.data(), of_lower_ranks.data(), static_cast<int>(mine.size()), MPI_LONG_LONG, MPI_SUM, comm);
-  if (rank_of(comm) == 0) std::fill(of_lower_ranks.begin(), of_lower_ranks.end(), 0);  // it has left them
+  // MPI_Exscan leaves the values of rank 0 undefined.
+  if (rank_of(comm) == 0) std::fill(of_lower_ranks.begin(), of_lower_ranks.end(), 0);
   ContactPlaces out;
   out.counts = mine;
   all_reduce(comm, MPI_SUM, out.counts);

@@ -394,7 +394,7 @@ void ResultsFile::write_output(double time, const std::vector<std::vector<double
   WaitingOutputs& w = m.waiting;
   size_t numbers = w.size();
   for (const auto& f : fields) numbers += f.size();
-  numbers += 10 * contacts.size();
+  numbers += kContactNumbers * contacts.size();
   const bool now = on_any_rank(m.file.comm(), (m.root() && m.output_time.due()) || numbers > kMostWaiting);
   const bool alone = now && w.times.empty();  // written directly, without a copy
   w.times.push_back(time);

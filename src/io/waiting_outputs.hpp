@@ -23,7 +23,7 @@ struct WaitingOutputs {
   size_t size() const {
     size_t n = 0;
     for (const auto& f : fields) n += f.size();
-    for (const auto& c : contacts) n += 10 * c.size();
+    for (const auto& c : contacts) n += kContactNumbers * c.size();
     return n;
   }
   // Removes and returns the first n outputs.

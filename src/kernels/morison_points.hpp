@@ -100,7 +100,7 @@ inline Mat by_chord2_of(Row t, double inverse) {
   return (inverse * inverse) * m;
 }
 
-// What all points of an element share. Its first and last positions are X[0] and X[end].
+// Quantities that all points of an element share. Its first and last positions are X[0] and X[end].
 template <bool beam>
 struct Chord {
   static constexpr int n = Rule<beam>::shapes, end = n - (beam ? 2 : 1);
@@ -205,7 +205,7 @@ inline void buoyancy_at(const WaterSection& s, const Chord<beam>& c, const Point
   }
 }
 
-// Of the flow at a point.
+// Forces of the flow at a point.
 template <int n>
 struct Flow {
   morison_formula::Drag<double, Row> drag;
@@ -260,7 +260,8 @@ inline void flow_tangent(const WaterSection& s, const Motion<Rule<beam>::shapes>
   const double wF = flow.wF;
   for (int j = 0; j < n; ++j)
     for (int k = 0; k < n; ++k) {
-      const double consistent = p.N[j] * p.N[k], half_lumped = 0.5 * p.N[j] * (p.N[k] + (j == k ? 1 : 0));
+      const double consistent = p.N[j] * p.N[k];
+      const double half_lumped = 0.5 * p.N[j] * (p.N[k] + (j == k ? 1 : 0));
       sums.masses[j][k] += wF * (beam ? consistent : half_lumped);
     }
   const auto& drag = flow.drag;

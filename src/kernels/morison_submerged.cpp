@@ -34,13 +34,13 @@ struct Chords {
   Vec t;        // unit vectors
   explicit Chords(const CablesInWater4& m) {
     const Vec chord = of(m.x[1]) - of(m.x[0]);
-    const Row l2 = dot(chord, chord), l = wide::sqrt(l2);
+    const Row l = wide::sqrt(dot(chord, chord));
     inverse = l > 0 ? 1 / l : Row{};
     t = inverse * chord;
   }
 };
 
-// What is integrated along the element in closed form, with k the other node than j:
+// Closed-form integrals along the element; k is the node other than j:
 //   y_j = L/12 (5 a_j + a_k) - w_j,  w_j = L/6 (2 a_w,j + a_w,k),
 //   f_j = (m_n P + m_t t t') y_j - m_d w_j - L/2 rho g A e.
 template <bool moving>
@@ -82,7 +82,8 @@ inline void drag_at_points(const WaterSections4& s, const CablesInWater4& m, con
     const Vec force = w * drag.force(), &un = drag.across;
     for (int j = 0; j < 2; ++j) f[j] = f[j] - N[j] * force;
     if constexpr (tangent) {
-      const Vec a = (w * drag.over_speed) * un, b = (w * drag.lengthwise()) * t;
+      const Vec a = (w * drag.over_speed) * un;
+      const Vec b = (w * drag.lengthwise()) * t;
       Symmetric D;
       for (int i = 0; i < 3; ++i) {
         D.c[i] = a.c[i] * un.c[i] + b.c[i] * t.c[i] + w * drag.normal;
@@ -126,7 +127,8 @@ inline void put_blocks(const WaterSections4& s, const CablesInWater4& m, const C
       }
     for (int n = 0; n < 2; ++n) {
       const Symmetric& c = sums.C[j + n];
-      const Row mass = (wM * (j == n ? 5. / 12 : 1. / 12)) * s.length, lengthwise = mass * ma;
+      const Row mass = (wM * (j == n ? 5. / 12 : 1. / 12)) * s.length;
+      const Row lengthwise = mass * ma;
       for (int i = 0; i < 3; ++i) {
         Row entry[3];
         for (int k = 0; k < 3; ++k) {

@@ -75,7 +75,7 @@ std::vector<int> line_nodes_of_bodies(const Mesh& mesh, const std::vector<GraphE
   return out;
 }
 
-// Whether `n` is the first node of a line that is not carried by another node.
+// True if `n` is the first node of a line that is not carried by another node.
 bool begins_line(const Mesh& mesh, int n) {
   if (n >= mesh.line_nodes()) return false;
   const int first = mesh.lines[mesh.nodes[n].line].first_node;
@@ -147,7 +147,8 @@ long cost_of_cut(std::span<const GraphEdge> edges, const auto& part) {
 // `most`.
 void cut_component_again(const VertexSequence& sequence, int begin, int end, double most,
                          std::vector<double>& load, std::vector<int>& part) {
-  const int first = part[begin], parts = part[end - 1] - first + 1;
+  const int first = part[begin];
+  const int parts = part[end - 1] - first + 1;
   if (parts < 2 || end - begin <= parts) return;
   const auto begins_before = [](const GraphEdge& e, int position) { return e.from < position; };
   const auto from = std::lower_bound(sequence.edges.begin(), sequence.edges.end(), begin, begins_before);

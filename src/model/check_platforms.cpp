@@ -25,15 +25,20 @@ void check_matrices(const BodyHydrodynamics& h, const Issues& issue) {
               (*B)(i, i));
 }
 
-void check_platform(const Case& c, const Body& b, const Issues& issue) {
-  const BodyMass& m = *b.mass;
-  const BodyHydrodynamics& h = *m.hydrodynamics;
+// Checks what buoyancy needs. twice: sentence for a body with 'in_water', whose buoyancy would count twice.
+void check_afloat(const Case& c, const BodyMass& m, const char* twice, const Issues& issue) {
   if (!c.environment.water.present) issue("", "there is no water: give 'environment: {{water: ...}}'");
   if (!(c.environment.gravity > 0))
     issue("", "floats by the weight of the water, and 'environment.gravity' is 0: give it above 0");
-  if (m.in_water) issue("", "stands in the place of 'in_water': give one of them");
+  if (m.in_water) issue("", "{}", twice);
   if (!m.weight)
     issue("", "brings the buoyancy of the body, so that its weight acts as well: remove 'weight'");
+}
+
+void check_platform(const Case& c, const Body& b, const Issues& issue) {
+  const BodyMass& m = *b.mass;
+  const BodyHydrodynamics& h = *m.hydrodynamics;
+  check_afloat(c, m, "stands in the place of 'in_water': give one of them", issue);
   if (m.hull && m.hull->wave_pressure && h.excitation && !h.data->excitation.empty())
     issue("excitation",
           "the wave forces of the files contain the pressure of the waves, which 'hull' adds again: set "
@@ -48,13 +53,9 @@ void check_platform(const Case& c, const Body& b, const Issues& issue) {
 
 void check_hull(const Case& c, const Body& b, const Issues& issue) {
   const BodyMass& m = *b.mass;
-  if (!c.environment.water.present) issue("", "there is no water: give 'environment: {{water: ...}}'");
-  if (!(c.environment.gravity > 0))
-    issue("", "floats by the weight of the water, and 'environment.gravity' is 0: give it above 0");
-  if (m.in_water)
-    issue("", "'in_water' brings buoyancy as well: give one of them, and drag and added mass by 'members'");
-  if (!m.weight)
-    issue("", "brings the buoyancy of the body, so that its weight acts as well: remove 'weight'");
+  check_afloat(c, m,
+               "'in_water' brings buoyancy as well: give one of them, and drag and added mass by 'members'",
+               issue);
   for (const std::string& name : m.hull->volumes) {
     const auto has_name = [&name](const Volume& v) { return v.name == name; };
     const auto volume = std::find_if(c.volumes.begin(), c.volumes.end(), has_name);

@@ -1,5 +1,5 @@
-// Which values of a case file must be the same when a run goes on from a checkpoint, and the tree without
-// what a run does not read again.
+// Values of a case file that a restart must not change, and the tree of a case file reduced to what a run
+// needs.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -19,8 +19,8 @@ namespace {
 // time in which drag carries a line along; the duration; the shortest period of gusts.
 constexpr int kInPeriod = 100, kInWaves = 75, kInRamp = 20, kInOwn = 20, kInDrag = 10, kInDuration = 50,
               kInGust = 4;
-// What lines do by themselves, and drag, shortens what drives them to no less than this; the local error does
-// more.
+// Least share of the step for what drives the lines to which their own periods and drag shorten it. The
+// control of the local error shortens it further where necessary.
 constexpr double kLeastOwn = 0.1, kLeastDrag = 0.5;
 // In the period of a body by itself, where nothing periodic drives it: that of the scheme is too long by
 // 3.47/n² at n steps a period and rho_infinity 0.8, a thousandth here

@@ -29,7 +29,8 @@ OgilvieCheck ogilvie_check(const HydrodynamicData& data, const PlatformMemory& o
   for (size_t e = 0; e < of.entries.size(); ++e) {
     const auto [i, j] = of.entries[e];
     if (i != j) continue;
-    const int row = of.rows[static_cast<size_t>(i)], first = row - row % 3;
+    const int row = of.rows[static_cast<size_t>(i)];
+    const int first = row - row % 3;
     if (size(row) < kRounding * std::max({size(first), size(first + 1), size(first + 2)})) continue;
     OgilvieCheck own{0, i, 0};
     double most = 0;

@@ -57,7 +57,7 @@ ClashReport::ClashReport(const Subject& subject)
       body_contact_(subject.term<BodyContactTerm>()),
       rank_(rank_of(comm_)),
       settings_(settings_of(subject.model)),
-      volumes_(volumes_of_lines(subject)),
+      volumes_(case_indices_of_volumes(subject)),
       log_(settings_) {}
 
 void ClashReport::step(const Snapshot& s) {

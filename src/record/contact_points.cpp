@@ -1,4 +1,4 @@
-// The class ContactPoints: what the three contact terms show of the accepted state.
+// Contact points of the accepted state, gathered from the three contact terms.
 #include "hawser/record/contact_points.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ bool can_touch(const Subject& s) {
   return s.term<LineVolumeContact>() || s.term<LinePairs>() || s.term<BodyContactTerm>();
 }
 
-std::vector<int> volumes_of_lines(const Subject& subject) {
+std::vector<int> case_indices_of_volumes(const Subject& subject) {
   std::vector<int> out;
   const auto* term = subject.term<LineVolumeContact>();
   const auto& volumes = subject.model.volumes;
@@ -29,7 +29,7 @@ ContactPoints::ContactPoints(const Subject& subject)
     : line_volumes_(subject.term<LineVolumeContact>()),
       line_pairs_(subject.term<LinePairs>()),
       bodies_(subject.term<BodyContactTerm>()),
-      volumes_(volumes_of_lines(subject)) {}
+      volumes_(case_indices_of_volumes(subject)) {}
 
 void ContactPoints::points(const Snapshot& s, io::ContactRows& to) {
   ContactResultants found;

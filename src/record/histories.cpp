@@ -178,7 +178,7 @@ std::vector<double> Histories::line_row(const Point& p, const Snapshot& s) const
   return row;
 }
 
-// What is left of the force of all is that of lines, of their contact with the body, and of links.
+// "other" is the remainder of the total force: lines, their contact with the body, and links.
 std::vector<std::string> Histories::origins(int body) const {
   std::vector<std::string> out;
   if (!subject_.model.floats(body)) return out;

@@ -100,7 +100,8 @@ TrialRun print_trial(Simulation& sim, const model::Case& c, double budget) {
 }  // namespace
 
 int check_case(MPI_Comm comm, const CheckOptions& options) {
-  const int rank = rank_of(comm), ranks = options.ranks > 0 ? options.ranks : ranks_of(comm);
+  const int rank = rank_of(comm);
+  const int ranks = options.ranks > 0 ? options.ranks : ranks_of(comm);
   Progress progress(rank == 0);
   model::Case c = io::read_case(options.case_path, read_progress(progress), comm, options.changes);
   if (!options.radiation.empty()) {

@@ -178,7 +178,7 @@ void CommandLine::add_check() {
   commands_.push_back({command, nullptr, work});
 }
 
-// What needs no case.
+// Commands that print a text and need no case.
 void CommandLine::add_printed() {
   CLI::App* schema = cli_.add_subcommand("schema", "Print the schema of case files.");
   schema->add_flag("--json", json_, "As JSON Schema, for editors");

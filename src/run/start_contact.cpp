@@ -125,8 +125,8 @@ struct Chord {
   Vec3 at(double share) const { return a + share * (b - a); }
 };
 
-// Of each line and volume the node nearest to the volume, of equal ones the first from end A; sorted by line
-// and volume.
+// For each line and volume, the node nearest to the volume; at equal distance the first from end A. Sorted by
+// line and volume.
 std::vector<OnWrongSide> nearest_nodes(const std::vector<OnWrongSide>& of) {
   std::map<std::pair<int, int>, OnWrongSide> nearest;
   for (const OnWrongSide& p : of) {
@@ -172,7 +172,8 @@ void find_lines_on_wrong_side(MPI_Comm comm, const model::Case& c, const LocalMe
   std::vector<std::string> warnings;
   const std::vector<OnWrongSide> here = nodes_on_wrong_side(mesh, at, bodies, volumes, expected_place);
   for (const OnWrongSide& p : nearest_nodes(gather_all(comm, nearest_nodes(here)))) {
-    const int l = p.line, v = p.volume;
+    const int l = p.line;
+    const int v = p.volume;
     const model::Line& line = c.lines[l];
     const model::Volume& volume = volumes[v].settings;
     // Of what is inside the other sentences tell.

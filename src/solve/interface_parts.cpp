@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "hawser/base/gather.hpp"
+#include "hawser/math/disjoint_sets.hpp"
 
 namespace hawser {
 namespace {
@@ -46,24 +46,12 @@ void for_each_block(Mat m, const Visit& visit) {
 
 // Group of each local block (own ones, then ghosts) that the pattern connects: its first block.
 Blocks connected(const LocalRows& local) {
-  Blocks group(static_cast<size_t>(local.owned + local.others));
-  std::iota(group.begin(), group.end(), 0);
-  const auto first_of = [&group](PetscInt i) {
-    while (group[i] != i) {
-      group[i] = group[group[i]];
-      i = group[i];
-    }
-    return i;
-  };
-  const auto join = [&](PetscInt a, PetscInt b) {
-    a = first_of(a);
-    b = first_of(b);
-    group[std::max(a, b)] = std::min(a, b);
-  };
-  for_each_block(local.own, join);
-  for_each_block(local.other, [&](PetscInt row, PetscInt column) { join(row, local.owned + column); });
-  for (size_t i = 0; i < group.size(); ++i) group[i] = first_of(static_cast<PetscInt>(i));
-  return group;
+  DisjointSets groups(static_cast<size_t>(local.owned + local.others));
+  for_each_block(local.own, [&](PetscInt row, PetscInt column) { groups.unite(row, column); });
+  for_each_block(local.other,
+                 [&](PetscInt row, PetscInt column) { groups.unite(row, local.owned + column); });
+  const std::vector<int> first = groups.smallest_of_all();
+  return {first.begin(), first.end()};
 }
 
 // Smallest global number connected with each local block, over all ranks. blocks: from each block to its
@@ -192,7 +180,7 @@ SfHandle ghost_forest(MPI_Comm comm, PetscLayout layout, const LocalRows& local)
   return sf;
 }
 
-// What this rank has of each part, by label. blocks: ghost_forest(). Collective.
+// This rank's share of each part, by label. blocks: ghost_forest(). Collective.
 std::map<PetscInt, InterfacePart> find_parts(MPI_Comm comm, PetscLayout layout, const LocalRows& local,
                                              PetscSF blocks) {
   const Blocks label = labels(comm, local, blocks);
@@ -214,8 +202,8 @@ std::map<PetscInt, InterfacePart> find_parts(MPI_Comm comm, PetscLayout layout, 
   return found;
 }
 
-// The parts that this rank solves, one after another in the order of their labels; their blocks in the order
-// of their numbers.
+// Parts that this rank solves, in the order of their labels; the blocks of a part are in the order of their
+// numbers.
 class SolvedParts {
  public:
   // asked: by rank, see Questions.
@@ -248,7 +236,7 @@ class SolvedParts {
   std::map<PetscInt, Part> parts_;
 };
 
-// The place of each shared block, from the rank that solves its part. Collective.
+// Place of each shared block, as assigned by the rank that solves its part. Collective.
 std::vector<Place> places_of_shared(const LocalRows& local, const std::map<PetscInt, InterfacePart>& found,
                                     const Questions& questions, const SolvedParts& solved) {
   std::map<int, std::vector<Place>> answers, places;
@@ -266,7 +254,7 @@ std::vector<Place> places_of_shared(const LocalRows& local, const std::map<Petsc
   return out;
 }
 
-// What to ask the ranks that solve the parts, see Questions.
+// Lists for the ranks that solve the parts, in the form of Questions.
 std::map<int, Blocks> questions_on(const LocalRows& local, const std::map<PetscInt, InterfacePart>& found) {
   std::map<int, Blocks> out;
   for (const auto& [name, part] : found) {
@@ -278,7 +266,7 @@ std::map<int, Blocks> questions_on(const LocalRows& local, const std::map<PetscI
   return out;
 }
 
-// Ghosts have the places that their owners know.
+// Places of the ghosts, sent by their owners. Collective.
 std::vector<Place> places_of_ghosts(const LocalRows& local, PetscSF blocks, const std::vector<Place>& own) {
   std::vector<Place> out(static_cast<size_t>(local.others));
   const Row place(kPlace, MPIU_INT);
@@ -287,7 +275,7 @@ std::vector<Place> places_of_ghosts(const LocalRows& local, PetscSF blocks, cons
   return out;
 }
 
-// From what this rank has of each part to the rank that solves it.
+// Star forests from this rank's share of each part to the rank that solves it.
 struct Forests {
   SfHandle shared, ghosts, matrices;
 };

@@ -15,12 +15,6 @@ constexpr double kAlmost = 1e-2;
 constexpr double kRounding = 1e-8;
 constexpr double kWithin = 1e-7;  // of the longest element: distance from a kink at which a node lies on it
 
-double longest_element(const System& system) {
-  double longest = 0;
-  for (const Element& e : system.mesh().mesh->elements) longest = std::max(longest, e.length);
-  return longest > 0 ? longest : 1;
-}
-
 }  // namespace
 
 void KinkStiffness::clear() {
@@ -73,8 +67,8 @@ void KinkStiffness::add_to(const System& system, Mat J) const {
   check(MatAssemblyEnd(J, MAT_FINAL_ASSEMBLY));
 }
 
-ResidualNorms KinkStiffness::norms_without_jumps(const System& system, Vec r) const {
-  const double within = kWithin * longest_element(system);
+ResidualNorms KinkStiffness::norms_without_jumps(const System& system, Vec r, double length) const {
+  const double within = kWithin * length;
   VecHandle rest;
   check(VecDuplicate(r, rest.out()));
   check(VecCopy(r, rest.get()));

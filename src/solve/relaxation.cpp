@@ -185,14 +185,14 @@ class Relaxation : StaticTrial {
     if (!kinks_.observe(local_.data(), r_.get(), norms.relative()))
       return iteration < kMostIterations ? SNES_CONVERGED_ITERATING : SNES_DIVERGED_MAX_IT;
     const double goal = std::max(goal_, settings_.tolerance);
-    return kinks_.norms_without_jumps(system_, r_.get()).small(goal) ? SNES_CONVERGED_FNORM_RELATIVE
-                                                                     : SNES_CONVERGED_ITERATING;
+    return kinks_.norms_without_jumps(system_, r_.get(), length_).small(goal) ? SNES_CONVERGED_FNORM_RELATIVE
+                                                                              : SNES_CONVERGED_ITERATING;
   }
 
-  // Whether only jumps of forces are left at the state that was accepted last, from which no node moves on.
+  // True if the residual of the accepted state consists of jumps of forces only.
   bool rests_on_kinks(RelaxationReport& report) {
     system_.residual(state_.view(0), r_.get());
-    if (!kinks_.norms_without_jumps(system_, r_.get()).small(settings_.tolerance)) return false;
+    if (!kinks_.norms_without_jumps(system_, r_.get(), length_).small(settings_.tolerance)) return false;
     report.norms = system_.norms(r_.get());
     if (settings_.friction) system_.commit(state_.view(0));
     return true;

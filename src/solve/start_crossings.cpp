@@ -206,7 +206,8 @@ class Crossings {
     const double to = under.x.z() + (1 + kCrossingGap) * radii / slant;
     // The slopes of both lines at the crossing are those of their elements.
     raise(*over->rope, over->arc(), over->arc(), to - over->x.z());
-    const Rope &one = *over->rope, &other = *under.rope;
+    const Rope& one = *over->rope;
+    const Rope& other = *under.rope;
     if (!(one.number < other.number ? one : other).counted) return;
     done.try_emplace(
         ordered(one.number, other.number),

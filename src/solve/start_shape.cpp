@@ -124,19 +124,6 @@ LineStart part_of(const StartedLine& whole, const model::Line& line, int nodes) 
   return shape;
 }
 
-// Does `work`, and throws an InputError of any rank on all. Collective.
-template <class Work>
-void on_each(MPI_Comm comm, const Work& work) {
-  std::string why;
-  try {
-    work();
-  } catch (const InputError& e) {
-    why = e.what();
-  }
-  why = first_text(comm, std::move(why));
-  if (!why.empty()) throw InputError(why);
-}
-
 // Start shapes of the lines that this rank needs.
 class Starts {
  public:
@@ -154,7 +141,7 @@ class Starts {
     for (size_t l = 0; l < c.lines.size(); ++l)  // all ranks have all feeders
       if (c.lines[l].end_a.feed || c.lines[l].end_b.feed) wanted[line_of[l]] = true;
     if (ranks_of(comm) > 1) wanted = with_groups(c, lines_, boxes(), wanted);
-    on_each(comm, [&] {
+    on_each_rank(comm, [&] {
       for (size_t g = 0; g < lines_.size(); ++g)
         if (wanted[g]) begin(g);
     });
@@ -179,7 +166,7 @@ class Starts {
   }
 
  private:
-  // Makes the shape of a given line, where that is not done.
+  // Computes the start shape of a given line unless that has been done.
   void begin(size_t g) {
     if (at_[g] >= 0) return;
     const int first = lines_[g].first;
@@ -199,14 +186,14 @@ class Starts {
     started_.push_back(std::move(whole));
   }
 
-  // What each given line takes in plan with its radius: this rank makes those that it counts. Empty where
-  // lines do not touch each other. Collective.
+  // Box of each given line in plan, enlarged by the largest radius. Each rank computes the shapes of the
+  // lines that it owns. Empty if the case has no contact between lines. Collective.
   std::vector<Box> boxes() {
     if (!c_.contact.between_lines.enabled) return {};
     double radius = 0;
     for (const model::LineType& t : c_.line_types) radius = std::max(radius, 0.5 * t.contact_diameter);
     std::vector<double> ends(4 * lines_.size(), -HUGE_VAL);  // -x, -y, x, y at the most
-    on_each(comm_, [&] {
+    on_each_rank(comm_, [&] {
       for (size_t g = 0; g < lines_.size(); ++g) {
         if (!owns_line(mesh_, lines_[g].first)) continue;
         begin(g);
@@ -223,11 +210,11 @@ class Starts {
     return out;
   }
 
-  // Lays lines over volumes and over each other, and turns their nodes. Collective.
+  // Raises lines over volumes and over each other, and sets the axes of their nodes. Collective.
   void lay(const Surfaces& surfaces) {
     constexpr int kMostNotes = 3;
     std::vector<StartNote> over_volumes, over_lines, turned;
-    on_each(comm_, [&] {
+    on_each_rank(comm_, [&] {
       over_volumes = lay_over_volumes(c_, bodies_, surfaces, started_);
       over_lines = lay_over_each_other(c_, started_);
       for (StartedLine& whole : started_) {

@@ -1,5 +1,5 @@
-// Groups of lines that act on each other at the start, by joints and by a sweep over their boxes in plan; and
-// sentences of all ranks in one order.
+// Groups of lines that share a joint or overlap in plan (a sweep over their boxes), and notes of all ranks in
+// one order.
 #include "start_share.hpp"
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 namespace hawser {
 namespace {
 
-// Boxes in the order of their beginnings along x. Those that have not ended there are kept as intervals of y
-// that do not overlap: each box takes the place of all that it overlaps.
+// Sweep along x over the beginnings of the boxes. Boxes that have not ended yet are stored as disjoint
+// intervals of y; a box that overlaps some of them is merged with them into one interval.
 void unite_overlapping(const std::vector<Box>& boxes, DisjointSets& group) {
   std::vector<int> order;
   for (size_t i = 0; i < boxes.size(); ++i)

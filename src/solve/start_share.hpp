@@ -1,5 +1,5 @@
-// Which start shapes a rank computes: those of the lines that it has nodes of, and of lines that act on these
-// at the start, because they cross or because joints hold them together.
+// Selection of the start shapes that a rank computes: those of lines with nodes on this rank, and of lines
+// that cross these or share a joint with them.
 #pragma once
 
 #include <mpi.h>
@@ -11,25 +11,27 @@
 
 namespace hawser {
 
-// A line as the case gives it. Those of its parts that events cut off follow it in Case::lines.
+// A line of the case before events cut it: its parts are consecutive in Case::lines.
 struct GivenLine {
-  int first = 0, parts = 1;  // in Case::lines
+  int first = 0;  // index of the first part in Case::lines
+  int parts = 1;  // number of parts
 };
 std::vector<GivenLine> given_lines(const model::Case& c);
 
-// For each given line whether one with which it is in a group is `wanted`. Lines are in one group if they
-// share a joint or their boxes overlap in plan; so do all within the box of both, which makes the groups no
-// smaller. Raising a line does not change its extent in plan. O(lines log lines).
+// True for each given line whose group contains a `wanted` line. Two lines are in one group if they share a
+// joint or their boxes overlap in plan. The search replaces overlapping boxes by the box around them, which
+// can only enlarge groups. Raising a line does not change its extent in plan. O(lines log lines).
 std::vector<bool> with_groups(const model::Case& c, const std::vector<GivenLine>& lines,
                               const std::vector<Box>& boxes, const std::vector<bool>& wanted);
 
-// A sentence on the start of a line, and its place among all of them.
+// A note on the start of a line. Notes are printed in the order of (first, second).
 struct StartNote {
-  int first = 0, second = 0;
+  int first = 0;
+  int second = 0;
   std::string text;
 };
 
-// The first `most` sentences of all ranks in their order, and how many more there are. Collective.
+// First `most` notes of all ranks in order, and the number of further ones. Collective.
 struct FirstNotes {
   std::vector<std::string> texts;
   int more = 0;

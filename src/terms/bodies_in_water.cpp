@@ -99,12 +99,18 @@ Water BodiesInWater::water(const Wet& b, const Kinematics& at, const Vec3& x, Wa
   return still + b.*wave;
 }
 
-BodiesInWater::Flow BodiesInWater::flow(const Wet& b, const Kinematics& at) const {
+BodiesInWater::Flow BodiesInWater::all_forces(const Wet& b, const RigidBodyState& s,
+                                              const Kinematics& at) const {
   Flow out;
-  const RigidBodyState s = state(b, at);
   out.at = places(b, s);
   out.force = body_water_force(b.data, s, water(b, at, out.at.centre, &Wet::centre),
                                water(b, at, out.at.drag, &Wet::drag));
+  return out;
+}
+
+BodiesInWater::Flow BodiesInWater::flow(const Wet& b, const Kinematics& at) const {
+  const RigidBodyState s = state(b, at);
+  Flow out = all_forces(b, s, at);
   BodyInWater floating;
   floating.centre = b.data.centre;
   floating.height = b.data.height;
@@ -233,11 +239,9 @@ std::vector<BodyForce> BodiesInWater::forces_on(int body, const Kinematics& at) 
     if (b.body != body) continue;
     here = true;
     const RigidBodyState s = state(b, at);
-    const Places places_now = places(b, s);
-    const BodyWaterForce f = body_water_force(b.data, s, water(b, at, places_now.centre, &Wet::centre),
-                                              water(b, at, places_now.drag, &Wet::drag));
-    sum.force += f.at_centre + f.at_drag;
-    sum.moment += (places_now.centre - s.x).cross(f.at_centre) + (places_now.drag - s.x).cross(f.at_drag);
+    const Flow f = all_forces(b, s, at);
+    sum.force += f.force.at_centre + f.force.at_drag;
+    sum.moment += (f.at.centre - s.x).cross(f.force.at_centre) + (f.at.drag - s.x).cross(f.force.at_drag);
   }
   return here ? std::vector<BodyForce>{sum} : std::vector<BodyForce>{};
 }

@@ -46,7 +46,8 @@ void LinePairs::active_contacts(ActiveContacts& out) const {
   }
 }
 
-// From the axis of the slave it is r + g/2 against the normal to the middle of what overlaps.
+// The contact point is midway between both surfaces, at r + g/2 from the axis of the slave, against the
+// normal (r: radius of the slave, g: gap).
 void LinePairs::resultants(const Kinematics& at, ContactResultants& out) const {
   for (const Pair& pair : pairs_) {
     if (!pair.counted || !pair.points) continue;

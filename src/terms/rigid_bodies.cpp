@@ -55,7 +55,7 @@ namespace {
 // force is zero at the start of each Newton iteration, so it does not affect the equilibrium.
 constexpr double kDrift = 0.01;
 
-// Whether inertia is what the momenta change by: a start has no mean over a step (StepMean).
+// True if inertia is the change of the momenta over the step. The start of a run has no step (StepMean).
 bool by_momenta(const Kinematics& at) { return at.step > 0 && at.mean.weight > 1; }
 
 }  // namespace

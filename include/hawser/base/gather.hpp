@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <iterator>
 #include <numeric>
 #include <string>
@@ -34,7 +33,7 @@ MPI_Datatype mpi_type() {
   return std::is_same_v<T, double> ? MPI_DOUBLE : std::is_same_v<T, int> ? MPI_INT : MPI_LONG_LONG;
 }
 
-// Whether ranks may send a T as its bytes: numbers and fixed-size vectors of Eigen, also in structs, arrays
+// True if ranks may send a T as its bytes: numbers and Eigen's fixed-size vectors, also in structs, arrays
 // and std::optional; no pointers. (std::is_trivially_copyable is too strict: Eigen 3.4 writes copy
 // constructors.)
 template <class T>
@@ -94,16 +93,25 @@ inline std::string first_text(MPI_Comm comm, std::string mine) {
   return mine;
 }
 
-// Runs `work` on rank 0 only; an InputError there is thrown on all ranks. Collective.
-inline void on_root(MPI_Comm comm, const std::function<void()>& work) {
+// Runs `work` on each rank. All ranks throw the InputError of the first rank that has one. Collective.
+template <class Work>
+void on_each_rank(MPI_Comm comm, const Work& work) {
   std::string text;
-  if (rank_of(comm) == 0) try {
-      work();
-    } catch (const InputError& e) {
-      text = e.what();
-    }
+  try {
+    work();
+  } catch (const InputError& e) {
+    text = e.what();
+  }
   text = first_text(comm, std::move(text));
   if (!text.empty()) throw InputError(text);
+}
+
+// Runs `work` on rank 0 only. All ranks throw its InputError. Collective.
+template <class Work>
+void on_root(MPI_Comm comm, const Work& work) {
+  on_each_rank(comm, [&] {
+    if (rank_of(comm) == 0) work();
+  });
 }
 
 // Broadcasts the data of the rank with the largest value (the first of equal ones) if that is above `least`;
@@ -184,7 +192,7 @@ class GatherPlan {
   std::vector<int> count_, start_;
 };
 
-// What all ranks have, rank by rank. T: plain data. Collective.
+// Items of all ranks, in the order of the ranks. T: plain data. Collective.
 template <class T>
 std::vector<T> gather_all(MPI_Comm comm, const std::vector<T>& mine) {
   std::vector<T> out;

@@ -1,6 +1,6 @@
-// Points of contact in a results file: three tables with a row a point, those of an output after those of the
-// output before. The row of an output in `outputs/contact_points` says how many rows it and all before it
-// have, so that the counter of outputs is the counter of these as well.
+// Tables of contact points in a results file, one row for each point, in the order of the outputs. Each row
+// of `outputs/contact_points` holds the number of points of that output and all earlier ones, so the counter
+// of outputs also counts complete points.
 #pragma once
 
 #include <mpi.h>
@@ -14,36 +14,38 @@ namespace hawser::io {
 
 struct ResultContents;
 
-// Where something touches, and the force there. Indices into the lines and volumes of the contents; -1: none.
+// A contact point. Indices of lines and volumes in ResultContents; -1: none.
 struct ContactRow {
   int line = -1, other_line = -1, volume = -1, other_volume = -1;
   Vec3 position = Vec3::Zero();  // m, space axes
-  Vec3 force = Vec3::Zero();     // N, space axes; on `line`, without one on `volume`
+  Vec3 force = Vec3::Zero();     // N, space axes; acts on `line`, or on `volume` if line is -1
 };
 using ContactRows = std::vector<ContactRow>;
 
-inline constexpr const char *kContactCounts = "outputs/contact_points",
-                            *kContactPairs = "contact_points/pair",
-                            *kContactPositions = "contact_points/position",
-                            *kContactForces = "contact_points/force";
+inline constexpr int kContactNumbers = 10;  // in a ContactRow
+
+inline constexpr const char* kContactCounts = "outputs/contact_points";
+inline constexpr const char* kContactPairs = "contact_points/pair";
+inline constexpr const char* kContactPositions = "contact_points/position";
+inline constexpr const char* kContactForces = "contact_points/force";
 
 // --- Inside io.
 
-// Where this rank's points of some outputs stand: those of an output follow each other by ranks. Collective,
-// once for all these outputs. before: rows of earlier outputs.
+// Rows of this rank's points of several outputs; the points of an output are in the order of the ranks.
+// before: number of rows of earlier outputs. Collective: one call for all these outputs.
 struct ContactPlaces {
   std::vector<RowRun> runs;
-  std::vector<long long> counts;  // by output: rows of it and of all before it, of all ranks
-  long long last = 0;             // the last of them
-  bool any = false;               // has some rank a point
+  std::vector<long long> counts;  // by output: rows of this output and all earlier ones, over all ranks
+  long long last = 0;             // last entry of `counts`
+  bool any = false;               // true if any rank has a point
 };
 ContactPlaces contact_places(MPI_Comm comm, const std::vector<ContactRows>& outputs, long long before);
 
-// Writes these points there, and the counts from the row `output` on. Collective.
+// Writes the points to the rows `at` and the counts to the rows from `output` on. Collective.
 void write_contacts(SharedFile& file, long long output, const std::vector<ContactRows>& outputs,
                     const ContactPlaces& at);
 
-// Rows for which a new file has room: a point a node at each output. Room that is left costs nothing.
+// Rows reserved in a new file: one point for each node and output. Unused rows take no space on disk.
 long long contact_room(const ResultContents& contents);
 
 }  // namespace hawser::io

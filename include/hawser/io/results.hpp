@@ -83,7 +83,7 @@ struct ResultWaves {
   double level = 0, ramp = 0;                     // m; s
 };
 
-// What the file is to hold; the same on all ranks, but for what rank 0 alone writes.
+// Contents of a results file. Equal on all ranks, except for the parts that only rank 0 writes.
 struct ResultContents {
   RunInfo run;
   std::vector<ResultLine> lines;

@@ -9,8 +9,8 @@ namespace hawser::model {
 struct PlatformPeriods {
   double heave = 0, roll = 0, pitch = 0;
 };
-// Of a body with hydrodynamics, without damping and other bodies: (C - omega² (M + A(omega))) x = 0 of all
-// six freedoms.
+// Natural periods of a body with hydrodynamics, without damping, lines and other bodies:
+// (C - omega² (M + A(omega))) x = 0 in all six freedoms.
 PlatformPeriods platform_periods(const Case& c, const Body& b);
 
 }  // namespace hawser::model

@@ -147,8 +147,8 @@ template <class First, class... More>
 // Values of all keys below v that are fixed_in_restart, by dotted key, as text: numbers in SI, keys of maps
 // in alphabetical order. v must be checked.
 std::map<std::string, std::string> fixed_values(const Value& v);
-// Of the tree of a case file what line_of() and fixed_values() read: what stands in another line of the file
-// than the entry around it, and what is fixed_in_restart. v: checked.
+// The part of the tree of a case file that line_of() and fixed_values() read: entries on another line of the
+// file than the entry around them, and values that are fixed_in_restart. v: a checked value.
 Value without_values(const Value& v);
 // A checked value as such a text.
 std::string value_text(const Value& v);

@@ -1,4 +1,4 @@
-// Points of contact with their forces at outputs, of all terms that have some. Each rank has those that it
+// Points of contact and their forces at outputs, from all contact terms. Each rank records the points that it
 // counts.
 #pragma once
 
@@ -16,24 +16,25 @@ class LineVolumeContact;
 
 namespace hawser::record {
 
-// True when anything of the case can touch.
+// True if the case has contact of any kind.
 bool can_touch(const Subject& subject);
-// Of the volumes that lines touch, in the order of their term: which of the case each is.
-std::vector<int> volumes_of_lines(const Subject& subject);
+// Index in the case of each volume of LineVolumeContact, in the order of that term.
+std::vector<int> case_indices_of_volumes(const Subject& subject);
 
 class ContactPoints : public Recording {
  public:
-  // The subject outlives it.
+  // The subject must outlive the recording.
   explicit ContactPoints(const Subject& subject);
 
   void declare(Declarations& to) override { to.contents.contact_points = true; }
   void points(const Snapshot& s, io::ContactRows& to) override;
 
  private:
-  const LineVolumeContact* line_volumes_;  // null: none of its kind
-  const LinePairs* line_pairs_;            // likewise
-  const BodyContactTerm* bodies_;          // likewise
-  std::vector<int> volumes_;
+  // Null: the case has no such contact.
+  const LineVolumeContact* line_volumes_;
+  const LinePairs* line_pairs_;
+  const BodyContactTerm* bodies_;
+  std::vector<int> volumes_;  // case_indices_of_volumes()
 };
 
 }  // namespace hawser::record

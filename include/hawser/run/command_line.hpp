@@ -20,7 +20,7 @@ struct Command {
   std::function<std::string()> text{};  // to print; needs neither case nor MPI
   // Exit code. Throws InputError, SolveError and WriteError. Collective.
   std::function<int(MPI_Comm)> run{};
-  bool reports_unused_options = false;  // of PETSc
+  bool reports_unused_options = false;  // whether unused PETSc options are reported after the command
 };
 
 class CommandLine {
@@ -30,7 +30,7 @@ class CommandLine {
   CommandLine(const CommandLine&) = delete;
 
   CLI::App& cli() { return cli_; }
-  // What was given, once cli() has parsed it.
+  // The command that was given. Valid after cli() has parsed the command line.
   const Command& command() const;
   bool quiet() const { return run_.quiet || modes_.quiet || stiffness_.quiet; }
 

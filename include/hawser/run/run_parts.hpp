@@ -35,8 +35,7 @@ model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<Loa
 StaticsReport solve_statics(
     Simulation& sim, Events& events, Progress& progress,
     const std::function<void(size_t)>& rested = [](size_t) {});
-// Of a case that a run does not read again: its text goes, and its tree but for the lines of messages and
-// what a restart compares.
+// Frees the text of a case and reduces its tree to without_values(), once the run no longer reads them.
 void forget_file(model::Case& c);
 // MPI libraries tell malloc to keep what is freed, which can be gigabytes.
 void give_back_memory();

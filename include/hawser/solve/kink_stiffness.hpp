@@ -43,9 +43,9 @@ class KinkStiffness {
   int smooth_iterations() const { return smooth_; }
   // Adds S to the assembled tangent. Collective.
   void add_to(const System& system, Mat J) const;
-  // Norms of r without what jumps account for at nodes that are known to lie within 1e-7 of the longest
-  // element from their kink. Collective.
-  ResidualNorms norms_without_jumps(const System& system, Vec r) const;
+  // Norms of r without the jumps at nodes that lie within 1e-7 `length` of their kink. length: of the longest
+  // element, m. Collective.
+  ResidualNorms norms_without_jumps(const System& system, Vec r, double length) const;
 
  private:
   struct Block {

@@ -56,8 +56,7 @@ class BodiesInWater final : public ForceTerm,
   struct Places {
     Vec3 centre = Vec3::Zero(), drag = Vec3::Zero();
   };
-  // Forces of the flow and their points of application. Buoyancy in still water is excluded because it has a
-  // potential.
+  // Forces of the water and their points of application.
   struct Flow {
     BodyWaterForce force;
     Places at;
@@ -87,6 +86,9 @@ class BodiesInWater final : public ForceTerm,
   static Places places(const Wet& b, const RigidBodyState& s);
   Places wave_places(const Wet& b, const Kinematics& at) const;
   Water water(const Wet& b, const Kinematics& at, const Vec3& x, WaveMotion Wet::*wave) const;
+  // All forces of the water on a body in the state s of `at`.
+  Flow all_forces(const Wet& b, const RigidBodyState& s, const Kinematics& at) const;
+  // The same without the buoyancy in still water, which has a potential.
   Flow flow(const Wet& b, const Kinematics& at) const;
   bool idle(const Wet& b) const { return hold_ && !b.rest.found(friction_); }
 
