@@ -53,7 +53,7 @@ std::string hull_cannot_float(double displaced, double mass) {
 std::string hull_at_start(const HullAtStart& h) {
   std::string out =
       fmt::format("hull of {}: {} triangles, displaces {:.6g} m³ where it starts, {:.6g} m³ in all\n", h.body,
-                  h.triangles, h.displaced, h.whole);
+                  h.triangles, h.displaced, h.volume);
   out += fmt::format("  buoyancy {:.5g} kN, weight {:.5g} kN, waterplane {:.5g} m²\n", h.buoyancy / 1000,
                      h.weight / 1000, h.waterplane);
   if (h.buoyancy > 0) {

@@ -31,21 +31,21 @@ Arcs node_arcs(const Line& line, const std::vector<double>& places) {
 }
 
 // Element that contains an arc length [m], and the nearer of its nodes.
-struct Place {
+struct ElementAt {
   double from = 0, to = 0, node = 0;
   int number = 0;  // of the element along the line
 };
 
-Place place_of(const Arcs& arcs, double at) {
+ElementAt element_at(const Arcs& arcs, double at) {
   const auto after =
       std::clamp(std::lower_bound(arcs.begin(), arcs.end(), at), arcs.begin() + 1, arcs.end() - 1);
   const double from = *(after - 1), to = *after;
   return {from, to, at - from < to - at ? from : to, static_cast<int>(after - arcs.begin()) - 1};
 }
 
-void warn_of_place(const Line& line, const Arcs& arcs, double at, const std::string& key,
-                   std::vector<InputWarning>& out) {
-  const Place p = place_of(arcs, at);
+void warn_of_distance(const Line& line, const Arcs& arcs, double at, const std::string& key,
+                      std::vector<InputWarning>& out) {
+  const ElementAt p = element_at(arcs, at);
   if (std::abs(p.node - at) > kApart * (p.to - p.from))
     add_warning(out, key, Effect::resolution,
                 "what is to be at {:.6g} m of line {} is fixed to the nearest node, at {:.6g} "
@@ -73,7 +73,7 @@ void warn_of_sinking(const Case& c, const Line& line, const Arcs& arcs, const Po
   const Water& w = c.environment.water;
   const double weight = c.environment.gravity * (m.mass - (w.present ? w.density * m.volume : 0));
   if (!bed.present || bed.force_table || weight <= 0 || lowest_reach(c, line) > -0.8 * bed.depth) return;
-  const Place p = place_of(arcs, m.at);
+  const ElementAt p = element_at(arcs, m.at);
   int section = 0;
   for (int before = line.sections.front().elements; p.number >= before;)
     before += line.sections[static_cast<std::size_t>(++section)].elements;
@@ -120,16 +120,17 @@ void warn_of_elements(const Case& c, std::vector<InputWarning>& out) {
     const std::string key = "lines." + line.name;
     const Arcs arcs = node_arcs(line, places[l]);
     for (const PointMass& m : line.masses) {
-      warn_of_place(line, arcs, m.at, key + ".masses", out);
+      warn_of_distance(line, arcs, m.at, key + ".masses", out);
       warn_of_sinking(c, line, arcs, m, out);
     }
     for (const PointLoad& p : line.point_loads)
-      warn_of_place(line, arcs, p.at, fmt::format("{}.loads[{}]", key, p.order), out);
+      warn_of_distance(line, arcs, p.at, fmt::format("{}.loads[{}]", key, p.order), out);
     for (std::size_t i = 0; i < line.bend_stiffeners.size(); ++i) warn_of_stiffener(line, arcs, i, out);
   }
   const auto elsewhere = [&](const std::string& name, double at, const std::string& key) {
     const Line& line = c.line(name);
-    warn_of_place(line, node_arcs(line, places[static_cast<std::size_t>(c.line_index(name))]), at, key, out);
+    warn_of_distance(line, node_arcs(line, places[static_cast<std::size_t>(c.line_index(name))]), at, key,
+                     out);
   };
   for (const Link& l : c.links)
     for (const LinkEnd* e : {&l.end_a, &l.end_b})

@@ -26,7 +26,7 @@ struct MeshSurface::Data {
   std::shared_ptr<const std::byte> keep;  // owner of the arrays, if external
   Facets facets;
   detail::Pseudonormals normals;
-  FacetSearch active, whole;  // whole: empty if all facets are active
+  FacetSearch active, all_facets;  // all_facets: empty if all facets are active
   bool partial = false;
   std::vector<bool> is_active;      // if partial
   std::vector<bool> border_vertex;  // if partial: touches active and inactive triangles
@@ -45,7 +45,7 @@ struct MeshSurface::Data {
     Facets::pack(self.facets, p);
     detail::Pseudonormals::pack(self.normals, p);
     FacetSearch::pack(self.active, p);
-    FacetSearch::pack(self.whole, p);
+    FacetSearch::pack(self.all_facets, p);
     p.value(self.partial);
     p.flags(self.is_active);
     p.flags(self.border_vertex);
@@ -106,8 +106,8 @@ struct MeshSurface::Data {
                &p2 = facets.corner(c.triangle, 2);
     return y - (c.point - (p0 + c.u * (p1 - p0) + c.v * (p2 - p0)));
   }
-  bool inside_whole(const Vec3& y, double bound, int hint) const {
-    const auto c = nearest(whole, y, bound, hint);
+  bool inside_all_facets(const Vec3& y, double bound, int hint) const {
+    const auto c = nearest(all_facets, y, bound, hint);
     return c && behind(*c, y, normals.at(facets, c->triangle, *c));  // `hint` is within the bound
   }
   // True if a point behind the border of the active part lies below an active face, to within 45 degrees.
@@ -178,7 +178,7 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
   d.partial = !active.empty();
   d.convex = detail::MeshFacetGroups::convex(d.facets, d.normals, topo.components);
   if (d.partial) {
-    d.whole = FacetSearch(d.facets, outer);
+    d.all_facets = FacetSearch(d.facets, outer);
     d.border_vertex.assign(d.mesh().vertices.size(), false);
     std::vector<int> touched(d.mesh().vertices.size(), 0);
     for (std::size_t t = 0; t < active.size(); ++t)
@@ -186,7 +186,7 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
     for (std::size_t v = 0; v < touched.size(); ++v) d.border_vertex[v] = touched[v] == 3;
   }
   d.is_active = std::move(active);
-  d.bounds = (d.partial ? d.whole : d.active).tree().box();
+  d.bounds = (d.partial ? d.all_facets : d.active).tree().box();
   d.small = 1e-6 * d.bounds.extent().maxCoeff();
   if (!std::isfinite(d.bounds.extent().squaredNorm()))
     throw std::invalid_argument("the mesh is too large: squares of its lengths are no numbers");
@@ -252,7 +252,7 @@ std::optional<SurfacePoint> MeshSurface::Data::query_foot(const Vec3& y, double 
   const double length = std::sqrt(c.squared_distance);
   if (!is_behind && length > max_distance) return std::nullopt;
   if (is_behind && partial &&
-      (!inside_whole(y, length * (1 + 1e-6) + 1e-3 * small, t) || !under_active(c, y)))
+      (!inside_all_facets(y, length * (1 + 1e-6) + 1e-3 * small, t) || !under_active(c, y)))
     return std::nullopt;
   return point_at(y, c, pseudonormal, is_behind);
 }
@@ -346,7 +346,7 @@ double MeshSurface::free_radius(const Vec3& y, double distance, int hint) const 
 
 double MeshSurface::Data::closed_within(const Vec3& y, double most, int hint) const {
   if (partial) {
-    const auto c = nearest(whole, y, most, hint);
+    const auto c = nearest(all_facets, y, most, hint);
     if (!c) return most;
     const double away = std::sqrt(c->squared_distance);
     return behind(*c, y, normals.at(facets, c->triangle, *c)) ? -away : away;

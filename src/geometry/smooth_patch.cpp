@@ -185,8 +185,8 @@ Mat3 curvature_over_patch(const SmoothPatch& q, double u, double v, const Vec3& 
                ff = (vv - 2 * shear * uv / length + shear * shear * uu / aa) / (height * height);
   const double mean = 0.5 * (ee + ff), half = std::hypot(0.5 * (ee - ff), ef);
   const auto carried = [&](double k) {
-    const double stretch = 1 + d * k;
-    return k / std::copysign(std::max(std::abs(stretch), 1e-3), stretch);
+    const double scale = 1 + d * k;
+    return k / std::copysign(std::max(std::abs(scale), 1e-3), scale);
   };
   const double most = carried(mean + half), least = carried(mean - half);
   // Matrix with the same axes and these two eigenvalues.
@@ -204,9 +204,9 @@ Mat3 curvature_over_edge(const SmoothPatch& q, int i, double s, const Vec3& n, d
   const double divisor = std::copysign(std::max(std::abs(d), small), d);
   if (!(length2 > 0)) return (Mat3::Identity() - n * n.transpose()) / divisor;
   const Vec3 e = tangent / std::sqrt(length2);
-  const double bend = 2 * n.dot(q.c[j]) / length2, stretch = 1 + d * bend;
+  const double bend = 2 * n.dot(q.c[j]) / length2, scale = 1 + d * bend;
   return (Mat3::Identity() - n * n.transpose() - e * e.transpose()) / divisor +
-         bend / std::copysign(std::max(std::abs(stretch), 1e-3), stretch) * e * e.transpose();
+         bend / std::copysign(std::max(std::abs(scale), 1e-3), scale) * e * e.transpose();
 }
 
 }  // namespace hawser

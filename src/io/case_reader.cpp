@@ -82,7 +82,7 @@ Case read_document(const std::string& text, const std::string& path, const ReadP
 }  // namespace
 
 // Platforms come first because objects of the file itself may be attached to them.
-void read_things(const Value& root, const Value* whole, const CaseSource& source,
+void read_things(const Value& root, const Value* start_of_case, const CaseSource& source,
                  const SectionLengths& lengths, bool sea, Case& c) {
   const std::size_t bodies = c.bodies.size(), volumes = c.volumes.size(), lines = c.lines.size(),
                     links = c.links.size();
@@ -106,7 +106,7 @@ void read_things(const Value& root, const Value* whole, const CaseSource& source
   for (std::size_t i = 0; i < volumes; ++i) finish_volume(root["volumes"].items[i], source, c.volumes[i]);
   OtherRuns others(source);
   for (std::size_t i = 0; i < lines; ++i)
-    finish_line(root["lines"].items[i], whole, lengths, others, c, c.lines[i]);
+    finish_line(root["lines"].items[i], start_of_case, lengths, others, c, c.lines[i]);
   for (std::size_t i = 0; i < bodies; ++i)
     if (model::Body& b = c.bodies[i]; b.on) to_length(b.on->at, length_of(c, b.on->line));
   for (std::size_t i = 0; i < links; ++i) finish_link(root["links"].items[i], c.links[i], c);

@@ -310,7 +310,7 @@ void place_platforms(const Value& root, const CaseSource& source, const SectionL
     if (c.farm->at.count(b.name))
       c.refuse("bodies." + b.name, "a place of the farm is called so; give one of them another name");
   OtherRuns others(source);
-  const Value* whole = root.find("start");
+  const Value* start_of_case = root.find("start");
   for (const FarmPart& part : c.farm->parts) {
     const CaseSource own{part.file, part.directory, source.comm, source.inputs, source.files};
     check_line_types(part, c);
@@ -333,10 +333,10 @@ void place_platforms(const Value& root, const CaseSource& source, const SectionL
       } catch (const model::Refusal& r) {
         model::fail(part.file, r.line, model::placed_key(place, r.where), r.what());
       }
-      if (whole)
+      if (start_of_case)
         for (size_t i = 0; i < lines.items.size(); ++i)
           if (!lines.items[i]["start"].given)
-            finish_start(lines.items[i], whole, others, c, c.lines[line + i]);
+            finish_start(lines.items[i], start_of_case, others, c, c.lines[line + i]);
     }
   }
 }

@@ -17,15 +17,15 @@ constexpr double kSame = 1e-6;     // deg
 constexpr double kWideGap = 60;    // deg between rows; wider linear interpolation hides a side of the body
 constexpr double kRounded = 1e-6;  // tolerance of coefficients that should be equal or zero
 
-struct Row {
+struct CoefficientRow {
   double angle = 0;  // deg
   Vec3 C = Vec3::Zero();
 };
 
-std::vector<Row> rows_of(const InputRows& given) {
+std::vector<CoefficientRow> rows_of(const InputRows& given) {
   const auto& [at, rows] = given;
   if (rows.size() < 2) refuse(at, "a table of coefficients needs at least 2 rows, found {}", rows.size());
-  std::vector<Row> out;
+  std::vector<CoefficientRow> out;
   for (size_t i = 0; i < rows.size(); ++i) {
     const std::vector<double>& r = rows[i];
     if (r.size() != 4)
@@ -39,17 +39,17 @@ std::vector<Row> rows_of(const InputRows& given) {
   return out;
 }
 
-double largest(const std::vector<Row>& rows) {
+double largest(const std::vector<CoefficientRow>& rows) {
   double size = 0;
-  for (const Row& r : rows) size = std::max(size, r.C.cwiseAbs().maxCoeff());
+  for (const CoefficientRow& r : rows) size = std::max(size, r.C.cwiseAbs().maxCoeff());
   return size;
 }
 
 // Completes rows of 0 to 180 deg (or of the other side) by their mirror image.
-bool mirror(const Value& at, std::vector<Row>& rows) {
+bool mirror(const Value& at, std::vector<CoefficientRow>& rows) {
   const double first = rows.front().angle, last = rows.back().angle;
   if (std::abs(last - first - 180) > kSame || std::abs(std::remainder(first, 180)) > kSame) return false;
-  for (const Row* r : {&rows.front(), &rows.back()})
+  for (const CoefficientRow* r : {&rows.front(), &rows.back()})
     if (r->C.tail<2>().cwiseAbs().maxCoeff() > kRounded * largest(rows))
       refuse(
           at,
@@ -61,7 +61,7 @@ bool mirror(const Value& at, std::vector<Row>& rows) {
   return true;
 }
 
-void close_round(const Value& at, std::vector<Row>& rows) {
+void close_round(const Value& at, std::vector<CoefficientRow>& rows) {
   const double span = rows.back().angle - rows.front().angle;
   if (std::abs(span - 360) > kSame) return;
   const Vec3 a = rows.front().C, b = rows.back().C;
@@ -71,9 +71,9 @@ void close_round(const Value& at, std::vector<Row>& rows) {
   rows.pop_back();
 }
 
-void check_gaps(const Value& at, const std::vector<Row>& rows) {
+void check_gaps(const Value& at, const std::vector<CoefficientRow>& rows) {
   std::vector<double> angles;
-  for (const Row& r : rows) angles.push_back(r.angle);
+  for (const CoefficientRow& r : rows) angles.push_back(r.angle);
   const AngleGap gap = widest_gap(angles, 360);
   if (gap.width() > kWideGap + kSame)
     refuse(at,
@@ -108,13 +108,13 @@ void check_signs(const Value& at, const model::FlowOnBody& f) {
 
 void read_flow_on_body(const Value& v, const CaseSource& source, model::FlowOnBody& f) {
   const InputRows given = read_input_rows(v, source);
-  std::vector<Row> rows = rows_of(given);
+  std::vector<CoefficientRow> rows = rows_of(given);
   f.rows = static_cast<int>(rows.size());
   f.mirrored = mirror(given.at, rows);
   close_round(given.at, rows);
   check_gaps(given.at, rows);
   std::vector<FlowCoefficients::Row> out;
-  for (const Row& r : rows) out.push_back({(r.angle + (f.by_origin ? 180 : 0)) * kDegree, r.C});
+  for (const CoefficientRow& r : rows) out.push_back({(r.angle + (f.by_origin ? 180 : 0)) * kDegree, r.C});
   f.coefficients = FlowCoefficients(std::move(out));
   check_signs(given.at, f);
   if (v.has("draught") && (v.has("frontal_area") || v.has("lateral_area")))

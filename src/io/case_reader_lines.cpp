@@ -121,10 +121,11 @@ void finish_target(const Value& v, const Value& sections, model::LengthTarget& t
 
 }  // namespace
 
-void finish_start(const Value& line, const Value* whole, OtherRuns& others, model::Case& c, model::Line& l) {
+void finish_start(const Value& line, const Value* start_of_case, OtherRuns& others, model::Case& c,
+                  model::Line& l) {
   const Value& start = line["start"];
   const std::string key = "lines." + l.name;
-  if (whole && !start.given) {
+  if (start_of_case && !start.given) {
     l.previous_shape = others.shape(*whole, l.name, false);
     if (!l.previous_shape) {
       c.notes.push_back(key + ": is not in " + (*whole)["from"].text + ", and starts by itself");
@@ -139,7 +140,7 @@ void finish_start(const Value& line, const Value* whole, OtherRuns& others, mode
   }
 }
 
-void finish_line(const Value& v, const Value* whole, const SectionLengths& lengths, OtherRuns& others,
+void finish_line(const Value& v, const Value* start_of_case, const SectionLengths& lengths, OtherRuns& others,
                  model::Case& c, model::Line& l) {
   const auto each = [&v](const char* key, auto& list, auto&& finish) {
     for (std::size_t i = 0; i < list.size(); ++i) finish(v[key].items[i], list[i]);
@@ -148,7 +149,7 @@ void finish_line(const Value& v, const Value* whole, const SectionLengths& lengt
   const double length = model::length_of(l);
   finish_end(v["end_a"], lengths, c, l.end_a);
   finish_end(v["end_b"], lengths, c, l.end_b);
-  finish_start(v, whole, others, c, l);
+  finish_start(v, start_of_case, others, c, l);
   each("buried", l.buried, [&](const Value& x, auto& b) { finish_buried(x, length, l, c, b); });
   if (l.target) finish_target(v["target"], v["sections"], *l.target);
   check_temperature_change(v["temperature_change"], l);

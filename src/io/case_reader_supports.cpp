@@ -43,13 +43,13 @@ class Group {
   void read() {
     for (const Value& e : v_["boxes"].items) places(e);
     std::stable_sort(places_.begin(), places_.end(),
-                     [](const Place& a, const Place& b) { return a.station < b.station; });
+                     [](const PlacedSupport& a, const PlacedSupport& b) { return a.station < b.station; });
     if (!v_.has("path")) turn_along_points();
-    for (const Place& p : places_) box(p);
+    for (const PlacedSupport& p : places_) box(p);
   }
 
  private:
-  struct Place {
+  struct PlacedSupport {
     const Value* entry;
     double station;  // m along the path; for points their number
     PathPoint at;
@@ -115,13 +115,13 @@ class Group {
   // Directions at points without a given path: tangent of the circle through a point and its neighbours.
   void turn_along_points() {
     std::vector<Vec3> points;
-    for (const Place& p : places_) points.push_back(p.at.at);
+    for (const PlacedSupport& p : places_) points.push_back(p.at.at);
     if (points.size() < 2)
       refuse(v_,
              "one point alone does not say which way the pipe goes; give two points or more, or a 'path' and "
              "'at'");
     for (size_t i = 0; i < points.size(); ++i) {
-      Place& p = places_[i];
+      PlacedSupport& p = places_[i];
       if (i > 0 && !((points[i] - points[i - 1]).norm() > 0))
         refuse_key(*p.entry, p.entry->where + ".points", "point {} is the same as the one before it", i + 1);
       p.at.along = direction_at(points, i);
@@ -133,7 +133,7 @@ class Group {
     }
   }
 
-  void box(const Place& p) {
+  void box(const PlacedSupport& p) {
     const Value& e = *p.entry;
     const bool v = e["type"].is("V"), flat = e["type"].is("flat");
     const auto only = [&](const char* key, bool wanted, const char* of) {
@@ -262,7 +262,7 @@ class Group {
   model::Case& c_;
   const model::Line& line_;
   double radius_ = 0;  // m, of the line
-  std::vector<Place> places_;
+  std::vector<PlacedSupport> places_;
   int count_ = 0;
 };
 

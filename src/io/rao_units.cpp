@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kTurn = 6.3;  // a full turn in rad, rounded
 
-bool whole(double x) { return x == std::round(x); }
+bool is_integer(double x) { return x == std::round(x); }
 
 }  // namespace
 
@@ -26,11 +26,11 @@ std::vector<std::string> odd_rao_units(const std::vector<std::vector<double>>& r
     longest = std::max(longest, r[0]);
     directions.insert(r[1]);
     farthest = std::max(farthest, std::abs(r[1]));
-    broken_direction |= !whole(r[1]);
+    broken_direction |= !is_integer(r[1]);
     for (std::size_t k = 2; k < 14; k += 2) {
       if (!(r[k] > 0)) continue;
       latest = std::max(latest, std::abs(r[k + 1]));
-      broken_phase |= !whole(r[k + 1]);
+      broken_phase |= !is_integer(r[k + 1]);
       if (k < 8) most = std::max(most, r[k]);
     }
     if (r[0] < 10) continue;

@@ -112,7 +112,7 @@ void XdmfWriter::add_output(size_t row, std::string& text) const {
   char time[32];
   std::snprintf(time, sizeof time, "%.17g", times_[row]);
   const std::string here = std::to_string(row), next = std::to_string(row + 1);
-  for (const Piece& p : pieces_) {
+  for (const TextPart& p : pieces_) {
     text += p.text;
     if (p.then) text += p.then == kTime ? time : p.then == kRow ? here : next;
   }

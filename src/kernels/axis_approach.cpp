@@ -27,12 +27,12 @@ struct Moving {
       : from(f), to(t), bend(std::max(f.bend_bound(), t.bend_bound())) {}
 };
 
-struct Piece {
+struct AxisInterval {
   double xi = 0;  // start
   int level = 0;  // length is 2^-level of the axis
 
   double span() const { return 1.0 / (1 << level); }
-  Piece half(int which) const { return {xi + 0.5 * which * span(), level + 1}; }
+  AxisInterval half(int which) const { return {xi + 0.5 * which * span(), level + 1}; }
   MovingSegment chord(const Moving& m) const {
     const double end = xi + span();
     return {m.from.point(xi), m.from.point(end), m.to.point(xi), m.to.point(end)};
@@ -45,7 +45,7 @@ class Search {
  public:
   Search(const Moving& a, const Moving& b, const ApproachLimits& limits) : a_(a), b_(b), limits_(limits) {}
 
-  Sides look(const Piece& p, const Piece& q) const {
+  Sides look(const AxisInterval& p, const AxisInterval& q) const {
     const MovingSegment A = p.chord(a_), B = q.chord(b_);
     const double ea = p.error(a_), eb = q.error(b_), e = ea + eb;
     if (first_approach(A, B, limits_.most + e, kSearch * limits_.most) > 1) return Sides::kept;

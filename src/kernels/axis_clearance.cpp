@@ -12,19 +12,19 @@ namespace {
 
 constexpr int kMostIterations = 30, kMostHalvings = 8, kMostLevels = 20;
 
-// Piece of an axis: start and fraction of the whole.
-struct Piece {
+// Part of an axis: start and fraction of it.
+struct AxisPart {
   BezierAxis axis;
   double from = 0, share = 1;
   double sagitta = 0;
 };
 
-Piece whole(const BezierAxis& a) { return {a, 0, 1, a.sagitta()}; }
+AxisPart full_axis(const BezierAxis& a) { return {a, 0, 1, a.sagitta()}; }
 
-std::array<Piece, 2> halved(const Piece& p) {
+std::array<AxisPart, 2> halved(const AxisPart& p) {
   const auto h = p.axis.halves();
   const double half = 0.5 * p.share;
-  return {Piece{h[0], p.from, half, h[0].sagitta()}, Piece{h[1], p.from + half, half, h[1].sagitta()}};
+  return {AxisPart{h[0], p.from, half, h[0].sagitta()}, AxisPart{h[1], p.from + half, half, h[1].sagitta()}};
 }
 
 // Newton's method for the nearest points in the unit square, downhill only.
@@ -87,17 +87,17 @@ std::optional<AxisApproach> nearest_of(const BezierAxis& a, const BezierAxis& b,
   best.distance = within;
   bool found = false;
   struct Work {
-    Piece a, b;
+    AxisPart a, b;
     double least;  // lower bound of the distance
     SegmentPair chords;
     int level;
   };
-  const auto make = [](const Piece& p, const Piece& q, int level) {
+  const auto make = [](const AxisPart& p, const AxisPart& q, int level) {
     Work w{p, q, 0, closest_points_of_segments(p.axis.b[0], p.axis.b[3], q.axis.b[0], q.axis.b[3]), level};
     w.least = w.chords.distance - p.sagitta - q.sagitta;
     return w;
   };
-  std::vector<Work> stack{make(whole(a), whole(b), 0)};
+  std::vector<Work> stack{make(full_axis(a), full_axis(b), 0)};
   while (!stack.empty()) {
     const Work w = stack.back();
     stack.pop_back();
@@ -133,7 +133,7 @@ std::optional<AxisApproach> nearest_of(const BezierAxis& a, const BezierAxis& b,
 
 std::optional<AxisToSurface> nearest_to(DistanceField field, const BezierAxis& axis, double within,
                                         int levels) {
-  struct Place {
+  struct AxisSample {
     double xi = 0, distance = 0, slope = 0;
     bool known = false;
   };
@@ -143,7 +143,7 @@ std::optional<AxisToSurface> nearest_to(DistanceField field, const BezierAxis& a
   best.distance = within;
   bool found = false;
   const auto look = [&](double xi) {
-    Place p;
+    AxisSample p;
     p.xi = xi;
     Vec3 normal;
     // A farther point shows that the neighbouring pieces have nothing nearer than the best.
@@ -159,10 +159,10 @@ std::optional<AxisToSurface> nearest_to(DistanceField field, const BezierAxis& a
     }
     return p;
   };
-  Place last = look(0);
+  AxisSample last = look(0);
   for (int k = 1; k <= pieces; ++k) {
-    const Place next = look(static_cast<double>(k) / pieces);
-    Place lo = last, hi = next;
+    const AxisSample next = look(static_cast<double>(k) / pieces);
+    AxisSample lo = last, hi = next;
     last = next;
     if (!lo.known || !hi.known || !(lo.slope < 0) || !(hi.slope > 0)) continue;
     if (0.5 * (lo.distance + hi.distance - piece) >= best.distance) continue;
@@ -171,7 +171,7 @@ std::optional<AxisToSurface> nearest_to(DistanceField field, const BezierAxis& a
       double xi = 0.5 * (lo.xi + hi.xi);
       if (i % 2 == 0) xi = lo.xi - lo.slope * (hi.xi - lo.xi) / (hi.slope - lo.slope);
       if (!(xi > lo.xi && xi < hi.xi)) break;
-      const Place middle = look(xi);
+      const AxisSample middle = look(xi);
       if (!middle.known) break;
       (middle.slope < 0 ? lo : hi) = middle;
       if (std::abs(middle.slope) * (hi.xi - lo.xi) < 1e-15 * (1 + std::abs(middle.distance))) break;

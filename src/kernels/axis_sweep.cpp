@@ -10,17 +10,17 @@ namespace {
 
 constexpr double kDeep = 0.25, kClear = 0.75;  // fractions of the radius, from axis to surface
 
-// Piece of the axis during part of the step.
-struct Piece {
+// Part of the axis during part of the step.
+struct SweptPart {
   std::array<BezierAxis, 2> b;  // at the start and end of that part
   double from = 0, to = 1;      // interval of the axis
 };
 
-std::array<Piece, 2> halves(const Piece& p) {
+std::array<SweptPart, 2> halves(const SweptPart& p) {
   double along = 0;
   for (const BezierAxis& b : p.b)
     along = std::max({along, (b.b[3] - b.b[0]).norm(), (b.b[2] - b.b[1]).norm()});
-  std::array<Piece, 2> out{p, p};
+  std::array<SweptPart, 2> out{p, p};
   if (p.b[0].farthest_distance(p.b[1]) > along) {
     out[0].b[1] = out[1].b[0] = between(p.b[0], p.b[1]);
     return out;
@@ -39,9 +39,9 @@ std::array<Piece, 2> halves(const Piece& p) {
 bool goes_through(DistanceField field, const BezierAxis& from, const BezierAxis& to, double radius,
                   bool pressed) {
   if (!(from.farthest_distance(to) > radius)) return false;
-  std::vector<Piece> pieces{{{from, to}}};
+  std::vector<SweptPart> pieces{{{from, to}}};
   while (!pieces.empty()) {
-    const Piece piece = pieces.back();
+    const SweptPart piece = pieces.back();
     pieces.pop_back();
     const Vec3 y = between(piece.b[0], piece.b[1]).point(0.5);
     double size = 0;
@@ -60,7 +60,7 @@ bool goes_through(DistanceField field, const BezierAxis& from, const BezierAxis&
         return true;
       if (size <= radius) continue;
     }
-    for (Piece& half : halves(piece)) pieces.push_back(half);
+    for (SweptPart& half : halves(piece)) pieces.push_back(half);
   }
   return false;
 }

@@ -15,7 +15,7 @@ double depth(const BodyInWater& b, const RigidBodyState& s, double surface) {
 }
 
 // Forces on a fully submerged body, body axes.
-struct Whole {
+struct SubmergedForces {
   Vec3 at_centre, at_drag;
   Vec3 steady;    // part of at_centre that does not turn with the body
   Vec3 relative;  // m/s², acceleration of the water minus that of the body
@@ -23,8 +23,9 @@ struct Whole {
   Vec3 g;         // m/s², acceleration of the centre minus that of the centre of mass
 };
 
-Whole whole(const BodyInWater& b, const RigidBodyState& s, const Water& centre, const Water& drag) {
-  Whole o;
+SubmergedForces submerged_forces(const BodyInWater& b, const RigidBodyState& s, const Water& centre,
+                                 const Water& drag) {
+  SubmergedForces o;
   const Quat back = s.q.conjugate();
   o.g = s.alpha.cross(b.centre) + s.w.cross(s.w.cross(b.centre));
   o.steady = back * Vec3(b.buoyancy * Vec3::UnitZ() + b.displaced_mass * centre.acceleration);
@@ -59,7 +60,7 @@ Mat3 body_drag_by_velocity(const BodyInWater& b, const Vec3& u) {
 BodyWaterForce body_water_force(const BodyInWater& b, const RigidBodyState& s, const Water& centre,
                                 const Water& drag) {
   const double wet = even_wetting(depth(b, s, centre.surface)).share;
-  const Whole o = whole(b, s, centre, drag);
+  const SubmergedForces o = submerged_forces(b, s, centre, drag);
   return {wet * (s.q * o.at_centre), wet * (s.q * o.at_drag)};
 }
 
@@ -72,7 +73,7 @@ void body_water(const BodyInWater& b, const RigidBodyState& s, const Water& cent
                 bool tangent, bool convex, BodyWaterResidual& out) {
   using Columns = Eigen::Matrix<double, 3, 6>;  // position, rotation
   const Wetting wet = even_wetting(depth(b, s, centre.surface));
-  const Whole o = whole(b, s, centre, drag);
+  const SubmergedForces o = submerged_forces(b, s, centre, drag);
   const Vec3 all = o.at_centre + o.at_drag;
   out.f << -wet.share * (s.q * all),
       -wet.share * (b.centre.cross(o.at_centre) + b.drag_centre.cross(o.at_drag));

@@ -156,17 +156,17 @@ CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableS
                      const Vec3& x2) {
   const Mean m = mean_of(s, from, step, x2 - x1);
   // If the unstretched length changes, the change of the chord has two parts: the mean length times the
-  // change of strain, on which the material's forces do work, and the mean stretch times the paid-out length
-  // (docs/theory/feeders.md#energy). `elongation` is the first part.
+  // change of strain, on which the material's forces do work, and the mean ratio of stretched to unstretched
+  // length times the paid-out length (docs/theory/feeders.md#energy). `elongation` is the first part.
   const double fed_length = s.length - from.unstretched_length,
-               stretch =
+               length_ratio =
                    1 + s.free_strain + 0.5 * (from.strain + (m.l - s.length) / s.length - s.free_strain);
-  const double elongation = m.l - from.length - stretch * fed_length;
+  const double elongation = m.l - from.length - length_ratio * fed_length;
   const double energy = fed_length == 0
                             ? 0
                             : 0.5 * (s.axial(std::max(from.strain, 0.0)).energy +
                                      s.axial(std::max(m.l / s.length - 1 - s.free_strain, 0.0)).energy);
-  const double fed = (energy - m.tension * stretch) * fed_length;
+  const double fed = (energy - m.tension * length_ratio) * fed_length;
   // The element would push, so its tension is 0. The work of the spring is then counted as loss of the
   // damper, or of the filter if there is no damper.
   if (m.tension == 0) {

@@ -17,10 +17,10 @@ Vec3 catenary_chord(const Vec3& tension, const Vec3& load, double length, double
                     double free_strain) {
   const double natural = 1 + free_strain;
   const Vec3 end = tension - length * load;
-  const Vec3 stretch = (length / (2 * EA)) * (tension + end);
+  const Vec3 elongation = (length / (2 * EA)) * (tension + end);
   if (derivative) *derivative = (length / EA) * Mat3::Identity();
   const double t0 = tension.norm(), t1 = end.norm();
-  if (!(t0 + t1 > 0)) return stretch;
+  if (!(t0 + t1 > 0)) return elongation;
 
   const double w = load.norm();
   const Vec3 e = w > 0 ? Vec3(load / w) : Vec3(tension / t0);
@@ -49,7 +49,7 @@ Vec3 catenary_chord(const Vec3& tension, const Vec3& load, double length, double
         natural * (A * (Mat3::Identity() - e * e.transpose()) + q * (e * e.transpose() - n * n.transpose()) -
                    b * (e * n.transpose() + n * e.transpose()));
   }
-  return natural * (A * p + along * e) + stretch;
+  return natural * (A * p + along * e) + elongation;
 }
 
 CatenaryShape::CatenaryShape(const Vec3& end_a, const Vec3& tension_a, std::vector<CatenarySection> sections)
@@ -102,7 +102,7 @@ Totals totals(const std::vector<CatenarySection>& sections) {
   return t;
 }
 
-Vec3 whole_chord(const Vec3& tension_a, const std::vector<CatenarySection>& sections, Mat3* derivative) {
+Vec3 chord_of_all(const Vec3& tension_a, const std::vector<CatenarySection>& sections, Mat3* derivative) {
   Vec3 chord = Vec3::Zero(), tension = tension_a;
   if (derivative) derivative->setZero();
   Mat3 part;
@@ -146,7 +146,7 @@ CatenaryShape catenary(const Vec3& end_a, const Vec3& end_b, const std::vector<C
 
   Vec3 x = first_tension(span, t);
   Mat3 stiffness;
-  Vec3 error = whole_chord(x, sections, &stiffness) - span;
+  Vec3 error = chord_of_all(x, sections, &stiffness) - span;
   const double scale = t.length + span.norm();
   double best = error.norm();
   Vec3 best_x = x;
@@ -157,7 +157,7 @@ CatenaryShape catenary(const Vec3& end_a, const Vec3& end_b, const std::vector<C
     // The energy along the step is convex: stop when its slope has halved without changing sign.
     double low = 0, high = 0, a = 1, slope_a = 0;
     for (int search = 0; search < 100; ++search) {
-      error = whole_chord(x + a * step, sections, &stiffness) - span;
+      error = chord_of_all(x + a * step, sections, &stiffness) - span;
       slope_a = error.dot(step);
       if (slope_a > -0.5 * slope)
         high = a;  // too far
@@ -185,7 +185,7 @@ CatenaryShape catenary_free_b(const Vec3& end_a, const std::vector<CatenarySecti
 
 CatenaryShape catenary_free_a(const Vec3& end_b, const std::vector<CatenarySection>& sections) {
   totals(sections);
-  return {end_b - whole_chord(Vec3::Zero(), sections, nullptr), Vec3::Zero(), sections};
+  return {end_b - chord_of_all(Vec3::Zero(), sections, nullptr), Vec3::Zero(), sections};
 }
 
 }  // namespace hawser

@@ -7,21 +7,21 @@
 
 namespace hawser {
 
-double CatenaryOnBed::Piece::tension(double s) const { return std::max(0.0, T_end - drag * (end - s)); }
+double CatenaryOnBed::LaidPart::tension(double s) const { return std::max(0.0, T_end - drag * (end - s)); }
 
-double CatenaryOnBed::Piece::stretched(double s) const {
+double CatenaryOnBed::LaidPart::stretched(double s) const {
   const double l = end - s, pulled = drag * l > T_end ? T_end / drag : l;
   return (1 + free_strain) * l + pulled * (T_end - 0.5 * drag * pulled) / EA;
 }
 
 Vec3 CatenaryOnBed::position(double s) const {
-  for (const Piece& p : pieces_)
+  for (const LaidPart& p : pieces_)
     if (s <= p.end) return anchor_ + (p.x_end - p.stretched(s)) * way_;
   return hanging_->position(s - grounded_);
 }
 
 Vec3 CatenaryOnBed::tension(double s) const {
-  for (const Piece& p : pieces_)
+  for (const LaidPart& p : pieces_)
     if (s <= p.end) return p.tension(s) * way_;
   return hanging_->tension(s - grounded_);
 }

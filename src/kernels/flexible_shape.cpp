@@ -202,8 +202,8 @@ class Shape {
   std::vector<Mat3> diagonal_, between_, up_;
 };
 
-FlexibleLine::Piece joined(const FlexibleLine::Piece& a, const FlexibleLine::Piece& b) {
-  FlexibleLine::Piece o;
+FlexibleLine::Segment joined(const FlexibleLine::Segment& a, const FlexibleLine::Segment& b) {
+  FlexibleLine::Segment o;
   o.length = a.length + b.length;
   o.EA = o.length / (a.length / a.EA + b.length / b.EA);
   o.load = (a.length * a.load + b.length * b.load) / o.length;

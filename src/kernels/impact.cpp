@@ -110,7 +110,7 @@ double crossing_error(double inverse_frequency, double significant_depth, double
 }
 
 double LineMotion::energy() const {
-  const double whole = mass > 0 ? 0.5 * momentum.squaredNorm() / mass : 0, inner = kinetic - whole;
+  const double of_centre = mass > 0 ? 0.5 * momentum.squaredNorm() / mass : 0, inner = kinetic - of_centre;
   return (inner > kRounding * kinetic ? inner : 0) + impact_energy;
 }
 

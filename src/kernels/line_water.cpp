@@ -177,7 +177,7 @@ double potential(const WaterSection& s, const Motion<n>& m) {
     double N[n], h = (1 - z) * m.surface[0] + z * m.surface[1];
     R::shape(z, N);
     for (int j = 0; j < n; ++j) h -= N[j] * m.X[j][2];
-    const Piece<beam> piece(g, h, fall);
+    const PointInterval<beam> piece(g, h, fall);
     sum += R::weight[g] * piece_wetting(piece.h1, piece.h2, band.b).integral;
   }
   return s.buoyancy * s.length * sum;

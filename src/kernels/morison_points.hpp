@@ -78,12 +78,12 @@ struct Band {
 // Piece of the axis that a Gauss point represents: straight, with the slope of the chord, through the point.
 // The pieces make up the element, so that the wet part of a straight one is exact.
 template <bool beam>
-struct Piece {
+struct PointInterval {
   double from = 0, to = 0;  // of the element's length, from the point
   double h1 = 0, h2 = 0;    // m, height of the surface above its ends
-  Piece() = default;
+  PointInterval() = default;
   // h: above the point; fall: by which that grows from one end of the element to the other
-  Piece(int g, double h, double fall)
+  PointInterval(int g, double h, double fall)
       : from(Rule<beam>::edge[g] - Rule<beam>::at[g]),
         to(Rule<beam>::edge[g + 1] - Rule<beam>::at[g]),
         h1(h + from * fall),
@@ -138,7 +138,7 @@ struct Point {
   double z;  // of the element's length
   double w;  // m, that it represents
   double N[n];
-  Piece<beam> piece;
+  PointInterval<beam> piece;
   PieceWetting wet;
   double from[n], to[n];        // minus the derivatives of h1 and h2 by heights
   Row by1[n], by2[n], by_b[n];  // derivatives of dP/dh1, dP/dh2, dP/db by X: differentiate()
@@ -148,7 +148,7 @@ struct Point {
     Rule<beam>::shape(z, N);
     double h = (1 - z) * m.surface[0] + z * m.surface[1];
     for (int j = 0; j < n; ++j) h -= N[j] * m.X[j][2];
-    piece = Piece<beam>(g, h, c.fall);
+    piece = PointInterval<beam>(g, h, c.fall);
     wet = piece_wetting(piece.h1, piece.h2, c.band.b);
     for (int j = 0; j < n; ++j) from[j] = to[j] = N[j];
     from[0] -= piece.from;

@@ -13,7 +13,7 @@ struct Part {
   bool turns = false;
   wide::Mat E = {}, D = {};
 };
-struct Row {
+struct StencilPoint {
   size_t index = 0;
   bool couple = false;
   const AttachedPosition* of = nullptr;
@@ -49,11 +49,11 @@ AttachedForces::AttachedForces(int n, bool couples, bool derivatives)
 }
 
 void Stencil::to_blocks(const AttachedForces& g, bool turning, double* f, double* K, double* C) const {
-  std::array<Row, AttachedForces::kMost> rows;
+  std::array<StencilPoint, AttachedForces::kMost> rows;
   size_t count = 0;
   for (size_t i = 0; i < g.positions; ++i) {
     const AttachedPosition& p = at[i];
-    Row& r = rows[count++];
+    StencilPoint& r = rows[count++];
     r.index = i;
     r.of = &p;
     if (p.position >= 0) r.add(p.position);
@@ -61,7 +61,7 @@ void Stencil::to_blocks(const AttachedForces& g, bool turning, double* f, double
   }
   for (size_t i = 0; g.rotates && i < turns.size(); ++i) {
     if (turns[i].rotation < 0) continue;
-    Row& r = rows[count++];
+    StencilPoint& r = rows[count++];
     r.index = AttachedForces::kPositions + i;
     r.couple = true;
     r.of = &turns[i];
@@ -74,14 +74,14 @@ void Stencil::to_blocks(const AttachedForces& g, bool turning, double* f, double
   };
   for (size_t i = 0; i < count; ++i)
     for (const Part& p : rows[i]) {
-      const Row& row = rows[i];
+      const StencilPoint& row = rows[i];
       const Vec3& F = g.F[row.index];
       const Vec3 on_block = p.turns ? wide::vec(wide::left(wide::load(F), p.E)) : F;
       for (int r = 0; r < 3; ++r) f[3 * p.block + r] += on_block[r];
       if (!K) continue;
       for (size_t j = 0; j < count; ++j)
         for (const Part& q : rows[j]) {
-          const Row& column = rows[j];
+          const StencilPoint& column = rows[j];
           wide::Mat k = block_at(g.K, row.index, column.index);
           if (q.turns) k = k * q.E;
           if (C && !column.couple) {

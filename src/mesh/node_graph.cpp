@@ -22,9 +22,9 @@ struct UncutLine {
 };
 
 // Heaviest first; of equal work in the order of the file.
-std::vector<UncutLine> sorted_by_work(const Mesh& mesh, std::span<const int> whole) {
+std::vector<UncutLine> sorted_by_work(const Mesh& mesh, std::span<const int> uncut) {
   std::vector<UncutLine> lines;
-  for (const int l : whole) {
+  for (const int l : uncut) {
     std::int64_t work = 0;
     const LineSpan& line = mesh.lines[l];
     for (int i = 0; i < line.nodes; ++i) work += work_of(mesh.nodes[line.first_node + i]);
@@ -42,10 +42,10 @@ void add_vertex(GraphVertices& v, std::int64_t work, int first_node) {
 }
 
 // Vertices and ranks of their own for the lines that are not cut.
-void add_uncut_lines(const Mesh& mesh, int ranks, std::span<const int> whole, GraphVertices& v) {
+void add_uncut_lines(const Mesh& mesh, int ranks, std::span<const int> uncut, GraphVertices& v) {
   std::int64_t left = 0;
   for (const Node& n : mesh.nodes) left += work_of(n);
-  for (const auto& [work, line] : sorted_by_work(mesh, whole)) {
+  for (const auto& [work, line] : sorted_by_work(mesh, uncut)) {
     const LineSpan& l = mesh.lines[line];
     const int free_ranks = ranks - v.first_free_rank;
     if (free_ranks > 1 && work * free_ranks >= left) {
@@ -114,11 +114,11 @@ std::vector<GraphEdge> merged(std::vector<GraphEdge> edges) {
   return edges;
 }
 
-GraphVertices graph_vertices(const Mesh& mesh, int ranks, std::span<const int> whole) {
+GraphVertices graph_vertices(const Mesh& mesh, int ranks, std::span<const int> uncut) {
   GraphVertices v;
   v.rank_of_node.assign(mesh.nodes.size(), -1);
   v.vertex_of_node = v.rank_of_node;
-  add_uncut_lines(mesh, ranks, whole, v);
+  add_uncut_lines(mesh, ranks, uncut, v);
   std::vector<char> in_uncut_line(mesh.nodes.size());
   for (int n = 0; n < std::ssize(mesh.nodes); ++n) {
     in_uncut_line[n] = v.rank_of_node[n] >= 0 || v.vertex_of_node[n] >= 0;

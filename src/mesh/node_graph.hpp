@@ -36,9 +36,9 @@ struct GraphVertices {
   int first_free_rank = 0;          // the ranks before it have one uncut line each
 };
 
-// A line of `whole` is one vertex; if its work exceeds a rank's fair share of what is left, it gets a rank of
+// A line of `uncut` is one vertex; if its work exceeds a rank's fair share of what is left, it gets a rank of
 // its own. Other nodes are a vertex each; carried nodes belong to the vertex or rank of their carrier.
-GraphVertices graph_vertices(const Mesh& mesh, int ranks, std::span<const int> whole);
+GraphVertices graph_vertices(const Mesh& mesh, int ranks, std::span<const int> uncut);
 
 // Component of each vertex, as the number of one of its vertices.
 std::vector<int> components(size_t vertices, std::span<const GraphEdge> edges);

@@ -1,4 +1,4 @@
-// Cuts the graph of nodes and couplings into one part for each rank: stretches of the file, or METIS inside a
+// Cuts the graph of nodes and couplings into one part for each rank: runs of the file, or METIS inside a
 // component where that cuts less.
 #include "hawser/mesh/partition.hpp"
 
@@ -10,7 +10,7 @@
 #include <tuple>
 #include <utility>
 
-#include "hawser/mesh/stretches.hpp"
+#include "hawser/mesh/even_parts.hpp"
 #include "node_graph.hpp"
 
 namespace hawser {
@@ -173,7 +173,7 @@ void cut_component_again(const VertexSequence& sequence, int begin, int end, dou
 
 // Part of each position in the sequence.
 std::vector<int> assign_parts(const VertexSequence& sequence, int parts) {
-  const std::vector<int> first = cut_into_stretches(sequence.work, sequence.cut_before, parts, kMostLoad);
+  const std::vector<int> first = cut_into_even_parts(sequence.work, sequence.cut_before, parts, kMostLoad);
   const int places = static_cast<int>(sequence.vertices.size());
   std::vector<int> part(sequence.vertices.size(), 0);
   std::vector<double> load(static_cast<size_t>(parts), 0);
@@ -191,9 +191,9 @@ std::vector<int> assign_parts(const VertexSequence& sequence, int parts) {
   return part;
 }
 
-std::vector<int> owners(const Mesh& mesh, int ranks, std::span<const int> whole,
+std::vector<int> owners(const Mesh& mesh, int ranks, std::span<const int> uncut,
                         const std::vector<GraphEdge>& all) {
-  const GraphVertices v = graph_vertices(mesh, ranks, whole);
+  const GraphVertices v = graph_vertices(mesh, ranks, uncut);
   const VertexSequence sequence = sequence_of(mesh, v, all);
   const std::vector<int> part = assign_parts(sequence, ranks - v.first_free_rank);
   std::vector<int> of_vertex(v.work.size());
@@ -217,13 +217,13 @@ size_t shared_nodes(const std::vector<GraphEdge>& all, const std::vector<int>& o
 }  // namespace
 
 std::vector<int> partition(const Mesh& mesh, int ranks, std::span<const std::pair<int, int>> coupled,
-                           std::span<const int> whole) {
+                           std::span<const int> uncut) {
   if (ranks == 1) return std::vector<int>(mesh.nodes.size(), 0);
-  std::vector<int> plain = owners(mesh, ranks, whole, node_edges(mesh, {}));
+  std::vector<int> plain = owners(mesh, ranks, uncut, node_edges(mesh, {}));
   if (coupled.empty()) return plain;
   // METIS looks for few cut edges; what costs is the nodes at them.
   const std::vector<GraphEdge> all = node_edges(mesh, coupled);
-  std::vector<int> weighed = owners(mesh, ranks, whole, all);
+  std::vector<int> weighed = owners(mesh, ranks, uncut, all);
   return shared_nodes(all, weighed) < shared_nodes(all, plain) ? weighed : plain;
 }
 

@@ -18,7 +18,7 @@ namespace {
 constexpr double kMostElements = 1e6;  // per case; each needs 5 to 10 KB in a run
 constexpr double kMostSteps = 1e9;     // per run, a day or more; also the limit of outputs
 
-void check_whole(const Case& c, const Issues& issue) {
+void check_size_and_times(const Case& c, const Issues& issue) {
   double elements = 0;
   for (const Line& l : c.lines)
     for (const Section& s : l.sections) elements += s.elements;
@@ -272,7 +272,7 @@ std::vector<Issue> check(const Case& c) {
   for (const Line& l : c.lines) check_line(c, l, issue);
   for (const Volume& v : c.volumes)
     if (v.shape) check_shape(v, issue);
-  check_whole(c, issue);
+  check_size_and_times(c, issue);
   check_joints(c, issue);
   check_rides(c, issue);
   check_floating(c, issue);

@@ -97,54 +97,54 @@ class EventCheck : private EventChecks {
   }
 
   void check_cut(const Action& a) {
-    const Line& l = line(a.whole);
+    const Line& l = line(a.uncut_line);
     const double length = length_of(l);
     if (!(a.cut < length))
       return issue("cut.at", "arc length {:.6g} m is not within line '{}', which is {:.6g} m long", a.cut,
-                   a.whole, length);
+                   a.uncut_line, length);
     check_parts(a, length);
     if (l.target)
       issue("cut", "line '{}' has a 'target'; give it the length that meets that, and it can be cut",
-            a.whole);
+            a.uncut_line);
     for (const SupportBox& s : c_.supports)
-      if (s.line == a.whole)
-        return issue("cut", "line '{}' is laid over supports and cannot be cut", a.whole);
+      if (s.line == a.uncut_line)
+        return issue("cut", "line '{}' is laid over supports and cannot be cut", a.uncut_line);
     for (const bool b : {false, true})
       if (const auto& feed = l.end(b).feed; feed && (b ? length - a.cut : a.cut) <= feed->stock)
-        issue("cut.at", "arc length {:.6g} m of line '{}' is inside the feeder at its end {}", a.cut, a.whole,
-              b ? 'B' : 'A');
+        issue("cut.at", "arc length {:.6g} m of line '{}' is inside the feeder at its end {}", a.cut,
+              a.uncut_line, b ? 'B' : 'A');
   }
 
   // Each part between cuts, ends and section boundaries is at least one element long and no shorter than the
   // line's diameter.
   void check_parts(const Action& a, double length) {
     const double same = kArcTolerance * length;
-    const double shortest = std::max(type_at(a.whole, a.cut).outer_diameter, same);
+    const double shortest = std::max(type_at(a.uncut_line, a.cut).outer_diameter, same);
     if (const double part = std::min(a.cut, length - a.cut); part < shortest)
       return issue("cut.at",
                    "arc length {:.9g} m leaves {:.3g} m of line '{}' at its end {}, less than its outer "
                    "diameter ({:.3g} m); an event with 'release' lets go of the end itself",
-                   a.cut, part, a.whole, a.cut < length - a.cut ? 'A' : 'B', shortest);
+                   a.cut, part, a.uncut_line, a.cut < length - a.cut ? 'A' : 'B', shortest);
     double end = 0;
-    for (const Section& s : line(a.whole).sections)
+    for (const Section& s : line(a.uncut_line).sections)
       if (const double off = std::abs((end += s.length) - a.cut); off > same && off < shortest)
         return issue(
             "cut.at",
             "arc length {:.9g} m of line '{}' is {:.3g} m from the end of a section at {:.9g} m, less "
             "than its outer diameter ({:.3g} m); cut the line just there, or further away",
-            a.cut, a.whole, off, end, shortest);
+            a.cut, a.uncut_line, off, end, shortest);
     for (std::size_t k = 0; k < i_; ++k) {
       const Action& o = c_.events[k].action;
-      if (o.cut < 0 || o.whole != a.whole) continue;
+      if (o.cut < 0 || o.uncut_line != a.uncut_line) continue;
       const double part = std::abs(o.cut - a.cut);
       if (part <= same)
-        issue("cut.at", "line '{}' is cut there already by another event", a.whole);
+        issue("cut.at", "line '{}' is cut there already by another event", a.uncut_line);
       else if (part < shortest)
         issue(
             "cut.at",
             "another event cuts line '{}' {:.3g} m away, and a part between two cuts is no shorter than its "
             "outer diameter ({:.3g} m)",
-            a.whole, part, shortest);
+            a.uncut_line, part, shortest);
     }
   }
 

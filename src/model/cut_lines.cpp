@@ -85,10 +85,10 @@ class Cuts {
     const double length = length_of(line);
     arcs_ = {0};
     for (const Event& e : c_.events)
-      if (e.action.cut >= 0 && e.action.whole == line.name) arcs_.push_back(e.action.cut);
+      if (e.action.cut >= 0 && e.action.uncut_line == line.name) arcs_.push_back(e.action.cut);
     std::sort(arcs_.begin(), arcs_.end());
     if (arcs_.size() == 1) return to.push_back(line);
-    const auto whole = std::make_shared<Line>(line);
+    const auto uncut = std::make_shared<Line>(line);
     arcs_.push_back(length);
     names_ = {line.name};
     for (std::size_t k = 1; k + 1 < arcs_.size(); ++k) {
@@ -101,7 +101,7 @@ class Cuts {
     for (std::size_t k = 0; k + 1 < arcs_.size(); ++k) {
       Line part = part_of(line, arcs_[k], arcs_[k + 1], length);
       part.name = names_[k];
-      part.whole = whole;
+      part.uncut = uncut;
       if (k > 0) join(to.back(), part);
       to.push_back(std::move(part));
       if (k > 0)
@@ -110,9 +110,9 @@ class Cuts {
             line.name, arcs_[k], names_[k]));
     }
     // The whole line gets the nodes of its parts.
-    whole->sections.clear();
+    uncut->sections.clear();
     for (std::size_t k = to.size() - names_.size(); k < to.size(); ++k)
-      whole->sections.insert(whole->sections.end(), to[k].sections.begin(), to[k].sections.end());
+      uncut->sections.insert(uncut->sections.end(), to[k].sections.begin(), to[k].sections.end());
     rename(line.name);
   }
 
@@ -137,7 +137,7 @@ class Cuts {
   void rename(const std::string& name) {
     for (Event& e : c_.events) {
       Action& a = e.action;
-      if (a.cut >= 0 && a.whole == name) {
+      if (a.cut >= 0 && a.uncut_line == name) {
         a.line = names_[std::find(arcs_.begin(), arcs_.end(), a.cut) - arcs_.begin()];
         a.at_b = false;
       } else if (a.line == name && a.at_b) {

@@ -17,7 +17,7 @@ void use_mass_matrix(BodyMass& m) {
   m.coupled -= rigid_mass(m.mass, m.tensor());
 }
 
-Mat6 whole_mass(const BodyMass& m, const Vec3& about) {
+Mat6 mass_matrix_about(const BodyMass& m, const Vec3& about) {
   return mass_about(rigid_mass(m.mass, m.tensor()) + m.coupled, m.centre - about);
 }
 

@@ -46,7 +46,7 @@ PlatformPeriods platform_periods(const Case& c, const Body& b) {
   const PlatformHydrostatics still = hydrostatics(m, c.environment.water.density, g);
   Mat3 C = still.stiffness;
   C.diagonal() = restoring(m, still, g);
-  const Mat6 mass = whole_mass(m, Vec3::Zero());
+  const Mat6 mass = mass_matrix_about(m, Vec3::Zero());
   const int first = 6 * (h.body - 1);
   const auto period = [&](int freedom) {
     const auto with = [&](const Mat6& A) { return frequency(C, mass_upright(mass + A), freedom); };

@@ -152,7 +152,7 @@ class Checker {
     bad(v, path, "expected {}, found {}{}", describe(k), found(v), hint);
   }
 
-  void check_number(Value& v, const Key& k, const std::string& path, bool whole) {
+  void check_number(Value& v, const Key& k, const std::string& path, bool integer) {
     if (v.kind != Kind::scalar) wrong_type(v, k, path);
     const Quantity q = parse_quantity(v.text, k.unit);
     switch (q.status) {
@@ -181,7 +181,7 @@ class Checker {
             quote(v.text), dimension_name(k.unit), enumerate(units), base_unit(k.unit));
       }
     }
-    if (whole && (q.si != std::floor(q.si) || std::abs(q.si) > 1e15)) wrong_type(v, k, path);
+    if (integer && (q.si != std::floor(q.si) || std::abs(q.si) > 1e15)) wrong_type(v, k, path);
     const Bounds& b = k.bounds;
     if ((b.above && !(q.si > *b.above)) || (b.at_least && !(q.si >= *b.at_least)) ||
         (b.at_most && !(q.si <= *b.at_most)))

@@ -94,7 +94,7 @@ std::string likely_key(const Value& v, std::size_t i, const Key& k, const std::v
 }
 
 std::string place_below(const Key& key, std::string_view name) {
-  struct Place {
+  struct KeyPath {
     const Key* key;
     std::string path;
   };
@@ -103,10 +103,10 @@ std::string place_below(const Key& key, std::string_view name) {
       return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
     });
   };
-  std::vector<Place> level{{&key, ""}};
+  std::vector<KeyPath> level{{&key, ""}};
   for (int depth = 0; depth < 6 && !level.empty(); ++depth) {
-    std::vector<Place> next;
-    for (const Place& p : level)
+    std::vector<KeyPath> next;
+    for (const KeyPath& p : level)
       for (const Key& k : p.key->keys) {
         if (p.key->type == Type::one_of) {
           next.push_back({&k, p.path});

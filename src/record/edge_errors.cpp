@@ -45,18 +45,18 @@ EdgeErrors::EdgeErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mes
   for (size_t l = 0; l < mesh.mesh->lines.size(); ++l) {
     const LineSpan& line = mesh.mesh->lines[l];
     const int end = line.first_node + line.nodes;
-    std::vector<Piece> pieces;
+    std::vector<NodesOfLine> pieces;
     for (int n = line.first_node; n < end; ++n) {
       if (pieces.empty() || pieces.back().rank != mesh.owner[n])
         pieces.push_back({static_cast<int>(l), mesh.owner[n], n, n});
       pieces.back().last = n;
     }
-    const auto here = [rank](const Piece& p) { return p.rank == rank; };
+    const auto here = [rank](const NodesOfLine& p) { return p.rank == rank; };
     if (std::none_of(pieces.begin(), pieces.end(), here)) continue;
     std::set<int> others;
-    for (const Piece& p : pieces)
+    for (const NodesOfLine& p : pieces)
       if (!here(p)) others.insert(p.rank);
-    for (const Piece& p : pieces) {
+    for (const NodesOfLine& p : pieces) {
       if (!here(p)) sharers[p.rank].receive.push_back(pieces_.size());
       if (here(p))
         for (const int other : others) sharers[other].send.push_back(pieces_.size());
@@ -112,10 +112,10 @@ const model::LineType& EdgeErrors::type_at(int node) const {
   return case_.line_types[mesh_.mesh->elements[line.first_element + node - line.first_node].type];
 }
 
-void EdgeErrors::exchange(std::vector<PressedStretch>& of_pieces) const {
-  static_assert(std::is_trivially_copyable_v<PressedStretch>);
-  const auto bytes = [](size_t count) { return static_cast<int>(count * sizeof(PressedStretch)); };
-  std::vector<std::vector<PressedStretch>> out(sharers_.size()), in(sharers_.size());
+void EdgeErrors::exchange(std::vector<PressedPart>& of_pieces) const {
+  static_assert(std::is_trivially_copyable_v<PressedPart>);
+  const auto bytes = [](size_t count) { return static_cast<int>(count * sizeof(PressedPart)); };
+  std::vector<std::vector<PressedPart>> out(sharers_.size()), in(sharers_.size());
   std::vector<MPI_Request> requests(2 * sharers_.size());
   for (size_t i = 0; i < sharers_.size(); ++i) {
     const Sharer& s = sharers_[i];
@@ -130,42 +130,42 @@ void EdgeErrors::exchange(std::vector<PressedStretch>& of_pieces) const {
 }
 
 void EdgeErrors::update(const Kinematics& at, const Values& values) {
-  std::vector<PressedStretch> of_pieces(pieces_.size());
+  std::vector<PressedPart> of_pieces(pieces_.size());
   size_t piece = 0;
   for (const PressedTurn& turn : turns(at, values)) {
     while (pieces_[piece].last < turn.node) ++piece;
-    of_pieces[piece] = joined(of_pieces[piece], PressedStretch(turn));
+    of_pieces[piece] = joined(of_pieces[piece], PressedPart(turn));
   }
   exchange(of_pieces);
   for (size_t i = 0; i < pieces_.size();) {
     const int line = pieces_[i].line;
-    PressedStretch whole;
-    for (; i < pieces_.size() && pieces_[i].line == line; ++i) whole = joined(whole, of_pieces[i]);
-    if (whole.pressed) report(line, whole, at.time);
+    PressedPart of_line;
+    for (; i < pieces_.size() && pieces_[i].line == line; ++i) of_line = joined(of_line, of_pieces[i]);
+    if (of_line.pressed) report(line, of_line, at.time);
   }
 }
 
 // The tensions on both sides of a volume differ by the sum over the nodes between them. Within the contact
 // errors alternate between elements, and only a fraction counts.
-void EdgeErrors::report(int line, const PressedStretch& whole, double time) {
-  tension_[line] = std::max(tension_[line], whole.tension);
-  over_[line] = {whole.passage, time};
-  SumRange inside = whole.inside, outside = whole.outside;
+void EdgeErrors::report(int line, const PressedPart& of_line, double time) {
+  tension_[line] = std::max(tension_[line], of_line.tension);
+  over_[line] = {of_line.passage, time};
+  SumRange inside = of_line.inside, outside = of_line.outside;
   inside.add(0);
   outside.add(0);
-  outside.add(whole.sum);
+  outside.add(of_line.sum);
   Worst& w = worst_[line];
   const double error = std::max(outside.width(), kInside * inside.width());
   if (!(error > w.at.error)) return;
-  const PressedTurn& there = whole.worst;
+  const PressedTurn& there = of_line.worst;
   w.at = {.error = error,
           .arc = mesh_.mesh->nodes[there.node].arc,
           .time = time,
           .turn = there.angle,
           .length = there.length};
-  w.turn_of_element = there.angle + std::max(whole.before, whole.after);
-  const bool evenly = std::min(whole.before, whole.after) > kEvenly * there.angle;
-  w.at.recommended = evenly ? there.length * std::sqrt(kLeft * whole.tension / error)
+  w.turn_of_element = there.angle + std::max(of_line.before, of_line.after);
+  const bool evenly = std::min(of_line.before, of_line.after) > kEvenly * there.angle;
+  w.at.recommended = evenly ? there.length * std::sqrt(kLeft * of_line.tension / error)
                             : kOfRadius * 0.5 * type_at(there.node).contact_diameter;
 }
 

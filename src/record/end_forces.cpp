@@ -34,16 +34,17 @@ EndForces::EndForces(const System& system, const Feeders* feeders) : system_(sys
         at[node] = static_cast<int>(places_.size());
         places_.push_back({node, end, -1, -1, {}});
       }
-      Place& p = places_[at[node]];
+      SectionNode& p = places_[at[node]];
       (second ? p.before : p.after) = static_cast<int>(i);
     }
   }
-  std::sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) { return a.node < b.node; });
+  std::sort(places_.begin(), places_.end(),
+            [](const SectionNode& a, const SectionNode& b) { return a.node < b.node; });
 }
 
 int EndForces::end_at(int node) const {
   int ends = 0;
-  for (const Place& p : places_) {
+  for (const SectionNode& p : places_) {
     if (p.node == node) return p.end < 0 ? -1 : ends;
     ends += p.end >= 0;
   }
@@ -51,7 +52,7 @@ int EndForces::end_at(int node) const {
 }
 
 void EndForces::evaluate(const Kinematics& at, std::span<const Vec3> carried) {
-  for (Place& p : places_) {
+  for (SectionNode& p : places_) {
     if (p.before >= 0) p.sides[0] = section(at, p.before, true, carried);
     if (p.after >= 0) p.sides[1] = section(at, p.after, false, carried);
     if (p.before < 0) p.sides[0] = p.sides[1];
@@ -65,7 +66,7 @@ void EndForces::evaluate(const Kinematics& at, std::span<const Vec3> carried) {
 void EndForces::evaluate_feed_points(const Kinematics& at, std::span<const Vec3> carried) {
   constexpr size_t kNumbers = 10;  // force, moment, direction, feeder force
   const auto& elements = system_.mesh().elements;
-  const std::vector<Feeder>& feeders = feeders_->list();
+  const std::vector<Feeder>& feeders = feeders_->all();
   std::vector<double> all(kNumbers * feeders.size(), -HUGE_VAL);
   for (size_t k = 0; k < feeders.size(); ++k) {
     const Feeder& f = feeders[k];
@@ -87,7 +88,7 @@ void EndForces::evaluate_feed_points(const Kinematics& at, std::span<const Vec3>
     const double* from = all.data() + kNumbers * k;
     feed_points_[k] = {Vec3(from), Vec3(from + 3), Vec3(from + 6), feeders[k].beam};
     feeder_forces_[k] = from[9];
-    for (Place& p : places_)
+    for (SectionNode& p : places_)
       if (p.end == 2 * feeders[k].line + feeders[k].at_b) p.sides = {feed_points_[k], feed_points_[k]};
   }
 }

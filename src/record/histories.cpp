@@ -52,9 +52,9 @@ void Histories::declare(Declarations& to) {
     Point p;
     if (!h.body.empty()) {
       p.body = c.body_index(h.body);
-      for (const std::string& origin : origins(p.body)) {
-        series.columns.push_back({origin + "_force", "N", 3});
-        series.columns.push_back({origin + "_moment", "N m", 3});
+      for (const std::string& component : load_components(p.body)) {
+        series.columns.push_back({component + "_force", "N", 3});
+        series.columns.push_back({component + "_moment", "N m", 3});
       }
     } else if (!h.volume.empty()) {
       p.volume = h.volume;
@@ -132,7 +132,7 @@ std::vector<double> Histories::node_row(const Point& p, size_t side, const Snaps
   const Kinematics& at = s.at;
   const size_t n = p.nodes[side];
   const bool between = p.weights[1] > 0;
-  const EndForces::Place* place = p.places[side] >= 0 ? &ends_.places()[p.places[side]] : nullptr;
+  const EndForces::SectionNode* place = p.places[side] >= 0 ? &ends_.places()[p.places[side]] : nullptr;
   const auto of = [&](int field) { return s.values[field][n]; };
   std::vector<double> row;
   const auto vector = [&](const auto& v) { row.insert(row.end(), v.begin(), v.end()); };
@@ -179,11 +179,11 @@ std::vector<double> Histories::line_row(const Point& p, const Snapshot& s) const
 }
 
 // "other" is the remainder of the total force: lines, their contact with the body, and links.
-std::vector<std::string> Histories::origins(int body) const {
+std::vector<std::string> Histories::load_components(int body) const {
   std::vector<std::string> out;
   if (!subject_.model.floats(body)) return out;
   for (const ActsOnBodies* term : subject_.system.with<ActsOnBodies>())
-    for (std::string& origin : term->origins(body)) out.push_back(std::move(origin));
+    for (std::string& component : term->load_components(body)) out.push_back(std::move(component));
   if (!out.empty()) out.push_back("other");
   return out;
 }
@@ -202,7 +202,7 @@ std::vector<double> Histories::body_row(int body, const Snapshot& s) const {
   for (const Vec3& x :
        {p->position, log_so3(p->rotation), p->velocity, p->angular_velocity, force[0], force[1]})
     row.insert(row.end(), x.begin(), x.end());
-  if (origins(body).empty()) return row;
+  if (load_components(body).empty()) return row;
   const auto add = [&row](const BodyForce& f) {
     row.insert(row.end(), f.force.begin(), f.force.end());
     row.insert(row.end(), f.moment.begin(), f.moment.end());

@@ -112,7 +112,7 @@ void NodeFields::correct_ends(const Kinematics& at) {
   end_forces_.evaluate(now, carried);
 
   for (auto& e : ends_) e.clear();
-  for (const EndForces::Place& p : end_forces_.places()) {
+  for (const EndForces::SectionNode& p : end_forces_.places()) {
     const size_t n = p.node;
     const auto larger = [&p](auto&& of) {
       const double a = of(p.sides[0]), b = of(p.sides[1]);

@@ -129,8 +129,8 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
 double Recorder::passed_through(double h) const {
   double gross = 0, net = 0;
   if (const auto* feeders = subject_.term<Feeders>())
-    for (size_t k = 0; k < feeders->list().size(); ++k) {
-      const double work = fields_.end_forces().at_feeders()[k] * feeders->list()[k].speed * h;
+    for (size_t k = 0; k < feeders->all().size(); ++k) {
+      const double work = fields_.end_forces().at_feeders()[k] * feeders->all()[k].speed * h;
       gross += std::abs(work);
       net += work;
     }

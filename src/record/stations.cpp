@@ -23,7 +23,7 @@ Stations::Stations(MPI_Comm comm, const LocalMesh& mesh, const Feeders* feeders,
 const std::vector<std::vector<double>>& Stations::at(const std::vector<std::vector<double>>& values) {
   if (!feeders_) return values_;
   int line = -1;
-  for (const Feeder& f : feeders_->list())  // end A before end B
+  for (const Feeder& f : feeders_->all())  // end A before end B
     if (std::exchange(line, f.line) != f.line) fill(f, values);
   return values_;
 }
@@ -40,9 +40,9 @@ void Stations::fill(const Feeder& f, const std::vector<std::vector<double>>& val
   all_reduce(comm_, MPI_SUM, along);
 
   const auto arc = [&](int i) { return mesh_.mesh->nodes[span.first_node + i].arc; };
-  int first = 0, last = span.nodes - 1;       // free nodes, or an end without feeder
-  double from = 0, to = span.length;          // m, arc lengths at the feeders
-  for (const Feeder& o : feeders_->list()) {  // both, if the line is fed at both ends
+  int first = 0, last = span.nodes - 1;      // free nodes, or an end without feeder
+  double from = 0, to = span.length;         // m, arc lengths at the feeders
+  for (const Feeder& o : feeders_->all()) {  // both, if the line is fed at both ends
     if (o.line != f.line) continue;
     const int free = o.at_b ? span.nodes - 2 - o.feed_point : o.feed_point + 1;
     (o.at_b ? last : first) = free;

@@ -61,7 +61,7 @@ FeederHistory::FeederHistory(const Subject& subject) : subject_(subject), feeder
 
 void FeederHistory::declare(Declarations& to) {
   if (!feeders_) return;
-  for (const Feeder& f : feeders_->list())
+  for (const Feeder& f : feeders_->all())
     to.contents.series.push_back(
         {fmt::format("{} {} feed", subject_.model.lines[f.line].name, f.at_b ? "end_b" : "end_a"),
          {{"paid_out", "m", 1}, {"feed_speed", "m/s", 1}, {"tension", "N", 1}, {"mouth_length", "m", 1}}});
@@ -69,8 +69,8 @@ void FeederHistory::declare(Declarations& to) {
 
 void FeederHistory::rows(const Snapshot& s, Rows& to) {
   if (!feeders_) return;
-  for (size_t k = 0; k < feeders_->list().size(); ++k) {
-    const Feeder& f = feeders_->list()[k];
+  for (size_t k = 0; k < feeders_->all().size(); ++k) {
+    const Feeder& f = feeders_->all()[k];
     add_on_first(subject_,
                  {feeders_->outside(f) - f.outside_at_start, f.speed, s.end_forces.at_feeders()[k], f.length},
                  to);

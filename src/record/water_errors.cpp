@@ -57,7 +57,7 @@ WaterErrors::Sums WaterErrors::sums(const Kinematics& at, int parts, const std::
   const size_t n = groups.size();
   std::vector<double> all(3 * n);
   std::vector<Where> where(n);
-  for (const LinesInWater::Piece& p : water_->pieces()) {
+  for (const LinesInWater::WetElement& p : water_->pieces()) {
     const Element& e = mesh_.element(p.at);
     const size_t g = group_[e.line];
     if (!p.at.counted || !groups[g]) continue;
@@ -116,22 +116,22 @@ void WaterErrors::update(const Kinematics& at) {
   if (!water_) return;
   const size_t n = groups_.size();
   update_tension(at);
-  const Sums whole = sums(at, 1, std::vector<bool>(n, true));
+  const Sums with_all = sums(at, 1, std::vector<bool>(n, true));
   std::vector<bool> exceeds(n);
   for (size_t i = 0; i < n; ++i) {
     Group& g = groups_[i];
-    g.force = std::max(g.force, whole.force[i]);
-    g.weight = std::max(g.weight, whole.weight[i]);
-    exceeds[i] = whole.error[i] > std::max(g.error, g.bears());
+    g.force = std::max(g.force, with_all.force[i]);
+    g.weight = std::max(g.weight, with_all.weight[i]);
+    exceeds[i] = with_all.error[i] > std::max(g.error, g.bears());
   }
   const std::vector<int> parts = sufficient_parts(at, exceeds);
   for (size_t i = 0; i < n; ++i)
     if (exceeds[i]) {
       Group& g = groups_[i];
-      g.error = whole.error[i];
+      g.error = with_all.error[i];
       g.time = at.time;
       g.parts = parts[i];
-      g.where = whole.where[i];
+      g.where = with_all.where[i];
     }
 }
 

@@ -64,7 +64,7 @@ Actions::Found Actions::act(const Action& a, const Kinematics& at) {
       break;
     }
     case Action::Kind::feed:
-      for (const Feeder& f : sim_.feeders()->list())
+      for (const Feeder& f : sim_.feeders()->all())
         if (f.line == sim_.model().line_index(a.line) && f.at_b == a.at_b) found.speed = f.speed;
       break;
     case Action::Kind::friction:
@@ -121,7 +121,7 @@ void Actions::hold(const Action& a, const Found& found) {
 }
 
 void Actions::feed(const Action& a, double speed, double time) {
-  for (Feeder& f : sim_.feeders()->list()) {
+  for (Feeder& f : sim_.feeders()->all()) {
     if (f.line != sim_.model().line_index(a.line) || f.at_b != a.at_b) continue;
     model::Feed law = a.law;
     law.stock = f.feed.stock;

@@ -43,7 +43,7 @@ Events::Events(MPI_Comm comm, Simulation& simulation)
     h.what = e;
     const Cause& cause = e.cause;
     if (cause.kind == Cause::Kind::paid_out) {
-      const auto& feeders = sim_.feeders()->list();
+      const auto& feeders = sim_.feeders()->all();
       for (size_t f = 0; f < feeders.size(); ++f)
         if (feeders[f].line == c.line_index(cause.line) && feeders[f].at_b == (cause.arc > 0))
           h.feeder = static_cast<int>(f);
@@ -77,7 +77,7 @@ double Events::local_value(const Happening& h, const Kinematics& at) const {
       return own ? at.x[n][cause.axis] : -HUGE_VAL;
     case Cause::Kind::paid_out: {
       const Feeders& feeders = *sim_.feeders();
-      const Feeder& f = feeders.list()[h.feeder];
+      const Feeder& f = feeders.all()[h.feeder];
       if (!feeders.at_feed_point(f)) return -HUGE_VAL;
       return feeders.outside(f) - f.length + feeders.feed_point(f, at).length - f.outside_at_start;
     }
@@ -95,7 +95,7 @@ double Events::local_value(const Happening& h, const Kinematics& at) const {
 
 double Events::local_tension(int node) const {
   const int n = sim_.local().find(node);
-  for (const record::EndForces::Place& p : ends_.places())
+  for (const record::EndForces::SectionNode& p : ends_.places())
     if (p.node == n)
       return p.end >= 0 ? p.at_end().tension() : std::max(p.sides[0].tension(), p.sides[1].tension());
   return -HUGE_VAL;
@@ -239,7 +239,7 @@ void Events::pay_out(const std::string& stage, const std::function<void(bool)>& 
   for (const Happening& h : events_) {
     const Action& a = h.what.action;
     if (h.what.cause.kind != Cause::Kind::stage || h.what.cause.event != stage || a.paid_out == 0) continue;
-    for (Feeder& f : sim_.feeders()->list())
+    for (Feeder& f : sim_.feeders()->all())
       if (f.line == sim_.model().line_index(a.line) && f.at_b == a.at_b) left[&f] += a.paid_out;
   }
   FeederNodes feeder_nodes(sim_);

@@ -36,7 +36,7 @@ void FeederNodes::agree() {
   if (!sim_.feeders()) return;
   std::vector<Feeder*> by_tension;
   std::vector<double> values;  // four for each of them
-  for (Feeder& f : sim_.feeders()->list()) {
+  for (Feeder& f : sim_.feeders()->all()) {
     if (!f.feed.speed.empty()) continue;
     by_tension.push_back(&f);
     if (sim_.feeders()->at_feed_point(f))
@@ -59,12 +59,12 @@ void FeederNodes::transfer_node() {
   Feeders* all = sim_.feeders();
   if (!all) return;
   const double time = sim_.dynamics().committed().s.time;
-  for (Feeder& f : all->list()) {
-    const double whole = all->element_length(f, f.feed_point);
+  for (Feeder& f : all->all()) {
+    const double free_length = all->element_length(f, f.feed_point);
     refuse_all_out(f, time);
-    if (f.feed_point > 0 && f.length >= whole + kLeft * all->element_length(f, f.feed_point - 1)) {
+    if (f.feed_point > 0 && f.length >= free_length + kLeft * all->element_length(f, f.feed_point - 1)) {
       release_node(f);
-    } else if (f.length <= kCaught * whole) {
+    } else if (f.length <= kCaught * free_length) {
       refuse_all_in(f, time);
       catch_node(f);
     }
@@ -76,7 +76,7 @@ void FeederNodes::transfer_node(Feeder& f, int feed_point, double length,
   sim_.dynamics().transfer_node(
       [&] {
         if (feed_point != f.feed_point)
-          sim_.structure().transfer_node(sim_.system().comm(), &f - sim_.feeders()->list().data(),
+          sim_.structure().transfer_node(sim_.system().comm(), &f - sim_.feeders()->all().data(),
                                          feed_point < f.feed_point);
         f.feed_point = feed_point;
         f.length = length;
@@ -84,7 +84,7 @@ void FeederNodes::transfer_node(Feeder& f, int feed_point, double length,
         sim_.feeders()->update_feed_point(f);
         return moved;
       },
-      [&] { return sim_.feeders()->with_held(sim_.system().tied_nodes().list()); });
+      [&] { return sim_.feeders()->with_held(sim_.system().tied_nodes().nodes()); });
 }
 
 // The held node leaves with its material: at the place where the free part has its own unstretched length and
@@ -124,15 +124,15 @@ Dynamics::Moved FeederNodes::leaving(const Feeder& f, const Kinematics& k, const
 void FeederNodes::release_node(Feeder& f) {
   const Feeders& all = *sim_.feeders();
   const int node = all.node(f, f.feed_point);
-  const double whole = all.element_length(f, f.feed_point);
+  const double free_length = all.element_length(f, f.feed_point);
   std::optional<Dynamics::Moved> moved;
   if (const LocalElement* e = all.at_feed_point(f)) moved = leaving(f, sim_.dynamics().kinematics(), *e);
-  if (!f.beam) return transfer_node(f, f.feed_point - 1, f.length - whole, moved);
+  if (!f.beam) return transfer_node(f, f.feed_point - 1, f.length - free_length, moved);
   const double before = feeder_force(f);
-  transfer_node(f, f.feed_point - 1, f.length - whole, moved);
+  transfer_node(f, f.feed_point - 1, f.length - free_length, moved);
   // Two elements represent a bent line better than one, and their length differs by about 1e-7; the
   // unstretched length takes the difference, so that the force on the feeder is continuous.
-  const double more = (before - feeder_force(f)) * (f.length + whole) / f.bar.EA;
+  const double more = (before - feeder_force(f)) * (f.length + free_length) / f.bar.EA;
   if (moved) {
     const Kinematics k = sim_.dynamics().kinematics();
     const size_t n = sim_.local().find(node);
@@ -147,7 +147,7 @@ double FeederNodes::feeder_force(const Feeder& f) {
   record::EndForces ends(sim_.system(), sim_.feeders());
   ends.evaluate(sim_.dynamics().kinematics(),
                 std::vector<Vec3>(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero()));
-  return ends.at_feeders()[&f - sim_.feeders()->list().data()];
+  return ends.at_feeders()[&f - sim_.feeders()->all().data()];
 }
 
 // The first free node enters the feeder. The bend there becomes straight; the unstretched length keeps the
@@ -193,10 +193,10 @@ void FeederNodes::refuse_all_out(const Feeder& f, double time) const {
 void FeederNodes::refuse_all_in(const Feeder& f, double time) const {
   const Feeders& all = *sim_.feeders();
   int others = 0;  // elements inside another feeder of the line
-  for (const Feeder& o : sim_.feeders()->list())
+  for (const Feeder& o : sim_.feeders()->all())
     if (o.line == f.line && o.at_b != f.at_b) others = o.feed_point;
   if (f.feed_point + 2 + others >= all.elements(f))
-    throw SolveError(advice::all_hauled_in(f.name, time, sim_.model().lines[f.line].whole != nullptr));
+    throw SolveError(advice::all_hauled_in(f.name, time, sim_.model().lines[f.line].uncut != nullptr));
 }
 
 void FeederNodes::shift(Feeder& f, double by) {
@@ -218,14 +218,14 @@ void FeederNodes::shift(Feeder& f, double by) {
   };
   set(f.feed_point, f.length + by);
   for (;;) {
-    const double whole = all.element_length(f, f.feed_point);
+    const double free_length = all.element_length(f, f.feed_point);
     refuse_all_out(f, f.time);
-    if (f.feed_point > 0 && f.length >= whole + kLeft * all.element_length(f, f.feed_point - 1)) {
+    if (f.feed_point > 0 && f.length >= free_length + kLeft * all.element_length(f, f.feed_point - 1)) {
       std::optional<Dynamics::Moved> moved;
       if (const LocalElement* e = all.at_feed_point(f)) moved = leaving(f, state.view(0), *e);
       put(moved);
-      set(f.feed_point - 1, f.length - whole);
-    } else if (f.length <= kCaught * whole) {
+      set(f.feed_point - 1, f.length - free_length);
+    } else if (f.length <= kCaught * free_length) {
       refuse_all_in(f, f.time);
       const double next = all.element_length(f, f.feed_point + 1);
       double length = 0;
@@ -237,7 +237,7 @@ void FeederNodes::shift(Feeder& f, double by) {
   }
   f.outside_at_start = all.outside(f);
   System& system = sim_.system();
-  system.tie(all.with_held(system.tied_nodes().list()), BodyMotion(system.tied_nodes().motion()));
+  system.tie(all.with_held(system.tied_nodes().nodes()), BodyMotion(system.tied_nodes().motion()));
 }
 
 void FeederNodes::save(io::Checkpoint& to) const {
@@ -245,7 +245,7 @@ void FeederNodes::save(io::Checkpoint& to) const {
   double work = sim_.feeders()->work();
   all_reduce(sim_.system().comm(), MPI_SUM, work);
   to.scalars["feeders.work"] = work;
-  for (const Feeder& f : sim_.feeders()->list()) {
+  for (const Feeder& f : sim_.feeders()->all()) {
     to.scalars[key(f, "feed_point")] = f.feed_point;
     to.scalars[key(f, "length")] = f.length;
     to.scalars[key(f, "speed")] = f.speed;
@@ -259,14 +259,14 @@ void FeederNodes::save(io::Checkpoint& to) const {
 
 void FeederNodes::restore(const io::Checkpoint& from, const std::string& path) {
   const auto refuse = [&](const std::string& why) { return InputError(advice::cannot_go_on(path, why)); };
-  size_t there = 0, here = sim_.feeders() ? sim_.feeders()->list().size() : 0;
+  size_t there = 0, here = sim_.feeders() ? sim_.feeders()->all().size() : 0;
   for (const auto& [name, value] : from.scalars)
     there += name.starts_with("feeder.") && name.ends_with(".feed_point");
   if (there != here) throw refuse(advice::other_number_of_feeds(there, here));
   if (!sim_.feeders()) return;
   const int rank = rank_of(sim_.system().comm());
   sim_.feeders()->set_work(rank == 0 ? from.scalars.at("feeders.work") : 0);
-  for (Feeder& f : sim_.feeders()->list()) {
+  for (Feeder& f : sim_.feeders()->all()) {
     if (!from.scalars.count(key(f, "feed_point"))) throw refuse(advice::not_fed_there(f.name));
     const auto take = [&](const char* what) { return from.scalars.at(key(f, what)); };
     const double feed_point = take("feed_point");
@@ -286,7 +286,8 @@ void FeederNodes::restore(const io::Checkpoint& from, const std::string& path) {
     sim_.feeders()->update_feed_point(f);
   }
   System& system = sim_.system();
-  system.tie(sim_.feeders()->with_held(system.tied_nodes().list()), BodyMotion(system.tied_nodes().motion()));
+  system.tie(sim_.feeders()->with_held(system.tied_nodes().nodes()),
+             BodyMotion(system.tied_nodes().motion()));
 }
 
 }  // namespace hawser::run

@@ -35,7 +35,7 @@ std::vector<TiedNode> with_bodies(const Simulation& sim, std::vector<TiedNode> a
 // Ties without those of bodies with mass, on the current ghost nodes.
 std::vector<TiedNode> without_bodies(Simulation& sim) {
   std::vector<TiedNode> out;
-  for (const TiedNode& tied : sim.system().tied_nodes().list())
+  for (const TiedNode& tied : sim.system().tied_nodes().nodes())
     if (sim.local().node(tied.node).body < 0) out.push_back(tied);
   return out;
 }
@@ -53,7 +53,7 @@ void hold_body(Simulation& sim, int body) {
   System& system = sim.system();
   const RigidPose start = sim.bodies().pose(body, 0);
   const BodyMotion before = system.tied_nodes().motion();
-  system.tie(with_bodies(sim, system.tied_nodes().list(), {body}),
+  system.tie(with_bodies(sim, system.tied_nodes().nodes(), {body}),
              [=](int b, double time) { return b == body ? start : before(b, time); });
 }
 
@@ -158,7 +158,7 @@ std::vector<double> HeldBodies::tensions() const {
   record::EndForces ends(sim_.system());
   const std::vector<Vec3> nothing(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero());
   ends.evaluate(at, nothing);
-  for (const record::EndForces::Place& p : ends.places())
+  for (const record::EndForces::SectionNode& p : ends.places())
     if (p.end >= 0) {
       double& most = out[static_cast<size_t>(p.end / 2)];
       most = std::max(most, p.at_end().tension());

@@ -70,10 +70,10 @@ void set_hydrostatics(model::Case& c, const std::vector<LoadedVolume>& volumes) 
   for_each_hull(c, volumes, [&](model::Body& b, const HullSurface& hull) {
     const std::string key = "bodies." + b.name + ".floating.hull.volumes";
     const RigidBodyState s = start_of(b);
-    const Vec3 whole = displaced_volumes(hull, top_of(hull, s), s);
-    const double volume = whole.mean();
-    if (!(volume > 0) || whole.maxCoeff() - whole.minCoeff() > kGaps * volume)
-      c.refuse(key, "{}", advice::hull_is_open(whole));
+    const Vec3 volumes = displaced_volumes(hull, top_of(hull, s), s);
+    const double volume = volumes.mean();
+    if (!(volume > 0) || volumes.maxCoeff() - volumes.minCoeff() > kGaps * volume)
+      c.refuse(key, "{}", advice::hull_is_open(volumes));
     if (held_by(c, b).empty() && b.mass->mass > density * volume)
       c.refuse(key, "{}", advice::hull_cannot_float(density * volume, b.mass->mass));
     const Mat6 K =
@@ -94,7 +94,7 @@ std::string hulls_text(const model::Case& c, const std::vector<LoadedVolume>& vo
     advice::HullAtStart start{.body = b.name, .triangles = hull.triangles.size(), .weight = weight};
     start.buoyancy = -p.f[2];
     start.displaced = start.buoyancy / (density * g);
-    start.whole = displaced_volumes(hull, top_of(hull, s), s).mean();
+    start.volume = displaced_volumes(hull, top_of(hull, s), s).mean();
     start.waterplane = p.K(2, 2) / (density * g);
     start.roll_height = p.K(3, 3) / start.buoyancy;
     start.pitch_height = p.K(4, 4) / start.buoyancy;

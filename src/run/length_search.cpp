@@ -42,7 +42,7 @@ AtRest at_rest(MPI_Comm comm, Simulation& sim) {
   ends.evaluate(at, carried);
   AtRest out;
   out.ends.assign(4 * sim.mesh().lines.size(), 0);
-  for (const record::EndForces::Place& p : ends.places()) {
+  for (const record::EndForces::SectionNode& p : ends.places()) {
     if (p.end < 0) continue;
     const record::SectionForce& s = p.at_end();
     out.ends[2 * static_cast<size_t>(p.end)] = s.tension();
@@ -67,7 +67,7 @@ LengthSearch::LengthSearch(const model::Case& c, size_t line, bool at_b, int fee
     : line_(line), feeder_(feeder), rest_(0) {
   const model::Line& l = c.lines[line];
   const model::Feed& feed = *l.end(at_b).feed;
-  key_ = fmt::format("lines.{}.end_{}.feed.stock", l.whole ? l.whole->name : l.name, at_b ? 'b' : 'a');
+  key_ = fmt::format("lines.{}.end_{}.feed.stock", l.uncut ? l.uncut->name : l.name, at_b ? 'b' : 'a');
   t_.value = feed.tension;
   t_.at_a = !at_b;
   t_.most = model::length_of(l);

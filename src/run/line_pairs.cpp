@@ -15,24 +15,24 @@
 namespace hawser::run {
 namespace {
 
-// Start of a stretch at a held or joined end of a line.
-struct Place {
+// Start of a branch at a held or joined end of a line.
+struct BranchStart {
   Vec3 at;  // m, in space
-  Stretch stretch;
+  Branch branch;
   double radius;  // m, contact radius
 };
 
 // The line of which this one is a part, or itself.
-const model::Line& whole_of(const model::Line& line) { return line.whole ? *line.whole : line; }
+const model::Line& uncut_of(const model::Line& line) { return line.uncut ? *line.uncut : line; }
 
 // True if an end is held by the case, not only by a future cut.
 bool is_place(const model::Line& line, bool at_b) {
-  const model::End &own = line.end(at_b), &of_whole = whole_of(line).end(at_b);
+  const model::End &own = line.end(at_b), &of_whole = uncut_of(line).end(at_b);
   return own.kind != model::EndKind::free && own.kind == of_whole.kind && own.body == of_whole.body;
 }
 
-std::vector<Place> places_of_lines(const model::Case& c, const Mesh& mesh) {
-  std::vector<Place> places;
+std::vector<BranchStart> places_of_lines(const model::Case& c, const Mesh& mesh) {
+  std::vector<BranchStart> places;
   for (size_t l = 0; l < c.lines.size(); ++l) {
     const LineSpan& span = mesh.lines[l];
     const model::Line& line = c.lines[l];
@@ -48,25 +48,25 @@ std::vector<Place> places_of_lines(const model::Case& c, const Mesh& mesh) {
   return places;
 }
 
-// Pairs of stretches that begin closer to each other than their thickness.
+// Pairs of branches that begin closer to each other than their thickness.
 std::vector<SharedPlace> shared_places(const model::Case& c, const Mesh& mesh) {
-  std::vector<Place> places = places_of_lines(c, mesh);
+  std::vector<BranchStart> places = places_of_lines(c, mesh);
   double widest = 0;
-  for (const Place& p : places) widest = std::max(widest, 2 * p.radius);
+  for (const BranchStart& p : places) widest = std::max(widest, 2 * p.radius);
   // Sorted along x, so that only neighbours are compared.
-  const auto where = [](const Place& p) { return std::tuple(p.at.x(), p.stretch.node, p.stretch.way); };
+  const auto where = [](const BranchStart& p) { return std::tuple(p.at.x(), p.branch.node, p.branch.way); };
   std::sort(places.begin(), places.end(),
-            [&](const Place& p, const Place& q) { return where(p) < where(q); });
+            [&](const BranchStart& p, const BranchStart& q) { return where(p) < where(q); });
   std::vector<SharedPlace> out;
   for (size_t i = 0; i < places.size(); ++i)
     for (size_t j = i + 1; j < places.size() && places[j].at.x() - places[i].at.x() <= widest; ++j) {
-      const Place &p = places[i], &q = places[j];
-      if (p.stretch.node != q.stretch.node && (p.at - q.at).norm() < p.radius + q.radius)
-        out.push_back({p.stretch, q.stretch});
+      const BranchStart &p = places[i], &q = places[j];
+      if (p.branch.node != q.branch.node && (p.at - q.at).norm() < p.radius + q.radius)
+        out.push_back({p.branch, q.branch});
     }
   // Until it is cut a line continues from each part to the next.
   for (size_t l = 1; l < c.lines.size(); ++l)
-    if (c.contact.takes_part(c.lines[l]) && c.lines[l].whole && c.lines[l].whole == c.lines[l - 1].whole)
+    if (c.contact.takes_part(c.lines[l]) && c.lines[l].uncut && c.lines[l].uncut == c.lines[l - 1].uncut)
       out.push_back({{mesh.lines[l].first_node - 1, -1}, {mesh.lines[l].first_node, 1}});
   return out;
 }
@@ -75,7 +75,7 @@ std::vector<SharedPlace> shared_places(const model::Case& c, const Mesh& mesh) {
 std::vector<int> first_parts(const model::Case& c) {
   std::vector<int> out;
   for (size_t l = 0; l < c.lines.size(); ++l)
-    out.push_back(l > 0 && c.lines[l].whole && c.lines[l].whole == c.lines[l - 1].whole
+    out.push_back(l > 0 && c.lines[l].uncut && c.lines[l].uncut == c.lines[l - 1].uncut
                       ? out.back()
                       : static_cast<int>(l));
   return out;
@@ -106,7 +106,7 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
       [&](const std::pair<int, int>& p) { return takes_part[p.first] && takes_part[p.second]; });
   if (taking * (taking + 1) / 2 == static_cast<std::size_t>(excluded)) return nullptr;
   options.shared = shared_places(c, *mesh.mesh);
-  options.whole = first_parts(c);
+  options.uncut = first_parts(c);
 
   options.general = b.general;
   for (const auto& t : b.pairs)
@@ -141,7 +141,7 @@ std::string shared_places_note(const SharedPlaces& places, const Mesh& mesh) {
     if (farthest < 0 || places.within(k) > places.within(farthest)) farthest = k;
   }
   if (farthest < 0) return "";
-  const auto name = [&](const Stretch& s) { return mesh.lines[mesh.nodes[s.node].line].name; };
+  const auto name = [&](const Branch& s) { return mesh.lines[mesh.nodes[s.node].line].name; };
   const std::string one = name(places.place(farthest).one), other = name(places.place(farthest).other);
   return advice::apart_near_place(one, other, places.within(farthest), others);
 }

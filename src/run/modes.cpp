@@ -23,7 +23,7 @@
 #include "hawser/run/simulation.hpp"
 #include "hawser/run/volumes.hpp"
 #include "hawser/solve/natural_modes.hpp"
-#include "hawser/terms/thrusters.hpp"
+#include "hawser/terms/dynamic_positioning.hpp"
 
 namespace hawser::run {
 namespace {
@@ -231,7 +231,7 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
   progress.print_warnings(sim.warnings());
   Events events(comm, sim);
   const StaticsReport statics = solve_statics(sim, events, progress);
-  if (auto* thrusters = sim.system().find<Thrusters>()) thrusters->integrate_at_rest(false);
+  if (auto* thrusters = sim.system().find<DynamicPositioning>()) thrusters->integrate_at_rest(false);
   const std::vector<NaturalMode> found = natural_modes(sim.system(), sim.state().view(0), options.count);
   progress.end();
   std::string table =

@@ -14,7 +14,7 @@ namespace hawser::run {
 namespace {
 
 // Uncut lines in file order, distributed by number of nodes; bodies belong to the first rank.
-std::vector<int> stretches_of_lines(const Mesh& mesh, int ranks) {
+std::vector<int> owners_of_uncut_lines(const Mesh& mesh, int ranks) {
   std::vector<int> owner(mesh.nodes.size(), 0);
   const long long nodes = mesh.line_nodes();
   for (const LineSpan& line : mesh.lines)
@@ -31,7 +31,7 @@ std::vector<std::pair<int, int>> near_elements(MPI_Comm comm, const model::Case&
   std::vector<bool> takes_part;
   for (const model::Line& l : c.lines) takes_part.push_back(c.contact.takes_part(l));
   const int ranks = ranks_of(comm);
-  const LocalMesh part = local_mesh(mesh, stretches_of_lines(mesh, ranks), rank_of(comm), ranks);
+  const LocalMesh part = local_mesh(mesh, owners_of_uncut_lines(mesh, ranks), rank_of(comm), ranks);
   const StartShape shape = start_shape(comm, c, part, bodies);
   CandidateSettings settings;
   settings.excluded = excluded_pairs(c);
@@ -71,12 +71,12 @@ std::vector<std::pair<int, int>> coupled_nodes(MPI_Comm comm, const model::Case&
 std::vector<int> uncut_lines(const model::Case& c) {
   if (!c.contact.between_lines.enabled) return {};
   const std::vector<std::pair<int, int>> excluded = excluded_pairs(c);
-  std::vector<int> whole;
+  std::vector<int> uncut;
   for (int l = 0; l < static_cast<int>(c.lines.size()); ++l)
     if (c.contact.takes_part(c.lines[l]) &&
         !std::binary_search(excluded.begin(), excluded.end(), std::pair(l, l)))
-      whole.push_back(l);
-  return whole;
+      uncut.push_back(l);
+  return uncut;
 }
 
 std::vector<int> node_owners(MPI_Comm comm, const model::Case& c, const Mesh& mesh, const Bodies& bodies,

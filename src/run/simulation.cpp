@@ -32,6 +32,7 @@
 #include "hawser/terms/bodies_in_water.hpp"
 #include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/buried.hpp"
+#include "hawser/terms/dynamic_positioning.hpp"
 #include "hawser/terms/end_springs.hpp"
 #include "hawser/terms/feeders.hpp"
 #include "hawser/terms/hulls.hpp"
@@ -42,7 +43,6 @@
 #include "hawser/terms/point_loads.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 #include "hawser/terms/seabed.hpp"
-#include "hawser/terms/thrusters.hpp"
 
 namespace hawser::run {
 namespace {
@@ -248,7 +248,7 @@ void Simulation::add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces
     if (any([](const model::BodyMass& m) { return m.hull.has_value(); })) add<Hulls>(case_, local(), facets);
     if (any([](const model::BodyMass& m) { return m.wind || m.current; })) add<BodiesInFlow>(case_, local());
     if (any([](const model::BodyMass& m) { return m.positioning.has_value(); }))
-      add<Thrusters>(case_, local());
+      add<DynamicPositioning>(case_, local());
     if (any([](const model::BodyMass& m) { return m.hydrodynamics.has_value(); }))
       add<PlatformWater>(system_->comm(), case_, local());
   }

@@ -30,7 +30,7 @@
 namespace hawser::run {
 namespace {
 
-struct Row {
+struct StiffnessAtOffset {
   Offset offset{};
   Vec6 force = Vec6::Zero();  // of the lines on the body: N, N m, about the point, space axes
   Mat6 K = Mat6::Zero();
@@ -72,7 +72,7 @@ std::vector<Offset> offsets_of(const StiffnessOptions& o) {
 constexpr double kDegree = M_PI / 180;
 constexpr std::string_view kHead = "x offset [m],y offset [m],z offset [m],rx offset [deg]";
 
-bool write(const std::string& path, const model::Case& c, const std::vector<Row>& rows) {
+bool write(const std::string& path, const model::Case& c, const std::vector<StiffnessAtOffset>& rows) {
   std::string s(kHead);
   s += ",ry offset [deg],rz offset [deg],Fx [N],Fy [N],Fz [N],Mx [N m],My [N m],Mz [N m]";
   for (int i = 1; i <= 6; ++i)
@@ -80,7 +80,7 @@ bool write(const std::string& path, const model::Case& c, const std::vector<Row>
       s += fmt::format(",K{}{} [{}]", i, j, i <= 3 ? (j <= 3 ? "N/m" : "N/rad") : (j <= 3 ? "N" : "N m/rad"));
   for (const model::Line& line : c.lines) s += ",tension of " + line.name + " [N]";
   s += "\n";
-  for (const Row& r : rows) {
+  for (const StiffnessAtOffset& r : rows) {
     std::string row;
     for (size_t k = 0; k < 6; ++k)
       row += fmt::format("{}{:.10g}", k > 0 ? "," : "", r.offset[k] / (k < 3 ? 1 : kDegree));
@@ -118,10 +118,10 @@ std::string matrix_text(const Mat6& K) {
 // In kN; rounding errors relative to the tension are 0.
 double in_kN(double x, double tension) { return std::abs(x) < 1e-9 * tension ? 0 : x / 1000; }
 
-std::string table(const model::Case& c, const std::vector<Row>& rows) {
+std::string table(const model::Case& c, const std::vector<StiffnessAtOffset>& rows) {
   std::string s = fmt::format("{:>10} {:>10} {:>12} {:>12} {:>12} {:>14}  {}\n", "x [m]", "y [m]", "Fx [kN]",
                               "Fy [kN]", "Fz [kN]", "tension [kN]", "of line");
-  for (const Row& r : rows) {
+  for (const StiffnessAtOffset& r : rows) {
     const auto most = std::max_element(r.tensions.begin(), r.tensions.end());
     s +=
         fmt::format("{:>10.4g} {:>10.4g} {:>12.6g} {:>12.6g} {:>12.6g} {:>14.6g}  {}\n", r.offset[0],
@@ -170,7 +170,7 @@ int stiffness(MPI_Comm comm, const StiffnessOptions& o) {
   HeldBodies held(sim);
   const RigidPose rest = held.pose(body);
 
-  std::vector<Row> rows;
+  std::vector<StiffnessAtOffset> rows;
   for (const Offset& offset : offsets_of(o)) {
     RigidPose there = rest;
     there.position += Vec3(offset.data());

@@ -71,7 +71,7 @@ BodyStiffness body_stiffness(System& system, const Kinematics& at, int body_node
   system.tie(free, motion);
   system.residual(at, push.get());
   out.f = values(comm, push.get(), rows);
-  const MatHandle whole = tangent(system, at);
+  const MatHandle stiffness = tangent(system, at);
   system.tie(held, motion);
   system.residual(at, answer.get());
   const MatHandle others = tangent(system, at);
@@ -89,7 +89,7 @@ BodyStiffness body_stiffness(System& system, const Kinematics& at, int body_node
   for (int k = 0; k < 6; ++k) {
     check(VecSet(total.get(), 0));
     set(total.get(), rows, Vec6::Unit(k));
-    check(MatMult(whole.get(), total.get(), push.get()));
+    check(MatMult(stiffness.get(), total.get(), push.get()));
     check(VecScale(push.get(), -1));
     clear_held(system, push.get());
     check(KSPSolve(solver.get(), push.get(), answer.get()));
@@ -97,7 +97,7 @@ BodyStiffness body_stiffness(System& system, const Kinematics& at, int body_node
     check(KSPGetConvergedReason(solver.get(), &reason));
     if (reason < 0) throw SolveError(advice::singular_mooring());
     check(VecAXPY(total.get(), 1, answer.get()));
-    check(MatMult(whole.get(), total.get(), push.get()));
+    check(MatMult(stiffness.get(), total.get(), push.get()));
     out.K.col(k) = values(comm, push.get(), rows);
   }
   return out;

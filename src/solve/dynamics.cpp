@@ -199,7 +199,7 @@ void Dynamics::commit() {
   const LocalMesh& m = system_.mesh();
   const auto of = [](const std::vector<double>& rows, size_t i) { return rows.empty() ? 0 : rows[i]; };
   const auto add_work = [&](const auto& force) {
-    for (const TiedNode& s : system_.tied_nodes().list()) {
+    for (const TiedNode& s : system_.tied_nodes().nodes()) {
       if (s.node >= m.owned || s.frame >= 0) continue;
       const size_t b = 3 * static_cast<size_t>(m.block[static_cast<size_t>(s.node)]);
       const int n = m.rotates(s.node) ? 6 : 3;

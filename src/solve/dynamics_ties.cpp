@@ -13,7 +13,7 @@ namespace {
 constexpr double kJustBefore = 1e-9;
 
 bool holds(const TiedNodes& tied, int node) {
-  return std::any_of(tied.list().begin(), tied.list().end(),
+  return std::any_of(tied.nodes().begin(), tied.nodes().end(),
                      [node](const TiedNode& s) { return s.node == node && s.position_mask == 7; });
 }
 
@@ -40,7 +40,7 @@ void Dynamics::match_tied_velocities(const TiedNodes& before, State& s) {
   system_.tied_nodes().rates(s.time, held);
   system_.tied_nodes().follow(held);
   std::vector<int> caught;
-  for (const TiedNode& h : system_.tied_nodes().list())
+  for (const TiedNode& h : system_.tied_nodes().nodes())
     if (h.node < m.owned && h.position_mask == 7 && !holds(before, h.node)) caught.push_back(h.node);
   if (!on_any_rank(system_.comm(), !caught.empty())) return;
   const double h = control_.proposal();

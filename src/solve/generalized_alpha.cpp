@@ -59,7 +59,7 @@ void alpha_trial(const LocalMesh& mesh, const TiedNodes& tied, const AlphaCoeffi
     s.directors[n] = m1 * trial.ad[n] + m0 * from.ad[n] - d0 * from.s.directors[n];
   }
   tied.follow(s);
-  for (const TiedNode& p : tied.list()) {
+  for (const TiedNode& p : tied.nodes()) {
     const size_t n = p.node;
     if (p.frame >= 0 && p.position_mask == 7) {
       const size_t f = p.frame;

@@ -79,10 +79,10 @@ Blocks labels(MPI_Comm comm, const LocalRows& local, PetscSF blocks) {
 
 // Place of an unknown block at the rank that solves its part: its index among all blocks solved there, the
 // first index and size of its part, and the offset of the part's matrix.
-struct Place {
+struct SolverIndex {
   PetscInt at = 0, first = 0, size = 0, matrix = 0;
 };
-constexpr int kPlace = sizeof(Place) / sizeof(PetscInt);
+constexpr int kSolverIndex = sizeof(SolverIndex) / sizeof(PetscInt);
 
 // A committed MPI type of n contiguous values.
 class Row {
@@ -100,7 +100,7 @@ class Row {
   MPI_Datatype type_ = MPI_DATATYPE_NULL;
 };
 
-// Sends lists of blocks to other ranks, and returns a Place for each block. Collective.
+// Sends lists of blocks to other ranks, and returns a SolverIndex for each block. Collective.
 class Questions {
  public:
   // lists: by rank; each consists of the label of a part, the number of its blocks, the blocks, and so on.
@@ -122,9 +122,9 @@ class Questions {
   }
   const std::map<int, Blocks>& received() const { return received_; }
   // answers: to the ranks of `received`; out: from the ranks that were asked, of the right size.
-  void answer(const std::map<int, std::vector<Place>>& answers,
-              std::map<int, std::vector<Place>>& out) const {
-    const Row place(kPlace, MPIU_INT);
+  void answer(const std::map<int, std::vector<SolverIndex>>& answers,
+              std::map<int, std::vector<SolverIndex>>& out) const {
+    const Row place(kSolverIndex, MPIU_INT);
     exchange(answers, out, place);
   }
 
@@ -219,9 +219,9 @@ class SolvedParts {
       sizes.push_back(static_cast<int>(size));
     }
   }
-  Place place(PetscInt name, PetscInt block) const {
+  SolverIndex place(PetscInt name, PetscInt block) const {
     const auto& [all, first] = parts_.at(name);
-    Place out = first;
+    SolverIndex out = first;
     out.at += static_cast<PetscInt>(std::lower_bound(all.begin(), all.end(), block) - all.begin());
     return out;
   }
@@ -231,15 +231,16 @@ class SolvedParts {
  private:
   struct Part {
     Blocks blocks;
-    Place first;
+    SolverIndex first;
   };
   std::map<PetscInt, Part> parts_;
 };
 
 // Place of each shared block, as assigned by the rank that solves its part. Collective.
-std::vector<Place> places_of_shared(const LocalRows& local, const std::map<PetscInt, InterfacePart>& found,
-                                    const Questions& questions, const SolvedParts& solved) {
-  std::map<int, std::vector<Place>> answers, places;
+std::vector<SolverIndex> places_of_shared(const LocalRows& local,
+                                          const std::map<PetscInt, InterfacePart>& found,
+                                          const Questions& questions, const SolvedParts& solved) {
+  std::map<int, std::vector<SolverIndex>> answers, places;
   for (const auto& [rank, list] : questions.received())
     for_each_asked(
         list, [&](PetscInt name, PetscInt block) { answers[rank].push_back(solved.place(name, block)); });
@@ -248,7 +249,7 @@ std::vector<Place> places_of_shared(const LocalRows& local, const std::map<Petsc
     for (const int k : part.shared) rows[part.solver].push_back(part.rows[k]);
   for (const auto& [rank, blocks] : rows) places[rank].resize(blocks.size());
   questions.answer(answers, places);
-  std::vector<Place> out(static_cast<size_t>(local.owned));
+  std::vector<SolverIndex> out(static_cast<size_t>(local.owned));
   for (const auto& [rank, blocks] : rows)
     for (size_t k = 0; k < blocks.size(); ++k) out[blocks[k]] = places[rank][k];
   return out;
@@ -267,9 +268,10 @@ std::map<int, Blocks> questions_on(const LocalRows& local, const std::map<PetscI
 }
 
 // Places of the ghosts, sent by their owners. Collective.
-std::vector<Place> places_of_ghosts(const LocalRows& local, PetscSF blocks, const std::vector<Place>& own) {
-  std::vector<Place> out(static_cast<size_t>(local.others));
-  const Row place(kPlace, MPIU_INT);
+std::vector<SolverIndex> places_of_ghosts(const LocalRows& local, PetscSF blocks,
+                                          const std::vector<SolverIndex>& own) {
+  std::vector<SolverIndex> out(static_cast<size_t>(local.others));
+  const Row place(kSolverIndex, MPIU_INT);
   check(PetscSFBcastBegin(blocks, place, own.data(), out.data(), MPI_REPLACE));
   check(PetscSFBcastEnd(blocks, place, own.data(), out.data(), MPI_REPLACE));
   return out;
@@ -280,13 +282,14 @@ struct Forests {
   SfHandle shared, ghosts, matrices;
 };
 // own, others: places of own blocks that are shared, and of ghosts. Collective.
-Forests build_forests(MPI_Comm comm, const std::vector<InterfacePart>& parts, const std::vector<Place>& own,
-                      const std::vector<Place>& others, const SolvedParts& solved) {
+Forests build_forests(MPI_Comm comm, const std::vector<InterfacePart>& parts,
+                      const std::vector<SolverIndex>& own, const std::vector<SolverIndex>& others,
+                      const SolvedParts& solved) {
   std::vector<PetscSFNode> shared, ghosts, matrices;
   for (const InterfacePart& part : parts) {
     for (const int j : part.ghosts) ghosts.push_back({part.solver, others[j].at});
     for (const int k : part.shared) {
-      const Place& row = own[part.rows[k]];
+      const SolverIndex& row = own[part.rows[k]];
       shared.push_back({part.solver, row.at});
       for (const int j : part.ghosts) {
         const PetscInt column = others[j].at - others[j].first;
@@ -313,8 +316,8 @@ InterfaceParts::InterfaceParts(Mat A) {
   check(PetscObjectGetNewTag(reinterpret_cast<PetscObject>(A), &tag));
   const Questions questions(comm, tag, questions_on(local, found));
   const SolvedParts solved(questions.received());
-  const std::vector<Place> own = places_of_shared(local, found, questions, solved);
-  const std::vector<Place> ghosts = places_of_ghosts(local, blocks.get(), own);
+  const std::vector<SolverIndex> own = places_of_shared(local, found, questions, solved);
+  const std::vector<SolverIndex> ghosts = places_of_ghosts(local, blocks.get(), own);
 
   solved_ = solved.sizes;
   for (const int size : solved_) largest_ = std::max(largest_, 3 * size);

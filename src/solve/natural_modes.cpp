@@ -92,7 +92,7 @@ void move_nodes(const System& system, const Kinematics& at, const std::vector<do
     if (mesh.rotates(static_cast<int>(n))) mode.rotation[n] = at.q[n] * block(mesh.block[n] + 1);
   }
   for (const int i : system.tied_nodes().to_frames()) {
-    const TiedNode& s = system.tied_nodes().list()[i];
+    const TiedNode& s = system.tied_nodes().nodes()[i];
     const int frame = mesh.block[s.frame];
     mode.shape[s.node] = block(frame) + at.q[s.frame] * block(frame + 1).cross(s.at);
   }

@@ -244,14 +244,14 @@ struct Obstacle {
 };
 
 // A part of a line that is in a volume, or nearer to it than its radius.
-struct Stretch {
+struct PartInVolume {
   double from = 0, to = 0, height = 0;  // m, arc lengths; necessary raise
   Vec3 deepest = Vec3::Zero(), along = Vec3::UnitX();
   double depth = 0, radius = 0;  // m
 };
 
-std::vector<Stretch> stretches_in(const Rope& rope, const Obstacle& volume) {
-  std::vector<Stretch> out;
+std::vector<PartInVolume> parts_in(const Rope& rope, const Obstacle& volume) {
+  std::vector<PartInVolume> out;
   bool inside = false;
   for (size_t i = 0; i < rope.segments(); ++i) {
     const double length = (rope.at(i, 1) - rope.at(i, 0)).norm(), radius = rope.radius[i];
@@ -261,7 +261,7 @@ std::vector<Stretch> stretches_in(const Rope& rope, const Obstacle& volume) {
                    s = rope.s[i] + gone / length * (rope.s[i + 1] - rope.s[i]);
       if (gap < 0) {
         if (!inside) out.push_back({s, s});
-        Stretch& of = out.back();
+        PartInVolume& of = out.back();
         of.to = s;
         of.height = std::max(of.height, volume.way_out(x, Vec3::UnitZ(), radius, 2 * volume.size));
         if (-gap > of.depth) {
@@ -278,9 +278,9 @@ std::vector<Stretch> stretches_in(const Rope& rope, const Obstacle& volume) {
   return out;
 }
 
-// True if a stretch must go over the volume: there is no room for it between the volume and the bed, and the
+// True if a part must go over the volume: there is no room for it between the volume and the bed, and the
 // way over the volume is shorter than the way round it.
-bool goes_over(const model::Case& c, const Stretch& s, const Obstacle& volume) {
+bool goes_over(const model::Case& c, const PartInVolume& s, const Obstacle& volume) {
   const model::Seabed& bed = c.environment.seabed;
   if (!bed.present) return false;
   const double down = volume.way_out(s.deepest, -Vec3::UnitZ(), s.radius, 2 * volume.size);
@@ -318,7 +318,7 @@ std::vector<StartNote> lay_over_volumes(const model::Case& c, const Bodies& bodi
         return (*x - centre).norm() > obstacle.size + rope.s.back() / static_cast<double>(rope.segments());
       });
       if (far) continue;
-      for (const Stretch& s : stretches_in(rope, obstacle)) {
+      for (const PartInVolume& s : parts_in(rope, obstacle)) {
         if (!goes_over(c, s, obstacle)) continue;
         raise(rope, s.from, s.to, s.height);
         if (!rope.counted) continue;

@@ -22,9 +22,9 @@ constexpr double kPressed = 0.05;  // compressive strain by which a fold is laid
 constexpr double kPull = 0.01;     // of the weight: pull that takes slack out of a heap
 
 // Elements [first, last) of the mesh as one piece, with its length without tension.
-FlexibleLine::Piece piece(const model::Case& c, const model::Line& line, const Mesh& mesh, int first,
-                          int last) {
-  FlexibleLine::Piece p;
+FlexibleLine::Segment piece(const model::Case& c, const model::Line& line, const Mesh& mesh, int first,
+                            int last) {
+  FlexibleLine::Segment p;
   double compliance = 0;
   for (int e = first; e < last; ++e) {
     const Element& g = mesh.elements[e];

@@ -19,7 +19,7 @@ constexpr double kStretched = 0.02;
 constexpr int kPieces = 24;         // in a cubic between two supports; a catenary has ten times as many
 constexpr double kSteepest = 1.55;  // rad, largest angle at which a line leaves its last support at the start
 
-struct Place {
+struct GuidePoint {
   Vec3 at, along;  // m; unit
 };
 
@@ -27,9 +27,9 @@ double dip(const Vec3& along) { return -std::asin(std::clamp(along.z(), -1.0, 1.
 
 // A chain of places with the length up to each.
 struct Chain {
-  std::vector<Place> places;
+  std::vector<GuidePoint> places;
   std::vector<double> arc;  // m
-  void add(const Place& p) {
+  void add(const GuidePoint& p) {
     arc.push_back(places.empty() ? 0 : arc.back() + (p.at - places.back().at).norm());
     places.push_back(p);
   }
@@ -37,7 +37,7 @@ struct Chain {
 };
 
 // Adds the cubic through two places with their directions.
-void add_cubic(Chain& chain, const Place from, const Place& to) {
+void add_cubic(Chain& chain, const GuidePoint from, const GuidePoint& to) {
   const double d = (to.at - from.at).norm();
   for (int i = 1; i <= kPieces; ++i) {
     const double t = static_cast<double>(i) / kPieces, u = 1 - t;
@@ -78,7 +78,7 @@ class OverSupports {
       : c_(c), line_(line), length_(length) {
     radius_ = 0.5 * model::contact_diameter_of(c, line);
     const model::SupportBox* first = nullptr;
-    std::vector<Place> boxes;
+    std::vector<GuidePoint> boxes;
     size_t closed = 0;
     for (const model::SupportBox& b : c.supports) {
       if (b.line != line.name) continue;
@@ -93,10 +93,10 @@ class OverSupports {
     if (!end) return;
     a_ = end == &line.end_a;
     const RigidPose pose = start_pose(c, bodies, *end);
-    Place from{pose.to_space(end->at), (boxes.front().at - pose.to_space(end->at)).normalized()};
+    GuidePoint from{pose.to_space(end->at), (boxes.front().at - pose.to_space(end->at)).normalized()};
     if (end->direction) from.along = pose.rotation * (a_ ? *end->direction : Vec3(-*end->direction));
     way_.add(from);
-    for (const Place& b : boxes) {
+    for (const GuidePoint& b : boxes) {
       add_cubic(way_, way_.places.back(), b);
       last_ = way_.places.size() - 1;
     }
@@ -168,7 +168,7 @@ class OverSupports {
   void hang() {
     if (way_.length() >= length_) return;
     const model::Seabed& bed = c_.environment.seabed;
-    Place p = way_.places.back();
+    GuidePoint p = way_.places.back();
     double left = length_ - way_.length();
     const double high = bed.present ? model::height_above_bed(bed, p.at) - radius_ : HUGE_VAL;
     if (p.along.z() < 0 && high < -p.along.z() * left) {
@@ -205,13 +205,14 @@ std::optional<LineStart> line_over_supports(const model::Case& c, const model::L
   OverSupports over(c, line, bodies, span.length);
   if (!over.known()) return {};
   const Chain& way = over.find();
-  const double whole = line.end_a.kind == model::EndKind::free || line.end_b.kind == model::EndKind::free
-                           ? std::max(way.length(), span.length)
-                           : way.length();
+  const double used_length =
+      line.end_a.kind == model::EndKind::free || line.end_b.kind == model::EndKind::free
+          ? std::max(way.length(), span.length)
+          : way.length();
   LineStart out;
   for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
     const double share = mesh.nodes[n].arc / span.length;
-    const double s = std::min((over.from_a() ? share : 1 - share) * whole, way.length());
+    const double s = std::min((over.from_a() ? share : 1 - share) * used_length, way.length());
     size_t i = 1;
     while (i + 1 < way.places.size() && s > way.arc[i]) ++i;
     const double d = way.arc[i] - way.arc[i - 1], t = d > 0 ? (s - way.arc[i - 1]) / d : 1;

@@ -111,9 +111,9 @@ void turn(const model::Case& c, const model::Line& line, const Bodies& bodies, L
 }
 
 // Shape of a part of an uncut line.
-LineStart part_of(const StartedLine& whole, const model::Line& line, int nodes) {
-  LineStart shape = whole.shape;
-  const auto first = whole.mesh->nearest_node(0, line.from), last = first + nodes;
+LineStart part_of(const StartedLine& started, const model::Line& line, int nodes) {
+  LineStart shape = started.shape;
+  const auto first = started.mesh->nearest_node(0, line.from), last = first + nodes;
   const auto take = [&](auto& values) {
     values.erase(values.begin() + last, values.end());
     values.erase(values.begin(), values.begin() + first);
@@ -158,10 +158,10 @@ class Starts {
   void each(const What& what) {
     for (size_t g = 0; g < lines_.size(); ++g) {
       if (at_[g] < 0) continue;
-      StartedLine& whole = started_[at_[g]];
+      StartedLine& started = started_[at_[g]];
       for (size_t l = lines_[g].first, end = l + lines_[g].parts; l < end; ++l)
-        what(l, c_.lines[l].whole ? part_of(whole, c_.lines[l], mesh_.mesh->lines[l].nodes)
-                                  : std::move(whole.shape));
+        what(l, c_.lines[l].uncut ? part_of(started, c_.lines[l], mesh_.mesh->lines[l].nodes)
+                                  : std::move(started.shape));
     }
   }
 
@@ -171,19 +171,19 @@ class Starts {
     if (at_[g] >= 0) return;
     const int first = lines_[g].first;
     const model::Line& line = c_.lines[first];
-    StartedLine whole{&line, mesh_.mesh, mesh_.mesh->lines[first], {}, first, owns_line(mesh_, first)};
-    if (line.whole) {
+    StartedLine started{&line, mesh_.mesh, mesh_.mesh->lines[first], {}, first, owns_line(mesh_, first)};
+    if (line.uncut) {
       model::Case alone;
       alone.line_types = c_.line_types;
-      alone.lines = {*line.whole};
+      alone.lines = {*line.uncut};
       meshes_.push_back(build_mesh(alone));
-      whole.line = line.whole.get();
-      whole.mesh = &meshes_.back();
-      whole.span = whole.mesh->lines.front();
+      started.line = line.uncut.get();
+      started.mesh = &meshes_.back();
+      started.span = started.mesh->lines.front();
     }
-    whole.shape = shape_of(c_, *whole.line, bodies_, *whole.mesh, whole.span);
+    started.shape = shape_of(c_, *started.line, bodies_, *started.mesh, started.span);
     at_[g] = static_cast<int>(started_.size());
-    started_.push_back(std::move(whole));
+    started_.push_back(std::move(started));
   }
 
   // Box of each given line in plan, enlarged by the largest radius. Each rank computes the shapes of the
@@ -217,11 +217,11 @@ class Starts {
     on_each_rank(comm_, [&] {
       over_volumes = lay_over_volumes(c_, bodies_, surfaces, started_);
       over_lines = lay_over_each_other(c_, started_);
-      for (StartedLine& whole : started_) {
+      for (StartedLine& started : started_) {
         std::vector<std::string> notes;
-        turn(c_, *whole.line, bodies_, whole.shape, notes);
+        turn(c_, *started.line, bodies_, started.shape, notes);
         for (std::string& n : notes)
-          if (whole.counted) turned.push_back({whole.number, 0, std::move(n)});
+          if (started.counted) turned.push_back({started.number, 0, std::move(n)});
       }
     });
     const auto add = [&](std::vector<StartNote> notes, int most, std::string (*more)(size_t)) {
@@ -261,11 +261,11 @@ int twist_end(const model::Case& c, const model::Line& line) {
 void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape& out) {
   const Mesh& g = *mesh.mesh;
   const model::Line& line = c.lines[l];
-  const model::Line& whole = line.whole ? *line.whole : line;
+  const model::Line& uncut = line.uncut ? *line.uncut : line;
   const LineSpan& span = g.lines[l];
   // The bed's friction holds a laid line whose ends are both free, but nothing holds its twist.
-  if (whole.end_a.kind == model::EndKind::free && whole.end_b.kind == model::EndKind::free &&
-      line.from == 0 && c.statics.enabled && model::laid_with_friction(c, whole) &&
+  if (uncut.end_a.kind == model::EndKind::free && uncut.end_b.kind == model::EndKind::free &&
+      line.from == 0 && c.statics.enabled && model::laid_with_friction(c, uncut) &&
       g.nodes[span.first_node].rotates)
     if (const int here = mesh.find(span.first_node); here >= 0) {
       TiedNode s;
@@ -274,11 +274,11 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
       s.node = here;
       out.tied.push_back(s);
     }
-  const int twist = twist_end(c, whole);
+  const int twist = twist_end(c, uncut);
   for (const int end : {0, 1}) {
     const model::End& e = line.end(end);
     if (e.kind == model::EndKind::free) continue;
-    const bool cut = e.kind == model::EndKind::joint && whole.end(end).body != e.body;
+    const bool cut = e.kind == model::EndKind::joint && uncut.end(end).body != e.body;
     if (cut) continue;
     const int node = span.first_node + (end ? span.nodes - 1 : 0);
     const bool joint = e.kind == model::EndKind::joint;

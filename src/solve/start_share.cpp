@@ -58,7 +58,7 @@ void unite_joined(const model::Case& c, const std::vector<GivenLine>& lines, Dis
 std::vector<GivenLine> given_lines(const model::Case& c) {
   std::vector<GivenLine> out;
   for (int l = 0; l < static_cast<int>(c.lines.size()); ++l)
-    if (l > 0 && c.lines[l].whole && c.lines[l].whole == c.lines[l - 1].whole)
+    if (l > 0 && c.lines[l].uncut && c.lines[l].uncut == c.lines[l - 1].uncut)
       ++out.back().parts;
     else
       out.push_back({l, 1});
@@ -70,11 +70,11 @@ std::vector<bool> with_groups(const model::Case& c, const std::vector<GivenLine>
   DisjointSets group(lines.size());
   unite_overlapping(boxes, group);
   unite_joined(c, lines, group);
-  std::vector<bool> whole(lines.size(), false);  // by the first line of a group
+  std::vector<bool> group_is_wanted(lines.size(), false);  // by the first line of a group
   std::vector<bool> out(lines.size(), false);
   for (size_t g = 0; g < lines.size(); ++g)
-    if (wanted[g]) whole[group.smallest(static_cast<int>(g))] = true;
-  for (size_t g = 0; g < lines.size(); ++g) out[g] = whole[group.smallest(static_cast<int>(g))];
+    if (wanted[g]) group_is_wanted[group.smallest(static_cast<int>(g))] = true;
+  for (size_t g = 0; g < lines.size(); ++g) out[g] = group_is_wanted[group.smallest(static_cast<int>(g))];
   return out;
 }
 

@@ -21,7 +21,7 @@ struct Substructure {
   bool coupled = false;
   int most = 0;  // largest number of unknowns of a part
   std::optional<InterfaceParts> interface;
-  Handle<PC, PCDestroy> whole;                              // MUMPS, if a part is too large
+  Handle<PC, PCDestroy> mumps;                              // if a part is too large
   KspHandle chains;                                         // LU of this rank's diagonal block
   VecHandle ghost, x, y;                                    // sequential: ghost unknowns, work vectors
   std::vector<Eigen::MatrixXd> Z;                           // by part: its rows of Ad^-1 Ao
@@ -29,21 +29,21 @@ struct Substructure {
   std::vector<double> shared, solved, ghosts;               // values of the unknowns of the interface
 };
 
-PetscErrorCode make_whole(PC pc, Substructure& s) {
+PetscErrorCode make_mumps(PC pc, Substructure& s) {
   PetscFunctionBegin;
   PetscCall(PCShellSetName(pc, "MUMPS, as the cuts are long"));
-  PetscCall(PCCreate(PetscObjectComm(reinterpret_cast<PetscObject>(pc)), s.whole.out()));
-  PetscCall(PCSetType(s.whole.get(), PCLU));
-  PetscCall(PCFactorSetMatSolverType(s.whole.get(), MATSOLVERMUMPS));
+  PetscCall(PCCreate(PetscObjectComm(reinterpret_cast<PetscObject>(pc)), s.mumps.out()));
+  PetscCall(PCSetType(s.mumps.get(), PCLU));
+  PetscCall(PCFactorSetMatSolverType(s.mumps.get(), MATSOLVERMUMPS));
   PetscFunctionReturn(0);
 }
 
-PetscErrorCode set_up_whole(PC pc, Mat A, Substructure& s) {
+PetscErrorCode set_up_mumps(PC pc, Mat A, Substructure& s) {
   PetscFunctionBegin;
-  PetscCall(PCSetOperators(s.whole.get(), A, A));
-  PetscCall(PCSetUp(s.whole.get()));
+  PetscCall(PCSetOperators(s.mumps.get(), A, A));
+  PetscCall(PCSetUp(s.mumps.get()));
   PCFailedReason reason = PC_NOERROR;
-  PetscCall(PCGetFailedReason(s.whole.get(), &reason));
+  PetscCall(PCGetFailedReason(s.mumps.get(), &reason));
   PetscCall(PCSetFailedReason(pc, reason));
   PetscFunctionReturn(0);
 }
@@ -126,12 +126,12 @@ PetscErrorCode setup(PC pc) {
     PetscInt ghosts = 0;
     PetscCall(MatGetSize(Ao, nullptr, &ghosts));
     if (s->interface->largest() > s->most)
-      PetscCall(make_whole(pc, *s));
+      PetscCall(make_mumps(pc, *s));
     else
       PetscCall(make_chains(Ad, ghosts, *s));
   }
-  if (s->whole) {
-    PetscCall(set_up_whole(pc, A, *s));
+  if (s->mumps) {
+    PetscCall(set_up_mumps(pc, A, *s));
     PetscFunctionReturn(0);
   }
   PetscCall(KSPSetOperators(s->chains.get(), Ad, Ad));
@@ -173,8 +173,8 @@ PetscErrorCode apply(PC pc, Vec b, Vec x) {
   PetscFunctionBegin;
   Substructure* s = nullptr;
   PetscCall(PCShellGetContext(pc, &s));
-  if (s->whole) {
-    PetscCall(PCApply(s->whole.get(), b, x));
+  if (s->mumps) {
+    PetscCall(PCApply(s->mumps.get(), b, x));
     PetscFunctionReturn(0);
   }
   const PetscScalar* pb = nullptr;

@@ -67,7 +67,7 @@ void System::reghost_ties() {
   constexpr int kWidth = 12;  // first whether the node is tied
   std::vector<TiedNode> kept;
   std::vector<double> ties(kWidth * mesh_.global.size(), 0);
-  for (const TiedNode& s : tied_nodes_.list()) {
+  for (const TiedNode& s : tied_nodes_.nodes()) {
     if (s.node >= mesh_.chain) continue;
     kept.push_back(s);
     if (s.node >= mesh_.owned) continue;

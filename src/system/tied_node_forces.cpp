@@ -10,7 +10,7 @@ namespace hawser {
 TiedNodeForces::TiedNodeForces(const LocalMesh& mesh, const TiedNodes& tied) {
   if (!tied.to_frames().empty()) tie_of_.assign(static_cast<size_t>(mesh.blocks()), -1);
   for (const int i : tied.to_frames()) {
-    const TiedNode& s = tied.list()[i];
+    const TiedNode& s = tied.nodes()[i];
     Tie t;
     t.block = mesh.block[s.node];
     t.frame = mesh.block[s.frame];

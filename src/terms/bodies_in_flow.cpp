@@ -25,11 +25,11 @@ Wind wind_of(const model::Case& c) {
 }
 
 BodiesInFlow::BodiesInFlow(const model::Case& c, const LocalMesh& mesh) : sea_(sea_of(c)), wind_(wind_of(c)) {
-  origins_.resize(c.bodies.size());
+  load_components_.resize(c.bodies.size());
   for (size_t b = 0; b < c.bodies.size(); ++b) {
     if (!c.bodies[b].mass) continue;
-    if (c.bodies[b].mass->wind) origins_[b].push_back("wind");
-    if (c.bodies[b].mass->current) origins_[b].push_back("current");
+    if (c.bodies[b].mass->wind) load_components_[b].push_back("wind");
+    if (c.bodies[b].mass->current) load_components_[b].push_back("current");
   }
   for (int n = 0; n < mesh.owned; ++n) {
     const int body = mesh.mesh->nodes[mesh.global[n]].body;
@@ -79,7 +79,9 @@ BodiesInFlow::Push BodiesInFlow::push(const Flow& f, const Kinematics& at) const
   return {s.q * Vec3(by.x(), by.y(), 0), s.x + s.q * f.data.arm, Vec3(0, 0, by.z()), s.q};
 }
 
-std::vector<std::string> BodiesInFlow::origins(int body) const { return origins_[static_cast<size_t>(body)]; }
+std::vector<std::string> BodiesInFlow::load_components(int body) const {
+  return load_components_[static_cast<size_t>(body)];
+}
 
 std::vector<BodyForce> BodiesInFlow::forces_on(int body, const Kinematics& at) const {
   std::vector<BodyForce> out;

@@ -29,14 +29,14 @@ BodiesInWater::BodiesInWater(const model::Case& c, const LocalMesh& mesh) : sea_
     const size_t first = list_.size();
     if (m.in_water) {
       const model::BodyInWater& w = *m.in_water;
-      Wet& whole = list_.emplace_back(b);
-      whole.data.centre = w.centre - m.centre;
-      whole.data.drag_centre = w.drag_centre - m.centre;
-      whole.data.height = w.height;
-      whole.data.displaced_mass = sea_.density * w.volume;
-      whole.data.buoyancy = sea_.gravity * whole.data.displaced_mass;
-      whole.data.added = w.added_mass;
-      whole.data.drag = 0.5 * sea_.density * w.drag_area;
+      Wet& wet = list_.emplace_back(b);
+      wet.data.centre = w.centre - m.centre;
+      wet.data.drag_centre = w.drag_centre - m.centre;
+      wet.data.height = w.height;
+      wet.data.displaced_mass = sea_.density * w.volume;
+      wet.data.buoyancy = sea_.gravity * wet.data.displaced_mass;
+      wet.data.added = w.added_mass;
+      wet.data.drag = 0.5 * sea_.density * w.drag_area;
     }
     for (const model::BodyMember& member : m.members) add_member(body, member, b);
     for (size_t i = first; i < list_.size(); ++i) list_[i].key = static_cast<int>(i - first);
@@ -227,7 +227,7 @@ double BodiesInWater::round_off(const Kinematics& at, double h) const {
   return sum;
 }
 
-std::vector<std::string> BodiesInWater::origins(int body) const {
+std::vector<std::string> BodiesInWater::load_components(int body) const {
   if (!has_[static_cast<size_t>(body)]) return {};
   return {"morison"};
 }

@@ -341,14 +341,14 @@ Energy BodyContactTerm::energy(const Kinematics& at) const {
   return e;
 }
 
-std::vector<std::string> BodyContactTerm::origins(int body) const {
+std::vector<std::string> BodyContactTerm::load_components(int body) const {
   for (const Pair& p : pairs_)
     if (bodies_of_volumes_[p.a].body == body || bodies_of_volumes_[p.b].body == body) return {"contact"};
   return {};
 }
 
 std::vector<BodyForce> BodyContactTerm::forces_on(int body, const Kinematics& at) const {
-  if (origins(body).empty()) return {};
+  if (load_components(body).empty()) return {};
   BodyForce sum;
   for (const Pair& p : pairs_)
     for (const auto& [volume, first] : {std::pair(p.a, 0), std::pair(p.b, 6)}) {

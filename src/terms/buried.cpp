@@ -16,8 +16,8 @@ namespace {
 constexpr double kTurned = 1e-8;
 
 // Sums the soil springs of the buried parts of the half elements at each owned node.
-std::vector<BuriedTerm::Place> places_of(const LocalMesh& mesh, const model::Case& c,
-                                         const std::vector<int>& held) {
+std::vector<BuriedTerm::BuriedNode> places_of(const LocalMesh& mesh, const model::Case& c,
+                                              const std::vector<int>& held) {
   std::vector<BuriedSoil> soil(static_cast<size_t>(mesh.owned));
   std::vector<double> length(soil.size(), 0);
   for (const LocalElement& e : mesh.elements) {
@@ -41,7 +41,7 @@ std::vector<BuriedTerm::Place> places_of(const LocalMesh& mesh, const model::Cas
   }
   for (const int n : held)
     if (n < mesh.owned) length[n] = 0;
-  std::vector<BuriedTerm::Place> out;
+  std::vector<BuriedTerm::BuriedNode> out;
   for (size_t n = 0; n < soil.size(); ++n) {
     if (!(length[n] > 0)) continue;
     soil[n].axial_length /= length[n];
@@ -60,9 +60,9 @@ double buried_length(const model::Line& line, double from, double to) {
 }
 
 BuriedTerm::BuriedTerm(MPI_Comm comm, const LocalMesh& mesh, const Kinematics& start,
-                       std::vector<Place> places)
+                       std::vector<BuriedNode> places)
     : comm_(comm), mesh_(mesh), line_(mesh) {
-  for (const Place& place : places) {
+  for (const BuriedNode& place : places) {
     Point& p = points_.emplace_back();
     p.node = place.node;
     p.block = mesh.block[place.node];

@@ -238,9 +238,10 @@ void Feeders::force(const Feeder& f, const FeedPoint& m, const Kinematics& at, c
                     Vec3* out) const {
   const Flow o = flow(m, at, e, f.at_b);
   const MassShares mass = mass_shares(f.beam);
-  const double whole = f.mass_per_length * m.length;
-  out[0] = whole * mass.own * o.acceleration + (f.mass_per_length * m.speed * m.speed / m.length) * o.chord;
-  out[1] = whole * mass.shared * o.acceleration;
+  const double mass_of_element = f.mass_per_length * m.length;
+  out[0] = mass_of_element * mass.own * o.acceleration +
+           (f.mass_per_length * m.speed * m.speed / m.length) * o.chord;
+  out[1] = mass_of_element * mass.shared * o.acceleration;
 }
 
 void Feeders::prepare(const Kinematics& committed, double) {
@@ -388,9 +389,9 @@ Energy Feeders::energy(const Kinematics& at) const {
 Verdict Feeders::check_step(const Kinematics& trial) const {
   for (const Feeder& f : feeders_) {
     if (!f.feed.speed.empty() || at_feed_point(f)) {
-      const double length = feed_point(f, trial).length, whole = element_length(f, f.feed_point);
-      if (length < kShortest * whole ||
-          length > whole + kLonger * element_length(f, std::max(f.feed_point - 1, 0)))
+      const double length = feed_point(f, trial).length, free_length = element_length(f, f.feed_point);
+      if (length < kShortest * free_length ||
+          length > free_length + kLonger * element_length(f, std::max(f.feed_point - 1, 0)))
         return {Verdict::Kind::shorter, advice::FeedsTooFast{f.name}};
     }
   }

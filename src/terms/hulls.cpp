@@ -50,19 +50,19 @@ HullSurface hull_surface(const model::Case& c, int body, const VolumeFacets& fac
 }
 
 Hulls::Hulls(const model::Case& c, const LocalMesh& mesh, const VolumeFacets& facets)
-    : sea_(sea_of(c)), origins_(c.bodies.size()) {
+    : sea_(sea_of(c)), load_components_(c.bodies.size()) {
   const double number = mean_number(sea_.waves);
   for (size_t b = 0; b < c.bodies.size(); ++b)
     if (c.bodies[b].mass && c.bodies[b].mass->hull) {
-      origins_[b] = {"buoyancy"};
-      if (number > 0 && c.bodies[b].mass->hull->wave_pressure) origins_[b].push_back("froude_krylov");
+      load_components_[b] = {"buoyancy"};
+      if (number > 0 && c.bodies[b].mass->hull->wave_pressure) load_components_[b].push_back("froude_krylov");
     }
   for (int n = 0; n < mesh.owned; ++n) {
     const int global = mesh.global[n];
     const int body = mesh.mesh->nodes[global].body;
-    if (body < 0 || origins_[static_cast<size_t>(body)].empty()) continue;
+    if (body < 0 || load_components_[static_cast<size_t>(body)].empty()) continue;
     Hull& hull = list_.emplace_back();
-    hull.in_waves = origins_[static_cast<size_t>(body)].size() > 1;
+    hull.in_waves = load_components_[static_cast<size_t>(body)].size() > 1;
     const double longest = hull.in_waves ? 2 * M_PI / (kEdgesInWave * number) : HUGE_VAL;
     hull.surface = hull_surface(c, body, facets, longest);
     hull.node = n;
@@ -72,7 +72,7 @@ Hulls::Hulls(const model::Case& c, const LocalMesh& mesh, const VolumeFacets& fa
     hull.rest = static_rest(c, body);
     constexpr double kDeep = 1e6;  // m
     const double volume = displaced_volumes(hull.surface, kDeep, {}).x();
-    hull.whole = sea_.density * sea_.gravity * volume;
+    hull.full_buoyancy = sea_.density * sea_.gravity * volume;
   }
 }
 
@@ -160,7 +160,7 @@ Energy Hulls::energy(const Kinematics& at) const {
 
 double Hulls::dead_load() const {
   double sum = 0;
-  for (const Hull& hull : list_) sum += hull.whole;
+  for (const Hull& hull : list_) sum += hull.full_buoyancy;
   return sum;
 }
 
@@ -169,11 +169,13 @@ double Hulls::round_off(const Kinematics&, double) const {
   const double eps = std::numeric_limits<double>::epsilon();
   double sum = 0;
   for (const Hull& hull : list_)
-    sum += std::pow(eps * hull.whole, 2) * static_cast<double>(hull.surface.triangles.size());
+    sum += std::pow(eps * hull.full_buoyancy, 2) * static_cast<double>(hull.surface.triangles.size());
   return sum;
 }
 
-std::vector<std::string> Hulls::origins(int body) const { return origins_[static_cast<size_t>(body)]; }
+std::vector<std::string> Hulls::load_components(int body) const {
+  return load_components_[static_cast<size_t>(body)];
+}
 
 std::vector<BodyForce> Hulls::forces_on(int body, const Kinematics& at) const {
   for (const Hull& hull : list_) {

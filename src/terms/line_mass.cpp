@@ -12,7 +12,7 @@
 namespace hawser {
 namespace {
 
-MassEnds ends(const LineMassTerm::Piece& p, const Kinematics& k) {
+MassEnds ends(const LineMassTerm::MassElement& p, const Kinematics& k) {
   const size_t i = p.at.first, j = p.at.second;
   const bool given = !k.directors.empty();
   return {k.a[i],
@@ -30,7 +30,7 @@ MassEnds ends(const LineMassTerm::Piece& p, const Kinematics& k) {
           k.director_weight};
 }
 
-double load_work(const LineMassTerm::Piece& p, const Kinematics& k, const Vec3& load) {
+double load_work(const LineMassTerm::MassElement& p, const Kinematics& k, const Vec3& load) {
   const size_t i = p.at.first, j = p.at.second;
   if (p.beam) return beam_load_work(p.section, k.x[i], k.q[i], k.x[j], k.q[j], load);
   return 0.5 * p.section.length * load.dot(k.x[i] + k.x[j]);
@@ -38,7 +38,7 @@ double load_work(const LineMassTerm::Piece& p, const Kinematics& k, const Vec3& 
 
 }  // namespace
 
-LineMassTerm::LineMassTerm(const LocalMesh& mesh, std::vector<Piece> pieces, std::vector<Load> ramped)
+LineMassTerm::LineMassTerm(const LocalMesh& mesh, std::vector<MassElement> pieces, std::vector<Load> ramped)
     : mesh_(mesh), pieces_(std::move(pieces)), ramped_(std::move(ramped)) {}
 
 LineMassTerm::LineMassTerm(const LocalMesh& mesh, Built built)
@@ -53,7 +53,7 @@ LineMassTerm::Built LineMassTerm::build(const LocalMesh& mesh, const model::Case
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.element(e);
     const auto& t = c.line_types[g.type];
-    Piece p;
+    MassElement p;
     p.at = e;
     p.beam = g.beam;
     p.section = {g.length, t.mass_per_length, t.rotary_inertia};
@@ -76,7 +76,7 @@ LineMassTerm::Built LineMassTerm::build(const LocalMesh& mesh, const model::Case
   return out;
 }
 
-Vec3 LineMassTerm::ramped_load(const Piece& p, double t) const {
+Vec3 LineMassTerm::ramped_load(const MassElement& p, double t) const {
   Vec3 sum = Vec3::Zero();
   for (int i = p.first_ramped; i < p.first_ramped + p.ramped; ++i) {
     const Load& l = ramped_[i];
@@ -87,7 +87,7 @@ Vec3 LineMassTerm::ramped_load(const Piece& p, double t) const {
 
 void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   if (feeders_) feeders_->update_lengths(mesh_, &FedLine::predicted, pieces_);
-  for (const Piece& p : pieces_) {
+  for (const MassElement& p : pieces_) {
     if (p.idle) continue;
     const Vec3 w = load(p, trial.time);
     const int a = mesh_.block[p.at.first], b = mesh_.block[p.at.second], blocks[] = {a, a + 1, b, b + 1};
@@ -111,7 +111,7 @@ void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
 }
 
 void LineMassTerm::element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const {
-  const Piece* p = of_element(pieces_, e);
+  const MassElement* p = of_element(pieces_, e);
   if (!p || p->idle) return;
   if (p->beam) {
     Vec12 own;
@@ -138,7 +138,7 @@ void LineMassTerm::commit(const Kinematics& accepted) {
   Kinematics before;
   before.x = committed_.x;
   before.q = committed_.q;
-  for (const Piece& p : pieces_)
+  for (const MassElement& p : pieces_)
     if (p.ramped && p.at.counted) {
       const Vec3 mean = 0.5 * (ramped_load(p, committed_.time) + ramped_load(p, accepted.time));
       work_ += load_work(p, accepted, mean) - load_work(p, before, mean);
@@ -162,13 +162,13 @@ void LineMassTerm::restore(const std::vector<CheckpointRecord>& records) {
 double LineMassTerm::round_off(const Kinematics& at, double h) const {
   if (h <= 0) return 0;
   double sum = 0;
-  for (const Piece& p : pieces_)
+  for (const MassElement& p : pieces_)
     if (p.at.counted) sum += inertia_round_off(at, p.at, p.section.mass_per_length * p.section.length, h);
   return sum;
 }
 
 void LineMassTerm::motion(const Kinematics& at, std::span<LineMotion> lines) const {
-  for (const Piece& p : pieces_) {
+  for (const MassElement& p : pieces_) {
     if (!p.at.counted || p.idle) continue;
     LineMotion& line = lines[mesh_.mesh->elements[p.at.global].line];
     const double half = 0.5 * p.section.mass_per_length * p.section.length;
@@ -179,14 +179,14 @@ void LineMassTerm::motion(const Kinematics& at, std::span<LineMotion> lines) con
 
 double LineMassTerm::dead_load() const {
   double sum = 0;
-  for (const Piece& p : pieces_)
+  for (const MassElement& p : pieces_)
     if (p.at.counted && !p.idle) sum += p.section.length * p.load.norm();
   return sum;
 }
 
 Energy LineMassTerm::energy(const Kinematics& at) const {
   Energy e;
-  for (const Piece& p : pieces_) {
+  for (const MassElement& p : pieces_) {
     if (!p.at.counted || p.idle) continue;
     const size_t i = p.at.first, j = p.at.second;
     e.kinetic += p.beam ? beam_kinetic_energy(p.section, ends(p, at))

@@ -10,7 +10,8 @@
 
 namespace hawser {
 
-LinesInWater::LinesInWater(const LocalMesh& mesh, Sea sea, std::vector<Piece> pieces, std::vector<Ball> balls)
+LinesInWater::LinesInWater(const LocalMesh& mesh, Sea sea, std::vector<WetElement> pieces,
+                           std::vector<Ball> balls)
     : mesh_(mesh), sea_(std::move(sea)), pieces_(std::move(pieces)), balls_(std::move(balls)) {
   group();
 }
@@ -41,7 +42,7 @@ void LinesInWater::update_water(const Kinematics& at) const {
   for (size_t n = 0; moving() && n < at.x.size(); ++n) water_[n] = water(at, n);
 }
 
-WaterEnds LinesInWater::ends(const Piece& p, const Kinematics& k, const Water& first,
+WaterEnds LinesInWater::ends(const WetElement& p, const Kinematics& k, const Water& first,
                              const Water& second) const {
   const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
   WaterEnds e;
@@ -69,7 +70,7 @@ WaterEnds LinesInWater::ends(const Piece& p, const Kinematics& k, const Water& f
   return e;
 }
 
-void LinesInWater::evaluate(const Piece& p, const Kinematics& trial, Assembler& assembler) const {
+void LinesInWater::evaluate(const WetElement& p, const Kinematics& trial, Assembler& assembler) const {
   if (p.idle) return;
   const bool tangent = assembler.needs_tangent(), convex = assembler.convex();
   const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
@@ -135,7 +136,7 @@ LinesInWater::Flow LinesInWater::flow(const Kinematics& at) const {
     if (mesh_.rotates(n)) out.place[block + 1] = at.q[node] * Vec3::UnitX();
   }
   // Elements inside a feeder are not in the water.
-  const auto put = [&](const Piece& p, const WaterForce& force) {
+  const auto put = [&](const WetElement& p, const WaterForce& force) {
     const double L = p.section.length;
     for (int j = 0; j < 4; j += p.beam ? 1 : 2) {
       const int node = j < 2 ? p.at.first : p.at.second,
@@ -147,13 +148,13 @@ LinesInWater::Flow LinesInWater::flow(const Kinematics& at) const {
     WaterForce all[4];
     const unsigned known = flow(q, at, all);
     for (int i = 0; i < q.count; ++i) {
-      const Piece& p = pieces_[static_cast<size_t>(q.piece[i])];
+      const WetElement& p = pieces_[static_cast<size_t>(q.piece[i])];
       if (p.at.counted && !p.idle)
         put(p, known >> i & 1 ? all[i] : water_force(p.section, ends(p, at), false, sea_.surface));
     }
   }
   for (const int b : beams_) {
-    const Piece& p = pieces_[static_cast<size_t>(b)];
+    const WetElement& p = pieces_[static_cast<size_t>(b)];
     if (p.at.counted && !p.idle) put(p, water_force(p.section, ends(p, at), true, sea_.surface));
   }
   for (const Ball& b : balls_) {
@@ -210,7 +211,7 @@ Energy LinesInWater::energy(const Kinematics& at) const {
   // The potential is that of still water; waves do work.
   Water calm;
   calm.surface = sea_.surface;
-  for (const Piece& p : pieces_)
+  for (const WetElement& p : pieces_)
     if (p.at.counted && !p.idle) e.potential += water_potential(p.section, ends(p, at, calm, calm), p.beam);
   for (const Ball& b : balls_) {
     const size_t n = static_cast<size_t>(b.node);
@@ -230,7 +231,7 @@ double LinesInWater::work(const Flow& from, const Flow& to) {
 
 double LinesInWater::dead_load() const {
   double sum = 0;
-  for (const Piece& p : pieces_)
+  for (const WetElement& p : pieces_)
     if (p.at.counted && !p.idle) sum += p.section.length * p.section.buoyancy;
   for (const Ball& b : balls_) sum += b.ball.buoyancy;
   return sum;
@@ -239,13 +240,13 @@ double LinesInWater::dead_load() const {
 double LinesInWater::round_off(const Kinematics& at, double h) const {
   if (h <= 0) return 0;
   double sum = 0;
-  for (const Piece& p : pieces_)
+  for (const WetElement& p : pieces_)
     if (p.at.counted) sum += inertia_round_off(at, p.at, p.section.added_normal * p.section.length, h);
   return sum;
 }
 
 void LinesInWater::element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const {
-  const Piece* p = of_element(pieces_, e);
+  const WetElement* p = of_element(pieces_, e);
   if (!p || p->idle) return;
   const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
   const Water first = water(at, i), second = water(at, j);
@@ -276,7 +277,7 @@ void LinesInWater::fields(FieldRegistry& registry) const {
                  .order = 10},
                 [this](const Kinematics& k, std::span<double> out) {
                   std::vector<double> weight(out.size(), 0), sum(out.size(), 0);
-                  for (const Piece& p : pieces_) {
+                  for (const WetElement& p : pieces_) {
                     const Wall& wall = walls_[static_cast<size_t>(mesh_.element(p.at).type)];
                     for (const int node : {p.at.first, p.at.second}) {
                       if (node >= mesh_.owned) continue;
@@ -305,7 +306,7 @@ namespace {
 enum Kind { kSums, kPlaces };
 constexpr int kOwn = -1;  // key of a node's own record; others are 1 + a neighbouring mesh node
 
-struct Place {
+struct KeptPosition {
   Vec3 position = Vec3::Zero();  // m
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
@@ -318,7 +319,7 @@ struct Place {
 // the waves of the committed state were evaluated are stored at each node with those of its neighbours, which
 // another rank may own.
 std::vector<CheckpointKind> LinesInWater::checkpoint_kinds() const {
-  return {checkpoint_kind<WorkDone>("sums of a rank"), checkpoint_kind<Place>("places of waves")};
+  return {checkpoint_kind<WorkDone>("sums of a rank"), checkpoint_kind<KeptPosition>("places of waves")};
 }
 
 std::vector<CheckpointRecord> LinesInWater::records(NodeRange of) const {
@@ -328,10 +329,10 @@ std::vector<CheckpointRecord> LinesInWater::records(NodeRange of) const {
   if (place_.empty()) return out;
   const auto put = [&](int node, int key, const Vec3& x) {
     const int global = mesh_.global[static_cast<size_t>(node)];
-    if (of.has(global)) out.push_back(record_of(global, key, Place{x}, kPlaces));
+    if (of.has(global)) out.push_back(record_of(global, key, KeptPosition{x}, kPlaces));
   };
   for (int n = 0; n < mesh_.owned; ++n) put(n, kOwn, place_[static_cast<size_t>(n)]);
-  for (const Piece& p : pieces_)
+  for (const WetElement& p : pieces_)
     for (const auto& [node, other] : {std::pair{p.at.first, p.at.second}, {p.at.second, p.at.first}})
       if (node < mesh_.owned)
         put(node, 1 + mesh_.global[static_cast<size_t>(other)], place_[static_cast<size_t>(other)]);
@@ -352,7 +353,7 @@ void LinesInWater::restore(const std::vector<CheckpointRecord>& records) {
     }
     place_.resize(static_cast<size_t>(mesh_.nodes()), Vec3::Zero());
     const int n = mesh_.find(r.key == kOwn ? r.node : r.key - 1);
-    if (n >= 0) place_[static_cast<size_t>(n)] = entry<Place>(r).position;
+    if (n >= 0) place_[static_cast<size_t>(n)] = entry<KeptPosition>(r).position;
   }
 }
 

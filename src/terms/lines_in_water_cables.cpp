@@ -8,7 +8,8 @@
 namespace hawser {
 
 void LinesInWater::group() {
-  const auto cables = std::count_if(pieces_.begin(), pieces_.end(), [](const Piece& p) { return !p.beam; });
+  const auto cables =
+      std::count_if(pieces_.begin(), pieces_.end(), [](const WetElement& p) { return !p.beam; });
   fours_.reserve((static_cast<size_t>(cables) + 3) / 4);
   for (size_t p = 0; p < pieces_.size(); ++p) {
     if (pieces_[p].beam) {
@@ -33,7 +34,7 @@ void LinesInWater::update_from_feeders(double FedLine::*length) {
   feeders_->update_lengths(mesh_, length, pieces_);
   for (Four& q : fours_)
     for (int lane = 0; lane < 4; ++lane) {
-      const Piece& p = pieces_[static_cast<size_t>(q.piece[lane])];
+      const WetElement& p = pieces_[static_cast<size_t>(q.piece[lane])];
       WaterSection s = p.section;
       if (p.idle) s.length = 0;
       q.sections.set(lane, s);
@@ -51,7 +52,7 @@ double LinesInWater::fed_buoyancy(const Kinematics& at) const {
   Kinematics before = at;
   before.x = old.x;
   before.q = old.q;
-  for (const Piece& p : pieces_) {
+  for (const WetElement& p : pieces_) {
     if (!p.at.counted || p.idle) continue;
     const FedLine* fed = feeders_->find(p.at.global);
     if (!fed || fed->before == fed->length) continue;
@@ -103,7 +104,7 @@ void LinesInWater::evaluate(const Four& q, const Kinematics& trial, Assembler& a
   else if (wet)
     submerged_force(q.sections, m, moving(), f);
   for (int i = 0; i < q.count; ++i) {
-    const Piece& p = pieces_[static_cast<size_t>(q.piece[i])];
+    const WetElement& p = pieces_[static_cast<size_t>(q.piece[i])];
     if (p.idle) continue;
     const int a = mesh_.block[static_cast<size_t>(p.at.first)],
               b = mesh_.block[static_cast<size_t>(p.at.second)];

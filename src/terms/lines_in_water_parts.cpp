@@ -5,7 +5,7 @@ namespace hawser {
 
 // The parts lie on the chord and move with it, so that only the water motion makes a difference. The surface
 // is linear over the whole piece for the same reason: a floating line follows the surface whatever its shape.
-LinesInWater::FlowError LinesInWater::flow_error(const Kinematics& at, const Piece& p, int parts) const {
+LinesInWater::FlowError LinesInWater::flow_error(const Kinematics& at, const WetElement& p, int parts) const {
   FlowError out;
   if (p.idle) return out;
   constexpr int kFiner = 4;

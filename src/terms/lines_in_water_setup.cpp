@@ -25,12 +25,12 @@ WaterSection water_section(const model::Case& c, int type, double length) {
 
 namespace {
 
-std::vector<LinesInWater::Piece> pieces_of(const LocalMesh& mesh, const model::Case& c) {
-  std::vector<LinesInWater::Piece> out;
+std::vector<LinesInWater::WetElement> pieces_of(const LocalMesh& mesh, const model::Case& c) {
+  std::vector<LinesInWater::WetElement> out;
   out.reserve(mesh.elements.size());
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
-    LinesInWater::Piece& p = out.emplace_back();
+    LinesInWater::WetElement& p = out.emplace_back();
     p.at = e;
     p.beam = g.beam;
     p.section = water_section(c, g.type, g.length);

@@ -79,7 +79,7 @@ void PlatformWater::find_modes(const model::Case& c, Group& g) {
     const Mat6 K =
         hydrostatic_pull(p.hydrostatics, p.arm, rest).K + platform_pull(p.potential, p.arm, rest).K;
     const Mat6 by_rates = back.transpose() * K * back;
-    M.block<6, 6>(6 * i, 6 * i) += model::whole_mass(m, Vec3::Zero());
+    M.block<6, 6>(6 * i, 6 * i) += model::mass_matrix_about(m, Vec3::Zero());
     C.block<6, 6>(6 * i, 6 * i) = 0.5 * (by_rates + by_rates.transpose());
   }
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> found(C, M);

@@ -1,4 +1,4 @@
-// The class SharedPlaces: length without contact along two stretches from a shared place.
+// The class SharedPlaces: length without contact along two branches from a shared place.
 #include "hawser/terms/shared_places.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace hawser {
 namespace {
 
-// Contact is excluded up to kFree times the length at which the stretches are first apart. There, straight
+// Contact is excluded up to kFree times the length at which the branches are first apart. There, straight
 // lines have a distance of kFree times the sum of their radii.
 constexpr int kFree = 2;
 // Steps per sum of the radii.
@@ -24,7 +24,7 @@ constexpr double kPressed = 0.1, kClear = 0.5;
 
 }  // namespace
 
-// The gap between two stretches at equal lengths along them, m; negative: overlap.
+// The gap between two branches at equal lengths along them, m; negative: overlap.
 struct SharedPlaces::Gaps {
   const Rope &one, &other;
   double step = 0;
@@ -62,35 +62,35 @@ struct SharedPlaces::Gaps {
 };
 
 SharedPlaces::SharedPlaces(MPI_Comm comm, const LocalMesh& mesh, ContactRadii radii,
-                           std::vector<SharedPlace> places, std::vector<int> whole)
-    : comm_(comm), mesh_(mesh), radii_(std::move(radii)), whole_(std::move(whole)) {
+                           std::vector<SharedPlace> places, std::vector<int> uncut)
+    : comm_(comm), mesh_(mesh), radii_(std::move(radii)), uncut_(std::move(uncut)) {
   const std::vector<LineSpan>& lines = mesh.mesh->lines;
   offset_.assign(lines.size(), 0);
-  for (size_t l = whole_.size(); l < lines.size(); ++l) whole_.push_back(static_cast<int>(l));
+  for (size_t l = uncut_.size(); l < lines.size(); ++l) uncut_.push_back(static_cast<int>(l));
   for (size_t l = 1; l < lines.size(); ++l)
-    if (whole_[l] == whole_[l - 1]) offset_[l] = offset_[l - 1] + lines[l - 1].length;
-  const auto first_radius = [&](const Stretch& s) {
+    if (uncut_[l] == uncut_[l - 1]) offset_[l] = offset_[l - 1] + lines[l - 1].length;
+  const auto first_radius = [&](const Branch& s) {
     const Node& n = mesh.mesh->nodes[s.node];
     const LineSpan& line = lines[n.line];
     return radii_.of(mesh.mesh->elements[std::min(line.first_element + s.node - line.first_node,
                                                   line.first_element + line.elements - 1)]);
   };
-  const auto length = [&](const Stretch& s) {
+  const auto length = [&](const Branch& s) {
     const std::vector<int> all = nodes_to(s, HUGE_VAL);
     return std::abs(arc(all.back()) - arc(all.front()));
   };
   for (const SharedPlace& p : places) {
-    Place& place = places_.emplace_back();
+    PlaceState& place = places_.emplace_back();
     place.of = p;
     place.step = (first_radius(p.one) + first_radius(p.other)) / kSteps;
     place.limit = std::min(length(p.one), length(p.other));
     const int a = mesh.mesh->nodes[p.one.node].line, b = mesh.mesh->nodes[p.other.node].line;
-    if (whole_[a] == whole_[b]) {
+    if (uncut_[a] == uncut_[b]) {
       const double apart = arc(p.other.node) - arc(p.one.node);
       const bool facing = apart * p.one.way > 0 && apart * p.other.way < 0;
       place.limit = std::min(place.limit, (facing ? 0.5 : 1) * std::abs(apart));
     }
-    between_[ordered(whole_[a], whole_[b])].push_back(static_cast<int>(places_.size()) - 1);
+    between_[ordered(uncut_[a], uncut_[b])].push_back(static_cast<int>(places_.size()) - 1);
   }
 }
 
@@ -99,7 +99,7 @@ double SharedPlaces::diameter(int k) const { return kSteps * places_[k].step; }
 const std::vector<int>& SharedPlaces::between(int line, int other) const {
   static const std::vector<int> none;
   if (between_.empty()) return none;
-  const auto at = between_.find(ordered(whole_[line], whole_[other]));
+  const auto at = between_.find(ordered(uncut_[line], uncut_[other]));
   return at == between_.end() ? none : at->second;
 }
 
@@ -116,17 +116,17 @@ std::array<int, 2> SharedPlaces::outside(int line) const {
   return {l.first_node + inside[0], l.first_node + l.nodes - 1 - inside[1]};
 }
 
-// Start of a stretch, m along the uncut line.
-double SharedPlaces::begin(const Stretch& stretch) const {
-  const auto [first, last] = outside(mesh_.mesh->nodes[stretch.node].line);
-  return arc(std::clamp(stretch.node, first, last));
+// Start of a branch, m along the uncut line.
+double SharedPlaces::begin(const Branch& branch) const {
+  const auto [first, last] = outside(mesh_.mesh->nodes[branch.node].line);
+  return arc(std::clamp(branch.node, first, last));
 }
 
-std::optional<std::array<double, 2>> SharedPlaces::along(const Stretch& stretch, int element) const {
+std::optional<std::array<double, 2>> SharedPlaces::along(const Branch& branch, int element) const {
   const Element& e = mesh_.mesh->elements[element];
-  if (whole_[e.line] != whole_[mesh_.mesh->nodes[stretch.node].line]) return std::nullopt;
-  const double from = begin(stretch);
-  const double a = stretch.way * (arc(e.first) - from), b = stretch.way * (arc(e.second) - from);
+  if (uncut_[e.line] != uncut_[mesh_.mesh->nodes[branch.node].line]) return std::nullopt;
+  const double from = begin(branch);
+  const double a = branch.way * (arc(e.first) - from), b = branch.way * (arc(e.second) - from);
   if (std::min(a, b) < -1e-6 * e.length) return std::nullopt;
   return std::array{a, b};
 }
@@ -153,16 +153,16 @@ void SharedPlaces::clip(int element, int second, std::array<double, 2>& part,
     }
 }
 
-// Nodes of a stretch, outwards, up to and including the first one at `reach` [m] or beyond.
-std::vector<int> SharedPlaces::nodes_to(const Stretch& stretch, double reach) const {
-  const int whole = whole_[mesh_.mesh->nodes[stretch.node].line];
-  const auto [first, last] = outside(mesh_.mesh->nodes[stretch.node].line);
-  const double from = begin(stretch);
+// Nodes of a branch, outwards, up to and including the first one at `reach` [m] or beyond.
+std::vector<int> SharedPlaces::nodes_to(const Branch& branch, double reach) const {
+  const int uncut = uncut_[mesh_.mesh->nodes[branch.node].line];
+  const auto [first, last] = outside(mesh_.mesh->nodes[branch.node].line);
+  const double from = begin(branch);
   std::vector<int> out;
-  for (int n = std::clamp(stretch.node, first, last); n >= 0 && n < mesh_.mesh->line_nodes();
-       n += stretch.way) {
+  for (int n = std::clamp(branch.node, first, last); n >= 0 && n < mesh_.mesh->line_nodes();
+       n += branch.way) {
     const int line = mesh_.mesh->nodes[n].line;
-    if (whole_[line] != whole) break;
+    if (uncut_[line] != uncut) break;
     const auto [a, b] = outside(line);
     if (n < a || n > b) break;
     out.push_back(n);
@@ -189,16 +189,16 @@ std::vector<Vec3> SharedPlaces::gather(const std::vector<int>& nodes, const Kine
   return out;
 }
 
-SharedPlaces::Rope SharedPlaces::rope(const Stretch& stretch, const std::vector<int>& nodes,
+SharedPlaces::Rope SharedPlaces::rope(const Branch& branch, const std::vector<int>& nodes,
                                       const std::vector<Vec3>& x) const {
   Rope out;
   out.x = x;
-  const double from = begin(stretch);
+  const double from = begin(branch);
   for (size_t i = 0; i < nodes.size(); ++i) {
     out.s.push_back(std::abs(arc(nodes[i]) - from));
     const Node& n = mesh_.mesh->nodes[nodes[i]];
     const LineSpan& line = mesh_.mesh->lines[n.line];
-    const int element = line.first_element + nodes[i] - line.first_node - (stretch.way < 0 ? 1 : 0);
+    const int element = line.first_element + nodes[i] - line.first_node - (branch.way < 0 ? 1 : 0);
     const int within = std::clamp(element, line.first_element, line.first_element + line.elements - 1);
     out.radius.push_back(radii_.of(mesh_.mesh->elements[within]));
   }
@@ -206,7 +206,7 @@ SharedPlaces::Rope SharedPlaces::rope(const Stretch& stretch, const std::vector<
 }
 
 void SharedPlaces::forget() {
-  for (Place& p : places_) p.within = kUnknown;
+  for (PlaceState& p : places_) p.within = kUnknown;
   agreed_ = false;
 }
 
@@ -219,14 +219,14 @@ void SharedPlaces::restore(const Kept& kept) {
 void SharedPlaces::update(const Kinematics& at, bool settles) {
   if (!std::exchange(agreed_, true) && !places_.empty()) {
     std::vector<int> steps;
-    for (const Place& p : places_) steps.push_back(p.within);
+    for (const PlaceState& p : places_) steps.push_back(p.within);
     all_reduce(comm_, MPI_MAX, steps);
     for (size_t k = 0; k < places_.size(); ++k) places_[k].within = steps[k];
   }
   std::vector<std::array<std::vector<int>, 2>> nodes(places_.size());
   std::vector<int> all;
   for (size_t k = 0; k < places_.size(); ++k) {
-    const Place& p = places_[k];
+    const PlaceState& p = places_[k];
     if (!settles && p.within == 0) continue;  // permanently apart: without `settles` the length only shrinks
     const double reach =
         p.within == kUnknown ? p.limit : std::min(p.limit, (kFree * (p.within + 1) + 1) * p.step);
@@ -248,9 +248,9 @@ void SharedPlaces::update(const Kinematics& at, bool settles) {
   }
 }
 
-// All lengths are numbers of steps along the stretches. If the stretches overlap from the place up to
+// All lengths are numbers of steps along the branches. If the branches overlap from the place up to
 // `first`, the length without contact is at most kFree * first.
-void SharedPlaces::update(Place& p, const Rope& one, const Rope& other, bool settles) const {
+void SharedPlaces::update(PlaceState& p, const Rope& one, const Rope& other, bool settles) const {
   const Gaps gaps{one, other, p.step};
   const int reach = static_cast<int>(
       std::min({p.limit, one.s.back(), other.s.back(), (kFree * (std::max(p.within, 0) + 1) + 1) * p.step}) /
@@ -259,7 +259,7 @@ void SharedPlaces::update(Place& p, const Rope& one, const Rope& other, bool set
   const bool unknown = p.within == kUnknown;
   const int known_to = unknown ? most : std::min(most, reach);
   const auto overlaps = [&](int k) { return gaps.at(k) < 0; };
-  // Length up to which the stretches, first apart at `first`, stay apart, at most kFree * first.
+  // Length up to which the branches, first apart at `first`, stay apart, at most kFree * first.
   const auto free_to = [&](int first) {
     const int end = std::min(kFree * first, known_to);
     int k = first;
@@ -276,7 +276,7 @@ void SharedPlaces::update(Place& p, const Rope& one, const Rope& other, bool set
     }
     const int a = mesh_.mesh->nodes[p.of.one.node].line, b = mesh_.mesh->nodes[p.of.other.node].line;
     const bool side_by_side =
-        first == most && whole_[a] != whole_[b] && nearest > -kPressed * kSteps * p.step;
+        first == most && uncut_[a] != uncut_[b] && nearest > -kPressed * kSteps * p.step;
     p.within = side_by_side ? 0 : first == most ? most : free_to(first);
   } else if (!overlaps(p.within)) {
     int first = p.within;
@@ -284,7 +284,7 @@ void SharedPlaces::update(Place& p, const Rope& one, const Rope& other, bool set
     const int wanted = free_to(first);
     if (wanted < p.within || settles) p.within = wanted;
   } else if (settles) {
-    // The stretches overlap where they were clearly apart. Contact cannot have pressed them together there,
+    // The branches overlap where they were clearly apart. Contact cannot have pressed them together there,
     // so the length without contact grows.
     int first = p.within;
     while (first < known_to && overlaps(first)) ++first;

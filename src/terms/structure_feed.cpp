@@ -163,10 +163,10 @@ void StructureTerm::transfer_node(MPI_Comm comm, size_t feeder, bool releases) {
   std::vector<double> now(size);
   // Divides the element into its free part and the new element at the feed point.
   if (releases) {
-    const double whole = mesh.elements[f.element].length;
-    remember_cells(cells, n, 0, whole, now.data());
+    const double mesh_length = mesh.elements[f.element].length;
+    remember_cells(cells, n, 0, mesh_length, now.data());
     keep(f.element, now);
-    remember_cells(cells, n, whole, f.length, now.data());
+    remember_cells(cells, n, mesh_length, f.length, now.data());
     keep(f.element - out, now);
     std::copy_n(part(4), size, kept.begin());
     std::copy_n(part(2), size, kept.begin() + static_cast<std::ptrdiff_t>(size));

@@ -1,5 +1,5 @@
-// The class StructureTerm: checkpoint records. Sums of dissipation, stretches of cables, plastic bending of
-// beams outside and inside feeders.
+// The class StructureTerm: checkpoint records. Sums of dissipation, strain increments of cables, plastic
+// bending of beams outside and inside feeders.
 #include <algorithm>
 #include <map>
 
@@ -24,11 +24,11 @@ struct Sums {
     each("axial vibration taken out", "J", self.filtered);
   }
 };
-struct Stretched {
-  double stretch = 0;
+struct KeptStrain {
+  double strain_increment = 0;
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
-    each("stretch", "1", self.stretch);
+    each("stretch", "1", self.strain_increment);
   }
 };
 struct Bent {
@@ -41,10 +41,10 @@ struct Bent {
 };
 }  // namespace
 
-// The sums of a rank are stored at its first node; only their total over the ranks matters. Stretch and
+// The sums of a rank are stored at its first node; only their total over the ranks matters. Strain and
 // bending of an element are stored at both nodes, so that every rank with the element finds them.
 std::vector<CheckpointKind> StructureTerm::checkpoint_kinds() const {
-  return {checkpoint_kind<Sums>("sums of a rank"), checkpoint_kind<Stretched>("axial vibration"),
+  return {checkpoint_kind<Sums>("sums of a rank"), checkpoint_kind<KeptStrain>("axial vibration"),
           checkpoint_kind<Bent>("plastic bending"), checkpoint_kind<Bent>("plastic bending inside a feeder")};
 }
 
@@ -58,7 +58,7 @@ std::vector<CheckpointRecord> StructureTerm::records(NodeRange of) const {
     for (const int n : {c.at.first, c.at.second})
       if (wanted(n) && c.start.strain_increment != 0)
         out.push_back(
-            record_of(mesh_.global[n], c.at.global, Stretched{c.start.strain_increment}, kStretched));
+            record_of(mesh_.global[n], c.at.global, KeptStrain{c.start.strain_increment}, kStretched));
   for (const Beam& b : beams_)
     for (const int n : {b.at.first, b.at.second}) {
       if (!b.reference.set || !wanted(n)) continue;
@@ -79,7 +79,7 @@ void StructureTerm::restore(const std::vector<CheckpointRecord>& records) {
   power_ = 0;
   damping_ = 0;
   filtered_ = 0;
-  std::map<int, double> stretch;
+  std::map<int, double> strain;
   std::map<int, const std::vector<double>*> bent;
   for (const CheckpointRecord& r : records) {
     if (r.kind == kSums) {
@@ -88,7 +88,7 @@ void StructureTerm::restore(const std::vector<CheckpointRecord>& records) {
       damping_ += s.damping;
       filtered_ += s.filtered;
     } else if (r.kind == kStretched) {
-      stretch[r.key] = entry<Stretched>(r).stretch;
+      strain[r.key] = entry<KeptStrain>(r).strain_increment;
     } else if (r.kind == kBent) {
       bent[r.key] = &r.values;
     } else if (const size_t k = r.key; k < fed_.size() && fed_[k].inside.size() == r.values.size()) {
@@ -106,8 +106,8 @@ void StructureTerm::restore(const std::vector<CheckpointRecord>& records) {
       std::fill_n(set, size, 0.0);
   }
   for (Cable& c : cables_) {
-    const auto it = stretch.find(c.at.global);
-    c.start.strain_increment = it == stretch.end() ? 0 : it->second;
+    const auto it = strain.find(c.at.global);
+    c.start.strain_increment = it == strain.end() ? 0 : it->second;
   }
 }
 

@@ -79,7 +79,7 @@ std::vector<Release> releases(const std::string& input) {
       c.dynamics.duration, [&](double) { return c.dynamics.duration; },
       [&](const StepInfo&) {
         feeder_nodes.agree();
-        const Feeder& f = sim.feeders()->list().front();
+        const Feeder& f = sim.feeders()->all().front();
         const int feed_point = f.feed_point;
         const double length = f.length, force = feeder_force();
         const auto before = energy();

@@ -1,4 +1,4 @@
-"""Accounts of floating bodies, by the program: the work of thrusters over an event of something else, the forces by origin, which
+"""Accounts of floating bodies, by the program: the work of thrusters over an event of something else, the forces by component, which
 leave nothing for what is not there, and momenta of bodies and rope when it is cut, let go of or caught."""
 import os
 import re
@@ -159,7 +159,7 @@ class FreePlatforms(unittest.TestCase):
         self.assertGreater(abs(history.column("radiation_force_z")[0]), 0.1 * abs(restoring[0]))
         history = self.history(SPAR.replace("STEM", str(ROOT / "docs/tutorial/spar")))
         for direction in ("force_x", "force_z", "moment_y"):
-            parts = {origin: abs(history.column(f"{origin}_{direction}")) for origin in ("hydrostatic", "radiation", "added", "wave", "thrusters")}
+            parts = {component: abs(history.column(f"{component}_{direction}")) for component in ("hydrostatic", "radiation", "added", "wave", "thrusters")}
             left = abs(history.column(f"other_{direction}"))
             # Later rows: waves meet the slow place of the end of the step, and not where that was expected.
             self.assertLess(left.max(), 1e-4 * max(part.max() for part in parts.values()), direction)
@@ -171,7 +171,7 @@ class FreePlatforms(unittest.TestCase):
         """Its pressure, and drag and added mass of its members, in waves and a current: all that acts."""
         history = self.history(HULL)
         for direction in ("force_x", "force_z", "moment_y"):
-            parts = [history.column(f"{origin}_{direction}") for origin in ("buoyancy", "froude_krylov", "morison")]
+            parts = [history.column(f"{component}_{direction}") for component in ("buoyancy", "froude_krylov", "morison")]
             left = abs(history.column(f"other_{direction}"))
             self.assertLess(left.max(), 1e-5 * max(abs(part).max() for part in parts), direction)
             for part in parts[1:]:

@@ -54,10 +54,10 @@ inline void add_structure(SuiteModel& m, double beta, double GA, bool turned, bo
 
 inline void add_mass(SuiteModel& m, const Placement& at, bool turned) {
   const LocalMesh& l = m.system->mesh();
-  std::vector<LineMassTerm::Piece> pieces;
+  std::vector<LineMassTerm::MassElement> pieces;
   for (const LocalElement& e : l.elements) {
     const Element& g = m.mesh.elements[static_cast<size_t>(e.global)];
-    LineMassTerm::Piece p;
+    LineMassTerm::MassElement p;
     p.at = e;
     p.beam = g.beam;
     p.section = {g.length, 2, Vec3(0.5, 0.2, 0.4), suite_axes(turned)};
@@ -170,10 +170,10 @@ inline std::vector<SuiteCase> mass_and_load_cases() {
 inline void add_water(SuiteModel& m, const Placement& at, double surface, bool waves = false) {
   constexpr double radius = 2;
   const LocalMesh& l = m.system->mesh();
-  std::vector<LinesInWater::Piece> pieces;
+  std::vector<LinesInWater::WetElement> pieces;
   for (const LocalElement& e : l.elements) {
     const Element& g = m.mesh.elements[static_cast<size_t>(e.global)];
-    LinesInWater::Piece p;
+    LinesInWater::WetElement p;
     p.at = e;
     p.beam = g.beam;
     p.section = {g.length, radius, 40, 4, 3, 1, 2, 0.7};

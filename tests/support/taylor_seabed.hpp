@@ -143,7 +143,7 @@ inline std::vector<SuiteCase> seabed_cases() {
                    Trial& t = m->trial;
                    State laid = t.from;
                    laid.time = t.from.time - t.h;
-                   std::vector<BuriedTerm::Place> places;
+                   std::vector<BuriedTerm::BuriedNode> places;
                    for (int n = 0; n < l.nodes(); ++n) {
                      const size_t i = static_cast<size_t>(n);
                      const int g = l.global[i];

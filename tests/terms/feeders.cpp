@@ -132,7 +132,7 @@ struct Roller {
   Vec3 middle, along;
 
   static AxisShape axis(const Rig& r, const Kinematics& at) {
-    const Feeder& f = r.feeders->list().front();
+    const Feeder& f = r.feeders->all().front();
     const LocalElement& e = *r.feeders->at_feed_point(f);
     AxisEnds ends = element_axis(at, r.mesh.elements[static_cast<size_t>(e.global)], e.first, e.second);
     ends.length = r.feeders->predicted_feed_point(f, at).length;
@@ -217,7 +217,7 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
     // So long that it pulls: the chord is beyond the unstretched length of 5 m.
     for (Vec3& x : from.s.x) x *= 1.4;
     if (crossed) lay_across(from.s);
-    for (Feeder& f : r.feeders->list()) {
+    for (Feeder& f : r.feeders->all()) {
       f.tied.at *= 1.4;
       f.resting = false;
     }

@@ -80,7 +80,7 @@ TEST(EdgeErrors, WithinTheElement) {
 
 // Random turns along one line with a gap in the middle: for any cut the joined summary equals the sums by
 // definition.
-TEST(PressedStretch, JoinsHoweverTheLineIsCut) {
+TEST(PressedPart, JoinsHoweverTheLineIsCut) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> any(-1, 1);
   std::vector<PressedTurn> turns;
@@ -102,13 +102,13 @@ TEST(PressedStretch, JoinsHoweverTheLineIsCut) {
     return i < turns.size() && std::abs(turns[i].node - turns[worst].node) == 1 ? turns[i].angle : 0;
   };
   const auto fold = [&](size_t from, size_t to) {
-    PressedStretch out;
-    for (size_t i = from; i < to; ++i) out = joined(out, PressedStretch(turns[i]));
+    PressedPart out;
+    for (size_t i = from; i < to; ++i) out = joined(out, PressedPart(turns[i]));
     return out;
   };
   for (size_t a = 0; a <= turns.size(); ++a)
     for (size_t b = a; b <= turns.size(); ++b) {
-      const PressedStretch w = joined(fold(0, a), joined(fold(a, b), fold(b, turns.size())));
+      const PressedPart w = joined(fold(0, a), joined(fold(a, b), fold(b, turns.size())));
       EXPECT_NEAR(w.sum, sum, 1e-14);
       EXPECT_NEAR(std::max(w.inside.high, 0.0), high, 1e-14);
       EXPECT_NEAR(std::min(w.inside.low, 0.0), low, 1e-14);

@@ -21,7 +21,7 @@ Made cut(const std::vector<CatenarySection>& sections, int pieces_a_section) {
   m.line.points.emplace_back();
   for (const CatenarySection& s : sections) {
     for (int i = 0; i < pieces_a_section; ++i) {
-      FlexibleLine::Piece p;
+      FlexibleLine::Segment p;
       p.length = s.length / pieces_a_section;
       p.EA = s.EA;
       p.load = s.load;

@@ -139,13 +139,13 @@ TEST(RigidBody, MassMatrixOfARigidBody) {
   model::BodyMass found;
   found.mass = 3;
   const Vec3 about(2, 1, -4);
-  found.matrix = model::MassMatrix{model::whole_mass(body, about), about};
+  found.matrix = model::MassMatrix{model::mass_matrix_about(body, about), about};
   model::use_mass_matrix(found);
   EXPECT_LT((found.centre - body.centre).norm(), 1e-14);
   EXPECT_LT((found.tensor() - body.tensor()).norm(), 1e-13);
   EXPECT_LT(found.coupled.norm(), 1e-13);
   // Surge, heave and yaw about the origin, by hand.
-  const Mat6 M = model::whole_mass(body, Vec3::Zero());
+  const Mat6 M = model::mass_matrix_about(body, Vec3::Zero());
   EXPECT_NEAR(M(0, 4), 3 * 1.1, 1e-14);
   EXPECT_NEAR(M(2, 3), 3 * -0.7, 1e-14);
   EXPECT_NEAR(M(5, 5), 6 + 3 * (0.25 + 0.49), 1e-14);
@@ -155,7 +155,7 @@ TEST(RigidBody, MassMatrixOfARigidBody) {
   other.centre_given = true;
   model::use_mass_matrix(other);
   EXPECT_GT(other.coupled.norm(), 1);
-  EXPECT_LT((model::whole_mass(other, about) - found.matrix->rows).norm(), 1e-12);
+  EXPECT_LT((model::mass_matrix_about(other, about) - found.matrix->rows).norm(), 1e-12);
 }
 
 TEST(RigidBody, SpringsPullDownTheirEnergy) {

@@ -60,13 +60,13 @@ class BeamChain {
                                        local_mesh(mesh_, std::vector<int>(mesh_.nodes.size(), 0), 0, 1));
     const LocalMesh& l = system_->mesh();
     std::vector<StructureTerm::Beam> beams;
-    std::vector<LineMassTerm::Piece> masses;
+    std::vector<LineMassTerm::MassElement> masses;
     for (const LocalElement& e : l.elements) {
       const Piece& p = pieces[static_cast<size_t>(e.global)];
       BeamReference reference;
       reference.axes = p.axes;
       beams.push_back({e, {}, p.section, reference});
-      LineMassTerm::Piece m;
+      LineMassTerm::MassElement m;
       m.at = e;
       m.section = {p.section.length, p.mass_per_length, p.rotary, p.axes};
       masses.push_back(m);

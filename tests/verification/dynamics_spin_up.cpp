@@ -53,7 +53,7 @@ Spin spin_up(int elements, double h, double rho) {
   c.dynamics.rho_infinity = rho;
   c.dynamics.duration = 20;
   Simulation s(PETSC_COMM_SELF, c);
-  std::vector<TiedNode> supports = s.system().tied_nodes().list();
+  std::vector<TiedNode> supports = s.system().tied_nodes().nodes();
   supports.at(0).body = 0;
   s.system().tie(supports, [](int, double time) { return root(time); });
   Dynamics& d = s.dynamics();

@@ -1,4 +1,4 @@
-// Platforms at other headings and places, and their forces by origin.
+// Platforms at other headings and places, and their forces by component.
 #include <fmt/format.h>
 
 #include <complex>
@@ -221,8 +221,8 @@ dynamics: {{duration: 400, step: 0.1, rho_infinity: 1}}
 
 // Of the same ship on a link, in waves, wind and current: what forces come from adds up to all that acts on
 // it, and the rest is the pull of the link.
-TEST(Platforms, ForcesByOriginAddUp) {
-  const std::string stem = ship_files("hawser_platform_origins/ship");
+TEST(Platforms, ForcesByComponentAddUp) {
+  const std::string stem = ship_files("hawser_platform_components/ship");
   const std::string text = fmt::format(
       R"(hawser: 1
 environment:
@@ -249,15 +249,15 @@ statics: false
 dynamics: {{duration: 13, step: 0.1}}
 )",
       kWind, stem);
-  Simulation s(PETSC_COMM_WORLD, io::read_case_text(text, testing::TempDir() + "origins.yaml"));
+  Simulation s(PETSC_COMM_WORLD, io::read_case_text(text, testing::TempDir() + "components.yaml"));
   Dynamics& d = s.dynamics();
   d.start(s.state());
   integrate(d, 13, 13, [](const StepInfo&) {});
   const Kinematics& at = d.kinematics();
   std::vector<std::string> names;
-  std::vector<double> forces;  // by origin: force, moment; then those of all, of the link
+  std::vector<double> forces;  // by component: force, moment; then those of all, of the link
   for (const ActsOnBodies* term : s.system().with<ActsOnBodies>())
-    for (const std::string& name : term->origins(0)) names.push_back(name);
+    for (const std::string& name : term->load_components(0)) names.push_back(name);
   ASSERT_EQ(names, (std::vector<std::string>{"wind", "hydrostatic", "radiation", "added", "wave", "drift"}));
   const auto add = [&](const Vec3& force, const Vec3& moment) {
     forces.insert(forces.end(), force.begin(), force.end());
@@ -296,7 +296,7 @@ dynamics: {{duration: 13, step: 0.1}}
 }
 
 // A ship that turns in waves, wind and a current: stopped in the middle and gone on with, its slow heading,
-// memory, loads and forces by origin are those of the run that was not.
+// memory, loads and forces by component are those of the run that was not.
 TEST(Platforms, RestartGoesOnWithTheSlowHeading) {
   const std::string path = runs::folder("platform_restart"), stem = ship_files("hawser_platform_kept/ship");
   const std::string text = fmt::format(
@@ -330,7 +330,7 @@ output: {{every: 5, checkpoint_every: 10, history_every: 0.5, histories: [{{body
   runs::run_on_all({input, path + "/rest.h5", path + "/half.h5", 20});
   if (rank_of(PETSC_COMM_WORLD) != 0) return;
   const runs::Results whole = runs::read(path + "/whole.h5"), rest = runs::read(path + "/rest.h5");
-  ASSERT_EQ(whole.columns.at("ship"), 18u + 6 * 8);  // motion and force, then seven origins and the rest
+  ASSERT_EQ(whole.columns.at("ship"), 18u + 6 * 8);  // motion and force, then seven components and the rest
   for (size_t c = 0; c < whole.columns.at("ship"); ++c) {
     const auto there = rest.column("ship", c), here = runs::tail(whole.column("ship", c), there);
     ASSERT_GT(there.size(), 10u);

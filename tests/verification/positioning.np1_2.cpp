@@ -11,7 +11,7 @@
 #include "hawser/io/case_reader.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/solve/natural_modes.hpp"
-#include "hawser/terms/thrusters.hpp"
+#include "hawser/terms/dynamic_positioning.hpp"
 #include "support/step_tangent.hpp"
 #include "verification/dynamics_rig.hpp"
 
@@ -39,7 +39,7 @@ Vec3 place(const Simulation& s, const Kinematics& at) {
 
 Vec3 thrust(Simulation& s, const Kinematics& at) {
   std::vector<double> sum(3, 0);
-  for (const BodyForce& f : s.system().find<Thrusters>()->forces_on(0, at))
+  for (const BodyForce& f : s.system().find<DynamicPositioning>()->forces_on(0, at))
     Eigen::Map<Vec3>(sum.data()) += Vec3(f.force.x(), f.force.y(), f.moment.z());
   all_reduce(PETSC_COMM_WORLD, MPI_SUM, sum);
   return Vec3(sum.data());
@@ -143,7 +143,7 @@ TEST(Positioning, GivesNoMoreThanItsLimits) {
   EXPECT_NEAR(end.x(), 300 - 0.6 * way, 1e-6 * way);
   EXPECT_NEAR(end.y(), -400 + 0.8 * way, 1e-6 * way);
   EXPECT_NEAR(end.z(), M_PI / 3 - 0.5 * kMoment / kInertia * kUntil * kUntil, 1e-6);
-  for (const CheckpointRecord& r : s.system().find<Thrusters>()->records({}))
+  for (const CheckpointRecord& r : s.system().find<DynamicPositioning>()->records({}))
     EXPECT_EQ(Vec3(&r.values[15]), Vec3::Zero()) << "the integral";
 }
 
@@ -265,7 +265,7 @@ TEST(Positioning, ModesHaveTheProportionalPart) {
                         spring > 0 ? fmt::format(", max_force: {}", kLoad - carried) : ""),
             "statics: {tolerance: 1e-12}\n"));
     s.solve_statics();
-    s.system().find<Thrusters>()->integrate_at_rest(false);
+    s.system().find<DynamicPositioning>()->integrate_at_rest(false);
     const std::vector<NaturalMode> modes = natural_modes(s.system(), s.state().view(0), 3);
     Eigen::Matrix2d K, M = Eigen::Vector2d(kMass, kInertia).asDiagonal();
     K << kSway + spring, -kArm * kSway, -kArm * kSway, kArm * kArm * kSway + kYaw - kArm * carried;

@@ -17,7 +17,7 @@ std::string hull_cannot_float(double displaced, double mass);
 struct HullAtStart {
   std::string body;
   size_t triangles = 0;
-  double displaced = 0, whole = 0;           // m³, wetted part; whole hull
+  double displaced = 0, volume = 0;          // m³, wetted part; whole hull
   double buoyancy = 0, weight = 0;           // N
   double waterplane = 0;                     // m²
   double roll_height = 0, pitch_height = 0;  // m, metacentric; meaningless without buoyancy

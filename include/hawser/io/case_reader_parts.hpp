@@ -109,16 +109,16 @@ void finish_body(const model::Value& v, const CaseSource& source, model::Body& b
 void finish_volume(const model::Value& v, const CaseSource& source, model::Volume& o);
 void finish_contact(const model::Value& v, model::Contact& to);
 
-// An entry of `lines`. whole: `start` of the case, or null; lengths: section lengths that replace those
-// given. Line types and joints of the case must be read; its notes receive warnings.
+// An entry of `lines`. start_of_case: `start` of the case, or null; lengths: section lengths that replace
+// those given. Line types and joints of the case must be read; its notes receive warnings.
 class OtherRuns;
-void finish_line(const model::Value& v, const model::Value* whole, const SectionLengths& lengths,
+void finish_line(const model::Value& v, const model::Value* start_of_case, const SectionLengths& lengths,
                  OtherRuns& others, model::Case& c, model::Line& l);
 
-// Start shape of a line from another run: by the line's own `start` or that of the case (`whole`, may be
-// null).
-void finish_start(const model::Value& line, const model::Value* whole, OtherRuns& others, model::Case& c,
-                  model::Line& l);
+// Start shape of a line from another run: by the line's own `start` or that of the case (`start_of_case`, may
+// be null).
+void finish_start(const model::Value& line, const model::Value* start_of_case, OtherRuns& others,
+                  model::Case& c, model::Line& l);
 
 // An entry of `links`. Bodies and lines of the case must be read.
 void finish_link(const model::Value& v, model::Link& l, const model::Case& c);
@@ -138,9 +138,9 @@ void read_bed_surface(const model::Value& seabed, const CaseSource& source, mode
 void check_bed(model::Case& c);
 
 // Line types, bodies, volumes, lines, links and supports of a file, after the environment and the keys that
-// the schema copies. whole: `start` of the case, or null. sea: bodies are at their final position, so
+// the schema copies. start_of_case: `start` of the case, or null. sea: bodies are at their final position, so
 // meet_sea() is called.
-void read_things(const model::Value& root, const model::Value* whole, const CaseSource& source,
+void read_things(const model::Value& root, const model::Value* start_of_case, const CaseSource& source,
                  const SectionLengths& lengths, bool sea, model::Case& c);
 
 // `farm` of an unchecked document: its platform files, changed by --set farm.of.KEY=VALUE, and its places;

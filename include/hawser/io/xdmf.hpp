@@ -34,14 +34,14 @@ class XdmfWriter {
   void add_lines(std::string& text) const;
   void add_volumes(std::string& text) const;
 
-  struct Piece {
+  struct TextPart {
     std::string text;
     char then;  // variable part that comes next; 0: end
   };
   const ResultContents* contents_;
   std::string h5_name_;
-  std::vector<double> times_;  // of the outputs, s
-  std::vector<Piece> pieces_;  // text of an output
+  std::vector<double> times_;     // of the outputs, s
+  std::vector<TextPart> pieces_;  // text of an output
 };
 
 }  // namespace hawser::io

@@ -22,7 +22,7 @@ class CatenaryOnBed {
  private:
   friend std::optional<CatenaryOnBed> catenary_on_bed(const Vec3&, const Vec3&,
                                                       const std::vector<CatenarySection>&, double, double);
-  struct Piece {
+  struct LaidPart {
     double start, end;    // m, arc length
     double x_end, T_end;  // m from A, and N, at the end of the piece
     double drag, EA;      // N/m, friction; N
@@ -32,7 +32,7 @@ class CatenaryOnBed {
   };
   Vec3 anchor_ = Vec3::Zero(), way_ = Vec3::UnitX();
   double grounded_ = 0;
-  std::vector<Piece> pieces_;
+  std::vector<LaidPart> pieces_;
   std::optional<CatenaryShape> hanging_;  // from the touchdown point
 };
 

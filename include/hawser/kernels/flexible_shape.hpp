@@ -13,7 +13,7 @@
 namespace hawser {
 
 struct FlexibleLine {
-  struct Piece {               // between two nodes
+  struct Segment {             // between two nodes
     double length = 0;         // m, unstretched
     double EA = 0;             // N
     Vec3 load = Vec3::Zero();  // N/m, weight and other dead loads
@@ -24,7 +24,7 @@ struct FlexibleLine {
     Vec3 load = Vec3::Zero();  // N
     double buoyancy = 0;       // N, when under water
   };
-  std::vector<Piece> pieces;
+  std::vector<Segment> pieces;
   std::vector<Point> points;  // one more than pieces
   bool held_a = true, held_b = true;
   bool bed = false;

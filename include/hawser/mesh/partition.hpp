@@ -10,13 +10,13 @@
 namespace hawser {
 
 // Owner of every node. Elements, joints, bodies and `coupled` (pairs of nodes with forces between them or
-// between their elements) connect nodes to components. Components in file order are cut into stretches of
+// between their elements) connect nodes to components. Components in file order are cut into parts of
 // equal work; a rank may get up to 1.07 times the mean to avoid cutting a component, and cuts between lines
 // are preferred. METIS cuts a component if it cuts fewer or lighter edges for the same work; edges along a
-// chain are heavier than those of `coupled`. `whole`: lines that are not cut. The result is the same on every
+// chain are heavier than those of `coupled`. `uncut`: lines that are not cut. The result is the same on every
 // rank.
 std::vector<int> partition(const Mesh& mesh, int ranks, std::span<const std::pair<int, int>> coupled = {},
-                           std::span<const int> whole = {});
+                           std::span<const int> uncut = {});
 
 // This rank's part. `owner`: one rank for each node.
 LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, int ranks);

@@ -308,7 +308,7 @@ struct Line {
   std::optional<LengthTarget> target;
   // For a part of a line that events cut (cut_lines.hpp): the line as given, which defines the start shape,
   // and the arc length from its end A at which this part begins [m].
-  std::shared_ptr<const Line> whole;
+  std::shared_ptr<const Line> uncut;
   double from = 0;
 };
 

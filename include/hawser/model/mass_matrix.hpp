@@ -10,6 +10,6 @@ namespace hawser::model {
 // to the centre of mass; each coordinate is the mean of its two entries.
 void use_mass_matrix(BodyMass& m);
 // Complete mass matrix [kg, kg m, kg m²] about a point of the body frame, body axes.
-Mat6 whole_mass(const BodyMass& m, const Vec3& about);
+Mat6 mass_matrix_about(const BodyMass& m, const Vec3& about);
 
 }  // namespace hawser::model

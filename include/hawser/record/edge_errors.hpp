@@ -11,7 +11,7 @@
 #include "hawser/advice/long_elements.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/case.hpp"
-#include "hawser/record/pressed_stretch.hpp"
+#include "hawser/record/pressed_part.hpp"
 #include "hawser/record/recording.hpp"
 #include "hawser/record/snaps.hpp"
 #include "hawser/state/kinematics.hpp"
@@ -27,7 +27,7 @@ class EdgeErrors : public Recording {
     std::span<const double> force, friction;  // N, contact force of volumes, including friction
     std::span<const double> before, after;    // N, effective tension towards end A and towards end B
   };
-  // Ranks that share a line exchange one summary per stretch that a rank owns. Collective.
+  // Ranks that share a line exchange one summary per part that a rank owns. Collective.
   void update(const Kinematics& at, const Values& values);
   // Sentence if the largest error so far [N] exceeds the allowed fraction of the given tension [N]; else
   // empty.
@@ -45,7 +45,7 @@ class EdgeErrors : public Recording {
     int before = -1, after = -1;  // local nodes; -1 unless the adjacent elements are cables
     double length = 0;            // m, longer adjacent element
   };
-  struct Piece {  // consecutive nodes of a line on one rank
+  struct NodesOfLine {  // consecutive nodes of a line on one rank
     int line = 0, rank = 0;
     int first = 0, last = 0;  // node numbers of the mesh
   };
@@ -55,14 +55,14 @@ class EdgeErrors : public Recording {
   };
   std::vector<PressedTurn> turns(const Kinematics& at, const Values& values) const;
   const model::LineType& type_at(int node) const;  // type of the element after the node
-  void exchange(std::vector<PressedStretch>& of_pieces) const;
-  void report(int line, const PressedStretch& whole, double time);
+  void exchange(std::vector<PressedPart>& of_pieces) const;
+  void report(int line, const PressedPart& of_line, double time);
   void gather();
 
   MPI_Comm comm_;
   const model::Case& case_;
   const LocalMesh& mesh_;
-  std::vector<Piece> pieces_;           // of lines with nodes on this rank, in the order of nodes
+  std::vector<NodesOfLine> pieces_;     // of lines with nodes on this rank, in the order of nodes
   std::vector<Sharer> sharers_;         // by rank
   std::vector<Neighbours> neighbours_;  // by owned node
   struct Worst {

@@ -27,7 +27,7 @@ class EndForces {
  public:
   // An owned node at an end of a line or where the sides may differ. End A has no element before it, end B
   // none after it.
-  struct Place {
+  struct SectionNode {
     int node = 0;                         // local
     int end = -1;                         // 2 l: end A of line l; 2 l + 1: its end B; -1: within a line
     int before = -1, after = -1;          // local elements
@@ -44,7 +44,7 @@ class EndForces {
   // where the line does not hang freely. No communication, unless ends are fed.
   void evaluate(const Kinematics& at, std::span<const Vec3> carried);
 
-  const std::vector<Place>& places() const { return places_; }  // in the order of nodes
+  const std::vector<SectionNode>& places() const { return places_; }  // in the order of nodes
   // Force on each feeder, N: the tension at its feed point and, for beams, M²/2EI.
   const std::vector<double>& at_feeders() const { return feeder_forces_; }
   // Number of an end among the owned ends, by its local node; -1: none.
@@ -59,7 +59,7 @@ class EndForces {
   const Feeders* feeders_;
   std::vector<SectionForce> feed_points_;  // at the feed points, by feeder, on all ranks
   std::vector<double> feeder_forces_;
-  std::vector<Place> places_;
+  std::vector<SectionNode> places_;
 };
 
 }  // namespace hawser::record

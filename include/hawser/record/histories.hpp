@@ -38,7 +38,7 @@ class Histories : public Recording {
   std::vector<double> line_row(const Point& p, const Snapshot& s) const;
   std::vector<double> body_row(int body, const Snapshot& s) const;
   // Of forces on a floating body by what they come from; empty: by nothing that states it.
-  std::vector<std::string> origins(int body) const;
+  std::vector<std::string> load_components(int body) const;
   std::vector<double> volume_row(const std::string& volume, const Kinematics& at) const;
 
   // Value of a field from the section force on the side of a node that faces the point; `fallback` for other

@@ -27,7 +27,7 @@ class Actions {
   explicit Actions(Simulation& simulation) : sim_(simulation) {}
 
   // Takes the tied nodes of the system, which the actions change.
-  void begin() { tied_ = sim_.system().tied_nodes().list(); }
+  void begin() { tied_ = sim_.system().tied_nodes().nodes(); }
   // Performs an action in the accepted state `at`. Throws SolveError if it is impossible. Collective.
   Found act(const model::Action& action, const Kinematics& at);
   // Repeats an action performed at this time [s], in a run continued from a checkpoint.

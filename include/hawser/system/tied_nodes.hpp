@@ -34,9 +34,9 @@ class TiedNodes {
 
   // Held components by local block, one bit for each component.
   const std::vector<unsigned char>& held() const { return held_; }
-  const std::vector<TiedNode>& list() const { return nodes_; }
+  const std::vector<TiedNode>& nodes() const { return nodes_; }
   const BodyMotion& motion() const { return motion_; }
-  // Indices into list() of the nodes that are tied to a frame of the state.
+  // Indices into nodes() of the nodes that are tied to a frame of the state.
   const std::vector<int>& to_frames() const { return to_frames_; }
 
   // Writes the prescribed entries of the local increment u that takes `from` to time t.

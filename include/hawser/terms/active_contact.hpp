@@ -5,7 +5,7 @@
 
 namespace hawser {
 
-// A stretch of a line in contact with another line, itself or a volume, or a contact between the volumes of
+// A part of a line in contact with another line, itself or a volume, or a contact between the volumes of
 // two bodies. One rank only, the one that counts the contact, reports it.
 struct ActiveContact {
   // Indices of the lines in the mesh and of the volumes in the term that reports the contact; -1: none. Of

@@ -32,7 +32,7 @@ class BodiesInFlow final : public ForceTerm,
   }
   void scale_current(double factor) override { sea_.current_scale = factor; }
 
-  std::vector<std::string> origins(int body) const override;
+  std::vector<std::string> load_components(int body) const override;
   std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
 
   std::string_view name() const override { return "wind and current on bodies"; }
@@ -70,7 +70,7 @@ class BodiesInFlow final : public ForceTerm,
 
   Sea sea_;
   Wind wind_;
-  std::vector<std::vector<std::string>> origins_;  // by body of the case
+  std::vector<std::vector<std::string>> load_components_;  // by body of the case
   std::vector<Flow> list_;
   bool hold_ = false, friction_ = false;
 };

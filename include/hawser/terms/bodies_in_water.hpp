@@ -45,7 +45,7 @@ class BodiesInWater final : public ForceTerm,
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
   double round_off(const Kinematics& at, double h) const override;
-  std::vector<std::string> origins(int body) const override;
+  std::vector<std::string> load_components(int body) const override;
   std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange of) const override;

@@ -77,7 +77,7 @@ class BodyContactTerm final : public ForceTerm,
   double round_off(const Kinematics& at, double h) const override;
   // Of contact with other bodies and with volumes that are fixed or move as prescribed, in the last accepted
   // state.
-  std::vector<std::string> origins(int body) const override;
+  std::vector<std::string> load_components(int body) const override;
   std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange of) const override;

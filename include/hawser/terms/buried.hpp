@@ -20,13 +20,13 @@ double buried_length(const model::Line& line, double from, double to);
 
 class BuriedTerm final : public ForceTerm, public RaisesStiffness {
  public:
-  struct Place {
+  struct BuriedNode {
     int node = 0;  // local, owned
     BuriedSoil soil;
   };
 
   // The lines are laid as in `start`.
-  BuriedTerm(MPI_Comm comm, const LocalMesh& mesh, const Kinematics& start, std::vector<Place> places);
+  BuriedTerm(MPI_Comm comm, const LocalMesh& mesh, const Kinematics& start, std::vector<BuriedNode> places);
   // held: supported local nodes, on which the soil does not act.
   BuriedTerm(MPI_Comm comm, const LocalMesh& mesh, const model::Case& c, const Kinematics& start,
              const std::vector<int>& held);

@@ -63,8 +63,8 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
  public:
   Feeders(const LocalMesh& mesh, const model::Case& c);
 
-  const std::vector<Feeder>& list() const { return feeders_; }
-  std::vector<Feeder>& list() { return feeders_; }
+  const std::vector<Feeder>& all() const { return feeders_; }
+  std::vector<Feeder>& all() { return feeders_; }
 
   // Nodes and elements of the mesh, counted from the fed end: element i lies between nodes i and i + 1.
   int node(const Feeder& f, int i) const;

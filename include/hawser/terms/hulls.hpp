@@ -44,7 +44,7 @@ class Hulls final : public ForceTerm,
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
   double round_off(const Kinematics& at, double h) const override;
-  std::vector<std::string> origins(int body) const override;
+  std::vector<std::string> load_components(int body) const override;
   std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange of) const override;
@@ -65,8 +65,8 @@ class Hulls final : public ForceTerm,
     int body = 0;                         // index in the case
     StaticRest rest;
     bool in_waves = false;
-    double whole = 0;      // N, buoyancy of the fully submerged hull
-    RigidBodyState start;  // at the start of the step
+    double full_buoyancy = 0;  // N, buoyancy of the fully submerged hull
+    RigidBodyState start;      // at the start of the step
     // Wave heads at `time`, at the position that the body reaches with its velocity at the start of the step.
     mutable std::vector<double> heads;
     mutable double time = 0;
@@ -83,7 +83,7 @@ class Hulls final : public ForceTerm,
 
   Sea sea_;
   std::vector<Hull> list_;
-  std::vector<std::vector<std::string>> origins_;  // by body of the case
+  std::vector<std::vector<std::string>> load_components_;  // by body of the case
   bool hold_ = false, friction_ = false;
   double start_time_ = 0;  // s
 };

@@ -25,7 +25,7 @@ class LineMassTerm final : public ForceTerm,
     Vec3 per_length = Vec3::Zero();  // N/m of unstretched element length
     double ramp = 0;                 // s, duration of the smooth start; 0: always acts
   };
-  struct Piece {
+  struct MassElement {
     LocalElement at;
     bool beam = true;
     bool idle = false;  // inside a feeder, without mass and weight
@@ -34,7 +34,7 @@ class LineMassTerm final : public ForceTerm,
     int first_ramped = 0, ramped = 0;  // range in the list of ramped loads
   };
 
-  LineMassTerm(const LocalMesh& mesh, std::vector<Piece> pieces, std::vector<Load> ramped_loads);
+  LineMassTerm(const LocalMesh& mesh, std::vector<MassElement> pieces, std::vector<Load> ramped_loads);
 
   // Masses and distributed loads of the case; gravity along -z.
   LineMassTerm(const LocalMesh& mesh, const model::Case& c);
@@ -54,17 +54,19 @@ class LineMassTerm final : public ForceTerm,
 
  private:
   struct Built {
-    std::vector<Piece> pieces;
+    std::vector<MassElement> pieces;
     std::vector<Load> ramped;
   };
   static Built build(const LocalMesh& mesh, const model::Case& c);
   LineMassTerm(const LocalMesh& mesh, Built built);
 
-  Vec3 ramped_load(const Piece& p, double t) const;
-  Vec3 load(const Piece& p, double t) const { return p.ramped ? Vec3(p.load + ramped_load(p, t)) : p.load; }
+  Vec3 ramped_load(const MassElement& p, double t) const;
+  Vec3 load(const MassElement& p, double t) const {
+    return p.ramped ? Vec3(p.load + ramped_load(p, t)) : p.load;
+  }
 
   const LocalMesh& mesh_;
-  std::vector<Piece> pieces_;
+  std::vector<MassElement> pieces_;
   std::vector<Load> ramped_;
   State committed_;  // for the work of ramped loads only
   double work_ = 0;  // J, done by ramped loads

@@ -37,9 +37,9 @@ struct LinePairOptions {
   std::map<std::pair<int, int>, model::LinePairSettings> tuned;
   std::vector<bool> takes_part;  // by line; empty: all do
   CandidateSettings candidates;
-  // Shared places of the lines that take part; `whole`: see SharedPlaces.
+  // Shared places of the lines that take part; `uncut`: see SharedPlaces.
   std::vector<SharedPlace> shared;
-  std::vector<int> whole;
+  std::vector<int> uncut;
 };
 
 // Largest penetration [m], from the parabola through the deepest Gauss point and the two next to it; 0

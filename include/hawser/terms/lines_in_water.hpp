@@ -20,7 +20,7 @@ class LinesInWater final : public ForceTerm,
                            public InCurrent,
                            public ActsOnFedLines {
  public:
-  struct Piece {
+  struct WetElement {
     LocalElement at;
     bool beam = true;
     bool idle = false;  // inside a feeder, without water forces
@@ -31,7 +31,7 @@ class LinesInWater final : public ForceTerm,
     WaterBall ball;
   };
 
-  LinesInWater(const LocalMesh& mesh, Sea sea, std::vector<Piece> pieces, std::vector<Ball> balls = {});
+  LinesInWater(const LocalMesh& mesh, Sea sea, std::vector<WetElement> pieces, std::vector<Ball> balls = {});
   LinesInWater(const LocalMesh& mesh, const model::Case& c);
 
   void scale_current(double factor) override { sea_.current_scale = factor; }
@@ -41,7 +41,7 @@ class LinesInWater final : public ForceTerm,
   bool has_waves() const { return !sea_.waves.none(); }
   bool has_current() const { return !sea_.current.none(); }
   double above_still_water(double z) const { return z - sea_.surface; }
-  const std::vector<Piece>& pieces() const { return pieces_; }
+  const std::vector<WetElement>& pieces() const { return pieces_; }
   // Drag and inertia force of the flow on a piece that is divided into `parts` equal parts, with the water
   // motion evaluated at their ends, and its difference from the same force with four times as many parts.
   // Changes no state.
@@ -49,7 +49,7 @@ class LinesInWater final : public ForceTerm,
     double force = 0, error = 0;  // N, sums of the magnitudes over the parts
     bool crossed = false;         // pierces the water surface
   };
-  FlowError flow_error(const Kinematics& at, const Piece& p, int parts) const;
+  FlowError flow_error(const Kinematics& at, const WetElement& p, int parts) const;
 
   std::string_view name() const override { return "hydrodynamics"; }  // stored in checkpoints
   void prepare(const Kinematics& committed, double h) override;
@@ -89,15 +89,15 @@ class LinesInWater final : public ForceTerm,
   double fed_buoyancy(const Kinematics& at) const;
   CablesInWater4 motion(const Four& q, const Kinematics& k) const;
   void evaluate(const Four& q, const Kinematics& trial, Assembler& assembler) const;
-  void evaluate(const Piece& p, const Kinematics& trial, Assembler& assembler) const;
+  void evaluate(const WetElement& p, const Kinematics& trial, Assembler& assembler) const;
   unsigned flow(const Four& q, const Kinematics& at, WaterForce* out) const;
   Water water(const Kinematics& at, size_t node) const;
   Vec3 wave_place(const Kinematics& at, size_t node) const;
   const std::vector<WaveMotion>& waves(const Kinematics& at) const;
   void update_water(const Kinematics& at) const;
   const Water& water_at(size_t node) const { return water_[moving() ? node : 0]; }
-  WaterEnds ends(const Piece& p, const Kinematics& k, const Water& first, const Water& second) const;
-  WaterEnds ends(const Piece& p, const Kinematics& k) const {
+  WaterEnds ends(const WetElement& p, const Kinematics& k, const Water& first, const Water& second) const;
+  WaterEnds ends(const WetElement& p, const Kinematics& k) const {
     return ends(p, k, water_at(static_cast<size_t>(p.at.first)), water_at(static_cast<size_t>(p.at.second)));
   }
   Flow flow(const Kinematics& at) const;
@@ -105,7 +105,7 @@ class LinesInWater final : public ForceTerm,
 
   const LocalMesh& mesh_;
   Sea sea_;
-  std::vector<Piece> pieces_;
+  std::vector<WetElement> pieces_;
   std::vector<Wall> walls_;  // by line type; empty: no output of wall tension
   std::vector<Ball> balls_;
   std::vector<Four> fours_;  // all cables

@@ -45,7 +45,7 @@ class PlatformWater final : public ForceTerm,
   // Uses the added mass and damping at `omega` [rad/s], interpolated linearly between the rows of the data; B
   // = 0 at omega = 0 and beyond the last row.
   void oscillate(double omega) override;
-  std::vector<std::string> origins(int body) const override;
+  std::vector<std::string> load_components(int body) const override;
   std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange of) const override;

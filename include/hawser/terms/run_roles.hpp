@@ -58,7 +58,7 @@ class HasSeries {
   virtual std::vector<std::vector<double>> rows(const Kinematics& at) const = 0;
 };
 
-// Force on a body from one origin, such as waves, at the centre of mass, space axes.
+// Force on a body of one component of its load, such as waves, at the centre of mass, space axes.
 struct BodyForce {
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  // N, N m
 };
@@ -67,9 +67,10 @@ struct BodyForce {
 class ActsOnBodies {
  public:
   virtual ~ActsOnBodies() = default;
-  // Origins of the forces on a body of the case, equal on all ranks; empty: the term does not act on it.
-  virtual std::vector<std::string> origins(int body) const = 0;
-  // One force for each origin in an accepted state, on the rank that owns the body.
+  // Load components, such as "wave", that act on a body of the case, equal on all ranks; empty: the term does
+  // not act on it.
+  virtual std::vector<std::string> load_components(int body) const = 0;
+  // One force for each load component in an accepted state, on the rank that owns the body.
   virtual std::vector<BodyForce> forces_on(int body, const Kinematics& at) const = 0;
 };
 

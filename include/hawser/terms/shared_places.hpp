@@ -1,5 +1,5 @@
 // Shared places of lines: ends held at one point, or closer to each other than the lines' thickness. The two
-// stretches of lines must overlap near such a place, so contact between them starts only beyond the length at
+// branches of lines must overlap near such a place, so contact between them starts only beyond the length at
 // which they are first apart. See docs/theory/line-line.md.
 #pragma once
 
@@ -19,23 +19,23 @@
 namespace hawser {
 
 // Part of a line from one of its nodes in one direction.
-struct Stretch {
+struct Branch {
   int node = 0;  // of the mesh
   int way = 1;   // 1: towards end B; -1: towards end A
 };
 
 struct SharedPlace {
-  Stretch one, other;
+  Branch one, other;
 };
 
 class SharedPlaces {
  public:
-  // radii: not 0 along the stretches. whole: for each line, the first part of
+  // radii: not 0 along the branches. uncut: for each line, the first part of
   // the uncut line that it is a part of (lines that are cut later); empty: every line is uncut.
   SharedPlaces(MPI_Comm comm, const LocalMesh& mesh, ContactRadii radii, std::vector<SharedPlace> places,
-               std::vector<int> whole);
+               std::vector<int> uncut);
 
-  // Sets the number of elements of each line inside feeders at its ends A and B. Stretches begin at the
+  // Sets the number of elements of each line inside feeders at its ends A and B. Branches begin at the
   // feeder.
   void set_elements_in_feeders(std::vector<std::array<int, 2>> inside) { inside_ = std::move(inside); }
 
@@ -47,7 +47,7 @@ class SharedPlaces {
   int size() const { return static_cast<int>(places_.size()); }
   const SharedPlace& place(int k) const { return places_[k].of; }
   double diameter(int k) const;  // m, mean of the two diameters at place k
-  // Length without contact along either stretch from place k, m.
+  // Length without contact along either branch from place k, m.
   double within(int k) const { return places_[k].step * std::max(places_[k].within, 0); }
   // Checkpoint record of a place, stored by the rank with its first node.
   struct Kept {
@@ -64,13 +64,13 @@ class SharedPlaces {
   void forget();
   void restore(const Kept& kept);
 
-  // Places between stretches of two lines, in any order, or of a line with itself.
+  // Places between branches of two lines, in any order, or of a line with itself.
   const std::vector<int>& between(int line, int other) const;
-  // Distances [m] along a stretch from its place to the first and the second node of an element; nullopt if
-  // the element is not on the stretch.
-  std::optional<std::array<double, 2>> along(const Stretch& stretch, int element) const;
-  // Two elements on the two stretches from a place: distances [m] from the place to the nearer and the
-  // farther end of each, in the order of the stretches.
+  // Distances [m] along a branch from its place to the first and the second node of an element; nullopt if
+  // the element is not on the branch.
+  std::optional<std::array<double, 2>> along(const Branch& branch, int element) const;
+  // Two elements on the two branches from a place: distances [m] from the place to the nearer and the
+  // farther end of each, in the order of the branches.
   struct Found {
     int place = 0;
     std::array<double, 2> one, other;
@@ -83,15 +83,15 @@ class SharedPlaces {
 
  private:
   static constexpr int kUnknown = -1;
-  // Lengths along the stretches are counted in steps, so that the same state gives the same result.
-  struct Place {
+  // Lengths along the branches are counted in steps, so that the same state gives the same result.
+  struct PlaceState {
     SharedPlace of;
     double step = 0;        // m
-    double limit = 0;       // m, largest length along either stretch
+    double limit = 0;       // m, largest length along either branch
     int within = kUnknown;  // length without contact, in steps
-    int clear = 0;          // in statics: steps up to which the stretches were clearly apart beyond `within`
+    int clear = 0;          // in statics: steps up to which the branches were clearly apart beyond `within`
   };
-  // Stretch as a polyline.
+  // Branch as a polyline.
   struct Rope {
     std::vector<double> s;  // m, from the place
     std::vector<Vec3> x;
@@ -101,19 +101,19 @@ class SharedPlaces {
 
   double arc(int node) const;
   std::array<int, 2> outside(int line) const;
-  double begin(const Stretch& stretch) const;
-  std::vector<int> nodes_to(const Stretch& stretch, double reach) const;
-  Rope rope(const Stretch& stretch, const std::vector<int>& nodes, const std::vector<Vec3>& x) const;
+  double begin(const Branch& branch) const;
+  std::vector<int> nodes_to(const Branch& branch, double reach) const;
+  Rope rope(const Branch& branch, const std::vector<int>& nodes, const std::vector<Vec3>& x) const;
   std::vector<Vec3> gather(const std::vector<int>& nodes, const Kinematics& at) const;
-  void update(Place& place, const Rope& one, const Rope& other, bool settles) const;
+  void update(PlaceState& place, const Rope& one, const Rope& other, bool settles) const;
 
   MPI_Comm comm_;
   const LocalMesh& mesh_;
   ContactRadii radii_;
-  std::vector<int> whole_;      // of each line, see the constructor
+  std::vector<int> uncut_;      // of each line, see the constructor
   std::vector<double> offset_;  // m, of each line, its start along its uncut line
   std::vector<std::array<int, 2>> inside_;
-  std::vector<Place> places_;
+  std::vector<PlaceState> places_;
   bool agreed_ = true;                                       // all ranks have the same lengths
   std::map<std::pair<int, int>, std::vector<int>> between_;  // by uncut lines
 };

@@ -1,5 +1,5 @@
-// Effect of volumes pressing on a stretch of a line on its tension, as a summary of fixed size. Summaries of
-// consecutive stretches can be joined, so that ranks sharing a line exchange a few numbers per stretch,
+// Effect of volumes pressing on a part of a line on its tension, as a summary of fixed size. Summaries of
+// consecutive parts can be joined, so that ranks sharing a line exchange a few numbers per part,
 // independent of the number of contact nodes.
 #pragma once
 
@@ -26,10 +26,10 @@ struct SumRange {
   double width() const { return high - low; }
 };
 
-// n_1 < n_2 < ... are the contact nodes of the stretch, and S_k = taken_1 + ... + taken_k.
-struct PressedStretch {
-  PressedStretch() = default;  // without contact
-  explicit PressedStretch(const PressedTurn& turn);
+// n_1 < n_2 < ... are the contact nodes of the part, and S_k = taken_1 + ... + taken_k.
+struct PressedPart {
+  PressedPart() = default;  // without contact
+  explicit PressedPart(const PressedTurn& turn);
 
   bool pressed = false;
   PressedTurn first, last;
@@ -37,11 +37,11 @@ struct PressedStretch {
   double before = 0, after = 0;     // rad, turns at the nodes next to `worst`; 0: no contact there
   double sum = 0;                   // N, S at the last node
   SumRange inside;                  // N, range of all S_k
-  SumRange outside;                 // N, range of S_k at nodes n_k followed by a free node within the stretch
+  SumRange outside;                 // N, range of S_k at nodes n_k followed by a free node within the part
   double tension = 0, passage = 0;  // largest values of the turns
 };
 
-// Joins two stretches of a line, b after a.
-PressedStretch joined(const PressedStretch& a, const PressedStretch& b);
+// Joins two parts of a line, b after a.
+PressedPart joined(const PressedPart& a, const PressedPart& b);
 
 }  // namespace hawser::record

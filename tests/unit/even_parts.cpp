@@ -1,5 +1,5 @@
-// A row of weights cut into stretches: as even as possible, at the places with the smallest loss.
-#include "hawser/mesh/stretches.hpp"
+// A row of weights cut into parts: as even as possible, at the places with the smallest loss.
+#include "hawser/mesh/even_parts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 
-namespace hawser::test::stretches_test {
+namespace hawser::test::even_parts_test {
 namespace {
 
 constexpr CutKind kNothing = CutKind::nothing, kLittle = CutKind::little, kMuch = CutKind::much;
@@ -31,7 +31,7 @@ double most_even(const std::vector<double>& weight, size_t first, int parts) {
   return least;
 }
 
-TEST(Stretches, AsEvenAsTheItemsAllow) {
+TEST(EvenParts, AsEvenAsTheItemsAllow) {
   std::mt19937 random(7);
   for (int trial = 0; trial < 200; ++trial) {
     const int items = 1 + static_cast<int>(random() % 8), parts = 1 + static_cast<int>(random() % 5);
@@ -39,7 +39,7 @@ TEST(Stretches, AsEvenAsTheItemsAllow) {
     for (int i = 0; i < items; ++i) weight.push_back(static_cast<double>(random() % 10));
     weight.back() += 1;
     const std::vector<CutKind> before(weight.size(), kMuch);
-    const std::vector<int> first = cut_into_stretches(weight, before, parts, 1);
+    const std::vector<int> first = cut_into_even_parts(weight, before, parts, 1);
     EXPECT_TRUE(std::is_sorted(first.begin(), first.end()));
     ASSERT_EQ(first.size(), static_cast<size_t>(parts) + 1);
     EXPECT_EQ(first.front(), 0);
@@ -48,30 +48,30 @@ TEST(Stretches, AsEvenAsTheItemsAllow) {
   }
 }
 
-TEST(Stretches, CutsWhereLeastIsLost) {
+TEST(EvenParts, CutsWhereLeastIsLost) {
   const std::vector<double> weight(8, 1);
   using Cuts = std::vector<int>;
   // Without a better kind of cut, the even one before item 4.
-  EXPECT_EQ(cut_into_stretches(weight, std::vector<CutKind>(8, kMuch), 2, 1.3), (Cuts{0, 4, 8}));
+  EXPECT_EQ(cut_into_even_parts(weight, std::vector<CutKind>(8, kMuch), 2, 1.3), (Cuts{0, 4, 8}));
   std::vector<CutKind> before(8, kMuch);
   before[5] = kNothing;
-  EXPECT_EQ(cut_into_stretches(weight, before, 2, 1.3), (Cuts{0, 5, 8}));
-  EXPECT_EQ(cut_into_stretches(weight, before, 2, 1.2), (Cuts{0, 4, 8}));
+  EXPECT_EQ(cut_into_even_parts(weight, before, 2, 1.3), (Cuts{0, 5, 8}));
+  EXPECT_EQ(cut_into_even_parts(weight, before, 2, 1.2), (Cuts{0, 4, 8}));
   before[3] = kLittle;
-  EXPECT_EQ(cut_into_stretches(weight, before, 2, 1.3), (Cuts{0, 5, 8}));
+  EXPECT_EQ(cut_into_even_parts(weight, before, 2, 1.3), (Cuts{0, 5, 8}));
   before[5] = kMuch;
-  EXPECT_EQ(cut_into_stretches(weight, before, 2, 1.3), (Cuts{0, 3, 8}));
+  EXPECT_EQ(cut_into_even_parts(weight, before, 2, 1.3), (Cuts{0, 3, 8}));
 }
 
-TEST(Stretches, NoItemsAndMorePartsThanItems) {
-  EXPECT_EQ(cut_into_stretches({}, {}, 2, 1.07), std::vector<int>(3, 0));
+TEST(EvenParts, NoItemsAndMorePartsThanItems) {
+  EXPECT_EQ(cut_into_even_parts({}, {}, 2, 1.07), std::vector<int>(3, 0));
   const std::vector<double> weight{3, 1};
   const std::vector<CutKind> before(2, kMuch);
-  const std::vector<int> first = cut_into_stretches(weight, before, 4, 1.07);
+  const std::vector<int> first = cut_into_even_parts(weight, before, 4, 1.07);
   EXPECT_TRUE(std::is_sorted(first.begin(), first.end()));
   EXPECT_EQ(heaviest(weight, first), 3);
   EXPECT_EQ(first.back(), 2);
 }
 
 }  // namespace
-}  // namespace hawser::test::stretches_test
+}  // namespace hawser::test::even_parts_test

@@ -14,17 +14,17 @@
 
 namespace hawser {
 
-class Thrusters final : public ForceTerm, public LoadsBodies, public ActsOnBodies {
+class DynamicPositioning final : public ForceTerm, public LoadsBodies, public ActsOnBodies {
  public:
   // Builds the term for the bodies of the case that this rank owns.
-  Thrusters(const model::Case& c, const LocalMesh& mesh);
+  DynamicPositioning(const model::Case& c, const LocalMesh& mesh);
 
   // Behaviour at rest. true, as in statics: the integral part holds the position. false, as for modes: the
   // integral is constant, and the proportional part acts on motion about rest.
   void integrate_at_rest(bool on) { integrates_ = on; }
 
   std::string_view name() const override { return "dynamic positioning"; }
-  std::vector<std::string> origins(int body) const override;
+  std::vector<std::string> load_components(int body) const override;
   std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;

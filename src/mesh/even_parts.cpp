@@ -1,5 +1,5 @@
-// Division of a row of weights: smallest weight of the heaviest stretch, reach of each cut, and its choice.
-#include "hawser/mesh/stretches.hpp"
+// Division of a row of weights: smallest weight of the heaviest part, reach of each cut, and its choice.
+#include "hawser/mesh/even_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,13 +16,13 @@ std::vector<double> sums_before(std::span<const double> weight) {
   return sums;
 }
 
-// The furthest end of a stretch from `first` that weighs at most `limit`.
+// The furthest end of a part from `first` that weighs at most `limit`.
 int furthest(const std::vector<double>& sums, int first, double limit) {
   const double end = sums[first] + limit + kRounding * sums.back();
   return static_cast<int>(std::upper_bound(sums.begin() + first, sums.end(), end) - sums.begin()) - 1;
 }
 
-// The earliest beginning of a stretch before `end` that weighs at most `limit`.
+// The earliest beginning of a part before `end` that weighs at most `limit`.
 int earliest(const std::vector<double>& sums, int end, double limit) {
   const double begin = sums[end] - limit - kRounding * sums.back();
   return static_cast<int>(std::lower_bound(sums.begin(), sums.begin() + end, begin) - sums.begin());
@@ -34,7 +34,7 @@ bool fits(const std::vector<double>& sums, int parts, double limit) {
   return at + 1 == std::ssize(sums);
 }
 
-// Smallest possible weight of the heaviest stretch, by bisection between the mean and the total.
+// Smallest possible weight of the heaviest part, by bisection between the mean and the total.
 double least_limit(const std::vector<double>& sums, int parts) {
   double low = sums.back() / parts, high = sums.back();
   while (high - low > kRounding * sums.back()) {
@@ -64,8 +64,8 @@ Places places(const std::vector<double>& sums, std::span<const CutKind> before, 
 
 }  // namespace
 
-std::vector<int> cut_into_stretches(std::span<const double> weight, std::span<const CutKind> before,
-                                    int parts, double most) {
+std::vector<int> cut_into_even_parts(std::span<const double> weight, std::span<const CutKind> before,
+                                     int parts, double most) {
   const int items = static_cast<int>(weight.size());
   if (items == 0) return std::vector<int>(static_cast<size_t>(parts) + 1, 0);
   const std::vector<double> sums = sums_before(weight);

@@ -1,5 +1,5 @@
-// The class Thrusters: forces at rest and in motion, limits, integral, work and checkpoint records.
-#include "hawser/terms/thrusters.hpp"
+// The class DynamicPositioning: forces at rest and in motion, limits, integral, work and checkpoint records.
+#include "hawser/terms/dynamic_positioning.hpp"
 
 #include <cmath>
 
@@ -25,7 +25,8 @@ Vec3 pose_of(const Vec3& arm, const RigidBodyState& s) {
 
 }  // namespace
 
-Thrusters::Thrusters(const model::Case& c, const LocalMesh& mesh) : statics_(c.statics.enabled) {
+DynamicPositioning::DynamicPositioning(const model::Case& c, const LocalMesh& mesh)
+    : statics_(c.statics.enabled) {
   for (const model::Body& b : c.bodies) has_.push_back(b.mass && b.mass->positioning);
   for (int n = 0; n < mesh.owned; ++n) {
     const int body = mesh.mesh->nodes[mesh.global[n]].body;
@@ -45,7 +46,7 @@ Thrusters::Thrusters(const model::Case& c, const LocalMesh& mesh) : statics_(c.s
 }
 
 // The offset in yaw is taken the shorter way round.
-Vec3 Thrusters::offset(const Positioned& p, const Vec3& pose) {
+Vec3 DynamicPositioning::offset(const Positioned& p, const Vec3& pose) {
   Vec3 e = pose - p.target;
   e.z() = std::remainder(e.z(), 2 * M_PI);
   return e;
@@ -57,7 +58,8 @@ Vec3 Thrusters::offset(const Positioned& p, const Vec3& pose) {
 //   dF = J F + H L (-(P a + D b + I c) H^T d(x, y, heading)
 //                   + a (P J H^T e + D J H^T e' + I J H^T s) d heading)
 // a, b, c: by_place, by_speed, by_sum; L: derivative of the limits; J F is multiplied by a as well.
-Thrusters::Push Thrusters::push(const model::DynamicPositioning& data, const Deviation& deviation) {
+DynamicPositioning::Push DynamicPositioning::push(const model::DynamicPositioning& data,
+                                                  const Deviation& deviation) {
   const Mat3 H = axes_of(deviation.heading), J = hat(Vec3::UnitZ());
   const Vec3 e = H.transpose() * deviation.offset, rate = H.transpose() * deviation.speed,
              sum = H.transpose() * deviation.sum;
@@ -92,7 +94,7 @@ Thrusters::Push Thrusters::push(const model::DynamicPositioning& data, const Dev
 }
 
 // For motion about rest limits are ignored: a force at its limit has a slope on one side only.
-Thrusters::Push Thrusters::push_at_rest(const Positioned& p, const Vec3& pose) const {
+DynamicPositioning::Push DynamicPositioning::push_at_rest(const Positioned& p, const Vec3& pose) const {
   Deviation deviation;
   deviation.heading = pose.z();
   deviation.offset = offset(p, pose);
@@ -109,7 +111,8 @@ Thrusters::Push Thrusters::push_at_rest(const Positioned& p, const Vec3& pose) c
 }
 
 // The integral is continued from the last accepted state by the trapezoidal rule.
-Thrusters::Push Thrusters::push_in_motion(const Positioned& p, const Vec3& pose, double time) {
+DynamicPositioning::Push DynamicPositioning::push_in_motion(const Positioned& p, const Vec3& pose,
+                                                            double time) {
   const double h = time - p.time;
   const SlowPose slow = h > 0 ? p.slow.after(pose, h, p.data.filter) : p.slow;
   const SlowPose::Share share = h > 0 ? SlowPose::share(h, p.data.filter) : SlowPose::Share{};
@@ -124,23 +127,23 @@ Thrusters::Push Thrusters::push_in_motion(const Positioned& p, const Vec3& pose,
   return push(p.data, deviation);
 }
 
-Thrusters::Push Thrusters::push(const Positioned& p, const Kinematics& at) const {
+DynamicPositioning::Push DynamicPositioning::push(const Positioned& p, const Kinematics& at) const {
   const Vec3 pose = pose_of(p.arm, floating_state(at, p.node));
   return at.step > 0 ? push_in_motion(p, pose, at.time) : push_at_rest(p, pose);
 }
 
-void Thrusters::begin(Positioned& p, const Vec3& pose, double time) {
+void DynamicPositioning::begin(Positioned& p, const Vec3& pose, double time) {
   p.slow = SlowPose::at(pose);
   p.time = time;
   p.begun = true;
 }
 
-std::vector<std::string> Thrusters::origins(int body) const {
+std::vector<std::string> DynamicPositioning::load_components(int body) const {
   if (!has_[static_cast<size_t>(body)]) return {};
   return {"thrusters"};
 }
 
-std::vector<BodyForce> Thrusters::forces_on(int body, const Kinematics& at) const {
+std::vector<BodyForce> DynamicPositioning::forces_on(int body, const Kinematics& at) const {
   std::vector<BodyForce> out;
   for (const Positioned& p : list_) {
     if (p.body != body) continue;
@@ -150,12 +153,13 @@ std::vector<BodyForce> Thrusters::forces_on(int body, const Kinematics& at) cons
   return out;
 }
 
-Thrusters::Passed Thrusters::passed(const Positioned& p, const Kinematics& at, const Push& push) {
+DynamicPositioning::Passed DynamicPositioning::passed(const Positioned& p, const Kinematics& at,
+                                                      const Push& push) {
   const RigidBodyState s = floating_state(at, p.node);
   return {push.force, s.x + s.q * p.arm, s.q};
 }
 
-double Thrusters::work(const Passed& from, const Passed& to) {
+double DynamicPositioning::work(const Passed& from, const Passed& to) {
   Vec3 way = to.origin - from.origin;
   way.z() = log_so3(to.turned * from.turned.conjugate()).z();
   return 0.5 * (from.force + to.force).dot(way);
@@ -163,7 +167,7 @@ double Thrusters::work(const Passed& from, const Passed& to) {
 
 // Without statics the integral begins at zero. In motion (h > 0) the force at the start of the step is that
 // of the controller, also after an event, where the committed state has no step.
-void Thrusters::prepare(const Kinematics& committed, double h) {
+void DynamicPositioning::prepare(const Kinematics& committed, double h) {
   for (Positioned& p : list_) {
     const Vec3 pose = pose_of(p.arm, floating_state(committed, p.node));
     if (h > 0 && !p.begun) begin(p, pose, committed.time);
@@ -174,7 +178,7 @@ void Thrusters::prepare(const Kinematics& committed, double h) {
 // Residual on the body's unknowns from the force at the origin and the moment about the vertical:
 //   f = -P F,   P = (e_x, e_y, 0; y x R^T e_x, y x R^T e_y, R^T z).
 // The pose depends on the unknowns by Q: the first two rows of P^T and the derivative of the heading.
-void Thrusters::evaluate(const Kinematics& trial, Assembler& assembler) {
+void DynamicPositioning::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Positioned& p : list_) {
     const RigidBodyState s = floating_state(trial, p.node);
     const FramePoint at{p.arm, s.q.toRotationMatrix(), Vec3::Zero()};
@@ -197,7 +201,7 @@ void Thrusters::evaluate(const Kinematics& trial, Assembler& assembler) {
 
 // After statics the integral is set to the force that holds the body at rest. Where the thrusters are at
 // their limit, it does not grow further.
-void Thrusters::commit(const Kinematics& accepted) {
+void DynamicPositioning::commit(const Kinematics& accepted) {
   for (Positioned& p : list_) {
     const Vec3 pose = pose_of(p.arm, floating_state(accepted, p.node));
     const Push now = push(p, accepted);
@@ -225,7 +229,7 @@ void Thrusters::commit(const Kinematics& accepted) {
 }
 
 // In statics, the potential includes the work since the last iteration.
-Energy Thrusters::energy(const Kinematics& at) const {
+Energy DynamicPositioning::energy(const Kinematics& at) const {
   Energy e;
   for (const Positioned& p : list_) {
     e.work += p.work;
@@ -255,11 +259,11 @@ struct KeptThrust {
 
 }  // namespace
 
-std::vector<CheckpointKind> Thrusters::checkpoint_kinds() const {
+std::vector<CheckpointKind> DynamicPositioning::checkpoint_kinds() const {
   return {checkpoint_kind<KeptThrust>("dynamic positioning")};
 }
 
-std::vector<CheckpointRecord> Thrusters::records(NodeRange of) const {
+std::vector<CheckpointRecord> DynamicPositioning::records(NodeRange of) const {
   std::vector<CheckpointRecord> out;
   for (const Positioned& p : list_)
     if (p.begun && of.has(p.global))
@@ -267,7 +271,7 @@ std::vector<CheckpointRecord> Thrusters::records(NodeRange of) const {
   return out;
 }
 
-void Thrusters::restore(const std::vector<CheckpointRecord>& records) {
+void DynamicPositioning::restore(const std::vector<CheckpointRecord>& records) {
   for (Positioned& p : list_) {
     p.begun = false;
     p.work = 0;

@@ -1,4 +1,4 @@
-// The class PlatformWater: forces on a body by origin.
+// The class PlatformWater: forces on a body by component.
 #include "hawser/math/so3.hpp"
 #include "hawser/terms/platform_water.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
@@ -22,7 +22,7 @@ double PlatformWater::mean_work(const Platform& p, const RigidBodyState& s) {
   return mean.head<3>().dot(way) + mean.tail<3>().dot(log_so3(s.q * p.rest.q.conjugate()));
 }
 
-std::vector<std::string> PlatformWater::origins(int body) const {
+std::vector<std::string> PlatformWater::load_components(int body) const {
   for (const Group& g : groups_)
     for (const Platform& p : g.platforms)
       if (p.body == body) return {"hydrostatic", "radiation", "added", "wave", "drift"};

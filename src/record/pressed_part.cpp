@@ -1,5 +1,5 @@
-// Summaries of stretches in contact with volumes: of one turn, and of two joined stretches.
-#include "hawser/record/pressed_stretch.hpp"
+// Summaries of parts in contact with volumes: of one turn, and of two joined parts.
+#include "hawser/record/pressed_part.hpp"
 
 namespace hawser::record {
 namespace {
@@ -11,7 +11,7 @@ SumRange joined(const SumRange& a, const SumRange& b, double sum_of_a) {
 
 }  // namespace
 
-PressedStretch::PressedStretch(const PressedTurn& turn)
+PressedPart::PressedPart(const PressedTurn& turn)
     : pressed(true),
       first(turn),
       last(turn),
@@ -21,12 +21,12 @@ PressedStretch::PressedStretch(const PressedTurn& turn)
       tension(turn.tension),
       passage(turn.passage) {}
 
-PressedStretch joined(const PressedStretch& a, const PressedStretch& b) {
+PressedPart joined(const PressedPart& a, const PressedPart& b) {
   if (!a.pressed) return b;
   if (!b.pressed) return a;
   const bool touch = b.first.node == a.last.node + 1;
   const bool larger = std::abs(b.worst.taken) > std::abs(a.worst.taken);
-  PressedStretch out = larger ? b : a;
+  PressedPart out = larger ? b : a;
   if (touch && larger && b.worst.node == b.first.node) out.before = a.last.angle;
   if (touch && !larger && a.worst.node == a.last.node) out.after = b.first.angle;
   out.first = a.first;

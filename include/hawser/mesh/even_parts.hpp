@@ -1,0 +1,21 @@
+// Division of a row of weights into parts of about equal sums.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace hawser {
+
+// Cost of a cut between an item and the one before it.
+enum class CutKind : char { nothing, little, much };
+
+// Cuts a row of items with weights >= 0 into consecutive parts, some of which may be empty. Returns the first
+// item of each, and the number of items at the end. `before`: cost of a cut before each item. No part
+// weighs more than `most` times the mean, with the lowest cost of the most expensive cut for which this is
+// possible; if it is impossible, no more than the heaviest part of the most even division. Within these
+// limits each cut has the lowest cost in reach, and among these the most even division of the rest. O(items +
+// parts log items).
+std::vector<int> cut_into_even_parts(std::span<const double> weight, std::span<const CutKind> before,
+                                     int parts, double most);
+
+}  // namespace hawser
