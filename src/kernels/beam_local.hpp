@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hawser/kernels/beam.hpp"
+#include "hawser/math/gauss_points.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/math/wide3.hpp"
 
@@ -93,8 +94,8 @@ inline BendingMoment with_memory(const BeamSection& s, double c2, double c3, con
 
 // The curvature is linear along the element, (psi2 + 6 xi a3, psi3 - 6 xi a2)/L with xi from -1 to 1: that of
 // the cubic deflection, which for a constant EI has the energy of the linear law.
-inline constexpr double kGauss[kBendingPlaces] = {-0.7745966692414834, 0, 0.7745966692414834};
-inline constexpr double kWeight[kBendingPlaces] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+inline constexpr auto& kGauss = GaussPoints<kBendingPlaces>::centred;
+inline constexpr auto& kWeight = GaussPoints<kBendingPlaces>::weight;
 
 struct Curvature {
   double about2, about3;  // 1/m

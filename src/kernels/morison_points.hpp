@@ -8,6 +8,7 @@
 
 #include "hawser/kernels/line_water.hpp"
 #include "hawser/kernels/wetting.hpp"
+#include "hawser/math/gauss_points.hpp"
 #include "hawser/math/wide3.hpp"
 #include "morison_formula.hpp"
 
@@ -20,8 +21,8 @@ struct Rule;
 template <>
 struct Rule<false> {
   static constexpr int points = 2, shapes = 2;
-  static constexpr double at[2] = {0.21132486540518711775, 0.78867513459481288225};
-  static constexpr double weight[2] = {0.5, 0.5};
+  static constexpr auto& at = GaussPoints<2>::unit;
+  static constexpr auto& weight = GaussPoints<2>::weight;
   static constexpr double edge[3] = {0, 0.5, 1};  // limits of the pieces that the points represent
   static void shape(double s, double* N) {
     N[0] = 1 - s;
@@ -31,8 +32,8 @@ struct Rule<false> {
 template <>
 struct Rule<true> {
   static constexpr int points = 3, shapes = 4;
-  static constexpr double at[3] = {0.11270166537925831148, 0.5, 0.88729833462074168852};
-  static constexpr double weight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+  static constexpr auto& at = GaussPoints<3>::unit;
+  static constexpr auto& weight = GaussPoints<3>::weight;
   static constexpr double edge[4] = {0, 5.0 / 18, 13.0 / 18, 1};
   static void shape(double s, double* N) {
     const double r = 1 - s;

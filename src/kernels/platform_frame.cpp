@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "hawser/math/so3.hpp"
+#include "hawser/math/heading.hpp"
 
 namespace hawser {
 
@@ -50,7 +50,7 @@ Heading heading_of(const Quat& q) {
 
 PlatformLoad turning_load(const TurningForce& F, const Vec3& r, const RigidBodyState& s) {
   const Heading heading = heading_of(s.q);
-  const Mat3 H = exp_so3(heading.angle * Vec3::UnitZ()).toRotationMatrix();
+  const Mat3 H = heading_axes(heading.angle);
   Vec6 in_space, change = F.by_heading;
   change.head<3>() += Vec3::UnitZ().cross(F.force.head<3>());
   change.tail<3>() += Vec3::UnitZ().cross(F.force.tail<3>());

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "hawser/math/gauss_points.hpp"
+
 namespace hawser {
 namespace {
 
@@ -23,10 +25,8 @@ constexpr double kMostPoints = 20000;
 
 double sinc(double x) { return std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x; }
 
-// Abscissae and weights of Gauss-Legendre quadrature on 0 to 1.
-constexpr double kAt[] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813, 0.93056815579702629};
-constexpr double kWeight[] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
-                              0.17392742256872693};
+constexpr auto& kAt = GaussPoints<4>::unit;
+constexpr auto& kWeight = GaussPoints<4>::weight;
 
 }  // namespace
 

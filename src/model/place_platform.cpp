@@ -6,7 +6,7 @@
 #include <cmath>
 #include <complex>
 
-#include "hawser/math/so3.hpp"
+#include "hawser/math/heading.hpp"
 #include "hawser/model/bed.hpp"
 
 namespace hawser::model {
@@ -22,7 +22,7 @@ class Placing {
         bed_(bed),
         place_(place),
         to_(to),
-        turn_(exp_so3(place.heading * Vec3::UnitZ())),
+        turn_(heading_rotation(place.heading)),
         turned_(place.heading != 0) {}
 
   void run() {

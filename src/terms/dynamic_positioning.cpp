@@ -5,7 +5,7 @@
 
 #include "hawser/kernels/frame_point.hpp"
 #include "hawser/kernels/platform_frame.hpp"
-#include "hawser/math/so3.hpp"
+#include "hawser/math/heading.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 
 namespace hawser {
@@ -14,9 +14,6 @@ namespace {
 // In statics, freedoms with an integral part are held by kHeld times their proportional part. The offset is
 // then a thousandth of that with the proportional part alone, and the integral begins with the difference.
 constexpr double kHeld = 1000;
-
-// Rotation about the vertical.
-Mat3 axes_of(double heading) { return exp_so3(heading * Vec3::UnitZ()).toRotationMatrix(); }
 
 Vec3 pose_of(const Vec3& arm, const RigidBodyState& s) {
   const Vec3 origin = s.x + s.q * arm;
@@ -60,7 +57,7 @@ Vec3 DynamicPositioning::offset(const Positioned& p, const Vec3& pose) {
 // a, b, c: by_place, by_speed, by_sum; L: derivative of the limits; J F is multiplied by a as well.
 DynamicPositioning::Push DynamicPositioning::push(const model::DynamicPositioning& data,
                                                   const Deviation& deviation) {
-  const Mat3 H = axes_of(deviation.heading), J = hat(Vec3::UnitZ());
+  const Mat3 H = heading_axes(deviation.heading), J = hat(Vec3::UnitZ());
   const Vec3 e = H.transpose() * deviation.offset, rate = H.transpose() * deviation.speed,
              sum = H.transpose() * deviation.sum;
   const auto by_gains = [&](const Vec3& P, const Vec3& D, const Vec3& I) -> Vec3 {
@@ -206,7 +203,7 @@ void DynamicPositioning::commit(const Kinematics& accepted) {
     const Vec3 pose = pose_of(p.arm, floating_state(accepted, p.node));
     const Push now = push(p, accepted);
     if (!(accepted.step > 0)) {
-      const Mat3 H = axes_of(pose.z());
+      const Mat3 H = heading_axes(pose.z());
       Vec3 sum = Vec3::Zero();
       const Vec3 e = H.transpose() * offset(p, pose), given = H.transpose() * now.force;
       for (int k = 0; statics_ && k < 3; ++k)
@@ -221,7 +218,7 @@ void DynamicPositioning::commit(const Kinematics& accepted) {
     p.slow = p.slow.after(pose, h, p.data.filter);
     p.time = accepted.time;
     Vec3 more = 0.5 * h * (before + offset(p, p.slow.place));
-    const Vec3 asks = -p.data.integral.cwiseProduct(axes_of(p.slow.place.z()).transpose() * more);
+    const Vec3 asks = -p.data.integral.cwiseProduct(heading_axes(p.slow.place.z()).transpose() * more);
     if (now.force_limited && asks.head<2>().dot(now.asked.head<2>()) > 0) more.head<2>().setZero();
     if (now.moment_limited && asks.z() * now.asked.z() > 0) more.z() = 0;
     p.integral += more;

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "hawser/kernels/motion.hpp"
-#include "hawser/math/so3.hpp"
+#include "hawser/math/heading.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 
 namespace hawser {
@@ -130,7 +130,7 @@ void PlatformWater::damping(const Group& g, const AtTime& now, const Eigen::Vect
 
 void PlatformWater::turn(Platform& p) {
   const double heading = p.slow.place.z();
-  p.axes = exp_so3(heading * Vec3::UnitZ()).toRotationMatrix();
+  p.axes = heading_axes(heading);
   if (!p.waves.none()) p.waves.turn_to(heading);
 }
 

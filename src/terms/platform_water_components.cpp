@@ -1,5 +1,5 @@
 // The class PlatformWater: forces on a body by component.
-#include "hawser/math/so3.hpp"
+#include "hawser/math/heading.hpp"
 #include "hawser/terms/platform_water.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 
@@ -8,7 +8,7 @@ namespace hawser {
 Vec6 PlatformWater::mean_force(const Platform& p, const RigidBodyState& s) {
   if (p.waves.none()) return Vec6::Zero();
   const double heading = heading_of(s.q).angle;
-  const Mat3 H = p.follow > 0 ? Mat3(exp_so3(heading * Vec3::UnitZ()).toRotationMatrix()) : p.axes;
+  const Mat3 H = p.follow > 0 ? heading_axes(heading) : p.axes;
   const Vec6 F = p.follow > 0 ? p.waves.mean_drift(heading).force : p.waves.mean_drift();
   Vec6 out;
   out << H * F.head<3>(), H * F.tail<3>();

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "hawser/kernels/table_places.hpp"
-#include "hawser/math/so3.hpp"
+#include "hawser/math/heading.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/model/mass_matrix.hpp"
@@ -31,7 +31,7 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
   p.arm = -m.centre;
   p.file_origin = -h.in_file;
   p.body = body;
-  p.potential.axes = p.axes = exp_so3(heading * Vec3::UnitZ()).toRotationMatrix();
+  p.potential.axes = p.axes = heading_axes(heading);
   p.follow = h.follow;
   p.slow = SlowPose::at({b.position.x(), b.position.y(), heading});
   p.potential.place = h.place ? *h.place : Vec3(b.position.x(), b.position.y(), sea_.surface + h.in_file.z());

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/math/gauss_points.hpp"
+
 namespace hawser {
 
 // Functions of u = (height of the surface above the centre)/radius: wet share, its derivative, and its
@@ -50,10 +52,7 @@ inline PieceWetting piece_wetting(double h1, double h2, double b) {
   if (std::abs(rise) < kLevel * b) {
     for (int k = 0; k < 3; ++k) m[k] = 2 / (M_PI * b) * c2 / (k + 1);
   } else if (std::abs(tangent) < kNarrow) {
-    constexpr double at[4] = {-0.86113631159405257522, -0.33998104358485626480, 0.33998104358485626480,
-                              0.86113631159405257522};
-    constexpr double weight[4] = {0.34785484513745385737, 0.65214515486254614263, 0.65214515486254614263,
-                                  0.34785484513745385737};
+    using Rule = GaussPoints<4>;
     const double half = std::atan(tangent);
     const double by_rise = 1 / rise;
     const double over = 2 / M_PI * by_rise * half;
@@ -62,13 +61,13 @@ inline PieceWetting piece_wetting(double h1, double h2, double b) {
     const double c = 0.5 * longer * (c1 + c2);
     double w[4], z[4];
     for (int g = 0; g < 4; ++g) {
-      const double d = half * at[g];
+      const double d = half * Rule::centred[g];
       const double d2 = d * d;  // sine and cosine to rounding:
       const double sin_d = d * (1 + d2 * (-1 / 6.0 + d2 * (1 / 120.0 + d2 * (-1 / 5040.0))));
       const double cos_d = 1 + d2 * (-1 / 2.0 + d2 * (1 / 24.0 + d2 * (-1 / 720.0 + d2 * (1 / 40320.0))));
       const double cosine = c * cos_d - s * sin_d;
       z[g] = (b * (s * cos_d + c * sin_d) - h1) * by_rise;
-      w[g] = over * weight[g] * cosine * cosine;
+      w[g] = over * (2 * Rule::weight[g]) * cosine * cosine;
     }
     for (int g = 0; g < 4; ++g) {
       m[0] += w[g];
