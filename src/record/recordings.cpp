@@ -1,5 +1,14 @@
 // List of all recordings. Their order determines that of the series in the results file, which continued runs
 // rely on, and of findings about the whole run.
+//
+// Where a new history belongs:
+// - A quantity at nodes or elements: as a field of its force term (Field). Histories takes it at the points
+//   of lines that a case names.
+// - Numbers of one force term, such as the force of each link: as HasSeries of the term. TermHistory writes
+//   them.
+// - A load component on a floating body: as ActsOnBodies of the term. Histories puts it beside the motion.
+// - Numbers that need several terms, the whole state, or a memory of earlier steps: as a Recording of its
+// own.
 #include <utility>
 
 #include "hawser/record/clash_report.hpp"

@@ -29,7 +29,9 @@ FrictionLaw friction_law(const model::Friction& f, double share, double diameter
 
 ContactLaw contact_law(const model::Volume& v, double share, double diameter, double mass) {
   ContactLaw law;
-  // Two fifths of the penetration that the automatic stiffness allows, so that the ramp stays small.
+  // Default half width d of the ramp of the normal force, 0.2 % of the line's radius r. Automatic stiffness
+  // lets its load penetrate by a = kAllowedPenetration r = 0.5 % of r, thus d = 2/5 a: the ramp ends at the
+  // force k d, two fifths of that load k a, and at the load the law is its linear branch k p.
   law.normal = normal_law(v, share, 0.001 * diameter, mass);
   law.friction = friction_law(v.friction, share, diameter);
   return law;
