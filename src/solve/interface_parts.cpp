@@ -77,30 +77,13 @@ Blocks labels(MPI_Comm comm, const LocalRows& local, PetscSF blocks) {
   return least;
 }
 
-// Place of an unknown block at the rank that solves its part: its index among all blocks solved there, the
+// Index of an unknown block at the rank that solves its part: its index among all blocks solved there, the
 // first index and size of its part, and the offset of the part's matrix.
 struct SolverIndex {
   PetscInt at = 0, first = 0, size = 0, matrix = 0;
 };
-constexpr int kSolverIndex = sizeof(SolverIndex) / sizeof(PetscInt);
 
-// A committed MPI type of n contiguous values.
-class Row {
- public:
-  Row(int n, MPI_Datatype of) {
-    MPI_Type_contiguous(n, of, &type_);
-    MPI_Type_commit(&type_);
-  }
-  ~Row() { MPI_Type_free(&type_); }
-  Row(const Row&) = delete;
-  Row& operator=(const Row&) = delete;
-  operator MPI_Datatype() const { return type_; }
-
- private:
-  MPI_Datatype type_ = MPI_DATATYPE_NULL;
-};
-
-// Sends lists of blocks to other ranks, and returns a SolverIndex for each block. Collective.
+// Sends lists of blocks to other ranks, and returns the SolverIndex of each block. Collective.
 class Questions {
  public:
   // lists: by rank; each consists of the label of a part, the number of its blocks, the blocks, and so on.
@@ -118,20 +101,19 @@ class Questions {
     for (int i = 0; i < count; ++i) received_[from[i]].resize(static_cast<size_t>(received[i]));
     check(PetscFree(from));
     check(PetscFree(received));
-    exchange(lists, received_, MPIU_INT);
+    exchange(lists, received_);
   }
   const std::map<int, Blocks>& received() const { return received_; }
   // answers: to the ranks of `received`; out: from the ranks that were asked, of the right size.
   void answer(const std::map<int, std::vector<SolverIndex>>& answers,
               std::map<int, std::vector<SolverIndex>>& out) const {
-    const Row place(kSolverIndex, MPIU_INT);
-    exchange(answers, out, place);
+    exchange(answers, out);
   }
 
  private:
   template <class T>
-  void exchange(const std::map<int, std::vector<T>>& send, std::map<int, std::vector<T>>& receive,
-                MPI_Datatype type) const {
+  void exchange(const std::map<int, std::vector<T>>& send, std::map<int, std::vector<T>>& receive) const {
+    const MessageType<T> type;
     std::vector<MPI_Request> requests;
     for (auto& [rank, list] : receive)
       MPI_Irecv(list.data(), static_cast<int>(list.size()), type, rank, tag_, comm_,
@@ -166,8 +148,10 @@ SfHandle forest(MPI_Comm comm, PetscInt roots, std::vector<PetscSFNode> leaves) 
   return sf;
 }
 
-void bring(PetscSF sf, int each, const std::vector<double>& leaves, std::vector<double>& roots) {
-  const Row row(each, MPI_DOUBLE);
+// `each` numbers for each leaf, set at its root.
+template <size_t each>
+void bring(PetscSF sf, const std::vector<double>& leaves, std::vector<double>& roots) {
+  const MessageType<std::array<double, each>> row;
   check(PetscSFReduceBegin(sf, row, leaves.data(), roots.data(), MPI_REPLACE));
   check(PetscSFReduceEnd(sf, row, leaves.data(), roots.data(), MPI_REPLACE));
 }
@@ -271,7 +255,7 @@ std::map<int, Blocks> questions_on(const LocalRows& local, const std::map<PetscI
 std::vector<SolverIndex> places_of_ghosts(const LocalRows& local, PetscSF blocks,
                                           const std::vector<SolverIndex>& own) {
   std::vector<SolverIndex> out(static_cast<size_t>(local.others));
-  const Row place(kSolverIndex, MPIU_INT);
+  const MessageType<SolverIndex> place;
   check(PetscSFBcastBegin(blocks, place, own.data(), out.data(), MPI_REPLACE));
   check(PetscSFBcastEnd(blocks, place, own.data(), out.data(), MPI_REPLACE));
   return out;
@@ -333,14 +317,14 @@ void InterfaceParts::bring_shared(const std::vector<double>& shared, std::vector
   size_t unknowns = 0;
   for (const int size : solved_) unknowns += 3 * static_cast<size_t>(size);
   solved.assign(unknowns, 0);
-  bring(shared_.get(), 3, shared, solved);
+  bring<3>(shared_.get(), shared, solved);
 }
 
 void InterfaceParts::send_ghosts(const std::vector<double>& solved, std::vector<double>& ghosts) const {
   size_t unknowns = 0;
   for (const InterfacePart& part : parts_) unknowns += 3 * part.ghosts.size();
   ghosts.resize(unknowns);
-  const Row row(3, MPI_DOUBLE);
+  const MessageType<std::array<double, 3>> row;
   check(PetscSFBcastBegin(ghosts_.get(), row, solved.data(), ghosts.data(), MPI_REPLACE));
   check(PetscSFBcastEnd(ghosts_.get(), row, solved.data(), ghosts.data(), MPI_REPLACE));
 }
@@ -350,7 +334,7 @@ void InterfaceParts::bring_matrices(const std::vector<double>& shared_ghosts,
   size_t entries = 0;
   for (const int size : solved_) entries += 9 * static_cast<size_t>(size) * static_cast<size_t>(size);
   solved.assign(entries, 0);
-  bring(matrices_.get(), 9, shared_ghosts, solved);
+  bring<9>(matrices_.get(), shared_ghosts, solved);
 }
 
 }  // namespace hawser
