@@ -112,92 +112,147 @@ CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& c, int nodes_tot
   return room;
 }
 
-unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint c, int nodes_total, const std::vector<int>& owned,
-                                  const PutNumbers& put) {
-  const int rank = rank_of(comm);
-  unsigned long long sum = 0;
-  const auto piece = [&](const std::vector<RowRun>& runs, const std::vector<double>& values) {
+namespace {
+
+// Passes the array of a checkpoint in pieces, and sums it up. Each function is collective.
+class CheckpointWriter {
+ public:
+  CheckpointWriter(MPI_Comm comm, int nodes_total, const std::vector<int>& owned, const PutNumbers& put)
+      : comm_(comm), nodes_total_(nodes_total), owned_(owned), put_(put) {}
+
+  void put_scalars(const Checkpoint& c) {
+    std::vector<double> values{c.time};
+    for (const auto& [name, value] : c.scalars) values.push_back(value);
+    put_from_root(0, values);
+    at_ = std::ssize(values);
+  }
+
+  void put_field(const std::string& name, CheckpointField& field) {
+    if (field.make) field.values = field.make();
+    if (field.values.size() != owned_.size() * static_cast<size_t>(field.components))
+      throw std::logic_error("checkpoint: " + name + " has the wrong size");
+    put_by_node(field.values, field.components);
+  }
+
+  // The number of doubles of the records comes before them, and is known after them.
+  void put_records(TermCheckpoint& kept) {
+    const long long head = at_++;
+    std::vector<double> begins;  // offset of the records of each owned node
+    begins.reserve(owned_.size());
+    const int some = nodes_at_a_time(nodes_total_);
+    for (NodeRange of{0, some}; of.first < nodes_total_; of = {of.end, of.end + some}) {
+      if (kept.make) kept.records = kept.make(of);
+      put_records_of(of, kept.records, head + 1, begins);
+    }
+    put_from_root(head, {static_cast<double>(at_ - head - 1)});
+    if (at_ > head + 1) put_by_node(begins, 1);
+  }
+
+  unsigned long long checksum() const {
+    unsigned long long sum = sum_;
+    MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_UNSIGNED_LONG_LONG, MPI_SUM, comm_);
+    return sum;
+  }
+
+ private:
+  // Records of a range of nodes, by node, kind and key. first: offset of the first record of the term.
+  void put_records_of(NodeRange of, const std::vector<CheckpointRecord>& records, long long first,
+                      std::vector<double>& begins) {
+    const std::vector<const CheckpointRecord*> sorted = sorted_records(of, records);
+    std::vector<long long> start = starts_of_nodes(of, sorted);
+    for (auto n = std::lower_bound(owned_.begin(), owned_.end(), of.first); n != owned_.end() && of.has(*n);
+         ++n)
+      begins.push_back(static_cast<double>(at_ - first + start[*n - of.first]));
+    std::vector<RowRun> runs;
+    std::vector<double> values;
+    for (const CheckpointRecord* r : sorted) {
+      long long& to = start[r->node - of.first];
+      const long long length = length_of(*r);
+      if (runs.empty() || runs.back().first + runs.back().count != at_ + to) runs.push_back({at_ + to, 0});
+      runs.back().count += length;
+      to += length;
+      values.insert(values.end(), {static_cast<double>(r->node), static_cast<double>(r->kind),
+                                   static_cast<double>(r->key), static_cast<double>(r->values.size())});
+      values.insert(values.end(), r->values.begin(), r->values.end());
+    }
+    if (start.back() > 0) put_piece(runs, values);
+    at_ += start.back();
+  }
+
+  static long long length_of(const CheckpointRecord& r) {
+    return kCheckpointRecordHead + std::ssize(r.values);
+  }
+
+  static std::vector<const CheckpointRecord*> sorted_records(NodeRange of,
+                                                             const std::vector<CheckpointRecord>& records) {
+    std::vector<const CheckpointRecord*> sorted;
+    for (const CheckpointRecord& r : records)
+      if (of.has(r.node)) sorted.push_back(&r);
+    std::stable_sort(sorted.begin(), sorted.end(), [](const CheckpointRecord* a, const CheckpointRecord* b) {
+      return std::tie(a->node, a->kind, a->key) < std::tie(b->node, b->kind, b->key);
+    });
+    return sorted;
+  }
+
+  // Offset of the records of each node of a range, over all ranks; the last is their end.
+  std::vector<long long> starts_of_nodes(NodeRange of,
+                                         const std::vector<const CheckpointRecord*>& records) const {
+    std::vector<long long> start(static_cast<size_t>(of.end - of.first) + 1, 0);
+    for (const CheckpointRecord* r : records) start[r->node - of.first + 1] += length_of(*r);
+    all_reduce(comm_, MPI_SUM, start);
+    for (size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+    return start;
+  }
+
+  void put_by_node(const std::vector<double>& values, int components) {
+    std::vector<RowRun> runs = runs_of(owned_);
+    for (RowRun& run : runs) {
+      run.first = at_ + run.first * components;
+      run.count *= components;
+    }
+    put_piece(runs, values);
+    at_ += nodes_total_ * static_cast<long long>(components);
+  }
+
+  void put_from_root(long long first, const std::vector<double>& values) {
+    if (rank_of(comm_) == 0)
+      put_piece({{first, std::ssize(values)}}, values);
+    else
+      put_piece({}, {});
+  }
+
+  void put_piece(const std::vector<RowRun>& runs, const std::vector<double>& values) {
     const double* from = values.data();
     for (const RowRun& run : runs) {
-      sum += checkpoint_sum(run.first, from, run.count);
+      sum_ += checkpoint_sum(run.first, from, run.count);
       from += run.count;
     }
-    put(runs, values);
-  };
-  std::vector<double> values{c.time};
-  for (const auto& [name, value] : c.scalars) values.push_back(value);
-  long long at = std::ssize(values);
-  if (rank == 0)
-    piece({{0, at}}, values);
-  else
-    piece({}, {});
+    put_(runs, values);
+  }
 
+  MPI_Comm comm_;
+  int nodes_total_;
+  const std::vector<int>& owned_;
+  const PutNumbers& put_;
+  long long at_ = 0;  // offset of what comes next in the array
+  unsigned long long sum_ = 0;
+};
+
+}  // namespace
+
+unsigned long long write_checkpoint_array(MPI_Comm comm, Checkpoint c, int nodes_total,
+                                          const std::vector<int>& owned, const PutNumbers& put) {
+  CheckpointWriter writer(comm, nodes_total, owned, put);
+  writer.put_scalars(c);
   for (auto& [name, field] : c.nodes) {
-    std::vector<RowRun> runs = runs_of(owned);
-    for (RowRun& run : runs) {
-      run.first = at + run.first * field.components;
-      run.count *= field.components;
-    }
-    if (field.make) field.values = field.make();
-    if (field.values.size() != owned.size() * static_cast<size_t>(field.components))
-      throw std::logic_error("checkpoint: " + name + " has the wrong size");
-    piece(runs, field.values);
-    at += nodes_total * static_cast<long long>(field.components);
+    writer.put_field(name, field);
     field = {};
   }
-
   for (auto& [name, kept] : c.records) {
-    const long long head = at++;
-    std::vector<double> begins;  // of each owned node
-    begins.reserve(owned.size());
-    const int some = nodes_at_a_time(nodes_total);
-    for (NodeRange of{0, some}; of.first < nodes_total; of = {of.end, of.end + some}) {
-      if (kept.make) kept.records = kept.make(of);
-      std::vector<const CheckpointRecord*> sorted;
-      for (const auto& r : kept.records)
-        if (of.has(r.node)) sorted.push_back(&r);
-      std::stable_sort(sorted.begin(), sorted.end(),
-                       [](const CheckpointRecord* a, const CheckpointRecord* b) {
-                         return std::tie(a->node, a->kind, a->key) < std::tie(b->node, b->kind, b->key);
-                       });
-      std::vector<long long> start(static_cast<size_t>(some) + 1,
-                                   0);  // of each node's records; the last is their end
-      for (const auto* r : sorted)
-        start[r->node - of.first + 1] += kCheckpointRecordHead + std::ssize(r->values);
-      all_reduce(comm, MPI_SUM, start);
-      for (size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-      for (auto n = std::lower_bound(owned.begin(), owned.end(), of.first); n != owned.end() && of.has(*n);
-           ++n)
-        begins.push_back(static_cast<double>(at - head - 1 + start[*n - of.first]));
-      std::vector<RowRun> runs;
-      values.clear();
-      for (const CheckpointRecord* r : sorted) {
-        long long& to = start[r->node - of.first];
-        const long long length = kCheckpointRecordHead + std::ssize(r->values);
-        if (runs.empty() || runs.back().first + runs.back().count != at + to) runs.push_back({at + to, 0});
-        runs.back().count += length;
-        to += length;
-        values.insert(values.end(), {static_cast<double>(r->node), static_cast<double>(r->kind),
-                                     static_cast<double>(r->key), static_cast<double>(r->values.size())});
-        values.insert(values.end(), r->values.begin(), r->values.end());
-      }
-      if (start.back() > 0) piece(runs, values);
-      at += start.back();
-    }
-    if (rank == 0)
-      piece({{head, 1}}, {static_cast<double>(at - head - 1)});
-    else
-      piece({}, {});
-    if (at > head + 1) {
-      std::vector<RowRun> runs = runs_of(owned);
-      for (RowRun& run : runs) run.first += at;
-      piece(runs, begins);
-      at += nodes_total;
-    }
+    writer.put_records(kept);
     kept = {};
   }
-  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_UNSIGNED_LONG_LONG, MPI_SUM, comm);
-  return sum;
+  return writer.checksum();
 }
 
 }  // namespace hawser::io

@@ -64,8 +64,8 @@ CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& checkpoint, int 
 // their numbers. Parts of the checkpoint are released when passed. Returns the checksum of the whole array,
 // the same on all ranks. Collective.
 using PutNumbers = std::function<void(const std::vector<RowRun>& runs, const std::vector<double>& values)>;
-unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint checkpoint, int nodes_total,
-                                  const std::vector<int>& owned, const PutNumbers& put);
+unsigned long long write_checkpoint_array(MPI_Comm comm, Checkpoint checkpoint, int nodes_total,
+                                          const std::vector<int>& owned, const PutNumbers& put);
 // Inverse: requests from `get` the numbers of the array of length `size` that belong to the nodes `owned` or
 // to all ranks. Serial. Throws InputError if they are no checkpoint of `nodes_total` nodes.
 using GetNumbers = std::function<std::vector<double>(const RowRun& run)>;
