@@ -147,61 +147,93 @@ PetscErrorCode StaticSearch::search(SNESLineSearch search, void* self) {
 
 bool StaticSearch::advance(Vec y) {
   const bool close = exact_;
+  const double slope = set_direction(y);
+  const double limit_of_terms = limit();
+  Descent found = find_descent(slope, limit_of_terms, close);
+  leave_kink(found, slope, close);
+  if (found.taken) accept_trial();
+  if (found.searched) residual();
+  count_blocked(found.blocked);
+  if ((!found.taken && shift_ > 1e6) || cut_ > kMostCut)
+    stop_search();
+  else
+    adapt_shift(found, close || limit_of_terms == 1);
+  return found.taken;
+}
+
+double StaticSearch::set_direction(Vec y) {
   if (!sides_.empty()) sides_.combine(ksp_.get(), r_.get(), y);
-  double slope = downhill(y);
-  if (!sides_.empty()) slope = std::max(slope, sides_.slope(u_.get()));
-  double factor = limit();
-  const bool full = factor == 1;
-  bool taken = false, blocked = false;
-  Bracket bracket{0, slope, 0, 0};
-  int halvings = 0;
-  for (; halvings < kHalvings && !taken; ++halvings, factor *= taken ? 1 : 0.5) {
-    step(factor);
+  const double slope = downhill(y);
+  return sides_.empty() ? slope : std::max(slope, sides_.slope(u_.get()));
+}
+
+StaticSearch::Descent StaticSearch::find_descent(double slope, double first, bool close) {
+  Descent out;
+  out.factor = first;
+  out.bracket = {0, slope, 0, 0};
+  for (; out.halvings < kHalvings && !out.taken; ++out.halvings, out.factor *= out.taken ? 1 : 0.5) {
+    step(out.factor);
     if (!path_is_clear()) {
-      blocked = true;
+      out.blocked = true;
       continue;
     }
     const double e = potential(trial_);
     system_.residual(trial_.view(0), r_.get());
     const ResidualNorms n = system_.norms(r_.get());
     if (!std::isfinite(e) || !std::isfinite(n.force)) continue;
-    // If the difference of the energies is lost in rounding, the trapezoidal rule on their slopes at both
-    // ends of the step replaces it.
-    const bool flat = std::abs(e - energy_) <= kRounding * std::abs(energy_);
     const double slope_there = slope_at_trial();
-    const double rise = flat ? 0.5 * factor * (slope + slope_there) : e - energy_;
-    const bool down = slope < 0 && rise <= kArmijo * factor * slope;
-    if (slope_there > 0)
-      bracket = {0, slope, factor, slope_there};
-    else if (factor < bracket.beyond)
-      bracket = {factor, slope_there, bracket.beyond, bracket.rises};
+    out.bracket.narrow(out.factor, slope_there, slope);
     // Forces without a potential may raise the energy near the solution. The residual must then be smaller
     // than any before, which prevents cycles.
-    taken = down || (close && n.relative() < least_) || n.small(tolerance_);
-    if (taken) report_.norms = n;
+    out.taken = energy_falls(e, slope, slope_there, out.factor) || (close && n.relative() < least_) ||
+                n.small(tolerance_);
+    if (out.taken) report_.norms = n;
   }
-  const bool search = close && slope < 0 && bracket.rises > 0 && (!taken || factor <= kShortened);
-  const bool kink = search && stop_at_kink(bracket, slope);
-  if (search && taken && !kink) step(factor);  // back to the trial before the search
-  taken |= kink;
-  if (taken) accept_trial();
-  if (search) residual();
-  // If lines block step after step, they approach each other more and more, and there is no way on.
+  return out;
+}
+
+// If the difference of the energies is lost in rounding, the trapezoidal rule on their slopes at both ends of
+// the step replaces it.
+bool StaticSearch::energy_falls(double energy, double slope, double slope_there, double factor) const {
+  const bool flat = std::abs(energy - energy_) <= kRounding * std::abs(energy_);
+  const double rise = flat ? 0.5 * factor * (slope + slope_there) : energy - energy_;
+  return slope < 0 && rise <= kArmijo * factor * slope;
+}
+
+void StaticSearch::Bracket::narrow(double factor, double slope_there, double slope) {
+  if (slope_there > 0)
+    *this = {0, slope, factor, slope_there};
+  else if (factor < beyond)
+    *this = {factor, slope_there, beyond, rises};
+}
+
+void StaticSearch::leave_kink(Descent& found, double slope, bool close) {
+  found.searched =
+      close && slope < 0 && found.bracket.rises > 0 && (!found.taken || found.factor <= kShortened);
+  if (!found.searched) return;
+  const bool kink = stop_at_kink(found.bracket, slope);
+  if (found.taken && !kink) step(found.factor);  // back to the trial before the search
+  found.taken |= kink;
+}
+
+// If lines block step after step, they approach each other more and more, and there is no way on.
+void StaticSearch::count_blocked(bool blocked) {
   if (!blocked) blocked_by_.reset();
   cut_ += blocked;
-  if ((!taken && shift_ > 1e6) || cut_ > kMostCut) {
-    residual();
-    const bool round_off = report_.norms.small(100 * tolerance_);  // of very stiff lines
-    check(SNESSetConvergedReason(snes_.get(),
-                                 round_off ? SNES_CONVERGED_FNORM_RELATIVE : SNES_DIVERGED_LINE_SEARCH));
-    return taken;
-  }
-  shift_ = std::clamp(taken && halvings <= 1 && (full || close) ? 0.2 * shift_
-                      : taken && halvings <= 1                  ? shift_
-                                                                : 4 * shift_,
-                      1e-9, 1e7);
-  if (!taken) shift_ *= 10;
-  return taken;
+}
+
+void StaticSearch::stop_search() {
+  residual();
+  const bool round_off = report_.norms.small(100 * tolerance_);  // of very stiff lines
+  check(SNESSetConvergedReason(snes_.get(),
+                               round_off ? SNES_CONVERGED_FNORM_RELATIVE : SNES_DIVERGED_LINE_SEARCH));
+}
+
+void StaticSearch::adapt_shift(const Descent& found, bool trusted) {
+  const bool easy = found.taken && found.halvings <= 1;
+  const double factor = easy && trusted ? 0.2 : easy ? 1 : 4;
+  shift_ = std::clamp(factor * shift_, 1e-9, 1e7);
+  if (!found.taken) shift_ *= 10;
 }
 
 bool StaticSearch::stop_at_kink(Bracket at, double slope) {

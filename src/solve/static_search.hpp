@@ -41,7 +41,33 @@ class StaticSearch : StaticTrial {
   // Factors of the increment at which the energy falls and rises, and its slopes there.
   struct Bracket {
     double under = 0, falls = 0, beyond = 0, rises = 0;
+    // Takes in the slope at a factor smaller than all before. `slope`: that at the state.
+    void narrow(double factor, double slope_there, double slope);
   };
+  // Outcome of a search along the increment.
+  struct Descent {
+    bool taken = false;     // the trial is accepted
+    bool blocked = false;   // by lines that a longer step would cross
+    bool searched = false;  // for a kink
+    int halvings = 0;
+    double factor = 1;  // of the increment
+    Bracket bracket;
+  };
+  // Sets the increment from Newton's direction y, combined with the sides of known kinks. Returns the slope
+  // of the energy along it.
+  double set_direction(Vec y);
+  // Halves the increment, beginning with the factor `first`, until a trial is accepted. close: the tangent is
+  // exact.
+  Descent find_descent(double slope, double first, bool close);
+  bool energy_falls(double energy, double slope, double slope_there, double factor) const;
+  // Near the solution, where a step was shortened much: continues to the near side of a kink, if there is
+  // one.
+  void leave_kink(Descent& found, double slope, bool close);
+  void count_blocked(bool blocked);
+  // Ends the search: converged to round-off, or without descent.
+  void stop_search();
+  // Shift of the next tangent. trusted: the step was not limited, or the tangent is exact.
+  void adapt_shift(const Descent& found, bool trusted);
   // Searches the bracket for a kink of the energy. If there is one, sets trial_ and r_ to its near side and
   // adds the other one to sides_. `slope` is the slope at the state. Returns whether there is one.
   bool stop_at_kink(Bracket at, double slope);
