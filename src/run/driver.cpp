@@ -248,7 +248,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   } else if (c.statics.enabled) {
     try {
       const Stage stage("statics");
-      solve_statics(sim, events, progress, [&](size_t k) {
+      solve_static_stages(sim, events, progress, [&](size_t k) {
         if (k + 1 < c.stages.size()) recorder_of().stage(k, sim.state().view(0));
       });
     } catch (const SolveError& e) {

@@ -230,7 +230,7 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
   progress.print_notes(all_notes(c, volumes, sim.notes()));
   progress.print_warnings(sim.warnings());
   Events events(comm, sim);
-  const StaticsReport statics = solve_statics(sim, events, progress);
+  const StaticsReport statics = solve_static_stages(sim, events, progress);
   if (auto* thrusters = sim.system().find<DynamicPositioning>()) thrusters->integrate_at_rest(false);
   const std::vector<NaturalMode> found = natural_modes(sim.system(), sim.state().view(0), options.count);
   progress.end();

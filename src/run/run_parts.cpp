@@ -101,8 +101,8 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
 
 }  // namespace
 
-StaticsReport solve_statics(Simulation& sim, Events& events, Progress& progress,
-                            const std::function<void(size_t)>& rested) {
+StaticsReport solve_static_stages(Simulation& sim, Events& events, Progress& progress,
+                                  const std::function<void(size_t)>& rested) {
   StaticsReport last;
   try {
     events.come_to_rest([&](bool falls) { last = solve_one(sim, progress, falls); },

@@ -1,5 +1,4 @@
-// The class Simulation: creation of mesh, partition and force terms, statics without and with friction, and
-// settings of the time integration.
+// The class Simulation: creation of mesh, partition and force terms, and settings of the time integration.
 #include "hawser/run/simulation.hpp"
 
 #include <fmt/format.h>
@@ -46,11 +45,6 @@
 
 namespace hawser::run {
 namespace {
-
-// First mobilisation length of bed friction in statics, about a line's radius [m]. Statics continues from
-// this soft friction to stiffer ones: Newton's method fails if it starts with the stiff law, which has no
-// stiffness beyond the mobilisation length.
-constexpr double kFirstSlip = 0.1;
 
 // Radius and mass of the elements, and held nodes, for contact along elements.
 std::vector<LineContactElement> contact_elements(const model::Case& c, const LocalMesh& mesh,
@@ -270,91 +264,6 @@ const RigidBodies* Simulation::floating() const { return system_->find<RigidBodi
 
 record::Subject Simulation::subject(std::vector<std::shared_ptr<const Surface>> surfaces) {
   return {case_, *system_, *bodies_, std::move(surfaces), [this]() -> Dynamics& { return dynamics(); }};
-}
-
-// By the case, because a rank without nodes has no friction of its own and statics is collective.
-bool Simulation::lays_lines() const { return seabed() && static_friction_.value_or(true) && any_laid_; }
-
-// Continues from the equilibrium with soft friction, under the weight of lines that lay at the start, through
-// stiffer friction to the law of dynamics; with `full` mobilisation under the contact forces found.
-void Simulation::follow_contact(StaticsSettings settings, StaticsReport& report) {
-  settings.near = true;
-  SeabedTerm& bed = *seabed();
-  const auto solve = [&] {
-    const StaticsReport more = hawser::solve_statics(*system_, settings, state_);
-    report.iterations += more.iterations;
-    report.escapes += more.escapes;
-    report.norms = more.norms;  // the inertia of friction's unsymmetric tangent has no meaning
-  };
-  for (const double slip : {kFirstSlip / 30, 0.0}) {
-    bed.mobilise_by(slip);
-    if (case_.environment.seabed.full) bed.press_by_contact(state_.view(0));
-    solve();
-  }
-  bed.follow_contact(state_.view(0));
-  solve();
-}
-
-StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)> progress, bool falls) {
-  const std::vector<HasFriction*> with_friction = system_->with<HasFriction>();
-  const std::vector<RestrainedInStatics*> restrained = system_->with<RestrainedInStatics>();
-  LineVolumeContact* contact = this->contact();
-  LinePairs* line_pairs = this->line_pairs();
-  SeabedTerm* seabed = this->seabed();
-  // Bed friction begins in the laid position.
-  for (HasFriction* t : with_friction) t->enable_friction(static_friction() && t != seabed);
-  if (lays_lines()) {
-    seabed->lay(laid_, state_.view(0), case_.environment.seabed.full);
-    seabed->mobilise_by(kFirstSlip);
-  }
-  const std::vector<Vec3> v = state_.v, w = state_.w;  // floating bodies may have initial velocities
-  for (RestrainedInStatics* t : restrained) t->hold(true, static_friction());
-  StaticsSettings settings;
-  settings.tolerance = case_.statics.tolerance;
-  settings.max_iterations = case_.statics.max_iterations;
-  settings.relaxation = case_.statics.relaxation == model::Relaxation::always  ? RelaxationUse::always
-                        : case_.statics.relaxation == model::Relaxation::never ? RelaxationUse::never
-                        : falls                                                ? RelaxationUse::first
-                                : RelaxationUse::when_newton_fails;
-  settings.relaxation_steps = case_.statics.relaxation_steps;
-  settings.friction = static_friction();
-  settings.progress = std::move(progress);
-  StaticsReport report = hawser::solve_statics(*system_, settings, state_);
-  if (lays_lines()) follow_contact(settings, report);
-  for (HasFriction* t : with_friction) t->enable_friction(true);
-  for (RestrainedInStatics* t : restrained) t->hold(false, true);
-  if (!restrained.empty()) {
-    for (size_t n = 0; n < static_cast<size_t>(local().owned); ++n) {
-      state_.v[n] = v[n];
-      state_.w[n] = w[n];
-    }
-    system_->spread(state_);
-  }
-  if (auto* body_contact = system_->find<BodyContactTerm>()) body_contact->watch(state_.view(0));
-  if (contact || line_pairs) system_->commit(state_.view(0));
-  check_inside();
-  if (contact) {
-    const auto deep = contact->deeper_than_allowed(state_.view(0));
-    const std::string why = first_text(system_->comm(), deep ? advice::too_deep_at_rest(*deep) : "");
-    if (!why.empty()) throw SolveError(why);
-  }
-  for (std::string& note : raised_stiffness("in statics")) notes_.push_back(std::move(note));
-  if (line_pairs)
-    if (std::string note = shared_places_note(line_pairs->shared(), *mesh_); !note.empty())
-      notes_.push_back(std::move(note));
-  for (size_t b = 0; b < case_.bodies.size() && !static_friction(); ++b) {
-    const model::Body& body = case_.bodies[b];
-    if (!body.mass || !body.mass->weight || body.mass->stiffness.z() > 0) continue;
-    const StaticRest rest = static_rest(case_, static_cast<int>(b));
-    if (rest.by_friction && !rest.always) notes_.push_back(advice::held_without_weight(body.name));
-  }
-  std::vector<double> slack = structure().slack(state_.view(0));
-  all_reduce(system_->comm(), MPI_SUM, slack);
-  for (size_t l = 0; l < slack.size(); ++l)
-    if (slack[l] > 0 && !case_.lines[l].end_a.feed && !case_.lines[l].end_b.feed)
-      notes_.push_back(advice::slack_at_rest(mesh_->lines[l].name, slack[l],
-                                             settings.relaxation != RelaxationUse::when_newton_fails));
-  return report;
 }
 
 std::vector<std::string> Simulation::tilting_warnings() const {

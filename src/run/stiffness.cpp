@@ -166,7 +166,7 @@ int stiffness(MPI_Comm comm, const StiffnessOptions& o) {
   progress.print_warnings(sim.warnings());
   Events events(comm, sim);
   if (!floats) hold_body(sim, body);
-  solve_statics(sim, events, progress);
+  solve_static_stages(sim, events, progress);
   HeldBodies held(sim);
   const RigidPose rest = held.pose(body);
 

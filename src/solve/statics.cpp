@@ -161,7 +161,7 @@ StaticsReport outside_volumes(System& system, const StaticsSettings& settings, S
 
 }  // namespace
 
-StaticsReport solve_statics(System& system, const StaticsSettings& settings, State& state) {
+StaticsReport find_equilibrium(System& system, const StaticsSettings& settings, State& state) {
   const size_t n = state.x.size();
   for (auto* a : {&state.v, &state.a, &state.w, &state.alpha}) a->assign(n, Vec3::Zero());
   StaticSearch(system, settings, state).check_start();

@@ -32,7 +32,7 @@ model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<Loa
 // Statics of the case with its stages, progress and notes on the equilibrium; returns the report of the last
 // stage. rested: called with the index of each stage after its equilibrium. Collective; throws as
 // Simulation::solve_statics.
-StaticsReport solve_statics(
+StaticsReport solve_static_stages(
     Simulation& sim, Events& events, Progress& progress,
     const std::function<void(size_t)>& rested = [](size_t) {});
 // Frees the text of a case and reduces its tree to without_values(), once the run no longer reads them.

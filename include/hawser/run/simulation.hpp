@@ -111,6 +111,15 @@ class Simulation {
   std::string inside(int volume, const Kinematics& at) const;
   bool lays_lines() const;  // statics has bed friction
   void follow_contact(StaticsSettings settings, StaticsReport& report);
+  // With bodies restrained where they have no equilibrium of their own, and friction as in statics. Keeps
+  // their initial velocities.
+  StaticsReport find_restrained_equilibrium(const StaticsSettings& settings);
+  void enable_friction_at_rest();
+  // Throws SolveError if a line is deeper in a volume than a contact with its stiffness can hold it.
+  void check_depth_at_rest();
+  void note_contact_at_rest();
+  void note_bodies_held_without_weight();
+  void note_slack_lines(bool relaxed);
 
   const model::Case case_;
   std::unique_ptr<Mesh> mesh_;

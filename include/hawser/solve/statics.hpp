@@ -43,6 +43,6 @@ struct StaticsSettings {
 
 // Moves `state` (positions and rotations; rates are set to zero) to equilibrium at state.time and commits the
 // terms there. Throws SolveError naming line, arc length and imbalance.
-StaticsReport solve_statics(System& system, const StaticsSettings& settings, State& state);
+StaticsReport find_equilibrium(System& system, const StaticsSettings& settings, State& state);
 
 }  // namespace hawser

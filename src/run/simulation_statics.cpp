@@ -1,0 +1,137 @@
+// The class Simulation: static equilibrium, friction and restraints in it, and what is reported of it.
+#include <algorithm>
+#include <utility>
+
+#include "hawser/advice/contact_stiffness.hpp"
+#include "hawser/advice/statics.hpp"
+#include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
+#include "hawser/run/line_pairs.hpp"
+#include "hawser/run/simulation.hpp"
+#include "hawser/terms/body_contact.hpp"
+#include "hawser/terms/seabed.hpp"
+#include "hawser/terms/static_rest.hpp"
+
+namespace hawser::run {
+namespace {
+
+// First mobilisation length of bed friction in statics, about a line's radius [m]. Statics continues from
+// this soft friction to stiffer ones: Newton's method fails if it starts with the stiff law, which has no
+// stiffness beyond the mobilisation length.
+constexpr double kFirstSlip = 0.1;
+
+RelaxationUse relaxation_use(model::Relaxation given, bool falls) {
+  if (given == model::Relaxation::always) return RelaxationUse::always;
+  if (given == model::Relaxation::never) return RelaxationUse::never;
+  return falls ? RelaxationUse::first : RelaxationUse::when_newton_fails;
+}
+
+StaticsSettings settings_of(const model::Case& c, bool falls) {
+  StaticsSettings settings;
+  settings.tolerance = c.statics.tolerance;
+  settings.max_iterations = c.statics.max_iterations;
+  settings.relaxation = relaxation_use(c.statics.relaxation, falls);
+  settings.relaxation_steps = c.statics.relaxation_steps;
+  return settings;
+}
+
+}  // namespace
+
+// By the case, because a rank without nodes has no friction of its own and statics is collective.
+bool Simulation::lays_lines() const { return seabed() && static_friction_.value_or(true) && any_laid_; }
+
+// Continues from the equilibrium with soft friction, under the weight of lines that lay at the start, through
+// stiffer friction to the law of dynamics; with `full` mobilisation under the contact forces found.
+void Simulation::follow_contact(StaticsSettings settings, StaticsReport& report) {
+  settings.near = true;
+  SeabedTerm& bed = *seabed();
+  const auto solve = [&] {
+    const StaticsReport more = find_equilibrium(*system_, settings, state_);
+    report.iterations += more.iterations;
+    report.escapes += more.escapes;
+    report.norms = more.norms;  // the inertia of friction's unsymmetric tangent has no meaning
+  };
+  for (const double slip : {kFirstSlip / 30, 0.0}) {
+    bed.mobilise_by(slip);
+    if (case_.environment.seabed.full) bed.press_by_contact(state_.view(0));
+    solve();
+  }
+  bed.follow_contact(state_.view(0));
+  solve();
+}
+
+StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)> progress, bool falls) {
+  StaticsSettings settings = settings_of(case_, falls);
+  settings.friction = static_friction();
+  settings.progress = std::move(progress);
+  const StaticsReport report = find_restrained_equilibrium(settings);
+  if (auto* body_contact = system_->find<BodyContactTerm>()) body_contact->watch(state_.view(0));
+  if (contact() || line_pairs()) system_->commit(state_.view(0));
+  check_inside();
+  check_depth_at_rest();
+  note_contact_at_rest();
+  note_bodies_held_without_weight();
+  note_slack_lines(settings.relaxation != RelaxationUse::when_newton_fails);
+  return report;
+}
+
+StaticsReport Simulation::find_restrained_equilibrium(const StaticsSettings& settings) {
+  enable_friction_at_rest();
+  const std::vector<RestrainedInStatics*> restrained = system_->with<RestrainedInStatics>();
+  const std::vector<Vec3> v = state_.v, w = state_.w;  // floating bodies may have initial velocities
+  for (RestrainedInStatics* t : restrained) t->hold(true, static_friction());
+  StaticsReport report = find_equilibrium(*system_, settings, state_);
+  if (lays_lines()) follow_contact(settings, report);
+  for (HasFriction* t : system_->with<HasFriction>()) t->enable_friction(true);
+  for (RestrainedInStatics* t : restrained) t->hold(false, true);
+  if (restrained.empty()) return report;
+  for (size_t n = 0; n < static_cast<size_t>(local().owned); ++n) {
+    state_.v[n] = v[n];
+    state_.w[n] = w[n];
+  }
+  system_->spread(state_);
+  return report;
+}
+
+// Bed friction begins in the laid position.
+void Simulation::enable_friction_at_rest() {
+  SeabedTerm* bed = seabed();
+  for (HasFriction* t : system_->with<HasFriction>()) t->enable_friction(static_friction() && t != bed);
+  if (!lays_lines()) return;
+  bed->lay(laid_, state_.view(0), case_.environment.seabed.full);
+  bed->mobilise_by(kFirstSlip);
+}
+
+void Simulation::check_depth_at_rest() {
+  if (!contact()) return;
+  const auto deep = contact()->deeper_than_allowed(state_.view(0));
+  const std::string why = first_text(system_->comm(), deep ? advice::too_deep_at_rest(*deep) : "");
+  if (!why.empty()) throw SolveError(why);
+}
+
+void Simulation::note_contact_at_rest() {
+  for (std::string& note : raised_stiffness("in statics")) notes_.push_back(std::move(note));
+  if (!line_pairs()) return;
+  std::string note = shared_places_note(line_pairs()->shared(), *mesh_);
+  if (!note.empty()) notes_.push_back(std::move(note));
+}
+
+void Simulation::note_bodies_held_without_weight() {
+  if (static_friction()) return;
+  for (size_t b = 0; b < case_.bodies.size(); ++b) {
+    const model::Body& body = case_.bodies[b];
+    if (!body.mass || !body.mass->weight || body.mass->stiffness.z() > 0) continue;
+    const StaticRest rest = static_rest(case_, static_cast<int>(b));
+    if (rest.by_friction && !rest.always) notes_.push_back(advice::held_without_weight(body.name));
+  }
+}
+
+void Simulation::note_slack_lines(bool relaxed) {
+  std::vector<double> slack = structure().slack(state_.view(0));
+  all_reduce(system_->comm(), MPI_SUM, slack);
+  for (size_t l = 0; l < slack.size(); ++l)
+    if (slack[l] > 0 && !case_.lines[l].end_a.feed && !case_.lines[l].end_b.feed)
+      notes_.push_back(advice::slack_at_rest(mesh_->lines[l].name, slack[l], relaxed));
+}
+
+}  // namespace hawser::run
