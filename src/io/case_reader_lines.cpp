@@ -126,13 +126,13 @@ void finish_start(const Value& line, const Value* start_of_case, OtherRuns& othe
   const Value& start = line["start"];
   const std::string key = "lines." + l.name;
   if (start_of_case && !start.given) {
-    l.previous_shape = others.shape(*whole, l.name, false);
+    l.previous_shape = others.shape(*start_of_case, l.name, false);
     if (!l.previous_shape) {
-      c.notes.push_back(key + ": is not in " + (*whole)["from"].text + ", and starts by itself");
+      c.notes.push_back(key + ": is not in " + (*start_of_case)["from"].text + ", and starts by itself");
       return;
     }
     l.start = model::Start::other_run;
-    check_previous_shape(l, (*whole)["from"], key, others.parted(), c.notes);
+    check_previous_shape(l, (*start_of_case)["from"], key, others.parted(), c.notes);
   } else if (start.has("from")) {
     l.start = model::Start::other_run;
     l.previous_shape = others.shape(start, start.has("line") ? start["line"].text : l.name, true);
