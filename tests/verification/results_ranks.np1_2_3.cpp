@@ -358,14 +358,14 @@ Array array_of(const Checkpoint& c) {
   const std::vector<int> owned{0, 1, 2};
   const CheckpointRoom room = checkpoint_room(MPI_COMM_SELF, c, 3, owned);
   Array whole{room.index, std::vector<double>(static_cast<size_t>(room.size), -1)};
-  put_checkpoint(MPI_COMM_SELF, c, 3, owned,
-                 [&](const std::vector<RowRun>& runs, const std::vector<double>& values) {
-                   auto from = values.begin();
-                   for (const RowRun& r : runs) {
-                     std::copy_n(from, r.count, whole.values.begin() + r.first);
-                     from += r.count;
-                   }
-                 });
+  write_checkpoint_array(MPI_COMM_SELF, c, 3, owned,
+                         [&](const std::vector<RowRun>& runs, const std::vector<double>& values) {
+                           auto from = values.begin();
+                           for (const RowRun& r : runs) {
+                             std::copy_n(from, r.count, whole.values.begin() + r.first);
+                             from += r.count;
+                           }
+                         });
   return whole;
 }
 Checkpoint unpack(const Array& whole, const std::vector<int>& owned, std::vector<int>* asked = nullptr) {

@@ -7,9 +7,9 @@
 
 namespace hawser::advice {
 
-// Stretch of a line inside a volume, m of arc length and m.
+// Part of a line inside a volume, m of arc length and m.
 struct InsideVolume {
-  double from = 0, to = 0;    // of the stretch
+  double from = 0, to = 0;    // of the part
   double at = 0, depth = 0;   // deepest point, and its depth
   Vec3 place = Vec3::Zero();  // of the deepest point, in space
   double length = 0;          // of the line
