@@ -70,10 +70,10 @@ void set_hydrostatics(model::Case& c, const std::vector<LoadedVolume>& volumes) 
   for_each_hull(c, volumes, [&](model::Body& b, const HullSurface& hull) {
     const std::string key = "bodies." + b.name + ".floating.hull.volumes";
     const RigidBodyState s = start_of(b);
-    const Vec3 volumes = displaced_volumes(hull, top_of(hull, s), s);
-    const double volume = volumes.mean();
-    if (!(volume > 0) || volumes.maxCoeff() - volumes.minCoeff() > kGaps * volume)
-      c.refuse(key, "{}", advice::hull_is_open(volumes));
+    const Vec3 displaced = displaced_volumes(hull, top_of(hull, s), s);
+    const double volume = displaced.mean();
+    if (!(volume > 0) || displaced.maxCoeff() - displaced.minCoeff() > kGaps * volume)
+      c.refuse(key, "{}", advice::hull_is_open(displaced));
     if (held_by(c, b).empty() && b.mass->mass > density * volume)
       c.refuse(key, "{}", advice::hull_cannot_float(density * volume, b.mass->mass));
     const Mat6 K =
