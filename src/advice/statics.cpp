@@ -68,11 +68,19 @@ std::string unstable_at_rest(long eigenvalues) {
   return fmt::format("the static equilibrium is unstable ({} negative eigenvalues)", eigenvalues);
 }
 
-std::string long_relaxation(int steps) {
-  return fmt::format(
-      "statics has not come to rest in {} steps of dynamic relaxation; if slack lines lie in folds that "
-      "touch one another, 'contact: {{between_lines: false}}' leaves that out and may end it",
-      steps);
+std::string long_relaxation(int steps, bool line_pairs, bool smooth_volumes) {
+  std::vector<std::string> ways;
+  if (line_pairs)
+    ways.emplace_back(
+        "if slack lines lie in folds that touch one another, 'contact: {between_lines: false}' leaves that "
+        "out "
+        "and may end it");
+  if (smooth_volumes)
+    ways.emplace_back(
+        "if a line slides along a volume that should hold it, 'friction' of the volume with 'statics: "
+        "{contact_friction: true}' does");
+  return fmt::format("statics has not come to rest in {} steps of dynamic relaxation; {}", steps,
+                     fmt::join(ways, "; "));
 }
 
 std::string automatic_stiffness_unsettled() {
@@ -116,16 +124,14 @@ std::string singular_mooring() {
 
 std::string statics_failed(const model::Case& c) {
   std::vector<std::string> ways;
-  const bool on_mesh =
-      !c.lines.empty() && !c.statics.contact_friction &&
-      std::any_of(c.volumes.begin(), c.volumes.end(), [](const model::Volume& v) { return !v.mesh.empty(); });
-  if (on_mesh)
+  const bool on_volume = !c.lines.empty() && !c.statics.contact_friction && !c.volumes.empty();
+  if (on_volume)
     ways.emplace_back(
-        "where a line lies on a mesh, whose facets hold it nowhere or in too many places, 'friction' of that "
-        "volume with 'statics: {contact_friction: true}'");
+        "where a line lies on a volume, along which it slides far or over whose facets it finds no rest, "
+        "'friction' of that volume with 'statics: {contact_friction: true}'");
   if (c.statics.relaxation == model::Relaxation::never)
     ways.emplace_back("without 'dynamic_relaxation: never'");
-  else if (!on_mesh && c.statics.relaxation == model::Relaxation::automatic && !c.statics.contact_friction)
+  else if (!on_volume && c.statics.relaxation == model::Relaxation::automatic && !c.statics.contact_friction)
     ways.emplace_back("'statics: {dynamic_relaxation: always}'");
   if (c.environment.water.present && !c.environment.water.current.profile.empty() &&
       !(c.environment.water.current.ramp > 0) && c.dynamics.enabled)
