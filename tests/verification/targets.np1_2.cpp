@@ -198,7 +198,7 @@ TEST(Targets, ThatCannotBeMet) {
   printf("  %s\n", refusal(out_of_reach).c_str());
   expect_refused(out_of_reach,
                  "lines.l.target: no length of section 1 between 55 and 165 m makes "
-                 "1000 N as the tension at end B");
+                 "1000 N the tension at end B");
   const auto too_short = [] { met(hanging("{tension: 1 GN}", 110, 100)); };
   expect_refused(too_short, "beyond these: target.yaml");
   expect_refused([] { met(hanging("{tension: 10 MN, between: [109, 111]}", 110, 100)); }, "109 to 111 m");
