@@ -190,7 +190,7 @@ lines:
     def test_supports_that_carry_nothing(self):
         roller = "type: flat, roller_diameter: 0.4, roller_length: 2, normal_stiffness: 1.0e7}"
         low = PIPE.replace("at: [5, 10, 15], " + roller, "at: [5, 15], " + roller + "\n      - {at: [10], above_path: -3, " + roller)
-        for name, text, the target in (
+        for name, text, wanted in (
                 ("well", PIPE, []),
                 ("low", low, ["warning: support ramp 2 never carries line pipe, which passes 3 m above it and lies on supports further on: raise it by 'above_path', or remove it"]),
                 ("below", PIPE.replace("from: [0, 0, 9]", "from: [0, 0, 5]"),

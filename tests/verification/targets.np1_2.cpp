@@ -108,7 +108,7 @@ TEST(Targets, TrialsAreReported) {
   EXPECT_TRUE(trials.at(0).starts_with(
       "statics 1 of the search for lengths: line l: with 110 m of section 1 the tension at end B is "))
       << trials.at(0);
-  EXPECT_TRUE(trials.at(0).ends_with(", wanted 120000 N")) << trials.at(0);
+  EXPECT_TRUE(trials.at(0).ends_with(", the target 120000 N")) << trials.at(0);
 }
 
 TEST(Targets, TensionOfACatenary) {
