@@ -43,8 +43,8 @@ class BodyProportions {
     constexpr double kLeast = 5, kMost = 12000, kLight = 30;
     const double density = m.mass / w.volume, size = std::cbrt(w.volume);
     if (density < kLight || density > kMost)
-      warn("floating.mass", "{:.4g} kg in a volume of {:.4g} m³ are {:.3g} kg/m³, {}{}", m.mass, w.volume,
-           density,
+      warn("floating.mass", "{:.4g} kg in a volume of {:.4g} m³ is a density of {:.3g} kg/m³, {}{}", m.mass,
+           w.volume, density,
            density < kLeast   ? "lighter than an air bag"
            : density < kLight ? "as light as an air bag: it floats on the water"
                               : "heavier than lead",
@@ -87,7 +87,8 @@ class BodyProportions {
       const double period = 2 * M_PI * std::sqrt(m.mass / m.stiffness[i]);
       if (period < kShortest || period > kLongest)
         return warn("floating.stiffness",
-                    "{:.3g} N/m with {:.4g} kg is a period of {:.2g} s: is it in other units?",
+                    "{:.3g} N/m with a mass of {:.4g} kg gives a natural period of {:.2g} s: is the "
+                    "stiffness in N/m?",
                     m.stiffness[i], m.mass, period);
       const double damping = m.damping[i] / (2 * std::sqrt(m.stiffness[i] * m.mass));
       if (damping > 20)
@@ -105,10 +106,11 @@ class BodyProportions {
     const bool held = m.stiffness.z() > 0;
     if (!m.weight && !held && z > kAbove && c_.environment.gravity > 0)
       warn("floating.weight",
-           "hangs or stands {:.3g} m above the water and weighs nothing: 'weight: true' gives it its weight",
-           z);
+           "is {:.3g} m above the water and has no weight: set 'weight: true' if gravity acts on it", z);
     if (m.weight && z < -kAbove)
-      warn("floating", "is {:.3g} m deep and has no buoyancy, added mass or drag: 'in_water' gives it those",
+      warn("floating",
+           "is {:.3g} m below the water surface and has no buoyancy, added mass or drag: add 'in_water' if "
+           "water acts on it",
            -z);
   }
 
@@ -119,8 +121,8 @@ class BodyProportions {
       const double omega = 2 * M_PI / h->period, a = h->amplitude.norm() * omega * omega;
       if (a > kMostG * g)
         warn("motion.harmonic",
-             "{:.3g} m every {:.3g} s is an acceleration of {:.2g} g: is the amplitude in m, and the period "
-             "in s?",
+             "an amplitude of {:.3g} m with a period of {:.3g} s is an acceleration of {:.2g} g: is the "
+             "amplitude in m and the period in s?",
              h->amplitude.norm(), h->period, a / g);
       drift(g);
       return;
@@ -134,7 +136,9 @@ class BodyProportions {
     const HarmonicMotion& h = b_.drift->harmonic;
     const double omega = 2 * M_PI / h.period, a = h.amplitude.norm() * omega * omega;
     if (a > kMostG * g)
-      warn("motion.drift.harmonic", "{:.3g} m every {:.3g} s is an acceleration of {:.2g} g, of a slow drift",
+      warn("motion.drift.harmonic",
+           "an amplitude of {:.3g} m with a period of {:.3g} s is an acceleration of {:.2g} g, too large for "
+           "a slow drift",
            h.amplitude.norm(), h.period, a / g);
     if (!b_.drift->table.offset.empty()) table(b_.drift->table, "motion.drift.table", g);
   }

@@ -13,15 +13,15 @@ constexpr double kProposed = 0.05;  // of the radius: penetration at the recomme
 const char* name_of(StiffnessReason::Bend bend) {
   switch (bend) {
     case StiffnessReason::Bend::over_edge:
-      return "the smallest to which it bends the line's EI over an edge";
+      return "the smallest radius to which this tension bends the line's EI over an edge";
     case StiffnessReason::Bend::largest:
-      return "no larger one is trusted";
+      return "the largest radius that is assumed";
     case StiffnessReason::Bend::of_shape:
       return "that of the shape";
     case StiffnessReason::Bend::unknown:
       break;
   }
-  return "as that of the volume is not known";
+  return "assumed, as the volume's curvature is not known";
 }
 
 const char* key_of(model::StiffnessBasis basis) {
@@ -47,76 +47,79 @@ std::string chosen_stiffness(const std::string& volume, double stiffness, const 
                              double bounce, double step) {
   std::string note = fmt::format(
       "volume {}: normal stiffness {:.3g} N/m per m: a tension of {:.3g} N ({}) bent to a radius of {:.3g} m "
-      "({}) and the line's weight of {:.3g} N/m press in by {}{:.3g} m",
+      "({}) and the line's weight of {:.3g} N/m penetrate by {}{:.3g} m",
       volume, stiffness, reason.tension,
       reason.has_weight ? "the line's weight" : "1e-4 of its EA, as it has no weight", reason.radius,
       name_of(reason.bend), reason.weight,
       reason.penetration_given ? "the allowed " : "0.5 % of the line's radius, ", reason.penetration);
   if (bounce > 0)
     note += fmt::format(
-        "; a bounce on it takes {:.2g} s, less than the 1.5 steps of {:.2g} s that would show its force",
-        bounce, step);
+        "; an impact on it lasts {:.2g} s, and 1.5 steps of {:.2g} s are needed to resolve its force", bounce,
+        step);
   return note;
 }
 
 std::string raised_stiffness(const std::string& volume, double from, double to, const std::string& when) {
   return fmt::format(
-      "volume {}: normal stiffness raised from {:.3g} to {:.3g} N/m per m {}, so that the line pressed on it "
-      "by its tension times the curvature and by impacts penetrates no deeper than is allowed",
+      "volume {}: normal stiffness raised from {:.3g} to {:.3g} N/m per m {}, so that the penetration of the "
+      "line under its tension and under impacts stays within the allowed value",
       volume, from, to, when);
 }
 
 std::string too_deep(const TooDeep& at) {
-  const std::string text = fmt::format(
-      "{}, is {:.3g} m deep in volume {} at t = {:.3g} s, deeper than its radius of {:.3g} m{}", at.place,
-      at.depth, at.law.volume, at.time, at.radius, at.law.table ? " and than the table of forces tells" : "");
+  const std::string text =
+      fmt::format("{}, is {:.3g} m deep in volume {} at t = {:.3g} s, deeper than its radius of {:.3g} m{}",
+                  at.place, at.depth, at.law.volume, at.time, at.radius,
+                  at.law.table ? " and deeper than the last row of the force table" : "");
   if (at.law.automatic)
     return fmt::format(
-        "{}, at a stiffness of {:.3g} N/m per m, which the program has raised as far as that helps: it "
-        "starts inside the volume or is drawn into it by its ends; move it or the volume, or take that "
-        "volume out of the line's contact",
+        "{}, at an automatic stiffness of {:.3g} N/m per m, which cannot usefully be higher: the line starts "
+        "inside the volume or its ends pull it in; move the line or the volume, or exclude the volume from "
+        "'contact.volumes'",
         text, at.law.stiffness);
   if (at.law.table)
-    return text + ": give the table rows up to the forces that are met, or leave the stiffness to 'auto'";
+    return text + ": add rows up to the largest contact force to the table, or set 'normal_stiffness: auto'";
   return fmt::format(
-      "{}, as far as contact goes: a stiffness of {{{}: {:.3g}}} would hold it to about 5 % of the radius "
-      "('auto' finds that by itself), and a line that is to sink in deeper needs a larger "
-      "'contact_diameter'",
+      "{}, the limit of the contact model: a stiffness of {{{}: {:.3g}}} would keep the penetration to about "
+      "5 % of the radius ('auto' chooses such a value), and a line that shall penetrate deeper needs a "
+      "larger 'contact_diameter'",
       text, key_of(at.law.basis), at.law.stiffness * at.depth / (kProposed * at.radius));
 }
 
 std::string too_deep_at_rest(const TooDeep& at) { return "statics: " + too_deep(at); }
 
 std::string drawn_through(const DrawnThrough& at) {
-  const std::string text = fmt::format("{}, would be drawn through volume {}", at.place, at.law.volume);
+  const std::string text = fmt::format("{}, would pass through volume {}", at.place, at.law.volume);
   if (!at.too_soft) return text + "; say on which side it lies with 'start: {points: [[x, y, z], ...]}'";
-  return text + (at.law.table
-                     ? ": give its table rows up to the forces that are met, or leave the stiffness to 'auto'"
-                     : ": its normal_stiffness is too small for what presses, 'auto' finds one by itself");
+  return text +
+         (at.law.table
+              ? ": add rows up to the largest contact force to its table, or set 'normal_stiffness: auto'"
+              : ": its normal_stiffness is too small for the contact force; 'auto' chooses a sufficient "
+                "value");
 }
 
 std::string lines_pass(const NearestPlaces& at) { return places(at) + " would pass through each other"; }
 
 std::string lines_start_too_near(const NearestPlaces& at) {
-  return lines_pass(at) + ": from the start they are nearer than their radii allow";
+  return lines_pass(at) + ": at the start their axes are closer than the sum of their radii";
 }
 
 std::string lines_too_soft(const PressedLines& at) {
   std::string key = fmt::format("normal_stiffness: {{per_length: {:.2g}}}", rounded_up(at.wanted));
   if (at.own_settings) key = fmt::format("pairs: [{{lines: [{}, {}], {}}}]", at.at.one, at.at.other, key);
   return fmt::format(
-      "{} are pressed into each other by {:.3g} m, {:.0f} % of the sum of their radii, and would pass "
-      "through each other: the stiffness of the contact between them, {:.3g} N/m per m, is too small for "
-      "what presses them ({:.3g} J in the contact). Try contact: {{between_lines: {{{}}}}}",
+      "{} penetrate each other by {:.3g} m, {:.0f} % of the sum of their radii, and would pass through each "
+      "other: their contact stiffness, {:.3g} N/m per m, is too small for the contact force ({:.3g} J of "
+      "contact energy). Try contact: {{between_lines: {{{}}}}}",
       places(at.at), at.depth, 100 * at.depth / at.radii, at.stiffness, at.energy, key);
 }
 
 std::string bodies_overlap(const std::string& one, const std::string& other, double depth, double met,
                            double time) {
   return fmt::format(
-      "at t = {:.6g} s {} and {} are {:.3g} m in each other, where corners and edges that are to meet the "
-      "other met {:.3g} m at most; give them stiffnesses per_area (per_length where edges cross), or a "
-      "sphere or capsule where they meet",
+      "at t = {:.6g} s {} and {} overlap by {:.3g} m, but their contact points (corners and edges) penetrate "
+      "by {:.3g} m at most; give them stiffnesses per_area (per_length where edges cross), or a sphere or "
+      "capsule where they touch",
       time, one, other, depth, met);
 }
 

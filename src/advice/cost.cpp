@@ -13,7 +13,7 @@ namespace hawser::advice {
 std::string trial_fails(const std::string& why) { return "a trial run stops: " + why; }
 
 std::string expected_cost(double cost, const Trial& trial) {
-  if (!std::isfinite(cost)) return "expected cost: the trial run did not get far enough to tell";
+  if (!std::isfinite(cost)) return "expected cost: not known, the trial run was too short for an estimate";
   std::string by;
   if (trial.by_statics)
     by = ", by the first iterations of statics";
@@ -40,11 +40,11 @@ std::string expected_results(const ResultBytes& size, const std::string& folder)
   // At the end of a run the file is rewritten without spare capacity.
   if (size.left >= 0 && 2 * size.total > size.left)
     s += fmt::format(
-        "\nnote: the disk of {} has {} left, and a run takes up to twice the size of its results: give a "
-        "larger output.every, or another disk with -o",
+        "\nnote: the disk of {} has {} free, and a run needs up to twice the size of its results: increase "
+        "output.every, or choose another disk with -o",
         folder, bytes(size.left));
   else if (size.total > kMuch)
-    s += "\nnote: output.every says how often fields are written, which is most of it in most runs";
+    s += "\nnote: fields are most of the file in most runs; output.every sets the time between them";
   return s;
 }
 

@@ -17,7 +17,7 @@ const char* words(ContactWith with) {
     case ContactWith::nothing:
       break;
   }
-  return "its motion changes faster than the time steps resolve";
+  return "its velocity changes faster than the time steps resolve";
 }
 
 // A step that is certainly short enough: a quarter of the one that was too long.
@@ -35,27 +35,27 @@ std::string energy_made(const EnergyMade& m, const std::string& where,
       m.energy, m.by, 100 * m.energy / m.work, m.length, m.time, m.most, where);
   if (!initial_velocity_key.empty())
     return made + fmt::format(
-                      "{} begins with a velocity, an impact on the lines, which are at rest; a 'ramp' in it "
-                      "starts it smoothly, a shorter step is no help",
+                      "{} begins with a non-zero velocity, which is an impact on the lines at rest; add a "
+                      "'ramp' to it (a shorter step does not help)",
                       initial_velocity_key);
   return made + fmt::format("{}; {}", words(m.with), remedy(m.fixed, m.length));
 }
 
 std::string energy_lost(double energy, double by, double work, double step, bool fixed) {
   return fmt::format(
-      "the steps lost {:.3g} J by t = {:.6g} s, {:.3g} % of the work done: they are too long for what moves; "
+      "the steps lost {:.3g} J by t = {:.6g} s, {:.3g} % of the work done: they are too long for the motion; "
       "{}",
       energy, by, 100 * energy / work, remedy(fixed, step));
 }
 
-std::string energy_is_no_number() { return "the energy is no number" + not_to_be_used(); }
+std::string energy_is_no_number() { return "the energy is not a finite number" + not_to_be_used(); }
 
-std::string not_to_be_used() { return ". The results are not to be used"; }
+std::string not_to_be_used() { return ". Do not use the results"; }
 
 std::string vibration_damped(double energy, double size) {
   return fmt::format(
-      "{:.3g} J of axial vibration faster than the time steps resolve were dissipated ({:.2g} % of the most "
-      "that moved at a time); what is tightened at an impact may peak higher for less than a step",
+      "{:.3g} J of axial vibration faster than the time steps resolve were dissipated ({:.2g} % of the "
+      "largest kinetic energy); the peak tension of a snap load may be higher for less than a step",
       energy, 100 * energy / size);
 }
 

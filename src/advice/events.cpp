@@ -20,8 +20,8 @@ std::string happened(const model::Action& action, double time, const std::string
 
 std::string released_inside(const model::Action& action, const std::string& volume, double without) {
   return fmt::format(
-      "warning: {} that is released starts inside volume {}, and {:.3g} m of the line from there on go "
-      "through it as if it were not there",
+      "warning: {} that is released starts inside volume {}, and {:.3g} m of the line from that end on have "
+      "no contact with it",
       action.subject(), volume, without);
 }
 
@@ -29,14 +29,14 @@ std::string met_at_start(const model::Event& event, double value) {
   const model::Cause& c = event.cause;
   const char* unit = c.kind == model::Cause::Kind::tension ? "N" : "m";
   return fmt::format(
-      "{} would be {} before anything moves: {:.6g} {} at the start is {} {:g} {} already; give another "
-      "limit, or 'time: 0'",
+      "{} would be {} at once: {:.6g} {} at the start is already {} {:g} {}; give another limit, or 'time: "
+      "0'",
       event.action.subject(), event.action.participle(), value, unit, c.below ? "below" : "above", c.limit,
       unit);
 }
 
 std::string did_not_happen(const model::Event& event) {
-  return fmt::format("{} was not {}: it was to be {}, and the run ended before that", event.action.subject(),
+  return fmt::format("{} was not {}: the run ended before its condition was met ({})", event.action.subject(),
                      event.action.participle(), event.cause.text());
 }
 
@@ -50,7 +50,7 @@ std::string nothing_holds() { return "nothing holds it"; }
 std::string holds_already() { return "it is held already"; }
 
 std::string too_far_from_place(double away, double within) {
-  return fmt::format("it is {:.4g} m from that place, and 'within' allows {:g} m", away, within);
+  return fmt::format("it is {:.4g} m from 'at', and 'within' allows {:g} m", away, within);
 }
 
 std::string cannot_pay_out(const std::string& stage, double left, const std::string& feeder,

@@ -16,10 +16,10 @@ std::string floats_elsewhere(const HullAtStart& h) {
   if (!(std::abs(h.rise) > kOffWater) || !(h.waterplane > 0)) return {};
   if (h.held_by.empty())
     return fmt::format(
-        "  warning: body {} floats {:.3g} m {} than where it starts: its weight and buoyancy "
-        "differ by {:.5g} kN there, and nothing holds it\n",
+        "  warning: body {} floats {:.3g} m {} than its initial position: there its weight and buoyancy "
+        "differ by {:.5g} kN, and no line or spring carries the difference\n",
         h.body, std::abs(h.rise), higher(h.rise), std::abs(h.buoyancy - h.weight) / 1000);
-  return fmt::format("  note: without its {} body {} would float {:.3g} m {}: they must pull {:.5g} kN {}\n",
+  return fmt::format("  note: without its {} body {} would float {:.3g} m {}: they must carry {:.5g} kN {}\n",
                      h.held_by, h.body, std::abs(h.rise), higher(h.rise),
                      std::abs(h.buoyancy - h.weight) / 1000, h.rise > 0 ? "down" : "up");
 }
@@ -39,21 +39,21 @@ std::string capsizes(const HullAtStart& h) {
 std::string hull_is_open(const Vec3& volumes) {
   return fmt::format(
       "the surface is not closed: its volume is {:.5g}, {:.5g} or {:.5g} m³ when it is integrated along x, y "
-      "or z; close its deck and bottom in the mesh",
+      "or z; close the mesh at its deck and bottom",
       volumes.x(), volumes.y(), volumes.z());
 }
 
 std::string hull_cannot_float(double displaced, double mass) {
   return fmt::format(
-      "it cannot float: the hull displaces {:.5g} kg of water when it is wholly under water, and its mass is "
+      "it cannot float: the fully submerged hull displaces {:.5g} kg of water, and the mass of the body is "
       "{:.5g} kg",
       displaced, mass);
 }
 
 std::string hull_at_start(const HullAtStart& h) {
-  std::string out =
-      fmt::format("hull of {}: {} triangles, displaces {:.6g} m³ where it starts, {:.6g} m³ in all\n", h.body,
-                  h.triangles, h.displaced, h.volume);
+  std::string out = fmt::format(
+      "hull of {}: {} triangles, displaces {:.6g} m³ in its initial position, {:.6g} m³ fully submerged\n",
+      h.body, h.triangles, h.displaced, h.volume);
   out += fmt::format("  buoyancy {:.5g} kN, weight {:.5g} kN, waterplane {:.5g} m²\n", h.buoyancy / 1000,
                      h.weight / 1000, h.waterplane);
   if (h.buoyancy > 0) {
@@ -67,8 +67,8 @@ std::string hull_at_start(const HullAtStart& h) {
 std::string rests_elsewhere(const std::string& body, double rise) {
   if (!(std::abs(rise) > kOffWater)) return {};
   return fmt::format(
-      "body {} comes to rest {:.3g} m {} than where it starts: its weight, its buoyancy and the pull of its "
-      "lines do not balance there",
+      "body {} comes to rest {:.3g} m {} than its initial position: there its weight, its buoyancy and the "
+      "forces of its lines are not in balance",
       body, std::abs(rise), higher(rise));
 }
 

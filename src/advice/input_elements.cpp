@@ -48,8 +48,8 @@ void warn_of_distance(const Line& line, const Arcs& arcs, double at, const std::
   const ElementAt p = element_at(arcs, at);
   if (std::abs(p.node - at) > kApart * (p.to - p.from))
     add_warning(out, key, Effect::resolution,
-                "what is to be at {:.6g} m of line {} is fixed to the nearest node, at {:.6g} "
-                "m; shorter elements, or a section that ends at {:.6g} m, put a node there",
+                "the attachment at {:.6g} m of line {} is moved to the nearest node, at {:.6g} m; use "
+                "shorter elements, or end a section at {:.6g} m, to have a node there",
                 at, line.name, p.node, at);
 }
 
@@ -90,9 +90,9 @@ void warn_of_sinking(const Case& c, const Line& line, const Arcs& arcs, const Po
                own = std::cbrt(6 / M_PI * (m.volume > 0 ? m.volume : m.mass / kSteel));
   if (sinks > own)
     add_warning(out, "lines." + line.name + ".masses", Effect::part,
-                "where it lies on the bed, {:.4g} kg at {:.6g} m of line {} sinks in by about {:.2g} m: it "
-                "rests there on an element of '{}', {:g} m thick; a short section of a type with the "
-                "'contact_diameter' of what lies there bears it",
+                "on the seabed, {:.4g} kg at {:.6g} m of line {} penetrates by about {:.2g} m, since the "
+                "element of '{}' that carries it is only {:g} m in diameter; add a short section there whose "
+                "type has the 'contact_diameter' of the weight",
                 m.mass, m.at, line.name, sinks, t.name, t.contact_diameter);
 }
 
@@ -106,8 +106,8 @@ void warn_of_stiffener(const Line& line, const Arcs& arcs, std::size_t i, std::v
     elements += std::max(std::min(arcs[n], to) - std::max(arcs[n - 1], from), 0.0) / (arcs[n] - arcs[n - 1]);
   if (elements < kFewest - kRound)
     add_warning(out, fmt::format("lines.{}.bend_stiffeners[{}]", line.name, i), Effect::resolution,
-                "its {:.3g} m are {:.2g} elements, each of which has one bending stiffness: "
-                "curvature and moment along it show with {:g} or more",
+                "its {:.3g} m are {:.2g} elements, each with one bending stiffness: use {:g} elements or "
+                "more to resolve curvature and moment along it",
                 to - from, elements, 2 * kFewest);
 }
 

@@ -33,7 +33,8 @@ std::string density_hint(const Case& c, const LineType& t, double density, bool 
     return unit_hint(c, {"line_types", t.name, key}, fit);
   };
   if (t.kind == LineKind::cable && water && density > kHeavy && density < kHeavyInAir)
-    return "; a chain has here the diameter of a round bar of its volume, 1.8 times that of its bar";
+    return "; for a chain give the diameter of a round bar of equal volume, 1.8 times the diameter of its "
+           "own bar";
   if (std::string hint = of("mass_per_length", [&](double m) { return fits(m / (M_PI / 4 * d * d)); });
       !hint.empty())
     return hint;
@@ -51,7 +52,7 @@ void warn_of_contents(const LineType& t, std::vector<InputWarning>& out) {
   if (in_range(density * 1000, kLeastContents, kMostContents))
     hint = fmt::format("is it in t/m³ or g/cm³? ('{:g} kg/m3')", density * 1000);
   add_warning(out, fmt::format("line_types.{}.contents.density", t.name), Effect::all,
-              "{:g} kg/m³ is {} than what pipes carry ({:g} to {:g}); {}", density,
+              "{:g} kg/m³ is {} than usual contents of pipes ({:g} to {:g}); {}", density,
               density < kLeastContents ? "lighter" : "heavier", kLeastContents, kMostContents, hint);
 }
 
@@ -78,16 +79,16 @@ void warn_of_slenderness(const LineType& t, std::vector<InputWarning>& out) {
   const double slender = std::round(t.steel->slenderness() * 1e6) / 1e6;
   const auto warn = [&](const std::string& what, const char* field) {
     add_warning(out, fmt::format("line_types.{}.pipe.wall_thickness", t.name), Effect::all,
-                "D/t is {:.3g}, and {}: {} is no check of this pipe; give it another wall, or "
-                "judge it by other means",
+                "D/t is {:.3g}, and {}: {} does not apply to this pipe; give it another wall thickness, or "
+                "check it by other means",
                 slender, what, field);
   };
   if (slender > kMostSlender || slender < kLeastSlender)
-    warn(fmt::format("DNV-ST-F101's formulas for combined loads are for {:g} to {:g}", kLeastSlender,
+    warn(fmt::format("DNV-ST-F101's formulas for combined loads apply from {:g} to {:g}", kLeastSlender,
                      kMostSlender),
          "'dnv_local_buckling'");
   if (slender > kMostSlenderApi)
-    warn(fmt::format("API RP 1111's formula for bending with pressure is for {:g} at most", kMostSlenderApi),
+    warn(fmt::format("API RP 1111's formula for bending with pressure applies up to {:g}", kMostSlenderApi),
          "'api_bending_pressure'");
 }
 
@@ -103,9 +104,10 @@ void warn_of_line_types(const Case& c, std::vector<InputWarning>& out) {
     const double d = t.displaced(), density = t.mass_per_length / (M_PI / 4 * d * d);
     if (density > (water ? kHeavy : kHeavyInAir) || density < kLight)
       add_warning(
-          out, key, Effect::all, "{:.4g} kg/m in a diameter of {:.4g} m are {}, {}{}", t.mass_per_length, d,
-          std::isfinite(density) ? fmt::format("{:.3g} t/m³", density / 1000) : "beyond all numbers",
-          density < kLight ? "less than any line (0.1) but an inflated one" : "more than steel (7.85)",
+          out, key, Effect::all, "{:.4g} kg/m in a diameter of {:.4g} m is a density of {}, {}{}",
+          t.mass_per_length, d,
+          std::isfinite(density) ? fmt::format("{:.3g} t/m³", density / 1000) : "beyond any material",
+          density < kLight ? "less than any line (0.1) except an inflated one" : "more than steel (7.85)",
           density_hint(c, t, density, water));
     else if (t.outer_diameter > kThick)
       add_warning(out, key, Effect::all,

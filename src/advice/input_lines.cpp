@@ -34,12 +34,12 @@ void bears(const Case& c, const Section& s, double tension, const std::string& k
   const LineType& t = c.line_type(s.type);
   if (t.breaking_load > 0 && tension > t.breaking_load) {
     add_warning(out, key, Effect::all,
-                "{} means a tension of {:.4g} kN at least, and '{}' breaks at {:.4g} kN", why, tension / 1000,
-                t.name, t.breaking_load / 1000);
+                "{} requires a tension of at least {:.4g} kN, and the breaking load of '{}' is {:.4g} kN",
+                why, tension / 1000, t.name, t.breaking_load / 1000);
   } else if (const double strain = tension / t.EA; !t.tension_table && strain > allowed_strain(t)) {
     add_warning(out, key, Effect::all,
-                "{} means a tension of {:.4g} kN at least, which stretches '{}' (EA {:.4g} kN) by "
-                "{:.3g} %; usual is less than {:g} %",
+                "{} requires a tension of at least {:.4g} kN, which stretches '{}' (EA {:.4g} kN) by {:.3g} "
+                "%; usual is less than {:g} %",
                 why, tension / 1000, t.name, t.EA / 1000, 100 * strain, 100 * allowed_strain(t));
   }
 }
@@ -69,8 +69,8 @@ void warn_of_span(const Case& c, const Line& line, std::vector<InputWarning>& ou
   for (const Section& s : line.sections) elements += s.elements;
   if (line.starts_by_itself() && elements < kFew && chord > 0 && length > kSlack * chord)
     add_warning(out, key, Effect::resolution,
-                "{} element{} for a line that is {:.2g} % longer than the distance of its ends: it "
-                "hangs or lies in a curve, which takes twenty or more to follow",
+                "{} element{} for a line that is {:.2g} % longer than the distance between its ends: its "
+                "curved shape needs twenty elements or more",
                 elements, elements == 1 ? "" : "s", 100 * (length / chord - 1));
   double room = chord;
   if (const Seabed& bed = c.environment.seabed; bed.present)
@@ -78,8 +78,8 @@ void warn_of_span(const Case& c, const Line& line, std::vector<InputWarning>& ou
       room += std::max(height_above_bed(bed, end_position(c, *e)), 0.0);
   if (line.starts_by_itself() && chord > 0 && length > kLong * chord && length > kDeepLong * room)
     add_warning(out, key, Effect::all,
-                "the line is {:.6g} m long, {:.3g} times the distance of its ends ({:.6g} m); "
-                "is it meant to be that slack?",
+                "the line is {:.6g} m long, {:.3g} times the distance between its ends ({:.6g} m); is so "
+                "much slack intended?",
                 length, length / chord, chord);
 }
 

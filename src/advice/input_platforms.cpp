@@ -24,7 +24,7 @@ void warn_of_inertia(const Body& b, std::vector<InputWarning>& out) {
   if (moments[2] > (1 + 1e-9) * sum)
     add_warning(out, "bodies." + b.name + ".floating.inertia", Effect::all,
                 "the largest principal moment, {:.6g} kg m², is {:.2g} % above the sum of the other two, "
-                "which no distribution of mass has: are the radii of gyration those of the ship?",
+                "which is impossible for a rigid body: are the radii of gyration those of the ship?",
                 moments[2], 100 * (moments[2] / sum - 1));
 }
 
@@ -34,8 +34,8 @@ void warn_of_sea_of_platform(const Case& c, const Body& b, std::vector<InputWarn
   const auto flows = [](const CurrentRow& row) { return row.speed != 0; };
   if (!b.mass->current && std::any_of(w.current.profile.begin(), w.current.profile.end(), flows))
     add_warning(out, key, Effect::all,
-                "the current acts on lines and not on this body, of which the coefficients are those of "
-                "waves: give its coefficients for it, 'floating.current'");
+                "the current acts on lines but not on this body, which has wave coefficients only: add its "
+                "current coefficients, 'floating.current'");
   if (w.waves.kind == Waves::Kind::stokes && b.mass->hydrodynamics->excitation)
     add_warning(out, key, Effect::all,
                 "its coefficients are those of linear waves: the wave of 'stokes' acts on it as a linear "
@@ -67,8 +67,8 @@ void warn_of_hull(const Body& b, std::vector<InputWarning>& out) {
   const BodyMass& m = *b.mass;
   if (m.hull && m.members.empty() && !m.hydrodynamics)
     add_warning(out, "bodies." + b.name + ".floating.hull", Effect::all,
-                "the pressure of the water alone acts on this body, without drag and added mass: give its "
-                "'members', or the 'hydrodynamics' of a diffraction program");
+                "only the water pressure acts on this body, without drag and added mass: add 'members', or "
+                "the 'hydrodynamics' of a diffraction program");
 }
 
 // Members much larger than the body, and added mass that counts twice, of the files and of members beside
@@ -108,8 +108,8 @@ void warn_of_stiffness(const Body& b, std::vector<InputWarning>& out) {
     }
   if (eigenpairs(plane).values[0] < -kRounded * plane.cwiseAbs().maxCoeff())
     add_warning(out, "bodies." + b.name + ".floating.hydrodynamics.stiffness", Effect::all,
-                "pushes the body away from its place in surge, sway or yaw: a stiffness that holds it has "
-                "entries above 0 on the diagonal");
+                "pushes the body away from its position in surge, sway or yaw: a restoring stiffness has "
+                "positive diagonal entries");
 }
 
 // Bodies that float elsewhere by more than their size, or not upright.
@@ -142,7 +142,7 @@ void warn_of_floating(const Case& c, const Body& b, std::vector<InputWarning>& o
                 : roll        ? "roll"
                               : "pitch",
                 std::min(heights[1], heights[2]),
-                lines ? "they have to hold it upright, as tendons do; if they are not to, " : "");
+                lines ? "its lines must keep it upright, as tendons do; if that is not intended, " : "");
 }
 
 // A damping matrix that is not positive semidefinite: it dissipates for single velocities but adds energy for
@@ -156,8 +156,8 @@ void warn_of_damping(const Case& c, const Body& b, std::vector<InputWarning>& ou
   const Mat6 scaled = 0.5 * scale.asDiagonal() * (B + B.transpose()) * scale.asDiagonal();
   if (eigenpairs(scaled).values[0] < -kRounded * scaled.cwiseAbs().maxCoeff())
     add_warning(out, "bodies." + b.name + ".floating.hydrodynamics.damping", Effect::all,
-                "brings energy in where some velocities are coupled: the entries beside the diagonal are too "
-                "large for those on it, or have the wrong sign");
+                "adds energy to the motion for some combination of velocities: its off-diagonal entries are "
+                "too large for the diagonal, or have the wrong sign");
 }
 
 // Line ends far from the body that holds them.
@@ -198,7 +198,7 @@ void warn_of_platforms(const Case& c, std::vector<InputWarning>& out) {
   const auto in_wind = [](const Body& b) { return b.mass && b.mass->wind; };
   if (c.environment.wind.speed > 0 && std::none_of(c.bodies.begin(), c.bodies.end(), in_wind))
     add_warning(out, "environment.wind", Effect::all,
-                "acts on no body and never on lines: give a body coefficients, 'floating.wind'");
+                "acts on no body (and never on lines): add wind coefficients to a body, 'floating.wind'");
   for (const Body& b : c.bodies) {
     if (b.mass) warn_of_hull(b, out);
     if (b.mass) warn_of_members(c, b, out);

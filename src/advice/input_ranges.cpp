@@ -43,7 +43,7 @@ constexpr auto kRanges = std::to_array<Range>({
     {"environment.seabed.friction", 0, kMostFriction, "friction on a seabed"},
     {"environment.seabed.friction.axial", 0, kMostFriction, "friction on a seabed"},
     {"environment.seabed.friction.lateral", 0, kMostFriction, "friction on a seabed"},
-    {"environment.seabed.friction.mobilisation_length", 0, 2, "the slip that soils take"},
+    {"environment.seabed.friction.mobilisation_length", 0, 2, "the mobilisation length of soils"},
     {"environment.seabed.smoothing", 0, 1, "the roughness of a seabed"},
     {"environment.current.speed", 0, kMostCurrent, "currents at sea"},
     {"environment.current.profile[].speed", 0, kMostCurrent, "currents at sea"},
@@ -65,7 +65,7 @@ constexpr auto kRanges = std::to_array<Range>({
     {"line_types.*.Cd_axial", 0, 1.5, "drag coefficients along a line, on its skin"},
     {"line_types.*.Ca_normal", 0, 5, "added mass coefficients of lines"},
     {"line_types.*.Ca_axial", 0, 5, "added mass coefficients of lines"},
-    {"line_types.*.contents.pressure", 1e4, 1.5e8, "pressures that pipes are run with"},
+    {"line_types.*.contents.pressure", 1e4, 1.5e8, "operating pressures of pipes"},
     {"line_types.*.marine_growth.thickness", 0, 0.5, "marine growth"},
     {"line_types.*.marine_growth.density", 900, 3000, "the density of marine growth"},
     {"line_types.*.stiffness_damping", 0, 1, "stiffness-proportional damping of lines (0.001 to 0.1 s)"},
@@ -77,7 +77,7 @@ constexpr auto kRanges = std::to_array<Range>({
     {"line_types.*.weight.water_density", 900, 1300, "the density of water"},
     {"bodies.*.motion.velocity", 0, 30, "the speed of vessels"},
     {"bodies.*.motion.rotation.rate", 0, 10, "turning rates (10 rad/s are 95 turns a minute)"},
-    {"bodies.*.motion.harmonic.rotation_amplitude_deg", 0, M_PI, "rotations to and fro"},
+    {"bodies.*.motion.harmonic.rotation_amplitude_deg", 0, M_PI, "amplitudes of rotation"},
     {"bodies.*.floating.velocity", 0, 50, "velocities of bodies"},
     {"bodies.*.floating.angular_velocity", 0, 30, "turning rates of bodies"},
     {"bodies.*.floating.in_water.Cd", 0, 10, "drag coefficients of bodies"},
@@ -94,7 +94,7 @@ constexpr auto kRanges = std::to_array<Range>({
     {"lines.*.end_b.feed.max_speed", 0, 20, "speeds of winches"},
     {"events[].feed.speed", 0, 20, "speeds of winches"},
     {"lines.*.masses[].Ca", 0, 5, "added mass coefficients of buoys"},
-    {"dynamics.error_tolerance", 0, 0.1, "errors of a step that do not show"},
+    {"dynamics.error_tolerance", 0, 0.1, "local errors that do not affect results"},
 });
 
 // In the base unit of the key; degrees for angles.
@@ -156,7 +156,7 @@ class Walk {
   void number(const Value& v, const Key& key, const std::string& path, const std::string& where) {
     if (key.unit == Dimension::angle && written_in_radians(v))
       add_warning(out_, where, Effect::all,
-                  "{} deg is {:.4g} deg if it is meant in radians: is it? ('{} rad')", v.text,
+                  "{} deg is small; if radians are meant, which is {:.4g} deg, write '{} rad'", v.text,
                   parse_quantity(v.text, Dimension::none).si * 180 / M_PI, v.text);
     const auto range =
         std::find_if(kRanges.begin(), kRanges.end(), [&](const Range& r) { return r.path == path; });

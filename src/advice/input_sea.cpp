@@ -58,8 +58,8 @@ void warn_of_depths(const Case& c, std::vector<InputWarning>& out) {
   const double depth = bed.depth + w.surface;
   if (std::abs(depth - w.depth) > kSameDepth * w.depth)
     add_warning(out, "environment.seabed.depth", Effect::all,
-                "the bed is {:.6g} m below the still water, but the water is {:.6g} m deep; "
-                "the waves go by the latter",
+                "the seabed is {:.6g} m below the still water, but the water depth is {:.6g} m; the waves "
+                "use the water depth",
                 depth, w.depth);
 }
 
@@ -74,15 +74,15 @@ void warn_of_anchor(const Case& c, const Line& line, const End& e, const char* w
   const std::string key = fmt::format("lines.{}.{}.anchor", line.name, which);
   if (w.present && depth > 0 && std::abs(z - depth) < kSameDepth * depth)
     add_warning(out, key, Effect::all,
-                "is {:.6g} m above the water, and that is {:.6g} m deep: z points up; is {:g} meant?", z,
-                depth, -e.at.z());
+                "is {:.6g} m above the water, whose depth is {:.6g} m: z points up; is {:g} meant?", z, depth,
+                -e.at.z());
   if (!bed.present || bed.surface) return;
   const double height = height_above_bed(bed, e.at);
   if (height > kNear && height < kNearShare * bed.depth)
-    add_warning(out, key, Effect::all,
-                "is {:.4g} m above the bed, which is at z = {:.6g} m there; is it meant to be "
-                "held in mid-water?",
-                height, e.at.z() - height / bed_normal(bed).z());
+    add_warning(
+        out, key, Effect::all,
+        "is {:.4g} m above the seabed, which is at z = {:.6g} m there; is an anchor in mid-water intended?",
+        height, e.at.z() - height / bed_normal(bed).z());
 }
 
 void warn_of_bed_in_reach(const Case& c, std::vector<InputWarning>& out) {
@@ -93,8 +93,8 @@ void warn_of_bed_in_reach(const Case& c, std::vector<InputWarning>& out) {
   // Moving bodies carry their lines along.
   if (least > -0.8 * bed.depth)
     add_warning(out, "environment.seabed", Effect::all,
-                "no line gets near the bed at z = {:.6g} m: hanging straight down the deepest "
-                "reaches z = {:.6g} m",
+                "no line reaches the seabed at z = {:.6g} m: the deepest, if it hung straight down, would "
+                "reach z = {:.6g} m",
                 -bed.depth, least);
 }
 
@@ -160,7 +160,7 @@ void warn_of_soil(const Case& c, std::vector<InputWarning>& out) {
   if (in_thousands >= kSoftBed && in_thousands <= kStiffBed && stiffness < kSoftBed)
     hint = fmt::format("; is it in kN? ('{:g} {}')", bed.normal_stiffness, by_length ? "kN/m2" : "kN/m3");
   add_warning(out, "environment.seabed.normal_stiffness", Effect::all,
-              "{:g} {} is {} than any soil, of which {} are usual{}", bed.normal_stiffness,
+              "{:g} {} is {} than that of any soil; usual values are {}{}", bed.normal_stiffness,
               by_length ? "N/m²" : "N/m³", stiffness < kSoftBed ? "softer" : "stiffer",
               by_length ? "50 to 5000 kN/m²" : "50 to 10000 kN/m³", hint);
 }
@@ -199,13 +199,12 @@ void warn_of_waves_on_current(const Case& c, std::vector<InputWarning>& out) {
   const double omega = 2 * M_PI / wave.period,
                speed = omega / wave_number(omega, w.depth, c.environment.gravity);
   if (std::abs(along) < kMuch * speed) return;
-  add_warning(
-      out, "environment.waves", Effect::part,
-      "the current of {:.3g} m/s {} the waves of {:.4g} s is {:.2g} % of their speed, and linear waves "
-      "are as long and as steep here as without a current, though it makes them {}; a single wave "
-      "as 'stokes' with its own 'current' has that, and shows how much it matters",
-      std::abs(along), along > 0 ? "along" : "against", wave.period, 100 * std::abs(along) / speed,
-      along > 0 ? "longer and flatter" : "shorter and steeper");
+  add_warning(out, "environment.waves", Effect::part,
+              "the current of {:.3g} m/s {} the waves of {:.4g} s is {:.2g} % of their speed, and linear "
+              "waves here neglect that the current makes them {}; compare with a single wave as 'stokes' "
+              "with its own 'current', which includes it",
+              std::abs(along), along > 0 ? "along" : "against", wave.period, 100 * std::abs(along) / speed,
+              along > 0 ? "longer and flatter" : "shorter and steeper");
 }
 
 }  // namespace

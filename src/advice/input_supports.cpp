@@ -52,13 +52,13 @@ void warn_of_line(const Case& c, const Line& line, std::vector<InputWarning>& ou
                       support_point(c, *before, before->at + before->along) + there;
     if (const double strain = 0.5 * here.diameter * turn.norm() / apart; strain > kStrain)
       add_warning(out, b.key, Effect::all,
-                  "between supports '{}' and '{}' line '{}' is bent to a radius of {:.4g} m, "
-                  "{:.3g} % of strain; steel pipes are laid with less than 0.35 %",
+                  "between supports '{}' and '{}' line '{}' is bent to a radius of {:.4g} m, a strain of "
+                  "{:.3g} %; usual in laying of steel pipes is less than 0.35 %",
                   before->name, b.name, line.name, apart / turn.norm(), 100 * strain);
     else if (here.element > kCoarse * apart)
       add_warning(out, "lines." + line.name + ".sections", Effect::resolution,
-                  "its elements are {:.3g} m long between supports '{}' and '{}', which are {:.3g} m "
-                  "apart: bending moments on rollers show with elements of a quarter of that",
+                  "its elements are {:.3g} m long between supports '{}' and '{}', which are {:.3g} m apart: "
+                  "use elements of a quarter of that spacing to resolve bending moments on rollers",
                   here.element, before->name, b.name, apart);
     before = &b;
   }

@@ -67,8 +67,8 @@ void warn_of_step(const Case& c, const Period& drive, std::vector<InputWarning>&
     if (!is_member(c, line)) shorter(own, slowest_period(c, line), "line " + line.name);
   if (own.length > 0 && step > own.length / kOwnSteps)
     add_warning(out, "dynamics.step", Effect::resolution,
-                "{:g} s is {:.2g} steps in the slowest natural period of {} (about {:.2g} s): "
-                "none of its vibrations is resolved",
+                "{:g} s is {:.2g} steps in the longest natural period of {} (about {:.2g} s): the steps "
+                "resolve none of its vibrations",
                 step, own.length / step, own.of, own.length);
 }
 
@@ -76,12 +76,12 @@ void warn_of_outputs(const Case& c, const Period& drive, std::vector<InputWarnin
   const double every = c.output.every;
   if (every > c.dynamics.duration)
     add_warning(out, "output.every", Effect::resolution,
-                "{:g} s is longer than the run ({:g} s): there are outputs at its start and its end only",
+                "{:g} s is longer than the run ({:g} s): output is written at its start and its end only",
                 every, c.dynamics.duration);
   else if (drive.length > 0 && every > drive.length / kOutputs)
     add_warning(out, "output.every", Effect::resolution,
-                "{:g} s is {:.2g} outputs in a period of {} ({:g} s): they show no period; "
-                "usual is 10 or more (histories have every step)",
+                "{:g} s is {:.2g} outputs in a period of {} ({:g} s), too few to show it; usual is 10 or "
+                "more (histories have every step)",
                 every, drive.length / every, drive.of, drive.length);
 }
 
@@ -140,8 +140,8 @@ void warn_of_start(const Body& b, const StartSpeeds& speed, std::vector<InputWar
   const auto warn = [&](double first, const char* key) {
     if (first > 0)
       add_warning(out, fmt::format("bodies.{}.{}", b.name, key), Effect::part,
-                  "starts at t = 0 with {:.3g} m/s, while the lines are at rest: that is an "
-                  "impact on them; a 'ramp' of some periods starts it smoothly",
+                  "starts at t = 0 with {:.3g} m/s, which is an impact on the lines at rest; add a 'ramp' of "
+                  "some periods",
                   first);
   };
   warn(speed.motion, "motion");
@@ -158,8 +158,8 @@ void warn_of_releases(const Case& c, std::vector<InputWarning>& out) {
     const Section& end = r.at_b ? line.sections.back() : line.sections.front();
     if (c.line_type(end.type).stiffness_damping > 0) continue;
     add_warning(out, fmt::format("events[{}]", i), Effect::part,
-                "line type {} has no 'stiffness_damping': what recoils rings on in the last elements, "
-                "whose speeds and forces then depend on the step; 0.001 s damps that",
+                "line type {} has no 'stiffness_damping': after the release its last elements vibrate "
+                "undamped, with speeds and forces that depend on the time step; give it about 0.001 s",
                 end.type);
   }
 }

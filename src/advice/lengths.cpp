@@ -57,7 +57,7 @@ std::string length_tried(const LengthSearched& at) {
   const model::LengthTarget& t = at.target;
   const std::string where = at.in_feeder ? fmt::format("inside the feeder at {}", end_of(t))
                                          : fmt::format("of section {}", t.section + 1);
-  return fmt::format("line {}: with {:.6g} m {} the {} is {}, wanted {}", at.line, at.length, where,
+  return fmt::format("line {}: with {:.6g} m {} the {} is {}, the target {}", at.line, at.length, where,
                      name_of(t), value_text(t, at.value), value_text(t, t.value));
 }
 
@@ -65,8 +65,8 @@ std::string length_found(const LengthSearched& at, int trials) {
   const model::LengthTarget& t = at.target;
   if (at.in_feeder)
     return fmt::format(
-        "line {}: {:.6f} m are inside the feeder at {} at the start ({:g} m in the case), so that it is at "
-        "rest with its tension of {} (found in {} statics)",
+        "line {}: {:.6f} m are inside the feeder at {} at the start ({:g} m in the case), which gives the "
+        "line its tension of {} at rest (found in {} statics)",
         at.line, at.length, end_of(t), at.given, value_text(t, t.value), trials);
   return fmt::format(
       "line {}: section {} is {:.6f} m long ({:g} m in the case), so that the {} is {} (found in {} statics)",
@@ -75,21 +75,21 @@ std::string length_found(const LengthSearched& at, int trials) {
 
 std::string length_not_found(const LengthSearched& at, const LengthsTried& tried) {
   const model::LengthTarget& t = at.target;
-  return fmt::format("no length of section {} between {:g} and {:g} m was found that gives {} as the {}{}",
-                     t.section + 1, t.least, t.most, value_text(t, t.value), name_of(t), text_of(tried, t));
+  return fmt::format("no length of section {} between {:g} and {:g} m makes {} the {}{}", t.section + 1,
+                     t.least, t.most, value_text(t, t.value), name_of(t), text_of(tried, t));
 }
 
 std::string feeder_not_at_rest(const LengthSearched& at, const LengthsTried& tried) {
   const model::LengthTarget& t = at.target;
   return fmt::format(
-      "line {}: the feeder at {} does not begin with its tension of {}, but with {:g} m inside as given: no "
-      "length was found that has it at rest{}",
-      at.line, end_of(t), value_text(t, t.value), at.given, text_of(tried, t));
+      "line {}: the feeder at {} begins with {:g} m inside as given and not with its tension of {}: no "
+      "length gives that tension at rest{}",
+      at.line, end_of(t), at.given, value_text(t, t.value), text_of(tried, t));
 }
 
 std::string targets_do_not_settle() {
-  return "statics: the targets of the lines do not settle together: the length that one needs changes with "
-         "those of the others; give fewer lines a target";
+  return "statics: the targets of the lines cannot be met together: the length that one line needs depends "
+         "on those of the others; give fewer lines a target";
 }
 
 std::string length_of_other_run(const std::string& line, int section, double length) {
@@ -99,14 +99,14 @@ std::string length_of_other_run(const std::string& line, int section, double len
 
 std::string stock_runs_out(const std::string& feeder, double time) {
   return fmt::format(
-      "the stock at {} runs out at t = {:.6g} s: give the line more length there and the feeder that much "
-      "more 'stock', or let the run end before",
+      "the stock at {} runs out at t = {:.6g} s: make the line and the 'stock' of the feeder longer by the "
+      "same length, or end the run before that time",
       feeder, time);
 }
 
 std::string all_hauled_in(const std::string& feeder, double time, bool up_to_cut) {
   return fmt::format(
-      "at t = {:.6g} s all of the line{} is hauled in at {}: let it haul in less, or the run end before",
+      "at t = {:.6g} s all of the line{} is hauled in at {}: haul in less, or end the run before that time",
       time, up_to_cut ? " up to the place of its cut, which cannot be hauled in," : "", feeder);
 }
 

@@ -48,8 +48,8 @@ std::string compression_warning(const model::Case& c, const Extreme& at) {
   const double limit = std::max(kPinnedFoot * std::cbrt(EI * w * w), strut);
   if (!(-at.value > limit)) return {};
   return fmt::format(
-      "line {} is under an effective compression of {:.3g} kN at arc length {:.6g} m, {}; on a pinned foot "
-      "it buckles at about {:.2g} kN: is the tension at its upper end too low?",
+      "line {} is under an effective compression of {:.3g} kN at arc length {:.6g} m, {}; with a pinned "
+      "lower end it buckles at about {:.2g} kN: is the tension at its upper end too low?",
       at.line, -at.value / 1000, at.arc, when_text(c, at.time), limit / 1000);
 }
 
@@ -62,10 +62,11 @@ std::string penetration_warning(const model::Case& c, const Extreme& at) {
   return fmt::format(
       "line {} is {:.3g} m inside a volume (its radius is {:.3g} m) at arc length {:.6g} m, {}: {}", at.line,
       at.value, radius, at.arc, when_text(c, at.time),
-      at.value > radius ? "contact goes no deeper than the radius: it is trapped inside, or the volume is "
-                          "too soft for a line as thin as this, which then needs a larger 'contact_diameter'"
-                        : "a normal_stiffness that is given can be raised; an automatic one is as high as "
-                          "the line's EA allows: is its tension above its breaking load?");
+      at.value > radius
+          ? "contact acts to a depth of one radius only: the line is trapped inside, or the volume is too "
+            "soft for a line this thin, which then needs a larger 'contact_diameter'"
+          : "raise normal_stiffness where the case sets it; an automatic one is as high as the line's EA "
+            "allows: is the tension above the breaking load?");
 }
 
 std::string curvature_warning(const model::Case& c, const Extreme& at) {
@@ -81,15 +82,15 @@ std::string curvature_warning(const model::Case& c, const Extreme& at) {
   if (!(strain > kYielded)) return "";
   return fmt::format(
       "line {} is bent to a radius of {:.3g} m at arc length {:.6g} m, {}, {:.2g} % of strain: steel yields "
-      "before, and this pipe is elastic; do the places and directions of its ends and supports fit, or does "
-      "it need 'plasticity'?",
+      "at a smaller strain, and this pipe is elastic; check the positions and directions of its ends and "
+      "supports, or add 'plasticity'",
       at.line, 1 / at.value, at.arc, when_text(c, at.time), 100 * strain);
 }
 
 std::string beyond_pipe_formulas(double pulled) {
   return fmt::format(
-      "the design tension of a pipe is {:.2g} of that at yield: DNV-ST-F101's formulas for combined loads "
-      "hold to {:g}",
+      "the design tension of a pipe is {:.2g} of its yield tension: DNV-ST-F101's formulas for combined "
+      "loads apply up to {:g}",
       pulled, kMostPulled);
 }
 

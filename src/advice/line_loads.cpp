@@ -66,7 +66,7 @@ class LineLoads {
     if (m.volume > 0) {
       const double of = m.mass / m.volume;
       if (of < kLightest || of > kHeaviest)
-        return warn(key, "{:.4g} kg in {:.4g} m³ are {:.3g} kg/m³, {}", m.mass, m.volume, of,
+        return warn(key, "{:.4g} kg in {:.4g} m³ is a density of {:.3g} kg/m³, {}", m.mass, m.volume, of,
                     of < kLightest
                         ? "lighter than any buoy (foam has 200 to 700); is the volume in litres, or "
                           "the mass in t?"
@@ -76,7 +76,7 @@ class LineLoads {
     const LineType& t = type(section_at(m.at));
     const double bears = t.breaking_load > 0 ? t.breaking_load : t.tension_table ? HUGE_VAL : 0.1 * t.EA;
     if (0.5 * std::abs(up) > bears)  // the tensions on both sides together
-      return warn(key, "{:.3g} kN {} is more than twice of what '{}' bears there, {:.3g} kN{}",
+      return warn(key, "{:.3g} kN {} is more than twice what '{}' can carry there, {:.3g} kN{}",
                   std::abs(up) / 1000, up > 0 ? "of buoyancy" : "of weight", t.name, bears / 1000,
                   t.breaking_load > 0 ? "" : " at a strain of 10 %");
     if (m.drag_area > 0 && m.volume > 0) {
@@ -91,15 +91,15 @@ class LineLoads {
     const double force = p.force.norm();
     const std::string key = fmt::format("loads[{}].force", p.order);
     if (force > 0 && force < kNothing * weight_)
-      return warn(key, "{:.4g} N is {:.1g} of the line's weight and moves nothing{}", force, force / weight_,
-                  force * 1000 >= kNothing * weight_ ? "; is it in kN?" : "");
+      return warn(key, "{:.4g} N is {:.1g} of the line's weight and has no visible effect{}", force,
+                  force / weight_, force * 1000 >= kNothing * weight_ ? "; is it in kN?" : "");
     const LineType& t = type(section_at(p.at));
     // If both sides carry the load, the larger tension is at least half of it.
     if (t.kind == LineKind::cable && t.breaking_load > 0 && 0.5 * force > t.breaking_load)
       return warn(key, "{:.4g} kN is more than twice the breaking load of '{}', {:.4g} kN", force / 1000,
                   t.name, t.breaking_load / 1000);
     if (force > 0.5 * t.EA && !t.tension_table)
-      warn(key, "{:.4g} kN is half and more of the EA of '{}', {:.4g} kN", force / 1000, t.name, t.EA / 1000);
+      warn(key, "{:.4g} kN is more than half the EA of '{}', {:.4g} kN", force / 1000, t.name, t.EA / 1000);
     const double curvature = 2 * p.moment.norm() / (t.EI2 + t.EI3);
     if (t.kind == LineKind::beam && !t.moment_table && !t.plastic_bending && curvature * t.outer_diameter > 1)
       warn(fmt::format("loads[{}].moment", p.order),
@@ -126,8 +126,8 @@ class LineLoads {
     const Vec3 way = end_position(c_, line_.end_b) - end_position(c_, line_.end_a);
     if (!(way.norm() > 0) || along.dot(way.normalized()) > -0.5) return;  // 120 degrees
     warn(fmt::format("end_{}.direction", b ? "b" : "a"),
-         "points {:.0f} degrees away from the way to the other end; it goes from end A to end B: is it "
-         "reversed?",
+         "points {:.0f} degrees away from the line between the ends; a direction is that from end A to end "
+         "B: is it reversed?",
          std::acos(std::clamp(along.dot(way.normalized()), -1.0, 1.0)) * 180 / M_PI);
   }
   Mat3 exp_body(const End& e) const {
@@ -150,12 +150,14 @@ class LineLoads {
     const bool fibre = density(low) < kFibreDensity && modulus(low) < kMetallic;
     if (fibre && density(high) > 3 * density(low) && modulus(high) > kMetallic && low.name != high.name)
       return warn(key,
-                  "'{}' lies on the bed and the heavy '{}' hangs at the other end: are the ends swapped?",
+                  "'{}' lies on the seabed and the heavier '{}' is at the upper end: are the ends swapped?",
                   low.name, high.name);
     const double floats = c_.environment.water.density * M_PI / 4 * low.displaced() * low.displaced();
     if (c_.environment.water.present && modulus(low) > kMetallic && low.mass_per_length < floats)
-      warn(key, "'{}' is anchored on the bed and floats: {:.4g} kg/m displace {:.4g} kg/m of water", low.name,
-           low.mass_per_length, floats);
+      warn(key,
+           "'{}' is anchored on the seabed and floats: its mass is {:.4g} kg/m and it displaces {:.4g} kg/m "
+           "of water",
+           low.name, low.mass_per_length, floats);
   }
 
   void feed(bool b) {
@@ -204,10 +206,11 @@ class LineLoads {
     for (const Section& s : line_.sections) least = std::min(least, mass_in_water(c_, type(s), -HUGE_VAL));
     const double hangs = least * c_.environment.gravity * height;
     if (hangs > 0 && tension < 0.99 * hangs)
-      warn("target.tension", "{:.4g} kN is less than the weight that hangs there at least, {:.4g} kN{}",
-           tension / 1000, hangs / 1000,
-           unit_hint(c_, {"lines", line_.name, "target", "tension"},
-                     [&](double x) { return x > hangs && x < 0.05 * t.EA; }));
+      warn("target.tension",
+           "{:.4g} kN is less than the smallest weight that hangs from that end, {:.4g} kN{}", tension / 1000,
+           hangs / 1000, unit_hint(c_, {"lines", line_.name, "target", "tension"}, [&](double x) {
+             return x > hangs && x < 0.05 * t.EA;
+           }));
   }
 
   const Case& c_;

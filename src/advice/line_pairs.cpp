@@ -8,8 +8,8 @@ namespace hawser::advice {
 std::string chosen_pair_stiffness(double least, double most, const std::string& only_line, bool themselves) {
   return fmt::format(
       "{}: a normal stiffness of {} N/m per m, chosen by weight and EA. "
-      "contact.between_lines.normal_stiffness sets another, and contact.between_lines: false leaves such "
-      "contact out",
+      "contact.between_lines.normal_stiffness sets another value, and contact.between_lines: false switches "
+      "this contact off",
       !only_line.empty() ? fmt::format("contact of line {} with itself", only_line)
       : themselves       ? "contact between lines and of lines with themselves"
                          : "contact between lines",

@@ -65,8 +65,8 @@ class Proportions {
     const auto fits = [&](double x) { return between(x / t_.EA, least, most); };
     if (EI / t_.EA > most)
       warn("EI",
-           "with its EA it is {:.3g} m from the axis (sqrt(EI/EA)), and a diameter of {:.4g} m has {:.3g} m "
-           "at most{}",
+           "with its EA it means a radius of gyration sqrt(EI/EA) of {:.3g} m, and a section {:.4g} m in "
+           "diameter has {:.3g} m at most{}",
            gyration(EI), D, D / std::sqrt(8.0), hint("EI", fits));
     else
       warn("EI",
@@ -135,8 +135,7 @@ class Proportions {
     if (between(ratio, least, most)) return;
     if (std::string_view(key) == "displaced_diameter" && !given(key))
       return warn(
-          "",
-          "its mass and weight are those of {:.4g} m of displaced water, and its outer diameter is {:.4g} m",
+          "", "its mass and weight mean a displaced diameter of {:.4g} m, and its outer diameter is {:.4g} m",
           d, t_.outer_diameter);
     if (!given(key)) return;  // another one is odd
     warn(key, "{:.4g} m is {:.2g} times the outer diameter; {:g} to {:g} times are usual{}", d, ratio, least,
@@ -163,7 +162,9 @@ class Proportions {
     if (t_.steel || !given("pipe") || !(t_.wall_diameter > t_.inner_diameter)) return;
     const double slender = t_.wall_diameter / (0.5 * (t_.wall_diameter - t_.inner_diameter));
     if (slender > 150)
-      warn("pipe.wall_thickness", "D/t is {:.3g}; pipes have 5 to 60, and 150 buckle like cans", slender);
+      warn("pipe.wall_thickness",
+           "D/t is {:.3g}; usual pipes have 5 to 60, and above 150 the wall buckles as a thin shell",
+           slender);
   }
 
   void strains() {

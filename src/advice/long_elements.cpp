@@ -19,10 +19,9 @@ std::string off_by(double share) {
 std::string turns_on_edge(const std::string& line, const LongElements& at, double largest, double EI) {
   return fmt::format(
       "line {} turns by {:.0f} degrees over a volume from one straight element of {:.3g} m to the next (arc "
-      "length {:.4g} m, t = {:.4g} s), and these take {:.2g} N of its tension there as if by friction, "
-      "{:.2g} "
-      "% of the largest: give its type 'EI' of {:.2g} N m² or more (a quarter with half as long elements), "
-      "with which it bends within its elements, or elements of {:.2g} m there",
+      "length {:.4g} m, t = {:.4g} s), which reduces its tension there by {:.2g} N as friction would, {:.2g} "
+      "% of the largest: give its type an 'EI' of {:.2g} N m² or more (a quarter of that with elements half "
+      "as long), or use elements of {:.2g} m there",
       line, at.turn * 180 / M_PI, at.length, at.arc, at.time, at.error, 100 * at.error / largest, EI,
       at.recommended);
 }
@@ -30,23 +29,23 @@ std::string turns_on_edge(const std::string& line, const LongElements& at, doubl
 std::string sags_between_nodes(const std::string& line, const LongElements& at, double largest) {
   return fmt::format(
       "line {} sags between the nodes of its elements of {:.3g} m: it turns by {:.2g} degrees from one to "
-      "the next (arc length {:.4g} m, t = {:.4g} s), so that its tension is off {}: give it elements of "
-      "{:.2g} m there",
+      "the next (arc length {:.4g} m, t = {:.4g} s), and its tension is wrong {}: use elements of {:.2g} m "
+      "there",
       line, at.length, at.turn * 180 / M_PI, at.arc, at.time, off_by(at.error / largest), at.recommended);
 }
 
 std::string leaves_bed_within(const std::string& line, const LongElements& at, double largest) {
   return fmt::format(
-      "line {} leaves the bed steeply within an element of {:.3g} m (arc length {:.4g} m), of which either "
-      "half may hang, so that its tension is off by about {:.2g} % of the largest: give it elements of "
-      "{:.2g} m there",
+      "line {} leaves the bed steeply within an element of {:.3g} m (arc length {:.4g} m), which does not "
+      "resolve the touchdown point, and its tension is wrong by about {:.2g} % of the largest: use elements "
+      "of {:.2g} m there",
       line, at.length, at.arc, 100 * at.error / largest, at.recommended);
 }
 
 std::string moment_between_nodes(const std::string& line, const LongElements& at, double largest) {
   return fmt::format(
-      "the bending moment of line {} falls off within {:.3g} m at arc length {:.4g} m (t = {:.4g} s), which "
-      "elements of {:.3g} m miss {}: give it elements of {:.2g} m there",
+      "the bending moment of line {} decays within {:.3g} m at arc length {:.4g} m (t = {:.4g} s), and with "
+      "elements of {:.3g} m it is wrong {}: use elements of {:.2g} m there",
       line, at.decay, at.arc, at.time, at.length, off_by(at.error / largest), at.recommended);
 }
 
@@ -58,15 +57,15 @@ std::string long_in_flow(const LongInFlow& at) {
   const double percent = 100 * at.error / at.force;
   return fmt::format(
       "line {} has elements of {:.3g} m at arc length {:.4g} m ({:.3g} m {} the still water, t = {:.4g} s), "
-      "{}, so that the forces of the flow on the elements of {} are off by about {:.{}f} % of their largest "
-      "sum, {:.3g} kN: give it elements of {:.2g} m there",
+      "{}, and the hydrodynamic forces on the elements of {} are wrong by about {:.{}f} % of their largest "
+      "sum, {:.3g} kN: use elements of {:.2g} m there",
       at.line, at.length, at.arc, std::abs(at.z), at.z > 0 ? "above" : "below", at.time, why,
       at.joined > 1 ? fmt::format("the {} lines that are joined there", at.joined) : "the line", percent,
       percent < 9.95 ? 1 : 0, at.force / 1000, at.recommended);
 }
 
 std::string more_long_in_flow(size_t lines) {
-  return fmt::format("; the elements of {} more lines are too long for the flow, by less", lines);
+  return fmt::format("; the elements of {} more lines are too long for the flow, with smaller errors", lines);
 }
 
 }  // namespace hawser::advice

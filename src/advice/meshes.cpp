@@ -62,9 +62,10 @@ std::string mesh_summary(const MeshReport& r) {
 }
 
 std::string repaired(const RepairResult& done) {
-  std::string text = done.turned == 0 ? std::string("no triangle turned over")
-                                      : many(done.turned, "triangle", "triangles") +
-                                            " turned over, by rays that count what they cross";
+  std::string text = done.turned == 0
+                         ? std::string("no triangle turned over")
+                         : many(done.turned, "triangle", "triangles") +
+                               " turned over (inside and outside found by counting the crossings of rays)";
   if (done.one_sided > 0)
     text += "; " + many(done.one_sided, "patch is", "patches are") +
             " one-sided like a Möbius band and left as found";
@@ -88,8 +89,8 @@ std::string mesh_cannot_be_closed(const RepairResult& done) {
 
 std::string holes_not_filled(const RepairResult& done) {
   return fmt::format(
-      "holes are not filled: inside is where the winding number is above 1/2, as it is behind {:.4g} % of "
-      "the surface",
+      "holes are not filled: the inside is where the winding number is above 1/2, which holds behind {:.4g} "
+      "% of the surface",
       100 * done.enclosing);
 }
 
@@ -146,8 +147,9 @@ std::string exact_shape(size_t triangles) {
 }
 
 std::string drawn_coarser(size_t drawn, size_t vertices) {
-  return fmt::format("ParaView is shown {} of its {} vertices or fewer, as it moves; contact has all.", drawn,
-                     vertices);
+  return fmt::format(
+      "The file for ParaView has at most {} of its {} vertices, as it moves; contact uses all.", drawn,
+      vertices);
 }
 
 std::string internal_facets(long facets) {

@@ -8,11 +8,11 @@
 namespace hawser::advice {
 
 std::string modes_need_statics(const model::Case& c) {
-  return c.path + ": statics: modes are about the static equilibrium, which this case does not compute";
+  return c.path + ": statics: modes need the static equilibrium, and this case has 'statics: false'";
 }
 
 std::string stiffness_needs_statics(const model::Case& c) {
-  return c.path + ": statics: the stiffness is that at rest, which this case does not compute";
+  return c.path + ": statics: the stiffness needs the static equilibrium, and this case has 'statics: false'";
 }
 
 std::string fewer_modes_converged(size_t found, size_t wanted) {
@@ -33,18 +33,18 @@ std::string faster_instabilities(long directions) {
 }
 
 std::string no_line_tied_to_body(const model::Case& c) {
-  return c.path + ": no line is tied to a body, so that none has a stiffness of lines";
+  return c.path + ": no line is attached to a body, so there is no stiffness to compute";
 }
 
 std::string lines_tied_to_bodies(const model::Case& c, const std::vector<std::string>& all) {
-  return fmt::format("{}: lines are tied to {}: choose one of them by --body", c.path,
+  return fmt::format("{}: lines are attached to {}: choose one of them by --body", c.path,
                      model::enumerate(all, "and"));
 }
 
 std::string lines_not_tied_to(const model::Case& c, const std::string& body,
                               const std::vector<std::string>& all) {
-  return fmt::format("{}: no line is tied to a body {}, but to {}", c.path, model::quote(body),
-                     model::enumerate(all, "and"));
+  return fmt::format("{}: no line is attached to a body {}; lines are attached to {}", c.path,
+                     model::quote(body), model::enumerate(all, "and"));
 }
 
 std::string body_rides_on_line(const model::Case& c, const std::string& body) {
@@ -52,7 +52,7 @@ std::string body_rides_on_line(const model::Case& c, const std::string& body) {
 }
 
 std::string no_coefficients(const model::Case& c) {
-  return c.path + ": no body has hydrodynamic coefficients, of which there would be a table";
+  return c.path + ": no body has 'hydrodynamics', so there are no coefficients for the table";
 }
 
 }  // namespace hawser::advice

@@ -54,8 +54,7 @@ std::string name_is_a_folder(const std::string& path, const std::string& name) {
 
 std::string third_party_file(const std::string& path, const std::string& name) {
   return cannot_write_results(
-      path,
-      name + " is not of hawser's making, and is not replaced; move it away, or give another file with -o");
+      path, name + " was not written by hawser and is not replaced; move it, or give another file with -o");
 }
 
 std::string table_needs_csv(const std::string& path, const std::string& what) {
@@ -64,8 +63,8 @@ std::string table_needs_csv(const std::string& path, const std::string& what) {
 
 std::string not_such_a_table(const std::string& path, const std::string& what) {
   return fmt::format(
-      "cannot write the table to {}: there is a file that is no table of {}; move it away, or give another "
-      "file",
+      "cannot write the table to {}: the file there is not a table of {} and is not replaced; move it, or "
+      "give another file",
       path, what);
 }
 
@@ -76,7 +75,7 @@ std::string no_file_locks(const std::string& path) {
 }
 
 std::string name_not_utf8(const std::string& path) {
-  return fmt::format("the name of {} is not UTF-8: the XDMF file cannot tell ParaView of it", path);
+  return fmt::format("the name of {} is not UTF-8: the XDMF file cannot refer to it", path);
 }
 
 std::string results_kept_as(const std::string& path, const std::string& kept) {

@@ -14,9 +14,9 @@ std::string no_file() { return "there is no such file"; }
 
 std::string not_readable() { return "it cannot be read"; }
 
-std::string not_hdf5() { return "it is no HDF5 file"; }
+std::string not_hdf5() { return "it is not an HDF5 file"; }
 
-std::string not_results() { return "it is no results file of hawser, or damaged"; }
+std::string not_results() { return "it is not a results file of hawser, or it is damaged"; }
 
 std::string damaged_checkpoint(const std::string& quantity, double value) {
   return fmt::format("its checkpoint is damaged: {} is {:g}", quantity, value);
@@ -24,15 +24,15 @@ std::string damaged_checkpoint(const std::string& quantity, double value) {
 
 std::string other_version(const std::string& file, const std::string& kept) {
   return fmt::format(
-      "another version of hawser wrote it, which kept other quantities of {}; begin with its last shape by "
-      "'start: {{from: {}}}', or anew",
+      "another version of hawser wrote it, with other quantities of {}; start from its last shape by 'start: "
+      "{{from: {}}}', or repeat the run",
       kept, file);
 }
 
 std::string other_case(const std::string& difference) { return "it holds another case: " + difference; }
 
 std::string other_number_of_lines(size_t there, size_t here) {
-  return fmt::format("lines: {} there, {} here", there, here);
+  return fmt::format("lines: {} in the file, {} in this case", there, here);
 }
 
 std::string other_line(size_t place, const std::string& there, const std::string& here) {
@@ -40,11 +40,12 @@ std::string other_line(size_t place, const std::string& there, const std::string
 }
 
 std::string other_number_of_nodes(const std::string& line, double there, int here) {
-  return fmt::format("line {} has {} nodes there, {} here", line, there, here);
+  return fmt::format("line {} has {} nodes in the file, {} in this case", line, there, here);
 }
 
 std::string other_node(const std::string& line, double there, double here) {
-  return fmt::format("a node of line {} is at {:.6g} m there, {:.6g} m here", line, there, here);
+  return fmt::format("a node of line {} is at {:.6g} m in the file, {:.6g} m in this case", line, there,
+                     here);
 }
 
 std::string other_beams() { return "other nodes are of beams"; }
@@ -80,14 +81,14 @@ std::string changed_by_set(const std::string& text, const std::vector<std::strin
 }
 
 std::string other_changes(const std::string& file, const std::string& there, const std::string& here) {
-  return fmt::format("the run of {} was made with{}, and goes on with{}", file,
+  return fmt::format("the run of {} was made with{}, and continues with{}", file,
                      there.empty() ? "out --set" : there, here.empty() ? "out --set" : here);
 }
 
 std::string event_before_restart(const model::Event& event, double time) {
   return fmt::format(
-      "{} was to be {} at {:g} s, before t = {:g} s from which the run goes on, and was not; give it a later "
-      "time",
+      "{} should have been {} at {:g} s, before the restart at t = {:g} s, and was not; give the event a "
+      "later time",
       event.action.subject(), event.action.participle(), event.cause.time, time);
 }
 
@@ -98,8 +99,8 @@ std::string event_of_statics_missing(const model::Event& event) {
 
 std::string event_unknown(const std::string& name, double time) {
   return fmt::format(
-      "'{}' happened at t = {:g} s of the run that this one goes on from, and no event of the case says so; "
-      "keep that event",
+      "'{}' happened at t = {:g} s of the run that this one continues, and the case has no such event; put "
+      "that event back",
       name, time);
 }
 

@@ -13,7 +13,8 @@ std::string after_relaxation(int steps) {
 }  // namespace
 
 std::string restart_needs_dynamics(const model::Case& c) {
-  return c.path + ": dynamics: only a run in time can go on from a checkpoint";
+  return c.path +
+         ": dynamics: required key is missing: only a run with 'dynamics' can continue from a checkpoint";
 }
 
 std::string model_size(size_t nodes, int ranks, int cut_elements) {
@@ -47,8 +48,8 @@ std::string preparing_mesh(const std::string& file) { return fmt::format("making
 
 std::string energy_of_run(const EnergyOfRun& e) {
   return fmt::format(
-      "energy: brought in {:.6g} J, of which into motion {:.6g}, strain {:.6g}, friction {:.6g}, damping "
-      "{:.6g}, unresolved {:.3g} J; not accounted for {:.3g} J ({:.3g} % of the work done, {:.3g} J)",
+      "energy: input {:.6g} J: kinetic {:.6g}, strain {:.6g}, friction {:.6g}, damping {:.6g}, unresolved "
+      "{:.3g} J; balance error {:.3g} J ({:.3g} % of the work done, {:.3g} J)",
       e.brought_in, e.kinetic, e.strain, e.friction, e.damping, e.unresolved, e.error, e.percent, e.size);
 }
 
@@ -64,18 +65,16 @@ std::string petsc_option_is_fixed(const std::string& option, const std::string& 
 
 std::string lengths_not_found_in_trial(double spent) {
   return fmt::format(
-      "note: in {:g} CPU s the search has not found lengths with which the lines have at rest what the case "
-      "asks "
-      "for; the check ends here, and how the lines start is not checked; a run searches on, faster from "
-      "lengths "
-      "near those needed",
+      "note: in {:g} CPU s the search has not found line lengths that meet the targets of the case; the "
+      "check ends here and does not check the start shapes; a run continues the search, faster from lengths "
+      "near the solution",
       spent);
 }
 
 std::string case_is_valid(bool starts_outside) {
   if (starts_outside) return "the case is valid";
-  return "the case is valid if statics moves its lines out of the volumes they start in; the run stops if "
-         "not";
+  return "the case is valid if statics moves the lines out of the volumes in which they start; otherwise the "
+         "run stops";
 }
 
 }  // namespace hawser::advice

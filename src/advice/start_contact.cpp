@@ -15,11 +15,11 @@ std::string remedy(const model::Line& line, const InsideVolume& s) {
   for (const bool b : {false, true}) {
     const double within = line.end(b).no_contact_within.value_or(-1);
     if (within >= 0 && (b ? s.to >= length - within - 1e-9 * length : s.from <= within + 1e-9 * length))
-      return fmt::format("'no_contact_within' of end_{} must be at least {:.3g} m to leave it out",
+      return fmt::format("'no_contact_within' of end_{} must be at least {:.3g} m to exclude that stretch",
                          b ? "b" : "a", b ? length - s.from : s.to);
   }
   if (line.start == model::Start::points) return "move the points of its 'start' out of it";
-  return "say where it lies outside of it with 'start: {points: [[x, y, z], ...]}'";
+  return "give a shape outside the volume with 'start: {points: [[x, y, z], ...]}'";
 }
 
 std::string where_inside(const InsideVolume& s) {
@@ -73,11 +73,11 @@ std::string excluded_at_end(const model::Line& line, bool at_b, const std::strin
 std::string passes_volume(const model::Line& line, const std::string& volume, const Passes& p) {
   const std::string but = p.own_a   ? "while its end A is above it"
                           : p.own_b ? "while its end B is above it"
-                          : p.under ? "while the straight way between its ends passes over it"
-                                    : "while the straight way between its ends passes under it";
+                          : p.under ? "while the straight line between its ends passes over it"
+                                    : "while the straight line between its ends passes under it";
   return fmt::format(
-      "lines.{}: its start shape passes {} volume {}, {:.3g} m from it at {:.4g} m of arc length, {}, {}; "
-      "if it is to lie there, say so with 'start: {{points: [[x, y, z], ...]}}'",
+      "lines.{}: its start shape passes {} volume {}, {:.3g} m from it at {:.4g} m of arc length, {}, {}; if "
+      "that is intended, confirm it with 'start: {{points: [[x, y, z], ...]}}'",
       line.name, p.under ? "under" : "over", volume, p.distance, p.arc, point_text(p.place), but);
 }
 

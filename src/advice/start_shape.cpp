@@ -12,7 +12,7 @@ std::string against_direction(const model::Line& line, bool at_b, double angle) 
   const Vec3& d = *line.end(at_b).direction;
   return fmt::format(
       "lines.{}.{}.direction: the line would have to turn by {:.0f} degrees to have this direction at end "
-      "{}: at both ends it is the direction from end A to end B; is [{:.3g}, {:.3g}, {:.3g}] meant?",
+      "{}: at both ends the direction is the tangent from end A to end B; is [{:.3g}, {:.3g}, {:.3g}] meant?",
       line.name, at_b ? "end_b" : "end_a", angle * 180 / M_PI, at_b ? 'B' : 'A', 0 - d.x(), 0 - d.y(),
       0 - d.z());
 }
@@ -23,7 +23,7 @@ std::string no_start_shape(const std::string& line) {
 
 std::string undecided_crossing(const std::string& line, const std::string& other, const Vec3& at) {
   return fmt::format(
-      "it crosses line '{}' at {}, and nothing says which of the two lies over the other; say so with "
+      "it crosses line '{}' at {}, and the case does not define which of the two is on top; define it with "
       "'contact: {{between_lines: {{over: [[{}, {}]]}}}}' (the upper one first)",
       other, point_text(at), line, other);
 }
@@ -56,14 +56,14 @@ std::string more_start_over_volumes(size_t lines) {
 }
 
 std::string link_without_length() {
-  return "its ends start at the same point, so that it has no length: give it a 'rest_length', which may be "
-         "0, or place its ends apart";
+  return "its ends start at the same point, so that its length is 0: give it a 'rest_length', which may be "
+         "0, or move its ends apart";
 }
 
 std::string too_short_for_supports(double length, double way) {
   return fmt::format(
-      "the line is {:.6g} m long, and the shortest way over its supports to its other end is {:.6g} m; make "
-      "it {:.3g} m longer, or move the end",
+      "the line is {:.6g} m long, and the shortest path over its supports to its other end is {:.6g} m; make "
+      "the line {:.3g} m longer, or move the end",
       length, way, way - length);
 }
 

@@ -16,18 +16,18 @@ namespace hawser::advice {
 
 std::string slack_at_rest(const std::string& line, double length, bool fell) {
   return fmt::format(
-      "lines.{}: {:.3g} m of it have no tension at rest and can lie in other places, of which {}", line,
+      "lines.{}: {:.3g} m of it have no tension at rest and can rest in other positions as well; {}", line,
       length,
-      fell ? "it has fallen into one; 'start' says which is meant"
-           : "rounding may choose (so may the number of ranks): 'start' says which is meant, and 'statics: "
-             "{dynamic_relaxation: always}' lets it fall into place");
+      fell ? "this is one of them; give 'start' near the intended one"
+           : "rounding or the number of ranks may decide which one is found: give 'start' near the intended "
+             "one, or set 'statics: {dynamic_relaxation: always}', which lets the line fall to rest");
 }
 
 std::string no_waterplane(const std::string& body) {
   return fmt::format(
-      "bodies.{}: it floats in the surface, and in_water has no stiffness of its waterplane against roll and "
-      "pitch, so that their periods and amplitudes are wrong: give turning_stiffness, rho g times the second "
-      "moments of area of the waterplane",
+      "bodies.{}: it floats at the surface, and in_water has no waterplane stiffness in roll and pitch, so "
+      "that their periods and amplitudes are wrong: give turning_stiffness, rho g times the second moments "
+      "of area of the waterplane",
       body);
 }
 
@@ -51,16 +51,16 @@ std::string lie_on_bed(const std::vector<std::string>& lines, const std::vector<
 
 std::string held_without_weight(const std::string& body) {
   return fmt::format(
-      "bodies.{}: statics holds it where it starts, without its weight, since bodies have no friction there; "
-      "it sinks in, and slides where friction is too low, when the motion begins; "
-      "'statics: {{contact_friction: true}}' lets it come to rest on what it touches",
+      "bodies.{}: statics holds it in its initial position and without its weight, since bodies have no "
+      "friction in statics; it settles, and slides where friction is too low, as dynamics begins; set "
+      "'statics: {{contact_friction: true}}' to let it come to rest in contact",
       body);
 }
 
 std::string unstable_equilibria_left(int equilibria) {
   return fmt::format(
-      "statics left {} unstable equilibri{} on its way (the lines buckled or snapped): they can rest in more "
-      "than one shape, see whether this is the one meant, and say so by `start` if it is not",
+      "statics left {} unstable equilibri{} during the search (lines buckled or snapped through): the lines "
+      "can rest in more than one shape; check that this is the intended one, and give `start` near it if not",
       equilibria, equilibria == 1 ? "um" : "a");
 }
 
@@ -72,20 +72,20 @@ std::string long_relaxation(int steps, bool line_pairs, bool smooth_volumes) {
   std::vector<std::string> ways;
   if (line_pairs)
     ways.emplace_back(
-        "if slack lines lie in folds that touch one another, 'contact: {between_lines: false}' leaves that "
-        "out "
-        "and may end it");
+        "if folds of slack lines touch one another, 'contact: {between_lines: false}' excludes that contact "
+        "and "
+        "may help");
   if (smooth_volumes)
     ways.emplace_back(
-        "if a line slides along a volume that should hold it, 'friction' of the volume with 'statics: "
-        "{contact_friction: true}' does");
+        "if a line slides along a volume, 'friction' of that volume with 'statics: {contact_friction: true}' "
+        "holds it");
   return fmt::format("statics has not come to rest in {} steps of dynamic relaxation; {}", steps,
                      fmt::join(ways, "; "));
 }
 
 std::string automatic_stiffness_unsettled() {
-  return "statics: the automatic stiffness of contact, or the direction of what is buried, does not settle; "
-         "give the volumes a normal_stiffness, or bury less of what bends";
+  return "statics: the automatic contact stiffness, or the direction of a buried stretch, does not converge; "
+         "give the volumes a normal_stiffness, or shorten the buried stretches of lines that resist bending";
 }
 
 std::string no_equilibrium(StaticsEnds how, const Imbalance& at) {
@@ -93,7 +93,7 @@ std::string no_equilibrium(StaticsEnds how, const Imbalance& at) {
     case StaticsEnds::too_many_iterations:
       return "statics: too many iterations: " + imbalance(at);
     case StaticsEnds::no_descent:
-      return "statics: no descent: " + imbalance(at);
+      return "statics: the line search finds no smaller residual: " + imbalance(at);
     case StaticsEnds::forces_beyond_numbers:
       break;
   }
@@ -101,7 +101,7 @@ std::string no_equilibrium(StaticsEnds how, const Imbalance& at) {
 }
 
 std::string no_rest(int steps, const Imbalance& at) {
-  return fmt::format("statics: no rest after {} steps of dynamic relaxation: {}", steps, imbalance(at));
+  return fmt::format("statics: not at rest after {} steps of dynamic relaxation: {}", steps, imbalance(at));
 }
 
 std::string second_failure(const std::string& first, const std::string& second) {
@@ -112,14 +112,16 @@ std::string path_blocked(const std::string& because) { return "statics: " + beca
 
 std::string body_moves_on(const std::string& place, double far) {
   return fmt::format(
-      "statics: {} has moved by {:.3g} m and finds no rest: it falls, or friction is too low where it lies",
+      "statics: {} has moved by {:.3g} m and does not come to rest: it falls, or the friction under it is "
+      "too low",
       place, far);
 }
 
 std::string more_lines_on_bed(size_t lines) { return fmt::format("{} more lines are on the seabed", lines); }
 
 std::string singular_mooring() {
-  return "the stiffness of the mooring is singular: a part of a line has none at rest against its own motion";
+  return "the stiffness of the mooring is singular: a part of a line has no stiffness against some motion at "
+         "rest";
 }
 
 std::string statics_failed(const model::Case& c) {
@@ -127,8 +129,8 @@ std::string statics_failed(const model::Case& c) {
   const bool on_volume = !c.lines.empty() && !c.statics.contact_friction && !c.volumes.empty();
   if (on_volume)
     ways.emplace_back(
-        "where a line lies on a volume, along which it slides far or over whose facets it finds no rest, "
-        "'friction' of that volume with 'statics: {contact_friction: true}'");
+        "where a line slides along a volume or finds no rest on its facets, 'friction' of that volume with "
+        "'statics: {contact_friction: true}'");
   if (c.statics.relaxation == model::Relaxation::never)
     ways.emplace_back("without 'dynamic_relaxation: never'");
   else if (!on_volume && c.statics.relaxation == model::Relaxation::automatic && !c.statics.contact_friction)
@@ -154,13 +156,13 @@ std::string statics_failed(const model::Case& c) {
   if (c.contact.between_lines.enabled) ways.emplace_back("'contact: {between_lines: false}'");
   constexpr size_t kMost = 3;
   if (ways.size() > kMost) ways.resize(kMost);
-  return fmt::format("statics has failed; what may help: {}{}docs/how-to/failing-runs.md says more",
+  return fmt::format("statics has failed; what may help: {}{}see docs/how-to/failing-runs.md",
                      fmt::join(ways, "; "), ways.empty() ? "" : "; ");
 }
 
 std::string one_rank_has_all() {
-  return "one rank has all nodes, since lines that may touch themselves are not cut: the others do not make "
-         "the run faster; 'contact: {between_lines: {self: false}}' lets lines be cut";
+  return "one rank has all nodes, since a line that may touch itself is not divided among ranks: more ranks "
+         "do not make the run faster; set 'contact: {between_lines: {self: false}}' to allow division";
 }
 
 }  // namespace hawser::advice

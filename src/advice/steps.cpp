@@ -12,9 +12,8 @@ namespace hawser::advice {
 std::string imbalance(const Imbalance& at) {
   if (!at.finite)
     return at.place +
-           ", has a force that is not a finite number; is its mass, its load, its EA or the gravity in "
-           "another "
-           "unit?";
+           ", has a force that is not a finite number; check the units of its mass, its loads, its EA and of "
+           "gravity";
   return at.turns ? fmt::format("{}, is out of balance by {:.3g} N m (moments of size {:.3g} N m)", at.place,
                                 at.value, at.scale)
                   : fmt::format("{}, is out of balance by {:.3g} N (forces of size {:.3g} N)", at.place,
@@ -24,15 +23,16 @@ std::string imbalance(const Imbalance& at) {
 namespace {
 
 std::string overstretched(const Overstretched& at) {
-  return fmt::format("{}, {} {:.3g} % by {:.3g} N on an EA of {:.3g} N; no line of such an EA bears {:g} %",
-                     at.place, at.strain > 0 ? "is stretched by" : "is compressed by",
-                     100 * std::abs(at.strain), std::abs(at.tension), at.EA, 100 * std::abs(at.most));
+  return fmt::format(
+      "{}, {} {:.3g} % by {:.3g} N on an EA of {:.3g} N; no line with such an EA can carry {:g} %", at.place,
+      at.strain > 0 ? "is stretched by" : "is compressed by", 100 * std::abs(at.strain), std::abs(at.tension),
+      at.EA, 100 * std::abs(at.most));
 }
 
 std::string lost_in_rounding(const LostInRounding& at) {
   return fmt::format(
-      "the tension of line {} is known to within {:.2g} % only, so large is rounding beside an EA of {:.3g} "
-      "N; an EA of {:.0e} N is equivalent to one that does not stretch",
+      "the tension of line {} is accurate to {:.2g} % only, because of rounding with an EA of {:.3g} N; an "
+      "EA of {:.0e} N is practically inextensible",
       at.line, 100 * at.share, at.EA, at.sufficient);
 }
 
@@ -43,7 +43,7 @@ struct Clause {
     return "Newton's iteration does not converge: " + imbalance(at);
   }
   std::string operator()(const TurnsTooFar& at) const {
-    return fmt::format("{}, turns by {:.3g} rad in it, and a step follows half a turn at most", at.place,
+    return fmt::format("{}, turns by {:.3g} rad in it, and half a turn is the limit of a step", at.place,
                        at.angle);
   }
   std::string operator()(const ElementTurnsOver& at) const {
@@ -56,7 +56,7 @@ struct Clause {
     return fmt::format("its local error of {:.3g} m is too large", at.error);
   }
   std::string operator()(BeyondContactSearch) const {
-    return "lines move farther in it than the contact search covers";
+    return "lines move further in it than the contact search covers";
   }
   std::string operator()(LinePassesVolume) const { return "in it a line would pass through a volume"; }
   std::string operator()(BodyPassesBody) const { return "in it a body would pass through another one"; }
@@ -75,12 +75,12 @@ struct Clause {
 std::string clause(const StepFinding& found) { return std::visit(Clause(), found); }
 
 std::string overstretched_in_statics(const Overstretched& at) {
-  return fmt::format("statics: {}: is the load, the length or the EA in another unit?", overstretched(at));
+  return fmt::format("statics: {}: check the units of loads, lengths and EA", overstretched(at));
 }
 
 std::string overstretched_at(double time, const Overstretched& at) {
-  return fmt::format("at t = {:.6g} s {}: does something pull at once that should have a 'ramp'?", time,
-                     overstretched(at));
+  return fmt::format("at t = {:.6g} s {}: is a load or motion applied suddenly that should have a 'ramp'?",
+                     time, overstretched(at));
 }
 
 std::string tension_lost_in_statics(const LostInRounding& at) { return "statics: " + lost_in_rounding(at); }
@@ -91,14 +91,14 @@ std::string tension_lost_at(double time, const LostInRounding& at) {
 
 std::string folded_element(const FoldedElement& at) {
   return fmt::format(
-      "; {}, is bent by {:.0f} degrees within an element of {:.3g} m: elements of {:.2g} m would follow "
-      "that, and if it is not meant to fold, a slower motion, 'EI' or 'stiffness_damping' prevents it",
+      "; {}, is bent by {:.0f} degrees within an element of {:.3g} m: elements of {:.2g} m would resolve "
+      "that; if it should not fold, a slower motion, 'EI' or 'stiffness_damping' prevents it",
       at.place, at.turn * 180 / M_PI, at.length, at.sufficient);
 }
 
 std::string shortest_step_fails(double time, double step, const std::string& because,
                                 const std::string& folded) {
-  return fmt::format("stopped at t = {:.6g} s: the shortest step ({:.3g} s) cannot be taken: {}{}", time,
+  return fmt::format("stopped at t = {:.6g} s: even the shortest step ({:.3g} s) is rejected: {}{}", time,
                      step, because, folded);
 }
 

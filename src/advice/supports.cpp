@@ -73,13 +73,13 @@ std::optional<BelowSupport> below_supports(const model::Case& c,
     const model::SupportCrossing& x = crossings[k];
     if (!x.known || std::abs(x.offset) > b.half_width || x.height > -b.rise) continue;
     const model::Line& line = c.line(b.line);
-    const std::string wrong = fmt::format(
-        "starts on the wrong side of support '{}', {:.3g} m below where it would lie on its roller", b.name,
-        -x.height);
+    const std::string wrong =
+        fmt::format("starts on the wrong side of support '{}', {:.3g} m below its position on the roller",
+                    b.name, -x.height);
     if (line.start != model::Start::automatic)
       return BelowSupport{
           "lines." + line.name,
-          wrong + "; give it no 'start', so that it starts on its supports, or points above them"};
+          wrong + "; remove 'start', so that it starts on its supports, or give points above them"};
     const std::vector<Stop> way = way_over_supports(c, line, poses);
     size_t odd = 0;
     double off = 0;  // m
@@ -91,42 +91,43 @@ std::optional<BelowSupport> below_supports(const model::Case& c,
     if (!(std::abs(off) > b.rise))
       return BelowSupport{
           b.key,
-          fmt::format("line {} {}; move the supports, or the end of the line, so that one leads to the other",
-                      line.name, wrong)};
+          fmt::format(
+              "line {} {}; move the supports or the end of the line, so that the path leads to the end",
+              line.name, wrong)};
     const model::SupportBox& named = *way[odd].box;
     const std::string cause =
         odd > 0
-            ? fmt::format("support '{}' is {:.3g} m {} the way over its neighbours", named.name,
+            ? fmt::format("support '{}' is {:.3g} m {} the path over its neighbours", named.name,
                           std::abs(off), off > 0 ? "above" : "below")
             : fmt::format(
-                  "the way over the supports begins {:.3g} m {} the end from which line {} goes overboard",
+                  "the path over the supports begins {:.3g} m {} the end from which line {} goes overboard",
                   std::abs(off), off > 0 ? "below" : "above", line.name);
     return BelowSupport{named.key,
                         fmt::format("{}, so that line {} {}; {}", cause, line.name, wrong,
                                     odd > 0 ? "move it into line with them"
-                                            : "move them, or the end, so that one leads to the other")};
+                                            : "move them or the end, so that the path leads to the end")};
   }
   return {};
 }
 
 std::string off_rollers(const model::SupportBox& box, const model::SupportCrossing& at, double time) {
   return fmt::format(
-      "line {} is off the end of the rollers of support {} at t = {:.6g} s: {:.3g} m to the {} of its "
-      "middle, and they reach {:.3g} m",
+      "line {} is beyond the end of the rollers of support {} at t = {:.6g} s: {:.3g} m to the {} of their "
+      "middle, and they end at {:.3g} m",
       box.line, box.name, time, std::abs(at.offset), at.offset > 0 ? "left" : "right", box.half_width);
 }
 
 std::string never_carries(const model::SupportBox& box, double height) {
   return fmt::format(
       "support {} never carries line {}, {} and lies on supports further on: raise it by 'above_path', or "
-      "leave it out",
+      "remove it",
       box.name, box.line,
       std::isfinite(height) ? fmt::format("which passes {:.3g} m above it", height)
-                            : std::string("which does not come by it"));
+                            : std::string("which does not pass it"));
 }
 
 std::string none_carries(const std::string& line) {
-  return fmt::format("none of its supports ever carries line {}: are they drawn too low, or beside it?",
+  return fmt::format("none of its supports ever carries line {}: are they too low, or beside the line?",
                      line);
 }
 

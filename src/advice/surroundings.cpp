@@ -20,8 +20,8 @@ void dry_bed(const Case& c, std::vector<InputWarning>& out) {
   if (!bed.present || c.lines.empty()) return;
   if (!w.present && c.environment.gravity > 0 && bed.depth > 0) {
     add_warning(out, "environment", Effect::all,
-                "there is a seabed {:.4g} m down and no water: the lines hang in air; "
-                "'water: {{depth: {:.6g}}}' is the sea",
+                "there is a seabed {:.4g} m below z = 0 and no water, so the lines hang in air; add 'water: "
+                "{{depth: {:.6g}}}' for the sea",
                 bed.depth, bed.depth);
     return;
   }
@@ -30,7 +30,7 @@ void dry_bed(const Case& c, std::vector<InputWarning>& out) {
   const double lowest = bed.surface && std::isfinite(bed.depth) ? -2 * bed.depth - highest : highest;
   if (w.present && lowest > w.surface)
     add_warning(out, bed.surface ? "environment.seabed" : "environment.seabed.depth", Effect::all,
-                "all of the bed is above the water, {:.4g} m and more: z points up{}", lowest - w.surface,
+                "all of the seabed is {:.4g} m or more above the water: z points up{}", lowest - w.surface,
                 bed.surface ? "; 'depths: true' is for a grid that counts downwards" : "");
 }
 
@@ -40,8 +40,8 @@ void shallow_waves(const Case& c, std::vector<InputWarning>& out) {
   const bool spectrum = w.waves.kind == Waves::Kind::spectrum;
   if (!spectrum || !(w.depth > 0) || w.waves.height < 0.8 * w.depth) return;
   add_warning(out, "environment.waves", Effect::all,
-              "a significant height of {:.4g} m is {:.2g} times the depth of the water, "
-              "{:.4g} m: it breaks at 0.6",
+              "a significant height of {:.4g} m is {:.2g} times the water depth of {:.4g} m: waves break at "
+              "about 0.6",
               w.waves.height, w.waves.height / w.depth, w.depth);
 }
 
@@ -74,13 +74,13 @@ void short_period_motion(const Case& c, std::vector<InputWarning>& out) {
   const auto ramp = [&](double length, const std::string& key) {
     if (length > c.dynamics.duration)
       add_warning(out, key, Effect::part,
-                  "{:.4g} s is longer than the run of {:.4g} s, whose end sees {:.2g} % of it", length,
-                  c.dynamics.duration, 100 * c.dynamics.duration / length);
+                  "{:.4g} s is longer than the run of {:.4g} s, at the end of which it has reached {:.2g} %",
+                  length, c.dynamics.duration, 100 * c.dynamics.duration / length);
   };
   if (!c.dynamics.enabled) {
     if (waves)
       add_warning(out, "environment.waves", Effect::part,
-                  "they act in dynamics only, and without 'dynamics' nothing of them is seen");
+                  "they act in dynamics only, and the case has no 'dynamics'");
     return;
   }
   if (waves && possible(w.waves)) ramp(w.waves.ramp, "environment.waves.ramp");

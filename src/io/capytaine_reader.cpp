@@ -278,9 +278,9 @@ HydrodynamicData read_capytaine(const std::string& path, const HydrodynamicForm&
   HydrodynamicData data;
   data.radiation_file = data.excitation_file = path;
   if (file.has("forward_speed") && file.number("forward_speed") != 0)
-    file.refuse("is made with a forward speed, and coefficients here are those of a body without");
+    file.refuse("was computed with a forward speed; only coefficients at zero speed are supported");
   if (order != SecondOrder::none)
-    file.refuse("has no forces of second order: leave 'second_order' out, or give WAMIT's or BEMIO's files");
+    file.refuse("has no second-order forces: remove 'second_order', or give WAMIT's or BEMIO's files");
   const double density = file.number("rho"), gravity = file.number("g");
   if (!(density > 0) || !(gravity > 0)) file.refuse("density and gravity are not above 0");
   const double scale = form.density / density;

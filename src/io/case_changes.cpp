@@ -30,7 +30,7 @@ class Change {
   Change(const std::string& text, const std::string& file) : text_(text), file_(file) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0)
-      refuse("", "is no KEY=VALUE; write for example --set dynamics.duration=600");
+      refuse("", "is not KEY=VALUE; write for example --set dynamics.duration=600");
     key_ = text.substr(0, text.find_last_not_of(" \t=", equals) + 1);
     given_ = text.substr(equals + 1);
     if (given_.find_first_not_of(" \t") == std::string::npos)
@@ -39,7 +39,7 @@ class Change {
     try {
       value_ = parse_yaml(given_, "");
     } catch (const InputError&) {
-      refuse("", "{} is no value of YAML: {}", model::quote(given_), why_no_value());
+      refuse("", "{} is not a YAML value: {}", model::quote(given_), why_no_value());
     }
     mark(value_);
   }

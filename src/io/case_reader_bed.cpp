@@ -54,12 +54,12 @@ std::shared_ptr<const HeightGrid> read_grid(const Value& v, const CaseSource& so
   std::vector<double> x, y;
   for (size_t i = 0; i < rows.size(); ++i) {
     if (rows[i].size() != 3)
-      refuse_row(
-          i, fmt::format("a row of a bed has 3 numbers, x, y and z, but this one has {}", rows[i].size()));
+      refuse_row(i, fmt::format("a row of a seabed grid has 3 numbers, x, y and z, but this one has {}",
+                                rows[i].size()));
     for (const double coordinate : rows[i])
       if (!(std::abs(coordinate) <= kFarthest))
         refuse_row(i, fmt::format("{:g} m is beyond {:g} m from the origin; is it in other units than "
-                                  "metres, or a mark for no data?",
+                                  "metres, or a no-data value?",
                                   coordinate, kFarthest));
     x.push_back(rows[i][0]);
     y.push_back(rows[i][1]);
@@ -102,8 +102,8 @@ std::shared_ptr<const HeightGrid> read_grid(const Value& v, const CaseSource& so
     const std::string what = fmt::format(
         "{:g} m at x {:g}, y {:g}{} is {:.3g} m from all other heights", rows[row][2], rows[row][0],
         rows[row][1], odd.count > 1 ? fmt::format(" and in {} more places", odd.count - 1) : "", odd.gap);
-    if (odd.mark) refuse_row(row, what + ": it stands for no data; put the height there that is around it");
-    notes.push_back(fmt::format("{}: {}:{}: {}: is it a mark for no data?", v.where, path, line[row], what));
+    if (odd.mark) refuse_row(row, what + ": it is a no-data value; replace it by the height around it");
+    notes.push_back(fmt::format("{}: {}:{}: {}: is it a no-data value?", v.where, path, line[row], what));
   }
   return std::make_shared<const HeightGrid>(std::move(x), std::move(y), z);
 }
@@ -255,10 +255,10 @@ class BedCheck {
     const double deep = -model::height_above_bed(bed_, x);
     place(where, x, type, std::max(deepest_start(c_, type), kPart * model::length_of(line)));
     if (deep >= 0.5 * type.contact_diameter && deep > kRounded)
-      c_.notes.push_back(fmt::format(
-          "{}: is {:.3g} m under the seabed, which is lowered there over {:.3g} m of the line; give "
-          "the height of the seabed there, or the length that is 'buried'",
-          where, deep, model::bed_at_end(c_, line, &e == &line.end_b, 0).length));
+      c_.notes.push_back(
+          fmt::format("{}: is {:.3g} m below the seabed, so the program lowers the seabed there along {:.3g} "
+                      "m of the line; move the end to the seabed, or give the length that is 'buried'",
+                      where, deep, model::bed_at_end(c_, line, &e == &line.end_b, 0).length));
   }
   // A line with an automatic start shape is straight from its end in the soil to the bed.
   void reaches(const model::Line& line, const model::End& e, const Vec3& x) const {
@@ -276,8 +276,8 @@ class BedCheck {
     const double deep = -model::height_above_bed(bed_, x);
     if (covers(x) && deep > most)
       c_.refuse(key,
-                "is {:.3g} m under the seabed, which would throw the line out; a line of '{}' may start "
-                "{:.2g} m deep at most here where it is not 'buried'",
+                "is {:.3g} m below the seabed; a line of '{}' may start at most {:.2g} m below it here "
+                "unless it is 'buried'; raise the end, or give the length that is 'buried'",
                 deep, type.name, most);
   }
 

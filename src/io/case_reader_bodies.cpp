@@ -36,7 +36,7 @@ void check_coverage(const Value& files, const std::vector<WaveForceTable>& table
       what, table.directions().size(), table.directions().size() == 1 ? "" : "s",
       table.directions().front() / kDegree, table.directions().back() / kDegree, share.direction / kDegree,
       100 * share.uncovered);
-  if (share.uncovered > most) model::refuse(files, where + ": give files with directions there");
+  if (share.uncovered > most) model::refuse(files, where + ": add these directions to the files");
   if (share.uncovered > kSmall) notes.push_back(key + ": " + where);
   const auto beyond = [&](double energy, const char* which, double omega) {
     if (energy > kSmall)
@@ -199,10 +199,9 @@ void meet_sea(const Value& v, const CaseSource& source, model::Body& b, model::C
         check_coverage(files, h.data->drift, h.body, "drift forces", 0.5, sea, heading, key, c.notes);
       }
       if (model::wave_drift_damping(h, sea).diagonal().minCoeff() < 0)
-        c.notes.push_back(
-            key +
-            ".wave_drift_damping: is negative in this sea, so that it drives slow motion instead of "
-            "damping it: has it the other sign?");
+        c.notes.push_back(key +
+                          ".wave_drift_damping: is negative in this sea, so that it excites slow motion "
+                          "instead of damping it: is its sign wrong?");
     }
   const Value* m = v.find("motion");
   const Value* rao = m ? m->find("rao") : nullptr;

@@ -40,7 +40,8 @@ void finish_current(const Value& v, double water_depth, const CaseSource& source
     if (!rows || !rows->items[i].has("direction_deg")) c.profile[i].direction = v["direction_deg"].number;
   for (size_t i = 1; i < c.profile.size(); ++i)
     if (const double above = c.profile[i - 1].depth, here = c.profile[i].depth; !(here > above))
-      refuse(v["profile"].items[i]["depth"], "rows go downwards, but {:g} m comes after {:g} m", here, above);
+      refuse(v["profile"].items[i]["depth"],
+             "depths must increase from row to row, but {:g} m follows {:g} m", here, above);
 }
 
 // Rows of a spectrum; returns its peak period [s].
@@ -99,14 +100,15 @@ void check_stokes(const Value& v, const model::Environment& e, std::vector<std::
     if (wave.ursell() > kUrsellLimit)
       notes.push_back(
           fmt::format("{}: the wave is long for its depth: its Ursell number is {:.3g}, and fifth-order "
-                      "theory is good up to {:g}",
+                      "theory is valid up to {:g}",
                       key, wave.ursell(), kUrsellLimit));
   } catch (const std::invalid_argument& error) {
     refuse(v["stokes"], error.what());
   }
   if (e.water.waves.current != 0 && !e.water.current.profile.empty())
-    notes.push_back(key +
-                    ".current: lines feel it beside 'environment.current', which does not change the wave");
+    notes.push_back(
+        key +
+        ".current: it acts on lines in addition to 'environment.current', which does not change the wave");
 }
 
 // Steepness limit 2 pi Hs/(g Tp²) of DNV-RP-C205, 3.5.4, linear between 8 and 15 s.
@@ -159,7 +161,7 @@ void finish_environment(const Value& v, const CaseSource& source, model::Environ
     if (!e.water.present) refuse(*w, "needs 'water' beside it");
     if (!(e.gravity > 0)) refuse(*w, "without gravity there are no waves: 'environment.gravity' is 0");
     if (e.seabed.surface && !(e.water.depth > 0))
-      refuse(*w, "over a bed of a grid or a mesh waves need 'depth' of the water, which is one for all");
+      refuse(*w, "with a seabed of a grid or a mesh, waves need one 'depth' of the water");
     finish_waves(*w, source, e.water.waves);
     if (e.water.waves.kind == model::Waves::Kind::stokes) check_stokes(*w, e, notes);
     if (!advice::possible(e.water.waves)) return;
@@ -173,7 +175,7 @@ void finish_in_water(const Value& v, const model::Water& water, model::LineType&
   if (!(t.drag_diameter > 0)) t.drag_diameter = t.outer_diameter;
   if (const Value* c = v.find("contents")) {
     const bool bore = c->has("inner_diameter"), pipe = v.has("pipe");
-    if (bore && pipe) refuse((*c)["inner_diameter"], "'pipe' already says what it is; remove one of them");
+    if (bore && pipe) refuse((*c)["inner_diameter"], "'pipe' already defines it; remove one of them");
     if (!bore && !pipe)
       refuse_key(*c, c->where + ".inner_diameter", "required key is missing: the diameter of the bore");
     if (const Value& density = (*c)["density"]; density.is("flooded")) {
@@ -182,7 +184,8 @@ void finish_in_water(const Value& v, const model::Water& water, model::LineType&
     }
     const Value& given = bore ? (*c)["inner_diameter"] : v["pipe"];
     if (t.inner_diameter >= t.outer_diameter)
-      refuse(given, "{:g} m is not inside the outside of {:g} m", t.inner_diameter, t.outer_diameter);
+      refuse(given, "{:g} m is not less than the outer diameter of {:g} m", t.inner_diameter,
+             t.outer_diameter);
     // The bore must lie inside the displaced volume; otherwise its contents would have weight in water
     // without buoyancy.
     if (t.inner_diameter >= t.displaced_diameter)

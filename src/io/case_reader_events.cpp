@@ -42,9 +42,7 @@ void finish_event(const Value& v, model::Event& e, const model::Case& c) {
   }
   if (v.has("tension")) {
     if (a.kind != Action::Kind::release)
-      refuse(v["tension"],
-             "is that of an end that is released or a line that is cut; give 'when: {tension: {line, at, "
-             "above}}'");
+      refuse(v["tension"], "applies to 'release' and 'cut' only; give 'when: {tension: {line, at, above}}'");
     cause.line = a.line;
     cause.arc = a.cut >= 0 ? a.cut : a.at_b ? model::kEndB : 0;
   }

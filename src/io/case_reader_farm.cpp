@@ -154,7 +154,7 @@ std::shared_ptr<const Value> document(const Value& of, const FarmPart& part, con
   const auto tree = std::make_shared<Value>(parse_yaml(text, part.file));
   if (const Value* farm = tree->find("farm"))
     model::fail(part.file, farm->line, "farm",
-                "a platform of a farm is none itself; name the files of its platforms");
+                "a platform of a farm cannot contain a farm; name the files of its platforms");
   for (std::string& note : change_document(*tree, changes, part.file))
     change_notes.push_back(part.file + ": " + std::move(note));
   model::check_structure(*tree, model::case_schema(), part.file, {{"line_types", types}});

@@ -57,8 +57,8 @@ void finish_bending(const Value& v, model::LineType& t) {
   for (const char* key : {"EI", "GJ"})
     if (!v.has(key) && !(stiffness_by_table && std::string_view(key) == "EI"))
       refuse_key(v, v.where + "." + key,
-                 "required key is missing; a type that resists bending needs EI and GJ (a type that doesn't "
-                 "says 'bending: false')");
+                 "required key is missing; a type that resists bending needs EI and GJ (otherwise set "
+                 "'bending: false')");
   if (t.moment_table && t.GA > 0)
     refuse(v["GA"], "cannot be combined with a table of moments; remove one of them");
   read_plasticity(v, t);
@@ -79,7 +79,7 @@ model::LineType read_line_type(const std::string& name, const Value& v, const mo
     t = library_line_type(v);
   } else if (!v.has("pipe")) {
     for (const char* key : {"diameter", "grade"})
-      if (v.has(key)) refuse(v[key], "has a meaning with 'library' only");
+      if (v.has(key)) refuse(v[key], "applies with 'library' only; remove it");
     for (const char* key : {"outer_diameter", "mass_per_length", "EA"})
       if (!v.has(key) && !(v.has("weight") && std::string_view(key) == "mass_per_length"))
         refuse_key(v, v.where + "." + key,
@@ -96,9 +96,9 @@ model::LineType read_line_type(const std::string& name, const Value& v, const mo
   for (const char* key : {"EI", "GJ", "GA", "rotary_inertia", "plasticity"})
     if (v.has(key) && v[key].given)
       refuse(v[key], known && !v.has("bending")
-                         ? "has no meaning for a type of the library, which does not resist bending; say "
+                         ? "has no effect for a type of the library, which does not resist bending; set "
                            "'bending: true' as well"
-                         : "has no meaning for a type with 'bending: false'; remove one of them");
+                         : "has no effect for a type with 'bending: false'; remove one of them");
   return t;
 }
 

@@ -78,9 +78,11 @@ void finish_bend_stiffener(const Value& v, double length, model::BendStiffener& 
   for (std::size_t i = 0; i < b.rows.size(); ++i) {
     const auto [d, k] = b.rows[i];
     if (!(d >= 0) || (i > 0 && !(d > b.rows[i - 1].first)))
-      refuse(rows.items[i], i > 0 ? fmt::format("rows go away from the root, but {:g} m comes after {:g} m",
-                                                d, b.rows[i - 1].first)
-                                  : fmt::format("{:g} m is before the root", d));
+      refuse(rows.items[i],
+             i > 0 ? fmt::format(
+                         "distances from the root must increase from row to row, but {:g} m follows {:g} m",
+                         d, b.rows[i - 1].first)
+                   : fmt::format("{:g} m is before the root", d));
     if (!(k >= 0)) refuse(rows.items[i], "{:g} N m² would soften the line", k);
   }
   const double tip = b.towards_a ? b.at - b.rows.back().first : b.at + b.rows.back().first;
@@ -91,14 +93,16 @@ void finish_bend_stiffener(const Value& v, double length, model::BendStiffener& 
 void check_temperature_change(const Value& v, const model::Line& l) {
   for (std::size_t i = 1; i < l.temperature_change.size(); ++i) {
     const double before = l.temperature_change[i - 1].first, s = l.temperature_change[i].first;
-    if (!(s > before)) refuse(v.items[i], "rows go from end A on, but {:g} m comes after {:g} m", s, before);
+    if (!(s > before))
+      refuse(v.items[i], "arc lengths from end A must increase from row to row, but {:g} m follows {:g} m", s,
+             before);
   }
 }
 
 // Length target: the condition, and the section whose length is adjusted.
 void finish_target(const Value& v, const Value& sections, model::LengthTarget& t) {
   if (t.kind == model::LengthTarget::Kind::laid_length && v["at"].given)
-    refuse(v["at"], "has no meaning for 'laid_length', which is that of the whole line; remove it");
+    refuse(v["at"], "does not apply to 'laid_length', which is that of the whole line; remove it");
   const auto length = [&](int i) { return sections.items[i]["length"].number; };
   const int count = static_cast<int>(sections.items.size());
   for (int i = 1; i < count; ++i)

@@ -24,9 +24,10 @@ void finish_output(const Value& v, const CaseSource& source, model::Case& c) {
   for (const model::Line& l : c.lines)
     for (const std::string& replaced : {o.file, backup_name(o.file)})
       if (std::error_code same; l.previous_shape && fs::equivalent(l.previous_shape->file, replaced, same))
-        refuse_key(v.has("file") ? v["file"] : v, "output.file",
-                   "{} is the run that line '{}' starts from, and would be overwritten; give another 'file'",
-                   replaced, l.name);
+        refuse_key(
+            v.has("file") ? v["file"] : v, "output.file",
+            "{} is the file that line '{}' starts from, and this run would overwrite it; give another 'file'",
+            replaced, l.name);
   for (std::size_t i = 0; i < o.histories.size(); ++i) {
     model::HistoryPoint& p = o.histories[i];
     if (!p.line.empty()) to_length(p.at, length_of(c, p.line));

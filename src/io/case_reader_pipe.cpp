@@ -37,7 +37,7 @@ double polar(double d, double D) { return area(d, D) / 8 * (D * D + d * d); }
 void only(const Value& v, const char* by, std::initializer_list<const char*> keys) {
   for (const char* key : keys)
     if (const Value* k = v.find(key); k && k->given)
-      refuse(*k, "'{}' already says what it is; remove one of them", by);
+      refuse(*k, "'{}' already defines it; remove one of them", by);
 }
 
 // Properties for pipe code checks; unused without a grade.

@@ -94,7 +94,7 @@ void check_gaps(const RaoTable& table, const WaveField& waves, double bow, const
                   "and {:.4g} deg, the table's next directions: give rows between them, or 'symmetry: "
                   "port_starboard' if the table is that of one side",
                   key,
-                  uncovered == 1 ? fmt::format("the wave goes to {:.4g} deg", direction / kDegree)
+                  uncovered == 1 ? fmt::format("the wave propagates to {:.4g} deg", direction / kDegree)
                                  : fmt::format("{} components of the sea go to {:.4g} deg and thereabouts",
                                                uncovered, direction / kDegree),
                   gap.from / kDegree, gap.to / kDegree));

@@ -118,7 +118,7 @@ class Group {
     for (const PlacedSupport& p : places_) points.push_back(p.at.at);
     if (points.size() < 2)
       refuse(v_,
-             "one point alone does not say which way the pipe goes; give two points or more, or a 'path' and "
+             "one point does not define the direction of the pipe; give two points or more, or a 'path' and "
              "'at'");
     for (size_t i = 0; i < points.size(); ++i) {
       PlacedSupport& p = places_[i];

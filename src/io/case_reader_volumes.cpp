@@ -19,7 +19,7 @@ void finish_volume(const Value& v, const CaseSource& source, model::Volume& o) {
     const bool curved = o.sign == model::SignTest::automatic || o.sign == model::SignTest::pseudonormal;
     if (!curved && o.smooth && v["smooth"].given)
       refuse(v["smooth"],
-             "with 'sign: " + v["sign"].text + "' facets are flat; say 'smooth: false' or nothing");
+             "with 'sign: " + v["sign"].text + "' facets are flat; set 'smooth: false' or remove 'smooth'");
     o.smooth = o.smooth && curved;
   }
   if (o.force_table && v.has("smoothing"))

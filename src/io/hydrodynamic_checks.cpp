@@ -109,8 +109,8 @@ void check_ogilvie(const HydrodynamicData& data, bool has_infinite, const Eigen:
   if (apart > kApart * varies)
     notes.push_back(
         fmt::format("{}: added mass and damping do not belong together: by Ogilvie's relation each frequency "
-                    "tells the added mass at infinite frequency, and what they tell is apart by {:.0f} % of "
-                    "what the added mass varies by",
+                    "yields the added mass at infinite frequency, and these values differ by {:.0f} % of the "
+                    "range of the added mass",
                     data.radiation_file, 100 * apart / varies));
 }
 
@@ -159,10 +159,9 @@ void note_wild(const HydrodynamicData& data, const std::vector<Eigen::MatrixXd>&
     }
   if (count > 1) text += fmt::format(" (and {} more)", count - 1);
   if (count > 0)
-    notes.push_back(
-        text +
-        ": an error of the file, or an irregular frequency of its panels: leave that period out, or remove "
-        "irregular frequencies in the run (WAMIT's IRR)");
+    notes.push_back(text +
+                    ": an error of the file, or an irregular frequency of its panels: remove that period, or "
+                    "suppress irregular frequencies in the diffraction run (WAMIT's IRR)");
 }
 
 }  // namespace

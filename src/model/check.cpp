@@ -110,8 +110,8 @@ void check_joints(const Case& c, const Issues& issue) {
     add(l.end_a, l.sections.front());
     add(l.end_b, l.sections.back());
     if (l.end_a.kind == EndKind::joint && l.end_b.kind == EndKind::joint && l.end_a.body == l.end_b.body)
-      issue("lines." + l.name + ".end_b.joint", "both ends are at joint '{}'; a line goes somewhere",
-            l.end_a.body);
+      issue("lines." + l.name + ".end_b.joint",
+            "both ends are at joint '{}'; the ends of a line must be at different points", l.end_a.body);
   }
   for (const Joint& j : c.joints) {
     const auto& [ends, bending] = joined[j.name];
@@ -138,7 +138,7 @@ void check_rides(const Case& c, const Issues& issue) {
       issue(key + ".on.at", "line {} ends at {:.6g} m of arc length", line.name, length_of(line));
     else if (c.line_type(section_at(line, b.on->at)).kind == LineKind::cable)
       issue(key + ".on.at",
-            "line {} does not resist bending there, so that nothing says how the body is turned", line.name);
+            "line {} does not resist bending there, so the rotation of the body is not defined", line.name);
     for (const auto& [l, end] : line_ends_at(c, b))
       issue("lines." + l.name + (&end == &l.end_a ? ".end_a" : ".end_b") + ".body",
             "body {} rides on a line; ends of lines are tied to lines at a joint", b.name);
@@ -165,8 +165,8 @@ void check_mass_matrix(const MassMatrix& m, const std::string& key, const Issues
   const Mat6 scaled = size.cwiseInverse().asDiagonal() * M * size.cwiseInverse().asDiagonal();
   if (const double least = eigenpairs(scaled).values[0]; !(least > 0))
     issue(key,
-          "no body has this inertia: it must be positive in every motion, and one has {:.3g} of what the "
-          "diagonal says",
+          "no body has this inertia: the matrix must be positive definite, and its smallest scaled "
+          "eigenvalue is {:.3g}",
           least);
 }
 
@@ -192,8 +192,7 @@ void check_floating(const Case& c, const Issues& issue) {
     const std::string key = "bodies." + b.name + ".floating.in_water";
     if (!c.environment.water.present) issue(key, "there is no water: give 'environment: {{water: ...}}'");
     if (!b.mass->weight)
-      issue(key,
-            "brings the buoyancy of the body, so that its weight acts as well: 'weight: true' beside it");
+      issue(key, "adds the buoyancy of the body, so its weight must act as well: set 'weight: true'");
   }
   if (c.lines.empty() && !any)
     issue("lines", "required key is missing: there is no line, and no floating body either");
@@ -209,7 +208,7 @@ void check_floating(const Case& c, const Issues& issue) {
 void check_shape(const Volume& v, const Issues& issue) {
   const std::string key = "volumes." + v.name + ".shape.";
   if (const auto* s = std::get_if<CylinderShape>(&*v.shape); s && s->from == s->to)
-    issue(key + "cylinder.to", "is the same point as 'from': a cylinder has a length");
+    issue(key + "cylinder.to", "is the same point as 'from': a cylinder needs a length above 0");
   if (const auto* s = std::get_if<CapsuleShape>(&*v.shape); s && s->from == s->to)
     issue(key + "capsule.to", "is the same point as 'from'; give a sphere instead");
   if (const auto* s = std::get_if<TorusShape>(&*v.shape); s && s->tube_radius >= s->radius)

@@ -26,10 +26,10 @@ double thinnest(const Case& c, const Which& which) {
 void check_smoothing(std::optional<double> smoothing, double thickness, const std::string& key,
                      const Issues& issue) {
   if (thickness > 0 && smoothing && *smoothing > thickness)
-    issue(key,
-          "a ramp of {:g} m is wider than the thinnest line is thick; at most its contact diameter of {:g} m "
-          "is allowed",
-          *smoothing, thickness);
+    issue(
+        key,
+        "a ramp of {:g} m is wider than the thinnest line; at most its contact diameter of {:g} m is allowed",
+        *smoothing, thickness);
 }
 
 void check_kinetic(const Volume& v, const Issues& issue) {
@@ -38,8 +38,8 @@ void check_kinetic(const Volume& v, const Issues& issue) {
   const auto below = [&](const char* which, double kinetic, double still) {
     if (kinetic > still)
       issue("volumes." + v.name + ".friction.kinetic",
-            "{} friction of {:g} in motion is more than that of {:g} at rest; at most that is allowed", which,
-            kinetic, still);
+            "{} friction of {:g} in motion is above that at rest; at most {:g} is allowed", which, kinetic,
+            still);
   };
   below("axial", f.axial_kinetic, f.axial);
   if (!(f.axial_kinetic > f.axial)) below("lateral", f.lateral_kinetic, f.lateral);
@@ -92,9 +92,8 @@ void check_apart(const Case& c, const Issues& issue) {
       if ((p.a - q.a).norm() <= near && (p.b - q.b).norm() <= near && std::abs(p.length - q.length) <= near &&
           std::none_of(exclude.begin(), exclude.end(), same))
         issue("lines." + q.line->name,
-              "it has the ends and the length of line {}, so that they would start in one another; move an "
-              "end, or let "
-              "them pass by 'contact: {{between_lines: {{exclude: [[{}, {}]]}}}}'",
+              "it has the same ends and length as line {}, so they would start in the same place; move an "
+              "end, or exclude their contact by 'contact: {{between_lines: {{exclude: [[{}, {}]]}}}}'",
               quote(p.line->name), one, other);
     }
 }
@@ -142,7 +141,7 @@ void check_contact(const Case& c, const Issues& issue) {
     const auto same = [&](const auto& e) { return ordered(e.first, e.second) == ordered(p.first, p.second); };
     if (std::any_of(b.exclude.begin(), b.exclude.end(), same))
       issue(key + ".lines",
-            "lines {} and {} are in 'exclude', so that these settings would never act; give one of the two",
+            "lines {} and {} are in 'exclude', so these settings have no effect; remove one of the two",
             quote(p.first), quote(p.second));
     if (p.settings.smoothing != b.general.smoothing)
       check_smoothing(p.settings.smoothing,

@@ -77,7 +77,8 @@ class EventOrder : private EventChecks {
       const char* name = end.second ? "end B" : "end A";
       i_ = events.back();
       if (!held && attachments == 0)
-        issue("release", "{} of line '{}' is held by no anchor, no body and no joint that it could let go of",
+        issue("release",
+              "{} of line '{}' is free: no anchor, body or joint holds it that it could be released from",
               name, end.first);
       else if (held && releases == 0)
         issue("attach", "{} of line '{}' is held already; another event must release it before", name,
@@ -112,7 +113,7 @@ class EventOrder : private EventChecks {
           e.action.at_b == o.action.at_b && e.cause.kind == o.cause.kind && e.cause.time == o.cause.time &&
           e.cause.event == o.cause.event &&
           (e.cause.kind == Cause::Kind::time || e.cause.kind == Cause::Kind::after))
-        issue("feed", "'{}' gives the feeder another law at the same instant", o.name);
+        issue("feed", "'{}' changes the law of the feeder at the same time", o.name);
     }
   }
 
@@ -135,7 +136,7 @@ class EventOrder : private EventChecks {
         }
       if (stay > 0 || last == c_.events.size()) continue;
       i_ = last;
-      issue("release", "no end is left at joint '{}' then: one of them must stay", j.name);
+      issue("release", "no end would remain at joint '{}': one of them must stay", j.name);
     }
   }
 
@@ -178,14 +179,17 @@ class EventOrder : private EventChecks {
   void check_stages() {
     for (std::size_t k = 0; k < c_.stages.size(); ++k) {
       const std::string key = fmt::format("stages[{}]", k), &name = c_.stages[k];
-      if (!c_.statics.enabled) all_(key, "statics is off, of which it would be a stage");
+      if (!c_.statics.enabled) all_(key, "the case has 'statics: false', so it has no stages");
       if (std::find(c_.stages.begin(), c_.stages.begin() + static_cast<std::ptrdiff_t>(k), name) !=
           c_.stages.begin() + static_cast<std::ptrdiff_t>(k))
         all_(key, "there is another stage called '{}'", name);
       else if (k > 0 && std::none_of(c_.events.begin(), c_.events.end(), [&](const Event& e) {
                  return e.cause.kind == Cause::Kind::stage && e.cause.event == name;
                }))
-        all_(key, "no event begins stage '{}', which would find the rest of the stage before", name);
+        all_(key,
+             "no event begins stage '{}', so its equilibrium is that of the stage before; remove it or give "
+             "it an event",
+             name);
     }
   }
 };

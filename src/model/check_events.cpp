@@ -24,7 +24,7 @@ class EventCheck : private EventChecks {
       if (e.cause.kind == Cause::Kind::stage)
         check_stage(e);
       else if (!c_.dynamics.enabled)
-        issue("", "there is no 'dynamics', during which it would happen");
+        issue("", "the case has no 'dynamics', and the event happens during dynamics");
       check_action(e.action);
       check_cause(e.cause);
     }
@@ -47,8 +47,8 @@ class EventCheck : private EventChecks {
             c_.stages.empty() ? "; list it under 'stages'" : did_you_mean(e.cause.event, c_.stages));
     if (e.action.kind == Kind::feed && e.action.paid_out == 0)
       issue("stage",
-            "a feeder rests in statics, which would not see another law of it; 'paid_out' says how much "
-            "statics pays out");
+            "a feeder is at rest in statics, so its speed and tension have no effect there; give 'paid_out', "
+            "the length that statics pays out");
   }
 
   void check_action(const Action& a) {
@@ -60,17 +60,18 @@ class EventCheck : private EventChecks {
     if (a.kind == Kind::current && c_.environment.water.current.profile.empty())
       issue("current", "the water has no current that could be scaled");
     if (a.kind == Kind::current && c_.environment.water.current.ramp > 0)
-      issue("current", "the current has a 'ramp' from t = 0 on, and is not there in statics");
+      issue("current", "the current has a 'ramp' from t = 0 on and is zero in statics");
     if (a.line.empty()) return;
     const End& end = end_of(a);
     if (a.kind == Kind::feed) return a.paid_out != 0 ? check_paid_out(a, end) : check_law(a, end);
     if (end.feed)
       issue(a.kind == Kind::release ? "release" : "attach",
-            "{} of line '{}' is fed, and an end that is fed stays where its feeder is", end_name(a), a.line);
+            "{} of line '{}' has a feeder, and such an end cannot be released or attached", end_name(a),
+            a.line);
     if (end.rotational_stiffness > 0)
       issue(a.kind == Kind::release ? "release" : "attach",
-            "{} of line '{}' has a rotational spring, which would go on turning it; an end that is released "
-            "turns freely or is 'clamped' until then",
+            "{} of line '{}' has 'rotational_stiffness', which a release does not remove; only ends that "
+            "turn freely or are 'clamped' can be released",
             end_name(a), a.line);
     if (a.kind == Kind::attach) check_attach(a, end);
   }
@@ -84,8 +85,8 @@ class EventCheck : private EventChecks {
     if (c_.floats(body) && (end.kind == EndKind::joint || (end.kind == EndKind::body && end.body != a.body &&
                                                            c_.floats(c_.body_index(end.body)))))
       issue("attach.body",
-            "{} of line '{}' begins at {} '{}', and an end goes with one thing that moves by its own "
-            "equations only, which would be body '{}' too",
+            "{} of line '{}' begins at {} '{}', and an end can be attached to one moving thing only, so not "
+            "to body '{}' as well",
             end_name(a), a.line, end.kind == EndKind::joint ? "joint" : "body", end.body, a.body);
     for (const Event& other : c_.events)
       if (other.action.kind == Kind::attach && other.action.line == a.line && other.action.at_b == a.at_b &&
@@ -104,7 +105,9 @@ class EventCheck : private EventChecks {
                    a.uncut_line, length);
     check_parts(a, length);
     if (l.target)
-      issue("cut", "line '{}' has a 'target'; give it the length that meets that, and it can be cut",
+      issue("cut",
+            "line '{}' has a 'target' and cannot be cut; give its section the length that meets the target "
+            "and remove 'target'",
             a.uncut_line);
     for (const SupportBox& s : c_.supports)
       if (s.line == a.uncut_line)
@@ -123,7 +126,7 @@ class EventCheck : private EventChecks {
     if (const double part = std::min(a.cut, length - a.cut); part < shortest)
       return issue("cut.at",
                    "arc length {:.9g} m leaves {:.3g} m of line '{}' at its end {}, less than its outer "
-                   "diameter ({:.3g} m); an event with 'release' lets go of the end itself",
+                   "diameter ({:.3g} m); use 'release' for the end itself",
                    a.cut, part, a.uncut_line, a.cut < length - a.cut ? 'A' : 'B', shortest);
     double end = 0;
     for (const Section& s : line(a.uncut_line).sections)
@@ -140,11 +143,10 @@ class EventCheck : private EventChecks {
       if (part <= same)
         issue("cut.at", "line '{}' is cut there already by another event", a.uncut_line);
       else if (part < shortest)
-        issue(
-            "cut.at",
-            "another event cuts line '{}' {:.3g} m away, and a part between two cuts is no shorter than its "
-            "outer diameter ({:.3g} m)",
-            a.uncut_line, part, shortest);
+        issue("cut.at",
+              "another event cuts line '{}' {:.3g} m away, and a part between two cuts must not be shorter "
+              "than its outer diameter ({:.3g} m)",
+              a.uncut_line, part, shortest);
     }
   }
 
@@ -155,8 +157,8 @@ class EventCheck : private EventChecks {
     if (!end.feed) return issue("feed", "{} of line '{}' has no 'feed'", end_name(a), a.line);
     if (end.feed->speed.empty())
       return issue("feed.paid_out",
-                   "the feeder keeps a tension, for which statics finds how much is inside; give its 'feed' "
-                   "a 'speed', and that 'tension' by an event at 'time: 0'");
+                   "the feeder keeps a tension, and statics finds the length inside for it; give its 'feed' "
+                   "a 'speed' and set the 'tension' by an event at 'time: 0'");
     for (const Section& s : line(a.line).sections)
       if (c_.line_type(s.type).plastic_bending)
         return issue("feed.paid_out",
@@ -167,7 +169,7 @@ class EventCheck : private EventChecks {
         inside -= o.paid_out;
     const double length = length_of(line(a.line));
     if (inside <= 0 || inside >= length)
-      issue("feed.paid_out", "{:g} m would be left {} then: the feeder begins with {:g} m of {:g} m inside",
+      issue("feed.paid_out", "{:g} m would remain {}: the feeder begins with {:g} m of {:g} m inside",
             inside <= 0 ? inside : length - inside, inside <= 0 ? "inside" : "outside", end.feed->stock,
             length);
   }
@@ -194,24 +196,24 @@ class EventCheck : private EventChecks {
     if (cause.kind == Cause::Kind::tension) {
       const LineType& type = type_at(cause.line, cause.arc);
       if (!cause.below && type.breaking_load > 0 && cause.limit > type.breaking_load)
-        issue(when + "tension", "{:g} N is more than line type '{}' bears, whose breaking load is {:g} N",
-              cause.limit, type.name, type.breaking_load);
+        issue(when + "tension", "{:g} N is above the breaking load of line type '{}', {:g} N", cause.limit,
+              type.name, type.breaking_load);
       if (type.kind == LineKind::cable && cause.limit <= 0)
         issue(when + "tension",
-              "line '{}' has no bending stiffness there and is never pressed; give a limit above 0",
+              "line '{}' has no bending stiffness there and cannot be in compression; give a limit above 0",
               cause.line);
       for (const bool b : {false, true})
         if (const auto& feed = line(cause.line).end(b).feed;
             feed && cause.arc > 0 && cause.arc < length && (b ? length - cause.arc : cause.arc) < feed->stock)
           issue("when.tension.at",
-                "arc length {:.6g} m of line '{}' is inside the feeder at its end {} at the start, where "
-                "nothing pulls; the tension at the feeder is that at '{}'",
+                "arc length {:.6g} m of line '{}' is inside the feeder at its end {} at the start, where the "
+                "line has no tension; give '{}' for the tension at the feeder",
                 cause.arc, cause.line, b ? 'B' : 'A', b ? "end_b" : "end_a");
       const End* end = cause.arc <= kArcTolerance * length         ? &line(cause.line).end_a
                        : cause.arc >= length * (1 - kArcTolerance) ? &line(cause.line).end_b
                                                                    : nullptr;
       if (end && end->kind == EndKind::free && !attached(cause.line, end == &line(cause.line).end_b))
-        issue(when + "tension", "the tension of a free end is none: end {} of line '{}' is held by nothing",
+        issue(when + "tension", "the tension of a free end is 0: end {} of line '{}' is free",
               end == &line(cause.line).end_b ? 'B' : 'A', cause.line);
     }
     if (cause.kind == Cause::Kind::paid_out) {

@@ -47,16 +47,16 @@ std::string why_not_fed(const Case& c, const Line& line, const End& end) {
     if (const LineType& t = c.line_type(s.type); t.kind != LineKind::cable) {
       if (!end.clamped)
         return fmt::format(
-            "line type '{}' resists bending, and a feeder holds such a line clamped: give the end 'clamped: "
-            "true' and a 'direction', or the line type 'bending: false'",
+            "line type '{}' resists bending, and such a line must be clamped at a feeder: give the end "
+            "'clamped: true' and a 'direction', or the line type 'bending: false'",
             s.type);
       const char* cannot = t.moment_table            ? "bends by a table"
                            : t.stiffness_damping > 0 ? "has 'stiffness_damping'"
                                                      : nullptr;
       if (cannot)
         return fmt::format(
-            "line type '{}' {}, and what resists bending can be fed only where it bends linearly or yields, "
-            "without damping",
+            "line type '{}' {}, and a line that resists bending can be fed only if its bending is linear or "
+            "has 'plasticity', without damping",
             s.type, cannot);
     }
   const auto yields = [&](const Section& s) { return c.line_type(s.type).plastic_bending != nullptr; };
@@ -87,7 +87,7 @@ void check_elements(const Line& line, bool at_b, const Issues& issue) {
   constexpr int kLeastInside = 2, kLeastOutside = 3;
   if (inside < kLeastInside)
     issue("stock",
-          "{:g} m are {} element{} of this line, and a stock needs {} at least: make it longer or the "
+          "{:g} m are {} element{} of this line, and a stock needs at least {}: make the stock longer or the "
           "elements shorter",
           f.stock, inside, inside == 1 ? "" : "s", kLeastInside);
   if (outside < kLeastOutside)
@@ -113,7 +113,7 @@ void check_surroundings(const Case& c, const Line& line, bool at_b, const Issues
   const Section& fed = at_b ? line.sections.back() : line.sections.front();
   if (c.environment.seabed.present &&
       height_above_bed(c.environment.seabed, place) < c.line_type(fed.type).outer_diameter)
-    issue("", "the feeder is on the seabed or below it, where what is inside would lie; put it above");
+    issue("", "the feeder is on or below the seabed; move it above");
   if (!line.buried.empty()) issue("", "a line with 'buried' stretches cannot be fed");
   if (line.target) issue("", "a line with a 'target' cannot be fed: give the length that meets it");
   if (line.start == Start::other_run) issue("", "a line that starts from another run cannot be fed");
@@ -158,12 +158,12 @@ void check_cuts(const Case& c, const Line& line, const Feed& f, bool at_b, const
 void check_law(const Feed& f, const Issues& issue) {
   if (f.most == 0 && f.least == 0) return;
   if (!(f.least < f.most))
-    issue("dead_band", "from {:g} N to {:g} N is no band; the first must be the smaller", f.least, f.most);
+    issue("dead_band", "[{:g} N, {:g} N] is not a band; the first must be the smaller", f.least, f.most);
   else if (!(f.least < f.tension && f.tension < f.most))
     issue("dead_band", "from {:g} N to {:g} N does not hold the 'tension' of {:g} N between its ends",
           f.least, f.most, f.tension);
   if (!(f.speed_per_tension > 0))
-    issue("dead_band", "needs 'speed_per_tension', by which the feeder comes back to its 'tension'");
+    issue("dead_band", "needs 'speed_per_tension', which returns the feeder to its 'tension'");
 }
 
 void check_feed(const Case& c, const Line& line, bool at_b, const Issues& all) {

@@ -29,9 +29,9 @@ void check_push(const BodyHydrodynamics& h, const char* mode, double omega, Comp
   if (std::abs(std::remainder(phase + M_PI / 2, 2 * M_PI)) < kPhase &&
       std::abs(push) > 0.02 * std::abs(heave))
     issue(h.key(),
-          "in the longest waves, {:.4g} s, the {} force comes {:.3g} deg after the crest, but the water "
-          "there pushes a quarter of a period before it: the phases of {} are conjugated (WAMIT's and "
-          "BEMIO's are leads with exp(+i omega t), Capytaine's lags with exp(-i omega t))",
+          "in the longest waves, {:.4g} s, the {} force lags the crest by {:.3g} deg, but the acceleration "
+          "of the water leads it by 90 deg: the phases of {} are conjugated (WAMIT's and BEMIO's are leads "
+          "with exp(+i omega t), Capytaine's lags with exp(-i omega t))",
           2 * M_PI / omega, mode, -phase / kDegree, h.data->excitation_file);
 }
 
@@ -58,7 +58,7 @@ void check_long_waves(const Case& c, const Body& b, const Issues& issue) {
         h.format == BodyHydrodynamics::Format::wamit
             ? fmt::format("is 'length_scale' (ULEN, {:g} m here) that of the files, and are they in metres?",
                           h.length)
-            : "are both of one body, and of the density and gravity that the file states?");
+            : "do both belong to the same body, with the density and gravity stated in the file?");
 }
 
 // First row of a body in the matrices of its files.
@@ -84,8 +84,8 @@ void check_heave_phase(const Case& c, const Body& b, const Issues& issue) {
   }
   if (damped > kCounts * all && imaginary < kOpposite * damped)
     issue(h.key(),
-          "in waves longer than {:.3g} s the heave force comes after the crest, where the damping of {} has "
-          "it before it: its phases in {} are conjugated (they are leads with exp(+i omega t))",
+          "in waves longer than {:.3g} s the heave force lags the crest, but the damping of {} requires that "
+          "it leads it: its phases in {} are conjugated (they are leads with exp(+i omega t))",
           2 * M_PI / std::sqrt(kLong * c.environment.gravity / size), data.radiation_file,
           data.excitation_file);
 }
@@ -130,8 +130,8 @@ void check_haskind(const Case& c, const BodyHydrodynamics& h, const Issues& issu
   }
   if (worst > kFar || worst < 1 / kFar)
     issue(h.key(),
-          "by Haskind's relation the wave forces of {} mean {:.3g} times the radiation damping in {} of "
-          "{}: is one of them in other units (over the density, of another length scale)?",
+          "by Haskind's relation the wave forces of {} mean {:.3g} times the radiation damping in {} of {}: "
+          "is one of them in other units (divided by density, or for another length scale)?",
           data.excitation_file, worst, name, data.radiation_file);
 }
 
@@ -170,18 +170,18 @@ void check_size(const Case& c, const Body& b, const Issues& issue) {
   // A body held down by lines displaces more than its mass, and a hinged body may have no translational rows.
   constexpr double kLeast = 0.02, kMost = 50;
   if ((added > 0 && added < kLeast) || (h.volume > 0 && added > kMost))
-    issue(
-        h.key(),
-        "the largest added mass of {} is {:.3g} times the mass of the displaced water, and hulls have 0.1 to "
-        "10: are its values over the density, or of another length scale, or is 'mass' that of another body?",
-        data.radiation_file, added);
+    issue(h.key(),
+          "the largest added mass of {} is {:.3g} times the mass of the displaced water, and hulls have 0.1 "
+          "to 10: are its values divided by density, or for another length scale, or is 'mass' that of "
+          "another body?",
+          data.radiation_file, added);
   const double C33 = hydrostatics(*b.mass, density, g).stiffness(0, 0);
   const double plane = C33 / (density * g) / std::pow(volume, 2.0 / 3);
   constexpr double kLargest = 100;
   if (g > 0 && plane > kLargest)
     issue(h.key(),
           "the hydrostatic stiffness C33, {:.3g} N/m, means a waterplane of {:.3g} m², and the body "
-          "displaces {:.3g} m³: is the stiffness times the density, or of another length scale?",
+          "displaces {:.3g} m³: is the stiffness multiplied by density, or for another length scale?",
           C33, C33 / (density * g), volume);
 }
 

@@ -52,7 +52,7 @@ class LineCheck {
       const double weight = type.mass_per_length * s.length * c_.environment.gravity;
       if (weight > kMostWeight * type.EA)
         issue("",
-              "{:g} m of line type '{}' weigh {:.3g} N, which an EA of {:.3g} N cannot carry: check its "
+              "{:g} m of line type '{}' weigh {:.3g} N, too much for an EA of {:.3g} N: check its "
               "mass_per_length and EA",
               s.length, s.type, weight, type.EA);
     }
@@ -73,13 +73,14 @@ class LineCheck {
 
   void check_spring(const End& e, const Section& section, const std::string& key) {
     if (e.clamped)
-      issue(key + ".rotational_stiffness", "a clamped end does not turn; remove one of them");
+      issue(key + ".rotational_stiffness",
+            "a clamped end cannot turn; remove 'clamped' or 'rotational_stiffness'");
     else if (c_.line_type(section.type).kind == LineKind::cable)
       issue(key + ".rotational_stiffness",
-            "a line of type '{}' has no bending stiffness here to turn against", section.type);
+            "a line of type '{}' has no bending stiffness here for a rotational spring", section.type);
     else if (!e.direction)
       issue(key + ".rotational_stiffness",
-            "needs a direction, which the spring turns the end to: the tangent from end A to end B");
+            "needs 'direction', towards which the spring turns the end: the tangent from end A to end B");
   }
 
   void check_start() {
@@ -161,8 +162,8 @@ class LineCheck {
                  most = largest_strain();
     if (!(strain < most))
       issue("sections",
-            "the line is {:.6g} m long{} but its ends are {:.6g} m apart at t = 0; reaching that takes a "
-            "strain of {:.3g} %, and the limit is {:g} %",
+            "the line is {:.6g} m long{} but its ends are {:.6g} m apart at t = 0; that requires a strain of "
+            "{:.3g} %, and the limit is {:g} %; make the line longer or move an end",
             natural, natural == outside() ? "" : " at its temperature", span, 100 * strain, 100 * most);
   }
 
@@ -192,28 +193,27 @@ class LineCheck {
     check_arc(b.from, key + ".from");
     check_arc(b.to, key + ".to");
     if (b.to <= b.from)
-      issue(key + ".to", "a stretch from {:.6g} m to {:.6g} m is none; 'to' must be beyond 'from'", b.from,
-            b.to);
+      issue(key + ".to", "the stretch from {:.6g} m to {:.6g} m has no length; 'to' must be above 'from'",
+            b.from, b.to);
     else if (i > 0 && b.from < line_.buried[i - 1].to - near)
-      issue(key + ".from", "{:.6g} m is within the stretch before, which goes to {:.6g} m", b.from,
+      issue(key + ".from", "{:.6g} m is within the previous stretch, which ends at {:.6g} m", b.from,
             line_.buried[i - 1].to);
     if (!line_.starts_by_itself() && line_.start != Start::hanging) return;
     const bool at_a = b.from <= near, at_b = b.to >= length_ - near;
     if (!attached(line_.end_a) || !attached(line_.end_b) || line_.start == Start::hanging || at_a == at_b)
       issue(key,
-            "nothing says where this stretch lies: give 'start' as straight or as points, or two held ends "
-            "of which it begins at one");
+            "the position of this stretch is not defined: give 'start' as straight or as points, or let it "
+            "begin at an end of a line with two held ends");
   }
 
   void check_target(const LengthTarget& t) {
     using Target = LengthTarget::Kind;
     const bool bed = t.kind == Target::touchdown || t.kind == Target::laid_length;
-    if (!c_.statics.enabled)
-      issue("target", "is met in static equilibrium, which this case does not compute ('statics: false')");
+    if (!c_.statics.enabled) issue("target", "needs static equilibrium, and this case has 'statics: false'");
     if (bed && !c_.environment.seabed.present)
       issue("target", "is about the seabed, but there is no 'environment.seabed'");
     if (!bed && !attached(t.at_a ? line_.end_a : line_.end_b))
-      issue("target", "end {} is free: it has no tension and no angle to be met", t.at_a ? "A" : "B");
+      issue("target", "end {} is free: it has no tension and no angle for a target", t.at_a ? "A" : "B");
   }
 
   // Largest temperature change [K] in magnitude over the arc lengths [from, to], m.
@@ -246,7 +246,7 @@ class LineCheck {
       }
     }
     if (!expands)
-      issue(key, "none of the line's types has 'thermal_expansion', so nothing comes of it; give it to '{}'",
+      issue(key, "none of the line's types has 'thermal_expansion', so it has no effect; give it to '{}'",
             line_.sections.front().type);
     return issue.count() == before;
   }
@@ -267,7 +267,7 @@ class LineCheck {
       check_arc(q.from, key + ".from");
       check_arc(q.to, key + ".to");
       if (q.to >= 0 && q.to <= q.from)
-        issue(key + ".to", "a load from {:.6g} m to {:.6g} m acts nowhere; 'to' must be beyond 'from'",
+        issue(key + ".to", "a load from {:.6g} m to {:.6g} m has no length; 'to' must be above 'from'",
               q.from, q.to);
     }
     for (const PointLoad& p : line_.point_loads) {

@@ -42,10 +42,10 @@ void check_links(const Case& c, const Issues& issue) {
       issue(key, "does nothing: give it a 'stiffness', a 'force_table', a 'damping' or a 'damping_table'");
     if (l.law.tension_only && !spring)
       issue(key + ".tension_only",
-            "a damper alone does not say when it is slack: give it a 'stiffness' or a 'force_table'");
+            "a damper alone has no slack state: give it a 'stiffness' or a 'force_table'");
     if (prescribed(c, l.end_a) && prescribed(c, l.end_b))
       issue(key,
-            "the motion of both ends is prescribed, so that it acts on nothing: fix an end to a line or to a "
+            "the motion of both ends is prescribed, so the link has no effect: fix an end to a line or to a "
             "body with 'floating' or 'on'");
     if (!l.end_a.body.empty() && l.end_a.body == l.end_b.body)
       issue(key + ".end_b", "both ends are on body '{}', which is rigid", l.end_a.body);
@@ -54,8 +54,8 @@ void check_links(const Case& c, const Issues& issue) {
     const std::optional<Vec3> a = drawn(c, l.end_a), b = drawn(c, l.end_b);
     if (!l.rest_given && a && b && *a == *b)
       issue(key,
-            "its ends are drawn at the same point, so that it has no length: give it a 'rest_length', which "
-            "may be 0, or place its ends apart");
+            "its ends are drawn at the same point, so that its length is 0: give it a 'rest_length', which "
+            "may be 0, or move its ends apart");
   }
 }
 

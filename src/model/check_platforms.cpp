@@ -21,31 +21,31 @@ void check_matrices(const BodyHydrodynamics& h, const Issues& issue) {
   for (const auto& [key, B] : {std::pair("damping", &h.damping), {"quadratic_damping", &h.quadratic_damping}})
     for (int i = 0; i < 6; ++i)
       if ((*B)(i, i) < 0)
-        issue(key, "row {} has {:g} on the diagonal: damping takes energy, so that it is not negative", i + 1,
-              (*B)(i, i));
+        issue(key, "row {} has {:g} on the diagonal: damping must not be negative", i + 1, (*B)(i, i));
 }
 
 // Checks what buoyancy needs. twice: sentence for a body with 'in_water', whose buoyancy would count twice.
 void check_afloat(const Case& c, const BodyMass& m, const char* twice, const Issues& issue) {
   if (!c.environment.water.present) issue("", "there is no water: give 'environment: {{water: ...}}'");
   if (!(c.environment.gravity > 0))
-    issue("", "floats by the weight of the water, and 'environment.gravity' is 0: give it above 0");
+    issue("", "needs gravity for its buoyancy, and 'environment.gravity' is 0; it must be above 0");
   if (m.in_water) issue("", "{}", twice);
   if (!m.weight)
-    issue("", "brings the buoyancy of the body, so that its weight acts as well: remove 'weight'");
+    issue("",
+          "includes the weight and buoyancy of the body, so that the weight always acts: remove 'weight'");
 }
 
 void check_platform(const Case& c, const Body& b, const Issues& issue) {
   const BodyMass& m = *b.mass;
   const BodyHydrodynamics& h = *m.hydrodynamics;
-  check_afloat(c, m, "stands in the place of 'in_water': give one of them", issue);
+  check_afloat(c, m, "replaces 'in_water': give one of the two", issue);
   if (m.hull && m.hull->wave_pressure && h.excitation && !h.data->excitation.empty())
     issue("excitation",
           "the wave forces of the files contain the pressure of the waves, which 'hull' adds again: set "
           "'wave_pressure: false' there, or 'excitation: false'");
   if (h.excitation && c.environment.water.present && c.environment.water.waves.kind != Waves::Kind::none &&
       h.data->excitation.empty())
-    issue(h.key(), "there are waves, and no forces of waves in {}: 'excitation: false' does without them",
+    issue(h.key(), "the case has waves, but {} has no wave forces: add them, or set 'excitation: false'",
           h.data->excitation_file);
   check_hydrodynamic_data(c, b, issue);
   check_matrices(h, issue);
@@ -53,9 +53,9 @@ void check_platform(const Case& c, const Body& b, const Issues& issue) {
 
 void check_hull(const Case& c, const Body& b, const Issues& issue) {
   const BodyMass& m = *b.mass;
-  check_afloat(c, m,
-               "'in_water' brings buoyancy as well: give one of them, and drag and added mass by 'members'",
-               issue);
+  check_afloat(
+      c, m, "'in_water' includes buoyancy as well: give one of the two, and drag and added mass by 'members'",
+      issue);
   for (const std::string& name : m.hull->volumes) {
     const auto has_name = [&name](const Volume& v) { return v.name == name; };
     const auto volume = std::find_if(c.volumes.begin(), c.volumes.end(), has_name);

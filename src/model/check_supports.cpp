@@ -65,7 +65,7 @@ void check_start(const Case& c, const Line& line, const SupportBox& first, const
   if (below > first.rise && below > kSteep * ahead)
     issue(which,
           "is {:.4g} m below where the line lies on support '{}', {:.4g} m further on: the line would start "
-          "below its roller; raise the end or lower the support",
+          "below the roller; raise the end or lower the support",
           below, first.name, ahead);
 }
 
@@ -103,7 +103,7 @@ void check_supports(const Case& c, const Issues& issue) {
       if (const int body = c.body_index(b.body); c.rides(body) && !c.bodies[body].on->drawn) {
         issue(b.key,
               "body '{}' rides on a line; name that line in 'on' of the group, and as 'body' the one in "
-              "whose frame the boxes are drawn",
+              "whose frame the boxes are given",
               b.body);
         break;
       }

@@ -217,8 +217,8 @@ class Checker {
   void check_name_text(const Value& v, const std::string& name, const std::string& path) const {
     if (!is_name(name))
       bad(v, path,
-          "{} is no valid name; allowed are up to 100 letters, digits, '_', '-', '+' and blanks inside, "
-          "beginning with a letter or digit",
+          "{} is not a valid name; a name begins with a letter or digit and has up to 100 letters, digits, "
+          "'_', '-', '+' and inner blanks",
           quote(name));
   }
 

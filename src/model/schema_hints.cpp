@@ -37,7 +37,7 @@ std::string hint_of_no_list(const Value& v) {
 std::string hint_of_no_commas(const Value& v) {
   const bool one = v.items.size() == 1 && v.items[0].kind == Kind::scalar &&
                    v.items[0].text.find_first_of(" ;") != std::string::npos;
-  return one ? fmt::format("; there are commas between entries, not as in {}", quote(v.items[0].text)) : "";
+  return one ? fmt::format("; separate entries by commas, not as in {}", quote(v.items[0].text)) : "";
 }
 
 // Hint for a key followed by text without a colon; empty: the text begins with no allowed key.
@@ -51,7 +51,7 @@ std::string hint_of_no_colon(const std::string& text, const std::vector<std::str
 
 // Hint for a value that is not a map.
 std::string hint_of_no_keys(const Value& v, const Key& k) {
-  if (v.kind == Kind::null) return "; its keys are those below it that are indented further";
+  if (v.kind == Kind::null) return "; indent its keys further, on the lines below it";
   std::vector<std::string> allowed;
   for (const Key& c : k.keys) allowed.push_back(c.name);
   if (const std::string hint = hint_of_no_colon(v.text, allowed); !hint.empty()) return hint;
@@ -62,18 +62,18 @@ std::string hint_of_no_keys(const Value& v, const Key& k) {
 // Probable meaning of the i-th key, which the schema does not have.
 std::string likely_key(const Value& v, std::size_t i, const Key& k, const std::vector<std::string>& allowed) {
   if (v.keys[i].find("\u00a0") != std::string::npos)
-    return "; it holds a no-break space, as texts from elsewhere do: write a blank in its place";
+    return "; it contains a no-break space (often pasted from another document): replace it by a blank";
   if (const std::string blank = missing_blank(v.keys[i]); !blank.empty()) return "; " + blank;
   if (const std::size_t at = v.keys[i].find('='); at != std::string::npos && at > 0) {
     const std::string before = v.keys[i].substr(0, v.keys[i].find_last_not_of(" =", at) + 1);
-    return fmt::format("; between a key and its value are a colon and a blank: '{}: ...'", before);
+    return fmt::format("; write a colon and a blank between a key and its value: '{}: ...'", before);
   }
   if (const std::string hint = hint_of_no_colon(v.keys[i], allowed); !hint.empty()) return hint;
   // Remainder of a number or of a list in parentheses.
   if (i > 0 && v.items[i].kind == Kind::null && v.items[i - 1].kind == Kind::scalar &&
       v.keys[i].find_first_not_of("0123456789.-+ )") == std::string::npos) {
     if (v.items[i - 1].text.starts_with('(')) return "; a list stands in brackets: [1, 2, 3]";
-    return fmt::format("; the decimal sign is a point, and there is nothing between thousands: not {},{}",
+    return fmt::format("; write a decimal point and no separators of thousands: not {},{}",
                        v.items[i - 1].text, v.keys[i]);
   }
   // Keys of an empty map that are not indented below it.
@@ -82,7 +82,7 @@ std::string likely_key(const Value& v, std::size_t i, const Key& k, const std::v
       if (above.name == v.keys[j] && v.items[j].kind == Kind::null)
         for (const Key& inner : above.keys)
           if (inner.name == v.keys[i])
-            return fmt::format("; it belongs to '{}' if it is indented further than that", above.name);
+            return fmt::format("; indent it further if it belongs to '{}'", above.name);
   const std::string near = nearest(v.keys[i], allowed);
   if (near.empty() || edit_distance(v.keys[i], near) > 1) {
     if (const std::string below = place_below(k, v.keys[i]); !below.empty())

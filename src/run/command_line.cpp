@@ -32,7 +32,7 @@ Offset numbers_of(const char* option, const std::string& text, size_t most) {
     at = more ? end + 1 : end;
   }
   if (*at || (n != 3 && n != 6))
-    throw InputError(fmt::format("{} {}: give {} with commas between", option, model::quote(text),
+    throw InputError(fmt::format("{} {}: give {} separated by commas", option, model::quote(text),
                                  most == 3 ? "three numbers" : "three or six numbers"));
   return out;
 }
@@ -77,7 +77,7 @@ CommandLine::CommandLine(const std::string& petsc_options) {
 const Command& CommandLine::command() const {
   for (const Command& c : commands_)
     if (c.app->parsed()) return c;
-  throw std::logic_error("the command line names no command");
+  throw std::logic_error("the command line has no command");
 }
 
 void CommandLine::add_run() {
@@ -87,12 +87,12 @@ void CommandLine::add_run() {
       ->required();
   command->add_option("-o,--output", run_.output, "Results file instead of the one the case names (.h5)");
   command->add_option("--restart", run_.restart,
-                      "Go on from the newest checkpoint of this results file; when it is the case's own "
-                      "results file, the run is continued in it");
+                      "Continue from the newest checkpoint of this results file; if it is the case's own "
+                      "results file, the run is appended to it");
   command
       ->add_option("--stop-at", run_.stop_at, "End at this simulated time, s, if the case would go on longer")
       ->check(positive("time above 0, in s"));
-  command->add_flag("-q,--quiet", run_.quiet, "Say nothing but errors");
+  command->add_flag("-q,--quiet", run_.quiet, "Print errors only");
   add_changes(command, run_.changes);
   command->footer(
       "PETSc options follow a lone --, with the prefixes statics_ and dynamics_:\n"
@@ -111,7 +111,7 @@ void CommandLine::add_modes() {
       ->capture_default_str();
   command->add_option("-o,--output", modes_.output, "Results file (default: <case>-modes.h5)");
   command->add_flag("--without-added-mass", in_vacuum_, "Without the added mass of the water");
-  command->add_flag("-q,--quiet", modes_.quiet, "Say nothing but errors");
+  command->add_flag("-q,--quiet", modes_.quiet, "Print errors only");
   add_changes(command, modes_.changes);
   const auto work = [this](MPI_Comm comm) {
     modes_.added_mass = !in_vacuum_;
@@ -125,18 +125,22 @@ void CommandLine::add_stiffness() {
       "stiffness",
       "Stiffness of the lines on a body at rest; force and tension over offsets, as a CSV file.");
   command->add_option("case", stiffness_.case_path, "Case file")->required();
-  command->add_option("--body", stiffness_.body, "Of several bodies that lines are tied to");
-  command->add_option("--at", point_, "Point of the body that all is about, m, its frame (default 0,0,0)")
+  command->add_option("--body", stiffness_.body, "Body to use, if lines are attached to several");
+  command
+      ->add_option(
+          "--at", point_,
+          "Point of the body to which force, moment and stiffness refer, m, in its frame (default 0,0,0)")
       ->option_text("X,Y,Z")
       ->expected(1);
   command
-      ->add_option("--offset", offsets_,
-                   "Also away from rest by this, m, and rotation vector, deg, axes of space; repeatable")
+      ->add_option(
+          "--offset", offsets_,
+          "Also at this offset from rest, m, with a rotation vector, deg, in axes of space; repeatable")
       ->option_text("X,Y,Z[,RX,RY,RZ]")
       ->allow_extra_args(false);
-  CLI::Option* to = command->add_option("--to", stiffness_.to, "Also in steps up to an offset of this, m")
+  CLI::Option* to = command->add_option("--to", stiffness_.to, "Also in steps up to this offset, m")
                         ->check(positive("offset above 0, in m"));
-  command->add_option("--direction", direction_, "Of --to, deg, anticlockwise from +x")
+  command->add_option("--direction", direction_, "Direction of --to, deg, anticlockwise from +x")
       ->needs(to)
       ->capture_default_str();
   command->add_option("--steps", stiffness_.steps, "Of --to")
@@ -144,7 +148,7 @@ void CommandLine::add_stiffness() {
       ->check(whole_number(1, 10000))
       ->capture_default_str();
   command->add_option("-o,--output", stiffness_.output, "CSV file (default: <case>-stiffness.csv)");
-  command->add_flag("-q,--quiet", stiffness_.quiet, "Say nothing but errors");
+  command->add_flag("-q,--quiet", stiffness_.quiet, "Print errors only");
   add_changes(command, stiffness_.changes);
   const auto work = [this](MPI_Comm comm) {
     read_places(point_, offsets_, direction_, stiffness_);
@@ -154,17 +158,16 @@ void CommandLine::add_stiffness() {
 }
 
 void CommandLine::add_check() {
-  CLI::App* command =
-      cli_.add_subcommand("check", "Read and check a case, print what is in it, try how its run begins.");
+  CLI::App* command = cli_.add_subcommand(
+      "check", "Read and check a case, print a summary, and run its first steps on trial.");
   command->add_option("case", check_.case_path, "Case file")->required();
   command
       ->add_option("-n,--ranks", check_.ranks,
-                   "Show the partition for this many ranks; else for those it runs on")
+                   "Show the partition for this many ranks (default: the ranks of this command)")
       ->check(whole_number(1, 1 << 20));
-  command->add_flag("--quick", quick_, "Without the trial run that tells the cost");
-  command->add_flag("--json", json_,
-                    "Print the case as it was read, with all defaults, as JSON, and nothing else");
-  command->add_flag("--verbose", check_.verbose, "Also print what was chosen that rarely matters");
+  command->add_flag("--quick", quick_, "Skip the trial run that estimates the cost");
+  command->add_flag("--json", json_, "Print only the case as read, with all defaults, as JSON");
+  command->add_flag("--verbose", check_.verbose, "Also print notes about minor automatic choices");
   command
       ->add_option("--radiation", check_.radiation,
                    "Also write K(t), A, B and Ogilvie's check of floating bodies to this CSV file")

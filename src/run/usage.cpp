@@ -76,7 +76,7 @@ std::string ranks_by_mpirun(const std::string& command, const std::string& given
     if (ends_with(words[i], {".yaml", ".yml"})) file = words[i];
   }
   if (number.empty() || number.find_first_not_of("0123456789") != std::string::npos) number = "2";
-  return fmt::format("the number of ranks is for mpirun to know: mpirun -n {} {} {}", number, command, file);
+  return fmt::format("the number of ranks is an option of mpirun: mpirun -n {} {} {}", number, command, file);
 }
 
 std::string no_option(const CLI::App& command, const std::string& given,
@@ -114,7 +114,7 @@ std::string usage_error(const CLI::App& cli, const CLI::Error& error, const std:
     const std::string all = what.substr(std::min(what.find(": "), what.size() - 2) + 2);
     const std::string extra = all.substr(0, all.find(' ')), option = unknown_option(command, words);
     what = !option.empty() ? no_option(command, option, words)
-                           : fmt::format("{} is one file or word too many", model::quote(extra));
+                           : fmt::format("{} is an unexpected argument", model::quote(extra));
   } else if (kind == static_cast<int>(CLI::ExitCodes::RequiredError)) {
     what = fmt::format("a case file is missing: {} case.yaml", name);
   } else if (kind == static_cast<int>(CLI::ExitCodes::ArgumentMismatch)) {
@@ -128,7 +128,7 @@ CLI::Validator whole_number(long least, long most) {
     long n = 0;
     const auto [end, wrong] = std::from_chars(text.data(), text.data() + text.size(), n);
     if (wrong == std::errc() && end == text.data() + text.size() && n >= least && n <= most) return "";
-    return fmt::format("{} is no whole number from {} to {}", model::quote(text), least, most);
+    return fmt::format("{} is not a whole number from {} to {}", model::quote(text), least, most);
   };
   return CLI::Validator(test, "");
 }

@@ -46,7 +46,7 @@ TEST(HangingLine, NonsenseIsRefused) {
       {"mass_per_length: 100", "mass_per_length: 1.0e7", "is stretched by 1.16e+03 %"},
       {"lines:\n  chain:\n", "lines:\n  chain:\n    loads: [{at: 60, force: [0, 0, -1.0e200]}]\n",
        "'-1.0e200' is out of range; a number is 0 or between 1e-60 and 1e+60 in size"},
-      {"EA: 500 MN", "EA: 1.0e18", "the tension of line chain is known to within"},
+      {"EA: 500 MN", "EA: 1.0e18", "the tension of line chain is accurate to"},
       {"lines:", still.c_str(), nullptr},
       {"lines:\n  chain:\n", pulled.c_str(), "no line of such an EA bears 50 %"},
   };

@@ -232,7 +232,7 @@ TEST(StartContact, HangingUnderAVolumeIsReported) {
   const std::string message = join(r.sim->warnings());
   EXPECT_HAS(message, "lines.sling: its start shape passes under volume bar, ");
   EXPECT_HAS(message,
-             "while the straight way between its ends passes over it; if it is to lie there, say so with");
+             "while the straight line between its ends passes over it; if it is to lie there, say so with");
   // From below there is nothing to lie on.
   Edits below = under;
   below[0].second = below[1].second = "-1";

@@ -155,7 +155,7 @@ TEST_F(StartFrom, RefusesInOneSentence) {
   if (zero()) std::filesystem::copy_file(path + "/a.h5", path + "/b.h5~");
   MPI_Barrier(MPI_COMM_WORLD);
   expect({{"output: {", "output: {file: b.h5, "}, {"lines:\n", "start: {from: b.h5~}\nlines:\n"}},
-         "b.h5~ is the run that line 'riser' starts from, and would be overwritten");
+         "b.h5~ is the file that line 'riser' starts from, and would be overwritten");
   // A line that the other run does not have starts by itself, with a note.
   write_case(path + "/new.yaml", kCase,
              {{"  riser:\n", "  new:\n"},

@@ -119,15 +119,14 @@ class ThatCannotBeMeant(Lays):
     def test_a_support_out_of_line_is_named(self):
         for above, place, what in ((-4, 60, "below"), (6, 60, "above")):
             output = self.refused(box(place, above), "supports.stinger.boxes[0]: support 'stinger 6' is ",
-                                f"{what} the way over its neighbours, so that line pipe starts on the wrong side of support",
+                                f"{what} the path over its neighbours, so that line pipe starts on the wrong side of support",
                                 "move it into line with them")
             self.assertIn("lay.yaml:18: supports", output)
             off = float(re.search(r"is ([0-9.]+) m", output)[1])
             self.assertAlmostEqual(off, 4.5 if above < 0 else 5.5, delta=0.1)
             self.assertNotIn("target", output)
         # All of them, or the end of the line.
-        output = self.refused({"above_path: 0.5": "above_path: -8"}, "lay.yaml:18: supports.stinger.boxes[0]: the way over the "
-                            "supports begins 8.5", "m below the end from which line pipe goes overboard")
+        output = self.refused({"above_path: 0.5": "above_path: -8"}, "lay.yaml:18: supports.stinger.boxes[0]: the path over the supports begins 8.5", "m below the end from which line pipe goes overboard")
         self.assertNotIn("target", output)
 
     def test_a_target_is_searched_for_beyond_a_line_that_is_too_short(self):

@@ -73,8 +73,7 @@ class Messages(unittest.TestCase):
             output = self.hawser("run", "rod.yaml").stdout
             with self.subTest(direction=direction):
                 self.assertEqual(output.count("lines.rod.end_b.direction: the line would have to turn by "), found, output)
-        self.assertIn("degrees to have this direction at end B: at both ends it is the direction from end A to end B; "
-                      "is [0, 0, 1] meant?", output)
+        self.assertIn("degrees to have this direction at end B: at both ends the direction is the tangent from end A to end B; is [0, 0, 1] meant?", output)
 
     def test_beam_that_folds(self):
         whip = """\
@@ -129,8 +128,8 @@ lines:
     end_b: {anchor: [160, 0, -90]}
     start: {points: [[-170, 0, -99.5], [-10.5, 0, -98.8], [0, 0, -88.8], [160, 0, -89.8]]}
 """)
-        messages = "note: statics has not come to rest in 500 steps of dynamic relaxation; if slack lines lie in folds that touch one " \
-               "another, 'contact: {between_lines: false}' leaves that out and may end it\n"
+        messages = "note: statics has not come to rest in 500 steps of dynamic relaxation; if folds of slack lines touch one " \
+               "another, 'contact: {between_lines: false}' excludes that contact and may help\n"
         self.assertEqual(self.hawser("run", "rod.yaml").stdout.count(messages), 1)
         alone = self.hawser("run", "rod.yaml", "--set", "contact.between_lines=false")
         self.assertEqual(alone.returncode, 0, alone.stderr)
@@ -184,7 +183,7 @@ lines:
               "bending: false}\nlines:\n" + line.format("one") + line.format("other"))
         result = self.hawser("run", "rod.yaml")
         self.assertEqual(result.returncode, 2, result.stdout)
-        self.assertIn("lines.other: it has the ends and the length of line 'one', so that they would start in one another",
+        self.assertIn("lines.other: it has the same ends and length as line 'one', so that they would start in one another",
                       result.stderr)
         result = self.hawser("run", "rod.yaml", "--set", "contact.between_lines.exclude=[[one, other]]")
         self.assertEqual(result.returncode, 0, result.stderr)
@@ -194,10 +193,9 @@ lines:
         low = PIPE.replace("at: [5, 10, 15], " + roller, "at: [5, 15], " + roller + "\n      - {at: [10], above_path: -3, " + roller)
         for name, text, wanted in (
                 ("well", PIPE, []),
-                ("low", low, ["warning: support ramp 2 never carries line pipe, which passes 3 m above it and lies on supports "
-                              "further on: raise it by 'above_path', or leave it out"]),
+                ("low", low, ["warning: support ramp 2 never carries line pipe, which passes 3 m above it and lies on supports further on: raise it by 'above_path', or remove it"]),
                 ("below", PIPE.replace("from: [0, 0, 9]", "from: [0, 0, 5]"),
-                 ["warning: none of its supports ever carries line pipe: are they drawn too low, or beside it?"])):
+                 ["warning: none of its supports ever carries line pipe: are they too low, or beside the line?"])):
             write(self.folder, f"{name}.yaml", text)
             result = self.hawser("run", f"{name}.yaml")
             with self.subTest(case=name):
@@ -233,8 +231,8 @@ lines:
     end_b: {anchor: [-90, 0, -200]}
     start: {points: [[120, 0, -2], [45, 0, -120], [8, 0, -100], [0, 0, -95.8], [-8, 0, -100], [-20, 0, -190], [-90, 0, -199.85]]}
 """
-        wanted = "note: statics has failed; what may help: where a line lies on a volume, along which it slides far or over whose " \
-                 "facets it finds no rest, 'friction' of that volume with 'statics: {contact_friction: true}'"
+        wanted = "note: statics has failed; what may help: where a line slides along a volume or finds no rest on its " \
+                 "facets, 'friction' of that volume with 'statics: {contact_friction: true}'"
         write(self.folder, "arch.yaml", arch + "statics: {max_iterations: 2, relaxation_steps: 2}\n")
         for ranks in (1, 2):
             smooth = run(*(MPIRUN if ranks > 1 else ()), HAWSER, "run", "arch.yaml", "-o", "arch.h5", cwd=self.folder)
@@ -358,7 +356,7 @@ output: {every: 5}
         result = self.hawser("run", "pendulum.yaml")
         self.assertEqual(result.returncode, 4, result.stderr)
         self.assertRegex(result.stdout, r"warning: the steps lost \d+ J by t = [\d.]+ s, \d+\.?\d* % of the work done: they are "
-                                        r"too long for what moves; give dynamics.step: 0.12 s. The results are not to be used")
+                                        r"too long for what moves; give dynamics.step: 0.12 s. Do not use the results")
 
     def test_impact_at_the_start(self):
         for ranks in (0, 2):
@@ -388,7 +386,7 @@ output: {every: 5}
         self.refused(["chek", "rod.yaml"], "there is no command 'chek'; did you mean 'check'? (see hawser --help)")
         self.refused(["rod.yaml"], "to run this case: hawser run rod.yaml")
         self.refused(["--hlp"], "there is no option '--hlp'; did you mean '--help'?")
-        self.refused(["run", "rod.yaml", "rod.yaml"], "'rod.yaml' is one file or word too many (see hawser run --help)")
+        self.refused(["run", "rod.yaml", "rod.yaml"], "'rod.yaml' is an unexpected argument (see hawser run --help)")
         self.refused(["run", "rod.yaml", "--fast"], "there is no option '--fast', but there are --help,")
         self.refused(["check", "rod.yaml", "--quik=1"], "there is no option '--quik'; did you mean '--quick'?")
         self.refused(["run", "rod.yaml", "-log_view"], "there is no option '-log_view'; options of PETSc follow a lone --: -- -log_view")
@@ -396,11 +394,11 @@ output: {every: 5}
             self.refused(arguments, "there is no option '-set'; did you mean '--set'? (see hawser run --help)")
         for arguments in (["run", "-n", "3", "rod.yaml"], ["run", "rod.yaml", "-np", "3"], ["run", "rod.yaml", "--ranks=3"],
                           ["run", "-n3", "rod.yaml"], ["-n", "3", "rod.yaml"]):
-            self.refused(arguments, "the number of ranks is for mpirun to know: mpirun -n 3 hawser run rod.yaml (see")
+            self.refused(arguments, "the number of ranks is an option of mpirun: mpirun -n 3 hawser run rod.yaml (see")
         self.refused(["run", "rod.yaml", "--restart"], "a value is missing after --restart")
-        self.refused(["modes", "rod.yaml", "-n", "two"], "--number: 'two' is no whole number from 1 to 10000")
+        self.refused(["modes", "rod.yaml", "-n", "two"], "--number: 'two' is not a whole number from 1 to 10000")
         self.refused(["report", "rod.h5", "--sinse", "3"], "there is no option '--sinse'; did you mean '--since'?")
-        self.refused(["report", "rod.h5", "more.h5"], "'more.h5' is one file or word too many (see hawser report --help)")
+        self.refused(["report", "rod.h5", "more.h5"], "'more.h5' is an unexpected argument (see hawser report --help)")
         self.refused(["plot", "rod.h5", "rang"], "what cannot be 'rang'; did you mean 'range'?")
         self.refused(["fatigue", "rod.h5", "--curve"], "a value is missing after --curve")
         self.refused(["run", "rod.yaml", "--stop-at", "-1"], "--stop-at: '-1' is no time above 0")
@@ -462,7 +460,7 @@ output: {every: 5}
                          ranks=ranks)
 
         restart("none.h5", "there is no such file")
-        restart("rod.yaml", "it is no HDF5 file")
+        restart("rod.yaml", "it is not an HDF5 file")
         restart("none.h5", "there is no such file", ranks=2)
         self.assertEqual(self.hawser("run", "rod.yaml", "-q").returncode, 0)
         for name, old, new, why in [("finer", "elements: 8", "elements: 9", "line rod has 9 nodes there, 10 here"),
@@ -491,7 +489,7 @@ output: {every: 5}
         self.assertEqual(self.hawser("run", "rest.yaml", "-q").returncode, 0)
         self.refused(["run", "rod.yaml", "--restart", "rest.h5"], "rest.h5 holds no complete checkpoint")
         (self.folder / "cut.h5").write_bytes((self.folder / "rod.h5").read_bytes()[:3000])
-        restart("cut.h5", "it is no results file of hawser, or damaged")
+        restart("cut.h5", "it is not a results file of hawser, or it is damaged")
 
     def test_solver_fails(self):
         for number, (edits, more, parts) in enumerate(HOPELESS):

@@ -57,7 +57,7 @@ class Progress(unittest.TestCase):
             lines = re.findall(f"^{LINE}$", result.stdout, re.M)
             self.assertEqual([line[line.index("(") + 1:].split()[0] for line in lines],
                              [str(10 * k) for k in range(1, 11)])
-            for part in ["max effective tension", "energy: brought in", "results: ", "view them: hawser view ", "in ParaView: paraview "]:
+            for part in ["max effective tension", "energy: input", "results: ", "view them: hawser view ", "in ParaView: paraview "]:
                 self.assertIn(part, result.stdout)
         self.assertEqual(run(HAWSER, "run", "rod.yaml", "-q", cwd=self.folder).stdout, "")
 

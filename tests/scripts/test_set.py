@@ -102,8 +102,8 @@ class Set(unittest.TestCase):
         self.assertEqual(self.hawser("run", "two.yaml", "--set", "dynamics.duration=0.4").returncode, 0)
         self.refused(["lines.other.sections[0].elements=7"], "line other has 7 nodes there, 8 here",
                      "but not other lines, lengths, elements, links or volumes", command=("run", "two.yaml", "--restart", "two.h5"))
-        for changes, output in [(["dynamics.duration=0.8"], "was made with --set dynamics.duration=0.4, and goes on with --set dynamics.duration=0.8"),
-                              ([], "was made with --set dynamics.duration=0.8, and goes on without --set")]:
+        for changes, output in [(["dynamics.duration=0.8"], "was made with --set dynamics.duration=0.4, and continues with --set dynamics.duration=0.8"),
+                              ([], "was made with --set dynamics.duration=0.8, and continues without --set")]:
             result = self.hawser("run", "two.yaml", "--restart", "two.h5", *self.changed(*changes))
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertIn(f"note: the run of two.h5 {output}\n", result.stdout)

@@ -42,8 +42,9 @@ TEST(Audit, ReportsWhatAStepMadeWhereAndWhatHelps) {
   EXPECT_FALSE(a.wrong());
   a.worst.with = record::Audit::Step::ContactWith::nothing;
   const std::string w = a.warning(false, "here");
-  EXPECT_NE(w.find("its motion changes faster than the time steps resolve; give dynamics.max_step: 0.025 s"),
-            std::string::npos)
+  EXPECT_NE(
+      w.find("its velocity changes faster than the time steps resolve; give dynamics.max_step: 0.025 s"),
+      std::string::npos)
       << w;
 }
 
@@ -56,8 +57,8 @@ TEST(Audit, ReportsAnImpactAtTheStart) {
       a.warning(true, "line chain, arc length 3 m", "bodies.vessel.motion"),
       "the steps created 3 J of energy by t = 0.3 s, 3 % of the work done; the one of 0.1 s that ended at "
       "t = 0.3 s made most of it, 3 J, at line chain, arc length 3 m: bodies.vessel.motion begins with a "
-      "velocity, an impact on the lines, which are at rest; a 'ramp' in it starts it smoothly, a shorter "
-      "step is no help");
+      "non-zero velocity, which is an impact on the lines at rest; add a 'ramp' to it (a shorter step does "
+      "not help)");
   a.update(moving(100), moving(110), 0.7, 0.1);  // later for another reason
   EXPECT_NE(a.warning(true, "here", "bodies.vessel.motion").find("give dynamics.step: 0.025 s"),
             std::string::npos);

@@ -115,7 +115,7 @@ TEST(CaseChanges, ThatCannotBeMadeAreRefusedWithOneSentence) {
       {"=3", {"is no KEY=VALUE"}},
       {"dynamics.duration=", {"has nothing after the '='"}},
       {"dynamics.duration=[1",
-       {"'[1' is no value of YAML: the bracket [ that opens in this line is not closed"}},
+       {"'[1' is not a YAML value: the bracket [ that opens in this line is not closed"}},
       {"dynamics..duration=1", {"a name is missing in the key"}},
       {"lines.other.sections[x].length=1", {"brackets hold the number of a place in a list"}},
       {"dynamics.duratoin=1", {"dynamics: unknown key 'duratoin'; did you mean 'duration'?"}},

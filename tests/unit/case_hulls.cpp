@@ -134,12 +134,12 @@ TEST(CaseHulls, LinesMayHoldABodyOffItsDraught) {
   EXPECT_EQ(Afloat(1.5).at_start().find("warning"), std::string::npos) << Afloat(1.5).at_start();
   EXPECT_EQ(Afloat(1.5).at_start().find("note"), std::string::npos);
   expect_part(Afloat(1).at_start(),
-              "warning: body barge floats 0.5 m higher than where it starts: its weight and "
+              "warning: body barge floats 0.5 m higher than its initial position: there its weight and "
               "buoyancy differ by 784.53 kN there, and nothing holds it");
   // 784.5 kN stretch it by 7.85e-3 of its 40 m.
   const Afloat held(1, "[0, 0, -2]", 40 / 1.00785);
   expect_part(held.at_start(),
-              "note: without its lines body barge would float 0.5 m higher: they must pull 784.53 kN down");
+              "note: without its lines body barge would float 0.5 m higher: they must carry 784.53 kN down");
   EXPECT_EQ(held.at_start().find("warning"), std::string::npos);
   EXPECT_TRUE(held.at_rest().empty());
   // Slack by 0.3 m: 784.5 kN - 1569 kN/m r = 2481 kN/m (r - 0.3 m) at r = 0.377 m.

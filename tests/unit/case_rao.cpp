@@ -139,10 +139,10 @@ dynamics: {duration: 20}
   EXPECT_NEAR(roll(starboard, 9), 1.5 * 3 * M_PI / 180, 1e-5);
   EXPECT_NEAR(roll(blind, 9), 0, 1e-9);
   ASSERT_EQ(blind.notes.size(), 1U);
-  EXPECT_NE(
-      blind.notes[0].find("bodies.ship.motion.rao: the wave goes to 270 deg as seen from the bow, and the "
-                          "responses there lie on straight lines between 180 and 360 deg"),
-      std::string::npos)
+  EXPECT_NE(blind.notes[0].find(
+                "bodies.ship.motion.rao: the wave propagates to 270 deg as seen from the bow, and the "
+                "responses there lie on straight lines between 180 and 360 deg"),
+            std::string::npos)
       << blind.notes[0];
   // No notes at the table's last direction and between close ones.
   EXPECT_TRUE(read(wave(210), "").notes.empty());

@@ -64,8 +64,8 @@ TEST(CaseSea, AnAnchorUnderTheSeabedIsReported) {
   };
   ASSERT_EQ(notes("-90.15").size(), 1U);
   EXPECT_NE(
-      notes("-90.15")[0].find("lines.a.end_a.anchor: is 0.15 m under the seabed, which is lowered there "
-                              "over "),
+      notes("-90.15")[0].find(
+          "lines.a.end_a.anchor: is 0.15 m below the seabed, so the program lowers the seabed there along "),
       std::string::npos)
       << notes("-90.15")[0];
   EXPECT_TRUE(notes("-90.05").empty());  // within half a diameter: the rest position

@@ -53,8 +53,7 @@ TEST(ElementErrors, SagOfCablesBetweenNodes) {
       "(arc length "))
       << warnings.front();
   EXPECT_TRUE(warnings.front().ends_with(
-      " m, t = 0 s), so that its tension is off by about 3.3 % of the largest: give "
-      "it elements of 5.5 m there"))
+      " m, t = 0 s), and its tension is wrong by about 3.3 % of the largest: use elements of 5.5 m there"))
       << warnings.front();
   EXPECT_TRUE(warnings_of_arc(8, 2, 1000, 1000).empty());
   EXPECT_TRUE(warnings_of_arc(4, 2, 1000, 1700).empty());  // 2.0 % of the line's tension at another time
@@ -176,10 +175,9 @@ lines:
     const auto all = errors.warnings(0, 1e4, 500);
     return all.empty() ? "" : all.front();
   };
-  EXPECT_EQ(
-      warnings(1, 1),
-      "the bending moment of line pipe falls off within 1 m at arc length 4 m (t = 0 s), which elements "
-      "of 1 m miss by about 6.2 % of the largest: give it elements of 0.37 m there");
+  EXPECT_EQ(warnings(1, 1),
+            "the bending moment of line pipe decays within 1 m at arc length 4 m (t = 0 s), and with "
+            "elements of 1 m miss by about 6.2 % of the largest: use elements of 0.37 m there");
   EXPECT_EQ(warnings(2, 1), "");                                        // 1.7 %
   EXPECT_EQ(warnings(1, 10), "");                                       // no peak
   EXPECT_EQ(warnings(1, 1, "\n    masses: [{at: 4, mass: 100}]"), "");  // 0.07 %

@@ -85,14 +85,12 @@ TEST(InputWarnings, LinearWavesOnACurrent) {
   };
   EXPECT_TRUE(notes(current("{speed: 1.7, ramp: 5}")).empty());
   EXPECT_TRUE(notes(current("{speed: 3, direction_deg: 90, ramp: 5}")).empty());
-  expect_warning(
-      current("{speed: 1.75, ramp: 5}"),
-      "environment.waves: the current of 1.75 m/s along the waves of 11 s is 10 % of their speed, and linear "
-      "waves are as long and as steep here as without a current, though it makes them longer and flatter;");
-  expect_warning(
-      current("{speed: 2, direction_deg: 150, ramp: 5}"),
-      "of 1.73 m/s against the waves of 11 s is 10 % of their speed, and linear waves are as long and as "
-      "steep here as without a current, though it makes them shorter and steeper;");
+  expect_warning(current("{speed: 1.75, ramp: 5}"),
+                 "environment.waves: the current of 1.75 m/s along the waves of 11 s is 10 % of their speed, "
+                 "and linear waves here neglect that the current makes them longer and flatter;");
+  expect_warning(current("{speed: 2, direction_deg: 150, ramp: 5}"),
+                 "of 1.73 m/s against the waves of 11 s is 10 % of their speed, and linear waves here "
+                 "neglect that the current makes them shorter and steeper;");
   Changes stokes = current("{speed: 2, direction_deg: 180, ramp: 5}");
   stokes.push_back({"jonswap: {hs: 5, tp: 11}", "stokes: {height: 5, period: 11}"});
   EXPECT_TRUE(notes(stokes).empty());
@@ -138,11 +136,12 @@ TEST(InputWarnings, ContentsAndCoatings) {
   };
   EXPECT_EQ(notes(contents("800")), std::vector<std::string>{});
   EXPECT_EQ(notes(contents("0")), std::vector<std::string>{});  // empty
-  expect_warning(
-      contents("0.8"),
-      "slips.yaml:6: line_types.chain.contents.density: 0.8 kg/m³ is lighter than what pipes carry (10 "
-      "to 5000); is it in t/m³ or g/cm³? ('800 kg/m3')");
-  expect_warning(contents("8000"), "8000 kg/m³ is heavier than what pipes carry (10 to 5000); is it meant?");
+  expect_warning(contents("0.8"),
+                 "slips.yaml:6: line_types.chain.contents.density: 0.8 kg/m³ is lighter than usual contents "
+                 "of pipes (10 "
+                 "to 5000); is it in t/m³ or g/cm³? ('800 kg/m3')");
+  expect_warning(contents("8000"),
+                 "8000 kg/m³ is heavier than usual contents of pipes (10 to 5000); is it meant?");
   const auto coating = [&](const std::string& thickness) {
     return pipe(", coatings: [{thickness: 3 mm, density: 900}, {thickness: " + thickness +
                 ", density: 700}]}");
@@ -164,17 +163,17 @@ TEST(InputWarnings, SlendernessOfPipesByCodes) {
   };
   for (const char* wall : {"0.02", "0.00666667", "0.0199"})  // 15, 45, 15.1
     EXPECT_EQ(notes(pipe(wall)), std::vector<std::string>{}) << wall;
-  expect_warning(
-      pipe("0.021"),
-      "slips.yaml:6: line_types.chain.pipe.wall_thickness: D/t is 14.3, and DNV-ST-F101's formulas "
-      "for combined loads are for 15 to 45: 'dnv_local_buckling' is no check of this pipe; give it "
-      "another wall, or judge it by other means");
+  expect_warning(pipe("0.021"),
+                 "slips.yaml:6: line_types.chain.pipe.wall_thickness: D/t is 14.3, and DNV-ST-F101's "
+                 "formulas for combined loads apply from 15 to 45: 'dnv_local_buckling' does not apply to "
+                 "this pipe; give it another wall thickness, or check it by other means");
   expect_warning(pipe("0.00625"), "D/t is 48, and DNV-ST-F101's formulas");
   const std::vector<std::string> both = notes(pipe("0.005"));
   ASSERT_EQ(both.size(), 2U);
-  EXPECT_NE(both[1].find("D/t is 60, and API RP 1111's formula for bending with pressure is for 50 at most: "
-                         "'api_bending_pressure' is no check"),
-            std::string::npos)
+  EXPECT_NE(
+      both[1].find("D/t is 60, and API RP 1111's formula for bending with pressure applies up to 50 at most: "
+                   "'api_bending_pressure' is no check"),
+      std::string::npos)
       << both[1];
   EXPECT_EQ(notes(pipe("0.005", "")), std::vector<std::string>{});  // without code checks
 }
@@ -186,35 +185,35 @@ TEST(InputWarnings, StiffnessOfTheBed) {
   for (const char* soil :
        {"{per_area: 100 kN/m3}", "{per_area: 5000}", "{per_length: 2 kN/m2}", "{per_length: 4200 kN/m2}"})
     EXPECT_EQ(notes(bed(soil)), std::vector<std::string>{}) << soil;
-  expect_warning(
-      bed("{per_area: 200}"),
-      "slips.yaml:4: environment.seabed.normal_stiffness: 200 N/m³ is softer than any soil, of which 50 "
-      "to 10000 kN/m³ are usual; is it in kN? ('200 kN/m3')");
+  expect_warning(bed("{per_area: 200}"),
+                 "slips.yaml:4: environment.seabed.normal_stiffness: 200 N/m³ is softer than that of any "
+                 "soil; usual values are 50 "
+                 "to 10000 kN/m³ are usual; is it in kN? ('200 kN/m3')");
   expect_warning(bed("{per_length: 100}"),
-                 "100 N/m² is softer than any soil, of which 50 to 5000 kN/m² are usual; "
+                 "100 N/m² is softer than that of any soil; usual values are 50 to 5000 kN/m² are usual; "
                  "is it in kN? ('100 kN/m2')");
   expect_warning(bed("{per_area: 1e11}"),
-                 "1e+11 N/m³ is stiffer than any soil, of which 50 to 10000 kN/m³ are usual");
+                 "1e+11 N/m³ is stiffer than that of any soil; usual values are 50 to 10000 kN/m³ are usual");
 }
 
 TEST(InputWarnings, TensionsOfLinesAndLengths) {
   expect_warning(
       {{"length: 760", "length: 715"}},
       "slips.yaml:13: lines.mooring.sections: a length of 715 m over a distance of 728.011 m between its "
-      "ends means a tension of 2.912e+04 kN at least, and 'chain' breaks at 1.3e+04 kN");
+      "ends requires a tension of at least 2.912e+04 kN, and the breaking load of 'chain' breaks at 1.3e+04 "
+      "kN");
   expect_warning({{"length: 760", "length: 715"}, {", breaking_load: 1.3e7", ""}},
                  "by 1.82 %; usual is less than 1 %");
   expect_warning({{"EA: 1.6e9", "EA: 6.0e6"}, {", breaking_load: 1.3e7", ""}},
                  "its own weight over 200 m of height means");
   expect_warning({{"end_b: {body: vessel, at: [0, 0, 0]}",
                    "end_b: free\n    loads: [{at: end_b, force: [2.0e7, 0, 0]}]"}},
-                 "lines.mooring.loads[0]: its force means a tension of 2e+04 kN");
+                 "lines.mooring.loads[0]: its force requires a tension of at least 2e+04 kN");
   expect_warning({{"length: 760", "length: 8000"}, {"  current: {speed: 0.2, direction_deg: 90}\n", ""}},
-                 "the line is 8000 m long, 11 times the distance of its ends (728.011 m)");
-  expect_warning(
-      {{"elements: 76", "elements: 2"}},
-      "lines.mooring.sections: 2 elements for a line that is 4.4 % longer than the distance of its ends: it "
-      "hangs or lies in a curve, which takes twenty or more to follow");
+                 "the line is 8000 m long, 11 times the distance between its ends (728.011 m)");
+  expect_warning({{"elements: 76", "elements: 2"}},
+                 "lines.mooring.sections: 2 elements for a line that is 4.4 % longer than the distance "
+                 "between its ends: its curved shape needs twenty elements or more");
   // The stock of a feeder does not count in the span.
   expect_warning({{"length: 760", "length: 755"},
                   {"end_b: {body: vessel, at: [0, 0, 0]}",
@@ -225,15 +224,15 @@ TEST(InputWarnings, TensionsOfLinesAndLengths) {
 TEST(InputWarnings, Depths) {
   expect_warning({{"water: {depth: 200}", "water: {depth: 20}"}},
                  "slips.yaml:4: environment.seabed.depth: the bed is 200 m below the still water, but the "
-                 "water is 20 m");
+                 "water depth is 20 m");
   expect_warning(
       {{"  seabed: {depth: 200, friction: 0.6}\n", ""}, {"anchor: [700, 0, -200]", "anchor: [700, 0, 200]"}},
-      "is 200 m above the water, and that is 200 m deep: z points up; is -200 meant?");
+      "is 200 m above the water, whose depth is 200 m: z points up; is -200 meant?");
   expect_warning({{"anchor: [700, 0, -200]", "anchor: [700, 0, -160]"}},
-                 "is 40 m above the bed, which is at z = -200 m");
-  expect_warning(
-      {{"water: {depth: 200}", "water: {}"}, {"depth: 200, friction", "depth: 2000, friction"}},
-      "no line gets near the bed at z = -2000 m: hanging straight down the deepest reaches z = -480 m");
+                 "is 40 m above the seabed, which is at z = -200 m");
+  expect_warning({{"water: {depth: 200}", "water: {}"}, {"depth: 200, friction", "depth: 2000, friction"}},
+                 "no line reaches the seabed at z = -2000 m: the deepest, if it hung straight down, would "
+                 "reach z = -480 m");
 }
 
 TEST(InputWarnings, SlackOnTheBedInACurrent) {
@@ -253,7 +252,7 @@ TEST(InputWarnings, Times) {
       {{"{harmonic: {amplitude: [0, 0, 2], period: 10}, ramp: 10}", "{velocity: [0.01, 0, 0], ramp: 10}"},
        {"  waves: {jonswap: {hs: 5, tp: 11}}\n", ""},
        {"step: 0.1", "step: 12"}},
-      "steps in the slowest natural period of line mooring");
+      "steps in the longest natural period of line mooring");
   expect_warning({{"every: 1", "every: 100"}}, "output.every: 100 s is longer than the run (60 s)");
   expect_warning({{"every: 1", "every: 8"}},
                  "8 s is 1.2 outputs in a period of the motion of body vessel (10 s)");
@@ -320,21 +319,21 @@ TEST(InputWarnings, PlacesBetweenNodes) {
   // Two attachments in the last element share one node.
   expect_warning(
       line("masses: [{at: 752, " + mass + "}, {at: 755, " + mass + "}]"),
-      "lines.mooring.masses: what is to be at 755 m of line mooring is fixed to the nearest node, at "
-      "752 m; shorter elements, or a section that ends at 755 m, put a node there");
+      "lines.mooring.masses: the attachment at 755 m of line mooring is moved to the nearest node, at "
+      "752 m; use shorter elements, or end a section at 755 m, to have a node there");
   const auto few = [](const std::string& more) {
     return Changes{{"length: 760, elements: 76}]",
                     "length: 380, elements: 38}, {type: chain, length: 380, elements: 1}]" + more}};
   };
   expect_warning(
       few("\n    loads: [{at: 500, force: [0, 0, 1.0e4]}]"),
-      "lines.mooring.loads[0]: what is to be at 500 m of line mooring is fixed to the nearest node");
+      "lines.mooring.loads[0]: the attachment at 500 m of line mooring is fixed to the nearest node");
   Changes linked = few("");
   linked.push_back(
       {"dynamics:",
        "links: {k: {end_a: {line: mooring, at: 500}, end_b: {anchor: [0, 0, 0]}, stiffness: 1}}\n"
        "dynamics:"});
-  expect_warning(linked, "links.k: what is to be at 500 m of line mooring is fixed to the nearest node");
+  expect_warning(linked, "links.k: the attachment at 500 m of line mooring is fixed to the nearest node");
   // The end of a section has a node.
   EXPECT_EQ(
       notes({{"[{type: chain, length: 760, elements: 76}]",
@@ -423,10 +422,9 @@ TEST(InputWarnings, MassesThatSinkIntoTheBed) {
     return Changes{{"elements: 76}]",
                     "elements: 76}]\n    masses: [{at: 300, mass: 1.3e5, volume: " + volume + ", Ca: 0.5}]"}};
   };
-  expect_warning(
-      clump("12"),
-      "lines.mooring.masses: where it lies on the bed, 1.3e+05 kg at 300 m of line mooring sinks in by "
-      "about 3.3 m: it rests there on an element of 'chain', 0.25 m thick");
+  expect_warning(clump("12"),
+                 "lines.mooring.masses: on the seabed, 1.3e+05 kg at 300 m of line mooring penetrates by "
+                 "about 3.3 m, since the element of 'chain', 0.25 m thick");
   EXPECT_EQ(notes(clump("40")), std::vector<std::string>{});   // a light sphere of 4.2 m
   EXPECT_EQ(notes(clump("130")), std::vector<std::string>{});  // it floats
   Changes out_of_reach = clump("12");
@@ -444,8 +442,8 @@ TEST(InputWarnings, StiffenersOfTooFewElements) {
         {"elements: 76}]", "elements: 76}]\n    bend_stiffeners: [{at: end_b, EI: " + rows + "}]"}};
   };
   expect_warning(stiffener("[[0, 1e6], [12, 0]]"),
-                 "lines.mooring.bend_stiffeners[0]: its 12 m are 1.2 elements, each of which has one bending "
-                 "stiffness: curvature and moment along it show with 6 or more");
+                 "lines.mooring.bend_stiffeners[0]: its 12 m are 1.2 elements, each with one bending "
+                 "stiffness: use 6 or more");
   EXPECT_EQ(notes(stiffener("[[0, 1e6], [30, 0]]")), std::vector<std::string>{});
 }
 

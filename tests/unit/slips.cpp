@@ -171,7 +171,7 @@ const std::vector<Slip> kSlips = {
     {"riser",
      "pressure in psi",
      {"line_types.riser.contents.pressure=3000 MPa"},
-     "pressures that pipes are run with"},
+     "operating pressures of pipes"},
     {"riser", "expansion in 1e-6/K", {"line_types.riser.thermal_expansion=11.7"}, "strain"},
     {"riser", "temperature of a furnace", {"lines.riser.temperature_change=1500"}, "changes of temperature"},
     {"riser", "breaking load in t", {"line_types.riser.breaking_load=900"}, "lines break at"},

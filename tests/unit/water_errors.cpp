@@ -55,8 +55,8 @@ TEST(WaterErrors, CurrentBetweenTheNodes) {
   EXPECT_EQ(
       all.front(),
       "line l has elements of 10 m at arc length 5 m (5 m below the still water, t = 0 s), between whose "
-      "nodes the current is not linear, so that the forces of the flow on the elements of the line are "
-      "off by about 100 % of their largest sum, 0.6 kN: give it elements of 5 m there");
+      "nodes the current is not linear, and the hydrodynamic forces on the elements of the line are "
+      "off by about 100 % of their largest sum, 0.6 kN: use elements of 5 m there");
   EXPECT_EQ(warnings(kJet, upright(10, "rod")).size(), 0U);  // without drag
   // Linear variation between nodes is exact.
   EXPECT_TRUE(

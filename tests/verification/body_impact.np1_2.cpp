@@ -160,7 +160,7 @@ TEST(BodyImpact, WhatNothingSeesEndsTheRun) {
       }
       EXPECT_NE(what.find("volume a of body A"), std::string::npos) << what;
       EXPECT_NE(what.find("volume b of body B"), std::string::npos) << what;
-      EXPECT_NE(what.find("m in each other, where corners and edges that are to meet the other met 0 m"),
+      EXPECT_NE(what.find("m, but their contact points (corners and edges) penetrate by 0 m"),
                 std::string::npos)
           << what;
       // Soon: they touch at 0.067 s and go 1.5 cm in 10 ms.

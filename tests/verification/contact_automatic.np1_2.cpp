@@ -190,10 +190,9 @@ TEST(Slings, AreNotDrawnThroughContactThatIsTooSoft) {
     ADD_FAILURE() << "statics went through the bar";
   } catch (const SolveError& e) {
     const std::string message = e.what();
-    EXPECT_NE(
-        message.find(" m, would be drawn through volume bar: its normal_stiffness is too small for what "
-                     "presses, 'auto' finds one by itself"),
-        std::string::npos)
+    EXPECT_NE(message.find(" m, would pass through volume bar: its normal_stiffness is too small for the "
+                           "contact force; 'auto' chooses a sufficient value"),
+              std::string::npos)
         << message;
   }
 }
@@ -279,7 +278,7 @@ std::string refusal(const std::string& text, bool moves) {
 TEST(TooSoft, IsRefused) {
   const std::string still =
       refusal(sling(kCylinder, 5e4, true, ", normal_stiffness: {per_length: 5.0e6}"), false);
-  for (const char* part : {"statics: line rope, arc length ", " m, would be drawn through volume bar: its "})
+  for (const char* part : {"statics: line rope, arc length ", " m, would pass through volume bar: its "})
     EXPECT_NE(still.find(part), std::string::npos) << still;
   std::string text = kDrawn;
   text.replace(text.find("friction: 0.3,"), 14, "friction: 0.3, normal_stiffness: {per_length: 1.0e6},");

@@ -126,7 +126,8 @@ TEST(Hulls, WhatDoesNotFloatIsRefused) {
     return std::string();
   };
   EXPECT_EQ(message(kMass, ""), "");
-  EXPECT_NE(message(1e6, "").find("it cannot float: the hull displaces 9.6e+05 kg"), std::string::npos);
+  EXPECT_NE(message(1e6, "").find("it cannot float: the fully submerged hull displaces 9.6e+05 kg"),
+            std::string::npos);
   const std::string open = testing::TempDir() + "open.obj";
   if (runs::rank_of(MPI_COMM_WORLD) == 0)
     std::ofstream(open)

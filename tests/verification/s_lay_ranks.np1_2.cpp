@@ -86,7 +86,7 @@ TEST(SLayRanks, OffTheEndOfARoller) {
     runs::run_on_all({path, folder + "/off.h5"});
     if (runs::rank_of(MPI_COMM_WORLD) != 0) continue;
     const bool message =
-        messages(folder + "/off.h5").find("line pipe is off the end of the rollers of support ramp 1") !=
+        messages(folder + "/off.h5").find("line pipe is beyond the end of the rollers of support ramp 1") !=
         std::string::npos;
     EXPECT_EQ(message, off) << messages(folder + "/off.h5");
     const runs::Results r = runs::read(folder + "/off.h5");

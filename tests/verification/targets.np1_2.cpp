@@ -108,7 +108,7 @@ TEST(Targets, TrialsAreReported) {
   EXPECT_TRUE(trials.at(0).starts_with(
       "statics 1 of the search for lengths: line l: with 110 m of section 1 the tension at end B is "))
       << trials.at(0);
-  EXPECT_TRUE(trials.at(0).ends_with(", wanted 120000 N")) << trials.at(0);
+  EXPECT_TRUE(trials.at(0).ends_with(", the target 120000 N")) << trials.at(0);
 }
 
 TEST(Targets, TensionOfACatenary) {
@@ -197,8 +197,8 @@ TEST(Targets, ThatCannotBeMet) {
   const auto out_of_reach = [] { met(hanging("{tension: 1 kN}", 110, 100)); };
   printf("  %s\n", refusal(out_of_reach).c_str());
   expect_refused(out_of_reach,
-                 "lines.l.target: no length of section 1 between 55 and 165 m was found that gives "
-                 "1000 N as the tension at end B");
+                 "lines.l.target: no length of section 1 between 55 and 165 m makes "
+                 "1000 N the tension at end B");
   const auto too_short = [] { met(hanging("{tension: 1 GN}", 110, 100)); };
   expect_refused(too_short, "beyond these: target.yaml");
   expect_refused([] { met(hanging("{tension: 10 MN, between: [109, 111]}", 110, 100)); }, "109 to 111 m");
