@@ -118,8 +118,8 @@ TEST(RigidBody, CoupledMassKeepsMomentumAndEnergy) {
   add_coupled_mass(N, now, r);
   const Vec6 f = r.f();
   const double e = 1e-3;
-  const auto rate = [&](const auto& of) {
-    return ((8 * (of(e) - of(-e)) - (of(2 * e) - of(-2 * e))) / (12 * e));
+  const auto rate = [&](const auto& of) -> decltype(of(e)) {
+    return (8 * (of(e) - of(-e)) - (of(2 * e) - of(-2 * e))) / (12 * e);
   };
   const Vec6 change = rate(momentum);
   Vec6 expected;
