@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 #include "hawser/base/gather.hpp"
@@ -18,6 +19,7 @@ Stations::Stations(MPI_Comm comm, const LocalMesh& mesh, const Feeders* feeders,
     place_.push_back(f);
   }
   values_.assign(fields_.size(), std::vector<double>(static_cast<size_t>(mesh.owned), std::nan("")));
+  cut_lines_ = line_owners(mesh).cut;
 }
 
 const std::vector<std::vector<double>>& Stations::at(const std::vector<std::vector<double>>& values) {
@@ -31,13 +33,13 @@ const std::vector<std::vector<double>>& Stations::at(const std::vector<std::vect
 void Stations::fill(const Feeder& f, const std::vector<std::vector<double>>& values) {
   const LineSpan& span = mesh_.mesh->lines[f.line];
   const size_t nodes = span.nodes;
-  // Values of all nodes of the line in order, on every rank.
+  // Values of all nodes of the line in order; of a cut line on every rank.
   std::vector<double> along(fields_.size() * nodes, 0);
   for (size_t n = 0; n < static_cast<size_t>(mesh_.owned); ++n)
     if (const int i = mesh_.global[n] - span.first_node; i >= 0 && i < span.nodes)
       for (size_t k = 0; k < place_.size(); ++k)
         along[k * nodes + static_cast<size_t>(i)] = values[place_[k]][n];
-  all_reduce(comm_, MPI_SUM, along);
+  if (std::ranges::binary_search(cut_lines_, f.line)) all_reduce(comm_, MPI_SUM, along);
 
   const auto arc = [&](int i) { return mesh_.mesh->nodes[span.first_node + i].arc; };
   int first = 0, last = span.nodes - 1;      // free nodes, or an end without feeder
@@ -52,8 +54,10 @@ void Stations::fill(const Feeder& f, const std::vector<std::vector<double>>& val
     const int i = mesh_.global[n] - span.first_node;
     if (i < 0 || i >= span.nodes) continue;
     const double s = f.at_b ? to - (span.length - arc(i)) : from + arc(i);  // material at the station
-    int j = first;                                                          // next node
-    while (j < last && arc(j) < s) ++j;
+    const auto free = std::views::iota(first, last);
+    const int j =
+        first + static_cast<int>(std::ranges::partition_point(free, [&](int m) { return arc(m) < s; }) -
+                                 free.begin());  // next node
     const double length = j > first ? arc(j) - arc(j - 1) : 0;
     const double share = length > 0 ? std::clamp((arc(j) - s) / length, 0.0, 1.0) : 0;  // of the node before
     for (size_t k = 0; k < fields_.size(); ++k) {

@@ -37,6 +37,7 @@ class Stations {
   std::vector<io::ResultField> fields_;
   std::vector<std::size_t> place_;  // index of each among all fields
   std::vector<std::vector<double>> values_;
+  std::vector<int> cut_lines_;  // lines whose nodes are on more than one rank, ascending
 };
 
 }  // namespace hawser::record
