@@ -74,7 +74,8 @@ void warn_of_hull(const Body& b, std::vector<InputWarning>& out) {
 // Members much larger than the body, and added mass that counts twice, of the files and of members beside
 // them.
 void warn_of_members(const Case& c, const Body& b, std::vector<InputWarning>& out) {
-  constexpr double kLarge = 5;  // of the volume of water of the body's mass
+  constexpr double kLarge = 5;   // of the volume of water of the body's mass
+  constexpr double kReach = 10;  // in sides of a cube of that volume; the tower of a wind turbine is at 6
   const BodyMass& m = *b.mass;
   for (size_t i = 0; i < m.members.size(); ++i) {
     const BodyMember& member = m.members[i];
@@ -85,6 +86,14 @@ void warn_of_members(const Case& c, const Body& b, std::vector<InputWarning>& ou
                   "has a volume of {:.3g} m³, and the body's mass is that of {:.3g} m³ of water: are "
                   "its ends and its diameter in metres?",
                   volume, own);
+    const double reach = std::max((member.from - m.centre).norm(), (member.to - m.centre).norm());
+    const double size = std::cbrt(std::max(volume, own));
+    if (reach > kReach * size)
+      add_warning(out, fmt::format("bodies.{}.floating.members[{}]", b.name, i), Effect::all,
+                  "reaches {:.4g} m from the centre of mass, and a cube of the body's volume has sides of "
+                  "{:.3g} m: are "
+                  "its ends in metres, and in the body's frame?",
+                  reach, size);
     if (!m.hydrodynamics) continue;
     if (member.added > 0 || member.axial_added > 0)
       add_warning(
@@ -179,6 +188,21 @@ void warn_of_fairleads(const Case& c, const Body& b, std::vector<InputWarning>& 
   }
 }
 
+// Coefficients of wind and current that are no ratios of forces: those of ships and platforms are below 3.
+void warn_of_flow(const Body& b, std::vector<InputWarning>& out) {
+  constexpr double kLargest = 10;
+  const auto warn = [&](const std::optional<FlowOnBody>& flow, const char* name) {
+    if (!flow || flow->coefficients.largest() <= kLargest) return;
+    add_warning(
+        out, fmt::format("bodies.{}.floating.{}", b.name, name), Effect::all,
+        "has a coefficient of {:.3g}, and those of ships and platforms are below 3: are its rows forces "
+        "and moments in place of F / (rho/2 v² A) and M / (rho/2 v² A L)?",
+        flow->coefficients.largest());
+  };
+  warn(b.mass->wind, "wind");
+  warn(b.mass->current, "current");
+}
+
 // Dynamic positioning with an unstable control loop.
 void warn_of_positioning(const Body& b, std::vector<InputWarning>& out) {
   const Vec3 growth = model::loop_growth(b);
@@ -203,6 +227,7 @@ void warn_of_platforms(const Case& c, std::vector<InputWarning>& out) {
     if (b.mass) warn_of_hull(b, out);
     if (b.mass) warn_of_members(c, b, out);
     if (b.mass) warn_of_fairleads(c, b, out);
+    if (b.mass) warn_of_flow(b, out);
     if (b.mass && b.mass->positioning) warn_of_positioning(b, out);
     if (!b.mass || !b.mass->hydrodynamics) continue;
     warn_of_inertia(b, out);

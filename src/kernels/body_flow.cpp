@@ -25,6 +25,12 @@ FlowCoefficients::FlowCoefficients(std::vector<Row> rows) {
   }
 }
 
+double FlowCoefficients::largest() const {
+  double size = 0;
+  for (const Vec3& C : values_) size = std::max(size, C.cwiseAbs().maxCoeff());
+  return size;
+}
+
 void FlowCoefficients::at(double direction, Vec3& C, Vec3& by_direction) const {
   by_direction.setZero();
   if (none()) {

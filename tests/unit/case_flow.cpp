@@ -4,6 +4,7 @@
 #include <fstream>
 #include <string>
 
+#include "hawser/advice/input_warnings.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/model/summary.hpp"
@@ -80,6 +81,17 @@ TEST(CaseFlow, FileAllRoundAndDraught) {
   EXPECT_EQ(f.frontal, 450);
   EXPECT_EQ(f.lateral, 450);
   EXPECT_EQ(f.rows, 7);
+}
+
+TEST(CaseFlow, WarningOfForcesInPlaceOfCoefficients) {
+  const auto of = [](const char* across) {
+    return advice::input_notes(read(wind(std::string("rows: [[0, 0.8, 0, 0], [60, 0.4, ") + across +
+                                         ", 0], [120, -0.4, 0.6, 0], [180, -0.7, 0, 0]]")));
+  };
+  EXPECT_TRUE(of("3").empty());
+  const std::vector<std::string> found = of("700");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NE(found[0].find("floating.wind: has a coefficient of 700"), std::string::npos) << found[0];
 }
 
 TEST(CaseFlow, BadTablesGetASentence) {

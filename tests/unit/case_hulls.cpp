@@ -82,6 +82,13 @@ TEST(CaseHulls, BesideCoefficients) {
   ASSERT_EQ(large.size(), 1U);
   EXPECT_NE(large[0].find("has a volume of 3.02e+04 m³, and the body's mass is that of 400 m³ of water"),
             std::string::npos);
+  const std::vector<std::string> far = advice::input_notes(
+      read(std::string(kHull) + ", members: [{from: [0, 0, -4], to: [400, 0, -4], diameter: 1}]"));
+  ASSERT_EQ(far.size(), 1U);
+  EXPECT_NE(far[0].find(
+                "reaches 400 m from the centre of mass, and a cube of the body's volume has sides of 7.37 m"),
+            std::string::npos)
+      << far[0];
 }
 
 TEST(CaseHulls, WarningWithoutDragAndAddedMass) {

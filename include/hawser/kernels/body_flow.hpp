@@ -21,6 +21,8 @@ class FlowCoefficients {
   explicit FlowCoefficients(std::vector<Row> rows);
 
   bool none() const { return direction_.empty(); }
+  // The largest coefficient, without its sign.
+  double largest() const;
   // by_direction: 1/rad, slope between the neighbouring rows; at a row the slope on its left.
   void at(double direction, Vec3& C, Vec3& by_direction) const;
 
