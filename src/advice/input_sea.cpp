@@ -160,7 +160,7 @@ void warn_of_soil(const Case& c, std::vector<InputWarning>& out) {
   if (in_thousands >= kSoftBed && in_thousands <= kStiffBed && stiffness < kSoftBed)
     hint = fmt::format("; is it in kN? ('{:g} {}')", bed.normal_stiffness, by_length ? "kN/m2" : "kN/m3");
   add_warning(out, "environment.seabed.normal_stiffness", Effect::all,
-              "{:g} {} is {} than that of any soil; usual values are {}{}", bed.normal_stiffness,
+              "{:g} {} is {} than any soil; usual values are {}{}", bed.normal_stiffness,
               by_length ? "N/m²" : "N/m³", stiffness < kSoftBed ? "softer" : "stiffer",
               by_length ? "50 to 5000 kN/m²" : "50 to 10000 kN/m³", hint);
 }

@@ -109,7 +109,7 @@ TEST(CaseBodies, BodyInWater) {
                  ":9: bodies.A.floating.in_water: there is no water: give 'environment: {water: ...}'");
   expect_message(
       wrong_in_water(fine, "water: {density: 1000}", "false"),
-      ":9: bodies.A.floating.in_water: brings the buoyancy of the body, so that its weight acts as well");
+      ":9: bodies.A.floating.in_water: adds the buoyancy of the body, so its weight must act as well");
   expect_message(wrong_in_water("volume: -2, height: 3"), "in_water.volume");
   expect_message(wrong_in_water("volume: 2, height: 0"), "in_water.height");
   expect_message(wrong_in_water("volume: 2"), "height");

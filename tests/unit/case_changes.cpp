@@ -111,8 +111,8 @@ TEST(CaseChanges, ThatCannotBeMadeAreRefusedWithOneSentence) {
     std::vector<std::string> parts;
   };
   const Refusal refusals[] = {
-      {"dynamics.duration", {"two.yaml with --set dynamics.duration: is no KEY=VALUE"}},
-      {"=3", {"is no KEY=VALUE"}},
+      {"dynamics.duration", {"two.yaml with --set dynamics.duration: is not KEY=VALUE"}},
+      {"=3", {"is not KEY=VALUE"}},
       {"dynamics.duration=", {"has nothing after the '='"}},
       {"dynamics.duration=[1",
        {"'[1' is not a YAML value: the bracket [ that opens in this line is not closed"}},

@@ -41,11 +41,11 @@ TEST(CaseHulls, WhatIsRefused) {
   const std::string key = ":5: bodies.barge.floating.hull";
   EXPECT_NO_THROW(read(std::string(kHull) + kMember));
   expect_refused(key + ": there is no water", kHull, kBox, "gravity: 9.81");
-  expect_refused(key + ": floats by the weight of the water, and 'environment.gravity' is 0", kHull, kBox,
+  expect_refused(key + ": needs gravity for its buoyancy, and 'environment.gravity' is 0", kHull, kBox,
                  "gravity: 0, water: {density: 1000}");
-  expect_refused(key + ": 'in_water' brings buoyancy as well",
+  expect_refused(key + ": 'in_water' includes buoyancy as well",
                  std::string(kHull) + ", in_water: {volume: 400, height: 6}");
-  expect_refused(key + ": brings the buoyancy of the body, so that its weight acts as well",
+  expect_refused(key + ": includes the weight and buoyancy of the body, so that the weight always acts",
                  std::string("weight: false, ") + kHull);
   expect_refused(key + ".volumes: names volume 'side' twice", "hull: {volumes: [side, side]}");
   expect_refused(key + ".volumes: volume 'side' moves with nothing, not with this body: set 'body: barge'",
@@ -94,9 +94,8 @@ TEST(CaseHulls, BesideCoefficients) {
 TEST(CaseHulls, WarningWithoutDragAndAddedMass) {
   const std::vector<std::string> alone = advice::input_notes(read(kHull));
   ASSERT_EQ(alone.size(), 1U);
-  EXPECT_NE(
-      alone.front().find("bodies.barge.floating.hull: the pressure of the water alone acts on this body"),
-      std::string::npos)
+  EXPECT_NE(alone.front().find("bodies.barge.floating.hull: only the water pressure acts on this body"),
+            std::string::npos)
       << alone.front();
   EXPECT_TRUE(advice::input_notes(read(std::string(kHull) + kMember)).empty());
 }
@@ -142,7 +141,7 @@ TEST(CaseHulls, LinesMayHoldABodyOffItsDraught) {
   EXPECT_EQ(Afloat(1.5).at_start().find("note"), std::string::npos);
   expect_part(Afloat(1).at_start(),
               "warning: body barge floats 0.5 m higher than its initial position: there its weight and "
-              "buoyancy differ by 784.53 kN there, and nothing holds it");
+              "buoyancy differ by 784.53 kN, and no line or spring carries the difference");
   // 784.5 kN stretch it by 7.85e-3 of its 40 m.
   const Afloat held(1, "[0, 0, -2]", 40 / 1.00785);
   expect_part(held.at_start(),
@@ -152,7 +151,7 @@ TEST(CaseHulls, LinesMayHoldABodyOffItsDraught) {
   // Slack by 0.3 m: 784.5 kN - 1569 kN/m r = 2481 kN/m (r - 0.3 m) at r = 0.377 m.
   const std::vector<std::string> slack = Afloat(1, "[0, 0, -2]", 40.3).at_rest();
   ASSERT_EQ(slack.size(), 1U);
-  expect_part(slack.front(), "body barge comes to rest 0.377 m higher than where it starts");
+  expect_part(slack.front(), "body barge comes to rest 0.377 m higher than its initial position");
 }
 
 // KB = 1.25, BM = 8²/(12 2.5) = 2.13 m in roll, 13.3 m in pitch: KG = 4 m is above the metacentre of roll

@@ -185,7 +185,7 @@ TEST(CaseSupports, WhatIsWrongIsReportedWithItsRemedy) {
                  "a clear width of 0.2 m");
   expect_message(wrong("{points: [[0, 0, 0]]" + flat), "has a 'path'");
   expect_message(wrong("{at: 5" + flat, ""), "is a length along 'path', which the group has not");
-  expect_message(wrong("{points: [[0, 0, 0]]" + flat, ""), "one point alone");
+  expect_message(wrong("{points: [[0, 0, 0]]" + flat, ""), "one point does not define the direction");
   expect_message(wrong("{at: 5" + flat, "from: [0, 0, 9], direction: [0, 0, -1], segments: [{length: 20}]"),
                  "is vertical");
   expect_message(
@@ -196,7 +196,7 @@ TEST(CaseSupports, WhatIsWrongIsReportedWithItsRemedy) {
                  "lies 5 m behind 'lines.pipe.end_a'");
   expect_message(
       wrong("{at: 5" + flat, "from: [-30, 0, 12], direction: [-1, 0, 0], segments: [{length: 20}]"),
-      "the line would start below its roller");
+      "the line would start below the roller");
   expect_message(wrong("{points: [[-35, 0, 10], [-50, 0, 10], [-45, 0, 10]]" + flat, ""),
                  "lies behind 'ramp 1'");
   expect_message(wrong("{at: 5" + flat, "from: [-30, 0, 9], direction: [-1, 0, 0], segments: [{length: 20}]",

@@ -96,9 +96,9 @@ TEST(ElementErrors, SagIsWhatShorterElementsShow) {
   std::string warnings, fine;
   const double coarse = least_tension(4, warnings), exact = least_tension(64, fine);
   EXPECT_EQ(fine, "");
-  const size_t at = warnings.find("off by about ");
+  const size_t at = warnings.find("wrong by about ");
   ASSERT_NE(at, std::string::npos) << warnings;
-  const double percent = std::stod(warnings.substr(at + 13));
+  const double percent = std::stod(warnings.substr(at + 15));
   EXPECT_NEAR(percent, 100 * (exact - coarse) / exact, 0.3 * percent) << warnings;
 }
 
@@ -139,9 +139,9 @@ lines:
   std::vector<std::string> warnings;
   const double coarse = top(85, warnings);
   ASSERT_EQ(warnings.size(), 1U);
-  const size_t at = warnings[0].find("off by about ");
+  const size_t at = warnings[0].find("wrong by about ");
   ASSERT_NE(at, std::string::npos) << warnings[0];
-  const double percent = std::stod(warnings[0].substr(at + 13));
+  const double percent = std::stod(warnings[0].substr(at + 15));
   EXPECT_NEAR(percent, 100 * std::abs(exact - coarse) / coarse, 0.3) << warnings[0];
   EXPECT_NEAR(top(425, warnings), exact, 0.006 * exact);
   EXPECT_TRUE(warnings.empty()) << warnings[0];
@@ -177,7 +177,7 @@ lines:
   };
   EXPECT_EQ(warnings(1, 1),
             "the bending moment of line pipe decays within 1 m at arc length 4 m (t = 0 s), and with "
-            "elements of 1 m miss by about 6.2 % of the largest: use elements of 0.37 m there");
+            "elements of 1 m it is wrong by about 6.2 % of the largest: use elements of 0.37 m there");
   EXPECT_EQ(warnings(2, 1), "");                                        // 1.7 %
   EXPECT_EQ(warnings(1, 10), "");                                       // no peak
   EXPECT_EQ(warnings(1, 1, "\n    masses: [{at: 4, mass: 100}]"), "");  // 0.07 %

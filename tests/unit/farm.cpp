@@ -356,7 +356,8 @@ TEST_F(FarmFiles, Refusals) {
       why_not(farm("at: [[0, 0, 30]]")),
       {"/platform.yaml:", "bodies.T1/buoy.floating.stiffness: 100 along x and 200 along y cannot be turned"});
   write("platform.yaml", "hawser: 1\nfarm: {of: platform.yaml, at: [[0, 0]]}\n");
-  expect(why_not(farm("at: [[0, 0]]")), {"/platform.yaml:2: farm: a platform of a farm is none itself"});
+  expect(why_not(farm("at: [[0, 0]]")),
+         {"/platform.yaml:2: farm: a platform of a farm cannot contain a farm"});
 }
 
 TEST_F(FarmFiles, NotesOfManyPlacesAreOne) {

@@ -140,9 +140,9 @@ TEST_F(HydrodynamicChecks, WaveForces) {
     };
   };
   with(".3", conjugated(1));
-  expect("the surge force comes 90 deg after the crest");
+  expect("the surge force lags the crest by 90 deg");
   with(".3", conjugated(2));
-  expect("the sway force comes 90 deg after the crest");
+  expect("the sway force lags the crest by 90 deg");
   with(".3", [](auto& rows) { rows[7][6] *= 1.1; });
   expect("spar.3:8: modulus ");
   with(".3", [](auto& rows) {
@@ -183,7 +183,7 @@ TEST_F(HydrodynamicChecks, ConjugatedHeave) {
   with(".1", damped);
   EXPECT_EQ(reported().find("its phases in"), std::string::npos) << reported();
   with(".3", force(-1));
-  EXPECT_NE(reported().find("where the damping of"), std::string::npos) << reported();
+  EXPECT_NE(reported().find("but the damping of"), std::string::npos) << reported();
 }
 
 TEST_F(HydrodynamicChecks, FilesThatAreCutOff) {
@@ -242,7 +242,7 @@ TEST_F(HydrodynamicChecks, WhatCannotFloat) {
         coupling);
   };
   EXPECT_EQ(reported(damping(0.9e5)), "");
-  expect("brings energy in where some velocities are coupled", damping(1.1e5));
+  expect("adds energy to the motion for some combination of velocities", damping(1.1e5));
   const auto stiffness = [](double surge, double heave) {
     return fmt::format(
         ", stiffness: [[{}, 0, 0, 0, 0, 0], [0, 1e4, 0, 0, 0, 0], [0, 0, {}, 0, 0, 0], [0, 0, 0, 0, 0, 0], "
@@ -251,7 +251,7 @@ TEST_F(HydrodynamicChecks, WhatCannotFloat) {
         surge, heave);
   };
   EXPECT_EQ(reported(stiffness(1e4, -1e3)), "");
-  expect("pushes the body away from its place in surge, sway or yaw", stiffness(-1e4, 0));
+  expect("pushes the body away from its position in surge, sway or yaw", stiffness(-1e4, 0));
   const auto line = [](double x) {
     return fmt::format(
         "line_types: {{chain: {{library: chain-studless, diameter: 100 mm, grade: R4}}}}\nlines: {{mooring: "
@@ -266,7 +266,7 @@ TEST_F(HydrodynamicChecks, WhatCannotFloat) {
       << reported("", line(400));
   with(".hst", top_heavy);
   expect(
-      "without its lines its metacentric height in roll and pitch is -6.59 m; they have to hold it upright",
+      "without its lines its metacentric height in roll and pitch is -6.59 m; its lines must keep it upright",
       "", line(6));
 }
 

@@ -473,14 +473,14 @@ TEST_F(HydrodynamicFiles, RefusesWithFileAndVariable) {
     EXPECT_NE(text.find(part), std::string::npos) << text;
     EXPECT_NE(text.find("float."), std::string::npos) << text;
   };
-  has(with("forward_speed", [](Variable& v) { v.values = {2}; }), "is made with a forward speed");
+  has(with("forward_speed", [](Variable& v) { v.values = {2}; }), "was computed with a forward speed");
   has(with("added_mass", [](Variable& v) { v.name = "other"; }), "has no variable 'added_mass'");
   has(with("omega", [](Variable& v) { v.values[3] = v.values[2]; }), "twice");
   has(with("complex", [](Variable& v) { v.texts = {"a", "b"}; }), "variable 'complex' has no 're'");
   has(with("hydrostatic_stiffness", [](Variable& v) { v.name = "other"; }), "centre of mass");
   has(with("added_mass", [](Variable& v) { v.dimensions[1] = "influenced_dof"; }), "is not along");
   write_netcdf4(path("float.nc"), dimensions, variables);
-  has(refusal([&] { capytaine(SecondOrder::newman); }), "has no forces of second order");
+  has(refusal([&] { capytaine(SecondOrder::newman); }), "has no second-order forces");
   std::ofstream(path("float.nc")) << "text";
   has(refusal([&] { capytaine(); }), "is no NetCDF file");
   write_classic(path("float.nc"), dimensions, variables, 2);

@@ -144,7 +144,7 @@ TEST(LineTypes, ByWeights) {
 TEST(LineTypes, Refusals) {
   const std::string rest = ", outer_diameter: 0.25, EA: 500 MN, EI: 50 kNm2, GJ: 10 kNm2";
   const std::string weight = "weight: {in_air: 90 kgf/m, submerged: 45 kgf/m}";
-  expect_refused(kPipe + "}, EA: 1 MN", "line_types.t.EA: 'pipe' already says what it is");
+  expect_refused(kPipe + "}, EA: 1 MN", "line_types.t.EA: 'pipe' already defines it");
   expect_refused(kPipe + "}, outer_diameter: 1", "line_types.t.outer_diameter: 'pipe' already says");
   expect_refused(kPipe + "}, library: polyester, diameter: 0.1", "line_types.t.library: 'pipe' already says");
   expect_refused(kPipe + "}, " + weight, "line_types.t.weight: 'pipe' already says");

@@ -56,14 +56,14 @@ TEST(Snaps, OfTooFewSteps) {
 TEST(Snaps, OfAnElementOverAVolume) {
   EXPECT_EQ(warning(3e-3, 100, 0, false, 0.33e-3), "");
   EXPECT_NE(warning(3e-3, 100, 0, false, 1e-3)
-                .find("a wave across the line passes an element that lies over a volume"),
+                .find("a transverse wave takes to pass an element that lies over a volume"),
             std::string::npos);
   EXPECT_EQ(warning(3e-3, 100, 800, false, 1e-3), "");  // no impact
 }
 
 // A wave of 2 ms between zeros has a phase of 0.70 rad while it passes an element, one of 4 ms 0.35.
 TEST(Snaps, OfTooFewElements) {
-  EXPECT_NE(warning(2e-3, 100).find("comes and goes faster than a wave passes three elements"),
+  EXPECT_NE(warning(2e-3, 100).find("lasts less than an axial wave takes to pass three elements"),
             std::string::npos);
   EXPECT_EQ(warning(4e-3, 100), "");
 }

@@ -56,7 +56,7 @@ TEST(WaterErrors, CurrentBetweenTheNodes) {
       all.front(),
       "line l has elements of 10 m at arc length 5 m (5 m below the still water, t = 0 s), between whose "
       "nodes the current is not linear, and the hydrodynamic forces on the elements of the line are "
-      "off by about 100 % of their largest sum, 0.6 kN: use elements of 5 m there");
+      "wrong by about 100 % of their largest sum, 0.6 kN: use elements of 5 m there");
   EXPECT_EQ(warnings(kJet, upright(10, "rod")).size(), 0U);  // without drag
   // Linear variation between nodes is exact.
   EXPECT_TRUE(
@@ -105,7 +105,7 @@ TEST(WaterErrors, LinesThatAreJoinedBearTogether) {
   ASSERT_EQ(apart.size(), 1U);
   EXPECT_TRUE(apart.front().starts_with("line deep has elements of 2 m at arc length 1 m (11 m below"))
       << apart.front();
-  EXPECT_NE(apart.front().find("off by about 4.8 %"), std::string::npos) << apart.front();
+  EXPECT_NE(apart.front().find("wrong by about 4.8 %"), std::string::npos) << apart.front();
 }
 
 // A level line far below the surface in a wave of 100 m, whose acceleration has constant magnitude and turns
@@ -126,11 +126,11 @@ TEST(WaterErrors, WavesBetweenTheNodes) {
   const double phi = M_PI / 4;
   const double percent =
       100 * (std::sin(phi / 2) / (4 * std::tan(phi / 8)) - std::cos(phi / 2)) / std::cos(phi / 8);
-  EXPECT_NE(all.front().find(fmt::format("off by about {:.1f} %", percent)), std::string::npos)
+  EXPECT_NE(all.front().find(fmt::format("wrong by about {:.1f} %", percent)), std::string::npos)
       << all.front();
   EXPECT_NE(all.front().find("between whose nodes the waves are not linear"), std::string::npos)
       << all.front();
-  EXPECT_TRUE(all.front().ends_with("give it elements of 3.1 m there")) << all.front();
+  EXPECT_TRUE(all.front().ends_with("use elements of 3.1 m there")) << all.front();
   EXPECT_TRUE(level(32).empty());     // 1.2 %
   EXPECT_EQ(level(2).size(), 1U);     // as long as the wave: all nodes have equal motion
   EXPECT_TRUE(level(16, 0).empty());  // waves act in motion
