@@ -317,7 +317,7 @@ TEST(FedPipes, EnergyUnderWater) {
 TEST(FedPipes, RefuseWhatTheyCannotDo) {
   const std::string path = folder("fed-pipes-bad"), input = path + "/case.yaml";
   const std::vector<std::pair<Edits, std::string>> bad{
-      {{{"      clamped: true\n", ""}}, "a feeder holds such a line clamped"},
+      {{{"      clamped: true\n", ""}}, "such a line must be clamped at a feeder"},
       {{{"GJ: 1.5e5", "GJ: 1.5e5, stiffness_damping: 0.01"}}, "has 'stiffness_damping'"},
   };
   for (const auto& [edits, text] : bad) {

@@ -48,7 +48,7 @@ TEST(HangingLine, NonsenseIsRefused) {
        "'-1.0e200' is out of range; a number is 0 or between 1e-60 and 1e+60 in size"},
       {"EA: 500 MN", "EA: 1.0e18", "the tension of line chain is accurate to"},
       {"lines:", still.c_str(), nullptr},
-      {"lines:\n  chain:\n", pulled.c_str(), "no line of such an EA bears 50 %"},
+      {"lines:\n  chain:\n", pulled.c_str(), "no line with such an EA can carry 50 %"},
   };
   std::ostringstream text;
   text << std::ifstream(HAWSER_SOURCE_DIR "/cases/hanging-line/hanging-line.yaml").rdbuf();

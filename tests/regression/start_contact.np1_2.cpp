@@ -209,7 +209,7 @@ TEST(StartContact, CheckReports) {
   EXPECT_HAS(out, "warning: lines.sling: its start shape passes through volume bar from ");
   EXPECT_HAS(out, " of arc length, deepest at ");
   EXPECT_HAS(out, " m inside at (");
-  EXPECT_HAS(out, "the case is valid if statics moves its lines out of the volumes they start in");
+  EXPECT_HAS(out, "the case is valid if statics moves the lines out of the volumes in which they start");
   const std::string path = folder("start_contact_check") + "/case.yaml";
   write_case(path, kFairlead, {{"METHOD", "line"}});
   const std::string fairlead = check(path);
@@ -232,7 +232,7 @@ TEST(StartContact, HangingUnderAVolumeIsReported) {
   const std::string message = join(r.sim->warnings());
   EXPECT_HAS(message, "lines.sling: its start shape passes under volume bar, ");
   EXPECT_HAS(message,
-             "while the straight line between its ends passes over it; if it is to lie there, say so with");
+             "while the straight line between its ends passes over it; if that is intended, confirm it with");
   // From below there is nothing to lie on.
   Edits below = under;
   below[0].second = below[1].second = "-1";

@@ -151,11 +151,11 @@ TEST_F(StartFrom, RefusesInOneSentence) {
   expect({{"length: 130", "length: 200"}, {"lines:\n", "start: {from: a.h5}\nlines:\n"}},
          "the line is 200 m long, but 130 m in");
   expect({{"output: {", "output: {file: a.h5, "}, {"lines:\n", "start: {from: a.h5}\nlines:\n"}},
-         "would be overwritten");
+         "this run would overwrite it");
   if (zero()) std::filesystem::copy_file(path + "/a.h5", path + "/b.h5~");
   MPI_Barrier(MPI_COMM_WORLD);
   expect({{"output: {", "output: {file: b.h5, "}, {"lines:\n", "start: {from: b.h5~}\nlines:\n"}},
-         "b.h5~ is the file that line 'riser' starts from, and would be overwritten");
+         "b.h5~ is the file that line 'riser' starts from, and this run would overwrite it");
   // A line that the other run does not have starts by itself, with a note.
   write_case(path + "/new.yaml", kCase,
              {{"  riser:\n", "  new:\n"},

@@ -134,11 +134,11 @@ class OldFiles(Attack):
         for name in ("rod.h5", "rod.xdmf", "rod.h5~", "rod.xdmf~"):
             for content in ("somebody's work", ""):
                 write(self.folder, name, content)
-                self.refused(["rod.yaml"], f"/{name} is not of hawser's making, and is not replaced")
-            self.refused(["rod.yaml", "-q"], f"/{name} is not of hawser's making", ranks=2)
+                self.refused(["rod.yaml"], f"/{name} was not written by hawser and is not replaced")
+            self.refused(["rod.yaml", "-q"], f"/{name} was not written by hawser", ranks=2)
             (self.folder / name).unlink()
         os.mkfifo(self.folder / "rod.h5")
-        self.refused(["rod.yaml"], "is not of hawser's making")
+        self.refused(["rod.yaml"], "was not written by hawser")
 
     def test_what_is_gone_on_from_stays(self):
         self.succeed("rod.yaml", "-q")

@@ -150,7 +150,7 @@ class ThatCannotBeMeant(Lays):
         done = run(HAWSER, "check", "--quick", self.folder / "mesh.yaml")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertIn("warning: lines.pipe: its start shape passes under volume ramp, ", done.stdout)
-        self.assertIn("while its end A is above it; if it is to lie there, say so with 'start: {points: ", done.stdout)
+        self.assertIn("while its end A is above it; if that is intended, confirm it with 'start: {points: ", done.stdout)
         # Not where the end is below it.
         low = text.replace("at: [0, 0, 7.9932]", "at: [0, 0, 5]")
         write(self.folder, "low.yaml", low)
@@ -181,7 +181,7 @@ events:
 """)
         done = run(HAWSER, "run", self.folder / "wire.yaml", "-o", self.folder / "wire.h5")
         self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
-        self.assertIn("wire.yaml:12: events[0]: the feeder at end A of line w would be set to 0 m/s before anything moves",
+        self.assertIn("wire.yaml:12: events[0]: the feeder at end A of line w would be set to 0 m/s at once",
                       done.stderr)
 
     def test_tables_of_lays(self):

@@ -217,7 +217,7 @@ bodies:
         write(self.folder, "case.yaml", STRING + "statics: false\ndynamics: {duration: 1}\n")
         result = run(HAWSER, "modes", "case.yaml", cwd=self.folder)
         self.assertEqual(result.returncode, 2)
-        self.assertIn("modes are about the static equilibrium", result.stderr)
+        self.assertIn("modes need the static equilibrium", result.stderr)
         self.assertEqual(run(HAWSER, "modes", "case.yaml", "-n", "0", cwd=self.folder).returncode, 2)
 
 

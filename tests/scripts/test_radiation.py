@@ -76,7 +76,7 @@ class Radiation(unittest.TestCase):
 
     def test_sentences(self):
         write(self.folder, "mine.csv", "a,b\n1,2\n")
-        for words, part in ((["r.txt"], "give its name the ending .csv"), (["mine.csv"], "that is no table of radiation"),
+        for words, part in ((["r.txt"], "give its name the ending .csv"), (["mine.csv"], "the file there is not a table of radiation"),
                             (["r.csv", "--json"], "json")):
             done = self.check(body("a", "spar"), *words)
             self.assertEqual(done.returncode, 2, words)

@@ -100,7 +100,7 @@ class Set(unittest.TestCase):
 
     def test_going_on(self):
         self.assertEqual(self.hawser("run", "two.yaml", "--set", "dynamics.duration=0.4").returncode, 0)
-        self.refused(["lines.other.sections[0].elements=7"], "line other has 7 nodes there, 8 here",
+        self.refused(["lines.other.sections[0].elements=7"], "line other has 7 nodes in the file, 8 in this case",
                      "but not other lines, lengths, elements, links or volumes", command=("run", "two.yaml", "--restart", "two.h5"))
         for changes, output in [(["dynamics.duration=0.8"], "was made with --set dynamics.duration=0.4, and continues with --set dynamics.duration=0.8"),
                               ([], "was made with --set dynamics.duration=0.8, and continues without --set")]:

@@ -61,9 +61,9 @@ class Size(unittest.TestCase):
         case = ("mooring-line/mooring-line.yaml", "--quick", "--set", "dynamics.duration=10800", "--set", "output.every=0.1")
         estimate, output = self.expected(*case)
         self.assertGreater(estimate, 2e9)
-        self.assertRegex(output, "\nnote: (output.every says how often|the disk of .* has .* left)")
+        self.assertRegex(output, "\nnote: (fields are most of the file|the disk of .* has .* free)")
         _, output = self.expected(*case, "--set", "output.every=0.00002")
-        self.assertIn("left, and a run takes up to twice the size of its results", output)
+        self.assertIn("free, and a run needs up to twice the size of its results", output)
 
 
 if __name__ == "__main__":

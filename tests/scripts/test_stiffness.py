@@ -108,11 +108,11 @@ contact: {between_lines: false}
         foreign = self.folder / "wind.csv"
         foreign.write_text("0,1,0,0\n180,-1,0,0\n")
         for words, complaint in [
-            (("stiffness", self.case, "--body", "ship"), "no line is tied to a body 'ship', but to vessel"),
+            (("stiffness", self.case, "--body", "ship"), "no line is attached to a body 'ship'; lines are attached to vessel"),
             (("stiffness", self.case, "--offset", "1,2"), "--offset '1,2': give three or six numbers separated by commas"),
             (("stiffness", self.case, "--to", "-3"), "'-3' is no offset above 0, in m"),
             (("stiffness", self.case, "-o", "x.txt"), "give its name the ending .csv"),
-            (("stiffness", ROOT / "docs/tutorial/mooring-1.yaml"), "no line is tied to a body"),
+            (("stiffness", ROOT / "docs/tutorial/mooring-1.yaml"), "no line is attached to a body"),
             (("stiffness", self.case, "-o", foreign), "the file there is not a table of stiffnesses"),
             (("stiffness", self.case, "--steps", "3"), "--to"),
             (("plot", self.case, "offsets"), "is no table of hawser stiffness"),

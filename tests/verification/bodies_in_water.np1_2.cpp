@@ -102,7 +102,7 @@ TEST(BodiesInWater, WhatFloatsWithoutAWaterplaneIsNamed) {
     return s.tilting_warnings();
   };
   ASSERT_EQ(named(7000, "").size(), 1U);
-  EXPECT_NE(named(7000, "").front().find("bodies.load: it floats in the surface"), std::string::npos);
+  EXPECT_NE(named(7000, "").front().find("bodies.load: it floats at the surface"), std::string::npos);
   EXPECT_TRUE(named(7000, ", turning_stiffness: [2e5, 2e5, 0]").empty());
   EXPECT_TRUE(named(13000, "").empty());
 }

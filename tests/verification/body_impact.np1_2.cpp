@@ -189,7 +189,7 @@ TEST(BodyImpact, WhatNothingSeesEndsStatics) {
     if (apart > 2)
       EXPECT_EQ(what, "");
     else
-      EXPECT_NE(what.find("0.1 m in each other"), std::string::npos) << what;
+      EXPECT_NE(what.find("overlap by 0.1 m"), std::string::npos) << what;
   }
 }
 

@@ -94,7 +94,7 @@ TEST(PressedLines, WhatIsTooSoftEndsTheRunWithTheReason) {
     EXPECT_FALSE(d.through) << k;
     EXPECT_LT(d.depth, 0.96 * 0.16) << k;
     printf("  %s: %s\n", k, d.stopped.c_str());
-    EXPECT_NE(d.stopped.find("is too small for what presses them"), std::string::npos) << d.stopped;
+    EXPECT_NE(d.stopped.find("is too small for the contact force"), std::string::npos) << d.stopped;
     EXPECT_NE(d.stopped.find("lines a (arc length"), std::string::npos) << d.stopped;
     EXPECT_EQ(d.stopped.find("out of balance"), std::string::npos) << d.stopped;
     // What it proposes holds.
