@@ -185,8 +185,8 @@ TEST(InputWarnings, StiffnessOfTheBed) {
        {"{per_area: 100 kN/m3}", "{per_area: 5000}", "{per_length: 2 kN/m2}", "{per_length: 4200 kN/m2}"})
     EXPECT_EQ(notes(bed(soil)), std::vector<std::string>{}) << soil;
   expect_warning(bed("{per_area: 200}"),
-                 "slips.yaml:4: environment.seabed.normal_stiffness: 200 N/m³ is softer than that of any "
-                 "soil; usual values are 50 "
+                 "slips.yaml:4: environment.seabed.normal_stiffness: 200 N/m³ is softer than any soil; usual "
+                 "values are 50 "
                  "to 10000 kN/m³; is it in kN? ('200 kN/m3')");
   expect_warning(bed("{per_length: 100}"),
                  "100 N/m² is softer than any soil; usual values are 50 to 5000 kN/m²; "
@@ -265,8 +265,8 @@ TEST(InputWarnings, Times) {
     return Changes{{"period: 10}, ramp: 10}", "period: 10}, ramp: 10, drift: {" + of + "}}"}};
   };
   expect_warning(drift("harmonic: {amplitude: [9, 0, 0], period: 90}"),
-                 "slips.yaml:10: bodies.vessel.motion.drift: starts at t = 0 with 0.628 m/s, while the lines "
-                 "are at rest");
+                 "slips.yaml:10: bodies.vessel.motion.drift: starts at t = 0 with 0.628 m/s, which is an "
+                 "impact on the lines at rest");
   for (const char* smooth : {"harmonic: {amplitude: [9, 0, 0], period: 90}, ramp: 30", "offset: [9, 0, 0]",
                              "harmonic: {amplitude: [9, 0, 0], period: 90, phase_deg: [90, 0, 0]}"})
     EXPECT_EQ(notes(drift(smooth)), std::vector<std::string>{}) << smooth;

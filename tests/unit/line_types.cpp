@@ -145,17 +145,17 @@ TEST(LineTypes, Refusals) {
   const std::string rest = ", outer_diameter: 0.25, EA: 500 MN, EI: 50 kNm2, GJ: 10 kNm2";
   const std::string weight = "weight: {in_air: 90 kgf/m, submerged: 45 kgf/m}";
   expect_refused(kPipe + "}, EA: 1 MN", "line_types.t.EA: 'pipe' already defines it");
-  expect_refused(kPipe + "}, outer_diameter: 1", "line_types.t.outer_diameter: 'pipe' already says");
-  expect_refused(kPipe + "}, library: polyester, diameter: 0.1", "line_types.t.library: 'pipe' already says");
-  expect_refused(kPipe + "}, " + weight, "line_types.t.weight: 'pipe' already says");
+  expect_refused(kPipe + "}, outer_diameter: 1", "line_types.t.outer_diameter: 'pipe' already defines");
+  expect_refused(kPipe + "}, library: polyester, diameter: 0.1", "line_types.t.library: 'pipe' already defines");
+  expect_refused(kPipe + "}, " + weight, "line_types.t.weight: 'pipe' already defines");
   expect_refused(kPipe + "}, contents: {inner_diameter: 0.1, density: 1}",
-                 "line_types.t.contents.inner_diameter: 'pipe' already says");
+                 "line_types.t.contents.inner_diameter: 'pipe' already defines");
   expect_refused("pipe: {outer_diameter: 0.2, wall_thickness: 0.1}", "fills the pipe of 0.2 m");
   expect_refused(kPipe + ", material: stel}", "did you mean 'steel'");
   expect_refused(weight + rest + ", mass_per_length: 90",
-                 "line_types.t.mass_per_length: 'weight' already says");
+                 "line_types.t.mass_per_length: 'weight' already defines");
   expect_refused(weight + ", library: polyester, diameter: 0.1",
-                 "line_types.t.library: 'weight' already says");
+                 "line_types.t.library: 'weight' already defines");
   expect_refused(weight + ", EA: 5 MN", "line_types.t.outer_diameter: required key is missing");
   expect_refused("weight: {in_air: 45 kgf/m, submerged: 90 kgf/m}" + rest,
                  "is not less than the weight in air");
