@@ -397,10 +397,10 @@ TEST(Feeders, RefuseWhatTheyCannotDo) {
   const std::string table = "speed_table: [[0, 0], [2, 1], [20, 1], [24, -1], [40, -1]]";
   const std::vector<std::pair<Edits, std::string>> bad{
       {{{"stock: 40", "stock: 0"}}, "must be above 0"},
-      {{{"stock: 40", "stock: 3"}}, "a stock needs 2 at least"},
+      {{{"stock: 40", "stock: 3"}}, "a stock needs at least 2"},
       {{{"stock: 40", "stock: 58"}}, "3 are the least"},
       {{{"[20, 1], [24", "[20, 1], [19"}}, "times must grow"},
-      {{{table, "tension: 10 kN, dead_band: [12 kN, 8 kN], speed_per_tension: 1e-4"}}, "is no band"},
+      {{{table, "tension: 10 kN, dead_band: [12 kN, 8 kN], speed_per_tension: 1e-4"}}, "is not a band"},
       {{{table, "tension: 20 kN, dead_band: [8 kN, 12 kN], speed_per_tension: 1e-4"}}, "does not hold"},
       {{{table, "tension: 10 kN, dead_band: [8 kN, 12 kN]"}}, "needs 'speed_per_tension'"},
       {{{table, "tension: 10 kN, speed: 1"}}, "speed"},

@@ -138,7 +138,7 @@ TEST_P(Restart, OtherQuantitiesAreRefused) {
     run::check_records(k, s.system(), "half.h5");
     FAIL();
   } catch (const InputError& e) {
-    EXPECT_NE(std::string(e.what()).find("kept other quantities of " + name + "; begin with"),
+    EXPECT_NE(std::string(e.what()).find("with other quantities of " + name + "; start from its last shape"),
               std::string::npos)
         << e.what();
   }

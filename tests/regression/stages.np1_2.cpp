@@ -189,9 +189,9 @@ TEST(Stages, BadInput) {
     EXPECT_NE(text.find(part), std::string::npos) << text;
   };
   has(message("{feed: {line: rope, end: end_a, paid_out: 25}, stage: moved}", ""),
-      "-5 m would remain inside then");
+      "-5 m would remain inside: ");
   has(message("{feed: {line: rope, end: end_a, paid_out: -85}, stage: moved}", ""),
-      "-5 m would remain outside then");
+      "-5 m would remain outside: ");
   has(message("{feed: {line: rope, end: end_a, paid_out: 5}, time: 1}", "dynamics: {duration: 2}\n"),
       "in time a feeder has a 'speed'");
   has(message("{feed: {line: rope, end: end_a, paid_out: 5, speed: 1}, stage: moved}", ""),

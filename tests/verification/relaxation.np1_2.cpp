@@ -187,7 +187,7 @@ TEST(Relaxation, ItReportsThePlaceWithoutRest) {
     at_rest(c);
     ADD_FAILURE();
   } catch (const SolveError& e) {
-    EXPECT_NE(std::string(e.what()).find("no rest after"), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("not at rest after"), std::string::npos) << e.what();
     EXPECT_NE(std::string(e.what()).find("line line, arc length"), std::string::npos) << e.what();
   }
 }

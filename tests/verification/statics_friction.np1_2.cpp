@@ -94,7 +94,7 @@ statics: {{contact_friction: true, relaxation_steps: 600}}
         try {
           run::run(MPI_COMM_WORLD, o);
         } catch (const std::exception& e) {
-          EXPECT_NE(std::string(e.what()).find("no rest after"), std::string::npos) << e.what();
+          EXPECT_NE(std::string(e.what()).find("not at rest after"), std::string::npos) << e.what();
           throw;
         }
       },

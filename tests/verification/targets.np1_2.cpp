@@ -209,7 +209,7 @@ TEST(Targets, ThatMakeNoSense) {
   expect_refused([] { hanging("{tension: 5, section: 2}"); }, "there is no section 2; the line has 1");
   expect_refused([] { hanging("{tension: 5, between: [120, 130]}"); }, "110 m, which is not between");
   expect_refused([] { hanging("{tension: 5, laid_length: 4}"); }, "exclude each other");
-  expect_refused([] { lying("{laid_length: 4, at: end_a}"); }, "has no meaning for 'laid_length'");
+  expect_refused([] { lying("{laid_length: 4, at: end_a}"); }, "does not apply to 'laid_length'");
   expect_refused([] { lying("{touchdown: 4}", "statics: false\ndynamics: {duration: 1}\n"); },
                  "statics: false");
 }
