@@ -146,7 +146,8 @@ TEST(LineTypes, Refusals) {
   const std::string weight = "weight: {in_air: 90 kgf/m, submerged: 45 kgf/m}";
   expect_refused(kPipe + "}, EA: 1 MN", "line_types.t.EA: 'pipe' already defines it");
   expect_refused(kPipe + "}, outer_diameter: 1", "line_types.t.outer_diameter: 'pipe' already defines");
-  expect_refused(kPipe + "}, library: polyester, diameter: 0.1", "line_types.t.library: 'pipe' already defines");
+  expect_refused(kPipe + "}, library: polyester, diameter: 0.1",
+                 "line_types.t.library: 'pipe' already defines");
   expect_refused(kPipe + "}, " + weight, "line_types.t.weight: 'pipe' already defines");
   expect_refused(kPipe + "}, contents: {inner_diameter: 0.1, density: 1}",
                  "line_types.t.contents.inner_diameter: 'pipe' already defines");
