@@ -25,7 +25,7 @@ class Parser(argparse.ArgumentParser):
             options += [name for sub in self._subparsers._group_actions for p in sub.choices.values() if p.prog == self.current
                         for action in p._actions for name in action.option_strings] if self._subparsers else []
             message = (f"there is no option '{word}'" + near(word, options)) if word.startswith("-") else \
-                f"'{word}' is one file or word too many"
+                f"'{word}' is an unexpected argument"
         elif choice:
             words = re.findall(r"'([^']*)'", choice.group(3))
             message = f"{choice.group(1)} cannot be '{choice.group(2)}'{near(choice.group(2), words)} (there are {', '.join(words)})"

@@ -55,7 +55,7 @@ std::string not_to_be_used() { return ". Do not use the results"; }
 std::string vibration_damped(double energy, double size) {
   return fmt::format(
       "{:.3g} J of axial vibration faster than the time steps resolve were dissipated ({:.2g} % of the "
-      "largest kinetic energy); the peak tension of a snap load may be higher for less than a step",
+      "energy brought in or stored); the peak tension of a snap load may be higher for less than a step",
       energy, 100 * energy / size);
 }
 

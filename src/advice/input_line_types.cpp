@@ -104,9 +104,9 @@ void warn_of_line_types(const Case& c, std::vector<InputWarning>& out) {
     const double d = t.displaced(), density = t.mass_per_length / (M_PI / 4 * d * d);
     if (density > (water ? kHeavy : kHeavyInAir) || density < kLight)
       add_warning(
-          out, key, Effect::all, "{:.4g} kg/m in a diameter of {:.4g} m is a density of {}, {}{}",
+          out, key, Effect::all, "{:.4g} kg/m in a diameter of {:.4g} m is a density {}, {}{}",
           t.mass_per_length, d,
-          std::isfinite(density) ? fmt::format("{:.3g} t/m³", density / 1000) : "beyond any material",
+          std::isfinite(density) ? fmt::format("of {:.3g} t/m³", density / 1000) : "beyond any material",
           density < kLight ? "less than any line (0.1) except an inflated one" : "more than steel (7.85)",
           density_hint(c, t, density, water));
     else if (t.outer_diameter > kThick)

@@ -75,15 +75,15 @@ std::string length_found(const LengthSearched& at, int trials) {
 
 std::string length_not_found(const LengthSearched& at, const LengthsTried& tried) {
   const model::LengthTarget& t = at.target;
-  return fmt::format("no length of section {} between {:g} and {:g} m makes {} the {}{}", t.section + 1,
-                     t.least, t.most, value_text(t, t.value), name_of(t), text_of(tried, t));
+  return fmt::format("no length of section {} between {:g} and {:g} m was found that makes {} the {}{}",
+                     t.section + 1, t.least, t.most, value_text(t, t.value), name_of(t), text_of(tried, t));
 }
 
 std::string feeder_not_at_rest(const LengthSearched& at, const LengthsTried& tried) {
   const model::LengthTarget& t = at.target;
   return fmt::format(
       "line {}: the feeder at {} begins with {:g} m inside as given and not with its tension of {}: no "
-      "length gives that tension at rest{}",
+      "length was found that gives that tension at rest{}",
       at.line, end_of(t), at.given, value_text(t, t.value), text_of(tried, t));
 }
 

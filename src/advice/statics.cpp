@@ -68,14 +68,14 @@ std::string unstable_at_rest(long eigenvalues) {
   return fmt::format("the static equilibrium is unstable ({} negative eigenvalues)", eigenvalues);
 }
 
-std::string long_relaxation(int steps, bool line_pairs, bool smooth_volumes) {
+std::string long_relaxation(int steps, bool line_pairs, bool slides_freely) {
   std::vector<std::string> ways;
   if (line_pairs)
     ways.emplace_back(
         "if folds of slack lines touch one another, 'contact: {between_lines: false}' excludes that contact "
         "and "
         "may help");
-  if (smooth_volumes)
+  if (slides_freely)
     ways.emplace_back(
         "if a line slides along a volume, 'friction' of that volume with 'statics: {contact_friction: true}' "
         "holds it");
@@ -126,14 +126,17 @@ std::string singular_mooring() {
 
 std::string statics_failed(const model::Case& c) {
   std::vector<std::string> ways;
-  const bool on_volume = !c.lines.empty() && !c.statics.contact_friction && !c.volumes.empty();
+  const bool slides = !c.lines.empty() && !c.statics.contact_friction;
+  const bool on_volume = slides && !c.volumes.empty();
+  const bool on_mesh = slides && std::any_of(c.volumes.begin(), c.volumes.end(),
+                                             [](const model::Volume& v) { return !v.mesh.empty(); });
   if (on_volume)
     ways.emplace_back(
         "where a line slides along a volume or finds no rest on its facets, 'friction' of that volume with "
         "'statics: {contact_friction: true}'");
   if (c.statics.relaxation == model::Relaxation::never)
     ways.emplace_back("without 'dynamic_relaxation: never'");
-  else if (!on_volume && c.statics.relaxation == model::Relaxation::automatic && !c.statics.contact_friction)
+  else if (!on_mesh && c.statics.relaxation == model::Relaxation::automatic && !c.statics.contact_friction)
     ways.emplace_back("'statics: {dynamic_relaxation: always}'");
   if (c.environment.water.present && !c.environment.water.current.profile.empty() &&
       !(c.environment.water.current.ramp > 0) && c.dynamics.enabled)

@@ -71,7 +71,7 @@ class EventCheck : private EventChecks {
     if (end.rotational_stiffness > 0)
       issue(a.kind == Kind::release ? "release" : "attach",
             "{} of line '{}' has 'rotational_stiffness', which a release does not remove; only ends that "
-            "turn freely or are 'clamped' can be released",
+            "turn freely or are 'clamped' can be released or attached",
             end_name(a), a.line);
     if (a.kind == Kind::attach) check_attach(a, end);
   }

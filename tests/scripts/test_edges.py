@@ -25,7 +25,7 @@ class Edges(unittest.TestCase):
                 write(Path(folder), "case.yaml", s.text().replace("duration: 10", f"duration: {duration}"))
                 result = run(HAWSER, "run", "case.yaml", "-o", "case.h5", cwd=folder)
                 self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
-                error = re.search(r"not accounted for \S+ J \((\S+) % of the work done", result.stdout)
+                error = re.search(r"balance error \S+ J \((\S+) % of the work done", result.stdout)
                 self.assertIsNotNone(error, result.stdout)
                 self.assertLess(abs(float(error[1])), MOST)
 

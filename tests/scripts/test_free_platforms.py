@@ -141,8 +141,8 @@ class FreePlatforms(unittest.TestCase):
         write(self.folder, "case.yaml", POSITIONED)
         done = run(HAWSER, "run", self.folder / "case.yaml", "-o", self.folder / "run.h5")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        error = float(re.search(r"not accounted for (\S+) J", done.stdout)[1])
-        brought_in = float(re.search(r"brought in (\S+) J", done.stdout)[1])
+        error = float(re.search(r"balance error (\S+) J", done.stdout)[1])
+        brought_in = float(re.search(r"input (\S+) J", done.stdout)[1])
         self.assertLess(abs(error), 1e-3 * abs(brought_in), done.stdout)
 
     def history(self, text):

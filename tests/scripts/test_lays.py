@@ -113,7 +113,7 @@ class ThatCannotBeMeant(Lays):
         done = self.hawser("check", {"length: 365,": "length: 450,"})
         spent = os.times().children_user - begun[1]
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        self.assertIn("in 4 CPU s the search has not found lengths", done.stdout)
+        self.assertIn("in 4 CPU s the search has not found line lengths", done.stdout)
         self.assertLess(spent, 20)
 
     def test_a_support_out_of_line_is_named(self):

@@ -83,7 +83,7 @@ class Radiation(unittest.TestCase):
             self.assertIn(part, done.stderr)
         done = self.check("  a: {floating: {mass: 1, inertia: [1, 1, 1]}}\n", "r.csv")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("no body has hydrodynamic coefficients", done.stderr)
+        self.assertIn("no body has 'hydrodynamics'", done.stderr)
         self.assertIn("this is no table of hawser check --radiation", self.hawser("plot", "mine.csv", "radiation").stderr)
 
     def damping_of(self, path):

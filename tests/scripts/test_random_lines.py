@@ -42,7 +42,7 @@ class RandomLines(unittest.TestCase):
         failed = []
         seeds = range(120) if FULL else range(3)
         for seed, result in self.run_all(seeds, True):
-            share = re.search(r"not accounted for \S+ J \((\S+) % of the work done", result.stdout)
+            share = re.search(r"balance error \S+ J \((\S+) % of the work done", result.stdout)
             if result.returncode != 0 or not share or float(share[1]) > 1 or "the steps created" in result.stdout:
                 failed.append(f"{seed}: {result.stderr.strip()} {share and share[0]}")
         self.assertLessEqual(len(failed), len(seeds) // 100, "\n".join(failed))

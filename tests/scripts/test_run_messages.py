@@ -217,31 +217,6 @@ dynamics: {duration: 1}
         self.assertIn("note: statics has failed; what may help: without 'dynamic_relaxation: never'; a 'ramp' of the current",
                       output.stdout)
 
-    def test_statics_over_a_smooth_arch_names_contact_friction(self):
-        # A hose over an arch, of which the side in the water pulls all slack out of the side on the bed.
-        arch = """\
-hawser: 1
-environment: {water: {depth: 200}, seabed: {depth: 200}}
-line_types: {hose: {outer_diameter: 0.3, mass_per_length: 120, EA: 400 MN, bending: false}}
-volumes: {arch: {shape: {cylinder: {from: [0, -2, -100], to: [0, 2, -100], radius: 4}}, friction: 0.3}}
-lines:
-  hose:
-    sections: [{type: hose, length: 370, element_length: 5}]
-    end_a: {anchor: [120, 0, -2]}
-    end_b: {anchor: [-90, 0, -200]}
-    start: {points: [[120, 0, -2], [45, 0, -120], [8, 0, -100], [0, 0, -95.8], [-8, 0, -100], [-20, 0, -190], [-90, 0, -199.85]]}
-"""
-        wanted = "note: statics has failed; what may help: where a line slides along a volume or finds no rest on its " \
-                 "facets, 'friction' of that volume with 'statics: {contact_friction: true}'"
-        write(self.folder, "arch.yaml", arch + "statics: {max_iterations: 2, relaxation_steps: 2}\n")
-        for ranks in (1, 2):
-            smooth = run(*(MPIRUN if ranks > 1 else ()), HAWSER, "run", "arch.yaml", "-o", "arch.h5", cwd=self.folder)
-            self.assertEqual(smooth.returncode, 3, smooth.stdout + smooth.stderr)
-            self.assertIn(wanted, smooth.stdout)
-        write(self.folder, "held.yaml", arch + "statics: {contact_friction: true}\n")
-        held = self.hawser("run", "held.yaml")
-        self.assertEqual(held.returncode, 0, held.stdout + held.stderr)
-
     def test_a_riser_with_a_compressed_foot(self):
         # 290 m of pipe between points 289.9 m apart, of which its own stretch takes 3 cm: 0.08 MN compression
         # at its foot.

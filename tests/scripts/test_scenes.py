@@ -6,6 +6,7 @@ an hour, and runs only with HAWSER_FULL in the environment.
 changes by more than 5 % without a warning.
 """
 import collections
+import math
 import os
 import re
 import resource
@@ -39,8 +40,8 @@ class Run:
         result = run(HAWSER, "run", "case.yaml", "-o", "case.h5", cwd=place, preexec_fn=limit)
         shutil.rmtree(place)
         self.exit, self.text = result.returncode, result.stdout + result.stderr
-        share = re.search(r"not accounted for \S+ J \((\S+) % of the work done", self.text)
-        self.error = abs(float(share[1])) if share else 0.0
+        share = re.search(r"balance error \S+ J \((\S+) % of the work done", self.text)
+        self.error = abs(float(share[1])) if share else 0.0 if self.exit else math.inf
         self.warnings = self.text.count("warning: ")
         self.tension = max((float(t) for t in re.findall(r"max effective tension +.+? +(\S+) N ", self.text)), default=0.0)
 

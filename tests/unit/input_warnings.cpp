@@ -378,7 +378,7 @@ TEST(InputWarnings, NoTensionOfALineToABodyThatGivesWay) {
                            {"{motion: {harmonic: {amplitude: [0, 0, 2], period: 10}, ramp: 10}}",
                             "{floating: {mass: 1e6, inertia: [1e8, 1e8, 1e8]}}"}};
   for (const std::string& note : notes(shorter))
-    EXPECT_EQ(note.find("means a tension"), std::string::npos) << note;
+    EXPECT_EQ(note.find("requires a tension"), std::string::npos) << note;
 }
 
 // Notes on a hemisphere of 5 m by coefficients, with wave forces at 5 and 6 s.

@@ -197,7 +197,7 @@ TEST(Targets, ThatCannotBeMet) {
   const auto out_of_reach = [] { met(hanging("{tension: 1 kN}", 110, 100)); };
   printf("  %s\n", refusal(out_of_reach).c_str());
   expect_refused(out_of_reach,
-                 "lines.l.target: no length of section 1 between 55 and 165 m makes "
+                 "lines.l.target: no length of section 1 between 55 and 165 m was found that makes "
                  "1000 N the tension at end B");
   const auto too_short = [] { met(hanging("{tension: 1 GN}", 110, 100)); };
   expect_refused(too_short, "beyond these: target.yaml");

@@ -30,7 +30,7 @@ std::string unstable_equilibria_left(int equilibria);
 std::string unstable_at_rest(long eigenvalues);
 // Number of steps of dynamic relaxation without rest, and whether lines touch lines, or volumes without
 // friction.
-std::string long_relaxation(int steps, bool line_pairs, bool smooth_volumes);
+std::string long_relaxation(int steps, bool line_pairs, bool slides_freely);
 // Reason why statics ends without an equilibrium; at: place of the largest residual.
 enum class StaticsEnds { forces_beyond_numbers, too_many_iterations, no_descent };
 std::string no_equilibrium(StaticsEnds how, const Imbalance& at);

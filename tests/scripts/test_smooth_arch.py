@@ -1,0 +1,41 @@
+"""A hose over a smooth arch: the part in the water pulls all slack out of the part on the bed, so that no equilibrium near the start
+exists without friction. Statics then names 'contact_friction', with which the hose comes to rest; on one rank and two."""
+import os
+import tempfile
+import unittest
+from pathlib import Path
+
+from support import ROOT, run, write
+
+HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
+ARCH = """\
+hawser: 1
+environment: {water: {depth: 200}, seabed: {depth: 200}}
+line_types: {hose: {outer_diameter: 0.3, mass_per_length: 120, EA: 400 MN, bending: false}}
+volumes: {arch: {shape: {cylinder: {from: [0, -2, -100], to: [0, 2, -100], radius: 4}}, friction: 0.3}}
+lines:
+  hose:
+    sections: [{type: hose, length: 370, element_length: 5}]
+    end_a: {anchor: [120, 0, -2]}
+    end_b: {anchor: [-90, 0, -200]}
+    start: {points: [[120, 0, -2], [45, 0, -120], [8, 0, -100], [0, 0, -95.8], [-8, 0, -100], [-20, 0, -190], [-90, 0, -199.85]]}
+"""
+
+
+class SmoothArch(unittest.TestCase):
+    def test_statics_names_contact_friction(self):
+        wanted = "note: statics has failed; what may help: where a line slides along a volume or finds no rest on its facets, " \
+                 "'friction' of that volume with 'statics: {contact_friction: true}'"
+        with tempfile.TemporaryDirectory() as folder:
+            write(Path(folder), "arch.yaml", ARCH + "statics: {max_iterations: 2, relaxation_steps: 2}\n")
+            for launch in ((), ("mpirun", "-n", "2")):
+                smooth = run(*launch, HAWSER, "run", "arch.yaml", "-o", "arch.h5", cwd=folder)
+                self.assertEqual(smooth.returncode, 3, smooth.stdout + smooth.stderr)
+                self.assertIn(wanted, smooth.stdout)
+            write(Path(folder), "held.yaml", ARCH + "statics: {contact_friction: true}\n")
+            held = run(HAWSER, "run", "held.yaml", cwd=folder)
+            self.assertEqual(held.returncode, 0, held.stdout + held.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
