@@ -8,7 +8,6 @@ from pathlib import Path
 from support import ROOT, run, write
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
-MPIRUN = ("mpirun", "--oversubscribe", "--allow-run-as-root", "-n", "2")
 CASE = """\
 hawser: 1
 title: a cantilever
