@@ -113,7 +113,7 @@ contact: {between_lines: false}
 )");
   run_on_all({input, file});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
-  const auto& T = read(file).fields.at("effective_tension");
+  const std::vector<double> T = read(file).fields.at("effective_tension");
   EXPECT_LT(*std::max_element(T.begin(), T.end()), 1050);  // 1000 N at rest
   EXPECT_GT(*std::max_element(T.begin(), T.end()), 999);
 }

@@ -279,7 +279,7 @@ contact: {between_lines: false}
   run_on_all({input, file});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   // At -1 s the first stage, which has its own test, at 0 the second.
-  const auto& both = read(file).fields.at("position");
+  const std::vector<double> both = read(file).fields.at("position");
   const std::vector<double> x(both.begin() + std::ssize(both) / 2, both.end());
   EXPECT_NEAR(x.at(3 * 5), -4, 1e-6);
   const double weight = kGravity * (100 + 1), own = kGravity * 5;
