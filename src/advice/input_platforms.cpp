@@ -188,7 +188,8 @@ void warn_of_fairleads(const Case& c, const Body& b, std::vector<InputWarning>& 
   }
 }
 
-// Coefficients of wind and current that are no ratios of forces: those of ships and platforms are below 3.
+// Wind and current coefficients that are too large to be dimensionless: those of ships and platforms are
+// below 3.
 void warn_of_flow(const Body& b, std::vector<InputWarning>& out) {
   constexpr double kLargest = 10;
   const auto warn = [&](const std::optional<FlowOnBody>& flow, const char* name) {

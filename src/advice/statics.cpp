@@ -68,18 +68,18 @@ std::string unstable_at_rest(long eigenvalues) {
   return fmt::format("the static equilibrium is unstable ({} negative eigenvalues)", eigenvalues);
 }
 
-std::string long_relaxation(int steps, bool line_pairs, bool slides_freely) {
+std::string long_relaxation(const LongRelaxation& r) {
   std::vector<std::string> ways;
-  if (line_pairs)
+  if (r.line_pairs)
     ways.emplace_back(
         "if folds of slack lines touch one another, 'contact: {between_lines: false}' excludes that contact "
         "and "
         "may help");
-  if (slides_freely)
+  if (r.slides_freely)
     ways.emplace_back(
         "if a line slides along a volume, 'friction' of that volume with 'statics: {contact_friction: true}' "
         "holds it");
-  return fmt::format("statics has not come to rest in {} steps of dynamic relaxation; {}", steps,
+  return fmt::format("statics has not come to rest in {} steps of dynamic relaxation; {}", r.steps,
                      fmt::join(ways, "; "));
 }
 

@@ -98,55 +98,55 @@ class EventCheck : private EventChecks {
   }
 
   void check_cut(const Action& a) {
-    const Line& l = line(a.uncut_line);
+    const Line& l = line(a.given_line);
     const double length = length_of(l);
     if (!(a.cut < length))
       return issue("cut.at", "arc length {:.6g} m is not within line '{}', which is {:.6g} m long", a.cut,
-                   a.uncut_line, length);
+                   a.given_line, length);
     check_parts(a, length);
     if (l.target)
       issue("cut",
             "line '{}' has a 'target' and cannot be cut; give its section the length that meets the target "
             "and remove 'target'",
-            a.uncut_line);
+            a.given_line);
     for (const SupportBox& s : c_.supports)
-      if (s.line == a.uncut_line)
-        return issue("cut", "line '{}' is laid over supports and cannot be cut", a.uncut_line);
+      if (s.line == a.given_line)
+        return issue("cut", "line '{}' is laid over supports and cannot be cut", a.given_line);
     for (const bool b : {false, true})
       if (const auto& feed = l.end(b).feed; feed && (b ? length - a.cut : a.cut) <= feed->stock)
         issue("cut.at", "arc length {:.6g} m of line '{}' is inside the feeder at its end {}", a.cut,
-              a.uncut_line, b ? 'B' : 'A');
+              a.given_line, b ? 'B' : 'A');
   }
 
   // Each part between cuts, ends and section boundaries is at least one element long and no shorter than the
   // line's diameter.
   void check_parts(const Action& a, double length) {
     const double same = kArcTolerance * length;
-    const double shortest = std::max(type_at(a.uncut_line, a.cut).outer_diameter, same);
+    const double shortest = std::max(type_at(a.given_line, a.cut).outer_diameter, same);
     if (const double part = std::min(a.cut, length - a.cut); part < shortest)
       return issue("cut.at",
                    "arc length {:.9g} m leaves {:.3g} m of line '{}' at its end {}, less than its outer "
                    "diameter ({:.3g} m); use 'release' for the end itself",
-                   a.cut, part, a.uncut_line, a.cut < length - a.cut ? 'A' : 'B', shortest);
+                   a.cut, part, a.given_line, a.cut < length - a.cut ? 'A' : 'B', shortest);
     double end = 0;
-    for (const Section& s : line(a.uncut_line).sections)
+    for (const Section& s : line(a.given_line).sections)
       if (const double off = std::abs((end += s.length) - a.cut); off > same && off < shortest)
         return issue(
             "cut.at",
             "arc length {:.9g} m of line '{}' is {:.3g} m from the end of a section at {:.9g} m, less "
             "than its outer diameter ({:.3g} m); cut the line just there, or further away",
-            a.cut, a.uncut_line, off, end, shortest);
+            a.cut, a.given_line, off, end, shortest);
     for (std::size_t k = 0; k < i_; ++k) {
       const Action& o = c_.events[k].action;
-      if (o.cut < 0 || o.uncut_line != a.uncut_line) continue;
+      if (o.cut < 0 || o.given_line != a.given_line) continue;
       const double part = std::abs(o.cut - a.cut);
       if (part <= same)
-        issue("cut.at", "line '{}' is cut there already by another event", a.uncut_line);
+        issue("cut.at", "line '{}' is cut there already by another event", a.given_line);
       else if (part < shortest)
         issue("cut.at",
               "another event cuts line '{}' {:.3g} m away, and a part between two cuts must not be shorter "
               "than its outer diameter ({:.3g} m)",
-              a.uncut_line, part, shortest);
+              a.given_line, part, shortest);
     }
   }
 

@@ -142,7 +142,7 @@ void check_cuts(const Case& c, const Line& line, const Feed& f, bool at_b, const
   for (auto& [t, speed] : inwards.speed) speed = -speed;
   for (std::size_t k = 0; k < c.events.size(); ++k) {
     const Action& a = c.events[k].action;
-    if (a.cut < 0 || a.uncut_line != line.name) continue;
+    if (a.cut < 0 || a.given_line != line.name) continue;
     inwards.stock = (at_b ? length_of(line) - a.cut : a.cut) - f.stock;
     if (!(inwards.stock > 0)) continue;  // reported elsewhere
     if (const double t = runs_out(inwards, end); t < end)

@@ -85,10 +85,10 @@ class Cuts {
     const double length = length_of(line);
     arcs_ = {0};
     for (const Event& e : c_.events)
-      if (e.action.cut >= 0 && e.action.uncut_line == line.name) arcs_.push_back(e.action.cut);
+      if (e.action.cut >= 0 && e.action.given_line == line.name) arcs_.push_back(e.action.cut);
     std::sort(arcs_.begin(), arcs_.end());
     if (arcs_.size() == 1) return to.push_back(line);
-    const auto uncut = std::make_shared<Line>(line);
+    const auto given = std::make_shared<Line>(line);
     arcs_.push_back(length);
     names_ = {line.name};
     for (std::size_t k = 1; k + 1 < arcs_.size(); ++k) {
@@ -101,7 +101,7 @@ class Cuts {
     for (std::size_t k = 0; k + 1 < arcs_.size(); ++k) {
       Line part = part_of(line, arcs_[k], arcs_[k + 1], length);
       part.name = names_[k];
-      part.uncut = uncut;
+      part.given = given;
       if (k > 0) join(to.back(), part);
       to.push_back(std::move(part));
       if (k > 0)
@@ -109,10 +109,10 @@ class Cuts {
             "lines.{}: what is beyond its cut at {:g} m is '{}' in results, with arc lengths from there",
             line.name, arcs_[k], names_[k]));
     }
-    // The whole line gets the nodes of its parts.
-    uncut->sections.clear();
+    // The given line gets the nodes of its parts.
+    given->sections.clear();
     for (std::size_t k = to.size() - names_.size(); k < to.size(); ++k)
-      uncut->sections.insert(uncut->sections.end(), to[k].sections.begin(), to[k].sections.end());
+      given->sections.insert(given->sections.end(), to[k].sections.begin(), to[k].sections.end());
     rename(line.name);
   }
 
@@ -137,7 +137,7 @@ class Cuts {
   void rename(const std::string& name) {
     for (Event& e : c_.events) {
       Action& a = e.action;
-      if (a.cut >= 0 && a.uncut_line == name) {
+      if (a.cut >= 0 && a.given_line == name) {
         a.line = names_[std::find(arcs_.begin(), arcs_.end(), a.cut) - arcs_.begin()];
         a.at_b = false;
       } else if (a.line == name && a.at_b) {
@@ -197,5 +197,15 @@ class Cuts {
 }  // namespace
 
 Case with_cuts(Case c) { return Cuts(std::move(c)).done(); }
+
+std::vector<GivenLine> given_lines(const Case& c) {
+  std::vector<GivenLine> out;
+  for (int l = 0; l < static_cast<int>(c.lines.size()); ++l)
+    if (l > 0 && c.lines[l].given && c.lines[l].given == c.lines[l - 1].given)
+      ++out.back().parts;
+    else
+      out.push_back({l, 1});
+  return out;
+}
 
 }  // namespace hawser::model

@@ -18,7 +18,7 @@ std::string Action::subject() const {
   if (kind == Kind::contact) return "contact with volume " + volume;
   if (kind == Kind::friction) return "friction of statics";
   if (kind == Kind::current) return "the current";
-  if (cut >= 0) return "line " + uncut_line;
+  if (cut >= 0) return "line " + given_line;
   const std::string end = fmt::format("end {} of line {}", at_b ? 'B' : 'A', line);
   return kind == Kind::feed ? "the feeder at " + end : end;
 }

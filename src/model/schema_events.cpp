@@ -38,7 +38,7 @@ std::vector<Key> actions() {
           {action_line(), action_end("its end, held by an anchor, a body, a joint or another event")},
           "lets an end of a line go: it parts, or is cast off"),
       map(does("cut", Does::release),
-          {reference({"line", &Action::line, &Action::uncut_line}, "lines", "the line", required),
+          {reference({"line", &Action::line, &Action::given_line}, "lines", "the line", required),
            number({"at", &Action::cut}, length, "arc length from end A", above(0), required)},
           "parts a line: both parts go on with a free end"),
       map(does("attach", Does::attach),

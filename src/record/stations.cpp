@@ -33,7 +33,7 @@ const std::vector<std::vector<double>>& Stations::at(const std::vector<std::vect
 void Stations::fill(const Feeder& f, const std::vector<std::vector<double>>& values) {
   const LineSpan& span = mesh_.mesh->lines[f.line];
   const size_t nodes = span.nodes;
-  // Values of all nodes of the line in order; of a cut line on every rank.
+  // Values of all nodes of the line, in order. If ranks share the line, each gets the values of all of them.
   std::vector<double> along(fields_.size() * nodes, 0);
   for (size_t n = 0; n < static_cast<size_t>(mesh_.owned); ++n)
     if (const int i = mesh_.global[n] - span.first_node; i >= 0 && i < span.nodes)

@@ -143,7 +143,7 @@ void CommandLine::add_stiffness() {
   command->add_option("--direction", direction_, "Direction of --to, deg, anticlockwise from +x")
       ->needs(to)
       ->capture_default_str();
-  command->add_option("--steps", stiffness_.steps, "Of --to")
+  command->add_option("--steps", stiffness_.steps, "Number of steps up to --to")
       ->needs(to)
       ->check(whole_number(1, 10000))
       ->capture_default_str();

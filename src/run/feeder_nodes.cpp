@@ -60,11 +60,11 @@ void FeederNodes::transfer_node() {
   if (!all) return;
   const double time = sim_.dynamics().committed().s.time;
   for (Feeder& f : all->all()) {
-    const double free_length = all->element_length(f, f.feed_point);
+    const double mesh_length = all->element_length(f, f.feed_point);
     refuse_all_out(f, time);
-    if (f.feed_point > 0 && f.length >= free_length + kLeft * all->element_length(f, f.feed_point - 1)) {
+    if (f.feed_point > 0 && f.length >= mesh_length + kLeft * all->element_length(f, f.feed_point - 1)) {
       release_node(f);
-    } else if (f.length <= kCaught * free_length) {
+    } else if (f.length <= kCaught * mesh_length) {
       refuse_all_in(f, time);
       catch_node(f);
     }
@@ -124,15 +124,15 @@ Dynamics::Moved FeederNodes::leaving(const Feeder& f, const Kinematics& k, const
 void FeederNodes::release_node(Feeder& f) {
   const Feeders& all = *sim_.feeders();
   const int node = all.node(f, f.feed_point);
-  const double free_length = all.element_length(f, f.feed_point);
+  const double mesh_length = all.element_length(f, f.feed_point);
   std::optional<Dynamics::Moved> moved;
   if (const LocalElement* e = all.at_feed_point(f)) moved = leaving(f, sim_.dynamics().kinematics(), *e);
-  if (!f.beam) return transfer_node(f, f.feed_point - 1, f.length - free_length, moved);
+  if (!f.beam) return transfer_node(f, f.feed_point - 1, f.length - mesh_length, moved);
   const double before = feeder_force(f);
-  transfer_node(f, f.feed_point - 1, f.length - free_length, moved);
+  transfer_node(f, f.feed_point - 1, f.length - mesh_length, moved);
   // Two elements represent a bent line better than one, and their length differs by about 1e-7; the
   // unstretched length takes the difference, so that the force on the feeder is continuous.
-  const double more = (before - feeder_force(f)) * (f.length + free_length) / f.bar.EA;
+  const double more = (before - feeder_force(f)) * (f.length + mesh_length) / f.bar.EA;
   if (moved) {
     const Kinematics k = sim_.dynamics().kinematics();
     const size_t n = sim_.local().find(node);
@@ -196,7 +196,7 @@ void FeederNodes::refuse_all_in(const Feeder& f, double time) const {
   for (const Feeder& o : sim_.feeders()->all())
     if (o.line == f.line && o.at_b != f.at_b) others = o.feed_point;
   if (f.feed_point + 2 + others >= all.elements(f))
-    throw SolveError(advice::all_hauled_in(f.name, time, sim_.model().lines[f.line].uncut != nullptr));
+    throw SolveError(advice::all_hauled_in(f.name, time, sim_.model().lines[f.line].given != nullptr));
 }
 
 void FeederNodes::shift(Feeder& f, double by) {
@@ -218,14 +218,14 @@ void FeederNodes::shift(Feeder& f, double by) {
   };
   set(f.feed_point, f.length + by);
   for (;;) {
-    const double free_length = all.element_length(f, f.feed_point);
+    const double mesh_length = all.element_length(f, f.feed_point);
     refuse_all_out(f, f.time);
-    if (f.feed_point > 0 && f.length >= free_length + kLeft * all.element_length(f, f.feed_point - 1)) {
+    if (f.feed_point > 0 && f.length >= mesh_length + kLeft * all.element_length(f, f.feed_point - 1)) {
       std::optional<Dynamics::Moved> moved;
       if (const LocalElement* e = all.at_feed_point(f)) moved = leaving(f, state.view(0), *e);
       put(moved);
-      set(f.feed_point - 1, f.length - free_length);
-    } else if (f.length <= kCaught * free_length) {
+      set(f.feed_point - 1, f.length - mesh_length);
+    } else if (f.length <= kCaught * mesh_length) {
       refuse_all_in(f, f.time);
       const double next = all.element_length(f, f.feed_point + 1);
       double length = 0;

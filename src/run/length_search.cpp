@@ -67,7 +67,7 @@ LengthSearch::LengthSearch(const model::Case& c, size_t line, bool at_b, int fee
     : line_(line), feeder_(feeder), rest_(0) {
   const model::Line& l = c.lines[line];
   const model::Feed& feed = *l.end(at_b).feed;
-  key_ = fmt::format("lines.{}.end_{}.feed.stock", l.uncut ? l.uncut->name : l.name, at_b ? 'b' : 'a');
+  key_ = fmt::format("lines.{}.end_{}.feed.stock", l.as_given().name, at_b ? 'b' : 'a');
   t_.value = feed.tension;
   t_.at_a = !at_b;
   t_.most = model::length_of(l);

@@ -10,6 +10,7 @@
 #include "hawser/advice/line_pairs.hpp"
 #include "hawser/math/ordered.hpp"
 #include "hawser/model/check.hpp"
+#include "hawser/model/cut_lines.hpp"
 #include "hawser/terms/automatic_stiffness.hpp"
 
 namespace hawser::run {
@@ -22,13 +23,10 @@ struct BranchStart {
   double radius;  // m, contact radius
 };
 
-// The line of which this one is a part, or itself.
-const model::Line& uncut_of(const model::Line& line) { return line.uncut ? *line.uncut : line; }
-
 // True if an end is held by the case, not only by a future cut.
 bool is_place(const model::Line& line, bool at_b) {
-  const model::End &own = line.end(at_b), &of_whole = uncut_of(line).end(at_b);
-  return own.kind != model::EndKind::free && own.kind == of_whole.kind && own.body == of_whole.body;
+  const model::End &own = line.end(at_b), &of_given = line.as_given().end(at_b);
+  return own.kind != model::EndKind::free && own.kind == of_given.kind && own.body == of_given.body;
 }
 
 std::vector<BranchStart> places_of_lines(const model::Case& c, const Mesh& mesh) {
@@ -65,19 +63,18 @@ std::vector<SharedPlace> shared_places(const model::Case& c, const Mesh& mesh) {
         out.push_back({p.branch, q.branch});
     }
   // Until it is cut a line continues from each part to the next.
-  for (size_t l = 1; l < c.lines.size(); ++l)
-    if (c.contact.takes_part(c.lines[l]) && c.lines[l].uncut && c.lines[l].uncut == c.lines[l - 1].uncut)
-      out.push_back({{mesh.lines[l].first_node - 1, -1}, {mesh.lines[l].first_node, 1}});
+  for (const model::GivenLine& given : model::given_lines(c))
+    for (int l = given.first + 1; l < given.first + given.parts; ++l)
+      if (c.contact.takes_part(c.lines[l]))
+        out.push_back({{mesh.lines[l].first_node - 1, -1}, {mesh.lines[l].first_node, 1}});
   return out;
 }
 
-// For each line, the first part of the cut line it belongs to.
+// For each line, the first part of the given line that it belongs to.
 std::vector<int> first_parts(const model::Case& c) {
   std::vector<int> out;
-  for (size_t l = 0; l < c.lines.size(); ++l)
-    out.push_back(l > 0 && c.lines[l].uncut && c.lines[l].uncut == c.lines[l - 1].uncut
-                      ? out.back()
-                      : static_cast<int>(l));
+  for (const model::GivenLine& given : model::given_lines(c))
+    out.insert(out.end(), static_cast<size_t>(given.parts), given.first);
   return out;
 }
 
@@ -106,7 +103,7 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
       [&](const std::pair<int, int>& p) { return takes_part[p.first] && takes_part[p.second]; });
   if (taking * (taking + 1) / 2 == static_cast<std::size_t>(excluded)) return nullptr;
   options.shared = shared_places(c, *mesh.mesh);
-  options.uncut = first_parts(c);
+  options.first_part = first_parts(c);
 
   options.general = b.general;
   for (const auto& t : b.pairs)

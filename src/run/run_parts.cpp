@@ -79,15 +79,17 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
   constexpr int kManySteps = 500;  // of dynamic relaxation; more is unusual
   const model::Case& c = sim.model();
   const size_t before = sim.notes().size();
-  const bool line_pairs = sim.line_pairs(),
-             slides_freely = sim.contact() && !sim.static_friction() && !c.statics.contact_friction;
-  bool reported = !line_pairs && !slides_freely;
+  const advice::LongRelaxation relaxation{
+      .steps = kManySteps,
+      .line_pairs = sim.line_pairs() != nullptr,
+      .slides_freely = sim.contact() && !sim.static_friction() && !c.statics.contact_friction};
+  bool reported = !relaxation.line_pairs && !relaxation.slides_freely;
   const StaticsReport s = sim.solve_statics(
       [&](const StaticsReport& now) {
         progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
         if (reported || now.relaxation_steps < kManySteps) return;
         reported = true;
-        progress.print("note: " + advice::long_relaxation(kManySteps, line_pairs, slides_freely));
+        progress.print("note: " + advice::long_relaxation(relaxation));
       },
       falls);
   progress.print_notes({sim.notes().begin() + static_cast<std::ptrdiff_t>(before), sim.notes().end()});

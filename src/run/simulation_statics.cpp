@@ -78,7 +78,8 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
 StaticsReport Simulation::find_restrained_equilibrium(const StaticsSettings& settings) {
   enable_friction_at_rest();
   const std::vector<RestrainedInStatics*> restrained = system_->with<RestrainedInStatics>();
-  const std::vector<Vec3> v = state_.v, w = state_.w;  // floating bodies may have initial velocities
+  const std::vector<Vec3> v = state_.v;  // floating bodies may have initial velocities
+  const std::vector<Vec3> w = state_.w;
   for (RestrainedInStatics* t : restrained) t->hold(true, static_friction());
   StaticsReport report = find_equilibrium(*system_, settings, state_);
   if (lays_lines()) follow_contact(settings, report);

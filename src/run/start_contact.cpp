@@ -149,7 +149,7 @@ void find_lines_on_wrong_side(MPI_Comm comm, const model::Case& c, const LocalMe
   for (size_t l = 0; l < c.lines.size(); ++l) {
     const model::Line& line = c.lines[l];
     if (!line.starts_by_itself()) continue;
-    if (line.uncut || !c.contact.takes_part(line) || line.end_a.kind == model::EndKind::free ||
+    if (line.given || !c.contact.takes_part(line) || line.end_a.kind == model::EndKind::free ||
         line.end_b.kind == model::EndKind::free)
       continue;
     chords[l] = {true, model::end_position(c, line.end_a), model::end_position(c, line.end_b)};

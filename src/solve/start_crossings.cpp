@@ -25,7 +25,7 @@ constexpr double kSlope = 20;
 // other.
 constexpr double kOver = 0.1;
 
-// An uncut line as a polyline of its nodes.
+// A given line as a polyline of its nodes.
 struct Rope {
   const model::Line* line = nullptr;
   int number = 0;  // as in StartedLine, like the next

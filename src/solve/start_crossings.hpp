@@ -13,7 +13,7 @@
 
 namespace hawser {
 
-// A line of the case with its mesh and its shape; for a line that is cut later, the uncut line.
+// A line of the case with its mesh and its shape; for a line that is cut later, the line as given.
 struct StartedLine {
   const model::Line* line = nullptr;
   const Mesh* mesh = nullptr;

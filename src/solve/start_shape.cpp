@@ -71,7 +71,7 @@ void warn_of_direction(const model::Case& c, const model::Line& line, bool at_b,
   notes.push_back(advice::against_direction(line, at_b, turn));
 }
 
-// Positions and tangents of an uncut line.
+// Positions and tangents of a given line.
 LineStart shape_of(const model::Case& c, const model::Line& line, const Bodies& bodies, const Mesh& g,
                    const LineSpan& span) {
   LineStart shape = line.end_a.feed || line.end_b.feed ? line_start_fed(c, line, bodies, g, span)
@@ -110,7 +110,7 @@ void turn(const model::Case& c, const model::Line& line, const Bodies& bodies, L
   }
 }
 
-// Shape of a part of an uncut line.
+// Shape of a part of a given line.
 LineStart part_of(const StartedLine& started, const model::Line& line, int nodes) {
   LineStart shape = started.shape;
   const auto first = started.mesh->nearest_node(0, line.from), last = first + nodes;
@@ -130,7 +130,12 @@ class Starts {
   // Collective.
   Starts(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Bodies& bodies,
          const Surfaces& surfaces)
-      : comm_(comm), c_(c), mesh_(mesh), bodies_(bodies), lines_(given_lines(c)), at_(lines_.size(), -1) {
+      : comm_(comm),
+        c_(c),
+        mesh_(mesh),
+        bodies_(bodies),
+        lines_(model::given_lines(c)),
+        at_(lines_.size(), -1) {
     std::vector<bool> wanted(lines_.size(), false);
     std::vector<int> line_of(c.lines.size());  // given line of each line
     for (size_t g = 0; g < lines_.size(); ++g)
@@ -160,7 +165,7 @@ class Starts {
       if (at_[g] < 0) continue;
       StartedLine& started = started_[at_[g]];
       for (size_t l = lines_[g].first, end = l + lines_[g].parts; l < end; ++l)
-        what(l, c_.lines[l].uncut ? part_of(started, c_.lines[l], mesh_.mesh->lines[l].nodes)
+        what(l, c_.lines[l].given ? part_of(started, c_.lines[l], mesh_.mesh->lines[l].nodes)
                                   : std::move(started.shape));
     }
   }
@@ -172,12 +177,12 @@ class Starts {
     const int first = lines_[g].first;
     const model::Line& line = c_.lines[first];
     StartedLine started{&line, mesh_.mesh, mesh_.mesh->lines[first], {}, first, owns_line(mesh_, first)};
-    if (line.uncut) {
+    if (line.given) {
       model::Case alone;
       alone.line_types = c_.line_types;
-      alone.lines = {*line.uncut};
+      alone.lines = {*line.given};
       meshes_.push_back(build_mesh(alone));
-      started.line = line.uncut.get();
+      started.line = line.given.get();
       started.mesh = &meshes_.back();
       started.span = started.mesh->lines.front();
     }
@@ -238,7 +243,7 @@ class Starts {
   const model::Case& c_;
   const LocalMesh& mesh_;
   const Bodies& bodies_;
-  std::vector<GivenLine> lines_;
+  std::vector<model::GivenLine> lines_;
   std::vector<int> at_;  // of each given line: index into started_; -1: this rank does without its shape
   std::vector<StartedLine> started_;
   std::deque<Mesh> meshes_;  // of lines that are cut
@@ -261,11 +266,11 @@ int twist_end(const model::Case& c, const model::Line& line) {
 void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape& out) {
   const Mesh& g = *mesh.mesh;
   const model::Line& line = c.lines[l];
-  const model::Line& uncut = line.uncut ? *line.uncut : line;
+  const model::Line& given = line.as_given();
   const LineSpan& span = g.lines[l];
   // The bed's friction holds a laid line whose ends are both free, but nothing holds its twist.
-  if (uncut.end_a.kind == model::EndKind::free && uncut.end_b.kind == model::EndKind::free &&
-      line.from == 0 && c.statics.enabled && model::laid_with_friction(c, uncut) &&
+  if (given.end_a.kind == model::EndKind::free && given.end_b.kind == model::EndKind::free &&
+      line.from == 0 && c.statics.enabled && model::laid_with_friction(c, given) &&
       g.nodes[span.first_node].rotates)
     if (const int here = mesh.find(span.first_node); here >= 0) {
       TiedNode s;
@@ -274,11 +279,11 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
       s.node = here;
       out.tied.push_back(s);
     }
-  const int twist = twist_end(c, uncut);
+  const int twist = twist_end(c, given);
   for (const int end : {0, 1}) {
     const model::End& e = line.end(end);
     if (e.kind == model::EndKind::free) continue;
-    const bool cut = e.kind == model::EndKind::joint && uncut.end(end).body != e.body;
+    const bool cut = e.kind == model::EndKind::joint && given.end(end).body != e.body;
     if (cut) continue;
     const int node = span.first_node + (end ? span.nodes - 1 : 0);
     const bool joint = e.kind == model::EndKind::joint;

@@ -44,7 +44,7 @@ void unite_overlapping(const std::vector<Box>& boxes, DisjointSets& group) {
   }
 }
 
-void unite_joined(const model::Case& c, const std::vector<GivenLine>& lines, DisjointSets& group) {
+void unite_joined(const model::Case& c, const std::vector<model::GivenLine>& lines, DisjointSets& group) {
   std::unordered_map<std::string, int> first;  // line at each joint
   for (int g = 0; g < static_cast<int>(lines.size()); ++g)
     for (int l = lines[g].first; l < lines[g].first + lines[g].parts; ++l)
@@ -55,17 +55,7 @@ void unite_joined(const model::Case& c, const std::vector<GivenLine>& lines, Dis
 
 }  // namespace
 
-std::vector<GivenLine> given_lines(const model::Case& c) {
-  std::vector<GivenLine> out;
-  for (int l = 0; l < static_cast<int>(c.lines.size()); ++l)
-    if (l > 0 && c.lines[l].uncut && c.lines[l].uncut == c.lines[l - 1].uncut)
-      ++out.back().parts;
-    else
-      out.push_back({l, 1});
-  return out;
-}
-
-std::vector<bool> with_groups(const model::Case& c, const std::vector<GivenLine>& lines,
+std::vector<bool> with_groups(const model::Case& c, const std::vector<model::GivenLine>& lines,
                               const std::vector<Box>& boxes, const std::vector<bool>& wanted) {
   DisjointSets group(lines.size());
   unite_overlapping(boxes, group);

@@ -7,21 +7,14 @@
 #include <vector>
 
 #include "hawser/geometry/box.hpp"
-#include "hawser/model/case.hpp"
+#include "hawser/model/cut_lines.hpp"
 
 namespace hawser {
-
-// A line of the case before events cut it: its parts are consecutive in Case::lines.
-struct GivenLine {
-  int first = 0;  // index of the first part in Case::lines
-  int parts = 1;  // number of parts
-};
-std::vector<GivenLine> given_lines(const model::Case& c);
 
 // True for each given line whose group contains a `wanted` line. Two lines are in one group if they share a
 // joint or their boxes overlap in plan. The search replaces overlapping boxes by the box around them, which
 // can only enlarge groups. Raising a line does not change its extent in plan. O(lines log lines).
-std::vector<bool> with_groups(const model::Case& c, const std::vector<GivenLine>& lines,
+std::vector<bool> with_groups(const model::Case& c, const std::vector<model::GivenLine>& lines,
                               const std::vector<Box>& boxes, const std::vector<bool>& wanted);
 
 // A note on the start of a line. Notes are printed in the order of (first, second).

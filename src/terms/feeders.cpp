@@ -389,9 +389,10 @@ Energy Feeders::energy(const Kinematics& at) const {
 Verdict Feeders::check_step(const Kinematics& trial) const {
   for (const Feeder& f : feeders_) {
     if (!f.feed.speed.empty() || at_feed_point(f)) {
-      const double length = feed_point(f, trial).length, free_length = element_length(f, f.feed_point);
-      if (length < kShortest * free_length ||
-          length > free_length + kLonger * element_length(f, std::max(f.feed_point - 1, 0)))
+      const double length = feed_point(f, trial).length;
+      const double mesh_length = element_length(f, f.feed_point);
+      if (length < kShortest * mesh_length ||
+          length > mesh_length + kLonger * element_length(f, std::max(f.feed_point - 1, 0)))
         return {Verdict::Kind::shorter, advice::FeedsTooFast{f.name}};
     }
   }

@@ -30,7 +30,7 @@ LinePairs::LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LinePairT
     : mesh_(mesh),
       types_(std::move(types)),
       options_(std::move(options)),
-      shared_(comm, mesh, radii(types_, options_), options_.shared, options_.uncut),
+      shared_(comm, mesh, radii(types_, options_), options_.shared, options_.first_part),
       candidates_(comm, mesh, radii(types_, options_), sharing(options_.candidates, shared_)),
       accounts_(static_cast<size_t>(mesh.owned)) {
   const bool automatic = std::all_of(types_.begin(), types_.end(), [](const LinePairType& t) {

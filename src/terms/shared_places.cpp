@@ -62,13 +62,13 @@ struct SharedPlaces::Gaps {
 };
 
 SharedPlaces::SharedPlaces(MPI_Comm comm, const LocalMesh& mesh, ContactRadii radii,
-                           std::vector<SharedPlace> places, std::vector<int> uncut)
-    : comm_(comm), mesh_(mesh), radii_(std::move(radii)), uncut_(std::move(uncut)) {
+                           std::vector<SharedPlace> places, std::vector<int> first_part)
+    : comm_(comm), mesh_(mesh), radii_(std::move(radii)), first_part_(std::move(first_part)) {
   const std::vector<LineSpan>& lines = mesh.mesh->lines;
   offset_.assign(lines.size(), 0);
-  for (size_t l = uncut_.size(); l < lines.size(); ++l) uncut_.push_back(static_cast<int>(l));
+  for (size_t l = first_part_.size(); l < lines.size(); ++l) first_part_.push_back(static_cast<int>(l));
   for (size_t l = 1; l < lines.size(); ++l)
-    if (uncut_[l] == uncut_[l - 1]) offset_[l] = offset_[l - 1] + lines[l - 1].length;
+    if (first_part_[l] == first_part_[l - 1]) offset_[l] = offset_[l - 1] + lines[l - 1].length;
   const auto first_radius = [&](const Branch& s) {
     const Node& n = mesh.mesh->nodes[s.node];
     const LineSpan& line = lines[n.line];
@@ -85,12 +85,12 @@ SharedPlaces::SharedPlaces(MPI_Comm comm, const LocalMesh& mesh, ContactRadii ra
     place.step = (first_radius(p.one) + first_radius(p.other)) / kSteps;
     place.limit = std::min(length(p.one), length(p.other));
     const int a = mesh.mesh->nodes[p.one.node].line, b = mesh.mesh->nodes[p.other.node].line;
-    if (uncut_[a] == uncut_[b]) {
+    if (first_part_[a] == first_part_[b]) {
       const double apart = arc(p.other.node) - arc(p.one.node);
       const bool facing = apart * p.one.way > 0 && apart * p.other.way < 0;
       place.limit = std::min(place.limit, (facing ? 0.5 : 1) * std::abs(apart));
     }
-    between_[ordered(uncut_[a], uncut_[b])].push_back(static_cast<int>(places_.size()) - 1);
+    between_[ordered(first_part_[a], first_part_[b])].push_back(static_cast<int>(places_.size()) - 1);
   }
 }
 
@@ -99,11 +99,11 @@ double SharedPlaces::diameter(int k) const { return kSteps * places_[k].step; }
 const std::vector<int>& SharedPlaces::between(int line, int other) const {
   static const std::vector<int> none;
   if (between_.empty()) return none;
-  const auto at = between_.find(ordered(uncut_[line], uncut_[other]));
+  const auto at = between_.find(ordered(first_part_[line], first_part_[other]));
   return at == between_.end() ? none : at->second;
 }
 
-// Arc length of a node along the uncut line, m.
+// Arc length of a node along the given line, m.
 double SharedPlaces::arc(int node) const {
   const Node& n = mesh_.mesh->nodes[node];
   return offset_[n.line] + n.arc;
@@ -116,7 +116,7 @@ std::array<int, 2> SharedPlaces::outside(int line) const {
   return {l.first_node + inside[0], l.first_node + l.nodes - 1 - inside[1]};
 }
 
-// Start of a branch, m along the uncut line.
+// Start of a branch, m along the given line.
 double SharedPlaces::begin(const Branch& branch) const {
   const auto [first, last] = outside(mesh_.mesh->nodes[branch.node].line);
   return arc(std::clamp(branch.node, first, last));
@@ -124,7 +124,7 @@ double SharedPlaces::begin(const Branch& branch) const {
 
 std::optional<std::array<double, 2>> SharedPlaces::along(const Branch& branch, int element) const {
   const Element& e = mesh_.mesh->elements[element];
-  if (uncut_[e.line] != uncut_[mesh_.mesh->nodes[branch.node].line]) return std::nullopt;
+  if (first_part_[e.line] != first_part_[mesh_.mesh->nodes[branch.node].line]) return std::nullopt;
   const double from = begin(branch);
   const double a = branch.way * (arc(e.first) - from), b = branch.way * (arc(e.second) - from);
   if (std::min(a, b) < -1e-6 * e.length) return std::nullopt;
@@ -155,14 +155,14 @@ void SharedPlaces::clip(int element, int second, std::array<double, 2>& part,
 
 // Nodes of a branch, outwards, up to and including the first one at `reach` [m] or beyond.
 std::vector<int> SharedPlaces::nodes_to(const Branch& branch, double reach) const {
-  const int uncut = uncut_[mesh_.mesh->nodes[branch.node].line];
+  const int first_part = first_part_[mesh_.mesh->nodes[branch.node].line];
   const auto [first, last] = outside(mesh_.mesh->nodes[branch.node].line);
   const double from = begin(branch);
   std::vector<int> out;
   for (int n = std::clamp(branch.node, first, last); n >= 0 && n < mesh_.mesh->line_nodes();
        n += branch.way) {
     const int line = mesh_.mesh->nodes[n].line;
-    if (uncut_[line] != uncut) break;
+    if (first_part_[line] != first_part) break;
     const auto [a, b] = outside(line);
     if (n < a || n > b) break;
     out.push_back(n);
@@ -276,7 +276,7 @@ void SharedPlaces::update(PlaceState& p, const Rope& one, const Rope& other, boo
     }
     const int a = mesh_.mesh->nodes[p.of.one.node].line, b = mesh_.mesh->nodes[p.of.other.node].line;
     const bool side_by_side =
-        first == most && uncut_[a] != uncut_[b] && nearest > -kPressed * kSteps * p.step;
+        first == most && first_part_[a] != first_part_[b] && nearest > -kPressed * kSteps * p.step;
     p.within = side_by_side ? 0 : first == most ? most : free_to(first);
   } else if (!overlaps(p.within)) {
     int first = p.within;

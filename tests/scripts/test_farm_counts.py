@@ -22,7 +22,8 @@ MOST_OF_RUN = 900  # collective calls of the start, statics and one of everythin
 REST_OF_FILE = 100000  # bytes that a rank may read of a results file besides its share: names, headers, the counter of an output
 ELEMENT = 208  # bytes of an element that ranks exchange
 FINE = 600  # elements of the lines of which the memory for a node is measured
-# Bytes that every rank has of each, wherever it is; peaks vary by a megabyte from run to run, or a kilobyte a line.
+# Largest memory on every rank for a line and for a node of the model, bytes. The peak memory of a rank varies by about 1 MB
+# from run to run, which is 1 kB a line here.
 MOST_OF_LINE, MOST_OF_NODE = 8000, 250
 
 

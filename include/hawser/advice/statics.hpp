@@ -28,9 +28,13 @@ std::string held_without_weight(const std::string& body);
 // Unstable equilibria that statics left; number of negative eigenvalues of the one found.
 std::string unstable_equilibria_left(int equilibria);
 std::string unstable_at_rest(long eigenvalues);
-// Number of steps of dynamic relaxation without rest, and whether lines touch lines, or volumes without
-// friction.
-std::string long_relaxation(int steps, bool line_pairs, bool slides_freely);
+// Dynamic relaxation that takes unusually long.
+struct LongRelaxation {
+  int steps = 0;               // so far
+  bool line_pairs = false;     // lines may touch one another
+  bool slides_freely = false;  // lines touch volumes without friction
+};
+std::string long_relaxation(const LongRelaxation& r);
 // Reason why statics ends without an equilibrium; at: place of the largest residual.
 enum class StaticsEnds { forces_beyond_numbers, too_many_iterations, no_descent };
 std::string no_equilibrium(StaticsEnds how, const Imbalance& at);

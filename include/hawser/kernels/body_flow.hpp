@@ -21,7 +21,7 @@ class FlowCoefficients {
   explicit FlowCoefficients(std::vector<Row> rows);
 
   bool none() const { return direction_.empty(); }
-  // The largest coefficient, without its sign.
+  // Largest absolute value of C_x, C_y and C_n in the table; 0 without rows.
   double largest() const;
   // by_direction: 1/rad, slope between the neighbouring rows; at a row the slope on its left.
   void at(double direction, Vec3& C, Vec3& by_direction) const;

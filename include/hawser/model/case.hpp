@@ -308,8 +308,9 @@ struct Line {
   std::optional<LengthTarget> target;
   // For a part of a line that events cut (cut_lines.hpp): the line as given, which defines the start shape,
   // and the arc length from its end A at which this part begins [m].
-  std::shared_ptr<const Line> uncut;
+  std::shared_ptr<const Line> given;
   double from = 0;
+  const Line& as_given() const { return given ? *given : *this; }
 };
 
 // Means over the arc lengths [from, to] of a line, m: temperature change [K] and thermal strain.

@@ -1,6 +1,8 @@
 // Lines that events cut: two lines from the start, joined until the cut.
 #pragma once
 
+#include <vector>
+
 #include "hawser/model/case.hpp"
 
 namespace hawser::model {
@@ -10,5 +12,12 @@ namespace hawser::model {
 // whole line; a cut releases end A of the next part from the joint. Items at an arc length go to the part
 // that contains it (docs/theory/events.md). The notes of the case list the names of the parts.
 Case with_cuts(Case c);
+
+// A line of the case before events cut it: its parts are consecutive in Case::lines.
+struct GivenLine {
+  int first = 0;  // index of the first part in Case::lines
+  int parts = 1;  // number of parts
+};
+std::vector<GivenLine> given_lines(const Case& c);
 
 }  // namespace hawser::model

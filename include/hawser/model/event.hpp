@@ -17,10 +17,10 @@ struct Action {
   Kind kind = Kind::release;
   std::string line;  // all kinds but contact; at_b selects the end
   bool at_b = false;
-  // Release by a cut: arc length from end A of the line `uncut_line` [m]; the released end belongs to one of
+  // Release by a cut: arc length from end A of the line `given_line` [m]; the released end belongs to one of
   // its parts.
   double cut = -1;
-  std::string uncut_line;
+  std::string given_line;
   // Attachment:
   std::string body;                // empty: fixed in space
   std::optional<Vec3> at;          // m, in the body's frame (or space); none: the current position of the end

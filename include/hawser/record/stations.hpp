@@ -37,7 +37,7 @@ class Stations {
   std::vector<io::ResultField> fields_;
   std::vector<std::size_t> place_;  // index of each among all fields
   std::vector<std::vector<double>> values_;
-  std::vector<int> cut_lines_;  // lines whose nodes are on more than one rank, ascending
+  std::vector<int> cut_lines_;  // lines whose nodes more than one rank owns, ascending
 };
 
 }  // namespace hawser::record

@@ -111,8 +111,8 @@ class Simulation {
   std::string inside(int volume, const Kinematics& at) const;
   bool lays_lines() const;  // statics has bed friction
   void follow_contact(StaticsSettings settings, StaticsReport& report);
-  // With bodies restrained where they have no equilibrium of their own, and friction as in statics. Keeps
-  // their initial velocities.
+  // Finds the equilibrium with friction as in statics, and with bodies restrained that have no equilibrium of
+  // their own. The bodies keep their initial velocities for dynamics.
   StaticsReport find_restrained_equilibrium(const StaticsSettings& settings);
   void enable_friction_at_rest();
   // Throws SolveError if a line is deeper in a volume than a contact with its stiffness can hold it.

@@ -37,9 +37,9 @@ struct LinePairOptions {
   std::map<std::pair<int, int>, model::LinePairSettings> tuned;
   std::vector<bool> takes_part;  // by line; empty: all do
   CandidateSettings candidates;
-  // Shared places of the lines that take part; `uncut`: see SharedPlaces.
+  // Shared places of the lines that take part; `first_part`: see SharedPlaces.
   std::vector<SharedPlace> shared;
-  std::vector<int> uncut;
+  std::vector<int> first_part;
 };
 
 // Largest penetration [m], from the parabola through the deepest Gauss point and the two next to it; 0

@@ -30,10 +30,10 @@ struct SharedPlace {
 
 class SharedPlaces {
  public:
-  // radii: not 0 along the branches. uncut: for each line, the first part of
-  // the uncut line that it is a part of (lines that are cut later); empty: every line is uncut.
+  // radii: not 0 along the branches. first_part: for each line, the first part of the
+  // given line that it is a part of (model::GivenLine); empty: no line is cut later.
   SharedPlaces(MPI_Comm comm, const LocalMesh& mesh, ContactRadii radii, std::vector<SharedPlace> places,
-               std::vector<int> uncut);
+               std::vector<int> first_part);
 
   // Sets the number of elements of each line inside feeders at its ends A and B. Branches begin at the
   // feeder.
@@ -110,12 +110,12 @@ class SharedPlaces {
   MPI_Comm comm_;
   const LocalMesh& mesh_;
   ContactRadii radii_;
-  std::vector<int> uncut_;      // of each line, see the constructor
-  std::vector<double> offset_;  // m, of each line, its start along its uncut line
+  std::vector<int> first_part_;  // of each line, see the constructor
+  std::vector<double> offset_;   // m, of each line, its start along its given line
   std::vector<std::array<int, 2>> inside_;
   std::vector<PlaceState> places_;
   bool agreed_ = true;                                       // all ranks have the same lengths
-  std::map<std::pair<int, int>, std::vector<int>> between_;  // by uncut lines
+  std::map<std::pair<int, int>, std::vector<int>> between_;  // by first parts
 };
 
 template <class What>
