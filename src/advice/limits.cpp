@@ -53,15 +53,18 @@ std::string compression_warning(const model::Case& c, const Extreme& at) {
       at.line, -at.value / 1000, at.arc, when_text(c, at.time), limit / 1000);
 }
 
-std::string penetration_warning(const model::Case& c, const Extreme& at) {
+double acceptable_penetration(const model::Case& c, const model::Line& line, const model::Volume& volume) {
+  const double radius = 0.5 * model::contact_diameter_of(c, line);
+  // An automatic stiffness allows twice the given penetration in motion (theory/contact.md).
+  constexpr double kInMotion = 2.2;
+  return std::max(c.contact.warned_penetration * radius, kInMotion * volume.allowed_penetration);
+}
+
+std::string penetration_warning(const model::Case& c, const Extreme& at, const model::Volume& volume) {
   const double radius = 0.5 * model::contact_diameter_of(c, c.line(at.line));
-  // Penetration allowed by the case needs no warning; the extreme does not identify its volume.
-  double allowed = 0;
-  for (const model::Volume& v : c.volumes) allowed = std::max(allowed, v.allowed_penetration);
-  if (!(at.value > std::max(c.contact.warned_penetration * radius, 1.1 * allowed))) return {};
   return fmt::format(
-      "line {} is {:.3g} m inside a volume (its radius is {:.3g} m) at arc length {:.6g} m, {}: {}", at.line,
-      at.value, radius, at.arc, when_text(c, at.time),
+      "line {} is {:.3g} m inside volume {} (its radius is {:.3g} m) at arc length {:.6g} m, {}: {}", at.line,
+      at.value, volume.name, radius, at.arc, when_text(c, at.time),
       at.value > radius
           ? "contact acts to a depth of one radius only: the line is trapped inside, or the volume is too "
             "soft for a line this thin, which then needs a larger 'contact_diameter'"

@@ -108,7 +108,6 @@ std::vector<Finding> LineExtremes::findings(const std::vector<io::SummaryRow>& s
       add(advice::utilisation_warning(case_, at, limited->exceeded, label_of(*limited)));
     if (row.quantity == "min effective tension") add(advice::compression_warning(case_, at));
     if (row.quantity == "max curvature") add(advice::curvature_warning(case_, at));
-    if (row.quantity == "max penetration") add(advice::penetration_warning(case_, at));
   }
   return out;
 }

@@ -13,6 +13,7 @@
 #include "hawser/record/clash_report.hpp"
 #include "hawser/record/clearances.hpp"
 #include "hawser/record/contact_points.hpp"
+#include "hawser/record/deep_contacts.hpp"
 #include "hawser/record/edge_errors.hpp"
 #include "hawser/record/element_errors.hpp"
 #include "hawser/record/histories.hpp"
@@ -45,6 +46,7 @@ std::vector<std::unique_ptr<Recording>> recordings(const Subject& s, const EndFo
       c.volumes.empty() ? nullptr : &add(std::make_unique<EdgeErrors>(s.comm(), c, s.local()));
   add(std::make_unique<TensionPeaks>(s, edges));
   add(std::make_unique<LineExtremes>(s, utilisation));
+  if (const auto* contact = s.term<LineVolumeContact>()) add(std::make_unique<DeepContacts>(s, *contact));
   if (c.output.statistics) add(std::make_unique<Statistics>(s));
   add(std::make_unique<WaterErrors>(c, s.system));
   add(std::make_unique<PipeStrength>(s));

@@ -23,8 +23,11 @@ std::string utilisation_warning(const model::Case& c, const Extreme& at, const s
 std::string compression_warning(const model::Case& c, const Extreme& at);
 // Curvature at which the steel of a line laid over supports yields.
 std::string curvature_warning(const model::Case& c, const Extreme& at);
-// Penetration of a volume.
-std::string penetration_warning(const model::Case& c, const Extreme& at);
+// Penetration [m] of a line into a volume that needs no warning: a fraction of the line's radius, or about
+// twice the `allowed_penetration` of the volume.
+double acceptable_penetration(const model::Case& c, const model::Line& line, const model::Volume& volume);
+// Penetration of the volume beyond the acceptable one.
+std::string penetration_warning(const model::Case& c, const Extreme& at, const model::Volume& volume);
 // Design tension of a pipe over its yield tension.
 std::string beyond_pipe_formulas(double pulled);
 

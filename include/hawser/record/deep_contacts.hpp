@@ -1,0 +1,54 @@
+// Warnings of lines that penetrate a volume deeper than is acceptable for that volume.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "hawser/record/recording.hpp"
+#include "hawser/record/subject.hpp"
+#include "hawser/terms/line_volume_contact.hpp"
+
+namespace hawser::record {
+
+class DeepContacts : public Recording {
+ public:
+  // contact: the subject's contact of lines with volumes. Both must outlive the object.
+  DeepContacts(const Subject& subject, const LineVolumeContact& contact);
+
+  void start(const Snapshot& s) override { step(s); }
+  void step(const Snapshot& s) override;
+  // No rows; exchanges the deepest contacts between the ranks.
+  std::vector<io::SummaryRow> summary() override;
+  // Warnings for the rows "max penetration" of lines.
+  std::vector<Finding> findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
+  void save(io::Checkpoint& to) override;
+  void restore(const io::Checkpoint& from) override;
+
+ private:
+  // The contact of a line whose depth is the largest multiple of the acceptable one.
+  struct Deepest {
+    int line = -1, volume = -1;  // indices into the case
+    double factor = 1;           // depth over the acceptable depth
+    double depth = 0, time = 0, arc_length = 0;
+
+    template <class Self, class Each>
+    static void quantities(Self& self, Each&& each) {
+      each("line", "", self.line);
+      each("volume", "", self.volume);
+      each("factor", "", self.factor);
+      each("depth", "m", self.depth);
+      each("time", "s", self.time);
+      each("arc length", "m", self.arc_length);
+    }
+  };
+  using OfLines = std::map<int, Deepest>;  // lines with unacceptable depths only
+  static void put(const Deepest& d, OfLines& to);
+
+  const Subject& subject_;
+  const LineVolumeContact& contact_;
+  std::vector<int> volumes_;  // of the term: index into Case::volumes
+  OfLines of_rank_, of_run_;
+};
+
+}  // namespace hawser::record

@@ -1,0 +1,76 @@
+// The class DeepContacts: comparison of contacts with the acceptable depth of their volumes, and warnings.
+#include "hawser/record/deep_contacts.hpp"
+
+#include <algorithm>
+
+#include "hawser/advice/limits.hpp"
+#include "hawser/base/gather.hpp"
+#include "hawser/record/contact_points.hpp"
+
+namespace hawser::record {
+namespace {
+
+const char* const kRecords = "deep contacts of lines";  // key in a checkpoint
+
+}  // namespace
+
+DeepContacts::DeepContacts(const Subject& subject, const LineVolumeContact& contact)
+    : subject_(subject), contact_(contact), volumes_(case_indices_of_volumes(subject)) {}
+
+void DeepContacts::put(const Deepest& d, OfLines& to) {
+  Deepest& deepest = to[d.line];
+  if (d.factor > deepest.factor) deepest = d;
+}
+
+void DeepContacts::step(const Snapshot& s) {
+  const model::Case& c = subject_.model;
+  ActiveContacts contacts;
+  contact_.active_contacts(contacts);
+  for (const ActiveContact& at : contacts) {
+    const int volume = volumes_[at.volume];
+    const double factor = at.depth / advice::acceptable_penetration(c, c.lines[at.line], c.volumes[volume]);
+    if (factor > 1) put({at.line, volume, factor, at.depth, s.step.time, 0.5 * (at.from + at.to)}, of_rank_);
+  }
+}
+
+std::vector<io::SummaryRow> DeepContacts::summary() {
+  std::vector<Deepest> mine;
+  for (const auto& [line, deepest] : of_rank_) mine.push_back(deepest);
+  of_run_.clear();
+  for (const Deepest& d : gather_all(subject_.comm(), mine)) put(d, of_run_);
+  return {};
+}
+
+std::vector<Finding> DeepContacts::findings(const std::vector<io::SummaryRow>& summary, const Audit&) {
+  const model::Case& c = subject_.model;
+  std::vector<Finding> out;
+  for (const auto& [line, d] : of_run_) {
+    const std::string& name = c.lines[line].name;
+    const auto row = std::find_if(summary.begin(), summary.end(), [&](const io::SummaryRow& r) {
+      return r.quantity == "max penetration" && r.line == name;
+    });
+    out.push_back({advice::penetration_warning(c, {name, d.depth, d.time, d.arc_length}, c.volumes[d.volume]),
+                   row == summary.end() ? Finding::kWholeRun : static_cast<size_t>(row - summary.begin())});
+  }
+  return out;
+}
+
+// At the first node of the line that this rank owns: it owns the first node of each element that it counts.
+void DeepContacts::save(io::Checkpoint& to) {
+  io::TermCheckpoint& kept = to.records[kRecords];
+  kept.kinds = {checkpoint_kind<Deepest>("deepest contact")};
+  const LocalMesh& mesh = subject_.local();
+  for (const auto& [line, deepest] : of_rank_) {
+    const auto owned_end = mesh.global.begin() + mesh.owned;
+    const int node = *std::lower_bound(mesh.global.begin(), owned_end, mesh.mesh->lines[line].first_node);
+    kept.records.push_back(record_of(node, 0, deepest));
+  }
+}
+
+void DeepContacts::restore(const io::Checkpoint& from) {
+  const auto at = from.records.find(kRecords);
+  if (at == from.records.end()) return;
+  for (const CheckpointRecord& r : at->second.records) put(entry<Deepest>(r), of_rank_);
+}
+
+}  // namespace hawser::record
