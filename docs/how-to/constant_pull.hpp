@@ -21,7 +21,7 @@ class ConstantPull final : public ForceTerm {
     if (!mesh_.owns(n_)) return;
     const Vec3 way = p_ - trial.x[n_], d = way.normalized(), f = -T_ * d;
     const Mat3 K = T_ / way.norm() * (Mat3::Identity() - d * d.transpose());
-    assembler.add({&mesh_.block[n_], 1}, f.data(), K.data(), nullptr, nullptr);
+    assembler.add(mesh_.block[n_], f, &K);
   }
   Energy energy(const Kinematics& at) const override {
     return {.potential = mesh_.owns(n_) ? T_ * (p_ - at.x[n_]).norm() : 0};

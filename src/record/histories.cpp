@@ -27,22 +27,11 @@ constexpr double kSamePlace = 1e-9;
 
 void Histories::declare(Declarations& to) {
   const std::vector<io::ResultField>& fields = to.contents.fields;
-  const auto find = [&](const char* name) { return find_field(fields, name); };
   for (size_t f = 0; f < fields.size(); ++f) {
     if (fields[f].history == Field::History::yes) shown_.push_back(f);
     if (fields[f].history == Field::History::behind_ends) shown_last_.push_back(f);
   }
-  tension_ = find("effective_tension");
-  wall_ = find("wall_tension");
-  before_ = find("effective_tension_before");
-  after_ = find("effective_tension_after");
-
-  shear_ = find("shear_force");
-  torsion_ = find("torsion_moment");
-  moment_ = find("bending_moment");
-  moment_2_ = find("bending_moment_2");
-  moment_3_ = find("bending_moment_3");
-
+  section_ = SectionFields::find(fields);
   const auto add = [&fields](io::ResultSeries& series, const std::vector<size_t>& which) {
     for (const size_t f : which) series.columns.push_back(fields[f]);
   };
@@ -118,13 +107,9 @@ Histories::Point Histories::point_of(int line, double arc) const {
 }
 
 double Histories::facing(int field, const SectionForce& s, const Quat& q, double fallback) const {
-  if (field < 0 || !s.beam) return fallback;
-  if (field == shear_) return s.shear();
-  if (field == torsion_) return s.moment.dot(q * Vec3::UnitX());
-  if (field == moment_) return s.moment.cross(q * Vec3::UnitX()).norm();
-  if (field == moment_2_) return s.moment.dot(q * Vec3::UnitY());
-  if (field == moment_3_) return s.moment.dot(q * Vec3::UnitZ());
-  return fallback;
+  const std::array<int, 5> of_beams = section_.of_beams();
+  const bool known = field >= 0 && s.beam && std::ranges::find(of_beams, field) != of_beams.end();
+  return known ? section_.value(field, s, q) : fallback;
 }
 
 // Contribution of node `side` of a point. Where section forces jump at a node the point is on one side of it.
@@ -139,11 +124,11 @@ std::vector<double> Histories::node_row(const Point& p, size_t side, const Snaps
   const auto show = [&](const std::vector<size_t>& fields) {
     for (const size_t field : fields) {
       const int f = static_cast<int>(field);
-      const int near = side == 0 ? after_ : before_;
-      if (between && (f == tension_ || f == before_ || f == after_))
+      const int near = side == 0 ? section_.after : section_.before;
+      if (between && (f == section_.tension || f == section_.before || f == section_.after))
         row.push_back(of(near));
-      else if (between && f == wall_)
-        row.push_back(of(wall_) + of(near) - of(tension_));
+      else if (between && f == section_.wall)
+        row.push_back(of(section_.wall) + of(near) - of(section_.tension));
       else if (between && place)
         row.push_back(facing(f, place->sides[side == 0 ? 1 : 0], at.q[n], of(f)));
       else

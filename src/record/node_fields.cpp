@@ -2,6 +2,7 @@
 #include "hawser/record/node_fields.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -25,6 +26,9 @@ FieldSource tension_of_side(const char* name, const std::string& tension) {
           tension};
 }
 
+// Fields of the state, position and velocity, precede those of the terms.
+constexpr size_t kStateFields = 2;
+
 // Fields of ends; the last only with beams.
 const io::ResultField kEnds[] = {{"force", "N", 3}, {"direction", "", 3}, {"moment", "N m", 3}};
 
@@ -42,21 +46,12 @@ NodeFields::NodeFields(const Subject& subject)
     for (const std::string& side : {before, after}) registry_.add(tension_of_side(side.c_str(), tension));
   fields_.insert(fields_.end(), all.begin(), all.end());
   peaks_.find(fields_);
-  const auto find = [&](const std::string& name) { return find_field(fields_, name); };
-  tension_ = find(tension);
-  before_ = find(before);
-  after_ = find(after);
-  declination_ = find("declination");
-  wall_ = find("wall_tension");
-  shear_ = find("shear_force");
-  torsion_ = find("torsion_moment");
-  moment_ = find("bending_moment");
-  moment_2_ = find("bending_moment_2");
-  moment_3_ = find("bending_moment_3");
-  for (const FieldSource& f : registry_.sources()) onto_.push_back(f.onto.empty() ? -1 : find(f.onto));
+  section_ = SectionFields::find(fields_);
+  for (const FieldSource& f : registry_.sources())
+    onto_.push_back(f.onto.empty() ? -1 : find_field(fields_, f.onto));
   for (size_t f = 0; f < fields_.size(); ++f)
     if (fields_[f].carries) carriers_.push_back(static_cast<int>(f));
-  ends_.resize(moment_ >= 0 ? 3 : 2);
+  ends_.resize(section_.moment >= 0 ? 3 : 2);
   end_fields_.assign(kEnds, kEnds + ends_.size());
 }
 
@@ -66,9 +61,10 @@ void NodeFields::begin(const std::set<std::string>& every_step) {
   // End forces need the tension and the contact forces on a line.
   for (const FieldSource& s : registry_.sources())
     every_step_.push_back(s.carries || s.name == "effective_tension" || every_step.count(s.name) > 0);
-  const int corrected[] = {tension_, declination_, wall_, shear_, torsion_, moment_, moment_2_, moment_3_};
-  rest_apart_ = std::all_of(std::begin(corrected), std::end(corrected),
-                            [this](int f) { return f < 0 || every_step_[f - 2]; });
+  const auto in_every_step = [this](int f) { return f < 0 || every_step_[f - kStateFields]; };
+  const std::array<int, 5> of_beams = section_.of_beams();
+  rest_apart_ = in_every_step(section_.tension) && in_every_step(section_.declination) &&
+                in_every_step(section_.wall) && std::ranges::all_of(of_beams, in_every_step);
 }
 
 void NodeFields::fill(const Kinematics& at, bool all) {
@@ -91,8 +87,9 @@ bool NodeFields::complete(const Kinematics& at) {
 }
 
 void NodeFields::fill_field(size_t f, const Kinematics& at) {
-  if (onto_[f] >= 0) values_[f + 2] = values_[onto_[f]];
-  registry_.sources()[f].fill(at, values_[f + 2]);
+  std::vector<double>& values = values_[f + kStateFields];
+  if (onto_[f] >= 0) values = values_[onto_[f]];
+  registry_.sources()[f].fill(at, values);
 }
 
 // Element tension is that at mid-element, and element moments exclude the load along the element. At line
@@ -121,24 +118,16 @@ void NodeFields::correct_ends(const Kinematics& at) {
     const auto put = [&](int field, double value) {
       return field < 0 ? 0 : std::exchange(values_[field][n], value);
     };
-    put(before_, p.sides[0].tension());
-    put(after_, p.sides[1].tension());
+    put(section_.before, p.sides[0].tension());
+    put(section_.after, p.sides[1].tension());
     const Vec3 &first = p.sides[0].direction, &second = p.sides[1].direction;
-    put(declination_, degrees(declination(p.end >= 0 ? p.at_end().direction : Vec3(first + second))));
+    put(section_.declination, degrees(declination(p.end >= 0 ? p.at_end().direction : Vec3(first + second))));
     const double tension = larger([](const SectionForce& s) { return s.tension(); });
-    const double middle = put(tension_, tension);
-    if (wall_ >= 0) values_[wall_][n] += tension - middle;
-    if (p.sides[0].beam || p.sides[1].beam) {
-      const auto moment = [&](int axis) {
-        return larger([&](const SectionForce& s) { return s.moment.dot(at.q[n] * Vec3::Unit(axis)); });
-      };
-      put(shear_, larger([](const SectionForce& s) { return s.shear(); }));
-      put(torsion_, moment(0));
-      put(moment_2_, moment(1));
-      put(moment_3_, moment(2));
-      put(moment_,
-          larger([&](const SectionForce& s) { return s.moment.cross(at.q[n] * Vec3::UnitX()).norm(); }));
-    }
+    const double middle = put(section_.tension, tension);
+    if (section_.wall >= 0) values_[section_.wall][n] += tension - middle;
+    if (p.sides[0].beam || p.sides[1].beam)
+      for (const int f : section_.of_beams())
+        put(f, larger([&](const SectionForce& s) { return section_.value(f, s, at.q[n]); }));
     if (p.end < 0) continue;
     const SectionForce& s = p.at_end();
     const Vec3 rows[] = {p.sign() * s.force, s.direction, p.sign() * s.moment};

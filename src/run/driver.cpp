@@ -164,7 +164,6 @@ void print_notes(Simulation& sim, const std::vector<LoadedVolume>& volumes, cons
   progress.print_notes(all_notes(c, volumes, sim.notes()));
   if (restart) return;
   progress.print_warnings(sim.warnings());
-  if (!c.statics.enabled) sim.check_inside();
 }
 
 // Sets the simulation to its checkpoint.
@@ -231,6 +230,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
     restart->notes = compare_changes(comm, options.restart, c.changes);
   }
   print_notes(sim, volumes, place, restart, progress);
+  if (!restart && !c.statics.enabled) sim.check_inside();
 
   Events events(comm, sim);
   // Created at the first output, so that a case without equilibrium leaves no file.
@@ -277,7 +277,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   progress.print_notes(events.not_happened());
   if (c.dynamics.enabled)
     progress.print_notes(
-        sim.raised_stiffness(fmt::format("by t = {:.6g} s", sim.dynamics().committed().s.time)));
+        sim.take_stiffness_raises(fmt::format("by t = {:.6g} s", sim.dynamics().committed().s.time)));
   const std::string table = recorder.finish(progress.messages());
   if (speak) print_end(sim, recorder, table, stopped, end);
   if (stopped) return kExitStopped;

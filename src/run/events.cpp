@@ -257,7 +257,9 @@ void Events::pay_out(const std::string& stage, const std::function<void(bool)>& 
       else
         solve(false);
     } catch (const SolveError& e) {
-      const auto& [f, length] = *left.begin();
+      const auto& [f, length] = *std::max_element(left.begin(), left.end(), [](const auto& p, const auto& q) {
+        return std::abs(p.second) < std::abs(q.second);
+      });
       throw SolveError(advice::cannot_pay_out(stage, length, f->name, e.what()));
     }
   }
@@ -287,7 +289,7 @@ std::vector<std::string> Events::apply_due() {
       return events_[i].what.action.kind != Action::Kind::release;
     });
     const double before = changes ? energy() : 0;
-    happen(now, at, "", messages, [&] { d.release(actions_.tied()); });
+    happen(now, at, "", messages, [&] { d.retie(actions_.tied()); });
     if (changes) d.add_support_work(energy() - before);
   }
   return messages;

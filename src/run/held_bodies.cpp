@@ -113,7 +113,7 @@ void HeldBodies::move(int body, const RigidPose& there) {
       state.x[i] = there.to_space(c.bodies[static_cast<size_t>(body)].mass->centre);
       state.q[i] = there.rotation;
     }
-    if (node.body >= 0 || node.line < 0) continue;
+    if (node.body >= 0) continue;
     const model::Line& line = c.lines[static_cast<size_t>(node.line)];
     const double share =
         std::clamp(node.arc / sim_.mesh().lines[static_cast<size_t>(node.line)].length, 0.0, 1.0);

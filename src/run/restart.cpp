@@ -303,7 +303,7 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   for (int v = 0; contact && v < contact->volumes(); ++v)
     if (const auto it = c.scalars.find(kStiffness + contact->volume_name(v)); it != c.scalars.end())
       contact->raise_to(v, it->second);
-  simulation.raised_stiffness("");  // reported by the run that raised it
+  simulation.take_stiffness_raises("");  // reported by the run that raised it
 
   const int rank = rank_of(system.comm());
   Dynamics::Carried carried;

@@ -279,7 +279,7 @@ std::vector<std::string> Simulation::tilting_warnings() const {
   return out;
 }
 
-std::vector<std::string> Simulation::raised_stiffness(const std::string& when) {
+std::vector<std::string> Simulation::take_stiffness_raises(const std::string& when) {
   std::vector<std::string> out;
   const LineVolumeContact* contact = this->contact();
   for (int v = 0; contact && v < contact->volumes(); ++v) {

@@ -111,7 +111,7 @@ void Simulation::check_depth_at_rest() {
 }
 
 void Simulation::note_contact_at_rest() {
-  for (std::string& note : raised_stiffness("in statics")) notes_.push_back(std::move(note));
+  for (std::string& note : take_stiffness_raises("in statics")) notes_.push_back(std::move(note));
   if (!line_pairs()) return;
   std::string note = shared_places_note(line_pairs()->shared(), *mesh_);
   if (!note.empty()) notes_.push_back(std::move(note));

@@ -19,7 +19,7 @@ bool holds(const TiedNodes& tied, int node) {
 
 }  // namespace
 
-void Dynamics::release(std::vector<TiedNode> nodes) {
+void Dynamics::retie(std::vector<TiedNode> nodes) {
   State s = committed_.s;
   const TiedNodes before = system_.tied_nodes();
   // If the velocity of a body jumps at this time, an end that it releases keeps the velocity from before the

@@ -40,8 +40,8 @@ StaticSearch::StaticSearch(System& system, const StaticsSettings& settings, Stat
   check(SNESSetTolerances(snes_.get(), 0, 0, 0, settings.max_iterations + 1, PETSC_DEFAULT));
 }
 
-StaticsReport StaticSearch::run(bool again) {
-  if (!again) approach();
+StaticsReport StaticSearch::run(bool near) {
+  if (!near) approach();
   State left;       // the equilibrium that was left last
   double push = 0;  // m, distance from it at which relaxation began
   for (;;) {

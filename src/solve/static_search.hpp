@@ -19,9 +19,9 @@ class StaticSearch : StaticTrial {
   StaticSearch(System& system, const StaticsSettings& settings, State& state,
                const RelaxationSettings* relaxation = nullptr);
 
-  // again: the state is an equilibrium in which little has changed. Throws SolveError, or what
+  // near: the state is an equilibrium in which little has changed. Throws SolveError, or what
   // throw_no_equilibrium() throws.
-  StaticsReport run(bool again = false);
+  StaticsReport run(bool near = false);
   // Throws SolveError if the squares of the forces at the start overflow, from which no step can recover.
   void check_start();
 

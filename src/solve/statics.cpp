@@ -41,7 +41,8 @@ StaticsReport relaxed(System& system, const StaticsSettings& settings, State& st
     r.pushed = 1;
     rest = relax(system, r, state);
   }
-  for (r.pushed = 0;; r.tolerance *= 1e-2) {  // Newton's iteration may need a start nearer to the equilibrium
+  r.pushed = 0;
+  for (;;) {
     State near = state;
     try {
       StaticsReport report = StaticSearch(system, settings, near, &r).run(true);
@@ -50,12 +51,14 @@ StaticsReport relaxed(System& system, const StaticsSettings& settings, State& st
       report.relaxation_steps += rest.steps;
       return report;
     } catch (const SolveError&) {
+      // Newton's iteration needs a start nearer to the equilibrium.
+      r.tolerance *= 1e-2;
       if (r.tolerance < settings.tolerance) throw;
-      system.spread(state);
-      const RelaxationReport more = relax(system, r, state);
-      rest.steps += more.steps;
-      rest.iterations += more.iterations;
     }
+    system.spread(state);
+    const RelaxationReport more = relax(system, r, state);
+    rest.steps += more.steps;
+    rest.iterations += more.iterations;
   }
 }
 
@@ -101,36 +104,37 @@ StaticsReport against_friction(System& system, const StaticsSettings& settings, 
   }
 }
 
+enum class Method { newton, relaxation };
+
+// The methods to try, in this order.
+std::vector<Method> methods(const StaticsSettings& settings) {
+  if (settings.relaxation == RelaxationUse::never) return {Method::newton};
+  if (settings.near) return {Method::newton, Method::relaxation};
+  if (settings.relaxation == RelaxationUse::always) return {Method::relaxation};
+  if (settings.relaxation == RelaxationUse::first) return {Method::relaxation, Method::newton};
+  return {Method::newton, Method::relaxation};
+}
+
 StaticsReport first_equilibrium(System& system, const StaticsSettings& settings, const Start& start,
                                 State& state) {
   if (settings.friction) return against_friction(system, settings, start, state);
-  if (settings.relaxation == RelaxationUse::never)
-    return StaticSearch(system, settings, state).run(settings.near);
-  if (settings.near) try {
-      return StaticSearch(system, settings, state).run(true);
-    } catch (const PathBlocked&) {
-      throw;
-    } catch (const SolveError&) {
-      start.again(state);
-      return relaxed(system, settings, state);
-    }
-  if (settings.relaxation == RelaxationUse::always) return relaxed(system, settings, state);
-  const bool fall = settings.relaxation == RelaxationUse::first;
-  const auto search = [&](bool relaxing) {
-    return relaxing ? relaxed(system, settings, state) : StaticSearch(system, settings, state).run();
-  };
-  try {
-    return search(fall);
-  } catch (const SolveError& first) {
-    start.again(state);
+  const std::vector<Method> order = methods(settings);
+  std::vector<std::string> failures;
+  for (const Method method : order) {
+    if (!failures.empty()) start.again(state);
+    const bool last = failures.size() + 1 == order.size();
     try {
-      return search(!fall);
-    } catch (const PathBlocked&) {
-      throw;
-    } catch (const SolveError& second) {
-      throw SolveError(advice::second_failure(first.what(), second.what()));
+      if (method == Method::relaxation) return relaxed(system, settings, state);
+      return StaticSearch(system, settings, state).run(settings.near);
+    } catch (const PathBlocked& blocked) {
+      if (last || settings.near) throw;
+      failures.emplace_back(blocked.what());
+    } catch (const SolveError& failure) {
+      if (order.size() == 1) throw;
+      failures.emplace_back(failure.what());
     }
   }
+  throw SolveError(advice::second_failure(failures.front(), failures.back()));
 }
 
 // Raises the contact stiffness until the equilibrium requires no more.
@@ -152,11 +156,13 @@ StaticsReport stiff_equilibrium(System& system, const StaticsSettings& settings,
 // is left, contact is made stiffer and the search begins again.
 StaticsReport outside_volumes(System& system, const StaticsSettings& settings, State& state) {
   const Start start(system, state);
-  for (;;) try {
+  for (;;) {
+    try {
       return stiff_equilibrium(system, settings, start, state);
     } catch (const StiffnessRaised&) {
       start.again(state);
     }
+  }
 }
 
 }  // namespace

@@ -63,54 +63,56 @@ void Assembler::add_force(int b, double x, double y, double z) {
   (*squares_)[b] += x * x + y * y + z * z;
 }
 
-void Assembler::add(std::span<const int> rows, std::span<const int> columns, const double* f, const double* K,
-                    const double* C, const double* M) {
-  if (force_ && f)
+void Assembler::add(std::span<const int> rows, std::span<const int> columns, ForceView force,
+                    DerivativeView K, DerivativeView C, DerivativeView M) {
+  const int n = 3 * static_cast<int>(rows.size()), m = 3 * static_cast<int>(columns.size()), entries = n * m;
+  assert(!force.data() || force.size() == n);
+  assert(K.has(n, m) && C.has(n, m) && M.has(n, m));
+  if (const double* f = force.data(); force_ && f)
     for (size_t i = 0; i < rows.size(); ++i) add_force(rows[i], f[3 * i], f[3 * i + 1], f[3 * i + 2]);
   if (!matrix_) return;
   const auto is_tied = [this](int b) { return tied(b); };
   if (std::any_of(columns.begin(), columns.end(), is_tied) || std::any_of(rows.begin(), rows.end(), is_tied))
     return add_tied(rows, columns, K, C, M);
 
-  const int n = 3 * static_cast<int>(rows.size()), m = 3 * static_cast<int>(columns.size()), entries = n * m;
   constexpr int kFew = 576;
   double few[kFew + 1];
   std::vector<double> many(entries > kFew ? static_cast<size_t>(entries) + 1 : 0);
   double* J = entries > kFew ? many.data() : few;
-  if (K && weights_.K != 0) {
-    weigh<true>(entries, weights_.K, K, J);
+  if (K.data() && weights_.K != 0) {
+    weigh<true>(entries, weights_.K, K.data(), J);
     for (size_t j = 0; j < columns.size(); ++j)
       if (const int turn = (*turn_of_)[columns[j]]; turn >= 0)
         turn_columns((*retraction_)[turn], n, m, J + 3 * j);
   } else {
     std::fill(J, J + entries, 0.0);
   }
-  if (C && weights_.C != 0) weigh<false>(entries, weights_.C, C, J);
-  if (M && weights_.M != 0) weigh<false>(entries, weights_.M, M, J);
+  if (C.data() && weights_.C != 0) weigh<false>(entries, weights_.C, C.data(), J);
+  if (M.data() && weights_.M != 0) weigh<false>(entries, weights_.M, M.data(), J);
   put(rows, columns, J);
 }
 
 // Derivatives by the unknowns of the frames (TiedNodeForces). The stiffness from the rotation of the forces'
 // arms is added by TiedNodeForces::add_geometric_stiffness.
-void Assembler::add_tied(std::span<const int> rows, std::span<const int> columns, const double* K,
-                         const double* C, const double* M) {
+void Assembler::add_tied(std::span<const int> rows, std::span<const int> columns, DerivativeView K,
+                         DerivativeView C, DerivativeView M) {
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Eigen::Index n = 3 * static_cast<Eigen::Index>(rows.size()),
                      m = 3 * static_cast<Eigen::Index>(columns.size());
-  const auto of = [n, m](const double* A) { return Eigen::Map<const Matrix>(A, n, m); };
+  const auto of = [n, m](DerivativeView A) { return Eigen::Map<const Matrix>(A.data(), n, m); };
   const TiedNodeForces::Unknowns on = ties_->unknowns(rows);
   const auto [to, P, V] = ties_->unknowns(columns);
   const Eigen::Index size = 3 * static_cast<Eigen::Index>(to.size());
   Matrix k = Matrix::Zero(n, size);
-  if (K) k += of(K) * P;
-  if (C) k += of(C) * V;
-  if (M) k += ties_->director_weight() * of(M) * V;
+  if (K.data()) k += of(K) * P;
+  if (C.data()) k += of(C) * V;
+  if (M.data()) k += ties_->director_weight() * of(M) * V;
   k *= weights_.K;
   for (Eigen::Index j = 0; j < size; j += 3)
     if (const int turn = (*turn_of_)[to[j / 3]]; turn >= 0)
       k.middleCols<3>(j) = (k.middleCols<3>(j) * (*retraction_)[turn]).eval();
-  if (C) k += weights_.C * of(C) * P;
-  if (M) k += weights_.M * of(M) * P;
+  if (C.data()) k += weights_.C * of(C) * P;
+  if (M.data()) k += weights_.M * of(M) * P;
   const Matrix J = on.P.transpose() * k;
   std::vector<double> own(J.data(), J.data() + J.size());
   own.push_back(0);
@@ -160,6 +162,18 @@ void Assembler::add_elsewhere(int row, int column, const double* J, int m) {
   check(MatSetValuesBlocked(matrix_, 1, &r, 1, &c, block, ADD_VALUES));
 }
 
+void Assembler::add(int block, const Vec3& f, const Mat3* K, const Mat3* C, const Mat3* M) {
+  using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  RowMajor k, c, m;
+  if (K) k = *K;
+  if (C) c = *C;
+  if (M) m = *M;
+  const auto view = [](const Mat3* given, const RowMajor& A) {
+    return given ? DerivativeView(A) : DerivativeView();
+  };
+  add({&block, 1}, f, view(K, k), view(C, c), view(M, m));
+}
+
 void Assembler::add_between(int a, int b, const Vec3& f, const Mat3* k, const Mat3* c) {
   if (force_) {
     add_force(a, -f[0], -f[1], -f[2]);
@@ -171,7 +185,7 @@ void Assembler::add_between(int a, int b, const Vec3& f, const Mat3* k, const Ma
     Mat6 K = Mat6::Zero(), C = Mat6::Zero();
     if (k) K << *k, -*k, -*k, *k;
     if (c) C << *c, -*c, -*c, *c;
-    return add_tied(blocks, blocks, K.data(), C.data(), nullptr);
+    return add_tied(blocks, blocks, K, C, {});
   }
   double J[37];
   for (int i = 0; i < 3; ++i)
@@ -213,13 +227,16 @@ void Assembler::add_masses(int a, int b, const Vec6& f, double own, double share
   const int blocks[2] = {a, b};
   const bool frames = tied(a) || tied(b);
   if (!matrix_ || (weights_.M == 0 && !frames)) return;
-  const double weight = frames ? 1 : weights_.M;
+  if (frames) {
+    Mat6 M = own * Mat6::Identity();
+    M.topRightCorner<3, 3>() = M.bottomLeftCorner<3, 3>() = shared * Mat3::Identity();
+    return add_tied(blocks, blocks, {}, {}, M);
+  }
   double J[37] = {};
   for (int i = 0; i < 6; ++i) {
-    J[7 * i] = weight * own;
-    J[6 * i + (i + 3) % 6] = weight * shared;
+    J[7 * i] = weights_.M * own;
+    J[6 * i + (i + 3) % 6] = weights_.M * shared;
   }
-  if (frames) return add_tied(blocks, blocks, nullptr, nullptr, J);
   put(blocks, blocks, J);
 }
 

@@ -54,10 +54,8 @@ void TiedNodeForces::add_geometric_stiffness(const std::vector<double>& force, b
   for (const Tie& t : ties_) {
     if (!t.owned || t.point) continue;
     const Eigen::Map<const Vec3> f(force.data() + 3 * t.block);
-    const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> K =
-        convex ? t.at.convex_moment_by_turn(f) : t.at.moment_by_turn(f);
-    const int block = t.frame + 1;
-    assembler.add({&block, 1}, nullptr, K.data(), nullptr, nullptr);
+    const Mat3 K = convex ? t.at.convex_moment_by_turn(f) : t.at.moment_by_turn(f);
+    assembler.add(t.frame + 1, Vec3::Zero(), &K);
   }
 }
 

@@ -84,11 +84,13 @@ void add_against_body(Assembler& assembler, std::span<const LineBlock> line, con
   numbers[n] = body.block;
   numbers[n + 1] = body.block + 1;
   const auto add = [&](size_t first, size_t count) {
-    const auto rows = [&](const AgainstBody::Matrix& of) {
-      return of.size() > 0 ? of.row(3 * static_cast<Eigen::Index>(first)).data() : nullptr;
+    const Eigen::Index row = 3 * static_cast<Eigen::Index>(first),
+                       size = 3 * static_cast<Eigen::Index>(count);
+    const auto rows = [row, size](const AgainstBody::Matrix& of) {
+      return of.size() > 0 ? DerivativeView(of.middleRows(row, size)) : DerivativeView();
     };
-    assembler.add(blocks.subspan(first, count), blocks, all.f.data() + 3 * first, rows(all.K), rows(all.C),
-                  nullptr);
+    assembler.add(blocks.subspan(first, count), blocks, all.f.segment(row, size), rows(all.K), rows(all.C),
+                  {});
   };
   add(0, n);
   if (!counted) return;

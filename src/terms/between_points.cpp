@@ -56,13 +56,13 @@ void add_between(Assembler& assembler, const AttachedNow& a, const AttachedNow& 
   const int m = 3 * stencil.blocks;
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 12, 12>;
   Matrix K = Matrix::Zero(m, m), C = K;
-  std::array<double, 12> force{};
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 12, 1> force(m);
+  force.setZero();
   stencil.to_blocks(g, !assembler.convex(), force.data(), K.data(), C.data());
   for (const size_t i : {0, 1})
     if (const AttachedPosition& p = stencil.at[i]; assembler.convex() && p.rotation >= 0)
       K.block<3, 3>(3 * p.rotation, 3 * p.rotation) += p.point.convex_moment_by_turn(g.F[i]);
-  assembler.add({blocks.data(), static_cast<size_t>(stencil.blocks)}, force.data(), K.data(), C.data(),
-                nullptr);
+  assembler.add({blocks.data(), static_cast<size_t>(stencil.blocks)}, force, K, C);
 }
 
 }  // namespace hawser

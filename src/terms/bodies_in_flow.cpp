@@ -114,7 +114,7 @@ void BodiesInFlow::evaluate(const Kinematics& trial, Assembler& assembler) {
     const RigidBodyState s = floating_state(trial, f.node);
     const BodyFlowResidual r = body_flow(f.data, s, velocity(f, trial, s));
     const int blocks[2] = {f.block, f.block + 1};
-    assembler.add(blocks, r.f.data(), r.K.data(), r.C.data(), nullptr);
+    assembler.add(blocks, r.f, r.K, r.C);
   }
 }
 

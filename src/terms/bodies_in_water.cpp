@@ -180,10 +180,7 @@ void BodiesInWater::evaluate(const Kinematics& trial, Assembler& assembler) {
       m->rightCols<3>() = m->rightCols<3>().eval() * turn.transpose();
     }
     const int blocks[2] = {b.block, b.block + 1};
-    if (tangent)
-      assembler.add(blocks, r.f.data(), r.K.data(), r.C.data(), r.M.data());
-    else
-      assembler.add(blocks, r.f.data(), nullptr, nullptr, nullptr);
+    assembler.add(blocks, r.f, r.K, r.C, r.M);
   }
 }
 

@@ -265,8 +265,7 @@ void BodyContactTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
       K = s.on.K.block(first, first, count, count);
       C = s.on.C.block(first, first, count, count);
     }
-    assembler.add({&blocks[first / 3], static_cast<size_t>(count / 3)}, f.data(),
-                  tangent ? K.data() : nullptr, tangent ? C.data() : nullptr, nullptr);
+    assembler.add({&blocks[first / 3], static_cast<size_t>(count / 3)}, f, K, C);
   }
 }
 

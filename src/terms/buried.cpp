@@ -106,10 +106,7 @@ bool BuriedTerm::raise_stiffness(const Kinematics& equilibrium) {
 void BuriedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Point& p : points_) {
     const BuriedForce s = pull(p, trial);
-    const Vec3 residual = -s.force;
-    const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> K = s.stiffness;
-    assembler.add({&p.block, 1}, residual.data(), assembler.needs_tangent() ? K.data() : nullptr, nullptr,
-                  nullptr);
+    assembler.add(p.block, -s.force, &s.stiffness);
   }
 }
 

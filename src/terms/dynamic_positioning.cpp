@@ -189,10 +189,10 @@ void DynamicPositioning::evaluate(const Kinematics& trial, Assembler& assembler)
     Eigen::Matrix<double, 3, 6> Q = P.transpose();
     Q.row(2).tail<3>() = heading_of(s.q).by_turn.transpose();
     const Vec6 f = -P * now.force;
-    Eigen::Matrix<double, 6, 6, Eigen::RowMajor> K = -P * now.by_pose * Q;
+    Mat6 K = -P * now.by_pose * Q;
     K.bottomRightCorner<3, 3>() += at.moment_by_turn(pull) - now.force.z() * hat(up);
     const int blocks[2] = {p.block, p.block + 1};
-    assembler.add(blocks, f.data(), K.data(), nullptr, nullptr);
+    assembler.add(blocks, f, K);
   }
 }
 

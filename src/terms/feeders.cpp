@@ -266,7 +266,7 @@ void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
                            mesh_.block[f.at_b ? e->first : e->second]};
     const Vec6 r = (Vec6() << out[0], out[1]).finished();
     if (!assembler.needs_tangent()) {
-      assembler.add(blocks, r.data(), nullptr, nullptr, nullptr);
+      assembler.add(blocks, r);
       continue;
     }
     const MassShares mass = mass_shares(f.beam);
@@ -285,7 +285,7 @@ void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
     put(K, 1, shared * by_x);
     put(C, 0, held * by_v);
     put(C, 1, shared * by_v);
-    assembler.add(blocks, r.data(), K.data(), C.data(), nullptr);
+    assembler.add(blocks, r, K, C);
   }
 }
 

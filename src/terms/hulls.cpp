@@ -128,10 +128,9 @@ void Hulls::prepare(const Kinematics& committed, double h) {
 void Hulls::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Hull& hull : list_) {
     if (idle(hull)) continue;
-    const bool tangent = assembler.needs_tangent();
-    const HullPressure p = pressure(hull, trial, true, tangent);
+    const HullPressure p = pressure(hull, trial, true, assembler.needs_tangent());
     const int blocks[2] = {hull.block, hull.block + 1};
-    assembler.add(blocks, p.f.data(), tangent ? p.K.data() : nullptr, nullptr, nullptr);
+    assembler.add(blocks, p.f, p.K);
   }
 }
 

@@ -101,11 +101,11 @@ void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
       Vec12 f;
       Mat12 K, C, M;
       beam_mass_tangent(p.section, ends(p, trial), w, f, K, C, M);
-      assembler.add(blocks, f.data(), K.data(), C.data(), M.data());
+      assembler.add(blocks, f, K, C, M);
     } else {
       Vec12 f;
       beam_mass_force(p.section, ends(p, trial), w, f);
-      assembler.add(blocks, f.data(), nullptr, nullptr, nullptr);
+      assembler.add(blocks, f);
     }
   }
 }

@@ -168,7 +168,6 @@ void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
     const bool damped = tangent && trial.step > 0 && pair.law.normal.damping > 0;
     if (tangent) K.setZero(size, size);
     if (damped) C.setZero(size, size);
-    const double *by_x = tangent ? K.data() : nullptr, *by_v = damped ? C.data() : nullptr;
     stencil.to_blocks(g, !assembler.convex(), f.data(), tangent ? K.data() : nullptr,
                       damped ? C.data() : nullptr);
     int blocks[8], n = 0;
@@ -180,7 +179,8 @@ void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
         if ((second ? B : A).beam()) blocks[n++] = b + 1;
       }
     }
-    assembler.add({blocks, static_cast<size_t>(n)}, f.data(), by_x, by_v, nullptr);
+    assembler.add({blocks, static_cast<size_t>(n)}, f, tangent ? DerivativeView(K) : DerivativeView(),
+                  damped ? DerivativeView(C) : DerivativeView());
   }
 }
 

@@ -74,7 +74,7 @@ void LineVolumeContact::evaluate(const Kinematics& trial, Assembler& assembler) 
     const int blocks[4] = {a, beam ? a + 1 : b, b, b + 1};
     const size_t count = stencil.blocks;
     if (!volumes_.floats(pair.volume)) {
-      assembler.add({blocks, count}, f.data(), by_x, by_v, nullptr);
+      assembler.add({blocks, count}, f, K, moves ? DerivativeView(C) : DerivativeView());
       continue;
     }
     std::array<LineBlock, 4> line;

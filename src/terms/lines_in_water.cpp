@@ -82,10 +82,10 @@ void LinesInWater::evaluate(const WetElement& p, const Kinematics& trial, Assemb
     if (tangent) {
       Mat12 K, C, M;
       beam_water_tangent(p.section, e, convex, f, K, C, M);
-      assembler.add(blocks, f.data(), K.data(), C.data(), M.data());
+      assembler.add(blocks, f, K, C, M);
     } else {
       beam_water_force(p.section, e, f);
-      assembler.add(blocks, f.data(), nullptr, nullptr, nullptr);
+      assembler.add(blocks, f);
     }
   } else {
     const int blocks[] = {first, second};
@@ -95,10 +95,10 @@ void LinesInWater::evaluate(const WetElement& p, const Kinematics& trial, Assemb
     if (tangent) {
       Mat6 K, C, M;
       cable_water_tangent(p.section, e, convex, f, K, C, M);
-      assembler.add(blocks, f.data(), K.data(), C.data(), M.data());
+      assembler.add(blocks, f, K, C, M);
     } else {
       cable_water_force(p.section, e, f);
-      assembler.add(blocks, f.data(), nullptr, nullptr, nullptr);
+      assembler.add(blocks, f);
     }
   }
 }
@@ -109,19 +109,15 @@ void LinesInWater::evaluate(const Kinematics& trial, Assembler& assembler) {
   const bool tangent = assembler.needs_tangent();
   for (const Four& q : fours_) evaluate(q, trial, assembler);
   for (const int b : beams_) evaluate(pieces_[static_cast<size_t>(b)], trial, assembler);
-  using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   for (const Ball& b : balls_) {
     const size_t n = static_cast<size_t>(b.node);
     Vec3 r;
     Mat3 k, c, m;
     ball_water(b.ball, trial.x[n], trial.v[n], trial.a[n], water_at(n), r, tangent ? &k : nullptr, &c, &m);
-    const int block = mesh_.block[n];
-    if (!tangent) {
-      assembler.add({&block, 1}, r.data(), nullptr, nullptr, nullptr);
-      continue;
-    }
-    const RowMajor rk = k, rc = c, rm = m;
-    assembler.add({&block, 1}, r.data(), rk.data(), rc.data(), rm.data());
+    if (tangent)
+      assembler.add(mesh_.block[n], r, &k, &c, &m);
+    else
+      assembler.add(mesh_.block[n], r);
   }
 }
 

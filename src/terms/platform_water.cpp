@@ -197,13 +197,13 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
       const Vec6 own = F.segment<6>(6 * static_cast<Eigen::Index>(i));
       const Vec6 f = motion[i].G.transpose() * own;
       const Mat6 slope = platform_force_slope(motion[i], p.arm, own);
-      assembler.add(blocks, f.data(), slope.data(), nullptr, nullptr);
-      assembler.add(blocks, still.f.data(), still.K.data(), nullptr, nullptr);
-      assembler.add(blocks, added.f.data(), added.K.data(), nullptr, nullptr);
+      assembler.add(blocks, f, slope);
+      assembler.add(blocks, still.f, still.K);
+      assembler.add(blocks, added.f, added.K);
       if (!(trial.step > 0) && p.follow > 0 && !p.waves.none()) {
         const PlatformWaves::MeanDrift mean = p.waves.mean_drift(heading_of(s.q).angle);
         const PlatformLoad drift = turning_load({mean.force, mean.by_heading}, p.arm, s);
-        assembler.add(blocks, drift.f.data(), drift.K.data(), nullptr, nullptr);
+        assembler.add(blocks, drift.f, drift.K);
       }
       if (!assembler.needs_tangent()) continue;
       for (size_t j = 0; j < n; ++j) {
@@ -213,7 +213,7 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
         const Mat6 C = A * motion[j].acceleration_by_rate + D * motion[j].G;
         const Mat6 M = A * motion[j].G;
         const int other[2] = {g.platforms[j].block, g.platforms[j].block + 1};
-        assembler.add(blocks, other, nullptr, K.data(), C.data(), M.data());
+        assembler.add(blocks, other, {}, K, C, M);
       }
     }
   }

@@ -79,13 +79,12 @@ void PointLoads::evaluate(const Kinematics& trial, Assembler& assembler) {
     const NodeLoad& load = loads_[i];
     const double s = factor(load, trial.time);
     const Vec3 force = -s * load.force;
-    assembler.add({&block_[i], 1}, force.data(), nullptr, nullptr, nullptr);
+    assembler.add(block_[i], force);
     if (load.moment.isZero(0)) continue;
     const Quat& q = trial.q[load.node];
-    const int block = block_[i] + 1;
     const Vec3 moment = -s * (q.conjugate() * load.moment);
-    const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> K = s * moment_stiffness(q, load.moment);
-    assembler.add({&block, 1}, moment.data(), assembler.convex() ? nullptr : K.data(), nullptr, nullptr);
+    const Mat3 K = s * moment_stiffness(q, load.moment);
+    assembler.add(block_[i] + 1, moment, assembler.convex() ? nullptr : &K);
   }
 }
 
@@ -160,7 +159,7 @@ void PointMasses::evaluate(const Kinematics& trial, Assembler& assembler) {
     const double m = masses_[i].mass;
     const Vec3 force = m * (trial.a[masses_[i].node] + gravity_ * Vec3::UnitZ());
     const Mat3 M = m * Mat3::Identity();
-    assembler.add({&block_[i], 1}, force.data(), nullptr, nullptr, M.data());
+    assembler.add(block_[i], force, nullptr, nullptr, &M);
   }
 }
 

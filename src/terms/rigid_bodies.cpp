@@ -141,16 +141,16 @@ void RigidBodies::evaluate(const Kinematics& trial, Assembler& assembler) {
     if (!hold_ || f.rest.found(friction_))
       for (const Load& l : f.loads) add_load(l.at(trial.time), s, r);
     const int blocks[2] = {f.block, f.block + 1};
-    assembler.add(blocks, r.inertia.data(), r.K.data(), r.C.data(), r.M.data());
+    assembler.add(blocks, r.inertia, r.K, r.C, r.M);
     if (hold_ && f.rest.found(friction_) && assembler.needs_tangent()) {
       Mat6 K = Mat6::Zero();
       K.topLeftCorner<3, 3>() = kDrift * kDrift * f.data.mass * Mat3::Identity();
       K.bottomRightCorner<3, 3>() = kDrift * kDrift * f.data.inertia;
-      assembler.add(blocks, nullptr, K.data(), nullptr, nullptr);
+      assembler.add(blocks, {}, K);
     }
     if (!assembler.needs_force()) continue;
-    assembler.add(blocks, r.applied.data(), nullptr, nullptr, nullptr);
-    assembler.add(blocks, r.springs.data(), nullptr, nullptr, nullptr);
+    assembler.add(blocks, r.applied);
+    assembler.add(blocks, r.springs);
   }
 }
 

@@ -111,7 +111,8 @@ void add_shared(const int (&blocks)[n], const Vec3& residual, const Mat3* K, con
   Shared k, c;
   if (K) k = (*K / (n * n)).replicate<n, n>();
   if (C) c = (*C / (n * n)).replicate<n, n>();
-  assembler.add(blocks, f.data(), K ? k.data() : nullptr, C ? c.data() : nullptr, nullptr);
+  assembler.add(blocks, f, K ? DerivativeView(k) : DerivativeView(),
+                C ? DerivativeView(c) : DerivativeView());
 }
 }  // namespace
 

@@ -129,7 +129,7 @@ void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
     for (const Beam& b : beams_) {
       if (b.idle) continue;
       beam_tangent(b.section, b.reference, ends(b, trial), assembler.convex(), f, K, &C);
-      assembler.add(b.blocks, f.data(), K.data(), b.section.beta > 0 ? C.data() : nullptr, nullptr);
+      assembler.add(b.blocks, f, K, b.section.beta > 0 ? DerivativeView(C) : DerivativeView());
     }
     for (const Cable& c : cables_) {
       CableTension o;
@@ -148,7 +148,7 @@ void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Beam& b : beams_) {
     if (b.idle) continue;
     beam_force(b.section, b.reference, ends(b, trial), f);
-    assembler.add(b.blocks, f.data(), nullptr, nullptr, nullptr);
+    assembler.add(b.blocks, f);
   }
   for (const Cable& c : cables_) {
     const CableEnds e = ends(c, trial);

@@ -38,18 +38,16 @@ class MiddleSprings final : public ForceTerm, public CouplesNodes, public Limits
     for (const CandidatePair& p : list.pairs()) {
       const Spring s = spring(at, p);
       if (!(s.shorter > 0)) continue;
-      double f[12], K[144];
+      Vec12 f;
+      Mat12 K;
       const Mat3 nn = s.normal * s.normal.transpose();
       const Mat3 k = 0.25 * k_ * (nn - s.shorter / s.distance * (Mat3::Identity() - nn));
       for (int i = 0; i < 4; ++i) {
         const double sign = i < 2 ? 1 : -1;
-        for (int r = 0; r < 3; ++r) {
-          f[3 * i + r] = -0.5 * sign * k_ * s.shorter * s.normal[r];
-          for (int j = 0; j < 4; ++j)
-            for (int c = 0; c < 3; ++c) K[(3 * i + r) * 12 + 3 * j + c] = sign * (j < 2 ? 1 : -1) * k(r, c);
-        }
+        f.segment<3>(3 * i) = -0.5 * sign * k_ * s.shorter * s.normal;
+        for (int j = 0; j < 4; ++j) K.block<3, 3>(3 * i, 3 * j) = sign * (j < 2 ? 1 : -1) * k;
       }
-      assembler.add(s.blocks, f, K, nullptr, nullptr);
+      assembler.add(s.blocks, f, K);
     }
   }
   Energy energy(const Kinematics& at) const override {

@@ -39,8 +39,8 @@ class Joined final : public ForceTerm, public CouplesNodes {
     }
     const Vec12 f = A_ * a + B_ * v;
     for (const int body : {0, 1})
-      assembler.add(std::span(blocks).subspan(2 * body, 2), blocks, &f[6 * body], nullptr, &B_(6 * body, 0),
-                    &A_(6 * body, 0));
+      assembler.add(std::span(blocks).subspan(2 * body, 2), blocks, f.segment<6>(6 * body), {},
+                    B_.middleRows<6>(6 * body), A_.middleRows<6>(6 * body));
   }
 
  private:

@@ -29,12 +29,11 @@ class TimedLoad final : public ForceTerm {
   void evaluate(const Kinematics& trial, Assembler& assembler) override {
     const double s = factor_(trial.time);
     const Vec3 m = trial.q[node_].conjugate() * moment_;
-    Eigen::Matrix<double, 6, 1> f;
+    Vec6 f;
     f << -s * force_, -s * m;
-    Eigen::Matrix<double, 6, 6, Eigen::RowMajor> K;
-    K.setZero();
+    Mat6 K = Mat6::Zero();
     K.bottomRightCorner<3, 3>() = -s * hat(m);
-    assembler.add(block_, f.data(), K.data(), nullptr, nullptr);
+    assembler.add(block_, f, K);
   }
 
  private:

@@ -30,13 +30,11 @@ class TopTerm final : public ForceTerm {
     // In three pieces: the size of what is added is what the residual is judged against.
     const Vec3 inertia = top_.inertia.cwiseProduct(k.alpha[0]), turn = w.cross(Jw),
                load = -top_.arm.cross(weight);
-    using Row = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-    const Mat3 J = top_.inertia.asDiagonal();
-    const Row K = -hat(top_.arm) * hat(weight), C = hat(w) * J - hat(Jw), M = J;
-    const int block = 1;
-    assembler.add({&block, 1}, inertia.data(), nullptr, nullptr, M.data());
-    assembler.add({&block, 1}, turn.data(), nullptr, C.data(), nullptr);
-    assembler.add({&block, 1}, load.data(), K.data(), nullptr, nullptr);
+    const Mat3 M = top_.inertia.asDiagonal();
+    const Mat3 K = -hat(top_.arm) * hat(weight), C = hat(w) * M - hat(Jw);
+    assembler.add(1, inertia, nullptr, nullptr, &M);
+    assembler.add(1, turn, nullptr, &C);
+    assembler.add(1, load, &K);
   }
 
  private:

@@ -9,6 +9,7 @@
 #include "hawser/io/results.hpp"
 #include "hawser/record/end_forces.hpp"
 #include "hawser/record/recording.hpp"
+#include "hawser/record/section_fields.hpp"
 #include "hawser/record/subject.hpp"
 
 namespace hawser::record {
@@ -48,9 +49,7 @@ class Histories : public Recording {
   const Subject& subject_;
   const EndForces& ends_;
   std::vector<size_t> shown_, shown_last_;  // fields of a point, before and after the end columns
-  // Indices of fields; -1: missing.
-  int tension_ = -1, before_ = -1, after_ = -1, wall_ = -1, shear_ = -1, torsion_ = -1, moment_ = -1,
-      moment_2_ = -1, moment_3_ = -1;
+  SectionFields section_;
   std::vector<Point> points_;
   std::vector<size_t> columns_;  // of the series of each point
 };

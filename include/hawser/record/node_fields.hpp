@@ -9,6 +9,7 @@
 #include "hawser/record/contact_peaks.hpp"
 #include "hawser/record/end_forces.hpp"
 #include "hawser/record/recording.hpp"
+#include "hawser/record/section_fields.hpp"
 #include "hawser/record/subject.hpp"
 
 namespace hawser::record {
@@ -49,9 +50,7 @@ class NodeFields {
   EndForces end_forces_;
   ContactPeaks peaks_;
   Values values_, ends_;
-  // Indices in values_.
-  int tension_ = -1, before_ = -1, after_ = -1, wall_ = -1, shear_ = -1, torsion_ = -1, moment_ = -1,
-      moment_2_ = -1, moment_3_ = -1, declination_ = -1;
+  SectionFields section_;
   std::vector<int> carriers_;  // indices in values_ of the contact forces
 };
 

@@ -70,7 +70,7 @@ class Simulation {
   const std::vector<std::string>& details() const { return details_; }                  // minor choices
   const std::vector<std::string>& warnings() const { return start_contact_.warnings; }  // on the start shape
   // Messages about automatic contact stiffness that was raised since the last call, one sentence per volume.
-  std::vector<std::string> raised_stiffness(const std::string& when);
+  std::vector<std::string> take_stiffness_raises(const std::string& when);
   int cut_elements() const { return cut_; }
   // Stretches at line ends without contact with a volume in which they start.
   const std::vector<ExcludedEnds>& excluded_ends() const { return start_contact_.excluded_ends; }
@@ -130,7 +130,7 @@ class Simulation {
   std::vector<std::string> notes_, details_;
   std::vector<ContactVolume> volumes_;  // that lines may touch
   StartContact start_contact_;
-  // Stiffness of the contact volumes, in their basis, at the last raised_stiffness().
+  // Stiffness of the contact volumes, in their basis, at the last take_stiffness_raises().
   std::vector<double> last_stiffness_;
   int cut_ = 0;
   std::optional<bool> static_friction_;  // set by a stage; none: as in the case

@@ -51,7 +51,7 @@ class Dynamics {
   // Continues with other nodes tied (local nodes). A node that is no longer tied continues from its position
   // and velocity, and its acceleration jumps. A node that is newly tied is caught in a plastic impact
   // (docs/theory/events.md). Collective.
-  void release(std::vector<TiedNode> nodes);
+  void retie(std::vector<TiedNode> nodes);
   // Adds energy that an event has put into the system (negative: taken from it), J, this rank's share.
   void add_support_work(double work) { support_work_ += work; }
   // The motion from which a node of the mesh continues: position, velocity and acceleration in m and s; for

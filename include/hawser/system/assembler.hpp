@@ -5,6 +5,7 @@
 
 #include <petscmat.h>
 
+#include <cassert>
 #include <span>
 #include <vector>
 
@@ -28,6 +29,43 @@ struct Weights {
 using BlockVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 24, 1>;
 using BlockMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 24, 24>;
 
+// A force on blocks, as a view of a vector that outlives it; default: none.
+class ForceView {
+ public:
+  ForceView() = default;
+  template <class Vector>
+  ForceView(const Eigen::MatrixBase<Vector>& f) : data_(f.derived().data()), size_(f.size()) {
+    static_assert(Vector::IsVectorAtCompileTime);
+  }
+  const double* data() const { return data_; }
+  Eigen::Index size() const { return size_; }
+
+ private:
+  const double* data_ = nullptr;
+  Eigen::Index size_ = 0;
+};
+
+// Derivatives of a force on blocks, as a view of a row-major matrix that outlives it, or of whole rows of
+// one; default, or of an empty matrix: none.
+class DerivativeView {
+ public:
+  DerivativeView() = default;
+  template <class Matrix>
+  DerivativeView(const Eigen::MatrixBase<Matrix>& A)
+      : data_(A.size() > 0 ? A.derived().data() : nullptr), rows_(A.rows()), columns_(A.cols()) {
+    static_assert(Matrix::IsRowMajor);
+    assert(A.size() == 0 || A.derived().outerStride() == columns_);
+  }
+  const double* data() const { return data_; }
+  bool has(Eigen::Index rows, Eigen::Index columns) const {
+    return !data_ || (rows_ == rows && columns_ == columns);
+  }
+
+ private:
+  const double* data_ = nullptr;
+  Eigen::Index rows_ = 0, columns_ = 0;
+};
+
 class Assembler {
  public:
   bool needs_force() const { return force_ != nullptr; }
@@ -35,22 +73,26 @@ class Assembler {
   // True far from a static solution: terms exclude negative geometric stiffness.
   bool convex() const { return convex_; }
 
-  // blocks: n local 3-blocks; f: 3n; K, C, M: (3n)x(3n) row-major or null. K is the derivative by the
-  // configuration, for rotations by material increments at the trial rotation; C and M are those by (v, w)
-  // and (a, alpha).
-  void add(std::span<const int> blocks, const double* f, const double* K, const double* C, const double* M) {
+  // Adds the force f (3n) on n local 3-blocks and its derivatives K, C and M (3n x 3n). K is the derivative
+  // by the configuration, for rotations by material increments at the trial rotation; C and M are those by
+  // (v, w) and (a, alpha). Without needs_force() f is ignored, without needs_tangent() the derivatives.
+  void add(std::span<const int> blocks, ForceView f, DerivativeView K = {}, DerivativeView C = {},
+           DerivativeView M = {}) {
     add(blocks, blocks, f, K, C, M);
   }
-  // The same for the force on the blocks `rows` and its derivatives by the motion of the blocks `columns`,
-  // such as the force on one body due to the motion of another.
-  void add(std::span<const int> rows, std::span<const int> columns, const double* f, const double* K,
-           const double* C, const double* M);
-  // The same for the positions a and b and a force f that depends on their difference alone: the residual
+  // Force on the blocks `rows` and its derivatives by the motion of the blocks `columns`, such as the force
+  // on one body due to the motion of another.
+  void add(std::span<const int> rows, std::span<const int> columns, ForceView f, DerivativeView K,
+           DerivativeView C, DerivativeView M);
+  // Force on one block, with derivatives or null.
+  void add(int block, const Vec3& f, const Mat3* K = nullptr, const Mat3* C = nullptr,
+           const Mat3* M = nullptr);
+  // Force on the positions a and b, where f depends on their difference alone: the residual
   // gets -f at a and +f at b. k and c are the derivatives of f by x_b - x_a and v_b - v_a, or null.
   void add_between(int a, int b, const Vec3& f, const Mat3* k, const Mat3* c);
-  // The same with a force f that is the mean over the step (StepMean) and its derivative k by x_b - x_a. Both
-  // enter with the weight of StepMean. In statics and at the start of the motion that weight is 1: the force
-  // is then no mean and enters as by add_between. f is also summed, without the weight, for
+  // As add_between, with a force f that is the mean over the step (StepMean) and its derivative k by x_b -
+  // x_a. Both enter with the weight of StepMean. In statics and at the start of the motion that weight is 1:
+  // the force is then no mean and enters as by add_between. f is also summed, without the weight, for
   // System::mean_forces().
   void add_mean_between(int a, int b, const Vec3& f, const Mat3* k);
   // For masses that couple positions, with the force f on both. M is `own` times the identity on the diagonal
@@ -70,8 +112,8 @@ class Assembler {
   friend class System;
   void add_force(int block, double x, double y, double z);
   void put(std::span<const int> rows, std::span<const int> columns, double* J);
-  void add_tied(std::span<const int> rows, std::span<const int> columns, const double* K, const double* C,
-                const double* M);
+  void add_tied(std::span<const int> rows, std::span<const int> columns, DerivativeView K, DerivativeView C,
+                DerivativeView M);
   void add_elsewhere(int row, int column, const double* J, int m);
 
   const TiedNodeForces* ties_ = nullptr;
