@@ -273,15 +273,13 @@ void DynamicPositioning::restore(const std::vector<CheckpointRecord>& records) {
     p.begun = false;
     p.work = 0;
     p.integral.setZero();
-    for (const CheckpointRecord& r : records) {
-      if (r.node != p.global) continue;
-      const KeptThrust kept = entry<KeptThrust>(r);
-      p.slow = kept.slow;
-      p.integral = kept.integral;
-      p.time = kept.time;
-      p.work = kept.work;
-      p.begun = true;
-    }
+    const auto kept = find_entry<KeptThrust>(records, p.global);
+    if (!kept) continue;
+    p.slow = kept->slow;
+    p.integral = kept->integral;
+    p.time = kept->time;
+    p.work = kept->work;
+    p.begun = true;
   }
 }
 
