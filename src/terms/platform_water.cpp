@@ -11,15 +11,9 @@
 
 namespace hawser {
 
-bool PlatformWater::recouple(const Kinematics&, double) {
-  const bool first = !coupled_;
-  coupled_ = true;
-  return first;
-}
-
 void PlatformWater::couple(Couplings& to) const {
   for (const Group& g : groups_) {
-    const auto owned = [this](const Platform& p) { return mesh_.owns(mesh_.find(p.node)); };
+    const auto owned = [this](const Platform& p) { return mesh_.owns_node(p.node); };
     if (std::none_of(g.platforms.begin(), g.platforms.end(), owned)) continue;
     for (const Platform& a : g.platforms)
       for (const Platform& b : g.platforms)
