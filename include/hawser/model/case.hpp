@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -69,6 +70,9 @@ struct LineType {
   double dragged() const { return drag_diameter > 0 ? drag_diameter : outer_diameter; }
   // Time [s] in which an axial wave travels a length [m]: L / c, c = sqrt(EA / m).
   double wave_time(double length) const { return length * std::sqrt(mass_per_length / EA); }
+  double least_bending_stiffness() const {  // N m², 0 for a cable
+    return kind == LineKind::beam ? std::min(EI2, EI3) : 0.0;
+  }
 };
 
 // Prescribed motions u(t) for t >= 0; u and its first two derivatives are continuous.

@@ -81,7 +81,6 @@ class PlatformWater final : public ForceTerm,
   };
   // Turns axes and wave forces to the slow heading.
   static void turn(Platform& p);
-  static Vec3 pose_of(const Platform& p, const RigidBodyState& s);
   // Mean force of the waves at rest, and its moment about the body's origin, space axes.
   static Vec6 mean_force(const Platform& p, const RigidBodyState& s);
   // Work of the mean force since the last iteration of statics, J; statics needs a potential.
