@@ -421,12 +421,21 @@ struct Output {
 
 struct Farm;
 
-struct Case {
-  std::string path, directory, text;  // text as read
-  std::string file;                   // as given by the user
-  std::vector<std::string> inputs;    // absolute paths of the case file and the files that it reads
-  std::shared_ptr<const Value> tree;  // parsed keys, for the line numbers of refuse(); null: none
-  std::shared_ptr<const Farm> farm;   // platforms read from other files (farm.hpp); null: none
+// What a case is read from.
+struct CaseDocument {
+  std::string path, directory, text;      // text as read
+  std::string file;                       // as given by the user
+  std::vector<std::string> inputs;        // absolute paths of the case file and the files that it reads
+  std::shared_ptr<const Value> tree;      // parsed keys, for the line numbers of refuse(); null: none
+  std::shared_ptr<const Farm> farm;       // platforms read from other files (farm.hpp); null: none
+  std::vector<std::string> changes;       // KEY=VALUE of the command line, applied to the file's text
+  std::vector<std::string> change_notes;  // effects of `changes`, one sentence each
+};
+
+struct Case : CaseDocument {
+  Case() = default;
+  explicit Case(CaseDocument document) : CaseDocument(std::move(document)) {}
+
   std::string title;
   Environment environment;
   std::vector<LineType> line_types;
@@ -442,9 +451,7 @@ struct Case {
   Dynamics dynamics;
   std::vector<Event> events;
   Output output;
-  std::vector<std::string> notes;         // repairs and warnings of the reader, one sentence each
-  std::vector<std::string> changes;       // KEY=VALUE of the command line, applied to the file's text
-  std::vector<std::string> change_notes;  // effects of `changes`, one sentence each
+  std::vector<std::string> notes;  // repairs and warnings of the reader, one sentence each
 
   const LineType& line_type(const std::string& name) const;  // throws std::out_of_range
   const Line& line(const std::string& name) const;           // throws std::out_of_range
