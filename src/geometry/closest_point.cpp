@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/geometry/wide.hpp"
+#include "hawser/geometry/extended_precision.hpp"
+#include "hawser/math/triple.hpp"
 
 namespace hawser {
 namespace {
 
-using detail::Triple;
-using detail::triple;
-using detail::Wide;
+using detail::Extended;
 
 template <class T>
 struct Candidate {
@@ -29,7 +28,7 @@ Candidate<T> on_segment(const Triple<T>& p, const Triple<T>& a, const Triple<T>&
   if (along >= length2) return {b, (p - b).dot(p - b), 1};
   const T t = along / length2;
   // From the nearer end, so that the result is exact near both.
-  const Triple<T> c = t < T(0.5) ? a + e * t : b - e * ((length2 - along) / length2);
+  const Triple<T> c = t < T(0.5) ? a + t * e : b - ((length2 - along) / length2) * e;
   return {c, (p - c).dot(p - c), -1};
 }
 
@@ -61,7 +60,7 @@ ClosestPoint on_triangle(const Triple<T>& p, const Triple<T> v[3], const Triple<
     for (int i = 0; i < 3 && inside; ++i) inside = n.dot((v[(i + 1) % 3] - v[i]).cross(p - v[i])) >= 0;
     if (inside) {
       const T t = n.dot(p - v[0]) / n.dot(n);
-      out.point = (p - n * t).vec();
+      out.point = (p - t * n).vec();
       out.squared_distance = static_cast<double>(t * t * n.dot(n));
       return out;
     }
@@ -105,7 +104,7 @@ ClosestPoint closest_point_on_triangle(const Vec3& p, const Vec3& a, const Vec3&
   if (sine2 > kFlat && slender2 > kSlender) return on_triangle(triple<double>(p), v, n, false);
   if (a == b || b == c || c == a) return on_triangle(triple<double>(p), v, n, true);
   if (sine2 > kVeryFlat) return on_flat_triangle<long double>(p, a, b, c);
-  return on_flat_triangle<Wide>(p, a, b, c);
+  return on_flat_triangle<Extended>(p, a, b, c);
 }
 
 Vec3 triangle_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -114,9 +113,9 @@ Vec3 triangle_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 n = area_vector(v, sine2, slender2).vec();
   const double longest2 = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
   if (sine2 > kFlat) return n.norm() > 1e-12 * longest2 ? Vec3(n.normalized()) : Vec3(Vec3::Zero());
-  const Triple<Wide> w[3] = {triple<Wide>(a), triple<Wide>(b), triple<Wide>(c)};
-  Wide wide_sine2 = 0, wide_slender2 = 0;
-  const Vec3 m = area_vector(w, wide_sine2, wide_slender2).vec();
+  const Triple<Extended> fine[3] = {triple<Extended>(a), triple<Extended>(b), triple<Extended>(c)};
+  Extended fine_sine2 = 0, fine_slender2 = 0;
+  const Vec3 m = area_vector(fine, fine_sine2, fine_slender2).vec();
   return m.norm() > 1e-12 * longest2 ? Vec3(m.normalized()) : Vec3(Vec3::Zero());
 }
 

@@ -6,7 +6,8 @@
 #include <cmath>
 
 #include "hawser/geometry/closest_point.hpp"
-#include "hawser/geometry/wide.hpp"
+#include "hawser/geometry/extended_precision.hpp"
+#include "hawser/math/triple.hpp"
 
 namespace hawser {
 namespace {
@@ -62,10 +63,9 @@ int below(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const double d = n.dot(r);
   const double size = (b - a).cwiseAbs().maxCoeff() * (c - a).cwiseAbs().maxCoeff() * r.cwiseAbs().maxCoeff();
   if (std::abs(d) > 1e-14 * size) return sign(d);
-  using detail::triple;
-  using detail::Wide;
-  const auto wa = triple<Wide>(a);
-  const Wide w = (triple<Wide>(b) - wa).cross(triple<Wide>(c) - wa).dot(wa - triple<Wide>(p));
+  using detail::Extended;
+  const auto wa = triple<Extended>(a);
+  const Extended w = (triple<Extended>(b) - wa).cross(triple<Extended>(c) - wa).dot(wa - triple<Extended>(p));
   return w > 0 ? 1 : w < 0 ? -1 : 0;
 }
 

@@ -53,9 +53,17 @@ void examine(Case& c) {
   c.notes = model::notes_by_place(c, std::move(notes));
 }
 
+// Reads the tree of a document. Collective.
+Case read_tree(model::CaseDocument document, const SectionLengths& lengths, MPI_Comm comm) {
+  Case c(std::move(document));
+  read_all(*c.tree, {c.file, c.directory, comm, &c.inputs}, lengths, c);
+  examine(c);
+  return model::with_cuts(std::move(c));
+}
+
 Case read_document(const std::string& text, const std::string& path, const ReadProgress& read_progress,
                    MPI_Comm comm, const CaseChanges& changes) {
-  Case c;
+  model::CaseDocument c;
   c.text = text;
   c.file = path;
   c.changes = changes;
@@ -74,9 +82,7 @@ Case read_document(const std::string& text, const std::string& path, const ReadP
   if (const Value* title = root.find("title"); read_progress.title)
     read_progress.title(title && !title->text.empty() ? title->text : c.path);
   c.tree = tree;
-  read_all(root, source, {}, c);
-  examine(c);
-  return model::with_cuts(std::move(c));
+  return read_tree(std::move(c), {}, comm);
 }
 
 }  // namespace
@@ -129,20 +135,7 @@ std::string case_text(const std::string& path, std::string& why) {
 }
 
 model::Case with_lengths(const Case& c, const SectionLengths& lengths, MPI_Comm comm) {
-  Case out;
-  out.text = c.text;
-  out.file = c.file;
-  out.path = c.path;
-  out.directory = c.directory;
-  out.tree = c.tree;
-  out.farm = c.farm;
-  out.changes = c.changes;
-  out.change_notes = c.change_notes;
-  out.inputs = {c.path};
-  const CaseSource source{c.file, c.directory, comm, &out.inputs};
-  read_all(*c.tree, source, lengths, out);
-  examine(out);
-  return model::with_cuts(std::move(out));
+  return read_tree(c, lengths, comm);
 }
 
 model::Case read_case_text(const std::string& text, const std::string& path,

@@ -118,7 +118,6 @@ void finish_target(const Value& v, const Value& sections, model::LengthTarget& t
   }
   if (!(t.least < given && given < t.most))
     refuse(v["between"],
-
            "the search begins with the length of section {}, {:g} m, which is not between {:g} and {:g} m",
            t.section + 1, given, t.least, t.most);
 }

@@ -60,7 +60,6 @@ class Group {
     if (c_.lines.size() != 1)
       refuse_key(
           v_, v_.where + ".line",
-
           "required key is missing: the case has {} lines; say which of them is laid over these supports",
           c_.lines.size());
     return c_.lines.front();
@@ -205,7 +204,6 @@ class Group {
     if (const int body = c_.body_index(b.body); body >= 0) {
       if (c_.rides(body))
         refuse(v_["body"],
-
                "body '{}' rides on a line itself; name the body in whose frame the supports are drawn",
                b.body);
       pose = model::pose_at_start(c_.bodies[body]);

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <sstream>
 #include <stdexcept>
-#include <tuple>
 
 #include "hawser/base/gather.hpp"
 
@@ -188,9 +187,7 @@ class CheckpointWriter {
     std::vector<const CheckpointRecord*> sorted;
     for (const CheckpointRecord& r : records)
       if (of.has(r.node)) sorted.push_back(&r);
-    std::stable_sort(sorted.begin(), sorted.end(), [](const CheckpointRecord* a, const CheckpointRecord* b) {
-      return std::tie(a->node, a->kind, a->key) < std::tie(b->node, b->kind, b->key);
-    });
+    std::ranges::stable_sort(sorted, {}, [](const CheckpointRecord* r) { return checkpoint_place(*r); });
     return sorted;
   }
 

@@ -1,5 +1,4 @@
-// Search along an element axis for intervals with a negative gap, their division into panels, and the Gauss
-// points of the integral over them.
+// Search along an element axis for intervals with a negative gap, and their division into panels.
 #include "hawser/kernels/contact_intervals.hpp"
 
 #include <algorithm>
@@ -244,23 +243,6 @@ std::vector<ContactInterval> split_intervals(const std::vector<ContactInterval>&
       if (p.to > p.from) panels.push_back(p);
     }
   return panels;
-}
-
-const std::array<double, ContactRule::kPoints>& ContactRule::abscissae() {
-  static const std::array<double, kPoints> p = [] {
-    const double far = std::sqrt(3.0 / 7 + 2.0 / 7 * std::sqrt(1.2)),
-                 near = std::sqrt(3.0 / 7 - 2.0 / 7 * std::sqrt(1.2));
-    return std::array<double, kPoints>{0.5 - far / 2, 0.5 - near / 2, 0.5 + near / 2, 0.5 + far / 2};
-  }();
-  return p;
-}
-
-const std::array<double, ContactRule::kPoints>& ContactRule::weight() {
-  static const std::array<double, kPoints> w = [] {
-    const double outer = (18 - std::sqrt(30.0)) / 72, inner = (18 + std::sqrt(30.0)) / 72;
-    return std::array<double, kPoints>{outer, inner, inner, outer};
-  }();
-  return w;
 }
 
 }  // namespace hawser

@@ -218,8 +218,8 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
     const double span = panel.to - panel.from;
     std::array<MovingEnd, 2> ends;
     if (exact) ends = {moving_end(panel.from, panel.at_from), moving_end(panel.to, panel.at_to)};
-    for (size_t q = 0; q < ContactRule::kPoints; ++q) {
-      const double place = ContactRule::abscissae()[q], part = ContactRule::weight()[q], w = L * span * part;
+    for (size_t q = 0; q < kContactPoints; ++q) {
+      const double place = ContactRule::unit[q], part = ContactRule::weight[q], w = L * span * part;
       const Point p = point(panel.from + span * place);
       const Start from = rubs ? start(p.xi) : Start{};
       const LinePairForce c = line_pair_force(set_.law, local(p, from), derivatives);

@@ -225,10 +225,10 @@ LinePairContactPoint LinePairPass::left_behind(const Panel& panel, const Point& 
 double LinePairPass::potential(const std::vector<Panel>& panels) const {
   double sum = 0;
   for (const Panel& s : panels)
-    for (size_t q = 0; q < ContactRule::kPoints; ++q) {
-      const double xi = s.from + (s.to - s.from) * ContactRule::abscissae()[q];
+    for (size_t q = 0; q < kContactPoints; ++q) {
+      const double xi = s.from + (s.to - s.from) * ContactRule::unit[q];
       const double d = projection(master_.now, part_, slave_.now.point(xi)).distance;
-      sum += set_.share * slave_.ends.length * (s.to - s.from) * ContactRule::weight()[q] *
+      sum += set_.share * slave_.ends.length * (s.to - s.from) * ContactRule::weight[q] *
              normal_force(set_.law.normal, d - set_.law.radii, 0).potential;
     }
   return sum;

@@ -185,6 +185,10 @@ double potential(const WaterSection& s, const Motion<n>& m) {
 
 }  // namespace
 
+Vec3 line_drag(const WaterSection& s, const Vec3& u, const Vec3& t) {
+  return vec(morison_formula::Drag<double, Row>(load(u), load(t), s.drag_normal, s.drag_axial).force());
+}
+
 double water_potential(const WaterSection& s, const WaterEnds& e, bool beam) {
   if (!beam) return potential<false>(s, cable_motion(in_place(e)));
   BeamMotion b;

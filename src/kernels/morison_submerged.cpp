@@ -3,6 +3,8 @@
 // 1), in the form of docs/theory/water.md#four-submerged-cables-at-once.
 #include "hawser/kernels/morison_submerged.hpp"
 
+#include "hawser/math/gauss_points.hpp"
+#include "hawser/math/triple.hpp"
 #include "morison_formula.hpp"
 
 namespace hawser {
@@ -10,18 +12,10 @@ namespace {
 
 using wide::Row;
 
-struct Vec {
-  Row c[3];
-};
-Vec operator+(const Vec& a, const Vec& b) { return {{a.c[0] + b.c[0], a.c[1] + b.c[1], a.c[2] + b.c[2]}}; }
-Vec operator-(const Vec& a, const Vec& b) { return {{a.c[0] - b.c[0], a.c[1] - b.c[1], a.c[2] - b.c[2]}}; }
-Vec operator*(Row s, const Vec& a) { return {{s * a.c[0], s * a.c[1], s * a.c[2]}}; }
-Vec operator*(double s, const Vec& a) { return {{s * a.c[0], s * a.c[1], s * a.c[2]}}; }
-Row dot(const Vec& a, const Vec& b) { return a.c[0] * b.c[0] + a.c[1] * b.c[1] + a.c[2] * b.c[2]; }
+using Vec = Triple<Row>;  // of four elements
 Vec of(const Row* p) { return {{p[0], p[1], p[2]}}; }
 
-// Abscissae of two-point Gauss quadrature.
-constexpr double kAt[2] = {0.21132486540518711775, 0.78867513459481288225};
+constexpr auto& kAt = GaussPoints<2>::unit;
 
 // Symmetric matrix: xx, yy, zz, xy, xz, yz.
 struct Symmetric {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "hawser/math/gauss_points.hpp"
 #include "hawser/math/so3.hpp"
 
 namespace hawser {
@@ -121,8 +122,7 @@ RowCurve::Activity RowCurve::activity() const {
   Activity out;
   if (time_.size() < 2) return out;
   const Vec3 mean = (value_.back() - value_.front()) / (time_.back() - time_.front());
-  constexpr double at[3] = {0.11270166537925831148, 0.5, 0.88729833462074168852};
-  constexpr double weight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+  using Rule = GaussPoints<3>;
   Vec3 slope_before = Vec3::Zero();
   for (size_t i = 0; i + 1 < time_.size(); ++i) {
     const double h = time_[i + 1] - time_[i];
@@ -131,7 +131,7 @@ RowCurve::Activity RowCurve::activity() const {
     const auto rate = [&](double v) -> Vec3 {
       return chord + h / 6 * ((1 - 3 * (1 - v) * (1 - v)) * m + (3 * v * v - 1) * n);
     };
-    for (int g = 0; g < 3; ++g) out.rate += h * weight[g] * (rate(at[g]) - mean).squaredNorm();
+    for (int g = 0; g < 3; ++g) out.rate += h * Rule::weight[g] * (rate(Rule::unit[g]) - mean).squaredNorm();
     out.second += h / 3 * (m.squaredNorm() + m.dot(n) + n.squaredNorm());
     if (i > 0) out.second += (rate(0) - slope_before).squaredNorm() / (0.5 * (h + time_[i] - time_[i - 1]));
     slope_before = rate(1);

@@ -35,6 +35,11 @@ Mat6 platform_force_slope(const PlatformMotion& m, const Vec3& r, const Vec6& F)
   return K;
 }
 
+Vec3 place_and_heading(const Vec3& r, const RigidBodyState& s) {
+  const Vec3 at = s.x + s.q * r;
+  return {at.x(), at.y(), heading_of(s.q).angle};
+}
+
 Heading heading_of(const Quat& q) {
   const Vec3 bow = q * Vec3::UnitX();
   Heading out;

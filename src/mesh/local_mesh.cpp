@@ -121,8 +121,6 @@ LineOwners line_owners(const LocalMesh& mesh) {
   return out;
 }
 
-bool owns_line(const LocalMesh& mesh, int line) {
-  return mesh.owns(mesh.find(mesh.mesh->lines[line].first_node));
-}
+bool owns_line(const LocalMesh& mesh, int line) { return mesh.owns_node(mesh.mesh->lines[line].first_node); }
 
 }  // namespace hawser

@@ -51,7 +51,6 @@ void check_start(const Case& c, const Line& line, const SupportBox& first, const
         end->kind == EndKind::body ? pose_of_end(c, *end).rotation * *end->direction : *end->direction;
     if (given.dot(along) * (end == &line.end_a ? 1 : -1) < 0)
       return issue(which + ".direction",
-
                    "points away from support '{}', over which the line goes overboard from there; turn it "
                    "round, or the path",
                    first.name);

@@ -285,7 +285,7 @@ double slowest_period(const Case& c, const Line& line) {
     length += s.length;
     mass += s.length * t.mass_per_length;
     give += s.length / t.EA;
-    bend += s.length * (t.kind == LineKind::beam ? std::min(t.EI2, t.EI3) : 0.0);
+    bend += s.length * t.least_bending_stiffness();
   }
   if (length == 0 || mass == 0) return 0;
   const bool spans = line.end_a.kind != EndKind::free && line.end_b.kind != EndKind::free;

@@ -104,7 +104,7 @@ void ClashReport::save(io::Checkpoint& to) {
   std::vector<double> values = gather_all(comm_, rank_ == 0 ? log_.save() : std::vector<double>{});
   io::TermCheckpoint& kept = to.records[kRecords];
   kept.kinds = {{"clash log", {{"number", 1, ""}}}};
-  if (subject_.local().owns(subject_.local().find(0))) kept.records = {{0, 0, std::move(values)}};
+  if (subject_.local().owns_node(0)) kept.records = {{0, 0, std::move(values)}};
 }
 
 void ClashReport::restore(const io::Checkpoint& from) {

@@ -76,8 +76,7 @@ void FeederNodes::transfer_node(Feeder& f, int feed_point, double length,
   sim_.dynamics().transfer_node(
       [&] {
         if (feed_point != f.feed_point)
-          sim_.structure().transfer_node(sim_.system().comm(), &f - sim_.feeders()->all().data(),
-                                         feed_point < f.feed_point);
+          sim_.structure().transfer_node(sim_.system().comm(), f.index, feed_point < f.feed_point);
         f.feed_point = feed_point;
         f.length = length;
         if (!f.feed.speed.empty()) f.offset = length - model::fed_by(f.feed, f.time).length;
@@ -147,7 +146,7 @@ double FeederNodes::feeder_force(const Feeder& f) {
   record::EndForces ends(sim_.system(), sim_.feeders());
   ends.evaluate(sim_.dynamics().kinematics(),
                 std::vector<Vec3>(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero()));
-  return ends.at_feeders()[&f - sim_.feeders()->all().data()];
+  return ends.at_feeders()[f.index];
 }
 
 // The first free node enters the feeder. The bend there becomes straight; the unstretched length keeps the

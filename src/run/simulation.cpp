@@ -102,7 +102,7 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
     d.weight = weight_of(e);
     d.line_weight = line_weight[e.line];
     d.EA = t.EA;
-    if (t.kind == model::LineKind::beam) d.EI = std::min(t.EI2, t.EI3);
+    d.EI = t.least_bending_stiffness();
     d.bend = bending_radius(v, d.radius);
     d.allowed_penetration = v.allowed_penetration;
     const AutomaticStiffness s = automatic_contact_stiffness(d);

@@ -185,8 +185,8 @@ class Laying {
     // bed is lifted over the length (72 EI h/w)^(1/4).
     out.length[1] = height;
     const double weight = model::submerged_weight(c_, type);
-    if (type.kind == model::LineKind::beam && weight > 0)
-      out.length[1] = std::max(height, std::pow(72 * std::min(type.EI2, type.EI3) * height / weight, 0.25));
+    if (weight > 0)
+      out.length[1] = std::max(height, std::pow(72 * type.least_bending_stiffness() * height / weight, 0.25));
     out.sine[1] = height / out.length[1];
     return out;
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hawser/kernels/flexible_shape.hpp"
+#include "hawser/kernels/line_water.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/terms/lines_in_water.hpp"
 
@@ -48,20 +49,9 @@ FlexibleLine::Segment piece(const model::Case& c, const model::Line& line, const
   return p;
 }
 
-// Coefficients of the drag of a piece, kg/m²: half the density times coefficient times diameter, normal to
-// the line and along its surface.
-struct DragSection {
-  double normal = 0, axial = 0;
-};
-
-Vec3 drag(const DragSection& s, const Vec3& u, const Vec3& chord) {
-  const Vec3 t = chord.normalized(), along = u.dot(t) * t, across = u - along;
-  return s.normal * across.norm() * across + s.axial * along.norm() * along;
-}
-
 // Computes drag and shape in turns, each with the other held. Drag is under-relaxed by a half.
 std::vector<Vec3> in_current(const model::Water& water, const CurrentProfile& current, FlexibleLine line,
-                             const std::vector<DragSection>& sections, const std::vector<Vec3>& still) {
+                             const std::vector<WaterSection>& sections, const std::vector<Vec3>& still) {
   std::vector<Vec3> x = still, pull(sections.size(), Vec3::Zero()), dead;
   double length = 0;
   for (const auto& p : line.pieces) {
@@ -73,7 +63,8 @@ std::vector<Vec3> in_current(const model::Water& water, const CurrentProfile& cu
       const double depth = water.surface - 0.5 * (x[i].z() + x[i + 1].z());
       Vec3 u, by_depth;
       current.at(depth, u, by_depth);
-      const Vec3 now = depth > 0 ? drag(sections[i], u, x[i + 1] - x[i]) : Vec3(0, 0, 0);
+      const Vec3 t = (x[i + 1] - x[i]).normalized();
+      const Vec3 now = depth > 0 ? line_drag(sections[i], u, t) : Vec3(0, 0, 0);
       pull[i] = round > 0 ? Vec3(0.5 * (pull[i] + now)) : now;
       line.pieces[i].load = dead[i] + pull[i];
     }
@@ -184,7 +175,7 @@ std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, 
 
   std::vector<double> s{0};
   std::vector<Vec3> places{x.front()};
-  std::vector<DragSection> drags;
+  std::vector<WaterSection> drags;
   const int stride = (span.elements + kMostPieces - 1) / kMostPieces;
   double thick = 0;
   for (int e = 0; e < span.elements; e += stride) {
@@ -196,7 +187,9 @@ std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, 
     // Per length of the piece, like its weight.
     const double per =
         0.5 * water.density * t.dragged() * (s.back() - s[s.size() - 2]) / f.pieces.back().length;
-    drags.push_back({per * t.Cd_normal, per * t.Cd_axial * M_PI});
+    WaterSection& drag = drags.emplace_back();
+    drag.drag_normal = per * t.Cd_normal;
+    drag.drag_axial = per * t.Cd_axial * M_PI;
     places.push_back(x[last]);
   }
   f.bed_stiffness =

@@ -244,17 +244,21 @@ LineStart lay_free(const model::Case& c, const model::Line& line, const Bodies& 
   return through(flexible_start(c, line, mesh, span, x, direction_of_free_end(c, line, end, false)));
 }
 
+double least_bending_stiffness(const model::Case& c, const model::Line& line) {
+  double least = HUGE_VAL;
+  for (const model::Section& s : line.sections)
+    least = std::min(least, c.line_type(s.type).least_bending_stiffness());
+  return least;
+}
+
 // True if a line that is no longer than the distance of its ends carries its weight by bending: as a cable it
 // would sag under the tension w L²/(8 sag), and a beam whose buckling load is above this tension sags less.
 bool is_beam(const model::Case& c, const model::Line& line, const std::vector<CatenarySection>& sections,
              double length, const std::vector<Vec3>& x) {
   const Vec3 way = x.back() - x.front();
   if (length > (1 + kSlack) * way.norm()) return false;
-  double stiffness = HUGE_VAL, load = 0, sag = 0;
-  for (const model::Section& s : line.sections) {
-    const model::LineType& t = c.line_type(s.type);
-    stiffness = std::min(stiffness, t.kind == model::LineKind::beam ? std::min(t.EI2, t.EI3) : 0.0);
-  }
+  const double stiffness = least_bending_stiffness(c, line);
+  double load = 0, sag = 0;
   for (const CatenarySection& s : sections) load = std::max(load, s.load.norm());
   for (const Vec3& p : x) sag = std::max(sag, (p - x.front()).cross(way).norm() / way.norm());
   return load * std::pow(length, 4) < 8 * sag * M_PI * M_PI * stiffness;
@@ -268,11 +272,8 @@ bool stands(const model::Case& c, const model::Line& line, const std::vector<Cat
   const model::End& e = line.end_a.kind != model::EndKind::free ? line.end_a : line.end_b;
   const bool held = e.clamped || (e.kind == model::EndKind::joint && c.joint(e.body).rigid);
   if (!held || !e.direction) return false;
-  double stiffness = HUGE_VAL, load = 0, at_end = 0;
-  for (const model::Section& s : line.sections) {
-    const model::LineType& t = c.line_type(s.type);
-    stiffness = std::min(stiffness, t.kind == model::LineKind::beam ? std::min(t.EI2, t.EI3) : 0.0);
-  }
+  const double stiffness = least_bending_stiffness(c, line);
+  double load = 0, at_end = 0;
   for (const CatenarySection& s : sections) {
     load = std::max(load, s.load.norm());
     at_end += s.end_load.norm();

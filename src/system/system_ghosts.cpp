@@ -64,41 +64,25 @@ void System::spread(State& s) const {
 // Held nodes of other ranks that are ghosts here must move with their ties, and their columns of the tangent
 // are zero. Therefore their owners send the ties of new ghosts.
 void System::reghost_ties() {
-  constexpr int kWidth = 12;  // first whether the node is tied
+  struct Tie {
+    bool tied = false;
+    TiedNode at;  // its frame is a node of the mesh
+  };
   std::vector<TiedNode> kept;
-  std::vector<double> ties(kWidth * mesh_.global.size(), 0);
+  std::vector<Tie> ties(mesh_.global.size());
   for (const TiedNode& s : tied_nodes_.nodes()) {
     if (s.node >= mesh_.chain) continue;
     kept.push_back(s);
-    if (s.node >= mesh_.owned) continue;
-    const double frame = s.frame < 0 ? -1 : mesh_.global[s.frame];
-    const double tie[kWidth] = {1,
-                                static_cast<double>(s.body),
-                                frame,
-                                s.at.x(),
-                                s.at.y(),
-                                s.at.z(),
-                                s.rotation.w(),
-                                s.rotation.x(),
-                                s.rotation.y(),
-                                s.rotation.z(),
-                                static_cast<double>(s.position_mask),
-                                static_cast<double>(s.rotation_mask)};
-    std::copy_n(tie, kWidth, ties.begin() + kWidth * s.node);
+    Tie& tie = ties[s.node];
+    tie = {true, s};
+    if (s.frame >= 0) tie.at.frame = mesh_.global[s.frame];
   }
-  exchange_.spread(ties, kWidth);
+  exchange_.spread(ties);
   for (int node = mesh_.chain; node < static_cast<int>(mesh_.global.size()); ++node) {
-    const double* d = ties.data() + kWidth * node;
-    if (d[0] == 0) continue;
-    TiedNode s;
+    if (!ties[node].tied) continue;
+    TiedNode& s = kept.emplace_back(ties[node].at);
     s.node = node;
-    s.body = static_cast<int>(d[1]);
-    s.frame = d[2] < 0 ? -1 : mesh_.find(static_cast<int>(d[2]));
-    s.at = Vec3(d[3], d[4], d[5]);
-    s.rotation = Quat(d[6], d[7], d[8], d[9]);
-    s.position_mask = static_cast<unsigned char>(d[10]);
-    s.rotation_mask = static_cast<unsigned char>(d[11]);
-    kept.push_back(s);
+    s.frame = mesh_.find(s.frame);
   }
   tied_nodes_ = TiedNodes(mesh_, std::move(kept), BodyMotion(tied_nodes_.motion()));
   ties_ = TiedNodeForces(mesh_, tied_nodes_);

@@ -138,26 +138,14 @@ Energy BodiesInFlow::energy(const Kinematics& at) const {
   return e;
 }
 
-namespace {
-
-struct FlowWork {
-  double work = 0;
-  template <class Self, class Each>
-  static void quantities(Self& self, Each&& each) {
-    each("work", "J", self.work);
-  }
-};
-
-}  // namespace
-
 std::vector<CheckpointKind> BodiesInFlow::checkpoint_kinds() const {
-  return {checkpoint_kind<FlowWork>("wind on a body"), checkpoint_kind<FlowWork>("current on a body")};
+  return {checkpoint_kind<WorkDone>("wind on a body"), checkpoint_kind<WorkDone>("current on a body")};
 }
 
 std::vector<CheckpointRecord> BodiesInFlow::records(NodeRange of) const {
   std::vector<CheckpointRecord> out;
   for (const Flow& f : list_)
-    if (of.has(f.global)) out.push_back(record_of(f.global, 0, FlowWork{f.work}, f.air ? 0 : 1));
+    if (of.has(f.global)) out.push_back(record_of(f.global, 0, WorkDone{f.work}, f.air ? 0 : 1));
   return out;
 }
 
@@ -166,8 +154,8 @@ void BodiesInFlow::restore(const std::vector<CheckpointRecord>& records) {
   for (Flow& f : list_) {
     f.work = 0;
     f.pushed = false;
-    for (const CheckpointRecord& r : records)
-      if (r.node == f.global && r.kind == (f.air ? 0 : 1)) f.work = entry<FlowWork>(r).work;
+    const auto kept = find_entry<WorkDone>(records, f.global, 0, f.air ? 0 : 1);
+    if (kept) f.work = kept->work;
   }
 }
 

@@ -275,13 +275,11 @@ void BodiesInWater::restore(const std::vector<CheckpointRecord>& records) {
   for (Wet& b : list_) {
     b.work = 0;
     b.known = b.flowed = b.has_wave_place = false;
-    for (const CheckpointRecord& r : records) {
-      if (r.node != b.global || r.key != b.key) continue;
-      const Kept kept = entry<Kept>(r);
-      b.work = kept.work;
-      b.wave_place = {kept.centre, kept.drag};
-      b.has_wave_place = true;
-    }
+    const auto kept = find_entry<Kept>(records, b.global, b.key);
+    if (!kept) continue;
+    b.work = kept->work;
+    b.wave_place = {kept->centre, kept->drag};
+    b.has_wave_place = true;
   }
 }
 

@@ -88,20 +88,10 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
   update_ghosts();
 }
 
-bool BodyContactTerm::recouple(const Kinematics&, double) {
-  const bool first = !coupled_;
-  coupled_ = true;
-  return first;
-}
-
 void BodyContactTerm::couple(Couplings& to) const {
   for (const Pair& p : pairs_) {
     const int a = bodies_of_volumes_[p.a].global, b = bodies_of_volumes_[p.b].global;
-    const auto here = [&](int n) {
-      const int local = n < 0 ? -1 : mesh_.find(n);
-      return mesh_.owns(local);
-    };
-    if (a >= 0 && b >= 0 && (here(a) || here(b))) to.add({a, a}, {b, b});
+    if (a >= 0 && b >= 0 && (mesh_.owns_node(a) || mesh_.owns_node(b))) to.add({a, a}, {b, b});
   }
 }
 

@@ -75,12 +75,8 @@ bool ContactVolumes::recouple(const Kinematics& committed, double h, double thic
 }
 
 void ContactVolumes::couple(Couplings& to) const {
-  const auto here = [this](int n) {
-    const int local = mesh_.find(n);
-    return mesh_.owns(local);
-  };
   for (const auto& [a, b, body] : near_)
-    if (here(a) || here(b) || here(body)) to.add({a, b}, {body, body});
+    if (mesh_.owns_node(a) || mesh_.owns_node(b) || mesh_.owns_node(body)) to.add({a, b}, {body, body});
 }
 
 }  // namespace hawser

@@ -15,11 +15,6 @@ namespace {
 // then a thousandth of that with the proportional part alone, and the integral begins with the difference.
 constexpr double kHeld = 1000;
 
-Vec3 pose_of(const Vec3& arm, const RigidBodyState& s) {
-  const Vec3 origin = s.x + s.q * arm;
-  return {origin.x(), origin.y(), heading_of(s.q).angle};
-}
-
 }  // namespace
 
 DynamicPositioning::DynamicPositioning(const model::Case& c, const LocalMesh& mesh)
@@ -125,7 +120,7 @@ DynamicPositioning::Push DynamicPositioning::push_in_motion(const Positioned& p,
 }
 
 DynamicPositioning::Push DynamicPositioning::push(const Positioned& p, const Kinematics& at) const {
-  const Vec3 pose = pose_of(p.arm, floating_state(at, p.node));
+  const Vec3 pose = place_and_heading(p.arm, floating_state(at, p.node));
   return at.step > 0 ? push_in_motion(p, pose, at.time) : push_at_rest(p, pose);
 }
 
@@ -166,7 +161,7 @@ double DynamicPositioning::work(const Passed& from, const Passed& to) {
 // of the controller, also after an event, where the committed state has no step.
 void DynamicPositioning::prepare(const Kinematics& committed, double h) {
   for (Positioned& p : list_) {
-    const Vec3 pose = pose_of(p.arm, floating_state(committed, p.node));
+    const Vec3 pose = place_and_heading(p.arm, floating_state(committed, p.node));
     if (h > 0 && !p.begun) begin(p, pose, committed.time);
     p.last = passed(p, committed, h > 0 ? push_in_motion(p, pose, committed.time) : push(p, committed));
   }
@@ -200,7 +195,7 @@ void DynamicPositioning::evaluate(const Kinematics& trial, Assembler& assembler)
 // their limit, it does not grow further.
 void DynamicPositioning::commit(const Kinematics& accepted) {
   for (Positioned& p : list_) {
-    const Vec3 pose = pose_of(p.arm, floating_state(accepted, p.node));
+    const Vec3 pose = place_and_heading(p.arm, floating_state(accepted, p.node));
     const Push now = push(p, accepted);
     if (!(accepted.step > 0)) {
       const Mat3 H = heading_axes(pose.z());
@@ -273,15 +268,13 @@ void DynamicPositioning::restore(const std::vector<CheckpointRecord>& records) {
     p.begun = false;
     p.work = 0;
     p.integral.setZero();
-    for (const CheckpointRecord& r : records) {
-      if (r.node != p.global) continue;
-      const KeptThrust kept = entry<KeptThrust>(r);
-      p.slow = kept.slow;
-      p.integral = kept.integral;
-      p.time = kept.time;
-      p.work = kept.work;
-      p.begun = true;
-    }
+    const auto kept = find_entry<KeptThrust>(records, p.global);
+    if (!kept) continue;
+    p.slow = kept->slow;
+    p.integral = kept->integral;
+    p.time = kept->time;
+    p.work = kept->work;
+    p.begun = true;
   }
 }
 

@@ -121,8 +121,8 @@ std::vector<CheckpointRecord> EndSprings::records(NodeRange of) const {
 
 void EndSprings::restore(const std::vector<CheckpointRecord>& records) {
   for (const size_t i : driven_)
-    for (const CheckpointRecord& r : records)
-      if (r.node == mesh_.global[springs_[i].node]) work_[i] = entry<WorkDone>(r).work;
+    if (const auto kept = find_entry<WorkDone>(records, mesh_.global[springs_[i].node]))
+      work_[i] = kept->work;
 }
 
 Energy EndSprings::energy(const Kinematics& at) const {

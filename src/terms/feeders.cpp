@@ -50,6 +50,7 @@ Feeders::Feeders(const LocalMesh& mesh, const model::Case& c) : mesh_(mesh), cas
       const model::End& end = c.lines[l].end(at_b);
       if (!end.feed) continue;
       Feeder& f = feeders_.emplace_back();
+      f.index = feeders_.size() - 1;
       f.line = static_cast<int>(l);
       f.at_b = at_b;
       f.feed = *end.feed;
@@ -105,8 +106,9 @@ void Feeders::update_feed_point(Feeder& f) {
   f.mass_per_length = t.mass_per_length;
   f.weight = Vec3(0, 0, -case_.environment.gravity * t.mass_per_length);
   fed_.resize(feeders_.size());
-  FedLine& entry = fed_[&f - feeders_.data()];
+  FedLine& entry = fed_[f.index];
   entry = {};
+  entry.feeder = f.index;
   entry.at_b = f.at_b;
   entry.element = element(f, f.feed_point);
   const LineSpan& span = mesh_.mesh->lines[f.line];

@@ -219,13 +219,11 @@ void Hulls::restore(const std::vector<CheckpointRecord>& records) {
   for (Hull& hull : list_) {
     hull.work = 0;
     hull.known = hull.has_waves = false;
-    for (const CheckpointRecord& r : records) {
-      if (r.node != hull.global) continue;
-      const Kept kept = entry<Kept>(r);
-      hull.work = kept.work;
-      hull.waves = {kept.force, kept.moment};
-      hull.has_waves = true;
-    }
+    const auto kept = find_entry<Kept>(records, hull.global);
+    if (!kept) continue;
+    hull.work = kept->work;
+    hull.waves = {kept->force, kept->moment};
+    hull.has_waves = true;
   }
 }
 

@@ -46,7 +46,7 @@ std::vector<CheckpointRecord> LinePairs::records(NodeRange of) const {
   if (deepest_.first >= 0 && of.has(element(deepest_.first).first))
     records.push_back(record_of(element(deepest_.first).first, 0, deepest_, kDeepest));
   for (int k = 0; k < shared_.size(); ++k)
-    if (const int n = shared_.place(k).one.node; mesh_.owns(mesh_.find(n)) && of.has(n))
+    if (const int n = shared_.place(k).one.node; mesh_.owns_node(n) && of.has(n))
       records.push_back(record_of(n, k, shared_.kept(k), kShared));
   std::map<int, int> number;  // number of records at a node
   for (const Pair& p : pairs_) {

@@ -35,7 +35,7 @@ Links::Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::sh
     for (const Attached* e : {&l.a, &l.b}) {
       const int carrier = e->carrier(*bodies_);
       if (l.owner < 0) l.owner = carrier;
-      const bool is_known = carrier < 0 ? rank == 0 : owned(carrier);
+      const bool is_known = carrier < 0 ? rank == 0 : mesh_.owns_node(carrier);
       const Vec3 x = is_known ? attached_now(*e, start, mesh_, *bodies_).x : Vec3(Vec3::Zero());
       places.insert(places.end(), x.begin(), x.end());
     }
@@ -50,29 +50,19 @@ Links::Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::sh
   update_ghosts();
 }
 
-bool Links::owned(int node) const {
-  const int local = node < 0 ? -1 : mesh_.find(node);
-  return mesh_.owns(local);
-}
-
-bool Links::recouple(const Kinematics&, double) {
-  const bool first = !coupled_;
-  coupled_ = true;
-  return first;
-}
-
 void Links::couple(Couplings& to) const {
   for (const Link& l : list_) {
     const int a = l.a.carrier(*bodies_), b = l.b.carrier(*bodies_);
-    if (a >= 0 && b >= 0 && (owned(a) || owned(b))) to.add({a, a}, {b, b});
+    if (a >= 0 && b >= 0 && (mesh_.owns_node(a) || mesh_.owns_node(b))) to.add({a, a}, {b, b});
   }
 }
 
 void Links::update_ghosts() {
   for (Link& l : list_) {
     const int a = l.a.carrier(*bodies_), b = l.b.carrier(*bodies_);
-    l.here = (owned(a) || owned(b)) && (a < 0 || mesh_.find(a) >= 0) && (b < 0 || mesh_.find(b) >= 0);
-    l.counted = l.here && owned(l.owner);
+    l.here = (mesh_.owns_node(a) || mesh_.owns_node(b)) && (a < 0 || mesh_.find(a) >= 0) &&
+             (b < 0 || mesh_.find(b) >= 0);
+    l.counted = l.here && mesh_.owns_node(l.owner);
   }
 }
 
@@ -182,7 +172,7 @@ void Links::restore(const std::vector<CheckpointRecord>& records) {
   for (const CheckpointRecord& r : records) {
     if (r.key < 0 || static_cast<size_t>(r.key) >= list_.size()) continue;
     Link& l = list_[r.key];
-    if (!owned(l.owner)) continue;  // the other end may not be on this rank yet
+    if (!mesh_.owns_node(l.owner)) continue;  // the other end may not be on this rank yet
     const Link kept = entry<Link>(r);
     l.damping = kept.damping;
     l.work = kept.work;

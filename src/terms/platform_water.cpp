@@ -11,15 +11,9 @@
 
 namespace hawser {
 
-bool PlatformWater::recouple(const Kinematics&, double) {
-  const bool first = !coupled_;
-  coupled_ = true;
-  return first;
-}
-
 void PlatformWater::couple(Couplings& to) const {
   for (const Group& g : groups_) {
-    const auto owned = [this](const Platform& p) { return mesh_.owns(mesh_.find(p.node)); };
+    const auto owned = [this](const Platform& p) { return mesh_.owns_node(p.node); };
     if (std::none_of(g.platforms.begin(), g.platforms.end(), owned)) continue;
     for (const Platform& a : g.platforms)
       for (const Platform& b : g.platforms)
@@ -134,14 +128,9 @@ void PlatformWater::turn(Platform& p) {
   if (!p.waves.none()) p.waves.turn_to(heading);
 }
 
-Vec3 PlatformWater::pose_of(const Platform& p, const RigidBodyState& s) {
-  const Vec3 origin = s.x + s.q * p.arm;
-  return {origin.x(), origin.y(), heading_of(s.q).angle};
-}
-
 void PlatformWater::rest_at(Platform& p, const RigidBodyState& s) {
   if (!(p.follow > 0)) return;
-  p.slow = SlowPose::at(pose_of(p, s));
+  p.slow = SlowPose::at(place_and_heading(p.arm, s));
   turn(p);
 }
 
@@ -246,7 +235,7 @@ void PlatformWater::commit(const Kinematics& accepted) {
     }
     for (Platform& p : g.platforms) {
       if (!(p.follow > 0)) continue;
-      const Vec3 pose = pose_of(p, floating_state(accepted, p.local));
+      const Vec3 pose = place_and_heading(p.arm, floating_state(accepted, p.local));
       p.slow = p.slow.after(pose, accepted.time - g.slow_time, p.follow);
       turn(p);
     }

@@ -67,24 +67,21 @@ void PlatformWater::restore(const std::vector<CheckpointRecord>& records) {
     for (Eigen::Index i = 0; i < n; ++i) {
       Platform& p = g.platforms[static_cast<size_t>(i)];
       if (!p.owned) continue;
-      for (const CheckpointRecord& r : records) {
-        if (r.node != p.node) continue;
-        if (r.kind == 1) {
-          const KeptWork kept = entry<KeptWork>(r);
-          p.damping_work = kept.damping;
-          p.wave_work = kept.waves;
-          p.power = {kept.damping_power, kept.wave_power};
-          Eigen::Map<Eigen::Matrix<double, 15, 1>>(&slow[static_cast<size_t>(15 * i)]) << kept.slow.place,
-              kept.slow.drift, kept.slow.filtered, kept.slow.rate, kept.slow.last;
-          continue;
-        }
-        const std::vector<KeptRate> kept = entries<KeptRate>(r);
-        past.resize(row * kept.size(), 0);
-        for (size_t k = 0; k < kept.size(); ++k) {
-          double* state = &past[row * k];
-          if (i == 0) state[0] = kept[k].time;
-          Eigen::Map<Vec6>(state + 1 + 6 * i) << kept[k].velocity, kept[k].turning;
-        }
+      if (const auto kept = find_entry<KeptWork>(records, p.node, 0, 1)) {
+        p.damping_work = kept->damping;
+        p.wave_work = kept->waves;
+        p.power = {kept->damping_power, kept->wave_power};
+        Eigen::Map<Eigen::Matrix<double, 15, 1>>(&slow[static_cast<size_t>(15 * i)]) << kept->slow.place,
+            kept->slow.drift, kept->slow.filtered, kept->slow.rate, kept->slow.last;
+      }
+      const CheckpointRecord* rates = find_record(records, p.node);
+      if (!rates) continue;
+      const std::vector<KeptRate> kept = entries<KeptRate>(*rates);
+      past.resize(row * kept.size(), 0);
+      for (size_t k = 0; k < kept.size(); ++k) {
+        double* state = &past[row * k];
+        if (i == 0) state[0] = kept[k].time;
+        Eigen::Map<Vec6>(state + 1 + 6 * i) << kept[k].velocity, kept[k].turning;
       }
     }
     unsigned long size = past.size();

@@ -139,9 +139,8 @@ void PointLoads::restore(const std::vector<CheckpointRecord>& records) {
   std::unordered_map<int, int> count;
   work_.assign(work_.size(), 0);
   for (size_t i = 0; i < work_.size(); ++i) {
-    const int key = count[global_[i]]++;
-    for (const CheckpointRecord& r : records)
-      if (r.node == global_[i] && r.key == key) work_[i] = entry<WorkDone>(r).work;
+    const auto kept = find_entry<WorkDone>(records, global_[i], count[global_[i]]++);
+    if (kept) work_[i] = kept->work;
   }
 }
 

@@ -237,14 +237,13 @@ std::vector<CheckpointRecord> RigidBodies::records(NodeRange of) const {
 }
 
 void RigidBodies::restore(const std::vector<CheckpointRecord>& records) {
-  for (Floating& f : list_)
-    for (const CheckpointRecord& r : records)
-      if (r.node == f.global) {
-        const Floating kept = entry<Floating>(r);
-        f.damping = kept.damping;
-        f.work = kept.work;
-        f.momenta = kept.momenta;
-      }
+  for (Floating& f : list_) {
+    const auto kept = find_entry<Floating>(records, f.global);
+    if (!kept) continue;
+    f.damping = kept->damping;
+    f.work = kept->work;
+    f.momenta = kept->momenta;
+  }
 }
 
 }  // namespace hawser

@@ -63,7 +63,7 @@ void StructureTerm::update_from_feeders(double step, bool accepted) {
 // History of the material inside the feeder at this label.
 std::vector<double> StructureTerm::entering(const FedLine& f, double label) const {
   std::vector<double> out;
-  const std::vector<double>& kept = fed_[index(f)].inside;
+  const std::vector<double>& kept = fed_[f.feeder].inside;
   for (const RememberedCell& c : inside(*mesh_.mesh, f, kept))
     if (out.empty() || c.from <= label) out.assign(c.values, c.values + kept.size() / (2 * kBendingPlaces));
   return out;
@@ -73,7 +73,7 @@ std::vector<double> StructureTerm::entering(const FedLine& f, double label) cons
 void StructureTerm::carry_bends(Beam& b, const FedLine& f, double to) {
   const double from = f.before;
   if (from == to) return;
-  FedBends& fed = fed_[index(f)];
+  FedBends& fed = fed_[f.feeder];
   const size_t n = b.section.plastic->memory();
   const std::vector<double> values = turned(set_.data() + b.memory, n, f.at_b);
   std::vector<RememberedCell> cells;
@@ -93,7 +93,7 @@ void StructureTerm::keep_hauled_in(const Beam& b, const FedLine& f) {
   if (!(to < from)) return;
   const size_t n = b.section.plastic->memory();
   const std::vector<double> values = turned(set_.data() + b.memory, n, f.at_b);
-  std::vector<double>& kept = fed_[index(f)].inside;
+  std::vector<double>& kept = fed_[f.feeder].inside;
   for (const RememberedCell& c : inside(*mesh_.mesh, f, kept)) {
     const double middle = 0.5 * (c.from + c.to);
     if (middle > from || middle <= to) continue;

@@ -9,9 +9,10 @@
 #include <random>
 
 #include "hawser/geometry/closest_point.hpp"
+#include "hawser/geometry/extended_precision.hpp"
 #include "hawser/geometry/mesh_surface.hpp"
 #include "hawser/geometry/segment_distance.hpp"
-#include "hawser/geometry/wide.hpp"
+#include "hawser/math/triple.hpp"
 
 namespace hawser::test {
 
@@ -111,9 +112,9 @@ class GeometryFuzz {
   }
 
  private:
-  using W = detail::Wide;
-  using V = detail::Triple<W>;
-  static V wide(const Vec3& v) { return detail::triple<W>(v); }
+  using W = detail::Extended;
+  using V = Triple<W>;
+  static V extended(const Vec3& v) { return triple<W>(v); }
 
   double next() { return uniform_(gen_); }
   Vec3 vec() { return {next(), next(), next()}; }
@@ -184,27 +185,28 @@ class GeometryFuzz {
     const W l = e.dot(e);
     W t = l > 0 ? (p - a).dot(e) / l : W(0);
     t = t < 0 ? W(0) : t > 1 ? W(1) : t;
-    return a + e * t;
+    return a + t * e;
   }
   // > 0 when p is on the side of the triangle's normal. Of doubles of like size its error is 1e-33 of them.
   static double side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
-    const V o = wide(a);
-    return static_cast<double>((wide(b) - o).cross(wide(c) - o).dot(wide(p) - o));
+    const V o = extended(a);
+    return static_cast<double>((extended(b) - o).cross(extended(c) - o).dot(extended(p) - o));
   }
 
   // Distance and side against barycentric coordinates and three segments in 113 bits.
   bool triangle_is_right(const Vec3& p, const Vec3* v, double& error, double& height_error) {
-    const V q = wide(p), a = wide(v[0]), e = wide(v[1]) - a, f = wide(v[2]) - a, r = q - a, n = e.cross(f);
+    const V q = extended(p), a = extended(v[0]), e = extended(v[1]) - a, f = extended(v[2]) - a, r = q - a,
+            n = e.cross(f);
     W best = -1;
     const auto offer = [&](const V& x) {
       const W d = (q - x).dot(q - x);
       if (best < 0 || d < best) best = d;
     };
-    for (int i = 0; i < 3; ++i) offer(on_segment(q, wide(v[i]), wide(v[(i + 1) % 3])));
+    for (int i = 0; i < 3; ++i) offer(on_segment(q, extended(v[i]), extended(v[(i + 1) % 3])));
     const W nn = n.dot(n);
     if (nn > W(1e-50) * e.dot(e) * f.dot(f)) {
       const W s = n.dot(r.cross(f)) / nn, t = n.dot(e.cross(r)) / nn;
-      if (s >= 0 && t >= 0 && s + t <= 1) offer(a + e * s + f * t);
+      if (s >= 0 && t >= 0 && s + t <= 1) offer(a + s * e + t * f);
     }
     const double exact = static_cast<double>(root(best));
     const ClosestPoint c = closest_point_on_triangle(p, v[0], v[1], v[2]);
@@ -230,13 +232,14 @@ class GeometryFuzz {
 
   // The minimum over the square is inside or on one of its edges.
   static double segment_distance(const Vec3* x) {
-    const V a0 = wide(x[0]), b0 = wide(x[2]), u = wide(x[1]) - a0, v = wide(x[3]) - b0, r = a0 - b0;
+    const V a0 = extended(x[0]), b0 = extended(x[2]), u = extended(x[1]) - a0, v = extended(x[3]) - b0,
+            r = a0 - b0;
     const W a = u.dot(u), b = u.dot(v), c = v.dot(v), d = u.dot(r), e = v.dot(r);
     W best = -1;
     const auto take = [&](W s, W t) {
       s = s < 0 ? W(0) : s > 1 ? W(1) : s;
       t = t < 0 ? W(0) : t > 1 ? W(1) : t;
-      const V w = r + u * s - v * t;
+      const V w = r + s * u - t * v;
       if (const W q = w.dot(w); best < 0 || q < best) best = q;
     };
     for (int i = 0; i < 2; ++i) {

@@ -20,11 +20,10 @@ Mat12 made_up(double scale, int seed) {
 }
 
 // The force A a + B v on the rates of both bodies, (v_1, w_1, v_2, w_2).
-class Joined final : public ForceTerm, public CouplesNodes {
+class Joined final : public ForceTerm, public CouplesFixedNodes {
  public:
   Joined(const LocalMesh& mesh, const Mat12& A, const Mat12& B) : mesh_(mesh), A_(A), B_(B) {}
   std::string_view name() const override { return "joined"; }
-  bool recouple(const Kinematics&, double) override { return !std::exchange(coupled_, true); }
   void couple(Couplings& to) const override { to.add({0, 0}, {1, 1}); }
   void evaluate(const Kinematics& trial, Assembler& assembler) override {
     Vec12 a, v;
@@ -46,7 +45,6 @@ class Joined final : public ForceTerm, public CouplesNodes {
  private:
   const LocalMesh& mesh_;
   Mat12 A_, B_;
-  bool coupled_ = false;
 };
 
 Vec12 rates(const run::Simulation& s, const Kinematics& at) {

@@ -107,7 +107,8 @@ TEST(PointLoads, MomentStiffness) {
 TEST(PointLoads, WorkAndCheckpoint) {
   const Mesh mesh = two_lines();
   const LocalMesh local = local_mesh(mesh);
-  const std::vector<NodeLoad> loads{{1, {10, 0, 0}, {0, 0, 6}, 0}, {1, {0, 1, 0}, {0, 0, 0}, 0}};
+  const std::vector<NodeLoad> loads{
+      {1, {10, 0, 0}, {0, 0, 6}, 0}, {0, {0, 0, 0}, {0, 0, 2}, 0}, {1, {0, 1, 0}, {0, 3, 0}, 0}};
   PointLoads term(local, loads), copy(local, loads);
   State s = moved();
   term.prepare(s.view(0.1), 0.1);
@@ -117,13 +118,20 @@ TEST(PointLoads, WorkAndCheckpoint) {
     s.time += 0.1;
     s.x[1] += Vec3(0.2, 0.1, 0);
     s.q[1] = exp_so3({0, 0, 0.05}) * s.q[1];
+    s.q[0] = exp_so3({0, 0, 0.1}) * s.q[0];
     term.commit(s.view(0.1));
   }
   // Lasting forces have a potential, a moment does work.
   EXPECT_NEAR(before - term.energy(s.view(0.1)).potential, 10 * 2 + 1 * 1, 1e-12);
-  EXPECT_NEAR(term.energy(s.view(0.1)).work, 6 * 0.5, 1e-12);
+  EXPECT_NEAR(term.energy(s.view(0.1)).work, 6 * 0.5 + 2 * 1, 1e-12);
   copy.restore(term.save());
-  EXPECT_EQ(copy.energy(s.view(0.1)).work, term.energy(s.view(0.1)).work);
+  // The case has the loads of node 1 before and after that of node 0.
+  const std::vector<CheckpointRecord> sums = copy.save();
+  ASSERT_EQ(sums.size(), 3u);
+  EXPECT_EQ(sums[0].node, 0);
+  EXPECT_NEAR(sums[0].values.at(0), 2 * 1, 1e-12);
+  EXPECT_NEAR(sums[1].values.at(0), 6 * 0.5, 1e-12);
+  EXPECT_EQ(sums[2].values.at(0), term.save()[2].values.at(0));
 }
 
 TEST(PointMasses, InertiaAndWeight) {

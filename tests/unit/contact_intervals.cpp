@@ -70,9 +70,9 @@ TEST(ContactIntervals, FarCostsOneDistance) {
 double depth(const Gap& g, double L, const std::vector<ContactInterval>& intervals) {  // m², integrated
   double sum = 0;
   for (const ContactInterval& s : split_intervals(intervals, 2))
-    for (size_t i = 0; i < ContactRule::kPoints; ++i) {
-      const double xi = s.from + (s.to - s.from) * ContactRule::abscissae()[i];
-      sum += L * (s.to - s.from) * ContactRule::weight()[i] * std::max(-g.value(xi), 0.0);
+    for (size_t i = 0; i < kContactPoints; ++i) {
+      const double xi = s.from + (s.to - s.from) * ContactRule::unit[i];
+      sum += L * (s.to - s.from) * ContactRule::weight[i] * std::max(-g.value(xi), 0.0);
     }
   return sum;
 }
@@ -190,8 +190,8 @@ TEST(ContactIntervals, TwoRollersUnderOneElement) {
 TEST(LineContactRule, IsExactToTheSeventhDegree) {
   for (int n = 0; n < 9; ++n) {
     double sum = 0;
-    for (size_t q = 0; q < ContactRule::kPoints; ++q)
-      sum += ContactRule::weight()[q] * std::pow(ContactRule::abscissae()[q], n);
+    for (size_t q = 0; q < kContactPoints; ++q)
+      sum += ContactRule::weight[q] * std::pow(ContactRule::unit[q], n);
     if (n < 8)
       EXPECT_NEAR(sum, 1.0 / (n + 1), 1e-15);
     else

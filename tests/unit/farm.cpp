@@ -285,6 +285,7 @@ TEST_F(FarmFiles, LengthsOfOnePlace) {
   const model::Case other = io::with_lengths(farm, {{"lines.T2/riser.sections[0]", 93}});
   EXPECT_EQ(other.line("T1/riser").sections[0].length, 90);
   EXPECT_EQ(other.line("T2/riser").sections[0].length, 93);
+  EXPECT_EQ(other.inputs, farm.inputs);
   for (const model::Link& l : other.links)
     EXPECT_TRUE(l.end_a.line != "T2/riser" || l.end_a.arc == 93) << "at end B";
 }

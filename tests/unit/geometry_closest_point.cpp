@@ -6,18 +6,19 @@
 
 #include "hawser/geometry/box.hpp"
 #include "hawser/geometry/closest_point.hpp"
-#include "hawser/geometry/wide.hpp"
+#include "hawser/geometry/extended_precision.hpp"
+#include "hawser/math/triple.hpp"
 
 namespace hawser::geometry_closest_point_test {
 namespace {
 
-using W = detail::Wide;
-using V = detail::Triple<W>;
+using W = detail::Extended;
+using V = Triple<W>;
 
 // The point of the plane by barycentric coordinates if they are in [0, 1]; else the best of three segments.
 // Practically exact in 113 bits.
 double reference_distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, V& best) {
-  const V v[3] = {detail::triple<W>(a), detail::triple<W>(b), detail::triple<W>(c)}, q = detail::triple<W>(p);
+  const V v[3] = {triple<W>(a), triple<W>(b), triple<W>(c)}, q = triple<W>(p);
   W squared = -1;
   const auto offer = [&](const V& x) {
     const W d = (q - x).dot(q - x);
@@ -31,13 +32,13 @@ double reference_distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec
     const W l = e.dot(e);
     W t = l > 0 ? (q - v[i]).dot(e) / l : W(0);
     t = t < 0 ? W(0) : t > 1 ? W(1) : t;
-    offer(v[i] + e * t);
+    offer(v[i] + t * e);
   }
   const V e = v[1] - v[0], f = v[2] - v[0], r = q - v[0], n = e.cross(f);
   const W nn = n.dot(n);
   if (nn > W(1e-50) * e.dot(e) * f.dot(f)) {
     const W s = n.dot(r.cross(f)) / nn, t = n.dot(e.cross(r)) / nn;
-    if (s >= 0 && t >= 0 && s + t <= 1) offer(v[0] + e * s + f * t);
+    if (s >= 0 && t >= 0 && s + t <= 1) offer(v[0] + s * e + t * f);
   }
   // Square root by Newton from double.
   W root = std::sqrt(static_cast<double>(squared));

@@ -5,40 +5,41 @@
 #include <random>
 #include <vector>
 
+#include "hawser/geometry/extended_precision.hpp"
 #include "hawser/geometry/segment_distance.hpp"
-#include "hawser/geometry/wide.hpp"
+#include "hawser/math/triple.hpp"
 
 namespace hawser::geometry_segments_test {
 namespace {
 
-using detail::Wide;
+using detail::Extended;
 
 // Minimum over the square by its inner point (normal equations) and its four edges, 113 bits.
 double reference(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
-  const auto A0 = detail::triple<Wide>(a0), B0 = detail::triple<Wide>(b0);
-  const auto u = detail::triple<Wide>(a1) - A0, v = detail::triple<Wide>(b1) - B0, r = A0 - B0;
-  const Wide a = u.dot(u), b = u.dot(v), c = v.dot(v), d = u.dot(r), e = v.dot(r);
-  const auto clamp = [](Wide x) { return x < 0 ? Wide(0) : x > 1 ? Wide(1) : x; };
-  Wide best = -1;
-  const auto take = [&](Wide s, Wide t) {
-    const auto w = r + u * s - v * t;
-    const Wide q = w.dot(w);
+  const auto A0 = triple<Extended>(a0), B0 = triple<Extended>(b0);
+  const auto u = triple<Extended>(a1) - A0, v = triple<Extended>(b1) - B0, r = A0 - B0;
+  const Extended a = u.dot(u), b = u.dot(v), c = v.dot(v), d = u.dot(r), e = v.dot(r);
+  const auto clamp = [](Extended x) { return x < 0 ? Extended(0) : x > 1 ? Extended(1) : x; };
+  Extended best = -1;
+  const auto take = [&](Extended s, Extended t) {
+    const auto w = r + s * u - t * v;
+    const Extended q = w.dot(w);
     if (best < 0 || q < best) best = q;
   };
   for (int i = 0; i < 2; ++i) {
-    take(Wide(i), c > 0 ? clamp((e + Wide(i) * b) / c) : Wide(0));
-    take(a > 0 ? clamp((Wide(i) * b - d) / a) : Wide(0), Wide(i));
+    take(Extended(i), c > 0 ? clamp((e + Extended(i) * b) / c) : Extended(0));
+    take(a > 0 ? clamp((Extended(i) * b - d) / a) : Extended(0), Extended(i));
   }
-  const Wide det = a * c - b * b;
+  const Extended det = a * c - b * b;
   if (det > 0) {
     // t by projection: computed from s, its error would be amplified when the segments are nearly parallel.
-    const Wide s = (b * e - c * d) / det, t = (e + s * b) / c;
+    const Extended s = (b * e - c * d) / det, t = (e + s * b) / c;
     if (s >= 0 && s <= 1 && t >= 0 && t <= 1) take(s, t);
   }
   // Square root in the range of double for any magnitude.
-  Wide scale = 1;
-  while (best > 0 && best * scale < Wide(1e-30)) scale *= Wide(1e20);
-  while (best * scale > Wide(1e30)) scale /= Wide(1e20);
+  Extended scale = 1;
+  while (best > 0 && best * scale < Extended(1e-30)) scale *= Extended(1e20);
+  while (best * scale > Extended(1e30)) scale /= Extended(1e20);
   return std::sqrt(static_cast<double>(best * scale)) / std::sqrt(static_cast<double>(scale));
 }
 

@@ -272,9 +272,10 @@ TEST(WaterLoad, MorisonOfASlantingLine) {
   e.motion.a1 = e.motion.a2 = a;
   const Vec3 u = Vec3(0.8, -0.5, 0) - v, un = u - u.dot(t) * t, an = a - a.dot(t) * t;
   const double A = M_PI / 4 * 0.04;
-  const Vec3 expected = 5 * (0.5 * kRho * 1.1 * 0.2 * un.norm() * un +
-                             0.5 * kRho * 0.05 * M_PI * 0.2 * std::abs(u.dot(t)) * u.dot(t) * t -
-                             0.9 * kRho * A * an + kRho * kG * A * Vec3::UnitZ());
+  const Vec3 drag = 0.5 * kRho * 1.1 * 0.2 * un.norm() * un +
+                    0.5 * kRho * 0.05 * M_PI * 0.2 * std::abs(u.dot(t)) * u.dot(t) * t;
+  EXPECT_LT((line_drag(s, u, t) - drag).norm(), 1e-14 * drag.norm());
+  const Vec3 expected = 5 * (drag - 0.9 * kRho * A * an + kRho * kG * A * Vec3::UnitZ());
   for (const bool beam : {false, true}) {
     const Eigen::VectorXd f = water_residual(beam, s, e);
     EXPECT_LT((f.segment<3>(0) + f.segment<3>(beam ? 6 : 3) + expected).norm(), 1e-12 * expected.norm());

@@ -1,11 +1,11 @@
 // Contact along the axis of an element: the intervals of xi in [0, 1] in which the gap to a surface is
-// negative, and Gauss points on them. Pure functions: the result depends on the gap alone.
+// negative, and panels with Gauss points on them. Pure functions: the result depends on the gap alone.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "hawser/math/function_ref.hpp"
+#include "hawser/math/gauss_points.hpp"
 
 namespace hawser {
 
@@ -61,19 +61,15 @@ int contact_levels(double length, double radius);
 // The same from 1/2 of the element, for panels in which contact neither begins nor ends.
 int panel_levels(double length, double radius);
 
-// Cuts intervals at the multiples of 2^-levels into panels, each with one Gauss rule. The cuts are fixed, so
+// Cuts intervals at the multiples of 2^-levels into panels, each with one ContactRule. The cuts are fixed, so
 // that the integral is continuous when an interval grows, and fine, so that it hardly changes when an
 // interval splits.
 std::vector<ContactInterval> split_intervals(const std::vector<ContactInterval>& intervals, int levels);
 
-// Gauss-Legendre on (0, 1).
-struct ContactRule {
-  // One point more than is exact for a parabolic pressure times Hermite's cubics. The number is even, so that
-  // no point is in the middle of a panel, where in symmetric cases the integrand has its kink at an edge of
-  // the body.
-  static constexpr int kPoints = 4;
-  static const std::array<double, kPoints>& abscissae();
-  static const std::array<double, kPoints>& weight();
-};
+// One point more than is exact for a parabolic pressure times Hermite's cubics. The number is even, so that
+// no point is in the middle of a panel, where in symmetric cases the integrand has its kink at an edge of the
+// body.
+inline constexpr int kContactPoints = 4;
+using ContactRule = GaussPoints<kContactPoints>;
 
 }  // namespace hawser

@@ -52,6 +52,10 @@ void beam_water_force(const WaterSection& s, const WaterEnds& e, Vec12& f);
 void beam_water_tangent(const WaterSection& s, const WaterEnds& e, bool convex, Vec12& f, Mat12& K, Mat12& C,
                         Mat12& M);
 
+// Drag [N/m] of a fully wet line with the unit tangent t in water that flows past it with the velocity u
+// [m/s].
+Vec3 line_drag(const WaterSection& s, const Vec3& u, const Vec3& t);
+
 // Potential of buoyancy, J (for a fully wet line: buoyancy times depth). WaterForce: the other forces in the
 // generalised coordinates (x1, L t1, x2, L t2) of a beam, (x1, x2) of a cable.
 double water_potential(const WaterSection& s, const WaterEnds& e, bool beam);

@@ -30,6 +30,8 @@ struct Heading {
   Vec3 by_turn = Vec3::Zero();
 };
 Heading heading_of(const Quat& q);
+// x and y [m] of the point r and the heading [rad].
+Vec3 place_and_heading(const Vec3& r, const RigidBodyState& s);
 
 // Load by a force and moment at the point r whose components are in axes that turn with the body's heading.
 // Residual on the unknowns (minus the load), and its derivative by increments of position and rotation.

@@ -53,6 +53,7 @@ struct LocalMesh {
     }
     return -1;
   }
+  bool owns_node(int node) const { return owns(find(node)); }  // node of the mesh
 };
 
 // Lines by the ranks that own their nodes, ascending.

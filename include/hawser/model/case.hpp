@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -69,6 +70,9 @@ struct LineType {
   double dragged() const { return drag_diameter > 0 ? drag_diameter : outer_diameter; }
   // Time [s] in which an axial wave travels a length [m]: L / c, c = sqrt(EA / m).
   double wave_time(double length) const { return length * std::sqrt(mass_per_length / EA); }
+  double least_bending_stiffness() const {  // N m², 0 for a cable
+    return kind == LineKind::beam ? std::min(EI2, EI3) : 0.0;
+  }
 };
 
 // Prescribed motions u(t) for t >= 0; u and its first two derivatives are continuous.
@@ -417,12 +421,21 @@ struct Output {
 
 struct Farm;
 
-struct Case {
-  std::string path, directory, text;  // text as read
-  std::string file;                   // as given by the user
-  std::vector<std::string> inputs;    // absolute paths of the case file and the files that it reads
-  std::shared_ptr<const Value> tree;  // parsed keys, for the line numbers of refuse(); null: none
-  std::shared_ptr<const Farm> farm;   // platforms read from other files (farm.hpp); null: none
+// What a case is read from.
+struct CaseDocument {
+  std::string path, directory, text;      // text as read
+  std::string file;                       // as given by the user
+  std::vector<std::string> inputs;        // absolute paths of the case file and the files that it reads
+  std::shared_ptr<const Value> tree;      // parsed keys, for the line numbers of refuse(); null: none
+  std::shared_ptr<const Farm> farm;       // platforms read from other files (farm.hpp); null: none
+  std::vector<std::string> changes;       // KEY=VALUE of the command line, applied to the file's text
+  std::vector<std::string> change_notes;  // effects of `changes`, one sentence each
+};
+
+struct Case : CaseDocument {
+  Case() = default;
+  explicit Case(CaseDocument document) : CaseDocument(std::move(document)) {}
+
   std::string title;
   Environment environment;
   std::vector<LineType> line_types;
@@ -438,9 +451,7 @@ struct Case {
   Dynamics dynamics;
   std::vector<Event> events;
   Output output;
-  std::vector<std::string> notes;         // repairs and warnings of the reader, one sentence each
-  std::vector<std::string> changes;       // KEY=VALUE of the command line, applied to the file's text
-  std::vector<std::string> change_notes;  // effects of `changes`, one sentence each
+  std::vector<std::string> notes;  // repairs and warnings of the reader, one sentence each
 
   const LineType& line_type(const std::string& name) const;  // throws std::out_of_range
   const Line& line(const std::string& name) const;           // throws std::out_of_range

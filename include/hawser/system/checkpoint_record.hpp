@@ -2,9 +2,12 @@
 // another version with another layout is detected and not misread.
 #pragma once
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "hawser/math/types.hpp"
@@ -32,6 +35,11 @@ struct CheckpointRecord {
   std::vector<double> values;  // the quantities of its kind, for one entry or for several in sequence
   int kind = 0;                // index into the term's kinds
 };
+
+// A checkpoint has the records of a term in ascending order of this place.
+inline std::tuple<int, int, int> checkpoint_place(const CheckpointRecord& r) {
+  return {r.node, r.kind, r.key};
+}
 
 // Nodes of the mesh from `first` to before `end`.
 struct NodeRange {
@@ -104,6 +112,23 @@ T entry(const CheckpointRecord& record) {
   std::vector<T> all = entries<T>(record);
   if (all.size() != 1) throw std::invalid_argument("a record of the checkpoint has the wrong size");
   return all.front();
+}
+
+// The record of a node with this key and kind among records in the order of a checkpoint; null if there is
+// none.
+inline const CheckpointRecord* find_record(const std::vector<CheckpointRecord>& records, int node,
+                                           int key = 0, int kind = 0) {
+  const std::tuple wanted{node, kind, key};
+  const auto at = std::ranges::lower_bound(records, wanted, {}, checkpoint_place);
+  return at != records.end() && checkpoint_place(*at) == wanted ? &*at : nullptr;
+}
+
+// The only entry of that record. Throws as entry() does.
+template <class T>
+std::optional<T> find_entry(const std::vector<CheckpointRecord>& records, int node, int key = 0,
+                            int kind = 0) {
+  const CheckpointRecord* r = find_record(records, node, key, kind);
+  return r ? std::optional(entry<T>(*r)) : std::nullopt;
 }
 
 // Work as the only quantity, for terms without a type of their own.

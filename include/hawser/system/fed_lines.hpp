@@ -12,6 +12,7 @@ namespace hawser {
 
 // A line at one of its feeders: the element at the feed point and those inside.
 struct FedLine {
+  size_t feeder = 0;            // index into FedLines::fed()
   int element = 0;              // of the mesh
   std::array<int, 2> inside{};  // elements of the mesh inside the feeder: from the first to before the second
   bool at_b = false;            // the feeder is at end B of the line

@@ -3,6 +3,7 @@
 // external, so an applied force F adds -F.
 #pragma once
 
+#include <algorithm>
 #include <string_view>
 #include <vector>
 
@@ -62,8 +63,13 @@ class ForceTerm {
   virtual std::vector<CheckpointKind> checkpoint_kinds() const { return {}; }
   // Committed history of the owned nodes in the range. Checkpoints are written in parts, one range at a time.
   virtual std::vector<CheckpointRecord> records(NodeRange) const { return {}; }
-  std::vector<CheckpointRecord> save() const { return records({}); }
-  // Restores the committed history; records may arrive in any order.
+  // All of them in the order of a checkpoint.
+  std::vector<CheckpointRecord> save() const {
+    std::vector<CheckpointRecord> all = records({});
+    std::ranges::stable_sort(all, {}, checkpoint_place);
+    return all;
+  }
+  // Restores the committed history from the records of the owned nodes, in the order of a checkpoint.
   virtual void restore(const std::vector<CheckpointRecord>& records) { (void)records; }
 };
 

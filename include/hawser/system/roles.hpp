@@ -4,6 +4,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 
 #include "hawser/kernels/impact.hpp"
 #include "hawser/mesh/local_mesh.hpp"
@@ -25,6 +26,15 @@ class CouplesNodes {
   virtual void couple(Couplings& to) const = 0;
   // Called when the coupled nodes are local. Local nodes from LocalMesh::chain on have changed.
   virtual void update_ghosts() {}
+};
+
+// Couples the same nodes during the whole run.
+class CouplesFixedNodes : public CouplesNodes {
+ public:
+  bool recouple(const Kinematics&, double) final { return !std::exchange(coupled_, true); }
+
+ private:
+  bool coupled_ = false;
 };
 
 // Limits the length of a step, and checks whether a converged step is valid.

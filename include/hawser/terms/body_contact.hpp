@@ -49,7 +49,7 @@ struct BodyVolume {
 };
 
 class BodyContactTerm final : public ForceTerm,
-                              public CouplesNodes,
+                              public CouplesFixedNodes,
                               public LimitsSteps,
                               public ScalesResiduals,
                               public HasFriction,
@@ -62,7 +62,6 @@ class BodyContactTerm final : public ForceTerm,
 
   std::string_view name() const override { return "body contact"; }
   void couple(Couplings& to) const override;
-  bool recouple(const Kinematics&, double) override;
   void enable_friction(bool on) override { friction_on_ = on; }
   void update_ghosts() override;
   // For a time step (h > 0) also computes the contact frequency and checks the overlap of the volumes.
@@ -234,7 +233,7 @@ class BodyContactTerm final : public ForceTerm,
   std::vector<PairBody> bodies_of_volumes_;  // by volume
   std::vector<Pair> pairs_;
   std::vector<std::string> names_;  // names of the volumes with their bodies
-  bool coupled_ = false, friction_on_ = true;
+  bool friction_on_ = true;
 };
 
 }  // namespace hawser

@@ -25,6 +25,7 @@ struct Case;
 }
 
 struct Feeder {
+  size_t index = 0;  // into Feeders::all() and fed()
   int line = 0;
   bool at_b = false;
   std::string name;  // "end A of line mooring"

@@ -16,7 +16,7 @@ namespace hawser {
 
 // The links of a case, in its order. A rank that owns a node carrying one end of a link has both ends; the
 // owner of the first carried end counts the link. See docs/theory/links.md.
-class Links final : public ForceTerm, public CouplesNodes, public ScalesResiduals, public HasSeries {
+class Links final : public ForceTerm, public CouplesFixedNodes, public ScalesResiduals, public HasSeries {
  public:
   // Default rest lengths are those of the start shape, after bodies drawn in space are attached
   // (Bodies::fix_drawn). Refuses a link whose rest length would be zero (model::Case::refuse). Collective.
@@ -28,7 +28,6 @@ class Links final : public ForceTerm, public CouplesNodes, public ScalesResidual
   std::vector<std::vector<double>> rows(const Kinematics& at) const override;
 
   std::string_view name() const override { return "links"; }
-  bool recouple(const Kinematics& committed, double h) override;
   void couple(Couplings& to) const override;
   void update_ghosts() override;
   void prepare(const Kinematics& committed, double h) override;
@@ -63,12 +62,10 @@ class Links final : public ForceTerm, public CouplesNodes, public ScalesResidual
   };
   Stretched stretched(const Link& link, const Kinematics& at, bool convex = false) const;
   void powers(const Link& link, const Kinematics& at, double& damping, double& work) const;
-  bool owned(int node) const;  // node of the mesh
 
   const LocalMesh& mesh_;
   std::shared_ptr<const Bodies> bodies_;
   std::vector<Link> list_;
-  bool coupled_ = false;
 };
 
 }  // namespace hawser

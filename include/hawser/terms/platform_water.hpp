@@ -25,7 +25,7 @@ namespace hawser {
 // body of a group computes the whole group; the owner of a body counts its energy.
 class PlatformWater final : public ForceTerm,
                             public LoadsBodies,
-                            public CouplesNodes,
+                            public CouplesFixedNodes,
                             public ScalesResiduals,
                             public DependsOnFrequency,
                             public ActsOnBodies {
@@ -33,7 +33,6 @@ class PlatformWater final : public ForceTerm,
   PlatformWater(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh);
 
   std::string_view name() const override { return "platforms in the sea"; }
-  bool recouple(const Kinematics& committed, double h) override;
   void couple(Couplings& to) const override;
   void update_ghosts() override;
   void prepare(const Kinematics& committed, double h) override;
@@ -82,7 +81,6 @@ class PlatformWater final : public ForceTerm,
   };
   // Turns axes and wave forces to the slow heading.
   static void turn(Platform& p);
-  static Vec3 pose_of(const Platform& p, const RigidBodyState& s);
   // Mean force of the waves at rest, and its moment about the body's origin, space axes.
   static Vec6 mean_force(const Platform& p, const RigidBodyState& s);
   // Work of the mean force since the last iteration of statics, J; statics needs a potential.
@@ -136,7 +134,6 @@ class PlatformWater final : public ForceTerm,
   Sea sea_;
   std::vector<Group> groups_;
   double period_error_ = 0;  // the scheme changes omega² to omega² (1 + period_error_ omega² h²)
-  bool coupled_ = false;
 };
 
 }  // namespace hawser

@@ -79,8 +79,7 @@ class StructureTerm final : public ForceTerm,
   };
   // accepted: the lengths are those at the end of the step.
   void update_from_feeders(double step, bool accepted = false);
-  static CableSection shown(const Cable& c, const Kinematics& at);              // section for output
-  size_t index(const FedLine& f) const { return &f - feeders_->fed().data(); }  // into fed_
+  static CableSection shown(const Cable& c, const Kinematics& at);  // section for output
   void carry_bends(Beam& b, const FedLine& f, double to);
   void keep_hauled_in(const Beam& b, const FedLine& f);
   double fed_work(const Kinematics& at) const;

@@ -108,8 +108,8 @@ struct ContactQuadrature {
   void add_panels(const std::vector<ContactInterval>& intervals, int group, double length,
                   const Query& query) {
     for (const ContactInterval& s : intervals) {
-      for (size_t q = 0; q < ContactRule::kPoints; ++q) {
-        const double along = ContactRule::abscissae()[q], part = ContactRule::weight()[q];
+      for (size_t q = 0; q < kContactPoints; ++q) {
+        const double along = ContactRule::unit[q], part = ContactRule::weight[q];
         const double xi = s.from + (s.to - s.from) * along;
         if (const auto p = query(xi))
           quadrature.push_back({xi, length * (s.to - s.from) * part, along, part, panels.size(), *p});
