@@ -1,6 +1,7 @@
 // Checks of the path and the radii of tubes.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string>
 
 #include "hawser/geometry/tube_path.hpp"
@@ -9,7 +10,7 @@
 namespace hawser::model {
 namespace {
 
-// Fraction of a leg by which rounding may make its bends longer than it.
+// Relative rounding of lengths of legs and of angles.
 constexpr double kRounding = 1e-9;
 
 bool radii_fit(const TubeShape& s, const Issues& issue) {
@@ -45,6 +46,11 @@ bool legs_fit(const TubeShape& s, const Issues& issue) {
       return false;
     }
   const std::vector<TubeBend> bends = tube_bends(s);
+  for (std::size_t i = 0; i < bends.size(); ++i)
+    if (bends[i].turn > (1 - kRounding) * M_PI) {
+      issue("path", "turns straight back at point {}; round a hairpin off at two points", i + 2);
+      return false;
+    }
   for (std::size_t i = 0; i + 1 < s.path.size(); ++i) {
     const double length = (s.path[i + 1] - s.path[i]).norm(), before = i > 0 ? bends[i - 1].tangent : 0,
                  after = i < bends.size() ? bends[i].tangent : 0;
