@@ -136,6 +136,7 @@ def arguments(argv, **defaults):
     parser.add_argument("--height", type=float, help="height of the picture, m (default: all of the model)")
     parser.add_argument("--size", type=int, nargs=2, default=[900, 900], help="of one picture, pixels")
     parser.add_argument("--columns", type=int, help="of the joint picture (default: all in one row)")
+    parser.add_argument("--opacity", type=float, default=1.0, help="of volumes, 0 to 1: below 1 lines inside show through (default: 1)")
     parser.add_argument("--edges", action="store_true", help="draw the edges of the triangles")
     parser.set_defaults(**{"scenery": None, **defaults})
     return parser.parse_args(argv)
@@ -284,6 +285,7 @@ def render(options):
     surface = pv.Show(faces, view)
     surface.DiffuseColor = surface.AmbientColor = [0.80, 0.82, 0.85]
     surface.Specular = 0.2
+    surface.Opacity = options.opacity
     if options.edges:
         surface.Representation = "Surface With Edges"
         surface.EdgeColor = [0.6, 0.62, 0.66]

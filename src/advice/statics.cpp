@@ -131,9 +131,10 @@ std::string statics_failed(const model::Case& c) {
   const bool on_mesh = slides && std::any_of(c.volumes.begin(), c.volumes.end(),
                                              [](const model::Volume& v) { return !v.mesh.empty(); });
   if (on_volume)
-    ways.emplace_back(
-        "where a line slides along a volume or finds no rest on its facets, 'friction' of that volume with "
-        "'statics: {contact_friction: true}'");
+    ways.push_back(
+        fmt::format("where a line slides along a volume or finds no rest on its facets, 'friction' of that "
+                    "volume with 'statics: {{contact_friction: true}}'{}",
+                    on_mesh ? ", or 'shape: {tube: ...}' for a mesh that is a tube" : ""));
   if (c.statics.relaxation == model::Relaxation::never)
     ways.emplace_back("without 'dynamic_relaxation: never'");
   else if (!on_mesh && c.statics.relaxation == model::Relaxation::automatic && !c.statics.contact_friction)

@@ -1,4 +1,5 @@
 // Surfaces of primitives, and triangle meshes of them for pictures.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -10,6 +11,7 @@ namespace {
 
 constexpr int kAround = 64;   // facets around an axis; the corners lie on the surface
 constexpr int kQuarter = 12;  // facets per quarter circle of the profile
+constexpr int kRim = 8;       // facets around the rim of a tube
 constexpr double kPi = std::numbers::pi;
 
 struct ProfilePoint {
@@ -63,6 +65,61 @@ TriangleMesh capsule(const Vec3& from, const Vec3& to, double radius) {
   return revolve(profile, from, axis, false);
 }
 
+// A circle about the axis of a tube.
+struct Ring {
+  Vec3 centre, ex, ey;
+  double radius;
+};
+
+// Joins each ring to the next and the last to the first. Outward if rings outside go along ex × ey.
+TriangleMesh joined(const std::vector<Ring>& rings) {
+  TriangleMesh m;
+  for (const Ring& r : rings)
+    for (int i = 0; i < kAround; ++i) {
+      const double angle = 2 * kPi * i / kAround;
+      m.vertices.push_back(r.centre + r.radius * (std::cos(angle) * r.ex + std::sin(angle) * r.ey));
+    }
+  const int n = static_cast<int>(rings.size());
+  const auto vertex = [&](int k, int i) { return kAround * (k % n) + i % kAround; };
+  for (int k = 0; k < n; ++k)
+    for (int i = 0; i < kAround; ++i) {
+      const int a = vertex(k, i), b = vertex(k, i + 1), c = vertex(k + 1, i + 1), d = vertex(k + 1, i);
+      m.triangles.push_back({a, b, c});
+      m.triangles.push_back({a, c, d});
+    }
+  return m;
+}
+
+// Rings of the outside along the axis; the frame turns with the arcs and does not twist.
+std::vector<Ring> along(const TubeShape& s) {
+  const std::vector<TubePiece> pieces = tube_pieces(s);
+  Vec3 ex = pieces.front().direction.unitOrthogonal(), ey = pieces.front().direction.cross(ex);
+  std::vector<Ring> rings{{pieces.front().from, ex, ey, s.outer_radius()}};
+  for (const TubePiece& p : pieces) {
+    const int n = std::max(1, static_cast<int>(std::ceil(p.turn() * kAround / (2 * kPi))));
+    const Vec3 ex0 = ex, ey0 = ey;
+    for (int i = 1; i <= n; ++i) {
+      if (p.arc()) {
+        const Quat turn = exp_so3(p.turn() * i / n * p.axis());
+        ex = turn * ex0;
+        ey = turn * ey0;
+      }
+      rings.push_back({p.point(p.length * i / n), ex, ey, s.outer_radius()});
+    }
+  }
+  return rings;
+}
+
+// Rings of a rim between two equal ends, from the outside (sign 1) or the bore (-1) over half a circle.
+void rim(const Ring& end, const TubeShape& s, int sign, std::vector<Ring>& rings) {
+  const Vec3 out = sign * end.ex.cross(end.ey);
+  for (int i = 1; i < kRim; ++i) {
+    const double angle = kPi * i / kRim, half = 0.5 * s.wall_thickness;
+    rings.push_back({end.centre + half * std::sin(angle) * out, end.ex, end.ey,
+                     s.middle_radius() + sign * half * std::cos(angle)});
+  }
+}
+
 struct Facets {
   const Box& extent;
 
@@ -101,6 +158,17 @@ struct Facets {
     profile.pop_back();  // duplicate of the first point
     return revolve(profile, s.centre, s.axis.stableNormalized(), true);
   }
+  TriangleMesh operator()(const TubeShape& s) const {
+    const std::vector<Ring> outside = along(s);
+    std::vector<Ring> rings = outside;
+    rim(outside.back(), s, 1, rings);
+    for (auto r = outside.rbegin(); r != outside.rend(); ++r) {
+      rings.push_back(*r);
+      rings.back().radius = s.inner_radius;
+    }
+    rim(outside.front(), s, -1, rings);
+    return joined(rings);
+  }
 };
 
 struct MakeSurface {
@@ -113,6 +181,7 @@ struct MakeSurface {
   }
   Result operator()(const CapsuleShape& s) const { return std::make_shared<CapsuleSurface>(s); }
   Result operator()(const TorusShape& s) const { return std::make_shared<TorusSurface>(s); }
+  Result operator()(const TubeShape& s) const { return std::make_shared<TubeSurface>(s); }
 };
 
 }  // namespace

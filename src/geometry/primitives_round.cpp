@@ -4,31 +4,15 @@
 #include <stdexcept>
 
 #include "hawser/geometry/primitives.hpp"
+#include "round_surfaces.hpp"
 
 namespace hawser {
 namespace {
 
-// Smallest distance as a fraction of the radius of curvature, which bounds the Hessian, and the distance
-// below which a point counts as on the medial axis.
-constexpr double kNear = 1e-6, kOnAxis = 1e-12;
+using namespace round_surfaces;
 
 void need(bool condition, const char* sentence) {
   if (!condition) throw std::invalid_argument(sentence);
-}
-
-Mat3 outer(const Vec3& a) { return a * a.transpose(); }
-
-// Distance |y - c| - radius about the point c. At c itself the normal is `fallback`.
-SurfacePoint about_point(const Vec3& y, const Vec3& c, double radius, const Vec3& fallback) {
-  SurfacePoint s;
-  const Vec3 r = y - c;
-  const double l = r.norm();
-  s.distance = l - radius;
-  s.normal = l > kOnAxis * radius ? Vec3(r / l) : fallback;
-  s.curvature = (Mat3::Identity() - outer(s.normal)) / std::max(l, kNear * radius);
-  s.point = c + radius * s.normal;
-  s.triangle = 0;
-  return s;
 }
 
 }  // namespace
@@ -58,22 +42,15 @@ CapsuleSurface::CapsuleSurface(const CapsuleShape& shape)
 std::optional<SurfacePoint> CapsuleSurface::query(const Vec3& y, double max_distance, int) const {
   const double z = (y - from_).dot(axis_);
   const bool side = z > 0 && z < length_;
-  const Vec3 foot = side ? Vec3(from_ + z * axis_) : z > 0 ? to_ : from_;
-  // At the ends of the axis the normal points outward along it; between them any perpendicular direction is
-  // valid.
-  const Vec3 fallback = side ? axis_.unitOrthogonal() : z > 0 ? axis_ : Vec3(-axis_);
-  SurfacePoint s = about_point(y, foot, radius_, fallback);
-  if (s.distance > max_distance) return std::nullopt;
   if (side) {
-    // Rounding of the foot leaves an axial component, which matters if y is near the axis.
-    const Vec3 across = s.normal - s.normal.dot(axis_) * axis_;
-    s.normal = across.normalized();
-    s.point = foot + radius_ * s.normal;
-    const double l = std::max(s.distance + radius_, kNear * radius_);
-    s.curvature = (Mat3::Identity() - outer(s.normal) - outer(axis_)) / l;
-  } else {
-    s.triangle = z > 0 ? 2 : 1;
+    const SurfacePoint s = about_line(y, from_, axis_, radius_);
+    if (s.distance > max_distance) return std::nullopt;
+    return s;
   }
+  // At the ends of the axis the normal points outward along it.
+  SurfacePoint s = about_point(y, z > 0 ? to_ : from_, radius_, z > 0 ? axis_ : Vec3(-axis_));
+  if (s.distance > max_distance) return std::nullopt;
+  s.triangle = z > 0 ? 2 : 1;
   return s;
 }
 
@@ -94,19 +71,8 @@ TorusSurface::TorusSurface(const TorusShape& shape)
 }
 
 std::optional<SurfacePoint> TorusSurface::query(const Vec3& y, double max_distance, int) const {
-  const Vec3 r = y - centre_;
-  const double z = r.dot(axis_);
-  const Vec3 radial = r - z * axis_;
-  const double rho = radial.norm();
-  const Vec3 er = rho > kOnAxis * radius_ ? Vec3((radial - radial.dot(axis_) * axis_).normalized())
-                                          : axis_.unitOrthogonal();
-  const Vec3 middle = centre_ + radius_ * er;  // nearest point of the circle
-  SurfacePoint s = about_point(y, middle, tube_, er);
+  const SurfacePoint s = about_circle(y, centre_, axis_, radius_, tube_);
   if (s.distance > max_distance) return std::nullopt;
-  const Vec3 et = axis_.cross(er);
-  // about_point's Hessian has 1 / l along the circle too; the exact value is (n er) / rho.
-  const double l = std::max(s.distance + tube_, kNear * tube_);
-  s.curvature += (s.normal.dot(er) / std::max(rho, kNear * radius_) - 1 / l) * outer(et);
   return s;
 }
 

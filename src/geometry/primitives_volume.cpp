@@ -20,6 +20,13 @@ struct Volume {
   double operator()(const TorusShape& s) const {
     return 2 * M_PI * M_PI * s.radius * s.tube_radius * s.tube_radius;
   }
+  // Pappus: the ring of the wall along the axis, and half a disc about each end.
+  double operator()(const TubeShape& s) const {
+    double length = 0;
+    for (const TubePiece& p : tube_pieces(s)) length += p.length;
+    const double t = s.wall_thickness;
+    return 2 * M_PI * s.middle_radius() * t * (length + 0.25 * M_PI * t);
+  }
 };
 
 struct Enlarged {
@@ -28,6 +35,11 @@ struct Enlarged {
   Primitive operator()(BoxShape s) const { return s; }
   Primitive operator()(TorusShape s) const {
     s.tube_radius *= by;
+    return s;
+  }
+  Primitive operator()(TubeShape s) const {
+    s.inner_radius *= by;
+    s.wall_thickness *= by;
     return s;
   }
   template <class Round>

@@ -214,6 +214,7 @@ void check_shape(const Volume& v, const Issues& issue) {
   if (const auto* s = std::get_if<TorusShape>(&*v.shape); s && s->tube_radius >= s->radius)
     issue(key + "torus.tube_radius", "{:g} m closes the hole of the ring; must be below the radius of {:g} m",
           s->tube_radius, s->radius);
+  if (const auto* s = std::get_if<TubeShape>(&*v.shape)) check_tube(*s, issue.below(key + "tube"));
 }
 
 }  // namespace

@@ -89,6 +89,13 @@ void active_box(Volume& o, const Value& v) {
   put(box.upper, v.items[1]);
 }
 
+void bend_radii(TubeShape& s, const Value& v) {
+  if (v.kind == Value::Kind::list)
+    put(s.bend_radius, v);
+  else
+    s.bend_radius = {v.number};
+}
+
 Key shape() {
   constexpr double kFarthest = 1e8;  // m, also the limit for mesh vertices
   const auto radius = [](const Field& field, std::string about) {
@@ -97,6 +104,7 @@ Key shape() {
   const auto point = [](Head head, std::string about) {
     return vec3(std::move(head), length, std::move(about), required);
   };
+  const auto bend_radius = [] { return number("", length, above(0), at_most(kFarthest)); };
   std::vector<Key> kinds = {
       map({"plane", exactly<PlaneShape>()},
           {point({"point", &PlaneShape::point}, "any point of it"),
@@ -128,7 +136,20 @@ Key shape() {
            radius(&TorusShape::radius, "of the circle in the middle of the tube"),
            number({"tube_radius", &TorusShape::tube_radius}, length, "of the tube, below `radius`", above(0),
                   required)},
-          "ring")};
+          "ring"),
+      map({"tube", exactly<TubeShape>()},
+          {list({"path", &TubeShape::path}, vec3("", length),
+                "points of the axis, from one open end to the other; the corners are rounded off by bends",
+                items(2), required),
+           one_of({"bend_radius", by<TubeShape>(bend_radii)},
+                  {bend_radius(), list("", bend_radius(), items(1))},
+                  "of the axis, for all corners or for each between the first and the last point; above the "
+                  "outer radius. Needed where the path has corners"),
+           number({"inner_radius", &TubeShape::inner_radius}, length, "of the bore", above(0),
+                  at_most(kFarthest), required),
+           number({"wall_thickness", &TubeShape::wall_thickness}, length, "of the wall, whose rims are round",
+                  above(0), at_most(kFarthest), required)},
+          "wall of a pipe that is open at both ends: J-tube, I-tube, bore of a bend restrictor, arch")};
   std::vector<Group> groups;
   for (const Key& k : kinds) groups.push_back({{k.name}, {k.name}});
   return map("shape", std::move(kinds), "instead of a mesh: an exact smooth shape, in the body's frame",

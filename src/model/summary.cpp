@@ -57,6 +57,10 @@ std::string motion_text(const Case& c, const Body& b) {
   return s;
 }
 
+std::string bends(std::size_t corners) {
+  return corners == 0 ? "straight" : fmt::format("with {} bend{}", corners, corners == 1 ? "" : "s");
+}
+
 struct ShapeText {
   std::string operator()(const PlaneShape& s) const {
     return fmt::format("plane through {} facing {}", point(s.point), point(s.normal));
@@ -77,6 +81,11 @@ struct ShapeText {
   std::string operator()(const TorusShape& s) const {
     return fmt::format("torus of radius {:g} m, tube {:g} m, about {} with axis {}", s.radius, s.tube_radius,
                        point(s.centre), point(s.axis));
+  }
+  std::string operator()(const TubeShape& s) const {
+    return fmt::format("tube of inner radius {:g} m, wall {:g} m, {}, from {} to {}", s.inner_radius,
+                       s.wall_thickness, bends(s.path.size() - 2), point(s.path.front()),
+                       point(s.path.back()));
   }
 };
 

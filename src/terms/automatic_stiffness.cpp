@@ -72,6 +72,8 @@ double bending_radius(const model::Volume& v, double line_radius) {
           return 0.0;
         else if constexpr (std::is_same_v<Shape, TorusShape>)
           return s.tube_radius;
+        else if constexpr (std::is_same_v<Shape, TubeShape>)
+          return s.outer_radius();
         else
           return s.radius;
       },

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "hawser/geometry/sharp_edges.hpp"
+#include "hawser/geometry/tube_path.hpp"
 
 namespace hawser {
 namespace {
@@ -58,6 +59,14 @@ void ring(const TorusShape& s, bool edges, std::vector<SkeletonPart>& parts) {
   for (int i = 0; i < kRing; ++i) parts.push_back({at(i), at(edges ? i + 1 : i), s.tube_radius, 1});
 }
 
+// The rims of a tube are rings of half the wall.
+void rims(const TubeShape& s, bool edges, std::vector<SkeletonPart>& parts) {
+  const TubePiece first = tube_pieces(s).front(), last = tube_pieces(s).back();
+  const double half = 0.5 * s.wall_thickness;
+  ring({first.from, first.direction, s.middle_radius(), half}, edges, parts);
+  ring({last.point(last.length), last.tangent(last.length), s.middle_radius(), half}, edges, parts);
+}
+
 }  // namespace
 
 SkeletonParts::SkeletonParts(std::vector<SkeletonPart> parts) : parts_(std::move(parts)) {
@@ -76,6 +85,7 @@ BodySkeleton body_skeleton(const model::Volume& v, const MeshView& mesh, const s
   const auto* sphere = v.shape ? std::get_if<SphereShape>(&*v.shape) : nullptr;
   const auto* capsule = v.shape ? std::get_if<CapsuleShape>(&*v.shape) : nullptr;
   const auto* torus = v.shape ? std::get_if<TorusShape>(&*v.shape) : nullptr;
+  const auto* tube = v.shape ? std::get_if<TubeShape>(&*v.shape) : nullptr;
   if (v.shape && std::holds_alternative<PlaneShape>(*v.shape)) return {};
   if (v.basis == model::StiffnessBasis::per_area) {
     Box box;
@@ -95,6 +105,8 @@ BodySkeleton body_skeleton(const model::Volume& v, const MeshView& mesh, const s
           parts.push_back(SkeletonPart::point(end, capsule->radius));
     } else if (torus) {
       ring(*torus, edges, parts);
+    } else if (tube) {
+      rims(*tube, edges, parts);
     } else {
       sharp(mesh, active, edges, parts);
     }

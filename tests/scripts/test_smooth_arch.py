@@ -32,6 +32,7 @@ class SmoothArch(unittest.TestCase):
                 smooth = run(*launch, HAWSER, "run", "arch.yaml", "-o", "arch.h5", cwd=folder)
                 self.assertEqual(smooth.returncode, 3, smooth.stdout + smooth.stderr)
                 self.assertIn(wanted, smooth.stdout)
+                self.assertNotIn("'shape: {tube: ...}'", smooth.stdout)
             write(Path(folder), "held.yaml", ARCH + "statics: {contact_friction: true}\n")
             held = run(HAWSER, "run", "held.yaml", cwd=folder)
             self.assertEqual(held.returncode, 0, held.stdout + held.stderr)

@@ -11,7 +11,7 @@ import scene_meshes as meshes
 from support import ROOT, run, write
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
-EXACT = 2840  # N, top tension without friction in the bore of an exact torus
+EXACT = 2840  # N, top tension without friction, as in test_exact_tubes.py
 FRICTION = 0.2
 
 J_TUBE = """hawser: 1
@@ -83,6 +83,15 @@ class Tubes(unittest.TestCase):
         self.assertLess(most, EXACT * band)
         self.assertGreater(most, EXACT / band)
         return most
+
+    def test_statics_names_the_exact_shape(self):
+        case = J_TUBE.replace("statics: {contact_friction: true}", "statics: {max_iterations: 2, relaxation_steps: 2}")
+        with tempfile.TemporaryDirectory() as folder:
+            write(Path(folder), "tube.obj", j_tube())
+            write(Path(folder), "case.yaml", case)
+            result = run(HAWSER, "run", "case.yaml", cwd=folder)
+        self.assertEqual(result.returncode, 3, result.stdout + result.stderr)
+        self.assertIn("'statics: {contact_friction: true}', or 'shape: {tube: ...}' for a mesh that is a tube", result.stdout)
 
     def test_rest_and_motion(self):
         self.check(j_tube())

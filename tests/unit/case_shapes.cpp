@@ -39,14 +39,23 @@ TEST(CaseShapes, OfEveryKind) {
       "  s: {shape: {sphere: {centre: [0, 0, 1], radius: 500 mm}}}\n"
       "  y: {shape: {cylinder: {from: [0, -1, 0], to: [0, 1, 0], radius: 0.25}}, friction: 0.3}\n"
       "  c: {shape: {capsule: {from: [0, 0, 0], to: [4, 0, 0], radius: 0.5}}}\n"
-      "  t: {shape: {torus: {centre: [0, 0, 1], axis: [0, 2, 0], radius: 4, tube_radius: 1}}}\n");
-  ASSERT_EQ(c.volumes.size(), 6U);
+      "  t: {shape: {torus: {centre: [0, 0, 1], axis: [0, 2, 0], radius: 4, tube_radius: 1}}}\n"
+      "  j: {shape: {tube: {path: [[0, 0, 8], [0, 0, -4], [5, 0, -4], [9 m, 4, -4]], bend_radius: [3, 1500 "
+      "mm],\n"
+      "                    inner_radius: 0.25, wall_thickness: 30 mm}}}\n"
+      "  i: {shape: {tube: {path: [[0, 0, 8], [0, 0, -4]], inner_radius: 0.25, wall_thickness: 0.03}}}\n");
+  ASSERT_EQ(c.volumes.size(), 8U);
   for (const model::Volume& v : c.volumes) EXPECT_TRUE(v.shape && v.mesh.empty()) << v.name;
   const auto& box = std::get<BoxShape>(*c.volumes[1].shape);
   EXPECT_EQ(box.size, Vec3(0.4, 2, 6));
   EXPECT_NEAR(box.rotation.z(), std::numbers::pi / 2, 1e-15);
   EXPECT_EQ(std::get<SphereShape>(*c.volumes[2].shape).radius, 0.5);
   EXPECT_EQ(std::get<TorusShape>(*c.volumes[5].shape).axis, Vec3::UnitY());
+
+  const auto& tube = std::get<TubeShape>(*c.volumes[6].shape);
+  EXPECT_EQ(tube.path[3], Vec3(9, 4, -4));
+  EXPECT_EQ(tube.bend_radius, (std::vector<double>{3, 1.5}));
+  EXPECT_EQ(tube.wall_thickness, 0.03);
 
   // Contact distances of each volume at a point above (0.1, 0, 0).
   const auto volumes = run::load_volumes(c);
@@ -59,15 +68,19 @@ TEST(CaseShapes, OfEveryKind) {
   EXPECT_NEAR(distance(3, {0.3, 0.5, 0.4}), 0.25, 1e-14);
   EXPECT_NEAR(distance(4, {7, 4, 0}), 4.5, 1e-14);
   EXPECT_NEAR(distance(5, {0, 0, 1}), 3, 1e-14);
+  EXPECT_NEAR(distance(6, {0.1, 0, 0}), 0.15, 1e-14);
 
   const std::string text = model::summary(c);
-  for (const char* line : {"p: plane through (0, 0, -60) facing (0, 0, 1), fixed in space",
-                           "b: box of 0.4 x 2 x 6 m about (1, 2, 3), turned, on barge",
-                           "s: sphere of radius 0.5 m about (0, 0, 1)",
-                           "y: cylinder of radius 0.25 m from (0, -1, 0) to (0, 1, 0), fixed in space, "
-                           "stiffness automatic, friction 0.3",
-                           "c: capsule of radius 0.5 m from (0, 0, 0) to (4, 0, 0)",
-                           "t: torus of radius 4 m, tube 1 m, about (0, 0, 1) with axis (0, 1, 0)"})
+  for (const char* line :
+       {"p: plane through (0, 0, -60) facing (0, 0, 1), fixed in space",
+        "b: box of 0.4 x 2 x 6 m about (1, 2, 3), turned, on barge",
+        "s: sphere of radius 0.5 m about (0, 0, 1)",
+        "y: cylinder of radius 0.25 m from (0, -1, 0) to (0, 1, 0), fixed in space, "
+        "stiffness automatic, friction 0.3",
+        "c: capsule of radius 0.5 m from (0, 0, 0) to (4, 0, 0)",
+        "t: torus of radius 4 m, tube 1 m, about (0, 0, 1) with axis (0, 1, 0)",
+        "j: tube of inner radius 0.25 m, wall 0.03 m, with 2 bends, from (0, 0, 8) to (9, 4, -4)",
+        "i: tube of inner radius 0.25 m, wall 0.03 m, straight, from (0, 0, 8) to (0, 0, -4)"})
     EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
 }
 

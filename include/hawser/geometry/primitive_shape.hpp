@@ -2,6 +2,7 @@
 #pragma once
 
 #include <variant>
+#include <vector>
 
 #include "hawser/math/types.hpp"
 
@@ -31,6 +32,16 @@ struct TorusShape {
   double radius = 1;                                 // of the circle in the middle of the tube
   double tube_radius = 0.1;                          // > 0, below the radius
 };
-using Primitive = std::variant<PlaneShape, BoxShape, SphereShape, CylinderShape, CapsuleShape, TorusShape>;
+struct TubeShape {                  // wall of a pipe, open at both ends, with rounded rims
+  std::vector<Vec3> path;           // of the axis, two points or more; bends round the corners off
+  std::vector<double> bend_radius;  // of the axis at each corner, or one for all; above the outer radius
+  double inner_radius = 1;          // > 0
+  double wall_thickness = 0.1;      // > 0
+
+  double outer_radius() const { return inner_radius + wall_thickness; }
+  double middle_radius() const { return inner_radius + 0.5 * wall_thickness; }
+};
+using Primitive =
+    std::variant<PlaneShape, BoxShape, SphereShape, CylinderShape, CapsuleShape, TorusShape, TubeShape>;
 
 }  // namespace hawser

@@ -10,11 +10,14 @@
 // the circle's tangent; see docs/theory/geometry.md.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <vector>
 
 #include "hawser/geometry/primitive_shape.hpp"
 #include "hawser/geometry/surface.hpp"
 #include "hawser/geometry/triangle_mesh.hpp"
+#include "hawser/geometry/tube_path.hpp"
 
 namespace hawser {
 
@@ -77,6 +80,24 @@ class TorusSurface final : public Surface {
  private:
   Vec3 centre_, axis_;
   double radius_, tube_;
+};
+
+// Patch numbers: 2i the outside and 2i + 1 the bore of the leg or arc i, 2n and 2n + 2 the rims of n pieces.
+// Exact where the tube keeps clear of itself.
+class TubeSurface final : public Surface {
+ public:
+  explicit TubeSurface(const TubeShape& shape);
+  std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
+  Box bounds() const override;
+
+ private:
+  struct End {
+    Vec3 at = Vec3::Zero(), out = Vec3::UnitX();  // of the axis; unit tangent outwards
+  };
+  std::vector<TubePiece> pieces_;
+  std::array<End, 2> ends_;
+  double middle_, half_wall_, size_ = 0;
+  Box box_;
 };
 
 }  // namespace hawser

@@ -44,6 +44,8 @@ void check_line(const Case& c, const Line& line, const Issues& issue);
 void check_feed(const Case& c, const Line& line, bool at_b, const Issues& issue);
 void check_contact(const Case& c, const Issues& issue);
 void check_events(const Case& c, const Issues& issue);
+// Checks the path and the radii of a tube, by keys of `tube`.
+void check_tube(const TubeShape& tube, const Issues& issue);
 // Checks the tension and dead band of a feeder, by keys of `feed`.
 void check_law(const Feed& feed, const Issues& issue);
 // Checks the supports of laid lines.

@@ -1,0 +1,79 @@
+// Checks of the path and the radii of tubes.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "hawser/geometry/tube_path.hpp"
+#include "hawser/model/check.hpp"
+
+namespace hawser::model {
+namespace {
+
+// Relative rounding of lengths of legs and of angles.
+constexpr double kRounding = 1e-9;
+
+bool radii_fit(const TubeShape& s, const Issues& issue) {
+  const std::size_t corners = s.path.size() - 2, given = s.bend_radius.size();
+  if (corners == 0) {
+    if (given > 0) issue("bend_radius", "has no effect: a path of two points is straight");
+    return given == 0;
+  }
+  if (given == 0) {
+    issue("bend_radius", "required key is missing: the path has {} corner{}", corners,
+          corners == 1 ? "" : "s");
+    return false;
+  }
+  if (given > 1 && given != corners) {
+    issue("bend_radius", "{} radii for {} corner{} of the path; give one for each, or one for all", given,
+          corners, corners == 1 ? "" : "s");
+    return false;
+  }
+  for (std::size_t i = 0; i < given; ++i)
+    if (!(s.bend_radius[i] > s.outer_radius())) {
+      issue("bend_radius",
+            "{:g} m is too tight: must be above the outer radius of {:g} m (inner radius and wall)",
+            s.bend_radius[i], s.outer_radius());
+      return false;
+    }
+  return true;
+}
+
+bool legs_fit(const TubeShape& s, const Issues& issue) {
+  for (std::size_t i = 0; i + 1 < s.path.size(); ++i)
+    if (s.path[i] == s.path[i + 1]) {
+      issue("path", "points {} and {} are the same", i + 1, i + 2);
+      return false;
+    }
+  const std::vector<TubeBend> bends = tube_bends(s);
+  for (std::size_t i = 0; i < bends.size(); ++i)
+    if (bends[i].turn > (1 - kRounding) * M_PI) {
+      issue("path", "turns straight back at point {}; round a hairpin off at two points", i + 2);
+      return false;
+    }
+  for (std::size_t i = 0; i + 1 < s.path.size(); ++i) {
+    const double length = (s.path[i + 1] - s.path[i]).norm(), before = i > 0 ? bends[i - 1].tangent : 0,
+                 after = i < bends.size() ? bends[i].tangent : 0;
+    if (before + after <= length * (1 + kRounding)) continue;
+    issue("path",
+          "from point {} to point {} are {:g} m, and the bends there take {:g} m of it, "
+          "r tan(half the turn) each; move the points apart, or make the radii smaller",
+          i + 1, i + 2, length, before + after);
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void check_tube(const TubeShape& s, const Issues& issue) {
+  if (!radii_fit(s, issue) || !legs_fit(s, issue)) return;
+  if (const auto t = tube_touches_itself(s))
+    issue("path",
+          "the tube runs into itself: {:.4g} m and {:.4g} m along the path are {:.4g} m apart, less than its "
+          "outer "
+          "diameter of {:g} m",
+          t->first, t->second, t->distance, 2 * s.outer_radius());
+}
+
+}  // namespace hawser::model
