@@ -114,7 +114,7 @@ Solved solve(MPI_Comm comm, const model::Case& c, const Configure& configure) {
     check(PCShellGetName(pc, &name));
     out.solver = name;
   }
-  std::vector<double> all(3 * m.mesh->nodes.size(), 0), local;
+  std::vector<double> all(3 * m.mesh->nodes(), 0), local;
   system.gather(x.get(), local);
   for (int n = 0; n < m.owned; ++n)
     for (size_t k = 0; k < 3; ++k)
