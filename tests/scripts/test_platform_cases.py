@@ -123,6 +123,20 @@ class Cases(unittest.TestCase):
         self.assertGreater(np.ptp(found["position_z"]), 0.1)
         self.assertGreater(found["drift_force_x"][0], 1e5)  # its mean, in statics
 
+    def test_volturnus_mean_in_the_storm(self):
+        """An hour of the storm without slow drift: the platform is on average where statics has it, 0.5 % of its offset and of its pitch."""
+        path = self.case("volturnus")
+        no_drift = ("--set", "bodies.semi.floating.hydrodynamics.second_order=null")
+        file = self.run_case(path, *AT_REST, *no_drift)
+        _, rest = self.series(file, "semi")
+        file.close()
+        file = self.run_case(path, *no_drift)
+        time, found = self.series(file, "semi")
+        for column in ("position_x", "rotation_vector_y"):
+            mean = found[column][time > 600].mean()
+            print(f"VolturnUS-S in an hour of storm, {column}: mean {mean:.5g}, at rest {rest[column][0]:.5g}, off by {mean / rest[column][0] - 1:+.2e}")
+            self.assertAlmostEqual(mean / rest[column][0], 1, delta=5e-3)
+
     def test_oc4_frequencies(self):
         """Published 0.0093, 0.0578 and 0.0373 Hz in surge, heave and pitch, within 7 %, by modes and by decays."""
         path = self.case("oc4")
