@@ -166,12 +166,24 @@ class Cases(unittest.TestCase):
 
     def test_fpso(self):
         """The ship's heading is between the directions of waves, wind and current, and the storm starts from there."""
-        file = self.run_case(self.case("fpso"), "--set", "dynamics.duration=20")
-        _, found = self.series(file, "fpso")
+        path = self.case("fpso")
+        file = self.run_case(path, "--set", "dynamics.duration=20")
+        time, found = self.series(file, "fpso")
         self.assertTrue(-30 < np.degrees(found["rotation_vector_z"][0]) < 0)
         for what in ("wind", "current", "drift", "other"):
             self.assertGreater(np.hypot(found[f"{what}_force_x"][0], found[f"{what}_force_y"][0]), 1e4, what)
         self.assertLess(np.abs(found["position_x"] - found["position_x"][0]).max(), 5)
+        # Stopped half way it goes on to the same motion, forces and tension.
+        for words in (("--stop-at", "10", "-o", path.with_name("part.h5")),
+                      ("--restart", path.with_name("part.h5"), "-o", path.with_name("rest.h5"))):
+            done = run(HAWSER, "run", path, "-q", "--set", "dynamics.duration=20", *words)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        rest = h5py.File(path.with_name("rest.h5"))
+        later = time > 10.1
+        np.testing.assert_allclose(rest["series/time"][:], time[later], atol=1e-9)
+        for name in ("fpso", "mooring_1", "riser_1"):
+            whole, part = file["series"][name][:][later], rest["series"][name][:]
+            np.testing.assert_allclose(part, whole, rtol=1e-10, atol=1e-10 * np.abs(whole).max())
 
     def test_ships_touch_and_rub(self):
         """Pushed together without fenders, the hulls stop each other, and friction slows the vessel."""
