@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "hawser/kernels/radiation_memory.hpp"
 #include "hydrodynamic_parts.hpp"
@@ -15,15 +17,47 @@ namespace {
 
 using model::HydrodynamicData;
 
-// A(inf) = A(omega) + int_0^inf K sin(omega t) dt/omega (Ogilvie 1964), averaged over the frequencies.
+struct Weighted {
+  double value, weight;
+};
+
+// The value with half of the weight on each side. Reorders.
+double median(std::vector<Weighted>& of) {
+  std::sort(of.begin(), of.end(), [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
+  double left = 0;
+  for (const Weighted& w : of) left += w.weight;
+  for (const Weighted& w : of)
+    if ((left -= 2 * w.weight) <= 0) return w.value;
+  return of.back().value;
+}
+
+// A(inf) = A(omega) - (2/pi) PV int_0^inf B(u)/(u² - omega²) du (Kotik and Mangulis 1962), of each entry the
+// median over ln omega: next to irregular frequencies, to gaps and to the end of the table single rows are
+// far off. What is missing beyond the end is a constant, which belongs into A(inf), and a part that grows as
+// omega²: a weight by ln omega favours rows without it. The last row, where B may jump to 0, has none unless
+// it is the only one.
 void estimate_infinite(HydrodynamicData& data, std::vector<std::string>& notes) {
-  const Eigen::Index n = 6 * data.bodies, rows = static_cast<Eigen::Index>(data.omega.size());
-  Eigen::MatrixXd damping(rows, n * n);
-  for (Eigen::Index k = 0; k < rows; ++k) damping.row(k) = data.damping[static_cast<size_t>(k)].reshaped();
-  const RadiationMemory memory(data.omega, damping);
-  Eigen::MatrixXd mean = Eigen::MatrixXd::Zero(n, n);
-  for (const Eigen::MatrixXd& A : data.added_mass) mean += A / static_cast<double>(rows);
-  data.infinite = mean + memory.added_mass_below_infinite(data.omega).reshaped(n, n);
+  const Eigen::Index n = 6 * data.bodies;
+  const size_t rows = data.omega.size(), used = std::max<size_t>(rows - 1, 1);
+  Eigen::MatrixXd damping(rows, n * n), found(used, n * n);
+  for (size_t k = 0; k < rows; ++k) damping.row(static_cast<Eigen::Index>(k)) = data.damping[k].reshaped();
+  Eigen::VectorXd share(used);
+  for (size_t k = 0; k < used; ++k) {
+    const double omega = data.omega[k];
+    const double before = data.omega[k > 0 ? k - 1 : 0], after = data.omega[std::min(k + 1, used - 1)];
+    share[static_cast<Eigen::Index>(k)] = std::log((omega + after) / (before + omega));
+    found.row(static_cast<Eigen::Index>(k)) =
+        data.added_mass[k].reshaped().transpose() - added_mass_by_damping(data.omega, damping, omega);
+  }
+  data.infinite.resize(n, n);
+  std::vector<Weighted> by_row(used);
+  for (Eigen::Index entry = 0; entry < n * n; ++entry) {
+    for (size_t k = 0; k < used; ++k) {
+      const auto row = static_cast<Eigen::Index>(k);
+      by_row[k] = {found(row, entry), share[row]};
+    }
+    data.infinite.reshaped()[entry] = median(by_row);
+  }
   data.infinite_estimated = true;
   notes.push_back(
       data.radiation_file +

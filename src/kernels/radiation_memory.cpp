@@ -150,18 +150,4 @@ Eigen::RowVectorXd RadiationMemory::added_mass_by_damping(double omega) const {
   return hawser::added_mass_by_damping(omega_, damping_, omega);
 }
 
-// Gauss-Legendre quadrature on each interval of the table.
-Eigen::RowVectorXd RadiationMemory::added_mass_below_infinite(const std::vector<double>& omega) const {
-  Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(entries());
-  const auto intervals = static_cast<size_t>(std::lround(length_ / spacing_));
-  for (size_t p = 0; p < intervals; ++p)
-    for (int q = 0; q < 4; ++q) {
-      const double t = (static_cast<double>(p) + kAt[q]) * spacing_;
-      double weight = 0;
-      for (const double w : omega) weight += std::sin(w * t) / w;
-      sum += (kWeight[q] * spacing_ * weight / static_cast<double>(omega.size())) * retardation(t);
-    }
-  return sum;
-}
-
 }  // namespace hawser

@@ -1,6 +1,7 @@
 // The class DynamicPositioning: forces at rest and in motion, limits, integral, work and checkpoint records.
 #include "hawser/terms/dynamic_positioning.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hawser/kernels/frame_point.hpp"
@@ -14,6 +15,8 @@ namespace {
 // In statics, freedoms with an integral part are held by kHeld times their proportional part. The offset is
 // then a thousandth of that with the proportional part alone, and the integral begins with the difference.
 constexpr double kHeld = 1000;
+// A force on the ellipse of the limits but for rounding, as after statics, is limited: its integral rests.
+constexpr double kOnEllipse = 1 - 1e-9;
 
 }  // namespace
 
@@ -46,12 +49,14 @@ Vec3 DynamicPositioning::offset(const Positioned& p, const Vec3& pose) {
 
 // F = H limit(-(P H^T e + D H^T e' + I H^T s)), H: axes of the slow heading. The limits keep the direction of
 // the horizontal force A: A/q where q = |(A_x/X, A_y/Y)| > 1, with X and Y the largest forces in surge and
-// sway alone; the derivative is (1 - A (A_x/X², A_y/Y²)/q²)/q. With d H/d heading = J H, J = hat(z):
+// sway alone; the derivative is (1 - A (A_x/X², A_y/Y²)/q²)/q. If at rest only one of the two has an integral
+// (`alone`, 0: surge, 1: sway), it gives what the other leaves of the ellipse, A_x = X sqrt(1 - (A_y/Y)²),
+// until which it grows. With d H/d heading = J H, J = hat(z):
 //   dF = J F + H L (-(P a + D b + I c) H^T d(x, y, heading)
 //                   + a (P J H^T e + D J H^T e' + I J H^T s) d heading)
 // a, b, c: by_place, by_speed, by_sum; L: derivative of the limits; J F is multiplied by a as well.
 DynamicPositioning::Push DynamicPositioning::push(const model::DynamicPositioning& data,
-                                                  const Deviation& deviation) {
+                                                  const Deviation& deviation, int alone) {
   const Mat3 H = heading_axes(deviation.heading), J = hat(Vec3::UnitZ());
   const Vec3 e = H.transpose() * deviation.offset, rate = H.transpose() * deviation.speed,
              sum = H.transpose() * deviation.sum;
@@ -65,7 +70,7 @@ DynamicPositioning::Push DynamicPositioning::push(const model::DynamicPositionin
   Mat3 limit = Mat3::Identity();
   const Eigen::Vector2d least = data.max_force.cwiseInverse(), plane = out.asked.head<2>();
   const double size = plane.cwiseProduct(least).norm();
-  out.force_limited = size > 1;
+  out.force_limited = size > kOnEllipse;
   out.moment_limited = std::abs(out.asked.z()) > data.max_moment;
   if (out.force_limited) {
     const Eigen::Vector2d along = plane / size, across = along.cwiseProduct(least.cwiseAbs2());
@@ -75,6 +80,18 @@ DynamicPositioning::Push DynamicPositioning::push(const model::DynamicPositionin
   if (out.moment_limited) {
     given.z() = std::copysign(data.max_moment, out.asked.z());
     limit(2, 2) = 0;
+  }
+  if (out.force_limited && alone >= 0) {
+    const int other = 1 - alone;
+    const double share = std::clamp(plane[other] * least[other], -1.0, 1.0);
+    const double left = std::sqrt(1 - share * share), end = std::copysign(1 / least[alone], plane[alone]);
+    given[other] = share / least[other];
+    given[alone] = left * end;
+    limit.topLeftCorner<2, 2>().setZero();
+    if (left > 0) {
+      limit(other, other) = 1;
+      limit(alone, other) = -share * least[other] / left * end;
+    }
   }
   out.force = H * given;
   const Vec3 gain = by_gains(Vec3::Constant(deviation.by_place), Vec3::Constant(deviation.by_speed),
@@ -91,6 +108,7 @@ DynamicPositioning::Push DynamicPositioning::push_at_rest(const Positioned& p, c
   deviation.heading = pose.z();
   deviation.offset = offset(p, pose);
   model::DynamicPositioning data = p.data;
+  int alone = -1;
   if (!integrates_) {
     deviation.sum = p.integral;
     data.max_force.setConstant(HUGE_VAL);
@@ -98,8 +116,9 @@ DynamicPositioning::Push DynamicPositioning::push_at_rest(const Positioned& p, c
   } else if (statics_) {
     for (int k = 0; k < 3; ++k)
       if (data.integral[k] > 0) data.proportional[k] *= kHeld;
+    if ((data.integral[0] > 0) != (data.integral[1] > 0)) alone = data.integral[0] > 0 ? 0 : 1;
   }
-  return push(data, deviation);
+  return push(data, deviation, alone);
 }
 
 // The integral is continued from the last accepted state by the trapezoidal rule.

@@ -123,6 +123,20 @@ class Cases(unittest.TestCase):
         self.assertGreater(np.ptp(found["position_z"]), 0.1)
         self.assertGreater(found["drift_force_x"][0], 1e5)  # its mean, in statics
 
+    def test_volturnus_mean_in_the_storm(self):
+        """An hour of the storm without slow drift: the platform is on average where statics has it, 0.5 % of its offset and of its pitch."""
+        path = self.case("volturnus")
+        no_drift = ("--set", "bodies.semi.floating.hydrodynamics.second_order=null")
+        file = self.run_case(path, *AT_REST, *no_drift)
+        _, rest = self.series(file, "semi")
+        file.close()
+        file = self.run_case(path, *no_drift)
+        time, found = self.series(file, "semi")
+        for column in ("position_x", "rotation_vector_y"):
+            mean = found[column][time > 600].mean()
+            print(f"VolturnUS-S in an hour of storm, {column}: mean {mean:.5g}, at rest {rest[column][0]:.5g}, off by {mean / rest[column][0] - 1:+.2e}")
+            self.assertAlmostEqual(mean / rest[column][0], 1, delta=5e-3)
+
     def test_oc4_frequencies(self):
         """Published 0.0093, 0.0578 and 0.0373 Hz in surge, heave and pitch, within 7 %, by modes and by decays."""
         path = self.case("oc4")
@@ -152,12 +166,24 @@ class Cases(unittest.TestCase):
 
     def test_fpso(self):
         """The ship's heading is between the directions of waves, wind and current, and the storm starts from there."""
-        file = self.run_case(self.case("fpso"), "--set", "dynamics.duration=20")
-        _, found = self.series(file, "fpso")
+        path = self.case("fpso")
+        file = self.run_case(path, "--set", "dynamics.duration=20")
+        time, found = self.series(file, "fpso")
         self.assertTrue(-30 < np.degrees(found["rotation_vector_z"][0]) < 0)
         for what in ("wind", "current", "drift", "other"):
             self.assertGreater(np.hypot(found[f"{what}_force_x"][0], found[f"{what}_force_y"][0]), 1e4, what)
         self.assertLess(np.abs(found["position_x"] - found["position_x"][0]).max(), 5)
+        # Stopped half way it goes on to the same motion, forces and tension.
+        for words in (("--stop-at", "10", "-o", path.with_name("part.h5")),
+                      ("--restart", path.with_name("part.h5"), "-o", path.with_name("rest.h5"))):
+            done = run(HAWSER, "run", path, "-q", "--set", "dynamics.duration=20", *words)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        rest = h5py.File(path.with_name("rest.h5"))
+        later = time > 10.1
+        np.testing.assert_allclose(rest["series/time"][:], time[later], atol=1e-9)
+        for name in ("fpso", "mooring_1", "riser_1"):
+            whole, part = file["series"][name][:][later], rest["series"][name][:]
+            np.testing.assert_allclose(part, whole, rtol=1e-10, atol=1e-10 * np.abs(whole).max())
 
     def test_ships_touch_and_rub(self):
         """Pushed together without fenders, the hulls stop each other, and friction slows the vessel."""

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 #include "hawser/io/hydrodynamic_files.hpp"
@@ -119,16 +120,26 @@ TEST_F(WamitReader, ReadsPackedFiles) {
   EXPECT_NEAR(read().added_mass[0](0, 0), 0.6 * 8000, 1e-9);
 }
 
+// The damping of a heaving hemisphere (Hulme 1982) and its added mass, which at infinite frequency is
+// 1.047198 a^3 rho/2. Without that row, with an end at 3 rad/s and a tenth of the rows that an irregular
+// frequency has spoiled, the estimate is within 0.5 % of it; the mean over the rows would be 5 % off.
 TEST_F(WamitReader, EstimatesTheInfiniteFrequencyWithANote) {
-  std::string text;
-  for (int k = 1; k < 200; ++k) {
-    const double w = 0.05 * k, B = w * w * std::exp(-w);
-    text += std::to_string(2 * M_PI / w) + " 3 3 " + std::to_string(1 + 0.0 * B) + " " +
-            std::to_string(B / w) + "\n";
+  std::ifstream whole(HAWSER_SOURCE_DIR "/tests/data/hemisphere.1");
+  std::string text, line;
+  int kept = 0;
+  while (std::getline(whole, line)) {
+    std::istringstream words(line);
+    double period = 0, i = 0, j = 0, A = 0, B = 0;
+    words >> period >> i >> j >> A >> B;
+    if (period < 2 * M_PI / 3) continue;
+    if (++kept % 10 == 5) A += 0.5;
+    text += fmt::format("{:.7g} 3 3 {:.7g} {:.7g}\n", period, A, B);
   }
+  ASSERT_GT(kept, 90);
   write(".1", text);
   const model::HydrodynamicData d = read();
   EXPECT_TRUE(d.infinite_estimated);
+  EXPECT_NEAR(d.infinite(2, 2) / (1.047198 * 1000 * 8), 1, 5e-3);
   ASSERT_EQ(notes.size(), 1u);
   EXPECT_NE(notes[0].find("Ogilvie"), std::string::npos);
 }

@@ -245,6 +245,37 @@ TEST(Positioning, StaticsHoldsThePlace) {
   }
 }
 
+// Surge alone has an integral, and the load is more than the thrusters hold: sway gives P_y y, surge what
+// that leaves of the ellipse, springs the rest, and nothing moves when time begins to run. For loads to the
+// sides and astern, and with sway in its place.
+TEST(Positioning, OneIntegralBesideALimit) {
+  constexpr double k = 1e4, P = 1e5, X = 3e4, Y = 2e4;
+  for (const bool surge : {true, false})
+    for (const double sign : {1.0, -1.0}) {
+      const double ahead = sign * 8e4, across = 1.2e4, least = surge ? Y : X, most = surge ? X : Y;
+      const Vec3 load = surge ? Vec3(ahead, across, 0) : Vec3(across, ahead, 0);
+      const model::Case c = vessel(
+          "",
+          fmt::format(
+              "stiffness: [{}, {}, 1e6], turning_stiffness: [1e9, 1e9, 1e9], loads: [{{force: [{}, {}, "
+              "0]}}], positioning: {{proportional: [{}, {}, 1e9], integral: [{}, {}, 0], max_force: "
+              "[{}, {}]}}",
+              k, k, load.x(), load.y(), P, P, surge ? 100 : 0, surge ? 0 : 100, X, Y),
+          "statics: {tolerance: 1e-12}\ndynamics: {duration: 20, step: 0.2}\n");
+      Simulation s(PETSC_COMM_WORLD, c);
+      s.solve_statics();
+      const Vec3 rest = place(s, s.state().view(0));
+      const double aside = across / (k + P), share = P * aside / least;
+      const double along = (ahead - std::copysign(most * std::sqrt(1 - share * share), ahead)) / k;
+      EXPECT_NEAR(rest[surge ? 1 : 0], aside, 1e-6 * aside);
+      EXPECT_NEAR(rest[surge ? 0 : 1], along, 1e-6 * std::abs(along));
+      Dynamics& d = s.dynamics();
+      d.start(s.state());
+      integrate(d, 20, 20, [](const StepInfo&) {});
+      EXPECT_LT((place(s, d.kinematics()) - rest).norm(), 1e-3 * std::abs(along));
+    }
+}
+
 // Modes are those about rest: of the proportional part, whatever integral and limits do, between which
 // thrusters and a spring at the mass centre carry the load at the origin. That is 10 m behind the mass
 // centre, so that sway and yaw are coupled, and what the spring carries, F, turns the body:

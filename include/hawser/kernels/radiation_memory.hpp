@@ -39,9 +39,6 @@ class RadiationMemory {
   void integrals(double t, double* S, double* rate) const;
   // added_mass_by_damping() for this damping.
   Eigen::RowVectorXd added_mass_by_damping(double omega) const;
-  // A(inf) - A(omega) = int_0^length K(t) sin(omega t) dt/omega (Ogilvie 1964) by entry, kg and so on,
-  // averaged over these frequencies.
-  Eigen::RowVectorXd added_mass_below_infinite(const std::vector<double>& omega) const;
 
  private:
   void tabulate();

@@ -66,7 +66,7 @@ class DynamicPositioning final : public ForceTerm, public LoadsBodies, public Ac
     Passed last;  // at the last accepted state; in statics at the last iteration
   };
   static Vec3 offset(const Positioned& p, const Vec3& pose);
-  static Push push(const model::DynamicPositioning& data, const Deviation& deviation);
+  static Push push(const model::DynamicPositioning& data, const Deviation& deviation, int alone = -1);
   Push push(const Positioned& p, const Kinematics& at) const;
   Push push_at_rest(const Positioned& p, const Vec3& pose) const;
   static Push push_in_motion(const Positioned& p, const Vec3& pose, double time);

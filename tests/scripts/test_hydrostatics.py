@@ -1,0 +1,117 @@
+"""Hydrostatics by the mesh of a hull, through the program: periods of a box, a pile and a hemisphere in closed form, and a ship's displacement
+(skipped without its mesh). Decays of a hemisphere by coefficients in steps of 5 to 200 ms, whose memory never brings in energy."""
+import gzip
+import os
+import re
+import shutil
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+from support import ROOT, run, write
+
+HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
+SHIP = ROOT.parent / "shared/data/hulls/kvlcc2.obj.gz"
+BALL = """\
+hawser: 1
+environment: {{gravity: 9.81, water: {{density: 1000}}}}
+bodies:
+  ball: {{position: [0, 0, {place}], floating: {{mass: 261799.3878, inertia: [2.6e6, 2.6e6, 2.6e6], hydrodynamics: {{wamit: hemisphere,
+         length_scale: 5}} {more}}}}}
+statics: false
+dynamics: {{duration: 12, {steps}}}
+output: {{every: 100, histories: [{{body: ball}}]}}
+"""
+
+
+class Hydrostatics(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def periods(self, floating, shape):
+        """Those of `hawser modes` by the names of their freedoms."""
+        write(self.folder, "case.yaml", "hawser: 1\nenvironment: {gravity: 9.81, water: {density: 1000}}\nbodies:\n"
+              f"  body: {{floating: {{{floating}, hull: {{volumes: [shape]}}}}}}\nvolumes: {{shape: {{shape: {{{shape}}}, body: body}}}}\n")
+        done = run(HAWSER, "modes", "case.yaml", "-n", "6", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return {name: float(period) for period, name in re.findall(r"^ *\d+ +([\d.]+) .*body body: (\w+)", done.stdout, re.M)}
+
+    def test_periods_of_shapes(self):
+        """Heave 2 pi sqrt(m/(rho g A)), roll 2 pi sqrt(J/(rho g (I + V (z_B - z_G)))): 1e-4 of flat and round sides, 2e-3 of a sphere, whose
+        triangles have its volume and 0.23 % more waterplane."""
+        weight = 1000 * 9.81
+        for what, floating, shape, area, moments, volume, arm, inertia, tolerance in (
+                ("box", "mass: 576000, centre_of_mass: [0, 0, -0.6], inertia: [4e6, 2.2e7, 2.4e7]", "box: {centre: [0, 0, 0], size: [20, 8, 7.2]}",
+                 160, {"roll": 20 * 8**3 / 12, "pitch": 8 * 20**3 / 12}, 576, -1.2, {"roll": 4e6, "pitch": 2.2e7}, 1e-4),
+                ("pile", f"mass: {40 * np.pi * 36e3:.17g}, centre_of_mass: [0, 0, -26], inertia: [9e8, 9e8, 8e7]",
+                 "cylinder: {from: [0, 0, -40], to: [0, 0, 10], radius: 6}", 36 * np.pi, {"roll": np.pi * 6**4 / 4, "pitch": np.pi * 6**4 / 4},
+                 1440 * np.pi, 6, {"roll": 9e8, "pitch": 9e8}, 1e-4),
+                ("hemisphere", f"mass: {250e3 / 3 * np.pi:.17g}, inertia: [2.6e6, 2.6e6, 2.6e6]", "sphere: {centre: [0, 0, 0], radius: 5}",
+                 25 * np.pi, {}, 250 / 3 * np.pi, -15 / 8, {}, 2e-3)):
+            found = self.periods(floating, shape)
+            exact = {"heave": 2 * np.pi * np.sqrt(1000 * volume / (weight * area))}
+            for freedom, moment in moments.items():
+                exact[freedom] = 2 * np.pi * np.sqrt(inertia[freedom] / (weight * (moment + volume * arm)))
+            off = {freedom: found[freedom] / period - 1 for freedom, period in exact.items()}
+            print(f"{what}: " + ", ".join(f"{freedom} {found[freedom]:.5g} s, {error:+.1e}" for freedom, error in off.items()))
+            self.assertLess(max(map(abs, off.values())), tolerance)
+
+    def test_displacement_of_a_tanker(self):
+        """KVLCC2 at 20.8 m draught: 312 622 m3 (SIMMAN 2008), 0.3 % by a mesh that is open at the transom and the rudder; KM 24.29 m
+        (KG 18.6 m and GM 5.71 m), 0.3 %."""
+        if not SHIP.exists():
+            self.skipTest(f"{SHIP} is not there")
+        (self.folder / "kvlcc2.obj").write_bytes(gzip.decompress(SHIP.read_bytes()))
+        write(self.folder, "case.yaml", "hawser: 1\nenvironment: {gravity: 9.81, water: {density: 1000}}\nbodies:\n  ship: {floating: {mass: 312622e3, "
+              "inertia: [1e11, 2e12, 2e12], hull: {volumes: [ship]}}}\nvolumes: {ship: {mesh: kvlcc2.obj, scale: 58, body: ship}}\n")
+        done = run(HAWSER, "check", "case.yaml", "--quick", cwd=self.folder)
+        volume = float(re.search(r"displaces (\d+) m³", done.stdout)[1])
+        height = float(re.search(r"metacentric heights ([\d.]+) m \(roll\)", done.stdout)[1]) + 20.8
+        print(f"KVLCC2: {volume:.0f} m3, {volume / 312622 - 1:+.2%}; KM {height:.3f} m, {height / 24.29 - 1:+.2%}")
+        self.assertAlmostEqual(volume / 312622, 1, delta=3e-3)
+        self.assertAlmostEqual(height / 24.29, 1, delta=3e-3)
+
+    def ball(self, steps, place=1, more=""):
+        """Time, heave, velocity and force of radiation of a hemisphere."""
+        for ending in (".1", ".hst"):
+            shutil.copy(ROOT / f"tests/data/hemisphere{ending}", self.folder)
+        write(self.folder, "case.yaml", BALL.format(place=place, steps=steps, more=more))
+        done = run(HAWSER, "run", "case.yaml", "-q", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        with h5py.File(self.folder / "case.h5") as file:
+            data = file["series/ball"]
+            columns = [c.decode() for c in data.attrs["columns"]]
+            return [file["series/time"][:]] + [data[:, columns.index(c)] for c in ("position_z", "velocity_z", "radiation_force_z")]
+
+    def test_steps_of_a_decay(self):
+        """Of 1 m, against the inverse Laplace transform with the exact coefficients (Hulme 1982): 0.2 % of the start in steps of 5 to 100 ms and of
+        5 to 200 ms by the local error; of second order, 1 % in steps of 0.2 s, a 22nd of the period."""
+        known = ((0.5, 0.765791737), (2.5, -0.798213175), (5, 0.43444015), (7.5, -0.144894465), (10, -0.0327708241))
+        for steps, tolerance in (("step: 0.005, rho_infinity: 1", 2e-3), ("step: 0.05, rho_infinity: 1", 2e-3),
+                                 ("max_step: 0.2, min_step: 0.005, error_tolerance: 1e-4", 2e-3), ("step: 0.1, rho_infinity: 1", 2e-3),
+                                 ("step: 0.2, rho_infinity: 1", 1e-2)):
+            time, z, _, _ = self.ball(steps)
+            error = max(abs(np.interp(t, time, z) - exact) for t, exact in known)
+            print(f"hemisphere, {steps}: {len(time) - 1} steps, off by {error:.1e} of the start")
+            self.assertLess(error, tolerance)
+
+    def test_memory_takes_energy_out(self):
+        """Of a hemisphere pushed irregularly from rest: what the memory has taken is above zero at each time."""
+        rng = np.random.default_rng(45)
+        rows = ", ".join(f"[{0.25 * k}, 0, 0, {push:.1f}]" for k, push in enumerate(np.append(0, 4e5 * rng.standard_normal(48))))
+        for step in (0.005, 0.02, 0.2):
+            time, _, v, force = self.ball(f"step: {step}, rho_infinity: 1", 0, f", loads: [{{table: {{rows: [{rows}]}}}}]")
+            added = 0.5 * 261799.3878  # of infinite frequency: a half of the displaced mass
+            # The force of radiation of the histories has that of the added mass: its work is kinetic energy.
+            work = -np.cumsum(0.5 * (force[1:] + force[:-1]) * 0.5 * (v[1:] + v[:-1]) * np.diff(time))
+            taken = work - 0.5 * added * v[1:] ** 2
+            print(f"steps of {step} s: the memory takes {taken.min():.3g} to {taken.max():.3g} J")
+            self.assertGreater(taken.max(), 1e5)
+            self.assertGreater(taken.min(), -2e-4 * taken.max())  # of the trapezoidal rule
+
+
+if __name__ == "__main__":
+    unittest.main()
