@@ -21,9 +21,10 @@ except ModuleNotFoundError as missing:
 def make_report(options):
     results = results_of(options.results, options.changes)
     refuse_since(results, options.since)
+    results.add_points(options.point)
     modes = modes_of(options.results, options.changes) if options.modes else None
     path = place_for(options.output or results.path.with_suffix(".html"), filter(None, (results, modes)), (".html", ".htm"), "a report")
-    report.make(results, path, options.since or 0.0, modes)
+    report.make(results, path, options.since or 0.0, modes, options.offsets)
     print(f"report: {path}")
 
 
@@ -31,6 +32,7 @@ def make_export(options):
     results = results_of(options.results, options.changes)
     folder = Path(options.output) if options.output else results.path.with_suffix("")
     refuse_since(results, options.since)
+    results.add_points(options.point)
     for path in export.everything(results, folder, options.since or 0.0):
         print(path)
 
@@ -54,12 +56,16 @@ def commands():
     parser = Parser(prog="hawser", description="Reports, figures and tables of results.")
     sub = parser.add_subparsers(dest="command", required=True)
     of = "results file (.h5) or case file, which is run first if its results are missing or older"
+    point = {"action": "append", "default": [], "metavar": "NAME@X,Y,Z",
+             "help": "also the motion and air gap of this point of the body of a history, m in its frame; repeatable"}
     since = {"type": time_from, "default": None, "metavar": "T", "help": "exclude what is before t = T [s]"}
 
     p = sub.add_parser("report", help="one HTML file with pictures, tables and figures of a run")
     p.add_argument("results", help=of)
     p.add_argument("-o", "--output", help="HTML file (default: beside the results)")
     p.add_argument("--since", **since)
+    p.add_argument("--point", **point)
+    p.add_argument("--offsets", metavar="TABLE", help="also stiffness and offset curves of this table of hawser stiffness (.csv)")
     p.add_argument("--modes", action="store_true", help="of a case file: also natural periods and mode shapes (hawser modes)")
     add_set(p)
     p.set_defaults(do=make_report)
@@ -72,7 +78,7 @@ def commands():
     p.add_argument("--outer-diameter", type=float, metavar="D", help="m, of a pipe: stress (default: the case's)")
     p.add_argument("--wall", type=float, metavar="W", help="m, thickness of its wall: stress (default: the case's)")
     p.add_argument("--field", help="of a range graph (default: effective_tension)")
-    p.add_argument("--name", help="of a history, as in output.histories (default: the first by name)")
+    p.add_argument("--name", help="of a history, as in output.histories, or a point of its body, NAME@X,Y,Z (default: the first by name)")
     p.add_argument("--column", help="of a history (default: effective_tension, or the first)")
     p.add_argument("--over", help="phase: column on the horizontal axis (default: position_z)")
     p.add_argument("--time", type=float, help="of a picture: the output nearest to it [s] (default: the last)")
@@ -84,6 +90,7 @@ def commands():
     p.add_argument("results", help=of)
     p.add_argument("-o", "--output", help="folder (default: named like the results)")
     p.add_argument("--since", **since)
+    p.add_argument("--point", **point)
     add_set(p)
     p.set_defaults(do=make_export)
 
@@ -100,7 +107,7 @@ def commands():
 
     p = sub.add_parser("extremes", help="most probable maximum and quantile of a history in a duration, by fitted distributions")
     p.add_argument("results", nargs="+", metavar="RESULTS", help=of + "; of several runs of one sea state, all count")
-    p.add_argument("--name", help="history, as in output.histories (default: the first by name)")
+    p.add_argument("--name", help="history, as in output.histories, or a point of its body, NAME@X,Y,Z (default: the first by name)")
     p.add_argument("--column", help="its column (default: effective_tension, or the first)")
     p.add_argument("--duration", default="3h", metavar="T", help="of the extremes: 3h, '90 min', 600 (default: 3h)")
     p.add_argument("--quantile", type=float, default=0.9, metavar="P", help="not exceeded with this probability (default: 0.9)")

@@ -72,7 +72,7 @@ def modes(results):
 def everything(results, folder, since=0.0):
     """Writes all tables. since: s, start of statistics and ranges. Returns the paths of the files; input files are
     never overwritten."""
-    lines, series_of = (file_names(names) for names in ([line.name for line in results.lines], results.series_names))
+    lines, series_of = (file_names(names) for names in ([line.name for line in results.lines], results.series_names + results.points))
     if results.modes:
         files = [("modes", lambda: modes(results))]
         files += [(f"shape_{lines[line.name]}", lambda line=line: shapes(results, line)) for line in results.lines]
@@ -81,7 +81,7 @@ def everything(results, folder, since=0.0):
                  ("extremes", lambda: tables.extremes(results)), ("statistics", lambda: tables.statistics_of(results, since)),
                  ("clashes", lambda: tables.clashes(results))]
         files += [(("history_" if name in results.histories else "") + series_of[name], lambda name=name: series(results, name))
-                  for name in results.series_names]
+                  for name in results.series_names + results.points]
         files += [(f"range_{lines[line.name]}", lambda line=line: ranges(results, line, since)) for line in results.lines]
     places = [place_for(folder / f"{name}.csv", [results]) for name, _ in files]
     folder.mkdir(parents=True, exist_ok=True)

@@ -161,6 +161,10 @@ class Layout:
                     self.bad(place, f"names by '{column}' what there is not")
 
 
+def dictionary(value):
+    return value if isinstance(value, dict) else {}
+
+
 def check_layout(file, path):
     """Refuses a results file with missing data sets or with wrong types or shapes."""
     Layout(file, path).check()

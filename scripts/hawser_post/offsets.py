@@ -24,6 +24,23 @@ def read(path):
         raise Refusal(f"{path}: this is no table of hawser stiffness, which is what the figure 'offsets' takes") from None
 
 
+def forces(path):
+    """Head and rows of offsets, forces of the lines and their largest tensions."""
+    found = read(path)
+    names = [n for n in found if n in (FIRST, "y offset [m]", "Fx [N]", "Fy [N]", "Fz [N]") or n.startswith("tension of ")]
+    return names, [list(row) for row in np.column_stack([found[n] for n in names])]
+
+
+def stiffness(path):
+    """Head and rows of the 6 x 6 stiffness at the smallest offset, in SI units."""
+    found = read(path)
+    rest = int(np.argmin(np.hypot(found[FIRST], found["y offset [m]"])))
+    names = {name.split(" ")[0]: name for name in found}
+    rows = [[force, *(float(found[names[f"K{i}{j}"]][rest]) for j in range(1, 7))]
+            for i, force in enumerate(("Fx [N]", "Fy [N]", "Fz [N]", "Mx [N m]", "My [N m]", "Mz [N m]"), 1)]
+    return ["", "x [1/m]", "y [1/m]", "z [1/m]", "rx [1/rad]", "ry [1/rad]", "rz [1/rad]"], rows
+
+
 def figure_of(path):
     """Figure of restoring force and line tensions over the horizontal offset; rows are those of one direction."""
     path = Path(path)

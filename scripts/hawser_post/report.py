@@ -3,7 +3,7 @@ from pathlib import Path
 
 import numpy as np
 
-from . import charts, envelopes, inputs, pipe_checks, pipe_tables, scene, stations, stress, tables
+from . import charts, envelopes, inputs, offsets, pipe_checks, pipe_tables, scene, stations, stress, tables
 from .page import Page
 from .results import Refusal, Results
 
@@ -185,11 +185,14 @@ def history_figures(page, results, series, since):
 
 
 def groups(series):
-    """Columns grouped by figure: components of a vector together, others alone."""
+    """Columns grouped by figure: components of a vector together, others alone. Of bodies without accelerations."""
     out = {}
+    without = {"velocity", "effective_tension_before", "effective_tension_after", "end_direction"}
+    if "angular_acceleration_x" in series.columns:
+        without |= {"acceleration", "angular_acceleration"}
     for c in series.columns:
         stem = c[:-2] if c.endswith(("_x", "_y", "_z")) else c
-        if stem not in ("velocity", "effective_tension_before", "effective_tension_after", "end_direction"):
+        if stem not in without:
             out.setdefault(stem, []).append(c)
     return list(out.values())
 
@@ -293,8 +296,18 @@ def of_modes(results, path):
     page.write(path)
 
 
-def make(results, path, since, vibrations=None):
-    """Writes the report. vibrations: results of `hawser modes` of the same case, for a section of their own."""
+def mooring(page, table_path):
+    """Stiffness at rest, and forces and tensions over the offsets, of a table of `hawser stiffness`."""
+    page.section("Mooring over offsets")
+    page.figure(offsets.figure_of(table_path), "Force that pulls the body back and the largest tension of each line.")
+    table(page, *offsets.forces(table_path))
+    page.text("Stiffness of the lines at rest: rows are forces and moments, columns displacements and small rotations.")
+    table(page, *offsets.stiffness(table_path))
+
+
+def make(results, path, since, vibrations=None, of_mooring=None):
+    """Writes the report. vibrations: results of `hawser modes` of the same case, for a section of their own; of_mooring:
+    table of `hawser stiffness`, likewise."""
     if results.modes:
         return of_modes(results, path)
     page = Page(title_of(results))
@@ -312,6 +325,8 @@ def make(results, path, since, vibrations=None):
     start(page, results)
     if vibrations:
         modes(page, vibrations)
+    if of_mooring:
+        mooring(page, of_mooring)
     extremes(page, results, since)
     lines = by_tension(results)[:MOST_LINES]
     if len(lines) < len(results.lines):

@@ -8,7 +8,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from .layout import LARGEST, Refusal, check_layout, text_of
+from . import points
+from .layout import LARGEST, Refusal, check_layout, dictionary, text_of
 
 
 @dataclass
@@ -58,14 +59,11 @@ def with_platforms(as_read, of):
     return keys
 
 
-def dictionary(value):
-    return value if isinstance(value, dict) else {}
-
-
 class Results:
     def __init__(self, path, stage=None):
         """stage: index of a stage of statics whose equilibrium becomes the only output."""
         self.path = Path(path)
+        self.points = []  # points of bodies that are histories too
         if not self.path.is_file():
             raise Refusal(f"{path}: there is no such file")
         try:
@@ -231,11 +229,11 @@ class Results:
     @property
     def histories(self):
         """Places in the file of the series of `output.histories` and `output.clearances`."""
-        return [n for n in self.series_names if n not in ("energy", "solver")]
+        return [n for n in self.series_names if n not in ("energy", "solver")] + self.points
 
     def series_name(self, key):
         """Name in the case of the series at this place in the file."""
-        return key if key in self.line_series else text_of(self.file["series"][key].attrs.get("name", key))
+        return key if key in self.line_series or key in self.points else text_of(self.file["series"][key].attrs.get("name", key))
 
     @cached_property
     def series_keys(self):
@@ -247,6 +245,9 @@ class Results:
 
     def series_columns(self, key):
         """Columns and units of the series at this place in the file."""
+        if key in self.points:
+            series = self.point(key)
+            return series.columns, series.units
         attributes = self.series_data(key).attrs
         return [text_of(c) for c in attributes["columns"]], [text_of(u) for u in attributes["units"]]
 
@@ -255,14 +256,33 @@ class Results:
 
     def series_at(self, key):
         """Series at this place in the file, as of `series_names` and `histories`."""
+        if key in self.points:
+            return self.point(key)
         data, (_, line) = self.series_data(key), self.line_series.get(key, ("", None))
         return Series(self.series_name(key), *self.series_columns(key), data[: self.steps] if line is None else data[: self.steps, line])
 
     def series(self, name):
-        """Series by its name in the case, else by its place in the file, which may be the name of another."""
+        """Series by its name in the case, else by its place in the file, which may be the name of another, else of a
+        point of a body, HISTORY@X,Y,Z."""
         if name in self.series_keys or name in self.series_names:
             return self.series_at(self.series_keys.get(name, name))
+        if points.split(name):
+            return self.point(name)
         raise Refusal(f"there is no history '{name}' (there are: {', '.join(self.series_keys) or 'none'})")
+
+    def point(self, name):
+        """Motion of a point of a body, HISTORY@X,Y,Z [m, body frame]."""
+        of, place = points.split(name) or (None, None)
+        if of is None:
+            raise Refusal(f"'{name}' is no point of a body: it is HISTORY@X,Y,Z, the name of its history and m in its frame")
+        return Series(name, *points.motion(self, self.series(of), place))
+
+    def add_points(self, names):
+        """Adds points of bodies to the histories."""
+        for name in names:
+            self.point(name)
+            if name not in self.points:
+                self.points.append(name)
 
     @property
     def step_time(self):

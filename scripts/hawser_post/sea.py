@@ -2,7 +2,7 @@
 import numpy as np
 
 from .bed_files import surface_of
-from .results import dictionary
+from .layout import dictionary
 
 
 def ramp_at(t, ramp):

@@ -72,4 +72,16 @@ std::string rests_elsewhere(const std::string& body, double rise) {
       body, std::abs(rise), higher(rise));
 }
 
+std::string held_at_rest(const std::string& body, double up) {
+  return fmt::format("body {} at rest: its lines and what touches it pull it {:.5g} kN {}", body,
+                     std::abs(up) / 1000, up < 0 ? "down" : "up");
+}
+
+std::string below_seabed(const std::string& volume, const std::string& body, double depth) {
+  return fmt::format(
+      "volumes.{}: reaches {:.4g} m below the seabed where body '{}' starts, and the seabed does not hold "
+      "bodies: raise the body, or check the depth and the origin and the unit of the mesh",
+      volume, depth, body);
+}
+
 }  // namespace hawser::advice

@@ -24,10 +24,11 @@ class CapytaineFile {
  public:
   explicit CapytaineFile(const std::string& path)
       : path_(path),
-        variables_(read_netcdf(path, {"omega", "wave_direction", "radiating_dof", "influenced_dof", "complex",
-                                      "added_mass", "radiation_damping", "diffraction_force",
-                                      "Froude_Krylov_force", "excitation_force", "hydrostatic_stiffness",
-                                      "inertia_matrix", "rotation_center", "rho", "g", "forward_speed"})) {}
+        variables_(
+            read_netcdf(path, {"omega", "wave_direction", "radiating_dof", "influenced_dof", "complex",
+                               "added_mass", "radiation_damping", "diffraction_force", "Froude_Krylov_force",
+                               "excitation_force", "hydrostatic_stiffness", "inertia_matrix",
+                               "rotation_center", "rho", "g", "forward_speed", "water_depth"})) {}
 
   [[noreturn]] void refuse(const std::string& text) const { throw std::runtime_error(path_ + ": " + text); }
   bool has(const std::string& name) const { return variables_.count(name) > 0; }
@@ -290,6 +291,7 @@ HydrodynamicData read_capytaine(const std::string& path, const HydrodynamicForm&
   const Freedoms f = freedoms(file, data, notes);
   bool has_infinite = false;
   read_radiation(file, f, scale, data, has_infinite, notes);
+  if (file.has("water_depth")) note_depth(form, file.number("water_depth"), data, notes);
   read_hydrostatics(file, f, scale, gravity, data);
   if (form.mirrored && data.bodies > 1)
     file.refuse(

@@ -22,9 +22,10 @@ bool given(const Value& map, const char* key) {
   return v && v->given;
 }
 
-// Refuses a sea of which more than the share `most` goes where the table has no directions.
+// Refuses a sea of which more than the share `most` goes where the table has no directions, or more than
+// `most_beyond` has longer, or shorter, periods than the table.
 void check_coverage(const Value& files, const std::vector<WaveForceTable>& tables, int body, const char* what,
-                    double most, const std::vector<WaveComponent>& sea, double heading,
+                    double most, double most_beyond, const std::vector<WaveComponent>& sea, double heading,
                     const std::string& key, std::vector<std::string>& notes) {
   if (tables.empty() || sea.empty()) return;
   constexpr double kDegree = M_PI / 180, kSmall = 0.01;
@@ -39,11 +40,13 @@ void check_coverage(const Value& files, const std::vector<WaveForceTable>& table
   if (share.uncovered > most) model::refuse(files, where + ": add these directions to the files");
   if (share.uncovered > kSmall) notes.push_back(key + ": " + where);
   const auto beyond = [&](double energy, const char* which, double omega) {
-    if (energy > kSmall)
-      notes.push_back(
-          fmt::format("{}: {:.3g} % of the sea's energy has {} periods than the {} of the files, which "
-                      "end at {:.4g} s and are used there as they are at that",
-                      key, 100 * energy, which, what, 2 * M_PI / omega));
+    if (!(energy > kSmall)) return;
+    const std::string text = fmt::format(
+        "{:.3g} % of the sea's energy has {} periods than the {} of the files, which end at {:.4g} s",
+        100 * energy, which, what, 2 * M_PI / omega);
+    if (energy > most_beyond) model::refuse(files, text + ": add these periods to the files");
+    notes.push_back(key + ": " + text +
+                    " and are used there as they are at that: add these periods to the files");
   };
   beyond(share.shorter, "shorter", table.highest());
   beyond(share.longer, "longer", table.lowest());
@@ -109,6 +112,7 @@ void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b
     form.length = h.length;
     form.density = c.environment.water.density;
     form.gravity = c.environment.gravity;
+    form.depth = c.environment.water.depth;
     form.mirrored = h.mirrored;
     std::vector<std::string> notes, read;
     try {
@@ -195,8 +199,9 @@ void meet_sea(const Value& v, const CaseSource& source, model::Body& b, model::C
       const std::string key = "bodies." + b.name + ".floating.hydrodynamics";
       const Value& files = (*waves)[h.key()];
       if (h.excitation) {
-        check_coverage(files, h.data->excitation, h.body, "wave forces", 0.05, sea, heading, key, c.notes);
-        check_coverage(files, h.data->drift, h.body, "drift forces", 0.5, sea, heading, key, c.notes);
+        check_coverage(files, h.data->excitation, h.body, "wave forces", 0.05, 0.5, sea, heading, key,
+                       c.notes);
+        check_coverage(files, h.data->drift, h.body, "drift forces", 0.5, 1, sea, heading, key, c.notes);
       }
       if (model::wave_drift_damping(h, sea).diagonal().minCoeff() < 0)
         c.notes.push_back(key +

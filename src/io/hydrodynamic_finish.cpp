@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hawser/kernels/radiation_memory.hpp"
+#include "hawser/kernels/waves.hpp"
 #include "hydrodynamic_parts.hpp"
 
 namespace hawser::io {
@@ -109,37 +110,80 @@ void make_passive(HydrodynamicData& data, std::vector<std::string>& notes) {
   if (taken > kSome * all) notes.push_back(found + "; it is excluded");
 }
 
-// Largest asymmetry of a matrix relative to its diagonal entries.
-double asymmetry(const Eigen::MatrixXd& m) {
+// Largest asymmetry of a matrix relative to the diagonal entries of `of`.
+double asymmetry(const Eigen::MatrixXd& m, const Eigen::VectorXd& of) {
   double most = 0;
   for (Eigen::Index i = 0; i < m.rows(); ++i)
     for (Eigen::Index j = 0; j < i; ++j) {
-      const double scale = std::sqrt(std::abs(m(i, i) * m(j, j)));
+      const double scale = std::sqrt(std::abs(of[i] * of[j]));
       if (scale > 0) most = std::max(most, std::abs(m(i, j) - m(j, i)) / scale);
     }
   return most;
 }
+double asymmetry(const Eigen::MatrixXd& m) { return asymmetry(m, m.diagonal()); }
+
+// Largest asymmetry of the stiffness in heave, roll and pitch of a body.
+void make_stiffness_symmetric(HydrodynamicData& data, std::vector<std::string>& notes) {
+  constexpr double kAsymmetry = 0.05;
+  for (int b = 0; b < data.bodies; ++b) {
+    auto C = data.hydrostatic.block<3, 3>(6 * b + 2, 6 * b + 2);
+    const double most = C.cwiseAbs().maxCoeff();
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < i; ++j) {
+        const double scale = j == 0 ? std::sqrt(std::abs(C(0, 0)) * most) : most;
+        if (std::abs(C(i, j) - C(j, i)) > kAsymmetry * scale)
+          notes.push_back(fmt::format(
+              "{}: the hydrostatic stiffness of {} has {:.4g} in row {} and {:.4g} in row {}, and is "
+              "symmetric: "
+              "the mean of both is used",
+              data.radiation_file, modes_text(6 * b + 2 + j, 6 * b + 2 + i), C(j, i), j + 3, C(i, j), i + 3));
+      }
+    C = (0.5 * (C + C.transpose())).eval();
+  }
+}
 
 }  // namespace
+
+void note_depth(const HydrodynamicForm& form, double depth, const HydrodynamicData& data,
+                std::vector<std::string>& notes) {
+  constexpr double kFar = 0.05;
+  const auto text = [](double h) { return h > 0 ? fmt::format("{:g} m deep", h) : "infinitely deep"; };
+  const double made = std::isfinite(depth) ? depth : 0;
+  const auto number = [&](double h) { return wave_number(data.omega.front(), h, form.gravity); };
+  if (!(form.gravity > 0) || std::abs(number(made) / number(form.depth) - 1) < kFar) return;
+  notes.push_back(
+      fmt::format("{}: is made for water {}, and that of the case is {}: give them the same depth",
+                  data.radiation_file, text(made), text(form.depth)));
+}
 
 void finish_coefficients(HydrodynamicData& data, bool has_infinite, const Eigen::MatrixXd& zero_frequency,
                          std::vector<std::string>& notes) {
   constexpr double kAsymmetry = 0.05;
   double asymmetric = has_infinite ? asymmetry(data.infinite) : 0;
   std::string worst = "at infinite frequency";
+  const char* what = "added mass";
+  Eigen::VectorXd damped = Eigen::VectorXd::Zero(6 * data.bodies);
+  for (const Eigen::MatrixXd& B : data.damping) damped = damped.cwiseMax(B.diagonal().cwiseAbs());
   for (size_t k = 0; k < data.omega.size(); ++k) {
     if (const double here = asymmetry(data.added_mass[k]); here > asymmetric) {
       asymmetric = here;
       worst = fmt::format("at {:.4g} s", 2 * M_PI / data.omega[k]);
+      what = "added mass";
+    }
+    if (const double here = asymmetry(data.damping[k], damped); here > asymmetric) {
+      asymmetric = here;
+      worst = fmt::format("at {:.4g} s", 2 * M_PI / data.omega[k]);
+      what = "damping";
     }
     make_symmetric(data.added_mass[k]);
+    make_symmetric(data.damping[k]);
   }
-  for (Eigen::MatrixXd& m : data.damping) make_symmetric(m);
+  make_stiffness_symmetric(data, notes);
   if (asymmetric > kAsymmetry)
     notes.push_back(
-        fmt::format("{}: added mass differs from its transpose by up to {:.2g} % of the diagonal, "
+        fmt::format("{}: {} differs from its transpose by up to {:.2g} % of the diagonal, "
                     "{}; the mean of both is used",
-                    data.radiation_file, 100 * asymmetric, worst));
+                    data.radiation_file, what, 100 * asymmetric, worst));
   if (has_infinite)
     make_symmetric(data.infinite);
   else

@@ -30,9 +30,17 @@ class WaveForceRows {
  private:
   void add_other_side(const std::string& path);
   void complete_modes(const std::string& path);
+  void check_again(const std::string& path) const;
 
+  // An entry given more than once, with the largest change.
+  struct Again {
+    double omega = 1, direction = 0;
+    int mode = 0;
+    Complex change = 0;
+  };
   int bodies_;
   bool mirrored_;
+  Again again_;
   std::map<long, double> directions_;
   std::map<std::pair<double, long>, std::vector<Complex>> values_;
 };
@@ -42,6 +50,10 @@ class WaveForceRows {
 // coefficients and notes implausible ones (hydrodynamic_checks.cpp).
 void finish_coefficients(model::HydrodynamicData& data, bool has_infinite,
                          const Eigen::MatrixXd& zero_frequency, std::vector<std::string>& notes);
+
+// Notes files made for another depth of water [m; infinite: 0 or HUGE_VAL] than that of the case.
+void note_depth(const HydrodynamicForm& form, double depth, const model::HydrodynamicData& data,
+                std::vector<std::string>& notes);
 
 // Checks symmetric added mass and damping individually and against each other.
 void check_coefficients(const model::HydrodynamicData& data, bool has_infinite,

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -47,6 +48,18 @@ NumberTable required(const std::string& stem, const char* ending, const std::vec
   return table;
 }
 
+// Refuses a row that gives an entry again with another value. scale: size of the entries, as the values.
+void check_again(const NumberTable& table, const NumberRow& row, Complex before, Complex value,
+                 double scale) {
+  constexpr double kRounded = 0.01, kSmall = 1e-3;
+  if (std::abs(value - before) <= std::max(kRounded * std::abs(before), kSmall * scale)) return;
+  refuse(
+      table, row,
+      fmt::format("gives an entry again that the file has already with another value, {:.5g} times this one: "
+                  "are these rows of two runs?",
+                  std::abs(before) / std::max(std::abs(value), 1e-300)));
+}
+
 // Entries without rows at any frequency are zero by symmetry; a significant entry that lacks rows at some
 // frequencies is an error. given: by frequency, including infinity.
 void check_rows(const HydrodynamicData& data, const std::map<double, Eigen::MatrixXi>& given) {
@@ -90,22 +103,29 @@ void read_radiation(const std::string& stem, const HydrodynamicForm& form, std::
     const double period = row.values[0];
     const int i = mode_of(table, row, 1, modes), j = mode_of(table, row, 2, modes);
     const double scale = form.density * std::pow(form.length, 3 + rotates(i) + rotates(j));
+    const double added = scale * row.values[3];
     if (period == 0) {
       has_infinite = true;
-      data.infinite(i, j) = scale * row.values[3];
+      if (at_infinity(i, j)) check_again(table, row, data.infinite(i, j), added, std::abs(added));
+      data.infinite(i, j) = added;
       at_infinity(i, j) = 1;
     }
     if (period < 0) {
       if (zero_frequency.size() == 0) zero_frequency = none;
-      zero_frequency(i, j) = scale * row.values[3];
+      zero_frequency(i, j) = added;
     }
     if (period <= 0) continue;
     if (row.values.size() < 5)
       refuse(table, row, "a row at a period above 0 has 5 numbers (period, two modes, added mass, damping)");
     const double omega = 2 * M_PI / period;
     Frequency& at = by_omega.try_emplace(omega, Frequency{none, none, no_rows}).first->second;
-    at.added(i, j) = scale * row.values[3];
-    at.damping(i, j) = scale * omega * row.values[4];
+    const double damping = scale * omega * row.values[4];
+    if (at.given(i, j)) {
+      const Complex before(at.added(i, j), at.damping(i, j) / omega), again(added, damping / omega);
+      check_again(table, row, before, again, std::abs(again));
+    }
+    at.added(i, j) = added;
+    at.damping(i, j) = damping;
     at.given(i, j) = 1;
   }
   std::map<double, Eigen::MatrixXi> given;
@@ -142,12 +162,19 @@ void read_hydrostatics(const std::string& stem, const HydrodynamicForm& form, st
   bool has_zeros = false;
   for (const NumberRow& row : table.rows) {
     const int i = mode_of(table, row, 0, n), j = mode_of(table, row, 1, n);
+    const double value =
+        form.density * form.gravity * std::pow(form.length, 2 + rotates(i) + rotates(j)) * row.values[2];
+    if (given(i, j)) check_again(table, row, data.hydrostatic(i, j), value, std::abs(value));
     given(i, j) = 1;
     has_zeros = has_zeros || row.values[2] == 0;
-    data.hydrostatic(i, j) =
-        form.density * form.gravity * std::pow(form.length, 2 + rotates(i) + rotates(j)) * row.values[2];
+    data.hydrostatic(i, j) = value;
   }
   if (has_zeros) check_all_listed(table.path, given);
+  // The upper triangle alone stands for both.
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      if (i % 6 > 1 && i % 6 < 5 && j % 6 > 1 && j % 6 < 5 && given(i, j) && !given(j, i))
+        data.hydrostatic(j, i) = data.hydrostatic(i, j);
 }
 
 // Checks columns from `first` on: modulus, phase [deg], real and imaginary part of one number agree to a few
@@ -225,9 +252,30 @@ bool read_drift(const std::string& stem, const char* ending, const HydrodynamicF
 // Periods of .12d are rounded; smaller relative differences are equal.
 constexpr double kSamePeriod = 1e-4;
 
+// Between two neighbouring frequencies the forces are interpolated from those of the pair and of the two
+// alone; where the former are far from the mean of the latter, neither gives the slow force between them.
+void note_sparse(const std::string& path, const std::vector<ComplexVec6>& values, size_t n,
+                 std::vector<std::string>& notes) {
+  constexpr double kFar = 0.5;
+  double apart = 0, all = 0;
+  for (const int mode : {0, 1})
+    for (size_t i = 0; i + 1 < n; ++i) {
+      const Complex here = values[i * n + i][mode], next = values[(i + 1) * n + i + 1][mode];
+      apart += std::abs(values[i * n + i + 1][mode] - 0.5 * (here + next));
+      all += 0.5 * (std::abs(here) + std::abs(next));
+    }
+  if (apart > kFar * all)
+    notes.push_back(fmt::format(
+        "{}: its periods are too sparse for 'second_order: full': forces of neighbouring periods in "
+        "surge and sway differ from the mean drift of the two by {:.0f} % of it: add periods between "
+        "them, or take 'second_order: newman'",
+        path, 100 * apart / all));
+}
+
 // F_ij = rho g L^k (re + i im); half of the matrix is given, F_ji = conj F_ij. One direction.
-bool read_difference(const std::string& stem, const HydrodynamicForm& form, std::vector<std::string>& read,
-                     HydrodynamicData& data, std::vector<std::string>& notes) {
+bool read_difference(const std::string& stem, const HydrodynamicForm& form, SecondOrder order,
+                     std::vector<std::string>& read, HydrodynamicData& data,
+                     std::vector<std::string>& notes) {
   const NumberTable table = table_of(stem, ".12d", {9}, read);
   if (table.path.empty()) return false;
   std::vector<double> omega;
@@ -250,6 +298,7 @@ bool read_difference(const std::string& stem, const HydrodynamicForm& form, std:
   const size_t n = distinct.size();
   std::vector<ComplexVec6> values(n * n, ComplexVec6::Zero());
   std::vector<bool> given(n * n, false);
+  std::vector<std::array<bool, 6>> given_mode(n * n, std::array<bool, 6>{});
   const std::vector<double> most = largest_by_mode(table, 4, 5);
   bool others = false;
   for (const NumberRow& row : table.rows) {
@@ -262,8 +311,11 @@ bool read_difference(const std::string& stem, const HydrodynamicForm& form, std:
     const double scale = form.density * form.gravity * std::pow(form.length, 1 + rotates(mode));
     const Complex value = scale * Complex(row.values[7], row.values[8]);
     const size_t i = place(row.values[0]), j = place(row.values[1]);
-    values[i * n + j][mode] = value;
-    values[j * n + i][mode] = std::conj(value);
+    const size_t at = i * n + j, mirrored = j * n + i, m = static_cast<size_t>(mode);
+    if (given_mode[at][m]) check_again(table, row, values[at][mode], value, scale * most[m + 1]);
+    given_mode[at][m] = given_mode[mirrored][m] = true;
+    values[at][mode] = value;
+    values[mirrored][mode] = std::conj(value);
     given[i * n + j] = given[j * n + i] = true;
   }
   if (const auto missing = std::find(given.begin(), given.end(), false); missing != given.end()) {
@@ -278,6 +330,7 @@ bool read_difference(const std::string& stem, const HydrodynamicForm& form, std:
                                 table.path, direction));
   std::vector<ComplexVec6> diagonal;
   for (size_t i = 0; i < n; ++i) diagonal.push_back(values[i * n + i]);
+  if (order == SecondOrder::full) note_sparse(table.path, values, n, notes);
   data.drift = {WaveForceTable(distinct, {direction * kRadPerDegree}, diagonal)};
   data.difference = DifferenceForceTable(distinct, std::move(values));
   return true;
@@ -300,7 +353,7 @@ HydrodynamicData read_wamit(const std::string& stem, const HydrodynamicForm& for
         stem, data.bodies));
   read_excitation(stem, form, read, data);
   if (order != SecondOrder::none) {
-    const bool found = (data.bodies == 1 && read_difference(stem, form, read, data, notes)) ||
+    const bool found = (data.bodies == 1 && read_difference(stem, form, order, read, data, notes)) ||
                        (order != SecondOrder::full && (read_drift(stem, ".8", form, read, data, notes) ||
                                                        read_drift(stem, ".7", form, read, data, notes) ||
                                                        read_drift(stem, ".9", form, read, data, notes)));

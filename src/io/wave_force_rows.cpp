@@ -26,10 +26,14 @@ void WaveForceRows::add(double omega, double direction_deg, int mode, Complex va
   constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
   auto& at = values_[{omega, key}];
   at.resize(static_cast<size_t>(6 * bodies_), Complex(kAbsent));
-  at[static_cast<size_t>(mode)] = value;
+  Complex& entry = at[static_cast<size_t>(mode)];
+  if (!std::isnan(entry.real()) && std::abs(value - entry) > std::abs(again_.change))
+    again_ = {omega, direction_deg, mode, value - entry};
+  entry = value;
 }
 
 std::vector<WaveForceTable> WaveForceRows::tables(const std::string& path) {
+  check_again(path);
   if (mirrored_) add_other_side(path);
   complete_modes(path);
   std::vector<double> omega, directions;
@@ -51,6 +55,20 @@ std::vector<WaveForceTable> WaveForceRows::tables(const std::string& path) {
     out.emplace_back(omega, directions, std::move(values));
   }
   return out;
+}
+
+// Rows that are given again with other values. Directions of -180 and 180 deg are one.
+void WaveForceRows::check_again(const std::string& path) const {
+  constexpr double kCounts = 0.005;
+  double largest = 0;
+  for (const auto& [at, value] : values_)
+    if (const double size = std::abs(value[static_cast<size_t>(again_.mode)]); size > largest) largest = size;
+  if (std::abs(again_.change) > kCounts * largest)
+    throw std::runtime_error(
+        fmt::format("{}: gives mode {} ({}) at {:.6g} s for {:g} deg twice, with different values: are these "
+                    "rows of two runs?",
+                    path, again_.mode + 1, modes_text(again_.mode, again_.mode), 2 * M_PI / again_.omega,
+                    again_.direction));
 }
 
 // Missing rows are zero by symmetry or in waves too short to load the body; a missing row is an error if that

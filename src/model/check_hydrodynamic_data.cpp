@@ -5,6 +5,7 @@
 #include <complex>
 #include <numeric>
 
+#include "check_long_waves.hpp"
 #include "hawser/kernels/waves.hpp"
 #include "hawser/math/angle_gap.hpp"
 #include "hawser/math/freedoms.hpp"
@@ -13,53 +14,6 @@
 
 namespace hawser::model {
 namespace {
-
-constexpr double kDegree = M_PI / 180;
-
-// In long waves a body moves with the water: heave is in phase with the crest, surge leads it by a quarter of
-// a period, and the heave force equals hydrostatic stiffness times elevation. Upper limit of wave number
-// times cube root of volume for long waves:
-constexpr double kLongWaves = 0.1;
-constexpr double kPhase = 30 * kDegree;
-
-// In the wave direction the force of long waves leads the crest by a quarter of a period.
-void check_push(const BodyHydrodynamics& h, const char* mode, double omega, Complex push, Complex heave,
-                const Issues& issue) {
-  const double phase = std::arg(push);
-  if (std::abs(std::remainder(phase + M_PI / 2, 2 * M_PI)) < kPhase &&
-      std::abs(push) > 0.02 * std::abs(heave))
-    issue(h.key(),
-          "in the longest waves, {:.4g} s, the {} force lags the crest by {:.3g} deg, but the acceleration "
-          "of the water leads it by 90 deg: the phases of {} are conjugated (WAMIT's and BEMIO's are leads "
-          "with exp(+i omega t), Capytaine's lags with exp(-i omega t))",
-          2 * M_PI / omega, mode, -phase / kDegree, h.data->excitation_file);
-}
-
-void check_long_waves(const Case& c, const Body& b, const Issues& issue) {
-  const BodyHydrodynamics& h = *b.mass->hydrodynamics;
-  const WaveForceTable& table = h.data->excitation[static_cast<size_t>(h.body) - 1];
-  const double g = c.environment.gravity, omega = table.lowest();
-  const PlatformHydrostatics still = hydrostatics(*b.mass, c.environment.water.density, g);
-  const double size = std::cbrt(still.buoyancy / (c.environment.water.density * g));
-  if (g == 0 || omega * omega / g * size > kLongWaves) return;
-  const ComplexVec6 X = table.at(omega, 0);
-  const double C33 = still.stiffness(0, 0), heave = std::abs(X[2]) / C33;
-  if (!(C33 > 0)) return;
-  check_push(h, "surge", omega, X[0], X[2], issue);
-  const ComplexVec6 across = table.at(omega, M_PI / 2);
-  check_push(h, "sway", omega, across[1], across[2], issue);
-  constexpr double kFar = 1.5;
-  if (heave > kFar || heave < 1 / kFar)
-    issue(
-        h.key(),
-        "in the longest waves, {:.4g} s, the heave force of {} is {:.3g} times the hydrostatic stiffness "
-        "C33, and should be about 1: {}",
-        2 * M_PI / omega, h.data->excitation_file, heave,
-        h.format == BodyHydrodynamics::Format::wamit
-            ? fmt::format("is 'length_scale' (ULEN, {:g} m here) that of the files, and are they in metres?",
-                          h.length)
-            : "do both belong to the same body, with the density and gravity stated in the file?");
-}
 
 // First row of a body in the matrices of its files.
 Eigen::Index first_row(const BodyHydrodynamics& h) { return 6 * (static_cast<Eigen::Index>(h.body) - 1); }
@@ -95,7 +49,7 @@ void check_heave_phase(const Case& c, const Body& b, const Issues& issue) {
 // (Newman 1977, Marine Hydrodynamics, 6.173). Takes the median of the ratios over the frequencies with
 // significant damping; wrong units of either make it differ greatly from 1.
 void check_haskind(const Case& c, const BodyHydrodynamics& h, const Issues& issue) {
-  constexpr double kGap = M_PI / 3, kCounts = 0.1, kFar = 2;
+  constexpr double kGap = M_PI / 3, kCounts = 0.1, kFar = 1.5;
   const HydrodynamicData& data = *h.data;
   const WaveForceTable& table = data.excitation[static_cast<size_t>(h.body) - 1];
   if (table.directions().size() < 3 || widest_gap(table.directions(), 2 * M_PI).width() > kGap) return;
@@ -194,6 +148,7 @@ void check_hydrodynamic_data(const Case& c, const Body& b, const Issues& issue) 
 
 void note_hydrodynamic_data(const Case& c, const Body& b, const Issues& note) {
   if (b.mass->hydrodynamics->excitation && !b.mass->hydrodynamics->data->excitation.empty()) {
+    note_long_waves(c, b, note);
     check_heave_phase(c, b, note);
     check_haskind(c, *b.mass->hydrodynamics, note);
     check_end_of_damping(*b.mass->hydrodynamics, note);

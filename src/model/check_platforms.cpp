@@ -47,6 +47,12 @@ void check_platform(const Case& c, const Body& b, const Issues& issue) {
       h.data->excitation.empty())
     issue(h.key(), "the case has waves, but {} has no wave forces: add them, or set 'excitation: false'",
           h.data->excitation_file);
+  const double C33 = hydrostatics(m, c.environment.water.density, c.environment.gravity).stiffness(0, 0);
+  if (C33 < 0 && !m.hull)
+    issue(h.key(),
+          "the hydrostatic stiffness C33 of heave is {:.4g} N/m, and it is rho g times the area of the "
+          "waterplane, so that it cannot be negative: does the file have the other sign?",
+          C33);
   check_hydrodynamic_data(c, b, issue);
   check_matrices(h, issue);
 }

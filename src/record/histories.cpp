@@ -15,9 +15,11 @@
 namespace hawser::record {
 namespace {
 
-const std::vector<io::ResultField> kBody = {{"position", "m", 3},   {"rotation_vector", "rad", 3},
-                                            {"velocity", "m/s", 3}, {"angular_velocity", "rad/s", 3},
-                                            {"force", "N", 3},      {"moment", "N m", 3}};
+const std::vector<io::ResultField> kBody = {
+    {"position", "m", 3},        {"rotation_vector", "rad", 3},
+    {"velocity", "m/s", 3},      {"angular_velocity", "rad/s", 3},
+    {"acceleration", "m/s2", 3}, {"angular_acceleration", "rad/s2", 3},
+    {"force", "N", 3},           {"moment", "N m", 3}};
 
 const std::vector<io::ResultField> kVolume = {{"force", "N", 3}, {"moment", "N m", 3}};
 
@@ -185,8 +187,8 @@ std::vector<double> Histories::body_row(int body, const Snapshot& s) const {
   if (const auto* floating = subject_.term<RigidBodies>(); floating && subject_.model.floats(body))
     force = floating->force_on(body, at);
   std::vector<double> row;
-  for (const Vec3& x :
-       {p->position, log_so3(p->rotation), p->velocity, p->angular_velocity, force[0], force[1]})
+  for (const Vec3& x : {p->position, log_so3(p->rotation), p->velocity, p->angular_velocity, p->acceleration,
+                        p->angular_acceleration, force[0], force[1]})
     row.insert(row.end(), x.begin(), x.end());
   if (load_components(body).empty()) return row;
   const auto add = [&row](const BodyForce& f) {

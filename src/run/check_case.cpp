@@ -88,6 +88,7 @@ TrialRun print_trial(Simulation& sim, const model::Case& c, double budget) {
   TrialRun tried = trial_run(sim, c, budget, [&](const Kinematics& at) {
     if (!std::exchange(rests, true)) {
       for (const std::string& line : sim.on_bed()) fmt::print("{}\n", line);
+      for (const std::string& line : platforms_held(c, sim.system(), at)) fmt::print("{}\n", line);
       for (const std::string& w : platforms_off_start(c, sim.bodies(), at)) fmt::print("warning: {}\n", w);
     }
     water.update_sampled(at);

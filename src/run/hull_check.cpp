@@ -8,8 +8,10 @@
 #include "hawser/advice/hulls.hpp"
 #include "hawser/kernels/hull_pressure.hpp"
 #include "hawser/math/so3.hpp"
+#include "hawser/model/bed.hpp"
 #include "hawser/terms/hulls.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
+#include "hawser/terms/run_roles.hpp"
 
 namespace hawser::run {
 namespace {
@@ -28,6 +30,20 @@ double top_of(const HullSurface& hull, const RigidBodyState& s) {
   double top = -HUGE_VAL;
   for (const Vec3& y : hull.corners) top = std::max(top, (s.x + s.q * y).z());
   return top;
+}
+
+// Volumes of other bodies may be in the seabed on purpose, such as piles and mattresses.
+void note_below_seabed(model::Case& c, const model::Volume& volume, const LoadedVolume& loaded) {
+  constexpr double kDeep = 0.1;  // m
+  const model::Seabed& bed = c.environment.seabed;
+  const int body = volume.body.empty() ? -1 : c.body_index(volume.body);
+  if (!bed.present || body < 0 || !c.bodies[body].mass || !loaded.facets) return;
+  const model::Body& b = c.bodies[body];
+  const Quat turn = exp_so3(b.rotation);
+  double lowest = HUGE_VAL;
+  for (const Vec3& y : loaded.facets->vertices)
+    lowest = std::min(lowest, model::height_above_bed(bed, b.position + turn * y));
+  if (lowest < -kDeep) c.notes.push_back(advice::below_seabed(volume.name, b.name, -lowest));
 }
 
 std::string held_by(const model::Case& c, const model::Body& b) {
@@ -66,6 +82,7 @@ double rise_to_float(const HullSurface& hull, const RigidBodyState& at, double w
 }  // namespace
 
 void set_hydrostatics(model::Case& c, const std::vector<LoadedVolume>& volumes) {
+  for (size_t i = 0; i < volumes.size(); ++i) note_below_seabed(c, c.volumes[i], volumes[i]);
   const double density = c.environment.water.density;
   for_each_hull(c, volumes, [&](model::Body& b, const HullSurface& hull) {
     const std::string key = "bodies." + b.name + ".floating.hull.volumes";
@@ -116,6 +133,20 @@ std::vector<std::string> platforms_off_start(const model::Case& c, const Bodies&
     const double rise = floating_state(rest, node).x.z() - start_of(body).x.z();
     if (std::string text = advice::rests_elsewhere(body.name, rise); !text.empty())
       out.push_back(std::move(text));
+  }
+  return out;
+}
+
+std::vector<std::string> platforms_held(const model::Case& c, const System& system, const Kinematics& rest) {
+  std::vector<std::string> out;
+  const RigidBodies* floating = system.find<RigidBodies>();
+  for (size_t b = 0; floating && b < c.bodies.size(); ++b) {
+    const model::Body& body = c.bodies[b];
+    if (!body.mass || !(body.mass->hull || body.mass->hydrodynamics)) continue;
+    double up = floating->force_on(static_cast<int>(b), rest)[0].z();
+    for (const ActsOnBodies* term : system.with<ActsOnBodies>())
+      for (const BodyForce& f : term->forces_on(static_cast<int>(b), rest)) up -= f.force.z();
+    out.push_back(advice::held_at_rest(body.name, up));
   }
   return out;
 }

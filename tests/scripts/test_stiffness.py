@@ -27,6 +27,21 @@ class Stiffness(unittest.TestCase):
         self.case = self.folder / "mooring-2.yaml"
         shutil.copy(ROOT / "docs/tutorial/mooring-2.yaml", self.case)
 
+    def test_curves_in_the_report(self):
+        done = run(HAWSER, "stiffness", self.case, *OPTIONS)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        curves, results = self.folder / "mooring-2-stiffness.csv", self.folder / "rest.h5"
+        done = run(HAWSER, "run", self.case, "--set", "dynamics=null", "-o", results)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        done = run(HAWSER, "report", results, "--offsets", curves)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        page = (self.folder / "rest.html").read_text(encoding="utf-8")
+        self.assertIn("Mooring over offsets", page)
+        self.assertIn("tension of mooring", page)
+        done = run(HAWSER, "report", results, "--offsets", self.case)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("this is no table of hawser stiffness", done.stderr)
+
     def test_table_on_ranks_and_figure(self):
         done = run(HAWSER, "stiffness", self.case, *OPTIONS)
         self.assertEqual(done.returncode, 0, done.stderr)

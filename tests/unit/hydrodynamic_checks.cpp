@@ -227,13 +227,14 @@ TEST_F(HydrodynamicChecks, FirstRowWithAnError) {
 // fairlead in space axes.
 TEST_F(HydrodynamicChecks, WhatCannotFloat) {
   expect("mean that without lines it floats 810 m higher, which is more than its size (65.6 m",
-         ", displaced_volume: 282740");
+         ", excitation: false, displaced_volume: 282740");
   const auto top_heavy = [](auto& rows) {
     for (Row& r : rows)
       if (r[0] > 3) r[2] = -1.6e6;
   };
   with(".hst", top_heavy);
-  expect("capsizes: its metacentric height in roll and pitch is -6.59 m; is the centre of mass");
+  expect("capsizes: its metacentric height in roll and pitch is -6.59 m; is the centre of mass",
+         ", excitation: false");
   const auto damping = [](double coupling) {
     return fmt::format(
         ", damping: [[1e4, 0, 0, 0, {0}, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], "
@@ -267,7 +268,7 @@ TEST_F(HydrodynamicChecks, WhatCannotFloat) {
   with(".hst", top_heavy);
   expect(
       "without its lines its metacentric height in roll and pitch is -6.59 m; its lines must keep it upright",
-      "", line(6));
+      ", excitation: false", line(6));
 }
 
 TEST_F(HydrodynamicChecks, StiffnessTimesTheDensity) {

@@ -7,12 +7,13 @@
 #include "hawser/model/case.hpp"
 #include "hawser/run/volumes.hpp"
 #include "hawser/state/kinematics.hpp"
+#include "hawser/system/system.hpp"
 #include "hawser/terms/bodies.hpp"
 
 namespace hawser::run {
 
-// Sets the restoring stiffness of hulls in the case. Throws InputError if a hull is open or its largest
-// buoyancy is below its body's weight.
+// Sets the restoring stiffness of hulls in the case, and notes volumes of floating bodies below the seabed.
+// Throws InputError if a hull is open or its largest buoyancy is below its body's weight.
 void set_hydrostatics(model::Case& c, const std::vector<LoadedVolume>& volumes);
 
 // Displaced volume, buoyancy, weight, waterplane and metacentric heights of each hull at its position in the
@@ -23,5 +24,9 @@ std::string hulls_text(const model::Case& c, const std::vector<LoadedVolume>& vo
 // that of the case (advice::rests_elsewhere).
 std::vector<std::string> platforms_off_start(const model::Case& c, const Bodies& bodies,
                                              const Kinematics& rest);
+
+// Vertical force on each of these bodies at rest besides its weight and the water (advice::held_at_rest). On
+// one rank.
+std::vector<std::string> platforms_held(const model::Case& c, const System& system, const Kinematics& rest);
 
 }  // namespace hawser::run

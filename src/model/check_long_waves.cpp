@@ -1,0 +1,278 @@
+// Limits of wave forces in long waves. A wave that is long against the body accelerates all of the water by
+// i k g a along its direction, so that to first order in the wave number k, about any point of the body and
+// at the phase of the wave there,
+//   surge   X1 =  i k g (rho V + A11) cos beta      roll    X4 = -i k (C44 - g A42) sin beta
+//   sway    X2 =  i k g (rho V + A22) sin beta      pitch   X5 =  i k (C55 + g A51) cos beta
+//   heave   X3 =  C33 - omega² (rho V + A33)
+// with C44 and C55 by the pressure alone: the pressure of the wave on the volume and on the waterplane, by
+// the theorem of Gauss, and the added mass times the acceleration. V, C33, C44 and C55 of two frequencies
+// differ from their limits by terms of order omega² and are extrapolated to omega = 0.
+#include "check_long_waves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "hawser/kernels/table_places.hpp"
+#include "hawser/kernels/waves.hpp"
+#include "hawser/math/freedoms.hpp"
+
+namespace hawser::model {
+namespace {
+
+constexpr double kDegree = M_PI / 180;
+constexpr double kGravityShare = 0.35;  // of the weight's part, by which it is recognised
+
+// A quantity by the wave forces and by the case.
+struct Compared {
+  int freedom = 0;
+  double by_waves = 0, given = 0, allowed = 0;
+  double off() const { return std::abs(by_waves - given) / allowed; }
+};
+
+class LongWaves {
+ public:
+  LongWaves(const Case& c, const Body& b)
+      : mass_(*b.mass),
+        h_(*mass_.hydrodynamics),
+        table_(h_.data->excitation[static_cast<size_t>(h_.body) - 1]),
+        density_(c.environment.water.density),
+        depth_(c.environment.water.depth),
+        g_(c.environment.gravity),
+        still_(hydrostatics(mass_, density_, g_)),
+        volume_(still_.buoyancy / (density_ * g_)) {}
+
+  // omega²/g times the side of a cube of the volume; small for waves that are long against the body.
+  double length_ratio(double omega) const { return omega * omega / g_ * std::cbrt(volume_); }
+
+  void check(const Issues& issue) const;
+  void note(const Issues& note) const;
+
+ private:
+  // Direction of the table closest to the axis of surge (freedom 0) or sway (1).
+  double direction(int freedom) const {
+    const auto along = [freedom](double beta) {
+      return std::abs(freedom == 0 ? std::cos(beta) : std::sin(beta));
+    };
+    const std::vector<double>& all = table_.directions();
+    return *std::max_element(all.begin(), all.end(), [&](double a, double b) { return along(a) < along(b); });
+  }
+  // Component of the direction along the axis; 0 if the table has none within 60 deg.
+  double component(int freedom) const {
+    constexpr double kLeast = 0.5;
+    const double beta = direction(freedom), along = freedom == 0 ? std::cos(beta) : std::sin(beta);
+    return std::abs(along) < kLeast ? 0 : along;
+  }
+  // Wave force in the direction of `direction(freedom)`, at the phase of the wave at the body.
+  ComplexVec6 force(int freedom, double omega, double number) const {
+    const double beta = direction(freedom);
+    const double lead = number * (h_.in_file.x() * std::cos(beta) + h_.in_file.y() * std::sin(beta));
+    return table_.at(omega, beta) * std::polar(1.0, lead);
+  }
+  Mat6 added_mass(double omega) const {
+    const Eigen::Index row = 6 * (static_cast<Eigen::Index>(h_.body) - 1);
+    const auto [low, high, share] = frequency_place(h_.data->omega, omega);
+    const std::vector<Eigen::MatrixXd>& A = h_.data->added_mass;
+    return (1 - share) * A[low].block<6, 6>(row, row) + share * A[high].block<6, 6>(row, row);
+  }
+  // In the depth of the case, or infinitely deep.
+  double number(double omega, bool deep) const {
+    return deep ? omega * omega / g_ : wave_number(omega, depth_, g_);
+  }
+  void check_phase(int freedom, const Issues& issue) const;
+  // V by the force of surge (0) or sway (1), m³; C44 (1) or C55 (0) by the moment across it, N m.
+  double volume_by_waves(int freedom, double omega, bool deep) const;
+  double stiffness_by_waves(int freedom, double omega, bool deep) const;
+  // Limit of a function of the frequency at omega = 0, with an error of order omega^4.
+  template <class Function>
+  double limit(const Function& f) const {
+    const double first = f(omega_), second = f(second_);
+    return first - (second - first) * omega_ * omega_ / (second_ * second_ - omega_ * omega_);
+  }
+  bool moves(int freedom) const {
+    return component(freedom) != 0 && added_mass(omega_)(freedom, freedom) > 0 &&
+           force(freedom, omega_, 0)[freedom] != Complex(0);
+  }
+  std::string weight_hint(const Compared& stiffness) const;
+
+  const BodyMass& mass_;
+  const BodyHydrodynamics& h_;
+  const WaveForceTable& table_;
+  double density_, depth_, g_;
+  PlatformHydrostatics still_;
+  double volume_;
+  double omega_ = table_.lowest(), second_ = 0;
+};
+
+// The force of long waves along their direction leads the crest by a quarter of a period.
+void LongWaves::check_phase(int freedom, const Issues& issue) const {
+  constexpr double kPhase = 30 * kDegree;
+  if (!moves(freedom)) return;
+  const double k = number(omega_, false);
+  const ComplexVec6 X = force(freedom, omega_, k);
+  constexpr double kCounts = 0.02;  // of heave
+  if (std::abs(X[freedom]) < kCounts * std::abs(X[2])) return;
+  const double phase = std::arg(X[freedom] * component(freedom));
+  if (std::abs(phase - M_PI / 2) < kPhase) return;
+  const bool conjugated = std::abs(phase + M_PI / 2) < kPhase;
+  issue(
+      h_.key(),
+      "in the longest waves, {:.4g} s, the {} force {} the crest by {:.3g} deg, but the acceleration of the "
+      "water leads it by 90 deg: the phases of {} are {}",
+      2 * M_PI / omega_, kFreedomNames[freedom], phase < 0 ? "lags" : "leads", std::abs(phase) / kDegree,
+      h_.data->excitation_file,
+      conjugated ? "conjugated (WAMIT's and BEMIO's are leads with exp(+i omega t), Capytaine's lags with "
+                   "exp(-i omega t))"
+                 : "not leads on the crest at the origin of the files, with exp(+i omega t)");
+}
+
+void LongWaves::check(const Issues& issue) const {
+  const std::size_t before = issue.count();
+  for (const int freedom : {0, 1})
+    if (issue.count() == before) check_phase(freedom, issue);
+  const double C33 = still_.stiffness(0, 0);
+  const double expected = C33 - omega_ * omega_ * (density_ * volume_ + added_mass(omega_)(2, 2));
+  constexpr double kClear = 0.5;  // the stiffness has most of the force
+  if (issue.count() > before || !(expected > kClear * C33)) return;
+  const Complex heave = force(0, omega_, number(omega_, false))[2];
+  constexpr double kFar = 1.5, kPhase = 30 * kDegree;
+  const double ratio = std::abs(heave) / expected;
+  if (ratio > kFar || ratio < 1 / kFar)
+    issue(
+        h_.key(),
+        "in the longest waves, {:.4g} s, the heave force of {} is {:.3g} times the hydrostatic stiffness "
+        "C33, and should be about 1: {}",
+        2 * M_PI / omega_, h_.data->excitation_file, std::abs(heave) / C33,
+        h_.format == BodyHydrodynamics::Format::wamit
+            ? fmt::format("is 'length_scale' (ULEN, {:g} m here) that of the files, and are they in metres?",
+                          h_.length)
+            : "do both belong to the same body, with the density and gravity stated in the file?");
+  else if (std::abs(std::arg(heave)) > kPhase)
+    issue(h_.key(),
+          "in the longest waves, {:.4g} s, the heave force leads the crest by {:.3g} deg, but a body goes up "
+          "and down with the water: the phases of {} are not leads on the crest at the origin of the files, "
+          "with exp(+i omega t)",
+          2 * M_PI / omega_, std::arg(heave) / kDegree, h_.data->excitation_file);
+}
+
+double LongWaves::volume_by_waves(int freedom, double omega, bool deep) const {
+  const double k = number(omega, deep);
+  const double push = force(freedom, omega, k)[freedom].imag() / component(freedom);
+  return (push / (k * g_) - added_mass(omega)(freedom, freedom)) / density_;
+}
+
+double LongWaves::stiffness_by_waves(int freedom, double omega, bool deep) const {
+  const double k = number(omega, deep), sign = freedom == 0 ? 1 : -1;
+  const int turn = 4 - freedom;
+  const double moment = sign * force(freedom, omega, k)[turn].imag() / component(freedom);
+  return moment / k - sign * g_ * added_mass(omega)(turn, freedom);
+}
+
+// The weight of the body in the stiffness of the files: there, or not, against what the case says of it.
+std::string LongWaves::weight_hint(const Compared& stiffness) const {
+  const double part = -mass_.mass * g_ * mass_.centre.z();
+  const double share = (stiffness.given - stiffness.by_waves) / part;
+  const bool stated = h_.gravity_in_stiffness;
+  const auto near = [share](double times) { return std::abs(share - times) < kGravityShare; };
+  if (std::abs(part) > stiffness.allowed) {
+    if (near(1) && !stated)
+      return "this is the part of the body's weight: set 'gravity_in_stiffness: true', since it acts by "
+             "itself";
+    if (near(-1) && stated)
+      return "this is the part of the body's weight, which the files do not have: remove "
+             "'gravity_in_stiffness'";
+    if (near(stated ? 1 : 2)) return "this is twice the part of the body's weight: the files have it doubled";
+  }
+  return "are the moments, the added mass and the stiffness of one length scale, about one point and in one "
+         "system of axes?";
+}
+
+void LongWaves::note(const Issues& note) const {
+  constexpr double kHigher = 1.4, kLongest = 0.35;
+  const std::vector<double>& omega = h_.data->omega;
+  const auto second =
+      std::find_if(omega.begin(), omega.end(), [&](double w) { return w > kHigher * omega_; });
+  if (second == omega.end() || length_ratio(*second) > kLongest) return;
+  LongWaves at = *this;
+  at.second_ = *second;
+  const double ratio = length_ratio(*second);
+  const auto volume = [&](int freedom, bool deep) {
+    Compared out{freedom, 0, volume_, 0};
+    out.by_waves = at.limit([&](double w) { return volume_by_waves(freedom, w, deep); });
+    out.allowed = (0.02 + 0.1 * ratio) * (volume_ + added_mass(omega_)(freedom, freedom) / density_);
+    return out;
+  };
+  // Files made for deep water fit a case of finite depth too, but for its longest waves.
+  const auto most_off = [&](bool deep) {
+    Compared worst{0, 0, 0, 1};
+    for (const int freedom : {0, 1})
+      if (moves(freedom))
+        if (const Compared here = volume(freedom, deep); here.off() > worst.off()) worst = here;
+    return worst;
+  };
+  const Compared here = most_off(false), in_deep = most_off(true);
+  const bool deep = in_deep.off() < here.off();
+  const double heave = at.limit([&](double w) {
+    return force(0, w, number(w, deep))[2].real() + w * w * (density_ * volume_ + added_mass(w)(2, 2));
+  });
+  const double C33 = still_.stiffness(0, 0);
+  const std::string& file = h_.data->excitation_file;
+  // Of the waterplane of a cube, a hundredth is nothing: a submerged body has none.
+  const double allowed = (0.03 + 0.1 * ratio) * std::max(std::abs(C33), std::abs(heave)) +
+                         0.01 * still_.buoyancy / std::cbrt(volume_);
+  if (std::abs(heave - C33) > allowed)
+    return note(
+        h_.key(),
+        "in the longest waves the heave force of {} means a hydrostatic stiffness C33 of {:.4g} N/m, and "
+        "that of the files is {:.4g} N/m: do they belong to the same body, draught and density, and is "
+        "'length_scale' that of the files?",
+        file, heave, C33);
+  if (const Compared& worst = deep ? in_deep : here; worst.off() > 1)
+    return note(
+        h_.key(),
+        "in the longest waves the {} force of {} is that of a displaced volume of {:.5g} m³, and the body "
+        "displaces {:.5g} m³{}: is 'displaced_volume' that of the body, and are depth of the water and "
+        "'length_scale' those of the files?",
+        kFreedomNames[worst.freedom], file, worst.by_waves, worst.given,
+        h_.volume > 0 ? "" : " (that of its mass)");
+  const double size = still_.buoyancy * std::cbrt(volume_);
+  Compared worst{0, 0, 0, 1};
+  for (const int freedom : {0, 1}) {
+    if (!moves(freedom)) continue;
+    Compared one{4 - freedom, 0, still_.stiffness(2 - freedom, 2 - freedom), 0};
+    one.by_waves = at.limit([&](double w) { return stiffness_by_waves(freedom, w, deep); });
+    one.allowed = (0.005 + 0.02 * ratio) * size +
+                  (0.01 + 0.1 * ratio) * std::max(std::abs(one.given), std::abs(one.by_waves));
+    if (one.off() > worst.off()) worst = one;
+  }
+  if (worst.off() > 1)
+    note(
+        h_.key(),
+        "in the longest waves the {0} moment of {1} means a hydrostatic stiffness C{2}{2} by the pressure of "
+        "{3:.4g} N m, and by the files it is {4:.4g} N m: {5}",
+        kFreedomNames[worst.freedom], file, worst.freedom + 1, worst.by_waves, worst.given,
+        weight_hint(worst));
+}
+
+bool long_enough(const Case& c, const Body& b, const LongWaves& waves) {
+  constexpr double kLongWaves = 0.1;
+  const BodyHydrodynamics& h = *b.mass->hydrodynamics;
+  const double omega = h.data->excitation[static_cast<size_t>(h.body) - 1].lowest();
+  return c.environment.gravity > 0 && waves.length_ratio(omega) <= kLongWaves;
+}
+
+}  // namespace
+
+void check_long_waves(const Case& c, const Body& b, const Issues& issue) {
+  const LongWaves waves(c, b);
+  if (long_enough(c, b, waves)) waves.check(issue);
+}
+
+void note_long_waves(const Case& c, const Body& b, const Issues& note) {
+  // Bodies side by side accelerate the water between them, and a hull has hydrostatics of its own.
+  if (b.mass->hydrodynamics->data->bodies > 1 || b.mass->hull) return;
+  const LongWaves waves(c, b);
+  if (long_enough(c, b, waves)) waves.note(note);
+}
+
+}  // namespace hawser::model
