@@ -96,6 +96,11 @@ std::optional<SurfacePoint> TubeSurface::query(const Vec3& y, double max_distanc
   return s;
 }
 
+bool TubeSurface::in_bore(const Vec3& y) const {
+  const auto s = query(y, middle_);
+  return s && s->distance > 0 && s->triangle % 2 == 1;
+}
+
 Box TubeSurface::bounds() const { return box_; }
 
 }  // namespace hawser

@@ -205,7 +205,7 @@ void check_floating(const Case& c, const Issues& issue) {
 }
 
 // Checks that involve several numbers of a shape.
-void check_shape(const Volume& v, const Issues& issue) {
+void check_shape(const Case& c, const Volume& v, const Issues& issue) {
   const std::string key = "volumes." + v.name + ".shape.";
   if (const auto* s = std::get_if<CylinderShape>(&*v.shape); s && s->from == s->to)
     issue(key + "cylinder.to", "is the same point as 'from': a cylinder needs a length above 0");
@@ -214,7 +214,7 @@ void check_shape(const Volume& v, const Issues& issue) {
   if (const auto* s = std::get_if<TorusShape>(&*v.shape); s && s->tube_radius >= s->radius)
     issue(key + "torus.tube_radius", "{:g} m closes the hole of the ring; must be below the radius of {:g} m",
           s->tube_radius, s->radius);
-  if (const auto* s = std::get_if<TubeShape>(&*v.shape)) check_tube(*s, issue.below(key + "tube"));
+  if (const auto* s = std::get_if<TubeShape>(&*v.shape)) check_tube(c, v, *s, issue);
 }
 
 }  // namespace
@@ -271,7 +271,7 @@ std::vector<Issue> check(const Case& c) {
   const Issues issue(issues);
   for (const Line& l : c.lines) check_line(c, l, issue);
   for (const Volume& v : c.volumes)
-    if (v.shape) check_shape(v, issue);
+    if (v.shape) check_shape(c, v, issue);
   check_size_and_times(c, issue);
   check_joints(c, issue);
   check_rides(c, issue);

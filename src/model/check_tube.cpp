@@ -1,10 +1,12 @@
 // Checks of the path and the radii of tubes.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "hawser/geometry/tube_path.hpp"
+#include "hawser/geometry/primitives.hpp"
+#include "hawser/model/body_motion.hpp"
 #include "hawser/model/check.hpp"
 
 namespace hawser::model {
@@ -64,10 +66,34 @@ bool legs_fit(const TubeShape& s, const Issues& issue) {
   return true;
 }
 
+// Lines that are given a start in the bore and are nowhere thin enough for it.
+void lines_fit(const Case& c, const Volume& v, const TubeShape& s, const Issues& issue) {
+  const TubeSurface tube(s);
+  const int body = c.body_index(v.body);
+  const RigidPose pose = body < 0 ? RigidPose{} : pose_at_start(c.bodies[body]);
+  for (const Line& line : c.lines) {
+    if (!c.contact.takes_part(line) || !c.contact.takes_part(v)) continue;
+    double thinnest = HUGE_VAL;
+    for (const Section& section : line.sections)
+      thinnest = std::min(thinnest, c.line_type(section.type).contact_diameter);
+    if (thinnest < 2 * s.inner_radius) continue;
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+      if (!tube.in_bore(pose.to_body(line.points[i]))) continue;
+      issue("lines." + line.name + ".start",
+            "point {} is in the bore of volume {}, whose diameter of {:g} m is too small for the line of "
+            "{:g} m",
+            i + 1, v.name, 2 * s.inner_radius, thinnest);
+      break;
+    }
+  }
+}
+
 }  // namespace
 
-void check_tube(const TubeShape& s, const Issues& issue) {
+void check_tube(const Case& c, const Volume& v, const TubeShape& s, const Issues& all) {
+  const Issues issue = all.below("volumes." + v.name + ".shape.tube");
   if (!radii_fit(s, issue) || !legs_fit(s, issue)) return;
+  lines_fit(c, v, s, all);
   if (const auto t = tube_touches_itself(s))
     issue("path",
           "the tube runs into itself: {:.4g} m and {:.4g} m along the path are {:.4g} m apart, less than its "

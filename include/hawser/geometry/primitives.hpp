@@ -89,6 +89,8 @@ class TubeSurface final : public Surface {
   explicit TubeSurface(const TubeShape& shape);
   std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
   Box bounds() const override;
+  // True if y is in the bore, not in the wall.
+  bool in_bore(const Vec3& y) const;
 
  private:
   struct End {

@@ -44,8 +44,8 @@ void check_line(const Case& c, const Line& line, const Issues& issue);
 void check_feed(const Case& c, const Line& line, bool at_b, const Issues& issue);
 void check_contact(const Case& c, const Issues& issue);
 void check_events(const Case& c, const Issues& issue);
-// Checks the path and the radii of a tube, by keys of `tube`.
-void check_tube(const TubeShape& tube, const Issues& issue);
+// Checks the path and the radii of a volume's tube, and lines that start in it.
+void check_tube(const Case& c, const Volume& v, const TubeShape& tube, const Issues& issue);
 // Checks the tension and dead band of a feeder, by keys of `feed`.
 void check_law(const Feed& feed, const Issues& issue);
 // Checks the supports of laid lines.
