@@ -1,5 +1,5 @@
-# Environment of every run and test of hawser. To be sourced: . scripts/env.sh
-# What is already set stays.
+# Environment of all runs and tests of hawser. Source it: . scripts/env.sh
+# Variables that are already set are kept.
 
 # Open MPI refuses to start as root, or with more ranks than cores, unless asked to; both are usual in a container.
 export OMPI_ALLOW_RUN_AS_ROOT="${OMPI_ALLOW_RUN_AS_ROOT:-1}"
@@ -13,21 +13,21 @@ export OMPI_MCA_btl_vader_single_copy_mechanism="${OMPI_MCA_btl_vader_single_cop
 hawser_share_cores() {
   export OMPI_MCA_mpi_yield_when_idle="${OMPI_MCA_mpi_yield_when_idle:-1}"
   export OMPI_MCA_hwloc_base_binding_policy="${OMPI_MCA_hwloc_base_binding_policy:-none}"
-  # Programs that start and end at the same moment make and remove Open MPI's folder under each other's feet, and one
-  # fails. A file in it keeps it there.
+  # If programs start and end at the same time, one may remove Open MPI's folder while another needs it, which then
+  # fails. A file in the folder prevents this.
   local session
   session="${TMPDIR:-/tmp}/ompi.$(uname -n | cut -d. -f1).$(id -u)"
   mkdir -m 700 -p "$session" && touch "$session/kept" || true
 }
 
-# Ranks are the parallelism; threads under them only compete.
+# The program is parallel by ranks; additional threads would only compete.
 export OMP_NUM_THREADS="${OMP_NUM_THREADS:-1}"
 export OPENBLAS_NUM_THREADS="${OPENBLAS_NUM_THREADS:-1}"
 
-# nproc obeys the variables of OpenMP above.
+# nproc follows the variables of OpenMP above.
 hawser_cores() { env -u OMP_NUM_THREADS -u OMP_THREAD_LIMIT nproc; }
 
-# Compilers to start at once: one a core, and 1.5 GB of memory for each.
+# Number of parallel compilers: one a core, with 1.5 GB of memory each.
 hawser_jobs() {
   local cores memory by_memory
   cores=$(hawser_cores)

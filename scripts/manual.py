@@ -1,4 +1,4 @@
-"""Makes the manual page and the completion of bash from what the program itself says.
+"""Makes the manual page and the completion of bash from the help of the program.
 
     scripts/manual.py PROGRAM PAGE.gz COMPLETION
 
@@ -16,7 +16,7 @@ from pathlib import Path
 
 @dataclass
 class Help:
-    """What --help says: sentences, usage, [(term, what it is)] under the title of each table, and what follows."""
+    """Parts of a help text: sentences, usage, [(term, meaning)] under the title of each table, and the rest."""
 
     about: list = field(default_factory=list)
     usage: str = ""
@@ -24,14 +24,14 @@ class Help:
     notes: list = field(default_factory=list)
 
     def entries(self, options):
-        """The options, or what else the command is given."""
+        """The options, or the other arguments of the command."""
         return [(term, what) for title, entries in self.tables.items() if title != "Subcommands"
                 for term, what in entries if term.startswith("-") == options]
 
 
 def parse(text):
-    """Both of CLI11's form and of argparse's: titles end in a colon, entries are indented by two spaces, what they are
-    stands two spaces further on or in lines indented more."""
+    """Both of CLI11's form and of argparse's: titles end in a colon, entries are indented by two spaces, meanings
+    are two spaces further on or in lines indented more."""
     help_text, table = Help(), None
     for line in text.splitlines():
         indent = len(line) - len(line.lstrip())
@@ -83,7 +83,7 @@ def page(version, top, commands):
         out += prose([line for line in help_text.notes if line not in top.notes])
     out += [".SH NOTES", *prose(top.notes)[1:]]
     out += [".SH FILES", "Below the folder of the installation, such as /usr or /usr/local:"]
-    out += items([("share/hawser/cases", "cases to run, in a folder of yours: results go beside the case"),
+    out += items([("share/hawser/cases", "example cases; copy them to your folder, since results are written beside the case"),
                   ("share/doc/hawser", "the user guide, theory and verification"),
                   ("share/doc/hawser/docs/case.schema.json", "the schema of case files, for editors")])
     out += [".SH SEE ALSO", ".BR mpirun (1)"]
@@ -91,7 +91,7 @@ def page(version, top, commands):
 
 
 def items(entries):
-    """A list of terms with what they are."""
+    """A list of terms with their meanings."""
     out = []
     for term, what in entries:
         out += [".TP", f".B {roff(term)}", roff(what) or "\\&"]
@@ -99,7 +99,7 @@ def items(entries):
 
 
 def prose(lines):
-    """Sentences, each a paragraph, and commands in lines of their own (indented in the help)."""
+    """Sentences, one a paragraph, and commands in separate lines (indented in the help)."""
     out = []
     for line in lines:
         out += [".PP"] + ([".RS 4", ".nf", roff(line.strip()), ".fi", ".RE"] if line.startswith(" ") else [roff(line)])
@@ -112,7 +112,7 @@ def options_of(help_text):
 
 
 def choices_of(help_text):
-    """{option or "": words}: what may stand after an option or, under "", as the second argument."""
+    """{option or "": words}: the allowed values of an option or, under "", of the second argument."""
     out = {}
     for term, _ in help_text.entries(True) + help_text.entries(False):
         if found := re.search(r"\{([\w,.-]+)\}", term):
@@ -151,7 +151,7 @@ complete -o default -F _hawser hawser
 
 
 def completion(top, commands):
-    """The function that bash asks for the words that may stand where the cursor is."""
+    """The function with which bash completes the word at the cursor."""
     options, values = [], []
     for command, _, help_text in commands:
         options.append(f"    {command}) options='{' '.join(options_of(help_text))}' ;;")
@@ -167,7 +167,7 @@ def completion(top, commands):
 
 
 def everything(program):
-    """What the program says of itself, and [(command, its line in that, what it says of itself)]."""
+    """The help of the program, and [(command, its line in that help, the help of the command)]."""
     top = ask(program)
     entries = top.tables["Subcommands"]
     with ThreadPoolExecutor(os.cpu_count()) as pool:

@@ -3,8 +3,8 @@
     scripts/render RESULTS.xdmf OUT_FOLDER [options]                            (starts the two programs below)
     scripts/with-display pvpython scripts/render.py RESULTS.xdmf OUT_FOLDER [options]
 
-Writes OUT_FOLDER/NAME_0000.png and so on, one a time, and NAME.png with all of them side by side. What a cell is
-drawn as follows from its shape (polylines are lines, triangles are volumes), so any XDMF of that kind will do; with the
+Writes OUT_FOLDER/NAME_0000.png and so on, one for each time, and NAME.png with all of them side by side. The shape of a cell
+determines how it is drawn (polylines as lines, triangles as volumes), so any such XDMF file is accepted; with the
 .h5 of a run beside it there are also sea, seabed, buoys, joints, bodies, names and the lines' own diameters.
 """
 import argparse
@@ -27,7 +27,7 @@ UNITS = {"N": (1e-3, "kN"), "N m": (1e-3, "kN m"), "m": (1e3, "mm")}
 
 
 def leaves(data):
-    """The data sets of a tree of them, or the one there is."""
+    """The data sets of a tree, or the single data set."""
     if not data.IsA("vtkCompositeDataSet"):
         return [data]
     found, walk = [], data.NewIterator()
@@ -49,7 +49,7 @@ radius.SetName("radius")
 sections = {sections!r}  # of each line: (arc length to which, radius)
 for leaf in leaves(self.GetInputDataObject(0, 0)):
     if leaf.GetNumberOfPoints() == 0:
-        continue  # cells without points crash: the reader leaves them so when it cannot read the .h5
+        continue  # cells without points crash; the reader makes them if it cannot read the .h5
     values = leaf.GetPointData().GetArray({field!r})
     number, arc = leaf.GetPointData().GetArray("line"), leaf.GetPointData().GetArray("arc_length")
     for c in range(leaf.GetNumberOfCells()):
@@ -112,38 +112,38 @@ output.SetPolys(cells)
 def vector(text):
     values = [float(word) for word in text.split(",")]
     if len(values) != 3:
-        raise argparse.ArgumentTypeError("three numbers with commas between them")
+        raise argparse.ArgumentTypeError("three numbers separated by commas")
     return values
 
 
 def arguments(argv, **defaults):
     parser = argparse.ArgumentParser(prog="render", description=__doc__.split("\n\n")[0])
     parser.add_argument("results", help="the .xdmf of a run")
-    parser.add_argument("out", help="folder for the pictures, made if it is not there")
+    parser.add_argument("out", help="folder for the pictures, created if missing")
     parser.add_argument("--field", default="effective_tension", help="node field that colours the lines")
-    parser.add_argument("--range", type=float, nargs=2, help="of the colours, as the scale shows it (default: all)")
-    parser.add_argument("--diameter", type=float, help="of all tubes, m (default: those of the lines, by --factor)")
-    parser.add_argument("--factor", type=float, help="how many times thicker than they are lines are drawn (default: once, "
-                        "or so that the thickest is a 300th of the picture)")
+    parser.add_argument("--range", type=float, nargs=2, help="range of the colours in the displayed unit (default: all values)")
+    parser.add_argument("--diameter", type=float, help="diameter of all tubes, m (default: those of the lines times --factor)")
+    parser.add_argument("--factor", type=float, help="factor on the thickness of lines (default: 1, "
+                        "or larger so that the thickest line is a 300th of the picture)")
     parser.add_argument("--film", metavar="FILE.mp4", help="also a film of all outputs; needs ffmpeg")
-    parser.add_argument("--rate", type=float, default=25, help="of the film, pictures a second")
+    parser.add_argument("--rate", type=float, default=25, help="pictures a second in the film")
     parser.add_argument("--no-sea", action="store_true", help="do not draw the surface of the sea and the seabed")
     parser.add_argument("--no-names", action="store_true", help="do not draw the names of lines, joints, bodies and volumes")
-    parser.add_argument("--pictures", type=int, default=4, help="how many, spread evenly over the run")
-    parser.add_argument("--at", type=float, nargs="+", help="times of the pictures, s, instead")
-    parser.add_argument("--direction", type=vector, default=[-1, 1.5, -0.6], help="the way the camera looks: x,y,z")
-    parser.add_argument("--focus", type=vector, help="point in the middle of the picture, m (default: the model's)")
-    parser.add_argument("--height", type=float, help="height of the picture, m (default: all of the model)")
-    parser.add_argument("--size", type=int, nargs=2, default=[900, 900], help="of one picture, pixels")
-    parser.add_argument("--columns", type=int, help="of the joint picture (default: all in one row)")
-    parser.add_argument("--opacity", type=float, default=1.0, help="of volumes, 0 to 1: below 1 lines inside show through (default: 1)")
+    parser.add_argument("--pictures", type=int, default=4, help="number of pictures, evenly spaced over the run")
+    parser.add_argument("--at", type=float, nargs="+", help="times of the pictures, s, in place of --pictures")
+    parser.add_argument("--direction", type=vector, default=[-1, 1.5, -0.6], help="direction of view: x,y,z")
+    parser.add_argument("--focus", type=vector, help="point at the centre of the picture, m (default: the centre of the model)")
+    parser.add_argument("--height", type=float, help="height of the picture, m (default: the whole model)")
+    parser.add_argument("--size", type=int, nargs=2, default=[900, 900], help="size of one picture, pixels")
+    parser.add_argument("--columns", type=int, help="columns of the joint picture (default: one row)")
+    parser.add_argument("--opacity", type=float, default=1.0, help="opacity of volumes, 0 to 1; below 1 lines inside are visible (default: 1)")
     parser.add_argument("--edges", action="store_true", help="draw the edges of the triangles")
     parser.set_defaults(**{"scenery": None, **defaults})
     return parser.parse_args(argv)
 
 
 def derived(source, script, **values):
-    """A polygonal data set that a piece of Python makes of `source`."""
+    """A polygonal data set that a Python script makes from `source`."""
     made = pv.ProgrammableFilter(Input=source)
     made.OutputDataSetType = "vtkPolyData"
     made.Script = script.format(**values)
@@ -217,7 +217,7 @@ def join(files, columns, target):
         reader.SetFileName(file)
         readers.append(reader)
     rows = [joined([r.GetOutputPort() for r in readers[i : i + columns]], 0) for i in range(0, len(readers), columns)]
-    # A PNG's y axis points up, so the first row goes on last.
+    # The y axis of a PNG points up, so the first row is added last.
     stack = joined([row.GetOutputPort() for row in reversed(rows)], 1)
     writer = vtkPNGWriter()
     writer.SetFileName(target)
@@ -251,7 +251,7 @@ def render(options):
         raise SystemExit("render: a film needs ffmpeg, which is not installed (Debian: apt-get install ffmpeg)")
     os.makedirs(options.out, exist_ok=True)
     pv._DisableFirstRenderCameraReset()
-    source = pv.OpenDataFile(os.path.abspath(options.results))  # the reader wants a folder before the name
+    source = pv.OpenDataFile(os.path.abspath(options.results))  # the reader needs a folder before the name
     if source is None:
         raise SystemExit(f"render: ParaView cannot open {options.results}")
     source.UpdatePipelineInformation()
@@ -260,7 +260,7 @@ def render(options):
     times = chosen_times(written, options)
     source.UpdatePipeline(times[-1])
     if not has_field(source, options.field) and options.field != "effective_tension":
-        print(f"render: no node field '{options.field}' in {options.results}; the lines stay in one colour")
+        print(f"render: no node field '{options.field}' in {options.results}; the lines have one colour")
 
     results = results_beside(options.results)
     lower, upper = extent(source, times)
@@ -268,13 +268,13 @@ def render(options):
         raise SystemExit(f"render: {options.results} has no points; is its .h5 file beside it?")
     diagonal = math.dist(lower, upper) or 1.0
     sections, radius = thickness(results, options, options.height or diagonal)
-    # Without results beside it the file says no units; the field that is shown by default is in N.
+    # Without results beside it the file has no units; the default field is in N.
     unit = (results.unit(options.field) if results and results.has(options.field) else
             "N" if options.field == "effective_tension" else "")
     factor, unit = UNITS.get(unit, (1, "" if unit == "1" else unit))
     lines = derived(source, LINES, field=options.field, factor=factor, sections=sections, radius=radius)
     faces = derived(source, FACES)
-    # The radius given is what those of the points are multiplied by where they vary.
+    # The given radius is the factor on the radii of the points if these vary.
     tubes = pv.Tube(Input=lines, Radius=1.0, NumberofSides=24, Capping=1, VaryRadius="By Absolute Scalar")
     tubes.Scalars = ["POINTS", "radius"]
 
@@ -329,7 +329,7 @@ def render(options):
 
 
 def film(options, times, picture):
-    """An MP4 of the pictures at all times, which every player shows: H.264 with an even number of pixels each way."""
+    """An MP4 of the pictures at all times that every player can show: H.264 with even width and height in pixels."""
     with tempfile.TemporaryDirectory() as folder:
         for i, time in enumerate(times):
             picture(time, os.path.join(folder, f"{i:06d}.png"))
@@ -343,7 +343,7 @@ def film(options, times, picture):
 
 
 def thickness(results, options, height):
-    """Of each line (arc length to which, radius there), and the radius where that is not known, m."""
+    """For each line (end of a part by arc length, its radius), and the radius where it is unknown, m."""
     thinnest = height / 600
     if options.diameter:
         return None, options.diameter / 2
@@ -353,12 +353,12 @@ def thickness(results, options, height):
         return None, thinnest
     factor = options.factor or max(1.0, 2 * thinnest / max(widths))
     if factor != 1:
-        print(f"render: lines are drawn {factor:.3g} times as thick as they are")
+        print(f"render: lines are drawn {factor:.3g} times their thickness")
     return [[(to, factor * w / 2 if w == w else thinnest) for to, w in line] for line in sections], thinnest
 
 
 def main(argv=None, **defaults):
-    """Draws what the command line says; `defaults` are a case's own choices, which it may still override. `scenery` is a
+    """Draws as requested on the command line; `defaults` are the choices of a case, which the command line overrides. `scenery` is a
     function of the view that adds what is not in the results, such as the surface of the sea."""
     render(arguments(argv, **defaults))
 
@@ -383,7 +383,7 @@ def below_each_other(argv, common, views):
 
 if __name__ == "__main__":
     # As a module, not as the main program: ParaView runs the pieces of Python above in the main program's names,
-    # where they replace min, max and others.
+    # where they would replace min, max and other functions.
     import render as module
 
     module.main()

@@ -1,5 +1,5 @@
-"""What a picture of a run shows beside lines and volumes, from the .h5 beside the .xdmf: the surface of the sea with its
-waves, the seabed, buoys and clump weights, joints, bodies without a volume, names, and how thick the lines are."""
+"""Parts of a picture in addition to lines and volumes, from the .h5 beside the .xdmf: the sea surface with its
+waves, the seabed, buoys and clump weights, joints, bodies without a volume, names, and the thickness of lines."""
 import math
 import os
 import sys
@@ -31,7 +31,7 @@ def results_beside(xdmf):
 
 
 def sections_of(results):
-    """Of each line (arc length to which, m, and outer diameter there, m), by number; diameters that the case does not
+    """For each line, by number, (end of a part by arc length, m, and its outer diameter, m); diameters that the case does not
     give are NaN."""
     types, lines = dictionary(results.keys.get("line_types")), dictionary(results.keys.get("lines"))
     out = []
@@ -46,7 +46,7 @@ def sections_of(results):
 
 
 class Shape:
-    """A surface that is made anew at every time."""
+    """A surface that is made again at every time."""
 
     def __init__(self, view, colour, opacity=1.0, specular=0.0):
         self.source = pv.TrivialProducer()
@@ -99,7 +99,7 @@ def balls(places):
 
 
 class Scenery:
-    """`lower`, `upper`: corners of the model, m. `size`: of a mark that has no size of its own, m; `thick`: largest radius of
+    """`lower`, `upper`: corners of the model, m. `size`: of a mark without a physical size, m; `thick`: largest radius of
     a line as it is drawn, m."""
 
     def __init__(self, view, results, lower, upper, size, thick, sea=True, names=True):
@@ -132,7 +132,7 @@ class Scenery:
             shown.BillboardPosition = [float(v) for v in place + np.array([0, 0, 1.2 * self.size])]
 
     def tops_of_bodies(self):
-        """m, how far the volumes of each body reach above it at the start: its name stands there."""
+        """m, height of the volumes of each body above its origin at the start, for the position of its name."""
         tops = {}
         for volume in self.results.file.get("volumes", {}).values():
             b = int(volume.attrs.get("body", -1))
@@ -157,7 +157,7 @@ class Scenery:
                 yield centre, max((0.75 * mass["volume"] / math.pi) ** (1 / 3), 0.5 * self.size)
 
     def joined(self, output):
-        """Name and place of each joint, where the first line that names it ends."""
+        """Name and position of each joint, from the end of the first line attached to it."""
         found = {}
         for line, keys in zip(self.results.lines, self.case):
             for k, key in enumerate(("end_a", "end_b")):
@@ -167,7 +167,7 @@ class Scenery:
         return list(found.items())
 
     def named(self, output):
-        """What has a name, and where that stands: lines, joints, bodies, and volumes that are fixed."""
+        """Names and their positions: lines, joints, bodies, and fixed volumes."""
         out = [(line.name, self.results.field("position", line, output)[len(line.arc) // 2]) for line in self.results.lines]
         out += self.joined(output)
         out += [(name, self.body(b, output) + [0, 0, self.tops.get(b, 0.0)]) for b, name in enumerate(self.results.bodies)]

@@ -28,11 +28,11 @@ class Parser(argparse.ArgumentParser):
                 f"'{word}' is an unexpected argument"
         elif choice:
             words = re.findall(r"'([^']*)'", choice.group(3))
-            message = f"{choice.group(1)} cannot be '{choice.group(2)}'{near(choice.group(2), words)} (there are {', '.join(words)})"
+            message = f"{choice.group(1)} cannot be '{choice.group(2)}'{near(choice.group(2), words)} (allowed: {', '.join(words)})"
         else:
-            message = re.sub(r"the following arguments are required: ", "these are missing: ", message)
+            message = re.sub(r"the following arguments are required: ", "missing arguments: ", message)
             message = re.sub(r"argument (\S+): expected one argument", r"a value is missing after \1", message)
-            message = re.sub(r"argument (\S+): invalid float value: (.*)", r"\1: \2 is no number", message)
+            message = re.sub(r"argument (\S+): invalid float value: (.*)", r"\1: \2 is not a number", message)
             message = re.sub(r"^argument (\S+): ", r"\1: ", message)
         print(f"hawser: {message} (see {self.current or self.prog} --help)", file=sys.stderr)
         sys.exit(2)
@@ -58,27 +58,27 @@ def time_from(text):
     except ValueError:
         value = math.nan
     if not 0 <= value < math.inf:
-        raise argparse.ArgumentTypeError(f"'{text}' is no time from 0 on, in s")
+        raise argparse.ArgumentTypeError(f"'{text}' is not a time of 0 s or more")
     return value
 
 
 def port_from(text):
     """Port of --port."""
     if not text.isascii() or not text.isdigit() or not int(text) < 65536:
-        raise argparse.ArgumentTypeError(f"'{text}' is no port from 0 to 65535")
+        raise argparse.ArgumentTypeError(f"'{text}' is not a port from 0 to 65535")
     return int(text)
 
 
 def add_set(parser):
     """Adds --set KEY=VALUE, as for hawser run."""
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", dest="changes",
-                        help="change a key of the case file that is run first (see hawser run --help); repeatable")
+                        help="change a key of the case before it is run (see hawser run --help); repeatable")
 
 
 def refuse_changes(path, changes):
     """Refuses changes of results; only a case can be changed."""
     if changes:
-        raise Refusal(f"{path}: --set changes a case file that is run first, and this is none")
+        raise Refusal(f"{path}: --set changes a case file that is run first; this is not a case file")
 
 
 def unwind_at_interrupts():

@@ -16,7 +16,7 @@ COLOURS = ("#1f5a92", "#b3470f")  # of A and of B
 def make(options):
     a, b = results_of(options.a, options.changes), results_of(options.b, options.changes)
     if a.modes != b.modes:
-        raise Refusal(f"{b.path if b.modes else a.path} holds natural modes, and the other a run: these cannot be compared")
+        raise Refusal(f"{b.path if b.modes else a.path} contains natural modes, and the other file a run: they cannot be compared")
     name = f"{a.path.stem}-{b.path.stem}.html" if a.path.stem != b.path.stem else f"{a.path.stem}-compared.html"
     path = place_for(options.output or Path(name), (a, b), (".html", ".htm"), "a comparison")
     page_of(a, b, path)
@@ -34,7 +34,7 @@ def page_of(a, b, path):
             if words.startswith("warning"):
                 page.text(f"{letter}: {words}", "note")
     page.section("Models")
-    page.text("A is coloured by a field; dashes in orange with white edges are B, which is drawn over A. Of B that output is shown which is nearest in time. The notes beside the model are those of A.")
+    page.text("A is coloured by a field; B is drawn over it with dashed orange lines with white edges, at its output nearest in time. The notes beside the model are those of A.")
     page.model(a, b)
     page.section("Differences")
     differences(page, a, b)
@@ -44,20 +44,20 @@ def page_of(a, b, path):
 
 def differences(page, a, b):
     found = False
-    for words, (head, rows) in (("What the cases say:", compare_tables.inputs(a, b)),
+    for words, (head, rows) in (("Different keys of the cases:", compare_tables.inputs(a, b)),
                                 ("Extremes over every step:", compare_tables.extremes(a, b)),
                                 ("Start:", compare_tables.ends(a, b, 0, "start")),
-                                ("Histories, where they differ:", compare_tables.histories(a, b)),
-                                ("Places of the lines:", compare_tables.places(a, b))):
+                                ("Histories with differences:", compare_tables.histories(a, b)),
+                                ("Positions of the lines:", compare_tables.places(a, b))):
         if not rows:
             continue
         found = True
         page.text(words)
         page.table(head, rows[:compare_tables.MOST_ROWS])
         if len(rows) > compare_tables.MOST_ROWS:
-            page.text(f"{len(rows) - compare_tables.MOST_ROWS} more rows are excluded.")
+            page.text(f"{len(rows) - compare_tables.MOST_ROWS} more rows are not shown.")
     if not found:
-        page.text("There is nothing that both have.")
+        page.text("The two results have nothing in common.")
 
 
 def graphs(page, a, b):
@@ -72,7 +72,7 @@ def graphs(page, a, b):
     shown = compare_tables.common_histories(a, b)
     if shown:
         page.section("Time histories")
-    for name in page.within(shown, MOST_HISTORY_FIGURES, "histories by name; hawser plot draws the others."):
+    for name in page.within(shown, MOST_HISTORY_FIGURES, "histories by name; hawser plot draws the other ones."):
         one, other = a.series(name), b.series(name)
         for column in (c for group in groups(one) for c in group if c in other.columns):
             if max(np.ptp(one.column(column)), np.ptp(other.column(column))) > 0:

@@ -122,6 +122,6 @@ def weibull(sample, mean):
 def fits(sample, mean, deviation):
     """Both distributions; Weibull only if all values are above the mean."""
     if np.std(sample.values) < 1e-4 * deviation:
-        raise Refusal(f"the maxima are all {sample.values.max():.6g}, as in a regular wave: there is nothing to extrapolate")
+        raise Refusal(f"the maxima are all {sample.values.max():.6g}, as in a regular wave: no extrapolation is possible")
     found = [gumbel(sample)]
     return found + [weibull(sample, mean)] if sample.values.min() > mean else found

@@ -18,7 +18,7 @@ def records_of(runs, options):
         names = names or (series.name, column, series.unit(column))
         keep = time >= (options.since or 0.0)
         if np.count_nonzero(keep) < 2:
-            raise Refusal(f"{results.path}: there are no two steps from t = {options.since or 0:g} s on")
+            raise Refusal(f"{results.path}: it has fewer than two steps from t = {options.since or 0:g} s on")
         if not np.all(np.isfinite(values[keep])):
             raise Refusal(f"{results.path}: '{series.name}' has no {charts.words(column)} at some steps")
         records.append(extremes.Record(time[keep], -values[keep] if options.minima else values[keep]))
@@ -84,7 +84,7 @@ def show(values, note):
 
 def make(options):
     if not 0 < options.quantile < 1:
-        raise Refusal(f"--quantile {options.quantile:g} is no probability between 0 and 1")
+        raise Refusal(f"--quantile {options.quantile:g} is not a probability between 0 and 1")
     duration = seconds(options.duration)
     found = [results_of(given, options.changes) for given in options.results]
     path = place_for(options.output, found, (".json", ".csv"), "a table of extremes") if options.output else None
@@ -97,7 +97,7 @@ def make(options):
     except Refusal as refusal:
         raise Refusal(f"{what}: {refusal}") from None
     if duration < max(sample.length for sample in samples):
-        raise Refusal(f"--duration {options.duration}: shorter than what one value of the sample stands for "
+        raise Refusal(f"--duration {options.duration}: shorter than the time that one value of the sample represents "
                       f"({max(sample.length for sample in samples):.4g} s)")
     values = report_values(options, -1.0 if options.minima else 1.0, names, records, mean, deviation, found, duration)
     show(values, note)

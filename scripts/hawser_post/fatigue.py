@@ -102,7 +102,7 @@ def along(results, line, curve, since, breaking_load=None, area=None, outer=None
     of a pipe [m], None: from the case, with the larger damage between two pipes."""
     keep = results.time >= since
     if np.count_nonzero(keep) < 16:
-        raise Refusal(f"{results.path}: {np.count_nonzero(keep)} outputs from t = {since:g} s on are too few for cycles")
+        raise Refusal(f"{results.path}: {np.count_nonzero(keep)} outputs from t = {since:g} s on are too few to count cycles")
     seconds = results.time[keep][-1] - results.time[keep][0]
     if curve.of == "pipe":
         if not results.has("bending_moment_2"):

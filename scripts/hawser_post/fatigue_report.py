@@ -15,9 +15,9 @@ def sea_states(given, changes):
         try:
             out.append((results_of(path, changes), float(share) if share else 1 / len(given)))
         except ValueError:
-            raise Refusal(f"'{text}': the share of the time after '=' is no number") from None
+            raise Refusal(f"'{text}': the fraction of the time after '=' is not a number") from None
     if sum(share for _, share in out) > 1 + 1e-9 or min(share for _, share in out) < 0:
-        raise Refusal("the shares of the sea states are more than all of the time, or below zero")
+        raise Refusal("the fractions of the time of the sea states are negative, or their sum exceeds 1")
     return out
 
 
@@ -44,7 +44,7 @@ def divisor(results, line, options, curve):
 def orq_words(given, known, curve):
     if np.isnan(known).all():
         return ["note: API RP 2SK divides the tension range of chain by the breaking load of ORQ chain of the same size, "
-                "21.1 d² (44 - 0.08 d) N with d in mm, also for R3 to R4S: --breaking-load is that"]
+                "21.1 d² (44 - 0.08 d) N with d in mm, also for R3 to R4S: give that as --breaking-load"]
     least = np.nanmin(known)
     off = (given / least)**curve.m
     if abs(given / least - 1) < 0.02:
@@ -71,7 +71,7 @@ def make(options):
     given = [name for name in ("breaking_load", "area", "outer_diameter", "wall") if getattr(options, name) is not None]
     for name in given:
         if name not in needs:
-            raise Refusal(f"the curve {options.curve} takes no --{name.replace('_', '-')}, but "
+            raise Refusal(f"the curve {options.curve} does not use --{name.replace('_', '-')}, but "
                           + " and ".join(f"--{need.replace('_', '-')}" for need in needs))
     for name in needs if curve.of == "pipe" and given else []:
         if not (getattr(options, name) or 0) > 0:
@@ -89,7 +89,7 @@ def make(options):
         own = results.line(line.name)
         refuse_since(results, options.since)
         if len(own.arc) != len(line.arc):
-            raise Refusal(f"{results.path}: line '{line.name}' has other nodes than in {states[0][0].path}")
+            raise Refusal(f"{results.path}: line '{line.name}' does not have the same nodes as in {states[0][0].path}")
         load = area = None
         if curve.of != "pipe":
             divided, messages = divisor(results, own, options, curve)
@@ -98,13 +98,13 @@ def make(options):
         total = total + share * fatigue.YEAR * fatigue.along(
             results, own, curve, since, load, area, options.outer_diameter, options.wall, options.factor)
         if (outputs := fatigue.outputs_a_period(results, own, since)) < 10:
-            print(f"warning: {results.path} has {outputs:.2g} outputs in a mean period of the tension: cycles are cut short; "
+            print(f"warning: {results.path} has {outputs:.2g} outputs in a mean period of the tension: cycles are truncated; "
                   "set output.every to a tenth of it or less")
     for message in messages:
         print(message)
     total = total.max(axis=1)
     if np.isnan(total).all():
-        raise Refusal(f"{first}: line '{line.name}' has nowhere what the curve {options.curve} is about")
+        raise Refusal(f"{first}: line '{line.name}' has no part to which the curve {options.curve} applies")
     worst = int(np.nanargmax(total))
     print(f"{line.name}, {curve.source}, {options.curve}: largest damage {total[worst]:.4g} a year at arc length "
           f"{line.arc[worst]:.6g} m" + (f", life {1 / total[worst]:.4g} years" if total[worst] > 0 else ""))

@@ -33,7 +33,7 @@ def modes_of(given, changes=()):
     """Results of `hawser modes` of a case file, which is run if it is newer or there are none."""
     path = Path(given)
     if path.suffix not in (".yaml", ".yml"):
-        raise Refusal(f"{path}: modes are those of a case: give the case file with --modes")
+        raise Refusal(f"{path}: --modes requires a case file")
     results = path.with_name(f"{path.stem}-modes.h5")
     if not results.is_file() or results.stat().st_mtime < path.stat().st_mtime or changes:
         code = run_case("modes", path, changes, "-o", str(results))
@@ -47,15 +47,15 @@ def refuse_since(results, since):
     if since is None:
         return
     if results.modes:
-        raise Refusal(f"{results.path} holds natural modes, of which --since excludes nothing")
+        raise Refusal(f"{results.path} contains natural modes, to which --since does not apply")
     if since > max(results.time[-1], results.step_time[-1] if results.steps else 0.0):
-        raise Refusal(f"{results.path}: there is nothing from t = {since:g} s on (the last output is at {results.time[-1]:g} s)")
+        raise Refusal(f"{results.path}: it has no output from t = {since:g} s on (the last one is at {results.time[-1]:g} s)")
 
 
 def history_of(results, name, column):
     """A history and one of its columns; by default the first history and its tension or first column."""
     if name is None and not results.histories:
-        raise Refusal(f"{results.path} has no history: the case asks for them by output.histories")
+        raise Refusal(f"{results.path} has no history: request one by output.histories in the case")
     series = results.series(name) if name else results.series_at(results.histories[0])
     return series, column or ("effective_tension" if "effective_tension" in series.columns else series.columns[0])
 
@@ -66,9 +66,9 @@ def seconds(text):
     try:
         value = float(found.group(1)) * SECONDS[found.group(2) or "s"]
     except (AttributeError, ValueError):
-        raise Refusal(f"'{text}' is no time: a number with s, min, h or d, such as 3h") from None
+        raise Refusal(f"'{text}' is not a time: give a number with s, min, h or d, such as 3h") from None
     if not 0 < value < float("inf"):
-        raise Refusal(f"'{text}' is no time above 0")
+        raise Refusal(f"'{text}' is not a time above 0")
     return value
 
 

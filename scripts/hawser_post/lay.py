@@ -29,13 +29,13 @@ def smallest_tension(rig, depth, asked):
         return lay
     height = rig.rise_of_tension(depth)
     keeps, fails = smallest(lay_at, asked, rig.first_tension(), height)
-    wanted = f"the tip by {asked.clearance:g} m with a sagbend used up to {asked.utilisation:g}"
+    wanted = f"the tip by {asked.clearance:g} m with a sagbend utilisation of at most {asked.utilisation:g}"
     if keeps is None:
         return None, (f"in {depth:g} m of water no tension up to {(fails[0] + height) / 1e3:.4g} kN clears {wanted}; "
-                      "a longer or more curved stinger would")
+                      "use a longer or more curved stinger")
     if fails is None:
         return None, (f"in {depth:g} m of water every tension down to {(keeps[0] + height) / 1e3:.4g} kN clears "
-                      f"{wanted}, so that none is the smallest; ask for more")
+                      f"{wanted}, so there is no smallest one; require a larger clearance or a smaller utilisation")
     return keeps[1], ""
 
 
@@ -43,9 +43,9 @@ def numbers_of(option, text, what, example):
     try:
         found = [float(word) for word in text.split(",")]
     except ValueError:
-        raise Refusal(f"{option} '{text}' are no numbers with commas between them, such as {example}") from None
+        raise Refusal(f"{option} '{text}' is not a list of numbers separated by commas, such as {example}") from None
     if not all(0 < number < 1e4 for number in found):
-        raise Refusal(f"{option} '{text}': {what} are above 0, in m")
+        raise Refusal(f"{option} '{text}': {what} must be above 0, in m")
     return found
 
 
@@ -103,7 +103,7 @@ def make(options):
         raise Refusal(f"--utilisation {options.utilisation:g} is not above 0 and up to 1")
     path = Path(options.case)
     if path.suffix not in (".yaml", ".yml"):
-        raise Refusal(f"{path}: a lay is that of a case file (.yaml)")
+        raise Refusal(f"{path}: hawser lay needs a case file (.yaml)")
 
     known = read_case(path, options.changes)["inputs"]
     table = place_for(options.output or path.with_name(f"{path.stem}-lay.csv"), [], (".csv",), "a table", known)
@@ -127,7 +127,7 @@ def show(rows):
              for name, values in zip(HEAD, zip(*rows))]
     shown = [row for row in shown if not np.isnan(row[1:]).all()]  # excludes undefined radii and checks that do not apply to the steel
     print_table([shown[0][0], *(f"{v:g}" for v in shown[0][1:])], shown[1:])
-    print(f"Smallest tensions, found to {100 * CLOSE:g} %, at rest; a check is met up to 1.")
+    print(f"Smallest tensions, found to {100 * CLOSE:g} %, at rest; a check is met if its value is at most 1.")
 
 
 def chosen(found, utilisation):
@@ -136,14 +136,14 @@ def chosen(found, utilisation):
         kept = [(radius, lay) for d, radius, lay in found if d == depth and lay and lay.overbend <= utilisation]
         if kept:
             radius, lay = min(kept, key=lambda k: k[0])
-            yield (f"In {depth:g} m of water {radius:g} m is the smallest of these radii whose overbend is used up to "
+            yield (f"In {depth:g} m of water {radius:g} m is the smallest of these radii with an overbend utilisation of at most "
                    f"{utilisation:g} ({lay.overbend:.3g}), with {lay.tension / 1e3:.4g} kN.")
         else:
-            yield (f"In {depth:g} m of water no lay of these radii has an overbend used up to {utilisation:g}; "
-                   "try larger radii, on a stinger so much longer that the pipe leaves it as steeply")
+            yield (f"In {depth:g} m of water no lay of these radii has an overbend utilisation of at most {utilisation:g}; "
+                   "try larger radii on a stinger that is longer in proportion, so that the pipe leaves it at the same angle")
 
 
 def row_warnings(rows):
     over = [f"{row[0]:g} m" for row in rows if row[HEAD.index("overbend local buckling [-]")] > 1]
-    return [f"the overbend is used up by more than 1 in {', '.join(over)} of water, of which no tension is asked: larger tensions "
-            "bend it more; a longer or less curved stinger bends it less (--radii)"] if over else []
+    return [f"the overbend utilisation exceeds 1 in {', '.join(over)} of water; the search does not limit it, since larger tensions "
+            "bend the pipe more; a longer or less curved stinger bends it less (--radii)"] if over else []

@@ -33,17 +33,17 @@ class Rig:
         self.case, self.changes, self.folder = Path(case), list(changes), Path(folder)
         results = self.run([])
         if results is None:
-            raise Refusal(f"{case}: {self.description()} has no equilibrium from which to begin: see what 'hawser run' says of it")
+            raise Refusal(f"{case}: {self.description()} has no equilibrium from which to begin: run it with 'hawser run' for the reason")
         try:
             self.name = pipe_of(results, None).name
         except Refusal as why:  # concerning results in the temporary folder
             raise Refusal(str(why).replace(str(results.path), str(case))) from None
         line = results.line(self.name)
         if pipe_checks.judged_pipe(results, line) is None:
-            raise Refusal(f"{case}: the case does not say of which steel '{line.name}' is: 'grade' with the pipe of its line type")
+            raise Refusal(f"{case}: the case does not give the steel of '{line.name}': add 'grade' to the pipe of its line type")
         checked = pipe_checks.of_case(results, line)
         if checked.left is None or checked.down is None:
-            raise Refusal(f"{case}: a lay needs 'supports' that the pipe leaves, and a seabed on which it comes down")
+            raise Refusal(f"{case}: a pipe lay needs 'supports' that the pipe leaves, and a seabed on which it touches down")
         self.forwards = checked.left.forwards
         far = "end_b" if self.forwards else "end_a"
         self.far = f"lines.{self.name}.{far}.anchor"
@@ -51,10 +51,10 @@ class Rig:
         anchor = dictionary(keys.get(far)).get("anchor")
         seabed = dictionary(part(results, "environment").get("seabed"))
         if anchor is None or "depth" not in seabed:
-            raise Refusal(f"{case}: a lay over depths needs a far end with 'anchor' and a seabed with 'depth'")
+            raise Refusal(f"{case}: lays at several depths need a far end with 'anchor' and a seabed with 'depth'")
         if seabed.get("slope_deg", 0) != 0:
-            raise Refusal(f"{case}: a lay over depths is for a level seabed: 'slope_deg' of this one is "
-                          f"{seabed['slope_deg']}; leave it out by --set environment.seabed.slope_deg=0")
+            raise Refusal(f"{case}: lays at several depths need a level seabed: 'slope_deg' of this one is "
+                          f"{seabed['slope_deg']}; remove it by --set environment.seabed.slope_deg=0")
         self.anchor, self.depth = np.array(anchor, float), seabed["depth"]
         x, (arc, place) = results.field("position", line, 0), checked.down
         self.top = x[0 if self.forwards else -1]
@@ -83,8 +83,8 @@ class Rig:
     def with_radius(self, radius):
         """The same lay with another stinger radius."""
         if len(self.bends) != 1:
-            raise Refusal(f"{self.case}: --radii is for supports with one curved length in their path, fixed to a body or in "
-                          f"space, and this has {len(self.bends) or 'none'}: change them by --set")
+            raise Refusal(f"{self.case}: --radii needs supports with one curved length in their path, fixed to a body or in "
+                          f"space; this case has {len(self.bends) or 'none'}: change them by --set")
         return Rig(self.case, [*self.changes, f"{list(self.bends)[0]}={radius:.9g}"], self.folder)
 
     def width(self, tension, rise):
@@ -119,7 +119,7 @@ class Rig:
         if not rise > 0:
             raise Refusal(f"{self.case}: a depth of {depth:g} m is too small for this stinger: in the lay of the case, in "
                           f"{self.depth:g} m, the pipe leaves it {self.rise:.4g} m above the bed, which would then be "
-                          f"{-rise:.4g} m above that place; shorten the stinger, or raise it")
+                          f"{-rise:.4g} m above that point; shorten the stinger, or raise it")
         span = np.sqrt(rise * (rise + 2 * bottom / self.weight))
         length = max(self.length + span - self.span, 0.2 * self.length)
         way = (self.anchor - self.top)[:2]

@@ -24,9 +24,9 @@ class Asked:
         """Requirements that a lay misses, "" if it meets all. Undefined values (NaN) miss their requirement."""
         if lay is None:
             return "no equilibrium"
-        missed = [] if lay.clearance >= self.clearance else ["too near the tip"]
+        missed = [] if lay.clearance >= self.clearance else ["clearance at the tip too small"]
         if not lay.sagbend <= self.utilisation:
-            missed.append("the sagbend used up" if lay.sagbend > self.utilisation else "no sagbend to be checked")
+            missed.append("sagbend utilisation exceeded" if lay.sagbend > self.utilisation else "no sagbend to check")
         return ", ".join(missed)
 
 

@@ -37,9 +37,9 @@ class Layout:
         if found is None:
             return self.bad(name, "is missing") if needed else None
         if not isinstance(found, h5py.Dataset) or found.shape is None:
-            self.bad(name, "is no data set with values")
+            self.bad(name, "is not a data set with values")
         if found.dtype.kind not in KINDS[kind]:
-            self.bad(name, f"does not hold {kind}")
+            self.bad(name, f"does not contain {kind}")
         fits = len(found.shape) == len(shape) and all(
             n is None or (have >= n if isinstance(n, AtLeast) else have == n) for have, n in zip(found.shape, shape))
         if not fits:
@@ -51,12 +51,12 @@ class Layout:
         """Names in a group, empty if it is absent."""
         found = self.file.get(name)
         if found is not None and not isinstance(found, h5py.Group):
-            self.bad(name, "is no group of data sets")
+            self.bad(name, "is not a group of data sets")
         return [] if found is None else list(found)
 
     def finite(self, name, values, growing=False):
         if not np.all(np.abs(values) <= LARGEST) or growing and np.any(np.diff(values) < 0):  # NaN fails as well
-            self.bad(name, "does not hold growing numbers" if growing else "holds what is no number of that kind")
+            self.bad(name, "does not contain increasing numbers" if growing else "contains values that are not valid numbers of this kind")
 
     def records(self, name, *columns, shape=(None,), needed=True):
         found = self.data(name, RECORDS, *shape, needed=needed)
@@ -69,7 +69,7 @@ class Layout:
         written = self.records("written", shape=(AtLeast(1),))
         first = written[0].item()
         if len(first) != 2 or not all(isinstance(n, int) and n >= 0 for n in first):
-            self.bad("written", "does not hold the numbers of outputs and steps")
+            self.bad("written", "does not contain the numbers of outputs and steps")
         self.outputs, self.steps = first
         self.finite("outputs/time", self.data("outputs/time", NUMBERS, AtLeast(self.outputs))[: self.outputs], growing=True)
         for name in ("case", "set", "case_read"):
@@ -91,7 +91,7 @@ class Layout:
         self.lines, self.nodes = len(self.data("lines/name", TEXTS, None)), len(arc)
         first, nodes = (self.data(f"lines/{name}", INTEGERS, self.lines)[:].astype(int) for name in ("first_node", "nodes"))
         if np.any(first < 0) or np.any(nodes < 2) or np.any(first + nodes > self.nodes):
-            self.bad("lines/nodes", f"counts nodes that are not among the {self.nodes} there are")
+            self.bad("lines/nodes", f"refers to nodes beyond the {self.nodes} in the file")
         for begin, count in zip(first, nodes):
             self.finite("nodes/arc_length", arc[begin : begin + count], growing=True)
 
@@ -100,7 +100,7 @@ class Layout:
             components = (3,) if len(getattr(self.file[f"fields/{name}"], "shape", ())) == 3 else ()
             found = self.data(f"fields/{name}", NUMBERS, AtLeast(self.outputs), AtLeast(self.nodes), *components)
             if not np.issubdtype(np.asarray(found.attrs.get("order", 0)).dtype, np.number):
-                self.bad(f"fields/{name}", "has an 'order' that is no number")
+                self.bad(f"fields/{name}", "has an 'order' that is not a number")
         for name in ("position", "mode_shape"):
             self.data(f"fields/{name}", NUMBERS, AtLeast(self.outputs), AtLeast(self.nodes), 3, needed=name == "position")
         for name in self.group("statistics"):
@@ -120,7 +120,7 @@ class Layout:
             found = self.data(place, NUMBERS, AtLeast(self.steps), *lines, None)
             for of in ("columns", "units"):
                 if np.shape(found.attrs.get(of)) != found.shape[-1:]:
-                    self.bad(place, f"has {found.shape[-1]} columns and not as many '{of}'")
+                    self.bad(place, f"has {found.shape[-1]} columns and another number of '{of}'")
 
     def check_bodies(self):
         names = self.data("bodies/name", TEXTS, None, needed=False)
@@ -136,10 +136,10 @@ class Layout:
                 self.finite(f"{place}/vertices", vertices[:])
                 corners = self.data(f"{place}/triangles", INTEGERS, None, 3)[:].astype(int)
                 if np.any(corners < 0) or np.any(corners >= len(vertices)):
-                    self.bad(f"{place}/triangles", f"names corners that are not among the {len(vertices)} vertices")
+                    self.bad(f"{place}/triangles", f"refers to vertices beyond the {len(vertices)} in the file")
                 body = self.file[place].attrs.get("body", -1)
                 if np.asarray(body).dtype.kind not in "iu" or np.ndim(body) != 0 or not -1 <= body < self.bodies:
-                    self.bad(place, f"has a 'body' that is none of the {self.bodies} bodies")
+                    self.bad(place, f"refers to a 'body' beyond the {self.bodies} in the file")
 
     def check_clashes(self):
         if "clashes" not in self.file or self.outputs == 0:
@@ -149,16 +149,16 @@ class Layout:
         still = self.records("clashes/open", *ended.dtype.names, shape=(2, None))
         volumes = len(self.data("clashes/volume_name", TEXTS, None))
         if not 0 <= counts[0] <= len(ended) or not 0 <= counts[1] <= still.shape[1]:
-            self.bad("outputs/clashes", "counts more clashes than there are")
+            self.bad("outputs/clashes", "gives more clashes than the file contains")
         if np.shape(ended.attrs.get("units")) != (len(ended.dtype.names),):
-            self.bad("clashes/ended", "has columns and not as many 'units'")
+            self.bad("clashes/ended", "has a different number of columns and 'units'")
         for place, rows in (("clashes/ended", ended[: counts[0]]), ("clashes/open", still[(self.outputs - 1) % 2, : counts[1]])):
             for column in ended.dtype.names:
                 most = self.lines if column.endswith("line") else volumes if column.endswith("volume") else None
                 if rows.dtype[column].kind not in ("fiu" if most is None else "iu"):
-                    self.bad(place, f"has a column '{column}' that does not hold numbers")
+                    self.bad(place, f"has a column '{column}' that does not contain numbers")
                 if most is not None and np.any((rows[column] < -1) | (rows[column] >= most)):
-                    self.bad(place, f"names by '{column}' what there is not")
+                    self.bad(place, f"refers in column '{column}' to items that are not in the file")
 
 
 def dictionary(value):

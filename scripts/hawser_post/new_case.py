@@ -85,22 +85,22 @@ def line_type(a):
         return (f"  line:\n    pipe: {{outer_diameter: {a.diameter:g}, wall_thickness: {a.wall:g}}}   # m, of steel\n"
                 "    stiffness_damping: 0.02   # s")
     grade = f", grade: {a.grade}" if a.grade else ""
-    return f"  line: {{library: {KINDS[a.kind][1]}, diameter: {a.diameter:g}{grade}}}   # m; `hawser library` prints what the library has"
+    return f"  line: {{library: {KINDS[a.kind][1]}, diameter: {a.diameter:g}{grade}}}   # m; `hawser library` prints the library"
 
 
 def text(a):
     """Text of the case file with comments."""
     element = element_length(a)
     upper = f"{{body: vessel, at: [0, 0, {-a.top:g}]}}" if a.moves else f"{{anchor: [0, 0, {-a.top:g}]}}"
-    parts = [f"# Written by hawser new. Units are SI where none is written, angles in degrees; z is up, from still water.\nhawser: 1\ntitle: {quoted(a.title)}"]
-    waves = f"\n  waves: {{regular: {{height: {a.height:g}, period: {a.period:g}, direction_deg: {a.direction:g}}}}}   # running towards" if a.height else ""
+    parts = [f"# Written by hawser new. Units are SI unless given, angles in degrees; z is up, from still water.\nhawser: 1\ntitle: {quoted(a.title)}"]
+    waves = f"\n  waves: {{regular: {{height: {a.height:g}, period: {a.period:g}, direction_deg: {a.direction:g}}}}}   # direction of travel" if a.height else ""
     parts.append(f"environment:\n  water: {{depth: {a.depth:g}}}\n  seabed: {{depth: {a.depth:g}, friction: 0.5}}{waves}")
-    parts.append(f"# What the line is made of.\nline_types:\n{line_type(a)}")
+    parts.append(f"# Properties of the line.\nline_types:\n{line_type(a)}")
     if a.moves:
         period = a.period or 10.0
         amplitude = a.height / 4 or 1.0
-        parts.append("# The vessel moves up and down and to and fro by half of the wave's amplitude; take response amplitude operators of its own\n"
-                     "# instead (docs/how-to/vessel.md).\nbodies:\n  vessel:\n"
+        parts.append("# The vessel heaves and surges by half of the wave's amplitude; better, give its own response amplitude operators\n"
+                     "# (docs/how-to/vessel.md).\nbodies:\n  vessel:\n"
                      f"    motion: {{harmonic: {{amplitude: [{amplitude:g}, 0, {amplitude:g}], period: {period:g}}}, ramp: {period:g}}}")
     parts.append("# From the upper end, A, to the anchor, B.\nlines:\n  line:\n"
                  f"    sections: [{{type: line, length: {a.length:g}, element_length: {element:g}}}]\n"
@@ -108,7 +108,7 @@ def text(a):
     if a.moves or a.height:
         period = a.period or 10.0
         parts.append(f"# Statics comes first. The steps are automatic; `step: 0.05` would fix them.\ndynamics: {{duration: {6 * period:g}}}   # s")
-        parts.append(f"output:\n  every: {period / 20:g}   # s, what pictures and range graphs are made of\n"
+        parts.append(f"output:\n  every: {period / 20:g}   # s, interval of pictures and range graphs\n"
                      "  histories: [{line: line, at: end_a, name: upper end}]")
     return "\n\n".join(parts) + "\n"
 

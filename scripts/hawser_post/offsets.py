@@ -21,7 +21,7 @@ def read(path):
     except OSError as e:
         raise Refusal(f"{path}: cannot be read ({e.strerror})") from None
     except (ValueError, IndexError, UnicodeDecodeError):
-        raise Refusal(f"{path}: this is no table of hawser stiffness, which is what the figure 'offsets' takes") from None
+        raise Refusal(f"{path}: the figure 'offsets' needs a table of hawser stiffness; this is not one") from None
 
 
 def forces(path):
@@ -48,11 +48,11 @@ def figure_of(path):
     x, y = table[FIRST], table["y offset [m]"]
     way = np.hypot(x, y)
     if not (way > 0).any():
-        raise Refusal(f"{path}: it has the stiffness at rest and no offset: hawser stiffness CASE --to 20")
+        raise Refusal(f"{path}: it has the stiffness at equilibrium only, without offsets; make offsets with: hawser stiffness CASE --to 20")
     far = np.argmax(way)
     along = np.array([x[far], y[far]]) / way[far]
     if np.abs(x * along[1] - y * along[0]).max() > 1e-6 * way[far]:
-        raise Refusal(f"{path}: its offsets go in several directions, and a figure is of one")
+        raise Refusal(f"{path}: its offsets have several directions, but a figure shows one direction")
     place = x * along[0] + y * along[1]
     order = np.argsort(place)
     figure, axes = sheet(3.2)

@@ -154,7 +154,7 @@ class Page:
         before = self.figures
         for place, thing in enumerate(things):
             if self.figures - before >= most:
-                self.text(f"Figures are of the first {place} of {len(things)} {rest}")
+                self.text(f"Figures show the first {place} of {len(things)} {rest}")
                 return
             yield thing
 

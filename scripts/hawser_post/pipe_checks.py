@@ -39,7 +39,7 @@ def one_size(values):
     """The wall of a line with a single one."""
     found = np.unique(np.round(values[~np.isnan(values)], 9))
     if len(found) != 1:
-        raise Refusal("the checks are for a line whose pipe has one diameter and one wall thickness")
+        raise Refusal("the checks need a line whose pipe has one diameter and one wall thickness")
     return float(found[0])
 
 
@@ -82,7 +82,7 @@ class Checked:
         usual = {"supports": 1.0, "span": 1.0, "seabed": UNEVEN_SEABED if uneven else 1.0}
         parts = ", ".join(f"{name} {given.get(name, value):g}" for name, value in usual.items())
         why = "; uneven seabed" if uneven and "seabed" not in given else ""
-        fed = (" Loads of what was in the stock at rest count as environmental altogether, which is on the safe side."
+        fed = (" For pipe that was inside the feeder at rest all loads count as environmental, which is conservative."
                if stations.end_of(self.results, self.line) else "")
         return [f"{self.outer * 1e3:.4g} mm x {self.wall * 1e3:.4g} mm, {self.grade}, {self.pipe['fabrication']}, ovality "
                 f"{100 * self.pipe['ovality']:g} %.",
@@ -123,8 +123,8 @@ def warnings(checked):
     """Warnings if the von Mises stress, which assumes an elastic section, is not valid for the pipe."""
     most = np.nanmax(checked.values[STRESS])
     if checked.yields:
-        return ["the pipe has 'plasticity': its von Mises stress is that of an elastic section with the same moment, and knows "
-                "nothing of what earlier bends left; judge it by strain where it has yielded"]
+        return ["the pipe has 'plasticity': its von Mises stress is that of an elastic section with the same moment, and does "
+                "not include residual stress of earlier bending; assess it by strain where it has yielded"]
     if most > checked.yields_at:
         return [f"the von Mises stress is {most / 1e6:.4g} MPa, above the yield stress of {checked.yields_at / 1e6:g} MPa, but "
                 "the pipe is elastic: moments there are too large and strains too small; give it 'plasticity'"]

@@ -9,13 +9,13 @@ from .results import Refusal
 
 def pipe_of(results, name):
     if not results.as_read:
-        raise Refusal(f"{results.path}: was written by hawser {results.attribute('version')}, which did not keep how it read the case: "
+        raise Refusal(f"{results.path}: was written by hawser {results.attribute('version')}, which did not store the case as read: "
                       "run the case again")
     pipes = [line for line in results.lines if stress.is_pipe(results, line)]
     if name:
         line = results.line(name)
         if line not in pipes:
-            raise Refusal(f"{results.path}: line '{name}' has no type with 'pipe', whose wall could be checked")
+            raise Refusal(f"{results.path}: line '{name}' has no type with 'pipe', so there is no wall to check")
         return line
     if not pipes:
         raise Refusal(f"{results.path}: no line has a type with 'pipe', whose wall could be checked")
@@ -26,18 +26,18 @@ def make(options):
     results = results_of(options.results, options.changes)
     refuse_since(results, options.since)
     if results.modes:
-        raise Refusal(f"{results.path} holds natural modes, and their size means nothing")
+        raise Refusal(f"{results.path} contains natural modes, whose amplitude is arbitrary")
     since, line = options.since or 0.0, pipe_of(results, options.line)
     path = place_for(options.output or results.path.with_name(f"{results.path.stem}-pipe.csv"), [results], (".csv",), "a table")
     beside = place_for(path.with_name(f"{path.stem}-stations.csv"), [results])
     checked = pipe_checks.of_case(results, line)
     if checked is None:
-        raise Refusal(f"{results.path}: the case does not say of which steel '{line.name}' is: give its pipe a 'grade', and run it")
+        raise Refusal(f"{results.path}: the case does not give the steel of '{line.name}': give its pipe a 'grade', and run it")
     pipe, judged = checked.description()
     print(f"{line.name}: {pipe} {np.count_nonzero(results.since(since))} outputs to t = {results.time[-1]:g} s.\n  {judged} "
-          "A check is met up to 1.")
+          "A check is met if its value is at most 1.")
     if not checked.results.has("dnv_local_buckling"):
-        print("  The case has no statics, whose loads would be the functional ones: it is not checked by DNV-ST-F101.")
+        print("  There is no check by DNV-ST-F101, since it needs the functional loads of statics, which the case does not have.")
     print_table(*pipe_tables.geometry(checked, since))
     print_table(*pipe_tables.for_reading(*pipe_tables.checks(checked, since)))
     if every := pipe_tables.every_step(checked):
@@ -53,7 +53,7 @@ def make(options):
     print(f"largest values along the line: {path}")
     if at_stations:
         export.write(beside, *stations.columns(results, line, checked.outer))
-        print(f"least and largest values at stations, which stay with the feeder: {beside}")
+        print(f"smallest and largest values at stations, which are fixed relative to the feeder: {beside}")
 
 
 def print_table(head, rows):

@@ -17,7 +17,7 @@ def refuse_what_is_not_taken(options):
     for name in sorted(set().union(*TAKES.values()) - TAKES[options.what]):
         if getattr(options, name) is not None:
             takes = ", ".join(f"--{other.replace('_', '-')}" for other in sorted(TAKES[options.what]))
-            raise Refusal(f"the figure '{options.what}' takes no --{name.replace('_', '-')} (it takes {takes})")
+            raise Refusal(f"the figure '{options.what}' does not use --{name.replace('_', '-')} (it uses {takes})")
 
 
 def output_at(results, time):
@@ -26,7 +26,7 @@ def output_at(results, time):
         return -1
     first, last = results.time[0], results.time[-1]
     if not first - 1e-6 <= time <= last + 1e-6 * max(last, 1.0):
-        raise Refusal(f"{results.path}: there is no {'mode' if results.modes else 'output'} at --time {time:g} (there are from "
+        raise Refusal(f"{results.path}: there is no {'mode' if results.modes else 'output'} at --time {time:g} (they are from "
                       f"{first:g} to {last:g})")
     return int(abs(results.time - time).argmin())
 
@@ -40,7 +40,7 @@ def default_line(results, options):
 def make_of_table(options):
     figure = {"offsets": offsets, "radiation": radiation}[options.what].figure_of(options.results)
     if options.changes:
-        raise Refusal(f"{options.results}: --set changes a case file, and this is a table")
+        raise Refusal(f"{options.results}: --set changes a case file, but this is a table")
     path = Path(options.results)
     output = place_for(options.output or path.with_name(f"{path.stem}-{options.what}.png"), [], (".png", ".svg", ".pdf"), "a figure", [path])
     figure.savefig(output, dpi=150)
@@ -55,7 +55,7 @@ def make(options):
     refuse_since(results, options.since)
     since, field = options.since or 0.0, options.field or "effective_tension"
     if results.modes and options.what not in scene.VIEWS:
-        raise Refusal(f"{results.path} holds natural modes: of those there are plan, elevation and space, with --time K for mode K")
+        raise Refusal(f"{results.path} contains natural modes: figures of them are plan, elevation and space, with --time K for mode K")
     if options.what in scene.VIEWS:
         figure = scene.picture(results, options.what, output_at(results, options.time))
     elif options.what == "range":

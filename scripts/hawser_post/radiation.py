@@ -27,7 +27,7 @@ def read(path):
     except OSError as e:
         raise Refusal(f"{path}: cannot be read ({e.strerror})") from None
     except (ValueError, UnicodeDecodeError):
-        raise Refusal(f"{path}: this is no table of hawser check --radiation, which is what the figure 'radiation' takes") from None
+        raise Refusal(f"{path}: the figure 'radiation' needs a table of hawser check --radiation; this is not one") from None
 
 
 def figure_of(path):
@@ -47,6 +47,6 @@ def figure_of(path):
         right.plot(omega, A[:, k] / np.abs(A[:, k]).max(), ".", color=shade, ms=3)
         right.plot(by_omega, by_damping[:, k] / np.abs(A[:, k]).max(), color=shade, lw=1)
     left.set(xlabel="t [s]", ylabel="K(t)/K(0)", xlim=(0, time[visible[-1]] if len(visible) else None))
-    right.set(xlabel="ω [rad/s]", ylabel="added mass over its largest: files •, by damping –")
+    right.set(xlabel="ω [rad/s]", ylabel="added mass over its largest value: files •, from damping –")
     legend(left, 3)
     return figure

@@ -45,11 +45,11 @@ def pictures(page, results):
 def given(page, results):
     page.section("Input")
     if not results.as_read:
-        page.text(f"These results were written by hawser {results.attribute('version')}, which did not keep how it read the case: run it "
-                  "again for tables of its input. The case file stands at the end.", "warning")
+        page.text(f"These results were written by hawser {results.attribute('version')}, which did not store the case as read: run it "
+                  "again for tables of its input. The case file is at the end.", "warning")
         return
-    page.text("As in the case file, with its units (numbers without one are SI, angles in degrees), and with the defaults of what it does "
-              "not say; all of it stands at the end.")
+    page.text("As in the case file, with its units (numbers without one are SI, angles in degrees), and with defaults for keys that are "
+              "not given; the complete file is at the end.")
     for head, rows in (inputs.echo(results, "environment"), inputs.line_types(results),
                        inputs.properties(results), inputs.sections(results), inputs.on_lines(results),
                        *(inputs.echo(results, name) for name in OTHER_PARTS)):
@@ -62,8 +62,8 @@ def start(page, results):
     if not results.lines:
         return
     page.section("Start")
-    page.text(f"State of the first output, t = {results.time[0]:g} s: the static equilibrium where the case has statics. "
-              "Forces are those of the line on what holds its end; the declination is the angle between the upward "
+    page.text(f"State of the first output, t = {results.time[0]:g} s: the static equilibrium if the case has statics. "
+              "Forces are those of the line on its support; the declination is the angle between the upward "
               "vertical and the direction into the line.")
     table(page, *tables.at_ends(results, 0))
 
@@ -88,7 +88,7 @@ def extremes(page, results, since):
         page.text("Over every step and every node, as in the summary of the run.")
         table(page, head, rows)
     else:
-        page.text("Those of the summary are written at the end of a run, which this one has not reached.")
+        page.text("The extremes of the summary are written at the end of a run; this run has not ended.")
     fields = results.reported("graph", "table")
     many = len(results.lines) * len(fields) > 2 * MOST_ROWS
     shown = by_tension(results)[:MOST_LINES] if many else results.lines
@@ -115,7 +115,7 @@ def ranges(page, results, lines, since):
         fed = stations.of_line(results, line)
         for field in fed[1] if fed else ():
             page.figure(charts.station_graph(results, line, field, *fed),
-                        f"{results.label(field).capitalize()} of {line.name} at stations, which stay with its feeder while it runs "
+                        f"{results.label(field).capitalize()} of {line.name} at stations, which are fixed relative to its feeder while it moves "
                         "through them; every step.")
 
 
@@ -124,8 +124,8 @@ def stresses(page, results, lines, since):
     if not pipes:
         return
     page.section("Stress of pipes")
-    page.text("Von Mises stress of the wall by wall tension, bending, torsion and pressures; the larger of the inner and the "
-              "outer fibre, at the outputs.")
+    page.text("Von Mises stress of the wall by wall tension, bending, torsion and pressures; the larger value of the inner and "
+              "the outer fibre, at the outputs.")
     for line in pipes:
         largest = stress.along(results, line)
         page.figure(charts.stress_graph(results, line, largest, since), stress.description(results, line, largest, since) + ".")
@@ -143,8 +143,8 @@ def strength(page, results, lines, since):
         if found is None:
             continue
         page.section(f"Strength of {line.name}")
-        page.text(f"{' '.join(found.description())} Local buckling is that of DNV-ST-F101 (2021), combined loads, load controlled, the worse of "
-                  "the load combinations a and b. A check is met up to 1.")
+        page.text(f"{' '.join(found.description())} Local buckling is that of DNV-ST-F101 (2021), combined loads, load controlled, the larger value of "
+                  "the load combinations a and b. A check is met if its value is at most 1.")
         if every := pipe_tables.every_step(found):
             page.table(*every)
         for head, rows in (pipe_tables.geometry(found, since), pipe_tables.for_reading(*pipe_tables.checks(found, since))):
@@ -156,7 +156,7 @@ def strength(page, results, lines, since):
 def histories(page, results, lines, since):
     page.section("Time histories")
     shown = [name for name in results.histories if not tables.is_support(results.series_at(name))]
-    rest = "histories by name; hawser plot draws the others, and the table has the statistics of all."
+    rest = "histories by name; hawser plot draws the other ones, and the table has the statistics of all."
     for name in page.within(shown, MOST_HISTORY_FIGURES, rest):
         history_figures(page, results, results.series_at(name), since)
     if results.has("effective_tension"):
@@ -219,10 +219,10 @@ def meetings(page, results):
             shown = sorted(shown, key=lambda row: -row[column])[:MOST_ROWS]
             page.text(f"The {MOST_ROWS} of {len(clashes[1])} clashes with the largest forces; hawser export writes all.")
         if not shown:
-            page.text("Nothing has touched.")
+            page.text("There was no contact.")
         table(page, *without_empty(clashes[0], shown))
     if clearances[1]:
-        page.text("Smallest distances between surfaces over every step; below zero they overlap.")
+        page.text("Smallest distances between surfaces over every step; negative values are overlaps.")
         page.table(*clearances)
 
 
@@ -241,7 +241,7 @@ def energy(page, results):
     if not rows:
         return
     page.section("Energy")
-    page.text("What was brought in since the start, where it is and what is not accounted for ('error').")
+    page.text("Energy input since the start, its distribution, and the balance error ('error').")
     table(page, head, rows)
     series = results.series("energy")
     if results.steps > 1:
@@ -259,7 +259,7 @@ def modes(page, results):
     page.table(["mode", "period [s]", "frequency [Hz]"],
                [[k + 1, float(series.column("period")[k]), float(series.column("frequency")[k])] for k in range(results.steps)])
     page.text("Dashed: the equilibrium. The largest displacement is drawn as 5 % of the longest line, "
-              "less where a body would turn by more than 0.3 rad.")
+              "or smaller if a body would rotate by more than 0.3 rad.")
     for k in range(1, min(results.outputs, MOST_MODES + 1)):
         x = np.concatenate([np.abs(results.field("mode_shape", line, k)) for line in results.lines])
         view = "plan" if x[:, :2].max() > x[:, 2].max() and x[:, 1].max() > x[:, 0].max() else "elevation"
@@ -315,7 +315,7 @@ def make(results, path, since, vibrations=None, of_mooring=None):
     page.text(f"{run_of(results)} {count(len(results.lines), 'line')}, {count(results.outputs, 'output')}, "
               f"{count(steps, 'step')} to t = {results.time[-1]:g} s.")
     if results.time[-1] < results.duration * (1 - 1e-6):
-        page.text(f"The run has reached t = {results.time[-1]:g} s of the {results.duration:g} s of its case.", "warning")
+        page.text(f"The run has reached t = {results.time[-1]:g} s of {results.duration:g} s.", "warning")
     if results.messages():
         page.section("Notes and warnings")
         add_messages(page, results)
@@ -330,7 +330,7 @@ def make(results, path, since, vibrations=None, of_mooring=None):
     extremes(page, results, since)
     lines = by_tension(results)[:MOST_LINES]
     if len(lines) < len(results.lines):
-        page.text(f"Figures below are of the {MOST_LINES} lines with the largest tensions of {len(results.lines)}.")
+        page.text(f"The figures below show the {MOST_LINES} lines with the largest tensions of {len(results.lines)}.")
     ranges(page, results, lines, since)
     stresses(page, results, lines, since)
     strength(page, results, lines, since)

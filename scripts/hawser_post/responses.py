@@ -75,7 +75,7 @@ def body_of(results, series):
     points = dictionary(results.keys.get("output")).get("histories") or []
     names = [p["body"] for p in points if isinstance(p, dict) and "body" in p and p.get("name", p["body"]) == series.name]
     if "rotation_vector_x" not in series.columns or not names:
-        raise Refusal(f"'{series.name}' is no history of a body: ask for one by output.histories, '- {{body: NAME}}'")
+        raise Refusal(f"'{series.name}' is not a history of a body: request one by output.histories, '- {{body: NAME}}'")
     return names[0]
 
 
@@ -84,14 +84,14 @@ class Waves:
 
     def __init__(self, results):
         if "waves/components" not in results.file:
-            raise Refusal(f"{results.path}: there are no waves, of which responses are asked")
+            raise Refusal(f"{results.path}: there are no waves, which responses need")
         rows = results.file["waves/components"][:]
         rows = rows[rows[:, 0] > 1e-9 * rows[:, 0].max()]
         self.amplitude, self.omega, self.k, x, y, self.phase = rows.T
         self.direction = np.arctan2(y, x)
         self.ramp = float(results.file["waves/ramp"][0])
         if np.ptp(np.unwrap(np.sort(self.direction))) > np.radians(0.5):
-            raise Refusal(f"{results.path}: the waves go to several directions, and a response is that to one: give no "
+            raise Refusal(f"{results.path}: the waves have several directions, but a response belongs to one direction: give no "
                           "'spreading'")
         self.along = np.array([np.mean(x), np.mean(y)])
 
@@ -136,7 +136,7 @@ def to_regular_wave(motion, waves, keep):
     time = motion.time[keep]
     omega = float(waves.omega[0])
     if (time[-1] - time[0]) * omega < 2 * np.pi * 3:
-        raise Refusal(f"{motion.results.path}: from t = {time[0]:g} s on there are less than three periods of the wave: run longer")
+        raise Refusal(f"{motion.results.path}: from t = {time[0]:g} s on there are fewer than three periods of the wave: run longer")
     heading, values = motion.in_mean_axes(keep)
     found, explained = harmonic(time, values[keep], omega)
     at = motion.slow_origin(keep)[keep]
@@ -175,12 +175,12 @@ def to_irregular_sea(motion, waves, keep, segment=None):
     length = time[-1] - time[0]
     segment = segment or length / SEGMENTS
     if segment > length / 2:
-        raise Refusal(f"{motion.results.path}: of {length:.4g} s there are not two segments of {segment:.4g} s")
+        raise Refusal(f"{motion.results.path}: its {length:.4g} s are shorter than two segments of {segment:.4g} s")
     even = np.linspace(time[0], time[-1], len(time))
     step = even[1] - even[0]
     count = int(round(segment / step))
     if count < 16:
-        raise Refusal(f"{motion.results.path}: a segment of {segment:.4g} s has {count} steps, and needs 16")
+        raise Refusal(f"{motion.results.path}: a segment of {segment:.4g} s has {count} steps, but needs 16")
     heading, values = motion.in_mean_axes(keep)
     slow = motion.slow_origin(keep)[keep]
     values = interpolate.CubicSpline(time, values[keep])(even)
@@ -195,5 +195,5 @@ def to_irregular_sea(motion, waves, keep, segment=None):
         if f[i] >= 1.5 / segment:  # below this the mean leaks through a Hann window
             out.append(Response(2 * np.pi * f[i], bow_direction(waves, heading), cross[:, i] / wave[i], float(wave[i]), shared[:, i]))
     if not out:
-        raise Refusal(f"{motion.results.path}: the waves are longer than segments of {segment:.4g} s resolve: run longer")
+        raise Refusal(f"{motion.results.path}: segments of {segment:.4g} s are too short for the periods of these waves: run longer")
     return out

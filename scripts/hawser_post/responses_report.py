@@ -24,7 +24,7 @@ def point_from(text):
     except ValueError:
         numbers = []
     if len(numbers) != 3 or not np.all(np.isfinite(numbers)):
-        raise argparse.ArgumentTypeError(f"'{text}' is no point X,Y,Z of the body, in m")
+        raise argparse.ArgumentTypeError(f"'{text}' is not a point X,Y,Z of the body, in m")
     return numbers
 
 
@@ -33,16 +33,16 @@ def of_run(results, options):
     refuse_since(results, options.since)
     name = options.name or next((key for key in results.histories if "rotation_vector_x" in results.series_columns(key)[0]), None)
     if name is None:
-        raise Refusal(f"{results.path} has no history of a body: ask for it by output.histories, '- {{body: NAME}}'")
+        raise Refusal(f"{results.path} has no history of a body: request one by output.histories, '- {{body: NAME}}'")
     motion, waves = responses.Motion(results, results.series(name), options.at), responses.Waves(results)
     last = motion.time[-1]
     since = options.since if options.since is not None else max(waves.ramp, 0.5 * last) if waves.regular else waves.ramp
     keep = motion.time >= since - 1e-9 * last  # tolerance: times are sums of steps
     if np.count_nonzero(keep) < 32:
-        raise Refusal(f"{results.path}: from t = {since:g} s on there are {np.count_nonzero(keep)} steps, and a response needs 32")
+        raise Refusal(f"{results.path}: from t = {since:g} s on there are {np.count_nonzero(keep)} steps, but a response needs 32")
     if waves.regular:
         if options.segment:
-            raise Refusal(f"{results.path}: has a regular wave, and --segment is of irregular seas")
+            raise Refusal(f"{results.path}: has a regular wave, but --segment is for irregular seas")
         return [responses.to_regular_wave(motion, waves, keep)], motion, keep, None, responses.steadiness(motion, waves, keep)
     segment = seconds(options.segment) if options.segment else None
     found = responses.to_irregular_sea(motion, waves, keep, segment)
@@ -64,7 +64,7 @@ def lags(response):
 def table_of(found):
     head = ["period [s]", "direction [deg]", *(f"{name} {what}" for name, unit in zip(FREEDOMS, 3 * ["[m/m]"] + 3 * ["[deg/m]"])
                                                for what in (unit, "lag [deg]")),
-            *(f"share of {name} that is explained [-]" for name in FREEDOMS)]
+            *(f"explained fraction of {name} [-]" for name in FREEDOMS)]
     rows = [[2 * np.pi / r.omega, r.direction, *np.column_stack([degrees(r), lags(r)]).ravel(), *r.explained] for r in found]
     return head, rows
 
@@ -91,7 +91,7 @@ def show(found, irregular):
             most = np.repeat([max(size[:3].max(), 1e-300), max(size[3:].max(), 1e-300)], 3)
             print(f"{'coherence':>19}" + "".join(" " * 15 if s < SMALL * m else f" {c:>8.3f}      " for s, m, c in zip(size, most, r.explained)))
     if step > 1:
-        print(f"every {step} of {len(found)} frequencies is shown; all are in the table")
+        print(f"every {step} of {len(found)} frequencies is shown; the table has all of them")
 
 
 def draw(found, path):
@@ -157,5 +157,5 @@ def incoherent(results, found):
         if poor:
             where = f"{min(poor):.3g} s" if len(poor) == 1 else f"{min(poor):.3g} to {max(poor):.3g} s"
             out.append(f"{results.path}: {name} has a coherence below {COHERENT:g} at {len(poor)} of {len(found)} frequencies, {where}: "
-                       "a resonance that is narrower than the segments resolve, slow drift, drag, or little wave there; run longer")
+                       "possible reasons: a resonance too narrow for the segments, slow drift, drag, or little wave energy there; run longer")
     return out

@@ -69,14 +69,14 @@ class Results:
         try:
             self.file = h5py.File(self.path, "r", locking=False)
         except OSError as error:
-            raise Refusal(f"{path}: is no HDF5 file that can be read ({str(error).splitlines()[0]})") from error
+            raise Refusal(f"{path}: is not a readable HDF5 file ({str(error).splitlines()[0]})") from error
         if "hawser_results" not in self.file.attrs:
-            raise Refusal(f"{path}: is an HDF5 file, but none that hawser has written")
+            raise Refusal(f"{path}: is an HDF5 file that hawser did not write")
         check_layout(self.file, path)
         # A run in progress may have more rows than these, which are not yet valid.
         self.outputs, self.steps = (int(n) for n in self.file["written"][0])
         if self.outputs == 0:
-            raise Refusal(f"{path}: holds no output yet")
+            raise Refusal(f"{path}: contains no output yet")
         # Stages of statics, which are not part of the run, have negative times.
         written = self.file["outputs/time"][: self.outputs]
         first = min(int(np.count_nonzero(written < 0)), self.outputs - 1)
@@ -102,7 +102,7 @@ class Results:
         except ValueError:
             found = None
         if not isinstance(found, dict) or not all(isinstance(found.get(key, {}), dict) for key in ("read", "given", "line_types")):
-            raise Refusal(f"{self.path}: is damaged: its 'case_read' is not the case as JSON")
+            raise Refusal(f"{self.path}: is damaged: its 'case_read' is not a case in JSON")
         return found
 
     @cached_property
@@ -175,7 +175,7 @@ class Results:
         rows = slice(self.rows.start, self.rows.stop) if output is None else self.rows[output]
         values = self.file["fields"][name][rows, line.nodes]
         if name == "position" and not np.all(np.abs(values) <= LARGEST):  # NaN fails as well
-            raise Refusal(f"{self.path}: is damaged: line '{line.name}' has nodes whose position is no number")
+            raise Refusal(f"{self.path}: is damaged: line '{line.name}' has nodes whose position is not a number")
         return values
 
     def magnitude(self, name, line, output=None):
@@ -223,7 +223,7 @@ class Results:
         """Outputs at t [s] or later; at least two if there are several outputs."""
         keep = self.time >= t
         if self.outputs > 1 and np.count_nonzero(keep) < 2:
-            raise Refusal(f"{self.path}: there are no two outputs from t = {t:g} s on (the last is at {self.time[-1]:g} s)")
+            raise Refusal(f"{self.path}: it has fewer than two outputs from t = {t:g} s on (the last one is at {self.time[-1]:g} s)")
         return keep
 
     @property

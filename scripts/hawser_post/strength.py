@@ -18,14 +18,14 @@ def option(text, units, name):
     found = re.fullmatch(r"\s*(\d*\.?\d+(?:[eE][-+]?\d+)?|\d+\.)\s*([A-Za-z][A-Za-z0-9²^]*)?\s*", text)
     value = float(found.group(1)) * units.get(found.group(2) or next(iter(units)), np.nan) if found else np.nan
     if not value > 0:
-        raise Refusal(f"{name} {text}: is no number above 0 with one of the units {', '.join(units)} or none")
+        raise Refusal(f"{name} {text}: is not a number above 0, without unit or with one of the units {', '.join(units)}")
     return value
 
 
 def breaking_load(text):
     value = option(text, FORCES, "--breaking-load")
     if value > STRONGEST:
-        raise Refusal(f"--breaking-load {text}: {value / 1e6:g} MN is more than any line bears; bare numbers are in N")
+        raise Refusal(f"--breaking-load {text}: {value / 1e6:g} MN exceeds the breaking load of any line; bare numbers are in N")
     return value
 
 
@@ -33,7 +33,7 @@ def area(text):
     value = option(text, AREAS, "--area")
     if not SMALLEST <= value <= LARGEST:
         hint = f"; in mm² it is --area {text.strip()}mm2" if SMALLEST <= 1e-6 * value <= LARGEST else ""
-        raise Refusal(f"--area {text}: {value:g} m² is the area of no chain or rope{hint}")
+        raise Refusal(f"--area {text}: {value:g} m² is not the area of a chain or rope{hint}")
     return value
 
 

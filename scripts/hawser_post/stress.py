@@ -85,7 +85,7 @@ def walls_along(results, line, outer=None, thickness=None):
     if (outer is None) != (thickness is None) or outer is not None and not (outer > 0 and 0 < thickness <= outer / 2):
         raise Refusal("the stress of a pipe needs --outer-diameter and --wall, above 0, the wall at most half of the diameter")
     if outer is not None and outer > THICKEST:
-        raise Refusal(f"--outer-diameter {outer:g} is in m: no pipe is as thick as that")
+        raise Refusal(f"--outer-diameter {outer:g} is too large for a pipe; the unit is m")
     effective, outside = results.field("effective_tension", line), outside_pressure(results, line)
     sides = []
     for own_outer, own_inner, bore in types_along(results, line):
@@ -96,7 +96,7 @@ def walls_along(results, line, outer=None, thickness=None):
             inside = np.where(np.isnan(bore), 0.0, by_contents / (np.pi / 4 * bore**2))  # no contents
         sides.append((wall, effective + np.pi / 4 * (inside * wall.inner**2 - outside * wall.outer**2), outside, inside))
     if all(np.isnan(tension).all() for _, tension, _, _ in sides):
-        raise Refusal(f"{results.path}: the case gives no wall of line '{line.name}': give --outer-diameter and --wall")
+        raise Refusal(f"{results.path}: the case does not give the pipe wall of line '{line.name}': give --outer-diameter and --wall")
     return sides
 
 
@@ -110,7 +110,7 @@ def along(results, line, outer=None, thickness=None):
     for wall, tension, outside, inside in walls_along(results, line, outer, thickness):
         largest = np.fmax(largest, von_mises(wall, tension, moment, torsion, outside, inside))
     if np.isnan(largest).all():
-        raise Refusal(f"{results.path}: the stress of line '{line.name}' is nowhere known, as its tension or its moments are no numbers")
+        raise Refusal(f"{results.path}: the stress of line '{line.name}' is unknown everywhere, since its tension or its moments are not numbers")
     return largest
 
 

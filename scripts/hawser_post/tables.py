@@ -119,7 +119,7 @@ def clearances(results):
             continue
         x = series.column("clearance")
         if np.all(np.isnan(x)):
-            rows.append([series.name, "never near", "", ""])
+            rows.append([series.name, "never close", "", ""])
             continue
         k = int(np.nanargmin(x))
         rows.append([series.name, float(x[k]), float(results.step_time[k]), float(series.column("arc_length")[k])])
@@ -132,7 +132,7 @@ def is_support(series):
 
 def supports(results):
     """Reactions of the boxes of `supports`: at the start, and least and largest over every step."""
-    head = ["support", "at the start [N]", "least [N]", "at [s]", "largest [N]", "at [s]", "largest of one roller [N]",
+    head = ["support", "at the start [N]", "least [N]", "at [s]", "largest [N]", "at [s]", "largest on one roller [N]",
             "that is", "highest above it [m]"]
     rows = []
     for name in results.histories:

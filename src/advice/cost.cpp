@@ -8,6 +8,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "hawser/base/count_of.hpp"
+
 namespace hawser::advice {
 
 std::string trial_fails(const std::string& why) { return "a trial run stops: " + why; }
@@ -49,16 +51,13 @@ std::string expected_results(const ResultBytes& size, const std::string& folder)
 }
 
 std::string partition(std::span<const int> nodes, double imbalance, int cut_lines, int cut_elements) {
-  const auto count = [](auto n, const char* what) {
-    return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
-  };
-  std::string text = "partition: " + count(std::ssize(nodes), "rank") + ", ";
+  std::string text = "partition: " + count_of(std::ssize(nodes), "rank") + ", ";
   const auto [least, most] = std::minmax_element(nodes.begin(), nodes.end());
   text += nodes.size() > 8 ? fmt::format("{} to {} nodes each", *least, *most)
                            : fmt::format("{} nodes", fmt::join(nodes, " + "));
   if (nodes.size() > 1)
     text += fmt::format(", on one of them {:.2f} times the mean work; {}, {}", imbalance,
-                        count(cut_lines, "cut line"), count(cut_elements, "cut element"));
+                        count_of(cut_lines, "cut line"), count_of(cut_elements, "cut element"));
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hawser/advice/input_warnings.hpp"
+#include "hawser/base/count_of.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
 
@@ -69,9 +70,9 @@ void warn_of_span(const Case& c, const Line& line, std::vector<InputWarning>& ou
   for (const Section& s : line.sections) elements += s.elements;
   if (line.starts_by_itself() && elements < kFew && chord > 0 && length > kSlack * chord)
     add_warning(out, key, Effect::resolution,
-                "{} element{} for a line that is {:.2g} % longer than the distance between its ends: its "
+                "{} for a line that is {:.2g} % longer than the distance between its ends: its "
                 "curved shape needs twenty elements or more",
-                elements, elements == 1 ? "" : "s", 100 * (length / chord - 1));
+                count_of(elements, "element"), 100 * (length / chord - 1));
   double room = chord;
   if (const Seabed& bed = c.environment.seabed; bed.present)
     for (const End* e : {&line.end_a, &line.end_b})

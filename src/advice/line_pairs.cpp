@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "hawser/base/count_of.hpp"
+
 namespace hawser::advice {
 
 std::string chosen_pair_stiffness(double least, double most, const std::string& only_line, bool themselves) {
@@ -23,7 +25,7 @@ std::string apart_near_place(const std::string& one, const std::string& other, d
       one == other ? fmt::format("both ends of line {} go", one)
                    : fmt::format("lines {} and {} go", one, other),
       one == other ? "they touch each other" : "touch each other", within,
-      more > 0 ? fmt::format("; likewise {} more pair{}, over less", more, more > 1 ? "s" : "") : "");
+      more > 0 ? fmt::format("; likewise {}, over less", count_of(more, "more pair")) : "");
 }
 
 }  // namespace hawser::advice

@@ -7,22 +7,20 @@
 #include <sstream>
 #include <vector>
 
+#include "hawser/base/count_of.hpp"
+
 namespace hawser::advice {
 namespace {
-
-std::string many(int n, const char* one, const char* more) {
-  return fmt::format("{} {}", n, n == 1 ? one : more);
-}
 
 // Faults of a mesh, as nouns.
 std::string faults_of(const MeshReport& found) {
   std::vector<std::string> faults;
-  if (found.open_edges > 0) faults.push_back(many(found.open_edges, "open edge", "open edges"));
+  if (found.open_edges > 0) faults.push_back(count_of(found.open_edges, "open edge", "open edges"));
   if (found.non_manifold_edges > 0)
-    faults.push_back(many(found.non_manifold_edges, "edge", "edges") + " of more than two triangles");
+    faults.push_back(count_of(found.non_manifold_edges, "edge") + " of more than two triangles");
   if (found.flipped_edges > 0)
-    faults.push_back(many(found.flipped_edges, "edge", "edges") + " between triangles turned opposite ways");
-  if (found.degenerate > 0) faults.push_back(many(found.degenerate, "triangle", "triangles") + " of no area");
+    faults.push_back(count_of(found.flipped_edges, "edge") + " between triangles turned opposite ways");
+  if (found.degenerate > 0) faults.push_back(count_of(found.degenerate, "triangle") + " of no area");
   if (faults.empty()) faults.emplace_back("normals that point into the solid");
   return fmt::format("{}", fmt::join(faults, ", "));
 }
@@ -32,8 +30,8 @@ std::string faults_of(const MeshReport& found) {
 std::string mesh_summary(const MeshReport& r) {
   std::ostringstream s;
   s.precision(6);
-  s << many(r.triangles, "triangle", "triangles") << ", " << many(r.vertices, "vertex", "vertices") << " in "
-    << many(r.components, "piece", "pieces");
+  s << count_of(r.triangles, "triangle") << ", " << count_of(r.vertices, "vertex", "vertices") << " in "
+    << count_of(r.components, "piece");
   if (r.triangles > 0) {
     const Vec3 e = r.box.extent();
     s << ", " << e.x() << " x " << e.y() << " x " << e.z() << " m, edges " << r.shortest_edge << " to "
@@ -42,19 +40,20 @@ std::string mesh_summary(const MeshReport& r) {
   if (r.valid()) s << ", closed and outward, volume " << r.volume << " m³";
   s << ".";
   if (r.welded > 0 || r.removed > 0)
-    s << " Merged " << many(r.welded, "vertex", "vertices") << ", which removed "
-      << many(r.removed, "triangle", "triangles") << ".";
+    s << " Merged " << count_of(r.welded, "vertex", "vertices") << ", which removed "
+      << count_of(r.removed, "triangle") << ".";
   std::vector<std::string> faults;
   if (r.triangles == 0) faults.push_back("it is empty");
   if (r.open_edges > 0)
-    faults.push_back(many(r.open_edges, "edge has", "edges have") + " a triangle on one side only");
+    faults.push_back(count_of(r.open_edges, "edge has", "edges have") + " a triangle on one side only");
   if (r.non_manifold_edges > 0)
-    faults.push_back(many(r.non_manifold_edges, "edge joins", "edges join") + " more than two triangles");
+    faults.push_back(count_of(r.non_manifold_edges, "edge joins", "edges join") + " more than two triangles");
   if (r.flipped_edges > 0)
-    faults.push_back(many(r.flipped_edges, "edge lies", "edges lie") +
+    faults.push_back(count_of(r.flipped_edges, "edge lies", "edges lie") +
                      " between triangles turned opposite ways");
   if (r.closed && r.consistently_oriented && !r.outward) faults.push_back("normals point into the solid");
-  if (r.degenerate > 0) faults.push_back(many(r.degenerate, "triangle has", "triangles have") + " no area");
+  if (r.degenerate > 0)
+    faults.push_back(count_of(r.degenerate, "triangle has", "triangles have") + " no area");
   for (size_t i = 0; i < faults.size(); ++i)
     s << (i == 0 ? (r.valid() ? " Note: " : " Not clean: ") : "; ") << faults[i];
   if (!faults.empty()) s << ".";
@@ -64,10 +63,10 @@ std::string mesh_summary(const MeshReport& r) {
 std::string repaired(const RepairResult& done) {
   std::string text = done.turned == 0
                          ? std::string("no triangle turned over")
-                         : many(done.turned, "triangle", "triangles") +
+                         : count_of(done.turned, "triangle") +
                                " turned over (inside and outside found by counting the crossings of rays)";
   if (done.one_sided > 0)
-    text += "; " + many(done.one_sided, "patch is", "patches are") +
+    text += "; " + count_of(done.one_sided, "patch is", "patches are") +
             " one-sided like a Möbius band and left as found";
   return text;
 }
@@ -103,17 +102,17 @@ std::string mesh_not_closed(const MeshReport& report) {
 
 std::string cracks_closed(const CrackResult& done) {
   return fmt::format(
-      "{} of open edges that lay up to {:.2g} m apart {} merged{}; {}",
-      many(done.welded, "corner", "corners"), done.widest, done.welded == 1 ? "was" : "were",
-      done.removed > 0 ? fmt::format(", which removed {}", many(done.removed, "triangle", "triangles")) : "",
+      "{} of open edges that lay up to {:.2g} m apart {} merged{}; {}", count_of(done.welded, "corner"),
+      done.widest, done.welded == 1 ? "was" : "were",
+      done.removed > 0 ? fmt::format(", which removed {}", count_of(done.removed, "triangle")) : "",
       done.open_edges == 0 ? "no edge is open now"
-                           : many(done.open_edges, "edge is", "edges are") + " still open");
+                           : count_of(done.open_edges, "edge is", "edges are") + " still open");
 }
 
 std::string duplicates_excluded(const DuplicateResult& done) {
   std::vector<std::string> parts;
   if (done.copies > 0)
-    parts.push_back(many(done.copies, "triangle that is", "triangles that are") +
+    parts.push_back(count_of(done.copies, "triangle that is", "triangles that are") +
                     " listed more than once excluded");
   if (done.back_to_back > 0)
     parts.push_back(
@@ -122,7 +121,7 @@ std::string duplicates_excluded(const DuplicateResult& done) {
 }
 
 std::string flat_pieces_excluded(int pieces) {
-  return many(pieces, "piece", "pieces") + " of no thickness excluded";
+  return count_of(pieces, "piece") + " of no thickness excluded";
 }
 
 std::string only_flat_pieces() {

@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include "hawser/base/count_of.hpp"
+
 namespace hawser::advice {
 namespace {
 
 std::string after_relaxation(int steps) {
-  return steps > 0 ? fmt::format(", {} steps of dynamic relaxation", steps) : "";
+  return steps > 0 ? ", " + count_of(steps, "step") + " of dynamic relaxation" : "";
 }
 
 }  // namespace
@@ -18,8 +20,8 @@ std::string restart_needs_dynamics(const model::Case& c) {
 }
 
 std::string model_size(size_t nodes, int ranks, int cut_elements) {
-  if (ranks == 1) return fmt::format("{} nodes on 1 rank", nodes);
-  return fmt::format("{} nodes on {} ranks, {} cut elements", nodes, ranks, cut_elements);
+  const std::string size = count_of(static_cast<long long>(nodes), "node") + " on " + count_of(ranks, "rank");
+  return ranks == 1 ? size : size + ", " + count_of(cut_elements, "cut element");
 }
 
 std::string goes_on(const std::string& file, double time) {
@@ -31,12 +33,12 @@ std::string nothing_left() { return "the checkpoint is at the end of the case; n
 std::string stage_of_statics(const std::string& stage) { return fmt::format("stage {} of statics", stage); }
 
 std::string statics_progress(int iterations, int relaxation_steps, double imbalance) {
-  return fmt::format("statics: {} iterations{}, out of balance by {:.1e} of the forces so far", iterations,
-                     after_relaxation(relaxation_steps), imbalance);
+  return fmt::format("statics: {}{}, out of balance by {:.1e} of the forces so far",
+                     count_of(iterations, "iteration"), after_relaxation(relaxation_steps), imbalance);
 }
 
 std::string statics_done(int iterations, int relaxation_steps, bool without_friction) {
-  return fmt::format("statics: {} iterations{}{}", iterations, after_relaxation(relaxation_steps),
+  return fmt::format("statics: {}{}{}", count_of(iterations, "iteration"), after_relaxation(relaxation_steps),
                      without_friction ? ", without friction of contact" : "");
 }
 

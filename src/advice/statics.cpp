@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hawser/advice/steps.hpp"
+#include "hawser/base/count_of.hpp"
 #include "hawser/model/body_pairs.hpp"
 #include "hawser/model/notes.hpp"
 
@@ -59,9 +60,9 @@ std::string held_without_weight(const std::string& body) {
 
 std::string unstable_equilibria_left(int equilibria) {
   return fmt::format(
-      "statics left {} unstable equilibri{} during the search (lines buckled or snapped through): the lines "
+      "statics left {} during the search (lines buckled or snapped through): the lines "
       "can rest in more than one shape; check that this is the intended one, and give `start` near it if not",
-      equilibria, equilibria == 1 ? "um" : "a");
+      count_of(equilibria, "unstable equilibrium", "unstable equilibria"));
 }
 
 std::string unstable_at_rest(long eigenvalues) {
@@ -79,8 +80,8 @@ std::string long_relaxation(const LongRelaxation& r) {
     ways.emplace_back(
         "if a line slides along a volume, 'friction' of that volume with 'statics: {contact_friction: true}' "
         "holds it");
-  return fmt::format("statics has not come to rest in {} steps of dynamic relaxation; {}", r.steps,
-                     fmt::join(ways, "; "));
+  return fmt::format("statics has not come to rest in {} of dynamic relaxation; {}",
+                     count_of(r.steps, "step"), fmt::join(ways, "; "));
 }
 
 std::string automatic_stiffness_unsettled() {
@@ -101,7 +102,8 @@ std::string no_equilibrium(StaticsEnds how, const Imbalance& at) {
 }
 
 std::string no_rest(int steps, const Imbalance& at) {
-  return fmt::format("statics: not at rest after {} steps of dynamic relaxation: {}", steps, imbalance(at));
+  return fmt::format("statics: not at rest after {} of dynamic relaxation: {}", count_of(steps, "step"),
+                     imbalance(at));
 }
 
 std::string second_failure(const std::string& first, const std::string& second) {

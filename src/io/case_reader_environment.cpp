@@ -152,13 +152,13 @@ void finish_environment(const Value& v, const CaseSource& source, model::Environ
       e.water.depth = e.seabed.depth + e.water.surface;
   }
   if (const Value* c = v.find("current")) {
-    if (!e.water.present) refuse(*c, "needs 'water' beside it");
+    if (!e.water.present) refuse(*c, "requires 'water'");
     finish_current(*c, e.water.depth, source, e.water.current);
   }
   if (const Value* w = v.find("wind"))
     if (const Value* f = w->find("time_factor")) e.wind.time_factor = read_time_factor(*f, source);
   if (const Value* w = v.find("waves")) {
-    if (!e.water.present) refuse(*w, "needs 'water' beside it");
+    if (!e.water.present) refuse(*w, "requires 'water'");
     if (!(e.gravity > 0)) refuse(*w, "without gravity there are no waves: 'environment.gravity' is 0");
     if (e.seabed.surface && !(e.water.depth > 0))
       refuse(*w, "with a seabed of a grid or a mesh, waves need one 'depth' of the water");

@@ -19,7 +19,7 @@ void finish_end(const Value& v, model::LinkEnd& e, const model::Case& c) {
     return;
   }
   const bool body = v.has("body");
-  if (!at) refuse(v, std::string("'") + (body ? "body" : "line") + "' needs 'at' beside it");
+  if (!at) refuse(v, std::string("'") + (body ? "body" : "line") + "' requires 'at'");
   const bool point = at->kind == Value::Kind::list;
   if (body && !point) refuse(*at, "of a body is a list of 3 numbers [m], a point in its frame");
   if (!body && point) refuse(*at, "of a line is a number [m], 'end_a' or 'end_b': the arc length from end A");

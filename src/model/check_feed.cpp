@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "hawser/base/count_of.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
 
@@ -87,12 +88,12 @@ void check_elements(const Line& line, bool at_b, const Issues& issue) {
   constexpr int kLeastInside = 2, kLeastOutside = 3;
   if (inside < kLeastInside)
     issue("stock",
-          "{:g} m are {} element{} of this line, and a stock needs at least {}: make the stock longer or the "
+          "{:g} m are {} of this line, and a stock needs at least {}: make the stock longer or the "
           "elements shorter",
-          f.stock, inside, inside == 1 ? "" : "s", kLeastInside);
+          f.stock, count_of(inside, "element"), kLeastInside);
   if (outside < kLeastOutside)
-    issue("stock", "leaves {} elements of the line, which is {:g} m long, outside; {} are the least", outside,
-          length_of(line), kLeastOutside);
+    issue("stock", "leaves {} of the line, which is {:g} m long, outside; it must leave at least {}",
+          count_of(outside, "element"), length_of(line), kLeastOutside);
 }
 
 void check_speed_table(const Feed& f, const Issues& issue) {

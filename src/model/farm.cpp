@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "hawser/base/count_of.hpp"
 #include "hawser/model/check.hpp"
 
 namespace hawser::model {
@@ -153,12 +154,11 @@ struct Count {
     for (const Section& s : l.sections) elements += s.elements;
   }
   std::string text() const {
-    const auto several = [](std::size_t n, const char* one, const char* more) {
-      return fmt::format("{} {}", n, n == 1 ? one : more);
+    const auto several = [](std::size_t n, const char* one, const char* more = "") {
+      return count_of(static_cast<long long>(n), one, more);
     };
-    return fmt::format("{} ({} elements), {}, {}, {}", several(lines, "line", "lines"), elements,
-                       several(bodies, "body", "bodies"), several(links, "link", "links"),
-                       several(volumes, "volume", "volumes"));
+    return fmt::format("{} ({}), {}, {}, {}", several(lines, "line"), count_of(elements, "element"),
+                       several(bodies, "body", "bodies"), several(links, "link"), several(volumes, "volume"));
   }
 };
 
@@ -184,11 +184,11 @@ std::string farm_text(const Case& c) {
   count(c, c.bodies, each, own, [&](Count& n, const Body& b) { n.bodies += !is_place(c, b.name); });
   count(c, c.links, each, own, [](Count& n, const Link&) { ++n.links; });
   count(c, c.volumes, each, own, [](Count& n, const Volume&) { ++n.volumes; });
-  std::string s = fmt::format("farm: {} place{}\n", c.farm->at.size(), c.farm->at.size() == 1 ? "" : "s");
+  std::string s = fmt::format("farm: {}\n", count_of(std::ssize(c.farm->at), "place"));
   for (std::size_t k = 0; k < each.size(); ++k) {
     const FarmPart& part = c.farm->parts[k];
-    s += fmt::format("  {} at {} place{}, at each {}\n", part.file, part.places.size(),
-                     part.places.size() == 1 ? "" : "s", each[k].text());
+    s += fmt::format("  {} at {}, at each {}\n", part.file, count_of(std::ssize(part.places), "place"),
+                     each[k].text());
     for (std::size_t i = 0; i < part.places.size(); ++i) {
       const FarmPlace& p = part.places[i];
       if (part.places.size() > kListed && i == kListed / 2) {

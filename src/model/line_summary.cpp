@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "hawser/base/count_of.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/farm.hpp"
 #include "hawser/model/notes.hpp"
@@ -96,14 +97,15 @@ std::string target_text(const LengthTarget& t) {
 std::string line_text(const Case& c, const Line& l, const std::string& name, const std::string& at_a,
                       const std::string& at_b) {
   const LineSize z = size_of(c, l);
-  std::string s =
-      fmt::format("  {}: {:g} m, {} elements, {} nodes, {} unknowns, {:.4g} kg, weight {:.4g} kN\n", name,
-                  z.length, z.elements, z.nodes, z.unknowns, z.mass, z.mass * c.environment.gravity / 1000);
+  std::string s = fmt::format("  {}: {:g} m, {}, {}, {}, {:.4g} kg, weight {:.4g} kN\n", name, z.length,
+                              count_of(z.elements, "element"), count_of(z.nodes, "node"),
+                              count_of(z.unknowns, "unknown"), z.mass, z.mass * c.environment.gravity / 1000);
   for (const Section& sec : l.sections) {
     const LineType& t = c.line_type(sec.type);
-    s += fmt::format("    {:g} m of {} ({}, diameter {:g} m, {:g} kg/m), {} elements{}\n", sec.length, t.name,
+    s += fmt::format("    {:g} m of {} ({}, diameter {:g} m, {:g} kg/m), {}{}\n", sec.length, t.name,
                      t.kind == LineKind::beam ? "beam" : "cable", t.outer_diameter, t.mass_per_length,
-                     sec.elements, sec.grading == 1 ? "" : fmt::format(", last / first {:g}", sec.grading));
+                     count_of(sec.elements, "element"),
+                     sec.grading == 1 ? "" : fmt::format(", last / first {:g}", sec.grading));
   }
   s += fmt::format("    end A {}; end B {}; start {}\n", end_text(l.end_a, at_a), end_text(l.end_b, at_b),
                    start_text(l.start));

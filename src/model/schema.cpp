@@ -25,9 +25,9 @@ const Key& case_schema() {
                statics(),
                map("start",
                    {text("from", "results (.h5) of another run, beside the case", required),
-                    number("time", time, "of its output", at_least(0), or_else_note("the last"))},
-                   "Lines without a `start` of their own begin as another run left those of the same name; "
-                   "statics goes on from there, whatever has changed."),
+                    number("time", time, "time of its output", at_least(0), or_else_note("the last output"))},
+                   "Results of another run from which lines without `start` take the shape of the line of "
+                   "the same name; statics continues from there, also if the case has changed."),
                stages(), dynamics(), events(), output()});
   return schema;
 }

@@ -330,7 +330,7 @@ class Checker {
     if (!used && k.group_required) bad(v, path, "{}", choices(k));
     if (!used) return;
     for (const std::string& key : used->needed)
-      if (!v.has(key)) bad(v, path, "'{}' needs '{}' beside it", by, key);
+      if (!v.has(key)) bad(v, path, "'{}' requires '{}'", by, key);
   }
 
   static std::string choices(const Key& k) {

@@ -10,7 +10,7 @@ namespace {
 // lines.
 std::vector<Key> line_pair_keys(std::vector<Key> own, bool of_a_pair = false) {
   const auto fallback = [&](Key k, const char* literal, const char* note) {
-    if (of_a_pair) return with(std::move(k), or_else_note("as for all lines"));
+    if (of_a_pair) return with(std::move(k), or_else_note("same as for all lines"));
     return literal ? with(std::move(k), or_else(literal)) : with(std::move(k), or_else_note(note));
   };
   const auto in = [&](auto LinePairSettings::*field) {
@@ -32,26 +32,28 @@ std::vector<Key> line_pair_keys(std::vector<Key> own, bool of_a_pair = false) {
                 number({"per_area", in(&LinePairSettings::normal_stiffness), basis(StiffnessBasis::per_area)},
                        area_stiffness, "per projected area (length times mean contact diameter)", above(0))},
                either({"per_length", "per_area"}))},
-          "penalty against penetration"),
+          "penalty stiffness"),
       "auto", nullptr));
   own.push_back(fallback(
       number({"friction", in(&LinePairSettings::friction)}, none, "Coulomb coefficient", in_range(0, 10)),
       "0", nullptr));
   own.push_back(fallback(number({"mobilisation_length", in(&LinePairSettings::mobilisation_length)}, length,
-                                "slip at which friction is fully there", above(0)),
+                                "slip at which friction is fully mobilised", above(0)),
                          nullptr, "1 % of the mean contact diameter"));
   own.push_back(fallback(number({"smoothing", in(&LinePairSettings::smoothing)}, length,
-                                "half width of the smooth start of the contact force", above(0)),
+                                "half width of the smooth onset of the contact force", above(0)),
                          nullptr, "0.1 % of the mean contact diameter"));
-  own.push_back(fallback(number({"relative_damping", in(&LinePairSettings::relative_damping)}, none,
-                                "damping of the contact spring over its critical damping", in_range(0, 2)),
-                         "0", nullptr));
+  own.push_back(
+      fallback(number({"relative_damping", in(&LinePairSettings::relative_damping)}, none,
+                      "damping of the contact spring relative to its critical damping", in_range(0, 2)),
+               "0", nullptr));
   return own;
 }
 
 Key between_lines() {
-  const Key two = list("", reference("", "lines"), "two lines, or one twice for itself", items(2, 2));
-  const Key upper = list("", reference("", "lines"), "the upper line and the lower one", items(2, 2));
+  const Key two = list("", reference("", "lines"),
+                       "two lines, or the same line twice for contact with itself", items(2, 2));
+  const Key upper = list("", reference("", "lines"), "the upper line, then the lower one", items(2, 2));
   Key pair = two;
   pair.name = "lines";
   pair.required = true;
@@ -63,17 +65,19 @@ Key between_lines() {
       {"between_lines", &Contact::between_lines},
       {boolean({"", &BetweenLines::enabled}),
        map("",
-           line_pair_keys({boolean({"self", &BetweenLines::self}, "a line touches itself", or_else("true")),
-                           list({"exclude", &BetweenLines::exclude}, two,
-                                "pairs of lines that do not touch each other", or_else("[]")),
-                           list({"over", &BetweenLines::over}, upper,
-                                "pairs of lines that cross in their start shapes: the first over the second",
-                                or_else("[]")),
-                           list("pairs",
-                                map("", line_pair_keys({std::move(pair)}, true),
-                                    "settings of one pair of lines; what is not said is as for all"),
-                                "pairs of lines with settings of their own", or_else("[]"))}))},
-      "contact of the lines with each other and with themselves; `false`: none", or_else("true"));
+           line_pair_keys(
+               {boolean({"self", &BetweenLines::self}, "contact of a line with itself", or_else("true")),
+                list({"exclude", &BetweenLines::exclude}, two, "pairs of lines without contact",
+                     or_else("[]")),
+                list({"over", &BetweenLines::over}, upper,
+                     "pairs of lines that cross in their start shapes: the first lies over the second",
+                     or_else("[]")),
+                list("pairs",
+                     map("", line_pair_keys({std::move(pair)}, true),
+                         "settings of one pair of lines; keys that are not given have their values for all "
+                         "lines"),
+                     "settings for single pairs of lines", or_else("[]"))}))},
+      "contact of lines with each other and with themselves; `false`: none", or_else("true"));
 }
 
 // A list of names without duplicates.
@@ -102,18 +106,18 @@ Key contact() {
                     "volumes that take part in contact"),
        word({"method", &Contact::method},
             {{"line", ContactMethod::line}, {"nodes", ContactMethod::nodes}, {"gap", ContactMethod::gap}},
-            "where a line touches: anywhere along its elements (`line`) or at its nodes alone; to compare "
-            "with, at the nodes: `gap` has a spring each, in the direction of the surface nearest at the "
-            "start",
+            "where contact acts: `line`, anywhere along the elements; `nodes` and `gap` serve for "
+            "comparisons: `nodes`, at nodes only; `gap`, one spring at each node, in the direction of the "
+            "nearest surface at the start",
             or_else("line")),
        boolean({"rolling", &Contact::rolling},
-               "friction acts at the lines' surface: it turns them about their axes, and a line that rolls "
-               "does not slide (beams, method `line`)",
+               "friction acts at the surface of the lines and exerts torque about their axes, so that a line "
+               "can roll without sliding (beams with method `line`)",
                or_else("false")),
        number({"penetration_warning", &Contact::warned_penetration}, none,
-              "share of a line's radius above which a penetration is warned of", above(0), or_else("0.1")),
+              "penetration over the line's radius above which the program warns", above(0), or_else("0.1")),
        between_lines()},
-      "Contact of lines with volumes and with lines.", or_else("{}"));
+      "Contact of lines with volumes and with other lines.", or_else("{}"));
 }
 
 }  // namespace hawser::model::schema_build

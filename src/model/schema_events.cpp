@@ -21,50 +21,51 @@ Head does(const char* name, Does kind) {
 }
 
 Key feed() {
-  std::vector<Key> keys{action_line(), action_end("its end with a `feed`")};
+  std::vector<Key> keys{action_line(), action_end("the end that has a `feed`")};
   for (Key& k : feed_law()) keys.push_back(within(&Action::law, std::move(k)));
-  keys.push_back(number({"ramp", &Action::ramp}, time, "in which the speed changes from what it is",
+  keys.push_back(number({"ramp", &Action::ramp}, time, "duration of the change from the present speed",
                         at_least(0), or_else("0")));
   keys.push_back(number({"paid_out", &Action::paid_out}, length,
-                        "in a stage of statics: so much is paid out; below 0 it is hauled in"));
+                        "length paid out in a stage of statics; below 0 hauled in"));
   return map(does("feed", Does::feed), std::move(keys),
-             "starts or stops a feeder, gives it another law, or lets statics pay out");
+             "starts or stops a feeder, changes its law, or pays out in statics");
 }
 
 // Keys of all actions; an event has one of them.
 std::vector<Key> actions() {
   return {
       map(does("release", Does::release),
-          {action_line(), action_end("its end, held by an anchor, a body, a joint or another event")},
-          "lets an end of a line go: it parts, or is cast off"),
+          {action_line(), action_end("the end, held by an anchor, a body, a joint or an earlier event")},
+          "releases an end of a line"),
       map(does("cut", Does::release),
           {reference({"line", &Action::line, &Action::given_line}, "lines", "the line", required),
            number({"at", &Action::cut}, length, "arc length from end A", above(0), required)},
-          "parts a line: both parts go on with a free end"),
+          "cuts a line into two parts with free ends"),
       map(does("attach", Does::attach),
-          {action_line(), action_end("its end, free by then"),
+          {action_line(), action_end("the end, which must be free at that time"),
            reference({"body", &Action::body}, "bodies",
-                     "that holds it; without it the end is fixed in space"),
+                     "body that holds it; without it the end is fixed in space"),
            vec3({"at", &Action::at}, length,
-                "place in the body's frame (or in space) at which it is expected",
-                or_else_note("wherever it is")),
+                "point in the body's frame (or in space) where the end is expected",
+                or_else_note("none: any position")),
            number({"within", &Action::within}, length,
-                  "distance from `at` that is allowed: the end is held where it is", above(0)),
-           boolean({"clamped", &Action::clamped}, "rotation held as well, as it is then", or_else("false"))},
-          "holds an end of a line from then on where it is, as seen from the body"),
+                  "allowed distance from `at`: the end is held at its actual position", above(0)),
+           boolean({"clamped", &Action::clamped},
+                   "whether its rotation is held as well, in its actual orientation", or_else("false"))},
+          "holds an end of a line from this event on, at its actual position relative to the body"),
       feed(),
       map(does("contact", Does::contact),
           {text({"volume", &Action::volume},
-                "the volume; of `supports` the name of a group, of a box (`stinger 3`) or of a roller",
+                "the volume; for `supports` the name of a group, of a box (`stinger 3`) or of a roller",
                 required),
-           enabled("whether lines touch it from then on")},
-          "switches the contact of lines with a volume on or off; of which the first event switches it on is "
+           enabled("whether contact acts from this event on")},
+          "switches contact of lines with a volume on or off; a volume whose first event switches it on is "
           "off until then"),
-      map(does("friction", Does::friction), {enabled("whether statics has it from this stage on")},
+      map(does("friction", Does::friction), {enabled("whether friction acts in statics from this stage on")},
           "switches friction on or off in statics: of lines on volumes, on each other and on the bed"),
       map(does("current", Does::current),
-          {number({"factor", &Action::factor}, none, "times the `current` of the water, from this stage on",
-                  required)},
+          {number({"factor", &Action::factor}, none,
+                  "factor of the `current` of the water, from this stage on", required)},
           "scales the current from a stage of statics on"),
   };
 }
@@ -74,8 +75,9 @@ const std::vector<Group> kActions = {
     {{"contact"}, {"contact"}}, {{"friction"}, {"friction"}}, {{"current"}, {"current"}}};
 
 Key waits_for(const char* name, On kind, std::vector<Key> keys, Dimension unit, const std::string& about) {
-  keys.push_back(number({"above", &Cause::limit}, unit, "it happens when the value gets above this"));
-  keys.push_back(number({"below", &Cause::limit, set(&Cause::below, true)}, unit, "or below this"));
+  keys.push_back(number({"above", &Cause::limit}, unit, "the event happens when the value exceeds this"));
+  keys.push_back(number({"below", &Cause::limit, set(&Cause::below, true)}, unit,
+                        "the event happens when the value falls below this"));
   return map({name, itself<Cause>(), set(&Cause::kind, kind)}, std::move(keys), about,
              either({"above", "below"}));
 }
@@ -84,19 +86,19 @@ Key condition() {
   return map({"when", &Event::cause},
              {waits_for("tension", On::tension,
                         {line(&Cause::line), arc({"at", &Cause::arc}, "arc length from end A", required)},
-                        force, "effective tension of a line, at the node that is nearest"),
+                        force, "effective tension of a line, at the nearest node"),
               waits_for("position", On::position,
-                        {reference({"line", &Cause::line}, "lines", "of a line ..."),
+                        {reference({"line", &Cause::line}, "lines", "line of the node ..."),
                          arc({"at", &Cause::arc}, "... at this arc length"),
-                         reference({"body", &Cause::body}, "bodies", "or of the origin of a body"),
-                         word({"axis", &Cause::axis}, {{"x", 0}, {"y", 1}, {"z", 2}}, "coordinate in space",
-                              required)},
-                        length, "a coordinate of a node of a line, or of a body"),
+                         reference({"body", &Cause::body}, "bodies", "body, whose origin counts"),
+                         word({"axis", &Cause::axis}, {{"x", 0}, {"y", 1}, {"z", 2}},
+                              "axis of the coordinate, in space", required)},
+                        length, "coordinate of a node of a line, or of the origin of a body"),
               waits_for("paid_out", On::paid_out,
                         {line(&Cause::line), word({"end", &Cause::arc}, {{"end_a", 0}, {"end_b", kEndB}},
-                                                  "its end with a `feed`", required)},
-                        length, "length that was paid out since t = 0")},
-             "a condition, met to 0.1 % of a tension and 1 mm of a length",
+                                                  "the end that has a `feed`", required)},
+                        length, "length paid out since t = 0")},
+             "a condition, located to 0.1 % of a tension and 1 mm of a length",
              either({"tension", "position", "paid_out"}));
 }
 
@@ -110,30 +112,32 @@ void delay(Event& e, const Value& v) {
 
 Key events() {
   std::vector<Key> keys = actions();
-  keys.push_back(text({"name", &Event::name}, "by which other events know it", or_else_note("what it does")));
-  keys.push_back(
-      number({"time", within(&Event::cause, &Cause::time)}, Dimension::time, "when it happens", at_least(0)));
+  keys.push_back(text({"name", &Event::name}, "name by which other events refer to this one",
+                      or_else_note("a description of its action")));
+  keys.push_back(number({"time", within(&Event::cause, &Cause::time)}, Dimension::time, "time of the event",
+                        at_least(0)));
   keys.push_back(number(
       {"tension", within(&Event::cause, &Cause::limit), on(On::tension)}, force,
-      "it happens when the effective tension at that end, or where the line is cut, reaches this", above(0)));
+      "the event happens when the effective tension at that end, or at the place of the cut, reaches this",
+      above(0)));
   keys.push_back(condition());
   keys.push_back(text({"after", within(&Event::cause, &Cause::event), on(On::after)},
-                      "it happens after the event of this name"));
+                      "the event happens after the event of this name"));
   keys.push_back(
-      number({"delay", by<Event>(delay)}, Dimension::time, "so much later", at_least(0), or_else("0")));
+      number({"delay", by<Event>(delay)}, Dimension::time, "additional delay", at_least(0), or_else("0")));
   keys.push_back(text({"stage", within(&Event::cause, &Cause::event), on(On::stage)},
-                      "it happens at the beginning of this stage of statics"));
-  return list(
-      {"events", &Case::events}, map("", std::move(keys), either(kActions)),
-      "What happens, each event once: at a `time`, at a `tension`, at a condition (`when`), `after` another, "
-      "or in a `stage` of statics. What is to be attached within a distance may wait for that alone.",
-      or_else("[]"));
+                      "the event happens at the beginning of this stage of statics"));
+  return list({"events", &Case::events}, map("", std::move(keys), either(kActions)),
+              "Events, each of which happens once: at a `time`, at a `tension`, at a condition (`when`), "
+              "`after` another, or in a `stage` of statics. An event that attaches an end `within` a "
+              "distance may wait for that distance alone.",
+              or_else("[]"));
 }
 
 Key stages() {
   return list({"stages", &Case::stages}, name(""),
-              "Names of stages of statics, in their order: each begins from the rest of the one before with "
-              "the `events` that name it, dynamics from the rest of the last.",
+              "Names of stages of statics, in order: each stage starts from the equilibrium of the previous "
+              "one with the `events` that name it; dynamics starts from the equilibrium of the last stage.",
               or_else("[]"));
 }
 

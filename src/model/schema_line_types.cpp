@@ -14,70 +14,67 @@ Key condition(const char* where, double PipeConditions::*factor, const char* abo
 Key pipe() {
   return map(
       "pipe",
-      {number("outer_diameter", length, "of the wall, without coatings", above(0), required),
-       number("wall_thickness", length, "of the wall", above(0), required),
+      {number("outer_diameter", length, "outer diameter of the pipe wall, without coatings", above(0),
+              required),
+       number("wall_thickness", length, "thickness of the pipe wall", above(0), required),
        one_of("material",
               {word("", {"steel", "titanium", "hdpe"}),
                map("", {number("E", pressure, "modulus of elasticity", above(0), required),
-                        number("density", density, "of the wall", above(0), required),
+                        number("density", density, "density of the wall", above(0), required),
                         number("poisson", none, "Poisson's ratio", in_range(0, 0.5), or_else("0.3"))})},
-              "of the wall: one of those of the [guide](case-file/line-types.md#pipes-hoses-and-umbilicals), "
-              "or its "
-              "numbers",
+              "material of the wall: a name of the "
+              "[guide](case-file/line-types.md#pipes-hoses-and-umbilicals), or its properties",
               or_else("steel")),
        word("grade", {"X42", "X46", "X52", "X56", "X60", "X65", "X70", "X80"},
-            "of its steel, API 5L: with it the pipe is judged by [codes](reports.md#strength-of-pipes) at "
+            "steel grade of API 5L: with it the pipe is checked by [codes](reports.md#strength-of-pipes) at "
             "every step"),
-       word("safety_class", {"low", "medium", "high"}, "of DNV-ST-F101", or_else("low")),
-       word("fabrication", {"seamless", "UO", "UOE"}, "how the pipe is made, of DNV-ST-F101 and API RP 1111",
+       word("safety_class", {"low", "medium", "high"}, "safety class of DNV-ST-F101", or_else("low")),
+       word("fabrication", {"seamless", "UO", "UOE"}, "fabrication method, for DNV-ST-F101 and API RP 1111",
             or_else("UOE")),
-       number("ovality", none, "(D_max - D_min) / D, of DNV-ST-F101", in_range(0.005, 0.03),
-              or_else("0.015")),
+       number("ovality", none, "(D_max - D_min) / D of DNV-ST-F101", in_range(0.005, 0.03), or_else("0.015")),
        number("material_factor", none, "alpha_U of DNV-ST-F101", in_range(0.5, 2), or_else("0.96")),
        map("condition_factor",
-           {condition("supports", &PipeConditions::supports, "of what is between supports that carry it",
-                      or_else("1")),
-            condition("span", &PipeConditions::span, "of what hangs free", or_else("1")),
-            condition("seabed", &PipeConditions::seabed, "of what is between its touchdown points",
+           {condition("supports", &PipeConditions::supports,
+                      "for the part between supports that carry the pipe", or_else("1")),
+            condition("span", &PipeConditions::span, "for the free span", or_else("1")),
+            condition("seabed", &PipeConditions::seabed, "for the part between touchdown points",
                       or_else_note("1, on a measured seabed (`grid`, `mesh`) 1.07"))},
-           "gamma_C of functional loads, of DNV-ST-F101"),
+           "condition load effect factor gamma_C of functional loads, of DNV-ST-F101"),
        list("coatings",
-            map("", {number("thickness", length, "of the layer", above(0), required),
-                     number("density", density, "of the layer", above(0), required)}),
-            "layers on the wall, from the inside to the outside: mass and diameter, no stiffness",
+            map("", {number("thickness", length, "thickness of the layer", above(0), required),
+                     number("density", density, "density of the layer", above(0), required)}),
+            "layers on the wall, from the inside to the outside: they add mass and diameter, no stiffness",
             or_else("[]"))},
-      "a pipe, from which mass, diameters, `EA`, `EI`, `GJ` and the bore of `contents` follow");
+      "a pipe; mass, diameters, `EA`, `EI`, `GJ` and the bore of `contents` follow from it");
 }
 
 Key weight() {
   return map(
       "weight",
       {number("in_air", force_per_length, "weight in air", above(0), required),
-       number("submerged", force_per_length, "weight under water; negative: it floats", required),
-       number(
-           "full_of", density,
-           "of what the bore is full of in these weights; it is taken out where `contents` say what is in it",
-           above(0), or_else_note("nothing: the weights are those of the empty line")),
-       number("water_density", density, "of the water that `submerged` is for", above(0), or_else("1025"))},
-      "weights per length from a data sheet, from which `mass_per_length` and `displaced_diameter` follow");
+       number("submerged", force_per_length, "submerged weight; negative: the line floats", required),
+       number("full_of", density,
+              "density of the contents that these weights include; it is subtracted if `contents` are given",
+              above(0), or_else_note("0: the weights are those of the empty line")),
+       number("water_density", density, "density of the water for `submerged`", above(0), or_else("1025"))},
+      "weights per length of a data sheet; `mass_per_length` and `displaced_diameter` follow from them");
 }
 
 Key plasticity() {
   return map(
       "plasticity",
       {map("ramberg_osgood",
-           {number("yield_moment", moment, "M_y", above(0), required),
-            number("A", none, "of the curvature at M_y, what is plastic over what is elastic", above(0),
-                   required),
-            number("B", none, "power of the plastic part, above 1", above(1), required)},
+           {number("yield_moment", moment, "yield moment M_y", above(0), required),
+            number("A", none, "coefficient A: plastic over elastic curvature at M_y", above(0), required),
+            number("B", none, "exponent B of the plastic part, above 1", above(1), required)},
            "curvature over moment, κ/κ_y = M/M_y + A (M/M_y)^B with κ_y = M_y/EI, up to a bending strain of "
            "5 %"),
        rows("table",
-            "bending moment over curvature, `[[1/m, N m], ...]`, when bent for the first time: straight from "
-            "row to row and beyond the last, never steeper than before; its first row makes `EI`, "
-            "which need not be given, and otherwise agrees with it to 5 %",
+            "bending moment against curvature, `[[1/m, N m], ...]`, for the first loading: linear between "
+            "rows and beyond the last, with a slope that never increases; the slope of its first row is "
+            "`EI`, which need not be given, and otherwise must agree to 5 %",
             items(2))},
-      "bending that yields and remembers, the same in all directions "
+      "elastic-plastic bending with hysteresis, the same in all directions "
       "([theory](../theory/plastic-bending.md))");
 }
 
@@ -100,61 +97,64 @@ void two_axes(LineType& t, const Value& v) {
 
 Key line_types() {
   std::vector<Key> keys = {
-      text("library", "takes what is not given here from the [library](line-types.md) of chains and ropes"),
-      number("diameter", length, "nominal diameter in the library: of a chain that of its bar", above(0)),
-      text("grade", "of the library's chains: `R3`, `R3S`, `R4`, `R4S` or `R5`"),
+      text("library",
+           "takes the properties that are not given here from the [library](line-types.md) of chains and "
+           "ropes"),
+      number("diameter", length, "nominal diameter in the library: for a chain the bar diameter", above(0)),
+      text("grade", "chain grade in the library: `R3`, `R3S`, `R4`, `R4S` or `R5`"),
       pipe(),
       weight(),
       number({"outer_diameter", &LineType::outer_diameter, &LineType::contact_diameter}, length,
-             "diameter of the outside", above(0), or_else_note(kFromPipe)),
-      number({"contact_diameter", &LineType::contact_diameter}, length, "diameter that touches volumes",
-             above(0), or_else_note("`outer_diameter`")),
+             "outer diameter", above(0), or_else_note(kFromPipe)),
+      number({"contact_diameter", &LineType::contact_diameter}, length, "diameter for contact", above(0),
+             or_else_note("same as `outer_diameter`")),
       number({"mass_per_length", &LineType::mass_per_length}, mass_per_length,
              "mass in air, without `contents` and `marine_growth`", above(0),
              or_else_note("none: needed unless `library`, `pipe` or `weight`")),
-      boolean({"bending", by<LineType>(bending)},
-              "`false` makes a cable: axial stiffness only, may go slack; its nodes have no rotations",
-              or_else_note("`true`; `false` with `library`")),
+      boolean(
+          {"bending", by<LineType>(bending)},
+          "`false` makes a cable: it has axial stiffness only and may go slack; its nodes have no rotations",
+          or_else_note("`true`; `false` with `library`")),
       one_of("EA",
              {number({"", &LineType::EA}, force, above(0)),
               map("", {rows({"table", by<LineType>(tensions)},
-                            "tension over strain, `[[strain, N], ...]`, rising through zero: a monotone "
-                            "cubic, elastic, straight beyond the rows",
+                            "tension against strain, `[[strain, N], ...]`, increasing through zero: a "
+                            "monotone cubic, elastic, linear beyond the rows",
                             required, items(1))})},
              "axial stiffness", or_else_note(kFromPipe)),
       one_of("EI",
              {number({"", &LineType::EI2, &LineType::EI3}, bending_stiffness, above(0)),
               list({"", by<LineType>(two_axes)}, number("", bending_stiffness, above(0)), items(2, 2)),
               map("", {rows({"table", by<LineType>(moments)},
-                            "bending moment over curvature, `[[1/m, N m], ...]`, rising from zero and the "
-                            "same in all directions: a monotone cubic, elastic, straight beyond the rows",
+                            "bending moment against curvature, `[[1/m, N m], ...]`, increasing from zero and "
+                            "the same in all directions: a monotone cubic, elastic, linear beyond the rows",
                             required, items(1))})},
              "bending stiffness, or `[EI2, EI3]` about the section's axes 2 and 3",
              or_else_note("none: needed unless `bending: false`, `pipe` or a table of `plasticity`")),
       plasticity(),
-      number({"GJ", &LineType::GJ}, bending_stiffness, "torsion stiffness", above(0),
+      number({"GJ", &LineType::GJ}, bending_stiffness, "torsional stiffness", above(0),
              or_else_note(kStiffness)),
       number({"GA", &LineType::GA}, force, "shear stiffness; 0: rigid in shear (Euler-Bernoulli)",
              at_least(0), or_else("0")),
       vec3({"rotary_inertia", &LineType::rotary_inertia}, inertia_per_length,
            "rotary inertia per length about axes 1 (along the line), 2 and 3", at_least(0),
-           or_else_note("of a full round section: m d²/8, m d²/16, m d²/16; of a `pipe` its own")),
+           or_else_note("that of a solid circular section: m d²/8, m d²/16, m d²/16; for a `pipe` that of "
+                        "its wall and coatings")),
       number({"stiffness_damping", &LineType::stiffness_damping}, time,
-             "Rayleigh damping beta: damping = beta times the material stiffness, of a cable no more than "
-             "its tension",
+             "Rayleigh damping beta: damping = beta times the material stiffness; in a cable it is at most "
+             "the tension",
              at_least(0), or_else("0")),
       number({"thermal_expansion", &LineType::thermal_expansion}, thermal_expansion,
-             "strain for a `temperature_change` of the line by 1 K: of steel 1.17e-5; may be negative",
+             "strain per kelvin of the line's `temperature_change`: 1.17e-5 for steel; may be negative",
              or_else("0")),
       number({"breaking_load", &LineType::breaking_load}, force,
-             "minimum breaking load, for the summary; nothing breaks", above(0),
-             or_else_note("that of `library`, or not known")),
+             "minimum breaking load, for the utilisation in the summary; the line does not break", above(0),
+             or_else_note("that of `library`; otherwise none")),
       number({"minimum_bend_radius", &LineType::minimum_bend_radius}, length,
-             "that the line may be bent to, for the summary; nothing breaks", above(0),
-             or_else_note("not known"))};
+             "minimum allowed bend radius, for the utilisation in the summary; the line does not break",
+             above(0), or_else_note("none"))};
   for (Key& k : in_water()) keys.push_back(std::move(k));
-  return names("line_types", map("<type>", std::move(keys)), "What lines are made of, by name.",
-               or_else("{}"));
+  return names("line_types", map("<type>", std::move(keys)), "Properties of lines, by name.", or_else("{}"));
 }
 
 }  // namespace hawser::model::schema_build

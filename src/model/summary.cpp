@@ -9,6 +9,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "hawser/base/count_of.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/farm.hpp"
 #include "hawser/model/longest_step.hpp"
@@ -265,8 +266,8 @@ std::string summary(const Case& c) {
     elements += z.elements;
     unknowns += z.unknowns;
   }
-  s += fmt::format("lines: {} ({} elements, {} nodes, {} unknowns)\n", c.lines.size(), elements, nodes,
-                   unknowns);
+  s += fmt::format("lines: {} ({}, {}, {})\n", c.lines.size(), count_of(elements, "element"),
+                   count_of(nodes, "node"), count_of(unknowns, "unknown"));
   s += farm_text(c);
   s += lines_text(c);
   if (!c.line_types.empty()) s += line_type_table(c);

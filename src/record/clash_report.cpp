@@ -120,7 +120,7 @@ std::string ClashReport::table() const {
   const auto rows = log_.largest(static_cast<size_t>(c.output.clashes.rows));
   if (log_.count() == 0) return "";
   const auto open = log_.open();
-  std::string text = fmt::format("clashes: {}, of which {} still touch{}", log_.count(), open.size(),
+  std::string text = fmt::format("clashes: {}, {} of them still in contact{}", log_.count(), open.size(),
                                  static_cast<long long>(rows.size()) < log_.count()
                                      ? fmt::format("; the {} with the largest forces:\n", rows.size())
                                      : ":\n");
@@ -135,16 +135,16 @@ std::string ClashReport::table() const {
   const auto arcs = [](bool there, double from, double to) {
     return there ? fmt::format("{:.2f}-{:.2f}", from, to) : "";
   };
-  text += fmt::format("{:<28} {:>9} {:>9} {:>16} {:>16} {:>11} {:>13} {:>11} {:>11}\n", "pair", "start [s]",
-                      "end [s]", "arc [m]", "other's [m]", "peak [N]", "impulse [N s]", "energy [J]",
-                      "depth [m]");
+  text += fmt::format("{:<28} {:>9} {:>9} {:>16} {:>16} {:>11} {:>13} {:>11} {:>15}\n", "pair", "start [s]",
+                      "end [s]", "arc [m]", "other arc [m]", "peak [N]", "impulse [N s]", "energy [J]",
+                      "penetration [m]");
   for (const io::ClashRow& r : rows) {
     const bool still = std::any_of(open.begin(), open.end(), [&](const io::ClashRow& o) {
       return o.line == r.line && o.other_line == r.other_line && o.volume == r.volume &&
              o.other_volume == r.other_volume && o.start == r.start && o.from == r.from;
     });
-    text += fmt::format("{:<28} {:>9.3f} {:>9} {:>16} {:>16} {:>11.4g} {:>13.4g} {:>11.3g} {:>11.3g}\n",
-                        name(r), r.start, still ? "touches" : fmt::format("{:.3f}", r.end),
+    text += fmt::format("{:<28} {:>9.3f} {:>9} {:>16} {:>16} {:>11.4g} {:>13.4g} {:>11.3g} {:>15.3g}\n",
+                        name(r), r.start, still ? "ongoing" : fmt::format("{:.3f}", r.end),
                         arcs(r.line >= 0, r.from, r.to), arcs(r.other_line >= 0, r.other_from, r.other_to),
                         r.peak_force, r.impulse, r.peak_energy, r.penetration);
   }

@@ -26,7 +26,7 @@ Field of_code(const char* name, const char* label, const char* code) {
           .extreme = label,
           .report = Field::Report::graph,
           .order = 4,
-          .exceeded = fmt::format("loaded with more than {} allows", code)};
+          .exceeded = fmt::format("loaded above the limit of {}", code)};
 }
 
 // Keys in a checkpoint.

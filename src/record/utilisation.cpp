@@ -15,8 +15,8 @@ const Field kTension = {.name = "utilisation",
                         .extreme = "utilisation",
                         .report = Field::Report::graph,
                         .order = 2,
-                        .meaning = "effective tension over the breaking load of the line type",
-                        .exceeded = "pulled with more than its breaking load"};
+                        .meaning = "effective tension over minimum breaking load",
+                        .exceeded = "loaded above its minimum breaking load"};
 const Field kBending = {.name = "bend_utilisation",
                         .unit = "1",
                         .label = "bend radius utilisation",
@@ -26,8 +26,8 @@ const Field kBending = {.name = "bend_utilisation",
                         .extreme = "bend utilisation",
                         .report = Field::Report::graph,
                         .order = 3,
-                        .meaning = "least bend radius that it allows over the radius of the bend",
-                        .exceeded = "bent more sharply than its minimum bend radius allows"};
+                        .meaning = "minimum bend radius over actual bend radius",
+                        .exceeded = "bent below its minimum bend radius"};
 
 }  // namespace
 

@@ -63,8 +63,8 @@ CommandLine::CommandLine(const std::string& petsc_options) {
   cli_.require_subcommand(1);
   cli_.footer(
       "Run on several ranks with: mpirun -n 4 hawser run case.yaml\n"
-      "Exit codes: 0 done, 2 the input is wrong, 3 the solver failed, 4 the run has ended but its energy "
-      "does not add up, 130 stopped by a signal, 1 anything else.");
+      "Exit codes: 0 done, 2 input error, 3 the solver failed, 4 the run has ended but its energy "
+      "balance is not closed, 130 stopped by a signal, 1 any other error.");
 
   add_run();
   add_modes();
@@ -85,12 +85,14 @@ void CommandLine::add_run() {
       cli_.add_subcommand("run", "Run a case: statics, then dynamics; results go to an HDF5 file.");
   command->add_option("case", run_.case_path, "Case file (YAML; `hawser schema` prints its keys)")
       ->required();
-  command->add_option("-o,--output", run_.output, "Results file instead of the one the case names (.h5)");
+  command->add_option("-o,--output", run_.output,
+                      "Results file (.h5), in place of the one named in the case");
   command->add_option("--restart", run_.restart,
                       "Continue from the newest checkpoint of this results file; if it is the case's own "
                       "results file, the run is appended to it");
   command
-      ->add_option("--stop-at", run_.stop_at, "End at this simulated time, s, if the case would go on longer")
+      ->add_option("--stop-at", run_.stop_at,
+                   "End at this simulated time, s, if it is before the end of the case")
       ->check(positive("time above 0, in s"));
   command->add_flag("-q,--quiet", run_.quiet, "Print errors only");
   add_changes(command, run_.changes);
@@ -104,9 +106,10 @@ void CommandLine::add_run() {
 
 void CommandLine::add_modes() {
   CLI::App* command = cli_.add_subcommand(
-      "modes", "Natural frequencies and shapes about the static equilibrium, as outputs of a results file.");
+      "modes",
+      "Natural frequencies and mode shapes about the static equilibrium, as outputs of a results file.");
   command->add_option("case", modes_.case_path, "Case file")->required();
-  command->add_option("-n,--number", modes_.count, "How many, from the lowest frequency on")
+  command->add_option("-n,--number", modes_.count, "Number of modes, from the lowest frequency on")
       ->check(whole_number(1, 10000))
       ->capture_default_str();
   command->add_option("-o,--output", modes_.output, "Results file (default: <case>-modes.h5)");
@@ -123,7 +126,7 @@ void CommandLine::add_modes() {
 void CommandLine::add_stiffness() {
   CLI::App* command = cli_.add_subcommand(
       "stiffness",
-      "Stiffness of the lines on a body at rest; force and tension over offsets, as a CSV file.");
+      "Stiffness of the lines at a body in equilibrium; forces and tensions against offsets, as a CSV file.");
   command->add_option("case", stiffness_.case_path, "Case file")->required();
   command->add_option("--body", stiffness_.body, "Body to use, if lines are attached to several");
   command
@@ -135,11 +138,12 @@ void CommandLine::add_stiffness() {
   command
       ->add_option(
           "--offset", offsets_,
-          "Also at this offset from rest, m, with a rotation vector, deg, in axes of space; repeatable")
+          "Additional offset from rest, m, and rotation vector, deg, in axes fixed in space; repeatable")
       ->option_text("X,Y,Z[,RX,RY,RZ]")
       ->allow_extra_args(false);
-  CLI::Option* to = command->add_option("--to", stiffness_.to, "Also in steps up to this offset, m")
-                        ->check(positive("offset above 0, in m"));
+  CLI::Option* to =
+      command->add_option("--to", stiffness_.to, "Additional offsets in equal steps up to this one, m")
+          ->check(positive("offset above 0, in m"));
   command->add_option("--direction", direction_, "Direction of --to, deg, anticlockwise from +x")
       ->needs(to)
       ->capture_default_str();
@@ -158,8 +162,8 @@ void CommandLine::add_stiffness() {
 }
 
 void CommandLine::add_check() {
-  CLI::App* command = cli_.add_subcommand(
-      "check", "Read and check a case, print a summary, and run its first steps on trial.");
+  CLI::App* command =
+      cli_.add_subcommand("check", "Read and check a case, print a summary, and try its first steps.");
   command->add_option("case", check_.case_path, "Case file")->required();
   command
       ->add_option("-n,--ranks", check_.ranks,

@@ -155,8 +155,8 @@ int main(int argc, char** argv) {
     if (!command.reports_unused_options) return code;
     const auto left = unused(words.petsc);
     if (prints && !line.quiet() && !left.empty())
-      fmt::print("\nwarning: nothing in this run has used the PETSc option{} {}\n",
-                 left.size() > 1 ? "s" : "", fmt::join(left, ", "));
+      fmt::print("\nwarning: this run did not use the PETSc option{} {}\n", left.size() > 1 ? "s" : "",
+                 fmt::join(left, ", "));
     return code;
   });
 }

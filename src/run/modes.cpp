@@ -141,7 +141,7 @@ std::string row(MPI_Comm comm, Simulation& sim, int number, const NaturalMode& m
   }
   if (with.body >= 0) where += ": " + freedoms(comm, sim, mode, with.body, turns);
   return fmt::format("{:>4} {}  {:>5.2f} {:>5.2f} {:>5.2f}  {}{}\n", number, when, p.along.x(), p.along.y(),
-                     p.along.z(), where, turns ? ", turns in place" : "");
+                     p.along.z(), where, turns ? ", rotation without displacement" : "");
 }
 
 io::ResultContents contents(MPI_Comm comm, const Simulation& sim, const std::vector<LoadedVolume>& volumes,

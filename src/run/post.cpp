@@ -75,7 +75,7 @@ except KeyboardInterrupt:
   // The distribution's Python has the modules; another may come first in PATH.
   execv("/usr/bin/python3", words.data());
   execvp("python3", words.data());
-  std::fputs("hawser: there is no python3, which this command needs\n", stderr);
+  std::fputs("hawser: this command needs python3, which was not found\n", stderr);
   return 1;
 }
 

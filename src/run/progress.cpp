@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "hawser/advice/run.hpp"
+#include "hawser/base/count_of.hpp"
 
 namespace hawser::run {
 namespace {
@@ -98,8 +99,9 @@ void Progress::step(double time, double step, int iterations) {
   last_ = now;
   // Extrapolates the rate so far.
   const double left = seconds(now - began_) * (duration_ - time) / std::max(time - start_, 1e-300);
-  std::string text = fmt::format("t = {:.3f} of {:.6g} s ({:3.0f} %), step {:.3g} s, {} iterations, {} left",
-                                 time, duration_, 100 * share, step, iterations, clock_text(left));
+  std::string text =
+      fmt::format("t = {:.3f} of {:.6g} s ({:3.0f} %), step {:.3g} s, {}, {} left", time, duration_,
+                  100 * share, step, count_of(iterations, "iteration"), clock_text(left));
   if (columns_ > 0) {
     rewrite(std::move(text));
     passing_ = false;

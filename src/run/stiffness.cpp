@@ -196,11 +196,12 @@ int stiffness(MPI_Comm comm, const StiffnessOptions& o) {
     Vec6 f = rows.front().force;
     for (double& x : f) x = in_kN(x, most);
     fmt::print(
-        "lines on it, about that point: force ({:.5g}, {:.5g}, {:.5g}) kN, moment ({:.5g}, {:.5g}, {:.5g}) "
+        "forces of its lines about this point: force ({:.5g}, {:.5g}, {:.5g}) kN, moment ({:.5g}, {:.5g}, "
+        "{:.5g}) "
         "kN m\n",
         f[0], f[1], f[2], f[3], f[4], f[5]);
     fmt::print("stiffness of the lines [N/m, N/rad; N, N m/rad]:\n{}", matrix_text(rows.front().K));
-    if (rows.size() > 1) fmt::print("\nother degrees of freedom held:\n{}", table(c, rows));
+    if (rows.size() > 1) fmt::print("\noffsets, with the other degrees of freedom held:\n{}", table(c, rows));
     fmt::print("\nstiffness table: {}\n", path);
   }
   return 0;

@@ -398,7 +398,7 @@ TEST(Feeders, RefuseWhatTheyCannotDo) {
   const std::vector<std::pair<Edits, std::string>> bad{
       {{{"stock: 40", "stock: 0"}}, "must be above 0"},
       {{{"stock: 40", "stock: 3"}}, "a stock needs at least 2"},
-      {{{"stock: 40", "stock: 58"}}, "3 are the least"},
+      {{{"stock: 40", "stock: 58"}}, "it must leave at least 3"},
       {{{"[20, 1], [24", "[20, 1], [19"}}, "times must grow"},
       {{{table, "tension: 10 kN, dead_band: [12 kN, 8 kN], speed_per_tension: 1e-4"}}, "is not a band"},
       {{{table, "tension: 20 kN, dead_band: [8 kN, 12 kN], speed_per_tension: 1e-4"}}, "does not hold"},

@@ -132,7 +132,7 @@ class New(unittest.TestCase):
         code, output = self.talk("deep", "-5", "100", "chian", "chain", "84 furlongs", "84 mm", "R9", "R4", "", "1 m", "", "", 0, "perhaps", "no", "", "no",
                                file=file)
         self.assertEqual(code, 0, output)
-        for words in ("'deep' is no number", "-5 m is not between 5 and 12000 m", "did you mean 'chain'?", "'84 furlongs' is no number",
+        for words in ("'deep' is not a number", "-5 m is not between 5 and 12000 m", "did you mean 'chain'?", "'84 furlongs' is not a number",
                       "'R9' is none of", "1 m is not between", "'perhaps' is neither yes nor no"):
             self.assertIn(words, output)
 
@@ -147,7 +147,7 @@ class New(unittest.TestCase):
         file.write_text("mine", encoding="utf-8")
         code, output = self.talk(file=file)
         self.assertEqual((code, file.read_text(encoding="utf-8")), (2, "mine"))
-        self.assertIn("is there already", output)
+        self.assertIn("exists already", output)
         code, output = self.talk("", "pipe", file=self.folder / "half.yaml")
         self.assertEqual((code, (self.folder / "half.yaml").exists()), (2, False))
         self.assertIn("the dialogue has ended before its last question", output)

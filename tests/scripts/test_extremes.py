@@ -181,15 +181,15 @@ class Command(unittest.TestCase):
         signal_file(self.folder / "regular.h5", t, x)
         results_file(self.folder / "none.h5")
         for arguments, part in ((["short.h5"], "has 11 maxima between upcrossings of its mean: a fit needs 20"),
-                                (["regular.h5"], "as in a regular wave: there is nothing to extrapolate"),
+                                (["regular.h5"], "as in a regular wave: no extrapolation is possible"),
                                 (["none.h5"], "has no history"),
-                                (["one.h5", "--duration", "soon"], "'soon' is no time"),
-                                (["one.h5", "--duration", "5"], "shorter than what one value of the sample stands for"),
-                                (["one.h5", "--quantile", "1"], "is no probability"),
+                                (["one.h5", "--duration", "soon"], "'soon' is not a time"),
+                                (["one.h5", "--duration", "5"], "shorter than the time that one value of the sample represents"),
+                                (["one.h5", "--quantile", "1"], "is not a probability"),
                                 (["one.h5", "--block", "1000"], "there are 4 blocks of 1000 s, and a fit needs 10"),
                                 (["one.h5", "--block", "4"], "shorter than the mean period"),
                                 (["one.h5", "--column", "x"], "has no column 'x'"),
-                                (["one.h5", "--since", "3999.9"], "no two steps"), (["one.h5", "--since", "1e6"], "there is nothing from"),
+                                (["one.h5", "--since", "3999.9"], "fewer than two steps"), (["one.h5", "--since", "1e6"], "it has no output from"),
                                 (["one.h5", "-o", "x.txt"], "is a .json or .csv file")):
             result = self.extremes(*arguments)
             with self.subTest(arguments=arguments):

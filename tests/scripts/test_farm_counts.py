@@ -1,4 +1,4 @@
-"""What a run asks of MPI does not grow with the lines of a farm, nor with the ranks; restarts and memory by own shares."""
+"""MPI calls of a run do not increase with the lines of a farm or the ranks; restarts and memory are by shares of the ranks."""
 import os
 import re
 import statistics
@@ -16,9 +16,9 @@ HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 COUNTER = os.environ.get("HAWSER_MPI_COUNTER", str(ROOT / "build/tests/libmpi_counts.so"))
 FEW, MANY, RANKS = 100, 1000, (2, 4, 8)
 STEPS = 5  # additional steps in the second run of each farm and number of ranks, and in the third, with an output each
-MOST_OF_STEP, MOST_BYTES = 10, 1000  # collective calls in a step, and what they carry
+MOST_OF_STEP, MOST_BYTES = 10, 1000  # collective calls in a step, and the bytes in them
 MOST_OF_OUTPUT = 60  # collective calls
-MOST_OF_RUN = 900  # collective calls of the start, statics and one of everything
+MOST_OF_RUN = 900  # collective calls of the start, statics, and one step and output
 REST_OF_FILE = 100000  # bytes that a rank may read of a results file besides its share: names, headers, the counter of an output
 ELEMENT = 208  # bytes of an element that ranks exchange
 FINE = 600  # elements of the lines of which the memory for a node is measured
@@ -44,8 +44,8 @@ class Counts(unittest.TestCase):
                         cls.found.setdefault((lines, ranks), []).append(counts)
 
     def test_memory(self):
-        """Of lines and nodes that are others' a rank has little. What it has by all of them is r + s/ranks for each: the
-        peaks of four and of eight ranks tell r from the own share s."""
+        """A rank stores little of lines and nodes of other ranks. Its memory for each line and node is r + s/ranks: the
+        peaks with four and with eight ranks separate r from s."""
         def on_all(few, many, more):
             growth = {ranks: (many[ranks] - few[ranks]) / more for ranks in (4, 8)}
             return 2 * growth[8] - growth[4]
@@ -83,7 +83,7 @@ class Counts(unittest.TestCase):
                         self.assertLess(each["Bcast"][1], REST_OF_FILE)
 
     def test_going_on_in_the_same_file(self):
-        """It reads the checkpoint no more often than a run that goes on in another file."""
+        """It reads the checkpoint no more often than a run that continues in another file."""
         ranks = 2
         with tempfile.TemporaryDirectory() as folder:
             case, results = Path(folder) / "case.yaml", Path(folder) / "case.h5"

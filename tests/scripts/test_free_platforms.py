@@ -1,5 +1,5 @@
-"""Accounts of floating bodies, by the program: the work of thrusters over an event of something else, the forces by component, which
-leave nothing for what is not there, and momenta of bodies and rope when it is cut, let go of or caught."""
+"""Energy, forces and momentum of floating bodies: the work of thrusters across an unrelated event; forces by component, which
+are zero for absent components; momenta of bodies and a rope that is cut, released or attached."""
 import os
 import re
 import sys
@@ -152,7 +152,7 @@ class FreePlatforms(unittest.TestCase):
         return Results(self.folder / "run.h5").series("sphere")
 
     def test_nothing_is_left_of_the_forces(self):
-        """In the first row, too: of a sphere let go, and of a spar in waves without a ramp with thrusters."""
+        """Also in the first row: of a released sphere, and of a spar with thrusters in waves without a ramp."""
         history = self.history(SPHERE.replace("STEM", str(ROOT / "tests/data/hemisphere")))
         other, restoring = history.column("other_force_z"), history.column("hydrostatic_force_z")
         self.assertLess(abs(other).max(), 1e-6 * abs(restoring).max())
@@ -161,14 +161,14 @@ class FreePlatforms(unittest.TestCase):
         for direction in ("force_x", "force_z", "moment_y"):
             parts = {component: abs(history.column(f"{component}_{direction}")) for component in ("hydrostatic", "radiation", "added", "wave", "thrusters")}
             left = abs(history.column(f"other_{direction}"))
-            # Later rows: waves meet the slow place of the end of the step, and not where that was expected.
+            # Later rows: waves act at the filtered position at the end of the step, not at the one predicted at its start.
             self.assertLess(left.max(), 1e-4 * max(part.max() for part in parts.values()), direction)
             self.assertLess(left[0], 1e-8 * max(part[0] for part in parts.values()), direction)
             self.assertGreater(parts["radiation"][0], 1e3 * left[0], direction)
             self.assertGreater(parts["wave"][0], 1e3 * left[0], direction)
 
     def test_nothing_is_left_of_the_forces_on_a_hull(self):
-        """Its pressure, and drag and added mass of its members, in waves and a current: all that acts."""
+        """Hull pressure, and drag and added mass of members, in waves and a current, are all forces."""
         history = self.history(HULL)
         for direction in ("force_x", "force_z", "moment_y"):
             parts = [history.column(f"{component}_{direction}") for component in ("buoyancy", "froude_krylov", "morison")]
@@ -178,7 +178,7 @@ class FreePlatforms(unittest.TestCase):
                 self.assertGreater(abs(part).max(), 1e3 * left.max(), direction)
 
     def test_contact_is_all_that_acts(self):
-        """Of a crate on a fender, from the first row on, on one and two ranks: equal and opposite, and nothing is left."""
+        """A crate on a fender, from the first row on, on one and two ranks: equal and opposite forces without a remainder."""
         for words in ([HAWSER], ["mpirun", "-n", "2", HAWSER]):
             write(self.folder, "case.yaml", FENDERED)
             done = run(*words, "run", "-q", self.folder / "case.yaml", "-o", self.folder / "run.h5")
@@ -186,7 +186,7 @@ class FreePlatforms(unittest.TestCase):
             one, two = (Results(self.folder / "run.h5").series(name) for name in ("sphere", "other"))
             most = abs(one.column("contact_force_x")).max()
             self.assertLess(one.column("contact_force_x")[0], -4e4)  # 5 cm, 1 MN/m
-            with h5py.File(self.folder / "run.h5") as file:  # the outputs at 0 and 0.5 s, where the two are in touch and apart
+            with h5py.File(self.folder / "run.h5") as file:  # outputs at 0 and 0.5 s, with and without contact
                 ends = file["outputs/contact_points"][:]
                 first = file["contact_points/force"][: ends[0]].sum(axis=0)
                 self.assertEqual(ends[-1] - ends[0] > 0, abs(one.column("contact_force_x")[-1]) > 0)
@@ -198,7 +198,7 @@ class FreePlatforms(unittest.TestCase):
                     self.assertLess(abs(history.column(f"other_force_{axis}")).max(), 1e-6 * most)
 
     def test_periods_afloat(self):
-        """Those that check prints are those of hawser modes without lines, to the digits printed; roll and pitch go with sway and surge."""
+        """Periods printed by hawser check equal those of hawser modes without lines in all digits; roll and pitch couple with sway and surge."""
         case = SPAR.replace("STEM", str(ROOT / "docs/tutorial/spar")).replace("statics: false\n", "")
         for part in (r", *waves: [^\n]*", r"\n  waves: [^\n]*", r"\n      positioning: [^\n]*", r"\n      velocity: [^\n]*"):
             case = re.sub(part, "", case)
@@ -214,7 +214,7 @@ class FreePlatforms(unittest.TestCase):
             self.assertAlmostEqual(tilt / pitch, 1, delta=5e-4)
 
     def momenta(self):
-        """Of bodies and rope at each output, by row: momentum, and angular momentum about the origin."""
+        """Momentum, and angular momentum about the origin, of bodies and rope at each output, by rows."""
         with h5py.File(self.folder / "run.h5") as file:
             rows = [int(np.argmin(abs(file["series/time"][:] - t))) for t in file["outputs/time"][:]]
             x, v = file["fields/position"][:], file["fields/velocity"][:]
@@ -240,7 +240,7 @@ class FreePlatforms(unittest.TestCase):
         return P, L
 
     def test_momenta_over_an_event(self):
-        """Momentum to rounding; angular momentum, which steps keep to their second order, as before and after the event."""
+        """Momentum to rounding; angular momentum, which is second-order accurate in the step, is the same before and after the event."""
         tied, free = "{body: two, at: [-2, 0, 1]}", "free"
         for event, end, bound in (("cut: {line: rope, at: 9}", tied, 5e-6), ("release: {line: rope, end: end_b}", tied, 5e-6),
                                   ("attach: {line: rope, end: end_b, body: two}", free, 2e-4)):  # an impact

@@ -162,7 +162,7 @@ class ThatCannotBeMeant(Lays):
         done = self.hawser("run", {"at: [0, 0, 7.9932]": "at: [0, 0, 6]", "contact:": "dynamics: {duration: 1}\ncontact:"}, "-o", self.folder / "lay.h5")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertIn("at arc length 0 m, at rest, ", done.stdout)
-        self.assertIn("is loaded with more than DNV-ST-F101 allows at arc length 0 m, at rest: ", done.stdout)
+        self.assertIn("is loaded above the limit of DNV-ST-F101 at arc length 0 m, at rest: ", done.stdout)
 
     def test_an_event_that_has_happened_before(self):
         write(self.folder, "wire.yaml", """\

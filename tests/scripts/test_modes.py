@@ -148,7 +148,7 @@ bodies:
             output = run(*launch, HAWSER, "modes", self.folder / "body.yaml", "-n", "6").stdout
             found = re.findall(r"body block: ([a-z]+)", output)
             self.assertEqual(found, ["sway", "heave", "surge", "yaw", "roll", "pitch"], output)
-            self.assertEqual(output.count(", turns in place"), 3, output)
+            self.assertEqual(output.count(", rotation without displacement"), 3, output)
 
     def test_a_body_that_turns_about_its_origin_is_named_by_its_rotations(self):
         # The springs rotate it about the origin, 5 m above the centre of mass, which moves then.
@@ -162,10 +162,10 @@ bodies:
                turning_stiffness: [3e5, 4e5, 1e5]}
 """)
         output = run(HAWSER, "modes", self.folder / "body.yaml", "-n", "6").stdout
-        turns = [line for line in output.splitlines() if ", turns in place" in line]
+        turns = [line for line in output.splitlines() if ", rotation without displacement" in line]
         self.assertEqual(len(turns), 3, output)
         for row in turns:
-            self.assertRegex(row, "body block: (roll|pitch|yaw), turns in place")
+            self.assertRegex(row, "body block: (roll|pitch|yaw), rotation without displacement")
 
     def test_volturnus(self):
         one, _ = self.modes(chains(1), "-n", "12")

@@ -81,7 +81,7 @@ lines:
         without = self.results(codes=())
         done = run(HAWSER, "pipe", without.path)
         self.assertEqual(done.returncode, 2)
-        self.assertIn("does not say of which steel 'riser' is: give its pipe a 'grade', and run it", done.stderr)
+        self.assertIn("does not give the steel of 'riser': give its pipe a 'grade', and run it", done.stderr)
 
     def test_what_they_are_by(self):
         results = self.results()
@@ -212,7 +212,7 @@ class Searching(unittest.TestCase):
         self.assertAlmostEqual(keeps[0], 25e3, delta=0.005 * 65e3)
         self.assertGreaterEqual(keeps[0], 25e3)
         self.assertIn(10e3, tried)
-        self.assertEqual(self.asked.missed(lay_search.Lay(1.0, [], np.nan, np.nan)), "too near the tip, no sagbend to be checked")
+        self.assertEqual(self.asked.missed(lay_search.Lay(1.0, [], np.nan, np.nan)), "clearance at the tip too small, no sagbend to check")
         self.assertEqual(self.asked.missed(None), "no equilibrium")
 
     def test_neither(self):
@@ -352,7 +352,7 @@ class Lay(unittest.TestCase):
         # It clears the last box by 0.3 m and rests on the last but one, 72 m along the arc.
         self.assertAlmostEqual(rows[1]["departure angle [deg]"], np.degrees(72 / 100), delta=1)
         self.assertGreater(rows[0]["overbend local buckling [-]"], 1)
-        self.assertIn(f"In 90 m of water 100 m is the smallest of these radii whose overbend is used up to 1 ("
+        self.assertIn(f"In 90 m of water 100 m is the smallest of these radii with an overbend utilisation of at most 1 ("
                       f"{rows[1]['overbend strain, DNV simplified I [-]']:.3g}), with {rows[1]['tension [N]'] / 1e3:.4g} kN.",
                       done.stdout)
 
@@ -362,7 +362,7 @@ class Lay(unittest.TestCase):
         found = [(50, 80, laid(1e5, 0.9)), (50, 100, laid(2e5, 0.6)), (50, 120, laid(3e5, 0.5)), (70, 80, None),
                  (70, 100, laid(3e5, np.nan))]
         output = list(lay.chosen(found, 0.7))
-        self.assertEqual(output[0], "In 50 m of water 100 m is the smallest of these radii whose overbend is used up to 0.7 (0.6), "
+        self.assertEqual(output[0], "In 50 m of water 100 m is the smallest of these radii with an overbend utilisation of at most 0.7 (0.6), "
                                   "with 200 kN.")
         self.assertIn("In 70 m of water no lay of these radii", output[1])
 
@@ -378,14 +378,14 @@ class Lay(unittest.TestCase):
     def test_lays_that_cannot_be(self):
         slope = run(HAWSER, "lay", self.case, "--depths=90", "--set", "environment.seabed.slope_deg=0.02")
         self.assertEqual(slope.returncode, 2, slope.stderr)
-        self.assertIn("a lay over depths is for a level seabed: 'slope_deg' of this one is 0.02", slope.stderr)
-        for words, part in ((["--depths", "50;60"], "--depths '50;60' are no numbers with commas between them"),
-                            (["--depths", "-5"], "depths are above 0, in m"),
+        self.assertIn("lays at several depths need a level seabed: 'slope_deg' of this one is 0.02", slope.stderr)
+        for words, part in ((["--depths", "50;60"], "--depths '50;60' is not a list of numbers separated by commas"),
+                            (["--depths", "-5"], "depths must be above 0, in m"),
                             (["--depths", "90", "--utilisation", "2"], "--utilisation 2 is not above 0 and up to 1"),
-                            (["--depths", "90", "--radii", "0,80"], "--radii '0,80': radii are above 0, in m"),
+                            (["--depths", "90", "--radii", "0,80"], "--radii '0,80': radii must be above 0, in m"),
                             (["--depths", "90", "--radii", "80", "--set", "supports.stinger.path.segments=[{length: 20}, "
                               "{length: 60, radius: 150}, {length: 40, radius: 150}]"],
-                             "--radii is for supports with one curved length in their path, fixed to a body or in space, and "
+                             "--radii needs supports with one curved length in their path, fixed to a body or in space, and "
                              "this has 2: change them by --set")):
             done = run(HAWSER, "lay", self.case, f"{words[0]}={words[1]}", *words[2:])
             self.assertEqual(done.returncode, 2, done.stderr)

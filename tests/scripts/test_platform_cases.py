@@ -84,7 +84,7 @@ class Cases(unittest.TestCase):
             self.assertAlmostEqual(pull / tension, 1, delta=3e-3)
 
     def test_volturnus_small_decays(self):
-        """Without drag, let go 0.1 m, 0.1 or 0.2 deg from rest, it has the periods of the linearised system: 0.5 %."""
+        """Without drag, released 0.1 m, 0.1 or 0.2 deg from rest, it has the periods of the linearised system: 0.5 %."""
         path = self.case("volturnus")
         no_drag = [*NO_WAVES]
         for key in ("bodies.semi.floating.loads", "bodies.semi.floating.hydrodynamics.quadratic_damping",

@@ -216,7 +216,7 @@ class Platforms(unittest.TestCase):
             self.assertLess(off(found, exact), 5e-3)
 
     def test_full_matrix_of_mass(self):
-        """A tanker with the mass of its .frc, which has a coupling of pitch and heave and none of yaw and sway and so is that of no
+        """A tanker with the mass of its .frc, which couples pitch and heave but not yaw and sway, and so is that of no
         rigid body: 0.3 % of the largest of its kind with the added mass that belongs to its damping. That of its file, which has irregular
         frequencies with damping below zero, is another one: 1.3 %."""
         folder = "platforms/mss-tanker/"
@@ -244,7 +244,7 @@ class Platforms(unittest.TestCase):
             self.assertLess(off(found, exact), 1.5e-2)
 
     def with_memory(self, omega, direction, mass, added_damping):
-        """The response of the tanker at a frequency of its files with the added mass that its damping, without negative eigenvalues, means by
+        """The response of the tanker at a frequency of its files with the added mass that follows from its damping, without negative eigenvalues, by
         the relation of Kramers and Kronig, which is that of an exact convolution, in place of the file's own."""
         infinite, tables, wave = np.zeros((6, 6)), {}, np.zeros(6, complex)
         C, most = np.zeros((6, 6)), np.zeros(6)

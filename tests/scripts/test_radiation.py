@@ -84,7 +84,7 @@ class Radiation(unittest.TestCase):
         done = self.check("  a: {floating: {mass: 1, inertia: [1, 1, 1]}}\n", "r.csv")
         self.assertEqual(done.returncode, 2)
         self.assertIn("no body has 'hydrodynamics'", done.stderr)
-        self.assertIn("this is no table of hawser check --radiation", self.hawser("plot", "mine.csv", "radiation").stderr)
+        self.assertIn("needs a table of hawser check --radiation", self.hawser("plot", "mine.csv", "radiation").stderr)
 
     def damping_of(self, path):
         """Frequencies, damping and the largest added masses of a file."""

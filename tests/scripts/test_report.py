@@ -223,10 +223,10 @@ class Report(unittest.TestCase):
         pipe = ["--curve", "dnv-d-air", "--outer-diameter", "0.25", "--wall", "0.02", "--line", "riser"]
         self.assertIn("largest damage", self.python("fatigue", "riser.h5", *pipe).stdout)
         for arguments, part in ((["riser.h5=0.7", "riser.h5=0.7", *pipe], "more than all of the time"),
-                                (["riser.h5=x", *pipe], "is no number"),
-                                (["riser.h5", "--curve", "dnv-d-air"], "the case gives no wall of line"),
+                                (["riser.h5=x", *pipe], "is not a number"),
+                                (["riser.h5", "--curve", "dnv-d-air"], "the case does not give the pipe wall of line"),
                                 (["riser.h5", "--curve", "dnv-d-air", "--wall", "0.02"], "needs --outer-diameter"),
-                                (["riser.h5", *pipe, "--area", "0.1"], "takes no --area, but --outer-diameter and --wall"),
+                                (["riser.h5", *pipe, "--area", "0.1"], "does not use --area, but --outer-diameter and --wall"),
                                 (["riser.h5", *pipe, "--factor", "0"], "--factor 0 is not above 0"),
                                 (["riser.h5", *pipe, "--since", "23"], "too few for cycles")):
             refused = self.python("fatigue", *arguments)

@@ -253,9 +253,9 @@ class Parts(unittest.TestCase):
         for arguments, part in ((["dnv-studless-chain", "--area", "11084"], "in mm² it is --area 11084mm2"),
                                 (["dnv-studless-chain", "--area", "1 acre"], "with one of the units m2"),
                                 (["api-studless-chain", "--breaking-load", "5550"], "bare numbers are in N"),
-                                (["api-studless-chain", "--breaking-load", "5550000 kN"], "more than any line bears"),
-                                (["api-studless-chain", "--breaking-load", "0"], "is no number above 0"),
-                                (["dnv-d-air", "--breaking-load", "5e6"], "takes no --breaking-load")):
+                                (["api-studless-chain", "--breaking-load", "5550000 kN"], "exceeds the breaking load of any line"),
+                                (["api-studless-chain", "--breaking-load", "0"], "is not a number above 0"),
+                                (["dnv-d-air", "--breaking-load", "5e6"], "does not use --breaking-load")):
             with self.subTest(arguments=arguments):
                 code, _, err = self.run_("fatigue", path, "--curve", *arguments)
                 self.assertEqual(code, 2, err)
@@ -402,24 +402,24 @@ class Parts(unittest.TestCase):
         code, _, err = self.run_("report", path, "-o", self.folder / "many.html")
         self.assertEqual(code, 0, err)
         page = (self.folder / "many.html").read_text()
-        self.assertIn("Figures are of the first 3 of 9 histories by name", page)
+        self.assertIn("Figures show the first 3 of 9 histories by name", page)
         self.assertEqual(page.count(", every step.</figcaption>"), 60)
 
     def test_options_that_would_be_ignored(self):
         path = self.file(series=(TIME, {"here": (["effective_tension"], ["N"], TIME[:, None])}))
-        for arguments, part in ((["plot", path, "stress", "--time", "3"], "the figure 'stress' takes no --time (it takes --line, "
+        for arguments, part in ((["plot", path, "stress", "--time", "3"], "the figure 'stress' does not use --time (it uses --line, "
                                  "--outer-diameter, --since, --wall)"),
-                                (["plot", path, "plan", "--since", "3"], "the figure 'plan' takes no --since (it takes --time)"),
-                                (["plot", path, "history", "--over", "x"], "takes no --over"),
-                                (["plot", path, "range", "--name", "here"], "takes no --name"),
-                                (["plot", path, "plan", "--time", "99"], "there is no output at --time 99 (there are from 0 to 19.5)"),
-                                (["plot", path, "range", "--since", "-5"], "--since: '-5' is no time from 0 on, in s (see hawser plot"),
-                                (["report", path, "--since", "-5"], "--since: '-5' is no time from 0 on"),
-                                (["report", path, "--since", "nan"], "--since: 'nan' is no time from 0 on"),
-                                (["report", path, "--since", "50"], "there is nothing from t = 50 s on (the last output is at 19.5 s)"),
-                                (["export", path, "--since", "50"], "there is nothing from t = 50 s on"),
-                                (["extremes", path, "--since", "50"], "there is nothing from t = 50 s on"),
-                                (["fatigue", path, "--curve", "dnv-d-air", "--since", "50"], "there is nothing from t = 50 s on")):
+                                (["plot", path, "plan", "--since", "3"], "the figure 'plan' does not use --since (it uses --time)"),
+                                (["plot", path, "history", "--over", "x"], "does not use --over"),
+                                (["plot", path, "range", "--name", "here"], "does not use --name"),
+                                (["plot", path, "plan", "--time", "99"], "there is no output at --time 99 (they are from 0 to 19.5)"),
+                                (["plot", path, "range", "--since", "-5"], "--since: '-5' is not a time of 0 s or more (see hawser plot"),
+                                (["report", path, "--since", "-5"], "--since: '-5' is not a time of 0 s or more"),
+                                (["report", path, "--since", "nan"], "--since: 'nan' is not a time of 0 s or more"),
+                                (["report", path, "--since", "50"], "it has no output from t = 50 s on (the last one is at 19.5 s)"),
+                                (["export", path, "--since", "50"], "it has no output from t = 50 s on"),
+                                (["extremes", path, "--since", "50"], "it has no output from t = 50 s on"),
+                                (["fatigue", path, "--curve", "dnv-d-air", "--since", "50"], "it has no output from t = 50 s on")):
             with self.subTest(arguments=arguments[0::2]):
                 output = self.folder / ("none.csv" if arguments[0] in ("extremes", "fatigue") else "none.svg")
                 code, out, err = self.run_(*arguments, "-o", output)
@@ -451,7 +451,7 @@ class Parts(unittest.TestCase):
     def test_modes_need_a_case(self):
         code, _, err = self.run_("report", self.file(), "--modes")
         self.assertEqual(code, 2)
-        self.assertIn("give the case file with --modes", err)
+        self.assertIn("--modes requires a case file", err)
 
 
 class Seas(unittest.TestCase):

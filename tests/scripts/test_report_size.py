@@ -27,7 +27,7 @@ TOUCHING = [("contact_force", 3, "no"), ("contact_normal_force", 1, "graph"), ("
 
 
 def of_size(path, outputs, lines, nodes, fields, histories=5, contacts=0, every=0.5):
-    """Lines in waves, of which every number changes at each output: rough enough that it packs no better than results do."""
+    """Lines in waves whose numbers change at every output: irregular enough to compress no better than real results."""
     random = np.random.default_rng(7)
     t, s = np.arange(outputs) * every, np.linspace(0, 10.0 * nodes, nodes)
 

@@ -122,7 +122,7 @@ class RigidBodies(unittest.TestCase):
         self.assertAlmostEqual(nutation / 0.54646, 1, delta=1e-3)
 
     def test_intermediate_axis(self):
-        """A body that turns about its middle axis flips at the time that elliptic functions tell; its energy and its angular
+        """A body that turns about its middle axis flips at the time given by elliptic functions; its energy and its angular
         momentum stay at any step."""
         inertia = np.array([1.0, 2.0, 3.0])
         for step in (0.02, 0.01):

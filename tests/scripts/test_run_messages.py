@@ -397,7 +397,7 @@ output: {every: 5}
         used = ["-log_view", ":log.txt", "-dynamics_snes_rtol", "1e-9", "-dynamics_snes_converged_reason"]
         result = self.hawser("run", "rod.yaml", "--", *used, "-dynamics_snes_rtoll", "1", "-walk")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
-        self.assertIn("\nwarning: nothing in this run has used the PETSc options -dynamics_snes_rtoll, -walk\n", result.stdout)
+        self.assertIn("\nwarning: this run did not use the PETSc options -dynamics_snes_rtoll, -walk\n", result.stdout)
         stages = [line for line in (self.folder / "log.txt").read_text("utf-8").splitlines() if "Event Stage" in line]
         self.assertTrue(stages)
         self.assertNotRegex("".join(stages), "Unknown")

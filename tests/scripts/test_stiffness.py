@@ -71,7 +71,7 @@ class Stiffness(unittest.TestCase):
         self.assertTrue((self.folder / "mooring-2-stiffness-offsets.png").stat().st_size > 10000)
 
     def test_of_the_lines_alone(self):
-        """Pressure on a hull and the drag of its members are not the mooring's: the same table without them."""
+        """Pressure on a hull and the drag of its members do not belong to the mooring: the same table without them."""
         case = """hawser: 1
 environment: {water: {depth: 50}, seabed: {depth: 50}}
 line_types: {chain: {outer_diameter: 0.1, mass_per_length: 100, EA: 400 MN, bending: false}}
@@ -97,7 +97,7 @@ lines:
         self.assertTrue(np.allclose(tables[0], tables[1], rtol=1e-6, atol=1e-6 * np.abs(tables[0][0]).max()))
 
     def test_contact_of_the_body_stays(self):
-        """A crate that a rope holds against a fender of 1 MN/m: the fender is in the stiffness, and the forces are in balance."""
+        """A crate held by a rope against a fender of 1 MN/m: the stiffness includes the fender, and the forces are in balance."""
         (self.folder / "fender.yaml").write_text("""hawser: 1
 environment: {gravity: 0}
 line_types: {rope: {outer_diameter: 0.05, mass_per_length: 2, EA: 1e6, bending: false}}
@@ -130,7 +130,7 @@ contact: {between_lines: false}
             (("stiffness", ROOT / "docs/tutorial/mooring-1.yaml"), "no line is attached to a body"),
             (("stiffness", self.case, "-o", foreign), "the file there is not a table of stiffnesses"),
             (("stiffness", self.case, "--steps", "3"), "--to"),
-            (("plot", self.case, "offsets"), "is no table of hawser stiffness"),
+            (("plot", self.case, "offsets"), "needs a table of hawser stiffness"),
         ]:
             with self.subTest(words=words):
                 done = run(HAWSER, *words)

@@ -116,7 +116,7 @@ class Used(Drawing):
         self.assertEqual(value("hawserView.curves.range.names.slice(1, 3)"), ["t = 3.00 s", "t = 0.00 s"])
         np.testing.assert_allclose(value("[1, 2].map((k) => hawserView.curves.range.graph.getValue(0, k))"), [13, 10], atol=1e-3)
         value("hawserView.curves.drop.click()")
-        self.assertEqual(value("hawserView.curves.range.names.slice(1, 3)"), ["t = 3.00 s", "least of the run"])
+        self.assertEqual(value("hawserView.curves.range.names.slice(1, 3)"), ["t = 3.00 s", "minimum of the run"])
         self.no_complaints()
 
     def test_the_wheel_zooms_to_what_is_under_the_pointer(self):

@@ -97,11 +97,11 @@ class Drawn(Drawing):
         value("hawserView.scene.shown.forces = hawserView.scene.shown.volumes = hawserView.scene.shown.sea = hawserView.scene.shown.touchdowns = false;"
               "hawserView.scene.lines.uniforms.enlarged.value = 3; hawserView.look('y')")
         before = value("window.pixels([40])[0]")
-        value("(() => {const s = hawserView.controls.values; s.value = 'largest of the run'; s.dispatchEvent(new Event('change'))})()")
+        value("(() => {const s = hawserView.controls.values; s.value = 'maximum of the run'; s.dispatchEvent(new Event('change'))})()")
         wait("hawserView.scene.ofRun")
         np.testing.assert_allclose(value("window.pixels([40])[0]"), value("hawserView.scene.colours.at(1)"), atol=6)
         self.assertGreater(np.abs(np.subtract(value("window.pixels([40])[0]"), before)).max(), 60)
-        self.assertIn("(largest of the run)", value("hawserView.controls.status.textContent"))
+        self.assertIn("(maximum of the run)", value("hawserView.controls.status.textContent"))
         value("hawserView.player.show(3)")
         np.testing.assert_allclose(value("hawserView.scene.lines.values[2 * hawserView.scene.lines.placeOf[40]]"), 9e5)
         value("hawserView.values('')")

@@ -37,8 +37,7 @@ TEST(Utilisation, OfAKnownCurvature) {
   const auto used = io::h5::read_row(file, "fields/bend_utilisation", 0).values;
   ASSERT_EQ(used.size(), 21u);
   for (size_t n = 0; n < used.size(); ++n) EXPECT_NEAR(used[n], n <= 16 ? 6. / 5 : 0, 1e-6) << n;
-  EXPECT_NE(messages(file).find("line l is bent more sharply than its minimum bend radius allows"),
-            std::string::npos);
+  EXPECT_NE(messages(file).find("line l is bent below its minimum bend radius"), std::string::npos);
   EXPECT_NE(messages(file).find("its bend radius utilisation is 1.2"), std::string::npos) << messages(file);
   const io::h5::Id at_ease = io::h5::open_read(mild), no_limits = io::h5::open_read(none);
   EXPECT_NEAR(io::h5::read_row(at_ease, "fields/bend_utilisation", 0).values[3], 4. / 5, 1e-6);

@@ -59,7 +59,7 @@ def packed_model(results, most=None):
         else:
             every = max(every + 1, int(np.ceil(every * size / most)))
     if fields is not None:
-        model.missing.append("Of the fields those with a figure or a table in the report are in it.")
+        model.missing.append("It contains the fields that have a figure or a table in the report.")
     return header, {name: block for name, block in found.items() if block}
 
 
@@ -76,7 +76,7 @@ def data(results, name, most=None, **more):
 def place(name, others=""):
     """HTML element of a viewer."""
     more = f' data-others="{others}"' if others else ""
-    return (f'<div class="hawser-view" id="{name}"{more}>The model in three dimensions comes here when the page has been read, '
+    return (f'<div class="hawser-view" id="{name}"{more}>The model in three dimensions appears here when the page is loaded, '
             "in a browser with JavaScript.</div>")
 
 

@@ -23,7 +23,7 @@ def missing():
     absent = [name for name in (THREE, CONTROLS, GRAPHS, GRAPHS_STYLE) if not (folder() / name).is_file()]
     if not absent:
         return ""
-    return (f"The model is not shown in three dimensions, as {folder() / absent[0]} is not installed: install {PACKAGES} "
+    return (f"The model is not shown in three dimensions, since {folder() / absent[0]} is not installed: install {PACKAGES} "
             "(scripts/install-deps does).")
 
 
@@ -54,5 +54,5 @@ def notices():
         if file.is_file():
             found.append(f"{name}\n\n{file.read_text(encoding='utf-8', errors='replace')}")
         else:
-            found.append(f"{name}: see its licence (MIT) at its own site.")
+            found.append(f"{name}: see its licence (MIT) on its web site.")
     return re.sub("--+>?", "-", "\n\n".join(found))

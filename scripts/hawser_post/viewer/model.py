@@ -30,7 +30,7 @@ class Model:
         if self.rows[-1] != results.rows[-1]:
             self.rows.append(results.rows[-1])
         self.per_block = per_block or len(self.rows)
-        self.missing = [] if every == 1 else [f"One in {every} of the {results.outputs} outputs is shown in three dimensions, and the last."]
+        self.missing = [] if every == 1 else [f"In three dimensions one in {every} of the {results.outputs} outputs is shown, and the last one."]
         self.shown = [name for name in results.ordered(results.fields) if name not in NOT_SHOWN and (fields is None or name in fields)]
         self.sea = Sea(results)
         self.contacts = Contacts.of(self.file, self.rows) if fields != () else None
@@ -92,7 +92,7 @@ class Model:
         for name in self.shown if self.results.lines else ():
             found = self.range_of(name)
             if found is None:
-                self.missing.append(f"The field '{self.results.label(name)}' holds no number and is not shown.")
+                self.missing.append(f"The field '{self.results.label(name)}' contains no valid numbers and is not shown.")
                 continue
             unit, factor = charts.shown(self.results.unit(name))
             yield {"name": name, "label": self.results.label(name), "unit": unit, "factor": factor, "low": found[0], "high": found[1],
@@ -116,8 +116,8 @@ class Model:
     def header(self):
         results = self.results
         if "outputs/contact_points" not in self.file and any(f"fields/{name}" in self.file for name in ("contact_force", "line_contact_force")):
-            self.missing.append("Contact forces are not shown: the results have no points of contact; run the case again to have them.")
-        self.missing += [] if not self.unknown_bed() else ["The seabed is not drawn, as its file was not found beside the case, or could not be read."]
+            self.missing.append("Contact forces are not shown: the results have no points of contact; run the case again to add them.")
+        self.missing += [] if not self.unknown_bed() else ["The seabed is not drawn, since its file was not found beside the case or could not be read."]
         found = {
             "title": str(results.keys.get("title") or results.path.stem), "modes": results.modes,
             "times": [float(t) for t in self.file["outputs/time"][: self.rows[-1] + 1][self.rows]],

@@ -130,7 +130,7 @@ class Shown:
             if messages is not None:
                 found["notes"] = notes.placed(self.model.results, messages)
                 command = shlex.join(["hawser", "run", str(self.case), *(word for change in self.changes for word in ("--set", change))])
-                found["missing"] = [*found["missing"], "This is the start shape, before statics. The results are shown here when the case is run in "
+                found["missing"] = [*found["missing"], "This is the start shape, before statics. The results appear here when the case is run in "
                                     f"another terminal: {command}"]
             return {**found, "served": True, "stamp": self.stamp, "storedHistories": self.kind == "run"}
 

@@ -69,7 +69,7 @@ class Handler(BaseHTTPRequestHandler):
             return 403, plain, b"this server answers to 127.0.0.1 and localhost only"
         parts = urlsplit(self.path).path.split("/")
         if len(parts) < 3 or parts[0] or not hmac.compare_digest(parts[1].encode(), self.server.key.encode()):
-            return 404, plain, b"there is nothing here; take the whole address that hawser view has printed"
+            return 404, plain, b"this address is incomplete; use the whole address that hawser view has printed"
         name = "/".join(unquote(part) for part in parts[2:])
         if name in self.server.files:
             return 200, *self.server.files[name]
@@ -77,7 +77,7 @@ class Handler(BaseHTTPRequestHandler):
             answer = getattr(self.server.shown, name)()
             return 200, "application/json", embedded.json_of(answer).encode()
         block = self.server.shown.block(name[len("block/"):]) if name.startswith("block/") else None
-        return (404, plain, b"there is nothing of that name") if block is None else (200, "application/octet-stream", block)
+        return (404, plain, b"there is no file of this name") if block is None else (200, "application/octet-stream", block)
 
     def log_message(self, *_):
         pass

@@ -1,7 +1,7 @@
 // Buttons, lists and sliders, each with a name, and the sentence that describes the picture.
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100];
-const OF_RUN = ["least of the run", "mean of the run", "largest of the run"];
+const OF_RUN = ["minimum of the run", "mean of the run", "maximum of the run"];
 const SIZES = [1, 2, 5, 10, 20, 50];
 const SHOWN = {names: "Names", volumes: "Volumes", sea: "Sea", bed: "Bed", parts: "Links, masses, joints", touchdowns: "Touchdown points", forces: "Contact forces", bedForces: "Bed forces", notes: "Notes"};
 
@@ -22,7 +22,7 @@ hawser.Controls = class {
     this.time = this.timeBar();
     this.status = hawser.make("p", {class: "status", role: "status"});
     this.element = hawser.make("div", {class: "controls"}, this.time, this.lookBar(), this.viewBar(), this.showBar(), this.status);
-    const keys = "Arrow keys turn it, with Shift they move it, plus and minus zoom, Home shows all of it, space plays, a click chooses a line";
+    const keys = "Arrow keys rotate the model, with Shift they move it, plus and minus zoom, Home shows the whole model, space plays, a click selects a line";
     scene.canvas.setAttribute("aria-label", `Model in three dimensions of ${model.header.title}. ${keys}`);
     scene.canvas.title = keys;
     scene.canvas.addEventListener("keydown", (event) => {
@@ -39,8 +39,8 @@ hawser.Controls = class {
       player.show(player.output + by);
     };
     this.play = hawser.make("button", {type: "button", class: "play", onclick: () => this.view.play(!player.playing)}, "Play");
-    const back = hawser.make("button", {type: "button", "aria-label": "One output back", onclick: () => step(-1)}, "◀");
-    const on = hawser.make("button", {type: "button", "aria-label": "One output on", onclick: () => step(1)}, "▶");
+    const back = hawser.make("button", {type: "button", "aria-label": "Previous output", onclick: () => step(-1)}, "◀");
+    const on = hawser.make("button", {type: "button", "aria-label": "Next output", onclick: () => step(1)}, "▶");
     this.slider = hawser.make("input", {type: "range", min: 0, max: model.outputs - 1, step: 1, value: 0,
                                         "aria-label": model.header.modes ? "Mode" : "Time",
                                         oninput: () => {
@@ -91,7 +91,7 @@ hawser.Controls = class {
       for (const lines of [scene.lines, ...(scene.others || [])]) lines.uniforms.enlarged.value = Number(value);
       scene.redraw();
     });
-    this.cutAt = hawser.make("input", {type: "range", min: 0, max: 1, step: 0.005, value: 0.5, "aria-label": "Place of the cut", disabled: true,
+    this.cutAt = hawser.make("input", {type: "range", min: 0, max: 1, step: 0.005, value: 0.5, "aria-label": "Position of the cut", disabled: true,
                                        oninput: () => view.cut(cut.select.value, Number(this.cutAt.value))});
     const cut = hawser.choice("Cut", [["none", "none"], ["plan", "level (plan)"], ["elevation", "upright (elevation)"]], "none",
                               (kind) => view.cut(kind, Number(this.cutAt.value)));

@@ -37,6 +37,6 @@ hawser.Cuts = class {
       const {across} = this.camera;
       return `cut ${hawser.number(this.at + centre[0] * across[1] - centre[1] * across[0])} m before the axis`;
     }
-    return "not cut";
+    return "no cut";
   }
 };

@@ -21,7 +21,7 @@ void main() {
   float width = abs(number - selected) < 0.5 ? selectedWidth : leastWidth;
   float half_width = max(radius * enlarged, 0.5 * width * pixel * depth);
   vec4 mvPosition = viewMatrix * vec4(at + half_width * outward, 1.0);
-  // Nearer to who looks by a width, at the same place of the picture.
+  // Nearer to the viewer by one width, at the same position in the picture.
   if (perspective > 0.5) mvPosition.xyz *= 1.0 - over * min(2.0 * half_width / max(depth, 1e-6), 0.5);
   else mvPosition.z += over * 2.0 * half_width;
   gl_Position = projectionMatrix * mvPosition;

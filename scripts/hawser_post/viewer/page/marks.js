@@ -8,7 +8,7 @@ const POINT_COLOURS = {buoy: 0xe8912d, weight: 0x3a3f46, joint: 0x3a3f46};
 const TOUCHDOWN = 11;          // pixels across
 const LEAST_POINT = {buoy: 5, weight: 5, joint: 3.5};  // radius, pixels
 
-// A white disc with a dark rim, visible on every colour of lines.
+// A white disc with a dark rim, visible on lines of every colour.
 hawser.disc = function () {
   const picture = document.createElement("canvas");
   picture.width = picture.height = 64;
@@ -43,7 +43,7 @@ hawser.Marks = class {
 
   // Arrows of the forces of one kind: their drawings, and those of an output.
   arrowsOf(kind) {
-    // Forces between bodies act inside of what they press on: they are seen through it, as touchdown points are through the bed.
+    // Forces between bodies act inside the other body: they are visible through it, as touchdown points are through the bed.
     const paint = new THREE.MeshBasicMaterial({color: ARROW_COLOURS[kind], depthTest: kind !== "forces"});
     const shaft = new THREE.CylinderBufferGeometry(0.018, 0.018, 0.75, 6).translate(0, 0.375, 0);
     const head = new THREE.ConeBufferGeometry(0.06, 0.25, 8).translate(0, 0.875, 0);
@@ -95,7 +95,7 @@ hawser.Marks = class {
     this.shown = count;
   }
 
-  // Blocks that the arrows shown are made of.
+  // Blocks needed for the arrows shown.
   blocks(shown) {
     const names = shown.bedForces ? this.model.header.fields.filter((field) => field.vector).map((field) => `field/${field.name}`) : [];
     if (shown.forces && this.model.largestForce("forces") > 0) names.push("contact/place", "contact/force");

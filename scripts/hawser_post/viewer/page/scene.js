@@ -17,7 +17,7 @@ hawser.Scene = class {
     box.append(this.canvas, over);
     this.box = box;
     const context = this.canvas.getContext("webgl2", {antialias: !hawser.Scene.slow(), alpha: false}) || this.canvas.getContext("webgl");
-    if (!context) throw new Error("this browser has no WebGL, which the picture in three dimensions needs");
+    if (!context) throw new Error("the picture in three dimensions needs WebGL, which this browser does not have");
     this.renderer = new THREE.WebGLRenderer({canvas: this.canvas, context});
     this.renderer.setClearColor(SKY);
     this.renderer.clear();  // otherwise a WebGL canvas is black

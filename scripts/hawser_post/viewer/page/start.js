@@ -111,7 +111,7 @@ hawser.View = class {
       const unit = field.unit && field.unit !== "1" ? ` ${field.unit}` : "";
       const [low, high] = [scene.colours.low / field.factor, scene.colours.high / field.factor];
       const range = `${hawser.number(low, 100 * (high - low))} to ${hawser.number(high, 100 * (high - low))}${unit}`;
-      parts.push(`lines coloured by ${field.label}${scene.ofRun ? ` (${scene.ofRun.label})` : ""}, ${range}; grey where there is no number`);
+      parts.push(`lines coloured by ${field.label}${scene.ofRun ? ` (${scene.ofRun.label})` : ""}, ${range}; grey where the value is undefined`);
     }
     if (line) parts.push(`chosen: ${line.name}`);
     if (scene.cuts.kind !== "none") parts.push(scene.cuts.describe(model.header.centre));
