@@ -3,98 +3,119 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 namespace hawser {
 namespace {
 
 constexpr double kRounding = 1e-12;  // of the sum
 
-// Sums of the items before each one, and of all.
-std::vector<double> sums_before(std::span<const double> weight) {
-  std::vector<double> sums{0};
-  for (const double w : weight) sums.push_back(sums.back() + w);
-  return sums;
-}
-
-// The furthest end of a part from `first` that weighs at most `limit`.
-int furthest(const std::vector<double>& sums, int first, double limit) {
-  const double end = sums[first] + limit + kRounding * sums.back();
-  return static_cast<int>(std::upper_bound(sums.begin() + first, sums.end(), end) - sums.begin()) - 1;
-}
-
-// The earliest beginning of a part before `end` that weighs at most `limit`.
-int earliest(const std::vector<double>& sums, int end, double limit) {
-  const double begin = sums[end] - limit - kRounding * sums.back();
-  return static_cast<int>(std::lower_bound(sums.begin(), sums.begin() + end, begin) - sums.begin());
-}
-
-bool fits(const std::vector<double>& sums, int parts, double limit) {
-  int at = 0;
-  for (int p = 0; p < parts; ++p) at = furthest(sums, at, limit);
-  return at + 1 == std::ssize(sums);
-}
-
-// Smallest possible weight of the heaviest part, by bisection between the mean and the total.
-double least_limit(const std::vector<double>& sums, int parts) {
-  double low = sums.back() / parts, high = sums.back();
-  while (high - low > kRounding * sums.back()) {
-    const double middle = 0.5 * (low + high);
-    (fits(sums, parts, middle) ? high : low) = middle;
-  }
-  return high;
-}
-
-// The places where the row may be cut: its ends, and the places before items whose cut is of the kind `worst`
-// or a better one.
-struct Places {
-  std::vector<int> at;
-  std::vector<double> sums;  // of the items before each
-};
-
-Places places(const std::vector<double>& sums, std::span<const CutKind> before, CutKind worst) {
-  Places out;
-  const int items = static_cast<int>(before.size());
-  for (int i = 0; i <= items; ++i)
-    if (i == 0 || i == items || before[i] <= worst) {
-      out.at.push_back(i);
-      out.sums.push_back(sums[i]);
+// The places where the row may be cut: its ends, and those before items whose cut is of a kind or a better
+// one.
+class Places {
+ public:
+  Places(std::span<const EqualItems> row, CutKind worst) {
+    int item = 0;
+    double sum = 0;
+    for (const EqualItems& r : row) {
+      const int places = worst == CutKind::much ? r.items : item == 0 || r.before <= worst ? 1 : 0;
+      if (places > 0) add({places_, item, sum, r.weight, r.before}, places);
+      item += r.items;
+      sum += r.items * r.weight;
     }
-  return out;
-}
+    add({places_, item, sum, 0, CutKind::nothing}, 1);
+  }
+  // The last place is the end of the row.
+  int last() const { return places_ - 1; }
+  int item(int place) const {
+    const Run& r = run_of(place);
+    return r.item + place - r.place;
+  }
+  // Of the items before a place.
+  double sum(int place) const {
+    const Run& r = run_of(place);
+    return r.sum + (place - r.place) * r.weight;
+  }
+  CutKind kind(int place) const {
+    const Run& r = run_of(place);
+    return place == r.place ? r.before : CutKind::much;
+  }
+  double whole() const { return runs_.back().sum; }
+  // The furthest end of a part from `first` that weighs at most `limit`.
+  int furthest(int first, double limit) const {
+    const double end = sum(first) + limit + kRounding * whole();
+    const auto all = std::views::iota(first, places_);
+    return *(std::ranges::upper_bound(all, end, {}, [&](int p) { return sum(p); }) - 1);
+  }
+  // The earliest beginning of a part before `end` that weighs at most `limit`.
+  int earliest(int end, double limit) const {
+    const double begin = sum(end) - limit - kRounding * whole();
+    const auto all = std::views::iota(0, end);
+    const auto found = std::ranges::lower_bound(all, begin, {}, [&](int p) { return sum(p); });
+    return static_cast<int>(found - all.begin());
+  }
+  bool fits(int parts, double limit) const {
+    int at = 0;
+    for (int p = 0; p < parts; ++p) at = furthest(at, limit);
+    return at == last();
+  }
+  // Smallest possible weight of the heaviest part, by bisection between the mean and the total.
+  double least_limit(int parts) const {
+    double low = whole() / parts, high = whole();
+    while (high - low > kRounding * whole()) {
+      const double middle = 0.5 * (low + high);
+      (fits(parts, middle) ? high : low) = middle;
+    }
+    return high;
+  }
+
+ private:
+  // Places one item apart from each other.
+  struct Run {
+    int place = 0, item = 0;
+    double sum = 0, weight = 0;
+    CutKind before = CutKind::nothing;
+  };
+  std::vector<Run> runs_;
+  int places_ = 0;
+
+  void add(const Run& run, int places) {
+    runs_.push_back(run);
+    places_ += places;
+  }
+  const Run& run_of(int place) const {
+    return *(std::ranges::upper_bound(runs_, place, {}, &Run::place) - 1);
+  }
+};
 
 }  // namespace
 
-std::vector<int> cut_into_even_parts(std::span<const double> weight, std::span<const CutKind> before,
-                                     int parts, double most) {
-  const int items = static_cast<int>(weight.size());
-  if (items == 0) return std::vector<int>(static_cast<size_t>(parts) + 1, 0);
-  const std::vector<double> sums = sums_before(weight);
-  double limit = most * sums.back() / parts;
-  Places p;
-  for (const CutKind worst : {CutKind::nothing, CutKind::little, CutKind::much}) {
-    p = places(sums, before, worst);
-    if (fits(p.sums, parts, limit)) break;
-  }
-  if (!fits(p.sums, parts, limit)) limit = least_limit(p.sums, parts);
-  const int last = static_cast<int>(p.at.size()) - 1;
+std::vector<int> cut_into_even_parts(std::span<const EqualItems> row, int parts, double most) {
+  if (row.empty()) return std::vector<int>(static_cast<size_t>(parts) + 1, 0);
+  Places p(row, CutKind::nothing);
+  double limit = most * p.whole() / parts;
+  for (const CutKind worst : {CutKind::little, CutKind::much})
+    if (!p.fits(parts, limit)) p = Places(row, worst);
+  if (!p.fits(parts, limit)) limit = p.least_limit(parts);
+  const int last = p.last();
   std::vector<int> cuts(static_cast<size_t>(parts) + 1, last), least(cuts);
   cuts[0] = 0;
   // least[k]: first place at which part k may begin, so that the rest fits into part k and those after it.
-  for (int k = parts - 1; k > 0; --k) least[k] = earliest(p.sums, least[k + 1], limit);
+  for (int k = parts - 1; k > 0; --k) least[k] = p.earliest(least[k + 1], limit);
   for (int k = 1; k < parts; ++k) {
     const int before_it = cuts[k - 1], low = std::max(least[k], before_it);
-    const int high = std::max(low, furthest(p.sums, before_it, limit));
-    const double even = p.sums[before_it] + (p.sums.back() - p.sums[before_it]) / (parts - k + 1);
-    const auto kind = [&](int c) { return c == last ? CutKind::nothing : before[p.at[c]]; };
+    const int high = std::max(low, p.furthest(before_it, limit));
+    const double even = p.sum(before_it) + (p.whole() - p.sum(before_it)) / (parts - k + 1);
     const auto better = [&](int a, int b) {
-      return kind(a) != kind(b) ? kind(a) < kind(b) : std::abs(p.sums[a] - even) < std::abs(p.sums[b] - even);
+      return p.kind(a) != p.kind(b) ? p.kind(a) < p.kind(b)
+                                    : std::abs(p.sum(a) - even) < std::abs(p.sum(b) - even);
     };
     cuts[k] = low;
     for (int c = low + 1; c <= high; ++c)
       if (better(c, cuts[k])) cuts[k] = c;
   }
   std::vector<int> first;
-  for (const int c : cuts) first.push_back(p.at[c]);
+  for (const int c : cuts) first.push_back(p.item(c));
   return first;
 }
 

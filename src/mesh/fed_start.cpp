@@ -5,7 +5,7 @@ namespace hawser {
 
 FedStart fed_start(const Mesh& mesh, const LineSpan& span, bool at_b, double stock) {
   const auto length = [&](int i) {
-    return mesh.elements[span.first_element + (at_b ? span.elements - 1 - i : i)].length;
+    return mesh.element(span.first_element + (at_b ? span.elements - 1 - i : i)).length;
   };
   FedStart out;
   double inside = 0;

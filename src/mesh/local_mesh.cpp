@@ -3,9 +3,10 @@
 #include "hawser/mesh/local_mesh.hpp"
 
 #include <algorithm>
-#include <unordered_map>
+#include <span>
 
 #include "hawser/mesh/partition.hpp"
+#include "node_runs.hpp"
 
 namespace hawser {
 namespace {
@@ -20,72 +21,119 @@ int add_blocks(LocalMesh& l, int first, int width) {
 // A node that shares another's position uses its block; if that node is not local, the block already added
 // for the same joint.
 void pin(LocalMesh& l, int local) {
-  const int g = l.global[local], other = l.mesh->nodes[g].pinned_to;
+  const int other = l.node(local).pinned_to;
   if (other < 0) return;
   int& block = l.block[local];
-  const int first = l.first_block[g];
   if (const int here = l.find(other); here >= 0) {
     block = l.block[here];
     return;
   }
+  const int first = l.first_block(other);
   const auto known = std::find(l.global_block.begin(), l.global_block.end(), first);
   block = known != l.global_block.end() ? static_cast<int>(known - l.global_block.begin())
                                         : add_blocks(l, first, 1);
 }
 
+int width_of(const Node& n) { return n.pinned_to >= 0 ? 0 : n.rotates ? 2 : 1; }
+
+// Runs of blocks. Parallel numbering: rank by rank, in file order within a rank.
+std::vector<BlockRun> block_runs(const Mesh& mesh, const NodeRanks& owner, int ranks) {
+  std::vector<BlockRun> runs;
+  std::vector<int> rank_of, count(static_cast<size_t>(ranks) + 1, 0);
+  const std::span<const NodeRanks::Run> owners = owner.runs();
+  for (const NodeRun& nodes : node_runs(mesh)) {
+    const int width = nodes.own       ? width_of(*nodes.own)
+                      : nodes.rotates ? 2
+                                      : 1,
+              end = nodes.first + nodes.nodes;
+    for (size_t r = owner.run_of(nodes.first); r < owners.size() && owners[r].first < end; ++r) {
+      const int from = std::max(nodes.first, owners[r].first), rank = owners[r].rank;
+      if (runs.empty() || rank_of.back() != rank || runs.back().width != width || width == 0) {
+        runs.push_back({from, count[rank + 1], width});
+        rank_of.push_back(rank);
+      }
+      count[rank + 1] += width * (std::min(end, owner.end(r)) - from);
+    }
+  }
+  for (size_t r = 0; r < static_cast<size_t>(ranks); ++r) count[r + 1] += count[r];
+  for (size_t i = 0; i < runs.size(); ++i) runs[i].block += count[rank_of[i]];
+  runs.shrink_to_fit();
+  return runs;
+}
+
+// Numbers of the local elements in the mesh, ascending: those of owned nodes [0, owned) of a line or more.
+std::vector<int> own_elements(const Mesh& mesh, const NodeRanks& owner, int rank) {
+  std::vector<int> out;
+  for (const EvenPart& part : mesh.parts()) {
+    const int end = part.first_node + part.lengths.elements;  // its last node
+    int last = -1;                                            // element of `out`, in the part
+    for (size_t r = owner.run_of(part.first_node); r < owner.runs().size() && owner.runs()[r].first <= end;
+         ++r) {
+      if (owner.runs()[r].rank != rank) continue;
+      const int from = std::max(owner.runs()[r].first - part.first_node - 1, last + 1);
+      const int to = std::min(owner.end(r) - part.first_node, part.lengths.elements);
+      for (int k = std::max(from, 0); k < to; ++k) out.push_back(part.first_element + (last = k));
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
-LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, int ranks) {
+int LocalMesh::first_block(int node) const {
+  const auto after = std::upper_bound(block_runs.begin(), block_runs.end(), node,
+                                      [](int n, const BlockRun& r) { return n < r.first_node; });
+  const BlockRun& run = *(after - 1);
+  if (run.width == 0) return first_block(mesh->node(node).pinned_to);
+  return run.block + run.width * (node - run.first_node);
+}
+
+void LocalMesh::copy_local() {
+  node_copies.clear();
+  node_copies.reserve(global.size());
+  for (const int n : global) node_copies.push_back(mesh->node(n));
+  element_copies.clear();
+  element_copies.reserve(elements.size());
+  for (LocalElement& e : elements) {
+    e.copy = static_cast<int>(element_copies.size());
+    element_copies.push_back(mesh->element(e.global));
+  }
+}
+
+LocalMesh local_mesh(const Mesh& mesh, const NodeRanks& owner, int rank, int ranks) {
   LocalMesh l;
   l.mesh = &mesh;
-  // Parallel numbering: rank by rank, in file order within a rank.
-  std::vector<int> count(static_cast<size_t>(ranks) + 1, 0);
-  auto width = [&](size_t n) { return mesh.nodes[n].pinned_to >= 0 ? 0 : mesh.nodes[n].rotates ? 2 : 1; };
-  for (size_t n = 0; n < owner.size(); ++n) count[owner[n] + 1] += width(n);
-  for (size_t r = 0; r < static_cast<size_t>(ranks); ++r) count[r + 1] += count[r];
-  std::vector<int> first_block(owner.size());
-  for (size_t n = 0; n < owner.size(); ++n) {
-    int& next = count[owner[n]];
-    first_block[n] = next;
-    next += width(n);
-  }
-  for (size_t n = 0; n < owner.size(); ++n)
-    if (const int other = mesh.nodes[n].pinned_to; other >= 0) first_block[n] = first_block[other];
-
-  std::vector<int> ghosts;
-  for (size_t n = 0; n < owner.size(); ++n)
-    if (owner[n] == rank) l.global.push_back(static_cast<int>(n));
+  l.owner = owner;
+  l.block_runs = block_runs(mesh, owner, ranks);
+  for (size_t r = 0; r < owner.runs().size(); ++r)
+    if (owner.runs()[r].rank == rank)
+      for (int n = owner.runs()[r].first; n < owner.end(r); ++n) l.global.push_back(n);
   l.owned = static_cast<int>(l.global.size());
-  for (const Element& e : mesh.elements) {
+  const std::vector<int> elements = own_elements(mesh, owner, rank);
+  std::vector<int> ghosts;
+  for (const int i : elements) {
+    const Element e = mesh.element(i);
     const bool a = owner[e.first] == rank, b = owner[e.second] == rank;
-    if (a && !b) ghosts.push_back(e.second);
-    if (b && !a) ghosts.push_back(e.first);
     if (a == b) continue;
+    ghosts.push_back(a ? e.second : e.first);
     for (const int n : {e.first, e.second})  // and the frames that carry them
-      if (const int frame = mesh.nodes[n].tied_to; frame >= 0 && owner[frame] != rank)
-        ghosts.push_back(frame);
+      if (const int frame = mesh.node(n).tied_to; frame >= 0 && owner[frame] != rank) ghosts.push_back(frame);
   }
   std::sort(ghosts.begin(), ghosts.end());
   ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
   l.global.insert(l.global.end(), ghosts.begin(), ghosts.end());
-
-  std::unordered_map<int, int> local;
+  l.chain = l.nodes();
+  for (const int i : elements) {
+    const Element e = mesh.element(i);
+    l.elements.push_back({l.find(e.first), l.find(e.second), i, owner[e.first] == rank});
+  }
+  l.copy_local();
   for (int i = 0; i < l.nodes(); ++i) {
-    const size_t n = l.global[i];
-    local[static_cast<int>(n)] = i;
-    l.block.push_back(add_blocks(l, first_block[n], width(n)));
+    l.block.push_back(add_blocks(l, l.first_block(l.global[i]), width_of(l.node(i))));
     if (i + 1 == l.owned) l.owned_blocks = l.blocks();
   }
-  l.chain = l.nodes();
-  l.owner = owner;
-  l.first_block = std::move(first_block);
   for (int n = 0; n < l.nodes(); ++n) pin(l, n);
   l.chain_blocks = l.blocks();
-  for (size_t i = 0; i < mesh.elements.size(); ++i) {
-    const Element& e = mesh.elements[i];
-    const bool a = owner[e.first] == rank, b = owner[e.second] == rank;
-    if (a || b) l.elements.push_back({local.at(e.first), local.at(e.second), static_cast<int>(i), a});
-  }
   for (auto* kept : {&l.global, &l.block, &l.global_block}) kept->shrink_to_fit();
   l.elements.shrink_to_fit();
   return l;
@@ -96,14 +144,14 @@ void set_coupling_ghosts(LocalMesh& l, std::span<const int> nodes) {
   if (l.chain_blocks > 0) l.global_block.resize(l.chain_blocks);
   l.global.resize(chain);
   l.block.resize(chain);
+  l.node_copies.resize(chain);
   std::vector<int> more;
   for (int n : nodes)
     if (l.find(n) < 0) more.push_back(n);
   for (int n : more) {
-    const Node& node = l.mesh->nodes[n];
     l.global.push_back(n);
-    const int width = node.pinned_to >= 0 ? 0 : node.rotates ? 2 : 1;
-    l.block.push_back(add_blocks(l, l.first_block[n], width));
+    l.node_copies.push_back(l.mesh->node(n));
+    l.block.push_back(add_blocks(l, l.first_block(n), width_of(l.node_copies.back())));
   }
   for (int n = l.chain; n < l.nodes(); ++n) pin(l, n);
 }
@@ -112,8 +160,7 @@ LineOwners line_owners(const LocalMesh& mesh) {
   LineOwners out;
   const std::vector<LineSpan>& lines = mesh.mesh->lines;
   for (size_t l = 0; l < lines.size(); ++l) {
-    const auto first = mesh.owner.begin() + lines[l].first_node, last = first + lines[l].nodes;
-    if (std::any_of(first, last, [&](int rank) { return rank != *first; }))
+    if (!mesh.owner.whole(lines[l].first_node, lines[l].nodes))
       out.cut.push_back(static_cast<int>(l));
     else if (owns_line(mesh, static_cast<int>(l)))
       out.uncut.push_back(static_cast<int>(l));

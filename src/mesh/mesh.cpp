@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <ranges>
 #include <unordered_map>
 
 #include "hawser/model/case.hpp"
@@ -22,10 +24,26 @@ bool released(const model::Case& c, const model::Line& line, bool at_b) {
   });
 }
 
+// Nodes with properties that do not follow from the elements beside them.
+class OwnNodes {
+ public:
+  explicit OwnNodes(Mesh& mesh) : mesh_(mesh) {}
+  // To be changed.
+  Node& at(int n) {
+    const auto found = nodes_.find(n);
+    return found != nodes_.end() ? found->second : nodes_.emplace(n, mesh_.node(n)).first->second;
+  }
+  void store() const { mesh_.set(nodes_); }
+
+ private:
+  Mesh& mesh_;
+  std::map<int, Node> nodes_;
+};
+
 // An end of a joint that rotates (the last one), or else the first end, shares its position with the other
 // ends; in a rigid joint it carries the others that rotate. An end that stays carries those that are released
 // later, which then have unknowns of their own.
-void join(const model::Case& c, Mesh& m) {
+void join(const model::Case& c, const Mesh& m, OwnNodes& own) {
   std::unordered_map<std::string, std::vector<std::pair<size_t, bool>>> ends_of;  // by joint: line, its end B
   for (size_t l = 0; l < c.lines.size(); ++l)
     for (const bool b : {false, true})
@@ -39,42 +57,43 @@ void join(const model::Case& c, Mesh& m) {
     }
     int first = -1;
     for (int n : ends)
-      if (first < 0 || m.nodes[n].rotates) first = n;
+      if (first < 0 || m.node(n).rotates) first = n;
     for (int n : ends)
       if (n != first) {
-        Node& node = m.nodes[n];
+        Node& node = own.at(n);
         (joint.rigid && node.rotates ? node.tied_to : node.pinned_to) = first;
       }
-    for (int n : leaving) m.nodes[n].tied_to = first;
+    for (int n : leaving) own.at(n).tied_to = first;
   }
 }
 
 // Ties ends to floating bodies, including ends that events attach to one.
-void tie(const model::Case& c, Mesh& m) {
+void tie(const model::Case& c, const Mesh& m, OwnNodes& own) {
   for (const model::Event& e : c.events) {
     const model::Action& a = e.action;
     if (a.kind != model::Action::Kind::attach || !c.floats(c.body_index(a.body))) continue;
     const LineSpan& span = m.lines[c.line_index(a.line)];
-    m.nodes[span.first_node + (a.at_b ? span.nodes - 1 : 0)].tied_to = m.body_node(c.body_index(a.body));
+    own.at(span.first_node + (a.at_b ? span.nodes - 1 : 0)).tied_to = m.body_node(c.body_index(a.body));
   }
   for (size_t l = 0; l < c.lines.size(); ++l)
     for (const bool last : {false, true}) {
       const model::End& e = c.lines[l].end(last);
       if (e.kind != model::EndKind::body || !c.floats(c.body_index(e.body))) continue;
       const int n = m.lines[l].first_node + (last ? m.lines[l].nodes - 1 : 0);
-      m.nodes[n].tied_to = m.body_node(c.body_index(e.body));
+      own.at(n).tied_to = m.body_node(c.body_index(e.body));
     }
 }
 
-void mark_two_sided(const model::Case& c, Mesh& m) {
-  for (size_t e = 1; e < m.elements.size(); ++e)
-    if (m.elements[e].line == m.elements[e - 1].line && m.elements[e].type != m.elements[e - 1].type)
-      m.nodes[m.elements[e].first].two_sided = true;
+void mark_two_sided(const model::Case& c, const Mesh& m, OwnNodes& own) {
+  const std::span<const EvenPart> parts = m.parts();
+  for (size_t p = 1; p < parts.size(); ++p)
+    if (parts[p].line == parts[p - 1].line && parts[p].type != parts[p - 1].type)
+      own.at(parts[p].first_node).two_sided = true;
   for (size_t l = 0; l < c.lines.size(); ++l) {
     const LineSpan& span = m.lines[l];
     const auto attach = [&](double at) {
       const int n = m.nearest_node(static_cast<int>(l), at);
-      if (n > span.first_node && n < span.first_node + span.nodes - 1) m.nodes[n].two_sided = true;
+      if (n > span.first_node && n < span.first_node + span.nodes - 1) own.at(n).two_sided = true;
     };
     for (const model::PointMass& p : c.lines[l].masses) attach(p.at);
     for (const model::PointLoad& p : c.lines[l].point_loads) attach(p.at);
@@ -88,55 +107,48 @@ void mark_two_sided(const model::Case& c, Mesh& m) {
 Mesh build_mesh(const model::Case& c) {
   Mesh m;
   const auto places = model::fixed_places(c);
-  size_t elements = 0;
-  for (const model::Line& line : c.lines)
-    for (const model::Section& s : line.sections) elements += s.elements;
-  m.elements.reserve(elements);
-  m.nodes.reserve(elements + c.lines.size() + c.bodies.size());
   for (size_t i = 0; i < c.lines.size(); ++i) {
     const auto& line = c.lines[i];
     LineSpan span;
-    span.first_node = static_cast<int>(m.nodes.size());
-    span.first_element = static_cast<int>(m.elements.size());
-    const int number = static_cast<int>(i);
-    m.nodes.push_back({number, 0, 0, false});
-    const auto lengths = model::element_lengths(line, places[i]);
-    for (size_t s = 0; s < lengths.size(); ++s) {
+    span.first_node = m.nodes();
+    span.first_element = m.elements();
+    m.begin_line();
+    EvenPart part;
+    part.line = static_cast<int>(i);
+    if (line.temperature_change.size() > 1) part.rows = m.add(line.temperature_change);
+    const auto sections = model::progressions(line, places[i]);
+    for (size_t s = 0; s < sections.size(); ++s) {
       const model::Section& section = line.sections[s];
-      int type = 0;
-      while (c.line_types[type].name != section.type) ++type;
-      const bool beam = c.line_types[type].kind == model::LineKind::beam;
-      const double start = m.nodes.back().arc;
+      part.type = 0;
+      while (c.line_types[part.type].name != section.type) ++part.type;
+      const model::LineType& type = c.line_types[part.type];
+      part.beam = type.kind == model::LineKind::beam;
+      part.free_strain = part.rows < 0 ? model::thermal_strain(type, line, 0, 0) : type.thermal_expansion;
       double along = 0;
-      for (const double l : lengths[s]) {
-        along += l;
-        const int a = static_cast<int>(m.nodes.size()) - 1;
-        m.nodes.push_back({number, start + along, 0, false});
-        const double at = m.nodes[a].arc;
-        m.elements.push_back(
-            {number, a, a + 1, type, l, beam, model::thermal_strain(c.line_types[type], line, at, at + l)});
-        for (int n : {a, a + 1}) {
-          m.nodes[n].tributary += 0.5 * l;
-          m.nodes[n].rotates |= beam;
-        }
+      for (const model::Progression& lengths : sections[s]) {
+        part.lengths = lengths;
+        along = m.add(part, along);
       }
-      m.nodes.back().arc = start + section.length;
+      part.start += section.length;
+      m.end_section(part.start);
     }
-    span.nodes = static_cast<int>(m.nodes.size()) - span.first_node;
-    span.elements = static_cast<int>(m.elements.size()) - span.first_element;
-    span.length = m.nodes.back().arc;
+    span.nodes = m.nodes() - span.first_node;
+    span.elements = m.elements() - span.first_element;
+    span.length = part.start;
     span.name = line.name;
     m.lines.push_back(span);
   }
-  join(c, m);
-  mark_two_sided(c, m);
+  OwnNodes own(m);
+  join(c, m, own);
+  mark_two_sided(c, m, own);
   for (size_t b = 0; b < c.bodies.size(); ++b) {
     m.bodies.push_back(c.bodies[b].name);
     if (!c.bodies[b].mass) continue;
-    const int group = static_cast<int>(m.lines.size() + m.nodes.size()) - m.line_nodes();
-    m.nodes.push_back({group, 0, 0, true, static_cast<int>(b)});
+    const int group = static_cast<int>(m.lines.size()) + m.nodes() - m.line_nodes();
+    m.add(Node{group, 0, 0, true, static_cast<int>(b)});
   }
-  tie(c, m);
+  tie(c, m, own);
+  own.store();
   for (size_t b = 0; b < c.bodies.size(); ++b)
     if (const auto& on = c.bodies[b].on)
       m.rides.emplace_back(static_cast<int>(b), m.nearest_node(c.line_index(on->line), on->at));
@@ -144,9 +156,9 @@ Mesh build_mesh(const model::Case& c) {
 }
 
 int Mesh::body_node(int body) const {
-  const auto at = std::lower_bound(nodes.begin() + line_nodes(), nodes.end(), body,
-                                   [](const Node& n, int wanted) { return n.body < wanted; });
-  return at != nodes.end() && at->body == body ? static_cast<int>(at - nodes.begin()) : -1;
+  const auto bodies_after = std::views::iota(line_nodes(), nodes());
+  const auto at = std::ranges::lower_bound(bodies_after, body, {}, [&](int n) { return node(n).body; });
+  return at != bodies_after.end() && node(*at).body == body ? *at : -1;
 }
 
 int Mesh::frame_node(int body) const {
@@ -157,14 +169,16 @@ int Mesh::frame_node(int body) const {
 
 int Mesh::nearest_node(int line, double s) const {
   const LineSpan& span = lines[line];
-  int best = span.first_node;
-  for (int n = span.first_node; n < span.first_node + span.nodes; ++n)
-    if (std::abs(nodes[n].arc - s) < std::abs(nodes[best].arc - s)) best = n;
-  return best;
+  const auto arc = [&](int n) { return node(n).arc; };
+  const auto all = std::views::iota(span.first_node, span.first_node + span.nodes);
+  const auto after = std::ranges::lower_bound(all, s, {}, arc);
+  if (after == all.begin()) return *after;
+  if (after == all.end()) return *(after - 1);
+  return std::abs(arc(*after) - s) < std::abs(arc(*(after - 1)) - s) ? *after : *(after - 1);
 }
 
 std::string Mesh::place(int node) const {
-  const Node& n = nodes[node];
+  const Node n = this->node(node);
   if (n.body >= 0) return "body " + bodies[n.body];
   return fmt::format("line {}, arc length {:.6g} m", lines[n.line].name, n.arc);
 }

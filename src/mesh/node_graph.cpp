@@ -1,8 +1,10 @@
-// Edges and vertices of the graph that is partitioned, and its components.
+// Edges and vertices of the graph that is partitioned, and their sequence.
 #include "node_graph.hpp"
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
+#include <set>
 #include <tuple>
 
 #include "hawser/math/disjoint_sets.hpp"
@@ -12,8 +14,6 @@ namespace {
 
 constexpr int kBeamWork = 5;
 constexpr int kCableWork = 1;
-// A cut through a chain costs more than one through a coupling: a node of a line in contact has several.
-constexpr int kChainCost = 100;
 constexpr int kCouplingCost = 10;
 
 struct UncutLine {
@@ -22,79 +22,231 @@ struct UncutLine {
 };
 
 // Heaviest first; of equal work in the order of the file.
-std::vector<UncutLine> sorted_by_work(const Mesh& mesh, std::span<const int> uncut) {
+std::vector<UncutLine> sorted_by_work(std::span<const std::int64_t> line_work, std::span<const int> uncut) {
   std::vector<UncutLine> lines;
-  for (const int l : uncut) {
-    std::int64_t work = 0;
-    const LineSpan& line = mesh.lines[l];
-    for (int i = 0; i < line.nodes; ++i) work += work_of(mesh.nodes[line.first_node + i]);
-    lines.push_back({work, l});
-  }
+  for (const int l : uncut) lines.push_back({line_work[l], l});
   std::sort(lines.begin(), lines.end(), [](const UncutLine& a, const UncutLine& b) {
     return std::tuple(-a.work, a.line) < std::tuple(-b.work, b.line);
   });
   return lines;
 }
 
-void add_vertex(GraphVertices& v, std::int64_t work, int first_node) {
-  v.work.push_back(static_cast<int>(work));
-  v.first_node.push_back(first_node);
-}
+class Builder {
+ public:
+  Builder(const Mesh& mesh, int ranks, std::span<const int> uncut, const std::vector<GraphEdge>& joins)
+      : mesh_(mesh), joins_(joins), runs_(node_runs(mesh)), kind_(mesh.lines.size(), kCut) {
+    for (const NodeRun& r : runs_)
+      if (r.own)
+        if (const int with = carrier(mesh, r.first); with != r.first)
+          out_.carried.emplace_back(r.first, with);
+    find_places_of_bodies();
+    place_uncut_lines(ranks, uncut);
+    add_pieces();
+    move_work_of_carried();
+    add_edges();
+    arrange();
+  }
+  GraphSequence take() { return std::move(out_); }
 
-// Vertices and ranks of their own for the lines that are not cut.
-void add_uncut_lines(const Mesh& mesh, int ranks, std::span<const int> uncut, GraphVertices& v) {
-  std::int64_t left = 0;
-  for (const Node& n : mesh.nodes) left += work_of(n);
-  for (const auto& [work, line] : sorted_by_work(mesh, uncut)) {
-    const LineSpan& l = mesh.lines[line];
-    const int free_ranks = ranks - v.first_free_rank;
-    if (free_ranks > 1 && work * free_ranks >= left) {
-      std::fill_n(v.rank_of_node.begin() + l.first_node, l.nodes, v.first_free_rank);
-      left -= work;
-      ++v.first_free_rank;
-    } else {
-      std::fill_n(v.vertex_of_node.begin() + l.first_node, l.nodes, static_cast<int>(v.work.size()));
-      add_vertex(v, work, l.first_node);
+ private:
+  static constexpr int kCut = -1, kOwnRank = -2;  // otherwise: work of an uncut line that is a vertex
+
+  const Mesh& mesh_;
+  const std::vector<GraphEdge>& joins_;
+  std::vector<NodeRun> runs_;
+  std::vector<std::int64_t> kind_;  // of each line
+  std::map<int, int> beside_;  // for each body's node: the middle one of the nodes of lines it is joined to
+  std::vector<std::pair<int, int>> chain_;  // nodes that an element joins, not of one piece
+  GraphSequence out_;
+
+  std::int64_t kind_of(int n) const { return n < mesh_.line_nodes() ? kind_[line_of(n)] : kCut; }
+  int line_of(int n) const {
+    const auto after = std::upper_bound(mesh_.lines.begin(), mesh_.lines.end(), n,
+                                        [](int i, const LineSpan& l) { return i < l.first_node; });
+    return static_cast<int>(after - mesh_.lines.begin()) - 1;
+  }
+  // Carrier of a node; -1: none.
+  int carrier_of(int n) const {
+    const auto at = std::lower_bound(out_.carried.begin(), out_.carried.end(), std::pair(n, -1));
+    return at != out_.carried.end() && at->first == n ? at->second : -1;
+  }
+
+  void find_places_of_bodies() {
+    const int first = mesh_.line_nodes();
+    std::map<int, std::vector<int>> joined;
+    for (const GraphEdge& e : joins_)
+      if (e.from >= first && e.to < first) joined[e.from].push_back(e.to);
+    for (auto& [body, nodes] : joined) {
+      std::sort(nodes.begin(), nodes.end());
+      beside_[body] = nodes[(nodes.size() - 1) / 2];
     }
   }
-}
 
-// Gives carried nodes the vertex or rank of their carriers, and moves their work with them.
-void join_carriers(const Mesh& mesh, const std::vector<char>& in_uncut_line, GraphVertices& v) {
-  for (int n = 0; n < std::ssize(mesh.nodes); ++n) {
-    const int with = carrier(mesh, n);
-    if (with == n) continue;
-    const int work = work_of(mesh.nodes[n]);
-    if (in_uncut_line[n]) {
-      if (v.vertex_of_node[n] >= 0) v.work[v.vertex_of_node[n]] -= work;
-    } else {
-      v.vertex_of_node[n] = v.vertex_of_node[with];
-      v.rank_of_node[n] = v.rank_of_node[with];
+  // Vertices or ranks of their own for the lines that are not cut.
+  void place_uncut_lines(int ranks, std::span<const int> uncut) {
+    std::vector<std::int64_t> work(mesh_.lines.size(), 0);
+    std::int64_t left = 0;
+    for (const NodeRun& r : runs_) {
+      const std::int64_t here = static_cast<std::int64_t>(r.nodes) * work_of(r.rotates);
+      left += here;
+      if (r.first < mesh_.line_nodes()) work[line_of(r.first)] += here;
     }
-    if (v.vertex_of_node[with] >= 0) v.work[v.vertex_of_node[with]] += work;
+    int rank = 0;
+    for (const auto& [of_line, line] : sorted_by_work(work, uncut)) {
+      const int free_ranks = ranks - rank;
+      if (free_ranks > 1 && of_line * free_ranks >= left) {
+        out_.own_ranks.emplace_back(line, rank++);
+        kind_[line] = kOwnRank;
+        left -= of_line;
+      } else {
+        kind_[line] = of_line;
+      }
+    }
   }
-}
+
+  // Pieces in the order of the file. Carriers, and nodes that have a body beside them, end a piece.
+  void add_pieces() {
+    std::set<int> alone, last;
+    for (const auto& [n, with] : out_.carried) alone.insert(with);
+    for (const auto& [body, n] : beside_) last.insert(n);
+    int line = -1;
+    for (const NodeRun& r : runs_) {
+      const bool of_line = r.first < mesh_.line_nodes();
+      const bool begins = of_line && line_of(r.first) != line;
+      if (of_line) line = line_of(r.first);
+      if (of_line && kind_[line] != kCut) {
+        if (begins && kind_[line] != kOwnRank)
+          out_.pieces.push_back(
+              {.first_node = r.first, .work = static_cast<int>(kind_[line]), .uncut = line});
+        continue;
+      }
+      if (of_line && !begins) chain_.emplace_back(r.first - 1, r.first);
+      if (carrier_of(r.first) >= 0) continue;
+      for (int n = r.first, end = r.first + r.nodes; n < end;) {
+        int to = end;
+        if (alone.contains(n)) {
+          to = n + 1;
+        } else {
+          if (const auto next = alone.upper_bound(n); next != alone.end()) to = std::min(to, *next);
+          if (const auto next = last.lower_bound(n); next != last.end()) to = std::min(to, *next + 1);
+        }
+        if (n > r.first) chain_.emplace_back(n - 1, n);
+        out_.pieces.push_back({.first_node = n, .vertices = to - n, .work = work_of(r.rotates)});
+        n = to;
+      }
+    }
+  }
+
+  // Piece and vertex in it of a node; {-1, 0}: its line has a rank.
+  std::pair<int, int> vertex_of(int n) const {
+    if (const int with = carrier_of(n); with >= 0 && kind_of(n) == kCut) n = with;
+    if (kind_of(n) == kOwnRank) return {-1, 0};
+    const bool whole = kind_of(n) != kCut;
+    const int at = whole ? mesh_.lines[line_of(n)].first_node : n;
+    const auto after = std::upper_bound(out_.pieces.begin(), out_.pieces.end(), at,
+                                        [](int i, const Piece& p) { return i < p.first_node; });
+    return {static_cast<int>(after - out_.pieces.begin()) - 1, whole ? 0 : n - (after - 1)->first_node};
+  }
+
+  void move_work_of_carried() {
+    for (const auto& [n, with] : out_.carried) {
+      const int work = work_of(mesh_.node(n).rotates);
+      if (kind_of(n) >= 0) out_.pieces[vertex_of(n).first].work -= work;
+      if (const int to = vertex_of(with).first; to >= 0) out_.pieces[to].work += work;
+    }
+  }
+
+  // Between vertices (piece, vertex in it), as numbers in the order of the file.
+  void add_edges() {
+    std::vector<int> before{0};
+    for (const Piece& p : out_.pieces) before.push_back(before.back() + p.vertices);
+    for (size_t i = 0; i < out_.pieces.size(); ++i) out_.pieces[i].position = before[i];
+    const auto add = [&](int a, int b, int cost) {
+      const auto [p, i] = vertex_of(a);
+      const auto [q, j] = vertex_of(b);
+      if (p < 0 || q < 0 || (p == q && i == j)) return;
+      out_.edges.push_back({before[p] + i, before[q] + j, cost});
+    };
+    for (const auto& [a, b] : chain_) {
+      add(a, b, kChainCost);
+      add(b, a, kChainCost);
+    }
+    for (const GraphEdge& e : joins_) add(e.from, e.to, e.cost);
+  }
+
+  // True if a piece begins with the first node of a line that is not carried by another node.
+  bool begins_line(const Piece& p) const {
+    if (p.first_node >= mesh_.line_nodes()) return false;
+    const int first = mesh_.lines[line_of(p.first_node)].first_node;
+    return p.first_node == first || (p.first_node == first + 1 && carrier_of(first) >= 0);
+  }
+
+  // Brings the pieces into the order of the sequence, with their components.
+  void arrange() {
+    std::vector<Piece>& pieces = out_.pieces;
+    std::vector<int> first_vertex;
+    for (const Piece& p : pieces) first_vertex.push_back(p.position);
+    const auto piece_at = [&](int vertex) {
+      return static_cast<int>(std::upper_bound(first_vertex.begin(), first_vertex.end(), vertex) -
+                              first_vertex.begin()) -
+             1;
+    };
+    DisjointSets joined(pieces.size());
+    for (const GraphEdge& e : out_.edges) joined.unite(piece_at(e.from), piece_at(e.to));
+    // Pieces are in the order of their first nodes.
+    const std::vector<int> of = joined.smallest_of_all();
+    for (size_t i = 0; i < pieces.size(); ++i) pieces[i].component = pieces[of[i]].first_node;
+    const auto key = [&](int i) {
+      const Piece& p = pieces[i];
+      const bool body = p.first_node >= mesh_.line_nodes();
+      const auto at = beside_.find(p.first_node);
+      return std::tuple(p.component, body && at != beside_.end() ? at->second : p.first_node, body,
+                        p.first_node);
+    };
+    std::vector<int> order;
+    for (int i = 0; i < std::ssize(pieces); ++i) order.push_back(i);
+    std::sort(order.begin(), order.end(), [&](int a, int b) { return key(a) < key(b); });
+    std::vector<Piece> arranged;
+    std::vector<int> position(pieces.size());
+    int next = 0;
+    for (const int i : order) {
+      Piece p = pieces[i];
+      p.before = arranged.empty() || arranged.back().component != p.component ? CutKind::nothing
+                 : begins_line(p)                                             ? CutKind::little
+                                                                              : CutKind::much;
+      p.position = position[i] = next;
+      next += p.vertices;
+      arranged.push_back(p);
+    }
+    const auto moved = [&](int vertex) {
+      const int i = piece_at(vertex);
+      return position[i] + vertex - first_vertex[i];
+    };
+    for (GraphEdge& e : out_.edges) e = {moved(e.from), moved(e.to), e.cost};
+    out_.edges = merged(std::move(out_.edges));
+    pieces = std::move(arranged);
+  }
+};
 
 }  // namespace
 
-int work_of(const Node& n) { return n.rotates ? kBeamWork : kCableWork; }
+int work_of(bool rotates) { return rotates ? kBeamWork : kCableWork; }
 
 int carrier(const Mesh& mesh, int n) {
-  while (mesh.nodes[n].tied_to >= 0 || mesh.nodes[n].pinned_to >= 0)
-    n = mesh.nodes[n].tied_to >= 0 ? mesh.nodes[n].tied_to : mesh.nodes[n].pinned_to;
+  for (Node node = mesh.node(n); node.tied_to >= 0 || node.pinned_to >= 0; node = mesh.node(n))
+    n = node.tied_to >= 0 ? node.tied_to : node.pinned_to;
   return n;
 }
 
-std::vector<GraphEdge> node_edges(const Mesh& mesh, std::span<const std::pair<int, int>> coupled) {
+std::vector<GraphEdge> joins(const Mesh& mesh, std::span<const std::pair<int, int>> coupled) {
   std::vector<GraphEdge> edges;
   const auto add = [&edges](int a, int b, int cost) {
     if (a == b) return;
     edges.push_back({a, b, cost});
     edges.push_back({b, a, cost});
   };
-  for (const Element& e : mesh.elements) add(e.first, e.second, kChainCost);
-  for (int n = 0; n < std::ssize(mesh.nodes); ++n)
-    for (const int other : {mesh.nodes[n].pinned_to, mesh.nodes[n].tied_to})
+  for (const auto& [n, node] : mesh.own_nodes())
+    for (const int other : {node.pinned_to, node.tied_to})
       if (other >= 0) add(n, other, kChainCost);
   for (const auto& [a, b] : coupled) add(a, b, kCouplingCost);
   return edges;
@@ -114,26 +266,9 @@ std::vector<GraphEdge> merged(std::vector<GraphEdge> edges) {
   return edges;
 }
 
-GraphVertices graph_vertices(const Mesh& mesh, int ranks, std::span<const int> uncut) {
-  GraphVertices v;
-  v.rank_of_node.assign(mesh.nodes.size(), -1);
-  v.vertex_of_node = v.rank_of_node;
-  add_uncut_lines(mesh, ranks, uncut, v);
-  std::vector<char> in_uncut_line(mesh.nodes.size());
-  for (int n = 0; n < std::ssize(mesh.nodes); ++n) {
-    in_uncut_line[n] = v.rank_of_node[n] >= 0 || v.vertex_of_node[n] >= 0;
-    if (in_uncut_line[n] || carrier(mesh, n) != n) continue;
-    v.vertex_of_node[n] = static_cast<int>(v.work.size());
-    add_vertex(v, work_of(mesh.nodes[n]), n);
-  }
-  join_carriers(mesh, in_uncut_line, v);
-  return v;
-}
-
-std::vector<int> components(size_t vertices, std::span<const GraphEdge> edges) {
-  DisjointSets joined(vertices);
-  for (const GraphEdge& e : edges) joined.unite(e.from, e.to);
-  return joined.smallest_of_all();
+GraphSequence graph_sequence(const Mesh& mesh, int ranks, std::span<const int> uncut,
+                             const std::vector<GraphEdge>& joins) {
+  return Builder(mesh, ranks, uncut, joins).take();
 }
 
 }  // namespace hawser

@@ -1,14 +1,18 @@
 // The graph that is partitioned: nodes, and uncut lines as one vertex each, with the work of each vertex and
-// the cost of cutting each edge.
+// the cost of cutting each edge. Consecutive nodes with the same work are kept together.
 #pragma once
 
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "hawser/mesh/mesh.hpp"
+#include "hawser/mesh/even_parts.hpp"
+#include "node_runs.hpp"
 
 namespace hawser {
+
+// A cut through a chain costs more than one through a coupling: a node of a line in contact has several.
+constexpr int kChainCost = 100;
 
 struct GraphEdge {
   int from, to;
@@ -16,31 +20,43 @@ struct GraphEdge {
 };
 
 // Relative cost of a node in an implicit step: kernels, assembly and factorisation (docs/performance.md).
-int work_of(const Node& n);
+int work_of(bool rotates);
 
 // The node whose rank also owns node `n`: that of its position, or of the frame that carries it, or `n`.
 int carrier(const Mesh& mesh, int n);
 
-// Edges between nodes, each in both directions: elements, joints and ties, and the pairs of `coupled`.
-std::vector<GraphEdge> node_edges(const Mesh& mesh, std::span<const std::pair<int, int>> coupled);
+// Edges between nodes that are not those of elements, each in both directions: joints and ties, and the pairs
+// of `coupled`.
+std::vector<GraphEdge> joins(const Mesh& mesh, std::span<const std::pair<int, int>> coupled);
 
 // Edges sorted by their ends; those between the same two vertices become one.
 std::vector<GraphEdge> merged(std::vector<GraphEdge> edges);
 
-// Each node either has a rank from the start or belongs to a vertex.
-struct GraphVertices {
-  std::vector<int> rank_of_node;    // -1: the node belongs to a vertex
-  std::vector<int> vertex_of_node;  // -1: the node has a rank
-  std::vector<int> work;            // of each vertex
-  std::vector<int> first_node;      // of each vertex
-  int first_free_rank = 0;          // the ranks before it have one uncut line each
+// Consecutive vertices in the sequence in which ranks get them; elements join each one to the next.
+struct Piece {
+  int first_node = 0;
+  int vertices = 1;
+  int work = 0;                       // of each vertex
+  int uncut = -1;                     // line that is the vertex; -1: each vertex is a node
+  int component = 0;                  // its first node
+  int position = 0;                   // of the first vertex in the sequence
+  CutKind before = CutKind::nothing;  // cost of a cut before the first vertex
 };
 
-// A line of `uncut` is one vertex; if its work exceeds a rank's fair share of what is left, it gets a rank of
-// its own. Other nodes are a vertex each; carried nodes belong to the vertex or rank of their carrier.
-GraphVertices graph_vertices(const Mesh& mesh, int ranks, std::span<const int> uncut);
+// The sequence: component by component, each by its first node in the file; inside a component lines in the
+// order of the file, and a body beside the middle one of its lines, so that a cut on either side of it
+// separates few of them from it. A line of `uncut` is one vertex; if its work exceeds a rank's fair share of
+// what is left, it gets a rank of its own. Other nodes are a vertex each; carried nodes belong to the vertex
+// or rank of their carrier.
+struct GraphSequence {
+  std::vector<Piece> pieces;  // in the order of the sequence
+  std::vector<GraphEdge>
+      edges;  // between positions, those inside of pieces excepted; sorted, both directions
+  std::vector<std::pair<int, int>> own_ranks;  // uncut lines with a rank of their own, and that rank
+  std::vector<std::pair<int, int>> carried;    // nodes, and their carriers, by node
+};
 
-// Component of each vertex, as the number of one of its vertices.
-std::vector<int> components(size_t vertices, std::span<const GraphEdge> edges);
+GraphSequence graph_sequence(const Mesh& mesh, int ranks, std::span<const int> uncut,
+                             const std::vector<GraphEdge>& joins);
 
 }  // namespace hawser

@@ -50,89 +50,16 @@ std::vector<int> metis_parts(std::span<const double> work, const std::vector<Gra
   return {part.begin(), part.end()};
 }
 
-// Vertices in the order in which ranks get them: component by component, each by its first node in the file;
-// inside a component lines in the order of the file, and a body beside the middle one of its lines, so that a
-// cut on either side of it separates few of them from it.
-struct VertexSequence {
-  std::vector<int> vertices;
-  std::vector<int> component;
-  std::vector<double> work;
-  std::vector<CutKind> cut_before;
-  std::vector<GraphEdge> edges;  // between positions in the sequence, sorted
-};
-
-// For each body: the middle one of the nodes of lines that edges join it to, or its own.
-std::vector<int> line_nodes_of_bodies(const Mesh& mesh, const std::vector<GraphEdge>& edges) {
-  const int first = mesh.line_nodes();
-  std::vector<std::vector<int>> joined(mesh.nodes.size() - static_cast<size_t>(first));
-  for (const GraphEdge& e : edges)
-    if (e.from >= first && e.to < first) joined[e.from - first].push_back(e.to);
-  std::vector<int> out;
-  for (std::vector<int>& nodes : joined) {
-    std::sort(nodes.begin(), nodes.end());
-    out.push_back(nodes.empty() ? first + static_cast<int>(out.size()) : nodes[(nodes.size() - 1) / 2]);
+// Calls what(second node) for the elements whose nodes belong to different ranks.
+template <class What>
+void for_cut_elements(const Mesh& mesh, const NodeRanks& owner, const What& what) {
+  for (const EvenPart& part : mesh.parts()) {
+    const int end = part.first_node + part.lengths.elements;  // its last node
+    for (size_t r = owner.run_of(part.first_node) + 1; r < owner.runs().size(); ++r) {
+      if (owner.runs()[r].first > end) break;
+      what(owner.runs()[r].first);
+    }
   }
-  return out;
-}
-
-// True if `n` is the first node of a line that is not carried by another node.
-bool begins_line(const Mesh& mesh, int n) {
-  if (n >= mesh.line_nodes()) return false;
-  const int first = mesh.lines[mesh.nodes[n].line].first_node;
-  return n == first || (n == first + 1 && carrier(mesh, first) != first);
-}
-
-struct VertexKey {
-  int component;  // its first node
-  int node;
-  bool body;
-  int vertex;
-};
-
-// Keys of the vertices, in the order of the sequence.
-std::vector<VertexKey> sorted_keys(const Mesh& mesh, const GraphVertices& v,
-                                   const std::vector<int>& component,
-                                   const std::vector<GraphEdge>& node_edges) {
-  const std::vector<int> beside = line_nodes_of_bodies(mesh, node_edges);
-  std::vector<int> first_node(v.work.size(), static_cast<int>(mesh.nodes.size()));  // of each component
-  for (size_t i = 0; i < component.size(); ++i)
-    first_node[component[i]] = std::min(first_node[component[i]], v.first_node[i]);
-  std::vector<VertexKey> keys;
-  for (int i = 0; i < std::ssize(component); ++i) {
-    const int n = v.first_node[i];
-    const bool body = n >= mesh.line_nodes();
-    keys.push_back({first_node[component[i]], body ? beside[n - mesh.line_nodes()] : n, body, i});
-  }
-  std::sort(keys.begin(), keys.end(), [](const VertexKey& a, const VertexKey& b) {
-    return std::tie(a.component, a.node, a.body, a.vertex) < std::tie(b.component, b.node, b.body, b.vertex);
-  });
-  return keys;
-}
-
-VertexSequence sequence_of(const Mesh& mesh, const GraphVertices& v,
-                           const std::vector<GraphEdge>& node_edges) {
-  std::vector<GraphEdge> edges;
-  for (const GraphEdge& e : node_edges) {
-    const int a = v.vertex_of_node[e.from];
-    const int b = v.vertex_of_node[e.to];
-    if (a >= 0 && b >= 0 && a != b) edges.push_back({a, b, e.cost});
-  }
-  const std::vector<int> component = components(v.work.size(), edges);
-  VertexSequence out;
-  std::vector<int> position(v.work.size());
-  for (const VertexKey& key : sorted_keys(mesh, v, component, node_edges)) {
-    const bool begins_component = out.component.empty() || out.component.back() != key.component;
-    position[key.vertex] = static_cast<int>(out.vertices.size());
-    out.vertices.push_back(key.vertex);
-    out.component.push_back(key.component);
-    out.work.push_back(v.work[key.vertex]);
-    out.cut_before.push_back(begins_component                              ? CutKind::nothing
-                             : begins_line(mesh, v.first_node[key.vertex]) ? CutKind::little
-                                                                           : CutKind::much);
-  }
-  for (GraphEdge& e : edges) e = {position[e.from], position[e.to], e.cost};
-  out.edges = merged(std::move(edges));
-  return out;
 }
 
 long cost_of_cut(std::span<const GraphEdge> edges, const auto& part) {
@@ -142,108 +69,205 @@ long cost_of_cut(std::span<const GraphEdge> edges, const auto& part) {
   return cut;
 }
 
-// Cuts one component, the positions [begin, end) of the sequence, again by METIS into parts of the same
-// weights. The new cut replaces that of the sequence if its edges cost less and no part gets more work than
-// `most`.
-void cut_component_again(const VertexSequence& sequence, int begin, int end, double most,
-                         std::vector<double>& load, std::vector<int>& part) {
-  const int first = part[begin];
-  const int parts = part[end - 1] - first + 1;
-  if (parts < 2 || end - begin <= parts) return;
-  const auto begins_before = [](const GraphEdge& e, int position) { return e.from < position; };
-  const auto from = std::lower_bound(sequence.edges.begin(), sequence.edges.end(), begin, begins_before);
-  const auto to = std::lower_bound(from, sequence.edges.end(), end, begins_before);
-  std::vector<GraphEdge> inside;
-  for (auto e = from; e != to; ++e) inside.push_back({e->from - begin, e->to - begin, e->cost});
-  const std::span work(sequence.work.data() + begin, static_cast<size_t>(end - begin));
-  std::vector<double> share(static_cast<size_t>(parts), 0);
-  for (int i = begin; i < end; ++i) share[part[i] - first] += sequence.work[i];
-  if (*std::min_element(share.begin(), share.end()) <= 0) return;
-  const std::vector<int> other = metis_parts(work, inside, share);
-  if (cost_of_cut(inside, [&](int i) { return other[i]; }) >=
-      cost_of_cut(inside, [&](int i) { return part[begin + i]; }))
-    return;
-  std::vector<double> with(load.begin() + first, load.begin() + first + parts);
-  for (int p = 0; p < parts; ++p) with[p] -= share[p];
-  for (int i = begin; i < end; ++i) with[other[i - begin]] += sequence.work[i];
-  if (*std::max_element(with.begin(), with.end()) > most) return;
-  std::copy(with.begin(), with.end(), load.begin() + first);
-  for (int i = begin; i < end; ++i) part[i] = first + other[i - begin];
-}
+// A component, positions [begin, end) of the sequence, with its parts one by one.
+struct Component {
+  int begin = 0, end = 0;
+  std::vector<double> work;
+  std::vector<int> part;
+  std::vector<GraphEdge> edges;  // between places in the component, sorted
+};
 
-// Part of each position in the sequence.
-std::vector<int> assign_parts(const VertexSequence& sequence, int parts) {
-  const std::vector<int> first = cut_into_even_parts(sequence.work, sequence.cut_before, parts, kMostLoad);
-  const int places = static_cast<int>(sequence.vertices.size());
-  std::vector<int> part(sequence.vertices.size(), 0);
-  std::vector<double> load(static_cast<size_t>(parts), 0);
-  for (int p = 0; p < parts; ++p)
-    for (int i = first[p]; i < first[p + 1]; ++i) {
-      part[i] = p;
-      load[p] += sequence.work[i];
-    }
-  const double mean = std::accumulate(load.begin(), load.end(), 0.0) / parts;
-  const double most = std::max(*std::max_element(load.begin(), load.end()), kMostLoad * mean);
-  for (int begin = 0, end = 0; begin < places; begin = end) {
-    while (end < places && sequence.component[end] == sequence.component[begin]) ++end;
-    cut_component_again(sequence, begin, end, most, load, part);
+// The cut of the sequence: parts are runs of positions.
+struct SequenceCut {
+  std::vector<int> first;    // position of each part, and the number of positions
+  std::vector<double> load;  // work of each part
+  double most = 0;           // work that a part may have
+
+  int part_of(int position) const {
+    return static_cast<int>(std::upper_bound(first.begin(), first.end(), position) - first.begin()) - 1;
   }
-  return part;
+};
+
+// Calls what(first vertex in the piece, vertices, part) for the runs of a piece that have the same part.
+template <class What>
+void for_parts_of(const Piece& p, const SequenceCut& cut, const What& what) {
+  for (int i = 0; i < p.vertices;) {
+    const int part = cut.part_of(p.position + i);
+    const int end = std::min(p.vertices, cut.first[part + 1] - p.position);
+    what(i, end - i, part);
+    i = end;
+  }
 }
 
-std::vector<int> owners(const Mesh& mesh, int ranks, std::span<const int> uncut,
-                        const std::vector<GraphEdge>& all) {
-  const GraphVertices v = graph_vertices(mesh, ranks, uncut);
-  const VertexSequence sequence = sequence_of(mesh, v, all);
-  const std::vector<int> part = assign_parts(sequence, ranks - v.first_free_rank);
-  std::vector<int> of_vertex(v.work.size());
-  for (size_t i = 0; i < part.size(); ++i) of_vertex[sequence.vertices[i]] = v.first_free_rank + part[i];
-  std::vector<int> owner = v.rank_of_node;
-  for (size_t n = 0; n < owner.size(); ++n)
-    if (owner[n] < 0) owner[n] = of_vertex[v.vertex_of_node[n]];
-  for (size_t n = 0; n < owner.size(); ++n) owner[n] = owner[carrier(mesh, static_cast<int>(n))];
-  return owner;
+SequenceCut cut_sequence(const GraphSequence& sequence, int parts) {
+  std::vector<EqualItems> row;
+  for (const Piece& p : sequence.pieces) row.push_back({p.vertices, static_cast<double>(p.work), p.before});
+  SequenceCut cut{cut_into_even_parts(row, parts, kMostLoad),
+                  std::vector<double>(static_cast<size_t>(parts), 0)};
+  for (const Piece& p : sequence.pieces)
+    for_parts_of(p, cut, [&](int, int vertices, int part) {
+      cut.load[part] += static_cast<double>(vertices) * p.work;
+    });
+  const double mean = std::accumulate(cut.load.begin(), cut.load.end(), 0.0) / parts;
+  cut.most = std::max(*std::max_element(cut.load.begin(), cut.load.end()), kMostLoad * mean);
+  return cut;
+}
+
+Component component_of(const GraphSequence& sequence, std::span<const Piece> pieces, const SequenceCut& cut) {
+  Component out;
+  out.begin = pieces.front().position;
+  out.end = pieces.back().position + pieces.back().vertices;
+  for (const Piece& p : pieces) {
+    out.work.insert(out.work.end(), static_cast<size_t>(p.vertices), p.work);
+    for_parts_of(p, cut, [&](int, int vertices, int part) {
+      out.part.insert(out.part.end(), static_cast<size_t>(vertices), part);
+    });
+    for (int i = p.position - out.begin, end = i + p.vertices; i + 1 < end; ++i) {
+      out.edges.push_back({i, i + 1, kChainCost});
+      out.edges.push_back({i + 1, i, kChainCost});
+    }
+  }
+  const auto begins_before = [](const GraphEdge& e, int position) { return e.from < position; };
+  const auto from = std::lower_bound(sequence.edges.begin(), sequence.edges.end(), out.begin, begins_before);
+  const auto to = std::lower_bound(from, sequence.edges.end(), out.end, begins_before);
+  for (auto e = from; e != to; ++e) out.edges.push_back({e->from - out.begin, e->to - out.begin, e->cost});
+  out.edges = merged(std::move(out.edges));
+  return out;
+}
+
+// Cuts a component again by METIS into parts of the same weights. The new cut replaces that of the sequence
+// if its edges cost less and no part gets more work than allowed; returns true then.
+bool cut_again(Component& c, SequenceCut& cut) {
+  const int first = c.part.front();
+  const int parts = c.part.back() - first + 1;
+  std::vector<double> share(static_cast<size_t>(parts), 0);
+  for (size_t i = 0; i < c.part.size(); ++i) share[c.part[i] - first] += c.work[i];
+  if (*std::min_element(share.begin(), share.end()) <= 0) return false;
+  const std::vector<int> other = metis_parts(c.work, c.edges, share);
+  if (cost_of_cut(c.edges, [&](int i) { return other[i]; }) >=
+      cost_of_cut(c.edges, [&](int i) { return c.part[i]; }))
+    return false;
+  std::vector<double> with(cut.load.begin() + first, cut.load.begin() + first + parts);
+  for (int p = 0; p < parts; ++p) with[p] -= share[p];
+  for (size_t i = 0; i < c.part.size(); ++i) with[other[i]] += c.work[i];
+  if (*std::max_element(with.begin(), with.end()) > cut.most) return false;
+  std::copy(with.begin(), with.end(), cut.load.begin() + first);
+  for (size_t i = 0; i < c.part.size(); ++i) c.part[i] = first + other[i];
+  return true;
+}
+
+// Consecutive nodes with the same owner.
+struct OwnedRun {
+  int first = 0, nodes = 0, rank = 0;
+};
+
+// Owners of the nodes of a component, except those that are carried.
+void assign(const Mesh& mesh, const GraphSequence& sequence, std::span<const Piece> pieces, int first_rank,
+            SequenceCut& cut, std::vector<OwnedRun>& out) {
+  const int begin = pieces.front().position, end = pieces.back().position + pieces.back().vertices;
+  const auto own = [&](const Piece& p, int vertex, int vertices, int part) {
+    if (p.uncut >= 0)
+      out.push_back({p.first_node, mesh.lines[p.uncut].nodes, first_rank + part});
+    else
+      out.push_back({p.first_node + vertex, vertices, first_rank + part});
+  };
+  const int parts = cut.part_of(end - 1) - cut.part_of(begin) + 1;
+  if (parts > 1 && end - begin > parts)
+    if (Component c = component_of(sequence, pieces, cut); cut_again(c, cut)) {
+      for (const Piece& p : pieces)
+        for (int i = 0; i < p.vertices; ++i) own(p, i, 1, c.part[p.position + i - begin]);
+      return;
+    }
+  for (const Piece& p : pieces)
+    for_parts_of(p, cut, [&](int vertex, int vertices, int part) { own(p, vertex, vertices, part); });
+}
+
+NodeRanks owners(const Mesh& mesh, int ranks, std::span<const int> uncut,
+                 const std::vector<GraphEdge>& joined) {
+  const GraphSequence sequence = graph_sequence(mesh, ranks, uncut, joined);
+  const int first_rank = static_cast<int>(sequence.own_ranks.size());
+  SequenceCut cut = cut_sequence(sequence, ranks - first_rank);
+  std::vector<OwnedRun> runs;
+  for (const auto& [line, rank] : sequence.own_ranks)
+    runs.push_back({mesh.lines[line].first_node, mesh.lines[line].nodes, rank});
+  const std::span<const Piece> pieces = sequence.pieces;
+  for (size_t begin = 0, end = 0; begin < pieces.size(); begin = end) {
+    while (end < pieces.size() && pieces[end].component == pieces[begin].component) ++end;
+    assign(mesh, sequence, pieces.subspan(begin, end - begin), first_rank, cut, runs);
+  }
+  std::sort(runs.begin(), runs.end(), [](const OwnedRun& a, const OwnedRun& b) { return a.first < b.first; });
+  const auto owner_of = [&](int n) {
+    const auto after =
+        std::upper_bound(runs.begin(), runs.end(), n, [](int i, const OwnedRun& r) { return i < r.first; });
+    return (after - 1)->rank;
+  };
+  // Carried nodes are in runs of uncut lines, or between runs.
+  NodeRanks out;
+  size_t run = 0;
+  const auto fill_to = [&](int end) {
+    while (out.size() < end) {
+      const int run_end = runs[run].first + runs[run].nodes;
+      if (run_end > out.size()) out.append(std::min(run_end, end) - out.size(), runs[run].rank);
+      if (run_end <= end) ++run;
+    }
+  };
+  for (const auto& [n, with] : sequence.carried) {
+    fill_to(n);
+    out.append(1, owner_of(with));
+  }
+  fill_to(mesh.nodes());
+  return out;
 }
 
 // Nodes that other ranks see, once for each rank that does.
-size_t shared_nodes(const std::vector<GraphEdge>& all, const std::vector<int>& owner) {
+size_t shared_nodes(const Mesh& mesh, const std::vector<GraphEdge>& joined, const NodeRanks& owner) {
   std::vector<std::pair<int, int>> pairs;
-  for (const GraphEdge& e : all)
-    if (const int rank = owner[e.to]; rank != owner[e.from]) pairs.emplace_back(e.from, rank);
+  const auto add = [&](int a, int b) {
+    if (const int rank = owner[b]; rank != owner[a]) pairs.emplace_back(a, rank);
+  };
+  for_cut_elements(mesh, owner, [&](int second) {
+    add(second - 1, second);
+    add(second, second - 1);
+  });
+  for (const GraphEdge& e : joined) add(e.from, e.to);
   std::sort(pairs.begin(), pairs.end());
   return static_cast<size_t>(std::unique(pairs.begin(), pairs.end()) - pairs.begin());
 }
 
 }  // namespace
 
-std::vector<int> partition(const Mesh& mesh, int ranks, std::span<const std::pair<int, int>> coupled,
-                           std::span<const int> uncut) {
-  if (ranks == 1) return std::vector<int>(mesh.nodes.size(), 0);
-  std::vector<int> plain = owners(mesh, ranks, uncut, node_edges(mesh, {}));
+NodeRanks partition(const Mesh& mesh, int ranks, std::span<const std::pair<int, int>> coupled,
+                    std::span<const int> uncut) {
+  if (ranks == 1) return NodeRanks::all_of(mesh.nodes());
+  NodeRanks plain = owners(mesh, ranks, uncut, joins(mesh, {}));
   if (coupled.empty()) return plain;
   // METIS looks for few cut edges; what costs is the nodes at them.
-  const std::vector<GraphEdge> all = node_edges(mesh, coupled);
-  std::vector<int> weighed = owners(mesh, ranks, uncut, all);
-  return shared_nodes(all, weighed) < shared_nodes(all, plain) ? weighed : plain;
+  const std::vector<GraphEdge> all = joins(mesh, coupled);
+  NodeRanks weighed = owners(mesh, ranks, uncut, all);
+  return shared_nodes(mesh, all, weighed) < shared_nodes(mesh, all, plain) ? weighed : plain;
 }
 
-Balance balance(const Mesh& mesh, const std::vector<int>& owner, int ranks) {
+Balance balance(const Mesh& mesh, const NodeRanks& owner, int ranks) {
   Balance out;
   std::vector<double> load(static_cast<size_t>(ranks), 0);
-  for (size_t n = 0; n < mesh.nodes.size(); ++n) load[owner[n]] += work_of(mesh.nodes[n]);
+  for (const NodeRun& nodes : node_runs(mesh)) {
+    const int end = nodes.first + nodes.nodes;
+    for (size_t r = owner.run_of(nodes.first); r < owner.runs().size() && owner.runs()[r].first < end; ++r) {
+      const int here = std::min(end, owner.end(r)) - std::max(nodes.first, owner.runs()[r].first);
+      load[owner.runs()[r].rank] += static_cast<double>(here) * work_of(nodes.rotates);
+    }
+  }
   const double sum = std::accumulate(load.begin(), load.end(), 0.0);
   if (sum > 0) out.imbalance = *std::max_element(load.begin(), load.end()) * ranks / sum;
-  for (const LineSpan& l : mesh.lines) {
-    const auto first = owner.begin() + l.first_node, last = first + l.nodes;
-    out.cut_lines += std::any_of(first, last, [&](int rank) { return rank != *first; });
-  }
+  for (const LineSpan& l : mesh.lines) out.cut_lines += !owner.whole(l.first_node, l.nodes);
   out.cut_elements = cut_elements(mesh, owner);
   return out;
 }
 
-int cut_elements(const Mesh& mesh, const std::vector<int>& owner) {
-  return static_cast<int>(std::count_if(mesh.elements.begin(), mesh.elements.end(),
-                                        [&](const Element& e) { return owner[e.first] != owner[e.second]; }));
+int cut_elements(const Mesh& mesh, const NodeRanks& owner) {
+  int cut = 0;
+  for_cut_elements(mesh, owner, [&](int) { ++cut; });
+  return cut;
 }
 
 }  // namespace hawser

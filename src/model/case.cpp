@@ -11,6 +11,7 @@
 #include "hawser/model/farm.hpp"
 #include "hawser/model/schema.hpp"
 #include "hawser/model/switched.hpp"
+#include "hawser/model/temperature_rows.hpp"
 
 namespace hawser::model {
 namespace {
@@ -21,8 +22,7 @@ bool holds(const std::vector<std::string>& names, const std::string& name) {
 
 }  // namespace
 
-double mean_temperature_change(const Line& line, double from, double to) {
-  const auto& rows = line.temperature_change;
+double mean_temperature_change(const std::vector<std::pair<double, double>>& rows, double from, double to) {
   if (rows.empty()) return 0;
   if (rows.size() == 1) return rows.front().second;
   double last = from, before = on_broken_line(rows, from), sum = 0;
@@ -35,6 +35,10 @@ double mean_temperature_change(const Line& line, double from, double to) {
     if (s > from && s < to) go(s, change);
   go(to, on_broken_line(rows, to));
   return to > from ? sum / (to - from) : before;
+}
+
+double mean_temperature_change(const Line& line, double from, double to) {
+  return mean_temperature_change(line.temperature_change, from, to);
 }
 
 double thermal_strain(const LineType& type, const Line& line, double from, double to) {

@@ -12,15 +12,13 @@ namespace {
 constexpr double kSamePlace = 1e-9;  // fraction of an element
 constexpr double kApart = 0.1;       // smallest distance between moved nodes, as a fraction of an element
 
-// Element lengths in geometric progression.
-std::vector<double> plain_lengths(const Section& s) {
-  std::vector<double> l(static_cast<std::size_t>(s.elements), s.length / s.elements);
-  if (s.elements < 2 || s.grading == 1) return l;
+// All elements of a section, without moved nodes.
+Progression plain(const Section& s) {
+  if (s.elements < 2 || s.grading == 1) return {.elements = s.elements, .length = s.length / s.elements};
   const double q = std::pow(s.grading, 1.0 / (s.elements - 1));
   double sum = 0;
-  for (std::size_t i = 0; i < l.size(); ++i) sum += l[i] = std::pow(q, static_cast<double>(i));
-  for (double& x : l) x *= s.length / sum;
-  return l;
+  for (int i = 0; i < s.elements; ++i) sum += std::pow(q, static_cast<double>(i));
+  return {.elements = s.elements, .ratio = q, .length = s.length / sum};
 }
 
 // New positions [m, from the section's beginning] by node number in the section.
@@ -56,21 +54,29 @@ Moved moved_nodes(const std::vector<double>& at, double from, const std::vector<
   return out;
 }
 
-std::vector<double> lengths(const Section& s, double from, const std::vector<double>& places) {
-  std::vector<double> l = plain_lengths(s);
+std::vector<Progression> parts(const Section& s, double from, const std::vector<double>& places) {
+  const Progression all = plain(s);
   std::vector<double> at = {0};
-  for (const double x : l) at.push_back(at.back() + x);
+  for (int i = 0; i < all.elements; ++i) at.push_back(at.back() + all.element_length(i));
   const Moved moved = moved_nodes(at, from, places);
+  std::vector<Progression> out;
   for (auto to = std::next(moved.begin()); to != moved.end(); ++to) {
     const auto& [a, x] = *std::prev(to);
     const auto& [b, y] = *to;
-    if (x == at[a] && y == at[b]) continue;
-    for (std::size_t i = a; i < b; ++i) l[i] *= (y - x) / (at[b] - at[a]);
+    Progression part = all;
+    part.index = static_cast<int>(a);
+    part.elements = static_cast<int>(b - a);
+    if (x != at[a] || y != at[b]) part.scale = (y - x) / (at[b] - at[a]);
+    out.push_back(part);
   }
-  return l;
+  return out;
 }
 
 }  // namespace
+
+double Progression::element_length(int k) const {
+  return (ratio == 1 ? length : std::pow(ratio, static_cast<double>(index + k)) * length) * scale;
+}
 
 std::vector<std::vector<double>> fixed_places(const Case& c) {
   std::vector<std::vector<double>> out(c.lines.size());
@@ -90,12 +96,22 @@ std::vector<std::vector<double>> fixed_places(const Case& c) {
   return out;
 }
 
-std::vector<std::vector<double>> element_lengths(const Line& line, const std::vector<double>& places) {
-  std::vector<std::vector<double>> out;
+std::vector<std::vector<Progression>> progressions(const Line& line, const std::vector<double>& places) {
+  std::vector<std::vector<Progression>> out;
   double from = 0;
   for (const Section& s : line.sections) {
-    out.push_back(lengths(s, from, places));
+    out.push_back(parts(s, from, places));
     from += s.length;
+  }
+  return out;
+}
+
+std::vector<std::vector<double>> element_lengths(const Line& line, const std::vector<double>& places) {
+  std::vector<std::vector<double>> out;
+  for (const std::vector<Progression>& section : progressions(line, places)) {
+    std::vector<double>& lengths = out.emplace_back();
+    for (const Progression& part : section)
+      for (int k = 0; k < part.elements; ++k) lengths.push_back(part.element_length(k));
   }
   return out;
 }

@@ -40,7 +40,7 @@ void Clearances::declare(Declarations& to) {
 }
 
 double Clearances::arc(int element, double xi) const {
-  return arc_at(*mesh_.mesh, mesh_.mesh->elements[element], xi);
+  return arc_at(*mesh_.mesh, mesh_.mesh->element(element), xi);
 }
 
 // Elements of a line counted by this rank.
@@ -150,7 +150,7 @@ Clearances::Best Clearances::to_volume(const std::vector<Shaped>& elements, cons
       normal = p->normal;
       return p->distance;
     };
-    const double length = mesh_.mesh->elements[e.element].length;
+    const double length = mesh_.mesh->element(e.element).length;
     const double within = best.clearance + e.radius;
     const auto near = nearest_to(field, axes[i], within, contact_levels(length, e.radius));
     // The search excludes everything up to one piece less.

@@ -108,8 +108,8 @@ std::vector<PressedTurn> EdgeErrors::turns(const Kinematics& at, const Values& v
 }
 
 const model::LineType& EdgeErrors::type_at(int node) const {
-  const LineSpan& line = mesh_.mesh->lines[mesh_.mesh->nodes[node].line];
-  return case_.line_types[mesh_.mesh->elements[line.first_element + node - line.first_node].type];
+  const LineSpan& line = mesh_.mesh->lines[mesh_.mesh->node(node).line];
+  return case_.line_types[mesh_.mesh->element(line.first_element + node - line.first_node).type];
 }
 
 void EdgeErrors::exchange(std::vector<PressedPart>& of_pieces) const {
@@ -159,7 +159,7 @@ void EdgeErrors::report(int line, const PressedPart& of_line, double time) {
   if (!(error > w.at.error)) return;
   const PressedTurn& there = of_line.worst;
   w.at = {.error = error,
-          .arc = mesh_.mesh->nodes[there.node].arc,
+          .arc = mesh_.mesh->node(there.node).arc,
           .time = time,
           .turn = there.angle,
           .length = there.length};

@@ -166,11 +166,11 @@ void ElementErrors::update(const Kinematics& at, const Values& values) {
 void ElementErrors::update_sag(const LineSpan& line, std::span<const At> nodes, int first, int last,
                                double time, Worst& worst) const {
   const auto chord = [&](int i) { return Vec3((nodes[i + 1].x - nodes[i].x).normalized()); };
-  const auto element = [&](int i) -> const Element& { return mesh_.mesh->elements[line.first_element + i]; };
+  const auto element = [&](int i) { return mesh_.mesh->element(line.first_element + i); };
   // Turn at a node that only the line's own loads cause; -1: other loads act.
   const auto turn = [&](int n) {
     const bool plain =
-        n > first && n < last && !nodes[n].carried && !mesh_.mesh->nodes[line.first_node + n].two_sided;
+        n > first && n < last && !nodes[n].carried && !mesh_.mesh->node(line.first_node + n).two_sided;
     return plain ? angle_between(chord(n - 1), chord(n)) : -1;
   };
   double longer = 0, compliance = 0, most = 0, tension = HUGE_VAL;
@@ -195,7 +195,7 @@ void ElementErrors::update_sag(const LineSpan& line, std::span<const At> nodes, 
       longer += more;
       if (more <= most) continue;
       most = more;
-      here = {0, mesh_.mesh->nodes[e.first].arc + 0.5 * e.length, time, theta, e.length};
+      here = {0, mesh_.mesh->node(e.first).arc + 0.5 * e.length, time, theta, e.length};
     }
     i = std::max(end, i + 1);
   }
@@ -216,9 +216,9 @@ void ElementErrors::update_lifts(const LineSpan& line, std::span<const At> nodes
       if (n + 2 * side < first || n + 2 * side > last) continue;
       if (nodes[n + side].carried || nodes[n + 2 * side].carried) continue;
       const int i = line.first_element + (side > 0 ? n : n - 1);
-      const Element &next = mesh_.mesh->elements[i], &after = mesh_.mesh->elements[i + side];
+      const Element &next = mesh_.mesh->element(i), &after = mesh_.mesh->element(i + side);
       if (next.beam || after.beam || next.type != after.type) continue;
-      if (mesh_.mesh->nodes[line.first_node + n + side].two_sided) continue;
+      if (mesh_.mesh->node(line.first_node + n + side).two_sided) continue;
       const double weight =
           case_.environment.gravity * advice::mass_in_water(case_, type(next), nodes[n].x.z());
       // Nodal tension is the mean of the adjacent elements. The tension of the hanging elements follows from
@@ -229,7 +229,7 @@ void ElementErrors::update_lifts(const LineSpan& line, std::span<const At> nodes
       const double error = std::abs(high.tension - lying - weight * (high.x.z() - lies.x.z()));
       if (error > worst.error)
         worst = {.error = error,
-                 .arc = mesh_.mesh->nodes[line.first_node + n].arc,
+                 .arc = mesh_.mesh->node(line.first_node + n).arc,
                  .time = time,
                  .length = next.length,
                  .weight = weight};
@@ -244,13 +244,13 @@ void ElementErrors::update_bends(const LineSpan& line, std::span<const At> nodes
   for (int n = first; n <= last; ++n) {
     const At& here = nodes[n];
     if (here.moment <= worst.error || !(here.tension > 0)) continue;
-    const Node& node = mesh_.mesh->nodes[line.first_node + n];
+    const Node& node = mesh_.mesh->node(line.first_node + n);
     const bool at_end = n == first || n == last || node.two_sided;
     Worst least{.error = HUGE_VAL};  // over both sides
     for (const int side : {-1, 1}) {
       const int i = side < 0 ? n - 1 : n;
       if (i < first || i >= last) continue;
-      const Element& e = mesh_.mesh->elements[line.first_element + i];
+      const Element& e = mesh_.mesh->element(line.first_element + i);
       const double decay = std::sqrt(std::max(type(e).EI2, type(e).EI3) / here.tension), x = e.length / decay;
       const bool falls = e.beam && nodes[n + side].moment < here.moment * std::exp(-0.5 * std::min(x, 1.0));
       const double error = falls ? here.moment * (at_end ? wrong_at_end(x) : wrong_inside(x)) : 0;

@@ -24,7 +24,7 @@ EndForces::EndForces(const System& system, const Feeders* feeders) : system_(sys
       const int node = second ? e.second : e.first;
       if (node >= local.owned) continue;
       const int global = local.global[node];
-      const Node& g = mesh.nodes[global];
+      const Node& g = mesh.node(global);
       const LineSpan& span = mesh.lines[g.line];
       int end = -1;
       if (global == span.first_node) end = 2 * g.line;

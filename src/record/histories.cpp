@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 #include "hawser/base/gather.hpp"
@@ -93,21 +94,21 @@ void Histories::declare(Declarations& to) {
 Histories::Point Histories::point_of(int line, double arc) const {
   const Mesh& mesh = subject_.mesh();
   const LineSpan& span = mesh.lines[line];
-  const auto first = mesh.nodes.begin() + span.first_node, last = first + span.nodes - 1;
+  const auto s = [&](int n) { return mesh.node(n).arc; };
   const double same = kSamePlace * span.length;
   // The last node at or before the point.
-  auto node =
-      std::upper_bound(first, last + 1, arc + same, [](double s, const Node& n) { return s < n.arc; });
-  node -= node != first;
+  const auto nodes = std::views::iota(span.first_node, span.first_node + span.nodes);
+  const auto after = std::ranges::upper_bound(nodes, arc + same, {}, s);
+  const int node = after == nodes.begin() ? span.first_node : *(after - 1);
   Point p;
-  if (node != last && arc > node->arc + same) {
-    const double w = (arc - node->arc) / ((node + 1)->arc - node->arc);
+  if (node != nodes.back() && arc > s(node) + same) {
+    const double w = (arc - s(node)) / (s(node + 1) - s(node));
     p.weights = {1 - w, w};
   }
   const LocalMesh& local = subject_.local();
   for (size_t k = 0; k < 2; ++k) {
     if (p.weights[k] == 0) continue;
-    const int n = local.find(static_cast<int>(node - mesh.nodes.begin()) + static_cast<int>(k));
+    const int n = local.find(node + static_cast<int>(k));
     if (!local.owns(n)) continue;
     p.nodes[k] = n;
     const auto& places = ends_.places();

@@ -165,7 +165,7 @@ void LineExtremes::restore(const io::Checkpoint& from) {
     const auto q = std::find_if(quantities_.begin(), quantities_.end(),
                                 [&](const Quantity& other) { return other.name == name; });
     if (q == quantities_.end()) continue;
-    Extreme& x = q->lines[local_.mesh->nodes[r.node].line];
+    Extreme& x = q->lines[local_.mesh->node(r.node).line];
     if (!x.set || (q->largest ? r.values[0] > x.value : r.values[0] < x.value))
       x = {r.values[0], r.values[1], r.values[2], true};
   }

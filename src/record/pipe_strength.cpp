@@ -49,14 +49,14 @@ PipeStrength::PipeStrength(const Subject& subject)
   }
   const LocalMesh& local = subject.local();
   for (size_t n = 0; n < static_cast<size_t>(local.owned) && !codes_.empty(); ++n) {
-    const Node& node = mesh_.nodes[local.global[n]];
+    const Node& node = mesh_.node(local.global[n]);
     auto& sides = sides_.emplace_back();
     if (node.body >= 0) continue;
     const LineSpan& line = mesh_.lines[node.line];
     for (const size_t side : {0u, 1u}) {
       const int i = local.global[n] - line.first_node - 1 + static_cast<int>(side);
       if (i < 0 || i >= line.elements) continue;
-      const int type = mesh_.elements[line.first_element + i].type;
+      const int type = mesh_.element(line.first_element + i).type;
       if (of_type_[type] >= 0) sides[side] = {type, node.arc, node.line};
     }
   }

@@ -64,12 +64,12 @@ io::ResultContents Recorder::declared(std::vector<io::VolumeMesh> volumes, io::R
   const bool writes = rank_of(subject_.comm()) == 0;
   contents.lines = result_lines(c, mesh, writes);
   if (writes) {
-    const std::vector<int>& owner = subject_.local().owner;
-    contents.ranks.assign(owner.begin(), owner.begin() + mesh.line_nodes());
+    contents.ranks = subject_.local().owner.of_nodes();
+    contents.ranks.resize(static_cast<size_t>(mesh.line_nodes()));
   }
   for (const auto& b : c.bodies) contents.bodies.push_back(b.name);
   contents.clashes = clashes_ != nullptr;
-  contents.free_bodies = static_cast<int>(mesh.nodes.size()) - mesh.line_nodes();
+  contents.free_bodies = mesh.nodes() - mesh.line_nodes();
   // Unused capacity is free; rebuilding a file costs a copy.
   const io::ExpectedRows rows = expected_rows(c);
   contents.expected_outputs = static_cast<int>(std::min(rows.outputs + 2, kMostRoom));

@@ -16,7 +16,7 @@ std::vector<io::ResultLine> result_lines(const model::Case& c, const Mesh& mesh,
   for (size_t l = 0; l < mesh.lines.size(); ++l) {
     io::ResultLine line{c.lines[l].name, mesh.lines[l].first_node, mesh.lines[l].nodes, {}};
     if (with_arcs) line.arc.reserve(line.nodes);
-    for (int n = 0; n < line.nodes && with_arcs; ++n) line.arc.push_back(mesh.nodes[line.first_node + n].arc);
+    for (int n = 0; n < line.nodes && with_arcs; ++n) line.arc.push_back(mesh.node(line.first_node + n).arc);
     out.push_back(std::move(line));
   }
   return out;

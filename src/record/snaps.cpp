@@ -29,12 +29,13 @@ Snaps::Snaps(const model::Case& c, const LocalMesh& mesh)
       passage_(static_cast<size_t>(mesh.owned), 0),
       echo_(mesh.mesh->lines.size(), 0),
       worst_(mesh.mesh->lines.size()) {
-  for (const Element& e : mesh.mesh->elements) {
+  for (int i = 0; i < mesh.mesh->elements(); ++i) {
+    const Element e = mesh.mesh->element(i);
     const model::LineType& t = c.line_types[e.type];
     echo_[e.line] += 2 * t.wave_time(e.length);
   }
   for (const LocalElement& l : mesh.elements) {
-    const Element& e = mesh.mesh->elements[l.global];
+    const Element& e = mesh.element(l);
     const model::LineType& t = c.line_types[e.type];
     if (!counts(c, c.lines[e.line])) continue;
     for (const int n : {l.first, l.second})
@@ -51,7 +52,7 @@ void Snaps::update(double time, double h, std::span<const double> on_a, std::spa
   before_.resize(passage_.size());
   for (size_t n = 0; n < passage_.size(); ++n) {
     if (passage_[n] == 0) continue;
-    const Node& node = mesh_.mesh->nodes[mesh_.global[n]];
+    const Node& node = mesh_.node(n);
     Worst& w = worst_[node.line];
     Before& b = before_[n];
     const double tension = std::max({on_a[n], on_b[n], 0.0});

@@ -41,7 +41,7 @@ void Stations::fill(const Feeder& f, const std::vector<std::vector<double>>& val
         along[k * nodes + static_cast<size_t>(i)] = values[place_[k]][n];
   if (std::ranges::binary_search(cut_lines_, f.line)) all_reduce(comm_, MPI_SUM, along);
 
-  const auto arc = [&](int i) { return mesh_.mesh->nodes[span.first_node + i].arc; };
+  const auto arc = [&](int i) { return mesh_.mesh->node(span.first_node + i).arc; };
   int first = 0, last = span.nodes - 1;      // free nodes, or an end without feeder
   double from = 0, to = span.length;         // m, arc lengths at the feeders
   for (const Feeder& o : feeders_->all()) {  // both, if the line is fed at both ends

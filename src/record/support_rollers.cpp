@@ -52,7 +52,7 @@ std::vector<SupportCrossing> support_crossings(MPI_Comm comm, const model::Case&
       if (!(x.norm() < best.distance)) continue;
       best = {x.norm(),
               {true, x.dot(pose.rotation * b.left()), x.dot(pose.rotation * b.up),
-               mesh.mesh->nodes[g.first].arc + xi * g.length}};
+               mesh.mesh->node(g.first).arc + xi * g.length}};
     }
     nearest.push_back(best);
   }

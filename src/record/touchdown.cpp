@@ -34,7 +34,7 @@ Touchdowns::Touchdowns(MPI_Comm comm, const model::Case& c, const LocalMesh& loc
   heights_.resize(local.chain);
   for (size_t k = 0; k < heights_.size(); ++k) {
     const int global = local.global[k];
-    const Node& n = mesh.nodes[global];
+    const Node& n = mesh.node(global);
     if (n.body >= 0) continue;
     const LineSpan& span = mesh.lines[n.line];
     const int i = global - span.first_node;
@@ -42,7 +42,7 @@ Touchdowns::Touchdowns(MPI_Comm comm, const model::Case& c, const LocalMesh& loc
     h.end = i == 0 || i == span.nodes - 1;
     for (const int e : {i - 1, i})
       if (e >= 0 && e < span.elements) {
-        const Element& element = mesh.elements[span.first_element + e];
+        const Element& element = mesh.element(span.first_element + e);
         h.touching = std::max(h.touching, touching[element.type]);
       }
   }
@@ -73,7 +73,7 @@ Touchdowns::Changes Touchdowns::changes(const std::vector<double>& gap) const {
   Changes out{std::vector<int>(2 * lines_.size(), Changes::kNone), std::vector<double>(lines_.size(), 0)};
   for (const LocalElement& e : local_.elements) {
     if (!e.counted) continue;
-    const Element& g = mesh.elements[e.global];
+    const Element& g = mesh.element(e.global);
     const size_t l = slot_[g.line];
     const double a = gap[e.first], b = gap[e.second];
     if (lies(a) && lies(b)) out.laid[l] += g.length;
@@ -99,7 +99,7 @@ std::vector<Touchdowns::Surrounding> Touchdowns::surroundings(const Changes& cha
   std::vector<Surrounding> out(changes.element.size());
   for (size_t k = 0; k < out.size(); ++k) {
     if (changes.element[k] == Changes::kNone) continue;
-    const Element& e = local_.mesh->elements[std::abs(changes.element[k])];
+    const Element& e = local_.mesh->element(std::abs(changes.element[k]));
     const LineSpan& span = local_.mesh->lines[e.line];
     for (int i = 0; i < Surrounding::kNodes; ++i) {
       const int global = e.first + Surrounding::kFirst + i;
@@ -120,7 +120,7 @@ std::vector<Touchdowns::Surrounding> Touchdowns::surroundings(const Changes& cha
 // Touchdown point, and the length on the bed [m] that linear interpolation of the gaps misses.
 std::pair<TouchdownPoint, double> Touchdowns::point(int element, const Surrounding& around) const {
   const Mesh& mesh = *local_.mesh;
-  const Element& e = mesh.elements[element];
+  const Element& e = mesh.element(element);
   const LineSpan& span = mesh.lines[e.line];
   const bool to_b = lies(around.gap[-Surrounding::kFirst].value);  // the node towards A lies
   const int last_lying = to_b ? e.first : e.second, way = to_b ? 1 : -1;
@@ -132,11 +132,11 @@ std::pair<TouchdownPoint, double> Touchdowns::point(int element, const Surroundi
     n.inner[i] = global != span.first_node && global != span.first_node + span.nodes - 1;
     n.gap[i] = around.gap[global - e.first - Surrounding::kFirst];
     n.gap[i].slope *= way;
-    n.arc[i] = way * mesh.nodes[global].arc;
-    n.two_sided[i] = mesh.nodes[global].two_sided;
+    n.arc[i] = way * mesh.node(global).arc;
+    n.two_sided[i] = mesh.node(global).two_sided;
   }
   const double s = distance_to_touchdown(n, e.beam);
-  const double arc = std::clamp(mesh.nodes[last_lying].arc + way * s, 0.0, span.length);
+  const double arc = std::clamp(mesh.node(last_lying).arc + way * s, 0.0, span.length);
   return {{arc, position_at(n, s)}, s - zero_of_line(n.gap[1].value, n.gap[2].value, n.arc[2] - n.arc[1])};
 }
 
@@ -145,7 +145,7 @@ std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
   if (!bed_.present) return out;
   std::vector<double> gap(heights_.size());
   for (size_t n = 0; n < gap.size(); ++n)
-    if (local_.mesh->nodes[local_.global[n]].body < 0) gap[n] = above(n, at).gap;
+    if (local_.node(n).body < 0) gap[n] = above(n, at).gap;
   const Changes changes = this->changes(gap);
   const std::vector<Surrounding> around = surroundings(changes, gap, at);
   for (const int line : lines_) {

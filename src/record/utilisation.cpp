@@ -41,7 +41,7 @@ Utilisation::Utilisation(const model::Case& c, const LocalMesh& local) {
   breaking_.reserve(local.owned);
   radius_.reserve(local.owned);
   for (std::size_t n = 0; n < static_cast<std::size_t>(local.owned); ++n) {
-    const Node& node = mesh.nodes[local.global[n]];
+    const Node& node = mesh.node(local.global[n]);
     auto& breaking = breaking_.emplace_back();
     double& radius = radius_.emplace_back();
     if (node.body >= 0) continue;
@@ -49,7 +49,7 @@ Utilisation::Utilisation(const model::Case& c, const LocalMesh& local) {
     for (const std::size_t side : {0u, 1u}) {
       const int i = local.global[n] - line.first_node - 1 + static_cast<int>(side);
       if (i < 0 || i >= line.elements) continue;
-      const Element& e = mesh.elements[line.first_element + i];
+      const Element& e = mesh.element(line.first_element + i);
       const model::LineType& t = c.line_types[e.type];
       breaking[side] = t.breaking_load > 0 ? 1 / t.breaking_load : 0;
       if (e.beam) radius = std::max(radius, t.minimum_bend_radius);

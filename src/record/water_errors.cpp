@@ -24,9 +24,9 @@ constexpr int kSteps = 47;
 // The first line of those that joints hold together, of each line.
 std::vector<int> joined_lines(const Mesh& mesh) {
   DisjointSets joined(mesh.lines.size());
-  for (const Node& n : mesh.nodes)
+  for (const auto& [number, n] : mesh.own_nodes())
     for (const int to : {n.pinned_to, n.tied_to})
-      if (n.body < 0 && to >= 0 && mesh.nodes[to].body < 0) joined.unite(n.line, mesh.nodes[to].line);
+      if (n.body < 0 && to >= 0 && mesh.node(to).body < 0) joined.unite(n.line, mesh.node(to).line);
   return joined.smallest_of_all();
 }
 
@@ -71,7 +71,7 @@ WaterErrors::Sums WaterErrors::sums(const Kinematics& at, int parts, const std::
     all[2 * n + g] += std::abs(weight) * p.section.length * chord.head<2>().norm();
     if (f.error <= where[g].error) continue;
     where[g] = {f.error,
-                mesh_.mesh->nodes[e.first].arc + 0.5 * e.length,
+                mesh_.mesh->node(e.first).arc + 0.5 * e.length,
                 z,
                 p.section.length,
                 2 * p.section.radius,

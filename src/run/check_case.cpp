@@ -34,9 +34,8 @@
 namespace hawser::run {
 namespace {
 
-constexpr double kTrial = 4;                 // CPU s, of the trial run
-constexpr double kLeast = 1;                 // CPU s of it, that motion has where a search took the rest
-constexpr double kOfNode = 2 * sizeof(int);  // bytes, of the owner and the number of a node on every rank
+constexpr double kTrial = 4;  // CPU s, of the trial run
+constexpr double kLeast = 1;  // CPU s of it, that motion has where a search took the rest
 
 struct TrialOver {};  // thrown when a search has used its share of the trial run
 
@@ -46,7 +45,7 @@ bool check_start(const model::Case& c, const Mesh& mesh, const Bodies& bodies,
                  const std::vector<std::shared_ptr<const Surface>>& surfaces) {
   const std::vector<ContactVolume> volumes = volumes_of_lines(c, surfaces);
   if (volumes.empty()) return true;
-  const LocalMesh local = local_mesh(mesh, std::vector<int>(mesh.nodes.size(), 0), 0, 1);
+  const LocalMesh local = local_mesh(mesh, NodeRanks::all_of(mesh.nodes()), 0, 1);
   const StartShape shape = start_shape(MPI_COMM_SELF, c, local, bodies, surfaces);
   const Kinematics at = shape.state.view(0);
   const Feeders feeders(local, c);
@@ -73,10 +72,11 @@ void print_volumes(const model::Case& c, const std::vector<LoadedVolume>& volume
 
 // Prints the partition for `ranks` ranks; returns its imbalance.
 double print_partition(const model::Case& c, const Mesh& mesh, const Bodies& bodies, int ranks) {
-  const std::vector<int> owner = node_owners(MPI_COMM_SELF, c, mesh, bodies, ranks);
+  const NodeRanks owner = node_owners(MPI_COMM_SELF, c, mesh, bodies, ranks);
   const Balance shares = balance(mesh, owner, ranks);
   std::vector<int> nodes(static_cast<size_t>(ranks), 0);
-  for (const int at : owner) ++nodes[at];
+  for (size_t r = 0; r < owner.runs().size(); ++r)
+    nodes[owner.runs()[r].rank] += owner.end(r) - owner.runs()[r].first;
   fmt::print("{}\n", advice::partition(nodes, shares.imbalance, shares.cut_lines, shares.cut_elements));
   return shares.imbalance;
 }
@@ -142,7 +142,7 @@ int check_case(MPI_Comm comm, const CheckOptions& options) {
     imbalance = print_partition(c, mesh, bodies, ranks);
     forget_file(c);
     give_back_memory();
-    memory.shared = memory_now() + kOfNode * static_cast<double>(mesh.nodes.size());
+    memory.shared = memory_now();
   }
   const double before = peak_memory();
   std::vector<BodySkeleton> of_bodies = skeletons(c, volumes);

@@ -157,8 +157,7 @@ struct RestartFrom {
 void print_notes(Simulation& sim, const std::vector<LoadedVolume>& volumes, const OutputPlace& place,
                  const std::optional<RestartFrom>& restart, Progress& progress) {
   const model::Case& c = sim.model();
-  progress.print(
-      advice::model_size(sim.mesh().nodes.size(), ranks_of(sim.system().comm()), sim.cut_elements()));
+  progress.print(advice::model_size(sim.mesh().nodes(), ranks_of(sim.system().comm()), sim.cut_elements()));
   progress.print_notes(place.notes());
   if (restart) progress.print_notes(restart->notes);
   progress.print_notes(all_notes(c, volumes, sim.notes()));

@@ -111,7 +111,7 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
   // Types of no element that takes part keep a radius of 0.
   std::vector<LinePairType> types(c.line_types.size());
   double least = HUGE_VAL, most = 0;  // N/m², of the types that take part
-  for (const Element& e : mesh.mesh->elements) {
+  for (const EvenPart& e : mesh.mesh->parts()) {
     const model::LineType& t = c.line_types[e.type];
     if (!takes_part[e.line] || !(t.contact_diameter > 0) || types[e.type].radius > 0) continue;
     const double radius = 0.5 * t.contact_diameter;
@@ -138,7 +138,7 @@ std::string shared_places_note(const SharedPlaces& places, const Mesh& mesh) {
     if (farthest < 0 || places.within(k) > places.within(farthest)) farthest = k;
   }
   if (farthest < 0) return "";
-  const auto name = [&](const Branch& s) { return mesh.lines[mesh.nodes[s.node].line].name; };
+  const auto name = [&](const Branch& s) { return mesh.lines[mesh.node(s.node).line].name; };
   const std::string one = name(places.place(farthest).one), other = name(places.place(farthest).other);
   return advice::apart_near_place(one, other, places.within(farthest), others);
 }

@@ -135,7 +135,7 @@ std::string row(MPI_Comm comm, Simulation& sim, int number, const NaturalMode& m
     when += vibrates ? fmt::format(" {:>13.3g}", mode.damping_ratio) : fmt::format(" {:>13}", "-");
   std::string where = mesh.place(p.node);
   const Carried with = carried(comm, sim, turns ? mode.rotation : mode.shape, p.size);
-  if (with.body >= 0 && mesh.nodes[p.node].body < 0) {
+  if (with.body >= 0 && mesh.node(p.node).body < 0) {
     const std::string body = "body " + sim.model().bodies[with.body].name;
     where = with.share > 0.99 ? body + " (" + where + ")" : where + ", with " + body;
   }
@@ -156,7 +156,7 @@ io::ResultContents contents(MPI_Comm comm, const Simulation& sim, const std::vec
   for (const auto& b : c.bodies) out.bodies.push_back(b.name);
   out.xdmf = c.output.xdmf;
   out.expected_outputs = out.expected_steps = found + 1;
-  out.free_bodies = static_cast<int>(sim.mesh().nodes.size()) - sim.mesh().line_nodes();
+  out.free_bodies = sim.mesh().nodes() - sim.mesh().line_nodes();
   return out;
 }
 

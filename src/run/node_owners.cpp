@@ -14,12 +14,12 @@ namespace hawser::run {
 namespace {
 
 // Uncut lines in file order, distributed by number of nodes; bodies belong to the first rank.
-std::vector<int> owners_of_uncut_lines(const Mesh& mesh, int ranks) {
-  std::vector<int> owner(mesh.nodes.size(), 0);
+NodeRanks owners_of_uncut_lines(const Mesh& mesh, int ranks) {
+  NodeRanks owner;
   const long long nodes = mesh.line_nodes();
   for (const LineSpan& line : mesh.lines)
-    std::fill_n(owner.begin() + line.first_node, line.nodes,
-                static_cast<int>(line.first_node * static_cast<long long>(ranks) / nodes));
+    owner.append(line.nodes, static_cast<int>(line.first_node * static_cast<long long>(ranks) / nodes));
+  owner.append(mesh.nodes() - mesh.line_nodes(), 0);
   return owner;
 }
 
@@ -40,7 +40,7 @@ std::vector<std::pair<int, int>> near_elements(MPI_Comm comm, const model::Case&
   candidates.update(shape.state.view(0), 0);
   std::vector<std::pair<int, int>> mine;
   for (const auto& [a, b] : candidates.elements())
-    if (mesh.elements[a].line != mesh.elements[b].line) mine.emplace_back(a, b);
+    if (mesh.element(a).line != mesh.element(b).line) mine.emplace_back(a, b);
   std::vector<std::pair<int, int>> out = gather_all(comm, mine);
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());  // pairs found by two ranks
@@ -63,8 +63,8 @@ std::vector<std::pair<int, int>> coupled_nodes(MPI_Comm comm, const model::Case&
     if (const int a = node_of(l.end_a), b = node_of(l.end_b); a >= 0 && b >= 0) out.emplace_back(a, b);
   if (!c.contact.between_lines.enabled) return out;
   for (const auto& [a, b] : near_elements(comm, c, mesh, bodies))
-    for (const int m : {mesh.elements[a].first, mesh.elements[a].second})
-      for (const int n : {mesh.elements[b].first, mesh.elements[b].second}) out.emplace_back(m, n);
+    for (const int m : {mesh.element(a).first, mesh.element(a).second})
+      for (const int n : {mesh.element(b).first, mesh.element(b).second}) out.emplace_back(m, n);
   return out;
 }
 
@@ -79,9 +79,9 @@ std::vector<int> uncut_lines(const model::Case& c) {
   return uncut;
 }
 
-std::vector<int> node_owners(MPI_Comm comm, const model::Case& c, const Mesh& mesh, const Bodies& bodies,
-                             int ranks) {
-  if (ranks == 1) return std::vector<int>(mesh.nodes.size(), 0);
+NodeRanks node_owners(MPI_Comm comm, const model::Case& c, const Mesh& mesh, const Bodies& bodies,
+                      int ranks) {
+  if (ranks == 1) return NodeRanks::all_of(mesh.nodes());
   return partition(mesh, ranks, coupled_nodes(comm, c, mesh, bodies), uncut_lines(c));
 }
 

@@ -74,7 +74,7 @@ double number_of(const std::string& text) {
 std::map<std::string, double> signature(const Simulation& simulation) {
   std::map<std::string, double> out;
   double& beams = out["case.rotating nodes"];
-  for (const Node& n : simulation.mesh().nodes) beams += n.rotates;
+  for (int n = 0; n < simulation.mesh().nodes(); ++n) beams += simulation.mesh().node(n).rotates;
   for (const model::LineType& t : simulation.model().line_types)  // moments that tell one curve from another
     if (const PlasticBending* p = t.plastic_bending.get())
       out[kBending + t.name] = p->at(p->last(), 0, nullptr).m[0] + p->at(0.1 * p->last(), 0, nullptr).m[0];
@@ -217,7 +217,7 @@ io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
   const MPI_Comm comm = simulation.system().comm();
   const std::vector<int> owned(m.global.begin(), m.global.begin() + m.owned);
   check_restart_file(comm, path, simulation.mesh(), owned);
-  io::Checkpoint c = io::read_checkpoint(comm, path, static_cast<int>(simulation.mesh().nodes.size()), owned);
+  io::Checkpoint c = io::read_checkpoint(comm, path, simulation.mesh().nodes(), owned);
   const auto refuse = [&](const std::string& why) {
     return InputError(advice::cannot_go_on(path, advice::other_case(why)));
   };

@@ -43,8 +43,8 @@ void compare_lines(const std::string& path, const Mesh& mesh, std::span<const in
     const auto arc = io::h5::read_part(file, "nodes/arc_length", static_cast<hsize_t>(first),
                                        static_cast<hsize_t>(last - first));
     for (int n = first; n < last; ++n) {
-      const LineSpan& line = mesh.lines[mesh.nodes[n].line];
-      const double here = mesh.nodes[n].arc, there = arc[static_cast<size_t>(n - first)];
+      const LineSpan& line = mesh.lines[mesh.node(n).line];
+      const double here = mesh.node(n).arc, there = arc[static_cast<size_t>(n - first)];
       if (std::abs(here - there) > 1e-9 * line.length)
         throw other(advice::other_node(line.name, there, here));
     }

@@ -90,16 +90,19 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
   model::Volume& v = volume.settings;
   AutomaticStiffness best;
   double mass = 0, radius = 0, most = 0;
-  const auto weight_of = [&](const Element& e) {  // N/m
-    return c.line_types[e.type].mass_per_length * c.environment.gravity;
+  const auto weight_of = [&](int type) {  // N/m
+    return c.line_types[type].mass_per_length * c.environment.gravity;
   };
   std::vector<double> line_weight(mesh.lines.size(), 0);
-  for (const Element& e : mesh.elements) line_weight[e.line] += e.length * weight_of(e);
-  for (const Element& e : mesh.elements) {
+  for (int i = 0; i < mesh.elements(); ++i) {
+    const Element e = mesh.element(i);
+    line_weight[e.line] += e.length * weight_of(e.type);
+  }
+  for (const EvenPart& e : mesh.parts()) {
     const auto& t = c.line_types[e.type];
     StiffnessDemand d;
     d.radius = 0.5 * t.contact_diameter;
-    d.weight = weight_of(e);
+    d.weight = weight_of(e.type);
     d.line_weight = line_weight[e.line];
     d.EA = t.EA;
     if (t.kind == model::LineKind::beam) d.EI = std::min(t.EI2, t.EI3);
@@ -171,10 +174,9 @@ Simulation::Simulation(MPI_Comm comm, model::Case c, std::vector<std::shared_ptr
 // Distributes the mesh over the ranks.
 void Simulation::distribute(MPI_Comm comm) {
   const int rank = rank_of(comm), size = ranks_of(comm);
-  const std::vector<int> owner = node_owners(comm, case_, *mesh_, *bodies_, size);
+  const NodeRanks owner = node_owners(comm, case_, *mesh_, *bodies_, size);
   cut_ = hawser::cut_elements(*mesh_, owner);
-  if (size > 1 && std::count(owner.begin(), owner.end(), owner.front()) == std::ssize(owner))
-    notes_.push_back(advice::one_rank_has_all());
+  if (size > 1 && owner.runs().size() == 1) notes_.push_back(advice::one_rank_has_all());
   system_ = std::make_unique<System>(comm, local_mesh(*mesh_, owner, rank, size));
   bodies_->in_state(case_, local());
 }
@@ -235,7 +237,7 @@ void Simulation::add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces
     return std::any_of(case_.bodies.begin(), case_.bodies.end(),
                        [&has](const model::Body& b) { return b.mass && has(*b.mass); });
   };
-  if (mesh_->line_nodes() < static_cast<int>(mesh_->nodes.size())) {
+  if (mesh_->line_nodes() < mesh_->nodes()) {
     add<RigidBodies>(case_, local(), bodies_);
     if (any([](const model::BodyMass& m) { return m.in_water || !m.members.empty(); }))
       add<BodiesInWater>(case_, local());
@@ -384,7 +386,7 @@ DynamicsSettings Simulation::dynamics_settings() const {
   for (const LineSpan& span : mesh().lines) {
     double diameter = 0;
     for (int e = span.first_element; e < span.first_element + span.elements; ++e)
-      diameter = std::max(diameter, case_.line_types[mesh().elements[e].type].outer_diameter);
+      diameter = std::max(diameter, case_.line_types[mesh().element(e).type].outer_diameter);
     s.strictness.push_back(diameter > 0 ? s.step.error_tolerance / (0.01 * diameter) : 1);
   }
   return s;

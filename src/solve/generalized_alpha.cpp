@@ -9,10 +9,7 @@ namespace hawser {
 
 double alpha_stored(const AlphaCoefficients& c) { return (0.5 - c.af) * (0.5 - c.af); }
 
-bool has_directors(const LocalMesh& mesh) {
-  const auto& nodes = mesh.mesh->nodes;
-  return std::any_of(nodes.begin(), nodes.end(), [](const Node& n) { return n.rotates; });
-}
+bool has_directors(const LocalMesh& mesh) { return mesh.mesh->any_rotates(); }
 
 void alpha_start(const LocalMesh& mesh, AlphaState& state) {
   State& s = state.s;
@@ -130,7 +127,7 @@ double alpha_error(const LocalMesh& mesh, const AlphaCoefficients& c, double h, 
                    const AlphaState& to, const std::vector<double>& strictness) {
   double worst = 0;
   for (size_t n = 0; n < static_cast<size_t>(mesh.owned); ++n) {
-    const auto line = static_cast<size_t>(mesh.mesh->nodes[mesh.global[n]].line);
+    const auto line = static_cast<size_t>(mesh.node(n).line);
     const double strict = line < strictness.size() ? strictness[line] : 1;
     worst = std::max(worst, strict * strict * (to.ax[n] - from.ax[n]).squaredNorm());
   }

@@ -198,11 +198,11 @@ class Laying {
     const std::vector<Vec3>& start = starts_[s.line];
     const int last = span.nodes - 1;
     const auto node = [&](int i) { return s.b ? last - i : i; };
-    const auto element = [&](int i) -> const Element& {
-      return mesh_.elements[span.first_element + (s.b ? span.elements - 1 - i : i)];
+    const auto element = [&](int i) {
+      return mesh_.element(span.first_element + (s.b ? span.elements - 1 - i : i));
     };
     const auto in_soil = [&](const Element& e) {
-      const double from = mesh_.nodes[e.first].arc;
+      const double from = mesh_.node(e.first).arc;
       return buried_length(line, from, from + e.length) > 0;
     };
     const Descent down = descent(s, element(0).length);

@@ -98,7 +98,7 @@ class Relaxation : StaticTrial {
 
  private:
   double first_mass(const ResidualNorms& n) const {
-    const double nodes = static_cast<double>(system_.mesh().mesh->nodes.size());
+    const double nodes = static_cast<double>(system_.mesh().mesh->nodes());
     const double force = std::max(n.force, n.moment / std::max(length_, 1e-300));
     return force / std::sqrt(nodes) / (kFirst * longest_);
   }

@@ -31,19 +31,36 @@ Vec3 exit_of_soil(const model::Seabed& bed, const Vec3& from, const Vec3& to, do
   return x;
 }
 
-// Moves the held node to the arc length at which the element between it and the free node has this length.
-void at_feed_point(Mesh& mesh, const LineSpan& span, int held, int free, double length) {
-  const auto node = [&](int i) -> Node& { return mesh.nodes[span.first_node + i]; };
-  mesh.elements[span.first_element + std::min(held, free)].length = length;
-  node(held).arc = node(free).arc + (held < free ? -length : length);
+// A line with numbers of its own for its nodes and elements, from 0.
+struct LineAlone {
+  std::vector<Node> nodes;
+  std::vector<Element> elements;
+};
+
+LineAlone alone(const Mesh& mesh, const LineSpan& span) {
+  LineAlone out;
+  for (int n = 0; n < span.nodes; ++n) out.nodes.push_back(mesh.node(span.first_node + n));
+  for (int e = 0; e < span.elements; ++e) out.elements.push_back(mesh.element(span.first_element + e));
+  return out;
 }
 
-}  // namespace
+// Moves the held node to the arc length at which the element between it and the free node has this length.
+void at_feed_point(LineAlone& line, int held, int free, double length) {
+  line.elements[std::min(held, free)].length = length;
+  line.nodes[held].arc = line.nodes[free].arc + (held < free ? -length : length);
+}
 
-LineStretch stretch_of(const model::Line& line, const Mesh& mesh, const LineSpan& span, int first, int last) {
-  const double near = 1e-9 * span.length;
-  const auto arc = [&](int i) { return mesh.nodes[span.first_node + i].arc; };
-  LineStretch out{line, mesh, span};
+// The nodes from `first` to `last` of a line, as a line of its own with the same ends.
+struct LineStretch {
+  model::Line line;
+  Mesh mesh;
+  LineSpan span;
+};
+
+LineStretch stretch_of(const model::Line& line, const LineAlone& mesh, double length, int first, int last) {
+  const double near = 1e-9 * length;
+  const auto arc = [&](int i) { return mesh.nodes[i].arc; };
+  LineStretch out{line, {}, {}};
   model::Line& rest = out.line;
   const double from = arc(first), to = arc(last);
   rest.sections.clear();
@@ -65,14 +82,25 @@ LineStretch stretch_of(const model::Line& line, const Mesh& mesh, const LineSpan
     q.from = std::max(0.0, q.from - from);
     q.to = q.to < 0 ? q.to : q.to - from;
   }
-  for (int i = first; i <= last; ++i) out.mesh.nodes[span.first_node + i].arc -= from;
-  out.span.first_node += first;
+  for (int i = first; i <= last; ++i) {
+    Node n = mesh.nodes[i];
+    n.arc -= from;
+    out.mesh.add(n);
+  }
+  for (int i = first; i < last; ++i) {
+    Element e = mesh.elements[i];
+    e.first = i - first;
+    e.second = e.first + 1;
+    out.mesh.add(e);
+  }
+  out.span.name = line.name;
   out.span.nodes = last - first + 1;
-  out.span.first_element += first;
   out.span.elements = last - first;
   out.span.length = to - from;
   return out;
 }
+
+}  // namespace
 
 // The nodes inside a feeder are at its feed point; the rest is started as a line of its own.
 LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bodies& bodies,
@@ -81,10 +109,10 @@ LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bo
   if (line.end_a.feed) a = fed_start(mesh, span, false, line.end_a.feed->stock);
   if (line.end_b.feed) b = fed_start(mesh, span, true, line.end_b.feed->stock);
   const int first = a.inside, last = span.nodes - 1 - b.inside;
-  Mesh outside = mesh;
-  if (line.end_a.feed) at_feed_point(outside, span, first, first + 1, a.length);
-  if (line.end_b.feed) at_feed_point(outside, span, last, last - 1, b.length);
-  const LineStretch rest = stretch_of(line, outside, span, first, last);
+  LineAlone outside = alone(mesh, span);
+  if (line.end_a.feed) at_feed_point(outside, first, first + 1, a.length);
+  if (line.end_b.feed) at_feed_point(outside, last, last - 1, b.length);
+  const LineStretch rest = stretch_of(line, outside, span.length, first, last);
   LineStart free = line_start(c, rest.line, bodies, rest.mesh, rest.span);
   const auto clamp = [&](const model::End& e, Vec3& tangent) {
     if (e.feed && e.clamped && e.direction)
@@ -104,7 +132,7 @@ LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bo
 LineStart line_start_from_soil(const model::Case& c, const model::Line& line, const Bodies& bodies,
                                const Mesh& mesh, const LineSpan& span) {
   const double near = 1e-9 * span.length;
-  const auto arc = [&](int i) { return mesh.nodes[span.first_node + i].arc; };
+  const auto arc = [&](int i) { return mesh.node(span.first_node + i).arc; };
   int first = 0, last = span.nodes - 1;  // first and last node that is not buried
   for (const model::Buried& b : line.buried) {
     if (b.from <= near)
@@ -115,7 +143,7 @@ LineStart line_start_from_soil(const model::Case& c, const model::Line& line, co
   const model::Seabed& bed = c.environment.seabed;
   const Vec3 xa = start_pose(c, bodies, line.end_a).to_space(line.end_a.at),
              xb = start_pose(c, bodies, line.end_b).to_space(line.end_b.at);
-  LineStretch rest = stretch_of(line, mesh, span, first, last);
+  LineStretch rest = stretch_of(line, alone(mesh, span), span.length, first, last);
   const double from = arc(first), to = arc(last);
   rest.line.buried.clear();
   const auto anchor = [](const Vec3& at) {

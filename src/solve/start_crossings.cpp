@@ -52,8 +52,8 @@ std::vector<Rope> ropes_of(const model::Case& c, std::vector<StartedLine>& lines
       const int element = of.span.first_element + std::min(i, of.span.elements - 1);
       rope.x.push_back(&of.shape.x[i]);
       rope.tangent.push_back(&of.shape.tangent[i]);
-      rope.s.push_back(of.mesh->nodes[of.span.first_node + i].arc);
-      rope.radius.push_back(0.5 * c.line_types[of.mesh->elements[element].type].contact_diameter);
+      rope.s.push_back(of.mesh->node(of.span.first_node + i).arc);
+      rope.radius.push_back(0.5 * c.line_types[of.mesh->element(element).type].contact_diameter);
     }
     rope.raise.assign(rope.x.size(), 0);
   }

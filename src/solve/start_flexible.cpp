@@ -27,14 +27,14 @@ FlexibleLine::Segment piece(const model::Case& c, const model::Line& line, const
   FlexibleLine::Segment p;
   double compliance = 0;
   for (int e = first; e < last; ++e) {
-    const Element& g = mesh.elements[e];
+    const Element& g = mesh.element(e);
     const auto& t = c.line_types[g.type];
     p.length += (1 + g.free_strain) * g.length;
     p.load.z() -= g.length * t.mass_per_length * c.environment.gravity;
     p.buoyancy += g.length * buoyancy(c, t);
     p.radius = std::max(p.radius, 0.5 * t.contact_diameter);
     compliance += g.length / t.EA;
-    const double from = mesh.nodes[g.first].arc;
+    const double from = mesh.node(g.first).arc;
     for (const auto& l : line.loads) {
       if (l.ramp > 0) continue;  // the load is zero at t = 0
       const double end = l.to < 0 ? HUGE_VAL : l.to;
@@ -114,7 +114,7 @@ bool folded_at(const std::vector<Vec3>& x, size_t i) {
 void unfold(const Mesh& mesh, const LineSpan& span, std::vector<Vec3>& x) {
   const size_t last = x.size() - 1;
   std::vector<double> arc;
-  for (int n = 0; n < span.nodes; ++n) arc.push_back(mesh.nodes[span.first_node + n].arc);
+  for (int n = 0; n < span.nodes; ++n) arc.push_back(mesh.node(span.first_node + n).arc);
   for (size_t i = 1; i < last; ++i) {
     if (!folded_at(x, i)) continue;
     size_t a = i, b = i;
@@ -191,8 +191,8 @@ std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, 
     const int last = std::min(e + stride, span.elements);
     f.pieces.push_back(piece(c, line, mesh, span.first_element + e, span.first_element + last));
     thick = std::max(thick, 2 * f.pieces.back().radius);
-    const auto& t = c.line_types[mesh.elements[span.first_element + e].type];
-    s.push_back(mesh.nodes[span.first_node + last].arc);
+    const auto& t = c.line_types[mesh.element(span.first_element + e).type];
+    s.push_back(mesh.node(span.first_node + last).arc);
     // Per length of the piece, like its weight.
     const double per =
         0.5 * water.density * t.dragged() * (s.back() - s[s.size() - 2]) / f.pieces.back().length;
@@ -224,11 +224,11 @@ std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, 
     found = in_current(water, current, f, drags, found);
   std::vector<Vec3> out;
   for (int n = 0; n < span.nodes; ++n)
-    out.push_back(stride == 1 ? found[n] : interpolated(s, found, mesh.nodes[span.first_node + n].arc));
+    out.push_back(stride == 1 ? found[n] : interpolated(s, found, mesh.node(span.first_node + n).arc));
   out.front() = x.front();
   out.back() = f.held_b ? x.back() : out.back();
   if (!f.held_a) out.front() = found.front();
-  if (f.held_a && f.held_b && mesh.nodes[span.first_node].rotates) unfold(mesh, span, out);
+  if (f.held_a && f.held_b && mesh.node(span.first_node).rotates) unfold(mesh, span, out);
   return out;
 }
 

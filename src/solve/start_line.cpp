@@ -60,7 +60,7 @@ LineStart from_catenary(const CatenaryShape& shape, const Mesh& mesh, const Line
   LineStart out;
   const double most = std::max(shape.tension_a().norm(), shape.tension_b().norm());
   for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
-    const double s = mesh.nodes[n].arc;
+    const double s = mesh.node(n).arc;
     out.x.push_back(shape.position(s));
     const Vec3 t = shape.tension(s);
     // At a free end the tension is only round-off and has no meaningful direction.
@@ -111,7 +111,7 @@ std::optional<LineStart> on_bed(const model::Case& c, const model::Line& line, c
   };
   LineStart out;
   for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
-    const double s = mesh.nodes[n].arc, from = b ? span.length - s : s;
+    const double s = mesh.node(n).arc, from = b ? span.length - s : s;
     const double h = 1e-6 * span.length;
     out.x.push_back(place(from));
     // The tangent is that of the shape, because a part without tension has a direction, too.
@@ -129,7 +129,7 @@ LineStart along(const std::vector<Vec3>& points, const Mesh& mesh, const LineSpa
   for (size_t i = 1; i < points.size(); ++i) at.push_back(at.back() + (points[i] - points[i - 1]).norm());
   LineStart out;
   for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
-    const double s = mesh.nodes[n].arc / span.length * at.back();
+    const double s = mesh.node(n).arc / span.length * at.back();
     size_t i = 1;
     while (i + 1 < points.size() && s > at[i]) ++i;
     const double z = (s - at[i - 1]) / (at[i] - at[i - 1]);
@@ -152,7 +152,7 @@ LineStart as_previous(const model::PreviousShape& left, const std::optional<Vec3
   if (!xb) b = a;
   LineStart out;
   for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
-    const double share = mesh.nodes[n].arc / span.length, s = share * there;
+    const double share = mesh.node(n).arc / span.length, s = share * there;
     const VectorMotion at = spline.at(s);
     out.x.push_back(at.value + (1 - share) * a + share * b);
     if (left.rotation.empty()) {
@@ -203,7 +203,7 @@ bool lay(const model::Case& c, const std::vector<CatenarySection>& sections, con
   bool floats = false;
   std::vector<double> arc{0};  // arc lengths without tension
   for (int e = span.first_element; e < span.first_element + span.elements; ++e) {
-    const Element& g = mesh.elements[e];
+    const Element& g = mesh.element(e);
     arc.push_back(arc.back() + (1 + g.free_strain) * g.length);
   }
   if (!lies_slack(c, sections, s, arc.back(), floats)) return false;
@@ -232,7 +232,7 @@ LineStart lay_free(const model::Case& c, const model::Line& line, const Bodies& 
   std::vector<double> arc;
   for (int n = 0; n < span.nodes; ++n) {
     const int i = span.first_node + (a ? n : span.nodes - 1 - n);
-    const double s = mesh.nodes[i].arc;
+    const double s = mesh.node(i).arc;
     arc.push_back(a ? s : span.length - s);
   }
   auto laid =

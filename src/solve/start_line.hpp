@@ -22,14 +22,6 @@ RigidPose start_pose(const model::Case& c, const Bodies& bodies, const model::En
 LineStart line_start(const model::Case& c, const model::Line& line, const Bodies& bodies, const Mesh& mesh,
                      const LineSpan& span);
 
-// The nodes from `first` to `last` of a line, as a line of its own with the same ends.
-struct LineStretch {
-  model::Line line;
-  Mesh mesh;
-  LineSpan span;
-};
-LineStretch stretch_of(const model::Line& line, const Mesh& mesh, const LineSpan& span, int first, int last);
-
 // Start shape of a line that is fed at one end or both; only the part outside the feeders is spread out.
 LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bodies& bodies,
                          const Mesh& mesh, const LineSpan& span);

@@ -211,7 +211,7 @@ std::optional<LineStart> line_over_supports(const model::Case& c, const model::L
           : way.length();
   LineStart out;
   for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
-    const double share = mesh.nodes[n].arc / span.length;
+    const double share = mesh.node(n).arc / span.length;
     const double s = std::min((over.from_a() ? share : 1 - share) * used_length, way.length());
     size_t i = 1;
     while (i + 1 < way.places.size() && s > way.arc[i]) ++i;

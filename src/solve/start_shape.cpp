@@ -271,7 +271,7 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
   // The bed's friction holds a laid line whose ends are both free, but nothing holds its twist.
   if (given.end_a.kind == model::EndKind::free && given.end_b.kind == model::EndKind::free &&
       line.from == 0 && c.statics.enabled && model::laid_with_friction(c, given) &&
-      g.nodes[span.first_node].rotates)
+      g.node(span.first_node).rotates)
     if (const int here = mesh.find(span.first_node); here >= 0) {
       TiedNode s;
       s.position_mask = 0;
@@ -289,17 +289,17 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
     const bool joint = e.kind == model::EndKind::joint;
     if (const int here = mesh.find(node); joint && here >= 0)
       out.state.x[here] = e.at;  // exactly where the other ends at the joint are
-    if (joint && (end != twist || !g.nodes[node].rotates)) continue;
+    if (joint && (end != twist || !g.node(node).rotates)) continue;
     TiedNode s;
     if (joint) s.position_mask = 0;
     s.body = e.kind == model::EndKind::body ? c.body_index(e.body) : -1;
     s.at = e.at;
-    if (const int frame = g.nodes[node].tied_to; frame >= 0 && c.floats(s.body)) {
+    if (const int frame = g.node(node).tied_to; frame >= 0 && c.floats(s.body)) {
       s.at -= c.bodies[s.body].mass->centre;
       s.body = -1;
       s.frame = mesh.find(frame);
     }
-    if (g.nodes[node].rotates) {
+    if (g.node(node).rotates) {
       if (e.clamped) {
         s.rotation_mask = 7;
         s.rotation = out.ends[l][end];
@@ -319,8 +319,8 @@ void tie_to_joints(const model::Case& c, const LocalMesh& mesh, StartShape& out)
   const Mesh& g = *mesh.mesh;
   for (int n = 0; n < mesh.nodes(); ++n) {
     const int global = mesh.global[n], frame = mesh.frame_of(n);
-    if (frame < 0 || g.nodes[g.nodes[global].tied_to].body >= 0) continue;
-    const Node& node = g.nodes[global];
+    if (frame < 0 || g.node(g.node(global).tied_to).body >= 0) continue;
+    const Node& node = g.node(global);
     const LineSpan& span = g.lines[node.line];
     const model::Line& line = c.lines[node.line];
     TiedNode s;

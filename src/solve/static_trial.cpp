@@ -19,7 +19,7 @@ constexpr int kMostHalvings = 30;
 }  // namespace
 
 StaticTrial::StaticTrial(System& system, State& state) : system_(system), state_(state), trial_(state) {
-  for (const Element& e : system.mesh().mesh->elements) length_ = std::max(length_, e.length);
+  length_ = std::max(length_, system.mesh().mesh->longest_element());
   for (const LineSpan& l : system.mesh().mesh->lines) longest_ = std::max(longest_, l.length);
   if (length_ == 0) length_ = 0.05 * kBodies;
   if (longest_ == 0) longest_ = kBodies;
@@ -106,7 +106,7 @@ double StaticTrial::potential(const State& s) const {
 // The residual is compared with dead loads, not with internal forces: a straight compressed line that is
 // longer than its span is in balance except for its weight.
 bool StaticTrial::near(const ResidualNorms& n) const {
-  const double load = system_.dead_load() / std::sqrt(static_cast<double>(system_.mesh().mesh->nodes.size()));
+  const double load = system_.dead_load() / std::sqrt(static_cast<double>(system_.mesh().mesh->nodes()));
   return load > 0 ? n.force < kNear * load && n.moment < kNear * std::max(n.moment_scale, load * length_)
                   : n.relative() < kNear;
 }

@@ -22,16 +22,17 @@ System::System(MPI_Comm comm, LocalMesh mesh) : comm_(comm), mesh_(std::move(mes
   exchange_ = GhostExchange(comm_, mesh_);
   size_arrays();
   lines_ = 1;
-  for (const Node& n : mesh_.mesh->nodes) lines_ = std::max(lines_, static_cast<size_t>(n.line) + 1);
+  for (const EvenPart& p : mesh_.mesh->parts()) lines_ = std::max(lines_, static_cast<size_t>(p.line) + 1);
+  for (const auto& [number, n] : mesh_.mesh->own_nodes())
+    lines_ = std::max(lines_, static_cast<size_t>(n.line) + 1);
   cut_ = line_owners(mesh_).cut;
   for (int n = 0; n < mesh_.owned; ++n)
     if (const int line = mesh_.node(n).line; own_lines_.empty() || own_lines_.back() != line)
       own_lines_.push_back(line);
   tied_nodes_ = TiedNodes(mesh_, {}, {});
-  for (const Element& e : mesh_.mesh->elements) longest_element_ = std::max(longest_element_, e.length);
+  longest_element_ = std::max(longest_element_, mesh_.mesh->longest_element());
   // The moment on a floating body is compared with a force times at least one metre.
-  if (mesh_.mesh->line_nodes() < static_cast<int>(mesh_.mesh->nodes.size()))
-    longest_element_ = std::max(longest_element_, 1.0);
+  if (mesh_.mesh->line_nodes() < mesh_.mesh->nodes()) longest_element_ = std::max(longest_element_, 1.0);
 }
 
 // Sizes the arrays that are indexed by local block.
@@ -50,9 +51,7 @@ void System::size_arrays() {
     }
   }
   force_.resize(3 * blocks, 0);
-  const auto& elements = mesh_.mesh->elements;
-  if (!std::all_of(elements.begin(), elements.end(), [](const Element& e) { return e.beam; }))
-    mean_.resize(3 * blocks, 0);
+  if (mesh_.mesh->any_cable()) mean_.resize(3 * blocks, 0);
   squares_.resize(blocks, 0);
   retraction_.resize(turns);
 }

@@ -19,7 +19,7 @@ bool all(MPI_Comm comm, bool here) {
 
 // A node that is coupled with a tied node is also coupled with the frame that carries it.
 void System::with_frames(Couplings& c) const {
-  const auto frame = [this](int n) { return mesh_.mesh->nodes[n].tied_to; };
+  const auto frame = [this](int n) { return mesh_.mesh->node(n).tied_to; };
   const std::vector<int> nodes = c.nodes;
   for (const int n : nodes)
     if (frame(n) >= 0) c.nodes.push_back(frame(n));

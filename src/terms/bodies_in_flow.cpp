@@ -32,7 +32,7 @@ BodiesInFlow::BodiesInFlow(const model::Case& c, const LocalMesh& mesh) : sea_(s
     if (c.bodies[b].mass->current) load_components_[b].push_back("current");
   }
   for (int n = 0; n < mesh.owned; ++n) {
-    const int body = mesh.mesh->nodes[mesh.global[n]].body;
+    const int body = mesh.node(n).body;
     if (body < 0) continue;
     if (c.bodies[body].mass->wind) add(c, body, n, mesh, true);
     if (c.bodies[body].mass->current) add(c, body, n, mesh, false);

@@ -20,7 +20,7 @@ BodiesInWater::BodiesInWater(const model::Case& c, const LocalMesh& mesh) : sea_
     b.node = n;
     b.block = mesh.block[n];
     b.global = mesh.global[n];
-    b.body = mesh.mesh->nodes[b.global].body;
+    b.body = mesh.mesh->node(b.global).body;
     if (b.body < 0) continue;
     const model::Body& body = c.bodies[b.body];
     const model::BodyMass& m = *body.mass;

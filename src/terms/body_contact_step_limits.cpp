@@ -125,7 +125,7 @@ void BodyContactTerm::limit_by(const Pair& p, ImpactEvents& to) const {
   if (!p.counted) return;
   const auto group = [&](size_t volume) {
     const int node = bodies_of_volumes_[volume].global;
-    return node < 0 ? -1 : mesh_.mesh->nodes[node].line;
+    return node < 0 ? -1 : mesh_.mesh->node(node).line;
   };
   const double mass = 1 / (p.root.transpose() * place->gradient).squaredNorm();
   to.add(impact_event(inverse_frequency, p.law.smoothing, mass, at), std::max(group(p.a), group(p.b)),

@@ -46,7 +46,7 @@ bool ContactVolumes::recouple(const Kinematics& committed, double h, double thic
   const Mesh& mesh = *mesh_.mesh;
   for (const LocalElement& e : mesh_.elements) {
     if (!e.counted) continue;
-    const Element& g = mesh.elements[e.global];
+    const Element& g = mesh.element(e.global);
     const size_t a = e.first, b = e.second;
     const Vec3 middle = 0.5 * (committed.x[a] + committed.x[b]);
     for (size_t k = 0; k < volumes_.size(); ++k) {

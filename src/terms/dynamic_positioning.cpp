@@ -26,7 +26,7 @@ DynamicPositioning::DynamicPositioning(const model::Case& c, const LocalMesh& me
     : statics_(c.statics.enabled) {
   for (const model::Body& b : c.bodies) has_.push_back(b.mass && b.mass->positioning);
   for (int n = 0; n < mesh.owned; ++n) {
-    const int body = mesh.mesh->nodes[mesh.global[n]].body;
+    const int body = mesh.node(n).body;
     if (body < 0 || !has_[static_cast<size_t>(body)]) continue;
     const model::Body& b = c.bodies[body];
     Positioned p;

@@ -84,17 +84,17 @@ int Feeders::element(const Feeder& f, int i) const {
 }
 
 double Feeders::element_length(const Feeder& f, int i) const {
-  return mesh_.mesh->elements[element(f, i)].length;
+  return mesh_.mesh->element(element(f, i)).length;
 }
 
 double Feeders::outside(const Feeder& f) const {
   const LineSpan& span = mesh_.mesh->lines[f.line];
-  const double arc = mesh_.mesh->nodes[node(f, f.feed_point + 1)].arc;
+  const double arc = mesh_.mesh->node(node(f, f.feed_point + 1)).arc;
   return f.length + (f.at_b ? arc : span.length - arc);
 }
 
 void Feeders::update_feed_point(Feeder& f) {
-  const Element& g = mesh_.mesh->elements[element(f, f.feed_point)];
+  const Element& g = mesh_.mesh->element(element(f, f.feed_point));
   const auto& t = case_.line_types[g.type];
   f.beam = g.beam;
   f.free_strain = g.free_strain;

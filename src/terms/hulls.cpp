@@ -59,7 +59,7 @@ Hulls::Hulls(const model::Case& c, const LocalMesh& mesh, const VolumeFacets& fa
     }
   for (int n = 0; n < mesh.owned; ++n) {
     const int global = mesh.global[n];
-    const int body = mesh.mesh->nodes[global].body;
+    const int body = mesh.mesh->node(global).body;
     if (body < 0 || load_components_[static_cast<size_t>(body)].empty()) continue;
     Hull& hull = list_.emplace_back();
     hull.in_waves = load_components_[static_cast<size_t>(body)].size() > 1;

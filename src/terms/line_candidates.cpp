@@ -120,14 +120,14 @@ std::array<int, 2> LineCandidates::outside(int line) const {
 
 bool LineCandidates::is_in_feeder(int element) const {
   if (inside_.empty()) return false;
-  const auto [first, last] = outside(mesh_.mesh->elements[element].line);
+  const auto [first, last] = outside(mesh_.mesh->element(element).line);
   return element < first || element > last;
 }
 
 // True if it is the element at a feeder's feed point, whose unstretched length differs from that of the mesh.
 bool LineCandidates::at_feeder(int element) const {
   if (inside_.empty()) return false;
-  const int line = mesh_.mesh->elements[element].line;
+  const int line = mesh_.mesh->element(element).line;
   const auto [first, last] = outside(line);
   const std::array<int, 2>& inside = inside_[line];
   return (inside[0] > 0 && element == first) || (inside[1] > 0 && element == last);
@@ -135,13 +135,13 @@ bool LineCandidates::at_feeder(int element) const {
 
 double LineCandidates::skin(int element) const {
   return std::max(settings_.skin_diameters * 2 * radius(element),
-                  settings_.skin_lengths * mesh_.mesh->elements[element].length);
+                  settings_.skin_lengths * mesh_.mesh->element(element).length);
 }
 
 // Sets all members except the positions.
 SweptAxis LineCandidates::at_rest(int element) const {
-  const Element& e = mesh_.mesh->elements[element];
-  const auto arc = [&](int n) { return mesh_.mesh->nodes[n].arc; };
+  const Element& e = mesh_.mesh->element(element);
+  const auto arc = [&](int n) { return mesh_.mesh->node(n).arc; };
   return {element,         e.line,        e.first, e.second, {arc(e.first), arc(e.second)},
           radius(element), skin(element), {},      {}};
 }
@@ -294,7 +294,7 @@ bool LineCandidates::excluded(const SweptAxis& p, const SweptAxis& q) const {
 
 void LineCandidates::couple(Couplings& to) const {
   for (const auto& [a, b] : list_) {
-    const Element &p = mesh_.mesh->elements[a], &q = mesh_.mesh->elements[b];
+    const Element &p = mesh_.mesh->element(a), &q = mesh_.mesh->element(b);
     to.add({p.first, p.second}, {q.first, q.second});
   }
 }
@@ -320,7 +320,7 @@ void LineCandidates::locate() {
   std::sort(others.begin(), others.end());
   others.erase(std::unique(others.begin(), others.end()), others.end());
   for (int e : others) {
-    const Element& element = mesh_.mesh->elements[e];
+    const Element& element = mesh_.mesh->element(e);
     ContactSegment s{mesh_.find(element.first), mesh_.find(element.second), e, radius(e)};
     if (s.first < 0 || s.second < 0) throw std::logic_error("a candidate's nodes are not on this rank");
     number.emplace_back(e, static_cast<int>(segments_.size()));

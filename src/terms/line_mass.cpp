@@ -59,7 +59,7 @@ LineMassTerm::Built LineMassTerm::build(const LocalMesh& mesh, const model::Case
     p.section = {g.length, t.mass_per_length, t.rotary_inertia};
     p.load = Vec3(0, 0, -c.environment.gravity * t.mass_per_length);
     p.first_ramped = static_cast<int>(out.ramped.size());
-    const double from = mesh.mesh->nodes[g.first].arc, to = from + g.length;
+    const double from = mesh.mesh->node(g.first).arc, to = from + g.length;
     for (const auto& l : c.lines[g.line].loads) {
       const double end = l.to < 0 ? mesh.mesh->lines[g.line].length : l.to;
       const double overlap = std::min(to, end) - std::max(from, l.from);
@@ -170,7 +170,7 @@ double LineMassTerm::round_off(const Kinematics& at, double h) const {
 void LineMassTerm::motion(const Kinematics& at, std::span<LineMotion> lines) const {
   for (const MassElement& p : pieces_) {
     if (!p.at.counted || p.idle) continue;
-    LineMotion& line = lines[mesh_.mesh->elements[p.at.global].line];
+    LineMotion& line = lines[mesh_.element(p.at).line];
     const double half = 0.5 * p.section.mass_per_length * p.section.length;
     line.add(half, at.v[p.at.first]);
     line.add(half, at.v[p.at.second]);

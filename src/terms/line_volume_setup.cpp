@@ -32,7 +32,7 @@ bool LineVolumeContact::recouple(const Kinematics& committed, double h) {
 // It does not depend on the trial's positions, so the tangent is exact.
 AxisEnds LineVolumeContact::ends(const Kinematics& at, int element) const {
   const LocalElement& e = mesh_.elements[element];
-  AxisEnds out = element_axis(at, mesh_.mesh->elements[e.global], e.first, e.second);
+  AxisEnds out = element_axis(at, mesh_.element(e), e.first, e.second);
   if (feeders_)
     if (const FedLine* fed = feeders_->find(e.global)) out.length = fed->predicted;
   return out;
@@ -49,7 +49,7 @@ std::array<ContactLaw, 2> LineVolumeContact::laws(const Pair& pair) const {
   const double diameter = 2 * settings(pair).radius;
   std::array<ContactLaw, 2> laws;
   for (size_t i = 0; i < 2; ++i) {
-    const Node& node = mesh_.mesh->nodes[i ? e.second : e.first];
+    const Node& node = mesh_.mesh->node(i ? e.second : e.first);
     double share = 1;  // 1/m, converts the basis to N/m²
     if (v.basis == model::StiffnessBasis::per_point)
       share = 1 / (finder_.at_nodes() ? node.tributary : pair.length);

@@ -286,7 +286,7 @@ void LinesInWater::fields(FieldRegistry& registry) const {
                       const double external = sea_.density * sea_.gravity * std::max(depth, 0.0);
                       const double internal = wall.pressure + wall.contents * sea_.gravity * depth;
                       const double more = wall.inside * internal - wall.outside * external;
-                      if (mesh_.mesh->nodes[static_cast<size_t>(mesh_.global[n])].two_sided) {
+                      if (mesh_.node(n).two_sided) {
                         if (weight[n] == 0 || std::abs(out[n] + more) > std::abs(out[n] + sum[n]))
                           sum[n] = more;
                         weight[n] = 1;

@@ -29,12 +29,12 @@ std::vector<LinesInWater::WetElement> pieces_of(const LocalMesh& mesh, const mod
   std::vector<LinesInWater::WetElement> out;
   out.reserve(mesh.elements.size());
   for (const LocalElement& e : mesh.elements) {
-    const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
+    const Element& g = mesh.element(e);
     LinesInWater::WetElement& p = out.emplace_back();
     p.at = e;
     p.beam = g.beam;
     p.section = water_section(c, g.type, g.length);
-    const double from = mesh.mesh->nodes[static_cast<size_t>(g.first)].arc;
+    const double from = mesh.mesh->node(static_cast<size_t>(g.first)).arc;
     const double bare =
         1 - buried_length(c.lines[static_cast<size_t>(g.line)], from, from + g.length) / g.length;
     // In the soil a line has no drag and no added mass, only buoyancy.

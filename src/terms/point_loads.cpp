@@ -57,7 +57,7 @@ PointLoads::PointLoads(const LocalMesh& mesh, std::vector<NodeLoad> loads) {
     loads_.push_back(load);
     block_.push_back(mesh.block[load.node]);
     const int node = mesh.global[load.node];
-    const int line = mesh.mesh->nodes[node].line;
+    const int line = mesh.mesh->node(node).line;
     global_.push_back(node);
     length_.push_back(mesh.mesh->lines[line].length);
   }

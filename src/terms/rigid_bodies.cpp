@@ -64,7 +64,7 @@ RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::share
     : bodies_(std::move(bodies)), scheme_(AlphaCoefficients(c.dynamics.rho_infinity)) {
   for (int n = 0; n < mesh.owned; ++n) {
     const int global = mesh.global[n];
-    const int body = mesh.mesh->nodes[global].body;
+    const int body = mesh.mesh->node(global).body;
     if (body < 0) continue;
     const model::BodyMass& m = *c.bodies[body].mass;
     Floating f;

@@ -24,7 +24,7 @@ SeabedTerm::SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> sur
   for (const LocalElement& e : mesh.elements)
     for (const int n : {e.first, e.second}) {
       double& longest = element_[n];
-      longest = std::max(longest, mesh.mesh->elements[e.global].length);
+      longest = std::max(longest, mesh.element(e).length);
     }
   const size_t owned = mesh.owned, elements = mesh.elements.size();
   if (laws.nodes.size() != owned) throw std::invalid_argument("the seabed needs a law for each owned node");
@@ -95,7 +95,7 @@ SeabedTerm::PointLaw law_of(const Share& s, const model::Seabed& bed) {
 
 // True if a node is in the soil. A node where the line leaves the soil is not.
 bool in_soil(const Mesh& mesh, const model::Case& c, int node) {
-  const Node& n = mesh.nodes[node];
+  const Node& n = mesh.node(node);
   if (n.body >= 0) return false;
   const double length = mesh.lines[n.line].length, near = 1e-9 * length;
   const auto& stretches = c.lines[n.line].buried;
@@ -109,8 +109,8 @@ class BedAtEnds {
  public:
   BedAtEnds(const model::Case& c, const Mesh& mesh, size_t l) : length_(mesh.lines[l].length) {
     const LineSpan& span = mesh.lines[l];
-    const Element& first = mesh.elements[span.first_element];
-    const Element& last = mesh.elements[span.first_element + span.elements - 1];
+    const Element& first = mesh.element(span.first_element);
+    const Element& last = mesh.element(span.first_element + span.elements - 1);
     a_ = model::bed_at_end(c, c.lines[l], false, first.length);
     b_ = model::bed_at_end(c, c.lines[l], true, last.length);
   }
@@ -134,11 +134,11 @@ SeabedTerm::PointLaws laws_of(const LocalMesh& mesh, const model::Case& c, const
   for (size_t l = 0; l < c.lines.size(); ++l) ends.emplace_back(c, *mesh.mesh, l);
   for (size_t i = 0; i < mesh.elements.size(); ++i) {
     const LocalElement& e = mesh.elements[i];
-    const Element& g = mesh.mesh->elements[e.global];
+    const Element& g = mesh.element(e);
     const model::LineType& t = c.line_types[g.type];
     const double w = model::submerged_weight(c, t);
     const model::Line& line = c.lines[g.line];
-    const double from = mesh.mesh->nodes[g.first].arc, half = 0.5 * g.length;
+    const double from = mesh.mesh->node(g.first).arc, half = 0.5 * g.length;
     const auto bare = [&](double a, double l) { return l - buried_length(line, a, a + l); };
     const bool cut = in_soil(*mesh.mesh, c, g.first) || in_soil(*mesh.mesh, c, g.second);
     for (const int node : {e.first, e.second}) {

@@ -70,10 +70,10 @@ SharedPlaces::SharedPlaces(MPI_Comm comm, const LocalMesh& mesh, ContactRadii ra
   for (size_t l = 1; l < lines.size(); ++l)
     if (first_part_[l] == first_part_[l - 1]) offset_[l] = offset_[l - 1] + lines[l - 1].length;
   const auto first_radius = [&](const Branch& s) {
-    const Node& n = mesh.mesh->nodes[s.node];
+    const Node& n = mesh.mesh->node(s.node);
     const LineSpan& line = lines[n.line];
-    return radii_.of(mesh.mesh->elements[std::min(line.first_element + s.node - line.first_node,
-                                                  line.first_element + line.elements - 1)]);
+    return radii_.of(mesh.mesh->element(
+        std::min(line.first_element + s.node - line.first_node, line.first_element + line.elements - 1)));
   };
   const auto length = [&](const Branch& s) {
     const std::vector<int> all = nodes_to(s, HUGE_VAL);
@@ -84,7 +84,7 @@ SharedPlaces::SharedPlaces(MPI_Comm comm, const LocalMesh& mesh, ContactRadii ra
     place.of = p;
     place.step = (first_radius(p.one) + first_radius(p.other)) / kSteps;
     place.limit = std::min(length(p.one), length(p.other));
-    const int a = mesh.mesh->nodes[p.one.node].line, b = mesh.mesh->nodes[p.other.node].line;
+    const int a = mesh.mesh->node(p.one.node).line, b = mesh.mesh->node(p.other.node).line;
     if (first_part_[a] == first_part_[b]) {
       const double apart = arc(p.other.node) - arc(p.one.node);
       const bool facing = apart * p.one.way > 0 && apart * p.other.way < 0;
@@ -105,7 +105,7 @@ const std::vector<int>& SharedPlaces::between(int line, int other) const {
 
 // Arc length of a node along the given line, m.
 double SharedPlaces::arc(int node) const {
-  const Node& n = mesh_.mesh->nodes[node];
+  const Node& n = mesh_.mesh->node(node);
   return offset_[n.line] + n.arc;
 }
 
@@ -118,13 +118,13 @@ std::array<int, 2> SharedPlaces::outside(int line) const {
 
 // Start of a branch, m along the given line.
 double SharedPlaces::begin(const Branch& branch) const {
-  const auto [first, last] = outside(mesh_.mesh->nodes[branch.node].line);
+  const auto [first, last] = outside(mesh_.mesh->node(branch.node).line);
   return arc(std::clamp(branch.node, first, last));
 }
 
 std::optional<std::array<double, 2>> SharedPlaces::along(const Branch& branch, int element) const {
-  const Element& e = mesh_.mesh->elements[element];
-  if (first_part_[e.line] != first_part_[mesh_.mesh->nodes[branch.node].line]) return std::nullopt;
+  const Element& e = mesh_.mesh->element(element);
+  if (first_part_[e.line] != first_part_[mesh_.mesh->node(branch.node).line]) return std::nullopt;
   const double from = begin(branch);
   const double a = branch.way * (arc(e.first) - from), b = branch.way * (arc(e.second) - from);
   if (std::min(a, b) < -1e-6 * e.length) return std::nullopt;
@@ -133,8 +133,9 @@ std::optional<std::array<double, 2>> SharedPlaces::along(const Branch& branch, i
 
 void SharedPlaces::clip(int element, int second, std::array<double, 2>& part,
                         std::array<double, 2>& second_part) const {
-  const auto& elements = mesh_.mesh->elements;
-  for (const int k : between(elements[element].line, elements[second].line))
+  if (places_.empty()) return;
+  const Mesh& mesh = *mesh_.mesh;
+  for (const int k : between(mesh.element(element).line, mesh.element(second).line))
     for (const bool swapped : {false, true}) {
       const auto one = along(place(k).one, swapped ? second : element),
                  other = along(place(k).other, swapped ? element : second);
@@ -155,13 +156,13 @@ void SharedPlaces::clip(int element, int second, std::array<double, 2>& part,
 
 // Nodes of a branch, outwards, up to and including the first one at `reach` [m] or beyond.
 std::vector<int> SharedPlaces::nodes_to(const Branch& branch, double reach) const {
-  const int first_part = first_part_[mesh_.mesh->nodes[branch.node].line];
-  const auto [first, last] = outside(mesh_.mesh->nodes[branch.node].line);
+  const int first_part = first_part_[mesh_.mesh->node(branch.node).line];
+  const auto [first, last] = outside(mesh_.mesh->node(branch.node).line);
   const double from = begin(branch);
   std::vector<int> out;
   for (int n = std::clamp(branch.node, first, last); n >= 0 && n < mesh_.mesh->line_nodes();
        n += branch.way) {
-    const int line = mesh_.mesh->nodes[n].line;
+    const int line = mesh_.mesh->node(n).line;
     if (first_part_[line] != first_part) break;
     const auto [a, b] = outside(line);
     if (n < a || n > b) break;
@@ -196,11 +197,11 @@ SharedPlaces::Rope SharedPlaces::rope(const Branch& branch, const std::vector<in
   const double from = begin(branch);
   for (size_t i = 0; i < nodes.size(); ++i) {
     out.s.push_back(std::abs(arc(nodes[i]) - from));
-    const Node& n = mesh_.mesh->nodes[nodes[i]];
+    const Node& n = mesh_.mesh->node(nodes[i]);
     const LineSpan& line = mesh_.mesh->lines[n.line];
     const int element = line.first_element + nodes[i] - line.first_node - (branch.way < 0 ? 1 : 0);
     const int within = std::clamp(element, line.first_element, line.first_element + line.elements - 1);
-    out.radius.push_back(radii_.of(mesh_.mesh->elements[within]));
+    out.radius.push_back(radii_.of(mesh_.mesh->element(within)));
   }
   return out;
 }
@@ -274,7 +275,7 @@ void SharedPlaces::update(PlaceState& p, const Rope& one, const Rope& other, boo
       if (gap >= 0) break;
       nearest = std::min(nearest, gap);
     }
-    const int a = mesh_.mesh->nodes[p.of.one.node].line, b = mesh_.mesh->nodes[p.of.other.node].line;
+    const int a = mesh_.mesh->node(p.of.one.node).line, b = mesh_.mesh->node(p.of.other.node).line;
     const bool side_by_side =
         first == most && first_part_[a] != first_part_[b] && nearest > -kPressed * kSteps * p.step;
     p.within = side_by_side ? 0 : first == most ? most : free_to(first);

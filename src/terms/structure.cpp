@@ -76,9 +76,8 @@ namespace {
 
 std::vector<StructureTerm::Beam> beams_of(const LocalMesh& mesh, const model::Case& c) {
   std::vector<StructureTerm::Beam> out;
-  out.reserve(
-      static_cast<size_t>(std::count_if(mesh.elements.begin(), mesh.elements.end(),
-                                        [&](const auto& e) { return mesh.mesh->elements[e.global].beam; })));
+  out.reserve(static_cast<size_t>(std::count_if(mesh.elements.begin(), mesh.elements.end(),
+                                                [&](const auto& e) { return mesh.element(e).beam; })));
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.element(e);
     if (!g.beam) continue;
@@ -92,9 +91,8 @@ std::vector<StructureTerm::Beam> beams_of(const LocalMesh& mesh, const model::Ca
 
 std::vector<StructureTerm::Cable> cables_of(const LocalMesh& mesh, const model::Case& c) {
   std::vector<StructureTerm::Cable> out;
-  out.reserve(
-      static_cast<size_t>(std::count_if(mesh.elements.begin(), mesh.elements.end(),
-                                        [&](const auto& e) { return !mesh.mesh->elements[e.global].beam; })));
+  out.reserve(static_cast<size_t>(std::count_if(mesh.elements.begin(), mesh.elements.end(),
+                                                [&](const auto& e) { return !mesh.element(e).beam; })));
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.element(e);
     if (!g.beam) out.push_back({e, {}, cable_section(c, g)});
@@ -106,13 +104,13 @@ std::vector<StructureTerm::Cable> cables_of(const LocalMesh& mesh, const model::
 
 StructureTerm::StructureTerm(const LocalMesh& mesh, const model::Case& c)
     : StructureTerm(mesh, beams_of(mesh, c), cables_of(mesh, c)) {
-  for (const Element& e : mesh.mesh->elements) yields_ |= c.line_types[e.type].plastic_bending != nullptr;
+  for (const EvenPart& p : mesh.mesh->parts()) yields_ |= c.line_types[p.type].plastic_bending != nullptr;
   // Sections inside feeders have never been bent. A line of several types that yields cannot be fed.
   for (size_t l = 0; l < c.lines.size(); ++l)
     for (const bool at_b : {false, true}) {
       if (!c.lines[l].end(at_b).feed) continue;
       FedBends& fed = fed_.emplace_back();
-      const Element& e = mesh.mesh->elements[mesh.mesh->lines[l].first_element];
+      const Element& e = mesh.mesh->element(mesh.mesh->lines[l].first_element);
       if (const auto& plastic = c.line_types[e.type].plastic_bending)
         fed.inside.assign(2 * kBendingPlaces * plastic->memory(), 0);
     }
@@ -227,7 +225,7 @@ Overstretch StructureTerm::overstretched(const Kinematics& at) const {
 
 void StructureTerm::tensions(const Kinematics& at, std::span<LineTension> lines) const {
   const auto look = [&](const auto& e, double tension) {
-    const Element& g = mesh_.mesh->elements[e.at.global];
+    const Element& g = mesh_.element(e.at);
     LineTension& line = lines[g.line];
     line.tension = std::max(line.tension, std::abs(tension));
     line.round_off = std::max(line.round_off, pull_round_off(at, e));
@@ -242,7 +240,7 @@ std::vector<double> StructureTerm::slack(const Kinematics& at) const {
   std::vector<double> lines(mesh_.mesh->lines.size());
   for (const Cable& c : cables_)
     if (c.at.counted && cable_stress(c.section, ends(c, at)).tension == 0)
-      lines[mesh_.mesh->elements[c.at.global].line] += c.section.length;
+      lines[mesh_.element(c.at).line] += c.section.length;
   return lines;
 }
 

@@ -30,7 +30,7 @@ int outwards(const FedLine& f) { return f.at_b ? -1 : 1; }
 std::vector<RememberedCell> inside(const Mesh& mesh, const FedLine& f, const std::vector<double>& values) {
   const size_t n = values.size() / (2 * kBendingPlaces);
   const int next = f.inside[0] < f.inside[1] ? f.element - outwards(f) : f.element;
-  const double first = mesh.elements[f.element].length, second = first + mesh.elements[next].length;
+  const double first = mesh.element(f.element).length, second = first + mesh.element(next).length;
   std::vector<RememberedCell> out;
   for (const RememberedCell& c : remembered_cells(0, first, values.data(), n)) out.push_back(c);
   for (const RememberedCell& c : remembered_cells(first, second, values.data() + kBendingPlaces * n, n))
@@ -163,7 +163,7 @@ void StructureTerm::transfer_node(MPI_Comm comm, size_t feeder, bool releases) {
   std::vector<double> now(size);
   // Divides the element into its free part and the new element at the feed point.
   if (releases) {
-    const double mesh_length = mesh.elements[f.element].length;
+    const double mesh_length = mesh.element(f.element).length;
     remember_cells(cells, n, 0, mesh_length, now.data());
     keep(f.element, now);
     remember_cells(cells, n, mesh_length, f.length, now.data());
@@ -171,7 +171,7 @@ void StructureTerm::transfer_node(MPI_Comm comm, size_t feeder, bool releases) {
     std::copy_n(part(4), size, kept.begin());
     std::copy_n(part(2), size, kept.begin() + static_cast<std::ptrdiff_t>(size));
   } else {  // The element is joined with the one after it, whose material has labels below 0.
-    const double length = mesh.elements[f.element + out].length;
+    const double length = mesh.element(f.element + out).length;
     for (const RememberedCell& c : remembered_cells(-length, 0, part(1), n)) cells.push_back(c);
     remember_cells(cells, n, -length, f.length, now.data());
     keep(f.element + out, now);

@@ -63,8 +63,7 @@ void StructureTerm::fields(FieldRegistry& registry) const {
                    int end) { return degrees(declination((end ? e.q2 : e.q1) * Vec3::UnitX())); },
                 [](const CableSection&, const CableEnds& e) { return degrees(declination(e.x2 - e.x1)); })});
   // The condition is on the whole model, not on this rank, because all ranks must write the same fields.
-  const auto& all = mesh_.mesh->elements;
-  if (std::none_of(all.begin(), all.end(), [](const Element& e) { return e.beam; })) return;
+  if (!mesh_.mesh->any_beam()) return;
   registry.add({{.name = "shear_force",
                  .unit = "N",
                  .history = History::yes,

@@ -67,7 +67,7 @@ std::vector<CheckpointRecord> StructureTerm::records(NodeRange of) const {
     }
   for (size_t k = 0; k < fed_.size(); ++k) {
     if (fed_[k].inside.empty()) continue;
-    const Element& e = mesh_.mesh->elements[feeders_->fed()[k].element];
+    const Element& e = mesh_.mesh->element(feeders_->fed()[k].element);
     for (const int node : {e.first, e.second})
       if (const int n = mesh_.find(node); n >= 0 && wanted(n))
         out.push_back({node, static_cast<int>(k), fed_[k].inside, kInside});

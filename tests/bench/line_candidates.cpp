@@ -27,21 +27,21 @@ struct Tangle {
     const double half = 0.5 * std::cbrt(room * segments);
     std::vector<Vec3> x, t;
     for (int line = 0; line < segments / 100; ++line) {
-      const int first = static_cast<int>(mesh.nodes.size());
+      const int first = mesh.nodes();
       Vec3 at = half * Vec3(unit(rng), unit(rng), unit(rng));
       Vec3 way = Vec3(unit(rng), unit(rng), unit(rng)).normalized();
       for (int i = 0; i <= 100; ++i) {
-        mesh.nodes.push_back({line, static_cast<double>(i), 1, true});
+        mesh.add(Node{line, static_cast<double>(i), 1, true});
         x.push_back(at);
         t.push_back(way);
-        if (i < 100) mesh.elements.push_back({line, first + i, first + i + 1, 0, 1, true});
+        if (i < 100) mesh.add(Element{line, first + i, first + i + 1, 0, 1, true});
         way = (way + 0.2 * Vec3(unit(rng), unit(rng), unit(rng))).normalized();
         for (int c = 0; c < 3; ++c)
           if (std::abs(at[c] + way[c]) > half) way[c] = -std::copysign(std::abs(way[c]), at[c]);
         at += way;
       }
     }
-    local = local_mesh(mesh, std::vector<int>(mesh.nodes.size(), 0), 0, 1);
+    local = local_mesh(mesh, NodeRanks::all_of(mesh.nodes()), 0, 1);
     state.resize(local.nodes());
     for (size_t n = 0; n < x.size(); ++n) {
       state.x[n] = x[n];

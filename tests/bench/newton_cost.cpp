@@ -87,7 +87,7 @@ void newton(benchmark::State& state) {
     check(KSPSetUp(bare.get()));
   };
   factor();
-  const double nodes = static_cast<double>(sim.mesh().nodes.size());
+  const double nodes = static_cast<double>(sim.mesh().nodes());
   const int inner = std::max(1, static_cast<int>(10000 / nodes));
   // Least time of interleaved repetitions: what the machine does when nothing else disturbs it.
   double best[6];

@@ -111,7 +111,7 @@ lines:
   const Mesh mesh = build_mesh(c);
   const int ranks = ranks_of(MPI_COMM_WORLD);
   const int last = ranks - 1;
-  const LocalMesh local = local_mesh(mesh, {0, 0, last, last}, rank_of(MPI_COMM_WORLD), ranks);
+  const LocalMesh local = local_mesh(mesh, std::vector{0, 0, last, last}, rank_of(MPI_COMM_WORLD), ranks);
   const double a = 49 * M_PI / 180, T = 1000 / std::cos(a), up = T * std::sin(a);
   const std::vector<Vec3> x{{-2 * std::cos(a), 0, -2 * std::sin(a)},
                             {0, 0, 0},

@@ -140,7 +140,7 @@ TEST(StartContact, TheRestOfTheLineTouches) {
     double lowest = 1, weight = 0;
     for (int n = 0; n < r.sim->local().owned; ++n) {
       const double arc =
-          r.sim->mesh().nodes[static_cast<size_t>(r.sim->local().global[static_cast<size_t>(n)])].arc;
+          r.sim->mesh().node(static_cast<size_t>(r.sim->local().global[static_cast<size_t>(n)])).arc;
       if (arc > 3) lowest = std::min(lowest, r.sim->state().x[static_cast<size_t>(n)].z());
     }
     MPI_Allreduce(MPI_IN_PLACE, &lowest, 1, MPI_DOUBLE, MPI_MIN, MPI_COMM_WORLD);

@@ -31,7 +31,7 @@ inline void add_structure(SuiteModel& m, double beta, double GA, bool turned, bo
   std::vector<StructureTerm::Beam> beams;
   std::vector<StructureTerm::Cable> cables;
   for (const LocalElement& e : l.elements) {
-    const Element& g = m.mesh.elements[static_cast<size_t>(e.global)];
+    const Element& g = m.mesh.element(static_cast<size_t>(e.global));
     if (!g.beam) {
       cables.push_back({e, {}, {g.length, 300, beta, tables ? &tension : nullptr, turned ? 0.02 : 0}});
       continue;
@@ -56,7 +56,7 @@ inline void add_mass(SuiteModel& m, const Placement& at, bool turned) {
   const LocalMesh& l = m.system->mesh();
   std::vector<LineMassTerm::MassElement> pieces;
   for (const LocalElement& e : l.elements) {
-    const Element& g = m.mesh.elements[static_cast<size_t>(e.global)];
+    const Element& g = m.mesh.element(static_cast<size_t>(e.global));
     LineMassTerm::MassElement p;
     p.at = e;
     p.beam = g.beam;
@@ -172,7 +172,7 @@ inline void add_water(SuiteModel& m, const Placement& at, double surface, bool w
   const LocalMesh& l = m.system->mesh();
   std::vector<LinesInWater::WetElement> pieces;
   for (const LocalElement& e : l.elements) {
-    const Element& g = m.mesh.elements[static_cast<size_t>(e.global)];
+    const Element& g = m.mesh.element(static_cast<size_t>(e.global));
     LinesInWater::WetElement p;
     p.at = e;
     p.beam = g.beam;

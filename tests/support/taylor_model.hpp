@@ -22,8 +22,8 @@ inline Mesh suite_mesh() {
   const double L = 1.2;
   for (int line = 0; line < 2; ++line) {
     const int first = 4 * line;
-    for (int i = 0; i < 4; ++i) m.nodes.push_back({line, i * L, i % 3 ? L : L / 2, line == 0});
-    for (int i = 0; i < 3; ++i) m.elements.push_back({line, first + i, first + i + 1, line, L, line == 0});
+    for (int i = 0; i < 4; ++i) m.add(Node{line, i * L, i % 3 ? L : L / 2, line == 0});
+    for (int i = 0; i < 3; ++i) m.add(Element{line, first + i, first + i + 1, line, L, line == 0});
     LineSpan span;
     span.first_node = first;
     span.nodes = 4;

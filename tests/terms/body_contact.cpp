@@ -142,8 +142,8 @@ struct BodyModel {
         {},
         {other.position, other.rotation,
          floats ? MotionLaw() : MotionLaw(SteadyLaw{{0.2, -0.1, 0.3}, {1, 2, -2}, 0.4})}});
-    system = std::make_unique<System>(PETSC_COMM_SELF,
-                                      local_mesh(mesh, std::vector<int>(mesh.nodes.size(), 0), 0, 1));
+    system =
+        std::make_unique<System>(PETSC_COMM_SELF, local_mesh(mesh, NodeRanks::all_of(mesh.nodes()), 0, 1));
     std::vector<BodyVolume> touching;
     auto skeletons = run::skeletons(c, volumes);
     const auto faces = run::surfaces(volumes);

@@ -19,17 +19,19 @@ struct Model {
   State state{2}, next{2};
 
   Model() {
-    mesh.nodes = {{0, 0, 0.5, false}, {0, 1, 0.5, false}};
-    mesh.elements = {{0, 0, 1, 0, 1, false}};
+    mesh.add(Node{0, 0, 0.5, false});
+    mesh.add(Node{0, 1, 0.5, false});
+    mesh.add(Element{0, 0, 1, 0, 1, false});
     mesh.lines = {{0, 2, 0, 1, 1, "line"}};
     local.mesh = &mesh;
     local.owned = 2;
-    local.owner = {0, 0};
+    local.owner = NodeRanks::all_of(2);
     local.global = {0, 1};
     local.block = {0, 1};
     local.owned_blocks = 2;
     local.global_block = {0, 1};
     local.elements = {{0, 1, 0, true}};
+    local.copy_local();
   }
 };
 

@@ -14,16 +14,18 @@ namespace {
 // A cable of 2 m along x, deep in water that goes along y: the force on its first node [N].
 double pull(double ramp, double time, double step) {
   Mesh mesh;
-  mesh.nodes = {{0, 0, 1, false}, {0, 2, 1, false}};
-  mesh.elements = {{0, 0, 1, 0, 2, false}};
+  mesh.add(Node{0, 0, 1, false});
+  mesh.add(Node{0, 2, 1, false});
+  mesh.add(Element{0, 0, 1, 0, 2, false});
   mesh.lines = {{0, 2, 0, 1, 2, "one"}};
   LocalMesh local;
   local.mesh = &mesh;
   local.owned = 2;
   local.owned_blocks = 2;
-  local.owner = {0, 0};
+  local.owner = NodeRanks::all_of(2);
   local.global = local.block = local.global_block = {0, 1};
   local.elements = {{0, 1, 0, false}};
+  local.copy_local();
   model::Case c;
   c.lines.resize(1);
   model::Water& w = c.environment.water;

@@ -90,8 +90,8 @@ struct Rig {
   LineVolumeContact* on_roller = nullptr;
 
   explicit Rig(model::Case of) : c(std::move(of)), mesh(build_mesh(c)) {
-    system = std::make_unique<System>(PETSC_COMM_SELF,
-                                      local_mesh(mesh, std::vector<int>(mesh.nodes.size(), 0), 0, 1));
+    system =
+        std::make_unique<System>(PETSC_COMM_SELF, local_mesh(mesh, NodeRanks::all_of(mesh.nodes()), 0, 1));
     auto structure = std::make_unique<StructureTerm>(system->mesh(), c);
     auto mass = std::make_unique<LineMassTerm>(system->mesh(), c);
     auto owned = std::make_unique<Feeders>(system->mesh(), c);
@@ -119,7 +119,7 @@ struct Rig {
     v.settings.friction = {0.3, 0.3, 0, 4e3};
     auto term = std::make_unique<LineVolumeContact>(
         system->mesh(), std::make_shared<const Bodies>(), std::vector{v},
-        std::vector<LineContactElement>(mesh.elements.size(), {kRadius, 2}));
+        std::vector<LineContactElement>(static_cast<size_t>(mesh.elements()), {kRadius, 2}));
     on_roller = term.get();
     system->add(std::move(term));
   }
@@ -134,7 +134,7 @@ struct Roller {
   static AxisShape axis(const Rig& r, const Kinematics& at) {
     const Feeder& f = r.feeders->all().front();
     const LocalElement& e = *r.feeders->at_feed_point(f);
-    AxisEnds ends = element_axis(at, r.mesh.elements[static_cast<size_t>(e.global)], e.first, e.second);
+    AxisEnds ends = element_axis(at, r.mesh.element(static_cast<size_t>(e.global)), e.first, e.second);
     ends.length = r.feeders->predicted_feed_point(f, at).length;
     return AxisShape(ends);
   }

@@ -181,13 +181,13 @@ TEST(Frames, MomentumOfTwoBodiesOnALine) {
     const LocalMesh& m = sim.local();
     Vec3 p = Vec3::Zero();
     for (int n = 0; n < m.owned; ++n) {
-      const Node& node = sim.mesh().nodes[static_cast<size_t>(m.global[static_cast<size_t>(n)])];
+      const Node& node = sim.mesh().node(static_cast<size_t>(m.global[static_cast<size_t>(n)]));
       if (node.body >= 0)
         p += c.bodies[static_cast<size_t>(node.body)].mass->mass * k.v[static_cast<size_t>(n)];
     }
     for (const LocalElement& e : m.elements)
       if (e.counted)
-        p += 0.5 * 2 * m.mesh->elements[static_cast<size_t>(e.global)].length *
+        p += 0.5 * 2 * m.mesh->element(static_cast<size_t>(e.global)).length *
              (k.v[static_cast<size_t>(e.first)] + k.v[static_cast<size_t>(e.second)]);
     MPI_Allreduce(MPI_IN_PLACE, p.data(), 3, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
     return p;

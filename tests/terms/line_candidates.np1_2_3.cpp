@@ -41,7 +41,7 @@ long sum(long x) {
 
 // Points of an element's axis, Hermite's cubic where it bends.
 std::vector<Vec3> points(const Mesh& mesh, const State& s, int element) {
-  const Element& e = mesh.elements[static_cast<size_t>(element)];
+  const Element& e = mesh.element(static_cast<size_t>(element));
   const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
   std::vector<Vec3> out;
   constexpr int kPoints = 12;
@@ -123,7 +123,7 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
     for (const auto& p : list) {
       bool mine = false;
       for (int e : {p.first, p.second}) {
-        const Element& g = mesh.elements[static_cast<size_t>(e)];
+        const Element& g = mesh.element(static_cast<size_t>(e));
         for (int n : {g.first, g.second}) mine |= l.find(n) >= 0 && l.find(n) < l.owned;
       }
       if (mine) expected.push_back(p);
@@ -139,10 +139,10 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
     kept += covered;
     if (!covered) continue;
     std::vector<std::vector<Vec3>> axes;
-    for (size_t e = 0; e < mesh.elements.size(); ++e) axes.push_back(points(mesh, b, static_cast<int>(e)));
+    for (int e = 0; e < mesh.elements(); ++e) axes.push_back(points(mesh, b, e));
     for (int e = 0; e < static_cast<int>(axes.size()); ++e)
       for (int o = e + 1; o < static_cast<int>(axes.size()); ++o) {
-        const Element &p = mesh.elements[static_cast<size_t>(e)], &q = mesh.elements[static_cast<size_t>(o)];
+        const Element &p = mesh.element(static_cast<size_t>(e)), &q = mesh.element(static_cast<size_t>(o));
         const bool never = (p.line == 1 && q.line == 4) || (p.line == 2 && q.line == 2) ||
                            (p.line == q.line && o - e - 1 < 1.5) ||
                            (p.line == 0 && q.line == 1 && e + (o - 14) < 1.5);
@@ -163,7 +163,7 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
   EXPECT_GT(touching, 500);
   EXPECT_GT(kept, 50);
   EXPECT_GT(layout_changed, 2);
-  EXPECT_LT(listed * 2, static_cast<long>(mesh.elements.size() * mesh.elements.size() / 4));
+  EXPECT_LT(listed * 2, static_cast<long>(mesh.elements()) * mesh.elements() / 4);
   const long builds = all.springs->list.builds();
   EXPECT_EQ(builds, one.springs->list.builds());
   EXPECT_GT(builds, 3);
@@ -182,16 +182,15 @@ TEST(LineCandidates, BentAxes) {
   for (int trial = 0; trial < 10; ++trial) {
     for (size_t n = 0; n < s.q.size(); ++n) {
       s.x[n] += 0.3 * noise3(static_cast<int>(n), 200 + trial);
-      if (mesh.nodes[n].rotates) s.q[n] *= exp_so3(1.5 * noise3(static_cast<int>(n), 100 + trial));
+      if (mesh.node(n).rotates) s.q[n] *= exp_so3(1.5 * noise3(static_cast<int>(n), 100 + trial));
     }
     m.sim.system().couple(s.view(0), 0);
     const auto list = m.pairs();
     std::vector<std::vector<Vec3>> axes;
-    for (size_t e = 0; e < mesh.elements.size(); ++e) axes.push_back(points(mesh, s, static_cast<int>(e)));
+    for (int e = 0; e < mesh.elements(); ++e) axes.push_back(points(mesh, s, e));
     for (int e = 0; e < static_cast<int>(axes.size()); ++e)
       for (int o = e + 1; o < static_cast<int>(axes.size()); ++o) {
-        if (mesh.elements[static_cast<size_t>(e)].line == mesh.elements[static_cast<size_t>(o)].line)
-          continue;
+        if (mesh.element(static_cast<size_t>(e)).line == mesh.element(static_cast<size_t>(o)).line) continue;
         if (nearest(axes[static_cast<size_t>(e)], axes[static_cast<size_t>(o)]) > 0.2) continue;
         ++touching;
         EXPECT_TRUE(std::binary_search(list.begin(), list.end(), std::pair(e, o))) << e << " and " << o;
@@ -216,7 +215,7 @@ TEST(LineCandidates, BundlesStayOnOneRank) {
   const auto coupled = run::coupled_nodes(PETSC_COMM_SELF, c, mesh, one.bodies());
   EXPECT_EQ(run::coupled_nodes(PETSC_COMM_WORLD, c, mesh, one.bodies()), coupled);
   EXPECT_GT(coupled.size(), 320u);
-  const std::vector<int> owner = partition(mesh, 2, coupled);
+  const NodeRanks owner = partition(mesh, 2, coupled);
   EXPECT_EQ(cut_elements(mesh, owner), 0);
   for (size_t n = 0; n < 82; ++n) EXPECT_EQ(owner[n], owner[n + 82]) << n;
   EXPECT_NE(owner[0], owner[41]);
@@ -325,7 +324,7 @@ TEST(LineCandidates, WayThatBends) {
   const auto turn = [&](double t) {
     const Quat q = exp_so3(rate * t * Vec3::UnitZ());
     for (size_t n = 0; n < s.x.size(); ++n) {
-      const Vec3 arm(l.mesh->nodes[static_cast<size_t>(l.global[n])].arc, 0, 0);
+      const Vec3 arm(l.mesh->node(static_cast<size_t>(l.global[n])).arc, 0, 0);
       s.x[n] = q * arm;
       s.q[n] = q;
       s.w[n] = rate * Vec3::UnitZ();
@@ -436,7 +435,7 @@ TEST(LineCandidates, DynamicsWithARefusedStep) {
     const LocalMesh& l = m->sim.local();
     State& s = m->sim.state();
     for (int n = 0; n < l.nodes(); ++n) {
-      const Node& node = l.mesh->nodes[static_cast<size_t>(l.global[static_cast<size_t>(n)])];
+      const Node& node = l.mesh->node(static_cast<size_t>(l.global[static_cast<size_t>(n)]));
       if (node.line >= 3) s.v[static_cast<size_t>(n)].z() = -4 * std::sin(M_PI * node.arc / 10);
     }
     Dynamics& d = m->sim.dynamics();

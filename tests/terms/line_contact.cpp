@@ -137,13 +137,14 @@ TEST(LineContact, HistoryGoesThroughACheckpoint) {
 // Force of an element that lies on a plane, by hand; shared out half and half; work of a plane that rises.
 TEST(LineContact, OneElementOnARisingPlane) {
   Mesh mesh;
-  mesh.nodes = {{0, 0, 1, false}, {0, 2, 1, false}};
-  mesh.elements = {{0, 0, 1, 0, 2, false}};
+  mesh.add(Node{0, 0, 1, false});
+  mesh.add(Node{0, 2, 1, false});
+  mesh.add(Element{0, 0, 1, 0, 2, false});
   mesh.lines = {{0, 2, 0, 1, 2, "line"}};
   for (const auto& [basis, force] : {std::pair(model::StiffnessBasis::per_point, 1e5 * 0.02),
                                      std::pair(model::StiffnessBasis::per_length, 2e5 * 0.02),
                                      std::pair(model::StiffnessBasis::per_area, 0.2 * 2e5 * 0.02)}) {
-    const LocalMesh l = local_mesh(mesh, {0, 0}, 0, 1);
+    const LocalMesh l = local_mesh(mesh, NodeRanks::all_of(2), 0, 1);
     const RigidMotion rising({0, 0, 0}, {0, 0, 0}, SteadyLaw{{0.1, 0, 0.2}, {0, 0, 1}, 0}, 0);
     ContactVolume v;
     v.surface = std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitZ());
@@ -183,10 +184,11 @@ TEST(LineContact, OneElementOnARisingPlane) {
 // Steps end where something would be met too deep, follow an impact and leave what is laid down slowly alone.
 TEST(LineContact, StepsFollowImpacts) {
   Mesh mesh;
-  mesh.nodes = {{0, 0, 1, false}, {0, 2, 1, false}};
-  mesh.elements = {{0, 0, 1, 0, 2, false}};
+  mesh.add(Node{0, 0, 1, false});
+  mesh.add(Node{0, 2, 1, false});
+  mesh.add(Element{0, 0, 1, 0, 2, false});
   mesh.lines = {{0, 2, 0, 1, 2, "line"}};
-  const LocalMesh l = local_mesh(mesh, {0, 0}, 0, 1);
+  const LocalMesh l = local_mesh(mesh, NodeRanks::all_of(2), 0, 1);
   ContactVolume v;
   v.surface = std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitZ());
   v.settings.basis = model::StiffnessBasis::per_length;

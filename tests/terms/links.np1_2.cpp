@@ -179,7 +179,7 @@ TEST(Links, MomentumOfTwoBodies) {
     const LocalMesh& m = sim.local();
     std::array<double, 6> sum{};
     for (size_t n = 0; n < static_cast<size_t>(m.owned); ++n) {
-      const Node& node = sim.mesh().nodes[static_cast<size_t>(m.global[n])];
+      const Node& node = sim.mesh().node(static_cast<size_t>(m.global[n]));
       const model::BodyMass& body = *c.bodies[static_cast<size_t>(node.body)].mass;
       const Vec3 p = body.mass * k.v[n];
       Eigen::Map<Vec3>(sum.data()) += p;

@@ -17,8 +17,10 @@ namespace {
 
 Mesh two_lines() {
   Mesh mesh;
-  mesh.nodes = {{0, 0, 1, true}, {0, 2, 1, true}, {1, 0, 0, false}};
-  mesh.elements = {{0, 0, 1, 0, 2, true}};
+  mesh.add(Node{0, 0, 1, true});
+  mesh.add(Node{0, 2, 1, true});
+  mesh.add(Node{1, 0, 0, false});
+  mesh.add(Element{0, 0, 1, 0, 2, true});
   mesh.lines = {{0, 2, 0, 1, 2, "one"}, {2, 1, 1, 0, 0, "two"}};
   return mesh;
 }
@@ -27,12 +29,13 @@ LocalMesh local_mesh(const Mesh& mesh) {
   LocalMesh l;
   l.mesh = &mesh;
   l.owned = 3;
-  l.owner = {0, 0, 0};
+  l.owner = NodeRanks::all_of(3);
   l.global = {0, 1, 2};
   l.block = {0, 2, 4};
   l.owned_blocks = 5;
   l.global_block = {0, 1, 2, 3, 4};
   l.elements = {{0, 1, 0, true}};
+  l.copy_local();
   return l;
 }
 

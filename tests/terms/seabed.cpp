@@ -22,14 +22,14 @@ struct OneNode {
 
   template <class Bed>
   OneNode(const Bed& shape, const SeabedTerm::PointLaw& law) {
-    for (int i = 0; i < 2; ++i) mesh.nodes.push_back({0, 1.0 * i, 0.5, false});
-    mesh.elements.push_back({0, 0, 1, 0, 1.0, false});
+    for (int i = 0; i < 2; ++i) mesh.add(Node{0, 1.0 * i, 0.5, false});
+    mesh.add(Element{0, 0, 1, 0, 1.0, false});
     LineSpan span;
     span.nodes = 2;
     span.elements = 1;
     span.length = 1;
     mesh.lines.push_back(span);
-    local = local_mesh(mesh, {0, 0}, 0, 1);
+    local = local_mesh(mesh, NodeRanks::all_of(2), 0, 1);
     SeabedTerm::PointLaw none;
     none.radius = -1;
     bed = std::make_unique<SeabedTerm>(local, shape, SeabedTerm::PointLaws{{law, none}, {}});
@@ -93,10 +93,11 @@ TEST(SeabedFriction, PaperFormula) {
 // A case's table per area and per length: of a node its share of it, with the potential beside it.
 TEST(SeabedTable, ForceAndPotentialOfANode) {
   Mesh mesh;
-  mesh.nodes = {{0, 0, 1, false}, {0, 2, 1, false}};
-  mesh.elements = {{0, 0, 1, 0, 2, true}};
+  mesh.add(Node{0, 0, 1, false});
+  mesh.add(Node{0, 2, 1, false});
+  mesh.add(Element{0, 0, 1, 0, 2, true});
   mesh.lines = {{0, 2, 0, 1, 2, "one"}};
-  const LocalMesh local = local_mesh(mesh, {0, 0}, 0, 1);
+  const LocalMesh local = local_mesh(mesh, NodeRanks::all_of(2), 0, 1);
   const std::vector<ContactForceTable::Row> rows{{0.01, 100}, {0.05, 900}, {0.1, 1000}};
   for (const bool by_length : {false, true}) {
     model::Case c;
@@ -390,8 +391,8 @@ TEST(SeabedShapes, RefusesWhatIsNoSheet) {
 // keeps or from what one rank kept; one counts it.
 TEST(SeabedHalfWay, HistoryIsWithBothNodes) {
   Mesh mesh;
-  for (int i = 0; i < 2; ++i) mesh.nodes.push_back({0, 1.0 * i, 0.5, false});
-  mesh.elements.push_back({0, 0, 1, 0, 1.0, false});
+  for (int i = 0; i < 2; ++i) mesh.add(Node{0, 1.0 * i, 0.5, false});
+  mesh.add(Element{0, 0, 1, 0, 1.0, false});
   mesh.lines = {{0, 2, 0, 1, 1, "one"}};
   SeabedTerm::PointLaw none;
   none.radius = -1;

@@ -60,9 +60,10 @@ model::Case field(const std::string& over = "[[middle, low], [top, middle], [acr
 // Lines in turn to each rank, ends to the rank of what carries them.
 LocalMesh dealt(const Mesh& mesh, MPI_Comm comm) {
   std::vector<int> owner;
-  for (Node n : mesh.nodes) {
+  for (int i = 0; i < mesh.nodes(); ++i) {
+    Node n = mesh.node(i);
     while (n.pinned_to >= 0 || n.tied_to >= 0)
-      n = mesh.nodes[static_cast<size_t>(std::max(n.pinned_to, n.tied_to))];
+      n = mesh.node(static_cast<size_t>(std::max(n.pinned_to, n.tied_to)));
     owner.push_back(n.line % ranks_of(comm));
   }
   return local_mesh(mesh, owner, rank_of(comm), ranks_of(comm));
@@ -84,7 +85,7 @@ TEST(StartShape, RanksMakeTheirOwn) {
   std::vector<bool> here(c.lines.size(), false);
   for (size_t n = 0; n < static_cast<size_t>(local.nodes()); ++n) {
     const size_t g = static_cast<size_t>(local.global[n]);
-    here[static_cast<size_t>(mesh.nodes[g].line)] = true;
+    here[static_cast<size_t>(mesh.node(g).line)] = true;
     EXPECT_TRUE(same(mine.state.x[n], one.state.x[g])) << mesh.place(static_cast<int>(g));
     EXPECT_EQ(mine.state.q[n].coeffs(), one.state.q[g].coeffs()) << mesh.place(static_cast<int>(g));
     EXPECT_TRUE(same(mine.laid[n], one.laid[g])) << mesh.place(static_cast<int>(g));

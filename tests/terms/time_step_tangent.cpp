@@ -73,7 +73,7 @@ TEST(StepTangent, IsTheDerivativeByTheIncrements) {
 // accelerations are of first order only after a start and where steps change, those of positions, too.)
 TEST(StepTangent, DirectorsFollowTheirAccelerations) {
   Mesh mesh = suite_mesh();
-  const LocalMesh l = local_mesh(mesh, std::vector<int>(mesh.nodes.size(), 0), 0, 1);
+  const LocalMesh l = local_mesh(mesh, NodeRanks::all_of(mesh.nodes()), 0, 1);
   const TiedNodes none(l, {}, {});
   for (const double rho : {1.0, 0.8}) {
     const AlphaCoefficients c(rho);

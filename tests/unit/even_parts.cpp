@@ -13,6 +13,12 @@ namespace {
 
 constexpr CutKind kNothing = CutKind::nothing, kLittle = CutKind::little, kMuch = CutKind::much;
 
+std::vector<EqualItems> row(const std::vector<double>& weight, const std::vector<CutKind>& before) {
+  std::vector<EqualItems> out;
+  for (size_t i = 0; i < weight.size(); ++i) out.push_back({1, weight[i], before[i]});
+  return out;
+}
+
 double heaviest(const std::vector<double>& weight, const std::vector<int>& first) {
   double most = 0;
   for (size_t k = 0; k + 1 < first.size(); ++k)
@@ -39,7 +45,7 @@ TEST(EvenParts, AsEvenAsTheItemsAllow) {
     for (int i = 0; i < items; ++i) weight.push_back(static_cast<double>(random() % 10));
     weight.back() += 1;
     const std::vector<CutKind> before(weight.size(), kMuch);
-    const std::vector<int> first = cut_into_even_parts(weight, before, parts, 1);
+    const std::vector<int> first = cut_into_even_parts(row(weight, before), parts, 1);
     EXPECT_TRUE(std::is_sorted(first.begin(), first.end()));
     ASSERT_EQ(first.size(), static_cast<size_t>(parts) + 1);
     EXPECT_EQ(first.front(), 0);
@@ -52,22 +58,41 @@ TEST(EvenParts, CutsWhereLeastIsLost) {
   const std::vector<double> weight(8, 1);
   using Cuts = std::vector<int>;
   // Without a better kind of cut, the even one before item 4.
-  EXPECT_EQ(cut_into_even_parts(weight, std::vector<CutKind>(8, kMuch), 2, 1.3), (Cuts{0, 4, 8}));
+  EXPECT_EQ(cut_into_even_parts(row(weight, std::vector<CutKind>(8, kMuch)), 2, 1.3), (Cuts{0, 4, 8}));
   std::vector<CutKind> before(8, kMuch);
   before[5] = kNothing;
-  EXPECT_EQ(cut_into_even_parts(weight, before, 2, 1.3), (Cuts{0, 5, 8}));
-  EXPECT_EQ(cut_into_even_parts(weight, before, 2, 1.2), (Cuts{0, 4, 8}));
+  EXPECT_EQ(cut_into_even_parts(row(weight, before), 2, 1.3), (Cuts{0, 5, 8}));
+  EXPECT_EQ(cut_into_even_parts(row(weight, before), 2, 1.2), (Cuts{0, 4, 8}));
   before[3] = kLittle;
-  EXPECT_EQ(cut_into_even_parts(weight, before, 2, 1.3), (Cuts{0, 5, 8}));
+  EXPECT_EQ(cut_into_even_parts(row(weight, before), 2, 1.3), (Cuts{0, 5, 8}));
   before[5] = kMuch;
-  EXPECT_EQ(cut_into_even_parts(weight, before, 2, 1.3), (Cuts{0, 3, 8}));
+  EXPECT_EQ(cut_into_even_parts(row(weight, before), 2, 1.3), (Cuts{0, 3, 8}));
+}
+
+// Items given as runs of equal ones are cut as if each were given.
+TEST(EvenParts, RunsOfEqualItems) {
+  std::mt19937 random(3);
+  const CutKind kinds[] = {kNothing, kLittle, kMuch};
+  for (int trial = 0; trial < 500; ++trial) {
+    std::vector<EqualItems> runs, one_by_one;
+    for (auto r = 1 + random() % 6; r > 0; --r) {
+      const EqualItems run{1 + static_cast<int>(random() % 9), 1 + static_cast<double>(random() % 5),
+                           kinds[random() % 3]};
+      runs.push_back(run);
+      for (int i = 0; i < run.items; ++i) one_by_one.push_back({1, run.weight, i > 0 ? kMuch : run.before});
+    }
+    const int parts = 1 + static_cast<int>(random() % 5);
+    for (const double most : {1.0, 1.07, 1.5})
+      EXPECT_EQ(cut_into_even_parts(runs, parts, most), cut_into_even_parts(one_by_one, parts, most))
+          << trial;
+  }
 }
 
 TEST(EvenParts, NoItemsAndMorePartsThanItems) {
-  EXPECT_EQ(cut_into_even_parts({}, {}, 2, 1.07), std::vector<int>(3, 0));
+  EXPECT_EQ(cut_into_even_parts({}, 2, 1.07), std::vector<int>(3, 0));
   const std::vector<double> weight{3, 1};
   const std::vector<CutKind> before(2, kMuch);
-  const std::vector<int> first = cut_into_even_parts(weight, before, 4, 1.07);
+  const std::vector<int> first = cut_into_even_parts(row(weight, before), 4, 1.07);
   EXPECT_TRUE(std::is_sorted(first.begin(), first.end()));
   EXPECT_EQ(heaviest(weight, first), 3);
   EXPECT_EQ(first.back(), 2);

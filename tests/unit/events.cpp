@@ -98,8 +98,8 @@ TEST(Events, ALineIsDividedWhereItIsCut) {
 
   const Mesh m = build_mesh(c);
   const LineSpan &first = m.lines[0], &second = m.lines[1];
-  EXPECT_EQ(m.nodes[static_cast<size_t>(second.first_node)].tied_to, first.first_node + first.nodes - 1);
-  EXPECT_EQ(m.nodes[static_cast<size_t>(second.first_node)].pinned_to, -1);
+  EXPECT_EQ(m.node(static_cast<size_t>(second.first_node)).tied_to, first.first_node + first.nodes - 1);
+  EXPECT_EQ(m.node(static_cast<size_t>(second.first_node)).pinned_to, -1);
 }
 
 TEST(Events, WhatTheyWaitFor) {

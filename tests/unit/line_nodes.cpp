@@ -83,9 +83,9 @@ TEST(LineNodes, OfMassesLoadsLinksAndBodies) {
   c.bodies[0].on = Ride{"other", 14};
   EXPECT_EQ(fixed_places(c), (std::vector<std::vector<double>>{{33.3, 52, 86}, {14, 77}}));
   const Mesh m = build_mesh(c);
-  for (const double at : {33.3, 52.0, 86.0}) EXPECT_NEAR(m.nodes[m.nearest_node(0, at)].arc, at, 1e-12);
-  for (const double at : {14.0, 77.0}) EXPECT_NEAR(m.nodes[m.nearest_node(1, at)].arc, at, 1e-12);
-  EXPECT_NEAR(m.elements[0].length, 11.1, 1e-12);
+  for (const double at : {33.3, 52.0, 86.0}) EXPECT_NEAR(m.node(m.nearest_node(0, at)).arc, at, 1e-12);
+  for (const double at : {14.0, 77.0}) EXPECT_NEAR(m.node(m.nearest_node(1, at)).arc, at, 1e-12);
+  EXPECT_NEAR(m.element(0).length, 11.1, 1e-12);
 }
 
 }  // namespace

@@ -13,19 +13,25 @@ namespace {
 Mesh mesh_of(const std::vector<int>& nodes) {
   Mesh mesh;
   for (size_t l = 0; l < nodes.size(); ++l) {
-    const int line = static_cast<int>(l), first = static_cast<int>(mesh.nodes.size());
-    mesh.lines.push_back({first, nodes[l], static_cast<int>(mesh.elements.size()), nodes[l] - 1, 1, "line"});
-    for (int n = 0; n < nodes[l]; ++n) mesh.nodes.push_back({.line = line});
+    const int line = static_cast<int>(l), first = mesh.nodes();
+    mesh.lines.push_back({first, nodes[l], mesh.elements(), nodes[l] - 1, 1, "line"});
+    for (int n = 0; n < nodes[l]; ++n) mesh.add(Node{.line = line});
     for (int n = 0; n + 1 < nodes[l]; ++n)
-      mesh.elements.push_back({.line = line, .first = first + n, .second = first + n + 1});
+      mesh.add(Element{.line = line, .first = first + n, .second = first + n + 1});
   }
   return mesh;
+}
+
+void change(Mesh& mesh, int node, int Node::*property, int to) {
+  Node n = mesh.node(node);
+  n.*property = to;
+  mesh.set({{node, n}});
 }
 
 // Consecutive lines are on one rank, and no line is cut.
 TEST(Partition, LinesOfAFarmAreStretches) {
   const Mesh mesh = mesh_of(std::vector<int>(100, 6));
-  const std::vector<int> owner = partition(mesh, 4);
+  const std::vector<int> owner = partition(mesh, 4).of_nodes();
   EXPECT_TRUE(std::is_sorted(owner.begin(), owner.end()));
   for (int r = 0; r < 4; ++r) EXPECT_EQ(std::count(owner.begin(), owner.end(), r), 150) << r;
   EXPECT_EQ(cut_elements(mesh, owner), 0);
@@ -34,9 +40,9 @@ TEST(Partition, LinesOfAFarmAreStretches) {
 // Joints and couplings of nodes keep lines together, independent of their order.
 TEST(Partition, JoinedLinesAreOnOneRank) {
   Mesh mesh = mesh_of(std::vector<int>(100, 6));
-  mesh.nodes[6 * 99].pinned_to = 0;
+  change(mesh, 6 * 99, &Node::pinned_to, 0);
   const std::vector<std::pair<int, int>> coupled{{6 * 1, 6 * 98}};
-  const std::vector<int> owner = partition(mesh, 2, coupled);
+  const std::vector<int> owner = partition(mesh, 2, coupled).of_nodes();
   EXPECT_EQ(owner[0], owner[6 * 99 + 3]);
   EXPECT_EQ(owner[6 * 1], owner[6 * 98]);
   EXPECT_EQ(cut_elements(mesh, owner), 0);
@@ -47,11 +53,11 @@ TEST(Partition, JoinedLinesAreOnOneRank) {
 TEST(Partition, CoupledBodiesAreOnOneRank) {
   Mesh mesh = mesh_of(std::vector<int>(10, 6));
   for (const int node : {0, 6 * 9}) {
-    mesh.nodes[static_cast<size_t>(node)].tied_to = static_cast<int>(mesh.nodes.size());
-    mesh.nodes.push_back({.line = static_cast<int>(mesh.nodes.size()) - 50, .rotates = true});
+    change(mesh, node, &Node::tied_to, mesh.nodes());
+    mesh.add(Node{.line = mesh.nodes() - 50, .rotates = true});
   }
   const std::vector<std::pair<int, int>> coupled{{60, 61}};
-  const std::vector<int> apart = partition(mesh, 2), owner = partition(mesh, 2, coupled);
+  const NodeRanks apart = partition(mesh, 2), owner = partition(mesh, 2, coupled);
   EXPECT_NE(apart[60], apart[61]);
   EXPECT_EQ(owner[60], owner[61]);
   EXPECT_EQ(owner[0], owner[6 * 9]);
@@ -61,7 +67,7 @@ TEST(Partition, CoupledBodiesAreOnOneRank) {
 // One long line and short ones: uncut lines would overload a rank.
 TEST(Partition, ALongLineIsCut) {
   const Mesh mesh = mesh_of({200, 20, 20, 20});
-  const std::vector<int> owner = partition(mesh, 2);
+  const std::vector<int> owner = partition(mesh, 2).of_nodes();
   EXPECT_GT(cut_elements(mesh, owner), 0);
   EXPECT_NEAR(static_cast<double>(std::count(owner.begin(), owner.end(), 0)), 130, 13);
 }
@@ -71,8 +77,8 @@ Mesh platforms(int count, int line_nodes, bool floating) {
   Mesh mesh = mesh_of(std::vector<int>(static_cast<size_t>(3 * count), line_nodes));
   for (int p = 0; floating && p < count; ++p) {
     for (int l = 3 * p; l < 3 * p + 3; ++l)
-      mesh.nodes[static_cast<size_t>(line_nodes * (l + 1) - 1)].tied_to = static_cast<int>(mesh.nodes.size());
-    mesh.nodes.push_back({.line = 3 * count + p, .rotates = true, .body = p});
+      change(mesh, line_nodes * (l + 1) - 1, &Node::tied_to, mesh.nodes());
+    mesh.add(Node{.line = 3 * count + p, .rotates = true, .body = p});
   }
   return mesh;
 }
@@ -98,7 +104,7 @@ struct Expected {
 };
 
 void expect(const Mesh& mesh, const Expected& e) {
-  const std::vector<int> owner = partition(mesh, e.ranks, {}, all_lines(mesh));
+  const std::vector<int> owner = partition(mesh, e.ranks, {}, all_lines(mesh)).of_nodes();
   const Balance b = balance(mesh, owner, e.ranks);
   EXPECT_LE(b.imbalance, e.imbalance) << e.ranks;
   EXPECT_LE(b.cut_lines, e.cut_lines) << e.ranks;
@@ -126,7 +132,7 @@ TEST(Partition, TouchingLinesAreCutAcross) {
   const Mesh mesh = mesh_of({100, 100});
   std::vector<std::pair<int, int>> coupled;
   for (int n = 0; n < 100; ++n) coupled.emplace_back(n, 100 + n);
-  const std::vector<int> owner = partition(mesh, 2, coupled);
+  const std::vector<int> owner = partition(mesh, 2, coupled).of_nodes();
   const Balance b = balance(mesh, owner, 2);
   EXPECT_EQ(b.cut_lines, 2);
   EXPECT_EQ(b.cut_elements, 2);

@@ -66,7 +66,8 @@ TEST(TemperatureChange, ElementsAddUp) {
   const model::Case c = read("[[10, 60], [50, -20], [90, 0]]");
   const Mesh mesh = build_mesh(c);
   double sum = 0;
-  for (const Element& e : mesh.elements) {
+  for (int i = 0; i < mesh.elements(); ++i) {
+    const Element e = mesh.element(i);
     EXPECT_EQ(e.free_strain != 0, !e.beam);
     sum += e.free_strain * e.length;
   }

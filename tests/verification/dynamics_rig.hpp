@@ -56,8 +56,8 @@ class BeamChain {
 
   // Element i joins nodes i and i + 1; all nodes start with the identity.
   BeamChain(std::vector<Vec3> nodes, const std::vector<Piece>& pieces) : mesh_(mesh(nodes, pieces)) {
-    system_ = std::make_unique<System>(PETSC_COMM_SELF,
-                                       local_mesh(mesh_, std::vector<int>(mesh_.nodes.size(), 0), 0, 1));
+    system_ =
+        std::make_unique<System>(PETSC_COMM_SELF, local_mesh(mesh_, NodeRanks::all_of(mesh_.nodes()), 0, 1));
     const LocalMesh& l = system_->mesh();
     std::vector<StructureTerm::Beam> beams;
     std::vector<LineMassTerm::MassElement> masses;
@@ -87,9 +87,8 @@ class BeamChain {
     for (size_t i = 0; i < nodes.size(); ++i) {
       const double before = i > 0 ? pieces[i - 1].section.length : 0,
                    after = i < pieces.size() ? pieces[i].section.length : 0;
-      m.nodes.push_back({0, arc, 0.5 * (before + after), true});
-      if (i < pieces.size())
-        m.elements.push_back({0, static_cast<int>(i), static_cast<int>(i) + 1, 0, after, true});
+      m.add(Node{0, arc, 0.5 * (before + after), true});
+      if (i < pieces.size()) m.add(Element{0, static_cast<int>(i), static_cast<int>(i) + 1, 0, after, true});
       arc += after;
     }
     LineSpan span;
@@ -130,7 +129,7 @@ inline Momentum momentum(System& system, const Kinematics& k) {
   for (int n = 0; n < mesh.owned; ++n) {
     const size_t i = static_cast<size_t>(n);
     // The mass of a tied node is in the rows of what carries it; its own row is that of a unit matrix.
-    if (mesh.mesh->nodes[static_cast<size_t>(mesh.global[i])].tied_to >= 0) continue;
+    if (mesh.mesh->node(static_cast<size_t>(mesh.global[i])).tied_to >= 0) continue;
     const double* at = a + 3 * mesh.block[i];
     const Eigen::Map<const Vec3> linear(at);
     sum.linear += linear;

@@ -47,7 +47,7 @@ TEST(CrossedCantilever, TipAs4C) {
       std::vector<double> u(3 * static_cast<size_t>(s.local().blocks()), 0);
       const double t = 0.005 * i;
       for (int n = 0; n < s.local().nodes(); ++n)  // the beam across goes down as a whole
-        if (s.mesh().nodes[static_cast<size_t>(n)].line == 1)
+        if (s.mesh().node(static_cast<size_t>(n)).line == 1)
           u[3 * static_cast<size_t>(s.local().block[static_cast<size_t>(n)]) + 1] = -0.155 * 0.005;
       retract(s.local(), last, u.data(), s.state());
       s.state().time = t;

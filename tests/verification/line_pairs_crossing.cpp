@@ -36,7 +36,7 @@ TEST(CrossingBeams, CompliancesInSeries) {
       // From where they are not yet bent as far: the last iterations are quadratic.
       for (int n = 0; n < s.local().owned; ++n)
         s.state().x[static_cast<size_t>(n)].z() *=
-            1 - 0.02 * (s.mesh().nodes[static_cast<size_t>(n)].line == 0);
+            1 - 0.02 * (s.mesh().node(static_cast<size_t>(n)).line == 0);
       std::vector<double> residuals;
       settle(s, 1e-11, &residuals);
       print_residuals(residuals);

@@ -39,7 +39,7 @@ Draped drape(double stiffness, int nodes, double off, bool touch_at_all = true) 
   double heights[2] = {0, 0};
   for (int n = 0; n < s.local().owned; ++n) {
     const size_t i = static_cast<size_t>(n);
-    const int line = s.mesh().nodes[static_cast<size_t>(s.local().global[i])].line;
+    const int line = s.mesh().node(static_cast<size_t>(s.local().global[i])).line;
     const Vec3 x = s.state().x[i] - Vec3(0, off, 0);
     const double away = std::hypot(x.x(), x.y());
     if (away < most[line]) {

@@ -38,7 +38,7 @@ Impact meet(double h, double friction) {
   c.dynamics.duration = 0.2;
   Simulation s(PETSC_COMM_WORLD, c);
   for (int n = 0; n < s.local().nodes(); ++n)
-    if (s.mesh().nodes[static_cast<size_t>(n)].line == 1)
+    if (s.mesh().node(static_cast<size_t>(n)).line == 1)
       s.state().v[static_cast<size_t>(n)] = Vec3(friction > 0 ? 0.7 : 0, 0, -2);
   Dynamics& d = s.dynamics();
   d.start(s.state());

@@ -40,7 +40,7 @@ std::vector<double> heights(const Simulation& s, const State& at) {
   const auto points = [&](int line) {
     std::vector<Vec3> out;
     for (const LocalElement& e : s.local().elements) {
-      const Element& g = s.mesh().elements[static_cast<size_t>(e.global)];
+      const Element& g = s.mesh().element(static_cast<size_t>(e.global));
       if (g.line != line) continue;
       const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
       AxisEnds ends;

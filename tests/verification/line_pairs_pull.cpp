@@ -97,7 +97,7 @@ Drawn draw(double theta, double way, int elements) {
   const std::vector<double>& f = s.system().reactions();
   Vec3 sum = Vec3::Zero();
   for (const TiedNode& held : s.system().tied_nodes().nodes())
-    if (s.mesh().nodes[static_cast<size_t>(held.node)].line == 1)
+    if (s.mesh().node(static_cast<size_t>(held.node)).line == 1)
       sum += Eigen::Map<const Vec3>(f.data() + 3 * s.local().block[static_cast<size_t>(held.node)]);
   out.friction = sum.dot(pull);
   out.normal = -sum.z();

@@ -24,7 +24,7 @@ inline bool crossed(const Mesh& mesh, const std::vector<Vec3>& from, const std::
   };
   for (int a = own(0).first; a < own(0).second; ++a)
     for (int b = own(1).first; b < own(1).second; ++b) {
-      const Element &A = mesh.elements[static_cast<size_t>(a)], &B = mesh.elements[static_cast<size_t>(b)];
+      const Element &A = mesh.element(static_cast<size_t>(a)), &B = mesh.element(static_cast<size_t>(b));
       SegmentPair last;
       for (int k = 0; k <= kPieces; ++k) {
         const double t = k / static_cast<double>(kPieces);
@@ -76,7 +76,7 @@ inline Throw throw_lines(unsigned seed, double step_diameters, bool cables) {
   Simulation s(PETSC_COMM_WORLD, c);
   for (int n = 0; n < s.local().nodes(); ++n) {
     const size_t i = static_cast<size_t>(n);
-    const bool second = s.mesh().nodes[i].line == 1;
+    const bool second = s.mesh().node(i).line == 1;
     s.state().v[i] = Vec3(0, 0, second ? -speed : 0) + 0.1 * speed * vector();
   }
   Dynamics& d = s.dynamics();

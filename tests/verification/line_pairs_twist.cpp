@@ -121,7 +121,7 @@ TEST(TwistedStrands, RadiusAndPressureOfTheHelix) {
     double worst_radius = 0, worst_force = 0, mean = 0;
     int interior = 0;
     for (int n = 0; n < s.local().owned; ++n) {
-      const Node& node = s.mesh().nodes[static_cast<size_t>(n)];
+      const Node& node = s.mesh().node(static_cast<size_t>(n));
       if (node.arc < 0.9 || node.arc > kLength - 0.9) continue;
       const Vec3& x = s.state().x[static_cast<size_t>(n)];
       worst_radius = std::max(worst_radius, std::abs(std::hypot(x.x(), x.y()) - kOffset));

@@ -84,7 +84,7 @@ Wound wind(double pitch, double duration) {
   const LocalMesh& l = s.local();
   double turned = 0;
   for (const LocalElement& e : l.elements) {
-    if (!e.counted || s.mesh().elements[static_cast<size_t>(e.global)].line != 0) continue;
+    if (!e.counted || s.mesh().element(static_cast<size_t>(e.global)).line != 0) continue;
     const Vec3 &a = s.state().x[static_cast<size_t>(e.first)],
                &b = s.state().x[static_cast<size_t>(e.second)];
     turned += std::remainder(std::atan2(b.z(), b.x()) - std::atan2(a.z(), a.x()), 2 * M_PI);

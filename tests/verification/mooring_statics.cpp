@@ -60,13 +60,14 @@ struct Reference {
 
 // Grounded as far as the bed carries the line: of the last node that it carries, the part of the weight.
 double grounded_length(Simulation& sim, const Reference& r) {
-  const auto& nodes = sim.mesh().nodes;
+  const Mesh& mesh = sim.mesh();
+  const auto nodes = static_cast<size_t>(mesh.nodes());
   double at = 0, part = 0;
   const double w = r.parts[0].weight;
-  for (std::size_t n = 1; n + 1 < nodes.size(); ++n) {
+  for (std::size_t n = 1; n + 1 < nodes; ++n) {
     const double N = sim.seabed()->node_force(static_cast<int>(n)).z();
     if (N <= 0) continue;
-    at = 0.5 * (nodes[n - 1].arc + nodes[n].arc);
+    at = 0.5 * (mesh.node(n - 1).arc + mesh.node(n).arc);
     part = N / w;
   }
   return at + part;

@@ -73,10 +73,10 @@ End reference(double until, int steps) {
 
 End top_run(double until, double h, double rho) {
   Mesh mesh;
-  mesh.nodes = {{0, 0, 0, true}};
+  mesh.add(Node{0, 0, 0, true});
   mesh.lines.emplace_back();
   mesh.lines[0].nodes = 1;
-  System system(PETSC_COMM_SELF, local_mesh(mesh, {0}, 0, 1));
+  System system(PETSC_COMM_SELF, local_mesh(mesh, NodeRanks::all_of(1), 0, 1));
   system.add(std::make_unique<TopTerm>());
   system.tie({TiedNode{}}, {});
   DynamicsSettings settings;

@@ -27,7 +27,7 @@ AtRest at_rest(const model::Case& c) {
   Simulation s(PETSC_COMM_WORLD, c);
   AtRest out;
   out.report = s.solve_statics();
-  const int last = static_cast<int>(s.mesh().nodes.size()) - 1;
+  const int last = s.mesh().nodes() - 1;
   double sums[4] = {0, 0, 0, 0}, ends[2] = {-1e300, -1e300};
   for (int n = 0; n < s.local().owned; ++n) {
     const size_t i = static_cast<size_t>(n);

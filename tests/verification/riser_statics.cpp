@@ -62,10 +62,10 @@ struct Bend {
 Bend largest(Simulation& sim, double from = 0, double to = HUGE_VAL) {
   Bend most;
   for (size_t e = 0; e < sim.structure().beams().size(); ++e) {
-    const Element& g = sim.mesh().elements[e];
+    const Element& g = sim.mesh().element(e);
     const BeamStress s = stress(sim, e);
-    const double arc[2] = {sim.mesh().nodes[static_cast<size_t>(g.first)].arc,
-                           sim.mesh().nodes[static_cast<size_t>(g.second)].arc};
+    const double arc[2] = {sim.mesh().node(static_cast<size_t>(g.first)).arc,
+                           sim.mesh().node(static_cast<size_t>(g.second)).arc};
     for (int k = 0; k < 2; ++k) {
       const double bend = (k ? s.curvature2 : s.curvature1).tail<2>().norm();
       if (arc[k] >= from && arc[k] <= to && bend > most.curvature)
@@ -84,13 +84,15 @@ struct Place {
 // Where the line turns between two arc lengths, a parabola through the nodes about the lowest (way -1) or
 // the highest (way 1).
 Place turn(Simulation& sim, double from, double to, int way) {
-  const auto& nodes = sim.mesh().nodes;
+  const Mesh& mesh = sim.mesh();
+  const auto nodes = static_cast<size_t>(mesh.nodes());
   const auto& x = sim.state().x;
   size_t k = 0;
-  for (size_t i = 1; i + 1 < nodes.size(); ++i)
-    if (nodes[i].arc >= from && nodes[i].arc <= to && (k == 0 || way * (x[i].z() - x[k].z()) > 0)) k = i;
+  for (size_t i = 1; i + 1 < nodes; ++i)
+    if (mesh.node(i).arc >= from && mesh.node(i).arc <= to && (k == 0 || way * (x[i].z() - x[k].z()) > 0))
+      k = i;
   // Lagrange's parabola by arc length, of even or uneven elements.
-  const double a = nodes[k - 1].arc - nodes[k].arc, b = nodes[k + 1].arc - nodes[k].arc;
+  const double a = mesh.node(k - 1).arc - mesh.node(k).arc, b = mesh.node(k + 1).arc - mesh.node(k).arc;
   const auto at = [&](int c, double s) {
     const double da = (x[k - 1][c] - x[k][c]) / a, db = (x[k + 1][c] - x[k][c]) / b;
     const double second = (db - da) / (b - a);
@@ -98,17 +100,18 @@ Place turn(Simulation& sim, double from, double to, int way) {
   };
   const double da = (x[k - 1].z() - x[k].z()) / a, db = (x[k + 1].z() - x[k].z()) / b;
   const double second = (db - da) / (b - a), s = -(da - second * a) / (2 * second);
-  return {nodes[k].arc + s, at(0, s), at(2, s)};
+  return {mesh.node(k).arc + s, at(0, s), at(2, s)};
 }
 
 // Where the line comes down to a level first, beyond an arc length.
 Place down_to(Simulation& sim, double level, double beyond) {
-  const auto& nodes = sim.mesh().nodes;
+  const Mesh& mesh = sim.mesh();
+  const auto nodes = static_cast<size_t>(mesh.nodes());
   const auto& x = sim.state().x;
   size_t i = 1;
-  while (i + 1 < nodes.size() && (nodes[i].arc < beyond || x[i].z() > level)) ++i;
+  while (i + 1 < nodes && (mesh.node(i).arc < beyond || x[i].z() > level)) ++i;
   const double part = (x[i - 1].z() - level) / (x[i - 1].z() - x[i].z());
-  return {nodes[i - 1].arc + part * (nodes[i].arc - nodes[i - 1].arc),
+  return {mesh.node(i - 1).arc + part * (mesh.node(i).arc - mesh.node(i - 1).arc),
           x[i - 1].x() + part * (x[i].x() - x[i - 1].x()), level};
 }
 
@@ -198,8 +201,8 @@ TEST(RiserStatics, LazyWaveFromTheAutomaticStart) {
     for (const auto& p : places) {
       const Mesh& m = sim.mesh();
       size_t i = 1;
-      while (m.nodes[i].arc < p[0]) ++i;
-      const double z = (p[0] - m.nodes[i - 1].arc) / (m.nodes[i].arc - m.nodes[i - 1].arc);
+      while (m.node(i).arc < p[0]) ++i;
+      const double z = (p[0] - m.node(i - 1).arc) / (m.node(i).arc - m.node(i - 1).arc);
       const Vec3 x = (1 - z) * sim.state().x[i - 1] + z * sim.state().x[i];
       EXPECT_LT(std::hypot(x.x() - p[1], x.z() - p[2]), 0.05) << p[0];
     }
@@ -417,8 +420,8 @@ TEST(RiserStatics, ModelCableWithModules) {
     for (int k = 0; k < 6; ++k) {
       const Mesh& m = sim.mesh();
       size_t i = 1;
-      while (m.nodes[i].arc < measured[k][0]) ++i;
-      const double z = (measured[k][0] - m.nodes[i - 1].arc) / (m.nodes[i].arc - m.nodes[i - 1].arc);
+      while (m.node(i).arc < measured[k][0]) ++i;
+      const double z = (measured[k][0] - m.node(i - 1).arc) / (m.node(i).arc - m.node(i - 1).arc);
       const Vec3 x = (1 - z) * sim.state().x[i - 1] + z * sim.state().x[i];
       to_measured += std::pow(x.x() - measured[k][1], 2) + std::pow(x.z() - measured[k][2], 2);
       to_computed =

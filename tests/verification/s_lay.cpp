@@ -178,7 +178,7 @@ TEST(SLay, TheCase) {
       if ((at.x[n] - x).norm() < (at.x[best] - x).norm()) best = n;
     return best;
   };
-  const auto arc = [&](size_t n) { return sim.mesh().nodes[n].arc; };
+  const auto arc = [&](size_t n) { return sim.mesh().node(n).arc; };
   double mean = 0, both = 0, row = 0;
   for (size_t n = node(6); n < node(9); ++n)
     mean += 0.5 * (moment[n] + moment[n + 1]) * (arc(n + 1) - arc(n));

@@ -135,7 +135,7 @@ inline Laid laid(const Setting& s) {
   // Back to the lift-off by a parabola through nodes from an element beyond on, where its force is spread no
   // more.
   const double lift_off = s.lift_off / 180 * M_PI * kRadius;
-  const auto arc = [&](size_t n) { return sim.mesh().nodes[n].arc - lift_off; };
+  const auto arc = [&](size_t n) { return sim.mesh().node(n).arc - lift_off; };
   size_t beyond = 0;
   while (arc(beyond) < 1.5 * s.over) ++beyond;
   for (const size_t i : {beyond, beyond + 1, beyond + 3}) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hawser/mesh/mesh.hpp"
+#include "hawser/mesh/node_ranks.hpp"
 
 namespace hawser {
 
@@ -13,20 +14,28 @@ struct LocalElement {
   int first = 0, second = 0;  // local nodes
   int global = 0;             // index into Mesh::elements
   bool counted = false;       // this rank counts it in sums (it owns the first node)
+  int copy = 0;               // index into LocalMesh::element_copies
+};
+
+// Consecutive nodes with as many 3-blocks each; the first one has the given block.
+struct BlockRun {
+  int first_node = 0, block = 0, width = 0;
 };
 
 struct LocalMesh {
   const Mesh* mesh = nullptr;
-  int owned = 0;                       // owned nodes; local nodes [0, owned) in file order
-  int chain = 0;                       // [owned, chain): ghosts of elements; [chain, nodes()): of couplings
-  std::vector<int> global;             // local node -> node
-  std::vector<int> block;              // local node -> its first local 3-block (position; +1: rotation)
-  int chain_blocks = 0;                // local blocks [0, chain_blocks) are those of nodes [0, chain)
-  int owned_blocks = 0;                // local blocks [0, owned_blocks) are rows of this rank
-  std::vector<int> global_block;       // local block -> block of the parallel numbering
-  std::vector<LocalElement> elements;  // every element that touches an owned node
-  std::vector<int> owner;              // of every node of the mesh
-  std::vector<int> first_block;        // of every node of the mesh, in the parallel numbering
+  int owned = 0;                        // owned nodes; local nodes [0, owned) in file order
+  int chain = 0;                        // [owned, chain): ghosts of elements; [chain, nodes()): of couplings
+  std::vector<int> global;              // local node -> node
+  std::vector<int> block;               // local node -> its first local 3-block (position; +1: rotation)
+  int chain_blocks = 0;                 // local blocks [0, chain_blocks) are those of nodes [0, chain)
+  int owned_blocks = 0;                 // local blocks [0, owned_blocks) are rows of this rank
+  std::vector<int> global_block;        // local block -> block of the parallel numbering
+  std::vector<LocalElement> elements;   // every element that touches an owned node
+  NodeRanks owner;                      // of every node of the mesh
+  std::vector<BlockRun> block_runs;     // of all nodes of the mesh, in the parallel numbering
+  std::vector<Node> node_copies;        // of the local nodes
+  std::vector<Element> element_copies;  // of the local elements
 
   int nodes() const { return static_cast<int>(global.size()); }
   bool owns(int local) const { return local >= 0 && local < owned; }
@@ -34,9 +43,13 @@ struct LocalMesh {
   // Node or element of the whole mesh for a local one.
   template <class Index>
   const Node& node(Index local) const {
-    return mesh->nodes[global[local]];
+    return node_copies[local];
   }
-  const Element& element(const LocalElement& e) const { return mesh->elements[e.global]; }
+  const Element& element(const LocalElement& e) const { return element_copies[e.copy]; }
+  // First block of a node of the mesh in the parallel numbering.
+  int first_block(int node) const;
+  // Copies what is local from the mesh, which node() and element() then return.
+  void copy_local();
   bool rotates(int local) const { return node(local).rotates; }
   // Local node of the frame that a local node is tied to (Node::tied_to); -1: none.
   int frame_of(int local) const {
@@ -63,6 +76,12 @@ struct LineOwners {
 LineOwners line_owners(const LocalMesh& mesh);
 // True if this rank owns the first node of a line.
 bool owns_line(const LocalMesh& mesh, int line);
+
+// Unstretched arc length from end A, m; xi in [0, 1] along the element.
+inline double arc_at(const LocalMesh& mesh, const LocalElement& e, double xi) {
+  const double a = mesh.node(e.first).arc, b = mesh.node(e.second).arc;
+  return a + xi * (b - a);
+}
 
 // Data that a term keeps for an element, or null; `kept` is sorted as LocalMesh::elements, each with its
 // element as `at`.

@@ -15,20 +15,20 @@ namespace hawser {
 // are preferred. METIS cuts a component if it cuts fewer or lighter edges for the same work; edges along a
 // chain are heavier than those of `coupled`. `uncut`: lines that are not cut. The result is the same on every
 // rank.
-std::vector<int> partition(const Mesh& mesh, int ranks, std::span<const std::pair<int, int>> coupled = {},
-                           std::span<const int> uncut = {});
+NodeRanks partition(const Mesh& mesh, int ranks, std::span<const std::pair<int, int>> coupled = {},
+                    std::span<const int> uncut = {});
 
-// This rank's part. `owner`: one rank for each node.
-LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, int ranks);
+// This rank's part.
+LocalMesh local_mesh(const Mesh& mesh, const NodeRanks& owner, int rank, int ranks);
 
 struct Balance {
   double imbalance = 1;  // largest work of a rank divided by the mean
   int cut_lines = 0;     // lines with nodes of several ranks
   int cut_elements = 0;  // see cut_elements()
 };
-Balance balance(const Mesh& mesh, const std::vector<int>& owner, int ranks);
+Balance balance(const Mesh& mesh, const NodeRanks& owner, int ranks);
 
 // Elements whose nodes belong to different ranks.
-int cut_elements(const Mesh& mesh, const std::vector<int>& owner);
+int cut_elements(const Mesh& mesh, const NodeRanks& owner);
 
 }  // namespace hawser

@@ -5,16 +5,20 @@
 #include <vector>
 
 #include "hawser/model/case.hpp"
+#include "hawser/model/progression.hpp"
 
 namespace hawser::model {
 
 // For each line, the arc lengths [m, ascending] of its masses, point loads, links and bodies.
 std::vector<std::vector<double>> fixed_places(const Case& c);
 
-// Unstretched lengths [m] of the elements of each section of a line, from end A on. They follow the section's
-// geometric progression, except that the node nearest to each fixed place moves there and the elements
-// between moved nodes are scaled uniformly. A place gets no node of its own if its node is taken, or if
-// another moved node or an end of the section is within a tenth of an element.
+// The elements of each section of a line, from end A on. Their lengths follow the section's geometric
+// progression, except that the node nearest to each fixed place moves there and the elements between moved
+// nodes are scaled uniformly. A place gets no node of its own if its node is taken, or if another moved node
+// or an end of the section is within a tenth of an element.
+std::vector<std::vector<Progression>> progressions(const Line& line, const std::vector<double>& places);
+
+// Their lengths one by one.
 std::vector<std::vector<double>> element_lengths(const Line& line, const std::vector<double>& places);
 
 }  // namespace hawser::model

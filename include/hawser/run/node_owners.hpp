@@ -26,7 +26,6 @@ std::vector<int> uncut_lines(const model::Case& c);
 
 // Owner of every node among `ranks` ranks, by partition(): coupled_nodes() are preferably on one rank,
 // uncut_lines() are not cut. The same on all ranks of `comm`, whose number may differ. Collective.
-std::vector<int> node_owners(MPI_Comm comm, const model::Case& c, const Mesh& mesh, const Bodies& bodies,
-                             int ranks);
+NodeRanks node_owners(MPI_Comm comm, const model::Case& c, const Mesh& mesh, const Bodies& bodies, int ranks);
 
 }  // namespace hawser::run

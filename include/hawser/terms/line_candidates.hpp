@@ -124,7 +124,7 @@ class LineCandidates {
   std::vector<SweptAxis> from_others(std::span<const Box> boxes) const;
   std::vector<std::pair<int, int>> search() const;
   bool shares_less() const;
-  double radius(int element) const { return radii_.of(mesh_.mesh->elements[element]); }
+  double radius(int element) const { return radii_.of(mesh_.mesh->element(element)); }
 
   MPI_Comm comm_;
   const LocalMesh& mesh_;

@@ -152,7 +152,7 @@ class LinePairs final : public ForceTerm,
   };
 
   const ContactSegment& segment(int i) const { return candidates_.segments()[i]; }
-  const Element& element(int i) const { return mesh_.mesh->elements[i]; }
+  Element element(int i) const { return mesh_.mesh->element(i); }
   const LinePairType& type_of(int element) const { return types_[this->element(element).type]; }
   const AxisEnds& start(int segment) const { return start_[segment]; }
   int fed_end(int segment) const { return fed_end_[segment]; }

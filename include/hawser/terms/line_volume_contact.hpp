@@ -102,7 +102,7 @@ class LineVolumeContact final : public ForceTerm,
   };
 
   const LocalElement& local(const Pair& p) const { return mesh_.elements[p.element]; }
-  const Element& element(const Pair& p) const { return mesh_.mesh->elements[local(p).global]; }
+  const Element& element(const Pair& p) const { return mesh_.element(local(p)); }
   const LineContactElement& settings(const Pair& p) const { return elements_[p.element]; }
   AxisEnds ends(const Kinematics& at, int element) const;
   std::array<ContactLaw, 2> laws(const Pair& pair) const;

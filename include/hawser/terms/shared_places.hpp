@@ -120,8 +120,9 @@ class SharedPlaces {
 
 template <class What>
 bool SharedPlaces::any_between(int element, int second, const What& what) const {
-  const auto& elements = mesh_.mesh->elements;
-  for (const int k : between(elements[element].line, elements[second].line))
+  if (places_.empty()) return false;
+  const Mesh& mesh = *mesh_.mesh;
+  for (const int k : between(mesh.element(element).line, mesh.element(second).line))
     for (const bool swapped : {false, true}) {
       auto one = along(place(k).one, swapped ? second : element),
            other = along(place(k).other, swapped ? element : second);

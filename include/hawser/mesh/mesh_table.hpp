@@ -1,0 +1,107 @@
+// Nodes and elements of all lines as a table of parts with even elements: memory for each part, not for each
+// node.
+#pragma once
+
+#include <concepts>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "hawser/model/progression.hpp"
+
+namespace hawser {
+
+struct Node {
+  int line = 0;          // for a body: index after the last line
+  double arc = 0;        // m, unstretched arc length from end A
+  double tributary = 0;  // m, half the lengths of the elements at this node
+  bool rotates = false;  // beam node and body: two 3-blocks; cable node: one
+  int body = -1;         // body of the case whose centre of mass this is; -1: none
+  int pinned_to = -1;    // node whose position this one shares (a joint); this one does not rotate
+  // Node of the frame that carries this one while they are tied: a body with mass, a rigid joint, the end of
+  // a joint from which this one is released later.
+  int tied_to = -1;
+  // The two elements may differ here in tension or curvature: the type changes, a mass or a load is attached,
+  // or an event depends on the tension.
+  bool two_sided = false;
+};
+
+struct Element {
+  int line = 0;
+  int first = 0, second = 0;  // nodes
+  int type = 0;               // index into Case::line_types
+  double length = 0;          // m, unstretched
+  bool beam = false;
+  double free_strain = 0;  // strain without tension (thermal expansion)
+};
+
+// Change of temperature along a line: arc lengths [m] and changes [K], a broken line.
+using TemperatureRows = std::vector<std::pair<double, double>>;
+
+// Consecutive elements of one type on one line.
+struct EvenPart {
+  int first_element = 0, first_node = 0;
+  int line = 0;
+  int type = 0;
+  bool beam = false;
+  model::Progression lengths;
+  double start = 0;        // m, arc length of the beginning of the section
+  double end = 0;          // m, arc length of the last node
+  double free_strain = 0;  // or, with rows of temperatures, the thermal expansion, 1/K
+  int rows = -1;           // index of its rows of temperatures; -1: the same strain everywhere
+  size_t first_sum = 0;    // see MeshTable
+};
+
+class MeshTable {
+ public:
+  int nodes() const { return nodes_; }
+  int elements() const { return elements_; }
+  // Computed from the table, O(log(parts) + log(nodes with properties of their own)).
+  template <std::integral Index>
+  Node node(Index n) const {
+    return node_at(static_cast<int>(n));
+  }
+  template <std::integral Index>
+  Element element(Index e) const {
+    return element_at(static_cast<int>(e));
+  }
+  // In the order of the elements.
+  std::span<const EvenPart> parts() const { return parts_; }
+  // Nodes with properties that do not follow from the parts, ascending: carried, shared, two-sided, bodies.
+  std::span<const std::pair<int, Node>> own_nodes() const { return own_; }
+  double longest_element() const;  // m, unstretched; 0: no elements
+  bool any_beam() const;
+  bool any_cable() const;
+  bool any_rotates() const;  // a node of a beam or a body
+
+  // Appends elements to the line, between its last node, or its first one, and new ones. `along`: length of
+  // the elements of the section before them, m. Returns it after them. Sets the numbers and the end of the
+  // part.
+  double add(EvenPart part, double along);
+  // Sets the arc length of the last node of a section, m.
+  void end_section(double arc) { parts_.back().end = arc; }
+  void begin_line() { ++nodes_; }
+  // Index for EvenPart::rows.
+  int add(TemperatureRows rows);
+  // Appends one node or element with its own memory: bodies, and lines of few elements.
+  void add(const Node& node);
+  void add(const Element& element);
+  // Replaces nodes.
+  void set(const std::map<int, Node>& changed);
+
+ private:
+  int nodes_ = 0, elements_ = 0;
+  std::vector<EvenPart> parts_;
+  // For every 64th element of each part, from the first: the length of the section's elements before it, m.
+  // Arc lengths are sums from there, so that they do not depend on the way in which they are found.
+  std::vector<double> sums_;
+  std::vector<TemperatureRows> rows_;
+  std::vector<std::pair<int, Node>> own_;
+
+  Node node_at(int n) const;
+  Element element_at(int e) const;
+  double arc_of(const EvenPart& part, int k) const;
+};
+
+}  // namespace hawser

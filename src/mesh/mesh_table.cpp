@@ -1,0 +1,137 @@
+// Nodes and elements from a table of even parts.
+#include "hawser/mesh/mesh_table.hpp"
+
+#include <algorithm>
+
+#include "hawser/model/temperature_rows.hpp"
+
+namespace hawser {
+namespace {
+
+constexpr int kStride = 64;  // elements between two stored sums of lengths
+
+// The last part whose number `first` is at most `at`.
+auto part_with(const std::vector<EvenPart>& parts, int at, int EvenPart::*first) {
+  const auto after = std::upper_bound(parts.begin(), parts.end(), at,
+                                      [&](int i, const EvenPart& p) { return i < p.*first; });
+  return after - 1;
+}
+
+// Neighbours in an explicit list of elements that form one even part.
+bool goes_on(const EvenPart& p, const Element& e) {
+  return p.rows < 0 && p.lengths.ratio == 1 && p.line == e.line && p.type == e.type && p.beam == e.beam &&
+         p.lengths.length == e.length && p.free_strain == e.free_strain &&
+         p.first_node + p.lengths.elements == e.first;
+}
+
+}  // namespace
+
+double MeshTable::add(EvenPart part, double along) {
+  part.first_element = elements_;
+  part.first_node = nodes_ - 1;
+  part.first_sum = sums_.size();
+  for (int k = 0; k < part.lengths.elements; ++k) {
+    if (k % kStride == 0) sums_.push_back(along);
+    along += part.lengths.element_length(k);
+  }
+  part.end = part.start + along;
+  elements_ += part.lengths.elements;
+  nodes_ += part.lengths.elements;
+  parts_.push_back(part);
+  return along;
+}
+
+int MeshTable::add(TemperatureRows rows) {
+  rows_.push_back(std::move(rows));
+  return static_cast<int>(rows_.size()) - 1;
+}
+
+void MeshTable::add(const Node& node) { own_.emplace_back(nodes_++, node); }
+
+void MeshTable::add(const Element& e) {
+  if (!parts_.empty() && goes_on(parts_.back(), e)) {
+    ++parts_.back().lengths.elements;
+  } else {
+    EvenPart p;
+    p.first_element = elements_;
+    p.first_node = e.first;
+    p.line = e.line;
+    p.type = e.type;
+    p.beam = e.beam;
+    p.lengths = {.elements = 1, .length = e.length};
+    p.free_strain = e.free_strain;
+    parts_.push_back(p);
+  }
+  ++elements_;
+}
+
+void MeshTable::set(const std::map<int, Node>& changed) {
+  std::vector<std::pair<int, Node>> all(changed.begin(), changed.end());
+  std::copy_if(own_.begin(), own_.end(), std::back_inserter(all),
+               [&](const auto& own) { return !changed.contains(own.first); });
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  all.shrink_to_fit();
+  own_ = std::move(all);
+}
+
+double MeshTable::arc_of(const EvenPart& part, int k) const {
+  if (k == part.lengths.elements) return part.end;
+  const int from = k / kStride;
+  double along = sums_[part.first_sum + static_cast<size_t>(from)];
+  for (int i = from * kStride; i < k; ++i) along += part.lengths.element_length(i);
+  return part.start + along;
+}
+
+Node MeshTable::node_at(int n) const {
+  const auto own = std::lower_bound(own_.begin(), own_.end(), n,
+                                    [](const auto& o, int wanted) { return o.first < wanted; });
+  if (own != own_.end() && own->first == n) return own->second;
+  const auto at = part_with(parts_, n, &EvenPart::first_node);
+  const EvenPart& part = *at;
+  const int k = n - part.first_node;
+  Node out{.line = part.line, .arc = arc_of(part, k)};
+  const auto join = [&out](const EvenPart& p, int element) {
+    out.tributary += 0.5 * p.lengths.element_length(element);
+    out.rotates |= p.beam;
+  };
+  if (k > 0)
+    join(part, k - 1);
+  else if (at != parts_.begin() && (at - 1)->line == part.line)
+    join(*(at - 1), (at - 1)->lengths.elements - 1);
+  if (k < part.lengths.elements) join(part, k);
+  return out;
+}
+
+Element MeshTable::element_at(int e) const {
+  const EvenPart& part = *part_with(parts_, e, &EvenPart::first_element);
+  const int k = e - part.first_element;
+  const double length = part.lengths.element_length(k);
+  double strain = part.free_strain;
+  if (part.rows >= 0) {
+    const double from = arc_of(part, k);
+    strain *= model::mean_temperature_change(rows_[static_cast<size_t>(part.rows)], from, from + length);
+  }
+  return {part.line, part.first_node + k, part.first_node + k + 1, part.type, length, part.beam, strain};
+}
+
+double MeshTable::longest_element() const {
+  double longest = 0;
+  for (const EvenPart& p : parts_)
+    for (const int k : {0, p.lengths.elements - 1}) longest = std::max(longest, p.lengths.element_length(k));
+  return longest;
+}
+
+bool MeshTable::any_beam() const {
+  return std::any_of(parts_.begin(), parts_.end(), [](const EvenPart& p) { return p.beam; });
+}
+
+bool MeshTable::any_cable() const {
+  return std::any_of(parts_.begin(), parts_.end(), [](const EvenPart& p) { return !p.beam; });
+}
+
+bool MeshTable::any_rotates() const {
+  return any_beam() ||
+         std::any_of(own_.begin(), own_.end(), [](const auto& own) { return own.second.rotates; });
+}
+
+}  // namespace hawser

@@ -1,0 +1,60 @@
+// Runs of nodes from the parts of the mesh.
+#include "node_runs.hpp"
+
+#include <algorithm>
+
+namespace hawser {
+namespace {
+
+class Runs {
+ public:
+  explicit Runs(const Mesh& mesh) : own_(mesh.own_nodes()) {}
+  // Appends nodes up to `end` that follow from their elements, except those with properties of their own.
+  void go(int end, int line, bool rotates) {
+    while (at_ < end) {
+      if (next_ < own_.size() && own_[next_].first == at_) {
+        add_own();
+        continue;
+      }
+      const int to = next_ < own_.size() ? std::min(end, own_[next_].first) : end;
+      NodeRun* last = out.empty() ? nullptr : &out.back();
+      if (last && !last->own && last->line == line && last->rotates == rotates)
+        last->nodes += to - at_;
+      else
+        out.push_back({at_, to - at_, line, rotates});
+      at_ = to;
+    }
+  }
+  void add_own() {
+    const auto& [n, node] = own_[next_++];
+    out.push_back({n, 1, node.line, node.rotates, &node});
+    at_ = n + 1;
+  }
+  bool more() const { return next_ < own_.size(); }
+
+  std::vector<NodeRun> out;
+
+ private:
+  std::span<const std::pair<int, Node>> own_;
+  size_t next_ = 0;  // of own_
+  int at_ = 0;       // node
+};
+
+}  // namespace
+
+std::vector<NodeRun> node_runs(const Mesh& mesh) {
+  Runs runs(mesh);
+  const std::span<const EvenPart> parts = mesh.parts();
+  for (size_t i = 0; i < parts.size(); ++i) {
+    const EvenPart& p = parts[i];
+    const bool goes_on = i > 0 && parts[i - 1].line == p.line;
+    const bool ends = i + 1 == parts.size() || parts[i + 1].line != p.line;
+    runs.go(p.first_node + 1, p.line, p.beam || (goes_on && parts[i - 1].beam));
+    runs.go(p.first_node + p.lengths.elements, p.line, p.beam);
+    if (ends) runs.go(p.first_node + p.lengths.elements + 1, p.line, p.beam);
+  }
+  while (runs.more()) runs.add_own();
+  return std::move(runs.out);
+}
+
+}  // namespace hawser
