@@ -114,7 +114,7 @@ Solved solve(MPI_Comm comm, const model::Case& c, const Configure& configure) {
     check(PCShellGetName(pc, &name));
     out.solver = name;
   }
-  std::vector<double> all(3 * m.mesh->nodes(), 0), local;
+  std::vector<double> all(3 * static_cast<size_t>(m.mesh->nodes()), 0), local;
   system.gather(x.get(), local);
   for (int n = 0; n < m.owned; ++n)
     for (size_t k = 0; k < 3; ++k)
@@ -163,7 +163,7 @@ TEST_F(ParallelSolvers, ALineThatMayTouchItselfIsNotCut) {
   }
   const auto shared_out = [&c](int ranks) {
     const Simulation one(PETSC_COMM_SELF, c);
-    return run::node_owners(PETSC_COMM_SELF, c, one.mesh(), one.bodies(), ranks);
+    return run::node_owners(PETSC_COMM_SELF, c, one.mesh(), one.bodies(), ranks).of_nodes();
   };
   const auto whole = [](const std::vector<int>& owner) {
     return std::count(owner.begin(), owner.begin() + 101, owner[0]) == 101;
