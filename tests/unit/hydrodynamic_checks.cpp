@@ -51,7 +51,8 @@ class HydrodynamicChecks : public ::testing::Test {
   }
   std::string reported(const std::string& keys = "", const std::string& rest = "") {
     const std::string text =
-        "hawser: 1\nenvironment: {gravity: 9.80665, water: {density: 1025}}\nbodies:\n  spar: {floating: "
+        "hawser: 1\nenvironment: {gravity: 9.80665, water: {density: 1025, depth: 200}}\nbodies:\n  spar: "
+        "{floating: "
         "{mass: 2.8981e7, "
         "centre_of_mass: [0, 0, -50], inertia: [2e10, 2e10, 1e9], hydrodynamics: {wamit: " +
         (folder_ / "spar").string() + keys + "}}}\nstatics: false\ndynamics: {duration: 20}\n" + rest;
@@ -157,9 +158,160 @@ TEST_F(HydrodynamicChecks, WaveForces) {
   with(".3", [](auto& rows) {  // only long waves are right
     for (Row& r : rows)
       for (const size_t k : {3, 5, 6})
-        if (r[0] < 100) r[k] *= 2;
+        if (r[0] < 45) r[k] *= 2;
   });
   expect("by Haskind's relation");
+}
+
+// What long waves tell of the volume and of the stiffness, and of their phases.
+TEST_F(HydrodynamicChecks, LongWaves) {
+  const auto times = [](double mode, double factor) {
+    return [=](auto& rows) {
+      for (Row& r : rows)
+        if (r[2] == mode)
+          for (const size_t k : {3, 5, 6}) r[k] *= factor;
+    };
+  };
+  const auto turned = [](double mode, double angle) {
+    return [=](auto& rows) {
+      for (Row& r : rows)
+        if (r[2] == mode) {
+          r[4] += angle;
+          r[5] = r[3] * std::cos(r[4] * M_PI / 180);
+          r[6] = r[3] * std::sin(r[4] * M_PI / 180);
+        }
+    };
+  };
+  with(".3", turned(1, 60));
+  expect("the surge force leads the crest by 150 deg, but the acceleration of the water leads it by 90 deg");
+  with(".3", turned(3, 90));
+  expect("the heave force leads the crest by 90 deg, but a body goes up and down with the water");
+  with(".3", times(3, 1.1));
+  expect("the heave force of ");
+  with(".3", times(5, -1));
+  expect("the pitch moment of ");
+  with(".3", times(4, 1.2));
+  expect("the roll moment of ");
+  with(".1", [](auto& rows) {  // z downwards
+    for (Row& r : rows)
+      if (is_entry(r, 1, 5) || is_entry(r, 5, 1)) r[3] = -r[3];
+  });
+  expect("the pitch moment of ");
+  expect("and the body displaces 26000 m³: is 'displaced_volume'", ", displaced_volume: 26000");
+}
+
+// A file scaled as a whole by its length differs from a body of another volume.
+TEST_F(HydrodynamicChecks, LengthOfAllFiles) {
+  const auto scaled = [](double of_forces, double of_moments) {
+    return [=](auto& rows) {
+      for (Row& r : rows)
+        for (const size_t k : {3, 5, 6}) r[k] *= r[2] > 3 ? of_moments : of_forces;
+    };
+  };
+  with(".3", scaled(4, 8));
+  with(".1", [](auto& rows) {
+    for (Row& r : rows)
+      for (size_t k = 3; k < r.size(); ++k) r[k] *= std::pow(2, 3 + (r[1] > 3) + (r[2] > 3));
+  });
+  with(".hst", [](auto& rows) {
+    for (Row& r : rows) r[2] *= r[0] > 3 ? 16 : 4;
+  });
+  const std::string text = reported(", displaced_volume: 28274");
+  EXPECT_NE(text.find("is that of a displaced volume of "), std::string::npos) << text;
+}
+
+TEST_F(HydrodynamicChecks, WeightInTheStiffness) {
+  constexpr double kPart = 2.8981e7 * 50 / 1025;  // -m g zG over rho g
+  const auto weight = [](double times) {
+    return [=](auto& rows) {
+      for (Row& r : rows)
+        if (r[0] > 3) r[2] += times * kPart;
+    };
+  };
+  const std::string stated = ", gravity_in_stiffness: true";
+  with(".hst", weight(1));
+  EXPECT_EQ(reported(stated), "");
+  expect("this is the part of the body's weight: set 'gravity_in_stiffness: true'");
+  with(".hst", weight(0));
+  EXPECT_NE(reported(stated).find("which the files do not have: remove 'gravity_in_stiffness'"),
+            std::string::npos)
+      << reported(stated);
+  with(".hst", weight(2));
+  expect("this is twice the part of the body's weight: the files have it doubled", stated);
+  with(".hst", weight(2));
+  expect("this is twice the part of the body's weight: the files have it doubled");
+}
+
+TEST_F(HydrodynamicChecks, StiffnessThatCannotBe) {
+  with(".hst", [](auto& rows) { rows.front()[2] = -rows.front()[2]; });
+  EXPECT_NE(reported().find("cannot be negative: does the file have the other sign?"), std::string::npos)
+      << reported();
+  with(".hst", [](auto& rows) { rows.push_back({3, 5, 500}); });
+  EXPECT_EQ(reported(), "");  // the upper triangle stands for both
+  with(".hst", [](auto& rows) {
+    rows.push_back({3, 5, 5000});
+    rows.push_back({5, 3, 0.1});
+  });
+  EXPECT_NE(reported().find("the hydrostatic stiffness of heave and pitch has "), std::string::npos)
+      << reported();
+}
+
+TEST_F(HydrodynamicChecks, RowsOfTwoRuns) {
+  const auto again = [](double factor, size_t column) {
+    return [=](auto& rows) {
+      rows.push_back(rows[200]);
+      rows.back()[column] *= factor;
+    };
+  };
+  with(".1", again(1, 3));
+  EXPECT_EQ(reported(), "");
+  with(".1", again(1.1, 3));
+  expect("gives an entry again that the file has already with another value");
+  with(".1", [](auto& rows) {  // damping
+    const auto surge = [](const Row& r) { return r[0] > 4 && r[0] < 9 && is_entry(r, 1, 1); };
+    rows.push_back(*std::find_if(rows.begin(), rows.end(), surge));
+    rows.back()[4] *= 5;
+  });
+  expect("gives an entry again that the file has already with another value");
+  with(".hst", [](auto& rows) { rows.push_back({3, 3, 1.05 * rows.front()[2]}); });
+  expect("gives an entry again that the file has already with another value");
+  with(".3", [](auto& rows) {
+    rows.push_back(rows[1]);
+    for (const size_t k : {3, 5, 6}) rows.back()[k] *= 1.1;
+  });
+  expect("twice, with different values: are these rows of two runs?");
+}
+
+// Three periods in the order of the file, with pairs that are the mean of both, or far from it.
+TEST_F(HydrodynamicChecks, DifferenceForces) {
+  const auto pairs = [](double of_pair, const char* more = "") {
+    std::string text;
+    const double periods[] = {16, 12, 8};
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j) {
+        const double value = i == j ? 0.2 : 0.2 * of_pair;
+        text += fmt::format("{} {} 0 0 1 {} {} {} 0\n", periods[i], periods[j], std::abs(value),
+                            value < 0 ? 180 : 0, value);
+      }
+    return text + more;
+  };
+  const std::string full = ", second_order: full";
+  write(".12d", pairs(0.9));
+  EXPECT_EQ(reported(full), "");
+  write(".12d", pairs(0.2));
+  expect("its periods are too sparse for 'second_order: full'", full);
+  write(".12d", pairs(0.9, "12 16 0 0 1 0.18 0 0.18 0\n"));
+  EXPECT_EQ(reported(full), "");
+  write(".12d", pairs(0.9, "12 16 0 0 1 0.1 0 0.1 0\n"));
+  expect("gives an entry again that the file has already with another value, 1.8 times this one", full);
+}
+
+TEST_F(HydrodynamicChecks, AsymmetricDamping) {
+  with(".1", [](auto& rows) {
+    for (Row& r : rows)
+      if (r[0] > 0 && is_entry(r, 1, 5)) r[4] = -r[4];
+  });
+  EXPECT_NE(reported().find("damping differs from its transpose by up to "), std::string::npos) << reported();
 }
 
 // A wide float, where damping affects the phase of heave.

@@ -18,10 +18,10 @@ namespace hawser::io {
 struct HydrodynamicForm {
   double length = 1;  // ULEN of WAMIT's files, m
   double density = 1025, gravity = 9.80665;
-  double depth = 0;  // of the water, m; 0: infinite
   // Wave forces are given from one side of a body with port-starboard symmetry; those from the other side are
   // mirror images, with sway, roll and yaw reversed.
   bool mirrored = false;
+  double depth = 0;  // of the water, m; 0: infinite
 };
 
 // Reads `stem`.1 and so on.
