@@ -122,7 +122,7 @@ LocalMesh local_mesh(const Mesh& mesh, const NodeRanks& owner, int rank, int ran
   std::sort(ghosts.begin(), ghosts.end());
   ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
   l.global.insert(l.global.end(), ghosts.begin(), ghosts.end());
-  l.chain = l.nodes();
+  l.element_ghosts_end = l.nodes();
   for (const int i : elements) {
     const Element e = mesh.element(i);
     l.elements.push_back({l.find(e.first), l.find(e.second), i, owner[e.first] == rank});
@@ -133,18 +133,18 @@ LocalMesh local_mesh(const Mesh& mesh, const NodeRanks& owner, int rank, int ran
     if (i + 1 == l.owned) l.owned_blocks = l.blocks();
   }
   for (int n = 0; n < l.nodes(); ++n) pin(l, n);
-  l.chain_blocks = l.blocks();
+  l.element_ghost_blocks_end = l.blocks();
   for (auto* kept : {&l.global, &l.block, &l.global_block}) kept->shrink_to_fit();
   l.elements.shrink_to_fit();
   return l;
 }
 
 void set_coupling_ghosts(LocalMesh& l, std::span<const int> nodes) {
-  const size_t chain = l.chain;
-  if (l.chain_blocks > 0) l.global_block.resize(l.chain_blocks);
-  l.global.resize(chain);
-  l.block.resize(chain);
-  l.node_copies.resize(chain);
+  const size_t element_ghosts_end = l.element_ghosts_end;
+  if (l.element_ghost_blocks_end > 0) l.global_block.resize(l.element_ghost_blocks_end);
+  l.global.resize(element_ghosts_end);
+  l.block.resize(element_ghosts_end);
+  l.node_copies.resize(element_ghosts_end);
   std::vector<int> more;
   for (int n : nodes)
     if (l.find(n) < 0) more.push_back(n);
@@ -153,7 +153,7 @@ void set_coupling_ghosts(LocalMesh& l, std::span<const int> nodes) {
     l.node_copies.push_back(l.mesh->node(n));
     l.block.push_back(add_blocks(l, l.first_block(n), width_of(l.node_copies.back())));
   }
-  for (int n = l.chain; n < l.nodes(); ++n) pin(l, n);
+  for (int n = l.element_ghosts_end; n < l.nodes(); ++n) pin(l, n);
 }
 
 LineOwners line_owners(const LocalMesh& mesh) {

@@ -31,7 +31,7 @@ Touchdowns::Touchdowns(MPI_Comm comm, const model::Case& c, const LocalMesh& loc
   std::sort(lines_.begin(), lines_.end());
   std::vector<double> touching;  // by line type
   for (const model::LineType& t : c.line_types) touching.push_back(model::touching_height(c, t));
-  heights_.resize(local.chain);
+  heights_.resize(local.element_ghosts_end);
   for (size_t k = 0; k < heights_.size(); ++k) {
     const int global = local.global[k];
     const Node& n = mesh.node(global);

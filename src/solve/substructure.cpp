@@ -22,7 +22,7 @@ struct Substructure {
   int most = 0;  // largest number of unknowns of a part
   std::optional<InterfaceParts> interface;
   Handle<PC, PCDestroy> mumps;                              // if a part is too large
-  KspHandle chains;                                         // LU of this rank's diagonal block
+  KspHandle own_block;                                      // LU of this rank's diagonal block
   VecHandle ghost, x, y;                                    // sequential: ghost unknowns, work vectors
   std::vector<Eigen::MatrixXd> Z;                           // by part: its rows of Ad^-1 Ao
   std::vector<Eigen::PartialPivLU<Eigen::MatrixXd>> small;  // by part that this rank solves
@@ -48,14 +48,14 @@ PetscErrorCode set_up_mumps(PC pc, Mat A, Substructure& s) {
   PetscFunctionReturn(0);
 }
 
-PetscErrorCode make_chains(Mat Ad, PetscInt ghosts, Substructure& s) {
+PetscErrorCode factor_own_block(Mat Ad, PetscInt ghosts, Substructure& s) {
   PetscFunctionBegin;
   PetscCall(MatCreateVecs(Ad, s.x.out(), s.y.out()));
   PetscCall(VecCreateSeq(PETSC_COMM_SELF, ghosts, s.ghost.out()));
-  PetscCall(KSPCreate(PETSC_COMM_SELF, s.chains.out()));
-  PetscCall(KSPSetType(s.chains.get(), KSPPREONLY));
+  PetscCall(KSPCreate(PETSC_COMM_SELF, s.own_block.out()));
+  PetscCall(KSPSetType(s.own_block.get(), KSPPREONLY));
   PC lu = nullptr;
-  PetscCall(KSPGetPC(s.chains.get(), &lu));
+  PetscCall(KSPGetPC(s.own_block.get(), &lu));
   use_lu(lu, s.coupled);
   PetscFunctionReturn(0);
 }
@@ -78,7 +78,7 @@ PetscErrorCode find_columns(Mat Ao, Substructure& s) {
         PetscCall(VecSetValue(s.ghost.get(), 3 * part.ghosts[column / 3] + static_cast<int>(column % 3), 1,
                               INSERT_VALUES));
     PetscCall(MatMult(Ao, s.ghost.get(), s.y.get()));
-    PetscCall(KSPSolve(s.chains.get(), s.y.get(), s.x.get()));
+    PetscCall(KSPSolve(s.own_block.get(), s.y.get(), s.x.get()));
     const PetscScalar* x = nullptr;
     PetscCall(VecGetArrayRead(s.x.get(), &x));
     for (size_t p = 0; p < parts.size(); ++p) {
@@ -128,14 +128,14 @@ PetscErrorCode setup(PC pc) {
     if (s->interface->largest() > s->most)
       PetscCall(make_mumps(pc, *s));
     else
-      PetscCall(make_chains(Ad, ghosts, *s));
+      PetscCall(factor_own_block(Ad, ghosts, *s));
   }
   if (s->mumps) {
     PetscCall(set_up_mumps(pc, A, *s));
     PetscFunctionReturn(0);
   }
-  PetscCall(KSPSetOperators(s->chains.get(), Ad, Ad));
-  PetscCall(KSPSetUp(s->chains.get()));
+  PetscCall(KSPSetOperators(s->own_block.get(), Ad, Ad));
+  PetscCall(KSPSetUp(s->own_block.get()));
   PetscCall(find_columns(Ao, *s));
   factorise_parts(*s);
   PetscFunctionReturn(0);
@@ -183,7 +183,7 @@ PetscErrorCode apply(PC pc, Vec b, Vec x) {
   PetscCall(VecPlaceArray(s->y.get(), pb));
   PetscCall(VecGetArray(x, &px));
   PetscCall(VecPlaceArray(s->x.get(), px));
-  PetscCall(KSPSolve(s->chains.get(), s->y.get(), s->x.get()));
+  PetscCall(KSPSolve(s->own_block.get(), s->y.get(), s->x.get()));
   PetscCall(VecResetArray(s->x.get()));
   PetscCall(VecResetArray(s->y.get()));
   correct(*s, px);
@@ -198,7 +198,7 @@ void use_substructuring(PC pc, bool coupled, int most) {
   auto s = std::make_unique<Substructure>();
   s->coupled = coupled;
   s->most = most;
-  use_shell(pc, "chains cut between ranks", std::move(s), setup, apply);
+  use_shell(pc, "lines cut between ranks", std::move(s), setup, apply);
 }
 
 }  // namespace hawser

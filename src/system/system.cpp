@@ -15,9 +15,9 @@
 namespace hawser {
 
 System::System(MPI_Comm comm, LocalMesh mesh) : comm_(comm), mesh_(std::move(mesh)) {
-  if (mesh_.chain == 0) {
-    mesh_.chain = mesh_.nodes();
-    mesh_.chain_blocks = mesh_.blocks();
+  if (mesh_.element_ghosts_end == 0) {
+    mesh_.element_ghosts_end = mesh_.nodes();
+    mesh_.element_ghost_blocks_end = mesh_.blocks();
   }
   exchange_ = GhostExchange(comm_, mesh_);
   size_arrays();

@@ -71,14 +71,14 @@ void System::reghost_ties() {
   std::vector<TiedNode> kept;
   std::vector<Tie> ties(mesh_.global.size());
   for (const TiedNode& s : tied_nodes_.nodes()) {
-    if (s.node >= mesh_.chain) continue;
+    if (s.node >= mesh_.element_ghosts_end) continue;
     kept.push_back(s);
     Tie& tie = ties[s.node];
     tie = {true, s};
     if (s.frame >= 0) tie.at.frame = mesh_.global[s.frame];
   }
   exchange_.spread(ties);
-  for (int node = mesh_.chain; node < static_cast<int>(mesh_.global.size()); ++node) {
+  for (int node = mesh_.element_ghosts_end; node < static_cast<int>(mesh_.global.size()); ++node) {
     if (!ties[node].tied) continue;
     TiedNode& s = kept.emplace_back(ties[node].at);
     s.node = node;

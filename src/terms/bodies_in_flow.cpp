@@ -63,7 +63,7 @@ FlowVelocity BodiesInFlow::velocity(const Flow& f, const Kinematics& at, const R
   FlowVelocity out;
   if (f.air) {
     out.velocity = wind_.steady(f.height, at.time);
-    if (at.step > 0) out.velocity += wind_.gust(at.time);
+    if (at.moves()) out.velocity += wind_.gust(at.time);
     return out;
   }
   const Water still = sea_.still_at((s.x + s.q * f.data.arm).z(), at.time);
@@ -100,9 +100,9 @@ double BodiesInFlow::work(const Push& from, const Push& to) {
 
 void BodiesInFlow::prepare(const Kinematics& committed, double h) {
   Kinematics now = committed;
-  if (!(now.step > 0)) now.step = h;
+  if (!now.moves()) now.step = h;
   for (Flow& f : list_)
-    if (!(committed.step > 0) || !f.pushed) {
+    if (!committed.moves() || !f.pushed) {
       f.push = push(f, now);
       f.pushed = true;
     }
@@ -121,7 +121,7 @@ void BodiesInFlow::evaluate(const Kinematics& trial, Assembler& assembler) {
 void BodiesInFlow::commit(const Kinematics& accepted) {
   for (Flow& f : list_) {
     const Push now = push(f, accepted);
-    if (accepted.step > 0 && f.pushed) f.work += work(f.push, now);
+    if (accepted.moves() && f.pushed) f.work += work(f.push, now);
     f.push = now;
     f.pushed = true;
   }
@@ -133,7 +133,7 @@ Energy BodiesInFlow::energy(const Kinematics& at) const {
   for (const Flow& f : list_) {
     e.work += f.work;
     e.by_water += f.work;
-    if (!idle(f) && !(at.step > 0) && f.pushed) e.potential -= work(f.push, push(f, at));
+    if (!idle(f) && !at.moves() && f.pushed) e.potential -= work(f.push, push(f, at));
   }
   return e;
 }

@@ -88,7 +88,7 @@ BodiesInWater::Places BodiesInWater::wave_places(const Wet& b, const Kinematics&
 
 Water BodiesInWater::water(const Wet& b, const Kinematics& at, const Vec3& x, WaveMotion Wet::*wave) const {
   const Water still = sea_.still_at(x.z(), at.time);
-  if (sea_.waves.none() || !(at.step > 0)) return still;
+  if (sea_.waves.none() || !at.moves()) return still;
   if (!b.known || b.time != at.time) {
     const Places there = wave_places(b, at);
     b.centre = sea_.waves_at(there.centre, at.time);
@@ -145,7 +145,7 @@ void BodiesInWater::prepare(const Kinematics& committed, double h) {
   for (Wet& b : list_) {
     const RigidBodyState s = state(b, committed);
     b.start = places(b, s);
-    if (!(committed.step > 0) || !b.has_wave_place) {
+    if (!committed.moves() || !b.has_wave_place) {
       b.wave_place = b.start;
       b.has_wave_place = true;
     }
@@ -155,9 +155,9 @@ void BodiesInWater::prepare(const Kinematics& committed, double h) {
   start_time_ = committed.time;
   // At the first step waves start to act, and accelerations jump.
   Kinematics now = committed;
-  if (!(now.step > 0)) now.step = h;
+  if (!now.moves()) now.step = h;
   for (Wet& b : list_)
-    if (!(committed.step > 0) || !b.flowed) {
+    if (!committed.moves() || !b.flowed) {
       b.flow = flow(b, now);
       b.flowed = true;
     }
@@ -187,7 +187,7 @@ void BodiesInWater::evaluate(const Kinematics& trial, Assembler& assembler) {
 void BodiesInWater::commit(const Kinematics& accepted) {
   for (Wet& b : list_) {
     const Flow now = flow(b, accepted);
-    if (accepted.step > 0 && b.flowed) b.work += work(b.flow, now);
+    if (accepted.moves() && b.flowed) b.work += work(b.flow, now);
     b.flow = now;
     b.flowed = true;
     b.wave_place = wave_places(b, accepted);
@@ -205,7 +205,7 @@ Energy BodiesInWater::energy(const Kinematics& at) const {
     e.by_water += b.work;
     if (idle(b)) continue;
     e.potential += body_water_potential(b.data, state(b, at), sea_.surface);
-    if (!(at.step > 0) && b.flowed) e.potential -= work(b.flow, flow(b, at));
+    if (!at.moves() && b.flowed) e.potential -= work(b.flow, flow(b, at));
   }
   return e;
 }

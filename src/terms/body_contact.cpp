@@ -244,7 +244,7 @@ void BodyContactTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
     if (!p.here) continue;
     const PairBody &a = bodies_of_volumes_[p.a], &b = bodies_of_volumes_[p.b];
     const bool tangent = assembler.needs_tangent();
-    const Sum s = contact(p, both(p, trial), {trial.step > 0, tangent, false}, slipping(p, trial.step));
+    const Sum s = contact(p, both(p, trial), {trial.moves(), tangent, false}, slipping(p, trial.step));
     if (!s.active) continue;
     // Only bodies with unknowns have rows and columns.
     const Eigen::Index first = a.global < 0 ? 6 : 0, count = a.global < 0 || b.global < 0 ? 6 : 12;
@@ -298,8 +298,8 @@ void BodyContactTerm::commit(const Kinematics& accepted) {
     Eighths eighths;
     if (slips) friction.points = &touching;
     if (p.counted) friction.eighths = &eighths;
-    const Sum s = contact(p, now, {accepted.step > 0}, friction);
-    if (slips && accepted.step > 0)
+    const Sum s = contact(p, now, {accepted.moves()}, friction);
+    if (slips && accepted.moves())
       p.dissipated += half_dissipation(p, now, p.touching) + half_dissipation(p, now, touching);
     p.touching = std::move(touching);
     p.acts = s.active ? Vec12(s.on.f) : Vec12(Vec12::Zero());
@@ -311,7 +311,7 @@ void BodyContactTerm::commit(const Kinematics& accepted) {
     p.now.energy = s.potential;
     p.now.depth = s.depth;
     p.resultants = resultants_of(p, now, eighths);
-    if (!(accepted.step > 0)) continue;
+    if (!accepted.moves()) continue;
     p.damping += 0.5 * accepted.step * (s.damping_power + p.damping_power);
     p.work += 0.5 * accepted.step * (s.work_power + p.work_power);
   }
@@ -322,7 +322,7 @@ Energy BodyContactTerm::energy(const Kinematics& at) const {
   Energy e;
   for (const Pair& p : pairs_) {
     if (!p.counted) continue;
-    e.strain += at.step > 0 ? p.potential : contact(p, both(p, at), kSprings).potential;
+    e.strain += at.moves() ? p.potential : contact(p, both(p, at), kSprings).potential;
     e.damping += p.damping;
     e.friction += p.dissipated;
     e.work += p.work;

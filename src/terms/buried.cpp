@@ -95,7 +95,7 @@ double BuriedTerm::turn_to(const Kinematics& at, double share) {
 // If the line turns back with its springs, so that the turn decreases by less than a quarter of what was
 // expected, the next turns are half as large.
 bool BuriedTerm::raise_stiffness(const Kinematics& equilibrium) {
-  if (equilibrium.step > 0) return false;
+  if (equilibrium.moves()) return false;
   double turn = turn_to(equilibrium, share_);
   all_reduce(comm_, MPI_MAX, turn);
   if (!(turn <= (1 - 0.25 * share_) * turn_)) share_ *= 0.5;
@@ -115,7 +115,7 @@ void BuriedTerm::commit(const Kinematics& accepted) {
   for (Point& p : points_) {
     const BuriedForce s = pull(p, accepted);
     const Vec3& x = accepted.x[p.node];
-    if (accepted.step > 0) p.friction_work -= 0.5 * (s.force + p.force).dot(x - p.at) + (s.stored - p.stored);
+    if (accepted.moves()) p.friction_work -= 0.5 * (s.force + p.force).dot(x - p.at) + (s.stored - p.stored);
     p.at = x;
     p.slip = s.slip;
     p.force = s.force;
@@ -131,7 +131,7 @@ Energy BuriedTerm::energy(const Kinematics& at) const {
   Energy e;
   for (const Point& p : points_) {
     e.friction += p.friction_work;
-    e.strain += at.step > 0 ? p.stored : pull(p, at).potential;
+    e.strain += at.moves() ? p.stored : pull(p, at).potential;
   }
   return e;
 }

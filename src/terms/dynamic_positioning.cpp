@@ -140,7 +140,7 @@ DynamicPositioning::Push DynamicPositioning::push_in_motion(const Positioned& p,
 
 DynamicPositioning::Push DynamicPositioning::push(const Positioned& p, const Kinematics& at) const {
   const Vec3 pose = place_and_heading(p.arm, floating_state(at, p.node));
-  return at.step > 0 ? push_in_motion(p, pose, at.time) : push_at_rest(p, pose);
+  return at.moves() ? push_in_motion(p, pose, at.time) : push_at_rest(p, pose);
 }
 
 void DynamicPositioning::begin(Positioned& p, const Vec3& pose, double time) {
@@ -216,7 +216,7 @@ void DynamicPositioning::commit(const Kinematics& accepted) {
   for (Positioned& p : list_) {
     const Vec3 pose = place_and_heading(p.arm, floating_state(accepted, p.node));
     const Push now = push(p, accepted);
-    if (!(accepted.step > 0)) {
+    if (!accepted.moves()) {
       const Mat3 H = heading_axes(pose.z());
       Vec3 sum = Vec3::Zero();
       const Vec3 e = H.transpose() * offset(p, pose), given = H.transpose() * now.force;
@@ -244,7 +244,7 @@ Energy DynamicPositioning::energy(const Kinematics& at) const {
   Energy e;
   for (const Positioned& p : list_) {
     e.work += p.work;
-    if (!(at.step > 0)) e.potential -= work(p.last, passed(p, at, push(p, at)));
+    if (!at.moves()) e.potential -= work(p.last, passed(p, at, push(p, at)));
   }
   return e;
 }

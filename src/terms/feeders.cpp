@@ -257,7 +257,7 @@ void Feeders::prepare(const Kinematics& committed, double) {
 }
 
 void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
-  if (!(trial.step > 0)) return;
+  if (!trial.moves()) return;
   for (const Feeder& f : feeders_) {
     const LocalElement* e = at_feed_point(f);
     if (!e) continue;
@@ -292,7 +292,7 @@ void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
 }
 
 void Feeders::element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const {
-  if (!(at.step > 0)) return;
+  if (!at.moves()) return;
   for (const Feeder& feeder : feeders_) {
     if (element(feeder, feeder.feed_point) != e.global) continue;
     Vec3 out[2];
@@ -374,7 +374,7 @@ double Feeders::load_work(const Feeder& f, const Kinematics& at, const LocalElem
 Energy Feeders::energy(const Kinematics& at) const {
   Energy out;
   out.work = work_;
-  if (!(at.step > 0)) return out;
+  if (!at.moves()) return out;
   for (const Feeder& f : feeders_) {
     const LocalElement* e = at_feed_point(f);
     if (!e || !e->counted) continue;

@@ -92,7 +92,7 @@ const std::vector<double>& Hulls::heads(const Hull& hull, const Kinematics& at) 
 
 HullPressure Hulls::pressure(const Hull& hull, const Kinematics& at, bool waves, bool tangent) const {
   std::span<const double> now;
-  if (waves && hull.in_waves && at.step > 0) now = heads(hull, at);
+  if (waves && hull.in_waves && at.moves()) now = heads(hull, at);
   return hull_pressure(hull.surface, sea_.density * sea_.gravity, sea_.surface, now,
                        floating_state(at, hull.node), tangent);
 }
@@ -104,7 +104,7 @@ const Hulls::Forces& Hulls::forces(const Hull& hull, const Kinematics& at) const
   if (known.time == at.time && known.step == at.step && known.x == s.x && known.q.coeffs() == s.q.coeffs())
     return known;
   known = {at.time, at.step, s.x, s.q, pressure(hull, at, false, false), {}};
-  if (!hull.in_waves || !(at.step > 0)) return known;
+  if (!hull.in_waves || !at.moves()) return known;
   const Vec6 f = known.still.f - pressure(hull, at, true, false).f;
   known.waves = {f.head<3>(), s.q * f.tail<3>()};
   return known;
@@ -114,12 +114,12 @@ void Hulls::prepare(const Kinematics& committed, double h) {
   start_time_ = committed.time;
   Kinematics now = committed;
   // At the first step waves start to act.
-  if (!(now.step > 0)) now.step = h;
+  if (!now.moves()) now.step = h;
   for (Hull& hull : list_) {
     hull.start = floating_state(committed, hull.node);
     hull.known = false;
     hull.forces = {};
-    if (hull.has_waves && committed.step > 0) continue;
+    if (hull.has_waves && committed.moves()) continue;
     hull.waves = forces(hull, now).waves;
     hull.has_waves = true;
   }
@@ -138,7 +138,7 @@ void Hulls::commit(const Kinematics& accepted) {
   for (Hull& hull : list_) {
     const RigidBodyState s = floating_state(accepted, hull.node);
     const BodyForce now = forces(hull, accepted).waves;
-    if (accepted.step > 0 && hull.has_waves)
+    if (accepted.moves() && hull.has_waves)
       hull.work += 0.5 * ((now.force + hull.waves.force).dot(s.x - hull.start.x) +
                           (now.moment + hull.waves.moment).dot(log_so3(s.q * hull.start.q.conjugate())));
     hull.waves = now;

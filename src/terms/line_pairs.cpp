@@ -152,7 +152,7 @@ AttachedForces LinePairs::forces(const Pair& pair, const PairAxis& A, const Pair
 
 void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
   const bool tangent = assembler.needs_tangent();
-  const AxisContactMode mode{trial.step > 0, tangent, assembler.convex()};
+  const AxisContactMode mode{trial.moves(), tangent, assembler.convex()};
   BlockVector f;
   BlockMatrix K, C;
   const std::vector<Rod> moved = rods(trial);
@@ -165,7 +165,7 @@ void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
     const Stencil stencil = stencil_of(A, B);
     const Eigen::Index size = 3 * stencil.blocks;
     f.setZero(size);
-    const bool damped = tangent && trial.step > 0 && pair.law.normal.damping > 0;
+    const bool damped = tangent && trial.moves() && pair.law.normal.damping > 0;
     if (tangent) K.setZero(size, size);
     if (damped) C.setZero(size, size);
     stencil.to_blocks(g, !assembler.convex(), f.data(), tangent ? K.data() : nullptr,
@@ -186,7 +186,7 @@ void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
 
 void LinePairs::commit(const Kinematics& accepted) {
   const std::vector<Rod> moved = rods(accepted);
-  const bool moves = accepted.step > 0;
+  const bool moves = accepted.moves();
   for (Pair& pair : pairs_) {
     if (!near(pair, moved) && !pair.points) continue;
     const PairAxis A = axis(accepted, pair.a), B = axis(accepted, pair.b);
@@ -244,10 +244,10 @@ void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, 
 // In dynamics the energy of the committed state; in statics that of the trial, which the line search reduces.
 Energy LinePairs::energy(const Kinematics& at) const {
   Energy e;
-  const std::vector<Rod> moved = at.step > 0 ? std::vector<Rod>{} : rods(at);
+  const std::vector<Rod> moved = at.moves() ? std::vector<Rod>{} : rods(at);
   for (const Pair& p : pairs_) {
     if (!p.counted) continue;
-    if (at.step > 0) {
+    if (at.moves()) {
       if (p.points)
         for (const auto& part : *p.points)
           for (const LinePairContactPoint& h : part) e.strain += h.weight * h.potential;

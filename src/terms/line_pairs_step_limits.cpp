@@ -43,7 +43,7 @@ Verdict LinePairs::check_step(const Kinematics& trial) const {
   }
   if (through)
     return {Verdict::Kind::shorter,
-            trial.step > 0 ? too_soft(*through) : advice::LinesPass{nearest_places(*through)}};
+            trial.moves() ? too_soft(*through) : advice::LinesPass{nearest_places(*through)}};
   return {};
 }
 
@@ -51,7 +51,7 @@ Verdict LinePairs::check_step(const Kinematics& trial) const {
 bool LinePairs::tunnels(const Pair& p, const Kinematics& trial) const {
   const AxisShape a0(start(p.a)), b0(start(p.b)), a1(ends(trial, p.a)), b1(ends(trial, p.b));
   ApproachLimits limits;
-  if (trial.step > 0) {
+  if (trial.moves()) {
     limits.most = kThrough * p.law.radii;
     limits.part = 0.5;
     limits.floor = kPressed * p.law.radii;

@@ -27,7 +27,7 @@ bool resting(double stiffness, double depth, double mass, double speed) {
 // Static fraction of the force [N] on the whole element, 0 to 1.
 double LineVolumeContact::static_share(const Pair& pair, const Kinematics& at, double force, double depth,
                                        const Vec3& normal) const {
-  if (!(at.step > 0)) return 1;
+  if (!at.moves()) return 1;
   const size_t a = local(pair).first, b = local(pair).second;
   const Vec3 place = 0.5 * (at.x[a] + at.x[b]),
              velocity = 0.5 * (at.v[a] + at.v[b]) - volumes_.trial_pose(pair.volume).velocity_at(place);
@@ -42,7 +42,7 @@ bool LineVolumeContact::raise_stiffness(const Kinematics& equilibrium) {
   std::vector<double> wanted = volumes_.stiffnesses();
   for (Pair& pair : pairs_) {
     const bool touches = !pair.found.panels.empty() || pair.several;
-    if (!volumes_.automatic(pair.volume) || (!touches && !(equilibrium.step > 0))) continue;
+    if (!volumes_.automatic(pair.volume) || (!touches && !equilibrium.moves())) continue;
     const AxisShape shape(ends(equilibrium, pair.element));
     const RigidPose& pose = volumes_.trial_pose(pair.volume);
     PressedPoint at;

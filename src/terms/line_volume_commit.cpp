@@ -13,7 +13,7 @@ void LineVolumeContact::commit(const Kinematics& accepted) {
     Pair& pair = pairs_[i];
     std::vector<AxisContactPoint> next;
     if (near != near_.end() && near->pair == i) {
-      const bool moves = accepted.step > 0;
+      const bool moves = accepted.moves();
       if (pair.evaluation != Pair::evaluation_of(moves)) contact(pair, near->shape, {moves});
       next = std::move(pair.evaluated);
       ++near;
@@ -22,7 +22,7 @@ void LineVolumeContact::commit(const Kinematics& accepted) {
     pair.evaluated.clear();
     for (const AxisContactPoint& p : next)
       accounts_[pair.element].reaches(-p.gap, accepted.time, pair.volume, p.xi < 0.5 ? 0 : 1);
-    if (accepted.step > 0 && !(next.empty() && pair.points.empty()))
+    if (accepted.moves() && !(next.empty() && pair.points.empty()))
       account(pair, AxisShape(ends(accepted, pair.element)), next);
     pair.points = std::move(next);
   }
@@ -85,10 +85,10 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
 Energy LineVolumeContact::energy(const Kinematics& at) const {
   Energy e;
   std::vector<RigidPose> poses;
-  if (!(at.step > 0)) poses = volumes_.poses(at);
+  if (!at.moves()) poses = volumes_.poses(at);
   for (const Pair& p : pairs_) {
     if (!local(p).counted) continue;
-    if (at.step > 0) {
+    if (at.moves()) {
       for (const AxisContactPoint& q : p.points) e.strain += q.weight * q.potential;
       continue;
     }

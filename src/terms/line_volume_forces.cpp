@@ -52,7 +52,7 @@ void LineVolumeContact::find_near_pairs(const Kinematics& trial) {
 void LineVolumeContact::evaluate(const Kinematics& trial, Assembler& assembler) {
   volumes_.pose_trial(trial);
   find_near_pairs(trial);
-  const bool tangent = assembler.needs_tangent(), moves = trial.step > 0;
+  const bool tangent = assembler.needs_tangent(), moves = trial.moves();
   for (const Near& near : near_) {
     Pair& pair = pairs_[near.pair];
     if (pair.found.panels.empty()) continue;

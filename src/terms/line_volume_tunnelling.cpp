@@ -25,7 +25,7 @@ BezierAxis part_of(const LineVolumePair& pair, const AxisShape& shape, const Rig
 }  // namespace
 
 Verdict LineVolumeContact::check_step(const Kinematics& trial) const {
-  const bool rests = !(trial.step > 0);
+  const bool rests = !trial.moves();
   if (!rests)
     if (const auto deep = deeper_than_allowed(trial)) return {Verdict::Kind::shorter, *deep};
   const std::vector<RigidPose> poses = volumes_.poses(trial);

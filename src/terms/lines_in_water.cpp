@@ -33,7 +33,7 @@ const std::vector<WaveMotion>& LinesInWater::waves(const Kinematics& at) const {
 
 Water LinesInWater::water(const Kinematics& at, size_t node) const {
   const Water still = sea_.still_at(at.x[node].z(), at.time);
-  return sea_.waves.none() || !(at.step > 0) ? still : still + waves(at)[node];
+  return sea_.waves.none() || !at.moves() ? still : still + waves(at)[node];
 }
 
 void LinesInWater::update_water(const Kinematics& at) const {
@@ -124,9 +124,9 @@ void LinesInWater::evaluate(const Kinematics& trial, Assembler& assembler) {
 LinesInWater::Flow LinesInWater::flow(const Kinematics& at) const {
   update_water(at);
   Flow out;
-  out.force.assign(static_cast<size_t>(mesh_.chain_blocks), Vec3::Zero());
+  out.force.assign(static_cast<size_t>(mesh_.element_ghost_blocks_end), Vec3::Zero());
   out.place = out.force;
-  for (int n = 0; n < mesh_.chain; ++n) {
+  for (int n = 0; n < mesh_.element_ghosts_end; ++n) {
     const size_t node = static_cast<size_t>(n), block = static_cast<size_t>(mesh_.block[node]);
     out.place[block] = at.x[node];
     if (mesh_.rotates(n)) out.place[block + 1] = at.q[node] * Vec3::UnitX();
@@ -172,7 +172,7 @@ LinesInWater::Flow LinesInWater::flow(const Kinematics& at) const {
 // potential since then.
 void LinesInWater::prepare(const Kinematics& committed, double h) {
   if (!sea_.waves.none()) {
-    if (!(committed.step > 0) || place_.empty()) place_.assign(committed.x.begin(), committed.x.end());
+    if (!committed.moves() || place_.empty()) place_.assign(committed.x.begin(), committed.x.end());
     start_.assign(committed.x.begin(), committed.x.end());
     speed_.assign(committed.v.begin(), committed.v.end());
     start_time_ = committed.time;
@@ -180,7 +180,7 @@ void LinesInWater::prepare(const Kinematics& committed, double h) {
   }
   update_from_feeders(&FedLine::length);
   // At the first step waves start to act and accelerations jump, so the flow of the last commit is not valid.
-  const bool begins = !(committed.step > 0);
+  const bool begins = !committed.moves();
   if (begins || flow_.place.empty() || feeders_) {
     Kinematics now = committed;
     if (begins) now.step = h;
@@ -192,7 +192,7 @@ void LinesInWater::commit(const Kinematics& accepted) {
   update_from_feeders(&FedLine::length);
   if (feeders_) feeders_->add_work(fed_buoyancy(accepted));
   Flow now = flow(accepted);
-  if (accepted.step > 0 && !flow_.place.empty()) work_ += work(flow_, now);
+  if (accepted.moves() && !flow_.place.empty()) work_ += work(flow_, now);
   flow_ = std::move(now);
   if (sea_.waves.none()) return;
   std::vector<Vec3> places(accepted.x.size());
@@ -213,7 +213,7 @@ Energy LinesInWater::energy(const Kinematics& at) const {
     const size_t n = static_cast<size_t>(b.node);
     e.potential += ball_potential(b.ball, at.x[n], calm);
   }
-  if (!(at.step > 0) && !flow_.place.empty()) e.potential -= work(flow_, flow(at));
+  if (!at.moves() && !flow_.place.empty()) e.potential -= work(flow_, flow(at));
   e.work = e.by_water = work_;
   return e;
 }

@@ -22,7 +22,7 @@ LinesInWater::FlowError LinesInWater::flow_error(const Kinematics& at, const Wet
           k == 0 ? first : second};
     if (k == 0 || k == kFiner * parts) return c;
     c.water = sea_.still_at(c.x.z(), at.time);
-    if (has_waves() && at.step > 0)
+    if (has_waves() && at.moves())
       c.water = c.water + sea_.waves_at(between(wave_place(at, i), wave_place(at, j)), at.time);
     c.water.surface = (1 - s) * first.surface + s * second.surface;
     return c;

@@ -121,7 +121,7 @@ void Links::prepare(const Kinematics& committed, double) {
 }
 
 void Links::commit(const Kinematics& accepted) {
-  if (!(accepted.step > 0)) return;
+  if (!accepted.moves()) return;
   for (Link& l : list_) {
     if (!l.counted) continue;
     double damping = 0, work = 0;

@@ -139,9 +139,9 @@ void PlatformWater::prepare(const Kinematics& committed, double h) {
   for (Group& g : groups_) {
     g.known = false;
     if (!g.here) continue;
-    if (!(committed.step > 0))
+    if (!committed.moves())
       for (Platform& p : g.platforms) p.rest = floating_state(committed, p.local);
-    if (committed.step > 0 || !(h > 0) || g.past.size() > 1) continue;
+    if (committed.moves() || !(h > 0) || g.past.size() > 1) continue;
     for (Platform& p : g.platforms) rest_at(p, floating_state(committed, p.local));
     g.slow_time = committed.time;
     const Eigen::VectorXd rate = rates(g, committed);
@@ -167,7 +167,7 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
       acceleration.segment<6>(6 * i) = motion[i].acceleration;
     }
     const Eigen::MatrixXd mass = g.added_mass + period_mass(g, trial.step);
-    if (trial.step > 0) {
+    if (trial.moves()) {
       const AtTime& now = at_time(g, trial.time);
       damping(g, now, rate, F, assembler.needs_tangent() ? &by_rate : nullptr);
       F -= now.first + now.second;
@@ -189,7 +189,7 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
       assembler.add(blocks, f, slope);
       assembler.add(blocks, still.f, still.K);
       assembler.add(blocks, added.f, added.K);
-      if (!(trial.step > 0) && p.follow > 0 && !p.waves.none()) {
+      if (!trial.moves() && p.follow > 0 && !p.waves.none()) {
         const PlatformWaves::MeanDrift mean = p.waves.mean_drift(heading_of(s.q).angle);
         const PlatformLoad drift = turning_load({mean.force, mean.by_heading}, p.arm, s);
         assembler.add(blocks, drift.f, drift.K);
@@ -211,7 +211,7 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
 void PlatformWater::commit(const Kinematics& accepted) {
   for (Group& g : groups_) {
     if (!g.here) continue;
-    if (!(accepted.step > 0)) {
+    if (!accepted.moves()) {
       g.past.clear();
       for (Platform& p : g.platforms) rest_at(p, floating_state(accepted, p.local));
       g.slow_time = accepted.time;
@@ -272,7 +272,7 @@ Energy PlatformWater::energy(const Kinematics& at) const {
       const RigidBodyState s = floating_state(at, p.local);
       e.potential += hydrostatic_pull(p.hydrostatics, p.arm, s).potential;
       e.potential += platform_pull(p.potential, p.arm, s).potential;
-      if (!(at.step > 0)) e.potential -= mean_work(p, s);
+      if (!at.moves()) e.potential -= mean_work(p, s);
       e.damping += p.damping_work;
       e.work += p.wave_work;
       e.by_water += p.wave_work;

@@ -44,7 +44,7 @@ std::vector<BodyForce> PlatformWater::forces_on(int body, const Kinematics& at) 
       const auto by_rate = [&](const Vec6& F) { return of_unknowns(m.G.transpose() * F); };
       const Vec6 still = hydrostatic_pull(p.hydrostatics, p.arm, s).f;
       const Vec6 pull = platform_pull(p.potential, p.arm, s).f;
-      if (!(at.step > 0)) {
+      if (!at.moves()) {
         const Vec6 mean = mean_force(p, s);
         const BodyForce drift{mean.head<3>(), mean.tail<3>() + (s.q * p.arm).cross(mean.head<3>())};
         return {of_unknowns(still), {}, of_unknowns(pull), {}, drift};

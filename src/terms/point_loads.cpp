@@ -89,7 +89,7 @@ void PointLoads::evaluate(const Kinematics& trial, Assembler& assembler) {
 }
 
 void PointLoads::commit(const Kinematics& accepted) {
-  if (!(accepted.step > 0) || start_.size() != loads_.size()) return;
+  if (!accepted.moves() || start_.size() != loads_.size()) return;
   for (size_t i = 0; i < loads_.size(); ++i) {
     const NodeLoad& load = loads_[i];
     const size_t n = load.node;
@@ -103,7 +103,7 @@ void PointLoads::commit(const Kinematics& accepted) {
 Energy PointLoads::energy(const Kinematics& at) const {
   Energy e;
   for (double w : work_) e.work += w;
-  const bool statics = !(at.step > 0) && start_.size() == loads_.size();
+  const bool statics = !at.moves() && start_.size() == loads_.size();
   for (size_t i = 0; i < loads_.size(); ++i) {
     const NodeLoad& load = loads_[i];
     if (load.ramp > 0) continue;

@@ -56,7 +56,7 @@ namespace {
 constexpr double kDrift = 0.01;
 
 // True if inertia is the change of the momenta over the step. The start of a run has no step (StepMean).
-bool by_momenta(const Kinematics& at) { return at.step > 0 && at.mean.weight > 1; }
+bool by_momenta(const Kinematics& at) { return at.moves() && at.mean.weight > 1; }
 
 }  // namespace
 
@@ -122,7 +122,7 @@ void RigidBodies::prepare(const Kinematics& committed, double) {
   for (Floating& f : list_) {
     powers(f, committed, f.damping_power, f.work_power);
     f.start = floating_state(committed, f.node);
-    if (!(committed.step > 0)) f.momenta.q = f.momenta.f = momentum_rate(f.data, f.start);
+    if (!committed.moves()) f.momenta.q = f.momenta.f = momentum_rate(f.data, f.start);
   }
 }
 
@@ -168,7 +168,7 @@ std::array<Vec3, 2> RigidBodies::force_on(int body, const Kinematics& at) const 
 }
 
 void RigidBodies::commit(const Kinematics& accepted) {
-  if (!(accepted.step > 0)) return;
+  if (!accepted.moves()) return;
   for (Floating& f : list_) {
     double damping = 0, work = 0;
     powers(f, accepted, damping, work);

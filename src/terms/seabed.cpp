@@ -59,7 +59,7 @@ PointContact SeabedTerm::contact(const Point& p, const Kinematics& at, bool deri
   const bool touches = locate(p, of_nodes(p, at.x), std::max(0.0, beyond), t);
   if (convex) t.curvature.setZero();
   if (!touches) return {};
-  if (at.step > 0) t.velocity = of_nodes(p, at.v);
+  if (at.moves()) t.velocity = of_nodes(p, at.v);
   if (friction_ == Friction::contact && !(laid() && !laid_[place(p)].known()))
     return volume_contact(law(p).law, start(p), t, derivatives);
   return volume_contact({law(p).law.normal, FrictionLaw{}}, start(p), t, derivatives);
@@ -146,7 +146,7 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
     const Mat3 K = pulled.by_lift * at.normal * at.normal.transpose() + pulled.force * at.curvature -
                    c.by_point + (friction_ == Friction::contact ? stiffer : Mat3::Zero()),
                C = -c.by_velocity;
-    add(p, residual, &K, trial.step > 0 ? &C : nullptr, assembler);
+    add(p, residual, &K, trial.moves() ? &C : nullptr, assembler);
   }
 }
 
@@ -168,7 +168,7 @@ void SeabedTerm::commit(const Kinematics& accepted) {
       next.damping_force -= pulled;
     }
     next.soil = suction_after(law(p).suction, before, at.gap);
-    if (p.counted && accepted.step > 0 && (next.active || last.active || last.soil.held)) {
+    if (p.counted && accepted.moves() && (next.active || last.active || last.soil.held)) {
       const Vec3 moved = of_nodes(p, accepted.x) - starts_[place(p)].point;
       account_.friction -= 0.5 * (next.friction + last.friction).dot(moved);
       account_.damping -=
@@ -202,7 +202,7 @@ Energy SeabedTerm::energy(const Kinematics& at) const {
   e.damping = account_.damping;
   for (const Point& p : points_) {
     if (!p.counted) continue;
-    if (at.step > 0) {
+    if (at.moves()) {
       e.strain += landed(p).potential;
       continue;
     }

@@ -306,7 +306,7 @@ void StructureTerm::prepare(const Kinematics& committed, double h) {
   // In statics every section bends from its initial history in one step. The result is stored when motion
   // begins; it is not work of the motion.
   update_from_feeders(committed.step);
-  if (h > 0 && !(committed.step > 0) && !set_.empty()) bend(committed);
+  if (h > 0 && !committed.moves() && !set_.empty()) bend(committed);
   if (damped_ && power_ < 0) power_ = beam_dissipation(committed);
   last_step_ = committed.step;
   for (Cable& c : cables_) {
@@ -317,7 +317,7 @@ void StructureTerm::prepare(const Kinematics& committed, double h) {
 
 void StructureTerm::commit(const Kinematics& accepted) {
   update_from_feeders(accepted.step, true);
-  if (accepted.step > 0) {
+  if (accepted.moves()) {
     const CableStep step{accepted.step, accepted.mean.filter};
     for (Cable& c : cables_) {
       const CableEnds e = ends(c, accepted);
@@ -330,7 +330,7 @@ void StructureTerm::commit(const Kinematics& accepted) {
       if (c.at.counted && feeders_) feeders_->add_work(lost.fed);
     }
   }
-  if (accepted.step > 0 && !set_.empty()) {
+  if (accepted.moves() && !set_.empty()) {
     if (feeders_) feeders_->add_work(fed_work(accepted));
     for (const Beam& b : beams_)
       if (const FedLine* fed = feeders_ && b.section.plastic ? feeders_->find(b.at.global) : nullptr)
@@ -370,7 +370,7 @@ void StructureTerm::element_force(const Kinematics& at, const LocalElement& e, V
 // In statics the feeder does not pay out, even if its speed in motion is not 0.
 CableSection StructureTerm::shown(const Cable& c, const Kinematics& at) {
   CableSection s = c.section;
-  if (!(at.step > 0)) s.length_rate = 0;
+  if (!at.moves()) s.length_rate = 0;
   return s;
 }
 

@@ -186,14 +186,14 @@ TEST_F(ParallelSolvers, ALineThatMayTouchItselfIsNotCut) {
 TEST_F(ParallelSolvers, ACoilIsNotCut) {
   const Solved one = solve(PETSC_COMM_SELF, coil(), configured);
   const Solved all = solve(PETSC_COMM_WORLD, coil(), configured);
-  EXPECT_EQ(all.solver, expected("chains cut between ranks"));
+  EXPECT_EQ(all.solver, expected("lines cut between ranks"));
   EXPECT_EQ(difference(all, one), 0);
 }
 
 TEST_F(ParallelSolvers, LinesThatHardlyTouchAreCut) {
   const Solved one = solve(PETSC_COMM_SELF, farm(5), configured);
   const Solved all = solve(PETSC_COMM_WORLD, farm(5), configured);
-  EXPECT_EQ(all.solver, expected("chains cut between ranks"));
+  EXPECT_EQ(all.solver, expected("lines cut between ranks"));
   EXPECT_LT(difference(all, one), 1e-10);
   EXPECT_EQ(difference(all, one) > 0, ranks_ > 1);
 }
@@ -271,7 +271,7 @@ TEST_F(ParallelSolvers, ChainsThatDoNotTouchAreSolvedEachForItself) {
     EXPECT_LT(residual_of(ksp.get(), A.get()), 1e-12);
     const char* name = nullptr;
     check(PCShellGetName(pc, &name));
-    EXPECT_STREQ(name, most ? "chains cut between ranks" : "MUMPS, as the cuts are long");
+    EXPECT_STREQ(name, most ? "lines cut between ranks" : "MUMPS, as the cuts are long");
   }
 }
 

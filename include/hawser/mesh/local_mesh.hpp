@@ -24,11 +24,13 @@ struct BlockRun {
 
 struct LocalMesh {
   const Mesh* mesh = nullptr;
-  int owned = 0;                        // owned nodes; local nodes [0, owned) in file order
-  int chain = 0;                        // [owned, chain): ghosts of elements; [chain, nodes()): of couplings
-  std::vector<int> global;              // local node -> node
-  std::vector<int> block;               // local node -> its first local 3-block (position; +1: rotation)
-  int chain_blocks = 0;                 // local blocks [0, chain_blocks) are those of nodes [0, chain)
+  int owned = 0;  // owned nodes; local nodes [0, owned) in file order
+  int element_ghosts_end =
+      0;  // [owned, element_ghosts_end): ghosts of elements; [element_ghosts_end, nodes()): of couplings
+  std::vector<int> global;  // local node -> node
+  std::vector<int> block;   // local node -> its first local 3-block (position; +1: rotation)
+  int element_ghost_blocks_end =
+      0;  // local blocks [0, element_ghost_blocks_end) are those of nodes [0, element_ghosts_end)
   int owned_blocks = 0;                 // local blocks [0, owned_blocks) are rows of this rank
   std::vector<int> global_block;        // local block -> block of the parallel numbering
   std::vector<LocalElement> elements;   // every element that touches an owned node
@@ -59,7 +61,7 @@ struct LocalMesh {
   // Local node of a mesh node; -1: not on this rank. Each of the three ranges is sorted.
   int find(int node) const {
     const auto begin = global.begin();
-    const int ends[] = {0, owned, chain, nodes()};
+    const int ends[] = {0, owned, element_ghosts_end, nodes()};
     for (int r = 0; r < 3; ++r) {
       const auto last = begin + ends[r + 1], at = std::lower_bound(begin + ends[r], last, node);
       if (at != last && *at == node) return static_cast<int>(at - begin);

@@ -30,6 +30,9 @@ struct Kinematics {
   std::span<const Mat3> directors = {};
   double director_weight = 0;  // 1/s, derivative of these accelerations by the rates in the trial
   StepMean mean = {};
+
+  // True at the end of a time step; false in statics and at the start of the motion.
+  bool moves() const { return step > 0; }
 };
 
 // Acceleration of the directors of a rotation with the rates w and alpha.
