@@ -6,6 +6,7 @@
 
 #include "hawser/advice/input_warnings.hpp"
 #include "hawser/model/body_motion.hpp"
+#include "hawser/model/check.hpp"
 #include "hawser/model/longest_step.hpp"
 
 namespace hawser::advice {
