@@ -53,27 +53,28 @@ def write_coefficients(folder):
     """A buoy in the layouts of BEMIO and Capytaine, with one heading."""
     omega, freedoms = [0.5, 1.0, 2.0], ["Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw"]
     at = range(3)
-    matrix = [[[float(i == j) * (1 + k) for k in at] for j in range(6)] for i in range(6)]
+    added, damping = ([[[float(i == j) * (least + k) for k in at] for j in range(6)] for i in range(6)] for least in (10, 1))
     stiff = [[float(i == j and i in (2, 3, 4)) * 20 for j in range(6)] for i in range(6)]
-    force = [[[14.0 for _ in at]] for _ in range(6)]
+    heave, ahead = [0, 0, 20.0, 0, 0, 0], [10.0, 10.0, 0, 0, 0, 0]  # in phase with the crest, and before it
+    re, im = ([[[x for _ in at]] for x in part] for part in (heave, ahead))
     with h5py.File(folder / "buoy.h5", "w") as file:
         for name, value in (("scaled", 0), ("rho", 1000), ("g", 9.81), ("w", omega), ("wave_dir", [0])):
             file["simulation_parameters/" + name] = value
         file["body1/properties/cg"] = [0.0, 0, 0]
-        for name, value in (("added_mass/all", matrix), ("added_mass/inf_freq", matrix[0]), ("radiation_damping/all", matrix),
-                            ("linear_restoring_stiffness", stiff), ("excitation/re", force), ("excitation/im", force)):
-            file["body1/hydro_coeffs/" + name] = [[row[0] for row in r] for r in matrix] if name.endswith("inf_freq") else value
-    by_omega = [[[matrix[i][j][k] * 1000 for i in range(6)] for j in range(6)] for k in at]
+        for name, value in (("added_mass/all", added), ("added_mass/inf_freq", added), ("radiation_damping/all", damping),
+                            ("linear_restoring_stiffness", stiff), ("excitation/re", re), ("excitation/im", im)):
+            file["body1/hydro_coeffs/" + name] = [[row[0] for row in r] for r in value] if name.endswith("inf_freq") else value
+    by_omega = lambda matrix: [[[matrix[i][j][k] * 1000 for i in range(6)] for j in range(6)] for k in at]
     with h5py.File(folder / "buoy.nc", "w") as file:
         for name, value in (("omega", omega), ("wave_direction", [0.0]), ("radiating_dof", freedoms), ("influenced_dof", freedoms),
                             ("complex", ["re", "im"])):
             file[name] = value
             file[name].make_scale(name)
         for name, along, value in (
-                ("rho", (), 1000.0), ("g", (), 9.81), ("added_mass", ("omega", "radiating_dof", "influenced_dof"), by_omega),
-                ("radiation_damping", ("omega", "radiating_dof", "influenced_dof"), by_omega),
+                ("rho", (), 1000.0), ("g", (), 9.81), ("added_mass", ("omega", "radiating_dof", "influenced_dof"), by_omega(added)),
+                ("radiation_damping", ("omega", "radiating_dof", "influenced_dof"), by_omega(damping)),
                 ("hydrostatic_stiffness", ("radiating_dof", "influenced_dof"), [[1e4 * x for x in row] for row in stiff]),
-                ("excitation_force", ("complex", "omega", "wave_direction", "influenced_dof"), [[[[1.4e5] * 6] for _ in at] for _ in "ri"])):
+                ("excitation_force", ("complex", "omega", "wave_direction", "influenced_dof"), [[[[1e4 * x for x in part]] for _ in at] for part in (heave, [-x for x in ahead])])):
             file[name] = value
             for d, dimension in enumerate(along):
                 file[name].dims[d].attach_scale(file[dimension])

@@ -70,7 +70,7 @@ lines:
             self.assertEqual(moment[2:4], [still, 1e5])
             done = run(HAWSER, "pipe", results.path)
             self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertEqual("not checked by DNV-ST-F101" in done.stdout, not results.has("dnv_local_buckling"))
+            self.assertEqual("no check by DNV-ST-F101" in done.stdout, not results.has("dnv_local_buckling"))
 
     def test_checks_are_those_of_the_program(self):
         results = self.results()
@@ -386,7 +386,7 @@ class Lay(unittest.TestCase):
                             (["--depths", "90", "--radii", "80", "--set", "supports.stinger.path.segments=[{length: 20}, "
                               "{length: 60, radius: 150}, {length: 40, radius: 150}]"],
                              "--radii needs supports with one curved length in their path, fixed to a body or in space, and "
-                             "this has 2: change them by --set")):
+                             "this case has 2: change them by --set")):
             done = run(HAWSER, "lay", self.case, f"{words[0]}={words[1]}", *words[2:])
             self.assertEqual(done.returncode, 2, done.stderr)
             self.assertIn(part, done.stderr)

@@ -269,14 +269,14 @@ output: {{every: 1000, histories: [{{body: semi}}]}}
         self.assertEqual(line.returncode, 0, line.stderr)
         for words, complaint in [
             ((still,), "there are no waves"),
-            ((spread,), "the waves go to several directions"),
+            ((spread,), "the waves have several directions"),
             ((wave, "--name", "ship"), "there is no history 'ship'"),
             ((wave, "--name", "energy"), "is not a history of a body"),
             (("mooring-2.h5",), "has no history of a body"),
-            ((wave, "--since", "80"), "less than three periods"),
+            ((wave, "--since", "80"), "fewer than three periods"),
             ((wave, "--since", "99"), "a response needs 32"),
-            ((wave, "--segment", "20"), "--segment is of irregular seas"),
-            ((sea, "--segment", "150"), "there are not two segments of 150 s"),
+            ((wave, "--segment", "20"), "--segment is for irregular seas"),
+            ((sea, "--segment", "150"), "are shorter than two segments of 150 s"),
             ((sea, "--segment", "1"), "has 10 steps, but needs 16"),
             ((wave, "--at", "1,2"), "is not a point X,Y,Z"),
             ((wave, "-o", "table.txt"), "a table of responses is a .csv or .rao file"),

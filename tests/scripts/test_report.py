@@ -206,7 +206,7 @@ class Report(unittest.TestCase):
                 self.assertTrue(result.stderr.startswith("hawser: "), result.stderr)
                 self.assertIn(part, result.stderr)
         write(self.folder, "no.h5", "text")
-        self.assertIn("is no HDF5 file", self.python("plot", "no.h5", "plan").stderr)
+        self.assertIn("is not a readable HDF5 file", self.python("plot", "no.h5", "plan").stderr)
 
     def test_fatigue(self):
         result = self.hawser("fatigue", "riser.h5=0.25", "riser.h5=0.75", "--curve", "api-studless-chain", "--breaking-load",
@@ -222,7 +222,7 @@ class Report(unittest.TestCase):
         np.testing.assert_allclose([float(r[1]) for r in rows], exact, rtol=1e-6)
         pipe = ["--curve", "dnv-d-air", "--outer-diameter", "0.25", "--wall", "0.02", "--line", "riser"]
         self.assertIn("largest damage", self.python("fatigue", "riser.h5", *pipe).stdout)
-        for arguments, part in ((["riser.h5=0.7", "riser.h5=0.7", *pipe], "more than all of the time"),
+        for arguments, part in ((["riser.h5=0.7", "riser.h5=0.7", *pipe], "or their sum exceeds 1"),
                                 (["riser.h5=x", *pipe], "is not a number"),
                                 (["riser.h5", "--curve", "dnv-d-air"], "the case does not give the pipe wall of line"),
                                 (["riser.h5", "--curve", "dnv-d-air", "--wall", "0.02"], "needs --outer-diameter"),

@@ -40,7 +40,7 @@ class Stiffness(unittest.TestCase):
         self.assertIn("tension of mooring", page)
         done = run(HAWSER, "report", results, "--offsets", self.case)
         self.assertEqual(done.returncode, 2)
-        self.assertIn("this is no table of hawser stiffness", done.stderr)
+        self.assertIn("needs a table of hawser stiffness; this is not one", done.stderr)
 
     def test_table_on_ranks_and_figure(self):
         done = run(HAWSER, "stiffness", self.case, *OPTIONS)

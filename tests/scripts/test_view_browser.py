@@ -215,7 +215,7 @@ class Used(Drawing):
                         encoding="utf-8")
         self.browser.open(file)
         self.browser.wait("window.hawserFailed")
-        self.assertIn("no WebGL", self.browser.value("document.querySelector('.hawser-view').textContent"))
+        self.assertIn("needs WebGL", self.browser.value("document.querySelector('.hawser-view').textContent"))
 
     def test_a_run_is_followed_and_a_server_that_ends_is_reported(self):
         path = model(self.folder.name, 100, name="runs.h5", case=CASE + "dynamics: {duration: 49.5 s}\n")
