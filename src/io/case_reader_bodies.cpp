@@ -23,7 +23,7 @@ bool given(const Value& map, const char* key) {
 }
 
 // Refuses a sea of which more than the share `most` goes where the table has no directions, or more than
-// `most_beyond` has longer, or shorter, periods than the table.
+// `most_beyond` of an irregular sea has longer, or shorter, periods than the table.
 void check_coverage(const Value& files, const std::vector<WaveForceTable>& tables, int body, const char* what,
                     double most, double most_beyond, const std::vector<WaveComponent>& sea, double heading,
                     const std::string& key, std::vector<std::string>& notes) {
@@ -44,7 +44,8 @@ void check_coverage(const Value& files, const std::vector<WaveForceTable>& table
     const std::string text = fmt::format(
         "{:.3g} % of the sea's energy has {} periods than the {} of the files, which end at {:.4g} s",
         100 * energy, which, what, 2 * M_PI / omega);
-    if (energy > most_beyond) model::refuse(files, text + ": add these periods to the files");
+    if (sea.size() > 1 && energy > most_beyond)
+      model::refuse(files, text + ": add these periods to the files");
     notes.push_back(key + ": " + text +
                     " and are used there as they are at that: add these periods to the files");
   };

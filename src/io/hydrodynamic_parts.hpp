@@ -2,6 +2,7 @@
 // completion and checks of coefficients.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <string>
@@ -32,7 +33,7 @@ class WaveForceRows {
   void complete_modes(const std::string& path);
   void check_again(const std::string& path) const;
 
-  // An entry given more than once, with the largest change.
+  // An entry given more than once: of the forces and of the moments that with the largest change.
   struct Again {
     double omega = 1, direction = 0;
     int mode = 0;
@@ -40,7 +41,7 @@ class WaveForceRows {
   };
   int bodies_;
   bool mirrored_;
-  Again again_;
+  std::array<Again, 2> again_;
   std::map<long, double> directions_;
   std::map<std::pair<double, long>, std::vector<Complex>> values_;
 };

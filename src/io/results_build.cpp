@@ -291,7 +291,11 @@ void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, co
     if (!h5::exists(from, s.name)) throw differs(s.name);
     const h5::Id old = h5::open_dataset(from, s.name), made = h5::open_dataset(to, s.name);
     const h5::Shape shape = h5::shape_of(old);
-    if (!std::equal(shape.begin() + 1, shape.end(), s.tail.begin(), s.tail.end())) throw differs(s.name);
+    if (!std::equal(shape.begin() + 1, shape.end(), s.tail.begin(), s.tail.end()))
+      throw InputError(
+          "{} cannot be continued: its {} has other columns than this case and this version of hawser write; "
+          "go on in another file with -o",
+          path, s.name);
     copy_rows(old, made, s.type, rows_in(s, kept.outputs, kept.steps, contacts, c));
   }
   if (c.clashes) copy_clash_tables(from, to, clashes);

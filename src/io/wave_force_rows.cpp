@@ -27,8 +27,9 @@ void WaveForceRows::add(double omega, double direction_deg, int mode, Complex va
   auto& at = values_[{omega, key}];
   at.resize(static_cast<size_t>(6 * bodies_), Complex(kAbsent));
   Complex& entry = at[static_cast<size_t>(mode)];
-  if (!std::isnan(entry.real()) && std::abs(value - entry) > std::abs(again_.change))
-    again_ = {omega, direction_deg, mode, value - entry};
+  Again& again = again_[rotates(mode)];
+  if (!std::isnan(entry.real()) && std::abs(value - entry) > std::abs(again.change))
+    again = {omega, direction_deg, mode, value - entry};
   entry = value;
 }
 
@@ -57,18 +58,23 @@ std::vector<WaveForceTable> WaveForceRows::tables(const std::string& path) {
   return out;
 }
 
-// Rows that are given again with other values. Directions of -180 and 180 deg are one.
+// Rows that are given again with other values, against the largest force or moment: what symmetry makes zero
+// is noise. Directions of -180 and 180 deg are one.
 void WaveForceRows::check_again(const std::string& path) const {
   constexpr double kCounts = 0.005;
-  double largest = 0;
+  std::array<double, 2> largest{};
   for (const auto& [at, value] : values_)
-    if (const double size = std::abs(value[static_cast<size_t>(again_.mode)]); size > largest) largest = size;
-  if (std::abs(again_.change) > kCounts * largest)
-    throw std::runtime_error(
-        fmt::format("{}: gives mode {} ({}) at {:.6g} s for {:g} deg twice, with different values: are these "
-                    "rows of two runs?",
-                    path, again_.mode + 1, modes_text(again_.mode, again_.mode), 2 * M_PI / again_.omega,
-                    again_.direction));
+    for (size_t m = 0; m < value.size(); ++m)
+      if (const double size = std::abs(value[m]); size > largest[rotates(static_cast<int>(m))])
+        largest[rotates(static_cast<int>(m))] = size;
+  for (const size_t turns : {0, 1}) {
+    const Again& again = again_[turns];
+    if (std::abs(again.change) > kCounts * largest[turns])
+      throw std::runtime_error(fmt::format(
+          "{}: gives mode {} ({}) at {:.6g} s for {:g} deg twice, with different values: are these "
+          "rows of two runs?",
+          path, again.mode + 1, modes_text(again.mode, again.mode), 2 * M_PI / again.omega, again.direction));
+  }
 }
 
 // Missing rows are zero by symmetry or in waves too short to load the body; a missing row is an error if that

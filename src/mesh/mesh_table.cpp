@@ -114,6 +114,19 @@ Element MeshTable::element_at(int e) const {
   return {part.line, part.first_node + k, part.first_node + k + 1, part.type, length, part.beam, strain};
 }
 
+int MeshTable::line_of(int element) const {
+  return part_with(parts_, element, &EvenPart::first_element)->line;
+}
+
+int MeshTable::type_of(int element) const {
+  return part_with(parts_, element, &EvenPart::first_element)->type;
+}
+
+double MeshTable::length_of(int element) const {
+  const EvenPart& part = *part_with(parts_, element, &EvenPart::first_element);
+  return part.lengths.element_length(element - part.first_element);
+}
+
 double MeshTable::longest_element() const {
   double longest = 0;
   for (const EvenPart& p : parts_)

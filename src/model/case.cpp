@@ -31,8 +31,9 @@ double mean_temperature_change(const std::vector<std::pair<double, double>>& row
     last = s;
     before = here;
   };
-  for (const auto& [s, change] : rows)
-    if (s > from && s < to) go(s, change);
+  const auto first = std::upper_bound(rows.begin(), rows.end(), from,
+                                      [](double s, const auto& row) { return s < row.first; });
+  for (auto row = first; row != rows.end() && row->first < to; ++row) go(row->first, row->second);
   go(to, on_broken_line(rows, to));
   return to > from ? sum / (to - from) : before;
 }

@@ -231,8 +231,8 @@ void LongWaves::note(const Issues& note) const {
     return note(
         h_.key(),
         "in the longest waves the {} force of {} is that of a displaced volume of {:.5g} m³, and the body "
-        "displaces {:.5g} m³{}: is 'displaced_volume' that of the body, and are depth of the water and "
-        "'length_scale' those of the files?",
+        "displaces {:.5g} m³{}: are depth of the water and 'length_scale' those of the files, and is "
+        "'displaced_volume' that of the body?",
         kFreedomNames[worst.freedom], file, worst.by_waves, worst.given,
         h_.volume > 0 ? "" : " (that of its mass)");
   const double size = still_.buoyancy * std::cbrt(volume_);

@@ -146,7 +146,9 @@ std::vector<std::string> platforms_held(const model::Case& c, const System& syst
     double up = floating->force_on(static_cast<int>(b), rest)[0].z();
     for (const ActsOnBodies* term : system.with<ActsOnBodies>())
       for (const BodyForce& f : term->forces_on(static_cast<int>(b), rest)) up -= f.force.z();
-    out.push_back(advice::held_at_rest(body.name, up));
+    constexpr double kRounding = 1e-6;  // of the weight
+    if (std::abs(up) > kRounding * body.mass->mass * c.environment.gravity)
+      out.push_back(advice::held_at_rest(body.name, up));
   }
   return out;
 }

@@ -120,14 +120,14 @@ std::array<int, 2> LineCandidates::outside(int line) const {
 
 bool LineCandidates::is_in_feeder(int element) const {
   if (inside_.empty()) return false;
-  const auto [first, last] = outside(mesh_.mesh->element(element).line);
+  const auto [first, last] = outside(mesh_.mesh->line_of(element));
   return element < first || element > last;
 }
 
 // True if it is the element at a feeder's feed point, whose unstretched length differs from that of the mesh.
 bool LineCandidates::at_feeder(int element) const {
   if (inside_.empty()) return false;
-  const int line = mesh_.mesh->element(element).line;
+  const int line = mesh_.mesh->line_of(element);
   const auto [first, last] = outside(line);
   const std::array<int, 2>& inside = inside_[line];
   return (inside[0] > 0 && element == first) || (inside[1] > 0 && element == last);
@@ -135,7 +135,7 @@ bool LineCandidates::at_feeder(int element) const {
 
 double LineCandidates::skin(int element) const {
   return std::max(settings_.skin_diameters * 2 * radius(element),
-                  settings_.skin_lengths * mesh_.mesh->element(element).length);
+                  settings_.skin_lengths * mesh_.mesh->length_of(element));
 }
 
 // Sets all members except the positions.

@@ -61,8 +61,7 @@ void LinePairs::resultants(const Kinematics& at, ContactResultants& out) const {
                 slave == 0 ? 1 : -1);
     }
     if (sum.any())
-      out.push_back(
-          {element(pair.key.first).line, element(pair.key.second).line, -1, -1, sum.place(), sum.force()});
+      out.push_back({line_of(pair.key.first), line_of(pair.key.second), -1, -1, sum.place(), sum.force()});
   }
 }
 

@@ -47,7 +47,7 @@ LinePairs::LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LinePairT
 }
 
 LinePairLaw LinePairs::law(int a, int b) const {
-  const auto tuned = options_.tuned.find(ordered(element(a).line, element(b).line));
+  const auto tuned = options_.tuned.find(ordered(line_of(a), line_of(b)));
   const model::LinePairSettings& s = tuned == options_.tuned.end() ? options_.general : tuned->second;
   const LinePairType &A = type_of(a), &B = type_of(b);
   const double diameter = A.radius + B.radius;  // the mean of the two
@@ -86,7 +86,7 @@ LinePairs::Rod LinePairs::rod(const Kinematics& at, int segment) const {
 
 // True if the element has a neighbour at this end on the same line and outside feeders.
 bool LinePairs::joint(int element, int end) const {
-  const LineSpan& l = mesh_.mesh->lines[this->element(element).line];
+  const LineSpan& l = mesh_.mesh->lines[line_of(element)];
   if (end ? element + 1 >= l.first_element + l.elements : element <= l.first_element) return false;
   return !candidates_.is_in_feeder(end ? element + 1 : element - 1);
 }

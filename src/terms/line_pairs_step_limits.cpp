@@ -97,7 +97,8 @@ double LinePairs::inverse_frequency(const Pair& p, double speed) const {
 
 // Effective mass of an impact, kg: the interval in contact is at most one of the elements.
 double LinePairs::mass(const Pair& p) const {
-  return mass_per_length(p) * std::min(element(p.key.first).length, element(p.key.second).length);
+  return mass_per_length(p) *
+         std::min(mesh_.mesh->length_of(p.key.first), mesh_.mesh->length_of(p.key.second));
 }
 
 // In a step longer than a third of the contact period, all energy of lines that meet or part is uncertain. In
@@ -120,7 +121,7 @@ void LinePairs::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
         trial.step > kUnresolved * 2 * M_PI * slow
             ? 0.5 * m * speed * speed
             : crossing_error(slow, 2 * ramp, k * depth, 0.5 * k * depth * depth, path, speed);
-    if (error > 0) to.list.push_back({element(p.key.first).line, element(p.key.second).line, error});
+    if (error > 0) to.list.push_back({line_of(p.key.first), line_of(p.key.second), error});
   }
 }
 
@@ -147,7 +148,7 @@ void LinePairs::limit_step(const Kinematics& at, ImpactEvents& to) const {
     Approach a{std::max(apart - ramp, 0.0), -c.speed, acceleration(p, at)};
     if (p.points) a.gap = -ramp - deepest(p);
     to.add(impact_event(inverse_frequency(p, std::max(-c.speed, 0.0)), 2 * ramp, mass(p), a),
-           element(p.key.first).line, element(p.key.second).line);
+           line_of(p.key.first), line_of(p.key.second));
   }
 }
 
@@ -160,9 +161,7 @@ advice::NearestPlaces LinePairs::nearest_places(const Pair& p) const {
 
 // Energy in the contact springs of the two lines that this rank counts, J.
 double LinePairs::stored(const Pair& of) const {
-  const auto lines = [&](const Pair& p) {
-    return ordered(element(p.key.first).line, element(p.key.second).line);
-  };
+  const auto lines = [&](const Pair& p) { return ordered(line_of(p.key.first), line_of(p.key.second)); };
   return sum([&](const Pair& p) { return lines(p) == lines(of); },
              [](const LinePairContactPoint& h) { return h.potential; });
 }
@@ -174,7 +173,7 @@ advice::StepFinding LinePairs::too_soft(const Pair& p) const {
   if (!(depth > kProposed * radii)) return advice::LinesStartTooNear{nearest_places(p)};
   const double has = stored(p), more = speed > 0 ? 0.5 * mass(p) * speed * speed : 0;
   const double wanted = k * std::pow(depth / (kProposed * radii), 2.5) * (1 + more / has);
-  const bool own = options_.tuned.count(ordered(element(p.key.first).line, element(p.key.second).line)) > 0;
+  const bool own = options_.tuned.count(ordered(line_of(p.key.first), line_of(p.key.second))) > 0;
   return advice::PressedLines{.at = nearest_places(p),
                               .depth = depth,
                               .radii = radii,

@@ -385,7 +385,7 @@ class Lay(unittest.TestCase):
                             (["--depths", "90", "--radii", "0,80"], "--radii '0,80': radii must be above 0, in m"),
                             (["--depths", "90", "--radii", "80", "--set", "supports.stinger.path.segments=[{length: 20}, "
                               "{length: 60, radius: 150}, {length: 40, radius: 150}]"],
-                             "--radii needs supports with one curved length in their path, fixed to a body or in space, and "
+                             "--radii needs supports with one curved length in their path, fixed to a body or in space; "
                              "this case has 2: change them by --set")):
             done = run(HAWSER, "lay", self.case, f"{words[0]}={words[1]}", *words[2:])
             self.assertEqual(done.returncode, 2, done.stderr)

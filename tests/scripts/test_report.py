@@ -228,7 +228,7 @@ class Report(unittest.TestCase):
                                 (["riser.h5", "--curve", "dnv-d-air", "--wall", "0.02"], "needs --outer-diameter"),
                                 (["riser.h5", *pipe, "--area", "0.1"], "does not use --area, but --outer-diameter and --wall"),
                                 (["riser.h5", *pipe, "--factor", "0"], "--factor 0 is not above 0"),
-                                (["riser.h5", *pipe, "--since", "23"], "too few for cycles")):
+                                (["riser.h5", *pipe, "--since", "23"], "are too few to count cycles")):
             refused = self.python("fatigue", *arguments)
             self.assertEqual(refused.returncode, 2)
             self.assertIn(part, refused.stderr)

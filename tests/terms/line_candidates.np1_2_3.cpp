@@ -114,7 +114,7 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
       ASSERT_LT((a.x[n] - b.x[g]).norm() + (a.v[n] - b.v[g]).norm() + (a.w[n] - b.w[g]).norm(), 1e-13);
       ASSERT_LT((a.q[n].coeffs() - b.q[g].coeffs()).norm(), 1e-13);
       ASSERT_EQ(held(all, static_cast<int>(n)), held(one, static_cast<int>(g)));
-      held_ghosts += static_cast<int>(n) >= l.chain && held(one, static_cast<int>(g)) != 0;
+      held_ghosts += static_cast<int>(n) >= l.element_ghosts_end && held(one, static_cast<int>(g)) != 0;
     }
     // The pairs of this rank are those of the whole of which it owns a node.
     auto list = one.pairs();

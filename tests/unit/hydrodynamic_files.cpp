@@ -440,7 +440,8 @@ TEST_F(HydrodynamicFiles, GiveOriginAndWeightToTheBody) {
         "[0, 0, -1], "
         "floating: {mass: 5.125e6, inertia: [1e9, 1e9, 1e9], turning_stiffness: [2e10, 2e10, 0], "
         "centre_of_mass: " +
-        centre + ", hydrodynamics: {excitation: false, " + keys + "}}}\nstatics: false\ndynamics: {duration: 20}\n";
+        centre + ", hydrodynamics: {excitation: false, " + keys +
+        "}}}\nstatics: false\ndynamics: {duration: 20}\n";
     model::Case c = io::read_case_text(text, "float.yaml", {}, MPI_COMM_SELF);
     notes = c.notes;
     return *c.bodies[0].mass->hydrodynamics;

@@ -66,6 +66,10 @@ class MeshTable {
   Element element(Index e) const {
     return element_at(static_cast<int>(e));
   }
+  // Of an element, at the cost of the search for its part alone.
+  int line_of(int element) const;
+  int type_of(int element) const;
+  double length_of(int element) const;  // m, unstretched
   // In the order of the elements.
   std::span<const EvenPart> parts() const { return parts_; }
   // Nodes with properties that do not follow from the parts, ascending: carried, shared, two-sided, bodies.
