@@ -197,7 +197,7 @@ TEST_F(HydrodynamicChecks, LongWaves) {
       if (is_entry(r, 1, 5) || is_entry(r, 5, 1)) r[3] = -r[3];
   });
   expect("the pitch moment of ");
-  expect("and the body displaces 26000 m³: is 'displaced_volume'", ", displaced_volume: 26000");
+  expect("and the body displaces 26000 m³: are depth of the water", ", displaced_volume: 26000");
 }
 
 // A file scaled as a whole by its length differs from a body of another volume.
