@@ -436,10 +436,9 @@ TEST_F(HydrodynamicFiles, GiveOriginAndWeightToTheBody) {
   write_bemio(path("float.h5"), wamit_set(), false);
   const auto body = [&](const std::string& centre, const std::string& keys) {
     const std::string text =
-        "hawser: 1\nenvironment: {gravity: 9.80665, water: {density: 1025}}\nbodies:\n  float: {position: "
-        "[0, 0, -1], "
-        "floating: {mass: 5.125e6, inertia: [1e9, 1e9, 1e9], turning_stiffness: [2e10, 2e10, 0], "
-        "centre_of_mass: " +
+        "hawser: 1\nenvironment: {gravity: 9.80665, water: {density: 1025}}\n"
+        "bodies:\n  float: {position: [0, 0, -1], floating: {mass: 5.125e6, inertia: [1e9, 1e9, 1e9], "
+        "turning_stiffness: [2e10, 2e10, 0], centre_of_mass: " +
         centre + ", hydrodynamics: {excitation: false, " + keys +
         "}}}\nstatics: false\ndynamics: {duration: 20}\n";
     model::Case c = io::read_case_text(text, "float.yaml", {}, MPI_COMM_SELF);
