@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "hawser/mesh/arc.hpp"
 #include "hawser/terms/contact_fields.hpp"
 #include "hawser/terms/element_axis.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
@@ -50,8 +49,9 @@ void LineVolumeContact::active_contacts(ActiveContacts& out) const {
         ActiveContact& t = out.emplace_back();
         t.line = e.line;
         t.volume = pair.volume;
-        t.from = arc_at(*mesh_.mesh, e, p.from);
-        t.to = arc_at(*mesh_.mesh, e, p.to);
+        const double a = mesh_.node(local(pair).first).arc, b = mesh_.node(local(pair).second).arc;
+        t.from = a + p.from * (b - a);
+        t.to = a + p.to * (b - a);
         panel = {p.group, p.from};
       }
       ActiveContact& t = out.back();
