@@ -5,6 +5,8 @@
 #include <cmath>
 #include <ranges>
 
+#include "hawser/math/last_not_after.hpp"
+
 namespace hawser {
 namespace {
 
@@ -45,7 +47,7 @@ class Places {
   int furthest(int first, double limit) const {
     const double end = sum(first) + limit + kRounding * whole();
     const auto all = std::views::iota(first, places_);
-    return *(std::ranges::upper_bound(all, end, {}, [&](int p) { return sum(p); }) - 1);
+    return *last_not_after(all, end, [&](int p) { return sum(p); });
   }
   // The earliest beginning of a part before `end` that weighs at most `limit`.
   int earliest(int end, double limit) const {
@@ -83,9 +85,7 @@ class Places {
     runs_.push_back(run);
     places_ += places;
   }
-  const Run& run_of(int place) const {
-    return *(std::ranges::upper_bound(runs_, place, {}, &Run::place) - 1);
-  }
+  const Run& run_of(int place) const { return *last_not_after(runs_, place, &Run::place); }
 };
 
 }  // namespace

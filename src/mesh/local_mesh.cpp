@@ -81,9 +81,7 @@ std::vector<int> own_elements(const Mesh& mesh, const NodeRanks& owner, int rank
 }  // namespace
 
 int LocalMesh::first_block(int node) const {
-  const auto after = std::upper_bound(block_runs.begin(), block_runs.end(), node,
-                                      [](int n, const BlockRun& r) { return n < r.first_node; });
-  const BlockRun& run = *(after - 1);
+  const BlockRun& run = *last_not_after(block_runs, node, &BlockRun::first_node);
   if (run.width == 0) return first_block(mesh->node(node).pinned_to);
   return run.block + run.width * (node - run.first_node);
 }

@@ -3,19 +3,13 @@
 
 #include <algorithm>
 
+#include "hawser/math/last_not_after.hpp"
 #include "hawser/model/temperature_rows.hpp"
 
 namespace hawser {
 namespace {
 
 constexpr int kStride = 64;  // elements between two stored sums of lengths
-
-// The last part whose number `first` is at most `at`.
-auto part_with(const std::vector<EvenPart>& parts, int at, int EvenPart::*first) {
-  const auto after = std::upper_bound(parts.begin(), parts.end(), at,
-                                      [&](int i, const EvenPart& p) { return i < p.*first; });
-  return after - 1;
-}
 
 // Neighbours in an explicit list of elements that form one even part.
 bool goes_on(const EvenPart& p, const Element& e) {
@@ -86,7 +80,7 @@ Node MeshTable::node_at(int n) const {
   const auto own = std::lower_bound(own_.begin(), own_.end(), n,
                                     [](const auto& o, int wanted) { return o.first < wanted; });
   if (own != own_.end() && own->first == n) return own->second;
-  const auto at = part_with(parts_, n, &EvenPart::first_node);
+  const auto at = last_not_after(parts_, n, &EvenPart::first_node);
   const EvenPart& part = *at;
   const int k = n - part.first_node;
   Node out{.line = part.line, .arc = arc_of(part, k)};
@@ -103,7 +97,7 @@ Node MeshTable::node_at(int n) const {
 }
 
 Element MeshTable::element_at(int e) const {
-  const EvenPart& part = *part_with(parts_, e, &EvenPart::first_element);
+  const EvenPart& part = part_of(e);
   const int k = e - part.first_element;
   const double length = part.lengths.element_length(k);
   double strain = part.free_strain;
@@ -114,16 +108,12 @@ Element MeshTable::element_at(int e) const {
   return {part.line, part.first_node + k, part.first_node + k + 1, part.type, length, part.beam, strain};
 }
 
-int MeshTable::line_of(int element) const {
-  return part_with(parts_, element, &EvenPart::first_element)->line;
-}
-
-int MeshTable::type_of(int element) const {
-  return part_with(parts_, element, &EvenPart::first_element)->type;
+const EvenPart& MeshTable::part_of(int element) const {
+  return *last_not_after(parts_, element, &EvenPart::first_element);
 }
 
 double MeshTable::length_of(int element) const {
-  const EvenPart& part = *part_with(parts_, element, &EvenPart::first_element);
+  const EvenPart& part = part_of(element);
   return part.lengths.element_length(element - part.first_element);
 }
 

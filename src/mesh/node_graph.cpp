@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "hawser/math/disjoint_sets.hpp"
+#include "hawser/math/last_not_after.hpp"
 
 namespace hawser {
 namespace {
@@ -61,9 +62,7 @@ class Builder {
 
   std::int64_t kind_of(int n) const { return n < mesh_.line_nodes() ? kind_[line_of(n)] : kCut; }
   int line_of(int n) const {
-    const auto after = std::upper_bound(mesh_.lines.begin(), mesh_.lines.end(), n,
-                                        [](int i, const LineSpan& l) { return i < l.first_node; });
-    return static_cast<int>(after - mesh_.lines.begin()) - 1;
+    return static_cast<int>(last_not_after(mesh_.lines, n, &LineSpan::first_node) - mesh_.lines.begin());
   }
   // Carrier of a node; -1: none.
   int carrier_of(int n) const {
@@ -143,9 +142,8 @@ class Builder {
     if (kind_of(n) == kOwnRank) return {-1, 0};
     const bool whole = kind_of(n) != kCut;
     const int at = whole ? mesh_.lines[line_of(n)].first_node : n;
-    const auto after = std::upper_bound(out_.pieces.begin(), out_.pieces.end(), at,
-                                        [](int i, const Piece& p) { return i < p.first_node; });
-    return {static_cast<int>(after - out_.pieces.begin()) - 1, whole ? 0 : n - (after - 1)->first_node};
+    const auto piece = last_not_after(out_.pieces, at, &Piece::first_node);
+    return {static_cast<int>(piece - out_.pieces.begin()), whole ? 0 : n - piece->first_node};
   }
 
   void move_work_of_carried() {
@@ -187,9 +185,7 @@ class Builder {
     std::vector<int> first_vertex;
     for (const Piece& p : pieces) first_vertex.push_back(p.position);
     const auto piece_at = [&](int vertex) {
-      return static_cast<int>(std::upper_bound(first_vertex.begin(), first_vertex.end(), vertex) -
-                              first_vertex.begin()) -
-             1;
+      return static_cast<int>(last_not_after(first_vertex, vertex) - first_vertex.begin());
     };
     DisjointSets joined(pieces.size());
     for (const GraphEdge& e : out_.edges) joined.unite(piece_at(e.from), piece_at(e.to));

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "hawser/math/last_not_after.hpp"
 #include "hawser/mesh/even_parts.hpp"
 #include "node_graph.hpp"
 
@@ -84,7 +85,7 @@ struct SequenceCut {
   double most = 0;           // work that a part may have
 
   int part_of(int position) const {
-    return static_cast<int>(std::upper_bound(first.begin(), first.end(), position) - first.begin()) - 1;
+    return static_cast<int>(last_not_after(first, position) - first.begin());
   }
 };
 
@@ -196,11 +197,7 @@ NodeRanks owners(const Mesh& mesh, int ranks, std::span<const int> uncut,
     assign(mesh, sequence, pieces.subspan(begin, end - begin), first_rank, cut, runs);
   }
   std::sort(runs.begin(), runs.end(), [](const OwnedRun& a, const OwnedRun& b) { return a.first < b.first; });
-  const auto owner_of = [&](int n) {
-    const auto after =
-        std::upper_bound(runs.begin(), runs.end(), n, [](int i, const OwnedRun& r) { return i < r.first; });
-    return (after - 1)->rank;
-  };
+  const auto owner_of = [&](int n) { return last_not_after(runs, n, &OwnedRun::first)->rank; };
   // Carried nodes are in runs of uncut lines, or between runs.
   NodeRanks out;
   size_t run = 0;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "hawser/base/count_of.hpp"
 #include "hawser/geometry/primitives.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/check.hpp"
@@ -22,13 +23,13 @@ bool radii_fit(const TubeShape& s, const Issues& issue) {
     return given == 0;
   }
   if (given == 0) {
-    issue("bend_radius", "required key is missing: the path has {} corner{}", corners,
-          corners == 1 ? "" : "s");
+    issue("bend_radius", "required key is missing: the path has {}",
+          count_of(static_cast<long long>(corners), "corner"));
     return false;
   }
   if (given > 1 && given != corners) {
-    issue("bend_radius", "{} radii for {} corner{} of the path; give one for each, or one for all", given,
-          corners, corners == 1 ? "" : "s");
+    issue("bend_radius", "{} radii for {} of the path; give one for each, or one for all", given,
+          count_of(static_cast<long long>(corners), "corner"));
     return false;
   }
   for (std::size_t i = 0; i < given; ++i)

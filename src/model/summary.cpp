@@ -59,7 +59,7 @@ std::string motion_text(const Case& c, const Body& b) {
 }
 
 std::string bends(std::size_t corners) {
-  return corners == 0 ? "straight" : fmt::format("with {} bend{}", corners, corners == 1 ? "" : "s");
+  return corners == 0 ? "straight" : "with " + count_of(static_cast<long long>(corners), "bend");
 }
 
 struct ShapeText {

@@ -52,7 +52,6 @@ bool ClashReport::wanted(const Subject& s) { return s.model.output.clashes.enabl
 ClashReport::ClashReport(const Subject& subject)
     : comm_(subject.comm()),
       subject_(subject),
-      contact_(subject.term<LineVolumeContact>()),
       line_pairs_(subject.term<LinePairs>()),
       body_contact_(subject.term<BodyContactTerm>()),
       rank_(rank_of(comm_)),
@@ -61,8 +60,7 @@ ClashReport::ClashReport(const Subject& subject)
       log_(settings_) {}
 
 void ClashReport::step(const Snapshot& s) {
-  ActiveContacts touches;
-  if (contact_) contact_->active_contacts(touches);
+  ActiveContacts touches = s.volume_contacts();
   for (ActiveContact& t : touches) t.volume = volumes_[t.volume];
   if (line_pairs_) line_pairs_->active_contacts(touches);
   if (body_contact_) body_contact_->active_contacts(touches);

@@ -14,8 +14,8 @@ const char* const kRecords = "deep contacts of lines";  // key in a checkpoint
 
 }  // namespace
 
-DeepContacts::DeepContacts(const Subject& subject, const LineVolumeContact& contact)
-    : subject_(subject), contact_(contact), volumes_(case_indices_of_volumes(subject)) {}
+DeepContacts::DeepContacts(const Subject& subject)
+    : subject_(subject), volumes_(case_indices_of_volumes(subject)) {}
 
 void DeepContacts::put(const Deepest& d, OfLines& to) {
   Deepest& deepest = to[d.line];
@@ -24,9 +24,7 @@ void DeepContacts::put(const Deepest& d, OfLines& to) {
 
 void DeepContacts::step(const Snapshot& s) {
   const model::Case& c = subject_.model;
-  ActiveContacts contacts;
-  contact_.active_contacts(contacts);
-  for (const ActiveContact& at : contacts) {
+  for (const ActiveContact& at : s.volume_contacts()) {
     const int volume = volumes_[at.volume];
     const double factor = at.depth / advice::acceptable_penetration(c, c.lines[at.line], c.volumes[volume]);
     if (factor > 1) put({at.line, volume, factor, at.depth, s.step.time, 0.5 * (at.from + at.to)}, of_rank_);

@@ -1,9 +1,10 @@
-// The class Rows: rows that several ranks share, summed on rank 0.
+// Rows that several ranks share, summed on rank 0; contacts of a snapshot.
 #include "hawser/record/recording.hpp"
 
 #include <algorithm>
 
 #include "hawser/base/gather.hpp"
+#include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser::record {
 
@@ -22,6 +23,14 @@ std::vector<std::vector<double>> Rows::gathered(MPI_Comm comm) && {
     if (!first) row.clear();
   }
   return std::move(rows_);
+}
+
+const ActiveContacts& Snapshot::volume_contacts() const {
+  if (!volume_contacts_) {
+    volume_contacts_.emplace();
+    if (const auto* contact = subject_.term<LineVolumeContact>()) contact->active_contacts(*volume_contacts_);
+  }
+  return *volume_contacts_;
 }
 
 }  // namespace hawser::record

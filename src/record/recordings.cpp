@@ -27,6 +27,7 @@
 #include "hawser/record/utilisation.hpp"
 #include "hawser/record/water_errors.hpp"
 #include "hawser/terms/feeders.hpp"
+#include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser::record {
 
@@ -46,7 +47,7 @@ std::vector<std::unique_ptr<Recording>> recordings(const Subject& s, const EndFo
       c.volumes.empty() ? nullptr : &add(std::make_unique<EdgeErrors>(s.comm(), c, s.local()));
   add(std::make_unique<TensionPeaks>(s, edges));
   add(std::make_unique<LineExtremes>(s, utilisation));
-  if (const auto* contact = s.term<LineVolumeContact>()) add(std::make_unique<DeepContacts>(s, *contact));
+  if (s.term<LineVolumeContact>()) add(std::make_unique<DeepContacts>(s));
   if (c.output.statistics) add(std::make_unique<Statistics>(s));
   add(std::make_unique<WaterErrors>(c, s.system));
   add(std::make_unique<PipeStrength>(s));

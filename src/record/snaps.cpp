@@ -29,11 +29,9 @@ Snaps::Snaps(const model::Case& c, const LocalMesh& mesh)
       passage_(static_cast<size_t>(mesh.owned), 0),
       echo_(mesh.mesh->lines.size(), 0),
       worst_(mesh.mesh->lines.size()) {
-  for (int i = 0; i < mesh.mesh->elements(); ++i) {
-    const Element e = mesh.mesh->element(i);
-    const model::LineType& t = c.line_types[e.type];
-    echo_[e.line] += 2 * t.wave_time(e.length);
-  }
+  for (const EvenPart& part : mesh.mesh->parts())
+    for (int k = 0; k < part.lengths.elements; ++k)
+      echo_[part.line] += 2 * c.line_types[part.type].wave_time(part.lengths.element_length(k));
   for (const LocalElement& l : mesh.elements) {
     const Element& e = mesh.element(l);
     const model::LineType& t = c.line_types[e.type];

@@ -120,14 +120,14 @@ std::array<int, 2> LineCandidates::outside(int line) const {
 
 bool LineCandidates::is_in_feeder(int element) const {
   if (inside_.empty()) return false;
-  const auto [first, last] = outside(mesh_.mesh->line_of(element));
+  const auto [first, last] = outside(mesh_.mesh->part_of(element).line);
   return element < first || element > last;
 }
 
 // True if it is the element at a feeder's feed point, whose unstretched length differs from that of the mesh.
 bool LineCandidates::at_feeder(int element) const {
   if (inside_.empty()) return false;
-  const int line = mesh_.mesh->line_of(element);
+  const int line = mesh_.mesh->part_of(element).line;
   const auto [first, last] = outside(line);
   const std::array<int, 2>& inside = inside_[line];
   return (inside[0] > 0 && element == first) || (inside[1] > 0 && element == last);

@@ -49,9 +49,8 @@ void LineVolumeContact::active_contacts(ActiveContacts& out) const {
         ActiveContact& t = out.emplace_back();
         t.line = e.line;
         t.volume = pair.volume;
-        const double a = mesh_.node(local(pair).first).arc, b = mesh_.node(local(pair).second).arc;
-        t.from = a + p.from * (b - a);
-        t.to = a + p.to * (b - a);
+        t.from = arc_at(mesh_, local(pair), p.from);
+        t.to = arc_at(mesh_, local(pair), p.to);
         panel = {p.group, p.from};
       }
       ActiveContact& t = out.back();

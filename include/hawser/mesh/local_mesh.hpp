@@ -24,13 +24,12 @@ struct BlockRun {
 
 struct LocalMesh {
   const Mesh* mesh = nullptr;
-  int owned = 0;  // owned nodes; local nodes [0, owned) in file order
-  int element_ghosts_end =
-      0;  // [owned, element_ghosts_end): ghosts of elements; [element_ghosts_end, nodes()): of couplings
-  std::vector<int> global;  // local node -> node
-  std::vector<int> block;   // local node -> its first local 3-block (position; +1: rotation)
-  int element_ghost_blocks_end =
-      0;  // local blocks [0, element_ghost_blocks_end) are those of nodes [0, element_ghosts_end)
+  // Local nodes: [0, owned) are owned, in file order, [owned, element_ghosts_end) ghosts of elements, and the
+  // rest ghosts of couplings.
+  int owned = 0, element_ghosts_end = 0;
+  std::vector<int> global;              // local node -> node
+  std::vector<int> block;               // local node -> its first local 3-block (position; +1: rotation)
+  int element_ghost_blocks_end = 0;     // local blocks before it are those of nodes [0, element_ghosts_end)
   int owned_blocks = 0;                 // local blocks [0, owned_blocks) are rows of this rank
   std::vector<int> global_block;        // local block -> block of the parallel numbering
   std::vector<LocalElement> elements;   // every element that touches an owned node

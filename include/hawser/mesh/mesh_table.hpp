@@ -67,8 +67,7 @@ class MeshTable {
     return element_at(static_cast<int>(e));
   }
   // Of an element, at the cost of the search for its part alone.
-  int line_of(int element) const;
-  int type_of(int element) const;
+  const EvenPart& part_of(int element) const;
   double length_of(int element) const;  // m, unstretched
   // In the order of the elements.
   std::span<const EvenPart> parts() const { return parts_; }

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "hawser/math/last_not_after.hpp"
+
 namespace hawser {
 
 class NodeRanks {
@@ -37,9 +39,7 @@ class NodeRanks {
   // First node after a run.
   int end(size_t run) const { return run + 1 < runs_.size() ? runs_[run + 1].first : nodes_; }
   size_t run_of(int node) const {
-    const auto after =
-        std::upper_bound(runs_.begin(), runs_.end(), node, [](int n, const Run& r) { return n < r.first; });
-    return static_cast<size_t>(after - runs_.begin()) - 1;
+    return static_cast<size_t>(last_not_after(runs_, node, &Run::first) - runs_.begin());
   }
   template <std::integral Index>
   int operator[](Index node) const {

@@ -15,7 +15,6 @@
 namespace hawser {
 class BodyContactTerm;
 class LinePairs;
-class LineVolumeContact;
 }  // namespace hawser
 
 namespace hawser::record {
@@ -44,8 +43,7 @@ class ClashReport : public Recording, public HasClashes {
 
   const MPI_Comm comm_;
   const Subject& subject_;
-  const LineVolumeContact* contact_;     // null: no such contact
-  const LinePairs* line_pairs_;          // likewise
+  const LinePairs* line_pairs_;          // null: no such contact
   const BodyContactTerm* body_contact_;  // likewise
   int rank_;
   ClashSettings settings_;

@@ -7,14 +7,13 @@
 
 #include "hawser/record/recording.hpp"
 #include "hawser/record/subject.hpp"
-#include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser::record {
 
 class DeepContacts : public Recording {
  public:
-  // contact: the subject's contact of lines with volumes. Both must outlive the object.
-  DeepContacts(const Subject& subject, const LineVolumeContact& contact);
+  // The subject must outlive the object.
+  explicit DeepContacts(const Subject& subject);
 
   void start(const Snapshot& s) override { step(s); }
   void step(const Snapshot& s) override;
@@ -46,7 +45,6 @@ class DeepContacts : public Recording {
   static void put(const Deepest& d, OfLines& to);
 
   const Subject& subject_;
-  const LineVolumeContact& contact_;
   std::vector<int> volumes_;  // of the term: index into Case::volumes
   OfLines of_rank_, of_run_;
 };

@@ -17,6 +17,7 @@
 #include "hawser/record/audit.hpp"
 #include "hawser/record/end_forces.hpp"
 #include "hawser/record/subject.hpp"
+#include "hawser/terms/active_contact.hpp"
 
 namespace hawser::record {
 
@@ -65,10 +66,13 @@ class Snapshot {
     if (!poses_) poses_ = body_poses(subject_.bodies, subject_.system, at);
     return *poses_;
   }
+  // Contacts of lines with volumes that this rank counts; volumes are those of the term.
+  const ActiveContacts& volume_contacts() const;
 
  private:
   const Subject& subject_;
   mutable std::optional<std::vector<io::BodyPose>> poses_;
+  mutable std::optional<ActiveContacts> volume_contacts_;
 };
 
 // Contributions of recordings to the results file, and fields needed at every step; other fields are computed

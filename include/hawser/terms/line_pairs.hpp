@@ -153,8 +153,8 @@ class LinePairs final : public ForceTerm,
 
   const ContactSegment& segment(int i) const { return candidates_.segments()[i]; }
   Element element(int i) const { return mesh_.mesh->element(i); }
-  int line_of(int element) const { return mesh_.mesh->line_of(element); }
-  const LinePairType& type_of(int element) const { return types_[mesh_.mesh->type_of(element)]; }
+  int line_of(int element) const { return mesh_.mesh->part_of(element).line; }
+  const LinePairType& type_of(int element) const { return types_[mesh_.mesh->part_of(element).type]; }
   const AxisEnds& start(int segment) const { return start_[segment]; }
   int fed_end(int segment) const { return fed_end_[segment]; }
   PairAxis axis(const Kinematics& at, int segment) const;
