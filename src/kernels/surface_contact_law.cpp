@@ -51,8 +51,9 @@ PointState<Dual<kTurns>> dual(const ContactTrial& t, const NormalForce& n, const
 }
 
 // Adds friction to the normal force; by_turn: derivative of the force by the rotation.
+// flatten: otherwise most operations on dual numbers are function calls.
 template <int kTurns>
-void add_friction(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
+[[gnu::flatten]] void add_friction(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
                   const Rotation<kTurns>& rotation, bool derivatives, PointContact& r,
                   Eigen::Matrix<double, 3, kTurns>& by_turn) {
   if (derivatives) {

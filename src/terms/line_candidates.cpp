@@ -307,7 +307,7 @@ void LineCandidates::locate() {
   number.reserve(local_.size());
   for (const LocalElement& e : local_) {
     number.emplace_back(e.global, static_cast<int>(segments_.size()));
-    segments_.push_back({e.first, e.second, e.global, radius(e.global)});
+    segments_.push_back({e.first, e.second, e.global, radius(e.global), mesh_.element(e)});
   }
   const auto find = [&](int element) {
     const auto at = std::lower_bound(number.begin(), number.end(), std::pair(element, 0));
@@ -321,7 +321,7 @@ void LineCandidates::locate() {
   others.erase(std::unique(others.begin(), others.end()), others.end());
   for (int e : others) {
     const Element& element = mesh_.mesh->element(e);
-    ContactSegment s{mesh_.find(element.first), mesh_.find(element.second), e, radius(e)};
+    ContactSegment s{mesh_.find(element.first), mesh_.find(element.second), e, radius(e), element};
     if (s.first < 0 || s.second < 0) throw std::logic_error("a candidate's nodes are not on this rank");
     number.emplace_back(e, static_cast<int>(segments_.size()));
     segments_.push_back(s);

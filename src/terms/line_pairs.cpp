@@ -49,7 +49,7 @@ void LinePairs::update_ghosts() {
     p.b = c.b;
     p.counted = c.counted;
     p.key = {segment(c.a).global, segment(c.b).global};
-    p.law = law(p.key.first, p.key.second);
+    p.law = law(p.a, p.b);
     if (const auto k = kept_.find(p.key); k != kept_.end()) p.points = std::move(k->second);
   }
   kept_.clear();
@@ -110,9 +110,8 @@ void LinePairs::each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B
   for (size_t k = 0; k < kParts; ++k) {
     const bool swapped = k >= 3;
     const ProjectOn part = static_cast<ProjectOn>(k % 3);
-    const int master = swapped ? pair.key.first : pair.key.second;
-    if (part != ProjectOn::element && !joint(master, part == ProjectOn::second_end)) continue;
-    const int slave = swapped ? pair.key.second : pair.key.first;
+    const int master = swapped ? pair.a : pair.b, slave = swapped ? pair.b : pair.a;
+    if (part != ProjectOn::element && !joint(segment(master), part == ProjectOn::second_end)) continue;
     s.part = swapped ? pair.part_b : pair.part_a;
     if (!(s.part[0] < s.part[1])) continue;
     s.slave_radius = type_of(slave).radius;
@@ -222,7 +221,7 @@ void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, 
     const bool swapped = k >= 3;
     const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
     const int a = swapped ? pair.b : pair.a, b = swapped ? pair.a : pair.b;
-    const double share = type_of(swapped ? pair.key.second : pair.key.first).radius / pair.law.radii;
+    const double share = type_of(a).radius / pair.law.radii;
     const auto add = [&](const LinePairContactPoint& h, bool at_end) {
       const double xi = at_end ? h.xi : material_of_start(a, slave, h.xi),
                    eta = at_end ? h.eta : material_of_start(b, master, h.eta);

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/mesh/arc.hpp"
 #include "hawser/terms/contact_fields.hpp"
 #include "hawser/terms/element_axis.hpp"
 #include "hawser/terms/line_pairs.hpp"
@@ -18,25 +17,28 @@ void extend(double& from, double& to, double arc) {
 }  // namespace
 
 void LinePairs::active_contacts(ActiveContacts& out) const {
-  const Mesh& mesh = *mesh_.mesh;
+  const auto arc = [this](const ContactSegment& s, double xi) {
+    const double from = mesh_.node(s.first).arc;
+    return from + xi * (mesh_.node(s.second).arc - from);
+  };
   for (const Pair& pair : pairs_) {
     if (!pair.counted || !pair.points) continue;
-    const Element &a = element(pair.key.first), &b = element(pair.key.second);
+    const ContactSegment &a = segment(pair.a), &b = segment(pair.b);
     ActiveContact t;
-    t.line = a.line;
-    t.other_line = b.line;
+    t.line = a.element.line;
+    t.other_line = b.element.line;
     t.from = t.other_from = HUGE_VAL;
     t.to = t.other_to = -HUGE_VAL;
     for (size_t k = 0; k < kParts; ++k) {
       const bool swapped = k >= 3;
-      const Element &slave = swapped ? b : a, &master = swapped ? a : b;
+      const ContactSegment &slave = swapped ? b : a, &master = swapped ? a : b;
       double &from = swapped ? t.other_from : t.from, &to = swapped ? t.other_to : t.to;
       double &foot_from = swapped ? t.from : t.other_from, &foot_to = swapped ? t.to : t.other_to;
       const auto& points = (*pair.points)[k];
       for (const LinePairContactPoint& h : points) {
-        extend(from, to, arc_at(mesh, slave, h.from));
-        extend(from, to, arc_at(mesh, slave, h.to));
-        extend(foot_from, foot_to, arc_at(mesh, master, std::clamp(h.eta, 0.0, 1.0)));
+        extend(from, to, arc(slave, h.from));
+        extend(from, to, arc(slave, h.to));
+        extend(foot_from, foot_to, arc(master, std::clamp(h.eta, 0.0, 1.0)));
         t.force += h.weight * h.normal_force;
         t.energy += h.weight * h.potential;
       }
@@ -52,7 +54,7 @@ void LinePairs::resultants(const Kinematics& at, ContactResultants& out) const {
   for (const Pair& pair : pairs_) {
     if (!pair.counted || !pair.points) continue;
     const AxisShape shapes[] = {AxisShape(ends(at, pair.a)), AxisShape(ends(at, pair.b))};
-    const double radii[] = {type_of(pair.key.first).radius, type_of(pair.key.second).radius};
+    const double radii[] = {type_of(pair.a).radius, type_of(pair.b).radius};
     ResultantSum sum;
     for (size_t k = 0; k < kParts; ++k) {
       const size_t slave = k < 3 ? 0 : 1;
@@ -60,8 +62,7 @@ void LinePairs::resultants(const Kinematics& at, ContactResultants& out) const {
         sum.add(shapes[slave].point(h.xi) - (radii[slave] + 0.5 * h.gap) * h.normal, h, Mat3::Identity(),
                 slave == 0 ? 1 : -1);
     }
-    if (sum.any())
-      out.push_back({line_of(pair.key.first), line_of(pair.key.second), -1, -1, sum.place(), sum.force()});
+    if (sum.any()) out.push_back({line_of(pair.a), line_of(pair.b), -1, -1, sum.place(), sum.force()});
   }
 }
 
@@ -75,7 +76,7 @@ void LinePairs::fields(FieldRegistry& registry) const {
        .penetration = {.name = "line_penetration", .unit = "m", .report = Field::Report::table, .order = 12}},
       [this](const Kinematics&, const ShowPoint& show) {
         const auto put = [&](const ContactSegment& s, double xi, double sign, const LinePairContactPoint& h) {
-          share_at_ends(element(s.global), s.first, s.second, mesh_.owned, xi,
+          share_at_ends(s.element, s.first, s.second, mesh_.owned, xi,
                         [&](int node, double share) { show(node, share, sign * Mat3::Identity(), h); });
         };
         for (const Pair& p : pairs_) {

@@ -43,8 +43,8 @@ std::vector<CheckpointRecord> LinePairs::records(NodeRange of) const {
     if (wanted(n) && (a.friction != 0 || a.damping != 0))
       records.push_back(record_of(mesh_.global[n], 0, a, kSums));
   }
-  if (deepest_.first >= 0 && of.has(element(deepest_.first).first))
-    records.push_back(record_of(element(deepest_.first).first, 0, deepest_, kDeepest));
+  if (deepest_.first >= 0 && of.has(mesh_.mesh->element(deepest_.first).first))
+    records.push_back(record_of(mesh_.mesh->element(deepest_.first).first, 0, deepest_, kDeepest));
   for (int k = 0; k < shared_.size(); ++k)
     if (const int n = shared_.place(k).one.node; mesh_.owns_node(n) && of.has(n))
       records.push_back(record_of(n, k, shared_.kept(k), kShared));

@@ -46,10 +46,10 @@ LinePairs::LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LinePairT
   for (const auto& [lines, s] : options_.tuned) check(s);
 }
 
-LinePairLaw LinePairs::law(int a, int b) const {
-  const auto tuned = options_.tuned.find(ordered(line_of(a), line_of(b)));
+LinePairLaw LinePairs::law(int segment_a, int segment_b) const {
+  const auto tuned = options_.tuned.find(ordered(line_of(segment_a), line_of(segment_b)));
   const model::LinePairSettings& s = tuned == options_.tuned.end() ? options_.general : tuned->second;
-  const LinePairType &A = type_of(a), &B = type_of(b);
+  const LinePairType &A = type_of(segment_a), &B = type_of(segment_b);
   const double diameter = A.radius + B.radius;  // the mean of the two
   LinePairLaw law;
   law.radii = A.radius + B.radius;
@@ -74,7 +74,7 @@ LinePairLaw LinePairs::law(int a, int b) const {
 
 AxisEnds LinePairs::ends(const Kinematics& at, int segment) const {
   const ContactSegment& s = this->segment(segment);
-  AxisEnds out = element_axis(at, element(s.global), s.first, s.second);
+  AxisEnds out = element_axis(at, s.element, s.first, s.second);
   if (fed_end(segment) >= 0) out.length = feeders_->find(s.global)->predicted;
   return out;
 }
@@ -85,10 +85,10 @@ LinePairs::Rod LinePairs::rod(const Kinematics& at, int segment) const {
 }
 
 // True if the element has a neighbour at this end on the same line and outside feeders.
-bool LinePairs::joint(int element, int end) const {
-  const LineSpan& l = mesh_.mesh->lines[line_of(element)];
-  if (end ? element + 1 >= l.first_element + l.elements : element <= l.first_element) return false;
-  return !candidates_.is_in_feeder(end ? element + 1 : element - 1);
+bool LinePairs::joint(const ContactSegment& s, int end) const {
+  const LineSpan& l = mesh_.mesh->lines[s.element.line];
+  if (end ? s.global + 1 >= l.first_element + l.elements : s.global <= l.first_element) return false;
+  return !candidates_.is_in_feeder(end ? s.global + 1 : s.global - 1);
 }
 
 int LinePairs::active_count() const {

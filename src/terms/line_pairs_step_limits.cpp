@@ -85,7 +85,7 @@ double LinePairs::acceleration(const Pair& p, const Kinematics& at) const {
 
 // Effective mass of the two lines, kg/m.
 double LinePairs::mass_per_length(const Pair& p) const {
-  const double a = type_of(p.key.first).mass_per_length, b = type_of(p.key.second).mass_per_length;
+  const double a = type_of(p.a).mass_per_length, b = type_of(p.b).mass_per_length;
   return a * b / (a + b);
 }
 
@@ -97,8 +97,7 @@ double LinePairs::inverse_frequency(const Pair& p, double speed) const {
 
 // Effective mass of an impact, kg: the interval in contact is at most one of the elements.
 double LinePairs::mass(const Pair& p) const {
-  return mass_per_length(p) *
-         std::min(mesh_.mesh->length_of(p.key.first), mesh_.mesh->length_of(p.key.second));
+  return mass_per_length(p) * std::min(segment(p.a).element.length, segment(p.b).element.length);
 }
 
 // In a step longer than a third of the contact period, all energy of lines that meet or part is uncertain. In
@@ -121,7 +120,7 @@ void LinePairs::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
         trial.step > kUnresolved * 2 * M_PI * slow
             ? 0.5 * m * speed * speed
             : crossing_error(slow, 2 * ramp, k * depth, 0.5 * k * depth * depth, path, speed);
-    if (error > 0) to.list.push_back({line_of(p.key.first), line_of(p.key.second), error});
+    if (error > 0) to.list.push_back({line_of(p.a), line_of(p.b), error});
   }
 }
 
@@ -147,21 +146,21 @@ void LinePairs::limit_step(const Kinematics& at, ImpactEvents& to) const {
     if (!p.counted) continue;
     Approach a{std::max(apart - ramp, 0.0), -c.speed, acceleration(p, at)};
     if (p.points) a.gap = -ramp - deepest(p);
-    to.add(impact_event(inverse_frequency(p, std::max(-c.speed, 0.0)), 2 * ramp, mass(p), a),
-           line_of(p.key.first), line_of(p.key.second));
+    to.add(impact_event(inverse_frequency(p, std::max(-c.speed, 0.0)), 2 * ramp, mass(p), a), line_of(p.a),
+           line_of(p.b));
   }
 }
 
 // Nearest places of two lines in the accepted state.
 advice::NearestPlaces LinePairs::nearest_places(const Pair& p) const {
-  const Element &a = element(p.key.first), &b = element(p.key.second);
+  const Element &a = segment(p.a).element, &b = segment(p.b).element;
   const Mesh& m = *mesh_.mesh;
   return {m.lines[a.line].name, m.lines[b.line].name, arc_at(m, a, p.chords.s), arc_at(m, b, p.chords.t)};
 }
 
 // Energy in the contact springs of the two lines that this rank counts, J.
 double LinePairs::stored(const Pair& of) const {
-  const auto lines = [&](const Pair& p) { return ordered(line_of(p.key.first), line_of(p.key.second)); };
+  const auto lines = [&](const Pair& p) { return ordered(line_of(p.a), line_of(p.b)); };
   return sum([&](const Pair& p) { return lines(p) == lines(of); },
              [](const LinePairContactPoint& h) { return h.potential; });
 }
@@ -173,7 +172,7 @@ advice::StepFinding LinePairs::too_soft(const Pair& p) const {
   if (!(depth > kProposed * radii)) return advice::LinesStartTooNear{nearest_places(p)};
   const double has = stored(p), more = speed > 0 ? 0.5 * mass(p) * speed * speed : 0;
   const double wanted = k * std::pow(depth / (kProposed * radii), 2.5) * (1 + more / has);
-  const bool own = options_.tuned.count(ordered(line_of(p.key.first), line_of(p.key.second))) > 0;
+  const bool own = options_.tuned.count(ordered(line_of(p.a), line_of(p.b))) > 0;
   return advice::PressedLines{.at = nearest_places(p),
                               .depth = depth,
                               .radii = radii,

@@ -45,14 +45,13 @@ bool LineVolumeContact::idle(int element) const {
 
 std::array<ContactLaw, 2> LineVolumeContact::laws(const Pair& pair) const {
   const model::Volume& v = volumes_.settings(pair.volume);
-  const Element& e = element(pair);
+  const LocalElement& e = mesh_.elements[pair.element];
   const double diameter = 2 * settings(pair).radius;
   std::array<ContactLaw, 2> laws;
   for (size_t i = 0; i < 2; ++i) {
-    const Node& node = mesh_.mesh->node(i ? e.second : e.first);
     double share = 1;  // 1/m, converts the basis to N/m²
     if (v.basis == model::StiffnessBasis::per_point)
-      share = 1 / (finder_.at_nodes() ? node.tributary : pair.length);
+      share = 1 / (finder_.at_nodes() ? mesh_.node(i ? e.second : e.first).tributary : pair.length);
     if (v.basis == model::StiffnessBasis::per_area) share = diameter;
     laws[i] = contact_law(v, share, diameter, settings(pair).mass_per_length);
   }
@@ -104,7 +103,7 @@ void LineVolumeContact::prepare(const Kinematics& committed, double h) {
 // candidate; so is every pair of gap springs.
 bool LineVolumeContact::start_pair(Pair& pair, const AxisEnds& at, const AxisShape& shape, double h,
                                    double& motion) const {
-  const Element& e = element(pair);
+  const LocalElement& e = mesh_.elements[pair.element];
   const RigidPose& pose = volumes_.start_pose(pair.volume);
   pair.length = at.length;
   pair.radius = settings(pair).radius;
@@ -117,7 +116,8 @@ bool LineVolumeContact::start_pair(Pair& pair, const AxisEnds& at, const AxisSha
   const double away = distance(volumes_.box(pair.volume), pose.to_body(shape.point(0.5)));
   if (h > 0 && away > pair.contact_distance + margin + 0.5 * shape.slope_bound() && !finder_.by_gap())
     return false;
-  pair.part = volumes_.takes_part(e.line, pair.volume, arc_at(*mesh_.mesh, e, 0), arc_at(*mesh_.mesh, e, 1));
+  pair.part =
+      volumes_.takes_part(mesh_.element(e).line, pair.volume, arc_at(mesh_, e, 0), arc_at(mesh_, e, 1));
   if (pair.part.none()) return false;
   pair.levels = contact_levels(pair.length, pair.radius);
   pair.start = {true, shape, pose};

@@ -35,6 +35,7 @@ struct ContactSegment {
   int first = 0, second = 0;  // local nodes, owned or ghosts
   int global = 0;             // index into Mesh::elements
   double radius = 0;          // m
+  Element element;
 };
 
 // Indices into segments(); the element of a comes before that of b.

@@ -152,9 +152,8 @@ class LinePairs final : public ForceTerm,
   };
 
   const ContactSegment& segment(int i) const { return candidates_.segments()[i]; }
-  Element element(int i) const { return mesh_.mesh->element(i); }
-  int line_of(int element) const { return mesh_.mesh->part_of(element).line; }
-  const LinePairType& type_of(int element) const { return types_[mesh_.mesh->part_of(element).type]; }
+  int line_of(int segment) const { return this->segment(segment).element.line; }
+  const LinePairType& type_of(int segment) const { return types_[this->segment(segment).element.type]; }
   const AxisEnds& start(int segment) const { return start_[segment]; }
   int fed_end(int segment) const { return fed_end_[segment]; }
   PairAxis axis(const Kinematics& at, int segment) const;
@@ -171,7 +170,7 @@ class LinePairs final : public ForceTerm,
   }
   AxisEnds ends(const Kinematics& at, int segment) const;
   Rod rod(const Kinematics& at, int segment) const;
-  LinePairLaw law(int a, int b) const;
+  LinePairLaw law(int segment_a, int segment_b) const;
   // Calls what(part, pass) for the passes of a pair that may touch.
   template <class What>
   void each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B, bool moves, bool convex,
@@ -180,7 +179,7 @@ class LinePairs final : public ForceTerm,
   // Contact forces on both elements, summed over the passes.
   AttachedForces forces(const Pair& pair, const PairAxis& A, const PairAxis& B, Trial& found,
                         const AxisContactMode& mode) const;
-  bool joint(int element, int end) const;
+  bool joint(const ContactSegment& s, int end) const;
   std::vector<Rod> rods(const Kinematics& at) const;
   bool met(const Pair& pair, const std::vector<Rod>& moved) const;
   bool near(const Pair& pair, const std::vector<Rod>& moved) const;
