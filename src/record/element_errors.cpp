@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "hawser/advice/input_warnings.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/angle_between.hpp"
 #include "hawser/record/line_extremes.hpp"
 

@@ -6,7 +6,7 @@
 #include <ranges>
 #include <utility>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/declination.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/terms/line_volume_contact.hpp"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "hawser/advice/input_warnings.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/record/audit_checkpoint.hpp"
 #include "hawser/record/output_times.hpp"
 #include "hawser/record/result_parts.hpp"

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "hawser/advice/long_elements.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/disjoint_sets.hpp"
 #include "hawser/terms/lines_in_water.hpp"
 

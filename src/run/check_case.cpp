@@ -10,7 +10,7 @@
 #include "hawser/advice/cost.hpp"
 #include "hawser/advice/run.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/mesh/partition.hpp"
 #include "hawser/model/farm.hpp"

@@ -14,7 +14,7 @@
 
 #include "hawser/advice/run.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/base/share_of_time.hpp"
 #include "hawser/io/case_json.hpp"
 #include "hawser/io/case_reader.hpp"

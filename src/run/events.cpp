@@ -10,7 +10,7 @@
 #include "hawser/advice/events.hpp"
 #include "hawser/advice/run.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/record/output_times.hpp"
 #include "hawser/run/feeder_nodes.hpp"
 #include "hawser/terms/feeders.hpp"

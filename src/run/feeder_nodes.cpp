@@ -10,7 +10,7 @@
 #include "hawser/advice/lengths.hpp"
 #include "hawser/advice/restart.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/record/end_forces.hpp"
 

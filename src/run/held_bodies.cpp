@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/record/end_forces.hpp"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/declination.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/record/end_forces.hpp"

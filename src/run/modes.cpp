@@ -11,7 +11,7 @@
 
 #include "hawser/advice/modes.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/freedoms.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/check.hpp"

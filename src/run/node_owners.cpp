@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/run/line_pairs.hpp"
 #include "hawser/solve/start_shape.hpp"
 #include "hawser/terms/line_candidates.hpp"

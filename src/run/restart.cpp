@@ -13,7 +13,7 @@
 
 #include "hawser/advice/restart.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/io/hdf5.hpp"
 #include "hawser/io/results_size.hpp"
 #include "hawser/model/farm.hpp"

@@ -13,7 +13,7 @@
 #include "hawser/advice/statics.hpp"
 #include "hawser/advice/supports.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/mesh/partition.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/body_pairs.hpp"

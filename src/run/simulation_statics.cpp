@@ -5,7 +5,7 @@
 #include "hawser/advice/contact_stiffness.hpp"
 #include "hawser/advice/statics.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/run/line_pairs.hpp"
 #include "hawser/run/simulation.hpp"
 #include "hawser/terms/body_contact.hpp"

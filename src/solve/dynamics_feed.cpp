@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/solve/dynamics.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/solve/dynamics.hpp"
 
 namespace hawser {

@@ -10,8 +10,8 @@
 
 #include "hawser/advice/modes.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
 #include "hawser/base/handle.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/solve/linear_solver.hpp"
 #include "hawser/solve/stability.hpp"
 #include "hawser/system/depends_on_frequency.hpp"

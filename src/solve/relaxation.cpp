@@ -7,7 +7,7 @@
 
 #include "hawser/advice/statics.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/solve/kink_stiffness.hpp"
 #include "hawser/solve/static_trial.hpp"
 #include "hawser/system/imbalance.hpp"

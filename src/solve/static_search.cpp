@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/solve/stability.hpp"
 #include "hawser/system/imbalance.hpp"
 

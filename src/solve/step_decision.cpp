@@ -6,7 +6,7 @@
 
 #include "hawser/advice/steps.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/angle_between.hpp"
 #include "hawser/solve/dynamics.hpp"
 #include "hawser/system/imbalance.hpp"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/base/rank_independent.hpp"
 #include "hawser/math/so3.hpp"
 #include "logged.hpp"

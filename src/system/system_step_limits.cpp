@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "hawser/advice/steps.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/system/system.hpp"
 #include "logged.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 
 namespace hawser {
 namespace {

@@ -1,7 +1,7 @@
 // The class ContactVolumes: poses of the volumes' bodies, and the floating bodies that lines may meet.
 #include <algorithm>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/mesh/arc.hpp"
 #include "hawser/terms/contact_volumes.hpp"
 

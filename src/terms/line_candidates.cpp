@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/geometry/box_pairs.hpp"
 #include "hawser/geometry/segment_distance.hpp"
 #include "hawser/kernels/bezier_axis.hpp"

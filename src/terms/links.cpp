@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "hawser/advice/start_shape.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 
 namespace hawser {
 namespace {

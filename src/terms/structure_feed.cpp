@@ -2,7 +2,7 @@
 // that pass through it (docs/theory/feeders.md#pipes-that-yield).
 #include <algorithm>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/kernels/carried_bends.hpp"
 #include "hawser/terms/structure.hpp"
 

@@ -1,5 +1,5 @@
 // Whole runs with elements and steps that are too long, and their warnings, on any number of ranks.
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/io/hdf5.hpp"
 #include "hawser/mesh/partition.hpp"

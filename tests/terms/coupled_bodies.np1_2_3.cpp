@@ -1,7 +1,7 @@
 // Two bodies with mass that a full matrix of mass and damping joins: their motion on any number of ranks.
 #include <gtest/gtest.h>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/kernels/rigid_body.hpp"
 #include "verification/dynamics_rig.hpp"
 

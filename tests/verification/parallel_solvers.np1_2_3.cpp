@@ -2,7 +2,7 @@
 // answers are those of one rank.
 #include <limits>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/run/node_owners.hpp"
 #include "hawser/solve/interface_parts.hpp"
 #include "hawser/solve/linear_solver.hpp"

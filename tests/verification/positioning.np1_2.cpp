@@ -7,7 +7,7 @@
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "../regression/runs.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/solve/natural_modes.hpp"

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 
 namespace hawser {
