@@ -62,11 +62,11 @@ void System::add(std::unique_ptr<ForceTerm> term) {
     check(PetscClassIdRegister("hawser terms", &c));
     return c;
   }();
-  const std::string name(term->name());
+  const std::string key(term->record_key());
   Events& e = events_.emplace_back();
-  check(PetscLogEventRegister(("f " + name).c_str(), id, &e.force));
-  check(PetscLogEventRegister(("J " + name).c_str(), id, &e.tangent));
-  check(PetscLogEventRegister(("prepare " + name).c_str(), id, &e.prepare));
+  check(PetscLogEventRegister(("f " + key).c_str(), id, &e.force));
+  check(PetscLogEventRegister(("J " + key).c_str(), id, &e.tangent));
+  check(PetscLogEventRegister(("prepare " + key).c_str(), id, &e.prepare));
   if (limit_event_ < 0) check(PetscLogEventRegister("limit steps", id, &limit_event_));
   terms_.push_back(std::move(term));
   list_roles();

@@ -60,7 +60,7 @@ class BodyContactTerm final : public ForceTerm,
   BodyContactTerm(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
                   std::shared_ptr<const Bodies> bodies, std::vector<BodyVolume> volumes);
 
-  std::string_view name() const override { return "body contact"; }
+  std::string_view record_key() const override { return "body contact"; }
   void couple(Couplings& to) const override;
   void enable_friction(bool on) override { friction_on_ = on; }
   void update_ghosts() override;

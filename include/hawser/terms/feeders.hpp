@@ -100,7 +100,7 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   double work() const { return work_; }
   void set_work(double work) { work_ = work; }
 
-  std::string_view name() const override { return "feeders"; }
+  std::string_view record_key() const override { return "feeders"; }
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;

@@ -62,7 +62,7 @@ class LinePairs final : public ForceTerm,
 
   void enable_friction(bool on) override { friction_on_ = on; }
 
-  std::string_view name() const override { return "line-line contact"; }
+  std::string_view record_key() const override { return "line-line contact"; }
   bool recouple(const Kinematics& committed, double h) override;
   void couple(Couplings& to) const override { candidates_.couple(to); }
   void update_ghosts() override;

@@ -32,7 +32,7 @@ class LineVolumeContact final : public ForceTerm,
                     std::vector<ContactVolume> volumes, std::vector<LineContactElement> elements,
                     MPI_Comm comm = MPI_COMM_SELF, model::ContactMethod method = model::ContactMethod::line);
 
-  std::string_view name() const override { return "line contact"; }
+  std::string_view record_key() const override { return "line contact"; }
   bool recouple(const Kinematics& committed, double h) override;
   void couple(Couplings& to) const override { volumes_.couple(to); }
   void prepare(const Kinematics& committed, double h) override;

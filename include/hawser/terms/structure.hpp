@@ -46,7 +46,7 @@ class StructureTerm final : public ForceTerm,
   // Takes the sections from the line types of the case. Every beam is straight when stress-free.
   StructureTerm(const LocalMesh& mesh, const model::Case& c);
 
-  std::string_view name() const override { return "structure"; }
+  std::string_view record_key() const override { return "structure"; }
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
