@@ -141,7 +141,7 @@ void HeldBodies::put(int body, const RigidPose& there) {
 
 BodyStiffness HeldBodies::stiffness(int body) {
   System& system = sim_.system();
-  system.couple(sim_.state().view(0), 0);
+  system.update_couplings(sim_.state().view(0), 0);
   system.spread(sim_.state());
   const std::vector<TiedNode> free = without_bodies(sim_);
   return body_stiffness(system, sim_.state().view(0), sim_.mesh().body_node(body), free,

@@ -82,9 +82,11 @@ void Dynamics::build() {
 }
 
 void Dynamics::prepare(double h, const State* end) {
-  const auto couple = [&](const State& s) { return system_.couple(s.view(last_step_), h); };
-  if ((end ? couple(straight_path(system_.mesh(), committed_.s, *end, h)) : couple(committed_.s)) ==
-      CouplingChange::layout_changed) {
+  const auto update_couplings = [&](const State& s) {
+    return system_.update_couplings(s.view(last_step_), h);
+  };
+  if ((end ? update_couplings(straight_path(system_.mesh(), committed_.s, *end, h))
+           : update_couplings(committed_.s)) == CouplingChange::layout_changed) {
     build();
     system_.spread(committed_.s);
     system_.spread(committed_.ax);

@@ -83,7 +83,7 @@ void StaticTrial::build() {
 }
 
 bool StaticTrial::prepare() {
-  const CouplingChange c = system_.couple(state_.view(0), 0);
+  const CouplingChange c = system_.update_couplings(state_.view(0), 0);
   if (c == CouplingChange::layout_changed) {
     build();
     system_.spread(state_);
@@ -143,7 +143,7 @@ bool StaticTrial::path_is_clear() {
   if (verdict.kind != Verdict::Kind::prepare_again) return passes(verdict);
   const LocalMesh& m = system_.mesh();
   // With this step the predicted path ends at the trial.
-  if (system_.couple(straight_path(m, state_, trial_, 1).view(0), 1 / CandidateSettings{}.steps) ==
+  if (system_.update_couplings(straight_path(m, state_, trial_, 1).view(0), 1 / CandidateSettings{}.steps) ==
       CouplingChange::layout_changed) {
     std::vector<double> u(local_.begin(), local_.begin() + 3 * m.owned_blocks);
     build();

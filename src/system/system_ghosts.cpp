@@ -34,12 +34,12 @@ void System::with_frames(Couplings& c) const {
   }
 }
 
-CouplingChange System::couple(const Kinematics& committed, double h) {
+CouplingChange System::update_couplings(const Kinematics& committed, double h) {
   bool same = true;
-  for (CouplesNodes* t : listed<CouplesNodes>()) same &= !t->recouple(committed, h);
+  for (CouplesNodes* t : listed<CouplesNodes>()) same &= !t->refresh_couplings(committed, h);
   if (same) return CouplingChange::unchanged;
   Couplings wanted;
-  for (const CouplesNodes* t : listed<CouplesNodes>()) t->couple(wanted);
+  for (const CouplesNodes* t : listed<CouplesNodes>()) t->list_couplings(wanted);
   with_frames(wanted);
   wanted.sort();
   const bool fits = all(comm_, wanted.within(couplings_));

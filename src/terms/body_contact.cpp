@@ -88,7 +88,7 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
   update_ghosts();
 }
 
-void BodyContactTerm::couple(Couplings& to) const {
+void BodyContactTerm::list_couplings(Couplings& to) const {
   for (const Pair& p : pairs_) {
     const int a = bodies_of_volumes_[p.a].global, b = bodies_of_volumes_[p.b].global;
     if (a >= 0 && b >= 0 && (mesh_.owns_node(a) || mesh_.owns_node(b))) to.add({a, a}, {b, b});

@@ -23,7 +23,7 @@ double deepest_of(const std::vector<LinePairContactPoint>& points) {
   return -(a.gap + (place - a.xi) * (ab + curve * (place - b.xi)));
 }
 
-bool LinePairs::recouple(const Kinematics& committed, double h) {
+bool LinePairs::refresh_couplings(const Kinematics& committed, double h) {
   if (feeders_ && candidates_.set_elements_in_feeders(feeders_->inside())) {
     shared_.set_elements_in_feeders(feeders_->inside());
     listed_ = false;

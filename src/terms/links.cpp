@@ -50,7 +50,7 @@ Links::Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::sh
   update_ghosts();
 }
 
-void Links::couple(Couplings& to) const {
+void Links::list_couplings(Couplings& to) const {
   for (const Link& l : list_) {
     const int a = l.a.carrier(*bodies_), b = l.b.carrier(*bodies_);
     if (a >= 0 && b >= 0 && (mesh_.owns_node(a) || mesh_.owns_node(b))) to.add({a, a}, {b, b});

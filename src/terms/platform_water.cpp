@@ -11,7 +11,7 @@
 
 namespace hawser {
 
-void PlatformWater::couple(Couplings& to) const {
+void PlatformWater::list_couplings(Couplings& to) const {
   for (const Group& g : groups_) {
     const auto owned = [this](const Platform& p) { return mesh_.owns_node(p.node); };
     if (std::none_of(g.platforms.begin(), g.platforms.end(), owned)) continue;

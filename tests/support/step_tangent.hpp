@@ -27,7 +27,7 @@ class StepTangent {
   // From the simulation's shape with velocities and increments by chance; these are of a size of `place` [m]
   // and `angle` [rad].
   static StepTangent by_chance(System& system, State& shape, double h, double place, double angle) {
-    system.couple(shape.view(0), h);
+    system.update_couplings(shape.view(0), h);
     system.spread(shape);
     const LocalMesh& mesh = system.mesh();
     AlphaState from;

@@ -22,8 +22,8 @@ class MiddleSprings final : public ForceTerm, public CouplesNodes, public Limits
   int located = 0;
 
   std::string_view record_key() const override { return "middle springs"; }
-  bool recouple(const Kinematics& committed, double h) override { return list.update(committed, h); }
-  void couple(Couplings& to) const override { list.couple(to); }
+  bool refresh_couplings(const Kinematics& committed, double h) override { return list.update(committed, h); }
+  void list_couplings(Couplings& to) const override { list.list_couplings(to); }
   void update_ghosts() override {
     list.locate();
     ++located;

@@ -178,7 +178,7 @@ struct BodyModel {
     put(0, x, q, met.velocity_at(x) - closing * (met.rotation * out) + 0.05 * noise3(0, 3),
         0.05 * noise3(0, 4));
     if (floats) put(1, met.position, met.rotation, 0.05 * noise3(1, 3), 0.05 * noise3(1, 4));
-    system->couple(trial.from.view(trial.h), trial.h);
+    system->update_couplings(trial.from.view(trial.h), trial.h);
     system->prepare(trial.from.view(trial.h), trial.h);
   }
 };

@@ -228,7 +228,7 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
       r.put_on(roller->surface());
     }
     alpha_start(mesh, from);
-    r.system->couple(from.s.view(h), h);
+    r.system->update_couplings(from.s.view(h), h);
     r.system->prepare(from.s.view(h), h);
     std::vector<double> u(3 * static_cast<size_t>(mesh.blocks()), 0), d = u;
     std::vector<int> moving{3, 4, 5, 6};

@@ -91,7 +91,7 @@ TEST(LinePairs, HistoryGoesThroughACheckpoint) {
     for (PairModel* one : {&m, &copy}) {
       one->trial.from = end;
       for (double& u : one->trial.u) u *= 0.1;
-      one->system->couple(end.view(h), h);
+      one->system->update_couplings(end.view(h), h);
       one->system->prepare(end.view(h), h);
     }
     EXPECT_EQ(copy.contact->energy(end.view(h)).strain, m.contact->energy(end.view(h)).strain);
@@ -112,7 +112,7 @@ TEST(LinePairs, AdviceNamesTheLines) {
     const double h = m.trial.h;
     const State& start = m.trial.from;
     const State end = state_of(m.system->mesh(), m.trial);
-    m.system->couple(straight_path(m.system->mesh(), start, end, h).view(h), h);
+    m.system->update_couplings(straight_path(m.system->mesh(), start, end, h).view(h), h);
     m.system->prepare(start.view(h), h);
     const std::string message = advice::clause(m.contact->check_step(end.view(h)).because);
     const std::string advice = "Try contact: {between_lines: {";

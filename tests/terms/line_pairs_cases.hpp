@@ -75,7 +75,7 @@ struct PairModel : SuiteModel {
     // Ghosts first: they depend on where lines are.
     State before = place(what, at, -1);
     before.time = trial.from.time - trial.h;
-    if (system->couple(before.view(trial.h), trial.h) == CouplingChange::layout_changed)
+    if (system->update_couplings(before.view(trial.h), trial.h) == CouplingChange::layout_changed)
       before = place(what, at, -1);
     before.time = trial.from.time - trial.h;
     const LocalMesh& l = system->mesh();

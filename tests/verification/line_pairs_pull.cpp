@@ -65,7 +65,7 @@ Drawn draw(double theta, double way, int elements) {
     KspHandle ksp;
     check(KSPCreate(s.system().comm(), ksp.out()));
     configure_linear_solver(ksp.get(), s.system(), "verification_");
-    if (s.system().couple(last.view(0), 0) == CouplingChange::layout_changed) {
+    if (s.system().update_couplings(last.view(0), 0) == CouplingChange::layout_changed) {
       du = s.system().create_vector();
       res = s.system().create_vector();
       J = s.system().create_matrix();

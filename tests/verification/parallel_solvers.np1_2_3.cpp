@@ -79,7 +79,8 @@ template <class Configure>
 Solved solve(MPI_Comm comm, const model::Case& c, const Configure& configure) {
   Simulation s(comm, c);
   System& system = s.system();
-  if (system.couple(s.state().view(0), 0) == CouplingChange::layout_changed) system.spread(s.state());
+  if (system.update_couplings(s.state().view(0), 0) == CouplingChange::layout_changed)
+    system.spread(s.state());
   EXPECT_TRUE(system.coupled());
   system.prepare(s.state().view(0), 0);
   const LocalMesh& m = system.mesh();

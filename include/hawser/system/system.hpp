@@ -41,8 +41,8 @@ struct ResidualNorms {
   double relative() const;
 };
 
-// Result of System::couple(). pattern_changed: there are other couplings, for which the matrix has room.
-// layout_changed: vectors and matrices need another layout.
+// Result of System::update_couplings(). pattern_changed: there are other couplings, for which the matrix has
+// room. layout_changed: vectors and matrices need another layout.
 enum class CouplingChange { unchanged, pattern_changed, layout_changed };
 
 class System {
@@ -81,7 +81,7 @@ class System {
   // Asks the terms which nodes they couple in a coming step of h [s], and extends ghosts and pattern if they
   // lack these nodes. The caller then rebuilds vectors, matrices and solvers, and spreads states
   // (layout_changed). Called before prepare(). Collective.
-  CouplingChange couple(const Kinematics& committed, double h);
+  CouplingChange update_couplings(const Kinematics& committed, double h);
   // Resizes to the local nodes and fills the ghosts from their owners. Collective.
   void spread(State& state) const;
   void spread(std::vector<Vec3>& values) const { exchange_.spread(values); }

@@ -61,7 +61,7 @@ class BodyContactTerm final : public ForceTerm,
                   std::shared_ptr<const Bodies> bodies, std::vector<BodyVolume> volumes);
 
   std::string_view record_key() const override { return "body contact"; }
-  void couple(Couplings& to) const override;
+  void list_couplings(Couplings& to) const override;
   void enable_friction(bool on) override { friction_on_ = on; }
   void update_ghosts() override;
   // For a time step (h > 0) also computes the contact frequency and checks the overlap of the volumes.

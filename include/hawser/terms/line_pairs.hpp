@@ -63,8 +63,8 @@ class LinePairs final : public ForceTerm,
   void enable_friction(bool on) override { friction_on_ = on; }
 
   std::string_view record_key() const override { return "line-line contact"; }
-  bool recouple(const Kinematics& committed, double h) override;
-  void couple(Couplings& to) const override { candidates_.couple(to); }
+  bool refresh_couplings(const Kinematics& committed, double h) override;
+  void list_couplings(Couplings& to) const override { candidates_.list_couplings(to); }
   void update_ghosts() override;
   // Refuses a step that missed a contact or in which a line passed through another.
   Verdict check_step(const Kinematics& trial) const override;

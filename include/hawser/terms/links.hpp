@@ -28,7 +28,7 @@ class Links final : public ForceTerm, public CouplesFixedNodes, public ScalesRes
   std::vector<std::vector<double>> rows(const Kinematics& at) const override;
 
   std::string_view record_key() const override { return "links"; }
-  void couple(Couplings& to) const override;
+  void list_couplings(Couplings& to) const override;
   void update_ghosts() override;
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;

@@ -33,7 +33,7 @@ class PlatformWater final : public ForceTerm,
   PlatformWater(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh);
 
   std::string_view record_key() const override { return "platforms in the sea"; }
-  void couple(Couplings& to) const override;
+  void list_couplings(Couplings& to) const override;
   void update_ghosts() override;
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
