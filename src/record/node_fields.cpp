@@ -101,7 +101,7 @@ void NodeFields::correct_ends(const Kinematics& at) {
   for (const int f : carriers_)
     for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n)
       carried[n] += Eigen::Map<const Vec3>(values_[f].data() + 3 * n).cwiseAbs();
-  if (!carriers_.empty()) subject_.system.spread(carried);
+  if (!carriers_.empty()) subject_.system.update_ghosts(carried);
   // A dynamic run without statics has no step yet, but forces of motion, such as waves, act.
   Kinematics now = at;
   if (!subject_.model.statics.enabled && subject_.model.dynamics.enabled && now.step == 0)

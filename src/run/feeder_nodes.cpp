@@ -207,7 +207,7 @@ void FeederNodes::shift(Feeder& f, double by) {
       state.x[n] = moved->x;
       state.q[n] = moved->q;
     }
-    sim_.system().spread(state);
+    sim_.system().update_ghosts(state);
   };
   const auto set = [&](int feed_point, double length) {
     f.feed_point = feed_point;

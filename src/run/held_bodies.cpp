@@ -142,7 +142,7 @@ void HeldBodies::put(int body, const RigidPose& there) {
 BodyStiffness HeldBodies::stiffness(int body) {
   System& system = sim_.system();
   system.update_couplings(sim_.state().view(0), 0);
-  system.spread(sim_.state());
+  system.update_ghosts(sim_.state());
   const std::vector<TiedNode> free = without_bodies(sim_);
   return body_stiffness(system, sim_.state().view(0), sim_.mesh().body_node(body), free,
                         with_bodies(sim_, free, with_mass(sim_.model())));

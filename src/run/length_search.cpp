@@ -37,7 +37,7 @@ AtRest at_rest(MPI_Comm comm, Simulation& sim) {
     for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n)
       carried[n] += Eigen::Map<const Vec3>(values.data() + 3 * n).cwiseAbs();
   }
-  sim.system().spread(carried);
+  sim.system().update_ghosts(carried);
   record::EndForces ends(sim.system(), sim.feeders());
   ends.evaluate(at, carried);
   AtRest out;

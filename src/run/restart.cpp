@@ -281,11 +281,11 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
     const auto& f = c.nodes.at(name).values;
     for (size_t n = 0; n < owned; ++n) (*values)[n] = Eigen::Map<const Mat3>(f.data() + 9 * n);
   }
-  system.spread(s.s);
-  system.spread(s.ax);
+  system.update_ghosts(s.s);
+  system.update_ghosts(s.ax);
   if (has_directors(m)) {
-    system.spread(s.aw);
-    system.spread(s.ad);
+    system.update_ghosts(s.aw);
+    system.update_ghosts(s.ad);
   }
 
   const auto rows = [&](const char* name) {

@@ -90,7 +90,7 @@ StaticsReport Simulation::find_restrained_equilibrium(const StaticsSettings& set
     state_.v[n] = v[n];
     state_.w[n] = w[n];
   }
-  system_->spread(state_);
+  system_->update_ghosts(state_);
   return report;
 }
 

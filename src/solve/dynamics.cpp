@@ -88,11 +88,11 @@ void Dynamics::prepare(double h, const State* end) {
   if ((end ? update_couplings(straight_path(system_.mesh(), committed_.s, *end, h))
            : update_couplings(committed_.s)) == CouplingChange::layout_changed) {
     build();
-    system_.spread(committed_.s);
-    system_.spread(committed_.ax);
+    system_.update_ghosts(committed_.s);
+    system_.update_ghosts(committed_.ax);
     if (has_directors(system_.mesh())) {
-      system_.spread(committed_.aw);
-      system_.spread(committed_.ad);
+      system_.update_ghosts(committed_.aw);
+      system_.update_ghosts(committed_.ad);
     }
     const size_t size = 3 * static_cast<size_t>(system_.mesh().blocks());
     reactions_.resize(size, 0);
@@ -103,7 +103,7 @@ void Dynamics::prepare(double h, const State* end) {
 }
 
 void Dynamics::load(Vec u) {
-  const bool others = system_.gather(u, local_u_);
+  const bool others = system_.update_ghosts(u, local_u_);
   if (loaded_ && !others) return;
   alpha_trial(system_.mesh(), system_.tied_nodes(), alpha_, h_, committed_, local_u_, trial_);
   loaded_ = true;
@@ -250,7 +250,7 @@ std::vector<double> Dynamics::solve_masses() {
   check(VecNorm(u_.get(), NORM_INFINITY, &size));
   if (reason < 0 || !std::isfinite(size)) throw SolveError(advice::no_mass(committed_.s.time));
   std::vector<double> out;
-  system_.gather(u_.get(), out);
+  system_.update_ghosts(u_.get(), out);
   return out;
 }
 

@@ -47,11 +47,11 @@ void Dynamics::transfer_node(const std::function<std::optional<Moved>()>& change
     if (moved->free) settles = moved->node;
   }
   all_reduce(system_.comm(), MPI_MAX, settles);
-  system_.spread(committed_.s);
-  system_.spread(committed_.ax);
+  system_.update_ghosts(committed_.s);
+  system_.update_ghosts(committed_.ax);
   if (has_directors(m)) {
-    system_.spread(committed_.aw);
-    system_.spread(committed_.ad);
+    system_.update_ghosts(committed_.aw);
+    system_.update_ghosts(committed_.ad);
   }
   system_.tie(nodes(), BodyMotion(system_.tied_nodes().motion()));
   prepare(control_.proposal());  // The feed point is at another element, which can touch other bodies.
@@ -104,7 +104,7 @@ void Dynamics::settle(int node, double h) {
       }
     }
     all_reduce(system_.comm(), MPI_MAX, going);
-    system_.spread(committed_.s);
+    system_.update_ghosts(committed_.s);
     if (going < 1e-12) break;
   }
 }

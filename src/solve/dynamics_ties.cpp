@@ -60,7 +60,7 @@ void Dynamics::match_tied_velocities(const TiedNodes& before, State& s) {
     impacted.a[i] += held.v[i] - s.v[i];
     if (m.rotates(n)) impacted.alpha[i] += held.w[i] - s.w[i];
   }
-  system_.spread(impacted);
+  system_.update_ghosts(impacted);
   // Forces are linear in accelerations: this residual is larger by M dv.
   system_.residual(impacted.view(h), r_.get());
   check(VecAXPY(r_.get(), -1, rest.get()));
@@ -74,7 +74,7 @@ void Dynamics::match_tied_velocities(const TiedNodes& before, State& s) {
   }
   system_.tied_nodes().rates(s.time, s);
   system_.tied_nodes().follow(s);
-  system_.spread(s);
+  system_.update_ghosts(s);
 }
 
 }  // namespace hawser

@@ -223,7 +223,7 @@ NaturalMode mode_of(const System& system, const Kinematics& at, const Eigenpair&
   mode.squared = pair.squared;
   mode.damping_ratio = pair.damping_ratio;
   std::vector<double> local;
-  system.gather(pair.vector.get(), local);
+  system.update_ghosts(pair.vector.get(), local);
   move_nodes(system, at, local, mode);
   return mode;
 }

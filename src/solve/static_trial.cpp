@@ -34,7 +34,7 @@ StaticTrial::StaticTrial(System& system, State& state) : system_(system), state_
         auto& s = *static_cast<StaticTrial*>(self);
         return s.error_.capture([&] {
           check(VecCopy(x, s.u_.get()));
-          s.system_.gather(s.u_.get(), s.local_);
+          s.system_.update_ghosts(s.u_.get(), s.local_);
           s.residual();
           check(VecCopy(s.r_.get(), f));
         });
@@ -86,7 +86,7 @@ bool StaticTrial::prepare() {
   const CouplingChange c = system_.update_couplings(state_.view(0), 0);
   if (c == CouplingChange::layout_changed) {
     build();
-    system_.spread(state_);
+    system_.update_ghosts(state_);
     trial_ = state_;
   }
   system_.prepare(state_.view(0), 0);
@@ -147,15 +147,15 @@ bool StaticTrial::path_is_clear() {
       CouplingChange::layout_changed) {
     std::vector<double> u(local_.begin(), local_.begin() + 3 * m.owned_blocks);
     build();
-    system_.spread(state_);
-    system_.spread(trial_);
+    system_.update_ghosts(state_);
+    system_.update_ghosts(trial_);
     if (!u.empty()) {
       PetscScalar* p = nullptr;
       check(VecGetArray(u_.get(), &p));
       std::copy(u.begin(), u.end(), p);
       check(VecRestoreArray(u_.get(), &p));
     }
-    system_.gather(u_.get(), local_);
+    system_.update_ghosts(u_.get(), local_);
   }
   system_.prepare(state_.view(0), 0);
   return passes(system_.check_step(trial_.view(0)));
@@ -163,7 +163,7 @@ bool StaticTrial::path_is_clear() {
 
 void StaticTrial::throw_no_equilibrium(const std::string& why) {
   if (!blocked_by_) throw SolveError(why);
-  system_.spread(blocked_);
+  system_.update_ghosts(blocked_);
   if (system_.raise_stiffness_where_blocked(blocked_.view(0))) throw StiffnessRaised();
   throw PathBlocked(advice::path_blocked(first_text(system_.comm(), advice::clause(*blocked_by_))));
 }

@@ -37,7 +37,7 @@ StaticsReport relaxed(System& system, const StaticsSettings& settings, State& st
     rest = relax(system, r, state);
   } catch (const SolveError&) {  // the start shape may have been in a plane or have had another symmetry
     state = from;
-    system.spread(state);
+    system.update_ghosts(state);
     r.pushed = 1;
     rest = relax(system, r, state);
   }
@@ -55,7 +55,7 @@ StaticsReport relaxed(System& system, const StaticsSettings& settings, State& st
       r.tolerance *= 1e-2;
       if (r.tolerance < settings.tolerance) throw;
     }
-    system.spread(state);
+    system.update_ghosts(state);
     const RelaxationReport more = relax(system, r, state);
     rest.steps += more.steps;
     rest.iterations += more.iterations;
@@ -72,7 +72,7 @@ class Start {
     system_.soften(HUGE_VAL);
     state = state_;
     for (size_t i = 0; i < history_.size(); ++i) system_.terms()[i]->restore(history_[i]);
-    system_.spread(state);
+    system_.update_ghosts(state);
   }
 
  private:

@@ -93,7 +93,7 @@ void System::tie(std::vector<TiedNode> nodes, BodyMotion motion) {
   ties_ = TiedNodeForces(mesh_, tied_nodes_);
 }
 
-bool System::gather(Vec u, std::vector<double>& out) const {
+bool System::update_ghosts(Vec u, std::vector<double>& out) const {
   out.resize(3 * static_cast<size_t>(mesh_.blocks()));
   const int size = ranks_of(comm_);
   if (size > 1) {

@@ -85,7 +85,7 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
     }
     pairs_.push_back(pair);
   }
-  update_ghosts();
+  renumber();
 }
 
 void BodyContactTerm::list_couplings(Couplings& to) const {
@@ -95,7 +95,7 @@ void BodyContactTerm::list_couplings(Couplings& to) const {
   }
 }
 
-void BodyContactTerm::update_ghosts() {
+void BodyContactTerm::renumber() {
   for (PairBody& s : bodies_of_volumes_) {
     s.node = s.global < 0 ? -1 : mesh_.find(s.global);
     s.block = s.node < 0 ? -1 : mesh_.block[s.node];

@@ -38,7 +38,7 @@ bool LinePairs::refresh_couplings(const Kinematics& committed, double h) {
   return true;
 }
 
-void LinePairs::update_ghosts() {
+void LinePairs::renumber() {
   candidates_.locate();
   for (Pair& p : pairs_)
     if (p.points) kept_[p.key] = std::move(p.points);

@@ -47,7 +47,7 @@ Links::Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::sh
     rest = (Vec3(&places[6 * i + 3]) - Vec3(&places[6 * i])).norm();
     if (!(rest > 0)) c.refuse("links." + c.links[i].name, advice::link_without_length());
   }
-  update_ghosts();
+  renumber();
 }
 
 void Links::list_couplings(Couplings& to) const {
@@ -57,7 +57,7 @@ void Links::list_couplings(Couplings& to) const {
   }
 }
 
-void Links::update_ghosts() {
+void Links::renumber() {
   for (Link& l : list_) {
     const int a = l.a.carrier(*bodies_), b = l.b.carrier(*bodies_);
     l.here = (mesh_.owns_node(a) || mesh_.owns_node(b)) && (a < 0 || mesh_.find(a) >= 0) &&

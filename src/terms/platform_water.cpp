@@ -21,7 +21,7 @@ void PlatformWater::list_couplings(Couplings& to) const {
   }
 }
 
-void PlatformWater::update_ghosts() {
+void PlatformWater::renumber() {
   for (Group& g : groups_) {
     g.here = false;
     bool complete = true;

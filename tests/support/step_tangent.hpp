@@ -28,7 +28,7 @@ class StepTangent {
   // and `angle` [rad].
   static StepTangent by_chance(System& system, State& shape, double h, double place, double angle) {
     system.update_couplings(shape.view(0), h);
-    system.spread(shape);
+    system.update_ghosts(shape);
     const LocalMesh& mesh = system.mesh();
     AlphaState from;
     from.s = shape;

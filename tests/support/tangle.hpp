@@ -24,7 +24,7 @@ class MiddleSprings final : public ForceTerm, public CouplesNodes, public Limits
   std::string_view record_key() const override { return "middle springs"; }
   bool refresh_couplings(const Kinematics& committed, double h) override { return list.update(committed, h); }
   void list_couplings(Couplings& to) const override { list.list_couplings(to); }
-  void update_ghosts() override {
+  void renumber() override {
     list.locate();
     ++located;
   }

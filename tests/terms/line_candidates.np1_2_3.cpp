@@ -105,7 +105,7 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
     const CouplingChange r = all.sim.system().update_couplings(a.view(h), h);
     one.sim.system().update_couplings(b.view(h), h);
     if (r == CouplingChange::layout_changed) {
-      all.sim.system().spread(a);
+      all.sim.system().update_ghosts(a);
       ++layout_changed;
     }
     ASSERT_EQ(a.x.size(), static_cast<size_t>(l.nodes()));
@@ -354,7 +354,8 @@ TEST(LineCandidates, ResidualAndTangent) {
     State& s = m.sim.state();
     const LocalMesh& l = m.sim.local();
     for (int step = 0; step < 8; ++step) {
-      if (system.update_couplings(s.view(0.1), 0.1) == CouplingChange::layout_changed) system.spread(s);
+      if (system.update_couplings(s.view(0.1), 0.1) == CouplingChange::layout_changed)
+        system.update_ghosts(s);
       system.prepare(s.view(0.1), 0.1);
       if (step < 7) move(l, s, step, 0.1);
     }

@@ -27,7 +27,8 @@ TEST(LinePairsRanks, SameAsOnOne) {
     // Who sees whom may be others after a long step: the state gets their nodes too.
     const auto goes_on = [&](PairModel& m) {
       State end = end_a;
-      if (m.system->update_couplings(end.view(h), h) == CouplingChange::layout_changed) m.system->spread(end);
+      if (m.system->update_couplings(end.view(h), h) == CouplingChange::layout_changed)
+        m.system->update_ghosts(end);
       m.system->prepare(end.view(h), h);
       State next = end;
       next.time += h;

@@ -80,7 +80,7 @@ Solved solve(MPI_Comm comm, const model::Case& c, const Configure& configure) {
   Simulation s(comm, c);
   System& system = s.system();
   if (system.update_couplings(s.state().view(0), 0) == CouplingChange::layout_changed)
-    system.spread(s.state());
+    system.update_ghosts(s.state());
   EXPECT_TRUE(system.coupled());
   system.prepare(s.state().view(0), 0);
   const LocalMesh& m = system.mesh();
@@ -116,7 +116,7 @@ Solved solve(MPI_Comm comm, const model::Case& c, const Configure& configure) {
     out.solver = name;
   }
   std::vector<double> all(3 * static_cast<size_t>(m.mesh->nodes()), 0), local;
-  system.gather(x.get(), local);
+  system.update_ghosts(x.get(), local);
   for (int n = 0; n < m.owned; ++n)
     for (size_t k = 0; k < 3; ++k)
       all[3 * static_cast<size_t>(m.global[static_cast<size_t>(n)]) + k] =

@@ -79,13 +79,13 @@ class System {
   void tie(std::vector<TiedNode> nodes, BodyMotion motion);
 
   // Asks the terms which nodes they couple in a coming step of h [s], and extends ghosts and pattern if they
-  // lack these nodes. The caller then rebuilds vectors, matrices and solvers, and spreads states
-  // (layout_changed). Called before prepare(). Collective.
+  // lack these nodes. If the layout has changed, the caller rebuilds vectors, matrices and solvers, and
+  // updates the ghosts of its states. Called before prepare(). Collective.
   CouplingChange update_couplings(const Kinematics& committed, double h);
   // Resizes to the local nodes and fills the ghosts from their owners. Collective.
-  void spread(State& state) const;
-  void spread(std::vector<Vec3>& values) const { exchange_.spread(values); }
-  void spread(std::vector<Mat3>& values) const { exchange_.spread(values); }
+  void update_ghosts(State& state) const;
+  void update_ghosts(std::vector<Vec3>& values) const { exchange_.update_ghosts(values); }
+  void update_ghosts(std::vector<Mat3>& values) const { exchange_.update_ghosts(values); }
   // True if any nodes on any rank are coupled by more than elements.
   bool coupled() const { return coupled_; }
   // True if this rank may compute forces on nodes of other ranks (contact of a line with a floating body).
@@ -101,7 +101,7 @@ class System {
   MatHandle create_matrix() const;
   // Refreshes the ghosts of a ghosted vector and copies its local values to `out` (3 * local blocks). False:
   // `out` already had these values.
-  bool gather(Vec u, std::vector<double>& out) const;
+  bool update_ghosts(Vec u, std::vector<double>& out) const;
 
   // r = sum of all terms at the trial state plus `carried` (3 * local blocks; empty: nothing). Held
   // components of r are zero; their values are kept as reactions().

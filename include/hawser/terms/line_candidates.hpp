@@ -8,7 +8,7 @@
 // Use by a term:
 //   refresh_couplings(k, h):  candidates.update(k, h), collective; true: the pairs have changed
 //   list_couplings(c):        candidates.list_couplings(c); then ghosts and matrix are made
-//   update_ghosts():          candidates.locate(): segments() now have local nodes
+//   renumber():               candidates.locate(): segments() now have local nodes
 //   check_step(k):            candidates.covers(k): the step missed no pair
 // Terms must keep history by ContactSegment::global, because indices of segments change with the list.
 #pragma once

@@ -65,7 +65,7 @@ class LinePairs final : public ForceTerm,
   std::string_view record_key() const override { return "line-line contact"; }
   bool refresh_couplings(const Kinematics& committed, double h) override;
   void list_couplings(Couplings& to) const override { candidates_.list_couplings(to); }
-  void update_ghosts() override;
+  void renumber() override;
   // Refuses a step that missed a contact or in which a line passed through another.
   Verdict check_step(const Kinematics& trial) const override;
   void prepare(const Kinematics& committed, double h) override;

@@ -29,7 +29,7 @@ class Links final : public ForceTerm, public CouplesFixedNodes, public ScalesRes
 
   std::string_view record_key() const override { return "links"; }
   void list_couplings(Couplings& to) const override;
-  void update_ghosts() override;
+  void renumber() override;
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;

@@ -34,7 +34,7 @@ class PlatformWater final : public ForceTerm,
 
   std::string_view record_key() const override { return "platforms in the sea"; }
   void list_couplings(Couplings& to) const override;
-  void update_ghosts() override;
+  void renumber() override;
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
