@@ -41,7 +41,7 @@ StaticSearch::StaticSearch(System& system, const StaticsSettings& settings, Stat
 }
 
 StaticsReport StaticSearch::run(bool near) {
-  if (!near) approach();
+  if (!near) soften_in_stages();
   State left;       // the equilibrium that was left last
   double push = 0;  // m, distance from it at which relaxation began
   for (;;) {
@@ -56,7 +56,7 @@ StaticsReport StaticSearch::run(bool near) {
     if (settings_.near || report_.negative_eigenvalues <= 0) break;
     // The same holds for drag. An equilibrium is therefore stable if relaxation returns to within the
     // distance of the push.
-    if (push > 0 && away(left) < push) {
+    if (push > 0 && distance_from(left) < push) {
       report_.negative_eigenvalues = -1;
       --report_.escapes;
       break;
@@ -67,8 +67,8 @@ StaticsReport StaticSearch::run(bool near) {
     perturb(report_.escapes);
     push = 0;
     if (!relaxation_) continue;
-    const double pushed = away(left);
-    if (rest()) push = pushed;
+    const double pushed = distance_from(left);
+    if (relax_from_push()) push = pushed;
   }
   polish();
   return report_;
@@ -86,7 +86,7 @@ void StaticSearch::residual() {
 
 void StaticSearch::tangent() { system_.tangent(state_.view(0), weights_, zero_, !exact_, J_.get()); }
 
-void StaticSearch::approach() {
+void StaticSearch::soften_in_stages() {
   residual();
   const double stiff = system_.axial_stiffness(), load = system_.dead_load();
   if (load == 0 || near(report_.norms)) return;
@@ -101,10 +101,10 @@ void StaticSearch::approach() {
 void StaticSearch::descend(double tolerance) {
   tolerance_ = tolerance;
   shift_ = kFirstShift;
-  cut_ = 0;
-  least_ = HUGE_VAL;
-  sides_.clear();
-  begun_ = report_.iterations;
+  blocked_steps_ = 0;
+  least_residual_ = HUGE_VAL;
+  kinks_.clear();
+  iterations_before_ = report_.iterations;
   const SNESConvergedReason reason = solve();
   if (reason < 0)
     throw_no_equilibrium(failure(reason == SNES_DIVERGED_MAX_IT ? advice::StaticsEnds::too_many_iterations
@@ -115,17 +115,17 @@ SNESConvergedReason StaticSearch::check_step(int iteration) {
   const bool others = prepare();  // pairs of lines that may touch change with the state
   system_.residual(state_.view(0), r_.get());
   if (others) report_.norms = system_.norms(r_.get());
-  if (others || layout_ != sides_layout_) sides_.clear();
-  sides_layout_ = layout_;
+  if (others || layout_ != kinks_layout_) kinks_.clear();
+  kinks_layout_ = layout_;
   check(VecCopy(r_.get(), f_.get()));
   energy_ = potential(state_);
-  report_.iterations = begun_ + iteration;
+  report_.iterations = iterations_before_ + iteration;
   if (settings_.progress) settings_.progress(report_);
-  least_ = std::min(least_, report_.norms.relative());
+  least_residual_ = std::min(least_residual_, report_.norms.relative());
   if (report_.norms.small(tolerance_)) return SNES_CONVERGED_FNORM_RELATIVE;
-  if (!sides_.empty()) {
-    sides_.evaluate(system_, state_, trial_);
-    if (sides_.norms(system_, f_.get()).small(tolerance_)) return SNES_CONVERGED_FNORM_RELATIVE;
+  if (!kinks_.empty()) {
+    kinks_.evaluate(system_, state_, trial_);
+    if (kinks_.norms(system_, f_.get()).small(tolerance_)) return SNES_CONVERGED_FNORM_RELATIVE;
   }
   if (iteration >= settings_.max_iterations) return SNES_DIVERGED_MAX_IT;
   const bool close = near(report_.norms);
@@ -154,7 +154,7 @@ bool StaticSearch::advance(Vec y) {
   if (found.taken) accept_trial();
   if (found.searched) residual();
   count_blocked(found.blocked);
-  if ((!found.taken && shift_ > 1e6) || cut_ > kMostCut)
+  if ((!found.taken && shift_ > 1e6) || blocked_steps_ > kMostCut)
     stop_search();
   else
     adapt_shift(found, close || limit_of_terms == 1);
@@ -162,9 +162,9 @@ bool StaticSearch::advance(Vec y) {
 }
 
 double StaticSearch::set_direction(Vec y) {
-  if (!sides_.empty()) sides_.combine(ksp_.get(), r_.get(), y);
+  if (!kinks_.empty()) kinks_.combine(ksp_.get(), r_.get(), y);
   const double slope = downhill(y);
-  return sides_.empty() ? slope : std::max(slope, sides_.slope(u_.get()));
+  return kinks_.empty() ? slope : std::max(slope, kinks_.slope(u_.get()));
 }
 
 StaticSearch::Descent StaticSearch::find_descent(double slope, double first, bool close) {
@@ -185,8 +185,8 @@ StaticSearch::Descent StaticSearch::find_descent(double slope, double first, boo
     out.bracket.narrow(out.factor, slope_there, slope);
     // Forces without a potential may raise the energy near the solution. The residual must then be smaller
     // than any before, which prevents cycles.
-    out.taken = energy_falls(e, slope, slope_there, out.factor) || (close && n.relative() < least_) ||
-                n.small(tolerance_);
+    out.taken = energy_falls(e, slope, slope_there, out.factor) ||
+                (close && n.relative() < least_residual_) || n.small(tolerance_);
     if (out.taken) report_.norms = n;
   }
   return out;
@@ -219,7 +219,7 @@ void StaticSearch::leave_kink(Descent& found, double slope, bool close) {
 // If lines block step after step, they approach each other more and more, and there is no way on.
 void StaticSearch::count_blocked(bool blocked) {
   if (!blocked) blocked_by_.reset();
-  cut_ += blocked;
+  blocked_steps_ += blocked;
 }
 
 void StaticSearch::stop_search() {
@@ -253,7 +253,7 @@ bool StaticSearch::stop_at_kink(Bracket at, double slope) {
   if (kink) {
     std::vector<double> from_state(local_);
     for (double& x : from_state) x *= at.beyond - at.under;
-    sides_.add(from_state, r_.get());
+    kinks_.add(from_state, r_.get());
     step(at.under);
   }
   return kink;
@@ -284,7 +284,7 @@ void StaticSearch::polish() {
 
 void StaticSearch::use_tangent(bool exact, double shift) {
   exact_ = exact;
-  used_ = shift;
+  tangent_shift_ = shift;
   PetscInt unknowns = 0;
   check(VecGetSize(u_.get(), &unknowns));
   const double unit = report_.norms.force_scale / std::sqrt(static_cast<double>(unknowns)) / length_;
@@ -303,7 +303,7 @@ double StaticSearch::downhill(Vec y) {
   PetscScalar rise = 0;
   check(VecDot(y, r_.get(), &rise));
   if (exact_ && !(rise > 0)) {
-    use_tangent(false, std::max(used_, 1e-6));
+    use_tangent(false, std::max(tangent_shift_, 1e-6));
     newton(y);
     check(VecDot(y, r_.get(), &rise));
   }
@@ -319,14 +319,14 @@ double StaticSearch::slope_at_trial() const {
   return slope;
 }
 
-double StaticSearch::away(const State& from) const {
+double StaticSearch::distance_from(const State& from) const {
   double far = 0;
   for (size_t n = 0; n < static_cast<size_t>(system_.mesh().owned); ++n)
     far = std::max(far, (state_.x[n] - from.x[n]).norm());
   return all_reduce(system_.comm(), MPI_MAX, far);
 }
 
-bool StaticSearch::rest() {
+bool StaticSearch::relax_from_push() {
   const RelaxationReport r = relax(system_, *relaxation_, state_);
   report_.iterations += r.iterations;
   report_.relaxation_steps += r.steps;
