@@ -43,7 +43,7 @@ bool Simulation::lays_lines() const { return seabed() && static_friction_.value_
 // Continues from the equilibrium with soft friction, under the weight of lines that lay at the start, through
 // stiffer friction to the law of dynamics; with `full` mobilisation under the contact forces found.
 void Simulation::follow_contact(StaticsSettings settings, StaticsReport& report) {
-  settings.near = true;
+  settings.starts_near = true;
   SeabedTerm& bed = *seabed();
   const auto solve = [&] {
     const StaticsReport more = find_equilibrium(*system_, settings, state_);

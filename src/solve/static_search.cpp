@@ -40,8 +40,8 @@ StaticSearch::StaticSearch(System& system, const StaticsSettings& settings, Stat
   check(SNESSetTolerances(snes_.get(), 0, 0, 0, settings.max_iterations + 1, PETSC_DEFAULT));
 }
 
-StaticsReport StaticSearch::run(bool near) {
-  if (!near) soften_in_stages();
+StaticsReport StaticSearch::run(bool skip_softening) {
+  if (!skip_softening) soften_in_stages();
   State left;       // the equilibrium that was left last
   double push = 0;  // m, distance from it at which relaxation began
   for (;;) {
@@ -53,7 +53,7 @@ StaticsReport StaticSearch::run(bool near) {
     check(KSPReset(ksp_.get()));
     report_.negative_eigenvalues = negative_eigenvalues(J_.get(), !system_.coupled());
     // Friction has an unsymmetric tangent; the inertia of its symmetric part does not decide on stability.
-    if (settings_.near || report_.negative_eigenvalues <= 0) break;
+    if (settings_.starts_near || report_.negative_eigenvalues <= 0) break;
     // The same holds for drag. An equilibrium is therefore stable if relaxation returns to within the
     // distance of the push.
     if (push > 0 && distance_from(left) < push) {
@@ -89,7 +89,7 @@ void StaticSearch::tangent() { system_.tangent(state_.view(0), weights_, zero_, 
 void StaticSearch::soften_in_stages() {
   residual();
   const double stiff = system_.axial_stiffness(), load = system_.dead_load();
-  if (load == 0 || near(report_.norms)) return;
+  if (load == 0 || tangent_trusted(report_.norms)) return;
   for (double soft = kSoft * load; soft < stiff; soft *= kStiffening) {
     system_.soften(soft);
     descend(1e-4);
@@ -128,7 +128,7 @@ SNESConvergedReason StaticSearch::check_step(int iteration) {
     if (kinks_.norms(system_, f_.get()).small(tolerance_)) return SNES_CONVERGED_FNORM_RELATIVE;
   }
   if (iteration >= settings_.max_iterations) return SNES_DIVERGED_MAX_IT;
-  const bool close = near(report_.norms);
+  const bool close = tangent_trusted(report_.norms);
   use_tangent(close, close && shift_ < 1e-5 ? 0 : shift_);
   return SNES_CONVERGED_ITERATING;
 }

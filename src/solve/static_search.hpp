@@ -19,9 +19,9 @@ class StaticSearch : StaticTrial {
   StaticSearch(System& system, const StaticsSettings& settings, State& state,
                const RelaxationSettings* relaxation = nullptr);
 
-  // near: the state is an equilibrium in which little has changed. Throws SolveError, or what
+  // skip_softening: the state is an equilibrium in which little has changed. Throws SolveError, or what
   // throw_no_equilibrium() throws.
-  StaticsReport run(bool near = false);
+  StaticsReport run(bool skip_softening = false);
   // Throws SolveError if the squares of the forces at the start overflow, from which no step can recover.
   void check_start();
 

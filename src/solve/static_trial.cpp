@@ -105,7 +105,7 @@ double StaticTrial::potential(const State& s) const {
 
 // The residual is compared with dead loads, not with internal forces: a straight compressed line that is
 // longer than its span is in balance except for its weight.
-bool StaticTrial::near(const ResidualNorms& n) const {
+bool StaticTrial::tangent_trusted(const ResidualNorms& n) const {
   const double load = system_.dead_load() / std::sqrt(static_cast<double>(system_.mesh().mesh->nodes()));
   return load > 0 ? n.force < kNear * load && n.moment < kNear * std::max(n.moment_scale, load * length_)
                   : n.relative() < kNear;

@@ -43,10 +43,10 @@ StaticsReport relaxed(System& system, const StaticsSettings& settings, State& st
   }
   r.pushed = 0;
   for (;;) {
-    State near = state;
+    State candidate = state;
     try {
-      StaticsReport report = StaticSearch(system, settings, near, &r).run(true);
-      state = std::move(near);
+      StaticsReport report = StaticSearch(system, settings, candidate, &r).run(true);
+      state = std::move(candidate);
       report.iterations += rest.iterations;
       report.relaxation_steps += rest.steps;
       return report;
@@ -109,7 +109,7 @@ enum class Method { newton, relaxation };
 // The methods to try, in this order.
 std::vector<Method> methods(const StaticsSettings& settings) {
   if (settings.relaxation == RelaxationUse::never) return {Method::newton};
-  if (settings.near) return {Method::newton, Method::relaxation};
+  if (settings.starts_near) return {Method::newton, Method::relaxation};
   if (settings.relaxation == RelaxationUse::always) return {Method::relaxation};
   if (settings.relaxation == RelaxationUse::first) return {Method::relaxation, Method::newton};
   return {Method::newton, Method::relaxation};
@@ -125,9 +125,9 @@ StaticsReport first_equilibrium(System& system, const StaticsSettings& settings,
     const bool last = failures.size() + 1 == order.size();
     try {
       if (method == Method::relaxation) return relaxed(system, settings, state);
-      return StaticSearch(system, settings, state).run(settings.near);
+      return StaticSearch(system, settings, state).run(settings.starts_near);
     } catch (const PathBlocked& blocked) {
-      if (last || settings.near) throw;
+      if (last || settings.starts_near) throw;
       failures.emplace_back(blocked.what());
     } catch (const SolveError& failure) {
       if (order.size() == 1) throw;

@@ -72,7 +72,7 @@ class StaticTrial {
   // Strain energy and potential over all ranks, J.
   double potential(const State& s) const;
   // True if the residual is small enough for the exact tangent.
-  bool near(const ResidualNorms& n) const;
+  bool tangent_trusted(const ResidualNorms& n) const;
 
   void push(int attempt, double share, State& s) const;
 

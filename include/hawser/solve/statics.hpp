@@ -32,8 +32,8 @@ struct StaticsReport {
 struct StaticsSettings {
   double tolerance = 1e-8;  // of the residual, relative to its contributions
   int max_iterations = 500;
-  bool near = false;  // `state` is near an equilibrium: the search does not begin with soft lines
-  RelaxationUse relaxation = RelaxationUse::when_newton_fails;  // not with `near`
+  bool starts_near = false;  // `state` is near an equilibrium: the search does not begin with soft lines
+  RelaxationUse relaxation = RelaxationUse::when_newton_fails;  // not with `starts_near`
   int relaxation_steps = 5000;                                  // at most
   // Friction of contact acts along the path: relaxation alone is used, and it commits the terms step by step.
   bool friction = false;
