@@ -51,9 +51,9 @@ void Dynamics::match_tied_velocities(const TiedNodes& before, State& s) {
   last_step_ = 0;
   prepare(h);
   s = committed_.s;  // the copy has the ghosts that prepare() has created
-  VecHandle rest;
-  check(VecDuplicate(r_.get(), rest.out()));
-  system_.residual(s.view(h), rest.get());
+  VecHandle before_impact;
+  check(VecDuplicate(r_.get(), before_impact.out()));
+  system_.residual(s.view(h), before_impact.get());
   State impacted = s;
   for (const int n : caught) {
     const size_t i = static_cast<size_t>(n);
@@ -63,7 +63,7 @@ void Dynamics::match_tied_velocities(const TiedNodes& before, State& s) {
   system_.update_ghosts(impacted);
   // Forces are linear in accelerations: this residual is larger by M dv.
   system_.residual(impacted.view(h), r_.get());
-  check(VecAXPY(r_.get(), -1, rest.get()));
+  check(VecAXPY(r_.get(), -1, before_impact.get()));
   const std::vector<double> zero(3 * static_cast<size_t>(m.blocks()), 0);
   system_.tangent(s.view(h), {0, 0, 1}, zero, false, J_.get());
   const std::vector<double> less = solve_masses();

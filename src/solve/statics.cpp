@@ -31,15 +31,15 @@ StaticsReport relaxed(System& system, const StaticsSettings& settings, State& st
   RelaxationSettings r;
   r.max_steps = settings.relaxation_steps;
   pass_on_progress(settings, r);
-  RelaxationReport rest;
+  RelaxationReport relaxed;
   const State from = state;
   try {
-    rest = relax(system, r, state);
+    relaxed = relax(system, r, state);
   } catch (const SolveError&) {  // the start shape may have been in a plane or have had another symmetry
     state = from;
     system.update_ghosts(state);
     r.pushed = 1;
-    rest = relax(system, r, state);
+    relaxed = relax(system, r, state);
   }
   r.pushed = 0;
   for (;;) {
@@ -47,8 +47,8 @@ StaticsReport relaxed(System& system, const StaticsSettings& settings, State& st
     try {
       StaticsReport report = StaticSearch(system, settings, candidate, &r).run(true);
       state = std::move(candidate);
-      report.iterations += rest.iterations;
-      report.relaxation_steps += rest.steps;
+      report.iterations += relaxed.iterations;
+      report.relaxation_steps += relaxed.steps;
       return report;
     } catch (const SolveError&) {
       // Newton's iteration needs a start nearer to the equilibrium.
@@ -57,8 +57,8 @@ StaticsReport relaxed(System& system, const StaticsSettings& settings, State& st
     }
     system.update_ghosts(state);
     const RelaxationReport more = relax(system, r, state);
-    rest.steps += more.steps;
-    rest.iterations += more.iterations;
+    relaxed.steps += more.steps;
+    relaxed.iterations += more.iterations;
   }
 }
 
@@ -94,10 +94,10 @@ StaticsReport against_friction(System& system, const StaticsSettings& settings, 
   pass_on_progress(settings, r);
   StaticsReport report;
   for (int round = 0;; ++round) {
-    const RelaxationReport rest = relax(system, r, state);
-    report.iterations += rest.iterations;
-    report.relaxation_steps += rest.steps;
-    report.norms = rest.norms;
+    const RelaxationReport relaxed = relax(system, r, state);
+    report.iterations += relaxed.iterations;
+    report.relaxation_steps += relaxed.steps;
+    report.norms = relaxed.norms;
     if (!system.raise_stiffness(state.view(0))) return report;
     if (round == kMostRaises) throw SolveError(advice::automatic_stiffness_unsettled());
     start.again(state);
