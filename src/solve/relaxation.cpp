@@ -174,7 +174,7 @@ class Relaxation : StaticTrial {
     system_.tangent(trial_.view(0), weights, local_, false, J_.get());
     kinks_.add_to(system_, J_.get());
   }
-  SNESConvergedReason check_step(int iteration) override {
+  SNESConvergedReason test_convergence(int iteration) override {
     const ResidualNorms norms = system_.norms(r_.get());
     if (iteration == 0) {
       hopeless_ = kHopeless * std::max(norms.relative(), 1e-6);

@@ -111,7 +111,7 @@ void StaticSearch::descend(double tolerance) {
                                                                 : advice::StaticsEnds::no_descent));
 }
 
-SNESConvergedReason StaticSearch::check_step(int iteration) {
+SNESConvergedReason StaticSearch::test_convergence(int iteration) {
   const bool others = prepare();  // pairs of lines that may touch change with the state
   system_.residual(state_.view(0), r_.get());
   if (others) report_.norms = system_.norms(r_.get());

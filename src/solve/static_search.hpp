@@ -28,7 +28,7 @@ class StaticSearch : StaticTrial {
  private:
   void residual() override;  // at the state, because the increment is always zero
   void tangent() override;
-  SNESConvergedReason check_step(int iteration) override;
+  SNESConvergedReason test_convergence(int iteration) override;
   static PetscErrorCode search(SNESLineSearch search, void* self);
 
   // If the axial stiffness is far above the forces, finds the equilibrium with softer lines first, and that

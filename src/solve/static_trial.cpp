@@ -44,7 +44,7 @@ StaticTrial::StaticTrial(System& system, State& state) : system_(system), state_
       snes_.get(),
       [](SNES, PetscInt it, PetscReal, PetscReal, PetscReal, SNESConvergedReason* reason, void* self) {
         auto& s = *static_cast<StaticTrial*>(self);
-        return s.error_.capture([&] { *reason = s.check_step(static_cast<int>(it)); });
+        return s.error_.capture([&] { *reason = s.test_convergence(static_cast<int>(it)); });
       },
       this, nullptr));
   check(SNESSetFromOptions(snes_.get()));

@@ -39,7 +39,7 @@ class StaticTrial {
   // The tangent there, to J_:
   virtual void tangent() = 0;
   // Called before every iteration; returns whether it is the last.
-  virtual SNESConvergedReason check_step(int iteration) = 0;
+  virtual SNESConvergedReason test_convergence(int iteration) = 0;
 
   // Runs Newton's method from the state and returns why it ended. Throws what the functions above throw.
   SNESConvergedReason solve();
