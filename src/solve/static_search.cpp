@@ -111,7 +111,7 @@ void StaticSearch::descend(double tolerance) {
                                                                 : advice::StaticsEnds::no_descent));
 }
 
-SNESConvergedReason StaticSearch::test_convergence(int iteration) {
+void StaticSearch::begin_iteration(int iteration) {
   const bool others = prepare();  // pairs of lines that may touch change with the state
   system_.residual(state_.view(0), r_.get());
   if (others) report_.norms = system_.norms(r_.get());
@@ -122,6 +122,11 @@ SNESConvergedReason StaticSearch::test_convergence(int iteration) {
   report_.iterations = iterations_before_ + iteration;
   if (settings_.progress) settings_.progress(report_);
   least_residual_ = std::min(least_residual_, report_.norms.relative());
+}
+
+// Selects the tangent of the iteration, too.
+SNESConvergedReason StaticSearch::test_convergence(int iteration) {
+  begin_iteration(iteration);
   if (report_.norms.small(tolerance_)) return SNES_CONVERGED_FNORM_RELATIVE;
   if (!kinks_.empty()) {
     kinks_.evaluate(system_, state_, trial_);

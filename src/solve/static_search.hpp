@@ -29,6 +29,8 @@ class StaticSearch : StaticTrial {
   void residual() override;  // at the state, because the increment is always zero
   void tangent() override;
   SNESConvergedReason test_convergence(int iteration) override;
+  // Prepares the terms, and evaluates residual and energy of the state.
+  void begin_iteration(int iteration);
   static PetscErrorCode search(SNESLineSearch search, void* self);
 
   // If the axial stiffness is far above the forces, finds the equilibrium with softer lines first, and that

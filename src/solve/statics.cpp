@@ -1,5 +1,11 @@
-// The search for static equilibrium: Newton's descent, dynamic relaxation if it fails, and raises of contact
-// stiffness.
+// The order of the search for static equilibrium (docs/theory/statics.md):
+//   find_equilibrium
+//     restart_when_stiffened  from the start, when contact was too soft to keep a line out of a volume
+//       raise_until_enough    from the equilibrium, while it requires stiffer contact
+//         try_methods         from the start, with the next method when one fails
+//           StaticSearch      Newton's descent
+//           relax_then_newton
+//           relax_with_friction
 #include "hawser/solve/statics.hpp"
 
 #include <cmath>
@@ -27,7 +33,7 @@ void pass_on_progress(const StaticsSettings& settings, RelaxationSettings& r) {
   };
 }
 
-StaticsReport relaxed(System& system, const StaticsSettings& settings, State& state) {
+StaticsReport relax_then_newton(System& system, const StaticsSettings& settings, State& state) {
   RelaxationSettings r;
   r.max_steps = settings.relaxation_steps;
   pass_on_progress(settings, r);
@@ -85,8 +91,8 @@ class Start {
 // used. If contact was too soft on that path, lines were drawn into it, and friction would hold them while
 // they are pressed out again. The path is therefore repeated from the start with the stiffness that its end
 // requires.
-StaticsReport against_friction(System& system, const StaticsSettings& settings, const Start& start,
-                               State& state) {
+StaticsReport relax_with_friction(System& system, const StaticsSettings& settings, const Start& start,
+                                  State& state) {
   RelaxationSettings r;
   r.max_steps = settings.relaxation_steps;
   r.tolerance = settings.tolerance;
@@ -115,16 +121,15 @@ std::vector<Method> methods(const StaticsSettings& settings) {
   return {Method::newton, Method::relaxation};
 }
 
-StaticsReport first_equilibrium(System& system, const StaticsSettings& settings, const Start& start,
-                                State& state) {
-  if (settings.friction) return against_friction(system, settings, start, state);
+StaticsReport try_methods(System& system, const StaticsSettings& settings, const Start& start, State& state) {
+  if (settings.friction) return relax_with_friction(system, settings, start, state);
   const std::vector<Method> order = methods(settings);
   std::vector<std::string> failures;
   for (const Method method : order) {
     if (!failures.empty()) start.again(state);
     const bool last = failures.size() + 1 == order.size();
     try {
-      if (method == Method::relaxation) return relaxed(system, settings, state);
+      if (method == Method::relaxation) return relax_then_newton(system, settings, state);
       return StaticSearch(system, settings, state).run(settings.starts_near);
     } catch (const PathBlocked& blocked) {
       if (last || settings.starts_near) throw;
@@ -138,9 +143,9 @@ StaticsReport first_equilibrium(System& system, const StaticsSettings& settings,
 }
 
 // Raises the contact stiffness until the equilibrium requires no more.
-StaticsReport stiff_equilibrium(System& system, const StaticsSettings& settings, const Start& start,
-                                State& state) {
-  StaticsReport report = first_equilibrium(system, settings, start, state);
+StaticsReport raise_until_enough(System& system, const StaticsSettings& settings, const Start& start,
+                                 State& state) {
+  StaticsReport report = try_methods(system, settings, start, state);
   for (int round = 0; system.raise_stiffness(state.view(0)); ++round) {
     if (round == kMostRaises) throw SolveError(advice::automatic_stiffness_unsettled());
     const StaticsReport more = StaticSearch(system, settings, state).run(true);
@@ -154,11 +159,11 @@ StaticsReport stiff_equilibrium(System& system, const StaticsSettings& settings,
 
 // If contact is far too soft, lines would be drawn through volumes. Steps that do so are rejected; if no step
 // is left, contact is made stiffer and the search begins again.
-StaticsReport outside_volumes(System& system, const StaticsSettings& settings, State& state) {
+StaticsReport restart_when_stiffened(System& system, const StaticsSettings& settings, State& state) {
   const Start start(system, state);
   for (;;) {
     try {
-      return stiff_equilibrium(system, settings, start, state);
+      return raise_until_enough(system, settings, start, state);
     } catch (const StiffnessRaised&) {
       start.again(state);
     }
@@ -171,7 +176,7 @@ StaticsReport find_equilibrium(System& system, const StaticsSettings& settings, 
   const size_t n = state.x.size();
   for (auto* a : {&state.v, &state.a, &state.w, &state.alpha}) a->assign(n, Vec3::Zero());
   StaticSearch(system, settings, state).check_start();
-  const StaticsReport report = outside_volumes(system, settings, state);
+  const StaticsReport report = restart_when_stiffened(system, settings, state);
   if (const auto found = system.overstretched(state.view(0)))
     throw SolveError(advice::overstretched_in_statics(*found));
   if (const auto found = system.lost_in_rounding(state.view(0)))

@@ -38,7 +38,7 @@ class StaticTrial {
   virtual void residual() = 0;
   // The tangent there, to J_:
   virtual void tangent() = 0;
-  // Called before every iteration; returns whether it is the last.
+  // Called before every iteration, after the residual; returns whether it is the last.
   virtual SNESConvergedReason test_convergence(int iteration) = 0;
 
   // Runs Newton's method from the state and returns why it ended. Throws what the functions above throw.
