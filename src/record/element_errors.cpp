@@ -133,7 +133,7 @@ void ElementErrors::update(const Kinematics& at, const Values& values) {
     const std::span<const At> nodes(nodes_of_line, static_cast<size_t>(line.nodes));
     const int first = inside[l][0], last = line.elements - inside[l][1];  // elements outside of feeders
     update_sag(line, nodes, first, last, at.time, lines_[l].sag);
-    if (!at.moves()) update_lifts(line, nodes, first, last, at.time, lines_[l].lift);
+    if (!at.after_step()) update_lifts(line, nodes, first, last, at.time, lines_[l].lift);
     if (!values.moment.empty()) update_bends(line, nodes, first, last, at.time, lines_[l].bend);
   };
   std::vector<At> nodes;

@@ -79,8 +79,8 @@ io::ResultContents Recorder::declared(std::vector<io::VolumeMesh> volumes, io::R
   return std::move(all.contents);
 }
 
-Snapshot Recorder::snapshot(const Kinematics& at, const StepInfo& info, double moving_step) const {
-  return {subject_, at, info, moving_step, fields_.values(), fields_.ends(), fields_.end_forces(), audit_};
+Snapshot Recorder::snapshot(const Kinematics& at, const StepInfo& info) const {
+  return {subject_, at, info, fields_.values(), fields_.ends(), fields_.end_forces(), audit_};
 }
 
 void Recorder::fill(const Snapshot& s, bool all) {
@@ -97,20 +97,20 @@ void Recorder::stage(size_t place, const Kinematics& at) {
   write_output(static_cast<double>(place) - last, s, {});
 }
 
-void Recorder::start(const Kinematics& at, const Kinematics& shown, double first_step) {
+void Recorder::start(const Kinematics& at, const Kinematics& shown) {
   start_ = sum_of(subject_.comm(), subject_.system.energy(at));
   if (subject_.model.statics.enabled) {
     const Snapshot s = snapshot(shown);
     fill(s, false);
     for (const auto& r : recordings_) r->start(s);
   }
-  step({}, at, 0, shown, first_step);
+  step({}, at, 0, shown);
   output(shown);
 }
 
-void Recorder::step(const StepInfo& info, const Kinematics& at, double support_work, const Kinematics& shown,
-                    double moving_step) {
-  const Snapshot s = snapshot(shown, info, moving_step);
+void Recorder::step(const StepInfo& info, const Kinematics& at, double support_work,
+                    const Kinematics& shown) {
+  const Snapshot s = snapshot(shown, info);
   fill(s, false);
   stepped_ = true;
   Energy share = subject_.system.energy(at);

@@ -48,7 +48,7 @@ double WaterErrors::Group::bears() const {
 }
 
 void WaterErrors::update_sampled(const Kinematics& at) {
-  if (at.moves() && ++steps_ < kSteps) return;
+  if (at.after_step() && ++steps_ < kSteps) return;
   steps_ = 0;
   update(at);
 }

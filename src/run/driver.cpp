@@ -181,10 +181,7 @@ void start_motion(Simulation& sim, Events& events, record::Recorder& recorder, P
   sim.dynamics().start(sim.state());
   const Kinematics moving = sim.dynamics().kinematics();
   // A start at rest is shown at rest: the velocities with which motions begin come after it.
-  if (sim.model().statics.enabled)
-    recorder.start(moving, sim.state().view(0));
-  else
-    recorder.start(moving, moving, sim.dynamics().control().proposal());
+  recorder.start(moving, sim.model().statics.enabled ? sim.state().at_rest() : moving);
   sim.state() = State();  // the motion has its own
   recorder.checkpoint(make_checkpoint(sim, recorder, events));
 }
@@ -248,7 +245,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
     try {
       const Stage stage("statics");
       solve_static_stages(sim, events, progress, [&](size_t k) {
-        if (k + 1 < c.stages.size()) recorder_of().stage(k, sim.state().view(0));
+        if (k + 1 < c.stages.size()) recorder_of().stage(k, sim.state().at_rest());
       });
     } catch (const SolveError& e) {
       if (made) finish_failed(*made, progress, e);
@@ -267,7 +264,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   } else if (c.dynamics.enabled) {
     start_motion(sim, events, recorder, progress);
   } else {
-    recorder.start(sim.state().view(0), sim.state().view(0));
+    recorder.start(sim.state().at_rest(), sim.state().at_rest());
   }
 
   if (c.dynamics.enabled) print_remarks(recorder, progress);

@@ -221,14 +221,14 @@ void FeederNodes::shift(Feeder& f, double by) {
     refuse_all_out(f, f.time);
     if (f.feed_point > 0 && f.length >= mesh_length + kLeft * all.element_length(f, f.feed_point - 1)) {
       std::optional<Dynamics::Moved> moved;
-      if (const LocalElement* e = all.at_feed_point(f)) moved = leaving(f, state.view(0), *e);
+      if (const LocalElement* e = all.at_feed_point(f)) moved = leaving(f, state.at_rest(), *e);
       put(moved);
       set(f.feed_point - 1, f.length - mesh_length);
     } else if (f.length <= kCaught * mesh_length) {
       refuse_all_in(f, f.time);
       const double next = all.element_length(f, f.feed_point + 1);
       double length = 0;
-      put(caught(f, state.view(0), length));
+      put(caught(f, state.at_rest(), length));
       set(f.feed_point + 1, f.length + next);
     } else {
       break;

@@ -26,7 +26,7 @@ constexpr double kFirstStep = 0.02, kNextStep = 1e-3;  // of the length
 }  // namespace
 
 AtRest at_rest(MPI_Comm comm, Simulation& sim) {
-  const Kinematics at = sim.state().view(0);
+  const Kinematics at = sim.state().at_rest();
   const LocalMesh& local = sim.local();
   std::vector<Vec3> carried(static_cast<size_t>(local.nodes()), Vec3::Zero());
   const FieldRegistry fields = sim.system().fields();

@@ -18,13 +18,10 @@ constexpr double kFarthest = 0.1;
 
 void Dynamics::transfer_node(const std::function<std::optional<Moved>()>& change,
                              const std::function<std::vector<TiedNode>()>& nodes) {
-  // Directly after an event there is no last step. The forces are then those at the beginning of the next
-  // step (see start), not those of statics.
-  const double h = last_step_ > 0 ? last_step_ : control_.proposal();
-  const auto forces = [this, h] {
+  const auto forces = [this] {
     State s = committed_.s;
     s.mean = {};
-    system_.residual(s.view(h), r_.get());
+    system_.residual(before_step(s, control_.proposal()), r_.get());
   };
   prepare(control_.proposal());  // for the committed state, which has not changed
   forces();
@@ -57,7 +54,7 @@ void Dynamics::transfer_node(const std::function<std::optional<Moved>()>& change
   prepare(control_.proposal());  // The feed point is at another element, which can touch other bodies.
   mean.resize(mean_.q.size(), 0);
   all.resize(reactions_.size(), 0);
-  if (settles >= 0) settle(settles, h);
+  if (settles >= 0) settle(settles);
   forces();
   const auto add = [](std::vector<double>& to, const std::vector<double>& now,
                       const std::vector<double>& before) {
@@ -73,7 +70,7 @@ void Dynamics::transfer_node(const std::function<std::optional<Moved>()>& change
 // Finds the position (and rotation) at which the forces on this node alone are in balance, by Newton's
 // method. This accounts for the sag of the element that the node divides and for the part of the tension that
 // the element's own weight causes.
-void Dynamics::settle(int node, double h) {
+void Dynamics::settle(int node) {
   const LocalMesh& m = system_.mesh();
   const int n = m.find(node);
   const bool own = n >= 0 && n < m.owned;
@@ -81,8 +78,9 @@ void Dynamics::settle(int node, double h) {
   for (int i = 0; i < kMostSettling; ++i) {
     State s = committed_.s;
     s.mean = {};
-    system_.residual(s.view(h), r_.get());
-    system_.tangent(s.view(h), {1, 0, 0}, zero, false, J_.get());
+    const Kinematics at = before_step(s, control_.proposal());
+    system_.residual(at, r_.get());
+    system_.tangent(at, {1, 0, 0}, zero, false, J_.get());
     double going = 0;
     if (own) {
       const int block = m.block[static_cast<size_t>(n)], size = m.rotates(n) ? 6 : 3;

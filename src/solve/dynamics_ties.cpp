@@ -53,7 +53,7 @@ void Dynamics::match_tied_velocities(const TiedNodes& before, State& s) {
   s = committed_.s;  // the copy has the ghosts that prepare() has created
   VecHandle before_impact;
   check(VecDuplicate(r_.get(), before_impact.out()));
-  system_.residual(s.view(h), before_impact.get());
+  system_.residual(s.at_start(h), before_impact.get());
   State impacted = s;
   for (const int n : caught) {
     const size_t i = static_cast<size_t>(n);
@@ -62,10 +62,10 @@ void Dynamics::match_tied_velocities(const TiedNodes& before, State& s) {
   }
   system_.update_ghosts(impacted);
   // Forces are linear in accelerations: this residual is larger by M dv.
-  system_.residual(impacted.view(h), r_.get());
+  system_.residual(impacted.at_start(h), r_.get());
   check(VecAXPY(r_.get(), -1, before_impact.get()));
   const std::vector<double> zero(3 * static_cast<size_t>(m.blocks()), 0);
-  system_.tangent(s.view(h), {0, 0, 1}, zero, false, J_.get());
+  system_.tangent(s.at_start(h), {0, 0, 1}, zero, false, J_.get());
   const std::vector<double> less = solve_masses();
   for (size_t i = 0; i < s.x.size(); ++i) {
     const double* p = less.data() + 3 * m.block[i];

@@ -55,7 +55,7 @@ class Relaxation : StaticTrial {
     if (settings_.pushed > 0) perturb(settings_.pushed);
     while (true) {
       prepare();
-      system_.residual(state_.view(0), r_.get());
+      system_.residual(state_.at_rest(), r_.get());
       report.norms = system_.norms(r_.get());
       if (settings_.progress) settings_.progress(report);
       if (report.norms.small(settings_.tolerance)) return report;
@@ -77,7 +77,7 @@ class Relaxation : StaticTrial {
       if (iterations <= kEasyIterations) weigh(kLighter);
       if (kinks_.active() && rests_on_kinks(report)) return report;
       if (settings_.friction) {
-        system_.commit(state_.view(0));
+        system_.commit(state_.at_rest());
         check_bodies();
         continue;
       }
@@ -159,7 +159,7 @@ class Relaxation : StaticTrial {
       return;
     }
     step(1);
-    system_.residual(trial_.view(0), r_.get());
+    system_.residual(trial_.at_rest(), r_.get());
     PetscScalar* r = nullptr;
     check(VecGetArray(r_.get(), &r));
     for (size_t i = 0; i < momentum_.size(); ++i)
@@ -171,7 +171,7 @@ class Relaxation : StaticTrial {
     Weights weights;
     weights.shift_position = mass_;
     weights.shift_rotation = mass_ * length_ * length_;
-    system_.tangent(trial_.view(0), weights, local_, false, J_.get());
+    system_.tangent(trial_.at_rest(), weights, local_, false, J_.get());
     kinks_.add_to(system_, J_.get());
   }
   SNESConvergedReason test_convergence(int iteration) override {
@@ -191,10 +191,10 @@ class Relaxation : StaticTrial {
 
   // True if the residual of the accepted state consists of jumps of forces only.
   bool rests_on_kinks(RelaxationReport& report) {
-    system_.residual(state_.view(0), r_.get());
+    system_.residual(state_.at_rest(), r_.get());
     if (!kinks_.norms_without_jumps(system_, r_.get(), length_).small(settings_.tolerance)) return false;
     report.norms = system_.norms(r_.get());
-    if (settings_.friction) system_.commit(state_.view(0));
+    if (settings_.friction) system_.commit(state_.at_rest());
     return true;
   }
 

@@ -80,11 +80,11 @@ void StaticSearch::check_start() {
 }
 
 void StaticSearch::residual() {
-  system_.residual(state_.view(0), r_.get());
+  system_.residual(state_.at_rest(), r_.get());
   report_.norms = system_.norms(r_.get());
 }
 
-void StaticSearch::tangent() { system_.tangent(state_.view(0), weights_, zero_, !exact_, J_.get()); }
+void StaticSearch::tangent() { system_.tangent(state_.at_rest(), weights_, zero_, !exact_, J_.get()); }
 
 void StaticSearch::soften_in_stages() {
   residual();
@@ -113,7 +113,7 @@ void StaticSearch::descend(double tolerance) {
 
 void StaticSearch::begin_iteration(int iteration) {
   const bool others = prepare();  // pairs of lines that may touch change with the state
-  system_.residual(state_.view(0), r_.get());
+  system_.residual(state_.at_rest(), r_.get());
   if (others) report_.norms = system_.norms(r_.get());
   if (others || layout_ != kinks_layout_) kinks_.clear();
   kinks_layout_ = layout_;
@@ -183,7 +183,7 @@ StaticSearch::Descent StaticSearch::find_descent(double slope, double first, boo
       continue;
     }
     const double e = potential(trial_);
-    system_.residual(trial_.view(0), r_.get());
+    system_.residual(trial_.at_rest(), r_.get());
     const ResidualNorms n = system_.norms(r_.get());
     if (!std::isfinite(e) || !std::isfinite(n.force)) continue;
     const double slope_there = slope_at_trial();
@@ -249,7 +249,7 @@ bool StaticSearch::stop_at_kink(Bracket at, double slope) {
   while (at.beyond - at.under > width) {
     const double middle = 0.5 * (at.under + at.beyond);
     step(middle);
-    system_.residual(trial_.view(0), r_.get());
+    system_.residual(trial_.at_rest(), r_.get());
     const double there = slope_at_trial();
     (there > 0 ? at.beyond : at.under) = middle;
     (there > 0 ? at.rises : at.falls) = there;
@@ -273,7 +273,7 @@ void StaticSearch::polish() {
     if (limit() < 1) break;
     step(1);
     if (!path_is_clear()) break;
-    system_.residual(trial_.view(0), r_.get());
+    system_.residual(trial_.at_rest(), r_.get());
     // The residual is reduced below its round-off, too: for nearly inextensible lines the bound of the
     // round-off can be as large as the pull of an anchor.
     const auto size = [](ResidualNorms n) {

@@ -83,13 +83,13 @@ void StaticTrial::build() {
 }
 
 bool StaticTrial::prepare() {
-  const CouplingChange c = system_.update_couplings(state_.view(0), 0);
+  const CouplingChange c = system_.update_couplings(state_.at_rest(), 0);
   if (c == CouplingChange::layout_changed) {
     build();
     system_.update_ghosts(state_);
     trial_ = state_;
   }
-  system_.prepare(state_.view(0), 0);
+  system_.prepare(state_.at_rest(), 0);
   return c != CouplingChange::unchanged;
 }
 
@@ -99,7 +99,7 @@ double StaticTrial::sum(double x) const {
 }
 
 double StaticTrial::potential(const State& s) const {
-  const Energy e = system_.energy(s.view(0));
+  const Energy e = system_.energy(s.at_rest());
   return sum(e.strain + e.potential);
 }
 
@@ -139,12 +139,12 @@ bool StaticTrial::path_is_clear() {
     }
     return v.accepted();
   };
-  const Verdict verdict = system_.check_step(trial_.view(0));
+  const Verdict verdict = system_.check_step(trial_.at_rest());
   if (verdict.kind != Verdict::Kind::prepare_again) return passes(verdict);
   const LocalMesh& m = system_.mesh();
   // With this step the predicted path ends at the trial.
-  if (system_.update_couplings(straight_path(m, state_, trial_, 1).view(0), 1 / CandidateSettings{}.steps) ==
-      CouplingChange::layout_changed) {
+  if (system_.update_couplings(straight_path(m, state_, trial_, 1).at_rest(),
+                               1 / CandidateSettings{}.steps) == CouplingChange::layout_changed) {
     std::vector<double> u(local_.begin(), local_.begin() + 3 * m.owned_blocks);
     build();
     system_.update_ghosts(state_);
@@ -157,14 +157,14 @@ bool StaticTrial::path_is_clear() {
     }
     system_.update_ghosts(u_.get(), local_);
   }
-  system_.prepare(state_.view(0), 0);
-  return passes(system_.check_step(trial_.view(0)));
+  system_.prepare(state_.at_rest(), 0);
+  return passes(system_.check_step(trial_.at_rest()));
 }
 
 void StaticTrial::throw_no_equilibrium(const std::string& why) {
   if (!blocked_by_) throw SolveError(why);
   system_.update_ghosts(blocked_);
-  if (system_.raise_stiffness_where_blocked(blocked_.view(0))) throw StiffnessRaised();
+  if (system_.raise_stiffness_where_blocked(blocked_.at_rest())) throw StiffnessRaised();
   throw PathBlocked(advice::path_blocked(first_text(system_.comm(), advice::clause(*blocked_by_))));
 }
 

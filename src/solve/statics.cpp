@@ -104,7 +104,7 @@ StaticsReport relax_with_friction(System& system, const StaticsSettings& setting
     report.iterations += relaxed.iterations;
     report.relaxation_steps += relaxed.steps;
     report.norms = relaxed.norms;
-    if (!system.raise_stiffness(state.view(0))) return report;
+    if (!system.raise_stiffness(state.at_rest())) return report;
     if (round == kMostRaises) throw SolveError(advice::automatic_stiffness_unsettled());
     start.again(state);
   }
@@ -146,7 +146,7 @@ StaticsReport try_methods(System& system, const StaticsSettings& settings, const
 StaticsReport raise_until_enough(System& system, const StaticsSettings& settings, const Start& start,
                                  State& state) {
   StaticsReport report = try_methods(system, settings, start, state);
-  for (int round = 0; system.raise_stiffness(state.view(0)); ++round) {
+  for (int round = 0; system.raise_stiffness(state.at_rest()); ++round) {
     if (round == kMostRaises) throw SolveError(advice::automatic_stiffness_unsettled());
     const StaticsReport more = StaticSearch(system, settings, state).run(true);
     report.iterations += more.iterations;
@@ -177,11 +177,11 @@ StaticsReport find_equilibrium(System& system, const StaticsSettings& settings, 
   for (auto* a : {&state.v, &state.a, &state.w, &state.alpha}) a->assign(n, Vec3::Zero());
   StaticSearch(system, settings, state).check_start();
   const StaticsReport report = restart_when_stiffened(system, settings, state);
-  if (const auto found = system.overstretched(state.view(0)))
+  if (const auto found = system.overstretched(state.at_rest()))
     throw SolveError(advice::overstretched_in_statics(*found));
-  if (const auto found = system.lost_in_rounding(state.view(0)))
+  if (const auto found = system.lost_in_rounding(state.at_rest()))
     throw SolveError(advice::tension_lost_in_statics(*found));
-  system.commit(state.view(0));
+  system.commit(state.at_rest());
   return report;
 }
 

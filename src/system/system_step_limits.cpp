@@ -44,7 +44,7 @@ StepLimit System::longest_step(const Kinematics& committed, const StoredMotion& 
   // compared with it.
   const auto growth_limit = [&](std::span<LineMotion> lines) {
     energy_tolerance_ = energy_tolerance(lines.first(lines_));
-    return growth_limited_step(lines.last(lines_), energy_tolerance_, stored.share, committed.step);
+    return growth_limited_step(lines.last(lines_), energy_tolerance_, stored.share, committed.last_step());
   };
   std::vector<LineMotion> lines = shares;
   sum_cut_lines({numbers_of(std::span(lines).first(lines_)), numbers_of(std::span(lines).last(lines_))});

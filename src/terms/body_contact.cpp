@@ -317,12 +317,12 @@ void BodyContactTerm::commit(const Kinematics& accepted) {
   }
 }
 
-// In dynamics the energy of the committed state, in statics that of the trial.
+// After a step the energy of the committed state, in statics that of the trial.
 Energy BodyContactTerm::energy(const Kinematics& at) const {
   Energy e;
   for (const Pair& p : pairs_) {
     if (!p.counted) continue;
-    e.strain += at.moves() ? p.potential : contact(p, both(p, at), kSprings).potential;
+    e.strain += at.after_step() ? p.potential : contact(p, both(p, at), kSprings).potential;
     e.damping += p.damping;
     e.friction += p.dissipated;
     e.work += p.work;

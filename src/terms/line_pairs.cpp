@@ -241,13 +241,14 @@ void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, 
   }
 }
 
-// In dynamics the energy of the committed state; in statics that of the trial, which the line search reduces.
+// After a step the energy of the committed state; in statics that of the trial, which the line search
+// reduces.
 Energy LinePairs::energy(const Kinematics& at) const {
   Energy e;
-  const std::vector<Rod> moved = at.moves() ? std::vector<Rod>{} : rods(at);
+  const std::vector<Rod> moved = at.after_step() ? std::vector<Rod>{} : rods(at);
   for (const Pair& p : pairs_) {
     if (!p.counted) continue;
-    if (at.moves()) {
+    if (at.after_step()) {
       if (p.points)
         for (const auto& part : *p.points)
           for (const LinePairContactPoint& h : part) e.strain += h.weight * h.potential;

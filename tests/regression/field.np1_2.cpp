@@ -77,7 +77,7 @@ TEST(Field, IsShownAsDeclared) {
     sim.solve_statics();
     record::Recorder recorder(sim.subject(), {}, {});
     sim.dynamics().start(sim.state());
-    recorder.start(sim.dynamics().kinematics(), sim.state().view(0));
+    recorder.start(sim.dynamics().kinematics(), sim.state().at_rest());
     sim.dynamics().run(
         1, [](double) { return 1.0; },
         [&](const StepInfo& info) {

@@ -79,10 +79,10 @@ template <class Configure>
 Solved solve(MPI_Comm comm, const model::Case& c, const Configure& configure) {
   Simulation s(comm, c);
   System& system = s.system();
-  if (system.update_couplings(s.state().view(0), 0) == CouplingChange::layout_changed)
+  if (system.update_couplings(s.state().at_rest(), 0) == CouplingChange::layout_changed)
     system.update_ghosts(s.state());
   EXPECT_TRUE(system.coupled());
-  system.prepare(s.state().view(0), 0);
+  system.prepare(s.state().at_rest(), 0);
   const LocalMesh& m = system.mesh();
   const MatHandle J = system.create_matrix();
   VecHandle b = system.create_vector(), x = system.create_vector();
@@ -94,7 +94,7 @@ Solved solve(MPI_Comm comm, const model::Case& c, const Configure& configure) {
   for (const double mass : {1.0, 400.0}) {
     Weights w;
     w.M = mass;
-    system.tangent(s.state().view(0), w, zero, false, J.get());
+    system.tangent(s.state().at_rest(), w, zero, false, J.get());
     PetscScalar* p = nullptr;
     check(VecGetArray(b.get(), &p));
     for (int n = 0; n < m.owned; ++n)

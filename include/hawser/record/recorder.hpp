@@ -27,12 +27,11 @@ class Recorder {
   // time.
   void stage(size_t place, const Kinematics& at);
   // The beginning of a run: the state `at`, from which energies count and which may move already, and the one
-  // that is shown for it, the first step and output: its static equilibrium where there is one. Where it is
-  // the motion that is shown, first_step [s] is the step of the forces that its accelerations are of, else 0.
-  void start(const Kinematics& at, const Kinematics& shown, double first_step = 0);
+  // that is shown for it, the first step and output: its static equilibrium where there is one.
+  void start(const Kinematics& at, const Kinematics& shown);
   // Every accepted step. Collective.
   void step(const StepInfo& info, const Kinematics& at, double support_work) {
-    step(info, at, support_work, at, at.step);
+    step(info, at, support_work, at);
   }
   // Writes all fields of a state; after a step it must be the state of that step.
   void output(const Kinematics& at);
@@ -58,13 +57,12 @@ class Recorder {
  private:
   io::ResultContents declared(std::vector<io::VolumeMesh> volumes, io::RunInfo run);
   void restore(const io::Checkpoint& from);
-  Snapshot snapshot(const Kinematics& at, const StepInfo& info = {}, double moving_step = 0) const;
+  Snapshot snapshot(const Kinematics& at, const StepInfo& info = {}) const;
   void fill(const Snapshot& s, bool all);
   void find_worst(const Snapshot& s);
   void gather_warnings(const std::vector<io::SummaryRow>& rows);
   double passed_through(double h) const;
-  void step(const StepInfo& info, const Kinematics& at, double support_work, const Kinematics& shown,
-            double moving_step);
+  void step(const StepInfo& info, const Kinematics& at, double support_work, const Kinematics& shown);
   void write_output(double time, const Snapshot& s, const io::ClashTables& clashes);
   io::ClashTables take_clashes() { return clashes_ ? clashes_->take() : io::ClashTables{}; }
 

@@ -44,11 +44,10 @@ class Rows {
 // An accepted state and its data.
 class Snapshot {
  public:
-  Snapshot(const Subject& subject, const Kinematics& state, const StepInfo& info, double forces_step,
-           const Values& of_nodes, const Values& of_ends, const EndForces& forces, const Audit& energies)
+  Snapshot(const Subject& subject, const Kinematics& state, const StepInfo& info, const Values& of_nodes,
+           const Values& of_ends, const EndForces& forces, const Audit& energies)
       : at(state),
         step(info),
-        moving_step(forces_step),
         values(of_nodes),
         ends(of_ends),
         end_forces(forces),
@@ -56,8 +55,7 @@ class Snapshot {
         subject_(subject) {}
 
   const Kinematics& at;
-  const StepInfo step;       // that led to this state; of length 0: none did
-  const double moving_step;  // s, of the forces that belong to its accelerations; 0: it is at rest in statics
+  const StepInfo step;  // that led to this state; of length 0: none did
   const Values &values, &ends;
   const EndForces& end_forces;
   const Audit& audit;

@@ -78,7 +78,7 @@ class StructureTerm final : public ForceTerm,
     std::vector<double> trial;  // element at the feed point with its trial length, in the element's order
   };
   // accepted: the lengths are those at the end of the step.
-  void update_from_feeders(double step, bool accepted = false);
+  void update_from_feeders(const Kinematics& at, bool accepted = false);
   static CableSection shown(const Cable& c, const Kinematics& at);  // section for output
   void carry_bends(Beam& b, const FedLine& f, double to);
   void keep_hauled_in(const Beam& b, const FedLine& f);
