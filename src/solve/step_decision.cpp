@@ -3,6 +3,7 @@
 // events.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "hawser/advice/steps.hpp"
 #include "hawser/base/error.hpp"
@@ -62,21 +63,22 @@ Verdict Dynamics::check_step() {
   const Kinematics trial = trial_.s.after_step(h_);
   const NodeValue turn = alpha_turn(system_.mesh(), local_u_);
   const int over = turned_over(system_.mesh(), kinematics(), trial);
-  enum : size_t { kError, kTurn, kOver, kOverstretch };
-  double most[] = {alpha_error(system_.mesh(), alpha_, h_, committed_, trial_, settings_.strictness),
-                   turn.value, static_cast<double>(over), system_.overstretch(trial).beyond};
-  Verdict verdict = system_.check_step(trial, control_.divides(h_), most);
-  tries_.info.error = most[kError];
-  tries_.overstretched = most[kOverstretch] > 0;
-  if (most[kTurn] > M_PI) {  // The same orientation would have another increment, in the opposite direction.
+  double error = alpha_error(system_.mesh(), alpha_, h_, committed_, trial_, settings_.strictness);
+  double largest_turn = turn.value, node_turned_over = over, beyond = system_.overstretch(trial).beyond;
+  RankMax of_ranks;
+  for (double* number : {&error, &largest_turn, &node_turned_over, &beyond}) of_ranks.add(*number);
+  Verdict verdict = system_.check_step(trial, control_.divides(h_), std::move(of_ranks));
+  tries_.info.error = error;
+  tries_.overstretched = beyond > 0;
+  if (largest_turn > M_PI) {  // The same orientation would have another increment, in the opposite direction.
     NodeValue worst = turn;
     MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, system_.comm());
     return {Kind::shorter,
             advice::TurnsTooFar{system_.mesh().mesh->place(static_cast<int>(worst.node)), worst.value}};
   }
-  if (most[kOver] >= 0)
+  if (node_turned_over >= 0)
     return {Kind::shorter,
-            advice::ElementTurnsOver{system_.mesh().mesh->place(static_cast<int>(most[kOver]))}};
+            advice::ElementTurnsOver{system_.mesh().mesh->place(static_cast<int>(node_turned_over))}};
   return verdict;
 }
 

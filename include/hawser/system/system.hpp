@@ -12,6 +12,7 @@
 
 #include "hawser/advice/steps.hpp"
 #include "hawser/base/handle.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/state.hpp"
 #include "hawser/system/fed_lines.hpp"
@@ -92,9 +93,9 @@ class System {
   bool sends() const { return coupled_ && mesh_.mesh->has_frames(); }
   // Checks a converged step or a trial of statics. Returns the most severe verdict of all terms and ranks,
   // the same on all ranks; its finding is on ranks that have it. impacts: also whether the step resolved its
-  // impacts, including those that were not predicted when longest_step() was called. largest: numbers of the
-  // caller, each replaced by the maximum over all ranks. Collective.
-  Verdict check_step(const Kinematics& trial, bool impacts = false, std::span<double> largest = {});
+  // impacts, including those that were not predicted when longest_step() was called. together: numbers of the
+  // caller for the same reduction over the ranks. Collective.
+  Verdict check_step(const Kinematics& trial, bool impacts = false, RankMax together = {});
 
   // A ghosted increment vector (blocks of 3) and the tangent with the pattern of chains and couplings.
   VecHandle create_vector() const;
