@@ -91,8 +91,9 @@ void ElementErrors::declare(Declarations& to) {
   tension_ = find_field(fields, "effective_tension");
   moment_ = find_field(fields, "bending_moment");
   pressed_ = find_field(fields, "contact_normal_force");
-  for (const char* name : {"contact_normal_force", "line_contact_normal_force", "seabed_force"})
-    if (const int f = find_field(fields, name); f >= 0) touches_.emplace_back(f, fields[f].components);
+  for (size_t f = 0; f < fields.size(); ++f)
+    if (fields[f].contact_with != advice::ContactWith::nothing)
+      touches_.emplace_back(static_cast<int>(f), fields[f].components);
 }
 
 void ElementErrors::output(const Snapshot& s) {

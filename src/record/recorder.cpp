@@ -116,7 +116,9 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
   Energy share = subject_.system.energy(at);
   share.work += support_work;
   const Energy now = sum_of(subject_.comm(), share);
-  if (audit_.update(start_, now, info.time, info.h, passed_through(info.h)) && info.h > 0) find_worst(s);
+  const auto* feeders = subject_.term<Feeders>();
+  const double passed = feeders ? feeders->passed_through(fields_.end_forces().at_feeders(), info.h) : 0;
+  if (audit_.update(start_, now, info.time, info.h, passed) && info.h > 0) find_worst(s);
   for (const auto& r : recordings_) r->step(s);
   if (info.time < rows_from_ - time_tolerance(info.time)) return;
   if (rows_every_ > 0) rows_from_ = next_multiple(info.time, rows_every_);
@@ -125,35 +127,19 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
   file_->append_series(info.time, std::move(rows).gathered(subject_.comm()));
 }
 
-// Work [J] in a step that one feeder does on its line while another removes it, on the same line or another.
-double Recorder::passed_through(double h) const {
-  double gross = 0, net = 0;
-  if (const auto* feeders = subject_.term<Feeders>())
-    for (size_t k = 0; k < feeders->all().size(); ++k) {
-      const double work = fields_.end_forces().at_feeders()[k] * feeders->all()[k].speed * h;
-      gross += std::abs(work);
-      net += work;
-    }
-  return gross - std::abs(net);
-}
-
 // Finds the place where the step with most created energy changed the motion most, and the force there.
 void Recorder::find_worst(const Snapshot& s) {
   using With = Audit::Step::ContactWith;
-  const std::pair<const char*, With> kinds[] = {{"contact_normal_force", With::volume},
-                                                {"line_contact_normal_force", With::line},
-                                                {"seabed_force", With::seabed}};
   fill(s, true);
   const NodeValue most = subject_.dynamics().largest_acceleration_change();
   int with = 0;
   const int n = subject_.local().find(most.node);
   if (subject_.local().owns(n))
-    for (size_t f = 2; f < s.values.size() && with == 0; ++f) {
+    for (size_t f = 0; f < s.values.size() && with == 0; ++f) {
       const Field& field = fields_.fields()[f];
       double size = 0;
       for (int c = 0; c < field.components; ++c) size += std::abs(s.values[f][n * field.components + c]);
-      for (const auto& [name, kind] : kinds)
-        if (size != 0 && field.name == name) with = static_cast<int>(kind);
+      if (size != 0) with = static_cast<int>(field.contact_with);
     }
   all_reduce(subject_.comm(), MPI_MAX, with);
   audit_.located(most.node, static_cast<With>(with));

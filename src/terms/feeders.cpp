@@ -363,6 +363,16 @@ void Feeders::commit(const Kinematics& accepted) {
   }
 }
 
+double Feeders::passed_through(std::span<const double> pulls, double h) const {
+  double gross = 0, net = 0;
+  for (size_t k = 0; k < feeders_.size(); ++k) {
+    const double work = pulls[k] * feeders_[k].speed * h;
+    gross += std::abs(work);
+    net += work;
+  }
+  return gross - std::abs(net);
+}
+
 // Work of the weight of the element at the feed point from the origin to its place, J.
 double Feeders::load_work(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const {
   const size_t i = e.first, j = e.second;

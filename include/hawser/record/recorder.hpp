@@ -61,7 +61,6 @@ class Recorder {
   void fill(const Snapshot& s, bool all);
   void find_worst(const Snapshot& s);
   void gather_warnings(const std::vector<io::SummaryRow>& rows);
-  double passed_through(double h) const;
   void step(const StepInfo& info, const Kinematics& at, double support_work, const Kinematics& shown);
   void write_output(double time, const Snapshot& s, const io::ClashTables& clashes);
   io::ClashTables take_clashes() { return clashes_ ? clashes_->take() : io::ClashTables{}; }
