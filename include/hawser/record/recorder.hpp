@@ -46,7 +46,7 @@ class Recorder {
   // Findings since the last call that a user should get before the run ends; the same on all ranks.
   std::vector<std::string> remarks();
   // Clash report as text, on rank 0 after finish(); empty: no clashes.
-  std::string clash_table() const { return clashes_ ? clashes_->table() : ""; }
+  std::string clash_table() const;
   // Warnings for the user after finish(), for example deep penetration or created energy.
   const std::vector<std::string>& warnings() const { return warnings_; }
   const io::ResultsFile& file() const { return *file_; }
@@ -63,12 +63,11 @@ class Recorder {
   void gather_warnings(const std::vector<io::SummaryRow>& rows);
   void step(const StepInfo& info, const Kinematics& at, double support_work, const Kinematics& shown);
   void write_output(double time, const Snapshot& s, const io::ClashTables& clashes);
-  io::ClashTables take_clashes() { return clashes_ ? clashes_->take() : io::ClashTables{}; }
+  io::ClashTables take_clashes();
 
   const Subject subject_;
   NodeFields fields_;
-  std::vector<std::unique_ptr<Recording>> recordings_;
-  HasClashes* clashes_ = nullptr;      // the recording with clashes; null: none
+  Recordings recordings_;
   bool stepped_ = false;               // field values are those of the last step
   double rows_every_, rows_from_ = 0;  // s, for the histories; 0: every step
   std::unique_ptr<io::ResultsFile> file_;

@@ -125,21 +125,14 @@ class Recording {
   }
 };
 
-// Interface of a recording with clashes, which have their own tables in the results file.
-class HasClashes {
- public:
-  virtual ~HasClashes() = default;
-  // Clashes for the next output, on rank 0. Collective.
-  virtual io::ClashTables take() = 0;
-  // Clashes written by outputs so far, on rank 0. A new file begins with none.
-  virtual const io::ReportedClashes& reported() const = 0;
-  virtual void begin_file() = 0;
-  // Text on rank 0 after take(); empty: no clashes.
-  virtual std::string table() const = 0;
-};
+class ClashReport;
 
-// All recordings of a case, in the order of their series in the results file. Subject and forces outlive
-// them. Collective.
-std::vector<std::unique_ptr<Recording>> recordings(const Subject& subject, const EndForces& forces);
+// All recordings of a case, in the order of their series in the results file.
+struct Recordings {
+  std::vector<std::unique_ptr<Recording>> all;
+  ClashReport* clashes = nullptr;  // one of them, which has its own tables in the file; null: none
+};
+// Subject and forces outlive them. Collective.
+Recordings recordings(const Subject& subject, const EndForces& forces);
 
 }  // namespace hawser::record
