@@ -52,7 +52,7 @@ class Relaxation : StaticTrial {
     RelaxationReport report;
     double least = 0, kinetic = 0;
     int free = 0;  // steps since the last rejection
-    if (settings_.pushed > 0) perturb(settings_.pushed);
+    if (settings_.pushed > 0) push_state(settings_.pushed);
     while (true) {
       prepare();
       system_.residual(state_.at_rest(), r_.get());
@@ -144,7 +144,7 @@ class Relaxation : StaticTrial {
   double kinetic_energy() const {
     double e = 0;
     for (size_t i = 0; i < momentum_.size(); ++i) e += 0.5 * mass(i / 3) * momentum_[i] * momentum_[i];
-    return sum(e);
+    return sum_of_ranks(e);
   }
   void copy_momentum() {
     std::copy(local_.begin(), local_.begin() + static_cast<std::ptrdiff_t>(momentum_.size()),
@@ -154,11 +154,11 @@ class Relaxation : StaticTrial {
   // Residual of the trial with inertia forces. An increment that is far too large, or is not a number, is a
   // domain error.
   void residual() override {
-    if (!(limit() > 0.1)) {
+    if (!(largest_factor() > 0.1)) {
       check(SNESSetFunctionDomainError(snes_.get()));
       return;
     }
-    step(1);
+    move_trial(1);
     system_.residual(trial_.at_rest(), r_.get());
     PetscScalar* r = nullptr;
     check(VecGetArray(r_.get(), &r));
@@ -207,13 +207,13 @@ class Relaxation : StaticTrial {
     PetscInt solutions = 0;
     check(SNESGetLinearSolveIterations(snes_.get(), &solutions));
     const int it = kinks_.active() ? kinks_.smooth_iterations() : std::max(1, static_cast<int>(solutions));
-    if (!solved || limit() < 1 || !path_is_clear()) return -it;
+    if (!solved || largest_factor() < 1 || !path_is_clear()) return -it;
     if (settings_.friction) return it;  // friction has no potential
     // An exact step of a convex potential reduces the energy. If the energy has grown, the step has led
     // elsewhere.
     double motion = 0;
     for (size_t i = 0; i < momentum_.size(); ++i) motion += 0.5 * mass(i / 3) * local_[i] * local_[i];
-    const double after = potential(trial_) + sum(motion);
+    const double after = potential(trial_) + sum_of_ranks(motion);
     return after <= before + 1e-6 * std::abs(before) ? it : -it;
   }
 

@@ -64,7 +64,7 @@ StaticsReport StaticSearch::run(bool skip_softening) {
     if (report_.escapes == kMaxEscapes) break;
     ++report_.escapes;
     left = state_;
-    perturb(report_.escapes);
+    push_state(report_.escapes);
     push = 0;
     if (!relaxation_) continue;
     const double pushed = distance_from(left);
@@ -153,8 +153,8 @@ PetscErrorCode StaticSearch::search(SNESLineSearch search, void* self) {
 bool StaticSearch::advance(Vec y) {
   const bool close = exact_;
   const double slope = set_direction(y);
-  const double limit_of_terms = limit();
-  Descent found = find_descent(slope, limit_of_terms, close);
+  const double largest = largest_factor();
+  Descent found = find_descent(slope, largest, close);
   leave_kink(found, slope, close);
   if (found.taken) accept_trial();
   if (found.searched) residual();
@@ -162,7 +162,7 @@ bool StaticSearch::advance(Vec y) {
   if ((!found.taken && shift_ > 1e6) || blocked_steps_ > kMostCut)
     stop_search();
   else
-    adapt_shift(found, close || limit_of_terms == 1);
+    adapt_shift(found, close || largest == 1);
   return found.taken;
 }
 
@@ -177,7 +177,7 @@ StaticSearch::Descent StaticSearch::find_descent(double slope, double first, boo
   out.factor = first;
   out.bracket = {0, slope, 0, 0};
   for (; out.halvings < kHalvings && !out.taken; ++out.halvings, out.factor *= out.taken ? 1 : 0.5) {
-    step(out.factor);
+    move_trial(out.factor);
     if (!path_is_clear()) {
       out.blocked = true;
       continue;
@@ -217,7 +217,7 @@ void StaticSearch::leave_kink(Descent& found, double slope, bool close) {
       close && slope < 0 && found.bracket.rises > 0 && (!found.taken || found.factor <= kShortened);
   if (!found.searched) return;
   const bool kink = stop_at_kink(found.bracket, slope);
-  if (found.taken && !kink) step(found.factor);  // back to the trial before the search
+  if (found.taken && !kink) move_trial(found.factor);  // back to the trial before the search
   found.taken |= kink;
 }
 
@@ -248,7 +248,7 @@ bool StaticSearch::stop_at_kink(Bracket at, double slope) {
   const double width = std::min(1e-3 * at.beyond, kWidth * length_ / far);
   while (at.beyond - at.under > width) {
     const double middle = 0.5 * (at.under + at.beyond);
-    step(middle);
+    move_trial(middle);
     system_.residual(trial_.at_rest(), r_.get());
     const double there = slope_at_trial();
     (there > 0 ? at.beyond : at.under) = middle;
@@ -259,7 +259,7 @@ bool StaticSearch::stop_at_kink(Bracket at, double slope) {
     std::vector<double> from_state(local_);
     for (double& x : from_state) x *= at.beyond - at.under;
     kinks_.add(from_state, r_.get());
-    step(at.under);
+    move_trial(at.under);
   }
   return kink;
 }
@@ -270,8 +270,8 @@ void StaticSearch::polish() {
     use_tangent(true, 0);
     newton(u_.get());
     downhill(u_.get());
-    if (limit() < 1) break;
-    step(1);
+    if (largest_factor() < 1) break;
+    move_trial(1);
     if (!path_is_clear()) break;
     system_.residual(trial_.at_rest(), r_.get());
     // The residual is reduced below its round-off, too: for nearly inextensible lines the bound of the

@@ -93,14 +93,14 @@ bool StaticTrial::prepare() {
   return c != CouplingChange::unchanged;
 }
 
-double StaticTrial::sum(double x) const {
+double StaticTrial::sum_of_ranks(double x) const {
   all_reduce(system_.comm(), MPI_SUM, x);
   return x;
 }
 
 double StaticTrial::potential(const State& s) const {
   const Energy e = system_.energy(s.at_rest());
-  return sum(e.strain + e.potential);
+  return sum_of_ranks(e.strain + e.potential);
 }
 
 // The residual is compared with dead loads, not with internal forces: a straight compressed line that is
@@ -111,7 +111,7 @@ bool StaticTrial::tangent_trusted(const ResidualNorms& n) const {
                   : n.relative() < kNear;
 }
 
-double StaticTrial::limit() const {
+double StaticTrial::largest_factor() const {
   double x = 0, turn = 0;
   const LocalMesh& m = system_.mesh();
   for (int n = 0; n < m.owned; ++n) {
@@ -124,7 +124,7 @@ double StaticTrial::limit() const {
   return worst > 1 ? 1 / worst : 1;
 }
 
-void StaticTrial::step(double factor) {
+void StaticTrial::move_trial(double factor) {
   std::vector<double> u(local_);
   for (double& x : u) x *= factor;
   retract(system_.mesh(), state_, u.data(), trial_);
@@ -168,18 +168,18 @@ void StaticTrial::throw_no_equilibrium(const std::string& why) {
   throw PathBlocked(advice::path_blocked(first_text(system_.comm(), advice::clause(*blocked_by_))));
 }
 
-void StaticTrial::perturb(int attempt) {
+void StaticTrial::push_state(int attempt) {
   double share = 1;
   for (int k = 0; k < kMostHalvings; ++k, share *= 0.5) {
     trial_ = state_;
-    push(attempt, share, trial_);
+    displace(attempt, share, trial_);
     if (!path_is_clear()) continue;
     accept_trial();
     return;
   }
 }
 
-void StaticTrial::push(int attempt, double share, State& s) const {
+void StaticTrial::displace(int attempt, double share, State& s) const {
   const LocalMesh& m = system_.mesh();
   for (int n = 0; n < m.nodes(); ++n) {
     const size_t i = n;

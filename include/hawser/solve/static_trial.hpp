@@ -49,9 +49,9 @@ class StaticTrial {
   bool prepare();
   // Largest fraction of the increment local_ for which displacements are at most 5 % of the longest line and
   // rotations at most half a radian.
-  double limit() const;
+  double largest_factor() const;
   // trial_ = state_ moved by `factor` times local_.
-  void step(double factor);
+  void move_trial(double factor);
   // Whether, on the straight path from the state to the trial, no line goes through another or through a
   // volume, or deeper into a volume than its contact law is for. Chooses new candidates if the present ones
   // do not cover that path.
@@ -62,19 +62,19 @@ class StaticTrial {
   // Pushes the state away from a saddle point, by a fixed displacement field without symmetry that does not
   // depend on the ranks. It increases with `attempt` (1, 2, ...) and is reduced if lines would pass through
   // each other.
-  void perturb(int attempt);
+  void push_state(int attempt);
   void accept_trial() {
     std::swap(state_.x, trial_.x);
     std::swap(state_.q, trial_.q);
   }
 
-  double sum(double x) const;
+  double sum_of_ranks(double x) const;
   // Strain energy and potential over all ranks, J.
   double potential(const State& s) const;
   // True if the residual is small enough for the exact tangent.
   bool tangent_trusted(const ResidualNorms& n) const;
 
-  void push(int attempt, double share, State& s) const;
+  void displace(int attempt, double share, State& s) const;
 
   System& system_;
   State& state_;
