@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 
 namespace hawser::io {
 

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/io/checkpoint.hpp"
 #include "hawser/io/hdf5.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/io/results.hpp"
 
 namespace hawser::io {

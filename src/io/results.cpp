@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/base/share_of_time.hpp"
 #include "hawser/io/old_results.hpp"
 #include "hawser/io/results_build.hpp"

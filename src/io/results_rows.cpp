@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/io/write_error.hpp"
 
 namespace hawser::io {

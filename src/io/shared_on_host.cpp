@@ -6,7 +6,7 @@
 #include <string>
 
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 
 namespace hawser::io {
 

@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 
 namespace hawser::record {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/record/contact_points.hpp"
 #include "hawser/terms/body_contact.hpp"

@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/kernels/contact_intervals.hpp"
 #include "hawser/mesh/arc.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "hawser/advice/limits.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/record/contact_points.hpp"
 
 namespace hawser::record {

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/angle_between.hpp"
 #include "hawser/record/line_extremes.hpp"
 

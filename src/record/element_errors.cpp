@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "hawser/advice/input_warnings.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/angle_between.hpp"
 #include "hawser/record/line_extremes.hpp"
 
@@ -91,8 +91,9 @@ void ElementErrors::declare(Declarations& to) {
   tension_ = find_field(fields, "effective_tension");
   moment_ = find_field(fields, "bending_moment");
   pressed_ = find_field(fields, "contact_normal_force");
-  for (const char* name : {"contact_normal_force", "line_contact_normal_force", "seabed_force"})
-    if (const int f = find_field(fields, name); f >= 0) touches_.emplace_back(f, fields[f].components);
+  for (size_t f = 0; f < fields.size(); ++f)
+    if (fields[f].contact_with != advice::ContactWith::nothing)
+      touches_.emplace_back(static_cast<int>(f), fields[f].components);
 }
 
 void ElementErrors::output(const Snapshot& s) {
@@ -133,7 +134,7 @@ void ElementErrors::update(const Kinematics& at, const Values& values) {
     const std::span<const At> nodes(nodes_of_line, static_cast<size_t>(line.nodes));
     const int first = inside[l][0], last = line.elements - inside[l][1];  // elements outside of feeders
     update_sag(line, nodes, first, last, at.time, lines_[l].sag);
-    if (!at.moves()) update_lifts(line, nodes, first, last, at.time, lines_[l].lift);
+    if (!at.after_step()) update_lifts(line, nodes, first, last, at.time, lines_[l].lift);
     if (!values.moment.empty()) update_bends(line, nodes, first, last, at.time, lines_[l].bend);
   };
   std::vector<At> nodes;

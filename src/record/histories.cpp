@@ -6,7 +6,7 @@
 #include <ranges>
 #include <utility>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/declination.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
@@ -178,8 +178,7 @@ std::vector<std::string> Histories::load_components(int body) const {
 
 // Empty on ranks that do not own the body.
 std::vector<double> Histories::body_row(int body, const Snapshot& s) const {
-  Kinematics at = s.at;
-  at.step = s.moving_step;
+  const Kinematics& at = s.at;
   const auto p = body_pose(subject_.bodies, subject_.local(), body, at);
   const int rank = rank_of(subject_.comm());
   if (!p || (!subject_.bodies.floats(body) && rank != 0)) return {};

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "hawser/advice/limits.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/terms/feeders.hpp"
 
 namespace hawser::record {

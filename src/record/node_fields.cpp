@@ -101,12 +101,8 @@ void NodeFields::correct_ends(const Kinematics& at) {
   for (const int f : carriers_)
     for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n)
       carried[n] += Eigen::Map<const Vec3>(values_[f].data() + 3 * n).cwiseAbs();
-  if (!carriers_.empty()) subject_.system.spread(carried);
-  // A dynamic run without statics has no step yet, but forces of motion, such as waves, act.
-  Kinematics now = at;
-  if (!subject_.model.statics.enabled && subject_.model.dynamics.enabled && now.step == 0)
-    now.step = subject_.dynamics().control().proposal();
-  end_forces_.evaluate(now, carried);
+  if (!carriers_.empty()) subject_.system.update_ghosts(carried);
+  end_forces_.evaluate(at, carried);
 
   for (auto& e : ends_) e.clear();
   for (const EndForces::SectionNode& p : end_forces_.places()) {
@@ -133,7 +129,7 @@ void NodeFields::correct_ends(const Kinematics& at) {
     const Vec3 rows[] = {p.sign() * s.force, s.direction, p.sign() * s.moment};
     for (size_t f = 0; f < ends_.size(); ++f) ends_[f].insert(ends_[f].end(), rows[f].begin(), rows[f].end());
   }
-  peaks_.fill(now, values_);
+  peaks_.fill(at, values_);
 }
 
 }  // namespace hawser::record

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "hawser/advice/limits.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 
 namespace hawser::record {
 namespace {

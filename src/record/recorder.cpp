@@ -8,8 +8,9 @@
 #include <utility>
 
 #include "hawser/advice/input_warnings.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/record/audit_checkpoint.hpp"
+#include "hawser/record/clash_report.hpp"
 #include "hawser/record/output_times.hpp"
 #include "hawser/record/result_parts.hpp"
 #include "hawser/terms/feeders.hpp"
@@ -28,8 +29,6 @@ Recorder::Recorder(Subject subject, std::vector<io::VolumeMesh> volumes, io::Run
       fields_(subject_),
       recordings_(recordings(subject_, fields_.end_forces())),
       rows_every_(subject_.model.output.history_every) {
-  for (const auto& r : recordings_)
-    if (auto* clashes = dynamic_cast<HasClashes*>(r.get())) clashes_ = clashes;
   io::ResultContents contents = declared(std::move(volumes), std::move(run));
   if (!write) {
     planned_ = std::move(contents);
@@ -39,18 +38,19 @@ Recorder::Recorder(Subject subject, std::vector<io::VolumeMesh> volumes, io::Run
   std::vector<int> owned(local.global.begin(), local.global.begin() + local.owned);
   const std::string& path = subject_.model.output.file;
   if (from) restore(*from);
-  if (clashes_ && !append) clashes_->begin_file();
+  ClashReport* const clashes = recordings_.clashes;
+  if (clashes && !append) clashes->begin_file();
   file_ = std::make_unique<io::ResultsFile>(
       append
           ? io::ResultsFile::resume(subject_.comm(), path, std::move(contents), std::move(owned), from->time,
-                                    from->sequence, clashes_ ? clashes_->reported() : io::ReportedClashes{})
+                                    from->sequence, clashes ? clashes->reported() : io::ReportedClashes{})
           : io::ResultsFile::create(subject_.comm(), path, std::move(contents), std::move(owned)));
 }
 
 io::ResultContents Recorder::declared(std::vector<io::VolumeMesh> volumes, io::RunInfo run) {
   const model::Case& c = subject_.model;
   const Mesh& mesh = subject_.mesh();
-  for (const auto& r : recordings_) r->add_fields(fields_.fields());
+  for (const auto& r : recordings_.all) r->add_fields(fields_.fields());
   Declarations all;
   io::ResultContents& contents = all.contents;
   contents.run = std::move(run);
@@ -68,92 +68,78 @@ io::ResultContents Recorder::declared(std::vector<io::VolumeMesh> volumes, io::R
     contents.ranks.resize(static_cast<size_t>(mesh.line_nodes()));
   }
   for (const auto& b : c.bodies) contents.bodies.push_back(b.name);
-  contents.clashes = clashes_ != nullptr;
+  contents.clashes = recordings_.clashes != nullptr;
   contents.free_bodies = mesh.nodes() - mesh.line_nodes();
   // Unused capacity is free; rebuilding a file costs a copy.
   const io::ExpectedRows rows = expected_rows(c);
   contents.expected_outputs = static_cast<int>(std::min(rows.outputs + 2, kMostRoom));
   contents.expected_steps = static_cast<int>(std::min(1.1 * rows.steps + 100, kMostRoom));
-  for (const auto& r : recordings_) r->declare(all);
+  for (const auto& r : recordings_.all) r->declare(all);
   fields_.begin(all.every_step);
   return std::move(all.contents);
 }
 
-Snapshot Recorder::snapshot(const Kinematics& at, const StepInfo& info, double moving_step) const {
-  return {subject_, at, info, moving_step, fields_.values(), fields_.ends(), fields_.end_forces(), audit_};
+Snapshot Recorder::snapshot(const Kinematics& at, const StepInfo& info) const {
+  return {subject_, at, info, fields_.values(), fields_.ends(), fields_.end_forces(), audit_};
 }
 
 void Recorder::fill(const Snapshot& s, bool all) {
   fields_.fill(s.at, all);
-  for (const auto& r : recordings_) r->fill(s, fields_.values());
+  for (const auto& r : recordings_.all) r->fill(s, fields_.values());
 }
 
 // Stages have no time: the last has 0, each one before it a second less.
 void Recorder::stage(size_t place, const Kinematics& at) {
   const Snapshot s = snapshot(at);
   fill(s, true);
-  for (const auto& r : recordings_) r->stage(s);
+  for (const auto& r : recordings_.all) r->stage(s);
   const double last = static_cast<double>(subject_.model.stages.size()) - 1;
   write_output(static_cast<double>(place) - last, s, {});
 }
 
-void Recorder::start(const Kinematics& at, const Kinematics& shown, double first_step) {
+void Recorder::start(const Kinematics& at, const Kinematics& shown) {
   start_ = sum_of(subject_.comm(), subject_.system.energy(at));
   if (subject_.model.statics.enabled) {
     const Snapshot s = snapshot(shown);
     fill(s, false);
-    for (const auto& r : recordings_) r->start(s);
+    for (const auto& r : recordings_.all) r->start(s);
   }
-  step({}, at, 0, shown, first_step);
+  step({}, at, 0, shown);
   output(shown);
 }
 
-void Recorder::step(const StepInfo& info, const Kinematics& at, double support_work, const Kinematics& shown,
-                    double moving_step) {
-  const Snapshot s = snapshot(shown, info, moving_step);
+void Recorder::step(const StepInfo& info, const Kinematics& at, double support_work,
+                    const Kinematics& shown) {
+  const Snapshot s = snapshot(shown, info);
   fill(s, false);
   stepped_ = true;
   Energy share = subject_.system.energy(at);
   share.work += support_work;
   const Energy now = sum_of(subject_.comm(), share);
-  if (audit_.update(start_, now, info.time, info.h, passed_through(info.h)) && info.h > 0) find_worst(s);
-  for (const auto& r : recordings_) r->step(s);
+  const auto* feeders = subject_.term<Feeders>();
+  const double passed = feeders ? feeders->passed_through(fields_.end_forces().at_feeders(), info.h) : 0;
+  if (audit_.update(start_, now, info.time, info.h, passed) && info.h > 0) find_worst(s);
+  for (const auto& r : recordings_.all) r->step(s);
   if (info.time < rows_from_ - time_tolerance(info.time)) return;
   if (rows_every_ > 0) rows_from_ = next_multiple(info.time, rows_every_);
   Rows rows;
-  for (const auto& r : recordings_) r->rows(s, rows);
+  for (const auto& r : recordings_.all) r->rows(s, rows);
   file_->append_series(info.time, std::move(rows).gathered(subject_.comm()));
-}
-
-// Work [J] in a step that one feeder does on its line while another removes it, on the same line or another.
-double Recorder::passed_through(double h) const {
-  double gross = 0, net = 0;
-  if (const auto* feeders = subject_.term<Feeders>())
-    for (size_t k = 0; k < feeders->all().size(); ++k) {
-      const double work = fields_.end_forces().at_feeders()[k] * feeders->all()[k].speed * h;
-      gross += std::abs(work);
-      net += work;
-    }
-  return gross - std::abs(net);
 }
 
 // Finds the place where the step with most created energy changed the motion most, and the force there.
 void Recorder::find_worst(const Snapshot& s) {
   using With = Audit::Step::ContactWith;
-  const std::pair<const char*, With> kinds[] = {{"contact_normal_force", With::volume},
-                                                {"line_contact_normal_force", With::line},
-                                                {"seabed_force", With::seabed}};
   fill(s, true);
   const NodeValue most = subject_.dynamics().largest_acceleration_change();
   int with = 0;
   const int n = subject_.local().find(most.node);
   if (subject_.local().owns(n))
-    for (size_t f = 2; f < s.values.size() && with == 0; ++f) {
+    for (size_t f = 0; f < s.values.size() && with == 0; ++f) {
       const Field& field = fields_.fields()[f];
       double size = 0;
       for (int c = 0; c < field.components; ++c) size += std::abs(s.values[f][n * field.components + c]);
-      for (const auto& [name, kind] : kinds)
-        if (size != 0 && field.name == name) with = static_cast<int>(kind);
+      if (size != 0) with = static_cast<int>(field.contact_with);
     }
   all_reduce(subject_.comm(), MPI_MAX, with);
   audit_.located(most.node, static_cast<With>(with));
@@ -162,24 +148,30 @@ void Recorder::find_worst(const Snapshot& s) {
 void Recorder::output(const Kinematics& at) {
   const Snapshot s = snapshot(at);
   if (!stepped_ || !fields_.complete(at)) fill(s, true);
-  for (const auto& r : recordings_) r->output(s);
+  for (const auto& r : recordings_.all) r->output(s);
   write_output(at.time, s, take_clashes());
 }
 
 void Recorder::write_output(double time, const Snapshot& s, const io::ClashTables& clashes) {
   io::ContactRows points;
-  for (const auto& r : recordings_) r->points(s, points);
+  for (const auto& r : recordings_.all) r->points(s, points);
   file_->write_output(time, s.values, s.poses(), clashes, s.ends, points);
 }
 
+io::ClashTables Recorder::take_clashes() {
+  return recordings_.clashes ? recordings_.clashes->take() : io::ClashTables{};
+}
+
+std::string Recorder::clash_table() const { return recordings_.clashes ? recordings_.clashes->table() : ""; }
+
 void Recorder::checkpoint(io::Checkpoint c) {
-  for (const auto& r : recordings_) r->write(*file_);
+  for (const auto& r : recordings_.all) r->write(*file_);
   file_->write_checkpoint(std::move(c));
 }
 
 void Recorder::gather_warnings(const std::vector<io::SummaryRow>& rows) {
   std::vector<Finding> all;
-  for (const auto& r : recordings_)
+  for (const auto& r : recordings_.all)
     for (Finding& f : r->findings(rows, audit_)) all.push_back(std::move(f));
   std::stable_sort(all.begin(), all.end(), [](const Finding& a, const Finding& b) { return a.row < b.row; });
   warnings_.clear();
@@ -205,14 +197,14 @@ std::string Recorder::audit_warning() const {
 
 std::string Recorder::finish(std::vector<std::string> messages) {
   std::vector<io::SummaryRow> rows;
-  for (const auto& r : recordings_)
+  for (const auto& r : recordings_.all)
     for (io::SummaryRow& row : r->summary()) rows.push_back(std::move(row));
   gather_warnings(rows);
   const bool moved = subject_.model.dynamics.enabled;
   if (const std::string n = audit_.note(); moved && !n.empty()) messages.push_back("note: " + n);
   if (const std::string w = audit_warning(); moved && !w.empty()) messages.push_back("warning: " + w);
   for (const std::string& w : warnings_) messages.push_back("warning: " + w);
-  for (const auto& r : recordings_) r->write(*file_);
+  for (const auto& r : recordings_.all) r->write(*file_);
   file_->finish(rows, take_clashes(), messages);
   std::string text = fmt::format("{:<24} {:<16} {:>14} {:<6} {:>10} {:>12}\n", "quantity", "line", "value",
                                  "unit", "time [s]", "arc [m]");
@@ -224,19 +216,19 @@ std::string Recorder::finish(std::vector<std::string> messages) {
 
 std::vector<std::string> Recorder::remarks() {
   std::vector<std::string> all;
-  for (const auto& r : recordings_)
+  for (const auto& r : recordings_.all)
     for (std::string& text : r->remarks()) all.push_back(std::move(text));
   return all;
 }
 
 void Recorder::save(io::Checkpoint& to) {
   save_audit(start_, audit_, to);
-  for (const auto& r : recordings_) r->save(to);
+  for (const auto& r : recordings_.all) r->save(to);
 }
 
 void Recorder::restore(const io::Checkpoint& from) {
   restore_audit(from, start_, audit_);
-  for (const auto& r : recordings_) r->restore(from);
+  for (const auto& r : recordings_.all) r->restore(from);
   if (rows_every_ > 0) rows_from_ = next_multiple(from.time, rows_every_);
 }
 

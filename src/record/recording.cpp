@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser::record {

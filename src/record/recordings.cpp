@@ -31,12 +31,12 @@
 
 namespace hawser::record {
 
-std::vector<std::unique_ptr<Recording>> recordings(const Subject& s, const EndForces& forces) {
+Recordings recordings(const Subject& s, const EndForces& forces) {
   const model::Case& c = s.model;
-  std::vector<std::unique_ptr<Recording>> all;
-  const auto add = [&all](auto recording) -> auto& {
+  Recordings out;
+  const auto add = [&out](auto recording) -> auto& {
     auto& added = *recording;
-    all.push_back(std::move(recording));
+    out.all.push_back(std::move(recording));
     return added;
   };
   add(std::make_unique<Histories>(s, forces));
@@ -52,14 +52,14 @@ std::vector<std::unique_ptr<Recording>> recordings(const Subject& s, const EndFo
   add(std::make_unique<WaterErrors>(c, s.system));
   add(std::make_unique<PipeStrength>(s));
   if (can_touch(s)) add(std::make_unique<ContactPoints>(s));
-  if (ClashReport::wanted(s)) add(std::make_unique<ClashReport>(s));
+  if (ClashReport::wanted(s)) out.clashes = &add(std::make_unique<ClashReport>(s));
   if (!c.supports.empty()) add(std::make_unique<SupportLog>(s));
   if (c.output.touchdowns && c.environment.seabed.present) add(std::make_unique<TouchdownHistory>(s));
   add(std::make_unique<TermHistory>(s));
   add(std::make_unique<FeederHistory>(s));
   add(std::make_unique<EnergyHistory>(s));
   add(std::make_unique<StepHistory>(s));
-  return all;
+  return out;
 }
 
 }  // namespace hawser::record

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "hawser/advice/peaks.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 
 namespace hawser::record {
 namespace {

@@ -6,7 +6,7 @@
 #include <ranges>
 #include <utility>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 
 namespace hawser::record {
 Stations::Stations(MPI_Comm comm, const LocalMesh& mesh, const Feeders* feeders,

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/terms/feeders.hpp"
 
 namespace hawser::record {

@@ -1,7 +1,7 @@
 // Poses of single bodies on their ranks, and of all bodies on every rank.
 #include "hawser/record/subject.hpp"
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 
 namespace hawser::record {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/terms/element_axis.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
 

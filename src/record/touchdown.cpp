@@ -8,7 +8,7 @@
 #include <limits>
 #include <span>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/geometry/surface.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/bed_touch.hpp"

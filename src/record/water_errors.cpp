@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "hawser/advice/long_elements.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/disjoint_sets.hpp"
 #include "hawser/terms/lines_in_water.hpp"
 
@@ -48,7 +48,7 @@ double WaterErrors::Group::bears() const {
 }
 
 void WaterErrors::update_sampled(const Kinematics& at) {
-  if (at.moves() && ++steps_ < kSteps) return;
+  if (at.after_step() && ++steps_ < kSteps) return;
   steps_ = 0;
   update(at);
 }

@@ -6,7 +6,7 @@
 
 #include "hawser/advice/events.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/terms/feeders.hpp"
 
 namespace hawser::run {

@@ -10,7 +10,7 @@
 #include "hawser/advice/cost.hpp"
 #include "hawser/advice/run.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/mesh/partition.hpp"
 #include "hawser/model/farm.hpp"
@@ -47,7 +47,7 @@ bool check_start(const model::Case& c, const Mesh& mesh, const Bodies& bodies,
   if (volumes.empty()) return true;
   const LocalMesh local = local_mesh(mesh, NodeRanks::all_of(mesh.nodes()), 0, 1);
   const StartShape shape = start_shape(MPI_COMM_SELF, c, local, bodies, surfaces);
-  const Kinematics at = shape.state.view(0);
+  const Kinematics at = shape.state.at_rest();
   const Feeders feeders(local, c);
   const StartContact start = start_contact(MPI_COMM_SELF, c, local, at, bodies, &feeders, volumes);
   for (const auto& n : start.notes) fmt::print("note: {}\n", n);

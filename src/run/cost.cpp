@@ -61,7 +61,7 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
     } else {
       sim.check_inside();
     }
-    if (look) look(sim.state().view(0));
+    if (look) look(sim.state().at_rest());
     if (c.dynamics.enabled) {
       std::vector<std::pair<double, double>> way;  // CPU s, simulated time [s]
       const record::OutputTimes times(c);

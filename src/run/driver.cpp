@@ -14,7 +14,7 @@
 
 #include "hawser/advice/run.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/base/share_of_time.hpp"
 #include "hawser/io/case_json.hpp"
 #include "hawser/io/case_reader.hpp"
@@ -174,6 +174,51 @@ void go_on(const io::Checkpoint& checkpoint, const std::string& path, Simulation
   for (const std::string& e : events.apply_due()) progress.print(e);
 }
 
+// The recorder of a run, created at the first output, so that a case without equilibrium leaves no file.
+class RecorderAtFirstOutput {
+ public:
+  RecorderAtFirstOutput(Simulation& sim, const std::vector<LoadedVolume>& volumes, io::RunInfo about,
+                        const std::optional<RestartFrom>& restart, bool appends, const Progress& progress)
+      : sim_(sim),
+        volumes_(volumes),
+        about_(std::move(about)),
+        restart_(restart),
+        appends_(appends),
+        progress_(progress) {}
+  bool made() const { return made_.has_value(); }
+  // Collective at the first call.
+  record::Recorder& get() {
+    if (made_) return *made_;
+    about_.messages = progress_.messages();
+    return made_.emplace(sim_.subject(surfaces(volumes_)), volume_meshes(sim_.model(), volumes_),
+                         std::move(about_), restart_ ? &restart_->checkpoint : nullptr, appends_);
+  }
+
+ private:
+  Simulation& sim_;
+  const std::vector<LoadedVolume>& volumes_;
+  io::RunInfo about_;
+  const std::optional<RestartFrom>& restart_;
+  const bool appends_;
+  const Progress& progress_;
+  std::optional<record::Recorder> made_;
+};
+
+// Statics with an output for each stage. If it fails, the file is completed, if there is one.
+void find_equilibrium_with_outputs(Simulation& sim, Events& events, RecorderAtFirstOutput& recorder,
+                                   Progress& progress) {
+  try {
+    const Stage stage("statics");
+    solve_static_stages(sim, events, progress, [&](size_t k) {
+      if (k + 1 < sim.model().stages.size()) recorder.get().stage(k, sim.state().at_rest());
+    });
+  } catch (const SolveError& e) {
+    if (recorder.made()) finish_failed(recorder.get(), progress, e);
+    throw;
+  }
+  give_back_memory();  // statics has a pair for every element and volume that may meet, motion a few of them
+}
+
 // Starts dynamics from the static equilibrium, or from the start shape without statics; writes a checkpoint
 // so that a run killed early can be continued.
 void start_motion(Simulation& sim, Events& events, record::Recorder& recorder, Progress& progress) {
@@ -181,12 +226,24 @@ void start_motion(Simulation& sim, Events& events, record::Recorder& recorder, P
   sim.dynamics().start(sim.state());
   const Kinematics moving = sim.dynamics().kinematics();
   // A start at rest is shown at rest: the velocities with which motions begin come after it.
-  if (sim.model().statics.enabled)
-    recorder.start(moving, sim.state().view(0));
-  else
-    recorder.start(moving, moving, sim.dynamics().control().proposal());
+  recorder.start(moving, sim.model().statics.enabled ? sim.state().at_rest() : moving);
   sim.state() = State();  // the motion has its own
   recorder.checkpoint(make_checkpoint(sim, recorder, events));
+}
+
+// Brings simulation and recorder to where time steps begin, or a run of statics ends.
+void start_or_resume(Simulation& sim, const std::optional<RestartFrom>& restart, const std::string& path,
+                     bool appends, Events& events, FeederNodes& feeder_nodes, record::Recorder& recorder,
+                     Progress& progress) {
+  if (restart) {
+    go_on(restart->checkpoint, path, sim, events, feeder_nodes, progress);
+    // A new file begins with the state from which the run continues.
+    if (!appends) recorder.output(sim.dynamics().kinematics());
+  } else if (sim.model().dynamics.enabled) {
+    start_motion(sim, events, recorder, progress);
+  } else {
+    recorder.start(sim.state().at_rest(), sim.state().at_rest());
+  }
 }
 
 // Prints the end of the run. stopped: by a signal.
@@ -232,43 +289,17 @@ int run(MPI_Comm comm, const RunOptions& options) {
   if (!restart && !c.statics.enabled) sim.check_inside();
 
   Events events(comm, sim);
-  // Created at the first output, so that a case without equilibrium leaves no file.
-  std::optional<record::Recorder> made;
-  const auto recorder_of = [&]() -> record::Recorder& {
-    if (made) return *made;
-    about.messages = progress.messages();
-    made.emplace(sim.subject(surfaces(volumes)), volume_meshes(c, volumes), std::move(about),
-                 restart ? &restart->checkpoint : nullptr, place.appends());
-    return *made;
-  };
+  RecorderAtFirstOutput at_first_output(sim, volumes, std::move(about), restart, place.appends(), progress);
   if (restart) {
     progress.print(advice::goes_on(options.restart, restart->checkpoint.time));
     if (restart->checkpoint.time >= end * (1 - 1e-12)) progress.print(advice::nothing_left());
   } else if (c.statics.enabled) {
-    try {
-      const Stage stage("statics");
-      solve_static_stages(sim, events, progress, [&](size_t k) {
-        if (k + 1 < c.stages.size()) recorder_of().stage(k, sim.state().view(0));
-      });
-    } catch (const SolveError& e) {
-      if (made) finish_failed(*made, progress, e);
-      throw;
-    }
-    give_back_memory();  // statics has a pair for every element and volume that may meet, motion a few of
-                         // them
+    find_equilibrium_with_outputs(sim, events, at_first_output, progress);
   }
 
-  record::Recorder& recorder = recorder_of();
+  record::Recorder& recorder = at_first_output.get();
   FeederNodes feeder_nodes(sim);
-  if (restart) {
-    go_on(restart->checkpoint, options.restart, sim, events, feeder_nodes, progress);
-    // A new file begins with the state from which the run continues.
-    if (!place.appends()) recorder.output(sim.dynamics().kinematics());
-  } else if (c.dynamics.enabled) {
-    start_motion(sim, events, recorder, progress);
-  } else {
-    recorder.start(sim.state().view(0), sim.state().view(0));
-  }
+  start_or_resume(sim, restart, options.restart, place.appends(), events, feeder_nodes, recorder, progress);
 
   if (c.dynamics.enabled) print_remarks(recorder, progress);
   const bool stopped = c.dynamics.enabled && integrate(sim, end, recorder, events, feeder_nodes, progress);

@@ -10,7 +10,7 @@
 #include "hawser/advice/events.hpp"
 #include "hawser/advice/run.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/record/output_times.hpp"
 #include "hawser/run/feeder_nodes.hpp"
 #include "hawser/terms/feeders.hpp"
@@ -198,7 +198,7 @@ void Events::happen(const std::vector<size_t>& now, const Kinematics& at, const 
 
 // In the state from which dynamics or a stage begins.
 std::vector<std::string> Events::at_rest(const std::string& stage) {
-  const Kinematics at = sim_.state().view(0);
+  const Kinematics at = sim_.state().at_rest();
   System& system = sim_.system();
   std::vector<std::string> messages;
   for (;;) {
@@ -268,7 +268,7 @@ void Events::pay_out(const std::string& stage, const std::function<void(bool)>& 
 std::vector<std::string> Events::begin() {
   if (events_.empty()) return {};
   watch();
-  refuse_met(values(sim_.state().view(0)));
+  refuse_met(values(sim_.state().at_rest()));
   return at_rest("");
 }
 
@@ -276,7 +276,7 @@ std::vector<std::string> Events::apply_due() {
   std::vector<std::string> messages;
   Dynamics& d = sim_.dynamics();
   const auto energy = [&] {
-    const Energy e = sim_.system().energy(d.committed().s.view(d.control().proposal()));
+    const Energy e = sim_.system().energy(d.committed().s.after_step(d.control().proposal()));
     return e.kinetic + e.strain + e.potential + e.friction + e.damping + e.unresolved - e.work;
   };
   const auto waits = [](const Happening& h) { return h.happened < 0; };

@@ -10,7 +10,7 @@
 #include "hawser/advice/lengths.hpp"
 #include "hawser/advice/restart.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/record/end_forces.hpp"
 
@@ -207,7 +207,7 @@ void FeederNodes::shift(Feeder& f, double by) {
       state.x[n] = moved->x;
       state.q[n] = moved->q;
     }
-    sim_.system().spread(state);
+    sim_.system().update_ghosts(state);
   };
   const auto set = [&](int feed_point, double length) {
     f.feed_point = feed_point;
@@ -221,14 +221,14 @@ void FeederNodes::shift(Feeder& f, double by) {
     refuse_all_out(f, f.time);
     if (f.feed_point > 0 && f.length >= mesh_length + kLeft * all.element_length(f, f.feed_point - 1)) {
       std::optional<Dynamics::Moved> moved;
-      if (const LocalElement* e = all.at_feed_point(f)) moved = leaving(f, state.view(0), *e);
+      if (const LocalElement* e = all.at_feed_point(f)) moved = leaving(f, state.at_rest(), *e);
       put(moved);
       set(f.feed_point - 1, f.length - mesh_length);
     } else if (f.length <= kCaught * mesh_length) {
       refuse_all_in(f, f.time);
       const double next = all.element_length(f, f.feed_point + 1);
       double length = 0;
-      put(caught(f, state.view(0), length));
+      put(caught(f, state.at_rest(), length));
       set(f.feed_point + 1, f.length + next);
     } else {
       break;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/record/end_forces.hpp"
@@ -64,7 +64,7 @@ HeldBodies::HeldBodies(Simulation& sim)
   for (size_t b = 0; b < c.bodies.size(); ++b) {
     if (!c.bodies[b].mass) continue;
     std::vector<double> pose(7, 0);
-    if (const auto here = sim_.body_pose(static_cast<int>(b), sim_.state().view(0))) {
+    if (const auto here = sim_.body_pose(static_cast<int>(b), sim_.state().at_rest())) {
       Eigen::Map<Vec3>(pose.data()) = here->position;
       Eigen::Map<Eigen::Vector4d>(pose.data() + 3) = here->rotation.coeffs();
     }
@@ -141,16 +141,16 @@ void HeldBodies::put(int body, const RigidPose& there) {
 
 BodyStiffness HeldBodies::stiffness(int body) {
   System& system = sim_.system();
-  system.couple(sim_.state().view(0), 0);
-  system.spread(sim_.state());
+  system.update_couplings(sim_.state().at_rest(), 0);
+  system.update_ghosts(sim_.state());
   const std::vector<TiedNode> free = without_bodies(sim_);
-  return body_stiffness(system, sim_.state().view(0), sim_.mesh().body_node(body), free,
+  return body_stiffness(system, sim_.state().at_rest(), sim_.mesh().body_node(body), free,
                         with_bodies(sim_, free, with_mass(sim_.model())));
 }
 
 // Tensions at the middle of elements, and at the ends, which carry half an element's weight more.
 std::vector<double> HeldBodies::tensions() const {
-  const Kinematics at = sim_.state().view(0);
+  const Kinematics at = sim_.state().at_rest();
   std::vector<LineTension> of(sim_.mesh().lines.size());
   sim_.structure().tensions(at, of);
   std::vector<double> out;

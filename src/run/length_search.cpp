@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/declination.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/record/end_forces.hpp"
@@ -26,7 +26,7 @@ constexpr double kFirstStep = 0.02, kNextStep = 1e-3;  // of the length
 }  // namespace
 
 AtRest at_rest(MPI_Comm comm, Simulation& sim) {
-  const Kinematics at = sim.state().view(0);
+  const Kinematics at = sim.state().at_rest();
   const LocalMesh& local = sim.local();
   std::vector<Vec3> carried(static_cast<size_t>(local.nodes()), Vec3::Zero());
   const FieldRegistry fields = sim.system().fields();
@@ -37,7 +37,7 @@ AtRest at_rest(MPI_Comm comm, Simulation& sim) {
     for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n)
       carried[n] += Eigen::Map<const Vec3>(values.data() + 3 * n).cwiseAbs();
   }
-  sim.system().spread(carried);
+  sim.system().update_ghosts(carried);
   record::EndForces ends(sim.system(), sim.feeders());
   ends.evaluate(at, carried);
   AtRest out;

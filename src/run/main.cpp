@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/base/singleton.hpp"
 #include "hawser/io/write_error.hpp"
 #include "hawser/run/command_line.hpp"

@@ -11,7 +11,7 @@
 
 #include "hawser/advice/modes.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/freedoms.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/check.hpp"
@@ -196,7 +196,7 @@ void write(MPI_Comm comm, Simulation& sim, const std::vector<LoadedVolume>& volu
       comm, path, contents(comm, sim, volumes, o, static_cast<int>(found.size())), std::move(owned));
   const std::vector<Vec3> rest(static_cast<size_t>(local.owned), Vec3::Zero());
   file.write_output(0, {flat(sim.state().x, local.owned), flat(rest, local.owned)},
-                    record::body_poses(sim.bodies(), sim.system(), sim.state().view(0)));
+                    record::body_poses(sim.bodies(), sim.system(), sim.state().at_rest()));
   double number = 0;
   for (const NaturalMode& mode : found) {
     ++number;
@@ -204,7 +204,7 @@ void write(MPI_Comm comm, Simulation& sim, const std::vector<LoadedVolume>& volu
     const double period = mode.squared > kFreeMotion ? period_of(mode) : HUGE_VAL;
     file.append_series(number, {rank == 0 ? std::vector<double>{period, 1 / period} : std::vector<double>{}});
     file.write_output(number, {flat(drawn.x, local.owned), flat(mode.shape, local.owned)},
-                      record::body_poses(sim.bodies(), sim.system(), drawn.view(0)));
+                      record::body_poses(sim.bodies(), sim.system(), drawn.at_rest()));
   }
   file.finish({}, {}, messages);
 }
@@ -232,7 +232,7 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
   Events events(comm, sim);
   const StaticsReport statics = solve_static_stages(sim, events, progress);
   if (auto* thrusters = sim.system().find<DynamicPositioning>()) thrusters->integrate_at_rest(false);
-  const std::vector<NaturalMode> found = natural_modes(sim.system(), sim.state().view(0), options.count);
+  const std::vector<NaturalMode> found = natural_modes(sim.system(), sim.state().at_rest(), options.count);
   progress.end();
   std::string table =
       fmt::format("{:>4} {:>12} {:>14}{}  {:^17}  {}\n", "mode", "period [s]", "frequency [Hz]",

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/run/line_pairs.hpp"
 #include "hawser/solve/start_shape.hpp"
 #include "hawser/terms/line_candidates.hpp"
@@ -37,7 +37,7 @@ std::vector<std::pair<int, int>> near_elements(MPI_Comm comm, const model::Case&
   settings.excluded = excluded_pairs(c);
   LineCandidates candidates(comm, part, ContactRadii(std::move(radius), std::move(takes_part)),
                             std::move(settings));
-  candidates.update(shape.state.view(0), 0);
+  candidates.update(shape.state.at_rest(), 0);
   std::vector<std::pair<int, int>> mine;
   for (const auto& [a, b] : candidates.elements())
     if (mesh.element(a).line != mesh.element(b).line) mine.emplace_back(a, b);

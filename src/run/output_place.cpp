@@ -8,7 +8,7 @@
 
 #include "hawser/advice/output_files.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/io/old_results.hpp"
 #include "hawser/io/xml_text.hpp"
 

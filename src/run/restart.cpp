@@ -13,7 +13,7 @@
 
 #include "hawser/advice/restart.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/io/hdf5.hpp"
 #include "hawser/io/results_size.hpp"
 #include "hawser/model/farm.hpp"
@@ -175,7 +175,7 @@ io::Checkpoint make_checkpoint(Simulation& simulation, record::Recorder& recorde
   c.time = d.committed().s.time;
   save_nodes(simulation.local(), d.committed(), d.reactions(), d.mean_forces(), c);
   for (const auto& term : simulation.system().terms())
-    c.records[std::string(term->name())] = {
+    c.records[std::string(term->record_key())] = {
         term->checkpoint_kinds(), {}, [&of = *term](NodeRange nodes) { return of.records(nodes); }};
   c.scalars = signature(simulation);
   c.scalars["step.proposal"] = d.control().proposal();
@@ -205,7 +205,7 @@ InputError older(const std::string& path, const std::string& what) {
 
 void check_records(const io::Checkpoint& c, const System& system, const std::string& path) {
   for (const auto& term : system.terms())
-    if (const auto it = c.records.find(std::string(term->name()));
+    if (const auto it = c.records.find(std::string(term->record_key()));
         it != c.records.end() && it->second.kinds != term->checkpoint_kinds())
       throw older(path, it->first);
 }
@@ -281,11 +281,11 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
     const auto& f = c.nodes.at(name).values;
     for (size_t n = 0; n < owned; ++n) (*values)[n] = Eigen::Map<const Mat3>(f.data() + 9 * n);
   }
-  system.spread(s.s);
-  system.spread(s.ax);
+  system.update_ghosts(s.s);
+  system.update_ghosts(s.ax);
   if (has_directors(m)) {
-    system.spread(s.aw);
-    system.spread(s.ad);
+    system.update_ghosts(s.aw);
+    system.update_ghosts(s.ad);
   }
 
   const auto rows = [&](const char* name) {
@@ -297,7 +297,7 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
     return out;
   };
   for (const auto& term : simulation.system().terms())
-    if (const auto it = c.records.find(std::string(term->name())); it != c.records.end())
+    if (const auto it = c.records.find(std::string(term->record_key())); it != c.records.end())
       term->restore(it->second.records);
   LineVolumeContact* contact = simulation.contact();
   for (int v = 0; contact && v < contact->volumes(); ++v)

@@ -9,7 +9,7 @@
 
 #include "hawser/advice/restart.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/io/hdf5.hpp"
 
 namespace hawser::run {

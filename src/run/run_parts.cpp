@@ -14,7 +14,7 @@
 #include "hawser/advice/run.hpp"
 #include "hawser/advice/statics.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/io/case_json.hpp"
 #include "hawser/model/farm.hpp"
 #include "hawser/model/notes.hpp"

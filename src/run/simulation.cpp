@@ -13,7 +13,7 @@
 #include "hawser/advice/statics.hpp"
 #include "hawser/advice/supports.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/mesh/partition.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/body_pairs.hpp"
@@ -152,7 +152,7 @@ Simulation::Simulation(MPI_Comm comm, model::Case c, std::vector<std::shared_ptr
   add_line_terms();
   StartShape start = start_shape(comm, case_, local(), *bodies_, surfaces);
   notes_ = std::move(start.notes);
-  const Kinematics at = start.state.view(0);
+  const Kinematics at = start.state.at_rest();
   bodies_->fix_drawn(comm, case_, at);
   if (!case_.links.empty()) add<Links>(comm, case_, local(), bodies_, at);
   if (Feeders* fed = feeders()) {
@@ -273,7 +273,7 @@ std::vector<std::string> Simulation::tilting_warnings() const {
   const auto* in_water = system_->find<BodiesInWater>();
   if (!in_water) return out;
   std::vector<double> cut(case_.bodies.size());
-  for (const int b : in_water->in_surface(state_.view(0))) cut[static_cast<size_t>(b)] = 1;
+  for (const int b : in_water->in_surface(state_.at_rest())) cut[static_cast<size_t>(b)] = 1;
   all_reduce(system_->comm(), MPI_SUM, cut);
   for (size_t b = 0; b < cut.size(); ++b)
     if (cut[b] > 0 && case_.bodies[b].mass->turning_stiffness.head<2>().minCoeff() == 0)
@@ -299,12 +299,12 @@ std::vector<std::string> Simulation::on_bed() const {
   if (!seabed()) return out;
   constexpr size_t kShown = 20;
   std::vector<double> sums;
-  for (const SeabedTerm::OnBed& l : seabed()->on_bed(state_.view(0)))
+  for (const SeabedTerm::OnBed& l : seabed()->on_bed(state_.at_rest()))
     sums.insert(sums.end(), {l.friction_length, l.sticking, l.taken});
   all_reduce(system_->comm(), MPI_SUM, sums);
   // Between touchdown points, as in the results.
   const std::vector<record::Touchdown> down =
-      record::Touchdowns(system_->comm(), case_, local()).of_all_lines(state_.view(0));
+      record::Touchdowns(system_->comm(), case_, local()).of_all_lines(state_.at_rest());
   // Lines that differ only in position are reported together.
   std::map<std::pair<bool, std::string>, std::pair<std::vector<std::string>, std::vector<advice::OnBed>>>
       like;
@@ -330,9 +330,9 @@ std::vector<std::string> Simulation::on_bed() const {
 }
 
 void Simulation::check_inside() const {
-  bodies_->exchange_poses(system_->comm(), state_.view(0));
-  const std::string wrong = still_inside(system_->comm(), case_, local(), state_.view(0), *bodies_, feeders(),
-                                         volumes_, start_contact_);
+  bodies_->exchange_poses(system_->comm(), state_.at_rest());
+  const std::string wrong = still_inside(system_->comm(), case_, local(), state_.at_rest(), *bodies_,
+                                         feeders(), volumes_, start_contact_);
   if (!wrong.empty()) throw InputError(case_.path + ": " + wrong);
 }
 

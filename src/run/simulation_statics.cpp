@@ -5,7 +5,7 @@
 #include "hawser/advice/contact_stiffness.hpp"
 #include "hawser/advice/statics.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/run/line_pairs.hpp"
 #include "hawser/run/simulation.hpp"
 #include "hawser/terms/body_contact.hpp"
@@ -43,7 +43,7 @@ bool Simulation::lays_lines() const { return seabed() && static_friction_.value_
 // Continues from the equilibrium with soft friction, under the weight of lines that lay at the start, through
 // stiffer friction to the law of dynamics; with `full` mobilisation under the contact forces found.
 void Simulation::follow_contact(StaticsSettings settings, StaticsReport& report) {
-  settings.near = true;
+  settings.starts_near = true;
   SeabedTerm& bed = *seabed();
   const auto solve = [&] {
     const StaticsReport more = find_equilibrium(*system_, settings, state_);
@@ -53,10 +53,10 @@ void Simulation::follow_contact(StaticsSettings settings, StaticsReport& report)
   };
   for (const double slip : {kFirstSlip / 30, 0.0}) {
     bed.mobilise_by(slip);
-    if (case_.environment.seabed.full) bed.press_by_contact(state_.view(0));
+    if (case_.environment.seabed.full) bed.press_by_contact(state_.at_rest());
     solve();
   }
-  bed.follow_contact(state_.view(0));
+  bed.follow_contact(state_.at_rest());
   solve();
 }
 
@@ -65,8 +65,8 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
   settings.friction = static_friction();
   settings.progress = std::move(progress);
   const StaticsReport report = find_restrained_equilibrium(settings);
-  if (auto* body_contact = system_->find<BodyContactTerm>()) body_contact->watch(state_.view(0));
-  if (contact() || line_pairs()) system_->commit(state_.view(0));
+  if (auto* body_contact = system_->find<BodyContactTerm>()) body_contact->watch(state_.at_rest());
+  if (contact() || line_pairs()) system_->commit(state_.at_rest());
   check_inside();
   check_depth_at_rest();
   note_contact_at_rest();
@@ -90,7 +90,7 @@ StaticsReport Simulation::find_restrained_equilibrium(const StaticsSettings& set
     state_.v[n] = v[n];
     state_.w[n] = w[n];
   }
-  system_->spread(state_);
+  system_->update_ghosts(state_);
   return report;
 }
 
@@ -99,13 +99,13 @@ void Simulation::enable_friction_at_rest() {
   SeabedTerm* bed = seabed();
   for (HasFriction* t : system_->with<HasFriction>()) t->enable_friction(static_friction() && t != bed);
   if (!lays_lines()) return;
-  bed->lay(laid_, state_.view(0), case_.environment.seabed.full);
+  bed->lay(laid_, state_.at_rest(), case_.environment.seabed.full);
   bed->mobilise_by(kFirstSlip);
 }
 
 void Simulation::check_depth_at_rest() {
   if (!contact()) return;
-  const auto deep = contact()->deeper_than_allowed(state_.view(0));
+  const auto deep = contact()->deeper_than_allowed(state_.at_rest());
   const std::string why = first_text(system_->comm(), deep ? advice::too_deep_at_rest(*deep) : "");
   if (!why.empty()) throw SolveError(why);
 }
@@ -128,7 +128,7 @@ void Simulation::note_bodies_held_without_weight() {
 }
 
 void Simulation::note_slack_lines(bool relaxed) {
-  std::vector<double> slack = structure().slack(state_.view(0));
+  std::vector<double> slack = structure().slack(state_.at_rest());
   all_reduce(system_->comm(), MPI_SUM, slack);
   for (size_t l = 0; l < slack.size(); ++l)
     if (slack[l] > 0 && !case_.lines[l].end_a.feed && !case_.lines[l].end_b.feed)

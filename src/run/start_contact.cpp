@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "hawser/advice/start_contact.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/model/check.hpp"
 
 namespace hawser::run {

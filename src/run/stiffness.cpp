@@ -14,7 +14,7 @@
 #include "hawser/advice/modes.hpp"
 #include "hawser/advice/output_files.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/io/write_error.hpp"
 #include "hawser/math/so3.hpp"

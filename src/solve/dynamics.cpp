@@ -82,26 +82,28 @@ void Dynamics::build() {
 }
 
 void Dynamics::prepare(double h, const State* end) {
-  const auto couple = [&](const State& s) { return system_.couple(s.view(last_step_), h); };
-  if ((end ? couple(straight_path(system_.mesh(), committed_.s, *end, h)) : couple(committed_.s)) ==
-      CouplingChange::layout_changed) {
+  const auto update_couplings = [&](const State& s) {
+    return system_.update_couplings(before_step(s, h), h);
+  };
+  if ((end ? update_couplings(straight_path(system_.mesh(), committed_.s, *end, h))
+           : update_couplings(committed_.s)) == CouplingChange::layout_changed) {
     build();
-    system_.spread(committed_.s);
-    system_.spread(committed_.ax);
+    system_.update_ghosts(committed_.s);
+    system_.update_ghosts(committed_.ax);
     if (has_directors(system_.mesh())) {
-      system_.spread(committed_.aw);
-      system_.spread(committed_.ad);
+      system_.update_ghosts(committed_.aw);
+      system_.update_ghosts(committed_.ad);
     }
     const size_t size = 3 * static_cast<size_t>(system_.mesh().blocks());
     reactions_.resize(size, 0);
     for (auto* rows : {&mean_.q, &mean_.f}) rows->resize(system_.mean_forces().size(), 0);
   }
-  system_.prepare(committed_.s.view(last_step_), h);
+  system_.prepare(before_step(committed_.s, h), h);
   expected_ = h;
 }
 
 void Dynamics::load(Vec u) {
-  const bool others = system_.gather(u, local_u_);
+  const bool others = system_.update_ghosts(u, local_u_);
   if (loaded_ && !others) return;
   alpha_trial(system_.mesh(), system_.tied_nodes(), alpha_, h_, committed_, local_u_, trial_);
   loaded_ = true;
@@ -119,15 +121,16 @@ PetscErrorCode Dynamics::residual(SNES, Vec u, Vec r, void* self) {
   auto& d = *static_cast<Dynamics*>(self);
   return d.error_.capture([&] {
     d.load(u);
-    d.system_.residual(d.trial_.s.view(d.h_), r, d.carried_);
+    d.system_.residual(d.trial_.s.after_step(d.h_), r, d.carried_);
   });
 }
 
 // SNES evaluates the residual at u before it asks for the tangent, so trial_ already belongs to u.
 PetscErrorCode Dynamics::tangent(SNES, Vec, Mat J, Mat, void* self) {
   auto& d = *static_cast<Dynamics*>(self);
-  return d.error_.capture(
-      [&] { d.system_.tangent(d.trial_.s.view(d.h_), alpha_weights(d.alpha_, d.h_), d.local_u_, false, J); });
+  return d.error_.capture([&] {
+    d.system_.tangent(d.trial_.s.after_step(d.h_), alpha_weights(d.alpha_, d.h_), d.local_u_, false, J);
+  });
 }
 
 PetscErrorCode Dynamics::converged(SNES snes, PetscInt it, PetscReal, PetscReal, PetscReal fnorm,
@@ -171,7 +174,7 @@ void Dynamics::solve_once() {
 
 int Dynamics::try_step(double h) {
   h_ = h;
-  if (h != expected_) system_.expect(committed_.s.view(last_step_), h);
+  if (h != expected_) system_.expect(before_step(committed_.s, h), h);
   expected_ = h;
   // trial_ needs the values that a step does not change (rotations of cable nodes). After the first copy it
   // has those of the previous step.
@@ -186,7 +189,7 @@ int Dynamics::try_step(double h) {
     solve_once();
     if (!tries_.solved) break;
     load(u_.get());
-    if (!system_.raise_stiffness(trial_.s.view(h_))) break;
+    if (!system_.raise_stiffness(trial_.s.after_step(h_))) break;
     tries_.solved = round < kMostRaises;
     if (!tries_.solved) break;
   }
@@ -215,7 +218,7 @@ void Dynamics::commit() {
   std::swap(committed_, trial_);
   last_step_ = h_;
   expected_ = -1;
-  system_.commit(committed_.s.view(h_));
+  system_.commit(committed_.s.after_step(h_));
 }
 
 bool Dynamics::end_step() {
@@ -248,7 +251,7 @@ std::vector<double> Dynamics::solve_masses() {
   check(VecNorm(u_.get(), NORM_INFINITY, &size));
   if (reason < 0 || !std::isfinite(size)) throw SolveError(advice::no_mass(committed_.s.time));
   std::vector<double> out;
-  system_.gather(u_.get(), out);
+  system_.update_ghosts(u_.get(), out);
   return out;
 }
 
@@ -264,16 +267,15 @@ void Dynamics::start(const State& state) {
   system_.tied_nodes().rates(s.time, s);
   system_.tied_nodes().follow(s);
   last_step_ = 0;
-  // Residuals are evaluated as in a step of this length (h > 0), so that dampers act from the start.
   const double h = control_.proposal();
   prepare(h);
-  if (const auto found = system_.lost_in_rounding(s.view(0)))
+  if (const auto found = system_.lost_in_rounding(s.at_rest()))
     throw SolveError(advice::tension_lost_at(s.time, *found));
   s.mean = {};
-  system_.residual(s.view(h), r_.get());
+  system_.residual(s.at_start(h), r_.get());
   mean_.q = mean_.f = system_.mean_forces();
   const std::vector<double> zero(3 * static_cast<size_t>(system_.mesh().blocks()), 0);
-  system_.tangent(s.view(h), {0, 0, 1}, zero, false, J_.get());
+  system_.tangent(s.at_start(h), {0, 0, 1}, zero, false, J_.get());
   const std::vector<double> less = solve_masses();
   for (size_t i = 0; i < s.x.size(); ++i) {
     const double* p = less.data() + 3 * system_.mesh().block[i];
@@ -282,7 +284,7 @@ void Dynamics::start(const State& state) {
   }
   system_.tied_nodes().follow(s);
   alpha_start(system_.mesh(), committed_);
-  system_.residual(s.view(h), r_.get());
+  system_.residual(s.at_start(h), r_.get());
   reactions_ = system_.reactions();
 }
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/solve/dynamics.hpp"
 
@@ -18,13 +18,10 @@ constexpr double kFarthest = 0.1;
 
 void Dynamics::transfer_node(const std::function<std::optional<Moved>()>& change,
                              const std::function<std::vector<TiedNode>()>& nodes) {
-  // Directly after an event there is no last step. The forces are then those at the beginning of the next
-  // step (see start), not those of statics.
-  const double h = last_step_ > 0 ? last_step_ : control_.proposal();
-  const auto forces = [this, h] {
+  const auto forces = [this] {
     State s = committed_.s;
     s.mean = {};
-    system_.residual(s.view(h), r_.get());
+    system_.residual(before_step(s, control_.proposal()), r_.get());
   };
   prepare(control_.proposal());  // for the committed state, which has not changed
   forces();
@@ -47,17 +44,17 @@ void Dynamics::transfer_node(const std::function<std::optional<Moved>()>& change
     if (moved->free) settles = moved->node;
   }
   all_reduce(system_.comm(), MPI_MAX, settles);
-  system_.spread(committed_.s);
-  system_.spread(committed_.ax);
+  system_.update_ghosts(committed_.s);
+  system_.update_ghosts(committed_.ax);
   if (has_directors(m)) {
-    system_.spread(committed_.aw);
-    system_.spread(committed_.ad);
+    system_.update_ghosts(committed_.aw);
+    system_.update_ghosts(committed_.ad);
   }
   system_.tie(nodes(), BodyMotion(system_.tied_nodes().motion()));
   prepare(control_.proposal());  // The feed point is at another element, which can touch other bodies.
   mean.resize(mean_.q.size(), 0);
   all.resize(reactions_.size(), 0);
-  if (settles >= 0) settle(settles, h);
+  if (settles >= 0) settle(settles);
   forces();
   const auto add = [](std::vector<double>& to, const std::vector<double>& now,
                       const std::vector<double>& before) {
@@ -73,7 +70,7 @@ void Dynamics::transfer_node(const std::function<std::optional<Moved>()>& change
 // Finds the position (and rotation) at which the forces on this node alone are in balance, by Newton's
 // method. This accounts for the sag of the element that the node divides and for the part of the tension that
 // the element's own weight causes.
-void Dynamics::settle(int node, double h) {
+void Dynamics::settle(int node) {
   const LocalMesh& m = system_.mesh();
   const int n = m.find(node);
   const bool own = n >= 0 && n < m.owned;
@@ -81,8 +78,9 @@ void Dynamics::settle(int node, double h) {
   for (int i = 0; i < kMostSettling; ++i) {
     State s = committed_.s;
     s.mean = {};
-    system_.residual(s.view(h), r_.get());
-    system_.tangent(s.view(h), {1, 0, 0}, zero, false, J_.get());
+    const Kinematics at = before_step(s, control_.proposal());
+    system_.residual(at, r_.get());
+    system_.tangent(at, {1, 0, 0}, zero, false, J_.get());
     double going = 0;
     if (own) {
       const int block = m.block[static_cast<size_t>(n)], size = m.rotates(n) ? 6 : 3;
@@ -104,7 +102,7 @@ void Dynamics::settle(int node, double h) {
       }
     }
     all_reduce(system_.comm(), MPI_MAX, going);
-    system_.spread(committed_.s);
+    system_.update_ghosts(committed_.s);
     if (going < 1e-12) break;
   }
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/solve/dynamics.hpp"
 
 namespace hawser {
@@ -51,21 +51,21 @@ void Dynamics::match_tied_velocities(const TiedNodes& before, State& s) {
   last_step_ = 0;
   prepare(h);
   s = committed_.s;  // the copy has the ghosts that prepare() has created
-  VecHandle rest;
-  check(VecDuplicate(r_.get(), rest.out()));
-  system_.residual(s.view(h), rest.get());
+  VecHandle before_impact;
+  check(VecDuplicate(r_.get(), before_impact.out()));
+  system_.residual(s.at_start(h), before_impact.get());
   State impacted = s;
   for (const int n : caught) {
     const size_t i = static_cast<size_t>(n);
     impacted.a[i] += held.v[i] - s.v[i];
     if (m.rotates(n)) impacted.alpha[i] += held.w[i] - s.w[i];
   }
-  system_.spread(impacted);
+  system_.update_ghosts(impacted);
   // Forces are linear in accelerations: this residual is larger by M dv.
-  system_.residual(impacted.view(h), r_.get());
-  check(VecAXPY(r_.get(), -1, rest.get()));
+  system_.residual(impacted.at_start(h), r_.get());
+  check(VecAXPY(r_.get(), -1, before_impact.get()));
   const std::vector<double> zero(3 * static_cast<size_t>(m.blocks()), 0);
-  system_.tangent(s.view(h), {0, 0, 1}, zero, false, J_.get());
+  system_.tangent(s.at_start(h), {0, 0, 1}, zero, false, J_.get());
   const std::vector<double> less = solve_masses();
   for (size_t i = 0; i < s.x.size(); ++i) {
     const double* p = less.data() + 3 * m.block[i];
@@ -74,7 +74,7 @@ void Dynamics::match_tied_velocities(const TiedNodes& before, State& s) {
   }
   system_.tied_nodes().rates(s.time, s);
   system_.tied_nodes().follow(s);
-  system_.spread(s);
+  system_.update_ghosts(s);
 }
 
 }  // namespace hawser

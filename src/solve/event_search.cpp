@@ -13,8 +13,8 @@ constexpr double kAim = 0.5;
 // multiplied by 1 - now/before (Anderson & Björck); `before` and `now` are the values at the replaced end.
 void weigh(std::vector<double>& stays, const std::vector<double>& before, const std::vector<double>& now) {
   for (size_t i = 0; i < stays.size(); ++i) {
-    const double rest = 1 - now[i] / before[i];
-    stays[i] *= rest > 0 && rest < 1 ? rest : 0.5;
+    const double remaining = 1 - now[i] / before[i];
+    stays[i] *= remaining > 0 && remaining < 1 ? remaining : 0.5;
   }
 }
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/disjoint_sets.hpp"
 
 namespace hawser {

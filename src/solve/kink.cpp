@@ -64,7 +64,7 @@ void KinkSides::evaluate(System& system, const State& state, State& trial) {
   for (Side& side : sides_) {
     retract(system.mesh(), state, side.from_state.data(), trial);
     system.tied_nodes().follow(trial);
-    system.residual(trial.view(0), side.r.get());
+    system.residual(trial.at_rest(), side.r.get());
   }
 }
 

@@ -69,19 +69,19 @@ void KinkStiffness::add_to(const System& system, Mat J) const {
 
 ResidualNorms KinkStiffness::norms_without_jumps(const System& system, Vec r, double length) const {
   const double within = kWithin * length;
-  VecHandle rest;
-  check(VecDuplicate(r, rest.out()));
-  check(VecCopy(r, rest.get()));
+  VecHandle without_jumps;
+  check(VecDuplicate(r, without_jumps.out()));
+  check(VecCopy(r, without_jumps.get()));
   PetscScalar* p = nullptr;
-  check(VecGetArray(rest.get(), &p));
+  check(VecGetArray(without_jumps.get(), &p));
   for (size_t b = 0; b < blocks_.size(); ++b) {
     const Block& k = blocks_[b];
     if (k.rises < 2 || k.distance > within) continue;
     Eigen::Map<Vec3> left(p + 3 * b);
     left -= std::clamp(left.dot(k.jump) / k.jump.squaredNorm(), 0.0, 1.0) * k.jump;
   }
-  check(VecRestoreArray(rest.get(), &p));
-  return system.norms(rest.get());
+  check(VecRestoreArray(without_jumps.get(), &p));
+  return system.norms(without_jumps.get());
 }
 
 }  // namespace hawser

@@ -1,7 +1,7 @@
 // Choice of the direct solver for a Newton step.
 #include "hawser/solve/linear_solver.hpp"
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/solve/lu.hpp"
 #include "hawser/solve/substructure.hpp"
 

@@ -10,8 +10,8 @@
 
 #include "hawser/advice/modes.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
 #include "hawser/base/handle.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/solve/linear_solver.hpp"
 #include "hawser/solve/stability.hpp"
 #include "hawser/system/depends_on_frequency.hpp"
@@ -223,7 +223,7 @@ NaturalMode mode_of(const System& system, const Kinematics& at, const Eigenpair&
   mode.squared = pair.squared;
   mode.damping_ratio = pair.damping_ratio;
   std::vector<double> local;
-  system.gather(pair.vector.get(), local);
+  system.update_ghosts(pair.vector.get(), local);
   move_nodes(system, at, local, mode);
   return mode;
 }

@@ -7,7 +7,7 @@
 
 #include "hawser/advice/statics.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/solve/kink_stiffness.hpp"
 #include "hawser/solve/static_trial.hpp"
 #include "hawser/system/imbalance.hpp"
@@ -52,10 +52,10 @@ class Relaxation : StaticTrial {
     RelaxationReport report;
     double least = 0, kinetic = 0;
     int free = 0;  // steps since the last rejection
-    if (settings_.pushed > 0) perturb(settings_.pushed);
+    if (settings_.pushed > 0) push_state(settings_.pushed);
     while (true) {
       prepare();
-      system_.residual(state_.view(0), r_.get());
+      system_.residual(state_.at_rest(), r_.get());
       report.norms = system_.norms(r_.get());
       if (settings_.progress) settings_.progress(report);
       if (report.norms.small(settings_.tolerance)) return report;
@@ -77,7 +77,7 @@ class Relaxation : StaticTrial {
       if (iterations <= kEasyIterations) weigh(kLighter);
       if (kinks_.active() && rests_on_kinks(report)) return report;
       if (settings_.friction) {
-        system_.commit(state_.view(0));
+        system_.commit(state_.at_rest());
         check_bodies();
         continue;
       }
@@ -144,7 +144,7 @@ class Relaxation : StaticTrial {
   double kinetic_energy() const {
     double e = 0;
     for (size_t i = 0; i < momentum_.size(); ++i) e += 0.5 * mass(i / 3) * momentum_[i] * momentum_[i];
-    return sum(e);
+    return sum_of_ranks(e);
   }
   void copy_momentum() {
     std::copy(local_.begin(), local_.begin() + static_cast<std::ptrdiff_t>(momentum_.size()),
@@ -154,12 +154,12 @@ class Relaxation : StaticTrial {
   // Residual of the trial with inertia forces. An increment that is far too large, or is not a number, is a
   // domain error.
   void residual() override {
-    if (!(limit() > 0.1)) {
+    if (!(largest_factor() > 0.1)) {
       check(SNESSetFunctionDomainError(snes_.get()));
       return;
     }
-    step(1);
-    system_.residual(trial_.view(0), r_.get());
+    move_trial(1);
+    system_.residual(trial_.at_rest(), r_.get());
     PetscScalar* r = nullptr;
     check(VecGetArray(r_.get(), &r));
     for (size_t i = 0; i < momentum_.size(); ++i)
@@ -171,10 +171,10 @@ class Relaxation : StaticTrial {
     Weights weights;
     weights.shift_position = mass_;
     weights.shift_rotation = mass_ * length_ * length_;
-    system_.tangent(trial_.view(0), weights, local_, false, J_.get());
+    system_.tangent(trial_.at_rest(), weights, local_, false, J_.get());
     kinks_.add_to(system_, J_.get());
   }
-  SNESConvergedReason check_step(int iteration) override {
+  SNESConvergedReason test_convergence(int iteration) override {
     const ResidualNorms norms = system_.norms(r_.get());
     if (iteration == 0) {
       hopeless_ = kHopeless * std::max(norms.relative(), 1e-6);
@@ -191,10 +191,10 @@ class Relaxation : StaticTrial {
 
   // True if the residual of the accepted state consists of jumps of forces only.
   bool rests_on_kinks(RelaxationReport& report) {
-    system_.residual(state_.view(0), r_.get());
+    system_.residual(state_.at_rest(), r_.get());
     if (!kinks_.norms_without_jumps(system_, r_.get(), length_).small(settings_.tolerance)) return false;
     report.norms = system_.norms(r_.get());
-    if (settings_.friction) system_.commit(state_.view(0));
+    if (settings_.friction) system_.commit(state_.at_rest());
     return true;
   }
 
@@ -207,13 +207,13 @@ class Relaxation : StaticTrial {
     PetscInt solutions = 0;
     check(SNESGetLinearSolveIterations(snes_.get(), &solutions));
     const int it = kinks_.active() ? kinks_.smooth_iterations() : std::max(1, static_cast<int>(solutions));
-    if (!solved || limit() < 1 || !path_is_clear()) return -it;
+    if (!solved || largest_factor() < 1 || !path_is_clear()) return -it;
     if (settings_.friction) return it;  // friction has no potential
     // An exact step of a convex potential reduces the energy. If the energy has grown, the step has led
     // elsewhere.
     double motion = 0;
     for (size_t i = 0; i < momentum_.size(); ++i) motion += 0.5 * mass(i / 3) * local_[i] * local_[i];
-    const double after = potential(trial_) + sum(motion);
+    const double after = potential(trial_) + sum_of_ranks(motion);
     return after <= before + 1e-6 * std::abs(before) ? it : -it;
   }
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/types.hpp"
 #include "hawser/system/own_blocks.hpp"
 

@@ -12,7 +12,7 @@
 
 #include "hawser/advice/start_shape.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/solve/laid_places.hpp"

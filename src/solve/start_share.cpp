@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/disjoint_sets.hpp"
 
 namespace hawser {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/solve/stability.hpp"
 #include "hawser/system/imbalance.hpp"
 
@@ -40,8 +40,8 @@ StaticSearch::StaticSearch(System& system, const StaticsSettings& settings, Stat
   check(SNESSetTolerances(snes_.get(), 0, 0, 0, settings.max_iterations + 1, PETSC_DEFAULT));
 }
 
-StaticsReport StaticSearch::run(bool near) {
-  if (!near) approach();
+StaticsReport StaticSearch::run(bool skip_softening) {
+  if (!skip_softening) soften_in_stages();
   State left;       // the equilibrium that was left last
   double push = 0;  // m, distance from it at which relaxation began
   for (;;) {
@@ -53,10 +53,10 @@ StaticsReport StaticSearch::run(bool near) {
     check(KSPReset(ksp_.get()));
     report_.negative_eigenvalues = negative_eigenvalues(J_.get(), !system_.coupled());
     // Friction has an unsymmetric tangent; the inertia of its symmetric part does not decide on stability.
-    if (settings_.near || report_.negative_eigenvalues <= 0) break;
+    if (settings_.starts_near || report_.negative_eigenvalues <= 0) break;
     // The same holds for drag. An equilibrium is therefore stable if relaxation returns to within the
     // distance of the push.
-    if (push > 0 && away(left) < push) {
+    if (push > 0 && distance_from(left) < push) {
       report_.negative_eigenvalues = -1;
       --report_.escapes;
       break;
@@ -64,11 +64,11 @@ StaticsReport StaticSearch::run(bool near) {
     if (report_.escapes == kMaxEscapes) break;
     ++report_.escapes;
     left = state_;
-    perturb(report_.escapes);
+    push_state(report_.escapes);
     push = 0;
     if (!relaxation_) continue;
-    const double pushed = away(left);
-    if (rest()) push = pushed;
+    const double pushed = distance_from(left);
+    if (relax_from_push()) push = pushed;
   }
   polish();
   return report_;
@@ -80,16 +80,16 @@ void StaticSearch::check_start() {
 }
 
 void StaticSearch::residual() {
-  system_.residual(state_.view(0), r_.get());
+  system_.residual(state_.at_rest(), r_.get());
   report_.norms = system_.norms(r_.get());
 }
 
-void StaticSearch::tangent() { system_.tangent(state_.view(0), weights_, zero_, !exact_, J_.get()); }
+void StaticSearch::tangent() { system_.tangent(state_.at_rest(), weights_, zero_, !exact_, J_.get()); }
 
-void StaticSearch::approach() {
+void StaticSearch::soften_in_stages() {
   residual();
   const double stiff = system_.axial_stiffness(), load = system_.dead_load();
-  if (load == 0 || near(report_.norms)) return;
+  if (load == 0 || tangent_trusted(report_.norms)) return;
   for (double soft = kSoft * load; soft < stiff; soft *= kStiffening) {
     system_.soften(soft);
     descend(1e-4);
@@ -101,34 +101,39 @@ void StaticSearch::approach() {
 void StaticSearch::descend(double tolerance) {
   tolerance_ = tolerance;
   shift_ = kFirstShift;
-  cut_ = 0;
-  least_ = HUGE_VAL;
-  sides_.clear();
-  begun_ = report_.iterations;
+  blocked_steps_ = 0;
+  least_residual_ = HUGE_VAL;
+  kinks_.clear();
+  iterations_before_ = report_.iterations;
   const SNESConvergedReason reason = solve();
   if (reason < 0)
     throw_no_equilibrium(failure(reason == SNES_DIVERGED_MAX_IT ? advice::StaticsEnds::too_many_iterations
                                                                 : advice::StaticsEnds::no_descent));
 }
 
-SNESConvergedReason StaticSearch::check_step(int iteration) {
+void StaticSearch::begin_iteration(int iteration) {
   const bool others = prepare();  // pairs of lines that may touch change with the state
-  system_.residual(state_.view(0), r_.get());
+  system_.residual(state_.at_rest(), r_.get());
   if (others) report_.norms = system_.norms(r_.get());
-  if (others || layout_ != sides_layout_) sides_.clear();
-  sides_layout_ = layout_;
+  if (others || layout_ != kinks_layout_) kinks_.clear();
+  kinks_layout_ = layout_;
   check(VecCopy(r_.get(), f_.get()));
   energy_ = potential(state_);
-  report_.iterations = begun_ + iteration;
+  report_.iterations = iterations_before_ + iteration;
   if (settings_.progress) settings_.progress(report_);
-  least_ = std::min(least_, report_.norms.relative());
+  least_residual_ = std::min(least_residual_, report_.norms.relative());
+}
+
+// Selects the tangent of the iteration, too.
+SNESConvergedReason StaticSearch::test_convergence(int iteration) {
+  begin_iteration(iteration);
   if (report_.norms.small(tolerance_)) return SNES_CONVERGED_FNORM_RELATIVE;
-  if (!sides_.empty()) {
-    sides_.evaluate(system_, state_, trial_);
-    if (sides_.norms(system_, f_.get()).small(tolerance_)) return SNES_CONVERGED_FNORM_RELATIVE;
+  if (!kinks_.empty()) {
+    kinks_.evaluate(system_, state_, trial_);
+    if (kinks_.norms(system_, f_.get()).small(tolerance_)) return SNES_CONVERGED_FNORM_RELATIVE;
   }
   if (iteration >= settings_.max_iterations) return SNES_DIVERGED_MAX_IT;
-  const bool close = near(report_.norms);
+  const bool close = tangent_trusted(report_.norms);
   use_tangent(close, close && shift_ < 1e-5 ? 0 : shift_);
   return SNES_CONVERGED_ITERATING;
 }
@@ -148,23 +153,23 @@ PetscErrorCode StaticSearch::search(SNESLineSearch search, void* self) {
 bool StaticSearch::advance(Vec y) {
   const bool close = exact_;
   const double slope = set_direction(y);
-  const double limit_of_terms = limit();
-  Descent found = find_descent(slope, limit_of_terms, close);
+  const double largest = largest_factor();
+  Descent found = find_descent(slope, largest, close);
   leave_kink(found, slope, close);
   if (found.taken) accept_trial();
   if (found.searched) residual();
   count_blocked(found.blocked);
-  if ((!found.taken && shift_ > 1e6) || cut_ > kMostCut)
+  if ((!found.taken && shift_ > 1e6) || blocked_steps_ > kMostCut)
     stop_search();
   else
-    adapt_shift(found, close || limit_of_terms == 1);
+    adapt_shift(found, close || largest == 1);
   return found.taken;
 }
 
 double StaticSearch::set_direction(Vec y) {
-  if (!sides_.empty()) sides_.combine(ksp_.get(), r_.get(), y);
+  if (!kinks_.empty()) kinks_.combine(ksp_.get(), r_.get(), y);
   const double slope = downhill(y);
-  return sides_.empty() ? slope : std::max(slope, sides_.slope(u_.get()));
+  return kinks_.empty() ? slope : std::max(slope, kinks_.slope(u_.get()));
 }
 
 StaticSearch::Descent StaticSearch::find_descent(double slope, double first, bool close) {
@@ -172,21 +177,21 @@ StaticSearch::Descent StaticSearch::find_descent(double slope, double first, boo
   out.factor = first;
   out.bracket = {0, slope, 0, 0};
   for (; out.halvings < kHalvings && !out.taken; ++out.halvings, out.factor *= out.taken ? 1 : 0.5) {
-    step(out.factor);
+    move_trial(out.factor);
     if (!path_is_clear()) {
       out.blocked = true;
       continue;
     }
     const double e = potential(trial_);
-    system_.residual(trial_.view(0), r_.get());
+    system_.residual(trial_.at_rest(), r_.get());
     const ResidualNorms n = system_.norms(r_.get());
     if (!std::isfinite(e) || !std::isfinite(n.force)) continue;
     const double slope_there = slope_at_trial();
     out.bracket.narrow(out.factor, slope_there, slope);
     // Forces without a potential may raise the energy near the solution. The residual must then be smaller
     // than any before, which prevents cycles.
-    out.taken = energy_falls(e, slope, slope_there, out.factor) || (close && n.relative() < least_) ||
-                n.small(tolerance_);
+    out.taken = energy_falls(e, slope, slope_there, out.factor) ||
+                (close && n.relative() < least_residual_) || n.small(tolerance_);
     if (out.taken) report_.norms = n;
   }
   return out;
@@ -212,14 +217,14 @@ void StaticSearch::leave_kink(Descent& found, double slope, bool close) {
       close && slope < 0 && found.bracket.rises > 0 && (!found.taken || found.factor <= kShortened);
   if (!found.searched) return;
   const bool kink = stop_at_kink(found.bracket, slope);
-  if (found.taken && !kink) step(found.factor);  // back to the trial before the search
+  if (found.taken && !kink) move_trial(found.factor);  // back to the trial before the search
   found.taken |= kink;
 }
 
 // If lines block step after step, they approach each other more and more, and there is no way on.
 void StaticSearch::count_blocked(bool blocked) {
   if (!blocked) blocked_by_.reset();
-  cut_ += blocked;
+  blocked_steps_ += blocked;
 }
 
 void StaticSearch::stop_search() {
@@ -243,8 +248,8 @@ bool StaticSearch::stop_at_kink(Bracket at, double slope) {
   const double width = std::min(1e-3 * at.beyond, kWidth * length_ / far);
   while (at.beyond - at.under > width) {
     const double middle = 0.5 * (at.under + at.beyond);
-    step(middle);
-    system_.residual(trial_.view(0), r_.get());
+    move_trial(middle);
+    system_.residual(trial_.at_rest(), r_.get());
     const double there = slope_at_trial();
     (there > 0 ? at.beyond : at.under) = middle;
     (there > 0 ? at.rises : at.falls) = there;
@@ -253,8 +258,8 @@ bool StaticSearch::stop_at_kink(Bracket at, double slope) {
   if (kink) {
     std::vector<double> from_state(local_);
     for (double& x : from_state) x *= at.beyond - at.under;
-    sides_.add(from_state, r_.get());
-    step(at.under);
+    kinks_.add(from_state, r_.get());
+    move_trial(at.under);
   }
   return kink;
 }
@@ -265,10 +270,10 @@ void StaticSearch::polish() {
     use_tangent(true, 0);
     newton(u_.get());
     downhill(u_.get());
-    if (limit() < 1) break;
-    step(1);
+    if (largest_factor() < 1) break;
+    move_trial(1);
     if (!path_is_clear()) break;
-    system_.residual(trial_.view(0), r_.get());
+    system_.residual(trial_.at_rest(), r_.get());
     // The residual is reduced below its round-off, too: for nearly inextensible lines the bound of the
     // round-off can be as large as the pull of an anchor.
     const auto size = [](ResidualNorms n) {
@@ -284,7 +289,7 @@ void StaticSearch::polish() {
 
 void StaticSearch::use_tangent(bool exact, double shift) {
   exact_ = exact;
-  used_ = shift;
+  tangent_shift_ = shift;
   PetscInt unknowns = 0;
   check(VecGetSize(u_.get(), &unknowns));
   const double unit = report_.norms.force_scale / std::sqrt(static_cast<double>(unknowns)) / length_;
@@ -303,13 +308,13 @@ double StaticSearch::downhill(Vec y) {
   PetscScalar rise = 0;
   check(VecDot(y, r_.get(), &rise));
   if (exact_ && !(rise > 0)) {
-    use_tangent(false, std::max(used_, 1e-6));
+    use_tangent(false, std::max(tangent_shift_, 1e-6));
     newton(y);
     check(VecDot(y, r_.get(), &rise));
   }
   check(VecCopy(y, u_.get()));
   check(VecScale(u_.get(), -1));
-  system_.gather(u_.get(), local_);
+  system_.update_ghosts(u_.get(), local_);
   return -rise;
 }
 
@@ -319,14 +324,14 @@ double StaticSearch::slope_at_trial() const {
   return slope;
 }
 
-double StaticSearch::away(const State& from) const {
+double StaticSearch::distance_from(const State& from) const {
   double far = 0;
   for (size_t n = 0; n < static_cast<size_t>(system_.mesh().owned); ++n)
     far = std::max(far, (state_.x[n] - from.x[n]).norm());
   return all_reduce(system_.comm(), MPI_MAX, far);
 }
 
-bool StaticSearch::rest() {
+bool StaticSearch::relax_from_push() {
   const RelaxationReport r = relax(system_, *relaxation_, state_);
   report_.iterations += r.iterations;
   report_.relaxation_steps += r.steps;

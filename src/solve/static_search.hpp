@@ -19,21 +19,23 @@ class StaticSearch : StaticTrial {
   StaticSearch(System& system, const StaticsSettings& settings, State& state,
                const RelaxationSettings* relaxation = nullptr);
 
-  // near: the state is an equilibrium in which little has changed. Throws SolveError, or what
+  // skip_softening: the state is an equilibrium in which little has changed. Throws SolveError, or what
   // throw_no_equilibrium() throws.
-  StaticsReport run(bool near = false);
+  StaticsReport run(bool skip_softening = false);
   // Throws SolveError if the squares of the forces at the start overflow, from which no step can recover.
   void check_start();
 
  private:
   void residual() override;  // at the state, because the increment is always zero
   void tangent() override;
-  SNESConvergedReason check_step(int iteration) override;
+  SNESConvergedReason test_convergence(int iteration) override;
+  // Prepares the terms, and evaluates residual and energy of the state.
+  void begin_iteration(int iteration);
   static PetscErrorCode search(SNESLineSearch search, void* self);
 
   // If the axial stiffness is far above the forces, finds the equilibrium with softer lines first, and that
   // of lines that yield with elastic lines first.
-  void approach();
+  void soften_in_stages();
   void descend(double tolerance);
   // Moves the state along Newton's direction y as far as the energy or, near the solution, the residual
   // decreases. Returns whether it moved. Sets the reason if the search ends.
@@ -69,7 +71,7 @@ class StaticSearch : StaticTrial {
   // Shift of the next tangent. trusted: the step was not limited, or the tangent is exact.
   void adapt_shift(const Descent& found, bool trusted);
   // Searches the bracket for a kink of the energy. If there is one, sets trial_ and r_ to its near side and
-  // adds the other one to sides_. `slope` is the slope at the state. Returns whether there is one.
+  // adds the other one to kinks_. `slope` is the slope at the state. Returns whether there is one.
   bool stop_at_kink(Bracket at, double slope);
   // Iterates down to round-off. What the tolerance leaves depends on the number of iterations, and that on
   // rounding and the number of ranks; it would be visible in a soft line beside stiff ones.
@@ -84,24 +86,24 @@ class StaticSearch : StaticTrial {
   // Slope of the energy along the increment at the trial, whose residual is in r_.
   double slope_at_trial() const;
   // Dynamic relaxation from the pushed state. Returns whether it took any steps.
-  bool rest();
+  bool relax_from_push();
   // Largest distance of a node from its place in that state, m. Collective.
-  double away(const State& from) const;
+  double distance_from(const State& from) const;
   std::string failure(advice::StaticsEnds how) const;
 
   const StaticsSettings& settings_;
   const RelaxationSettings* relaxation_;
   StaticsReport report_;
   double tolerance_ = 0, energy_ = 0;  // tolerance of the residual; energy of the state, J
-  double least_ = 0;                   // least relative residual of this descent
-  KinkSides sides_;
-  int sides_layout_ = 0;  // layout_ of the vectors in sides_
+  double least_residual_ = 0;          // least relative residual of this descent
+  KinkSides kinks_;
+  int kinks_layout_ = 0;  // layout_ of the vectors in kinks_
   double shift_ = 0;      // of the next iteration
   bool exact_ = false;
-  double used_ = 0;  // shift of the tangent
+  double tangent_shift_ = 0;  // shift of the tangent
   Weights weights_;
-  int begun_ = 0;  // iterations before this descent
-  int cut_ = 0;    // steps of this descent that blocking lines shortened
+  int iterations_before_ = 0;  // iterations before this descent
+  int blocked_steps_ = 0;      // steps of this descent that blocking lines shortened
 };
 
 }  // namespace hawser

@@ -7,7 +7,7 @@
 
 #include "hawser/advice/statics.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/terms/line_candidates.hpp"
 
@@ -34,7 +34,7 @@ StaticTrial::StaticTrial(System& system, State& state) : system_(system), state_
         auto& s = *static_cast<StaticTrial*>(self);
         return s.error_.capture([&] {
           check(VecCopy(x, s.u_.get()));
-          s.system_.gather(s.u_.get(), s.local_);
+          s.system_.update_ghosts(s.u_.get(), s.local_);
           s.residual();
           check(VecCopy(s.r_.get(), f));
         });
@@ -44,7 +44,7 @@ StaticTrial::StaticTrial(System& system, State& state) : system_(system), state_
       snes_.get(),
       [](SNES, PetscInt it, PetscReal, PetscReal, PetscReal, SNESConvergedReason* reason, void* self) {
         auto& s = *static_cast<StaticTrial*>(self);
-        return s.error_.capture([&] { *reason = s.check_step(static_cast<int>(it)); });
+        return s.error_.capture([&] { *reason = s.test_convergence(static_cast<int>(it)); });
       },
       this, nullptr));
   check(SNESSetFromOptions(snes_.get()));
@@ -83,35 +83,35 @@ void StaticTrial::build() {
 }
 
 bool StaticTrial::prepare() {
-  const CouplingChange c = system_.couple(state_.view(0), 0);
+  const CouplingChange c = system_.update_couplings(state_.at_rest(), 0);
   if (c == CouplingChange::layout_changed) {
     build();
-    system_.spread(state_);
+    system_.update_ghosts(state_);
     trial_ = state_;
   }
-  system_.prepare(state_.view(0), 0);
+  system_.prepare(state_.at_rest(), 0);
   return c != CouplingChange::unchanged;
 }
 
-double StaticTrial::sum(double x) const {
+double StaticTrial::sum_of_ranks(double x) const {
   all_reduce(system_.comm(), MPI_SUM, x);
   return x;
 }
 
 double StaticTrial::potential(const State& s) const {
-  const Energy e = system_.energy(s.view(0));
-  return sum(e.strain + e.potential);
+  const Energy e = system_.energy(s.at_rest());
+  return sum_of_ranks(e.strain + e.potential);
 }
 
 // The residual is compared with dead loads, not with internal forces: a straight compressed line that is
 // longer than its span is in balance except for its weight.
-bool StaticTrial::near(const ResidualNorms& n) const {
+bool StaticTrial::tangent_trusted(const ResidualNorms& n) const {
   const double load = system_.dead_load() / std::sqrt(static_cast<double>(system_.mesh().mesh->nodes()));
   return load > 0 ? n.force < kNear * load && n.moment < kNear * std::max(n.moment_scale, load * length_)
                   : n.relative() < kNear;
 }
 
-double StaticTrial::limit() const {
+double StaticTrial::largest_factor() const {
   double x = 0, turn = 0;
   const LocalMesh& m = system_.mesh();
   for (int n = 0; n < m.owned; ++n) {
@@ -124,7 +124,7 @@ double StaticTrial::limit() const {
   return worst > 1 ? 1 / worst : 1;
 }
 
-void StaticTrial::step(double factor) {
+void StaticTrial::move_trial(double factor) {
   std::vector<double> u(local_);
   for (double& x : u) x *= factor;
   retract(system_.mesh(), state_, u.data(), trial_);
@@ -139,47 +139,47 @@ bool StaticTrial::path_is_clear() {
     }
     return v.accepted();
   };
-  const Verdict verdict = system_.check_step(trial_.view(0));
+  const Verdict verdict = system_.check_step(trial_.at_rest());
   if (verdict.kind != Verdict::Kind::prepare_again) return passes(verdict);
   const LocalMesh& m = system_.mesh();
   // With this step the predicted path ends at the trial.
-  if (system_.couple(straight_path(m, state_, trial_, 1).view(0), 1 / CandidateSettings{}.steps) ==
-      CouplingChange::layout_changed) {
+  if (system_.update_couplings(straight_path(m, state_, trial_, 1).at_rest(),
+                               1 / CandidateSettings{}.steps) == CouplingChange::layout_changed) {
     std::vector<double> u(local_.begin(), local_.begin() + 3 * m.owned_blocks);
     build();
-    system_.spread(state_);
-    system_.spread(trial_);
+    system_.update_ghosts(state_);
+    system_.update_ghosts(trial_);
     if (!u.empty()) {
       PetscScalar* p = nullptr;
       check(VecGetArray(u_.get(), &p));
       std::copy(u.begin(), u.end(), p);
       check(VecRestoreArray(u_.get(), &p));
     }
-    system_.gather(u_.get(), local_);
+    system_.update_ghosts(u_.get(), local_);
   }
-  system_.prepare(state_.view(0), 0);
-  return passes(system_.check_step(trial_.view(0)));
+  system_.prepare(state_.at_rest(), 0);
+  return passes(system_.check_step(trial_.at_rest()));
 }
 
 void StaticTrial::throw_no_equilibrium(const std::string& why) {
   if (!blocked_by_) throw SolveError(why);
-  system_.spread(blocked_);
-  if (system_.raise_stiffness_where_blocked(blocked_.view(0))) throw StiffnessRaised();
+  system_.update_ghosts(blocked_);
+  if (system_.raise_stiffness_where_blocked(blocked_.at_rest())) throw StiffnessRaised();
   throw PathBlocked(advice::path_blocked(first_text(system_.comm(), advice::clause(*blocked_by_))));
 }
 
-void StaticTrial::perturb(int attempt) {
+void StaticTrial::push_state(int attempt) {
   double share = 1;
   for (int k = 0; k < kMostHalvings; ++k, share *= 0.5) {
     trial_ = state_;
-    push(attempt, share, trial_);
+    displace(attempt, share, trial_);
     if (!path_is_clear()) continue;
     accept_trial();
     return;
   }
 }
 
-void StaticTrial::push(int attempt, double share, State& s) const {
+void StaticTrial::displace(int attempt, double share, State& s) const {
   const LocalMesh& m = system_.mesh();
   for (int n = 0; n < m.nodes(); ++n) {
     const size_t i = n;

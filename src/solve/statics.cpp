@@ -1,5 +1,11 @@
-// The search for static equilibrium: Newton's descent, dynamic relaxation if it fails, and raises of contact
-// stiffness.
+// The order of the search for static equilibrium (docs/theory/statics.md):
+//   find_equilibrium
+//     restart_when_stiffened  from the start, when contact was too soft to keep a line out of a volume
+//       raise_until_enough    from the equilibrium, while it requires stiffer contact
+//         try_methods         from the start, with the next method when one fails
+//           StaticSearch      Newton's descent
+//           relax_then_newton
+//           relax_with_friction
 #include "hawser/solve/statics.hpp"
 
 #include <cmath>
@@ -27,38 +33,38 @@ void pass_on_progress(const StaticsSettings& settings, RelaxationSettings& r) {
   };
 }
 
-StaticsReport relaxed(System& system, const StaticsSettings& settings, State& state) {
+StaticsReport relax_then_newton(System& system, const StaticsSettings& settings, State& state) {
   RelaxationSettings r;
   r.max_steps = settings.relaxation_steps;
   pass_on_progress(settings, r);
-  RelaxationReport rest;
+  RelaxationReport relaxed;
   const State from = state;
   try {
-    rest = relax(system, r, state);
+    relaxed = relax(system, r, state);
   } catch (const SolveError&) {  // the start shape may have been in a plane or have had another symmetry
     state = from;
-    system.spread(state);
+    system.update_ghosts(state);
     r.pushed = 1;
-    rest = relax(system, r, state);
+    relaxed = relax(system, r, state);
   }
   r.pushed = 0;
   for (;;) {
-    State near = state;
+    State candidate = state;
     try {
-      StaticsReport report = StaticSearch(system, settings, near, &r).run(true);
-      state = std::move(near);
-      report.iterations += rest.iterations;
-      report.relaxation_steps += rest.steps;
+      StaticsReport report = StaticSearch(system, settings, candidate, &r).run(true);
+      state = std::move(candidate);
+      report.iterations += relaxed.iterations;
+      report.relaxation_steps += relaxed.steps;
       return report;
     } catch (const SolveError&) {
       // Newton's iteration needs a start nearer to the equilibrium.
       r.tolerance *= 1e-2;
       if (r.tolerance < settings.tolerance) throw;
     }
-    system.spread(state);
+    system.update_ghosts(state);
     const RelaxationReport more = relax(system, r, state);
-    rest.steps += more.steps;
-    rest.iterations += more.iterations;
+    relaxed.steps += more.steps;
+    relaxed.iterations += more.iterations;
   }
 }
 
@@ -72,7 +78,7 @@ class Start {
     system_.soften(HUGE_VAL);
     state = state_;
     for (size_t i = 0; i < history_.size(); ++i) system_.terms()[i]->restore(history_[i]);
-    system_.spread(state);
+    system_.update_ghosts(state);
   }
 
  private:
@@ -85,8 +91,8 @@ class Start {
 // used. If contact was too soft on that path, lines were drawn into it, and friction would hold them while
 // they are pressed out again. The path is therefore repeated from the start with the stiffness that its end
 // requires.
-StaticsReport against_friction(System& system, const StaticsSettings& settings, const Start& start,
-                               State& state) {
+StaticsReport relax_with_friction(System& system, const StaticsSettings& settings, const Start& start,
+                                  State& state) {
   RelaxationSettings r;
   r.max_steps = settings.relaxation_steps;
   r.tolerance = settings.tolerance;
@@ -94,11 +100,11 @@ StaticsReport against_friction(System& system, const StaticsSettings& settings, 
   pass_on_progress(settings, r);
   StaticsReport report;
   for (int round = 0;; ++round) {
-    const RelaxationReport rest = relax(system, r, state);
-    report.iterations += rest.iterations;
-    report.relaxation_steps += rest.steps;
-    report.norms = rest.norms;
-    if (!system.raise_stiffness(state.view(0))) return report;
+    const RelaxationReport relaxed = relax(system, r, state);
+    report.iterations += relaxed.iterations;
+    report.relaxation_steps += relaxed.steps;
+    report.norms = relaxed.norms;
+    if (!system.raise_stiffness(state.at_rest())) return report;
     if (round == kMostRaises) throw SolveError(advice::automatic_stiffness_unsettled());
     start.again(state);
   }
@@ -109,25 +115,24 @@ enum class Method { newton, relaxation };
 // The methods to try, in this order.
 std::vector<Method> methods(const StaticsSettings& settings) {
   if (settings.relaxation == RelaxationUse::never) return {Method::newton};
-  if (settings.near) return {Method::newton, Method::relaxation};
+  if (settings.starts_near) return {Method::newton, Method::relaxation};
   if (settings.relaxation == RelaxationUse::always) return {Method::relaxation};
   if (settings.relaxation == RelaxationUse::first) return {Method::relaxation, Method::newton};
   return {Method::newton, Method::relaxation};
 }
 
-StaticsReport first_equilibrium(System& system, const StaticsSettings& settings, const Start& start,
-                                State& state) {
-  if (settings.friction) return against_friction(system, settings, start, state);
+StaticsReport try_methods(System& system, const StaticsSettings& settings, const Start& start, State& state) {
+  if (settings.friction) return relax_with_friction(system, settings, start, state);
   const std::vector<Method> order = methods(settings);
   std::vector<std::string> failures;
   for (const Method method : order) {
     if (!failures.empty()) start.again(state);
     const bool last = failures.size() + 1 == order.size();
     try {
-      if (method == Method::relaxation) return relaxed(system, settings, state);
-      return StaticSearch(system, settings, state).run(settings.near);
+      if (method == Method::relaxation) return relax_then_newton(system, settings, state);
+      return StaticSearch(system, settings, state).run(settings.starts_near);
     } catch (const PathBlocked& blocked) {
-      if (last || settings.near) throw;
+      if (last || settings.starts_near) throw;
       failures.emplace_back(blocked.what());
     } catch (const SolveError& failure) {
       if (order.size() == 1) throw;
@@ -138,10 +143,10 @@ StaticsReport first_equilibrium(System& system, const StaticsSettings& settings,
 }
 
 // Raises the contact stiffness until the equilibrium requires no more.
-StaticsReport stiff_equilibrium(System& system, const StaticsSettings& settings, const Start& start,
-                                State& state) {
-  StaticsReport report = first_equilibrium(system, settings, start, state);
-  for (int round = 0; system.raise_stiffness(state.view(0)); ++round) {
+StaticsReport raise_until_enough(System& system, const StaticsSettings& settings, const Start& start,
+                                 State& state) {
+  StaticsReport report = try_methods(system, settings, start, state);
+  for (int round = 0; system.raise_stiffness(state.at_rest()); ++round) {
     if (round == kMostRaises) throw SolveError(advice::automatic_stiffness_unsettled());
     const StaticsReport more = StaticSearch(system, settings, state).run(true);
     report.iterations += more.iterations;
@@ -154,11 +159,11 @@ StaticsReport stiff_equilibrium(System& system, const StaticsSettings& settings,
 
 // If contact is far too soft, lines would be drawn through volumes. Steps that do so are rejected; if no step
 // is left, contact is made stiffer and the search begins again.
-StaticsReport outside_volumes(System& system, const StaticsSettings& settings, State& state) {
+StaticsReport restart_when_stiffened(System& system, const StaticsSettings& settings, State& state) {
   const Start start(system, state);
   for (;;) {
     try {
-      return stiff_equilibrium(system, settings, start, state);
+      return raise_until_enough(system, settings, start, state);
     } catch (const StiffnessRaised&) {
       start.again(state);
     }
@@ -171,12 +176,12 @@ StaticsReport find_equilibrium(System& system, const StaticsSettings& settings, 
   const size_t n = state.x.size();
   for (auto* a : {&state.v, &state.a, &state.w, &state.alpha}) a->assign(n, Vec3::Zero());
   StaticSearch(system, settings, state).check_start();
-  const StaticsReport report = outside_volumes(system, settings, state);
-  if (const auto found = system.overstretched(state.view(0)))
+  const StaticsReport report = restart_when_stiffened(system, settings, state);
+  if (const auto found = system.overstretched(state.at_rest()))
     throw SolveError(advice::overstretched_in_statics(*found));
-  if (const auto found = system.lost_in_rounding(state.view(0)))
+  if (const auto found = system.lost_in_rounding(state.at_rest()))
     throw SolveError(advice::tension_lost_in_statics(*found));
-  system.commit(state.view(0));
+  system.commit(state.at_rest());
   return report;
 }
 

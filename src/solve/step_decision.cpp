@@ -3,10 +3,11 @@
 // events.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "hawser/advice/steps.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/angle_between.hpp"
 #include "hawser/solve/dynamics.hpp"
 #include "hawser/system/imbalance.hpp"
@@ -59,24 +60,25 @@ int turned_over(const LocalMesh& mesh, const Kinematics& before, const Kinematic
 Verdict Dynamics::check_step() {
   using Kind = Verdict::Kind;
   if (!tries_.solved) return {Kind::shorter, imbalance(system_, r_.get(), norms_)};
-  const Kinematics trial = trial_.s.view(h_);
+  const Kinematics trial = trial_.s.after_step(h_);
   const NodeValue turn = alpha_turn(system_.mesh(), local_u_);
-  const int over = turned_over(system_.mesh(), committed_.s.view(h_), trial);
-  enum : size_t { kError, kTurn, kOver, kOverstretch };
-  double most[] = {alpha_error(system_.mesh(), alpha_, h_, committed_, trial_, settings_.strictness),
-                   turn.value, static_cast<double>(over), system_.overstretch(trial).beyond};
-  Verdict verdict = system_.check_step(trial, control_.divides(h_), most);
-  tries_.info.error = most[kError];
-  tries_.overstretched = most[kOverstretch] > 0;
-  if (most[kTurn] > M_PI) {  // The same orientation would have another increment, in the opposite direction.
+  const int over = turned_over(system_.mesh(), kinematics(), trial);
+  double error = alpha_error(system_.mesh(), alpha_, h_, committed_, trial_, settings_.strictness);
+  double largest_turn = turn.value, node_turned_over = over, beyond = system_.overstretch(trial).beyond;
+  RankMax of_ranks;
+  for (double* number : {&error, &largest_turn, &node_turned_over, &beyond}) of_ranks.add(*number);
+  Verdict verdict = system_.check_step(trial, control_.divides(h_), std::move(of_ranks));
+  tries_.info.error = error;
+  tries_.overstretched = beyond > 0;
+  if (largest_turn > M_PI) {  // The same orientation would have another increment, in the opposite direction.
     NodeValue worst = turn;
     MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, system_.comm());
     return {Kind::shorter,
             advice::TurnsTooFar{system_.mesh().mesh->place(static_cast<int>(worst.node)), worst.value}};
   }
-  if (most[kOver] >= 0)
+  if (node_turned_over >= 0)
     return {Kind::shorter,
-            advice::ElementTurnsOver{system_.mesh().mesh->place(static_cast<int>(most[kOver]))}};
+            advice::ElementTurnsOver{system_.mesh().mesh->place(static_cast<int>(node_turned_over))}};
   return verdict;
 }
 
@@ -92,8 +94,8 @@ double Dynamics::begin_step() {
   // Evaluated at the committed state, before the terms have evaluated a trial.
   if (events_) tries_.at_start = events_(kinematics());
   if (control_.respects_term_limits()) {
-    const StepLimit limit = system_.longest_step(committed_.s.view(last_step_),
-                                                 {committed_.ax, alpha_stored(alpha_)}, control_.proposal());
+    const StepLimit limit =
+        system_.longest_step(kinematics(), {committed_.ax, alpha_stored(alpha_)}, control_.proposal());
     control_.follow_impact(committed_.s.time, limit.period);
     tries_.allowed = limit.longest;
   }
@@ -110,8 +112,8 @@ Dynamics::Decision Dynamics::decide() {
   switch (verdict.kind) {
     case Verdict::Kind::accept:
       if (events_ && !control_.is_shortest(h_)) {
-        tries_.event =
-            tries_.search.next(h_, control_.shortest_length(), events_(trial_.s.view(h_)), tries_.at_start);
+        tries_.event = tries_.search.next(h_, control_.shortest_length(), events_(trial_.s.after_step(h_)),
+                                          tries_.at_start);
         // The length is changed only to meet the event, not because the step failed.
         if (tries_.event != h_) {
           ++tries_.info.rejected;
@@ -119,7 +121,8 @@ Dynamics::Decision Dynamics::decide() {
         }
       }
       if (tries_.overstretched)
-        throw SolveError(advice::overstretched_at(trial_.s.time, *system_.overstretched(trial_.s.view(h_))));
+        throw SolveError(
+            advice::overstretched_at(trial_.s.time, *system_.overstretched(trial_.s.after_step(h_))));
       control_.accepted(h_, tries_.info.iterations, error);
       return {true, control_.proposal()};
     case Verdict::Kind::prepare_again:
@@ -141,8 +144,8 @@ Dynamics::Decision Dynamics::decide() {
   tries_.event = HUGE_VAL;  // A shorter step may not reach the event.
   if (control_.rejected(h_, !inaccurate, error)) return {false, next_try()};
   const std::string because = first_text(system_.comm(), advice::clause(verdict.because));
-  throw SolveError(advice::shortest_step_fails(committed_.s.time, h_, because,
-                                               folded_element(system_, committed_.s.view(h_))));
+  throw SolveError(
+      advice::shortest_step_fails(committed_.s.time, h_, because, folded_element(system_, kinematics())));
 }
 
 }  // namespace hawser

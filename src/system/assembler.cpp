@@ -54,6 +54,35 @@ void weigh(int entries, double w, const double* A, double* J) {
 
 }  // namespace
 
+Assembler Assembler::for_residual(const LocalMesh& mesh, const TiedNodeForces& ties, double mean_weight,
+                                  const Residual& to) {
+  Assembler a;
+  a.owned_blocks_ = mesh.owned_blocks;
+  a.ties_ = &ties;
+  a.mean_weight_ = mean_weight;
+  a.force_ = &to.force;
+  a.mean_ = &to.mean;
+  a.squares_ = &to.squares;
+  return a;
+}
+
+Assembler Assembler::for_tangent(const LocalMesh& mesh, const TiedNodeForces& ties, double mean_weight,
+                                 const Weights& weights, bool convex, const Tangent& to) {
+  Assembler a;
+  a.owned_blocks_ = mesh.owned_blocks;
+  a.global_block_ = &mesh.global_block;
+  a.ties_ = &ties;
+  a.mean_weight_ = mean_weight;
+  a.weights_ = weights;
+  a.convex_ = convex;
+  a.matrix_ = to.matrix;
+  a.own_ = &to.own;
+  a.retraction_ = &to.retraction;
+  a.turn_of_ = &to.turn_of;
+  a.held_ = &to.held;
+  return a;
+}
+
 void Assembler::add_force(int b, double x, double y, double z) {
   if (b >= owned_blocks_ && !sending_) return;
   double* out = force_->data() + 3 * b;

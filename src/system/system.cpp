@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/base/rank_independent.hpp"
 #include "hawser/math/so3.hpp"
 #include "logged.hpp"
@@ -62,11 +62,11 @@ void System::add(std::unique_ptr<ForceTerm> term) {
     check(PetscClassIdRegister("hawser terms", &c));
     return c;
   }();
-  const std::string name(term->name());
+  const std::string key(term->record_key());
   Events& e = events_.emplace_back();
-  check(PetscLogEventRegister(("f " + name).c_str(), id, &e.force));
-  check(PetscLogEventRegister(("J " + name).c_str(), id, &e.tangent));
-  check(PetscLogEventRegister(("prepare " + name).c_str(), id, &e.prepare));
+  check(PetscLogEventRegister(("f " + key).c_str(), id, &e.force));
+  check(PetscLogEventRegister(("J " + key).c_str(), id, &e.tangent));
+  check(PetscLogEventRegister(("prepare " + key).c_str(), id, &e.prepare));
   if (limit_event_ < 0) check(PetscLogEventRegister("limit steps", id, &limit_event_));
   terms_.push_back(std::move(term));
   list_roles();
@@ -93,7 +93,7 @@ void System::tie(std::vector<TiedNode> nodes, BodyMotion motion) {
   ties_ = TiedNodeForces(mesh_, tied_nodes_);
 }
 
-bool System::gather(Vec u, std::vector<double>& out) const {
+bool System::update_ghosts(Vec u, std::vector<double>& out) const {
   out.resize(3 * static_cast<size_t>(mesh_.blocks()));
   const int size = ranks_of(comm_);
   if (size > 1) {
@@ -118,15 +118,9 @@ void System::residual(const Kinematics& trial, Vec r, std::span<const double> ca
   std::fill(force_.begin(), force_.end(), 0.0);
   const size_t owned = 3 * static_cast<size_t>(mesh_.owned_blocks);
   if (!carried.empty()) std::copy_n(carried.begin(), owned, force_.begin());
-  Assembler assembler;
-  assembler.force_ = &force_;
-  assembler.mean_weight_ = trial.mean.weight;
   std::fill(mean_.begin(), mean_.end(), 0.0);
-  assembler.mean_ = &mean_;
   std::fill(squares_.begin(), squares_.end(), 0.0);
-  assembler.squares_ = &squares_;
-  assembler.owned_blocks_ = mesh_.owned_blocks;
-  assembler.ties_ = &ties_;
+  Assembler assembler = Assembler::for_residual(mesh_, ties_, trial.mean.weight, {force_, mean_, squares_});
   update_fed_lines(trial);
   for (size_t i = 0; i < terms_.size(); ++i) {
     const Logged logged(events_[i].force);
@@ -164,19 +158,9 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
     if (turn_of_[b] >= 0) retraction_[turn_of_[b]] = right_jacobian(Eigen::Map<const Vec3>(u.data() + 3 * b));
   check(MatZeroEntries(J));
   const OwnBlocks own(J);
-  Assembler assembler;
-  assembler.matrix_ = J;
-  assembler.own_ = &own;
-  assembler.weights_ = weights;
-  assembler.mean_weight_ = trial.mean.weight;
-  assembler.convex_ = convex;
-  assembler.owned_blocks_ = mesh_.owned_blocks;
-  assembler.global_block_ = &mesh_.global_block;
-  assembler.retraction_ = &retraction_;
-  assembler.turn_of_ = &turn_of_;
-  assembler.held_ = &tied_nodes_.held();
   ties_.move(trial);
-  assembler.ties_ = &ties_;
+  Assembler assembler = Assembler::for_tangent(mesh_, ties_, trial.mean.weight, weights, convex,
+                                               {J, own, retraction_, turn_of_, tied_nodes_.held()});
   update_fed_lines(trial);
   for (size_t i = 0; i < terms_.size(); ++i) {
     const Logged logged(events_[i].tangent);

@@ -1,7 +1,7 @@
 // The class System: checks of states that solve the equations but are not valid results.
 #include <algorithm>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/system/system.hpp"
 
 namespace hawser {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/system/system.hpp"
 
 namespace hawser {
@@ -34,12 +34,12 @@ void System::with_frames(Couplings& c) const {
   }
 }
 
-CouplingChange System::couple(const Kinematics& committed, double h) {
+CouplingChange System::update_couplings(const Kinematics& committed, double h) {
   bool same = true;
-  for (CouplesNodes* t : listed<CouplesNodes>()) same &= !t->recouple(committed, h);
+  for (CouplesNodes* t : listed<CouplesNodes>()) same &= !t->refresh_couplings(committed, h);
   if (same) return CouplingChange::unchanged;
   Couplings wanted;
-  for (const CouplesNodes* t : listed<CouplesNodes>()) t->couple(wanted);
+  for (const CouplesNodes* t : listed<CouplesNodes>()) t->list_couplings(wanted);
   with_frames(wanted);
   wanted.sort();
   const bool fits = all(comm_, wanted.within(couplings_));
@@ -51,14 +51,14 @@ CouplingChange System::couple(const Kinematics& committed, double h) {
     size_arrays();
     reghost_ties();
   }
-  for (CouplesNodes* t : listed<CouplesNodes>()) t->update_ghosts();
+  for (CouplesNodes* t : listed<CouplesNodes>()) t->renumber();
   return fits ? CouplingChange::pattern_changed : CouplingChange::layout_changed;
 }
 
-void System::spread(State& s) const {
-  for (auto* values : {&s.x, &s.v, &s.a, &s.w, &s.alpha}) exchange_.spread(*values);
-  exchange_.spread(s.q);
-  if (!s.directors.empty()) exchange_.spread(s.directors);
+void System::update_ghosts(State& s) const {
+  for (auto* values : {&s.x, &s.v, &s.a, &s.w, &s.alpha}) exchange_.update_ghosts(*values);
+  exchange_.update_ghosts(s.q);
+  if (!s.directors.empty()) exchange_.update_ghosts(s.directors);
 }
 
 // Held nodes of other ranks that are ghosts here must move with their ties, and their columns of the tangent
@@ -77,7 +77,7 @@ void System::reghost_ties() {
     tie = {true, s};
     if (s.frame >= 0) tie.at.frame = mesh_.global[s.frame];
   }
-  exchange_.spread(ties);
+  exchange_.update_ghosts(ties);
   for (int node = mesh_.element_ghosts_end; node < static_cast<int>(mesh_.global.size()); ++node) {
     if (!ties[node].tied) continue;
     TiedNode& s = kept.emplace_back(ties[node].at);

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "hawser/advice/steps.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/system/system.hpp"
 #include "logged.hpp"
 
@@ -44,7 +44,7 @@ StepLimit System::longest_step(const Kinematics& committed, const StoredMotion& 
   // compared with it.
   const auto growth_limit = [&](std::span<LineMotion> lines) {
     energy_tolerance_ = energy_tolerance(lines.first(lines_));
-    return growth_limited_step(lines.last(lines_), energy_tolerance_, stored.share, committed.step);
+    return growth_limited_step(lines.last(lines_), energy_tolerance_, stored.share, committed.last_step());
   };
   std::vector<LineMotion> lines = shares;
   sum_cut_lines({numbers_of(std::span(lines).first(lines_)), numbers_of(std::span(lines).last(lines_))});
@@ -71,7 +71,7 @@ StepLimit System::longest_step(const Kinematics& committed, const StoredMotion& 
   return limit;
 }
 
-Verdict System::check_step(const Kinematics& trial, bool impacts, std::span<double> largest) {
+Verdict System::check_step(const Kinematics& trial, bool impacts, RankMax together) {
   Verdict worst;
   for (const LimitsSteps* t : listed<LimitsSteps>())
     if (Verdict v = t->check_step(trial); v.kind > worst.kind) worst = std::move(v);
@@ -81,21 +81,19 @@ Verdict System::check_step(const Kinematics& trial, bool impacts, std::span<doub
     for (LimitsSteps* t : listed<LimitsSteps>()) t->unresolved(trial, found);
   }
   // A single reduction for all quantities of a trial.
-  enum : size_t { kKind, kTooDeep, kImpacts, kFirst };
-  std::vector<double> most{static_cast<double>(worst.kind), found.too_deep ? 1.0 : 0.0,
-                           found.list.empty() ? 0.0 : 1.0};
-  most.insert(most.end(), largest.begin(), largest.end());
-  all_reduce(comm_, MPI_MAX, most);
-  std::copy(most.begin() + kFirst, most.end(), largest.begin());
-  const auto kind = static_cast<Verdict::Kind>(most[kKind]);
+  double severity = static_cast<double>(worst.kind);
+  double too_deep = found.too_deep ? 1 : 0, any_impact = found.list.empty() ? 0 : 1;
+  for (double* number : {&severity, &too_deep, &any_impact}) together.add(*number);
+  together.reduce(comm_);
+  const auto kind = static_cast<Verdict::Kind>(severity);
   if (kind != Verdict::Kind::accept) {
     if (kind != worst.kind) worst.because = {};
     worst.kind = kind;
     return worst;
   }
   const Verdict not_resolved{Verdict::Kind::shorter, advice::ImpactNotResolved{}};
-  if (most[kTooDeep] > 0) return not_resolved;
-  if (most[kImpacts] == 0) return {};
+  if (too_deep > 0) return not_resolved;
+  if (any_impact == 0) return {};
   all_reduce(comm_, MPI_MAX, energy_tolerance_);  // also of lines of other ranks
   const auto over_ranks = [this](std::span<double> values) { sum(values); };
   return within_tolerance(found.list, energy_tolerance_, over_ranks) ? Verdict{} : not_resolved;

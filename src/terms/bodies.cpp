@@ -2,7 +2,7 @@
 // rides on, and their exchange between ranks. Ends of lines on bodies are in system/tied_nodes.hpp.
 #include "hawser/terms/bodies.hpp"
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/terms/rigid_bodies.hpp"

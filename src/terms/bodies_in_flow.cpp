@@ -98,12 +98,10 @@ double BodiesInFlow::work(const Push& from, const Push& to) {
   return 0.5 * ((from.force + to.force).dot(to.place - from.place) + (from.moment + to.moment).dot(turn));
 }
 
-void BodiesInFlow::prepare(const Kinematics& committed, double h) {
-  Kinematics now = committed;
-  if (!now.moves()) now.step = h;
+void BodiesInFlow::prepare(const Kinematics& committed, double) {
   for (Flow& f : list_)
-    if (!committed.moves() || !f.pushed) {
-      f.push = push(f, now);
+    if (!committed.after_step() || !f.pushed) {
+      f.push = push(f, committed);
       f.pushed = true;
     }
 }

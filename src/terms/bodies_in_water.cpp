@@ -141,11 +141,11 @@ double work(const Flow& from, const Flow& to) {
 
 }  // namespace
 
-void BodiesInWater::prepare(const Kinematics& committed, double h) {
+void BodiesInWater::prepare(const Kinematics& committed, double) {
   for (Wet& b : list_) {
     const RigidBodyState s = state(b, committed);
     b.start = places(b, s);
-    if (!committed.moves() || !b.has_wave_place) {
+    if (!committed.after_step() || !b.has_wave_place) {
       b.wave_place = b.start;
       b.has_wave_place = true;
     }
@@ -153,12 +153,10 @@ void BodiesInWater::prepare(const Kinematics& committed, double h) {
     b.known = false;
   }
   start_time_ = committed.time;
-  // At the first step waves start to act, and accelerations jump.
-  Kinematics now = committed;
-  if (!now.moves()) now.step = h;
+  // At the start of the motion waves start to act, and accelerations jump.
   for (Wet& b : list_)
-    if (!committed.moves() || !b.flowed) {
-      b.flow = flow(b, now);
+    if (!committed.after_step() || !b.flowed) {
+      b.flow = flow(b, committed);
       b.flowed = true;
     }
 }

@@ -85,17 +85,17 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
     }
     pairs_.push_back(pair);
   }
-  update_ghosts();
+  renumber();
 }
 
-void BodyContactTerm::couple(Couplings& to) const {
+void BodyContactTerm::list_couplings(Couplings& to) const {
   for (const Pair& p : pairs_) {
     const int a = bodies_of_volumes_[p.a].global, b = bodies_of_volumes_[p.b].global;
     if (a >= 0 && b >= 0 && (mesh_.owns_node(a) || mesh_.owns_node(b))) to.add({a, a}, {b, b});
   }
 }
 
-void BodyContactTerm::update_ghosts() {
+void BodyContactTerm::renumber() {
   for (PairBody& s : bodies_of_volumes_) {
     s.node = s.global < 0 ? -1 : mesh_.find(s.global);
     s.block = s.node < 0 ? -1 : mesh_.block[s.node];
@@ -317,12 +317,12 @@ void BodyContactTerm::commit(const Kinematics& accepted) {
   }
 }
 
-// In dynamics the energy of the committed state, in statics that of the trial.
+// After a step the energy of the committed state, in statics that of the trial.
 Energy BodyContactTerm::energy(const Kinematics& at) const {
   Energy e;
   for (const Pair& p : pairs_) {
     if (!p.counted) continue;
-    e.strain += at.moves() ? p.potential : contact(p, both(p, at), kSprings).potential;
+    e.strain += at.after_step() ? p.potential : contact(p, both(p, at), kSprings).potential;
     e.damping += p.damping;
     e.friction += p.dissipated;
     e.work += p.work;

@@ -2,7 +2,7 @@
 // history in a checkpoint.
 #include <mpi.h>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/previous_slip.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "hawser/advice/contact_stiffness.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/terms/body_contact.hpp"
 
 namespace hawser {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 
 namespace hawser {
 namespace {
@@ -123,7 +123,7 @@ void BuriedTerm::commit(const Kinematics& accepted) {
   }
   share_ = 1;
   turn_ = HUGE_VAL;
-  if (accepted.step == 0) turn_to(accepted);  // statics with friction commits its stages
+  if (!accepted.moves()) turn_to(accepted);  // statics with friction commits its stages
 }
 
 // In statics the energy of the trial, which the line search reduces.
@@ -131,7 +131,7 @@ Energy BuriedTerm::energy(const Kinematics& at) const {
   Energy e;
   for (const Point& p : points_) {
     e.friction += p.friction_work;
-    e.strain += at.moves() ? p.stored : pull(p, at).potential;
+    e.strain += at.after_step() ? p.stored : pull(p, at).potential;
   }
   return e;
 }

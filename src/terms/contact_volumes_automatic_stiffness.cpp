@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/terms/automatic_stiffness.hpp"
 #include "hawser/terms/contact_volumes.hpp"
 

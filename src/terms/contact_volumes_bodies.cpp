@@ -1,7 +1,7 @@
 // The class ContactVolumes: poses of the volumes' bodies, and the floating bodies that lines may meet.
 #include <algorithm>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/mesh/arc.hpp"
 #include "hawser/terms/contact_volumes.hpp"
 
@@ -36,7 +36,7 @@ FloatingFrame ContactVolumes::floating_frame(int volume, const Kinematics& at) c
 
 // Elements are listed with a margin, so that the list remains valid for many steps. It is rebuilt when an
 // element outside the list comes near.
-bool ContactVolumes::recouple(const Kinematics& committed, double h, double thickest) {
+bool ContactVolumes::refresh_couplings(const Kinematics& committed, double h, double thickest) {
   const auto moving = [this](const ContactVolume& v) { return bodies_->floats(v.body); };
   if (std::none_of(volumes_.begin(), volumes_.end(), moving)) return false;
   bodies_->exchange_poses(comm_, committed);
@@ -74,7 +74,7 @@ bool ContactVolumes::recouple(const Kinematics& committed, double h, double thic
   return true;
 }
 
-void ContactVolumes::couple(Couplings& to) const {
+void ContactVolumes::list_couplings(Couplings& to) const {
   for (const auto& [a, b, body] : near_)
     if (mesh_.owns_node(a) || mesh_.owns_node(b) || mesh_.owns_node(body)) to.add({a, b}, {body, body});
 }

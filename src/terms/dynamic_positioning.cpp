@@ -176,13 +176,12 @@ double DynamicPositioning::work(const Passed& from, const Passed& to) {
   return 0.5 * (from.force + to.force).dot(way);
 }
 
-// Without statics the integral begins at zero. In motion (h > 0) the force at the start of the step is that
-// of the controller, also after an event, where the committed state has no step.
-void DynamicPositioning::prepare(const Kinematics& committed, double h) {
+// Without statics the integral begins at zero.
+void DynamicPositioning::prepare(const Kinematics& committed, double) {
   for (Positioned& p : list_) {
     const Vec3 pose = place_and_heading(p.arm, floating_state(committed, p.node));
-    if (h > 0 && !p.begun) begin(p, pose, committed.time);
-    p.last = passed(p, committed, h > 0 ? push_in_motion(p, pose, committed.time) : push(p, committed));
+    if (committed.moves() && !p.begun) begin(p, pose, committed.time);
+    p.last = passed(p, committed, push(p, committed));
   }
 }
 

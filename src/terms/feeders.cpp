@@ -178,7 +178,7 @@ FedPull Feeders::pull(const Feeder& f, const Kinematics& at, const LocalElement&
 }
 
 double Feeders::strain_before(const Feeder& f, const LocalElement& e) const {
-  return chord(before_.view(0), e) / f.length - 1 - f.cable.free_strain;
+  return chord(before_.at_rest(), e) / f.length - 1 - f.cable.free_strain;
 }
 
 double Feeders::strain_rate(const Feeder& f, const Kinematics& at, const LocalElement& e,
@@ -341,7 +341,7 @@ double Feeders::work_of_step(size_t k, const Kinematics& accepted, const LocalEl
   // For cables StructureTerm computes this work, from the mean force of the step.
   if (f.beam) work -= 0.5 * (f.length - before) * (pulls_[k] + pull(f, accepted, e, f.length).force);
   if (before_.x.size() != accepted.x.size()) return work;
-  for (const Kinematics& at : {before_.view(0), accepted})
+  for (const Kinematics& at : {before_.at_rest(), accepted})
     work -= 0.5 * (load_work(f, at, e, f.length) - load_work(f, at, e, before));
   return work;
 }
@@ -363,6 +363,16 @@ void Feeders::commit(const Kinematics& accepted) {
   }
 }
 
+double Feeders::passed_through(std::span<const double> pulls, double h) const {
+  double gross = 0, net = 0;
+  for (size_t k = 0; k < feeders_.size(); ++k) {
+    const double work = pulls[k] * feeders_[k].speed * h;
+    gross += std::abs(work);
+    net += work;
+  }
+  return gross - std::abs(net);
+}
+
 // Work of the weight of the element at the feed point from the origin to its place, J.
 double Feeders::load_work(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const {
   const size_t i = e.first, j = e.second;
@@ -374,7 +384,7 @@ double Feeders::load_work(const Feeder& f, const Kinematics& at, const LocalElem
 Energy Feeders::energy(const Kinematics& at) const {
   Energy out;
   out.work = work_;
-  if (!at.moves()) return out;
+  if (!at.after_step()) return out;
   for (const Feeder& f : feeders_) {
     const LocalElement* e = at_feed_point(f);
     if (!e || !e->counted) continue;

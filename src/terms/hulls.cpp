@@ -110,17 +110,15 @@ const Hulls::Forces& Hulls::forces(const Hull& hull, const Kinematics& at) const
   return known;
 }
 
-void Hulls::prepare(const Kinematics& committed, double h) {
+void Hulls::prepare(const Kinematics& committed, double) {
   start_time_ = committed.time;
-  Kinematics now = committed;
-  // At the first step waves start to act.
-  if (!now.moves()) now.step = h;
   for (Hull& hull : list_) {
     hull.start = floating_state(committed, hull.node);
     hull.known = false;
     hull.forces = {};
-    if (hull.has_waves && committed.moves()) continue;
-    hull.waves = forces(hull, now).waves;
+    // At the start of the motion waves start to act.
+    if (hull.has_waves && committed.after_step()) continue;
+    hull.waves = forces(hull, committed).waves;
     hull.has_waves = true;
   }
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/geometry/box_pairs.hpp"
 #include "hawser/geometry/segment_distance.hpp"
 #include "hawser/kernels/bezier_axis.hpp"
@@ -292,7 +292,7 @@ bool LineCandidates::excluded(const SweptAxis& p, const SweptAxis& q) const {
   });
 }
 
-void LineCandidates::couple(Couplings& to) const {
+void LineCandidates::list_couplings(Couplings& to) const {
   for (const auto& [a, b] : list_) {
     const Element &p = mesh_.mesh->element(a), &q = mesh_.mesh->element(b);
     to.add({p.first, p.second}, {q.first, q.second});

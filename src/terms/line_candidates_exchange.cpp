@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/geometry/box_tree.hpp"
 #include "hawser/terms/line_candidates.hpp"
 

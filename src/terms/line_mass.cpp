@@ -193,7 +193,7 @@ Energy LineMassTerm::energy(const Kinematics& at) const {
                         : cable_kinetic_energy(p.section, at.v[i], at.v[j]);
     e.potential -= load_work(p, at, p.load);
     // In statics a ramped load is constant too; in dynamics its work is accumulated.
-    if (p.ramped && at.step == 0) e.potential -= load_work(p, at, ramped_load(p, at.time));
+    if (p.ramped && !at.moves()) e.potential -= load_work(p, at, ramped_load(p, at.time));
   }
   e.work = work_;
   return e;

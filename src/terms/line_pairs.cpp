@@ -23,7 +23,7 @@ double deepest_of(const std::vector<LinePairContactPoint>& points) {
   return -(a.gap + (place - a.xi) * (ab + curve * (place - b.xi)));
 }
 
-bool LinePairs::recouple(const Kinematics& committed, double h) {
+bool LinePairs::refresh_couplings(const Kinematics& committed, double h) {
   if (feeders_ && candidates_.set_elements_in_feeders(feeders_->inside())) {
     shared_.set_elements_in_feeders(feeders_->inside());
     listed_ = false;
@@ -38,7 +38,7 @@ bool LinePairs::recouple(const Kinematics& committed, double h) {
   return true;
 }
 
-void LinePairs::update_ghosts() {
+void LinePairs::renumber() {
   candidates_.locate();
   for (Pair& p : pairs_)
     if (p.points) kept_[p.key] = std::move(p.points);
@@ -240,13 +240,14 @@ void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, 
   }
 }
 
-// In dynamics the energy of the committed state; in statics that of the trial, which the line search reduces.
+// After a step the energy of the committed state; in statics that of the trial, which the line search
+// reduces.
 Energy LinePairs::energy(const Kinematics& at) const {
   Energy e;
-  const std::vector<Rod> moved = at.moves() ? std::vector<Rod>{} : rods(at);
+  const std::vector<Rod> moved = at.after_step() ? std::vector<Rod>{} : rods(at);
   for (const Pair& p : pairs_) {
     if (!p.counted) continue;
-    if (at.moves()) {
+    if (at.after_step()) {
       if (p.points)
         for (const auto& part : *p.points)
           for (const LinePairContactPoint& h : part) e.strain += h.weight * h.potential;

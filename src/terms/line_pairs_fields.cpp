@@ -70,8 +70,11 @@ void LinePairs::fields(FieldRegistry& registry) const {
   add_contact_fields(
       registry,
       {.force = {.name = "line_contact_force", .unit = "N", .carries = true},
-       .normal_force =
-           {.name = "line_contact_normal_force", .unit = "N", .report = Field::Report::graph, .order = 9},
+       .normal_force = {.name = "line_contact_normal_force",
+                        .unit = "N",
+                        .report = Field::Report::graph,
+                        .order = 9,
+                        .contact_with = advice::ContactWith::line},
        .friction = {.name = "line_friction_force", .unit = "N"},
        .penetration = {.name = "line_penetration", .unit = "m", .report = Field::Report::table, .order = 12}},
       [this](const Kinematics&, const ShowPoint& show) {

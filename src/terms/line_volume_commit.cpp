@@ -81,14 +81,14 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
   }
 }
 
-// In dynamics the energy of the committed state; in statics that of the trial, for the line search.
+// After a step the energy of the committed state; in statics that of the trial, for the line search.
 Energy LineVolumeContact::energy(const Kinematics& at) const {
   Energy e;
   std::vector<RigidPose> poses;
-  if (!at.moves()) poses = volumes_.poses(at);
+  if (!at.after_step()) poses = volumes_.poses(at);
   for (const Pair& p : pairs_) {
     if (!local(p).counted) continue;
-    if (at.moves()) {
+    if (at.after_step()) {
       for (const AxisContactPoint& q : p.points) e.strain += q.weight * q.potential;
       continue;
     }

@@ -22,10 +22,10 @@ LineVolumeContact::LineVolumeContact(const LocalMesh& mesh, std::shared_ptr<cons
   accounts_.resize(elements_.size());
 }
 
-bool LineVolumeContact::recouple(const Kinematics& committed, double h) {
+bool LineVolumeContact::refresh_couplings(const Kinematics& committed, double h) {
   double thickest = 0;
   for (const LineContactElement& e : elements_) thickest = std::max(thickest, e.radius);
-  return volumes_.recouple(committed, h, thickest);
+  return volumes_.refresh_couplings(committed, h, thickest);
 }
 
 // The element at a feeder's feed point has the length at the speed of the start of the step, as for masses.

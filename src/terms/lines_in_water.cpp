@@ -170,22 +170,18 @@ LinesInWater::Flow LinesInWater::flow(const Kinematics& at) const {
 
 // Statics calls this before every iteration, because the line search needs the work of forces without a
 // potential since then.
-void LinesInWater::prepare(const Kinematics& committed, double h) {
+void LinesInWater::prepare(const Kinematics& committed, double) {
   if (!sea_.waves.none()) {
-    if (!committed.moves() || place_.empty()) place_.assign(committed.x.begin(), committed.x.end());
+    if (!committed.after_step() || place_.empty()) place_.assign(committed.x.begin(), committed.x.end());
     start_.assign(committed.x.begin(), committed.x.end());
     speed_.assign(committed.v.begin(), committed.v.end());
     start_time_ = committed.time;
     wave_known_ = false;
   }
   update_from_feeders(&FedLine::length);
-  // At the first step waves start to act and accelerations jump, so the flow of the last commit is not valid.
-  const bool begins = !committed.moves();
-  if (begins || flow_.place.empty() || feeders_) {
-    Kinematics now = committed;
-    if (begins) now.step = h;
-    flow_ = flow(now);
-  }
+  // At the start of the motion waves start to act and accelerations jump, so the flow of the last commit is
+  // not valid.
+  if (!committed.after_step() || flow_.place.empty() || feeders_) flow_ = flow(committed);
 }
 
 void LinesInWater::commit(const Kinematics& accepted) {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "hawser/advice/start_shape.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 
 namespace hawser {
 namespace {
@@ -47,17 +47,17 @@ Links::Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::sh
     rest = (Vec3(&places[6 * i + 3]) - Vec3(&places[6 * i])).norm();
     if (!(rest > 0)) c.refuse("links." + c.links[i].name, advice::link_without_length());
   }
-  update_ghosts();
+  renumber();
 }
 
-void Links::couple(Couplings& to) const {
+void Links::list_couplings(Couplings& to) const {
   for (const Link& l : list_) {
     const int a = l.a.carrier(*bodies_), b = l.b.carrier(*bodies_);
     if (a >= 0 && b >= 0 && (mesh_.owns_node(a) || mesh_.owns_node(b))) to.add({a, a}, {b, b});
   }
 }
 
-void Links::update_ghosts() {
+void Links::renumber() {
   for (Link& l : list_) {
     const int a = l.a.carrier(*bodies_), b = l.b.carrier(*bodies_);
     l.here = (mesh_.owns_node(a) || mesh_.owns_node(b)) && (a < 0 || mesh_.find(a) >= 0) &&

@@ -11,7 +11,7 @@
 
 namespace hawser {
 
-void PlatformWater::couple(Couplings& to) const {
+void PlatformWater::list_couplings(Couplings& to) const {
   for (const Group& g : groups_) {
     const auto owned = [this](const Platform& p) { return mesh_.owns_node(p.node); };
     if (std::none_of(g.platforms.begin(), g.platforms.end(), owned)) continue;
@@ -21,7 +21,7 @@ void PlatformWater::couple(Couplings& to) const {
   }
 }
 
-void PlatformWater::update_ghosts() {
+void PlatformWater::renumber() {
   for (Group& g : groups_) {
     g.here = false;
     bool complete = true;
@@ -135,13 +135,13 @@ void PlatformWater::rest_at(Platform& p, const RigidBodyState& s) {
 }
 
 // Without a previous step, the memory begins with the present velocity.
-void PlatformWater::prepare(const Kinematics& committed, double h) {
+void PlatformWater::prepare(const Kinematics& committed, double) {
   for (Group& g : groups_) {
     g.known = false;
     if (!g.here) continue;
-    if (!committed.moves())
+    if (!committed.after_step())
       for (Platform& p : g.platforms) p.rest = floating_state(committed, p.local);
-    if (committed.moves() || !(h > 0) || g.past.size() > 1) continue;
+    if (committed.phase != Phase::start || g.past.size() > 1) continue;
     for (Platform& p : g.platforms) rest_at(p, floating_state(committed, p.local));
     g.slow_time = committed.time;
     const Eigen::VectorXd rate = rates(g, committed);

@@ -1,5 +1,5 @@
 // The class PlatformWater: checkpoint records of platforms.
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/terms/platform_water.hpp"
 
 namespace hawser {

@@ -18,7 +18,7 @@ PlatformWater::PlatformWater(MPI_Comm comm, const model::Case& c, const LocalMes
   const double rho = c.dynamics.rho_infinity, delta = 0.5 * (1 - rho) / (1 + rho);
   period_error_ = 1.0 / 6 + 3 * delta * delta;
   for (const std::vector<int>& bodies : model::radiating_groups(c)) add_group(c, bodies);
-  update_ghosts();
+  renumber();
 }
 
 PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) const {

@@ -122,7 +122,7 @@ void RigidBodies::prepare(const Kinematics& committed, double) {
   for (Floating& f : list_) {
     powers(f, committed, f.damping_power, f.work_power);
     f.start = floating_state(committed, f.node);
-    if (!committed.moves()) f.momenta.q = f.momenta.f = momentum_rate(f.data, f.start);
+    if (!committed.after_step()) f.momenta.q = f.momenta.f = momentum_rate(f.data, f.start);
   }
 }
 

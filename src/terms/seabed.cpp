@@ -195,14 +195,14 @@ void SeabedTerm::remember(Point& p, const LandedPoint& h) {
   landed_[p.touch] = h;
 }
 
-// In statics the energy is that of the trial, because the line search reduces it.
+// Until a step has been committed the energy is that of the state: in statics the line search reduces it.
 Energy SeabedTerm::energy(const Kinematics& at) const {
   Energy e;
   e.friction = account_.friction;
   e.damping = account_.damping;
   for (const Point& p : points_) {
     if (!p.counted) continue;
-    if (at.moves()) {
+    if (at.after_step()) {
       e.strain += landed(p).potential;
       continue;
     }

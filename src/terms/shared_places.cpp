@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/ordered.hpp"
 #include "hawser/math/segment.hpp"
 

@@ -117,7 +117,7 @@ StructureTerm::StructureTerm(const LocalMesh& mesh, const model::Case& c)
 }
 
 void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
-  update_from_feeders(trial.step);
+  update_from_feeders(trial);
   const CableStep step{trial.step, trial.mean.filter};
   // With a weight of 1 (statics, start of the motion; StepMean) cables have the force at the state itself.
   const bool in_step = trial.mean.weight != 1;
@@ -302,13 +302,13 @@ double StructureTerm::bend(const Kinematics& at) {
   return dissipated;
 }
 
-void StructureTerm::prepare(const Kinematics& committed, double h) {
+void StructureTerm::prepare(const Kinematics& committed, double) {
   // In statics every section bends from its initial history in one step. The result is stored when motion
   // begins; it is not work of the motion.
-  update_from_feeders(committed.step);
-  if (h > 0 && !committed.moves() && !set_.empty()) bend(committed);
+  update_from_feeders(committed);
+  if (committed.phase == Phase::start && !set_.empty()) bend(committed);
   if (damped_ && power_ < 0) power_ = beam_dissipation(committed);
-  last_step_ = committed.step;
+  last_step_ = committed.last_step();
   for (Cable& c : cables_) {
     const CableEnds e = ends(c, committed);
     c.start = cable_start(c.section, e.x1, e.x2, c.start.strain_increment, last_step_);
@@ -316,7 +316,7 @@ void StructureTerm::prepare(const Kinematics& committed, double h) {
 }
 
 void StructureTerm::commit(const Kinematics& accepted) {
-  update_from_feeders(accepted.step, true);
+  update_from_feeders(accepted, true);
   if (accepted.moves()) {
     const CableStep step{accepted.step, accepted.mean.filter};
     for (Cable& c : cables_) {

@@ -2,7 +2,7 @@
 // that pass through it (docs/theory/feeders.md#pipes-that-yield).
 #include <algorithm>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/kernels/carried_bends.hpp"
 #include "hawser/terms/structure.hpp"
 
@@ -40,14 +40,14 @@ std::vector<RememberedCell> inside(const Mesh& mesh, const FedLine& f, const std
 
 }  // namespace
 
-void StructureTerm::update_from_feeders(double step, bool accepted) {
+void StructureTerm::update_from_feeders(const Kinematics& at, bool accepted) {
   if (!feeders_) return;
   feeders_->update_lengths(mesh_, &FedLine::length, cables_);
   feeders_->update_lengths(mesh_, &FedLine::length, beams_);
   for (Cable& c : cables_) {
     const FedLine* fed = feeders_->find(c.at.global);
     c.section.length_by_chord = fed ? fed->length_by_chord : 0;
-    c.section.length_rate = fed && step > 0 ? fed->length_rate : 0;  // in statics the feeder is held
+    c.section.length_rate = fed && at.moves() ? fed->length_rate : 0;  // in statics the feeder is held
   }
   for (Beam& b : beams_) {
     const FedLine* fed = feeders_->find(b.at.global);
@@ -121,7 +121,7 @@ double StructureTerm::fed_work(const Kinematics& at) const {
     then.length = fed->before;
     as_then.set = set_.data() + b.memory;
     work += 0.5 * grown *
-            (fed_bending_work(then, as_then, positions(b, before.view(0)), fed->at_b, enters) +
+            (fed_bending_work(then, as_then, positions(b, before.at_rest()), fed->at_b, enters) +
              fed_bending_work(b.section, b.reference, positions(b, at), fed->at_b, enters));
   }
   return work;

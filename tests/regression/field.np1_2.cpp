@@ -30,7 +30,7 @@ contact: {between_lines: false}
 class Height : public ForceTerm {
  public:
   explicit Height(const LocalMesh& mesh) : mesh_(mesh) {}
-  std::string_view name() const override { return "height"; }
+  std::string_view record_key() const override { return "height"; }
   void evaluate(const Kinematics&, Assembler&) override {}
   void fields(FieldRegistry& registry) const override {
     registry.add({{.name = "height",
@@ -77,7 +77,7 @@ TEST(Field, IsShownAsDeclared) {
     sim.solve_statics();
     record::Recorder recorder(sim.subject(), {}, {});
     sim.dynamics().start(sim.state());
-    recorder.start(sim.dynamics().kinematics(), sim.state().view(0));
+    recorder.start(sim.dynamics().kinematics(), sim.state().at_rest());
     sim.dynamics().run(
         1, [](double) { return 1.0; },
         [&](const StepInfo& info) {

@@ -1,5 +1,5 @@
 // Whole runs with elements and steps that are too long, and their warnings, on any number of ranks.
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/io/hdf5.hpp"
 #include "hawser/mesh/partition.hpp"
@@ -131,7 +131,7 @@ lines:
     T2.push_back(after[g]);
   }
   record::EdgeErrors errors(MPI_COMM_WORLD, c, local);
-  errors.update(s.view(0), {F, none, T1, T2});
+  errors.update(s.at_rest(), {F, none, T1, T2});
   EXPECT_NE(errors.warning(0, T).find("by 1.6e+02 N"), std::string::npos) << errors.warning(0, T);
 }
 

@@ -52,7 +52,7 @@ double largest(Ready& r, const std::string& field) {
   for (const FieldSource& f : fields.sources()) {
     if (f.name != field) continue;
     std::vector<double> values(r.sim->state().x.size() * static_cast<size_t>(f.components));
-    f.fill(r.sim->state().view(0), values);
+    f.fill(r.sim->state().at_rest(), values);
     for (size_t i = 0; i < static_cast<size_t>(r.sim->local().owned * f.components); ++i)
       most = std::max(most, std::abs(values[i]));
   }

@@ -110,7 +110,7 @@ inline double factorisation(System& system, const State& s, int batches) {
   Weights w;
   w.M = 400;
   const std::vector<double> zero(3 * static_cast<std::size_t>(system.mesh().blocks()), 0);
-  system.tangent(s.view(0), w, zero, false, J.get());
+  system.tangent(s.at_rest(), w, zero, false, J.get());
   IS rows = nullptr, columns = nullptr;
   check(MatGetOrdering(J.get(), MATORDERINGNATURAL, &rows, &columns));
   MatFactorInfo info;

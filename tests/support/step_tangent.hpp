@@ -27,8 +27,8 @@ class StepTangent {
   // From the simulation's shape with velocities and increments by chance; these are of a size of `place` [m]
   // and `angle` [rad].
   static StepTangent by_chance(System& system, State& shape, double h, double place, double angle) {
-    system.couple(shape.view(0), h);
-    system.spread(shape);
+    system.update_couplings(shape.at_start(h), h);
+    system.update_ghosts(shape);
     const LocalMesh& mesh = system.mesh();
     AlphaState from;
     from.s = shape;
@@ -40,7 +40,7 @@ class StepTangent {
     system.tied_nodes().rates(0, from.s);
     system.tied_nodes().follow(from.s);
     alpha_start(mesh, from);
-    system.prepare(from.s.view(h), h);
+    system.prepare(from.s.after_step(h), h);
     std::vector<double> u(3 * static_cast<size_t>(mesh.blocks()), 0);
     for (int n = 0; n < mesh.nodes(); ++n)
       for (int k = 0; k <= mesh.rotates(n); ++k)
@@ -56,9 +56,9 @@ class StepTangent {
     residual_at(0, std::vector<double>(u_.size(), 0));
     return to_.s;
   }
-  void commit() { system_.commit(trial().view(h_)); }
+  void commit() { system_.commit(trial().after_step(h_)); }
   void prepare() {
-    system_.prepare(from_.s.view(h_), h_);
+    system_.prepare(from_.s.after_step(h_), h_);
     linearise();  // what was committed may have changed the step
   }
 
@@ -90,7 +90,7 @@ class StepTangent {
 
   void linearise() {
     residual_at(0, std::vector<double>(u_.size(), 0));
-    system_.tangent(to_.s.view(h_), alpha_weights(kAlpha, h_), u_, false, J_.get());
+    system_.tangent(to_.s.after_step(h_), alpha_weights(kAlpha, h_), u_, false, J_.get());
   }
 
   std::vector<double> residual_at(double step, const std::vector<double>& d) {

@@ -21,10 +21,10 @@ class MiddleSprings final : public ForceTerm, public CouplesNodes, public Limits
   double refuse = 1e30, refuse_from = 0, refuse_to = 0;
   int located = 0;
 
-  std::string_view name() const override { return "middle springs"; }
-  bool recouple(const Kinematics& committed, double h) override { return list.update(committed, h); }
-  void couple(Couplings& to) const override { list.couple(to); }
-  void update_ghosts() override {
+  std::string_view record_key() const override { return "middle springs"; }
+  bool refresh_couplings(const Kinematics& committed, double h) override { return list.update(committed, h); }
+  void list_couplings(Couplings& to) const override { list.list_couplings(to); }
+  void renumber() override {
     list.locate();
     ++located;
   }

@@ -82,14 +82,16 @@ inline std::vector<double> rows(Vec v) {
   check(VecRestoreArrayRead(v, &p));
   return out;
 }
+// The state at the end of a step of h [s]; 0: in statics.
+inline Kinematics at_end(const State& s, double h) { return h > 0 ? s.after_step(h) : s.at_rest(); }
 inline std::vector<double> residual(System& system, const State& s, double h) {
   VecHandle r = system.create_vector();
-  system.residual(s.view(h), r.get());
+  system.residual(at_end(s, h), r.get());
   return rows(r.get());
 }
 inline MatHandle tangent(System& system, const Trial& t, const Weights& w) {
   MatHandle J = system.create_matrix();
-  system.tangent(state_of(system.mesh(), t).view(t.h), w, t.u, false, J.get());
+  system.tangent(at_end(state_of(system.mesh(), t), t.h), w, t.u, false, J.get());
   return J;
 }
 

@@ -107,7 +107,7 @@ inline std::vector<SuiteCase> structure_cases() {
     out.push_back({name, [=](MPI_Comm comm, const Placement& at) {
                      auto m = held_model(comm, at);
                      add_structure(*m, beta, GA, turned, tables);
-                     m->system->prepare(m->trial.from.view(m->trial.h), m->trial.h);
+                     m->system->prepare(at_end(m->trial.from, m->trial.h), m->trial.h);
                      return m;
                    }});
   };
@@ -136,7 +136,7 @@ inline std::vector<SuiteCase> structure_cases() {
            if (g == 3) springs.push_back({n, -1, at.rotation * Vec3(-0.6, 0, 0.8), 50});
          }
          m->system->add(std::make_unique<EndSprings>(l, bodies, springs));
-         m->system->prepare(m->trial.from.view(m->trial.h), m->trial.h);
+         m->system->prepare(at_end(m->trial.from, m->trial.h), m->trial.h);
          return m;
        }});
   return out;
@@ -151,14 +151,14 @@ inline std::vector<SuiteCase> mass_and_load_cases() {
                        auto m = held_model(comm, at);
                        add_mass(*m, at, turned);
                        if (step) add_directors(*m, at);
-                       m->system->prepare(m->trial.from.view(m->trial.h), m->trial.h);
+                       m->system->prepare(at_end(m->trial.from, m->trial.h), m->trial.h);
                        return m;
                      }});
   out.push_back({"point loads and masses", [](MPI_Comm comm, const Placement& at) {
                    auto m = held_model(comm, at);
                    // Weight does not turn with the model.
                    add_loads(*m, at, at.rotation.isApprox(Quat::Identity()));
-                   m->system->prepare(m->trial.from.view(m->trial.h), m->trial.h);
+                   m->system->prepare(at_end(m->trial.from, m->trial.h), m->trial.h);
                    return m;
                  }});
   return out;
@@ -217,7 +217,7 @@ inline std::vector<SuiteCase> water_cases() {
                      auto m = held_model(comm, at);
                      add_water(*m, at, surface, waves);
                      if (step) add_directors(*m, at);
-                     m->system->prepare(m->trial.from.view(m->trial.h), m->trial.h);
+                     m->system->prepare(at_end(m->trial.from, m->trial.h), m->trial.h);
                      return m;
                    }});
   return out;

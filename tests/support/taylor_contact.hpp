@@ -135,9 +135,9 @@ inline LineVolumeContact& add_contact(SuiteModel& m, const Placement& at, Contac
     t.from.v[static_cast<size_t>(n)] = p1.velocity_at(from);
     before.v[static_cast<size_t>(n)] = p0.velocity_at(before.x[static_cast<size_t>(n)]);
   }
-  m.system->prepare(before.view(t.h), t.h);
-  m.system->commit(t.from.view(t.h));
-  m.system->prepare(t.from.view(t.h), t.h);
+  m.system->prepare(before.after_step(t.h), t.h);
+  m.system->commit(t.from.after_step(t.h));
+  m.system->prepare(t.from.after_step(t.h), t.h);
   t.length = 0.2 * mm;
   return contact;
 }

@@ -94,18 +94,18 @@ inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, 
     before.x[static_cast<size_t>(n)] = where(s.before, g == 1 ? -0.02 * mm : -0.5 * mm);
     m.put(n, where(s.before, 0), where(s.gap, s.slip), s.speed * (at.rotation * noise3(g, 9)));
   }
-  m.system->prepare(before.view(t.h), t.h);
-  m.system->commit(t.from.view(t.h));
+  m.system->prepare(at_end(before, t.h), t.h);
+  m.system->commit(at_end(t.from, t.h));
   if (soil == Soil::laid) {
     t.h = 0;
     std::vector<Vec3> places = t.from.x;  // within the slip ellipse and beyond it
     for (int n = 0; n < l.nodes(); ++n)
       places[static_cast<size_t>(n)] -=
           2.5 * mm * (at.rotation * noise3(l.global[static_cast<size_t>(n)], 13));
-    seabed.lay(places, t.from.view(0), false);
-    seabed.press_by_contact(t.from.view(0));
+    seabed.lay(places, t.from.at_rest(), false);
+    seabed.press_by_contact(t.from.at_rest());
   }
-  m.system->prepare(t.from.view(t.h), t.h);
+  m.system->prepare(at_end(t.from, t.h), t.h);
   t.length = 0.2 * mm;
   return seabed;
 }
@@ -151,10 +151,11 @@ inline std::vector<SuiteCase> seabed_cases() {
                      if (n < l.owned)
                        places.push_back({n, {200, 300, g % 2 ? 0.01 : 1.0, g % 4 < 2 ? 0.02 : 1.0}});
                    }
-                   m->system->add(std::make_unique<BuriedTerm>(PETSC_COMM_WORLD, l, laid.view(t.h), places));
-                   m->system->prepare(laid.view(t.h), t.h);
-                   m->system->commit(t.from.view(t.h));
-                   m->system->prepare(t.from.view(t.h), t.h);
+                   m->system->add(
+                       std::make_unique<BuriedTerm>(PETSC_COMM_WORLD, l, at_end(laid, t.h), places));
+                   m->system->prepare(at_end(laid, t.h), t.h);
+                   m->system->commit(at_end(t.from, t.h));
+                   m->system->prepare(at_end(t.from, t.h), t.h);
                    return m;
                  }});
   return out;

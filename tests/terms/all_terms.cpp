@@ -22,7 +22,7 @@ std::vector<std::vector<CheckpointRecord>> history(const System& system) {
 }
 
 std::vector<double> energies(const System& system, const State& s, double h) {
-  const Energy e = system.energy(s.view(h));
+  const Energy e = system.energy(at_end(s, h));
   return {e.kinetic, e.strain, e.potential, e.friction, e.damping, e.work};
 }
 
@@ -38,14 +38,14 @@ void expect_situations(ContactOn on) {
   SuiteModel m;
   LineVolumeContact& contact = add_contact(m, {}, on, 0.3, 0.3);
   const State s = state_of(m.system->mesh(), m.trial);
-  m.system->commit(s.view(m.trial.h));
+  m.system->commit(at_end(s, m.trial.h));
   FieldRegistry registry;
   contact.fields(registry);
   const auto field = [&](const std::string& name) {
     for (const FieldSource& f : registry.sources()) {
       if (f.name != name) continue;
       std::vector<double> values(static_cast<size_t>(8 * f.components));
-      f.fill(s.view(m.trial.h), values);
+      f.fill(at_end(s, m.trial.h), values);
       return values;
     }
     return std::vector<double>();
@@ -100,13 +100,13 @@ TEST(Suite, EvaluatingLeavesNoTrace) {
     }
     again(": after trials elsewhere");
     // A step that fails and is tried again, shorter and then as before.
-    system.prepare(t.from.view(t.h), 0.4 * t.h);
+    system.prepare(at_end(t.from, t.h), 0.4 * t.h);
     Trial shorter = t;
     shorter.h *= 0.4;
     for (double& x : shorter.u) x *= 0.4;
     residual(system, state_of(mesh, shorter), shorter.h);
     tangent(system, shorter, w);
-    system.prepare(t.from.view(t.h), t.h);
+    system.prepare(at_end(t.from, t.h), t.h);
     again(": after a rejected step");
     const auto after = history(system);
     ASSERT_EQ(before.size(), after.size());
@@ -122,11 +122,11 @@ TEST(Suite, RejectedStepsLeaveNoTraceInHistory) {
     const Trial& t = a->trial;
     const LocalMesh& mesh = a->system->mesh();
     const State end = state_of(mesh, t);
-    a->system->prepare(t.from.view(t.h), 0.3 * t.h);
+    a->system->prepare(at_end(t.from, t.h), 0.3 * t.h);
     const auto d = direction(*a->system, t, 56);
     residual(*a->system, state_of(mesh, t, 3, &d), t.h);
-    a->system->prepare(t.from.view(t.h), t.h);
-    for (const auto& m : {a.get(), b.get()}) m->system->commit(end.view(t.h));
+    a->system->prepare(at_end(t.from, t.h), t.h);
+    for (const auto& m : {a.get(), b.get()}) m->system->commit(at_end(end, t.h));
     const auto ha = history(*a->system), hb = history(*b->system);
     for (size_t i = 0; i < ha.size(); ++i) expect_same(ha[i], hb[i], c.name);
     EXPECT_EQ(energies(*a->system, end, t.h), energies(*b->system, end, t.h)) << c.name;

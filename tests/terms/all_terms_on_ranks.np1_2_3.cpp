@@ -31,8 +31,8 @@ TEST(SuiteRanks, ResidualAndTangent) {
     const LocalMesh &a = all.mesh(), &b = one.mesh();  // node n of `one` is mesh node n
     const double h = m.one->trial.h;
     VecHandle ra = all.create_vector(), rb = one.create_vector();
-    all.residual(state_of(a, m.all->trial).view(h), ra.get());
-    one.residual(state_of(b, m.one->trial).view(h), rb.get());
+    all.residual(at_end(state_of(a, m.all->trial), h), ra.get());
+    one.residual(at_end(state_of(b, m.one->trial), h), rb.get());
     const auto fa = rows(ra.get()), fb = rows(rb.get());
     const double size = one.norms(rb.get()).force_scale + one.norms(rb.get()).moment_scale;
     const Weights w{1, 3, 7, 0, 0};
@@ -97,9 +97,9 @@ TEST(SuiteRanks, EnergyAndHistory) {
     System &all = *m.all->system, &one = *m.one->system;
     const double h = m.one->trial.h;
     const State end_a = state_of(all.mesh(), m.all->trial), end_b = state_of(one.mesh(), m.one->trial);
-    all.commit(end_a.view(h));
-    one.commit(end_b.view(h));
-    const Energy x = all.energy(end_a.view(h)), y = one.energy(end_b.view(h));
+    all.commit(at_end(end_a, h));
+    one.commit(at_end(end_b, h));
+    const Energy x = all.energy(at_end(end_a, h)), y = one.energy(at_end(end_b, h));
     const double size = y.kinetic + y.strain + std::abs(y.potential) + 1;
     for (const auto part : {&Energy::kinetic, &Energy::strain, &Energy::potential, &Energy::friction,
                             &Energy::damping, &Energy::work})
@@ -114,7 +114,7 @@ TEST(SuiteRanks, EnergyAndHistory) {
       };
       EXPECT_NEAR(sum(PETSC_COMM_WORLD, sums(mine)), sums(whole), 1e-12 * (1 + std::abs(sums(whole))))
           << c.name;
-      const std::string name(all.terms()[t]->name());
+      const std::string name(all.terms()[t]->record_key());
       if (name == "structure" || name == "mass" || name == "hydrodynamics")
         continue;            // a rank's sums, put on any of its nodes
       if (name == "seabed")  // whose second kind they are

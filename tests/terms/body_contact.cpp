@@ -178,8 +178,8 @@ struct BodyModel {
     put(0, x, q, met.velocity_at(x) - closing * (met.rotation * out) + 0.05 * noise3(0, 3),
         0.05 * noise3(0, 4));
     if (floats) put(1, met.position, met.rotation, 0.05 * noise3(1, 3), 0.05 * noise3(1, 4));
-    system->couple(trial.from.view(trial.h), trial.h);
-    system->prepare(trial.from.view(trial.h), trial.h);
+    system->update_couplings(trial.from.after_step(trial.h), trial.h);
+    system->prepare(trial.from.after_step(trial.h), trial.h);
   }
 };
 
@@ -215,7 +215,7 @@ TEST(BodyContactTerm, Tangents) {
         }
         EXPECT_GT(size, 1e-3) << what;
         if (floats) expect_momentum(m, s);
-        m.system->commit(s.view(m.trial.h));
+        m.system->commit(s.after_step(m.trial.h));
         EXPECT_NEAR(m.contact->largest_penetration(), std::max(-gap, 0.0), c.slack) << what;
         expect_tangent(*m.system, m.trial, what);
       }
@@ -255,8 +255,8 @@ TEST(BodyContactTerm, TangentsWithFriction) {
         Trial before = m.trial;
         for (double& u : before.u) u *= 0.997;
         const State committed = state_of(m.system->mesh(), before);
-        m.system->commit(committed.view(m.trial.h));
-        m.system->prepare(m.trial.from.view(m.trial.h), m.trial.h);
+        m.system->commit(committed.after_step(m.trial.h));
+        m.system->prepare(m.trial.from.after_step(m.trial.h), m.trial.h);
         expect_tangent(*m.system, m.trial, what);
       }
   }
@@ -267,9 +267,9 @@ TEST(BodyContactTerm, SlipIsKept) {
   for (const TouchCase& c : touch_cases()) {
     BodyModel first(c, -5e-3, true, 0.1, friction(0.4, 1)), second(c, -5e-3, true, 0.1, friction(0.4, 1));
     const State s = state_of(first.system->mesh(), first.trial);
-    first.system->commit(s.view(first.trial.h));
+    first.system->commit(s.after_step(first.trial.h));
     second.contact->restore(first.contact->save());
-    for (BodyModel* m : {&first, &second}) m->system->prepare(s.view(m->trial.h), m->trial.h);
+    for (BodyModel* m : {&first, &second}) m->system->prepare(s.after_step(m->trial.h), m->trial.h);
     const std::vector<double> expected = residual(*first.system, s, first.trial.h),
                               restored = residual(*second.system, s, second.trial.h);
     for (size_t i = 0; i < expected.size(); ++i)
@@ -294,8 +294,8 @@ TEST(BodyContactTerm, WhatWasMetIsKept) {
     if (c.name != "edge along a face") continue;
     BodyModel deep(c, -0.1, true, 0), apart(c, 0.5, true, 0);
     const State s = state_of(deep.system->mesh(), deep.trial);
-    deep.system->commit(s.view(deep.trial.h));
-    deep.system->prepare(s.view(deep.trial.h), deep.trial.h);
+    deep.system->commit(s.after_step(deep.trial.h));
+    deep.system->prepare(s.after_step(deep.trial.h), deep.trial.h);
     const auto kept = deep.contact->save();
     ASSERT_EQ(kept.size(), 1U);
     EXPECT_GT(kept[0].values.back(), 0.09);
@@ -303,7 +303,7 @@ TEST(BodyContactTerm, WhatWasMetIsKept) {
     apart.contact->restore(kept);
     EXPECT_EQ(apart.contact->save()[0].values, kept[0].values);
     // Clear of each other it is forgotten.
-    apart.system->prepare(apart.trial.from.view(apart.trial.h), apart.trial.h);
+    apart.system->prepare(apart.trial.from.after_step(apart.trial.h), apart.trial.h);
     EXPECT_EQ(apart.contact->save()[0].values.back(), 0);
     return;
   }

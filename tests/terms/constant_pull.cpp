@@ -28,7 +28,7 @@ TEST(ConstantPull, ForceIsTheGradientOfItsPotential) {
     const auto potential = [&](double step) {
       State moved = s;
       moved.x[kNode][c] += step;
-      return m.system->energy(moved.view(m.trial.h)).potential;
+      return m.system->energy(at_end(moved, m.trial.h)).potential;
     };
     const double slope = (potential(kStep) - potential(-kStep)) / (2 * kStep);
     EXPECT_NEAR(r[3 * static_cast<size_t>(m.system->mesh().block[kNode]) + static_cast<size_t>(c)], slope,
@@ -44,7 +44,7 @@ TEST(ConstantPull, Field) {
   ASSERT_EQ(registry.sources().size(), 1u);
   EXPECT_EQ(registry.sources()[0].name, "pull");
   std::vector<double> values(24, 7.0);
-  registry.sources()[0].fill(s.view(m.trial.h), values);
+  registry.sources()[0].fill(at_end(s, m.trial.h), values);
   for (int n = 0; n < 8; ++n) {
     const Vec3 pull(values.data() + 3 * n), way = kPoint - s.x[static_cast<size_t>(n)];
     EXPECT_LT((pull - (n == kNode ? kTension : 0) * way.normalized()).norm(), 1e-9) << n;

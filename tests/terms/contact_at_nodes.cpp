@@ -88,15 +88,15 @@ TEST(ContactAtNodes, IsCarriedByItsBody) {
   double magnitude = 0;
   for (int i = 0; i <= 100; ++i) {
     const RigidPose pose = bodies->pose(0, i * h);
-    if (i > 0) term.prepare(m.state.view(h), h);
+    if (i > 0) term.prepare(m.state.after_step(h), h);
     m.state.time = i * h;
     m.state.x[0] = pose.to_space(i < 2 ? y0 : y0 + side);
     m.state.v[0] = pose.velocity_at(m.state.x[0]);
     if (i == 0) continue;
-    term.commit(m.state.view(h));
+    term.commit(m.state.after_step(h));
     if (i == 2) magnitude = 4e4 * side.norm();
-    const Force f = {node_field(term, m.state.view(h), "contact_force", 0),
-                     node_field(term, m.state.view(h), "friction_force", 0)};
+    const Force f = {node_field(term, m.state.after_step(h), "contact_force", 0),
+                     node_field(term, m.state.after_step(h), "friction_force", 0)};
     EXPECT_NEAR((f.total - f.friction).norm(), 1e5 * 0.01, 1e-6);
     EXPECT_NEAR(f.friction.norm(), magnitude, 1e-7) << i;
   }
@@ -104,7 +104,7 @@ TEST(ContactAtNodes, IsCarriedByItsBody) {
   EXPECT_EQ(term.largest_penetration().node, 0);
   EXPECT_EQ(term.active_count(), 1);
   // Only friction and its body work here: the spring in the tangent plane took what the sideways push gave.
-  EXPECT_NEAR(term.energy(m.state.view(h)).friction, 0.5 * 4e4 * 9e-6, 1e-3);
+  EXPECT_NEAR(term.energy(m.state.after_step(h)).friction, 0.5 * 4e4 * 9e-6, 1e-3);
 }
 
 // Pushed over a plane with given motion: work of the spring, of friction and of damping by hand.
@@ -117,15 +117,15 @@ TEST(ContactAtNodes, Energy) {
   // Down to 0.02 m penetration in 0.12 s, then sideways by 0.5 m at 1 m/s.
   Vec3 friction = Vec3::Zero();
   for (int i = 1; i <= 620; ++i) {
-    term.prepare(m.state.view(h), h);
+    term.prepare(m.state.after_step(h), h);
     const double t = i * h;
     m.state.time = t;
     m.state.v[0] = t <= 0.12 + 1e-12 ? Vec3(0, 0, -1) : Vec3(0, 1, 0);
     m.state.x[0] = t <= 0.12 + 1e-12 ? Vec3(0, 0, 0.2 - t) : Vec3(0, t - 0.12, 0.08);
-    term.commit(m.state.view(h));
-    friction = node_field(term, m.state.view(h), "friction_force", 0);
+    term.commit(m.state.after_step(h));
+    friction = node_field(term, m.state.after_step(h), "friction_force", 0);
   }
-  const Energy e = term.energy(m.state.view(h));
+  const Energy e = term.energy(m.state.after_step(h));
   EXPECT_NEAR(e.strain, k * (0.02 * 0.02 / 2 + 1e-6 / 6), 1e-9);
   EXPECT_NEAR(friction.y(), -0.3 * k * 0.02, 1e-9);
   EXPECT_NEAR(e.damping, c * 1 * 0.02, 0.03 * c * 0.02);  // a ramp of 1 mm is a step of the test
@@ -138,7 +138,7 @@ TEST(ContactAtNodes, Energy) {
   term.fields(registry);
   for (const FieldSource& f : registry.sources()) {
     std::vector<double> values(static_cast<size_t>(2 * f.components), -1);
-    f.fill(m.state.view(h), values);
+    f.fill(m.state.after_step(h), values);
     if (f.name == "penetration") {
       EXPECT_NEAR(values[0], 0.02, 1e-12);
     }
@@ -162,11 +162,11 @@ TEST(ContactAtNodes, WorkOfTheBody) {
   m.state.x = {Vec3(0, 0, 0.12), Vec3(0, 50, 50)};
   const double h = 1e-3;
   for (int i = 1; i <= 200; ++i) {
-    term.prepare(m.state.view(h), h);
+    term.prepare(m.state.after_step(h), h);
     m.state.time = i * h;
-    term.commit(m.state.view(h));
+    term.commit(m.state.after_step(h));
   }
-  const Energy e = term.energy(m.state.view(h));
+  const Energy e = term.energy(m.state.after_step(h));
   EXPECT_NEAR(term.largest_penetration().depth, 0.02, 1e-12);
   EXPECT_NEAR(e.work, e.strain + e.damping + e.friction, 1e-3 * e.work);
   EXPECT_GT(e.strain, 10);
@@ -180,24 +180,26 @@ TEST(ContactAtNodes, HistoryGoesThroughACheckpoint) {
   m.state.x = {Vec3(0, 0, 0.09), Vec3(0, 1, 0.095)};
   const double h = 0.01;
   for (int i = 1; i <= 3; ++i) {
-    term.prepare(m.state.view(h), h);
+    term.prepare(m.state.after_step(h), h);
     m.state.time = i * h;
     m.state.x[0] += Vec3(2e-3, 1e-3, -1e-3);
     m.state.x[1] += Vec3(0.2, 0.1, -1e-3);
-    term.commit(m.state.view(h));
+    term.commit(m.state.after_step(h));
   }
   auto records = term.save();
   ASSERT_EQ(records.size(), 3u);  // of the element at either node, and its sums
   std::reverse(records.begin(), records.end());
   copy.restore(records);
-  for (LineVolumeContact* t : {&term, &copy}) t->prepare(m.state.view(h), h);
+  for (LineVolumeContact* t : {&term, &copy}) t->prepare(m.state.after_step(h), h);
   m.state.time += h;
   m.state.x[0] += Vec3(1e-4, -3e-4, 0);
   for (size_t i = 0; i < 2; ++i)
-    EXPECT_EQ((force(term, m.state.view(h), i).total - force(copy, m.state.view(h), i).total).norm(), 0);
-  for (LineVolumeContact* t : {&term, &copy}) t->commit(m.state.view(h));
-  EXPECT_EQ(term.energy(m.state.view(h)).friction, copy.energy(m.state.view(h)).friction);
-  EXPECT_EQ(term.energy(m.state.view(h)).strain, copy.energy(m.state.view(h)).strain);
+    EXPECT_EQ(
+        (force(term, m.state.after_step(h), i).total - force(copy, m.state.after_step(h), i).total).norm(),
+        0);
+  for (LineVolumeContact* t : {&term, &copy}) t->commit(m.state.after_step(h));
+  EXPECT_EQ(term.energy(m.state.after_step(h)).friction, copy.energy(m.state.after_step(h)).friction);
+  EXPECT_EQ(term.energy(m.state.after_step(h)).strain, copy.energy(m.state.after_step(h)).strain);
   EXPECT_EQ(term.largest_penetration().depth, copy.largest_penetration().depth);
   EXPECT_EQ(copy.largest_penetration().node, term.largest_penetration().node);
 }
@@ -207,26 +209,26 @@ TEST(ContactAtNodes, FrictionCanBeOffAndFarPairsAreNoCandidates) {
   const ContactVolume v = volume(std::make_shared<CylinderSurface>(Vec3(0, -3, 0), Vec3(0, 3, 0), 2));
   LineVolumeContact term = at_nodes(m, v);
   m.state.x = {Vec3(0, 0, 6), Vec3(0, 0, 7)};
-  term.prepare(m.state.view(0), 0.01);
+  term.prepare(m.state.at_start(0.01), 0.01);
   EXPECT_EQ(term.candidates(), 0);
   m.state.v[1] = Vec3(0, 0, -200);  // comes down within two steps
-  term.prepare(m.state.view(0), 0.01);
+  term.prepare(m.state.at_start(0.01), 0.01);
   EXPECT_EQ(term.candidates(), 1);
   m.state.x = {Vec3(0, 0, 2.09), Vec3(0, 0, 4)};
-  term.prepare(m.state.view(0), 0);  // statics: anything may move anywhere
+  term.prepare(m.state.at_rest(), 0);  // statics: anything may move anywhere
   EXPECT_EQ(term.candidates(), 1);
   m.next = m.state;
   m.next.x[0] += Vec3(0, 1e-3, 0);
   m.next.x[1] = Vec3(0, 0, 2.08);
-  EXPECT_GT(force(term, m.next.view(0), 0).friction.norm(), 1);
-  EXPECT_NEAR(force(term, m.next.view(0), 1).total.z(), 2000, 1e-6);
+  EXPECT_GT(force(term, m.next.at_rest(), 0).friction.norm(), 1);
+  EXPECT_NEAR(force(term, m.next.at_rest(), 1).total.z(), 2000, 1e-6);
   m.next.x[1] = Vec3(0, 0, 4);  // away and back: the cached distance does not hide it
-  EXPECT_EQ(force(term, m.next.view(0), 1).total.z(), 0);
+  EXPECT_EQ(force(term, m.next.at_rest(), 1).total.z(), 0);
   m.next.x[1] = Vec3(0, 0, 2.07);
-  EXPECT_NEAR(force(term, m.next.view(0), 1).total.z(), 3000, 1e-6);
+  EXPECT_NEAR(force(term, m.next.at_rest(), 1).total.z(), 3000, 1e-6);
   term.enable_friction(false);
-  EXPECT_EQ(force(term, m.next.view(0), 0).friction.norm(), 0);
-  EXPECT_GT(force(term, m.next.view(0), 0).total.norm(), 100);
+  EXPECT_EQ(force(term, m.next.at_rest(), 0).friction.norm(), 0);
+  EXPECT_GT(force(term, m.next.at_rest(), 0).total.norm(), 100);
 }
 
 TEST(ContactAtNodes, StiffnessByBasis) {
@@ -238,8 +240,8 @@ TEST(ContactAtNodes, StiffnessByBasis) {
     v.settings.basis = basis;
     LineVolumeContact term = at_nodes(m, v);
     m.state.x = {Vec3(0, 0, 0.09), Vec3(0, 1, 5)};
-    term.prepare(m.state.view(0), 0);
-    EXPECT_NEAR(force(term, m.state.view(0), 0).total.z(), expected, 1e-9);
+    term.prepare(m.state.at_rest(), 0);
+    EXPECT_NEAR(force(term, m.state.at_rest(), 0).total.z(), expected, 1e-9);
   }
   Model m;
   ContactVolume v = volume(std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitZ()));

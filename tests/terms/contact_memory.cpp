@@ -148,11 +148,11 @@ void go(const Scene& scene, bool beam, model::ContactMethod method) {
                 to = line_at(height(n + 1), (n + 1) * kStep, (height(n) - height(n + 1)) / kStep);
     LineVolumeContact fresh = make(local, bodies, v);
     fresh.restore(term.save());
-    term.prepare(from.view(kStep), kStep);
+    term.prepare(from.after_step(kStep), kStep);
     const auto limits = [&](LineVolumeContact& t) {
       ImpactEvents impacts;
       impacts.most = kStep;
-      t.limit_step(from.view(kStep), impacts);
+      t.limit_step(from.after_step(kStep), impacts);
       Outcome out;
       out.longest = std::min(impacts.longest, kStep);
       for (const ImpactEvent& s : impacts.list) out.energies.push_back(s.energy());
@@ -161,22 +161,22 @@ void go(const Scene& scene, bool beam, model::ContactMethod method) {
     for (const double far : {1e-4, 0.01, 0.3, 1e5, 0.01, 0.0}) {
       State trial = to;
       for (Vec3& x : trial.x) x += far * Vec3(noise(random), noise(random), noise(random));
-      term.evaluate(trial.view(kStep), nowhere);
+      term.evaluate(trial.after_step(kStep), nowhere);
       LineVolumeContact mine = term, other = fresh;
-      other.prepare(from.view(kStep), kStep);
-      mine.commit(trial.view(kStep));
-      other.commit(trial.view(kStep));
+      other.prepare(from.after_step(kStep), kStep);
+      mine.commit(trial.after_step(kStep));
+      other.commit(trial.after_step(kStep));
       const auto a = mine.save(), b = other.save();
       ASSERT_EQ(a.size(), b.size()) << scene.name << " step " << n << " off by " << far;
       for (size_t i = 0; i < a.size(); ++i)
         EXPECT_EQ(a[i].values, b[i].values) << scene.name << " step " << n;
       EXPECT_EQ(mine.active_count(), other.active_count());
     }
-    fresh.prepare(from.view(kStep), kStep);
+    fresh.prepare(from.after_step(kStep), kStep);
     const Outcome mine = limits(term), other = limits(fresh);
     EXPECT_EQ(mine.longest, other.longest) << scene.name << " step " << n;
     EXPECT_EQ(mine.energies, other.energies) << scene.name << " step " << n;
-    term.commit(to.view(kStep));
+    term.commit(to.after_step(kStep));
     touched += term.active_count();
   }
   EXPECT_GT(touched, 5) << scene.name;
@@ -210,16 +210,16 @@ TEST(ContactMemory, AsksLittle) {
     State from = line_at(2.4 - 0.002 * n, 0, 0), to = line_at(2.4 - 0.002 * (n + 1), 0, 0);
     for (State* s : {&from, &to})
       for (Vec3& v : s->v) v = Vec3(0, 0, -0.02);
-    term.prepare(from.view(kStep), kStep);
+    term.prepare(from.after_step(kStep), kStep);
     counting->questions = 0;
     ImpactEvents impacts;
     impacts.most = kStep;
-    term.limit_step(from.view(kStep), impacts);
+    term.limit_step(from.after_step(kStep), impacts);
     (n == 0 ? first : ahead) += counting->questions;
     counting->questions = 0;
-    term.evaluate(to.view(kStep), nowhere);
-    term.evaluate(from.view(kStep), nowhere);
-    term.commit(to.view(kStep));
+    term.evaluate(to.after_step(kStep), nowhere);
+    term.evaluate(from.after_step(kStep), nowhere);
+    term.commit(to.after_step(kStep));
     (n == 0 ? first : later) += counting->questions;
   }
   EXPECT_GT(first, kElements / 2);

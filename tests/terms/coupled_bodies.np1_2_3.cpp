@@ -1,7 +1,7 @@
 // Two bodies with mass that a full matrix of mass and damping joins: their motion on any number of ranks.
 #include <gtest/gtest.h>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/kernels/rigid_body.hpp"
 #include "verification/dynamics_rig.hpp"
 
@@ -23,8 +23,8 @@ Mat12 made_up(double scale, int seed) {
 class Joined final : public ForceTerm, public CouplesFixedNodes {
  public:
   Joined(const LocalMesh& mesh, const Mat12& A, const Mat12& B) : mesh_(mesh), A_(A), B_(B) {}
-  std::string_view name() const override { return "joined"; }
-  void couple(Couplings& to) const override { to.add({0, 0}, {1, 1}); }
+  std::string_view record_key() const override { return "joined"; }
+  void list_couplings(Couplings& to) const override { to.add({0, 0}, {1, 1}); }
   void evaluate(const Kinematics& trial, Assembler& assembler) override {
     Vec12 a, v;
     std::array<int, 4> blocks{};

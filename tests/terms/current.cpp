@@ -43,8 +43,9 @@ double pull(double ramp, double time, double step) {
   s.time = time;
   s.x = {Vec3(0, 0, -50), Vec3(2, 0, -50)};
   VecHandle r = system.create_vector();
-  system.prepare(s.view(step), step);
-  system.residual(s.view(step), r.get());
+  const Kinematics at = step > 0 ? s.after_step(step) : s.at_rest();
+  system.prepare(at, step);
+  system.residual(at, r.get());
   const PetscScalar* p = nullptr;
   check(VecGetArrayRead(r.get(), &p));
   const double force = -p[1];

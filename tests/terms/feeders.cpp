@@ -224,12 +224,12 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
     r.system->tie(r.feeders->with_held({}), {});
     std::optional<Roller> roller;
     if (on == On::roller) {
-      roller.emplace(r, from.s.view(0));
+      roller.emplace(r, from.s.at_rest());
       r.put_on(roller->surface());
     }
     alpha_start(mesh, from);
-    r.system->couple(from.s.view(h), h);
-    r.system->prepare(from.s.view(h), h);
+    r.system->update_couplings(from.s.after_step(h), h);
+    r.system->prepare(from.s.after_step(h), h);
     std::vector<double> u(3 * static_cast<size_t>(mesh.blocks()), 0), d = u;
     std::vector<int> moving{3, 4, 5, 6};
     for (int n = 10; n < mesh.nodes(); ++n) moving.push_back(n);
@@ -252,7 +252,7 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
                     : "",
            a.tension, a.max_speed, error);
     if (smooth) continue;
-    const double deep = roller ? roller->depth(Roller::axis(r, step.trial().view(h))) : 0;
+    const double deep = roller ? roller->depth(Roller::axis(r, step.trial().after_step(h))) : 0;
     step.commit();
     if (roller) {
       const double depth = r.on_roller->largest_penetration().depth;

@@ -102,10 +102,10 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
   };
   long touching = 0, layout_changed = 0, listed = 0, kept = 0, held_ghosts = 0;
   for (int step = 0; step < 60; ++step) {
-    const CouplingChange r = all.sim.system().couple(a.view(h), h);
-    one.sim.system().couple(b.view(h), h);
+    const CouplingChange r = all.sim.system().update_couplings(a.after_step(h), h);
+    one.sim.system().update_couplings(b.after_step(h), h);
     if (r == CouplingChange::layout_changed) {
-      all.sim.system().spread(a);
+      all.sim.system().update_ghosts(a);
       ++layout_changed;
     }
     ASSERT_EQ(a.x.size(), static_cast<size_t>(l.nodes()));
@@ -135,7 +135,7 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
     // The next step's end is covered, and whatever touches there is in the list.
     move(l, a, step, h);
     move(one.sim.local(), b, step, h);
-    const bool covered = all.sim.system().check_step(a.view(h)).accepted();
+    const bool covered = all.sim.system().check_step(a.after_step(h)).accepted();
     kept += covered;
     if (!covered) continue;
     std::vector<std::vector<Vec3>> axes;
@@ -184,7 +184,7 @@ TEST(LineCandidates, BentAxes) {
       s.x[n] += 0.3 * noise3(static_cast<int>(n), 200 + trial);
       if (mesh.node(n).rotates) s.q[n] *= exp_so3(1.5 * noise3(static_cast<int>(n), 100 + trial));
     }
-    m.sim.system().couple(s.view(0), 0);
+    m.sim.system().update_couplings(s.at_rest(), 0);
     const auto list = m.pairs();
     std::vector<std::vector<Vec3>> axes;
     for (int e = 0; e < mesh.elements(); ++e) axes.push_back(points(mesh, s, e));
@@ -230,7 +230,7 @@ TEST(LineCandidates, JoinedEnds) {
   CandidateSettings settings;
   Model apart(PETSC_COMM_SELF, c, 0.2, 1, settings);
   Model joined(PETSC_COMM_SELF, c, 0.2, 1, settings, {{{0}, {21}}});
-  for (Model* m : {&apart, &joined}) m->sim.system().couple(m->sim.state().view(0), 0);
+  for (Model* m : {&apart, &joined}) m->sim.system().update_couplings(m->sim.state().at_rest(), 0);
   const auto has = [](const Model& m, int a, int b) {
     const auto p = m.pairs();
     return std::binary_search(p.begin(), p.end(), std::pair(a, b));
@@ -244,7 +244,7 @@ TEST(LineCandidates, NothingToDoForOneStraightLine) {
   model::Case c = one_line(cable_type(1e6, 1), 100, 50, anchor({0, 0, 0}), anchor({100, 0, 0}));
   Model m(PETSC_COMM_WORLD, c, 0.3, 1);
   State& s = m.sim.state();
-  EXPECT_NE(m.sim.system().couple(s.view(0), 0.1), CouplingChange::layout_changed);
+  EXPECT_NE(m.sim.system().update_couplings(s.at_start(0.1), 0.1), CouplingChange::layout_changed);
   EXPECT_EQ(sum(static_cast<long>(m.pairs().size())), 0);
   EXPECT_FALSE(m.sim.system().coupled());
 }
@@ -263,19 +263,19 @@ TEST(LineCandidates, OneStopsTheNextComesOn) {
     const LocalMesh& l = m.sim.local();
     const auto first = [&](size_t n) { return l.global[n] < 11; };
     for (Vec3& v : s.v) v = Vec3(0, 4, 0);
-    m.sim.system().couple(s.view(h), h);
+    m.sim.system().update_couplings(s.after_step(h), h);
     EXPECT_EQ(sum(static_cast<long>(m.pairs().size())), 0);
     bool predicted = true;
     for (int step = 0; step < 2 && predicted; ++step) {
       // After the first step it stands where it is.
       for (size_t n = 0; n < s.x.size(); ++n) s.x[n].y() += stops && step > 0 && first(n) ? 0 : 0.4;
       s.time += h;
-      predicted = m.sim.system().check_step(s.view(h)).accepted();
+      predicted = m.sim.system().check_step(s.after_step(h)).accepted();
     }
     EXPECT_EQ(predicted, !stops);
     for (size_t n = 0; n < s.v.size(); ++n)
       if (stops && first(n)) s.v[n] = Vec3::Zero();
-    m.sim.system().couple(s.view(h), h);
+    m.sim.system().update_couplings(s.after_step(h), h);
     EXPECT_EQ(sum(static_cast<long>(m.pairs(true).size())) >= 10, stops);
   }
 }
@@ -292,23 +292,23 @@ TEST(LineCandidates, OneGoesBackInStatics) {
     System& system = m.sim.system();
     State& s = m.sim.state();
     const LocalMesh& l = m.sim.local();
-    system.couple(s.view(0), 0);
+    system.update_couplings(s.at_rest(), 0);
     State to = s;
     for (Vec3& x : to.x) x.y() += 1;
-    EXPECT_FALSE(system.check_step(to.view(0)).accepted());
-    system.couple(straight_path(l, s, to, 1).view(0), 1 / CandidateSettings{}.steps);
+    EXPECT_FALSE(system.check_step(to.at_rest()).accepted());
+    system.update_couplings(straight_path(l, s, to, 1).at_rest(), 1 / CandidateSettings{}.steps);
     EXPECT_EQ(sum(static_cast<long>(m.pairs().size())), 0);
-    EXPECT_TRUE(system.check_step(to.view(0)).accepted());
+    EXPECT_TRUE(system.check_step(to.at_rest()).accepted());
     // The next iteration starts there, or, if the step was refused, where it was: the list stays.
     const long builds = m.springs->list.builds();
-    for (const State* at : {&to, &s, &to}) system.couple(at->view(0), 0);
+    for (const State* at : {&to, &s, &to}) system.update_couplings(at->at_rest(), 0);
     EXPECT_EQ(m.springs->list.builds(), builds);
     State next = to;
     for (size_t n = 0; n < next.x.size(); ++n)
       if (back && l.global[n] < 11) next.x[n].y() -= 1;
-    EXPECT_EQ(system.check_step(next.view(0)).accepted(), !back);
-    EXPECT_EQ(system.check_step(next.view(0)).kind == Verdict::Kind::prepare_again, back);
-    system.couple(straight_path(l, to, next, 1).view(0), 1 / CandidateSettings{}.steps);
+    EXPECT_EQ(system.check_step(next.at_rest()).accepted(), !back);
+    EXPECT_EQ(system.check_step(next.at_rest()).kind == Verdict::Kind::prepare_again, back);
+    system.update_couplings(straight_path(l, to, next, 1).at_rest(), 1 / CandidateSettings{}.steps);
     EXPECT_EQ(sum(static_cast<long>(m.pairs(true).size())) >= 10, back);
   }
 }
@@ -336,9 +336,9 @@ TEST(LineCandidates, WayThatBends) {
   };
   turn(0);
   for (int step = 1; step <= 25; ++step) {
-    m.sim.system().couple(s.view(h), h);
+    m.sim.system().update_couplings(s.after_step(h), h);
     turn(step * h);
-    EXPECT_TRUE(m.sim.system().check_step(s.view(h)).accepted()) << step;
+    EXPECT_TRUE(m.sim.system().check_step(s.after_step(h)).accepted()) << step;
   }
 }
 
@@ -354,16 +354,17 @@ TEST(LineCandidates, ResidualAndTangent) {
     State& s = m.sim.state();
     const LocalMesh& l = m.sim.local();
     for (int step = 0; step < 8; ++step) {
-      if (system.couple(s.view(0.1), 0.1) == CouplingChange::layout_changed) system.spread(s);
-      system.prepare(s.view(0.1), 0.1);
+      if (system.update_couplings(s.after_step(0.1), 0.1) == CouplingChange::layout_changed)
+        system.update_ghosts(s);
+      system.prepare(s.after_step(0.1), 0.1);
       if (step < 7) move(l, s, step, 0.1);
     }
-    energy[i] = m.springs->energy(s.view(0.1)).strain;
+    energy[i] = m.springs->energy(s.after_step(0.1)).strain;
     VecHandle f = system.create_vector(), w = system.create_vector(), Jw = system.create_vector();
     MatHandle J = system.create_matrix();
-    system.residual(s.view(0.1), f.get());
+    system.residual(s.after_step(0.1), f.get());
     const std::vector<double> zero(3 * static_cast<size_t>(l.blocks()), 0);
-    system.tangent(s.view(0.1), {1, 0, 2, 0, 0}, zero, false, J.get());
+    system.tangent(s.after_step(0.1), {1, 0, 2, 0, 0}, zero, false, J.get());
     PetscScalar* p = nullptr;
     check(VecGetArray(w.get(), &p));
     for (int n = 0; n < l.owned; ++n)
@@ -475,7 +476,7 @@ TEST(LineCandidates, Statics) {
   }
   Model all(PETSC_COMM_WORLD, c, 0.45, 1e4), one(PETSC_COMM_SELF, c, 0.45, 1e4);
   for (Model* m : {&all, &one}) EXPECT_LE(m->sim.solve_statics().negative_eigenvalues, 0);
-  EXPECT_GT(one.springs->energy(one.sim.state().view(0)).strain, 0.1);
+  EXPECT_GT(one.springs->energy(one.sim.state().at_rest()).strain, 0.1);
   expect_same(all, all.sim.state(), one.sim.state(), 1e-8);
 }
 

@@ -32,7 +32,7 @@ TEST(LineContact, Situations) {
   for (const LineCase& c : line_cases()) {
     LineModel m(c);
     const State end = state_of(m.system->mesh(), m.trial);
-    m.system->commit(end.view(m.trial.h));
+    m.system->commit(end.after_step(m.trial.h));
     const auto records = m.contact->save();
     const CheckpointKind points = m.contact->checkpoint_kinds().front();
     size_t size = 0, gap_at = 0, normal_at = 0, friction_at = 0, from_at = 0, to_at = 0;
@@ -82,18 +82,18 @@ TEST(LineContact, EvaluatingLeavesNoTrace) {
         const auto d = direction(system, t, 55 + k);
         residual(system, state_of(mesh, t, far, &d, {1, 1, 1, 0, 0}), t.h);
         EXPECT_EQ(residual(system, here, t.h), f) << c.name << ", from " << far;
-        system.energy(state_of(mesh, t, far, &d).view(0));
+        system.energy(state_of(mesh, t, far, &d).at_rest());
       }
-    system.prepare(t.from.view(t.h), 0.3 * t.h);
+    system.prepare(t.from.after_step(t.h), 0.3 * t.h);
     residual(system, here, t.h);
-    system.prepare(t.from.view(t.h), t.h);
+    system.prepare(t.from.after_step(t.h), t.h);
     EXPECT_EQ(residual(system, here, t.h), f) << c.name;
     const MatHandle K = tangent(system, t, {1, 3, 7, 0, 0});
     PetscBool equal = PETSC_FALSE;
     check(MatEqual(J.get(), K.get(), &equal));
     EXPECT_TRUE(equal) << c.name;
-    system.commit(here.view(t.h));
-    other.system->commit(here.view(t.h));
+    system.commit(here.after_step(t.h));
+    other.system->commit(here.after_step(t.h));
     const auto a = m.contact->save(), b = other.contact->save();
     ASSERT_EQ(a.size(), b.size());
     for (size_t i = 0; i < a.size(); ++i)
@@ -116,18 +116,19 @@ TEST(LineContact, HistoryGoesThroughACheckpoint) {
     LineModel m(c), copy(c);
     const double h = m.trial.h;
     const State end = state_of(m.system->mesh(), m.trial);
-    m.system->commit(end.view(h));
+    m.system->commit(end.after_step(h));
     auto records = m.contact->save();
     std::reverse(records.begin(), records.end());
     copy.contact->restore(records);
-    EXPECT_EQ(copy.contact->energy(end.view(h)).strain, m.contact->energy(end.view(h)).strain);
-    EXPECT_EQ(copy.contact->energy(end.view(h)).friction, m.contact->energy(end.view(h)).friction);
+    EXPECT_EQ(copy.contact->energy(end.after_step(h)).strain, m.contact->energy(end.after_step(h)).strain);
+    EXPECT_EQ(copy.contact->energy(end.after_step(h)).friction,
+              m.contact->energy(end.after_step(h)).friction);
     EXPECT_EQ(copy.contact->largest_penetration().depth, m.contact->largest_penetration().depth);
     EXPECT_EQ(copy.contact->largest_penetration().node, m.contact->largest_penetration().node);
     for (LineModel* one : {&m, &copy}) {
       one->trial.from = end;
       for (double& u : one->trial.u) u *= 0.1;
-      one->system->prepare(end.view(h), h);
+      one->system->prepare(end.after_step(h), h);
     }
     const State next = state_of(m.system->mesh(), m.trial);
     EXPECT_EQ(residual(*m.system, next, h), residual(*copy.system, next, h)) << c.name;
@@ -158,11 +159,11 @@ TEST(LineContact, OneElementOnARisingPlane) {
     s.x = {Vec3(0, 0, 0.12), Vec3(2, 0, 0.12)};
     const double h = 1e-3;
     for (int i = 1; i <= 200; ++i) {
-      term.prepare(s.view(h), h);
+      term.prepare(s.after_step(h), h);
       s.time = i * h;
-      term.commit(s.view(h));
+      term.commit(s.after_step(h));
     }
-    const auto at = s.view(h);
+    const auto at = s.after_step(h);
     const Energy e = term.energy(at);
     EXPECT_NEAR(term.largest_penetration().depth, 0.02, 1e-12);
     EXPECT_NEAR(e.work, e.strain + e.friction + e.damping, 1e-3 * e.work);
@@ -175,8 +176,8 @@ TEST(LineContact, OneElementOnARisingPlane) {
     EXPECT_NEAR(friction[0], 0.4 * force / 2 * (0.010 / 0.020), 0.005 * force);
     EXPECT_NEAR(node_field(term, at, "penetration", 2)[1], 0.02, 1e-12);
     term.enable_friction(false);
-    term.prepare(s.view(h), h);
-    term.commit(s.view(h));
+    term.prepare(s.after_step(h), h);
+    term.commit(s.after_step(h));
     EXPECT_EQ(node_field(term, at, "friction_force", 2)[0], 0);
   }
 }
@@ -202,13 +203,13 @@ TEST(LineContact, StepsFollowImpacts) {
     s.x = {Vec3(0, 0, 0.101 + gap), Vec3(2, 0, 0.101 + gap + tilt)};
     s.v = {Vec3(3, 0, -down), Vec3(3, 0, -down)};
     s.a = {Vec3(0, 0, acceleration), Vec3(0, 0, acceleration)};
-    term.prepare(s.view(0.1), 0.1);
+    term.prepare(s.after_step(0.1), 0.1);
     if (gap < 0) {
-      term.commit(s.view(0.1));
-      term.prepare(s.view(0.1), 0.1);
+      term.commit(s.after_step(0.1));
+      term.prepare(s.after_step(0.1), 0.1);
     }
     ImpactEvents to;
-    term.limit_step(s.view(0.1), to);
+    term.limit_step(s.after_step(0.1), to);
     LineMotion line;
     for (const ImpactEvent& impact : to.list) line.impact_energy += impact.energy();
     const auto alone = [](std::span<double>) {};

@@ -34,7 +34,7 @@ TEST(LineContactRanks, SameAsOnOne) {
     for (LineModel* m : {&all, &again}) {
       m->trial.from = end_a;
       for (double& u : m->trial.u) u *= 0.1;
-      m->system->prepare(end_a.view(h), h);
+      m->system->prepare(end_a.after_step(h), h);
     }
     const State next = state_of(a, all.trial);
     EXPECT_EQ(residual(*all.system, next, h), residual(*again.system, next, h)) << c.name;

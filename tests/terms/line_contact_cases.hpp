@@ -187,9 +187,9 @@ struct LineModel : SuiteModel {
       trial.rates.w[i] = end.conjugate() * p2.angular_velocity + 0.05 * noise3(id, 11);
       before.w[i] = trial.from.w[i] = Vec3::Zero();
     }
-    system->prepare(before.view(h), h);
-    system->commit(trial.from.view(h));
-    system->prepare(trial.from.view(h), h);
+    system->prepare(before.after_step(h), h);
+    system->commit(trial.from.after_step(h));
+    system->prepare(trial.from.after_step(h), h);
     trial.length = 2e-4;
     trial.angle = 2e-4;
   }

@@ -17,7 +17,7 @@ TEST(LinePairs, TouchWhereTheCaseHasIt) {
   for (const PairCase& c : pair_cases()) {
     PairModel m(c);
     const State end = state_of(m.system->mesh(), m.trial);
-    m.system->commit(end.view(m.trial.h));
+    m.system->commit(end.after_step(m.trial.h));
     EXPECT_EQ(m.contact->active_count() > 0, c.gap < 1e-3) << c.name;
     if (c.gap < 0) {
       EXPECT_GT(m.contact->normal_force(), 5) << c.name;
@@ -84,18 +84,19 @@ TEST(LinePairs, HistoryGoesThroughACheckpoint) {
     PairModel m(c), copy(c);
     const double h = m.trial.h;
     const State end = state_of(m.system->mesh(), m.trial);
-    m.system->commit(end.view(h));
+    m.system->commit(end.after_step(h));
     auto records = m.contact->save();
     std::reverse(records.begin(), records.end());
     copy.contact->restore(records);
     for (PairModel* one : {&m, &copy}) {
       one->trial.from = end;
       for (double& u : one->trial.u) u *= 0.1;
-      one->system->couple(end.view(h), h);
-      one->system->prepare(end.view(h), h);
+      one->system->update_couplings(end.after_step(h), h);
+      one->system->prepare(end.after_step(h), h);
     }
-    EXPECT_EQ(copy.contact->energy(end.view(h)).strain, m.contact->energy(end.view(h)).strain);
-    EXPECT_EQ(copy.contact->energy(end.view(h)).friction, m.contact->energy(end.view(h)).friction);
+    EXPECT_EQ(copy.contact->energy(end.after_step(h)).strain, m.contact->energy(end.after_step(h)).strain);
+    EXPECT_EQ(copy.contact->energy(end.after_step(h)).friction,
+              m.contact->energy(end.after_step(h)).friction);
     EXPECT_EQ(copy.contact->deepest().depth, m.contact->deepest().depth);
     const State next = state_of(m.system->mesh(), m.trial);
     EXPECT_EQ(residual(*m.system, next, h), residual(*copy.system, next, h)) << c.name;
@@ -112,9 +113,9 @@ TEST(LinePairs, AdviceNamesTheLines) {
     const double h = m.trial.h;
     const State& start = m.trial.from;
     const State end = state_of(m.system->mesh(), m.trial);
-    m.system->couple(straight_path(m.system->mesh(), start, end, h).view(h), h);
-    m.system->prepare(start.view(h), h);
-    const std::string message = advice::clause(m.contact->check_step(end.view(h)).because);
+    m.system->update_couplings(straight_path(m.system->mesh(), start, end, h).after_step(h), h);
+    m.system->prepare(start.after_step(h), h);
+    const std::string message = advice::clause(m.contact->check_step(end.after_step(h)).because);
     const std::string advice = "Try contact: {between_lines: {";
     EXPECT_NE(message.find(advice + (tuned ? "pairs: [{lines: [hose, rope], normal_stiffness: {per_length: "
                                            : "normal_s")),

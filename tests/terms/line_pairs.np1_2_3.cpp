@@ -27,8 +27,9 @@ TEST(LinePairsRanks, SameAsOnOne) {
     // Who sees whom may be others after a long step: the state gets their nodes too.
     const auto goes_on = [&](PairModel& m) {
       State end = end_a;
-      if (m.system->couple(end.view(h), h) == CouplingChange::layout_changed) m.system->spread(end);
-      m.system->prepare(end.view(h), h);
+      if (m.system->update_couplings(end.after_step(h), h) == CouplingChange::layout_changed)
+        m.system->update_ghosts(end);
+      m.system->prepare(end.after_step(h), h);
       State next = end;
       next.time += h;
       for (size_t n = 0; n < next.x.size(); ++n) next.x[n] += 0.1 * h * end.v[n];

@@ -75,7 +75,7 @@ struct PairModel : SuiteModel {
     // Ghosts first: they depend on where lines are.
     State before = place(what, at, -1);
     before.time = trial.from.time - trial.h;
-    if (system->couple(before.view(trial.h), trial.h) == CouplingChange::layout_changed)
+    if (system->update_couplings(before.after_step(trial.h), trial.h) == CouplingChange::layout_changed)
       before = place(what, at, -1);
     before.time = trial.from.time - trial.h;
     const LocalMesh& l = system->mesh();
@@ -90,9 +90,9 @@ struct PairModel : SuiteModel {
       Eigen::Map<Vec3>(u, 3) = end.x[i] - trial.from.x[i];
       if (l.rotates(n)) Eigen::Map<Vec3>(u + 3, 3) = log_so3(trial.from.q[i].conjugate() * end.q[i]);
     }
-    system->prepare(before.view(trial.h), trial.h);
-    system->commit(trial.from.view(trial.h));
-    system->prepare(trial.from.view(trial.h), trial.h);
+    system->prepare(before.after_step(trial.h), trial.h);
+    system->commit(trial.from.after_step(trial.h));
+    system->prepare(trial.from.after_step(trial.h), trial.h);
     trial.length = 2e-5;
     trial.angle = 2e-5;
   }

@@ -41,7 +41,7 @@ LocalMesh local_mesh(const Mesh& mesh) {
 
 std::array<double, 15> residual(System& system, const State& s) {
   VecHandle r = system.create_vector();
-  system.residual(s.view(0.1), r.get());
+  system.residual(s.after_step(0.1), r.get());
   std::array<double, 15> values{};
   const PetscScalar* p = nullptr;
   check(VecGetArrayRead(r.get(), &p));
@@ -88,7 +88,7 @@ TEST(PointLoads, MomentStiffness) {
       std::make_unique<PointLoads>(system.mesh(), std::vector<NodeLoad>{{1, {1, 2, 3}, {4, 5, -6}, 0}}));
   const State s = moved();
   MatHandle J = system.create_matrix();
-  system.tangent(s.view(0.1), {}, std::vector<double>(15, 0.0), false, J.get());
+  system.tangent(s.after_step(0.1), {}, std::vector<double>(15, 0.0), false, J.get());
   for (int k = 0; k < 3; ++k) {
     const double h = 1e-3;
     const auto at = [&](double d) {
@@ -114,19 +114,19 @@ TEST(PointLoads, WorkAndCheckpoint) {
       {1, {10, 0, 0}, {0, 0, 6}, 0}, {0, {0, 0, 0}, {0, 0, 2}, 0}, {1, {0, 1, 0}, {0, 3, 0}, 0}};
   PointLoads term(local, loads), copy(local, loads);
   State s = moved();
-  term.prepare(s.view(0.1), 0.1);
-  const double before = term.energy(s.view(0.1)).potential;
+  term.prepare(s.after_step(0.1), 0.1);
+  const double before = term.energy(s.after_step(0.1)).potential;
   for (int i = 0; i < 10; ++i) {
-    term.prepare(s.view(0.1), 0.1);
+    term.prepare(s.after_step(0.1), 0.1);
     s.time += 0.1;
     s.x[1] += Vec3(0.2, 0.1, 0);
     s.q[1] = exp_so3({0, 0, 0.05}) * s.q[1];
     s.q[0] = exp_so3({0, 0, 0.1}) * s.q[0];
-    term.commit(s.view(0.1));
+    term.commit(s.after_step(0.1));
   }
   // Lasting forces have a potential, a moment does work.
-  EXPECT_NEAR(before - term.energy(s.view(0.1)).potential, 10 * 2 + 1 * 1, 1e-12);
-  EXPECT_NEAR(term.energy(s.view(0.1)).work, 6 * 0.5 + 2 * 1, 1e-12);
+  EXPECT_NEAR(before - term.energy(s.after_step(0.1)).potential, 10 * 2 + 1 * 1, 1e-12);
+  EXPECT_NEAR(term.energy(s.after_step(0.1)).work, 6 * 0.5 + 2 * 1, 1e-12);
   copy.restore(term.save());
   // The case has the loads of node 1 before and after that of node 0.
   const std::vector<CheckpointRecord> sums = copy.save();
@@ -149,12 +149,12 @@ TEST(PointMasses, InertiaAndWeight) {
   MatHandle J = system.create_matrix();
   Weights weights;
   weights.M = 2;
-  system.tangent(s.view(0.1), weights, std::vector<double>(15, 0.0), false, J.get());
+  system.tangent(s.after_step(0.1), weights, std::vector<double>(15, 0.0), false, J.get());
   PetscInt row = 7;
   PetscScalar value = 0;
   check(MatGetValues(J.get(), 1, &row, 1, &row, &value));
   EXPECT_DOUBLE_EQ(value, 60);
-  const Energy e = system.energy(s.view(0.1));
+  const Energy e = system.energy(s.after_step(0.1));
   EXPECT_DOUBLE_EQ(e.kinetic, 0.5 * 30 * 77);
   EXPECT_DOUBLE_EQ(e.potential, 30 * 9.80665);
 }

@@ -37,19 +37,19 @@ struct OneNode {
   }
   // A step to x, committed: friction on the node.
   Vec3 go(const Vec3& x) {
-    bed->prepare(state.view(h), h);
+    bed->prepare(state.after_step(h), h);
     state.x[0] = x;
     state.x[1] = x + Vec3::UnitX();
     state.time += h;
-    bed->commit(state.view(h));
+    bed->commit(state.after_step(h));
     FieldRegistry fields;
     bed->fields(fields);
     std::vector<double> f(6);
     for (const FieldSource& s : fields.sources())
-      if (s.name == "seabed_friction") s.fill(state.view(h), f);
+      if (s.name == "seabed_friction") s.fill(state.after_step(h), f);
     return {f[0], f[1], f[2]};
   }
-  double work() const { return bed->energy(state.view(h)).friction; }
+  double work() const { return bed->energy(state.after_step(h)).friction; }
 };
 
 // 1000 N pressed, coefficients 0.3 and 0.8, mobilisation lengths 0.01 and 0.04 m, as the paper has it
@@ -117,9 +117,10 @@ TEST(SeabedTable, ForceAndPotentialOfANode) {
     const auto at = [&](double deep, double step) {
       State s(2);
       s.x = {Vec3(0, 0, -90 + 0.2 - deep), Vec3(2, 0, 0)};
-      term.prepare(s.view(step), step);
-      term.commit(s.view(step));
-      return std::pair(term.node_force(0).z(), term.energy(s.view(step)).strain);
+      const Kinematics end = at_end(s, step);
+      term.prepare(end, step);
+      term.commit(end);
+      return std::pair(term.node_force(0).z(), term.energy(end).strain);
     };
     EXPECT_EQ(at(-1e-6, 0).first, 0);
     for (const auto& [deep, force] : rows) EXPECT_NEAR(at(deep, 0.1).first, share * force, 1e-9);
@@ -160,12 +161,12 @@ void expect_suction(const Bed& shape) {
     EXPECT_EQ(force(0.6, *of), 0);
     EXPECT_EQ(force(0.0001, *of), 0);
   }
-  const double before = n.bed->energy(n.state.view(n.h)).damping;
+  const double before = n.bed->energy(n.state.after_step(n.h)).damping;
   EXPECT_NEAR(force(-0.004, n), 400, 1e-9);
-  const double landed = n.bed->energy(n.state.view(n.h)).damping;
+  const double landed = n.bed->energy(n.state.after_step(n.h)).damping;
   EXPECT_EQ(landed, before);
   for (int i = 1; i <= 1000; ++i) force(-0.004 + i * 1.2e-5, n);
-  EXPECT_NEAR(n.bed->energy(n.state.view(n.h)).damping - landed, 8. / 15 * 500 * 0.01, 1e-6);
+  EXPECT_NEAR(n.bed->energy(n.state.after_step(n.h)).damping - landed, 8. / 15 * 500 * 0.01, 1e-6);
 }
 
 TEST(SeabedSuction, HoldsWhatIsLiftedUntilItIsFarEnough) {
@@ -403,9 +404,9 @@ TEST(SeabedHalfWay, HistoryIsWithBothNodes) {
     State state{2};
     // The middle to x, pressed by 1000 N.
     void go(double x) {
-      bed->prepare(state.view(0.1), 0.1);
+      bed->prepare(state.after_step(0.1), 0.1);
       for (size_t n = 0; n < 2; ++n) state.x[n] = Vec3(x + local.global[n], 0, kDeep);
-      bed->commit(state.view(0.1));
+      bed->commit(state.after_step(0.1));
     }
     Vec3 force(int node) const { return bed->node_force(local.find(node)); }
   };
@@ -428,10 +429,10 @@ TEST(SeabedHalfWay, HistoryIsWithBothNodes) {
   };
   const std::vector<CheckpointRecord> whole = points(*all.bed);
   EXPECT_EQ(whole.size(), 2u);
-  EXPECT_GT(all.bed->energy(all.state.view(h)).friction, 1);
-  EXPECT_EQ(
-      two[0].bed->energy(two[0].state.view(h)).friction + two[1].bed->energy(two[1].state.view(h)).friction,
-      all.bed->energy(all.state.view(h)).friction);
+  EXPECT_GT(all.bed->energy(all.state.after_step(h)).friction, 1);
+  EXPECT_EQ(two[0].bed->energy(two[0].state.after_step(h)).friction +
+                two[1].bed->energy(two[1].state.after_step(h)).friction,
+            all.bed->energy(all.state.after_step(h)).friction);
   for (int rank = 0; rank < 2; ++rank) {
     Part& p = two[rank];
     EXPECT_EQ(p.force(rank), all.force(rank));

@@ -20,7 +20,7 @@ TEST(SharedPlacesOnRanks, KnowTheSame) {
     Simulation sim(comm, c);
     const std::vector<SharedPlace> ends = {{{0}, {41}}, {{0}, {82}}, {{41}, {82}}};
     SharedPlaces places(comm, sim.local(), ContactRadii({0.1}), ends, {});
-    places.update(sim.state().view(0), true);
+    places.update(sim.state().at_rest(), true);
     std::vector<double> out;
     for (int k = 0; k < places.size(); ++k) out.push_back(places.within(k));
     // What one rank has kept of a place reaches the others.
@@ -30,7 +30,7 @@ TEST(SharedPlacesOnRanks, KnowTheSame) {
         kept.push_back(places.kept(k));
     places.forget();
     for (const auto& k : kept) places.restore(k);
-    places.update(sim.state().view(0), false);
+    places.update(sim.state().at_rest(), false);
     for (int k = 0; k < places.size(); ++k) EXPECT_EQ(places.within(k), out[static_cast<size_t>(k)]);
     return out;
   };

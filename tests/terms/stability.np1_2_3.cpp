@@ -29,7 +29,7 @@ contact: {between_lines: false}
 
 struct Tangent {
   Tangent(MPI_Comm comm, const model::Case& c) : sim(comm, c), J(sim.system().create_matrix()) {
-    const Kinematics at = sim.state().view(0);
+    const Kinematics at = sim.state().at_rest();
     const std::vector<double> zero(3 * static_cast<size_t>(sim.local().blocks()), 0);
     const VecHandle r = sim.system().create_vector();
     sim.system().prepare(at, 0);

@@ -39,7 +39,7 @@ TEST(StepTangent, IsTheDerivativeByTheIncrements) {
       const AlphaCoefficients alpha(rho);
       const double h = m.trial.h;
       const AlphaState from = committed(mesh, m.trial);
-      system.prepare(from.s.view(h), h);
+      system.prepare(from.s.after_step(h), h);
       AlphaState to = from;
       const auto at = [&](double step, const std::vector<double>& d) {
         std::vector<double> u = m.trial.u;
@@ -51,7 +51,7 @@ TEST(StepTangent, IsTheDerivativeByTheIncrements) {
       EXPECT_GT(alpha_mean(alpha).weight, 1);
       alpha_trial(mesh, system.tied_nodes(), alpha, h, from, m.trial.u, to);
       MatHandle J = system.create_matrix();
-      system.tangent(to.s.view(h), alpha_weights(alpha, h), m.trial.u, false, J.get());
+      system.tangent(to.s.after_step(h), alpha_weights(alpha, h), m.trial.u, false, J.get());
       for (int k = 0; k < 4; ++k) {
         const auto d = direction(system, m.trial, 100 + k), Jd = multiply(system, J.get(), d);
         constexpr double e = 0.01;

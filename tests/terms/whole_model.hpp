@@ -44,9 +44,9 @@ double expect_same_on_ranks(Model& all, Model& one, std::initializer_list<double
   check(MatNorm(Jb.get(), NORM_FROBENIUS, &nb));
   EXPECT_NEAR(na, nb, tolerance * nb) << name;
 
-  all.system->commit(end_a.view(h));
-  one.system->commit(end_b.view(h));
-  const Energy x = all.contact->energy(end_a.view(h)), y = one.contact->energy(end_b.view(h));
+  all.system->commit(at_end(end_a, h));
+  one.system->commit(at_end(end_b, h));
+  const Energy x = all.contact->energy(at_end(end_a, h)), y = one.contact->energy(at_end(end_b, h));
   for (const auto part : parts)
     EXPECT_NEAR(over_ranks(x.*part), y.*part, tolerance * (std::abs(y.*part) + y.strain)) << name;
   EXPECT_EQ(over_ranks(all.contact->active_count()), one.contact->active_count()) << name;

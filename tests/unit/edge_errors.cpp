@@ -45,7 +45,7 @@ lines:
   const std::vector<double> of_friction{0, 0, 0, friction, 0, 0, -friction, 0, 0, 0, 0, 0};
   const std::vector<double> tension_before{T1, T1, 1000, T2}, tension_after{T1, 1000, T2, T2};
   EdgeErrors errors(MPI_COMM_SELF, c, sim.local());
-  errors.update(s.view(0), {force, of_friction, tension_before, tension_after});
+  errors.update(s.at_rest(), {force, of_friction, tension_before, tension_after});
   return errors.warning(0, std::max(T1, T2));
 }
 

@@ -39,7 +39,7 @@ lines:
         (static_cast<double>(n) - 0.5 * static_cast<double>(elements) - 0.5) * degrees * M_PI / 180;
     s.x[n] = n == 0 ? Vec3(Vec3::Zero()) : Vec3(s.x[n - 1] + 10 * Vec3(std::cos(a), 0, std::sin(a)));
   }
-  errors.update(s.view(0), {std::vector<double>(nodes, tension), {}, {}, std::vector<bool>(nodes, false)});
+  errors.update(s.at_rest(), {std::vector<double>(nodes, tension), {}, {}, std::vector<bool>(nodes, false)});
   return errors.warnings(0, largest, HUGE_VAL);
 }
 
@@ -78,7 +78,7 @@ lines:
                                            "/nowhere/case.yaml");
   run::Simulation sim(MPI_COMM_SELF, c);
   sim.solve_statics();
-  const Kinematics at = sim.state().view(0);
+  const Kinematics at = sim.state().at_rest();
   std::vector<double> tension(static_cast<size_t>(elements) + 1);
   const FieldRegistry fields = sim.system().fields();
   for (const FieldSource& f : fields.sources())
@@ -121,7 +121,7 @@ lines:
                                              "/nowhere/case.yaml");
     run::Simulation sim(MPI_COMM_SELF, c);
     sim.solve_statics();
-    const Kinematics at = sim.state().view(0);
+    const Kinematics at = sim.state().at_rest();
     std::vector<double> tension(static_cast<size_t>(elements) + 1);
     const FieldRegistry fields = sim.system().fields();
     for (const FieldSource& f : fields.sources())
@@ -171,7 +171,7 @@ lines:
       s.x[n] = Vec3(static_cast<double>(n), 0, 0);
       moment[n] = -500 * std::exp(-std::abs(static_cast<double>(n) - 4) / (smooth * decay));
     }
-    errors.update(s.view(0), {std::vector<double>(9, 1e4), moment, {}, std::vector<bool>(9, false)});
+    errors.update(s.at_rest(), {std::vector<double>(9, 1e4), moment, {}, std::vector<bool>(9, false)});
     const auto all = errors.warnings(0, 1e4, 500);
     return all.empty() ? "" : all.front();
   };

@@ -33,7 +33,7 @@ lines: {}
   WaterErrors errors(c, sim.system());
   State& s = sim.state();
   s.time = time;
-  errors.update(s.view(time > 0 ? 0.1 : 0));
+  errors.update(time > 0 ? s.after_step(0.1) : s.at_rest());
   return errors.warnings();
 }
 

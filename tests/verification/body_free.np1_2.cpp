@@ -1,7 +1,7 @@
 // A floating body that nothing holds, on its own: it falls, and tumbles.
 #include <gtest/gtest.h>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/kernels/coupled_mass.hpp"
 #include "hawser/model/mass_matrix.hpp"
 #include "hawser/run/simulation.hpp"

@@ -50,7 +50,7 @@ TEST(BodyFrictionStatics, CrateOnASlopeRests) {
   const double slope = 20 * M_PI / 180;
   BodiesRun r(crate(slope, 0.4, 0, kWithFriction));
   r.sim.solve_statics();
-  const RigidPose rest = r.poses(r.sim.state().view(0))[0];
+  const RigidPose rest = r.poses(r.sim.state().at_rest())[0];
   const double u = kMass * kGravity * std::sin(slope) / (4 * kPress) * (1 + 0.01 / 0.25);
   EXPECT_NEAR(down(rest, slope), u, 0.01 * u);
   r.start();
@@ -85,13 +85,13 @@ TEST(BodyFrictionStatics, CrateAboveASlope) {
   const double slope = 10 * M_PI / 180;
   BodiesRun r(crate(slope, 0.4, 0.3, kWithFriction));
   r.sim.solve_statics();
-  const RigidPose rest = r.poses(r.sim.state().view(0))[0];
+  const RigidPose rest = r.poses(r.sim.state().at_rest())[0];
   const double height = rest.position.dot(Vec3(std::sin(slope), 0, std::cos(slope)));
   EXPECT_NEAR(height, 0.1 - kMass * kGravity * std::cos(slope) / (4 * kPress), 1e-6);
 
   BodiesRun held(crate(slope, 0.4, 0, "true"));
   held.sim.solve_statics();
-  EXPECT_LT((held.poses(held.sim.state().view(0))[0].position - held.c.bodies[0].position).norm(), 1e-4);
+  EXPECT_LT((held.poses(held.sim.state().at_rest())[0].position - held.c.bodies[0].position).norm(), 1e-4);
   int reported = 0;
   for (const std::string& n : held.sim.notes()) reported += n.find("without its weight") != std::string::npos;
   EXPECT_EQ(reported, 1);
@@ -110,7 +110,7 @@ statics: {contact_friction: true}
 dynamics: {duration: 1}
 )");
   r.sim.solve_statics();
-  EXPECT_NEAR(r.poses(r.sim.state().view(0))[0].position.z(), 0.1 - kMass * kGravity / (4 * kPress), 1e-6);
+  EXPECT_NEAR(r.poses(r.sim.state().at_rest())[0].position.z(), 0.1 - kMass * kGravity / (4 * kPress), 1e-6);
 }
 
 // Two crates, one on the other, both free, on different ranks where there are two.
@@ -136,7 +136,7 @@ dynamics: {{duration: 0.5}}
                       s, c);
   BodiesRun r(yaml);
   r.sim.solve_statics();
-  const std::vector<RigidPose> rest = r.poses(r.sim.state().view(0));
+  const std::vector<RigidPose> rest = r.poses(r.sim.state().at_rest());
   EXPECT_LT(std::abs(down(rest[0], slope)), 1e-3);
   EXPECT_LT(std::abs(down(rest[1], slope)), 1e-3);
   r.start();
@@ -177,7 +177,7 @@ dynamics: {duration: 2}
     const Vec3 centre = p[1].to_body(p[0].to_space(Vec3(31, 0, 0)));
     return 1 - (-30 - centre.x());
   };
-  const std::vector<RigidPose> rest = r.poses(r.sim.state().view(0));
+  const std::vector<RigidPose> rest = r.poses(r.sim.state().at_rest());
   const ContactForceTable& table = *r.c.volumes[0].force_table;
   // The surface of the hull is turned by what the springs of rotation give: its normal force is 8e5 N to
   // 1e-5.

@@ -81,7 +81,8 @@ bodies:
   EXPECT_NEAR(from_owner(s, [&](size_t n) { return s.state().x[n].x(); }), 0.01 * std::cos(angle), 1e-9);
   EXPECT_NEAR(from_owner(s, [&](size_t n) { return s.state().x[n].y(); }), 0.01 * std::sin(angle), 1e-9);
   EXPECT_NEAR(from_owner(s, [&](size_t n) { return log_so3(s.state().q[n]).z(); }), angle, 1e-9);
-  EXPECT_NEAR(from_owner(s, [&](size_t) { return s.system().energy(s.state().view(0)).potential; }), 0, 1e-9);
+  EXPECT_NEAR(from_owner(s, [&](size_t) { return s.system().energy(s.state().at_rest()).potential; }), 0,
+              1e-9);
 }
 
 }  // namespace

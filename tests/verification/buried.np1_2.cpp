@@ -25,7 +25,7 @@ std::vector<double> tensions(Simulation& sim) {
   std::vector<double> out(sim.state().x.size());
   const FieldRegistry fields = sim.system().fields();
   for (const FieldSource& f : fields.sources())
-    if (f.name == "effective_tension") f.fill(sim.state().view(0), out);
+    if (f.name == "effective_tension") f.fill(sim.state().at_rest(), out);
   return out;
 }
 
@@ -33,7 +33,7 @@ std::vector<double> tensions(Simulation& sim) {
 void settle(Simulation& all, Simulation& one) {
   all.solve_statics();
   one.solve_statics();
-  expect_same_positions(all, all.state().view(0), one.state().view(0), 1e-7, "statics");
+  expect_same_positions(all, all.state().at_rest(), one.state().at_rest(), 1e-7, "statics");
 }
 
 // 1.2 km of pipe a metre deep, pulled at one end: it stays as deep, and 500 N/m after 5 mm hold it along as

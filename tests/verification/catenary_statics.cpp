@@ -121,7 +121,7 @@ TEST(Catenary, FalseBalanceIsLeft) {
     const double* top = s.system().reactions().data() + 3 * s.local().block[80];
     V[i] = top[2];
     H[i] = std::hypot(top[0], top[1]);
-    const Energy e = s.system().energy(s.state().view(0));
+    const Energy e = s.system().energy(s.state().at_rest());
     energy[i] = e.strain + e.potential;
   }
   std::printf(

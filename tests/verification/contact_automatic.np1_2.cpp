@@ -114,7 +114,7 @@ Held still(const std::string& name, const std::string& text) {
   const auto s = simulation(name, text);
   s->solve_statics();
   Held out;
-  look(*s, s->state().view(0), out);
+  look(*s, s->state().at_rest(), out);
   return out;
 }
 
@@ -159,7 +159,7 @@ TEST_P(Stretched, StaysOnTheBar) {
   const auto s = simulation("stretched", sling(kCylinder, 1e5, true, "", beam, strain) + method);
   s->solve_statics();
   Held out;
-  look(*s, s->state().view(0), out);
+  look(*s, s->state().at_rest(), out);
   double top = -HUGE_VAL;
   for (int n = 0; n < s->local().owned; ++n) top = std::max(top, s->state().x[static_cast<size_t>(n)].z());
   EXPECT_NEAR(most(top), kRho, 0.15 * kLine);
@@ -212,7 +212,7 @@ TEST(Drawn, TensionGrowsAHundredfold) {
   const auto s = simulation("drawn", kDrawn);
   s->solve_statics();
   Held before, after;
-  look(*s, s->state().view(0), before);
+  look(*s, s->state().at_rest(), before);
   Dynamics& d = s->dynamics();
   d.start(s->state());
   const Energy start = s->system().energy(d.kinematics());

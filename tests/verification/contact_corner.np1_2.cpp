@@ -61,7 +61,7 @@ std::array<Rest, 2> run(const model::Case& c, const Surfaces& surfaces) {
   std::array<Rest, 2> out;
   Simulation s(PETSC_COMM_WORLD, c, surfaces);
   if (c.statics.enabled) s.solve_statics();
-  look(s, s.state().view(0), out[0]);
+  look(s, s.state().at_rest(), out[0]);
   Dynamics& d = s.dynamics();
   d.start(s.state());
   d.run(

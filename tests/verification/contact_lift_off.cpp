@@ -58,7 +58,7 @@ Found solve(const Row& row, model::ContactMethod method, int elements_a_radian, 
                {facets ? faceted_drum(facets, row.rho - r, 8, 3, phase) : round_drum(row.rho - r, 8)});
   const StaticsReport report = s.solve_statics();
 
-  const Kinematics k = s.state().view(0);
+  const Kinematics k = s.state().at_rest();
   const auto of = [&](const char* name) { return NodeField(s, name).at(k); };
   const std::vector<double> curvature = of("curvature"), moment = of("bending_moment"),
                             tension = of("effective_tension"), normal = of("contact_normal_force"),

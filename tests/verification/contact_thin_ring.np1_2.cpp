@@ -67,7 +67,7 @@ lines:
   const double tension = kEA * (left + right - kFree) / kFree;
   NodeField field(s, "effective_tension");
   double least = HUGE_VAL, most = 0;
-  for (const double t : field.at(s.state().view(0))) {
+  for (const double t : field.at(s.state().at_rest())) {
     least = std::min(least, t);
     most = std::max(most, t);
   }

@@ -67,7 +67,7 @@ Rest rest(const model::Case& c, int most_iterations = 150) {
   EXPECT_LE(report.iterations, most_iterations);
   EXPECT_EQ(report.negative_eigenvalues, 0);
   one.solve_statics();
-  expect_same_positions(all, all.state().view(0), one.state().view(0), 1e-6, "statics");
+  expect_same_positions(all, all.state().at_rest(), one.state().at_rest(), 1e-6, "statics");
   Rest r;
   r.x = one.state().x;
   r.iterations = report.iterations;

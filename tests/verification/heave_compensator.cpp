@@ -68,7 +68,7 @@ TEST(HeaveCompensator, Transmissibility) {
       c.dynamics.step = period / 200;
       Simulation s(PETSC_COMM_SELF, c);
       s.solve_statics();
-      const double rest = height(s, s.state().view(0)), stretch = 20 - (rest + 1) - 14;
+      const double rest = height(s, s.state().at_rest()), stretch = 20 - (rest + 1) - 14;
       const double hangs = spring == Spring::linear ? kMass * kG / kStiffness : 0;
       EXPECT_NEAR(stretch, hangs, 1e-7 * (1 + hangs));
       Dynamics& d = s.dynamics();

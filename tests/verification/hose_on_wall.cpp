@@ -55,7 +55,7 @@ Found hose(double EI, double EA, double stiffness, int elements, model::Relaxati
   std::vector<double> curvature(s.x.size());
   const auto fields = sim.system().fields();
   for (const FieldSource& source : fields.sources())
-    if (source.name == "curvature") source.fill(s.view(0), curvature);
+    if (source.name == "curvature") source.fill(s.at_rest(), curvature);
   f.curvature = *std::max_element(curvature.begin(), curvature.end());
   if (!sim.contact()) return f;
   f.first = kLength;

@@ -151,7 +151,7 @@ TEST(Hulls, HeelOfABoxAtRest) {
   Simulation s = simulation(c);
   s.solve_statics();
   const double heel = from_owner(
-      s, [&](size_t n) { return log_so3(floating_state(s.state().view(0), static_cast<int>(n)).q).x(); });
+      s, [&](size_t n) { return log_so3(floating_state(s.state().at_rest(), static_cast<int>(n)).q).x(); });
   const double BM = 20 * 512 / 12.0 / (160 * 2.5);
   const double GM = 1.25 + BM - 2;
   double tangent = 0;
@@ -174,15 +174,16 @@ TEST(Hulls, FroudeKrylovForceOfABox) {
   Simulation s = simulation(c);
   auto* hulls = s.system().find<Hulls>();
   ASSERT_NE(hulls, nullptr);
-  Kinematics at = s.state().view(0);
+  Kinematics at = s.state().at_rest();
   constexpr int kTimes = 24;
   Vec3 cosine = Vec3::Zero();
   Vec3 sine = Vec3::Zero();
   for (int i = 0; i < kTimes; ++i) {
     at.time = period * (20 + static_cast<double>(i) / kTimes);  // after the ramp of the waves
-    at.step = 0;
-    hulls->prepare(at, 0.01);
+    at.phase = Phase::start;
     at.step = 0.01;
+    hulls->prepare(at, 0.01);
+    at.phase = Phase::step;
     at.time += 1e-9;
     const std::vector<BodyForce> forces = hulls->forces_on(0, at);
     Vec3 force = forces.empty() ? Vec3::Zero() : forces[1].force;

@@ -140,7 +140,7 @@ TEST(Jumper, AtRest) {
     std::vector<double> curvature(s.x.size());
     const FieldRegistry fields = sim.system().fields();
     for (const FieldSource& f : fields.sources())
-      if (f.name == "curvature") f.fill(s.view(0), curvature);
+      if (f.name == "curvature") f.fill(s.at_rest(), curvature);
     const double most = *std::max_element(curvature.begin(), curvature.end());
     printf(
         "  %d elements, %d iterations; H %+.5f %%, V top %+.5f %%, bottom %+.5f %%, T top %+.5f %%, bottom "

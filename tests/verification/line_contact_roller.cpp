@@ -88,8 +88,8 @@ Ridden ride(double element, model::ContactMethod method) {
   for (int i = 0; i <= 84; ++i) {
     const int iterations = follow(3 + 0.05 * i + 0.00131);
     if (iterations < 0) ++out.failed;
-    s.system().commit(s.state().view(0));
-    const Kinematics k = s.state().view(0);
+    s.system().commit(s.state().at_rest());
+    const Kinematics k = s.state().at_rest();
     double z = 0;
     const std::vector<double> force = NodeField(s, "contact_force").at(k);
     for (size_t j = 2; j < force.size(); j += 3) z += force[j];

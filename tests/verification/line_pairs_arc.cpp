@@ -74,8 +74,8 @@ int follow_motion(Simulation& s, double end, double longest) {
         print_residuals(residuals);
         EXPECT_LT(newton_square(residuals), 10);
       }
-      s.system().prepare(last.view(0), 0);
-      if (!s.system().check_step(s.state().view(0)).accepted())
+      s.system().prepare(last.at_rest(), 0);
+      if (!s.system().check_step(s.state().at_rest()).accepted())
         throw std::runtime_error("through each other");
       step = std::min(2 * step, longest);
     } catch (const std::runtime_error&) {
@@ -86,7 +86,7 @@ int follow_motion(Simulation& s, double end, double longest) {
       }
     }
   }
-  s.system().commit(s.state().view(0));
+  s.system().commit(s.state().at_rest());
   return most;
 }
 
@@ -123,7 +123,7 @@ TEST(BeamOverArc, Rotating) {
     EXPECT_NEAR(arc.point(0.5).z(), kArc / 4, 1e-12);
     const int most = follow_motion(s, 2.3, 0.01);
     const Vec3 u = moved(s, 2.0 / 3, {0, -1.0 / 3, 0.85});
-    const double strain = s.system().energy(s.state().view(0)).strain;
+    const double strain = s.system().energy(s.state().at_rest()).strain;
     printf(
         "  turning over an arc, %d elements: (%.4f, %.4f, %.4f) m, strain energy and contact %.3f J, force "
         "%.1f N; at most %d iterations\n",

@@ -53,7 +53,7 @@ TEST(CrossedCantilever, TipAs4C) {
       s.state().time = t;
       settle(s, 1e-9);
     }
-    s.system().commit(s.state().view(0));
+    s.system().commit(s.state().at_rest());
     tip = s.state().x[static_cast<size_t>(s.mesh().lines[0].nodes - 1)] - Vec3(1, 0, 0);
     force = s.line_pairs()->normal_force();
     const double pressed = s.line_pairs()->deepest().depth;

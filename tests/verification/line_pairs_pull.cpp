@@ -65,25 +65,25 @@ Drawn draw(double theta, double way, int elements) {
     KspHandle ksp;
     check(KSPCreate(s.system().comm(), ksp.out()));
     configure_linear_solver(ksp.get(), s.system(), "verification_");
-    if (s.system().couple(last.view(0), 0) == CouplingChange::layout_changed) {
+    if (s.system().update_couplings(last.at_rest(), 0) == CouplingChange::layout_changed) {
       du = s.system().create_vector();
       res = s.system().create_vector();
       J = s.system().create_matrix();
       configure_linear_solver(ksp.get(), s.system(), "verification_");
     }
-    s.system().prepare(last.view(0), 0);
+    s.system().prepare(last.at_rest(), 0);
     now = moved;
     const std::vector<double> zero(3 * static_cast<size_t>(s.local().blocks()), 0);
     int it = 0;
     for (; it < 30; ++it) {
-      s.system().residual(now.view(0), res.get());
+      s.system().residual(now.at_rest(), res.get());
       if (it > 0 && s.system().norms(res.get()).small(1e-9)) break;
-      s.system().tangent(now.view(0), {}, zero, false, J.get());
+      s.system().tangent(now.at_rest(), {}, zero, false, J.get());
       check(KSPSetOperators(ksp.get(), J.get(), J.get()));
       check(KSPSolve(ksp.get(), res.get(), du.get()));
       check(VecScale(du.get(), -1));
       std::vector<double> local;
-      s.system().gather(du.get(), local);
+      s.system().update_ghosts(du.get(), local);
       State next = now;
       retract(s.local(), now, local.data(), next);
       next.time = now.time;
@@ -92,7 +92,7 @@ Drawn draw(double theta, double way, int elements) {
     EXPECT_LT(it, 30);
     out.iterations += it;
     ++out.steps;
-    s.system().commit(now.view(0));
+    s.system().commit(now.at_rest());
   }
   const std::vector<double>& f = s.system().reactions();
   Vec3 sum = Vec3::Zero();

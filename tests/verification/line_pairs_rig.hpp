@@ -46,7 +46,8 @@ inline double crossing_force(double k, double reach, double p, double theta) {
 
 // Candidates for what is where it is, then Newton.
 inline int settle(Simulation& s, double tolerance = 1e-10, std::vector<double>* residuals = nullptr) {
-  if (s.system().couple(s.state().view(0), 0) == CouplingChange::layout_changed) s.system().spread(s.state());
+  if (s.system().update_couplings(s.state().at_rest(), 0) == CouplingChange::layout_changed)
+    s.system().update_ghosts(s.state());
   return newton(s.system(), s.state(), tolerance, residuals);
 }
 

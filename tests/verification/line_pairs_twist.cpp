@@ -81,8 +81,8 @@ Steps twist(Simulation& s) {
     try {
       carry(s, last, std::min(last.time + step, last.time < 1 ? 1.0 : 5.0));
       const int n = settle(s, 1e-9);
-      s.system().prepare(last.view(0), 0);  // Newton from too far may take strands through each other
-      if (!s.system().check_step(s.state().view(0)).accepted())
+      s.system().prepare(last.at_rest(), 0);  // Newton from too far may take strands through each other
+      if (!s.system().check_step(s.state().at_rest()).accepted())
         throw std::runtime_error("through each other");
       done.its += n;
       ++done.steps;
@@ -112,12 +112,12 @@ TEST(TwistedStrands, RadiusAndPressureOfTheHelix) {
     const model::Case c = strands(elements);
     Simulation s(PETSC_COMM_WORLD, c);
     const Steps done = twist(s);
-    s.system().commit(s.state().view(0));
+    s.system().commit(s.state().at_rest());
     FieldRegistry registry;
     registry = s.system().fields();
     std::vector<double> force(static_cast<size_t>(s.local().owned));
     for (const FieldSource& f : registry.sources())
-      if (f.name == "line_contact_normal_force") f.fill(s.state().view(0), force);
+      if (f.name == "line_contact_normal_force") f.fill(s.state().at_rest(), force);
     double worst_radius = 0, worst_force = 0, mean = 0;
     int interior = 0;
     for (int n = 0; n < s.local().owned; ++n) {

@@ -27,7 +27,7 @@ double frequency_error(const std::vector<double>& omega, const std::vector<doubl
 }
 
 std::vector<double> frequencies(run::Simulation& s) {
-  const ModalMatrices m = modal_matrices(s.system(), s.state().view(0));
+  const ModalMatrices m = modal_matrices(s.system(), s.state().at_rest());
   return natural_frequencies(m.K, m.M);
 }
 
@@ -135,7 +135,7 @@ TEST(Modes, SaggedCable) {
     c.environment.gravity = 9.81;
     run::Simulation s(PETSC_COMM_WORLD, c);
     s.solve_statics();
-    const ModalMatrices a = modal_matrices(s.system(), s.state().view(0));
+    const ModalMatrices a = modal_matrices(s.system(), s.state().at_rest());
     // Both halves move alike: x opposite, z equal.
     Eigen::MatrixXd B = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(a.dof.size()), n - 1);
     for (int i = 1; i < n / 2; ++i) {

@@ -37,7 +37,7 @@ struct SteadyRotation {
 
   ModalMatrices matrices() {
     move();
-    ModalMatrices m = modal_matrices(s.system(), s.state().view(0));
+    ModalMatrices m = modal_matrices(s.system(), s.state().at_rest());
     const auto n = static_cast<Eigen::Index>(m.dof.size());
     Eigen::MatrixXd G1 = Eigen::MatrixXd::Zero(n, n), G2 = G1, G3 = G1;
     const LocalMesh& mesh = s.local();
@@ -67,14 +67,14 @@ struct SteadyRotation {
     State next = s.state();
     for (int it = 0; it < 60; ++it) {
       move();
-      s.system().prepare(s.state().view(0), 0);
-      s.system().residual(s.state().view(0), r.get());
+      s.system().prepare(s.state().at_rest(), 0);
+      s.system().residual(s.state().at_rest(), r.get());
       if (s.system().norms(r.get()).small(1e-12)) return it;
-      s.system().tangent(s.state().view(0), {}, zero, false, J.get());
+      s.system().tangent(s.state().at_rest(), {}, zero, false, J.get());
       check(KSPSetOperators(ksp.get(), J.get(), J.get()));
       check(KSPSolve(ksp.get(), r.get(), u.get()));
       check(VecScale(u.get(), -1));
-      s.system().gather(u.get(), local);
+      s.system().update_ghosts(u.get(), local);
       retract(s.local(), s.state(), local.data(), next);
       s.state().x = next.x;
       s.state().q = next.q;

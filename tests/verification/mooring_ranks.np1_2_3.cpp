@@ -28,7 +28,7 @@ TEST(MooringRanks, TheSameOnAnyNumber) {
   Simulation all(PETSC_COMM_WORLD, c), one(PETSC_COMM_SELF, c);
   all.solve_statics();
   one.solve_statics();
-  expect_same_positions(all, all.state().view(0), one.state().view(0), 1e-7, "statics");
+  expect_same_positions(all, all.state().at_rest(), one.state().at_rest(), 1e-7, "statics");
   int touching = all.seabed()->active_count();
   MPI_Allreduce(MPI_IN_PLACE, &touching, 1, MPI_INT, MPI_SUM, PETSC_COMM_WORLD);
   EXPECT_EQ(touching, one.seabed()->active_count());

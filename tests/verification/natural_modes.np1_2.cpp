@@ -30,7 +30,7 @@ TEST(NaturalModes, HangingChain) {
   c.environment.gravity = kG;
   Simulation s(PETSC_COMM_WORLD, c);
   s.solve_statics();
-  const auto modes = hawser::natural_modes(s.system(), s.state().view(0), 6);
+  const auto modes = hawser::natural_modes(s.system(), s.state().at_rest(), 6);
   ASSERT_EQ(modes.size(), 6U);
   for (size_t i = 0; i < 6; ++i) {
     EXPECT_NEAR(std::sqrt(modes[i].squared), exact[i / 2], 5e-4 * exact[i / 2]) << i;
@@ -53,7 +53,7 @@ TEST(NaturalModes, OfEqualLinesAreAllThere) {
   Simulation s(PETSC_COMM_WORLD, c);
   s.solve_statics();
   for (const int count : {4, 7, 10, 16, 18}) {
-    const auto modes = hawser::natural_modes(s.system(), s.state().view(0), count);
+    const auto modes = hawser::natural_modes(s.system(), s.state().at_rest(), count);
     ASSERT_EQ(modes.size(), static_cast<size_t>(count));
     for (size_t i = 0; i < modes.size(); ++i)
       EXPECT_NEAR(std::sqrt(modes[i].squared), exact[i / 8], 5e-3 * exact[i / 8]) << i << " of " << count;
@@ -90,7 +90,7 @@ contact: {{between_lines: false}}
     Simulation s(PETSC_COMM_WORLD, c);
     s.solve_statics();
     double nearest = HUGE_VAL;
-    for (const auto& mode : hawser::natural_modes(s.system(), s.state().view(0), 5))
+    for (const auto& mode : hawser::natural_modes(s.system(), s.state().at_rest(), 5))
       nearest = std::min(nearest, std::abs(std::sqrt(std::max(mode.squared, 0.0)) / exact - 1));
     EXPECT_LT(nearest, 1e-3) << elements;
   }
@@ -123,7 +123,7 @@ TEST(NaturalModes, LoadOnASling) {
   c.lines.push_back(line);
   Simulation s(PETSC_COMM_WORLD, c);
   s.solve_statics();
-  const auto modes = hawser::natural_modes(s.system(), s.state().view(0), 5);
+  const auto modes = hawser::natural_modes(s.system(), s.state().at_rest(), 5);
   ASSERT_EQ(modes.size(), 5U);
   // It turns in place, without force.
   EXPECT_LT(std::abs(modes[0].squared), kFreeMotion);
@@ -133,7 +133,7 @@ TEST(NaturalModes, LoadOnASling) {
     EXPECT_NEAR((modes[0].rotation[static_cast<size_t>(load)].cwiseAbs() - Vec3::UnitZ()).norm(), 0, 1e-6);
   }
   // Three components of the node of the sling, six of the load: there are no more modes than those.
-  EXPECT_EQ(hawser::natural_modes(s.system(), s.state().view(0), 1000).size(), 9U);
+  EXPECT_EQ(hawser::natural_modes(s.system(), s.state().at_rest(), 1000).size(), 9U);
   struct Exact {
     double squared, eye;  // and how far the eye goes as the load's centre goes by 1
     int axis;

@@ -2,7 +2,7 @@
 // answers are those of one rank.
 #include <limits>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/run/node_owners.hpp"
 #include "hawser/solve/interface_parts.hpp"
 #include "hawser/solve/linear_solver.hpp"
@@ -79,9 +79,10 @@ template <class Configure>
 Solved solve(MPI_Comm comm, const model::Case& c, const Configure& configure) {
   Simulation s(comm, c);
   System& system = s.system();
-  if (system.couple(s.state().view(0), 0) == CouplingChange::layout_changed) system.spread(s.state());
+  if (system.update_couplings(s.state().at_rest(), 0) == CouplingChange::layout_changed)
+    system.update_ghosts(s.state());
   EXPECT_TRUE(system.coupled());
-  system.prepare(s.state().view(0), 0);
+  system.prepare(s.state().at_rest(), 0);
   const LocalMesh& m = system.mesh();
   const MatHandle J = system.create_matrix();
   VecHandle b = system.create_vector(), x = system.create_vector();
@@ -93,7 +94,7 @@ Solved solve(MPI_Comm comm, const model::Case& c, const Configure& configure) {
   for (const double mass : {1.0, 400.0}) {
     Weights w;
     w.M = mass;
-    system.tangent(s.state().view(0), w, zero, false, J.get());
+    system.tangent(s.state().at_rest(), w, zero, false, J.get());
     PetscScalar* p = nullptr;
     check(VecGetArray(b.get(), &p));
     for (int n = 0; n < m.owned; ++n)
@@ -115,7 +116,7 @@ Solved solve(MPI_Comm comm, const model::Case& c, const Configure& configure) {
     out.solver = name;
   }
   std::vector<double> all(3 * static_cast<size_t>(m.mesh->nodes()), 0), local;
-  system.gather(x.get(), local);
+  system.update_ghosts(x.get(), local);
   for (int n = 0; n < m.owned; ++n)
     for (size_t k = 0; k < 3; ++k)
       all[3 * static_cast<size_t>(m.global[static_cast<size_t>(n)]) + k] =

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "../regression/runs.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "verification/dynamics_rig.hpp"
 
 namespace hawser::test::platform_rig {

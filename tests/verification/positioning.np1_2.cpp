@@ -7,7 +7,7 @@
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "../regression/runs.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/solve/natural_modes.hpp"
@@ -158,7 +158,7 @@ TEST(Positioning, LimitsAreAnEllipseInItsAxes) {
                          P, kSurge, kSway),
              "statics: false\ndynamics: {duration: 1, step: 0.1}\n");
   Simulation s(PETSC_COMM_WORLD, c);
-  const Vec3 F = thrust(s, s.state().view(0));
+  const Vec3 F = thrust(s, s.state().at_rest());
   const double size = 1 / std::hypot(0.8 / kSurge, 0.6 / kSway);
   EXPECT_NEAR(F.x(), 0.6 * size, 1e-9 * size);
   EXPECT_NEAR(F.y(), 0.8 * size, 1e-9 * size);
@@ -206,7 +206,7 @@ TEST(Positioning, StaticsFromFarOff) {
              "");
   Simulation s(PETSC_COMM_WORLD, c);
   s.solve_statics();
-  const Vec3 rest = place(s, s.state().view(0));
+  const Vec3 rest = place(s, s.state().at_rest());
   EXPECT_NEAR(rest.x(), 2e4 / 1e8, 1e-6);
   EXPECT_NEAR(rest.y(), 1e4 / 1e8, 1e-6);
   EXPECT_NEAR(rest.z(), 0, 1e-6);
@@ -234,10 +234,10 @@ TEST(Positioning, StaticsHoldsThePlace) {
                "statics: {tolerance: 1e-12}\ndynamics: {duration: 20, step: 0.2}\n");
     Simulation s(PETSC_COMM_WORLD, c);
     s.solve_statics();
-    const Vec3 rest = place(s, s.state().view(0));
+    const Vec3 rest = place(s, s.state().at_rest());
     EXPECT_NEAR(rest.x(), f.x, 1e-6 * f.x) << f.keys;
     EXPECT_NEAR(rest.z(), f.angle, 1e-6 * f.angle) << f.keys;
-    EXPECT_NEAR(thrust(s, s.state().view(0)).x(), k * f.x - F, 1e-6 * F) << f.keys;
+    EXPECT_NEAR(thrust(s, s.state().at_rest()).x(), k * f.x - F, 1e-6 * F) << f.keys;
     Dynamics& d = s.dynamics();
     d.start(s.state());
     integrate(d, 20, 20, [](const StepInfo&) {});
@@ -264,7 +264,7 @@ TEST(Positioning, OneIntegralBesideALimit) {
           "statics: {tolerance: 1e-12}\ndynamics: {duration: 20, step: 0.2}\n");
       Simulation s(PETSC_COMM_WORLD, c);
       s.solve_statics();
-      const Vec3 rest = place(s, s.state().view(0));
+      const Vec3 rest = place(s, s.state().at_rest());
       const double aside = across / (k + P), share = P * aside / least;
       const double along = (ahead - std::copysign(most * std::sqrt(1 - share * share), ahead)) / k;
       EXPECT_NEAR(rest[surge ? 1 : 0], aside, 1e-6 * aside);
@@ -297,7 +297,7 @@ TEST(Positioning, ModesHaveTheProportionalPart) {
             "statics: {tolerance: 1e-12}\n"));
     s.solve_statics();
     s.system().find<DynamicPositioning>()->integrate_at_rest(false);
-    const std::vector<NaturalMode> modes = natural_modes(s.system(), s.state().view(0), 3);
+    const std::vector<NaturalMode> modes = natural_modes(s.system(), s.state().at_rest(), 3);
     Eigen::Matrix2d K, M = Eigen::Vector2d(kMass, kInertia).asDiagonal();
     K << kSway + spring, -kArm * kSway, -kArm * kSway, kArm * kArm * kSway + kYaw - kArm * carried;
     const Eigen::Vector2d coupled =

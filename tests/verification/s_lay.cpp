@@ -166,7 +166,7 @@ TEST(SLay, TheCase) {
   EXPECT_LE(report.iterations, 60);
   EXPECT_LT(report.norms.relative(), 1e-8);
   EXPECT_EQ(report.relaxation_steps, 0);
-  const Kinematics at = sim.state().view(0);
+  const Kinematics at = sim.state().at_rest();
   const std::vector<double> moment = test::NodeField(sim, "bending_moment").at(at),
                             tension = test::NodeField(sim, "effective_tension").at(at);
   const std::vector<Vec3> forces = sim.contact()->forces_by_volume(at);

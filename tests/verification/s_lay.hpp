@@ -96,7 +96,7 @@ inline Laid laid(const Setting& s) {
   run::Simulation sim(PETSC_COMM_SELF, met.model, run::surfaces(volumes));
   Laid out;
   out.iterations = sim.solve_statics().iterations;
-  const Kinematics at = sim.state().view(0);
+  const Kinematics at = sim.state().at_rest();
   const auto field = [&](const char* name) { return test::NodeField(sim, name).at(at); };
   std::vector<std::vector<double>> bent;
   std::vector<Field> fields;

@@ -28,7 +28,7 @@ std::vector<double> values(Simulation& sim, const std::string& name) {
   for (const FieldSource& f : fields.sources())
     if (f.name == name) {
       std::vector<double> out(sim.state().x.size() * static_cast<size_t>(f.components));
-      f.fill(sim.state().view(0), out);
+      f.fill(sim.state().at_rest(), out);
       return out;
     }
   return {};

@@ -143,7 +143,7 @@ AtRest at_rest(const std::string& text, const std::string& name) {
              sim.line_pairs() ? sim.line_pairs()->normal_force() : 0};
   const FieldRegistry fields = sim.system().fields();
   for (const FieldSource& f : fields.sources())
-    if (f.name == "effective_tension") f.fill(sim.state().view(0), out.tension);
+    if (f.name == "effective_tension") f.fill(sim.state().at_rest(), out.tension);
   return out;
 }
 

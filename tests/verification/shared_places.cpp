@@ -22,7 +22,7 @@ AtRest at_rest(const std::string& text) {
   AtRest out{sim.state().x, std::vector<double>(sim.state().x.size(), 0), sim.notes()};
   const FieldRegistry fields = sim.system().fields();
   for (const FieldSource& f : fields.sources())
-    if (f.name == "effective_tension") f.fill(sim.state().view(0), out.tension);
+    if (f.name == "effective_tension") f.fill(sim.state().at_rest(), out.tension);
   return out;
 }
 
@@ -125,9 +125,9 @@ TEST(SharedPlaces, FollowTheAngle) {
       const double r = length * static_cast<double>(n - 41) / 40;
       s.x[n] = Vec3(r * std::cos(angle), r * std::sin(angle), 0);
     }
-    places.update(s.view(0), settles);
+    places.update(s.at_rest(), settles);
     const double once = places.within(0);
-    places.update(s.view(0), settles);
+    places.update(s.at_rest(), settles);
     EXPECT_EQ(places.within(0), once) << angle;
     return once;
   };

@@ -28,19 +28,19 @@ inline int newton(System& system, State& state, double tolerance = 1e-12,
   State next = state;
   bool last = false;
   for (int it = 0; it < 40; ++it) {
-    system.prepare(state.view(0), 0);
-    system.residual(state.view(0), r.get());
+    system.prepare(state.at_rest(), 0);
+    system.residual(state.at_rest(), r.get());
     if (residuals) residuals->push_back(system.norms(r.get()).relative());
     if (last) return it;
     last = it > 0 && system.norms(r.get()).small(tolerance);  // one more step to polish
-    system.tangent(state.view(0), {}, zero, false, J.get());
+    system.tangent(state.at_rest(), {}, zero, false, J.get());
     check(KSPSetOperators(ksp.get(), J.get(), J.get()));
     check(KSPSolve(ksp.get(), r.get(), u.get()));
     check(VecScale(u.get(), -1));
     PetscReal size = 0;
     check(VecNorm(u.get(), NORM_INFINITY, &size));
     if (!std::isfinite(size)) break;
-    system.gather(u.get(), local);
+    system.update_ghosts(u.get(), local);
     retract(system.mesh(), state, local.data(), next);
     std::swap(state, next);
   }

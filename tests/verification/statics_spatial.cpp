@@ -364,7 +364,7 @@ TEST(Statics, UnloadedBendTurnedTenTimesStoresNoEnergy) {
   for (int k = 0; k < steps; ++k) {
     state.q[0] = (step * state.q[0]).normalized();
     newton(b.s->system(), state);
-    energy = std::max(energy, b.s->system().energy(state.view(0)).strain);
+    energy = std::max(energy, b.s->system().energy(state.at_rest()).strain);
   }
   // Against the energy that the load of 600 N stores, some 1.6e4 J.
   std::printf("unloaded bend after ten turns: largest strain energy %.2e J, tip moved by %.2e R\n", energy,

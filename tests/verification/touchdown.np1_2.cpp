@@ -37,7 +37,7 @@ Rest at_rest(const model::Case& c) {
   sim.solve_statics();
   Rest out;
   out.touchdown =
-      record::Touchdowns(PETSC_COMM_WORLD, c, sim.local()).of_all_lines(sim.state().view(0)).at(0);
+      record::Touchdowns(PETSC_COMM_WORLD, c, sim.local()).of_all_lines(sim.state().at_rest()).at(0);
   return out;
 }
 

@@ -37,9 +37,9 @@ struct Load {
 Load load(Simulation& sim, double t) {
   State& s = sim.state();
   s.time = t;
-  sim.system().prepare(s.view(0.1), 0.1);
+  sim.system().prepare(s.after_step(0.1), 0.1);
   VecHandle r = sim.system().create_vector();
-  sim.system().residual(s.view(0.1), r.get());
+  sim.system().residual(s.after_step(0.1), r.get());
   const LocalMesh& mesh = sim.system().mesh();
   Load sum;
   for (size_t n = 0; n < s.x.size(); ++n) {
@@ -131,14 +131,14 @@ TEST(WaveLoads, OneLookANodeAndStep) {
   model::Case c = pile(40, -5, w);
   c.line_types[0].Cd_normal = 0;
   Simulation sim(PETSC_COMM_SELF, c);
-  sim.system().prepare(sim.state().view(0.1), 0.1);
+  sim.system().prepare(sim.state().after_step(0.1), 0.1);
   State s = sim.state();
   s.time = 1.3;
   const auto force = [&](double shift) {
     State moved = s;
     for (Vec3& x : moved.x) x.x() += shift;
     VecHandle r = sim.system().create_vector();
-    sim.system().residual(moved.view(0.1), r.get());
+    sim.system().residual(moved.after_step(0.1), r.get());
     double sum = 0;
     for (size_t n = 0; n < moved.x.size(); ++n) sum -= sim.system().reactions()[3 * n];
     return sum;
@@ -149,7 +149,7 @@ TEST(WaveLoads, OneLookANodeAndStep) {
   for (Vec3& x : s.x) x.x() += 20;
   State before = s;
   before.time -= 0.1;
-  sim.system().prepare(before.view(0.1), 0.1);
+  sim.system().prepare(before.after_step(0.1), 0.1);
   EXPECT_GT(std::abs(force(0) - here), 1e-2 * std::abs(here));
 }
 

@@ -19,7 +19,7 @@ class LinePairs;
 
 namespace hawser::record {
 
-class ClashReport : public Recording, public HasClashes {
+class ClashReport : public Recording {
  public:
   // True if the case enables the report and has any contact.
   static bool wanted(const Subject& subject);
@@ -28,11 +28,13 @@ class ClashReport : public Recording, public HasClashes {
 
   // Must precede the preparation of the next step. Communicates only every kMostSteps steps.
   void step(const Snapshot& s) override;
-  io::ClashTables take() override;
-  const io::ReportedClashes& reported() const override { return log_.reported(); }
-  void begin_file() override { log_.begin_file(); }
-  // Table of the clashes with the largest forces.
-  std::string table() const override;
+  // Clashes for the next output, on rank 0. Collective.
+  io::ClashTables take();
+  // Clashes written by outputs so far, on rank 0. A new file begins with none.
+  const io::ReportedClashes& reported() const { return log_.reported(); }
+  void begin_file() { log_.begin_file(); }
+  // Table of the clashes with the largest forces, text on rank 0 after take(); empty: no clashes.
+  std::string table() const;
 
   // Stored as records of the first node.
   void save(io::Checkpoint& to) override;

@@ -27,12 +27,11 @@ class Recorder {
   // time.
   void stage(size_t place, const Kinematics& at);
   // The beginning of a run: the state `at`, from which energies count and which may move already, and the one
-  // that is shown for it, the first step and output: its static equilibrium where there is one. Where it is
-  // the motion that is shown, first_step [s] is the step of the forces that its accelerations are of, else 0.
-  void start(const Kinematics& at, const Kinematics& shown, double first_step = 0);
+  // that is shown for it, the first step and output: its static equilibrium where there is one.
+  void start(const Kinematics& at, const Kinematics& shown);
   // Every accepted step. Collective.
   void step(const StepInfo& info, const Kinematics& at, double support_work) {
-    step(info, at, support_work, at, at.step);
+    step(info, at, support_work, at);
   }
   // Writes all fields of a state; after a step it must be the state of that step.
   void output(const Kinematics& at);
@@ -47,7 +46,7 @@ class Recorder {
   // Findings since the last call that a user should get before the run ends; the same on all ranks.
   std::vector<std::string> remarks();
   // Clash report as text, on rank 0 after finish(); empty: no clashes.
-  std::string clash_table() const { return clashes_ ? clashes_->table() : ""; }
+  std::string clash_table() const;
   // Warnings for the user after finish(), for example deep penetration or created energy.
   const std::vector<std::string>& warnings() const { return warnings_; }
   const io::ResultsFile& file() const { return *file_; }
@@ -58,20 +57,17 @@ class Recorder {
  private:
   io::ResultContents declared(std::vector<io::VolumeMesh> volumes, io::RunInfo run);
   void restore(const io::Checkpoint& from);
-  Snapshot snapshot(const Kinematics& at, const StepInfo& info = {}, double moving_step = 0) const;
+  Snapshot snapshot(const Kinematics& at, const StepInfo& info = {}) const;
   void fill(const Snapshot& s, bool all);
   void find_worst(const Snapshot& s);
   void gather_warnings(const std::vector<io::SummaryRow>& rows);
-  double passed_through(double h) const;
-  void step(const StepInfo& info, const Kinematics& at, double support_work, const Kinematics& shown,
-            double moving_step);
+  void step(const StepInfo& info, const Kinematics& at, double support_work, const Kinematics& shown);
   void write_output(double time, const Snapshot& s, const io::ClashTables& clashes);
-  io::ClashTables take_clashes() { return clashes_ ? clashes_->take() : io::ClashTables{}; }
+  io::ClashTables take_clashes();
 
   const Subject subject_;
   NodeFields fields_;
-  std::vector<std::unique_ptr<Recording>> recordings_;
-  HasClashes* clashes_ = nullptr;      // the recording with clashes; null: none
+  Recordings recordings_;
   bool stepped_ = false;               // field values are those of the last step
   double rows_every_, rows_from_ = 0;  // s, for the histories; 0: every step
   std::unique_ptr<io::ResultsFile> file_;

@@ -44,11 +44,10 @@ class Rows {
 // An accepted state and its data.
 class Snapshot {
  public:
-  Snapshot(const Subject& subject, const Kinematics& state, const StepInfo& info, double forces_step,
-           const Values& of_nodes, const Values& of_ends, const EndForces& forces, const Audit& energies)
+  Snapshot(const Subject& subject, const Kinematics& state, const StepInfo& info, const Values& of_nodes,
+           const Values& of_ends, const EndForces& forces, const Audit& energies)
       : at(state),
         step(info),
-        moving_step(forces_step),
         values(of_nodes),
         ends(of_ends),
         end_forces(forces),
@@ -56,8 +55,7 @@ class Snapshot {
         subject_(subject) {}
 
   const Kinematics& at;
-  const StepInfo step;       // that led to this state; of length 0: none did
-  const double moving_step;  // s, of the forces that belong to its accelerations; 0: it is at rest in statics
+  const StepInfo step;  // that led to this state; of length 0: none did
   const Values &values, &ends;
   const EndForces& end_forces;
   const Audit& audit;
@@ -127,21 +125,14 @@ class Recording {
   }
 };
 
-// Interface of a recording with clashes, which have their own tables in the results file.
-class HasClashes {
- public:
-  virtual ~HasClashes() = default;
-  // Clashes for the next output, on rank 0. Collective.
-  virtual io::ClashTables take() = 0;
-  // Clashes written by outputs so far, on rank 0. A new file begins with none.
-  virtual const io::ReportedClashes& reported() const = 0;
-  virtual void begin_file() = 0;
-  // Text on rank 0 after take(); empty: no clashes.
-  virtual std::string table() const = 0;
-};
+class ClashReport;
 
-// All recordings of a case, in the order of their series in the results file. Subject and forces outlive
-// them. Collective.
-std::vector<std::unique_ptr<Recording>> recordings(const Subject& subject, const EndForces& forces);
+// All recordings of a case, in the order of their series in the results file.
+struct Recordings {
+  std::vector<std::unique_ptr<Recording>> all;
+  ClashReport* clashes = nullptr;  // one of them, which has its own tables in the file; null: none
+};
+// Subject and forces outlive them. Collective.
+Recordings recordings(const Subject& subject, const EndForces& forces);
 
 }  // namespace hawser::record

@@ -85,7 +85,7 @@ class Dynamics {
   void run(double until, const std::function<double(double)>& next_stop, const Observer& observer);
 
   const AlphaState& committed() const { return committed_; }
-  Kinematics kinematics() const { return committed_.s.view(last_step_); }
+  Kinematics kinematics() const { return before_step(committed_.s, control_.proposal()); }
   const StepControl& control() const { return control_; }
   double last_step() const { return last_step_; }
   const std::vector<double>& reactions() const { return reactions_; }  // of the committed state
@@ -131,7 +131,11 @@ class Dynamics {
   void put(const std::vector<double>& u);
   std::vector<double> solve_masses();
   void match_tied_velocities(const TiedNodes& before, State& s);
-  void settle(int node, double h);
+  void settle(int node);
+  // The state s in place of the committed one, from which a step of h [s] begins.
+  Kinematics before_step(const State& s, double h) const {
+    return last_step_ > 0 ? s.after_step(last_step_) : s.at_start(h);
+  }
 
   System& system_;
   DynamicsSettings settings_;

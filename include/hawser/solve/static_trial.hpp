@@ -38,8 +38,8 @@ class StaticTrial {
   virtual void residual() = 0;
   // The tangent there, to J_:
   virtual void tangent() = 0;
-  // Called before every iteration; returns whether it is the last.
-  virtual SNESConvergedReason check_step(int iteration) = 0;
+  // Called before every iteration, after the residual; returns whether it is the last.
+  virtual SNESConvergedReason test_convergence(int iteration) = 0;
 
   // Runs Newton's method from the state and returns why it ended. Throws what the functions above throw.
   SNESConvergedReason solve();
@@ -49,9 +49,9 @@ class StaticTrial {
   bool prepare();
   // Largest fraction of the increment local_ for which displacements are at most 5 % of the longest line and
   // rotations at most half a radian.
-  double limit() const;
+  double largest_factor() const;
   // trial_ = state_ moved by `factor` times local_.
-  void step(double factor);
+  void move_trial(double factor);
   // Whether, on the straight path from the state to the trial, no line goes through another or through a
   // volume, or deeper into a volume than its contact law is for. Chooses new candidates if the present ones
   // do not cover that path.
@@ -62,19 +62,19 @@ class StaticTrial {
   // Pushes the state away from a saddle point, by a fixed displacement field without symmetry that does not
   // depend on the ranks. It increases with `attempt` (1, 2, ...) and is reduced if lines would pass through
   // each other.
-  void perturb(int attempt);
+  void push_state(int attempt);
   void accept_trial() {
     std::swap(state_.x, trial_.x);
     std::swap(state_.q, trial_.q);
   }
 
-  double sum(double x) const;
+  double sum_of_ranks(double x) const;
   // Strain energy and potential over all ranks, J.
   double potential(const State& s) const;
   // True if the residual is small enough for the exact tangent.
-  bool near(const ResidualNorms& n) const;
+  bool tangent_trusted(const ResidualNorms& n) const;
 
-  void push(int attempt, double share, State& s) const;
+  void displace(int attempt, double share, State& s) const;
 
   System& system_;
   State& state_;

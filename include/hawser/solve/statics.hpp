@@ -5,7 +5,8 @@
 // solution it is exact, and the last iterations converge quadratically. The configuration is re-based in
 // every iteration, so that rotations of any size are reached by small increments. At the end the inertia of
 // the tangent distinguishes a stable equilibrium from an unstable one (for example a straight line of
-// compressed elements). The search leaves an unstable one and continues.
+// compressed elements). The search leaves an unstable one and continues. docs/theory/statics.md: the order of
+// all methods.
 #pragma once
 
 #include <functional>
@@ -32,8 +33,9 @@ struct StaticsReport {
 struct StaticsSettings {
   double tolerance = 1e-8;  // of the residual, relative to its contributions
   int max_iterations = 500;
-  bool near = false;  // `state` is near an equilibrium: the search does not begin with soft lines
-  RelaxationUse relaxation = RelaxationUse::when_newton_fails;  // not with `near`
+  // `state` is near an equilibrium: the search does not begin with soft lines.
+  bool starts_near = false;
+  RelaxationUse relaxation = RelaxationUse::when_newton_fails;  // not with `starts_near`
   int relaxation_steps = 5000;                                  // at most
   // Friction of contact acts along the path: relaxation alone is used, and it commits the terms step by step.
   bool friction = false;

@@ -16,10 +16,17 @@ struct StepMean {
   double weight = 1, filter = 0;
 };
 
+enum class Phase {
+  statics,  // no velocities, waves or gusts
+  start,    // start of the motion, or its continuation after an event: forces as in a first step, which jump
+  step      // end of a time step
+};
+
 // Arrays run over the local nodes (owned first, then ghosts). Cable nodes carry identity rotations.
 struct Kinematics {
   double time = 0;                 // s, of this state
-  double step = 0;                 // s, length of the step that led here; 0 in statics
+  double step = 0;                 // s, length of the step that led here; at the start of the motion that of
+                                   // the step to come, in statics 0
   std::span<const Vec3> x, v, a;   // m, m/s, m/s², space axes
   std::span<const Quat> q;         // rotation: node (material) axes to space axes
   std::span<const Vec3> w, alpha;  // rad/s, rad/s², material axes
@@ -31,8 +38,14 @@ struct Kinematics {
   double director_weight = 0;  // 1/s, derivative of these accelerations by the rates in the trial
   StepMean mean = {};
 
-  // True at the end of a time step; false in statics and at the start of the motion.
-  bool moves() const { return step > 0; }
+  Phase phase = Phase::statics;
+
+  // Forces of the motion act; false in statics.
+  bool moves() const { return phase != Phase::statics; }
+  // A step has led here; false in statics and at the start of the motion.
+  bool after_step() const { return phase == Phase::step; }
+  // s, length of the step that led here; 0: none.
+  double last_step() const { return after_step() ? step : 0; }
 };
 
 // Acceleration of the directors of a rotation with the rates w and alpha.

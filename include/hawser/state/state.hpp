@@ -25,8 +25,15 @@ struct State {
     q.assign(n, Quat::Identity());
     directors.clear();
   }
-  Kinematics view(double step) const {
-    return {time, step, x, v, a, q, w, alpha, directors, director_weight, mean};
+  // As a state of statics, at the start of the motion with a first step of h [s], and at the end of a step of
+  // h.
+  Kinematics at_rest() const { return view(0, Phase::statics); }
+  Kinematics at_start(double h) const { return view(h, Phase::start); }
+  Kinematics after_step(double h) const { return view(h, Phase::step); }
+
+ private:
+  Kinematics view(double step, Phase phase) const {
+    return {time, step, x, v, a, q, w, alpha, directors, director_weight, mean, phase};
   }
 };
 

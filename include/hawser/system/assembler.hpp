@@ -68,6 +68,28 @@ class DerivativeView {
 
 class Assembler {
  public:
+  // Adds nothing.
+  Assembler() = default;
+  // The arrays of a residual, to which terms add. They outlive the assembler.
+  struct Residual {
+    std::vector<double>& force;    // 3 * local blocks
+    std::vector<double>& mean;     // 3 * local blocks, sum of mean forces without their weight
+    std::vector<double>& squares;  // by block: sum of squares of the contributions to owned rows
+  };
+  // The matrix of a tangent and what its entries need. They outlive the assembler.
+  struct Tangent {
+    Mat matrix;
+    const OwnBlocks& own;                    // of the matrix
+    const std::vector<Mat3>& retraction;     // of rotations
+    const std::vector<int>& turn_of;         // by local block: index into `retraction`; -1: a position
+    const std::vector<unsigned char>& held;  // by local block: bit c set when component c is prescribed
+  };
+  // mean_weight: StepMean::weight of the trial.
+  static Assembler for_residual(const LocalMesh& mesh, const TiedNodeForces& ties, double mean_weight,
+                                const Residual& to);
+  static Assembler for_tangent(const LocalMesh& mesh, const TiedNodeForces& ties, double mean_weight,
+                               const Weights& weights, bool convex, const Tangent& to);
+
   bool needs_force() const { return force_ != nullptr; }
   bool needs_tangent() const { return matrix_ != nullptr; }
   // True far from a static solution: terms exclude negative geometric stiffness.
@@ -109,7 +131,6 @@ class Assembler {
   void add_weighted(int a, int b, const Vec6& f, const Mat6& J);
 
  private:
-  friend class System;
   void add_force(int block, double x, double y, double z);
   void put(std::span<const int> rows, std::span<const int> columns, double* J);
   void add_tied(std::span<const int> rows, std::span<const int> columns, DerivativeView K, DerivativeView C,
@@ -117,20 +138,19 @@ class Assembler {
   void add_elsewhere(int row, int column, const double* J, int m);
 
   const TiedNodeForces* ties_ = nullptr;
-  std::vector<double>* force_ = nullptr;  // 3 * local blocks
-  std::vector<double>* mean_ = nullptr;   // 3 * local blocks, sum of mean forces without their weight
   double mean_weight_ = 1;
-  std::vector<double>* squares_ = nullptr;  // by block: sum of squares of the contributions to owned rows
+  int owned_blocks_ = 0;
+  // of a residual
+  std::vector<double>*force_ = nullptr, *mean_ = nullptr, *squares_ = nullptr;
+  // of a tangent
   Mat matrix_ = nullptr;
-  const OwnBlocks* own_ = nullptr;  // of the matrix
+  const OwnBlocks* own_ = nullptr;
   Weights weights_;
   bool convex_ = false, sending_ = false;
-  int owned_blocks_ = 0;
   const std::vector<int>* global_block_ = nullptr;
-  const std::vector<Mat3>* retraction_ = nullptr;  // of rotations
-  const std::vector<int>* turn_of_ = nullptr;      // index into retraction_, per local block; -1: a position
-  const std::vector<unsigned char>* held_ =
-      nullptr;  // per local block: bit c set when component c is prescribed
+  const std::vector<Mat3>* retraction_ = nullptr;
+  const std::vector<int>* turn_of_ = nullptr;
+  const std::vector<unsigned char>* held_ = nullptr;
 };
 
 }  // namespace hawser

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "hawser/advice/energy.hpp"
+
 namespace hawser {
 
 struct Field {
@@ -36,6 +38,8 @@ struct Field {
   // The field is the contact force [N] of a support of the line: where it is not zero, the line does not hang
   // freely.
   bool carries = false;
+  // The field is not zero where the line touches this.
+  advice::ContactWith contact_with = advice::ContactWith::nothing;
   // For a utilisation (the used share of what is allowed): the ratio in words ("effective tension over the
   // breaking load of the line type"), and the sentence for a line where it exceeds 1 ("pulled with more than
   // its breaking load").

@@ -39,7 +39,9 @@ struct Energy {
 class ForceTerm {
  public:
   virtual ~ForceTerm() = default;
-  virtual std::string_view name() const = 0;
+  // Key of the term's records in checkpoints, and its name in -log_view. A key that has been released stays
+  // as it is, because a restart finds the records by it.
+  virtual std::string_view record_key() const = 0;
 
   // Called once before a step of length h [s] is tried, with the last accepted state. May communicate.
   virtual void prepare(const Kinematics& committed, double h) {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "hawser/base/gather.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 
 namespace hawser {
@@ -19,7 +19,7 @@ class GhostExchange {
   // Resizes `values` to the number of local nodes, and copies those of the owned nodes to the ghosts on other
   // ranks. T: plain data. Collective.
   template <class T>
-  void spread(std::vector<T>& values) const {
+  void update_ghosts(std::vector<T>& values) const {
     values.resize(nodes_);
     const MessageType<T> type;
     std::vector<std::vector<T>> out(neighbours_.size()), in(neighbours_.size());

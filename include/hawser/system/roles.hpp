@@ -19,19 +19,19 @@ class CouplesNodes {
  public:
   virtual ~CouplesNodes() = default;
   // Called before a step of length h [s] (0: statics) and before prepare(), with the local nodes as before.
-  // True if couple() or anything stored by local node has changed on any rank; update_ghosts() follows then.
-  // Collective, and the same on all ranks.
-  virtual bool recouple(const Kinematics& committed, double h) = 0;
+  // True if list_couplings() or anything stored by local node has changed on any rank; renumber() follows
+  // then. Collective, and the same on all ranks.
+  virtual bool refresh_couplings(const Kinematics& committed, double h) = 0;
   // Adds the groups of coupled nodes of which this rank owns a node.
-  virtual void couple(Couplings& to) const = 0;
+  virtual void list_couplings(Couplings& to) const = 0;
   // Called when the coupled nodes are local. Local nodes from LocalMesh::chain on have changed.
-  virtual void update_ghosts() {}
+  virtual void renumber() {}
 };
 
 // Couples the same nodes during the whole run.
 class CouplesFixedNodes : public CouplesNodes {
  public:
-  bool recouple(const Kinematics&, double) final { return !std::exchange(coupled_, true); }
+  bool refresh_couplings(const Kinematics&, double) final { return !std::exchange(coupled_, true); }
 
  private:
   bool coupled_ = false;

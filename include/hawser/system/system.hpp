@@ -12,6 +12,7 @@
 
 #include "hawser/advice/steps.hpp"
 #include "hawser/base/handle.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/state.hpp"
 #include "hawser/system/fed_lines.hpp"
@@ -41,8 +42,8 @@ struct ResidualNorms {
   double relative() const;
 };
 
-// Result of System::couple(). pattern_changed: there are other couplings, for which the matrix has room.
-// layout_changed: vectors and matrices need another layout.
+// Result of System::update_couplings(). pattern_changed: there are other couplings, for which the matrix has
+// room. layout_changed: vectors and matrices need another layout.
 enum class CouplingChange { unchanged, pattern_changed, layout_changed };
 
 class System {
@@ -79,29 +80,29 @@ class System {
   void tie(std::vector<TiedNode> nodes, BodyMotion motion);
 
   // Asks the terms which nodes they couple in a coming step of h [s], and extends ghosts and pattern if they
-  // lack these nodes. The caller then rebuilds vectors, matrices and solvers, and spreads states
-  // (layout_changed). Called before prepare(). Collective.
-  CouplingChange couple(const Kinematics& committed, double h);
+  // lack these nodes. If the layout has changed, the caller rebuilds vectors, matrices and solvers, and
+  // updates the ghosts of its states. Called before prepare(). Collective.
+  CouplingChange update_couplings(const Kinematics& committed, double h);
   // Resizes to the local nodes and fills the ghosts from their owners. Collective.
-  void spread(State& state) const;
-  void spread(std::vector<Vec3>& values) const { exchange_.spread(values); }
-  void spread(std::vector<Mat3>& values) const { exchange_.spread(values); }
+  void update_ghosts(State& state) const;
+  void update_ghosts(std::vector<Vec3>& values) const { exchange_.update_ghosts(values); }
+  void update_ghosts(std::vector<Mat3>& values) const { exchange_.update_ghosts(values); }
   // True if any nodes on any rank are coupled by more than elements.
   bool coupled() const { return coupled_; }
   // True if this rank may compute forces on nodes of other ranks (contact of a line with a floating body).
   bool sends() const { return coupled_ && mesh_.mesh->has_frames(); }
   // Checks a converged step or a trial of statics. Returns the most severe verdict of all terms and ranks,
   // the same on all ranks; its finding is on ranks that have it. impacts: also whether the step resolved its
-  // impacts, including those that were not predicted when longest_step() was called. largest: numbers of the
-  // caller, each replaced by the maximum over all ranks. Collective.
-  Verdict check_step(const Kinematics& trial, bool impacts = false, std::span<double> largest = {});
+  // impacts, including those that were not predicted when longest_step() was called. together: numbers of the
+  // caller for the same reduction over the ranks. Collective.
+  Verdict check_step(const Kinematics& trial, bool impacts = false, RankMax together = {});
 
   // A ghosted increment vector (blocks of 3) and the tangent with the pattern of chains and couplings.
   VecHandle create_vector() const;
   MatHandle create_matrix() const;
   // Refreshes the ghosts of a ghosted vector and copies its local values to `out` (3 * local blocks). False:
   // `out` already had these values.
-  bool gather(Vec u, std::vector<double>& out) const;
+  bool update_ghosts(Vec u, std::vector<double>& out) const;
 
   // r = sum of all terms at the trial state plus `carried` (3 * local blocks; empty: nothing). Held
   // components of r are zero; their values are kept as reactions().

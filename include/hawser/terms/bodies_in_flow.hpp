@@ -35,7 +35,7 @@ class BodiesInFlow final : public ForceTerm,
   std::vector<std::string> load_components(int body) const override;
   std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
 
-  std::string_view name() const override { return "wind and current on bodies"; }
+  std::string_view record_key() const override { return "wind and current on bodies"; }
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;

@@ -38,7 +38,7 @@ class BodiesInWater final : public ForceTerm,
   // Indices in the case of this rank's bodies that pierce the water surface.
   std::vector<int> in_surface(const Kinematics& at) const;
 
-  std::string_view name() const override { return "bodies in water"; }
+  std::string_view record_key() const override { return "bodies in water"; }
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;

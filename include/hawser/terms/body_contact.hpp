@@ -60,10 +60,10 @@ class BodyContactTerm final : public ForceTerm,
   BodyContactTerm(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
                   std::shared_ptr<const Bodies> bodies, std::vector<BodyVolume> volumes);
 
-  std::string_view name() const override { return "body contact"; }
-  void couple(Couplings& to) const override;
+  std::string_view record_key() const override { return "body contact"; }
+  void list_couplings(Couplings& to) const override;
   void enable_friction(bool on) override { friction_on_ = on; }
-  void update_ghosts() override;
+  void renumber() override;
   // For a time step (h > 0) also computes the contact frequency and checks the overlap of the volumes.
   void prepare(const Kinematics& committed, double h) override;
   void limit_step(const Kinematics& committed, ImpactEvents& to) const override;

@@ -31,7 +31,7 @@ class BuriedTerm final : public ForceTerm, public RaisesStiffness {
   BuriedTerm(MPI_Comm comm, const LocalMesh& mesh, const model::Case& c, const Kinematics& start,
              const std::vector<int>& held);
 
-  std::string_view name() const override { return "buried"; }
+  std::string_view record_key() const override { return "buried"; }
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;

@@ -23,7 +23,7 @@ class DynamicPositioning final : public ForceTerm, public LoadsBodies, public Ac
   // integral is constant, and the proportional part acts on motion about rest.
   void integrate_at_rest(bool on) { integrates_ = on; }
 
-  std::string_view name() const override { return "dynamic positioning"; }
+  std::string_view record_key() const override { return "dynamic positioning"; }
   std::vector<std::string> load_components(int body) const override;
   std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
   void prepare(const Kinematics& committed, double h) override;

@@ -30,7 +30,7 @@ class EndSprings final : public ForceTerm {
  public:
   EndSprings(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies, std::vector<EndSpring> springs);
 
-  std::string_view name() const override { return "end springs"; }
+  std::string_view record_key() const override { return "end springs"; }
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -99,8 +100,11 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
 
   double work() const { return work_; }
   void set_work(double work) { work_ = work; }
+  // Work [J] that feeders do on a line in a step of h [s] while others remove it, from the same line or
+  // another. pulls: force on each feeder, N.
+  double passed_through(std::span<const double> pulls, double h) const;
 
-  std::string_view name() const override { return "feeders"; }
+  std::string_view record_key() const override { return "feeders"; }
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;

@@ -37,7 +37,7 @@ class Hulls final : public ForceTerm,
     friction_ = friction;
   }
 
-  std::string_view name() const override { return "hulls in water"; }
+  std::string_view record_key() const override { return "hulls in water"; }
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;

@@ -6,10 +6,10 @@
 // skin of its predicted position, whatever the elements' shape. See docs/theory/line-candidates.md.
 //
 // Use by a term:
-//   recouple(k, h):   candidates.update(k, h), collective; true: the pairs have changed
-//   couple(c):        candidates.couple(c); then ghosts and matrix are made
-//   update_ghosts():  candidates.locate(): segments() now have local nodes
-//   check_step(k):    candidates.covers(k): the step missed no pair
+//   refresh_couplings(k, h):  candidates.update(k, h), collective; true: the pairs have changed
+//   list_couplings(c):        candidates.list_couplings(c); then ghosts and matrix are made
+//   renumber():               candidates.locate(): segments() now have local nodes
+//   check_step(k):            candidates.covers(k): the step missed no pair
 // Terms must keep history by ContactSegment::global, because indices of segments change with the list.
 #pragma once
 
@@ -90,7 +90,7 @@ class LineCandidates {
   // is predicted). Returns true if the pairs of this rank have changed; locate() must then be called.
   // Collective.
   bool update(const Kinematics& committed, double h);
-  void couple(Couplings& to) const;
+  void list_couplings(Couplings& to) const;
   // Finds the local nodes of the segments. Throws std::logic_error if one is not on this rank.
   void locate();
   // True if the list is valid for this motion of this rank's elements, so that no pair is missed. Local.

@@ -39,7 +39,7 @@ class LineMassTerm final : public ForceTerm,
   // Masses and distributed loads of the case; gravity along -z.
   LineMassTerm(const LocalMesh& mesh, const model::Case& c);
 
-  std::string_view name() const override { return "mass"; }
+  std::string_view record_key() const override { return "mass"; }
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void prepare(const Kinematics& committed, double h) override;
   void commit(const Kinematics& accepted) override;

@@ -62,10 +62,10 @@ class LinePairs final : public ForceTerm,
 
   void enable_friction(bool on) override { friction_on_ = on; }
 
-  std::string_view name() const override { return "line-line contact"; }
-  bool recouple(const Kinematics& committed, double h) override;
-  void couple(Couplings& to) const override { candidates_.couple(to); }
-  void update_ghosts() override;
+  std::string_view record_key() const override { return "line-line contact"; }
+  bool refresh_couplings(const Kinematics& committed, double h) override;
+  void list_couplings(Couplings& to) const override { candidates_.list_couplings(to); }
+  void renumber() override;
   // Refuses a step that missed a contact or in which a line passed through another.
   Verdict check_step(const Kinematics& trial) const override;
   void prepare(const Kinematics& committed, double h) override;

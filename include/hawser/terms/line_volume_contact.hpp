@@ -32,9 +32,9 @@ class LineVolumeContact final : public ForceTerm,
                     std::vector<ContactVolume> volumes, std::vector<LineContactElement> elements,
                     MPI_Comm comm = MPI_COMM_SELF, model::ContactMethod method = model::ContactMethod::line);
 
-  std::string_view name() const override { return "line contact"; }
-  bool recouple(const Kinematics& committed, double h) override;
-  void couple(Couplings& to) const override { volumes_.couple(to); }
+  std::string_view record_key() const override { return "line contact"; }
+  bool refresh_couplings(const Kinematics& committed, double h) override;
+  void list_couplings(Couplings& to) const override { volumes_.list_couplings(to); }
   void prepare(const Kinematics& committed, double h) override;
   // Considers the ends and the middle of each element, and present contacts (contact_laws.hpp).
   void limit_step(const Kinematics& committed, ImpactEvents& to) const override;

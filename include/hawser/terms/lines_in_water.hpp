@@ -51,7 +51,7 @@ class LinesInWater final : public ForceTerm,
   };
   FlowError flow_error(const Kinematics& at, const WetElement& p, int parts) const;
 
-  std::string_view name() const override { return "hydrodynamics"; }  // stored in checkpoints
+  std::string_view record_key() const override { return "hydrodynamics"; }
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;

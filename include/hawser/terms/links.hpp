@@ -27,9 +27,9 @@ class Links final : public ForceTerm, public CouplesFixedNodes, public ScalesRes
   std::vector<Series> series() const override;
   std::vector<std::vector<double>> rows(const Kinematics& at) const override;
 
-  std::string_view name() const override { return "links"; }
-  void couple(Couplings& to) const override;
-  void update_ghosts() override;
+  std::string_view record_key() const override { return "links"; }
+  void list_couplings(Couplings& to) const override;
+  void renumber() override;
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;

@@ -32,9 +32,9 @@ class PlatformWater final : public ForceTerm,
  public:
   PlatformWater(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh);
 
-  std::string_view name() const override { return "platforms in the sea"; }
-  void couple(Couplings& to) const override;
-  void update_ghosts() override;
+  std::string_view record_key() const override { return "platforms in the sea"; }
+  void list_couplings(Couplings& to) const override;
+  void renumber() override;
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;

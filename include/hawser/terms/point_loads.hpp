@@ -26,7 +26,7 @@ class PointLoads final : public ForceTerm, public ScalesResiduals {
   // node.
   PointLoads(const LocalMesh& mesh, std::vector<NodeLoad> loads);
 
-  std::string_view name() const override { return "point loads"; }
+  std::string_view record_key() const override { return "point loads"; }
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
@@ -63,7 +63,7 @@ class PointMasses final : public ForceTerm, public ScalesResiduals {
  public:
   PointMasses(const LocalMesh& mesh, std::vector<NodeMass> masses, double gravity);
 
-  std::string_view name() const override { return "point masses"; }
+  std::string_view record_key() const override { return "point masses"; }
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;

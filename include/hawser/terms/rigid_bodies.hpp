@@ -38,7 +38,7 @@ class RigidBodies final : public ForceTerm,
   // remainder of inertia, springs and weight in a balanced state. On the rank that owns the body.
   std::array<Vec3, 2> force_on(int body, const Kinematics& at) const;
 
-  std::string_view name() const override { return "floating bodies"; }
+  std::string_view record_key() const override { return "floating bodies"; }
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;

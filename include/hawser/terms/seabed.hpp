@@ -48,7 +48,7 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   // held: supported local nodes, on which the bed does not act.
   SeabedTerm(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held);
 
-  std::string_view name() const override { return "seabed"; }
+  std::string_view record_key() const override { return "seabed"; }
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;

@@ -46,7 +46,7 @@ class StructureTerm final : public ForceTerm,
   // Takes the sections from the line types of the case. Every beam is straight when stress-free.
   StructureTerm(const LocalMesh& mesh, const model::Case& c);
 
-  std::string_view name() const override { return "structure"; }
+  std::string_view record_key() const override { return "structure"; }
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
@@ -78,7 +78,7 @@ class StructureTerm final : public ForceTerm,
     std::vector<double> trial;  // element at the feed point with its trial length, in the element's order
   };
   // accepted: the lengths are those at the end of the step.
-  void update_from_feeders(double step, bool accepted = false);
+  void update_from_feeders(const Kinematics& at, bool accepted = false);
   static CableSection shown(const Cable& c, const Kinematics& at);  // section for output
   void carry_bends(Beam& b, const FedLine& f, double to);
   void keep_hauled_in(const Beam& b, const FedLine& f);

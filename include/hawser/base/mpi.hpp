@@ -76,6 +76,23 @@ T& all_reduce(MPI_Comm comm, MPI_Op op, T& of) {
   return of;
 }
 
+// Numbers of several origins that one reduction replaces by their maxima over the ranks.
+class RankMax {
+ public:
+  // The number must outlive reduce().
+  void add(double& number) { numbers_.push_back(&number); }
+  // Collective; all ranks have added equally many.
+  void reduce(MPI_Comm comm) const {
+    std::vector<double> most;
+    for (const double* number : numbers_) most.push_back(*number);
+    all_reduce(comm, MPI_MAX, most);
+    for (std::size_t i = 0; i < most.size(); ++i) *numbers_[i] = most[i];
+  }
+
+ private:
+  std::vector<double*> numbers_;
+};
+
 // True if `here` is true on any rank. Collective.
 inline bool on_any_rank(MPI_Comm comm, bool here) {
   int yes = here;
