@@ -51,19 +51,19 @@ int EndForces::end_at(int node) const {
   return -1;
 }
 
-void EndForces::evaluate(const Kinematics& at, std::span<const Vec3> carried) {
+void EndForces::evaluate(const Kinematics& at, std::span<const Vec3> support_forces) {
   for (SectionNode& p : places_) {
-    if (p.before >= 0) p.sides[0] = section(at, p.before, true, carried);
-    if (p.after >= 0) p.sides[1] = section(at, p.after, false, carried);
+    if (p.before >= 0) p.sides[0] = section(at, p.before, true, support_forces);
+    if (p.after >= 0) p.sides[1] = section(at, p.after, false, support_forces);
     if (p.before < 0) p.sides[0] = p.sides[1];
     if (p.after < 0) p.sides[1] = p.sides[0];
   }
-  if (feeders_) evaluate_feed_points(at, carried);
+  if (feeders_) evaluate_feed_points(at, support_forces);
 }
 
 // Ends inside feeders have the force at the feed point. One rank computes it; one maximum over the ranks
 // exchanges the numbers of all feeders.
-void EndForces::evaluate_feed_points(const Kinematics& at, std::span<const Vec3> carried) {
+void EndForces::evaluate_feed_points(const Kinematics& at, std::span<const Vec3> support_forces) {
   constexpr size_t kNumbers = 10;  // force, moment, direction, feeder force
   const auto& elements = system_.mesh().elements;
   const std::vector<Feeder>& feeders = feeders_->all();
@@ -72,7 +72,7 @@ void EndForces::evaluate_feed_points(const Kinematics& at, std::span<const Vec3>
     const Feeder& f = feeders[k];
     const LocalElement* e = feeders_->at_feed_point(f);
     if (!e || !e->counted) continue;
-    const SectionForce m = section(at, static_cast<int>(e - elements.data()), f.at_b, carried);
+    const SectionForce m = section(at, static_cast<int>(e - elements.data()), f.at_b, support_forces);
     double* to = all.data() + kNumbers * k;
     for (const Vec3* v : {&m.force, &m.moment, &m.direction}) to = std::copy(v->begin(), v->end(), to);
     *to = m.tension();
@@ -94,7 +94,7 @@ void EndForces::evaluate_feed_points(const Kinematics& at, std::span<const Vec3>
 }
 
 SectionForce EndForces::section(const Kinematics& at, int element, bool second,
-                                std::span<const Vec3> carried) const {
+                                std::span<const Vec3> support_forces) const {
   const LocalMesh& local = system_.mesh();
   const LocalElement& e = local.elements[element];
   Vec12 f = Vec12::Zero();
@@ -112,7 +112,7 @@ SectionForce EndForces::section(const Kinematics& at, int element, bool second,
   // A taut, freely hanging cable is parallel to its tension; its chord has the direction at mid-element.
   const Vec3 chord = (at.x[j] - at.x[i]).normalized();
   const double middle = 0.5 * (part(2) - part(0)).norm();
-  const bool hangs = carried[i].isZero(0) && carried[j].isZero(0);
+  const bool hangs = support_forces[i].isZero(0) && support_forces[j].isZero(0);
   const bool taut = s.force.dot(chord) > 0.5 * std::max(middle, s.force.norm());
   s.direction = hangs && taut ? s.force.normalized() : chord;
   return s;

@@ -128,7 +128,7 @@ PipePlaces PipeStrength::places(const Snapshot& s) const {
 
 void PipeStrength::fill(const Snapshot& s, Values& values) {
   if (bending_ < 0) return;
-  const PipePlaces carried = places(s);
+  const PipePlaces known = places(s);
   const model::Water& water = case_.environment.water;
   for (size_t n = 0; n < sides_.size(); ++n) {
     const double depth = water.present ? water.surface - values[0][3 * n + 2] : 0;
@@ -143,7 +143,7 @@ void PipeStrength::fill(const Snapshot& s, Values& values) {
           type.contents_pressure + type.contents_density * case_.environment.gravity * depth;
       const double strain = 0.5 * codes.outer() * values[curvature_][n];
       if (!rest_.empty()) {
-        const double factor = condition(side, carried);
+        const double factor = condition(side, known);
         worst[0] = std::fmax(worst[0], codes.local_buckling(rest_[n], now, factor, outside, inside));
         pulled_ = std::max(pulled_, codes.pulled(rest_[n], now, factor));
       }

@@ -36,7 +36,7 @@ WaterErrors::WaterErrors(const model::Case& c, const System& system)
     : comm_(system.comm()),
       case_(c),
       mesh_(system.mesh()),
-      structure_(*system.find<CarriesTension>()),
+      structure_(*system.find<HasAxialStiffness>()),
       water_(system.find<LinesInWater>()),
       group_(joined_lines(*mesh_.mesh)),
       groups_(group_.size()) {

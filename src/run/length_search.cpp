@@ -28,18 +28,18 @@ constexpr double kFirstStep = 0.02, kNextStep = 1e-3;  // of the length
 AtRest at_rest(MPI_Comm comm, Simulation& sim) {
   const Kinematics at = sim.state().view(0);
   const LocalMesh& local = sim.local();
-  std::vector<Vec3> carried(static_cast<size_t>(local.nodes()), Vec3::Zero());
+  std::vector<Vec3> support_forces(static_cast<size_t>(local.nodes()), Vec3::Zero());
   const FieldRegistry fields = sim.system().fields();
   for (const FieldSource& f : fields.sources()) {
-    if (!f.carries) continue;
+    if (!f.is_support_force) continue;
     std::vector<double> values(3 * static_cast<size_t>(local.owned));
     f.fill(at, values);
     for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n)
-      carried[n] += Eigen::Map<const Vec3>(values.data() + 3 * n).cwiseAbs();
+      support_forces[n] += Eigen::Map<const Vec3>(values.data() + 3 * n).cwiseAbs();
   }
-  sim.system().spread(carried);
+  sim.system().spread(support_forces);
   record::EndForces ends(sim.system(), sim.feeders());
-  ends.evaluate(at, carried);
+  ends.evaluate(at, support_forces);
   AtRest out;
   out.ends.assign(4 * sim.mesh().lines.size(), 0);
   for (const record::EndForces::SectionNode& p : ends.places()) {

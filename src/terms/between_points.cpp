@@ -12,14 +12,14 @@ namespace hawser {
 AttachedNow attached_now(const Attached& a, const Kinematics& at, const LocalMesh& mesh,
                          const Bodies& bodies) {
   AttachedNow now;
-  const int carrier = a.carrier(bodies);
-  if (carrier < 0) {
+  const int frame = a.frame_node(bodies);
+  if (frame < 0) {
     const RigidPose p = bodies.pose(a.body, at.time);
     now.x = a.direction ? p.rotation * a.at : p.to_space(a.at);
     now.v = a.direction ? p.angular_velocity.cross(now.x) : p.velocity_at(now.x);
     return now;
   }
-  const int local = mesh.find(carrier);
+  const int local = mesh.find(frame);
   const Vec3 y = a.body < 0 ? a.at : bodies.in_node_axes(a.body, a.at, a.direction);
   now.point = {y, at.q[local].toRotationMatrix(), at.w[local]};
   now.x = now.point.arm();

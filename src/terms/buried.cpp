@@ -137,7 +137,7 @@ Energy BuriedTerm::energy(const Kinematics& at) const {
 }
 
 void BuriedTerm::fields(FieldRegistry& registry) const {
-  registry.add({{.name = "soil_force", .unit = "N", .components = 3, .carries = true},
+  registry.add({{.name = "soil_force", .unit = "N", .components = 3, .is_support_force = true},
                 [this](const Kinematics&, std::span<double> out) {
                   std::fill(out.begin(), out.end(), 0.0);
                   for (const Point& p : points_)

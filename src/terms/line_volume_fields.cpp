@@ -11,7 +11,7 @@ namespace hawser {
 void LineVolumeContact::fields(FieldRegistry& registry) const {
   using Report = Field::Report;
   add_contact_fields(registry,
-                     {.force = {.name = "contact_force", .unit = "N", .carries = true},
+                     {.force = {.name = "contact_force", .unit = "N", .is_support_force = true},
                       .normal_force = {.name = "contact_normal_force",
                                        .unit = "N",
                                        .history = Field::History::yes,

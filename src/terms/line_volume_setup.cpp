@@ -90,7 +90,7 @@ void LineVolumeContact::prepare(const Kinematics& committed, double h) {
       pair.volume = k;
       double motion = 0;
       if (!start_pair(pair, at, shape, h, motion)) continue;
-      if (known < old.size() && key() == std::pair(e, k)) carry_over(old[known], pair);
+      if (known < old.size() && key() == std::pair(e, k)) reuse_previous(old[known], pair);
       start_facet_groups(pair, motion);
       pairs_.push_back(std::move(pair));
       pair = {};
@@ -128,7 +128,7 @@ bool LineVolumeContact::start_pair(Pair& pair, const AxisEnds& at, const AxisSha
 // Takes over results of the last step. `found` is reused only if it refers to the whole surface, because
 // facet groups may have changed, and only without contact, because panels must be split as at the start of
 // this step.
-void LineVolumeContact::carry_over(Pair& previous, Pair& pair) const {
+void LineVolumeContact::reuse_previous(Pair& previous, Pair& pair) const {
   if (!previous.several && previous.points.empty()) pair.found = std::move(previous.found);
   pair.points = std::move(previous.points);
   pair.springs = previous.springs;

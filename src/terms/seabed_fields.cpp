@@ -7,7 +7,7 @@ namespace hawser {
 // The force at the middle of an element is output in halves at its nodes.
 void SeabedTerm::fields(FieldRegistry& registry) const {
   add_contact_fields(registry,
-                     {.force = {.name = "seabed_force", .unit = "N", .carries = true},
+                     {.force = {.name = "seabed_force", .unit = "N", .is_support_force = true},
                       .friction = {.name = "seabed_friction", .unit = "N"}},
                      [this](const Kinematics&, const ShowPoint& show) {
                        for (const Point& p : points_)

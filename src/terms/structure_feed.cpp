@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "hawser/base/gather.hpp"
-#include "hawser/kernels/carried_bends.hpp"
+#include "hawser/kernels/plastic_history.hpp"
 #include "hawser/terms/structure.hpp"
 
 namespace hawser {
@@ -56,7 +56,7 @@ void StructureTerm::update_from_feeders(double step, bool accepted) {
     b.reference.set = set_.data() + b.memory;
     // The history does not depend on the force of a trial: as for masses, the length is that at the speed of
     // the start of the step.
-    if (fed) carry_bends(b, *fed, accepted ? fed->length : fed->predicted);
+    if (fed) move_plastic_history(b, *fed, accepted ? fed->length : fed->predicted);
   }
 }
 
@@ -70,7 +70,7 @@ std::vector<double> StructureTerm::entering(const FedLine& f, double label) cons
 }
 
 // Sets the history of the element at the feed point for the length `to`.
-void StructureTerm::carry_bends(Beam& b, const FedLine& f, double to) {
+void StructureTerm::move_plastic_history(Beam& b, const FedLine& f, double to) {
   const double from = f.before;
   if (from == to) return;
   FedBends& fed = fed_[f.feeder];

@@ -40,9 +40,9 @@ class EndForces {
   // For a fed end the force is that at the feed point; feeders: null if no line is fed.
   explicit EndForces(const System& system, const Feeders* feeders = nullptr);
 
-  // From an accepted state. carried: forces of bed, soil, volumes and other lines on local nodes, N; nonzero
-  // where the line does not hang freely. No communication, unless ends are fed.
-  void evaluate(const Kinematics& at, std::span<const Vec3> carried);
+  // From an accepted state. support_forces: forces of bed, soil, volumes and other lines on local nodes, N;
+  // nonzero where the line does not hang freely. No communication, unless ends are fed.
+  void evaluate(const Kinematics& at, std::span<const Vec3> support_forces);
 
   const std::vector<SectionNode>& places() const { return places_; }  // in the order of nodes
   // Force on each feeder, N: the tension at its feed point and, for beams, M²/2EI.
@@ -51,9 +51,10 @@ class EndForces {
   int end_at(int node) const;
 
  private:
-  SectionForce section(const Kinematics& at, int element, bool second, std::span<const Vec3> carried) const;
+  SectionForce section(const Kinematics& at, int element, bool second,
+                       std::span<const Vec3> support_forces) const;
 
-  void evaluate_feed_points(const Kinematics& at, std::span<const Vec3> carried);
+  void evaluate_feed_points(const Kinematics& at, std::span<const Vec3> support_forces);
 
   const System& system_;
   const Feeders* feeders_;

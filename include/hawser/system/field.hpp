@@ -35,7 +35,7 @@ struct Field {
       100;  // of rows in tables and reports, smallest first; of equal ones in the order of declaration
   // The field is the contact force [N] of a support of the line: where it is not zero, the line does not hang
   // freely.
-  bool carries = false;
+  bool is_support_force = false;
   // For a utilisation (the used share of what is allowed): the ratio in words ("effective tension over the
   // breaking load of the line type"), and the sentence for a line where it exceeds 1 ("pulled with more than
   // its breaking load").

@@ -98,10 +98,10 @@ struct LineTension {
   double tension = 0, round_off = 0, EA = 0;
 };
 
-// Carries the tension of lines.
-class CarriesTension {
+// Has the axial stiffness and the tension of lines.
+class HasAxialStiffness {
  public:
-  virtual ~CarriesTension() = default;
+  virtual ~HasAxialStiffness() = default;
   // Limits the axial stiffness [N] and makes sections elastic, until the next call (HUGE_VAL: true values).
   // Statics starts soft, because a very stiff line would make its search creep along a narrow valley of the
   // energy, and elastic, because the bends of a shape far from rest would leave yielding sections with hardly

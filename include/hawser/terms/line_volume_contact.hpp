@@ -119,7 +119,7 @@ class LineVolumeContact final : public ForceTerm,
 
   // Pairs of an element and a volume at the start of a step, with data from earlier steps.
   bool start_pair(Pair& pair, const AxisEnds& at, const AxisShape& shape, double h, double& motion) const;
-  void carry_over(Pair& previous, Pair& pair) const;
+  void reuse_previous(Pair& previous, Pair& pair) const;
   void start_facet_groups(Pair& pair, double motion) const;
   bool idle(int element) const;
   void find_near_pairs(const Kinematics& trial);

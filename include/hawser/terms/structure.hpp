@@ -20,7 +20,7 @@ struct Case;
 
 class StructureTerm final : public ForceTerm,
                             public ActsOnElements,
-                            public CarriesTension,
+                            public HasAxialStiffness,
                             public ScalesResiduals,
                             public ActsOnFedLines {
  public:
@@ -80,7 +80,7 @@ class StructureTerm final : public ForceTerm,
   // accepted: the lengths are those at the end of the step.
   void update_from_feeders(double step, bool accepted = false);
   static CableSection shown(const Cable& c, const Kinematics& at);  // section for output
-  void carry_bends(Beam& b, const FedLine& f, double to);
+  void move_plastic_history(Beam& b, const FedLine& f, double to);
   void keep_hauled_in(const Beam& b, const FedLine& f);
   double fed_work(const Kinematics& at) const;
   std::vector<double> entering(const FedLine& f, double label) const;

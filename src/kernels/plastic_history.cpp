@@ -1,6 +1,6 @@
 // Parabolas through the plastic history at Gauss points, their projection onto other stretches of the
 // material, and the work of a feeder on plastic bending that enters and leaves.
-#include "hawser/kernels/carried_bends.hpp"
+#include "hawser/kernels/plastic_history.hpp"
 
 #include <algorithm>
 #include <vector>

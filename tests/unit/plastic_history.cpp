@@ -1,6 +1,6 @@
 // History transported along a line: integrals are conserved, extremes do not grow, and work of material that
 // enters and leaves.
-#include "hawser/kernels/carried_bends.hpp"
+#include "hawser/kernels/plastic_history.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "hawser/math/so3.hpp"
 
-namespace hawser::test::carried_bends {
+namespace hawser::test::plastic_history {
 namespace {
 
 using Values = std::vector<double>;
@@ -27,7 +27,7 @@ double sum(double from, double to, const Values& v) {
 }
 
 // Divided and joined: integrals over the length are conserved, and no value exceeds the earlier ones.
-TEST(CarriedBends, DividedAndJoined) {
+TEST(PlasticHistory, DividedAndJoined) {
   const Values whole{1, 3, 2};
   Cells cells;
   add(cells, 0, 1.4, whole);
@@ -45,7 +45,7 @@ TEST(CarriedBends, DividedAndJoined) {
 }
 
 // Material with 1 over the first 0.4 m, then 0, then 3, paid out in many steps and hauled in again.
-TEST(CarriedBends, PaidOutAndHauledIn) {
+TEST(PlasticHistory, PaidOutAndHauledIn) {
   Values now{1, 1, 1};
   const Values none{0}, more{3};
   double length = 0.4, expected = 0.4;
@@ -96,7 +96,7 @@ BeamEnds bent(double length, const Vec3& at1, const Vec3& at2) {
 }
 
 // Below yield a feeder works against M²/2EI for any shape, at either end.
-TEST(CarriedBends, WorkOnElasticBends) {
+TEST(PlasticHistory, WorkOnElasticBends) {
   const PlasticBending p = law();
   const BeamEnds e = bent(0.79, {0, 0.0015, -0.0007}, {0, -0.003, 0.0025});
   const Values never(p.memory(), 0);
@@ -111,7 +111,7 @@ TEST(CarriedBends, WorkOnElasticBends) {
 
 // A yielded arc: material that enters is bent from straight along the first curve; material that leaves
 // returns the recoverable energy and carries the locked-in energy away.
-TEST(CarriedBends, WorkOnAnArcThatYielded) {
+TEST(PlasticHistory, WorkOnAnArcThatYielded) {
   const PlasticBending p = law();
   const BeamSection s = section(p, true);
   const double c = 0.2, M = p.at(c, 0, nullptr).m[0];
@@ -133,4 +133,4 @@ TEST(CarriedBends, WorkOnAnArcThatYielded) {
 }
 
 }  // namespace
-}  // namespace hawser::test::carried_bends
+}  // namespace hawser::test::plastic_history
