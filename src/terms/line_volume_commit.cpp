@@ -94,7 +94,7 @@ Energy LineVolumeContact::energy(const Kinematics& at) const {
     }
     const AxisShape shape(ends(at, p.element));
     const RigidPose& pose = poses[volumes_.body(p.volume)];
-    if (LineVolumeFinder::is_clear(p, shape, pose)) continue;
+    if (LineVolumeFinder::certainly_apart(p, shape, pose)) continue;
     Pair pair = p;
     for (const QuadraturePoint& there : finder_.find(pair, shape, pose).quadrature)
       if (p.in_contact(there.at))

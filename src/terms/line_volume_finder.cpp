@@ -89,12 +89,14 @@ class LineVolumeFinder::Gap {
   std::optional<AxisGap> middle_;
 };
 
-bool LineVolumeFinder::is_clear(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) {
+bool LineVolumeFinder::certainly_apart(const LineVolumePair& pair, const AxisShape& shape,
+                                       const RigidPose& pose) {
   return pair.clearance.left(bezier_in(pose, shape)) > 0;
 }
 
-bool LineVolumeFinder::clear(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const {
-  if (!is_clear(pair, shape, pose)) return false;
+bool LineVolumeFinder::skip_if_apart(LineVolumePair& pair, const AxisShape& shape,
+                                     const RigidPose& pose) const {
+  if (!certainly_apart(pair, shape, pose)) return false;
   pair.found.clear();
   pair.near = {};
   pair.evaluation = LineVolumePair::Evaluation::none;
@@ -112,22 +114,22 @@ void LineVolumeFinder::update_clearance(const LineVolumePair& pair, const AxisSh
   double least = std::numeric_limits<double>::infinity(), worst = 0;
   for (const ClearancePoint& p : places) least = std::min(least, p.distance - pair.contact_distance);
   if (!(least > 0)) return;
-  const auto clear = [&] {
+  const auto free_radius = [&] {
     return least_distance(places, shape.slope_bound(), shape.bend_bound(), worst) - pair.contact_distance;
   };
-  double free = clear();
+  double free = free_radius();
   for (int i = 0; i < kProbes && free < kCertain * least; ++i) {
     const double within = pair.contact_distance + 2 * least;
     const auto p = surface(pair).query(pose.to_body(shape.point(worst)), within, pair.hint);
     const ClearancePoint more{worst, p ? p->distance : within};
     places.insert(std::upper_bound(places.begin(), places.end(), more, by_xi), more);
     least = std::min(least, more.distance - pair.contact_distance);
-    free = clear();
+    free = free_radius();
   }
-  if (!(free > 0)) return;  // free_radius() only shortens distances
+  if (!(free > 0)) return;  // Surface::free_radius() only shortens distances
   for (ClearancePoint& p : places)
     p.distance = surface(pair).free_radius(pose.to_body(shape.point(p.xi)), p.distance, pair.hint);
-  pair.clearance.offer(bezier_in(pose, shape), clear());
+  pair.clearance.offer(bezier_in(pose, shape), free_radius());
 }
 
 const std::vector<ContactInterval>& LineVolumeFinder::intervals_at_start(LineVolumePair& pair) const {
@@ -206,7 +208,7 @@ bool LineVolumeFinder::takes_part(const LineVolumePair& pair, double xi) const {
 
 const ContactQuadrature& LineVolumeFinder::find(LineVolumePair& pair, const AxisShape& shape,
                                                 const RigidPose& pose) const {
-  if (clear(pair, shape, pose)) return pair.found;
+  if (skip_if_apart(pair, shape, pose)) return pair.found;
   const bool same = pair.found.of.same_configuration(shape, pose);
   if (!pair.found.of.same_motion(shape, pose)) pair.evaluation = LineVolumePair::Evaluation::none;
   if (!same) pair.found.clear();

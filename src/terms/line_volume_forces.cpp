@@ -43,7 +43,7 @@ void LineVolumeContact::find_near_pairs(const Kinematics& trial) {
     Pair& pair = pairs_[i];
     const AxisShape shape(ends(trial, pair.element));
     const RigidPose& pose = volumes_.trial_pose(pair.volume);
-    if (finder_.clear(pair, shape, pose)) continue;
+    if (finder_.skip_if_apart(pair, shape, pose)) continue;
     near_.push_back({i, shape});
     finder_.find(pair, shape, pose);
   }
