@@ -32,8 +32,8 @@ AttachedNow attached_now(const Attached& a, const Kinematics& at, const LocalMes
   return now;
 }
 
-void add_between(Assembler& assembler, const AttachedNow& a, const AttachedNow& b, const Vec6& f,
-                 const Mat6& k, const Mat6& c) {
+void add_pair_force(Assembler& assembler, const AttachedNow& a, const AttachedNow& b, const Vec6& f,
+                    const Mat6& k, const Mat6& c) {
   std::array<int, 4> blocks{};
   Stencil stencil;
   const auto number = [&](int block) {

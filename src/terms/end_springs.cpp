@@ -80,7 +80,7 @@ void EndSprings::evaluate(const Kinematics& trial, Assembler& assembler) {
       f.setZero();
       K = s.stiffness * (Mat6::Identity() - apart);
     }
-    add_between(assembler, tangent, direction, f, K, Mat6::Zero());
+    add_pair_force(assembler, tangent, direction, f, K, Mat6::Zero());
   }
 }
 

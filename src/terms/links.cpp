@@ -102,7 +102,7 @@ void Links::evaluate(const Kinematics& trial, Assembler& assembler) {
     };
     Vec6 f;
     f << -s.force.pull, s.force.pull;
-    add_between(assembler, s.a, s.b, f, between(s.force.by_place), between(s.force.by_rate));
+    add_pair_force(assembler, s.a, s.b, f, between(s.force.by_place), between(s.force.by_rate));
   }
 }
 

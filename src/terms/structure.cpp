@@ -138,7 +138,7 @@ void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
         continue;
       }
       cable_tension(c.section, e, assembler.weights().stiffer, o);
-      assembler.add_between(c.blocks[0], c.blocks[1], o.force, &o.k, c.section.beta > 0 ? &o.c : nullptr);
+      assembler.add_pull(c.blocks[0], c.blocks[1], o.force, &o.k, c.section.beta > 0 ? &o.c : nullptr);
     }
     return;
   }

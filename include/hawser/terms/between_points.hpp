@@ -35,7 +35,7 @@ AttachedNow attached_now(const Attached& a, const Kinematics& at, const LocalMes
 // Adds forces between two attached points to the unknowns of both. f = (f_a, f_b): residual; k, c: its
 // derivatives by (x_a, x_b) and (v_a, v_b). Far from a solution (Assembler::convex) only the stabilising part
 // of the derivative by the rotation of the arms is added. The two points must not be on the same node.
-void add_between(Assembler& assembler, const AttachedNow& a, const AttachedNow& b, const Vec6& f,
-                 const Mat6& k, const Mat6& c);
+void add_pair_force(Assembler& assembler, const AttachedNow& a, const AttachedNow& b, const Vec6& f,
+                    const Mat6& k, const Mat6& c);
 
 }  // namespace hawser
