@@ -97,7 +97,8 @@ double Events::local_tension(int node) const {
   const int n = sim_.local().find(node);
   for (const record::EndForces::SectionNode& p : ends_.places())
     if (p.node == n)
-      return p.end >= 0 ? p.at_end().tension() : std::max(p.sides[0].tension(), p.sides[1].tension());
+      return p.end_index >= 0 ? p.at_line_end().tension()
+                              : std::max(p.sides[0].tension(), p.sides[1].tension());
   return -HUGE_VAL;
 }
 

@@ -43,10 +43,10 @@ AtRest at_rest(MPI_Comm comm, Simulation& sim) {
   AtRest out;
   out.ends.assign(4 * sim.mesh().lines.size(), 0);
   for (const record::EndForces::SectionNode& p : ends.places()) {
-    if (p.end < 0) continue;
-    const record::SectionForce& s = p.at_end();
-    out.ends[2 * static_cast<size_t>(p.end)] = s.tension();
-    out.ends[2 * static_cast<size_t>(p.end) + 1] = declination(s.direction);
+    if (p.end_index < 0) continue;
+    const record::SectionForce& s = p.at_line_end();
+    out.ends[2 * static_cast<size_t>(p.end_index)] = s.tension();
+    out.ends[2 * static_cast<size_t>(p.end_index) + 1] = declination(s.direction);
   }
   all_reduce(comm, MPI_SUM, out.ends);
   out.feeders = ends.at_feeders();

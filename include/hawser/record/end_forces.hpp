@@ -29,10 +29,10 @@ class EndForces {
   // none after it.
   struct SectionNode {
     int node = 0;                         // local
-    int end = -1;                         // 2 l: end A of line l; 2 l + 1: its end B; -1: within a line
+    int end_index = -1;                   // 2 l: end A of line l; 2 l + 1: its end B; -1: within a line
     int before = -1, after = -1;          // local elements
     std::array<SectionForce, 2> sides{};  // before, after
-    const SectionForce& at_end() const { return sides[after >= 0 ? 1 : 0]; }
+    const SectionForce& at_line_end() const { return sides[after >= 0 ? 1 : 0]; }
     // Sign of the force that the line exerts on the support of its end.
     double sign() const { return after >= 0 ? 1 : -1; }
   };
