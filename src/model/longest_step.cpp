@@ -154,9 +154,10 @@ double taut_stiffness(const Case& c, const Body& b) {
   constexpr double kTaut = 1e-3;  // of its length, by which the chord of a taut line may be shorter
   double sum = 0;
   for (const Line& line : c.lines)
-    for (const bool at_b : {false, true}) {
-      const End& mine = line.end(at_b);
-      if (mine.kind != EndKind::body || mine.body != b.name || !is_held(line.end(!at_b))) continue;
+    for (const LineEnd line_end : kLineEnds) {
+      const End& mine = line.end(line_end);
+      if (mine.kind != EndKind::body || mine.body != b.name || !is_held(line.end(opposite(line_end))))
+        continue;
       double length = 0, give = 0;
       for (const Section& s : line.sections) {
         length += s.length;

@@ -72,12 +72,13 @@ void EndForces::evaluate_feed_points(const Kinematics& at, std::span<const Vec3>
     const Feeder& f = feeders[k];
     const LocalElement* e = feeders_->at_feed_point(f);
     if (!e || !e->counted) continue;
-    const SectionForce m = section(at, static_cast<int>(e - elements.data()), f.at_b, support_forces);
+    const SectionForce m =
+        section(at, static_cast<int>(e - elements.data()), f.line_end == LineEnd::B, support_forces);
     double* to = all.data() + kNumbers * k;
     for (const Vec3* v : {&m.force, &m.moment, &m.direction}) to = std::copy(v->begin(), v->end(), to);
     *to = m.tension();
     if (f.beam && !f.bar.plastic) {
-      const Vec3 own = at.q[f.at_b ? e->second : e->first].conjugate() * m.moment;
+      const Vec3 own = at.q[f.line_end == LineEnd::B ? e->second : e->first].conjugate() * m.moment;
       *to += 0.5 * (own.y() * own.y() / f.bar.EI2 + own.z() * own.z() / f.bar.EI3);
     }
   }
@@ -89,7 +90,8 @@ void EndForces::evaluate_feed_points(const Kinematics& at, std::span<const Vec3>
     feed_points_[k] = {Vec3(from), Vec3(from + 3), Vec3(from + 6), feeders[k].beam};
     feeder_forces_[k] = from[9];
     for (SectionNode& p : places_)
-      if (p.end_index == 2 * feeders[k].line + feeders[k].at_b) p.sides = {feed_points_[k], feed_points_[k]};
+      if (p.end_index == 2 * feeders[k].line + static_cast<int>(feeders[k].line_end))
+        p.sides = {feed_points_[k], feed_points_[k]};
   }
 }
 

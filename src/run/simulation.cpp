@@ -75,7 +75,7 @@ std::vector<int> held_nodes(const model::Case& c, const LocalMesh& local, const 
   for (const model::Event& e : c.events)
     if (e.action.kind == model::Action::Kind::release) {
       const LineSpan& span = local.mesh->lines[c.line_index(e.action.line)];
-      released.insert(span.first_node + (e.action.at_b ? span.nodes - 1 : 0));
+      released.insert(span.end_node(e.action.line_end));
     }
   std::vector<int> held;
   for (const TiedNode& s : tied)

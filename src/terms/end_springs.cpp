@@ -34,10 +34,10 @@ std::vector<EndSpring> end_springs(const model::Case& c, const LocalMesh& mesh) 
   std::vector<EndSpring> out;
   for (size_t l = 0; l < c.lines.size(); ++l) {
     const LineSpan& span = mesh.mesh->lines[l];
-    for (int end = 0; end < 2; ++end) {
+    for (const LineEnd end : kLineEnds) {
       const model::End& e = c.lines[l].end(end);
       if (e.kind == model::EndKind::free || !(e.rotational_stiffness > 0) || !e.direction) continue;
-      const int node = mesh.find(span.first_node + (end ? span.nodes - 1 : 0));
+      const int node = mesh.find(span.end_node(end));
       if (!mesh.owns(node) || !mesh.rotates(node)) continue;
       out.push_back({node, e.kind == model::EndKind::body ? c.body_index(e.body) : -1,
                      e.direction->normalized(), e.rotational_stiffness});

@@ -62,7 +62,8 @@ void LinePairs::prepare(const Kinematics& committed, double) {
   start_.resize(n);
   fed_end_.assign(n, -1);
   for (size_t i = 0; i < n && feeders_; ++i)
-    if (const FedLine* fed = feeders_->find(segment(static_cast<int>(i)).global)) fed_end_[i] = fed->at_b;
+    if (const FedLine* fed = feeders_->find(segment(static_cast<int>(i)).global))
+      fed_end_[i] = static_cast<int>(fed->line_end);
   for (size_t i = 0; i < n; ++i) start_[i] = ends(committed, static_cast<int>(i));
   rods_ = rods(committed);
   for (Pair& p : pairs_) {

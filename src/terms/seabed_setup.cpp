@@ -111,8 +111,8 @@ class BedAtEnds {
     const LineSpan& span = mesh.lines[l];
     const Element& first = mesh.element(span.first_element);
     const Element& last = mesh.element(span.first_element + span.elements - 1);
-    a_ = model::bed_at_end(c, c.lines[l], false, first.length);
-    b_ = model::bed_at_end(c, c.lines[l], true, last.length);
+    a_ = model::bed_at_end(c, c.lines[l], LineEnd::A, first.length);
+    b_ = model::bed_at_end(c, c.lines[l], LineEnd::B, last.length);
   }
   double lowering(double arc) const {
     const double a = a_.lowering(arc);

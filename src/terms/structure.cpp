@@ -107,8 +107,8 @@ StructureTerm::StructureTerm(const LocalMesh& mesh, const model::Case& c)
   for (const EvenPart& p : mesh.mesh->parts()) yields_ |= c.line_types[p.type].plastic_bending != nullptr;
   // Sections inside feeders have never been bent. A line of several types that yields cannot be fed.
   for (size_t l = 0; l < c.lines.size(); ++l)
-    for (const bool at_b : {false, true}) {
-      if (!c.lines[l].end(at_b).feed) continue;
+    for (const LineEnd line_end : kLineEnds) {
+      if (!c.lines[l].end(line_end).feed) continue;
       FedBends& fed = fed_.emplace_back();
       const Element& e = mesh.mesh->element(mesh.mesh->lines[l].first_element);
       if (const auto& plastic = c.line_types[e.type].plastic_bending)

@@ -10,10 +10,10 @@ namespace hawser {
 namespace {
 
 // Converts between the order of an element, from end A to end B, and that of the labels, from the free node.
-std::vector<double> turned(const double* values, size_t n, bool at_b) {
+std::vector<double> turned(const double* values, size_t n, LineEnd line_end) {
   std::vector<double> out(kBendingPlaces * n);
   for (size_t k = 0; k < kBendingPlaces; ++k)
-    std::copy_n(values + k * n, n, out.data() + (at_b ? k : kBendingPlaces - 1 - k) * n);
+    std::copy_n(values + k * n, n, out.data() + (line_end == LineEnd::B ? k : kBendingPlaces - 1 - k) * n);
   return out;
 }
 
@@ -23,7 +23,7 @@ BeamEnds positions(const StructureTerm::Beam& b, const Kinematics& k) {
 }
 
 // Index step to the next element away from the feeder.
-int outwards(const FedLine& f) { return f.at_b ? -1 : 1; }
+int outwards(const FedLine& f) { return f.line_end == LineEnd::B ? -1 : 1; }
 
 // History of the material inside the feeder by label from the free node: the element at the feed point and
 // the next element in stock.
@@ -75,14 +75,14 @@ void StructureTerm::move_plastic_history(Beam& b, const FedLine& f, double to) {
   if (from == to) return;
   FedBends& fed = fed_[f.feeder];
   const size_t n = b.section.plastic->memory();
-  const std::vector<double> values = turned(set_.data() + b.memory, n, f.at_b);
+  const std::vector<double> values = turned(set_.data() + b.memory, n, f.line_end);
   std::vector<RememberedCell> cells;
   for (const RememberedCell& c : remembered_cells(0, from, values.data(), n)) cells.push_back(c);
   for (const RememberedCell& c : inside(*mesh_.mesh, f, fed.inside))
     if (c.to > from) cells.push_back({std::max(c.from, from), c.to, c.values});
   std::vector<double> now(kBendingPlaces * n);
   remember_cells(cells, n, 0, to, now.data());
-  fed.trial = turned(now.data(), n, f.at_b);
+  fed.trial = turned(now.data(), n, f.line_end);
   b.reference.set = fed.trial.data();
 }
 
@@ -92,7 +92,7 @@ void StructureTerm::keep_hauled_in(const Beam& b, const FedLine& f) {
   const double from = f.before, to = f.length;
   if (!(to < from)) return;
   const size_t n = b.section.plastic->memory();
-  const std::vector<double> values = turned(set_.data() + b.memory, n, f.at_b);
+  const std::vector<double> values = turned(set_.data() + b.memory, n, f.line_end);
   std::vector<double>& kept = fed_[f.feeder].inside;
   for (const RememberedCell& c : inside(*mesh_.mesh, f, kept)) {
     const double middle = 0.5 * (c.from + c.to);
@@ -120,9 +120,10 @@ double StructureTerm::fed_work(const Kinematics& at) const {
     BeamReference as_then = b.reference;
     then.length = fed->before;
     as_then.set = set_.data() + b.memory;
-    work += 0.5 * grown *
-            (fed_bending_work(then, as_then, positions(b, before.view(0)), fed->at_b, enters) +
-             fed_bending_work(b.section, b.reference, positions(b, at), fed->at_b, enters));
+    work +=
+        0.5 * grown *
+        (fed_bending_work(then, as_then, positions(b, before.view(0)), fed->line_end == LineEnd::B, enters) +
+         fed_bending_work(b.section, b.reference, positions(b, at), fed->line_end == LineEnd::B, enters));
   }
   return work;
 }
@@ -147,7 +148,7 @@ void StructureTerm::transfer_node(MPI_Comm comm, size_t feeder, bool releases) {
   const int elements[] = {f.element, f.element + out, f.element - 2 * out};
   for (size_t i = 0; i < 3; ++i)
     if (const Beam* b = beam(elements[i]); b && b->at.counted) {
-      const std::vector<double> values = turned(set_.data() + b->memory, n, f.at_b);
+      const std::vector<double> values = turned(set_.data() + b->memory, n, f.line_end);
       std::copy(values.begin(), values.end(), part(i));
       if (i == 0) std::copy(kept.begin(), kept.end(), part(3));
     }
@@ -155,7 +156,7 @@ void StructureTerm::transfer_node(MPI_Comm comm, size_t feeder, bool releases) {
   const auto keep = [&](int element, const std::vector<double>& values) {
     Beam* b = beam(element);
     if (!b) return;
-    const std::vector<double> own = turned(values.data(), n, f.at_b);
+    const std::vector<double> own = turned(values.data(), n, f.line_end);
     std::copy(own.begin(), own.end(), set_.begin() + static_cast<std::ptrdiff_t>(b->memory));
   };
   std::vector<RememberedCell> cells;

@@ -103,10 +103,10 @@ TEST(PlasticHistory, WorkOnElasticBends) {
   const BeamSection linear = section(p, false), yields = section(p, true);
   const double feeder_force = beam_feed(linear, {}, e).force - beam_feed(yields, {}, e).force;
   EXPECT_GT(feeder_force, 50);
-  for (const bool at_b : {false, true})
+  for (const bool second_end : {false, true})
     for (const double* entering : {never.data(), static_cast<const double*>(nullptr)})
-      EXPECT_NEAR(fed_bending_work(yields, {}, e, at_b, entering), -feeder_force, 1e-9 * feeder_force)
-          << at_b;
+      EXPECT_NEAR(fed_bending_work(yields, {}, e, second_end, entering), -feeder_force, 1e-9 * feeder_force)
+          << second_end;
 }
 
 // A yielded arc: material that enters is bent from straight along the first curve; material that leaves
@@ -126,9 +126,9 @@ TEST(PlasticHistory, WorkOnAnArcThatYielded) {
   Values one(p.memory(), 0);
   p.bend(c, 0, one.data());
   const double stored = p.at(c, 0, one.data()).energy;
-  for (const bool at_b : {false, true}) {
-    EXPECT_NEAR(fed_bending_work(s, r, e, at_b, never.data()), area - M * c, 1e-6 * M * c);
-    EXPECT_NEAR(fed_bending_work(s, r, e, at_b, nullptr), stored - M * c, 1e-6 * M * c);
+  for (const bool second_end : {false, true}) {
+    EXPECT_NEAR(fed_bending_work(s, r, e, second_end, never.data()), area - M * c, 1e-6 * M * c);
+    EXPECT_NEAR(fed_bending_work(s, r, e, second_end, nullptr), stored - M * c, 1e-6 * M * c);
   }
 }
 

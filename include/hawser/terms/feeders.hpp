@@ -13,6 +13,7 @@
 #include "hawser/kernels/feeder_law.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/feeder.hpp"
+#include "hawser/model/line_end.hpp"
 #include "hawser/state/state.hpp"
 #include "hawser/system/fed_lines.hpp"
 #include "hawser/system/force_term.hpp"
@@ -27,7 +28,7 @@ struct Case;
 struct Feeder {
   size_t index = 0;  // into Feeders::all() and fed()
   int line = 0;
-  bool at_b = false;
+  LineEnd line_end = LineEnd::A;
   std::string name;  // "end A of line mooring"
   model::Feed feed;
   TiedNode tied;  // how a node is held at the feeder
@@ -114,7 +115,7 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   struct Flow {
     Vec3 chord, velocity, acceleration;  // m, m/s, m/s²
   };
-  Flow flow(const FeedPoint& m, const Kinematics& at, const LocalElement& e, bool at_b) const;
+  Flow flow(const FeedPoint& m, const Kinematics& at, const LocalElement& e, LineEnd line_end) const;
 
  private:
   // For a cable element at a feed point: strain at the start of the step, and mean strain rate over the step,
