@@ -26,7 +26,7 @@ bool SeabedTerm::locate(const Point& p, const Vec3& x, double beyond, ContactTri
     return trial.gap < smoothing;
   }
   trial.gap = smoothing + beyond;
-  Cache& cache = cache_[place(p)];
+  Cache& cache = cache_[index_of(p)];
   if (cache.clear - (1 + 1e-9) * (x - cache.centre).norm() > beyond) return false;
   const double look = std::max(2 * beyond, 0.5 * element_[p.node]);
   const auto s = surface_->query(x, contact_distance(p) + look, cache.hint);
@@ -60,35 +60,36 @@ PointContact SeabedTerm::contact(const Point& p, const Kinematics& at, bool deri
   if (convex) t.curvature.setZero();
   if (!touches) return {};
   if (at.moves()) t.velocity = of_nodes(p, at.v);
-  if (friction_ == Friction::contact && !(laid() && !laid_[place(p)].known()))
+  if (friction_ == Friction::contact && !(laid() && !laid_[index_of(p)].known()))
     return volume_contact(law(p).law, start(p), t, derivatives);
   return volume_contact({law(p).law.normal, FrictionLaw{}}, start(p), t, derivatives);
 }
 
 ContactStart SeabedTerm::start(const Point& p) const {
-  const Start& s = starts_[place(p)];
+  const Start& s = starts_[index_of(p)];
   if (laid()) {
-    const Laid& from = laid_[place(p)];
+    const LaidReference& from = laid_[index_of(p)];
     // With a gap of 0 at the start, all of the displacement from the laid position counts as slip.
     return {from.place, 0, s.direction, from.slip, from.normal};
   }
-  return {s.point, s.gap, s.direction, landed(p).slip, landed(p).normal};
+  return {s.point, s.gap, s.direction, history(p).slip, history(p).normal};
 }
 
-// Statics calls this before every iteration. Laid lines keep the position from which friction is counted.
+// Statics calls this before every iteration. Laid lines keep the position from which friction is
+// counted.
 void SeabedTerm::prepare(const Kinematics& committed, double h) {
   if (h > 0) {
     laid_.clear();
     laid_.shrink_to_fit();
   }
   for (const Point& p : points_) {
-    Start& start = starts_[place(p)];
+    Start& start = starts_[index_of(p)];
     if (law(p).law.friction.active()) start.direction = line_direction(p, committed);
     ContactTrial at;
     if (laid()) {
-      Laid& laid = laid_[place(p)];
+      LaidReference& laid = laid_[index_of(p)];
       const double force = contact(p, committed, false, at).normal.force;
-      if (friction_ == Friction::contact && laid.known()) laid.pressed = force;
+      if (friction_ == Friction::contact && laid.known()) laid.normal_force = force;
       if (friction_ == Friction::pressed && force > 0) laid.normal = at.normal;
       continue;
     }
@@ -129,8 +130,8 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
     ContactTrial at;
     // N/m, fraction of the difference between the tangent and the secant stiffness of friction
     Mat3 stiffer = Mat3::Zero();
-    if (friction_ != Friction::none && laid() && laid_[place(p)].pressed > 0) {
-      const PressedFriction f = pressed(p, of_nodes(p, trial.x));
+    if (friction_ != Friction::none && laid() && laid_[index_of(p)].normal_force > 0) {
+      const PressedFriction f = pressed_friction_at(p, of_nodes(p, trial.x));
       if (needs_tangent) stiffer = assembler.weights().stiffer * (f.by_slip - f.secant);
       const Mat3 K = stiffer - f.by_slip;
       if (friction_ == Friction::pressed) add(p, -f.force, needs_tangent ? &K : nullptr, nullptr, assembler);
@@ -155,10 +156,10 @@ void SeabedTerm::commit(const Kinematics& accepted) {
   for (Point& p : points_) {
     ContactTrial at;
     const PointContact c = contact(p, accepted, false, at);
-    const LandedPoint& last = landed(p);
-    LandedPoint next;
+    const PointHistory& last = history(p);
+    PointHistory next;
     if (c.normal.elastic > 0) {
-      next = LandedPoint(c, at.normal);
+      next = PointHistory(c, at.normal);
       next.active = true;
     }
     const SuctionState before = soil(p, accepted.step);
@@ -169,30 +170,30 @@ void SeabedTerm::commit(const Kinematics& accepted) {
     }
     next.soil = suction_after(law(p).suction, before, at.gap);
     if (p.counted && accepted.moves() && (next.active || last.active || last.soil.held)) {
-      const Vec3 moved = of_nodes(p, accepted.x) - starts_[place(p)].point;
+      const Vec3 moved = of_nodes(p, accepted.x) - starts_[index_of(p)].point;
       account_.friction -= 0.5 * (next.friction + last.friction).dot(moved);
       account_.damping -=
           0.5 * (next.damping_force * next.normal + last.damping_force * last.normal).dot(moved);
     }
     if (next.active || next.soil.held || next.soil.deepest != 0)
-      remember(p, next);
-    else if (p.touch >= 0)
-      vacant_.push_back(std::exchange(p.touch, -1));
+      store(p, next);
+    else if (p.history_index >= 0)
+      vacant_.push_back(std::exchange(p.history_index, -1));
   }
 }
 
-void SeabedTerm::remember(Point& p, const LandedPoint& h) {
-  if (p.touch < 0 && vacant_.empty()) {
+void SeabedTerm::store(Point& p, const PointHistory& h) {
+  if (p.history_index < 0 && vacant_.empty()) {
     // Doubling the capacity would use as much memory as all other data of the points.
-    const size_t n = landed_.size();
-    if (n == landed_.capacity()) landed_.reserve(n + n / 8 + 16);
-    p.touch = static_cast<int>(n);
-    landed_.emplace_back();
-  } else if (p.touch < 0) {
-    p.touch = vacant_.back();
+    const size_t n = histories_.size();
+    if (n == histories_.capacity()) histories_.reserve(n + n / 8 + 16);
+    p.history_index = static_cast<int>(n);
+    histories_.emplace_back();
+  } else if (p.history_index < 0) {
+    p.history_index = vacant_.back();
     vacant_.pop_back();
   }
-  landed_[p.touch] = h;
+  histories_[p.history_index] = h;
 }
 
 // In statics the energy is that of the trial, because the line search reduces it.
@@ -203,13 +204,14 @@ Energy SeabedTerm::energy(const Kinematics& at) const {
   for (const Point& p : points_) {
     if (!p.counted) continue;
     if (at.moves()) {
-      e.strain += landed(p).potential;
+      e.strain += history(p).potential;
       continue;
     }
     ContactTrial trial;
     const PointContact c = contact(p, at, false, trial);
     e.strain += c.normal.potential;
-    if (friction_ != Friction::none && laid()) e.strain += pressed(p, of_nodes(p, at.x)).potential;
+    if (friction_ != Friction::none && laid())
+      e.strain += pressed_friction_at(p, of_nodes(p, at.x)).potential;
   }
   return e;
 }
@@ -217,13 +219,13 @@ Energy SeabedTerm::energy(const Kinematics& at) const {
 Vec3 SeabedTerm::node_force(int node) const {
   Vec3 sum = Vec3::Zero();
   for (const Point& p : points_)
-    if (const double part = share(p, node); part > 0) sum += part * landed(p).force;
+    if (const double part = share(p, node); part > 0) sum += part * history(p).force;
   return sum;
 }
 
 int SeabedTerm::active_count() const {
   return static_cast<int>(std::count_if(points_.begin(), points_.end(),
-                                        [this](const Point& p) { return p.counted && landed(p).active; }));
+                                        [this](const Point& p) { return p.counted && history(p).active; }));
 }
 
 }  // namespace hawser

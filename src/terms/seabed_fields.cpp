@@ -12,8 +12,8 @@ void SeabedTerm::fields(FieldRegistry& registry) const {
                      [this](const Kinematics&, const ShowPoint& show) {
                        for (const Point& p : points_)
                          for (const int node : {p.node, p.second})
-                           if (p.touch >= 0 && mesh_.owns(node))
-                             show(node, share(p, node), Mat3::Identity(), landed(p));
+                           if (p.history_index >= 0 && mesh_.owns(node))
+                             show(node, share(p, node), Mat3::Identity(), history(p));
                      });
 }
 
