@@ -130,14 +130,14 @@ void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
       assembler.add(b.blocks, f, K, b.section.beta > 0 ? DerivativeView(C) : DerivativeView());
     }
     for (const Cable& c : cables_) {
-      CableTension o;
+      CableForce o;
       const CableEnds e = ends(c, trial);
       if (in_step) {
         cable_mean_force(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2, o);
         assembler.add_mean_between(c.blocks[0], c.blocks[1], o.force, &o.k);
         continue;
       }
-      cable_tension(c.section, e, assembler.weights().stiffer, o);
+      cable_force(c.section, e, assembler.weights().stiffer, o);
       assembler.add_pull(c.blocks[0], c.blocks[1], o.force, &o.k, c.section.beta > 0 ? &o.c : nullptr);
     }
     return;
@@ -152,7 +152,7 @@ void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
     const CableEnds e = ends(c, trial);
     const Vec3 pull = in_step
                           ? cable_mean_force(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2)
-                          : cable_tension(c.section, e);
+                          : cable_force(c.section, e);
     // Outside a step `pull` is no mean. With the weight of 1 it enters the residual unchanged; it also enters
     // mean_forces(), from which the motion starts.
     assembler.add_mean_between(c.blocks[0], c.blocks[1], pull, nullptr);
@@ -362,7 +362,7 @@ void StructureTerm::element_force(const Kinematics& at, const LocalElement& e, V
     beam_force(b->section, b->reference, ends(*b, at), own);
     add_ends(own, f);
   } else if (const Cable* c = of_element(cables_, e)) {
-    const Vec3 pull = cable_tension(shown(*c, at), ends(*c, at));
+    const Vec3 pull = cable_force(shown(*c, at), ends(*c, at));
     add_ends((Vec6() << -pull, pull).finished(), f);
   }
 }
