@@ -53,7 +53,7 @@ PointState<Dual<kTurns>> dual(const ContactTrial& t, const NormalForce& n, const
 // Adds friction to the normal force; by_turn: derivative of the force by the rotation.
 template <int kTurns>
 void add_friction(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
-                  const Rotation<kTurns>& rotation, bool derivatives, PointContact& r,
+                  const Rotation<kTurns>& rotation, bool derivatives, ContactForce& r,
                   Eigen::Matrix<double, 3, kTurns>& by_turn) {
   if (derivatives) {
     const Friction<Dual<kTurns>> f = point_friction(law, start, dual(trial, r.normal, rotation));
@@ -80,8 +80,8 @@ void add_friction(const ContactLaw& law, const ContactStart& start, const Contac
 
 // F = N(g, g') n, with n = n(y), dn/dy = H and g' = n.u (docs/theory/contact.md). Derivative by y: n (N_g n +
 // N_g' H u)' + N H; by u: N_g' n n'.
-PointContact without_friction(const ContactLaw& law, const ContactTrial& trial, bool derivatives) {
-  PointContact r;
+ContactForce without_friction(const ContactLaw& law, const ContactTrial& trial, bool derivatives) {
+  ContactForce r;
   const Vec3& n = trial.normal;
   r.normal = normal_force(law.normal, trial.gap, n.dot(trial.velocity));
   if (!(r.normal.force > 0)) return r;
@@ -97,9 +97,9 @@ PointContact without_friction(const ContactLaw& law, const ContactTrial& trial, 
 
 }  // namespace
 
-PointContact volume_contact(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
+ContactForce volume_contact(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
                             bool derivatives) {
-  PointContact r = without_friction(law, trial, derivatives);
+  ContactForce r = without_friction(law, trial, derivatives);
   if (!(r.normal.force > 0) || !law.friction.active()) return r;
   const Rotation<1> roll{trial.roll * start.tangent, start.tangent};
   add_friction(law, start, trial, roll, derivatives, r, r.by_roll);

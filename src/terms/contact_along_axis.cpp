@@ -72,7 +72,7 @@ struct AxisContact::Sample {
   ContactTrial trial;
   ContactStart begin;
   ContactRates rates;  // of `begin`, if ends of the panel move
-  PointContact contact;
+  ContactForce contact;
   Vec3 force = Vec3::Zero();
 
   // Displacement of the line's surface per unit roll, m, body frame.
@@ -197,7 +197,7 @@ void AxisContact::add_rolling(const Sample& p, const Mat3& by_point) {
     g_.F[kTurns + i] += w * N[i] * torque * about_[i];
   }
   if (!mode_.tangent) return;
-  const PointContact& c = p.contact;
+  const ContactForce& c = p.contact;
   const Vec3 by_x = -w * (R_ * (by_point.transpose() * arm +
                                 p.trial.lever * p.trial.curvature * p.begin.tangent.cross(c.force)));
   const Vec3 by_v = mode_.moves ? Vec3(-w * (R_ * (c.by_velocity.transpose() * arm))) : Vec3(Vec3::Zero());

@@ -53,7 +53,7 @@ double SeabedTerm::gap(const Vec3& x, double most) const {
   return s ? s->distance : std::numeric_limits<double>::infinity();
 }
 
-PointContact SeabedTerm::contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& t,
+ContactForce SeabedTerm::contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& t,
                                  bool convex) const {
   const double beyond = suction_range(law(p).suction, soil(p, at.step)) - law(p).law.normal.smoothing;
   const bool touches = locate(p, of_nodes(p, at.x), std::max(0.0, beyond), t);
@@ -136,7 +136,7 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
       const Mat3 K = stiffer - f.by_slip;
       if (friction_ == Friction::pressed) add(p, -f.force, needs_tangent ? &K : nullptr, nullptr, assembler);
     }
-    const PointContact c = contact(p, trial, needs_tangent, at, convex);
+    const ContactForce c = contact(p, trial, needs_tangent, at, convex);
     const Pull pulled = pull_of(law(p).suction, soil(p, trial.step), at.gap);
     if (c.normal.force == 0 && pulled.force == 0) continue;
     const Vec3 residual = pulled.force * at.normal - c.force;
@@ -155,7 +155,7 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
 void SeabedTerm::commit(const Kinematics& accepted) {
   for (Point& p : points_) {
     ContactTrial at;
-    const PointContact c = contact(p, accepted, false, at);
+    const ContactForce c = contact(p, accepted, false, at);
     const PointHistory& last = history(p);
     PointHistory next;
     if (c.normal.elastic > 0) {
@@ -208,7 +208,7 @@ Energy SeabedTerm::energy(const Kinematics& at) const {
       continue;
     }
     ContactTrial trial;
-    const PointContact c = contact(p, at, false, trial);
+    const ContactForce c = contact(p, at, false, trial);
     e.strain += c.normal.potential;
     if (friction_ != Friction::none && laid())
       e.strain += pressed_friction_at(p, of_nodes(p, at.x)).potential;

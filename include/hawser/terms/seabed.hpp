@@ -170,7 +170,7 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   // Signed distance of x [m] if it is less than `most` [m]; else infinity.
   double gap(const Vec3& x, double most) const;
   // convex: without the geometric stiffness of a curved bed, which is negative over a mound.
-  PointContact contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& trial,
+  ContactForce contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& trial,
                        bool convex = false) const;
   // Suction state of a point at the start of a step. Suction does not act in statics, which has no path in
   // time.

@@ -18,7 +18,7 @@ struct SurfaceContactPoint : ContactPoint {
   Vec3 slip = Vec3::Zero();  // m
 
   SurfaceContactPoint() = default;
-  SurfaceContactPoint(const PointContact& c, const Vec3& n) : slip(c.slip) {
+  SurfaceContactPoint(const ContactForce& c, const Vec3& n) : slip(c.slip) {
     normal = n;
     force = c.force;
     friction = c.friction;
