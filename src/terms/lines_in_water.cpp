@@ -70,7 +70,7 @@ WaterEnds LinesInWater::ends(const WetElement& p, const Kinematics& k, const Wat
   return e;
 }
 
-void LinesInWater::evaluate(const WetElement& p, const Kinematics& trial, Assembler& assembler) const {
+void LinesInWater::add_element(const WetElement& p, const Kinematics& trial, Assembler& assembler) const {
   if (p.idle) return;
   const bool tangent = assembler.needs_tangent(), convex = assembler.convex();
   const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
@@ -107,8 +107,8 @@ void LinesInWater::evaluate(const Kinematics& trial, Assembler& assembler) {
   update_from_feeders(&FedLine::predicted);
   update_water(trial);
   const bool tangent = assembler.needs_tangent();
-  for (const Four& q : fours_) evaluate(q, trial, assembler);
-  for (const int b : beams_) evaluate(pieces_[static_cast<size_t>(b)], trial, assembler);
+  for (const CableQuad& q : quads_) add_quad(q, trial, assembler);
+  for (const int b : beams_) add_element(pieces_[static_cast<size_t>(b)], trial, assembler);
   for (const Ball& b : balls_) {
     const size_t n = static_cast<size_t>(b.node);
     Vec3 r;
@@ -121,9 +121,9 @@ void LinesInWater::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
 }
 
-LinesInWater::Flow LinesInWater::flow(const Kinematics& at) const {
+LinesInWater::FlowLoads LinesInWater::flow_loads(const Kinematics& at) const {
   update_water(at);
-  Flow out;
+  FlowLoads out;
   out.force.assign(static_cast<size_t>(mesh_.element_ghost_blocks_end), Vec3::Zero());
   out.place = out.force;
   for (int n = 0; n < mesh_.element_ghosts_end; ++n) {
@@ -140,9 +140,9 @@ LinesInWater::Flow LinesInWater::flow(const Kinematics& at) const {
       out.force[static_cast<size_t>(block)] += (j % 2 ? L : 1) * force.force[j];
     }
   };
-  for (const Four& q : fours_) {
+  for (const CableQuad& q : quads_) {
     WaterForce all[4];
-    const unsigned known = flow(q, at, all);
+    const unsigned known = flow_of_quad(q, at, all);
     for (int i = 0; i < q.count; ++i) {
       const WetElement& p = pieces_[static_cast<size_t>(q.piece[i])];
       if (p.at.counted && !p.idle)
@@ -181,19 +181,19 @@ void LinesInWater::prepare(const Kinematics& committed, double h) {
   update_from_feeders(&FedLine::length);
   // At the first step waves start to act and accelerations jump, so the flow of the last commit is not valid.
   const bool begins = !committed.moves();
-  if (begins || flow_.place.empty() || feeders_) {
+  if (begins || flow_loads_.place.empty() || feeders_) {
     Kinematics now = committed;
     if (begins) now.step = h;
-    flow_ = flow(now);
+    flow_loads_ = flow_loads(now);
   }
 }
 
 void LinesInWater::commit(const Kinematics& accepted) {
   update_from_feeders(&FedLine::length);
   if (feeders_) feeders_->add_work(fed_buoyancy(accepted));
-  Flow now = flow(accepted);
-  if (accepted.moves() && !flow_.place.empty()) work_ += work(flow_, now);
-  flow_ = std::move(now);
+  FlowLoads now = flow_loads(accepted);
+  if (accepted.moves() && !flow_loads_.place.empty()) work_ += work(flow_loads_, now);
+  flow_loads_ = std::move(now);
   if (sea_.waves.none()) return;
   std::vector<Vec3> places(accepted.x.size());
   for (size_t n = 0; n < places.size(); ++n) places[n] = wave_place(accepted, n);
@@ -213,12 +213,12 @@ Energy LinesInWater::energy(const Kinematics& at) const {
     const size_t n = static_cast<size_t>(b.node);
     e.potential += ball_potential(b.ball, at.x[n], calm);
   }
-  if (!at.moves() && !flow_.place.empty()) e.potential -= work(flow_, flow(at));
+  if (!at.moves() && !flow_loads_.place.empty()) e.potential -= work(flow_loads_, flow_loads(at));
   e.work = e.by_water = work_;
   return e;
 }
 
-double LinesInWater::work(const Flow& from, const Flow& to) {
+double LinesInWater::work(const FlowLoads& from, const FlowLoads& to) {
   double sum = 0;
   for (size_t i = 0; i < to.place.size(); ++i)
     sum += 0.5 * (to.force[i] + from.force[i]).dot(to.place[i] - from.place[i]);
@@ -338,7 +338,7 @@ std::vector<CheckpointRecord> LinesInWater::records(NodeRange of) const {
 // The restored state is committed, so its waves are those at the stored positions (wave_place).
 void LinesInWater::restore(const std::vector<CheckpointRecord>& records) {
   work_ = 0;
-  flow_ = {};
+  flow_loads_ = {};
   start_.clear();
   place_.clear();
   wave_known_ = false;
