@@ -90,7 +90,7 @@ void PlatformWater::restore(const std::vector<CheckpointRecord>& records) {
     if (size > 0) all_reduce(comm_, MPI_SUM, past);
     all_reduce(comm_, MPI_SUM, slow);
     g.past.clear();
-    g.known = false;
+    g.is_cached = false;
     for (size_t k = 0; k < size; k += row) {
       Eigen::VectorXd rate = Eigen::Map<const Eigen::VectorXd>(&past[k + 1], 6 * n);
       add_past(g, past[k], std::move(rate));
