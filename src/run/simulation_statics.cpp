@@ -128,7 +128,7 @@ void Simulation::note_bodies_held_without_weight() {
 }
 
 void Simulation::note_slack_lines(bool relaxed) {
-  std::vector<double> slack = structure().slack(state_.view(0));
+  std::vector<double> slack = structure().slack_length(state_.view(0));
   all_reduce(system_->comm(), MPI_SUM, slack);
   for (size_t l = 0; l < slack.size(); ++l)
     if (slack[l] > 0 && !case_.lines[l].end_a.feed && !case_.lines[l].end_b.feed)

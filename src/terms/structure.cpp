@@ -15,7 +15,7 @@ namespace {
 // State at the start of a step of length h. Where h is shorter than the step before, the strain's increment
 // of that step is scaled by h/previous_h. In a longer step it is not scaled up, because the energy that the
 // filter holds may only fall.
-CableStart started(const StructureTerm::Cable& c, double h, double previous_h) {
+CableStart scaled_start(const StructureTerm::Cable& c, double h, double previous_h) {
   CableStart s = c.start;
   if (h < previous_h) s.strain_increment *= h / previous_h;
   return s;
@@ -57,13 +57,13 @@ StructureTerm::StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std
   }
   size_t all = 0;
   for (const Beam& b : beams_) all += b.remembered();
-  set_.assign(all, 0);
+  plastic_history_.assign(all, 0);
   yields_ = all > 0;
   size_t at = 0;
   for (Beam& b : beams_) {
     b.memory = at;
     at += b.remembered();
-    if (b.section.plastic) b.reference.set = set_.data() + b.memory;
+    if (b.section.plastic) b.reference.set = plastic_history_.data() + b.memory;
   }
   for (Cable& c : cables_) {
     c.blocks[0] = block(c.at.first);
@@ -133,7 +133,7 @@ void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
       CableForce o;
       const CableEnds e = ends(c, trial);
       if (in_step) {
-        cable_mean_force(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2, o);
+        cable_mean_force(c.section, scaled_start(c, trial.step, last_step_), step, e.x1, e.x2, o);
         assembler.add_mean_between(c.blocks[0], c.blocks[1], o.force, &o.k);
         continue;
       }
@@ -150,9 +150,9 @@ void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
   for (const Cable& c : cables_) {
     const CableEnds e = ends(c, trial);
-    const Vec3 pull = in_step
-                          ? cable_mean_force(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2)
-                          : cable_force(c.section, e);
+    const Vec3 pull =
+        in_step ? cable_mean_force(c.section, scaled_start(c, trial.step, last_step_), step, e.x1, e.x2)
+                : cable_force(c.section, e);
     // Outside a step `pull` is no mean. With the weight of 1 it enters the residual unchanged; it also enters
     // mean_forces(), from which the motion starts.
     assembler.add_mean_between(c.blocks[0], c.blocks[1], pull, nullptr);
@@ -236,7 +236,7 @@ void StructureTerm::tensions(const Kinematics& at, std::span<LineTension> lines)
   for (const Cable& c : cables_) look(c, cable_stress(c.section, ends(c, at)).tension);
 }
 
-std::vector<double> StructureTerm::slack(const Kinematics& at) const {
+std::vector<double> StructureTerm::slack_length(const Kinematics& at) const {
   std::vector<double> lines(mesh_.mesh->lines.size());
   for (const Cable& c : cables_)
     if (c.at.counted && cable_stress(c.section, ends(c, at)).tension == 0)
@@ -288,11 +288,11 @@ double StructureTerm::beam_dissipation(const Kinematics& at) const {
 
 // Updates the plastic history of beams to the state `at`. Returns the energy dissipated by the beams that
 // this rank counts, J.
-double StructureTerm::bend(const Kinematics& at) {
+double StructureTerm::commit_plastic(const Kinematics& at) {
   double dissipated = 0;
   for (Beam& b : beams_) {
     if (!b.section.plastic || b.idle) continue;
-    double* set = set_.data() + b.memory;
+    double* set = plastic_history_.data() + b.memory;
     // The reference points to the history at a trial length.
     if (b.reference.set != set) std::copy_n(b.reference.set, b.remembered(), set);
     b.reference.set = set;
@@ -306,7 +306,7 @@ void StructureTerm::prepare(const Kinematics& committed, double h) {
   // In statics every section bends from its initial history in one step. The result is stored when motion
   // begins; it is not work of the motion.
   update_from_feeders(committed.step);
-  if (h > 0 && !committed.moves() && !set_.empty()) bend(committed);
+  if (h > 0 && !committed.moves() && !plastic_history_.empty()) commit_plastic(committed);
   if (damped_ && power_ < 0) power_ = beam_dissipation(committed);
   last_step_ = committed.step;
   for (Cable& c : cables_) {
@@ -321,7 +321,8 @@ void StructureTerm::commit(const Kinematics& accepted) {
     const CableStep step{accepted.step, accepted.mean.filter};
     for (Cable& c : cables_) {
       const CableEnds e = ends(c, accepted);
-      const CableLoss lost = cable_loss(c.section, started(c, accepted.step, last_step_), step, e.x1, e.x2);
+      const CableLoss lost =
+          cable_loss(c.section, scaled_start(c, accepted.step, last_step_), step, e.x1, e.x2);
       c.start.strain_increment = lost.strain_increment;
       if (c.at.counted) {
         damping_ += lost.damped;
@@ -330,12 +331,12 @@ void StructureTerm::commit(const Kinematics& accepted) {
       if (c.at.counted && feeders_) feeders_->add_work(lost.fed);
     }
   }
-  if (accepted.moves() && !set_.empty()) {
+  if (accepted.moves() && !plastic_history_.empty()) {
     if (feeders_) feeders_->add_work(fed_work(accepted));
     for (const Beam& b : beams_)
       if (const FedLine* fed = feeders_ && b.section.plastic ? feeders_->find(b.at.global) : nullptr)
         keep_hauled_in(b, *fed);
-    damping_ += bend(accepted);
+    damping_ += commit_plastic(accepted);
   }
   if (!damped_) return;
   const double before = power_ < 0 ? 0 : power_;
@@ -362,13 +363,13 @@ void StructureTerm::element_force(const Kinematics& at, const LocalElement& e, V
     beam_force(b->section, b->reference, ends(*b, at), own);
     add_ends(own, f);
   } else if (const Cable* c = of_element(cables_, e)) {
-    const Vec3 pull = cable_force(shown(*c, at), ends(*c, at));
+    const Vec3 pull = cable_force(section_for_output(*c, at), ends(*c, at));
     add_ends((Vec6() << -pull, pull).finished(), f);
   }
 }
 
 // In statics the feeder does not pay out, even if its speed in motion is not 0.
-CableSection StructureTerm::shown(const Cable& c, const Kinematics& at) {
+CableSection StructureTerm::section_for_output(const Cable& c, const Kinematics& at) {
   CableSection s = c.section;
   if (!at.moves()) s.length_rate = 0;
   return s;

@@ -53,7 +53,7 @@ void StructureTerm::update_from_feeders(double step, bool accepted) {
     const FedLine* fed = feeders_->find(b.at.global);
     b.section.length_by_force = fed ? fed->length_by_force : 0;
     if (!b.section.plastic) continue;
-    b.reference.set = set_.data() + b.memory;
+    b.reference.set = plastic_history_.data() + b.memory;
     // The history does not depend on the force of a trial: as for masses, the length is that at the speed of
     // the start of the step.
     if (fed) move_plastic_history(b, *fed, accepted ? fed->length : fed->predicted);
@@ -75,7 +75,7 @@ void StructureTerm::move_plastic_history(Beam& b, const FedLine& f, double to) {
   if (from == to) return;
   FedBends& fed = fed_[f.feeder];
   const size_t n = b.section.plastic->memory();
-  const std::vector<double> values = turned(set_.data() + b.memory, n, f.line_end);
+  const std::vector<double> values = turned(plastic_history_.data() + b.memory, n, f.line_end);
   std::vector<RememberedCell> cells;
   for (const RememberedCell& c : remembered_cells(0, from, values.data(), n)) cells.push_back(c);
   for (const RememberedCell& c : inside(*mesh_.mesh, f, fed.inside))
@@ -92,7 +92,7 @@ void StructureTerm::keep_hauled_in(const Beam& b, const FedLine& f) {
   const double from = f.before, to = f.length;
   if (!(to < from)) return;
   const size_t n = b.section.plastic->memory();
-  const std::vector<double> values = turned(set_.data() + b.memory, n, f.line_end);
+  const std::vector<double> values = turned(plastic_history_.data() + b.memory, n, f.line_end);
   std::vector<double>& kept = fed_[f.feeder].inside;
   for (const RememberedCell& c : inside(*mesh_.mesh, f, kept)) {
     const double middle = 0.5 * (c.from + c.to);
@@ -105,7 +105,7 @@ void StructureTerm::keep_hauled_in(const Beam& b, const FedLine& f) {
 }
 
 // Work of the feeders on plastic bending in the step that led to `at`, J: mean of the values at start and
-// end, times the length paid out. Must be called before bend().
+// end, times the length paid out. Must be called before commit_plastic().
 double StructureTerm::fed_work(const Kinematics& at) const {
   double work = 0;
   const State& before = feeders_->before();
@@ -119,7 +119,7 @@ double StructureTerm::fed_work(const Kinematics& at) const {
     BeamSection then = b.section;
     BeamReference as_then = b.reference;
     then.length = fed->before;
-    as_then.set = set_.data() + b.memory;
+    as_then.set = plastic_history_.data() + b.memory;
     work +=
         0.5 * grown *
         (fed_bending_work(then, as_then, positions(b, before.view(0)), fed->line_end == LineEnd::B, enters) +
@@ -148,7 +148,7 @@ void StructureTerm::transfer_node(MPI_Comm comm, size_t feeder, bool releases) {
   const int elements[] = {f.element, f.element + out, f.element - 2 * out};
   for (size_t i = 0; i < 3; ++i)
     if (const Beam* b = beam(elements[i]); b && b->at.counted) {
-      const std::vector<double> values = turned(set_.data() + b->memory, n, f.line_end);
+      const std::vector<double> values = turned(plastic_history_.data() + b->memory, n, f.line_end);
       std::copy(values.begin(), values.end(), part(i));
       if (i == 0) std::copy(kept.begin(), kept.end(), part(3));
     }
@@ -157,7 +157,7 @@ void StructureTerm::transfer_node(MPI_Comm comm, size_t feeder, bool releases) {
     Beam* b = beam(element);
     if (!b) return;
     const std::vector<double> own = turned(values.data(), n, f.line_end);
-    std::copy(own.begin(), own.end(), set_.begin() + static_cast<std::ptrdiff_t>(b->memory));
+    std::copy(own.begin(), own.end(), plastic_history_.begin() + static_cast<std::ptrdiff_t>(b->memory));
   };
   std::vector<RememberedCell> cells;
   for (const RememberedCell& c : remembered_cells(0, f.length, part(0), n)) cells.push_back(c);

@@ -35,7 +35,7 @@ void StructureTerm::fields(FieldRegistry& registry) const {
       }
       for (const Cable& c : cables_) {
         if (c.idle) continue;
-        const double value = of_cable(shown(c, k), ends(c, k));
+        const double value = of_cable(section_for_output(c, k), ends(c, k));
         put(c.at.first, value, c.section.length);
         put(c.at.second, value, c.section.length);
       }

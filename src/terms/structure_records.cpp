@@ -63,7 +63,8 @@ std::vector<CheckpointRecord> StructureTerm::records(NodeRange of) const {
     for (const int n : {b.at.first, b.at.second}) {
       if (!b.reference.set || !wanted(n)) continue;
       CheckpointRecord& r = out.emplace_back(CheckpointRecord{mesh_.global[n], b.at.global, {}, kBent});
-      r.values.assign(set_.data() + b.memory, set_.data() + b.memory + b.remembered());
+      r.values.assign(plastic_history_.data() + b.memory,
+                      plastic_history_.data() + b.memory + b.remembered());
     }
   for (size_t k = 0; k < fed_.size(); ++k) {
     if (fed_[k].inside.empty()) continue;
@@ -97,7 +98,7 @@ void StructureTerm::restore(const std::vector<CheckpointRecord>& records) {
   }
   for (const Beam& b : beams_) {
     if (!b.section.plastic) continue;
-    double* set = set_.data() + b.memory;
+    double* set = plastic_history_.data() + b.memory;
     const size_t size = b.remembered();
     const auto it = bent.find(b.at.global);
     if (it != bent.end() && it->second->size() == size)

@@ -30,7 +30,7 @@ class StructureTerm final : public ForceTerm,
     BeamSection section;
     BeamReference reference = {};
     bool idle = false;          // inside a feeder
-    size_t memory = 0;          // index of its first value in set_
+    size_t memory = 0;          // index of its first value in plastic_history_
     size_t remembered() const;  // number of values in its plastic history
   };
   struct Cable {
@@ -56,7 +56,7 @@ class StructureTerm final : public ForceTerm,
   Overstretch overstretched(const Kinematics& at) const override;
   void tensions(const Kinematics& at, std::span<LineTension> lines) const override;
   // Length of this rank's cables without tension, by line, m.
-  std::vector<double> slack(const Kinematics& at) const;
+  std::vector<double> slack_length(const Kinematics& at) const;
   bool soften(double most) override;
   double axial_stiffness() const override;
   void fields(FieldRegistry& registry) const override;
@@ -79,20 +79,20 @@ class StructureTerm final : public ForceTerm,
   };
   // accepted: the lengths are those at the end of the step.
   void update_from_feeders(double step, bool accepted = false);
-  static CableSection shown(const Cable& c, const Kinematics& at);  // section for output
+  static CableSection section_for_output(const Cable& c, const Kinematics& at);
   void move_plastic_history(Beam& b, const FedLine& f, double to);
   void keep_hauled_in(const Beam& b, const FedLine& f);
   double fed_work(const Kinematics& at) const;
   std::vector<double> entering(const FedLine& f, double label) const;
   double beam_dissipation(const Kinematics& at) const;
-  double bend(const Kinematics& at);
+  double commit_plastic(const Kinematics& at);
 
   const LocalMesh& mesh_;
   std::vector<Beam> beams_;
   std::vector<Cable> cables_;
   std::vector<FedBends> fed_;             // by feeder, in the order of FedLines
   bool damped_ = false, yields_ = false;  // yields_: a line type of the model bends plastically
-  std::vector<double> set_;               // histories of all beams, see BeamReference::set; zero in statics
+  std::vector<double> plastic_history_;   // histories of all beams, see BeamReference::set; zero in statics
   // Unsoftened values while elements are softened: EA [N] and plastic law of beams; EA of cables.
   std::vector<std::pair<double, const PlasticBending*>> true_beams_;
   std::vector<double> true_EA_;
