@@ -110,13 +110,13 @@ std::vector<CheckpointKind> BodyContactTerm::checkpoint_kinds() const {
   return {checkpoint_kind<Pair>("sums of a pair"), checkpoint_kind<FeaturePoint>("friction of a pair")};
 }
 
-std::vector<CheckpointRecord> BodyContactTerm::records(NodeRange of) const {
+std::vector<CheckpointRecord> BodyContactTerm::records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
   for (size_t i = 0; i < pairs_.size(); ++i) {
     const Pair& p = pairs_[i];
     const PairBody &a = bodies_of_volumes_[p.a], &b = bodies_of_volumes_[p.b];
     const int node = a.global >= 0 ? a.global : b.global, key = static_cast<int>(i);
-    if (!p.counted || !of.has(node)) continue;
+    if (!p.counted || !range.has(node)) continue;
     out.push_back(record_of(node, key, p, kSums));
     if (!p.touching.empty()) out.push_back({node, key, values_of(p.touching), kSlip});
   }

@@ -149,10 +149,10 @@ std::vector<CheckpointKind> BuriedTerm::checkpoint_kinds() const {
   return {checkpoint_kind<Point>("points")};
 }
 
-std::vector<CheckpointRecord> BuriedTerm::records(NodeRange of) const {
+std::vector<CheckpointRecord> BuriedTerm::records(NodeRange range) const {
   std::vector<CheckpointRecord> records;
   for (const Point& p : points_)
-    if (of.has(mesh_.global[p.node])) records.push_back(record_of(mesh_.global[p.node], 0, p));
+    if (range.has(mesh_.global[p.node])) records.push_back(record_of(mesh_.global[p.node], 0, p));
   return records;
 }
 

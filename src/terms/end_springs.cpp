@@ -112,10 +112,11 @@ std::vector<CheckpointKind> EndSprings::checkpoint_kinds() const {
   return {checkpoint_kind<WorkDone>("sums of an end")};
 }
 
-std::vector<CheckpointRecord> EndSprings::records(NodeRange of) const {
+std::vector<CheckpointRecord> EndSprings::records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
   for (const size_t i : driven_)
-    if (const int node = mesh_.global[springs_[i].node]; of.has(node)) out.push_back({node, 0, {work_[i]}});
+    if (const int node = mesh_.global[springs_[i].node]; range.has(node))
+      out.push_back({node, 0, {work_[i]}});
   return out;
 }
 

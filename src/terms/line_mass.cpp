@@ -149,8 +149,8 @@ std::vector<CheckpointKind> LineMassTerm::checkpoint_kinds() const {
   return {checkpoint_kind<WorkDone>("sums of a rank")};
 }
 
-std::vector<CheckpointRecord> LineMassTerm::records(NodeRange of) const {
-  if (ramped_.empty() || mesh_.owned == 0 || !of.has(mesh_.global[0])) return {};
+std::vector<CheckpointRecord> LineMassTerm::records(NodeRange range) const {
+  if (ramped_.empty() || mesh_.owned == 0 || !range.has(mesh_.global[0])) return {};
   return {record_of(mesh_.global[0], 0, WorkDone{work_})};
 }
 

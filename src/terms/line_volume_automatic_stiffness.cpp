@@ -103,7 +103,7 @@ std::optional<advice::TooDeep> LineVolumeContact::deeper_than_allowed(const Kine
   for (const Pair& pair : pairs_) {
     if (is_held(pair) || pair.found.quadrature.empty()) continue;
     // A pair that has not moved since it was clear is not evaluated in a trial; its result is older.
-    if (!pair.found.of.shape.same_axis(AxisShape(ends(trial, pair.element)))) continue;
+    if (!pair.found.configuration.shape.same_axis(AxisShape(ends(trial, pair.element)))) continue;
     const double most = volumes_.deepest(pair.volume, pair.radius);
     for (const QuadraturePoint& there : pair.found.quadrature)
       if (const double depth = pair.radius - there.at.distance; depth > std::max(most, deepest)) {

@@ -209,10 +209,10 @@ bool LineVolumeFinder::takes_part(const LineVolumePair& pair, double xi) const {
 const ContactQuadrature& LineVolumeFinder::find(LineVolumePair& pair, const AxisShape& shape,
                                                 const RigidPose& pose) const {
   if (skip_if_apart(pair, shape, pose)) return pair.found;
-  const bool same = pair.found.of.same_configuration(shape, pose);
-  if (!pair.found.of.same_motion(shape, pose)) pair.evaluation = LineVolumePair::Evaluation::none;
+  const bool same = pair.found.configuration.same_configuration(shape, pose);
+  if (!pair.found.configuration.same_motion(shape, pose)) pair.evaluation = LineVolumePair::Evaluation::none;
   if (!same) pair.found.clear();
-  pair.found.of = {true, shape, pose};
+  pair.found.configuration = {true, shape, pose};
   if (same) {
     pair.asked = pair.asked_by_search;
     return pair.found;

@@ -23,9 +23,9 @@ std::vector<CheckpointKind> LineVolumeContact::checkpoint_kinds() const {
           checkpoint_kind<ContactWork>("sums of an element"), checkpoint_kind<GapSpring>("gap springs")};
 }
 
-std::vector<CheckpointRecord> LineVolumeContact::records(NodeRange of) const {
+std::vector<CheckpointRecord> LineVolumeContact::records(NodeRange range) const {
   std::vector<CheckpointRecord> records;
-  const auto wanted = [&](int n) { return n < mesh_.owned && of.has(mesh_.global[n]); };
+  const auto wanted = [&](int n) { return n < mesh_.owned && range.has(mesh_.global[n]); };
   for (size_t i = 0; i < accounts_.size(); ++i) {
     const LocalElement& e = mesh_.elements[i];
     if (e.counted && wanted(e.first) && !accounts_[i].empty())

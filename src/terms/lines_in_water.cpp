@@ -318,14 +318,14 @@ std::vector<CheckpointKind> LinesInWater::checkpoint_kinds() const {
   return {checkpoint_kind<WorkDone>("sums of a rank"), checkpoint_kind<KeptPosition>("places of waves")};
 }
 
-std::vector<CheckpointRecord> LinesInWater::records(NodeRange of) const {
+std::vector<CheckpointRecord> LinesInWater::records(NodeRange range) const {
   if (mesh_.owned == 0) return {};
   std::vector<CheckpointRecord> out;
-  if (of.has(mesh_.global[0])) out.push_back(record_of(mesh_.global[0], 0, WorkDone{work_}, kSums));
+  if (range.has(mesh_.global[0])) out.push_back(record_of(mesh_.global[0], 0, WorkDone{work_}, kSums));
   if (place_.empty()) return out;
   const auto put = [&](int node, int key, const Vec3& x) {
     const int global = mesh_.global[static_cast<size_t>(node)];
-    if (of.has(global)) out.push_back(record_of(global, key, KeptPosition{x}, kPlaces));
+    if (range.has(global)) out.push_back(record_of(global, key, KeptPosition{x}, kPlaces));
   };
   for (int n = 0; n < mesh_.owned; ++n) put(n, kOwn, place_[static_cast<size_t>(n)]);
   for (const WetElement& p : pieces_)

@@ -160,10 +160,10 @@ std::vector<CheckpointKind> Links::checkpoint_kinds() const {
   return {checkpoint_kind<Link>("sums of a link")};
 }
 
-std::vector<CheckpointRecord> Links::records(NodeRange of) const {
+std::vector<CheckpointRecord> Links::records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
   for (size_t i = 0; i < list_.size(); ++i)
-    if (list_[i].counted && of.has(list_[i].owner))
+    if (list_[i].counted && range.has(list_[i].owner))
       out.push_back(record_of(list_[i].owner, static_cast<int>(i), list_[i]));
   return out;
 }

@@ -40,12 +40,12 @@ std::vector<CheckpointKind> PlatformWater::checkpoint_kinds() const {
           checkpoint_kind<KeptWork>("sums of a platform")};
 }
 
-std::vector<CheckpointRecord> PlatformWater::records(NodeRange of) const {
+std::vector<CheckpointRecord> PlatformWater::records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
   for (const Group& g : groups_)
     for (size_t i = 0; i < g.platforms.size(); ++i) {
       const Platform& p = g.platforms[i];
-      if (!p.owned || !of.has(p.node)) continue;
+      if (!p.owned || !range.has(p.node)) continue;
       CheckpointRecord rates{p.node, 0, {}, 0};
       for (const Past& past : g.past) {
         const Vec6 own = past.rate.segment<6>(6 * static_cast<Eigen::Index>(i));

@@ -13,19 +13,19 @@ std::vector<CheckpointKind> SeabedTerm::checkpoint_kinds() const {
   return {checkpoint_kind<PointHistory>("points"), checkpoint_kind<Account>("sums of a rank")};
 }
 
-std::vector<CheckpointRecord> SeabedTerm::records(NodeRange of) const {
+std::vector<CheckpointRecord> SeabedTerm::records(NodeRange range) const {
   std::vector<CheckpointRecord> records;
   for (const Point& p : points_) {
     if (p.history_index < 0) continue;
     for (const int node : {p.node, p.second})
-      if (mesh_.owns(node) && of.has(mesh_.global[node]))
+      if (mesh_.owns(node) && range.has(mesh_.global[node]))
         records.push_back(record_of(mesh_.global[node],
                                     p.second < 0     ? 0
                                     : node == p.node ? 1
                                                      : 2,
                                     history(p)));
   }
-  if (mesh_.owned > 0 && of.has(mesh_.global[0]))
+  if (mesh_.owned > 0 && range.has(mesh_.global[0]))
     records.push_back(record_of(mesh_.global[0], 0, account_, 1));
   return records;
 }

@@ -48,10 +48,10 @@ std::vector<CheckpointKind> StructureTerm::checkpoint_kinds() const {
           checkpoint_kind<Bent>("plastic bending"), checkpoint_kind<Bent>("plastic bending inside a feeder")};
 }
 
-std::vector<CheckpointRecord> StructureTerm::records(NodeRange of) const {
+std::vector<CheckpointRecord> StructureTerm::records(NodeRange range) const {
   if (mesh_.owned == 0) return {};
   std::vector<CheckpointRecord> out;
-  const auto wanted = [&](int n) { return n < mesh_.owned && of.has(mesh_.global[n]); };
+  const auto wanted = [&](int n) { return n < mesh_.owned && range.has(mesh_.global[n]); };
   if (wanted(0))
     out.push_back(record_of(mesh_.global[0], 0, Sums{std::max(power_, 0.0), damping_, filtered_}, kSums));
   for (const Cable& c : cables_)

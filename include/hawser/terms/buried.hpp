@@ -38,7 +38,7 @@ class BuriedTerm final : public ForceTerm, public RaisesStiffness {
   Energy energy(const Kinematics& at) const override;
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
   // The springs have the directions of the line at the start of a step. A static solution keeps the
   // directions fixed so that its forces have a potential, then repeats with those of the equilibrium found,

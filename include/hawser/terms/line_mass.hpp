@@ -49,7 +49,7 @@ class LineMassTerm final : public ForceTerm,
   void motion(const Kinematics& at, std::span<LineMotion> lines) const override;  // rotations excluded
   double round_off(const Kinematics& at, double h) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:

@@ -77,7 +77,7 @@ class LinePairs final : public ForceTerm,
   // Adds line_contact_force, line_contact_normal_force, line_friction_force and line_penetration.
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
   // Largest penetration over the run of the pairs that this rank counts; mesh elements, -1: no contact so

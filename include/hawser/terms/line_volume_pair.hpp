@@ -63,7 +63,7 @@ struct LineVolumePair {
   ContactQuadrature found;
   NearGroups near;  // facet groups for the axis of `found`
   // Contact points from an evaluation of the law without derivatives, with or without velocities, at the
-  // motion `found.of`. commit() reuses them for the same state.
+  // motion `found.configuration`. commit() reuses them for the same state.
   enum class Evaluation { none, at_rest, in_motion };
   Evaluation evaluation = Evaluation::none;
   std::vector<AxisContactPoint> evaluated;

@@ -61,7 +61,7 @@ class LinesInWater final : public ForceTerm,
   void element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const override;
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:

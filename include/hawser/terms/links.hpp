@@ -36,7 +36,7 @@ class Links final : public ForceTerm, public CouplesFixedNodes, public ScalesRes
   Energy energy(const Kinematics& at) const override;
   double round_off(const Kinematics& at, double h) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:

@@ -47,7 +47,7 @@ class PlatformWater final : public ForceTerm,
   std::vector<std::string> load_components(int body) const override;
   std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  std::vector<CheckpointRecord> records(NodeRange range) const override;
   // Collective: each rank has the records of its own bodies, and needs the velocities of the whole group.
   void restore(const std::vector<CheckpointRecord>& records) override;
 

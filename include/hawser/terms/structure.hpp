@@ -61,7 +61,7 @@ class StructureTerm final : public ForceTerm,
   double axial_stiffness() const override;
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
   std::vector<Beam>& beams() { return beams_; }

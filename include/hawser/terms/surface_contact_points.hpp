@@ -91,13 +91,13 @@ struct QuadraturePoint {
 
 // Contact of an axis: panels and their quadrature points, sorted by panel.
 struct ContactQuadrature {
-  AxisBeside of;
+  AxisBeside configuration;
   std::vector<ContactPanel> panels;
   std::vector<InactiveInterval> filled;  // parts of panels without contact
   std::vector<QuadraturePoint> quadrature;
 
   void clear() {
-    of.known = false;
+    configuration.known = false;
     panels.clear();
     filled.clear();
     quadrature.clear();
