@@ -1,7 +1,7 @@
 // Normal force and friction with elastic slip at one point of a line against a volume or the seabed, and
 // their derivatives by position, velocity and roll by automatic differentiation. The scalar laws are in
 // contact_law.hpp (normal force) and friction_law.hpp; terms/contact_along_axis.cpp sums along an element,
-// terms/seabed.cpp over nodes.
+// terms/bed_contact.cpp over nodes.
 #include "hawser/kernels/surface_contact_law.hpp"
 
 #include <unsupported/Eigen/AutoDiff>

@@ -12,7 +12,7 @@
 #include "hawser/geometry/surface.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
-#include "hawser/terms/buried.hpp"
+#include "hawser/terms/soil_resistance.hpp"
 
 namespace hawser {
 namespace {

@@ -340,7 +340,7 @@ double Feeders::work_of_step(size_t k, const Kinematics& accepted, const LocalEl
                              double before) const {
   const Feeder& f = feeders_[k];
   double work = 0.5 * h * (power_[k] + power(f, accepted, e));
-  // For cables StructureTerm computes this work, from the mean force of the step.
+  // For cables LineStructure computes this work, from the mean force of the step.
   if (f.beam) work -= 0.5 * (f.length - before) * (pulls_[k] + pull(f, accepted, e, f.length).force);
   if (before_.x.size() != accepted.x.size()) return work;
   for (const Kinematics& at : {before_.view(0), accepted})

@@ -299,7 +299,7 @@ void LinesInWater::fields(FieldRegistry& registry) const {
 }
 
 namespace {
-enum Kind { kSums, kPlaces };
+enum WaterRecord { kWaterSums, kWavePlaces };
 constexpr int kOwn = -1;  // key of a node's own record; others are 1 + a neighbouring mesh node
 
 struct KeptPosition {
@@ -321,11 +321,11 @@ std::vector<CheckpointKind> LinesInWater::checkpoint_kinds() const {
 std::vector<CheckpointRecord> LinesInWater::records(NodeRange range) const {
   if (mesh_.owned == 0) return {};
   std::vector<CheckpointRecord> out;
-  if (range.has(mesh_.global[0])) out.push_back(record_of(mesh_.global[0], 0, WorkDone{work_}, kSums));
+  if (range.has(mesh_.global[0])) out.push_back(record_of(mesh_.global[0], 0, WorkDone{work_}, kWaterSums));
   if (place_.empty()) return out;
   const auto put = [&](int node, int key, const Vec3& x) {
     const int global = mesh_.global[static_cast<size_t>(node)];
-    if (range.has(global)) out.push_back(record_of(global, key, KeptPosition{x}, kPlaces));
+    if (range.has(global)) out.push_back(record_of(global, key, KeptPosition{x}, kWavePlaces));
   };
   for (int n = 0; n < mesh_.owned; ++n) put(n, kOwn, place_[static_cast<size_t>(n)]);
   for (const WetElement& p : pieces_)
@@ -343,7 +343,7 @@ void LinesInWater::restore(const std::vector<CheckpointRecord>& records) {
   place_.clear();
   wave_known_ = false;
   for (const CheckpointRecord& r : records) {
-    if (r.kind == kSums) {
+    if (r.kind == kWaterSums) {
       work_ += entry<WorkDone>(r).work;
       continue;
     }

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "hawser/model/case.hpp"
-#include "hawser/terms/buried.hpp"
 #include "hawser/terms/lines_in_water.hpp"
+#include "hawser/terms/soil_resistance.hpp"
 
 namespace hawser {
 

@@ -1,5 +1,5 @@
-// Metadata of an output field, declared in `fields()` of a term (example: terms/structure_fields.cpp), for
-// results, report and ParaView.
+// Metadata of an output field, declared in `fields()` of a term (example: terms/line_structure_fields.cpp),
+// for results, report and ParaView.
 #pragma once
 
 #include <span>

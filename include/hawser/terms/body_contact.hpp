@@ -48,17 +48,17 @@ struct BodyVolume {
   BodySkeleton skeleton;
 };
 
-class BodyContactTerm final : public ForceTerm,
-                              public CouplesFixedNodes,
-                              public LimitsSteps,
-                              public ScalesResiduals,
-                              public HasFriction,
-                              public ActsOnBodies {
+class BodyContact final : public ForceTerm,
+                          public CouplesFixedNodes,
+                          public LimitsSteps,
+                          public ScalesResiduals,
+                          public HasFriction,
+                          public ActsOnBodies {
  public:
   // volumes: all volumes of the case, in its order. The pairs are those of model::body_pairs. comm: all
   // ranks.
-  BodyContactTerm(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
-                  std::shared_ptr<const Bodies> bodies, std::vector<BodyVolume> volumes);
+  BodyContact(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
+              std::shared_ptr<const Bodies> bodies, std::vector<BodyVolume> volumes);
 
   std::string_view name() const override { return "body contact"; }
   void couple(Couplings& to) const override;

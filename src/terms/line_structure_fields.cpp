@@ -1,14 +1,14 @@
-// The class StructureTerm: output of tension, declination, shear force, moments and curvature at nodes.
+// The class LineStructure: output of tension, declination, shear force, moments and curvature at nodes.
 #include <algorithm>
 #include <cmath>
 
 #include "hawser/math/declination.hpp"
 #include "hawser/math/so3.hpp"
-#include "hawser/terms/structure.hpp"
+#include "hawser/terms/line_structure.hpp"
 
 namespace hawser {
 
-void StructureTerm::fields(FieldRegistry& registry) const {
+void LineStructure::fields(FieldRegistry& registry) const {
   // Interpolates between the middles of the two elements at a node by their lengths. Moments of a beam are
   // its end values. Where the two elements may differ (two_sided) the larger value is taken instead of a
   // mean.

@@ -22,7 +22,7 @@ namespace model {
 struct Case;
 }
 
-class SeabedTerm final : public ForceTerm, public HasFriction {
+class BedContact final : public ForceTerm, public HasFriction {
  public:
   struct Plane {
     Vec3 point = Vec3::Zero(), normal = Vec3::UnitZ();
@@ -43,10 +43,10 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   };
 
   // A surface is given in space axes; its inside is the ground.
-  SeabedTerm(const LocalMesh& mesh, const Plane& plane, PointLaws laws);
-  SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> surface, PointLaws laws);
+  BedContact(const LocalMesh& mesh, const Plane& plane, PointLaws laws);
+  BedContact(const LocalMesh& mesh, std::shared_ptr<const Surface> surface, PointLaws laws);
   // held: supported local nodes, on which the bed does not act.
-  SeabedTerm(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held);
+  BedContact(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held);
 
   std::string_view name() const override { return "seabed"; }
   void prepare(const Kinematics& committed, double h) override;

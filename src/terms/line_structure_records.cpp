@@ -1,13 +1,13 @@
-// The class StructureTerm: checkpoint records. Sums of dissipation, strain increments of cables, plastic
+// The class LineStructure: checkpoint records. Sums of dissipation, strain increments of cables, plastic
 // bending of beams outside and inside feeders.
 #include <algorithm>
 #include <map>
 
-#include "hawser/terms/structure.hpp"
+#include "hawser/terms/line_structure.hpp"
 
 namespace hawser {
 
-size_t StructureTerm::Beam::remembered() const {
+size_t LineStructure::Beam::remembered() const {
   return section.plastic ? kBendingPlaces * section.plastic->memory() : 0;
 }
 
@@ -43,12 +43,12 @@ struct Bent {
 
 // The sums of a rank are stored at its first node; only their total over the ranks matters. Strain and
 // bending of an element are stored at both nodes, so that every rank with the element finds them.
-std::vector<CheckpointKind> StructureTerm::checkpoint_kinds() const {
+std::vector<CheckpointKind> LineStructure::checkpoint_kinds() const {
   return {checkpoint_kind<Sums>("sums of a rank"), checkpoint_kind<KeptStrain>("axial vibration"),
           checkpoint_kind<Bent>("plastic bending"), checkpoint_kind<Bent>("plastic bending inside a feeder")};
 }
 
-std::vector<CheckpointRecord> StructureTerm::records(NodeRange range) const {
+std::vector<CheckpointRecord> LineStructure::records(NodeRange range) const {
   if (mesh_.owned == 0) return {};
   std::vector<CheckpointRecord> out;
   const auto wanted = [&](int n) { return n < mesh_.owned && range.has(mesh_.global[n]); };
@@ -76,7 +76,7 @@ std::vector<CheckpointRecord> StructureTerm::records(NodeRange range) const {
   return out;
 }
 
-void StructureTerm::restore(const std::vector<CheckpointRecord>& records) {
+void LineStructure::restore(const std::vector<CheckpointRecord>& records) {
   power_ = 0;
   damping_ = 0;
   filtered_ = 0;

@@ -1,12 +1,12 @@
-// The class SeabedTerm: friction in statics, with slip counted from where the lines were laid
+// The class BedContact: friction in statics, with slip counted from where the lines were laid
 // (docs/theory/seabed.md).
 #include <cmath>
 
-#include "hawser/terms/seabed.hpp"
+#include "hawser/terms/bed_contact.hpp"
 
 namespace hawser {
 
-PressedFriction SeabedTerm::pressed_friction_at(const Point& p, const Vec3& x) const {
+PressedFriction BedContact::pressed_friction_at(const Point& p, const Vec3& x) const {
   const LaidReference& from = laid_[index_of(p)];
   if (!from.known()) return {};
   FrictionLaw law = this->law(p).law.friction;
@@ -15,7 +15,7 @@ PressedFriction SeabedTerm::pressed_friction_at(const Point& p, const Vec3& x) c
                           starts_[index_of(p)].direction, least_slip_);
 }
 
-void SeabedTerm::lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm) {
+void BedContact::lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm) {
   laid_.assign(points_.size(), {});
   friction_ = Friction::pressed;
   firm_ = firm;
@@ -34,7 +34,7 @@ void SeabedTerm::lay(const std::vector<Vec3>& places, const Kinematics& start, b
   }
 }
 
-void SeabedTerm::press_by_contact(const Kinematics& at) {
+void BedContact::press_by_contact(const Kinematics& at) {
   for (const Point& p : points_) {
     ContactTrial trial;
     LaidReference& laid = laid_[index_of(p)];
@@ -42,7 +42,7 @@ void SeabedTerm::press_by_contact(const Kinematics& at) {
   }
 }
 
-void SeabedTerm::follow_contact(const Kinematics& at) {
+void BedContact::follow_contact(const Kinematics& at) {
   for (const Point& p : points_) {
     LaidReference& laid = laid_[index_of(p)];
     if (!firm_ || !(laid.normal_force > 0)) continue;
@@ -57,7 +57,7 @@ void SeabedTerm::follow_contact(const Kinematics& at) {
   least_slip_ = 0;
 }
 
-std::vector<SeabedTerm::OnBed> SeabedTerm::on_bed(const Kinematics& at) const {
+std::vector<BedContact::OnBed> BedContact::on_bed(const Kinematics& at) const {
   constexpr double kMobilised = 0.99;
   std::vector<OnBed> out(mesh_.mesh->lines.size());
   for (const Point& p : points_) {

@@ -1,11 +1,11 @@
-// The class SeabedTerm: output fields of the seabed's force and friction at the nodes.
+// The class BedContact: output fields of the seabed's force and friction at the nodes.
+#include "hawser/terms/bed_contact.hpp"
 #include "hawser/terms/contact_fields.hpp"
-#include "hawser/terms/seabed.hpp"
 
 namespace hawser {
 
 // The force at the middle of an element is output in halves at its nodes.
-void SeabedTerm::fields(FieldRegistry& registry) const {
+void BedContact::fields(FieldRegistry& registry) const {
   add_contact_fields(registry,
                      {.force = {.name = "seabed_force", .unit = "N", .is_support_force = true},
                       .friction = {.name = "seabed_friction", .unit = "N"}},

@@ -18,7 +18,7 @@ namespace model {
 struct Case;
 }
 
-class StructureTerm final : public ForceTerm,
+class LineStructure final : public ForceTerm,
                             public ActsOnElements,
                             public HasAxialStiffness,
                             public ScalesResiduals,
@@ -41,10 +41,10 @@ class StructureTerm final : public ForceTerm,
     bool idle = false;      // inside a feeder
   };
 
-  StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std::vector<Cable> cables);
+  LineStructure(const LocalMesh& mesh, std::vector<Beam> beams, std::vector<Cable> cables);
 
   // Takes the sections from the line types of the case. Every beam is straight when stress-free.
-  StructureTerm(const LocalMesh& mesh, const model::Case& c);
+  LineStructure(const LocalMesh& mesh, const model::Case& c);
 
   std::string_view name() const override { return "structure"; }
   void prepare(const Kinematics& committed, double h) override;
@@ -70,8 +70,8 @@ class StructureTerm final : public ForceTerm,
   void transfer_node(MPI_Comm comm, size_t feeder, bool releases);
 
  private:
-  // Plastic history on both sides of a feed point (structure_feed.cpp), by material label from the free node
-  // on.
+  // Plastic history on both sides of a feed point (line_structure_feed.cpp), by material label from the free
+  // node on.
   struct FedBends {
     std::vector<double>
         inside;  // material inside the feeder: of the element at the feed point, and of the next one
@@ -103,7 +103,7 @@ class StructureTerm final : public ForceTerm,
 };
 
 // Positions, rotations and rates of an element's ends.
-BeamEnds ends(const StructureTerm::Beam& b, const Kinematics& k);
-CableEnds ends(const StructureTerm::Cable& c, const Kinematics& k);
+BeamEnds ends(const LineStructure::Beam& b, const Kinematics& k);
+CableEnds ends(const LineStructure::Cable& c, const Kinematics& k);
 
 }  // namespace hawser

@@ -1,6 +1,6 @@
-// The class StructureTerm: beam and cable elements from the line types, assembly of their forces, softening
+// The class LineStructure: beam and cable elements from the line types, assembly of their forces, softening
 // for statics, and strain limits.
-#include "hawser/terms/structure.hpp"
+#include "hawser/terms/line_structure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 // State at the start of a step of length h. Where h is shorter than the step before, the strain's increment
 // of that step is scaled by h/previous_h. In a longer step it is not scaled up, because the energy that the
 // filter holds may only fall.
-CableStart scaled_start(const StructureTerm::Cable& c, double h, double previous_h) {
+CableStart scaled_start(const LineStructure::Cable& c, double h, double previous_h) {
   CableStart s = c.start;
   if (h < previous_h) s.strain_increment *= h / previous_h;
   return s;
@@ -23,7 +23,7 @@ CableStart scaled_start(const StructureTerm::Cable& c, double h, double previous
 
 }  // namespace
 
-BeamEnds ends(const StructureTerm::Beam& b, const Kinematics& k) {
+BeamEnds ends(const LineStructure::Beam& b, const Kinematics& k) {
   const size_t i = b.at.first, j = b.at.second;
   BeamEnds e;
   e.x1 = k.x[i];
@@ -39,12 +39,12 @@ BeamEnds ends(const StructureTerm::Beam& b, const Kinematics& k) {
   return e;
 }
 
-CableEnds ends(const StructureTerm::Cable& c, const Kinematics& k) {
+CableEnds ends(const LineStructure::Cable& c, const Kinematics& k) {
   const size_t i = c.at.first, j = c.at.second;
   return {k.x[i], k.x[j], k.v[i], k.v[j]};
 }
 
-StructureTerm::StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std::vector<Cable> cables)
+LineStructure::LineStructure(const LocalMesh& mesh, std::vector<Beam> beams, std::vector<Cable> cables)
     : mesh_(mesh), beams_(std::move(beams)), cables_(std::move(cables)) {
   auto block = [&](int node) { return mesh_.block[node]; };
   for (Beam& b : beams_) {
@@ -74,14 +74,14 @@ StructureTerm::StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std
 
 namespace {
 
-std::vector<StructureTerm::Beam> beams_of(const LocalMesh& mesh, const model::Case& c) {
-  std::vector<StructureTerm::Beam> out;
+std::vector<LineStructure::Beam> beams_of(const LocalMesh& mesh, const model::Case& c) {
+  std::vector<LineStructure::Beam> out;
   out.reserve(static_cast<size_t>(std::count_if(mesh.elements.begin(), mesh.elements.end(),
                                                 [&](const auto& e) { return mesh.element(e).beam; })));
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.element(e);
     if (!g.beam) continue;
-    StructureTerm::Beam& b = out.emplace_back();
+    LineStructure::Beam& b = out.emplace_back();
     b.at = e;
     b.section = beam_section(*mesh.mesh, c, g);
     b.reference.strain = g.free_strain;
@@ -89,8 +89,8 @@ std::vector<StructureTerm::Beam> beams_of(const LocalMesh& mesh, const model::Ca
   return out;
 }
 
-std::vector<StructureTerm::Cable> cables_of(const LocalMesh& mesh, const model::Case& c) {
-  std::vector<StructureTerm::Cable> out;
+std::vector<LineStructure::Cable> cables_of(const LocalMesh& mesh, const model::Case& c) {
+  std::vector<LineStructure::Cable> out;
   out.reserve(static_cast<size_t>(std::count_if(mesh.elements.begin(), mesh.elements.end(),
                                                 [&](const auto& e) { return !mesh.element(e).beam; })));
   for (const LocalElement& e : mesh.elements) {
@@ -102,8 +102,8 @@ std::vector<StructureTerm::Cable> cables_of(const LocalMesh& mesh, const model::
 
 }  // namespace
 
-StructureTerm::StructureTerm(const LocalMesh& mesh, const model::Case& c)
-    : StructureTerm(mesh, beams_of(mesh, c), cables_of(mesh, c)) {
+LineStructure::LineStructure(const LocalMesh& mesh, const model::Case& c)
+    : LineStructure(mesh, beams_of(mesh, c), cables_of(mesh, c)) {
   for (const EvenPart& p : mesh.mesh->parts()) yields_ |= c.line_types[p.type].plastic_bending != nullptr;
   // Sections inside feeders have never been bent. A line of several types that yields cannot be fed.
   for (size_t l = 0; l < c.lines.size(); ++l)
@@ -116,7 +116,7 @@ StructureTerm::StructureTerm(const LocalMesh& mesh, const model::Case& c)
     }
 }
 
-void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
+void LineStructure::evaluate(const Kinematics& trial, Assembler& assembler) {
   update_from_feeders(trial.step);
   const CableStep step{trial.step, trial.mean.filter};
   // With a weight of 1 (statics, start of the motion; StepMean) cables have the force at the state itself.
@@ -182,7 +182,7 @@ double chord_strain(const Kinematics& at, const auto& e, double free_strain) {
 
 }  // namespace
 
-double StructureTerm::round_off(const Kinematics& at, double h) const {
+double LineStructure::round_off(const Kinematics& at, double h) const {
   double sum = 0;
   const auto pull = [&](const auto& e) {
     if (e.at.counted) sum += std::pow(pull_round_off(at, e, h), 2);
@@ -204,7 +204,7 @@ double StructureTerm::round_off(const Kinematics& at, double h) const {
   return sum;
 }
 
-Overstretch StructureTerm::overstretched(const Kinematics& at) const {
+Overstretch LineStructure::overstretched(const Kinematics& at) const {
   Overstretch worst;
   const auto look = [&](const auto& e, double strain) {
     const ResponseCurve* table = e.section.tension;
@@ -223,7 +223,7 @@ Overstretch StructureTerm::overstretched(const Kinematics& at) const {
   return worst;
 }
 
-void StructureTerm::tensions(const Kinematics& at, std::span<LineTension> lines) const {
+void LineStructure::tensions(const Kinematics& at, std::span<LineTension> lines) const {
   const auto look = [&](const auto& e, double tension) {
     const Element& g = mesh_.element(e.at);
     LineTension& line = lines[g.line];
@@ -236,7 +236,7 @@ void StructureTerm::tensions(const Kinematics& at, std::span<LineTension> lines)
   for (const Cable& c : cables_) look(c, cable_stress(c.section, ends(c, at)).tension);
 }
 
-std::vector<double> StructureTerm::slack_length(const Kinematics& at) const {
+std::vector<double> LineStructure::slack_length(const Kinematics& at) const {
   std::vector<double> lines(mesh_.mesh->lines.size());
   for (const Cable& c : cables_)
     if (c.at.counted && cable_stress(c.section, ends(c, at)).tension == 0)
@@ -245,7 +245,7 @@ std::vector<double> StructureTerm::slack_length(const Kinematics& at) const {
 }
 
 // Bounds are applied to the unsoftened values, so that removing a bound restores them exactly.
-bool StructureTerm::soften(double most) {
+bool LineStructure::soften(double most) {
   if (true_beams_.empty() && true_EA_.empty()) {
     for (const Beam& b : beams_) true_beams_.push_back({b.section.EA, b.section.plastic});
     for (const Cable& c : cables_) true_EA_.push_back(c.section.EA);
@@ -272,14 +272,14 @@ bool StructureTerm::soften(double most) {
   return other;
 }
 
-double StructureTerm::axial_stiffness() const {
+double LineStructure::axial_stiffness() const {
   double most = 0;
   for (const Beam& b : beams_) most = std::max(most, b.section.EA);
   for (const Cable& c : cables_) most = std::max(most, c.section.EA);
   return most;
 }
 
-double StructureTerm::beam_dissipation(const Kinematics& at) const {
+double LineStructure::beam_dissipation(const Kinematics& at) const {
   double p = 0;
   for (const Beam& b : beams_)
     if (b.at.counted && b.section.beta > 0) p += beam_stress(b.section, b.reference, ends(b, at)).dissipation;
@@ -288,7 +288,7 @@ double StructureTerm::beam_dissipation(const Kinematics& at) const {
 
 // Updates the plastic history of beams to the state `at`. Returns the energy dissipated by the beams that
 // this rank counts, J.
-double StructureTerm::commit_plastic(const Kinematics& at) {
+double LineStructure::commit_plastic(const Kinematics& at) {
   double dissipated = 0;
   for (Beam& b : beams_) {
     if (!b.section.plastic || b.idle) continue;
@@ -302,7 +302,7 @@ double StructureTerm::commit_plastic(const Kinematics& at) {
   return dissipated;
 }
 
-void StructureTerm::prepare(const Kinematics& committed, double h) {
+void LineStructure::prepare(const Kinematics& committed, double h) {
   // In statics every section bends from its initial history in one step. The result is stored when motion
   // begins; it is not work of the motion.
   update_from_feeders(committed.step);
@@ -315,7 +315,7 @@ void StructureTerm::prepare(const Kinematics& committed, double h) {
   }
 }
 
-void StructureTerm::commit(const Kinematics& accepted) {
+void LineStructure::commit(const Kinematics& accepted) {
   update_from_feeders(accepted.step, true);
   if (accepted.moves()) {
     const CableStep step{accepted.step, accepted.mean.filter};
@@ -344,7 +344,7 @@ void StructureTerm::commit(const Kinematics& accepted) {
   damping_ += 0.5 * accepted.step * (before + power_);
 }
 
-Energy StructureTerm::energy(const Kinematics& at) const {
+Energy LineStructure::energy(const Kinematics& at) const {
   Energy e;
   for (const Beam& b : beams_)
     if (b.at.counted && !b.idle) e.strain += beam_stress(b.section, b.reference, ends(b, at)).strain_energy;
@@ -356,7 +356,7 @@ Energy StructureTerm::energy(const Kinematics& at) const {
 }
 
 // Adds the force of element e to f, with the sign of the residual. Both lists are in the order of the mesh.
-void StructureTerm::element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const {
+void LineStructure::element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const {
   if (const Beam* b = of_element(beams_, e)) {
     if (b->idle) return;
     Vec12 own;
@@ -369,7 +369,7 @@ void StructureTerm::element_force(const Kinematics& at, const LocalElement& e, V
 }
 
 // In statics the feeder does not pay out, even if its speed in motion is not 0.
-CableSection StructureTerm::section_for_output(const Cable& c, const Kinematics& at) {
+CableSection LineStructure::section_for_output(const Cable& c, const Kinematics& at) {
   CableSection s = c.section;
   if (!at.moves()) s.length_rate = 0;
   return s;

@@ -1,10 +1,10 @@
-// The class StructureTerm at feeders: unstretched lengths at the feed point, and history of plastic sections
+// The class LineStructure at feeders: unstretched lengths at the feed point, and history of plastic sections
 // that pass through it (docs/theory/feeders.md#pipes-that-yield).
 #include <algorithm>
 
 #include "hawser/base/gather.hpp"
 #include "hawser/kernels/plastic_history.hpp"
-#include "hawser/terms/structure.hpp"
+#include "hawser/terms/line_structure.hpp"
 
 namespace hawser {
 namespace {
@@ -17,7 +17,7 @@ std::vector<double> turned(const double* values, size_t n, LineEnd line_end) {
   return out;
 }
 
-BeamEnds positions(const StructureTerm::Beam& b, const Kinematics& k) {
+BeamEnds positions(const LineStructure::Beam& b, const Kinematics& k) {
   const size_t i = b.at.first, j = b.at.second;
   return {k.x[i], k.x[j], k.q[i], k.q[j]};
 }
@@ -40,7 +40,7 @@ std::vector<RememberedCell> inside(const Mesh& mesh, const FedLine& f, const std
 
 }  // namespace
 
-void StructureTerm::update_from_feeders(double step, bool accepted) {
+void LineStructure::update_from_feeders(double step, bool accepted) {
   if (!feeders_) return;
   feeders_->update_lengths(mesh_, &FedLine::length, cables_);
   feeders_->update_lengths(mesh_, &FedLine::length, beams_);
@@ -61,7 +61,7 @@ void StructureTerm::update_from_feeders(double step, bool accepted) {
 }
 
 // History of the material inside the feeder at this label.
-std::vector<double> StructureTerm::entering(const FedLine& f, double label) const {
+std::vector<double> LineStructure::entering(const FedLine& f, double label) const {
   std::vector<double> out;
   const std::vector<double>& kept = fed_[f.feeder].inside;
   for (const RememberedCell& c : inside(*mesh_.mesh, f, kept))
@@ -70,7 +70,7 @@ std::vector<double> StructureTerm::entering(const FedLine& f, double label) cons
 }
 
 // Sets the history of the element at the feed point for the length `to`.
-void StructureTerm::move_plastic_history(Beam& b, const FedLine& f, double to) {
+void LineStructure::move_plastic_history(Beam& b, const FedLine& f, double to) {
   const double from = f.before;
   if (from == to) return;
   FedBends& fed = fed_[f.feeder];
@@ -88,7 +88,7 @@ void StructureTerm::move_plastic_history(Beam& b, const FedLine& f, double to) {
 
 // Stores the history of material that is hauled in and held straight inside the feeder. A cell inside takes
 // the history at its middle.
-void StructureTerm::keep_hauled_in(const Beam& b, const FedLine& f) {
+void LineStructure::keep_hauled_in(const Beam& b, const FedLine& f) {
   const double from = f.before, to = f.length;
   if (!(to < from)) return;
   const size_t n = b.section.plastic->memory();
@@ -106,7 +106,7 @@ void StructureTerm::keep_hauled_in(const Beam& b, const FedLine& f) {
 
 // Work of the feeders on plastic bending in the step that led to `at`, J: mean of the values at start and
 // end, times the length paid out. Must be called before commit_plastic().
-double StructureTerm::fed_work(const Kinematics& at) const {
+double LineStructure::fed_work(const Kinematics& at) const {
   double work = 0;
   const State& before = feeders_->before();
   for (const Beam& b : beams_) {
@@ -128,7 +128,7 @@ double StructureTerm::fed_work(const Kinematics& at) const {
   return work;
 }
 
-void StructureTerm::transfer_node(MPI_Comm comm, size_t feeder, bool releases) {
+void LineStructure::transfer_node(MPI_Comm comm, size_t feeder, bool releases) {
   std::vector<double>& kept = fed_[feeder].inside;
   const size_t n = kept.size() / (2 * kBendingPlaces);
   if (n == 0) return;

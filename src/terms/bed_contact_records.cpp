@@ -1,19 +1,19 @@
-// The class SeabedTerm: checkpoint records.
+// The class BedContact: checkpoint records.
 //
 // Both ranks of a shared element need the contact point at its middle, but a rank reads only the records of
 // its own nodes. Therefore the record is stored at both nodes. Keys: 0 for a node, 1 at the first node of the
 // element, 2 at the second.
 #include <map>
 
-#include "hawser/terms/seabed.hpp"
+#include "hawser/terms/bed_contact.hpp"
 
 namespace hawser {
 
-std::vector<CheckpointKind> SeabedTerm::checkpoint_kinds() const {
+std::vector<CheckpointKind> BedContact::checkpoint_kinds() const {
   return {checkpoint_kind<PointHistory>("points"), checkpoint_kind<Account>("sums of a rank")};
 }
 
-std::vector<CheckpointRecord> SeabedTerm::records(NodeRange range) const {
+std::vector<CheckpointRecord> BedContact::records(NodeRange range) const {
   std::vector<CheckpointRecord> records;
   for (const Point& p : points_) {
     if (p.history_index < 0) continue;
@@ -30,7 +30,7 @@ std::vector<CheckpointRecord> SeabedTerm::records(NodeRange range) const {
   return records;
 }
 
-void SeabedTerm::restore(const std::vector<CheckpointRecord>& records) {
+void BedContact::restore(const std::vector<CheckpointRecord>& records) {
   std::map<std::pair<int, int>, size_t> at;  // by mesh node and key
   for (size_t i = 0; i < points_.size(); ++i) {
     Point& p = points_[i];

@@ -1,7 +1,7 @@
-// The class SeabedTerm: forces, tangent, energy and accepted steps from gap, normal force, friction and
+// The class BedContact: forces, tangent, energy and accepted steps from gap, normal force, friction and
 // suction at each point. The law at a point is in kernels/surface_contact_law.cpp, its friction in
-// kernels/friction_law.hpp, other parts of the class in seabed_*.cpp.
-#include "hawser/terms/seabed.hpp"
+// kernels/friction_law.hpp, other parts of the class in bed_contact_*.cpp.
+#include "hawser/terms/bed_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,14 +10,14 @@
 
 namespace hawser {
 
-Vec3 SeabedTerm::line_direction(const Point& p, const Kinematics& at) const {
+Vec3 BedContact::line_direction(const Point& p, const Kinematics& at) const {
   if (p.second < 0) return line_.tangent(at, p.node);
   const Vec3 chord = at.x[p.second] - at.x[p.node];
   const double length = chord.norm();
   return length > 0 ? Vec3(chord / length) : Vec3::UnitX();
 }
 
-bool SeabedTerm::locate(const Point& p, const Vec3& x, double beyond, ContactTrial& trial) const {
+bool BedContact::locate(const Point& p, const Vec3& x, double beyond, ContactTrial& trial) const {
   const double radius = law(p).radius, smoothing = law(p).law.normal.smoothing;
   trial.point = x;
   if (!surface_) {
@@ -47,13 +47,13 @@ bool SeabedTerm::locate(const Point& p, const Vec3& x, double beyond, ContactTri
   return cache.clear < 0;
 }
 
-double SeabedTerm::gap(const Vec3& x, double most) const {
+double BedContact::gap(const Vec3& x, double most) const {
   if (!surface_) return plane_.gap(x);
   const auto s = surface_->query(x, most);
   return s ? s->distance : std::numeric_limits<double>::infinity();
 }
 
-ContactForce SeabedTerm::contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& t,
+ContactForce BedContact::contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& t,
                                  bool convex) const {
   const double beyond = suction_range(law(p).suction, soil(p, at.step)) - law(p).law.normal.smoothing;
   const bool touches = locate(p, of_nodes(p, at.x), std::max(0.0, beyond), t);
@@ -65,7 +65,7 @@ ContactForce SeabedTerm::contact(const Point& p, const Kinematics& at, bool deri
   return volume_contact({law(p).law.normal, FrictionLaw{}}, start(p), t, derivatives);
 }
 
-ContactStart SeabedTerm::start(const Point& p) const {
+ContactStart BedContact::start(const Point& p) const {
   const Start& s = starts_[index_of(p)];
   if (laid()) {
     const LaidReference& from = laid_[index_of(p)];
@@ -77,7 +77,7 @@ ContactStart SeabedTerm::start(const Point& p) const {
 
 // Statics calls this before every iteration. Laid lines keep the position from which friction is
 // counted.
-void SeabedTerm::prepare(const Kinematics& committed, double h) {
+void BedContact::prepare(const Kinematics& committed, double h) {
   if (h > 0) {
     laid_.clear();
     laid_.shrink_to_fit();
@@ -118,13 +118,13 @@ void add_shared(const int (&blocks)[n], const Vec3& residual, const Mat3* K, con
 }  // namespace
 
 // Each node bears half of the force at the middle of an element.
-void SeabedTerm::add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C,
+void BedContact::add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C,
                      Assembler& assembler) const {
   if (p.second < 0) return add_shared({mesh_.block[p.node]}, residual, K, C, assembler);
   add_shared({mesh_.block[p.node], mesh_.block[p.second]}, residual, K, C, assembler);
 }
 
-void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
+void BedContact::evaluate(const Kinematics& trial, Assembler& assembler) {
   const bool needs_tangent = assembler.needs_tangent(), convex = assembler.convex();
   for (const Point& p : points_) {
     ContactTrial at;
@@ -152,7 +152,7 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
 }
 
 // Evaluates contact at the accepted state. Energies are integrated by the trapezoidal rule.
-void SeabedTerm::commit(const Kinematics& accepted) {
+void BedContact::commit(const Kinematics& accepted) {
   for (Point& p : points_) {
     ContactTrial at;
     const ContactForce c = contact(p, accepted, false, at);
@@ -182,7 +182,7 @@ void SeabedTerm::commit(const Kinematics& accepted) {
   }
 }
 
-void SeabedTerm::store(Point& p, const PointHistory& h) {
+void BedContact::store(Point& p, const PointHistory& h) {
   if (p.history_index < 0 && vacant_.empty()) {
     // Doubling the capacity would use as much memory as all other data of the points.
     const size_t n = histories_.size();
@@ -197,7 +197,7 @@ void SeabedTerm::store(Point& p, const PointHistory& h) {
 }
 
 // In statics the energy is that of the trial, because the line search reduces it.
-Energy SeabedTerm::energy(const Kinematics& at) const {
+Energy BedContact::energy(const Kinematics& at) const {
   Energy e;
   e.friction = account_.friction;
   e.damping = account_.damping;
@@ -216,14 +216,14 @@ Energy SeabedTerm::energy(const Kinematics& at) const {
   return e;
 }
 
-Vec3 SeabedTerm::node_force(int node) const {
+Vec3 BedContact::node_force(int node) const {
   Vec3 sum = Vec3::Zero();
   for (const Point& p : points_)
     if (const double part = share(p, node); part > 0) sum += part * history(p).force;
   return sum;
 }
 
-int SeabedTerm::active_count() const {
+int BedContact::active_count() const {
   return static_cast<int>(std::count_if(points_.begin(), points_.end(),
                                         [this](const Point& p) { return p.counted && history(p).active; }));
 }

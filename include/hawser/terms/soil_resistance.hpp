@@ -18,7 +18,7 @@ namespace hawser {
 // Length of the arc [from, to] of a line that lies in the soil, m.
 double buried_length(const model::Line& line, double from, double to);
 
-class BuriedTerm final : public ForceTerm, public RaisesStiffness {
+class SoilResistance final : public ForceTerm, public RaisesStiffness {
  public:
   struct BuriedNode {
     int node = 0;  // local, owned
@@ -26,10 +26,11 @@ class BuriedTerm final : public ForceTerm, public RaisesStiffness {
   };
 
   // The lines are laid as in `start`.
-  BuriedTerm(MPI_Comm comm, const LocalMesh& mesh, const Kinematics& start, std::vector<BuriedNode> places);
+  SoilResistance(MPI_Comm comm, const LocalMesh& mesh, const Kinematics& start,
+                 std::vector<BuriedNode> places);
   // held: supported local nodes, on which the soil does not act.
-  BuriedTerm(MPI_Comm comm, const LocalMesh& mesh, const model::Case& c, const Kinematics& start,
-             const std::vector<int>& held);
+  SoilResistance(MPI_Comm comm, const LocalMesh& mesh, const model::Case& c, const Kinematics& start,
+                 const std::vector<int>& held);
 
   std::string_view name() const override { return "buried"; }
   void prepare(const Kinematics& committed, double h) override;
