@@ -132,7 +132,7 @@ void BodyContact::limit_by(const Pair& p, ImpactEvents& to) const {
          std::min(group(p.a), group(p.b)));
 }
 
-void BodyContact::limit_step(const Kinematics&, ImpactEvents& to) const {
+void BodyContact::limit_step(const Kinematics&, ImpactEvents& to) {
   for (const Pair& p : pairs_)
     if (p.here) limit_by(p, to);
 }

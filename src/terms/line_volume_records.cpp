@@ -45,8 +45,8 @@ std::vector<CheckpointRecord> LineVolumeContact::records(NodeRange range) const 
     }
   };
   for (const Pair& pair : pairs_) {
-    if (!pair.points.empty()) add(pair, kPoints, pair.points);
-    if (finder_.by_gap()) add(pair, kSprings, pair.springs);
+    if (!pair.start.points.empty()) add(pair, kPoints, pair.start.points);
+    if (finder_.by_gap()) add(pair, kSprings, pair.start.springs);
   }
   return records;
 }
@@ -79,13 +79,13 @@ void LineVolumeContact::restore(const std::vector<CheckpointRecord>& records) {
     pair.element = element;
     pair.volume = volume;
     if (r.kind == kPoints) {
-      pair.points = entries<AxisContactPoint>(r);
+      pair.start.points = entries<AxisContactPoint>(r);
       continue;
     }
     const std::vector<GapSpring> springs = entries<GapSpring>(r);
-    if (springs.size() != pair.springs.size())
+    if (springs.size() != pair.start.springs.size())
       throw std::invalid_argument("a contact record of the checkpoint does not fit this case");
-    std::copy(springs.begin(), springs.end(), pair.springs.begin());
+    std::copy(springs.begin(), springs.end(), pair.start.springs.begin());
   }
   std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
     return std::pair(a.element, a.volume) < std::pair(b.element, b.volume);

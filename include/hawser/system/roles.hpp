@@ -43,7 +43,7 @@ class LimitsSteps {
   virtual ~LimitsSteps() = default;
   // Adds the longest step from here, and the impacts, each once over all ranks. Called after prepare(). Fixed
   // steps of the user are divided by it if impacts are to be resolved.
-  virtual void limit_step(const Kinematics& committed, ImpactEvents& to) const = 0;
+  virtual void limit_step(const Kinematics& committed, ImpactEvents& to) = 0;
   // Checks a converged step or a trial of statics, on this rank: tunnelling, penetration beyond the range of
   // a law, outdated candidates.
   virtual Verdict check_step(const Kinematics& trial) const = 0;

@@ -66,7 +66,7 @@ class BodyContact final : public ForceTerm,
   void update_ghosts() override;
   // For a time step (h > 0) also computes the contact frequency and checks the overlap of the volumes.
   void prepare(const Kinematics& committed, double h) override;
-  void limit_step(const Kinematics& committed, ImpactEvents& to) const override;
+  void limit_step(const Kinematics& committed, ImpactEvents& to) override;
   // Refuses a step in which a corner or an edge passes through the other body.
   Verdict check_step(const Kinematics& trial) const override;
   void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;

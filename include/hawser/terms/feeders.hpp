@@ -107,7 +107,7 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   void element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const override;
-  void limit_step(const Kinematics&, ImpactEvents&) const override {}
+  void limit_step(const Kinematics&, ImpactEvents&) override {}
   Verdict check_step(const Kinematics& trial) const override;
 
   // Motion of the material at the feeder's end of the element at the feed point: its velocity, and its

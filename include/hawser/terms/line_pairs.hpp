@@ -69,7 +69,7 @@ class LinePairs final : public ForceTerm,
   // Refuses a step that missed a contact or in which a line passed through another.
   Verdict check_step(const Kinematics& trial) const override;
   void prepare(const Kinematics& committed, double h) override;
-  void limit_step(const Kinematics& committed, ImpactEvents& to) const override;
+  void limit_step(const Kinematics& committed, ImpactEvents& to) override;
   void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;

@@ -37,7 +37,7 @@ class LineVolumeContact final : public ForceTerm,
   void couple(Couplings& to) const override { volumes_.couple(to); }
   void prepare(const Kinematics& committed, double h) override;
   // Considers the ends and the middle of each element, and present contacts (contact_laws.hpp).
-  void limit_step(const Kinematics& committed, ImpactEvents& to) const override;
+  void limit_step(const Kinematics& committed, ImpactEvents& to) override;
   void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;
   // No element may pass through a volume within the step, or be deeper in one than the range of its law.
   Verdict check_step(const Kinematics& trial) const override;
@@ -138,7 +138,7 @@ class LineVolumeContact final : public ForceTerm,
   // several.
   bool predict_impacts_by_group(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   void limit_by_active_contacts(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
-  void limit_ahead(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
+  void limit_ahead(Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   bool tunnels(const Pair& pair, const AxisShape& shape, const RigidPose& pose, bool rests) const;
   bool is_drawn_in(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
   bool is_inside(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
