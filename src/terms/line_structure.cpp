@@ -307,7 +307,7 @@ void LineStructure::prepare(const Kinematics& committed, double h) {
   // begins; it is not work of the motion.
   update_from_feeders(committed.step);
   if (h > 0 && !committed.moves() && !plastic_history_.empty()) commit_plastic(committed);
-  if (damped_ && power_ < 0) power_ = beam_dissipation(committed);
+  if (damped_ && !power_) power_ = beam_dissipation(committed);
   last_step_ = committed.step;
   for (Cable& c : cables_) {
     const CableEnds e = ends(c, committed);
@@ -339,9 +339,9 @@ void LineStructure::commit(const Kinematics& accepted) {
     damping_ += commit_plastic(accepted);
   }
   if (!damped_) return;
-  const double before = power_ < 0 ? 0 : power_;
+  const double before = power_.value_or(0);
   power_ = beam_dissipation(accepted);
-  damping_ += 0.5 * accepted.step * (before + power_);
+  damping_ += 0.5 * accepted.step * (before + *power_);
 }
 
 Energy LineStructure::energy(const Kinematics& at) const {

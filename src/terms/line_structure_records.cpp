@@ -53,7 +53,7 @@ std::vector<CheckpointRecord> LineStructure::records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
   const auto wanted = [&](int n) { return n < mesh_.owned && range.has(mesh_.global[n]); };
   if (wanted(0))
-    out.push_back(record_of(mesh_.global[0], 0, Sums{std::max(power_, 0.0), damping_, filtered_}, kSums));
+    out.push_back(record_of(mesh_.global[0], 0, Sums{power_.value_or(0), damping_, filtered_}, kSums));
   for (const Cable& c : cables_)
     for (const int n : {c.at.first, c.at.second})
       if (wanted(n) && c.start.strain_increment != 0)
@@ -77,7 +77,7 @@ std::vector<CheckpointRecord> LineStructure::records(NodeRange range) const {
 }
 
 void LineStructure::restore(const std::vector<CheckpointRecord>& records) {
-  power_ = 0;
+  power_ = 0.0;
   damping_ = 0;
   filtered_ = 0;
   std::map<int, double> strain;
@@ -85,7 +85,7 @@ void LineStructure::restore(const std::vector<CheckpointRecord>& records) {
   for (const CheckpointRecord& r : records) {
     if (r.kind == kSums) {
       const Sums s = entry<Sums>(r);
-      power_ += s.power;
+      *power_ += s.power;
       damping_ += s.damping;
       filtered_ += s.filtered;
     } else if (r.kind == kStretched) {

@@ -3,6 +3,8 @@
 
 #include <mpi.h>
 
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -85,6 +87,9 @@ class LineStructure final : public ForceTerm,
   double fed_work(const Kinematics& at) const;
   std::vector<double> entering(const FedLine& f, double label) const;
   double beam_dissipation(const Kinematics& at) const;
+  struct ElementField;
+  void fill_at_nodes(const ElementField& f, const Kinematics& k, std::span<double> out) const;
+  void add_node_axes(FieldRegistry& registry) const;
   double commit_plastic(const Kinematics& at);
 
   const LocalMesh& mesh_;
@@ -96,10 +101,10 @@ class LineStructure final : public ForceTerm,
   // Unsoftened values while elements are softened: EA [N] and plastic law of beams; EA of cables.
   std::vector<std::pair<double, const PlasticBending*>> true_beams_;
   std::vector<double> true_EA_;
-  double power_ = -1;     // W, dissipated by beams at the committed state; < 0: not yet computed
-  double damping_ = 0;    // J, dissipated so far
-  double filtered_ = 0;   // J, removed so far from axial vibration that the steps do not resolve
-  double last_step_ = 0;  // s, length of the step that led to the committed state
+  std::optional<double> power_;  // W, dissipated by beams at the committed state
+  double damping_ = 0;           // J, dissipated so far
+  double filtered_ = 0;          // J, removed so far from axial vibration that the steps do not resolve
+  double last_step_ = 0;         // s, length of the step that led to the committed state
 };
 
 // Positions, rotations and rates of an element's ends.
