@@ -180,10 +180,11 @@ void BodyContact::contact_of_edge(const Pair& pair, const Both& at, const RigidP
     const ContactStart start =
         friction.law.active() ? start_of(pair, at, e, q.xi, n > 0 ? &rates : nullptr) : ContactStart();
     const Vec3 z = place(q.xi);
-    const AxisContactPoint point = points.add(law, start, q.at, z, e.radius, q.weight);
+    const AxisContactPoint point = points.add(law, start, q.surface, z, e.radius, q.weight);
     if (friction.eighths) add_resultant(pair, e.place(q.xi), z, e.radius, point, *friction.eighths);
     if (n > 0)
-      points.add_moving_ends(law, start, q.at, z, e.radius, point, slope, rates, std::span(moving).first(n));
+      points.add_moving_ends(law, start, q.surface, z, e.radius, point, slope, rates,
+                             std::span(moving).first(n));
     if (friction.points && point.elastic_force() > 0)
       touching.push_back(
           {q.xi, panel.from, panel.to, point.weight, point.slip, point.normal, point.friction});

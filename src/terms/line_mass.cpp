@@ -13,7 +13,7 @@ namespace hawser {
 namespace {
 
 MassEnds ends(const LineMass::MassElement& p, const Kinematics& k) {
-  const size_t i = p.at.first, j = p.at.second;
+  const size_t i = p.element.first, j = p.element.second;
   const bool given = !k.directors.empty();
   return {k.a[i],
           k.a[j],
@@ -31,7 +31,7 @@ MassEnds ends(const LineMass::MassElement& p, const Kinematics& k) {
 }
 
 double load_work(const LineMass::MassElement& p, const Kinematics& k, const Vec3& load) {
-  const size_t i = p.at.first, j = p.at.second;
+  const size_t i = p.element.first, j = p.element.second;
   if (p.beam) return beam_load_work(p.section, k.x[i], k.q[i], k.x[j], k.q[j], load);
   return 0.5 * p.section.length * load.dot(k.x[i] + k.x[j]);
 }
@@ -53,7 +53,7 @@ LineMass::Built LineMass::build(const LocalMesh& mesh, const model::Case& c) {
     const Element& g = mesh.element(e);
     const auto& t = c.line_types[g.type];
     MassElement p;
-    p.at = e;
+    p.element = e;
     p.beam = g.beam;
     p.section = {g.length, t.mass_per_length, t.rotary_inertia};
     p.load = Vec3(0, 0, -c.environment.gravity * t.mass_per_length);
@@ -89,9 +89,10 @@ void LineMass::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const MassElement& p : pieces_) {
     if (p.idle) continue;
     const Vec3 w = load(p, trial.time);
-    const int a = mesh_.block[p.at.first], b = mesh_.block[p.at.second], blocks[] = {a, a + 1, b, b + 1};
+    const int a = mesh_.block[p.element.first], b = mesh_.block[p.element.second],
+              blocks[] = {a, a + 1, b, b + 1};
     if (!p.beam) {
-      const size_t i = p.at.first, j = p.at.second;
+      const size_t i = p.element.first, j = p.element.second;
       Vec6 f;
       cable_mass_force(p.section, trial.a[i], trial.a[j], w, f);
       const CableMass m = cable_mass(p.section);
@@ -138,7 +139,7 @@ void LineMass::commit(const Kinematics& accepted) {
   before.x = committed_.x;
   before.q = committed_.q;
   for (const MassElement& p : pieces_)
-    if (p.ramped && p.at.counted) {
+    if (p.ramped && p.element.counted) {
       const Vec3 mean = 0.5 * (ramped_load(p, committed_.time) + ramped_load(p, accepted.time));
       work_ += load_work(p, accepted, mean) - load_work(p, before, mean);
     }
@@ -162,32 +163,33 @@ double LineMass::round_off(const Kinematics& at, double h) const {
   if (h <= 0) return 0;
   double sum = 0;
   for (const MassElement& p : pieces_)
-    if (p.at.counted) sum += inertia_round_off(at, p.at, p.section.mass_per_length * p.section.length, h);
+    if (p.element.counted)
+      sum += inertia_round_off(at, p.element, p.section.mass_per_length * p.section.length, h);
   return sum;
 }
 
 void LineMass::motion(const Kinematics& at, std::span<LineMotion> lines) const {
   for (const MassElement& p : pieces_) {
-    if (!p.at.counted || p.idle) continue;
-    LineMotion& line = lines[mesh_.element(p.at).line];
+    if (!p.element.counted || p.idle) continue;
+    LineMotion& line = lines[mesh_.element(p.element).line];
     const double half = 0.5 * p.section.mass_per_length * p.section.length;
-    line.add(half, at.v[p.at.first]);
-    line.add(half, at.v[p.at.second]);
+    line.add(half, at.v[p.element.first]);
+    line.add(half, at.v[p.element.second]);
   }
 }
 
 double LineMass::dead_load() const {
   double sum = 0;
   for (const MassElement& p : pieces_)
-    if (p.at.counted && !p.idle) sum += p.section.length * p.load.norm();
+    if (p.element.counted && !p.idle) sum += p.section.length * p.load.norm();
   return sum;
 }
 
 Energy LineMass::energy(const Kinematics& at) const {
   Energy e;
   for (const MassElement& p : pieces_) {
-    if (!p.at.counted || p.idle) continue;
-    const size_t i = p.at.first, j = p.at.second;
+    if (!p.element.counted || p.idle) continue;
+    const size_t i = p.element.first, j = p.element.second;
     e.kinetic += p.beam ? beam_kinetic_energy(p.section, ends(p, at))
                         : cable_kinetic_energy(p.section, at.v[i], at.v[j]);
     e.potential -= load_work(p, at, p.load);

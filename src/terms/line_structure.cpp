@@ -24,7 +24,7 @@ CableStart scaled_start(const LineStructure::Cable& c, double h, double previous
 }  // namespace
 
 BeamEnds ends(const LineStructure::Beam& b, const Kinematics& k) {
-  const size_t i = b.at.first, j = b.at.second;
+  const size_t i = b.element.first, j = b.element.second;
   BeamEnds e;
   e.x1 = k.x[i];
   e.x2 = k.x[j];
@@ -40,7 +40,7 @@ BeamEnds ends(const LineStructure::Beam& b, const Kinematics& k) {
 }
 
 CableEnds ends(const LineStructure::Cable& c, const Kinematics& k) {
-  const size_t i = c.at.first, j = c.at.second;
+  const size_t i = c.element.first, j = c.element.second;
   return {k.x[i], k.x[j], k.v[i], k.v[j]};
 }
 
@@ -48,7 +48,7 @@ LineStructure::LineStructure(const LocalMesh& mesh, std::vector<Beam> beams, std
     : mesh_(mesh), beams_(std::move(beams)), cables_(std::move(cables)) {
   auto block = [&](int node) { return mesh_.block[node]; };
   for (Beam& b : beams_) {
-    const int p = block(b.at.first), q = block(b.at.second);
+    const int p = block(b.element.first), q = block(b.element.second);
     b.blocks[0] = p;
     b.blocks[1] = p + 1;
     b.blocks[2] = q;
@@ -66,8 +66,8 @@ LineStructure::LineStructure(const LocalMesh& mesh, std::vector<Beam> beams, std
     if (b.section.plastic) b.reference.set = plastic_history_.data() + b.memory;
   }
   for (Cable& c : cables_) {
-    c.blocks[0] = block(c.at.first);
-    c.blocks[1] = block(c.at.second);
+    c.blocks[0] = block(c.element.first);
+    c.blocks[1] = block(c.element.second);
     damped_ |= c.section.beta > 0;
   }
 }
@@ -82,7 +82,7 @@ std::vector<LineStructure::Beam> beams_of(const LocalMesh& mesh, const model::Ca
     const Element& g = mesh.element(e);
     if (!g.beam) continue;
     LineStructure::Beam& b = out.emplace_back();
-    b.at = e;
+    b.element = e;
     b.section = beam_section(*mesh.mesh, c, g);
     b.reference.strain = g.free_strain;
   }
@@ -172,11 +172,11 @@ Vec3 far(const Kinematics& at, const LocalElement& e) {
 // step h the strain rate is this difference divided by h.
 double pull_round_off(const Kinematics& at, const auto& e, double h = 0) {
   const double rates = h > 0 ? e.section.beta / h : 0;
-  return (1 + rates) * e.section.EA / e.section.length * eps * far(at, e.at).maxCoeff();
+  return (1 + rates) * e.section.EA / e.section.length * eps * far(at, e.element).maxCoeff();
 }
 
 double chord_strain(const Kinematics& at, const auto& e, double free_strain) {
-  const Vec3 d = at.x[e.at.second] - at.x[e.at.first];
+  const Vec3 d = at.x[e.element.second] - at.x[e.element.first];
   return d.norm() / e.section.length - 1 - free_strain;
 }
 
@@ -185,18 +185,19 @@ double chord_strain(const Kinematics& at, const auto& e, double free_strain) {
 double LineStructure::round_off(const Kinematics& at, double h) const {
   double sum = 0;
   const auto pull = [&](const auto& e) {
-    if (e.at.counted) sum += std::pow(pull_round_off(at, e, h), 2);
+    if (e.element.counted) sum += std::pow(pull_round_off(at, e, h), 2);
   };
   for (const Beam& b : beams_) {
     if (b.idle) continue;
     pull(b);
-    if (!b.at.counted) continue;
+    if (!b.element.counted) continue;
     // The curvature is a difference of directions: those of the nodes, with errors of a few eps, and that of
     // the chord, with the error of the transverse positions divided by the length. The force error is that of
     // the moment divided by the element's length.
     const BeamSection& s = b.section;
-    const Vec3 t = (at.x[b.at.second] - at.x[b.at.first]).normalized();
-    const double across = (far(at, b.at).array() * (1 - t.array().square()).max(0).sqrt()).matrix().norm();
+    const Vec3 t = (at.x[b.element.second] - at.x[b.element.first]).normalized();
+    const double across =
+        (far(at, b.element).array() * (1 - t.array().square()).max(0).sqrt()).matrix().norm();
     const double bend = std::max(s.EI2, s.EI3), turn = 4 * std::max(bend, s.GJ);
     sum += std::pow(eps * (bend * across / s.length + turn) / (s.length * s.length), 2);
   }
@@ -212,20 +213,20 @@ Overstretch LineStructure::overstretched(const Kinematics& at) const {
                                    : (table ? std::min(table->first(), 0.0) : 0) - kStrainBeyondRows;
     const double beyond = std::abs(strain) - std::abs(most);
     if (!(beyond > worst.beyond)) return;
-    const int node = mesh_.global[e.at.first];
+    const int node = mesh_.global[e.element.first];
     worst = {beyond,      node, strain, most, table ? table->at(strain).force : e.section.EA * strain,
              e.section.EA};
   };
   for (const Beam& b : beams_)
-    if (b.at.counted && !b.idle) look(b, chord_strain(at, b, b.reference.strain));
+    if (b.element.counted && !b.idle) look(b, chord_strain(at, b, b.reference.strain));
   for (const Cable& c : cables_)
-    if (c.at.counted) look(c, std::max(chord_strain(at, c, c.section.free_strain), 0.0));
+    if (c.element.counted) look(c, std::max(chord_strain(at, c, c.section.free_strain), 0.0));
   return worst;
 }
 
 void LineStructure::tensions(const Kinematics& at, std::span<LineTension> lines) const {
   const auto look = [&](const auto& e, double tension) {
-    const Element& g = mesh_.element(e.at);
+    const Element& g = mesh_.element(e.element);
     LineTension& line = lines[g.line];
     line.tension = std::max(line.tension, std::abs(tension));
     line.round_off = std::max(line.round_off, pull_round_off(at, e));
@@ -239,8 +240,8 @@ void LineStructure::tensions(const Kinematics& at, std::span<LineTension> lines)
 std::vector<double> LineStructure::slack_length(const Kinematics& at) const {
   std::vector<double> lines(mesh_.mesh->lines.size());
   for (const Cable& c : cables_)
-    if (c.at.counted && cable_stress(c.section, ends(c, at)).tension == 0)
-      lines[mesh_.element(c.at).line] += c.section.length;
+    if (c.element.counted && cable_stress(c.section, ends(c, at)).tension == 0)
+      lines[mesh_.element(c.element).line] += c.section.length;
   return lines;
 }
 
@@ -282,7 +283,8 @@ double LineStructure::axial_stiffness() const {
 double LineStructure::beam_dissipation(const Kinematics& at) const {
   double p = 0;
   for (const Beam& b : beams_)
-    if (b.at.counted && b.section.beta > 0) p += beam_stress(b.section, b.reference, ends(b, at)).dissipation;
+    if (b.element.counted && b.section.beta > 0)
+      p += beam_stress(b.section, b.reference, ends(b, at)).dissipation;
   return p;
 }
 
@@ -297,7 +299,7 @@ double LineStructure::commit_plastic(const Kinematics& at) {
     if (b.reference.set != set) std::copy_n(b.reference.set, b.remembered(), set);
     b.reference.set = set;
     const double lost = beam_bend(b.section, b.reference, ends(b, at), set);
-    if (b.at.counted) dissipated += lost;
+    if (b.element.counted) dissipated += lost;
   }
   return dissipated;
 }
@@ -324,17 +326,17 @@ void LineStructure::commit(const Kinematics& accepted) {
       const CableLoss lost =
           cable_loss(c.section, scaled_start(c, accepted.step, last_step_), step, e.x1, e.x2);
       c.start.strain_increment = lost.strain_increment;
-      if (c.at.counted) {
+      if (c.element.counted) {
         damping_ += lost.damped;
         filtered_ += lost.filtered;
       }
-      if (c.at.counted && feeders_) feeders_->add_work(lost.fed);
+      if (c.element.counted && feeders_) feeders_->add_work(lost.fed);
     }
   }
   if (accepted.moves() && !plastic_history_.empty()) {
     if (feeders_) feeders_->add_work(fed_work(accepted));
     for (const Beam& b : beams_)
-      if (const FedLine* fed = feeders_ && b.section.plastic ? feeders_->find(b.at.global) : nullptr)
+      if (const FedLine* fed = feeders_ && b.section.plastic ? feeders_->find(b.element.global) : nullptr)
         keep_hauled_in(b, *fed);
     damping_ += commit_plastic(accepted);
   }
@@ -347,9 +349,10 @@ void LineStructure::commit(const Kinematics& accepted) {
 Energy LineStructure::energy(const Kinematics& at) const {
   Energy e;
   for (const Beam& b : beams_)
-    if (b.at.counted && !b.idle) e.strain += beam_stress(b.section, b.reference, ends(b, at)).strain_energy;
+    if (b.element.counted && !b.idle)
+      e.strain += beam_stress(b.section, b.reference, ends(b, at)).strain_energy;
   for (const Cable& c : cables_)
-    if (c.at.counted) e.strain += cable_stress(c.section, ends(c, at)).strain_energy;
+    if (c.element.counted) e.strain += cable_stress(c.section, ends(c, at)).strain_energy;
   e.damping = damping_;
   e.unresolved = filtered_;
   return e;

@@ -18,7 +18,7 @@ std::vector<double> turned(const double* values, size_t n, LineEnd line_end) {
 }
 
 BeamEnds positions(const LineStructure::Beam& b, const Kinematics& k) {
-  const size_t i = b.at.first, j = b.at.second;
+  const size_t i = b.element.first, j = b.element.second;
   return {k.x[i], k.x[j], k.q[i], k.q[j]};
 }
 
@@ -45,12 +45,12 @@ void LineStructure::update_from_feeders(double step, bool accepted) {
   feeders_->update_lengths(mesh_, &FedLine::length, cables_);
   feeders_->update_lengths(mesh_, &FedLine::length, beams_);
   for (Cable& c : cables_) {
-    const FedLine* fed = feeders_->find(c.at.global);
+    const FedLine* fed = feeders_->find(c.element.global);
     c.section.length_by_chord = fed ? fed->length_by_chord : 0;
     c.section.length_rate = fed && step > 0 ? fed->length_rate : 0;  // in statics the feeder is held
   }
   for (Beam& b : beams_) {
-    const FedLine* fed = feeders_->find(b.at.global);
+    const FedLine* fed = feeders_->find(b.element.global);
     b.section.length_by_force = fed ? fed->length_by_force : 0;
     if (!b.section.plastic) continue;
     b.reference.set = plastic_history_.data() + b.memory;
@@ -110,8 +110,8 @@ double LineStructure::fed_work(const Kinematics& at) const {
   double work = 0;
   const State& before = feeders_->before();
   for (const Beam& b : beams_) {
-    if (!b.section.plastic || !b.at.counted || before.x.size() != at.x.size()) continue;
-    const FedLine* fed = feeders_->find(b.at.global);
+    if (!b.section.plastic || !b.element.counted || before.x.size() != at.x.size()) continue;
+    const FedLine* fed = feeders_->find(b.element.global);
     if (!fed || fed->length == fed->before) continue;
     const double grown = fed->length - fed->before;
     const std::vector<double> in = entering(*fed, fed->before + 0.5 * grown);
@@ -138,8 +138,8 @@ void LineStructure::transfer_node(MPI_Comm comm, size_t feeder, bool releases) {
   const size_t size = kBendingPlaces * n;
   const auto beam = [&](int global) -> Beam* {
     const auto at = std::lower_bound(beams_.begin(), beams_.end(), global,
-                                     [](const Beam& b, int g) { return b.at.global < g; });
-    return at != beams_.end() && at->at.global == global && at->section.plastic ? &*at : nullptr;
+                                     [](const Beam& b, int g) { return b.element.global < g; });
+    return at != beams_.end() && at->element.global == global && at->section.plastic ? &*at : nullptr;
   };
   // Collects on all ranks, by label, the history of the element at the feed point, of the next one and of the
   // second before it, and the history inside.
@@ -147,7 +147,7 @@ void LineStructure::transfer_node(MPI_Comm comm, size_t feeder, bool releases) {
   const auto part = [&](size_t i) { return all.data() + i * size; };
   const int elements[] = {f.element, f.element + out, f.element - 2 * out};
   for (size_t i = 0; i < 3; ++i)
-    if (const Beam* b = beam(elements[i]); b && b->at.counted) {
+    if (const Beam* b = beam(elements[i]); b && b->element.counted) {
       const std::vector<double> values = turned(plastic_history_.data() + b->memory, n, f.line_end);
       std::copy(values.begin(), values.end(), part(i));
       if (i == 0) std::copy(kept.begin(), kept.end(), part(3));

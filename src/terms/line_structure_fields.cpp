@@ -50,14 +50,14 @@ void LineStructure::fill_at_nodes(const ElementField& f, const Kinematics& k, st
     if (b.idle) continue;
     const BeamEnds e = ends(b, k);
     const BeamStress s = beam_stress(b.section, b.reference, e);
-    put(b.at.first, f.of_beam({s, e, false}), b.section.length);
-    put(b.at.second, f.of_beam({s, e, true}), b.section.length);
+    put(b.element.first, f.of_beam({s, e, false}), b.section.length);
+    put(b.element.second, f.of_beam({s, e, true}), b.section.length);
   }
   for (const Cable& c : cables_) {
     if (c.idle) continue;
     const double value = f.of_cable ? f.of_cable(section_for_output(c, k), ends(c, k)) : 0;
-    put(c.at.first, value, c.section.length);
-    put(c.at.second, value, c.section.length);
+    put(c.element.first, value, c.section.length);
+    put(c.element.second, value, c.section.length);
   }
   for (size_t n = 0; n < weights.size(); ++n)
     if (weights[n] > 0) out[n] /= weights[n];

@@ -55,14 +55,14 @@ std::vector<CheckpointRecord> LineStructure::records(NodeRange range) const {
   if (wanted(0))
     out.push_back(record_of(mesh_.global[0], 0, Sums{power_.value_or(0), damping_, filtered_}, kSums));
   for (const Cable& c : cables_)
-    for (const int n : {c.at.first, c.at.second})
+    for (const int n : {c.element.first, c.element.second})
       if (wanted(n) && c.start.strain_increment != 0)
         out.push_back(
-            record_of(mesh_.global[n], c.at.global, KeptStrain{c.start.strain_increment}, kStretched));
+            record_of(mesh_.global[n], c.element.global, KeptStrain{c.start.strain_increment}, kStretched));
   for (const Beam& b : beams_)
-    for (const int n : {b.at.first, b.at.second}) {
+    for (const int n : {b.element.first, b.element.second}) {
       if (!b.reference.set || !wanted(n)) continue;
-      CheckpointRecord& r = out.emplace_back(CheckpointRecord{mesh_.global[n], b.at.global, {}, kBent});
+      CheckpointRecord& r = out.emplace_back(CheckpointRecord{mesh_.global[n], b.element.global, {}, kBent});
       r.values.assign(plastic_history_.data() + b.memory,
                       plastic_history_.data() + b.memory + b.remembered());
     }
@@ -100,14 +100,14 @@ void LineStructure::restore(const std::vector<CheckpointRecord>& records) {
     if (!b.section.plastic) continue;
     double* set = plastic_history_.data() + b.memory;
     const size_t size = b.remembered();
-    const auto it = bent.find(b.at.global);
+    const auto it = bent.find(b.element.global);
     if (it != bent.end() && it->second->size() == size)
       std::copy(it->second->begin(), it->second->end(), set);
     else
       std::fill_n(set, size, 0.0);
   }
   for (Cable& c : cables_) {
-    const auto it = strain.find(c.at.global);
+    const auto it = strain.find(c.element.global);
     c.start.strain_increment = it == strain.end() ? 0 : it->second;
   }
 }

@@ -57,14 +57,14 @@ bool LineVolumeContact::raise_stiffness(const Kinematics& equilibrium) {
       Vec3 normal = Vec3::Zero();
       at.depth = 0;
       for (const QuadraturePoint& there : pair.trial.found.quadrature) {
-        if (!touches || pair.trial.found.panels[there.panel].group != w || !pair.in_contact(there.at))
+        if (!touches || pair.trial.found.panels[there.panel].group != w || !pair.in_contact(there.surface))
           continue;
-        const double gap = there.at.distance - pair.radius;
+        const double gap = there.surface.distance - pair.radius;
         force += there.weight * normal_force(pair.law(there.xi).normal, gap, 0).elastic;
         area += there.weight * std::max(-gap, 0.0);
         if (-gap > at.depth) {
           at.depth = -gap;
-          normal = pose.rotation * there.at.normal;
+          normal = pose.rotation * there.surface.normal;
         }
       }
       // A beam bends locally under contact, so its deepest point counts.
@@ -107,7 +107,7 @@ std::optional<advice::TooDeep> LineVolumeContact::deeper_than_allowed(const Kine
     if (!pair.trial.found.configuration.shape.same_axis(AxisShape(ends(trial, pair.element)))) continue;
     const double most = volumes_.deepest(pair.volume, pair.radius);
     for (const QuadraturePoint& there : pair.trial.found.quadrature)
-      if (const double depth = pair.radius - there.at.distance; depth > std::max(most, deepest)) {
+      if (const double depth = pair.radius - there.surface.distance; depth > std::max(most, deepest)) {
         in = &pair;
         deepest = depth;
         xi = there.xi;

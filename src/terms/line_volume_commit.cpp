@@ -97,9 +97,9 @@ Energy LineVolumeContact::energy(const Kinematics& at) const {
     if (LineVolumeFinder::certainly_apart(p, shape, pose)) continue;
     Pair pair = p;
     for (const QuadraturePoint& there : finder_.find(pair, shape, pose).quadrature)
-      if (p.in_contact(there.at))
-        e.strain +=
-            there.weight * normal_force(p.law(there.xi).normal, there.at.distance - p.radius, 0).potential;
+      if (p.in_contact(there.surface))
+        e.strain += there.weight *
+                    normal_force(p.law(there.xi).normal, there.surface.distance - p.radius, 0).potential;
   }
   for (size_t i = 0; i < accounts_.size(); ++i) {
     if (!mesh_.elements[i].counted) continue;

@@ -153,7 +153,7 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
     for (int w = 0; w < pair.facet_groups(); ++w) {
       double deepest = 0, deepest_before = 0;
       for (const QuadraturePoint& p : found.quadrature)
-        if (found.panels[p.panel].group == w) deepest = std::max(deepest, pair.radius - p.at.distance);
+        if (found.panels[p.panel].group == w) deepest = std::max(deepest, pair.radius - p.surface.distance);
       for (const AxisContactPoint& p : pair.previous(w)) deepest_before = std::max(deepest_before, -p.gap);
       to.too_deep = to.too_deep || sinks_too_far(pair.radius, deepest_before, deepest);
     }
@@ -190,17 +190,17 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
     for (const QuadraturePoint& p : found.quadrature) {
       const auto& previous = pair.previous(found.panels[p.panel].group);
       const auto holds = [&](const AxisContactPoint& q) { return q.from <= p.xi && p.xi <= q.to; };
-      if (!pair.in_contact(p.at) || std::any_of(previous.begin(), previous.end(), holds)) continue;
+      if (!pair.in_contact(p.surface) || std::any_of(previous.begin(), previous.end(), holds)) continue;
       // An element that slides along its own line makes and loses contact, but the length in contact does not
       // change.
       const Vec3 along = (pose.rotation.conjugate() * shape.slope(p.xi)).normalized(), all = moved(p.xi),
                  way = finder_.at_nodes() ? all : Vec3(all - along * along.dot(all));
-      const double came = -p.at.normal.dot(way);
-      if (!(came > pair.contact_distance - p.at.distance)) continue;
-      const NormalForce f = normal_force(pair.law(p.xi).normal, p.at.distance - pair.radius, 0);
+      const double came = -p.surface.normal.dot(way);
+      if (!(came > pair.contact_distance - p.surface.distance)) continue;
+      const NormalForce f = normal_force(pair.law(p.xi).normal, p.surface.distance - pair.radius, 0);
       double touches = 0;
       for (const QuadraturePoint& q : found.quadrature)
-        if (found.panels[q.panel].group == found.panels[p.panel].group && pair.in_contact(q.at))
+        if (found.panels[q.panel].group == found.panels[p.panel].group && pair.in_contact(q.surface))
           touches += q.weight;
       add(touches, p.xi, p.weight, f.elastic, f.potential, came, came / trial.step);
     }

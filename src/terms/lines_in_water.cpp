@@ -44,7 +44,7 @@ void LinesInWater::update_water(const Kinematics& at) const {
 
 WaterEnds LinesInWater::ends(const WetElement& p, const Kinematics& k, const Water& first,
                              const Water& second) const {
-  const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
+  const size_t i = static_cast<size_t>(p.element.first), j = static_cast<size_t>(p.element.second);
   WaterEnds e;
   e.x1 = k.x[i];
   e.x2 = k.x[j];
@@ -73,7 +73,7 @@ WaterEnds LinesInWater::ends(const WetElement& p, const Kinematics& k, const Wat
 void LinesInWater::add_element(const WetElement& p, const Kinematics& trial, Assembler& assembler) const {
   if (p.idle) return;
   const bool tangent = assembler.needs_tangent(), convex = assembler.convex();
-  const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
+  const size_t i = static_cast<size_t>(p.element.first), j = static_cast<size_t>(p.element.second);
   const int first = mesh_.block[i], second = mesh_.block[j];
   if (p.beam) {
     const int blocks[] = {first, first + 1, second, second + 1};
@@ -135,7 +135,7 @@ LinesInWater::FlowLoads LinesInWater::flow_loads(const Kinematics& at) const {
   const auto put = [&](const WetElement& p, const WaterForce& force) {
     const double L = p.section.length;
     for (int j = 0; j < 4; j += p.beam ? 1 : 2) {
-      const int node = j < 2 ? p.at.first : p.at.second,
+      const int node = j < 2 ? p.element.first : p.element.second,
                 block = mesh_.block[static_cast<size_t>(node)] + j % 2;
       out.force[static_cast<size_t>(block)] += (j % 2 ? L : 1) * force.force[j];
     }
@@ -145,13 +145,13 @@ LinesInWater::FlowLoads LinesInWater::flow_loads(const Kinematics& at) const {
     const unsigned known = flow_of_quad(q, at, all);
     for (int i = 0; i < q.count; ++i) {
       const WetElement& p = pieces_[static_cast<size_t>(q.piece[i])];
-      if (p.at.counted && !p.idle)
+      if (p.element.counted && !p.idle)
         put(p, known >> i & 1 ? all[i] : water_force(p.section, ends(p, at), false, sea_.surface));
     }
   }
   for (const int b : beams_) {
     const WetElement& p = pieces_[static_cast<size_t>(b)];
-    if (p.at.counted && !p.idle) put(p, water_force(p.section, ends(p, at), true, sea_.surface));
+    if (p.element.counted && !p.idle) put(p, water_force(p.section, ends(p, at), true, sea_.surface));
   }
   for (const Ball& b : balls_) {
     const size_t n = static_cast<size_t>(b.node);
@@ -208,7 +208,8 @@ Energy LinesInWater::energy(const Kinematics& at) const {
   Water calm;
   calm.surface = sea_.surface;
   for (const WetElement& p : pieces_)
-    if (p.at.counted && !p.idle) e.potential += water_potential(p.section, ends(p, at, calm, calm), p.beam);
+    if (p.element.counted && !p.idle)
+      e.potential += water_potential(p.section, ends(p, at, calm, calm), p.beam);
   for (const Ball& b : balls_) {
     const size_t n = static_cast<size_t>(b.node);
     e.potential += ball_potential(b.ball, at.x[n], calm);
@@ -228,7 +229,7 @@ double LinesInWater::work(const FlowLoads& from, const FlowLoads& to) {
 double LinesInWater::dead_load() const {
   double sum = 0;
   for (const WetElement& p : pieces_)
-    if (p.at.counted && !p.idle) sum += p.section.length * p.section.buoyancy;
+    if (p.element.counted && !p.idle) sum += p.section.length * p.section.buoyancy;
   for (const Ball& b : balls_) sum += b.ball.buoyancy;
   return sum;
 }
@@ -237,7 +238,8 @@ double LinesInWater::round_off(const Kinematics& at, double h) const {
   if (h <= 0) return 0;
   double sum = 0;
   for (const WetElement& p : pieces_)
-    if (p.at.counted) sum += inertia_round_off(at, p.at, p.section.added_normal * p.section.length, h);
+    if (p.element.counted)
+      sum += inertia_round_off(at, p.element, p.section.added_normal * p.section.length, h);
   return sum;
 }
 
@@ -274,8 +276,8 @@ void LinesInWater::fields(FieldRegistry& registry) const {
                 [this](const Kinematics& k, std::span<double> out) {
                   std::vector<double> weight(out.size(), 0), sum(out.size(), 0);
                   for (const WetElement& p : pieces_) {
-                    const Wall& wall = walls_[static_cast<size_t>(mesh_.element(p.at).type)];
-                    for (const int node : {p.at.first, p.at.second}) {
+                    const Wall& wall = walls_[static_cast<size_t>(mesh_.element(p.element).type)];
+                    for (const int node : {p.element.first, p.element.second}) {
                       if (node >= mesh_.owned) continue;
                       const size_t n = static_cast<size_t>(node);
                       const double depth = sea_.surface - k.x[n].z();
@@ -329,7 +331,8 @@ std::vector<CheckpointRecord> LinesInWater::records(NodeRange range) const {
   };
   for (int n = 0; n < mesh_.owned; ++n) put(n, kOwn, place_[static_cast<size_t>(n)]);
   for (const WetElement& p : pieces_)
-    for (const auto& [node, other] : {std::pair{p.at.first, p.at.second}, {p.at.second, p.at.first}})
+    for (const auto& [node, other] :
+         {std::pair{p.element.first, p.element.second}, {p.element.second, p.element.first}})
       if (node < mesh_.owned)
         put(node, 1 + mesh_.global[static_cast<size_t>(other)], place_[static_cast<size_t>(other)]);
   return out;

@@ -20,8 +20,8 @@ void LinesInWater::group() {
     CableQuad& q = quads_.back();
     for (int lane = q.count; lane < 4; ++lane) {
       q.piece[lane] = static_cast<int>(p);
-      q.first[lane] = pieces_[p].at.first;
-      q.second[lane] = pieces_[p].at.second;
+      q.first[lane] = pieces_[p].element.first;
+      q.second[lane] = pieces_[p].element.second;
       q.sections.set(lane, pieces_[p].section);
     }
     ++q.count;
@@ -53,8 +53,8 @@ double LinesInWater::fed_buoyancy(const Kinematics& at) const {
   before.x = old.x;
   before.q = old.q;
   for (const WetElement& p : pieces_) {
-    if (!p.at.counted || p.idle) continue;
-    const FedLine* fed = feeders_->find(p.at.global);
+    if (!p.element.counted || p.idle) continue;
+    const FedLine* fed = feeders_->find(p.element.global);
     if (!fed || fed->before == fed->length) continue;
     WaterSection s = p.section;
     s.length = fed->before;
@@ -106,8 +106,8 @@ void LinesInWater::add_quad(const CableQuad& q, const Kinematics& trial, Assembl
   for (int i = 0; i < q.count; ++i) {
     const WetElement& p = pieces_[static_cast<size_t>(q.piece[i])];
     if (p.idle) continue;
-    const int a = mesh_.block[static_cast<size_t>(p.at.first)],
-              b = mesh_.block[static_cast<size_t>(p.at.second)];
+    const int a = mesh_.block[static_cast<size_t>(p.element.first)],
+              b = mesh_.block[static_cast<size_t>(p.element.second)];
     // Derivatives for a tied end are added singly.
     if (wet >> i & 1 && !(assembler.tied(a) || assembler.tied(b)))
       assembler.add_weighted(a, b, f[i], J[i]);

@@ -13,7 +13,7 @@ namespace {
 
 Attached attached(const model::LinkEnd& e, const model::Case& c, const LocalMesh& mesh) {
   Attached a;
-  a.at = e.at;
+  a.position = e.at;
   if (!e.line.empty()) a.node = mesh.mesh->nearest_node(c.line_index(e.line), e.arc);
   if (!e.body.empty()) a.body = c.body_index(e.body);
   return a;

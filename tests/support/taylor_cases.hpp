@@ -58,7 +58,7 @@ inline void add_mass(SuiteModel& m, const Placement& at, bool turned) {
   for (const LocalElement& e : l.elements) {
     const Element& g = m.mesh.element(static_cast<size_t>(e.global));
     LineMass::MassElement p;
-    p.at = e;
+    p.element = e;
     p.beam = g.beam;
     p.section = {g.length, 2, Vec3(0.5, 0.2, 0.4), suite_axes(turned)};
     p.load = at.rotation * Vec3(1, -2, -15);
@@ -174,7 +174,7 @@ inline void add_water(SuiteModel& m, const Placement& at, double surface, bool w
   for (const LocalElement& e : l.elements) {
     const Element& g = m.mesh.element(static_cast<size_t>(e.global));
     LinesInWater::WetElement p;
-    p.at = e;
+    p.element = e;
     p.beam = g.beam;
     p.section = {g.length, radius, 40, 4, 3, 1, 2, 0.7};
     pieces.push_back(p);

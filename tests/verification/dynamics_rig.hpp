@@ -66,7 +66,7 @@ class BeamChain {
       reference.axes = p.axes;
       beams.push_back({e, {}, p.section, reference});
       LineMass::MassElement m;
-      m.at = e;
+      m.element = e;
       m.section = {p.section.length, p.mass_per_length, p.rotary, p.axes};
       masses.push_back(m);
     }

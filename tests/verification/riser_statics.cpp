@@ -40,7 +40,7 @@ BeamStress stress(Simulation& sim, size_t element) {
   const LineStructure::Beam& b = sim.structure().beams()[element];
   const State& s = sim.state();
   BeamEnds e;
-  const size_t i = static_cast<size_t>(b.at.first), j = static_cast<size_t>(b.at.second);
+  const size_t i = static_cast<size_t>(b.element.first), j = static_cast<size_t>(b.element.second);
   e.x1 = s.x[i];
   e.x2 = s.x[j];
   e.q1 = s.q[i];

@@ -38,7 +38,7 @@ struct Bend {
       s->state().q[static_cast<size_t>(i)] = turn * Quat(axes);
     }
     for (LineStructure::Beam& b : s->structure().beams()) {
-      const size_t i = static_cast<size_t>(b.at.first), j = static_cast<size_t>(b.at.second);
+      const size_t i = static_cast<size_t>(b.element.first), j = static_cast<size_t>(b.element.second);
       BeamEnds e;
       e.x1 = s->state().x[i];
       e.x2 = s->state().x[j];

@@ -44,9 +44,9 @@ class FedLines {
   template <class Of>
   void update_lengths(const LocalMesh& mesh, double FedLine::*length, std::vector<Of>& elements) const {
     for (Of& e : elements) {
-      const FedLine* fed = find(e.at.global);
-      e.idle = idle(e.at.global);
-      e.section.length = fed ? fed->*length : mesh.element(e.at).length;
+      const FedLine* fed = find(e.element.global);
+      e.idle = idle(e.element.global);
+      e.section.length = fed ? fed->*length : mesh.element(e.element).length;
     }
   }
   // Positions and rotations at the start of the step; empty before the first step.

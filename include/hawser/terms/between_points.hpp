@@ -13,10 +13,10 @@
 namespace hawser {
 
 struct Attached {
-  int node = -1;           // node of a line, index in the mesh; or
-  int body = -1;           // body of the case; both -1: fixed in space
-  Vec3 at = Vec3::Zero();  // m, in the frame of the node or body, or in space axes
-  bool direction = false;  // a direction, which rotates with the frame and has no position
+  int node = -1;                 // node of a line, index in the mesh; or
+  int body = -1;                 // body of the case; both -1: fixed in space
+  Vec3 position = Vec3::Zero();  // m, in the frame of the node or body, or in space axes
+  bool direction = false;        // a direction, which rotates with the frame and has no position
 
   // Mesh node of the frame to which the point is fixed; -1: none, the motion is prescribed.
   int frame_node(const Bodies& bodies) const { return body < 0 ? node : bodies.frame(body); }

@@ -26,7 +26,7 @@ class LineMass final : public ForceTerm,
     double ramp = 0;                 // s, duration of the smooth start; 0: always acts
   };
   struct MassElement {
-    LocalElement at;
+    LocalElement element;
     bool beam = true;
     bool idle = false;  // inside a feeder, without mass and weight
     MassSection section;

@@ -27,7 +27,7 @@ class LineStructure final : public ForceTerm,
                             public ActsOnFedLines {
  public:
   struct Beam {
-    LocalElement at;
+    LocalElement element;
     int blocks[4] = {};  // x1, theta1, x2, theta2
     BeamSection section;
     BeamReference reference = {};
@@ -36,7 +36,7 @@ class LineStructure final : public ForceTerm,
     size_t remembered() const;  // number of values in its plastic history
   };
   struct Cable {
-    LocalElement at;
+    LocalElement element;
     int blocks[2] = {};
     CableSection section;
     CableStart start = {};  // state at the start of the step

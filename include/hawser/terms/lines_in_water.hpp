@@ -21,7 +21,7 @@ class LinesInWater final : public ForceTerm,
                            public ActsOnFedLines {
  public:
   struct WetElement {
-    LocalElement at;
+    LocalElement element;
     bool beam = true;
     bool idle = false;  // inside a feeder, without water forces
     WaterSection section;
@@ -98,7 +98,8 @@ class LinesInWater final : public ForceTerm,
   const Water& water_at(size_t node) const { return water_[moving() ? node : 0]; }
   WaterEnds ends(const WetElement& p, const Kinematics& k, const Water& first, const Water& second) const;
   WaterEnds ends(const WetElement& p, const Kinematics& k) const {
-    return ends(p, k, water_at(static_cast<size_t>(p.at.first)), water_at(static_cast<size_t>(p.at.second)));
+    return ends(p, k, water_at(static_cast<size_t>(p.element.first)),
+                water_at(static_cast<size_t>(p.element.second)));
   }
   FlowLoads flow_loads(const Kinematics& at) const;
   static double work(const FlowLoads& from, const FlowLoads& to);

@@ -86,7 +86,7 @@ struct QuadraturePoint {
   double xi = 0, weight = 0;   // -, m
   double along = 0, part = 1;  // position in the panel, 0 to 1; weight of the rule
   size_t panel = 0;
-  SurfacePoint at;
+  SurfacePoint surface;
 };
 
 // Contact of an axis: panels and their quadrature points, sorted by panel.
