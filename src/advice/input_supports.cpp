@@ -19,10 +19,10 @@ struct Here {
 };
 
 // Section at arc length `from` [m] from the end before the supports.
-Here section_at(const Case& c, const Line& line, bool from_a, double from) {
+Here section_at(const Case& c, const Line& line, LineEnd start, double from) {
   Here out;
   for (std::size_t i = 0; i < line.sections.size(); ++i) {
-    const Section& s = line.sections[from_a ? i : line.sections.size() - 1 - i];
+    const Section& s = line.sections[start == LineEnd::A ? i : line.sections.size() - 1 - i];
     if (from < 0) break;
     from -= s.length;
     out = {c.line_type(s.type).outer_diameter, s.length / s.elements};
@@ -46,7 +46,7 @@ void warn_of_line(const Case& c, const Line& line, std::vector<InputWarning>& ou
     }
     const Vec3 there = support_point(c, *before, before->at);
     const double apart = (at - there).norm();
-    const Here here = section_at(c, line, end == &line.end_a, arc + 0.5 * apart);
+    const Here here = section_at(c, line, end == &line.end_a ? LineEnd::A : LineEnd::B, arc + 0.5 * apart);
     arc += apart;
     const Vec3 turn = support_point(c, b, b.at + b.along) - at -
                       support_point(c, *before, before->at + before->along) + there;

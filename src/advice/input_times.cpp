@@ -156,7 +156,7 @@ void warn_of_releases(const Case& c, std::vector<InputWarning>& out) {
     const Action& r = c.events[i].action;
     if (r.kind != Action::Kind::release) continue;
     const Line& line = c.lines[c.line_index(r.line)];
-    const Section& end = r.at_b ? line.sections.back() : line.sections.front();
+    const Section& end = line.end_section(r.line_end);
     if (c.line_type(end.type).stiffness_damping > 0) continue;
     add_warning(out, fmt::format("events[{}]", i), Effect::part,
                 "line type {} has no 'stiffness_damping': after the release its last elements vibrate "
@@ -169,10 +169,10 @@ namespace {
 
 // A jump v of a feeder's speed strains the element at its feed point, whose damper then pulls with v beta
 // EA/l: more for shorter elements.
-void warn_of_feed(const Case& c, const std::string& line, bool at_b, double jump, const std::string& key,
-                  const char* remedy, std::vector<InputWarning>& out) {
+void warn_of_feed(const Case& c, const std::string& line, LineEnd line_end, double jump,
+                  const std::string& key, const char* remedy, std::vector<InputWarning>& out) {
   const Line& of = c.lines[c.line_index(line)];
-  const LineType& type = c.line_type((at_b ? of.sections.back() : of.sections.front()).type);
+  const LineType& type = c.line_type(of.end_section(line_end).type);
   if (!(std::abs(jump) > kLeastJump) || !(type.stiffness_damping > 0)) return;
   add_warning(out, key, Effect::part,
               "the speed jumps by {:.3g} m/s, and line type {} has 'stiffness_damping': the peak of "
@@ -185,17 +185,18 @@ void warn_of_feeds(const Case& c, std::vector<InputWarning>& out) {
     return f.tension == 0 && !f.speed.empty() ? f.speed.front().second : 0.0;
   };
   for (const Line& line : c.lines)
-    for (const bool at_b : {false, true})
-      if (const auto& feed = (at_b ? line.end_b : line.end_a).feed; feed && c.statics.enabled) {
+    for (const LineEnd line_end : kLineEnds)
+      if (const auto& feed = line.end(line_end).feed; feed && c.statics.enabled) {
         const double first = fed_by(*feed, 0).speed;
-        warn_of_feed(c, line.name, at_b, feed->tension == 0 ? first : 0,
-                     fmt::format("lines.{}.{}.feed", line.name, at_b ? "end_b" : "end_a"),
+        warn_of_feed(c, line.name, line_end, feed->tension == 0 ? first : 0,
+                     fmt::format("lines.{}.{}.feed", line.name, end_key(line_end)),
                      fmt::format("'speed_table: [[0, 0], [2, {:g}]]'", first).c_str(), out);
       }
   for (std::size_t i = 0; i < c.events.size(); ++i) {
     const Action& a = c.events[i].action;
     if (a.kind == Action::Kind::feed && a.ramp == 0)
-      warn_of_feed(c, a.line, a.at_b, starts(a.law), fmt::format("events[{}]", i), "a 'ramp' of 2 s", out);
+      warn_of_feed(c, a.line, a.line_end, starts(a.law), fmt::format("events[{}]", i), "a 'ramp' of 2 s",
+                   out);
   }
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 using Kind = model::LengthTarget::Kind;
 
-const char* end_of(const model::LengthTarget& t) { return t.at_a ? "end A" : "end B"; }
+std::string end_of(const model::LengthTarget& t) { return fmt::format("end {}", end_letter(t.line_end)); }
 
 std::string value_text(const model::LengthTarget& t, double value) {
   switch (t.kind) {

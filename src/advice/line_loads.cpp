@@ -38,10 +38,10 @@ class LineLoads {
     for (std::size_t i = 0; i < line_.masses.size(); ++i) mass(line_.masses[i], i);
     for (const PointLoad& p : line_.point_loads) point_load(p);
     for (const DistributedLoad& q : line_.loads) distributed(q);
-    for (const bool b : {false, true}) {
-      direction(b);
-      bed_end(b);
-      feed(b);
+    for (const LineEnd end : kLineEnds) {
+      direction(end);
+      bed_end(end);
+      feed(end);
     }
     for (std::size_t i = 0; i < line_.bend_stiffeners.size(); ++i) stiffener(line_.bend_stiffeners[i], i);
     target();
@@ -118,14 +118,14 @@ class LineLoads {
   }
 
   // Directions are from end A to end B, the mean direction of the line.
-  void direction(bool b) {
-    const End& e = line_.end(b);
+  void direction(LineEnd end) {
+    const End& e = line_.end(end);
     if (!e.direction || !line_.starts_by_itself() || !is_held(line_.end_a) || !is_held(line_.end_b)) return;
     Vec3 along = *e.direction;
     if (e.kind == EndKind::body) along = exp_body(e) * along;
     const Vec3 way = end_position(c_, line_.end_b) - end_position(c_, line_.end_a);
     if (!(way.norm() > 0) || along.dot(way.normalized()) > -0.5) return;  // 120 degrees
-    warn(fmt::format("end_{}.direction", b ? "b" : "a"),
+    warn(fmt::format("{}.direction", end_key(end)),
          "points {:.0f} degrees away from the line between the ends; a direction is that from end A to end "
          "B: is it reversed?",
          std::acos(std::clamp(along.dot(way.normalized()), -1.0, 1.0)) * 180 / M_PI);
@@ -136,17 +136,17 @@ class LineLoads {
   }
 
   // A line anchored on the bed should be heavy there.
-  void bed_end(bool b) {
+  void bed_end(LineEnd end) {
     const Seabed& bed = c_.environment.seabed;
-    const End &e = line_.end(b), &other = line_.end(!b);
+    const End &e = line_.end(end), &other = line_.end(opposite(end));
     if (!bed.present || e.kind != EndKind::anchor || !is_held(other) || !line_.starts_by_itself()) return;
     const double near = laying_reach(c_, line_);
     if (!(std::abs(height_above_bed(bed, e.at)) < near) ||
         !(height_above_bed(bed, end_position(c_, other)) > 10 * near))
       return;
-    const LineType& low = type(b ? line_.sections.back() : line_.sections.front());
-    const LineType& high = type(b ? line_.sections.front() : line_.sections.back());
-    const std::string key = fmt::format("end_{}", b ? "b" : "a");
+    const LineType& low = type(line_.end_section(end));
+    const LineType& high = type(line_.end_section(opposite(end)));
+    const std::string key = end_key(end);
     const bool fibre = density(low) < kFibreDensity && modulus(low) < kMetallic;
     if (fibre && density(high) > 3 * density(low) && modulus(high) > kMetallic && low.name != high.name)
       return warn(key,
@@ -160,14 +160,14 @@ class LineLoads {
            low.name, low.mass_per_length, floats);
   }
 
-  void feed(bool b) {
-    const End& e = line_.end(b);
+  void feed(LineEnd end) {
+    const End& e = line_.end(end);
     if (!e.feed || !(e.feed->tension > 0)) return;
-    const LineType& t = type(b ? line_.sections.back() : line_.sections.front());
-    const std::string key = fmt::format("end_{}.feed.tension", b ? "b" : "a");
+    const LineType& t = type(line_.end_section(end));
+    const std::string key = fmt::format("{}.feed.tension", end_key(end));
     if (e.feed->tension < 1e-3 * weight_)
       warn(key, "{:.4g} N is {:.1g} of the line's weight{}", e.feed->tension, e.feed->tension / weight_,
-           unit_hint(c_, {"lines", line_.name, b ? "end_b" : "end_a", "feed", "tension"},
+           unit_hint(c_, {"lines", line_.name, end_key(end), "feed", "tension"},
                      [&](double x) { return x > 1e-3 * weight_ && x < 0.02 * t.EA; }));
     else if (t.breaking_load > 0 && e.feed->tension > t.breaking_load)
       warn(key, "{:.4g} kN is more than the breaking load of '{}', {:.4g} kN", e.feed->tension / 1000, t.name,
@@ -192,16 +192,16 @@ class LineLoads {
   // The tension at the higher end includes at least the weight between the heights of the ends.
   void target() {
     if (!line_.target || line_.target->kind != LengthTarget::Kind::tension) return;
-    const bool b = !line_.target->at_a;
+    const LineEnd end = line_.target->line_end, other = opposite(end);
     const double tension = line_.target->value;
-    const LineType& t = type(b ? line_.sections.back() : line_.sections.front());
+    const LineType& t = type(line_.end_section(end));
     if (t.breaking_load > 0 && tension > t.breaking_load)
       return warn("target.tension", "{:.4g} kN is more than the breaking load of '{}', {:.4g} kN",
                   tension / 1000, t.name, t.breaking_load / 1000);
-    if (!is_held(line_.end(b)) || !is_held(line_.end(!b))) return;
-    double height = end_position(c_, line_.end(b)).z() - end_position(c_, line_.end(!b)).z();
+    if (!is_held(line_.end(end)) || !is_held(line_.end(other))) return;
+    double height = end_position(c_, line_.end(end)).z() - end_position(c_, line_.end(other)).z();
     const Seabed& bed = c_.environment.seabed;
-    if (bed.present) height = std::min(height, height_above_bed(bed, end_position(c_, line_.end(b))));
+    if (bed.present) height = std::min(height, height_above_bed(bed, end_position(c_, line_.end(end))));
     double least = HUGE_VAL;
     for (const Section& s : line_.sections) least = std::min(least, mass_in_water(c_, type(s), -HUGE_VAL));
     const double hangs = least * c_.environment.gravity * height;

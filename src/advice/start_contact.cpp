@@ -12,11 +12,12 @@ namespace {
 // shape.
 std::string remedy(const model::Line& line, const InsideVolume& s) {
   const double length = s.length;
-  for (const bool b : {false, true}) {
-    const double within = line.end(b).no_contact_within.value_or(-1);
-    if (within >= 0 && (b ? s.to >= length - within - 1e-9 * length : s.from <= within + 1e-9 * length))
-      return fmt::format("'no_contact_within' of end_{} must be at least {:.3g} m to exclude that stretch",
-                         b ? "b" : "a", b ? length - s.from : s.to);
+  for (const LineEnd end : kLineEnds) {
+    const bool at_b = end == LineEnd::B;
+    const double within = line.end(end).no_contact_within.value_or(-1);
+    if (within >= 0 && (at_b ? s.to >= length - within - 1e-9 * length : s.from <= within + 1e-9 * length))
+      return fmt::format("'no_contact_within' of {} must be at least {:.3g} m to exclude that stretch",
+                         end_key(end), at_b ? length - s.from : s.to);
   }
   if (line.start == model::Start::points) return "move the points of its 'start' out of it";
   return "give a shape outside the volume with 'start: {points: [[x, y, z], ...]}'";
@@ -60,14 +61,14 @@ std::string stays_inside(const model::Line& line, const std::string& volume, con
   return fmt::format("lines.{}: {} {}; {}", line.name, stays, where_inside(s), remedy(line, s));
 }
 
-std::string excluded_at_end(const model::Line& line, bool at_b, const std::string& volume, double depth,
-                            double without) {
+std::string excluded_at_end(const model::Line& line, LineEnd line_end, const std::string& volume,
+                            double depth, double without) {
   const std::string starts = depth > 0 ? fmt::format("starts up to {:.3g} m inside volume {}", depth, volume)
                                        : fmt::format("starts at the surface of volume {}", volume);
   return fmt::format(
-      "lines.{}.end_{}: {}; the {:.3g} m of line up to where it is clear of it have no contact with it "
+      "lines.{}.{}: {}; the {:.3g} m of line up to where it is clear of it have no contact with it "
       "('no_contact_within' sets another length)",
-      line.name, at_b ? "b" : "a", starts, without);
+      line.name, end_key(line_end), starts, without);
 }
 
 std::string passes_volume(const model::Line& line, const std::string& volume, const Passes& p) {

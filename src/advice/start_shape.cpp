@@ -8,12 +8,12 @@
 #include "point_text.hpp"
 
 namespace hawser::advice {
-std::string against_direction(const model::Line& line, bool at_b, double angle) {
-  const Vec3& d = *line.end(at_b).direction;
+std::string against_direction(const model::Line& line, LineEnd line_end, double angle) {
+  const Vec3& d = *line.end(line_end).direction;
   return fmt::format(
       "lines.{}.{}.direction: the line would have to turn by {:.0f} degrees to have this direction at end "
       "{}: at both ends the direction is the tangent from end A to end B; is [{:.3g}, {:.3g}, {:.3g}] meant?",
-      line.name, at_b ? "end_b" : "end_a", angle * 180 / M_PI, at_b ? 'B' : 'A', 0 - d.x(), 0 - d.y(),
+      line.name, end_key(line_end), angle * 180 / M_PI, end_letter(line_end), 0 - d.x(), 0 - d.y(),
       0 - d.z());
 }
 

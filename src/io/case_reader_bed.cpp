@@ -255,10 +255,10 @@ class BedCheck {
     const double deep = -model::height_above_bed(bed_, x);
     place(where, x, type, std::max(deepest_start(c_, type), kPart * model::length_of(line)));
     if (deep >= 0.5 * type.contact_diameter && deep > kRounded)
-      c_.notes.push_back(
-          fmt::format("{}: is {:.3g} m below the seabed, so the program lowers the seabed there along {:.3g} "
-                      "m of the line; move the end to the seabed, or give the length that is 'buried'",
-                      where, deep, model::bed_at_end(c_, line, &e == &line.end_b, 0).length));
+      c_.notes.push_back(fmt::format(
+          "{}: is {:.3g} m below the seabed, so the program lowers the seabed there along {:.3g} "
+          "m of the line; move the end to the seabed, or give the length that is 'buried'",
+          where, deep, model::bed_at_end(c_, line, &e == &line.end_b ? LineEnd::B : LineEnd::A, 0).length));
   }
   // A line with an automatic start shape is straight from its end in the soil to the bed.
   void reaches(const model::Line& line, const model::End& e, const Vec3& x) const {

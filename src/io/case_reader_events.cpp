@@ -44,7 +44,7 @@ void finish_event(const Value& v, model::Event& e, const model::Case& c) {
     if (a.kind != Action::Kind::release)
       refuse(v["tension"], "applies to 'release' and 'cut' only; give 'when: {tension: {line, at, above}}'");
     cause.line = a.line;
-    cause.arc = a.cut >= 0 ? a.cut : a.at_b ? model::kEndB : 0;
+    cause.arc = a.cut >= 0 ? a.cut : a.line_end == LineEnd::B ? model::kEndB : 0;
   }
   if (const Value* when = v.find("when"))
     if (const Value* position = when->find("position"))

@@ -54,7 +54,7 @@ Wrench momentum_rate(const RigidBodyData& body, const RigidBodyState& s) {
   return out;
 }
 
-// With k the weight of the mean divided by h, d the displacement of the centre of mass, and the carried part
+// With k the weight of the mean divided by h, d the displacement of the centre of mass, and the history part
 // (F, M) about its start:
 //   f = k (P - P0) + F,   t = R^T [k (L - L0 + d x P0) + M - d x F] = k R^T L + R^T y
 //   y = -k L0 + M + d x g,   g = k P0 - F
@@ -63,11 +63,11 @@ Wrench momentum_rate(const RigidBodyData& body, const RigidBodyState& s) {
 void add_momentum(const Mat6& N, const MeanWeights& scheme, double h, const RigidBodyState& start,
                   const MomentumForces& from, const RigidBodyState& s, RigidBodyResidual& to) {
   const double k = scheme.weight() / h;
-  const Wrench before = body_momentum(N, start), carried = scheme.carried(from.q, from.f);
+  const Wrench before = body_momentum(N, start), history = scheme.history(from.q, from.f);
   const Mat3 R = s.q.toRotationMatrix(), Rt = R.transpose();
   const Vec6 rates = rates_in_body(s), own = N * rates;
-  const Vec3 p = own.head<3>(), g = k * before.head<3>() - carried.head<3>();
-  const Vec3 y = Rt * (carried.tail<3>() - k * before.tail<3>() + Vec3(s.x - start.x).cross(g));
+  const Vec3 p = own.head<3>(), g = k * before.head<3>() - history.head<3>();
+  const Vec3 y = Rt * (history.tail<3>() - k * before.tail<3>() + Vec3(s.x - start.x).cross(g));
   to.inertia.head<3>() += k * (R * p) - g;
   to.inertia.tail<3>() += k * own.tail<3>() + y;
 

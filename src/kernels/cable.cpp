@@ -1,4 +1,4 @@
-// The cable element: tension and tangent at one instant (`cable_tension`: statics, output), and the
+// The cable element: tension and tangent at one instant (`cable_force`: statics, output), and the
 // energy-conserving mean force over a time step (`cable_mean_force`) with damping, with numerical damping
 // of axial vibrations that are too fast for the step, and with changes between taut and slack.
 #include "hawser/kernels/cable.hpp"
@@ -86,32 +86,32 @@ Elastic elastic_mean(const CableSection& s, double e0, double e1) {
 
 // S = T* n, n = (d0 + d1)/(l0 + l1) (docs/theory/time-integration.md#cables), with
 //   T* = (V1 - V0)/(l1 - l0) + EA beta*/h (p1 - p0)/L + chi EA/L (dp - s min(1, h/h') dp') >= 0.
-// Symbols: d0, l0 from.chord, from.length; d1 chord; l1 o.l; L s.length; p = max(l - L, 0) elongation; V
+// Symbols: d0, l0 start.chord, start.length; d1 chord; l1 o.l; L s.length; p = max(l - L, 0) elongation; V
 // strain energy; beta* `beta`; h step.h; h' the length of the step before; chi step.filter; s e.share; dp/L =
-// (p1 - p0)/L o.strain_increment; min(1, h/h') dp'/L from.strain_increment, which the caller has scaled.
-Mean mean_of(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& chord) {
+// (p1 - p0)/L o.strain_increment; min(1, h/h') dp'/L start.strain_increment, which the caller has scaled.
+Mean mean_of(const CableSection& s, const CableStart& start, const CableStep& step, const Vec3& chord) {
   Mean o;
   o.l = chord.norm();
   o.t = o.l > 0 ? Vec3(chord / o.l) : Vec3(0, 0, 0);
-  o.n = from.length + o.l > 0 ? Vec3((from.chord + chord) / (from.length + o.l)) : Vec3(0, 0, 0);
+  o.n = start.length + o.l > 0 ? Vec3((start.chord + chord) / (start.length + o.l)) : Vec3(0, 0, 0);
   const double strain = (o.l - s.length) / s.length - s.free_strain;
-  const Elastic e = elastic_mean(s, from.strain, strain);
-  o.strain_increment = std::max(strain, 0.0) - std::max(from.strain, 0.0);
+  const Elastic e = elastic_mean(s, start.strain, strain);
+  o.strain_increment = std::max(strain, 0.0) - std::max(start.strain, 0.0);
   o.elastic = e.mean;
-  const double beta = std::min(from.beta, kRigid * step.h);
+  const double beta = std::min(start.beta, kRigid * step.h);
   o.damper = s.EA * beta / step.h * o.strain_increment;
-  o.filter = step.filter * s.EA * (o.strain_increment - e.share * from.strain_increment);
+  o.filter = step.filter * s.EA * (o.strain_increment - e.share * start.strain_increment);
   o.tension = o.elastic + o.damper + o.filter;
   if (o.tension <= 0) {
     o.tension = o.damper = o.filter = 0;
     return o;
   }
-  const double strain_change = strain - from.strain;
+  const double strain_change = strain - start.strain;
   o.slope = e.slope;
   if (strain > 0) o.slope += s.EA * (beta / step.h + step.filter);
   // If only a part of the change is taut, the share depends on the strain at the end.
   if (e.share < 1 && strain_change != 0)
-    o.slope -= step.filter * s.EA * from.strain_increment * ((strain > 0 ? 1 : 0) - e.share) / strain_change;
+    o.slope -= step.filter * s.EA * start.strain_increment * ((strain > 0 ? 1 : 0) - e.share) / strain_change;
   return o;
 }
 
@@ -134,16 +134,16 @@ CableStart cable_start(const CableSection& s, const Vec3& x1, const Vec3& x2, do
   return o;
 }
 
-Vec3 cable_mean_force(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
+Vec3 cable_mean_force(const CableSection& s, const CableStart& start, const CableStep& step, const Vec3& x1,
                       const Vec3& x2) {
-  const Mean m = mean_of(s, from, step, x2 - x1);
+  const Mean m = mean_of(s, start, step, x2 - x1);
   return m.tension * m.n;
 }
 
-void cable_mean_force(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
-                      const Vec3& x2, CableTension& out) {
-  const Mean m = mean_of(s, from, step, x2 - x1);
-  const double across = m.tension > 0 ? m.tension / (from.length + m.l) : 0;
+void cable_mean_force(const CableSection& s, const CableStart& start, const CableStep& step, const Vec3& x1,
+                      const Vec3& x2, CableForce& out) {
+  const Mean m = mean_of(s, start, step, x2 - x1);
+  const double across = m.tension > 0 ? m.tension / (start.length + m.l) : 0;
   out.force = m.tension * m.n;
   // d strain = (dl - (l/L) dL) / L
   const Vec3 along = (m.slope / s.length * (1 - m.l / s.length * s.length_by_chord)) * m.t;
@@ -152,37 +152,37 @@ void cable_mean_force(const CableSection& s, const CableStart& from, const Cable
   out.c.setZero();
 }
 
-CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
+CableLoss cable_loss(const CableSection& s, const CableStart& start, const CableStep& step, const Vec3& x1,
                      const Vec3& x2) {
-  const Mean m = mean_of(s, from, step, x2 - x1);
+  const Mean m = mean_of(s, start, step, x2 - x1);
   // If the unstretched length changes, the change of the chord has two parts: the mean length times the
   // change of strain, on which the material's forces do work, and the mean ratio of stretched to unstretched
   // length times the paid-out length (docs/theory/feeders.md#energy). `elongation` is the first part.
-  const double fed_length = s.length - from.unstretched_length,
+  const double fed_length = s.length - start.unstretched_length,
                length_ratio =
-                   1 + s.free_strain + 0.5 * (from.strain + (m.l - s.length) / s.length - s.free_strain);
-  const double elongation = m.l - from.length - length_ratio * fed_length;
+                   1 + s.free_strain + 0.5 * (start.strain + (m.l - s.length) / s.length - s.free_strain);
+  const double elongation = m.l - start.length - length_ratio * fed_length;
   const double energy = fed_length == 0
                             ? 0
-                            : 0.5 * (s.axial(std::max(from.strain, 0.0)).energy +
+                            : 0.5 * (s.axial(std::max(start.strain, 0.0)).energy +
                                      s.axial(std::max(m.l / s.length - 1 - s.free_strain, 0.0)).energy);
   const double fed = (energy - m.tension * length_ratio) * fed_length;
   // The element would push, so its tension is 0. The work of the spring is then counted as loss of the
   // damper, or of the filter if there is no damper.
   if (m.tension == 0) {
     const double spent = -m.elastic * elongation;
-    return from.beta > 0 ? CableLoss{spent, 0, 0, fed} : CableLoss{0, spent, 0, fed};
+    return start.beta > 0 ? CableLoss{spent, 0, 0, fed} : CableLoss{0, spent, 0, fed};
   }
   return {m.damper * elongation, m.filter * elongation,
           m.l > s.length * (1 + s.free_strain) ? m.strain_increment : 0.0, fed};
 }
 
-Vec3 cable_tension(const CableSection& s, const CableEnds& e) {
+Vec3 cable_force(const CableSection& s, const CableEnds& e) {
   const Local o = local(s, e);
   return o.tension * o.t;
 }
 
-void cable_tension(const CableSection& s, const CableEnds& e, double slack, CableTension& out) {
+void cable_force(const CableSection& s, const CableEnds& e, double slack, CableForce& out) {
   const Local o = local(s, e);
   out.force = o.tension * o.t;
   const bool taut = o.tension > 0;

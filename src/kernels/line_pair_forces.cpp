@@ -37,7 +37,7 @@ void add_product(const Eigen::Matrix<double, n, 1>& column, const Gradient& grad
 
 // Columns of a position or a rotation.
 template <class Matrix>
-auto of(Matrix& m, size_t position) {
+auto columns(Matrix& m, size_t position) {
   return m.template middleCols<3>(3 * static_cast<Eigen::Index>(position));
 }
 
@@ -129,9 +129,9 @@ struct LinePairPass::Slopes {
   const double curve = y1.squaredNorm() - p.foot.away.dot(y2);
   s.slides_on = p.foot.inside && curve > 0;
   if (s.slides_on) {
-    for (size_t j = 0; j < na; ++j) of(s.eta_by, at_slave_ + j) = p.H[j] / curve * y1.transpose();
+    for (size_t j = 0; j < na; ++j) columns(s.eta_by, at_slave_ + j) = p.H[j] / curve * y1.transpose();
     for (size_t k = 0; k < nb; ++k)
-      of(s.eta_by, at_master_ + k) =
+      columns(s.eta_by, at_master_ + k) =
           (-rows.by_eta[at_master_ + k] * p.foot.away - p.G[k] * y1).transpose() / curve;
     s.eta_by_xi = p.slope.dot(y1) / curve;
   }
@@ -139,7 +139,7 @@ struct LinePairPass::Slopes {
 
   s.by.setZero();
   for (size_t m = 0; m < na + nb; ++m) {
-    auto by_m = of(s.by, m);
+    auto by_m = columns(s.by, m);
     by_m = rows.share[m] * by_away;
     if (rubs && rows.by_eta[m] != 0) by_m -= rows.by_eta[m] * by(F::kAlong);
     if (from.is_new && rows.by_xi[m] != 0) by_m += rows.by_xi[m] * by(F::kSlope);
@@ -152,11 +152,11 @@ struct LinePairPass::Slopes {
     if (axis.beam()) {
       // - w N d(old turn), with d(turn) v = dphi x (turn v)
       for (size_t i = 0; i < 2; ++i)
-        of(s.by, turn + i) = rows.share[turn + i] * by_moved * hat(axis.turn[i] * p.before);
+        columns(s.by, turn + i) = rows.share[turn + i] * by_moved * hat(axis.turn[i] * p.before);
     } else {
       const Six turned = (of_master ? wb_ : wa_) * by_moved * section_turn_by_chord(axis, p.before);
-      of(s.by, position) += turned;
-      of(s.by, position + 1) -= turned;
+      columns(s.by, position) += turned;
+      columns(s.by, position + 1) -= turned;
     }
   }
   return s;
@@ -181,16 +181,16 @@ LinePairPass::MovingEnd LinePairPass::moving_end(double xi, End end) const {
     const double slope = f.normal.dot(x1);
     if (std::abs(slope) < 1e-9 * slave_.now.slope_bound()) return m;
     const AxisShape::Weights G = master_.now.functions(f.eta);
-    for (size_t j = 0; j < na; ++j) of(m.by, at_slave_ + j) = -H[j] / slope * f.normal.transpose();
-    for (size_t k = 0; k < nb; ++k) of(m.by, at_master_ + k) = G[k] / slope * f.normal.transpose();
+    for (size_t j = 0; j < na; ++j) columns(m.by, at_slave_ + j) = -H[j] / slope * f.normal.transpose();
+    for (size_t k = 0; k < nb; ++k) columns(m.by, at_master_ + k) = G[k] / slope * f.normal.transpose();
   } else {
     const double eta = end == End::first_joint ? 0 : 1;
     const Vec3 V = master_.now.point(eta), t = master_.now.slope(eta);
     const double slope = x1.dot(t);
     const AxisShape::Weights G = master_.now.functions(eta), dG = master_.now.derivatives(eta);
-    for (size_t j = 0; j < na; ++j) of(m.by, at_slave_ + j) = -H[j] / slope * t.transpose();
+    for (size_t j = 0; j < na; ++j) columns(m.by, at_slave_ + j) = -H[j] / slope * t.transpose();
     for (size_t k = 0; k < nb; ++k)
-      of(m.by, at_master_ + k) = (G[k] * t - dG[k] * (x - V)).transpose() / slope;
+      columns(m.by, at_master_ + k) = (G[k] * t - dG[k] * (x - V)).transpose() / slope;
   }
   m.force.fill(Vec3::Zero());
   m.moves = true;
@@ -234,7 +234,7 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
 
       const Slopes s = slopes(p, from, c, rows);
       Gradient rate = Gradient::Zero();  // derivative of the gap rate by the velocities of the positions
-      for (size_t m = 0; m < g.positions; ++m) of(rate, m) = rows.share[m] * p.foot.normal.transpose();
+      for (size_t m = 0; m < g.positions; ++m) columns(rate, m) = rows.share[m] * p.foot.normal.transpose();
       for (const size_t r : rows) {
         const Vec3& v = vector(r);
         const int first = r < kTurns ? 0 : 3, row = 3 * static_cast<int>(r);

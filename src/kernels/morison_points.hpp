@@ -101,10 +101,10 @@ inline Mat by_chord2_of(Row t, double inverse) {
   return (inverse * inverse) * m;
 }
 
-// Quantities that all points of an element share. Its first and last positions are X[0] and X[end].
+// Quantities that all points of an element share. Its first and last positions are X[0] and X[last].
 template <bool beam>
 struct Chord {
-  static constexpr int n = Rule<beam>::shapes, end = n - (beam ? 2 : 1);
+  static constexpr int n = Rule<beam>::shapes, last = n - (beam ? 2 : 1);
   double inverse;  // 1/m, of its length l; 0 where that is 0
   Row t;           // unit vector
   Mat across;      // P = I - t t'
@@ -120,8 +120,8 @@ struct Chord {
         fall(rise - chord[2]),
         band(s, t[2]) {
     if constexpr (beam) {
-      db[end] = (band.by_lean / band.b) * by_chord_of(t, inverse);
-      db[0] = -db[end];
+      db[last] = (band.by_lean / band.b) * by_chord_of(t, inverse);
+      db[0] = -db[last];
     }
   }
 
@@ -135,7 +135,7 @@ struct Chord {
 // A Gauss point and what is wet of its piece.
 template <bool beam>
 struct Point {
-  static constexpr int n = Rule<beam>::shapes, end = Chord<beam>::end;
+  static constexpr int n = Rule<beam>::shapes, last = Chord<beam>::last;
   double z;  // of the element's length
   double w;  // m, that it represents
   double N[n];
@@ -153,9 +153,9 @@ struct Point {
     wet = piece_wetting(piece.h1, piece.h2, c.band.b);
     for (int j = 0; j < n; ++j) from[j] = to[j] = N[j];
     from[0] -= piece.from;
-    from[end] += piece.from;
+    from[last] += piece.from;
     to[0] -= piece.to;
-    to[end] += piece.to;
+    to[last] += piece.to;
   }
   double share() const { return wet.share1 + wet.share2; }  // F
   bool partly() const { return wet.slope11 > 0 || wet.slope22 > 0; }
@@ -178,30 +178,30 @@ struct Point {
 template <bool beam, bool tangent>
 inline void buoyancy_at(const WaterSection& s, const Chord<beam>& c, const Point<beam>& p, bool convex,
                         Forces<Rule<beam>::shapes>& out) {
-  constexpr int n = Chord<beam>::n, end = Chord<beam>::end;
+  constexpr int n = Chord<beam>::n, last = Chord<beam>::last;
   const double B = p.w * s.buoyancy;
   for (int j = 0; j < n; ++j) out.f[j][2] -= B * (p.wet.share1 * p.from[j] + p.wet.share2 * p.to[j]);
   if (!p.partly()) return;
   // B dP/db, by Euler's theorem.
   const double G = B * (p.wet.integral - p.piece.h1 * p.wet.share1 - p.piece.h2 * p.wet.share2) / c.band.b;
   out.f[0] += G * c.db[0];
-  out.f[end] += G * c.db[end];
+  out.f[last] += G * c.db[last];
   if constexpr (tangent) {
     for (int k = 0; k < n; ++k) {
       for (int j = 0; j < n; ++j) out.K[j][k].r[2] -= (B * p.from[j]) * p.by1[k] + (B * p.to[j]) * p.by2[k];
       if constexpr (beam) {
-        const Mat by_band = outer(B * c.db[end], p.by_b[k]);
-        out.K[end][k] += by_band;
+        const Mat by_band = outer(B * c.db[last], p.by_b[k]);
+        out.K[last][k] += by_band;
         out.K[0][k] -= by_band;
       }
     }
     if (beam && !convex) {  // may be negative for short elements, so not convex
       const Mat k2 =
-          (G / c.band.b) * (c.band.by_lean * by_chord2_of(c.t, c.inverse) - outer(c.db[end], c.db[end]));
+          (G / c.band.b) * (c.band.by_lean * by_chord2_of(c.t, c.inverse) - outer(c.db[last], c.db[last]));
       out.K[0][0] += k2;
-      out.K[end][end] += k2;
-      out.K[0][end] -= k2;
-      out.K[end][0] -= k2;
+      out.K[last][last] += k2;
+      out.K[0][last] -= k2;
+      out.K[last][0] -= k2;
     }
   }
 }
@@ -245,7 +245,7 @@ inline Flow<Rule<beam>::shapes> flow_at(const WaterSection& s, const Motion<Rule
 template <int n>
 struct Sums {
   double masses[n][n] = {};  // m, that the added mass of a metre is multiplied by
-  Mat by_chord[n] = {};      // derivative by X[end] (minus that by X[0]) through the chord
+  Mat by_chord[n] = {};      // derivative by X[last] (minus that by X[0]) through the chord
   Row by_z[n][2] = {};       // through the current
 };
 
@@ -294,8 +294,8 @@ enum class Part { all, buoyancy, flow };
 template <bool beam, bool tangent, Part part = Part::all>
 void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool convex,
               Forces<Rule<beam>::shapes>& out) {
-  constexpr int n = Chord<beam>::n, end = Chord<beam>::end;
-  const Chord<beam> chord(s, m.X[end] - m.X[0], m.surface[1] - m.surface[0]);
+  constexpr int n = Chord<beam>::n, last = Chord<beam>::last;
+  const Chord<beam> chord(s, m.X[last] - m.X[0], m.surface[1] - m.surface[0]);
   for (int j = 0; j < n; ++j) out.f[j] = Row{};
   if constexpr (tangent)
     for (int j = 0; j < n; ++j)
@@ -319,11 +319,11 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
     const Mat added = identity(s.added_normal) + outer(ma * chord.t, chord.t);
     for (int j = 0; j < n; ++j) {
       for (int k = 0; k < n; ++k) out.M[j][k] = sums.masses[j][k] * added;
-      out.K[j][end] += sums.by_chord[j];
+      out.K[j][last] += sums.by_chord[j];
       out.K[j][0] -= sums.by_chord[j];
       for (int r = 0; r < 3; ++r) {
         out.K[j][0].r[r][2] += sums.by_z[j][0][r];
-        out.K[j][end].r[r][2] += sums.by_z[j][1][r];
+        out.K[j][last].r[r][2] += sums.by_z[j][1][r];
       }
     }
   }

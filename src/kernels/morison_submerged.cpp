@@ -13,7 +13,7 @@ namespace {
 using wide::Row;
 
 using Vec = Triple<Row>;  // of four elements
-Vec of(const Row* p) { return {{p[0], p[1], p[2]}}; }
+Vec lanes(const Row* p) { return {{p[0], p[1], p[2]}}; }
 
 constexpr auto& kAt = GaussPoints<2>::unit;
 
@@ -27,7 +27,7 @@ struct Chords {
   Row inverse;  // 1/m, of their lengths; 0 where that is 0
   Vec t;        // unit vectors
   explicit Chords(const CablesInWater4& m) {
-    const Vec chord = of(m.x[1]) - of(m.x[0]);
+    const Vec chord = lanes(m.x[1]) - lanes(m.x[0]);
     const Row l = wide::sqrt(dot(chord, chord));
     inverse = l > 0 ? 1 / l : Row{};
     t = inverse * chord;
@@ -43,10 +43,10 @@ inline void inertia_and_buoyancy(const WaterSections4& s, const CablesInWater4& 
   const Row ma = s.added_axial - s.added_normal;
   for (int j = 0; j < 2; ++j) {
     const int k = 1 - j;
-    y[j] = (s.length * (1. / 12)) * (5.0 * of(m.a[j]) + of(m.a[k]));
+    y[j] = (s.length * (1. / 12)) * (5.0 * lanes(m.a[j]) + lanes(m.a[k]));
     Vec water;
     if constexpr (moving) {
-      water = (s.length * (1. / 6)) * (2.0 * of(m.acceleration[j]) + of(m.acceleration[k]));
+      water = (s.length * (1. / 6)) * (2.0 * lanes(m.acceleration[j]) + lanes(m.acceleration[k]));
       y[j] = y[j] - water;
     }
     f[j] = morison_formula::added_mass(s.added_normal, ma, c.t, y[j]);
@@ -70,8 +70,8 @@ inline void drag_at_points(const WaterSections4& s, const CablesInWater4& m, con
   for (int g = 0; g < 2; ++g) {
     const double N[2] = {1 - kAt[g], kAt[g]};
     const Row w = 0.5 * s.length;
-    Vec u = -N[0] * of(m.v[0]) - N[1] * of(m.v[1]);
-    if constexpr (moving) u = u + N[0] * of(m.velocity[0]) + N[1] * of(m.velocity[1]);
+    Vec u = -N[0] * lanes(m.v[0]) - N[1] * lanes(m.v[1]);
+    if constexpr (moving) u = u + N[0] * lanes(m.velocity[0]) + N[1] * lanes(m.velocity[1]);
     const morison_formula::Drag<Row, Vec> drag(u, t, s.drag_normal, s.drag_axial);
     const Vec force = w * drag.force(), &un = drag.across;
     for (int j = 0; j < 2; ++j) f[j] = f[j] - N[j] * force;
@@ -132,7 +132,7 @@ inline void put_blocks(const WaterSections4& s, const CablesInWater4& m, const C
         entry[i] += mass * s.added_normal;
         if constexpr (moving) {
           const Vec sheared{{c.c[kPlace[i][0]], c.c[kPlace[i][1]], c.c[kPlace[i][2]]}};
-          entry[2] -= wK * dot(sheared, of(m.by_height[n]));
+          entry[2] -= wK * dot(sheared, lanes(m.by_height[n]));
         }
         for (int k = 0; k < 3; ++k)
           for (int lane = 0; lane < 4; ++lane) J[lane](3 * j + i, 3 * n + k) = entry[k][lane];

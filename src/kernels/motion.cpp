@@ -225,8 +225,8 @@ void RigidMotion::set_drift(DriftLaw drift) {
 namespace {
 
 // `pose` about `origin`, carried by a frame with the displacement `moved` and the rotation `turned` about it.
-void carry(const Vec3& origin, const VectorMotion& moved, const VectorMotion& turned, bool rests,
-           RigidPose& pose) {
+void move_with_frame(const Vec3& origin, const VectorMotion& moved, const VectorMotion& turned, bool rests,
+                     RigidPose& pose) {
   const Quat D = exp_so3(turned.value);
   const Vec3 r = D * (pose.position - origin);
   pose.position = origin + moved.value + r;
@@ -273,7 +273,7 @@ RigidPose RigidMotion::at(double t) const {
   if (!drifts_) return pose;
   VectorMotion moved, turned;
   drift_.at(t, moved, turned);
-  carry(position_, moved, turned, rests, pose);
+  move_with_frame(position_, moved, turned, rests, pose);
   return pose;
 }
 

@@ -52,7 +52,7 @@ void Stencil::to_blocks(const AttachedForces& g, bool turning, double* f, double
   std::array<StencilPoint, AttachedForces::kMost> rows;
   size_t count = 0;
   for (size_t i = 0; i < g.positions; ++i) {
-    const AttachedPosition& p = at[i];
+    const AttachedPosition& p = attached[i];
     StencilPoint& r = rows[count++];
     r.index = i;
     r.of = &p;

@@ -199,11 +199,11 @@ WaveMotion StokesWave::at(const Vec3& x, double t, double factor, double rate) c
   WaveMotion m;
   m.surface = factor * at_phase(theta);
   const Flow f = flow(theta, over_bed(x.z(), m.surface));
-  const double carried = f.u * f.ux + f.w * f.uz, lifted = f.u * f.uz - f.w * f.ux;
+  const double convected = f.u * f.ux + f.w * f.uz, lifted = f.u * f.uz - f.w * f.ux;
   const auto vector = [this](double along, double z) { return Vec3(cos_ * along, sin_ * along, z); };
   m.velocity = factor * vector(f.u, f.w);
   m.acceleration =
-      factor * vector(f.ut, f.wt) + rate * vector(f.u, f.w) + factor * factor * vector(carried, lifted);
+      factor * vector(f.ut, f.wt) + rate * vector(f.u, f.w) + factor * factor * vector(convected, lifted);
   return m;
 }
 

@@ -1,7 +1,7 @@
 // Normal force and friction with elastic slip at one point of a line against a volume or the seabed, and
 // their derivatives by position, velocity and roll by automatic differentiation. The scalar laws are in
 // contact_law.hpp (normal force) and friction_law.hpp; terms/contact_along_axis.cpp sums along an element,
-// terms/seabed.cpp over nodes.
+// terms/bed_contact.cpp over nodes.
 #include "hawser/kernels/surface_contact_law.hpp"
 
 #include <unsupported/Eigen/AutoDiff>
@@ -53,9 +53,10 @@ PointState<Dual<kTurns>> dual(const ContactTrial& t, const NormalForce& n, const
 // Adds friction to the normal force; by_turn: derivative of the force by the rotation.
 // flatten: otherwise most operations on dual numbers are function calls.
 template <int kTurns>
-[[gnu::flatten]] void add_friction(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
-                  const Rotation<kTurns>& rotation, bool derivatives, PointContact& r,
-                  Eigen::Matrix<double, 3, kTurns>& by_turn) {
+[[gnu::flatten]] void add_friction(const ContactLaw& law, const ContactStart& start,
+                                   const ContactTrial& trial, const Rotation<kTurns>& rotation,
+                                   bool derivatives, ContactForce& r,
+                                   Eigen::Matrix<double, 3, kTurns>& by_turn) {
   if (derivatives) {
     const Friction<Dual<kTurns>> f = point_friction(law, start, dual(trial, r.normal, rotation));
     for (int c = 0; c < 3; ++c) {
@@ -81,8 +82,8 @@ template <int kTurns>
 
 // F = N(g, g') n, with n = n(y), dn/dy = H and g' = n.u (docs/theory/contact.md). Derivative by y: n (N_g n +
 // N_g' H u)' + N H; by u: N_g' n n'.
-PointContact without_friction(const ContactLaw& law, const ContactTrial& trial, bool derivatives) {
-  PointContact r;
+ContactForce without_friction(const ContactLaw& law, const ContactTrial& trial, bool derivatives) {
+  ContactForce r;
   const Vec3& n = trial.normal;
   r.normal = normal_force(law.normal, trial.gap, n.dot(trial.velocity));
   if (!(r.normal.force > 0)) return r;
@@ -98,9 +99,9 @@ PointContact without_friction(const ContactLaw& law, const ContactTrial& trial, 
 
 }  // namespace
 
-PointContact volume_contact(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
+ContactForce volume_contact(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
                             bool derivatives) {
-  PointContact r = without_friction(law, trial, derivatives);
+  ContactForce r = without_friction(law, trial, derivatives);
   if (!(r.normal.force > 0) || !law.friction.active()) return r;
   const Rotation<1> roll{trial.roll * start.tangent, start.tangent};
   add_friction(law, start, trial, roll, derivatives, r, r.by_roll);

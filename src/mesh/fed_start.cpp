@@ -3,9 +3,9 @@
 
 namespace hawser {
 
-FedStart fed_start(const Mesh& mesh, const LineSpan& span, bool at_b, double stock) {
+FedStart fed_start(const Mesh& mesh, const LineSpan& span, LineEnd line_end, double stock) {
   const auto length = [&](int i) {
-    return mesh.element(span.first_element + (at_b ? span.elements - 1 - i : i)).length;
+    return mesh.element(span.first_element + (line_end == LineEnd::B ? span.elements - 1 - i : i)).length;
   };
   FedStart out;
   double inside = 0;

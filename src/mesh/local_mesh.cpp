@@ -65,10 +65,10 @@ std::vector<BlockRun> block_runs(const Mesh& mesh, const NodeRanks& owner, int r
 std::vector<int> own_elements(const Mesh& mesh, const NodeRanks& owner, int rank) {
   std::vector<int> out;
   for (const EvenPart& part : mesh.parts()) {
-    const int end = part.first_node + part.lengths.elements;  // its last node
-    int last = -1;                                            // element of `out`, in the part
-    for (size_t r = owner.run_of(part.first_node); r < owner.runs().size() && owner.runs()[r].first <= end;
-         ++r) {
+    const int last_node = part.first_node + part.lengths.elements;
+    int last = -1;  // element of `out`, in the part
+    for (size_t r = owner.run_of(part.first_node);
+         r < owner.runs().size() && owner.runs()[r].first <= last_node; ++r) {
       if (owner.runs()[r].rank != rank) continue;
       const int from = std::max(owner.runs()[r].first - part.first_node - 1, last + 1);
       const int to = std::min(owner.end(r) - part.first_node, part.lengths.elements);

@@ -17,10 +17,10 @@ namespace hawser {
 namespace {
 
 // True if an event releases this end.
-bool released(const model::Case& c, const model::Line& line, bool at_b) {
+bool released(const model::Case& c, const model::Line& line, LineEnd line_end) {
   return std::any_of(c.events.begin(), c.events.end(), [&](const model::Event& e) {
     return e.action.kind == model::Action::Kind::release && e.action.line == line.name &&
-           e.action.at_b == at_b;
+           e.action.line_end == line_end;
   });
 }
 
@@ -44,16 +44,15 @@ class OwnNodes {
 // ends; in a rigid joint it carries the others that rotate. An end that stays carries those that are released
 // later, which then have unknowns of their own.
 void join(const model::Case& c, const Mesh& m, OwnNodes& own) {
-  std::unordered_map<std::string, std::vector<std::pair<size_t, bool>>> ends_of;  // by joint: line, its end B
+  std::unordered_map<std::string, std::vector<std::pair<size_t, LineEnd>>> ends_of;  // by joint
   for (size_t l = 0; l < c.lines.size(); ++l)
-    for (const bool b : {false, true})
-      if (const model::End& e = c.lines[l].end(b); e.kind == model::EndKind::joint)
-        ends_of[e.body].emplace_back(l, b);
+    for (const LineEnd end : kLineEnds)
+      if (const model::End& e = c.lines[l].end(end); e.kind == model::EndKind::joint)
+        ends_of[e.body].emplace_back(l, end);
   for (const model::Joint& joint : c.joints) {
     std::vector<int> ends, leaving;
-    for (const auto& [l, b] : ends_of[joint.name]) {
-      const LineSpan& span = m.lines[l];
-      (released(c, c.lines[l], b) ? leaving : ends).push_back(span.first_node + (b ? span.nodes - 1 : 0));
+    for (const auto& [l, end] : ends_of[joint.name]) {
+      (released(c, c.lines[l], end) ? leaving : ends).push_back(m.lines[l].end_node(end));
     }
     int first = -1;
     for (int n : ends)
@@ -73,14 +72,13 @@ void tie(const model::Case& c, const Mesh& m, OwnNodes& own) {
     const model::Action& a = e.action;
     if (a.kind != model::Action::Kind::attach || !c.floats(c.body_index(a.body))) continue;
     const LineSpan& span = m.lines[c.line_index(a.line)];
-    own.at(span.first_node + (a.at_b ? span.nodes - 1 : 0)).tied_to = m.body_node(c.body_index(a.body));
+    own.at(span.end_node(a.line_end)).tied_to = m.body_node(c.body_index(a.body));
   }
   for (size_t l = 0; l < c.lines.size(); ++l)
-    for (const bool last : {false, true}) {
-      const model::End& e = c.lines[l].end(last);
+    for (const LineEnd end : kLineEnds) {
+      const model::End& e = c.lines[l].end(end);
       if (e.kind != model::EndKind::body || !c.floats(c.body_index(e.body))) continue;
-      const int n = m.lines[l].first_node + (last ? m.lines[l].nodes - 1 : 0);
-      own.at(n).tied_to = m.body_node(c.body_index(e.body));
+      own.at(m.lines[l].end_node(end)).tied_to = m.body_node(c.body_index(e.body));
     }
 }
 

@@ -55,9 +55,9 @@ std::vector<int> metis_parts(std::span<const double> work, const std::vector<Gra
 template <class What>
 void for_cut_elements(const Mesh& mesh, const NodeRanks& owner, const What& what) {
   for (const EvenPart& part : mesh.parts()) {
-    const int end = part.first_node + part.lengths.elements;  // its last node
+    const int last_node = part.first_node + part.lengths.elements;
     for (size_t r = owner.run_of(part.first_node) + 1; r < owner.runs().size(); ++r) {
-      if (owner.runs()[r].first > end) break;
+      if (owner.runs()[r].first > last_node) break;
       what(owner.runs()[r].first);
     }
   }

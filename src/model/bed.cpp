@@ -59,18 +59,18 @@ double resting_height(const Case& c, const LineType& type) {
   return 0.5 * type.contact_diameter - penetration_under(c.environment.seabed, weight, type.contact_diameter);
 }
 
-BedAtEnd bed_at_end(const Case& c, const Line& line, bool b, double element) {
+BedAtEnd bed_at_end(const Case& c, const Line& line, LineEnd line_end, double element) {
   // A line that descends to its end at angle a presses on the bed with T a; friction balances a tension
   // difference up to mu T a, 0.5 % of the tension T at this angle.
   constexpr double kSteepest = 0.005;
   BedAtEnd out;
   const Seabed& bed = c.environment.seabed;
-  const End& end = line.end(b);
+  const End& end = line.end(line_end);
   if (!bed.present || end.kind != EndKind::anchor) return out;
-  const double length = length_of(line), where = b ? length : 0;
+  const double length = length_of(line), where = line_end == LineEnd::B ? length : 0;
   for (const Buried& s : line.buried)
     if (where >= s.from && where <= s.to) return out;
-  const LineType& type = c.line_type((b ? line.sections.back() : line.sections.front()).type);
+  const LineType& type = c.line_type(line.end_section(line_end).type);
   const double height = height_above_bed(bed, end_position(c, end));
   if (!std::isfinite(height)) return out;
   const double rest = resting_height(c, type), radius = 0.5 * type.contact_diameter;

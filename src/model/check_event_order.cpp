@@ -56,11 +56,11 @@ class EventOrder : private EventChecks {
 
   // Attachments and releases of an end must alternate.
   void check_ends() {
-    std::map<std::pair<std::string, bool>, std::vector<std::size_t>> ends;
+    std::map<std::pair<std::string, LineEnd>, std::vector<std::size_t>> ends;
     for (std::size_t k = 0; k < c_.events.size(); ++k)
       if (const Action& a = c_.events[k].action;
           a.cut < 0 && (a.kind == Kind::release || a.kind == Kind::attach))
-        ends[{a.line, a.at_b}].push_back(k);
+        ends[{a.line, a.line_end}].push_back(k);
     for (auto& [end, events] : ends) {
       const auto time = [&](std::size_t k) {
         const Cause& cause = c_.events[k].cause;
@@ -74,7 +74,7 @@ class EventOrder : private EventChecks {
       int releases = 0, attachments = 0;
       for (const std::size_t k : events)
         (c_.events[k].action.kind == Kind::attach ? attachments : releases) += 1;
-      const char* name = end.second ? "end B" : "end A";
+      const std::string name = fmt::format("end {}", end_letter(end.second));
       i_ = events.back();
       if (!held && attachments == 0)
         issue("release",
@@ -110,8 +110,8 @@ class EventOrder : private EventChecks {
     for (std::size_t k = 0; k < i_; ++k) {
       const Event &e = event(), &o = c_.events[k];
       if (e.action.kind == Kind::feed && o.action.kind == Kind::feed && e.action.line == o.action.line &&
-          e.action.at_b == o.action.at_b && e.cause.kind == o.cause.kind && e.cause.time == o.cause.time &&
-          e.cause.event == o.cause.event &&
+          e.action.line_end == o.action.line_end && e.cause.kind == o.cause.kind &&
+          e.cause.time == o.cause.time && e.cause.event == o.cause.event &&
           (e.cause.kind == Cause::Kind::time || e.cause.kind == Cause::Kind::after))
         issue("feed", "'{}' changes the law of the feeder at the same time", o.name);
     }
@@ -122,13 +122,13 @@ class EventOrder : private EventChecks {
       int stay = 0;
       std::size_t last = c_.events.size();
       for (const Line& l : c_.lines)
-        for (const bool b : {false, true}) {
-          const End& e = l.end(b);
+        for (const LineEnd line_end : kLineEnds) {
+          const End& e = l.end(line_end);
           if (e.kind != EndKind::joint || e.body != j.name) continue;
           bool released = false;
           for (std::size_t k = 0; k < c_.events.size(); ++k)
             if (const Action& a = c_.events[k].action;
-                a.kind == Kind::release && a.cut < 0 && a.line == l.name && a.at_b == b) {
+                a.kind == Kind::release && a.cut < 0 && a.line == l.name && a.line_end == line_end) {
               released = true;
               last = k;
             }

@@ -32,14 +32,14 @@ class EventCheck : private EventChecks {
 
  private:
   const Line& line(const std::string& name) const { return c_.line(name); }
-  const End& end_of(const Action& a) const { return line(a.line).end(a.at_b); }
+  const End& end_of(const Action& a) const { return line(a.line).end(a.line_end); }
   const LineType& type_at(const std::string& name, double arc) const {
     double end = 0;
     for (const Section& s : line(name).sections)
       if (arc <= (end += s.length)) return c_.line_type(s.type);
     return c_.line_type(line(name).sections.back().type);
   }
-  const char* end_name(const Action& a) const { return a.at_b ? "end B" : "end A"; }
+  std::string end_name(const Action& a) const { return fmt::format("end {}", end_letter(a.line_end)); }
 
   void check_stage(const Event& e) {
     if (std::find(c_.stages.begin(), c_.stages.end(), e.cause.event) == c_.stages.end())
@@ -78,7 +78,8 @@ class EventCheck : private EventChecks {
 
   void check_attach(const Action& a, const End& end) {
     const int body = c_.body_index(a.body);
-    if (a.clamped && type_at(a.line, a.at_b ? length_of(line(a.line)) : 0).kind == LineKind::cable)
+    if (a.clamped &&
+        type_at(a.line, a.line_end == LineEnd::B ? length_of(line(a.line)) : 0).kind == LineKind::cable)
       issue("attach.clamped", "line '{}' has no bending stiffness there and cannot be clamped", a.line);
     if (c_.rides(body))
       issue("attach.body", "body '{}' rides on a line; ends of lines are tied to lines at a joint", a.body);
@@ -89,8 +90,9 @@ class EventCheck : private EventChecks {
             "to body '{}' as well",
             end_name(a), a.line, end.kind == EndKind::joint ? "joint" : "body", end.body, a.body);
     for (const Event& other : c_.events)
-      if (other.action.kind == Kind::attach && other.action.line == a.line && other.action.at_b == a.at_b &&
-          c_.floats(body) && c_.floats(c_.body_index(other.action.body)) && other.action.body != a.body)
+      if (other.action.kind == Kind::attach && other.action.line == a.line &&
+          other.action.line_end == a.line_end && c_.floats(body) &&
+          c_.floats(c_.body_index(other.action.body)) && other.action.body != a.body)
         issue("attach.body",
               "another event attaches {} of line '{}' to body '{}', and an end can be attached to one body "
               "only that moves by its own equations",
@@ -112,10 +114,11 @@ class EventCheck : private EventChecks {
     for (const SupportBox& s : c_.supports)
       if (s.line == a.given_line)
         return issue("cut", "line '{}' is laid over supports and cannot be cut", a.given_line);
-    for (const bool b : {false, true})
-      if (const auto& feed = l.end(b).feed; feed && (b ? length - a.cut : a.cut) <= feed->stock)
+    for (const LineEnd end : kLineEnds)
+      if (const auto& feed = l.end(end).feed;
+          feed && (end == LineEnd::B ? length - a.cut : a.cut) <= feed->stock)
         issue("cut.at", "arc length {:.6g} m of line '{}' is inside the feeder at its end {}", a.cut,
-              a.given_line, b ? 'B' : 'A');
+              a.given_line, end_letter(end));
   }
 
   // Each part between cuts, ends and section boundaries is at least one element long and no shorter than the
@@ -165,7 +168,8 @@ class EventCheck : private EventChecks {
                      "line type '{}' has 'plasticity', and statics does not bend what it pays out", s.type);
     double inside = end.feed->stock;
     for (std::size_t k = 0; k <= i_; ++k)
-      if (const Action& o = c_.events[k].action; o.paid_out != 0 && o.line == a.line && o.at_b == a.at_b)
+      if (const Action& o = c_.events[k].action;
+          o.paid_out != 0 && o.line == a.line && o.line_end == a.line_end)
         inside -= o.paid_out;
     const double length = length_of(line(a.line));
     if (inside <= 0 || inside >= length)
@@ -202,35 +206,35 @@ class EventCheck : private EventChecks {
         issue(when + "tension",
               "line '{}' has no bending stiffness there and cannot be in compression; give a limit above 0",
               cause.line);
-      for (const bool b : {false, true})
-        if (const auto& feed = line(cause.line).end(b).feed;
-            feed && cause.arc > 0 && cause.arc < length && (b ? length - cause.arc : cause.arc) < feed->stock)
+      for (const LineEnd end : kLineEnds)
+        if (const auto& feed = line(cause.line).end(end).feed;
+            feed && cause.arc > 0 && cause.arc < length &&
+            (end == LineEnd::B ? length - cause.arc : cause.arc) < feed->stock)
           issue("when.tension.at",
                 "arc length {:.6g} m of line '{}' is inside the feeder at its end {} at the start, where the "
                 "line has no tension; give '{}' for the tension at the feeder",
-                cause.arc, cause.line, b ? 'B' : 'A', b ? "end_b" : "end_a");
-      const End* end = cause.arc <= kArcTolerance * length         ? &line(cause.line).end_a
-                       : cause.arc >= length * (1 - kArcTolerance) ? &line(cause.line).end_b
-                                                                   : nullptr;
-      if (end && end->kind == EndKind::free && !attached(cause.line, end == &line(cause.line).end_b))
+                cause.arc, cause.line, end_letter(end), end_key(end));
+      const bool at_a = cause.arc <= kArcTolerance * length, at_b = cause.arc >= length * (1 - kArcTolerance);
+      const LineEnd end = at_a ? LineEnd::A : LineEnd::B;
+      if ((at_a || at_b) && line(cause.line).end(end).kind == EndKind::free && !attached(cause.line, end))
         issue(when + "tension", "the tension of a free end is 0: end {} of line '{}' is free",
-              end == &line(cause.line).end_b ? 'B' : 'A', cause.line);
+              end_letter(end), cause.line);
     }
     if (cause.kind == Cause::Kind::paid_out) {
       const Line& l = line(cause.line);
-      const auto& feed = l.end(cause.arc > 0).feed;
+      const LineEnd end = cause.arc > 0 ? LineEnd::B : LineEnd::A;
+      const auto& feed = l.end(end).feed;
       if (!feed)
-        issue("when.paid_out.end", "end {} of line '{}' has no 'feed'", cause.arc > 0 ? 'B' : 'A',
-              cause.line);
+        issue("when.paid_out.end", "end {} of line '{}' has no 'feed'", end_letter(end), cause.line);
       else if (cause.limit > feed->stock || cause.limit < feed->stock - length)
         issue("when.paid_out", "{:g} m cannot be: the feeder begins with {:g} m inside and {:g} m outside",
               cause.limit, feed->stock, length - feed->stock);
     }
   }
 
-  bool attached(const std::string& name, bool b) const {
+  bool attached(const std::string& name, LineEnd end) const {
     return std::any_of(c_.events.begin(), c_.events.end(), [&](const Event& e) {
-      return e.action.kind == Kind::attach && e.action.line == name && e.action.at_b == b;
+      return e.action.kind == Kind::attach && e.action.line == name && e.action.line_end == end;
     });
   }
 };

@@ -69,16 +69,16 @@ std::string why_not_fed(const Case& c, const Line& line, const End& end) {
 }
 
 // Checks the minimum number of elements inside the feeder and outside at the start.
-void check_elements(const Line& line, bool at_b, const Issues& issue) {
-  const Feed& f = *line.end(at_b).feed;
-  const std::optional<Feed>& beyond = line.end(!at_b).feed;
+void check_elements(const Line& line, LineEnd line_end, const Issues& issue) {
+  const Feed& f = *line.end(line_end).feed;
+  const std::optional<Feed>& beyond = line.end(opposite(line_end)).feed;
   const double other = beyond ? beyond->stock : 0;
   double at = 0;
   int inside = 0, outside = 0;  // number of elements
   for (const Section& s : line.sections)
     for (int i = 0; i < s.elements; ++i) {
       const double middle = at + (i + 0.5) / s.elements * s.length,
-                   from = at_b ? length_of(line) - middle : middle;
+                   from = line_end == LineEnd::B ? length_of(line) - middle : middle;
       if (from < f.stock)
         ++inside;
       else if (length_of(line) - from > other)
@@ -109,9 +109,9 @@ void check_speed_table(const Feed& f, const Issues& issue) {
 }
 
 // Checks other items of the line that cannot enter a feeder.
-void check_surroundings(const Case& c, const Line& line, bool at_b, const Issues& issue) {
-  const Vec3 place = end_position(c, line.end(at_b));
-  const Section& fed = at_b ? line.sections.back() : line.sections.front();
+void check_surroundings(const Case& c, const Line& line, LineEnd line_end, const Issues& issue) {
+  const Vec3 place = end_position(c, line.end(line_end));
+  const Section& fed = line.end_section(line_end);
   if (c.environment.seabed.present &&
       height_above_bed(c.environment.seabed, place) < c.line_type(fed.type).outer_diameter)
     issue("", "the feeder is on or below the seabed; move it above");
@@ -136,7 +136,7 @@ void check_stock(const Case& c, const Feed& f, const Issues& issue) {
 }
 
 // Cuts of the line by events must not enter the feeder.
-void check_cuts(const Case& c, const Line& line, const Feed& f, bool at_b, const Issues& issue) {
+void check_cuts(const Case& c, const Line& line, const Feed& f, LineEnd line_end, const Issues& issue) {
   const double end = c.dynamics.duration;
   if (f.speed.empty() || !c.dynamics.enabled || !(end > 0)) return;
   Feed inwards = f;
@@ -144,13 +144,13 @@ void check_cuts(const Case& c, const Line& line, const Feed& f, bool at_b, const
   for (std::size_t k = 0; k < c.events.size(); ++k) {
     const Action& a = c.events[k].action;
     if (a.cut < 0 || a.given_line != line.name) continue;
-    inwards.stock = (at_b ? length_of(line) - a.cut : a.cut) - f.stock;
+    inwards.stock = (line_end == LineEnd::B ? length_of(line) - a.cut : a.cut) - f.stock;
     if (!(inwards.stock > 0)) continue;  // reported elsewhere
     if (const double t = runs_out(inwards, end); t < end)
       issue(fmt::format("events[{}].cut.at", k),
             "arc length {:.6g} m of line '{}' is hauled in at its end {} by t = {:.4g} s, and a feeder "
             "cannot take in the place of a cut: cut the line further away, or stop the feeder before",
-            a.cut, line.name, at_b ? 'B' : 'A', t);
+            a.cut, line.name, end_letter(line_end), t);
   }
 }
 
@@ -167,29 +167,29 @@ void check_law(const Feed& f, const Issues& issue) {
     issue("dead_band", "needs 'speed_per_tension', which returns the feeder to its 'tension'");
 }
 
-void check_feed(const Case& c, const Line& line, bool at_b, const Issues& all) {
-  const End& end = line.end(at_b);
+void check_feed(const Case& c, const Line& line, LineEnd line_end, const Issues& all) {
+  const End& end = line.end(line_end);
   if (!end.feed) return;
   const Feed& f = *end.feed;
-  const Issues issue = all.below(fmt::format("lines.{}.end_{}.feed", line.name, at_b ? 'b' : 'a'));
+  const Issues issue = all.below(fmt::format("lines.{}.{}.feed", line.name, end_key(line_end)));
   if (const std::string why = why_not_fed(c, line, end); !why.empty()) return issue("", "{}", why);
-  check_elements(line, at_b, issue);
+  check_elements(line, line_end, issue);
   check_speed_table(f, issue);
   const bool changes = std::any_of(c.events.begin(), c.events.end(), [&](const Event& e) {
-    return e.action.kind == Action::Kind::feed && e.action.line == line.name && e.action.at_b == at_b;
+    return e.action.kind == Action::Kind::feed && e.action.line == line.name && e.action.line_end == line_end;
   });
   if (!changes) {
     check_stock(c, f, issue);
-    check_cuts(c, line, f, at_b, all);
+    check_cuts(c, line, f, line_end, all);
   }
   check_law(f, issue);
   for (const PointMass& m : line.masses)
-    if ((at_b ? length_of(line) - m.at : m.at) < f.stock)
+    if ((line_end == LineEnd::B ? length_of(line) - m.at : m.at) < f.stock)
       issue("stock",
             "a mass or buoy at arc length {:g} m is inside the feeder at the start, and only those outside "
             "can be; they must not be hauled in either",
             m.at);
-  check_surroundings(c, line, at_b, issue);
+  check_surroundings(c, line, line_end, issue);
 }
 
 }  // namespace hawser::model

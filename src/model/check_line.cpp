@@ -212,8 +212,8 @@ class LineCheck {
     if (!c_.statics.enabled) issue("target", "needs static equilibrium, and this case has 'statics: false'");
     if (bed && !c_.environment.seabed.present)
       issue("target", "is about the seabed, but there is no 'environment.seabed'");
-    if (!bed && !attached(t.at_a ? line_.end_a : line_.end_b))
-      issue("target", "end {} is free: it has no tension and no angle for a target", t.at_a ? "A" : "B");
+    if (!bed && !attached(line_.end(t.line_end)))
+      issue("target", "end {} is free: it has no tension and no angle for a target", end_letter(t.line_end));
   }
 
   // Largest temperature change [K] in magnitude over the arc lengths [from, to], m.
@@ -288,7 +288,7 @@ class LineCheck {
 
 void check_line(const Case& c, const Line& line, const Issues& issue) {
   LineCheck(c, line, issue).run();
-  for (const bool at_b : {false, true}) check_feed(c, line, at_b, issue);
+  for (const LineEnd line_end : kLineEnds) check_feed(c, line, line_end, issue);
 }
 
 }  // namespace hawser::model

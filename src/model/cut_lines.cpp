@@ -139,8 +139,8 @@ class Cuts {
       Action& a = e.action;
       if (a.cut >= 0 && a.given_line == name) {
         a.line = names_[std::find(arcs_.begin(), arcs_.end(), a.cut) - arcs_.begin()];
-        a.at_b = false;
-      } else if (a.line == name && a.at_b) {
+        a.line_end = LineEnd::A;
+      } else if (a.line == name && a.line_end == LineEnd::B) {
         a.line = names_.back();
       }
       if (e.cause.line == name) place(e.cause.line, e.cause.arc);

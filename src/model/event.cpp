@@ -19,7 +19,7 @@ std::string Action::subject() const {
   if (kind == Kind::friction) return "friction of statics";
   if (kind == Kind::current) return "the current";
   if (cut >= 0) return "line " + given_line;
-  const std::string end = fmt::format("end {} of line {}", at_b ? 'B' : 'A', line);
+  const std::string end = fmt::format("end {} of line {}", end_letter(line_end), line);
   return kind == Kind::feed ? "the feeder at " + end : end;
 }
 

@@ -81,7 +81,7 @@ std::string warmth_text(const Case& c, const Line& l) {
 
 std::string target_text(const LengthTarget& t) {
   using Kind = LengthTarget::Kind;
-  const std::string end = t.at_a ? "end A" : "end B";
+  const std::string end = fmt::format("end {}", end_letter(t.line_end));
   const std::string what = t.kind == Kind::tension
                                ? fmt::format("a tension of {:g} kN at {}", t.value / 1000, end)
                            : t.kind == Kind::declination

@@ -31,8 +31,10 @@ constexpr int kInFree = 60;
 class Shortest {
  public:
   // time: s. What is not finite and above 0 does not count.
-  void of(double time, int divisor, const std::string& subject) { of({time / divisor, divisor, subject}); }
-  void of(const LongestStep& step) {
+  void offer(double time, int divisor, const std::string& subject) {
+    offer({time / divisor, divisor, subject});
+  }
+  void offer(const LongestStep& step) {
     if (std::isfinite(step.length) && step.length > 0 && (best_.length == 0 || step.length < best_.length))
       best_ = step;
   }
@@ -63,7 +65,7 @@ Sea sea(const Environment& e) {
 bool moves(const HarmonicMotion& m) { return !m.amplitude.isZero() || !m.rotation_amplitude.isZero(); }
 
 void add_harmonic(const HarmonicMotion& m, const std::string& who, Shortest& to) {
-  if (moves(m)) to.of(m.period, kInPeriod, "the period of " + who);
+  if (moves(m)) to.offer(m.period, kInPeriod, "the period of " + who);
 }
 
 // Largest distance of attached lines and links from the body's origin, m: lever arm of its rotation.
@@ -90,11 +92,11 @@ double add_table(const TableMotion& m, const std::string& who, double lever, Sho
   const std::string subject = "the mean period of the motion table of " + who;
   if (lever > 0) {
     const double square = lever * lever;
-    to.of(mean_period({moved.rate + square * turned.rate, moved.second + square * turned.second}), kInPeriod,
-          subject);
+    to.offer(mean_period({moved.rate + square * turned.rate, moved.second + square * turned.second}),
+             kInPeriod, subject);
   } else {
-    to.of(mean_period(moved), kInPeriod, subject);
-    to.of(mean_period(turned), kInPeriod, subject);
+    to.offer(mean_period(moved), kInPeriod, subject);
+    to.offer(mean_period(turned), kInPeriod, subject);
   }
   return std::sqrt(2 * moved.rate / (m.time.back() - m.time.front()));
 }
@@ -109,7 +111,7 @@ double add_body(const Case& c, const Body& b, Shortest& to) {
   } else if (const auto* t = std::get_if<TableMotion>(&b.motion)) {
     speed = add_table(*t, who, lever(c, b), to);
   } else if (const auto* s = std::get_if<ConstantMotion>(&b.motion)) {
-    if (s->rate != 0) to.of(2 * M_PI / std::abs(s->rate), kInPeriod, "a turn of " + who);
+    if (s->rate != 0) to.offer(2 * M_PI / std::abs(s->rate), kInPeriod, "a turn of " + who);
     speed = s->velocity.norm();
   }
   if (b.drift) {
@@ -127,8 +129,8 @@ void add_factor(const TimeFactor& factor, const std::string& of, Shortest& to) {
     time.push_back(t);
     value.emplace_back(f, 0, 0);
   }
-  to.of(mean_period(RowCurve(time, value, BetweenRows::linear).activity()), kInPeriod,
-        "the mean period of the time_factor of " + of);
+  to.offer(mean_period(RowCurve(time, value, BetweenRows::linear).activity()), kInPeriod,
+           "the mean period of the time_factor of " + of);
 }
 
 // Adds the time-dependent forces on a body.
@@ -144,8 +146,8 @@ void add_loads(const Body& b, Shortest& to) {
       moment.push_back(f.tail<3>());
     }
     for (const std::vector<Vec3>& value : {force, moment})
-      to.of(mean_period(RowCurve(time, value, BetweenRows::linear).activity()), kInPeriod,
-            "the mean period of a load of body " + b.name);
+      to.offer(mean_period(RowCurve(time, value, BetweenRows::linear).activity()), kInPeriod,
+               "the mean period of a load of body " + b.name);
   }
 }
 
@@ -154,9 +156,10 @@ double taut_stiffness(const Case& c, const Body& b) {
   constexpr double kTaut = 1e-3;  // of its length, by which the chord of a taut line may be shorter
   double sum = 0;
   for (const Line& line : c.lines)
-    for (const bool at_b : {false, true}) {
-      const End& mine = line.end(at_b);
-      if (mine.kind != EndKind::body || mine.body != b.name || !is_held(line.end(!at_b))) continue;
+    for (const LineEnd line_end : kLineEnds) {
+      const End& mine = line.end(line_end);
+      if (mine.kind != EndKind::body || mine.body != b.name || !is_held(line.end(opposite(line_end))))
+        continue;
       double length = 0, give = 0;
       for (const Section& s : line.sections) {
         length += s.length;
@@ -172,7 +175,7 @@ double taut_stiffness(const Case& c, const Body& b) {
 // and by the coefficients of platforms. driven: by something periodic.
 void add_free_bodies(const Case& c, bool driven, Shortest& afloat, Shortest& own) {
   const auto has_period = [&](Shortest& to, double period, const std::string& what) {
-    to.of(period, driven ? kInOwn : kInFree, "the period of body " + what);
+    to.offer(period, driven ? kInOwn : kInFree, "the period of body " + what);
   };
   const auto oscillates = [&](Shortest& to, double mass, double stiffness, const std::string& what) {
     if (stiffness > 0) has_period(to, 2 * M_PI * std::sqrt(mass / stiffness), what);
@@ -212,8 +215,8 @@ void add_free_bodies(const Case& c, bool driven, Shortest& afloat, Shortest& own
 void add_spin(const Case& c, Shortest& to) {
   for (const Body& b : c.bodies)
     if (b.mass)
-      to.of(2 * M_PI / b.mass->angular_velocity.norm(), kInPeriod,
-            "a turn of body " + b.name + " with the velocity that it begins with");
+      to.offer(2 * M_PI / b.mass->angular_velocity.norm(), kInPeriod,
+               "a turn of body " + b.name + " with the velocity that it begins with");
 }
 
 void add_drag_of_body(const Body& b, const Environment& e, double speed, Shortest& drags) {
@@ -221,8 +224,8 @@ void add_drag_of_body(const Body& b, const Environment& e, double speed, Shortes
   const BodyInWater& w = *b.mass->in_water;
   const double drag = 0.5 * e.water.density * w.drag_area.maxCoeff() * speed;
   if (drag > 0)
-    drags.of((b.mass->mass + w.added_mass.minCoeff()) / drag, kInDrag,
-             "the time in which drag carries body " + b.name + " along");
+    drags.offer((b.mass->mass + w.added_mass.minCoeff()) / drag, kInDrag,
+                "the time in which drag carries body " + b.name + " along");
 }
 
 // Adds a line: its slowest period, the axial wave travel time if it starts with a jump, and drag.
@@ -237,12 +240,12 @@ void add_line(const Case& c, const Line& line, double speed, bool jolted, Shorte
     const double area = 0.25 * M_PI * t.displaced() * t.displaced(),
                  drag = 0.5 * c.environment.water.density * t.Cd_normal * t.dragged() * speed;
     if (drag > 0)
-      drags.of((t.mass_per_length + c.environment.water.density * area * t.Ca_normal) / drag, kInDrag,
-               "the time in which drag carries line " + line.name + " along");
+      drags.offer((t.mass_per_length + c.environment.water.density * area * t.Ca_normal) / drag, kInDrag,
+                  "the time in which drag carries line " + line.name + " along");
   }
   if (length == 0 || mass == 0) return;
-  own.of(slowest_period(c, line), kInOwn, "the slowest period of line " + line.name);
-  if (jolted) own.of(2 * along, kInOwn, "the time of a wave along line " + line.name + " and back");
+  own.offer(slowest_period(c, line), kInOwn, "the slowest period of line " + line.name);
+  if (jolted) own.offer(2 * along, kInOwn, "the time of a wave along line " + line.name + " and back");
 }
 
 // Adds the ramps between the speed rows of a feeder.
@@ -251,7 +254,7 @@ void add_feed(const End& end, const std::string& line, Shortest& to) {
   const auto& rows = end.feed->speed;
   for (size_t i = 1; i < rows.size(); ++i)
     if (rows[i].second != rows[i - 1].second)
-      to.of(rows[i].first - rows[i - 1].first, kInRamp, "a change of speed of the feeder of line " + line);
+      to.offer(rows[i].first - rows[i - 1].first, kInRamp, "a change of speed of the feeder of line " + line);
 }
 
 bool fed_at_once(const End& end) {
@@ -260,19 +263,19 @@ bool fed_at_once(const End& end) {
 
 void add_ramps(const Case& c, Shortest& to) {
   const Water& w = c.environment.water;
-  if (!w.current.profile.empty()) to.of(w.current.ramp, kInRamp, "the ramp of the current");
+  if (!w.current.profile.empty()) to.offer(w.current.ramp, kInRamp, "the ramp of the current");
   for (const Body& b : c.bodies) {
-    to.of(b.ramp, kInRamp, "the ramp of body " + b.name);
-    if (b.drift) to.of(b.drift->ramp, kInRamp, "the ramp of body " + b.name);
+    to.offer(b.ramp, kInRamp, "the ramp of body " + b.name);
+    if (b.drift) to.offer(b.drift->ramp, kInRamp, "the ramp of body " + b.name);
   }
   for (const Line& line : c.lines) {
-    for (const auto& l : line.loads) to.of(l.ramp, kInRamp, "the ramp of a load");
-    for (const auto& l : line.point_loads) to.of(l.ramp, kInRamp, "the ramp of a load");
+    for (const auto& l : line.loads) to.offer(l.ramp, kInRamp, "the ramp of a load");
+    for (const auto& l : line.point_loads) to.offer(l.ramp, kInRamp, "the ramp of a load");
     for (const End* end : {&line.end_a, &line.end_b}) add_feed(*end, line.name, to);
   }
   for (const Event& e : c.events)
     if (e.action.kind == Action::Kind::feed)
-      to.of(e.action.ramp, kInRamp, "the ramp of a feeder of line " + e.action.line);
+      to.offer(e.action.ramp, kInRamp, "the ramp of a feeder of line " + e.action.line);
 }
 
 }  // namespace
@@ -303,7 +306,7 @@ double slowest_period(const Case& c, const Line& line) {
 LongestStep longest_step(const Case& c) {
   Shortest to, own, drags;
   const Sea waves = sea(c.environment);
-  to.of(waves.period, kInWaves, "the period of the waves");
+  to.offer(waves.period, kInWaves, "the period of the waves");
   double speed = waves.speed;
   for (const CurrentRow& row : c.environment.water.current.profile) speed = std::max(speed, row.speed);
   for (const Body& b : c.bodies) speed = std::max(speed, add_body(c, b, to));
@@ -319,21 +322,21 @@ LongestStep longest_step(const Case& c) {
   if (c.environment.wind.gusts != GustSpectrum::none) {
     const bool blown =
         std::any_of(c.bodies.begin(), c.bodies.end(), [](const Body& b) { return b.mass && b.mass->wind; });
-    if (blown) to.of(1 / kFastestGust, kInGust, "the shortest period of the gusts");
+    if (blown) to.offer(1 / kFastestGust, kInGust, "the shortest period of the gusts");
   }
   add_ramps(c, to);
-  to.of(c.output.every, 1, "the time between outputs");
-  to.of(c.dynamics.duration, kInDuration, "the duration");
+  to.offer(c.output.every, 1, "the time between outputs");
+  to.offer(c.dynamics.duration, kInDuration, "the duration");
   const bool jolted = !c.statics.enabled || !velocity_jumps(c.bodies).empty();
   for (const Line& line : c.lines)
     add_line(c, line, speed, jolted || fed_at_once(line.end_a) || fed_at_once(line.end_b), own, drags);
   const double driven = to.best().length;
   const auto follow = [&](const LongestStep& what, double least) {
-    if (what.length > 0) to.of({std::max(what.length, least * driven), what.divisor, what.subject});
+    if (what.length > 0) to.offer({std::max(what.length, least * driven), what.divisor, what.subject});
   };
   follow(own.best(), kLeastOwn);
   follow(drags.best(), kLeastDrag);
-  to.of(afloat.best());
+  to.offer(afloat.best());
   return to.best();
 }
 

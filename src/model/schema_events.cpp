@@ -10,7 +10,7 @@ using On = Cause::Kind;
 Key line(const Field& field) { return reference({"line", field}, "lines", "the line", required); }
 Key action_line() { return line(&Action::line); }
 Key action_end(const char* about) {
-  return word({"end", &Action::at_b}, {{"end_a", false}, {"end_b", true}}, about, required);
+  return word({"end", &Action::line_end}, {{"end_a", LineEnd::A}, {"end_b", LineEnd::B}}, about, required);
 }
 
 Key enabled(const char* about) { return boolean({"enabled", &Action::enabled}, about, required); }

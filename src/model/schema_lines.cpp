@@ -83,7 +83,7 @@ Key target() {
        number(
            {"laid_length", &LengthTarget::value, set(&LengthTarget::kind, LengthTarget::Kind::laid_length)},
            length, "unstretched length on the seabed", above(0)),
-       word({"at", &LengthTarget::at_a}, {{"end_a", true}, {"end_b", false}},
+       word({"at", &LengthTarget::line_end}, {{"end_a", LineEnd::A}, {"end_b", LineEnd::B}},
             "end to which the target refers", or_else("end_b")),
        integer("section", "section whose `length` is adjusted: its number, counted from 1 at end A",
                at_least(1), or_else_note("the longest section")),

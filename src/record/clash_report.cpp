@@ -53,7 +53,7 @@ ClashReport::ClashReport(const Subject& subject)
     : comm_(subject.comm()),
       subject_(subject),
       line_pairs_(subject.term<LinePairs>()),
-      body_contact_(subject.term<BodyContactTerm>()),
+      body_contact_(subject.term<BodyContact>()),
       rank_(rank_of(comm_)),
       settings_(settings_of(subject.model)),
       volumes_(case_indices_of_volumes(subject)),

@@ -10,7 +10,7 @@
 namespace hawser::record {
 
 bool can_touch(const Subject& s) {
-  return s.term<LineVolumeContact>() || s.term<LinePairs>() || s.term<BodyContactTerm>();
+  return s.term<LineVolumeContact>() || s.term<LinePairs>() || s.term<BodyContact>();
 }
 
 std::vector<int> case_indices_of_volumes(const Subject& subject) {
@@ -28,7 +28,7 @@ std::vector<int> case_indices_of_volumes(const Subject& subject) {
 ContactPoints::ContactPoints(const Subject& subject)
     : line_volumes_(subject.term<LineVolumeContact>()),
       line_pairs_(subject.term<LinePairs>()),
-      bodies_(subject.term<BodyContactTerm>()),
+      bodies_(subject.term<BodyContact>()),
       volumes_(case_indices_of_volumes(subject)) {}
 
 void ContactPoints::points(const Snapshot& s, io::ContactRows& to) {

@@ -62,7 +62,7 @@ ElementErrors::At ElementErrors::node(size_t n, const Kinematics& at, const Valu
   const auto value = [n](std::span<const double> of) { return of.empty() ? 0 : of[n]; };
   const double moment = value(values.moment);
   return {at.x[n], value(values.tension), std::isnan(moment) ? 0 : std::abs(moment), value(values.pressed),
-          values.carried[n]};
+          values.supported[n]};
 }
 
 // Receives the data of other ranks for the nodes of cut_, in the order of both.
@@ -101,11 +101,11 @@ void ElementErrors::output(const Snapshot& s) {
     return f < 0 ? std::span<const double>() : std::span<const double>(s.values[f]);
   };
   Values v{of(tension_), of(moment_), of(pressed_), {}};
-  v.carried.resize(mesh_.owned, false);
+  v.supported.resize(mesh_.owned, false);
   for (const auto& [f, components] : touches_)
-    for (size_t n = 0, c = static_cast<size_t>(components); n < v.carried.size(); ++n)
+    for (size_t n = 0, c = static_cast<size_t>(components); n < v.supported.size(); ++n)
       for (size_t k = 0; k < c; ++k)
-        if (s.values[f][n * c + k] != 0) v.carried[n] = true;
+        if (s.values[f][n * c + k] != 0) v.supported[n] = true;
   update(s.at, v);
 }
 
@@ -171,7 +171,7 @@ void ElementErrors::update_sag(const LineSpan& line, std::span<const At> nodes, 
   // Turn at a node that only the line's own loads cause; -1: other loads act.
   const auto turn = [&](int n) {
     const bool plain =
-        n > first && n < last && !nodes[n].carried && !mesh_.mesh->node(line.first_node + n).two_sided;
+        n > first && n < last && !nodes[n].supported && !mesh_.mesh->node(line.first_node + n).two_sided;
     return plain ? angle_between(chord(n - 1), chord(n)) : -1;
   };
   double longer = 0, compliance = 0, most = 0, tension = HUGE_VAL;
@@ -179,7 +179,7 @@ void ElementErrors::update_sag(const LineSpan& line, std::span<const At> nodes, 
   for (int i = first; i < last;) {
     int end = i;  // end of the hanging part
     Vec3 way = Vec3::Zero();
-    const auto hangs = [&](int e) { return !nodes[e].carried || !nodes[e + 1].carried; };
+    const auto hangs = [&](int e) { return !nodes[e].supported || !nodes[e + 1].supported; };
     for (; end < last && hangs(end); ++end) way += element(end).length * chord(end);
     double length = 0;
     for (int k = i; k < end; ++k) length += element(k).length;
@@ -212,10 +212,10 @@ void ElementErrors::update_lifts(const LineSpan& line, std::span<const At> nodes
                                  double time, Worst& worst) const {
   if (!case_.lines[&line - mesh_.mesh->lines.data()].loads.empty()) return;
   for (int n = first; n <= last; ++n) {
-    if (!nodes[n].carried || nodes[n].pressed > 0) continue;  // friction of a volume changes the tension
+    if (!nodes[n].supported || nodes[n].pressed > 0) continue;  // friction of a volume changes the tension
     for (const int side : {-1, 1}) {
       if (n + 2 * side < first || n + 2 * side > last) continue;
-      if (nodes[n + side].carried || nodes[n + 2 * side].carried) continue;
+      if (nodes[n + side].supported || nodes[n + 2 * side].supported) continue;
       const int i = line.first_element + (side > 0 ? n : n - 1);
       const Element &next = mesh_.mesh->element(i), &after = mesh_.mesh->element(i + side);
       if (next.beam || after.beam || next.type != after.type) continue;

@@ -26,13 +26,13 @@ EndForces::EndForces(const System& system, const Feeders* feeders) : system_(sys
       const int global = local.global[node];
       const Node& g = mesh.node(global);
       const LineSpan& span = mesh.lines[g.line];
-      int end = -1;
-      if (global == span.first_node) end = 2 * g.line;
-      if (global == span.first_node + span.nodes - 1) end = 2 * g.line + 1;
-      if (end < 0 && !g.two_sided) continue;
+      int end_index = -1;
+      if (global == span.first_node) end_index = 2 * g.line;
+      if (global == span.first_node + span.nodes - 1) end_index = 2 * g.line + 1;
+      if (end_index < 0 && !g.two_sided) continue;
       if (at[node] < 0) {
         at[node] = static_cast<int>(places_.size());
-        places_.push_back({node, end, -1, -1, {}});
+        places_.push_back({node, end_index, -1, -1, {}});
       }
       SectionNode& p = places_[at[node]];
       (second ? p.before : p.after) = static_cast<int>(i);
@@ -45,25 +45,25 @@ EndForces::EndForces(const System& system, const Feeders* feeders) : system_(sys
 int EndForces::end_at(int node) const {
   int ends = 0;
   for (const SectionNode& p : places_) {
-    if (p.node == node) return p.end < 0 ? -1 : ends;
-    ends += p.end >= 0;
+    if (p.node == node) return p.end_index < 0 ? -1 : ends;
+    ends += p.end_index >= 0;
   }
   return -1;
 }
 
-void EndForces::evaluate(const Kinematics& at, std::span<const Vec3> carried) {
+void EndForces::evaluate(const Kinematics& at, std::span<const Vec3> support_forces) {
   for (SectionNode& p : places_) {
-    if (p.before >= 0) p.sides[0] = section(at, p.before, true, carried);
-    if (p.after >= 0) p.sides[1] = section(at, p.after, false, carried);
+    if (p.before >= 0) p.sides[0] = section(at, p.before, true, support_forces);
+    if (p.after >= 0) p.sides[1] = section(at, p.after, false, support_forces);
     if (p.before < 0) p.sides[0] = p.sides[1];
     if (p.after < 0) p.sides[1] = p.sides[0];
   }
-  if (feeders_) evaluate_feed_points(at, carried);
+  if (feeders_) evaluate_feed_points(at, support_forces);
 }
 
 // Ends inside feeders have the force at the feed point. One rank computes it; one maximum over the ranks
 // exchanges the numbers of all feeders.
-void EndForces::evaluate_feed_points(const Kinematics& at, std::span<const Vec3> carried) {
+void EndForces::evaluate_feed_points(const Kinematics& at, std::span<const Vec3> support_forces) {
   constexpr size_t kNumbers = 10;  // force, moment, direction, feeder force
   const auto& elements = system_.mesh().elements;
   const std::vector<Feeder>& feeders = feeders_->all();
@@ -72,12 +72,13 @@ void EndForces::evaluate_feed_points(const Kinematics& at, std::span<const Vec3>
     const Feeder& f = feeders[k];
     const LocalElement* e = feeders_->at_feed_point(f);
     if (!e || !e->counted) continue;
-    const SectionForce m = section(at, static_cast<int>(e - elements.data()), f.at_b, carried);
+    const SectionForce m =
+        section(at, static_cast<int>(e - elements.data()), f.line_end == LineEnd::B, support_forces);
     double* to = all.data() + kNumbers * k;
     for (const Vec3* v : {&m.force, &m.moment, &m.direction}) to = std::copy(v->begin(), v->end(), to);
     *to = m.tension();
     if (f.beam && !f.bar.plastic) {
-      const Vec3 own = at.q[f.at_b ? e->second : e->first].conjugate() * m.moment;
+      const Vec3 own = at.q[f.line_end == LineEnd::B ? e->second : e->first].conjugate() * m.moment;
       *to += 0.5 * (own.y() * own.y() / f.bar.EI2 + own.z() * own.z() / f.bar.EI3);
     }
   }
@@ -89,12 +90,13 @@ void EndForces::evaluate_feed_points(const Kinematics& at, std::span<const Vec3>
     feed_points_[k] = {Vec3(from), Vec3(from + 3), Vec3(from + 6), feeders[k].beam};
     feeder_forces_[k] = from[9];
     for (SectionNode& p : places_)
-      if (p.end == 2 * feeders[k].line + feeders[k].at_b) p.sides = {feed_points_[k], feed_points_[k]};
+      if (p.end_index == 2 * feeders[k].line + static_cast<int>(feeders[k].line_end))
+        p.sides = {feed_points_[k], feed_points_[k]};
   }
 }
 
 SectionForce EndForces::section(const Kinematics& at, int element, bool second,
-                                std::span<const Vec3> carried) const {
+                                std::span<const Vec3> support_forces) const {
   const LocalMesh& local = system_.mesh();
   const LocalElement& e = local.elements[element];
   Vec12 f = Vec12::Zero();
@@ -112,7 +114,7 @@ SectionForce EndForces::section(const Kinematics& at, int element, bool second,
   // A taut, freely hanging cable is parallel to its tension; its chord has the direction at mid-element.
   const Vec3 chord = (at.x[j] - at.x[i]).normalized();
   const double middle = 0.5 * (part(2) - part(0)).norm();
-  const bool hangs = carried[i].isZero(0) && carried[j].isZero(0);
+  const bool hangs = support_forces[i].isZero(0) && support_forces[j].isZero(0);
   const bool taut = s.force.dot(chord) > 0.5 * std::max(middle, s.force.norm());
   s.direction = hangs && taut ? s.force.normalized() : chord;
   return s;

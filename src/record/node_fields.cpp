@@ -50,7 +50,7 @@ NodeFields::NodeFields(const Subject& subject)
   for (const FieldSource& f : registry_.sources())
     onto_.push_back(f.onto.empty() ? -1 : find_field(fields_, f.onto));
   for (size_t f = 0; f < fields_.size(); ++f)
-    if (fields_[f].carries) carriers_.push_back(static_cast<int>(f));
+    if (fields_[f].is_support_force) support_fields_.push_back(static_cast<int>(f));
   ends_.resize(section_.moment >= 0 ? 3 : 2);
   end_fields_.assign(kEnds, kEnds + ends_.size());
 }
@@ -60,7 +60,8 @@ void NodeFields::begin(const std::set<std::string>& every_step) {
   for (const Field& f : fields_) values_.emplace_back(owned * static_cast<size_t>(f.components));
   // End forces need the tension and the contact forces on a line.
   for (const FieldSource& s : registry_.sources())
-    every_step_.push_back(s.carries || s.name == "effective_tension" || every_step.count(s.name) > 0);
+    every_step_.push_back(s.is_support_force || s.name == "effective_tension" ||
+                          every_step.count(s.name) > 0);
   const auto in_every_step = [this](int f) { return f < 0 || every_step_[f - kStateFields]; };
   const std::array<int, 5> of_beams = section_.of_beams();
   rest_apart_ = in_every_step(section_.tension) && in_every_step(section_.declination) &&
@@ -97,12 +98,12 @@ void NodeFields::fill_field(size_t f, const Kinematics& at) {
 // Wall tension changes with effective tension; the pressures are already those of the node.
 void NodeFields::correct_ends(const Kinematics& at) {
   const LocalMesh& local = subject_.local();
-  std::vector<Vec3> carried(static_cast<size_t>(local.nodes()), Vec3::Zero());
-  for (const int f : carriers_)
+  std::vector<Vec3> support_forces(static_cast<size_t>(local.nodes()), Vec3::Zero());
+  for (const int f : support_fields_)
     for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n)
-      carried[n] += Eigen::Map<const Vec3>(values_[f].data() + 3 * n).cwiseAbs();
-  if (!carriers_.empty()) subject_.system.update_ghosts(carried);
-  end_forces_.evaluate(at, carried);
+      support_forces[n] += Eigen::Map<const Vec3>(values_[f].data() + 3 * n).cwiseAbs();
+  if (!support_fields_.empty()) subject_.system.update_ghosts(support_forces);
+  end_forces_.evaluate(at, support_forces);
 
   for (auto& e : ends_) e.clear();
   for (const EndForces::SectionNode& p : end_forces_.places()) {
@@ -117,15 +118,16 @@ void NodeFields::correct_ends(const Kinematics& at) {
     put(section_.before, p.sides[0].tension());
     put(section_.after, p.sides[1].tension());
     const Vec3 &first = p.sides[0].direction, &second = p.sides[1].direction;
-    put(section_.declination, degrees(declination(p.end >= 0 ? p.at_end().direction : Vec3(first + second))));
+    put(section_.declination,
+        degrees(declination(p.end_index >= 0 ? p.at_line_end().direction : Vec3(first + second))));
     const double tension = larger([](const SectionForce& s) { return s.tension(); });
     const double middle = put(section_.tension, tension);
     if (section_.wall >= 0) values_[section_.wall][n] += tension - middle;
     if (p.sides[0].beam || p.sides[1].beam)
       for (const int f : section_.of_beams())
         put(f, larger([&](const SectionForce& s) { return section_.value(f, s, at.q[n]); }));
-    if (p.end < 0) continue;
-    const SectionForce& s = p.at_end();
+    if (p.end_index < 0) continue;
+    const SectionForce& s = p.at_line_end();
     const Vec3 rows[] = {p.sign() * s.force, s.direction, p.sign() * s.moment};
     for (size_t f = 0; f < ends_.size(); ++f) ends_[f].insert(ends_[f].end(), rows[f].begin(), rows[f].end());
   }

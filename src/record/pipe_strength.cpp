@@ -84,8 +84,8 @@ void PipeStrength::declare(Declarations& to) {
 }
 
 PipeLoads PipeStrength::loads(const Values& values, size_t node) const {
-  const auto of = [&](int field) { return values[field][node]; };
-  return {of(moment_2_), of(moment_3_), of(tension_)};
+  const auto value_of = [&](int field) { return values[field][node]; };
+  return {value_of(moment_2_), value_of(moment_3_), value_of(tension_)};
 }
 
 void PipeStrength::start(const Snapshot& s) {
@@ -94,13 +94,13 @@ void PipeStrength::start(const Snapshot& s) {
 }
 
 double PipeStrength::condition(const Side& side, const PipePlaces& places) const {
-  const PipeConditions& of = case_.line_types[side.type].conditions;
+  const PipeConditions& conditions = case_.line_types[side.type].conditions;
   const auto in = [&](const std::vector<std::array<double, 2>>& stretches) {
     if (stretches.empty()) return false;
     const auto& [from, to] = stretches[side.line];
     return from <= side.arc && side.arc <= to;
   };
-  return in(places.supports) ? of.supports : in(places.seabed) ? of.seabed : of.span;
+  return in(places.supports) ? conditions.supports : in(places.seabed) ? conditions.seabed : conditions.span;
 }
 
 // Places where the condition of a pipe depends on its support.
@@ -128,7 +128,7 @@ PipePlaces PipeStrength::places(const Snapshot& s) const {
 
 void PipeStrength::fill(const Snapshot& s, Values& values) {
   if (bending_ < 0) return;
-  const PipePlaces carried = places(s);
+  const PipePlaces known = places(s);
   const model::Water& water = case_.environment.water;
   for (size_t n = 0; n < sides_.size(); ++n) {
     const double depth = water.present ? water.surface - values[0][3 * n + 2] : 0;
@@ -143,7 +143,7 @@ void PipeStrength::fill(const Snapshot& s, Values& values) {
           type.contents_pressure + type.contents_density * case_.environment.gravity * depth;
       const double strain = 0.5 * codes.outer() * values[curvature_][n];
       if (!rest_.empty()) {
-        const double factor = condition(side, carried);
+        const double factor = condition(side, known);
         worst[0] = std::fmax(worst[0], codes.local_buckling(rest_[n], now, factor, outside, inside));
         pulled_ = std::max(pulled_, codes.pulled(rest_[n], now, factor));
       }

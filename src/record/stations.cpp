@@ -46,14 +46,15 @@ void Stations::fill(const Feeder& f, const std::vector<std::vector<double>>& val
   double from = 0, to = span.length;         // m, arc lengths at the feeders
   for (const Feeder& o : feeders_->all()) {  // both, if the line is fed at both ends
     if (o.line != f.line) continue;
-    const int free = o.at_b ? span.nodes - 2 - o.feed_point : o.feed_point + 1;
-    (o.at_b ? last : first) = free;
-    (o.at_b ? to : from) = arc(free) + (o.at_b ? o.length : -o.length);
+    const int free = o.line_end == LineEnd::B ? span.nodes - 2 - o.feed_point : o.feed_point + 1;
+    (o.line_end == LineEnd::B ? last : first) = free;
+    (o.line_end == LineEnd::B ? to : from) = arc(free) + (o.line_end == LineEnd::B ? o.length : -o.length);
   }
   for (size_t n = 0; n < static_cast<size_t>(mesh_.owned); ++n) {
     const int i = mesh_.global[n] - span.first_node;
     if (i < 0 || i >= span.nodes) continue;
-    const double s = f.at_b ? to - (span.length - arc(i)) : from + arc(i);  // material at the station
+    const double s =
+        f.line_end == LineEnd::B ? to - (span.length - arc(i)) : from + arc(i);  // material at the station
     const auto free = std::views::iota(first, last);
     const int j =
         first + static_cast<int>(std::ranges::partition_point(free, [&](int m) { return arc(m) < s; }) -

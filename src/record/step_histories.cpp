@@ -63,7 +63,7 @@ void FeederHistory::declare(Declarations& to) {
   if (!feeders_) return;
   for (const Feeder& f : feeders_->all())
     to.contents.series.push_back(
-        {fmt::format("{} {} feed", subject_.model.lines[f.line].name, f.at_b ? "end_b" : "end_a"),
+        {fmt::format("{} {} feed", subject_.model.lines[f.line].name, end_key(f.line_end)),
          {{"paid_out", "m", 1}, {"feed_speed", "m/s", 1}, {"tension", "N", 1}, {"mouth_length", "m", 1}}});
 }
 

@@ -13,7 +13,7 @@ SupportLog::SupportLog(const Subject& subject)
     : subject_(subject),
       rollers_(subject),
       off_(subject.model.supports.size(), false),
-      carried_(off_.size(), 0),
+      loaded_(off_.size(), 0),
       lowest_(off_.size(), HUGE_VAL) {}
 
 void SupportLog::declare(Declarations& to) {
@@ -32,7 +32,7 @@ void SupportLog::step(const Snapshot& s) {
     const model::SupportBox& b = c.supports[k];
     const SupportCrossing& x = crossings_[k];
     for (size_t i = 0; i < b.rollers.size(); ++i)
-      if (forces_[rollers_.first(k) + i] != Vec3::Zero()) carried_[k] = 1;
+      if (forces_[rollers_.first(k) + i] != Vec3::Zero()) loaded_[k] = 1;
     if (x.known) lowest_[k] = std::min(lowest_[k], x.height);
     if (off_[k] || !x.known || std::abs(x.offset) <= b.half_width || x.height >= b.rise) continue;
     off_[k] = true;
@@ -60,7 +60,7 @@ void SupportLog::rows(const Snapshot&, Rows& to) {
 std::vector<Finding> SupportLog::findings(const std::vector<io::SummaryRow>&, const Audit&) {
   std::vector<Finding> out;
   for (const std::string& w : warnings_) out.push_back({w});
-  all_reduce(subject_.comm(), MPI_MAX, carried_);
+  all_reduce(subject_.comm(), MPI_MAX, loaded_);
   const model::Case& c = subject_.model;
   for (size_t k = 0; k < lowest_.size(); ++k) {
     const model::SupportBox& b = c.supports[k];
@@ -71,12 +71,12 @@ std::vector<Finding> SupportLog::findings(const std::vector<io::SummaryRow>&, co
     for (size_t j = 0; j < lowest_.size(); ++j) {
       if (c.supports[j].line != b.line) continue;
       first = first && j >= k;
-      any = any || carried_[j] != 0;
-      further = further || (j > k && carried_[j] != 0);
+      any = any || loaded_[j] != 0;
+      further = further || (j > k && loaded_[j] != 0);
     }
     // Being clear of the last boxes is the intended laying state; a clearance below one diameter over an
     // inner box means that the next are slightly high.
-    if (further && carried_[k] == 0 && lowest_[k] > diameter)
+    if (further && loaded_[k] == 0 && lowest_[k] > diameter)
       out.push_back({advice::never_carries(b, lowest_[k])});
     if (first && !any) out.push_back({advice::none_carries(b.line)});
   }

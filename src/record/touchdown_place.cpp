@@ -33,7 +33,7 @@ double steepness(const Gap& a, const Gap& b) {
 // Distance [m] beyond s0 up to which a yielding bed carries a line, from a node at distance `behind` before
 // s0 and `deep` [m] below the bed: l of deep = bend l² (1 - exp(-(behind + l) / l)), which increases with l.
 // Newton's iteration within a bracket.
-double carried_beyond(double deep, double behind, double bend) {
+double supported_beyond(double deep, double behind, double bend) {
   double low = std::max(0.0, -behind), high = HUGE_VAL;
   if (!(deep > 0)) return low;
   double l = low + std::sqrt(deep / bend), step = HUGE_VAL;
@@ -63,7 +63,7 @@ double distance_to_touchdown(const NodesAtChange& n, bool beam) {
     const double s0 = m1 - t1 / bend;
     // The last lying node but one, unless it is a held end.
     const size_t from = n.exists[0] && n.inner[0] && lies(n.gap[0].value) ? 0 : 1;
-    const double s = s0 + carried_beyond(-n.gap[from].value, s0 - n.arc[from], bend) - n.arc[1];
+    const double s = s0 + supported_beyond(-n.gap[from].value, s0 - n.arc[from], bend) - n.arc[1];
     return std::clamp(s, n.exists[0] ? 0.5 * (n.arc[0] - n.arc[1]) : 0.0, length);
   }
   return zero_of_line(n.gap[1].value, n.gap[2].value, length);

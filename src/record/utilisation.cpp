@@ -73,11 +73,12 @@ void Utilisation::add_fields(std::vector<Field>& fields) {
 }
 
 void Utilisation::fill(const Snapshot&, Values& values) {
-  const auto of = [&](int field) -> std::vector<double>& { return values[field]; };
+  const auto values_of = [&](int field) -> std::vector<double>& { return values[field]; };
   for (std::size_t n = 0; n < breaking_.size(); ++n) {
     if (of_tension_ >= 0)
-      of(of_tension_)[n] = std::max({of(before_)[n] * breaking_[n][0], of(after_)[n] * breaking_[n][1], 0.0});
-    if (of_bending_ >= 0) of(of_bending_)[n] = of(curvature_)[n] * radius_[n];
+      values_of(of_tension_)[n] =
+          std::max({values_of(before_)[n] * breaking_[n][0], values_of(after_)[n] * breaking_[n][1], 0.0});
+    if (of_bending_ >= 0) values_of(of_bending_)[n] = values_of(curvature_)[n] * radius_[n];
   }
 }
 

@@ -36,7 +36,7 @@ WaterErrors::WaterErrors(const model::Case& c, const System& system)
     : comm_(system.comm()),
       case_(c),
       mesh_(system.mesh()),
-      structure_(*system.find<CarriesTension>()),
+      structure_(*system.find<HasAxialStiffness>()),
       water_(system.find<LinesInWater>()),
       group_(joined_lines(*mesh_.mesh)),
       groups_(group_.size()) {
@@ -58,11 +58,11 @@ WaterErrors::Sums WaterErrors::sums(const Kinematics& at, int parts, const std::
   std::vector<double> all(3 * n);
   std::vector<Where> where(n);
   for (const LinesInWater::WetElement& p : water_->pieces()) {
-    const Element& e = mesh_.element(p.at);
+    const Element& e = mesh_.element(p.element);
     const size_t g = group_[e.line];
-    if (!p.at.counted || !groups[g]) continue;
+    if (!p.element.counted || !groups[g]) continue;
     const LinesInWater::FlowError f = water_->flow_error(at, p, parts);
-    const Vec3 &a = at.x[p.at.first], &b = at.x[p.at.second], chord = (b - a).normalized();
+    const Vec3 &a = at.x[p.element.first], &b = at.x[p.element.second], chord = (b - a).normalized();
     const double z = water_->above_still_water(0.5 * (a.z() + b.z()));
     const double weight = case_.line_types[e.type].mass_per_length * case_.environment.gravity -
                           (z < 0 ? p.section.buoyancy : 0);

@@ -15,7 +15,7 @@ using model::Action;
 
 int Actions::node(const Action& a) const {
   const LineSpan& span = sim_.mesh().lines[sim_.model().line_index(a.line)];
-  return span.first_node + (a.at_b ? span.nodes - 1 : 0);
+  return span.end_node(a.line_end);
 }
 
 bool Actions::held(int node) const {
@@ -65,7 +65,7 @@ Actions::Found Actions::act(const Action& a, const Kinematics& at) {
     }
     case Action::Kind::feed:
       for (const Feeder& f : sim_.feeders()->all())
-        if (f.line == sim_.model().line_index(a.line) && f.at_b == a.at_b) found.speed = f.speed;
+        if (f.line == sim_.model().line_index(a.line) && f.line_end == a.line_end) found.speed = f.speed;
       break;
     case Action::Kind::friction:
     case Action::Kind::current:
@@ -122,7 +122,7 @@ void Actions::hold(const Action& a, const Found& found) {
 
 void Actions::feed(const Action& a, double speed, double time) {
   for (Feeder& f : sim_.feeders()->all()) {
-    if (f.line != sim_.model().line_index(a.line) || f.at_b != a.at_b) continue;
+    if (f.line != sim_.model().line_index(a.line) || f.line_end != a.line_end) continue;
     model::Feed law = a.law;
     law.stock = f.feed.stock;
     if (a.ramp > 0) law.speed = {{time, speed}, {time + a.ramp, a.law.speed.back().second}};

@@ -45,7 +45,8 @@ Events::Events(MPI_Comm comm, Simulation& simulation)
     if (cause.kind == Cause::Kind::paid_out) {
       const auto& feeders = sim_.feeders()->all();
       for (size_t f = 0; f < feeders.size(); ++f)
-        if (feeders[f].line == c.line_index(cause.line) && feeders[f].at_b == (cause.arc > 0))
+        if (feeders[f].line == c.line_index(cause.line) &&
+            feeders[f].line_end == (cause.arc > 0 ? LineEnd::B : LineEnd::A))
           h.feeder = static_cast<int>(f);
     } else if (!cause.line.empty()) {
       h.node = sim_.mesh().nearest_node(c.line_index(cause.line), cause.arc);
@@ -97,7 +98,8 @@ double Events::local_tension(int node) const {
   const int n = sim_.local().find(node);
   for (const record::EndForces::SectionNode& p : ends_.places())
     if (p.node == n)
-      return p.end >= 0 ? p.at_end().tension() : std::max(p.sides[0].tension(), p.sides[1].tension());
+      return p.end_index >= 0 ? p.at_line_end().tension()
+                              : std::max(p.sides[0].tension(), p.sides[1].tension());
   return -HUGE_VAL;
 }
 
@@ -177,7 +179,7 @@ void Events::happen(size_t i, const Kinematics& at, const std::string& stage,
   messages.push_back(advice::happened(a, at.time, stage, how));
   if (a.kind != Action::Kind::release) return;
   for (const ExcludedEnds& out : sim_.excluded_ends()) {
-    const double length = a.at_b ? out.end_b : out.end_a;
+    const double length = a.line_end == LineEnd::B ? out.end_b : out.end_a;
     if (out.line == sim_.model().line_index(a.line) && length > 0)
       messages.push_back(advice::released_inside(a, sim_.contact()->volume_name(out.volume), length));
   }
@@ -240,7 +242,7 @@ void Events::pay_out(const std::string& stage, const std::function<void(bool)>& 
     const Action& a = h.what.action;
     if (h.what.cause.kind != Cause::Kind::stage || h.what.cause.event != stage || a.paid_out == 0) continue;
     for (Feeder& f : sim_.feeders()->all())
-      if (f.line == sim_.model().line_index(a.line) && f.at_b == a.at_b) left[&f] += a.paid_out;
+      if (f.line == sim_.model().line_index(a.line) && f.line_end == a.line_end) left[&f] += a.paid_out;
   }
   FeederNodes feeder_nodes(sim_);
   for (bool more = !left.empty(); more;) {

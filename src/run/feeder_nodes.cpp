@@ -92,9 +92,10 @@ void FeederNodes::transfer_node(Feeder& f, int feed_point, double length,
 Dynamics::Moved FeederNodes::leaving(const Feeder& f, const Kinematics& k, const LocalElement& e) const {
   const Feeders& all = *sim_.feeders();
   const double share = all.element_length(f, f.feed_point) / f.length;  // measured from the free end
-  const size_t i = f.at_b ? e.second : e.first, j = f.at_b ? e.first : e.second;
+  const size_t i = f.line_end == LineEnd::B ? e.second : e.first,
+               j = f.line_end == LineEnd::B ? e.first : e.second;
   const FeedPoint feed_point = all.feed_point(f, k);
-  const Feeders::Flow flow = all.flow(feed_point, k, e, f.at_b);
+  const Feeders::Flow flow = all.flow(feed_point, k, e, f.line_end);
   const Vec3 a = k.a[i] + flow.acceleration;
   Dynamics::Moved m;
   m.node = all.node(f, f.feed_point);
@@ -106,14 +107,16 @@ Dynamics::Moved FeederNodes::leaving(const Feeder& f, const Kinematics& k, const
     // Material rates: frames rotate along the bent line, and the outgoing material moves along it.
     const Vec3 turn = log_so3(k.q[j].conjugate() * k.q[i]),
                flows = -(feed_point.speed / feed_point.length) * turn;
-    const double towards = (f.at_b ? 1 : -1) * flow.chord.norm();
+    const double towards = (f.line_end == LineEnd::B ? 1 : -1) * flow.chord.norm();
     const Vec3 from = towards * (k.q[j] * Vec3::UnitX()), to = towards * (k.q[i] * Vec3::UnitX());
     const double s = share, r = 1 - share;
     m.x = r * r * (1 + 2 * s) * k.x[j] + s * s * (1 + 2 * r) * k.x[i] + s * r * (r * from - s * to);
     const Vec3 along = 6 * s * r * (k.x[i] - k.x[j]) + r * (r - 2 * s) * from + s * (s - 2 * r) * to;
     const Quat q = k.q[j] * exp_so3(share * turn);
     m.q =
-        (minimal_rotation(q * Vec3::UnitX(), (f.at_b ? along : Vec3(-along)).normalized()) * q).normalized();
+        (minimal_rotation(q * Vec3::UnitX(), (f.line_end == LineEnd::B ? along : Vec3(-along)).normalized()) *
+         q)
+            .normalized();
     m.w = r * k.w[j] + s * (k.w[i] + flows);
     m.alpha = r * k.alpha[j] + s * k.alpha[i];
   }
@@ -166,7 +169,7 @@ std::optional<Dynamics::Moved> FeederNodes::caught(const Feeder& f, const Kinema
     const size_t i = at[0], j = at[1], n = static_cast<size_t>(at[2]);
     // Contribution of bending to the strain of an element's chord.
     const auto bow = [&](size_t a, size_t b) {
-      if (f.at_b) std::swap(a, b);
+      if (f.line_end == LineEnd::B) std::swap(a, b);
       return f.beam ? beam_bow({}, {k.x[a], k.x[b], k.q[a], k.q[b]}) : 0.0;
     };
     const double strain =
@@ -193,7 +196,7 @@ void FeederNodes::refuse_all_in(const Feeder& f, double time) const {
   const Feeders& all = *sim_.feeders();
   int others = 0;  // elements inside another feeder of the line
   for (const Feeder& o : sim_.feeders()->all())
-    if (o.line == f.line && o.at_b != f.at_b) others = o.feed_point;
+    if (o.line == f.line && o.line_end != f.line_end) others = o.feed_point;
   if (f.feed_point + 2 + others >= all.elements(f))
     throw SolveError(advice::all_hauled_in(f.name, time, sim_.model().lines[f.line].given != nullptr));
 }

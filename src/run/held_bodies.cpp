@@ -159,9 +159,9 @@ std::vector<double> HeldBodies::tensions() const {
   const std::vector<Vec3> nothing(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero());
   ends.evaluate(at, nothing);
   for (const record::EndForces::SectionNode& p : ends.places())
-    if (p.end >= 0) {
-      double& most = out[static_cast<size_t>(p.end / 2)];
-      most = std::max(most, p.at_end().tension());
+    if (p.end_index >= 0) {
+      double& most = out[static_cast<size_t>(p.end_index / 2)];
+      most = std::max(most, p.at_line_end().tension());
     }
   all_reduce(sim_.system().comm(), MPI_MAX, out);
   return out;

@@ -28,25 +28,25 @@ constexpr double kFirstStep = 0.02, kNextStep = 1e-3;  // of the length
 AtRest at_rest(MPI_Comm comm, Simulation& sim) {
   const Kinematics at = sim.state().at_rest();
   const LocalMesh& local = sim.local();
-  std::vector<Vec3> carried(static_cast<size_t>(local.nodes()), Vec3::Zero());
+  std::vector<Vec3> support_forces(static_cast<size_t>(local.nodes()), Vec3::Zero());
   const FieldRegistry fields = sim.system().fields();
   for (const FieldSource& f : fields.sources()) {
-    if (!f.carries) continue;
+    if (!f.is_support_force) continue;
     std::vector<double> values(3 * static_cast<size_t>(local.owned));
     f.fill(at, values);
     for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n)
-      carried[n] += Eigen::Map<const Vec3>(values.data() + 3 * n).cwiseAbs();
+      support_forces[n] += Eigen::Map<const Vec3>(values.data() + 3 * n).cwiseAbs();
   }
-  sim.system().update_ghosts(carried);
+  sim.system().update_ghosts(support_forces);
   record::EndForces ends(sim.system(), sim.feeders());
-  ends.evaluate(at, carried);
+  ends.evaluate(at, support_forces);
   AtRest out;
   out.ends.assign(4 * sim.mesh().lines.size(), 0);
   for (const record::EndForces::SectionNode& p : ends.places()) {
-    if (p.end < 0) continue;
-    const record::SectionForce& s = p.at_end();
-    out.ends[2 * static_cast<size_t>(p.end)] = s.tension();
-    out.ends[2 * static_cast<size_t>(p.end) + 1] = declination(s.direction);
+    if (p.end_index < 0) continue;
+    const record::SectionForce& s = p.at_line_end();
+    out.ends[2 * static_cast<size_t>(p.end_index)] = s.tension();
+    out.ends[2 * static_cast<size_t>(p.end_index) + 1] = declination(s.direction);
   }
   all_reduce(comm, MPI_SUM, out.ends);
   out.feeders = ends.at_feeders();
@@ -63,13 +63,13 @@ LengthSearch::LengthSearch(const model::Case& c, size_t line)
   begin(given_, kFirstStep * given_);
 }
 
-LengthSearch::LengthSearch(const model::Case& c, size_t line, bool at_b, int feeder)
+LengthSearch::LengthSearch(const model::Case& c, size_t line, LineEnd line_end, int feeder)
     : line_(line), feeder_(feeder), rest_(0) {
   const model::Line& l = c.lines[line];
-  const model::Feed& feed = *l.end(at_b).feed;
-  key_ = fmt::format("lines.{}.end_{}.feed.stock", l.as_given().name, at_b ? 'b' : 'a');
+  const model::Feed& feed = *l.end(line_end).feed;
+  key_ = fmt::format("lines.{}.{}.feed.stock", l.as_given().name, end_key(line_end));
   t_.value = feed.tension;
-  t_.at_a = !at_b;
+  t_.line_end = line_end;
   t_.most = model::length_of(l);
   given_ = feed.stock;
   begin(given_, kNextStep * (t_.most - given_));
@@ -78,8 +78,9 @@ LengthSearch::LengthSearch(const model::Case& c, size_t line, bool at_b, int fee
 void LengthSearch::begin(double from, double step) {
   // A longer line is expected to have lower tension, to hang more steeply and to lie more; a longer stock
   // leaves less outside.
-  const bool falls = feeder_ < 0 && (t_.kind == Kind::tension || (t_.kind == Kind::declination && !t_.at_a) ||
-                                     (t_.kind == Kind::touchdown && t_.at_a));
+  const bool falls = feeder_ < 0 && (t_.kind == Kind::tension ||
+                                     (t_.kind == Kind::declination && t_.line_end == LineEnd::B) ||
+                                     (t_.kind == Kind::touchdown && t_.line_end == LineEnd::A));
   length_ = from;
   search_ = RootSearch(from, falls ? -step : step, t_.least, t_.most);
 }
@@ -91,12 +92,12 @@ bool LengthSearch::narrow() const { return search_.bracketed() && search_.width(
 double LengthSearch::reached(const AtRest& now) const {
   if (feeder_ >= 0) return now.feeders[feeder_];
   if (t_.kind == Kind::tension || t_.kind == Kind::declination)
-    return now.ends[4 * line_ + (t_.at_a ? 0 : 2) + (t_.kind == Kind::tension ? 0 : 1)];
+    return now.ends[4 * line_ + 2 * end_index(t_.line_end) + (t_.kind == Kind::tension ? 0 : 1)];
   const record::Touchdown& down = now.down[line_];
   if (t_.kind == Kind::laid_length) return down.laid;
-  const auto& point = t_.at_a ? down.from_a : down.from_b;
+  const auto& point = t_.line_end == LineEnd::A ? down.from_a : down.from_b;
   // A fully hanging line touches down at its other end, a fully lying line at this end.
-  if (!point) return (down.laid > 0) == t_.at_a ? 0 : rest_ + length_;
+  if (!point) return (down.laid > 0) == (t_.line_end == LineEnd::A) ? 0 : rest_ + length_;
   return point->arc;
 }
 

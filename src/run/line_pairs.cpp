@@ -24,8 +24,8 @@ struct BranchStart {
 };
 
 // True if an end is held by the case, not only by a future cut.
-bool is_place(const model::Line& line, bool at_b) {
-  const model::End &own = line.end(at_b), &of_given = line.as_given().end(at_b);
+bool is_place(const model::Line& line, LineEnd line_end) {
+  const model::End &own = line.end(line_end), &of_given = line.as_given().end(line_end);
   return own.kind != model::EndKind::free && own.kind == of_given.kind && own.body == of_given.body;
 }
 
@@ -35,11 +35,11 @@ std::vector<BranchStart> places_of_lines(const model::Case& c, const Mesh& mesh)
     const LineSpan& span = mesh.lines[l];
     const model::Line& line = c.lines[l];
     if (!c.contact.takes_part(line)) continue;
-    for (const bool b : {false, true}) {
-      if (!is_place(line, b)) continue;
-      const model::Section& section = b ? line.sections.back() : line.sections.front();
-      places.push_back({model::end_position(c, line.end(b)),
-                        {b ? span.first_node + span.nodes - 1 : span.first_node, b ? -1 : 1},
+    for (const LineEnd end : kLineEnds) {
+      if (!is_place(line, end)) continue;
+      const model::Section& section = line.end_section(end);
+      places.push_back({model::end_position(c, line.end(end)),
+                        {span.end_node(end), end == LineEnd::B ? -1 : 1},
                         0.5 * c.line_type(section.type).contact_diameter});
     }
   }

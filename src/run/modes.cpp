@@ -52,12 +52,12 @@ Extent largest(MPI_Comm comm, const LocalMesh& local, const std::vector<Vec3>& v
 
 // The floating body with the largest motion, at its origin or a line attachment, relative to `size`; the same
 // on all ranks.
-struct Carried {
+struct MovingBody {
   int body = -1;  // in the case; -1: none moves by half of it
   double share = 0.5;
 };
 
-Carried carried(MPI_Comm comm, const Simulation& sim, const std::vector<Vec3>& values, double size) {
+MovingBody moving_body(MPI_Comm comm, const Simulation& sim, const std::vector<Vec3>& values, double size) {
   const model::Case& c = sim.model();
   const LocalMesh& local = sim.local();
   std::vector<double> moved(c.bodies.size());
@@ -70,13 +70,13 @@ Carried carried(MPI_Comm comm, const Simulation& sim, const std::vector<Vec3>& v
       const LineSpan& span = sim.mesh().lines[node.line];
       const int i = local.global[n] - span.first_node;
       if (i != 0 && i != span.nodes - 1) continue;
-      const model::End& e = c.lines[node.line].end(i != 0);
+      const model::End& e = c.lines[node.line].end(i == 0 ? LineEnd::A : LineEnd::B);
       if (e.kind == model::EndKind::body) body = c.body_index(e.body);
     }
     if (c.floats(body)) moved[body] = std::max(moved[body], values[n].norm());
   }
   if (!moved.empty()) all_reduce(comm, MPI_MAX, moved);
-  Carried out;
+  MovingBody out;
   for (size_t b = 0; b < moved.size(); ++b)
     if (moved[b] >= out.share * size) out = {static_cast<int>(b), moved[b] / size};
   return out;
@@ -134,7 +134,7 @@ std::string row(MPI_Comm comm, Simulation& sim, int number, const NaturalMode& m
   if (has_platforms(sim.model()))
     when += vibrates ? fmt::format(" {:>13.3g}", mode.damping_ratio) : fmt::format(" {:>13}", "-");
   std::string where = mesh.place(p.node);
-  const Carried with = carried(comm, sim, turns ? mode.rotation : mode.shape, p.size);
+  const MovingBody with = moving_body(comm, sim, turns ? mode.rotation : mode.shape, p.size);
   if (with.body >= 0 && mesh.node(p.node).body < 0) {
     const std::string body = "body " + sim.model().bodies[with.body].name;
     where = with.share > 0.99 ? body + " (" + where + ")" : where + ", with " + body;

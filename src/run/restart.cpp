@@ -306,17 +306,17 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   simulation.take_stiffness_raises("");  // reported by the run that raised it
 
   const int rank = rank_of(system.comm());
-  Dynamics::Carried carried;
+  Dynamics::RestartData data;
   // The case may request shorter steps than before.
   const StepSettings step = simulation.dynamics_settings().step;
-  carried.step_proposal = std::min(c.scalars.at("step.proposal"), step.fixed > 0 ? step.fixed : step.longest);
-  carried.step_wait = static_cast<int>(c.scalars.at("step.wait"));
-  carried.step_impact_period = c.scalars.at("step.impact period");
-  carried.step_resolved_until = c.scalars.at(kResolvedUntil);
-  carried.last_step = c.scalars.at("step.last");
-  carried.support_work = rank == 0 ? c.scalars.at("support_work") : 0;
-  carried.mean = {rows(kMeanQ), rows(kMeanF)};
-  simulation.dynamics().resume(s, rows(kReaction), carried);
+  data.step_proposal = std::min(c.scalars.at("step.proposal"), step.fixed > 0 ? step.fixed : step.longest);
+  data.step_wait = static_cast<int>(c.scalars.at("step.wait"));
+  data.step_impact_period = c.scalars.at("step.impact period");
+  data.step_resolved_until = c.scalars.at(kResolvedUntil);
+  data.last_step = c.scalars.at("step.last");
+  data.support_work = rank == 0 ? c.scalars.at("support_work") : 0;
+  data.mean = {rows(kMeanQ), rows(kMeanF)};
+  simulation.dynamics().resume(s, rows(kReaction), data);
 }
 
 }  // namespace hawser::run

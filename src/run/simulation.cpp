@@ -27,10 +27,10 @@
 #include "hawser/run/node_owners.hpp"
 #include "hawser/solve/start_shape.hpp"
 #include "hawser/terms/automatic_stiffness.hpp"
+#include "hawser/terms/bed_contact.hpp"
 #include "hawser/terms/bodies_in_flow.hpp"
 #include "hawser/terms/bodies_in_water.hpp"
 #include "hawser/terms/body_contact.hpp"
-#include "hawser/terms/buried.hpp"
 #include "hawser/terms/dynamic_positioning.hpp"
 #include "hawser/terms/end_springs.hpp"
 #include "hawser/terms/feeders.hpp"
@@ -41,7 +41,7 @@
 #include "hawser/terms/platform_water.hpp"
 #include "hawser/terms/point_loads.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
-#include "hawser/terms/seabed.hpp"
+#include "hawser/terms/soil_resistance.hpp"
 
 namespace hawser::run {
 namespace {
@@ -75,7 +75,7 @@ std::vector<int> held_nodes(const model::Case& c, const LocalMesh& local, const 
   for (const model::Event& e : c.events)
     if (e.action.kind == model::Action::Kind::release) {
       const LineSpan& span = local.mesh->lines[c.line_index(e.action.line)];
-      released.insert(span.first_node + (e.action.at_b ? span.nodes - 1 : 0));
+      released.insert(span.end_node(e.action.line_end));
     }
   std::vector<int> held;
   for (const TiedNode& s : tied)
@@ -183,8 +183,8 @@ void Simulation::distribute(MPI_Comm comm) {
 
 // Adds the terms of lines alone: stiffness and mass, loads and masses at nodes, end springs, water.
 void Simulation::add_line_terms() {
-  add<StructureTerm>(local(), case_);
-  add<LineMassTerm>(local(), case_);
+  add<LineStructure>(local(), case_);
+  add<LineMass>(local(), case_);
   bool loads = false, masses = false, springs = false;
   for (const auto& line : case_.lines) {
     loads |= !line.point_loads.empty();
@@ -199,9 +199,9 @@ void Simulation::add_line_terms() {
 
 void Simulation::add_seabed(const Kinematics& start, const std::vector<int>& held) {
   if (!case_.environment.seabed.present) return;
-  add<SeabedTerm>(local(), case_, held);
+  add<BedContact>(local(), case_, held);
   if (std::any_of(case_.lines.begin(), case_.lines.end(), [](const auto& l) { return !l.buried.empty(); }))
-    add<BuriedTerm>(system_->comm(), local(), case_, start, held);
+    add<SoilResistance>(system_->comm(), local(), case_, start, held);
 }
 
 // Adds contact of lines with volumes, and warnings of their start contact. Throws InputError if lines start
@@ -252,16 +252,16 @@ void Simulation::add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces
   std::vector<BodyVolume> touching;
   for (size_t v = 0; v < case_.volumes.size(); ++v)
     touching.push_back({std::move(surfaces[v]), std::move(skeletons[v])});
-  add<BodyContactTerm>(system_->comm(), case_, local(), bodies_, std::move(touching));
+  add<BodyContact>(system_->comm(), case_, local(), bodies_, std::move(touching));
 }
 
 std::optional<RigidPose> Simulation::body_pose(int body, const Kinematics& at) const {
   return record::body_pose(*bodies_, local(), body, at);
 }
 
-SeabedTerm* Simulation::seabed() const { return system_->find<SeabedTerm>(); }
+BedContact* Simulation::seabed() const { return system_->find<BedContact>(); }
 Feeders* Simulation::feeders() const { return system_->find<Feeders>(); }
-const BodyContactTerm* Simulation::body_contact() const { return system_->find<BodyContactTerm>(); }
+const BodyContact* Simulation::body_contact() const { return system_->find<BodyContact>(); }
 const RigidBodies* Simulation::floating() const { return system_->find<RigidBodies>(); }
 
 record::Subject Simulation::subject(std::vector<std::shared_ptr<const Surface>> surfaces) {
@@ -299,7 +299,7 @@ std::vector<std::string> Simulation::on_bed() const {
   if (!seabed()) return out;
   constexpr size_t kShown = 20;
   std::vector<double> sums;
-  for (const SeabedTerm::OnBed& l : seabed()->on_bed(state_.at_rest()))
+  for (const BedContact::OnBed& l : seabed()->on_bed(state_.at_rest()))
     sums.insert(sums.end(), {l.friction_length, l.sticking, l.taken});
   all_reduce(system_->comm(), MPI_SUM, sums);
   // Between touchdown points, as in the results.

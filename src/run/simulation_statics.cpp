@@ -8,8 +8,8 @@
 #include "hawser/base/mpi.hpp"
 #include "hawser/run/line_pairs.hpp"
 #include "hawser/run/simulation.hpp"
+#include "hawser/terms/bed_contact.hpp"
 #include "hawser/terms/body_contact.hpp"
-#include "hawser/terms/seabed.hpp"
 #include "hawser/terms/static_rest.hpp"
 
 namespace hawser::run {
@@ -44,7 +44,7 @@ bool Simulation::lays_lines() const { return seabed() && static_friction_.value_
 // stiffer friction to the law of dynamics; with `full` mobilisation under the contact forces found.
 void Simulation::follow_contact(StaticsSettings settings, StaticsReport& report) {
   settings.starts_near = true;
-  SeabedTerm& bed = *seabed();
+  BedContact& bed = *seabed();
   const auto solve = [&] {
     const StaticsReport more = find_equilibrium(*system_, settings, state_);
     report.iterations += more.iterations;
@@ -65,7 +65,7 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
   settings.friction = static_friction();
   settings.progress = std::move(progress);
   const StaticsReport report = find_restrained_equilibrium(settings);
-  if (auto* body_contact = system_->find<BodyContactTerm>()) body_contact->watch(state_.at_rest());
+  if (auto* body_contact = system_->find<BodyContact>()) body_contact->watch(state_.at_rest());
   if (contact() || line_pairs()) system_->commit(state_.at_rest());
   check_inside();
   check_depth_at_rest();
@@ -96,7 +96,7 @@ StaticsReport Simulation::find_restrained_equilibrium(const StaticsSettings& set
 
 // Bed friction begins in the laid position.
 void Simulation::enable_friction_at_rest() {
-  SeabedTerm* bed = seabed();
+  BedContact* bed = seabed();
   for (HasFriction* t : system_->with<HasFriction>()) t->enable_friction(static_friction() && t != bed);
   if (!lays_lines()) return;
   bed->lay(laid_, state_.at_rest(), case_.environment.seabed.full);
@@ -128,7 +128,7 @@ void Simulation::note_bodies_held_without_weight() {
 }
 
 void Simulation::note_slack_lines(bool relaxed) {
-  std::vector<double> slack = structure().slack(state_.at_rest());
+  std::vector<double> slack = structure().slack_length(state_.at_rest());
   all_reduce(system_->comm(), MPI_SUM, slack);
   for (size_t l = 0; l < slack.size(); ++l)
     if (slack[l] > 0 && !case_.lines[l].end_a.feed && !case_.lines[l].end_b.feed)

@@ -29,9 +29,9 @@ std::vector<double> radii(const model::Case& c, const LocalMesh& mesh) {
 
 // Length from the exit of the axis to a distance of one contact diameter, so that the line is clear by half
 // of it; limited if the line runs along the surface.
-double clearance(const model::Case& c, const model::Line& line, bool b, double rise) {
+double clearance(const model::Case& c, const model::Line& line, LineEnd end, double rise) {
   constexpr double kAlong = 0.1;
-  const model::Section& s = b ? line.sections.back() : line.sections.front();
+  const model::Section& s = line.end_section(end);
   return c.line_type(s.type).contact_diameter / std::max(rise, kAlong);
 }
 
@@ -86,12 +86,12 @@ void find_excluded_ends(const model::Case& c, const Mesh& mesh, const std::vecto
     return l;
   };
   for (size_t l = 0; l < c.lines.size(); ++l)
-    for (const bool b : {false, true}) {
-      const model::End& e = c.lines[l].end(b);
+    for (const LineEnd end : kLineEnds) {
+      const model::End& e = c.lines[l].end(end);
       if (e.no_contact_within.value_or(0) > 0)
         for (size_t v = 0; v < volumes.size(); ++v) {
           ExcludedEnds& out = entry(static_cast<int>(l), static_cast<int>(v));
-          (b ? out.end_b : out.end_a) = *e.no_contact_within;
+          (end == LineEnd::B ? out.end_b : out.end_a) = *e.no_contact_within;
         }
     }
   for (size_t v = 0; v < volumes.size(); ++v)  // a body on a line does not touch it
@@ -105,14 +105,16 @@ void find_excluded_ends(const model::Case& c, const Mesh& mesh, const std::vecto
     const model::Line& line = c.lines[s.line];
     const double length = mesh.lines[s.line].length, near = 1e-9 * length;
     if (s.from <= near && s.to >= length - near) continue;  // stays inside completely
-    for (const bool b : {false, true}) {
-      const model::End& e = line.end(b);
+    for (const LineEnd end : kLineEnds) {
+      const model::End& e = line.end(end);
+      const bool b = end == LineEnd::B;
       if (!model::is_held(e) || e.no_contact_within || (b ? s.to < length - near : s.from > near)) continue;
       ExcludedEnds& out = entry(s.line, s.volume);
-      const double reach = (b ? length - s.from : s.to) + clearance(c, line, b, b ? s.rise_from : s.rise_to);
+      const double reach =
+          (b ? length - s.from : s.to) + clearance(c, line, end, b ? s.rise_from : s.rise_to);
       (b ? out.end_b : out.end_a) = reach;
       start.notes.push_back(
-          advice::excluded_at_end(line, b, volumes[s.volume].settings.name, s.depth, reach));
+          advice::excluded_at_end(line, end, volumes[s.volume].settings.name, s.depth, reach));
     }
   }
   for (const auto& [key, l] : of) start.excluded_ends.push_back(l);

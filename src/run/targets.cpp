@@ -28,9 +28,9 @@ std::vector<LengthSearch> all_searches(const model::Case& c) {
   int feeder = 0;
   for (size_t l = 0; l < c.lines.size(); ++l) {
     if (c.lines[l].target) out.emplace_back(c, l);
-    for (const bool at_b : {false, true}) {
-      const model::End& end = c.lines[l].end(at_b);
-      if (keeps_tension(c, end)) out.emplace_back(c, l, at_b, feeder);
+    for (const LineEnd line_end : kLineEnds) {
+      const model::End& end = c.lines[l].end(line_end);
+      if (keeps_tension(c, end)) out.emplace_back(c, l, line_end, feeder);
       feeder += end.feed.has_value();
     }
   }

@@ -121,7 +121,7 @@ PetscErrorCode Dynamics::residual(SNES, Vec u, Vec r, void* self) {
   auto& d = *static_cast<Dynamics*>(self);
   return d.error_.capture([&] {
     d.load(u);
-    d.system_.residual(d.trial_.s.after_step(d.h_), r, d.carried_);
+    d.system_.residual(d.trial_.s.after_step(d.h_), r, d.mean_history_);
   });
 }
 
@@ -180,7 +180,7 @@ int Dynamics::try_step(double h) {
   // has those of the previous step.
   if (!copied_) trial_ = committed_;
   copied_ = true;
-  alpha_mean_carried(alpha_, mean_, carried_);
+  alpha_mean_history(alpha_, mean_, mean_history_);
   alpha_predict(system_.mesh(), system_.tied_nodes(), h, committed_, local_u_);
   put(local_u_);
   system_.revert_stiffness();
@@ -288,15 +288,14 @@ void Dynamics::start(const State& state) {
   reactions_ = system_.reactions();
 }
 
-void Dynamics::resume(const AlphaState& state, std::vector<double> reactions, const Carried& carried) {
+void Dynamics::resume(const AlphaState& state, std::vector<double> reactions, const RestartData& data) {
   committed_ = state;
   copied_ = false;
   reactions_ = std::move(reactions);
-  control_.restore(carried.step_proposal, carried.step_wait, carried.step_impact_period,
-                   carried.step_resolved_until);
-  last_step_ = carried.last_step;
-  support_work_ = carried.support_work;
-  mean_ = carried.mean;
+  control_.restore(data.step_proposal, data.step_wait, data.step_impact_period, data.step_resolved_until);
+  last_step_ = data.last_step;
+  support_work_ = data.support_work;
+  mean_ = data.mean;
   for (auto* rows : {&mean_.q, &mean_.f}) rows->resize(system_.mean_forces().size());
   prepare(control_.proposal());
 }

@@ -95,10 +95,10 @@ StepMean alpha_mean(const AlphaCoefficients& c) {
   return {MeanWeights(c).weight(), 0.5 * root * (1 - root) / ((1 + root) * (1 + root))};
 }
 
-void alpha_mean_carried(const AlphaCoefficients& c, const MeanForces& from, std::vector<double>& carried) {
+void alpha_mean_history(const AlphaCoefficients& c, const MeanForces& from, std::vector<double>& history) {
   const MeanWeights w(c);
-  carried.resize(from.q.size());
-  for (size_t i = 0; i < carried.size(); ++i) carried[i] = w.carried(from.q[i], from.f[i]);
+  history.resize(from.q.size());
+  for (size_t i = 0; i < history.size(); ++i) history[i] = w.history(from.q[i], from.f[i]);
 }
 
 void alpha_mean_advance(const AlphaCoefficients& c, const std::vector<double>& S, MeanForces& forces) {

@@ -12,7 +12,7 @@
 #include "hawser/geometry/surface.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
-#include "hawser/terms/buried.hpp"
+#include "hawser/terms/soil_resistance.hpp"
 
 namespace hawser {
 namespace {
@@ -24,7 +24,7 @@ constexpr double kAway = 1e-3;
 // An end of a line.
 struct Side {
   size_t line = 0;
-  bool b = false;
+  LineEnd end = LineEnd::A;
 };
 
 // The held end on one side of a line, found through joints: the lowest one there, and of equally low ends the
@@ -41,31 +41,33 @@ class Laying {
   Laying(const model::Case& c, const Mesh& mesh, const std::vector<std::vector<Vec3>>& starts)
       : c_(c), bed_(c.environment.seabed), mesh_(mesh), starts_(starts) {
     for (size_t l = 0; l < c.lines.size(); ++l)
-      for (const bool b : {false, true})
-        if (const model::End& e = c.lines[l].end(b); e.kind == model::EndKind::joint)
-          joints_[e.body].push_back({l, b});
+      for (const LineEnd end : kLineEnds)
+        if (const model::End& e = c.lines[l].end(end); e.kind == model::EndKind::joint)
+          joints_[e.body].push_back({l, end});
   }
 
   std::vector<Vec3> line(size_t l) const {
     const std::vector<Vec3>& start = starts_[l];
     if (given(l)) return start;
-    const double a = holder({l, false}).height;
-    const double b = holder({l, true}).height;
+    const double a = holder({l, LineEnd::A}).height;
+    const double b = holder({l, LineEnd::B}).height;
     if (!std::isfinite(a) || !std::isfinite(b)) return beside_free_end(start, std::min(a, b));
     // Between two held ends a line was laid from the lower one, or from both if they are equally high: x =
     // (h_b⁴ x_a + h_a⁴ x_b)/(h_a⁴ + h_b⁴). This is continuous in the heights h, and for a leg with a padeye
     // it is practically the place laid from its anchor.
     const double tiny = 1e-40 * std::pow(mesh_.lines[l].length, 4);
     const double share = (std::pow(a, 4) + tiny) / (std::pow(a, 4) + std::pow(b, 4) + 2 * tiny);
-    std::vector<Vec3> out = places({l, false});
-    const std::vector<Vec3> other = places({l, true});
+    std::vector<Vec3> out = places({l, LineEnd::A});
+    const std::vector<Vec3> other = places({l, LineEnd::B});
     for (size_t i = 0; i < out.size(); ++i) out[i] += share * (other[i] - out[i]);
     return out;
   }
 
  private:
-  const model::End& end(const Side& s) const { return c_.lines[s.line].end(s.b); }
-  const Vec3& start_of(const Side& s) const { return s.b ? starts_[s.line].back() : starts_[s.line].front(); }
+  const model::End& end(const Side& s) const { return c_.lines[s.line].end(s.end); }
+  const Vec3& start_of(const Side& s) const {
+    return s.end == LineEnd::B ? starts_[s.line].back() : starts_[s.line].front();
+  }
 
   // A line with a free end is assumed to have been laid in its start shape if its other end is near the bed.
   // If it hangs down onto the bed, the place where it was laid is unknown (NaN).
@@ -102,7 +104,7 @@ class Laying {
     const auto go_on = [&](const std::string& joint, double length, const Side* first) {
       if (!reached.insert(joint).second) return;
       for (const Side& side : joints_.at(joint)) {
-        const Side far{side.line, !side.b};
+        const Side far{side.line, opposite(side.end)};
         if (side.line == s.line || end(far).kind == model::EndKind::free) continue;
         const double height = end(far).kind == model::EndKind::joint ? 0 : height_of(far);
         open.insert({length + kAway * mesh_.lines[side.line].length + height, {first ? *first : side, far}});
@@ -175,8 +177,8 @@ class Laying {
     const model::Line& line = c_.lines[s.line];
     Descent out;
     if (!model::is_held(end(s))) return out;
-    const model::LineType& type = c_.line_type((s.b ? line.sections.back() : line.sections.front()).type);
-    const model::BedAtEnd bed = model::bed_at_end(c_, line, s.b, element);
+    const model::LineType& type = c_.line_type(line.end_section(s.end).type);
+    const model::BedAtEnd bed = model::bed_at_end(c_, line, s.end, element);
     out.length[0] = bed.length;
     if (bed.length > 0) out.sine[0] = bed.depth / bed.length;
     const double height = foot(start_of(s), 0.5 * type.contact_diameter).drop;
@@ -197,9 +199,9 @@ class Laying {
     const model::Line& line = c_.lines[s.line];
     const std::vector<Vec3>& start = starts_[s.line];
     const int last = span.nodes - 1;
-    const auto node = [&](int i) { return s.b ? last - i : i; };
+    const auto node = [&](int i) { return s.end == LineEnd::B ? last - i : i; };
     const auto element = [&](int i) {
-      return mesh_.element(span.first_element + (s.b ? span.elements - 1 - i : i));
+      return mesh_.element(span.first_element + (s.end == LineEnd::B ? span.elements - 1 - i : i));
     };
     const auto in_soil = [&](const Element& e) {
       const double from = mesh_.node(e.first).arc;
@@ -215,11 +217,11 @@ class Laying {
     for (int i = 0; way.isZero() && i < last; ++i) way = along_bed(start[node(i)], start[node(i + 1)]);
     std::vector<Vec3> out(start.size());
     Vec3 x = start_of(s);
-    const std::string& type = (s.b ? line.sections.back() : line.sections.front()).type;
+    const std::string& type = line.end_section(s.end).type;
     if (!in_soil(element(0))) x = foot(x, 0.5 * c_.line_type(type).contact_diameter).at;
     if (const Holder h = holder(s); h.joint) {
-      const std::vector<Vec3> before = places({h.next.line, !h.next.b});
-      x = h.next.b ? before.back() : before.front();
+      const std::vector<Vec3> before = places({h.next.line, opposite(h.next.end)});
+      x = h.next.end == LineEnd::B ? before.back() : before.front();
     }
     out[node(0)] = x;
     double laid = 0;

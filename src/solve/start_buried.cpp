@@ -106,8 +106,8 @@ LineStretch stretch_of(const model::Line& line, const LineAlone& mesh, double le
 LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bodies& bodies,
                          const Mesh& mesh, const LineSpan& span) {
   FedStart a, b;
-  if (line.end_a.feed) a = fed_start(mesh, span, false, line.end_a.feed->stock);
-  if (line.end_b.feed) b = fed_start(mesh, span, true, line.end_b.feed->stock);
+  if (line.end_a.feed) a = fed_start(mesh, span, LineEnd::A, line.end_a.feed->stock);
+  if (line.end_b.feed) b = fed_start(mesh, span, LineEnd::B, line.end_b.feed->stock);
   const int first = a.inside, last = span.nodes - 1 - b.inside;
   LineAlone outside = alone(mesh, span);
   if (line.end_a.feed) at_feed_point(outside, first, first + 1, a.length);

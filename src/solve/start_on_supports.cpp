@@ -91,17 +91,17 @@ class OverSupports {
     if (!first) return;
     const model::End* end = model::end_before(c, line, *first);
     if (!end) return;
-    a_ = end == &line.end_a;
+    from_ = end == &line.end_a ? LineEnd::A : LineEnd::B;
     const RigidPose pose = start_pose(c, bodies, *end);
     GuidePoint from{pose.to_space(end->at), (boxes.front().at - pose.to_space(end->at)).normalized()};
-    if (end->direction) from.along = pose.rotation * (a_ ? *end->direction : Vec3(-*end->direction));
+    if (end->direction) from.along = pose.rotation * (from_a() ? *end->direction : Vec3(-*end->direction));
     way_.add(from);
     for (const GuidePoint& b : boxes) {
       add_cubic(way_, way_.places.back(), b);
       last_ = way_.places.size() - 1;
     }
     first_ = std::max<size_t>(1, closed * kPieces);
-    const model::End& other = line.end(a_);
+    const model::End& other = line.end(opposite(from_));
     if (other.kind != model::EndKind::free) to_ = start_pose(c, bodies, other).to_space(other.at);
     known_ = true;
   }
@@ -115,7 +115,7 @@ class OverSupports {
       straight();
     return way_;
   }
-  bool from_a() const { return a_; }
+  bool from_a() const { return from_ == LineEnd::A; }
 
  private:
   Rest rest(size_t i) const {
@@ -195,7 +195,8 @@ class OverSupports {
   // the first place if there is none; last_ is at the last box.
   size_t first_ = 1, last_ = 0;
   std::optional<Vec3> to_;
-  bool a_ = true, known_ = false;
+  LineEnd from_ = LineEnd::A;
+  bool known_ = false;
 };
 
 }  // namespace

@@ -54,21 +54,21 @@ bool rigid(const model::Case& c, const model::End& e) {
 
 // True if the line would go into the ground if its end at x, on the ground, had the direction opposite to
 // this one.
-bool opposite_is_below_ground(const model::Case& c, bool at_b, const Vec3& x, const Vec3& given) {
+bool opposite_is_below_ground(const model::Case& c, LineEnd line_end, const Vec3& x, const Vec3& given) {
   const model::Environment& e = c.environment;
   const double height = e.seabed.present  ? model::height_above_bed(e.seabed, x)
                         : e.water.present ? x.z() - (e.water.surface - e.water.depth)
                                           : HUGE_VAL;
-  const double outwards = at_b ? -given.z() : given.z();
+  const double outwards = line_end == LineEnd::B ? -given.z() : given.z();
   return outwards > 0 && height < 1e-3 * std::abs(x.z() - e.water.surface);
 }
 
 // Adds a note if an end is clamped against the direction that the line would have there.
-void warn_of_direction(const model::Case& c, const model::Line& line, bool at_b, const Vec3& x,
+void warn_of_direction(const model::Case& c, const model::Line& line, LineEnd line_end, const Vec3& x,
                        const Vec3& own, const Vec3& given, std::vector<std::string>& notes) {
   const double turn = std::acos(std::clamp(own.dot(given), -1.0, 1.0));
-  if (turn < kAgainst || opposite_is_below_ground(c, at_b, x, given)) return;
-  notes.push_back(advice::against_direction(line, at_b, turn));
+  if (turn < kAgainst || opposite_is_below_ground(c, line_end, x, given)) return;
+  notes.push_back(advice::against_direction(line, line_end, turn));
 }
 
 // Positions and tangents of a given line.
@@ -87,18 +87,18 @@ LineStart shape_of(const model::Case& c, const model::Line& line, const Bodies& 
 void turn(const model::Case& c, const model::Line& line, const Bodies& bodies, LineStart& shape,
           std::vector<std::string>& notes) {
   repair(shape);
-  const auto clamp_direction = [&](bool at_b) {
-    const model::End& e = line.end(at_b);
+  const auto clamp_direction = [&](LineEnd line_end) {
+    const model::End& e = line.end(line_end);
     if (!(e.clamped || rigid(c, e)) || !e.direction) return;
     const Vec3 given = start_pose(c, bodies, e).rotation * e.direction->normalized();
-    Vec3& tangent = at_b ? shape.tangent.back() : shape.tangent.front();
+    Vec3& tangent = line_end == LineEnd::B ? shape.tangent.back() : shape.tangent.front();
     if (line.starts_by_itself())
-      warn_of_direction(c, line, at_b, at_b ? shape.x.back() : shape.x.front(), tangent.normalized(), given,
-                        notes);
+      warn_of_direction(c, line, line_end, line_end == LineEnd::B ? shape.x.back() : shape.x.front(),
+                        tangent.normalized(), given, notes);
     tangent = given;
   };
-  clamp_direction(false);
-  clamp_direction(true);
+  clamp_direction(LineEnd::A);
+  clamp_direction(LineEnd::B);
   std::vector<Quat>& q = shape.q;
   if (q.empty()) {
     q.push_back(axes_along(shape.tangent[0]));
@@ -250,16 +250,17 @@ class Starts {
   std::vector<std::string> notes_;
 };
 
-// The end (0 or 1) at which the twist of a line of beams is held if neither end is clamped; a joint only if
-// no other end is held. -1: none.
-int twist_end(const model::Case& c, const model::Line& line) {
-  if (line.end_a.clamped || line.end_b.clamped || rigid(c, line.end_a) || rigid(c, line.end_b)) return -1;
-  const bool joint_first = line.end_a.kind == model::EndKind::joint;
-  for (const int end : {joint_first, !joint_first})
+// The end at which the twist of a line of beams is held if neither end is clamped; a joint only if
+// no other end is held.
+std::optional<LineEnd> twist_end(const model::Case& c, const model::Line& line) {
+  if (line.end_a.clamped || line.end_b.clamped || rigid(c, line.end_a) || rigid(c, line.end_b))
+    return std::nullopt;
+  const LineEnd first = line.end_a.kind == model::EndKind::joint ? LineEnd::B : LineEnd::A;
+  for (const LineEnd end : {first, opposite(first)})
     if (line.end(end).kind != model::EndKind::free &&
-        c.line_type((end ? line.sections.back() : line.sections.front()).type).kind == model::LineKind::beam)
+        c.line_type(line.end_section(end).type).kind == model::LineKind::beam)
       return end;
-  return -1;
+  return std::nullopt;
 }
 
 // Ties the held ends of a line.
@@ -279,13 +280,13 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
       s.node = here;
       out.tied.push_back(s);
     }
-  const int twist = twist_end(c, given);
-  for (const int end : {0, 1}) {
+  const std::optional<LineEnd> twist = twist_end(c, given);
+  for (const LineEnd end : kLineEnds) {
     const model::End& e = line.end(end);
     if (e.kind == model::EndKind::free) continue;
     const bool cut = e.kind == model::EndKind::joint && given.end(end).body != e.body;
     if (cut) continue;
-    const int node = span.first_node + (end ? span.nodes - 1 : 0);
+    const int node = span.end_node(end);
     const bool joint = e.kind == model::EndKind::joint;
     if (const int here = mesh.find(node); joint && here >= 0)
       out.state.x[here] = e.at;  // exactly where the other ends at the joint are
@@ -302,7 +303,7 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
     if (g.node(node).rotates) {
       if (e.clamped) {
         s.rotation_mask = 7;
-        s.rotation = out.ends[l][end];
+        s.rotation = out.ends[l][end_index(end)];
       } else if (end == twist) {
         s.rotation_mask = 1;
       }

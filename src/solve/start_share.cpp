@@ -48,8 +48,8 @@ void unite_joined(const model::Case& c, const std::vector<model::GivenLine>& lin
   std::unordered_map<std::string, int> first;  // line at each joint
   for (int g = 0; g < static_cast<int>(lines.size()); ++g)
     for (int l = lines[g].first; l < lines[g].first + lines[g].parts; ++l)
-      for (const bool b : {false, true})
-        if (const model::End& e = c.lines[l].end(b); e.kind == model::EndKind::joint)
+      for (const LineEnd end : kLineEnds)
+        if (const model::End& e = c.lines[l].end(end); e.kind == model::EndKind::joint)
           group.unite(first.try_emplace(e.body, g).first->second, g);
 }
 

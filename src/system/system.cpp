@@ -114,10 +114,10 @@ bool System::update_ghosts(Vec u, std::vector<double>& out) const {
   return others;
 }
 
-void System::residual(const Kinematics& trial, Vec r, std::span<const double> carried) {
+void System::residual(const Kinematics& trial, Vec r, std::span<const double> mean_history) {
   std::fill(force_.begin(), force_.end(), 0.0);
   const size_t owned = 3 * static_cast<size_t>(mesh_.owned_blocks);
-  if (!carried.empty()) std::copy_n(carried.begin(), owned, force_.begin());
+  if (!mean_history.empty()) std::copy_n(mean_history.begin(), owned, force_.begin());
   std::fill(mean_.begin(), mean_.end(), 0.0);
   std::fill(squares_.begin(), squares_.end(), 0.0);
   Assembler assembler = Assembler::for_residual(mesh_, ties_, trial.mean.weight, {force_, mean_, squares_});
@@ -262,13 +262,13 @@ double ResidualNorms::relative() const {
 
 bool System::soften(double most) {
   bool other = false;
-  for (CarriesTension* t : listed<CarriesTension>()) other |= t->soften(most);
+  for (HasAxialStiffness* t : listed<HasAxialStiffness>()) other |= t->soften(most);
   return on_any_rank(comm_, other);
 }
 
 double System::axial_stiffness() const {
   double most = 0;
-  for (const CarriesTension* t : listed<CarriesTension>()) most = std::max(most, t->axial_stiffness());
+  for (const HasAxialStiffness* t : listed<HasAxialStiffness>()) most = std::max(most, t->axial_stiffness());
   return all_reduce(comm_, MPI_MAX, most);
 }
 

@@ -12,7 +12,7 @@ constexpr double kSure = 1e-3;           // this ratio for the EA that the messa
 
 Overstretch System::overstretch(const Kinematics& at) const {
   Overstretch worst;
-  for (const CarriesTension* t : listed<CarriesTension>())
+  for (const HasAxialStiffness* t : listed<HasAxialStiffness>())
     if (const Overstretch o = t->overstretched(at); o.beyond > worst.beyond) worst = o;
   return worst;
 }
@@ -32,7 +32,7 @@ std::optional<advice::LostInRounding> System::lost_in_rounding(const Kinematics&
   const double load = dead_load();
   if (load == 0) return std::nullopt;
   std::vector<LineTension> lines(mesh_.mesh->lines.size());
-  for (const CarriesTension* t : listed<CarriesTension>()) t->tensions(at, lines);
+  for (const HasAxialStiffness* t : listed<HasAxialStiffness>()) t->tensions(at, lines);
   MPI_Allreduce(MPI_IN_PLACE, lines.data(), static_cast<int>(3 * lines.size()), MPI_DOUBLE, MPI_MAX, comm_);
   for (size_t l = 0; l < lines.size(); ++l) {
     const LineTension& t = lines[l];

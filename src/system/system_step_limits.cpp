@@ -37,7 +37,7 @@ StepLimit System::longest_step(const Kinematics& committed, const StoredMotion& 
   impacts.most = most;
   {
     const Logged logged(limit_event_);
-    for (const LimitsSteps* t : listed<LimitsSteps>()) t->limit_step(committed, impacts);
+    for (LimitsSteps* t : listed<LimitsSteps>()) t->limit_step(committed, impacts);
   }
   const std::vector<LineMotion> shares = motions(committed, stored);
   // The tolerance is also set without impacts, because unpredicted impacts found at the end of the step are

@@ -18,7 +18,7 @@ TiedNodeForces::TiedNodeForces(const LocalMesh& mesh, const TiedNodes& tied) {
     t.owned = s.node < mesh.owned;
     t.turns = mesh.rotates(s.node) && s.rotation_mask == 7;
     t.point = !mesh.rotates(s.frame);
-    t.at.y = s.at;
+    t.frame_point.y = s.at;
     t.turn = s.rotation.conjugate().toRotationMatrix();
     tie_of_[t.block] = static_cast<int>(ties_.size());
     if (t.turns) tie_of_[t.block + 1] = static_cast<int>(ties_.size());
@@ -29,8 +29,8 @@ TiedNodeForces::TiedNodeForces(const LocalMesh& mesh, const TiedNodes& tied) {
 void TiedNodeForces::move(const Kinematics& trial) {
   director_weight_ = trial.director_weight;
   for (Tie& t : ties_) {
-    t.at.R = trial.q[t.frame_node].toRotationMatrix();
-    t.at.w = trial.w[t.frame_node];
+    t.frame_point.R = trial.q[t.frame_node].toRotationMatrix();
+    t.frame_point.w = trial.w[t.frame_node];
   }
 }
 
@@ -42,7 +42,7 @@ void TiedNodeForces::add_forces(std::vector<double>& force, std::vector<double>&
     at(t.frame) += f;
     squares[t.frame] += f.squaredNorm();
     if (t.point) continue;
-    Vec3 moment = t.at.moment(f);
+    Vec3 moment = t.frame_point.moment(f);
     if (t.turns) moment += t.turn.transpose() * at(t.block + 1);
     at(t.frame + 1) += moment;
     squares[t.frame + 1] += moment.squaredNorm();
@@ -54,7 +54,7 @@ void TiedNodeForces::add_geometric_stiffness(const std::vector<double>& force, b
   for (const Tie& t : ties_) {
     if (!t.owned || t.point) continue;
     const Eigen::Map<const Vec3> f(force.data() + 3 * t.block);
-    const Mat3 K = convex ? t.at.convex_moment_by_turn(f) : t.at.moment_by_turn(f);
+    const Mat3 K = convex ? t.frame_point.convex_moment_by_turn(f) : t.frame_point.moment_by_turn(f);
     assembler.add(t.frame + 1, Vec3::Zero(), &K);
   }
 }
@@ -82,8 +82,8 @@ TiedNodeForces::Unknowns TiedNodeForces::unknowns(std::span<const int> blocks) c
     }
     z.P.block<3, 3>(i, place(t.frame)).setIdentity();
     if (t.point) continue;
-    z.P.block<3, 3>(i, place(t.frame + 1)) = t.at.by_turn();
-    z.V.block<3, 3>(i, place(t.frame + 1)) = t.at.velocity_by_turn();
+    z.P.block<3, 3>(i, place(t.frame + 1)) = t.frame_point.by_turn();
+    z.V.block<3, 3>(i, place(t.frame + 1)) = t.frame_point.velocity_by_turn();
   }
   const Eigen::Index size = 3 * static_cast<Eigen::Index>(z.to.size());
   z.P.conservativeResize(m, size);

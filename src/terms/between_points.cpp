@@ -12,15 +12,15 @@ namespace hawser {
 AttachedNow attached_now(const Attached& a, const Kinematics& at, const LocalMesh& mesh,
                          const Bodies& bodies) {
   AttachedNow now;
-  const int carrier = a.carrier(bodies);
-  if (carrier < 0) {
+  const int frame = a.frame_node(bodies);
+  if (frame < 0) {
     const RigidPose p = bodies.pose(a.body, at.time);
-    now.x = a.direction ? p.rotation * a.at : p.to_space(a.at);
+    now.x = a.direction ? p.rotation * a.position : p.to_space(a.position);
     now.v = a.direction ? p.angular_velocity.cross(now.x) : p.velocity_at(now.x);
     return now;
   }
-  const int local = mesh.find(carrier);
-  const Vec3 y = a.body < 0 ? a.at : bodies.in_node_axes(a.body, a.at, a.direction);
+  const int local = mesh.find(frame);
+  const Vec3 y = a.body < 0 ? a.position : bodies.in_node_axes(a.body, a.position, a.direction);
   now.point = {y, at.q[local].toRotationMatrix(), at.w[local]};
   now.x = now.point.arm();
   now.v = now.point.velocity();
@@ -32,8 +32,8 @@ AttachedNow attached_now(const Attached& a, const Kinematics& at, const LocalMes
   return now;
 }
 
-void add_between(Assembler& assembler, const AttachedNow& a, const AttachedNow& b, const Vec6& f,
-                 const Mat6& k, const Mat6& c) {
+void add_pair_force(Assembler& assembler, const AttachedNow& a, const AttachedNow& b, const Vec6& f,
+                    const Mat6& k, const Mat6& c) {
   std::array<int, 4> blocks{};
   Stencil stencil;
   const auto number = [&](int block) {
@@ -60,7 +60,7 @@ void add_between(Assembler& assembler, const AttachedNow& a, const AttachedNow& 
   force.setZero();
   stencil.to_blocks(g, !assembler.convex(), force.data(), K.data(), C.data());
   for (const size_t i : {0, 1})
-    if (const AttachedPosition& p = stencil.at[i]; assembler.convex() && p.rotation >= 0)
+    if (const AttachedPosition& p = stencil.attached[i]; assembler.convex() && p.rotation >= 0)
       K.block<3, 3>(3 * p.rotation, 3 * p.rotation) += p.point.convex_moment_by_turn(g.F[i]);
   assembler.add({blocks.data(), static_cast<size_t>(stencil.blocks)}, force, K, C);
 }

@@ -140,10 +140,10 @@ std::vector<CheckpointKind> BodiesInFlow::checkpoint_kinds() const {
   return {checkpoint_kind<WorkDone>("wind on a body"), checkpoint_kind<WorkDone>("current on a body")};
 }
 
-std::vector<CheckpointRecord> BodiesInFlow::records(NodeRange of) const {
+std::vector<CheckpointRecord> BodiesInFlow::records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
   for (const Flow& f : list_)
-    if (of.has(f.global)) out.push_back(record_of(f.global, 0, WorkDone{f.work}, f.air ? 0 : 1));
+    if (range.has(f.global)) out.push_back(record_of(f.global, 0, WorkDone{f.work}, f.air ? 0 : 1));
   return out;
 }
 

@@ -260,10 +260,10 @@ std::vector<CheckpointKind> BodiesInWater::checkpoint_kinds() const {
   return {checkpoint_kind<Kept>("body in water")};
 }
 
-std::vector<CheckpointRecord> BodiesInWater::records(NodeRange of) const {
+std::vector<CheckpointRecord> BodiesInWater::records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
   for (const Wet& b : list_)
-    if (of.has(b.global))
+    if (range.has(b.global))
       out.push_back(record_of(b.global, b.key, Kept{b.work, b.wave_place.centre, b.wave_place.drag}));
   return out;
 }

@@ -1,4 +1,4 @@
-// The class BodyContactTerm: pairs of volumes, contact forces and tangent summed over points and edges,
+// The class BodyContact: pairs of volumes, contact forces and tangent summed over points and edges,
 // energies. Slip and history are in body_contact_friction.cpp, step limits in body_contact_step_limits.cpp.
 #include "hawser/terms/body_contact.hpp"
 
@@ -31,8 +31,8 @@ AxisShape chord(const BodyFrame& body, const Vec3& from, const Vec3& to) {
 
 }  // namespace
 
-BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
-                                 std::shared_ptr<const Bodies> bodies, std::vector<BodyVolume> volumes)
+BodyContact::BodyContact(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
+                         std::shared_ptr<const Bodies> bodies, std::vector<BodyVolume> volumes)
     : comm_(comm), mesh_(mesh), bodies_(std::move(bodies)), volumes_(std::move(volumes)) {
   if (volumes_.size() != c.volumes.size()) throw std::invalid_argument("body contact needs all volumes");
   for (const model::Volume& v : c.volumes) {
@@ -88,14 +88,14 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
   renumber();
 }
 
-void BodyContactTerm::list_couplings(Couplings& to) const {
+void BodyContact::list_couplings(Couplings& to) const {
   for (const Pair& p : pairs_) {
     const int a = bodies_of_volumes_[p.a].global, b = bodies_of_volumes_[p.b].global;
     if (a >= 0 && b >= 0 && (mesh_.owns_node(a) || mesh_.owns_node(b))) to.add({a, a}, {b, b});
   }
 }
 
-void BodyContactTerm::renumber() {
+void BodyContact::renumber() {
   for (PairBody& s : bodies_of_volumes_) {
     s.node = s.global < 0 ? -1 : mesh_.find(s.global);
     s.block = s.node < 0 ? -1 : mesh_.block[s.node];
@@ -107,11 +107,11 @@ void BodyContactTerm::renumber() {
   }
 }
 
-Vec3 BodyContactTerm::Both::turned_since(const Both& start) const {
+Vec3 BodyContact::Both::turned_since(const Both& start) const {
   return log_so3(Quat(Mat3(turn() * start.turn().transpose())));
 }
 
-BodyFrame BodyContactTerm::frame(size_t volume, const Kinematics& at) const {
+BodyFrame BodyContact::frame(size_t volume, const Kinematics& at) const {
   const PairBody& s = bodies_of_volumes_[volume];
   if (s.global < 0) {
     const RigidPose p = bodies_->pose(s.body, at.time);
@@ -128,20 +128,20 @@ BodyFrame BodyContactTerm::frame(size_t volume, const Kinematics& at) const {
   return {s.centre, at.x[n], at.q[n].toRotationMatrix(), at.v[n], at.a[n], at.w[n], at.alpha[n]};
 }
 
-BodyContactTerm::Both BodyContactTerm::both(const Pair& pair, const Kinematics& at) const {
+BodyContact::Both BodyContact::both(const Pair& pair, const Kinematics& at) const {
   return {frame(pair.a, at), frame(pair.b, at)};
 }
 
-bool BodyContactTerm::near(size_t volume, const Vec3& centre, double radius, double gap) const {
+bool BodyContact::near(size_t volume, const Vec3& centre, double radius, double gap) const {
   const double reach = radius + gap, within = std::max(reach, 0.0);
   if (squared_distance(boxes_[volume], centre) > within * within) return false;
   const auto s = volumes_[volume].surface->query(centre, within);
   return s && s->distance <= reach;
 }
 
-void BodyContactTerm::contact_of_edge(const Pair& pair, const Both& at, const RigidPose& pose,
-                                      const SkeletonPart& e, const AxisContactMode& mode,
-                                      const Slipping& friction, BodyContactPoints& points) const {
+void BodyContact::contact_of_edge(const Pair& pair, const Both& at, const RigidPose& pose,
+                                  const SkeletonPart& e, const AxisContactMode& mode,
+                                  const Slipping& friction, BodyContactPoints& points) const {
   const Surface& surface = *volumes_[pair.b].surface;
   const double contact_distance = e.radius + pair.law.smoothing, length = (e.to - e.from).norm(),
                weight = pair.share * length;
@@ -180,10 +180,11 @@ void BodyContactTerm::contact_of_edge(const Pair& pair, const Both& at, const Ri
     const ContactStart start =
         friction.law.active() ? start_of(pair, at, e, q.xi, n > 0 ? &rates : nullptr) : ContactStart();
     const Vec3 z = place(q.xi);
-    const AxisContactPoint point = points.add(law, start, q.at, z, e.radius, q.weight);
+    const AxisContactPoint point = points.add(law, start, q.surface, z, e.radius, q.weight);
     if (friction.eighths) add_resultant(pair, e.place(q.xi), z, e.radius, point, *friction.eighths);
     if (n > 0)
-      points.add_moving_ends(law, start, q.at, z, e.radius, point, slope, rates, std::span(moving).first(n));
+      points.add_moving_ends(law, start, q.surface, z, e.radius, point, slope, rates,
+                             std::span(moving).first(n));
     if (friction.points && point.elastic_force() > 0)
       touching.push_back(
           {q.xi, panel.from, panel.to, point.weight, point.slip, point.normal, point.friction});
@@ -191,8 +192,8 @@ void BodyContactTerm::contact_of_edge(const Pair& pair, const Both& at, const Ri
   if (friction.points) friction.points->add(volumes_[pair.a].skeleton.features.index(e), touching);
 }
 
-BodyContactTerm::Sum BodyContactTerm::contact(const Pair& pair, const Both& at, const AxisContactMode& mode,
-                                              const Slipping& friction) const {
+BodyContact::Sum BodyContact::contact(const Pair& pair, const Both& at, const AxisContactMode& mode,
+                                      const Slipping& friction) const {
   const BodyFrame &A = at.A, &B = at.B;
   RigidPose pose;  // of the surface
   pose.position = B.to_space(Vec3::Zero());
@@ -239,7 +240,7 @@ BodyContactTerm::Sum BodyContactTerm::contact(const Pair& pair, const Both& at, 
   return sum;
 }
 
-void BodyContactTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
+void BodyContact::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Pair& p : pairs_) {
     if (!p.here) continue;
     const PairBody &a = bodies_of_volumes_[p.a], &b = bodies_of_volumes_[p.b];
@@ -259,7 +260,7 @@ void BodyContactTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
 }
 
-void BodyContactTerm::prepare(const Kinematics& committed, double h) {
+void BodyContact::prepare(const Kinematics& committed, double h) {
   for (Pair& p : pairs_) {
     if (!p.here) continue;
     p.at = both(p, committed);
@@ -278,7 +279,7 @@ void BodyContactTerm::prepare(const Kinematics& committed, double h) {
 }
 
 // Forces of a state that no step has led to: the start without statics, or that of a checkpoint.
-void BodyContactTerm::store_first_forces(Pair& p, double h) const {
+void BodyContact::store_first_forces(Pair& p, double h) const {
   Slipping friction = slipping(p, 0);
   Eighths eighths;
   if (p.counted) friction.eighths = &eighths;
@@ -287,7 +288,7 @@ void BodyContactTerm::store_first_forces(Pair& p, double h) const {
   if (p.counted) p.resultants = resultants_of(p, p.at, eighths);
 }
 
-void BodyContactTerm::commit(const Kinematics& accepted) {
+void BodyContact::commit(const Kinematics& accepted) {
   for (Pair& p : pairs_) {
     Slipping friction = slipping(p, accepted.step);
     const bool slips = friction.law.active();
@@ -318,7 +319,7 @@ void BodyContactTerm::commit(const Kinematics& accepted) {
 }
 
 // After a step the energy of the committed state, in statics that of the trial.
-Energy BodyContactTerm::energy(const Kinematics& at) const {
+Energy BodyContact::energy(const Kinematics& at) const {
   Energy e;
   for (const Pair& p : pairs_) {
     if (!p.counted) continue;
@@ -330,13 +331,13 @@ Energy BodyContactTerm::energy(const Kinematics& at) const {
   return e;
 }
 
-std::vector<std::string> BodyContactTerm::load_components(int body) const {
+std::vector<std::string> BodyContact::load_components(int body) const {
   for (const Pair& p : pairs_)
     if (bodies_of_volumes_[p.a].body == body || bodies_of_volumes_[p.b].body == body) return {"contact"};
   return {};
 }
 
-std::vector<BodyForce> BodyContactTerm::forces_on(int body, const Kinematics& at) const {
+std::vector<BodyForce> BodyContact::forces_on(int body, const Kinematics& at) const {
   if (load_components(body).empty()) return {};
   BodyForce sum;
   for (const Pair& p : pairs_)
@@ -350,7 +351,7 @@ std::vector<BodyForce> BodyContactTerm::forces_on(int body, const Kinematics& at
 }
 
 // A spring feels the round-off of places.
-double BodyContactTerm::round_off(const Kinematics&, double) const {
+double BodyContact::round_off(const Kinematics&, double) const {
   double sum = 0;
   for (const Pair& p : pairs_)
     if (p.counted) sum += std::pow(4 * DBL_EPSILON * p.stiffness * (p.at.A.x.norm() + p.at.B.x.norm()), 2);
@@ -358,7 +359,7 @@ double BodyContactTerm::round_off(const Kinematics&, double) const {
 }
 
 // If both volumes lead, their contact is reported as two entries.
-void BodyContactTerm::active_contacts(ActiveContacts& out) const {
+void BodyContact::active_contacts(ActiveContacts& out) const {
   for (const Pair& p : pairs_) {
     if (!p.counted || !(p.now.force > 0)) continue;
     ActiveContact t = p.now;
@@ -368,15 +369,14 @@ void BodyContactTerm::active_contacts(ActiveContacts& out) const {
   }
 }
 
-void BodyContactTerm::add_resultant(const Pair& pair, const Vec3& y, const Vec3& z, double r,
-                                    const AxisContactPoint& point, Eighths& to) const {
+void BodyContact::add_resultant(const Pair& pair, const Vec3& y, const Vec3& z, double r,
+                                const AxisContactPoint& point, Eighths& to) const {
   const Vec3 from_middle = y - boxes_[pair.a].centre();
   const size_t eighth = 4 * (from_middle.x() > 0) + 2 * (from_middle.y() > 0) + (from_middle.z() > 0);
   to[eighth].add(z - (r + point.gap) * point.normal, point, Mat3::Identity());
 }
 
-ContactResultants BodyContactTerm::resultants_of(const Pair& pair, const Both& at,
-                                                 const Eighths& sums) const {
+ContactResultants BodyContact::resultants_of(const Pair& pair, const Both& at, const Eighths& sums) const {
   ContactResultants out;
   const double sign = pair.a < pair.b ? 1 : -1;  // the force on the first of the two
   for (const ResultantSum& sum : sums)
@@ -387,12 +387,12 @@ ContactResultants BodyContactTerm::resultants_of(const Pair& pair, const Both& a
   return out;
 }
 
-void BodyContactTerm::resultants(ContactResultants& out) const {
+void BodyContact::resultants(ContactResultants& out) const {
   for (const Pair& p : pairs_)
     if (p.counted) out.insert(out.end(), p.resultants.begin(), p.resultants.end());
 }
 
-double BodyContactTerm::largest_penetration() const {
+double BodyContact::largest_penetration() const {
   double depth = 0;
   for (const Pair& p : pairs_) depth = std::max(depth, p.depth);
   return depth;

@@ -1,4 +1,4 @@
-// The class BodyContactTerm: friction. Slip at the start of a step, work of friction over the step, and the
+// The class BodyContact: friction. Slip at the start of a step, work of friction over the step, and the
 // history in a checkpoint.
 #include <mpi.h>
 
@@ -48,8 +48,8 @@ BodyFrictionPoints points_of(const std::vector<double>& values) {
 
 }  // namespace
 
-ContactStart BodyContactTerm::start_of(const Pair& pair, const Both& trial, const SkeletonPart& part,
-                                       double xi, ContactRates* rates) const {
+ContactStart BodyContact::start_of(const Pair& pair, const Both& trial, const SkeletonPart& part, double xi,
+                                   ContactRates* rates) const {
   const Vec3 y = part.place(xi), slope = pair.at.turn() * (part.to - part.from);
   ContactStart s;
   s.point = pair.at.across(y);
@@ -68,8 +68,8 @@ ContactStart BodyContactTerm::start_of(const Pair& pair, const Both& trial, cons
 
 // Trapezoidal rule: friction times the displacement z1 - z0 of the point relative to the surface. The surface
 // of a ball also moves by -r phi x n due to its rotation phi.
-double BodyContactTerm::half_dissipation(const Pair& pair, const Both& trial,
-                                         const BodyFrictionPoints& points) const {
+double BodyContact::half_dissipation(const Pair& pair, const Both& trial,
+                                     const BodyFrictionPoints& points) const {
   const SkeletonParts& parts = volumes_[pair.a].skeleton.features;
   const Vec3 turned = trial.turned_since(pair.at);
   double sum = 0;
@@ -86,7 +86,7 @@ double BodyContactTerm::half_dissipation(const Pair& pair, const Both& trial,
 
 // The forces F on A and -F on B act at z - r n. The power of a prescribed body is that of the force that
 // holds it, which is opposite to the contact force.
-double BodyContactTerm::friction_power(const Pair& pair) const {
+double BodyContact::friction_power(const Pair& pair) const {
   const bool by_a = bodies_of_volumes_[pair.a].global < 0, by_b = bodies_of_volumes_[pair.b].global < 0;
   if (!by_a && !by_b) return 0;
   const BodyFrame &A = pair.at.A, &B = pair.at.B;
@@ -106,24 +106,24 @@ double BodyContactTerm::friction_power(const Pair& pair) const {
 }
 
 // Both records are stored with the node of the first floating body of a pair.
-std::vector<CheckpointKind> BodyContactTerm::checkpoint_kinds() const {
+std::vector<CheckpointKind> BodyContact::checkpoint_kinds() const {
   return {checkpoint_kind<Pair>("sums of a pair"), checkpoint_kind<FeaturePoint>("friction of a pair")};
 }
 
-std::vector<CheckpointRecord> BodyContactTerm::records(NodeRange of) const {
+std::vector<CheckpointRecord> BodyContact::records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
   for (size_t i = 0; i < pairs_.size(); ++i) {
     const Pair& p = pairs_[i];
     const PairBody &a = bodies_of_volumes_[p.a], &b = bodies_of_volumes_[p.b];
     const int node = a.global >= 0 ? a.global : b.global, key = static_cast<int>(i);
-    if (!p.counted || !of.has(node)) continue;
+    if (!p.counted || !range.has(node)) continue;
     out.push_back(record_of(node, key, p, kSums));
     if (!p.touching.empty()) out.push_back({node, key, values_of(p.touching), kSlip});
   }
   return out;
 }
 
-void BodyContactTerm::restore(const std::vector<CheckpointRecord>& records) {
+void BodyContact::restore(const std::vector<CheckpointRecord>& records) {
   for (Pair& p : pairs_) p.touching.clear();
   for (const CheckpointRecord& r : records) {
     if (r.key < 0 || static_cast<size_t>(r.key) >= pairs_.size()) continue;
@@ -144,7 +144,7 @@ void BodyContactTerm::restore(const std::vector<CheckpointRecord>& records) {
 }
 
 // All ranks process the pairs in the same order, so that sends and receives match.
-void BodyContactTerm::share_slip() {
+void BodyContact::share_slip() {
   const int rank = rank_of(comm_);
   for (Pair& p : pairs_) {
     const int a = bodies_of_volumes_[p.a].global, b = bodies_of_volumes_[p.b].global;

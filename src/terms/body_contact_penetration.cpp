@@ -1,4 +1,4 @@
-// The class BodyContactTerm: detection of overlap that contact of corners and edges does not resist. Two
+// The class BodyContact: detection of overlap that contact of corners and edges does not resist. Two
 // boxes with flush sides penetrate each other with all edges in the sides of the other box, where the
 // distance is zero. A penetration far deeper than the features showed since the volumes were last apart ends
 // the run with a message. The largest value of that period counts, because edges that slide over others may
@@ -18,7 +18,7 @@ constexpr double kBeyond = 2;      // factor on the penetration of the features,
 
 }  // namespace
 
-double BodyContactTerm::deepest(size_t volume, const BodyFrame& of, size_t in, const BodyFrame& there) const {
+double BodyContact::deepest(size_t volume, const BodyFrame& of, size_t in, const BodyFrame& there) const {
   const auto across = [&](const Vec3& y) { return there.to_body(of.to_space(y)); };
   double depth = 0;  // only deeper points are of interest
   volumes_[volume].skeleton.faces.walk(
@@ -30,12 +30,12 @@ double BodyContactTerm::deepest(size_t volume, const BodyFrame& of, size_t in, c
   return depth;
 }
 
-void BodyContactTerm::watch(const Kinematics& at) {
+void BodyContact::watch(const Kinematics& at) {
   prepare(at, 0);
   check_overlap(at.time);
 }
 
-void BodyContactTerm::check_overlap(double time) {
+void BodyContact::check_overlap(double time) {
   struct {
     double depth;
     int pair;

@@ -1,4 +1,4 @@
-// The class BodyContactTerm: step length when bodies approach, touch and separate, and check of the energy
+// The class BodyContact: step length when bodies approach, touch and separate, and check of the energy
 // error of a step. Bodies have few contacts and large masses: the motion on their springs is known exactly,
 // and coming contact is found by moving the bodies ahead. See docs/theory/body-contact.md, "Steps".
 #include <algorithm>
@@ -25,33 +25,33 @@ constexpr double kRounding = 1e-9;
 
 }  // namespace
 
-void BodyContactTerm::Both::move(double time) {
+void BodyContact::Both::move(double time) {
   for (BodyFrame* f : {&A, &B}) {
     f->x += time * f->v;
     f->R = f->R * exp_so3(time * f->w).toRotationMatrix();
   }
 }
 
-double BodyContactTerm::frequency(const Pair& pair, const Sum& s) const {
+double BodyContact::frequency(const Pair& pair, const Sum& s) const {
   if (!s.active) return 0;
   const Mat12 K = pair.root.transpose() * s.on.K * pair.root;
   return std::sqrt(std::max(eigenpairs(K).values[11], 0.0));
 }
 
-double BodyContactTerm::relative_energy(const Pair& pair, const Both& at) const {
+double BodyContact::relative_energy(const Pair& pair, const Both& at) const {
   const Vec3 speed = at.A.v - at.B.velocity(at.B.to_body(at.A.x));
   return 0.5 * (pair.mass * speed.squaredNorm() + at.A.w.dot(bodies_of_volumes_[pair.a].inertia * at.A.w) +
                 at.B.w.dot(bodies_of_volumes_[pair.b].inertia * at.B.w));
 }
 
-double BodyContactTerm::fastest(const Pair& pair, const Both& at) const {
+double BodyContact::fastest(const Pair& pair, const Both& at) const {
   const SkeletonParts& leads = volumes_[pair.a].skeleton.features;
   const double arm = (leads.centre() - at.A.centre).norm() + leads.radius();
   return (at.A.v - at.B.v).norm() + at.A.w.norm() * arm + at.B.w.norm() * (arm + (at.A.x - at.B.x).norm());
 }
 
-std::optional<BodyContactTerm::Nearest> BodyContactTerm::nearest(const Pair& pair, const Both& at,
-                                                                 double within) const {
+std::optional<BodyContact::Nearest> BodyContact::nearest(const Pair& pair, const Both& at,
+                                                         double within) const {
   const Surface& surface = *volumes_[pair.b].surface;
   auto field = distance_to(surface);
   Vec3 y = Vec3::Zero();  // point of A
@@ -78,7 +78,7 @@ std::optional<BodyContactTerm::Nearest> BodyContactTerm::nearest(const Pair& pai
 
 // The stiffness increases with the features that come into contact during the step, so the criterion is a
 // twentieth of the period at the end of the step.
-double BodyContactTerm::followed(const Pair& pair, const Both& at, double most) const {
+double BodyContact::followed(const Pair& pair, const Both& at, double most) const {
   const auto resolves_contact = [&](double h) {
     Both there = at;
     there.move(h);
@@ -94,7 +94,7 @@ double BodyContactTerm::followed(const Pair& pair, const Both& at, double most) 
   return accepted;
 }
 
-void BodyContactTerm::limit_by(const Pair& p, ImpactEvents& to) const {
+void BodyContact::limit_by(const Pair& p, ImpactEvents& to) const {
   const SkeletonParts& leads = volumes_[p.a].skeleton.features;
   const double speed = fastest(p, p.at), reach = std::isfinite(to.most) ? speed * to.most : HUGE_VAL;
   if (!near(p.b, p.at.across(leads.centre()), leads.radius(), p.law.smoothing + reach)) return;
@@ -132,14 +132,14 @@ void BodyContactTerm::limit_by(const Pair& p, ImpactEvents& to) const {
          std::min(group(p.a), group(p.b)));
 }
 
-void BodyContactTerm::limit_step(const Kinematics&, ImpactEvents& to) const {
+void BodyContact::limit_step(const Kinematics&, ImpactEvents& to) {
   for (const Pair& p : pairs_)
     if (p.here) limit_by(p, to);
 }
 
 // Compares the trapezoidal work of the springs with the energy that they store. A step with too large a
 // difference went too deep and is repeated.
-void BodyContactTerm::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
+void BodyContact::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
   for (const Pair& p : pairs_) {
     if (!p.here) continue;
     const Both now = both(p, trial);
@@ -159,7 +159,7 @@ void BodyContactTerm::unresolved(const Kinematics& trial, UnresolvedImpacts& to)
 
 // Tests corners, edges and balls in the frame of the other body. The radius of a corner is taken as the width
 // of the law's ramp, at least its default.
-bool BodyContactTerm::tunnels(const Pair& pair, const Kinematics& trial) const {
+bool BodyContact::tunnels(const Pair& pair, const Kinematics& trial) const {
   const Both &before = pair.at, now = both(pair, trial);
   auto field = distance_to(*volumes_[pair.b].surface);
   const double smoothing = pair.law.smoothing, round = std::max(smoothing, pair.round);
@@ -178,7 +178,7 @@ bool BodyContactTerm::tunnels(const Pair& pair, const Kinematics& trial) const {
   return through;
 }
 
-Verdict BodyContactTerm::check_step(const Kinematics& trial) const {
+Verdict BodyContact::check_step(const Kinematics& trial) const {
   const bool through = std::any_of(pairs_.begin(), pairs_.end(),
                                    [&](const Pair& pair) { return pair.counted && tunnels(pair, trial); });
   return through ? Verdict{Verdict::Kind::shorter, advice::BodyPassesBody{}} : Verdict{};

@@ -72,7 +72,7 @@ struct AxisContact::Sample {
   ContactTrial trial;
   ContactStart begin;
   ContactRates rates;  // of `begin`, if ends of the panel move
-  PointContact contact;
+  ContactForce contact;
   Vec3 force = Vec3::Zero();
 
   // Displacement of the line's surface per unit roll, m, body frame.
@@ -87,10 +87,10 @@ AxisContact::Sample AxisContact::sample(const QuadraturePoint& q, const ContactP
   p.weight = q.weight;
   const Vec3 x = shape_.point(p.xi);
   p.trial.point = pose_.to_body(x);
-  p.trial.gap = q.at.distance - radius_;
-  p.trial.normal = q.at.normal;
+  p.trial.gap = q.surface.distance - radius_;
+  p.trial.normal = q.surface.normal;
   // The term -N H is the negative geometric stiffness of contact.
-  if (!mode_.convex) p.trial.curvature = q.at.curvature;
+  if (!mode_.convex) p.trial.curvature = q.surface.curvature;
   // Relative velocity in the body frame: u = R'(v - V) - omega x y.
   if (mode_.moves) p.trial.velocity = R_inverse_ * (shape_.velocity(p.xi) - pose_.velocity_at(x));
   if (law.friction.active()) p.begin = pair.start(s, p.xi, ends_move ? &p.rates : nullptr);
@@ -118,7 +118,7 @@ void AxisContact::add_panel(const ContactQuadrature& found, size_t panel, const 
   auto q = std::partition_point(found.quadrature.begin(), found.quadrature.end(),
                                 [&](const QuadraturePoint& p) { return p.panel < panel; });
   for (; q != found.quadrature.end() && q->panel == panel; ++q) {
-    if (!(q->at.distance <= contact_distance)) continue;
+    if (!(q->surface.distance <= contact_distance)) continue;
     Sample p = sample(*q, s, law, pair, ends_move);
     if (p.contact.normal.elastic > 0 && points) {
       AxisContactPoint& point = points->emplace_back(p.contact, p.trial.normal);
@@ -197,7 +197,7 @@ void AxisContact::add_rolling(const Sample& p, const Mat3& by_point) {
     g_.F[kTurns + i] += w * N[i] * torque * about_[i];
   }
   if (!mode_.tangent) return;
-  const PointContact& c = p.contact;
+  const ContactForce& c = p.contact;
   const Vec3 by_x = -w * (R_ * (by_point.transpose() * arm +
                                 p.trial.lever * p.trial.curvature * p.begin.tangent.cross(c.force)));
   const Vec3 by_v = mode_.moves ? Vec3(-w * (R_ * (c.by_velocity.transpose() * arm))) : Vec3(Vec3::Zero());

@@ -273,10 +273,10 @@ std::vector<CheckpointKind> DynamicPositioning::checkpoint_kinds() const {
   return {checkpoint_kind<KeptThrust>("dynamic positioning")};
 }
 
-std::vector<CheckpointRecord> DynamicPositioning::records(NodeRange of) const {
+std::vector<CheckpointRecord> DynamicPositioning::records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
   for (const Positioned& p : list_)
-    if (p.begun && of.has(p.global))
+    if (p.begun && range.has(p.global))
       out.push_back(record_of(p.global, 0, KeptThrust{p.slow, p.integral, p.time, p.work}, 0));
   return out;
 }

@@ -34,10 +34,10 @@ std::vector<EndSpring> end_springs(const model::Case& c, const LocalMesh& mesh) 
   std::vector<EndSpring> out;
   for (size_t l = 0; l < c.lines.size(); ++l) {
     const LineSpan& span = mesh.mesh->lines[l];
-    for (int end = 0; end < 2; ++end) {
+    for (const LineEnd end : kLineEnds) {
       const model::End& e = c.lines[l].end(end);
       if (e.kind == model::EndKind::free || !(e.rotational_stiffness > 0) || !e.direction) continue;
-      const int node = mesh.find(span.first_node + (end ? span.nodes - 1 : 0));
+      const int node = mesh.find(span.end_node(end));
       if (!mesh.owns(node) || !mesh.rotates(node)) continue;
       out.push_back({node, e.kind == model::EndKind::body ? c.body_index(e.body) : -1,
                      e.direction->normalized(), e.rotational_stiffness});
@@ -80,7 +80,7 @@ void EndSprings::evaluate(const Kinematics& trial, Assembler& assembler) {
       f.setZero();
       K = s.stiffness * (Mat6::Identity() - apart);
     }
-    add_between(assembler, tangent, direction, f, K, Mat6::Zero());
+    add_pair_force(assembler, tangent, direction, f, K, Mat6::Zero());
   }
 }
 
@@ -112,10 +112,11 @@ std::vector<CheckpointKind> EndSprings::checkpoint_kinds() const {
   return {checkpoint_kind<WorkDone>("sums of an end")};
 }
 
-std::vector<CheckpointRecord> EndSprings::records(NodeRange of) const {
+std::vector<CheckpointRecord> EndSprings::records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
   for (const size_t i : driven_)
-    if (const int node = mesh_.global[springs_[i].node]; of.has(node)) out.push_back({node, 0, {work_[i]}});
+    if (const int node = mesh_.global[springs_[i].node]; range.has(node))
+      out.push_back({node, 0, {work_[i]}});
   return out;
 }
 

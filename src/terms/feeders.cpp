@@ -46,18 +46,18 @@ BeamFeed feed_of_beam(const Feeder& f, const Kinematics& at, const LocalElement&
 
 Feeders::Feeders(const LocalMesh& mesh, const model::Case& c) : mesh_(mesh), case_(c) {
   for (size_t l = 0; l < c.lines.size(); ++l)
-    for (const bool at_b : {false, true}) {
-      const model::End& end = c.lines[l].end(at_b);
+    for (const LineEnd line_end : kLineEnds) {
+      const model::End& end = c.lines[l].end(line_end);
       if (!end.feed) continue;
       Feeder& f = feeders_.emplace_back();
       f.index = feeders_.size() - 1;
       f.line = static_cast<int>(l);
-      f.at_b = at_b;
+      f.line_end = line_end;
       f.feed = *end.feed;
-      f.name = fmt::format("end {} of line {}", at_b ? 'B' : 'A', c.lines[l].name);
+      f.name = fmt::format("end {} of line {}", end_letter(line_end), c.lines[l].name);
       f.tied.body = end.kind == model::EndKind::body ? c.body_index(end.body) : -1;
       f.tied.at = end.at;
-      const FedStart start = fed_start(*mesh.mesh, mesh.mesh->lines[l], at_b, f.feed.stock);
+      const FedStart start = fed_start(*mesh.mesh, mesh.mesh->lines[l], line_end, f.feed.stock);
       f.feed_point = start.inside;
       f.length = f.offset = start.length;
       update_feed_point(f);
@@ -69,19 +69,19 @@ Feeders::Feeders(const LocalMesh& mesh, const model::Case& c) : mesh_(mesh), cas
 }
 
 void Feeders::clamp(const std::vector<std::array<Quat, 2>>& ends) {
-  for (Feeder& f : feeders_) f.tied.rotation = ends[f.line][f.at_b];
+  for (Feeder& f : feeders_) f.tied.rotation = ends[f.line][end_index(f.line_end)];
 }
 
 int Feeders::elements(const Feeder& f) const { return mesh_.mesh->lines[f.line].elements; }
 
 int Feeders::node(const Feeder& f, int i) const {
   const LineSpan& span = mesh_.mesh->lines[f.line];
-  return span.first_node + (f.at_b ? span.nodes - 1 - i : i);
+  return span.first_node + (f.line_end == LineEnd::B ? span.nodes - 1 - i : i);
 }
 
 int Feeders::element(const Feeder& f, int i) const {
   const LineSpan& span = mesh_.mesh->lines[f.line];
-  return span.first_element + (f.at_b ? span.elements - 1 - i : i);
+  return span.first_element + (f.line_end == LineEnd::B ? span.elements - 1 - i : i);
 }
 
 double Feeders::element_length(const Feeder& f, int i) const {
@@ -91,7 +91,7 @@ double Feeders::element_length(const Feeder& f, int i) const {
 double Feeders::outside(const Feeder& f) const {
   const LineSpan& span = mesh_.mesh->lines[f.line];
   const double arc = mesh_.mesh->node(node(f, f.feed_point + 1)).arc;
-  return f.length + (f.at_b ? arc : span.length - arc);
+  return f.length + (f.line_end == LineEnd::B ? arc : span.length - arc);
 }
 
 void Feeders::update_feed_point(Feeder& f) {
@@ -109,11 +109,11 @@ void Feeders::update_feed_point(Feeder& f) {
   FedLine& entry = fed_[f.index];
   entry = {};
   entry.feeder = f.index;
-  entry.at_b = f.at_b;
+  entry.line_end = f.line_end;
   entry.element = element(f, f.feed_point);
   const LineSpan& span = mesh_.mesh->lines[f.line];
   entry.inside = {span.first_element, entry.element};
-  if (f.at_b) entry.inside = {entry.element + 1, span.first_element + span.elements};
+  if (f.line_end == LineEnd::B) entry.inside = {entry.element + 1, span.first_element + span.elements};
   entry.before = entry.predicted = entry.length = f.length;
 }
 
@@ -195,7 +195,7 @@ CableFeed Feeders::feed_of_cable(const Feeder& f, const Kinematics& at, const Lo
 
 std::vector<std::array<int, 2>> Feeders::inside() const {
   std::vector<std::array<int, 2>> out(case_.lines.size(), {0, 0});
-  for (const Feeder& f : feeders_) out[f.line][f.at_b] = f.feed_point;
+  for (const Feeder& f : feeders_) out[f.line][end_index(f.line_end)] = f.feed_point;
   return out;
 }
 
@@ -225,8 +225,9 @@ std::vector<int> Feeders::fed_nodes() const {
 }
 
 Feeders::Flow Feeders::flow(const FeedPoint& m, const Kinematics& at, const LocalElement& e,
-                            bool at_b) const {
-  const size_t i = at_b ? e.second : e.first, j = at_b ? e.first : e.second;
+                            LineEnd line_end) const {
+  const size_t i = line_end == LineEnd::B ? e.second : e.first,
+               j = line_end == LineEnd::B ? e.first : e.second;
   Flow o;
   const double rate = m.speed / m.length;
   o.chord = at.x[j] - at.x[i];
@@ -238,7 +239,7 @@ Feeders::Flow Feeders::flow(const FeedPoint& m, const Kinematics& at, const Loca
 // Residual at the feeder and at the free node.
 void Feeders::force(const Feeder& f, const FeedPoint& m, const Kinematics& at, const LocalElement& e,
                     Vec3* out) const {
-  const Flow o = flow(m, at, e, f.at_b);
+  const Flow o = flow(m, at, e, f.line_end);
   const MassShares mass = mass_shares(f.beam);
   const double mass_of_element = f.mass_per_length * m.length;
   out[0] = mass_of_element * mass.own * o.acceleration +
@@ -264,8 +265,8 @@ void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
     const FeedPoint m = predicted_feed_point(f, trial);
     Vec3 out[2];
     force(f, m, trial, *e, out);
-    const int blocks[2] = {mesh_.block[f.at_b ? e->second : e->first],
-                           mesh_.block[f.at_b ? e->first : e->second]};
+    const int blocks[2] = {mesh_.block[f.line_end == LineEnd::B ? e->second : e->first],
+                           mesh_.block[f.line_end == LineEnd::B ? e->first : e->second]};
     const Vec6 r = (Vec6() << out[0], out[1]).finished();
     if (!assembler.needs_tangent()) {
       assembler.add(blocks, r);
@@ -298,10 +299,10 @@ void Feeders::element_force(const Kinematics& at, const LocalElement& e, Vec12& 
     Vec3 out[2];
     force(feeder, predicted_feed_point(feeder, at), at, e, out);
     // The feeder, not the line, provides the momentum of the material that it sets in motion.
-    const Flow o = flow(predicted_feed_point(feeder, at), at, e, feeder.at_b);
+    const Flow o = flow(predicted_feed_point(feeder, at), at, e, feeder.line_end);
     out[0] -= (feeder.mass_per_length * feeder.speed * feeder.speed / feeder.length) * o.chord;
-    f.head<3>() += out[feeder.at_b ? 1 : 0];
-    f.segment<3>(6) += out[feeder.at_b ? 0 : 1];
+    f.head<3>() += out[feeder.line_end == LineEnd::B ? 1 : 0];
+    f.segment<3>(6) += out[feeder.line_end == LineEnd::B ? 0 : 1];
   }
 }
 
@@ -309,8 +310,9 @@ void Feeders::element_force(const Kinematics& at, const LocalElement& e, Vec12& 
 double Feeders::power(const Feeder& f, const Kinematics& at, const LocalElement& e) const {
   const FeedPoint m = feed_point(f, at);
   if (m.speed == 0) return 0;
-  const size_t i = f.at_b ? e.second : e.first, j = f.at_b ? e.first : e.second;
-  const Flow o = flow(m, at, e, f.at_b);
+  const size_t i = f.line_end == LineEnd::B ? e.second : e.first,
+               j = f.line_end == LineEnd::B ? e.first : e.second;
+  const Flow o = flow(m, at, e, f.line_end);
   const double mass = f.mass_per_length, rate = m.speed / m.length;
   const auto [own, shared] = mass_shares(f.beam);
   const Vec3 inertia = mass * m.length * (own * (at.a[i] + o.acceleration) + shared * at.a[j]);
@@ -338,7 +340,7 @@ double Feeders::work_of_step(size_t k, const Kinematics& accepted, const LocalEl
                              double before) const {
   const Feeder& f = feeders_[k];
   double work = 0.5 * h * (power_[k] + power(f, accepted, e));
-  // For cables StructureTerm computes this work, from the mean force of the step.
+  // For cables LineStructure computes this work, from the mean force of the step.
   if (f.beam) work -= 0.5 * (f.length - before) * (pulls_[k] + pull(f, accepted, e, f.length).force);
   if (before_.x.size() != accepted.x.size()) return work;
   for (const Kinematics& at : {before_.at_rest(), accepted})
@@ -389,8 +391,9 @@ Energy Feeders::energy(const Kinematics& at) const {
     const LocalElement* e = at_feed_point(f);
     if (!e || !e->counted) continue;
     const FeedPoint m = feed_point(f, at);
-    const size_t i = f.at_b ? e->second : e->first, j = f.at_b ? e->first : e->second;
-    const Vec3 v = flow(m, at, *e, f.at_b).velocity, &held = at.v[i], &w = at.v[j];
+    const size_t i = f.line_end == LineEnd::B ? e->second : e->first,
+                 j = f.line_end == LineEnd::B ? e->first : e->second;
+    const Vec3 v = flow(m, at, *e, f.line_end).velocity, &held = at.v[i], &w = at.v[j];
     const auto [own, shared] = mass_shares(f.beam);
     out.kinetic += f.mass_per_length * m.length *
                    (0.5 * own * (v.squaredNorm() - held.squaredNorm()) + shared * w.dot(v - held));

@@ -205,10 +205,10 @@ std::vector<CheckpointKind> Hulls::checkpoint_kinds() const {
   return {checkpoint_kind<Kept>("hull in water")};
 }
 
-std::vector<CheckpointRecord> Hulls::records(NodeRange of) const {
+std::vector<CheckpointRecord> Hulls::records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
   for (const Hull& hull : list_)
-    if (of.has(hull.global))
+    if (range.has(hull.global))
       out.push_back(record_of(hull.global, 0, Kept{hull.work, hull.waves.force, hull.waves.moment}));
   return out;
 }

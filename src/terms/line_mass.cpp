@@ -1,4 +1,4 @@
-// The class LineMassTerm: masses and distributed loads of the case by element, assembled by
+// The class LineMass: masses and distributed loads of the case by element, assembled by
 // kernels/line_mass.hpp; work of ramped loads, momentum of lines.
 #include "hawser/terms/line_mass.hpp"
 
@@ -12,8 +12,8 @@
 namespace hawser {
 namespace {
 
-MassEnds ends(const LineMassTerm::MassElement& p, const Kinematics& k) {
-  const size_t i = p.at.first, j = p.at.second;
+MassEnds ends(const LineMass::MassElement& p, const Kinematics& k) {
+  const size_t i = p.element.first, j = p.element.second;
   const bool given = !k.directors.empty();
   return {k.a[i],
           k.a[j],
@@ -30,31 +30,30 @@ MassEnds ends(const LineMassTerm::MassElement& p, const Kinematics& k) {
           k.director_weight};
 }
 
-double load_work(const LineMassTerm::MassElement& p, const Kinematics& k, const Vec3& load) {
-  const size_t i = p.at.first, j = p.at.second;
+double load_work(const LineMass::MassElement& p, const Kinematics& k, const Vec3& load) {
+  const size_t i = p.element.first, j = p.element.second;
   if (p.beam) return beam_load_work(p.section, k.x[i], k.q[i], k.x[j], k.q[j], load);
   return 0.5 * p.section.length * load.dot(k.x[i] + k.x[j]);
 }
 
 }  // namespace
 
-LineMassTerm::LineMassTerm(const LocalMesh& mesh, std::vector<MassElement> pieces, std::vector<Load> ramped)
+LineMass::LineMass(const LocalMesh& mesh, std::vector<MassElement> pieces, std::vector<Load> ramped)
     : mesh_(mesh), pieces_(std::move(pieces)), ramped_(std::move(ramped)) {}
 
-LineMassTerm::LineMassTerm(const LocalMesh& mesh, Built built)
-    : LineMassTerm(mesh, std::move(built.pieces), std::move(built.ramped)) {}
+LineMass::LineMass(const LocalMesh& mesh, Built built)
+    : LineMass(mesh, std::move(built.pieces), std::move(built.ramped)) {}
 
-LineMassTerm::LineMassTerm(const LocalMesh& mesh, const model::Case& c)
-    : LineMassTerm(mesh, build(mesh, c)) {}
+LineMass::LineMass(const LocalMesh& mesh, const model::Case& c) : LineMass(mesh, build(mesh, c)) {}
 
-LineMassTerm::Built LineMassTerm::build(const LocalMesh& mesh, const model::Case& c) {
+LineMass::Built LineMass::build(const LocalMesh& mesh, const model::Case& c) {
   Built out;
   out.pieces.reserve(mesh.elements.size());
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.element(e);
     const auto& t = c.line_types[g.type];
     MassElement p;
-    p.at = e;
+    p.element = e;
     p.beam = g.beam;
     p.section = {g.length, t.mass_per_length, t.rotary_inertia};
     p.load = Vec3(0, 0, -c.environment.gravity * t.mass_per_length);
@@ -76,7 +75,7 @@ LineMassTerm::Built LineMassTerm::build(const LocalMesh& mesh, const model::Case
   return out;
 }
 
-Vec3 LineMassTerm::ramped_load(const MassElement& p, double t) const {
+Vec3 LineMass::ramped_load(const MassElement& p, double t) const {
   Vec3 sum = Vec3::Zero();
   for (int i = p.first_ramped; i < p.first_ramped + p.ramped; ++i) {
     const Load& l = ramped_[i];
@@ -85,14 +84,15 @@ Vec3 LineMassTerm::ramped_load(const MassElement& p, double t) const {
   return sum;
 }
 
-void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
+void LineMass::evaluate(const Kinematics& trial, Assembler& assembler) {
   if (feeders_) feeders_->update_lengths(mesh_, &FedLine::predicted, pieces_);
   for (const MassElement& p : pieces_) {
     if (p.idle) continue;
     const Vec3 w = load(p, trial.time);
-    const int a = mesh_.block[p.at.first], b = mesh_.block[p.at.second], blocks[] = {a, a + 1, b, b + 1};
+    const int a = mesh_.block[p.element.first], b = mesh_.block[p.element.second],
+              blocks[] = {a, a + 1, b, b + 1};
     if (!p.beam) {
-      const size_t i = p.at.first, j = p.at.second;
+      const size_t i = p.element.first, j = p.element.second;
       Vec6 f;
       cable_mass_force(p.section, trial.a[i], trial.a[j], w, f);
       const CableMass m = cable_mass(p.section);
@@ -110,7 +110,7 @@ void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
 }
 
-void LineMassTerm::element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const {
+void LineMass::element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const {
   const MassElement* p = of_element(pieces_, e);
   if (!p || p->idle) return;
   if (p->beam) {
@@ -124,7 +124,7 @@ void LineMassTerm::element_force(const Kinematics& at, const LocalElement& e, Ve
   }
 }
 
-void LineMassTerm::prepare(const Kinematics& committed, double) {
+void LineMass::prepare(const Kinematics& committed, double) {
   if (feeders_) feeders_->update_lengths(mesh_, &FedLine::length, pieces_);
   if (ramped_.empty()) return;
   committed_.x.assign(committed.x.begin(), committed.x.end());
@@ -132,63 +132,64 @@ void LineMassTerm::prepare(const Kinematics& committed, double) {
   committed_.time = committed.time;
 }
 
-void LineMassTerm::commit(const Kinematics& accepted) {
+void LineMass::commit(const Kinematics& accepted) {
   if (feeders_) feeders_->update_lengths(mesh_, &FedLine::length, pieces_);
   if (ramped_.empty() || committed_.x.size() != accepted.x.size()) return;
   Kinematics before;
   before.x = committed_.x;
   before.q = committed_.q;
   for (const MassElement& p : pieces_)
-    if (p.ramped && p.at.counted) {
+    if (p.ramped && p.element.counted) {
       const Vec3 mean = 0.5 * (ramped_load(p, committed_.time) + ramped_load(p, accepted.time));
       work_ += load_work(p, accepted, mean) - load_work(p, before, mean);
     }
 }
 
-std::vector<CheckpointKind> LineMassTerm::checkpoint_kinds() const {
+std::vector<CheckpointKind> LineMass::checkpoint_kinds() const {
   return {checkpoint_kind<WorkDone>("sums of a rank")};
 }
 
-std::vector<CheckpointRecord> LineMassTerm::records(NodeRange of) const {
-  if (ramped_.empty() || mesh_.owned == 0 || !of.has(mesh_.global[0])) return {};
+std::vector<CheckpointRecord> LineMass::records(NodeRange range) const {
+  if (ramped_.empty() || mesh_.owned == 0 || !range.has(mesh_.global[0])) return {};
   return {record_of(mesh_.global[0], 0, WorkDone{work_})};
 }
 
-void LineMassTerm::restore(const std::vector<CheckpointRecord>& records) {
+void LineMass::restore(const std::vector<CheckpointRecord>& records) {
   work_ = 0;
   for (const CheckpointRecord& r : records) work_ += entry<WorkDone>(r).work;
 }
 
-double LineMassTerm::round_off(const Kinematics& at, double h) const {
+double LineMass::round_off(const Kinematics& at, double h) const {
   if (h <= 0) return 0;
   double sum = 0;
   for (const MassElement& p : pieces_)
-    if (p.at.counted) sum += inertia_round_off(at, p.at, p.section.mass_per_length * p.section.length, h);
+    if (p.element.counted)
+      sum += inertia_round_off(at, p.element, p.section.mass_per_length * p.section.length, h);
   return sum;
 }
 
-void LineMassTerm::motion(const Kinematics& at, std::span<LineMotion> lines) const {
+void LineMass::motion(const Kinematics& at, std::span<LineMotion> lines) const {
   for (const MassElement& p : pieces_) {
-    if (!p.at.counted || p.idle) continue;
-    LineMotion& line = lines[mesh_.element(p.at).line];
+    if (!p.element.counted || p.idle) continue;
+    LineMotion& line = lines[mesh_.element(p.element).line];
     const double half = 0.5 * p.section.mass_per_length * p.section.length;
-    line.add(half, at.v[p.at.first]);
-    line.add(half, at.v[p.at.second]);
+    line.add(half, at.v[p.element.first]);
+    line.add(half, at.v[p.element.second]);
   }
 }
 
-double LineMassTerm::dead_load() const {
+double LineMass::dead_load() const {
   double sum = 0;
   for (const MassElement& p : pieces_)
-    if (p.at.counted && !p.idle) sum += p.section.length * p.load.norm();
+    if (p.element.counted && !p.idle) sum += p.section.length * p.load.norm();
   return sum;
 }
 
-Energy LineMassTerm::energy(const Kinematics& at) const {
+Energy LineMass::energy(const Kinematics& at) const {
   Energy e;
   for (const MassElement& p : pieces_) {
-    if (!p.at.counted || p.idle) continue;
-    const size_t i = p.at.first, j = p.at.second;
+    if (!p.element.counted || p.idle) continue;
+    const size_t i = p.element.first, j = p.element.second;
     e.kinetic += p.beam ? beam_kinetic_energy(p.section, ends(p, at))
                         : cable_kinetic_energy(p.section, at.v[i], at.v[j]);
     e.potential -= load_work(p, at, p.load);

@@ -62,7 +62,8 @@ void LinePairs::prepare(const Kinematics& committed, double) {
   start_.resize(n);
   fed_end_.assign(n, -1);
   for (size_t i = 0; i < n && feeders_; ++i)
-    if (const FedLine* fed = feeders_->find(segment(static_cast<int>(i)).global)) fed_end_[i] = fed->at_b;
+    if (const FedLine* fed = feeders_->find(segment(static_cast<int>(i)).global))
+      fed_end_[i] = static_cast<int>(fed->line_end);
   for (size_t i = 0; i < n; ++i) start_[i] = ends(committed, static_cast<int>(i));
   rods_ = rods(committed);
   for (Pair& p : pairs_) {
@@ -222,15 +223,15 @@ void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, 
     const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
     const int a = swapped ? pair.b : pair.a, b = swapped ? pair.a : pair.b;
     const double share = type_of(a).radius / pair.law.radii;
-    const auto add = [&](const LinePairContactPoint& h, bool at_end) {
-      const double xi = at_end ? h.xi : material_of_start(a, slave, h.xi),
-                   eta = at_end ? h.eta : material_of_start(b, master, h.eta);
+    const auto add = [&](const LinePairContactPoint& h, bool step_end) {
+      const double xi = step_end ? h.xi : material_of_start(a, slave, h.xi),
+                   eta = step_end ? h.eta : material_of_start(b, master, h.eta);
       const Vec3 between_before = slave.start.point(xi) - master.start.point(eta),
                  between_now = slave.now.point(xi) - master.now.point(eta);
       const Mat3 turned = share * turn(slave, xi) + (1 - share) * turn(master, eta);
       // The lever of the couple is the vector between the axes while the force acts.
-      const Vec3 moved = at_end ? Vec3(turned.transpose() * between_now - between_before)
-                                : Vec3(between_now - turned * between_before);
+      const Vec3 moved = step_end ? Vec3(turned.transpose() * between_now - between_before)
+                                  : Vec3(between_now - turned * between_before);
       sum.friction -= 0.5 * h.weight * h.friction.dot(moved);
       sum.damping -= 0.5 * h.weight * h.damping_force * h.normal.dot(between_now - between_before);
     };

@@ -33,22 +33,22 @@ double LinePairs::fed_work(const Pair& pair, const PairAxis& A, const PairAxis& 
                            const ContactPoints& next) const {
   if (fed_end(pair.a) < 0 && fed_end(pair.b) < 0) return 0;
   // Displacement of the material minus that of the point at constant xi.
-  const auto way = [&](int segment, const PairAxis& axis, double xi, bool at_end) -> Vec3 {
+  const auto way = [&](int segment, const PairAxis& axis, double xi, bool step_end) -> Vec3 {
     if (fed_end(segment) < 0) return Vec3::Zero();
-    AxisEnds nodes = at_end ? start(segment) : axis.ends;  // with the length for which the forces act
-    nodes.length = at_end ? axis.ends.length : start(segment).length;
+    AxisEnds nodes = step_end ? start(segment) : axis.ends;  // with the length for which the forces act
+    nodes.length = step_end ? axis.ends.length : start(segment).length;
     const Vec3 place = AxisShape(nodes).point(xi);
-    return at_end ? Vec3(place - axis.start.point(xi))
-                  : Vec3(axis.now.point(material_of_start(segment, axis, xi)) - place);
+    return step_end ? Vec3(place - axis.start.point(xi))
+                    : Vec3(axis.now.point(material_of_start(segment, axis, xi)) - place);
   };
   double work = 0;
   for (size_t k = 0; k < kParts; ++k) {
     const bool swapped = k >= 3;
     const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
     const int a = swapped ? pair.b : pair.a, b = swapped ? pair.a : pair.b;
-    const auto add = [&](const LinePairContactPoint& h, bool at_end) {
+    const auto add = [&](const LinePairContactPoint& h, bool step_end) {
       const Vec3 force = h.friction + h.damping_force * h.normal;
-      work -= 0.5 * h.weight * force.dot(way(a, slave, h.xi, at_end) - way(b, master, h.eta, at_end));
+      work -= 0.5 * h.weight * force.dot(way(a, slave, h.xi, step_end) - way(b, master, h.eta, step_end));
     };
     if (pair.points)
       for (const LinePairContactPoint& h : (*pair.points)[k]) {

@@ -69,7 +69,7 @@ void LinePairs::resultants(const Kinematics& at, ContactResultants& out) const {
 void LinePairs::fields(FieldRegistry& registry) const {
   add_contact_fields(
       registry,
-      {.force = {.name = "line_contact_force", .unit = "N", .carries = true},
+      {.force = {.name = "line_contact_force", .unit = "N", .is_support_force = true},
        .normal_force = {.name = "line_contact_normal_force",
                         .unit = "N",
                         .report = Field::Report::graph,

@@ -35,18 +35,18 @@ std::vector<CheckpointKind> LinePairs::checkpoint_kinds() const {
           checkpoint_kind<Deepest>("deepest"), checkpoint_kind<SharedPlaces::Kept>("shared places")};
 }
 
-std::vector<CheckpointRecord> LinePairs::records(NodeRange of) const {
+std::vector<CheckpointRecord> LinePairs::records(NodeRange range) const {
   std::vector<CheckpointRecord> records;
-  const auto wanted = [&](int n) { return n < mesh_.owned && of.has(mesh_.global[n]); };
+  const auto wanted = [&](int n) { return n < mesh_.owned && range.has(mesh_.global[n]); };
   for (int n = 0; n < mesh_.owned; ++n) {
     const Account& a = accounts_[n];
     if (wanted(n) && (a.friction != 0 || a.damping != 0))
       records.push_back(record_of(mesh_.global[n], 0, a, kSums));
   }
-  if (deepest_.first >= 0 && of.has(mesh_.mesh->element(deepest_.first).first))
+  if (deepest_.first >= 0 && range.has(mesh_.mesh->element(deepest_.first).first))
     records.push_back(record_of(mesh_.mesh->element(deepest_.first).first, 0, deepest_, kDeepest));
   for (int k = 0; k < shared_.size(); ++k)
-    if (const int n = shared_.place(k).one.node; mesh_.owns_node(n) && of.has(n))
+    if (const int n = shared_.place(k).one.node; mesh_.owns_node(n) && range.has(n))
       records.push_back(record_of(n, k, shared_.kept(k), kShared));
   std::map<int, int> number;  // number of records at a node
   for (const Pair& p : pairs_) {

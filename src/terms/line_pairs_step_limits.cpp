@@ -135,7 +135,7 @@ double LinePairs::deepest(const Pair& p) const {
 
 // Limits the step so that impacts are resolved and no line, at its present speed, penetrates deeper than half
 // the sum of the radii.
-void LinePairs::limit_step(const Kinematics& at, ImpactEvents& to) const {
+void LinePairs::limit_step(const Kinematics& at, ImpactEvents& to) {
   for (const Pair& p : pairs_) {
     if (clipped(p)) continue;
     const size_t i = p.a, j = p.b;

@@ -41,7 +41,7 @@ bool LineVolumeContact::raise_stiffness(const Kinematics& equilibrium) {
   volumes_.pose_trial(equilibrium);
   std::vector<double> wanted = volumes_.stiffnesses();
   for (Pair& pair : pairs_) {
-    const bool touches = !pair.found.panels.empty() || pair.several;
+    const bool touches = !pair.trial.found.panels.empty() || pair.start.several_groups;
     if (!volumes_.automatic(pair.volume) || (!touches && !equilibrium.moves())) continue;
     const AxisShape shape(ends(equilibrium, pair.element));
     const RigidPose& pose = volumes_.trial_pose(pair.volume);
@@ -56,14 +56,15 @@ bool LineVolumeContact::raise_stiffness(const Kinematics& equilibrium) {
       double force = 0, area = 0;  // N, m²: force and integral of the depth, of the whole facet group
       Vec3 normal = Vec3::Zero();
       at.depth = 0;
-      for (const QuadraturePoint& there : pair.found.quadrature) {
-        if (!touches || pair.found.panels[there.panel].group != w || !pair.in_contact(there.at)) continue;
-        const double gap = there.at.distance - pair.radius;
+      for (const QuadraturePoint& there : pair.trial.found.quadrature) {
+        if (!touches || pair.trial.found.panels[there.panel].group != w || !pair.in_contact(there.surface))
+          continue;
+        const double gap = there.surface.distance - pair.radius;
         force += there.weight * normal_force(pair.law(there.xi).normal, gap, 0).elastic;
         area += there.weight * std::max(-gap, 0.0);
         if (-gap > at.depth) {
           at.depth = -gap;
-          normal = pose.rotation * there.at.normal;
+          normal = pose.rotation * there.surface.normal;
         }
       }
       // A beam bends locally under contact, so its deepest point counts.
@@ -101,12 +102,12 @@ std::optional<advice::TooDeep> LineVolumeContact::deeper_than_allowed(const Kine
   const Pair* in = nullptr;
   double deepest = 0, xi = 0;
   for (const Pair& pair : pairs_) {
-    if (is_held(pair) || pair.found.quadrature.empty()) continue;
+    if (is_held(pair) || pair.trial.found.quadrature.empty()) continue;
     // A pair that has not moved since it was clear is not evaluated in a trial; its result is older.
-    if (!pair.found.of.shape.same_axis(AxisShape(ends(trial, pair.element)))) continue;
+    if (!pair.trial.found.configuration.shape.same_axis(AxisShape(ends(trial, pair.element)))) continue;
     const double most = volumes_.deepest(pair.volume, pair.radius);
-    for (const QuadraturePoint& there : pair.found.quadrature)
-      if (const double depth = pair.radius - there.at.distance; depth > std::max(most, deepest)) {
+    for (const QuadraturePoint& there : pair.trial.found.quadrature)
+      if (const double depth = pair.radius - there.surface.distance; depth > std::max(most, deepest)) {
         in = &pair;
         deepest = depth;
         xi = there.xi;

@@ -14,17 +14,17 @@ void LineVolumeContact::commit(const Kinematics& accepted) {
     std::vector<AxisContactPoint> next;
     if (near != near_.end() && near->pair == i) {
       const bool moves = accepted.moves();
-      if (pair.evaluation != Pair::evaluation_of(moves)) contact(pair, near->shape, {moves});
-      next = std::move(pair.evaluated);
+      if (pair.trial.evaluation != Pair::evaluation_of(moves)) contact(pair, near->shape, {moves});
+      next = std::move(pair.trial.evaluated);
       ++near;
     }
-    pair.evaluation = Pair::Evaluation::none;
-    pair.evaluated.clear();
+    pair.trial.evaluation = Pair::Evaluation::none;
+    pair.trial.evaluated.clear();
     for (const AxisContactPoint& p : next)
       accounts_[pair.element].reaches(-p.gap, accepted.time, pair.volume, p.xi < 0.5 ? 0 : 1);
-    if (accepted.moves() && !(next.empty() && pair.points.empty()))
+    if (accepted.moves() && !(next.empty() && pair.start.points.empty()))
       account(pair, AxisShape(ends(accepted, pair.element)), next);
-    pair.points = std::move(next);
+    pair.start.points = std::move(next);
   }
   volumes_.commit_raise();
 }
@@ -67,7 +67,7 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
     const Vec3 surface = -pair.radius * rolled->angle(p.xi) * w.along.cross(p.normal);
     sum.friction -= 0.25 * p.weight * (R * p.friction).dot((step.R0 + step.R1) * surface);
   };
-  for (const AxisContactPoint& p : pair.points) {
+  for (const AxisContactPoint& p : pair.start.points) {
     const Way w = way(p.xi);
     const double away = p.normal.dot(w.lifted), deep = std::max(smoothing - p.gap, 0.0);
     add(p, step.R0, w, away > deep ? deep / away : 1);
@@ -89,17 +89,17 @@ Energy LineVolumeContact::energy(const Kinematics& at) const {
   for (const Pair& p : pairs_) {
     if (!local(p).counted) continue;
     if (at.after_step()) {
-      for (const AxisContactPoint& q : p.points) e.strain += q.weight * q.potential;
+      for (const AxisContactPoint& q : p.start.points) e.strain += q.weight * q.potential;
       continue;
     }
     const AxisShape shape(ends(at, p.element));
     const RigidPose& pose = poses[volumes_.body(p.volume)];
-    if (LineVolumeFinder::is_clear(p, shape, pose)) continue;
+    if (LineVolumeFinder::certainly_apart(p, shape, pose)) continue;
     Pair pair = p;
     for (const QuadraturePoint& there : finder_.find(pair, shape, pose).quadrature)
-      if (p.in_contact(there.at))
-        e.strain +=
-            there.weight * normal_force(p.law(there.xi).normal, there.at.distance - p.radius, 0).potential;
+      if (p.in_contact(there.surface))
+        e.strain += there.weight *
+                    normal_force(p.law(there.xi).normal, there.surface.distance - p.radius, 0).potential;
   }
   for (size_t i = 0; i < accounts_.size(); ++i) {
     if (!mesh_.elements[i].counted) continue;

@@ -25,10 +25,10 @@ std::vector<Vec3> polyline(const AxisShape& shape, const RigidPose& pose, double
 
 }  // namespace
 
-std::optional<SurfacePoint> LineVolumeFinder::query(const LineVolumePair& pair, int group, double xi,
-                                                    const Vec3& y, double within, bool either_side) const {
+std::optional<SurfacePoint> LineVolumeFinder::query(LineVolumePair& pair, int group, double xi, const Vec3& y,
+                                                    double within, bool either_side) const {
   if (by_gap()) {
-    const GapSpring& s = pair.springs[xi > 0.5];
+    const GapSpring& s = pair.start.springs[xi > 0.5];
     const double distance = s.direction.dot(y - s.anchor);
     if (!s.paired || distance > within) return std::nullopt;
     return SurfacePoint{distance, s.direction, Mat3::Zero(), s.anchor};
@@ -36,9 +36,9 @@ std::optional<SurfacePoint> LineVolumeFinder::query(const LineVolumePair& pair, 
   if (const FacetGroup* only = pair.group(group))
     return surface(pair).query_group(*only, y, within, either_side);
   // In each trial and each step, points in contact are queried near the same places of the surface.
-  if (pair.points.empty()) return surface(pair).query(y, within, pair.hint);
-  if (pair.asked == pair.near_facets.size()) pair.near_facets.emplace_back();
-  return surface(pair).query_again(y, within, pair.hint, pair.near_facets[pair.asked++]);
+  if (pair.start.points.empty()) return surface(pair).query(y, within, pair.cache.hint);
+  if (pair.trial.queries == pair.cache.near_facets.size()) pair.cache.near_facets.emplace_back();
+  return surface(pair).query_again(y, within, pair.cache.hint, pair.cache.near_facets[pair.trial.queries++]);
 }
 
 bool LineVolumeFinder::one_facet_group(const LineVolumePair& pair, double motion) const {
@@ -53,24 +53,25 @@ bool LineVolumeFinder::one_facet_group(const LineVolumePair& pair, double motion
 void LineVolumeFinder::find_facet_groups(LineVolumePair& pair, const AxisShape& shape,
                                          const RigidPose& pose) const {
   const auto p = surface(pair).query(pose.to_body(shape.point(0.5)),
-                                     pair.contact_distance + 2 * shape.slope_bound(), pair.hint);
-  if (p) pair.hint = p->triangle;
+                                     pair.contact_distance + 2 * shape.slope_bound(), pair.cache.hint);
+  if (p) pair.cache.hint = p->triangle;
   if (p && p->distance - pair.contact_distance < 0.5 * shape.slope_bound())
     surface(pair).facet_groups(polyline(shape, pose, pair.contact_distance),
-                               kTogether * pair.contact_distance, pair.near.facet_groups);
+                               kTogether * pair.contact_distance, pair.trial.near.facet_groups);
   assign_previous_points(pair);
 }
 
 // Assigns each point of the last step to the facet group with the most similar normal. If only one of two
 // adjacent facet groups remains, the points of the more heavily loaded one are kept where both had points.
 void LineVolumeFinder::assign_previous_points(LineVolumePair& pair) const {
-  NearGroups& near = pair.near;
-  if (!near.facet_groups.several() && (pair.points.empty() || pair.points.back().group == 0)) return;
+  NearGroups& near = pair.trial.near;
+  if (!near.facet_groups.several() && (pair.start.points.empty() || pair.start.points.back().group == 0))
+    return;
   const size_t facet_groups = pair.facet_groups();
   // By present facet group: points by facet group of the last step.
   using Points = std::vector<AxisContactPoint>;
   std::vector<std::vector<Points>> of(facet_groups, std::vector<Points>(FacetGroups::kMost));
-  for (const AxisContactPoint& p : pair.points) {
+  for (const AxisContactPoint& p : pair.start.points) {
     size_t best = 0;
     double like = -2;
     const Vec3 y = pair.start.pose.to_body(pair.start.shape.point(p.xi));

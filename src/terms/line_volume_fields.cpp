@@ -11,7 +11,7 @@ namespace hawser {
 void LineVolumeContact::fields(FieldRegistry& registry) const {
   using Report = Field::Report;
   add_contact_fields(registry,
-                     {.force = {.name = "contact_force", .unit = "N", .carries = true},
+                     {.force = {.name = "contact_force", .unit = "N", .is_support_force = true},
                       .normal_force = {.name = "contact_normal_force",
                                        .unit = "N",
                                        .history = Field::History::yes,
@@ -32,7 +32,7 @@ void LineVolumeContact::fields(FieldRegistry& registry) const {
                        for (int v = 0; v < volumes(); ++v)
                          axes.push_back(volumes_.pose_of(v, at).rotation.toRotationMatrix());
                        for (const Pair& p : pairs_)
-                         for (const AxisContactPoint& q : p.points)
+                         for (const AxisContactPoint& q : p.start.points)
                            share_at_ends(
                                element(p), local(p).first, local(p).second, mesh_.owned, q.xi,
                                [&](int node, double share) { show(node, share, axes[p.volume], q); });
@@ -45,7 +45,7 @@ void LineVolumeContact::active_contacts(ActiveContacts& out) const {
     if (!local(pair).counted) continue;
     const Element& e = element(pair);
     std::pair<int, double> panel(-1, 0);  // facet group, and where the panel begins
-    for (const AxisContactPoint& p : pair.points) {
+    for (const AxisContactPoint& p : pair.start.points) {
       if (std::pair(p.group, p.from) != panel) {
         ActiveContact& t = out.emplace_back();
         t.line = e.line;
@@ -67,11 +67,11 @@ void LineVolumeContact::resultants(const Kinematics& at, ContactResultants& out)
     if (!local(pair).counted) continue;
     const AxisShape shape = axis(at, pair.element);
     const Mat3 turn = volumes_.pose_of(pair.volume, at).rotation.toRotationMatrix();
-    for (size_t i = 0; i < pair.points.size();) {
-      const int group = pair.points[i].group;
+    for (size_t i = 0; i < pair.start.points.size();) {
+      const int group = pair.start.points[i].group;
       ResultantSum sum;
-      for (; i < pair.points.size() && pair.points[i].group == group; ++i) {
-        const AxisContactPoint& p = pair.points[i];
+      for (; i < pair.start.points.size() && pair.start.points[i].group == group; ++i) {
+        const AxisContactPoint& p = pair.start.points[i];
         sum.add(shape.point(p.xi) - (pair.radius + p.gap) * (turn * p.normal), p, turn);
       }
       if (sum.any()) out.push_back({element(pair).line, -1, pair.volume, -1, sum.place(), sum.force()});
@@ -100,15 +100,16 @@ std::array<Vec3, 2> LineVolumeContact::reaction(int volume, const Kinematics& at
 std::vector<LineVolumeContact::Load> LineVolumeContact::loads(const Kinematics& at) const {
   std::vector<Load> out;
   for (const Pair& pair : pairs_)
-    for (const AxisContactPoint& p : pair.points)
+    for (const AxisContactPoint& p : pair.start.points)
       out.push_back({pair.element, pair.volume, p.xi,
                      p.weight * (volumes_.pose_of(pair.volume, at).rotation * p.force)});
   return out;
 }
 
 int LineVolumeContact::active_count() const {
-  return static_cast<int>(std::count_if(
-      pairs_.begin(), pairs_.end(), [this](const Pair& p) { return !p.points.empty() && local(p).counted; }));
+  return static_cast<int>(std::count_if(pairs_.begin(), pairs_.end(), [this](const Pair& p) {
+    return !p.start.points.empty() && local(p).counted;
+  }));
 }
 
 }  // namespace hawser

@@ -60,7 +60,7 @@ class LineVolumeFinder::Gap {
     const Vec3 y = pose_.to_body(shape_.point(xi));
     const auto p = finder_.query(pair_, group_, xi, y, pair_.contact_distance + within);
     places_.push_back({xi, p ? p->distance : pair_.contact_distance + within});
-    if (p) pair_.hint = p->triangle;
+    if (p) pair_.cache.hint = p->triangle;
     return p;
   }
   // True if the axis may touch somewhere: the gap at its middle is less than half the bound of the slope.
@@ -89,71 +89,73 @@ class LineVolumeFinder::Gap {
   std::optional<AxisGap> middle_;
 };
 
-bool LineVolumeFinder::is_clear(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) {
-  return pair.clearance.left(bezier_in(pose, shape)) > 0;
+bool LineVolumeFinder::certainly_apart(const LineVolumePair& pair, const AxisShape& shape,
+                                       const RigidPose& pose) {
+  return pair.cache.clearance.left(bezier_in(pose, shape)) > 0;
 }
 
-bool LineVolumeFinder::clear(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const {
-  if (!is_clear(pair, shape, pose)) return false;
-  pair.found.clear();
-  pair.near = {};
-  pair.evaluation = LineVolumePair::Evaluation::none;
+bool LineVolumeFinder::skip_if_apart(LineVolumePair& pair, const AxisShape& shape,
+                                     const RigidPose& pose) const {
+  if (!certainly_apart(pair, shape, pose)) return false;
+  pair.trial.found.clear();
+  pair.trial.near = {};
+  pair.trial.evaluation = LineVolumePair::Evaluation::none;
   return true;
 }
 
 double LineVolumeFinder::clearance_at_start(const LineVolumePair& pair) {
-  return pair.clearance.left(bezier_in(pair.start.pose, pair.start.shape));
+  return pair.cache.clearance.left(bezier_in(pair.start.pose, pair.start.shape));
 }
 
-void LineVolumeFinder::update_clearance(const LineVolumePair& pair, const AxisShape& shape,
-                                        const RigidPose& pose, std::vector<ClearancePoint>& places) const {
+void LineVolumeFinder::update_clearance(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,
+                                        std::vector<ClearancePoint>& places) const {
   const auto by_xi = [](const ClearancePoint& a, const ClearancePoint& b) { return a.xi < b.xi; };
   std::sort(places.begin(), places.end(), by_xi);
   double least = std::numeric_limits<double>::infinity(), worst = 0;
   for (const ClearancePoint& p : places) least = std::min(least, p.distance - pair.contact_distance);
   if (!(least > 0)) return;
-  const auto clear = [&] {
+  const auto free_radius = [&] {
     return least_distance(places, shape.slope_bound(), shape.bend_bound(), worst) - pair.contact_distance;
   };
-  double free = clear();
+  double free = free_radius();
   for (int i = 0; i < kProbes && free < kCertain * least; ++i) {
     const double within = pair.contact_distance + 2 * least;
-    const auto p = surface(pair).query(pose.to_body(shape.point(worst)), within, pair.hint);
+    const auto p = surface(pair).query(pose.to_body(shape.point(worst)), within, pair.cache.hint);
     const ClearancePoint more{worst, p ? p->distance : within};
     places.insert(std::upper_bound(places.begin(), places.end(), more, by_xi), more);
     least = std::min(least, more.distance - pair.contact_distance);
-    free = clear();
+    free = free_radius();
   }
-  if (!(free > 0)) return;  // free_radius() only shortens distances
+  if (!(free > 0)) return;  // Surface::free_radius() only shortens distances
   for (ClearancePoint& p : places)
-    p.distance = surface(pair).free_radius(pose.to_body(shape.point(p.xi)), p.distance, pair.hint);
-  pair.clearance.offer(bezier_in(pose, shape), clear());
+    p.distance = surface(pair).free_radius(pose.to_body(shape.point(p.xi)), p.distance, pair.cache.hint);
+  pair.cache.clearance.offer(bezier_in(pose, shape), free_radius());
 }
 
 const std::vector<ContactInterval>& LineVolumeFinder::intervals_at_start(LineVolumePair& pair) const {
   static const std::vector<ContactInterval> kNone;
   if (pair.group(0)) return kNone;
-  if (pair.before) return *pair.before;
-  pair.before.emplace();
-  if (pair.points.empty()) return kNone;
+  if (pair.start.intervals) return *pair.start.intervals;
+  pair.start.intervals.emplace();
+  if (pair.start.points.empty()) return kNone;
   if (touched_all_along(pair, 0)) {
-    pair.before->emplace_back();
-    return *pair.before;
+    pair.start.intervals->emplace_back();
+    return *pair.start.intervals;
   }
   // More halvings than in a trial, which would otherwise fill intervals that are missed here.
   constexpr int kCloser = 2;
   const AxisShape& start = pair.start.shape;
   std::vector<ClearancePoint> places;
   Gap gap(*this, pair, 0, start, pair.start.pose, places);
-  *pair.before = contact_intervals(gap, {start.slope_bound(), pair.contact_distance, start.bend_bound()},
-                                   pair.levels + kCloser);
-  return *pair.before;
+  *pair.start.intervals = contact_intervals(
+      gap, {start.slope_bound(), pair.contact_distance, start.bend_bound()}, pair.levels + kCloser);
+  return *pair.start.intervals;
 }
 
 std::vector<ContactInterval> LineVolumeFinder::locate(LineVolumePair& pair, int group, const AxisShape& shape,
                                                       const RigidPose& pose) const {
   const std::vector<ContactInterval>& before = intervals_at_start(pair);
-  pair.asked = 0;
+  pair.trial.queries = 0;
   Gap gap(*this, pair, group, shape, pose, places_);
   const bool near = gap.may_touch();
   // If the element touched all along, contact is not expected to begin, end or lift off within it, and fewer
@@ -166,16 +168,16 @@ std::vector<ContactInterval> LineVolumeFinder::locate(LineVolumePair& pair, int 
   // The distance to one facet group is no bound for the others.
   if (intervals.empty() && !pair.group(group)) update_clearance(pair, shape, pose, places_);
   std::vector<ContactInterval> panels =
-      split_intervals(as_split_before(intervals, before, pair.found.filled), levels);
+      split_intervals(as_split_before(intervals, before, pair.trial.found.filled), levels);
   if (!pair.part.all()) clip(pair.part, panels);
   return panels;
 }
 
 void LineVolumeFinder::find_along(LineVolumePair& pair, int group, const AxisShape& shape,
                                   const RigidPose& pose) const {
-  pair.found.add_panels(locate(pair, group, shape, pose), group, pair.length, [&](double xi) {
+  pair.trial.found.add_panels(locate(pair, group, shape, pose), group, pair.length, [&](double xi) {
     const auto p = query(pair, group, xi, pose.to_body(shape.point(xi)), pair.contact_distance);
-    if (p) pair.hint = p->triangle;
+    if (p) pair.cache.hint = p->triangle;
     return p;
   });
 }
@@ -183,8 +185,8 @@ void LineVolumeFinder::find_along(LineVolumePair& pair, int group, const AxisSha
 // The trapezoidal rule: each end has the weight of its half of the element.
 void LineVolumeFinder::find_at_nodes(LineVolumePair& pair, int group, const AxisShape& shape,
                                      const RigidPose& pose) const {
-  ContactQuadrature& f = pair.found;
-  pair.asked = 0;
+  ContactQuadrature& f = pair.trial.found;
+  pair.trial.queries = 0;
   Gap gap(*this, pair, group, shape, pose, places_);
   // The middle cannot show contact behind one of several facet groups.
   const bool near = by_gap() || pair.group(group) || gap.may_touch();
@@ -206,21 +208,22 @@ bool LineVolumeFinder::takes_part(const LineVolumePair& pair, double xi) const {
 
 const ContactQuadrature& LineVolumeFinder::find(LineVolumePair& pair, const AxisShape& shape,
                                                 const RigidPose& pose) const {
-  if (clear(pair, shape, pose)) return pair.found;
-  const bool same = pair.found.of.same_configuration(shape, pose);
-  if (!pair.found.of.same_motion(shape, pose)) pair.evaluation = LineVolumePair::Evaluation::none;
-  if (!same) pair.found.clear();
-  pair.found.of = {true, shape, pose};
+  if (skip_if_apart(pair, shape, pose)) return pair.trial.found;
+  const bool same = pair.trial.found.configuration.same_configuration(shape, pose);
+  if (!pair.trial.found.configuration.same_motion(shape, pose))
+    pair.trial.evaluation = LineVolumePair::Evaluation::none;
+  if (!same) pair.trial.found.clear();
+  pair.trial.found.configuration = {true, shape, pose};
   if (same) {
-    pair.asked = pair.asked_by_search;
-    return pair.found;
+    pair.trial.queries = pair.trial.queries_of_search;
+    return pair.trial.found;
   }
-  pair.near = {};
-  if (pair.several) find_facet_groups(pair, shape, pose);
+  pair.trial.near = {};
+  if (pair.start.several_groups) find_facet_groups(pair, shape, pose);
   for (int w = 0; w < pair.facet_groups(); ++w)
     at_nodes() ? find_at_nodes(pair, w, shape, pose) : find_along(pair, w, shape, pose);
-  pair.asked_by_search = pair.asked;
-  return pair.found;
+  pair.trial.queries_of_search = pair.trial.queries;
+  return pair.trial.found;
 }
 
 // The surface is searched at any distance; the box of a plane has no useful size.

@@ -30,9 +30,9 @@ AxisContact LineVolumeContact::contact(Pair& pair, const AxisShape& shape,
     return finder_.start(pair, s.group, xi, rates);
   };
   AxisContact c(shape, pose, pair.radius, pair.length, mode, rolls(pair, shape));
-  pair.evaluated.clear();
-  c.add(pair.found, {law, query, start}, mode.tangent ? nullptr : &pair.evaluated);
-  pair.evaluation = mode.tangent ? Pair::Evaluation::none : Pair::evaluation_of(mode.moves);
+  pair.trial.evaluated.clear();
+  c.add(pair.trial.found, {law, query, start}, mode.tangent ? nullptr : &pair.trial.evaluated);
+  pair.trial.evaluation = mode.tangent ? Pair::Evaluation::none : Pair::evaluation_of(mode.moves);
   return c;
 }
 
@@ -43,7 +43,7 @@ void LineVolumeContact::find_near_pairs(const Kinematics& trial) {
     Pair& pair = pairs_[i];
     const AxisShape shape(ends(trial, pair.element));
     const RigidPose& pose = volumes_.trial_pose(pair.volume);
-    if (finder_.clear(pair, shape, pose)) continue;
+    if (finder_.skip_if_apart(pair, shape, pose)) continue;
     near_.push_back({i, shape});
     finder_.find(pair, shape, pose);
   }
@@ -55,7 +55,7 @@ void LineVolumeContact::evaluate(const Kinematics& trial, Assembler& assembler) 
   const bool tangent = assembler.needs_tangent(), moves = trial.moves();
   for (const Near& near : near_) {
     Pair& pair = pairs_[near.pair];
-    if (pair.found.panels.empty()) continue;
+    if (pair.trial.found.panels.empty()) continue;
     const bool beam = near.shape.count() == AxisShape::kMost;
     Stencil stencil;
     near.shape.attach(stencil);

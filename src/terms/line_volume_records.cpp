@@ -23,9 +23,9 @@ std::vector<CheckpointKind> LineVolumeContact::checkpoint_kinds() const {
           checkpoint_kind<ContactWork>("sums of an element"), checkpoint_kind<GapSpring>("gap springs")};
 }
 
-std::vector<CheckpointRecord> LineVolumeContact::records(NodeRange of) const {
+std::vector<CheckpointRecord> LineVolumeContact::records(NodeRange range) const {
   std::vector<CheckpointRecord> records;
-  const auto wanted = [&](int n) { return n < mesh_.owned && of.has(mesh_.global[n]); };
+  const auto wanted = [&](int n) { return n < mesh_.owned && range.has(mesh_.global[n]); };
   for (size_t i = 0; i < accounts_.size(); ++i) {
     const LocalElement& e = mesh_.elements[i];
     if (e.counted && wanted(e.first) && !accounts_[i].empty())
@@ -45,8 +45,8 @@ std::vector<CheckpointRecord> LineVolumeContact::records(NodeRange of) const {
     }
   };
   for (const Pair& pair : pairs_) {
-    if (!pair.points.empty()) add(pair, kPoints, pair.points);
-    if (finder_.by_gap()) add(pair, kSprings, pair.springs);
+    if (!pair.start.points.empty()) add(pair, kPoints, pair.start.points);
+    if (finder_.by_gap()) add(pair, kSprings, pair.start.springs);
   }
   return records;
 }
@@ -79,13 +79,13 @@ void LineVolumeContact::restore(const std::vector<CheckpointRecord>& records) {
     pair.element = element;
     pair.volume = volume;
     if (r.kind == kPoints) {
-      pair.points = entries<AxisContactPoint>(r);
+      pair.start.points = entries<AxisContactPoint>(r);
       continue;
     }
     const std::vector<GapSpring> springs = entries<GapSpring>(r);
-    if (springs.size() != pair.springs.size())
+    if (springs.size() != pair.start.springs.size())
       throw std::invalid_argument("a contact record of the checkpoint does not fit this case");
-    std::copy(springs.begin(), springs.end(), pair.springs.begin());
+    std::copy(springs.begin(), springs.end(), pair.start.springs.begin());
   }
   std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
     return std::pair(a.element, a.volume) < std::pair(b.element, b.volume);

@@ -61,13 +61,13 @@ std::array<ContactLaw, 2> LineVolumeContact::laws(const Pair& pair) const {
 void LineVolumeContact::renew_laws() {
   for (Pair& pair : pairs_) {
     pair.laws = laws(pair);
-    pair.evaluation = Pair::Evaluation::none;
+    pair.trial.evaluation = Pair::Evaluation::none;
   }
 }
 
 void LineVolumeContact::enable_friction(bool on) {
   friction_on_ = on;
-  for (Pair& pair : pairs_) pair.evaluation = Pair::Evaluation::none;
+  for (Pair& pair : pairs_) pair.trial.evaluation = Pair::Evaluation::none;
 }
 
 void LineVolumeContact::prepare(const Kinematics& committed, double h) {
@@ -89,7 +89,7 @@ void LineVolumeContact::prepare(const Kinematics& committed, double h) {
       pair.volume = k;
       double motion = 0;
       if (!start_pair(pair, at, shape, h, motion)) continue;
-      if (known < old.size() && key() == std::pair(e, k)) carry_over(old[known], pair);
+      if (known < old.size() && key() == std::pair(e, k)) reuse_previous(old[known], pair);
       start_facet_groups(pair, motion);
       pairs_.push_back(std::move(pair));
       pair = {};
@@ -120,22 +120,22 @@ bool LineVolumeContact::start_pair(Pair& pair, const AxisEnds& at, const AxisSha
       volumes_.takes_part(mesh_.element(e).line, pair.volume, arc_at(mesh_, e, 0), arc_at(mesh_, e, 1));
   if (pair.part.none()) return false;
   pair.levels = contact_levels(pair.length, pair.radius);
-  pair.start = {true, shape, pose};
+  pair.start.shape = shape;
+  pair.start.pose = pose;
   motion = h > 0 ? 2 * h * speed : std::numeric_limits<double>::max();
   return true;
 }
 
-// Takes over results of the last step. `found` is reused only if it refers to the whole surface, because
+// Takes over the results of the last step. `found` is reused only if it refers to the whole surface, because
 // facet groups may have changed, and only without contact, because panels must be split as at the start of
 // this step.
-void LineVolumeContact::carry_over(Pair& previous, Pair& pair) const {
-  if (!previous.several && previous.points.empty()) pair.found = std::move(previous.found);
-  pair.points = std::move(previous.points);
-  pair.springs = previous.springs;
-  pair.hint = previous.hint;
-  pair.ahead = previous.ahead;
-  pair.clearance = previous.clearance;
-  if (!pair.points.empty()) pair.near_facets = std::move(previous.near_facets);
+void LineVolumeContact::reuse_previous(Pair& previous, Pair& pair) const {
+  if (!previous.start.several_groups && previous.start.points.empty())
+    pair.trial.found = std::move(previous.trial.found);
+  pair.start.points = std::move(previous.start.points);
+  pair.start.springs = previous.start.springs;
+  pair.cache = std::move(previous.cache);
+  if (pair.start.points.empty()) pair.cache.near_facets.clear();
 }
 
 // Determines whether several facet groups may be reached in the step. Gap springs need only their anchor.
@@ -143,15 +143,15 @@ void LineVolumeContact::start_facet_groups(Pair& pair, double motion) const {
   const AxisShape& shape = pair.start.shape;
   const RigidPose& pose = pair.start.pose;
   if (!finder_.by_gap()) {
-    const bool touched = !pair.points.empty() && pair.points.back().group > 0;
-    pair.several = touched || !finder_.one_facet_group(pair, motion);
-    if (pair.several) pair.found = {};
+    const bool touched = !pair.start.points.empty() && pair.start.points.back().group > 0;
+    pair.start.several_groups = touched || !finder_.one_facet_group(pair, motion);
+    if (pair.start.several_groups) pair.trial.found = {};
     return;
   }
   for (size_t i = 0; i < 2; ++i)
-    if (!pair.springs[i].paired)
-      pair.springs[i] = finder_.spring_at(pair.volume, pose.to_body(shape.point(static_cast<double>(i))),
-                                          pair.contact_distance);
+    if (!pair.start.springs[i].paired)
+      pair.start.springs[i] = finder_.spring_at(
+          pair.volume, pose.to_body(shape.point(static_cast<double>(i))), pair.contact_distance);
 }
 
 int LineVolumeContact::candidates() const { return static_cast<int>(pairs_.size()); }

@@ -4,8 +4,7 @@
 
 namespace hawser {
 // Material that did not touch at the start has a gap and no slip.
-ContactStart LineVolumeFinder::start(const LineVolumePair& pair, int group, double xi,
-                                     ContactRates* rates) const {
+ContactStart LineVolumeFinder::start(LineVolumePair& pair, int group, double xi, ContactRates* rates) const {
   const AxisShape& shape = pair.start.shape;
   const RigidPose& pose = pair.start.pose;
   const Quat back = pose.rotation.conjugate();

@@ -31,8 +31,8 @@ bool straight(const AxisShape& shape) { return shape.count() < AxisShape::kMost;
 
 }  // namespace
 
-void LineVolumeContact::limit_step(const Kinematics& committed, ImpactEvents& to) const {
-  for (const Pair& pair : pairs_) {
+void LineVolumeContact::limit_step(const Kinematics& committed, ImpactEvents& to) {
+  for (Pair& pair : pairs_) {
     limit_by_active_contacts(pair, committed, to);
     limit_ahead(pair, committed, to);
   }
@@ -57,8 +57,8 @@ void LineVolumeContact::limit_by_active_contacts(const Pair& pair, const Kinemat
   // The deepest point of contact with a facet group stands for its whole length in contact; with contact at
   // nodes each node is separate.
   const bool apart = finder_.at_nodes();
-  const auto last = pair.points.end();
-  for (auto first = pair.points.begin(), end = first; first != last; first = end) {
+  const auto last = pair.start.points.end();
+  for (auto first = pair.start.points.begin(), end = first; first != last; first = end) {
     end = std::find_if(first, last, [&](const AxisContactPoint& p) { return p.group != first->group; });
     const auto deepest =
         std::min_element(first, end, [](const auto& a, const auto& b) { return a.gap < b.gap; });
@@ -74,7 +74,7 @@ void LineVolumeContact::limit_by_active_contacts(const Pair& pair, const Kinemat
 void LineVolumeContact::predict_impacts(const Pair& pair, const Kinematics& committed, double xi,
                                         const SurfacePoint& p, ImpactEvents& to) const {
   const bool apart = finder_.at_nodes();
-  const bool touching = std::any_of(pair.points.begin(), pair.points.end(),
+  const bool touching = std::any_of(pair.start.points.begin(), pair.start.points.end(),
                                     [&](const AxisContactPoint& h) { return !apart || h.xi == xi; });
   // Weights of Simpson's rule, or of the nodes. limit_by_active_contacts() treats points in contact.
   const double gap = p.distance - pair.contact_distance, part = apart ? 0.5 : (xi == 0.5 ? 4.0 : 1.0) / 6;
@@ -101,11 +101,11 @@ bool LineVolumeContact::predict_impacts_by_group(const Pair& pair, const Kinemat
 }
 
 // Skips points known to be clear ahead, and points whose contact could not limit the step or be an impact.
-void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const {
+void LineVolumeContact::limit_ahead(Pair& pair, const Kinematics& committed, ImpactEvents& to) const {
   const AxisShape& start = pair.start.shape;
   const Surface& surface = volumes_.surface(pair.volume);
   const double clearance = LineVolumeFinder::clearance_at_start(pair);
-  const bool facet_groups = pair.several && predict_impacts_by_group(pair, committed, to);
+  const bool facet_groups = pair.start.several_groups && predict_impacts_by_group(pair, committed, to);
   const bool by_gap = finder_.by_gap();
   std::vector<ClearancePoint> free;
   for (size_t i = 0; i < kSamples.size(); ++i) {
@@ -118,23 +118,24 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
                                     along(committed.a, local(pair), xi).norm());
     if (clearance > far || !matters || !finder_.takes_part(pair, xi)) continue;
     const Vec3 y = pair.start.pose.to_body(start.point(xi));
-    const auto p = by_gap ? finder_.query(pair, 0, xi, y, within) : surface.query(y, within, pair.ahead[i]);
+    const auto p =
+        by_gap ? finder_.query(pair, 0, xi, y, within) : surface.query(y, within, pair.cache.ahead[i]);
     if (const double away = p ? p->distance : within; away > pair.contact_distance)
       free.push_back({xi, away});
     if (!p) continue;
-    pair.ahead[i] = p->triangle;
+    pair.cache.ahead[i] = p->triangle;
     if (!facet_groups) predict_impacts(pair, committed, xi, *p, to);
   }
   if (by_gap || free.size() < kSamples.size()) return;
   double worst = 0;
-  const auto clear = [&] {
+  const auto free_radius = [&] {
     return least_distance(free, start.slope_bound(), start.bend_bound(), worst) - pair.contact_distance;
   };
-  if (!(clear() > std::max(clearance, 0.0))) return;  // free_radius() only shortens distances
+  if (!(free_radius() > std::max(clearance, 0.0))) return;  // Surface::free_radius() only shortens distances
   for (size_t i = 0; i < free.size(); ++i)
     free[i].distance = surface.free_radius(pair.start.pose.to_body(start.point(free[i].xi)), free[i].distance,
-                                           pair.ahead[i]);
-  pair.clearance.offer(bezier_in(pair.start.pose, start), clear());
+                                           pair.cache.ahead[i]);
+  pair.cache.clearance.offer(bezier_in(pair.start.pose, start), free_radius());
 }
 
 // Adds the places that lost contact because an interval ended or became shorter, and those that gained it.
@@ -143,14 +144,16 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
   for (Pair& pair : pairs_) {
     // Skips pairs without contact both at the start and in the last evaluation, unless the surface has
     // several facet groups: the contact may be with another one.
-    if (!local(pair).counted || (pair.points.empty() && !pair.several && pair.found.panels.empty())) continue;
+    if (!local(pair).counted ||
+        (pair.start.points.empty() && !pair.start.several_groups && pair.trial.found.panels.empty()))
+      continue;
     const AxisShape shape(ends(trial, pair.element));
     const RigidPose& pose = volumes_.trial_pose(pair.volume);
     const ContactQuadrature& found = finder_.find(pair, shape, pose);
     for (int w = 0; w < pair.facet_groups(); ++w) {
       double deepest = 0, deepest_before = 0;
       for (const QuadraturePoint& p : found.quadrature)
-        if (found.panels[p.panel].group == w) deepest = std::max(deepest, pair.radius - p.at.distance);
+        if (found.panels[p.panel].group == w) deepest = std::max(deepest, pair.radius - p.surface.distance);
       for (const AxisContactPoint& p : pair.previous(w)) deepest_before = std::max(deepest_before, -p.gap);
       to.too_deep = to.too_deep || sinks_too_far(pair.radius, deepest_before, deepest);
     }
@@ -187,17 +190,17 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
     for (const QuadraturePoint& p : found.quadrature) {
       const auto& previous = pair.previous(found.panels[p.panel].group);
       const auto holds = [&](const AxisContactPoint& q) { return q.from <= p.xi && p.xi <= q.to; };
-      if (!pair.in_contact(p.at) || std::any_of(previous.begin(), previous.end(), holds)) continue;
+      if (!pair.in_contact(p.surface) || std::any_of(previous.begin(), previous.end(), holds)) continue;
       // An element that slides along its own line makes and loses contact, but the length in contact does not
       // change.
       const Vec3 along = (pose.rotation.conjugate() * shape.slope(p.xi)).normalized(), all = moved(p.xi),
                  way = finder_.at_nodes() ? all : Vec3(all - along * along.dot(all));
-      const double came = -p.at.normal.dot(way);
-      if (!(came > pair.contact_distance - p.at.distance)) continue;
-      const NormalForce f = normal_force(pair.law(p.xi).normal, p.at.distance - pair.radius, 0);
+      const double came = -p.surface.normal.dot(way);
+      if (!(came > pair.contact_distance - p.surface.distance)) continue;
+      const NormalForce f = normal_force(pair.law(p.xi).normal, p.surface.distance - pair.radius, 0);
       double touches = 0;
       for (const QuadraturePoint& q : found.quadrature)
-        if (found.panels[q.panel].group == found.panels[p.panel].group && pair.in_contact(q.at))
+        if (found.panels[q.panel].group == found.panels[p.panel].group && pair.in_contact(q.surface))
           touches += q.weight;
       add(touches, p.xi, p.weight, f.elastic, f.potential, came, came / trial.step);
     }

@@ -54,7 +54,7 @@ Verdict LineVolumeContact::check_step(const Kinematics& trial) const {
 // start of the step may leave on any side.
 bool LineVolumeContact::is_drawn_in(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const {
   if (finder_.by_gap() || is_held(pair)) return false;
-  return !(pair.clearance.left(bezier_in(pose, shape)) > 0) && is_inside(pair, shape, pose) &&
+  return !(pair.cache.clearance.left(bezier_in(pose, shape)) > 0) && is_inside(pair, shape, pose) &&
          !is_inside(pair, pair.start.shape, pair.start.pose);
 }
 

@@ -44,7 +44,7 @@ void LinesInWater::update_water(const Kinematics& at) const {
 
 WaterEnds LinesInWater::ends(const WetElement& p, const Kinematics& k, const Water& first,
                              const Water& second) const {
-  const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
+  const size_t i = static_cast<size_t>(p.element.first), j = static_cast<size_t>(p.element.second);
   WaterEnds e;
   e.x1 = k.x[i];
   e.x2 = k.x[j];
@@ -70,10 +70,10 @@ WaterEnds LinesInWater::ends(const WetElement& p, const Kinematics& k, const Wat
   return e;
 }
 
-void LinesInWater::evaluate(const WetElement& p, const Kinematics& trial, Assembler& assembler) const {
+void LinesInWater::add_element(const WetElement& p, const Kinematics& trial, Assembler& assembler) const {
   if (p.idle) return;
   const bool tangent = assembler.needs_tangent(), convex = assembler.convex();
-  const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
+  const size_t i = static_cast<size_t>(p.element.first), j = static_cast<size_t>(p.element.second);
   const int first = mesh_.block[i], second = mesh_.block[j];
   if (p.beam) {
     const int blocks[] = {first, first + 1, second, second + 1};
@@ -107,8 +107,8 @@ void LinesInWater::evaluate(const Kinematics& trial, Assembler& assembler) {
   update_from_feeders(&FedLine::predicted);
   update_water(trial);
   const bool tangent = assembler.needs_tangent();
-  for (const Four& q : fours_) evaluate(q, trial, assembler);
-  for (const int b : beams_) evaluate(pieces_[static_cast<size_t>(b)], trial, assembler);
+  for (const CableQuad& q : quads_) add_quad(q, trial, assembler);
+  for (const int b : beams_) add_element(pieces_[static_cast<size_t>(b)], trial, assembler);
   for (const Ball& b : balls_) {
     const size_t n = static_cast<size_t>(b.node);
     Vec3 r;
@@ -121,9 +121,9 @@ void LinesInWater::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
 }
 
-LinesInWater::Flow LinesInWater::flow(const Kinematics& at) const {
+LinesInWater::FlowLoads LinesInWater::flow_loads(const Kinematics& at) const {
   update_water(at);
-  Flow out;
+  FlowLoads out;
   out.force.assign(static_cast<size_t>(mesh_.element_ghost_blocks_end), Vec3::Zero());
   out.place = out.force;
   for (int n = 0; n < mesh_.element_ghosts_end; ++n) {
@@ -135,23 +135,23 @@ LinesInWater::Flow LinesInWater::flow(const Kinematics& at) const {
   const auto put = [&](const WetElement& p, const WaterForce& force) {
     const double L = p.section.length;
     for (int j = 0; j < 4; j += p.beam ? 1 : 2) {
-      const int node = j < 2 ? p.at.first : p.at.second,
+      const int node = j < 2 ? p.element.first : p.element.second,
                 block = mesh_.block[static_cast<size_t>(node)] + j % 2;
       out.force[static_cast<size_t>(block)] += (j % 2 ? L : 1) * force.force[j];
     }
   };
-  for (const Four& q : fours_) {
+  for (const CableQuad& q : quads_) {
     WaterForce all[4];
-    const unsigned known = flow(q, at, all);
+    const unsigned known = flow_of_quad(q, at, all);
     for (int i = 0; i < q.count; ++i) {
       const WetElement& p = pieces_[static_cast<size_t>(q.piece[i])];
-      if (p.at.counted && !p.idle)
+      if (p.element.counted && !p.idle)
         put(p, known >> i & 1 ? all[i] : water_force(p.section, ends(p, at), false, sea_.surface));
     }
   }
   for (const int b : beams_) {
     const WetElement& p = pieces_[static_cast<size_t>(b)];
-    if (p.at.counted && !p.idle) put(p, water_force(p.section, ends(p, at), true, sea_.surface));
+    if (p.element.counted && !p.idle) put(p, water_force(p.section, ends(p, at), true, sea_.surface));
   }
   for (const Ball& b : balls_) {
     const size_t n = static_cast<size_t>(b.node);
@@ -181,15 +181,15 @@ void LinesInWater::prepare(const Kinematics& committed, double) {
   update_from_feeders(&FedLine::length);
   // At the start of the motion waves start to act and accelerations jump, so the flow of the last commit is
   // not valid.
-  if (!committed.after_step() || flow_.place.empty() || feeders_) flow_ = flow(committed);
+  if (!committed.after_step() || flow_loads_.place.empty() || feeders_) flow_loads_ = flow_loads(committed);
 }
 
 void LinesInWater::commit(const Kinematics& accepted) {
   update_from_feeders(&FedLine::length);
   if (feeders_) feeders_->add_work(fed_buoyancy(accepted));
-  Flow now = flow(accepted);
-  if (accepted.moves() && !flow_.place.empty()) work_ += work(flow_, now);
-  flow_ = std::move(now);
+  FlowLoads now = flow_loads(accepted);
+  if (accepted.moves() && !flow_loads_.place.empty()) work_ += work(flow_loads_, now);
+  flow_loads_ = std::move(now);
   if (sea_.waves.none()) return;
   std::vector<Vec3> places(accepted.x.size());
   for (size_t n = 0; n < places.size(); ++n) places[n] = wave_place(accepted, n);
@@ -204,17 +204,18 @@ Energy LinesInWater::energy(const Kinematics& at) const {
   Water calm;
   calm.surface = sea_.surface;
   for (const WetElement& p : pieces_)
-    if (p.at.counted && !p.idle) e.potential += water_potential(p.section, ends(p, at, calm, calm), p.beam);
+    if (p.element.counted && !p.idle)
+      e.potential += water_potential(p.section, ends(p, at, calm, calm), p.beam);
   for (const Ball& b : balls_) {
     const size_t n = static_cast<size_t>(b.node);
     e.potential += ball_potential(b.ball, at.x[n], calm);
   }
-  if (!at.moves() && !flow_.place.empty()) e.potential -= work(flow_, flow(at));
+  if (!at.moves() && !flow_loads_.place.empty()) e.potential -= work(flow_loads_, flow_loads(at));
   e.work = e.by_water = work_;
   return e;
 }
 
-double LinesInWater::work(const Flow& from, const Flow& to) {
+double LinesInWater::work(const FlowLoads& from, const FlowLoads& to) {
   double sum = 0;
   for (size_t i = 0; i < to.place.size(); ++i)
     sum += 0.5 * (to.force[i] + from.force[i]).dot(to.place[i] - from.place[i]);
@@ -224,7 +225,7 @@ double LinesInWater::work(const Flow& from, const Flow& to) {
 double LinesInWater::dead_load() const {
   double sum = 0;
   for (const WetElement& p : pieces_)
-    if (p.at.counted && !p.idle) sum += p.section.length * p.section.buoyancy;
+    if (p.element.counted && !p.idle) sum += p.section.length * p.section.buoyancy;
   for (const Ball& b : balls_) sum += b.ball.buoyancy;
   return sum;
 }
@@ -233,7 +234,8 @@ double LinesInWater::round_off(const Kinematics& at, double h) const {
   if (h <= 0) return 0;
   double sum = 0;
   for (const WetElement& p : pieces_)
-    if (p.at.counted) sum += inertia_round_off(at, p.at, p.section.added_normal * p.section.length, h);
+    if (p.element.counted)
+      sum += inertia_round_off(at, p.element, p.section.added_normal * p.section.length, h);
   return sum;
 }
 
@@ -270,8 +272,8 @@ void LinesInWater::fields(FieldRegistry& registry) const {
                 [this](const Kinematics& k, std::span<double> out) {
                   std::vector<double> weight(out.size(), 0), sum(out.size(), 0);
                   for (const WetElement& p : pieces_) {
-                    const Wall& wall = walls_[static_cast<size_t>(mesh_.element(p.at).type)];
-                    for (const int node : {p.at.first, p.at.second}) {
+                    const Wall& wall = walls_[static_cast<size_t>(mesh_.element(p.element).type)];
+                    for (const int node : {p.element.first, p.element.second}) {
                       if (node >= mesh_.owned) continue;
                       const size_t n = static_cast<size_t>(node);
                       const double depth = sea_.surface - k.x[n].z();
@@ -295,7 +297,7 @@ void LinesInWater::fields(FieldRegistry& registry) const {
 }
 
 namespace {
-enum Kind { kSums, kPlaces };
+enum WaterRecord { kWaterSums, kWavePlaces };
 constexpr int kOwn = -1;  // key of a node's own record; others are 1 + a neighbouring mesh node
 
 struct KeptPosition {
@@ -314,18 +316,19 @@ std::vector<CheckpointKind> LinesInWater::checkpoint_kinds() const {
   return {checkpoint_kind<WorkDone>("sums of a rank"), checkpoint_kind<KeptPosition>("places of waves")};
 }
 
-std::vector<CheckpointRecord> LinesInWater::records(NodeRange of) const {
+std::vector<CheckpointRecord> LinesInWater::records(NodeRange range) const {
   if (mesh_.owned == 0) return {};
   std::vector<CheckpointRecord> out;
-  if (of.has(mesh_.global[0])) out.push_back(record_of(mesh_.global[0], 0, WorkDone{work_}, kSums));
+  if (range.has(mesh_.global[0])) out.push_back(record_of(mesh_.global[0], 0, WorkDone{work_}, kWaterSums));
   if (place_.empty()) return out;
   const auto put = [&](int node, int key, const Vec3& x) {
     const int global = mesh_.global[static_cast<size_t>(node)];
-    if (of.has(global)) out.push_back(record_of(global, key, KeptPosition{x}, kPlaces));
+    if (range.has(global)) out.push_back(record_of(global, key, KeptPosition{x}, kWavePlaces));
   };
   for (int n = 0; n < mesh_.owned; ++n) put(n, kOwn, place_[static_cast<size_t>(n)]);
   for (const WetElement& p : pieces_)
-    for (const auto& [node, other] : {std::pair{p.at.first, p.at.second}, {p.at.second, p.at.first}})
+    for (const auto& [node, other] :
+         {std::pair{p.element.first, p.element.second}, {p.element.second, p.element.first}})
       if (node < mesh_.owned)
         put(node, 1 + mesh_.global[static_cast<size_t>(other)], place_[static_cast<size_t>(other)]);
   return out;
@@ -334,12 +337,12 @@ std::vector<CheckpointRecord> LinesInWater::records(NodeRange of) const {
 // The restored state is committed, so its waves are those at the stored positions (wave_place).
 void LinesInWater::restore(const std::vector<CheckpointRecord>& records) {
   work_ = 0;
-  flow_ = {};
+  flow_loads_ = {};
   start_.clear();
   place_.clear();
   wave_known_ = false;
   for (const CheckpointRecord& r : records) {
-    if (r.kind == kSums) {
+    if (r.kind == kWaterSums) {
       work_ += entry<WorkDone>(r).work;
       continue;
     }

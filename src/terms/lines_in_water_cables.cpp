@@ -10,18 +10,18 @@ namespace hawser {
 void LinesInWater::group() {
   const auto cables =
       std::count_if(pieces_.begin(), pieces_.end(), [](const WetElement& p) { return !p.beam; });
-  fours_.reserve((static_cast<size_t>(cables) + 3) / 4);
+  quads_.reserve((static_cast<size_t>(cables) + 3) / 4);
   for (size_t p = 0; p < pieces_.size(); ++p) {
     if (pieces_[p].beam) {
       beams_.push_back(static_cast<int>(p));
       continue;
     }
-    if (fours_.empty() || fours_.back().count == 4) fours_.emplace_back();
-    Four& q = fours_.back();
+    if (quads_.empty() || quads_.back().count == 4) quads_.emplace_back();
+    CableQuad& q = quads_.back();
     for (int lane = q.count; lane < 4; ++lane) {
       q.piece[lane] = static_cast<int>(p);
-      q.first[lane] = pieces_[p].at.first;
-      q.second[lane] = pieces_[p].at.second;
+      q.first[lane] = pieces_[p].element.first;
+      q.second[lane] = pieces_[p].element.second;
       q.sections.set(lane, pieces_[p].section);
     }
     ++q.count;
@@ -32,7 +32,7 @@ void LinesInWater::group() {
 void LinesInWater::update_from_feeders(double FedLine::*length) {
   if (!feeders_) return;
   feeders_->update_lengths(mesh_, length, pieces_);
-  for (Four& q : fours_)
+  for (CableQuad& q : quads_)
     for (int lane = 0; lane < 4; ++lane) {
       const WetElement& p = pieces_[static_cast<size_t>(q.piece[lane])];
       WaterSection s = p.section;
@@ -53,8 +53,8 @@ double LinesInWater::fed_buoyancy(const Kinematics& at) const {
   before.x = old.x;
   before.q = old.q;
   for (const WetElement& p : pieces_) {
-    if (!p.at.counted || p.idle) continue;
-    const FedLine* fed = feeders_->find(p.at.global);
+    if (!p.element.counted || p.idle) continue;
+    const FedLine* fed = feeders_->find(p.element.global);
     if (!fed || fed->before == fed->length) continue;
     WaterSection s = p.section;
     s.length = fed->before;
@@ -66,7 +66,7 @@ double LinesInWater::fed_buoyancy(const Kinematics& at) const {
   return sum;
 }
 
-CablesInWater4 LinesInWater::motion(const Four& q, const Kinematics& k) const {
+CablesInWater4 LinesInWater::motion(const CableQuad& q, const Kinematics& k) const {
   CablesInWater4 m;
   const bool moves = moving();
   for (int end = 0; end < 2; ++end) {
@@ -93,7 +93,7 @@ CablesInWater4 LinesInWater::motion(const Four& q, const Kinematics& k) const {
 
 // Elements that are not fully submerged are evaluated singly, and all elements far from the static solution:
 // the result for an element must not depend on its group, which differs between ranks.
-void LinesInWater::evaluate(const Four& q, const Kinematics& trial, Assembler& assembler) const {
+void LinesInWater::add_quad(const CableQuad& q, const Kinematics& trial, Assembler& assembler) const {
   const CablesInWater4 m = motion(q, trial);
   const unsigned wet = assembler.convex() ? 0 : submerged(q.sections, m);
   std::array<Vec6, 4> f;
@@ -106,19 +106,19 @@ void LinesInWater::evaluate(const Four& q, const Kinematics& trial, Assembler& a
   for (int i = 0; i < q.count; ++i) {
     const WetElement& p = pieces_[static_cast<size_t>(q.piece[i])];
     if (p.idle) continue;
-    const int a = mesh_.block[static_cast<size_t>(p.at.first)],
-              b = mesh_.block[static_cast<size_t>(p.at.second)];
+    const int a = mesh_.block[static_cast<size_t>(p.element.first)],
+              b = mesh_.block[static_cast<size_t>(p.element.second)];
     // Derivatives for a tied end are added singly.
     if (wet >> i & 1 && !(assembler.tied(a) || assembler.tied(b)))
       assembler.add_weighted(a, b, f[i], J[i]);
     else
-      evaluate(p, trial, assembler);
+      add_element(p, trial, assembler);
   }
 }
 
 // Flow forces of fully submerged cables, without buoyancy. The flow leaves buoyancy unchanged only if both
 // the water surface and the still water level are above the whole element.
-unsigned LinesInWater::flow(const Four& q, const Kinematics& at, WaterForce* out) const {
+unsigned LinesInWater::flow_of_quad(const CableQuad& q, const Kinematics& at, WaterForce* out) const {
   CablesInWater4 m = motion(q, at);
   for (wide::Row& s : m.surface) s = s < sea_.surface ? s : wide::all(sea_.surface);
   const unsigned wet = submerged(q.sections, m);

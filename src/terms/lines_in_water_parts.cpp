@@ -9,7 +9,7 @@ LinesInWater::FlowError LinesInWater::flow_error(const Kinematics& at, const Wet
   FlowError out;
   if (p.idle) return out;
   constexpr int kFiner = 4;
-  const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
+  const size_t i = static_cast<size_t>(p.element.first), j = static_cast<size_t>(p.element.second);
   const Water first = water(at, i), second = water(at, j);
   struct Cut {
     Vec3 x, v, a;

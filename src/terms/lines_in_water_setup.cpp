@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "hawser/model/case.hpp"
-#include "hawser/terms/buried.hpp"
 #include "hawser/terms/lines_in_water.hpp"
+#include "hawser/terms/soil_resistance.hpp"
 
 namespace hawser {
 
@@ -31,7 +31,7 @@ std::vector<LinesInWater::WetElement> pieces_of(const LocalMesh& mesh, const mod
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.element(e);
     LinesInWater::WetElement& p = out.emplace_back();
-    p.at = e;
+    p.element = e;
     p.beam = g.beam;
     p.section = water_section(c, g.type, g.length);
     const double from = mesh.mesh->node(static_cast<size_t>(g.first)).arc;

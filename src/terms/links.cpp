@@ -1,4 +1,4 @@
-// The class Links: ranks of a link, force and tangent on the carriers of its ends, energy, work of dampers
+// The class Links: ranks of a link, force and tangent on the frames of its ends, energy, work of dampers
 // and of bodies with prescribed motion, and history.
 #include "hawser/terms/links.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 
 Attached attached(const model::LinkEnd& e, const model::Case& c, const LocalMesh& mesh) {
   Attached a;
-  a.at = e.at;
+  a.position = e.at;
   if (!e.line.empty()) a.node = mesh.mesh->nearest_node(c.line_index(e.line), e.arc);
   if (!e.body.empty()) a.body = c.body_index(e.body);
   return a;
@@ -24,7 +24,7 @@ Attached attached(const model::LinkEnd& e, const model::Case& c, const LocalMesh
 Links::Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
              const Kinematics& start)
     : mesh_(mesh), bodies_(std::move(bodies)) {
-  std::vector<double> places;  // of both ends, from the ranks that own the carriers
+  std::vector<double> places;  // of both ends, from the ranks that own the frames
   const int rank = rank_of(comm);
   for (const model::Link& m : c.links) {
     Link& l = list_.emplace_back();
@@ -33,9 +33,9 @@ Links::Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::sh
     l.b = attached(m.end_b, c, mesh);
     l.law = m.law;
     for (const Attached* e : {&l.a, &l.b}) {
-      const int carrier = e->carrier(*bodies_);
-      if (l.owner < 0) l.owner = carrier;
-      const bool is_known = carrier < 0 ? rank == 0 : mesh_.owns_node(carrier);
+      const int frame = e->frame_node(*bodies_);
+      if (l.owner < 0) l.owner = frame;
+      const bool is_known = frame < 0 ? rank == 0 : mesh_.owns_node(frame);
       const Vec3 x = is_known ? attached_now(*e, start, mesh_, *bodies_).x : Vec3(Vec3::Zero());
       places.insert(places.end(), x.begin(), x.end());
     }
@@ -52,14 +52,14 @@ Links::Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::sh
 
 void Links::list_couplings(Couplings& to) const {
   for (const Link& l : list_) {
-    const int a = l.a.carrier(*bodies_), b = l.b.carrier(*bodies_);
+    const int a = l.a.frame_node(*bodies_), b = l.b.frame_node(*bodies_);
     if (a >= 0 && b >= 0 && (mesh_.owns_node(a) || mesh_.owns_node(b))) to.add({a, a}, {b, b});
   }
 }
 
 void Links::renumber() {
   for (Link& l : list_) {
-    const int a = l.a.carrier(*bodies_), b = l.b.carrier(*bodies_);
+    const int a = l.a.frame_node(*bodies_), b = l.b.frame_node(*bodies_);
     l.here = (mesh_.owns_node(a) || mesh_.owns_node(b)) && (a < 0 || mesh_.find(a) >= 0) &&
              (b < 0 || mesh_.find(b) >= 0);
     l.counted = l.here && mesh_.owns_node(l.owner);
@@ -102,7 +102,7 @@ void Links::evaluate(const Kinematics& trial, Assembler& assembler) {
     };
     Vec6 f;
     f << -s.force.pull, s.force.pull;
-    add_between(assembler, s.a, s.b, f, between(s.force.by_place), between(s.force.by_rate));
+    add_pair_force(assembler, s.a, s.b, f, between(s.force.by_place), between(s.force.by_rate));
   }
 }
 
@@ -111,8 +111,8 @@ void Links::powers(const Link& l, const Kinematics& at, double& damping, double&
   const Stretched s = stretched(l, at);
   damping = s.force.along.dissipated;
   work = 0;
-  if (l.a.carrier(*bodies_) < 0) work -= s.force.pull.dot(s.a.v);
-  if (l.b.carrier(*bodies_) < 0) work += s.force.pull.dot(s.b.v);
+  if (l.a.frame_node(*bodies_) < 0) work -= s.force.pull.dot(s.a.v);
+  if (l.b.frame_node(*bodies_) < 0) work += s.force.pull.dot(s.b.v);
 }
 
 void Links::prepare(const Kinematics& committed, double) {
@@ -160,10 +160,10 @@ std::vector<CheckpointKind> Links::checkpoint_kinds() const {
   return {checkpoint_kind<Link>("sums of a link")};
 }
 
-std::vector<CheckpointRecord> Links::records(NodeRange of) const {
+std::vector<CheckpointRecord> Links::records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
   for (size_t i = 0; i < list_.size(); ++i)
-    if (list_[i].counted && of.has(list_[i].owner))
+    if (list_[i].counted && range.has(list_[i].owner))
       out.push_back(record_of(list_[i].owner, static_cast<int>(i), list_[i]));
   return out;
 }

@@ -23,16 +23,16 @@ void PlatformWater::list_couplings(Couplings& to) const {
 
 void PlatformWater::renumber() {
   for (Group& g : groups_) {
-    g.here = false;
+    g.is_local = false;
     bool complete = true;
     for (Platform& p : g.platforms) {
       p.local = mesh_.find(p.node);
       p.block = p.local < 0 ? -1 : mesh_.block[p.local];
       p.owned = mesh_.owns(p.local);
-      g.here |= p.owned;
+      g.is_local |= p.owned;
       complete &= p.local >= 0;
     }
-    g.here &= complete;
+    g.is_local &= complete;
   }
 }
 
@@ -62,14 +62,14 @@ void PlatformWater::add_past(Group& g, double time, Eigen::VectorXd rate) {
 // mean acceleration from t_k to t_k+1, up to t_n. The trial step adds S(t - t_n) (v - v_n)/(t - t_n). Each
 // entry of S acts on its row, and by symmetry on its column.
 const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time) const {
-  AtTime& now = g.now;
-  if (g.known && now.time == time) return now;
+  AtTime& now = g.cache;
+  if (g.is_cached && now.time == time) return now;
   const Eigen::Index n = 6 * static_cast<Eigen::Index>(g.platforms.size());
   now.time = time;
-  now.past = Eigen::VectorXd::Zero(n);
-  now.first = now.second = Eigen::VectorXd::Zero(n);
-  now.damping = Eigen::MatrixXd::Zero(n, n);
-  g.known = true;
+  now.memory_force = Eigen::VectorXd::Zero(n);
+  now.first_order = now.second_order = Eigen::VectorXd::Zero(n);
+  now.memory_damping = Eigen::MatrixXd::Zero(n, n);
+  g.is_cached = true;
   const double step = g.past.empty() ? 0 : time - g.past.back().time;
   const auto entries = static_cast<Eigen::Index>(g.entries.size());
   if (!g.past.empty() && entries > 0) {
@@ -87,9 +87,10 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
     const Eigen::VectorXd& first = g.past.front().rate;
     for (Eigen::Index e = 0; e < entries; ++e) {
       const auto [i, j] = g.entries[static_cast<size_t>(e)];
-      now.past[i] += force(e, 0) + dS[e] * first[j];
-      if (i != j) now.past[j] += force(e, 1) + dS[e] * first[i];
-      if (step > 0) now.damping(i, j) = now.damping(j, i) = S[e] / step;  // the last S is that of this step
+      now.memory_force[i] += force(e, 0) + dS[e] * first[j];
+      if (i != j) now.memory_force[j] += force(e, 1) + dS[e] * first[i];
+      if (step > 0)
+        now.memory_damping(i, j) = now.memory_damping(j, i) = S[e] / step;  // the last S is that of this step
     }
   }
   const double ramp = sea_.wave_ramp > 0 ? quintic_ramp(time, sea_.wave_ramp).value : 1;
@@ -101,17 +102,17 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
     const Vec3 origin = place + p.axes * p.file_origin;
     const PlatformWaves::Forces f = p.waves.at(time, origin.x(), origin.y());
     const auto first = 6 * static_cast<Eigen::Index>(i);
-    now.first.segment<6>(first) = ramp * f.first;
-    now.second.segment<6>(first) = ramp * ramp * f.slow + p.waves.mean_drift();
+    now.first_order.segment<6>(first) = ramp * f.first;
+    now.second_order.segment<6>(first) = ramp * ramp * f.slow + p.waves.mean_drift();
   }
   return now;
 }
 
-void PlatformWater::damping(const Group& g, const AtTime& now, const Eigen::VectorXd& rate,
-                            Eigen::VectorXd& force, Eigen::MatrixXd* slope) const {
-  force = now.past;
-  if (!g.past.empty()) force += now.damping * (rate - g.past.back().rate);
-  if (slope) *slope = now.damping;
+void PlatformWater::damping_and_memory(const Group& g, const AtTime& now, const Eigen::VectorXd& rate,
+                                       Eigen::VectorXd& force, Eigen::MatrixXd* slope) const {
+  force = now.memory_force;
+  if (!g.past.empty()) force += now.memory_damping * (rate - g.past.back().rate);
+  if (slope) *slope = now.memory_damping;
   for (size_t i = 0; i < g.platforms.size(); ++i) {
     const Platform& p = g.platforms[i];
     const auto first = 6 * static_cast<Eigen::Index>(i);
@@ -137,8 +138,8 @@ void PlatformWater::rest_at(Platform& p, const RigidBodyState& s) {
 // Without a previous step, the memory begins with the present velocity.
 void PlatformWater::prepare(const Kinematics& committed, double) {
   for (Group& g : groups_) {
-    g.known = false;
-    if (!g.here) continue;
+    g.is_cached = false;
+    if (!g.is_local) continue;
     if (!committed.after_step())
       for (Platform& p : g.platforms) p.rest = floating_state(committed, p.local);
     if (committed.phase != Phase::start || g.past.size() > 1) continue;
@@ -155,7 +156,7 @@ void PlatformWater::prepare(const Kinematics& committed, double) {
 // Residual of each body: G^T (A a + D + memory - waves) and hydrostatics.
 void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Group& g : groups_) {
-    if (!g.here) continue;
+    if (!g.is_local) continue;
     const size_t n = g.platforms.size();
     std::vector<PlatformMotion> motion(n);
     Eigen::VectorXd rate(6 * n), acceleration(6 * n), F = Eigen::VectorXd::Zero(6 * static_cast<int>(n));
@@ -169,8 +170,8 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
     const Eigen::MatrixXd mass = g.added_mass + period_mass(g, trial.step);
     if (trial.moves()) {
       const AtTime& now = at_time(g, trial.time);
-      damping(g, now, rate, F, assembler.needs_tangent() ? &by_rate : nullptr);
-      F -= now.first + now.second;
+      damping_and_memory(g, now, rate, F, assembler.needs_tangent() ? &by_rate : nullptr);
+      F -= now.first_order + now.second_order;
     } else {
       for (size_t i = 0; i < n; ++i)
         if (const Platform& p = g.platforms[i]; !(p.follow > 0)) F.segment<6>(6 * i) -= p.waves.mean_drift();
@@ -210,7 +211,7 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
 
 void PlatformWater::commit(const Kinematics& accepted) {
   for (Group& g : groups_) {
-    if (!g.here) continue;
+    if (!g.is_local) continue;
     if (!accepted.moves()) {
       g.past.clear();
       for (Platform& p : g.platforms) rest_at(p, floating_state(accepted, p.local));
@@ -240,7 +241,7 @@ void PlatformWater::commit(const Kinematics& accepted) {
       turn(p);
     }
     g.slow_time = accepted.time;
-    g.known = false;
+    g.is_cached = false;
   }
 }
 
@@ -248,12 +249,13 @@ std::vector<PlatformWater::Power> PlatformWater::powers(const Group& g, double t
                                                         const Eigen::VectorXd& rate) const {
   Eigen::VectorXd force;
   const AtTime& now = at_time(g, time);
-  damping(g, now, rate, force, nullptr);
+  damping_and_memory(g, now, rate, force, nullptr);
   std::vector<Power> out;
   for (size_t i = 0; i < g.platforms.size(); ++i) {
     const auto first = 6 * static_cast<Eigen::Index>(i);
     const Vec6 own = rate.segment<6>(first);
-    out.push_back({force.segment<6>(first).dot(own), (now.first + now.second).segment<6>(first).dot(own)});
+    out.push_back(
+        {force.segment<6>(first).dot(own), (now.first_order + now.second_order).segment<6>(first).dot(own)});
   }
   return out;
 }
@@ -261,7 +263,7 @@ std::vector<PlatformWater::Power> PlatformWater::powers(const Group& g, double t
 Energy PlatformWater::energy(const Kinematics& at) const {
   Energy e;
   for (const Group& g : groups_) {
-    if (!g.here) continue;
+    if (!g.is_local) continue;
     const Eigen::VectorXd rate = rates(g, at);
     const Eigen::VectorXd momentum = (g.added_mass + period_mass(g, at.step)) * rate;
     for (size_t i = 0; i < g.platforms.size(); ++i) {

@@ -33,7 +33,7 @@ std::vector<std::string> PlatformWater::load_components(int body) const {
 // harmonic motion. Added: the stiffness and damping matrices of the case.
 std::vector<BodyForce> PlatformWater::forces_on(int body, const Kinematics& at) const {
   for (const Group& g : groups_) {
-    if (!g.here) continue;
+    if (!g.is_local) continue;
     for (size_t i = 0; i < g.platforms.size(); ++i) {
       const Platform& p = g.platforms[i];
       if (p.body != body) continue;
@@ -57,13 +57,13 @@ std::vector<BodyForce> PlatformWater::forces_on(int body, const Kinematics& at) 
             platform_motion(other.axes, other.arm, floating_state(at, other.local)).acceleration;
       }
       const AtTime& now = at_time(g, at.time);
-      damping(g, now, rate, force, nullptr);
+      damping_and_memory(g, now, rate, force, nullptr);
       const Vec6 own = rate.segment<6>(first);
       const Vec6 dampers = p.damping * own + p.quadratic * own.cwiseAbs().cwiseProduct(own);
       const Eigen::MatrixXd mass = g.added_mass + period_mass(g, at.step);
       const Vec6 radiation = force.segment<6>(first) - dampers + (mass * acceleration).segment<6>(first);
       return {of_unknowns(still), by_rate(radiation), of_unknowns(pull + m.G.transpose() * dampers),
-              by_rate(-now.first.segment<6>(first)), by_rate(-now.second.segment<6>(first))};
+              by_rate(-now.first_order.segment<6>(first)), by_rate(-now.second_order.segment<6>(first))};
     }
   }
   return {};

@@ -40,12 +40,12 @@ std::vector<CheckpointKind> PlatformWater::checkpoint_kinds() const {
           checkpoint_kind<KeptWork>("sums of a platform")};
 }
 
-std::vector<CheckpointRecord> PlatformWater::records(NodeRange of) const {
+std::vector<CheckpointRecord> PlatformWater::records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
   for (const Group& g : groups_)
     for (size_t i = 0; i < g.platforms.size(); ++i) {
       const Platform& p = g.platforms[i];
-      if (!p.owned || !of.has(p.node)) continue;
+      if (!p.owned || !range.has(p.node)) continue;
       CheckpointRecord rates{p.node, 0, {}, 0};
       for (const Past& past : g.past) {
         const Vec6 own = past.rate.segment<6>(6 * static_cast<Eigen::Index>(i));
@@ -90,7 +90,7 @@ void PlatformWater::restore(const std::vector<CheckpointRecord>& records) {
     if (size > 0) all_reduce(comm_, MPI_SUM, past);
     all_reduce(comm_, MPI_SUM, slow);
     g.past.clear();
-    g.known = false;
+    g.is_cached = false;
     for (size_t k = 0; k < size; k += row) {
       Eigen::VectorXd rate = Eigen::Map<const Eigen::VectorXd>(&past[k + 1], 6 * n);
       add_past(g, past[k], std::move(rate));

@@ -127,11 +127,11 @@ std::vector<CheckpointKind> PointLoads::checkpoint_kinds() const {
   return {checkpoint_kind<WorkDone>("sums of a load")};
 }
 
-std::vector<CheckpointRecord> PointLoads::records(NodeRange of) const {
+std::vector<CheckpointRecord> PointLoads::records(NodeRange range) const {
   std::vector<CheckpointRecord> records;
   std::unordered_map<int, int> count;
   for (size_t i = 0; i < work_.size(); ++i)
-    if (of.has(global_[i])) records.push_back({global_[i], count[global_[i]]++, {work_[i]}});
+    if (range.has(global_[i])) records.push_back({global_[i], count[global_[i]]++, {work_[i]}});
   return records;
 }
 

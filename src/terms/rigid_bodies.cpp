@@ -229,10 +229,10 @@ std::vector<CheckpointKind> RigidBodies::checkpoint_kinds() const {
   return {checkpoint_kind<Floating>("sums of a body")};
 }
 
-std::vector<CheckpointRecord> RigidBodies::records(NodeRange of) const {
+std::vector<CheckpointRecord> RigidBodies::records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
   for (const Floating& f : list_)
-    if (of.has(f.global)) out.push_back(record_of(f.global, 0, f));
+    if (range.has(f.global)) out.push_back(record_of(f.global, 0, f));
   return out;
 }
 

@@ -70,7 +70,7 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
         return p && slope.norm() > 0 ? std::abs((pose.rotation * p->normal).dot(slope)) / slope.norm() : 1;
       };
       const LineSpan& span = mesh.mesh->lines[g.line];
-      const int feed_point = fed ? fed->at_b : -1;
+      const int feed_point = fed ? static_cast<int>(fed->line_end) : -1;
       const auto is_end = [&](int end) {
         return feed_point == end ||
                (end ? g.second == span.first_node + span.nodes - 1 : g.first == span.first_node);

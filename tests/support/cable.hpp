@@ -15,7 +15,7 @@ using CableForce = Eigen::Matrix<double, 6, 1>;  // on (x1, x2)
 using CableMatrix = Eigen::Matrix<double, 6, 6>;
 
 inline CableForce cable_force(const CableSection& s, const CableState& e) {
-  const Vec3 pull = cable_tension(s, e);
+  const Vec3 pull = cable_force(s, e);
   CableForce f;
   f << -pull, pull;
   return f;
@@ -23,8 +23,8 @@ inline CableForce cable_force(const CableSection& s, const CableState& e) {
 
 // Force, and its derivatives by positions and by velocities.
 inline CableForce cable_tangent(const CableSection& s, const CableState& e, CableMatrix& K, CableMatrix& C) {
-  CableTension o;
-  cable_tension(s, e, 0, o);
+  CableForce o;
+  cable_force(s, e, 0, o);
   K << o.k, -o.k, -o.k, o.k;
   C << o.c, -o.c, -o.c, o.c;
   CableForce f;

@@ -28,7 +28,7 @@ class MiddleSprings final : public ForceTerm, public CouplesNodes, public Limits
     list.locate();
     ++located;
   }
-  void limit_step(const Kinematics&, ImpactEvents&) const override {}
+  void limit_step(const Kinematics&, ImpactEvents&) override {}
   Verdict check_step(const Kinematics& t) const override {
     if (!list.covers(t)) return {Verdict::Kind::prepare_again, advice::BeyondContactSearch{}};
     const bool refused = t.step > refuse && t.time > refuse_from && t.time < refuse_to;

@@ -7,9 +7,9 @@
 
 #include "hawser/terms/end_springs.hpp"
 #include "hawser/terms/line_mass.hpp"
+#include "hawser/terms/line_structure.hpp"
 #include "hawser/terms/lines_in_water.hpp"
 #include "hawser/terms/point_loads.hpp"
-#include "hawser/terms/structure.hpp"
 #include "support/taylor_contact.hpp"
 #include "support/taylor_seabed.hpp"
 
@@ -28,15 +28,15 @@ inline void add_structure(SuiteModel& m, double beta, double GA, bool turned, bo
                                      false);
   static const ResponseCurve moment(std::vector<ResponseCurve::Row>{{0.1, 5}, {0.3, 11}, {0.6, 13}}, true);
   const LocalMesh& l = m.system->mesh();
-  std::vector<StructureTerm::Beam> beams;
-  std::vector<StructureTerm::Cable> cables;
+  std::vector<LineStructure::Beam> beams;
+  std::vector<LineStructure::Cable> cables;
   for (const LocalElement& e : l.elements) {
     const Element& g = m.mesh.element(static_cast<size_t>(e.global));
     if (!g.beam) {
       cables.push_back({e, {}, {g.length, 300, beta, tables ? &tension : nullptr, turned ? 0.02 : 0}});
       continue;
     }
-    StructureTerm::Beam b{e, {}, {g.length, 300, 50, 80, 40, GA, beta}, {}};
+    LineStructure::Beam b{e, {}, {g.length, 300, 50, 80, 40, GA, beta}, {}};
     if (tables) {
       b.section.tension = &tension;
       b.section.moment = &moment;
@@ -49,16 +49,16 @@ inline void add_structure(SuiteModel& m, double beta, double GA, bool turned, bo
     }
     beams.push_back(b);
   }
-  m.system->add(std::make_unique<StructureTerm>(l, std::move(beams), std::move(cables)));
+  m.system->add(std::make_unique<LineStructure>(l, std::move(beams), std::move(cables)));
 }
 
 inline void add_mass(SuiteModel& m, const Placement& at, bool turned) {
   const LocalMesh& l = m.system->mesh();
-  std::vector<LineMassTerm::MassElement> pieces;
+  std::vector<LineMass::MassElement> pieces;
   for (const LocalElement& e : l.elements) {
     const Element& g = m.mesh.element(static_cast<size_t>(e.global));
-    LineMassTerm::MassElement p;
-    p.at = e;
+    LineMass::MassElement p;
+    p.element = e;
     p.beam = g.beam;
     p.section = {g.length, 2, Vec3(0.5, 0.2, 0.4), suite_axes(turned)};
     p.load = at.rotation * Vec3(1, -2, -15);
@@ -66,9 +66,9 @@ inline void add_mass(SuiteModel& m, const Placement& at, bool turned) {
     p.ramped = 2;
     pieces.push_back(p);
   }
-  m.system->add(std::make_unique<LineMassTerm>(
+  m.system->add(std::make_unique<LineMass>(
       l, pieces,
-      std::vector<LineMassTerm::Load>{{at.rotation * Vec3(3, 0, 1), 2}, {at.rotation * Vec3(0, 5, 1), 0.5}}));
+      std::vector<LineMass::Load>{{at.rotation * Vec3(3, 0, 1), 2}, {at.rotation * Vec3(0, 5, 1), 0.5}}));
 }
 
 // The directors' accelerations as a step has them: near those of w and alpha, but not the same.
@@ -174,7 +174,7 @@ inline void add_water(SuiteModel& m, const Placement& at, double surface, bool w
   for (const LocalElement& e : l.elements) {
     const Element& g = m.mesh.element(static_cast<size_t>(e.global));
     LinesInWater::WetElement p;
-    p.at = e;
+    p.element = e;
     p.beam = g.beam;
     p.section = {g.length, radius, 40, 4, 3, 1, 2, 0.7};
     pieces.push_back(p);

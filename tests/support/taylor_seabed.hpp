@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "hawser/geometry/height_grid.hpp"
-#include "hawser/terms/buried.hpp"
-#include "hawser/terms/seabed.hpp"
+#include "hawser/terms/bed_contact.hpp"
+#include "hawser/terms/soil_resistance.hpp"
 #include "support/taylor_contact.hpp"
 
 namespace hawser::test {
@@ -50,16 +50,16 @@ inline std::shared_ptr<const HeightGrid> hilly() {
 // the first stage of statics, with friction under a normal force that does not follow the trial; with points
 // half way along the elements as well, which come to be between their nodes' situations.
 enum class Soil { spring, table, sticky, laid };
-inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, double lateral,
+inline BedContact& add_seabed(SuiteModel& m, const Placement& at, double axial, double lateral,
                               bool curved = false, Soil soil = Soil::spring, bool between = false) {
   static const std::vector<ContactForceTable::Row> rows{{2 * mm, 60}, {4.5 * mm, 500}, {20 * mm, 1000}};
   static const ContactForceTable table(rows);
   const LocalMesh& l = m.system->mesh();
   const Quat slope = at.rotation * exp_so3({0.2, -0.1, 0.4});
   const Vec3 origin = at.point({1, 2, 3});
-  const SeabedTerm::Plane plane{origin, slope * Vec3::UnitZ()};
+  const BedContact::Plane plane{origin, slope * Vec3::UnitZ()};
   const auto bed = hilly();
-  SeabedTerm::PointLaw law;
+  BedContact::PointLaw law;
   law.radius = kContactRadius;
   law.law.normal.stiffness = kNormalStiffness;
   law.law.normal.smoothing = 1 * mm;
@@ -71,12 +71,12 @@ inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, 
   friction.lateral = lateral;
   friction.axial_length = 2 * mm;
   friction.lateral_length = 3 * mm;
-  const SeabedTerm::PointLaws laws{std::vector<SeabedTerm::PointLaw>(static_cast<size_t>(l.owned), law),
-                                   std::vector<SeabedTerm::PointLaw>(between ? l.elements.size() : 0, law)};
-  auto term = curved ? std::make_unique<SeabedTerm>(
+  const BedContact::PointLaws laws{std::vector<BedContact::PointLaw>(static_cast<size_t>(l.owned), law),
+                                   std::vector<BedContact::PointLaw>(between ? l.elements.size() : 0, law)};
+  auto term = curved ? std::make_unique<BedContact>(
                            l, std::make_shared<const PlacedSurface>(bed, origin, slope), laws)
-                     : std::make_unique<SeabedTerm>(l, plane, laws);
-  SeabedTerm& seabed = *term;
+                     : std::make_unique<BedContact>(l, plane, laws);
+  BedContact& seabed = *term;
   m.system->add(std::move(term));
   Trial& t = m.trial;
   State before = t.from;
@@ -143,7 +143,7 @@ inline std::vector<SuiteCase> seabed_cases() {
                    Trial& t = m->trial;
                    State laid = t.from;
                    laid.time = t.from.time - t.h;
-                   std::vector<BuriedTerm::BuriedNode> places;
+                   std::vector<SoilResistance::BuriedNode> places;
                    for (int n = 0; n < l.nodes(); ++n) {
                      const size_t i = static_cast<size_t>(n);
                      const int g = l.global[i];
@@ -152,7 +152,7 @@ inline std::vector<SuiteCase> seabed_cases() {
                        places.push_back({n, {200, 300, g % 2 ? 0.01 : 1.0, g % 4 < 2 ? 0.02 : 1.0}});
                    }
                    m->system->add(
-                       std::make_unique<BuriedTerm>(PETSC_COMM_WORLD, l, at_end(laid, t.h), places));
+                       std::make_unique<SoilResistance>(PETSC_COMM_WORLD, l, at_end(laid, t.h), places));
                    m->system->prepare(at_end(laid, t.h), t.h);
                    m->system->commit(at_end(t.from, t.h));
                    m->system->prepare(at_end(t.from, t.h), t.h);

@@ -104,7 +104,7 @@ struct BodyModel {
   Mesh mesh;
   std::shared_ptr<const Bodies> bodies;
   std::unique_ptr<System> system;
-  BodyContactTerm* contact = nullptr;
+  BodyContact* contact = nullptr;
   Trial trial;
 
   // gap [m] between the two in the trial; closing [m/s] as they come together.
@@ -148,7 +148,7 @@ struct BodyModel {
     auto skeletons = run::skeletons(c, volumes);
     const auto faces = run::surfaces(volumes);
     for (size_t v = 0; v < 2; ++v) touching.push_back({faces[v], skeletons[v]});
-    auto term = std::make_unique<BodyContactTerm>(PETSC_COMM_SELF, c, system->mesh(), bodies, touching);
+    auto term = std::make_unique<BodyContact>(PETSC_COMM_SELF, c, system->mesh(), bodies, touching);
     contact = term.get();
     system->add(std::move(term));
 
@@ -200,7 +200,7 @@ void expect_momentum(const BodyModel& m, const State& s) {
   EXPECT_LT(moment.norm(), 1e-11 * size);
 }
 
-TEST(BodyContactTerm, Tangents) {
+TEST(BodyContact, Tangents) {
   for (const TouchCase& c : touch_cases())
     for (const bool floats : {true, false})
       for (const auto& [gap, name] : {std::pair(4e-3 + c.slack, "open"), {0.2e-3, "ramp"}, {-5e-3, "full"}}) {
@@ -230,7 +230,7 @@ model::Friction friction(double coefficient, double mobilisation) {
 
 // Where the point that touches sticks and where it slides, from the first touch in the step and with the slip
 // that an accepted step left.
-TEST(BodyContactTerm, TangentsWithFriction) {
+TEST(BodyContact, TangentsWithFriction) {
   for (const TouchCase& c : touch_cases()) {
     for (const bool floats : {true, false})
       for (const auto& [law, name] :
@@ -263,7 +263,7 @@ TEST(BodyContactTerm, TangentsWithFriction) {
 }
 
 // The slip of what sticks is of the history: a restart knows it.
-TEST(BodyContactTerm, SlipIsKept) {
+TEST(BodyContact, SlipIsKept) {
   for (const TouchCase& c : touch_cases()) {
     BodyModel first(c, -5e-3, true, 0.1, friction(0.4, 1)), second(c, -5e-3, true, 0.1, friction(0.4, 1));
     const State s = state_of(first.system->mesh(), first.trial);
@@ -278,7 +278,7 @@ TEST(BodyContactTerm, SlipIsKept) {
 }
 
 // The coefficient falls with the speed of sliding.
-TEST(BodyContactTerm, TangentsWithFrictionThatFalls) {
+TEST(BodyContact, TangentsWithFrictionThatFalls) {
   model::Friction law = friction(0.4, 1e-3);
   law.axial_kinetic = law.lateral_kinetic = 0.2;
   law.blend_speed = 0.2;
@@ -289,7 +289,7 @@ TEST(BodyContactTerm, TangentsWithFrictionThatFalls) {
 }
 
 // What corners and edges have met is of the history: a restart knows it.
-TEST(BodyContactTerm, WhatWasMetIsKept) {
+TEST(BodyContact, WhatWasMetIsKept) {
   for (const TouchCase& c : touch_cases()) {
     if (c.name != "edge along a face") continue;
     BodyModel deep(c, -0.1, true, 0), apart(c, 0.5, true, 0);

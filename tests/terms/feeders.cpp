@@ -92,8 +92,8 @@ struct Rig {
   explicit Rig(model::Case of) : c(std::move(of)), mesh(build_mesh(c)) {
     system =
         std::make_unique<System>(PETSC_COMM_SELF, local_mesh(mesh, NodeRanks::all_of(mesh.nodes()), 0, 1));
-    auto structure = std::make_unique<StructureTerm>(system->mesh(), c);
-    auto mass = std::make_unique<LineMassTerm>(system->mesh(), c);
+    auto structure = std::make_unique<LineStructure>(system->mesh(), c);
+    auto mass = std::make_unique<LineMass>(system->mesh(), c);
     auto owned = std::make_unique<Feeders>(system->mesh(), c);
     feeders = owned.get();
     system->add(std::move(owned));

@@ -87,11 +87,11 @@ model::Case carried(model::ContactMethod method) {
   link.at = {-8, 0, -5};
   c.lines.push_back(line("upper", "cable", 3, 2, anchor({-8, 0, -2}), link));
   c.lines.push_back(line("lower", "cable", 2.5, 2, link, anchor({-8, 1, -7.3})));
-  for (const auto& [name, at_b] : {std::pair("stay", true), std::pair("lower", false)}) {
+  for (const auto& [name, end] : {std::pair("stay", LineEnd::B), std::pair("lower", LineEnd::A)}) {
     model::Event& e = c.events.emplace_back();
     e.name = name;
     e.action.line = name;
-    e.action.at_b = at_b;
+    e.action.line_end = end;
     e.cause.time = 1;
   }
   c.lines.push_back(

@@ -1,12 +1,11 @@
 // The seabed at single nodes: friction along given paths, a bed by grid or mesh that is a plane, landing.
-#include "hawser/terms/seabed.hpp"
-
 #include <gtest/gtest.h>
 
 #include "hawser/geometry/ground.hpp"
 #include "hawser/geometry/height_grid.hpp"
 #include "hawser/geometry/mesh_surface.hpp"
 #include "hawser/model/case.hpp"
+#include "hawser/terms/bed_contact.hpp"
 #include "support/taylor_cases.hpp"
 
 namespace hawser::test::seabed_test {
@@ -16,12 +15,12 @@ namespace {
 struct OneNode {
   Mesh mesh;
   LocalMesh local;
-  std::unique_ptr<SeabedTerm> bed;
+  std::unique_ptr<BedContact> bed;
   State state;
   double h = 0.1;
 
   template <class Bed>
-  OneNode(const Bed& shape, const SeabedTerm::PointLaw& law) {
+  OneNode(const Bed& shape, const BedContact::PointLaw& law) {
     for (int i = 0; i < 2; ++i) mesh.add(Node{0, 1.0 * i, 0.5, false});
     mesh.add(Element{0, 0, 1, 0, 1.0, false});
     LineSpan span;
@@ -30,9 +29,9 @@ struct OneNode {
     span.length = 1;
     mesh.lines.push_back(span);
     local = local_mesh(mesh, NodeRanks::all_of(2), 0, 1);
-    SeabedTerm::PointLaw none;
+    BedContact::PointLaw none;
     none.radius = -1;
-    bed = std::make_unique<SeabedTerm>(local, shape, SeabedTerm::PointLaws{{law, none}, {}});
+    bed = std::make_unique<BedContact>(local, shape, BedContact::PointLaws{{law, none}, {}});
     state = State(2);
   }
   // A step to x, committed: friction on the node.
@@ -54,8 +53,8 @@ struct OneNode {
 
 // 1000 N pressed, coefficients 0.3 and 0.8, mobilisation lengths 0.01 and 0.04 m, as the paper has it
 // (OMAE2006-92155, eqs 6-10: Michalopoulos' spring, return along the radius).
-SeabedTerm::PointLaw paper() {
-  SeabedTerm::PointLaw law;
+BedContact::PointLaw paper() {
+  BedContact::PointLaw law;
   law.radius = 0.1;
   law.law.normal.stiffness = 1e6;
   FrictionLaw& f = law.law.friction;
@@ -68,7 +67,7 @@ SeabedTerm::PointLaw paper() {
 }
 constexpr double kDeep = 0.1 - 1e-3;  // m, of the axis, that presses 1000 N
 
-const SeabedTerm::Plane kFlat{Vec3::Zero(), Vec3::UnitZ()};
+const BedContact::Plane kFlat{Vec3::Zero(), Vec3::UnitZ()};
 
 // Force for a displacement in one step from rest. Own evaluation of eqs 6-10 in Python, double precision.
 TEST(SeabedFriction, PaperFormula) {
@@ -112,7 +111,7 @@ TEST(SeabedTable, ForceAndPotentialOfANode) {
     bed.force_table = std::make_shared<const ContactForceTable>(rows);
     bed.normal_stiffness = bed.force_table->largest_slope();
     const double share = by_length ? 1 : 0.4;  // half the element
-    SeabedTerm term(local, c, {1});
+    BedContact term(local, c, {1});
     bed.force_table.reset();  // it is the term's as well
     const auto at = [&](double deep, double step) {
       State s(2);
@@ -137,7 +136,7 @@ TEST(SeabedTable, ForceAndPotentialOfANode) {
 // the same from a checkpoint on.
 template <class Bed>
 void expect_suction(const Bed& shape) {
-  SeabedTerm::PointLaw law;
+  BedContact::PointLaw law;
   law.radius = 0.1;
   law.law.normal.stiffness = 1e5;
   law.suction = {500, 0.01};
@@ -243,7 +242,7 @@ TEST(SeabedFriction, PaperPathInTheLimit) {
 // Back and forth by 3 mobilisation lengths: 4 mu N (D - d) a cycle. Round and round in a circle: force lags
 // by asin(d/rho) behind the way of a step, its chord; 2 pi rho mu N sqrt(1 - (d/rho)²) a turn.
 TEST(SeabedFriction, CyclesAndCircles) {
-  SeabedTerm::PointLaw law = paper();
+  BedContact::PointLaw law = paper();
   law.law.friction.axial = law.law.friction.lateral = 0.3;
   law.law.friction.lateral_length = 0.01;
   OneNode n(kFlat, law);
@@ -277,7 +276,7 @@ TEST(SeabedFriction, CyclesAndCircles) {
 TEST(SeabedFriction, LandsElsewhere) {
   for (const bool grid : {false, true}) {
     std::vector<double> at{-10, 0, 10}, z(9, 0);
-    SeabedTerm::PointLaw law = paper();
+    BedContact::PointLaw law = paper();
     law.law.normal.smoothing = 1e-4;
     const auto run = [&](auto& n) {
       n.go({0, 0, kDeep});
@@ -324,7 +323,7 @@ TEST(SeabedShapes, SlopesAreTheSame) {
   TriangleMesh ground = ground_under(sheet);
   std::vector<bool> active(ground.triangles.size(), false);
   std::fill_n(active.begin(), sheet.triangles.size(), true);
-  const SeabedTerm::Plane plane{Vec3(0, 0, -50), Vec3(-0.2, 0.1, 1).normalized()};
+  const BedContact::Plane plane{Vec3(0, 0, -50), Vec3(-0.2, 0.1, 1).normalized()};
   OneNode formula(plane, paper());
   OneNode grid(std::shared_ptr<const Surface>(std::make_shared<const HeightGrid>(at, at, z)), paper());
   OneNode mesh(std::shared_ptr<const Surface>(std::make_shared<const MeshSurface>(ground, active)), paper());
@@ -348,7 +347,7 @@ TEST(SeabedShapes, SlopesAreTheSame) {
 // asked before.
 TEST(SeabedShapes, AnswersDoNotDependOnThePath) {
   const auto bed = hilly();
-  SeabedTerm::PointLaw law = paper();
+  BedContact::PointLaw law = paper();
   law.law.friction = {};
   OneNode walker(std::shared_ptr<const Surface>(bed), law);
   int touching = 0;
@@ -395,12 +394,12 @@ TEST(SeabedHalfWay, HistoryIsWithBothNodes) {
   for (int i = 0; i < 2; ++i) mesh.add(Node{0, 1.0 * i, 0.5, false});
   mesh.add(Element{0, 0, 1, 0, 1.0, false});
   mesh.lines = {{0, 2, 0, 1, 1, "one"}};
-  SeabedTerm::PointLaw none;
+  BedContact::PointLaw none;
   none.radius = -1;
   const double h = 0.1;
   struct Part {
     LocalMesh local;
-    std::unique_ptr<SeabedTerm> bed;
+    std::unique_ptr<BedContact> bed;
     State state{2};
     // The middle to x, pressed by 1000 N.
     void go(double x) {
@@ -417,12 +416,12 @@ TEST(SeabedHalfWay, HistoryIsWithBothNodes) {
   };
   Part all = part({0, 0}, 0), two[] = {part({0, 1}, 0), part({0, 1}, 1)};
   for (Part* p : {&all, &two[0], &two[1]})
-    p->bed = std::make_unique<SeabedTerm>(
+    p->bed = std::make_unique<BedContact>(
         p->local, kFlat,
-        SeabedTerm::PointLaws{std::vector(static_cast<size_t>(p->local.owned), none), {paper()}});
+        BedContact::PointLaws{std::vector(static_cast<size_t>(p->local.owned), none), {paper()}});
   for (Part* p : {&all, &two[0], &two[1]})
     for (const double x : {0.0, 0.004, 0.02, 0.017}) p->go(x);
-  const auto points = [](const SeabedTerm& bed) {
+  const auto points = [](const BedContact& bed) {
     std::vector<CheckpointRecord> records = bed.save();
     std::erase_if(records, [](const CheckpointRecord& r) { return r.kind != 0; });
     return records;

@@ -74,8 +74,8 @@ TEST(Cable, TheDamperCarriesNoMoreThanTheSpring) {
   EXPECT_NEAR(cable_stress(s, e).tension, 3 + 1.5, 1e-12);
   e.v2 = Vec3(50, 0, 0);
   EXPECT_NEAR(cable_stress(s, e).tension, 6, 1e-12);
-  CableTension o;
-  cable_tension(s, {e.x1, e.x2, e.v1, e.v2}, 0, o);
+  CableForce o;
+  cable_force(s, {e.x1, e.x2, e.v1, e.v2}, 0, o);
   EXPECT_NEAR(o.k(0, 0), 600, 1e-9);
   EXPECT_EQ(o.c.norm(), 0);
 }
@@ -186,7 +186,7 @@ TEST(CableMean, TangentIsItsDerivative) {
       const CableSection s{1.1, 300, beta, t};
       int checked = 0;
       for (const Thrown& p : thrown(s, 0.06)) {
-        CableTension o;
+        CableForce o;
         cable_mean_force(s, p.from, p.step, p.x1, p.x2, o);
         EXPECT_EQ(o.c, Mat3::Zero());
         const auto at = [&](const Vec3& d) { return cable_mean_force(s, p.from, p.step, p.x1, p.x2 + d); };
@@ -213,7 +213,7 @@ TEST(CableMean, TangentIsItsDerivative) {
 TEST(CableMean, IsTheForceAtRest) {
   const CableSection s{1.1, 300, 0.02};
   const Vec3 a(0.1, 0.2, 0.3), b(0.9, 1.0, 0.8);
-  const Vec3 at_rest = cable_tension(s, {a, b, Vec3::Zero(), Vec3::Zero()});
+  const Vec3 at_rest = cable_force(s, {a, b, Vec3::Zero(), Vec3::Zero()});
   EXPECT_GT(at_rest.norm(), 1);
   EXPECT_LT((cable_mean_force(s, cable_start(s, a, b, 0, 0), {0.1, 0.06}, a, b) - at_rest).norm(), 1e-12);
 }

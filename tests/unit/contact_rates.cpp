@@ -91,7 +91,7 @@ TEST(ContactAlong, DerivativeOfTheForce) {
         const Place q = at(s, x);
         return volume_contact(law, q.start, q.trial, false);
       };
-      const PointContact c = contact(xi);
+      const ContactForce c = contact(xi);
       ASSERT_GT(c.normal.force, 0) << s.name;
       EXPECT_EQ(c.slides, s.name.find("slides") != std::string::npos) << s.name;
       const Vec3 expected = rate([&](double x) { return contact(x).force; });

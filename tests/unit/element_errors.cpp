@@ -126,10 +126,10 @@ lines:
     const FieldRegistry fields = sim.system().fields();
     for (const FieldSource& f : fields.sources())
       if (f.name == "effective_tension") f.fill(at, tension);
-    std::vector<bool> carried;
-    for (const Vec3& x : at.x) carried.push_back(x.z() < -200 + 0.17);
+    std::vector<bool> supported;
+    for (const Vec3& x : at.x) supported.push_back(x.z() < -200 + 0.17);
     ElementErrors errors(MPI_COMM_SELF, c, sim.local(), nullptr);
-    errors.update(at, {tension, {}, {}, carried});
+    errors.update(at, {tension, {}, {}, supported});
     warnings = errors.warnings(0, tension.back(), HUGE_VAL);
     const size_t end = 3 * static_cast<size_t>(sim.local().block[static_cast<size_t>(elements)]);
     return Eigen::Map<const Vec3>(sim.system().reactions().data() + end).norm();

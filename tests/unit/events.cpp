@@ -79,12 +79,12 @@ TEST(Events, ALineIsDividedWhereItIsCut) {
   EXPECT_FALSE(c.joints[0].rigid);  // a rope is cut
   EXPECT_TRUE(c.joints[1].rigid);
   EXPECT_EQ(c.events[0].action.line, "hose part 2");
-  EXPECT_FALSE(c.events[0].action.at_b);
+  EXPECT_EQ(c.events[0].action.line_end, LineEnd::A);
   EXPECT_EQ(c.events[1].action.line, "hose part 3");
   EXPECT_EQ(c.events[1].cause.line, "hose part 3");
   EXPECT_DOUBLE_EQ(c.events[1].cause.arc, 10);
   EXPECT_EQ(c.events[2].action.line, "hose part 3");
-  EXPECT_TRUE(c.events[2].action.at_b);
+  EXPECT_EQ(c.events[2].action.line_end, LineEnd::B);
 
   const auto& h = c.output.histories;
   EXPECT_EQ(h[0].line + h[1].line + h[2].line, "hosehose part 2hose part 3");

@@ -141,11 +141,12 @@ TEST_F(FarmFiles, PlacesAreTheFileMovedAndTurned) {
     EXPECT_NEAR(*buoy.positioning->heading, 20 * M_PI / 180 + heading, 1e-12);
     for (const model::Line& l : alone.lines) {
       const model::Line& m = farm.line(place + l.name);
-      for (const bool b : {false, true}) {
-        EXPECT_LT((model::end_position(farm, m.end(b)) - moved(model::end_position(alone, l.end(b)))).norm(),
-                  1e-10)
+      for (const LineEnd end : kLineEnds) {
+        EXPECT_LT(
+            (model::end_position(farm, m.end(end)) - moved(model::end_position(alone, l.end(end)))).norm(),
+            1e-10)
             << m.name;
-        const model::End &e = l.end(b), &f = m.end(b);
+        const model::End &e = l.end(end), &f = m.end(end);
         const bool anchor = e.kind == model::EndKind::anchor;
         if (!anchor) {
           EXPECT_EQ(f.body, place + e.body);

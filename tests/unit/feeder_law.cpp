@@ -121,7 +121,7 @@ TEST(Feed, TheForceFollowsTheLength) {
       const CableSection before{1, 300, 0.02, t, 0.01};
       const CableStart from = cable_start(before, Vec3::Zero(), Vec3(0.9, 0.5, -0.3), 0.01, 0.1);
       const CableStep in{0.1, 0.06};
-      const auto mean = [&](const Vec3& x, CableTension* out) {
+      const auto mean = [&](const Vec3& x, CableForce* out) {
         CableSection s = before;
         const Fed e = step(s, law, 1, in.h, x.norm(), from.strain);
         s.length = e.length;
@@ -130,7 +130,7 @@ TEST(Feed, TheForceFollowsTheLength) {
         return cable_mean_force(s, from, in, Vec3::Zero(), x);
       };
       const Vec3 x(0.95, 0.52, -0.25), d(0.3, -0.4, 0.6);
-      CableTension pull;
+      CableForce pull;
       mean(x, &pull);
       constexpr double e = 1e-5;
       const Vec3 slope = (8 * (mean(x + e * d, nullptr) - mean(x - e * d, nullptr)) -

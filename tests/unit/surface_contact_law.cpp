@@ -99,7 +99,7 @@ TEST(VolumeContactKernel, TangentIsExact) {
   const Vec3 u(0.3, -0.2, -0.15);
   for (const ContactLaw& law : laws())
     for (const Situation& s : situations()) {
-      const PointContact c = volume_contact(law, s.start, s.field(s.point, u), true);
+      const ContactForce c = volume_contact(law, s.start, s.field(s.point, u), true);
       if (law.normal.table && s.field(s.point, u).gap >= 0) continue;  // no ramp before a table
       ASSERT_GT(c.normal.force, 0) << s.name;
       // Mobilisation laws are cut at a length, spring laws at a force; each situation suits one.
@@ -124,9 +124,9 @@ TEST(VolumeContactKernel, TurnsWithTheBody) {
     for (const Situation& s : situations()) {
       const ContactTrial t = s.field(s.point, {0.3, -0.2, -0.15});
       const ContactStart a = s.start;
-      const PointContact plain = volume_contact(law, a, t, true);
+      const ContactForce plain = volume_contact(law, a, t, true);
       const ContactStart turned_start{R * a.point, a.gap, R * a.tangent, R * a.slip, R * a.normal};
-      const PointContact turned = volume_contact(
+      const ContactForce turned = volume_contact(
           law, turned_start,
           {R * t.point, R * t.velocity, t.gap, R * t.normal, R * t.curvature * R.transpose()}, true);
       EXPECT_LE((turned.force - R * plain.force).norm(), 1e-12 * plain.force.norm()) << s.name;
@@ -141,10 +141,10 @@ TEST(VolumeContactKernel, FacetChangeKeepsTheSlip) {
   const Vec3 n(0, std::sin(0.2), std::cos(0.2));
   const Vec3 s(3e-3, 0, 0);  // along the edge between the facets: keeps its direction
   const ContactStart start{{0, 0, -0.01}, -0.01, Vec3::UnitX(), s, n};
-  const PointContact c = volume_contact(law, start, on_plane({0, 0, -0.01}, Vec3::Zero()), false);
+  const ContactForce c = volume_contact(law, start, on_plane({0, 0, -0.01}, Vec3::Zero()), false);
   EXPECT_LT((c.slip - s).norm(), 1e-16);
   const ContactStart across{{0, 0, -0.01}, -0.01, Vec3::UnitX(), n.cross(Vec3(3e-3, 0, 0)), n};
-  const PointContact d = volume_contact(law, across, on_plane({0, 0, -0.01}, Vec3::Zero()), false);
+  const ContactForce d = volume_contact(law, across, on_plane({0, 0, -0.01}, Vec3::Zero()), false);
   EXPECT_LT((d.slip - Vec3(0, 3e-3, 0)).norm(), 1e-16);  // rotated, not shortened
 }
 
@@ -152,7 +152,7 @@ TEST(VolumeContactKernel, FacetChangeKeepsTheSlip) {
 TEST(VolumeContactKernel, FirstTouch) {
   const ContactLaw law{{1e6, 0, 0}, {0.9, 0.9, 1e5, 0, 0}};
   const ContactStart start{{0, 0, 0.01}, 0.01, Vec3::UnitX(), Vec3::Zero(), Vec3::UnitZ()};
-  const PointContact c = volume_contact(law, start, on_plane({4e-3, 0, -0.01}, Vec3::Zero()), false);
+  const ContactForce c = volume_contact(law, start, on_plane({4e-3, 0, -0.01}, Vec3::Zero()), false);
   EXPECT_LT((c.slip - Vec3(2e-3, 0, 0)).norm(), 1e-17);
   EXPECT_LT((c.force - Vec3(-200, 0, 1e4)).norm(), 1e-9);
 }

@@ -58,20 +58,20 @@ class BeamChain {
     system_ =
         std::make_unique<System>(PETSC_COMM_SELF, local_mesh(mesh_, NodeRanks::all_of(mesh_.nodes()), 0, 1));
     const LocalMesh& l = system_->mesh();
-    std::vector<StructureTerm::Beam> beams;
-    std::vector<LineMassTerm::MassElement> masses;
+    std::vector<LineStructure::Beam> beams;
+    std::vector<LineMass::MassElement> masses;
     for (const LocalElement& e : l.elements) {
       const Piece& p = pieces[static_cast<size_t>(e.global)];
       BeamReference reference;
       reference.axes = p.axes;
       beams.push_back({e, {}, p.section, reference});
-      LineMassTerm::MassElement m;
-      m.at = e;
+      LineMass::MassElement m;
+      m.element = e;
       m.section = {p.section.length, p.mass_per_length, p.rotary, p.axes};
       masses.push_back(m);
     }
-    system_->add(std::make_unique<StructureTerm>(l, std::move(beams), std::vector<StructureTerm::Cable>{}));
-    system_->add(std::make_unique<LineMassTerm>(l, std::move(masses), std::vector<LineMassTerm::Load>{}));
+    system_->add(std::make_unique<LineStructure>(l, std::move(beams), std::vector<LineStructure::Cable>{}));
+    system_->add(std::make_unique<LineMass>(l, std::move(masses), std::vector<LineMass::Load>{}));
     state.resize(l.nodes());
     state.x = std::move(nodes);
   }

@@ -1,7 +1,7 @@
 // Studless chain in 50, 200 and 600 m of water: at rest, in a current, its fairlead heaving by 2 and 5 m.
 #include <cstdlib>
 
-#include "hawser/terms/seabed.hpp"
+#include "hawser/terms/bed_contact.hpp"
 #include "support/rig.hpp"
 
 namespace hawser::test::mooring_heave_test {

@@ -1,6 +1,6 @@
 // A mooring line in a current and an irregular sea, lying with friction, cut between ranks: statics and some
 // seconds with a moving fairlead are those of one rank.
-#include "hawser/terms/seabed.hpp"
+#include "hawser/terms/bed_contact.hpp"
 #include "support/mooring.hpp"
 
 namespace hawser::test::mooring_ranks {

@@ -1,6 +1,6 @@
 // Mooring lines on a seabed from the automatic start shape, against MAP++, MoorPy and closed forms of the
 // elastic catenary with bed friction.
-#include "hawser/terms/seabed.hpp"
+#include "hawser/terms/bed_contact.hpp"
 #include "support/rig.hpp"
 
 namespace hawser::test::mooring_statics_test {

@@ -2,7 +2,7 @@
 // stiffened catenary, a model cable with discrete modules.
 #include "hawser/kernels/beam.hpp"
 #include "hawser/model/check.hpp"
-#include "hawser/terms/seabed.hpp"
+#include "hawser/terms/bed_contact.hpp"
 #include "support/cpu_time.hpp"
 #include "support/rig.hpp"
 
@@ -37,10 +37,10 @@ model::Case riser(const std::vector<Part>& parts, double D, double EA, double EI
 }
 
 BeamStress stress(Simulation& sim, size_t element) {
-  const StructureTerm::Beam& b = sim.structure().beams()[element];
+  const LineStructure::Beam& b = sim.structure().beams()[element];
   const State& s = sim.state();
   BeamEnds e;
-  const size_t i = static_cast<size_t>(b.at.first), j = static_cast<size_t>(b.at.second);
+  const size_t i = static_cast<size_t>(b.element.first), j = static_cast<size_t>(b.element.second);
   e.x1 = s.x[i];
   e.x2 = s.x[j];
   e.q1 = s.q[i];

@@ -3,7 +3,7 @@
 #include "hawser/geometry/ground.hpp"
 #include "hawser/geometry/height_grid.hpp"
 #include "hawser/geometry/mesh_surface.hpp"
-#include "hawser/terms/seabed.hpp"
+#include "hawser/terms/bed_contact.hpp"
 #include "support/mooring.hpp"
 
 namespace hawser::test::seabed_shapes {

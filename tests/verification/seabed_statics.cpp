@@ -1,5 +1,5 @@
 // Beams and cables lying on a seabed: Winkler's foundation, an end lifted off, pull-out against friction.
-#include "hawser/terms/seabed.hpp"
+#include "hawser/terms/bed_contact.hpp"
 #include "support/rig.hpp"
 
 namespace hawser::test::seabed_statics_test {

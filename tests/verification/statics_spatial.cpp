@@ -37,8 +37,8 @@ struct Bend {
       axes << std::sin(a), std::cos(a), 0, std::cos(a), -std::sin(a), 0, 0, 0, -1;
       s->state().q[static_cast<size_t>(i)] = turn * Quat(axes);
     }
-    for (StructureTerm::Beam& b : s->structure().beams()) {
-      const size_t i = static_cast<size_t>(b.at.first), j = static_cast<size_t>(b.at.second);
+    for (LineStructure::Beam& b : s->structure().beams()) {
+      const size_t i = static_cast<size_t>(b.element.first), j = static_cast<size_t>(b.element.second);
       BeamEnds e;
       e.x1 = s->state().x[i];
       e.x2 = s->state().x[j];

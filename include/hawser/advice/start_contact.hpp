@@ -22,8 +22,8 @@ std::string stays_inside(const model::Line& line, const std::string& volume, con
                          bool statics);
 // For end A or B, `depth` [m] inside or at the surface and therefore without contact over the length
 // `without` [m].
-std::string excluded_at_end(const model::Line& line, bool at_b, const std::string& volume, double depth,
-                            double without);
+std::string excluded_at_end(const model::Line& line, LineEnd line_end, const std::string& volume,
+                            double depth, double without);
 
 // A line that passes a volume on the other side than its ends.
 struct Passes {

@@ -10,7 +10,7 @@
 namespace hawser::advice {
 
 // A line would have to turn by `angle` [rad] to have the direction of its end.
-std::string against_direction(const model::Line& line, bool at_b, double angle);
+std::string against_direction(const model::Line& line, LineEnd line_end, double angle);
 // Both ends are free, so the position of the line is undefined.
 std::string no_start_shape(const std::string& line);
 

@@ -1,4 +1,4 @@
-// Cable element: a straight bar that carries tension only. It has two forces: cable_tension at a state
+// Cable element: a straight bar that carries tension only. It has two forces: cable_force at a state
 // (statics, output), and cable_mean_force over a time step, which conserves energy.
 #pragma once
 
@@ -35,7 +35,7 @@ struct CableEnds {
 // `force` = T t [N], t pointing from node 1 to node 2 (for cable_mean_force: T times the mean chord over
 // the mean length). It enters the residual (internal minus external) as -force at node 1 and +force at
 // node 2. k and c are its derivatives by x2 - x1 and v2 - v1.
-struct CableTension {
+struct CableForce {
   Vec3 force;
   Mat3 k, c;  // c is zero unless the element is damped
 };
@@ -65,14 +65,14 @@ struct CableStress {
 };
 
 // T = EA (e + beta e'), e = l/L - 1 - free strain, for e > 0. The damper's part is limited in magnitude to
-// the spring's. `force` is T t as in CableTension. `slack`: fraction of the axial stiffness in k of slack
+// the spring's. `force` is T t as in CableForce. `slack`: fraction of the axial stiffness in k of slack
 // elements.
-Vec3 cable_tension(const CableSection& s, const CableEnds& e);
-void cable_tension(const CableSection& s, const CableEnds& e, double slack, CableTension& out);
+Vec3 cable_force(const CableSection& s, const CableEnds& e);
+void cable_force(const CableSection& s, const CableEnds& e, double slack, CableForce& out);
 
 CableStress cable_stress(const CableSection& s, const CableEnds& e);
 
-// The mean force of a step, with the sign of CableTension: its work over the displacement of the ends is the
+// The mean force of a step, with the sign of CableForce: its work over the displacement of the ends is the
 // change of strain energy, to the last bit, plus the energy taken by damper and filter (Simo & Tarnow 1992,
 // ZAMP 43; Gonzalez 1996, J. Nonlinear Sci. 6): docs/theory/time-integration.md#cables. It is never
 // compressive.
@@ -80,11 +80,11 @@ CableStress cable_stress(const CableSection& s, const CableEnds& e);
 // are 0 where there was none.
 CableStart cable_start(const CableSection& s, const Vec3& x1, const Vec3& x2, double strain_increment,
                        double previous_h);
-Vec3 cable_mean_force(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
+Vec3 cable_mean_force(const CableSection& s, const CableStart& start, const CableStep& step, const Vec3& x1,
                       const Vec3& x2);
 // The same with its derivative by x2 - x1. c is zero: in a step dampers act through the change of position.
-void cable_mean_force(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
-                      const Vec3& x2, CableTension& out);
+void cable_mean_force(const CableSection& s, const CableStart& start, const CableStep& step, const Vec3& x1,
+                      const Vec3& x2, CableForce& out);
 
 // Energy that the element has lost in a step that ended with x1 and x2.
 struct CableLoss {
@@ -93,7 +93,7 @@ struct CableLoss {
   double strain_increment = 0;  // for the start of the next step
   double fed = 0;               // J, work of the feeder that changed the unstretched length
 };
-CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
+CableLoss cable_loss(const CableSection& s, const CableStart& start, const CableStep& step, const Vec3& x1,
                      const Vec3& x2);
 
 }  // namespace hawser

@@ -33,7 +33,7 @@ struct FedElement {
 FedElement feed_step(FunctionRef<FedPull(double)> pull, const FeedLaw& law, double from, double h);
 
 // Tension of a cable at the end of a step of h [s] that began with the strain `from` above the free strain:
-// elastic and damping tension, limited as in cable_tension. h = 0: without damping.
+// elastic and damping tension, limited as in cable_force. h = 0: without damping.
 struct CableFeed : FedPull {
   double by_chord = 0;  // N/m, derivative by the chord
 };

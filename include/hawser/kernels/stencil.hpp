@@ -39,10 +39,10 @@ struct AttachedForces {
 struct Stencil {
   int blocks = 0;
   size_t positions = 0;
-  std::array<AttachedPosition, AttachedForces::kPositions> at;
+  std::array<AttachedPosition, AttachedForces::kPositions> attached;
   std::array<AttachedPosition, AttachedForces::kTurns> turns;  // rotation and its R; none for a cable
 
-  void add(const AttachedPosition& p) { at[positions++] = p; }
+  void add(const AttachedPosition& p) { attached[positions++] = p; }
   // Adds to f[3n], K and C (3n)x(3n), row-major, n = blocks; K and C may both be null, or C alone if g.C is
   // zero. turning: include in K the rotation of the arms with their nodes, which may be negative stiffness.
   void to_blocks(const AttachedForces& g, bool turning, double* f, double* K, double* C) const;

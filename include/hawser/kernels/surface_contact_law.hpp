@@ -39,7 +39,7 @@ struct ContactTrial {
   double step = 0;  // s, length of the step; 0: statics, where friction has no damping
 };
 
-struct PointContact {
+struct ContactForce {
   NormalForce normal;
   Vec3 force = Vec3::Zero();     // N, on the line: normal and friction
   Vec3 friction = Vec3::Zero();  // N
@@ -52,10 +52,10 @@ struct PointContact {
 
 // The trial slip is the old slip, rotated with the normal, plus the tangential displacement of the point
 // since it touched. If the point met the surface within the step, only the displacement after that counts.
-PointContact volume_contact(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
+ContactForce volume_contact(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
                             bool derivatives);
 
-struct BallContact : PointContact {
+struct BallContact : ContactForce {
   Mat3 by_turn = Mat3::Zero();  // N, d force / d turn
 };
 

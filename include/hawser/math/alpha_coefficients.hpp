@@ -17,7 +17,7 @@ struct AlphaCoefficients {
 
 // The algorithmic force Q solves (1 - gamma) Q0 + gamma Q1 = S, with S the mean over the step. The force F at
 // the end of the step follows from the scheme's relation between algorithmic and true accelerations:
-//   Q1 = s S - q Q0,   F1 = a Q1 + b Q0 - c F0 = a s S + carried
+//   Q1 = s S - q Q0,   F1 = a Q1 + b Q0 - c F0 = a s S + history
 struct MeanWeights {
   double s, q, a, b, c;
   explicit MeanWeights(const AlphaCoefficients& k)
@@ -28,7 +28,7 @@ struct MeanWeights {
         c(k.af / (1 - k.af)) {}
   double weight() const { return a * s; }
   template <class V>
-  V carried(const V& Q, const V& F) const {
+  V history(const V& Q, const V& F) const {
     return (b - a * q) * Q - c * F;
   }
   template <class V>

@@ -12,6 +12,6 @@ struct FedStart {
 
 // For a stock [m] of a line of several elements: the feed point is in the element of which then between half
 // and one and a half of its own length is outside, or in the last one of the line.
-FedStart fed_start(const Mesh& mesh, const LineSpan& span, bool at_b, double stock);
+FedStart fed_start(const Mesh& mesh, const LineSpan& span, LineEnd line_end, double stock);
 
 }  // namespace hawser

@@ -90,8 +90,8 @@ inline double arc_at(const LocalMesh& mesh, const LocalElement& e, double xi) {
 template <class Kept>
 const Kept* of_element(const std::vector<Kept>& kept, const LocalElement& e) {
   const auto at = std::lower_bound(kept.begin(), kept.end(), e.global,
-                                   [](const Kept& k, int global) { return k.at.global < global; });
-  return at != kept.end() && at->at.global == e.global ? &*at : nullptr;
+                                   [](const Kept& k, int global) { return k.element.global < global; });
+  return at != kept.end() && at->element.global == e.global ? &*at : nullptr;
 }
 
 // Adds the residual of a beam (x1, theta1, x2, theta2) or a cable (x1, x2) to f, with a beam's layout.

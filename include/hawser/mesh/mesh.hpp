@@ -8,6 +8,7 @@
 
 #include "hawser/math/types.hpp"
 #include "hawser/mesh/mesh_table.hpp"
+#include "hawser/model/line_end.hpp"
 
 namespace hawser {
 
@@ -19,6 +20,7 @@ struct LineSpan {
   int first_node = 0, nodes = 0, first_element = 0, elements = 0;
   double length = 0;  // m, unstretched
   std::string name;   // as in the case, for messages
+  int end_node(LineEnd end) const { return first_node + (end == LineEnd::B ? nodes - 1 : 0); }
 };
 
 struct Mesh : MeshTable {

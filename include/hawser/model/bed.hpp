@@ -28,7 +28,7 @@ struct BedAtEnd {
   double lowering(double from_end) const { return from_end < length ? depth * (1 - from_end / length) : 0; }
 };
 // b: end B, else end A. element [m]: length of the first element at that end, which a cable spans as a chord.
-BedAtEnd bed_at_end(const Case& c, const Line& line, bool b, double element);
+BedAtEnd bed_at_end(const Case& c, const Line& line, LineEnd line_end, double element);
 
 // True if bed friction acts in statics.
 bool static_bed_friction(const Case& c);

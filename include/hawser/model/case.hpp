@@ -27,6 +27,7 @@
 #include "hawser/model/event.hpp"
 #include "hawser/model/feeder.hpp"
 #include "hawser/model/flow_on_body.hpp"
+#include "hawser/model/line_end.hpp"
 #include "hawser/model/links.hpp"
 #include "hawser/model/name_index.hpp"
 #include "hawser/model/platform.hpp"
@@ -285,17 +286,18 @@ struct PreviousShape {
 struct LengthTarget {
   enum class Kind { tension, declination, touchdown, laid_length };
   Kind kind = Kind::tension;
-  double value = 0;            // N; rad; m, arc length of the touchdown point; m
-  bool at_a = false;           // value at end A or measured from it; else end B
-  int section = 0;             // whose length is adjusted
-  double least = 0, most = 0;  // m, bounds of its length
+  double value = 0;               // N; rad; m, arc length of the touchdown point; m
+  LineEnd line_end = LineEnd::B;  // at which the value is, or from which it is measured
+  int section = 0;                // whose length is adjusted
+  double least = 0, most = 0;     // m, bounds of its length
 };
 
 struct Line {
   std::string name;
   std::vector<Section> sections;
   End end_a, end_b;
-  const End& end(bool b) const { return b ? end_b : end_a; }
+  const End& end(LineEnd e) const { return e == LineEnd::B ? end_b : end_a; }
+  const Section& end_section(LineEnd e) const { return e == LineEnd::B ? sections.back() : sections.front(); }
   std::vector<PointMass> masses;
   std::vector<BendStiffener> bend_stiffeners;
   std::vector<DistributedLoad> loads;

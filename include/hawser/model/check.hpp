@@ -41,7 +41,7 @@ class Issues {
 std::vector<Issue> check(const Case& c);
 // The parts of check(): single lines, feeders, contact, events.
 void check_line(const Case& c, const Line& line, const Issues& issue);
-void check_feed(const Case& c, const Line& line, bool at_b, const Issues& issue);
+void check_feed(const Case& c, const Line& line, LineEnd line_end, const Issues& issue);
 void check_contact(const Case& c, const Issues& issue);
 void check_events(const Case& c, const Issues& issue);
 // Checks the path and the radii of a volume's tube, and lines that start in it.

@@ -6,6 +6,7 @@
 
 #include "hawser/math/types.hpp"
 #include "hawser/model/feeder.hpp"
+#include "hawser/model/line_end.hpp"
 
 namespace hawser::model {
 
@@ -15,8 +16,8 @@ struct Action {
   // The last two act from a stage of statics on.
   enum class Kind { release, attach, feed, contact, friction, current };
   Kind kind = Kind::release;
-  std::string line;  // all kinds but contact; at_b selects the end
-  bool at_b = false;
+  std::string line;  // all kinds but contact; line_end selects the end
+  LineEnd line_end = LineEnd::A;
   // Release by a cut: arc length from end A of the line `given_line` [m]; the released end belongs to one of
   // its parts.
   double cut = -1;

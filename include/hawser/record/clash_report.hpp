@@ -13,7 +13,7 @@
 #include "hawser/record/subject.hpp"
 
 namespace hawser {
-class BodyContactTerm;
+class BodyContact;
 class LinePairs;
 }  // namespace hawser
 
@@ -45,8 +45,8 @@ class ClashReport : public Recording {
 
   const MPI_Comm comm_;
   const Subject& subject_;
-  const LinePairs* line_pairs_;          // null: no such contact
-  const BodyContactTerm* body_contact_;  // likewise
+  const LinePairs* line_pairs_;      // null: no such contact
+  const BodyContact* body_contact_;  // likewise
   int rank_;
   ClashSettings settings_;
   std::vector<int> volumes_;   // indices in the case of the volumes in contact with lines

@@ -9,7 +9,7 @@
 #include "hawser/terms/contact_resultant.hpp"
 
 namespace hawser {
-class BodyContactTerm;
+class BodyContact;
 class LinePairs;
 class LineVolumeContact;
 }  // namespace hawser
@@ -33,7 +33,7 @@ class ContactPoints : public Recording {
   // Null: the case has no such contact.
   const LineVolumeContact* line_volumes_;
   const LinePairs* line_pairs_;
-  const BodyContactTerm* bodies_;
+  const BodyContact* bodies_;
   std::vector<int> volumes_;  // case_indices_of_volumes()
 };
 

@@ -27,7 +27,7 @@ class ElementErrors : public Recording {
     std::span<const double> tension;  // N, effective
     std::span<const double> moment;   // N m, of beams
     std::span<const double> pressed;  // N, normal force of volumes
-    std::vector<bool> carried;        // true where contact acts on the line
+    std::vector<bool> supported;      // true where contact acts on the line
   };
   // For lines that the partition cuts, the ranks that share a line send a few numbers per node to the owner
   // of its first node. Collective.
@@ -49,7 +49,7 @@ class ElementErrors : public Recording {
   struct At {  // node of a state
     Vec3 x = Vec3::Zero();
     double tension = 0, moment = 0, pressed = 0;
-    bool carried = false;
+    bool supported = false;
   };
   At node(size_t n, const Kinematics& at, const Values& values) const;
   void exchange(const Kinematics& at, const Values& values, std::vector<At>& of_cut_lines) const;

@@ -29,10 +29,10 @@ class EndForces {
   // none after it.
   struct SectionNode {
     int node = 0;                         // local
-    int end = -1;                         // 2 l: end A of line l; 2 l + 1: its end B; -1: within a line
+    int end_index = -1;                   // 2 l: end A of line l; 2 l + 1: its end B; -1: within a line
     int before = -1, after = -1;          // local elements
     std::array<SectionForce, 2> sides{};  // before, after
-    const SectionForce& at_end() const { return sides[after >= 0 ? 1 : 0]; }
+    const SectionForce& at_line_end() const { return sides[after >= 0 ? 1 : 0]; }
     // Sign of the force that the line exerts on the support of its end.
     double sign() const { return after >= 0 ? 1 : -1; }
   };
@@ -40,9 +40,9 @@ class EndForces {
   // For a fed end the force is that at the feed point; feeders: null if no line is fed.
   explicit EndForces(const System& system, const Feeders* feeders = nullptr);
 
-  // From an accepted state. carried: forces of bed, soil, volumes and other lines on local nodes, N; nonzero
-  // where the line does not hang freely. No communication, unless ends are fed.
-  void evaluate(const Kinematics& at, std::span<const Vec3> carried);
+  // From an accepted state. support_forces: forces of bed, soil, volumes and other lines on local nodes, N;
+  // nonzero where the line does not hang freely. No communication, unless ends are fed.
+  void evaluate(const Kinematics& at, std::span<const Vec3> support_forces);
 
   const std::vector<SectionNode>& places() const { return places_; }  // in the order of nodes
   // Force on each feeder, N: the tension at its feed point and, for beams, M²/2EI.
@@ -51,9 +51,10 @@ class EndForces {
   int end_at(int node) const;
 
  private:
-  SectionForce section(const Kinematics& at, int element, bool second, std::span<const Vec3> carried) const;
+  SectionForce section(const Kinematics& at, int element, bool second,
+                       std::span<const Vec3> support_forces) const;
 
-  void evaluate_feed_points(const Kinematics& at, std::span<const Vec3> carried);
+  void evaluate_feed_points(const Kinematics& at, std::span<const Vec3> support_forces);
 
   const System& system_;
   const Feeders* feeders_;

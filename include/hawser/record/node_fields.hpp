@@ -51,7 +51,7 @@ class NodeFields {
   ContactPeaks peaks_;
   Values values_, ends_;
   SectionFields section_;
-  std::vector<int> carriers_;  // indices in values_ of the contact forces
+  std::vector<int> support_fields_;  // indices in values_ of the contact forces
 };
 
 }  // namespace hawser::record

@@ -32,7 +32,7 @@ class SupportLog : public Recording {
   std::vector<SupportCrossing> crossings_;  // last step
   std::vector<bool> off_;                   // reported already
   std::vector<int>
-      carried_;  // not 0: a line has touched a part of the box on this rank; findings() joins the ranks
+      loaded_;  // not 0: a line has touched a part of the box on this rank; findings() joins the ranks
   std::vector<double> lowest_;  // m, height of the line over each box; infinite: no crossing
   std::vector<std::string> warnings_;
 };

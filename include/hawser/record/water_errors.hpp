@@ -61,7 +61,7 @@ class WaterErrors : public Recording {
   MPI_Comm comm_;
   const model::Case& case_;
   const LocalMesh& mesh_;
-  const CarriesTension& structure_;
+  const HasAxialStiffness& structure_;
   const LinesInWater* water_;  // null: it does not move
   std::vector<int> group_;     // of each line
   std::vector<Group> groups_;  // as many as lines; some are empty

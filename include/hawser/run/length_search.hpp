@@ -28,7 +28,7 @@ class LengthSearch {
   // Search for the section of a line with a `target`.
   LengthSearch(const model::Case& c, size_t line);
   // Search for the stock of a feeder with a tension set point; feeder: its index in the case.
-  LengthSearch(const model::Case& c, size_t line, bool at_b, int feeder);
+  LengthSearch(const model::Case& c, size_t line, LineEnd line_end, int feeder);
 
   const std::string& key() const { return key_; }
   double length() const { return length_; }

@@ -21,14 +21,14 @@
 #include "hawser/terms/body_skeleton.hpp"
 #include "hawser/terms/hulls.hpp"
 #include "hawser/terms/line_pairs.hpp"
+#include "hawser/terms/line_structure.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
-#include "hawser/terms/structure.hpp"
 
 namespace hawser {
-class BodyContactTerm;
+class BodyContact;
 class Feeders;
 class RigidBodies;
-class SeabedTerm;
+class BedContact;
 }  // namespace hawser
 
 namespace hawser::run {
@@ -51,11 +51,11 @@ class Simulation {
   const Bodies& bodies() const { return *bodies_; }
   System& system() { return *system_; }
   // Force terms for use beyond their interface; null: the case has none.
-  StructureTerm& structure() const { return *system_->find<StructureTerm>(); }
+  LineStructure& structure() const { return *system_->find<LineStructure>(); }
   LineVolumeContact* contact() const { return system_->find<LineVolumeContact>(); }
   LinePairs* line_pairs() const { return system_->find<LinePairs>(); }
-  SeabedTerm* seabed() const;
-  const BodyContactTerm* body_contact() const;
+  BedContact* seabed() const;
+  const BodyContact* body_contact() const;
   const RigidBodies* floating() const;
   Feeders* feeders() const;
   // Pose of a body of the case; for a floating body nullopt except on the rank that owns its node.

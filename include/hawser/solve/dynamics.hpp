@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "hawser/base/carried_error.hpp"
+#include "hawser/base/deferred_error.hpp"
 #include "hawser/solve/event_search.hpp"
 #include "hawser/solve/generalized_alpha.hpp"
 #include "hawser/solve/linear_solver.hpp"
@@ -69,7 +69,7 @@ class Dynamics {
   void transfer_node(const std::function<std::optional<Moved>()>& change,
                      const std::function<std::vector<TiedNode>()>& nodes);
   // Checkpoint data in addition to the state.
-  struct Carried {
+  struct RestartData {
     double step_proposal = 0;
     int step_wait = 0;
     double step_impact_period = 0, step_resolved_until = 0;
@@ -78,7 +78,7 @@ class Dynamics {
     MeanForces mean;
   };
   // Continues from a checkpoint; nothing is recomputed. reactions: 3 * local blocks.
-  void resume(const AlphaState& state, std::vector<double> reactions, const Carried& carried);
+  void resume(const AlphaState& state, std::vector<double> reactions, const RestartData& data);
 
   // Integrates to `until` [s]. Steps end exactly at the times that `next_stop` returns (> its argument).
   // Throws SolveError, naming line, arc length and cause, when the shortest step fails.
@@ -114,7 +114,7 @@ class Dynamics {
   double trial_time() const { return trial_.s.time; }
   // Commits the accepted trial and calls the observer. False: the run stops.
   bool end_step();
-  CarriedError& error() { return error_; }
+  DeferredError& error() { return error_; }
 
  private:
   Verdict check_step();
@@ -157,7 +157,7 @@ class Dynamics {
   std::vector<double> local_u_, reactions_;
   MeanForces mean_;  // of the committed state
   // part of the mean forces at the end of the step that earlier steps determine, N
-  std::vector<double> carried_;
+  std::vector<double> mean_history_;
   double expected_ = -1;      // s, length passed to the last System::expect()
   bool copied_ = false;       // trial_ holds all values that a step does not change
   bool loaded_ = false;       // trial_ is the state of local_u_
@@ -174,7 +174,7 @@ class Dynamics {
   std::function<double(double)> next_stop_;
   Observer observer_;
   EventFunctions events_;
-  CarriedError error_;
+  DeferredError error_;
 };
 
 // Sets the type of a TS to "liealpha", whose steps Dynamics computes.

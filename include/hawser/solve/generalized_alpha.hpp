@@ -49,9 +49,9 @@ struct MeanForces {
   std::vector<double> q, f;
 };
 StepMean alpha_mean(const AlphaCoefficients& c);
-// `carried` is the part of F at the end of a step that does not depend on S: F = StepMean::weight * S +
-// carried.
-void alpha_mean_carried(const AlphaCoefficients& c, const MeanForces& from, std::vector<double>& carried);
+// `history` is the part of F at the end of a step that does not depend on S: F = StepMean::weight * S +
+// history.
+void alpha_mean_history(const AlphaCoefficients& c, const MeanForces& from, std::vector<double>& history);
 // Advances Q and F over a step with the mean forces S.
 void alpha_mean_advance(const AlphaCoefficients& c, const std::vector<double>& S, MeanForces& forces);
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "hawser/base/carried_error.hpp"
+#include "hawser/base/deferred_error.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/solve/linear_solver.hpp"
 #include "hawser/state/state.hpp"
@@ -79,7 +79,7 @@ class StaticTrial {
   System& system_;
   State& state_;
   State trial_;
-  CarriedError error_;
+  DeferredError error_;
   Handle<SNES, SNESDestroy> snes_;
   VecHandle x_, f_;  // unknown and residual of the SNES
   VecHandle u_, r_;  // an increment and a residual, with the present ghosts

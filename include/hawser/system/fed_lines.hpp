@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hawser/mesh/local_mesh.hpp"
+#include "hawser/model/line_end.hpp"
 #include "hawser/state/state.hpp"
 
 namespace hawser {
@@ -15,13 +16,13 @@ struct FedLine {
   size_t feeder = 0;            // index into FedLines::fed()
   int element = 0;              // of the mesh
   std::array<int, 2> inside{};  // elements of the mesh inside the feeder: from the first to before the second
-  bool at_b = false;            // the feeder is at end B of the line
-  double before = 0;            // m, unstretched length at the start of the step
-  double predicted = 0;         // m, at the speed of the start of the step: for masses, water and contact
-  double length = 0;            // m, in the state
-  double length_by_chord = 0;   // its derivative by the chord
-  double length_by_force = 0;   // m/N, its derivative by the force of a beam on its feeder
-  double length_rate = 0;       // m/s
+  LineEnd line_end = LineEnd::A;  // at which the feeder is
+  double before = 0;              // m, unstretched length at the start of the step
+  double predicted = 0;           // m, at the speed of the start of the step: for masses, water and contact
+  double length = 0;              // m, in the state
+  double length_by_chord = 0;     // its derivative by the chord
+  double length_by_force = 0;     // m/N, its derivative by the force of a beam on its feeder
+  double length_rate = 0;         // m/s
 };
 
 // Role of the feeders. System calls update() with each state before the terms prepare a step from it,
@@ -43,9 +44,9 @@ class FedLines {
   template <class Of>
   void update_lengths(const LocalMesh& mesh, double FedLine::*length, std::vector<Of>& elements) const {
     for (Of& e : elements) {
-      const FedLine* fed = find(e.at.global);
-      e.idle = idle(e.at.global);
-      e.section.length = fed ? fed->*length : mesh.element(e.at).length;
+      const FedLine* fed = find(e.element.global);
+      e.idle = idle(e.element.global);
+      e.section.length = fed ? fed->*length : mesh.element(e.element).length;
     }
   }
   // Positions and rotations at the start of the step; empty before the first step.

@@ -1,5 +1,5 @@
-// Metadata of an output field, declared in `fields()` of a term (example: terms/structure_fields.cpp), for
-// results, report and ParaView.
+// Metadata of an output field, declared in `fields()` of a term (example: terms/line_structure_fields.cpp),
+// for results, report and ParaView.
 #pragma once
 
 #include <span>
@@ -37,7 +37,7 @@ struct Field {
       100;  // of rows in tables and reports, smallest first; of equal ones in the order of declaration
   // The field is the contact force [N] of a support of the line: where it is not zero, the line does not hang
   // freely.
-  bool carries = false;
+  bool is_support_force = false;
   // The field is not zero where the line touches this.
   advice::ContactWith contact_with = advice::ContactWith::nothing;
   // For a utilisation (the used share of what is allowed): the ratio in words ("effective tension over the

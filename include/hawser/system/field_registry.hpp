@@ -1,5 +1,5 @@
 // The node fields of a result file: metadata of each, and the function that computes its values. A new field
-// is one call of add() in fields() of the force term that computes it, as in terms/structure_fields.cpp;
+// is one call of add() in fields() of the force term that computes it, as in terms/line_structure_fields.cpp;
 // contact uses terms/contact_fields.cpp. Fields that are computed from other fields (utilisation) are added
 // in record/utilisation.cpp.
 #pragma once

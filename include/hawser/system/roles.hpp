@@ -43,7 +43,7 @@ class LimitsSteps {
   virtual ~LimitsSteps() = default;
   // Adds the longest step from here, and the impacts, each once over all ranks. Called after prepare(). Fixed
   // steps of the user are divided by it if impacts are to be resolved.
-  virtual void limit_step(const Kinematics& committed, ImpactEvents& to) const = 0;
+  virtual void limit_step(const Kinematics& committed, ImpactEvents& to) = 0;
   // Checks a converged step or a trial of statics, on this rank: tunnelling, penetration beyond the range of
   // a law, outdated candidates.
   virtual Verdict check_step(const Kinematics& trial) const = 0;
@@ -98,10 +98,10 @@ struct LineTension {
   double tension = 0, round_off = 0, EA = 0;
 };
 
-// Carries the tension of lines.
-class CarriesTension {
+// Has the axial stiffness and the tension of lines.
+class HasAxialStiffness {
  public:
-  virtual ~CarriesTension() = default;
+  virtual ~HasAxialStiffness() = default;
   // Limits the axial stiffness [N] and makes sections elastic, until the next call (HUGE_VAL: true values).
   // Statics starts soft, because a very stiff line would make its search creep along a narrow valley of the
   // energy, and elastic, because the bends of a shape far from rest would leave yielding sections with hardly

@@ -104,9 +104,9 @@ class System {
   // `out` already had these values.
   bool update_ghosts(Vec u, std::vector<double>& out) const;
 
-  // r = sum of all terms at the trial state plus `carried` (3 * local blocks; empty: nothing). Held
+  // r = sum of all terms at the trial state plus `mean_history` (3 * local blocks; empty: nothing). Held
   // components of r are zero; their values are kept as reactions().
-  void residual(const Kinematics& trial, Vec r, std::span<const double> carried = {});
+  void residual(const Kinematics& trial, Vec r, std::span<const double> mean_history = {});
   // Sum of the mean forces over the step in the last residual(), without their weight (StepMean): 3 * local
   // blocks, valid for owned blocks. Only cables have mean forces; empty in a mesh without cables.
   const std::vector<double>& mean_forces() const { return mean_; }
@@ -178,7 +178,7 @@ class System {
   std::vector<std::unique_ptr<ForceTerm>> terms_;
   // The terms that have a role (roles.hpp).
   std::tuple<std::vector<CouplesNodes*>, std::vector<LimitsSteps*>, std::vector<RaisesStiffness*>,
-             std::vector<ActsOnElements*>, std::vector<MovesMasses*>, std::vector<CarriesTension*>,
+             std::vector<ActsOnElements*>, std::vector<MovesMasses*>, std::vector<HasAxialStiffness*>,
              std::vector<ScalesResiduals*>, std::vector<FedLines*>>
       roles_;
   // Events of -log_view, by term: forces, tangents, and preparation of a step.

@@ -49,7 +49,7 @@ class TiedNodeForces {
     bool owned = false;
     bool turns = false;  // the node's rotation is tied as well
     bool point = false;  // the frame has no rotation because it is the end of a cable
-    FramePoint at;
+    FramePoint frame_point;
     Mat3 turn = Mat3::Identity();
   };
   std::vector<Tie> ties_;

@@ -41,7 +41,7 @@ class BodiesInFlow final : public ForceTerm,
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:

@@ -48,17 +48,17 @@ struct BodyVolume {
   BodySkeleton skeleton;
 };
 
-class BodyContactTerm final : public ForceTerm,
-                              public CouplesFixedNodes,
-                              public LimitsSteps,
-                              public ScalesResiduals,
-                              public HasFriction,
-                              public ActsOnBodies {
+class BodyContact final : public ForceTerm,
+                          public CouplesFixedNodes,
+                          public LimitsSteps,
+                          public ScalesResiduals,
+                          public HasFriction,
+                          public ActsOnBodies {
  public:
   // volumes: all volumes of the case, in its order. The pairs are those of model::body_pairs. comm: all
   // ranks.
-  BodyContactTerm(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
-                  std::shared_ptr<const Bodies> bodies, std::vector<BodyVolume> volumes);
+  BodyContact(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
+              std::shared_ptr<const Bodies> bodies, std::vector<BodyVolume> volumes);
 
   std::string_view record_key() const override { return "body contact"; }
   void list_couplings(Couplings& to) const override;
@@ -66,7 +66,7 @@ class BodyContactTerm final : public ForceTerm,
   void renumber() override;
   // For a time step (h > 0) also computes the contact frequency and checks the overlap of the volumes.
   void prepare(const Kinematics& committed, double h) override;
-  void limit_step(const Kinematics& committed, ImpactEvents& to) const override;
+  void limit_step(const Kinematics& committed, ImpactEvents& to) override;
   // Refuses a step in which a corner or an edge passes through the other body.
   Verdict check_step(const Kinematics& trial) const override;
   void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;
@@ -79,7 +79,7 @@ class BodyContactTerm final : public ForceTerm,
   std::vector<std::string> load_components(int body) const override;
   std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  std::vector<CheckpointRecord> records(NodeRange range) const override;
   // Collective.
   void restore(const std::vector<CheckpointRecord>& records) override;
 

@@ -31,7 +31,7 @@ class DynamicPositioning final : public ForceTerm, public LoadsBodies, public Ac
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:

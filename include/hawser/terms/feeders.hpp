@@ -14,6 +14,7 @@
 #include "hawser/kernels/feeder_law.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/feeder.hpp"
+#include "hawser/model/line_end.hpp"
 #include "hawser/state/state.hpp"
 #include "hawser/system/fed_lines.hpp"
 #include "hawser/system/force_term.hpp"
@@ -28,7 +29,7 @@ struct Case;
 struct Feeder {
   size_t index = 0;  // into Feeders::all() and fed()
   int line = 0;
-  bool at_b = false;
+  LineEnd line_end = LineEnd::A;
   std::string name;  // "end A of line mooring"
   model::Feed feed;
   TiedNode tied;  // how a node is held at the feeder
@@ -110,7 +111,7 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   void element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const override;
-  void limit_step(const Kinematics&, ImpactEvents&) const override {}
+  void limit_step(const Kinematics&, ImpactEvents&) override {}
   Verdict check_step(const Kinematics& trial) const override;
 
   // Motion of the material at the feeder's end of the element at the feed point: its velocity, and its
@@ -118,7 +119,7 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   struct Flow {
     Vec3 chord, velocity, acceleration;  // m, m/s, m/s²
   };
-  Flow flow(const FeedPoint& m, const Kinematics& at, const LocalElement& e, bool at_b) const;
+  Flow flow(const FeedPoint& m, const Kinematics& at, const LocalElement& e, LineEnd line_end) const;
 
  private:
   // For a cable element at a feed point: strain at the start of the step, and mean strain rate over the step,

@@ -15,18 +15,18 @@ namespace model {
 struct Case;
 }
 
-class LineMassTerm final : public ForceTerm,
-                           public ActsOnElements,
-                           public MovesMasses,
-                           public ScalesResiduals,
-                           public ActsOnFedLines {
+class LineMass final : public ForceTerm,
+                       public ActsOnElements,
+                       public MovesMasses,
+                       public ScalesResiduals,
+                       public ActsOnFedLines {
  public:
   struct Load {
     Vec3 per_length = Vec3::Zero();  // N/m of unstretched element length
     double ramp = 0;                 // s, duration of the smooth start; 0: always acts
   };
   struct MassElement {
-    LocalElement at;
+    LocalElement element;
     bool beam = true;
     bool idle = false;  // inside a feeder, without mass and weight
     MassSection section;
@@ -34,10 +34,10 @@ class LineMassTerm final : public ForceTerm,
     int first_ramped = 0, ramped = 0;  // range in the list of ramped loads
   };
 
-  LineMassTerm(const LocalMesh& mesh, std::vector<MassElement> pieces, std::vector<Load> ramped_loads);
+  LineMass(const LocalMesh& mesh, std::vector<MassElement> pieces, std::vector<Load> ramped_loads);
 
   // Masses and distributed loads of the case; gravity along -z.
-  LineMassTerm(const LocalMesh& mesh, const model::Case& c);
+  LineMass(const LocalMesh& mesh, const model::Case& c);
 
   std::string_view record_key() const override { return "mass"; }
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
@@ -49,7 +49,7 @@ class LineMassTerm final : public ForceTerm,
   void motion(const Kinematics& at, std::span<LineMotion> lines) const override;  // rotations excluded
   double round_off(const Kinematics& at, double h) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:
@@ -58,7 +58,7 @@ class LineMassTerm final : public ForceTerm,
     std::vector<Load> ramped;
   };
   static Built build(const LocalMesh& mesh, const model::Case& c);
-  LineMassTerm(const LocalMesh& mesh, Built built);
+  LineMass(const LocalMesh& mesh, Built built);
 
   Vec3 ramped_load(const MassElement& p, double t) const;
   Vec3 load(const MassElement& p, double t) const {

@@ -69,7 +69,7 @@ class LinePairs final : public ForceTerm,
   // Refuses a step that missed a contact or in which a line passed through another.
   Verdict check_step(const Kinematics& trial) const override;
   void prepare(const Kinematics& committed, double h) override;
-  void limit_step(const Kinematics& committed, ImpactEvents& to) const override;
+  void limit_step(const Kinematics& committed, ImpactEvents& to) override;
   void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
@@ -77,7 +77,7 @@ class LinePairs final : public ForceTerm,
   // Adds line_contact_force, line_contact_normal_force, line_friction_force and line_penetration.
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
   // Largest penetration over the run of the pairs that this rank counts; mesh elements, -1: no contact so

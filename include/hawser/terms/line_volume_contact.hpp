@@ -37,7 +37,7 @@ class LineVolumeContact final : public ForceTerm,
   void list_couplings(Couplings& to) const override { volumes_.list_couplings(to); }
   void prepare(const Kinematics& committed, double h) override;
   // Considers the ends and the middle of each element, and present contacts (contact_laws.hpp).
-  void limit_step(const Kinematics& committed, ImpactEvents& to) const override;
+  void limit_step(const Kinematics& committed, ImpactEvents& to) override;
   void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;
   // No element may pass through a volume within the step, or be deeper in one than the range of its law.
   Verdict check_step(const Kinematics& trial) const override;
@@ -51,7 +51,7 @@ class LineVolumeContact final : public ForceTerm,
   // contact_force, contact_normal_force and friction_force, distributed by the element's shape functions.
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
   void enable_friction(bool on) override;
@@ -119,7 +119,7 @@ class LineVolumeContact final : public ForceTerm,
 
   // Pairs of an element and a volume at the start of a step, with data from earlier steps.
   bool start_pair(Pair& pair, const AxisEnds& at, const AxisShape& shape, double h, double& motion) const;
-  void carry_over(Pair& previous, Pair& pair) const;
+  void reuse_previous(Pair& previous, Pair& pair) const;
   void start_facet_groups(Pair& pair, double motion) const;
   bool idle(int element) const;
   void find_near_pairs(const Kinematics& trial);
@@ -138,7 +138,7 @@ class LineVolumeContact final : public ForceTerm,
   // several.
   bool predict_impacts_by_group(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   void limit_by_active_contacts(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
-  void limit_ahead(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
+  void limit_ahead(Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   bool tunnels(const Pair& pair, const AxisShape& shape, const RigidPose& pose, bool rests) const;
   bool is_drawn_in(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
   bool is_inside(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;

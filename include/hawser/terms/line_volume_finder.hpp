@@ -27,14 +27,15 @@ class LineVolumeFinder {
   // Contact of the pair in a trial. The result is stored, because residual, tangent and commit() need the
   // same one.
   const ContactQuadrature& find(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
-  // True if the axis certainly does not touch; the stored contact is then cleared.
-  bool clear(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
-  static bool is_clear(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose);
+  // True if the axis certainly does not touch. skip_if_apart() then also deletes the stored contact of the
+  // pair.
+  bool skip_if_apart(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
+  static bool certainly_apart(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose);
   // Radius [m] of the tube about the axis at the start of the step that is free of contact.
   static double clearance_at_start(const LineVolumePair& pair);
   // Queries the surface, or one facet group of it, for the point xi of a pair, which is at y.
-  std::optional<SurfacePoint> query(const LineVolumePair& pair, int group, double xi, const Vec3& y,
-                                    double within, bool either_side = false) const;
+  std::optional<SurfacePoint> query(LineVolumePair& pair, int group, double xi, const Vec3& y, double within,
+                                    bool either_side = false) const;
   // True if contact is possible at this point of a pair.
   bool takes_part(const LineVolumePair& pair, double xi) const;
   GapSpring spring_at(int volume, const Vec3& y, double contact_distance) const;
@@ -42,7 +43,7 @@ class LineVolumeFinder {
   // State at the start of the step of a point that touches a facet group in the trial: slip from the contact
   // points at that time, or the gap if the point did not touch. rates: derivatives along the axis, on
   // request.
-  ContactStart start(const LineVolumePair& pair, int group, double xi, ContactRates* rates = nullptr) const;
+  ContactStart start(LineVolumePair& pair, int group, double xi, ContactRates* rates = nullptr) const;
 
   // True if only one facet group of the volume can be reached while the element moves by `motion` [m] from
   // the start of the step.
@@ -61,7 +62,7 @@ class LineVolumeFinder {
   std::vector<ContactInterval> locate(LineVolumePair& pair, int group, const AxisShape& shape,
                                       const RigidPose& pose) const;
   // Updates the contact-free tube about the axis from distances at points on it.
-  void update_clearance(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,
+  void update_clearance(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,
                         std::vector<ClearancePoint>& places) const;
   void find_facet_groups(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
   void assign_previous_points(LineVolumePair& pair) const;

@@ -1,5 +1,5 @@
-// Pair of a line element and a volume that it may touch: contact in a trial, data stored at an accepted step,
-// and known distances. Plain data, all in the frame of the volume's body.
+// Pair of a line element and a volume that it may touch: its settings, the start of the step, contact in a
+// trial, and a cache of known distances. Plain data, all in the frame of the volume's body.
 #pragma once
 
 #include <array>
@@ -33,7 +33,44 @@ struct NearGroups {
   std::vector<std::vector<AxisContactPoint>> previous;
 };
 
+// At the start of a step.
+struct PairStart {
+  AxisShape shape = no_axis();
+  RigidPose pose;
+  std::vector<AxisContactPoint> points;  // contact points of the last accepted state, by facet group and xi
+  std::array<GapSpring, 2> springs;      // at the ends of the element
+  bool several_groups = false;           // several facet groups may be met in this step
+  // Intervals in contact, found with additional halvings; nullopt: not searched yet.
+  std::optional<std::vector<ContactInterval>> intervals;
+};
+
+// Contact in a trial.
+struct PairTrial {
+  ContactQuadrature found;
+  NearGroups near;               // facet groups for the axis of `found`
+  size_t queries = 0;            // of the surface in this trial
+  size_t queries_of_search = 0;  // in the search for `found`
+  // Contact points from an evaluation of the law without derivatives, with or without velocities, at the
+  // motion `found.configuration`. commit() reuses them for the same state.
+  enum class Evaluation { none, at_rest, in_motion };
+  Evaluation evaluation = Evaluation::none;
+  std::vector<AxisContactPoint> evaluated;
+};
+
+// Data kept between trials and steps that save time and do not change results: the tube about the axis
+// without points of the volume within the contact distance, and the nearest triangles of the last query and
+// of the queries ahead.
+struct PairCache {
+  ClearanceTube clearance;
+  int hint = -1;
+  std::array<int, 3> ahead{-1, -1, -1};
+  // Facets near each queried point of the axis, in the order of the queries of a trial.
+  std::vector<NearFacets> near_facets;
+};
+
 struct LineVolumePair {
+  using Evaluation = PairTrial::Evaluation;
+
   int element = 0, volume = 0;
   double length = 0, radius = 0;  // m, of the element
   double contact_distance = 0;    // m, distance below which there is a force: radius + smoothing
@@ -42,45 +79,24 @@ struct LineVolumePair {
   int levels = 1;                 // halvings in the search for intervals, kernels/contact_intervals.hpp
   // Laws per length for each half of the element; they may differ with contact at nodes.
   std::array<ContactLaw, 2> laws;
-  AxisBeside start;                      // axis and pose at the start of the step
-  std::vector<AxisContactPoint> points;  // contact points of the last accepted state, by facet group and xi
-  std::array<GapSpring, 2> springs;      // at the ends of the element
-  bool several = false;                  // several facet groups may be met in this step
-  // Intervals in contact at the start of the step, found with additional halvings; nullopt: not searched yet.
-  std::optional<std::vector<ContactInterval>> before;
-  // Data kept between steps that save time and do not change results: the tube about the axis without points
-  // of the volume within `contact_distance`, and the nearest triangles of the last query and of the queries
-  // ahead.
-  mutable ClearanceTube clearance;
-  int hint = -1;
-  mutable std::array<int, 3> ahead{-1, -1, -1};
-  // Facets near each queried point of the axis, in the order of the queries of a trial; number of queries in
-  // this trial.
-  mutable std::vector<NearFacets> near_facets;
-  mutable size_t asked = 0;
-  size_t asked_by_search = 0;  // number of queries in the search for `found`
-  // For the trial.
-  ContactQuadrature found;
-  NearGroups near;  // facet groups for the axis of `found`
-  // Contact points from an evaluation of the law without derivatives, with or without velocities, at the
-  // motion `found.of`. commit() reuses them for the same state.
-  enum class Evaluation { none, at_rest, in_motion };
-  Evaluation evaluation = Evaluation::none;
-  std::vector<AxisContactPoint> evaluated;
+
+  PairStart start;
+  PairTrial trial;
+  PairCache cache;
 
   static Evaluation evaluation_of(bool moves) { return moves ? Evaluation::in_motion : Evaluation::at_rest; }
   const ContactLaw& law(double xi) const { return laws[xi > 0.5]; }
   double smoothing() const { return laws[0].normal.smoothing; }
   bool in_contact(const SurfacePoint& p) const { return p.distance <= contact_distance; }
   int facet_groups() const {
-    return near.facet_groups.several() ? static_cast<int>(near.facet_groups.of.size()) : 1;
+    return trial.near.facet_groups.several() ? static_cast<int>(trial.near.facet_groups.of.size()) : 1;
   }
   // Facet group w; null: the whole surface.
   const FacetGroup* group(int w) const {
-    return near.facet_groups.several() ? &near.facet_groups.of[w] : nullptr;
+    return trial.near.facet_groups.several() ? &trial.near.facet_groups.of[w] : nullptr;
   }
   const std::vector<AxisContactPoint>& previous(int w) const {
-    return near.previous.empty() ? points : near.previous[w];
+    return trial.near.previous.empty() ? start.points : trial.near.previous[w];
   }
 };
 

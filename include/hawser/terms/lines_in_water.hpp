@@ -21,7 +21,7 @@ class LinesInWater final : public ForceTerm,
                            public ActsOnFedLines {
  public:
   struct WetElement {
-    LocalElement at;
+    LocalElement element;
     bool beam = true;
     bool idle = false;  // inside a feeder, without water forces
     WaterSection section;
@@ -61,7 +61,7 @@ class LinesInWater final : public ForceTerm,
   void element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const override;
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:
@@ -73,12 +73,12 @@ class LinesInWater final : public ForceTerm,
   // Flow forces on the nodes and pieces that this rank counts, and their points of application, by local
   // block: the position of a node and, if it rotates, the line direction there, whose conjugate force is a
   // moment.
-  struct Flow {
+  struct FlowLoads {
     std::vector<Vec3> force, place;
   };
   // Up to four cables evaluated together if they are fully submerged; in an incomplete group the unused lanes
   // repeat the last cable.
-  struct Four {
+  struct CableQuad {
     int count = 0;
     int piece[4] = {};
     int first[4] = {}, second[4] = {};  // local nodes
@@ -87,10 +87,10 @@ class LinesInWater final : public ForceTerm,
   void group();
   void update_from_feeders(double FedLine::*length);
   double fed_buoyancy(const Kinematics& at) const;
-  CablesInWater4 motion(const Four& q, const Kinematics& k) const;
-  void evaluate(const Four& q, const Kinematics& trial, Assembler& assembler) const;
-  void evaluate(const WetElement& p, const Kinematics& trial, Assembler& assembler) const;
-  unsigned flow(const Four& q, const Kinematics& at, WaterForce* out) const;
+  CablesInWater4 motion(const CableQuad& q, const Kinematics& k) const;
+  void add_quad(const CableQuad& q, const Kinematics& trial, Assembler& assembler) const;
+  void add_element(const WetElement& p, const Kinematics& trial, Assembler& assembler) const;
+  unsigned flow_of_quad(const CableQuad& q, const Kinematics& at, WaterForce* out) const;
   Water water(const Kinematics& at, size_t node) const;
   Vec3 wave_place(const Kinematics& at, size_t node) const;
   const std::vector<WaveMotion>& waves(const Kinematics& at) const;
@@ -98,18 +98,19 @@ class LinesInWater final : public ForceTerm,
   const Water& water_at(size_t node) const { return water_[moving() ? node : 0]; }
   WaterEnds ends(const WetElement& p, const Kinematics& k, const Water& first, const Water& second) const;
   WaterEnds ends(const WetElement& p, const Kinematics& k) const {
-    return ends(p, k, water_at(static_cast<size_t>(p.at.first)), water_at(static_cast<size_t>(p.at.second)));
+    return ends(p, k, water_at(static_cast<size_t>(p.element.first)),
+                water_at(static_cast<size_t>(p.element.second)));
   }
-  Flow flow(const Kinematics& at) const;
-  static double work(const Flow& from, const Flow& to);
+  FlowLoads flow_loads(const Kinematics& at) const;
+  static double work(const FlowLoads& from, const FlowLoads& to);
 
   const LocalMesh& mesh_;
   Sea sea_;
   std::vector<WetElement> pieces_;
   std::vector<Wall> walls_;  // by line type; empty: no output of wall tension
   std::vector<Ball> balls_;
-  std::vector<Four> fours_;  // all cables
-  std::vector<int> beams_;   // indices of pieces
+  std::vector<CableQuad> quads_;  // all cables
+  std::vector<int> beams_;        // indices of pieces
   // Water in the last evaluated state, by local node; a single entry for calm water, which is uniform.
   mutable std::vector<Water> water_;
   // Waves are evaluated once a step, for its end, at the positions that the nodes reach with their velocities
@@ -120,8 +121,8 @@ class LinesInWater final : public ForceTerm,
   mutable std::vector<WaveMotion> wave_;  // cache: wave motion at wave_time_
   mutable double wave_time_ = 0;
   mutable bool wave_known_ = false;
-  Flow flow_;        // at the last accepted state; in statics at the last iteration
-  double work_ = 0;  // J, done by drag and added mass on what this rank counts
+  FlowLoads flow_loads_;  // at the last accepted state; in statics at the last iteration
+  double work_ = 0;       // J, done by drag and added mass on what this rank counts
 };
 
 // Hydrodynamic section of a line type for an element of this length [m].

@@ -14,8 +14,8 @@
 
 namespace hawser {
 
-// The links of a case, in its order. A rank that owns a node carrying one end of a link has both ends; the
-// owner of the first carried end counts the link. See docs/theory/links.md.
+// The links of a case, in its order. A rank that owns a node to whose frame one end of a link is fixed has
+// both ends; the owner of the first such end counts the link. See docs/theory/links.md.
 class Links final : public ForceTerm, public CouplesFixedNodes, public ScalesResiduals, public HasSeries {
  public:
   // Default rest lengths are those of the start shape, after bodies drawn in space are attached
@@ -36,7 +36,7 @@ class Links final : public ForceTerm, public CouplesFixedNodes, public ScalesRes
   Energy energy(const Kinematics& at) const override;
   double round_off(const Kinematics& at, double h) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:
@@ -44,7 +44,7 @@ class Links final : public ForceTerm, public CouplesFixedNodes, public ScalesRes
     std::string name;
     Attached a, b;
     LinkLaw law;
-    int owner = -1;                            // mesh node of the first end that is carried by a node
+    int owner = -1;                            // mesh node of the first end that is fixed to a node
     bool here = false, counted = false;        // this rank has both ends; counts the link
     double damping = 0, work = 0;              // J, over the accepted steps
     double damping_power = 0, work_power = 0;  // W, at the start of the step

@@ -47,7 +47,7 @@ class PlatformWater final : public ForceTerm,
   std::vector<std::string> load_components(int body) const override;
   std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  std::vector<CheckpointRecord> records(NodeRange range) const override;
   // Collective: each rank has the records of its own bodies, and needs the velocities of the whole group.
   void restore(const std::vector<CheckpointRecord>& records) override;
 
@@ -88,11 +88,12 @@ class PlatformWater final : public ForceTerm,
   static void rest_at(Platform& p, const RigidBodyState& s);
   static void add_past(Group& g, double time, Eigen::VectorXd rate);
   // Forces at a given time that do not depend on the trial state: of waves, and of the memory of accepted
-  // steps. The memory of the current step adds damping (rate - rate at its start).
+  // steps. The memory of the current step adds memory_damping (rate - rate at its start).
   struct AtTime {
     double time = 0;
-    Eigen::VectorXd past, first, second;  // past: memory; first, second: waves of first and second order
-    Eigen::MatrixXd damping;
+    Eigen::VectorXd memory_force;
+    Eigen::VectorXd first_order, second_order;  // of waves
+    Eigen::MatrixXd memory_damping;
   };
   struct Group {
     std::vector<Platform> platforms;
@@ -111,10 +112,10 @@ class PlatformWater final : public ForceTerm,
     // length, first for all columns, which act on the rows, then for all rows, which act on the columns (0 on
     // the diagonal). Contiguous, because each step reads the whole memory.
     std::vector<double> slopes;
-    double slow_time = 0;  // s, time of the slow poses
-    bool here = false;     // this rank owns one of the bodies
-    mutable AtTime now;
-    mutable bool known = false;
+    double slow_time = 0;   // s, time of the slow poses
+    bool is_local = false;  // this rank owns one of the bodies
+    mutable AtTime cache;
+    mutable bool is_cached = false;
   };
   void add_group(const model::Case& c, const std::vector<int>& bodies);
   Platform platform(const model::Case& c, int body) const;
@@ -125,8 +126,8 @@ class PlatformWater final : public ForceTerm,
   Eigen::VectorXd rates(const Group& g, const Kinematics& at) const;
   const AtTime& at_time(const Group& g, double time) const;
   // Force of damping and memory on a group, and its derivative by the rates.
-  void damping(const Group& g, const AtTime& now, const Eigen::VectorXd& rate, Eigen::VectorXd& force,
-               Eigen::MatrixXd* slope) const;
+  void damping_and_memory(const Group& g, const AtTime& now, const Eigen::VectorXd& rate,
+                          Eigen::VectorXd& force, Eigen::MatrixXd* slope) const;
   std::vector<Power> powers(const Group& g, double time, const Eigen::VectorXd& rate) const;
 
   MPI_Comm comm_;

@@ -35,7 +35,7 @@ class PointLoads final : public ForceTerm, public ScalesResiduals {
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:

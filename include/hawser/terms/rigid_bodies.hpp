@@ -46,7 +46,7 @@ class RigidBodies final : public ForceTerm,
   double dead_load() const override;
   double round_off(const Kinematics& at, double h) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:

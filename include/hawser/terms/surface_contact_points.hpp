@@ -18,7 +18,7 @@ struct SurfaceContactPoint : ContactPoint {
   Vec3 slip = Vec3::Zero();  // m
 
   SurfaceContactPoint() = default;
-  SurfaceContactPoint(const PointContact& c, const Vec3& n) : slip(c.slip) {
+  SurfaceContactPoint(const ContactForce& c, const Vec3& n) : slip(c.slip) {
     normal = n;
     force = c.force;
     friction = c.friction;
@@ -86,18 +86,18 @@ struct QuadraturePoint {
   double xi = 0, weight = 0;   // -, m
   double along = 0, part = 1;  // position in the panel, 0 to 1; weight of the rule
   size_t panel = 0;
-  SurfacePoint at;
+  SurfacePoint surface;
 };
 
 // Contact of an axis: panels and their quadrature points, sorted by panel.
 struct ContactQuadrature {
-  AxisBeside of;
+  AxisBeside configuration;
   std::vector<ContactPanel> panels;
   std::vector<InactiveInterval> filled;  // parts of panels without contact
   std::vector<QuadraturePoint> quadrature;
 
   void clear() {
-    of.known = false;
+    configuration.known = false;
     panels.clear();
     filled.clear();
     quadrature.clear();

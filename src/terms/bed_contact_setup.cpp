@@ -1,23 +1,23 @@
-// The class SeabedTerm: its construction from the case. Output is in seabed_fields.cpp, checkpoints are in
-// seabed_records.cpp.
+// The class BedContact: its construction from the case. Output is in bed_contact_fields.cpp, checkpoints are
+// in bed_contact_records.cpp.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "hawser/model/bed.hpp"
 #include "hawser/model/bed_touch.hpp"
-#include "hawser/terms/buried.hpp"
+#include "hawser/terms/bed_contact.hpp"
 #include "hawser/terms/contact_laws.hpp"
-#include "hawser/terms/seabed.hpp"
+#include "hawser/terms/soil_resistance.hpp"
 
 namespace hawser {
 
-SeabedTerm::SeabedTerm(const LocalMesh& mesh, const Plane& plane, PointLaws laws)
-    : SeabedTerm(mesh, std::shared_ptr<const Surface>(), std::move(laws)) {
+BedContact::BedContact(const LocalMesh& mesh, const Plane& plane, PointLaws laws)
+    : BedContact(mesh, std::shared_ptr<const Surface>(), std::move(laws)) {
   plane_ = plane;
 }
 
-SeabedTerm::SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> surface, PointLaws laws)
+BedContact::BedContact(const LocalMesh& mesh, std::shared_ptr<const Surface> surface, PointLaws laws)
     : mesh_(mesh), surface_(std::move(surface)), line_(mesh) {
   if (surface_) bounds_ = surface_->bounds();
   element_.assign(mesh.nodes(), 0);
@@ -56,7 +56,7 @@ SeabedTerm::SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> sur
 
 namespace {
 
-SeabedTerm::Plane plane_of(const model::Seabed& s) { return {Vec3(0, 0, -s.depth), model::bed_normal(s)}; }
+BedContact::Plane plane_of(const model::Seabed& s) { return {Vec3(0, 0, -s.depth), model::bed_normal(s)}; }
 
 // Share of the line that belongs to a point.
 struct Share {
@@ -73,8 +73,8 @@ struct Share {
   }
 };
 
-SeabedTerm::PointLaw law_of(const Share& s, const model::Seabed& bed) {
-  SeabedTerm::PointLaw o;
+BedContact::PointLaw law_of(const Share& s, const model::Seabed& bed) {
+  BedContact::PointLaw o;
   if (!(s.length > 0)) return o;
   o.radius = s.radius - s.lowered;
   o.length = s.length;
@@ -111,8 +111,8 @@ class BedAtEnds {
     const LineSpan& span = mesh.lines[l];
     const Element& first = mesh.element(span.first_element);
     const Element& last = mesh.element(span.first_element + span.elements - 1);
-    a_ = model::bed_at_end(c, c.lines[l], false, first.length);
-    b_ = model::bed_at_end(c, c.lines[l], true, last.length);
+    a_ = model::bed_at_end(c, c.lines[l], LineEnd::A, first.length);
+    b_ = model::bed_at_end(c, c.lines[l], LineEnd::B, last.length);
   }
   double lowering(double arc) const {
     const double a = a_.lowering(arc);
@@ -128,7 +128,7 @@ class BedAtEnds {
 // Beams have their share of the bed at nodes. Cables have it by Simpson's rule at nodes and middles, because
 // without bending stiffness they do not bridge the distance between a node in contact and the next one
 // (docs/theory/seabed.md). In a partly buried element, the node outside has the bare part of its half.
-SeabedTerm::PointLaws laws_of(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held) {
+BedContact::PointLaws laws_of(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held) {
   std::vector<Share> nodes(static_cast<size_t>(mesh.owned)), middles(mesh.elements.size());
   std::vector<BedAtEnds> ends;
   for (size_t l = 0; l < c.lines.size(); ++l) ends.emplace_back(c, *mesh.mesh, l);
@@ -154,7 +154,7 @@ SeabedTerm::PointLaws laws_of(const LocalMesh& mesh, const model::Case& c, const
   }
   for (const int node : held)
     if (node < mesh.owned) nodes[node] = {};
-  SeabedTerm::PointLaws laws;
+  BedContact::PointLaws laws;
   for (const Share& s : nodes) laws.nodes.push_back(law_of(s, c.environment.seabed));
   for (const Share& s : middles) laws.middles.push_back(law_of(s, c.environment.seabed));
   return laws;
@@ -162,8 +162,8 @@ SeabedTerm::PointLaws laws_of(const LocalMesh& mesh, const model::Case& c, const
 
 }  // namespace
 
-SeabedTerm::SeabedTerm(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held)
-    : SeabedTerm(mesh, plane_of(c.environment.seabed), laws_of(mesh, c, held)) {
+BedContact::BedContact(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held)
+    : BedContact(mesh, plane_of(c.environment.seabed), laws_of(mesh, c, held)) {
   surface_ = c.environment.seabed.surface;
   table_ = c.environment.seabed.force_table;
   if (surface_) {

@@ -1,7 +1,7 @@
-// The class SeabedTerm: forces, tangent, energy and accepted steps from gap, normal force, friction and
+// The class BedContact: forces, tangent, energy and accepted steps from gap, normal force, friction and
 // suction at each point. The law at a point is in kernels/surface_contact_law.cpp, its friction in
-// kernels/friction_law.hpp, other parts of the class in seabed_*.cpp.
-#include "hawser/terms/seabed.hpp"
+// kernels/friction_law.hpp, other parts of the class in bed_contact_*.cpp.
+#include "hawser/terms/bed_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,14 +10,14 @@
 
 namespace hawser {
 
-Vec3 SeabedTerm::line_direction(const Point& p, const Kinematics& at) const {
+Vec3 BedContact::line_direction(const Point& p, const Kinematics& at) const {
   if (p.second < 0) return line_.tangent(at, p.node);
   const Vec3 chord = at.x[p.second] - at.x[p.node];
   const double length = chord.norm();
   return length > 0 ? Vec3(chord / length) : Vec3::UnitX();
 }
 
-bool SeabedTerm::locate(const Point& p, const Vec3& x, double beyond, ContactTrial& trial) const {
+bool BedContact::locate(const Point& p, const Vec3& x, double beyond, ContactTrial& trial) const {
   const double radius = law(p).radius, smoothing = law(p).law.normal.smoothing;
   trial.point = x;
   if (!surface_) {
@@ -26,7 +26,7 @@ bool SeabedTerm::locate(const Point& p, const Vec3& x, double beyond, ContactTri
     return trial.gap < smoothing;
   }
   trial.gap = smoothing + beyond;
-  Cache& cache = cache_[place(p)];
+  Cache& cache = cache_[index_of(p)];
   if (cache.clear - (1 + 1e-9) * (x - cache.centre).norm() > beyond) return false;
   const double look = std::max(2 * beyond, 0.5 * element_[p.node]);
   const auto s = surface_->query(x, contact_distance(p) + look, cache.hint);
@@ -47,48 +47,49 @@ bool SeabedTerm::locate(const Point& p, const Vec3& x, double beyond, ContactTri
   return cache.clear < 0;
 }
 
-double SeabedTerm::gap(const Vec3& x, double most) const {
+double BedContact::gap(const Vec3& x, double most) const {
   if (!surface_) return plane_.gap(x);
   const auto s = surface_->query(x, most);
   return s ? s->distance : std::numeric_limits<double>::infinity();
 }
 
-PointContact SeabedTerm::contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& t,
+ContactForce BedContact::contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& t,
                                  bool convex) const {
   const double beyond = suction_range(law(p).suction, soil(p, at.step)) - law(p).law.normal.smoothing;
   const bool touches = locate(p, of_nodes(p, at.x), std::max(0.0, beyond), t);
   if (convex) t.curvature.setZero();
   if (!touches) return {};
   if (at.moves()) t.velocity = of_nodes(p, at.v);
-  if (friction_ == Friction::contact && !(laid() && !laid_[place(p)].known()))
+  if (friction_ == Friction::contact && !(laid() && !laid_[index_of(p)].known()))
     return volume_contact(law(p).law, start(p), t, derivatives);
   return volume_contact({law(p).law.normal, FrictionLaw{}}, start(p), t, derivatives);
 }
 
-ContactStart SeabedTerm::start(const Point& p) const {
-  const Start& s = starts_[place(p)];
+ContactStart BedContact::start(const Point& p) const {
+  const Start& s = starts_[index_of(p)];
   if (laid()) {
-    const Laid& from = laid_[place(p)];
+    const LaidReference& from = laid_[index_of(p)];
     // With a gap of 0 at the start, all of the displacement from the laid position counts as slip.
     return {from.place, 0, s.direction, from.slip, from.normal};
   }
-  return {s.point, s.gap, s.direction, landed(p).slip, landed(p).normal};
+  return {s.point, s.gap, s.direction, history(p).slip, history(p).normal};
 }
 
-// Statics calls this before every iteration. Laid lines keep the position from which friction is counted.
-void SeabedTerm::prepare(const Kinematics& committed, double h) {
+// Statics calls this before every iteration. Laid lines keep the position from which friction is
+// counted.
+void BedContact::prepare(const Kinematics& committed, double h) {
   if (h > 0) {
     laid_.clear();
     laid_.shrink_to_fit();
   }
   for (const Point& p : points_) {
-    Start& start = starts_[place(p)];
+    Start& start = starts_[index_of(p)];
     if (law(p).law.friction.active()) start.direction = line_direction(p, committed);
     ContactTrial at;
     if (laid()) {
-      Laid& laid = laid_[place(p)];
+      LaidReference& laid = laid_[index_of(p)];
       const double force = contact(p, committed, false, at).normal.force;
-      if (friction_ == Friction::contact && laid.known()) laid.pressed = force;
+      if (friction_ == Friction::contact && laid.known()) laid.normal_force = force;
       if (friction_ == Friction::pressed && force > 0) laid.normal = at.normal;
       continue;
     }
@@ -117,25 +118,25 @@ void add_shared(const int (&blocks)[n], const Vec3& residual, const Mat3* K, con
 }  // namespace
 
 // Each node bears half of the force at the middle of an element.
-void SeabedTerm::add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C,
+void BedContact::add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C,
                      Assembler& assembler) const {
   if (p.second < 0) return add_shared({mesh_.block[p.node]}, residual, K, C, assembler);
   add_shared({mesh_.block[p.node], mesh_.block[p.second]}, residual, K, C, assembler);
 }
 
-void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
+void BedContact::evaluate(const Kinematics& trial, Assembler& assembler) {
   const bool needs_tangent = assembler.needs_tangent(), convex = assembler.convex();
   for (const Point& p : points_) {
     ContactTrial at;
     // N/m, fraction of the difference between the tangent and the secant stiffness of friction
     Mat3 stiffer = Mat3::Zero();
-    if (friction_ != Friction::none && laid() && laid_[place(p)].pressed > 0) {
-      const PressedFriction f = pressed(p, of_nodes(p, trial.x));
+    if (friction_ != Friction::none && laid() && laid_[index_of(p)].normal_force > 0) {
+      const PressedFriction f = pressed_friction_at(p, of_nodes(p, trial.x));
       if (needs_tangent) stiffer = assembler.weights().stiffer * (f.by_slip - f.secant);
       const Mat3 K = stiffer - f.by_slip;
       if (friction_ == Friction::pressed) add(p, -f.force, needs_tangent ? &K : nullptr, nullptr, assembler);
     }
-    const PointContact c = contact(p, trial, needs_tangent, at, convex);
+    const ContactForce c = contact(p, trial, needs_tangent, at, convex);
     const Pull pulled = pull_of(law(p).suction, soil(p, trial.step), at.gap);
     if (c.normal.force == 0 && pulled.force == 0) continue;
     const Vec3 residual = pulled.force * at.normal - c.force;
@@ -151,14 +152,14 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
 }
 
 // Evaluates contact at the accepted state. Energies are integrated by the trapezoidal rule.
-void SeabedTerm::commit(const Kinematics& accepted) {
+void BedContact::commit(const Kinematics& accepted) {
   for (Point& p : points_) {
     ContactTrial at;
-    const PointContact c = contact(p, accepted, false, at);
-    const LandedPoint& last = landed(p);
-    LandedPoint next;
+    const ContactForce c = contact(p, accepted, false, at);
+    const PointHistory& last = history(p);
+    PointHistory next;
     if (c.normal.elastic > 0) {
-      next = LandedPoint(c, at.normal);
+      next = PointHistory(c, at.normal);
       next.active = true;
     }
     const SuctionState before = soil(p, accepted.step);
@@ -169,61 +170,62 @@ void SeabedTerm::commit(const Kinematics& accepted) {
     }
     next.soil = suction_after(law(p).suction, before, at.gap);
     if (p.counted && accepted.moves() && (next.active || last.active || last.soil.held)) {
-      const Vec3 moved = of_nodes(p, accepted.x) - starts_[place(p)].point;
+      const Vec3 moved = of_nodes(p, accepted.x) - starts_[index_of(p)].point;
       account_.friction -= 0.5 * (next.friction + last.friction).dot(moved);
       account_.damping -=
           0.5 * (next.damping_force * next.normal + last.damping_force * last.normal).dot(moved);
     }
     if (next.active || next.soil.held || next.soil.deepest != 0)
-      remember(p, next);
-    else if (p.touch >= 0)
-      vacant_.push_back(std::exchange(p.touch, -1));
+      store(p, next);
+    else if (p.history_index >= 0)
+      vacant_.push_back(std::exchange(p.history_index, -1));
   }
 }
 
-void SeabedTerm::remember(Point& p, const LandedPoint& h) {
-  if (p.touch < 0 && vacant_.empty()) {
+void BedContact::store(Point& p, const PointHistory& h) {
+  if (p.history_index < 0 && vacant_.empty()) {
     // Doubling the capacity would use as much memory as all other data of the points.
-    const size_t n = landed_.size();
-    if (n == landed_.capacity()) landed_.reserve(n + n / 8 + 16);
-    p.touch = static_cast<int>(n);
-    landed_.emplace_back();
-  } else if (p.touch < 0) {
-    p.touch = vacant_.back();
+    const size_t n = histories_.size();
+    if (n == histories_.capacity()) histories_.reserve(n + n / 8 + 16);
+    p.history_index = static_cast<int>(n);
+    histories_.emplace_back();
+  } else if (p.history_index < 0) {
+    p.history_index = vacant_.back();
     vacant_.pop_back();
   }
-  landed_[p.touch] = h;
+  histories_[p.history_index] = h;
 }
 
 // Until a step has been committed the energy is that of the state: in statics the line search reduces it.
-Energy SeabedTerm::energy(const Kinematics& at) const {
+Energy BedContact::energy(const Kinematics& at) const {
   Energy e;
   e.friction = account_.friction;
   e.damping = account_.damping;
   for (const Point& p : points_) {
     if (!p.counted) continue;
     if (at.after_step()) {
-      e.strain += landed(p).potential;
+      e.strain += history(p).potential;
       continue;
     }
     ContactTrial trial;
-    const PointContact c = contact(p, at, false, trial);
+    const ContactForce c = contact(p, at, false, trial);
     e.strain += c.normal.potential;
-    if (friction_ != Friction::none && laid()) e.strain += pressed(p, of_nodes(p, at.x)).potential;
+    if (friction_ != Friction::none && laid())
+      e.strain += pressed_friction_at(p, of_nodes(p, at.x)).potential;
   }
   return e;
 }
 
-Vec3 SeabedTerm::node_force(int node) const {
+Vec3 BedContact::node_force(int node) const {
   Vec3 sum = Vec3::Zero();
   for (const Point& p : points_)
-    if (const double part = share(p, node); part > 0) sum += part * landed(p).force;
+    if (const double part = share(p, node); part > 0) sum += part * history(p).force;
   return sum;
 }
 
-int SeabedTerm::active_count() const {
+int BedContact::active_count() const {
   return static_cast<int>(std::count_if(points_.begin(), points_.end(),
-                                        [this](const Point& p) { return p.counted && landed(p).active; }));
+                                        [this](const Point& p) { return p.counted && history(p).active; }));
 }
 
 }  // namespace hawser

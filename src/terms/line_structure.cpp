@@ -1,6 +1,6 @@
-// The class StructureTerm: beam and cable elements from the line types, assembly of their forces, softening
+// The class LineStructure: beam and cable elements from the line types, assembly of their forces, softening
 // for statics, and strain limits.
-#include "hawser/terms/structure.hpp"
+#include "hawser/terms/line_structure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 // State at the start of a step of length h. Where h is shorter than the step before, the strain's increment
 // of that step is scaled by h/previous_h. In a longer step it is not scaled up, because the energy that the
 // filter holds may only fall.
-CableStart started(const StructureTerm::Cable& c, double h, double previous_h) {
+CableStart scaled_start(const LineStructure::Cable& c, double h, double previous_h) {
   CableStart s = c.start;
   if (h < previous_h) s.strain_increment *= h / previous_h;
   return s;
@@ -23,8 +23,8 @@ CableStart started(const StructureTerm::Cable& c, double h, double previous_h) {
 
 }  // namespace
 
-BeamEnds ends(const StructureTerm::Beam& b, const Kinematics& k) {
-  const size_t i = b.at.first, j = b.at.second;
+BeamEnds ends(const LineStructure::Beam& b, const Kinematics& k) {
+  const size_t i = b.element.first, j = b.element.second;
   BeamEnds e;
   e.x1 = k.x[i];
   e.x2 = k.x[j];
@@ -39,16 +39,16 @@ BeamEnds ends(const StructureTerm::Beam& b, const Kinematics& k) {
   return e;
 }
 
-CableEnds ends(const StructureTerm::Cable& c, const Kinematics& k) {
-  const size_t i = c.at.first, j = c.at.second;
+CableEnds ends(const LineStructure::Cable& c, const Kinematics& k) {
+  const size_t i = c.element.first, j = c.element.second;
   return {k.x[i], k.x[j], k.v[i], k.v[j]};
 }
 
-StructureTerm::StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std::vector<Cable> cables)
+LineStructure::LineStructure(const LocalMesh& mesh, std::vector<Beam> beams, std::vector<Cable> cables)
     : mesh_(mesh), beams_(std::move(beams)), cables_(std::move(cables)) {
   auto block = [&](int node) { return mesh_.block[node]; };
   for (Beam& b : beams_) {
-    const int p = block(b.at.first), q = block(b.at.second);
+    const int p = block(b.element.first), q = block(b.element.second);
     b.blocks[0] = p;
     b.blocks[1] = p + 1;
     b.blocks[2] = q;
@@ -57,40 +57,40 @@ StructureTerm::StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std
   }
   size_t all = 0;
   for (const Beam& b : beams_) all += b.remembered();
-  set_.assign(all, 0);
+  plastic_history_.assign(all, 0);
   yields_ = all > 0;
   size_t at = 0;
   for (Beam& b : beams_) {
     b.memory = at;
     at += b.remembered();
-    if (b.section.plastic) b.reference.set = set_.data() + b.memory;
+    if (b.section.plastic) b.reference.set = plastic_history_.data() + b.memory;
   }
   for (Cable& c : cables_) {
-    c.blocks[0] = block(c.at.first);
-    c.blocks[1] = block(c.at.second);
+    c.blocks[0] = block(c.element.first);
+    c.blocks[1] = block(c.element.second);
     damped_ |= c.section.beta > 0;
   }
 }
 
 namespace {
 
-std::vector<StructureTerm::Beam> beams_of(const LocalMesh& mesh, const model::Case& c) {
-  std::vector<StructureTerm::Beam> out;
+std::vector<LineStructure::Beam> beams_of(const LocalMesh& mesh, const model::Case& c) {
+  std::vector<LineStructure::Beam> out;
   out.reserve(static_cast<size_t>(std::count_if(mesh.elements.begin(), mesh.elements.end(),
                                                 [&](const auto& e) { return mesh.element(e).beam; })));
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.element(e);
     if (!g.beam) continue;
-    StructureTerm::Beam& b = out.emplace_back();
-    b.at = e;
+    LineStructure::Beam& b = out.emplace_back();
+    b.element = e;
     b.section = beam_section(*mesh.mesh, c, g);
     b.reference.strain = g.free_strain;
   }
   return out;
 }
 
-std::vector<StructureTerm::Cable> cables_of(const LocalMesh& mesh, const model::Case& c) {
-  std::vector<StructureTerm::Cable> out;
+std::vector<LineStructure::Cable> cables_of(const LocalMesh& mesh, const model::Case& c) {
+  std::vector<LineStructure::Cable> out;
   out.reserve(static_cast<size_t>(std::count_if(mesh.elements.begin(), mesh.elements.end(),
                                                 [&](const auto& e) { return !mesh.element(e).beam; })));
   for (const LocalElement& e : mesh.elements) {
@@ -102,13 +102,13 @@ std::vector<StructureTerm::Cable> cables_of(const LocalMesh& mesh, const model::
 
 }  // namespace
 
-StructureTerm::StructureTerm(const LocalMesh& mesh, const model::Case& c)
-    : StructureTerm(mesh, beams_of(mesh, c), cables_of(mesh, c)) {
+LineStructure::LineStructure(const LocalMesh& mesh, const model::Case& c)
+    : LineStructure(mesh, beams_of(mesh, c), cables_of(mesh, c)) {
   for (const EvenPart& p : mesh.mesh->parts()) yields_ |= c.line_types[p.type].plastic_bending != nullptr;
   // Sections inside feeders have never been bent. A line of several types that yields cannot be fed.
   for (size_t l = 0; l < c.lines.size(); ++l)
-    for (const bool at_b : {false, true}) {
-      if (!c.lines[l].end(at_b).feed) continue;
+    for (const LineEnd line_end : kLineEnds) {
+      if (!c.lines[l].end(line_end).feed) continue;
       FedBends& fed = fed_.emplace_back();
       const Element& e = mesh.mesh->element(mesh.mesh->lines[l].first_element);
       if (const auto& plastic = c.line_types[e.type].plastic_bending)
@@ -116,7 +116,7 @@ StructureTerm::StructureTerm(const LocalMesh& mesh, const model::Case& c)
     }
 }
 
-void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
+void LineStructure::evaluate(const Kinematics& trial, Assembler& assembler) {
   update_from_feeders(trial);
   const CableStep step{trial.step, trial.mean.filter};
   // With a weight of 1 (statics, start of the motion; StepMean) cables have the force at the state itself.
@@ -130,15 +130,15 @@ void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
       assembler.add(b.blocks, f, K, b.section.beta > 0 ? DerivativeView(C) : DerivativeView());
     }
     for (const Cable& c : cables_) {
-      CableTension o;
+      CableForce o;
       const CableEnds e = ends(c, trial);
       if (in_step) {
-        cable_mean_force(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2, o);
+        cable_mean_force(c.section, scaled_start(c, trial.step, last_step_), step, e.x1, e.x2, o);
         assembler.add_mean_between(c.blocks[0], c.blocks[1], o.force, &o.k);
         continue;
       }
-      cable_tension(c.section, e, assembler.weights().stiffer, o);
-      assembler.add_between(c.blocks[0], c.blocks[1], o.force, &o.k, c.section.beta > 0 ? &o.c : nullptr);
+      cable_force(c.section, e, assembler.weights().stiffer, o);
+      assembler.add_pull(c.blocks[0], c.blocks[1], o.force, &o.k, c.section.beta > 0 ? &o.c : nullptr);
     }
     return;
   }
@@ -150,9 +150,9 @@ void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
   for (const Cable& c : cables_) {
     const CableEnds e = ends(c, trial);
-    const Vec3 pull = in_step
-                          ? cable_mean_force(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2)
-                          : cable_tension(c.section, e);
+    const Vec3 pull =
+        in_step ? cable_mean_force(c.section, scaled_start(c, trial.step, last_step_), step, e.x1, e.x2)
+                : cable_force(c.section, e);
     // Outside a step `pull` is no mean. With the weight of 1 it enters the residual unchanged; it also enters
     // mean_forces(), from which the motion starts.
     assembler.add_mean_between(c.blocks[0], c.blocks[1], pull, nullptr);
@@ -172,31 +172,32 @@ Vec3 far(const Kinematics& at, const LocalElement& e) {
 // step h the strain rate is this difference divided by h.
 double pull_round_off(const Kinematics& at, const auto& e, double h = 0) {
   const double rates = h > 0 ? e.section.beta / h : 0;
-  return (1 + rates) * e.section.EA / e.section.length * eps * far(at, e.at).maxCoeff();
+  return (1 + rates) * e.section.EA / e.section.length * eps * far(at, e.element).maxCoeff();
 }
 
 double chord_strain(const Kinematics& at, const auto& e, double free_strain) {
-  const Vec3 d = at.x[e.at.second] - at.x[e.at.first];
+  const Vec3 d = at.x[e.element.second] - at.x[e.element.first];
   return d.norm() / e.section.length - 1 - free_strain;
 }
 
 }  // namespace
 
-double StructureTerm::round_off(const Kinematics& at, double h) const {
+double LineStructure::round_off(const Kinematics& at, double h) const {
   double sum = 0;
   const auto pull = [&](const auto& e) {
-    if (e.at.counted) sum += std::pow(pull_round_off(at, e, h), 2);
+    if (e.element.counted) sum += std::pow(pull_round_off(at, e, h), 2);
   };
   for (const Beam& b : beams_) {
     if (b.idle) continue;
     pull(b);
-    if (!b.at.counted) continue;
+    if (!b.element.counted) continue;
     // The curvature is a difference of directions: those of the nodes, with errors of a few eps, and that of
     // the chord, with the error of the transverse positions divided by the length. The force error is that of
     // the moment divided by the element's length.
     const BeamSection& s = b.section;
-    const Vec3 t = (at.x[b.at.second] - at.x[b.at.first]).normalized();
-    const double across = (far(at, b.at).array() * (1 - t.array().square()).max(0).sqrt()).matrix().norm();
+    const Vec3 t = (at.x[b.element.second] - at.x[b.element.first]).normalized();
+    const double across =
+        (far(at, b.element).array() * (1 - t.array().square()).max(0).sqrt()).matrix().norm();
     const double bend = std::max(s.EI2, s.EI3), turn = 4 * std::max(bend, s.GJ);
     sum += std::pow(eps * (bend * across / s.length + turn) / (s.length * s.length), 2);
   }
@@ -204,7 +205,7 @@ double StructureTerm::round_off(const Kinematics& at, double h) const {
   return sum;
 }
 
-Overstretch StructureTerm::overstretched(const Kinematics& at) const {
+Overstretch LineStructure::overstretched(const Kinematics& at) const {
   Overstretch worst;
   const auto look = [&](const auto& e, double strain) {
     const ResponseCurve* table = e.section.tension;
@@ -212,20 +213,20 @@ Overstretch StructureTerm::overstretched(const Kinematics& at) const {
                                    : (table ? std::min(table->first(), 0.0) : 0) - kStrainBeyondRows;
     const double beyond = std::abs(strain) - std::abs(most);
     if (!(beyond > worst.beyond)) return;
-    const int node = mesh_.global[e.at.first];
+    const int node = mesh_.global[e.element.first];
     worst = {beyond,      node, strain, most, table ? table->at(strain).force : e.section.EA * strain,
              e.section.EA};
   };
   for (const Beam& b : beams_)
-    if (b.at.counted && !b.idle) look(b, chord_strain(at, b, b.reference.strain));
+    if (b.element.counted && !b.idle) look(b, chord_strain(at, b, b.reference.strain));
   for (const Cable& c : cables_)
-    if (c.at.counted) look(c, std::max(chord_strain(at, c, c.section.free_strain), 0.0));
+    if (c.element.counted) look(c, std::max(chord_strain(at, c, c.section.free_strain), 0.0));
   return worst;
 }
 
-void StructureTerm::tensions(const Kinematics& at, std::span<LineTension> lines) const {
+void LineStructure::tensions(const Kinematics& at, std::span<LineTension> lines) const {
   const auto look = [&](const auto& e, double tension) {
-    const Element& g = mesh_.element(e.at);
+    const Element& g = mesh_.element(e.element);
     LineTension& line = lines[g.line];
     line.tension = std::max(line.tension, std::abs(tension));
     line.round_off = std::max(line.round_off, pull_round_off(at, e));
@@ -236,16 +237,16 @@ void StructureTerm::tensions(const Kinematics& at, std::span<LineTension> lines)
   for (const Cable& c : cables_) look(c, cable_stress(c.section, ends(c, at)).tension);
 }
 
-std::vector<double> StructureTerm::slack(const Kinematics& at) const {
+std::vector<double> LineStructure::slack_length(const Kinematics& at) const {
   std::vector<double> lines(mesh_.mesh->lines.size());
   for (const Cable& c : cables_)
-    if (c.at.counted && cable_stress(c.section, ends(c, at)).tension == 0)
-      lines[mesh_.element(c.at).line] += c.section.length;
+    if (c.element.counted && cable_stress(c.section, ends(c, at)).tension == 0)
+      lines[mesh_.element(c.element).line] += c.section.length;
   return lines;
 }
 
 // Bounds are applied to the unsoftened values, so that removing a bound restores them exactly.
-bool StructureTerm::soften(double most) {
+bool LineStructure::soften(double most) {
   if (true_beams_.empty() && true_EA_.empty()) {
     for (const Beam& b : beams_) true_beams_.push_back({b.section.EA, b.section.plastic});
     for (const Cable& c : cables_) true_EA_.push_back(c.section.EA);
@@ -272,42 +273,43 @@ bool StructureTerm::soften(double most) {
   return other;
 }
 
-double StructureTerm::axial_stiffness() const {
+double LineStructure::axial_stiffness() const {
   double most = 0;
   for (const Beam& b : beams_) most = std::max(most, b.section.EA);
   for (const Cable& c : cables_) most = std::max(most, c.section.EA);
   return most;
 }
 
-double StructureTerm::beam_dissipation(const Kinematics& at) const {
+double LineStructure::beam_dissipation(const Kinematics& at) const {
   double p = 0;
   for (const Beam& b : beams_)
-    if (b.at.counted && b.section.beta > 0) p += beam_stress(b.section, b.reference, ends(b, at)).dissipation;
+    if (b.element.counted && b.section.beta > 0)
+      p += beam_stress(b.section, b.reference, ends(b, at)).dissipation;
   return p;
 }
 
 // Updates the plastic history of beams to the state `at`. Returns the energy dissipated by the beams that
 // this rank counts, J.
-double StructureTerm::bend(const Kinematics& at) {
+double LineStructure::commit_plastic(const Kinematics& at) {
   double dissipated = 0;
   for (Beam& b : beams_) {
     if (!b.section.plastic || b.idle) continue;
-    double* set = set_.data() + b.memory;
+    double* set = plastic_history_.data() + b.memory;
     // The reference points to the history at a trial length.
     if (b.reference.set != set) std::copy_n(b.reference.set, b.remembered(), set);
     b.reference.set = set;
     const double lost = beam_bend(b.section, b.reference, ends(b, at), set);
-    if (b.at.counted) dissipated += lost;
+    if (b.element.counted) dissipated += lost;
   }
   return dissipated;
 }
 
-void StructureTerm::prepare(const Kinematics& committed, double) {
+void LineStructure::prepare(const Kinematics& committed, double) {
   // In statics every section bends from its initial history in one step. The result is stored when motion
   // begins; it is not work of the motion.
   update_from_feeders(committed);
-  if (committed.phase == Phase::start && !set_.empty()) bend(committed);
-  if (damped_ && power_ < 0) power_ = beam_dissipation(committed);
+  if (committed.phase == Phase::start && !plastic_history_.empty()) commit_plastic(committed);
+  if (damped_ && !power_) power_ = beam_dissipation(committed);
   last_step_ = committed.last_step();
   for (Cable& c : cables_) {
     const CableEnds e = ends(c, committed);
@@ -315,60 +317,62 @@ void StructureTerm::prepare(const Kinematics& committed, double) {
   }
 }
 
-void StructureTerm::commit(const Kinematics& accepted) {
+void LineStructure::commit(const Kinematics& accepted) {
   update_from_feeders(accepted, true);
   if (accepted.moves()) {
     const CableStep step{accepted.step, accepted.mean.filter};
     for (Cable& c : cables_) {
       const CableEnds e = ends(c, accepted);
-      const CableLoss lost = cable_loss(c.section, started(c, accepted.step, last_step_), step, e.x1, e.x2);
+      const CableLoss lost =
+          cable_loss(c.section, scaled_start(c, accepted.step, last_step_), step, e.x1, e.x2);
       c.start.strain_increment = lost.strain_increment;
-      if (c.at.counted) {
+      if (c.element.counted) {
         damping_ += lost.damped;
         filtered_ += lost.filtered;
       }
-      if (c.at.counted && feeders_) feeders_->add_work(lost.fed);
+      if (c.element.counted && feeders_) feeders_->add_work(lost.fed);
     }
   }
-  if (accepted.moves() && !set_.empty()) {
+  if (accepted.moves() && !plastic_history_.empty()) {
     if (feeders_) feeders_->add_work(fed_work(accepted));
     for (const Beam& b : beams_)
-      if (const FedLine* fed = feeders_ && b.section.plastic ? feeders_->find(b.at.global) : nullptr)
+      if (const FedLine* fed = feeders_ && b.section.plastic ? feeders_->find(b.element.global) : nullptr)
         keep_hauled_in(b, *fed);
-    damping_ += bend(accepted);
+    damping_ += commit_plastic(accepted);
   }
   if (!damped_) return;
-  const double before = power_ < 0 ? 0 : power_;
+  const double before = power_.value_or(0);
   power_ = beam_dissipation(accepted);
-  damping_ += 0.5 * accepted.step * (before + power_);
+  damping_ += 0.5 * accepted.step * (before + *power_);
 }
 
-Energy StructureTerm::energy(const Kinematics& at) const {
+Energy LineStructure::energy(const Kinematics& at) const {
   Energy e;
   for (const Beam& b : beams_)
-    if (b.at.counted && !b.idle) e.strain += beam_stress(b.section, b.reference, ends(b, at)).strain_energy;
+    if (b.element.counted && !b.idle)
+      e.strain += beam_stress(b.section, b.reference, ends(b, at)).strain_energy;
   for (const Cable& c : cables_)
-    if (c.at.counted) e.strain += cable_stress(c.section, ends(c, at)).strain_energy;
+    if (c.element.counted) e.strain += cable_stress(c.section, ends(c, at)).strain_energy;
   e.damping = damping_;
   e.unresolved = filtered_;
   return e;
 }
 
 // Adds the force of element e to f, with the sign of the residual. Both lists are in the order of the mesh.
-void StructureTerm::element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const {
+void LineStructure::element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const {
   if (const Beam* b = of_element(beams_, e)) {
     if (b->idle) return;
     Vec12 own;
     beam_force(b->section, b->reference, ends(*b, at), own);
     add_ends(own, f);
   } else if (const Cable* c = of_element(cables_, e)) {
-    const Vec3 pull = cable_tension(shown(*c, at), ends(*c, at));
+    const Vec3 pull = cable_force(section_for_output(*c, at), ends(*c, at));
     add_ends((Vec6() << -pull, pull).finished(), f);
   }
 }
 
 // In statics the feeder does not pay out, even if its speed in motion is not 0.
-CableSection StructureTerm::shown(const Cable& c, const Kinematics& at) {
+CableSection LineStructure::section_for_output(const Cable& c, const Kinematics& at) {
   CableSection s = c.section;
   if (!at.moves()) s.length_rate = 0;
   return s;

@@ -28,9 +28,9 @@ void remember_cells(std::span<const RememberedCell> cells, std::size_t n, double
                     double* out);
 
 // Bending energy stored and dissipated by an element at a feed point per metre of growth at fixed ends, J/m.
-// entering: history of the entering material, PlasticBending::memory() numbers; null: material leaves. at_b:
-// the feeder is at the second end.
-double fed_bending_work(const BeamSection& s, const BeamReference& r, const BeamEnds& e, bool at_b,
+// entering: history of the entering material, PlasticBending::memory() numbers; null: material leaves.
+// second_end: the feeder is at the second end.
+double fed_bending_work(const BeamSection& s, const BeamReference& r, const BeamEnds& e, bool second_end,
                         const double* entering);
 
 }  // namespace hawser

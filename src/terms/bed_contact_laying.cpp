@@ -1,26 +1,26 @@
-// The class SeabedTerm: friction in statics, with slip counted from where the lines were laid
+// The class BedContact: friction in statics, with slip counted from where the lines were laid
 // (docs/theory/seabed.md).
 #include <cmath>
 
-#include "hawser/terms/seabed.hpp"
+#include "hawser/terms/bed_contact.hpp"
 
 namespace hawser {
 
-PressedFriction SeabedTerm::pressed(const Point& p, const Vec3& x) const {
-  const Laid& from = laid_[place(p)];
+PressedFriction BedContact::pressed_friction_at(const Point& p, const Vec3& x) const {
+  const LaidReference& from = laid_[index_of(p)];
   if (!from.known()) return {};
   FrictionLaw law = this->law(p).law.friction;
   if (firm_ && friction_ == Friction::pressed) law.stiffness = this->law(p).axial_stiffness;
-  return pressed_friction(law, from.pressed, from.slip + (x - from.place), from.normal,
-                          starts_[place(p)].direction, least_slip_);
+  return pressed_friction(law, from.normal_force, from.slip + (x - from.place), from.normal,
+                          starts_[index_of(p)].direction, least_slip_);
 }
 
-void SeabedTerm::lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm) {
+void BedContact::lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm) {
   laid_.assign(points_.size(), {});
   friction_ = Friction::pressed;
   firm_ = firm;
   for (const Point& p : points_) {
-    Laid& laid = laid_[place(p)];
+    LaidReference& laid = laid_[index_of(p)];
     laid.place = of_nodes(p, places);
     if (!laid.known()) continue;
     ContactTrial at;
@@ -30,42 +30,42 @@ void SeabedTerm::lay(const std::vector<Vec3>& places, const Kinematics& start, b
     locate(p, of_nodes(p, start.x), std::max(near, 0.0), at);
     laid.normal = at.normal;
     if (at.gap < std::max(near, law(p).law.normal.smoothing))
-      laid.pressed = std::max(0.0, law(p).weight * laid.normal.z());
+      laid.normal_force = std::max(0.0, law(p).weight * laid.normal.z());
   }
 }
 
-void SeabedTerm::press_by_contact(const Kinematics& at) {
+void BedContact::press_by_contact(const Kinematics& at) {
   for (const Point& p : points_) {
     ContactTrial trial;
-    Laid& laid = laid_[place(p)];
-    if (laid.known()) laid.pressed = contact(p, at, false, trial).normal.force;
+    LaidReference& laid = laid_[index_of(p)];
+    if (laid.known()) laid.normal_force = contact(p, at, false, trial).normal.force;
   }
 }
 
-void SeabedTerm::follow_contact(const Kinematics& at) {
+void BedContact::follow_contact(const Kinematics& at) {
   for (const Point& p : points_) {
-    Laid& laid = laid_[place(p)];
-    if (!firm_ || !(laid.pressed > 0)) continue;
+    LaidReference& laid = laid_[index_of(p)];
+    if (!firm_ || !(laid.normal_force > 0)) continue;
     const Vec3 x = of_nodes(p, at.x);
     const Vec3 moved = x - laid.place;
     laid.slip = moved - laid.normal * laid.normal.dot(moved) +
-                slip_of_force(law(p).law.friction, laid.pressed, pressed(p, x).force, laid.normal,
-                              starts_[place(p)].direction);
+                slip_of_force(law(p).law.friction, laid.normal_force, pressed_friction_at(p, x).force,
+                              laid.normal, starts_[index_of(p)].direction);
     laid.place = x;
   }
   friction_ = Friction::contact;
   least_slip_ = 0;
 }
 
-std::vector<SeabedTerm::OnBed> SeabedTerm::on_bed(const Kinematics& at) const {
+std::vector<BedContact::OnBed> BedContact::on_bed(const Kinematics& at) const {
   constexpr double kMobilised = 0.99;
   std::vector<OnBed> out(mesh_.mesh->lines.size());
   for (const Point& p : points_) {
-    const LandedPoint& h = landed(p);
+    const PointHistory& h = history(p);
     if (!p.counted || !h.active) continue;
     OnBed& line = out[mesh_.node(p.node).line];
     const FrictionLaw& f = law(p).law.friction;
-    if (!f.active() || !(laid() && laid_[place(p)].known())) continue;
+    if (!f.active() || !(laid() && laid_[index_of(p)].known())) continue;
     line.friction_length += law(p).length;
     const Vec3 t = line_direction(p, at);
     const double along = h.friction.dot(t);

@@ -1,6 +1,6 @@
 // History transported along a line: integrals are conserved, extremes do not grow, and work of material that
 // enters and leaves.
-#include "hawser/kernels/carried_bends.hpp"
+#include "hawser/kernels/plastic_history.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "hawser/math/so3.hpp"
 
-namespace hawser::test::carried_bends {
+namespace hawser::test::plastic_history {
 namespace {
 
 using Values = std::vector<double>;
@@ -27,7 +27,7 @@ double sum(double from, double to, const Values& v) {
 }
 
 // Divided and joined: integrals over the length are conserved, and no value exceeds the earlier ones.
-TEST(CarriedBends, DividedAndJoined) {
+TEST(PlasticHistory, DividedAndJoined) {
   const Values whole{1, 3, 2};
   Cells cells;
   add(cells, 0, 1.4, whole);
@@ -45,7 +45,7 @@ TEST(CarriedBends, DividedAndJoined) {
 }
 
 // Material with 1 over the first 0.4 m, then 0, then 3, paid out in many steps and hauled in again.
-TEST(CarriedBends, PaidOutAndHauledIn) {
+TEST(PlasticHistory, PaidOutAndHauledIn) {
   Values now{1, 1, 1};
   const Values none{0}, more{3};
   double length = 0.4, expected = 0.4;
@@ -96,22 +96,22 @@ BeamEnds bent(double length, const Vec3& at1, const Vec3& at2) {
 }
 
 // Below yield a feeder works against M²/2EI for any shape, at either end.
-TEST(CarriedBends, WorkOnElasticBends) {
+TEST(PlasticHistory, WorkOnElasticBends) {
   const PlasticBending p = law();
   const BeamEnds e = bent(0.79, {0, 0.0015, -0.0007}, {0, -0.003, 0.0025});
   const Values never(p.memory(), 0);
   const BeamSection linear = section(p, false), yields = section(p, true);
   const double feeder_force = beam_feed(linear, {}, e).force - beam_feed(yields, {}, e).force;
   EXPECT_GT(feeder_force, 50);
-  for (const bool at_b : {false, true})
+  for (const bool second_end : {false, true})
     for (const double* entering : {never.data(), static_cast<const double*>(nullptr)})
-      EXPECT_NEAR(fed_bending_work(yields, {}, e, at_b, entering), -feeder_force, 1e-9 * feeder_force)
-          << at_b;
+      EXPECT_NEAR(fed_bending_work(yields, {}, e, second_end, entering), -feeder_force, 1e-9 * feeder_force)
+          << second_end;
 }
 
 // A yielded arc: material that enters is bent from straight along the first curve; material that leaves
 // returns the recoverable energy and carries the locked-in energy away.
-TEST(CarriedBends, WorkOnAnArcThatYielded) {
+TEST(PlasticHistory, WorkOnAnArcThatYielded) {
   const PlasticBending p = law();
   const BeamSection s = section(p, true);
   const double c = 0.2, M = p.at(c, 0, nullptr).m[0];
@@ -126,11 +126,11 @@ TEST(CarriedBends, WorkOnAnArcThatYielded) {
   Values one(p.memory(), 0);
   p.bend(c, 0, one.data());
   const double stored = p.at(c, 0, one.data()).energy;
-  for (const bool at_b : {false, true}) {
-    EXPECT_NEAR(fed_bending_work(s, r, e, at_b, never.data()), area - M * c, 1e-6 * M * c);
-    EXPECT_NEAR(fed_bending_work(s, r, e, at_b, nullptr), stored - M * c, 1e-6 * M * c);
+  for (const bool second_end : {false, true}) {
+    EXPECT_NEAR(fed_bending_work(s, r, e, second_end, never.data()), area - M * c, 1e-6 * M * c);
+    EXPECT_NEAR(fed_bending_work(s, r, e, second_end, nullptr), stored - M * c, 1e-6 * M * c);
   }
 }
 
 }  // namespace
-}  // namespace hawser::test::carried_bends
+}  // namespace hawser::test::plastic_history

@@ -22,7 +22,7 @@ namespace model {
 struct Case;
 }
 
-class SeabedTerm final : public ForceTerm, public HasFriction {
+class BedContact final : public ForceTerm, public HasFriction {
  public:
   struct Plane {
     Vec3 point = Vec3::Zero(), normal = Vec3::UnitZ();
@@ -43,10 +43,10 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   };
 
   // A surface is given in space axes; its inside is the ground.
-  SeabedTerm(const LocalMesh& mesh, const Plane& plane, PointLaws laws);
-  SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> surface, PointLaws laws);
+  BedContact(const LocalMesh& mesh, const Plane& plane, PointLaws laws);
+  BedContact(const LocalMesh& mesh, std::shared_ptr<const Surface> surface, PointLaws laws);
   // held: supported local nodes, on which the bed does not act.
-  SeabedTerm(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held);
+  BedContact(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held);
 
   std::string_view record_key() const override { return "seabed"; }
   void prepare(const Kinematics& committed, double h) override;
@@ -57,7 +57,7 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   Vec3 node_force(int node) const;
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
   void enable_friction(bool on) override { friction_ = on ? Friction::contact : Friction::none; }
@@ -85,7 +85,7 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   int active_count() const;
 
  private:
-  struct LandedPoint : SurfaceContactPoint {
+  struct PointHistory : SurfaceContactPoint {
     using SurfaceContactPoint::SurfaceContactPoint;
     bool active = false;
     SuctionState soil;
@@ -116,9 +116,9 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   enum class Friction { none, pressed, contact };
   // Reference of friction in statics: position, slip at this position, bed normal, and normal force at the
   // last iteration.
-  struct Laid {
+  struct LaidReference {
     Vec3 place = Vec3::Zero(), slip = Vec3::Zero(), normal = Vec3::UnitZ();
-    double pressed = 0;                               // N
+    double normal_force = 0;                          // N
     bool known() const { return place.allFinite(); }  // false: no friction
   };
   // Cache for a bed that is a surface; it saves time and does not change results. There is no contact within
@@ -130,14 +130,14 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
     int hint = -1;
   };
   // Most points do not touch, so this struct contains only the data that every evaluation reads for all
-  // points. Other lists hold the rest by the index of the point; only points in contact have a LandedPoint.
+  // points. Other lists hold the rest by the index of the point; only points in contact have a PointHistory.
   struct Point {
     // Local nodes. second: other node of the element whose middle is the point; -1: the point is a node.
     int node = 0, second = -1;
-    int element = -1;     // local
-    int law = 0;          // index into laws_
-    int touch = -1;       // index into landed_; -1: none
-    bool counted = true;  // this rank counts it in sums
+    int element = -1;        // local
+    int law = 0;             // index into laws_
+    int history_index = -1;  // index into histories_; -1: none
+    bool counted = true;     // this rank counts it in sums
   };
   // of_nodes(): interpolates nodal values to the point. share(): fraction of a force on the point that acts
   // on a node.
@@ -149,20 +149,20 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
     if (p.second < 0) return p.node == node ? 1 : 0;
     return p.node == node || p.second == node ? 0.5 : 0;
   }
-  size_t place(const Point& p) const { return static_cast<size_t>(&p - points_.data()); }
+  size_t index_of(const Point& p) const { return static_cast<size_t>(&p - points_.data()); }
   const PointLaw& law(const Point& p) const { return laws_[p.law]; }
   ContactStart start(const Point& p) const;
-  const LandedPoint& landed(const Point& p) const {
-    static const LandedPoint none;
-    return p.touch < 0 ? none : landed_[p.touch];
+  const PointHistory& history(const Point& p) const {
+    static const PointHistory none;
+    return p.history_index < 0 ? none : histories_[p.history_index];
   }
-  void remember(Point& p, const LandedPoint& h);
+  void store(Point& p, const PointHistory& h);
   bool laid() const { return !laid_.empty(); }
   Vec3 line_direction(const Point& p, const Kinematics& at) const;
   void add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C, Assembler& assembler) const;
   // Friction of the first stage of statics. In the second stage its potential replaces friction in the line
   // search.
-  PressedFriction pressed(const Point& p, const Vec3& x) const;
+  PressedFriction pressed_friction_at(const Point& p, const Vec3& x) const;
   double contact_distance(const Point& p) const { return law(p).radius + law(p).law.normal.smoothing; }
   // Sets gap, normal and curvature of the trial for a point at x [m]. Returns false if the point does not
   // touch; the gap to a surface is then limited to `beyond` [m] more than where contact begins.
@@ -170,12 +170,12 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   // Signed distance of x [m] if it is less than `most` [m]; else infinity.
   double gap(const Vec3& x, double most) const;
   // convex: without the geometric stiffness of a curved bed, which is negative over a mound.
-  PointContact contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& trial,
+  ContactForce contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& trial,
                        bool convex = false) const;
   // Suction state of a point at the start of a step. Suction does not act in statics, which has no path in
   // time.
   SuctionState soil(const Point& p, double step) const {
-    return step > 0 && suction_ ? landed(p).soil : SuctionState{};
+    return step > 0 && suction_ ? history(p).soil : SuctionState{};
   }
 
   const LocalMesh& mesh_;
@@ -186,11 +186,12 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   std::vector<PointLaw> laws_;                      // each distinct law once
   std::vector<Point> points_;
   std::vector<Start> starts_;
-  std::vector<Laid> laid_;  // in statics with friction; empty: slip and normal are those of landed_
+  std::vector<LaidReference>
+      laid_;  // in statics with friction; empty: slip and normal are those of histories_
   bool firm_ = false;
   double least_slip_ = 0;
-  std::vector<LandedPoint> landed_;
-  std::vector<int> vacant_;  // free indices in landed_
+  std::vector<PointHistory> histories_;
+  std::vector<int> vacant_;  // free indices in histories_
   Account account_;
   mutable std::vector<Cache> cache_;  // empty: a plane
   bool suction_ = false;              // at least one point has suction

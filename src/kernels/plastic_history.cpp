@@ -1,6 +1,6 @@
 // Parabolas through the plastic history at Gauss points, their projection onto other stretches of the
 // material, and the work of a feeder on plastic bending that enters and leaves.
-#include "hawser/kernels/carried_bends.hpp"
+#include "hawser/kernels/plastic_history.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -36,12 +36,12 @@ void remember_cells(std::span<const RememberedCell> cells, std::size_t n, double
 }
 
 // dU/dL = w at the feeder + the integral of M times the derivative of the material's curvature by L.
-double fed_bending_work(const BeamSection& s, const BeamReference& r, const BeamEnds& e, bool at_b,
+double fed_bending_work(const BeamSection& s, const BeamReference& r, const BeamEnds& e, bool second_end,
                         const double* entering) {
   Local o;
   kinematics(s, r, e, false, o);
   const size_t n = s.plastic->memory();
-  const double side = at_b ? 1 : -1;
+  const double side = second_end ? 1 : -1;
   double sum = 0;
   for (int k = 0; k < kBendingPlaces; ++k) {
     const double xi = kGauss[k];
@@ -58,7 +58,7 @@ double fed_bending_work(const BeamSection& s, const BeamReference& r, const Beam
   if (entering)
     std::copy_n(entering, n, set.begin());
   else if (r.set)
-    std::copy_n(r.set + (at_b ? kBendingPlaces - 1 : 0) * n, n, set.begin());
+    std::copy_n(r.set + (second_end ? kBendingPlaces - 1 : 0) * n, n, set.begin());
   const double stored = with_memory(s, c.about2, c.about3, set.data()).energy;
   if (entering) lost = s.plastic->bend(c.about2, c.about3, set.data());
   return sum + stored + lost;

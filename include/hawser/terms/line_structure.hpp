@@ -3,6 +3,8 @@
 
 #include <mpi.h>
 
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -18,33 +20,33 @@ namespace model {
 struct Case;
 }
 
-class StructureTerm final : public ForceTerm,
+class LineStructure final : public ForceTerm,
                             public ActsOnElements,
-                            public CarriesTension,
+                            public HasAxialStiffness,
                             public ScalesResiduals,
                             public ActsOnFedLines {
  public:
   struct Beam {
-    LocalElement at;
+    LocalElement element;
     int blocks[4] = {};  // x1, theta1, x2, theta2
     BeamSection section;
     BeamReference reference = {};
     bool idle = false;          // inside a feeder
-    size_t memory = 0;          // index of its first value in set_
+    size_t memory = 0;          // index of its first value in plastic_history_
     size_t remembered() const;  // number of values in its plastic history
   };
   struct Cable {
-    LocalElement at;
+    LocalElement element;
     int blocks[2] = {};
     CableSection section;
     CableStart start = {};  // state at the start of the step
     bool idle = false;      // inside a feeder
   };
 
-  StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std::vector<Cable> cables);
+  LineStructure(const LocalMesh& mesh, std::vector<Beam> beams, std::vector<Cable> cables);
 
   // Takes the sections from the line types of the case. Every beam is straight when stress-free.
-  StructureTerm(const LocalMesh& mesh, const model::Case& c);
+  LineStructure(const LocalMesh& mesh, const model::Case& c);
 
   std::string_view record_key() const override { return "structure"; }
   void prepare(const Kinematics& committed, double h) override;
@@ -56,12 +58,12 @@ class StructureTerm final : public ForceTerm,
   Overstretch overstretched(const Kinematics& at) const override;
   void tensions(const Kinematics& at, std::span<LineTension> lines) const override;
   // Length of this rank's cables without tension, by line, m.
-  std::vector<double> slack(const Kinematics& at) const;
+  std::vector<double> slack_length(const Kinematics& at) const;
   bool soften(double most) override;
   double axial_stiffness() const override;
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
   std::vector<Beam>& beams() { return beams_; }
@@ -70,8 +72,8 @@ class StructureTerm final : public ForceTerm,
   void transfer_node(MPI_Comm comm, size_t feeder, bool releases);
 
  private:
-  // Plastic history on both sides of a feed point (structure_feed.cpp), by material label from the free node
-  // on.
+  // Plastic history on both sides of a feed point (line_structure_feed.cpp), by material label from the free
+  // node on.
   struct FedBends {
     std::vector<double>
         inside;  // material inside the feeder: of the element at the feed point, and of the next one
@@ -79,31 +81,34 @@ class StructureTerm final : public ForceTerm,
   };
   // accepted: the lengths are those at the end of the step.
   void update_from_feeders(const Kinematics& at, bool accepted = false);
-  static CableSection shown(const Cable& c, const Kinematics& at);  // section for output
-  void carry_bends(Beam& b, const FedLine& f, double to);
+  static CableSection section_for_output(const Cable& c, const Kinematics& at);
+  void move_plastic_history(Beam& b, const FedLine& f, double to);
   void keep_hauled_in(const Beam& b, const FedLine& f);
   double fed_work(const Kinematics& at) const;
   std::vector<double> entering(const FedLine& f, double label) const;
   double beam_dissipation(const Kinematics& at) const;
-  double bend(const Kinematics& at);
+  struct ElementField;
+  void fill_at_nodes(const ElementField& f, const Kinematics& k, std::span<double> out) const;
+  void add_node_axes(FieldRegistry& registry) const;
+  double commit_plastic(const Kinematics& at);
 
   const LocalMesh& mesh_;
   std::vector<Beam> beams_;
   std::vector<Cable> cables_;
   std::vector<FedBends> fed_;             // by feeder, in the order of FedLines
   bool damped_ = false, yields_ = false;  // yields_: a line type of the model bends plastically
-  std::vector<double> set_;               // histories of all beams, see BeamReference::set; zero in statics
+  std::vector<double> plastic_history_;   // histories of all beams, see BeamReference::set; zero in statics
   // Unsoftened values while elements are softened: EA [N] and plastic law of beams; EA of cables.
   std::vector<std::pair<double, const PlasticBending*>> true_beams_;
   std::vector<double> true_EA_;
-  double power_ = -1;     // W, dissipated by beams at the committed state; < 0: not yet computed
-  double damping_ = 0;    // J, dissipated so far
-  double filtered_ = 0;   // J, removed so far from axial vibration that the steps do not resolve
-  double last_step_ = 0;  // s, length of the step that led to the committed state
+  std::optional<double> power_;  // W, dissipated by beams at the committed state
+  double damping_ = 0;           // J, dissipated so far
+  double filtered_ = 0;          // J, removed so far from axial vibration that the steps do not resolve
+  double last_step_ = 0;         // s, length of the step that led to the committed state
 };
 
 // Positions, rotations and rates of an element's ends.
-BeamEnds ends(const StructureTerm::Beam& b, const Kinematics& k);
-CableEnds ends(const StructureTerm::Cable& c, const Kinematics& k);
+BeamEnds ends(const LineStructure::Beam& b, const Kinematics& k);
+CableEnds ends(const LineStructure::Cable& c, const Kinematics& k);
 
 }  // namespace hawser

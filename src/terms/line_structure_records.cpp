@@ -1,13 +1,13 @@
-// The class StructureTerm: checkpoint records. Sums of dissipation, strain increments of cables, plastic
+// The class LineStructure: checkpoint records. Sums of dissipation, strain increments of cables, plastic
 // bending of beams outside and inside feeders.
 #include <algorithm>
 #include <map>
 
-#include "hawser/terms/structure.hpp"
+#include "hawser/terms/line_structure.hpp"
 
 namespace hawser {
 
-size_t StructureTerm::Beam::remembered() const {
+size_t LineStructure::Beam::remembered() const {
   return section.plastic ? kBendingPlaces * section.plastic->memory() : 0;
 }
 
@@ -43,27 +43,28 @@ struct Bent {
 
 // The sums of a rank are stored at its first node; only their total over the ranks matters. Strain and
 // bending of an element are stored at both nodes, so that every rank with the element finds them.
-std::vector<CheckpointKind> StructureTerm::checkpoint_kinds() const {
+std::vector<CheckpointKind> LineStructure::checkpoint_kinds() const {
   return {checkpoint_kind<Sums>("sums of a rank"), checkpoint_kind<KeptStrain>("axial vibration"),
           checkpoint_kind<Bent>("plastic bending"), checkpoint_kind<Bent>("plastic bending inside a feeder")};
 }
 
-std::vector<CheckpointRecord> StructureTerm::records(NodeRange of) const {
+std::vector<CheckpointRecord> LineStructure::records(NodeRange range) const {
   if (mesh_.owned == 0) return {};
   std::vector<CheckpointRecord> out;
-  const auto wanted = [&](int n) { return n < mesh_.owned && of.has(mesh_.global[n]); };
+  const auto wanted = [&](int n) { return n < mesh_.owned && range.has(mesh_.global[n]); };
   if (wanted(0))
-    out.push_back(record_of(mesh_.global[0], 0, Sums{std::max(power_, 0.0), damping_, filtered_}, kSums));
+    out.push_back(record_of(mesh_.global[0], 0, Sums{power_.value_or(0), damping_, filtered_}, kSums));
   for (const Cable& c : cables_)
-    for (const int n : {c.at.first, c.at.second})
+    for (const int n : {c.element.first, c.element.second})
       if (wanted(n) && c.start.strain_increment != 0)
         out.push_back(
-            record_of(mesh_.global[n], c.at.global, KeptStrain{c.start.strain_increment}, kStretched));
+            record_of(mesh_.global[n], c.element.global, KeptStrain{c.start.strain_increment}, kStretched));
   for (const Beam& b : beams_)
-    for (const int n : {b.at.first, b.at.second}) {
+    for (const int n : {b.element.first, b.element.second}) {
       if (!b.reference.set || !wanted(n)) continue;
-      CheckpointRecord& r = out.emplace_back(CheckpointRecord{mesh_.global[n], b.at.global, {}, kBent});
-      r.values.assign(set_.data() + b.memory, set_.data() + b.memory + b.remembered());
+      CheckpointRecord& r = out.emplace_back(CheckpointRecord{mesh_.global[n], b.element.global, {}, kBent});
+      r.values.assign(plastic_history_.data() + b.memory,
+                      plastic_history_.data() + b.memory + b.remembered());
     }
   for (size_t k = 0; k < fed_.size(); ++k) {
     if (fed_[k].inside.empty()) continue;
@@ -75,8 +76,8 @@ std::vector<CheckpointRecord> StructureTerm::records(NodeRange of) const {
   return out;
 }
 
-void StructureTerm::restore(const std::vector<CheckpointRecord>& records) {
-  power_ = 0;
+void LineStructure::restore(const std::vector<CheckpointRecord>& records) {
+  power_ = 0.0;
   damping_ = 0;
   filtered_ = 0;
   std::map<int, double> strain;
@@ -84,7 +85,7 @@ void StructureTerm::restore(const std::vector<CheckpointRecord>& records) {
   for (const CheckpointRecord& r : records) {
     if (r.kind == kSums) {
       const Sums s = entry<Sums>(r);
-      power_ += s.power;
+      *power_ += s.power;
       damping_ += s.damping;
       filtered_ += s.filtered;
     } else if (r.kind == kStretched) {
@@ -97,16 +98,16 @@ void StructureTerm::restore(const std::vector<CheckpointRecord>& records) {
   }
   for (const Beam& b : beams_) {
     if (!b.section.plastic) continue;
-    double* set = set_.data() + b.memory;
+    double* set = plastic_history_.data() + b.memory;
     const size_t size = b.remembered();
-    const auto it = bent.find(b.at.global);
+    const auto it = bent.find(b.element.global);
     if (it != bent.end() && it->second->size() == size)
       std::copy(it->second->begin(), it->second->end(), set);
     else
       std::fill_n(set, size, 0.0);
   }
   for (Cable& c : cables_) {
-    const auto it = strain.find(c.at.global);
+    const auto it = strain.find(c.element.global);
     c.start.strain_increment = it == strain.end() ? 0 : it->second;
   }
 }

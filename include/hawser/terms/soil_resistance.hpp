@@ -18,7 +18,7 @@ namespace hawser {
 // Length of the arc [from, to] of a line that lies in the soil, m.
 double buried_length(const model::Line& line, double from, double to);
 
-class BuriedTerm final : public ForceTerm, public RaisesStiffness {
+class SoilResistance final : public ForceTerm, public RaisesStiffness {
  public:
   struct BuriedNode {
     int node = 0;  // local, owned
@@ -26,10 +26,11 @@ class BuriedTerm final : public ForceTerm, public RaisesStiffness {
   };
 
   // The lines are laid as in `start`.
-  BuriedTerm(MPI_Comm comm, const LocalMesh& mesh, const Kinematics& start, std::vector<BuriedNode> places);
+  SoilResistance(MPI_Comm comm, const LocalMesh& mesh, const Kinematics& start,
+                 std::vector<BuriedNode> places);
   // held: supported local nodes, on which the soil does not act.
-  BuriedTerm(MPI_Comm comm, const LocalMesh& mesh, const model::Case& c, const Kinematics& start,
-             const std::vector<int>& held);
+  SoilResistance(MPI_Comm comm, const LocalMesh& mesh, const model::Case& c, const Kinematics& start,
+                 const std::vector<int>& held);
 
   std::string_view record_key() const override { return "buried"; }
   void prepare(const Kinematics& committed, double h) override;
@@ -38,7 +39,7 @@ class BuriedTerm final : public ForceTerm, public RaisesStiffness {
   Energy energy(const Kinematics& at) const override;
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
   // The springs have the directions of the line at the start of a step. A static solution keeps the
   // directions fixed so that its forces have a potential, then repeats with those of the equilibrium found,

@@ -1,45 +1,45 @@
-// The class SeabedTerm: checkpoint records.
+// The class BedContact: checkpoint records.
 //
 // Both ranks of a shared element need the contact point at its middle, but a rank reads only the records of
 // its own nodes. Therefore the record is stored at both nodes. Keys: 0 for a node, 1 at the first node of the
 // element, 2 at the second.
 #include <map>
 
-#include "hawser/terms/seabed.hpp"
+#include "hawser/terms/bed_contact.hpp"
 
 namespace hawser {
 
-std::vector<CheckpointKind> SeabedTerm::checkpoint_kinds() const {
-  return {checkpoint_kind<LandedPoint>("points"), checkpoint_kind<Account>("sums of a rank")};
+std::vector<CheckpointKind> BedContact::checkpoint_kinds() const {
+  return {checkpoint_kind<PointHistory>("points"), checkpoint_kind<Account>("sums of a rank")};
 }
 
-std::vector<CheckpointRecord> SeabedTerm::records(NodeRange of) const {
+std::vector<CheckpointRecord> BedContact::records(NodeRange range) const {
   std::vector<CheckpointRecord> records;
   for (const Point& p : points_) {
-    if (p.touch < 0) continue;
+    if (p.history_index < 0) continue;
     for (const int node : {p.node, p.second})
-      if (mesh_.owns(node) && of.has(mesh_.global[node]))
+      if (mesh_.owns(node) && range.has(mesh_.global[node]))
         records.push_back(record_of(mesh_.global[node],
                                     p.second < 0     ? 0
                                     : node == p.node ? 1
                                                      : 2,
-                                    landed(p)));
+                                    history(p)));
   }
-  if (mesh_.owned > 0 && of.has(mesh_.global[0]))
+  if (mesh_.owned > 0 && range.has(mesh_.global[0]))
     records.push_back(record_of(mesh_.global[0], 0, account_, 1));
   return records;
 }
 
-void SeabedTerm::restore(const std::vector<CheckpointRecord>& records) {
+void BedContact::restore(const std::vector<CheckpointRecord>& records) {
   std::map<std::pair<int, int>, size_t> at;  // by mesh node and key
   for (size_t i = 0; i < points_.size(); ++i) {
     Point& p = points_[i];
-    p.touch = -1;
+    p.history_index = -1;
     const auto global = [this](int node) { return mesh_.global[node]; };
     at[{global(p.node), p.second < 0 ? 0 : 1}] = i;
     if (p.second >= 0) at[{global(p.second), 2}] = i;
   }
-  landed_.clear();
+  histories_.clear();
   vacant_.clear();
   account_ = {};
   for (const CheckpointRecord& r : records) {
@@ -51,7 +51,7 @@ void SeabedTerm::restore(const std::vector<CheckpointRecord>& records) {
     }
     const auto found = at.find({r.node, r.key});
     if (found == at.end()) continue;
-    remember(points_[found->second], entry<LandedPoint>(r));
+    store(points_[found->second], entry<PointHistory>(r));
   }
 }
 

@@ -1,22 +1,22 @@
-// The class SeabedTerm: output fields of the seabed's force and friction at the nodes.
+// The class BedContact: output fields of the seabed's force and friction at the nodes.
+#include "hawser/terms/bed_contact.hpp"
 #include "hawser/terms/contact_fields.hpp"
-#include "hawser/terms/seabed.hpp"
 
 namespace hawser {
 
 // The force at the middle of an element is output in halves at its nodes.
-void SeabedTerm::fields(FieldRegistry& registry) const {
+void BedContact::fields(FieldRegistry& registry) const {
   add_contact_fields(registry,
                      {.force = {.name = "seabed_force",
                                 .unit = "N",
-                                .carries = true,
+                                .is_support_force = true,
                                 .contact_with = advice::ContactWith::seabed},
                       .friction = {.name = "seabed_friction", .unit = "N"}},
                      [this](const Kinematics&, const ShowPoint& show) {
                        for (const Point& p : points_)
                          for (const int node : {p.node, p.second})
-                           if (p.touch >= 0 && mesh_.owns(node))
-                             show(node, share(p, node), Mat3::Identity(), landed(p));
+                           if (p.history_index >= 0 && mesh_.owns(node))
+                             show(node, share(p, node), Mat3::Identity(), history(p));
                      });
 }
 

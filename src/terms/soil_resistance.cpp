@@ -1,6 +1,6 @@
-// The class BuriedTerm: soil resistance at each buried node of a line, force and tangent, stored energy and
-// friction work, output field and history. The soil law is in kernels/buried_soil.hpp.
-#include "hawser/terms/buried.hpp"
+// The class SoilResistance: soil resistance at each buried node of a line, force and tangent, stored energy
+// and friction work, output field and history. The soil law is in kernels/buried_soil.hpp.
+#include "hawser/terms/soil_resistance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +16,8 @@ namespace {
 constexpr double kTurned = 1e-8;
 
 // Sums the soil springs of the buried parts of the half elements at each owned node.
-std::vector<BuriedTerm::BuriedNode> places_of(const LocalMesh& mesh, const model::Case& c,
-                                              const std::vector<int>& held) {
+std::vector<SoilResistance::BuriedNode> places_of(const LocalMesh& mesh, const model::Case& c,
+                                                  const std::vector<int>& held) {
   std::vector<BuriedSoil> soil(static_cast<size_t>(mesh.owned));
   std::vector<double> length(soil.size(), 0);
   for (const LocalElement& e : mesh.elements) {
@@ -41,7 +41,7 @@ std::vector<BuriedTerm::BuriedNode> places_of(const LocalMesh& mesh, const model
   }
   for (const int n : held)
     if (n < mesh.owned) length[n] = 0;
-  std::vector<BuriedTerm::BuriedNode> out;
+  std::vector<SoilResistance::BuriedNode> out;
   for (size_t n = 0; n < soil.size(); ++n) {
     if (!(length[n] > 0)) continue;
     soil[n].axial_length /= length[n];
@@ -59,8 +59,8 @@ double buried_length(const model::Line& line, double from, double to) {
   return in;
 }
 
-BuriedTerm::BuriedTerm(MPI_Comm comm, const LocalMesh& mesh, const Kinematics& start,
-                       std::vector<BuriedNode> places)
+SoilResistance::SoilResistance(MPI_Comm comm, const LocalMesh& mesh, const Kinematics& start,
+                               std::vector<BuriedNode> places)
     : comm_(comm), mesh_(mesh), line_(mesh) {
   for (const BuriedNode& place : places) {
     Point& p = points_.emplace_back();
@@ -72,15 +72,15 @@ BuriedTerm::BuriedTerm(MPI_Comm comm, const LocalMesh& mesh, const Kinematics& s
   turn_to(start);
 }
 
-BuriedTerm::BuriedTerm(MPI_Comm comm, const LocalMesh& mesh, const model::Case& c, const Kinematics& start,
-                       const std::vector<int>& held)
-    : BuriedTerm(comm, mesh, start, places_of(mesh, c, held)) {}
+SoilResistance::SoilResistance(MPI_Comm comm, const LocalMesh& mesh, const model::Case& c,
+                               const Kinematics& start, const std::vector<int>& held)
+    : SoilResistance(comm, mesh, start, places_of(mesh, c, held)) {}
 
-void BuriedTerm::prepare(const Kinematics& committed, double h) {
+void SoilResistance::prepare(const Kinematics& committed, double h) {
   if (h > 0) turn_to(committed);
 }
 
-double BuriedTerm::turn_to(const Kinematics& at, double share) {
+double SoilResistance::turn_to(const Kinematics& at, double share) {
   double most = 0;
   for (Point& p : points_) {
     const Vec3 now = line_.tangent(at, p.node);
@@ -94,7 +94,7 @@ double BuriedTerm::turn_to(const Kinematics& at, double share) {
 
 // If the line turns back with its springs, so that the turn decreases by less than a quarter of what was
 // expected, the next turns are half as large.
-bool BuriedTerm::raise_stiffness(const Kinematics& equilibrium) {
+bool SoilResistance::raise_stiffness(const Kinematics& equilibrium) {
   if (equilibrium.moves()) return false;
   double turn = turn_to(equilibrium, share_);
   all_reduce(comm_, MPI_MAX, turn);
@@ -103,7 +103,7 @@ bool BuriedTerm::raise_stiffness(const Kinematics& equilibrium) {
   return turn > kTurned;
 }
 
-void BuriedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
+void SoilResistance::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Point& p : points_) {
     const BuriedForce s = pull(p, trial);
     assembler.add(p.block, -s.force, &s.stiffness);
@@ -111,7 +111,7 @@ void BuriedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
 }
 
 // The work of the trapezoidal rule that the springs do not store is friction work.
-void BuriedTerm::commit(const Kinematics& accepted) {
+void SoilResistance::commit(const Kinematics& accepted) {
   for (Point& p : points_) {
     const BuriedForce s = pull(p, accepted);
     const Vec3& x = accepted.x[p.node];
@@ -127,7 +127,7 @@ void BuriedTerm::commit(const Kinematics& accepted) {
 }
 
 // In statics the energy of the trial, which the line search reduces.
-Energy BuriedTerm::energy(const Kinematics& at) const {
+Energy SoilResistance::energy(const Kinematics& at) const {
   Energy e;
   for (const Point& p : points_) {
     e.friction += p.friction_work;
@@ -136,8 +136,8 @@ Energy BuriedTerm::energy(const Kinematics& at) const {
   return e;
 }
 
-void BuriedTerm::fields(FieldRegistry& registry) const {
-  registry.add({{.name = "soil_force", .unit = "N", .components = 3, .carries = true},
+void SoilResistance::fields(FieldRegistry& registry) const {
+  registry.add({{.name = "soil_force", .unit = "N", .components = 3, .is_support_force = true},
                 [this](const Kinematics&, std::span<double> out) {
                   std::fill(out.begin(), out.end(), 0.0);
                   for (const Point& p : points_)
@@ -145,18 +145,18 @@ void BuriedTerm::fields(FieldRegistry& registry) const {
                 }});
 }
 
-std::vector<CheckpointKind> BuriedTerm::checkpoint_kinds() const {
+std::vector<CheckpointKind> SoilResistance::checkpoint_kinds() const {
   return {checkpoint_kind<Point>("points")};
 }
 
-std::vector<CheckpointRecord> BuriedTerm::records(NodeRange of) const {
+std::vector<CheckpointRecord> SoilResistance::records(NodeRange range) const {
   std::vector<CheckpointRecord> records;
   for (const Point& p : points_)
-    if (of.has(mesh_.global[p.node])) records.push_back(record_of(mesh_.global[p.node], 0, p));
+    if (range.has(mesh_.global[p.node])) records.push_back(record_of(mesh_.global[p.node], 0, p));
   return records;
 }
 
-void BuriedTerm::restore(const std::vector<CheckpointRecord>& records) {
+void SoilResistance::restore(const std::vector<CheckpointRecord>& records) {
   std::unordered_map<int, size_t> at;
   for (size_t i = 0; i < points_.size(); ++i) at[mesh_.global[points_[i].node]] = i;
   for (const CheckpointRecord& r : records) {

@@ -1,29 +1,29 @@
-// The class StructureTerm at feeders: unstretched lengths at the feed point, and history of plastic sections
+// The class LineStructure at feeders: unstretched lengths at the feed point, and history of plastic sections
 // that pass through it (docs/theory/feeders.md#pipes-that-yield).
 #include <algorithm>
 
 #include "hawser/base/mpi.hpp"
-#include "hawser/kernels/carried_bends.hpp"
-#include "hawser/terms/structure.hpp"
+#include "hawser/kernels/plastic_history.hpp"
+#include "hawser/terms/line_structure.hpp"
 
 namespace hawser {
 namespace {
 
 // Converts between the order of an element, from end A to end B, and that of the labels, from the free node.
-std::vector<double> turned(const double* values, size_t n, bool at_b) {
+std::vector<double> turned(const double* values, size_t n, LineEnd line_end) {
   std::vector<double> out(kBendingPlaces * n);
   for (size_t k = 0; k < kBendingPlaces; ++k)
-    std::copy_n(values + k * n, n, out.data() + (at_b ? k : kBendingPlaces - 1 - k) * n);
+    std::copy_n(values + k * n, n, out.data() + (line_end == LineEnd::B ? k : kBendingPlaces - 1 - k) * n);
   return out;
 }
 
-BeamEnds positions(const StructureTerm::Beam& b, const Kinematics& k) {
-  const size_t i = b.at.first, j = b.at.second;
+BeamEnds positions(const LineStructure::Beam& b, const Kinematics& k) {
+  const size_t i = b.element.first, j = b.element.second;
   return {k.x[i], k.x[j], k.q[i], k.q[j]};
 }
 
 // Index step to the next element away from the feeder.
-int outwards(const FedLine& f) { return f.at_b ? -1 : 1; }
+int outwards(const FedLine& f) { return f.line_end == LineEnd::B ? -1 : 1; }
 
 // History of the material inside the feeder by label from the free node: the element at the feed point and
 // the next element in stock.
@@ -40,28 +40,28 @@ std::vector<RememberedCell> inside(const Mesh& mesh, const FedLine& f, const std
 
 }  // namespace
 
-void StructureTerm::update_from_feeders(const Kinematics& at, bool accepted) {
+void LineStructure::update_from_feeders(const Kinematics& at, bool accepted) {
   if (!feeders_) return;
   feeders_->update_lengths(mesh_, &FedLine::length, cables_);
   feeders_->update_lengths(mesh_, &FedLine::length, beams_);
   for (Cable& c : cables_) {
-    const FedLine* fed = feeders_->find(c.at.global);
+    const FedLine* fed = feeders_->find(c.element.global);
     c.section.length_by_chord = fed ? fed->length_by_chord : 0;
     c.section.length_rate = fed && at.moves() ? fed->length_rate : 0;  // in statics the feeder is held
   }
   for (Beam& b : beams_) {
-    const FedLine* fed = feeders_->find(b.at.global);
+    const FedLine* fed = feeders_->find(b.element.global);
     b.section.length_by_force = fed ? fed->length_by_force : 0;
     if (!b.section.plastic) continue;
-    b.reference.set = set_.data() + b.memory;
+    b.reference.set = plastic_history_.data() + b.memory;
     // The history does not depend on the force of a trial: as for masses, the length is that at the speed of
     // the start of the step.
-    if (fed) carry_bends(b, *fed, accepted ? fed->length : fed->predicted);
+    if (fed) move_plastic_history(b, *fed, accepted ? fed->length : fed->predicted);
   }
 }
 
 // History of the material inside the feeder at this label.
-std::vector<double> StructureTerm::entering(const FedLine& f, double label) const {
+std::vector<double> LineStructure::entering(const FedLine& f, double label) const {
   std::vector<double> out;
   const std::vector<double>& kept = fed_[f.feeder].inside;
   for (const RememberedCell& c : inside(*mesh_.mesh, f, kept))
@@ -70,29 +70,29 @@ std::vector<double> StructureTerm::entering(const FedLine& f, double label) cons
 }
 
 // Sets the history of the element at the feed point for the length `to`.
-void StructureTerm::carry_bends(Beam& b, const FedLine& f, double to) {
+void LineStructure::move_plastic_history(Beam& b, const FedLine& f, double to) {
   const double from = f.before;
   if (from == to) return;
   FedBends& fed = fed_[f.feeder];
   const size_t n = b.section.plastic->memory();
-  const std::vector<double> values = turned(set_.data() + b.memory, n, f.at_b);
+  const std::vector<double> values = turned(plastic_history_.data() + b.memory, n, f.line_end);
   std::vector<RememberedCell> cells;
   for (const RememberedCell& c : remembered_cells(0, from, values.data(), n)) cells.push_back(c);
   for (const RememberedCell& c : inside(*mesh_.mesh, f, fed.inside))
     if (c.to > from) cells.push_back({std::max(c.from, from), c.to, c.values});
   std::vector<double> now(kBendingPlaces * n);
   remember_cells(cells, n, 0, to, now.data());
-  fed.trial = turned(now.data(), n, f.at_b);
+  fed.trial = turned(now.data(), n, f.line_end);
   b.reference.set = fed.trial.data();
 }
 
 // Stores the history of material that is hauled in and held straight inside the feeder. A cell inside takes
 // the history at its middle.
-void StructureTerm::keep_hauled_in(const Beam& b, const FedLine& f) {
+void LineStructure::keep_hauled_in(const Beam& b, const FedLine& f) {
   const double from = f.before, to = f.length;
   if (!(to < from)) return;
   const size_t n = b.section.plastic->memory();
-  const std::vector<double> values = turned(set_.data() + b.memory, n, f.at_b);
+  const std::vector<double> values = turned(plastic_history_.data() + b.memory, n, f.line_end);
   std::vector<double>& kept = fed_[f.feeder].inside;
   for (const RememberedCell& c : inside(*mesh_.mesh, f, kept)) {
     const double middle = 0.5 * (c.from + c.to);
@@ -105,13 +105,13 @@ void StructureTerm::keep_hauled_in(const Beam& b, const FedLine& f) {
 }
 
 // Work of the feeders on plastic bending in the step that led to `at`, J: mean of the values at start and
-// end, times the length paid out. Must be called before bend().
-double StructureTerm::fed_work(const Kinematics& at) const {
+// end, times the length paid out. Must be called before commit_plastic().
+double LineStructure::fed_work(const Kinematics& at) const {
   double work = 0;
   const State& before = feeders_->before();
   for (const Beam& b : beams_) {
-    if (!b.section.plastic || !b.at.counted || before.x.size() != at.x.size()) continue;
-    const FedLine* fed = feeders_->find(b.at.global);
+    if (!b.section.plastic || !b.element.counted || before.x.size() != at.x.size()) continue;
+    const FedLine* fed = feeders_->find(b.element.global);
     if (!fed || fed->length == fed->before) continue;
     const double grown = fed->length - fed->before;
     const std::vector<double> in = entering(*fed, fed->before + 0.5 * grown);
@@ -119,15 +119,16 @@ double StructureTerm::fed_work(const Kinematics& at) const {
     BeamSection then = b.section;
     BeamReference as_then = b.reference;
     then.length = fed->before;
-    as_then.set = set_.data() + b.memory;
+    as_then.set = plastic_history_.data() + b.memory;
     work += 0.5 * grown *
-            (fed_bending_work(then, as_then, positions(b, before.at_rest()), fed->at_b, enters) +
-             fed_bending_work(b.section, b.reference, positions(b, at), fed->at_b, enters));
+            (fed_bending_work(then, as_then, positions(b, before.at_rest()), fed->line_end == LineEnd::B,
+                              enters) +
+             fed_bending_work(b.section, b.reference, positions(b, at), fed->line_end == LineEnd::B, enters));
   }
   return work;
 }
 
-void StructureTerm::transfer_node(MPI_Comm comm, size_t feeder, bool releases) {
+void LineStructure::transfer_node(MPI_Comm comm, size_t feeder, bool releases) {
   std::vector<double>& kept = fed_[feeder].inside;
   const size_t n = kept.size() / (2 * kBendingPlaces);
   if (n == 0) return;
@@ -137,8 +138,8 @@ void StructureTerm::transfer_node(MPI_Comm comm, size_t feeder, bool releases) {
   const size_t size = kBendingPlaces * n;
   const auto beam = [&](int global) -> Beam* {
     const auto at = std::lower_bound(beams_.begin(), beams_.end(), global,
-                                     [](const Beam& b, int g) { return b.at.global < g; });
-    return at != beams_.end() && at->at.global == global && at->section.plastic ? &*at : nullptr;
+                                     [](const Beam& b, int g) { return b.element.global < g; });
+    return at != beams_.end() && at->element.global == global && at->section.plastic ? &*at : nullptr;
   };
   // Collects on all ranks, by label, the history of the element at the feed point, of the next one and of the
   // second before it, and the history inside.
@@ -146,8 +147,8 @@ void StructureTerm::transfer_node(MPI_Comm comm, size_t feeder, bool releases) {
   const auto part = [&](size_t i) { return all.data() + i * size; };
   const int elements[] = {f.element, f.element + out, f.element - 2 * out};
   for (size_t i = 0; i < 3; ++i)
-    if (const Beam* b = beam(elements[i]); b && b->at.counted) {
-      const std::vector<double> values = turned(set_.data() + b->memory, n, f.at_b);
+    if (const Beam* b = beam(elements[i]); b && b->element.counted) {
+      const std::vector<double> values = turned(plastic_history_.data() + b->memory, n, f.line_end);
       std::copy(values.begin(), values.end(), part(i));
       if (i == 0) std::copy(kept.begin(), kept.end(), part(3));
     }
@@ -155,8 +156,8 @@ void StructureTerm::transfer_node(MPI_Comm comm, size_t feeder, bool releases) {
   const auto keep = [&](int element, const std::vector<double>& values) {
     Beam* b = beam(element);
     if (!b) return;
-    const std::vector<double> own = turned(values.data(), n, f.at_b);
-    std::copy(own.begin(), own.end(), set_.begin() + static_cast<std::ptrdiff_t>(b->memory));
+    const std::vector<double> own = turned(values.data(), n, f.line_end);
+    std::copy(own.begin(), own.end(), plastic_history_.begin() + static_cast<std::ptrdiff_t>(b->memory));
   };
   std::vector<RememberedCell> cells;
   for (const RememberedCell& c : remembered_cells(0, f.length, part(0), n)) cells.push_back(c);

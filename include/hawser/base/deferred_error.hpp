@@ -9,7 +9,7 @@
 namespace hawser {
 
 // Stores the exception of a PETSc callback until the call into PETSc has returned.
-class CarriedError {
+class DeferredError {
  public:
   // Runs the body of a callback. Returns the callback's result: an error code if the body threw.
   template <class Body>
