@@ -1,5 +1,5 @@
 // The class FeederNodes: division of the element at a feed point or its merging with the next one, and the
-// motion of the node between them (docs/theory/feeders.md#nodes-that-leave-and-nodes-that-are-caught).
+// motion of the node between them (docs/theory/feeders.md#released-and-absorbed-nodes).
 #include "hawser/run/feeder_nodes.hpp"
 
 #include <fmt/format.h>
