@@ -14,7 +14,7 @@
 namespace hawser::model {
 namespace {
 
-// Steps in each of these times (docs/theory/time-integration.md#how-long-a-step-is): the period of a
+// Steps in each of these times (docs/theory/time-integration.md#step-length): the period of a
 // prescribed motion or a turn; of the waves; a ramp; a period that a line or a driven body has by itself; the
 // time in which drag carries a line along; the duration; the shortest period of gusts.
 constexpr int kInPeriod = 100, kInWaves = 75, kInRamp = 20, kInOwn = 20, kInDrag = 10, kInDuration = 50,

@@ -22,7 +22,7 @@ struct LongestStep {
 // run starts out of balance or a speed jumps), and of the period of a body on its springs, on links and in
 // the surface; where nothing periodic drives it, a sixtieth, and of that on taut lines as well. As far as it
 // is no less than half, a tenth of the time in which drag slows what is carried along. Why so:
-// docs/theory/time-integration.md#how-long-a-step-is.
+// docs/theory/time-integration.md#step-length.
 LongestStep longest_step(const Case& c);
 
 // Slowest period of a line [s], from its weight as a hanging chain (2.405/2 sqrt(g/L)), its bending stiffness
