@@ -5,7 +5,7 @@
 
 namespace hawser::model {
 
-// s, afloat without lines, each of the mode in which it has the largest share; 0: nothing pulls it back.
+// s, floating without lines, each of the mode with its largest participation; 0: no stiffness.
 struct PlatformPeriods {
   double heave = 0, roll = 0, pitch = 0;
 };
