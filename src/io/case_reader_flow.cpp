@@ -82,7 +82,7 @@ void check_gaps(const Value& at, const std::vector<CoefficientRow>& rows) {
            gap.from, gap.to);
 }
 
-// A flow must push a body in its own direction.
+// The force of a flow must be in the direction of the flow.
 void check_signs(const Value& at, const model::FlowOnBody& f) {
   for (const double angle : {0.0, 90.0, 180.0, 270.0}) {
     Vec3 C, slope;

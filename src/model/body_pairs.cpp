@@ -12,7 +12,7 @@ bool is_bar(const Volume& v) {
          (std::holds_alternative<CapsuleShape>(*v.shape) || std::holds_alternative<TorusShape>(*v.shape));
 }
 
-// Rank of a volume; the lower one leads. Planes and volumes without a stiffness of their own never lead.
+// Order of a volume; the lower one is the slave. Planes and volumes without a stiffness are never slaves.
 constexpr int kNever = 9;
 int rank(const Volume& v) {
   if (v.basis == StiffnessBasis::automatic) return kNever;

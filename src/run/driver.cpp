@@ -180,12 +180,12 @@ void start_motion(Simulation& sim, Events& events, record::Recorder& recorder, P
   for (const std::string& e : events.begin()) progress.print(e);
   sim.dynamics().start(sim.state());
   const Kinematics moving = sim.dynamics().kinematics();
-  // A start at rest is shown at rest: the velocities with which motions begin come after it.
+  // A start at rest is recorded at rest: initial velocities of motions are applied after it.
   if (sim.model().statics.enabled)
     recorder.start(moving, sim.state().view(0));
   else
     recorder.start(moving, moving, sim.dynamics().control().proposal());
-  sim.state() = State();  // the motion has its own
+  sim.state() = State();  // dynamics has a separate copy
   recorder.checkpoint(make_checkpoint(sim, recorder, events));
 }
 

@@ -78,7 +78,7 @@ class MeshTable {
   bool any_cable() const;
   bool any_rotates() const;  // a node of a beam or a body
 
-  // Appends elements to the line, from its last node or, for a line without nodes, from a new first one.
+  // Appends elements to the line, from its last node (the first one after begin_line()) to new nodes.
   // `along`: length of the elements of the section before them, m. Returns that length after them. Sets the
   // numbers and the end of the part.
   double add(EvenPart part, double along);
