@@ -90,7 +90,7 @@ void warn_of_bed_in_reach(const Case& c, std::vector<InputWarning>& out) {
   if (!bed.present || bed.surface || bed.slope > 0 || c.lines.empty()) return;
   double least = std::numeric_limits<double>::infinity();
   for (const Line& l : c.lines) least = std::min(least, lowest_reach(c, l));
-  // Moving bodies carry their lines along.
+  // Lines move with their bodies.
   if (least > -0.8 * bed.depth)
     add_warning(out, "environment.seabed", Effect::all,
                 "no line reaches the seabed at z = {:.6g} m: the deepest, if it hung straight down, would "

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDegree = M_PI / 180;
 constexpr double kSame = 1e-6;     // deg
-constexpr double kWideGap = 60;    // deg between rows; wider linear interpolation hides a side of the body
+constexpr double kWideGap = 60;    // deg between rows; wider gaps miss a side of the body
 constexpr double kRounded = 1e-6;  // tolerance of coefficients that should be equal or zero
 
 struct CoefficientRow {

@@ -17,7 +17,7 @@
 namespace hawser {
 namespace {
 
-constexpr double kMostLoad = 1.07;  // of a rank, over its share, rather than cut more
+constexpr double kMostLoad = 1.07;  // work of a rank over its share, accepted to avoid further cuts
 
 // Part of each vertex by METIS, with work in the ratio of `shares`. `edges`: sorted, in both directions.
 std::vector<int> metis_parts(std::span<const double> work, const std::vector<GraphEdge>& edges,

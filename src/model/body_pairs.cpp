@@ -1,4 +1,4 @@
-// Rules for contact between bodies: the leading volume of each pair, its stiffness and its share of the
+// Rules for contact between bodies: the slave volume of each pair, its stiffness and its share of the
 // force.
 #include "hawser/model/body_pairs.hpp"
 
@@ -30,7 +30,7 @@ bool hides(const Volume& v) {
   return v.basis == StiffnessBasis::per_point ? !ball : v.basis == StiffnessBasis::per_length && !bar;
 }
 
-// Friction of a pair; `a` leads.
+// Friction of a pair; `a` is the slave.
 Friction friction_between(const Volume& a, const Volume& b) {
   Friction f = a.friction;
   const Friction& g = b.friction;

@@ -217,7 +217,7 @@ void LongWaves::note(const Issues& note) const {
   });
   const double C33 = still_.stiffness(0, 0);
   const std::string& file = h_.data->excitation_file;
-  // Of the waterplane of a cube, a hundredth is nothing: a submerged body has none.
+  // Of the waterplane of a cube, a hundredth is negligible: a submerged body has none.
   const double allowed = (0.03 + 0.1 * ratio) * std::max(std::abs(C33), std::abs(heave)) +
                          0.01 * still_.buoyancy / std::cbrt(volume_);
   if (std::abs(heave - C33) > allowed)

@@ -1,4 +1,4 @@
-// Consistency of added mass and damping of the files, and names of their freedoms.
+// Consistency of added mass and damping of the files, and names of their degrees of freedom.
 #include "hawser/model/platform_memory.hpp"
 
 #include <algorithm>

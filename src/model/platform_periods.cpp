@@ -21,8 +21,8 @@ Mat3 mass_upright(const Mat6& M) {
   return M(kUpright, kUpright) - across.transpose() * Mat3(M(kPlane, kPlane)).ldlt().solve(across);
 }
 
-// rad/s, of the mode in which that freedom (0: heave, 1: roll, 2: pitch) has the most kinetic energy; 0:
-// none.
+// rad/s, of the mode in which that degree of freedom (0: heave, 1: roll, 2: pitch) has the most kinetic
+// energy; 0: none.
 double frequency(const Mat3& C, const Mat3& M, int freedom) {
   const Eigen::GeneralizedSelfAdjointEigenSolver<Mat3> modes(C, M);
   Eigen::Index mode = 0;

@@ -1,4 +1,4 @@
-// The class Dynamics: continuation of the motion with other nodes tied, after ends were released or caught
+// The class Dynamics: continuation of the motion with other nodes tied, after ends were released or attached
 // (docs/theory/events.md).
 #include <algorithm>
 #include <cmath>

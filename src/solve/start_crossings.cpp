@@ -279,7 +279,7 @@ std::vector<PartInVolume> parts_in(const Rope& rope, const Obstacle& volume) {
 }
 
 // True if a part must go over the volume: there is no room for it between the volume and the bed, and the
-// way over the volume is shorter than the way round it.
+// path over the volume is shorter than the path round it.
 bool goes_over(const model::Case& c, const PartInVolume& s, const Obstacle& volume) {
   const model::Seabed& bed = c.environment.seabed;
   if (!bed.present) return false;

@@ -176,7 +176,7 @@ LineStart through(std::vector<Vec3> x) {
   return out;
 }
 
-// True if the whole line sinks (or floats) and is longer than the way from one end to the bed (or the
+// True if the whole line sinks (or floats) and is longer than the path from one end to the bed (or the
 // surface), along it, and up to the other end. Its middle then lies there without tension, and equilibrium
 // does not determine where.
 bool lies_slack(const model::Case& c, const std::vector<CatenarySection>& sections, const LineStart& s,

@@ -10,7 +10,7 @@ struct PlatformPeriods {
   double heave = 0, roll = 0, pitch = 0;
 };
 // Natural periods of a body with hydrodynamics, without damping, lines and other bodies:
-// (C - omega² (M + A(omega))) x = 0 in all six freedoms.
+// (C - omega² (M + A(omega))) x = 0 in all six degrees of freedom.
 PlatformPeriods platform_periods(const Case& c, const Body& b);
 
 }  // namespace hawser::model
