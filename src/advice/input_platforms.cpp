@@ -71,8 +71,7 @@ void warn_of_hull(const Body& b, std::vector<InputWarning>& out) {
                 "the 'hydrodynamics' of a diffraction program");
 }
 
-// Members much larger than the body, and added mass that counts twice, of the files and of members beside
-// them.
+// Members much larger than the body, and added mass that is counted twice, by the files and by members.
 void warn_of_members(const Case& c, const Body& b, std::vector<InputWarning>& out) {
   constexpr double kLarge = 5;   // of the volume of water of the body's mass
   constexpr double kReach = 10;  // in sides of a cube of that volume; the tower of a wind turbine is at 6
@@ -103,8 +102,8 @@ void warn_of_members(const Case& c, const Body& b, std::vector<InputWarning>& ou
   }
 }
 
-// A stiffness that is added pushes the body away in the plane, where the water holds nothing. In heave, roll
-// and pitch it may take from what the water gives (free surfaces of tanks).
+// A negative additional stiffness makes the body unstable in the horizontal plane, which has no hydrostatic
+// stiffness. In heave, roll and pitch it may reduce the hydrostatic stiffness (free surfaces of tanks).
 void warn_of_stiffness(const Body& b, std::vector<InputWarning>& out) {
   constexpr double kRounded = 1e-6;
   const Mat6& C = b.mass->hydrodynamics->stiffness;

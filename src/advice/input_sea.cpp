@@ -90,7 +90,7 @@ void warn_of_bed_in_reach(const Case& c, std::vector<InputWarning>& out) {
   if (!bed.present || bed.surface || bed.slope > 0 || c.lines.empty()) return;
   double least = std::numeric_limits<double>::infinity();
   for (const Line& l : c.lines) least = std::min(least, lowest_reach(c, l));
-  // Moving bodies carry their lines along.
+  // Lines move with their bodies.
   if (least > -0.8 * bed.depth)
     add_warning(out, "environment.seabed", Effect::all,
                 "no line reaches the seabed at z = {:.6g} m: the deepest, if it hung straight down, would "
@@ -135,7 +135,7 @@ void warn_of_current(const Case& c, const Line& line, std::vector<InputWarning>&
     drag += 0.5 * w.density * t.Cd_normal * t.dragged() * speed * speed * s.length / length;
   }
   const double X = (high - low).head<2>().norm(), a = slack_tension(length, X, h);
-  if (!(speed > 0) || a < 0 || drag > bed.friction.lateral * weight) return;  // it would be carried away
+  if (!(speed > 0) || a < 0 || drag > bed.friction.lateral * weight) return;  // it would drift away
   const double lies = length - std::sqrt(h * h + 2 * h * a),
                bow = drag * lies / (8 * std::max(a, 1e-9) * weight);
   if (!(lies > 0) || bow < kBow) return;

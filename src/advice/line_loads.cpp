@@ -18,7 +18,7 @@ using namespace model;
 
 namespace {
 
-// kg/m³ of what is in water: air bags have 5 and more, foam 200 to 700, lead 11340, tungsten 19300.
+// kg/m³ of objects in water: air bags 5 and more, foam 200 to 700, lead 11340, tungsten 19300.
 constexpr double kLightest = 5, kHeaviest = 12000;
 constexpr double kMetallic = 10e9, kFibreDensity = 1700;  // Pa, kg/m³
 constexpr double kNothing = 1e-4;                         // fraction of the line's weight

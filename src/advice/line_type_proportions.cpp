@@ -137,7 +137,7 @@ class Proportions {
       return warn(
           "", "its mass and weight mean a displaced diameter of {:.4g} m, and its outer diameter is {:.4g} m",
           d, t_.outer_diameter);
-    if (!given(key)) return;  // another one is odd
+    if (!given(key)) return;  // another key is the implausible one
     warn(key, "{:.4g} m is {:.2g} times the outer diameter; {:g} to {:g} times are usual{}", d, ratio, least,
          most, hint(key, [&](double x) { return between(x / t_.outer_diameter, least, most); }));
   }

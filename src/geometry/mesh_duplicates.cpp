@@ -153,9 +153,9 @@ class Patches {
     return v;
   }
 
-  // Patches that the rest does not need or does not touch are tested whether the body ends at them. Where
-  // three duplicated sheets meet, it ends at two of them and not at the wall between. A wall in an open hull
-  // may look like an end of the body to the winding number, but both its sides have equal visibility.
+  // Patches that are not required or not connected are tested for the boundary of the body. Where three
+  // duplicated sheets meet, it ends at two of them and not at the wall between. A wall in an open hull may
+  // look like an end of the body to the winding number, but both its sides have equal visibility.
   bool drop_some(std::vector<bool>& kept) const {
     constexpr double kAttached = 0.25, kLone = 0.02, kOneSided = 0.25;
     std::vector<std::pair<std::size_t, bool>> asked;  // and whether the rest touches it

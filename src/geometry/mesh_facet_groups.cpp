@@ -17,7 +17,7 @@ constexpr double kCone = 0.974;      // cosine of half that angle
 constexpr double kConcave = 0.2;     // rad, total: less does not create a second facet group
 constexpr double kFlatEdge = 1e-10;  // 1 - cosine of an edge that counts as flat
 
-// Whether it is so for any chord of a polyline; of a single place there is one, of no length.
+// True if this holds for any chord of a polyline; a single point has one chord of zero length.
 template <class Is>
 bool any_chord(std::span<const Vec3> axis, Is&& is) {
   for (std::size_t i = 0; i + 1 < axis.size() || i == 0; ++i)

@@ -11,7 +11,8 @@ namespace {
 
 using namespace round_surfaces;
 
-constexpr double kOverlap = 1e-14;  // of coordinates: their rounding, by which pieces go on beyond their ends
+constexpr double kOverlap =
+    1e-14;  // of coordinates: their rounding, by which pieces extend beyond their ends
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct AtRing {

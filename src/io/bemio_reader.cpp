@@ -1,6 +1,6 @@
 // Reader of BEMIO's HDF5 (WEC-Sim user manual, "BEMIO"): one group per body; values over rho, rho omega and
-// rho g if simulation_parameters/scaled is 0; matrices by freedom, then frequency; phases are leads, as
-// WAMIT's; moments are about the centre of gravity.
+// rho g if simulation_parameters/scaled is 0; matrices by degree of freedom, then frequency; phases are
+// leads, as WAMIT's; moments are about the centre of gravity.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -96,8 +96,8 @@ class CapytaineFile {
   std::map<std::string, NetcdfVariable> variables_;
 };
 
-// Mode, from 0, of each index along a dimension of freedoms; -1 for non-rigid modes. With several bodies
-// names are BODY__Heave, and bodies are numbered in order of appearance.
+// Mode, from 0, of each index along a dimension of degrees of freedom; -1 for non-rigid modes. With several
+// bodies names are BODY__Heave, and bodies are numbered in order of appearance.
 std::vector<int> modes_along(const CapytaineFile& file, const std::string& name,
                              std::vector<std::string>& bodies) {
   const std::vector<std::string>& texts = file.at(name).texts;

@@ -22,8 +22,8 @@ bool given(const Value& map, const char* key) {
   return v && v->given;
 }
 
-// Refuses a sea of which more than the share `most` goes where the table has no directions, or more than
-// `most_beyond` of an irregular sea has longer, or shorter, periods than the table.
+// Refuses a sea with more than the fraction `most` of its energy in directions without rows, or an irregular
+// sea with more than `most_beyond` at longer, or shorter, periods than the table.
 void check_coverage(const Value& files, const std::vector<WaveForceTable>& tables, int body, const char* what,
                     double most, double most_beyond, const std::vector<WaveComponent>& sea, double heading,
                     const std::string& key, std::vector<std::string>& notes) {

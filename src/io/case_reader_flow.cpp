@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDegree = M_PI / 180;
 constexpr double kSame = 1e-6;     // deg
-constexpr double kWideGap = 60;    // deg between rows; wider linear interpolation hides a side of the body
+constexpr double kWideGap = 60;    // deg between rows; wider gaps miss a side of the body
 constexpr double kRounded = 1e-6;  // tolerance of coefficients that should be equal or zero
 
 struct CoefficientRow {
@@ -82,7 +82,7 @@ void check_gaps(const Value& at, const std::vector<CoefficientRow>& rows) {
            gap.from, gap.to);
 }
 
-// A flow must push a body in its own direction.
+// The force of a flow must be in the direction of the flow.
 void check_signs(const Value& at, const model::FlowOnBody& f) {
   for (const double angle : {0.0, 90.0, 180.0, 270.0}) {
     Vec3 C, slope;

@@ -21,7 +21,7 @@ using model::refuse;
 
 constexpr double kDegree = M_PI / 180;
 constexpr double kOneDirection = 1;  // deg, largest deviation from the only direction of a table
-constexpr double kWideGap = 100;     // deg; a wider gap between directions hides a side of the vessel
+constexpr double kWideGap = 100;     // deg; a wider gap between directions misses a side of the vessel
 
 // True if a table declared as one side has rows of both sides.
 bool both_sides(const std::vector<RaoTable::Row>& rows) {

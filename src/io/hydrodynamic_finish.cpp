@@ -33,10 +33,10 @@ double median(std::vector<Weighted>& of) {
 }
 
 // A(inf) = A(omega) - (2/pi) PV int_0^inf B(u)/(u² - omega²) du (Kotik and Mangulis 1962), of each entry the
-// median over ln omega: next to irregular frequencies, to gaps and to the end of the table single rows are
-// far off. What is missing beyond the end is a constant, which belongs into A(inf), and a part that grows as
-// omega²: a weight by ln omega favours rows without it. The last row, where B may jump to 0, has none unless
-// it is the only one.
+// median over ln omega: single rows next to irregular frequencies, gaps and the end of the table have large
+// errors. The contribution beyond the end is a constant, which is included in A(inf), and a part that
+// increases as omega²: a weight by ln omega favours rows without it. The last row, where B may jump to 0, has
+// none unless it is the only one.
 void estimate_infinite(HydrodynamicData& data, std::vector<std::string>& notes) {
   const Eigen::Index n = 6 * data.bodies;
   const size_t rows = data.omega.size(), used = std::max<size_t>(rows - 1, 1);

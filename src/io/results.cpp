@@ -213,7 +213,7 @@ struct ResultsFile::Impl {
   void write_waiting() {
     while (!waiting.times.empty()) {
       // The two tables of ongoing clashes alternate with the parity of the output. An odd number of outputs
-      // is written at a time, so the table of the last output in the file stays intact in a kill.
+      // is written at a time, so the table of the last output in the file is valid after a kill.
       const size_t all = waiting.times.size();
       const WaitingOutputs w = waiting.take(contents.clashes && all % 2 == 0 ? all - 1 : all);
       write(w, w.fields, w.ends);
@@ -332,8 +332,8 @@ ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultCo
   const ResultRoom& had = progress.room;
   long long n[7] = {
       outputs, steps, had.slot_doubles, had.slot_text, 0, static_cast<long long>(reported.open.size()), 0};
-  // A run that failed left with its last output also what ended later; older checkpoints do not know what
-  // went to another file.
+  // A failed run has also written clashes that ended after its last output; older checkpoints do not contain
+  // which clashes are in another file.
   if (n[0] > 0 && !progress.clashes.empty()) n[4] = std::min(reported.ended, progress.clashes[n[0] - 1]);
   if (n[0] > 0 && !progress.contacts.empty()) n[6] = progress.contacts[n[0] - 1];
   MPI_Bcast(n, 7, MPI_LONG_LONG, 0, comm);

@@ -271,8 +271,7 @@ void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, co
   std::vector<std::string> names;
   for (const auto& line : c.lines) names.push_back(line.name);
   if (!h5::exists(from, "lines/name") || h5::read_texts(from, "lines/name") != names) throw differs("lines");
-  // Against the case, not what is in the new file: reading there what a full disk did not take would fail
-  // oddly.
+  // Compared with the case, not with the new file, which may be incomplete on a full disk.
   std::vector<double> arc;
   for (const auto& line : c.lines) arc.insert(arc.end(), line.arc.begin(), line.arc.end());
   if (h5::read_array(from, "nodes/arc_length").values != arc) throw differs("nodes");
@@ -286,7 +285,7 @@ void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, co
             path, name);
   }
   for (const auto& s : row_sets(c)) {
-    // Statistics are made anew from the checkpoint.
+    // Statistics are restored from the checkpoint.
     if (s.by == RowsBy::node && !h5::exists(from, s.name)) continue;
     if (!h5::exists(from, s.name)) throw differs(s.name);
     const h5::Id old = h5::open_dataset(from, s.name), made = h5::open_dataset(to, s.name);

@@ -58,8 +58,8 @@ std::vector<WaveForceTable> WaveForceRows::tables(const std::string& path) {
   return out;
 }
 
-// Rows that are given again with other values, against the largest force or moment: what symmetry makes zero
-// is noise. Directions of -180 and 180 deg are one.
+// Duplicate rows with different values, relative to the largest force or moment: values that are zero by
+// symmetry are noise. Directions of -180 and 180 deg are one.
 void WaveForceRows::check_again(const std::string& path) const {
   constexpr double kCounts = 0.005;
   std::array<double, 2> largest{};

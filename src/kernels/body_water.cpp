@@ -80,7 +80,7 @@ void body_water(const BodyInWater& b, const RigidBodyState& s, const Water& cent
   if (!tangent) return;
   const Mat3 R = s.q.toRotationMatrix(), c = hat(b.centre), d = hat(b.drag_centre);
   const Vec3 up = R.row(2);  // body axes
-  // Derivative of the wet share by position and rotation: it decreases as the centre rises.
+  // Derivative of the wet fraction by position and rotation: it decreases as the centre rises.
   Vec6 rise;
   rise << Vec3::UnitZ(), b.centre.cross(up);
   const Vec6 shares = -wet.slope / (0.5 * b.height) * rise;

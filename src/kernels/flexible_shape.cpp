@@ -75,7 +75,7 @@ class Shape {
   }
 
  private:
-  // Wet share at height z, and its derivative.
+  // Wet fraction at height z, and its derivative.
   double wet(double z, double& slope) const {
     const double h = 0.5 - (z - line_.surface) / (2 * width_);
     slope = h > 0 && h < 1 ? -0.5 / width_ : 0;

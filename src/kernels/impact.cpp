@@ -16,7 +16,7 @@ constexpr double kShort = 0.02;      // fraction of such a step: nearer contacts
 constexpr double kRounding = 1e-12;  // fraction of the kinetic energy of the rigid motion
 
 // Time until a mass at the distance `away` [m] with the speed `speed` [m/s, > 0] arrives, with `acceleration`
-// [m/s²] away; infinite: it turns before.
+// [m/s²] away; infinite: it reverses before.
 double until_contact(double away, double speed, double acceleration) {
   const double root = speed * speed - 2 * acceleration * away;
   if (root < 0) return kNever;
@@ -95,7 +95,7 @@ double ImpactEvent::crossed(double h) const {
     return std::min(-half_ * at_.gap * std::max(out, 0.0), energy_);
   }
   const double z = 0.5 * h / inverse_frequency_;
-  // If the mass would turn before, it is assumed to continue at its speed.
+  // If the mass would reverse before, it is assumed to continue at its speed.
   const double root = speed * speed - 2 * at_.acceleration * at_.gap;
   const double in =
       -at_.gap + speed * h - (root < 0 ? speed * crossing_ - at_.gap : 0.5 * at_.acceleration * h * h);

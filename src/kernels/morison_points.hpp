@@ -132,7 +132,7 @@ struct Chord {
   }
 };
 
-// A Gauss point and what is wet of its piece.
+// A Gauss point and the wet part of its piece.
 template <bool beam>
 struct Point {
   static constexpr int n = Rule<beam>::shapes, last = Chord<beam>::last;
@@ -251,7 +251,8 @@ struct Sums {
 
 // Derivatives of flow_at by velocity, C_jk = w F N_j N_k D, by acceleration, by the chord,
 //   w F/l (-N_j T + (m_t - m_n) (t (P y_j)' + (t.y_j) P)),
-// by heights through the current, -w F N_j (1 - z, z) D du_w/dz, and through the wet share, w q_j (dF/dX_k)'.
+// by heights through the current, -w F N_j (1 - z, z) D du_w/dz, and through the wet fraction, w q_j
+// (dF/dX_k)'.
 template <bool beam>
 inline void flow_tangent(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, const Chord<beam>& c,
                          const Point<beam>& p, const Flow<Rule<beam>::shapes>& flow, bool convex,

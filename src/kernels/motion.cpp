@@ -224,7 +224,7 @@ void RigidMotion::set_drift(DriftLaw drift) {
 
 namespace {
 
-// `pose` about `origin`, carried by a frame with the displacement `moved` and the rotation `turned` about it.
+// `pose` about `origin`, moved with a frame with the displacement `moved` and the rotation `turned` about it.
 void move_with_frame(const Vec3& origin, const VectorMotion& moved, const VectorMotion& turned, bool rests,
                      RigidPose& pose) {
   const Quat D = exp_so3(turned.value);

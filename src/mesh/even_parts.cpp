@@ -12,8 +12,7 @@ namespace {
 
 constexpr double kRounding = 1e-12;  // of the sum
 
-// The places where the row may be cut: its ends, and those before items whose cut is of a kind or a better
-// one.
+// The places where the row may be cut: its ends, and those before items with a cut of at most a given cost.
 class Places {
  public:
   Places(std::span<const EqualItems> row, CutKind worst) {

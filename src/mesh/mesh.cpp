@@ -41,8 +41,8 @@ class OwnNodes {
 };
 
 // An end of a joint that rotates (the last one), or else the first end, shares its position with the other
-// ends; in a rigid joint it carries the others that rotate. An end that stays carries those that are released
-// later, which then have unknowns of their own.
+// ends; in a rigid joint the others that rotate are tied to it. Ends that are released later are tied to one
+// that is not, and have separate unknowns after the release.
 void join(const model::Case& c, const Mesh& m, OwnNodes& own) {
   std::unordered_map<std::string, std::vector<std::pair<size_t, LineEnd>>> ends_of;  // by joint
   for (size_t l = 0; l < c.lines.size(); ++l)

@@ -81,7 +81,7 @@ class Builder {
     }
   }
 
-  // Vertices or ranks of their own for the lines that are not cut.
+  // Separate vertices or ranks for uncut lines.
   void place_uncut_lines(int ranks, std::span<const int> uncut) {
     std::vector<std::int64_t> work(mesh_.lines.size(), 0);
     std::int64_t left = 0;

@@ -45,14 +45,14 @@ struct Piece {
 
 // The sequence: component by component, each by its first node in the file; inside a component lines in the
 // order of the file, and a body beside the middle one of its lines, so that a cut on either side of it
-// separates few of them from it. A line of `uncut` is one vertex; if its work exceeds a rank's fair share of
-// what is left, it gets a rank of its own. Other nodes are a vertex each; carried nodes belong to the vertex
+// separates few of them from it. A line of `uncut` is one vertex; if its work exceeds the mean of the
+// remaining ranks, it has a separate rank. Other nodes are a vertex each; carried nodes belong to the vertex
 // or rank of their carrier.
 struct GraphSequence {
   std::vector<Piece> pieces;  // in the order of the sequence
   std::vector<GraphEdge>
       edges;  // between positions, those inside of pieces excepted; sorted, both directions
-  std::vector<std::pair<int, int>> own_ranks;  // uncut lines with a rank of their own, and that rank
+  std::vector<std::pair<int, int>> own_ranks;  // uncut lines with a separate rank, and that rank
   std::vector<std::pair<int, int>> carried;    // nodes, and their carriers, by node
 };
 

@@ -17,7 +17,7 @@
 namespace hawser {
 namespace {
 
-constexpr double kMostLoad = 1.07;  // of a rank, over its share, rather than cut more
+constexpr double kMostLoad = 1.07;  // work of a rank over its share, accepted to avoid further cuts
 
 // Part of each vertex by METIS, with work in the ratio of `shares`. `edges`: sorted, in both directions.
 std::vector<int> metis_parts(std::span<const double> work, const std::vector<GraphEdge>& edges,
@@ -216,7 +216,7 @@ NodeRanks owners(const Mesh& mesh, int ranks, std::span<const int> uncut,
   return out;
 }
 
-// Nodes that other ranks see, once for each rank that does.
+// Nodes that are ghosts on other ranks, once for each of these ranks.
 size_t shared_nodes(const Mesh& mesh, const std::vector<GraphEdge>& joined, const NodeRanks& owner) {
   std::vector<std::pair<int, int>> pairs;
   const auto add = [&](int a, int b) {
@@ -238,7 +238,7 @@ NodeRanks partition(const Mesh& mesh, int ranks, std::span<const std::pair<int, 
   if (ranks == 1) return NodeRanks::all_of(mesh.nodes());
   NodeRanks plain = owners(mesh, ranks, uncut, joins(mesh, {}));
   if (coupled.empty()) return plain;
-  // METIS looks for few cut edges; what costs is the nodes at them.
+  // METIS minimises cut edges; the cost is that of the nodes at them.
   const std::vector<GraphEdge> all = joins(mesh, coupled);
   NodeRanks weighed = owners(mesh, ranks, uncut, all);
   return shared_nodes(mesh, all, weighed) < shared_nodes(mesh, all, plain) ? weighed : plain;

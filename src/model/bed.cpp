@@ -74,8 +74,8 @@ BedAtEnd bed_at_end(const Case& c, const Line& line, LineEnd line_end, double el
   const double height = height_above_bed(bed, end_position(c, end));
   if (!std::isfinite(height)) return out;
   const double rest = resting_height(c, type), radius = 0.5 * type.contact_diameter;
-  // With an end at the height of first contact the line would sink beside the end; above that height the line
-  // hangs from its end.
+  // With an end at the height of first contact the line would sink next to the end; above that height the
+  // line hangs from its end.
   out.depth = height <= radius ? rest - height : std::min(0.0, rest - 2 * radius + height);
   // The bed of the next line begins at a joint, unchanged.
   out.length = std::max(std::min(std::abs(out.depth) / kSteepest, length), element);

@@ -1,4 +1,4 @@
-// Rules for contact between bodies: the leading volume of each pair, its stiffness and its share of the
+// Rules for contact between bodies: the slave volume of each pair, its stiffness and its share of the
 // force.
 #include "hawser/model/body_pairs.hpp"
 
@@ -12,7 +12,7 @@ bool is_bar(const Volume& v) {
          (std::holds_alternative<CapsuleShape>(*v.shape) || std::holds_alternative<TorusShape>(*v.shape));
 }
 
-// Rank of a volume; the lower one leads. Planes and volumes without a stiffness of their own never lead.
+// Order of a volume; the lower one is the slave. Planes and volumes without a stiffness are never slaves.
 constexpr int kNever = 9;
 int rank(const Volume& v) {
   if (v.basis == StiffnessBasis::automatic) return kNever;
@@ -30,7 +30,7 @@ bool hides(const Volume& v) {
   return v.basis == StiffnessBasis::per_point ? !ball : v.basis == StiffnessBasis::per_length && !bar;
 }
 
-// Friction of a pair; `a` leads.
+// Friction of a pair; `a` is the slave.
 Friction friction_between(const Volume& a, const Volume& b) {
   Friction f = a.friction;
   const Friction& g = b.friction;

@@ -168,7 +168,7 @@ double LongWaves::stiffness_by_waves(int freedom, double omega, bool deep) const
   return moment / k - sign * g_ * added_mass(omega)(turn, freedom);
 }
 
-// The weight of the body in the stiffness of the files: there, or not, against what the case says of it.
+// Whether the stiffness of the files includes weight, compared with the statement of the case.
 std::string LongWaves::weight_hint(const Compared& stiffness) const {
   const double part = -mass_.mass * g_ * mass_.centre.z();
   const double share = (stiffness.given - stiffness.by_waves) / part;
@@ -217,7 +217,7 @@ void LongWaves::note(const Issues& note) const {
   });
   const double C33 = still_.stiffness(0, 0);
   const std::string& file = h_.data->excitation_file;
-  // Of the waterplane of a cube, a hundredth is nothing: a submerged body has none.
+  // Of the waterplane of a cube, a hundredth is negligible: a submerged body has none.
   const double allowed = (0.03 + 0.1 * ratio) * std::max(std::abs(C33), std::abs(heave)) +
                          0.01 * still_.buoyancy / std::cbrt(volume_);
   if (std::abs(heave - C33) > allowed)
@@ -269,7 +269,7 @@ void check_long_waves(const Case& c, const Body& b, const Issues& issue) {
 }
 
 void note_long_waves(const Case& c, const Body& b, const Issues& note) {
-  // Bodies side by side accelerate the water between them, and a hull has hydrostatics of its own.
+  // Bodies side by side accelerate the water between them, and a hull has separate hydrostatics.
   if (b.mass->hydrodynamics->data->bodies > 1 || b.mass->hull) return;
   const LongWaves waves(c, b);
   if (long_enough(c, b, waves)) waves.note(note);

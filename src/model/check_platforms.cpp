@@ -24,7 +24,8 @@ void check_matrices(const BodyHydrodynamics& h, const Issues& issue) {
         issue(key, "row {} has {:g} on the diagonal: damping must not be negative", i + 1, (*B)(i, i));
 }
 
-// Checks what buoyancy needs. twice: sentence for a body with 'in_water', whose buoyancy would count twice.
+// Checks the input required for buoyancy. twice: message for a body with 'in_water', whose buoyancy would be
+// counted twice.
 void check_afloat(const Case& c, const BodyMass& m, const char* twice, const Issues& issue) {
   if (!c.environment.water.present) issue("", "there is no water: give 'environment: {{water: ...}}'");
   if (!(c.environment.gravity > 0))

@@ -14,23 +14,23 @@
 namespace hawser::model {
 namespace {
 
-// Steps in each of these times (docs/theory/time-integration.md#how-long-a-step-is): the period of a
-// prescribed motion or a turn; of the waves; a ramp; a period that a line or a driven body has by itself; the
-// time in which drag carries a line along; the duration; the shortest period of gusts.
+// Steps in each of these times (docs/theory/time-integration.md#step-length): the period of a prescribed
+// motion or a turn; of the waves; a ramp; a natural period of a line or a body with excitation; the time
+// constant of drag; the duration; the shortest period of gusts.
 constexpr int kInPeriod = 100, kInWaves = 75, kInRamp = 20, kInOwn = 20, kInDrag = 10, kInDuration = 50,
               kInGust = 4;
-// Least share of the step for what drives the lines to which their own periods and drag shorten it. The
-// control of the local error shortens it further where necessary.
+// Lower bound of the step by natural periods and drag, as a fraction of the step by excitation. The control
+// of the local error reduces the step further if necessary.
 constexpr double kLeastOwn = 0.1, kLeastDrag = 0.5;
-// In the period of a body by itself, where nothing periodic drives it: that of the scheme is too long by
+// Steps in the natural period of a body without periodic excitation: the period of the scheme is too long by
 // 3.47/n² at n steps a period and rho_infinity 0.8, a thousandth here
-// (docs/theory/time-integration.md#error-of-the-period). What is driven has the period of what drives it.
+// (docs/theory/time-integration.md#error-of-the-period). A forced motion has the period of its excitation.
 constexpr int kInFree = 60;
 
 // Keeps the shortest step and its reason.
 class Shortest {
  public:
-  // time: s. What is not finite and above 0 does not count.
+  // time: s. Values that are not finite or not above 0 are ignored.
   void offer(double time, int divisor, const std::string& subject) {
     offer({time / divisor, divisor, subject});
   }
@@ -171,8 +171,8 @@ double taut_stiffness(const Case& c, const Body& b) {
   return sum;
 }
 
-// The periods of bodies that move by their own equations: on springs, on taut lines, on links, in the surface
-// and by the coefficients of platforms. driven: by something periodic.
+// Natural periods of bodies with mass: on springs, on taut lines, on links, in the water surface and by the
+// coefficients of platforms. driven: there is periodic excitation.
 void add_free_bodies(const Case& c, bool driven, Shortest& afloat, Shortest& own) {
   const auto has_period = [&](Shortest& to, double period, const std::string& what) {
     to.offer(period, driven ? kInOwn : kInFree, "the period of body " + what);
@@ -202,7 +202,7 @@ void add_free_bodies(const Case& c, bool driven, Shortest& afloat, Shortest& own
       has_period(afloat, periods.roll, b.name + " in roll");
       has_period(afloat, periods.pitch, b.name + " in pitch");
     }
-    // What is driven follows such a line as if it were a bar.
+    // With excitation the motion follows such a line as if it were a bar.
     if (!driven) oscillates(own, mass, taut_stiffness(c, b), b.name + " on its lines");
   }
   for (const Link& l : c.links)
@@ -211,7 +211,7 @@ void add_free_bodies(const Case& c, bool driven, Shortest& afloat, Shortest& own
         oscillates(own, c.bodies[body].mass->mass, l.law.most_stiffness(), e->body + " on link " + l.name);
 }
 
-// Adds the initial rotation of bodies that move by their own equations.
+// Adds the initial rotation of bodies with mass.
 void add_spin(const Case& c, Shortest& to) {
   for (const Body& b : c.bodies)
     if (b.mass)

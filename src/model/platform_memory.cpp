@@ -1,4 +1,4 @@
-// Consistency of added mass and damping of the files, and names of their freedoms.
+// Consistency of added mass and damping of the files, and names of their degrees of freedom.
 #include "hawser/model/platform_memory.hpp"
 
 #include <algorithm>
@@ -13,8 +13,8 @@ std::string freedom_name(const Case& c, const std::vector<int>& bodies, int row)
   return (bodies.size() > 1 ? body + " " : "") + kFreedomNames[row % 6];
 }
 
-// Not of the last row, where damping that ends has no finite added mass, and not of freedoms in which the
-// body makes no waves and has the added mass of rounding.
+// Without the last row, where the added mass by truncated damping is infinite, and without degrees of freedom
+// that radiate no waves, whose added mass is rounding.
 OgilvieCheck ogilvie_check(const HydrodynamicData& data, const PlatformMemory& of) {
   std::vector<Eigen::RowVectorXd> by_damping;
   for (size_t k = 0; k + 1 < data.omega.size() && !of.entries.empty(); ++k)

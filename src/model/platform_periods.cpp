@@ -1,4 +1,4 @@
-// Periods of heave, roll and pitch afloat, with the added mass of their own frequency.
+// Periods of heave, roll and pitch of the floating body, with the added mass at these frequencies.
 #include "hawser/model/platform_periods.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -13,16 +13,16 @@ namespace {
 
 constexpr int kUpright[] = {2, 3, 4}, kPlane[] = {0, 1, 5};
 
-// In surge, sway and yaw nothing pulls back: M_ss x_s + M_sr x_r = 0 at any frequency, and what is left for
-// heave, roll and pitch is
+// Surge, sway and yaw have no stiffness: M_ss x_s + M_sr x_r = 0 at any frequency, and the mass for heave,
+// roll and pitch is
 //   M_rr - M_rs M_ss^-1 M_sr
 Mat3 mass_upright(const Mat6& M) {
   const Mat3 across = M(kPlane, kUpright);
   return M(kUpright, kUpright) - across.transpose() * Mat3(M(kPlane, kPlane)).ldlt().solve(across);
 }
 
-// rad/s, of the mode in which that freedom (0: heave, 1: roll, 2: pitch) has the most kinetic energy; 0:
-// none.
+// rad/s, of the mode in which that degree of freedom (0: heave, 1: roll, 2: pitch) has the most kinetic
+// energy; 0: none.
 double frequency(const Mat3& C, const Mat3& M, int freedom) {
   const Eigen::GeneralizedSelfAdjointEigenSolver<Mat3> modes(C, M);
   Eigen::Index mode = 0;

@@ -10,7 +10,7 @@ namespace hawser::model {
 namespace {
 
 constexpr double kDegree = M_PI / 180;
-// Linear interpolation between directions further apart than kWideGap hides a side of the body; a single
+// Linear interpolation between directions further apart than kWideGap misses a side of the body; a single
 // direction covers those within kNear.
 constexpr double kWideGap = 60 * kDegree, kNear = 15 * kDegree;
 

@@ -70,8 +70,8 @@ double Audit::size() const { return at_start + worked + set_free + kRounding * m
 
 double Audit::percent() const { return 100 * error / size(); }
 
-// The work of all waves in a long run does not excuse created energy: what may still be in the lines is
-// compared with the largest energy present at a time.
+// The limit does not grow with the work of waves in a long run: created energy that may still be in the lines
+// is compared with the largest energy present at a time.
 bool Audit::wrong() const {
   if (!std::isfinite(error)) return true;
   return made.value > kMadeWrong * size() ||

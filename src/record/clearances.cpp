@@ -201,7 +201,7 @@ void Clearances::rows(const Snapshot& s, Rows& to) {
     const Best& n = nearest[k];
     std::vector<double> row{n.clearance, n.arc, n.there.x()};
     if (!wanted[k].volume.empty()) row.insert(row.end(), {n.there.y(), n.there.z()});
-    // Nothing of the volume looks that way.
+    // No facet of the volume faces this direction.
     if (!std::isfinite(n.clearance)) std::fill(row.begin(), row.end(), std::nan(""));
     to.add(std::move(row));
   }

@@ -19,8 +19,8 @@ namespace {
 constexpr double kWarned = 0.02;            // of the largest tension or moment, for sag and bends
 constexpr double kRecommendedError = 0.01;  // error of elements of the recommended length
 
-// By which share of what it shows a cubic of length x decay is wrong at its end, where a moment falls off
-// like exp(-s/decay); and of which length that is kRecommendedError.
+// Relative error at the end of a cubic of length x decay, of the value shown, for a moment that decays as
+// exp(-s/decay); and the length for which it is kRecommendedError.
 double wrong_inside(double x) { return x * x / (12 + 4.2 * x); }
 constexpr double kRecommendedInside = 0.37;
 // The same where nodal forces give the moment: at ends and attachments.
@@ -168,7 +168,7 @@ void ElementErrors::update_sag(const LineSpan& line, std::span<const At> nodes, 
                                double time, Worst& worst) const {
   const auto chord = [&](int i) { return Vec3((nodes[i + 1].x - nodes[i].x).normalized()); };
   const auto element = [&](int i) { return mesh_.mesh->element(line.first_element + i); };
-  // Turn at a node that only the line's own loads cause; -1: other loads act.
+  // Turn at a node caused by the loads of the line alone; -1: other loads act.
   const auto turn = [&](int n) {
     const bool plain =
         n > first && n < last && !nodes[n].supported && !mesh_.mesh->node(line.first_node + n).two_sided;

@@ -30,9 +30,9 @@ double steepness(const Gap& a, const Gap& b) {
   return rise / std::sqrt(std::max(length2 - rise * rise, 1e-12 * length2));
 }
 
-// Distance [m] beyond s0 up to which a yielding bed carries a line, from a node at distance `behind` before
-// s0 and `deep` [m] below the bed: l of deep = bend l² (1 - exp(-(behind + l) / l)), which increases with l.
-// Newton's iteration within a bracket.
+// Distance [m] beyond s0 up to which a line has contact with an elastic bed, from a node at distance `behind`
+// before s0 and `deep` [m] below the bed: l of deep = bend l² (1 - exp(-(behind + l) / l)), which increases
+// with l. Newton's iteration within a bracket.
 double supported_beyond(double deep, double behind, double bend) {
   double low = std::max(0.0, -behind), high = HUGE_VAL;
   if (!(deep > 0)) return low;

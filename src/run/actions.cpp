@@ -87,7 +87,7 @@ void Actions::repeat(const Action& a, const Found& found, double time) {
       hold(a, found);
       break;
     case Action::Kind::feed:
-      if (a.paid_out == 0) feed(a, found.speed, time);  // else checkpoints have the length
+      if (a.paid_out == 0) feed(a, found.speed, time);  // otherwise the length is in checkpoints
       break;
     case Action::Kind::friction:
       sim_.enable_static_friction(a.enabled);

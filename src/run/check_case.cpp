@@ -35,7 +35,7 @@ namespace hawser::run {
 namespace {
 
 constexpr double kTrial = 4;  // CPU s, of the trial run
-constexpr double kLeast = 1;  // CPU s of it, that motion has where a search took the rest
+constexpr double kLeast = 1;  // CPU s of it, reserved for dynamics if a search used the rest
 
 struct TrialOver {};  // thrown when a search has used its share of the trial run
 

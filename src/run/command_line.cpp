@@ -19,7 +19,7 @@
 namespace hawser::run {
 namespace {
 
-// Three or six numbers with commas between, those that are missing 0. InputError for anything else.
+// Three or six numbers separated by commas; missing ones are 0. InputError for anything else.
 Offset numbers_of(const char* option, const std::string& text, size_t most) {
   Offset out{};
   size_t n = 0;

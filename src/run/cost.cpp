@@ -140,7 +140,7 @@ double memory_now() {
 }
 
 std::string memory_sentence(const MemoryUse& use, double most_of_work) {
-  constexpr double kStill = 1.3;  // what motion takes over what statics takes
+  constexpr double kStill = 1.3;  // memory of dynamics over that of statics
   const double own = (use.moved ? 1 : kStill) * (use.measured - use.shared) * most_of_work;
   return advice::expected_memory(std::max(use.read, use.shared + own), most_of_work < 1);
 }

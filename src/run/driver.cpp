@@ -225,9 +225,9 @@ void start_motion(Simulation& sim, Events& events, record::Recorder& recorder, P
   for (const std::string& e : events.begin()) progress.print(e);
   sim.dynamics().start(sim.state());
   const Kinematics moving = sim.dynamics().kinematics();
-  // A start at rest is shown at rest: the velocities with which motions begin come after it.
+  // A start at rest is recorded at rest: initial velocities of motions are applied after it.
   recorder.start(moving, sim.model().statics.enabled ? sim.state().at_rest() : moving);
-  sim.state() = State();  // the motion has its own
+  sim.state() = State();  // dynamics has a separate copy
   recorder.checkpoint(make_checkpoint(sim, recorder, events));
 }
 

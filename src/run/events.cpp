@@ -211,7 +211,7 @@ std::vector<std::string> Events::at_rest(const std::string& stage) {
   }
 }
 
-// True if the stage releases a line, or what carried one.
+// True if the stage releases a line or its support.
 bool Events::releases_end(const std::string& stage) const {
   return std::any_of(events_.begin(), events_.end(), [&](const Happening& h) {
     const Action& a = h.what.action;

@@ -1,5 +1,5 @@
 // The class FeederNodes: division of the element at a feed point or its merging with the next one, and the
-// motion of the node between them (docs/theory/feeders.md#nodes-that-leave-and-nodes-that-are-caught).
+// motion of the node between them (docs/theory/feeders.md#released-and-absorbed-nodes).
 #include "hawser/run/feeder_nodes.hpp"
 
 #include <fmt/format.h>
@@ -17,9 +17,9 @@
 namespace hawser::run {
 namespace {
 
-// kLeft: length of the feed point's element just after a node has left, relative to the element behind it.
-// kCaught: its relative length at which a node is caught. The gap prevents an alternating feeder from
-// releasing and catching a node repeatedly.
+// kLeft: length of the element at the feed point just after the release of a node, relative to the element
+// behind it. kCaught: its relative length at which a node is absorbed. The difference prevents an oscillating
+// feeder from releasing and absorbing a node repeatedly.
 constexpr double kLeft = 0.5, kCaught = 0.4;
 
 std::string key(const Feeder& f, const char* what) { return fmt::format("feeder.{}.{}", f.name, what); }
@@ -86,8 +86,8 @@ void FeederNodes::transfer_node(Feeder& f, int feed_point, double length,
       [&] { return sim_.feeders()->with_held(sim_.system().tied_nodes().nodes()); });
 }
 
-// The held node leaves with its material: at the place where the free part has its own unstretched length and
-// the strain of the whole element (of a beam on the cubic between its ends), and from there to its
+// The held node is released with its material: at the position where the free part has its unstretched length
+// and the strain of the whole element (of a beam on the cubic between its ends), and from there to its
 // equilibrium position; velocity and acceleration are interpolated between the ends.
 Dynamics::Moved FeederNodes::leaving(const Feeder& f, const Kinematics& k, const LocalElement& e) const {
   const Feeders& all = *sim_.feeders();

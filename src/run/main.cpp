@@ -35,8 +35,8 @@ struct Petsc {
     PetscPopSignalHandler();
     MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
   }
-  // Ranks wait for each other before they end: mpirun kills the rest when one ends with an error, and rank 0
-  // may have messages left.
+  // Ranks wait for each other before they end: mpirun kills the others when one ends with an error, and rank
+  // 0 may still have messages.
   ~Petsc() {
     // Removes an unused stage that -log_view would show as "Unknown".
     PetscStageLog log = nullptr;
@@ -94,7 +94,7 @@ int guarded(const Petsc& petsc, const std::function<int()>& work) {
   return code;
 }
 
-// The words of the command line; what follows a lone "--" is PETSc's.
+// The words of the command line; words after a single "--" are for PETSc.
 struct Words {
   std::vector<char*> own, petsc;  // each with the program's name first and a null pointer last
   std::string petsc_text;

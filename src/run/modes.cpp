@@ -31,7 +31,7 @@ namespace {
 // Amplitude of drawn modes: largest displacement relative to the longest line, and upper limit of the
 // rotation of bodies.
 constexpr double kDrawn = 0.05, kTurned = 0.3;  // relative; rad
-// Smallest fraction of a body's kinetic energy of a freedom that is named.
+// Smallest fraction of a body's kinetic energy in a degree of freedom that is named.
 constexpr double kNamed = 0.2;
 
 // Place of the largest translation or rotation of a mode, the same on all ranks.

@@ -75,7 +75,7 @@ std::map<std::string, double> signature(const Simulation& simulation) {
   std::map<std::string, double> out;
   double& beams = out["case.rotating nodes"];
   for (int n = 0; n < simulation.mesh().nodes(); ++n) beams += simulation.mesh().node(n).rotates;
-  for (const model::LineType& t : simulation.model().line_types)  // moments that tell one curve from another
+  for (const model::LineType& t : simulation.model().line_types)  // moments that distinguish curves
     if (const PlasticBending* p = t.plastic_bending.get())
       out[kBending + t.name] = p->at(p->last(), 0, nullptr).m[0] + p->at(0.1 * p->last(), 0, nullptr).m[0];
   const auto& volumes = simulation.model().volumes;

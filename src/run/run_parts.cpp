@@ -119,7 +119,7 @@ StaticsReport solve_static_stages(Simulation& sim, Events& events, Progress& pro
 }
 
 void forget_file(model::Case& c) {
-  std::string().swap(c.text);  // an empty text that is assigned keeps the room
+  std::string().swap(c.text);  // assigning an empty text would keep the capacity
   if (c.tree) c.tree = std::make_shared<model::Value>(model::without_values(*c.tree));
 }
 

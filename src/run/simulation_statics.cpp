@@ -1,4 +1,4 @@
-// The class Simulation: static equilibrium, friction and restraints in it, and what is reported of it.
+// The class Simulation: static equilibrium, its friction and restraints, and its report.
 #include <algorithm>
 #include <utility>
 
@@ -37,7 +37,7 @@ StaticsSettings settings_of(const model::Case& c, bool falls) {
 
 }  // namespace
 
-// By the case, because a rank without nodes has no friction of its own and statics is collective.
+// By the case, because a rank without nodes has no friction and statics is collective.
 bool Simulation::lays_lines() const { return seabed() && static_friction_.value_or(true) && any_laid_; }
 
 // Continues from the equilibrium with soft friction, under the weight of lines that lay at the start, through

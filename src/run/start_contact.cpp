@@ -141,8 +141,9 @@ std::vector<OnWrongSide> nearest_nodes(const std::vector<OnWrongSide>& of) {
   return out;
 }
 
-// Lines on the wrong side of a volume: the straight line between their ends passes it on the other side; and
-// under one of the body that carries an end which is above it. A line goes off its own hull on any side.
+// Lines on the wrong side of a volume: the straight line between their ends passes it on the other side; or
+// below a volume of the body to which an upper end is attached. A line may leave the hull of its body on any
+// side.
 void find_lines_on_wrong_side(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
                               const Kinematics& at, const Bodies& bodies,
                               const std::vector<ContactVolume>& volumes, const std::vector<Inside>& inside,
@@ -163,7 +164,7 @@ void find_lines_on_wrong_side(MPI_Comm comm, const model::Case& c, const LocalMe
   const ExpectedPlace expected_place = [&](const Node& node, size_t v, const Vec3& x) -> std::optional<Vec3> {
     const size_t l = node.line;
     const model::Line& line = c.lines[l];
-    if (!chords[l].known || volumes[v].settings.roller) return {};  // supports have messages of their own
+    if (!chords[l].known || volumes[v].settings.roller) return {};  // supports have separate messages
     double top = -HUGE_VAL;
     if (own(line.end_a, v)) top = chords[l].a.z();
     if (own(line.end_b, v)) top = std::max(top, chords[l].b.z());
@@ -178,7 +179,7 @@ void find_lines_on_wrong_side(MPI_Comm comm, const model::Case& c, const LocalMe
     const int v = p.volume;
     const model::Line& line = c.lines[l];
     const model::Volume& volume = volumes[v].settings;
-    // Of what is inside the other sentences tell.
+    // Other messages report stretches inside.
     const auto there = [&](const Inside& s) { return s.line == l && s.volume == v; };
     if (std::any_of(inside.begin(), inside.end(), there)) continue;
     const size_t n = l;

@@ -125,7 +125,7 @@ PetscErrorCode Dynamics::residual(SNES, Vec u, Vec r, void* self) {
   });
 }
 
-// SNES evaluates the residual at u before it asks for the tangent, so trial_ already belongs to u.
+// SNES evaluates the residual at u before the tangent, so trial_ already belongs to u.
 PetscErrorCode Dynamics::tangent(SNES, Vec, Mat J, Mat, void* self) {
   auto& d = *static_cast<Dynamics*>(self);
   return d.error_.capture([&] {
@@ -229,7 +229,7 @@ bool Dynamics::end_step() {
 }
 
 NodeValue Dynamics::largest_acceleration_change() const {
-  NodeValue most;  // After commit() trial_ holds the state that was committed before.
+  NodeValue most;  // After commit() trial_ is the previously committed state.
   for (size_t n = 0; n < static_cast<size_t>(system_.mesh().owned); ++n) {
     const double change = (committed_.ax[n] - trial_.ax[n]).norm();
     if (change > most.value) most = {change, system_.mesh().global[n]};

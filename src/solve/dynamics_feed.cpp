@@ -1,4 +1,4 @@
-// The class Dynamics: continuation of the motion after a feeder has released or caught a node.
+// The class Dynamics: continuation of the motion after a feeder has released or absorbed a node.
 #include <Eigen/LU>
 #include <cmath>
 

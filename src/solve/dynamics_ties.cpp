@@ -1,4 +1,4 @@
-// The class Dynamics: continuation of the motion with other nodes tied, after ends were released or caught
+// The class Dynamics: continuation of the motion with other nodes tied, after ends were released or attached
 // (docs/theory/events.md).
 #include <algorithm>
 #include <cmath>
@@ -31,9 +31,9 @@ void Dynamics::retie(std::vector<TiedNode> nodes) {
   start(s);
 }
 
-// Velocities after a plastic impact, in which nodes are newly tied (caught). With the mass matrix M of the
-// free and the caught nodes, no impulse acts on the free nodes, so M dv = 0 in their rows; the caught nodes
-// take the velocity of what catches them.
+// Velocities after a plastic impact, in which nodes are newly tied. With the mass matrix M of the free and
+// the newly tied nodes, no impulse acts on the free nodes, so M dv = 0 in their rows; the newly tied nodes
+// take the velocity of their support.
 void Dynamics::match_tied_velocities(const TiedNodes& before, State& s) {
   const LocalMesh& m = system_.mesh();
   State held = s;

@@ -1,4 +1,4 @@
-// The class EventSearch.
+// The class EventSearch: regula falsi with the modification of Anderson and Björck.
 #include "hawser/solve/event_search.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // The TS type "liealpha" and the TSAdapt type "verdict". This is the only file that uses PETSc's private TS
-// structures. A step is solved by SNES; TSAdaptChoose then decides whether the trial is accepted and how long
-// the next try, or step, is. An accepted step is committed afterwards. Dynamics computes the steps, because
-// the configuration differs from the unknown (rotations) and TSALPHA2 of PETSc 3.18 is of first order. Events
-// are part of the verdict: docs/decisions/027-events-in-the-verdict.md.
+// structures. A step is solved by SNES; TSAdaptChoose then decides whether the trial is accepted and the
+// length of the next trial, or step. An accepted step is committed afterwards. Dynamics computes the steps,
+// because the configuration differs from the unknown (rotations) and TSALPHA2 of PETSc 3.18 is of first
+// order. Events are part of the verdict: docs/decisions/027-events-in-the-verdict.md.
 #include <petsc/private/tsimpl.h>
 
 #include "hawser/advice/run.hpp"

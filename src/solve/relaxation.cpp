@@ -25,13 +25,13 @@ constexpr double kHeavier = 4, kLighter = 0.5;
 // mass is then lower than before that rejection.
 constexpr int kFree = 4;
 constexpr double kFirst = 0.002;    // share of the longest line by which the first step may move nodes
-constexpr double kHeaviest = 1e12;  // ratio of the mass to the first one at which nothing moves any more
+constexpr double kHeaviest = 1e12;  // ratio of the mass to the first one at which motion is negligible
 // The motion only creeps if kWatched steps, tried again or not, move no node by kCreep times the longest line
 // and do not halve the imbalance. A heap of line would creep on for ever.
 constexpr int kWatched = 50;
 constexpr double kCreep = 1e-4;
 constexpr double kLost =
-    10;  // times the longest line: a body that has gone so far against friction finds no rest
+    10;  // times the longest line: a body that has slid so far against friction does not come to rest
 
 // The step of pseudo-time is 1, so velocities are increments and the mass is a stiffness: N/m at positions, N
 // m at rotations.

@@ -10,7 +10,7 @@
 namespace hawser {
 namespace {
 
-// The point where a line leaves the soil if `length` [m] of it goes straight from `from`, in the soil, in the
+// The point where a line leaves the soil if `length` [m] of it is straight from `from`, in the soil, in the
 // direction of `to`.
 Vec3 exit_of_soil(const model::Seabed& bed, const Vec3& from, const Vec3& to, double length) {
   Vec3 way(to.x() - from.x(), to.y() - from.y(), 0);
@@ -31,7 +31,7 @@ Vec3 exit_of_soil(const model::Seabed& bed, const Vec3& from, const Vec3& to, do
   return x;
 }
 
-// A line with numbers of its own for its nodes and elements, from 0.
+// A line with separate numbers of its nodes and elements, from 0.
 struct LineAlone {
   std::vector<Node> nodes;
   std::vector<Element> elements;
@@ -102,7 +102,7 @@ LineStretch stretch_of(const model::Line& line, const LineAlone& mesh, double le
 
 }  // namespace
 
-// The nodes inside a feeder are at its feed point; the rest is started as a line of its own.
+// The nodes inside a feeder are at its feed point; the rest starts as a separate line.
 LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bodies& bodies,
                          const Mesh& mesh, const LineSpan& span) {
   FedStart a, b;

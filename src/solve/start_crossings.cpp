@@ -166,9 +166,9 @@ class Crossings {
     return lies(*r.x.front(), r.radius.front()) && lies(*r.x.back(), r.radius[r.segments() - 1]);
   }
 
-  // Decides which of two lines lies over the other: by the case; by which of them can be moved; by which
-  // alone lies on the bed, at the crossing or from end to end; by the heights of the start shapes. Null:
-  // neither is moved. Throws InputError if none of these decides.
+  // Determines the upper one of two lines, in this order: by the case; the one that can be moved; by contact
+  // of only one with the bed, at the crossing or from end to end; by the heights of the start shapes. Null:
+  // neither is moved. Throws InputError if none of these applies.
   const Crossing* upper(const Crossing& a, const Crossing& b) const {
     for (const auto& [over, under] : c_.contact.between_lines.over) {
       if (over == a.name() && under == b.name()) return &a;
@@ -279,7 +279,7 @@ std::vector<PartInVolume> parts_in(const Rope& rope, const Obstacle& volume) {
 }
 
 // True if a part must go over the volume: there is no room for it between the volume and the bed, and the
-// way over the volume is shorter than the way round it.
+// path over the volume is shorter than the path round it.
 bool goes_over(const model::Case& c, const PartInVolume& s, const Obstacle& volume) {
   const model::Seabed& bed = c.environment.seabed;
   if (!bed.present) return false;

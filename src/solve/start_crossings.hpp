@@ -24,7 +24,7 @@ struct StartedLine {
 };
 
 // Moves lines with automatic start shapes; a note for each pair, of the rank that counts the first of them.
-// Throws InputError if nothing decides which of two lines lies over the other. See docs/theory/line-line.md.
+// Throws InputError if the upper line of two is not determined. See docs/theory/line-line.md.
 std::vector<StartNote> lay_over_each_other(const model::Case& c, std::vector<StartedLine>& lines);
 
 // surfaces: of the volumes of the case; empty: volumes are ignored.

@@ -20,7 +20,7 @@ constexpr double kSettled = 5e-3;  // of the length: change of the shape below w
 // cosine of the angle between neighbouring pieces below which the line is folded
 constexpr double kFold = 0.2;
 constexpr double kPressed = 0.05;  // compressive strain by which a fold is laid straight
-constexpr double kPull = 0.01;     // of the weight: pull that takes slack out of a heap
+constexpr double kPull = 0.01;     // of the weight: load that straightens a slack line
 
 // Elements [first, last) of the mesh as one piece, with its length without tension.
 FlexibleLine::Segment piece(const model::Case& c, const model::Line& line, const Mesh& mesh, int first,
@@ -99,9 +99,9 @@ bool folded_at(const std::vector<Vec3>& x, size_t i) {
   return (x[i + 1] - x[i]).normalized().dot((x[i] - x[i - 1]).normalized()) < kFold;
 }
 
-// Between two elements of a folded beam there is a rotation of half a turn, from which no tangent leads out.
-// The line around a fold is laid straight over a length that takes it by the small strain kPressed; statics
-// relaxes this strain into the rest of the line.
+// Between two elements of a folded beam there is a rotation of half a turn, where the tangent gives no
+// descent direction. The line around a fold is laid straight over a length that takes the excess with the
+// small strain kPressed; statics relaxes this strain into the rest of the line.
 void unfold(const Mesh& mesh, const LineSpan& span, std::vector<Vec3>& x) {
   const size_t last = x.size() - 1;
   std::vector<double> arc;
@@ -152,7 +152,7 @@ bool goes_through(const model::Case& c, const model::Line& line, const std::vect
     return (bed.present && model::height_above_bed(bed, p) < -thick) ||
            (water.present && p.z() > water.surface + thick);
   };
-  // End nodes are excluded because they stay where they are held.
+  // End nodes are excluded because they are held.
   return x.size() > 2 && std::any_of(x.begin() + 1, x.end() - 1, through);
 }
 
@@ -163,8 +163,8 @@ std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, 
   FlexibleLine f;
   f.held_a = line.end_a.kind != model::EndKind::free;
   f.held_b = line.end_b.kind != model::EndKind::free;
-  // With a measured bed the shape is lifted onto it afterwards. A line that lies needs a plane at about the
-  // right height here, along which it can be laid.
+  // With a measured bed the shape is lifted onto it afterwards. A grounded line needs a plane at about the
+  // correct height here, along which it can be laid.
   const Vec3& held = f.held_a ? x.front() : x.back();
   const double height = bed.present && bed.surface ? model::height_above_bed(bed, held) : 0;
   f.bed = bed.present && (!bed.surface || (!way.isZero(0) && std::isfinite(height)));

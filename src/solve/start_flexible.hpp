@@ -22,13 +22,13 @@ bool goes_through(const model::Case& c, const model::Line& line, const std::vect
 // True if the drag of a current on a line is more than a small share of the line's weight in water.
 bool streams(const model::Case& c, const model::Line& line);
 
-// True if neighbouring elements of such a line are folded on each other, or nearly.
+// True if neighbouring elements of such a line are folded on each other, or almost.
 bool folded(const std::vector<Vec3>& x);
 
 // Shape at rest of a line without bending stiffness, on the bed, through the water's surface and in the
-// current (kernels/flexible_shape.hpp), from the shape x, whose held ends stay. Returns one position for each
-// node. `way` is the direction of a slight pull on a line with one free end, whose slack would otherwise lie
-// in a heap; zero: no pull.
+// current (kernels/flexible_shape.hpp), from the shape x, with the same held ends. Returns one position for
+// each node. `way` is the direction of a small load on a line with one free end, whose slack part would
+// otherwise lie in a heap; zero: none.
 std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, const Mesh& mesh,
                                  const LineSpan& span, const std::vector<Vec3>& x, const Vec3& way);
 

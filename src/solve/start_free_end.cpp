@@ -38,7 +38,7 @@ class Ground {
     return y;
   }
 
-  // The point on the ground at `length` from x, which is on it, in the direction `way`.
+  // The point on the ground at `length` from x on the ground, in the direction `way`.
   Vec3 on(const Vec3& x, const Vec3& way, double length) const {
     const Vec3 ahead = under(x + length * way);
     return under(x + length * (ahead - x).normalized());

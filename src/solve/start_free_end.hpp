@@ -1,7 +1,6 @@
-// Start shape of a line with one free end that is longer than the distance from the held end to where it
-// comes to lie: the bed to which it sinks, or the water's surface to which it floats. The part that lies has
-// no tension, so neither a minimum of energy nor a balance of loads determines its place; they would leave it
-// in a heap.
+// Start shape of a line with one free end that is longer than the distance from the held end to the bed
+// (sinking lines) or the water surface (floating lines). The part there has no tension, so neither the
+// minimum of energy nor equilibrium determines its position.
 #pragma once
 
 #include <optional>

@@ -176,7 +176,7 @@ LineStart through(std::vector<Vec3> x) {
   return out;
 }
 
-// True if the whole line sinks (or floats) and is longer than the way from one end to the bed (or the
+// True if the whole line sinks (or floats) and is longer than the path from one end to the bed (or the
 // surface), along it, and up to the other end. Its middle then lies there without tension, and equilibrium
 // does not determine where.
 bool lies_slack(const model::Case& c, const std::vector<CatenarySection>& sections, const LineStart& s,
@@ -223,7 +223,7 @@ HeldEnd held_end(const model::Case& c, const Bodies& bodies, const model::Line& 
   return out;
 }
 
-// Start shape of a line with one free end that comes to lie without a heap.
+// Start shape of a line with one free end, laid without a heap.
 LineStart lay_free(const model::Case& c, const model::Line& line, const Bodies& bodies,
                    const std::vector<CatenarySection>& sections, const Mesh& mesh, const LineSpan& span,
                    const std::vector<Vec3>& x) {
@@ -264,9 +264,9 @@ bool is_beam(const model::Case& c, const model::Line& line, const std::vector<Ca
   return load * std::pow(length, 4) < 8 * sag * M_PI * M_PI * stiffness;
 }
 
-// True if a line that is clamped at one end stays straight in its given direction, whichever that is. A
-// column of the weight w [N/m] and the length L stands while w L³ < 7.837 EI (Greenhill 1881), one under a
-// load P at its end while P L² < pi²/4 EI (Euler).
+// True if a line clamped at one end is stable as a straight line in any direction. A column of the weight w
+// [N/m] and the length L is stable for w L³ < 7.837 EI (Greenhill 1881), one under a load P at its end while
+// P L² < pi²/4 EI (Euler).
 bool stands(const model::Case& c, const model::Line& line, const std::vector<CatenarySection>& sections,
             double length) {
   const model::End& e = line.end_a.kind != model::EndKind::free ? line.end_a : line.end_b;
@@ -307,7 +307,7 @@ LineStart line_start(const model::Case& c, const model::Line& line, const Bodies
     return a ? along({xa, xa + span.length * d}, mesh, span) : along({xb - span.length * d, xb}, mesh, span);
   };
   const auto sections = catenary_sections(c, line);
-  // Without loads any shape of the right length is an equilibrium. A straight one is what users expect.
+  // Without loads any shape of the correct length is an equilibrium. Users expect a straight one.
   const bool loaded = std::any_of(sections.begin(), sections.end(), [](const CatenarySection& s) {
     return !s.load.isZero(0) || !s.end_load.isZero(0);
   });

@@ -26,8 +26,8 @@ LineStart line_start(const model::Case& c, const model::Line& line, const Bodies
 LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bodies& bodies,
                          const Mesh& mesh, const LineSpan& span);
 
-// Start shape of a line with ends in the soil: they go straight out of it, and the line between them is one
-// that starts on the bed. Buried stretches must end at nodes.
+// Start shape of a line with ends in the soil: straight in the soil, and between the exit points that of a
+// line that starts on the bed. Buried stretches must end at nodes.
 LineStart line_start_from_soil(const model::Case& c, const model::Line& line, const Bodies& bodies,
                                const Mesh& mesh, const LineSpan& span);
 

@@ -20,7 +20,7 @@ constexpr double kFirstShift = 1e-3;
 constexpr double kSoft = 300, kStiffening = 30;
 constexpr int kHalvings = 30, kMaxEscapes = 3, kPolish = 4;
 constexpr double kNegative =
-    1e-7;  // relative shift; eigenvalues of slack parts, only round-off, stay below it
+    1e-7;  // relative shift; eigenvalues of slack parts, which are round-off, are below it
 // Factor of a shortened step below which the energy may have a kink, the distance of its sides as a share of
 // the longest element, and the change of slope between them as a share of the slope at the state.
 constexpr double kShortened = 0.25, kWidth = 1e-8, kJump = 0.1;
@@ -55,7 +55,7 @@ StaticsReport StaticSearch::run(bool skip_softening) {
     // Friction has an unsymmetric tangent; the inertia of its symmetric part does not decide on stability.
     if (settings_.starts_near || report_.negative_eigenvalues <= 0) break;
     // The same holds for drag. An equilibrium is therefore stable if relaxation returns to within the
-    // distance of the push.
+    // distance of the perturbation.
     if (push > 0 && distance_from(left) < push) {
       report_.negative_eigenvalues = -1;
       --report_.escapes;
@@ -221,7 +221,7 @@ void StaticSearch::leave_kink(Descent& found, double slope, bool close) {
   found.taken |= kink;
 }
 
-// If lines block step after step, they approach each other more and more, and there is no way on.
+// If lines block step after step, they approach each other further, and the search cannot continue.
 void StaticSearch::count_blocked(bool blocked) {
   if (!blocked) blocked_by_.reset();
   blocked_steps_ += blocked;

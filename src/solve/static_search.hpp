@@ -43,7 +43,7 @@ class StaticSearch : StaticTrial {
   // Factors of the increment at which the energy falls and rises, and its slopes there.
   struct Bracket {
     double under = 0, falls = 0, beyond = 0, rises = 0;
-    // Takes in the slope at a factor smaller than all before. `slope`: that at the state.
+    // Adds the slope at a factor smaller than all before. `slope`: that at the state.
     void narrow(double factor, double slope_there, double slope);
   };
   // Outcome of a search along the increment.
@@ -73,8 +73,8 @@ class StaticSearch : StaticTrial {
   // Searches the bracket for a kink of the energy. If there is one, sets trial_ and r_ to its near side and
   // adds the other one to kinks_. `slope` is the slope at the state. Returns whether there is one.
   bool stop_at_kink(Bracket at, double slope);
-  // Iterates down to round-off. What the tolerance leaves depends on the number of iterations, and that on
-  // rounding and the number of ranks; it would be visible in a soft line beside stiff ones.
+  // Iterates down to round-off. A residual within the tolerance depends on the number of iterations, and that
+  // on rounding and the number of ranks; it would be visible in a soft line beside stiff ones.
   void polish();
   // Selects the next tangent: exact, or convex. A unit of shift is the stiffness of a typical tension over an
   // element. The share `stiffer` of K is proportional to the shift, up to 1.
@@ -85,7 +85,7 @@ class StaticSearch : StaticTrial {
   double downhill(Vec y);
   // Slope of the energy along the increment at the trial, whose residual is in r_.
   double slope_at_trial() const;
-  // Dynamic relaxation from the pushed state. Returns whether it took any steps.
+  // Dynamic relaxation from the perturbed state. Returns whether it took any steps.
   bool relax_from_push();
   // Largest distance of a node from its place in that state, m. Collective.
   double distance_from(const State& from) const;

@@ -88,9 +88,9 @@ class Start {
 };
 
 // Friction forces depend on the path, which Newton's iteration of statics does not have, so relaxation is
-// used. If contact was too soft on that path, lines were drawn into it, and friction would hold them while
-// they are pressed out again. The path is therefore repeated from the start with the stiffness that its end
-// requires.
+// used. If contact was too soft on that path, lines were pulled into volumes, and friction would hold them
+// while they are pressed out again. The path is therefore repeated from the start with the stiffness required
+// at its end.
 StaticsReport relax_with_friction(System& system, const StaticsSettings& settings, const Start& start,
                                   State& state) {
   RelaxationSettings r;
@@ -157,8 +157,8 @@ StaticsReport raise_until_enough(System& system, const StaticsSettings& settings
   return report;
 }
 
-// If contact is far too soft, lines would be drawn through volumes. Steps that do so are rejected; if no step
-// is left, contact is made stiffer and the search begins again.
+// If contact is far too soft, lines would be pulled through volumes. Such steps are rejected; if the step
+// becomes too short, the contact stiffness is raised and the search begins again.
 StaticsReport restart_when_stiffened(System& system, const StaticsSettings& settings, State& state) {
   const Start start(system, state);
   for (;;) {

@@ -43,8 +43,8 @@ BodiesInWater::BodiesInWater(const model::Case& c, const LocalMesh& mesh) : sea_
   }
 }
 
-// Divides a member into pieces of half a diameter, at least 4 and at most 50. Each piece gets wet over the
-// height that it has in the untilted body, and bears its share of the member's forces:
+// Divides a member into pieces of half a diameter, at least 4 and at most 50. Each piece becomes wet over its
+// height in the upright body, and has its share of the forces of the member:
 //   rho/2 Cd D L across, rho/2 Cd pi D²/4 along;   rho Ca pi D²/4 L across, rho Ca pi D³/12 along
 void BodiesInWater::add_member(const model::Body& body, const model::BodyMember& m, Wet piece) {
   const Vec3 along = m.to - m.from;

@@ -16,7 +16,7 @@
 namespace hawser {
 namespace {
 
-constexpr double kSmoothing = 1e-3;      // fraction of the size of the leading volume
+constexpr double kSmoothing = 1e-3;      // fraction of the size of the slave volume
 constexpr double kMostSmoothing = 0.01;  // m
 constexpr double kDeepestAtOnce = 0.05;  // fraction of that size; further limited by thin volumes
 constexpr int kEdgeLevels = 5;           // resolution of an edge: 1/32 of its length
@@ -57,7 +57,7 @@ BodyContact::BodyContact(MPI_Comm comm, const model::Case& c, const LocalMesh& m
     pair.share = p.share;
     pair.hides = p.hides;
     pair.mass = 1 / (1 / bodies_of_volumes_[p.a].mass + 1 / bodies_of_volumes_[p.b].mass);
-    pair.size = boxes_[p.a].extent().maxCoeff();  // a plane never leads
+    pair.size = boxes_[p.a].extent().maxCoeff();  // a plane is never the slave
     pair.round = std::min(kSmoothing * pair.size, kMostSmoothing);
     pair.most_depth = kDeepestAtOnce * pair.size;
     for (const auto& [i, first] : {std::pair(p.a, 0), std::pair(p.b, 6)}) {
@@ -350,7 +350,7 @@ std::vector<BodyForce> BodyContact::forces_on(int body, const Kinematics& at) co
   return {sum};
 }
 
-// A spring feels the round-off of places.
+// The force of a spring has the round-off of positions.
 double BodyContact::round_off(const Kinematics&, double) const {
   double sum = 0;
   for (const Pair& p : pairs_)
@@ -358,7 +358,7 @@ double BodyContact::round_off(const Kinematics&, double) const {
   return sum;
 }
 
-// If both volumes lead, their contact is reported as two entries.
+// If each volume is the slave in a pair, their contact is reported as two entries.
 void BodyContact::active_contacts(ActiveContacts& out) const {
   for (const Pair& p : pairs_) {
     if (!p.counted || !(p.now.force > 0)) continue;

@@ -47,7 +47,7 @@ void BodyContact::check_overlap(double time) {
     const bool again = p.other >= 0 && static_cast<size_t>(p.other) < i;  // the same two volumes
     if (!p.hides || !p.counted || again) continue;
     const double depth = std::max(deepest(p.a, p.at.A, p.b, p.at.B), deepest(p.b, p.at.B, p.a, p.at.A));
-    // If both volumes lead, the penetration may show in the other pair.
+    // If each volume is the slave in a pair, the penetration may show in the other pair.
     const double penetration = std::max(p.penetration, p.other < 0 ? 0 : pairs_[p.other].penetration);
     p.met = depth > 0 ? std::max(p.met, penetration) : 0;
     double size = HUGE_VAL;

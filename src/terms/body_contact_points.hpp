@@ -1,7 +1,6 @@
 // Contact forces, with friction, of a surface on points, balls and Gauss points fixed to a moving body,
 // summed into one force and moment on that body with their exact tangent. Faces consist of thousands of
 // points, so the sums are formed in axes of the surface and transferred to the body's unknowns once.
-// body's unknowns once.
 #pragma once
 
 #include <span>

@@ -12,10 +12,12 @@
 namespace hawser {
 namespace {
 
-// In statics, freedoms with an integral part are held by kHeld times their proportional part. The offset is
-// then a thousandth of that with the proportional part alone, and the integral begins with the difference.
+// In statics, degrees of freedom with an integral part are held by kHeld times their proportional part. The
+// offset is then a thousandth of that with the proportional part alone, and the integral begins with the
+// difference.
 constexpr double kHeld = 1000;
-// A force on the ellipse of the limits but for rounding, as after statics, is limited: its integral rests.
+// A force on the ellipse of the limits up to rounding, as after statics, is limited: its integral is
+// constant.
 constexpr double kOnEllipse = 1 - 1e-9;
 
 }  // namespace
@@ -50,8 +52,8 @@ Vec3 DynamicPositioning::offset(const Positioned& p, const Vec3& pose) {
 // F = H limit(-(P H^T e + D H^T e' + I H^T s)), H: axes of the slow heading. The limits keep the direction of
 // the horizontal force A: A/q where q = |(A_x/X, A_y/Y)| > 1, with X and Y the largest forces in surge and
 // sway alone; the derivative is (1 - A (A_x/X², A_y/Y²)/q²)/q. If at rest only one of the two has an integral
-// (`alone`, 0: surge, 1: sway), it gives what the other leaves of the ellipse, A_x = X sqrt(1 - (A_y/Y)²),
-// until which it grows. With d H/d heading = J H, J = hat(z):
+// (`alone`, 0: surge, 1: sway), its force is the remainder of the ellipse, A_x = X sqrt(1 - (A_y/Y)²), up to
+// which it increases. With d H/d heading = J H, J = hat(z):
 //   dF = J F + H L (-(P a + D b + I c) H^T d(x, y, heading)
 //                   + a (P J H^T e + D J H^T e' + I J H^T s) d heading)
 // a, b, c: by_place, by_speed, by_sum; L: derivative of the limits; J F is multiplied by a as well.
@@ -102,7 +104,7 @@ DynamicPositioning::Push DynamicPositioning::push(const model::DynamicPositionin
   return out;
 }
 
-// For motion about rest limits are ignored: a force at its limit has a slope on one side only.
+// For motion about rest limits are ignored: a force at its limit has a one-sided derivative only.
 DynamicPositioning::Push DynamicPositioning::push_at_rest(const Positioned& p, const Vec3& pose) const {
   Deviation deviation;
   deviation.heading = pose.z();

@@ -54,7 +54,7 @@ EndSprings::EndSprings(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodi
       driven_.push_back(i);
 }
 
-// Tangent of the line at its end, and the direction towards which the spring turns it.
+// Tangent of the line at its end, and the direction of the unloaded spring.
 std::array<AttachedNow, 2> EndSprings::directions(const EndSpring& s, const Kinematics& at) const {
   const Attached tangent{mesh_.global[s.node], -1, Vec3::UnitX(), true};
   return {attached_now(tangent, at, mesh_, *bodies_),

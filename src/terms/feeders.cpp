@@ -28,7 +28,7 @@ MassShares mass_shares(bool beam) {
 
 // Limits of the length of the element at the feed point in a step: kShortest times its own length, and its
 // own length plus kLonger times that of the next one in stock. Both are well beyond the lengths at which
-// nodes are caught and released.
+// nodes are absorbed and released.
 constexpr double kShortest = 0.1, kLonger = 0.9;
 
 double chord(const Kinematics& at, const LocalElement& e) { return (at.x[e.second] - at.x[e.first]).norm(); }

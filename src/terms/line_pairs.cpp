@@ -210,9 +210,9 @@ void LinePairs::commit(const Kinematics& accepted) {
 
 // Work of friction and damping over the step by the trapezoidal rule: half by the forces at the start on the
 // material on which they acted, half by those at the end on theirs, each over the whole displacement of this
-// material relative to the other line, however far it slid. Friction acts on the displacement of the
-// surfaces, which is zero for a pair that turns as one body; a cable has no sections that could turn. Along
-// the normal the change of the gap vector counts.
+// material relative to the other line. Friction acts on the displacement of the surfaces, which is zero for a
+// pair that turns as one body; a cable has no sections that could turn. Along the normal the change of the
+// gap vector counts.
 void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, const ContactPoints& next) {
   Account& sum = accounts_[segment(pair.a).first];
   const auto turn = [](const PairAxis& axis, double xi) -> Mat3 {

@@ -13,8 +13,8 @@ namespace hawser {
 namespace {
 
 // State at the start of a step of length h. Where h is shorter than the step before, the strain's increment
-// of that step is scaled by h/previous_h. In a longer step it is not scaled up, because the energy that the
-// filter holds may only fall.
+// of that step is scaled by h/previous_h. In a longer step it is not scaled up, because the energy of the
+// filter must not increase.
 CableStart scaled_start(const LineStructure::Cable& c, double h, double previous_h) {
   CableStart s = c.start;
   if (h < previous_h) s.strain_increment *= h / previous_h;
@@ -153,7 +153,7 @@ void LineStructure::evaluate(const Kinematics& trial, Assembler& assembler) {
     const Vec3 pull =
         in_step ? cable_mean_force(c.section, scaled_start(c, trial.step, last_step_), step, e.x1, e.x2)
                 : cable_force(c.section, e);
-    // Outside a step `pull` is no mean. With the weight of 1 it enters the residual unchanged; it also enters
+    // Outside a step `pull` is not a mean. With the weight of 1 it enters the residual unchanged; it also enters
     // mean_forces(), from which the motion starts.
     assembler.add_mean_between(c.blocks[0], c.blocks[1], pull, nullptr);
   }

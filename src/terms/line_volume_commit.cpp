@@ -40,7 +40,7 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
   const double smoothing = pair.smoothing();
   ContactWork& sum = accounts_[pair.element];
   // Path of a point of the line (y0 to y1, body axes), and its displacement without sliding along the line
-  // (lifted). A pipe that is drawn over a roller continuously makes and loses contact, yet the length in
+  // (lifted). A pipe that is pulled over a roller continuously makes and loses contact, yet the length in
   // contact does not change, so sliding does not count as separation. With contact at nodes it does.
   struct Way {
     Vec3 y0, y1, lifted, along;

@@ -1,7 +1,7 @@
 // The class LineVolumeContact: step limits due to present contacts and to elements that approach a volume,
-// and detection of unresolved events at the end of a step: contact lost too fast to be followed, when a wave
-// along the line pulls away an element that was at rest, and an element that a wave drives deeper than its
-// initial speed would have.
+// and detection of unresolved events at the end of a step: contact that ends too fast to be predicted, when a
+// wave along the line separates an element that was at rest, and an element that a wave drives deeper than
+// its initial speed.
 #include <algorithm>
 #include <array>
 
@@ -191,8 +191,7 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
       const auto& previous = pair.previous(found.panels[p.panel].group);
       const auto holds = [&](const AxisContactPoint& q) { return q.from <= p.xi && p.xi <= q.to; };
       if (!pair.in_contact(p.surface) || std::any_of(previous.begin(), previous.end(), holds)) continue;
-      // An element that slides along its own line makes and loses contact, but the length in contact does not
-      // change.
+      // In axial sliding elements begin and end contact, but the length in contact does not change.
       const Vec3 along = (pose.rotation.conjugate() * shape.slope(p.xi)).normalized(), all = moved(p.xi),
                  way = finder_.at_nodes() ? all : Vec3(all - along * along.dot(all));
       const double came = -p.surface.normal.dot(way);

@@ -51,8 +51,8 @@ RigidBodyState floating_state(const Kinematics& at, int node) {
 
 namespace {
 
-// Natural frequency [rad/s] of the spring that keeps a body at rest from drifting where nothing resists. Its
-// force is zero at the start of each Newton iteration, so it does not affect the equilibrium.
+// Natural frequency [rad/s] of the spring that prevents drift of a body in statics in directions without
+// resistance. Its force is zero at the start of each Newton iteration, so it does not affect the equilibrium.
 constexpr double kDrift = 0.01;
 
 // True if inertia is the change of the momenta over the step. The start of a run has no step (StepMean).

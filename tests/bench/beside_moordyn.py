@@ -6,14 +6,14 @@ tests/bench/beside_moordyn.py [HAWSER] [--moordyn LIBMOORDYN.so] [--cases NAME .
 MoorDyn 2 is not part of hawser: --moordyn names the shared library of an installation, and moorings/moordyn_driver.cpp is
 compiled against it. Without it the table has the rows of hawser and the published figures. Cases: moorings/cases.py.
 
-Errors are those of standard deviation and peak of the tension at the first fairlead, and of the largest curvature where a
-case has bending: against published figures of OrcaFlex where a case has them, otherwise against the converged run of the
-same program. For each goal that mesh and step of least CPU time is taken with which, and with all finer meshes, every error
-is within the goal; MoorDyn's steps are those with which the first line is stable. The choices are timed in turn,
-five times (once where a run takes more than 20 s): CPU seconds (user and system) of the whole process, and those of a
-simulated second by the difference from a run of a quarter of the duration. MoorDyn's tension is its force on the fairlead
-or, "FairTen", that of the last segment, which is what its output has. --quick: one case on coarse meshes, for the test of
-this script."""
+Errors are those of standard deviation and peak of the tension at the first fairlead, and of the largest curvature
+where a case has bending: against published figures of OrcaFlex where a case has them, otherwise against the converged
+run of the same program. For each target the mesh and step of least CPU time are selected whose errors, and those of
+all finer meshes, are within the target; MoorDyn's steps are those with which the first line is stable. The choices
+are timed in turn, five times (once where a run takes more than 20 s): CPU seconds (user and system) of the whole
+process, and those of a simulated second by the difference from a run of a quarter of the duration. MoorDyn's tension
+is its force on the fairlead or, "FairTen", that of the last segment, which is what its output has. --quick: one case
+on coarse meshes, for the test of this script."""
 import argparse
 import array
 import math

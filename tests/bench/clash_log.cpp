@@ -1,4 +1,4 @@
-// What the clash report costs a step: touches of all pairs put together, and taken into the open clashes.
+// CPU time of the clash report per step: contacts of all pairs are gathered and merged into the open clashes.
 #include "hawser/record/clash_log.hpp"
 
 #include <benchmark/benchmark.h>
@@ -7,7 +7,7 @@ namespace hawser::record {
 namespace {
 
 // Lines that lie on a volume at ten places each, panels of half a metre, three to a place; half of the places
-// come and go.
+// appear and disappear.
 ActiveContacts touching(int number, int step) {
   ActiveContacts out;
   for (int i = 0; i < number; ++i) {

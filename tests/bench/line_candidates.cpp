@@ -1,4 +1,4 @@
-// Candidates of lines: making the list and finding that it still holds, from 10^3 to 10^5 segments of a
+// Candidates of lines: construction and validity check of the list, from 10^3 to 10^5 segments of a
 // tangle of the same density; and pairs of boxes where these lie unevenly.
 #include "hawser/terms/line_candidates.hpp"
 

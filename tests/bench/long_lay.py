@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""CPU time of an S-lay of 3 km in a JONSWAP sea, and what its roller peaks are against a finer run.
+"""CPU time of an S-lay of 3 km in a JONSWAP sea, and its roller peaks compared with a finer run.
 
     tests/bench/long_lay.py HAWSER [--duration 100] [--finer] [--keep FOLDER]
 

@@ -59,7 +59,7 @@ void newton(benchmark::State& state) {
     check(KSPCreate(PETSC_COMM_WORLD, k->out()));
     configure_linear_solver(k->get(), system, "bench_");
   }
-  // The parts of an iteration, so that one sees where the time goes.
+  // CPU time of the parts of an iteration.
   const auto state_part = [&] { alpha_trial(system.mesh(), system.tied_nodes(), alpha, h, from, u, trial); };
   const auto residual_part = [&] { system.residual(trial.s.after_step(h), r.get()); };
   const auto tangent_part = [&] {
@@ -89,7 +89,7 @@ void newton(benchmark::State& state) {
   factor();
   const double nodes = static_cast<double>(sim.mesh().nodes());
   const int inner = std::max(1, static_cast<int>(10000 / nodes));
-  // Least time of interleaved repetitions: what the machine does when nothing else disturbs it.
+  // Least time of interleaved repetitions, which excludes other load on the machine.
   double best[6];
   std::fill(std::begin(best), std::end(best), 1e9);
   const auto time = [&](double& least, const auto& what) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Statics of random S-lays: how many converge without help, and what is said of the others.
+"""Statics of random S-lays: how many converge without changes, and the messages of the others.
 
     tests/bench/random_s_lays.py HAWSER [--count 200] [--first 0] [--keep FOLDER]
 

@@ -1,7 +1,7 @@
-// Time of a signed distance as contact asks for it: nodes of lines 0.5 m apart that follow a surface, 0 to
-// 0.3 m off it, moved by 2 cm since the last answer, within 0.5 m.
-//   surface/one        one point a call, the last answer as a hint
-//   surface/unlimited  one point a call, however far it is
+// CPU time of a signed distance as evaluated by contact: nodes of lines 0.5 m apart that follow a surface, 0
+// to 0.3 m off it, moved by 2 cm since the last result, within 0.5 m.
+//   surface/one        one point per call, the last result as a hint
+//   surface/unlimited  one point per call, at any distance
 // The second argument: 0 flat facets, 1 curved. The first: triangles of an even tube, or
 // 0: the hull of a tanker of 130 000 triangles, open and graded, where its mesh is beside the sources.
 #include <benchmark/benchmark.h>

@@ -218,7 +218,7 @@ TEST(Feeders, ALineThatRunsKeepsItsShape) {
   }
 }
 
-// A tug pulls a rope to and fro that a winch keeps at its tension, exactly or within a band.
+// A tug pulls a rope back and forth that a winch keeps at its tension, exactly or within a band.
 const char* const kTug = R"(hawser: 1
 title: A winch that keeps a tension
 environment: {gravity: 0}

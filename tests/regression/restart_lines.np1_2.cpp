@@ -19,7 +19,7 @@ struct Kind {
 };
 
 // The anchor's end of a chain in soil so weak that it yields as the ship moves; a hot pipe on the bed, pulled
-// to and fro by one end, so stiff that it does not buckle (of several shapes round-off would choose); a
+// back and forth by one end, so stiff that it does not buckle (of several shapes round-off would choose); a
 // mooring line whose ship moves in irregular waves.
 const Kind kKinds[] = {{"buried",
                         R"(hawser: 1

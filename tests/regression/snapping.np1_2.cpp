@@ -1,5 +1,5 @@
-// Cables that go slack and snap taut: no step makes energy, whatever its length, and the tension by default
-// is that of finer steps and elements.
+// Cables that go slack and snap taut: no step generates energy, whatever its length, and the tension by
+// default is that of finer steps and elements.
 #include <array>
 
 #include "regression/runs.hpp"

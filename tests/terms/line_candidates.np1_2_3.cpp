@@ -65,7 +65,7 @@ double nearest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return best;
 }
 
-// A step of a random motion, the same on every rank, that keeps to what the rates foretell only roughly.
+// A step of a random motion, the same on every rank, that follows the prediction by the rates only roughly.
 void move(const LocalMesh& l, State& s, int step, double h) {
   for (int n = 0; n < l.nodes(); ++n) {
     const size_t i = static_cast<size_t>(n);

@@ -155,7 +155,8 @@ TEST(BodiesInWater, LightBodyWithMuchAddedMassSinks) {
   }
 }
 
-// Draught: the wet share is that of mass to volume. It starts above the water and with a list.
+// Draught: the wet fraction is mass over (density of water times volume). It starts above the water and with
+// a list.
 TEST(BodiesInWater, BoxFindsItsDraught) {
   const model::Case c = load("",
                              "position: [3, 2, 1.2], rotation_deg: [8, -5, 20], floating: {mass: 7000, "

@@ -12,8 +12,8 @@ TEST(ChainCircles, ThreeOfThem) {
   }
 }
 
-// A chain that snaps makes energy at steps that do not resolve its waves along (a twentieth would), twice the
-// tension at the default of 0.8; numerical damping of high frequencies takes it out.
+// A chain that snaps generates energy at steps that do not resolve its waves along (a twentieth would), twice
+// the tension at the default of 0.8; numerical damping of high frequencies takes it out.
 TEST(ChainCircles, LargeStepsWithDamping) {
   const CircleCase& of = circle_cases()[4];
   EXPECT_NEAR(report(of, circle(of, 165, 5e-3, 1, 1, 0.4)), 0, 10);

@@ -1,4 +1,4 @@
-// Contact whose stiffness nobody chose (docs/theory/contact.md, "Stiffness that follows the run"): slings
+// Contact without a given stiffness (docs/theory/contact.md, "Stiffness that follows the run"): slings
 // over a bar and a torus at tensions of 1 to 10^6 times the weight of a radius of line, a capstan whose
 // tension grows a hundredfold in the run, what a checkpoint keeps of it, and what is said of a stiffness that
 // is too soft.

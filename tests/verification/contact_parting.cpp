@@ -1,5 +1,5 @@
 // A taut string that is lifted off by waves that come along it, while nothing near the contact moves: nothing
-// at the start of a step foretells that, and no step makes energy of it.
+// at the start of a step indicates that, and no step generates energy by it.
 #include "verification/contact_rig.hpp"
 
 namespace hawser::test::contact_parting_test {

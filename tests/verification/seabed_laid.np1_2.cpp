@@ -116,7 +116,7 @@ TEST(SeabedLaid, Heating) {
 
 // A current across, drag 0.5*1025*1.2*0.1*0.25 N/m, of the friction that the chain in water has: it stays. A
 // chain without tension, whose elements tighten and loosen in turn while statics looks for rest.
-// `friction_in_statics: none` and a start shape nobody gave leave it without.
+// `friction_in_statics: none` and no given start shape leave it without.
 TEST(SeabedLaid, ACurrentAcross) {
   const Edits sea{
       {"gravity: 10", "gravity: 10, water: {depth: 50}, current: {speed: 0.5, direction_deg: 90}"},

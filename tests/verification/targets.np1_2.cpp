@@ -65,8 +65,8 @@ double solved(double low, double high, double wanted, F&& f) {
 double declination(const Vec3& tension) { return std::acos(tension.z() / tension.norm()) * 180 / M_PI; }
 
 // A hot pipe that comes out of the soil beside its anchor: at some lengths it and the springs of the soil,
-// whose directions are its own, turn each other to and fro. No trial may fall back on thousands of steps of
-// relaxation for that.
+// whose directions are its own, rotate each other back and forth. No trial may fall back on thousands of
+// steps of relaxation for that.
 TEST(Targets, PipeThatTurnsInTheSoil) {
   const model::Case c = io::read_case_text(R"(hawser: 1
 environment:

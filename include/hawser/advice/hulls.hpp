@@ -32,8 +32,7 @@ std::string hull_at_start(const HullAtStart& hull);
 // position in the case. Empty up to 0.1 m.
 std::string rests_elsewhere(const std::string& body, double rise);
 
-// What is left of the vertical force on a body at rest [N, upwards] besides its weight and the water: lines
-// and what touches it.
+// Vertical force on a body at rest [N, upwards] other than its weight and the water: lines and contact.
 std::string held_at_rest(const std::string& body, double up);
 // For a volume of a floating body whose lowest point is `depth` [m] below the seabed, which does not hold it.
 std::string below_seabed(const std::string& volume, const std::string& body, double depth);

@@ -17,12 +17,12 @@ enum class Effect { all, part, resolution };
 
 struct InputWarning {
   std::string key;    // dotted, as in the file
-  std::string text;   // what was found there, and what is usual
+  std::string text;   // the value there, and the usual range
   std::string group;  // only the first few of a group are reported
   Effect effect = Effect::all;
 };
 
-// Its group are the warnings of the same sentence.
+// Warnings with the same text form a group.
 template <class... Args>
 void add_warning(std::vector<InputWarning>& out, std::string key, Effect effect,
                  fmt::format_string<Args...> sentence, Args&&... args) {

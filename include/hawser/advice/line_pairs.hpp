@@ -7,7 +7,6 @@ namespace hawser::advice {
 
 // Chosen stiffness between lines [N/m per m], least and most. only_line: the only line that touches itself,
 // or ""; themselves: lines also touch themselves.
-// touches itself alone, or ""; themselves: lines touch themselves too.
 std::string chosen_pair_stiffness(double least, double most, const std::string& only_line, bool themselves);
 // Two lines, or both ends of one, that start at one place and do not touch within a length [m] from it, and
 // the number of further pairs.

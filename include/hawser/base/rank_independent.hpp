@@ -6,8 +6,8 @@
 namespace hawser {
 
 // Rounds x to 30 bits. A sum over ranks differs by rounding with its distribution, and so would what is
-// derived from it (a mass, a shift, a step) and the last digits of a solution. So coarsely rounded it is the
-// same, except for about one in a million sums.
+// derived from it (a mass, a shift, a step) and the last digits of a solution. With this rounding the result
+// is equal, except for about one in a million sums.
 inline double rank_independent(double x) {
   int exponent = 0;
   const double m = std::frexp(x, &exponent);

@@ -11,8 +11,8 @@ inline bool launched() {
   return false;
 }
 
-// Called before MPI_Init by a process of its own. Variables set in the environment have precedence. Open MPI
-// then starts
+// Called before MPI_Init by a process without a launcher. Variables set in the environment have precedence.
+// Open MPI then starts
 // - without the drivers of fast networks, one of which measures the processor's clock for 0.2 s,
 // - without its daemon, which takes 0.1 s to start, and without the session folder, because without the
 //   daemon processes that start at the same time would delete each other's folder in /tmp,

@@ -2,7 +2,6 @@
 //
 // Nodes are split at the median of the centres along the longest side of their box, until few items are left.
 // Every item is in one leaf, and the items of a node are contiguous.
-// item is in one leaf, and the items of a node lie side by side.
 #pragma once
 
 #include <algorithm>

@@ -5,7 +5,6 @@
 // they are connected over nearby edges, except across an edge that is reentrant and sharp (26 degrees). Parts
 // with similar normals (within 26 degrees) also form one group, because the nearest of them suffices. Parts
 // viewed from behind, such as the far side of a thin sheet, form no group.
-// side does, is no facet group.
 #pragma once
 
 #include <vector>

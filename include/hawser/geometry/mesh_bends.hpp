@@ -16,7 +16,6 @@
 // the planar regions at a vertex differ in width by more than 4, the wide ones alone determine the normal. No
 // edge bends by more than half its length (bulge: an eighth). Patches that would fold or incline more than 60
 // degrees from their facet are bent less or not at all.
-// degrees from their facet are bent less, if need be not at all.
 #pragma once
 
 #include <vector>

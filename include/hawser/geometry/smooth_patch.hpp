@@ -48,7 +48,6 @@ PatchPoint closest_point_on_patch(const Vec3& y, const SmoothPatch& patch);
 //   q' = w + sum (b_i b_j' + b_i' b_j) c_k,  q'' = 2 sum b_i' b_j' c_k
 // over the edges k = ij. With the heights h_i of the triangle |b_i'| <= |w| / h_i, and q lies in the hull of
 // its control points, which bounds both terms.
-// its control points, which bounds both terms.
 bool one_nearest_point(const Vec3& y, const SmoothPatch& patch);
 
 // Hessian of the signed distance [1/m] for a nearest point (u, v) inside the patch, with unit normal

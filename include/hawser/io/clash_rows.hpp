@@ -1,6 +1,6 @@
 // Clash report in a results file: a growing table of ended clashes, and two tables of ongoing ones, which
-// outputs fill in turn. Row i of `outputs/clashes` has the numbers of rows of both at output i, so that the
-// counter of outputs validates them as well.
+// outputs fill alternately. Row i of `outputs/clashes` has the numbers of rows of both at output i, so that
+// the counter of outputs validates them as well.
 #pragma once
 
 #include <string>

@@ -96,7 +96,7 @@ struct ResultContents {
   std::vector<std::string> bodies;
   std::vector<VolumeMesh> volumes;
   ResultWaves waves;
-  std::vector<std::string> stages;  // of statics: outputs at times -n + 1, ..., -1 and 0 are their rests
+  std::vector<std::string> stages;  // of statics: outputs at times -n + 1, ..., -1 and 0 are their equilibria
   bool clashes = false;             // there is a clash report; its volumes are `volumes`
   bool contact_points = false;      // likewise
   bool xdmf = true;
@@ -127,10 +127,10 @@ class ResultsFile {
   static ResultsFile create(MPI_Comm comm, const std::string& path, ResultContents contents,
                             std::vector<int> owned);
 
-  // Go on with the file of an earlier run of the same contents: outputs and series rows later than
-  // `time` [s] are dropped. `sequence`: of the checkpoint that the run goes on from; 0: it has none.
-  // `reported`: the clashes of the last output that stays; those of a dropped one may have taken their place
-  // in the file. Throws InputError when lines, fields or series differ.
+  // Continues the file of an earlier run with the same contents: outputs and series rows later than `time`
+  // [s] are discarded. `sequence`: of the checkpoint from which the run continues; 0: none. `reported`: the
+  // clashes of the last kept output; those of a discarded one may have overwritten them in the file. Throws
+  // InputError when lines, fields or series differ.
   static ResultsFile resume(MPI_Comm comm, const std::string& path, ResultContents contents,
                             std::vector<int> owned, double time, long long sequence,
                             const ReportedClashes& reported = {});
@@ -145,11 +145,11 @@ class ResultsFile {
   void append_series(double time, const std::vector<std::vector<double>>& values);
 
   // Node fields at `time` [s], owned nodes x components (those of bodies are excluded), in the order of
-  // contents.fields (position
-  // first), with one pose a body (same on all ranks). ends: likewise, contents.end_fields of the ends whose
-  // nodes this rank owns, ascending. contacts: points that this rank counts. The output and the series rows
-  // so far go to the file, from where they survive the death of the program, at once or with later ones, so
-  // that writing takes a twentieth of the time at most; those before a checkpoint with it.
+  // contents.fields (position first), with one pose a body (same on all ranks). ends: likewise,
+  // contents.end_fields of the ends whose nodes this rank owns, ascending. contacts: points that this rank
+  // counts. The output and the series rows so far are written to the file, where they are kept if the program
+  // is killed, at once or with later ones, so that writing takes at most a twentieth of the time; those
+  // before a checkpoint are written with it.
   void write_output(double time, const std::vector<std::vector<double>>& fields,
                     std::span<const BodyPose> poses, const ClashTables& clashes = {},
                     const std::vector<std::vector<double>>& ends = {}, const ContactRows& contacts = {});

@@ -35,8 +35,8 @@ struct ResultCount {
 };
 h5::Id result_count_type();
 
-// Throws std::logic_error where contents contradict themselves. writes: this rank has what rank 0 alone
-// writes.
+// Throws std::logic_error where contents contradict themselves. writes: this rank has the data that only rank
+// 0 writes.
 void check_contents(const ResultContents& contents, bool writes);
 
 // A dataset with one row an output, one a step, one a node, or one a point of contact.
@@ -61,8 +61,8 @@ std::vector<std::string> series_places(const ResultContents& contents);
 
 // Write `path` anew. `from`: an earlier file whose first `kept` rows, ended `clashes`, `contacts` and newest
 // checkpoint are taken over, or empty; one at `path` is then kept (back_up_results). Serial. Throws
-// InputError when `from` does not hold the same things, std::runtime_error when the disk fails; the file at
-// `path` is then as it was.
+// InputError if the contents of `from` differ, std::runtime_error if the disk fails; the file at `path` is
+// then unchanged.
 void build_results(const std::string& path, const ResultContents& contents, const ResultRoom& room,
                    const std::string& from, const ResultCount& kept, long long clashes, long long contacts,
                    const ResultLast* last);

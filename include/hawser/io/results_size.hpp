@@ -11,7 +11,7 @@ struct ExpectedRows {
   double checkpoint = 0;  // numbers per checkpoint; 0: none
 };
 
-// Bytes of the HDF5 file. Clashes and points of contact, which nobody knows before, are not in it.
+// Bytes of the HDF5 file. Clashes and contact points, whose number is not predictable, are excluded.
 struct ResultsSize {
   double fields = 0, histories = 0, checkpoints = 0, meshes = 0, rest = 0;
   double contact_point = 0;  // of each point of contact at an output, which `total` does not contain

@@ -7,7 +7,7 @@
 namespace hawser::io {
 
 // Held for the lifetime of the object. The system releases it when the process ends for any reason, so a
-// stale lock file blocks nobody.
+// stale lock file blocks no run.
 class RunLock {
  public:
   // Throws InputError if another run writes `results` or the lock file cannot be created.

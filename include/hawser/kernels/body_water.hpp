@@ -1,5 +1,5 @@
 // Water forces on a rigid body that is small compared with the waves: buoyancy, drag, added mass and
-// Froude-Krylov force in body axes, with a wet share. See docs/theory/bodies-in-water.md.
+// Froude-Krylov force in body axes, with a wet fraction. See docs/theory/bodies-in-water.md.
 #pragma once
 
 #include "hawser/kernels/line_water.hpp"

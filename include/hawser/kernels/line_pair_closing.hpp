@@ -21,8 +21,8 @@ struct LinePairMotion {
 };
 
 // Approach of x along the normal, m, excluding the contribution of either line sliding along itself; < 0:
-// separation. A crossing that sweeps along a line has none, however far the material was before. A line that
-// is laid down, wound up or meets the other in an impact has all of it.
+// separation. A crossing that sweeps along a line has none, for any initial distance of the material. A line
+// that is laid down, wound up or meets the other in an impact has all of it.
 //
 // w = x - y minus its value at the start consists of alpha a + beta b and a part normal to both, with the
 // unit tangents a and b at the end. With s = (w.a + w.b)/2, d = (w.a - w.b)/2 and c = a.b: alpha, beta = s/(1

@@ -5,7 +5,6 @@
 // are constant in the cell. Where elements are divided, joined or moved, a new cell takes the mean of the
 // cells it covers: integrals over the length are preserved, and no value exceeds the range of the old ones.
 // See docs/theory/feeders.md#pipes-that-yield.
-// docs/theory/feeders.md#pipes-that-yield.
 #pragma once
 
 #include <array>

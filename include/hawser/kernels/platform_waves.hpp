@@ -79,7 +79,7 @@ class PlatformWaves {
   Forces at(double time, double x, double y) const;
 
  private:
-  // Contribution to one freedom: weight |sum_i amplitude_i exp(i phase_i)|².
+  // Contribution to one degree of freedom: weight |sum_i amplitude_i exp(i phase_i)|².
   struct Mode {
     int freedom = 0;
     double weight = 0;

@@ -1,4 +1,4 @@
-// Submerged share of a round section, a ball, or a body of some height.
+// Wet fraction of a round section, a sphere, or a body of some height.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace hawser {
 
-// Functions of u = (height of the surface above the centre)/radius: wet share, its derivative, and its
+// Functions of u = (height of the surface above the centre)/radius: wet fraction, its derivative, and its
 // integral from -infinity, all continuous.
 struct Wetting {
   double share = 0, slope = 0, integral = 0;

@@ -1,4 +1,4 @@
-// Freedoms of a rigid body, in the order of its six velocities.
+// Degrees of freedom of a rigid body, in the order of its six velocities.
 #pragma once
 
 #include <array>

@@ -10,8 +10,8 @@ struct FedStart {
   double length = 0;  // m, unstretched, of the part of that element outside the feeder
 };
 
-// For a stock [m] of a line of several elements: the feed point is in the element of which then between half
-// and one and a half of its own length is outside, or in the last one of the line.
+// For a stock [m] of a line of several elements: the feed point is in the element of which between 0.5 and
+// 1.5 of its length is then outside, or in the last one of the line.
 FedStart fed_start(const Mesh& mesh, const LineSpan& span, LineEnd line_end, double stock);
 
 }  // namespace hawser

@@ -78,9 +78,9 @@ class MeshTable {
   bool any_cable() const;
   bool any_rotates() const;  // a node of a beam or a body
 
-  // Appends elements to the line, between its last node, or its first one, and new ones. `along`: length of
-  // the elements of the section before them, m. Returns it after them. Sets the numbers and the end of the
-  // part.
+  // Appends elements to the line, from its last node (the first one after begin_line()) to new nodes.
+  // `along`: length of the elements of the section before them, m. Returns that length after them. Sets the
+  // numbers and the end of the part.
   double add(EvenPart part, double along);
   // Sets the arc length of the last node of a section, m.
   void end_section(double arc) { parts_.back().end = arc; }
@@ -97,7 +97,7 @@ class MeshTable {
   int nodes_ = 0, elements_ = 0;
   std::vector<EvenPart> parts_;
   // For every 64th element of each part, from the first: the length of the section's elements before it, m.
-  // Arc lengths are sums from there, so that they do not depend on the way in which they are found.
+  // Arc lengths are sums from there, so that they do not depend on the order of access.
   std::vector<double> sums_;
   std::vector<TemperatureRows> rows_;
   std::vector<std::pair<int, Node>> own_;

@@ -20,9 +20,9 @@ double penetration_under(const Seabed& bed, double force, double diameter);
 // Height of the axis above the bed [m] of a line of this type that rests under its own weight.
 double resting_height(const Case& c, const LineType& type);
 
-// Local change of the bed beside an anchor that is not above it. The anchor stays where the case puts it and
-// the bed is lowered by `depth` at the end (raised if negative), linearly less along the line and not at all
-// beyond `length`, so that the line lies straight.
+// Local change of the bed at an anchor that is not above it. The anchor is held at its given position, and
+// the bed is lowered by `depth` at the end (raised if negative), with a linear transition to zero at `length`
+// along the line, so that the line lies straight.
 struct BedAtEnd {
   double depth = 0, length = 0;  // m
   double lowering(double from_end) const { return from_end < length ? depth * (1 - from_end / length) : 0; }

@@ -8,23 +8,22 @@
 
 namespace hawser::model {
 
-// Volume `a` leads: its points, edges or faces (by the basis of its stiffness) are tested against the surface
-// of `b`.
+// Volume `a` is the slave: its points, edges or faces (by the basis of its stiffness) are tested against the
+// surface of `b`.
 struct BodyPair {
   std::size_t a = 0, b = 0;
   double stiffness = 0;  // N/m, N/m² or N/m³ by the basis of `a`
-  double share = 1;      // of the force: 1/2 if both volumes lead with their faces
+  double share = 1;      // of the force: 1/2 if both volumes are slaves with their faces
   Friction friction;     // isotropic
   // True if `b` can penetrate `a` undetected: between corners, edges or balls of `a`.
   bool hides = false;
 };
 
-// Pairs of volumes that take part in contact, on different bodies at least one of which has mass. Round
-// volumes (sphere, capsule, torus) lead, then those with a stiffness per point, per length, per area. Of two
-// equal ranks both lead, except of round volumes, where one is enough. Two volumes with the same basis use
-// the lower stiffness. A pair without any stiffness has stiffness 0. Friction uses the lowest coefficient of
-// both volumes, axial and lateral, and otherwise the law of `a`.
-// and across lines, and the law of a otherwise.
+// Pairs of volumes that take part in contact, on different bodies at least one of which has mass. The slave
+// is a round volume (sphere, capsule, torus), else one with a stiffness per point, per length, per area, in
+// this order. Two volumes of equal order are both slaves, except round volumes, where one is enough. Two
+// volumes with the same basis use the lower stiffness. A pair without any stiffness has stiffness 0. Friction
+// uses the lowest coefficient of both volumes, axial and lateral, and otherwise the law of `a`.
 std::vector<BodyPair> body_pairs(const Case& c);
 
 // True if friction acts in a pair with a volume of this body.

@@ -148,7 +148,7 @@ struct BodyMass {
   bool centre_given = false;
   std::optional<MassMatrix> matrix;      // replaces inertia and products, which are derived from it
   Mat6 coupled = Mat6::Zero();           // rest of `matrix` beyond mass and inertia, about the centre of mass
-  bool weight = false;                   // gravity acts; else unmodelled forces carry the weight
+  bool weight = false;                   // gravity acts; else unmodelled forces balance the weight
   Vec3 velocity = Vec3::Zero();          // m/s, of the centre of mass at t = 0, space axes
   Vec3 angular_velocity = Vec3::Zero();  // rad/s, at t = 0, body axes
   Vec3 stiffness = Vec3::Zero(), damping = Vec3::Zero();  // N/m, N s/m: towards the prescribed `motion`

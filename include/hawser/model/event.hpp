@@ -39,8 +39,8 @@ struct Action {
 
 // Condition that triggers an event.
 struct Cause {
-  // near: the end to be attached comes within the given distance of its place. stage: the start of a stage of
-  // statics.
+  // near: the end to be attached is within the given distance of its expected position. stage: the start of a
+  // stage of statics.
   enum class Kind { time, tension, position, paid_out, after, near, stage };
   Kind kind = Kind::time;
   double time = 0;           // s; Kind::after: delay

@@ -1,4 +1,4 @@
-// Platforms read from files of their own: their positions, and the file, line and name of each key of the
+// Platforms read from separate files: their positions, and the file, line and name of each key of the
 // combined case. Placed bodies, lines and other objects are named "<place>/<name in its file>".
 #pragma once
 
@@ -64,7 +64,7 @@ const Value* entry_of(const Case& c, std::string_view kind, const std::string& n
 
 // True if the object is a copy of the one at the first place of its platform.
 bool is_repeated(const Case& c, const std::string& name);
-// True if the body carries what a platform file fixes in space; it has the name of its place.
+// True if objects that a platform file fixes in space are fixed to the body; it has the name of its place.
 bool is_place(const Case& c, const std::string& body);
 
 // Joins texts that differ only in the name of the place; `also` lists the others: " (and so at 99 more

@@ -14,8 +14,8 @@ std::vector<std::vector<double>> fixed_places(const Case& c);
 
 // The elements of each section of a line, from end A on. Their lengths follow the section's geometric
 // progression, except that the node nearest to each fixed place moves there and the elements between moved
-// nodes are scaled uniformly. A place gets no node of its own if its node is taken, or if another moved node
-// or an end of the section is within a tenth of an element.
+// nodes are scaled uniformly. A place has no separate node if its node is used already, or if another moved
+// node or an end of the section is within a tenth of an element.
 std::vector<std::vector<Progression>> progressions(const Line& line, const std::vector<double>& places);
 
 // Their lengths one by one.

@@ -17,12 +17,12 @@ struct LongestStep {
 
 // A hundredth of the period of prescribed motions and turns, of tables the mean period of the curve through
 // their rows; a 75th of that of waves (mean period T01 of a spectrum, DNV-RP-C205 3.5.2.3; a ninetieth of the
-// peak's); a twentieth of a ramp; the time between outputs; a fiftieth of the duration. As far as that is no
-// less than a tenth of it, a twentieth of the slowest period of each line (and of a wave along it, where a
-// run starts out of balance or a speed jumps), and of the period of a body on its springs, on links and in
-// the surface; where nothing periodic drives it, a sixtieth, and of that on taut lines as well. As far as it
-// is no less than half, a tenth of the time in which drag slows what is carried along. Why so:
-// docs/theory/time-integration.md#how-long-a-step-is.
+// peak period); a twentieth of a ramp; a quarter of the shortest period of gusts; the time between outputs; a
+// fiftieth of the duration. With a tenth of these as lower bound, a twentieth of the slowest period of each
+// line (and of the travel time of a wave along it and back, if a run starts out of equilibrium or a speed
+// jumps), and of the period of a body on its springs, on links and in the water surface; without periodic
+// excitation a sixtieth, also of its period on taut lines. With half of these as lower bound, a tenth of the
+// time constant of drag. Reasons: docs/theory/time-integration.md#step-length.
 LongestStep longest_step(const Case& c);
 
 // Slowest period of a line [s], from its weight as a hanging chain (2.405/2 sqrt(g/L)), its bending stiffness

@@ -23,7 +23,7 @@ PlatformMemory platform_memory(const Case& c, const std::vector<int>& bodies);
 std::string freedom_name(const Case& c, const std::vector<int>& bodies, int row);
 
 // Largest difference between added mass from damping (Ogilvie 1964) and that in the files, relative to the
-// variation of the latter, for the freedom where it is largest.
+// variation of the latter, for the degree of freedom where it is largest.
 struct OgilvieCheck {
   double difference = 0;  // share of the largest |A - A(inf)|
   int freedom = 0;        // index into `rows`

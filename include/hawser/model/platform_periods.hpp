@@ -5,12 +5,12 @@
 
 namespace hawser::model {
 
-// s, afloat without lines, each of the mode in which it has the largest share; 0: nothing pulls it back.
+// s, floating without lines, each of the mode with its largest participation; 0: no stiffness.
 struct PlatformPeriods {
   double heave = 0, roll = 0, pitch = 0;
 };
 // Natural periods of a body with hydrodynamics, without damping, lines and other bodies:
-// (C - omega² (M + A(omega))) x = 0 in all six freedoms.
+// (C - omega² (M + A(omega))) x = 0 in all six degrees of freedom.
 PlatformPeriods platform_periods(const Case& c, const Body& b);
 
 }  // namespace hawser::model

@@ -1,4 +1,4 @@
-// Energy audit of a run: energy brought in against energy present, and energy that the time integration has
+// Energy audit of a run: external work against energy present, and energy that the time integration has
 // created or lost.
 #pragma once
 
@@ -13,7 +13,7 @@ namespace hawser::record {
 struct Audit {
   Energy now, change;     // at the last step; since the start
   double brought_in = 0;  // work of supports, ramped, point and dead loads and moving bodies since the start
-  // Kinetic + strain + friction + damping + unresolved energy - brought in: created energy, or lost if
+  // Kinetic + strain + friction + damping + unresolved energy - external work: created energy, or lost if
   // negative.
   double error = 0;
   // Reference of the error over the run so far: initial kinetic energy, absolute work of every step, and
@@ -38,9 +38,9 @@ struct Audit {
   } made, lost;                            // created since the error was least; lost since the start
   Step worst;                              // of `made`: the step that created most
 
-  // Update after a step of h [s] that ended at `time`; start: energies at the start of the run; passed: work
-  // [J] that entered and left within the step and is not in brought_in. True: the place of the largest change
-  // of motion is needed, and located() must be called.
+  // Update after a step of h [s] that ended at `time`; start: energies at the start of the run; passed:
+  // external work [J] that cancels within the step and is not in brought_in. True: the place of the largest
+  // change of motion is needed, and located() must be called.
   bool update(const Energy& start, const Energy& now, double time, double h, double passed = 0);
   void located(int node, Step::ContactWith with);
   double size() const;

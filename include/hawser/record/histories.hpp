@@ -38,7 +38,7 @@ class Histories : public Recording {
   std::vector<double> node_row(const Point& p, size_t side, const Snapshot& s) const;
   std::vector<double> line_row(const Point& p, const Snapshot& s) const;
   std::vector<double> body_row(int body, const Snapshot& s) const;
-  // Of forces on a floating body by what they come from; empty: by nothing that states it.
+  // Components of the force on a floating body; empty: no term reports components.
   std::vector<std::string> load_components(int body) const;
   std::vector<double> volume_row(const std::string& volume, const Kinematics& at) const;
 

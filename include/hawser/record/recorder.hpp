@@ -15,8 +15,9 @@ namespace hawser::record {
 
 class Recorder {
  public:
-  // Starts a new results file. `from`: the checkpoint the run goes on from, if it does; `append`: in the file
-  // that holds it, else in a new one. write: false makes no file, and only contents() and save() may follow.
+  // Starts a new results file. `from`: the checkpoint from which the run continues, if any; `append`: in the
+  // file of the checkpoint, else in a new one. write: false creates no file, and only contents() and save()
+  // may follow.
   Recorder(Subject subject, std::vector<io::VolumeMesh> volumes, io::RunInfo run,
            const io::Checkpoint* from = nullptr, bool append = false, bool write = true);
 
@@ -26,8 +27,8 @@ class Recorder {
   // Equilibrium `at` of a stage of statics except the last, by its index; written as an output at a negative
   // time.
   void stage(size_t place, const Kinematics& at);
-  // The beginning of a run: the state `at`, from which energies count and which may move already, and the one
-  // that is shown for it, the first step and output: its static equilibrium where there is one.
+  // The start of a run: the state `at`, the reference of energies, which may have velocities; and the state
+  // recorded as first step and output: its static equilibrium if there is one.
   void start(const Kinematics& at, const Kinematics& shown);
   // Every accepted step. Collective.
   void step(const StepInfo& info, const Kinematics& at, double support_work) {
@@ -43,7 +44,7 @@ class Recorder {
 
   const Audit& audit() const { return audit_; }
   std::string audit_warning() const;  // Audit::warning with the names of this case
-  // Findings since the last call that a user should get before the run ends; the same on all ranks.
+  // Findings since the last call to be reported before the run ends; the same on all ranks.
   std::vector<std::string> remarks();
   // Clash report as text, on rank 0 after finish(); empty: no clashes.
   std::string clash_table() const;

@@ -55,7 +55,7 @@ class Snapshot {
         subject_(subject) {}
 
   const Kinematics& at;
-  const StepInfo step;  // that led to this state; of length 0: none did
+  const StepInfo step;  // step that led to this state; of length 0: none
   const Values &values, &ends;
   const EndForces& end_forces;
   const Audit& audit;
@@ -105,7 +105,7 @@ class Recording {
   virtual void output(const Snapshot& s) { (void)s; }
   // Adds the points of contact of an output or stage that this rank counts.
   virtual void points(const Snapshot&, io::ContactRows&) {}
-  // Adds a row for each series that it declared; after step(), of steps that histories keep.
+  // Adds a row for each series that it declared; after step(), for steps in histories.
   virtual void rows(const Snapshot&, Rows&) {}
   // Sentences for the user since start() or step(), before the run ends; the same on all ranks.
   virtual std::vector<std::string> remarks() { return {}; }

@@ -36,16 +36,16 @@ std::string cost_sentence(const TrialRun& trial);
 // exceeds the free space of the folder's disk.
 std::string size_sentence(const io::ResultsSize& size, const std::string& folder);
 
-// Bytes: the most that this process has had in memory so far, and what it has.
+// Bytes: largest memory of this process so far, and present memory.
 double peak_memory();
 double memory_now();
-// Bytes on one rank: the most by the time that the files were read; what every rank of several keeps of all
-// lines (the case, the mesh, its owners); and the most in trial_run() with all of that.
+// Bytes on one rank: largest memory until the files were read; data of all lines on every rank (the case, the
+// mesh, its owners); largest memory in trial_run() including these.
 struct MemoryUse {
   double read = 0, shared = 0, measured = 0;
   bool moved = true;  // as in TrialRun
 };
-// "expected memory: about 0.9 GB", or of the rank with most of the work, a share of all; 1: there is one
+// "expected memory: about 0.9 GB", or of the rank with the largest work, its fraction of the total; 1: one
 // rank.
 std::string memory_sentence(const MemoryUse& use, double most_of_work);
 

@@ -24,9 +24,9 @@ int run(MPI_Comm comm, const RunOptions& options);
 struct CheckOptions {
   std::string case_path{};
   int ranks = 0;                       // of the partition that is printed; 0: those of the communicator
-  bool trial = true;                   // run the beginning of the case for some seconds
+  bool trial = true;                   // trial run of the start of the case for some seconds
   std::vector<std::string> changes{};  // of the case, KEY=VALUE each
-  bool verbose = false;                // also print what was chosen that rarely matters
+  bool verbose = false;                // also print choices of minor importance
   std::string radiation{};             // CSV file for the table of write_radiation(); empty: none
 };
 

@@ -1,5 +1,4 @@
-// Update of feeders after each step: agreement of all ranks, nodes that leave a feeder or are caught by it,
-// and checkpoints.
+// Update of feeders after each step: agreement of all ranks, released and absorbed nodes, and checkpoints.
 #pragma once
 
 #include <optional>
@@ -17,10 +16,10 @@ class FeederNodes {
 
   // After an accepted step, before its output. Collective.
   void agree();
-  // In statics: pays out `by` [m] (negative: hauls in), with the nodes that leave or are caught; the
+  // In statics: pays out `by` [m] (negative: hauls in), including released and absorbed nodes; the
   // equilibrium must be solved afterwards. Throws SolveError as transfer_node(). Collective.
   void shift(Feeder& f, double by);
-  // After the output of a step: releases or catches nodes. Throws SolveError if a stock has run out or all of
+  // After the output of a step: releases or absorbs nodes. Throws SolveError if a stock has run out or all of
   // a line is hauled in. Collective.
   void transfer_node();
 
@@ -30,7 +29,7 @@ class FeederNodes {
 
  private:
   Dynamics::Moved leaving(const Feeder& f, const Kinematics& k, const LocalElement& e) const;
-  // The caught node on the ranks that have it, and the length [m] of the element at the feed point
+  // The absorbed node on the ranks that have it, and the length [m] of the element at the feed point
   // afterwards.
   std::optional<Dynamics::Moved> caught(const Feeder& f, const Kinematics& k, double& length) const;
   void refuse_all_out(const Feeder& f, double time) const;

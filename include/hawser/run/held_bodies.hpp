@@ -15,9 +15,9 @@ void hold_body(Simulation& sim, int body);
 
 class HeldBodies {
  public:
-  // Holds the bodies of the simulation where they are, and takes away what acts on them by themselves:
-  // weight, springs, loads, water, wind, thrusters (LoadsBodies).
-  // Lines, links and contact stay. The simulation outlives it. Collective, as are the others.
+  // Holds the bodies of the simulation at their positions, and removes the loads on the bodies themselves:
+  // weight, springs, loads, water, wind, thrusters (LoadsBodies). Lines, links and contact remain. The
+  // simulation outlives it. Collective, as are the others.
   explicit HeldBodies(Simulation& sim);
 
   // body: index in the case; it must have mass.

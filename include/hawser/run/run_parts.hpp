@@ -20,7 +20,7 @@ class Events;
 
 // On rank 0; empty on others, which do not write it.
 io::RunInfo run_info(MPI_Comm comm, const model::Case& c, const std::string& petsc_options);
-// What was repaired and chosen, the like of several volumes at once.
+// Repairs and choices, equal ones of several volumes together.
 std::vector<std::string> all_notes(const model::Case& c, const std::vector<LoadedVolume>& volumes,
                                    const std::vector<std::string>& chosen);
 // The case with section lengths that meet the targets of its lines (run/targets.hpp), with notes printed;
@@ -37,7 +37,7 @@ StaticsReport solve_static_stages(
     const std::function<void(size_t)>& rested = [](size_t) {});
 // Frees the text of a case and reduces its tree to without_values(), once the run no longer reads them.
 void forget_file(model::Case& c);
-// MPI libraries tell malloc to keep what is freed, which can be gigabytes.
+// MPI libraries make malloc retain freed memory, which can be gigabytes.
 void give_back_memory();
 io::ReadProgress read_progress(Progress& progress);  // which must live as long
 

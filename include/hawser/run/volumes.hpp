@@ -33,7 +33,7 @@ std::vector<LoadedVolume> load_volumes(const model::Case& c, MPI_Comm comm = MPI
 
 std::vector<std::shared_ptr<const Surface>> surfaces(const std::vector<LoadedVolume>& volumes);
 std::vector<std::shared_ptr<const MeshView>> volume_facets(const std::vector<LoadedVolume>& volumes);
-// Contact points, edges and faces of the volumes that lead in contact between bodies.
+// Contact points, edges and faces of the slave volumes in contact between bodies.
 std::vector<BodySkeleton> skeletons(const model::Case& c, const std::vector<LoadedVolume>& volumes);
 std::vector<io::VolumeMesh> volume_meshes(const model::Case& c, const std::vector<LoadedVolume>& volumes);
 

@@ -21,8 +21,8 @@ namespace hawser {
 
 struct DynamicsSettings {
   double rho_infinity = 0.8;
-  double tolerance = 1e-8;  // Of the residual, relative to the forces that it sums up.
-  int max_iterations = 20;  // Of Newton's method, before a try counts as failed.
+  double tolerance = 1e-8;  // Of the residual, relative to its contributions.
+  int max_iterations = 20;  // Of Newton's method, before a trial counts as failed.
   StepSettings step;
   // By line: step.error_tolerance divided by the line's own tolerance. Bodies, and lines without one, have 1.
   std::vector<double> strictness;
@@ -31,8 +31,8 @@ struct DynamicsSettings {
 // What happened in one accepted step.
 struct StepInfo {
   double time = 0, h = 0;  // s: time at the end of the step; length of the step.
-  int iterations = 0;      // Newton iterations of the accepted try, as step control counts them.
-  int rejected = 0;        // Rejected tries before the accepted one.
+  int iterations = 0;      // Newton iterations of the accepted trial, as counted by step control.
+  int rejected = 0;        // Rejected trials before the accepted one.
   double error = 0;        // m, estimated local error
 };
 
@@ -49,8 +49,8 @@ class Dynamics {
   // Starts from positions, rotations and velocities; accelerations come from the mass matrix.
   void start(const State& state);
   // Continues with other nodes tied (local nodes). A node that is no longer tied continues from its position
-  // and velocity, and its acceleration jumps. A node that is newly tied is caught in a plastic impact
-  // (docs/theory/events.md). Collective.
+  // and velocity, and its acceleration jumps. A newly tied node has a plastic impact (docs/theory/events.md).
+  // Collective.
   void retie(std::vector<TiedNode> nodes);
   // Adds energy that an event has put into the system (negative: taken from it), J, this rank's share.
   void add_support_work(double work) { support_work_ += work; }
@@ -63,7 +63,7 @@ class Dynamics {
     Vec3 w = Vec3::Zero(), alpha = Vec3::Zero();
     bool free = false;  // The node is moved to where the forces on it balance its acceleration.
   };
-  // A feeder releases or catches a node. `change` makes the change and, on the ranks that have that node,
+  // A feeder releases or absorbs a node. `change` makes the change and, on the ranks that have that node,
   // returns its motion; `nodes` returns the tied nodes afterwards. Mean forces and reactions change by the
   // change of the forces of the state; everything else continues. Collective.
   void transfer_node(const std::function<std::optional<Moved>()>& change,
@@ -98,14 +98,14 @@ class Dynamics {
   // matrix, solver and the ghosts of the committed state are created again. Then the terms are prepared.
   // `end`: end of a trial that left the path predicted by the rates; null: the rates decide. Collective.
   void prepare(double h, const State* end = nullptr);
-  // Called by the TS in every step (lie_alpha_ts.cpp), collective:
-  // Prepares the terms for a step from the committed state. Returns the length of its first try [s].
+  // Called by the TS in every step (lie_alpha_ts.cpp), collective: Prepares the terms for a step from the
+  // committed state. Returns the length of its first trial [s].
   double begin_step();
   // Solves for the trial state at the end of a step of h [s]. The terms must have been prepared for a step of
   // h or longer. Returns the number of Newton iterations.
   int try_step(double h);
-  // Decides on the last try (step_decision.cpp). accepted: h is the proposal for the next step [s]; else h is
-  // the length of the next try. Throws SolveError if no step, or no shorter one, can be taken.
+  // Decides on the last trial (step_decision.cpp). accepted: h is the proposal for the next step [s]; else h
+  // is the length of the next trial. Throws SolveError if no step, or no shorter one, can be taken.
   struct Decision {
     bool accepted = false;
     double h = 0;
@@ -146,11 +146,11 @@ class Dynamics {
   // The step that is being tried.
   struct Tries {
     StepInfo info;
-    bool solved = false;          // Newton's iteration of the last try converged
+    bool solved = false;          // Newton's iteration of the last trial converged
     double allowed = HUGE_VAL;    // s, longest step that the terms allow
     double event = HUGE_VAL;      // s from the start of the step to the event that is searched for
     bool prepared_again = false;  // this step has been prepared a second time
-    bool overstretched = false;   // an element of some rank, in the last try
+    bool overstretched = false;   // an element of some rank, in the last trial
     EventSearch search;
     std::vector<double> at_start;  // values of the event functions at the start of the step
   } tries_;
@@ -162,7 +162,7 @@ class Dynamics {
   bool copied_ = false;       // trial_ holds all values that a step does not change
   bool loaded_ = false;       // trial_ is the state of local_u_
   bool old_tangent_ = false;  // the next iteration uses the tangent of an earlier one
-  // N, the larger of the first residual of this Newton solution and of the forces summed up in it
+  // N, the larger of the first residual of this Newton solution and of its contributions
   double first_ = 0;
   int counted_ = -1;  // iterations until the residual fell below kCounted; < 0: not yet
   VecHandle u_, r_;

@@ -4,7 +4,6 @@
 // they are connected through the pattern of the rows of some rank. Each platform that is cut between ranks
 // forms a part, which its ranks solve without the others. A part is solved by the rank that owns its first
 // block.
-// its first block.
 #pragma once
 
 #include <petscmat.h>

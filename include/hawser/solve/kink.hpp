@@ -1,12 +1,12 @@
 // Equilibrium on a kink of the energy.
 //
 // The normal of a surface of facets turns at their edges, and the contact force of a line that rests on an
-// edge jumps. Newton's method and its line search stop there: the energy rises to both sides, and no residual
-// is small. The line is in balance if a combination sum l_i r_i, l_i >= 0, sum l_i = 1, of the residuals on
-// the sides of the kink vanishes, as zero is then in the generalised gradient of the energy (Clarke 1983,
-// Optimization and Nonsmooth Analysis, sections 1.2 and 2.3). Otherwise u = -K^-1 sum l_i r_i, with the l
-// that minimise the square of the combination in the norm of K^-1, goes down along the kink: it minimises
-// u'Ku/2 + max_i r_i'u (Burke, Lewis & Overton 2005, SIAM J. Optim. 15, 751-779).
+// edge jumps. Newton's method and its line search stop there: the energy increases on both sides, and no
+// residual is small. The line is in equilibrium if a combination sum l_i r_i, l_i >= 0, sum l_i = 1, of the
+// residuals on the sides of the kink vanishes, as zero is then in the generalised gradient of the energy
+// (Clarke 1983, Optimization and Nonsmooth Analysis, sections 1.2 and 2.3). Otherwise u = -K^-1 sum l_i r_i,
+// with the l that minimise the square of the combination in the norm of K^-1, descends along the kink: it
+// minimises u'Ku/2 + max_i r_i'u (Burke, Lewis & Overton 2005, SIAM J. Optim. 15, 751-779).
 #pragma once
 
 #include <petscksp.h>

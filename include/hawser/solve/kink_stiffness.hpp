@@ -1,23 +1,23 @@
 // Newton's iteration across kinks of the energy.
 //
-// Where a line rests in a valley between two facets, the force across it jumps, and a root may lie on the
-// jump. Newton's iteration then steps over it to and fro, each time by the jump over the stiffness K, and the
-// residual r stays as large as the jump. Usually each node has kinks of its own. Where a step d ends in a
-// residual that opposes it at a node (r.d > 0), the force has risen there by more than the tangent said. The
-// secant of that rise,
+// If a line rests at a concave edge between two facets, the force across it jumps, and a root may lie on the
+// jump. Newton's iteration then oscillates across it, each time by the jump over the stiffness K, and the
+// residual r remains as large as the jump. Usually each node has kinks of its own. Where a step d ends in a
+// residual that opposes it at a node (r.d > 0), the force has increased there by more than the tangent
+// predicts. The secant of that increment,
 //
 //   S += r r' / (r.d)
 //
 // (the symmetric correction of rank one, Nocedal & Wright 2006, Numerical Optimization, eq. 6.24, for the
-// block of each node; r is what the model K + S has left), stops the next step near the kink. Each time a
-// step leads over the same kink again, S about doubles and d halves. At a kink of the energy S grows without
-// bound as d vanishes, and the jump j = S d of the force remains. The node is in balance if
+// block of each node; r is the residual of the model K + S), stops the next step near the kink. Each time a
+// step crosses the same kink again, S about doubles and d halves. At a kink of the energy S grows without
+// bound as d vanishes, and the jump j = S d of the force remains. The node is in equilibrium if
 //
 //   0 is in { r - s j : 0 <= s <= 1 },
 //
 // that is, if zero is in Clarke's generalised gradient (Clarke 1983, Optimization and Nonsmooth Analysis,
-// section 1.2). A smooth force leaves no second rise: its secant is its stiffness.
-// See docs/theory/relaxation.md, "Kinks".
+// section 1.2). A smooth force has no second unpredicted increment: its secant is its stiffness. See
+// docs/theory/relaxation.md, "Kinks".
 #pragma once
 
 #include <petscmat.h>

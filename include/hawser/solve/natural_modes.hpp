@@ -18,8 +18,7 @@ struct NaturalMode {
   std::vector<Vec3> shape, rotation;
 };
 
-// Largest |omega²| of a direction in which the system moves freely: that of a period of 10 000 s, far above
-// rounding.
+// Largest |omega²| of a free mode: that of a period of 10 000 s, far above rounding.
 inline constexpr double kFreeMotion = 4e-7;  // rad²/s²
 
 // The `count` lowest modes (fewer if there are no more), ascending, about the state `at`, which is at rest. M

@@ -3,8 +3,8 @@
 // Every node has the same fictitious mass, and the motion restarts from rest whenever its kinetic energy has
 // passed a peak ("kinetic damping": Cundall 1976; Barnes 1999, Int. J. Space Structures 14). Steps are
 // implicit (backward Euler, solved by Newton's method with the exact tangent), so the axial stiffness does
-// not limit them. They become longer while Newton needs few iterations, and approach the Newton steps of
-// statics. See docs/theory/relaxation.md.
+// not limit them. They become longer while Newton's method needs few iterations, and approach the Newton
+// steps of statics. See docs/theory/relaxation.md.
 #pragma once
 
 #include <functional>
@@ -32,8 +32,8 @@ struct RelaxationSettings {
   std::function<void(const RelaxationReport&)> progress;  // called before every step, on all ranks
 };
 
-// Moves `state` (positions and rotations) so near to an equilibrium at state.time that Newton's iteration can
-// complete the search. Terms are evaluated as in statics, and committed only with `friction`. Collective.
+// Moves `state` (positions and rotations) near an equilibrium at state.time, from which Newton's iteration
+// can complete the search. Terms are evaluated as in statics, and committed only with `friction`. Collective.
 // Throws SolveError naming line, arc length and imbalance if the motion does not come to rest, and
 // StiffnessRaised (static_trial.hpp) if contact was too soft during the search.
 RelaxationReport relax(System& system, const RelaxationSettings& settings, State& state);

@@ -52,9 +52,9 @@ class StaticTrial {
   double largest_factor() const;
   // trial_ = state_ moved by `factor` times local_.
   void move_trial(double factor);
-  // Whether, on the straight path from the state to the trial, no line goes through another or through a
-  // volume, or deeper into a volume than its contact law is for. Chooses new candidates if the present ones
-  // do not cover that path.
+  // True if, on the straight path from the state to the trial, no line passes through another or through a
+  // volume, or penetrates a volume beyond the range of its contact law. Chooses new candidates if the present
+  // ones do not cover that path.
   bool path_is_clear();
   // Ends a search that has no further step: throws PathBlocked if something blocks the path, StiffnessRaised
   // if automatic contact stiffness can be raised, else SolveError with that sentence.
@@ -89,8 +89,7 @@ class StaticTrial {
   double length_ = 0;                 // m, length of the longest element
   double longest_ = 0;                // m, longest line; for bodies alone a suitable length
   int layout_ = 0;                    // how often build() has created the vectors
-  // What blocks the path to the last trial that was not clear, and that trial; nullopt on all ranks: nothing
-  // does.
+  // The obstacle on the path to the last blocked trial, and that trial; nullopt on all ranks: none.
   std::optional<advice::StepFinding> blocked_by_;
   State blocked_;
 };

@@ -10,8 +10,8 @@ struct StepSettings {
   double longest = 0.1;         // s
   double shortest = 1e-6;       // s
   double error_tolerance = 0;   // m, allowed local error of a step; 0: not controlled
-  int easy_iterations = 4;      // the step may grow after at most this many Newton iterations
-  int hard_iterations = 8;      // it shrinks after more than this many
+  int easy_iterations = 4;      // the step may increase after at most this many Newton iterations
+  int hard_iterations = 8;      // it decreases after more than this many
   bool resolve_impacts = true;  // fixed steps, too, are shortened to what the terms allow
 };
 
@@ -25,15 +25,15 @@ class StepControl {
   double next(double t, double stop, double allowed) const;
   // True if the limits of the terms apply.
   bool respects_term_limits() const { return s_.fixed <= 0 || s_.resolve_impacts; }
-  // True if a step of h may be repeated with a shorter length because of a condition that only its end shows.
+  // True if a step of h may be repeated with a shorter length because of a condition detected at its end.
   bool divides(double h) const { return respects_term_limits() && !is_shortest(h); }
   bool is_shortest(double h) const { return h <= s_.shortest * (1 + 1e-9); }
   double shortest_length() const { return s_.shortest; }  // s
   // Called when accelerations have jumped: the next step is at most the first one of the settings.
   void reset_to_first_step();
   // Called after an impact at t on a contact with this period [s]. Steps stay below a third of the period for
-  // twenty periods, since the ringing decides the next impact. From then on a step at most doubles the last
-  // one.
+  // twenty periods, since the remaining vibration determines the next impact. From then on a step at most
+  // doubles the last one.
   void follow_impact(double t, double period);
   // True if a converged step is accurate enough. A step of the shortest length always is.
   bool accurate(double h, double error) const;

@@ -51,7 +51,7 @@ class FedLines {
   }
   // Positions and rotations at the start of the step; empty before the first step.
   const State& before() const { return before_; }
-  // Adds work of the feeders that another term computes, J, of what this rank counts.
+  // Adds work of the feeders that another term computes, J, for the parts that this rank counts.
   void add_work(double work) { work_ += work; }
 
  private:

@@ -64,7 +64,7 @@ class RaisesStiffness {
   // In statics, raises the stiffness if it is too low to keep a line out of a volume on the path to that
   // trial. True: solve again. Collective.
   virtual bool raise_stiffness_where_blocked(const Kinematics& trial) = 0;
-  // Reverts the stiffness to that of the last commit. Called before each try of a step.
+  // Reverts the stiffness to that of the last commit. Called before each trial of a step.
   virtual void revert_stiffness() = 0;
 };
 
@@ -103,9 +103,9 @@ class HasAxialStiffness {
  public:
   virtual ~HasAxialStiffness() = default;
   // Limits the axial stiffness [N] and makes sections elastic, until the next call (HUGE_VAL: true values).
-  // Statics starts soft, because a very stiff line would make its search creep along a narrow valley of the
-  // energy, and elastic, because the bends of a shape far from rest would leave yielding sections with hardly
-  // any stiffness. Returns whether this changes anything on this rank.
+  // Statics starts soft, because the energy of a very stiff line is badly conditioned, and elastic, because
+  // yielding sections in the bends of a shape far from equilibrium would have almost no stiffness. Returns
+  // whether this changes anything on this rank.
   virtual bool soften(double most) = 0;
   // Largest EA, N, of this rank; 0: none.
   virtual double axial_stiffness() const = 0;
@@ -119,7 +119,7 @@ class HasAxialStiffness {
 class ScalesResiduals {
  public:
   virtual ~ScalesResiduals() = default;
-  // Sum of squares, N², of the round-off of the forces on this rank, in a try of a step h [s] (0: statics).
+  // Sum of squares, N², of the round-off of the forces on this rank, in a trial of a step h [s] (0: statics).
   // No residual can be smaller.
   virtual double round_off(const Kinematics& at, double h) const {
     (void)at;

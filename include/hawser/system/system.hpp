@@ -79,8 +79,8 @@ class System {
   void remove(const ForceTerm* term);
   void tie(std::vector<TiedNode> nodes, BodyMotion motion);
 
-  // Asks the terms which nodes they couple in a coming step of h [s], and extends ghosts and pattern if they
-  // lack these nodes. If the layout has changed, the caller rebuilds vectors, matrices and solvers, and
+  // Collects from the terms the nodes they couple in a coming step of h [s], and extends ghosts and pattern if
+  // they lack these nodes. If the layout has changed, the caller rebuilds vectors, matrices and solvers, and
   // updates the ghosts of its states. Called before prepare(). Collective.
   CouplingChange update_couplings(const Kinematics& committed, double h);
   // Resizes to the local nodes and fills the ghosts from their owners. Collective.
@@ -132,7 +132,7 @@ class System {
   void revert_stiffness();
 
   void prepare(const Kinematics& committed, double h);
-  // Announces that the coming try is shorter than the prepared step, because the round-off of the residual
+  // Announces that the coming trial is shorter than the prepared step, because the round-off of the residual
   // depends on the length. Collective.
   void expect(const Kinematics& committed, double h);
   void commit(const Kinematics& accepted);

@@ -2,8 +2,8 @@
 //
 // An edge is an axis like the element of a line (contact_along_axis.hpp) and moves with its body. By the
 // basis of its stiffness a volume touches with its corners and balls (per_point), its edges (per_length) or
-// its faces (per_area). model::body_pairs decides which volume leads. Friction acts at each contact point
-// with its own elastic slip. See docs/theory/body-contact.md.
+// its faces (per_area). model::body_pairs determines the slave. Friction acts at each contact point with its
+// own elastic slip. See docs/theory/body-contact.md.
 #pragma once
 
 #include <mpi.h>
@@ -90,7 +90,7 @@ class BodyContact final : public ForceTerm,
   double largest_penetration() const;
   // Adds the active contacts of those pairs in the accepted state. Volumes have their indices in the case.
   void active_contacts(ActiveContacts& out) const;
-  // Likewise, on the surface of what does not lead: one for each eighth of the box of what leads.
+  // Likewise, on the surface of the master: one for each eighth of the box of the slave.
   void resultants(ContactResultants& out) const;
 
  private:
@@ -136,7 +136,7 @@ class BodyContact final : public ForceTerm,
     Vec12 elastic = Vec12::Zero();  // residual without damping
     Both at;
     double penetration = 0;        // m, penetration
-    double met = 0;                // m, largest of that since the two were clear of each other
+    double met = 0;                // m, largest of that since the two volumes were last apart
     double depth = 0;              // m, largest, over the accepted steps
     ActiveContact now;             // in the accepted state
     Vec12 acts = Vec12::Zero();    // residual there
@@ -158,7 +158,7 @@ class BodyContact final : public ForceTerm,
   struct Sum {
     AgainstBody on;
     double potential = 0;                      // J
-    double damping_power = 0, work_power = 0;  // W; work_power: brought in by prescribed motion
+    double damping_power = 0, work_power = 0;  // W; work_power: external work of prescribed motion
     double depth = 0;                          // m, largest penetration
     bool active = false;
   };
@@ -200,7 +200,7 @@ class BodyContact final : public ForceTerm,
                      Eighths& to) const;
   ContactResultants resultants_of(const Pair& pair, const Both& at, const Eighths& sums) const;
   void store_first_forces(Pair& pair, double h) const;
-  // J, half of the work that friction at these points takes on the way of the step.
+  // J, half of the work dissipated by friction at these points along their displacement in the step.
   double half_dissipation(const Pair& pair, const Both& trial, const BodyFrictionPoints& points) const;
   // Power of prescribed motion against friction at the points of the committed state, W.
   double friction_power(const Pair& pair) const;

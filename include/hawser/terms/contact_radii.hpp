@@ -1,5 +1,5 @@
-// Half the contact diameters of elements, m, by their line type: what every rank knows of all lines grows
-// with the lines, not with their elements.
+// Half the contact diameters of elements, m, by their line type, so that memory on every rank is proportional
+// to the number of lines, not of elements.
 #pragma once
 
 #include <utility>

@@ -122,7 +122,7 @@ class LinesInWater final : public ForceTerm,
   mutable double wave_time_ = 0;
   mutable bool wave_known_ = false;
   FlowLoads flow_loads_;  // at the last accepted state; in statics at the last iteration
-  double work_ = 0;       // J, done by drag and added mass on what this rank counts
+  double work_ = 0;       // J, done by drag and added mass on the parts that this rank counts
 };
 
 // Hydrodynamic section of a line type for an element of this length [m].
