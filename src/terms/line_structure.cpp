@@ -153,8 +153,8 @@ void LineStructure::evaluate(const Kinematics& trial, Assembler& assembler) {
     const Vec3 pull =
         in_step ? cable_mean_force(c.section, scaled_start(c, trial.step, last_step_), step, e.x1, e.x2)
                 : cable_force(c.section, e);
-    // Outside a step `pull` is not a mean. With the weight of 1 it enters the residual unchanged; it also enters
-    // mean_forces(), from which the motion starts.
+    // Outside a step `pull` is not a mean. With the weight of 1 it enters the residual unchanged; it also
+    // enters mean_forces(), from which the motion starts.
     assembler.add_mean_between(c.blocks[0], c.blocks[1], pull, nullptr);
   }
 }

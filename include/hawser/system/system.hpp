@@ -79,9 +79,9 @@ class System {
   void remove(const ForceTerm* term);
   void tie(std::vector<TiedNode> nodes, BodyMotion motion);
 
-  // Collects from the terms the nodes they couple in a coming step of h [s], and extends ghosts and pattern if
-  // they lack these nodes. If the layout has changed, the caller rebuilds vectors, matrices and solvers, and
-  // updates the ghosts of its states. Called before prepare(). Collective.
+  // Collects from the terms the nodes they couple in a coming step of h [s], and extends ghosts and pattern
+  // if they lack these nodes. If the layout has changed, the caller rebuilds vectors, matrices and solvers,
+  // and updates the ghosts of its states. Called before prepare(). Collective.
   CouplingChange update_couplings(const Kinematics& committed, double h);
   // Resizes to the local nodes and fills the ghosts from their owners. Collective.
   void update_ghosts(State& state) const;
