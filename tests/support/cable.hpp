@@ -11,23 +11,24 @@ struct CableState {
   operator CableEnds() const { return {x1, x2, v1, v2}; }
 };
 
-using CableForce = Eigen::Matrix<double, 6, 1>;  // on (x1, x2)
+using CableEndForces = Eigen::Matrix<double, 6, 1>;  // on (x1, x2)
 using CableMatrix = Eigen::Matrix<double, 6, 6>;
 
-inline CableForce cable_force(const CableSection& s, const CableState& e) {
+inline CableEndForces cable_end_forces(const CableSection& s, const CableState& e) {
   const Vec3 pull = cable_force(s, e);
-  CableForce f;
+  CableEndForces f;
   f << -pull, pull;
   return f;
 }
 
 // Force, and its derivatives by positions and by velocities.
-inline CableForce cable_tangent(const CableSection& s, const CableState& e, CableMatrix& K, CableMatrix& C) {
+inline CableEndForces cable_tangent(const CableSection& s, const CableState& e, CableMatrix& K,
+                                    CableMatrix& C) {
   CableForce o;
   cable_force(s, e, 0, o);
   K << o.k, -o.k, -o.k, o.k;
   C << o.c, -o.c, -o.c, o.c;
-  CableForce f;
+  CableEndForces f;
   f << -o.force, o.force;
   return f;
 }

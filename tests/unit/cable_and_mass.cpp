@@ -46,7 +46,7 @@ TEST(Cable, TangentsAreDerivatives) {
       auto at = [&](double h, bool speed) {
         CableState m = e;
         (j < 3 ? (speed ? m.v1 : m.x1) : (speed ? m.v2 : m.x2))[j % 3] += h;
-        return cable_force(s, m);
+        return cable_end_forces(s, m);
       };
       Kd.col(j) = (at(1e-5, false) - at(-1e-5, false)) / 2e-5;
       Cd.col(j) = (at(1e-5, true) - at(-1e-5, true)) / 2e-5;

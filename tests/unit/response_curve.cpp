@@ -160,13 +160,13 @@ TEST(ResponseCurve, CableTangentAndEnergyBelongToItsForce) {
     test::CableState e{Vec3(1, 1, 1), Vec3::Zero()};
     e.x2 = e.x1 + 2 * (1 + strain) * Vec3(0.6, 0, 0.8);
     test::CableMatrix K, C;
-    const test::CableForce f = cable_tangent(s, e, K, C);
+    const test::CableEndForces f = cable_tangent(s, e, K, C);
     EXPECT_NEAR(f.tail<3>().norm(), strain > 0 ? rope.at(strain).force : 0, 1e-9);
     for (int j = 0; j < 3; ++j) {
       test::CableState p = e, m = e;
       p.x2[j] += 1e-6;
       m.x2[j] -= 1e-6;
-      const test::CableForce rise = cable_force(s, p) - cable_force(s, m);
+      const test::CableEndForces rise = cable_end_forces(s, p) - cable_end_forces(s, m);
       EXPECT_LT((K.col(3 + j) - rise / 2e-6).norm(), 1e-5 * (1 + K.norm()));
       EXPECT_NEAR(f[3 + j], (cable_stress(s, p).strain_energy - cable_stress(s, m).strain_energy) / 2e-6,
                   1e-6 * (1 + f.norm()));
