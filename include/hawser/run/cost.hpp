@@ -39,11 +39,15 @@ std::string size_sentence(const io::ResultsSize& size, const std::string& folder
 // Bytes: the most that this process has had in memory so far, and what it has.
 double peak_memory();
 double memory_now();
+// Of that the pages of files, which are mostly those of libraries.
+double file_memory_now();
 // Bytes on one rank: the most by the time that the files were read; what every rank of several keeps of all
-// lines (the case, the mesh, its owners); and the most in trial_run() with all of that.
+// lines (the case, the mesh, its owners); the most in trial_run() with all of that; and the pages of files
+// among these that trial_run() added, which every rank has, too.
 struct MemoryUse {
   double read = 0, shared = 0, measured = 0;
   bool moved = true;  // as in TrialRun
+  double of_files = 0;
 };
 // "expected memory: about 0.9 GB", or of the rank with most of the work, a share of all; 1: there is one
 // rank.
