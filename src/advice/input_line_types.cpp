@@ -58,7 +58,7 @@ void warn_of_contents(const LineType& t, std::vector<InputWarning>& out) {
 
 // Coatings thicker than half the pipe, by the keys of the file because the type has only sums.
 bool warn_of_coatings(const Case& c, const LineType& t, std::vector<InputWarning>& out) {
-  const Value* type = entry_of(c, "line_types", t.name);
+  const Entry type = entry_of(c, "line_types", t.name);
   const Value* pipe = type ? type->find("pipe") : nullptr;
   const Value* coatings = pipe ? pipe->find("coatings") : nullptr;
   if (!coatings) return false;

@@ -191,7 +191,7 @@ void warn_of_fairleads(const Case& c, const Body& b, std::vector<InputWarning>& 
 // below 3.
 void warn_of_flow(const Body& b, std::vector<InputWarning>& out) {
   constexpr double kLargest = 10;
-  const auto warn = [&](const std::optional<FlowOnBody>& flow, const char* name) {
+  const auto warn = [&](const Shared<FlowOnBody>& flow, const char* name) {
     if (!flow || flow->coefficients.largest() <= kLargest) return;
     add_warning(
         out, fmt::format("bodies.{}.floating.{}", b.name, name), Effect::all,

@@ -132,7 +132,7 @@ class Walk {
       case Value::Kind::map: {
         const bool names = v.schema->type == Key::Type::names;
         for (std::size_t i = 0; i < v.items.size(); ++i)
-          visit(v.items[i], path + (path.empty() ? "" : ".") + (names ? "*" : v.keys[i]));
+          visit(*Entry(v, i), path + (path.empty() ? "" : ".") + (names ? "*" : v.keys[i]));
         return;
       }
       case Value::Kind::list:
@@ -148,6 +148,7 @@ class Walk {
         if (v.schema->type == Key::Type::number) number(v, *v.schema, path, v.where);
         return;
       case Value::Kind::null:
+      case Value::Kind::packed:
         return;
     }
   }
@@ -191,7 +192,8 @@ std::string unit_hint(const Value& v, Dimension d, const std::function<bool(doub
 
 std::string unit_hint(const Case& c, const std::vector<std::string>& keys,
                       const std::function<bool(double)>& fits) {
-  const Value* v = keys.size() > 1 ? entry_of(c, keys[0], keys[1]) : nullptr;
+  const Entry entry = keys.size() > 1 ? entry_of(c, keys[0], keys[1]) : Entry();
+  const Value* v = entry ? &*entry : nullptr;
   for (std::size_t i = 2; i < keys.size(); ++i) v = v ? v->find(keys[i]) : nullptr;
   return v && v->kind == Value::Kind::scalar && v->schema ? unit_hint(*v, v->schema->unit, fits) : "";
 }

@@ -142,8 +142,8 @@ class Proportions {
          most, hint(key, [&](double x) { return between(x / t_.outer_diameter, least, most); }));
   }
   bool given(const char* key) const {
-    const Value* v = entry_of(c_, "line_types", t_.name);
-    v = v ? v->find(key) : nullptr;
+    const Entry type = entry_of(c_, "line_types", t_.name);
+    const Value* v = type ? type->find(key) : nullptr;
     return v && v->given;
   }
 

@@ -10,6 +10,7 @@
 #include "hawser/base/error.hpp"
 #include "hawser/io/yaml_document.hpp"
 #include "hawser/model/nearest.hpp"
+#include "hawser/model/packed_value.hpp"
 #include "hawser/model/schema.hpp"
 
 namespace hawser::io {
@@ -163,7 +164,7 @@ class Change {
              found(v), name, path, name);
     path += (path.empty() ? "" : ".") + name;
     const auto at = std::find(v.keys.begin(), v.keys.end(), name);
-    if (at != v.keys.end()) return v.items[at - v.keys.begin()];
+    if (at != v.keys.end()) return opened(v.items[at - v.keys.begin()]);
     v.keys.push_back(name);
     Value& added = v.items.emplace_back();
     added.line = model::kBySet;
@@ -181,7 +182,12 @@ class Change {
     if (index >= v.items.size())
       refuse(path, "has no [{}]: there are {}, from [0] to [{}]", index, v.items.size(), v.items.size() - 1);
     path += key.type == Type::names ? "." + v.keys[index] : fmt::format("[{}]", index);
-    return v.items[index];
+    return opened(v.items[index]);
+  }
+
+  static Value& opened(Value& v) {
+    if (v.kind == Kind::packed) v = model::unpacked(v);
+    return v;
   }
 
   void remove(Value& parent, const Value& v, const std::string& path) const {

@@ -10,6 +10,7 @@
 
 #include "hawser/model/farm.hpp"
 #include "hawser/model/json_string.hpp"
+#include "hawser/model/packed_value.hpp"
 #include "hawser/model/schema.hpp"
 
 namespace hawser::io {
@@ -50,7 +51,7 @@ std::string as_given(const Value& v) {
     if (v.kind == Kind::list)
       all.add(as_given(v.items[i]));
     else
-      all.add(v.keys[i], as_given(v.items[i]));
+      all.add(v.keys[i], as_given(*model::Entry(v, i)));
   }
   return all.closed();
 }
@@ -66,7 +67,7 @@ std::string map_as_read(const Value& v) {
   const bool of_library = v.has("library");
   Elements all('{');
   for (std::size_t i = 0; i < v.items.size(); ++i)
-    if (v.items[i].given || !of_library) all.add(v.keys[i], as_read(v.items[i]));
+    if (v.items[i].given || !of_library) all.add(v.keys[i], as_read(*model::Entry(v, i)));
   return all.closed();
 }
 

@@ -19,6 +19,7 @@
 #include "hawser/io/yaml_document.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/cut_lines.hpp"
+#include "hawser/model/packed_value.hpp"
 #include "hawser/model/schema.hpp"
 
 namespace hawser::io {
@@ -105,14 +106,14 @@ void read_things(const Value& root, const Value* start_of_case, const CaseSource
   }
   place_platforms(root, source, lengths, c);
   for (std::size_t i = 0; i < bodies; ++i) {
-    const Value& v = root["bodies"].items[i];
-    finish_body(v, source, c.bodies[i], c);
-    if (sea) meet_sea(v, source, c.bodies[i], c);
+    const model::Entry v(root["bodies"], i);
+    finish_body(*v, source, c.bodies[i], c);
+    if (sea) meet_sea(*v, source, c.bodies[i], c);
   }
   for (std::size_t i = 0; i < volumes; ++i) finish_volume(root["volumes"].items[i], source, c.volumes[i]);
   OtherRuns others(source);
   for (std::size_t i = 0; i < lines; ++i)
-    finish_line(root["lines"].items[i], start_of_case, lengths, others, c, c.lines[i]);
+    finish_line(*model::Entry(root["lines"], i), start_of_case, lengths, others, c, c.lines[i]);
   for (std::size_t i = 0; i < bodies; ++i)
     if (model::Body& b = c.bodies[i]; b.on) to_length(b.on->at, length_of(c, b.on->line));
   for (std::size_t i = 0; i < links; ++i) finish_link(root["links"].items[i], c.links[i], c);

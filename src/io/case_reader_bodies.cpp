@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "hawser/io/case_values.hpp"
 #include "hawser/io/hydrodynamic_files.hpp"
@@ -194,7 +195,7 @@ void finish_body(const Value& v, const CaseSource& source, model::Body& b, model
 void meet_sea(const Value& v, const CaseSource& source, model::Body& b, model::Case& c) {
   if (const Value* f = v.find("floating"))
     if (const Value* waves = f->find("hydrodynamics")) {
-      const model::BodyHydrodynamics& h = *b.mass->hydrodynamics;
+      const model::BodyHydrodynamics& h = *std::as_const(b).mass->hydrodynamics;
       const double heading = model::hydrodynamic_heading(b);
       const auto& sea = source.files->sea(c.environment).components();
       const std::string key = "bodies." + b.name + ".floating.hydrodynamics";

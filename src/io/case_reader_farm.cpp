@@ -16,6 +16,7 @@
 #include "hawser/model/check.hpp"
 #include "hawser/model/farm.hpp"
 #include "hawser/model/nearest.hpp"
+#include "hawser/model/packed_value.hpp"
 #include "hawser/model/place_platform.hpp"
 
 namespace hawser::io {
@@ -246,8 +247,9 @@ void check_line_types(const FarmPart& part, const model::Case& c) {
   const Value& types = (*part.tree)["line_types"];
   for (size_t i = 0; i < types.items.size(); ++i) {
     const std::string key = "line_types." + types.keys[i];
-    const Value* other = model::entry_of(c, "line_types", types.keys[i]);
-    if (!other || other == &types.items[i] || model::value_text(*other) == model::value_text(types.items[i]))
+    const model::Entry other = model::entry_of(c, "line_types", types.keys[i]);
+    if (!other || &*other == &types.items[i] ||
+        model::value_text(*other) == model::value_text(types.items[i]))
       continue;
     const model::KeyPlace there = model::place_of(c, key);
     model::fail(part.file, types.items[i].line, key,
@@ -329,14 +331,14 @@ void place_platforms(const Value& root, const CaseSource& source, const SectionL
         model::place_platform(read_platform(part, own, changed, c, bed), bed, place, c);
       try {
         for (size_t i = 0; i < bodies.items.size(); ++i)
-          meet_sea(bodies.items[i], own, c.bodies[body + i], c);
+          meet_sea(*model::Entry(bodies, i), own, c.bodies[body + i], c);
       } catch (const model::Refusal& r) {
         model::fail(part.file, r.line, model::placed_key(place, r.where), r.what());
       }
       if (start_of_case)
         for (size_t i = 0; i < lines.items.size(); ++i)
-          if (!lines.items[i]["start"].given)
-            finish_start(lines.items[i], start_of_case, others, c, c.lines[line + i]);
+          if (const model::Entry v(lines, i); !(*v)["start"].given)
+            finish_start(*v, start_of_case, others, c, c.lines[line + i]);
     }
   }
 }

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "hawser/base/error.hpp"
+#include "hawser/model/packed_value.hpp"
 #include "hawser/model/schema.hpp"
 #include "yaml_faults.hpp"
 
@@ -155,6 +156,9 @@ class TreeBuilder final : public YAML::EventHandler {
       if (!is_new) model::fail(file_, f.key_line, path(), "is given twice (first in line {})", first->second);
     } else {
       v.line = f.key_line;
+      const std::string& names = stack_.front().key;
+      if (stack_.size() == 2 && (names == "lines" || names == "bodies") && v.kind == Value::Kind::map)
+        model::pack(v);
       f.value.keys.push_back(std::move(f.key));
       f.value.items.push_back(std::move(v));
       f.has_key = false;

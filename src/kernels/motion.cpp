@@ -218,8 +218,7 @@ RigidMotion::RigidMotion(const Vec3& position, const Vec3& rotation, MotionLaw l
 void RigidMotion::set_drift(DriftLaw drift) {
   if (!(drift.ramp >= 0)) throw std::invalid_argument("the ramp of a drift must not be negative");
   if (!(drift.harmonic.period > 0)) throw std::invalid_argument("the period of a drift must be positive");
-  drift_ = std::move(drift);
-  drifts_ = true;
+  drift_ = std::make_shared<const DriftLaw>(std::move(drift));
 }
 
 namespace {
@@ -270,9 +269,9 @@ RigidPose RigidMotion::at(double t) const {
     pose.acceleration = offset.second;
     angular_rates(psi, pose.angular_velocity, pose.angular_acceleration);
   }
-  if (!drifts_) return pose;
+  if (!drift_) return pose;
   VectorMotion moved, turned;
-  drift_.at(t, moved, turned);
+  drift_->at(t, moved, turned);
   move_with_frame(position_, moved, turned, rests, pose);
   return pose;
 }

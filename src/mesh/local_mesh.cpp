@@ -158,10 +158,14 @@ LineOwners line_owners(const LocalMesh& mesh) {
   LineOwners out;
   const std::vector<LineSpan>& lines = mesh.mesh->lines;
   for (size_t l = 0; l < lines.size(); ++l) {
-    if (!mesh.owner.whole(lines[l].first_node, lines[l].nodes))
-      out.cut.push_back(static_cast<int>(l));
-    else if (owns_line(mesh, static_cast<int>(l)))
-      out.uncut.push_back(static_cast<int>(l));
+    const int line = static_cast<int>(l), first = lines[l].first_node, end = first + lines[l].nodes;
+    const bool cut = !mesh.owner.whole(first, lines[l].nodes);
+    const auto owned_end = mesh.global.begin() + mesh.owned;
+    const auto owned = std::lower_bound(mesh.global.begin(), owned_end, first);
+    const bool here = owned != owned_end && *owned < end;
+    if (cut) out.cut.push_back(line);
+    if (here) out.here.push_back(line);
+    if (here && !cut) out.uncut.push_back(line);
   }
   return out;
 }

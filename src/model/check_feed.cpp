@@ -71,7 +71,7 @@ std::string why_not_fed(const Case& c, const Line& line, const End& end) {
 // Checks the minimum number of elements inside the feeder and outside at the start.
 void check_elements(const Line& line, LineEnd line_end, const Issues& issue) {
   const Feed& f = *line.end(line_end).feed;
-  const std::optional<Feed>& beyond = line.end(opposite(line_end)).feed;
+  const Shared<Feed>& beyond = line.end(opposite(line_end)).feed;
   const double other = beyond ? beyond->stock : 0;
   double at = 0;
   int inside = 0, outside = 0;  // number of elements

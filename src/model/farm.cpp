@@ -37,9 +37,9 @@ Placed find_placed(const Case& c, std::string_view key) {
 
 namespace {
 
-const Value* entry(const Value* tree, std::string_view kind, const std::string& name) {
+Entry entry(const Value* tree, std::string_view kind, const std::string& name) {
   const Value* all = tree ? tree->find(kind) : nullptr;
-  return all ? all->find(name) : nullptr;
+  return all ? find_entry(*all, name) : Entry();
 }
 
 // The part whose file defines a line type; null: the case itself.
@@ -63,7 +63,7 @@ KeyPlace place_of(const Case& c, const std::string& key) {
   return {c.file, c.tree ? c.tree->line_of(key) : 0};
 }
 
-const Value* entry_of(const Case& c, std::string_view kind, const std::string& name) {
+Entry entry_of(const Case& c, std::string_view kind, const std::string& name) {
   if (const Placed p = find_placed(c, name); p.part) return entry(p.part->tree.get(), kind, p.key);
   if (const FarmPart* part = kind == "line_types" ? part_of_type(c, name) : nullptr)
     return entry(part->tree.get(), kind, name);

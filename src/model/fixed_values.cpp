@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "hawser/model/packed_value.hpp"
 #include "hawser/model/schema.hpp"
 
 namespace hawser::model {
@@ -25,7 +26,7 @@ std::string value_text(const Value& v) {
   }
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < v.items.size(); ++i)
-    parts.push_back((v.keys.empty() ? "" : v.keys[i] + ": ") + value_text(v.items[i]));
+    parts.push_back((v.keys.empty() ? "" : v.keys[i] + ": ") + value_text(*Entry(v, i)));
   if (!v.keys.empty()) std::sort(parts.begin(), parts.end());
   return fmt::format("[{}]", fmt::join(parts, ", "));
 }
@@ -35,10 +36,12 @@ namespace {
 void collect(const Value& v, const Key& key, std::map<std::string, std::string>& to) {
   if (key.fixed_in_restart) {
     to[v.where] = value_text(v);
+  } else if (v.kind == Value::Kind::packed) {
+    return;  // by without_values()
   } else if (key.type == Type::one_of) {
     collect(v, *v.schema, to);
   } else if (key.type == Type::names || key.type == Type::list) {
-    for (const Value& item : v.items) collect(item, key.keys[0], to);
+    for (std::size_t i = 0; i < v.items.size(); ++i) collect(*Entry(v, i), key.keys[0], to);
   } else if (key.type == Type::map) {
     for (const Key& k : key.keys)
       if (const Value* item = v.find(k.name)) collect(*item, k, to);
@@ -67,7 +70,7 @@ std::optional<Value> reduced(const Value& v, const Key* key, int line) {
   const int here = placed ? v.line : line;
   std::vector<std::optional<Value>> items;
   for (std::size_t i = 0; i < v.items.size(); ++i)
-    items.push_back(reduced(v.items[i], key_of(v, i, key), here));
+    items.push_back(reduced(*Entry(v, i), key_of(v, i, key), here));
   const auto kept =
       std::count_if(items.begin(), items.end(), [](const std::optional<Value>& x) { return x.has_value(); });
   if (here == line && kept == 0) return std::nullopt;
@@ -85,6 +88,10 @@ std::optional<Value> reduced(const Value& v, const Key* key, int line) {
     out.items.push_back(items[i] ? std::move(*items[i]) : Value());
     if (!in_order) out.keys.push_back(v.keys[i]);
   }
+  const bool names = key && key->type == Type::names;
+  if (names && std::all_of(out.items.begin(), out.items.end(),
+                           [](const Value& x) { return x.kind == Value::Kind::map && x.items.empty(); }))
+    pack(out);
   return out;
 }
 

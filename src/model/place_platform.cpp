@@ -108,7 +108,7 @@ class Placing {
 
   // Rotates springs or dampers along x, y and z.
   void turn_springs(Vec3& k, const std::string& body, const char* key) const {
-    if (!turned_ || k.x() == k.y()) return;
+    if (k.x() == k.y()) return;
     const double quarters = place_.heading / (M_PI / 2);
     if (std::abs(quarters - std::round(quarters)) > 1e-9)
       to_.refuse("bodies." + name(body) + ".floating." + key,
@@ -121,35 +121,39 @@ class Placing {
   Body placed(const Body& body) const {
     Body b = body;
     b.name = name(body.name);
-    if (b.on) b.on->line = name(b.on->line);
-    if (!b.on || b.on->drawn) {
+    if (b.on) b.on->line = name(body.on->line);
+    if (!body.on || body.on->drawn) {
       b.position = point(b.position);
       if (turned_) b.rotation = log_so3(turn_ * exp_so3(b.rotation));
     }
     std::visit([this](auto& m) { turn(m); }, b.motion);
-    if (b.drift) {
+    if (b.drift && turned_) {
       b.drift->offset = way(b.drift->offset);
       b.drift->rotation = way(b.drift->rotation);
       turn(b.drift->harmonic);
       turn(b.drift->table);
     }
-    if (!b.mass) return b;
-    b.mass->velocity = way(b.mass->velocity);
-    turn_springs(b.mass->stiffness, body.name, "stiffness");
-    turn_springs(b.mass->damping, body.name, "damping");
-    if (b.mass->hydrodynamics) {
-      BodyHydrodynamics& h = *b.mass->hydrodynamics;
-      if (h.place) h.place = point(*h.place);
-      if (h.heading) *h.heading += place_.heading;
-    }
-    if (b.mass->positioning) {
-      DynamicPositioning& p = *b.mass->positioning;
-      if (p.place) p.place = point(*p.place);
-      if (p.heading) *p.heading += place_.heading;
-    }
-    if (b.mass->hull)
-      for (std::string& volume : b.mass->hull->volumes) rename(volume);
+    if (body.mass) place_mass(body, b.mass);
     return b;
+  }
+
+  // Changes only what differs, because all places share the rest.
+  void place_mass(const Body& body, Shared<BodyMass>& mass) const {
+    const BodyMass& own = *body.mass;
+    if (turned_) {
+      mass->velocity = way(own.velocity);
+      turn_springs(mass->stiffness, body.name, "stiffness");
+      turn_springs(mass->damping, body.name, "damping");
+    }
+    const auto move = [this](auto& x) {
+      if (x.place) x.place = point(*x.place);
+      if (x.heading) *x.heading += place_.heading;
+    };
+    if (own.hydrodynamics && (own.hydrodynamics->place || own.hydrodynamics->heading))
+      move(*mass->hydrodynamics);
+    if (own.positioning && (own.positioning->place || own.positioning->heading)) move(*mass->positioning);
+    if (own.hull)
+      for (std::string& volume : mass->hull->volumes) rename(volume);
   }
 
   Volume placed(const Volume& volume) {

@@ -260,7 +260,7 @@ Key body_members() {
 }
 
 // A table of flow coefficients, and the reference areas and lengths of its forces.
-Key flow_on_body(const char* name, std::optional<FlowOnBody> BodyMass::*field, std::vector<Key> more,
+Key flow_on_body(const char* name, Shared<FlowOnBody> BodyMass::*field, std::vector<Key> more,
                  const std::string& about) {
   std::vector<Key> keys = {
       text("file",

@@ -11,6 +11,7 @@
 
 #include "hawser/math/types.hpp"
 #include "hawser/model/case.hpp"
+#include "hawser/model/packed_value.hpp"
 #include "hawser/model/schema.hpp"
 
 namespace hawser::model {
@@ -36,7 +37,7 @@ void put(M& x, const Value& v) {
   } else if constexpr (requires { x.emplace_back(); }) {
     if constexpr (requires { x.reserve(1); }) x.reserve(v.items.size());
     for (std::size_t i = 0; i < v.items.size(); ++i) {
-      put(x.emplace_back(), v.items[i]);
+      put(x.emplace_back(), *Entry(v, i));
       if constexpr (requires { x.back().name; })
         if (!v.keys.empty()) x.back().name = v.keys[i];
     }

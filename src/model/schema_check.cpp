@@ -8,6 +8,7 @@
 
 #include "hawser/base/error.hpp"
 #include "hawser/model/nearest.hpp"
+#include "hawser/model/packed_value.hpp"
 #include "hawser/model/schema.hpp"
 #include "schema_hints.hpp"
 
@@ -92,8 +93,9 @@ Value literal(const std::string& s, int line) {
 
 class Checker {
  public:
-  Checker(const std::string& file, Value& root, const MoreNames& more)
-      : file_(file), root_(root), more_(more) {}
+  // again: the values were found to be right, so that references need no search.
+  Checker(const std::string& file, Value& root, const MoreNames& more, bool again = false)
+      : file_(file), root_(root), more_(more), again_(again) {}
 
   void check(Value& v, const Key& k, const std::string& path) {
     v.where = path;
@@ -140,6 +142,7 @@ class Checker {
       case Kind::list:
         return "a list";
       case Kind::map:
+      case Kind::packed:
         return "a map of keys";
       case Kind::scalar:
         return quote(v.text);
@@ -152,8 +155,15 @@ class Checker {
     bad(v, path, "expected {}, found {}{}", describe(k), found(v), hint);
   }
 
+  // k: of the number, or of the three that it belongs to.
+  [[noreturn]] void no_number(const Value& v, Key k, const std::string& path, bool integer,
+                              const std::string& hint = "") const {
+    k.type = integer ? Type::integer : Type::number;
+    wrong_type(v, k, path, hint);
+  }
+
   void check_number(Value& v, const Key& k, const std::string& path, bool integer) {
-    if (v.kind != Kind::scalar) wrong_type(v, k, path);
+    if (v.kind != Kind::scalar) no_number(v, k, path, integer);
     const Quantity q = parse_quantity(v.text, k.unit);
     switch (q.status) {
       case Quantity::Status::ok:
@@ -161,10 +171,10 @@ class Checker {
       case Quantity::Status::not_a_number: {
         const bool comma = v.text.find(',') != std::string::npos;
         const bool comment = v.text.find("//") != std::string::npos;
-        wrong_type(v, k, path,
-                   comment ? "; a comment begins with '#'"
-                   : comma ? "; the decimal sign is a point"
-                           : "");
+        no_number(v, k, path, integer,
+                  comment ? "; a comment begins with '#'"
+                  : comma ? "; the decimal sign is a point"
+                          : "");
       }
       case Quantity::Status::not_finite:
         bad(v, path, "{} is not a finite number", quote(v.text));
@@ -172,7 +182,8 @@ class Checker {
         bad(v, path, "{} is out of range; a number is 0 or between {:g} and {:g} in size", quote(v.text),
             kSmallest, kLargest);
       case Quantity::Status::wrong_unit: {
-        if (const std::string hint = misspelt_number(q.unit); !hint.empty()) wrong_type(v, k, path, hint);
+        if (const std::string hint = misspelt_number(q.unit); !hint.empty())
+          no_number(v, k, path, integer, hint);
         if (k.unit == Dimension::none)
           bad(v, path, "wrong unit {} in {}; this number has no unit", quote(q.unit), quote(v.text));
         std::vector<std::string> units;
@@ -181,7 +192,7 @@ class Checker {
             quote(v.text), dimension_name(k.unit), enumerate(units), base_unit(k.unit));
       }
     }
-    if (integer && (q.si != std::floor(q.si) || std::abs(q.si) > 1e15)) wrong_type(v, k, path);
+    if (integer && (q.si != std::floor(q.si) || std::abs(q.si) > 1e15)) no_number(v, k, path, integer);
     const Bounds& b = k.bounds;
     if ((b.above && !(q.si > *b.above)) || (b.at_least && !(q.si >= *b.at_least)) ||
         (b.at_most && !(q.si <= *b.at_most)))
@@ -224,6 +235,7 @@ class Checker {
 
   void check_reference(Value& v, const Key& k, const std::string& path) {
     if (v.kind != Kind::scalar) wrong_type(v, k, path);
+    if (again_) return;
     const auto [index, is_new] = known_.try_emplace(k.refers);
     if (is_new)
       for (const std::string& name : names_of(k.refers)) index->second.insert(name);
@@ -256,10 +268,11 @@ class Checker {
     if (v.kind != Kind::list) wrong_type(v, k, path, hint_of_no_list(v));
     if (v.items.size() != 3)
       bad(v, path, "expected {}, found a list of {}{}", describe(k), v.items.size(), hint_of_no_commas(v));
-    Key number = k;
-    number.type = Type::number;
-    for (std::size_t i = 0; i < 3; ++i)
-      check_number(v.items[i], number, fmt::format("{}[{}]", path, i), false);
+    constexpr const char* kPlaces[] = {"[0]", "[1]", "[2]"};
+    for (std::size_t i = 0; i < 3; ++i) {
+      v.items[i].where = path + kPlaces[i];
+      check_number(v.items[i], k, path + kPlaces[i], false);
+    }
   }
 
   void check_list(Value& v, const Key& k, const std::string& path) {
@@ -275,20 +288,22 @@ class Checker {
     if (v.items.size() < k.min_items) bad(v, path, "is empty; at least one entry is needed");
     for (std::size_t i = 0; i < v.items.size(); ++i) {
       check_name_text(v.items[i], v.keys[i], path);
-      check(v.items[i], k.keys[0], path + "." + v.keys[i]);
+      const std::string where = path + "." + v.keys[i];
+      if (v.items[i].kind == Kind::packed) {
+        Value entry = unpacked(v.items[i]);
+        check(entry, k.keys[0], where);
+      } else {
+        check(v.items[i], k.keys[0], where);
+      }
     }
   }
 
   void check_map(Value& v, const Key& k, const std::string& path) {
     if (v.kind != Kind::map) wrong_type(v, k, path, hint_of_no_keys(v, k));
     const std::string prefix = path.empty() ? "" : path + ".";
-    std::vector<std::string> allowed;
-    for (const Key& c : k.keys) allowed.push_back(c.name);
-    std::sort(allowed.begin(), allowed.end());
     for (std::size_t i = 0; i < v.keys.size(); ++i)
-      if (!std::binary_search(allowed.begin(), allowed.end(), v.keys[i]))
-        bad(v.items[i], prefix + printable(v.keys[i]), "unknown key{} (allowed: {})",
-            likely_key(v, i, k, allowed), fmt::join(allowed, ", "));
+      if (std::none_of(k.keys.begin(), k.keys.end(), [&](const Key& c) { return c.name == v.keys[i]; }))
+        unknown_key(v, i, k, prefix);
     for (const Key& c : k.keys)
       if (c.required && !v.has(c.name))
         bad(v, prefix + c.name, "required key is missing; expected {}: {}", describe(c), c.about);
@@ -308,6 +323,15 @@ class Checker {
         v.keys.push_back(c.name);
         v.items.push_back(std::move(filled));
       }
+  }
+
+  [[noreturn]] void unknown_key(const Value& v, std::size_t i, const Key& k,
+                                const std::string& prefix) const {
+    std::vector<std::string> allowed;
+    for (const Key& c : k.keys) allowed.push_back(c.name);
+    std::sort(allowed.begin(), allowed.end());
+    bad(v.items[i], prefix + printable(v.keys[i]), "unknown key{} (allowed: {})",
+        likely_key(v, i, k, allowed), fmt::join(allowed, ", "));
   }
 
   static std::string printable(const std::string& key) {
@@ -374,6 +398,7 @@ class Checker {
   const std::string& file_;
   Value& root_;
   const MoreNames& more_;
+  const bool again_;
   std::map<std::string, std::unordered_set<std::string>> known_;  // names by top-level map
 };
 
@@ -429,6 +454,12 @@ std::string describe(const Key& k) {
 
 void check_structure(Value& root, const Key& schema, const std::string& file, const MoreNames& more) {
   Checker(file, root, more).check(root, schema, "");
+}
+
+void check_again(Value& v, const Key& key, const std::string& where) {
+  static const MoreNames none;
+  static const std::string file;
+  Checker(file, v, none, true).check(v, key, where);
 }
 
 }  // namespace hawser::model

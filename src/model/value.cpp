@@ -4,6 +4,8 @@
 #include <charconv>
 #include <stdexcept>
 
+#include "hawser/model/packed_value.hpp"
+
 namespace hawser::model {
 
 const Value* Value::find(std::string_view key) const {
@@ -26,6 +28,7 @@ std::vector<std::pair<double, double>> Value::rows() const {
 
 int Value::line_of(std::string_view path) const {
   const Value* v = this;
+  Value open;  // an entry that was packed
   int line_found = line;
   while (!path.empty()) {
     const Value* next = nullptr;
@@ -43,6 +46,10 @@ int Value::line_of(std::string_view path) const {
     }
     if (!path.empty() && path.front() == '.') path.remove_prefix(1);
     if (!next) break;
+    if (next->kind == Kind::packed) {
+      open = unpacked(*next);
+      next = &open;
+    }
     v = next;
     if (v->given && v->line != 0) line_found = v->line;
   }

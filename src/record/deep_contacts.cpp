@@ -43,6 +43,7 @@ std::vector<Finding> DeepContacts::findings(const std::vector<io::SummaryRow>& s
   const model::Case& c = subject_.model;
   std::vector<Finding> out;
   for (const auto& [line, d] : of_run_) {
+    if (!owns_line(subject_.local(), line)) continue;
     const std::string& name = c.lines[line].name;
     const auto row = std::find_if(summary.begin(), summary.end(), [&](const io::SummaryRow& r) {
       return r.quantity == "max penetration" && r.line == name;

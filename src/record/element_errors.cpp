@@ -33,7 +33,7 @@ constexpr int kNodesTag = 76;
 
 ElementErrors::ElementErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
                              const Feeders* feeders)
-    : case_(c), mesh_(mesh), feeders_(feeders), comm_(comm), lines_(mesh.mesh->lines.size()) {
+    : case_(c), mesh_(mesh), feeders_(feeders), comm_(comm), lines_(mesh) {
   LineOwners lines = line_owners(mesh);
   uncut_ = std::move(lines.uncut);
   const int rank = rank_of(comm);
@@ -110,13 +110,7 @@ void ElementErrors::output(const Snapshot& s) {
 }
 
 std::vector<Finding> ElementErrors::findings(const std::vector<io::SummaryRow>& summary, const Audit&) {
-  for (Worst OfLine::*kind : {&OfLine::sag, &OfLine::bend, &OfLine::lift}) {
-    std::vector<Worst> all;
-    for (const OfLine& l : lines_) all.push_back(l.*kind);
-    largest_of_ranks(comm_, all, [](const Worst& w) { return w.error; });
-    for (size_t l = 0; l < lines_.size(); ++l) lines_[l].*kind = all[l];
-  }
-  std::vector<double> bent(lines_.size(), HUGE_VAL);
+  OfLines<double> bent(mesh_, HUGE_VAL);
   for (const io::SummaryRow& r : summary)
     if (r.quantity == "max bending moment") bent[case_.line_index(r.line)] = r.value;
   std::vector<Finding> out;
@@ -128,11 +122,12 @@ std::vector<Finding> ElementErrors::findings(const std::vector<io::SummaryRow>& 
 }
 
 void ElementErrors::update(const Kinematics& at, const Values& values) {
-  const auto inside = feeders_ ? feeders_->inside() : std::vector<std::array<int, 2>>(lines_.size());
+  const auto inside = feeders_ ? feeders_->inside() : std::vector<std::array<int, 2>>();
   const auto update_line = [&](int l, const At* nodes_of_line) {
     const LineSpan& line = mesh_.mesh->lines[l];
     const std::span<const At> nodes(nodes_of_line, static_cast<size_t>(line.nodes));
-    const int first = inside[l][0], last = line.elements - inside[l][1];  // elements outside of feeders
+    const auto [at_a, at_b] = inside.empty() ? std::array<int, 2>{} : inside[l];
+    const int first = at_a, last = line.elements - at_b;  // elements outside of feeders
     update_sag(line, nodes, first, last, at.time, lines_[l].sag);
     if (!at.after_step()) update_lifts(line, nodes, first, last, at.time, lines_[l].lift);
     if (!values.moment.empty()) update_bends(line, nodes, first, last, at.time, lines_[l].bend);

@@ -16,13 +16,13 @@ constexpr double kSame = 1 - 1e-9;  // tolerance of equal tensions
 }  // namespace
 
 Folds::Folds(const model::Case& c, const LocalMesh& mesh, const Feeders* feeders)
-    : mesh_(mesh), folds_(mesh.elements.size()), worst_(mesh.mesh->lines.size()) {
-  const auto inside = feeders ? feeders->inside() : std::vector<std::array<int, 2>>(worst_.size());
+    : mesh_(mesh), folds_(mesh.elements.size()), worst_(mesh) {
+  const auto inside = feeders ? feeders->inside() : std::vector<std::array<int, 2>>();
   for (size_t i = 0; i < folds_.size(); ++i) {
     const Element& e = mesh.element(mesh.elements[i]);
     const model::LineType& t = c.line_types[e.type];
     const auto line = static_cast<size_t>(e.line);
-    const bool fed = inside[line][0] + inside[line][1] > 0;
+    const bool fed = !inside.empty() && inside[line][0] + inside[line][1] > 0;
     if (!e.beam && !fed) folds_[i].echo = 2 * t.wave_time(mesh.mesh->lines[line].length);
   }
 }
@@ -54,7 +54,7 @@ void Folds::update(const Kinematics& at, std::span<const double> before, std::sp
 }
 
 void Folds::gather(MPI_Comm comm) {
-  largest_of_ranks(comm, worst_, [](const Worst& w) { return w.tension; });
+  worst_.take_largest(comm, [](const Worst& w) { return w.tension; });
 }
 
 std::string Folds::warning(int line, const std::string& name, double largest_tension) const {

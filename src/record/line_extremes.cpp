@@ -45,12 +45,10 @@ LineExtremes::LineExtremes(const Subject& subject, const Utilisation& utilisatio
       local_(subject.local()),
       feeders_(subject.term<Feeders>()),
       utilisation_(utilisation) {
-  for (const model::Line& line : case_.lines) {
-    names_.push_back(line.name);
+  for (const model::Line& line : case_.lines)
     has_beams_.push_back(std::any_of(
         line.sections.begin(), line.sections.end(),
         [&](const model::Section& s) { return case_.line_type(s.type).kind == model::LineKind::beam; }));
-  }
 }
 
 void LineExtremes::declare(Declarations& to) {
@@ -63,7 +61,7 @@ void LineExtremes::declare(Declarations& to) {
       auto q = std::find_if(quantities_.begin(), quantities_.end(),
                             [&](const Quantity& other) { return other.name == name; });
       if (q == quantities_.end())
-        q = quantities_.insert(q, {name, fields_[f].unit, {}, largest, std::vector<Extreme>(names_.size())});
+        q = quantities_.insert(q, {name, fields_[f].unit, {}, largest, OfLines<Extreme>(local_)});
       q->fields.push_back(f);
     }
   }
@@ -112,23 +110,19 @@ std::vector<Finding> LineExtremes::findings(const std::vector<io::SummaryRow>& s
   return out;
 }
 
-std::vector<io::SummaryRow> LineExtremes::table() const {
-  struct Of {
-    Extreme at;
-    bool largest;
-  };
-  std::vector<Of> all;
-  for (size_t l = 0; l < names_.size(); ++l)
-    for (const Quantity& q : quantities_) all.push_back({q.lines[l], q.largest});
-  largest_of_ranks(comm_, all, [](const Of& x) {
-    return !x.at.set ? -HUGE_VAL : x.largest ? x.at.value : -x.at.value;
-  });
+std::vector<io::SummaryRow> LineExtremes::summary() {
+  for (Quantity& q : quantities_)
+    q.lines.take_largest(comm_, [&q](const Extreme& x) {
+      return !x.set ? -HUGE_VAL : q.largest ? x.value : -x.value;
+    });
   std::vector<io::SummaryRow> rows;
-  auto of = all.begin();
-  for (size_t l = 0; l < names_.size(); ++l)
+  if (quantities_.empty()) return rows;
+  for (const int l : quantities_.front().lines.lines()) {
+    if (!owns_line(local_, l)) continue;
     for (const Quantity& q : quantities_)
-      if (const Extreme& x = of++->at; x.set)
-        rows.push_back({q.name, names_[l], x.value, q.unit, x.time, x.arc});
+      if (const Extreme& x = q.lines[l]; x.set)
+        rows.push_back({q.name, case_.lines[l].name, x.value, q.unit, x.time, x.arc});
+  }
   return rows;
 }
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <numeric>
 #include <utility>
 
 #include "hawser/advice/input_warnings.hpp"
@@ -20,6 +22,76 @@ namespace {
 
 // Limit of the initial capacity, rows.
 constexpr double kMostRoom = 1e6;
+
+// Numbers and texts as bytes, for one message.
+class Bytes {
+ public:
+  Bytes& operator<<(double x) {
+    const auto* from = reinterpret_cast<const Byte*>(&x);
+    bytes_.insert(bytes_.end(), from, from + sizeof x);
+    return *this;
+  }
+  Bytes& operator<<(const std::string& text) {
+    *this << static_cast<double>(text.size());
+    for (const char c : text) bytes_.push_back({c});
+    return *this;
+  }
+  Bytes& operator>>(double& x) {
+    std::memcpy(&x, &bytes_[at_], sizeof x);
+    at_ += sizeof x;
+    return *this;
+  }
+  Bytes& operator>>(std::string& text) {
+    double size = 0;
+    *this >> size;
+    text.clear();
+    for (const size_t end = at_ + static_cast<size_t>(size); at_ < end; ++at_) text += bytes_[at_].value;
+    return *this;
+  }
+  bool read() const { return at_ == bytes_.size(); }
+  // Those of all ranks, on rank 0. Collective.
+  void gather_on_first(MPI_Comm comm) {
+    std::vector<Byte> all;
+    GatherPlan(comm, static_cast<int>(bytes_.size())).gather_on_first(bytes_.data(), all);
+    bytes_ = std::move(all);
+  }
+
+ private:
+  struct Byte {
+    char value;
+  };
+  std::vector<Byte> bytes_;
+  size_t at_ = 0;
+};
+
+// On rank 0 the rows and findings of all ranks, rank by rank; on the others none. Collective.
+void gather_on_first(MPI_Comm comm, std::vector<io::SummaryRow>& rows, std::vector<Finding>& findings) {
+  if (ranks_of(comm) == 1) return;
+  Bytes sent;
+  sent << static_cast<double>(rows.size());
+  for (const io::SummaryRow& r : rows)
+    sent << r.quantity << r.line << r.value << r.unit << r.time << r.arc_length;
+  sent << static_cast<double>(findings.size());
+  for (const Finding& f : findings)
+    sent << f.text << (f.row == Finding::kWholeRun ? -1.0 : static_cast<double>(f.row));
+  rows.clear();
+  findings.clear();
+  sent.gather_on_first(comm);
+  while (!sent.read()) {
+    const size_t before = rows.size();
+    double count = 0;
+    for (sent >> count; count > 0; --count) {
+      io::SummaryRow& r = rows.emplace_back();
+      sent >> r.quantity >> r.line >> r.value >> r.unit >> r.time >> r.arc_length;
+    }
+    for (sent >> count; count > 0; --count) {
+      Finding& f = findings.emplace_back();
+      double row = 0;
+      sent >> f.text >> row;
+      if (row >= 0) f.row = before + static_cast<size_t>(row);
+    }
+  }
+}
 
 }  // namespace
 
@@ -169,13 +241,32 @@ void Recorder::checkpoint(io::Checkpoint c) {
   file_->write_checkpoint(std::move(c));
 }
 
-void Recorder::gather_warnings(const std::vector<io::SummaryRow>& rows) {
-  std::vector<Finding> all;
+// Rows of the summary and warnings of all ranks, on rank 0 in the order of the lines. Collective.
+std::vector<io::SummaryRow> Recorder::gather_summary() {
+  std::vector<io::SummaryRow> rows;
   for (const auto& r : recordings_.all)
-    for (Finding& f : r->findings(rows, audit_)) all.push_back(std::move(f));
-  std::stable_sort(all.begin(), all.end(), [](const Finding& a, const Finding& b) { return a.row < b.row; });
+    for (io::SummaryRow& row : r->summary()) rows.push_back(std::move(row));
+  std::vector<Finding> findings;
+  for (const auto& r : recordings_.all)
+    for (Finding& f : r->findings(rows, audit_)) findings.push_back(std::move(f));
+  gather_on_first(subject_.comm(), rows, findings);
+  std::vector<int> line;
+  for (const io::SummaryRow& row : rows) line.push_back(subject_.model.line_index(row.line));
+  std::vector<size_t> order(rows.size()), place(rows.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return line[a] < line[b]; });
+  std::vector<io::SummaryRow> sorted;
+  for (const size_t i : order) {
+    place[i] = sorted.size();
+    sorted.push_back(std::move(rows[i]));
+  }
+  for (Finding& f : findings)
+    if (f.row != Finding::kWholeRun) f.row = place[f.row];
+  std::stable_sort(findings.begin(), findings.end(),
+                   [](const Finding& a, const Finding& b) { return a.row < b.row; });
   warnings_.clear();
-  for (Finding& f : all) warnings_.push_back(std::move(f.text));
+  for (Finding& f : findings) warnings_.push_back(std::move(f.text));
+  return sorted;
 }
 
 std::string Recorder::audit_warning() const {
@@ -196,16 +287,14 @@ std::string Recorder::audit_warning() const {
 }
 
 std::string Recorder::finish(std::vector<std::string> messages) {
-  std::vector<io::SummaryRow> rows;
-  for (const auto& r : recordings_.all)
-    for (io::SummaryRow& row : r->summary()) rows.push_back(std::move(row));
-  gather_warnings(rows);
+  const std::vector<io::SummaryRow> rows = gather_summary();
   const bool moved = subject_.model.dynamics.enabled;
   if (const std::string n = audit_.note(); moved && !n.empty()) messages.push_back("note: " + n);
   if (const std::string w = audit_warning(); moved && !w.empty()) messages.push_back("warning: " + w);
   for (const std::string& w : warnings_) messages.push_back("warning: " + w);
   for (const auto& r : recordings_.all) r->write(*file_);
   file_->finish(rows, take_clashes(), messages);
+  if (rank_of(subject_.comm()) != 0) return "";
   std::string text = fmt::format("{:<24} {:<16} {:>14} {:<6} {:>10} {:>12}\n", "quantity", "line", "value",
                                  "unit", "time [s]", "arc [m]");
   for (const auto& r : rows)

@@ -25,12 +25,9 @@ bool counts(const model::Case& c, const model::Line& line) {
 }  // namespace
 
 Snaps::Snaps(const model::Case& c, const LocalMesh& mesh)
-    : mesh_(mesh),
-      passage_(static_cast<size_t>(mesh.owned), 0),
-      echo_(mesh.mesh->lines.size(), 0),
-      worst_(mesh.mesh->lines.size()) {
+    : mesh_(mesh), passage_(static_cast<size_t>(mesh.owned), 0), echo_(mesh, 0), worst_(mesh) {
   for (const EvenPart& part : mesh.mesh->parts())
-    for (int k = 0; k < part.lengths.elements; ++k)
+    for (int k = 0; echo_.has(part.line) && k < part.lengths.elements; ++k)
       echo_[part.line] += 2 * c.line_types[part.type].wave_time(part.lengths.element_length(k));
   for (const LocalElement& l : mesh.elements) {
     const Element& e = mesh.element(l);
@@ -85,7 +82,7 @@ void Snaps::update(double time, double h, std::span<const double> on_a, std::spa
 }
 
 void Snaps::gather(MPI_Comm comm) {
-  largest_of_ranks(comm, worst_, [](const Worst& w) { return w.tension; });
+  worst_.take_largest(comm, [](const Worst& w) { return w.tension; });
 }
 
 std::string Snaps::warning(int line, const std::string& name, double largest_tension, bool damped,

@@ -61,6 +61,7 @@ std::vector<Finding> SupportLog::findings(const std::vector<io::SummaryRow>&, co
   std::vector<Finding> out;
   for (const std::string& w : warnings_) out.push_back({w});
   all_reduce(subject_.comm(), MPI_MAX, loaded_);
+  if (rank_of(subject_.comm()) != 0) return {};
   const model::Case& c = subject_.model;
   for (size_t k = 0; k < lowest_.size(); ++k) {
     const model::SupportBox& b = c.supports[k];

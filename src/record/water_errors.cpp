@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
+#include <tuple>
 
 #include "hawser/advice/long_elements.hpp"
 #include "hawser/base/mpi.hpp"
@@ -38,9 +40,26 @@ WaterErrors::WaterErrors(const model::Case& c, const System& system)
       mesh_(system.mesh()),
       structure_(*system.find<HasAxialStiffness>()),
       water_(system.find<LinesInWater>()),
-      group_(joined_lines(*mesh_.mesh)),
-      groups_(group_.size()) {
+      group_(mesh_.mesh->lines.size(), -1) {
   if (water_ && !water_->moving()) water_ = nullptr;
+  const std::vector<int> first = joined_lines(*mesh_.mesh);
+  constexpr int kNone = -1, kSeveral = -2;
+  std::vector<int> rank(first.size(), kNone);  // that has the whole group, by its first line
+  for (size_t l = 0; l < first.size(); ++l) {
+    const LineSpan& span = mesh_.mesh->lines[l];
+    const bool cut = !mesh_.owner.whole(span.first_node, span.nodes);
+    const int of_line = cut ? kSeveral : mesh_.owner[span.first_node];
+    int& of_group = rank[first[l]];
+    of_group = of_group == kNone || of_group == of_line ? of_line : kSeveral;
+  }
+  for (const int wanted : {kSeveral, rank_of(comm_)}) {
+    shared_ = groups_.size();
+    for (size_t l = 0; l < first.size(); ++l) {
+      if (rank[first[l]] != wanted) continue;
+      if (first[l] == static_cast<int>(l)) groups_.emplace_back();
+      group_[l] = first[l] == static_cast<int>(l) ? static_cast<int>(groups_.size()) - 1 : group_[first[l]];
+    }
+  }
 }
 
 double WaterErrors::Group::bears() const {
@@ -55,8 +74,7 @@ void WaterErrors::update_sampled(const Kinematics& at) {
 
 WaterErrors::Sums WaterErrors::sums(const Kinematics& at, int parts, const std::vector<bool>& groups) const {
   const size_t n = groups.size();
-  std::vector<double> all(3 * n);
-  std::vector<Where> where(n);
+  Sums out{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n), std::vector<Where>(n)};
   for (const LinesInWater::WetElement& p : water_->pieces()) {
     const Element& e = mesh_.element(p.element);
     const size_t g = group_[e.line];
@@ -66,28 +84,35 @@ WaterErrors::Sums WaterErrors::sums(const Kinematics& at, int parts, const std::
     const double z = water_->above_still_water(0.5 * (a.z() + b.z()));
     const double weight = case_.line_types[e.type].mass_per_length * case_.environment.gravity -
                           (z < 0 ? p.section.buoyancy : 0);
-    all[g] += f.error;
-    all[n + g] += f.force;
-    all[2 * n + g] += std::abs(weight) * p.section.length * chord.head<2>().norm();
-    if (f.error <= where[g].error) continue;
-    where[g] = {f.error,
-                mesh_.mesh->node(e.first).arc + 0.5 * e.length,
-                z,
-                p.section.length,
-                2 * p.section.radius,
-                e.line,
-                f.crossed};
+    out.error[g] += f.error;
+    out.force[g] += f.force;
+    out.weight[g] += std::abs(weight) * p.section.length * chord.head<2>().norm();
+    if (f.error <= out.where[g].error) continue;
+    out.where[g] = {f.error,
+                    mesh_.mesh->node(e.first).arc + 0.5 * e.length,
+                    z,
+                    p.section.length,
+                    2 * p.section.radius,
+                    e.line,
+                    f.crossed};
   }
-  all_reduce(comm_, MPI_SUM, all);
-  const auto part = [&](size_t k) {
-    const auto from = all.begin() + static_cast<std::ptrdiff_t>(k * n);
-    return std::vector<double>(from, from + static_cast<std::ptrdiff_t>(n));
-  };
-  return {part(0), part(1), part(2), std::move(where)};
+  const auto shared_end = groups.begin() + static_cast<std::ptrdiff_t>(shared_);
+  if (std::find(groups.begin(), shared_end, true) == shared_end) return out;
+  std::vector<double> shared;
+  for (const auto* sum : {&out.error, &out.force, &out.weight})
+    shared.insert(shared.end(), sum->begin(), sum->begin() + static_cast<std::ptrdiff_t>(shared_));
+  all_reduce(comm_, MPI_SUM, shared);
+  auto from = shared.begin();
+  for (auto* sum : {&out.error, &out.force, &out.weight}) {
+    std::copy_n(from, shared_, sum->begin());
+    from += static_cast<std::ptrdiff_t>(shared_);
+  }
+  return out;
 }
 
 // Necessary subdivision of the elements of some groups, by trial: errors fall with the square of the length
-// only if the elements resolve the flow, and they may have missed it completely.
+// only if the elements resolve the flow, and they may have missed it completely. Groups that ranks share are
+// tried by all of them at the same time, because they have the same sums.
 std::vector<int> WaterErrors::sufficient_parts(const Kinematics& at, std::vector<bool> groups) const {
   std::vector<int> sufficient(groups.size(), kMostParts);
   for (int parts = 2; parts < kMostParts && std::find(groups.begin(), groups.end(), true) != groups.end();
@@ -105,10 +130,13 @@ std::vector<int> WaterErrors::sufficient_parts(const Kinematics& at, std::vector
 void WaterErrors::update_tension(const Kinematics& at) {
   std::vector<LineTension> lines(group_.size());
   structure_.tensions(at, lines);
-  std::vector<double> largest(group_.size());
+  std::vector<double> largest(groups_.size());
   for (size_t l = 0; l < lines.size(); ++l)
-    largest[group_[l]] = std::max(largest[group_[l]], lines[l].tension);
-  all_reduce(comm_, MPI_MAX, largest);
+    if (group_[l] >= 0) largest[group_[l]] = std::max(largest[group_[l]], lines[l].tension);
+  if (shared_ > 0) {
+    auto shared = std::span(largest).first(shared_);
+    all_reduce(comm_, MPI_MAX, shared);
+  }
   for (size_t g = 0; g < largest.size(); ++g) groups_[g].tension = std::max(groups_[g].tension, largest[g]);
 }
 
@@ -138,41 +166,66 @@ void WaterErrors::update(const Kinematics& at) {
 std::vector<Finding> WaterErrors::findings(const std::vector<io::SummaryRow>&, const Audit&) {
   std::vector<Finding> out;
   for (std::string& w : warnings()) out.push_back({std::move(w)});
+  if (rank_of(comm_) != 0) out.clear();
   return out;
+}
+
+std::string WaterErrors::warning(const Group& g, const Where& w) const {
+  // Morison's formula does not apply to waves shorter than the line's diameter.
+  const double sufficient = std::max(w.length / g.parts, std::min(w.diameter, w.length));
+  return advice::long_in_flow({.line = mesh_.mesh->lines[w.line].name,
+                               .length = w.length,
+                               .arc = w.arc,
+                               .z = w.z,
+                               .time = g.time,
+                               .crossed = w.crossed,
+                               .in_current = water_->has_current(),
+                               .in_waves = water_->has_waves(),
+                               .joined = std::count(group_.begin(), group_.end(), group_[w.line]),
+                               .force = g.force,
+                               .error = g.error,
+                               .recommended = sufficient});
 }
 
 std::vector<std::string> WaterErrors::warnings() const {
   std::vector<Where> where;
   for (const Group& g : groups_) where.push_back(g.where);
-  largest_of_ranks(comm_, where, [](const Where& w) { return w.error; });
-  std::vector<std::pair<double, std::string>> found;  // largest fraction of the force first
-  for (size_t i = 0; i < groups_.size(); ++i) {
+  std::vector<Where> shared(where.begin(), where.begin() + static_cast<std::ptrdiff_t>(shared_));
+  if (shared_ > 0) largest_of_ranks(comm_, shared, [](const Where& w) { return w.error; });
+  std::copy(shared.begin(), shared.end(), where.begin());
+  struct Found {
+    double share = 0;  // of the force
+    int first = 0;     // line of the group
+    size_t group = 0;  // on its rank
+  };
+  const auto largest_first = [](std::vector<Found>& found) {
+    std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
+      return std::tie(b.share, a.first) < std::tie(a.share, b.first);
+    });
+  };
+  std::vector<Found> mine;
+  for (size_t i = rank_of(comm_) == 0 ? 0 : shared_; i < groups_.size(); ++i) {
     const Group& g = groups_[i];
-    const Where& w = where[i];
-    if (g.error <= g.bears() || !(w.error > 0)) continue;
-    const auto joined = std::count(group_.begin(), group_.end(), group_[w.line]);
-    // Morison's formula does not apply to waves shorter than the line's diameter.
-    const double sufficient = std::max(w.length / g.parts, std::min(w.diameter, w.length));
-    found.emplace_back(-g.error / g.force, advice::long_in_flow({.line = mesh_.mesh->lines[w.line].name,
-                                                                 .length = w.length,
-                                                                 .arc = w.arc,
-                                                                 .z = w.z,
-                                                                 .time = g.time,
-                                                                 .crossed = w.crossed,
-                                                                 .in_current = water_->has_current(),
-                                                                 .in_waves = water_->has_waves(),
-                                                                 .joined = joined,
-                                                                 .force = g.force,
-                                                                 .error = g.error,
-                                                                 .recommended = sufficient}));
+    if (g.error <= g.bears() || !(where[i].error > 0)) continue;
+    const auto first = std::find(group_.begin(), group_.end(), static_cast<int>(i)) - group_.begin();
+    mine.push_back({g.error / g.force, static_cast<int>(first), i});
   }
+  largest_first(mine);
+  int count = static_cast<int>(mine.size());
+  all_reduce(comm_, MPI_SUM, count);
   constexpr size_t kMost = 3;  // of a farm with equal lines
-  std::stable_sort(found.begin(), found.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  mine.resize(std::min(mine.size(), kMost));
+  std::vector<Found> all = gather_all(comm_, mine);
+  largest_first(all);
+  all.resize(std::min(all.size(), kMost));
   std::vector<std::string> out;
-  for (const auto& [order, text] : found)
-    if (out.size() < kMost) out.push_back(text);
-  if (found.size() > kMost) out.back() += advice::more_long_in_flow(found.size() - kMost);
+  for (const Found& f : all) {
+    const bool here =
+        std::any_of(mine.begin(), mine.end(), [&](const Found& m) { return m.first == f.first; });
+    out.push_back(first_text(comm_, here ? warning(groups_[f.group], where[f.group]) : ""));
+  }
+  if (count > static_cast<int>(kMost))
+    out.back() += advice::more_long_in_flow(static_cast<size_t>(count) - kMost);
   return out;
 }
 

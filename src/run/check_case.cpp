@@ -144,6 +144,7 @@ int check_case(MPI_Comm comm, const CheckOptions& options) {
     forget_file(c);
     give_back_memory();
     memory.shared = memory_now();
+    memory.of_files = -file_memory_now();
   }
   const double before = peak_memory();
   std::vector<BodySkeleton> of_bodies = skeletons(c, volumes);
@@ -163,6 +164,7 @@ int check_case(MPI_Comm comm, const CheckOptions& options) {
     // The search for neighbours and the partition may have taken more than all that follows.
     memory.moved = tried.moved;
     memory.measured = peak_memory() > before ? peak_memory() : memory_now();
+    memory.of_files += file_memory_now();
     fmt::print("{}\n", memory_sentence(memory, imbalance / ranks));
     if (tried.moved)
       checkpoint = io::checkpoint_numbers(make_checkpoint(sim, recorder, Events(MPI_COMM_SELF, sim)));

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ctime>
 #include <filesystem>
@@ -132,17 +133,31 @@ double peak_memory() {
   return 1024.0 * static_cast<double>(use.ru_maxrss);
 }
 
-double memory_now() {
-  long pages = 0, resident = 0;  // as Linux counts them
-  if (std::ifstream("/proc/self/statm") >> pages >> resident)
-    return static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE));
-  return peak_memory();
+namespace {
+
+// Bytes of this process as Linux counts them: its address space, what of that is resident, and the part of
+// that which belongs to files. Zeros elsewhere.
+std::array<double, 3> counted_memory() {
+  std::array<double, 3> pages{};
+  std::ifstream("/proc/self/statm") >> pages[0] >> pages[1] >> pages[2];
+  for (double& n : pages) n *= static_cast<double>(sysconf(_SC_PAGESIZE));
+  return pages;
 }
+
+}  // namespace
+
+double memory_now() {
+  const double now = counted_memory()[1];
+  return now > 0 ? now : peak_memory();
+}
+
+double file_memory_now() { return counted_memory()[2]; }
 
 std::string memory_sentence(const MemoryUse& use, double most_of_work) {
   constexpr double kStill = 1.3;  // memory of dynamics over that of statics
-  const double own = (use.moved ? 1 : kStill) * (use.measured - use.shared) * most_of_work;
-  return advice::expected_memory(std::max(use.read, use.shared + own), most_of_work < 1);
+  const double on_all = use.shared + use.of_files;
+  const double own = (use.moved ? 1 : kStill) * (use.measured - on_all) * most_of_work;
+  return advice::expected_memory(std::max(use.read, on_all + own), most_of_work < 1);
 }
 
 }  // namespace hawser::run

@@ -20,6 +20,7 @@ Bodies::Bodies(const std::vector<model::Body>& bodies) {
 
 void Bodies::in_state(const model::Case& c, const LocalMesh& mesh) {
   mesh_ = &mesh;
+  if (!mesh.mesh->has_frames()) return;
   frames_.assign(c.bodies.size(), {});
   for (size_t b = 0; b < c.bodies.size(); ++b) {
     Frame& f = frames_[b];

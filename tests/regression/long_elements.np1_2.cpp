@@ -1,4 +1,6 @@
 // Whole runs with elements and steps that are too long, and their warnings, on any number of ranks.
+#include <fmt/format.h>
+
 #include "hawser/base/mpi.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/io/hdf5.hpp"
@@ -141,6 +143,41 @@ TEST_F(LongElements, AreReported) {
   EXPECT_NE(coarse.find("line chain sags between the nodes of its elements of 32.7 m"), std::string::npos)
       << coarse;
   EXPECT_EQ(fine, "");
+}
+
+// Rows and warnings of several lines stand in the order of the case, whichever ranks have the lines.
+TEST_F(LongElements, OfSeveralLinesAreReportedInTheirOrder) {
+  std::string lines;
+  int y = 0;
+  for (const char* name : {"z", "a", "m", "b", "y", "c"}) {
+    lines += fmt::format(
+        "  {}: {{sections: [{{type: chain, length: 130.72, elements: 4}}], end_a: {{anchor: [120, {}, "
+        "-49.874]}}, end_b: {{body: vessel, at: [0, {}, 0]}}}}\n",
+        name, y, y);
+    y += 100;
+  }
+  std::string text = kChain;
+  const size_t from = text.find("  chain:\n    sections"), to = text.find("contact:");
+  text.replace(from, to - from, lines);
+  const std::string all = run(text.c_str(), {{"HEAVE", "0.5"}, {"STEP", ", step: 0.1"}, {"10,", "1,"}});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  size_t last = 0;
+  for (const char* name : {"z", "a", "m", "b", "y", "c"}) {
+    const size_t at = all.find("line " + std::string(name) + " sags between the nodes");
+    ASSERT_NE(at, std::string::npos) << name << "\n" << all;
+    EXPECT_GE(at, last) << all;
+    last = at;
+  }
+  const auto rows = [&](const char* file) {
+    const io::h5::Id results = io::h5::open_read(path + file);
+    const io::h5::Id set = io::h5::own(H5Dopen2(results, "summary", H5P_DEFAULT), H5Dclose, "summary");
+    const io::h5::Id type = io::h5::own(H5Dget_type(set), H5Tclose, "summary");
+    const io::h5::Id space = io::h5::own(H5Dget_space(set), H5Sclose, "summary");
+    std::string bytes(H5Tget_size(type) * static_cast<size_t>(H5Sget_simple_extent_npoints(space)), ' ');
+    EXPECT_GE(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), 0);
+    return bytes;
+  };
+  EXPECT_EQ(rows("/all.h5"), rows("/one.h5"));
 }
 
 TEST_F(LongElements, SoAreLongStepsOfASnap) {

@@ -187,6 +187,26 @@ TEST_F(FarmFiles, CopiesShareMeshes) {
   EXPECT_EQ(volumes[1].facets, volumes[3].facets);
 }
 
+// What a place does not change has one copy: the mass of a buoy, but not that of one with a position, and of
+// a turned one what has no direction.
+TEST_F(FarmFiles, CopiesShareWhatIsTheSame) {
+  std::string text = kPlatform;
+  const std::string positioning = "         positioning";
+  const size_t from = text.find(positioning), to = text.find("loads:", from);
+  text.replace(from, to - from, "weight: true, in_water: {volume: 1, height: 1}, ");
+  write("adrift.yaml", text);
+  const model::Case farm =
+      read("hawser: 1\nfarm: {of: adrift.yaml, at: [[500, -300], [700, 100], [900, 100, 90]]}\n" + kSea);
+  const auto mass = [&](const char* name) -> const model::BodyMass& {
+    return *farm.bodies[farm.body_index(name)].mass;
+  };
+  EXPECT_EQ(&mass("T1/buoy"), &mass("T2/buoy"));
+  EXPECT_NE(&mass("T1/buoy"), &mass("T3/buoy"));
+  EXPECT_EQ(&*mass("T1/buoy").in_water, &*mass("T3/buoy").in_water);
+  EXPECT_EQ(mass("T1/buoy").velocity, Vec3(1, 2, 0));
+  EXPECT_LT((mass("T3/buoy").velocity - Vec3(-2, 1, 0)).norm(), 1e-14);
+}
+
 TEST_F(FarmFiles, AnchorsAndPointsFollowTheBed) {
   // 2 m up per 100 m to the east, and 10 m deeper than the platform's own bed at x = 0.
   const std::string text =

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "hawser/io/case_reader.hpp"
+#include "hawser/model/packed_value.hpp"
 #include "hawser/model/schema.hpp"
 
 namespace hawser::fixed_values_test {
@@ -70,7 +71,7 @@ TEST(FixedValues, DependOnTheValueAndNotOnHowItIsWritten) {
 template <class What>
 void each(const model::Value& v, const What& what) {
   what(v);
-  for (const model::Value& item : v.items) each(item, what);
+  for (size_t i = 0; i < v.items.size(); ++i) each(*model::Entry(v, i), what);
 }
 
 // The tree without what a run does not read still has the lines of messages and what a restart compares.

@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+#include <vector>
+
 #include "hawser/io/case_reader.hpp"
 #include "hawser/mesh/node_ranks.hpp"
 #include "hawser/mesh/partition.hpp"
@@ -99,20 +104,64 @@ TEST(MeshTable, NearestNodeOfALine) {
   }
 }
 
+TEST(MeshTable, LengthsAndKindsAreThoseOfTheElements) {
+  const Mesh mesh = build_mesh(uneven());
+  double longest = 0;
+  for (int e = 0; e < mesh.elements(); ++e) {
+    const Element element = mesh.element(e);
+    EXPECT_EQ(mesh.length_of(e), element.length);
+    EXPECT_EQ(mesh.part_of(e).type, element.type);
+    EXPECT_EQ(mesh.part_of(e).line, element.line);
+    longest = std::max(longest, element.length);
+  }
+  EXPECT_EQ(mesh.longest_element(), longest);
+  EXPECT_TRUE(mesh.any_beam());
+  EXPECT_TRUE(mesh.any_cable());
+  EXPECT_TRUE(mesh.any_rotates());
+}
+
+// A node that is set twice has the later properties, one that is not keeps those it had.
+TEST(MeshTable, NodesThatAreSet) {
+  Mesh mesh = build_mesh(uneven());
+  const size_t before = mesh.own_nodes().size();
+  const int marked = mesh.own_nodes()[1].first, plain = marked + 1;
+  Node node = mesh.node(plain);
+  node.pinned_to = 3;
+  mesh.set({{plain, node}});
+  EXPECT_EQ(mesh.node(plain).pinned_to, 3);
+  EXPECT_TRUE(mesh.node(marked).two_sided);
+  EXPECT_EQ(mesh.own_nodes().size(), before + 1);
+  node.pinned_to = 5;
+  mesh.set({{plain, node}});
+  EXPECT_EQ(mesh.node(plain).pinned_to, 5);
+  EXPECT_EQ(mesh.own_nodes().size(), before + 1);
+  for (size_t i = 1; i < mesh.own_nodes().size(); ++i)
+    EXPECT_LT(mesh.own_nodes()[i - 1].first, mesh.own_nodes()[i].first);
+}
+
 // Nodes and elements that are given one by one come back as they are.
 TEST(MeshTable, GivenOneByOne) {
   Mesh mesh;
   const Node nodes[] = {{0, 0, 0.5, false}, {0, 1, 1, true}, {0, 2, 0.5, true}};
-  const Element elements[] = {{0, 0, 1, 2, 1, false, 0.1}, {0, 1, 2, 3, 1, true}};
+  // Elements 2 to 6 differ in one property each from the one before, the last two in none.
+  const Element elements[] = {{0, 0, 1, 2, 1, false, 0.1}, {0, 1, 2, 3, 1, true, 0},
+                              {0, 2, 3, 3, 1, true, 0.2},  {0, 3, 4, 3, 2, true, 0.2},
+                              {0, 4, 5, 3, 2, false, 0.2}, {1, 5, 6, 3, 2, false, 0.2},
+                              {1, 7, 8, 3, 2, false, 0.2}, {1, 8, 9, 3, 2, false, 0.2}};
   for (const Node& n : nodes) mesh.add(n);
   for (const Element& e : elements) mesh.add(e);
+  EXPECT_EQ(mesh.parts().size(), std::size(elements) - 1);
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(mesh.node(i).arc, nodes[i].arc);
     EXPECT_EQ(mesh.node(i).rotates, nodes[i].rotates);
   }
-  for (int i = 0; i < 2; ++i) {
+  for (size_t i = 0; i < std::size(elements); ++i) {
+    EXPECT_EQ(mesh.element(i).line, elements[i].line);
     EXPECT_EQ(mesh.element(i).first, elements[i].first);
+    EXPECT_EQ(mesh.element(i).second, elements[i].second);
     EXPECT_EQ(mesh.element(i).type, elements[i].type);
+    EXPECT_EQ(mesh.element(i).length, elements[i].length);
+    EXPECT_EQ(mesh.element(i).beam, elements[i].beam);
     EXPECT_EQ(mesh.element(i).free_strain, elements[i].free_strain);
   }
   EXPECT_TRUE(mesh.any_beam());
@@ -128,6 +177,16 @@ TEST(NodeRanks, AreRuns) {
   EXPECT_TRUE(ranks.whole(2, 3));
   EXPECT_FALSE(ranks.whole(2, 4));
   EXPECT_FALSE(ranks.whole(1, 2));
+  EXPECT_TRUE(ranks.whole(6, 2)) << "up to the last node";
+  EXPECT_EQ(ranks.end(1), 5);
+  EXPECT_EQ(ranks.end(3), 8);
+  EXPECT_EQ(ranks.size(), 8);
+  NodeRanks more = NodeRanks::all_of(3, 1);
+  more.append(0, 2);
+  more.append(2, 1);
+  more.append(1, 0);
+  EXPECT_EQ(more, NodeRanks(std::vector<int>{1, 1, 1, 1, 1, 0}));
+  EXPECT_EQ(more.runs().size(), 2u);
 }
 
 // Blocks and local elements of cut lines, against a count node by node.
@@ -156,6 +215,50 @@ TEST(LocalMesh, NumbersOfCutLines) {
                 mesh.element(elements[i]).second);
     }
   }
+}
+
+// Nodes at a joint have the blocks of the one whose position they share, bodies come last, and both lie on
+// any rank.
+TEST(LocalMesh, NumbersOfJointsAndBodies) {
+  const model::Case c = io::read_case_text(R"(hawser: 1
+line_types:
+  bar: {outer_diameter: 0.2, mass_per_length: 50, EA: 1e8, EI: 1e4, GJ: 1e4}
+  rope: {outer_diameter: 0.2, mass_per_length: 50, EA: 1e8, bending: false}
+bodies:
+  buoy: {position: [30, 0, 0], floating: {mass: 100, inertia: [1, 1, 1]}}
+  clump: {position: [0, 30, 0], floating: {mass: 100, inertia: [1, 1, 1]}}
+joints: {y: {start: [10, 0, 0]}}
+lines:
+  a: {sections: [{type: rope, length: 11, elements: 3}], end_a: {anchor: [0, 0, 0]}, end_b: {joint: y}}
+  b: {sections: [{type: bar, length: 11, elements: 2}], end_a: {joint: y}, end_b: {anchor: [20, 0, 0]}}
+  c: {sections: [{type: rope, length: 22, elements: 4}], end_a: {joint: y}, end_b: {body: buoy, at: [0, 0, 0]}}
+  d: {sections: [{type: rope, length: 50, elements: 3}], end_a: {body: clump, at: [0, 0, 0]}, end_b: {body: buoy, at: [0, 0, 0]}}
+)",
+                                           HAWSER_SOURCE_DIR "/tests/mesh_joints.yaml");
+  const Mesh mesh = build_mesh(c);
+  int pinned = 0;
+  for (const int pattern : {1, 2, 5}) {
+    std::vector<int> owner;
+    for (int n = 0; n < mesh.nodes(); ++n) owner.push_back((7 - n / pattern % 3) % 3);
+    int next = 0;
+    std::vector<int> first(static_cast<size_t>(mesh.nodes()), -1);
+    for (int rank = 0; rank < 3; ++rank)
+      for (int n = 0; n < mesh.nodes(); ++n)
+        if (owner[static_cast<size_t>(n)] == rank && mesh.node(n).pinned_to < 0)
+          first[static_cast<size_t>(n)] = std::exchange(next, next + (mesh.node(n).rotates ? 2 : 1));
+    for (int rank = 0; rank < 3; ++rank) {
+      const LocalMesh local = local_mesh(mesh, owner, rank, 3);
+      for (int n = 0; n < mesh.nodes(); ++n) {
+        const int to = mesh.node(n).pinned_to;
+        pinned += to >= 0;
+        EXPECT_EQ(local.first_block(n), first[static_cast<size_t>(to >= 0 ? to : n)]) << pattern << " " << n;
+      }
+      for (int n = 0; n < local.nodes(); ++n)
+        EXPECT_EQ(local.global_block[static_cast<size_t>(local.block[static_cast<size_t>(n)])],
+                  local.first_block(local.global[static_cast<size_t>(n)]));
+    }
+  }
+  EXPECT_EQ(pinned, 3 * 3 * 2);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -123,15 +124,14 @@ class RigidMotion {
 
   // For t < 0 the body rests where it is at t = 0.
   RigidPose at(double t) const;
-  bool moves() const { return law_.index() != 0 || drifts_; }
+  bool moves() const { return law_.index() != 0 || drift_; }
 
  private:
   Vec3 position_ = Vec3::Zero();
   Quat rotation_ = Quat::Identity();
   MotionLaw law_;
   double ramp_ = 0;
-  DriftLaw drift_;
-  bool drifts_ = false;
+  std::shared_ptr<const DriftLaw> drift_;  // null: none
 };
 
 // The quintic step 10 z³ - 15 z⁴ + 6 z⁵ of z = t / duration: value, first and second derivative in time, and

@@ -74,6 +74,7 @@ struct LocalMesh {
 struct LineOwners {
   std::vector<int> cut;    // several ranks own nodes of it; the same on all ranks
   std::vector<int> uncut;  // this rank owns all nodes
+  std::vector<int> here;   // this rank owns nodes
 };
 LineOwners line_owners(const LocalMesh& mesh);
 // True if this rank owns the first node of a line.

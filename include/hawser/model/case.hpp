@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "hawser/base/shared.hpp"
 #include "hawser/geometry/primitive_shape.hpp"
 #include "hawser/geometry/sign_test.hpp"
 #include "hawser/kernels/contact_force_table.hpp"
@@ -146,19 +147,19 @@ struct BodyMass {
   Vec3 products = Vec3::Zero();  // kg m², Ixy, Iyz, Ixz: off the diagonal
   Vec3 centre = Vec3::Zero();    // m, centre of mass, body frame
   bool centre_given = false;
-  std::optional<MassMatrix> matrix;      // replaces inertia and products, which are derived from it
+  Shared<MassMatrix> matrix;             // replaces inertia and products, which are derived from it
   Mat6 coupled = Mat6::Zero();           // rest of `matrix` beyond mass and inertia, about the centre of mass
   bool weight = false;                   // gravity acts; else unmodelled forces balance the weight
   Vec3 velocity = Vec3::Zero();          // m/s, of the centre of mass at t = 0, space axes
   Vec3 angular_velocity = Vec3::Zero();  // rad/s, at t = 0, body axes
   Vec3 stiffness = Vec3::Zero(), damping = Vec3::Zero();  // N/m, N s/m: towards the prescribed `motion`
   Vec3 turning_stiffness = Vec3::Zero(), turning_damping = Vec3::Zero();  // N m/rad, N m s/rad, body axes
-  std::optional<BodyInWater> in_water;
-  std::optional<BodyHydrodynamics> hydrodynamics;
-  std::optional<BodyHull> hull;
+  Shared<BodyInWater> in_water;
+  Shared<BodyHydrodynamics> hydrodynamics;
+  Shared<BodyHull> hull;
   std::vector<BodyMember> members;
-  std::optional<FlowOnBody> wind, current;
-  std::optional<DynamicPositioning> positioning;
+  Shared<FlowOnBody> wind, current;
+  Shared<DynamicPositioning> positioning;
   std::vector<BodyLoad> loads;
 
   Mat3 tensor() const;  // kg m², from inertia and products
@@ -179,9 +180,9 @@ struct Body {
   Vec3 rotation = Vec3::Zero();  // rad, rotation vector at t = 0
   Motion motion;
   double ramp = 0;  // s, smooth start of the motion (quintic), 0: none
-  std::optional<Drift> drift;
-  std::optional<BodyMass> mass;  // none: the motion is prescribed
-  std::optional<Ride> on;        // none: not on a line; position and rotation are relative to the node
+  Shared<Drift> drift;
+  Shared<BodyMass> mass;  // none: the motion is prescribed
+  Shared<Ride> on;        // none: not on a line; position and rotation are relative to the node
 };
 
 struct Box {
@@ -231,7 +232,7 @@ struct End {
   // Length from this end [m] without contact with volumes; none: the part next to the end that is inside a
   // volume at the start has no contact with that volume.
   std::optional<double> no_contact_within;
-  std::optional<Feed> feed;  // pays out or hauls in the line at this end
+  Shared<Feed> feed;  // pays out or hauls in the line at this end
 };
 
 // Free connection of line ends: pinned, or rigid for lines with bending stiffness.
@@ -311,7 +312,7 @@ struct Line {
   bool starts_by_itself() const { return start == Start::automatic || start == Start::catenary; }
   std::vector<Vec3> points;  // for Start::points: polyline along which the line is laid
   std::shared_ptr<const PreviousShape> previous_shape;  // for Start::other_run
-  std::optional<LengthTarget> target;
+  Shared<LengthTarget> target;
   // For a part of a line that events cut (cut_lines.hpp): the line as given, which defines the start shape,
   // and the arc length from its end A at which this part begins [m].
   std::shared_ptr<const Line> given;

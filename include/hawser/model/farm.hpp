@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hawser/model/case.hpp"
+#include "hawser/model/packed_value.hpp"
 #include "hawser/model/value.hpp"
 
 namespace hawser::model {
@@ -58,9 +59,9 @@ struct KeyPlace {
   int line = 0;
 };
 KeyPlace place_of(const Case& c, const std::string& key);
-// Entry `name` of the top-level map `kind` (lines, line_types) in the file that defines it; null: no file
+// Entry `name` of the top-level map `kind` (lines, line_types) in the file that defines it; none: no file
 // does.
-const Value* entry_of(const Case& c, std::string_view kind, const std::string& name);
+Entry entry_of(const Case& c, std::string_view kind, const std::string& name);
 
 // True if the object is a copy of the one at the first place of its platform.
 bool is_repeated(const Case& c, const std::string& name);

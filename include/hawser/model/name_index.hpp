@@ -1,8 +1,9 @@
-// Hashed look-up of objects by name; a farm has thousands of lines and bodies.
+// Look-up of objects by name; a farm has thousands of lines and bodies.
 #pragma once
 
+#include <algorithm>
+#include <numeric>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 namespace hawser::model {
@@ -13,20 +14,28 @@ class NameIndex {
   // Index of the first object with this `name`; -1: none.
   template <class Thing>
   int find(const std::vector<Thing>& things, const std::string& name) const {
-    if (at_.size() != things.size()) {
-      at_.clear();
-      for (std::size_t i = 0; i < things.size(); ++i) at_.emplace(things[i].name, i);
+    const auto name_of = [&](int i) -> const std::string& {
+      return things[static_cast<std::size_t>(i)].name;
+    };
+    if (by_name_.size() != things.size()) {
+      by_name_.resize(things.size());
+      by_name_.shrink_to_fit();
+      std::iota(by_name_.begin(), by_name_.end(), 0);
+      std::stable_sort(by_name_.begin(), by_name_.end(),
+                       [&](int i, int j) { return name_of(i) < name_of(j); });
     }
-    if (const auto found = at_.find(name); found != at_.end())
-      if (const std::size_t i = found->second; i < things.size() && things[i].name == name)
-        return static_cast<int>(i);
+    const auto found =
+        std::lower_bound(by_name_.begin(), by_name_.end(), name,
+                         [&](int i, const std::string& wanted) { return name_of(i) < wanted; });
+    if (found != by_name_.end() && name_of(*found) == name) return *found;
     for (std::size_t i = 0; i < things.size(); ++i)
       if (things[i].name == name) return static_cast<int>(i);
     return -1;
   }
 
  private:
-  mutable std::unordered_map<std::string, std::size_t> at_;  // a cache, which does not change results
+  mutable std::vector<int>
+      by_name_;  // indices in the order of the names; a cache, which does not change results
 };
 
 }  // namespace hawser::model

@@ -110,6 +110,9 @@ using MoreNames = std::map<std::string, std::vector<std::string>>;
 // resolve references. Throws InputError "file:line: dotted.key: ..." at the first fault.
 void check_structure(Value& root, const Key& schema, const std::string& file, const MoreNames& more = {});
 
+// The same for a value that was found to be right, whose dotted key is `where`.
+void check_again(Value& v, const Key& key, const std::string& where);
+
 // Stores v in the fields of `target` that its key and the keys below fill. given: only values from the file,
 // no defaults.
 void take(const Value& v, const Target& target, bool given = false);

@@ -12,7 +12,8 @@ namespace hawser::model {
 struct Key;
 
 struct Value {
-  enum class Kind { null, scalar, list, map };
+  // packed: an entry of `lines` or `bodies` as bytes in `text` (packed_value.hpp).
+  enum class Kind { null, scalar, list, map, packed };
 
   Kind kind = Kind::null;
   std::string text;     // scalar as written

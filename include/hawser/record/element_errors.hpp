@@ -10,6 +10,7 @@
 
 #include "hawser/advice/long_elements.hpp"
 #include "hawser/mesh/local_mesh.hpp"
+#include "hawser/mesh/of_lines.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/record/recording.hpp"
 #include "hawser/state/kinematics.hpp"
@@ -74,7 +75,7 @@ class ElementErrors : public Recording {
     std::vector<size_t> receive;  // places of its nodes among the nodes of cut_
   };
   std::vector<Sharer> sharers_;                    // by rank
-  std::vector<OfLine> lines_;                      // each valid on one rank; on all after findings()
+  OfLines<OfLine> lines_;                          // valid on the rank that owns the first node
   int tension_ = -1, moment_ = -1, pressed_ = -1;  // indices of fields
   std::vector<std::pair<int, int>> touches_;       // fields with components that are nonzero in contact
 };

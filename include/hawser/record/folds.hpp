@@ -9,6 +9,7 @@
 
 #include "hawser/advice/peaks.hpp"
 #include "hawser/mesh/local_mesh.hpp"
+#include "hawser/mesh/of_lines.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/state/kinematics.hpp"
 #include "hawser/terms/feeders.hpp"
@@ -26,7 +27,8 @@ class Folds {
   void update(const Kinematics& at, std::span<const double> before, std::span<const double> after);
   // Combines the ranks after the last step. Collective.
   void gather(MPI_Comm comm);
-  // Sentence if the largest tension [N] of a line is that of such an element; else empty. After gather().
+  // Sentence if the largest tension [N] of a line is that of such an element; else empty. After gather(), for
+  // a line of this rank.
   std::string warning(int line, const std::string& name, double largest_tension) const;
 
  private:
@@ -37,8 +39,8 @@ class Folds {
   };
   using Worst = advice::FoldedPeak;
   const LocalMesh& mesh_;
-  std::vector<Fold> folds_;   // by element of this rank
-  std::vector<Worst> worst_;  // by line
+  std::vector<Fold> folds_;  // by element of this rank
+  OfLines<Worst> worst_;
 };
 
 }  // namespace hawser::record

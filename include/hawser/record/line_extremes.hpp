@@ -8,6 +8,7 @@
 #include "hawser/io/checkpoint.hpp"
 #include "hawser/io/results.hpp"
 #include "hawser/mesh/local_mesh.hpp"
+#include "hawser/mesh/of_lines.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/record/recording.hpp"
 #include "hawser/record/utilisation.hpp"
@@ -28,8 +29,8 @@ class LineExtremes : public Recording {
 
   void declare(Declarations& to) override;
   void step(const Snapshot& s) override;
-  // Rows of all lines, grouped by line.
-  std::vector<io::SummaryRow> summary() override { return table(); }
+  // Grouped by line.
+  std::vector<io::SummaryRow> summary() override;
   // Findings for rows beyond the capacity of a line.
   std::vector<Finding> findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
   void save(io::Checkpoint& to) override;
@@ -44,9 +45,8 @@ class LineExtremes : public Recording {
     std::string name, unit;
     std::vector<size_t> fields;
     bool largest = true;
-    std::vector<Extreme> lines;  // over this rank's nodes
+    OfLines<Extreme> lines;  // over this rank's nodes
   };
-  std::vector<io::SummaryRow> table() const;
   std::vector<CheckpointRecord> records(NodeRange nodes) const;
 
   const MPI_Comm comm_;
@@ -55,8 +55,7 @@ class LineExtremes : public Recording {
   const Feeders* feeders_;  // null: no line is fed
   const Utilisation& utilisation_;
   std::vector<Field> fields_;
-  std::vector<std::string> names_;  // by line
-  std::vector<bool> has_beams_;     // by line
+  std::vector<bool> has_beams_;  // by line
   std::vector<Quantity> quantities_;
 };
 

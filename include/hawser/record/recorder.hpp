@@ -39,7 +39,7 @@ class Recorder {
   // Writes a checkpoint with the current statistics.
   void checkpoint(io::Checkpoint c);
   // Writes the summary table with the run's notes and warnings, and those of its end; returns the table as
-  // text.
+  // text, on rank 0.
   std::string finish(std::vector<std::string> messages);
 
   const Audit& audit() const { return audit_; }
@@ -48,7 +48,7 @@ class Recorder {
   std::vector<std::string> remarks();
   // Clash report as text, on rank 0 after finish(); empty: no clashes.
   std::string clash_table() const;
-  // Warnings for the user after finish(), for example deep penetration or created energy.
+  // Warnings for the user after finish(), for example deep penetration or created energy; on rank 0.
   const std::vector<std::string>& warnings() const { return warnings_; }
   const io::ResultsFile& file() const { return *file_; }
 
@@ -61,7 +61,7 @@ class Recorder {
   Snapshot snapshot(const Kinematics& at, const StepInfo& info = {}) const;
   void fill(const Snapshot& s, bool all);
   void find_worst(const Snapshot& s);
-  void gather_warnings(const std::vector<io::SummaryRow>& rows);
+  std::vector<io::SummaryRow> gather_summary();
   void step(const StepInfo& info, const Kinematics& at, double support_work, const Kinematics& shown);
   void write_output(double time, const Snapshot& s, const io::ClashTables& clashes);
   io::ClashTables take_clashes();

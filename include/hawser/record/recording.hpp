@@ -115,8 +115,8 @@ class Recording {
   virtual void save(io::Checkpoint& to) { (void)to; }
   virtual void restore(const io::Checkpoint& from) { (void)from; }
 
-  // At the end of a run: rows of the summary, the same on all ranks; then findings, those about a row on all
-  // ranks.
+  // At the end of a run: rows of the summary, each on the rank that owns the first node of its line; then
+  // findings, about a row on its rank, about the whole run on one rank. `summary`: the rows of this rank.
   virtual std::vector<io::SummaryRow> summary() { return {}; }
   virtual std::vector<Finding> findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) {
     (void)summary;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hawser/mesh/local_mesh.hpp"
+#include "hawser/mesh/of_lines.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/state/kinematics.hpp"
 
@@ -33,7 +34,7 @@ class Snaps {
   // Combines the ranks after the last step. Collective.
   void gather(MPI_Comm comm);
   // Sentence if the largest tension [N] of a line is such a peak; else empty. damped: much axial vibration
-  // was damped; fixed: the user chose the step. After gather().
+  // was damped; fixed: the user chose the step. After gather(), for a line of this rank.
   std::string warning(int line, const std::string& name, double largest_tension, bool damped,
                       bool fixed) const;
 
@@ -54,8 +55,8 @@ class Snaps {
   const LocalMesh& mesh_;
   std::vector<double> passage_;  // s, slower element at each owned node; 0: excluded
   std::vector<Before> before_;   // by owned node; empty: no step yet
-  std::vector<double> echo_;     // s, wave along each line and back
-  std::vector<Worst> worst_;     // by line
+  OfLines<double> echo_;         // s, wave along each line and back
+  OfLines<Worst> worst_;
 };
 
 }  // namespace hawser::record

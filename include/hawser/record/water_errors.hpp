@@ -28,7 +28,7 @@ class WaterErrors : public Recording {
   // Update at every state. Collective.
   void update(const Kinematics& at);
 
-  // One sentence per significant error. Collective.
+  // One sentence per significant error, the same on all ranks. Collective.
   std::vector<std::string> warnings() const;
 
   void stage(const Snapshot& s) override { update(s.at); }
@@ -44,7 +44,7 @@ class WaterErrors : public Recording {
   };
   // Sums by group for a state, with each element cut into `parts` (LinesInWater::flow_error).
   struct Sums {
-    std::vector<double> error, force, weight;  // N, over all ranks; submerged weight across the lines
+    std::vector<double> error, force, weight;  // N, of all ranks; submerged weight across the lines
     std::vector<Where> where;
   };
   Sums sums(const Kinematics& at, int parts, const std::vector<bool>& groups) const;
@@ -58,13 +58,15 @@ class WaterErrors : public Recording {
     Where where;
     double bears() const;  // N, negligible error
   };
+  std::string warning(const Group& g, const Where& w) const;
   MPI_Comm comm_;
   const model::Case& case_;
   const LocalMesh& mesh_;
   const HasAxialStiffness& structure_;
   const LinesInWater* water_;  // null: it does not move
-  std::vector<int> group_;     // of each line
-  std::vector<Group> groups_;  // as many as lines; some are empty
+  std::vector<int> group_;     // of each line, by place in groups_; -1: another rank has all of it
+  std::vector<Group> groups_;  // those that several ranks have, equal on all, then others of this rank
+  size_t shared_ = 0;          // how many ranks share
   int steps_ = 0;              // since the last evaluation in motion
 };
 

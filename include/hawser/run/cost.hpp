@@ -39,11 +39,15 @@ std::string size_sentence(const io::ResultsSize& size, const std::string& folder
 // Bytes: largest memory of this process so far, and present memory.
 double peak_memory();
 double memory_now();
+// Of that the pages of files, which are mostly those of libraries.
+double file_memory_now();
 // Bytes on one rank: largest memory until the files were read; data of all lines on every rank (the case, the
-// mesh, its owners); largest memory in trial_run() including these.
+// mesh, its owners); largest memory in trial_run() including these; and the pages of files among these that
+// trial_run() added, which every rank has.
 struct MemoryUse {
   double read = 0, shared = 0, measured = 0;
   bool moved = true;  // as in TrialRun
+  double of_files = 0;
 };
 // "expected memory: about 0.9 GB", or of the rank with the largest work, its fraction of the total; 1: one
 // rank.

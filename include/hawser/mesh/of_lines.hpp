@@ -1,0 +1,56 @@
+// Data by line, of the lines with nodes on this rank.
+#pragma once
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "hawser/base/mpi.hpp"
+#include "hawser/mesh/local_mesh.hpp"
+
+namespace hawser {
+
+template <class T>
+class OfLines {
+ public:
+  OfLines() = default;
+  explicit OfLines(const LocalMesh& mesh, const T& first = {}) {
+    LineOwners lines = line_owners(mesh);
+    lines_ = std::move(lines.here);
+    cut_ = std::move(lines.cut);
+    of_.assign(lines_.size(), first);
+  }
+
+  // Ascending.
+  std::span<const int> lines() const { return lines_; }
+  bool has(int line) const { return std::binary_search(lines_.begin(), lines_.end(), line); }
+  // Of a line of this rank.
+  T& operator[](int line) { return of_[place(line)]; }
+  const T& operator[](int line) const { return of_[place(line)]; }
+  // Gives the ranks that share a line the data of the one with the largest value; that of T() is the
+  // smallest. Collective.
+  template <class Value>
+  void take_largest(MPI_Comm comm, const Value& value) {
+    if (cut_.empty()) return;
+    std::vector<T> shared;
+    for (const int l : cut_) shared.push_back(has(l) ? (*this)[l] : T());
+    largest_of_ranks(comm, shared, value);
+    for (std::size_t i = 0; i < cut_.size(); ++i)
+      if (has(cut_[i])) (*this)[cut_[i]] = shared[i];
+  }
+
+ private:
+  // The lines of a rank are mostly consecutive.
+  std::size_t place(int line) const {
+    const auto near = static_cast<std::size_t>(line - lines_.front());
+    if (near < lines_.size() && lines_[near] == line) return near;
+    return static_cast<std::size_t>(std::lower_bound(lines_.begin(), lines_.end(), line) - lines_.begin());
+  }
+  std::vector<int> lines_, cut_;
+  std::vector<T> of_;
+};
+
+}  // namespace hawser
