@@ -72,14 +72,21 @@ std::string excluded_at_end(const model::Line& line, LineEnd line_end, const std
 }
 
 std::string passes_volume(const model::Line& line, const std::string& volume, const Passes& p) {
-  const std::string but = p.own_a   ? "while its end A is above it"
-                          : p.own_b ? "while its end B is above it"
-                          : p.under ? "while the straight line between its ends passes over it"
-                                    : "while the straight line between its ends passes under it";
+  const std::string where =
+      fmt::format("{:.3g} m from it at {:.4g} m of arc length, {}", p.distance, p.arc, point_text(p.place));
+  const std::string confirm = "confirm it with 'start: {points: [[x, y, z], ...]}'";
+  if (p.own_a || p.own_b)
+    return fmt::format(
+        "lines.{}: its start shape passes under volume {}, {}, while its end {} is above it; if that is "
+        "intended, {}",
+        line.name, volume, where, p.own_a ? "A" : "B", confirm);
+  // True of a line on the wrong side of a volume and of one in the bore of a tube.
+  const std::string side = p.under ? "below" : "above";
   return fmt::format(
-      "lines.{}: its start shape passes {} volume {}, {:.3g} m from it at {:.4g} m of arc length, {}, {}; if "
-      "that is intended, confirm it with 'start: {{points: [[x, y, z], ...]}}'",
-      line.name, p.under ? "under" : "over", volume, p.distance, p.arc, point_text(p.place), but);
+      "lines.{}: volume {} is between its start shape and the straight line between its ends: the start "
+      "shape is {} that part of the volume, {}; if the line is intended to be there, or in a bore of the "
+      "volume, {}",
+      line.name, volume, side, where, confirm);
 }
 
 }  // namespace hawser::advice

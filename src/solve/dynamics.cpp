@@ -19,6 +19,10 @@ namespace {
 // coarse residual plus one. The number to the final tolerance may differ by one between numbers of ranks
 // because of rounding.
 constexpr double kCounted = 1e-5;
+// Where the last kWatched of the iterations have stagnated, Newton's method gets kOnKinks more with secants
+// (kink_stiffness.hpp), since a line may lie on kinks between facets. What converges without them does so as
+// before: secants from the start make iterations slower in which contact sticks and slips (decision 036).
+constexpr int kWatched = 2, kOnKinks = 24;
 constexpr int kMostRaises = 40;  // Most raises of penalty stiffness within one try of a step.
 // Arguments of SNESSetLagJacobian: compute no new tangent; compute one at the next iteration only.
 constexpr PetscInt kKeepTangent = -1, kNextTangent = -2;
@@ -43,6 +47,7 @@ bool old_tangent_will_do(double before, double now, bool was_old, double toleran
 
 Dynamics::Dynamics(System& system, const DynamicsSettings& settings)
     : system_(system), settings_(settings), alpha_(settings.rho_infinity), control_(settings.step) {
+  length_ = system.mesh().mesh->longest_element();
   check(TSCreate(system_.comm(), ts_.out()));
   check(TSSetOptionsPrefix(ts_.get(), "dynamics_"));
   check(TSSetProblemType(ts_.get(), TS_NONLINEAR));
@@ -52,8 +57,8 @@ Dynamics::Dynamics(System& system, const DynamicsSettings& settings)
   SNESLineSearch search = nullptr;
   check(SNESGetLineSearch(snes_, &search));
   check(SNESLineSearchSetType(search, SNESLINESEARCHBASIC));
-  check(SNESSetTolerances(snes_, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, settings_.max_iterations,
-                          PETSC_DEFAULT));
+  check(SNESSetTolerances(snes_, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT,
+                          settings_.max_iterations + kOnKinks, PETSC_DEFAULT));
   check(SNESSetConvergenceTest(snes_, converged, this, nullptr));
   build();
   lie_alpha_options(ts_.get());
@@ -130,6 +135,7 @@ PetscErrorCode Dynamics::tangent(SNES, Vec, Mat J, Mat, void* self) {
   auto& d = *static_cast<Dynamics*>(self);
   return d.error_.capture([&] {
     d.system_.tangent(d.trial_.s.after_step(d.h_), alpha_weights(d.alpha_, d.h_), d.local_u_, false, J);
+    d.kinks_.add_to(d.system_, J);
   });
 }
 
@@ -153,7 +159,13 @@ SNESConvergedReason Dynamics::judge_iteration(SNES snes, int it, double fnorm) {
   if (counted_ < 0 && norms_.small(std::max(tolerance, kCounted))) counted_ = it;
   if (fnorm == 0) return SNES_CONVERGED_FNORM_ABS;
   if (it > 0 && norms_.small(tolerance)) return SNES_CONVERGED_FNORM_RELATIVE;
-  old_tangent_ = it > 0 && old_tangent_will_do(before, norms_.relative(), old_tangent_, tolerance);
+  const bool on_kinks =
+      it >= settings_.max_iterations - kWatched && kinks_.observe(local_u_.data(), r, norms_.relative());
+  if (on_kinks && kinks_.norms_without_jumps(system_, r, length_).small(tolerance))
+    return SNES_CONVERGED_FNORM_RELATIVE;
+  if (!on_kinks && it >= settings_.max_iterations) return SNES_DIVERGED_MAX_IT;
+  old_tangent_ =
+      !on_kinks && it > 0 && old_tangent_will_do(before, norms_.relative(), old_tangent_, tolerance);
   if (!old_tangent_) check(SNESSetLagJacobian(snes, kNextTangent));
   return SNES_CONVERGED_ITERATING;
 }
@@ -162,14 +174,16 @@ SNESConvergedReason Dynamics::judge_iteration(SNES snes, int it, double fnorm) {
 void Dynamics::solve_once() {
   old_tangent_ = false;
   counted_ = -1;
+  kinks_.clear();
   error_.check(SNESSolve(snes_, nullptr, u_.get()));
   SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
   PetscInt its = 0;
   check(SNESGetConvergedReason(snes_, &reason));
   check(SNESGetIterationNumber(snes_, &its));
   tries_.solved = reason > 0;
-  tries_.info.iterations =
-      std::max(tries_.info.iterations, counted_ < 0 ? static_cast<int>(its) : counted_ + 1);
+  tries_.info.iterations = std::max(tries_.info.iterations, kinks_.active() ? settings_.step.hard_iterations
+                                                            : counted_ < 0  ? static_cast<int>(its)
+                                                                            : counted_ + 1);
 }
 
 int Dynamics::try_step(double h) {

@@ -230,9 +230,11 @@ TEST(StartContact, HangingUnderAVolumeIsReported) {
   write_case(path, kBollard, under);
   Ready r = ready(path);
   const std::string message = join(r.sim->warnings());
-  EXPECT_HAS(message, "lines.sling: its start shape passes under volume bar, ");
   EXPECT_HAS(message,
-             "while the straight line between its ends passes over it; if that is intended, confirm it with");
+             "lines.sling: volume bar is between its start shape and the straight line between its "
+             "ends: the start shape is below that part of the volume, ");
+  EXPECT_HAS(message,
+             "; if the line is intended to be there, or in a bore of the volume, confirm it with 'start: ");
   // From below there is nothing to lie on.
   Edits below = under;
   below[0].second = below[1].second = "-1";

@@ -1,5 +1,5 @@
 """Lines in smooth tubes of a mesh, whose facets meet in small kinks: the wire in a J-tube comes to rest with friction, and stays there in
-motion with steps of 1 to 2 ms, on one rank and two and with either diagonal of the quadrilaterals of the mesh."""
+motion with steps of 10 ms, on one rank and two and with either diagonal of the quadrilaterals of the mesh."""
 import os
 import re
 import tempfile
@@ -70,9 +70,9 @@ class Tubes(unittest.TestCase):
             result = run(*command, HAWSER, "run", "case.yaml", "-o", "case.h5", cwd=folder)
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         self.assertNotIn("warning", result.stdout)
-        step = re.findall(r"step (\S+) s", result.stdout)
-        self.assertTrue(step, result.stdout)
-        self.assertGreater(float(step[-1]), 1e-3)
+        steps = [float(h) for h in re.findall(r"step (\S+) s", result.stdout)]
+        self.assertTrue(steps, result.stdout)
+        self.assertGreater(min(steps), 5e-3)
         most, when = re.search(r"max effective tension +\S+ +(\S+) N +(\S+)", result.stdout).groups()
         return float(most), float(when)
 

@@ -13,6 +13,7 @@
 #include "hawser/base/deferred_error.hpp"
 #include "hawser/solve/event_search.hpp"
 #include "hawser/solve/generalized_alpha.hpp"
+#include "hawser/solve/kink_stiffness.hpp"
 #include "hawser/solve/linear_solver.hpp"
 #include "hawser/solve/step_control.hpp"
 #include "hawser/system/system.hpp"
@@ -164,7 +165,9 @@ class Dynamics {
   bool old_tangent_ = false;  // the next iteration uses the tangent of an earlier one
   // N, the larger of the first residual of this Newton solution and of its contributions
   double first_ = 0;
-  int counted_ = -1;  // iterations until the residual fell below kCounted; < 0: not yet
+  int counted_ = -1;     // iterations until the residual fell below kCounted; < 0: not yet
+  KinkStiffness kinks_;  // of an iteration that does not converge without them
+  double length_ = 0;    // m, of the longest element
   VecHandle u_, r_;
   MatHandle J_;
   Handle<TS, TSDestroy> ts_;
