@@ -101,9 +101,10 @@ HullPressure Hulls::pressure(const Hull& hull, const Kinematics& at, bool waves,
 const Hulls::Forces& Hulls::forces(const Hull& hull, const Kinematics& at) const {
   const RigidBodyState s = floating_state(at, hull.node);
   Forces& known = hull.forces;
-  if (known.time == at.time && known.step == at.step && known.x == s.x && known.q.coeffs() == s.q.coeffs())
+  if (known.time == at.time && known.phase == at.phase && known.step == at.step && known.x == s.x &&
+      known.q.coeffs() == s.q.coeffs())
     return known;
-  known = {at.time, at.step, s.x, s.q, pressure(hull, at, false, false), {}};
+  known = {at.time, at.step, at.phase, s.x, s.q, pressure(hull, at, false, false), {}};
   if (!hull.in_waves || !at.moves()) return known;
   const Vec6 f = known.still.f - pressure(hull, at, true, false).f;
   known.waves = {f.head<3>(), s.q * f.tail<3>()};

@@ -265,7 +265,7 @@ Energy PlatformWater::energy(const Kinematics& at) const {
   for (const Group& g : groups_) {
     if (!g.is_local) continue;
     const Eigen::VectorXd rate = rates(g, at);
-    const Eigen::VectorXd momentum = (g.added_mass + period_mass(g, at.step)) * rate;
+    const Eigen::VectorXd momentum = (g.added_mass + period_mass(g, at.last_step())) * rate;
     for (size_t i = 0; i < g.platforms.size(); ++i) {
       const Platform& p = g.platforms[i];
       if (!p.owned) continue;

@@ -82,7 +82,7 @@ class RankMax {
   // The number must outlive reduce().
   void add(double& number) { numbers_.push_back(&number); }
   // Collective; all ranks have added equally many.
-  void reduce(MPI_Comm comm) const {
+  void reduce(MPI_Comm comm) {
     std::vector<double> most;
     for (const double* number : numbers_) most.push_back(*number);
     all_reduce(comm, MPI_MAX, most);

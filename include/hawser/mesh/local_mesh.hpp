@@ -87,7 +87,7 @@ inline double arc_at(const LocalMesh& mesh, const LocalElement& e, double xi) {
 }
 
 // Data that a term keeps for an element, or null; `kept` is sorted as LocalMesh::elements, each with its
-// element as `at`.
+// LocalElement as `element`.
 template <class Kept>
 const Kept* of_element(const std::vector<Kept>& kept, const LocalElement& e) {
   const auto at = std::lower_bound(kept.begin(), kept.end(), e.global,

@@ -27,7 +27,7 @@ struct BedAtEnd {
   double depth = 0, length = 0;  // m
   double lowering(double from_end) const { return from_end < length ? depth * (1 - from_end / length) : 0; }
 };
-// b: end B, else end A. element [m]: length of the first element at that end, which a cable spans as a chord.
+// element [m]: length of the first element at that end, which a cable spans as a chord.
 BedAtEnd bed_at_end(const Case& c, const Line& line, LineEnd line_end, double element);
 
 // True if bed friction acts in statics.

@@ -18,7 +18,7 @@ struct StepMean {
 
 enum class Phase {
   statics,  // no velocities, waves or gusts
-  start,    // start of the motion, or its continuation after an event: forces as in a first step, which jump
+  start,    // start of the motion, or its continuation after an event, where forces may be discontinuous
   step      // end of a time step
 };
 

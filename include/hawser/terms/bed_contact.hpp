@@ -174,8 +174,8 @@ class BedContact final : public ForceTerm, public HasFriction {
                        bool convex = false) const;
   // Suction state of a point at the start of a step. Suction does not act in statics, which has no path in
   // time.
-  SuctionState soil(const Point& p, double step) const {
-    return step > 0 && suction_ ? history(p).soil : SuctionState{};
+  SuctionState soil(const Point& p, const Kinematics& at) const {
+    return at.moves() && suction_ ? history(p).soil : SuctionState{};
   }
 
   const LocalMesh& mesh_;

@@ -54,6 +54,7 @@ class Hulls final : public ForceTerm,
   // Forces in a state: of still water, and the additional force of waves at the centre of mass, space axes.
   struct Forces {
     double time = -1, step = -1;
+    Phase phase = Phase::statics;
     Vec3 x = Vec3::Zero();
     Quat q = Quat::Identity();
     HullPressure still;

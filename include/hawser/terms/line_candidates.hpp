@@ -35,7 +35,7 @@ struct ContactSegment {
   int first = 0, second = 0;  // local nodes, owned or ghosts
   int global = 0;             // index into Mesh::elements
   double radius = 0;          // m
-  Element element;
+  Element element;            // copy of the mesh's; its nodes are those of the mesh
 };
 
 // Indices into segments(); the element of a comes before that of b.
