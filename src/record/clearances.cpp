@@ -44,7 +44,7 @@ double Clearances::arc(int element, double xi) const {
 }
 
 // Elements of a line counted by this rank.
-std::vector<Clearances::Shaped> Clearances::own(int line, const Kinematics& at) const {
+std::vector<Clearances::Shaped> Clearances::own(int line, const Kinematics& state) const {
   std::vector<Shaped> out;
   for (const LocalElement& local : mesh_.elements) {
     const Element& e = mesh_.element(local);
@@ -52,9 +52,9 @@ std::vector<Clearances::Shaped> Clearances::own(int line, const Kinematics& at) 
     const size_t i = local.first, j = local.second;
     const double radius = 0.5 * case_.line_types[e.type].contact_diameter;
     out.push_back({local.global, radius,
-                   e.beam ? BezierAxis::beam(at.x[i], at.q[i] * Vec3::UnitX(), at.x[j],
-                                             at.q[j] * Vec3::UnitX(), e.length)
-                          : BezierAxis::straight(at.x[i], at.x[j])});
+                   e.beam ? BezierAxis::beam(state.x[i], state.q[i] * Vec3::UnitX(), state.x[j],
+                                             state.q[j] * Vec3::UnitX(), e.length)
+                          : BezierAxis::straight(state.x[i], state.x[j])});
   }
   std::sort(out.begin(), out.end(), [](const Shaped& a, const Shaped& b) { return a.element < b.element; });
   return out;

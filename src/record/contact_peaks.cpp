@@ -29,13 +29,13 @@ void ContactPeaks::find(const std::vector<Field>& fields) {
   curvature_ = find_field(fields, "curvature");
 }
 
-ContactPeaks::Peak ContactPeaks::peak(const Kinematics& at, const LocalElement& e, const AxisShape& shape,
+ContactPeaks::Peak ContactPeaks::peak(const Kinematics& state, const LocalElement& e, const AxisShape& shape,
                                       std::span<const LineVolumeContact::Load> loads, double from,
                                       double to) const {
   Vec12 f = Vec12::Zero();
-  system_.element_force(at, e, f);
+  system_.element_force(state, e, f);
   const auto part = [&f](int i) { return Vec3(f.segment<3>(3 * i)); };
-  const Quat &q1 = at.q[e.first], &q2 = at.q[e.second];
+  const Quat &q1 = state.q[e.first], &q2 = state.q[e.second];
   const Vec3 x1 = shape.point(0);
   // Section force and moment at the first node, and the non-contact loads along the element.
   Vec3 force = -part(0), moment = -(q1 * part(1)), rest = part(0) + part(2);
@@ -62,10 +62,10 @@ ContactPeaks::Peak ContactPeaks::peak(const Kinematics& at, const LocalElement& 
   return best;
 }
 
-void ContactPeaks::fill(const Kinematics& at, std::vector<std::vector<double>>& values) const {
+void ContactPeaks::fill(const Kinematics& state, std::vector<std::vector<double>>& values) const {
   if (!contact_ || moment_ < 0) return;
   const LocalMesh& mesh = system_.mesh();
-  const std::vector<LineVolumeContact::Load> loads = contact_->loads(at);
+  const std::vector<LineVolumeContact::Load> loads = contact_->loads(state);
   for (auto first = loads.begin(); first != loads.end();) {
     const auto last =
         std::find_if(first, loads.end(), [&](const auto& l) { return l.element != first->element; });
@@ -74,11 +74,11 @@ void ContactPeaks::fill(const Kinematics& at, std::vector<std::vector<double>>& 
     first = last;
     if (EI_[i][0] <= 0 || EI_[i][1] <= 0) continue;
     const LocalElement& e = mesh.elements[i];
-    const AxisShape shape = contact_->axis(at, static_cast<int>(i));
+    const AxisShape shape = contact_->axis(state, static_cast<int>(i));
     for (const bool second : {false, true}) {
       const int node = second ? e.second : e.first;
       if (node >= mesh.owned) continue;
-      const Peak p = peak(at, e, shape, own, second ? 0.5 : 0, second ? HUGE_VAL : 0.5);
+      const Peak p = peak(state, e, shape, own, second ? 0.5 : 0, second ? HUGE_VAL : 0.5);
       const auto value = [&](int field) -> double& { return values[field][node]; };
       const double size = std::hypot(p.about2, p.about3);
       if (size <= value(moment_)) continue;

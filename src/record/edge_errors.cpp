@@ -85,15 +85,15 @@ EdgeErrors::EdgeErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mes
 // normal to each element and therefore have a tangential component at a node where the line turns: with t the
 // mean of both directions, (T_after - T_before) cos(angle/2) + F.t = 0. A surface that supports a line end-on
 // has such a component as well; it is limited to what a turn can cause.
-std::vector<PressedTurn> EdgeErrors::turns(const Kinematics& at, const Values& v) const {
+std::vector<PressedTurn> EdgeErrors::turns(const Kinematics& state, const Values& v) const {
   std::vector<PressedTurn> out;
   for (size_t n = 0; n < neighbours_.size(); ++n) {
     const Neighbours& beside = neighbours_[n];
     if (beside.before < 0 || beside.after < 0) continue;
     const Vec3 F = vector_of(v.force, n) - vector_of(v.friction, n);
     if (F.isZero(0)) continue;
-    const Vec3 a = (at.x[n] - at.x[beside.before]).normalized(),
-               b = (at.x[beside.after] - at.x[n]).normalized();
+    const Vec3 a = (state.x[n] - state.x[beside.before]).normalized(),
+               b = (state.x[beside.after] - state.x[n]).normalized();
     const double angle = angle_between(a, b);
     const double tension = std::max({v.before[n], v.after[n], 0.0}), most = tension * (1 - std::cos(angle));
     const Vec3 along = (a + b).normalized();
@@ -129,10 +129,10 @@ void EdgeErrors::exchange(std::vector<PressedPart>& of_pieces) const {
     for (size_t k = 0; k < in[i].size(); ++k) of_pieces[sharers_[i].receive[k]] = in[i][k];
 }
 
-void EdgeErrors::update(const Kinematics& at, const Values& values) {
+void EdgeErrors::update(const Kinematics& state, const Values& values) {
   std::vector<PressedPart> of_pieces(pieces_.size());
   size_t piece = 0;
-  for (const PressedTurn& turn : turns(at, values)) {
+  for (const PressedTurn& turn : turns(state, values)) {
     while (pieces_[piece].last < turn.node) ++piece;
     of_pieces[piece] = joined(of_pieces[piece], PressedPart(turn));
   }
@@ -141,7 +141,7 @@ void EdgeErrors::update(const Kinematics& at, const Values& values) {
     const int line = pieces_[i].line;
     PressedPart of_line;
     for (; i < pieces_.size() && pieces_[i].line == line; ++i) of_line = joined(of_line, of_pieces[i]);
-    if (of_line.pressed) report(line, of_line, at.time);
+    if (of_line.pressed) report(line, of_line, state.time);
   }
 }
 

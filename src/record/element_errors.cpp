@@ -58,22 +58,22 @@ ElementErrors::ElementErrors(MPI_Comm comm, const model::Case& c, const LocalMes
 
 const model::LineType& ElementErrors::type(const Element& e) const { return case_.line_types[e.type]; }
 
-ElementErrors::At ElementErrors::node(size_t n, const Kinematics& at, const Values& values) const {
+ElementErrors::At ElementErrors::node(size_t n, const Kinematics& state, const Values& values) const {
   const auto value = [n](std::span<const double> of) { return of.empty() ? 0 : of[n]; };
   const double moment = value(values.moment);
-  return {at.x[n], value(values.tension), std::isnan(moment) ? 0 : std::abs(moment), value(values.pressed),
+  return {state.x[n], value(values.tension), std::isnan(moment) ? 0 : std::abs(moment), value(values.pressed),
           values.supported[n]};
 }
 
 // Receives the data of other ranks for the nodes of cut_, in the order of both.
-void ElementErrors::exchange(const Kinematics& at, const Values& values,
+void ElementErrors::exchange(const Kinematics& state, const Values& values,
                              std::vector<At>& of_cut_lines) const {
   const MessageType<At> type;
   std::vector<std::vector<At>> out(sharers_.size()), in(sharers_.size());
   std::vector<MPI_Request> requests(2 * sharers_.size());
   for (size_t i = 0; i < sharers_.size(); ++i) {
     const Sharer& s = sharers_[i];
-    for (const int n : s.send) out[i].push_back(node(static_cast<size_t>(n), at, values));
+    for (const int n : s.send) out[i].push_back(node(static_cast<size_t>(n), state, values));
     in[i].resize(s.receive.size());
     MPI_Irecv(in[i].data(), static_cast<int>(in[i].size()), type, s.rank, kNodesTag, comm_, &requests[2 * i]);
     MPI_Isend(out[i].data(), static_cast<int>(out[i].size()), type, s.rank, kNodesTag, comm_,
@@ -121,16 +121,16 @@ std::vector<Finding> ElementErrors::findings(const std::vector<io::SummaryRow>& 
   return out;
 }
 
-void ElementErrors::update(const Kinematics& at, const Values& values) {
+void ElementErrors::update(const Kinematics& state, const Values& values) {
   const auto inside = feeders_ ? feeders_->inside() : std::vector<std::array<int, 2>>();
   const auto update_line = [&](int l, const At* nodes_of_line) {
     const LineSpan& line = mesh_.mesh->lines[l];
     const std::span<const At> nodes(nodes_of_line, static_cast<size_t>(line.nodes));
     const auto [at_a, at_b] = inside.empty() ? std::array<int, 2>{} : inside[l];
     const int first = at_a, last = line.elements - at_b;  // elements outside of feeders
-    update_sag(line, nodes, first, last, at.time, lines_[l].sag);
-    if (!at.after_step()) update_lifts(line, nodes, first, last, at.time, lines_[l].lift);
-    if (!values.moment.empty()) update_bends(line, nodes, first, last, at.time, lines_[l].bend);
+    update_sag(line, nodes, first, last, state.time, lines_[l].sag);
+    if (!state.after_step()) update_lifts(line, nodes, first, last, state.time, lines_[l].lift);
+    if (!values.moment.empty()) update_bends(line, nodes, first, last, state.time, lines_[l].bend);
   };
   std::vector<At> nodes;
   for (const int l : uncut_) {
@@ -138,7 +138,7 @@ void ElementErrors::update(const Kinematics& at, const Values& values) {
     const auto first = static_cast<size_t>(mesh_.find(line.first_node));
     nodes.clear();
     for (size_t n = first; n < first + static_cast<size_t>(line.nodes); ++n)
-      nodes.push_back(node(n, at, values));
+      nodes.push_back(node(n, state, values));
     update_line(l, nodes.data());
   }
   nodes.clear();
@@ -146,10 +146,10 @@ void ElementErrors::update(const Kinematics& at, const Values& values) {
     const LineSpan& line = mesh_.mesh->lines[l];
     for (int n = line.first_node; n < line.first_node + line.nodes; ++n) {
       const int local = mesh_.find(n);
-      nodes.push_back(mesh_.owns(local) ? node(static_cast<size_t>(local), at, values) : At{});
+      nodes.push_back(mesh_.owns(local) ? node(static_cast<size_t>(local), state, values) : At{});
     }
   }
-  exchange(at, values, nodes);
+  exchange(state, values, nodes);
   size_t first = 0;
   for (const int l : cut_) {
     update_line(l, nodes.data() + first);

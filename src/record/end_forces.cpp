@@ -51,19 +51,19 @@ int EndForces::end_at(int node) const {
   return -1;
 }
 
-void EndForces::evaluate(const Kinematics& at, std::span<const Vec3> support_forces) {
+void EndForces::evaluate(const Kinematics& state, std::span<const Vec3> support_forces) {
   for (SectionNode& p : places_) {
-    if (p.before >= 0) p.sides[0] = section(at, p.before, true, support_forces);
-    if (p.after >= 0) p.sides[1] = section(at, p.after, false, support_forces);
+    if (p.before >= 0) p.sides[0] = section(state, p.before, true, support_forces);
+    if (p.after >= 0) p.sides[1] = section(state, p.after, false, support_forces);
     if (p.before < 0) p.sides[0] = p.sides[1];
     if (p.after < 0) p.sides[1] = p.sides[0];
   }
-  if (feeders_) evaluate_feed_points(at, support_forces);
+  if (feeders_) evaluate_feed_points(state, support_forces);
 }
 
 // Ends inside feeders have the force at the feed point. One rank computes it; one maximum over the ranks
 // exchanges the numbers of all feeders.
-void EndForces::evaluate_feed_points(const Kinematics& at, std::span<const Vec3> support_forces) {
+void EndForces::evaluate_feed_points(const Kinematics& state, std::span<const Vec3> support_forces) {
   constexpr size_t kNumbers = 10;  // force, moment, direction, feeder force
   const auto& elements = system_.mesh().elements;
   const std::vector<Feeder>& feeders = feeders_->all();
@@ -73,12 +73,12 @@ void EndForces::evaluate_feed_points(const Kinematics& at, std::span<const Vec3>
     const LocalElement* e = feeders_->at_feed_point(f);
     if (!e || !e->counted) continue;
     const SectionForce m =
-        section(at, static_cast<int>(e - elements.data()), f.line_end == LineEnd::B, support_forces);
+        section(state, static_cast<int>(e - elements.data()), f.line_end == LineEnd::B, support_forces);
     double* to = all.data() + kNumbers * k;
     for (const Vec3* v : {&m.force, &m.moment, &m.direction}) to = std::copy(v->begin(), v->end(), to);
     *to = m.tension();
     if (f.beam && !f.bar.plastic) {
-      const Vec3 own = at.q[f.line_end == LineEnd::B ? e->second : e->first].conjugate() * m.moment;
+      const Vec3 own = state.q[f.line_end == LineEnd::B ? e->second : e->first].conjugate() * m.moment;
       *to += 0.5 * (own.y() * own.y() / f.bar.EI2 + own.z() * own.z() / f.bar.EI3);
     }
   }
@@ -95,24 +95,24 @@ void EndForces::evaluate_feed_points(const Kinematics& at, std::span<const Vec3>
   }
 }
 
-SectionForce EndForces::section(const Kinematics& at, int element, bool second,
+SectionForce EndForces::section(const Kinematics& state, int element, bool second,
                                 std::span<const Vec3> support_forces) const {
   const LocalMesh& local = system_.mesh();
   const LocalElement& e = local.elements[element];
   Vec12 f = Vec12::Zero();
-  system_.element_force(at, e, f);
+  system_.element_force(state, e, f);
   const auto part = [&f](int i) { return Vec3(f.segment<3>(3 * i)); };
   const size_t i = e.first, j = e.second, n = second ? j : i;
   SectionForce s;
   s.beam = local.element(e).beam;
   s.force = second ? part(2) : Vec3(-part(0));
   if (s.beam) {
-    s.moment = at.q[n] * (second ? part(3) : Vec3(-part(1)));
-    s.direction = at.q[n] * Vec3::UnitX();
+    s.moment = state.q[n] * (second ? part(3) : Vec3(-part(1)));
+    s.direction = state.q[n] * Vec3::UnitX();
     return s;
   }
   // A taut, freely hanging cable is parallel to its tension; its chord has the direction at mid-element.
-  const Vec3 chord = (at.x[j] - at.x[i]).normalized();
+  const Vec3 chord = (state.x[j] - state.x[i]).normalized();
   const double middle = 0.5 * (part(2) - part(0)).norm();
   const bool hangs = support_forces[i].isZero(0) && support_forces[j].isZero(0);
   const bool taut = s.force.dot(chord) > 0.5 * std::max(middle, s.force.norm());

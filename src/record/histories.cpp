@@ -206,11 +206,11 @@ std::vector<double> Histories::body_row(int body, const Snapshot& s) const {
 }
 
 // Part of this rank.
-std::vector<double> Histories::volume_row(const std::string& volume, const Kinematics& at) const {
+std::vector<double> Histories::volume_row(const std::string& volume, const Kinematics& state) const {
   std::array<Vec3, 2> sum{Vec3::Zero(), Vec3::Zero()};
   const LineVolumeContact* contact = subject_.term<LineVolumeContact>();
   for (int v = 0; contact && v < contact->volumes(); ++v)
-    if (contact->volume_name(v) == volume) sum = contact->reaction(v, at);
+    if (contact->volume_name(v) == volume) sum = contact->reaction(v, state);
   std::vector<double> row;
   for (const Vec3& x : sum) row.insert(row.end(), x.begin(), x.end());
   return row;

@@ -68,42 +68,42 @@ void NodeFields::begin(const std::set<std::string>& every_step) {
                 in_every_step(section_.wall) && std::ranges::all_of(of_beams, in_every_step);
 }
 
-void NodeFields::fill(const Kinematics& at, bool all) {
+void NodeFields::fill(const Kinematics& state, bool all) {
   const size_t owned = subject_.local().owned;
   for (size_t n = 0; n < owned; ++n)
     for (size_t k = 0; k < 3; ++k) {
-      values_[0][3 * n + k] = at.x[n][static_cast<Eigen::Index>(k)];
-      values_[1][3 * n + k] = at.v[n][static_cast<Eigen::Index>(k)];
+      values_[0][3 * n + k] = state.x[n][static_cast<Eigen::Index>(k)];
+      values_[1][3 * n + k] = state.v[n][static_cast<Eigen::Index>(k)];
     }
   for (size_t f = 0; f < every_step_.size(); ++f)
-    if (all || every_step_[f]) fill_field(f, at);
-  correct_ends(at);
+    if (all || every_step_[f]) fill_field(f, state);
+  correct_ends(state);
 }
 
-bool NodeFields::complete(const Kinematics& at) {
+bool NodeFields::complete(const Kinematics& state) {
   if (!rest_apart_) return false;
   for (size_t f = 0; f < every_step_.size(); ++f)
-    if (!every_step_[f]) fill_field(f, at);
+    if (!every_step_[f]) fill_field(f, state);
   return true;
 }
 
-void NodeFields::fill_field(size_t f, const Kinematics& at) {
+void NodeFields::fill_field(size_t f, const Kinematics& state) {
   std::vector<double>& values = values_[f + kStateFields];
   if (onto_[f] >= 0) values = values_[onto_[f]];
-  registry_.sources()[f].fill(at, values);
+  registry_.sources()[f].fill(state, values);
 }
 
 // Element tension is that at mid-element, and element moments exclude the load along the element. At line
 // ends, and where tension may jump, the values are those of the forces there (docs/theory/end-forces.md).
 // Wall tension changes with effective tension; the pressures are already those of the node.
-void NodeFields::correct_ends(const Kinematics& at) {
+void NodeFields::correct_ends(const Kinematics& state) {
   const LocalMesh& local = subject_.local();
   std::vector<Vec3> support_forces(static_cast<size_t>(local.nodes()), Vec3::Zero());
   for (const int f : support_fields_)
     for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n)
       support_forces[n] += Eigen::Map<const Vec3>(values_[f].data() + 3 * n).cwiseAbs();
   if (!support_fields_.empty()) subject_.system.update_ghosts(support_forces);
-  end_forces_.evaluate(at, support_forces);
+  end_forces_.evaluate(state, support_forces);
 
   for (auto& e : ends_) e.clear();
   for (const EndForces::SectionNode& p : end_forces_.places()) {
@@ -125,13 +125,13 @@ void NodeFields::correct_ends(const Kinematics& at) {
     if (section_.wall >= 0) values_[section_.wall][n] += tension - middle;
     if (p.sides[0].beam || p.sides[1].beam)
       for (const int f : section_.of_beams())
-        put(f, larger([&](const SectionForce& s) { return section_.value(f, s, at.q[n]); }));
+        put(f, larger([&](const SectionForce& s) { return section_.value(f, s, state.q[n]); }));
     if (p.end_index < 0) continue;
     const SectionForce& s = p.at_line_end();
     const Vec3 rows[] = {p.sign() * s.force, s.direction, p.sign() * s.moment};
     for (size_t f = 0; f < ends_.size(); ++f) ends_[f].insert(ends_[f].end(), rows[f].begin(), rows[f].end());
   }
-  peaks_.fill(at, values_);
+  peaks_.fill(state, values_);
 }
 
 }  // namespace hawser::record

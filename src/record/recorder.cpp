@@ -151,8 +151,8 @@ io::ResultContents Recorder::declared(std::vector<io::VolumeMesh> volumes, io::R
   return std::move(all.contents);
 }
 
-Snapshot Recorder::snapshot(const Kinematics& at, const StepInfo& info) const {
-  return {subject_, at, info, fields_.values(), fields_.ends(), fields_.end_forces(), audit_};
+Snapshot Recorder::snapshot(const Kinematics& state, const StepInfo& info) const {
+  return {subject_, state, info, fields_.values(), fields_.ends(), fields_.end_forces(), audit_};
 }
 
 void Recorder::fill(const Snapshot& s, bool all) {
@@ -161,31 +161,31 @@ void Recorder::fill(const Snapshot& s, bool all) {
 }
 
 // Stages have no time: the last has 0, each one before it a second less.
-void Recorder::stage(size_t place, const Kinematics& at) {
-  const Snapshot s = snapshot(at);
+void Recorder::stage(size_t place, const Kinematics& state) {
+  const Snapshot s = snapshot(state);
   fill(s, true);
   for (const auto& r : recordings_.all) r->stage(s);
   const double last = static_cast<double>(subject_.model.stages.size()) - 1;
   write_output(static_cast<double>(place) - last, s, {});
 }
 
-void Recorder::start(const Kinematics& at, const Kinematics& shown) {
-  start_ = sum_of(subject_.comm(), subject_.system.energy(at));
+void Recorder::start(const Kinematics& state, const Kinematics& shown) {
+  start_ = sum_of(subject_.comm(), subject_.system.energy(state));
   if (subject_.model.statics.enabled) {
     const Snapshot s = snapshot(shown);
     fill(s, false);
     for (const auto& r : recordings_.all) r->start(s);
   }
-  step({}, at, 0, shown);
+  step({}, state, 0, shown);
   output(shown);
 }
 
-void Recorder::step(const StepInfo& info, const Kinematics& at, double support_work,
+void Recorder::step(const StepInfo& info, const Kinematics& state, double support_work,
                     const Kinematics& shown) {
   const Snapshot s = snapshot(shown, info);
   fill(s, false);
   stepped_ = true;
-  Energy share = subject_.system.energy(at);
+  Energy share = subject_.system.energy(state);
   share.work += support_work;
   const Energy now = sum_of(subject_.comm(), share);
   const auto* feeders = subject_.term<Feeders>();
@@ -217,11 +217,11 @@ void Recorder::find_worst(const Snapshot& s) {
   audit_.located(most.node, static_cast<With>(with));
 }
 
-void Recorder::output(const Kinematics& at) {
-  const Snapshot s = snapshot(at);
-  if (!stepped_ || !fields_.complete(at)) fill(s, true);
+void Recorder::output(const Kinematics& state) {
+  const Snapshot s = snapshot(state);
+  if (!stepped_ || !fields_.complete(state)) fill(s, true);
   for (const auto& r : recordings_.all) r->output(s);
-  write_output(at.time, s, take_clashes());
+  write_output(state.time, s, take_clashes());
 }
 
 void Recorder::write_output(double time, const Snapshot& s, const io::ClashTables& clashes) {

@@ -28,7 +28,7 @@ double on_plane(const AxisShape& shape, const Vec3& at, const Vec3& along) {
 }  // namespace
 
 std::vector<SupportCrossing> support_crossings(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
-                                               const Kinematics& at, const std::vector<RigidPose>& poses) {
+                                               const Kinematics& state, const std::vector<RigidPose>& poses) {
   const double far = std::numeric_limits<double>::max();
   struct Nearest {
     double distance;  // m, from the middle of the box
@@ -44,9 +44,9 @@ std::vector<SupportCrossing> support_crossings(MPI_Comm comm, const model::Case&
     for (const LocalElement& e : mesh.elements) {
       const Element& g = mesh.element(e);
       if (!e.counted || g.line != line) continue;
-      const Vec3 &x1 = at.x[e.first], &x2 = at.x[e.second];
+      const Vec3 &x1 = state.x[e.first], &x2 = state.x[e.second];
       if (((x1 - place).dot(along) > 0) == ((x2 - place).dot(along) > 0)) continue;
-      const AxisShape shape(element_axis(at, g, e.first, e.second));
+      const AxisShape shape(element_axis(state, g, e.first, e.second));
       const double xi = on_plane(shape, place, along);
       const Vec3 x = shape.point(xi) - place;
       if (!(x.norm() < best.distance)) continue;
@@ -72,8 +72,8 @@ SupportRollers::SupportRollers(const Subject& subject)
   }
 }
 
-std::vector<Vec3> SupportRollers::forces(const Kinematics& at) const {
-  return contact_->forces_by_volume(at);
+std::vector<Vec3> SupportRollers::forces(const Kinematics& state) const {
+  return contact_->forces_by_volume(state);
 }
 
 std::vector<SupportCrossing> SupportRollers::crossings(const Snapshot& s) const {

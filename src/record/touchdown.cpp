@@ -48,10 +48,10 @@ Touchdowns::Touchdowns(MPI_Comm comm, const model::Case& c, const LocalMesh& loc
   }
 }
 
-Touchdowns::Above Touchdowns::above(size_t n, const Kinematics& at) const {
-  Above out{normal_.dot(at.x[n] + Vec3(0, 0, bed_.depth)), normal_};
+Touchdowns::Above Touchdowns::above(size_t n, const Kinematics& state) const {
+  Above out{normal_.dot(state.x[n] + Vec3(0, 0, bed_.depth)), normal_};
   if (bed_.surface) {
-    const auto near = bed_.surface->query(at.x[n], std::numeric_limits<double>::infinity());
+    const auto near = bed_.surface->query(state.x[n], std::numeric_limits<double>::infinity());
     out = near ? Above{near->distance, near->normal} : Above{HUGE_VAL, normal_};
   }
   const Height& h = heights_[n];
@@ -89,7 +89,7 @@ Touchdowns::Changes Touchdowns::changes(const std::vector<double>& gap) const {
 
 std::vector<Touchdowns::Surrounding> Touchdowns::surroundings(const Changes& changes,
                                                               const std::vector<double>& gap,
-                                                              const Kinematics& at) const {
+                                                              const Kinematics& state) const {
   struct Sent {
     size_t change;
     int node;  // of its surrounding
@@ -107,8 +107,9 @@ std::vector<Touchdowns::Surrounding> Touchdowns::surroundings(const Changes& cha
       const int n = local_.find(global);
       if (!local_.owns(n)) continue;
       const size_t node = n;
-      const double slope = local_.rotates(n) ? above(node, at).normal.dot(at.q[node] * Vec3::UnitX()) : 0;
-      out[k].gap[i] = {gap[node], slope, at.x[node]};
+      const double slope =
+          local_.rotates(n) ? above(node, state).normal.dot(state.q[node] * Vec3::UnitX()) : 0;
+      out[k].gap[i] = {gap[node], slope, state.x[node]};
       if (k < 2 * cut_) of_cut_lines.push_back({k, i, out[k].gap[i]});
     }
   }
@@ -140,14 +141,14 @@ std::pair<TouchdownPoint, double> Touchdowns::point(int element, const Surroundi
   return {{arc, position_at(n, s)}, s - zero_of_line(n.gap[1].value, n.gap[2].value, n.arc[2] - n.arc[1])};
 }
 
-std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
+std::vector<Touchdown> Touchdowns::find(const Kinematics& state) const {
   std::vector<Touchdown> out;
   if (!bed_.present) return out;
   std::vector<double> gap(heights_.size());
   for (size_t n = 0; n < gap.size(); ++n)
-    if (local_.node(n).body < 0) gap[n] = above(n, at).gap;
+    if (local_.node(n).body < 0) gap[n] = above(n, state).gap;
   const Changes changes = this->changes(gap);
-  const std::vector<Surrounding> around = surroundings(changes, gap, at);
+  const std::vector<Surrounding> around = surroundings(changes, gap, state);
   for (const int line : lines_) {
     const size_t k = slot_[line];
     Touchdown& t = out.emplace_back();
@@ -167,8 +168,8 @@ std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
   return out;
 }
 
-std::vector<Touchdown> Touchdowns::of_all_lines(const Kinematics& at) const {
-  std::vector<Touchdown> mine = find(at);
+std::vector<Touchdown> Touchdowns::of_all_lines(const Kinematics& state) const {
+  std::vector<Touchdown> mine = find(state);
   std::erase_if(mine, [this](const Touchdown& t) { return !owns_line(local_, t.line); });
   std::vector<Touchdown> out(local_.mesh->lines.size());
   for (size_t l = 0; l < out.size(); ++l) out[l].line = static_cast<int>(l);  // also without a seabed

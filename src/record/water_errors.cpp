@@ -66,21 +66,22 @@ double WaterErrors::Group::bears() const {
   return std::max({kWarned * force, kAccurate * weight, kMatters * tension});
 }
 
-void WaterErrors::update_sampled(const Kinematics& at) {
-  if (at.after_step() && ++steps_ < kSteps) return;
+void WaterErrors::update_sampled(const Kinematics& state) {
+  if (state.after_step() && ++steps_ < kSteps) return;
   steps_ = 0;
-  update(at);
+  update(state);
 }
 
-WaterErrors::Sums WaterErrors::sums(const Kinematics& at, int parts, const std::vector<bool>& groups) const {
+WaterErrors::Sums WaterErrors::sums(const Kinematics& state, int parts,
+                                    const std::vector<bool>& groups) const {
   const size_t n = groups.size();
   Sums out{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n), std::vector<Where>(n)};
   for (const LinesInWater::WetElement& p : water_->pieces()) {
     const Element& e = mesh_.element(p.element);
     const size_t g = group_[e.line];
     if (!p.element.counted || !groups[g]) continue;
-    const LinesInWater::FlowError f = water_->flow_error(at, p, parts);
-    const Vec3 &a = at.x[p.element.first], &b = at.x[p.element.second], chord = (b - a).normalized();
+    const LinesInWater::FlowError f = water_->flow_error(state, p, parts);
+    const Vec3 &a = state.x[p.element.first], &b = state.x[p.element.second], chord = (b - a).normalized();
     const double z = water_->above_still_water(0.5 * (a.z() + b.z()));
     const double weight = case_.line_types[e.type].mass_per_length * case_.environment.gravity -
                           (z < 0 ? p.section.buoyancy : 0);
@@ -113,11 +114,11 @@ WaterErrors::Sums WaterErrors::sums(const Kinematics& at, int parts, const std::
 // Necessary subdivision of the elements of some groups, by trial: errors fall with the square of the length
 // only if the elements resolve the flow, and they may have missed it completely. Groups that ranks share are
 // tried by all of them at the same time, because they have the same sums.
-std::vector<int> WaterErrors::sufficient_parts(const Kinematics& at, std::vector<bool> groups) const {
+std::vector<int> WaterErrors::sufficient_parts(const Kinematics& state, std::vector<bool> groups) const {
   std::vector<int> sufficient(groups.size(), kMostParts);
   for (int parts = 2; parts < kMostParts && std::find(groups.begin(), groups.end(), true) != groups.end();
        parts *= 2) {
-    const std::vector<double> error = sums(at, parts, groups).error;
+    const std::vector<double> error = sums(state, parts, groups).error;
     for (size_t g = 0; g < groups.size(); ++g)
       if (groups[g] && error[g] <= kAccurate * groups_[g].force) {
         sufficient[g] = parts;
@@ -127,9 +128,9 @@ std::vector<int> WaterErrors::sufficient_parts(const Kinematics& at, std::vector
   return sufficient;
 }
 
-void WaterErrors::update_tension(const Kinematics& at) {
+void WaterErrors::update_tension(const Kinematics& state) {
   std::vector<LineTension> lines(group_.size());
-  structure_.tensions(at, lines);
+  structure_.tensions(state, lines);
   std::vector<double> largest(groups_.size());
   for (size_t l = 0; l < lines.size(); ++l)
     if (group_[l] >= 0) largest[group_[l]] = std::max(largest[group_[l]], lines[l].tension);
@@ -140,11 +141,11 @@ void WaterErrors::update_tension(const Kinematics& at) {
   for (size_t g = 0; g < largest.size(); ++g) groups_[g].tension = std::max(groups_[g].tension, largest[g]);
 }
 
-void WaterErrors::update(const Kinematics& at) {
+void WaterErrors::update(const Kinematics& state) {
   if (!water_) return;
   const size_t n = groups_.size();
-  update_tension(at);
-  const Sums with_all = sums(at, 1, std::vector<bool>(n, true));
+  update_tension(state);
+  const Sums with_all = sums(state, 1, std::vector<bool>(n, true));
   std::vector<bool> exceeds(n);
   for (size_t i = 0; i < n; ++i) {
     Group& g = groups_[i];
@@ -152,12 +153,12 @@ void WaterErrors::update(const Kinematics& at) {
     g.weight = std::max(g.weight, with_all.weight[i]);
     exceeds[i] = with_all.error[i] > std::max(g.error, g.bears());
   }
-  const std::vector<int> parts = sufficient_parts(at, exceeds);
+  const std::vector<int> parts = sufficient_parts(state, exceeds);
   for (size_t i = 0; i < n; ++i)
     if (exceeds[i]) {
       Group& g = groups_[i];
       g.error = with_all.error[i];
-      g.time = at.time;
+      g.time = state.time;
       g.parts = parts[i];
       g.where = with_all.where[i];
     }

@@ -24,20 +24,20 @@ bool Actions::held(int node) const {
                      }));
 }
 
-RigidPose Actions::pose(const Action& a, const Kinematics& at) const {
-  return sim_.bodies().pose(sim_.model().body_index(a.body), at);
+RigidPose Actions::pose(const Action& a, const Kinematics& state) const {
+  return sim_.bodies().pose(sim_.model().body_index(a.body), state);
 }
 
-double Actions::away(const Action& a, const Kinematics& at) const {
+double Actions::away(const Action& a, const Kinematics& state) const {
   const int n = sim_.local().find(node(a));
   if (!a.at || !sim_.local().owns(n)) return 0;
-  return (pose(a, at).to_space(*a.at) - at.x[n]).norm();
+  return (pose(a, state).to_space(*a.at) - state.x[n]).norm();
 }
 
-Actions::Found Actions::act(const Action& a, const Kinematics& at) {
+Actions::Found Actions::act(const Action& a, const Kinematics& state) {
   Found found;
   const auto refuse = [&](const std::string& why) {
-    throw SolveError(advice::cannot_happen(a, at.time, why));
+    throw SolveError(advice::cannot_happen(a, state.time, why));
   };
   switch (a.kind) {
     case Action::Kind::release:
@@ -49,11 +49,11 @@ Actions::Found Actions::act(const Action& a, const Kinematics& at) {
       const int n = local.find(node(a)), body = sim_.model().body_index(a.body);
       std::array<double, 8> packed{};
       if (local.owns(n)) {
-        const RigidPose p = pose(a, at);
-        Vec3 y = p.rotation.conjugate() * (at.x[n] - p.position);
+        const RigidPose p = pose(a, state);
+        Vec3 y = p.rotation.conjugate() * (state.x[n] - p.position);
         if (sim_.model().floats(body)) y -= sim_.model().bodies[body].mass->centre;
-        const Quat q = p.rotation.conjugate() * at.q[n];
-        packed = {y.x(), y.y(), y.z(), q.w(), q.x(), q.y(), q.z(), away(a, at)};
+        const Quat q = p.rotation.conjugate() * state.q[n];
+        packed = {y.x(), y.y(), y.z(), q.w(), q.x(), q.y(), q.z(), away(a, state)};
       }
       all_reduce(sim_.system().comm(), MPI_SUM, packed);
       std::copy_n(packed.begin(), 3, found.place.begin());
@@ -71,10 +71,10 @@ Actions::Found Actions::act(const Action& a, const Kinematics& at) {
     case Action::Kind::current:
       break;
     case Action::Kind::contact:
-      if (const std::string where = sim_.inside(a, at); !where.empty()) refuse(where);
+      if (const std::string where = sim_.inside(a, state); !where.empty()) refuse(where);
       break;
   }
-  repeat(a, found, at.time);
+  repeat(a, found, state.time);
   return found;
 }
 

@@ -85,13 +85,13 @@ double print_partition(const model::Case& c, const Mesh& mesh, const Bodies& bod
 TrialRun print_trial(Simulation& sim, const model::Case& c, double budget) {
   record::WaterErrors water(c, sim.system());
   bool rests = !c.statics.enabled;
-  TrialRun tried = trial_run(sim, c, budget, [&](const Kinematics& at) {
+  TrialRun tried = trial_run(sim, c, budget, [&](const Kinematics& state) {
     if (!std::exchange(rests, true)) {
       for (const std::string& line : sim.on_bed()) fmt::print("{}\n", line);
-      for (const std::string& line : platforms_held(c, sim.system(), at)) fmt::print("{}\n", line);
-      for (const std::string& w : platforms_off_start(c, sim.bodies(), at)) fmt::print("warning: {}\n", w);
+      for (const std::string& line : platforms_held(c, sim.system(), state)) fmt::print("{}\n", line);
+      for (const std::string& w : platforms_off_start(c, sim.bodies(), state)) fmt::print("warning: {}\n", w);
     }
-    water.update_sampled(at);
+    water.update_sampled(state);
   });
   for (const std::string& w : water.warnings()) fmt::print("warning: {}\n", w);
   fmt::print("{}\n", cost_sentence(tried));

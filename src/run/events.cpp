@@ -64,7 +64,7 @@ void Events::watch() {
     sim_.dynamics().watch([this](const Kinematics& trial) { return conditions(values(trial)); });
 }
 
-double Events::local_value(const Happening& h, const Kinematics& at) const {
+double Events::local_value(const Happening& h, const Kinematics& state) const {
   const LocalMesh& local = sim_.local();
   const Cause& cause = h.what.cause;
   const int n = h.node < 0 ? -1 : local.find(h.node);
@@ -72,18 +72,18 @@ double Events::local_value(const Happening& h, const Kinematics& at) const {
   switch (cause.kind) {
     case Cause::Kind::position:
       if (!cause.body.empty()) {
-        const auto pose = sim_.body_pose(sim_.model().body_index(cause.body), at);
+        const auto pose = sim_.body_pose(sim_.model().body_index(cause.body), state);
         return pose ? pose->position[cause.axis] : -HUGE_VAL;
       }
-      return own ? at.x[n][cause.axis] : -HUGE_VAL;
+      return own ? state.x[n][cause.axis] : -HUGE_VAL;
     case Cause::Kind::paid_out: {
       const Feeders& feeders = *sim_.feeders();
       const Feeder& f = feeders.all()[h.feeder];
       if (!feeders.at_feed_point(f)) return -HUGE_VAL;
-      return feeders.outside(f) - f.length + feeders.feed_point(f, at).length - f.outside_at_start;
+      return feeders.outside(f) - f.length + feeders.feed_point(f, state).length - f.outside_at_start;
     }
     case Cause::Kind::near:
-      return own ? actions_.away(h.what.action, at) : -HUGE_VAL;
+      return own ? actions_.away(h.what.action, state) : -HUGE_VAL;
     case Cause::Kind::tension:
       return local_tension(h.node);
     case Cause::Kind::time:
@@ -103,10 +103,10 @@ double Events::local_tension(int node) const {
   return -HUGE_VAL;
 }
 
-std::vector<double> Events::values(const Kinematics& at) {
-  ends_.evaluate(at, std::vector<Vec3>(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero()));
+std::vector<double> Events::values(const Kinematics& state) {
+  ends_.evaluate(state, std::vector<Vec3>(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero()));
   std::vector<double> out;
-  for (const Happening& h : events_) out.push_back(local_value(h, at));
+  for (const Happening& h : events_) out.push_back(local_value(h, state));
   return all_reduce(comm_, MPI_MAX, out);
 }
 
@@ -156,14 +156,14 @@ std::vector<size_t> Events::due_at(double time, const std::vector<double>& value
   return out;
 }
 
-void Events::happen(size_t i, const Kinematics& at, const std::string& stage,
+void Events::happen(size_t i, const Kinematics& state, const std::string& stage,
                     std::vector<std::string>& messages) {
   Happening& h = events_[i];
   const Action& a = h.what.action;
-  h.found = actions_.act(a, at);
+  h.found = actions_.act(a, state);
   h.order = static_cast<double>(std::count_if(events_.begin(), events_.end(),
                                               [](const Happening& other) { return other.happened >= 0; }));
-  h.happened = at.time;
+  h.happened = state.time;
   advice::Happened how;
   if (a.kind == Action::Kind::release) {
     how.tension = local_tension(actions_.node(a));
@@ -176,7 +176,7 @@ void Events::happen(size_t i, const Kinematics& at, const std::string& stage,
         sim_.model().floats(sim_.model().body_index(a.body)) ? body.mass->centre : Vec3(Vec3::Zero());
     how.from_origin = (Vec3(h.found.place.data()) + centre).norm();
   }
-  messages.push_back(advice::happened(a, at.time, stage, how));
+  messages.push_back(advice::happened(a, state.time, stage, how));
   if (a.kind != Action::Kind::release) return;
   for (const ExcludedEnds& out : sim_.excluded_ends()) {
     const double length = a.line_end == LineEnd::B ? out.end_b : out.end_a;
@@ -185,11 +185,11 @@ void Events::happen(size_t i, const Kinematics& at, const std::string& stage,
   }
 }
 
-void Events::happen(const std::vector<size_t>& now, const Kinematics& at, const std::string& stage,
+void Events::happen(const std::vector<size_t>& now, const Kinematics& state, const std::string& stage,
                     std::vector<std::string>& messages, const std::function<void()>& go_on) {
   try {
     actions_.begin();
-    for (const size_t i : now) happen(i, at, stage, messages);
+    for (const size_t i : now) happen(i, state, stage, messages);
     go_on();
   } catch (...) {
     // A checkpoint after this failure has the state before the events.

@@ -255,8 +255,8 @@ void Simulation::add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces
   add<BodyContact>(system_->comm(), case_, local(), bodies_, std::move(touching));
 }
 
-std::optional<RigidPose> Simulation::body_pose(int body, const Kinematics& at) const {
-  return record::body_pose(*bodies_, local(), body, at);
+std::optional<RigidPose> Simulation::body_pose(int body, const Kinematics& state) const {
+  return record::body_pose(*bodies_, local(), body, state);
 }
 
 BedContact* Simulation::seabed() const { return system_->find<BedContact>(); }
@@ -336,7 +336,7 @@ void Simulation::check_inside() const {
   if (!wrong.empty()) throw InputError(case_.path + ": " + wrong);
 }
 
-std::string Simulation::inside(int volume, const Kinematics& at) const {
+std::string Simulation::inside(int volume, const Kinematics& state) const {
   ContactVolume v = volumes_[volume];
   v.off = false;
   std::vector<ExcludedEnds> excluded_ends;
@@ -345,8 +345,8 @@ std::string Simulation::inside(int volume, const Kinematics& at) const {
       l.volume = 0;
       excluded_ends.push_back(l);
     }
-  bodies_->exchange_poses(system_->comm(), at);
-  return inside_text(system_->comm(), case_, local(), at, *bodies_, feeders(), v, excluded_ends);
+  bodies_->exchange_poses(system_->comm(), state);
+  return inside_text(system_->comm(), case_, local(), state, *bodies_, feeders(), v, excluded_ends);
 }
 
 void Simulation::enable_contact(const model::Action& action) {
@@ -357,10 +357,10 @@ void Simulation::enable_contact(const model::Action& action) {
     }
 }
 
-std::string Simulation::inside(const model::Action& action, const Kinematics& at) const {
+std::string Simulation::inside(const model::Action& action, const Kinematics& state) const {
   for (size_t v = 0; v < volumes_.size(); ++v)
     if (action.enabled && model::switches(action, volumes_[v].settings))
-      if (std::string where = inside(static_cast<int>(v), at); !where.empty()) return where;
+      if (std::string where = inside(static_cast<int>(v), state); !where.empty()) return where;
   return "";
 }
 

@@ -36,10 +36,10 @@ double clearance(const model::Case& c, const model::Line& line, LineEnd end, dou
 }
 
 std::vector<Inside> all_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
-                               const Kinematics& at, const Bodies& bodies, const Feeders* feeders,
+                               const Kinematics& state, const Bodies& bodies, const Feeders* feeders,
                                const std::vector<ContactVolume>& volumes) {
   std::vector<Inside> out =
-      gather_all(comm, inside_volumes(mesh, at, bodies, volumes, radii(c, mesh), feeders));
+      gather_all(comm, inside_volumes(mesh, state, bodies, volumes, radii(c, mesh), feeders));
   join(out, *mesh.mesh);
   return out;
 }
@@ -145,7 +145,7 @@ std::vector<OnWrongSide> nearest_nodes(const std::vector<OnWrongSide>& of) {
 // below a volume of the body to which an upper end is attached. A line may leave the hull of its body on any
 // side.
 void find_lines_on_wrong_side(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
-                              const Kinematics& at, const Bodies& bodies,
+                              const Kinematics& state, const Bodies& bodies,
                               const std::vector<ContactVolume>& volumes, const std::vector<Inside>& inside,
                               StartContact& start) {
   std::vector<Chord> chords(c.lines.size());
@@ -173,7 +173,7 @@ void find_lines_on_wrong_side(MPI_Comm comm, const model::Case& c, const LocalMe
     return Vec3(x.x(), x.y(), top);
   };
   std::vector<std::string> warnings;
-  const std::vector<OnWrongSide> here = nodes_on_wrong_side(mesh, at, bodies, volumes, expected_place);
+  const std::vector<OnWrongSide> here = nodes_on_wrong_side(mesh, state, bodies, volumes, expected_place);
   for (const OnWrongSide& p : nearest_nodes(gather_all(comm, nearest_nodes(here)))) {
     const int l = p.line;
     const int v = p.volume;
@@ -207,23 +207,23 @@ std::vector<ContactVolume> volumes_of_lines(const model::Case& c,
   return out;
 }
 
-std::string inside_text(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
+std::string inside_text(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& state,
                         const Bodies& bodies, const Feeders* feeders, const ContactVolume& volume,
                         const std::vector<ExcludedEnds>& excluded_ends) {
-  std::vector<Inside> inside = all_inside(comm, c, mesh, at, bodies, feeders, {volume});
+  std::vector<Inside> inside = all_inside(comm, c, mesh, state, bodies, feeders, {volume});
   remove_excluded(inside, excluded_ends, *mesh.mesh);
   if (inside.empty()) return "";
   return advice::line_inside(c.lines[inside.front().line].name, found(inside.front(), *mesh.mesh));
 }
 
-StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
-                           const Bodies& bodies, const Feeders* feeders,
+StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
+                           const Kinematics& state, const Bodies& bodies, const Feeders* feeders,
                            const std::vector<ContactVolume>& volumes) {
   StartContact out;
   if (volumes.empty()) return out;
   std::vector<ContactVolume> on = volumes;
   for (ContactVolume& v : on) v.off = false;
-  out.inside = all_inside(comm, c, mesh, at, bodies, feeders, on);
+  out.inside = all_inside(comm, c, mesh, state, bodies, feeders, on);
   // Ends are excluded from contact with inactive volumes as well; other stretches inside are checked again
   // when the volume is switched on.
   find_excluded_ends(c, *mesh.mesh, volumes, out);
@@ -235,15 +235,15 @@ StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh&
         advice::starts_inside(c.lines[s.line], volumes[s.volume].settings.name, found(s, *mesh.mesh)));
   shorten(out.notes, advice::more_ends_excluded);
   shorten(out.warnings, advice::more_stretches_inside);
-  find_lines_on_wrong_side(comm, c, mesh, at, bodies, volumes, all, out);
+  find_lines_on_wrong_side(comm, c, mesh, state, bodies, volumes, all, out);
   return out;
 }
 
-std::string still_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
+std::string still_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& state,
                          const Bodies& bodies, const Feeders* feeders,
                          const std::vector<ContactVolume>& volumes, const StartContact& start) {
   if (start.inside.empty()) return "";
-  std::vector<Inside> now = all_inside(comm, c, mesh, at, bodies, feeders, volumes);
+  std::vector<Inside> now = all_inside(comm, c, mesh, state, bodies, feeders, volumes);
   remove_excluded(now, start.excluded_ends, *mesh.mesh);
   for (const Inside& s : now) {
     const bool before = std::any_of(start.inside.begin(), start.inside.end(), [&](const Inside& o) {

@@ -46,20 +46,20 @@ void set(Vec v, const std::vector<PetscInt>& rows, const Vec6& x) {
   check(VecAssemblyEnd(v));
 }
 
-MatHandle tangent(System& system, const Kinematics& at) {
+MatHandle tangent(System& system, const Kinematics& state) {
   MatHandle J = system.create_matrix();
   const std::vector<double> zero(3 * static_cast<size_t>(system.mesh().blocks()), 0);
   Weights weights;
   weights.K = 1;
   weights.C = weights.M = 0;
-  system.tangent(at, weights, zero, false, J.get());
+  system.tangent(state, weights, zero, false, J.get());
   return J;
 }
 
 }  // namespace
 
 // With the body's unknowns b and all others l: J_ll x = -J_lb e, K e = J_bb e + J_bl x.
-BodyStiffness body_stiffness(System& system, const Kinematics& at, int body_node,
+BodyStiffness body_stiffness(System& system, const Kinematics& state, int body_node,
                              const std::vector<TiedNode>& free, const std::vector<TiedNode>& held) {
   const MPI_Comm comm = system.comm();
   const BodyMotion motion = system.tied_nodes().motion();
@@ -69,12 +69,12 @@ BodyStiffness body_stiffness(System& system, const Kinematics& at, int body_node
                   total = system.create_vector();
 
   system.tie(free, motion);
-  system.residual(at, push.get());
+  system.residual(state, push.get());
   out.f = values(comm, push.get(), rows);
-  const MatHandle stiffness = tangent(system, at);
+  const MatHandle stiffness = tangent(system, state);
   system.tie(held, motion);
-  system.residual(at, answer.get());
-  const MatHandle others = tangent(system, at);
+  system.residual(state, answer.get());
+  const MatHandle others = tangent(system, state);
 
   Solver solver;
   check(KSPCreate(comm, solver.out()));

@@ -42,10 +42,10 @@ class Slepc {
 using Solver = Handle<EPS, EPSDestroy>;
 
 // The symmetric part of a tangent, with `held` instead of 1 on the diagonal of held components.
-MatHandle symmetric(System& system, const Kinematics& at, const Weights& weights, double held) {
+MatHandle symmetric(System& system, const Kinematics& state, const Weights& weights, double held) {
   const MatHandle J = system.create_matrix();
   const std::vector<double> zero(3 * static_cast<size_t>(system.mesh().blocks()), 0);
-  system.tangent(at, weights, zero, false, J.get());
+  system.tangent(state, weights, zero, false, J.get());
   MatHandle A = symmetric_part(J.get());
   const auto& is_held = system.tied_nodes().held();
   for (int b = 0; b < system.mesh().owned_blocks; ++b)
@@ -69,11 +69,11 @@ long free_components(const System& system) {
 }
 
 // Diagonal of the bounding box of all nodes, m.
-double size_of(const System& system, const Kinematics& at) {
+double size_of(const System& system, const Kinematics& state) {
   Vec3 low = Vec3::Constant(HUGE_VAL), high = -low;
   for (size_t n = 0; n < static_cast<size_t>(system.mesh().owned); ++n) {
-    low = low.cwiseMin(at.x[n]);
-    high = high.cwiseMax(at.x[n]);
+    low = low.cwiseMin(state.x[n]);
+    high = high.cwiseMax(state.x[n]);
   }
   all_reduce(system.comm(), MPI_MIN, low);
   all_reduce(system.comm(), MPI_MAX, high);
@@ -81,7 +81,8 @@ double size_of(const System& system, const Kinematics& at) {
 }
 
 // Motion of the nodes from the unknowns u. A tied node moves with its frame, dx = dX - R hat(y) theta.
-void move_nodes(const System& system, const Kinematics& at, const std::vector<double>& u, NaturalMode& mode) {
+void move_nodes(const System& system, const Kinematics& state, const std::vector<double>& u,
+                NaturalMode& mode) {
   const LocalMesh& mesh = system.mesh();
   const auto block = [&](int b) { return Vec3(u.data() + 3 * b); };
   const size_t nodes = mesh.block.size();
@@ -89,12 +90,12 @@ void move_nodes(const System& system, const Kinematics& at, const std::vector<do
   mode.rotation.assign(nodes, Vec3::Zero());
   for (size_t n = 0; n < nodes; ++n) {
     mode.shape[n] = block(mesh.block[n]);
-    if (mesh.rotates(static_cast<int>(n))) mode.rotation[n] = at.q[n] * block(mesh.block[n] + 1);
+    if (mesh.rotates(static_cast<int>(n))) mode.rotation[n] = state.q[n] * block(mesh.block[n] + 1);
   }
   for (const int i : system.tied_nodes().to_frames()) {
     const TiedNode& s = system.tied_nodes().nodes()[i];
     const int frame = mesh.block[s.frame];
-    mode.shape[s.node] = block(frame) + at.q[s.frame] * block(frame + 1).cross(s.at);
+    mode.shape[s.node] = block(frame) + state.q[s.frame] * block(frame + 1).cross(s.at);
   }
   double most[2] = {0, 0};
   for (size_t n = 0; n < static_cast<size_t>(mesh.owned); ++n) {
@@ -102,7 +103,7 @@ void move_nodes(const System& system, const Kinematics& at, const std::vector<do
     most[1] = std::max(most[1], mode.rotation[n].norm());
   }
   all_reduce(system.comm(), MPI_MAX, most);
-  const bool in_place = most[0] < kInPlace * most[1] * std::max(size_of(system, at), kLeastSize);
+  const bool in_place = most[0] < kInPlace * most[1] * std::max(size_of(system, state), kLeastSize);
   for (size_t n = 0; n < nodes; ++n) {
     mode.shape[n] = in_place ? Vec3(Vec3::Zero()) : Vec3(mode.shape[n] / most[0]);
     mode.rotation[n] /= in_place ? most[1] : most[0];
@@ -180,7 +181,7 @@ double form(Mat A, Vec u, Vec work) {
 
 // Changes a mode from that with another mass to that with the mass at its own frequency, omega = sqrt(u . K
 // u/u . M(omega) u), by inverse iteration (Wilkinson 1965, section 9.47) with the mass at the last frequency.
-void settle(System& system, const Kinematics& at, Mat K, const std::vector<DependsOnFrequency*>& terms,
+void settle(System& system, const Kinematics& state, Mat K, const std::vector<DependsOnFrequency*>& terms,
             Eigenpair& pair) {
   constexpr double kSettled = 1e-9;  // relative, of omega²
   // relative distance of the shift from omega², at which K - shift M is regular
@@ -194,7 +195,7 @@ void settle(System& system, const Kinematics& at, Mat K, const std::vector<Depen
   MatHandle M;
   for (int i = 0; i < kMostOften && pair.squared > kFreeMotion; ++i) {
     oscillate(std::sqrt(pair.squared));
-    M = symmetric(system, at, {0, 0, 1}, 0);
+    M = symmetric(system, state, {0, 0, 1}, 0);
     const double beside = form(K, u, work.get()) / form(M.get(), u, work.get()) * (1 - kBeside);
     const MatHandle A = shifted(K, M.get(), beside);
     KspHandle ksp;
@@ -211,20 +212,20 @@ void settle(System& system, const Kinematics& at, Mat K, const std::vector<Depen
     if (i > kPlain) pair.squared = 0.5 * (pair.squared + before);
   }
   if (M) {
-    const MatHandle C = symmetric(system, at, {0, 1, 0}, 0);
+    const MatHandle C = symmetric(system, state, {0, 1, 0}, 0);
     pair.damping_ratio =
         form(C.get(), u, work.get()) / (2 * std::sqrt(std::abs(pair.squared)) * form(M.get(), u, work.get()));
   }
   oscillate(0);
 }
 
-NaturalMode mode_of(const System& system, const Kinematics& at, const Eigenpair& pair) {
+NaturalMode mode_of(const System& system, const Kinematics& state, const Eigenpair& pair) {
   NaturalMode mode;
   mode.squared = pair.squared;
   mode.damping_ratio = pair.damping_ratio;
   std::vector<double> local;
   system.update_ghosts(pair.vector.get(), local);
-  move_nodes(system, at, local, mode);
+  move_nodes(system, state, local, mode);
   return mode;
 }
 
@@ -247,14 +248,14 @@ bool complete(Mat K, Mat M, const std::vector<Eigenpair>& modes, size_t count) {
 
 }  // namespace
 
-std::vector<NaturalMode> natural_modes(System& system, const Kinematics& at, int count) {
+std::vector<NaturalMode> natural_modes(System& system, const Kinematics& state, int count) {
   const Slepc slepc;
   const long free = free_components(system);
   count = static_cast<int>(std::min<long>(count, free));
   if (count == 0) return {};
   // Held components get the stiffness 1 and no mass, so that their eigenvalues are infinite and do not appear
   // among the lowest.
-  const MatHandle K = symmetric(system, at, {1, 0, 0}, 1), M = symmetric(system, at, {0, 0, 1}, 0);
+  const MatHandle K = symmetric(system, state, {1, 0, 0}, 1), M = symmetric(system, state, {0, 0, 1}, 0);
   // A Krylov space contains the directions of a repeated eigenvalue (of equal lines) only by rounding, so
   // some may be missing at first.
   for (long ask = std::min<long>(count + kMore, free);; ask = std::min(2 * ask, free)) {
@@ -268,11 +269,11 @@ std::vector<NaturalMode> natural_modes(System& system, const Kinematics& at, int
     }
     modes.resize(wanted);
     if (const auto terms = system.with<DependsOnFrequency>(); !terms.empty()) {
-      for (Eigenpair& pair : modes) settle(system, at, K.get(), terms, pair);
+      for (Eigenpair& pair : modes) settle(system, state, K.get(), terms, pair);
       sort(modes);
     }
     std::vector<NaturalMode> out;
-    for (const Eigenpair& pair : modes) out.push_back(mode_of(system, at, pair));
+    for (const Eigenpair& pair : modes) out.push_back(mode_of(system, state, pair));
     return out;
   }
 }

@@ -18,7 +18,7 @@ namespace {
 // Describes the beam element that is bent most in the accepted state, if by more than 60 degrees; empty if
 // there is none. Such an element cannot represent the shape of the line, and shorter steps help only for a
 // short time. Collective.
-std::string folded_element(const System& system, const Kinematics& at) {
+std::string folded_element(const System& system, const Kinematics& state) {
   constexpr double kFolded = M_PI / 3;  // rad between the ends: the element is folded
   constexpr double kKept = M_PI / 9;    // rad: the most that is recommended in one element
   struct {
@@ -28,7 +28,7 @@ std::string folded_element(const System& system, const Kinematics& at) {
   const LocalMesh& mesh = system.mesh();
   for (const LocalElement& e : mesh.elements) {
     if (!mesh.element(e).beam) continue;
-    const Vec3 from = at.q[e.first] * Vec3::UnitX(), to = at.q[e.second] * Vec3::UnitX();
+    const Vec3 from = state.q[e.first] * Vec3::UnitX(), to = state.q[e.second] * Vec3::UnitX();
     const double turn = angle_between(from, to);
     if (turn > worst.turn) worst = {turn, mesh.element(e).length, mesh.global[e.first]};
   }
@@ -43,8 +43,8 @@ std::string folded_element(const System& system, const Kinematics& at) {
 // rank. The element then measures the rotation in the other direction, so that its strain jumps. The
 // quaternions of the rotations, with w >= 0 of q and -q, are then more than a right angle apart.
 int turned_over(const LocalMesh& mesh, const Kinematics& before, const Kinematics& after) {
-  const auto turn = [](const Kinematics& at, const LocalElement& e) -> Quat {
-    const Quat q = at.q[e.first].conjugate() * at.q[e.second];
+  const auto turn = [](const Kinematics& state, const LocalElement& e) -> Quat {
+    const Quat q = state.q[e.first].conjugate() * state.q[e.second];
     return q.w() < 0 ? Quat(-q.coeffs()) : q;
   };
   for (const LocalElement& e : mesh.elements)

@@ -318,9 +318,9 @@ void System::commit(const Kinematics& accepted) {
   update_fed_lines(accepted);
 }
 
-Energy System::energy(const Kinematics& at) const {
+Energy System::energy(const Kinematics& state) const {
   Energy e;
-  for (const auto& t : terms_) e += t->energy(at);
+  for (const auto& t : terms_) e += t->energy(state);
   return e;
 }
 

@@ -10,15 +10,15 @@ constexpr double kRoundOffShare = 0.01;  // largest ratio of round-off to tensio
 constexpr double kSure = 1e-3;           // this ratio for the EA that the message recommends
 }  // namespace
 
-Overstretch System::overstretch(const Kinematics& at) const {
+Overstretch System::overstretch(const Kinematics& state) const {
   Overstretch worst;
   for (const HasAxialStiffness* t : listed<HasAxialStiffness>())
-    if (const Overstretch o = t->overstretched(at); o.beyond > worst.beyond) worst = o;
+    if (const Overstretch o = t->overstretched(state); o.beyond > worst.beyond) worst = o;
   return worst;
 }
 
-std::optional<advice::Overstretched> System::overstretched(const Kinematics& at) const {
-  Overstretch worst = overstretch(at);
+std::optional<advice::Overstretched> System::overstretched(const Kinematics& state) const {
+  Overstretch worst = overstretch(state);
   if (!broadcast_largest(comm_, worst.beyond, 0, worst)) return std::nullopt;
   return advice::Overstretched{.place = mesh_.mesh->place(worst.node),
                                .strain = worst.strain,
@@ -28,11 +28,11 @@ std::optional<advice::Overstretched> System::overstretched(const Kinematics& at)
 }
 
 // Without dead loads the tension may be zero to round-off.
-std::optional<advice::LostInRounding> System::lost_in_rounding(const Kinematics& at) const {
+std::optional<advice::LostInRounding> System::lost_in_rounding(const Kinematics& state) const {
   const double load = dead_load();
   if (load == 0) return std::nullopt;
   std::vector<LineTension> lines(mesh_.mesh->lines.size());
-  for (const HasAxialStiffness* t : listed<HasAxialStiffness>()) t->tensions(at, lines);
+  for (const HasAxialStiffness* t : listed<HasAxialStiffness>()) t->tensions(state, lines);
   MPI_Allreduce(MPI_IN_PLACE, lines.data(), static_cast<int>(3 * lines.size()), MPI_DOUBLE, MPI_MAX, comm_);
   for (size_t l = 0; l < lines.size(); ++l) {
     const LineTension& t = lines[l];

@@ -21,12 +21,12 @@ std::span<double> numbers_of(std::span<LineMotion> lines) {
 
 // This rank's share of the motion of the masses of each line in the state, without its impacts. The second
 // half of the result is the same with algorithmic accelerations as velocities.
-std::vector<LineMotion> System::motions(const Kinematics& at, const StoredMotion& stored) const {
+std::vector<LineMotion> System::motions(const Kinematics& state, const StoredMotion& stored) const {
   std::vector<LineMotion> lines(2 * lines_);
-  Kinematics accelerations = at;
+  Kinematics accelerations = state;
   accelerations.v = stored.accelerations;
   for (const MovesMasses* t : listed<MovesMasses>()) {
-    t->motion(at, std::span(lines).first(lines_));
+    t->motion(state, std::span(lines).first(lines_));
     t->motion(accelerations, std::span(lines).last(lines_));
   }
   return lines;

@@ -10,9 +10,9 @@
 
 namespace hawser {
 
-Vec3 BedContact::line_direction(const Point& p, const Kinematics& at) const {
-  if (p.second < 0) return line_.tangent(at, p.node);
-  const Vec3 chord = at.x[p.second] - at.x[p.node];
+Vec3 BedContact::line_direction(const Point& p, const Kinematics& state) const {
+  if (p.second < 0) return line_.tangent(state, p.node);
+  const Vec3 chord = state.x[p.second] - state.x[p.node];
   const double length = chord.norm();
   return length > 0 ? Vec3(chord / length) : Vec3::UnitX();
 }
@@ -53,13 +53,13 @@ double BedContact::gap(const Vec3& x, double most) const {
   return s ? s->distance : std::numeric_limits<double>::infinity();
 }
 
-ContactForce BedContact::contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& t,
+ContactForce BedContact::contact(const Point& p, const Kinematics& state, bool derivatives, ContactTrial& t,
                                  bool convex) const {
-  const double beyond = suction_range(law(p).suction, soil(p, at)) - law(p).law.normal.smoothing;
-  const bool touches = locate(p, of_nodes(p, at.x), std::max(0.0, beyond), t);
+  const double beyond = suction_range(law(p).suction, soil(p, state)) - law(p).law.normal.smoothing;
+  const bool touches = locate(p, of_nodes(p, state.x), std::max(0.0, beyond), t);
   if (convex) t.curvature.setZero();
   if (!touches) return {};
-  if (at.moves()) t.velocity = of_nodes(p, at.v);
+  if (state.moves()) t.velocity = of_nodes(p, state.v);
   if (friction_ == Friction::contact && !(laid() && !laid_[index_of(p)].known()))
     return volume_contact(law(p).law, start(p), t, derivatives);
   return volume_contact({law(p).law.normal, FrictionLaw{}}, start(p), t, derivatives);
@@ -197,21 +197,21 @@ void BedContact::store(Point& p, const PointHistory& h) {
 }
 
 // Until a step has been committed the energy is that of the state: in statics the line search reduces it.
-Energy BedContact::energy(const Kinematics& at) const {
+Energy BedContact::energy(const Kinematics& state) const {
   Energy e;
   e.friction = account_.friction;
   e.damping = account_.damping;
   for (const Point& p : points_) {
     if (!p.counted) continue;
-    if (at.after_step()) {
+    if (state.after_step()) {
       e.strain += history(p).potential;
       continue;
     }
     ContactTrial trial;
-    const ContactForce c = contact(p, at, false, trial);
+    const ContactForce c = contact(p, state, false, trial);
     e.strain += c.normal.potential;
     if (friction_ != Friction::none && laid())
-      e.strain += pressed_friction_at(p, of_nodes(p, at.x)).potential;
+      e.strain += pressed_friction_at(p, of_nodes(p, state.x)).potential;
   }
   return e;
 }

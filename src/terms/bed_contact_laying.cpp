@@ -34,19 +34,19 @@ void BedContact::lay(const std::vector<Vec3>& places, const Kinematics& start, b
   }
 }
 
-void BedContact::press_by_contact(const Kinematics& at) {
+void BedContact::press_by_contact(const Kinematics& state) {
   for (const Point& p : points_) {
     ContactTrial trial;
     LaidReference& laid = laid_[index_of(p)];
-    if (laid.known()) laid.normal_force = contact(p, at, false, trial).normal.force;
+    if (laid.known()) laid.normal_force = contact(p, state, false, trial).normal.force;
   }
 }
 
-void BedContact::follow_contact(const Kinematics& at) {
+void BedContact::follow_contact(const Kinematics& state) {
   for (const Point& p : points_) {
     LaidReference& laid = laid_[index_of(p)];
     if (!firm_ || !(laid.normal_force > 0)) continue;
-    const Vec3 x = of_nodes(p, at.x);
+    const Vec3 x = of_nodes(p, state.x);
     const Vec3 moved = x - laid.place;
     laid.slip = moved - laid.normal * laid.normal.dot(moved) +
                 slip_of_force(law(p).law.friction, laid.normal_force, pressed_friction_at(p, x).force,
@@ -57,7 +57,7 @@ void BedContact::follow_contact(const Kinematics& at) {
   least_slip_ = 0;
 }
 
-std::vector<BedContact::OnBed> BedContact::on_bed(const Kinematics& at) const {
+std::vector<BedContact::OnBed> BedContact::on_bed(const Kinematics& state) const {
   constexpr double kMobilised = 0.99;
   std::vector<OnBed> out(mesh_.mesh->lines.size());
   for (const Point& p : points_) {
@@ -67,7 +67,7 @@ std::vector<BedContact::OnBed> BedContact::on_bed(const Kinematics& at) const {
     const FrictionLaw& f = law(p).law.friction;
     if (!f.active() || !(laid() && laid_[index_of(p)].known())) continue;
     line.friction_length += law(p).length;
-    const Vec3 t = line_direction(p, at);
+    const Vec3 t = line_direction(p, state);
     const double along = h.friction.dot(t);
     const double across = (h.friction - along * t).norm();
     const double a = f.axial > 0 ? along / (f.axial * h.normal_force) : 0;

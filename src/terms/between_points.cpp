@@ -9,26 +9,26 @@
 
 namespace hawser {
 
-AttachedNow attached_now(const Attached& a, const Kinematics& at, const LocalMesh& mesh,
+AttachedNow attached_now(const Attached& a, const Kinematics& state, const LocalMesh& mesh,
                          const Bodies& bodies) {
   AttachedNow now;
   const int frame = a.frame_node(bodies);
   if (frame < 0) {
-    const RigidPose p = bodies.pose(a.body, at.time);
+    const RigidPose p = bodies.pose(a.body, state.time);
     now.x = a.direction ? p.rotation * a.position : p.to_space(a.position);
     now.v = a.direction ? p.angular_velocity.cross(now.x) : p.velocity_at(now.x);
     return now;
   }
   const int local = mesh.find(frame);
   const Vec3 y = a.body < 0 ? a.position : bodies.in_node_axes(a.body, a.position, a.direction);
-  now.point = {y, at.q[local].toRotationMatrix(), at.w[local]};
+  now.point = {y, state.q[local].toRotationMatrix(), state.w[local]};
   now.x = now.point.arm();
   now.v = now.point.velocity();
   if (!y.isZero(0) && mesh.rotates(local)) now.turn = mesh.block[local] + 1;
   if (a.direction) return now;
   now.place = mesh.block[local];
-  now.x += at.x[local];
-  now.v += at.v[local];
+  now.x += state.x[local];
+  now.v += state.v[local];
   return now;
 }
 

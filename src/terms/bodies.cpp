@@ -58,26 +58,26 @@ void Bodies::fix_drawn(MPI_Comm comm, const model::Case& c, const Kinematics& st
   }
 }
 
-RigidPose Bodies::pose(int body, const Kinematics& at) const {
-  if (!floats(body)) return pose(body, at.time);
+RigidPose Bodies::pose(int body, const Kinematics& state) const {
+  if (!floats(body)) return pose(body, state.time);
   const Frame& f = frames_[body];
   const int node = local_node(body);
   if (node < 0) return f.exchanged;
-  RigidBodyState s = floating_state(at, node);
+  RigidBodyState s = floating_state(state, node);
   s.q = s.q * f.turn;
   s.w = f.turn.conjugate() * s.w;
   s.alpha = f.turn.conjugate() * s.alpha;
   return floating_pose(s, f.centre);
 }
 
-void Bodies::exchange_poses(MPI_Comm comm, const Kinematics& at) const {
+void Bodies::exchange_poses(MPI_Comm comm, const Kinematics& state) const {
   std::vector<double> packed;
   for (size_t b = 0; b < frames_.size(); ++b) {
     if (frames_[b].node < 0) continue;
     const int node = local_node(static_cast<int>(b));
     packed.resize(packed.size() + kPose, 0);
     if (!mesh_->owns(node)) continue;
-    const RigidPose p = pose(static_cast<int>(b), at);
+    const RigidPose p = pose(static_cast<int>(b), state);
     double* d = packed.data() + packed.size() - kPose;
     for (int c = 0; c < 3; ++c) {
       d[c] = p.position[c];

@@ -59,22 +59,22 @@ void BodiesInFlow::add(const model::Case& c, int body, int node, const LocalMesh
 }
 
 // Gusts act in dynamics only.
-FlowVelocity BodiesInFlow::velocity(const Flow& f, const Kinematics& at, const RigidBodyState& s) const {
+FlowVelocity BodiesInFlow::velocity(const Flow& f, const Kinematics& state, const RigidBodyState& s) const {
   FlowVelocity out;
   if (f.air) {
-    out.velocity = wind_.steady(f.height, at.time);
-    if (at.moves()) out.velocity += wind_.gust(at.time);
+    out.velocity = wind_.steady(f.height, state.time);
+    if (state.moves()) out.velocity += wind_.gust(state.time);
     return out;
   }
-  const Water still = sea_.still_at((s.x + s.q * f.data.arm).z(), at.time);
+  const Water still = sea_.still_at((s.x + s.q * f.data.arm).z(), state.time);
   out.velocity = still.velocity;
   out.by_height = still.by_height;
   return out;
 }
 
-BodiesInFlow::Push BodiesInFlow::push(const Flow& f, const Kinematics& at) const {
-  const RigidBodyState s = floating_state(at, f.node);
-  const Vec3 c = relative_flow(f.data, s, velocity(f, at, s).velocity);
+BodiesInFlow::Push BodiesInFlow::push(const Flow& f, const Kinematics& state) const {
+  const RigidBodyState s = floating_state(state, f.node);
+  const Vec3 c = relative_flow(f.data, s, velocity(f, state, s).velocity);
   const Vec3 by = flow_force(f.data, c.x(), c.y()).force;
   return {s.q * Vec3(by.x(), by.y(), 0), s.x + s.q * f.data.arm, Vec3(0, 0, by.z()), s.q};
 }
@@ -83,11 +83,11 @@ std::vector<std::string> BodiesInFlow::load_components(int body) const {
   return load_components_[static_cast<size_t>(body)];
 }
 
-std::vector<BodyForce> BodiesInFlow::forces_on(int body, const Kinematics& at) const {
+std::vector<BodyForce> BodiesInFlow::forces_on(int body, const Kinematics& state) const {
   std::vector<BodyForce> out;
   for (const Flow& f : list_) {
     if (f.body != body) continue;
-    const Push p = push(f, at);
+    const Push p = push(f, state);
     out.push_back({p.force, p.turned * (f.data.arm.cross(p.turned.conjugate() * p.force) + p.moment)});
   }
   return out;
@@ -126,12 +126,12 @@ void BodiesInFlow::commit(const Kinematics& accepted) {
 }
 
 // In statics, forces without a potential are given the work since the last iteration as potential.
-Energy BodiesInFlow::energy(const Kinematics& at) const {
+Energy BodiesInFlow::energy(const Kinematics& state) const {
   Energy e;
   for (const Flow& f : list_) {
     e.work += f.work;
     e.by_water += f.work;
-    if (!idle(f) && !at.moves() && f.pushed) e.potential -= work(f.push, push(f, at));
+    if (!idle(f) && !state.moves() && f.pushed) e.potential -= work(f.push, push(f, state));
   }
   return e;
 }

@@ -68,8 +68,8 @@ void BodiesInWater::add_member(const model::Body& body, const model::BodyMember&
   }
 }
 
-RigidBodyState BodiesInWater::state(const Wet& b, const Kinematics& at) {
-  RigidBodyState s = floating_state(at, b.node);
+RigidBodyState BodiesInWater::body_state(const Wet& b, const Kinematics& state) {
+  RigidBodyState s = floating_state(state, b.node);
   s.q = s.q * b.axes;
   s.w = b.axes.conjugate() * s.w;
   s.alpha = b.axes.conjugate() * s.alpha;
@@ -80,37 +80,38 @@ BodiesInWater::Places BodiesInWater::places(const Wet& b, const RigidBodyState& 
   return {s.x + s.q * b.data.centre, s.x + s.q * b.data.drag_centre};
 }
 
-BodiesInWater::Places BodiesInWater::wave_places(const Wet& b, const Kinematics& at) const {
-  const double since = at.time - start_time_;
+BodiesInWater::Places BodiesInWater::wave_places(const Wet& b, const Kinematics& state) const {
+  const double since = state.time - start_time_;
   if (!(since > 0)) return b.wave_place;
   return {b.start.centre + since * b.speed.centre, b.start.drag + since * b.speed.drag};
 }
 
-Water BodiesInWater::water(const Wet& b, const Kinematics& at, const Vec3& x, WaveMotion Wet::*wave) const {
-  const Water still = sea_.still_at(x.z(), at.time);
-  if (sea_.waves.none() || !at.moves()) return still;
-  if (!b.known || b.time != at.time) {
-    const Places there = wave_places(b, at);
-    b.centre = sea_.waves_at(there.centre, at.time);
-    b.drag = there.drag == there.centre ? b.centre : sea_.waves_at(there.drag, at.time);
-    b.time = at.time;
+Water BodiesInWater::water(const Wet& b, const Kinematics& state, const Vec3& x,
+                           WaveMotion Wet::*wave) const {
+  const Water still = sea_.still_at(x.z(), state.time);
+  if (sea_.waves.none() || !state.moves()) return still;
+  if (!b.known || b.time != state.time) {
+    const Places there = wave_places(b, state);
+    b.centre = sea_.waves_at(there.centre, state.time);
+    b.drag = there.drag == there.centre ? b.centre : sea_.waves_at(there.drag, state.time);
+    b.time = state.time;
     b.known = true;
   }
   return still + b.*wave;
 }
 
 BodiesInWater::Flow BodiesInWater::all_forces(const Wet& b, const RigidBodyState& s,
-                                              const Kinematics& at) const {
+                                              const Kinematics& state) const {
   Flow out;
   out.at = places(b, s);
-  out.force = body_water_force(b.data, s, water(b, at, out.at.centre, &Wet::centre),
-                               water(b, at, out.at.drag, &Wet::drag));
+  out.force = body_water_force(b.data, s, water(b, state, out.at.centre, &Wet::centre),
+                               water(b, state, out.at.drag, &Wet::drag));
   return out;
 }
 
-BodiesInWater::Flow BodiesInWater::flow(const Wet& b, const Kinematics& at) const {
-  const RigidBodyState s = state(b, at);
-  Flow out = all_forces(b, s, at);
+BodiesInWater::Flow BodiesInWater::flow(const Wet& b, const Kinematics& state) const {
+  const RigidBodyState s = body_state(b, state);
+  Flow out = all_forces(b, s, state);
   BodyInWater floating;
   floating.centre = b.data.centre;
   floating.height = b.data.height;
@@ -121,10 +122,10 @@ BodiesInWater::Flow BodiesInWater::flow(const Wet& b, const Kinematics& at) cons
   return out;
 }
 
-std::vector<int> BodiesInWater::in_surface(const Kinematics& at) const {
+std::vector<int> BodiesInWater::in_surface(const Kinematics& state) const {
   std::vector<int> out;
   for (const Wet& b : list_) {
-    const double z = places(b, state(b, at)).centre.z();
+    const double z = places(b, body_state(b, state)).centre.z();
     if (!(b.data.buoyancy > 0)) continue;
     if (std::abs(sea_.surface - z) < 0.5 * b.data.height) out.push_back(b.body);
   }
@@ -143,7 +144,7 @@ double work(const Flow& from, const Flow& to) {
 
 void BodiesInWater::prepare(const Kinematics& committed, double) {
   for (Wet& b : list_) {
-    const RigidBodyState s = state(b, committed);
+    const RigidBodyState s = body_state(b, committed);
     b.start = places(b, s);
     if (!committed.after_step() || !b.has_wave_place) {
       b.wave_place = b.start;
@@ -166,7 +167,7 @@ void BodiesInWater::evaluate(const Kinematics& trial, Assembler& assembler) {
   BodyWaterResidual r;
   for (const Wet& b : list_) {
     if (idle(b)) continue;
-    const RigidBodyState s = state(b, trial);
+    const RigidBodyState s = body_state(b, trial);
     const Places at = places(b, s);
     body_water(b.data, s, water(b, trial, at.centre, &Wet::centre), water(b, trial, at.drag, &Wet::drag),
                tangent, assembler.convex(), r);
@@ -196,14 +197,14 @@ void BodiesInWater::commit(const Kinematics& accepted) {
 
 // As for lines: in statics, forces without a potential are given the work since the last iteration as
 // potential. The force of waves does work.
-Energy BodiesInWater::energy(const Kinematics& at) const {
+Energy BodiesInWater::energy(const Kinematics& state) const {
   Energy e;
   for (const Wet& b : list_) {
     e.work += b.work;
     e.by_water += b.work;
     if (idle(b)) continue;
-    e.potential += body_water_potential(b.data, state(b, at), sea_.surface);
-    if (!at.moves() && b.flowed) e.potential -= work(b.flow, flow(b, at));
+    e.potential += body_water_potential(b.data, body_state(b, state), sea_.surface);
+    if (!state.moves() && b.flowed) e.potential -= work(b.flow, flow(b, state));
   }
   return e;
 }
@@ -214,11 +215,12 @@ double BodiesInWater::dead_load() const {
   return sum;
 }
 
-double BodiesInWater::round_off(const Kinematics& at, double h) const {
+double BodiesInWater::round_off(const Kinematics& state, double h) const {
   if (!(h > 0)) return 0;
   const double eps = std::numeric_limits<double>::epsilon();
   double sum = 0;
-  for (const Wet& b : list_) sum += std::pow(4 * eps * b.data.added.maxCoeff() * at.v[b.node].norm() / h, 2);
+  for (const Wet& b : list_)
+    sum += std::pow(4 * eps * b.data.added.maxCoeff() * state.v[b.node].norm() / h, 2);
   return sum;
 }
 
@@ -227,14 +229,14 @@ std::vector<std::string> BodiesInWater::load_components(int body) const {
   return {"morison"};
 }
 
-std::vector<BodyForce> BodiesInWater::forces_on(int body, const Kinematics& at) const {
+std::vector<BodyForce> BodiesInWater::forces_on(int body, const Kinematics& state) const {
   BodyForce sum;
   bool here = false;
   for (const Wet& b : list_) {
     if (b.body != body) continue;
     here = true;
-    const RigidBodyState s = state(b, at);
-    const Flow f = all_forces(b, s, at);
+    const RigidBodyState s = body_state(b, state);
+    const Flow f = all_forces(b, s, state);
     sum.force += f.force.at_centre + f.force.at_drag;
     sum.moment += (f.at.centre - s.x).cross(f.force.at_centre) + (f.at.drag - s.x).cross(f.force.at_drag);
   }

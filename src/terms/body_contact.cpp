@@ -111,10 +111,10 @@ Vec3 BodyContact::Both::turned_since(const Both& start) const {
   return log_so3(Quat(Mat3(turn() * start.turn().transpose())));
 }
 
-BodyFrame BodyContact::frame(size_t volume, const Kinematics& at) const {
+BodyFrame BodyContact::frame(size_t volume, const Kinematics& state) const {
   const PairBody& s = bodies_of_volumes_[volume];
   if (s.global < 0) {
-    const RigidPose p = bodies_->pose(s.body, at.time);
+    const RigidPose p = bodies_->pose(s.body, state.time);
     const Mat3 R = p.rotation.toRotationMatrix(), back = R.transpose();
     return {s.centre,
             p.position,
@@ -125,11 +125,12 @@ BodyFrame BodyContact::frame(size_t volume, const Kinematics& at) const {
             back * p.angular_acceleration};
   }
   const size_t n = s.node;
-  return {s.centre, at.x[n], at.q[n].toRotationMatrix(), at.v[n], at.a[n], at.w[n], at.alpha[n]};
+  return {s.centre,   state.x[n],    state.q[n].toRotationMatrix(), state.v[n], state.a[n],
+          state.w[n], state.alpha[n]};
 }
 
-BodyContact::Both BodyContact::both(const Pair& pair, const Kinematics& at) const {
-  return {frame(pair.a, at), frame(pair.b, at)};
+BodyContact::Both BodyContact::both(const Pair& pair, const Kinematics& state) const {
+  return {frame(pair.a, state), frame(pair.b, state)};
 }
 
 bool BodyContact::near(size_t volume, const Vec3& centre, double radius, double gap) const {
@@ -319,11 +320,11 @@ void BodyContact::commit(const Kinematics& accepted) {
 }
 
 // After a step the energy of the committed state, in statics that of the trial.
-Energy BodyContact::energy(const Kinematics& at) const {
+Energy BodyContact::energy(const Kinematics& state) const {
   Energy e;
   for (const Pair& p : pairs_) {
     if (!p.counted) continue;
-    e.strain += at.after_step() ? p.potential : contact(p, both(p, at), kSprings).potential;
+    e.strain += state.after_step() ? p.potential : contact(p, both(p, state), kSprings).potential;
     e.damping += p.damping;
     e.friction += p.dissipated;
     e.work += p.work;
@@ -337,7 +338,7 @@ std::vector<std::string> BodyContact::load_components(int body) const {
   return {};
 }
 
-std::vector<BodyForce> BodyContact::forces_on(int body, const Kinematics& at) const {
+std::vector<BodyForce> BodyContact::forces_on(int body, const Kinematics& state) const {
   if (load_components(body).empty()) return {};
   BodyForce sum;
   for (const Pair& p : pairs_)
@@ -345,7 +346,7 @@ std::vector<BodyForce> BodyContact::forces_on(int body, const Kinematics& at) co
       const PairBody& own = bodies_of_volumes_[volume];
       if (own.body != body || own.node < 0) continue;
       sum.force -= p.acts.segment<3>(first);
-      sum.moment -= at.q[own.node] * p.acts.segment<3>(first + 3);
+      sum.moment -= state.q[own.node] * p.acts.segment<3>(first + 3);
     }
   return {sum};
 }

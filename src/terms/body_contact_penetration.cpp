@@ -30,9 +30,9 @@ double BodyContact::deepest(size_t volume, const BodyFrame& of, size_t in, const
   return depth;
 }
 
-void BodyContact::watch(const Kinematics& at) {
-  prepare(at, 0);
-  check_overlap(at.time);
+void BodyContact::watch(const Kinematics& state) {
+  prepare(state, 0);
+  check_overlap(state.time);
 }
 
 void BodyContact::check_overlap(double time) {

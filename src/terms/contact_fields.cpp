@@ -10,9 +10,9 @@ void add_contact_fields(FieldRegistry& registry, const ContactFields& shown, con
   const auto add = [&](Field field, int components, const auto& put) {
     if (field.name.empty()) return;
     field.components = components;
-    registry.add({std::move(field), [each, put, components](const Kinematics& at, std::span<double> out) {
+    registry.add({std::move(field), [each, put, components](const Kinematics& state, std::span<double> out) {
                     std::fill(out.begin(), out.end(), 0.0);
-                    each(at, [&](int node, double share, const Mat3& axes, const ContactPoint& p) {
+                    each(state, [&](int node, double share, const Mat3& axes, const ContactPoint& p) {
                       put(out.data() + components * node, share, axes, p);
                     });
                   }});

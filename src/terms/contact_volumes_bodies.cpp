@@ -12,26 +12,26 @@ constexpr double kStaticsWay = 0.15;  // of the line: largest displacement in a 
 
 }  // namespace
 
-void ContactVolumes::pose(const Kinematics& at, std::vector<RigidPose>& poses) const {
+void ContactVolumes::pose(const Kinematics& state, std::vector<RigidPose>& poses) const {
   const int n = bodies_->size();
   poses.resize(n + 1);
-  for (int b = 0; b < n; ++b) poses[b + 1] = bodies_->pose(b, at);
+  for (int b = 0; b < n; ++b) poses[b + 1] = bodies_->pose(b, state);
 }
 
-std::vector<RigidPose> ContactVolumes::poses(const Kinematics& at) const {
+std::vector<RigidPose> ContactVolumes::poses(const Kinematics& state) const {
   std::vector<RigidPose> poses;
-  pose(at, poses);
+  pose(state, poses);
   return poses;
 }
 
 // Valid for a body that a line on this rank may touch.
-RigidPose ContactVolumes::pose_of(int volume, const Kinematics& at) const {
-  return bodies_->pose(this->at(volume).body, at);
+RigidPose ContactVolumes::pose_of(int volume, const Kinematics& state) const {
+  return bodies_->pose(this->at(volume).body, state);
 }
 
-FloatingFrame ContactVolumes::floating_frame(int volume, const Kinematics& at) const {
+FloatingFrame ContactVolumes::floating_frame(int volume, const Kinematics& state) const {
   const int local = bodies_->local_node(this->at(volume).body);
-  return {mesh_.block[local], at.x[local], at.v[local], at.q[local].toRotationMatrix()};
+  return {mesh_.block[local], state.x[local], state.v[local], state.q[local].toRotationMatrix()};
 }
 
 // Elements are listed with a margin, so that the list remains valid for many steps. It is rebuilt when an

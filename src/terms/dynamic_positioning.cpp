@@ -140,9 +140,9 @@ DynamicPositioning::Push DynamicPositioning::push_in_motion(const Positioned& p,
   return push(p.data, deviation);
 }
 
-DynamicPositioning::Push DynamicPositioning::push(const Positioned& p, const Kinematics& at) const {
-  const Vec3 pose = place_and_heading(p.arm, floating_state(at, p.node));
-  return at.moves() ? push_in_motion(p, pose, at.time) : push_at_rest(p, pose);
+DynamicPositioning::Push DynamicPositioning::push(const Positioned& p, const Kinematics& state) const {
+  const Vec3 pose = place_and_heading(p.arm, floating_state(state, p.node));
+  return state.moves() ? push_in_motion(p, pose, state.time) : push_at_rest(p, pose);
 }
 
 void DynamicPositioning::begin(Positioned& p, const Vec3& pose, double time) {
@@ -156,19 +156,19 @@ std::vector<std::string> DynamicPositioning::load_components(int body) const {
   return {"thrusters"};
 }
 
-std::vector<BodyForce> DynamicPositioning::forces_on(int body, const Kinematics& at) const {
+std::vector<BodyForce> DynamicPositioning::forces_on(int body, const Kinematics& state) const {
   std::vector<BodyForce> out;
   for (const Positioned& p : list_) {
     if (p.body != body) continue;
-    const Vec3 f = push(p, at).force, force(f.x(), f.y(), 0);
-    out.push_back({force, (floating_state(at, p.node).q * p.arm).cross(force) + Vec3(0, 0, f.z())});
+    const Vec3 f = push(p, state).force, force(f.x(), f.y(), 0);
+    out.push_back({force, (floating_state(state, p.node).q * p.arm).cross(force) + Vec3(0, 0, f.z())});
   }
   return out;
 }
 
-DynamicPositioning::Passed DynamicPositioning::passed(const Positioned& p, const Kinematics& at,
+DynamicPositioning::Passed DynamicPositioning::passed(const Positioned& p, const Kinematics& state,
                                                       const Push& push) {
-  const RigidBodyState s = floating_state(at, p.node);
+  const RigidBodyState s = floating_state(state, p.node);
   return {push.force, s.x + s.q * p.arm, s.q};
 }
 
@@ -241,11 +241,11 @@ void DynamicPositioning::commit(const Kinematics& accepted) {
 }
 
 // In statics, the potential includes the work since the last iteration.
-Energy DynamicPositioning::energy(const Kinematics& at) const {
+Energy DynamicPositioning::energy(const Kinematics& state) const {
   Energy e;
   for (const Positioned& p : list_) {
     e.work += p.work;
-    if (!at.moves()) e.potential -= work(p.last, passed(p, at, push(p, at)));
+    if (!state.moves()) e.potential -= work(p.last, passed(p, state, push(p, state)));
   }
   return e;
 }

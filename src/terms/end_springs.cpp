@@ -55,10 +55,10 @@ EndSprings::EndSprings(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodi
 }
 
 // Tangent of the line at its end, and the direction of the unloaded spring.
-std::array<AttachedNow, 2> EndSprings::directions(const EndSpring& s, const Kinematics& at) const {
+std::array<AttachedNow, 2> EndSprings::directions(const EndSpring& s, const Kinematics& state) const {
   const Attached tangent{mesh_.global[s.node], -1, Vec3::UnitX(), true};
-  return {attached_now(tangent, at, mesh_, *bodies_),
-          attached_now({-1, s.body, s.direction, true}, at, mesh_, *bodies_)};
+  return {attached_now(tangent, state, mesh_, *bodies_),
+          attached_now({-1, s.body, s.direction, true}, state, mesh_, *bodies_)};
 }
 
 void EndSprings::evaluate(const Kinematics& trial, Assembler& assembler) {
@@ -85,12 +85,12 @@ void EndSprings::evaluate(const Kinematics& trial, Assembler& assembler) {
 }
 
 // The body turns the direction and changes c = d.t: W' t.(theta x d) = W' theta.(d x t).
-void EndSprings::holds(const Kinematics& at, std::vector<Hold>& out) const {
+void EndSprings::holds(const Kinematics& state, std::vector<Hold>& out) const {
   out.clear();
   for (const size_t i : driven_) {
     const EndSpring& s = springs_[i];
-    const Quat rotation = bodies_->pose(s.body, at).rotation;
-    const Vec3 t = rotation.conjugate() * directions(s, at)[0].x;
+    const Quat rotation = bodies_->pose(s.body, state).rotation;
+    const Vec3 t = rotation.conjugate() * directions(s, state)[0].x;
     const Vec3 g = s.direction.cross(t);
     out.push_back({rotation, s.stiffness * angle(g.norm(), s.direction.dot(t)).first * g});
   }
@@ -126,10 +126,10 @@ void EndSprings::restore(const std::vector<CheckpointRecord>& records) {
       work_[i] = kept->work;
 }
 
-Energy EndSprings::energy(const Kinematics& at) const {
+Energy EndSprings::energy(const Kinematics& state) const {
   Energy e;
   for (const EndSpring& s : springs_) {
-    const auto [t, d] = directions(s, at);
+    const auto [t, d] = directions(s, state);
     e.strain += s.stiffness * angle(t.x.cross(d.x).norm(), t.x.dot(d.x)).half_square;
   }
   e.work = std::accumulate(work_.begin(), work_.end(), 0.0);

@@ -31,15 +31,17 @@ MassShares mass_shares(bool beam) {
 // nodes are absorbed and released.
 constexpr double kShortest = 0.1, kLonger = 0.9;
 
-double chord(const Kinematics& at, const LocalElement& e) { return (at.x[e.second] - at.x[e.first]).norm(); }
+double chord(const Kinematics& state, const LocalElement& e) {
+  return (state.x[e.second] - state.x[e.first]).norm();
+}
 
-BeamFeed feed_of_beam(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) {
+BeamFeed feed_of_beam(const Feeder& f, const Kinematics& state, const LocalElement& e, double length) {
   const size_t i = e.first, j = e.second;
   BeamSection s = f.bar;
   s.length = length;
   BeamReference r;
   r.strain = f.free_strain;
-  return beam_feed(s, r, {at.x[i], at.x[j], at.q[i], at.q[j]});
+  return beam_feed(s, r, {state.x[i], state.x[j], state.q[i], state.q[j]});
 }
 
 }  // namespace
@@ -117,12 +119,12 @@ void Feeders::update_feed_point(Feeder& f) {
   entry.before = entry.predicted = entry.length = f.length;
 }
 
-void Feeders::update(const Kinematics& at) {
+void Feeders::update(const Kinematics& state) {
   for (size_t k = 0; k < feeders_.size(); ++k) {
-    const FeedPoint m = feed_point(feeders_[k], at);
+    const FeedPoint m = feed_point(feeders_[k], state);
     FedLine& e = fed_[k];
     e.before = feeders_[k].length;
-    e.predicted = predicted_feed_point(feeders_[k], at).length;
+    e.predicted = predicted_feed_point(feeders_[k], state).length;
     e.length = m.length;
     e.length_by_chord = m.by_chord;
     e.length_by_force = m.length_by_force;
@@ -137,43 +139,43 @@ const LocalElement* Feeders::at_feed_point(const Feeder& f) const {
   return at != mesh_.elements.end() && at->global == wanted ? &*at : nullptr;
 }
 
-FeedPoint Feeders::predicted_feed_point(const Feeder& f, const Kinematics& at) const {
+FeedPoint Feeders::predicted_feed_point(const Feeder& f, const Kinematics& state) const {
   if (!f.feed.speed.empty()) {
-    const model::Fed fed = model::fed_by(f.feed, at.time);
+    const model::Fed fed = model::fed_by(f.feed, state.time);
     return {f.offset + fed.length, fed.speed, fed.acceleration, 0, 0, fed.speed};
   }
-  const double h = at.time - f.time;
+  const double h = state.time - f.time;
   if (!(h > 0)) return {f.length, f.speed, 0, 0, 0, f.length_rate};
   return {f.length + h * f.speed, f.speed, 0, 0};
 }
 
-FeedPoint Feeders::feed_point(const Feeder& f, const Kinematics& at) const {
-  const double h = at.time - f.time;
-  if (!f.feed.speed.empty() || !(h > 0)) return predicted_feed_point(f, at);
+FeedPoint Feeders::feed_point(const Feeder& f, const Kinematics& state) const {
+  const double h = state.time - f.time;
+  if (!f.feed.speed.empty() || !(h > 0)) return predicted_feed_point(f, state);
   const LocalElement* e = at_feed_point(f);
   if (!e) return {f.length, f.speed, 0, 0};
   const FedElement fed = feed_step(
-      [&](double length) { return pull(f, at, *e, length); },
+      [&](double length) { return pull(f, state, *e, length); },
       {f.feed.tension, f.feed.speed_per_tension, f.feed.max_speed, f.resting, f.feed.least, f.feed.most},
       f.length, h);
   FeedPoint m{fed.length, (fed.length - f.length) / h, 0, 0, fed.length_by_force};
   const size_t i = e->first, j = e->second;
-  const double l = chord(at, *e);
+  const double l = chord(state, *e);
   if (!(l > 0)) return m;
-  const double parts = (at.x[j] - at.x[i]).dot(at.v[j] - at.v[i]) / l;
-  m.by_chord = fed.length_by_force * (f.beam ? feed_of_beam(f, at, *e, m.length).by_chord
-                                             : feed_of_cable(f, at, *e, m.length).by_chord);
+  const double parts = (state.x[j] - state.x[i]).dot(state.v[j] - state.v[i]) / l;
+  m.by_chord = fed.length_by_force * (f.beam ? feed_of_beam(f, state, *e, m.length).by_chord
+                                             : feed_of_cable(f, state, *e, m.length).by_chord);
   m.length_rate =
-      f.beam ? m.by_chord * parts : (m.length / l) * (parts - m.length * strain_rate(f, at, *e, m.length));
+      f.beam ? m.by_chord * parts : (m.length / l) * (parts - m.length * strain_rate(f, state, *e, m.length));
   // If a tension is kept exactly, the speed at the end of the step is that at which the end of the element
   // moves. Otherwise it is that of the law, which is the mean over the step.
   if (f.feed.speed_per_tension == 0 && m.by_chord > 0) m.speed = m.length_rate;
   return m;
 }
 
-FedPull Feeders::pull(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const {
-  if (!f.beam) return feed_of_cable(f, at, e, length);
-  const BeamFeed of = feed_of_beam(f, at, e, length);
+FedPull Feeders::pull(const Feeder& f, const Kinematics& state, const LocalElement& e, double length) const {
+  if (!f.beam) return feed_of_cable(f, state, e, length);
+  const BeamFeed of = feed_of_beam(f, state, e, length);
   return {of.force, of.slope};
 }
 
@@ -181,16 +183,16 @@ double Feeders::strain_before(const Feeder& f, const LocalElement& e) const {
   return chord(before_.at_rest(), e) / f.length - 1 - f.cable.free_strain;
 }
 
-double Feeders::strain_rate(const Feeder& f, const Kinematics& at, const LocalElement& e,
+double Feeders::strain_rate(const Feeder& f, const Kinematics& state, const LocalElement& e,
                             double length) const {
-  if (before_.x.size() != at.x.size()) return 0;
-  return (chord(at, e) / length - 1 - f.cable.free_strain - strain_before(f, e)) / (at.time - f.time);
+  if (before_.x.size() != state.x.size()) return 0;
+  return (chord(state, e) / length - 1 - f.cable.free_strain - strain_before(f, e)) / (state.time - f.time);
 }
 
-CableFeed Feeders::feed_of_cable(const Feeder& f, const Kinematics& at, const LocalElement& e,
+CableFeed Feeders::feed_of_cable(const Feeder& f, const Kinematics& state, const LocalElement& e,
                                  double length) const {
-  const double h = before_.x.size() == at.x.size() ? at.time - f.time : 0;
-  return cable_feed(f.cable, chord(at, e), length, h > 0 ? strain_before(f, e) : 0, h);
+  const double h = before_.x.size() == state.x.size() ? state.time - f.time : 0;
+  return cable_feed(f.cable, chord(state, e), length, h > 0 ? strain_before(f, e) : 0, h);
 }
 
 std::vector<std::array<int, 2>> Feeders::inside() const {
@@ -224,22 +226,22 @@ std::vector<int> Feeders::fed_nodes() const {
   return out;
 }
 
-Feeders::Flow Feeders::flow(const FeedPoint& m, const Kinematics& at, const LocalElement& e,
+Feeders::Flow Feeders::flow(const FeedPoint& m, const Kinematics& state, const LocalElement& e,
                             LineEnd line_end) const {
   const size_t i = line_end == LineEnd::B ? e.second : e.first,
                j = line_end == LineEnd::B ? e.first : e.second;
   Flow o;
   const double rate = m.speed / m.length;
-  o.chord = at.x[j] - at.x[i];
-  o.velocity = at.v[i] + rate * o.chord;
-  o.acceleration = (m.acceleration / m.length) * o.chord + 2 * rate * (at.v[j] - o.velocity);
+  o.chord = state.x[j] - state.x[i];
+  o.velocity = state.v[i] + rate * o.chord;
+  o.acceleration = (m.acceleration / m.length) * o.chord + 2 * rate * (state.v[j] - o.velocity);
   return o;
 }
 
 // Residual at the feeder and at the free node.
-void Feeders::force(const Feeder& f, const FeedPoint& m, const Kinematics& at, const LocalElement& e,
+void Feeders::force(const Feeder& f, const FeedPoint& m, const Kinematics& state, const LocalElement& e,
                     Vec3* out) const {
-  const Flow o = flow(m, at, e, f.line_end);
+  const Flow o = flow(m, state, e, f.line_end);
   const MassShares mass = mass_shares(f.beam);
   const double mass_of_element = f.mass_per_length * m.length;
   out[0] = mass_of_element * mass.own * o.acceleration +
@@ -292,14 +294,14 @@ void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
 }
 
-void Feeders::element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const {
-  if (!at.moves()) return;
+void Feeders::element_force(const Kinematics& state, const LocalElement& e, Vec12& f) const {
+  if (!state.moves()) return;
   for (const Feeder& feeder : feeders_) {
     if (element(feeder, feeder.feed_point) != e.global) continue;
     Vec3 out[2];
-    force(feeder, predicted_feed_point(feeder, at), at, e, out);
+    force(feeder, predicted_feed_point(feeder, state), state, e, out);
     // The feeder, not the line, provides the momentum of the material that it sets in motion.
-    const Flow o = flow(predicted_feed_point(feeder, at), at, e, feeder.line_end);
+    const Flow o = flow(predicted_feed_point(feeder, state), state, e, feeder.line_end);
     out[0] -= (feeder.mass_per_length * feeder.speed * feeder.speed / feeder.length) * o.chord;
     f.head<3>() += out[feeder.line_end == LineEnd::B ? 1 : 0];
     f.segment<3>(6) += out[feeder.line_end == LineEnd::B ? 0 : 1];
@@ -307,21 +309,21 @@ void Feeders::element_force(const Kinematics& at, const LocalElement& e, Vec12& 
 }
 
 // Power for the paid-out material: work of the feeder beyond holding the line, and kinetic energy.
-double Feeders::power(const Feeder& f, const Kinematics& at, const LocalElement& e) const {
-  const FeedPoint m = feed_point(f, at);
+double Feeders::power(const Feeder& f, const Kinematics& state, const LocalElement& e) const {
+  const FeedPoint m = feed_point(f, state);
   if (m.speed == 0) return 0;
   const size_t i = f.line_end == LineEnd::B ? e.second : e.first,
                j = f.line_end == LineEnd::B ? e.first : e.second;
-  const Flow o = flow(m, at, e, f.line_end);
+  const Flow o = flow(m, state, e, f.line_end);
   const double mass = f.mass_per_length, rate = m.speed / m.length;
   const auto [own, shared] = mass_shares(f.beam);
-  const Vec3 inertia = mass * m.length * (own * (at.a[i] + o.acceleration) + shared * at.a[j]);
-  const Vec3 &v = o.velocity, &w = at.v[j];
+  const Vec3 inertia = mass * m.length * (own * (state.a[i] + o.acceleration) + shared * state.a[j]);
+  const Vec3 &v = o.velocity, &w = state.v[j];
   return rate * o.chord.dot(inertia) +
          mass * m.speed *
              (1.5 * own * v.squaredNorm() + (2 * shared - own) * v.dot(w) +
               (0.5 * own - shared) * w.squaredNorm()) -
-         mass * m.speed * at.v[i].dot(v - at.v[i]);
+         mass * m.speed * state.v[i].dot(v - state.v[i]);
 }
 
 // True if the feeder rests at the end of a step with the feed point m. It stops where the tension reaches the
@@ -343,8 +345,8 @@ double Feeders::work_of_step(size_t k, const Kinematics& accepted, const LocalEl
   // For cables LineStructure computes this work, from the mean force of the step.
   if (f.beam) work -= 0.5 * (f.length - before) * (pulls_[k] + pull(f, accepted, e, f.length).force);
   if (before_.x.size() != accepted.x.size()) return work;
-  for (const Kinematics& at : {before_.at_rest(), accepted})
-    work -= 0.5 * (load_work(f, at, e, f.length) - load_work(f, at, e, before));
+  for (const Kinematics& state : {before_.at_rest(), accepted})
+    work -= 0.5 * (load_work(f, state, e, f.length) - load_work(f, at, e, before));
   return work;
 }
 
@@ -376,24 +378,25 @@ double Feeders::passed_through(std::span<const double> pulls, double h) const {
 }
 
 // Work of the weight of the element at the feed point from the origin to its place, J.
-double Feeders::load_work(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const {
+double Feeders::load_work(const Feeder& f, const Kinematics& state, const LocalElement& e,
+                          double length) const {
   const size_t i = e.first, j = e.second;
-  if (!f.beam) return 0.5 * length * f.weight.dot(at.x[i] + at.x[j]);
+  if (!f.beam) return 0.5 * length * f.weight.dot(state.x[i] + state.x[j]);
   const MassSection s{length, f.mass_per_length};
-  return beam_load_work(s, at.x[i], at.q[i], at.x[j], at.q[j], f.weight);
+  return beam_load_work(s, state.x[i], state.q[i], state.x[j], state.q[j], f.weight);
 }
 
-Energy Feeders::energy(const Kinematics& at) const {
+Energy Feeders::energy(const Kinematics& state) const {
   Energy out;
   out.work = work_;
-  if (!at.after_step()) return out;
+  if (!state.after_step()) return out;
   for (const Feeder& f : feeders_) {
     const LocalElement* e = at_feed_point(f);
     if (!e || !e->counted) continue;
-    const FeedPoint m = feed_point(f, at);
+    const FeedPoint m = feed_point(f, state);
     const size_t i = f.line_end == LineEnd::B ? e->second : e->first,
                  j = f.line_end == LineEnd::B ? e->first : e->second;
-    const Vec3 v = flow(m, at, *e, f.line_end).velocity, &held = at.v[i], &w = at.v[j];
+    const Vec3 v = flow(m, state, *e, f.line_end).velocity, &held = state.v[i], &w = state.v[j];
     const auto [own, shared] = mass_shares(f.beam);
     out.kinetic += f.mass_per_length * m.length *
                    (0.5 * own * (v.squaredNorm() - held.squaredNorm()) + shared * w.dot(v - held));

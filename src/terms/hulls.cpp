@@ -76,37 +76,37 @@ Hulls::Hulls(const model::Case& c, const LocalMesh& mesh, const VolumeFacets& fa
   }
 }
 
-const std::vector<double>& Hulls::heads(const Hull& hull, const Kinematics& at) const {
-  if (hull.known && hull.time == at.time) return hull.heads;
-  const double since = at.time - start_time_;
+const std::vector<double>& Hulls::heads(const Hull& hull, const Kinematics& state) const {
+  if (hull.known && hull.time == state.time) return hull.heads;
+  const double since = state.time - start_time_;
   const RigidBodyState& s = hull.start;
   const Vec3 centre = s.x + since * s.v;
   const Mat3 R = (s.q * exp_so3(since * s.w)).toRotationMatrix();
   hull.heads.resize(hull.surface.corners.size());
   for (size_t i = 0; i < hull.heads.size(); ++i)
-    hull.heads[i] = sea_.wave_head(centre + R * hull.surface.corners[i], at.time);
-  hull.time = at.time;
+    hull.heads[i] = sea_.wave_head(centre + R * hull.surface.corners[i], state.time);
+  hull.time = state.time;
   hull.known = true;
   return hull.heads;
 }
 
-HullPressure Hulls::pressure(const Hull& hull, const Kinematics& at, bool waves, bool tangent) const {
+HullPressure Hulls::pressure(const Hull& hull, const Kinematics& state, bool waves, bool tangent) const {
   std::span<const double> now;
-  if (waves && hull.in_waves && at.moves()) now = heads(hull, at);
+  if (waves && hull.in_waves && state.moves()) now = heads(hull, state);
   return hull_pressure(hull.surface, sea_.density * sea_.gravity, sea_.surface, now,
-                       floating_state(at, hull.node), tangent);
+                       floating_state(state, hull.node), tangent);
 }
 
 // Commit, energy and outputs need the forces of the same accepted state, so the last result is kept.
-const Hulls::Forces& Hulls::forces(const Hull& hull, const Kinematics& at) const {
-  const RigidBodyState s = floating_state(at, hull.node);
+const Hulls::Forces& Hulls::forces(const Hull& hull, const Kinematics& state) const {
+  const RigidBodyState s = floating_state(state, hull.node);
   Forces& known = hull.forces;
-  if (known.time == at.time && known.phase == at.phase && known.step == at.step && known.x == s.x &&
+  if (known.time == state.time && known.phase == state.phase && known.step == state.step && known.x == s.x &&
       known.q.coeffs() == s.q.coeffs())
     return known;
-  known = {at.time, at.step, at.phase, s.x, s.q, pressure(hull, at, false, false), {}};
-  if (!hull.in_waves || !at.moves()) return known;
-  const Vec6 f = known.still.f - pressure(hull, at, true, false).f;
+  known = {state.time, state.step, state.phase, s.x, s.q, pressure(hull, state, false, false), {}};
+  if (!hull.in_waves || !state.moves()) return known;
+  const Vec6 f = known.still.f - pressure(hull, state, true, false).f;
   known.waves = {f.head<3>(), s.q * f.tail<3>()};
   return known;
 }
@@ -146,12 +146,12 @@ void Hulls::commit(const Kinematics& accepted) {
   start_time_ = accepted.time;
 }
 
-Energy Hulls::energy(const Kinematics& at) const {
+Energy Hulls::energy(const Kinematics& state) const {
   Energy e;
   for (const Hull& hull : list_) {
     e.work += hull.work;
     e.by_water += hull.work;
-    if (!idle(hull)) e.potential += forces(hull, at).still.potential;
+    if (!idle(hull)) e.potential += forces(hull, state).still.potential;
   }
   return e;
 }
@@ -175,11 +175,11 @@ std::vector<std::string> Hulls::load_components(int body) const {
   return load_components_[static_cast<size_t>(body)];
 }
 
-std::vector<BodyForce> Hulls::forces_on(int body, const Kinematics& at) const {
+std::vector<BodyForce> Hulls::forces_on(int body, const Kinematics& state) const {
   for (const Hull& hull : list_) {
     if (hull.body != body) continue;
-    const RigidBodyState s = floating_state(at, hull.node);
-    const Forces& now = forces(hull, at);
+    const RigidBodyState s = floating_state(state, hull.node);
+    const Forces& now = forces(hull, state);
     std::vector<BodyForce> out = {{-now.still.f.head<3>(), -(s.q * now.still.f.tail<3>())}};
     if (hull.in_waves) out.push_back(now.waves);
     return out;

@@ -147,19 +147,19 @@ SweptAxis LineCandidates::at_rest(int element) const {
 }
 
 // Bézier points of the axis, Hermite's cubic (kernels/axis_shape.hpp), after a time h at the present rates.
-std::array<Vec3, 4> LineCandidates::axis(const LocalElement& e, const Kinematics& at, double h) const {
+std::array<Vec3, 4> LineCandidates::axis(const LocalElement& e, const Kinematics& state, double h) const {
   const size_t i = e.first, j = e.second;
   const Element& element = mesh_.element(e);
   const bool moves = h > 0;
   const auto place = [&](size_t n) -> Vec3 {
-    return moves ? Vec3(at.x[n] + h * at.v[n] + (0.5 * h * h) * at.a[n]) : at.x[n];
+    return moves ? Vec3(state.x[n] + h * state.v[n] + (0.5 * h * h) * state.a[n]) : state.x[n];
   };
   const Vec3 a = place(i), b = place(j);
   if (!element.beam) return BezierAxis::straight(a, b).b;
   const double length = at_feeder(e.global) ? (b - a).norm() : element.length;
   const auto tangent = [&](size_t n) -> Vec3 {
-    if (!moves) return at.q[n] * Vec3::UnitX();
-    return at.q[n] * (exp_so3(h * at.w[n] + (0.5 * h * h) * at.alpha[n]) * Vec3::UnitX());
+    if (!moves) return state.q[n] * Vec3::UnitX();
+    return state.q[n] * (exp_so3(h * state.w[n] + (0.5 * h * h) * state.alpha[n]) * Vec3::UnitX());
   };
   return BezierAxis::beam(a, tangent(i), b, tangent(j), length).b;
 }
@@ -167,11 +167,11 @@ std::array<Vec3, 4> LineCandidates::axis(const LocalElement& e, const Kinematics
 // True if every axis is within its skin of its predicted place at the fraction `tau` of its path. All axes
 // must be at the same fraction, because a pair is excluded by the motion of both: an axis that stopped on its
 // path could be hit by one that follows it.
-bool LineCandidates::holds(const Kinematics& at, double h, double tau) const {
+bool LineCandidates::holds(const Kinematics& state, double h, double tau) const {
   if (builds_ == 0 && !local_.empty()) return false;
   for (size_t i = 0; i < local_.size(); ++i) {
     const SweptAxis& s = built_[i];
-    const std::array<Vec3, 4> p = axis(local_[i], at, h);
+    const std::array<Vec3, 4> p = axis(local_[i], state, h);
     const double skin_i = skin(s.element), limit = skin_i * skin_i, bend = 4 * tau * (1 - tau);
     for (size_t k = 0; k < 4; ++k) {
       const Vec3 d = p[k] - s.from[k] - tau * (s.to[k] - s.from[k]) - bend * bend_[i][k];

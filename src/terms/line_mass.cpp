@@ -110,16 +110,16 @@ void LineMass::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
 }
 
-void LineMass::element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const {
+void LineMass::element_force(const Kinematics& state, const LocalElement& e, Vec12& f) const {
   const MassElement* p = of_element(pieces_, e);
   if (!p || p->idle) return;
   if (p->beam) {
     Vec12 own;
-    beam_mass_force(p->section, ends(*p, at), load(*p, at.time), own);
+    beam_mass_force(p->section, ends(*p, state), load(*p, state.time), own);
     add_ends(own, f);
   } else {
     Vec6 own;
-    cable_mass_force(p->section, at.a[e.first], at.a[e.second], load(*p, at.time), own);
+    cable_mass_force(p->section, state.a[e.first], state.a[e.second], load(*p, state.time), own);
     add_ends(own, f);
   }
 }
@@ -159,22 +159,22 @@ void LineMass::restore(const std::vector<CheckpointRecord>& records) {
   for (const CheckpointRecord& r : records) work_ += entry<WorkDone>(r).work;
 }
 
-double LineMass::round_off(const Kinematics& at, double h) const {
+double LineMass::round_off(const Kinematics& state, double h) const {
   if (h <= 0) return 0;
   double sum = 0;
   for (const MassElement& p : pieces_)
     if (p.element.counted)
-      sum += inertia_round_off(at, p.element, p.section.mass_per_length * p.section.length, h);
+      sum += inertia_round_off(state, p.element, p.section.mass_per_length * p.section.length, h);
   return sum;
 }
 
-void LineMass::motion(const Kinematics& at, std::span<LineMotion> lines) const {
+void LineMass::motion(const Kinematics& state, std::span<LineMotion> lines) const {
   for (const MassElement& p : pieces_) {
     if (!p.element.counted || p.idle) continue;
     LineMotion& line = lines[mesh_.element(p.element).line];
     const double half = 0.5 * p.section.mass_per_length * p.section.length;
-    line.add(half, at.v[p.element.first]);
-    line.add(half, at.v[p.element.second]);
+    line.add(half, state.v[p.element.first]);
+    line.add(half, state.v[p.element.second]);
   }
 }
 
@@ -185,16 +185,16 @@ double LineMass::dead_load() const {
   return sum;
 }
 
-Energy LineMass::energy(const Kinematics& at) const {
+Energy LineMass::energy(const Kinematics& state) const {
   Energy e;
   for (const MassElement& p : pieces_) {
     if (!p.element.counted || p.idle) continue;
     const size_t i = p.element.first, j = p.element.second;
-    e.kinetic += p.beam ? beam_kinetic_energy(p.section, ends(p, at))
-                        : cable_kinetic_energy(p.section, at.v[i], at.v[j]);
-    e.potential -= load_work(p, at, p.load);
+    e.kinetic += p.beam ? beam_kinetic_energy(p.section, ends(p, state))
+                        : cable_kinetic_energy(p.section, state.v[i], state.v[j]);
+    e.potential -= load_work(p, state, p.load);
     // In statics a ramped load is constant too; in dynamics its work is accumulated.
-    if (p.ramped && !at.moves()) e.potential -= load_work(p, at, ramped_load(p, at.time));
+    if (p.ramped && !state.moves()) e.potential -= load_work(p, state, ramped_load(p, state.time));
   }
   e.work = work_;
   return e;

@@ -76,9 +76,9 @@ void LinePairs::prepare(const Kinematics& committed, double) {
   }
 }
 
-std::vector<LinePairs::Rod> LinePairs::rods(const Kinematics& at) const {
+std::vector<LinePairs::Rod> LinePairs::rods(const Kinematics& state) const {
   std::vector<Rod> out(start_.size());
-  for (size_t i = 0; i < out.size(); ++i) out[i] = rod(at, static_cast<int>(i));
+  for (size_t i = 0; i < out.size(); ++i) out[i] = rod(state, static_cast<int>(i));
   return out;
 }
 
@@ -243,19 +243,19 @@ void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, 
 
 // After a step the energy of the committed state; in statics that of the trial, which the line search
 // reduces.
-Energy LinePairs::energy(const Kinematics& at) const {
+Energy LinePairs::energy(const Kinematics& state) const {
   Energy e;
-  const std::vector<Rod> moved = at.after_step() ? std::vector<Rod>{} : rods(at);
+  const std::vector<Rod> moved = state.after_step() ? std::vector<Rod>{} : rods(state);
   for (const Pair& p : pairs_) {
     if (!p.counted) continue;
-    if (at.after_step()) {
+    if (state.after_step()) {
       if (p.points)
         for (const auto& part : *p.points)
           for (const LinePairContactPoint& h : part) e.strain += h.weight * h.potential;
       continue;
     }
     if (!near(p, moved)) continue;
-    const PairAxis A = axis(at, p.a), B = axis(at, p.b);
+    const PairAxis A = axis(state, p.a), B = axis(state, p.b);
     each_pass(p, A, B, false, false,
               [&](size_t, const LinePairPass& pass) { e.strain += pass.potential(pass.panels()); });
   }

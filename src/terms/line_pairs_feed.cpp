@@ -5,11 +5,11 @@
 
 namespace hawser {
 
-// Axis of a segment in `at` and of the same material at the start of the step. For an element at a feed point
-// part of the material was then inside the feeder, or was outside and has returned. The rotation of a beam
-// inside its clamp is taken as that of the clamp.
-PairAxis LinePairs::axis(const Kinematics& at, int segment) const {
-  const AxisEnds now = ends(at, segment);
+// Axis of a segment in `state` and of the same material at the start of the step. For an element at a feed
+// point part of the material was then inside the feeder, or was outside and has returned. The rotation of a
+// beam inside its clamp is taken as that of the clamp.
+PairAxis LinePairs::axis(const Kinematics& state, int segment) const {
+  const AxisEnds now = ends(state, segment);
   const int fed = fed_end(segment);
   if (fed < 0) return {now, start(segment)};
   AxisEnds before = start(segment);

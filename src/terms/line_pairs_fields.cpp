@@ -50,10 +50,10 @@ void LinePairs::active_contacts(ActiveContacts& out) const {
 
 // The contact point is midway between both surfaces, at r + g/2 from the axis of the slave, against the
 // normal (r: radius of the slave, g: gap).
-void LinePairs::resultants(const Kinematics& at, ContactResultants& out) const {
+void LinePairs::resultants(const Kinematics& state, ContactResultants& out) const {
   for (const Pair& pair : pairs_) {
     if (!pair.counted || !pair.points) continue;
-    const AxisShape shapes[] = {AxisShape(ends(at, pair.a)), AxisShape(ends(at, pair.b))};
+    const AxisShape shapes[] = {AxisShape(ends(state, pair.a)), AxisShape(ends(state, pair.b))};
     const double radii[] = {type_of(pair.a).radius, type_of(pair.b).radius};
     ResultantSum sum;
     for (size_t k = 0; k < kParts; ++k) {

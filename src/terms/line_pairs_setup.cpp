@@ -72,15 +72,15 @@ LinePairLaw LinePairs::law(int segment_a, int segment_b) const {
   return law;
 }
 
-AxisEnds LinePairs::ends(const Kinematics& at, int segment) const {
+AxisEnds LinePairs::ends(const Kinematics& state, int segment) const {
   const ContactSegment& s = this->segment(segment);
-  AxisEnds out = element_axis(at, s.element, s.first, s.second);
+  AxisEnds out = element_axis(state, s.element, s.first, s.second);
   if (fed_end(segment) >= 0) out.length = feeders_->find(s.global)->predicted;
   return out;
 }
 
-LinePairs::Rod LinePairs::rod(const Kinematics& at, int segment) const {
-  const AxisEnds e = ends(at, segment);
+LinePairs::Rod LinePairs::rod(const Kinematics& state, int segment) const {
+  const AxisEnds e = ends(state, segment);
   return {e.x1, e.x2, AxisShape(e).bezier().sagitta()};
 }
 

@@ -74,13 +74,13 @@ LinePairs::Nearest LinePairs::nearest(const Pair& p, const SegmentPair& c, const
 
 // Relative acceleration of the element centres along the line between the chords, m/s². At the turning point
 // of an impact the speed is zero.
-double LinePairs::acceleration(const Pair& p, const Kinematics& at) const {
+double LinePairs::acceleration(const Pair& p, const Kinematics& state) const {
   const auto mean = [&](std::span<const Vec3> v, int segment) -> Vec3 {
     const ContactSegment& s = this->segment(segment);
     return 0.5 * (v[s.first] + v[s.second]);
   };
   const SegmentPair& c = p.chords;
-  return c.distance > 0 ? (mean(at.a, p.a) - mean(at.a, p.b)).dot(c.difference) / c.distance : 0;
+  return c.distance > 0 ? (mean(state.a, p.a) - mean(state.a, p.b)).dot(c.difference) / c.distance : 0;
 }
 
 // Effective mass of the two lines, kg/m.
@@ -135,7 +135,7 @@ double LinePairs::deepest(const Pair& p) const {
 
 // Limits the step so that impacts are resolved and no line, at its present speed, penetrates deeper than half
 // the sum of the radii.
-void LinePairs::limit_step(const Kinematics& at, ImpactEvents& to) {
+void LinePairs::limit_step(const Kinematics& state, ImpactEvents& to) {
   for (const Pair& p : pairs_) {
     if (clipped(p)) continue;
     const size_t i = p.a, j = p.b;
@@ -144,7 +144,7 @@ void LinePairs::limit_step(const Kinematics& at, ImpactEvents& to) {
                  apart = std::max(c.gap - rods_[i].sagitta - rods_[j].sagitta, 0.0);
     if (c.speed < 0) to.limit((apart + kDeep * p.law.radii) / -c.speed);
     if (!p.counted) continue;
-    Approach a{std::max(apart - ramp, 0.0), -c.speed, acceleration(p, at)};
+    Approach a{std::max(apart - ramp, 0.0), -c.speed, acceleration(p, state)};
     if (p.points) a.gap = -ramp - deepest(p);
     to.add(impact_event(inverse_frequency(p, std::max(-c.speed, 0.0)), 2 * ramp, mass(p), a), line_of(p.a),
            line_of(p.b));

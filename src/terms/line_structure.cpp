@@ -164,28 +164,28 @@ namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
 // Largest distance of both ends from the origin, by component.
-Vec3 far(const Kinematics& at, const LocalElement& e) {
-  return at.x[e.first].cwiseAbs().cwiseMax(at.x[e.second].cwiseAbs());
+Vec3 far(const Kinematics& state, const LocalElement& e) {
+  return state.x[e.first].cwiseAbs().cwiseMax(state.x[e.second].cwiseAbs());
 }
 
 // Round-off of the tension, N. The strain is a difference of positions, each with an error of eps |x|; in a
 // step h the strain rate is this difference divided by h.
-double pull_round_off(const Kinematics& at, const auto& e, double h = 0) {
+double pull_round_off(const Kinematics& state, const auto& e, double h = 0) {
   const double rates = h > 0 ? e.section.beta / h : 0;
-  return (1 + rates) * e.section.EA / e.section.length * eps * far(at, e.element).maxCoeff();
+  return (1 + rates) * e.section.EA / e.section.length * eps * far(state, e.element).maxCoeff();
 }
 
-double chord_strain(const Kinematics& at, const auto& e, double free_strain) {
-  const Vec3 d = at.x[e.element.second] - at.x[e.element.first];
+double chord_strain(const Kinematics& state, const auto& e, double free_strain) {
+  const Vec3 d = state.x[e.element.second] - state.x[e.element.first];
   return d.norm() / e.section.length - 1 - free_strain;
 }
 
 }  // namespace
 
-double LineStructure::round_off(const Kinematics& at, double h) const {
+double LineStructure::round_off(const Kinematics& state, double h) const {
   double sum = 0;
   const auto pull = [&](const auto& e) {
-    if (e.element.counted) sum += std::pow(pull_round_off(at, e, h), 2);
+    if (e.element.counted) sum += std::pow(pull_round_off(state, e, h), 2);
   };
   for (const Beam& b : beams_) {
     if (b.idle) continue;
@@ -195,9 +195,9 @@ double LineStructure::round_off(const Kinematics& at, double h) const {
     // the chord, with the error of the transverse positions divided by the length. The force error is that of
     // the moment divided by the element's length.
     const BeamSection& s = b.section;
-    const Vec3 t = (at.x[b.element.second] - at.x[b.element.first]).normalized();
+    const Vec3 t = (state.x[b.element.second] - state.x[b.element.first]).normalized();
     const double across =
-        (far(at, b.element).array() * (1 - t.array().square()).max(0).sqrt()).matrix().norm();
+        (far(state, b.element).array() * (1 - t.array().square()).max(0).sqrt()).matrix().norm();
     const double bend = std::max(s.EI2, s.EI3), turn = 4 * std::max(bend, s.GJ);
     sum += std::pow(eps * (bend * across / s.length + turn) / (s.length * s.length), 2);
   }
@@ -205,7 +205,7 @@ double LineStructure::round_off(const Kinematics& at, double h) const {
   return sum;
 }
 
-Overstretch LineStructure::overstretched(const Kinematics& at) const {
+Overstretch LineStructure::overstretched(const Kinematics& state) const {
   Overstretch worst;
   const auto look = [&](const auto& e, double strain) {
     const ResponseCurve* table = e.section.tension;
@@ -218,29 +218,29 @@ Overstretch LineStructure::overstretched(const Kinematics& at) const {
              e.section.EA};
   };
   for (const Beam& b : beams_)
-    if (b.element.counted && !b.idle) look(b, chord_strain(at, b, b.reference.strain));
+    if (b.element.counted && !b.idle) look(b, chord_strain(state, b, b.reference.strain));
   for (const Cable& c : cables_)
-    if (c.element.counted) look(c, std::max(chord_strain(at, c, c.section.free_strain), 0.0));
+    if (c.element.counted) look(c, std::max(chord_strain(state, c, c.section.free_strain), 0.0));
   return worst;
 }
 
-void LineStructure::tensions(const Kinematics& at, std::span<LineTension> lines) const {
+void LineStructure::tensions(const Kinematics& state, std::span<LineTension> lines) const {
   const auto look = [&](const auto& e, double tension) {
     const Element& g = mesh_.element(e.element);
     LineTension& line = lines[g.line];
     line.tension = std::max(line.tension, std::abs(tension));
-    line.round_off = std::max(line.round_off, pull_round_off(at, e));
+    line.round_off = std::max(line.round_off, pull_round_off(state, e));
     line.EA = std::max(line.EA, e.section.EA);
   };
   for (const Beam& b : beams_)
-    if (!b.idle) look(b, beam_stress(b.section, b.reference, ends(b, at)).tension);
-  for (const Cable& c : cables_) look(c, cable_stress(c.section, ends(c, at)).tension);
+    if (!b.idle) look(b, beam_stress(b.section, b.reference, ends(b, state)).tension);
+  for (const Cable& c : cables_) look(c, cable_stress(c.section, ends(c, state)).tension);
 }
 
-std::vector<double> LineStructure::slack_length(const Kinematics& at) const {
+std::vector<double> LineStructure::slack_length(const Kinematics& state) const {
   std::vector<double> lines(mesh_.mesh->lines.size());
   for (const Cable& c : cables_)
-    if (c.element.counted && cable_stress(c.section, ends(c, at)).tension == 0)
+    if (c.element.counted && cable_stress(c.section, ends(c, state)).tension == 0)
       lines[mesh_.element(c.element).line] += c.section.length;
   return lines;
 }
@@ -280,17 +280,17 @@ double LineStructure::axial_stiffness() const {
   return most;
 }
 
-double LineStructure::beam_dissipation(const Kinematics& at) const {
+double LineStructure::beam_dissipation(const Kinematics& state) const {
   double p = 0;
   for (const Beam& b : beams_)
     if (b.element.counted && b.section.beta > 0)
-      p += beam_stress(b.section, b.reference, ends(b, at)).dissipation;
+      p += beam_stress(b.section, b.reference, ends(b, state)).dissipation;
   return p;
 }
 
-// Updates the plastic history of beams to the state `at`. Returns the energy dissipated by the beams that
+// Updates the plastic history of beams to `state`. Returns the energy dissipated by the beams that
 // this rank counts, J.
-double LineStructure::commit_plastic(const Kinematics& at) {
+double LineStructure::commit_plastic(const Kinematics& state) {
   double dissipated = 0;
   for (Beam& b : beams_) {
     if (!b.section.plastic || b.idle) continue;
@@ -298,7 +298,7 @@ double LineStructure::commit_plastic(const Kinematics& at) {
     // The reference points to the history at a trial length.
     if (b.reference.set != set) std::copy_n(b.reference.set, b.remembered(), set);
     b.reference.set = set;
-    const double lost = beam_bend(b.section, b.reference, ends(b, at), set);
+    const double lost = beam_bend(b.section, b.reference, ends(b, state), set);
     if (b.element.counted) dissipated += lost;
   }
   return dissipated;
@@ -346,35 +346,35 @@ void LineStructure::commit(const Kinematics& accepted) {
   damping_ += 0.5 * accepted.step * (before + *power_);
 }
 
-Energy LineStructure::energy(const Kinematics& at) const {
+Energy LineStructure::energy(const Kinematics& state) const {
   Energy e;
   for (const Beam& b : beams_)
     if (b.element.counted && !b.idle)
-      e.strain += beam_stress(b.section, b.reference, ends(b, at)).strain_energy;
+      e.strain += beam_stress(b.section, b.reference, ends(b, state)).strain_energy;
   for (const Cable& c : cables_)
-    if (c.element.counted) e.strain += cable_stress(c.section, ends(c, at)).strain_energy;
+    if (c.element.counted) e.strain += cable_stress(c.section, ends(c, state)).strain_energy;
   e.damping = damping_;
   e.unresolved = filtered_;
   return e;
 }
 
 // Adds the force of element e to f, with the sign of the residual. Both lists are in the order of the mesh.
-void LineStructure::element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const {
+void LineStructure::element_force(const Kinematics& state, const LocalElement& e, Vec12& f) const {
   if (const Beam* b = of_element(beams_, e)) {
     if (b->idle) return;
     Vec12 own;
-    beam_force(b->section, b->reference, ends(*b, at), own);
+    beam_force(b->section, b->reference, ends(*b, state), own);
     add_ends(own, f);
   } else if (const Cable* c = of_element(cables_, e)) {
-    const Vec3 pull = cable_force(section_for_output(*c, at), ends(*c, at));
+    const Vec3 pull = cable_force(section_for_output(*c, state), ends(*c, state));
     add_ends((Vec6() << -pull, pull).finished(), f);
   }
 }
 
 // In statics the feeder does not pay out, even if its speed in motion is not 0.
-CableSection LineStructure::section_for_output(const Cable& c, const Kinematics& at) {
+CableSection LineStructure::section_for_output(const Cable& c, const Kinematics& state) {
   CableSection s = c.section;
-  if (!at.moves()) s.length_rate = 0;
+  if (!state.moves()) s.length_rate = 0;
   return s;
 }
 

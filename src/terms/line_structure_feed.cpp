@@ -40,14 +40,14 @@ std::vector<RememberedCell> inside(const Mesh& mesh, const FedLine& f, const std
 
 }  // namespace
 
-void LineStructure::update_from_feeders(const Kinematics& at, bool accepted) {
+void LineStructure::update_from_feeders(const Kinematics& state, bool accepted) {
   if (!feeders_) return;
   feeders_->update_lengths(mesh_, &FedLine::length, cables_);
   feeders_->update_lengths(mesh_, &FedLine::length, beams_);
   for (Cable& c : cables_) {
     const FedLine* fed = feeders_->find(c.element.global);
     c.section.length_by_chord = fed ? fed->length_by_chord : 0;
-    c.section.length_rate = fed && at.moves() ? fed->length_rate : 0;  // in statics the feeder is held
+    c.section.length_rate = fed && state.moves() ? fed->length_rate : 0;  // in statics the feeder is held
   }
   for (Beam& b : beams_) {
     const FedLine* fed = feeders_->find(b.element.global);
@@ -104,13 +104,13 @@ void LineStructure::keep_hauled_in(const Beam& b, const FedLine& f) {
   }
 }
 
-// Work of the feeders on plastic bending in the step that led to `at`, J: mean of the values at start and
+// Work of the feeders on plastic bending in the step that led to `state`, J: mean of the values at start and
 // end, times the length paid out. Must be called before commit_plastic().
-double LineStructure::fed_work(const Kinematics& at) const {
+double LineStructure::fed_work(const Kinematics& state) const {
   double work = 0;
   const State& before = feeders_->before();
   for (const Beam& b : beams_) {
-    if (!b.section.plastic || !b.element.counted || before.x.size() != at.x.size()) continue;
+    if (!b.section.plastic || !b.element.counted || before.x.size() != state.x.size()) continue;
     const FedLine* fed = feeders_->find(b.element.global);
     if (!fed || fed->length == fed->before) continue;
     const double grown = fed->length - fed->before;
@@ -120,10 +120,11 @@ double LineStructure::fed_work(const Kinematics& at) const {
     BeamReference as_then = b.reference;
     then.length = fed->before;
     as_then.set = plastic_history_.data() + b.memory;
-    work += 0.5 * grown *
-            (fed_bending_work(then, as_then, positions(b, before.at_rest()), fed->line_end == LineEnd::B,
-                              enters) +
-             fed_bending_work(b.section, b.reference, positions(b, at), fed->line_end == LineEnd::B, enters));
+    work +=
+        0.5 * grown *
+        (fed_bending_work(then, as_then, positions(b, before.at_rest()), fed->line_end == LineEnd::B,
+                          enters) +
+         fed_bending_work(b.section, b.reference, positions(b, state), fed->line_end == LineEnd::B, enters));
   }
   return work;
 }

@@ -25,15 +25,15 @@ bool resting(double stiffness, double depth, double mass, double speed) {
 }  // namespace
 
 // Static fraction of the force [N] on the whole element, 0 to 1.
-double LineVolumeContact::static_share(const Pair& pair, const Kinematics& at, double force, double depth,
+double LineVolumeContact::static_share(const Pair& pair, const Kinematics& state, double force, double depth,
                                        const Vec3& normal) const {
-  if (!at.moves()) return 1;
+  if (!state.moves()) return 1;
   const size_t a = local(pair).first, b = local(pair).second;
-  const Vec3 place = 0.5 * (at.x[a] + at.x[b]),
-             velocity = 0.5 * (at.v[a] + at.v[b]) - volumes_.trial_pose(pair.volume).velocity_at(place);
+  const Vec3 place = 0.5 * (state.x[a] + state.x[b]),
+             velocity = 0.5 * (state.v[a] + state.v[b]) - volumes_.trial_pose(pair.volume).velocity_at(place);
   const double mass = settings(pair).mass_per_length;
   return resting(pair.laws[0].normal.stiffness, depth, mass, normal.dot(velocity))
-             ? left_by_inertia(force, mass * pair.length, 0.5 * normal.dot(at.a[a] + at.a[b]))
+             ? left_by_inertia(force, mass * pair.length, 0.5 * normal.dot(state.a[a] + state.a[b]))
              : 0;
 }
 

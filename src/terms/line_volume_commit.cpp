@@ -82,17 +82,17 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
 }
 
 // After a step the energy of the committed state; in statics that of the trial, for the line search.
-Energy LineVolumeContact::energy(const Kinematics& at) const {
+Energy LineVolumeContact::energy(const Kinematics& state) const {
   Energy e;
   std::vector<RigidPose> poses;
-  if (!at.after_step()) poses = volumes_.poses(at);
+  if (!state.after_step()) poses = volumes_.poses(state);
   for (const Pair& p : pairs_) {
     if (!local(p).counted) continue;
-    if (at.after_step()) {
+    if (state.after_step()) {
       for (const AxisContactPoint& q : p.start.points) e.strain += q.weight * q.potential;
       continue;
     }
-    const AxisShape shape(ends(at, p.element));
+    const AxisShape shape(ends(state, p.element));
     const RigidPose& pose = poses[volumes_.body(p.volume)];
     if (LineVolumeFinder::certainly_apart(p, shape, pose)) continue;
     Pair pair = p;

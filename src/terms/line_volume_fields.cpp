@@ -27,10 +27,10 @@ void LineVolumeContact::fields(FieldRegistry& registry) const {
                                       .extreme = "penetration",
                                       .report = Report::table,
                                       .order = 11}},
-                     [this](const Kinematics& at, const ShowPoint& show) {
+                     [this](const Kinematics& state, const ShowPoint& show) {
                        std::vector<Mat3> axes;
                        for (int v = 0; v < volumes(); ++v)
-                         axes.push_back(volumes_.pose_of(v, at).rotation.toRotationMatrix());
+                         axes.push_back(volumes_.pose_of(v, state).rotation.toRotationMatrix());
                        for (const Pair& p : pairs_)
                          for (const AxisContactPoint& q : p.start.points)
                            share_at_ends(
@@ -62,11 +62,11 @@ void LineVolumeContact::active_contacts(ActiveContacts& out) const {
   }
 }
 
-void LineVolumeContact::resultants(const Kinematics& at, ContactResultants& out) const {
+void LineVolumeContact::resultants(const Kinematics& state, ContactResultants& out) const {
   for (const Pair& pair : pairs_) {
     if (!local(pair).counted) continue;
-    const AxisShape shape = axis(at, pair.element);
-    const Mat3 turn = volumes_.pose_of(pair.volume, at).rotation.toRotationMatrix();
+    const AxisShape shape = axis(state, pair.element);
+    const Mat3 turn = volumes_.pose_of(pair.volume, state).rotation.toRotationMatrix();
     for (size_t i = 0; i < pair.start.points.size();) {
       const int group = pair.start.points[i].group;
       ResultantSum sum;
@@ -79,30 +79,30 @@ void LineVolumeContact::resultants(const Kinematics& at, ContactResultants& out)
   }
 }
 
-std::vector<Vec3> LineVolumeContact::forces_by_volume(const Kinematics& at) const {
+std::vector<Vec3> LineVolumeContact::forces_by_volume(const Kinematics& state) const {
   std::vector<Vec3> out(static_cast<size_t>(volumes()), Vec3::Zero());
-  for (const Load& l : loads(at))
+  for (const Load& l : loads(state))
     if (mesh_.elements[l.element].counted) out[l.volume] += l.force;
   return out;
 }
 
-std::array<Vec3, 2> LineVolumeContact::reaction(int volume, const Kinematics& at) const {
+std::array<Vec3, 2> LineVolumeContact::reaction(int volume, const Kinematics& state) const {
   std::array<Vec3, 2> out{Vec3::Zero(), Vec3::Zero()};
-  for (const Load& l : loads(at)) {
+  for (const Load& l : loads(state)) {
     if (l.volume != volume || !mesh_.elements[l.element].counted) continue;
-    const Vec3 arm = axis(at, l.element).point(l.xi) - volumes_.pose_of(volume, at).position;
+    const Vec3 arm = axis(state, l.element).point(l.xi) - volumes_.pose_of(volume, state).position;
     out[0] += l.force;
     out[1] += arm.cross(l.force);
   }
   return out;
 }
 
-std::vector<LineVolumeContact::Load> LineVolumeContact::loads(const Kinematics& at) const {
+std::vector<LineVolumeContact::Load> LineVolumeContact::loads(const Kinematics& state) const {
   std::vector<Load> out;
   for (const Pair& pair : pairs_)
     for (const AxisContactPoint& p : pair.start.points)
       out.push_back({pair.element, pair.volume, p.xi,
-                     p.weight * (volumes_.pose_of(pair.volume, at).rotation * p.force)});
+                     p.weight * (volumes_.pose_of(pair.volume, state).rotation * p.force)});
   return out;
 }
 

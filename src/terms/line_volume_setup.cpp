@@ -30,9 +30,9 @@ bool LineVolumeContact::refresh_couplings(const Kinematics& committed, double h)
 
 // The element at a feeder's feed point has the length at the speed of the start of the step, as for masses.
 // It does not depend on the trial's positions, so the tangent is exact.
-AxisEnds LineVolumeContact::ends(const Kinematics& at, int element) const {
+AxisEnds LineVolumeContact::ends(const Kinematics& state, int element) const {
   const LocalElement& e = mesh_.elements[element];
-  AxisEnds out = element_axis(at, mesh_.element(e), e.first, e.second);
+  AxisEnds out = element_axis(state, mesh_.element(e), e.first, e.second);
   if (feeders_)
     if (const FedLine* fed = feeders_->find(e.global)) out.length = fed->predicted;
   return out;

@@ -16,30 +16,30 @@ LinesInWater::LinesInWater(const LocalMesh& mesh, Sea sea, std::vector<WetElemen
   group();
 }
 
-Vec3 LinesInWater::wave_place(const Kinematics& at, size_t node) const {
-  if (at.time > start_time_ && node < start_.size())
-    return start_[node] + (at.time - start_time_) * speed_[node];
-  return node < place_.size() ? place_[node] : at.x[node];
+Vec3 LinesInWater::wave_place(const Kinematics& state, size_t node) const {
+  if (state.time > start_time_ && node < start_.size())
+    return start_[node] + (state.time - start_time_) * speed_[node];
+  return node < place_.size() ? place_[node] : state.x[node];
 }
 
-const std::vector<WaveMotion>& LinesInWater::waves(const Kinematics& at) const {
-  if (wave_known_ && wave_time_ == at.time && wave_.size() == at.x.size()) return wave_;
-  wave_.resize(at.x.size());
-  for (size_t n = 0; n < at.x.size(); ++n) wave_[n] = sea_.waves_at(wave_place(at, n), at.time);
-  wave_time_ = at.time;
+const std::vector<WaveMotion>& LinesInWater::waves(const Kinematics& state) const {
+  if (wave_known_ && wave_time_ == state.time && wave_.size() == state.x.size()) return wave_;
+  wave_.resize(state.x.size());
+  for (size_t n = 0; n < state.x.size(); ++n) wave_[n] = sea_.waves_at(wave_place(state, n), state.time);
+  wave_time_ = state.time;
   wave_known_ = true;
   return wave_;
 }
 
-Water LinesInWater::water(const Kinematics& at, size_t node) const {
-  const Water still = sea_.still_at(at.x[node].z(), at.time);
-  return sea_.waves.none() || !at.moves() ? still : still + waves(at)[node];
+Water LinesInWater::water(const Kinematics& state, size_t node) const {
+  const Water still = sea_.still_at(state.x[node].z(), state.time);
+  return sea_.waves.none() || !state.moves() ? still : still + waves(state)[node];
 }
 
-void LinesInWater::update_water(const Kinematics& at) const {
-  water_.resize(moving() ? at.x.size() : 1);
+void LinesInWater::update_water(const Kinematics& state) const {
+  water_.resize(moving() ? state.x.size() : 1);
   if (!moving()) water_.front().surface = sea_.surface;
-  for (size_t n = 0; moving() && n < at.x.size(); ++n) water_[n] = water(at, n);
+  for (size_t n = 0; moving() && n < state.x.size(); ++n) water_[n] = water(state, n);
 }
 
 WaterEnds LinesInWater::ends(const WetElement& p, const Kinematics& k, const Water& first,
@@ -121,15 +121,15 @@ void LinesInWater::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
 }
 
-LinesInWater::FlowLoads LinesInWater::flow_loads(const Kinematics& at) const {
-  update_water(at);
+LinesInWater::FlowLoads LinesInWater::flow_loads(const Kinematics& state) const {
+  update_water(state);
   FlowLoads out;
   out.force.assign(static_cast<size_t>(mesh_.element_ghost_blocks_end), Vec3::Zero());
   out.place = out.force;
   for (int n = 0; n < mesh_.element_ghosts_end; ++n) {
     const size_t node = static_cast<size_t>(n), block = static_cast<size_t>(mesh_.block[node]);
-    out.place[block] = at.x[node];
-    if (mesh_.rotates(n)) out.place[block + 1] = at.q[node] * Vec3::UnitX();
+    out.place[block] = state.x[node];
+    if (mesh_.rotates(n)) out.place[block + 1] = state.q[node] * Vec3::UnitX();
   }
   // Elements inside a feeder are not in the water.
   const auto put = [&](const WetElement& p, const WaterForce& force) {
@@ -142,16 +142,16 @@ LinesInWater::FlowLoads LinesInWater::flow_loads(const Kinematics& at) const {
   };
   for (const CableQuad& q : quads_) {
     WaterForce all[4];
-    const unsigned known = flow_of_quad(q, at, all);
+    const unsigned known = flow_of_quad(q, state, all);
     for (int i = 0; i < q.count; ++i) {
       const WetElement& p = pieces_[static_cast<size_t>(q.piece[i])];
       if (p.element.counted && !p.idle)
-        put(p, known >> i & 1 ? all[i] : water_force(p.section, ends(p, at), false, sea_.surface));
+        put(p, known >> i & 1 ? all[i] : water_force(p.section, ends(p, state), false, sea_.surface));
     }
   }
   for (const int b : beams_) {
     const WetElement& p = pieces_[static_cast<size_t>(b)];
-    if (p.element.counted && !p.idle) put(p, water_force(p.section, ends(p, at), true, sea_.surface));
+    if (p.element.counted && !p.idle) put(p, water_force(p.section, ends(p, state), true, sea_.surface));
   }
   for (const Ball& b : balls_) {
     const size_t n = static_cast<size_t>(b.node);
@@ -161,8 +161,8 @@ LinesInWater::FlowLoads LinesInWater::flow_loads(const Kinematics& at) const {
     Water calm;
     calm.surface = sea_.surface;
     Vec3 f, up;
-    ball_water(b.ball, at.x[n], at.v[n], at.a[n], water_at(n), f, nullptr, nullptr, nullptr);
-    ball_water(floating, at.x[n], at.v[n], at.a[n], calm, up, nullptr, nullptr, nullptr);
+    ball_water(b.ball, state.x[n], state.v[n], state.a[n], water_at(n), f, nullptr, nullptr, nullptr);
+    ball_water(floating, state.x[n], state.v[n], state.a[n], calm, up, nullptr, nullptr, nullptr);
     out.force[static_cast<size_t>(mesh_.block[n])] += up - f;
   }
   return out;
@@ -198,19 +198,19 @@ void LinesInWater::commit(const Kinematics& accepted) {
 }
 
 // In statics the work of forces without a potential since the last iteration counts as potential.
-Energy LinesInWater::energy(const Kinematics& at) const {
+Energy LinesInWater::energy(const Kinematics& state) const {
   Energy e;
   // The potential is that of still water; waves do work.
   Water calm;
   calm.surface = sea_.surface;
   for (const WetElement& p : pieces_)
     if (p.element.counted && !p.idle)
-      e.potential += water_potential(p.section, ends(p, at, calm, calm), p.beam);
+      e.potential += water_potential(p.section, ends(p, state, calm, calm), p.beam);
   for (const Ball& b : balls_) {
     const size_t n = static_cast<size_t>(b.node);
-    e.potential += ball_potential(b.ball, at.x[n], calm);
+    e.potential += ball_potential(b.ball, state.x[n], calm);
   }
-  if (!at.moves() && !flow_loads_.place.empty()) e.potential -= work(flow_loads_, flow_loads(at));
+  if (!state.moves() && !flow_loads_.place.empty()) e.potential -= work(flow_loads_, flow_loads(state));
   e.work = e.by_water = work_;
   return e;
 }
@@ -230,27 +230,29 @@ double LinesInWater::dead_load() const {
   return sum;
 }
 
-double LinesInWater::round_off(const Kinematics& at, double h) const {
+double LinesInWater::round_off(const Kinematics& state, double h) const {
   if (h <= 0) return 0;
   double sum = 0;
   for (const WetElement& p : pieces_)
     if (p.element.counted)
-      sum += inertia_round_off(at, p.element, p.section.added_normal * p.section.length, h);
+      sum += inertia_round_off(state, p.element, p.section.added_normal * p.section.length, h);
   return sum;
 }
 
-void LinesInWater::element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const {
+void LinesInWater::element_force(const Kinematics& state, const LocalElement& e, Vec12& f) const {
   const WetElement* p = of_element(pieces_, e);
   if (!p || p->idle) return;
   const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
-  const Water first = water(at, i), second = water(at, j);
+  const Water first = water(state, i), second = water(state, j);
   if (p->beam) {
     Vec12 own;
-    beam_water_force(p->section, ends(*p, at, first, second), own);
+    beam_water_force(p->section, ends(*p, state, first, second), own);
     add_ends(own, f);
   } else {
     Vec6 own;
-    cable_water_force(p->section, {at.x[i], at.x[j], at.v[i], at.v[j], at.a[i], at.a[j], first, second}, own);
+    cable_water_force(p->section,
+                      {state.x[i], state.x[j], state.v[i], state.v[j], state.a[i], state.a[j], first, second},
+                      own);
     add_ends(own, f);
   }
 }

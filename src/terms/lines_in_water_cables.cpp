@@ -43,13 +43,13 @@ void LinesInWater::update_from_feeders(double FedLine::*length) {
 
 // Change of the buoyancy potential by feeders, J: that of the change of length, mean of the positions before
 // and after.
-double LinesInWater::fed_buoyancy(const Kinematics& at) const {
+double LinesInWater::fed_buoyancy(const Kinematics& state) const {
   Water calm;
   calm.surface = sea_.surface;
   double sum = 0;
   const State& old = feeders_->before();
-  if (old.x.size() != at.x.size()) return 0;
-  Kinematics before = at;
+  if (old.x.size() != state.x.size()) return 0;
+  Kinematics before = state;
   before.x = old.x;
   before.q = old.q;
   for (const WetElement& p : pieces_) {
@@ -58,7 +58,7 @@ double LinesInWater::fed_buoyancy(const Kinematics& at) const {
     if (!fed || fed->before == fed->length) continue;
     WaterSection s = p.section;
     s.length = fed->before;
-    for (const Kinematics& k : {before, at}) {
+    for (const Kinematics& k : {before, state}) {
       const WaterEnds e = ends(p, k, calm, calm);
       sum += 0.5 * (water_potential(p.section, e, p.beam) - water_potential(s, e, p.beam));
     }
@@ -118,8 +118,8 @@ void LinesInWater::add_quad(const CableQuad& q, const Kinematics& trial, Assembl
 
 // Flow forces of fully submerged cables, without buoyancy. The flow leaves buoyancy unchanged only if both
 // the water surface and the still water level are above the whole element.
-unsigned LinesInWater::flow_of_quad(const CableQuad& q, const Kinematics& at, WaterForce* out) const {
-  CablesInWater4 m = motion(q, at);
+unsigned LinesInWater::flow_of_quad(const CableQuad& q, const Kinematics& state, WaterForce* out) const {
+  CablesInWater4 m = motion(q, state);
   for (wide::Row& s : m.surface) s = s < sea_.surface ? s : wide::all(sea_.surface);
   const unsigned wet = submerged(q.sections, m);
   if (!wet) return 0;

@@ -5,12 +5,13 @@ namespace hawser {
 
 // The parts lie on the chord and move with it, so that only the water motion makes a difference. The surface
 // is linear over the whole piece for the same reason: a floating line follows the surface whatever its shape.
-LinesInWater::FlowError LinesInWater::flow_error(const Kinematics& at, const WetElement& p, int parts) const {
+LinesInWater::FlowError LinesInWater::flow_error(const Kinematics& state, const WetElement& p,
+                                                 int parts) const {
   FlowError out;
   if (p.idle) return out;
   constexpr int kFiner = 4;
   const size_t i = static_cast<size_t>(p.element.first), j = static_cast<size_t>(p.element.second);
-  const Water first = water(at, i), second = water(at, j);
+  const Water first = water(state, i), second = water(state, j);
   struct Cut {
     Vec3 x, v, a;
     Water water;
@@ -18,12 +19,12 @@ LinesInWater::FlowError LinesInWater::flow_error(const Kinematics& at, const Wet
   const auto cut = [&](int k) {
     const double s = static_cast<double>(k) / (kFiner * parts);
     const auto between = [s](const Vec3& a, const Vec3& b) { return Vec3((1 - s) * a + s * b); };
-    Cut c{between(at.x[i], at.x[j]), between(at.v[i], at.v[j]), between(at.a[i], at.a[j]),
+    Cut c{between(state.x[i], state.x[j]), between(state.v[i], state.v[j]), between(state.a[i], state.a[j]),
           k == 0 ? first : second};
     if (k == 0 || k == kFiner * parts) return c;
-    c.water = sea_.still_at(c.x.z(), at.time);
-    if (has_waves() && at.moves())
-      c.water = c.water + sea_.waves_at(between(wave_place(at, i), wave_place(at, j)), at.time);
+    c.water = sea_.still_at(c.x.z(), state.time);
+    if (has_waves() && state.moves())
+      c.water = c.water + sea_.waves_at(between(wave_place(state, i), wave_place(state, j)), state.time);
     c.water.surface = (1 - s) * first.surface + s * second.surface;
     return c;
   };
@@ -46,7 +47,7 @@ LinesInWater::FlowError LinesInWater::flow_error(const Kinematics& at, const Wet
     out.error += (force(from, last, parts) - fine).norm();
     from = last;
   }
-  out.crossed = (at.x[i].z() - first.surface) * (at.x[j].z() - second.surface) < 0;
+  out.crossed = (state.x[i].z() - first.surface) * (state.x[j].z() - second.surface) < 0;
   return out;
 }
 

@@ -66,8 +66,8 @@ void Links::renumber() {
   }
 }
 
-Links::Stretched Links::stretched(const Link& l, const Kinematics& at, bool convex) const {
-  Stretched s{attached_now(l.a, at, mesh_, *bodies_), attached_now(l.b, at, mesh_, *bodies_), {}};
+Links::Stretched Links::stretched(const Link& l, const Kinematics& state, bool convex) const {
+  Stretched s{attached_now(l.a, state, mesh_, *bodies_), attached_now(l.b, state, mesh_, *bodies_), {}};
   s.force = link_force(l.law, s.b.x - s.a.x, s.b.v - s.a.v, convex);
   return s;
 }
@@ -80,12 +80,12 @@ std::vector<Series> Links::series() const {
   return out;
 }
 
-std::vector<std::vector<double>> Links::rows(const Kinematics& at) const {
+std::vector<std::vector<double>> Links::rows(const Kinematics& state) const {
   std::vector<std::vector<double>> out;
   for (const Link& l : list_) {
     std::vector<double>& row = out.emplace_back();
     if (!l.counted) continue;
-    const LinkForce f = stretched(l, at).force;
+    const LinkForce f = stretched(l, state).force;
     row = {f.along.tension, f.length, f.speed, f.pull.x(), f.pull.y(), f.pull.z()};
   }
   return out;
@@ -107,8 +107,8 @@ void Links::evaluate(const Kinematics& trial, Assembler& assembler) {
 }
 
 // The power of a body with prescribed motion is its force on the link's end times the end's velocity.
-void Links::powers(const Link& l, const Kinematics& at, double& damping, double& work) const {
-  const Stretched s = stretched(l, at);
+void Links::powers(const Link& l, const Kinematics& state, double& damping, double& work) const {
+  const Stretched s = stretched(l, state);
   damping = s.force.along.dissipated;
   work = 0;
   if (l.a.frame_node(*bodies_) < 0) work -= s.force.pull.dot(s.a.v);
@@ -131,11 +131,11 @@ void Links::commit(const Kinematics& accepted) {
   }
 }
 
-Energy Links::energy(const Kinematics& at) const {
+Energy Links::energy(const Kinematics& state) const {
   Energy e;
   for (const Link& l : list_) {
     if (!l.counted) continue;
-    e.strain += stretched(l, at).force.along.energy;
+    e.strain += stretched(l, state).force.along.energy;
     e.damping += l.damping;
     e.work += l.work;
   }
@@ -143,12 +143,12 @@ Energy Links::energy(const Kinematics& at) const {
 }
 
 // The round-off of a spring is that of a difference of positions, for a damper divided by the step.
-double Links::round_off(const Kinematics& at, double h) const {
+double Links::round_off(const Kinematics& state, double h) const {
   const double eps = std::numeric_limits<double>::epsilon();
   double sum = 0;
   for (const Link& l : list_) {
     if (!l.counted) continue;
-    const Stretched s = stretched(l, at);
+    const Stretched s = stretched(l, state);
     const double damper = l.law.damper ? l.law.damper->at(std::abs(s.force.speed)).slope : l.law.damping;
     const double slope = l.law.most_stiffness() + (h > 0 ? damper / h : 0);
     sum += std::pow(4 * eps * slope * s.b.x.norm(), 2);

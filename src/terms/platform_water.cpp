@@ -36,11 +36,11 @@ void PlatformWater::renumber() {
   }
 }
 
-Eigen::VectorXd PlatformWater::rates(const Group& g, const Kinematics& at) const {
+Eigen::VectorXd PlatformWater::rates(const Group& g, const Kinematics& state) const {
   Eigen::VectorXd out(6 * g.platforms.size());
   for (size_t i = 0; i < g.platforms.size(); ++i) {
     const Platform& p = g.platforms[i];
-    out.segment<6>(6 * i) = platform_rate(p.axes, p.arm, floating_state(at, p.local));
+    out.segment<6>(6 * i) = platform_rate(p.axes, p.arm, floating_state(state, p.local));
   }
   return out;
 }
@@ -260,21 +260,21 @@ std::vector<PlatformWater::Power> PlatformWater::powers(const Group& g, double t
   return out;
 }
 
-Energy PlatformWater::energy(const Kinematics& at) const {
+Energy PlatformWater::energy(const Kinematics& state) const {
   Energy e;
   for (const Group& g : groups_) {
     if (!g.is_local) continue;
-    const Eigen::VectorXd rate = rates(g, at);
-    const Eigen::VectorXd momentum = (g.added_mass + period_mass(g, at.last_step())) * rate;
+    const Eigen::VectorXd rate = rates(g, state);
+    const Eigen::VectorXd momentum = (g.added_mass + period_mass(g, state.last_step())) * rate;
     for (size_t i = 0; i < g.platforms.size(); ++i) {
       const Platform& p = g.platforms[i];
       if (!p.owned) continue;
       const auto first = 6 * static_cast<Eigen::Index>(i);
       e.kinetic += 0.5 * rate.segment<6>(first).dot(momentum.segment<6>(first));
-      const RigidBodyState s = floating_state(at, p.local);
+      const RigidBodyState s = floating_state(state, p.local);
       e.potential += hydrostatic_pull(p.hydrostatics, p.arm, s).potential;
       e.potential += platform_pull(p.potential, p.arm, s).potential;
-      if (!at.moves()) e.potential -= mean_work(p, s);
+      if (!state.moves()) e.potential -= mean_work(p, s);
       e.damping += p.damping_work;
       e.work += p.wave_work;
       e.by_water += p.wave_work;
@@ -292,7 +292,7 @@ double PlatformWater::dead_load() const {
 }
 
 // Accelerations have the round-off of v h divided by h², stiffness that of positions.
-double PlatformWater::round_off(const Kinematics& at, double h) const {
+double PlatformWater::round_off(const Kinematics& state, double h) const {
   const double eps = std::numeric_limits<double>::epsilon();
   double sum = 0;
   for (const Group& g : groups_)
@@ -304,12 +304,12 @@ double PlatformWater::round_off(const Kinematics& at, double h) const {
       stiff.segment<3>(2) += p.hydrostatics.stiffness.diagonal();
       const double stiffness = stiff.head<3>().maxCoeff();
       const double turning = stiff.tail<3>().maxCoeff();
-      sum += std::pow(4 * eps * stiffness * at.x[p.local].norm(), 2) + std::pow(4 * eps * turning, 2);
+      sum += std::pow(4 * eps * stiffness * state.x[p.local].norm(), 2) + std::pow(4 * eps * turning, 2);
       if (!(h > 0)) continue;
       const double mass = g.added_mass.block<3, 3>(first, first).diagonal().maxCoeff();
       const double inertia = g.added_mass.block<3, 3>(first + 3, first + 3).diagonal().maxCoeff();
-      sum += std::pow(4 * eps * mass * at.v[p.local].norm() / h, 2);
-      sum += std::pow(4 * eps * inertia * at.w[p.local].norm() / h, 2);
+      sum += std::pow(4 * eps * mass * state.v[p.local].norm() / h, 2);
+      sum += std::pow(4 * eps * inertia * state.w[p.local].norm() / h, 2);
     }
   return sum;
 }

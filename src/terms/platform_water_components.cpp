@@ -31,36 +31,36 @@ std::vector<std::string> PlatformWater::load_components(int body) const {
 
 // Radiation: added mass, with its reduction due to the step, and memory, or the damping of the files in
 // harmonic motion. Added: the stiffness and damping matrices of the case.
-std::vector<BodyForce> PlatformWater::forces_on(int body, const Kinematics& at) const {
+std::vector<BodyForce> PlatformWater::forces_on(int body, const Kinematics& state) const {
   for (const Group& g : groups_) {
     if (!g.is_local) continue;
     for (size_t i = 0; i < g.platforms.size(); ++i) {
       const Platform& p = g.platforms[i];
       if (p.body != body) continue;
       const auto first = 6 * static_cast<Eigen::Index>(i);
-      const RigidBodyState s = floating_state(at, p.local);
+      const RigidBodyState s = floating_state(state, p.local);
       const PlatformMotion m = platform_motion(p.axes, p.arm, s);
       const auto of_unknowns = [&s](const Vec6& f) { return BodyForce{-f.head<3>(), -(s.q * f.tail<3>())}; };
       const auto by_rate = [&](const Vec6& F) { return of_unknowns(m.G.transpose() * F); };
       const Vec6 still = hydrostatic_pull(p.hydrostatics, p.arm, s).f;
       const Vec6 pull = platform_pull(p.potential, p.arm, s).f;
-      if (!at.moves()) {
+      if (!state.moves()) {
         const Vec6 mean = mean_force(p, s);
         const BodyForce drift{mean.head<3>(), mean.tail<3>() + (s.q * p.arm).cross(mean.head<3>())};
         return {of_unknowns(still), {}, of_unknowns(pull), {}, drift};
       }
-      const Eigen::VectorXd rate = rates(g, at);
+      const Eigen::VectorXd rate = rates(g, state);
       Eigen::VectorXd acceleration(rate.size()), force;
       for (size_t j = 0; j < g.platforms.size(); ++j) {
         const Platform& other = g.platforms[j];
         acceleration.segment<6>(6 * static_cast<Eigen::Index>(j)) =
-            platform_motion(other.axes, other.arm, floating_state(at, other.local)).acceleration;
+            platform_motion(other.axes, other.arm, floating_state(state, other.local)).acceleration;
       }
-      const AtTime& now = at_time(g, at.time);
+      const AtTime& now = at_time(g, state.time);
       damping_and_memory(g, now, rate, force, nullptr);
       const Vec6 own = rate.segment<6>(first);
       const Vec6 dampers = p.damping * own + p.quadratic * own.cwiseAbs().cwiseProduct(own);
-      const Eigen::MatrixXd mass = g.added_mass + period_mass(g, at.step);
+      const Eigen::MatrixXd mass = g.added_mass + period_mass(g, state.step);
       const Vec6 radiation = force.segment<6>(first) - dampers + (mass * acceleration).segment<6>(first);
       return {of_unknowns(still), by_rate(radiation), of_unknowns(pull + m.G.transpose() * dampers),
               by_rate(-now.first_order.segment<6>(first)), by_rate(-now.second_order.segment<6>(first))};

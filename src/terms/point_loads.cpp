@@ -100,17 +100,17 @@ void PointLoads::commit(const Kinematics& accepted) {
   }
 }
 
-Energy PointLoads::energy(const Kinematics& at) const {
+Energy PointLoads::energy(const Kinematics& state) const {
   Energy e;
   for (double w : work_) e.work += w;
-  const bool statics = !at.moves() && start_.size() == loads_.size();
+  const bool statics = !state.moves() && start_.size() == loads_.size();
   for (size_t i = 0; i < loads_.size(); ++i) {
     const NodeLoad& load = loads_[i];
     if (load.ramp > 0) continue;
     const size_t n = load.node;
-    e.potential -= load.force.dot(at.x[n]);
+    e.potential -= load.force.dot(state.x[n]);
     if (statics && !load.moment.isZero(0))
-      e.potential -= load.moment.dot(log_so3(at.q[n] * rotation_[i].conjugate()));
+      e.potential -= load.moment.dot(log_so3(state.q[n] * rotation_[i].conjugate()));
   }
   return e;
 }
@@ -168,12 +168,12 @@ double PointMasses::dead_load() const {
   return sum;
 }
 
-Energy PointMasses::energy(const Kinematics& at) const {
+Energy PointMasses::energy(const Kinematics& state) const {
   Energy e;
   for (const NodeMass& m : masses_) {
     const size_t n = m.node;
-    e.kinetic += 0.5 * m.mass * at.v[n].squaredNorm();
-    e.potential += m.mass * gravity_ * at.x[n].z();
+    e.kinetic += 0.5 * m.mass * state.v[n].squaredNorm();
+    e.potential += m.mass * gravity_ * state.x[n].z();
   }
   return e;
 }

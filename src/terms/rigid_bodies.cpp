@@ -45,8 +45,8 @@ RigidPose floating_pose(const RigidBodyState& s, const Vec3& centre) {
   return p;
 }
 
-RigidBodyState floating_state(const Kinematics& at, int node) {
-  return {at.x[node], at.q[node], at.v[node], at.a[node], at.w[node], at.alpha[node]};
+RigidBodyState floating_state(const Kinematics& state, int node) {
+  return {state.x[node], state.q[node], state.v[node], state.a[node], state.w[node], state.alpha[node]};
 }
 
 namespace {
@@ -56,7 +56,7 @@ namespace {
 constexpr double kDrift = 0.01;
 
 // True if inertia is the change of the momenta over the step. The start of a run has no step (StepMean).
-bool by_momenta(const Kinematics& at) { return at.moves() && at.mean.weight > 1; }
+bool by_momenta(const Kinematics& state) { return state.moves() && state.mean.weight > 1; }
 
 }  // namespace
 
@@ -106,15 +106,15 @@ RigidPose RigidBodies::rest(const Floating& f, double time) const {
   return p;
 }
 
-void RigidBodies::powers(const Floating& f, const Kinematics& at, double& damping, double& work) const {
-  const RigidBodyState s = floating_state(at, f.node);
-  const RigidPose r = rest(f, at.time);
+void RigidBodies::powers(const Floating& f, const Kinematics& state, double& damping, double& work) const {
+  const RigidBodyState s = floating_state(state, f.node);
+  const RigidPose r = rest(f, state.time);
   const Vec3 dv = s.v - r.velocity, dw = s.w - s.q.conjugate() * r.angular_velocity;
   damping = dv.dot(f.data.damping.cwiseProduct(dv)) + dw.dot(f.data.turning_damping.cwiseProduct(dw));
   // The support supplies the power of its force on the springs and dampers at their far end.
   const Vec6 force = rigid_body(f.data, s, r).springs;
   work = -force.head<3>().dot(r.velocity) - (s.q * force.tail<3>()).dot(r.angular_velocity);
-  for (const Load& l : f.loads) work += load_power(l.at(at.time), s);
+  for (const Load& l : f.loads) work += load_power(l.at(state.time), s);
 }
 
 // At the start or restart of motion the momenta change by the accelerations.
@@ -154,13 +154,13 @@ void RigidBodies::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
 }
 
-std::array<Vec3, 2> RigidBodies::force_on(int body, const Kinematics& at) const {
+std::array<Vec3, 2> RigidBodies::force_on(int body, const Kinematics& state) const {
   for (const Floating& f : list_) {
     if (f.body != body) continue;
-    const RigidBodyState s = floating_state(at, f.node);
-    const bool step = by_momenta(at);
-    RigidBodyResidual r = rigid_body(step ? without_momentum(f.data) : f.data, s, rest(f, at.time));
-    for (const Load& l : f.loads) add_load(l.at(at.time), s, r);
+    const RigidBodyState s = floating_state(state, f.node);
+    const bool step = by_momenta(state);
+    RigidBodyResidual r = rigid_body(step ? without_momentum(f.data) : f.data, s, rest(f, state.time));
+    for (const Load& l : f.loads) add_load(l.at(state.time), s, r);
     const Vec6 own = r.f(), momenta = step ? f.momenta.f : Vec6(Vec6::Zero());
     return {own.head<3>() + momenta.head<3>(), s.q * own.tail<3>() + momenta.tail<3>()};
   }
@@ -179,16 +179,16 @@ void RigidBodies::commit(const Kinematics& accepted) {
   }
 }
 
-Energy RigidBodies::energy(const Kinematics& at) const {
+Energy RigidBodies::energy(const Kinematics& state) const {
   Energy e;
   for (const Floating& f : list_) {
-    const RigidBodyState s = floating_state(at, f.node);
+    const RigidBodyState s = floating_state(state, f.node);
     e.kinetic += rigid_body_kinetic(f.data, s);
     const RigidBodyData d = data(f);
-    e.strain += rigid_body_strain(d, s, rest(f, at.time));
+    e.strain += rigid_body_strain(d, s, rest(f, state.time));
     e.potential -= d.weight.dot(s.x);
     for (const Load& load : f.loads) {
-      const RigidBodyLoad l = load.at(at.time);
+      const RigidBodyLoad l = load.at(state.time);
       if (l.constant) e.potential += load_potential(l, s);
       // Statics needs a potential: that of the forces at the last iteration. In motion they do work.
       if (hold_) e.potential -= load_work(l, f.start, s);
@@ -209,18 +209,18 @@ double RigidBodies::dead_load() const {
 }
 
 // As for lines: accelerations have the round-off of v h divided by h², springs that of positions.
-double RigidBodies::round_off(const Kinematics& at, double h) const {
+double RigidBodies::round_off(const Kinematics& state, double h) const {
   const double eps = std::numeric_limits<double>::epsilon();
   double sum = 0;
   for (const Floating& f : list_) {
     const size_t n = f.node;
     const RigidBodyData d = data(f);
-    sum += std::pow(4 * eps * d.stiffness.maxCoeff() * at.x[n].norm(), 2);
+    sum += std::pow(4 * eps * d.stiffness.maxCoeff() * state.x[n].norm(), 2);
     sum += std::pow(4 * eps * d.turning_stiffness.maxCoeff(), 2);
     if (!(h > 0)) continue;
     const double coupled = f.data.coupled.topLeftCorner<3, 3>().cwiseAbs().maxCoeff();
-    sum += std::pow(4 * eps * (f.data.mass + coupled) * at.v[n].norm() / h, 2);
-    sum += std::pow(4 * eps * f.data.inertia.diagonal().maxCoeff() * at.w[n].norm() / h, 2);
+    sum += std::pow(4 * eps * (f.data.mass + coupled) * state.v[n].norm() / h, 2);
+    sum += std::pow(4 * eps * f.data.inertia.diagonal().maxCoeff() * state.w[n].norm() / h, 2);
   }
   return sum;
 }

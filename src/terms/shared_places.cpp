@@ -173,14 +173,14 @@ std::vector<int> SharedPlaces::nodes_to(const Branch& branch, double reach) cons
 }
 
 // Positions of mesh nodes, from the ranks that own them.
-std::vector<Vec3> SharedPlaces::gather(const std::vector<int>& nodes, const Kinematics& at) const {
+std::vector<Vec3> SharedPlaces::gather(const std::vector<int>& nodes, const Kinematics& state) const {
   std::vector<Vec3> out(nodes.size(), Vec3::Zero());
   std::vector<double> mine;
   const bool alone = ranks_of(comm_) == 1;
   for (size_t i = 0; i < nodes.size(); ++i) {
     const int n = mesh_.find(nodes[i]);
     if (!mesh_.owns(n)) continue;
-    out[i] = at.x[n];
+    out[i] = state.x[n];
     if (!alone) mine.insert(mine.end(), {static_cast<double>(i), out[i].x(), out[i].y(), out[i].z()});
   }
   if (alone) return out;
@@ -217,7 +217,7 @@ void SharedPlaces::restore(const Kept& kept) {
   places_[kept.place].within = kept.steps;
 }
 
-void SharedPlaces::update(const Kinematics& at, bool settles) {
+void SharedPlaces::update(const Kinematics& state, bool settles) {
   if (!std::exchange(agreed_, true) && !places_.empty()) {
     std::vector<int> steps;
     for (const PlaceState& p : places_) steps.push_back(p.within);
@@ -235,7 +235,7 @@ void SharedPlaces::update(const Kinematics& at, bool settles) {
     for (const std::vector<int>& of : nodes[k]) all.insert(all.end(), of.begin(), of.end());
   }
   if (all.empty()) return;  // the same on every rank
-  const std::vector<Vec3> x = gather(all, at);
+  const std::vector<Vec3> x = gather(all, state);
   auto next = x.begin();
   for (size_t k = 0; k < places_.size(); ++k) {
     std::array<Rope, 2> ropes;

@@ -80,10 +80,10 @@ void SoilResistance::prepare(const Kinematics& committed, double h) {
   if (h > 0) turn_to(committed);
 }
 
-double SoilResistance::turn_to(const Kinematics& at, double share) {
+double SoilResistance::turn_to(const Kinematics& state, double share) {
   double most = 0;
   for (Point& p : points_) {
-    const Vec3 now = line_.tangent(at, p.node);
+    const Vec3 now = line_.tangent(state, p.node);
     const Vec3 turn = now - p.tangent;
     // Assigned directly for a full turn, so that the result does not depend on the old direction.
     p.tangent = share < 1 ? Vec3((p.tangent + share * turn).normalized()) : now;
@@ -127,11 +127,11 @@ void SoilResistance::commit(const Kinematics& accepted) {
 }
 
 // In statics the energy of the trial, which the line search reduces.
-Energy SoilResistance::energy(const Kinematics& at) const {
+Energy SoilResistance::energy(const Kinematics& state) const {
   Energy e;
   for (const Point& p : points_) {
     e.friction += p.friction_work;
-    e.strain += at.after_step() ? p.stored : pull(p, at).potential;
+    e.strain += state.after_step() ? p.stored : pull(p, state).potential;
   }
   return e;
 }

@@ -39,7 +39,7 @@ void join(std::vector<Inside>& intervals, const Mesh& mesh) {
   intervals = std::move(out);
 }
 
-std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, const Bodies& bodies,
+std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& state, const Bodies& bodies,
                                    const std::vector<ContactVolume>& volumes,
                                    const std::vector<double>& radius, const Feeders* feeders) {
   constexpr int kSamples = 32;  // per interval, to find the deepest point
@@ -48,12 +48,12 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
     if (volumes[v].off) continue;
     const Surface& surface = *volumes[v].surface;
     const Box box = surface.bounds();
-    const RigidPose pose = bodies.pose(volumes[v].body, at);
+    const RigidPose pose = bodies.pose(volumes[v].body, state);
     for (size_t i = 0; i < mesh.elements.size(); ++i) {
       const LocalElement& e = mesh.elements[i];
       if (!e.counted || !(radius[i] > 0)) continue;
       const Element& g = mesh.element(e);
-      AxisEnds ends = element_axis(at, g, e.first, e.second);
+      AxisEnds ends = element_axis(state, g, e.first, e.second);
       const FedLine* fed = feeders ? feeders->find(e.global) : nullptr;
       if (feeders && feeders->idle(e.global)) continue;
       if (fed) ends.length = fed->predicted;
@@ -113,7 +113,7 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
   return out;
 }
 
-std::vector<OnWrongSide> nodes_on_wrong_side(const LocalMesh& mesh, const Kinematics& at,
+std::vector<OnWrongSide> nodes_on_wrong_side(const LocalMesh& mesh, const Kinematics& state,
                                              const Bodies& bodies, const std::vector<ContactVolume>& volumes,
                                              const ExpectedPlace& expected_place) {
   std::vector<OnWrongSide> out;
@@ -121,11 +121,11 @@ std::vector<OnWrongSide> nodes_on_wrong_side(const LocalMesh& mesh, const Kinema
     if (volumes[v].off) continue;
     const Surface& surface = *volumes[v].surface;
     const Box box = surface.bounds();
-    const RigidPose pose = bodies.pose(volumes[v].body, at);
+    const RigidPose pose = bodies.pose(volumes[v].body, state);
     for (int n = 0; n < mesh.owned; ++n) {
       const Node& node = mesh.node(n);
       if (node.body >= 0) continue;
-      const Vec3 x = at.x[n];
+      const Vec3 x = state.x[n];
       const std::optional<Vec3> there = expected_place(node, v, x);
       if (!there) continue;
       const Vec3 from = pose.to_body(x), to = pose.to_body(*there);

@@ -318,5 +318,38 @@ dynamics: {duration: 4}
   EXPECT_EQ(message.find("largest tension of line hoist ("), std::string::npos) << message;
 }
 
+// A state right after an event is one of motion: the damping of a line that a winch pays out does not act on
+// its speed as if the winch stood still, which would be a tension of 23 kN for one instant instead of 12 kN.
+TEST(Events, AWinchThatRunsOnCausesNoOtherEvent) {
+  const std::string path = folder("events-winch"), input = path + "/case.yaml";
+  write_case(input, R"(hawser: 1
+environment: {gravity: 9.80665}
+line_types:
+  rope: {outer_diameter: 0.05, mass_per_length: 10, EA: 1e7, bending: false, stiffness_damping: 0.02}
+lines:
+  rope:
+    sections: [{type: rope, length: 60, elements: 30}]
+    end_a: {anchor: [0, 0, 100], feed: {stock: 40, speed_table: [[0, 0], [2, 1], [20, 1]]}}
+    end_b: free
+    masses: [{at: end_b, mass: 1000}]
+  other:
+    sections: [{type: rope, length: 8, elements: 4}]
+    end_a: {anchor: [20, 0, 100]}
+    end_b: {anchor: [27, 0, 100]}
+events:
+  - {feed: {line: rope, end: end_a, speed: 1}, time: 4}
+  - {release: {line: other, end: end_b}, when: {tension: {line: rope, at: end_a, above: 16 kN}}}
+dynamics: {duration: 4.5}
+output: {every: 0.5}
+contact: {between_lines: false}
+)");
+  run_on_all({input, path + "/whole.h5"});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(path + "/whole.h5");
+  EXPECT_NEAR(r.output_times.back(), 4.5, 1e-9);
+  const auto& position = r.fields.at("position");
+  EXPECT_EQ(position.back(), 100);  // end B of the other line, which is held
+}
+
 }  // namespace
 }  // namespace hawser::runs::events

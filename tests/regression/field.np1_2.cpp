@@ -43,8 +43,8 @@ class Height : public ForceTerm {
                    .smallest = true,
                    .report = Field::Report::table,
                    .order = 0},
-                  [this](const Kinematics& at, std::span<double> out) {
-                    for (size_t n = 0; n < static_cast<size_t>(mesh_.owned); ++n) out[n] = at.x[n].z();
+                  [this](const Kinematics& state, std::span<double> out) {
+                    for (size_t n = 0; n < static_cast<size_t>(mesh_.owned); ++n) out[n] = state.x[n].z();
                   }});
     registry.add({{.name = "raised_tension", .unit = "N", .history = Field::History::behind_ends},
                   [](const Kinematics&, std::span<double> out) {

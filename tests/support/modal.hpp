@@ -26,11 +26,11 @@ struct ModalMatrices {
   }
 };
 
-inline Eigen::MatrixXd dense_tangent(System& system, const Kinematics& at, const Weights& weights,
+inline Eigen::MatrixXd dense_tangent(System& system, const Kinematics& state, const Weights& weights,
                                      const std::vector<int>& dof) {
   MatHandle J = system.create_matrix(), D;
   const std::vector<double> zero(3 * static_cast<size_t>(system.mesh().blocks()), 0);
-  system.tangent(at, weights, zero, false, J.get());
+  system.tangent(state, weights, zero, false, J.get());
   check(MatConvert(J.get(), MATDENSE, MAT_INITIAL_MATRIX, D.out()));
   const PetscScalar* p = nullptr;
   PetscInt ld = 0;
@@ -46,15 +46,15 @@ inline Eigen::MatrixXd dense_tangent(System& system, const Kinematics& at, const
 }
 
 // The matrices of the linearised motion about `at`.
-inline ModalMatrices modal_matrices(System& system, const Kinematics& at) {
+inline ModalMatrices modal_matrices(System& system, const Kinematics& state) {
   ModalMatrices m;
   const auto& held = system.tied_nodes().held();
   for (int b = 0; b < system.mesh().owned_blocks; ++b)
     for (int c = 0; c < 3; ++c)
       if (!(held[static_cast<size_t>(b)] >> c & 1)) m.dof.push_back(3 * b + c);
-  m.K = dense_tangent(system, at, {1, 0, 0}, m.dof);
-  m.C = dense_tangent(system, at, {0, 1, 0}, m.dof);
-  m.M = dense_tangent(system, at, {0, 0, 1}, m.dof);
+  m.K = dense_tangent(system, state, {1, 0, 0}, m.dof);
+  m.C = dense_tangent(system, state, {0, 1, 0}, m.dof);
+  m.M = dense_tangent(system, state, {0, 0, 1}, m.dof);
   return m;
 }
 

@@ -34,9 +34,9 @@ class MiddleSprings final : public ForceTerm, public CouplesNodes, public Limits
     const bool refused = t.step > refuse && t.time > refuse_from && t.time < refuse_to;
     return refused ? Verdict{Verdict::Kind::shorter, advice::ImpactNotResolved{}} : Verdict{};
   }
-  void evaluate(const Kinematics& at, Assembler& assembler) override {
+  void evaluate(const Kinematics& state, Assembler& assembler) override {
     for (const CandidatePair& p : list.pairs()) {
-      const Spring s = spring(at, p);
+      const Spring s = spring(state, p);
       if (!(s.shorter > 0)) continue;
       Vec12 f;
       Mat12 K;
@@ -50,11 +50,11 @@ class MiddleSprings final : public ForceTerm, public CouplesNodes, public Limits
       assembler.add(s.blocks, f, K);
     }
   }
-  Energy energy(const Kinematics& at) const override {
+  Energy energy(const Kinematics& state) const override {
     Energy e;
     for (const CandidatePair& p : list.pairs())
       if (p.counted) {
-        const double x = std::max(spring(at, p).shorter, 0.0);
+        const double x = std::max(spring(state, p).shorter, 0.0);
         e.strain += 0.5 * k_ * x * x;
       }
     return e;
@@ -66,10 +66,10 @@ class MiddleSprings final : public ForceTerm, public CouplesNodes, public Limits
     Vec3 normal;
     double distance, shorter;
   };
-  Spring spring(const Kinematics& at, const CandidatePair& p) const {
+  Spring spring(const Kinematics& state, const CandidatePair& p) const {
     const ContactSegment &a = list.segments()[static_cast<size_t>(p.a)],
                          &b = list.segments()[static_cast<size_t>(p.b)];
-    const auto x = [&](int n) { return at.x[static_cast<size_t>(n)]; };
+    const auto x = [&](int n) { return state.x[static_cast<size_t>(n)]; };
     const auto block = [&](int n) { return mesh_.block[static_cast<size_t>(n)]; };
     Spring s{{block(a.first), block(a.second), block(b.first), block(b.second)}, {}, 0, 0};
     const Vec3 d = 0.5 * (x(a.first) + x(a.second)) - 0.5 * (x(b.first) + x(b.second));

@@ -55,13 +55,14 @@ LineVolumeContact at_nodes(const Model& m, const ContactVolume& v,
   return {m.local, bodies, {v}, {e}, PETSC_COMM_SELF, model::ContactMethod::nodes};
 }
 
-Vec3 node_field(const LineVolumeContact& term, const Kinematics& at, const std::string& name, size_t node) {
+Vec3 node_field(const LineVolumeContact& term, const Kinematics& state, const std::string& name,
+                size_t node) {
   FieldRegistry registry;
   term.fields(registry);
   for (const FieldSource& f : registry.sources()) {
     if (f.name != name) continue;
     std::vector<double> values(static_cast<size_t>(2 * f.components), -1);
-    f.fill(at, values);
+    f.fill(state, values);
     return f.components == 3 ? Vec3(&values[3 * node]) : Vec3(0, 0, values[node]);
   }
   return Vec3::Constant(NAN);

@@ -47,13 +47,13 @@ class Joined final : public ForceTerm, public CouplesFixedNodes {
   Mat12 A_, B_;
 };
 
-Vec12 rates(const run::Simulation& s, const Kinematics& at) {
+Vec12 rates(const run::Simulation& s, const Kinematics& state) {
   std::vector<double> all(12, 0);
   for (const int body : {0, 1})
     if (const int n = s.local().find(body); s.local().owns(n))
       for (int k = 0; k < 3; ++k) {
-        all[6 * body + k] = at.v[n][k];
-        all[6 * body + 3 + k] = at.w[n][k];
+        all[6 * body + k] = state.v[n][k];
+        all[6 * body + 3 + k] = state.w[n][k];
       }
   all_reduce(PETSC_COMM_WORLD, MPI_SUM, all);
   return Eigen::Map<const Vec12>(all.data());

@@ -131,11 +131,11 @@ struct Roller {
   static constexpr double kRadius = 0.3;  // m
   Vec3 middle, along;
 
-  static AxisShape axis(const Rig& r, const Kinematics& at) {
+  static AxisShape axis(const Rig& r, const Kinematics& state) {
     const Feeder& f = r.feeders->all().front();
     const LocalElement& e = *r.feeders->at_feed_point(f);
-    AxisEnds ends = element_axis(at, r.mesh.element(static_cast<size_t>(e.global)), e.first, e.second);
-    ends.length = r.feeders->predicted_feed_point(f, at).length;
+    AxisEnds ends = element_axis(state, r.mesh.element(static_cast<size_t>(e.global)), e.first, e.second);
+    ends.length = r.feeders->predicted_feed_point(f, state).length;
     return AxisShape(ends);
   }
   Roller(const Rig& r, const Kinematics& start) {

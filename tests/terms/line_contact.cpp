@@ -14,14 +14,14 @@ TEST(LineContact, Tangents) {
   }
 }
 
-std::vector<double> node_field(const LineVolumeContact& contact, const Kinematics& at,
+std::vector<double> node_field(const LineVolumeContact& contact, const Kinematics& state,
                                const std::string& name, int nodes) {
   FieldRegistry registry;
   contact.fields(registry);
   for (const FieldSource& f : registry.sources()) {
     if (f.name != name) continue;
     std::vector<double> values(static_cast<size_t>(nodes * f.components), -1);
-    f.fill(at, values);
+    f.fill(state, values);
     return values;
   }
   return {};

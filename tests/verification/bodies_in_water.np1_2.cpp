@@ -32,7 +32,7 @@ model::Case load(const std::string& sea, const std::string& body, const std::str
 
 double swing(const model::Case& c, int axis) {
   Simulation s(PETSC_COMM_WORLD, c);
-  return period_from_rest(s, [axis](const Kinematics& at, size_t n) { return at.x[n][axis]; });
+  return period_from_rest(s, [axis](const Kinematics& state, size_t n) { return state.x[n][axis]; });
 }
 
 // Deep under water, on a line of k = EA/L: T = 2 pi sqrt((m + Ca rho V)/k).

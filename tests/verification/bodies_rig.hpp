@@ -33,11 +33,11 @@ struct BodiesRun {
     move(c.dynamics.duration);
   }
   // The frames of all bodies with mass; others are left as they are.
-  std::vector<RigidPose> poses(const Kinematics& at) const {
+  std::vector<RigidPose> poses(const Kinematics& state) const {
     std::vector<RigidPose> all;
     for (size_t b = 0; b < c.bodies.size(); ++b) {
       std::vector<double> of(13, 0);
-      if (const auto pose = c.bodies[b].mass ? sim.body_pose(static_cast<int>(b), at) : std::nullopt) {
+      if (const auto pose = c.bodies[b].mass ? sim.body_pose(static_cast<int>(b), state) : std::nullopt) {
         Eigen::Map<Vec3>(of.data()) = pose->position;
         Eigen::Map<Eigen::Vector4d>(of.data() + 3) = pose->rotation.coeffs();
         Eigen::Map<Vec3>(of.data() + 7) = pose->velocity;

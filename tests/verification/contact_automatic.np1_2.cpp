@@ -90,10 +90,10 @@ struct Held {
   double steps = 0, problem = 0;                            // of the energy brought in
 };
 
-void look(Simulation& s, const Kinematics& at, Held& out) {
+void look(Simulation& s, const Kinematics& state, Held& out) {
   double least = HUGE_VAL, largest = 0;
   NodeField tension(s, "effective_tension");
-  for (const double t : tension.at(at)) {
+  for (const double t : tension.at(state)) {
     least = std::min(least, t);
     largest = std::max(largest, t);
   }

@@ -42,13 +42,13 @@ struct Rest {
   double deepest = 0;  // m
 };
 
-void look(Simulation& s, const Kinematics& at, Rest& r) {
+void look(Simulation& s, const Kinematics& state, Rest& r) {
   r.x.clear();
-  for (const Vec3& x : at.x.first(static_cast<size_t>(s.local().owned)))
+  for (const Vec3& x : state.x.first(static_cast<size_t>(s.local().owned)))
     r.x.insert(r.x.end(), x.begin(), x.end());
   NodeField force(s, "contact_force"), friction(s, "friction_force");
-  r.force = force.at(at);
-  r.friction = friction.at(at);
+  r.force = force.at(state);
+  r.friction = friction.at(state);
   r.total.setZero();
   for (size_t i = 0; i < r.force.size(); ++i) r.total[static_cast<int>(i % 3)] += r.force[i];
   for (int c = 0; c < 3; ++c) r.total[c] = sum(r.total[c]);

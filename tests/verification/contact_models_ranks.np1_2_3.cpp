@@ -9,10 +9,10 @@ double sum(double x) {
   return x;
 }
 
-double contact_force(Simulation& s, const Kinematics& at) {
+double contact_force(Simulation& s, const Kinematics& state) {
   double f = 0;
   NodeField field(s, "contact_normal_force");
-  for (const double x : field.at(at)) f += x;
+  for (const double x : field.at(state)) f += x;
   return sum(f);
 }
 

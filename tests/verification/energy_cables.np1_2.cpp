@@ -40,16 +40,17 @@ Flight fly(double rho, double step, double duration) {
     MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
     return value;
   };
-  const auto energy = [&](const Kinematics& at) {
-    const Energy e = sim.system().energy(at);
+  const auto energy = [&](const Kinematics& state) {
+    const Energy e = sim.system().energy(state);
     return total(e.kinetic + e.strain);
   };
-  const auto momentum = [&](const Kinematics& at) {
+  const auto momentum = [&](const Kinematics& state) {
     double p =
         0;  // of equal elements: the inner nodes carry one, the ends a half and their neighbours' share
     for (const LocalElement& e : sim.local().elements)
       if (e.counted)
-        p += 80.0 * 0.5 * (at.v[static_cast<size_t>(e.first)] + at.v[static_cast<size_t>(e.second)]).x();
+        p +=
+            80.0 * 0.5 * (state.v[static_cast<size_t>(e.first)] + state.v[static_cast<size_t>(e.second)]).x();
     return total(p);
   };
   Flight f;

@@ -57,8 +57,8 @@ TEST(Hulls, HeaveAndRollOfABox) {
                     kMass, inertia, start),
         "", fmt::format("dynamics: {{duration: {}, step: {}, rho_infinity: 1}}", 4.2 * T, T / 400)));
     Simulation s = simulation(c);
-    return period_from_rest(s, [axis](const Kinematics& at, size_t n) {
-      return axis == 2 ? at.x[n].z() : log_so3(floating_state(at, static_cast<int>(n)).q).x();
+    return period_from_rest(s, [axis](const Kinematics& state, size_t n) {
+      return axis == 2 ? state.x[n].z() : log_so3(floating_state(state, static_cast<int>(n)).q).x();
     });
   };
   const double heave = 2 * M_PI * std::sqrt(kMass / (kRho * kG * 160));
@@ -229,7 +229,7 @@ dynamics: {{duration: {}, step: {}, rho_infinity: 1}}
 )",
       mass, k, 3.2 * T, T / 300));
   Simulation s = simulation(c);
-  const double found = period_from_rest(s, [](const Kinematics& at, size_t n) { return at.x[n].x(); });
+  const double found = period_from_rest(s, [](const Kinematics& state, size_t n) { return state.x[n].x(); });
   printf("spar with members: surge %.4f s, closed form %.4f s\n", found, T);
   EXPECT_NEAR(found, T, 2e-3 * T);
 }

@@ -30,16 +30,16 @@ model::Case vessel(const std::string& body, const std::string& floating, const s
       testing::TempDir() + "vessel.yaml");
 }
 
-Vec3 place(const Simulation& s, const Kinematics& at) {
+Vec3 place(const Simulation& s, const Kinematics& state) {
   Vec3 out;
-  for (int k = 0; k < 2; ++k) out[k] = from_owner(s, [&](size_t n) { return at.x[n][k]; });
-  out.z() = from_owner(s, [&](size_t n) { return log_so3(at.q[n]).z(); });
+  for (int k = 0; k < 2; ++k) out[k] = from_owner(s, [&](size_t n) { return state.x[n][k]; });
+  out.z() = from_owner(s, [&](size_t n) { return log_so3(state.q[n]).z(); });
   return out;
 }
 
-Vec3 thrust(Simulation& s, const Kinematics& at) {
+Vec3 thrust(Simulation& s, const Kinematics& state) {
   std::vector<double> sum(3, 0);
-  for (const BodyForce& f : s.system().find<DynamicPositioning>()->forces_on(0, at))
+  for (const BodyForce& f : s.system().find<DynamicPositioning>()->forces_on(0, state))
     Eigen::Map<Vec3>(sum.data()) += Vec3(f.force.x(), f.force.y(), f.moment.z());
   all_reduce(PETSC_COMM_WORLD, MPI_SUM, sum);
   return Vec3(sum.data());

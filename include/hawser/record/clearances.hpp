@@ -55,7 +55,7 @@ class Clearances : public Recording {
     bool known = false;
   };
 
-  std::vector<Shaped> own(int line, const Kinematics& at) const;
+  std::vector<Shaped> own(int line, const Kinematics& state) const;
   Tree of_all_ranks(const Tree& own) const;
   Best to_line(const Tree& a, const Tree& b) const;
   Best to_volume(const std::vector<Shaped>& elements, const Surface& surface, const io::BodyPose& pose,

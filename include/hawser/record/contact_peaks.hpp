@@ -21,14 +21,14 @@ class ContactPeaks {
 
   // Raises `values` (by field, of this rank's owned nodes) of an accepted state to the peaks within the half
   // element next to each node. No communication.
-  void fill(const Kinematics& at, std::vector<std::vector<double>>& values) const;
+  void fill(const Kinematics& state, std::vector<std::vector<double>>& values) const;
 
  private:
   // Bending moment at a place of an element, about section axes 2 and 3, N m.
   struct Peak {
     double xi = 0, about2 = 0, about3 = 0;
   };
-  Peak peak(const Kinematics& at, const LocalElement& e, const AxisShape& shape,
+  Peak peak(const Kinematics& state, const LocalElement& e, const AxisShape& shape,
             std::span<const LineVolumeContact::Load> loads, double from, double to) const;
 
   const System& system_;

@@ -28,7 +28,7 @@ class EdgeErrors : public Recording {
     std::span<const double> before, after;    // N, effective tension towards end A and towards end B
   };
   // Ranks that share a line exchange one summary per part that a rank owns. Collective.
-  void update(const Kinematics& at, const Values& values);
+  void update(const Kinematics& state, const Values& values);
   // Sentence if the largest error so far [N] exceeds the allowed fraction of the given tension [N]; else
   // empty.
   std::string warning(int line, double largest_tension) const;
@@ -53,7 +53,7 @@ class EdgeErrors : public Recording {
     int rank = 0;
     std::vector<size_t> send, receive;  // indices of pieces
   };
-  std::vector<PressedTurn> turns(const Kinematics& at, const Values& values) const;
+  std::vector<PressedTurn> turns(const Kinematics& state, const Values& values) const;
   const model::LineType& type_at(int node) const;  // type of the element after the node
   void exchange(std::vector<PressedPart>& of_pieces) const;
   void report(int line, const PressedPart& of_line, double time);

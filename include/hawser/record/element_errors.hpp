@@ -32,7 +32,7 @@ class ElementErrors : public Recording {
   };
   // For lines that the partition cuts, the ranks that share a line send a few numbers per node to the owner
   // of its first node. Collective.
-  void update(const Kinematics& at, const Values& values);
+  void update(const Kinematics& state, const Values& values);
 
   void declare(Declarations& to) override;
   void output(const Snapshot& s) override;
@@ -52,8 +52,8 @@ class ElementErrors : public Recording {
     double tension = 0, moment = 0, pressed = 0;
     bool supported = false;
   };
-  At node(size_t n, const Kinematics& at, const Values& values) const;
-  void exchange(const Kinematics& at, const Values& values, std::vector<At>& of_cut_lines) const;
+  At node(size_t n, const Kinematics& state, const Values& values) const;
+  void exchange(const Kinematics& state, const Values& values, std::vector<At>& of_cut_lines) const;
   void update_sag(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,
                   Worst& worst) const;
   void update_lifts(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,

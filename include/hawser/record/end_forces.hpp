@@ -42,7 +42,7 @@ class EndForces {
 
   // From an accepted state. support_forces: forces of bed, soil, volumes and other lines on local nodes, N;
   // nonzero where the line does not hang freely. No communication, unless ends are fed.
-  void evaluate(const Kinematics& at, std::span<const Vec3> support_forces);
+  void evaluate(const Kinematics& state, std::span<const Vec3> support_forces);
 
   const std::vector<SectionNode>& places() const { return places_; }  // in the order of nodes
   // Force on each feeder, N: the tension at its feed point and, for beams, M²/2EI.
@@ -51,10 +51,10 @@ class EndForces {
   int end_at(int node) const;
 
  private:
-  SectionForce section(const Kinematics& at, int element, bool second,
+  SectionForce section(const Kinematics& state, int element, bool second,
                        std::span<const Vec3> support_forces) const;
 
-  void evaluate_feed_points(const Kinematics& at, std::span<const Vec3> support_forces);
+  void evaluate_feed_points(const Kinematics& state, std::span<const Vec3> support_forces);
 
   const System& system_;
   const Feeders* feeders_;

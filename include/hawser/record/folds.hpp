@@ -24,7 +24,7 @@ class Folds {
   // feeders: null if no line is fed. Fed lines are excluded because the stock is folded up.
   Folds(const model::Case& c, const LocalMesh& mesh, const Feeders* feeders);
   // By owned node: effective tension towards end A and towards end B, N. After every step.
-  void update(const Kinematics& at, std::span<const double> before, std::span<const double> after);
+  void update(const Kinematics& state, std::span<const double> before, std::span<const double> after);
   // Combines the ranks after the last step. Collective.
   void gather(MPI_Comm comm);
   // Sentence if the largest tension [N] of a line is that of such an element; else empty. After gather(), for

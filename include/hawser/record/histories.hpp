@@ -40,7 +40,7 @@ class Histories : public Recording {
   std::vector<double> body_row(int body, const Snapshot& s) const;
   // Components of the force on a floating body; empty: no term reports components.
   std::vector<std::string> load_components(int body) const;
-  std::vector<double> volume_row(const std::string& volume, const Kinematics& at) const;
+  std::vector<double> volume_row(const std::string& volume, const Kinematics& state) const;
 
   // Value of a field from the section force on the side of a node that faces the point; `fallback` for other
   // fields.

@@ -26,10 +26,10 @@ class NodeFields {
   const std::vector<io::ResultField>& end_fields() const { return end_fields_; }
 
   // all: including fields needed only at outputs. Collective.
-  void fill(const Kinematics& at, bool all);
+  void fill(const Kinematics& state, bool all);
   // After fill() of the same state without `all`: computes the remaining fields. False: nothing was done,
   // because a complete fill() is needed.
-  bool complete(const Kinematics& at);
+  bool complete(const Kinematics& state);
 
   Values& values() { return values_; }  // by field and owned node
   const Values& values() const { return values_; }
@@ -37,8 +37,8 @@ class NodeFields {
   const EndForces& end_forces() const { return end_forces_; }
 
  private:
-  void fill_field(size_t f, const Kinematics& at);
-  void correct_ends(const Kinematics& at);
+  void fill_field(size_t f, const Kinematics& state);
+  void correct_ends(const Kinematics& state);
 
   const Subject& subject_;
   FieldRegistry registry_;

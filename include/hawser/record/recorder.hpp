@@ -24,18 +24,18 @@ class Recorder {
   // Contents of the file, or of the file that would be written.
   const io::ResultContents& contents() const { return file_ ? file_->contents() : planned_; }
 
-  // Equilibrium `at` of a stage of statics except the last, by its index; written as an output at a negative
-  // time.
-  void stage(size_t place, const Kinematics& at);
+  // Equilibrium `state` of a stage of statics except the last, by its index; written as an output at a
+  // negative time.
+  void stage(size_t place, const Kinematics& state);
   // The start of a run: the state `at`, the reference of energies, which may have velocities; and the state
   // recorded as first step and output: its static equilibrium if there is one.
-  void start(const Kinematics& at, const Kinematics& shown);
+  void start(const Kinematics& state, const Kinematics& shown);
   // Every accepted step. Collective.
-  void step(const StepInfo& info, const Kinematics& at, double support_work) {
-    step(info, at, support_work, at);
+  void step(const StepInfo& info, const Kinematics& state, double support_work) {
+    step(info, state, support_work, state);
   }
   // Writes all fields of a state; after a step it must be the state of that step.
-  void output(const Kinematics& at);
+  void output(const Kinematics& state);
   // Writes a checkpoint with the current statistics.
   void checkpoint(io::Checkpoint c);
   // Writes the summary table with the run's notes and warnings, and those of its end; returns the table as
@@ -58,11 +58,11 @@ class Recorder {
  private:
   io::ResultContents declared(std::vector<io::VolumeMesh> volumes, io::RunInfo run);
   void restore(const io::Checkpoint& from);
-  Snapshot snapshot(const Kinematics& at, const StepInfo& info = {}) const;
+  Snapshot snapshot(const Kinematics& state, const StepInfo& info = {}) const;
   void fill(const Snapshot& s, bool all);
   void find_worst(const Snapshot& s);
   std::vector<io::SummaryRow> gather_summary();
-  void step(const StepInfo& info, const Kinematics& at, double support_work, const Kinematics& shown);
+  void step(const StepInfo& info, const Kinematics& state, double support_work, const Kinematics& shown);
   void write_output(double time, const Snapshot& s, const io::ClashTables& clashes);
   io::ClashTables take_clashes();
 

@@ -36,9 +36,9 @@ struct Subject {
 
 // Pose of a body of the case; for a floating body nullopt except on the rank that owns its node.
 std::optional<RigidPose> body_pose(const Bodies& bodies, const LocalMesh& mesh, int body,
-                                   const Kinematics& at);
+                                   const Kinematics& state);
 // Poses of all bodies, the same on all ranks; owners of floating bodies send theirs to the others.
 // Collective.
-std::vector<io::BodyPose> body_poses(const Bodies& bodies, const System& system, const Kinematics& at);
+std::vector<io::BodyPose> body_poses(const Bodies& bodies, const System& system, const Kinematics& state);
 
 }  // namespace hawser::record

@@ -19,7 +19,7 @@ using model::SupportCrossing;
 // Crossing of every box with the nearest part of its line. poses: of the bodies of the case. The same on all
 // ranks. Collective.
 std::vector<SupportCrossing> support_crossings(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
-                                               const Kinematics& at, const std::vector<RigidPose>& poses);
+                                               const Kinematics& state, const std::vector<RigidPose>& poses);
 
 // Rollers of the supports of a case. The subject must outlive the object.
 class SupportRollers {
@@ -33,7 +33,7 @@ class SupportRollers {
   std::vector<std::array<double, 2>> carrying(const Snapshot& s) const;
   // Forces on the lines [N] by volume of the contact term, this rank's part; first(): the first roller of a
   // box among these volumes.
-  std::vector<Vec3> forces(const Kinematics& at) const;
+  std::vector<Vec3> forces(const Kinematics& state) const;
   size_t first(size_t box) const { return first_[box]; }
 
  private:

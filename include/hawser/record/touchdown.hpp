@@ -42,10 +42,10 @@ class Touchdowns {
   Touchdowns(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh);
 
   // Touchdowns of the lines that this rank owns or that the partition cuts, in the order of the case; empty
-  // without a seabed. at: an accepted state of local nodes. Collective: a few numbers per cut line.
-  std::vector<Touchdown> find(const Kinematics& at) const;
+  // without a seabed. state: an accepted one of local nodes. Collective: a few numbers per cut line.
+  std::vector<Touchdown> find(const Kinematics& state) const;
   // Touchdowns of all lines in order, the same on all ranks. Collective.
-  std::vector<Touchdown> of_all_lines(const Kinematics& at) const;
+  std::vector<Touchdown> of_all_lines(const Kinematics& state) const;
 
  private:
   struct Height {
@@ -57,7 +57,7 @@ class Touchdowns {
     double gap = 0;
     Vec3 normal;
   };
-  Above above(size_t node, const Kinematics& at) const;
+  Above above(size_t node, const Kinematics& state) const;
 
   // By place in slot_: the first element from A with a change of contact, and minus the first from B; length
   // on the bed [m] with gaps linear between nodes.
@@ -73,7 +73,7 @@ class Touchdowns {
   };
   Changes changes(const std::vector<double>& gap) const;  // by local node; collective, as the next function
   std::vector<Surrounding> surroundings(const Changes& changes, const std::vector<double>& gap,
-                                        const Kinematics& at) const;
+                                        const Kinematics& state) const;
   std::pair<TouchdownPoint, double> point(int element, const Surrounding& around) const;
   template <class T>
   void join(MPI_Op op, std::vector<T>& of, size_t numbers) const;

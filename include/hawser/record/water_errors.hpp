@@ -24,9 +24,9 @@ class WaterErrors : public Recording {
   WaterErrors(const model::Case& c, const System& system);
 
   // Update at a state of the run; most steps are skipped because waves are expensive. Collective.
-  void update_sampled(const Kinematics& at);
+  void update_sampled(const Kinematics& state);
   // Update at every state. Collective.
-  void update(const Kinematics& at);
+  void update(const Kinematics& state);
 
   // One sentence per significant error, the same on all ranks. Collective.
   std::vector<std::string> warnings() const;
@@ -47,9 +47,9 @@ class WaterErrors : public Recording {
     std::vector<double> error, force, weight;  // N, of all ranks; submerged weight across the lines
     std::vector<Where> where;
   };
-  Sums sums(const Kinematics& at, int parts, const std::vector<bool>& groups) const;
-  std::vector<int> sufficient_parts(const Kinematics& at, std::vector<bool> groups) const;
-  void update_tension(const Kinematics& at);
+  Sums sums(const Kinematics& state, int parts, const std::vector<bool>& groups) const;
+  std::vector<int> sufficient_parts(const Kinematics& state, std::vector<bool> groups) const;
+  void update_tension(const Kinematics& state);
 
   struct Group {                                // lines connected by joints, which share loads
     double force = 0, weight = 0, tension = 0;  // N, largest values

@@ -28,21 +28,21 @@ class Actions {
 
   // Takes the tied nodes of the system, which the actions change.
   void begin() { tied_ = sim_.system().tied_nodes().nodes(); }
-  // Performs an action in the accepted state `at`. Throws SolveError if it is impossible. Collective.
-  Found act(const model::Action& action, const Kinematics& at);
+  // Performs an action in the accepted `state`. Throws SolveError if it is impossible. Collective.
+  Found act(const model::Action& action, const Kinematics& state);
   // Repeats an action performed at this time [s], in a run continued from a checkpoint.
   void repeat(const model::Action& action, const Found& found, double time);
   // Tied local nodes, to be passed to the system.
   const std::vector<TiedNode>& tied() const { return tied_; }
 
   // Distance [m] of the end to be attached from its expected place; valid where its node is owned.
-  double away(const model::Action& action, const Kinematics& at) const;
+  double away(const model::Action& action, const Kinematics& state) const;
   // Mesh node at the action's line end.
   int node(const model::Action& action) const;
 
  private:
   bool held(int node) const;
-  RigidPose pose(const model::Action& action, const Kinematics& at) const;
+  RigidPose pose(const model::Action& action, const Kinematics& state) const;
   void hold(const model::Action& action, const Found& found);
   void feed(const model::Action& action, double speed, double time);
 

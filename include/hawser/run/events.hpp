@@ -59,8 +59,8 @@ class Events {
   static bool waits_for_condition(const Happening& h);
   double due(const Happening& h) const;  // s; infinite: unknown
   // Monitored tensions [N], positions, lengths and distances [m], the same on all ranks.
-  std::vector<double> values(const Kinematics& at);
-  double local_value(const Happening& h, const Kinematics& at) const;
+  std::vector<double> values(const Kinematics& state);
+  double local_value(const Happening& h, const Kinematics& state) const;
   double local_tension(int node) const;
   // Deficit of each waiting event's condition in units of its tolerance; >= 0: met.
   std::vector<double> conditions(const std::vector<double>& values) const;
@@ -69,10 +69,10 @@ class Events {
   // Events due at a time with these values, or that begin a stage.
   std::vector<size_t> due_at(double time, const std::vector<double>& values, const std::string& stage) const;
   // Performs these events and then calls go_on(). If one of them is impossible, none has happened.
-  void happen(const std::vector<size_t>& now, const Kinematics& at, const std::string& stage,
+  void happen(const std::vector<size_t>& now, const Kinematics& state, const std::string& stage,
               std::vector<std::string>& messages, const std::function<void()>& go_on);
   // Performs and reports one event, without changing the system's tied nodes.
-  void happen(size_t event, const Kinematics& at, const std::string& stage,
+  void happen(size_t event, const Kinematics& state, const std::string& stage,
               std::vector<std::string>& messages);
   std::vector<std::string> at_rest(const std::string& stage);
   bool releases_end(const std::string& stage) const;

@@ -59,7 +59,7 @@ class Simulation {
   const RigidBodies* floating() const;
   Feeders* feeders() const;
   // Pose of a body of the case; for a floating body nullopt except on the rank that owns its node.
-  std::optional<RigidPose> body_pose(int body, const Kinematics& at) const;
+  std::optional<RigidPose> body_pose(int body, const Kinematics& state) const;
   // Subject for recordings; surfaces: one per volume of the case.
   record::Subject subject(std::vector<std::shared_ptr<const Surface>> surfaces = {});
   State& state() { return state_; }
@@ -76,7 +76,7 @@ class Simulation {
   const std::vector<ExcludedEnds>& excluded_ends() const { return start_contact_.excluded_ends; }
 
   // Description of the parts of lines inside a volume that an action switches on; empty: none. Collective.
-  std::string inside(const model::Action& action, const Kinematics& at) const;
+  std::string inside(const model::Action& action, const Kinematics& state) const;
   // Switches contact of lines with the volumes of an action.
   void enable_contact(const model::Action& action);
   // Overrides the case's setting of static friction; scale_current() multiplies the current.
@@ -108,7 +108,7 @@ class Simulation {
                    const std::vector<std::shared_ptr<const Surface>>& surfaces);
   void add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces, std::vector<BodySkeleton> skeletons,
                   const VolumeFacets& facets);
-  std::string inside(int volume, const Kinematics& at) const;
+  std::string inside(int volume, const Kinematics& state) const;
   bool lays_lines() const;  // statics has bed friction
   void follow_contact(StaticsSettings settings, StaticsReport& report);
   // Finds the equilibrium with friction as in statics, and with bodies restrained that have no equilibrium of

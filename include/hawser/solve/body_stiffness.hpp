@@ -14,10 +14,10 @@ struct BodyStiffness {
   Vec6 f = Vec6::Zero();
   Mat6 K = Mat6::Zero();
 };
-// `held` ties all held nodes including the body; `free` the same without the body. `at` must be in
+// `held` ties all held nodes including the body; `free` the same without the body. `state` must be in
 // equilibrium with `held`, and no term of the system may act on the body directly. body_node: mesh node.
 // Leaves the system tied by `held`. The result is the same on all ranks; collective.
-BodyStiffness body_stiffness(System& system, const Kinematics& at, int body_node,
+BodyStiffness body_stiffness(System& system, const Kinematics& state, int body_node,
                              const std::vector<TiedNode>& free, const std::vector<TiedNode>& held);
 
 // The same about a point of the body, in space axes: minus force and moment on the body there, and the

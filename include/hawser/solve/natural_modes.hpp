@@ -21,10 +21,10 @@ struct NaturalMode {
 // Largest |omega²| of a free mode: that of a period of 10 000 s, far above rounding.
 inline constexpr double kFreeMotion = 4e-7;  // rad²/s²
 
-// The `count` lowest modes (fewer if there are no more), ascending, about the state `at`, which is at rest. M
+// The `count` lowest modes (fewer if there are no more), ascending, about `state`, which is at rest. M
 // includes the added mass of the terms. If it depends on the frequency, it is that of each mode (fixed
 // point); free and unstable modes have that of time integration. Only the symmetric part of unsymmetric
 // tangents (friction) counts. Collective. Throws SolveError if the eigenvalues do not converge.
-std::vector<NaturalMode> natural_modes(System& system, const Kinematics& at, int count);
+std::vector<NaturalMode> natural_modes(System& system, const Kinematics& state, int count);
 
 }  // namespace hawser

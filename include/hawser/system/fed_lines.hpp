@@ -31,7 +31,7 @@ class FedLines {
  public:
   virtual ~FedLines() = default;
   // Sets fed() to a state.
-  virtual void update(const Kinematics& at) = 0;
+  virtual void update(const Kinematics& state) = 0;
   // Number of elements inside the feeders at ends A and B of each line.
   virtual std::vector<std::array<int, 2>> inside() const = 0;
 

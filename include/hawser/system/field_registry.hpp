@@ -16,7 +16,7 @@ namespace hawser {
 
 struct FieldSource : Field {
   // Fills values[node * components + c] for this rank's owned nodes from an accepted state.
-  std::function<void(const Kinematics& at, std::span<double> values)> fill;
+  std::function<void(const Kinematics& state, std::span<double> values)> fill;
   // Name of a field added before, of the same shape, to which this one is added: `values` holds that field
   // when fill is called. Empty: none.
   std::string onto = {};

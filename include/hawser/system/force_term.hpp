@@ -55,8 +55,8 @@ class ForceTerm {
   // Called when a state is accepted: its history becomes the committed history.
   virtual void commit(const Kinematics& accepted) { (void)accepted; }
 
-  virtual Energy energy(const Kinematics& at) const {
-    (void)at;
+  virtual Energy energy(const Kinematics& state) const {
+    (void)state;
     return Energy{};
   }
   virtual void fields(FieldRegistry& registry) const { (void)registry; }

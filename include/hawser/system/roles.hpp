@@ -74,7 +74,7 @@ class ActsOnElements {
   virtual ~ActsOnElements() = default;
   // Adds the contribution of this term to the residual of a local element, from the state alone: f = (x1,
   // theta1, x2, theta2), forces in space axes [N], moments in material axes [N m]. Cables have no moments.
-  virtual void element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const = 0;
+  virtual void element_force(const Kinematics& state, const LocalElement& e, Vec12& f) const = 0;
 };
 
 // Has mass on lines.
@@ -82,7 +82,7 @@ class MovesMasses {
  public:
   virtual ~MovesMasses() = default;
   // Adds the moving masses that this rank counts, by line of the mesh.
-  virtual void motion(const Kinematics& at, std::span<LineMotion> lines) const = 0;
+  virtual void motion(const Kinematics& state, std::span<LineMotion> lines) const = 0;
 };
 
 // The element that is stretched or compressed furthest beyond the range of its law.
@@ -110,9 +110,9 @@ class HasAxialStiffness {
   // Largest EA, N, of this rank; 0: none.
   virtual double axial_stiffness() const = 0;
   // The most overstretched element of this rank, if any.
-  virtual Overstretch overstretched(const Kinematics& at) const = 0;
+  virtual Overstretch overstretched(const Kinematics& state) const = 0;
   // Raises the entries of `lines`, one for each line of the mesh, to the values of this rank's elements.
-  virtual void tensions(const Kinematics& at, std::span<LineTension> lines) const = 0;
+  virtual void tensions(const Kinematics& state, std::span<LineTension> lines) const = 0;
 };
 
 // Provides magnitudes of forces with which a residual is compared.
@@ -121,8 +121,8 @@ class ScalesResiduals {
   virtual ~ScalesResiduals() = default;
   // Sum of squares, N², of the round-off of the forces on this rank, in a trial of a step h [s] (0: statics).
   // No residual can be smaller.
-  virtual double round_off(const Kinematics& at, double h) const {
-    (void)at;
+  virtual double round_off(const Kinematics& state, double h) const {
+    (void)state;
     (void)h;
     return 0.0;
   }

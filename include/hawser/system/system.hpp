@@ -70,8 +70,8 @@ class System {
     return out;
   }
   // Adds the forces of all terms on an element of a line, see ActsOnElements.
-  void element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const {
-    for (const ActsOnElements* t : listed<ActsOnElements>()) t->element_force(at, e, f);
+  void element_force(const Kinematics& state, const LocalElement& e, Vec12& f) const {
+    for (const ActsOnElements* t : listed<ActsOnElements>()) t->element_force(state, e, f);
   }
 
   void add(std::unique_ptr<ForceTerm> term);
@@ -140,12 +140,12 @@ class System {
   // nullopt: it is valid. overstretched: an element is strained beyond the range of its law.
   // lost_in_rounding: round-off is a hundredth or more of a line's tension. Collective, the same on all
   // ranks.
-  std::optional<advice::Overstretched> overstretched(const Kinematics& at) const;
+  std::optional<advice::Overstretched> overstretched(const Kinematics& state) const;
   // The most overstretched element of this rank, if any; not collective.
-  Overstretch overstretch(const Kinematics& at) const;
-  std::optional<advice::LostInRounding> lost_in_rounding(const Kinematics& at) const;
+  Overstretch overstretch(const Kinematics& state) const;
+  std::optional<advice::LostInRounding> lost_in_rounding(const Kinematics& state) const;
   // Energy summed over the terms, this rank's share.
-  Energy energy(const Kinematics& at) const;
+  Energy energy(const Kinematics& state) const;
   FieldRegistry fields() const;
 
  private:
@@ -155,12 +155,12 @@ class System {
     return std::get<std::vector<Role*>>(roles_);
   }
   void list_roles();
-  void update_fed_lines(const Kinematics& at) const {
-    for (FedLines* f : listed<FedLines>()) f->update(at);
+  void update_fed_lines(const Kinematics& state) const {
+    for (FedLines* f : listed<FedLines>()) f->update(state);
   }
   void size_arrays();
   void sum(std::span<double> values) const;  // sums over the ranks, in place
-  std::vector<LineMotion> motions(const Kinematics& at, const StoredMotion& stored) const;
+  std::vector<LineMotion> motions(const Kinematics& state, const StoredMotion& stored) const;
   void sum_cut_lines(std::initializer_list<std::span<double>> all) const;
   void reghost_ties();
   void with_frames(Couplings& c) const;

@@ -52,7 +52,7 @@ class BedContact final : public ForceTerm, public HasFriction {
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
-  Energy energy(const Kinematics& at) const override;
+  Energy energy(const Kinematics& state) const override;
   // Force of the bed on a local node in the accepted state, N, space axes.
   Vec3 node_force(int node) const;
   void fields(FieldRegistry& registry) const override;
@@ -70,8 +70,8 @@ class BedContact final : public ForceTerm, public HasFriction {
   void lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm);
   // For the first stage: friction is fully mobilised at this slip [m] or more, so that it increases smoothly.
   void mobilise_by(double least_slip) { least_slip_ = least_slip; }
-  void press_by_contact(const Kinematics& at);
-  void follow_contact(const Kinematics& at);
+  void press_by_contact(const Kinematics& state);
+  void follow_contact(const Kinematics& state);
 
   // Part of a line on the bed in the accepted state.
   struct OnBed {
@@ -80,7 +80,7 @@ class BedContact final : public ForceTerm, public HasFriction {
     double taken = 0;  // N, tension that friction takes up, positive from end A to end B
   };
   // By line of the mesh, summed over the points that this rank counts.
-  std::vector<OnBed> on_bed(const Kinematics& at) const;
+  std::vector<OnBed> on_bed(const Kinematics& state) const;
 
   int active_count() const;
 
@@ -158,7 +158,7 @@ class BedContact final : public ForceTerm, public HasFriction {
   }
   void store(Point& p, const PointHistory& h);
   bool laid() const { return !laid_.empty(); }
-  Vec3 line_direction(const Point& p, const Kinematics& at) const;
+  Vec3 line_direction(const Point& p, const Kinematics& state) const;
   void add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C, Assembler& assembler) const;
   // Friction of the first stage of statics. In the second stage its potential replaces friction in the line
   // search.
@@ -170,12 +170,12 @@ class BedContact final : public ForceTerm, public HasFriction {
   // Signed distance of x [m] if it is less than `most` [m]; else infinity.
   double gap(const Vec3& x, double most) const;
   // convex: without the geometric stiffness of a curved bed, which is negative over a mound.
-  ContactForce contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& trial,
+  ContactForce contact(const Point& p, const Kinematics& state, bool derivatives, ContactTrial& trial,
                        bool convex = false) const;
   // Suction state of a point at the start of a step. Suction does not act in statics, which has no path in
   // time.
-  SuctionState soil(const Point& p, const Kinematics& at) const {
-    return at.moves() && suction_ ? history(p).soil : SuctionState{};
+  SuctionState soil(const Point& p, const Kinematics& state) const {
+    return state.moves() && suction_ ? history(p).soil : SuctionState{};
   }
 
   const LocalMesh& mesh_;

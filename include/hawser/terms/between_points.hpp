@@ -29,7 +29,7 @@ struct AttachedNow {
   FramePoint point;                         // relative to the node of the frame
 };
 // The frame_node() of `a` must be local to this rank.
-AttachedNow attached_now(const Attached& a, const Kinematics& at, const LocalMesh& mesh,
+AttachedNow attached_now(const Attached& a, const Kinematics& state, const LocalMesh& mesh,
                          const Bodies& bodies);
 
 // Adds forces between two attached points to the unknowns of both. f = (f_a, f_b): residual; k, c: its

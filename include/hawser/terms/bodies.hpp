@@ -42,10 +42,10 @@ class Bodies {
     return f.turn * (direction ? y : Vec3(y - f.centre));
   }
   // Sends the poses of floating bodies to all ranks, for ranks that lack a body's node. Collective.
-  void exchange_poses(MPI_Comm comm, const Kinematics& at) const;
+  void exchange_poses(MPI_Comm comm, const Kinematics& state) const;
   // Pose of the body in a state; the identity if body < 0. If this rank does not have the node of a floating
   // body, the pose is that of the last exchange.
-  RigidPose pose(int body, const Kinematics& at) const;
+  RigidPose pose(int body, const Kinematics& state) const;
   // Prescribed pose; for a floating body the pose in which its springs are at rest. body < 0: fixed in space,
   // the identity.
   RigidPose pose(int body, double time) const { return body < 0 ? RigidPose{} : motions_[body].at(time); }

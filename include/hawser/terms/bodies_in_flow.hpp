@@ -33,13 +33,13 @@ class BodiesInFlow final : public ForceTerm,
   void scale_current(double factor) override { sea_.current_scale = factor; }
 
   std::vector<std::string> load_components(int body) const override;
-  std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
+  std::vector<BodyForce> forces_on(int body, const Kinematics& state) const override;
 
   std::string_view record_key() const override { return "wind and current on bodies"; }
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
-  Energy energy(const Kinematics& at) const override;
+  Energy energy(const Kinematics& state) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
@@ -63,8 +63,8 @@ class BodiesInFlow final : public ForceTerm,
     double work = 0;  // J, over the accepted steps
   };
   void add(const model::Case& c, int body, int node, const LocalMesh& mesh, bool air);
-  FlowVelocity velocity(const Flow& f, const Kinematics& at, const RigidBodyState& s) const;
-  Push push(const Flow& f, const Kinematics& at) const;
+  FlowVelocity velocity(const Flow& f, const Kinematics& state, const RigidBodyState& s) const;
+  Push push(const Flow& f, const Kinematics& state) const;
   static double work(const Push& from, const Push& to);
   bool idle(const Flow& f) const { return hold_ && !f.rest.found(friction_); }
 

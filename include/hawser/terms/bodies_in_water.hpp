@@ -36,17 +36,17 @@ class BodiesInWater final : public ForceTerm,
   void scale_current(double factor) override { sea_.current_scale = factor; }
 
   // Indices in the case of this rank's bodies that pierce the water surface.
-  std::vector<int> in_surface(const Kinematics& at) const;
+  std::vector<int> in_surface(const Kinematics& state) const;
 
   std::string_view record_key() const override { return "bodies in water"; }
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
-  Energy energy(const Kinematics& at) const override;
+  Energy energy(const Kinematics& state) const override;
   double dead_load() const override;
-  double round_off(const Kinematics& at, double h) const override;
+  double round_off(const Kinematics& state, double h) const override;
   std::vector<std::string> load_components(int body) const override;
-  std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
+  std::vector<BodyForce> forces_on(int body, const Kinematics& state) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
@@ -82,14 +82,14 @@ class BodiesInWater final : public ForceTerm,
   // Adds the pieces of a member. `piece` holds the data that they share, such as the body's node.
   void add_member(const model::Body& body, const model::BodyMember& m, Wet piece);
   // State of the body in the axes of b.data.
-  static RigidBodyState state(const Wet& b, const Kinematics& at);
+  static RigidBodyState body_state(const Wet& b, const Kinematics& state);
   static Places places(const Wet& b, const RigidBodyState& s);
-  Places wave_places(const Wet& b, const Kinematics& at) const;
-  Water water(const Wet& b, const Kinematics& at, const Vec3& x, WaveMotion Wet::*wave) const;
-  // All forces of the water on a body in the state s of `at`.
-  Flow all_forces(const Wet& b, const RigidBodyState& s, const Kinematics& at) const;
+  Places wave_places(const Wet& b, const Kinematics& state) const;
+  Water water(const Wet& b, const Kinematics& state, const Vec3& x, WaveMotion Wet::*wave) const;
+  // All forces of the water on a body in the state s of `state`.
+  Flow all_forces(const Wet& b, const RigidBodyState& s, const Kinematics& state) const;
   // The same without the buoyancy in still water, which has a potential.
-  Flow flow(const Wet& b, const Kinematics& at) const;
+  Flow flow(const Wet& b, const Kinematics& state) const;
   bool idle(const Wet& b) const { return hold_ && !b.rest.found(friction_); }
 
   Sea sea_;

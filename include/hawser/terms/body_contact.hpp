@@ -72,12 +72,12 @@ class BodyContact final : public ForceTerm,
   void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
-  Energy energy(const Kinematics& at) const override;
-  double round_off(const Kinematics& at, double h) const override;
+  Energy energy(const Kinematics& state) const override;
+  double round_off(const Kinematics& state, double h) const override;
   // Of contact with other bodies and with volumes that are fixed or move as prescribed, in the last accepted
   // state.
   std::vector<std::string> load_components(int body) const override;
-  std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
+  std::vector<BodyForce> forces_on(int body, const Kinematics& state) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange range) const override;
   // Collective.
@@ -85,7 +85,7 @@ class BodyContact final : public ForceTerm,
 
   // Throws SolveError if two volumes overlap far deeper than the contact of their corners and edges shows.
   // Collective.
-  void watch(const Kinematics& at);
+  void watch(const Kinematics& state);
   // Largest penetration over the accepted steps of the pairs that this rank counts, m.
   double largest_penetration() const;
   // Adds the active contacts of those pairs in the accepted state. Volumes have their indices in the case.
@@ -170,8 +170,8 @@ class BodyContact final : public ForceTerm,
     Vec12 gradient = Vec12::Zero();
   };
   bool owned(const PairBody& body) const { return body.node >= 0 && body.node < mesh_.owned; }
-  BodyFrame frame(size_t volume, const Kinematics& at) const;
-  Both both(const Pair& pair, const Kinematics& at) const;
+  BodyFrame frame(size_t volume, const Kinematics& state) const;
+  Both both(const Pair& pair, const Kinematics& state) const;
   using Eighths = std::array<ResultantSum, 8>;  // frame of the surface
   // The law of friction in a step of length h [s], 0 in statics; the contact points go to `points`, and their
   // sums to `eighths`, if given.
@@ -218,7 +218,7 @@ class BodyContact final : public ForceTerm,
   double fastest(const Pair& pair, const Both& at) const;
   // Smallest gap of corners, edges and balls if it is below `within` [m].
   std::optional<Nearest> nearest(const Pair& pair, const Both& at, double within) const;
-  // Largest step from the state `at`, at most `most` [s], in which the contact springs are resolved.
+  // Largest step from `state`, at most `most` [s], in which the contact springs are resolved.
   double followed(const Pair& pair, const Both& at, double most) const;
   void limit_by(const Pair& pair, ImpactEvents& to) const;
   // Depth of the deepest point of the faces of one volume in the other, m; in body_contact_penetration.cpp.

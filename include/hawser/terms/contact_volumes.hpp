@@ -69,17 +69,17 @@ class ContactVolumes {
   const Box& box(int volume) const { return boxes_[volume]; }
 
   // Poses of the volumes at the start of the step, and in the last trial for which pose() was called.
-  void pose_start(const Kinematics& at) { pose(at, start_poses_); }
-  void pose_trial(const Kinematics& at) { pose(at, poses_); }
+  void pose_start(const Kinematics& state) { pose(state, start_poses_); }
+  void pose_trial(const Kinematics& state) { pose(state, poses_); }
   const RigidPose& start_pose(int volume) const { return start_poses_[body(volume)]; }
   const RigidPose& trial_pose(int volume) const { return poses_[body(volume)]; }
-  RigidPose pose_of(int volume, const Kinematics& at) const;
+  RigidPose pose_of(int volume, const Kinematics& state) const;
   // Poses of all bodies that carry volumes, indexed by body(volume).
-  std::vector<RigidPose> poses(const Kinematics& at) const;
+  std::vector<RigidPose> poses(const Kinematics& state) const;
   size_t body(int volume) const { return static_cast<size_t>(at(volume).body + 1); }
   // True if the volume's body floats, so that the reaction acts on the body.
   bool floats(int volume) const { return bodies_->floats(at(volume).body); }
-  FloatingFrame floating_frame(int volume, const Kinematics& at) const;
+  FloatingFrame floating_frame(int volume, const Kinematics& state) const;
   // Lists the pairs of elements and floating bodies that may touch. thickest: largest radius on this rank, m.
   // Returns true on all ranks if the list has changed. Collective.
   bool refresh_couplings(const Kinematics& committed, double h, double thickest);
@@ -118,7 +118,7 @@ class ContactVolumes {
  private:
   const ContactVolume& at(int volume) const { return volumes_[volume]; }
   // Computes the poses: space first, then the bodies in their order.
-  void pose(const Kinematics& at, std::vector<RigidPose>& poses) const;
+  void pose(const Kinematics& state, std::vector<RigidPose>& poses) const;
 
   const LocalMesh& mesh_;
   std::shared_ptr<const Bodies> bodies_;

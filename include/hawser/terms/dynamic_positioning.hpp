@@ -25,11 +25,11 @@ class DynamicPositioning final : public ForceTerm, public LoadsBodies, public Ac
 
   std::string_view record_key() const override { return "dynamic positioning"; }
   std::vector<std::string> load_components(int body) const override;
-  std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
+  std::vector<BodyForce> forces_on(int body, const Kinematics& state) const override;
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
-  Energy energy(const Kinematics& at) const override;
+  Energy energy(const Kinematics& state) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
@@ -67,10 +67,10 @@ class DynamicPositioning final : public ForceTerm, public LoadsBodies, public Ac
   };
   static Vec3 offset(const Positioned& p, const Vec3& pose);
   static Push push(const model::DynamicPositioning& data, const Deviation& deviation, int alone = -1);
-  Push push(const Positioned& p, const Kinematics& at) const;
+  Push push(const Positioned& p, const Kinematics& state) const;
   Push push_at_rest(const Positioned& p, const Vec3& pose) const;
   static Push push_in_motion(const Positioned& p, const Vec3& pose, double time);
-  static Passed passed(const Positioned& p, const Kinematics& at, const Push& push);
+  static Passed passed(const Positioned& p, const Kinematics& state, const Push& push);
   static double work(const Passed& from, const Passed& to);  // J, of the mean force over the displacement
   static void begin(Positioned& p, const Vec3& pose, double time);
 

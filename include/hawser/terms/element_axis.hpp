@@ -9,20 +9,20 @@
 namespace hawser {
 
 // first, second: local nodes of the element's ends.
-inline AxisEnds element_axis(const Kinematics& at, const Element& e, int first, int second) {
+inline AxisEnds element_axis(const Kinematics& state, const Element& e, int first, int second) {
   const size_t i = first, j = second;
   AxisEnds a;
   a.beam = e.beam;
   a.length = e.length;
-  a.x1 = at.x[i];
-  a.x2 = at.x[j];
-  a.v1 = at.v[i];
-  a.v2 = at.v[j];
+  a.x1 = state.x[i];
+  a.x2 = state.x[j];
+  a.v1 = state.v[i];
+  a.v2 = state.v[j];
   if (!a.beam) return a;
-  a.q1 = at.q[i];
-  a.q2 = at.q[j];
-  a.w1 = at.w[i];
-  a.w2 = at.w[j];
+  a.q1 = state.q[i];
+  a.q2 = state.q[j];
+  a.w1 = state.w[i];
+  a.w2 = state.w[j];
   return a;
 }
 

@@ -34,7 +34,7 @@ class EndSprings final : public ForceTerm {
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
-  Energy energy(const Kinematics& at) const override;
+  Energy energy(const Kinematics& state) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
@@ -45,8 +45,8 @@ class EndSprings final : public ForceTerm {
     Quat rotation;
     Vec3 moment;
   };
-  std::array<AttachedNow, 2> directions(const EndSpring& s, const Kinematics& at) const;
-  void holds(const Kinematics& at, std::vector<Hold>& out) const;
+  std::array<AttachedNow, 2> directions(const EndSpring& s, const Kinematics& state) const;
+  void holds(const Kinematics& state, std::vector<Hold>& out) const;
 
   const LocalMesh& mesh_;
   std::shared_ptr<const Bodies> bodies_;

@@ -83,16 +83,16 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   const LocalElement* at_feed_point(const Feeder& f) const;
 
   // State of the feed point at the end of the step of the trial.
-  FeedPoint feed_point(const Feeder& f, const Kinematics& at) const;
+  FeedPoint feed_point(const Feeder& f, const Kinematics& state) const;
   // State of the feed point predicted with the speed at the start of the step, used for mass and water
   // forces.
-  FeedPoint predicted_feed_point(const Feeder& f, const Kinematics& at) const;
-  void update(const Kinematics& at) override;
+  FeedPoint predicted_feed_point(const Feeder& f, const Kinematics& state) const;
+  void update(const Kinematics& state) override;
   std::vector<std::array<int, 2>> inside() const override;
 
   // Force [N] on the feeder from the element at its feed point with an unstretched length [m]: the tension at
   // the end of the step that starts from the committed state, for a beam plus M²/2EI.
-  FedPull pull(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const;
+  FedPull pull(const Feeder& f, const Kinematics& state, const LocalElement& e, double length) const;
 
   // `tied` with the local nodes inside feeders held at them.
   std::vector<TiedNode> with_held(const std::vector<TiedNode>& tied) const;
@@ -109,8 +109,8 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
-  Energy energy(const Kinematics& at) const override;
-  void element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const override;
+  Energy energy(const Kinematics& state) const override;
+  void element_force(const Kinematics& state, const LocalElement& e, Vec12& f) const override;
   void limit_step(const Kinematics&, ImpactEvents&) override {}
   Verdict check_step(const Kinematics& trial) const override;
 
@@ -119,20 +119,21 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   struct Flow {
     Vec3 chord, velocity, acceleration;  // m, m/s, m/s²
   };
-  Flow flow(const FeedPoint& m, const Kinematics& at, const LocalElement& e, LineEnd line_end) const;
+  Flow flow(const FeedPoint& m, const Kinematics& state, const LocalElement& e, LineEnd line_end) const;
 
  private:
   // For a cable element at a feed point: strain at the start of the step, and mean strain rate over the step,
   // 1/s.
   double strain_before(const Feeder& f, const LocalElement& e) const;
-  double strain_rate(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const;
-  CableFeed feed_of_cable(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const;
-  double power(const Feeder& f, const Kinematics& at, const LocalElement& e) const;
+  double strain_rate(const Feeder& f, const Kinematics& state, const LocalElement& e, double length) const;
+  CableFeed feed_of_cable(const Feeder& f, const Kinematics& state, const LocalElement& e,
+                          double length) const;
+  double power(const Feeder& f, const Kinematics& state, const LocalElement& e) const;
   bool rests(const Feeder& f, const FeedPoint& m, const Kinematics& accepted, const LocalElement& e) const;
   double work_of_step(size_t feeder, const Kinematics& accepted, const LocalElement& e, double h,
                       double before) const;
-  double load_work(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const;
-  void force(const Feeder& f, const FeedPoint& m, const Kinematics& at, const LocalElement& e,
+  double load_work(const Feeder& f, const Kinematics& state, const LocalElement& e, double length) const;
+  void force(const Feeder& f, const FeedPoint& m, const Kinematics& state, const LocalElement& e,
              Vec3* out) const;
 
   const LocalMesh& mesh_;

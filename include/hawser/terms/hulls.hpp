@@ -41,11 +41,11 @@ class Hulls final : public ForceTerm,
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
-  Energy energy(const Kinematics& at) const override;
+  Energy energy(const Kinematics& state) const override;
   double dead_load() const override;
-  double round_off(const Kinematics& at, double h) const override;
+  double round_off(const Kinematics& state, double h) const override;
   std::vector<std::string> load_components(int body) const override;
-  std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
+  std::vector<BodyForce> forces_on(int body, const Kinematics& state) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
@@ -77,9 +77,9 @@ class Hulls final : public ForceTerm,
     bool has_waves = false;
     double work = 0;  // J, work of the waves over the accepted steps
   };
-  const std::vector<double>& heads(const Hull& hull, const Kinematics& at) const;
-  HullPressure pressure(const Hull& hull, const Kinematics& at, bool waves, bool tangent) const;
-  const Forces& forces(const Hull& hull, const Kinematics& at) const;
+  const std::vector<double>& heads(const Hull& hull, const Kinematics& state) const;
+  HullPressure pressure(const Hull& hull, const Kinematics& state, bool waves, bool tangent) const;
+  const Forces& forces(const Hull& hull, const Kinematics& state) const;
   bool idle(const Hull& hull) const { return hold_ && !hull.rest.found(friction_); }
 
   Sea sea_;

@@ -113,8 +113,8 @@ class LineCandidates {
   void gather();
   std::array<int, 2> outside(int line) const;
   bool at_feeder(int element) const;
-  std::array<Vec3, 4> axis(const LocalElement& e, const Kinematics& at, double h) const;
-  bool holds(const Kinematics& at, double h, double tau) const;
+  std::array<Vec3, 4> axis(const LocalElement& e, const Kinematics& state, double h) const;
+  bool holds(const Kinematics& state, double h, double tau) const;
   double part(double time) const;
   void predict(const Kinematics& committed, double h);
   double skin(int element) const;

@@ -43,11 +43,11 @@ class LineMass final : public ForceTerm,
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void prepare(const Kinematics& committed, double h) override;
   void commit(const Kinematics& accepted) override;
-  Energy energy(const Kinematics& at) const override;
+  Energy energy(const Kinematics& state) const override;
   double dead_load() const override;
-  void element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const override;
-  void motion(const Kinematics& at, std::span<LineMotion> lines) const override;  // rotations excluded
-  double round_off(const Kinematics& at, double h) const override;
+  void element_force(const Kinematics& state, const LocalElement& e, Vec12& f) const override;
+  void motion(const Kinematics& state, std::span<LineMotion> lines) const override;  // rotations excluded
+  double round_off(const Kinematics& state, double h) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;

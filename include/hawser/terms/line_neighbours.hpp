@@ -23,15 +23,15 @@ class LineNeighbours {
   }
 
   // Unit direction from the node before an owned node to the node after it; one-sided at an end.
-  Vec3 tangent(const Kinematics& at, int node) const {
-    const Vec3 chord = at.x[after_[node]] - at.x[before_[node]];
+  Vec3 tangent(const Kinematics& state, int node) const {
+    const Vec3 chord = state.x[after_[node]] - state.x[before_[node]];
     const double length = chord.norm();
     return length > 0 ? Vec3(chord / length) : Vec3::UnitX();
   }
 
   // Angle [rad] between the elements before and after an owned node; 0 at an end.
-  double turn(const Kinematics& at, int node) const {
-    const Vec3 in = at.x[node] - at.x[before_[node]], out = at.x[after_[node]] - at.x[node];
+  double turn(const Kinematics& state, int node) const {
+    const Vec3 in = state.x[node] - state.x[before_[node]], out = state.x[after_[node]] - state.x[node];
     return angle_between(in, out);
   }
 

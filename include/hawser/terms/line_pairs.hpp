@@ -73,7 +73,7 @@ class LinePairs final : public ForceTerm,
   void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
-  Energy energy(const Kinematics& at) const override;
+  Energy energy(const Kinematics& state) const override;
   // Adds line_contact_force, line_contact_normal_force, line_friction_force and line_penetration.
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
@@ -103,7 +103,7 @@ class LinePairs final : public ForceTerm,
   // Adds the contacts of those pairs in the accepted state.
   void active_contacts(ActiveContacts& out) const;
   // Likewise, one for each pair, midway between the two surfaces.
-  void resultants(const Kinematics& at, ContactResultants& out) const;
+  void resultants(const Kinematics& state, ContactResultants& out) const;
 
  private:
   // Passes by slave and part of the master: the first element against the second, against its first end,
@@ -156,7 +156,7 @@ class LinePairs final : public ForceTerm,
   const LinePairType& type_of(int segment) const { return types_[this->segment(segment).element.type]; }
   const AxisEnds& start(int segment) const { return start_[segment]; }
   int fed_end(int segment) const { return fed_end_[segment]; }
-  PairAxis axis(const Kinematics& at, int segment) const;
+  PairAxis axis(const Kinematics& state, int segment) const;
   double material_of_start(int segment, const PairAxis& axis, double xi) const;
   // Sum over the contact points of the counted pairs for which which(pair) is true.
   template <class Which, class Value>
@@ -168,8 +168,8 @@ class LinePairs final : public ForceTerm,
           for (const LinePairContactPoint& h : part) sum += h.weight * value(h);
     return sum;
   }
-  AxisEnds ends(const Kinematics& at, int segment) const;
-  Rod rod(const Kinematics& at, int segment) const;
+  AxisEnds ends(const Kinematics& state, int segment) const;
+  Rod rod(const Kinematics& state, int segment) const;
   LinePairLaw law(int segment_a, int segment_b) const;
   // Calls what(part, pass) for the passes of a pair that may touch.
   template <class What>
@@ -180,7 +180,7 @@ class LinePairs final : public ForceTerm,
   AttachedForces forces(const Pair& pair, const PairAxis& A, const PairAxis& B, Trial& found,
                         const AxisContactMode& mode) const;
   bool joint(const ContactSegment& s, int end) const;
-  std::vector<Rod> rods(const Kinematics& at) const;
+  std::vector<Rod> rods(const Kinematics& state) const;
   bool met(const Pair& pair, const std::vector<Rod>& moved) const;
   bool near(const Pair& pair, const std::vector<Rod>& moved) const;
   struct Nearest {
@@ -188,7 +188,7 @@ class LinePairs final : public ForceTerm,
   };
   Nearest nearest(const Pair& pair, const SegmentPair& chords, const AxisEnds& a, const AxisEnds& b) const;
   Nearest nearest_at_start(const Pair& p) const { return nearest(p, p.chords, start(p.a), start(p.b)); }
-  double acceleration(const Pair& pair, const Kinematics& at) const;
+  double acceleration(const Pair& pair, const Kinematics& state) const;
   double mass_per_length(const Pair& pair) const;
   double inverse_frequency(const Pair& pair, double speed) const;
   double mass(const Pair& pair) const;

@@ -52,13 +52,13 @@ class LineStructure final : public ForceTerm,
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
-  Energy energy(const Kinematics& at) const override;
-  void element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const override;
-  double round_off(const Kinematics& at, double h) const override;
-  Overstretch overstretched(const Kinematics& at) const override;
-  void tensions(const Kinematics& at, std::span<LineTension> lines) const override;
+  Energy energy(const Kinematics& state) const override;
+  void element_force(const Kinematics& state, const LocalElement& e, Vec12& f) const override;
+  double round_off(const Kinematics& state, double h) const override;
+  Overstretch overstretched(const Kinematics& state) const override;
+  void tensions(const Kinematics& state, std::span<LineTension> lines) const override;
   // Length of this rank's cables without tension, by line, m.
-  std::vector<double> slack_length(const Kinematics& at) const;
+  std::vector<double> slack_length(const Kinematics& state) const;
   bool soften(double most) override;
   double axial_stiffness() const override;
   void fields(FieldRegistry& registry) const override;
@@ -80,17 +80,17 @@ class LineStructure final : public ForceTerm,
     std::vector<double> trial;  // element at the feed point with its trial length, in the element's order
   };
   // accepted: the lengths are those at the end of the step.
-  void update_from_feeders(const Kinematics& at, bool accepted = false);
-  static CableSection section_for_output(const Cable& c, const Kinematics& at);
+  void update_from_feeders(const Kinematics& state, bool accepted = false);
+  static CableSection section_for_output(const Cable& c, const Kinematics& state);
   void move_plastic_history(Beam& b, const FedLine& f, double to);
   void keep_hauled_in(const Beam& b, const FedLine& f);
-  double fed_work(const Kinematics& at) const;
+  double fed_work(const Kinematics& state) const;
   std::vector<double> entering(const FedLine& f, double label) const;
-  double beam_dissipation(const Kinematics& at) const;
+  double beam_dissipation(const Kinematics& state) const;
   struct ElementField;
   void fill_at_nodes(const ElementField& f, const Kinematics& k, std::span<double> out) const;
   void add_node_axes(FieldRegistry& registry) const;
-  double commit_plastic(const Kinematics& at);
+  double commit_plastic(const Kinematics& state);
 
   const LocalMesh& mesh_;
   std::vector<Beam> beams_;

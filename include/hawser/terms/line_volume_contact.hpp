@@ -47,7 +47,7 @@ class LineVolumeContact final : public ForceTerm,
   bool raise_stiffness_where_blocked(const Kinematics& trial) override;
   void revert_stiffness() override;
   void commit(const Kinematics& accepted) override;
-  Energy energy(const Kinematics& at) const override;
+  Energy energy(const Kinematics& state) const override;
   // contact_force, contact_normal_force and friction_force, distributed by the element's shape functions.
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
@@ -76,12 +76,12 @@ class LineVolumeContact final : public ForceTerm,
   // Adds the contacts of the accepted state that this rank counts; volumes are those of volume_name().
   void active_contacts(ActiveContacts& out) const;
   // Likewise, on the surface of the volume: one for each pair and facet group.
-  void resultants(const Kinematics& at, ContactResultants& out) const;
+  void resultants(const Kinematics& state, ContactResultants& out) const;
   // Forces of each volume on lines in the accepted state that this rank counts [N, space axes].
-  std::vector<Vec3> forces_by_volume(const Kinematics& at) const;
+  std::vector<Vec3> forces_by_volume(const Kinematics& state) const;
   // Force of one volume and its moment about the origin of the volume's body; the force acts at the axis of
   // the line [N, N m, space axes].
-  std::array<Vec3, 2> reaction(int volume, const Kinematics& at) const;
+  std::array<Vec3, 2> reaction(int volume, const Kinematics& state) const;
   // Forces of volumes on each local element in the accepted state, whether counted here or not, in the order
   // of the elements.
   struct Load {
@@ -90,8 +90,8 @@ class LineVolumeContact final : public ForceTerm,
     double xi = 0;              // position along the element, 0 to 1
     Vec3 force = Vec3::Zero();  // N, space axes
   };
-  std::vector<Load> loads(const Kinematics& at) const;
-  AxisShape axis(const Kinematics& at, int element) const { return AxisShape(ends(at, element)); }
+  std::vector<Load> loads(const Kinematics& state) const;
+  AxisShape axis(const Kinematics& state, int element) const { return AxisShape(ends(state, element)); }
 
  private:
   using Pair = LineVolumePair;
@@ -104,7 +104,7 @@ class LineVolumeContact final : public ForceTerm,
   const LocalElement& local(const Pair& p) const { return mesh_.elements[p.element]; }
   const Element& element(const Pair& p) const { return mesh_.element(local(p)); }
   const LineContactElement& settings(const Pair& p) const { return elements_[p.element]; }
-  AxisEnds ends(const Kinematics& at, int element) const;
+  AxisEnds ends(const Kinematics& state, int element) const;
   std::array<ContactLaw, 2> laws(const Pair& pair) const;
   void renew_laws();
   // The law, without friction if that is off.
@@ -145,7 +145,7 @@ class LineVolumeContact final : public ForceTerm,
   // True if stiffness cannot reduce the penetration of this element because one of its ends is held. With
   // contact at nodes, held ends are excluded from contact.
   bool is_held(const Pair& p) const { return !finder_.at_nodes() && (p.held[0] || p.held[1]); }
-  double static_share(const Pair& pair, const Kinematics& at, double force, double depth,
+  double static_share(const Pair& pair, const Kinematics& state, double force, double depth,
                       const Vec3& normal) const;
 
   const LocalMesh& mesh_;

@@ -49,16 +49,16 @@ class LinesInWater final : public ForceTerm,
     double force = 0, error = 0;  // N, sums of the magnitudes over the parts
     bool crossed = false;         // pierces the water surface
   };
-  FlowError flow_error(const Kinematics& at, const WetElement& p, int parts) const;
+  FlowError flow_error(const Kinematics& state, const WetElement& p, int parts) const;
 
   std::string_view record_key() const override { return "hydrodynamics"; }
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
-  Energy energy(const Kinematics& at) const override;
+  Energy energy(const Kinematics& state) const override;
   double dead_load() const override;
-  double round_off(const Kinematics& at, double h) const override;
-  void element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const override;
+  double round_off(const Kinematics& state, double h) const override;
+  void element_force(const Kinematics& state, const LocalElement& e, Vec12& f) const override;
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange range) const override;
@@ -86,22 +86,22 @@ class LinesInWater final : public ForceTerm,
   };
   void group();
   void update_from_feeders(double FedLine::*length);
-  double fed_buoyancy(const Kinematics& at) const;
+  double fed_buoyancy(const Kinematics& state) const;
   CablesInWater4 motion(const CableQuad& q, const Kinematics& k) const;
   void add_quad(const CableQuad& q, const Kinematics& trial, Assembler& assembler) const;
   void add_element(const WetElement& p, const Kinematics& trial, Assembler& assembler) const;
-  unsigned flow_of_quad(const CableQuad& q, const Kinematics& at, WaterForce* out) const;
-  Water water(const Kinematics& at, size_t node) const;
-  Vec3 wave_place(const Kinematics& at, size_t node) const;
-  const std::vector<WaveMotion>& waves(const Kinematics& at) const;
-  void update_water(const Kinematics& at) const;
+  unsigned flow_of_quad(const CableQuad& q, const Kinematics& state, WaterForce* out) const;
+  Water water(const Kinematics& state, size_t node) const;
+  Vec3 wave_place(const Kinematics& state, size_t node) const;
+  const std::vector<WaveMotion>& waves(const Kinematics& state) const;
+  void update_water(const Kinematics& state) const;
   const Water& water_at(size_t node) const { return water_[moving() ? node : 0]; }
   WaterEnds ends(const WetElement& p, const Kinematics& k, const Water& first, const Water& second) const;
   WaterEnds ends(const WetElement& p, const Kinematics& k) const {
     return ends(p, k, water_at(static_cast<size_t>(p.element.first)),
                 water_at(static_cast<size_t>(p.element.second)));
   }
-  FlowLoads flow_loads(const Kinematics& at) const;
+  FlowLoads flow_loads(const Kinematics& state) const;
   static double work(const FlowLoads& from, const FlowLoads& to);
 
   const LocalMesh& mesh_;

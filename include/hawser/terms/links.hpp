@@ -25,7 +25,7 @@ class Links final : public ForceTerm, public CouplesFixedNodes, public ScalesRes
 
   // One series per link, with rows on the rank that counts it.
   std::vector<Series> series() const override;
-  std::vector<std::vector<double>> rows(const Kinematics& at) const override;
+  std::vector<std::vector<double>> rows(const Kinematics& state) const override;
 
   std::string_view record_key() const override { return "links"; }
   void list_couplings(Couplings& to) const override;
@@ -33,8 +33,8 @@ class Links final : public ForceTerm, public CouplesFixedNodes, public ScalesRes
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
-  Energy energy(const Kinematics& at) const override;
-  double round_off(const Kinematics& at, double h) const override;
+  Energy energy(const Kinematics& state) const override;
+  double round_off(const Kinematics& state, double h) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
@@ -60,8 +60,8 @@ class Links final : public ForceTerm, public CouplesFixedNodes, public ScalesRes
     AttachedNow a, b;
     LinkForce force;
   };
-  Stretched stretched(const Link& link, const Kinematics& at, bool convex = false) const;
-  void powers(const Link& link, const Kinematics& at, double& damping, double& work) const;
+  Stretched stretched(const Link& link, const Kinematics& state, bool convex = false) const;
+  void powers(const Link& link, const Kinematics& state, double& damping, double& work) const;
 
   const LocalMesh& mesh_;
   std::shared_ptr<const Bodies> bodies_;

@@ -38,14 +38,14 @@ class PlatformWater final : public ForceTerm,
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
-  Energy energy(const Kinematics& at) const override;
+  Energy energy(const Kinematics& state) const override;
   double dead_load() const override;
-  double round_off(const Kinematics& at, double h) const override;
+  double round_off(const Kinematics& state, double h) const override;
   // Uses the added mass and damping at `omega` [rad/s], interpolated linearly between the rows of the data; B
   // = 0 at omega = 0 and beyond the last row.
   void oscillate(double omega) override;
   std::vector<std::string> load_components(int body) const override;
-  std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
+  std::vector<BodyForce> forces_on(int body, const Kinematics& state) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange range) const override;
   // Collective: each rank has the records of its own bodies, and needs the velocities of the whole group.
@@ -123,7 +123,7 @@ class PlatformWater final : public ForceTerm,
   // Mass [kg and so on] added to that of a group so that its free oscillations have the correct periods in
   // steps of h [s].
   Eigen::MatrixXd period_mass(const Group& g, double h) const;
-  Eigen::VectorXd rates(const Group& g, const Kinematics& at) const;
+  Eigen::VectorXd rates(const Group& g, const Kinematics& state) const;
   const AtTime& at_time(const Group& g, double time) const;
   // Force of damping and memory on a group, and its derivative by the rates.
   void damping_and_memory(const Group& g, const AtTime& now, const Eigen::VectorXd& rate,

@@ -32,7 +32,7 @@ class PointLoads final : public ForceTerm, public ScalesResiduals {
   void commit(const Kinematics& accepted) override;
   // Constant forces have a potential. Moments and ramped forces do work, summed over the accepted steps by
   // the trapezoidal rule. In statics a moment has a potential too, valid only from the prepared state on.
-  Energy energy(const Kinematics& at) const override;
+  Energy energy(const Kinematics& state) const override;
   double dead_load() const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange range) const override;
@@ -65,7 +65,7 @@ class PointMasses final : public ForceTerm, public ScalesResiduals {
 
   std::string_view record_key() const override { return "point masses"; }
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
-  Energy energy(const Kinematics& at) const override;
+  Energy energy(const Kinematics& state) const override;
   double dead_load() const override;
 
  private:

@@ -36,15 +36,15 @@ class RigidBodies final : public ForceTerm,
 
   // Force [N] and moment [N m] of lines and contact about the centre of mass of a body, space axes: the
   // remainder of inertia, springs and weight in a balanced state. On the rank that owns the body.
-  std::array<Vec3, 2> force_on(int body, const Kinematics& at) const;
+  std::array<Vec3, 2> force_on(int body, const Kinematics& state) const;
 
   std::string_view record_key() const override { return "floating bodies"; }
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
-  Energy energy(const Kinematics& at) const override;
+  Energy energy(const Kinematics& state) const override;
   double dead_load() const override;
-  double round_off(const Kinematics& at, double h) const override;
+  double round_off(const Kinematics& state, double h) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
@@ -78,7 +78,7 @@ class RigidBodies final : public ForceTerm,
   RigidPose rest(const Floating& f, double time) const;
   // Residual of a body. step: inertia from the change of the momenta over the step; else from accelerations.
   RigidBodyResidual own(const Floating& f, const RigidBodyState& s, const Kinematics& trial, bool step) const;
-  void powers(const Floating& f, const Kinematics& at, double& damping, double& work) const;
+  void powers(const Floating& f, const Kinematics& state, double& damping, double& work) const;
 
   std::shared_ptr<const Bodies> bodies_;
   RigidBodyData data(const Floating& f) const;
@@ -92,6 +92,6 @@ class RigidBodies final : public ForceTerm,
 RigidBodyState floating_start(const model::BodyMass& mass, const RigidPose& rest);
 // Pose of the body's frame from the state of its centre of mass.
 RigidPose floating_pose(const RigidBodyState& s, const Vec3& centre);
-RigidBodyState floating_state(const Kinematics& at, int node);
+RigidBodyState floating_state(const Kinematics& state, int node);
 
 }  // namespace hawser

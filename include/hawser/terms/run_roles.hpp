@@ -55,7 +55,7 @@ class HasSeries {
   virtual std::vector<Series> series() const = 0;  // same on all ranks
   // One row for each series in an accepted state, with all components of its columns; empty on all ranks
   // except one.
-  virtual std::vector<std::vector<double>> rows(const Kinematics& at) const = 0;
+  virtual std::vector<std::vector<double>> rows(const Kinematics& state) const = 0;
 };
 
 // Force on a body of one component of its load, such as waves, at the centre of mass, space axes.
@@ -71,7 +71,7 @@ class ActsOnBodies {
   // not act on it.
   virtual std::vector<std::string> load_components(int body) const = 0;
   // One force for each load component in an accepted state, on the rank that owns the body.
-  virtual std::vector<BodyForce> forces_on(int body, const Kinematics& at) const = 0;
+  virtual std::vector<BodyForce> forces_on(int body, const Kinematics& state) const = 0;
 };
 
 }  // namespace hawser

@@ -42,7 +42,7 @@ class SharedPlaces {
   // Updates the length without contact at each place from a committed state. The first call determines it
   // from the state alone. Later it shrinks and, if `settles` (statics), also grows. A second call for the
   // same state changes nothing. Collective.
-  void update(const Kinematics& at, bool settles);
+  void update(const Kinematics& state, bool settles);
 
   int size() const { return static_cast<int>(places_.size()); }
   const SharedPlace& place(int k) const { return places_[k].of; }
@@ -104,7 +104,7 @@ class SharedPlaces {
   double begin(const Branch& branch) const;
   std::vector<int> nodes_to(const Branch& branch, double reach) const;
   Rope rope(const Branch& branch, const std::vector<int>& nodes, const std::vector<Vec3>& x) const;
-  std::vector<Vec3> gather(const std::vector<int>& nodes, const Kinematics& at) const;
+  std::vector<Vec3> gather(const std::vector<int>& nodes, const Kinematics& state) const;
   void update(PlaceState& place, const Rope& one, const Rope& other, bool settles) const;
 
   MPI_Comm comm_;

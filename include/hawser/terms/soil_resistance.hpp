@@ -36,7 +36,7 @@ class SoilResistance final : public ForceTerm, public RaisesStiffness {
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
-  Energy energy(const Kinematics& at) const override;
+  Energy energy(const Kinematics& state) const override;
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange range) const override;
@@ -66,13 +66,13 @@ class SoilResistance final : public ForceTerm, public RaisesStiffness {
       each("friction work", "J", self.friction_work);
     }
   };
-  BuriedForce pull(const Point& p, const Kinematics& at) const {
-    return buried_force(p.soil, p.slip + (at.x[p.node] - p.at), p.tangent);
+  BuriedForce pull(const Point& p, const Kinematics& state) const {
+    return buried_force(p.soil, p.slip + (state.x[p.node] - p.at), p.tangent);
   }
 
-  // Turns the directions of the springs by the fraction `share` towards those of the line in `at`. Returns
+  // Turns the directions of the springs by the fraction `share` towards those of the line in `state`. Returns
   // the largest angle between them before, rad.
-  double turn_to(const Kinematics& at, double share = 1);
+  double turn_to(const Kinematics& state, double share = 1);
 
   MPI_Comm comm_;
   const LocalMesh& mesh_;

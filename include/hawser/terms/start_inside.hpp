@@ -27,7 +27,7 @@ struct Inside {
 // Searches the elements that this rank counts, with a radius [m, one for each of mesh.elements], outside
 // feeders. feeders may be null. Elements of the stock are ignored, because they are at the feed point and
 // inside with it. The result is sorted by line, volume and arc length, with adjacent intervals joined.
-std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, const Bodies& bodies,
+std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& state, const Bodies& bodies,
                                    const std::vector<ContactVolume>& volumes,
                                    const std::vector<double>& radius, const Feeders* feeders);
 
@@ -45,7 +45,7 @@ struct OnWrongSide {
 using ExpectedPlace = std::function<std::optional<Vec3>(const Node& node, size_t volume, const Vec3& x)>;
 // Checks the nodes that this rank owns. Walks towards the expected position in steps of the distance to the
 // surface, each at least 1/1000 of the way.
-std::vector<OnWrongSide> nodes_on_wrong_side(const LocalMesh& mesh, const Kinematics& at,
+std::vector<OnWrongSide> nodes_on_wrong_side(const LocalMesh& mesh, const Kinematics& state,
                                              const Bodies& bodies, const std::vector<ContactVolume>& volumes,
                                              const ExpectedPlace& expected_place);
 
