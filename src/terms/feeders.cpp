@@ -346,7 +346,7 @@ double Feeders::work_of_step(size_t k, const Kinematics& accepted, const LocalEl
   if (f.beam) work -= 0.5 * (f.length - before) * (pulls_[k] + pull(f, accepted, e, f.length).force);
   if (before_.x.size() != accepted.x.size()) return work;
   for (const Kinematics& state : {before_.at_rest(), accepted})
-    work -= 0.5 * (load_work(f, state, e, f.length) - load_work(f, at, e, before));
+    work -= 0.5 * (load_work(f, state, e, f.length) - load_work(f, state, e, before));
   return work;
 }
 

@@ -24,7 +24,7 @@ ELEMENT = 208  # bytes of an element that ranks exchange
 FINE = 600  # elements of the lines of which the memory for a node is measured
 # Largest memory on every rank for a line and for a node of the model, bytes. The peak memory of a rank varies by about 1 MB
 # from run to run, which is 1 kB a line here.
-MOST_OF_LINE, MOST_OF_NODE = 8000, 150
+MOST_OF_LINE, MOST_OF_NODE = 4000, 150
 
 
 @unittest.skipIf("ASAN_OPTIONS" in os.environ, "the sanitizers must be loaded first")
