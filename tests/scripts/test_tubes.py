@@ -72,7 +72,7 @@ class Tubes(unittest.TestCase):
         self.assertNotIn("warning", result.stdout)
         steps = [float(h) for h in re.findall(r"step (\S+) s", result.stdout)]
         self.assertTrue(steps, result.stdout)
-        self.assertGreater(min(steps), 5e-3)
+        self.assertGreater(min(steps), 4e-3)
         most, when = re.search(r"max effective tension +\S+ +(\S+) N +(\S+)", result.stdout).groups()
         return float(most), float(when)
 
