@@ -18,8 +18,7 @@ void extend(double& from, double& to, double arc) {
 
 void LinePairs::active_contacts(ActiveContacts& out) const {
   const auto arc = [this](const ContactSegment& s, double xi) {
-    const double from = mesh_.node(s.first).arc;
-    return from + xi * (mesh_.node(s.second).arc - from);
+    return arc_at(mesh_, {.first = s.first, .second = s.second}, xi);
   };
   for (const Pair& pair : pairs_) {
     if (!pair.counted || !pair.points) continue;
