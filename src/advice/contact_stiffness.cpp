@@ -81,7 +81,7 @@ std::string too_deep(const TooDeep& at) {
     return text + ": add rows up to the largest contact force to the table, or set 'normal_stiffness: auto'";
   return fmt::format(
       "{}, the limit of the contact model: a stiffness of {{{}: {:.3g}}} would keep the penetration to about "
-      "5 % of the radius ('auto' chooses such a value), and a line that shall penetrate deeper needs a "
+      "5 % of the radius ('auto' chooses such a value), and a line that is to penetrate deeper needs a "
       "larger 'contact_diameter'",
       text, key_of(at.law.basis), at.law.stiffness * at.depth / (kProposed * at.radius));
 }

@@ -30,8 +30,8 @@ double allowed_strain(const LineType& t) {
 }
 
 // Adds one warning for a section that a tension [N] overstretches or overloads.
-void bears(const Case& c, const Section& s, double tension, const std::string& key, const std::string& why,
-           std::vector<InputWarning>& out) {
+void warn_if_overloaded(const Case& c, const Section& s, double tension, const std::string& key,
+                        const std::string& why, std::vector<InputWarning>& out) {
   const LineType& t = c.line_type(s.type);
   if (t.breaking_load > 0 && tension > t.breaking_load) {
     add_warning(out, key, Effect::all,
@@ -63,9 +63,9 @@ void warn_of_span(const Case& c, const Line& line, std::vector<InputWarning>& ou
     return e.kind == EndKind::body && c.floats(c.body_index(e.body));
   };
   if (chord > loose && !yields_to_line(line.end_a) && !yields_to_line(line.end_b))
-    bears(c, weakest, (chord - loose) / give, key,
-          fmt::format("a length of {:.6g} m over a distance of {:.6g} m between its ends", loose, chord),
-          out);
+    warn_if_overloaded(
+        c, weakest, (chord - loose) / give, key,
+        fmt::format("a length of {:.6g} m over a distance of {:.6g} m between its ends", loose, chord), out);
   int elements = 0;
   for (const Section& s : line.sections) elements += s.elements;
   if (line.starts_by_itself() && elements < kFew && chord > 0 && length > kSlack * chord)
@@ -107,8 +107,8 @@ void warn_of_weight(const Case& c, const Line& line, std::vector<InputWarning>& 
       line.sections.begin(), line.sections.end(),
       [&](const Section& x, const Section& y) { return c.line_type(x.type).EA < c.line_type(y.type).EA; });
   if (weight > 0)
-    bears(c, strongest, weight, "lines." + line.name,
-          fmt::format("its own weight over {:.4g} m of height", height), out);
+    warn_if_overloaded(c, strongest, weight, "lines." + line.name,
+                       fmt::format("its own weight over {:.4g} m of height", height), out);
 }
 
 void warn_of_loads(const Case& c, const Line& line, std::vector<InputWarning>& out) {
@@ -120,7 +120,8 @@ void warn_of_loads(const Case& c, const Line& line, std::vector<InputWarning>& o
       // A beam carries transverse loads by bending.
       const bool pulled = (p.at <= 0 && !is_held(line.end_a)) || (p.at >= end && !is_held(line.end_b));
       if (c.line_type(s.type).kind == LineKind::cable && pulled)
-        bears(c, s, p.force.norm(), fmt::format("lines.{}.loads[{}]", line.name, p.order), "its force", out);
+        warn_if_overloaded(c, s, p.force.norm(), fmt::format("lines.{}.loads[{}]", line.name, p.order),
+                           "its force", out);
       break;
     }
   }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "hawser/base/count_of.hpp"
 #include "hawser/math/declination.hpp"
 
 namespace hawser::advice {
@@ -66,11 +67,12 @@ std::string length_found(const LengthSearched& at, int trials) {
   if (at.in_feeder)
     return fmt::format(
         "line {}: {:.6f} m are inside the feeder at {} at the start ({:g} m in the case), which gives the "
-        "line its tension of {} at rest (found in {} statics)",
-        at.line, at.length, end_of(t), at.given, value_text(t, t.value), trials);
+        "line its tension of {} at rest (after {})",
+        at.line, at.length, end_of(t), at.given, value_text(t, t.value), count_of(trials, "static solution"));
   return fmt::format(
-      "line {}: section {} is {:.6f} m long ({:g} m in the case), so that the {} is {} (found in {} statics)",
-      at.line, t.section + 1, at.length, at.given, name_of(t), value_text(t, at.value), trials);
+      "line {}: section {} is {:.6f} m long ({:g} m in the case), so that the {} is {} (after {})", at.line,
+      t.section + 1, at.length, at.given, name_of(t), value_text(t, at.value),
+      count_of(trials, "static solution"));
 }
 
 std::string length_not_found(const LengthSearched& at, const LengthsTried& tried) {

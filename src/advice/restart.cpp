@@ -63,7 +63,7 @@ std::string other_key(const std::string& key, KeyDiffers how) {
     case KeyDiffers::other_value:
       break;
   }
-  return key + " is another there";
+  return key + " differs from the checkpoint";
 }
 
 std::string other_number_of_feeds(size_t there, size_t here) {

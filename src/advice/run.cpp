@@ -24,8 +24,8 @@ std::string model_size(size_t nodes, int ranks, int cut_elements) {
   return ranks == 1 ? size : size + ", " + count_of(cut_elements, "cut element");
 }
 
-std::string goes_on(const std::string& file, double time) {
-  return fmt::format("going on from t = {:.6g} s of {}", time, file);
+std::string continuing_from(const std::string& file, double time) {
+  return fmt::format("continuing from t = {:.6g} s of {}", time, file);
 }
 
 std::string nothing_left() { return "the checkpoint is at the end of the case; nothing is left to compute"; }
@@ -33,8 +33,8 @@ std::string nothing_left() { return "the checkpoint is at the end of the case; n
 std::string stage_of_statics(const std::string& stage) { return fmt::format("stage {} of statics", stage); }
 
 std::string statics_progress(int iterations, int relaxation_steps, double imbalance) {
-  return fmt::format("statics: {}{}, out of balance by {:.1e} of the forces so far",
-                     count_of(iterations, "iteration"), after_relaxation(relaxation_steps), imbalance);
+  return fmt::format("statics: {}{}, relative residual {:.1e}", count_of(iterations, "iteration"),
+                     after_relaxation(relaxation_steps), imbalance);
 }
 
 std::string statics_done(int iterations, int relaxation_steps, bool without_friction) {

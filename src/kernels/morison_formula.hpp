@@ -31,9 +31,9 @@ struct Drag {
     over_speed = speed > 0 ? c_n / speed : Scalar{};
   }
   Vector force() const { return normal * across + (axial * along) * t; }
-  Scalar lengthwise() const { return 2 * axial - normal; }  // factor of t t' in D
-  Vector by_across() const { return lengthwise() * t - (along * over_speed) * across; }  // of t t' in D
-  Scalar by_turn() const { return along * (axial - normal); }                            // of u_n' in T
+  Scalar lengthwise() const { return 2 * axial - normal; }                               // of t t' in D
+  Vector by_across() const { return lengthwise() * t - (along * over_speed) * across; }  // of u_n' in T
+  Scalar by_turn() const { return along * (axial - normal); }                            // of P in T
 };
 
 // Added mass times the acceleration y, (c_n P + c_t t t') y, with c_n and c_t - c_n [kg/m].

@@ -19,12 +19,12 @@ class Places {
     int item = 0;
     double sum = 0;
     for (const EqualItems& r : row) {
-      const int places = worst == CutKind::much ? r.items : item == 0 || r.before <= worst ? 1 : 0;
+      const int places = worst == CutKind::within_line ? r.items : item == 0 || r.before <= worst ? 1 : 0;
       if (places > 0) add({places_, item, sum, r.weight, r.before}, places);
       item += r.items;
       sum += r.items * r.weight;
     }
-    add({places_, item, sum, 0, CutKind::nothing}, 1);
+    add({places_, item, sum, 0, CutKind::between_components}, 1);
   }
   // The last place is the end of the row.
   int last() const { return places_ - 1; }
@@ -39,7 +39,7 @@ class Places {
   }
   CutKind kind(int place) const {
     const Run& r = run_of(place);
-    return place == r.place ? r.before : CutKind::much;
+    return place == r.place ? r.before : CutKind::within_line;
   }
   double whole() const { return runs_.back().sum; }
   // The furthest end of a part from `first` that weighs at most `limit`.
@@ -75,7 +75,7 @@ class Places {
   struct Run {
     int place = 0, item = 0;
     double sum = 0, weight = 0;
-    CutKind before = CutKind::nothing;
+    CutKind before = CutKind::between_components;
   };
   std::vector<Run> runs_;
   int places_ = 0;
@@ -91,9 +91,9 @@ class Places {
 
 std::vector<int> cut_into_even_parts(std::span<const EqualItems> row, int parts, double most) {
   if (row.empty()) return std::vector<int>(static_cast<size_t>(parts) + 1, 0);
-  Places p(row, CutKind::nothing);
+  Places p(row, CutKind::between_components);
   double limit = most * p.whole() / parts;
-  for (const CutKind worst : {CutKind::little, CutKind::much})
+  for (const CutKind worst : {CutKind::between_lines, CutKind::within_line})
     if (!p.fits(parts, limit)) p = Places(row, worst);
   if (!p.fits(parts, limit)) limit = p.least_limit(parts);
   const int last = p.last();

@@ -207,9 +207,9 @@ class Builder {
     int next = 0;
     for (const int i : order) {
       Piece p = pieces[i];
-      p.before = arranged.empty() || arranged.back().component != p.component ? CutKind::nothing
-                 : begins_line(p)                                             ? CutKind::little
-                                                                              : CutKind::much;
+      p.before = arranged.empty() || arranged.back().component != p.component ? CutKind::between_components
+                 : begins_line(p)                                             ? CutKind::between_lines
+                                                                              : CutKind::within_line;
       p.position = position[i] = next;
       next += p.vertices;
       arranged.push_back(p);

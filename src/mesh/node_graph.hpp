@@ -36,11 +36,11 @@ std::vector<GraphEdge> merged(std::vector<GraphEdge> edges);
 struct Piece {
   int first_node = 0;
   int vertices = 1;
-  int work = 0;                       // of each vertex
-  int uncut = -1;                     // line that is the vertex; -1: each vertex is a node
-  int component = 0;                  // its first node
-  int position = 0;                   // of the first vertex in the sequence
-  CutKind before = CutKind::nothing;  // cost of a cut before the first vertex
+  int work = 0;                                  // of each vertex
+  int uncut = -1;                                // line that is the vertex; -1: each vertex is a node
+  int component = 0;                             // its first node
+  int position = 0;                              // of the first vertex in the sequence
+  CutKind before = CutKind::between_components;  // cost of a cut before the first vertex
 };
 
 // The sequence: component by component, each by its first node in the file; inside a component lines in the

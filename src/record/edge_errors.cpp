@@ -141,13 +141,13 @@ void EdgeErrors::update(const Kinematics& state, const Values& values) {
     const int line = pieces_[i].line;
     PressedPart of_line;
     for (; i < pieces_.size() && pieces_[i].line == line; ++i) of_line = joined(of_line, of_pieces[i]);
-    if (of_line.pressed) report(line, of_line, state.time);
+    if (of_line.pressed) update_worst(line, of_line, state.time);
   }
 }
 
 // The tensions on both sides of a volume differ by the sum over the nodes between them. Within the contact
 // errors alternate between elements, and only a fraction counts.
-void EdgeErrors::report(int line, const PressedPart& of_line, double time) {
+void EdgeErrors::update_worst(int line, const PressedPart& of_line, double time) {
   tension_[line] = std::max(tension_[line], of_line.tension);
   over_[line] = {of_line.passage, time};
   SumRange inside = of_line.inside, outside = of_line.outside;

@@ -1,5 +1,6 @@
 // List of all recordings. Their order determines that of the series in the results file, which continued runs
-// rely on, and of findings about the whole run.
+// rely on, and of findings about the whole run. EdgeErrors precedes TensionPeaks, which uses its tensions of
+// the same step.
 //
 // Where a new history belongs:
 // - A quantity at nodes or elements: as a field of its force term (Field). Histories takes it at the points

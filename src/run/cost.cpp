@@ -58,7 +58,7 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
         trial.iteration = (cpu_time() - first) / (now.iterations - 1);
         throw Spent();
       };
-      events.come_to_rest([&](bool falls) { sim.solve_statics(report, falls); });
+      events.solve_stages([&](bool falls) { sim.solve_statics(report, falls); });
     } else {
       sim.check_inside();
     }

@@ -263,8 +263,8 @@ void print_end(Simulation& sim, const record::Recorder& recorder, const std::str
 
 int run(MPI_Comm comm, const RunOptions& options) {
   const int rank = rank_of(comm);
-  const bool speak = rank == 0 && !options.quiet, restarted = !options.restart.empty();
-  Progress progress(speak);
+  const bool prints = rank == 0 && !options.quiet, restarted = !options.restart.empty();
+  Progress progress(prints);
   model::Case read = io::read_case(options.case_path, read_progress(progress), comm, options.changes);
   if (!options.output.empty()) read.output.file = std::filesystem::absolute(options.output).string();
   const OutputPlace place(comm, read.output.file, options.restart, read.inputs);
@@ -291,7 +291,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   Events events(comm, sim);
   RecorderAtFirstOutput at_first_output(sim, volumes, std::move(about), restart, place.appends(), progress);
   if (restart) {
-    progress.print(advice::goes_on(options.restart, restart->checkpoint.time));
+    progress.print(advice::continuing_from(options.restart, restart->checkpoint.time));
     if (restart->checkpoint.time >= end * (1 - 1e-12)) progress.print(advice::nothing_left());
   } else if (c.statics.enabled) {
     find_equilibrium_with_outputs(sim, events, at_first_output, progress);
@@ -309,11 +309,11 @@ int run(MPI_Comm comm, const RunOptions& options) {
     progress.print_notes(
         sim.take_stiffness_raises(fmt::format("by t = {:.6g} s", sim.dynamics().committed().s.time)));
   const std::string table = recorder.finish(progress.messages());
-  if (speak) print_end(sim, recorder, table, stopped, end);
+  if (prints) print_end(sim, recorder, table, stopped, end);
   if (stopped) return kExitStopped;
   if (!c.dynamics.enabled || !recorder.audit().wrong()) return 0;
   // A nonzero exit code always has a printed reason.
-  if (rank == 0 && !speak) fmt::print(stderr, "hawser: {}\n", recorder.audit_warning());
+  if (rank == 0 && !prints) fmt::print(stderr, "hawser: {}\n", recorder.audit_warning());
   return kExitEnergy;
 }
 

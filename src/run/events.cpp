@@ -221,7 +221,7 @@ bool Events::releases_end(const std::string& stage) const {
   });
 }
 
-void Events::come_to_rest(const std::function<void(bool)>& solve,
+void Events::solve_stages(const std::function<void(bool)>& solve,
                           const std::function<void(const std::string&)>& report,
                           const std::function<void(size_t)>& rested) {
   const std::vector<std::string>& stages = sim_.model().stages;

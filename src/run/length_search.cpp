@@ -148,7 +148,7 @@ advice::LengthsTried LengthSearch::tried() const {
   return out;
 }
 
-void LengthSearch::throw_not_found(const model::Case& c) {
+void LengthSearch::end_without_length(const model::Case& c) {
   if (feeder_ < 0)
     c.refuse(fmt::format("lines.{}.target", c.lines[line_].name),
              advice::length_not_found(searched(c), tried()));

@@ -1,4 +1,4 @@
-// Common parts of `hawser run` and `hawser modes`: statics with notes, poses of bodies, description of a run.
+// Common parts of `hawser run` and `hawser modes`: statics with its notes, description of a run.
 #include "hawser/run/run_parts.hpp"
 
 #include <fmt/chrono.h>
@@ -109,7 +109,7 @@ StaticsReport solve_static_stages(Simulation& sim, Events& events, Progress& pro
                                   const std::function<void(size_t)>& rested) {
   StaticsReport last;
   try {
-    events.come_to_rest([&](bool falls) { last = solve_one(sim, progress, falls); },
+    events.solve_stages([&](bool falls) { last = solve_one(sim, progress, falls); },
                         [&](const std::string& what) { progress.print(what); }, rested);
   } catch (const SolveError&) {
     progress.print("note: " + advice::statics_failed(sim.model()));

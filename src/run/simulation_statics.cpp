@@ -65,13 +65,14 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
   settings.friction = static_friction();
   settings.progress = std::move(progress);
   const StaticsReport report = find_restrained_equilibrium(settings);
-  if (auto* body_contact = system_->find<BodyContact>()) body_contact->watch(state_.at_rest());
+  if (auto* body_contact = system_->find<BodyContact>())
+    body_contact->check_overlap_at_rest(state_.at_rest());
   if (contact() || line_pairs()) system_->commit(state_.at_rest());
   check_inside();
   check_depth_at_rest();
   note_contact_at_rest();
   note_bodies_held_without_weight();
-  note_slack_lines(settings.relaxation != RelaxationUse::when_newton_fails);
+  note_slack_lines(report.relaxation_steps > 0);
   return report;
 }
 

@@ -71,7 +71,7 @@ MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<L
       MetTargets out{io::with_lengths(c, lengths, comm), {}};
       Simulation sim(comm, out.model, surfaces(volumes), skeletons(out.model, volumes),
                      volume_facets(volumes));
-      Events(comm, sim).come_to_rest([&](bool falls) { sim.solve_statics(progress, falls); });
+      Events(comm, sim).solve_stages([&](bool falls) { sim.solve_statics(progress, falls); });
       const AtRest now = at_rest(comm, sim);
       for (LengthSearch& s : all) parted |= s.update(now);
       if (tried) tried(advice::length_trial(trial, worst(all).now(c)));
@@ -95,7 +95,7 @@ MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<L
       else
         s.fail(why);
       stuck |= s.stuck();
-      if (s.stuck() && (!together || all.size() == 1)) s.throw_not_found(c);
+      if (s.stuck() && (!together || all.size() == 1)) s.end_without_length(c);
     }
     const bool apart = together && all.size() > 1 && (parted || stuck);
     if (apart)

@@ -188,7 +188,7 @@ void Dynamics::solve_once() {
 
 int Dynamics::try_step(double h) {
   h_ = h;
-  if (h != expected_) system_.expect(before_step(committed_.s, h), h);
+  if (h != expected_) system_.update_round_off(before_step(committed_.s, h), h);
   expected_ = h;
   // trial_ needs the values that a step does not change (rotations of cable nodes). After the first copy it
   // has those of the previous step.

@@ -42,10 +42,14 @@ PetscErrorCode step(TS ts) {
 PetscErrorCode choose(TSAdapt, TS ts, PetscReal h, PetscInt* scheme, PetscReal* next, PetscBool* accept,
                       PetscReal* error, PetscReal*, PetscReal*) {
   PetscFunctionBegin;
-  *scheme = 0, *next = h, *accept = PETSC_FALSE, *error = -1;
+  *scheme = 0;
+  *next = h;
+  *accept = PETSC_FALSE;
+  *error = -1;
   guarded(ts, [&] {
     const Dynamics::Decision decision = dynamics(ts).decide();
-    *next = decision.h, *accept = decision.accepted ? PETSC_TRUE : PETSC_FALSE;
+    *next = decision.h;
+    *accept = decision.accepted ? PETSC_TRUE : PETSC_FALSE;
   });
   PetscFunctionReturn(0);
 }

@@ -61,20 +61,20 @@ class Relaxation : StaticTrial {
       if (report.norms.small(settings_.tolerance)) return report;
       if (mass_ == 0) mass_ = least = first_mass(report.norms);
       if (report.steps + report.rejected >= settings_.max_steps || mass_ > kHeaviest * least ||
-          !std::isfinite(report.norms.relative()) || creeps(report))
+          !std::isfinite(report.norms.relative()) || test_progress(report))
         throw_no_equilibrium(advice::no_rest(report.steps, imbalance(system_, r_.get(), report.norms)));
       const int iterations = attempt(report.norms);
       report.iterations += std::abs(iterations);
       if (iterations <= 0) {
         ++report.rejected;
         free = 0;
-        weigh(kHeavier);
+        scale_mass(kHeavier);
         continue;
       }
       ++report.steps;
       accept_trial();
       if (++free > kFree) blocked_by_.reset();
-      if (iterations <= kEasyIterations) weigh(kLighter);
+      if (iterations <= kEasyIterations) scale_mass(kLighter);
       if (kinks_.active() && rests_on_kinks(report)) return report;
       if (settings_.friction) {
         system_.commit(state_.at_rest());
@@ -102,22 +102,22 @@ class Relaxation : StaticTrial {
     const double force = std::max(n.force, n.moment / std::max(length_, 1e-300));
     return force / std::sqrt(nodes) / (kFirst * longest_);
   }
-  // Compares the state with that kWatched steps before. If the imbalance has not halved, relaxation continues
-  // without momentum if it had it, and vice versa: drag has no potential and can feed a motion that kinetic
-  // damping does not end. Returns whether the motion creeps.
-  bool creeps(const RelaxationReport& report) {
+  // Every kWatched steps: returns true if the imbalance has not halved since the last test and no node has
+  // moved by kCreep times the longest line. If the imbalance has not halved, relaxation continues without
+  // momentum if it had it, and vice versa: drag has no potential and can feed a motion that kinetic damping
+  // does not end.
+  bool test_progress(const RelaxationReport& report) {
     const int tried = report.steps + report.rejected;
     if (tried % kWatched != 0) return false;
     double far = 0;
     for (size_t n = 0; n < last_places_.size(); ++n)
       far = std::max(far, (state_.x[n] - last_places_[n]).norm());
     all_reduce(system_.comm(), MPI_MAX, far);
-    const bool nearer = tried == 0 || report.norms.relative() <= 0.5 * left_;
-    const bool stuck = !nearer && far < kCreep * longest_;
-    if (!nearer) viscous_ = !viscous_;
+    const bool halved = tried == 0 || report.norms.relative() <= 0.5 * last_imbalance_;
+    if (!halved) viscous_ = !viscous_;
     last_places_.assign(state_.x.begin(), state_.x.begin() + system_.mesh().owned);
-    left_ = report.norms.relative();
-    return stuck;
+    last_imbalance_ = report.norms.relative();
+    return !halved && far < kCreep * longest_;
   }
   // Throws SolveError if a body slides or falls without end.
   void check_bodies() const {
@@ -135,7 +135,7 @@ class Relaxation : StaticTrial {
       throw SolveError(advice::body_moves_on(m.mesh->place(most.node), most.far));
   }
   // Changes the mass. This is equivalent to another step of time, so increments are scaled to keep the speed.
-  void weigh(double factor) {
+  void scale_mass(double factor) {
     mass_ *= factor;
     for (double& p : momentum_) p /= std::sqrt(factor);
   }
@@ -225,8 +225,8 @@ class Relaxation : StaticTrial {
   bool viscous_ = false;  // momentum is dropped after each step
   // relative imbalance at which a step is solved, and at which it has failed
   double goal_ = 0, hopeless_ = 0;
-  std::vector<Vec3> last_places_;  // places of owned nodes at the last test in creeps()
-  double left_ = 0;                // relative imbalance at that test
+  std::vector<Vec3> last_places_;  // places of owned nodes at the last test of the progress
+  double last_imbalance_ = 0;      // relative imbalance at that test
   const std::vector<Vec3> start_;  // places of owned nodes where relaxation began
 };
 

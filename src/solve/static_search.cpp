@@ -18,7 +18,7 @@ constexpr double kRounding = 1e-10;  // relative difference of energies below wh
 constexpr double kFirstShift = 1e-3;
 // Ratio of axial stiffness to load at the start; its factor from stage to stage.
 constexpr double kSoft = 300, kStiffening = 30;
-constexpr int kHalvings = 30, kMaxEscapes = 3, kPolish = 4;
+constexpr int kMostTrials = 30, kMaxEscapes = 3, kPolish = 4;
 constexpr double kNegative =
     1e-7;  // relative shift; eigenvalues of slack parts, which are round-off, are below it
 // Factor of a shortened step below which the energy may have a kink, the distance of its sides as a share of
@@ -155,7 +155,7 @@ bool StaticSearch::advance(Vec y) {
   const double slope = set_direction(y);
   const double largest = largest_factor();
   Descent found = find_descent(slope, largest, close);
-  leave_kink(found, slope, close);
+  search_for_kink(found, slope, close);
   if (found.taken) accept_trial();
   if (found.searched) residual();
   count_blocked(found.blocked);
@@ -174,10 +174,11 @@ double StaticSearch::set_direction(Vec y) {
 
 StaticSearch::Descent StaticSearch::find_descent(double slope, double first, bool close) {
   Descent out;
-  out.factor = first;
   out.bracket = {0, slope, 0, 0};
-  for (; out.halvings < kHalvings && !out.taken; ++out.halvings, out.factor *= out.taken ? 1 : 0.5) {
-    move_trial(out.factor);
+  for (double factor = first; out.trials < kMostTrials && !out.taken; factor *= 0.5) {
+    ++out.trials;
+    out.factor = factor;
+    move_trial(factor);
     if (!path_is_clear()) {
       out.blocked = true;
       continue;
@@ -187,11 +188,11 @@ StaticSearch::Descent StaticSearch::find_descent(double slope, double first, boo
     const ResidualNorms n = system_.norms(r_.get());
     if (!std::isfinite(e) || !std::isfinite(n.force)) continue;
     const double slope_there = slope_at_trial();
-    out.bracket.narrow(out.factor, slope_there, slope);
+    out.bracket.narrow(factor, slope_there, slope);
     // Forces without a potential may raise the energy near the solution. The residual must then be smaller
     // than any before, which prevents cycles.
-    out.taken = energy_falls(e, slope, slope_there, out.factor) ||
-                (close && n.relative() < least_residual_) || n.small(tolerance_);
+    out.taken = energy_falls(e, slope, slope_there, factor) || (close && n.relative() < least_residual_) ||
+                n.small(tolerance_);
     if (out.taken) report_.norms = n;
   }
   return out;
@@ -212,7 +213,7 @@ void StaticSearch::Bracket::narrow(double factor, double slope_there, double slo
     *this = {factor, slope_there, beyond, rises};
 }
 
-void StaticSearch::leave_kink(Descent& found, double slope, bool close) {
+void StaticSearch::search_for_kink(Descent& found, double slope, bool close) {
   found.searched =
       close && slope < 0 && found.bracket.rises > 0 && (!found.taken || found.factor <= kShortened);
   if (!found.searched) return;
@@ -235,8 +236,8 @@ void StaticSearch::stop_search() {
 }
 
 void StaticSearch::adapt_shift(const Descent& found, bool trusted) {
-  const bool easy = found.taken && found.halvings <= 1;
-  const double factor = easy && trusted ? 0.2 : easy ? 1 : 4;
+  const bool at_once = found.taken && found.trials == 1;
+  const double factor = at_once && trusted ? 0.2 : at_once ? 1 : 4;
   shift_ = std::clamp(factor * shift_, 1e-9, 1e7);
   if (!found.taken) shift_ *= 10;
 }

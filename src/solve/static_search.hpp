@@ -51,8 +51,8 @@ class StaticSearch : StaticTrial {
     bool taken = false;     // the trial is accepted
     bool blocked = false;   // by lines that a longer step would cross
     bool searched = false;  // for a kink
-    int halvings = 0;
-    double factor = 1;  // of the increment
+    int trials = 0;
+    double factor = 1;  // of the increment, in the last trial
     Bracket bracket;
   };
   // Sets the increment from Newton's direction y, combined with the sides of known kinks. Returns the slope
@@ -64,7 +64,7 @@ class StaticSearch : StaticTrial {
   bool energy_falls(double energy, double slope, double slope_there, double factor) const;
   // Near the solution, where a step was shortened much: continues to the near side of a kink, if there is
   // one.
-  void leave_kink(Descent& found, double slope, bool close);
+  void search_for_kink(Descent& found, double slope, bool close);
   void count_blocked(bool blocked);
   // Ends the search: converged to round-off, or without descent.
   void stop_search();

@@ -74,7 +74,7 @@ class Start {
   Start(System& system, const State& state) : system_(system), state_(state) {
     for (const auto& term : system.terms()) history_.push_back(term->save());
   }
-  void again(State& state) const {
+  void restore(State& state) const {
     system_.soften(HUGE_VAL);
     state = state_;
     for (size_t i = 0; i < history_.size(); ++i) system_.terms()[i]->restore(history_[i]);
@@ -106,7 +106,7 @@ StaticsReport relax_with_friction(System& system, const StaticsSettings& setting
     report.norms = relaxed.norms;
     if (!system.raise_stiffness(state.at_rest())) return report;
     if (round == kMostRaises) throw SolveError(advice::automatic_stiffness_unsettled());
-    start.again(state);
+    start.restore(state);
   }
 }
 
@@ -126,7 +126,7 @@ StaticsReport try_methods(System& system, const StaticsSettings& settings, const
   const std::vector<Method> order = methods(settings);
   std::vector<std::string> failures;
   for (const Method method : order) {
-    if (!failures.empty()) start.again(state);
+    if (!failures.empty()) start.restore(state);
     const bool last = failures.size() + 1 == order.size();
     try {
       if (method == Method::relaxation) return relax_then_newton(system, settings, state);
@@ -165,7 +165,7 @@ StaticsReport restart_when_stiffened(System& system, const StaticsSettings& sett
     try {
       return raise_until_enough(system, settings, start, state);
     } catch (const StiffnessRaised&) {
-      start.again(state);
+      start.restore(state);
     }
   }
 }

@@ -302,10 +302,10 @@ void System::prepare(const Kinematics& committed, double h) {
     const Logged logged(events_[i].prepare);
     terms_[i]->prepare(committed, h);
   }
-  expect(committed, h);
+  update_round_off(committed, h);
 }
 
-void System::expect(const Kinematics& committed, double h) {
+void System::update_round_off(const Kinematics& committed, double h) {
   double square = 0;
   for (const ScalesResiduals* t : listed<ScalesResiduals>()) square += t->round_off(committed, h);
   all_reduce(comm_, MPI_SUM, square);

@@ -30,7 +30,7 @@ double BodyContact::deepest(size_t volume, const BodyFrame& of, size_t in, const
   return depth;
 }
 
-void BodyContact::watch(const Kinematics& state) {
+void BodyContact::check_overlap_at_rest(const Kinematics& state) {
   prepare(state, 0);
   check_overlap(state.time);
 }

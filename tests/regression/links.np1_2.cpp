@@ -104,9 +104,10 @@ TEST_F(Links, OtherLinksAreRefused) {
   run_on_all({path + "/links.yaml", path + "/half.h5", "", 0.1});
   const std::string other = path + "/other.yaml";
   for (const auto& [from, to, message] :
-       {std::tuple("stiffness: 2e5", "stiffness: 3e5", "links.sling is another there"),
-        {"[3, 70e3]", "[3, 71e3]", "links.compensator is another there"},
-        {"end_a: {anchor: [-4, 0, 14]}", "end_a: {anchor: [-4, 0, 15]}", "links.sag is another there"},
+       {std::tuple("stiffness: 2e5", "stiffness: 3e5", "links.sling differs from the checkpoint"),
+        {"[3, 70e3]", "[3, 71e3]", "links.compensator differs from the checkpoint"},
+        {"end_a: {anchor: [-4, 0, 14]}", "end_a: {anchor: [-4, 0, 15]}",
+         "links.sag differs from the checkpoint"},
         {"  sag: {", "  droop: {", "links.droop is not in it"}}) {
     write_case(other, kCase, {{from, to}});
     try {

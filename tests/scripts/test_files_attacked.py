@@ -321,7 +321,7 @@ class Signals(Attack):
                 self.assertIn("\nresults: ", out)
                 self.assertFalse((self.folder / "long.h5.lock").exists())
                 result = self.succeed("long.yaml", "--restart", "long.h5", "--stop-at", str(float(stop_time) + 1))
-                self.assertIn(f"going on from t = {stop_time} s", result.stdout)
+                self.assertIn(f"continuing from t = {stop_time} s", result.stdout)
                 self.assertNotIn("stopped", result.stdout)
                 for name in ("long.h5", "long.xdmf"):
                     (self.folder / name).unlink()

@@ -451,9 +451,9 @@ output: {every: 5}
                                          " normal_stiffness: {per_length: 1.0e6}, friction: 0.2}\nlines:", 1)
         write(self.folder, "drum.yaml", on_drum)
         self.assertEqual(self.hawser("run", "drum.yaml", "-q").returncode, 0)
-        for name, old, new, why in [("larger", "radius: 0.5", "radius: 0.6", "volumes.drum.shape is another there"),
-                                    ("lower", "to: [5, 1, -2]", "to: [5, 1, -2.1]", "volumes.drum.shape is another there"),
-                                    ("harder", "1.0e6", "2.0e6", "volumes.drum.normal_stiffness is another there")]:
+        for name, old, new, why in [("larger", "radius: 0.5", "radius: 0.6", "volumes.drum.shape differs from the checkpoint"),
+                                    ("lower", "to: [5, 1, -2]", "to: [5, 1, -2.1]", "volumes.drum.shape differs from the checkpoint"),
+                                    ("harder", "1.0e6", "2.0e6", "volumes.drum.normal_stiffness differs from the checkpoint")]:
             write(self.folder, f"{name}.yaml", on_drum.replace(old, new))
             restart("drum.h5", "it holds another case", why, case=f"{name}.yaml")
         write(self.folder, "rough.yaml", on_drum.replace("friction: 0.2", "friction: 0.3"))

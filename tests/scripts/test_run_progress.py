@@ -92,7 +92,7 @@ class Progress(unittest.TestCase):
         for i in range(9):
             case = case.replace("dynamics:", rod.replace("rod:", f"rod{i}:").replace("[0, 0, 0], dir", f"[0, {i + 1}, 0], dir") + "dynamics:")
         write(self.folder, "slow.yaml", case + "statics: {dynamic_relaxation: always}\n")
-        line = r"\r\033\[Kstatics: \d+ iterations?(, \d+ steps of dynamic relaxation)?, out of balance by \d\.\de[-+]\d\d of the forces so far"
+        line = r"\r\033\[Kstatics: \d+ iterations?(, \d+ steps of dynamic relaxation)?, relative residual \d\.\de[-+]\d\d"
         code, text = on_terminal(HAWSER, "run", "slow.yaml", columns=120, cwd=self.folder)
         self.assertEqual(code, 0, text)
         self.assertRegex(text, f"{line}\r\033\\[K")
@@ -129,7 +129,7 @@ class Progress(unittest.TestCase):
             time.sleep(0.01)
             result = run(HAWSER, "run", "rod.yaml", "--restart", "rod.h5", cwd=self.folder)
             self.assertEqual(result.returncode, 0, result.stderr)
-            self.assertRegex(result.stdout, r"going on from t = \d")
+            self.assertRegex(result.stdout, r"continuing from t = \d")
             self.assertNotIn("( 10 %)", result.stdout)
             self.assertIn("(100 %)", result.stdout)
 

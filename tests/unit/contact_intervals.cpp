@@ -85,7 +85,7 @@ TEST(ContactIntervals, HumpsComeAndGoSmoothly) {
   double within = 0, between_steps = 0, most = 0;
   int filled_ever = 0, parted = 0;
   for (const double between : {0.1, 0.148, 0.35, 0.5, 0.8})
-    for (const double assembler : {0.0, 3e-8, -3e-8}) {  // step of the humps, up or down
+    for (const double rise : {0.0, 3e-8, -3e-8}) {  // step of the humps, up or down
       double last = -1, height = R + r - 4e-4;
       const auto humps = [&](double c) {
         Gap a = circle(L, c, height, R + r), b = circle(L, c + between, height + 1e-4, R + r), g;
@@ -93,7 +93,7 @@ TEST(ContactIntervals, HumpsComeAndGoSmoothly) {
         g.slope = [=](double xi) { return a.value(xi) < b.value(xi) ? a.slope(xi) : b.slope(xi); };
         return g;
       };
-      for (double c = -1; c < L; c += move, height += assembler) {
+      for (double c = -1; c < L; c += move, height += rise) {
         Gap moved_back = humps(c - move);
         const auto before = contact_intervals(moved_back, {L, r, 0}, 4);
         Gap g = humps(c);

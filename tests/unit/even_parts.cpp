@@ -11,7 +11,8 @@
 namespace hawser::test::even_parts_test {
 namespace {
 
-constexpr CutKind kNothing = CutKind::nothing, kLittle = CutKind::little, kMuch = CutKind::much;
+constexpr CutKind kNothing = CutKind::between_components, kLittle = CutKind::between_lines,
+                  kMuch = CutKind::within_line;
 
 std::vector<EqualItems> row(const std::vector<double>& weight, const std::vector<CutKind>& before) {
   std::vector<EqualItems> out;

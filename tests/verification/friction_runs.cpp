@@ -33,10 +33,10 @@ double slides_by(model::ContactMethod method, double mu, double angle, bool acro
   friction.axial = friction.lateral = mu;
   friction.mobilisation_length = 1e-4;
   model::Case c = on_plane(method, 1, 1, friction);
-  const double assembler = 50 * kGravity / 1e6;
+  const double sinkage = 50 * kGravity / 1e6;
   const Vec3 along = across ? Vec3::UnitY() : Vec3::UnitX();
-  c.lines[0].points = {-0.5 * along + Vec3(0, 0, kRadius - assembler),
-                       0.5 * along + Vec3(0, 0, kRadius - assembler)};
+  c.lines[0].points = {-0.5 * along + Vec3(0, 0, kRadius - sinkage),
+                       0.5 * along + Vec3(0, 0, kRadius - sinkage)};
   model::Body slope;
   slope.name = "slope";
   model::TableMotion tip;
@@ -93,7 +93,7 @@ struct Dragged {
 // Both ends go with a body at a constant speed; the middle is free.
 Dragged drag(model::ContactMethod method, const model::Friction& friction, double direction) {
   model::Case c = on_plane(method, 4, 8, friction);
-  const double assembler = 50 * kGravity / 1e6, z = kRadius - assembler;
+  const double sinkage = 50 * kGravity / 1e6, z = kRadius - sinkage;
   c.lines[0].points = {{-2, 0, z}, {2, 0, z}};
   model::Body tug;
   tug.name = "tug";

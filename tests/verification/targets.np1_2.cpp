@@ -103,7 +103,7 @@ TEST(Targets, TrialsAreReported) {
   std::vector<std::string> trials;
   const run::MetTargets m = run::meet_targets(PETSC_COMM_WORLD, hanging("{tension: 120 kN}", 110, 40), {}, {},
                                               [&](const std::string& trial) { trials.push_back(trial); });
-  const std::string found = "(found in " + std::to_string(trials.size()) + " statics)";
+  const std::string found = "(after " + std::to_string(trials.size()) + " static solutions)";
   EXPECT_TRUE(m.found.at(0).ends_with(found)) << m.found.at(0) << ", " << trials.size() << " reported";
   EXPECT_TRUE(trials.at(0).starts_with(
       "statics 1 of the search for lengths: line l: with 110 m of section 1 the tension at end B is "))

@@ -1,4 +1,4 @@
-// Rods that drift and assembler in water: drag by relative velocity and added mass in time.
+// Rods that drift and sink in water: drag by relative velocity and added mass in time.
 #include "support/rig.hpp"
 
 namespace hawser::test::water_motion_test {

@@ -11,7 +11,7 @@ namespace hawser::advice {
 // Restart of a case without dynamics.
 std::string restart_needs_dynamics(const model::Case& c);
 std::string model_size(size_t nodes, int ranks, int cut_elements);
-std::string goes_on(const std::string& file, double time);  // s
+std::string continuing_from(const std::string& file, double time);  // s
 std::string nothing_left();
 
 std::string stage_of_statics(const std::string& stage);

@@ -28,7 +28,7 @@ struct ElementTurnsOver {
   std::string place;
 };
 
-// An impact that is not resolved at the start of the step.
+// An impact within the step that the step is too long to resolve.
 struct ImpactNotResolved {};
 
 struct ErrorTooLarge {

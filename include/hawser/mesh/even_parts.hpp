@@ -6,14 +6,15 @@
 
 namespace hawser {
 
-// Cost of a cut between an item and the one before it.
-enum class CutKind : char { nothing, little, much };
+// Where a cut between an item and the one before it is, in order of cost: a cut between components costs
+// nothing, within a line most.
+enum class CutKind : char { between_components, between_lines, within_line };
 
-// Consecutive items of equal weight in a row. Between two of them a cut costs much.
+// Consecutive items of equal weight in a row. Cuts between two of them are within a line.
 struct EqualItems {
   int items = 1;
-  double weight = 0;                  // of each, >= 0
-  CutKind before = CutKind::nothing;  // cost of a cut before the first one
+  double weight = 0;                             // of each, >= 0
+  CutKind before = CutKind::between_components;  // the cut before the first one
 };
 
 // Cuts a row of items into consecutive parts, some of which may be empty. Returns the first item of each, and

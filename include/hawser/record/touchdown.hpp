@@ -82,7 +82,7 @@ class Touchdowns {
   const model::Seabed& bed_;
   Vec3 normal_;  // of a plane bed
   const LocalMesh& local_;
-  std::vector<Height> heights_;  // of local nodes before LocalMesh::chain; unset for bodies
+  std::vector<Height> heights_;  // of local nodes before element_ghosts_end; unset for bodies
   size_t cut_ = 0;               // number of lines that the partition cuts
   std::vector<int> lines_;       // these and the lines of this rank, ascending
   std::vector<int> slot_;        // index in lines_ by line, cut lines first; -1: not there

@@ -23,7 +23,7 @@ class Events {
   // previous one; falls: something was released and has to fall first. `report` receives the events of each
   // stage, one sentence each; `rested` is called with the index of each stage after its equilibrium. Throws
   // SolveError if a stage cannot begin. Collective.
-  void come_to_rest(
+  void solve_stages(
       const std::function<void(bool falls)>& solve,
       const std::function<void(const std::string&)>& report = [](const std::string&) {},
       const std::function<void(size_t)>& rested = [](size_t) {});

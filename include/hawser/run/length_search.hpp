@@ -51,8 +51,8 @@ class LengthSearch {
   void restart();
   // True if the search has failed: no root found, or a jump across it.
   bool stuck() const { return search_.exhausted() || (narrow() && !near_); }
-  // Throws InputError with the reason why there is no such length, or for a feeder with its given stock.
-  void throw_not_found(const model::Case& c);
+  // Throws InputError with the reason why there is no such length; a feeder keeps the length given instead.
+  void end_without_length(const model::Case& c);
 
   // Sentence with the result after `trials` static analyses.
   std::string found(const model::Case& c, int trials) const;

@@ -7,6 +7,10 @@
 // (Clarke 1983, Optimization and Nonsmooth Analysis, sections 1.2 and 2.3). Otherwise u = -K^-1 sum l_i r_i,
 // with the l that minimise the square of the combination in the norm of K^-1, descends along the kink: it
 // minimises u'Ku/2 + max_i r_i'u (Burke, Lewis & Overton 2005, SIAM J. Optim. 15, 751-779).
+//
+// Serves Newton's descent in statics, whose search along the increment finds one kink at a time. Steps of
+// relaxation and of time have no such search, and most nodes have kinks of their own there: see
+// kink_stiffness.hpp.
 #pragma once
 
 #include <petscksp.h>

@@ -35,7 +35,7 @@ struct StaticsSettings {
   int max_iterations = 500;
   // `state` is near an equilibrium: the search does not begin with soft lines.
   bool starts_near = false;
-  RelaxationUse relaxation = RelaxationUse::when_newton_fails;  // not with `starts_near`
+  RelaxationUse relaxation = RelaxationUse::when_newton_fails;  // with `starts_near` only `never` acts
   int relaxation_steps = 5000;                                  // at most
   // Friction of contact acts along the path: relaxation alone is used, and it commits the terms step by step.
   bool friction = false;

@@ -24,7 +24,7 @@ class CouplesNodes {
   virtual bool refresh_couplings(const Kinematics& committed, double h) = 0;
   // Adds the groups of coupled nodes of which this rank owns a node.
   virtual void list_couplings(Couplings& to) const = 0;
-  // Called when the coupled nodes are local. Local nodes from LocalMesh::chain on have changed.
+  // Called when the coupled nodes are local. Local nodes from LocalMesh::element_ghosts_end on have changed.
   virtual void renumber() {}
 };
 

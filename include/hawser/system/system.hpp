@@ -132,9 +132,8 @@ class System {
   void revert_stiffness();
 
   void prepare(const Kinematics& committed, double h);
-  // Announces that the coming trial is shorter than the prepared step, because the round-off of the residual
-  // depends on the length. Collective.
-  void expect(const Kinematics& committed, double h);
+  // Updates the round-off of the residual for a trial that is shorter than the prepared step. Collective.
+  void update_round_off(const Kinematics& committed, double h);
   void commit(const Kinematics& accepted);
   // overstretched(), lost_in_rounding(): why an equilibrium or a converged step is not a valid result;
   // nullopt: it is valid. overstretched: an element is strained beyond the range of its law.

@@ -85,7 +85,7 @@ class BodyContact final : public ForceTerm,
 
   // Throws SolveError if two volumes overlap far deeper than the contact of their corners and edges shows.
   // Collective.
-  void watch(const Kinematics& state);
+  void check_overlap_at_rest(const Kinematics& state);
   // Largest penetration over the accepted steps of the pairs that this rank counts, m.
   double largest_penetration() const;
   // Adds the active contacts of those pairs in the accepted state. Volumes have their indices in the case.
