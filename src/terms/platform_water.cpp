@@ -56,6 +56,40 @@ void PlatformWater::add_past(Group& g, double time, Eigen::VectorXd rate) {
   g.past.push_back({time, std::move(rate)});
 }
 
+namespace {
+
+// Lags nearer than this to a multiple of the step are equal to it, s: the effect on S is that of its table.
+double equal_lags(const RadiationMemory& memory) { return 1e-8 * memory.spacing(); }
+
+}  // namespace
+
+void PlatformWater::tabulate_lags(Group& g, double h) {
+  if (!(h > 0) || g.past.empty() || g.entries.empty()) return;
+  if (h != g.lag_step) g.lags.clear();
+  g.lag_step = h;
+  size_t rows = 2;  // of the trial, and of the last accepted state
+  const double end = g.past.back().time;
+  for (size_t k = g.past.size() - 1; k-- > 0; ++rows) {
+    const double lag = static_cast<double>(rows - 1) * h;
+    if (std::abs(end - g.past[k].time - lag) > equal_lags(g.memory)) break;
+  }
+  const size_t n = g.entries.size();
+  for (size_t m = g.lags.size() / n; m < rows; ++m) {
+    g.lags.resize((m + 1) * n);
+    g.memory.integrals(static_cast<double>(m) * h, &g.lags[m * n], nullptr);
+  }
+}
+
+const double* PlatformWater::integrals_at(const Group& g, double lag, double* own, double* rate) {
+  const size_t n = g.entries.size();
+  const double m = std::round(lag / g.lag_step);
+  if (!rate && m < static_cast<double>(g.lags.size() / n) &&
+      std::abs(lag - m * g.lag_step) <= equal_lags(g.memory))
+    return &g.lags[static_cast<size_t>(m) * n];
+  g.memory.integrals(lag, own, rate);
+  return own;
+}
+
 // F(t) = v_0 S'(t - t_0) + sum_k a_k [S(t - t_k) - S(t - t_k+1)]
 //      = v_0 S'(t - t_0) + sum_k (a_k - a_k-1) S(t - t_k),   a_-1 = a_n = 0,
 // with S the second integral of the retardation function, v_0 the first velocity of the bodies, a_k their
@@ -73,7 +107,8 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
   const double step = g.past.empty() ? 0 : time - g.past.back().time;
   const auto entries = static_cast<Eigen::Index>(g.entries.size());
   if (!g.past.empty() && entries > 0) {
-    Eigen::ArrayXd S(entries), dS(entries);
+    Eigen::ArrayXd own(entries), dS(entries);
+    const double* S = own.data();
     const std::vector<double> still(2 * g.entries.size(), 0);
     Eigen::ArrayX2d force = Eigen::ArrayX2d::Zero(entries, 2);
     using Slopes = Eigen::Map<const Eigen::ArrayX2d>;
@@ -81,8 +116,8 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
       const Slopes before(k > 0 ? &g.slopes[k * still.size()] : still.data(), entries, 2);
       const Slopes after(k + 1 < g.past.size() ? &g.slopes[(k + 1) * still.size()] : still.data(), entries,
                          2);
-      g.memory.integrals(time - g.past[k].time, S.data(), k > 0 ? nullptr : dS.data());
-      force += (after - before).colwise() * S;
+      S = integrals_at(g, time - g.past[k].time, own.data(), k > 0 ? nullptr : dS.data());
+      force += (after - before).colwise() * Eigen::Map<const Eigen::ArrayXd>(S, entries);
     }
     const Eigen::VectorXd& first = g.past.front().rate;
     for (Eigen::Index e = 0; e < entries; ++e) {
@@ -136,21 +171,25 @@ void PlatformWater::rest_at(Platform& p, const RigidBodyState& s) {
 }
 
 // Without a previous step, the memory begins with the present velocity.
-void PlatformWater::prepare(const Kinematics& committed, double) {
+void PlatformWater::prepare(const Kinematics& committed, double h) {
   for (Group& g : groups_) {
     g.is_cached = false;
     if (!g.is_local) continue;
     if (!committed.after_step())
       for (Platform& p : g.platforms) p.rest = floating_state(committed, p.local);
-    if (committed.phase != Phase::start || g.past.size() > 1) continue;
-    for (Platform& p : g.platforms) rest_at(p, floating_state(committed, p.local));
-    g.slow_time = committed.time;
-    const Eigen::VectorXd rate = rates(g, committed);
-    g.past.clear();
-    add_past(g, committed.time, rate);
-    const std::vector<Power> start = powers(g, committed.time, rate);
-    for (size_t i = 0; i < start.size(); ++i) g.platforms[i].power = start[i];
+    if (committed.phase == Phase::start && g.past.size() <= 1) begin_memory(g, committed);
+    tabulate_lags(g, h);
   }
+}
+
+void PlatformWater::begin_memory(Group& g, const Kinematics& start) const {
+  for (Platform& p : g.platforms) rest_at(p, floating_state(start, p.local));
+  g.slow_time = start.time;
+  const Eigen::VectorXd rate = rates(g, start);
+  g.past.clear();
+  add_past(g, start.time, rate);
+  const std::vector<Power> power = powers(g, start.time, rate);
+  for (size_t i = 0; i < power.size(); ++i) g.platforms[i].power = power[i];
 }
 
 // Residual of each body: G^T (A a + D + memory - waves) and hydrostatics.

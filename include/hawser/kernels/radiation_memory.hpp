@@ -32,6 +32,8 @@ class RadiationMemory {
   // Length of the memory, s. Beyond it K is small and S is taken as constant. Steady motion is then undamped,
   // as for an infinite memory, because the integral of K over all times is zero.
   double length() const { return length_; }
+  // Distance of the points of the table, s.
+  double spacing() const { return spacing_; }
 
   // K(t) by entry in closed form, t >= 0.
   Eigen::RowVectorXd retardation(double t) const;

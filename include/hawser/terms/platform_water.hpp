@@ -86,7 +86,12 @@ class PlatformWater final : public ForceTerm,
   // Work of the mean force since the last iteration of statics, J; statics needs a potential.
   static double mean_work(const Platform& p, const RigidBodyState& s);
   static void rest_at(Platform& p, const RigidBodyState& s);
+  void begin_memory(Group& g, const Kinematics& start) const;
   static void add_past(Group& g, double time, Eigen::VectorXd rate);
+  // Extends Group::lags for a step of h [s].
+  static void tabulate_lags(Group& g, double h);
+  // S of the memory at lag [s] by entry: a row of Group::lags, or evaluated to `own`; with `rate` also S'.
+  static const double* integrals_at(const Group& g, double lag, double* own, double* rate);
   // Forces at a given time that do not depend on the trial state: of waves, and of the memory of accepted
   // steps. The memory of the current step adds memory_damping (rate - rate at its start).
   struct AtTime {
@@ -112,6 +117,10 @@ class PlatformWater final : public ForceTerm,
     // length, first for all columns, which act on the rows, then for all rows, which act on the columns (0 on
     // the diagonal). Contiguous, because each step reads the whole memory.
     std::vector<double> slopes;
+    // S of the memory at m lag_step [s], by m = 0, 1, ... and by entry, as far as accepted steps have that
+    // length: they are the same in every step.
+    double lag_step = 0;
+    std::vector<double> lags;
     double slow_time = 0;   // s, time of the slow poses
     bool is_local = false;  // this rank owns one of the bodies
     mutable AtTime cache;
