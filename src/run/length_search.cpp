@@ -105,11 +105,11 @@ double LengthSearch::error() const {
   const double scale = t_.kind == Kind::tension       ? t_.value
                        : t_.kind == Kind::declination ? 1
                                                       : rest_ + length_;
-  return failed_ ? 0 : std::abs(value_ - t_.value) / scale;
+  return given_kept_ ? 0 : std::abs(value_ - t_.value) / scale;
 }
 
 bool LengthSearch::update(const AtRest& now) {
-  if (failed_) return false;
+  if (given_kept_) return false;
   const bool met_before = met_;
   value_ = reached(now);
   last_found_ = length_;
@@ -130,8 +130,8 @@ advice::LengthSearched LengthSearch::searched(const model::Case& c) const {
 std::string LengthSearch::now(const model::Case& c) const { return advice::length_tried(searched(c)); }
 
 std::string LengthSearch::found(const model::Case& c, int trials) const {
-  return failed_ ? advice::feeder_not_at_rest(searched(c), tried())
-                 : advice::length_found(searched(c), trials);
+  return given_kept_ ? advice::feeder_not_at_rest(searched(c), tried())
+                     : advice::length_found(searched(c), trials);
 }
 
 // Trials as pairs of length and deviation from the target.
@@ -152,7 +152,7 @@ void LengthSearch::end_without_length(const model::Case& c) {
   if (feeder_ < 0)
     c.refuse(fmt::format("lines.{}.target", c.lines[line_].name),
              advice::length_not_found(searched(c), tried()));
-  failed_ = met_ = true;
+  given_kept_ = met_ = true;
   length_ = given_;
 }
 

@@ -37,11 +37,77 @@ std::vector<LengthSearch> all_searches(const model::Case& c) {
   return out;
 }
 
-const LengthSearch& worst(const std::vector<LengthSearch>& all) {
-  return *std::max_element(all.begin(), all.end(), [](const LengthSearch& a, const LengthSearch& b) {
-    return a.error() < b.error();
-  });
-}
+// The searches for all lengths of a case. They start together, as if lines did not interact. If a target is
+// lost again or a search fails, they continue one at a time, in a cycle.
+class Searches {
+ public:
+  explicit Searches(const model::Case& c) : case_(c), all_(all_searches(c)) {}
+
+  const std::vector<LengthSearch>& all() const { return all_; }
+  bool met() const {
+    return std::all_of(all_.begin(), all_.end(), [](const LengthSearch& s) { return s.met(); });
+  }
+  const LengthSearch& worst() const {
+    return *std::max_element(all_.begin(), all_.end(), [](const LengthSearch& a, const LengthSearch& b) {
+      return a.error() < b.error();
+    });
+  }
+  // The lengths of the next trial.
+  io::SectionLengths choose() {
+    io::SectionLengths lengths;
+    for (LengthSearch& s : all_) {
+      if (varies(s)) s.choose();
+      lengths[s.key()] = s.length();
+    }
+    return lengths;
+  }
+  // The trial found this equilibrium.
+  void update(const AtRest& now) {
+    for (LengthSearch& s : all_) target_lost_ |= s.update(now);
+  }
+  // Ends a trial after update().
+  void add_values() {
+    end_trial([](LengthSearch& s) { s.add_value(); });
+  }
+  // Ends a trial that found no equilibrium.
+  void add_failure(const std::string& why) {
+    end_trial([&](LengthSearch& s) { s.add_failure(why); });
+  }
+
+ private:
+  bool varies(const LengthSearch& s) const { return !s.met() && (together_ || &s == &all_[turn_]); }
+
+  // add: adds the result of the trial to a search. Throws InputError if a search has failed and no other is
+  // left to try.
+  template <class Add>
+  void end_trial(Add add) {
+    const bool alone = !together_ || all_.size() == 1;
+    bool failed = false;
+    for (LengthSearch& s : all_) {
+      if (!varies(s)) continue;
+      add(s);
+      failed |= s.failed();
+      if (s.failed() && alone) s.end_without_length(case_);
+    }
+    const bool separate = !alone && (target_lost_ || failed);
+    target_lost_ = false;
+    if (separate) {
+      together_ = false;
+      for (LengthSearch& s : all_) s.restart();
+    }
+    if (!met() && (separate || (!together_ && all_[turn_].met()))) next_turn();
+  }
+  void next_turn() {
+    do turn_ = (turn_ + 1) % all_.size();
+    while (all_[turn_].met());
+    all_[turn_].restart();
+  }
+
+  const model::Case& case_;
+  std::vector<LengthSearch> all_;
+  bool together_ = true, target_lost_ = false;
+  size_t turn_ = 0;  // index of the search that continues alone
+};
 
 }  // namespace
 
@@ -54,59 +120,33 @@ bool has_targets(const model::Case& c) {
 MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<LoadedVolume>& volumes,
                         const std::function<void(const StaticsReport&)>& progress,
                         const std::function<void(const std::string&)>& tried) {
-  std::vector<LengthSearch> all = all_searches(c);
-  // First all lengths together, as if lines did not interact; if they do, cyclically one by one.
-  bool together = true;
-  size_t turn = 0;
+  Searches searches(c);
   for (int trial = 1; trial <= kMostTrials; ++trial) {
-    const auto moves = [&](const LengthSearch& s) { return !s.met() && (together || &s == &all[turn]); };
-    io::SectionLengths lengths;
-    for (LengthSearch& s : all) {
-      if (moves(s)) s.choose();
-      lengths[s.key()] = s.length();
-    }
-    std::string why;
-    bool parted = false;
+    const io::SectionLengths lengths = searches.choose();
+    std::string failure;
     try {
       MetTargets out{io::with_lengths(c, lengths, comm), {}};
       Simulation sim(comm, out.model, surfaces(volumes), skeletons(out.model, volumes),
                      volume_facets(volumes));
       Events(comm, sim).solve_stages([&](bool falls) { sim.solve_statics(progress, falls); });
-      const AtRest now = at_rest(comm, sim);
-      for (LengthSearch& s : all) parted |= s.update(now);
-      if (tried) tried(advice::length_trial(trial, worst(all).now(c)));
-      if (std::all_of(all.begin(), all.end(), [](const LengthSearch& s) { return s.met(); })) {
-        for (const LengthSearch& s : all) out.found.push_back(s.found(c, trial));
+      searches.update(at_rest(comm, sim));
+      if (tried) tried(advice::length_trial(trial, searches.worst().now(c)));
+      if (searches.met()) {
+        for (const LengthSearch& s : searches.all()) out.found.push_back(s.found(c, trial));
         return out;
       }
     } catch (const WrongPlaces&) {
       throw;
     } catch (const InputError& e) {
-      why = e.what();
+      failure = e.what();
     } catch (const SolveError& e) {
       if (trial == 1) throw;  // error of the case as given
-      why = e.what();
+      failure = e.what();
     }
-    bool stuck = false;
-    for (LengthSearch& s : all) {
-      if (!moves(s)) continue;
-      if (why.empty())
-        s.go_on();
-      else
-        s.fail(why);
-      stuck |= s.stuck();
-      if (s.stuck() && (!together || all.size() == 1)) s.end_without_length(c);
-    }
-    const bool apart = together && all.size() > 1 && (parted || stuck);
-    if (apart)
-      for (LengthSearch& s : all) s.restart();
-    const bool some = std::any_of(all.begin(), all.end(), [](const LengthSearch& s) { return !s.met(); });
-    if (some && (apart || (!together && all[turn].met()))) {
-      together = false;
-      do turn = (turn + 1) % all.size();
-      while (all[turn].met());
-      all[turn].restart();
-    }
+    if (failure.empty())
+      searches.add_values();
+    else
+      searches.add_failure(failure);
   }
   throw SolveError(advice::targets_do_not_settle());
 }

@@ -42,15 +42,15 @@ class LengthSearch {
   double error() const;
   // Sentence with the current length and value.
   std::string now(const model::Case& c) const;
-  void go_on() { search_.add(value_ - t_.value); }
-  void fail(const std::string& why) {
+  void add_value() { search_.add(value_ - t_.value); }
+  void add_failure(const std::string& why) {
     if (why_.empty() || !search_.values().empty()) why_ = why;  // without a root so far: for the given length
     search_.fail();
   }
   // Restarts from the last length with an equilibrium.
   void restart();
-  // True if the search has failed: no root found, or a jump across it.
-  bool stuck() const { return search_.exhausted() || (narrow() && !near_); }
+  // No root was found, or a jump across it.
+  bool failed() const { return search_.exhausted() || (narrow() && !near_); }
   // Throws InputError with the reason why there is no such length; a feeder keeps the length given instead.
   void end_without_length(const model::Case& c);
 
@@ -71,7 +71,7 @@ class LengthSearch {
   double given_, rest_;  // m, given length; length of the other sections
   RootSearch search_{1, 1, 0, 2};
   double length_ = 0, value_ = 0, last_found_ = 0;  // m; its value; m, last one with an equilibrium
-  bool met_ = false, near_ = false, failed_ = false;
+  bool met_ = false, near_ = false, given_kept_ = false;
   std::string why_;
 };
 
