@@ -1,4 +1,4 @@
-// A pipe that falls on a point support with its middle, for the ways of keeping a node out of a volume.
+// A pipe that falls onto a point support under its middle, for the methods of contact at the nodes.
 #pragma once
 
 #include "verification/contact_rig.hpp"

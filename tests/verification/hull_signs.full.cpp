@@ -1,4 +1,4 @@
-// Zero wrong answers of inside or outside on real hulls: 10^6 points each, against every triangle.
+// Inside or outside of 10^6 points at each of the real hulls: no result differs from that by all triangles.
 #include "verification/hull_signs.hpp"
 
 namespace hawser {

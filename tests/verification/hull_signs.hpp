@@ -1,4 +1,4 @@
-// Inside and outside of real hulls, against every triangle.
+// Compares inside or outside of points at real hulls with the result by all triangles.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,8 +16,8 @@ struct Signs {
   double microseconds = 0;                           // a query
 };
 
-// A hundred points on each of some lines through the box or through the surface, half of those near the
-// surface.
+// A hundred points on each of some lines through the box or through the surface; half of the latter points
+// are near the surface.
 inline Signs compare_signs(const TriangleMesh& mesh, const MeshSurface& surface, int lines) {
   const auto boundary = boundary_of(mesh);
   std::mt19937 gen(1);
