@@ -91,7 +91,7 @@ TEST(Field, IsShownAsDeclared) {
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(output);
   ASSERT_EQ(r.output_times.size(), 2u);
-  // At outputs, the height of the last node of all.
+  // At outputs: the height of the last node.
   EXPECT_EQ(r.fields.at("height").back(), r.fields.at("position").back());
   // Position in histories: after the ends' own columns, before accelerations.
   const auto z = named(output, r, "weight", "position_z");

@@ -45,7 +45,7 @@ std::pair<size_t, size_t> rows(const std::string& path) {
   return written(io::h5::open_read(path));
 }
 
-// All that `part` holds is the beginning of `whole`, bit for bit.
+// The contents of `part` are the beginning of those of `whole`, bit for bit.
 void expect_beginning(const Results& whole, const Results& part) {
   const auto begins = [](const std::vector<double>& all, const std::vector<double>& some) {
     return some.size() <= all.size() && std::equal(some.begin(), some.end(), all.begin());

@@ -126,7 +126,7 @@ inline std::vector<std::string> names_in(hid_t file, const std::string& group) {
   return names;
 }
 
-// Rows that hold results: of outputs and of steps.
+// Numbers of rows written: of outputs and of steps.
 inline std::pair<size_t, size_t> written(hid_t file) {
   const auto set = io::h5::open_dataset(file, "written");
   const auto type = io::h5::own(H5Dget_type(set), H5Tclose, "type");
@@ -210,7 +210,7 @@ inline std::vector<std::string> columns_of(const std::string& path, const std::s
   return names;
 }
 
-// Of a series by line that of the first line.
+// Column of a series by its name; in a series by line, the column of the first line.
 inline std::vector<double> named(const std::string& path, const Results& r, const std::string& series,
                                  const std::string& column) {
   const auto names = columns_of(path, series);

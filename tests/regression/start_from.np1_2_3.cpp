@@ -156,7 +156,7 @@ TEST_F(StartFrom, RefusesInOneSentence) {
   MPI_Barrier(MPI_COMM_WORLD);
   expect({{"output: {", "output: {file: b.h5, "}, {"lines:\n", "start: {from: b.h5~}\nlines:\n"}},
          "b.h5~ is the file that line 'riser' starts from, and this run would overwrite it");
-  // A line that the other run does not have starts by itself, with a note.
+  // A line that is not in the other run has its automatic start shape, with a note.
   write_case(path + "/new.yaml", kCase,
              {{"  riser:\n", "  new:\n"},
               {"line: riser", "line: new"},

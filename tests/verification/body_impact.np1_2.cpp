@@ -53,7 +53,7 @@ model::Case falling() {
 }
 
 struct Outcome {
-  double energy = 0, strain = 0, momentum = 0;  // largest error of the whole; most in the contact; error
+  double energy = 0, strain = 0, momentum = 0;  // energy error, largest strain energy, momentum error
   int steps = 0, touching = 0, rejected = 0;
   std::vector<double> poses;
 };
@@ -207,7 +207,7 @@ TEST(BodyImpact, WhatWasMetIsNotForgotten) {
   const Outcome out = impact_event(PETSC_COMM_WORLD, c);
   EXPECT_GT(out.touching, 10);
   EXPECT_LT(out.energy, 0.01);
-  EXPECT_LT(out.poses[0], 1.4);  // they parted on the sides they came from
+  EXPECT_LT(out.poses[0], 1.4);  // they separate on the sides from which they came
   EXPECT_GT(out.poses[7] - out.poses[0], 1);
 }
 

@@ -28,7 +28,7 @@ struct Pull {
 struct Pulled {
   Samples ratio;                                // T2/T1 over the second half
   int steps = 0, iterations = 0, touching = 0;  // touching: nodes or elements, by the method
-  double penetration = 0, audit = 0;            // m; of the work brought in
+  double penetration = 0, audit = 0;            // m; energy error over the work brought in
   double cpu = 0;                               // s, CPU a simulated second
 };
 

@@ -53,7 +53,7 @@ struct Rig {
 };
 
 struct Course {
-  double made = 0, lifted = 0;  // energy, from its least on; s
+  double made = 0, lifted = 0;  // increase of energy from its least; s
   Samples reaction;             // N, between `from` and `to`
   int steps = 0, rejected = 0;
 };

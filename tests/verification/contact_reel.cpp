@@ -25,7 +25,7 @@ struct Wound {
   double time = 0, by_contact = 0, by_length = 0;  // s; turns on the drum
 };
 struct Reeled {
-  double penetration = 0, audit = 0, cpu = 0;  // m; part of the work brought in; s
+  double penetration = 0, audit = 0, cpu = 0;  // m; energy error over the work brought in; s
   std::vector<Wound> wound;                    // every 25 s
   std::vector<double> moment;                  // at nodes well inside the wound part, over EI/rho
   // Tension [N] at the tied end; tension less the weight below, 6 m below the last node in contact and at 230
@@ -154,7 +154,7 @@ void expect_wound(const char* method, const Reeled& r) {
       method, moment.mean(), moment.rms(), moment.least, moment.most, off, r.moment.size());
   EXPECT_GT(r.moment.size(), end() / 4);
   EXPECT_NEAR(moment.mean(), 1, 2e-3);
-  EXPECT_EQ(off, 0);  // the first turns lean on each other: 2 %
+  EXPECT_EQ(off, 0);  // 2 %: influence of the adjacent first turns
 }
 
 TEST(Reel, SeveralTurns) {

@@ -15,7 +15,7 @@ constexpr double kLength = 278.5, kDiameter = 0.49843453365368695, kDensity = 10
 struct Found {
   double tension = 0, middle = 0, angle = 0;  // N at end A, m from the wall's plane, deg from the flow there
   double curvature = 0, force = 0;            // 1/m, N of the wall
-  double first = 0, last = 0;                 // m, arc lengths between which the line presses
+  double first = 0, last = 0;                 // m, arc lengths at the ends of the contact
 };
 
 // The hose is submerged and neutrally buoyant, so it stays in the plane. stiffness [N/m²] of the wall; 0: no

@@ -11,7 +11,7 @@ constexpr double kBarrel = 3.6, kHose = 0.425, kLength = 250;  // m
 struct Drawn {
   double noise = 0;        // N, rms of the tension 6 m below the drum about a line through 10 s
   double penetration = 0;  // m
-  double audit = 0;        // of the work brought in
+  double audit = 0;        // energy error over the work brought in
   double cpu = 0;          // s a simulated second
   int steps = 0, iterations = 0;
 };

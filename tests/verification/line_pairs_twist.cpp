@@ -71,7 +71,7 @@ struct Steps {
   int its = 0, steps = 0, most = 0;
 };
 
-// From the straight strands to the end of the turn.
+// Solves from the straight strands to the end of the rotation.
 Steps twist(Simulation& s) {
   Steps done;
   double step = 0.25;

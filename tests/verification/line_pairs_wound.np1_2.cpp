@@ -26,7 +26,7 @@ double over_ranks(double x) {
 
 struct Wound {
   double ratio = 0, spread = 0;  // of T2/T1 over the last part of the run
-  double depth = 0, audit = 0;   // m; energy not accounted for, of what was brought in
+  double depth = 0, audit = 0;   // m; energy error over the work brought in
   double turned = 0;             // rad, wrap angle at rest
   double iterations = 0;         // per step
   int statics = 0, relaxation = 0;

@@ -149,7 +149,7 @@ TEST(MooringStatics, Semisubmersibles) {
   expect({"VolturnUS-S, MAP deck", line, 779.8, 186, 1, 1366340.286, 2036440.576, 501.421098, 0, 2e-3, 150});
 }
 
-// MAP++'s own baseline, near vertical, and MoorPy's test_catenary (almost inextensible).
+// Baseline of MAP++'s tests, nearly vertical, and MoorPy's test_catenary (almost inextensible).
 TEST(MooringStatics, UnitTestsOfMapAndMoorPy) {
   // Friction leaves 0.67 kN of 17.4 kN at the anchor. A slip of nanometres mobilises it, the tolerance of
   // Newton's positions: the error is 0.5 % of the anchor tension.

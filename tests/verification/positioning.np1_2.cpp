@@ -281,7 +281,7 @@ TEST(Positioning, OneIntegralBesideALimit) {
 // sway and yaw are coupled, and the part F of the load that the spring carries adds to the yaw stiffness:
 //   K = P_y (1, -10; -10, 100) + (0, 0; 0, P_yaw - 10 F)
 TEST(Positioning, ModesHaveTheProportionalPart) {
-  constexpr double kArm = 10, kSway = 1e5, kYaw = 1e8, kLoad = 3.7e6;  // N/m of surge as well
+  constexpr double kArm = 10, kSway = 1e5, kYaw = 1e8, kLoad = 3.7e6;  // N/m, of surge and sway
   for (const double spring : {0., 0.7e6, 0.9e6, 1.1e6}) {
     const double carried = spring > 0 ? 0.4 * kLoad : 0, heading = spring > 0 ? 30 : 0;
     const Vec3 load = kLoad * (exp_so3(heading * M_PI / 180 * Vec3::UnitZ()) * Vec3::UnitX());
@@ -353,7 +353,7 @@ output: {{every: 10, checkpoint_every: 20, history_every: 0.5, histories: [{{bod
   if (runs::rank_of(PETSC_COMM_WORLD) != 0) return;
   const runs::Results whole = runs::read(path + "/whole.h5"), rest = runs::read(path + "/rest.h5"),
                       one = runs::read(path + "/one.h5");
-  ASSERT_EQ(whole.columns.at("vessel"), 24u + 6 * 2);  // motion and force, then thrusters and the rest
+  ASSERT_EQ(whole.columns.at("vessel"), 24u + 6 * 2);  // motion, force, thrusters, remainder
   for (size_t c = 0; c < whole.columns.at("vessel"); ++c) {
     const auto there = rest.column("vessel", c), here = runs::tail(whole.column("vessel", c), there);
     ASSERT_GT(there.size(), 10u);

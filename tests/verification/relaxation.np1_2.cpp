@@ -67,7 +67,7 @@ model::Case floating(double span, double EI, double speed, double direction) {
   return c;
 }
 
-// Current across, drag only: a catenary of constant tension a D, D the drag of the submerged part.
+// Lateral current, no bending: a catenary of constant tension a D, D the drag of the submerged part.
 TEST(Relaxation, AHoseFloatsInACurrentAcross) {
   const double drag = 0.6 * 0.5 * kDensity * 1.2 * kDiameter * 0.72 * 0.72;
   for (const double span : {200.0, 80.0}) {

@@ -257,7 +257,7 @@ TEST(RiserStatics, LazyWavesOfAllKinds) {
              t1 - t0, cpu_ms() - t1, reaction(sim, false).norm() / 1000);
       EXPECT_LE(report.negative_eigenvalues, 0) << k.name;
       EXPECT_LT(report.iterations, k.friction > 0 ? 60 : 250) << k.name;
-      // The line is below its highest expected point: it has no loops.
+      // No node is above the hang-off: the line has no loops.
       const State& s = sim.state();
       double up = -HUGE_VAL;
       for (size_t i = 1; i < s.x.size(); ++i) up = std::max(up, s.x[i].z());

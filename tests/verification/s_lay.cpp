@@ -80,7 +80,7 @@ TEST(SLay, OverASoftArc) {
 
 struct Rolled {
   double T0, lift_off, x_td;
-  std::vector<double> F, kappa;  // of rollers every 4 degrees, up to the last that touches
+  std::vector<double> F, kappa;  // of rollers every 4 degrees, up to the last in contact
   double M0, H, kappa_sag;
 };
 const Rolled kRolled[] = {

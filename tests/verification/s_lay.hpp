@@ -31,8 +31,8 @@ struct Laid {
   double T0 = 0, M0 = 0, H = 0, x_td = 0;  // N, N m, N, m
   double kappa_sag = 0, kappa_ob = 0;      // 1/m
   double last_touch = 0,
-         last_force = 0;  // deg; N, of the contact at the lift-off: as rigid as it is, the shear force there
-  double total = 0, depth = 0;                     // N, m
+         last_force = 0;        // deg; N, contact force at the lift-off (shear force there on a rigid arc)
+  double total = 0, depth = 0;  // N, m
   std::vector<double> roller_force, roller_kappa;  // N, 1/m
   int iterations = 0;
 };

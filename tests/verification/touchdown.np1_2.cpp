@@ -16,7 +16,7 @@ model::Case line_on_bed(double length, int elements, double stiffness, double aw
   model::LineType t = cable_type(1e9, kWeight / 9.81);
   t.outer_diameter = t.contact_diameter = 0.1;
   model::Case c = one_line(t, length, elements, anchor({0, 0, above - kHeight + 0.05}), anchor({away, 0, 0}));
-  c.contact.between_lines.enabled = false;  // so that ranks cut it
+  c.contact.between_lines.enabled = false;  // so that the line is cut between ranks
   c.environment.gravity = 9.81;
   model::Seabed& bed = c.environment.seabed;
   bed.present = true;
