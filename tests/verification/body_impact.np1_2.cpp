@@ -194,8 +194,8 @@ TEST(BodyImpact, WhatNothingSeesEndsStatics) {
   }
 }
 
-// Nearly flush boxes slide over each other: for a while their edges penetrate a third of the other box. The
-// boxes separate on the sides from which they came.
+// Nearly flush boxes collide and slide over each other while the contact of their edges changes. The energy
+// is conserved, and the boxes separate on the sides from which they came.
 TEST(BodyImpact, WhatWasMetIsNotForgotten) {
   const BoxShape box{{0, 0, 0}, {1.4, 1.4, 1.4}};
   model::Case c = two(box, box, StiffnessBasis::per_length, {1.5, 0.16, -0.02});

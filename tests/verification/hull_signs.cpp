@@ -1,4 +1,4 @@
-// Inside or outside of points at real hulls has no wrong result: a sample of the points of
+// Points are correctly classified as inside or outside real hulls: a sample of the points of
 // hull_signs.full.cpp.
 #include "verification/hull_signs.hpp"
 

@@ -1,4 +1,5 @@
-// Inside or outside of 10^6 points at each of the real hulls: no result differs from that by all triangles.
+// 10^6 points at each real hull are classified as inside or outside as by the winding number of all
+// triangles.
 #include "verification/hull_signs.hpp"
 
 namespace hawser {

@@ -1,4 +1,5 @@
-// Compares inside or outside of points at real hulls with the result by all triangles.
+// Compares the classification of points as inside or outside real hulls with the winding number of all
+// triangles.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -111,8 +111,8 @@ TEST(LineFurniture, TensionByATable) {
     }
 }
 
-// An end moment bends a line into a half circle, whose curvature is that of the line type's law. `set` gives
-// the line type this law.
+// An end moment bends a line into an arc whose curvature is that of the line type's law. `set` gives the line
+// type this law.
 void expect_arcs(double EI, const std::function<double(double)>& moment_at,
                  const std::function<void(model::LineType&)>& set) {
   for (const double M : {1e3, 5e3, 6.5e3}) {

@@ -1,7 +1,7 @@
-// Statics of a 12 in pipe over a stinger of 120 m radius, laid on a bed 110 m below its top at a given
-// horizontal tension; without friction, with uniform weight. Over a rigid arc, a soft arc, and rollers every
-// 4 degrees. References: multiple shooting of the inextensible elastica (checked by scipy's solve_bvp to
-// 1e-11), and the invariant along the pipe, H = T0 + M0²/(2 EI) - w h.
+// Statics of a 12 in pipe over a stinger of 120 m radius to a bed 110 m below its top. The upper end is held
+// horizontally at a given tension T0; no friction, uniform weight. Over a rigid arc, a soft arc, and rollers
+// every 4 degrees. References: multiple shooting of the inextensible elastica (checked by scipy's solve_bvp
+// to 1e-11), and the invariant along the pipe, H = T0 + M0²/(2 EI) - w h.
 #include "verification/s_lay.hpp"
 
 namespace hawser::s_lay_test {

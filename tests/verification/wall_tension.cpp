@@ -105,7 +105,7 @@ TEST(WallTension, CoatedPipe) {
   EXPECT_NEAR(s.wall.back(), -kQuarter * 0.3 * 0.3 * pressure, 1e-2);
 }
 
-// Terminal motion of filled or overgrown rods, v = v_t tanh(t/tau): weight, inertia, displaced and drag
+// Sinking of filled or overgrown rods, v = v_t tanh(t/tau): weight, inertia, displaced and drag
 // diameter.
 TEST(WallTension, FilledAndOvergrownRodsSink) {
   struct Kind {
