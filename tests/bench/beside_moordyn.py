@@ -93,7 +93,7 @@ class Bench:
         l = sum(length for _, length in c.lines[0][2]) / mesh
         rate = 2 * math.sqrt(EA / m) / l, 4 * math.sqrt(EI / m) / l**2
         decay = 4 * (l * math.sqrt(EA * m) if c.damping is None else c.damping) / m / l**2
-        n = max(1, int(0.025 * max(*rate, decay)))  # four times longer than the fastest motion; goes down from there
+        n = max(1, int(0.025 * max(*rate, decay)))  # step of 4 over the fastest rate; decreases from there
         while True:
             used, deviations = self.run_moordyn(c, c.lines[:1], mesh, 0.1 / n, c.window)
             if deviations:

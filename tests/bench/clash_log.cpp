@@ -6,8 +6,8 @@
 namespace hawser::record {
 namespace {
 
-// Lines that lie on a volume at ten places each, panels of half a metre, three to a place; half of the places
-// appear and disappear.
+// Lines lie on a volume at ten places each, three panels of half a metre per place; half of the places appear
+// and disappear.
 ActiveContacts touching(int number, int step) {
   ActiveContacts out;
   for (int i = 0; i < number; ++i) {

@@ -31,7 +31,7 @@ statics: {{{{enabled: {{statics}}}}}}
 dynamics: {{{{duration: {{duration}}, step: {{step}}}}}}
 output: {{{{every: {{every}}}}}}
 """
-ALONE = {"Send", "Isend", "Startall", "pread", "Memory"}  # what is of one rank without the others
+ALONE = {"Send", "Isend", "Startall", "pread", "Memory"}  # counted on one rank without the others
 MOTION = "motion: {harmonic: {amplitude: [1, 0, 2], period: 10}, ramp: 10}"
 
 

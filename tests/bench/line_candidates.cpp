@@ -1,5 +1,5 @@
-// Candidates of lines: construction and validity check of the list, from 10^3 to 10^5 segments of a
-// tangle of the same density; and pairs of boxes where these lie unevenly.
+// Candidate pairs of lines: time to build the list and to check its validity, for 10^3 to 10^5 segments of a
+// tangle of equal density; and pairs of unevenly distributed boxes.
 #include "hawser/terms/line_candidates.hpp"
 
 #include <benchmark/benchmark.h>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace hawser;
 
-// Lines of 100 beams of 1 m, random walks held in a box of `room` m³ a segment.
+// Lines of 100 beams of 1 m: random walks in a box of `room` m³ per segment.
 struct Tangle {
   Mesh mesh;
   LocalMesh local;
@@ -55,7 +55,7 @@ void Build(benchmark::State& b) {
   const int n = static_cast<int>(b.range(0));
   Tangle t(n);
   LineCandidates list(MPI_COMM_SELF, t.local, ContactRadii({0.1, 0.1}));
-  double side = 1;  // every update finds the lines elsewhere
+  double side = 1;  // moves the lines before every update
   for (auto _ : b) {
     for (Vec3& x : t.state.x) x.x() += side;
     side = -side;
@@ -79,8 +79,8 @@ void Hold(benchmark::State& b) {
 }
 BENCHMARK(Hold)->Arg(1000)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
 
-// Boxes of 1 m: 0, a spool, each with hundreds of neighbours; 1, all at one place; 2, a tangle with one box
-// across all of it; 3, four tangles 1 km apart.
+// Boxes of 1 m. 0: a spool, each box with hundreds of neighbours; 1: all at one place; 2: a tangle with one
+// box across all of it; 3: four tangles 1 km apart.
 void Uneven(benchmark::State& b) {
   std::mt19937_64 rng(2);
   std::uniform_real_distribution<double> unit(0, 1);

@@ -1,5 +1,5 @@
-// CPU time per simulated second of a mooring line or a riser (support/mooring_speed.hpp), at steps and
-// tolerances of Newton's iteration of all sizes; `digits` 8 is the default of a case.
+// CPU time per simulated second of a mooring line or a riser (support/mooring_speed.hpp) for a range of steps
+// and tolerances of Newton's iteration; `digits` 8 is the default of a case.
 #include "support/mooring_speed.hpp"
 
 #include <benchmark/benchmark.h>

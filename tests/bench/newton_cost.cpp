@@ -66,7 +66,7 @@ void newton(benchmark::State& state) {
     system.tangent(trial.s.after_step(h), alpha_weights(alpha, h), u, false, J.get());
   };
   const auto solve_part = [&] {
-    check(MatAssemblyBegin(J.get(), MAT_FINAL_ASSEMBLY));  // or it is not factorised again
+    check(MatAssemblyBegin(J.get(), MAT_FINAL_ASSEMBLY));  // otherwise it is not factorised again
     check(MatAssemblyEnd(J.get(), MAT_FINAL_ASSEMBLY));
     check(KSPSetOperators(ksp.get(), J.get(), J.get()));
     check(KSPSolve(ksp.get(), r.get(), du.get()));

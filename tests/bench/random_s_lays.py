@@ -29,14 +29,14 @@ def s_lay(seed):
     radius = outer / (2 * rng.uniform(0.001, 0.0025))
     spacing = rng.uniform(3, 15)
     top = rng.uniform(4, 12)
-    # Where it leaves: no deeper than a third of the way down, and with a sagbend that does not buckle.
+    # Lift-off angle: at most a third of the way down, and such that the sagbend does not buckle.
     leaves = math.radians(rng.uniform(15, 75))
     while leaves > math.radians(12) and radius * (1 - math.cos(leaves)) > 0.35 * (depth + top):
         leaves *= 0.9
     z = top - radius * (1 - math.cos(leaves))
     deep = z + depth
     scale = deep / (1 / math.cos(leaves) - 1)
-    scale = max(scale, 1.2 * radius)  # the sagbend is bent no more than the overbend
+    scale = max(scale, 1.2 * radius)  # the sagbend has at most the curvature of the overbend
     leaves = math.acos(1 / (1 + deep / scale))
     hanging = scale * math.tan(leaves)
     ramp = rng.uniform(5, 60)

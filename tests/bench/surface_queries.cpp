@@ -2,8 +2,8 @@
 // to 0.3 m off it, moved by 2 cm since the last result, within 0.5 m.
 //   surface/one        one point per call, the last result as a hint
 //   surface/unlimited  one point per call, at any distance
-// The second argument: 0 flat facets, 1 curved. The first: triangles of an even tube, or
-// 0: the hull of a tanker of 130 000 triangles, open and graded, where its mesh is beside the sources.
+// First argument: triangles of a uniform tube, or 0: a tanker's hull of 130 000 triangles, open and graded,
+// if its mesh is beside the sources. Second argument: 0 flat facets, 1 curved.
 #include <benchmark/benchmark.h>
 
 #include <filesystem>

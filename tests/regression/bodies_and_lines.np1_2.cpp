@@ -1,5 +1,5 @@
-// The shipped cases of bodies that hang on lines and of lines that lie against bodies, shortened: the balance
-// of energy, what touches, and that other ranks find the same.
+// Shipped cases of bodies that hang on lines and of lines that touch bodies, shortened: the energy balance
+// closes, contact occurs, and the results do not depend on the number of ranks.
 #include <gtest/gtest.h>
 
 #include "hawser/io/case_reader.hpp"
@@ -11,9 +11,9 @@ namespace hawser::test::bodies_and_lines {
 namespace {
 
 struct Outcome {
-  double unexplained = 0, turnover = 0;  // J: at the end; what was brought in, damped and lost in all
-  double depth = 0, place = 0;  // m: of bodies in each other; of the body's centre along x at the end
-  int touched = 0;              // steps in which a line touched a volume
+  double unexplained = 0, turnover = 0;  // J at the end: error; work brought in plus dissipation
+  double depth = 0, place = 0;           // m: penetration of bodies; x of the body's centre at the end
+  int touched = 0;                       // steps in which a line touched a volume
 };
 
 Outcome outcome(MPI_Comm comm, const char* file, double duration) {

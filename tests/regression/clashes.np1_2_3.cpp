@@ -1,4 +1,4 @@
-// The clash report and clearances of whole runs: against formulas, on any number of ranks, through a restart.
+// Clash report and clearances of whole runs against formulas, on any number of ranks, and after a restart.
 #include <tuple>
 
 #include "hawser/io/clash_rows.hpp"
@@ -30,7 +30,7 @@ dynamics: {duration: 1.3, step: 0.001, rho_infinity: 1}
 output: {every: 0.1, clashes: {merge_gap: GAP}}
 )";
 
-// Bars that fall on each other and on rollers, each its own way: clashes of lines and of places.
+// Bars with different motions fall on each other and on rollers: clashes of lines and of places on volumes.
 const char* const kHeap = R"(hawser: 1
 line_types:
   bar: {outer_diameter: 0.2, mass_per_length: 50, EA: 1.0e7, EI: 1.0e5, GJ: 1.0e5, stiffness_damping: 0.002}
@@ -74,7 +74,7 @@ output:
     - {line: still, volume: underside}
 )";
 
-// Boxes of these half sizes, one volume.
+// Boxes of these half sizes, as one volume.
 void write_boxes(const std::string& path, const std::vector<double>& places, double x1, double y1,
                  double z1) {
   if (rank_of(MPI_COMM_WORLD) == 0) {
@@ -114,7 +114,7 @@ void expect_same(const std::vector<io::ClashRow>& a, const std::vector<io::Clash
 
 TEST(Clashes, ABarThatBounces) {
   const double omega = std::sqrt(kStiffness / kMass), speed = std::sqrt(2 * kGravity * kFall);
-  const double still = kGravity / (omega * omega);  // m, pressed in by its weight
+  const double still = kGravity / (omega * omega);  // m, static penetration by the weight
   const double meets = std::sqrt(2 * kFall / kGravity), flight = 2 * speed / kGravity;
   const double touches = 2 / omega * (M_PI - std::atan(speed * omega / kGravity));
   const double deep = still + std::hypot(still, speed / omega);
@@ -142,7 +142,7 @@ TEST(Clashes, ABarThatBounces) {
       EXPECT_NEAR(r.impulse, impulse, 2e-3 * impulse);
       EXPECT_NEAR(r.peak_force, kStiffness * deep, 2e-3 * kStiffness * deep);
       EXPECT_NEAR(r.peak_time, begin + 0.5 * touches, 1.5 * kStep);
-      EXPECT_NEAR(r.penetration, deep, 1e-2 * deep);  // the ends, of less mass, tremble
+      EXPECT_NEAR(r.penetration, deep, 1e-2 * deep);  // the ends have less mass and vibrate
       EXPECT_NEAR(r.peak_energy, 0.5 * kStiffness * deep * deep, 4e-3 * kStiffness * deep * deep);
     }
     const io::ClashTables merged = io::read_clashes(path + "/merged.h5");
@@ -157,7 +157,7 @@ class Heap : public ::testing::Test {
   void SetUp() override {
     path = folder("clashes_heap");
     input = path + "/heap.yaml";
-    write_boxes(path + "/rollers.obj", {-3.2, 3.2}, 0.1, 1, 0.3);  // under the lower bar's ends
+    write_boxes(path + "/rollers.obj", {-3.2, 3.2}, 0.1, 1, 0.3);  // below the ends of the lower bar
     write_boxes(path + "/slab.obj", {0}, 19, 19, 0.5);
     write_case(input, kHeap);
   }
@@ -172,7 +172,7 @@ TEST_F(Heap, OnAnyNumberOfRanks) {
   expect_same(one.ended, all.ended, 1e-6);
   expect_same(one.open, all.open, 1e-6);
   std::printf("%zu clashes ended, %zu go on\n", one.ended.size(), one.open.size());
-  // Lines with each other, and two places of one volume.
+  // Clashes of lines with each other, and at two places of one volume.
   const auto count = [&](const auto& is) {
     return std::count_if(one.ended.begin(), one.ended.end(), is) +
            std::count_if(one.open.begin(), one.open.end(), is);
@@ -186,7 +186,7 @@ TEST_F(Heap, OnAnyNumberOfRanks) {
       EXPECT_LE(largest_difference(a.column(name, c), b.column(name, c)), 1e-6) << name << ' ' << c;
 }
 
-// The surface of the lamp rises at 0.5 m/s below a line that hardly sags, from 1.4 m under it.
+// The surface of the lamp rises at 0.5 m/s from 1.4 m below a nearly straight line.
 TEST_F(Heap, Clearances) {
   run_on_all({input, path + "/heap.h5"});
   if (!first()) return;
@@ -198,10 +198,10 @@ TEST_F(Heap, Clearances) {
   EXPECT_NEAR(r.column("still_to_lamp", 2).front(), 0, 1e-6);
   EXPECT_NEAR(r.column("still_to_lamp", 4).front(), 2.5, 1e-9);
   EXPECT_NEAR(lamp.back(), 1.4 - 0.5 * r.step_times.back(), 0.1);
-  // Nothing of that looks up.
+  // The underside of the volume faces away from the line: no clearance.
   for (size_t c = 0; c < r.columns.at("still_to_underside"); ++c)
     for (const double x : r.column("still_to_underside", c)) EXPECT_TRUE(std::isnan(x)) << c;
-  // What touches is pressed in by as much as the clash report says.
+  // The penetration of the bars is that of the clash report.
   const auto between = r.column("upper_to_lower", 0);
   const double deepest = -*std::min_element(between.begin(), between.end());
   double message = 0;
@@ -211,7 +211,7 @@ TEST_F(Heap, Clearances) {
       if (c.other_line == 1) message = std::max(message, c.penetration);
   EXPECT_GT(message, 1e-4);
   EXPECT_NEAR(deepest, message, 0.02 * message);
-  // The bars cross at the start 0.42 m apart, axis to axis, give or take how they lie.
+  // At the start the axes of the crossing bars are 0.42 m apart, within the tolerance of the sag.
   EXPECT_NEAR(between.front(), 0.85 - 0.43 - 0.2, 5e-3);
 }
 
@@ -222,8 +222,7 @@ TEST_F(Heap, ThroughARestart) {
   if (!first()) return;
   const io::ClashTables whole = io::read_clashes(path + "/whole.h5"),
                         half = io::read_clashes(path + "/half.h5");
-  // The second part begins with a new list of candidate pairs, and some steps are chosen by which pairs are
-  // on it.
+  // The second part begins with a new list of candidate pairs, and some step lengths depend on this list.
   const double tolerance = 1e-2;
   expect_same(whole.ended, half.ended, tolerance);
   expect_same(whole.open, half.open, tolerance);

@@ -1,4 +1,4 @@
-// Work of friction on a turning drum, and damping of cables that come taut.
+// Energy balance of friction on a rotating drum, of damped cables that come taut, and of a chain heap.
 #include <algorithm>
 #include <numbers>
 
@@ -7,8 +7,8 @@
 namespace hawser::runs::contact_energy {
 namespace {
 
-// A cable lies half round a drum that turns under it: the drum brings in what friction takes, (T_a - T_b)
-// (R + r) times its speed, and Euler's ratio of both tensions is exp(mu pi).
+// A cable lies half round a drum that rotates under it: the power of the drum is that of friction, (T_a -
+// T_b) (R + r) times the angular velocity, and the tension ratio is exp(mu pi) (Euler).
 TEST(ContactEnergy, ADrumTurnsUnderACable) {
   std::string points = "[-0.51, 0, -5]";
   for (int i = 0; i <= 32; ++i) {
@@ -56,8 +56,8 @@ output: {every: 1, histories: [{line: rope, at: end_a, name: a}]}
   EXPECT_NEAR(given, power, 0.01 * power);
 }
 
-// A wire hangs a little slack with 100 kg at its end and comes taut. Damping changes neither the steps much
-// nor the tension that comes to rest.
+// A slightly slack wire with 100 kg at its end comes taut. Damping increases the number of steps by less than
+// half; the largest tension is printed.
 TEST(ContactEnergy, AWireThatComesTautMayBeDamped) {
   const std::string path = folder("comes_taut"), file = path + "/case.yaml", out = path + "/case.h5";
   size_t undamped = 0;
@@ -89,7 +89,7 @@ output: {every: 0.5, histories: [{line: wire, at: end_a, name: top}]}
   }
 }
 
-// A chain is lowered, exactly upright, into a heap of its links, which lie on each other with friction.
+// A vertical chain is lowered into a heap of its own links, which touch each other with friction.
 TEST(ContactEnergy, AChainIsHeapedUp) {
   const std::string path = folder("heap"), file = path + "/case.yaml", out = path + "/case.h5";
   write_case(file, R"(
@@ -110,7 +110,7 @@ output: {every: 1}
   const Results r = read(out);
   const double made = largest(named(out, r, "energy", "error"));
   printf("  energy made %.3f J, %zu steps\n", made, r.step_times.size());
-  EXPECT_LT(made, 25);  // a hundredth of m g h of what lies in the heap
+  EXPECT_LT(made, 25);  // 1 % of m g h of the part in the heap
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Points of contact at outputs: their forces against the fields of the nodes, their places against the
-// surfaces, on any number of ranks and through a restart.
+// Contact points at outputs: their forces against the nodal fields, their positions against the surfaces, on
+// any number of ranks and after a restart.
 #include <array>
 
 #include "hawser/io/contact_rows.hpp"
@@ -8,7 +8,7 @@
 namespace hawser::runs::contact_points {
 namespace {
 
-// A rope is drawn over a taut wire and a roller, and a box that is slid on the ground comes to rest.
+// A rope is drawn over a taut wire and a roller; a sliding box on the ground comes to rest.
 const char* const kCase = R"(hawser: 1
 line_types:
   wire: {outer_diameter: 0.1, mass_per_length: 30, EA: 1.0e7, EI: 1.0e4, GJ: 1.0e4, stiffness_damping: 0.005}
@@ -115,7 +115,7 @@ TEST_F(ContactPoints, SumToTheForcesAndLieOnTheSurfaces) {
       sum += Eigen::Map<const Vec3>(&r.fields.at(field)[3 * (kNodes * output + n)]);
     return sum;
   };
-  std::array<int, 4> found{};  // on the roller, of the two lines, on the ground of the line and of the box
+  std::array<int, 4> found{};  // counts: roller, two lines, line on the ground, box on the ground
   double slid = 0;             // N, largest friction of the box
   for (size_t k = 0; k < outputs.size(); ++k) {
     Vec3 roller = Vec3::Zero(), lines = Vec3::Zero(), ground = Vec3::Zero(), box = Vec3::Zero();
@@ -126,12 +126,12 @@ TEST_F(ContactPoints, SumToTheForcesAndLieOnTheSurfaces) {
       if (p.pair == std::array{1, -1, 1, -1}) {
         roller += p.force;
         ++found[0];
-        // L²/(8 R) of some centimetres that touch.
+        // Tolerance: L²/(8 R) of some centimetres in contact.
         EXPECT_NEAR(std::hypot(p.place.y() - 1, p.place.z() + 0.36), kRoller, 1e-3) << k;
       } else if (p.pair == std::array{0, 1, -1, -1}) {
         lines += p.force;
         ++found[1];
-        // In the middle of what overlaps.
+        // In the middle of the overlap.
         double wire = 1, rope = 1;
         for (size_t n = 0; n + 1 < kRopeEnds; ++n) {
           if (n + 1 == kWireNodes) continue;
@@ -167,7 +167,7 @@ TEST_F(ContactPoints, SumToTheForcesAndLieOnTheSurfaces) {
     EXPECT_LE((lines - sum_of("line_contact_force", k, 0, kWireNodes)).norm(), tolerance) << k;
     EXPECT_LE((lines + sum_of("line_contact_force", k, kWireNodes, kRopeEnds)).norm(), tolerance) << k;
     slid = std::max(slid, box.head<2>().norm());
-    // The volume of the smaller number is the ground.
+    // The force acts on the volume with the smaller number, the ground.
     if (k == 0) {
       EXPECT_NEAR(box.z(), -kWeight, 1e-3 * kWeight);
     }

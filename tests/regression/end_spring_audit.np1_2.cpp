@@ -1,5 +1,5 @@
-// What a body that turns works on a line through the spring at its end is in the account of energy, and goes
-// on after a restart.
+// The energy balance contains the work of a rotating body on a line through its end spring, also after a
+// restart.
 #include "regression/runs.hpp"
 
 namespace hawser::runs::end_spring_audit {
@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kHalf = 11, kEnd = 16;  // s
 
-// Beams in air that a body swings about two axes, held by springs at either end, and clamped for comparison.
+// Beams in air, rotated by a body about two axes, with springs at both ends; clamped for comparison.
 const char* const kCase = R"(
 hawser: 1
 line_types:
@@ -32,7 +32,7 @@ class EndSpringAudit : public ::testing::Test {
   std::string path;
 };
 
-// Error against all energy that came in or went out.
+// Error of the energy balance over the work brought in.
 TEST_F(EndSpringAudit, CloseAsThatOfAClampedEnd) {
   for (const char* hold : {"clamped: true", "rotational_stiffness: 5e5", "rotational_stiffness: 2e4"}) {
     run_on_all({put("audit.yaml", hold), path + "/audit.h5"});
@@ -54,7 +54,7 @@ TEST_F(EndSpringAudit, GoesOnAfterARestart) {
   run_on_one({input, path + "/fewer.h5", path + "/half.h5", kEnd});
   if (!first()) return;
   const Results whole = read(path + "/whole.h5");
-  // The work at supports is carried as one sum, so that of two ranks has its rounding.
+  // The work of the supports is restored as one sum, so on two ranks it has another round-off.
   const double same = size_of(MPI_COMM_WORLD) == 1 ? 0 : 1e-12;
   for (const auto& [file, tolerance] : {std::pair{"/rest.h5", same}, {"/fewer.h5", 1e-9}}) {
     const Results rest = read(path + file);

@@ -1,4 +1,5 @@
-// Runs in which something happens: a chain that parts, means over its nodes, restarts before and after.
+// Shared by the tests of events: a chain that parts, means over its nodes, restarts before and after the
+// event.
 #pragma once
 
 #include "hawser/base/error.hpp"
@@ -8,8 +9,8 @@ namespace hawser::runs::events {
 
 inline constexpr double kGravity = 9.80665;
 
-// The sum of mass times a component of a vector field over nodes [from, to] of an output, over their mass;
-// `ends`: kg of the first and last beside 5 kg of half an element, else 10 kg a node.
+// Mass-weighted mean of a component of a vector field over nodes [from, to] of an output. Nodes have 10 kg;
+// the first and last have 5 kg of half an element and `first` or `last` in addition.
 inline double mean_of(const Results& r, const std::string& field, size_t output, size_t from, size_t to,
                       size_t c, double first = 0, double last = 0) {
   const auto& x = r.fields.at(field);
@@ -44,7 +45,7 @@ inline void expect_same_positions(const Results& whole, const Results& rest, dou
   EXPECT_LE(largest_difference(last, other), tolerance);
 }
 
-// Stops before, at and after the event at 0.5 s; on one rank as well.
+// Compares restarts from before, at and after the event at 0.5 s with one run, and all ranks with one rank.
 inline void expect_same_after_restarts(const std::string& path, const std::string& input, double tolerance) {
   run_on_all({input, path + "/whole.h5"});
   run_on_one({input, path + "/one.h5"});
@@ -58,7 +59,7 @@ inline void expect_same_after_restarts(const std::string& path, const std::strin
   }
 }
 
-// A chain that hangs in air and is cut at mid-length. Nodes 0 to 10 are of its lower part, which falls.
+// A chain hangs in air and is cut at mid-length. Nodes 0 to 10 are its lower part, which falls.
 inline const char* const kHanging = R"(hawser: 1
 title: A chain that parts
 environment: {gravity: 9.80665}

@@ -1,4 +1,4 @@
-// Lines that are cut and ends that are attached during a run; restarts around it.
+// Events that cut lines and attach ends during a run, and restarts around them.
 #include "regression/event_runs.hpp"
 
 namespace hawser::runs::events {
@@ -18,8 +18,8 @@ TEST(Events, WhatIsCutOffFallsFreelyAndTheRestHangs) {
     const double fallen = rest - mean_of(r, "position", i, 0, 10, 2);
     printf("cut off for %.2f s: fallen %.3g m too far\n", t, fallen - 0.5 * kGravity * t * t);
     EXPECT_NEAR(fallen, 0.5 * kGravity * t * t, 1e-5) << t;
-    // It recoils by what the weight of the lower part has stretched it: w l / EA of its own length on
-    // average.
+    // The upper part recoils by its mean elongation under the weight of the lower part, w l / EA of its
+    // length.
     EXPECT_NEAR(mean_of(r, "position", i, 11, 21, 2), above, 2 * 10 * kGravity * 10 / 1e7 * 10);
   }
 }
@@ -30,7 +30,8 @@ TEST(Events, ACutGoesOnAfterARestart) {
   expect_same_after_restarts(path, input, 1e-8);
 }
 
-// The second one of an instant stands first in the list: a run that goes on does them as they happened.
+// Of two events at one instant the second stands first in the list: a restart repeats them in their order in
+// time.
 TEST(Events, TwoOfAnInstantGoOnInTheirOrderAfterARestart) {
   const std::string path = folder("events-order"), input = path + "/case.yaml";
   write_case(input, kHanging,
@@ -41,7 +42,7 @@ TEST(Events, TwoOfAnInstantGoOnInTheirOrderAfterARestart) {
   expect_same_after_restarts(path, input, 1e-8);
 }
 
-// A buoy in waves whose mooring is cut: a run that goes on from that instant does the same work.
+// A buoy in waves whose mooring is cut: a restart from that instant has the same work.
 TEST(Events, ACutInWavesGoesOnAfterARestart) {
   const std::string path = folder("events-waves"), input = path + "/case.yaml";
   write_case(input, R"(hawser: 1
@@ -83,7 +84,7 @@ contact: {between_lines: false}
   EXPECT_NEAR(rest, whole, 1e-8 * whole);
 }
 
-// Until then it moves as a line that is not cut does.
+// Before its cut a line moves as one without the event.
 TEST(Events, UntilItIsCutALineIsWhole) {
   const std::string path = folder("events-whole"), input = path + "/case.yaml", other = path + "/other.yaml";
   const Edits swing = {
@@ -106,7 +107,7 @@ TEST(Events, UntilItIsCutALineIsWhole) {
             << i << ' ' << n;
 }
 
-// A rope between two weights that floats in space under tension: its parts go on with the momentum there is.
+// A rope between two weights moves freely under tension and is cut: the total momentum is constant.
 TEST(Events, ACutKeepsMomentum) {
   const std::string path = folder("events-momentum"), input = path + "/case.yaml", file = path + "/whole.h5";
   write_case(
@@ -129,7 +130,7 @@ TEST(Events, ACutKeepsMomentum) {
            400 * mean_of(r, "velocity", i, 11, 21, 0, 0, 300);
   };
   const double before = momentum(3);
-  EXPECT_GT(std::abs(before), 100);  // of the weights one was let go of first
+  EXPECT_GT(std::abs(before), 100);  // one weight was released earlier
   double off = 0;
   for (size_t i = 4; i < 9; ++i) off = std::max(off, std::abs(momentum(i) / before - 1));
   printf("a cut: momentum kept to %.1e of %.0f kg m/s\n", off, before);
@@ -138,7 +139,7 @@ TEST(Events, ACutKeepsMomentum) {
             0.1);
 }
 
-// It parts at its tension to 0.1 %, somewhere along its length.
+// The rope is cut when the tension at the given place reaches its limit, within 0.1 %.
 TEST(Events, ALineIsCutAtATension) {
   const std::string path = folder("events-cut-tension"), input = path + "/case.yaml",
                     file = path + "/whole.h5";
@@ -170,12 +171,12 @@ contact: {between_lines: false}
   EXPECT_GE(most, 12e3);
   EXPECT_LE(most, 12e3 * 1.001);
   EXPECT_LT(x.back(), 4.05);
-  EXPECT_NEAR(end.back(), 10.001 + 0.1 * (3 - 0.25), 1e-3);  // the tug goes on
+  EXPECT_NEAR(end.back(), 10.001 + 0.1 * (3 - 0.25), 1e-3);  // the tug continues its motion
   EXPECT_LT(T.back(), 1e3);
 }
 
-// A cantilever that is cut: statics is that of the whole, twist and moment included, and its outer part
-// falls.
+// A cantilever that is cut: statics is that of the uncut line, including torsion and moment; then its outer
+// part falls.
 TEST(Events, ABeamIsCut) {
   const std::string path = folder("events-beam"), input = path + "/case.yaml", other = path + "/other.yaml";
   const std::string text = R"(hawser: 1
@@ -207,17 +208,17 @@ contact: {between_lines: false}
   for (size_t n = 0; n <= 20; ++n)
     for (size_t c = 0; c < 3; ++c) EXPECT_NEAR(cut.at(3 * (n + (n > 8)) + c), whole.at(3 * n + c), 1e-7) << n;
   const double rest = mean_of(r, "position", 2, 9, 21, 2);
-  // Its nodes stand for its axis, to what an element is bent.
+  // The nodes represent the axis within the deflection of an element.
   const double t = 0.5, side = 20 / 120.0;
   EXPECT_NEAR(mean_of(r, "position", 4, 9, 21, 2), rest - 0.5 * kGravity * t * t, 2e-3);
   EXPECT_NEAR(mean_of(r, "position", 4, 9, 21, 1) - mean_of(r, "position", 2, 9, 21, 1), 0.5 * side * t * t,
               2e-3);
   const auto M = named(path + "/cut.h5", r, "cut", "bending_moment");
-  EXPECT_GT(M.front(), 4e3);  // of the 12 m beyond
+  EXPECT_GT(M.front(), 4e3);  // by the outer 12 m
   EXPECT_LT(M.back(), 10);
 }
 
-// A body in space that catches the end of a rope at rest: a plastic impact keeps the momentum.
+// A moving body catches the end of a rope at rest: a plastic impact conserves momentum.
 TEST(Events, AnAttachmentKeepsMomentum) {
   const std::string path = folder("events-attach"), input = path + "/case.yaml", file = path + "/whole.h5";
   write_case(input, R"(hawser: 1
@@ -253,16 +254,16 @@ contact: {between_lines: false}
     EXPECT_NEAR(100 * v[s] + 50 * mean_of(r, "velocity", i, 0, 5, 0), 200, 1e-5) << i;
   }
   EXPECT_NEAR(kinetic.front(), 200, 1e-9);
-  // The end's 5/12 m of 10 kg were at rest; the consistent part of the mass takes 1/12 m of the next node's.
+  // The end's 5/12 m of 10 kg were at rest; 1/12 m of the consistent mass belongs to the next node.
   EXPECT_LT(kinetic.back(), 200 - 3);
   printf("a body catches a rope: of 200 J %.2f are lost in the impact and by damping, error %.1e J\n",
          200 - kinetic.back() - named(file, r, "energy", "strain").back(), largest(error));
   for (const double e : error) EXPECT_LT(std::abs(e), 0.2);
-  // It goes with the body.
+  // The end moves with the body.
   EXPECT_NEAR(r.fields.at("position").at(3 * 6 * 4), x.back(), 1e-9);
 }
 
-// A weight that falls past a hook and is caught as soon as it is near enough, and held where it is.
+// A falling weight is caught as soon as it is near a hook, and held at that position.
 TEST(Events, AnEndIsAttachedWhenItIsNear) {
   const std::string path = folder("events-near"), input = path + "/case.yaml", file = path + "/whole.h5";
   write_case(input, kHanging,
@@ -275,7 +276,7 @@ TEST(Events, AnEndIsAttachedWhenItIsNear) {
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(file);
   const auto z = named(file, r, "end", "position_z");
-  EXPECT_NEAR(z.back(), 99.4, 2e-3);  // 0.3 aside, 0.4 above
+  EXPECT_NEAR(z.back(), 99.4, 2e-3);  // 0.3 m aside, 0.4 m above the hook
   for (size_t i = 0; i < z.size(); ++i)
     if (r.step_times[i] > 0.6) {
       EXPECT_NEAR(z[i], z.back(), 1e-12);
@@ -291,10 +292,9 @@ TEST(Events, AnEndThatIsNotWhereItIsToBeAttachedStopsTheRun) {
   EXPECT_NE(why.find("end A of line chain is to be attached, but it is 0.998 m"), std::string::npos) << why;
 }
 
-// The parts of a damped wire whip when it is cut, and short steps follow them. In these the rates of strain
-// are known to little more than the tolerance of the balance. The upper part recoils, goes slack and hangs:
-// nowhere is it pulled more than at rest, whatever its damping, and what its lower part has from whipping is
-// reported.
+// When a damped wire is cut, its parts whip and steps become short; strain rates then have an error near the
+// tolerance of the balance. The upper part recoils, slackens and hangs: its tension never exceeds 1.05 of
+// that at rest. Its warning concerns the lower part only, which whips.
 TEST(Events, ADampedWireThatIsCutGoesOn) {
   const std::string path = folder("events-wire"), input = path + "/case.yaml";
   write_case(input, R"(hawser: 1
@@ -318,8 +318,9 @@ dynamics: {duration: 4}
   EXPECT_EQ(message.find("largest tension of line hoist ("), std::string::npos) << message;
 }
 
-// A state right after an event is one of motion: the damping of a line that a winch pays out does not act on
-// its speed as if the winch stood still, which would be a tension of 23 kN for one instant instead of 12 kN.
+// The state after an event is evaluated in motion: damping of a line that a winch pays out must not see the
+// winch at rest, which would give a tension of 23 kN instead of 12 kN for one instant and trigger the other
+// event.
 TEST(Events, AWinchThatRunsOnCausesNoOtherEvent) {
   const std::string path = folder("events-winch"), input = path + "/case.yaml";
   write_case(input, R"(hawser: 1
@@ -348,7 +349,7 @@ contact: {between_lines: false}
   const Results r = read(path + "/whole.h5");
   EXPECT_NEAR(r.output_times.back(), 4.5, 1e-9);
   const auto& position = r.fields.at("position");
-  EXPECT_EQ(position.back(), 100);  // end B of the other line, which is held
+  EXPECT_EQ(position.back(), 100);  // end B of the other line is still held
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// A farm in whole runs: a platform that is moved and turned, in waves that are turned with it and meet it at
-// the same time, does as it does alone; and a farm goes on from a checkpoint, on one rank and on two.
+// A farm in whole runs: a platform that is moved and rotated, with the waves rotated by the same angle and in
+// the same phase, moves as the platform alone; a farm continues from a checkpoint, on one rank and on two.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -16,8 +16,8 @@ namespace {
 constexpr double kHeight = 3, kPeriod = 9, kDepth = 200;  // m, s, m
 constexpr double kDirection = 20, kHeading = 37;          // deg
 
-// The spar of the tutorial with its coefficients, a boat that moves by responses, a sled in harmonic motion,
-// and lines to all of them.
+// The spar of the tutorial with its coefficients, a boat moved by response amplitude operators, a sled in
+// harmonic motion, and lines to all of them.
 std::string platform(double direction, double phase, bool alone) {
   const std::string sea = fmt::format(
       "environment:\n"
@@ -95,7 +95,8 @@ class FarmRuns : public ::testing::Test {
   std::string path;
 };
 
-// Positions of `there`, moved back from x, y [m] and turned by minus `heading` [rad]; less those of `here`.
+// Largest difference between `here` and the positions `there` moved back by x, y [m] and rotated by minus
+// `heading` [rad].
 double apart(const std::vector<double>& here, const std::vector<double>& there, double x, double y,
              double heading) {
   double most = here.empty() || here.size() != there.size() ? HUGE_VAL : 0;
@@ -108,13 +109,13 @@ double apart(const std::vector<double>& here, const std::vector<double>& there, 
 }
 
 TEST_F(FarmRuns, TurnedInTurnedWavesIsTheSame) {
-  // The phase of the turned wave with which it has at the place that of the other at the origin: it lags by k
-  // x.
+  // The phase for which the rotated wave has at the platform's place the phase of the other wave at the
+  // origin: it lags by k x.
   constexpr double x = 700, y = -400, kDegree = M_PI / 180;
   const double direction = kDirection + kHeading;
   const double k = wave_number(2 * M_PI / kPeriod, kDepth, 9.80665);
   const double lag = k * (x * std::cos(direction * kDegree) + y * std::sin(direction * kDegree));
-  for (const double sign : {1., -1.}) {  // whichever way phases count, one of the two is it
+  for (const double sign : {1., -1.}) {  // one of the two sign conventions of the phase is right
     write_case(path + "/farm.yaml",
                fmt::format("hawser: 1\nfarm: {{of: alone.yaml, at: {{T: [{:g}, {:g}, {:g}]}}}}\n"
                            "output: {{every: 1, histories: [{{body: T/spar}}]}}\n",
@@ -141,8 +142,8 @@ TEST_F(FarmRuns, TurnedInTurnedWavesIsTheSame) {
   EXPECT_GT(std::max(difference(one), difference(two)), 0.1) << "waves of another phase would not show";
 }
 
-// A line that starts as a run of the platform alone left it starts so at each place, turned with it; `start`
-// of the farm takes shapes by the names that lines have there.
+// A line that starts from the results of a run of the platform alone starts so at each place, rotated with
+// the platform; `start` of the farm uses the names of the lines in the farm.
 TEST_F(FarmRuns, StartsFromOtherRuns) {
   const std::string sea = platform(kDirection, 0, false);
   write_case(path + "/still.yaml", platform(kDirection, 0, true), {{"duration: 6", "duration: 0.2"}});
@@ -168,7 +169,8 @@ TEST_F(FarmRuns, StartsFromOtherRuns) {
       out.insert(out.end(), x.data(), x.data() + 3);
     return out;
   };
-  // The last output; lines in the order of the file, the hose the fourth, of 15 nodes after three of 21.
+  // Of the last output. Lines are in the order of the file: the hose is the fourth, 15 nodes after three
+  // lines of 21.
   const auto hose = [](const std::vector<double>& all) {
     const size_t nodes = 3 * 21 + 15 + 7, last = all.size() - 3 * nodes;
     return std::vector<double>(all.begin() + static_cast<long>(last + 3 * 63),
@@ -191,7 +193,7 @@ TEST_F(FarmRuns, GoesOnFromACheckpoint) {
   run_on_all({path + "/two.yaml", path + "/whole.h5"});
   run_on_one({path + "/two.yaml", path + "/half.h5", "", 3});
   run_on_all({path + "/two.yaml", path + "/rest.h5", path + "/half.h5"});
-  // The platform's file is a part of the case that must be the same.
+  // The file of the platform is a part of the case and must not change.
   write_case(path + "/alone.yaml", platform(kDirection, 0, true), {{"stiffness: 1e5}", "stiffness: 2e5}"}});
   run::RunOptions changed;
   changed.case_path = path + "/two.yaml";
@@ -213,7 +215,7 @@ TEST_F(FarmRuns, GoesOnFromACheckpoint) {
   EXPECT_LT(largest_difference(here, there), 1e-7);
 }
 
-// Two entries of one file are changed each for itself, and a change of either is another case.
+// Two entries that use the same file are changed separately, and a restart rejects a change of either.
 TEST_F(FarmRuns, EntriesOfOneFileAreSeparateAtARestart) {
   write_case(
       path + "/twins.yaml",

@@ -1,11 +1,11 @@
-// A line that is paid out over another and hauled back, which touches it in the element at the feeder's
-// feed point: friction, energy, restarts, ranks.
+// A line is paid out over a crossing line and hauled in, in contact with it in the element at the feed point:
+// friction, energy balance, restarts, ranks.
 #include "regression/runs.hpp"
 
 namespace hawser::runs::fed_crossing {
 namespace {
 
-// The rail crosses 0.5 m from the winch; the element at its feed point is 0.2 to 0.75 m long.
+// The rail crosses 0.5 m from the winch; the element at the feed point is 0.2 to 0.75 m long.
 const char* const kCrossing = R"(hawser: 1
 title: A rope is drawn over another at the winch that it comes from
 environment: {gravity: 9.80665}
@@ -29,15 +29,15 @@ contact: {between_lines: {friction: 0.3}}
 
 const Edits kKept{{"stock: 2.5, speed_table: [[0, 0], [1, -0.5], [4, -0.5], [6, 0.5], [9, 0.5]]",
                    "stock: 2.5, tension: 5 kN, speed_per_tension: 1e-3, max_speed: 1"}};
-// By the feeder at the crossing: its speed is known to the rank that has its feed point.
+// The feeder at the crossing keeps a tension: only the rank of its feed point has its speed.
 const Edits kPulled{{"stock: 3.5, speed_table: [[0, 0], [1, 0.5], [4, 0.5], [6, -0.5], [9, -0.5]]",
                      "stock: 3.5, tension: 5 kN, speed_per_tension: 1e-3, max_speed: 1"}};
 const Edits kPipe{{"bending: false, stiffness_damping: 0.02}", "EI: 2000, GJ: 2000}"},
                   {"anchor: [0, 0, 0]", "anchor: [0, 0, 0], direction: [1, 0, 0], clamped: true"},
                   {"anchor: [10.05, 0, 0]", "anchor: [10.05, 0, 0], direction: [1, 0, 0], clamped: true"}};
 
-// Friction on the rail is mu N all the time but where the rope turns back; the material that slides through
-// the feed point does the work that the feeders bring in.
+// Friction on the rail is mu N except near the reversal, and the energy balance with the work of the feeders
+// on the sliding material closes.
 TEST(FedCrossing, FrictionAndEnergy) {
   const std::string path = folder("fed-crossing");
   for (const auto& [name, edits] : {std::pair{"rope", Edits{}}, {"kept", kKept}, {"pipe", kPipe}}) {
@@ -82,7 +82,7 @@ void expect_same(const std::string& a, const std::string& b) {
   EXPECT_NEAR(e.back(), g.back(), 1e-6 * e.back());
 }
 
-// In the middle of an element, while it is paid out and while it comes back; the same on all ranks.
+// Restarts in the middle of an element while paying out and hauling in; equal results on all ranks.
 TEST(FedCrossing, RestartsAndRanks) {
   const std::string path = folder("fed-crossing-again");
   for (const auto& [name, edits] : {std::pair{"rope", Edits{}}, {"kept", kKept}, {"pulled", kPulled}}) {

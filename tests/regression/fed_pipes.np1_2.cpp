@@ -1,5 +1,5 @@
-// Pipes that are paid out of a clamp and hauled in: what the clamp feels of the bend, energy, a tension that
-// is kept on a heaving barge, restarts, ranks, and what is refused.
+// Pipes that are paid out of a clamp and hauled in: axial force on the clamp by bending, energy balance,
+// constant tension on a heaving barge, restarts, ranks, and rejected input.
 #include <fmt/format.h>
 
 #include "hawser/base/error.hpp"
@@ -29,8 +29,8 @@ output: {every: 2, histories: [{line: pipe, at: end_b, name: tip}, {line: pipe, 
 contact: {between_lines: false}
 )";
 
-// A tensioner on a barge that heaves keeps to the weight of the pipe, which leaves it along a slope and goes
-// over the rollers of a ramp.
+// A tensioner on a heaving barge keeps the tension of a pipe, which leaves it on a slope over the rollers of
+// a ramp.
 const char* const kRamp = R"(hawser: 1
 title: A pipe over a ramp that heaves, held by a tensioner
 environment: {gravity: 9.80665}
@@ -117,7 +117,7 @@ TEST(FedPipes, ABendActsOnTheClamp) {
   const std::string path = folder("fed-pipes-clamp"), input = path + "/case.yaml", file = path + "/whole.h5";
   write_case(input, kCantilever);
   run_on_all({input, file});
-  // The same length outside at rest.
+  // Reference: the same outside length in statics.
   write_case(input, kCantilever, {{"stock: 20", "stock: 17"}, {"dynamics: {duration: 80}\n", ""}});
   run_on_all({input, path + "/still.h5"});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
@@ -126,8 +126,7 @@ TEST(FedPipes, ABendActsOnTheClamp) {
              out = named(file, r, "pipe_end_a_feed", "paid_out"),
              M = named(file, r, "clamp", "bending_moment"), z = named(file, r, "tip", "position_z");
   const auto error = named(file, r, "energy", "error"), brought = named(file, r, "energy", "brought_in");
-  // It hangs from a horizontal clamp: what pulls the material out is the bend alone, but for the inertia of
-  // what is sped up.
+  // The clamp is horizontal: except for inertia, the feeder force is that of the bend alone, M²/2EI.
   double off = 0, jump = 0;
   for (size_t i = 0; i < F.size(); ++i) {
     off += (F[i] - M[i] * M[i] / (2 * kEI)) / F[i] / static_cast<double>(F.size());
@@ -136,7 +135,7 @@ TEST(FedPipes, ABendActsOnTheClamp) {
   double lowest = HUGE_VAL;
   for (const double h : z) lowest = std::min(lowest, h);
   const double there = named(path + "/still.h5", still, "tip", "position_z").front();
-  double middle = 0;  // where 3 m are out, on the way out and back
+  double middle = 0;  // at 3 m outside, paying out and hauling in
   for (size_t i = 1; i < z.size(); ++i)
     if ((out[i] - 3) * (out[i - 1] - 3) <= 0 && out[i] != out[i - 1])
       middle = std::max(
@@ -169,7 +168,7 @@ TEST(FedPipes, ATensionIsKeptOverRollers) {
     most = std::max(most, out[i]);
     least = std::min(least, out[i]);
   }
-  // Statics has found the length with which it begins.
+  // Statics has found the initial length for this tension.
   EXPECT_NEAR(F.front(), 40e3, 0.1);
   EXPECT_NEAR(v.front(), 0, 1e-5);
   printf("  off its law by %.2g N, paid out from %.3f to %.3f m, energy %.1e\n", law, least, most,
@@ -179,7 +178,7 @@ TEST(FedPipes, ATensionIsKeptOverRollers) {
   EXPECT_LT(largest(error), 0.01 * work(brought));
 }
 
-// Statistics at places that stay with the feeder are those of what runs through them, step by step.
+// Statistics at stations fixed to the feeder are those of the material that passes them, step by step.
 TEST(FedPipes, StationsStayWithTheirFeeder) {
   const std::string path = folder("fed-pipes-stations"), input = path + "/case.yaml",
                     file = path + "/whole.h5";
@@ -205,7 +204,7 @@ TEST(FedPipes, StationsStayWithTheirFeeder) {
       for (size_t k = 0; k < r.output_times.size(); ++k) {
         size_t free = 1;
         while ((x[3 * (nodes * k + free)] == x[3 * nodes * k])) ++free;
-        const double feeder = static_cast<double>(free) - feed_point[k];  // material there; elements of 1 m
+        const double feeder = static_cast<double>(free) - feed_point[k];  // m; elements of 1 m
         const double s = feeder + static_cast<double>(i);
         double now = std::nan("");
         if (s < static_cast<double>(nodes - 1)) {
@@ -277,7 +276,8 @@ TEST(FedPipes, AreTheSameOnAllRanks) {
   }
 }
 
-// Its nodes are one point between wall and roller.
+// The stock has no contact, although its nodes are at one point between wall and roller: ten times the stock
+// gives the same roller forces.
 TEST(FedPipes, TheStockTouchesNothing) {
   const std::string path = folder("fed-pipes-stock"), input = path + "/case.yaml";
   std::vector<std::vector<double>> force;
@@ -302,7 +302,7 @@ TEST(FedPipes, TheStockTouchesNothing) {
   EXPECT_LT(largest_difference(force[0], force[1]), 1e-4 * largest(force[0]));
 }
 
-// Nor does water do work on it.
+// Water does no work on the stock: the energy balance closes.
 TEST(FedPipes, EnergyUnderWater) {
   const std::string path = folder("fed-pipes-water"), input = path + "/case.yaml", file = path + "/whole.h5";
   write_case(input, kUnderWater);

@@ -1,5 +1,5 @@
-// The energy of the state where an element leaves a feeder: pipes and tensions of an S-lay, over rollers that
-// turn freely and straight out of a clamp.
+// Change of energy, kinetic energy and feeder force when an element leaves a feeder: a pipe under the tension
+// of an S-lay, over rollers that turn freely and straight out of a clamp.
 #include <fmt/format.h>
 
 #include <array>
@@ -19,8 +19,8 @@ namespace {
 constexpr double kTension = 3e5;                                             // N
 constexpr double kEI = 16.2726e6, kEA = 2.3477e9, kWeight = 86.9 * 9.80665;  // N m², N, N/m
 
-// A pipe of 250 mm by 15 mm that a tensioner with its brake off lets go over the rollers of a ramp and a
-// stinger, as the barge moves ahead: what its other end does here.
+// A tensioner with its brake off pays out a pipe of 250 mm by 15 mm over the rollers of a ramp and a stinger
+// as the barge moves ahead; here the far end of the pipe moves instead.
 const char* const kLay = R"(hawser: 1
 title: A pipe over a ramp and a stinger
 environment: {gravity: 9.80665}
@@ -48,8 +48,8 @@ contact: {between_lines: false}
 )";
 
 struct Release {
-  double energy, kinetic;  // J, by which the state changes
-  double force;            // N, by which what the feeder feels changes
+  double energy, kinetic;  // J, change of the state
+  double force;            // N, change of the feeder's force
   double feed_point;       // m, unstretched length that is divided
 };
 
@@ -92,9 +92,9 @@ std::vector<Release> releases(const std::string& input) {
   return out;
 }
 
-// The two elements sag where the one could not: a cubic between two clamps misses w² L^5 / 1440 EI of the
-// energy of its weight. With the elements that rollers 5 m apart ask for that is 1e-6 of what the tension has
-// stored in one.
+// Two elements sag where one could not: one cubic between two clamps has an error of w² L^5 / 1440 EI in the
+// energy of its weight. For the element length required by rollers 5 m apart this is 1e-6 of the strain
+// energy of the tension in one element.
 void expect_smooth(const std::string& name, double element, size_t count, double most) {
   const std::string path = folder(name), input = path + "/case.yaml";
   write_case(input, kLay,
@@ -110,7 +110,7 @@ void expect_smooth(const std::string& name, double element, size_t count, double
           "  %.1f m: energy %.3g J (by hand %.3g), %.1e of the element's %.3g J; kinetic %.1e J; force %.1e "
           "N\n",
           element, r.energy, -sag, std::abs(r.energy) / stored, stored, r.kinetic, r.force);
-    // At the first one the tension is that of statics, which has found it to 1e-7.
+    // The tension at the first release is that of statics, with an error of 1e-7.
     if (&r != &all.front()) {
       EXPECT_NEAR(r.energy, -sag, 0.2 * sag);
     }
@@ -120,7 +120,8 @@ void expect_smooth(const std::string& name, double element, size_t count, double
   }
 }
 
-// The first release is that of statics, the second is by hand. On several ranks the long elements do.
+// Two releases: the first at the tension of statics, the second compared by hand. On several ranks only long
+// elements run.
 TEST(FedRelease, OverFreeRollers) {
   if (size_of(MPI_COMM_WORLD) > 1 && !std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
   expect_smooth("fed-release", 0.5, 2, 1e-6);

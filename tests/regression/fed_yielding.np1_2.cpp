@@ -1,5 +1,5 @@
-// Pipes that yield and are paid out and hauled in: what is bent stays with the material, energy, restarts in
-// the middle of an element, ranks.
+// Pipes that yield while they are paid out and hauled in: residual curvature moves with the material; energy
+// balance, restarts in the middle of an element, ranks.
 #include <algorithm>
 #include <cmath>
 
@@ -11,8 +11,7 @@ namespace {
 
 const std::vector<PlasticBending::Row> kRows{{0.02, 100e3}, {0.06, 140e3}, {0.5, 200e3}};  // 1/m, N m
 
-// A moment at its end bends whatever is outside into one arc; the clamp lets out 3.8 m more and hauls them in
-// twice.
+// An end moment bends the outside part into one arc. The clamp pays out 3.8 m more and hauls them in, twice.
 constexpr double kMoment = 150e3, kEI = 5e6;                      // N m, N m²
 constexpr double kBent = 0.06 + (kMoment - 140e3) * 0.44 / 60e3;  // 1/m, on the curve
 constexpr double kStays = kBent - kMoment / kEI;
@@ -43,8 +42,8 @@ output: {every: 1, histories: [{line: pipe, at: end_b, name: tip}]}
 contact: {between_lines: false}
 )";
 
-// A stretch of 6 m is bent into an arc by the way of its end, straightened again, and then carried away from
-// the clamp with the material: 3 m, and back.
+// The movement of its end bends 6 m into an arc and straightens it; the pipe is then paid out by 3.25 m and
+// hauled in.
 std::string carried() {
   constexpr double length = 6, most = 0.1;
   std::string rows;
@@ -56,8 +55,8 @@ std::string carried() {
                   up, -turn * 180 / M_PI);
     rows += row;
   }
-  // As much as is paid out.
-  const auto ramped = [](double t, double from) {  // the integral of a speed that rises by 0.5 m/s within 1 s
+  // The end moves by the length paid out.
+  const auto ramped = [](double t, double from) {  // integral of a speed that rises to 0.5 m/s within 1 s
     const double s = std::clamp(t - from, 0.0, 1.0);
     return 0.25 * s * s + 0.5 * std::max(t - from - 1, 0.0);
   };
@@ -108,8 +107,8 @@ TEST(FedYielding, LeavesAClampInAnArc) {
   const Results r = read(file);
   const auto out = named(file, r, "pipe_end_a_feed", "paid_out"),
              damping = named(file, r, "energy", "damping"), error = named(file, r, "energy", "error");
-  // After the first way out, hauled in, and out again: all that is outside for longer is bent as the curve
-  // says.
+  // After paying out, hauling in and paying out again, all of the material that was outside has the curvature
+  // of the curve.
   double off = 0, curve = 0;
   for (const size_t output : {22u, 43u, 64u})
     for (size_t node = 25; node < 32; ++node) {
@@ -119,8 +118,8 @@ TEST(FedYielding, LeavesAClampInAnArc) {
   for (size_t node = 18; node < 25; ++node)
     for (const size_t output : {22u, 64u})
       off = std::max(off, std::abs(at(r, "residual_curvature", output, node) / kStays - 1));
-  // What is lost: the first bend of all that has left, and straightening and bending again of what was hauled
-  // in.
+  // Dissipation: the first bend of all material that has left, and straightening and bending again of what
+  // was hauled in.
   const PlasticBending law(kRows);
   std::vector<double> set(law.memory(), 0);
   const double first = law.bend(kBent, 0, set.data());
@@ -141,8 +140,8 @@ TEST(FedYielding, BendsTravelWithTheMaterial) {
   run_on_all({input, file});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(file);
-  // Nodes 20 to 32 were outside when it was bent. At 17 s 3.25 m more are out, at 26 s all is back. Beside
-  // the clamps the straightened pipe, which pulls against them, yields once more.
+  // Nodes 20 to 32 were outside during bending. At 17 s 3.25 m more are outside; at 26 s all is hauled in.
+  // Near the clamps the straightened pipe yields again, because it pulls against them.
   const double bent = at(r, "residual_curvature", 8, 26);
   double away = 0, back = 0, straight = 0;
   for (size_t node = 22; node <= 28; ++node) {
@@ -164,7 +163,7 @@ TEST(FedYielding, GoOnInTheMiddleOfAnElement) {
                     whole = path + "/whole.h5", half = path + "/half.h5", rest = path + "/rest.h5";
   write_case(input, kArc, {{"duration: 65", "duration: 34"}});
   run_on_all({input, whole});
-  for (const double time : {13.3, 29.7}) {  // on the way out, on the way back
+  for (const double time : {13.3, 29.7}) {  // while paying out; while hauling in
     run_on_all({input, half, "", time});
     run_on_all({input, rest, half});
     if (rank_of(MPI_COMM_WORLD) != 0) continue;

@@ -1,5 +1,5 @@
-// Lines that are paid out and hauled in: a line that runs from one winch to another, a weight that is lowered
-// and raised, tensions that are kept, restarts, and what is refused.
+// Lines that are paid out and hauled in: a line that runs between two winches, a weight lowered and raised,
+// constant tensions, restarts, and rejected input.
 #include <fmt/format.h>
 
 #include <optional>
@@ -31,14 +31,14 @@ output: {every: 1, histories: [{line: rope, at: end_b, name: weight}, {line: rop
 contact: {between_lines: false}
 )";
 
-// Of every step, whichever way it went.
+// Sum of the steps' absolute work.
 double work(const std::vector<double>& brought) {
   double sum = 0;
   for (size_t i = 1; i < brought.size(); ++i) sum += std::abs(brought[i] - brought[i - 1]);
   return sum;
 }
 
-// By the rows of the table.
+// Length paid out by the rows of the table.
 double paid(double t) {
   if (t < 2) return 0.25 * t * t;
   if (t < 20) return t - 1;
@@ -47,8 +47,8 @@ double paid(double t) {
 }
 double acceleration(double t) { return t < 2 ? 0.5 : t < 20 ? 0 : t < 24 ? -0.5 : 0; }
 
-// The node that divides an element settles by the weight of its neighbourhood: energy goes by F²/2K, with F =
-// w L/2 and K = EA (1/l + 1/(L - l)), 3/16 (w l/T)² of the energy of an element.
+// When an element leaves the feeder, its new node moves under the weight of its surroundings and the energy
+// falls by F²/2K, F = w L/2, K = EA (1/l + 1/(L - l)): 3/16 (w l/T)² of the energy of an element.
 TEST(Feeders, AnElementLeavesWithTheEnergyOfItsWeight) {
   constexpr double l = 2, w = 10 * kGravity, EA = 1e6;  // m, N/m, N
   const std::string path = folder("feeders-leaves"), input = path + "/case.yaml", file = path + "/whole.h5";
@@ -89,7 +89,7 @@ TEST(Feeders, LowerAndRaiseAWeight) {
     const double t = r.step_times[i];
     EXPECT_NEAR(out[i], paid(t), 1e-9) << t;
     EXPECT_EQ(end[i], T[i]);
-    // All of the line falls as fast as it leaves; near the corners of the table it vibrates.
+    // The whole line accelerates with the feed speed; after the corners of the table it vibrates.
     bool corner = t < 0.5;
     for (const double c : {2.0, 20.0, 24.0}) corner |= t >= c - 0.05 && t < c + 0.5;
     const double still = (1000 + 10 * (20 + paid(t))) * (kGravity - acceleration(t));
@@ -98,11 +98,12 @@ TEST(Feeders, LowerAndRaiseAWeight) {
   }
   printf("  tension off by %.1e, energy by %.1e of what was brought in\n", off, worst / work(brought));
   EXPECT_LT(off, 0.02);             // axial vibration after the corners of the table
-  EXPECT_GT(r.summary.at(3), 5e3);  // the least tension is that of what is outside
+  EXPECT_GT(r.summary.at(3), 5e3);  // the least tension is that of the outside part
   EXPECT_LT(worst, 0.01 * work(brought));
 }
 
-// A node leaves where 5 m are paid out, in the very step that ends at an event: what moves goes on as it did.
+// A node leaves at 5 m paid out, in the step that ends at an event: the motion and the energy continue
+// without a jump.
 TEST(Feeders, ANodeLeavesAtAnEvent) {
   const std::string path = folder("feeders-event"), input = path + "/case.yaml", file = path + "/whole.h5";
   write_case(
@@ -124,15 +125,16 @@ TEST(Feeders, ANodeLeavesAtAnEvent) {
     shortest = std::min(shortest, L[i]);
   }
   printf("  tension off by %.1e, energy by %.1e J\n", off, largest(error));
-  EXPECT_LT(shortest, 1.1);  // of 3 m before it left
+  EXPECT_LT(shortest, 1.1);  // of 3 m before
   EXPECT_LT(off, 0.01);
   EXPECT_LT(largest(error), 0.01 * work(named(file, r, "energy", "brought_in")));
 }
 
-// A line that runs with V between two winches keeps the shape of its catenary, and has m V² more tension
-// (Routh 1884: of any line that moves along itself). That stretches it: what shape and weight ask for, P, is
-// the tension of an elastic catenary whose material is longer by m V² λ / EA, and lighter and stiffer per
-// length accordingly; then T = P + m V² λ, λ = 1 + T/EA, as V is the speed of unstretched line.
+// A line that runs with V between two winches keeps the shape of its catenary and has m V² more tension
+// (Routh 1884: for any line that moves along itself). The additional tension stretches it. P, in balance with
+// shape and weight, is the tension of an elastic catenary whose material is longer by m V² λ / EA, and
+// lighter and stiffer per length accordingly. T = P + m V² λ, λ = 1 + T/EA, because V is the speed of the
+// unstretched line.
 const char* const kRunning = R"(hawser: 1
 title: A catenary that runs from one winch to another
 environment: {gravity: 9.80665}
@@ -168,8 +170,8 @@ CatenaryShape running(double V, double& T) {
 TEST(Feeders, ALineThatRunsKeepsItsShape) {
   const std::string path = folder("feeders-running"), input = path + "/case.yaml", file = path + "/whole.h5";
   for (const double V : {5.0, 10.0, 20.0}) {
-    if (V < 20 && size_of(MPI_COMM_WORLD) > 1 && !std::getenv("HAWSER_FULL")) continue;  // the same, slower
-    // Smoothly, so that it swings little.
+    if (V < 20 && size_of(MPI_COMM_WORLD) > 1 && !std::getenv("HAWSER_FULL")) continue;  // slower runs
+    // A smooth start causes little oscillation.
     std::string out, in;
     for (int i = 0; i <= 10; ++i) {
       const double u = 0.1 * i, v = V * u * u * (3 - 2 * u);
@@ -193,7 +195,7 @@ TEST(Feeders, ALineThatRunsKeepsItsShape) {
     const double mean = 0.5 * (at_a + at_b) / time;
     const auto& x = r.fields.at("position");
     const size_t nodes = 901;
-    double low = 0;  // it swings a little after it was set in motion: the mean
+    double low = 0;  // mean over the remaining oscillation
     int outputs = 0;
     for (size_t k = 0; k < r.output_times.size(); ++k) {
       if (r.output_times[k] <= 24) continue;
@@ -218,7 +220,7 @@ TEST(Feeders, ALineThatRunsKeepsItsShape) {
   }
 }
 
-// A tug pulls a rope back and forth that a winch keeps at its tension, exactly or within a band.
+// A tug pulls a rope back and forth; a winch keeps its tension, exactly or within a band.
 const char* const kTug = R"(hawser: 1
 title: A winch that keeps a tension
 environment: {gravity: 0}
@@ -258,11 +260,11 @@ TEST(Feeders, KeepATension) {
 
 const Edits kBand{{"tension: 10 kN}", "tension: 10 kN, dead_band: [8 kN, 12 kN], speed_per_tension: 2e-4}"}};
 
-// The law holds of the tension with that of the damper in it: damping makes no peak where the band is left.
+// The speed law uses the tension including damping, so damping causes no peak at the edge of the band.
 TEST(Feeders, RestWithinTheirBand) {
   const std::string path = folder("feeders-band"), input = path + "/case.yaml", file = path + "/whole.h5";
-  // Results have the inertia of the element at the feed point in the tension, which the law has not: the
-  // more, the faster the damper lets the speed change.
+  // The recorded tension contains the inertia of the element at the feed point, which the law does not use.
+  // Its share increases with damping, because the speed then changes faster.
   for (const auto& [damping, tolerance] : {std::pair{"0.02", 0.025}, {"1e-4", 0.01}}) {
     Edits edits = kBand;
     edits.push_back({"stiffness_damping: 0.02", fmt::format("stiffness_damping: {}", damping)});
@@ -272,7 +274,7 @@ TEST(Feeders, RestWithinTheirBand) {
     const Results r = read(file);
     const auto T = named(file, r, "rope_end_a_feed", "tension"),
                v = named(file, r, "rope_end_a_feed", "feed_speed");
-    // Where it begins to move, the tension is that of the edge or, later in the step, the law's.
+    // At the start of motion the tension is that of the band's edge or, later in the step, that of the law.
     int starts = 0;
     double off = 0, beyond = 0;
     for (size_t i = 1; i < T.size(); ++i) {
@@ -309,7 +311,7 @@ void expect_same(const std::string& a, const std::string& b, double tolerance) {
   EXPECT_NEAR(e.back(), f.back(), 1e-3 + 1e-6 * largest(named(a, whole, "energy", "brought_in")));
 }
 
-// In the middle of an element.
+// Restart in the middle of an element.
 TEST(Feeders, GoOnAfterARestart) {
   const std::string path = folder("feeders-restart");
   for (const auto& [name, text, edits] :
@@ -353,7 +355,7 @@ std::string refusal(const std::string& input, const std::string& output) {
   return "";
 }
 
-// Statics holds the feeder: with damping too, the start is that of a table that begins at 0.
+// Statics does not move the feeder: the start with a speed and damping is that of a table that begins at 0.
 TEST(Feeders, StaticsDoesNotFeed) {
   const std::string path = folder("feeders-statics"), input = path + "/case.yaml";
   const std::string table = "speed_table: [[0, 0], [2, 1], [20, 1], [24, -1], [40, -1]]";
@@ -374,7 +376,7 @@ TEST(Feeders, StopWhereTheStockRunsOut) {
   EXPECT_NE(
       refusal(input, path + "/out.h5").find("40 m are paid out by t = 41 s, and the run goes on to 60 s"),
       std::string::npos);
-  // It pays out whatever the weight is more than its tension: no length outside has that at rest.
+  // It keeps a tension below the weight, so it pays out without an equilibrium length.
   write_case(input, kWeight,
              {{"speed_table: [[0, 0], [2, 1], [20, 1], [24, -1], [40, -1]]",
                "tension: 8 kN, speed_per_tension: 5e-4"},

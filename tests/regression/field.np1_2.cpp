@@ -1,5 +1,6 @@
-// A field that a force term declares is shown wherever its declaration says: at outputs, in histories, in
-// statistics over every step and at stations, in the table of extremes; and tools can read what is said.
+// A field declared by a force term appears where its declaration says: at outputs, in histories, in
+// statistics over steps and at stations, and in the table of extremes; attributes describe it for other
+// tools.
 #include <memory>
 
 #include "hawser/base/error.hpp"
@@ -26,7 +27,7 @@ output: {every: 0.5, histories: [{line: rope, at: end_b, name: weight}]}
 contact: {between_lines: false}
 )";
 
-// A field and no force: the height of nodes and, with their sum, the tension.
+// A term with fields and no force: the height of nodes, and the tension plus 1 N.
 class Height : public ForceTerm {
  public:
   explicit Height(const LocalMesh& mesh) : mesh_(mesh) {}
@@ -90,22 +91,22 @@ TEST(Field, IsShownAsDeclared) {
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(output);
   ASSERT_EQ(r.output_times.size(), 2u);
-  // At outputs, the height of the last node of all.
+  // At outputs: the height of the last node.
   EXPECT_EQ(r.fields.at("height").back(), r.fields.at("position").back());
-  // In histories, of which those behind the ends' own columns come last but for acceleration and angles.
+  // Position in histories: after the ends' own columns, before accelerations.
   const auto z = named(output, r, "weight", "position_z");
   EXPECT_EQ(named(output, r, "weight", "height"), z);
-  EXPECT_LT(z.back(), z.front() - 0.1);  // it is lowered
+  EXPECT_LT(z.back(), z.front() - 0.1);  // the winch lowers it
   const auto tension = named(output, r, "weight", "effective_tension"),
              raised = named(output, r, "weight", "raised_tension");
-  EXPECT_GT(largest_difference(tension, raised), 0.5);  // of the element's middle, and 1 N
+  EXPECT_GT(largest_difference(tension, raised), 0.5);  // tension of the element's middle; 1 N in addition
   EXPECT_LT(largest_difference(tension, raised), 200);
   const auto columns = columns_of(output, "weight");
   const auto place = [&](const char* name) { return std::find(columns.begin(), columns.end(), name); };
   EXPECT_LT(place("height"), place("end_force_x"));
   EXPECT_LT(place("end_force_x"), place("raised_tension"));
   EXPECT_LT(place("raised_tension"), place("acceleration_x"));
-  // Statistics: least, its time, largest.
+  // Statistics: minimum, its time, maximum.
   const auto file = io::h5::open_read(output);
   const auto every = io::h5::read_array(file, "statistics/height").values;
   ASSERT_EQ(every.size(), 31u * io::kStatistics);
@@ -113,11 +114,11 @@ TEST(Field, IsShownAsDeclared) {
   EXPECT_EQ(last[0], *std::min_element(z.begin(), z.end()));
   EXPECT_EQ(last[2], *std::max_element(z.begin(), z.end()));
   EXPECT_FALSE(io::h5::exists(file, "statistics/raised_tension"));
-  // The station whose distance is what is outside at first has the height of the weight.
+  // The station at the initially outside length has the height of the weight.
   const auto stations = io::h5::read_array(file, "statistics/height_at_stations").values;
   EXPECT_NEAR(stations[9 * io::kStatistics + 2], 100 - 18, 0.1);
   EXPECT_FALSE(io::h5::exists(file, "statistics/raised_tension_at_stations"));
-  // First in the table of extremes: the largest of it, then the least.
+  // First rows in the table of extremes: maximum, then minimum.
   ASSERT_GE(r.summary.size(), 6u);
   EXPECT_NEAR(r.summary[0], 100, 1e-9);
   EXPECT_EQ(r.summary[3], *std::min_element(z.begin(), z.end()));

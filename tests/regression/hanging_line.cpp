@@ -1,4 +1,5 @@
-// The smallest case, statics only and without a body, from the case file to the results file.
+// The smallest case, statics only, without a body, from case file to results file: tensions by the elastic
+// catenary.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -23,7 +24,7 @@ TEST(HangingLine, TensionsOfTheElasticCatenary) {
   const io::h5::Id file = io::h5::open_read(out);
   const auto tension = io::h5::read_array(file, "fields/effective_tension").values;
   ASSERT_EQ(tension.size(), 41u);
-  // Irvine (1981), by the closed form that has its own tests.
+  // Irvine (1981), by the closed form, which has its own tests.
   const CatenaryShape exact =
       catenary(Vec3::Zero(), Vec3(100, 0, 20), {{120, Vec3(0, 0, -980.665), 5e8, Vec3::Zero()}});
   EXPECT_NEAR(tension.front(), exact.tension_a().norm(), 5e-4 * exact.tension_a().norm());
@@ -31,7 +32,7 @@ TEST(HangingLine, TensionsOfTheElasticCatenary) {
   for (const char* end : {".h5", ".xdmf"}) std::filesystem::remove(out.substr(0, out.size() - 3) + end);
 }
 
-// Numbers that solve the equations, or overflow in them, and are no result: one sentence, and no exit code 0.
+// Numbers that solve the equations but are no valid result, or overflow, are rejected with one sentence.
 TEST(HangingLine, NonsenseIsRefused) {
   struct Wrong {
     const char *from, *to, *sentence;

@@ -1,4 +1,4 @@
-// Histories of points between nodes, also between those of two ranks, against the fields of the same run.
+// Histories of points between nodes, also between nodes of two ranks, against the fields of the same run.
 #include <fmt/format.h>
 
 #include "regression/runs.hpp"
@@ -67,7 +67,7 @@ TEST(Histories, PointsBetweenNodes) {
     for (size_t k = 0; k < 3; ++k)
       EXPECT_NEAR(shown(std::string("position_") + "xyz"[k]), between(x[row + k], x[row + 3 + k]), 1e-12);
   }
-  // At the weight the sides differ, and the points beside it are on theirs.
+  // Tensions differ between both sides of the weight; points near it have the tension of their side.
   const double before = named(file, r, "weight", "effective_tension_before").back(),
                after = named(file, r, "weight", "effective_tension_after").back();
   EXPECT_EQ(before, last("effective_tension_before", kWeight));
@@ -76,8 +76,8 @@ TEST(Histories, PointsBetweenNodes) {
   EXPECT_EQ(r.columns.at("ship_end"), r.columns.at("p3") + 8);
 }
 
-// A cantilever with a force and a torque at 5 m: beside them, on the side of its end, there is neither shear
-// nor torsion, on the other side all of both.
+// A cantilever with a force and a torque at 5 m: a point just beyond them has neither shear nor torsion, a
+// point just before them has all of both.
 TEST(Histories, PointsBesideALoad) {
   const std::string path = folder("histories-beam"), input = path + "/case.yaml", file = path + "/whole.h5";
   write_case(input, R"(hawser: 1

@@ -1,5 +1,5 @@
-// The program is killed (SIGKILL) at random moments of a run with contact: what its file showed before is
-// there afterwards, as it would be had the run not been killed, and the run goes on from it to the same end.
+// The program is killed (SIGKILL) at random moments of a run with contact. Rows that its file showed before
+// are still there, equal to those of an uninterrupted run, and a restart from it has the same end.
 #include <signal.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -12,7 +12,7 @@
 namespace hawser::runs::kill_test {
 namespace {
 
-// Starts the program; its environment does not tell it that it is part of this test's MPI job.
+// Starts the program without the MPI environment of this test's job.
 pid_t start(const std::vector<std::string>& arguments) {
   std::vector<std::string> words{std::string(HAWSER_BINARY_DIR) + "/hawser"}, env;
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -39,13 +39,13 @@ int wait_for(pid_t child) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
-// Rows that `path` holds at this moment, while somebody may be writing it.
+// Rows in `path` at this moment; another process may be writing it.
 std::pair<size_t, size_t> rows(const std::string& path) {
   if (access(path.c_str(), F_OK)) return {0, 0};
   return written(io::h5::open_read(path));
 }
 
-// All that `part` holds is the beginning of `whole`, bit for bit.
+// The contents of `part` are the beginning of those of `whole`, bit for bit.
 void expect_beginning(const Results& whole, const Results& part) {
   const auto begins = [](const std::vector<double>& all, const std::vector<double>& some) {
     return some.size() <= all.size() && std::equal(some.begin(), some.end(), all.begin());
@@ -66,7 +66,7 @@ TEST(Kill, WhatWasAcceptedStaysAndTheRunGoesOn) {
   const auto began = std::chrono::steady_clock::now();
   ASSERT_EQ(wait_for(start({"run", input, "-q", "-o", path + "/whole.h5"})), 0);
   const double duration =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();  // s, on the wall
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();  // s, wall time
   const Results whole = read(path + "/whole.h5");
   ASSERT_EQ(whole.output_times.size(), 201u);
 
@@ -75,12 +75,11 @@ TEST(Kill, WhatWasAcceptedStaysAndTheRunGoesOn) {
   std::remove(file.c_str());
   int kills = 0, restarts = 0, ends = 0;
   for (int attempt = 0; attempt < 100 && (kills < 10 || restarts < 3 || ends < 2); ++attempt) {
-    // A file of a run that was killed before its first checkpoint can only be made anew.
+    // A run killed before its first checkpoint starts again from the beginning.
     std::vector<std::string> words{"run", input, "-q", "-o", file};
     const bool going_on = rows(file).first > 1;
     if (going_on) words.insert(words.end(), {"--restart", file});
-    // A run that goes on writes a file of its own first, up to its checkpoint; rows behind that it makes
-    // again.
+    // A restart first writes a new file up to its checkpoint and repeats later rows.
     const auto number = [&] {
       struct stat now {};
       return stat(file.c_str(), &now) ? ino_t{0} : now.st_ino;
@@ -94,7 +93,7 @@ TEST(Kill, WhatWasAcceptedStaysAndTheRunGoesOn) {
       usleep(2000);
       try {
         if (number() != old) written = std::max(written, rows(file));
-      } catch (const std::exception&) {  // not there yet
+      } catch (const std::exception&) {  // no file yet
       }
     }
     kill(child, SIGKILL);
@@ -108,7 +107,7 @@ TEST(Kill, WhatWasAcceptedStaysAndTheRunGoesOn) {
       ++kills;
       restarts += going_on;
     } else {
-      // It had come to its end, over one kill or several.
+      // This run ended normally, after one kill or several.
       ASSERT_EQ(code, 0);
       ++ends;
       EXPECT_EQ(part.output_times.size(), whole.output_times.size());

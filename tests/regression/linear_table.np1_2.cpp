@@ -1,4 +1,4 @@
-// A body that moves by straight lines between the rows of its table: steps end at the rows.
+// A body moves on straight lines between the rows of its table: steps end at the rows.
 #include <algorithm>
 
 #include "regression/runs.hpp"

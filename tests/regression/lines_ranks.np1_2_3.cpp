@@ -1,5 +1,5 @@
-// Beams and cables without contact, cut between the ranks, at rest and in motion, on one rank and on all: the
-// same to 1e-9.
+// Beams and cables without contact, cut between the ranks, at rest and in motion: results on all ranks are
+// those on one within 1e-9.
 #include "regression/runs.hpp"
 
 namespace hawser::runs::lines_ranks {
@@ -50,7 +50,7 @@ output:
     - {line: port, at: end_a, name: pile}
 )";
 
-// A chain of cables only, of so few nodes that a rank has one or none.
+// A chain of cables with so few nodes that a rank has one or none.
 const char* const kChain = R"(hawser: 1
 line_types:
   chain: {bending: false, outer_diameter: 0.1, mass_per_length: 40, EA: 3.0e6}
@@ -89,7 +89,7 @@ void compare(const std::string& which, const std::string& text, const Edits& edi
   for (const std::string point : {"hang-off", "pile"})
     for (size_t c = 0; one.columns.count(point) && c < one.columns.at(point); ++c) {
       const auto a = one.column(point, c), b = all.column(point, c);
-      // What is zero by symmetry is the round-off of the forces.
+      // Values that are zero by symmetry have the round-off of the forces.
       const double round_off = 1e-13 * largest(one.series.at(point));
       EXPECT_LE(largest_difference(a, b), 1e-9 * largest(a) + round_off) << point << ' ' << c;
     }

@@ -1,5 +1,5 @@
-// Springs and dampers as elements in whole runs: what they pull with is in the results, energy adds up, and a
-// run goes on exactly from a checkpoint, on one rank and on two.
+// Springs and dampers as elements in whole runs: results have their tensions, the energy balance closes, and
+// a restart is exact, on one rank and on two.
 #include "hawser/base/error.hpp"
 #include "regression/runs.hpp"
 
@@ -8,8 +8,9 @@ namespace {
 
 constexpr double kHalf = 6, kEnd = 12;  // s
 
-// Under a crane tip that moves a load hangs on a compensator; a tugger line with a spring in it, which goes
-// slack, holds it; a second load hangs from the first on a damped link, and a beam beside carries a rider.
+// A load hangs under a moving crane tip on a compensator. A tugger line with a spring, which slackens, holds
+// it. A second load hangs from the first on a damped link. A fender links the load to an arm on a column, and
+// a brace links the column to a stay.
 const char* const kCase = R"(
 hawser: 1
 line_types:
@@ -62,7 +63,7 @@ TEST_F(Links, HistoriesAndEnergy) {
   EXPECT_GT(*std::max_element(sag.begin(), sag.end()), 100);
   for (size_t i = 2; i + 1 < length.size(); ++i) {
     const double by = (length[i + 1] - length[i - 1]) / (all.step_times[i + 1] - all.step_times[i - 1]);
-    EXPECT_NEAR(speed[i], by, 5e-3) << all.step_times[i];  // it jolts where the tugger's spring tightens
+    EXPECT_NEAR(speed[i], by, 5e-3) << all.step_times[i];  // jumps where the tugger's spring tightens
   }
   const double brought_in = largest(all.column("energy", 5)), error = largest(all.column("energy", 6)),
                damping = all.column("energy", 4).back();
@@ -99,7 +100,7 @@ TEST_F(Links, GoOnAfterARestart) {
   }
 }
 
-// Links are a part of the case that a run goes on with.
+// A restart rejects changed links.
 TEST_F(Links, OtherLinksAreRefused) {
   run_on_all({path + "/links.yaml", path + "/half.h5", "", 0.1});
   const std::string other = path + "/other.yaml";

@@ -1,4 +1,4 @@
-// Whole runs with elements and steps that are too long, and their warnings, on any number of ranks.
+// Whole runs with elements and steps that are too long, and their warnings, the same on any number of ranks.
 #include <fmt/format.h>
 
 #include "hawser/base/mpi.hpp"
@@ -11,8 +11,8 @@
 namespace hawser::runs::long_elements {
 namespace {
 
-// A chain from the bed to a fairlead that heaves until it snaps taut. Slack it folds: impacts of it on itself
-// would cut the steps.
+// A chain from the bed to a fairlead that heaves until the chain snaps taut. Between lines there is no
+// contact, because impacts of the slack chain on itself would shorten the steps.
 const char* const kChain = R"(hawser: 1
 environment: {water: {depth: 50}, seabed: {depth: 50, friction: 0.5}}
 line_types:
@@ -29,7 +29,7 @@ dynamics: {duration: 10STEP}
 output: {every: 1}
 )";
 
-// A cable across a jet of the current, at rest, and a stiff riser in a wave.
+// A cable across a current jet, at rest, and a stiff riser in a wave.
 const char* const kJet = R"(hawser: 1
 environment:
   water: {depth: 100}
@@ -56,7 +56,7 @@ dynamics: {duration: 15, step: 0.05}
 output: {every: 5}
 )";
 
-// A rope that 1 kN at its end pulls down by ten degrees over the edge of a box, without friction.
+// A load of 1 kN at its end pulls a rope over the edge of a box by ten degrees, without friction.
 const char* const kEdge = R"(hawser: 1
 environment: {gravity: 0}
 line_types: {rope: {outer_diameter: 0.02, mass_per_length: 1, EA: 2 MN, STIFFNESS}}
@@ -97,8 +97,8 @@ struct LongElements : testing::Test {
   }
 };
 
-// Both elements beside one with 1 kN hang down by 49 degrees; their tensions are 1 kN/cos 49. The ranks share
-// the line between its two turns, which cancel: a third of one of them counts.
+// Both elements beside one with 1 kN hang down by 49 degrees; their tensions are 1 kN/cos 49. The ranks cut
+// the line between its two bends, whose errors cancel: a third of one of them counts.
 TEST(EdgeErrorsOnRanks, OfALineThatIsCutBetweenItsTurns) {
   const model::Case c = io::read_case_text(R"(
 hawser: 1
@@ -145,7 +145,7 @@ TEST_F(LongElements, AreReported) {
   EXPECT_EQ(fine, "");
 }
 
-// Rows and warnings of several lines stand in the order of the case, whichever ranks have the lines.
+// Rows and warnings of several lines are in the order of the case, whichever ranks have the lines.
 TEST_F(LongElements, OfSeveralLinesAreReportedInTheirOrder) {
   std::string lines;
   int y = 0;
@@ -188,7 +188,7 @@ TEST_F(LongElements, SoAreLongStepsOfASnap) {
   EXPECT_EQ(fine, "");
 }
 
-// Drag of 733 N in place of 2.66 kN.
+// Drag of 733 N instead of 2.66 kN.
 TEST_F(LongElements, MissACurrentBetweenTheirNodes) {
   const std::string coarse = run(kJet, {{"ELEMENTS", "10"}}), fine = run(kJet, {{"ELEMENTS", "200"}});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
@@ -201,7 +201,7 @@ TEST_F(LongElements, MissACurrentBetweenTheirNodes) {
   EXPECT_EQ(fine, "");
 }
 
-// The wave forces on elements of 5 m are 12 % above those of elements of 0.5 m.
+// Wave forces on elements of 5 m are 12 % larger than on elements of 0.5 m.
 TEST_F(LongElements, MissWavesBetweenTheirNodes) {
   const std::string coarse = run(kRiser, {{"ELEMENTS", "21"}}), fine = run(kRiser, {{"ELEMENTS", "140"}});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
@@ -212,11 +212,11 @@ TEST_F(LongElements, MissWavesBetweenTheirNodes) {
   EXPECT_EQ(fine, "");
 }
 
-// Both ends have 1 kN where nothing but the edge acts between them. The error that is reported is the one
-// that is there.
+// Both ends have 1 kN, because only the frictionless edge acts between them. The reported error is the true
+// one.
 TEST_F(LongElements, TakeTensionOverAnEdge) {
   const bool first = rank_of(MPI_COMM_WORLD) == 0;
-  const auto at_end_a = [&] {  // N; 1 kN on ranks that do not look
+  const auto at_end_a = [&] {  // N; 1 kN on other ranks
     if (!first) return 1000.0;
     const io::h5::Id file = io::h5::open_read(path + "/all.h5");
     return io::h5::read_array(file, "fields/effective_tension").values.front();

@@ -1,6 +1,6 @@
-// The offloading hose of cases/offloading-hose: with contact it stays outside the hull and lies along it, on
-// one rank and on two the same, since it may touch itself and is not cut; without contact it goes through.
-// Whole, or (quick) with longer elements and until it has met stern and side.
+// The offloading hose of cases/offloading-hose: with contact it stays outside the hull and lies along it;
+// without contact it passes through. Results on one rank and on two are equal, because a hose that may touch
+// itself is not cut. Whole (HAWSER_FULL), or with longer elements until it has reached stern and side.
 #include "hawser/io/case_reader.hpp"
 #include "hawser/run/volumes.hpp"
 #include "regression/runs.hpp"
@@ -11,7 +11,7 @@ namespace hawser::runs::offloading_hose {
 namespace {
 
 constexpr double kRadius = 0.5 * 0.49843;  // m
-constexpr double kSide = 27.5;  // m, half the beam: the port side is at x = -27.5, the ship heading north
+constexpr double kSide = 27.5;             // m, half the beam; the port side is x = -27.5, heading north
 
 bool whole() { return std::getenv("HAWSER_FULL") != nullptr; }
 double stop_at() { return whole() ? 0 : 150; }
@@ -27,8 +27,8 @@ std::string hose(const std::string& path, const std::string& name) {
   return path;
 }
 
-// Nodes of the last output whose centre is within the hull, by the winding number over all its triangles, and
-// how deep the deepest of them is under the port side.
+// Nodes of the last output with their centre inside the hull, by the winding number of all its triangles, and
+// their largest distance from the port side.
 struct Inside {
   int nodes = 0;
   double deepest = 0;  // m
@@ -42,7 +42,7 @@ Inside inside(const std::string& path, const Results& r) {
   Inside out;
   for (size_t n = 0; n < nodes; ++n) {
     const double* p = x.data() + first + 3 * n;
-    // The ship moves by some centimetres: what is further in than that counts.
+    // The ship moves by some centimetres: only deeper nodes count.
     const Vec3 body(p[1], -p[0], p[2]), up = Vec3(0.0031, 0.0017, 1).normalized();
     if (!(test::WindingAlong(mesh, body, up).at(0, mesh, boundary) > 0.5)) continue;
     ++out.nodes;
@@ -63,7 +63,7 @@ TEST(OffloadingHose, StaysOutsideAndLiesAlongTheHull) {
   const Results all = read(path + "/all.h5");
   const double deepest = all.summary.at(3 * 4);
   const Inside in = inside(here, all);
-  // Nodes whose hose touches the hull, or is equivalent to there, along the port side and round the quarter.
+  // Nodes where the hose is within 0.15 m of the hull, along the port side and round the quarter.
   const auto hull = run::load_volumes(io::read_case(here))[0].surface;
   const auto& x = all.fields.at("position");
   const size_t nodes = x.size() / 3 / all.output_times.size(),
@@ -87,13 +87,13 @@ TEST(OffloadingHose, StaysOutsideAndLiesAlongTheHull) {
   EXPECT_GT(length, whole() ? 60 : 5);
   if (size_of(MPI_COMM_WORLD) == 1) {
 #if defined(__OPTIMIZE__) && defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__)
-    // On one core in real time at least.
+    // Faster than real time on one core.
     EXPECT_LT(used, all.step_times.back());
 #endif
     return;
   }
-  // To the error tolerance, which a cut would not hold: it has impacts and rebounds along tens of metres, the
-  // moments of touching decide the steps, and the smallest difference would grow to millimetres.
+  // Equal within the error tolerance. A cut hose would differ by millimetres: impacts and rebounds over tens
+  // of metres determine the steps and amplify the smallest difference.
   const Results one = read(path + "/one.h5");
   EXPECT_EQ(one.output_times, all.output_times);
   EXPECT_EQ(one.step_times, all.step_times);

@@ -1,2 +1,2 @@
-// All 400 s of the offloading hose: what offloading_hose tests of its beginning.
+// offloading_hose for all 400 s.
 #include "offloading_hose.np1_2.cpp"

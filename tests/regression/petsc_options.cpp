@@ -1,4 +1,5 @@
-// What PETSc's options change in a run: what is shown, and not who judges steps or moves lines.
+// Effect of PETSc options on a run: monitors are allowed; options that change the step control or the solver
+// are rejected or have no effect.
 #include <petscsys.h>
 
 #include "hawser/base/error.hpp"
@@ -22,7 +23,7 @@ output: {every: 0.1}
 contact: {between_lines: false}
 )";
 
-// An option for as long as it lives.
+// Sets an option during its lifetime.
 struct Option {
   std::string key;
   Option(const std::string& k, const std::string& value) : key(k) {
@@ -58,8 +59,8 @@ TEST(PetscOptions, AnotherJudgeOfStepsIsRefused) {
   }
 }
 
-// The iterations of statics and the tries of steps are shown by PETSc's monitors, and another line search
-// than that of statics is not taken.
+// PETSc's monitors show iterations of statics and attempted steps; another line search for statics has no
+// effect.
 TEST(PetscOptions, MonitorsShowStaticsAndSteps) {
   const std::string path = folder("petsc-monitors"), input = path + "/case.yaml";
   write_case(input, kChain);

@@ -1,5 +1,5 @@
-// The checks of pipes by codes in whole runs: what loads and factors they are made from at each output, over
-// every step, after a restart; on 1 and 2 ranks.
+// Pipe code checks in whole runs against the formulas with the loads of each output, over every step, and
+// after a restart; on 1 and 2 ranks.
 #include "hawser/kernels/pipe_codes.hpp"
 #include "regression/event_runs.hpp"
 
@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kDensity = 1025, kGravity = 9.80665;
 
-// A pipe that hangs from a vessel in heave to the bed, with a section of hose at its upper end.
+// A pipe from a heaving vessel to the bed, with a section of hose at its upper end.
 const char* const kCase = R"(hawser: 1
 environment:
   water: {}
@@ -72,7 +72,7 @@ TEST(PipeStrength, AtOutputsAndOverEveryStep) {
                   by.tension_and_pressure(loads(k).tension, outside, inside), 1e-12);
       most = std::max(most, found);
     }
-  // Over every step no less than at any output, the same on one rank and after a restart.
+  // The maximum over all steps is at least that at outputs, and equal on one rank and after a restart.
   const auto largest_of = [&](const std::string& from) {
     const io::h5::Id h5 = io::h5::open_read(from);
     const auto all = io::h5::read_array(h5, "statistics/dnv_local_buckling").values;
@@ -86,7 +86,7 @@ TEST(PipeStrength, AtOutputsAndOverEveryStep) {
   EXPECT_NEAR(largest_of(path + "/half.h5"), largest_of(file), 1e-9);
 }
 
-// gamma_C of functional loads is taken where it belongs, the seabed.
+// The factor gamma_C of functional loads applies on the seabed only.
 TEST(PipeStrength, ConditionOnTheSeabed) {
   const std::string path = folder("pipe-condition"), input = path + "/case.yaml";
   for (const auto& [name, text] :

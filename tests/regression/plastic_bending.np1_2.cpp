@@ -1,4 +1,4 @@
-// A pipe that is bent beyond yield and straightened: moments, what it keeps of the bend, energy, restarts,
+// A pipe that is bent beyond yield and straightened: moments, residual curvature, energy balance, restarts,
 // ranks.
 #include "hawser/kernels/plastic_bending.hpp"
 
@@ -12,8 +12,8 @@ namespace {
 constexpr double kLength = 12, kMost = 0.06;  // m, 1/m
 const double kEI = 207e9 * M_PI / 64 * (std::pow(0.2, 4) - std::pow(0.18, 4));
 
-// A pipe that is bent into an arc within 4 s and straightened again: both ends are clamped, one moves on the
-// way that the end of an arc of the same length takes.
+// A pipe is bent into an arc within 4 s and straightened again: both ends are clamped, and one moves as the
+// end of an arc of constant length.
 std::string bent() {
   std::string rows;
   for (int k = 0; k <= 32; ++k) {
@@ -61,14 +61,15 @@ TEST(PlasticPipe, KeepsItsBend) {
   };
   const PlasticBending law(ramberg_osgood(kEI, 120e3, 0.4, 12, 0.5, 21));
   const auto first = [&](double c) { return law.at(c, 0, nullptr).m[0]; };
-  // On the curve of the first bend, then by Masing's rule; what stays is what springs back elastically.
+  // Moments by the curve of the first bend, then by Masing's rule; the residual curvature is that after
+  // elastic unloading.
   const double most = first(kMost), back = most - 2 * first(0.5 * kMost),
                stays = kMost - most / law.initial();
   printf("  bent: %.1f kN m (%.1f); back: %.1f kN m (%.1f), %.5f 1/m stay (%.5f)\n",
          at("bending_moment", 4, 12) / 1e3, most / 1e3, at("bending_moment", 8, 12) / 1e3, -back / 1e3,
          at("residual_curvature", 4, 12), stays);
   for (const size_t node : {0u, 12u, 24u}) {
-    // Where it has yielded a moment that is 0.05 % off makes a curvature that is 0.4 % off.
+    // In the plastic range an error of 0.05 % in the moment makes one of 0.4 % in the curvature.
     EXPECT_NEAR(at("curvature", 4, node), kMost, 5e-3 * kMost) << node;
     EXPECT_NEAR(at("bending_moment", 4, node), most, 2e-3 * most) << node;
     EXPECT_NEAR(at("bending_moment", 8, node), -back, 5e-3 * most) << node;

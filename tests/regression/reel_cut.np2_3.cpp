@@ -1,17 +1,17 @@
-// The hose reel with so many elements that several ranks really cut it (smaller models are solved by every
-// rank as one would, docs/decisions/005): on one rank, on all, and gone on with on other ranks. The answers
-// differ by rounding only.
+// The hose reel with so many elements that it is cut between ranks (every rank solves smaller models alone,
+// docs/decisions/005): on one rank, on all, and restarted on another number of ranks. Tensions differ by at
+// most 1e-6 with friction and 1e-9 without.
 #include "regression/runs.hpp"
 
 namespace hawser::runs::reel_cut {
 namespace {
 
-// The hose lies on the drum with friction from 2 s on. Solved whole are models of up to 1000 nodes.
+// The hose touches the drum with friction from 2 s on. Models of up to 1000 nodes are not cut.
 constexpr double kHalf = 6, kEnd = 12;  // s
 const Edits kFine = {{"length: 250, elements: 250", "length: 250, elements: 1200"}};
 
-// Largest difference of the tensions in all rows that `b` has, over the largest tension. The free end carries
-// next to nothing, and what it does carry is known no better than what the line does.
+// Largest difference of the tensions in all rows of `b`, over the largest tension. The tension of the free
+// end is nearly zero, so its error is that of the line.
 double tension_apart(const Results& a, const Results& b) {
   const double most = largest(a.column("fairlead", kTension));
   double apart = 0;
@@ -47,7 +47,7 @@ void compare(const std::string& name, Edits edits, double tolerance) {
   EXPECT_NEAR(largest(one.column("fairlead", kTension)), 670e3, 20e3);
   EXPECT_GT(largest(one.fields.at("contact_force")), 1e3);
   expect_same_steps(one, all);
-  // So do those that were stopped, since that was at a time of output.
+  // Restarted runs have the same steps, because they stopped at an output time.
   expect_same_steps(one, fewer);
   expect_same_steps(one, more);
   const double ranks = tension_apart(one, all), down = tension_apart(all, fewer),

@@ -1,5 +1,5 @@
-// The first part of cases/reel-lay: a pipe comes onto its reel beyond yield, against the back tension of a
-// winch.
+// First part of cases/reel-lay: a pipe is bent onto its reel beyond yield against the back tension of a
+// winch. Tension by the winch's law, curvature of the drum, residual curvature.
 #include <cmath>
 #include <sstream>
 
@@ -21,7 +21,7 @@ TEST(ReelLay, ComesOntoTheReel) {
   const Results all = read(path + "/all.h5");
   const auto T = named(path + "/all.h5", all, "wire_end_b_feed", "tension"),
              v = named(path + "/all.h5", all, "wire_end_b_feed", "feed_speed");
-  // The law of the winch, in the mean: the wire's damper and inertia come on top where pipe and wire vibrate.
+  // Law of the winch in the mean: damping and inertia of the wire add to it where pipe and wire vibrate.
   double law = 0;
   size_t steps = 0;
   for (size_t i = 0; i < T.size(); ++i)
@@ -30,7 +30,7 @@ TEST(ReelLay, ComesOntoTheReel) {
       ++steps;
     }
   law /= static_cast<double>(steps);
-  // Of the last output, 236 nodes of pipe and wire: on the drum, away from the clamp.
+  // Nodes on the drum away from the clamp, of the last output with 236 nodes of pipe and wire.
   const auto last = [&](const char* field, size_t node) {
     const auto& all_rows = all.fields.at(field);
     return all_rows[all_rows.size() - all_rows.size() / all.output_times.size() + node];
@@ -45,7 +45,7 @@ TEST(ReelLay, ComesOntoTheReel) {
          least, most);
   EXPECT_LT(law, 0.003);
   EXPECT_LT(off, 0.005);
-  // Between what stays where the moment is that of the first bend, and where it is let go by 2 % of the
+  // Limits: residual curvature after the moment of the first bend, and after unloading by 2 % of the
   // curvature.
   EXPECT_GT(least, 1 / kRadius - 222.2e3 / 9.093e6);
   EXPECT_LT(most, 1.03 * (1 / kRadius - 199e3 / 9.093e6));

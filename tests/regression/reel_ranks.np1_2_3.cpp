@@ -1,11 +1,11 @@
-// The hose reel on one rank and on all: the same steps, fields and tensions to 1e-8 of their range
+// The hose reel on one rank and on all: the same steps, and fields and tensions within 1e-8 of their range
 // (docs/user-guide/running.md, "Several processes").
 #include "regression/same_fields.hpp"
 
 namespace hawser::runs::reel_ranks {
 namespace {
 
-// The first half turn, or all five.
+// End of the run [s]: the first half turn, or all five turns with HAWSER_FULL.
 double stop_at() { return std::getenv("HAWSER_FULL") ? 0 : 35; }
 
 void compare(const std::string& name, const Edits& edits) {
@@ -20,7 +20,7 @@ void compare(const std::string& name, const Edits& edits) {
   EXPECT_EQ(one.step_times, all.step_times);
   EXPECT_EQ(one.column("solver", 1), all.column("solver", 1)) << "Newton iterations";
   const double most = largest(one.column("fairlead", kTension));
-  EXPECT_NEAR(most, 670e3, 20e3);  // the hanging hose's weight, 273.4 kg/m of 250 m
+  EXPECT_NEAR(most, 670e3, 20e3);  // weight of the hanging hose, 273.4 kg/m of 250 m
   for (const char* point : {"fairlead", "lower_end"}) {
     const auto a = one.column(point, kTension), b = all.column(point, kTension);
     EXPECT_LE(largest_difference(a, b), 1e-8 * most) << point;

@@ -1,2 +1,2 @@
-// All five turns of the reel: what reel_ranks tests of the first.
+// reel_ranks for all five turns.
 #include "reel_ranks.np1_2_3.cpp"

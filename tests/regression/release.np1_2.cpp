@@ -1,5 +1,5 @@
-// Ends of lines that let go during a run: free fall, the wave that runs along a line that parts, the tension
-// at which it does, and restarts around it.
+// Ends of lines released during a run: free fall, the wave along a parted line, release at a tension, and
+// restarts.
 #include <numeric>
 
 #include "hawser/base/error.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kGravity = 9.80665;
 
-// A chain that hangs in air from an anchor with a weight below, and is cast off.
+// A chain hangs in air from an anchor with a weight below, and is released at its upper end.
 const char* const kFalling = R"(hawser: 1
 title: A chain with a weight that is cast off
 environment: {gravity: 9.80665}
@@ -68,7 +68,7 @@ TEST(Release, GoesOnAfterARestart) {
   }
 }
 
-// A run that goes on from one in which an end was released must say so, or the end would be held again.
+// A restart after a release without this event in the case is rejected, because the end would be held again.
 TEST(Release, ARestartWithoutTheEventIsRefused) {
   const std::string path = folder("release-other"), input = path + "/case.yaml", other = path + "/other.yaml";
   write_case(input, kFalling);
@@ -89,8 +89,8 @@ TEST(Release, ARestartWithoutTheEventIsRefused) {
   }
 }
 
-// The velocity with which a body begins to move is not that of an end which it lets go at t = 0: the rope
-// recoils as from a body at rest.
+// A body with an initial velocity releases an end at t = 0: the end has zero velocity, and the rope recoils
+// as from a body at rest.
 TEST(Release, AtTheStartFromABodyThatMovesAtOnce) {
   const std::string path = folder("release-jerk"), input = path + "/case.yaml", file = path + "/whole.h5";
   write_case(input, R"(hawser: 1
@@ -118,8 +118,8 @@ contact: {between_lines: false}
   EXPECT_GT(*std::max_element(T.begin(), T.end()), 999);
 }
 
-// Before the wave is back from the other end the anchor holds on with the tension there was, and the line's
-// momentum grows by it: its centre of mass moves as under that force alone.
+// Until the wave returns from the other end, the anchor force is the initial tension and is the only force on
+// the line: its centre of mass accelerates accordingly.
 TEST(Release, AWaveRunsAlongTheLine) {
   const std::string path = folder("release-wave"), input = path + "/case.yaml", file = path + "/whole.h5";
   write_case(input, R"(hawser: 1
@@ -143,7 +143,7 @@ contact: {between_lines: false}
   const Results r = read(file);
   const auto held = named(file, r, "anchor", "effective_tension");
   const double T = 1e6 * 0.01, line = 1000;
-  // It runs 316 m/s; the anchor feels nothing of it until 0.05 s + 100 m / 316 m/s.
+  // The wave speed is 316 m/s; it reaches the anchor at 0.05 s + 100 m / 316 m/s.
   for (const double value : held) EXPECT_NEAR(value, T, 1e-3 * T);
   const auto centre = [&](size_t output) {
     double sum = 0;
@@ -157,7 +157,7 @@ contact: {between_lines: false}
   }
 }
 
-// A load that hangs on a rope, let go where the rope is tied to it.
+// A load on a rope is released at its rope.
 TEST(Release, ABodyFallsFreely) {
   const std::string path = folder("release-body"), input = path + "/case.yaml", file = path + "/whole.h5";
   write_case(input, R"(hawser: 1
@@ -189,8 +189,8 @@ contact: {between_lines: false}
   }
 }
 
-// It parts at its tension to 0.1 %, at whatever step: its extreme is that tension. The tension rises evenly,
-// so that one try or two find where.
+// The rope is released when its tension reaches the limit, within 0.1 % at any step: the largest tension is
+// the limit. The tension rises linearly, so at most two rejected steps find the time.
 TEST(Release, AtATension) {
   const std::string path = folder("release-tension"), input = path + "/case.yaml", file = path + "/whole.h5";
   for (const std::string step : {"0.1", "0.07", "0.013"}) {
@@ -214,7 +214,7 @@ contact: {between_lines: false}
 )",
                {{"STEP", step}});
     run_on_all({input, file});
-    // What is known of the event is known within its step alone: a run that goes on from 1 s finds the same.
+    // The search needs no history from before the step, so a restart from 1 s finds the same time.
     run_on_all({input, path + "/half.h5", "", 1});
     run_on_all({input, path + "/rest.h5", path + "/half.h5"});
     if (rank_of(MPI_COMM_WORLD) != 0) continue;
@@ -227,7 +227,7 @@ contact: {between_lines: false}
     const size_t parted = static_cast<size_t>(std::max_element(T.begin(), T.end()) - T.begin());
     EXPECT_GE(T[parted], 12e3) << step;
     EXPECT_LE(T[parted], 12e3 * 1.001) << step;
-    EXPECT_LT(x.back(), 10.12) << step;  // it stays behind: the tug is at 10.28 m
+    EXPECT_LT(x.back(), 10.12) << step;  // the rope stays behind; the tug is at 10.28 m
     const auto tries = named(file, r, "solver", "rejected");
     const auto before = tries.begin() + static_cast<std::ptrdiff_t>(parted) + 1;
     EXPECT_LE(std::accumulate(tries.begin(), before, 0.0), 2) << step;

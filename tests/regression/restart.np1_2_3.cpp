@@ -1,5 +1,5 @@
-// A run that was stopped and goes on from its checkpoint is the run that was not: bit for bit on the same
-// number of ranks, to rounding on another.
+// A run restarted from its checkpoint continues as the uninterrupted run: bit for bit on the same number of
+// ranks, within 1e-9 on another.
 #include "hawser/run/restart.hpp"
 
 #include <set>
@@ -12,9 +12,9 @@
 namespace hawser::runs::restart {
 namespace {
 
-constexpr double kHalf = 12, kEnd = 18;  // s; the hose lies on the drum with friction from 2 s on
+constexpr double kHalf = 12, kEnd = 18;  // s; the hose touches the drum with friction from 2 s on
 
-// The second half of `whole` against all of `rest`, relative to the largest of each quantity; 0: bit for bit.
+// Compares the second half of `whole` with `rest`, relative to the largest of each quantity; 0: bit for bit.
 void expect_same(const Results& whole, const Results& rest, double tolerance) {
   ASSERT_GT(rest.output_times.size(), 5u);
   EXPECT_EQ(tail(whole.output_times, rest.output_times), rest.output_times);
@@ -27,14 +27,14 @@ void expect_same(const Results& whole, const Results& rest, double tolerance) {
     if (name == "energy") continue;
     for (size_t c = 0; c < whole.columns.at(name); ++c) {
       const auto there = rest.column(name, c), here = tail(whole.column(name, c), there);
-      // What the free end carries is known no better than what the line does.
+      // The error of the nearly zero forces of the free end is that of the line.
       const double scale = largest(c < kTension || name == "solver" ? here : whole.column("fairlead", c));
-      // What is zero by symmetry carries the round-off of lengths of 250 m, and accelerations that of
+      // Values that are zero by symmetry have the round-off of lengths of 250 m; accelerations have that of
       // gravity.
       EXPECT_LE(largest_difference(here, there), tolerance * std::max(scale, 1.0)) << name << ' ' << c;
     }
   }
-  // The audit goes on from where it was: friction, damping and the work of the drum since the very start.
+  // The energy balance continues: friction, damping and work of the drum since the start of the run.
   const double brought_in = largest(whole.column("energy", 5));
   for (size_t c = 0; c < whole.columns.at("energy"); ++c) {
     const auto there = rest.column("energy", c), here = tail(whole.column("energy", c), there);
@@ -43,7 +43,8 @@ void expect_same(const Results& whole, const Results& rest, double tolerance) {
   }
   expect_same_clashes(whole, rest, tolerance);
   ASSERT_EQ(whole.summary.size(), rest.summary.size());
-  // Where and when is the same to the last bit only: two places may share an extreme within round-off.
+  // Place and time of extremes are compared bit for bit only: two places may have the same extreme within
+  // round-off.
   for (size_t i = 0; i<whole.summary.size(); i += tolerance> 0 ? 3 : 1)
     EXPECT_LE(std::abs(whole.summary[i] - rest.summary[i]), tolerance * largest(whole.summary)) << i;
 }
@@ -51,7 +52,7 @@ void expect_same(const Results& whole, const Results& rest, double tolerance) {
 // For each method of contact: nodes, line.
 class Restart : public ::testing::TestWithParam<const char*> {
  protected:
-  // Once: the whole run, and its first half, on all ranks and on one.
+  // Made once per method: the whole run, and its first half on all ranks and on one.
   void SetUp() override {
     path = folder(std::string("restart_") + GetParam());
     input = path + "/reel.yaml";
@@ -90,7 +91,8 @@ TEST_P(Restart, InTheSameFile) {
   expect_same(whole, on, 0);
 }
 
-// A run that was killed after its last output has no summary yet; of one that ended nothing changes.
+// A restart from the last output: of a killed run without a summary, it writes the summary; of an ended run
+// it changes nothing.
 TEST_P(Restart, FromTheEnd) {
   run_on_all({input, path + "/whole.h5", path + "/whole.h5", kEnd});
   run_on_all({input, path + "/again.h5", path + "/whole.h5", kEnd});
@@ -113,7 +115,7 @@ TEST_P(Restart, OtherRanks) {
   expect_same(whole, read(path + "/more.h5"), 1e-9);
 }
 
-// Without the friction history the rest would be another.
+// Without friction after the restart the run differs, so the friction history matters.
 TEST_P(Restart, FrictionHistoryMatters) {
   const std::string smooth = path + "/smooth.yaml";
   Edits edits = method();

@@ -1,6 +1,6 @@
-// Runs whose lines touch each other, a run in a slit that moves, runs with every model of contact at the
-// nodes and one in which a step is taken again because a wave ended a contact in it, stopped and gone on
-// with: the same bit for bit on the same number of ranks, to rounding on another.
+// Restarts of runs with contact between lines, in a slit that moves, with the models of contact at the nodes,
+// between bodies, and with a step that is repeated because a wave ended a contact: equal within 1e-7 to one
+// run.
 #include "hawser/geometry/surface.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/run/simulation.hpp"
@@ -10,7 +10,7 @@
 namespace hawser::runs::restart_contact {
 namespace {
 
-// A rope is drawn over a taut wire, both touch a roller; friction everywhere.
+// A rope is drawn over a taut wire; both touch a roller, with friction.
 const char* const kLines = R"(hawser: 1
 line_types:
   wire: {outer_diameter: 0.1, mass_per_length: 30, EA: 1.0e7, EI: 1.0e4, GJ: 1.0e4, stiffness_damping: 0.005}
@@ -36,7 +36,7 @@ dynamics: {duration: 1.6, step: auto, max_step: 0.02}
 output: {every: 0.1, histories: [{line: rope, at: 4}]}
 )";
 
-// A bar falls on a plane, inclined, and slides. KIND: the model.
+// A bar falls on an inclined plane and slides. KIND: the contact model.
 const char* const kModels = R"(hawser: 1
 line_types:
   bar: {outer_diameter: 0.2, mass_per_length: 50, EA: 1.0e7, EI: 1.0e5, GJ: 1.0e5, stiffness_damping: 0.002}
@@ -54,7 +54,7 @@ dynamics: {duration: 1, step: auto, max_step: 0.005}
 output: {every: 0.1, histories: [{line: bar, at: 3}]}
 )";
 
-// A taut rope in a slit that narrows, whose walls are of one mesh and come and go.
+// A taut rope in a narrowing slit whose walls belong to one mesh; contact with each wall begins and ends.
 const char* const kSlit = R"(hawser: 1
 environment: {gravity: 0}
 line_types:
@@ -76,8 +76,8 @@ dynamics: {duration: 2.5, step: auto, max_step: 0.05}
 output: {every: 0.125, histories: [{line: rope, at: 4}]}
 )";
 
-// A bar falls on its end, and stands until the wave that its other end sends back takes it off: for 15.5 ms,
-// in steps of a third of that.
+// A bar falls on its end and stands for 15.5 ms, until the wave reflected at its other end lifts it off;
+// steps are a third of that.
 const char* const kStanding = R"(hawser: 1
 line_types:
   bar: {outer_diameter: 0.1, contact_diameter: 0.001, mass_per_length: 78.5, EA: 2.1e9, EI: 1.0e5, GJ: 1.0e5}
@@ -96,7 +96,7 @@ dynamics: {duration: 0.165, step: 0.005}
 output: {every: 0.055, histories: [{line: bar, at: 0}]}
 )";
 
-// Along x, open upwards.
+// A slit along x, open upwards.
 void write_slit(const std::string& path) {
   if (rank_of(MPI_COMM_WORLD) > 0) return;
   const TriangleMesh m = test::prism_mesh(
@@ -118,10 +118,10 @@ void expect_same(const Results& whole, const Results& rest, double tolerance) {
   for (const auto& [name, values] : whole.series)
     for (size_t c = 0; c < whole.columns.at(name); ++c) {
       const auto there = rest.column(name, c), all = whole.column(name, c), here = tail(all, there);
-      // The last six columns of a body are differences of its forces: they are compared with these.
+      // The last six columns of a body are differences of its forces; their tolerance is relative to those.
       const bool difference = (name == "slab" || name == "block") && c + 6 >= whole.columns.at(name);
       const double scale = name == "energy" || difference ? largest(values) : std::max(largest(all), 1.0);
-      // Sums over the ranks go on from one number, the work of the supports.
+      // The work of the supports is restored as one number, so sums over the ranks have another round-off.
       const double within = name == "energy" ? std::max(tolerance, 1e-14) : tolerance;
       EXPECT_LE(largest_difference(here, there), within * scale) << name << ' ' << c;
     }
@@ -130,8 +130,8 @@ void expect_same(const Results& whole, const Results& rest, double tolerance) {
   EXPECT_LE(largest_difference(whole.summary, rest.summary), tolerance * largest(whole.summary));
 }
 
-// A slab with edges and a bar that slides on a block, sticks and turns, both free: where there are more
-// ranks, on different ones.
+// A slab with edges and a bar slides on a block, sticks and rotates; both bodies are free, on different ranks
+// if there are several.
 const char* const kBodies = R"(hawser: 1
 environment: {gravity: 0}
 bodies:
@@ -148,7 +148,7 @@ dynamics: {duration: 0.25, step: 0.0005}
 output: {every: 0.0625, histories: [{body: slab, name: slab}, {body: block, name: block}]}
 )";
 
-// The first output at `after` [s] or later that shows the force; 0: none.
+// First output time at or after `after` [s] with this force; 0: none.
 double touches_at(const Results& r, const char* force, double after) {
   const auto& f = r.fields.at(force);
   const size_t row = f.size() / r.output_times.size();
@@ -158,13 +158,12 @@ double touches_at(const Results& r, const char* force, double after) {
   return 0;
 }
 
-// Of a run that goes on and one in one piece: the matrix couples what was near in all of the run so far, so
-// that the first has another order of elimination.
+// Tolerance between a restarted and an uninterrupted run. The matrix couples all nodes that have been near
+// each other so far, so the order of elimination differs after a restart.
 constexpr double kSame = 1e-7;
 
-// Stopped at the first output after a while at which it touches. same: between a run that goes on and one in
-// one piece. Lines that touch are 1e-9: the matrix couples what was near in all of the run so far, so that a
-// run that goes on has another order of elimination.
+// Restarts from the first output with contact at or after `after` [s]; `other_ranks` is the tolerance of a
+// restart on one rank.
 void compare(const std::string& name, const std::string& text, const Edits& edits, double after,
              const char* force, double other_ranks) {
   const std::string path = folder("restart_" + name), input = path + "/case.yaml";
@@ -204,7 +203,7 @@ TEST(RestartContact, BodiesWithFriction) {
   }
 }
 
-// Stopped where one wall is near, where both are and where the second comes near.
+// Stopped with one wall near, with both near, and while the second comes near.
 TEST(RestartContact, InASlit) {
   const std::string path = folder("restart_slit"), input = path + "/case.yaml";
   write_slit(path + "/slit.obj");
@@ -225,7 +224,7 @@ TEST(RestartContact, LinesThatTouch) { compare("lines", kLines, {}, 0.5, "line_c
 
 TEST(RestartContact, Gap) { compare("gap", kModels, {{"KIND", "method: gap"}}, 0.1, "contact_force", 1e-7); }
 
-// Stopped while it stands: when it leaves is found anew from what the checkpoint tells.
+// Stopped while the bar stands: the time of separation follows from the checkpoint, and the step is repeated.
 TEST(RestartContact, Parting) {
   compare("parting", kStanding, {}, 0.1, "contact_force", 1e-7);
   run::Simulation s(MPI_COMM_WORLD, io::read_case(folder("restart_parting") + "/case.yaml"),

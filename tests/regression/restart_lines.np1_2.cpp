@@ -1,7 +1,6 @@
-// Lines in the soil, lines that are warmer than when they were cut to length, lines in irregular waves, and a
-// platform with the memory of its own waves: a run that was stopped and goes on from its checkpoint is the
-// run that was not, to the last bit on the same number of ranks, to 1e-8 of the range of each field on
-// another.
+// Restarts of buried lines, warm lines, lines in irregular waves, and a platform with radiation memory: equal
+// to the uninterrupted run to the last bit on the same number of ranks, within 5e-8 of the range of each
+// field on another.
 #include <set>
 
 #include "regression/same_fields.hpp"
@@ -14,13 +13,13 @@ constexpr double kHalf = 4, kEnd = 8;  // s
 struct Kind {
   const char* name;
   const char* text;
-  const char *field, *history;  // what must be there; what makes it another run
+  const char *field, *history;  // the field that must be significant; what makes it another run
   const char* other;
 };
 
-// The anchor's end of a chain in soil so weak that it yields as the ship moves; a hot pipe on the bed, pulled
-// back and forth by one end, so stiff that it does not buckle (of several shapes round-off would choose); a
-// mooring line whose ship moves in irregular waves.
+// A chain in soil so weak that its anchored end yields as the ship moves; a hot pipe on the bed, pulled back
+// and forth at one end and too stiff to buckle (round-off would select one of several shapes); a mooring line
+// whose ship moves in irregular waves.
 const Kind kKinds[] = {{"buried",
                         R"(hawser: 1
 environment: {water: {depth: 200}, seabed: {depth: 200, friction: 0.6}}
@@ -97,11 +96,11 @@ output: {every: 0.5, histories: [{line: chain, at: end_b, name: fairlead}]}
 )",
                         "effective_tension", "force: [5e4", "force: [6e4"}};
 
-// Where rounding differs Newton's method ends at other places within its tolerance, 1e-8 of the forces.
+// With other round-off Newton's iteration ends at another point within its tolerance, 1e-8 of the forces.
 constexpr double kNewton = 5e-8;
 
-// Fields and histories are the same to this share of their range; 0: to the last bit. Energies are sums over
-// ranks, and add up over time.
+// Fields and histories are equal to this fraction of their range; 0: to the last bit. `sums`: tolerance of
+// energies, which are sums over ranks and time.
 void expect_same(const Results& whole, const Results& rest, double share, double sums) {
   ASSERT_EQ(rest.output_times.size(), 9u);
   EXPECT_EQ(rest.output_times.front(), kHalf);
@@ -119,7 +118,7 @@ void expect_same(const Results& whole, const Results& rest, double share, double
 
 class RestartLines : public ::testing::TestWithParam<Kind> {
  protected:
-  // Once: the whole run, and its first half, on all ranks and on one.
+  // Made once per kind: the whole run, and its first half on all ranks and on one.
   void SetUp() override {
     path = folder(std::string("restart_") + GetParam().name);
     input = path + "/case.yaml";
@@ -139,7 +138,7 @@ TEST_P(RestartLines, SameRanks) {
   if (!first()) return;
   const Results whole = read(path + "/whole.h5"), rest = read(path + "/rest.h5");
   EXPECT_GT(largest(whole.fields.at(GetParam().field)), 1e3);
-  // What friction has taken grows all the time: the history is no rest state.
+  // Friction energy increases all the time, so the friction history is not that of the rest state.
   const auto taken = whole.column("energy", 3);
   EXPECT_GT(taken.back(), 1.01 * taken[taken.size() / 2]);
   EXPECT_GT(taken[taken.size() / 2], 1);
@@ -155,7 +154,7 @@ TEST_P(RestartLines, OtherRanks) {
   expect_same(whole, read(path + "/more.h5"), kNewton, 1e-8);
 }
 
-// Soil that resists more from half way on, a pipe that is warmer: another run.
+// After a restart with a changed case (more soil resistance, a warmer pipe) the run differs.
 TEST_P(RestartLines, OfAnotherCaseIsRefused) {
   const std::string changed = path + "/changed.yaml";
   write_case(changed, GetParam().text, {{GetParam().history, GetParam().other}});

@@ -1,4 +1,4 @@
-// Runs of the whole program inside a test, and what they left in their results files.
+// Runs of the whole program inside a test, and the contents of their results files.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -42,19 +42,19 @@ inline std::string folder(const std::string& test) {
 
 using Edits = std::vector<std::pair<std::string, std::string>>;
 
-// Writes `text` with pieces replaced, each of which must be there, to `path`. Collective.
+// Writes `text` to `path` after replacements; each text to replace must be present. Collective.
 inline void write_case(const std::string& path, std::string text, const Edits& edits = {}) {
   for (const auto& [from, to] : edits) {
     const size_t at = text.find(from);
     if (at == std::string::npos) throw std::logic_error("the case holds no '" + from + "'");
     text.replace(at, from.size(), to);
   }
-  MPI_Barrier(MPI_COMM_WORLD);  // another rank may still be reading what was there
+  MPI_Barrier(MPI_COMM_WORLD);  // another rank may still be reading the old file
   if (rank_of(MPI_COMM_WORLD) == 0) std::ofstream(path) << text;
   MPI_Barrier(MPI_COMM_WORLD);
 }
 
-// The reel of cases/reel, changed here and there.
+// The case cases/reel with edits.
 inline std::string reel(const std::string& path, Edits edits = {}) {
   const std::string folder = HAWSER_SOURCE_DIR "/cases/reel/";
   std::ostringstream text;
@@ -77,7 +77,7 @@ inline void run(MPI_Comm comm, const Run& r) {
   o.restart = r.restart;
   o.stop_at = r.stop_at;
   o.quiet = true;
-  // Not let through: other ranks may be waiting.
+  // Exceptions end here, because other ranks may be waiting.
   try {
     EXPECT_EQ(run::run(comm, o), 0);
   } catch (const std::exception& e) {
@@ -88,13 +88,13 @@ inline void run_on_all(const Run& r) {
   run(MPI_COMM_WORLD, r);
   MPI_Barrier(MPI_COMM_WORLD);
 }
-// By rank 0 alone, while the others wait.
+// Runs on rank 0 alone; the others wait.
 inline void run_on_one(const Run& r) {
   if (rank_of(MPI_COMM_WORLD) == 0) run(MPI_COMM_SELF, r);
   MPI_Barrier(MPI_COMM_WORLD);
 }
 
-// Everything that counts in a results file: rows of outputs and of series.
+// The compared contents of a results file: rows of outputs and of series.
 struct Results {
   std::vector<double> output_times, step_times;
   std::map<std::string, std::vector<double>> fields;  // outputs, then nodes, then components
@@ -126,7 +126,7 @@ inline std::vector<std::string> names_in(hid_t file, const std::string& group) {
   return names;
 }
 
-// Rows that hold results: of outputs and of steps.
+// Numbers of rows written: of outputs and of steps.
 inline std::pair<size_t, size_t> written(hid_t file) {
   const auto set = io::h5::open_dataset(file, "written");
   const auto type = io::h5::own(H5Dget_type(set), H5Tclose, "type");
@@ -210,7 +210,7 @@ inline std::vector<std::string> columns_of(const std::string& path, const std::s
   return names;
 }
 
-// Of a series by line that of the first line.
+// Column of a series by its name; in a series by line, the column of the first line.
 inline std::vector<double> named(const std::string& path, const Results& r, const std::string& series,
                                  const std::string& column) {
   const auto names = columns_of(path, series);
@@ -224,7 +224,7 @@ inline double largest(const std::vector<double>& a) {
   for (const double x : a) most = std::max(most, std::abs(x));
   return most;
 }
-// Not a number counts as very different from any number.
+// NaN counts as very different from any number.
 inline double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
   if (a.size() != b.size()) return HUGE_VAL;
   double most = 0;
@@ -234,19 +234,18 @@ inline double largest_difference(const std::vector<double>& a, const std::vector
   return most;
 }
 
-// The last rows of `a` from the time on at which `b` begins.
+// The rows of `a` from the first time of `b` on.
 inline std::vector<double> tail(const std::vector<double>& a, const std::vector<double>& b) {
   if (a.size() < b.size()) return {};
   return {a.end() - static_cast<std::ptrdiff_t>(b.size()), a.end()};
 }
 
-// The clashes of `rest`, which goes on in a file of its own (or in that it goes on from), are those of
-// `whole`.
+// The clashes of a restarted run `rest`, in its own file or in the one it continues, are those of `whole`.
 inline void expect_same_clashes(const Results& whole, const Results& rest, double tolerance) {
   const auto here = tail(whole.clash_counts, rest.clash_counts);
   ASSERT_EQ(here.size(), rest.clash_counts.size());
   ASSERT_FALSE(here.empty());
-  // Those that ended before are not in another file.
+  // Clashes that ended before the restart are not in a new file.
   const double before = here[0] - rest.clash_counts[0];
   for (size_t i = 0; i < here.size(); ++i)
     EXPECT_EQ(here[i], rest.clash_counts[i] + (i % 2 ? 0 : before)) << "clashes of output " << i / 2;

@@ -1,11 +1,11 @@
-// Whether two runs have the same fields, to a share of each field's range.
+// Whether two runs have the same fields, within a fraction of each field's range.
 #pragma once
 
 #include "regression/runs.hpp"
 
 namespace hawser::runs {
 
-// Largest less least value of those that are numbers.
+// Range of the values that are not NaN.
 inline double range(const std::vector<double>& a) {
   double least = HUGE_VAL, most = -HUGE_VAL;
   for (const double x : a) {
@@ -15,8 +15,8 @@ inline double range(const std::vector<double>& a) {
   return std::max(most - least, 0.0);
 }
 
-// The same times of output, and every field the same to this share of its range. Returns the largest share
-// found.
+// Expects equal output times, and every field equal within `share` of its range. Returns the largest
+// difference over the range.
 inline double expect_same_fields(const Results& a, const Results& b, double share) {
   EXPECT_EQ(a.output_times, b.output_times);
   EXPECT_EQ(a.fields.size(), b.fields.size());

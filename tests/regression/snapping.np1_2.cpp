@@ -1,5 +1,5 @@
-// Cables that go slack and snap taut: no step generates energy, whatever its length, and the tension by
-// default is that of finer steps and elements.
+// Cables that slacken and snap taut: the energy generated is below 0.5 % at any step, and the default tension
+// is that of finer steps and elements.
 #include <array>
 
 #include "regression/runs.hpp"
@@ -7,7 +7,7 @@
 namespace hawser::runs::snapping {
 namespace {
 
-// The chain of cases/mooring-line with four times its heave: it goes slack and snaps taut in every cycle.
+// The chain of cases/mooring-line with four times its heave: it slackens and snaps taut in every cycle.
 const char* const kMooring = R"(
 hawser: 1
 environment:
@@ -31,7 +31,7 @@ dynamics: {duration: 40STEP}
 output: {every: 1}
 )";
 
-// Twenty metres of it thrown in a heap on a deck.
+// Twenty metres of it dropped in a heap on a deck.
 const char* const kDeck = R"(
 hawser: 1
 line_types:
@@ -50,7 +50,7 @@ dynamics: {duration: 2.5STEP}
 output: {every: 0.5}
 )";
 
-// The same chain, nearly upright, falls into a pile: it touches itself and the deck, with friction.
+// The same chain falls nearly vertically into a pile: contact with itself and with the deck, with friction.
 const char* const kPile = R"(
 hawser: 1
 line_types:
@@ -72,7 +72,7 @@ output: {every: 0.5}
 )";
 
 // L5-pk of CableDyn 0.1.1 (VALIDATION.md): a chain of 1.02 times its chord, its fairlead heaving 4 m in 4 s.
-// Peaks of the codes: MoorDyn-C 4.86 MN, OrcaFlex 6.32 MN at steps of 0.25 ms, CableDyn 10.2 MN.
+// Published peaks: MoorDyn-C 4.86 MN, OrcaFlex 6.32 MN with steps of 0.25 ms, CableDyn 10.2 MN.
 const char* const kSnap = R"(
 hawser: 1
 environment:
@@ -100,7 +100,7 @@ struct Snapping : ::testing::Test {
     run_on_all({name + ".yaml", name + ".h5"});
     return first() ? read(name + ".h5") : Results{};
   }
-  // The most that energy rose above what was brought in, from its least on, over what was brought in.
+  // Largest increase of the energy error above its previous minimum, over the work brought in.
   static double made(const Results& r) {
     const auto error = r.column("energy", 6);
     double least = 0, rise = 0;
@@ -110,8 +110,8 @@ struct Snapping : ::testing::Test {
     }
     return rise / largest(r.column("energy", 5));
   }
-  // By default less than `most`, at given steps, which may be longer than those the motion asks for, less
-  // than kMost; two of them show that several ranks do as one does.
+  // Energy generated at default steps is below `most`, at given steps, also ones longer than the motion
+  // requires, below kMost. On several ranks only two of the steps run.
   static constexpr double kMost = 0.005;
   void expect_none_made(const char* what, const char* text, int elements, double most = kMost) {
     std::vector<const char*> steps = {"", ", step: 0.05", ", step: 0.1", ", step: 0.02", ", step: 0.01"};
@@ -131,8 +131,8 @@ TEST_F(Snapping, AChainOnADeckMakesNoEnergy) {
   expect_none_made("dropped on a deck, 20 elements", kDeck, 20, 0.001);
   expect_none_made("dropped on a deck, 40 elements", kDeck, 40, 0.001);
 }
-// Lost: 0.45 to 0.95 % over starts a little apart. What it does is chaotic, so that rounding decides within
-// that.
+// The energy loss is 0.45 to 0.95 % for slightly different starts: the motion is chaotic, and round-off
+// decides.
 TEST_F(Snapping, APileOfChainLosesAndMakesLittle) {
   const Results r = ran(kPile, 40, "");
   if (!first()) return;
@@ -144,7 +144,7 @@ TEST_F(Snapping, APileOfChainLosesAndMakesLittle) {
 }
 TEST_F(Snapping, AChainThatSnapsMakesNoEnergy) { expect_none_made("L5-pk", kSnap, 20); }
 
-// The same line on a plain bed, held by its fairlead in statics and then cut.
+// The mooring line is held at its fairlead in statics, then released, on a level bed.
 TEST_F(Snapping, ALineThatPartsMakesNoEnergy) {
   std::string held = kMooring;
   const auto put = [](std::string& text, const std::string& from, const std::string& to) {
@@ -162,10 +162,9 @@ TEST_F(Snapping, ALineThatPartsMakesNoEnergy) {
   expect_none_made("parted", parted.c_str(), 76);
 }
 
-// Largest tension of a cycle after the first, by default, and with steps of 1 ms and elements a quarter as
-// long. An impact of a chain that falls back on the bed depends on how it lay there: EA changed by 1e-7
-// changes that of a cycle by 6 %. So it is the mean of three cycles in three such runs that is compared. What
-// it says of the elements and steps does not depend on the ranks.
+// Mean largest tension of three cycles in three runs: by default, and with steps of 1 ms and elements a
+// quarter as long. A mean is needed because the impact of a chain on the bed depends on its shape there: a
+// change of EA by 1e-7 changes the peak of a cycle by 6 %. The comparison does not depend on the ranks.
 TEST_F(Snapping, PeaksAreThoseOfFinerMeshes) {
   if (size_of(MPI_COMM_WORLD) > 1 && !std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
   const auto peak = [&](int elements, const std::string& step) {

@@ -1,5 +1,5 @@
-// The spooled hose, which may touch itself and so is not cut, on one rank and on all: the same steps,
-// fields to 1e-8 of their range, penetration and energy as they should be.
+// The spooled hose, which may touch itself and so is not cut, on one rank and on all: the same steps, fields
+// within 1e-8 of their range; penetration and energy error are small.
 #include "regression/same_fields.hpp"
 
 namespace hawser::runs::spool_ranks {
@@ -13,17 +13,17 @@ TEST(SpoolRanks, TheSameAsOnOne) {
   std::ostringstream text;
   text << std::ifstream(source + "spool.yaml").rdbuf();
   write_case(input, text.str(), {{"guide.txt", source + "guide.txt"}});
-  const double until = whole() ? 0 : 70;  // all of it; a turn and a half
+  const double until = whole() ? 0 : 70;  // the whole run; one and a half turns
   run_on_one({input, path + "/one.h5", "", until});
   if (size_of(MPI_COMM_WORLD) > 1) run_on_all({input, path + "/all.h5", "", until});
   if (rank_of(MPI_COMM_WORLD) > 0) return;
   const Results one = read(path + "/one.h5");
   const double most = largest(one.column("fairlead", kTension));
-  EXPECT_NEAR(most, 675e3, 20e3);  // the hanging hose's weight, 273.4 kg/m of 250 m
+  EXPECT_NEAR(most, 675e3, 20e3);  // weight of the hanging hose, 273.4 kg/m of 250 m
   EXPECT_LT(largest(one.fields.at("penetration")), 0.02 * 0.425);
   EXPECT_LT(largest(one.fields.at("line_penetration")), 0.02 * 0.425);
   EXPECT_GT(largest(one.fields.at("line_penetration")), 1e-5);  // the hose lies on itself
-  // What is not accounted for, at every step, of what was brought in.
+  // Energy error at every step over the work brought in.
   const double brought = largest(one.column("energy", 5)), error = largest(one.column("energy", 6));
   EXPECT_GT(brought, 1e4);
   EXPECT_LT(error, 0.01 * brought);

@@ -1,2 +1,2 @@
-// The whole of what spool_ranks does the first turn of.
+// spool_ranks for the whole run.
 #include "spool_ranks.np1_2.cpp"

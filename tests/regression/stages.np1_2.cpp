@@ -1,5 +1,5 @@
-// Stages of statics: lines that are paid out and hauled in, currents that are scaled, friction that is
-// switched, and the rests of all stages in the results; on 1 and 2 ranks.
+// Stages of statics: lines paid out and hauled in, scaled currents, friction on and off, and the equilibria
+// of all stages in the results; on 1 and 2 ranks.
 #include "regression/event_runs.hpp"
 
 namespace hawser::runs::stages {
@@ -21,7 +21,7 @@ double largest_from(const std::vector<double>& a, const std::vector<double>& b, 
   return most;
 }
 
-// A line between a winch and an anchor; what is inside is `stock`.
+// A line between a winch and an anchor; `STOCK` metres are inside.
 std::string line(const std::string& type, const std::string& end, const std::string& more) {
   return R"(hawser: 1
 environment: {gravity: 9.80665}
@@ -38,7 +38,8 @@ contact: {between_lines: false}
 )" + more;
 }
 
-// Statics with another stock: the same shape from where both have the same nodes outside.
+// A stage that pays out or hauls in has the equilibrium of a case with that stock, at the nodes outside in
+// both.
 void expect_another_stock(const std::string& name, const std::string& type, const std::string& end) {
   const std::string path = folder("stages-" + name), input = path + "/case.yaml",
                     known = path + "/known.yaml";
@@ -60,7 +61,7 @@ void expect_another_stock(const std::string& name, const std::string& type, cons
     const double off = largest_from(shape(staged, 1), shape(read(path + "/known.h5"), 0), 11);
     printf("%s: %s m paid out in a stage, nodes off by %.2g m\n", name.c_str(), by, off);
     EXPECT_LE(off, 1e-6);
-    // It has moved at all.
+    // The stage moves the line.
     EXPECT_GT(largest_from(shape(staged, 1), shape(staged, 0), 11), 1);
   }
 }
@@ -71,7 +72,7 @@ TEST(Stages, PayOutAPipe) {
   expect_another_stock("pipe", "EI: 1e4, GJ: 1e4", "direction: [1, 0, -1], clamped: true");
 }
 
-// A run goes on in time from the stage that was paid out, also from a checkpoint.
+// A run continues in time from the stage with the length paid out, also from a checkpoint.
 TEST(Stages, GoOnInTime) {
   const std::string path = folder("stages-time"), input = path + "/case.yaml";
   write_case(
@@ -85,7 +86,7 @@ TEST(Stages, GoOnInTime) {
   run_on_all({input, path + "/whole.h5"});
   run_on_all({input, path + "/half.h5", "", 0.5});
   run_on_all({input, path + "/rest.h5", path + "/half.h5"});
-  // A run without that event does not go on from it.
+  // A restart without that event is rejected.
   write_case(input, line("bending: false", "clamped: false", "dynamics: {duration: 1}\n"), {{"STOCK", "20"}});
   run::RunOptions o;
   o.case_path = input;
@@ -140,8 +141,7 @@ TEST(Stages, ScaleTheCurrent) {
   }
 }
 
-// A chain that is laid out straight on the bed and is pulled: without friction the pull is the same all
-// along.
+// A chain is laid straight on the bed and stretched: without friction its tension is uniform.
 TEST(Stages, SwitchFriction) {
   const std::string path = folder("stages-friction"), input = path + "/case.yaml";
   write_case(input, R"(hawser: 1
@@ -168,7 +168,7 @@ contact: {between_lines: false}
   const size_t nodes = T.size() / r.output_times.size();
   for (size_t n = 1; n + 1 < nodes; ++n) EXPECT_NEAR(T[n], T[1], 30) << n;
   EXPECT_NEAR(T[1], 1e7 * 0.002, 400);
-  // The end that is let go springs back as far as friction lets it, 589 N/m: 20 kN need 34 m.
+  // The released end recoils as far as friction of 589 N/m allows: the tension of 20 kN decays over 34 m.
   const double* rough = T.data() + nodes;
   EXPECT_NEAR(rough[1], 20e3, 500);
   EXPECT_NEAR(rough[nodes / 2], 20e3, 500);
@@ -201,10 +201,10 @@ TEST(Stages, BadInput) {
       "in a 'stage' of statics only");
 }
 
-// A chain that is let go beside another falls on the bed and streams on it, along the current, from its
-// anchor. Drag has no potential: with its momentum the chain would swing about that direction for ever.
-// The last slack of the chain has no stiffness and is pulled by its drag alone, less than a millionth of the
-// forces: hence the tolerance.
+// A chain is released in a stage, falls on the bed and comes to rest along the current. Drag has no
+// potential: with inertia the chain would oscillate about that direction without end. The slack end has no
+// stiffness and is loaded by its drag only, less than a millionth of the forces; this determines the
+// tolerance.
 TEST(Stages, ReleasedOntoTheBedInACurrent) {
   const std::string path = folder("stages-let-go"), input = path + "/case.yaml";
   write_case(input, R"(hawser: 1

@@ -1,4 +1,4 @@
-// Lines that start inside volumes: what is excluded from contact, what is refused, and what the user reads.
+// Lines that start inside volumes: excluded contact, errors, and messages.
 #include <algorithm>
 #include <numeric>
 
@@ -45,7 +45,7 @@ std::string join(const std::vector<std::string>& lines) {
   return std::accumulate(lines.begin(), lines.end(), std::string(),
                          [](const std::string& a, const std::string& b) { return a + b + "\n"; });
 }
-// Of all nodes, rank by rank nothing is asked twice.
+// Largest value over all nodes; no rank requests the same node twice.
 double largest(Ready& r, const std::string& field) {
   double most = 0;
   const FieldRegistry fields = r.sim->system().fields();
@@ -81,7 +81,7 @@ TEST(StartContact, AFairleadInItsHullIsExcluded) {
                " m of line up to where it is clear of it have no contact with it ('no_contact_within' sets");
     EXPECT_TRUE(r.sim->warnings().empty()) << join(r.sim->warnings());
     EXPECT_EQ(refused(r), "");
-    // The hull does not act at all: the tension is that without it.
+    // The hull has no effect: the tension is that without it.
     EXPECT_LT(largest(r, "contact_normal_force"), 1e-6);
     const double tension = largest(r, "effective_tension");
     write_case(path + "_alone.yaml", kFairlead, {{"METHOD", method + ", volumes: []"}});
@@ -92,7 +92,8 @@ TEST(StartContact, AFairleadInItsHullIsExcluded) {
   }
 }
 
-// Contact from the end on, where the case says so: then it starts inside, and stays.
+// With a given, too short length without contact the line starts inside and statics leaves it there: an
+// error.
 TEST(StartContact, AStretchOfTheCaseCounts) {
   const std::string path = folder("start_contact_said") + "/said.yaml";
   write_case(path, kFairlead,
@@ -112,7 +113,7 @@ TEST(StartContact, AStretchOfTheCaseCounts) {
   EXPECT_LT(largest(enough, "contact_normal_force"), 1e-6);
 }
 
-// A rope that begins 0.5 m under the deck it lies on comes out of it and lies on it.
+// A rope that starts 0.5 m below a deck comes out and lies on it.
 const char* const kDeck = R"(hawser: 1
 line_types:
   rope: {outer_diameter: 0.2, mass_per_length: 30, EA: 1.0e6, bending: false}
@@ -144,12 +145,12 @@ TEST(StartContact, TheRestOfTheLineTouches) {
       if (arc > 3) lowest = std::min(lowest, r.sim->state().x[static_cast<size_t>(n)].z());
     }
     MPI_Allreduce(MPI_IN_PLACE, &lowest, 1, MPI_DOUBLE, MPI_MIN, MPI_COMM_WORLD);
-    weight = 30 * 9.80665;  // N/m; on 1 MN/m² it sinks in by 0.29 mm
+    weight = 30 * 9.80665;  // N/m; penetration 0.29 mm on 1 MN/m²
     EXPECT_NEAR(lowest, 0.1 - weight / 1e6, 1e-3) << method;
   }
 }
 
-// The way the line is given does not matter when statics brings it out: a rope that starts in a bollard.
+// A rope that starts inside a bollard is accepted if statics moves it out, whatever its start shape.
 const char* const kBollard = R"(hawser: 1
 line_types:
   rope: {outer_diameter: 0.1, mass_per_length: 10, EA: 1.0e6, bending: false}
@@ -196,7 +197,7 @@ TEST(StartContact, WithoutStaticsItIsRefused) {
   EXPECT_HAS(what, "lines.sling: starts inside volume bar, and there are no statics to move it out: from ");
 }
 
-// What hawser check prints.
+// Output of hawser check.
 TEST(StartContact, CheckReports) {
   if (size_of(MPI_COMM_WORLD) > 1) GTEST_SKIP() << "check runs on one rank";
   const auto check = [](const std::string& path) {
@@ -220,7 +221,7 @@ TEST(StartContact, CheckReports) {
   EXPECT_THROW(run::check_case(MPI_COMM_WORLD, inside), InputError);
 }
 
-// A slack line that starts by itself hangs under the roller it was to lie on.
+// A slack line with the automatic start shape hangs below the roller on which it should lie: a warning.
 TEST(StartContact, HangingUnderAVolumeIsReported) {
   const std::string path = folder("start_contact_under") + "/under.yaml";
   const Edits under{{"HEIGHT", "1"},
@@ -235,14 +236,14 @@ TEST(StartContact, HangingUnderAVolumeIsReported) {
              "ends: the start shape is below that part of the volume, ");
   EXPECT_HAS(message,
              "; if the line is intended to be there, or in a bore of the volume, confirm it with 'start: ");
-  // From below there is nothing to lie on.
+  // With both ends below the roller there is no warning.
   Edits below = under;
   below[0].second = below[1].second = "-1";
   write_case(path, kBollard, below);
   EXPECT_TRUE(ready(path).sim->warnings().empty());
 }
 
-// A run that goes on from a checkpoint excludes what the first did.
+// A restart excludes the same contact as the first run.
 TEST(StartContact, GoesOnAsItStarted) {
   const std::string at = folder("start_contact_restart");
   write_case(at + "/case.yaml", kFairlead, {{"METHOD", "line"}});
@@ -257,8 +258,8 @@ TEST(StartContact, GoesOnAsItStarted) {
   for (size_t i = 0; i < last; ++i) EXPECT_NEAR(a[a.size() - last + i], b[b.size() - last + i], 1e-9);
 }
 
-// The axis of a line lies half a diameter above the bed, which gives way to its anchor: nothing is pressed
-// in.
+// The axis of a line lies half a diameter above the bed, and the bed is lowered at its anchor: there is no
+// initial penetration.
 const char* const kAnchor = R"(hawser: 1
 environment:
   water: {density: 1025, depth: 50}
@@ -278,8 +279,7 @@ TEST(StartContact, TheBedGivesWayToAnAnchor) {
     Ready r = ready(path);
     EXPECT_EQ(r.c.lines[0].end_a.at.z(), std::stod(z));
     EXPECT_EQ(refused(r), "");
-    // The bed carries the weight of what lies and no more: pressed in by half a diameter it would be 2.5
-    // MN/m.
+    // The bed carries only the weight of the line; a penetration of half a diameter would be 2.5 MN/m.
     const double weight = (250 - 1025 * 0.25 * M_PI * 0.25) * 9.80665;  // N/m
     EXPECT_GT(largest(r, "seabed_force"), 1.5 * weight);
     EXPECT_LT(largest(r, "seabed_force"), 2.5 * weight);

@@ -1,5 +1,5 @@
-// A run that starts where another one ended: the same equilibrium, sooner; another current, other elements,
-// other ends; what is refused.
+// A run that starts from the results of another one: the same equilibrium; another current, other elements,
+// other ends; rejected input.
 #include <algorithm>
 
 #include "hawser/base/error.hpp"
@@ -45,7 +45,7 @@ class StartFrom : public ::testing::Test {
     run_on_all({path + "/a.yaml", path + "/a.h5"});
   }
   static bool zero() { return rank_of(MPI_COMM_WORLD) == 0; }
-  // A case that starts from a.h5, with edits, and the same from its own start shape.
+  // Runs a case that starts from a.h5, with edits, and the same case from its own start shape.
   void both(const std::string& name, Edits edits) {
     write_case(path + "/" + name + "_own.yaml", kCase, edits);
     edits.push_back({"lines:\n", "start: {from: a.h5}\nlines:\n"});
@@ -63,7 +63,7 @@ class StartFrom : public ::testing::Test {
   std::string path;
 };
 
-// Without friction of the bed the equilibrium does not depend on where statics begins.
+// Without friction on the bed the equilibrium does not depend on the start shape.
 TEST_F(StartFrom, GoesOnToTheSameEquilibrium) {
   const std::pair<std::string, std::string> smooth{"friction: 0.4", "friction: 0"};
   both("same", {smooth});
@@ -76,8 +76,8 @@ TEST_F(StartFrom, GoesOnToTheSameEquilibrium) {
   expect_same_statics("ends", 1e-5);
 }
 
-// Without statics the run begins with what the other left: positions and axes of sections to round-off, at an
-// output of one's choice, the line under another name.
+// Without statics the run starts with the positions and section axes of the other run within round-off, at a
+// chosen output, for a renamed line.
 TEST_F(StartFrom, ShapeAsItWasLeft) {
   const std::string file = path + "/as_left.yaml";
   write_case(file, kCase,
@@ -94,13 +94,13 @@ TEST_F(StartFrom, ShapeAsItWasLeft) {
     const size_t n = then.size() / 3;
     double off = 0;
     for (size_t i = 0; i < n; ++i) off = std::max(off, std::abs(then[n + i] - now[i]));
-    // The clamped end has been turned back by what the equilibrium leaves it turned.
+    // The clamped end starts with its rotation at equilibrium.
     EXPECT_LT(off, 1e-9) << field;
     EXPECT_GT(largest(now), 0.9) << field;
   }
 }
 
-// The parts of a line that is cut at a time are one line until then.
+// The parts of a line that is cut later are one line before that time.
 TEST_F(StartFrom, ALineThatIsCutThere) {
   write_case(path + "/cut.yaml", kCase,
              {{"output: {", "events: [{cut: {line: tail, at: 60}, time: 1.5}]\noutput: {"},
@@ -156,7 +156,7 @@ TEST_F(StartFrom, RefusesInOneSentence) {
   MPI_Barrier(MPI_COMM_WORLD);
   expect({{"output: {", "output: {file: b.h5, "}, {"lines:\n", "start: {from: b.h5~}\nlines:\n"}},
          "b.h5~ is the file that line 'riser' starts from, and this run would overwrite it");
-  // A line that the other run does not have starts by itself, with a note.
+  // A line that is not in the other run has its automatic start shape, with a note.
   write_case(path + "/new.yaml", kCase,
              {{"  riser:\n", "  new:\n"},
               {"line: riser", "line: new"},

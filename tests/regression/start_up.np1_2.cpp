@@ -1,5 +1,5 @@
-// The first seconds of cases/s-lay/startup.yaml on longer elements, the barge under way sooner: a tug in the
-// sea holds the head of a pipe, which the tensioner of a barge pays out over its rollers.
+// First seconds of cases/s-lay/startup.yaml on longer elements, with an earlier start of the barge: a tug in
+// waves holds the head of a pipe, which the tensioner of the barge pays out over its rollers.
 #include <cmath>
 #include <sstream>
 
@@ -9,8 +9,8 @@ namespace hawser::runs::start_up {
 namespace {
 
 constexpr double kWet = 359.09, kDry = 852.5;  // N/m, of the pipe
-constexpr double kTop = 10.325, kEnd = 12.5;   // m, of the tensioner; s
-constexpr double kCompared = 4;                // s, of one rank and several
+constexpr double kTop = 10.325, kEnd = 12.5;   // m, height of the tensioner; s
+constexpr double kCompared = 4;                // s, compared between one rank and several
 
 TEST(StartUp, ATugHoldsTheHead) {
   const std::string folder = HAWSER_SOURCE_DIR "/cases/s-lay/", path = runs::folder("start-up"),
@@ -26,7 +26,7 @@ TEST(StartUp, ATugHoldsTheHead) {
                "rows: [[0, 0, 0, 0], [2, 0, 0, 0], [6, 1, 0, 0], [8, 2, 0, 0]"},
               {"element_length: 1}", "element_length: 2}"},
               {"length: 430, elements: 86", "length: 430, elements: 43"}});
-  // Several ranks do as one does while the pipe is paid out; the rest is asked of one.
+  // Several ranks are compared with one while the pipe is paid out; other checks run on one rank.
   const bool several = size_of(MPI_COMM_WORLD) > 1;
   run_on_all({input, all_h5, "", several ? kCompared : kEnd});
   if (several) run_on_one({input, path + "/one.h5", "", kCompared});
@@ -42,14 +42,14 @@ TEST(StartUp, ATugHoldsTheHead) {
   }
   const auto of = [&](const char* series, const char* column) { return named(all_h5, all, series, column); };
 
-  // At rest: the tension asked for; of the head's side less by the weight of the height between them, as
-  // nothing rubs. The feeder's tension is that with M²/2EI of its clamp.
+  // At rest the tension is the target; at the head it is smaller by the weight over the height difference,
+  // because there is no friction. The feeder's tension includes M²/2EI of its clamp.
   const auto T = of("pipe_end_a_feed", "tension"), v = of("pipe_end_a_feed", "feed_speed"),
              head = of("head", "effective_tension_before"), z = of("head", "position_z");
   EXPECT_NEAR(T.front(), 150e3, 15);
   EXPECT_NEAR(head.front(), T.front() - kDry * kTop + kWet * z.front(), 150);
 
-  // Under way: the law of the tensioner, once it works.
+  // In motion: the law of the tensioner, from its start on.
   size_t working = 0;
   for (size_t i = 0; i < T.size(); ++i) {
     if (all.step_times[i] < 10) continue;
@@ -59,7 +59,7 @@ TEST(StartUp, ATugHoldsTheHead) {
   EXPECT_GT(working, 50u);
   EXPECT_GT(of("pipe_end_a_feed", "paid_out").back(), 1.5);
 
-  // The stern of the tug moves with the waves, and keeps its place.
+  // The stern of the tug moves with the waves and keeps its mean position.
   const auto x = of("tug", "position_x"), up = of("tug", "position_z");
   double moves = 0;
   for (size_t i = 0; i < x.size(); ++i) {
@@ -80,7 +80,7 @@ TEST(StartUp, ATugHoldsTheHead) {
     }
     carried += of(name.c_str(), "force_z").front();
   }
-  // At rest: what rollers and tension bear of the pipe between tensioner and head, which is about its weight.
+  // At rest rollers and tension carry about the weight of the pipe between tensioner and head.
   EXPECT_GT(carried, 100e3);
 
   const auto error = of("energy", "error"), in = of("energy", "brought_in");

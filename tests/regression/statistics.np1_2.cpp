@@ -1,5 +1,5 @@
-// Statistics over every step in the results file against the histories of the same run, on other ranks, and
-// after a restart; histories of touchdown points; a start that is shown at rest.
+// Statistics over all steps in the results file against the histories of the same run, on other ranks, and
+// after a restart; histories of touchdown points; a first output at rest.
 #include "regression/runs.hpp"
 
 namespace hawser::runs::statistics {
@@ -49,7 +49,7 @@ class StatisticsRanks : public ::testing::Test {
   std::string path, input;
 };
 
-// Against the trapezoidal mean, the extremes and their times of the histories, which have every step.
+// Reference: trapezoidal mean, extremes and their times of the histories, which have every step.
 TEST_F(StatisticsRanks, AreThoseOfTheHistories) {
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const std::string file = path + "/whole.h5";
@@ -75,7 +75,7 @@ TEST_F(StatisticsRanks, AreThoseOfTheHistories) {
       EXPECT_NEAR(s.at(node, 5), std::sqrt(square - mean * mean), 1e-6 * std::abs(mean)) << field;
       EXPECT_GT(s.at(node, 2) - s.at(node, 0), 1e-4 * std::abs(mean)) << field;
     }
-  // The ship's own surge, after its ramp.
+  // The acceleration is that of the ship's surge, after its ramp.
   const auto a = named(file, r, "fairlead", "acceleration_x"), x = named(file, r, "fairlead", "position_x");
   for (size_t i = 0; i < a.size(); ++i)
     if (r.step_times[i] > 4) {
@@ -101,7 +101,7 @@ TEST_F(StatisticsRanks, AreTheSameOnOneRank) {
       EXPECT_NEAR(all.at(n, which), one.at(n, which), 1e-6 * one.at(32, 2)) << n << ' ' << which;
 }
 
-// The first output and the first row are the static equilibrium, although the ship moves at once.
+// The first output and the first row are the static equilibrium, although the ship has an initial velocity.
 TEST_F(StatisticsRanks, BeginAtRest) {
   write_case(path + "/rest.yaml", kCase, {{"dynamics: {duration: 12}\n", ""}});
   run_on_all({path + "/rest.yaml", path + "/static.h5"});
@@ -116,7 +116,7 @@ TEST_F(StatisticsRanks, BeginAtRest) {
               1e-9 * t.back());
 }
 
-// What lies goes up and down with the ship, between its anchor and the touchdown point.
+// The touchdown point moves with the ship.
 TEST_F(StatisticsRanks, TouchdownPointsMove) {
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const std::string file = path + "/whole.h5";

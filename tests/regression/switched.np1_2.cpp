@@ -1,12 +1,12 @@
-// Winches that start and stop during a run, volumes that lines begin to touch, one event after another,
-// stages of statics; restarts around them.
+// Winches that start and stop during a run, contact with volumes switched on and off, events that depend on
+// others, stages of statics; restarts around them.
 #include "hawser/io/checkpoint.hpp"
 #include "regression/event_runs.hpp"
 
 namespace hawser::runs::events {
 namespace {
 
-// A wire that is paid out from 0.5 s on until 0.4 m are out, rests, and then keeps a tension.
+// A wire is paid out from 0.5 s until 0.4 m are out, stands still, and then a tension is kept.
 TEST(Events, AWinchStartsStopsAndKeepsATension) {
   const std::string path = folder("events-winch"), input = path + "/case.yaml", file = path + "/whole.h5";
   write_case(input, R"(hawser: 1
@@ -47,19 +47,18 @@ contact: {between_lines: false}
     if (t > 0.7 && t < 1.3) {
       EXPECT_NEAR(out[i], 0.05 + 0.5 * (t - 0.7), 1e-9) << t;
     }
-    if (t > 1.55 && t < 1.88) {  // it has come to rest after 0.4 m, 1 mm at most, and 0.1 s at half its speed
+    if (t > 1.55 && t < 1.88) {  // stop at 0.4 m, 1 mm late at most, plus 0.1 s at half the speed
       EXPECT_NEAR(v[i], 0, 1e-12) << t;
       EXPECT_GE(out[i], 0.425) << t;
       EXPECT_LE(out[i], 0.4262) << t;
     }
   }
-  EXPECT_GT(v.back(), 0.01);  // 2.16 kN pull at 2 kN
+  EXPECT_GT(v.back(), 0.01);  // 2.16 kN pull against 2 kN
   for (size_t i = 0; i < error.size(); ++i)
     EXPECT_LT(std::abs(error[i]), 0.02 * largest(in)) << r.step_times[i];
 }
 
-// It hauls in until it feels 100 kN, to 0.1 %: the tension is that of the length there is at each time. What
-// then comes to rest sends waves along the line.
+// The winch hauls in until its tension is 100 kN, within 0.1 %. The stop then causes waves along the line.
 TEST(Events, AWinchStopsAtATension) {
   const std::string path = folder("events-winch-tension"), input = path + "/case.yaml",
                     file = path + "/whole.h5";
@@ -89,7 +88,8 @@ contact: {between_lines: false}
   EXPECT_LE(*stops, 1.001e5);
 }
 
-// A floor under a rope at rest: nothing happens when it is there, and it holds the rope when that is let go.
+// A floor under a rope at rest: switching it on has no effect at first, and it carries the rope when this is
+// released.
 const char* const kFloor = R"(hawser: 1
 title: A rope over a floor
 environment: {gravity: 9.80665}
@@ -127,10 +127,10 @@ TEST(Events, AVolumeIsSwitchedOn) {
   const double rest = lowest(r, 0);
   EXPECT_NEAR(lowest(r, 1), rest, 1e-8);
   EXPECT_NEAR(lowest(r, 2), rest, 1e-8);
-  EXPECT_NEAR(lowest(r, 6), -0.95, 0.02);  // its axis is half a diameter above
+  EXPECT_NEAR(lowest(r, 6), -0.95, 0.02);  // the axis is half a diameter above the floor
 }
 
-// An end that starts inside a volume has its length without contact there when that is switched on, too.
+// An end inside a volume that is switched on later has its length without contact, too.
 TEST(Events, AnEndInsideAVolumeThatIsSwitchedOn) {
   const std::string path = folder("events-inside"), input = path + "/case.yaml", file = path + "/whole.h5";
   write_case(input, kFloor,
@@ -140,7 +140,8 @@ TEST(Events, AnEndInsideAVolumeThatIsSwitchedOn) {
   EXPECT_EQ(read(file).output_times.back(), 1.5);
 }
 
-// Off again, what lies on it falls; what its contact held goes with it and is accounted for.
+// A floor is switched off: the rope on it falls, and the elastic energy of the contact is in the energy
+// balance.
 TEST(Events, AVolumeIsSwitchedOff) {
   const std::string path = folder("events-off"), input = path + "/case.yaml", file = path + "/whole.h5";
   write_case(
@@ -161,7 +162,7 @@ TEST(Events, AVolumeIsSwitchedOff) {
   EXPECT_LT(largest(error), 0.02 * largest(in));
 }
 
-// On a line at rest that would be an impact.
+// Switching on a volume around a line is an error, because it would be an impact.
 TEST(Events, AVolumeIsNotSwitchedOnAroundALine) {
   const std::string path = folder("events-around"), input = path + "/case.yaml";
   write_case(input, kFloor,
@@ -172,7 +173,7 @@ TEST(Events, AVolumeIsNotSwitchedOnAroundALine) {
       << why;
 }
 
-// And then nothing of that instant has happened in what a run can go on from.
+// After this error the checkpoint contains none of the events of that instant.
 TEST(Events, WhatIsRefusedTakesAllOfItsInstantBack) {
   const std::string path = folder("events-back"), input = path + "/case.yaml", file = path + "/whole.h5";
   write_case(input, kFloor,
@@ -189,7 +190,7 @@ TEST(Events, WhatIsRefusedTakesAllOfItsInstantBack) {
   EXPECT_FALSE(c.scalars.count("event.on"));
 }
 
-// At a position of a body, to 1 mm, and so much later.
+// An event at a position of a body, within 1 mm, and another one after a delay.
 TEST(Events, OneAfterAnother) {
   const std::string path = folder("events-after"), input = path + "/case.yaml", file = path + "/whole.h5";
   write_case(
@@ -216,8 +217,8 @@ TEST(Events, OneAfterAnother) {
   EXPECT_LT(z.back(), 99.9);
 }
 
-// A leg that lets go in a stage of statics falls on the bed, where it may lie in many ways: in the same one
-// on one rank and on two, and a note says that there are others.
+// A leg released in a stage of statics falls on the bed, where many shapes are possible. One rank and two
+// find the same one, and a note reports that there are others.
 TEST(Events, ALegThatFallsInAStageLiesWhereRanksAgree) {
   const std::string path = folder("events-fallen"), input = path + "/case.yaml";
   write_case(input, R"(hawser: 1
@@ -246,8 +247,8 @@ events:
       << message;
 }
 
-// A weight that hangs on two legs, one of which lets go in a stage of statics, hangs straight down
-// afterwards.
+// A weight hangs on two legs, one of which is released in a stage of statics: it then hangs vertically on the
+// other.
 TEST(Events, AStageOfStatics) {
   const std::string path = folder("events-stage"), input = path + "/case.yaml", file = path + "/whole.h5";
   write_case(input, R"(hawser: 1
@@ -278,7 +279,7 @@ contact: {between_lines: false}
 )");
   run_on_all({input, file});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
-  // At -1 s the first stage, which has its own test, at 0 the second.
+  // The first stage is at -1 s, the second at 0.
   const std::vector<double> both = read(file).fields.at("position");
   const std::vector<double> x(both.begin() + std::ssize(both) / 2, both.end());
   EXPECT_NEAR(x.at(3 * 5), -4, 1e-6);

@@ -1,12 +1,12 @@
-// The history of what a volume exerts on lines: the weight of what lies on it, with its moment about the
-// origin of the body that carries it, on one rank and on two.
+// History of the force and moment of a volume on lines: the weight on it, with its moment about the origin of
+// the body that carries it, on one rank and on two.
 #include "regression/runs.hpp"
 
 namespace hawser::runs::volume_histories {
 namespace {
 
-// A bar of 10 m and 500 kg, held at one end, lies on a deck along all but its first metre, and so on every
-// rank, and on a drum that rises above the deck, on a barge that heaves.
+// A bar of 10 m and 500 kg is held at one end and lies, except for its first metre, on a deck, and on a drum
+// that rises above the deck, on a heaving barge; it lies on the nodes of every rank.
 const char* const kCase = R"(hawser: 1
 environment: {gravity: 10}
 line_types:
@@ -40,10 +40,10 @@ TEST(VolumeHistories, ForceAndMoment) {
   const std::vector<double> deck = of("deck", "force_z"), drum = of("second", "force_z"),
                             root = of("root", "end_force_z"), moment = of("second", "moment_y"),
                             along = of("second", "force_x");
-  // At rest all of it is carried.
+  // At rest volumes and support carry the whole weight.
   EXPECT_NEAR(deck.front() + drum.front() - root.front(), 5000, 5);
   EXPECT_GT(drum.front(), 1000);
-  // The drum's place is 3 m before the body's origin, the axis of the bar near its height.
+  // The drum is 3 m from the body's origin; the axis of the bar is near the origin's height.
   for (size_t i = 0; i < drum.size(); ++i)
     EXPECT_NEAR(moment[i], -3 * drum[i], 0.05 * std::abs(drum[i]) + 0.2 * std::abs(along[i]) + 1) << i;
   EXPECT_GT(*std::max_element(drum.begin(), drum.end()), 1.01 * drum.front());

@@ -1,5 +1,5 @@
-// Friction of the seabed at rest: set-ups whose anchor load follows from Coulomb's balance, and random legs
-// against a solver of their own (support/leg_on_bed.hpp).
+// Statics of lines on a seabed with friction: anchor loads against Coulomb's balance along the bed, and
+// tensions of random legs against the independent solver of support/leg_on_bed.hpp.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -49,7 +49,7 @@ double norm(const std::vector<double>& v, size_t n) {
   return std::hypot(v[3 * n], v[3 * n + 1], v[3 * n + 2]);
 }
 
-// The largest friction over normal force of nodes that are pressed by more than `least` [N].
+// Largest ratio of friction to normal force among the nodes whose normal force is above `least` [N].
 double friction_over_normal(const Shown& s, double least) {
   double most = 0;
   for (size_t n = 0; n < s.nodes(); ++n) {
@@ -61,9 +61,8 @@ double friction_over_normal(const Shown& s, double least) {
   return most;
 }
 
-// 500 m of chain of 84 mm (studless, R3) in 100 m with 480 m between its ends, friction 0.6. As they were
-// found, with the load at the anchor that Coulomb's balance gives: that at the fairlead less 0.6 of the bed's
-// reaction.
+// 500 m of studless R3 chain of 84 mm in 100 m of water, 480 m between its ends, friction 0.6. By Coulomb's
+// balance the anchor load is the fairlead load less 0.6 of the normal force of the bed.
 std::string chain(const std::string& bed, const std::string& lines) {
   return "hawser: 1\nenvironment: {water: {depth: 100}, seabed: {depth: 100, friction: 0.6" + bed +
          "}}\nline_types:\n  chain: {library: chain-studless, diameter: 84 mm, grade: R3}\n"
@@ -103,12 +102,13 @@ TEST(BedFriction, AnchorLoads) {
     ASSERT_EQ(s.exit, 0) << r.name;
     EXPECT_NEAR(s.tension.back(), r.right, 0.01 * r.right) << r.name;
     EXPECT_LE(friction_over_normal(s, 10), 0.6 * 1.001) << r.name;
-    // An end stays where the case puts it.
+    // Statics does not move an end.
     EXPECT_EQ(s.position[3 * (s.nodes() - 1)], 480) << r.name;
   }
 }
 
-// The anchor load does not jump with the height of the padeye, from 1 m under the bed to 1 m above it.
+// The anchor load is a continuous function of the padeye height from 1 m under the bed to 1 m above it: it
+// changes by less than 2.7 % from one height to the next.
 TEST(BedFriction, HeightOfThePadeye) {
   double last = 0;
   for (const double z :
@@ -116,7 +116,7 @@ TEST(BedFriction, HeightOfThePadeye) {
     const Shown s = run("height", chain("", one_leg(fmt::format("{}", z))));
     ASSERT_EQ(s.exit, 0) << z;
     EXPECT_EQ(s.position.back(), z);
-    // The chain that hangs from the padeye, up to 21 m of it, is not on the bed.
+    // Up to 21 m of chain hang between the padeye and the bed.
     if (last > 0) {
       EXPECT_NEAR(s.tension.back(), last, 0.027 * last) << z;
     }
@@ -124,7 +124,8 @@ TEST(BedFriction, HeightOfThePadeye) {
   }
 }
 
-// A slack chain on a bed of 10 degrees, which friction holds: H and V at the top by a quasi-static code.
+// Friction holds a slack chain on a bed of 10 degrees. H and V at the top are those of a quasi-static
+// program.
 TEST(BedFriction, SlackChainOnASlope) {
   const Shown s = run("slope", R"(hawser: 1
 environment: {water: {depth: 400}, seabed: {depth: 100, slope_deg: 10, slope_direction_deg: 0, friction: 0.5}}
@@ -138,7 +139,7 @@ lines:
   EXPECT_LT(s.tension.front(), 100);
 }
 
-// Friction holds the chain on soft level ground: nothing is left of 195 kN at its anchor.
+// Friction holds a chain on soft level ground: the anchor tension is below 0.5 % of the fairlead tension.
 TEST(BedFriction, HeldBeforeTheAnchor) {
   const Shown s = run("held", R"(hawser: 1
 environment: {water: {depth: 100}, seabed: {depth: 100, friction: 0.5}}
@@ -151,8 +152,8 @@ lines:
   EXPECT_LT(s.tension.front(), 0.005 * s.tension.back());
 }
 
-// A taut leg from an anchor on the bed, hand calculation: the distance of its ends less its length over its
-// length, times EA. Half a diameter of height would change it by two fifths.
+// Taut leg from an anchor on the bed. By hand: T = EA (distance of the ends - length)/length. If statics
+// moved the anchor by half a diameter, T would change by two fifths.
 TEST(BedFriction, ATautLegIsHeldWhereItsEndsAre) {
   const double length = std::hypot(60, 60) * (1 - 79.1e3 / 100e6);
   const Shown s = run("taut", fmt::format(R"(hawser: 1
@@ -167,14 +168,14 @@ lines:
   EXPECT_NEAR(s.tension.back(), right, 0.01 * right);
 }
 
-// N, the most that friction which is mobilised over d [m] leaves at the anchor where rigid friction leaves
-// nothing. EA u'' = mu w min(u/d, 1) with l² = EA d/(mu w): from the place on where rigid friction has used
-// the tension up it is mu w l/sinh(x), coth(x) = x.
+// Largest tension [N] at the anchor when friction is mobilised over d [m] and rigid friction would leave
+// none. EA u'' = mu w min(u/d, 1), l² = EA d/(mu w): beyond the point where rigid friction has reduced the
+// tension to zero, the tension is mu w l/sinh(x) with coth(x) = x.
 double left_by_mobilisation(const LegOnBed& leg, double d) {
   return 0.66 * std::sqrt(leg.EA * leg.friction * leg.weight * d);
 }
 
-// A bed at z = 0 and one above it, in air.
+// The same line in air on a bed at z = 0 and on one at z = 3 m.
 TEST(BedFriction, ABedAboveZero) {
   const double w = 60 * 9.80665;
   const double rest = 0.05 - w / (1e6 * 0.1);
@@ -200,16 +201,17 @@ lines:
 struct Leg {
   std::string text;
   LegOnBed own;
-  // Where all that lies does so on the bed that gives way to an end under it: on that bed, which is steeper.
+  // The leg for an anchor below the bed when the part on the bed is shorter than `moves_aside`: all of it
+  // lies on the lowered, steeper bed beside the anchor.
   LegOnBed beside_anchor;
-  double moves_aside = 0;                 // m from the anchor
-  double friction = 0, mobilisation = 0;  // m; 0: the slightest slip
+  double moves_aside = 0;                 // m from the anchor over which the bed is lowered
+  double friction = 0, mobilisation = 0;  // m; 0: full friction
 };
 
-// Random but sensible: chains of 60 to 120 mm in 40 to 150 m, slopes to 10 degrees that friction can hold,
-// padeyes from 1 m below the bed to 3 m above it, lines that are slack to nearly lifted, in one piece, joined
-// on the bed, with a buoy on what lies, or on a bed of measured heights; friction as laid, with a short
-// mobilisation length, and full.
+// Random legs: chains of 60 to 120 mm in 40 to 150 m of water; slopes up to 10 degrees, on which friction
+// holds the chain; padeyes from 1 m below the bed to 3 m above it; slack to nearly lifted; in one piece, with
+// a joint or a buoy on the bed, or on a gridded bed; friction as laid with a short mobilisation length, or
+// full.
 Leg random_leg(int seed) {
   std::mt19937 random(static_cast<unsigned>(seed));
   const auto uniform = [&](double a, double b) {
@@ -248,7 +250,7 @@ Leg random_leg(int seed) {
   own = {length, w, EA, mu, slope, 0, away, fairlead - (bed + rest), 0, 0};
   if (padeye > rest) own.padeye = padeye - rest;
   const double under = std::max(0.0, rest - padeye);
-  // The line comes from the place on the bed that is nearest to an end under it.
+  // An end under the bed: the leg starts at the nearest point of the bed.
   own.x += under * std::sin(slope) * std::cos(slope);
   own.z += under * std::pow(std::sin(slope), 2);
   out.moves_aside = std::min(under / 0.005, kind == 1 ? 0.25 * length : length);
@@ -314,7 +316,8 @@ TEST(BedFriction, RandomLegs) {
     const Leg leg = random_leg(seed);
     std::optional<LegLoads> own = LegSolver(leg.own).solve();
     if (own && own->lying < leg.moves_aside) own = LegSolver(leg.beside_anchor).solve();
-    // Lines that lie to some extent, and buoys on what is pulled: where it is not, a buoy rises with slack.
+    // Compared are legs with at least 5 % of their length on the bed. A leg with a buoy must also have
+    // tension at its anchor, because on a slack line the buoy rises.
     if (!own || own->lying < 0.05 * leg.own.length) continue;
     if (leg.own.lift > 0 && !(own->anchor > 5 * leg.own.lift)) continue;
     ++tried;
@@ -333,8 +336,8 @@ TEST(BedFriction, RandomLegs) {
   EXPECT_GE(solved, 0.98 * tried);
 }
 
-// A chain of 100 mm over a ridge or a trench of a measured bed, which it spans, taut and slack: Coulomb's
-// balance, and the same loads on elements of half the length.
+// A taut and a slack chain of 100 mm that spans a ridge or a trench of a gridded bed: friction stays within
+// Coulomb's limit, and elements of half the length change the end tensions by less than 1 %.
 TEST(BedFriction, RidgesAndTrenches) {
   constexpr double kLength = 400;
   constexpr double kDepth = 80;
@@ -375,7 +378,7 @@ lines:
   }
 }
 
-// Lines that lie slack come to rest by Newton's iteration alone, and soon.
+// Statics of slack legs needs fewer than 220 Newton iterations and no dynamic relaxation.
 TEST(BedFriction, SlackLegsComeToRestSoon) {
   for (const int seed : {0, 41, 58, 81, 121, 174, 292}) {
     const model::Case c = io::read_case_text(random_leg(seed).text, "leg.yaml", {}, MPI_COMM_WORLD);

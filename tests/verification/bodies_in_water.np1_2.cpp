@@ -1,5 +1,5 @@
-// Rigid bodies in water against closed forms: periods, speeds, draughts, wave forces, and the balance of
-// energy of a load that is lowered through the surface.
+// Rigid bodies in water against closed forms: natural periods, terminal velocity, draught, wave forces; and
+// the energy balance of a load that is lowered through the surface.
 #include <fmt/format.h>
 
 #include "../regression/runs.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kG = 9.80665;
 
-// Water of 1000 kg/m³ and `sea` with it, a body called load and a line without weight worth speaking of.
+// Water of 1000 kg/m³ with the keys `sea`, a body called load, and a nearly weightless line.
 std::string text(const std::string& sea, const std::string& body, const std::string& line,
                  const std::string& rest) {
   std::string text =
@@ -35,7 +35,7 @@ double swing(const model::Case& c, int axis) {
   return period_from_rest(s, [axis](const Kinematics& state, size_t n) { return state.x[n][axis]; });
 }
 
-// Deep under water, on a line of k = EA/L: T = 2 pi sqrt((m + Ca rho V)/k).
+// A submerged sphere on a line of stiffness k = EA/L: T = 2 pi sqrt((m + Ca rho V)/k).
 TEST(BodiesInWater, SphereHeavesOnALine) {
   const double k = 5e6 / 50, T = 2 * M_PI * std::sqrt((2000 + 0.5 * 1000) / k);
   const model::Case c =
@@ -50,9 +50,9 @@ TEST(BodiesInWater, SphereHeavesOnALine) {
   EXPECT_NEAR(found, T, 1e-3 * T);
 }
 
-// A load under water swings below its hook: T = 2 pi sqrt((m + Ca rho V) L/((m - rho V) g)).
+// A submerged load on a line is a pendulum: T = 2 pi sqrt((m + Ca rho V) L/((m - rho V) g)).
 TEST(BodiesInWater, LoadSwingsBelowItsHook) {
-  // The line of EA 5 MN is stretched by its load.
+  // Length of the line stretched by its load, EA 5 MN.
   const double L = 20 * (1 + 3000 * kG / 5e6),
                T = 2 * M_PI * std::sqrt((5000 + 1.2 * 2000) * L / ((5000 - 2000) * kG));
   const model::Case c =
@@ -68,8 +68,8 @@ TEST(BodiesInWater, LoadSwingsBelowItsHook) {
   EXPECT_NEAR(found, T, 1e-3 * T);
 }
 
-// Heave of a body in the surface with the steps that the program takes: T = 2 pi sqrt((m + A) H/(rho g V)).
-// What the scheme adds to it is at most a thousandth.
+// Heave of a floating body with automatic steps: T = 2 pi sqrt((m + A) H/(rho g V)). The time integration
+// adds at most 0.1 %.
 TEST(BodiesInWater, HeavesWithAutomaticSteps) {
   const double T = 2 * M_PI * std::sqrt(7000.0 * 3 / (1000 * kG * 12));
   model::Case c = load("",
@@ -83,8 +83,8 @@ TEST(BodiesInWater, HeavesWithAutomaticSteps) {
   EXPECT_NEAR(found, T, 1.2e-3 * T);
 }
 
-// in_water has nothing of the waterplane: what floats in the surface without a stiffness of its own against
-// tilting is named, not what is deep under water or has one.
+// A body with in_water has no stiffness of a waterplane against tilting. Statics warns about a floating body
+// without turning_stiffness, but not about one with it or about a submerged one.
 TEST(BodiesInWater, WhatFloatsWithoutAWaterplaneIsNamed) {
   const auto named = [](double mass, const std::string& more) {
     const model::Case c =
@@ -107,7 +107,7 @@ TEST(BodiesInWater, WhatFloatsWithoutAWaterplaneIsNamed) {
   EXPECT_TRUE(named(13000, "").empty());
 }
 
-// It falls until drag carries its weight in water: v = sqrt(2 (m g - rho g V)/(rho Cd A)).
+// A body sinks at the speed where drag equals its weight in water: v = sqrt(2 (m g - rho g V)/(rho Cd A)).
 TEST(BodiesInWater, TerminalVelocity) {
   const model::Case c =
       load("",
@@ -125,8 +125,8 @@ TEST(BodiesInWater, TerminalVelocity) {
   EXPECT_NEAR(found, v, 1e-3 * v);
 }
 
-// A body of 100 kg in 50 kg of water with an added mass of 0.5 and 5 t sinks by z = v²/a0 ln cosh(a0 t/v):
-// five and fifty times its mass, on the side of the forces, do not make it unstable at steps of any length.
+// A body of 100 kg that displaces 50 kg, with an added mass of 500 or 5000 kg, sinks by z = v²/a0 ln cosh(a0
+// t/v). An added mass of 5 and 50 times the mass, treated as a force, stays stable with steps of 0.05 to 1 s.
 TEST(BodiesInWater, LightBodyWithMuchAddedMassSinks) {
   for (const auto& [added, step, tolerance] : {std::tuple(500.0, 0.1, 1e-3),
                                                {500.0, 0.05, 2.5e-4},
@@ -155,8 +155,8 @@ TEST(BodiesInWater, LightBodyWithMuchAddedMassSinks) {
   }
 }
 
-// Draught: the wet fraction is mass over (density of water times volume). It starts above the water and with
-// a list.
+// Draught of a box: its wet fraction is mass over (density of water times volume). Statics starts with the
+// box above the water and tilted.
 TEST(BodiesInWater, BoxFindsItsDraught) {
   const model::Case c = load("",
                              "position: [3, 2, 1.2], rotation_deg: [8, -5, 20], floating: {mass: 7000, "
@@ -175,8 +175,8 @@ TEST(BodiesInWater, BoxFindsItsDraught) {
   EXPECT_NEAR(upright, 1, 1e-9);
 }
 
-// Half wet on its hoist line, in a current: what the line carries is the weight less the buoyancy of what is
-// wet, and drag across.
+// A half submerged body on a hoist line in a current: the line carries the weight less the buoyancy of the
+// wet part, and the drag.
 TEST(BodiesInWater, HangsHalfWet) {
   const model::Case c =
       load("}, current: {speed: 1.2",
@@ -201,7 +201,8 @@ TEST(BodiesInWater, HangsHalfWet) {
   EXPECT_NEAR(x, length * drag / tension, 1e-4 * x);
 }
 
-// Held in a regular wave: rho V (1 + Ca) a_w e^(kz), each axis with its own Ca, a quarter of a period apart.
+// Amplitude of the force on a held body in a regular wave, rho V (1 + Ca) a_w e^(kz), with Ca of each axis;
+// the horizontal and the vertical force are a quarter of a period apart.
 TEST(BodiesInWater, HeldInARegularWave) {
   const model::Case c = load("}, waves: {regular: {height: 2, period: 8}, stretching: none, ramp: 0",
                              "position: [0, 0, -12], floating: {mass: 5000, inertia: [3000, 3000, 3000], "
@@ -233,7 +234,7 @@ TEST(BodiesInWater, HeldInARegularWave) {
   EXPECT_LT(most.y(), 1e-6 * across);
 }
 
-// J that the balance does not explain, J moved; where the load is at the end.
+// J: error of the energy balance, and energy exchanged; m: lowest and last position of the load.
 struct Lowered {
   double unexplained = 0, turnover = 0, least = 1e300;
   Vec3 place = Vec3::Zero();
@@ -258,7 +259,8 @@ Lowered lower(MPI_Comm comm, const model::Case& c) {
   return out;
 }
 
-// A crane tip lowers it by 12 m through waves of 2 m, its centres of buoyancy and drag off that of mass.
+// A crane tip lowers the load by 12 m through waves of 2 m. The centres of buoyancy and drag are not the
+// centre of mass.
 std::string lowered() {
   return text(
       "}, waves: {regular: {height: 2, period: 7, direction_deg: 20}}, current: {profile: [{depth: 0, speed: "
@@ -283,7 +285,8 @@ TEST(BodiesInWater, LoweredThroughTheWaves) {
   EXPECT_LT((all.place - one.place).norm(), 1e-6);
 }
 
-// In the middle of the wave zone: where its waves were looked at last is kept.
+// A restart while the load is in the wave zone continues exactly: the checkpoint has the last position at
+// which the wave kinematics were evaluated.
 TEST(BodiesInWater, GoesOnAfterARestart) {
   const std::string base = runs::folder("bodies_in_water") + "/", input = base + "case.yaml";
   runs::write_case(input, lowered(), {{"duration: 40", "duration: 26"}});

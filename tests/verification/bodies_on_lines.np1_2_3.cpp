@@ -1,4 +1,5 @@
-// Bodies that hang on lines, against closed forms: rest, pendulums, and that other ranks find the same.
+// Bodies that hang on lines against closed forms: position at rest and periods of pendulums; results do not
+// depend on the number of ranks.
 #include <gtest/gtest.h>
 
 #include "hawser/math/symmetric.hpp"
@@ -17,7 +18,7 @@ model::End on(const std::string& body, const Vec3& at) {
   return e;
 }
 
-// A load on slings without weight worth speaking of, 1000 times stiffer than the load is heavy.
+// A load on nearly weightless slings with EA of 10^5 times the weight of the load.
 struct Sling {
   Vec3 from, at;  // m: in space, in the load's frame
   double length;
@@ -47,17 +48,19 @@ model::Case load(double mass, const Vec3& inertia, const Vec3& position, const s
   return c;
 }
 
-// A load with its centre off the middle hangs below the point where its slings meet, turned as they say.
+// A load with an eccentric centre of mass on two slings: the centre of mass is below the hook, and the load
+// is tilted.
 TEST(BodiesOnLines, LoadOnTwoSlingsAtRest) {
-  // Slings of 5 m from one hook to two eyes 6 m apart, 1 m above the centre of mass and 0.5 m to its side:
-  // the centre comes to hang under the hook.
+  // Slings of 5 m lead from one hook to two eyes 6 m apart, 1 m above the centre of mass and 0.5 m to its
+  // side.
   model::Case c = load(2000, {3000, 4000, 5000}, {0.4, 0, -5},
                        {{{0, 0, 0}, {-3, 0, 1}, 5}, {{0, 0, 0}, {3, 0, 1}, 5}}, 4);
   c.bodies[0].mass->centre = {0.5, 0, 0};
   Simulation s(PETSC_COMM_WORLD, c);
   const StaticsReport report = s.solve_statics();
   const auto& rest = s.state();
-  // In the load's frame the hook is at (0, 5) (x, z), the centre of mass at (0.5, 0): that line is plumb.
+  // In the load's frame the hook is at (0, 5) (x, z) and the centre of mass at (0.5, 0); the line between
+  // them is vertical.
   const double tilt = std::atan2(0.5, 5.0);
   const double x = from_owner(s, [&](size_t n) { return rest.x[n].x(); });
   const double z = from_owner(s, [&](size_t n) { return rest.x[n].z(); });
@@ -72,7 +75,8 @@ TEST(BodiesOnLines, LoadOnTwoSlingsAtRest) {
   EXPECT_NEAR(turned, -tilt, 2e-5);
 }
 
-// Bifilar pendulum: T = 2 pi sqrt(J L / (m g b²)), slings of L at b on either side of the centre.
+// Bifilar pendulum: T = 2 pi sqrt(J L / (m g b²)), slings of length L at the distance b on either side of the
+// centre.
 TEST(BodiesOnLines, BifilarPendulum) {
   const double L = 4, b = 0.8, J = 60, m = 100;
   model::Case c =
@@ -97,7 +101,7 @@ TEST(BodiesOnLines, BifilarPendulum) {
   EXPECT_NEAR(found, T, 1e-3 * T);
 }
 
-// A compound pendulum on a line: of line and body the slower mode of M y'' + K y = 0, in the angles of both.
+// A compound pendulum on a line: the slower mode of M y'' + K y = 0 in the angles of line and body.
 TEST(BodiesOnLines, CompoundPendulumOnALine) {
   const double L = 3, d0 = 1.2, m = 50, J = 20;  // line, eye above the centre
   Eigen::Matrix2d M;
@@ -108,7 +112,8 @@ TEST(BodiesOnLines, CompoundPendulumOnALine) {
   const double T = 2 * M_PI * std::sqrt(modes.values[1]);
   const Eigen::Vector2d slow = S.cwiseProduct(modes.vectors.col(1)), mode = slow / slow[0];
   model::Case c = load(m, {J, J, J}, {0, 0, -L - d0}, {{{0, 0, 0}, {0, 0, d0}, L}}, 1);
-  // In that mode, with the line turning at 0.01 times its frequency: velocities of the centre and the body.
+  // Initial velocities of the centre and the body in that mode; the line turns at 0.01 times the angular
+  // frequency.
   const double rate = 0.01 * 2 * M_PI / T;
   c.bodies[0].mass->velocity = {rate * (L + d0 * mode[1]), 0, 0};
   c.bodies[0].mass->angular_velocity = {0, -rate * mode[1], 0};

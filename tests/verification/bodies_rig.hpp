@@ -1,5 +1,5 @@
-// What the verification of bodies that touch shares: a case from text, its statics and motion, and where its
-// bodies are, on all ranks.
+// Shared by the tests of bodies in contact: a case from text, its statics and motion, and the poses of its
+// bodies on all ranks.
 #pragma once
 
 #include <mpi.h>
@@ -22,17 +22,17 @@ struct BodiesRun {
         sim(PETSC_COMM_WORLD, c, run::surfaces(volumes), run::skeletons(c, volumes)) {}
 
   void start() { sim.dynamics().start(sim.state()); }
-  // On from the present time, each(info) after every step.
+  // Continues from the present time; calls each(info) after every step.
   void move(
       double until, const std::function<void(const StepInfo&)>& each = [](const StepInfo&) {}) {
     integrate(sim.dynamics(), until, until, each);
   }
-  // From the start of the case to the end of its duration, without statics.
+  // Runs the case from its start to the end of its duration, without statics.
   void run_without_statics() {
     start();
     move(c.dynamics.duration);
   }
-  // The frames of all bodies with mass; others are left as they are.
+  // Poses of all bodies with mass; those of other bodies are default values.
   std::vector<RigidPose> poses(const Kinematics& state) const {
     std::vector<RigidPose> all;
     for (size_t b = 0; b < c.bodies.size(); ++b) {
@@ -60,7 +60,7 @@ struct BodiesRun {
       MPI_Allreduce(MPI_IN_PLACE, of, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
     return e;
   }
-  // J, less what was brought in: constant but for what the scheme makes or loses.
+  // Energy less the work brought in [J]; it changes only by the error of the time integration.
   double audit() {
     const Energy e = energy();
     return total(e) + e.friction + e.damping - e.work;

@@ -1,4 +1,5 @@
-// Bodies with mass against each other.
+// Contact of bodies with mass: collisions against closed forms, thin plates, springs, conservation of
+// momentum.
 #include "hawser/terms/body_contact.hpp"
 
 #include <gtest/gtest.h>
@@ -44,8 +45,9 @@ struct Collision {
   run::Simulation sim;
 };
 
-// Two floaters head on: m1 = 1e7 kg at 0.5 m/s, m2 = 2.5e7 kg at -0.1 m/s, fender 5e6 N/m. Closed form of the
-// linear spring and of the Kelvin-Voigt one that does not pull.
+// Head-on collision of two floaters: m1 = 1e7 kg at 0.5 m/s, m2 = 2.5e7 kg at -0.1 m/s, fender 5e6 N/m.
+// Depth, force, duration and speeds are those of the closed forms of a linear spring and of a Kelvin-Voigt
+// spring without tension.
 model::Case floaters(double zeta) {
   model::Case c;
   c.statics.enabled = false;
@@ -111,7 +113,7 @@ TEST(BodyContact, FloatersWithADampedFender) {
   EXPECT_LT(r.audit, 2e-3);
 }
 
-// A fender that gives way: what it takes up at most is the energy of the relative motion.
+// A fender with a softening table: its largest potential energy is the energy of the relative motion.
 TEST(BodyContact, FloatersWithAFenderByTable) {
   model::Case c = floaters(0);
   const std::vector<ContactForceTable::Row> rows{{0.1, 4e5}, {0.3, 9e5}, {1.5, 2e6}};
@@ -126,14 +128,14 @@ TEST(BodyContact, FloatersWithAFenderByTable) {
   EXPECT_LT(table->at(depth).force, 0.9 * table->largest_slope() * depth);
 }
 
-// A block thrown at a thin plate that stands still, at up to 50 m/s in steps of up to 0.1 s: corners and
-// edges that begin and end a step on different sides have not met anything.
+// A block is thrown at a thin fixed plate at up to 50 m/s in steps of up to 0.1 s. It does not pass the
+// plate, although its corners and edges may cross the plate within one step.
 TEST(BodyContact, ThinPlatesAreNotPassed) {
   for (const model::StiffnessBasis basis :
        {model::StiffnessBasis::per_point, model::StiffnessBasis::per_length})
     for (const bool resolve : {true, false})
       for (const double step : {0.0, 0.02, 0.1}) {
-        // So stiff that they stop within half the plate.
+        // The stiffness stops the block within half the thickness of the plate.
         const double stiffness = basis == model::StiffnessBasis::per_point ? 2e10 : 1e12;
         int passed = 0, steps = 0, rejected = 0;
         double depth = 0;
@@ -169,7 +171,7 @@ TEST(BodyContact, ThinPlatesAreNotPassed) {
       }
 }
 
-// Springs that hold a body swing it with 2 pi sqrt(m / k), 2 pi sqrt(J / kr).
+// A body on springs oscillates with 2 pi sqrt(m / k) and 2 pi sqrt(J / kr).
 TEST(BodyContact, ABodyOnSpringsSwings) {
   model::Case c;
   c.statics.enabled = false;
@@ -194,7 +196,8 @@ TEST(BodyContact, ABodyOnSpringsSwings) {
   EXPECT_LT(angle, 1e-3 * 0.2);
 }
 
-// Two boxes meet at an angle, edge on edge, tumbling: momentum and angular momentum stay, energy comes back.
+// Two tumbling boxes collide edge on edge: linear and angular momentum are constant, and the energy is
+// recovered after the impact.
 TEST(BodyContact, TumblingBoxesKeepMomentum) {
   model::Case c;
   c.statics.enabled = false;

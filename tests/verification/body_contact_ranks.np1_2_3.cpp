@@ -1,4 +1,4 @@
-// Floating bodies on several ranks are where they are on one.
+// Floating bodies in contact move as on one rank.
 #include <gtest/gtest.h>
 
 #include "hawser/io/case_reader.hpp"

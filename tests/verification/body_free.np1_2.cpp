@@ -1,4 +1,4 @@
-// A floating body that nothing holds, on its own: it falls, and tumbles.
+// A free floating body falls and tumbles as in closed form.
 #include <gtest/gtest.h>
 
 #include "hawser/base/mpi.hpp"
@@ -24,7 +24,7 @@ model::Case box(double mass) {
   return c;
 }
 
-// What of a body is there at the end, on all ranks alike.
+// `what` of the body at the end of the run, on all ranks.
 template <class What>
 double at_end(const model::Case& c, const What& what) {
   run::Simulation s(PETSC_COMM_WORLD, c);
@@ -37,7 +37,8 @@ double at_end(const model::Case& c, const What& what) {
   return value;
 }
 
-// Weight and inertia cancel to the last bits, which are other for each mass.
+// Free fall, z = -g t²/2, for 60 masses: weight and inertia cancel to round-off, which differs from mass to
+// mass.
 TEST(BodyFree, Falls) {
   double worst = 0;
   for (int i = 1; i <= 60; ++i) {
@@ -51,7 +52,7 @@ TEST(BodyFree, Falls) {
   EXPECT_LT(worst, 1e-9);
 }
 
-// So do the moments of a body that turns about no axis of its own.
+// A body that rotates about no principal axis keeps its angular momentum.
 TEST(BodyFree, Tumbles) {
   double worst = 0;
   for (const double mass : {1.0, 371.0, 1000.0}) {
@@ -66,9 +67,9 @@ TEST(BodyFree, Tumbles) {
   EXPECT_LT(worst, 1e-5);
 }
 
-// A body with a full matrix of mass, of which no part is that of a rigid body, thrown and turning: momentum
-// and angular momentum about a fixed point stay at any step, with and without damping by the scheme, energy
-// to the second order of the step without.
+// A thrown and rotating body with a full mass matrix that is not the matrix of a rigid body. Momentum and
+// angular momentum about a fixed point are constant at any step, with and without numerical damping; the
+// energy without damping has an error of second order in the step.
 TEST(BodyFree, CoupledMassKeepsMomentum) {
   double before = 0;
   for (const auto& [step, rho] : {std::pair(0.02, 1.0), std::pair(0.01, 1.0), std::pair(0.05, 0.8)}) {

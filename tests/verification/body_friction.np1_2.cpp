@@ -1,4 +1,4 @@
-// Friction of bodies on each other: closed forms of crates, balls and bars on slopes, momentum of two bodies.
+// Friction between bodies: closed forms of boxes, balls and bars on slopes; momentum of two bodies.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ Motion run(const std::string& yaml) {
 
 constexpr double kMass = 600, kPress = 1e7;  // kg; N/m, N/m² or N/m³
 
-// A body on a plane that falls by `slope` [rad] towards x, its frame at `height` [m] above it.
+// A body on a plane inclined by `slope` [rad] towards x, its frame `height` [m] above the plane.
 std::string on_slope(double slope, double friction, const std::string& shape, const std::string& basis,
                      double height, const std::string& inertia, double duration) {
   const double s = std::sin(slope), c = std::cos(slope);
@@ -50,8 +50,8 @@ dynamics: {{duration: {}}}
                      friction, duration);
 }
 
-// m above contact, where the ramp of half width 1e-3 carries the load: F = k (s - g)²/(4 s) for each of the
-// points, or per m or m².
+// m between the surfaces at rest, within the smoothing ramp of half width s = 1e-3 m: F = k (s - g)²/(4 s)
+// for each of `count` points, metres or m².
 double gap_at_rest(double slope, double count) {
   const double F = kMass * kGravity * std::cos(slope) / count;
   return 1e-3 - std::sqrt(4e-3 * F / kPress);
@@ -65,7 +65,8 @@ double down(const Motion& m, double slope) {
   return m.end[0].position.dot(Vec3(std::cos(slope), 0, -std::sin(slope)));
 }
 
-// Corners and edges hold a box up to the slope arctan(mu), and beyond let it go with g (sin - mu cos).
+// Friction at corners and edges holds a box up to the slope arctan(mu). Above it the box slides with g (sin -
+// mu cos).
 TEST(BodyFriction, BoxOnASlope) {
   const double mu = 0.4, limit = std::atan(mu);
   for (const auto& [basis, count] : {std::pair("per_point", kCorners), {"per_length", kEdges}}) {
@@ -81,7 +82,7 @@ TEST(BodyFriction, BoxOnASlope) {
   }
 }
 
-// Faces, whose thousands of points take time, for a short while.
+// Contact of faces has thousands of points, so this run is short.
 TEST(BodyFriction, FaceOnASlope) {
   int size = 0;
   MPI_Comm_size(MPI_COMM_WORLD, &size);
@@ -92,7 +93,7 @@ TEST(BodyFriction, FaceOnASlope) {
   EXPECT_NEAR(m.end[0].velocity.norm(), 0.03 * a, 0.04 * 0.03 * a);
 }
 
-// What the friction takes is what the fall gives and the motion does not have.
+// The friction energy is the loss of potential energy less the kinetic energy.
 TEST(BodyFriction, WorkOnASlope) {
   const double mu = 0.4, slope = 35 * M_PI / 180;
   for (const auto& [basis, count] : {std::pair("per_point", kCorners), {"per_length", kEdges}}) {
@@ -103,8 +104,8 @@ TEST(BodyFriction, WorkOnASlope) {
   }
 }
 
-// A ball rolls with g sin / (1 + 2/5) while mu > 2/7 tan, else it slides with g (sin - mu cos) and is turned
-// by 5/2 mu g cos / r; a bar likewise with J = m r²/2: g sin / (1 + 1/2).
+// A ball rolls with g sin / (1 + 2/5) if mu > 2/7 tan; otherwise it slides with g (sin - mu cos) and its
+// angular acceleration is 5/2 mu g cos / r. The same for a bar with J = m r²/2: g sin / (1 + 1/2).
 TEST(BodyFriction, BallsAndBarsRoll) {
   const double r = 0.5, slope = 30 * M_PI / 180, g = kGravity;
   const auto check = [&](const char* shape, const char* basis, double count, double inertia, double mu) {
@@ -125,9 +126,9 @@ TEST(BodyFriction, BallsAndBarsRoll) {
   }
 }
 
-// What sticks vibrates on its friction springs k_t with the damping of the contact: of four corners, each
-// with c = 2 zeta sqrt(k_t m), w = sqrt(4 k_t/m) and the damping ratio 2 zeta. Friction takes the energy of
-// the motion.
+// A sticking body vibrates on its friction springs k_t with the contact's damping: four corners, each with c
+// = 2 zeta sqrt(k_t m), have w = sqrt(4 k_t/m) and the damping ratio 2 zeta. The friction energy is the
+// kinetic energy at the start.
 TEST(BodyFriction, WhatSticksIsDamped) {
   const double zeta = 0.05, k = 2.5e6, speed = 0.02, w = std::sqrt(4 * k / kMass), D = 2 * zeta;
   const std::string yaml = fmt::format(R"(hawser: 1
@@ -162,9 +163,9 @@ dynamics: {{duration: 1, max_step: 2e-4, rho_infinity: 1}}
   EXPECT_NEAR(r.energy().friction, energy, 0.005 * energy);
 }
 
-// A slab that slides on a free block, pressed together by 3000 N, takes it along: momentum stays, both end
-// with one velocity but for vibration on the friction springs, and friction takes the energy of the motion
-// against each other.
+// A slab slides on a free block, both pressed together by 3000 N. Momentum is constant, both end with one
+// velocity except for vibration on the friction springs, and friction dissipates the energy of the relative
+// motion.
 TEST(BodyFriction, SlabOnABlock) {
   const Motion m = run(R"(hawser: 1
 environment: {gravity: 0}

@@ -1,5 +1,5 @@
-// Friction of bodies on each other in statics and from there on: crates that rest on slopes, on each other,
-// on decks that move, and a fender that carries.
+// Friction between bodies in statics and in the motion that starts from it: crates at rest on slopes, on each
+// other and on moving decks; a loaded fender.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMass = 600, kPress = 1e7, kGravity = 9.80665;
 
-// A crate of 1 x 0.6 x 0.2 m on a plane that falls by `slope` [rad] towards x, `gap` [m] above it.
+// A crate of 1 x 0.6 x 0.2 m, `gap` [m] above a plane inclined by `slope` [rad] towards x.
 std::string crate(double slope, double friction, double gap, const std::string& statics) {
   const double s = std::sin(slope), c = std::cos(slope), height = 0.1 + gap;
   return fmt::format(R"(hawser: 1
@@ -44,8 +44,9 @@ double down(const RigidPose& p, double slope) {
   return p.position.dot(Vec3(std::cos(slope), 0, -std::sin(slope)));
 }
 
-// It moves by what its four friction springs give, k_t = k, and tilts on the normal ones:
-// u = F/4k (1 + h²/a²), h = 0.1 and a = 0.5 m the arms of its centre. The motion begins without a jump.
+// The crate moves by the flexibility of its four friction springs, k_t = k, and of its normal springs, on
+// which it tilts: u = F/4k (1 + h²/a²) with the arms h = 0.1 m and a = 0.5 m of its centre. The motion starts
+// at rest.
 TEST(BodyFrictionStatics, CrateOnASlopeRests) {
   const double slope = 20 * M_PI / 180;
   BodiesRun r(crate(slope, 0.4, 0, kWithFriction));
@@ -65,7 +66,7 @@ TEST(BodyFrictionStatics, CrateOnASlopeRests) {
   EXPECT_LT(std::abs(r.energy().friction), 1e-6);
 }
 
-// At 0.1 degrees above atan(mu) it finds no rest, at 0.1 below it does.
+// Statics finds equilibrium 0.1 degrees below atan(mu), and none 0.1 degrees above it.
 TEST(BodyFrictionStatics, HoldsUpToTheAngleOfFriction) {
   const double mu = 0.4, limit = std::atan(mu), step = 0.1 * M_PI / 180;
   BodiesRun holds(crate(limit - step, mu, 0, kWithFriction)),
@@ -79,8 +80,8 @@ TEST(BodyFrictionStatics, HoldsUpToTheAngleOfFriction) {
   }
 }
 
-// It falls onto the slope, does not pass it, and lies there. Without friction in statics it is held where it
-// starts, and a note says so.
+// A crate above the slope comes to rest on it. Without friction in statics it is held at its start, and a
+// note reports this.
 TEST(BodyFrictionStatics, CrateAboveASlope) {
   const double slope = 10 * M_PI / 180;
   BodiesRun r(crate(slope, 0.4, 0.3, kWithFriction));
@@ -98,7 +99,8 @@ TEST(BodyFrictionStatics, CrateAboveASlope) {
   for (const std::string& n : r.sim.notes()) EXPECT_EQ(n.find("without its weight"), std::string::npos) << n;
 }
 
-// It falls by 3 m onto a deck of 5 cm and does not pass it, however long the steps have become.
+// A crate starts 3 m above a deck of 5 cm and comes to rest on the deck, however long the steps of dynamic
+// relaxation are.
 TEST(BodyFrictionStatics, CrateAboveAThinDeck) {
   BodiesRun r(R"(hawser: 1
 bodies:
@@ -113,7 +115,7 @@ dynamics: {duration: 1}
   EXPECT_NEAR(r.poses(r.sim.state().at_rest())[0].position.z(), 0.1 - kMass * kGravity / (4 * kPress), 1e-6);
 }
 
-// Two crates, one on the other, both free, on different ranks where there are two.
+// Two free crates, one on the other; two ranks have one each.
 TEST(BodyFrictionStatics, StackOnASlope) {
   const double slope = 15 * M_PI / 180, s = std::sin(slope), c = std::cos(slope);
   std::string yaml = fmt::format(R"(hawser: 1
@@ -145,8 +147,8 @@ dynamics: {{duration: 0.5}}
   for (size_t b = 0; b < 2; ++b) EXPECT_LT((end[b].position - rest[b].position).norm(), 1e-6) << b;
 }
 
-// A fender with a table of force between two hulls: pressed by 8e5 N, it is as deep as its table has it, and
-// its friction carries what else would draw the hulls along each other.
+// A fender with a force table between two hulls, pressed by 8e5 N: its depth is that of the table at this
+// force, and its friction carries the force along the hulls.
 TEST(BodyFrictionStatics, FenderByItsTable) {
   BodiesRun r(R"(hawser: 1
 environment: {gravity: 0}
@@ -179,8 +181,7 @@ dynamics: {duration: 2}
   };
   const std::vector<RigidPose> rest = r.poses(r.sim.state().at_rest());
   const ContactForceTable& table = *r.c.volumes[0].force_table;
-  // The surface of the hull is turned by what the springs of rotation give: its normal force is 8e5 N to
-  // 1e-5.
+  // The rotation springs let the hull's surface turn a little; its normal force is 8e5 N within 1e-5.
   EXPECT_NEAR(table.at(depth(rest)).force, 8e5, 1e-3 * 8e5);
   EXPECT_GT(depth(rest), 0.2);
   r.start();
@@ -188,8 +189,7 @@ dynamics: {duration: 2}
   EXPECT_LT((r.poses()[1].position - rest[1].position).norm(), 1e-5);
 }
 
-// Two hulls that roll are pushed together by their way, with fenders and lines of that mass [kg/m] between
-// them.
+// Two hulls in roll motion with speeds towards each other, fenders and lines of `mass` [kg/m] between them.
 std::string hulls(double mass) {
   std::string yaml = R"(hawser: 1
 environment: {gravity: 0}
@@ -225,8 +225,9 @@ contact: {{lines: [], between_lines: false}}
   return yaml;
 }
 
-// Momentum stays to round-off, with lines between the hulls too; energy is never made, and what friction,
-// damping and lines take accounts for the loss but for what impacts at default steps err by.
+// Momentum is constant to round-off, also with lines between the hulls. Mechanical energy never exceeds its
+// initial value, and the energy balance with friction and damping closes within 0.3 % (gain) and 1 % (loss),
+// the error of impacts at default steps.
 TEST(BodyFrictionStatics, HullsThatRollAgainstEachOther) {
   for (const double mass : {0.0, 8.0}) {
     BodiesRun r(hulls(mass));
@@ -261,8 +262,8 @@ TEST(BodyFrictionStatics, HullsThatRollAgainstEachOther) {
   }
 }
 
-// A crate on a deck that heaves, rolls and pitches comes to rest on it: it is set down with 1 m/s against the
-// deck, slides, sticks, and then moves as the deck does.
+// A crate lands at 1 m/s on a deck that heaves, rolls and pitches. It slides, sticks, and then moves with the
+// deck.
 TEST(BodyFrictionStatics, CrateOnAMovingDeck) {
   BodiesRun r(R"(hawser: 1
 bodies:

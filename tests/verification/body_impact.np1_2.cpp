@@ -1,5 +1,5 @@
-// Impacts of bodies on bodies at default steps and damping of the scheme: the energy of the impact comes
-// back, whatever it is that touches, and on every number of ranks alike.
+// Impacts of bodies at default steps and numerical damping: the energy is conserved for corners, edges and
+// faces, and the results are the same on any number of ranks.
 #include <gtest/gtest.h>
 
 #include "hawser/base/error.hpp"
@@ -53,7 +53,7 @@ model::Case falling() {
 }
 
 struct Outcome {
-  double energy = 0, strain = 0, momentum = 0;  // largest error of the whole; most in the contact; error
+  double energy = 0, strain = 0, momentum = 0;  // energy error, largest strain energy, momentum error
   int steps = 0, touching = 0, rejected = 0;
   std::vector<double> poses;
 };
@@ -61,7 +61,7 @@ struct Outcome {
 Outcome impact_event(MPI_Comm comm, const model::Case& c) {
   const auto volumes = run::load_volumes(c);
   std::vector<BodySkeleton> skeletons = run::skeletons(c, volumes);
-  // Of faces pieces of 10 cm, which are 800 each, in place of 2 cm.
+  // Pieces of faces are 10 cm (800 each) and not 2 cm.
   for (size_t v = 0; v < skeletons.size(); ++v)
     if (c.volumes[v].basis == StiffnessBasis::per_area)
       skeletons[v].features =
@@ -145,7 +145,8 @@ TEST(BodyImpact, EnergyComesBackAtDefaultSteps) {
   }
 }
 
-// Two boxes with flush sides: no corner or edge of one is in the other, but in its sides.
+// Two boxes with flush sides: no corner or edge of one enters the other, so contact does not act. The run
+// ends with an error that names both volumes.
 TEST(BodyImpact, WhatNothingSeesEndsTheRun) {
   const BoxShape box{{0, 0, 0}, {2, 2, 2}};
   for (const StiffnessBasis basis : {StiffnessBasis::per_point, StiffnessBasis::per_length})
@@ -163,12 +164,12 @@ TEST(BodyImpact, WhatNothingSeesEndsTheRun) {
       EXPECT_NE(what.find("m, but their contact points (corners and edges) penetrate by 0 m"),
                 std::string::npos)
           << what;
-      // Soon: they touch at 0.067 s and go 1.5 cm in 10 ms.
+      // The error comes soon: the boxes touch at 0.067 s and move 1.5 cm in 10 ms.
       EXPECT_LT(what.empty() ? 1 : std::stod(what.substr(what.find("t = ") + 4)), 0.1) << what;
     }
 }
 
-// At rest as well.
+// Statics reports the overlap of such boxes as well.
 TEST(BodyImpact, WhatNothingSeesEndsStatics) {
   const BoxShape box{{0, 0, 0}, {2, 2, 2}};
   for (const double apart : {1.9, 2.1}) {
@@ -193,8 +194,8 @@ TEST(BodyImpact, WhatNothingSeesEndsStatics) {
   }
 }
 
-// Boxes that are nearly flush slide over each other: for a while edges meet a third of what they have
-// stopped.
+// Nearly flush boxes collide and slide over each other while the contact of their edges changes. The energy
+// is conserved, and the boxes separate on the sides from which they came.
 TEST(BodyImpact, WhatWasMetIsNotForgotten) {
   const BoxShape box{{0, 0, 0}, {1.4, 1.4, 1.4}};
   model::Case c = two(box, box, StiffnessBasis::per_length, {1.5, 0.16, -0.02});
@@ -206,7 +207,7 @@ TEST(BodyImpact, WhatWasMetIsNotForgotten) {
   const Outcome out = impact_event(PETSC_COMM_WORLD, c);
   EXPECT_GT(out.touching, 10);
   EXPECT_LT(out.energy, 0.01);
-  EXPECT_LT(out.poses[0], 1.4);  // they parted on the sides they came from
+  EXPECT_LT(out.poses[0], 1.4);  // they separate on the sides from which they came
   EXPECT_GT(out.poses[7] - out.poses[0], 1);
 }
 

@@ -1,4 +1,4 @@
-// Forces on bodies by tables of time: the way and work of a body that nothing holds, and statics.
+// Forces on bodies by tables of time: displacement and work of a free body, and statics.
 #include "../regression/runs.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/math/so3.hpp"
@@ -9,8 +9,9 @@ namespace {
 
 using run::Simulation;
 
-// A force by a table, 0 to F over T, on a mass that nothing else holds: x' = F t²/(2 m T), x = F t³/(6 m T);
-// then it stays F. The axes of the second load turn with the body, which is turned by 90 deg: y.
+// A force table from 0 to F over T, on a free mass: x' = F t²/(2 m T), x = F t³/(6 m T); afterwards F is
+// constant. The axes of the second load rotate with the body, which is rotated by 90 deg, so that this force
+// is along y.
 TEST(BodyLoads, ByTables) {
   const std::string text = R"(hawser: 1
 bodies:
@@ -42,7 +43,7 @@ dynamics: {duration: 6, step: 0.01, rho_infinity: 1}
   EXPECT_EQ(energy(&Energy::potential), 0);
 }
 
-// At rest a table has its value at t = 0.
+// Statics uses the value of a table at t = 0.
 TEST(BodyLoads, StaticsHasTheStartOfATable) {
   const std::string text = R"(hawser: 1
 bodies:
@@ -61,8 +62,8 @@ bodies:
   EXPECT_NEAR(from_owner(s, [&](size_t n) { return log_so3(s.state().q[n]).z(); }), 25e-5, 1e-10);
 }
 
-// Of a body on springs: F/k at rest, along its own axes if they turn with it; a moment stores no energy that
-// motion would lack.
+// A body on springs: displacement F/k, along the body's axes if the force rotates with it. A moment adds no
+// potential energy.
 TEST(BodyLoads, StaticsOfMomentsAndTurningForces) {
   const std::string text = R"(hawser: 1
 bodies:

@@ -1,4 +1,4 @@
-// Stiffness of moorings on a held body: three reference systems, and differences of forces at offsets.
+// Stiffness matrix of a body's mooring: three published moorings, and differences of forces at an offset.
 #include <fmt/format.h>
 
 #include "hawser/io/case_reader.hpp"
@@ -22,9 +22,10 @@ struct Mooring {
   double tension;                         // N, at the fairlead
 };
 
-// Exact elastic catenaries, stiffness by fourth-order differences. OC3-Hywind and OC4-DeepCwind as published
-// (Jonkman 2010, without the yaw spring of the crowfoot; Robertson et al. 2014), and the chains of the
-// VolturnUS-S (Allen et al. 2020); 1025 kg/m³, 9.80665 m/s², a rigid bed without friction.
+// The references are exact elastic catenaries, their stiffness by fourth-order differences. Data of
+// OC3-Hywind and OC4-DeepCwind as published (Jonkman 2010, without the yaw spring of the crowfoot; Robertson
+// et al. 2014), and the chains of the VolturnUS-S (Allen et al. 2020); 1025 kg/m³, 9.80665 m/s², a rigid bed
+// without friction.
 constexpr Mooring kMoorings[] = {{"OC3",
                                   320,
                                   853.87,
@@ -65,7 +66,7 @@ constexpr Mooring kMoorings[] = {{"OC3",
                                   1144725,
                                   2435560}};
 
-// x, y, z of the body's origin in the case; its centre of mass is away from that.
+// The origin of the body is at x, y, z of `at`; its centre of mass is elsewhere.
 model::Case moored(const Mooring& m, const Vec3& at, double turn_deg, int elements) {
   std::string lines;
   for (int i = 0; i < 3; ++i) {
@@ -123,7 +124,7 @@ TEST(BodyStiffness, OfPublishedMoorings) {
   }
 }
 
-// Everything turned by 90 deg and moved: the same in the turned axes.
+// The mooring rotated by 90 deg and moved has the same matrix in the rotated axes.
 TEST(BodyStiffness, TurnsWithTheMooring) {
   const auto of = [](const Vec3& at, double turn) {
     Simulation s(PETSC_COMM_WORLD, moored(kMoorings[1], at, turn, 60));
@@ -138,7 +139,7 @@ TEST(BodyStiffness, TurnsWithTheMooring) {
   EXPECT_LT((R * a.K * R.transpose() - b.K).cwiseAbs().maxCoeff(), 1e-6 * a.K.cwiseAbs().maxCoeff());
 }
 
-// A spring to another body that is held: its stiffness along it, none across.
+// A spring to a second, held body adds its stiffness along the spring and none across it.
 TEST(BodyStiffness, OfALinkToAnotherBody) {
   const std::string text = R"(hawser: 1
 bodies:
@@ -159,8 +160,8 @@ links:
   }
 }
 
-// At an offset with rotations, where the matrix is not symmetric: differences of forces and moments about the
-// moved point.
+// At an offset with rotations the matrix is not symmetric; its columns are differences of forces, and of
+// moments about the moved point.
 TEST(BodyStiffness, IsTheDerivativeOfForcesAtAnOffset) {
   Simulation s(PETSC_COMM_WORLD, moored(kMoorings[2], Vec3::Zero(), 0, 40));
   run::hold_body(s, 0);

@@ -1,5 +1,5 @@
-// Lines in the soil, from case files: a pipe in a trench, an anchor below the bed, the shape that a chain
-// cuts.
+// Buried lines from case files: a pipe in a trench, an anchor below the bed, the shape of a chain that cuts
+// through the soil.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ model::Case read(const std::string& text) {
   return io::read_case_text(text, HAWSER_SOURCE_DIR "/tests/buried.yaml");
 }
 
-// At the nodes of a model on one rank.
+// Effective tensions at the nodes of a model on one rank.
 std::vector<double> tensions(Simulation& sim) {
   std::vector<double> out(sim.state().x.size());
   const FieldRegistry fields = sim.system().fields();
@@ -29,15 +29,15 @@ std::vector<double> tensions(Simulation& sim) {
   return out;
 }
 
-// At rest on one rank and on all, the same.
+// Solves statics on one rank and on all; positions must be equal.
 void settle(Simulation& all, Simulation& one) {
   all.solve_statics();
   one.solve_statics();
   expect_same_positions(all, all.state().at_rest(), one.state().at_rest(), 1e-7, "statics");
 }
 
-// 1.2 km of pipe a metre deep, pulled at one end: it stays as deep, and 500 N/m after 5 mm hold it along as
-// they hold a pipe on the bed. Closed form.
+// 1.2 km of pipe buried 1 m deep and pulled at one end. Its depth does not change; axial soil resistance of
+// 500 N/m, mobilised at 5 mm, acts as friction on the bed (closed form of displacement and tension).
 TEST(Buried, PipeInATrench) {
   struct Row {
     const char* force;
@@ -69,7 +69,7 @@ lines:
              100 * (tension[1150] / r.tension - 1));
     EXPECT_NEAR(u, r.u, 5e-3 * r.u);
     EXPECT_NEAR(tension[1150], r.tension, 5e-3 * r.tension);
-    // What it weighs in water, over 5000 N/m after a tenth of the diameter; no drag.
+    // Submerged weight over 5000 N/m mobilised at a tenth of the diameter; the current has no drag.
     const double down = (1000 - 1025 * 10 * M_PI / 4 * 0.01) * 0.01 / 5000;
     for (size_t n = 100; n <= 1100; ++n) {
       EXPECT_NEAR(s.x[n].z(), -51 - down, 1e-5);
@@ -80,10 +80,10 @@ lines:
 
 const std::string kNoBending = "bending: false";
 
-// A pipe in a trench under waves, as heavy as water, its ends free, loaded across at once by 0.6 of what the
-// soil bears. All of it swings as its own mass on the soil's springs, for no water goes with it and no wave
-// pulls; at Q the soil yields, until it turns: closed form. Bare, and with a weight a metre, as heavy as
-// water too.
+// A neutrally buoyant pipe in a trench under waves, with free ends and a sudden lateral load of 0.6 of the
+// soil's resistance. Closed form: it oscillates with its own mass on the springs of the soil, because buried
+// lines have neither added mass nor wave forces; at Q the soil yields until the velocity changes sign. Also
+// with a neutrally buoyant clump weight at every node.
 void swing(const std::string& bending, double weight) {
   std::string masses;  // kg, m³
   for (int n = 0; n <= 60 && weight > 0; ++n) {
@@ -123,8 +123,8 @@ dynamics: {duration: 0.25, step: 5e-4, rho_infinity: 1}
   one.dynamics().run(
       0.25, [](double) { return 0.25; },
       [&](const StepInfo& info) {
-        // The load comes within the first step, half of it in the mean. A beam's ends turn, for its load and
-        // inertia are not at nodes only, as the soil is.
+        // The load rises within the first step, in the mean to half. The ends of a beam rotate, because its
+        // load and inertia are distributed and the soil acts at nodes only.
         for (size_t n = beam ? 29 : 0; n <= (beam ? 31 : 60); ++n) {
           const Vec3& x = one.dynamics().kinematics().x[n];
           worst = std::max(worst, std::abs(x.y() - swings(info.time - 0.5 * step)));
@@ -153,9 +153,9 @@ TEST(Buried, SwingsWithoutWaterAndYields) {
   swing(kNoBending, 50);
 }
 
-// A weightless chain straight in the soil, 30° up from its anchor, pulled level at its upper end until it
-// cuts through the soil everywhere: dT/ds = Q_a, T dtheta/ds = Q_n (Neubecker and Randolph 1995), in closed
-// form theta = Q_n/Q_a ln(F/T) from the end on.
+// A weightless chain lies straight in the soil, 30° up from its anchor. A horizontal pull at its upper end
+// makes it cut through the soil everywhere: dT/ds = Q_a, T dtheta/ds = Q_n (Neubecker and Randolph 1995), in
+// closed form theta = Q_n/Q_a ln(F/T) from the end.
 TEST(Buried, ChainCutsThroughTheSoil) {
   const double F = 1e5, axial = 500, normal = 1000, length = 20;
   const model::Case c = read(R"(hawser: 1
@@ -186,8 +186,9 @@ lines:
   EXPECT_LT(most, 1e-3);
 }
 
-// The usual anchor with its padeye 15 m below the bed: the line starts by itself, the soil keeps what is in
-// it, and the rest is the line that begins where it comes out. At rest and after 4 s of motion.
+// An anchor with its padeye 15 m below the bed and the automatic start shape: the buried part moves by less
+// than 0.5 m, and the rest has the tensions of a line that starts at the exit point on the bed. Statics and 4
+// s of motion are the same on all ranks.
 TEST(Buried, AnchorBelowTheBed) {
   const std::string text = R"(hawser: 1
 environment: {water: {depth: 200}, seabed: {depth: 200, friction: 0.6}}
@@ -211,7 +212,7 @@ dynamics: {duration: 4, step: 0.1}
       with("[-20, 0, -215]", "buried: [{to: 25, resistance: {axial: 10 kN/m, normal: 60 kN/m}}]");
   Simulation all(PETSC_COMM_WORLD, c), one(PETSC_COMM_SELF, c);
   const std::vector<Vec3> laid = one.state().x;
-  EXPECT_NEAR(laid[5].x(), 0, 1e-9);  // 25 m on, 15 m up
+  EXPECT_NEAR(laid[5].x(), 0, 1e-9);  // 25 m of arc length from the anchor, 15 m higher
   EXPECT_NEAR(laid[5].z(), -200, 1e-9);
   settle(all, one);
   for (size_t n = 1; n < 5; ++n) {
@@ -220,7 +221,7 @@ dynamics: {duration: 4, step: 0.1}
       printf("  node %zu, %.1f m deep: %.3f m from where it was laid\n", n, -200 - laid[n].z(), away);
     EXPECT_LT(away, 0.5);
   }
-  // The same line from the place where it comes out.
+  // The same line from its exit point on.
   model::Case rest = with("[0, 0, -200]", "start: auto");
   rest.lines[0].sections[0].length = 825;
   rest.lines[0].sections[0].elements = 165;
@@ -233,9 +234,9 @@ dynamics: {duration: 4, step: 0.1}
   };
   const double T = pull(one).norm(), T0 = pull(open).norm();
   if (first_rank()) printf("  fairlead %.1f kN, of the line from the bed on %.1f kN\n", T / 1e3, T0 / 1e3);
-  EXPECT_NEAR(T, T0, 0.02 * T0);  // where it comes out gives way a little
-  // It was laid from the anchor on, through the soil: friction holds what lies beyond the place that gives
-  // way.
+  EXPECT_NEAR(T, T0, 0.02 * T0);  // the exit point moves a little
+  // The chain was laid from the anchor through the soil, so friction holds the part beyond the moving exit
+  // point.
   const double here = tensions(one)[30], there = tensions(open)[25];
   if (first_rank())
     printf("  125 m on along the bed %.1f kN, of that line %.1f kN\n", here / 1e3, there / 1e3);

@@ -1,9 +1,9 @@
-// C01, for contact at the nodes and along the line: a line over a drum slides; the ratio of its end tensions
-// is exp(mu theta) (Euler, Eytelwein). The line is held by nothing but contact and friction.
+// Case C01 for contact at the nodes and along the line: a line slides over a drum, and the ratio of its end
+// tensions is exp(mu theta) (Euler, Eytelwein). Only contact and friction hold the line.
 //
-// No gravity. A dead load T1 pulls one end; the other is drawn along the tangent at a constant speed over a
-// drum that stands still, or held while the drum turns under the line. The turns lie in one plane: lines do
-// not feel each other here, and no helix has to be corrected for.
+// There is no gravity. A dead load T1 pulls one end. The other end is drawn along the tangent at a constant
+// speed over a fixed drum, or it is held while the drum rotates under the line. The turns lie in one plane:
+// contact between lines is off, and the ratio needs no correction for a helix.
 #pragma once
 
 #include "verification/contact_rig.hpp"
@@ -12,7 +12,7 @@ namespace hawser::test::capstan {
 
 inline constexpr double kRadius = 1, kLine = 0.01, kLoad = 1000;  // m, m (half the diameter), N
 
-// Which of the two is drawn.
+// The part that moves.
 enum class Moving { line, drum };
 
 struct Pull {
@@ -28,7 +28,7 @@ struct Pull {
 struct Pulled {
   Samples ratio;                                // T2/T1 over the second half
   int steps = 0, iterations = 0, touching = 0;  // touching: nodes or elements, by the method
-  double penetration = 0, audit = 0;            // m; of the work brought in
+  double penetration = 0, audit = 0;            // m; energy error over the work brought in
   double cpu = 0;                               // s, CPU a simulated second
 };
 
@@ -42,7 +42,7 @@ inline Pulled run(const Pull& p) {
   type.stiffness_damping = 1e-3;
   model::Case c = one_line(type, length, elements, {}, {});
   c.contact.method = p.method;
-  c.contact.between_lines.enabled = false;  // more than a turn lies on itself: the drum alone is looked at
+  c.contact.between_lines.enabled = false;  // turns overlap: only contact with the drum acts
   model::Line& line = c.lines[0];
   line.start = model::Start::points;
   line.points = path;
@@ -56,7 +56,7 @@ inline Pulled run(const Pull& p) {
   hook.ramp = drum.ramp = 1;
   if (p.moving == Moving::line)
     hook.motion = model::ConstantMotion{speed * along_circle(p.wrap), Vec3::UnitZ(), 0};
-  else  // about +y the drum's surface runs against the way from the load to the hook
+  else  // about +y the drum's surface moves from hook to load
     drum.motion = model::ConstantMotion{Vec3::Zero(), Vec3::UnitY(), speed / rho};
   c.bodies = {hook, drum};
   line.end_b.kind = model::EndKind::body;
@@ -112,8 +112,7 @@ inline void report(const Pull& p, const Pulled& o) {
       o.penetration, 100 * o.audit);
 }
 
-// Rows of a table that HAWSER_FULL alone runs: neither of the middle friction nor of half a turn nor the most
-// of both.
+// Rows of a table that run with HAWSER_FULL only: neither mu 0.3, nor half a turn, nor the largest of both.
 inline bool between(double mu, double wrap) {
   return mu != 0.3 && wrap != M_PI && !(mu == 0.5 && wrap > 7) && !std::getenv("HAWSER_FULL");
 }

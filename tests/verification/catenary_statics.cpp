@@ -1,4 +1,5 @@
-// Hanging lines: what the end feels, for cables and for beams of little stiffness, from two start shapes.
+// Suspended lines against the elastic catenary: force at the upper end, for cables and for beams of little
+// bending stiffness, from two start shapes.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -13,8 +14,8 @@ namespace {
 
 constexpr double kGravity = 9.80665;
 
-// A suspended line from (0, 0, 0) to (X, 0, Z), length L, weight w [N/m] and what holds its upper end: H, V
-// [N].
+// A suspended line from (0, 0, 0) to (X, 0, Z): length L, weight w [N/m], and the force H, V [N] at its upper
+// end.
 struct Suspended {
   const char* name;
   double X, Z, L, EA, w, H, V;
@@ -52,7 +53,7 @@ void check_step(const Suspended& s) {
                   bends ? "beams" : "cables", straight ? "straight" : "catenary", H, V, tension,
                   e.report.iterations);
       EXPECT_LT(std::abs(tension), 5e-4) << s.name;
-      // What a steep line pulls sideways is small, and known no better than the direction of its tension.
+      // The horizontal force of a steep line is small: its error is that of the direction of the tension.
       EXPECT_LT(std::abs(H) * (s.H < 0.25 * s.V ? s.H / T : 1), 5e-4) << s.name;
       EXPECT_LT(std::abs(V), 5e-4) << s.name;
       EXPECT_EQ(e.report.negative_eigenvalues, 0) << s.name;
@@ -61,8 +62,9 @@ void check_step(const Suspended& s) {
 
 }  // namespace
 
-// Irvine (1981), Cable Structures: closed form, solved with 30 digits. The last is the near-taut line of the
-// tests of MoorPy, whose published 56 804.6 N and 60 803.4 N at both ends are not in balance with the weight.
+// Closed form of Irvine (1981), Cable Structures, solved with 30 digits. The last row is the near-taut line
+// of MoorPy's tests, whose published 56 804.6 N and 60 803.4 N at the two ends are not in balance with the
+// weight.
 TEST(Catenary, ElasticSuspendedLine) {
   for (const Suspended& s :
        {Suspended{"O01a", 100, 60, 130, 5e7, 800, 42367.282133441084, 84534.59422133592},
@@ -73,9 +75,8 @@ TEST(Catenary, ElasticSuspendedLine) {
     check_step(s);
 }
 
-// The part above the touchdown point of lines that rest on the ground with friction 5, 0 and 0.1 (geometry of
-// the tests of MoorPy) or 1 (of MAP++), by the closed form with 30 digits: touchdown at x_td after a length
-// LB.
+// Suspended part of lines on a seabed with friction 5, 0 and 0.1 (geometry of MoorPy's tests) or 1 (of
+// MAP++), by the closed form with 30 digits: the touchdown point is at x_td after a length LB.
 TEST(Catenary, PartAboveTouchdown) {
   struct {
     const char* name;
@@ -83,13 +84,14 @@ TEST(Catenary, PartAboveTouchdown) {
   } const rows[] = {{"O05 5", 202.81028434468666, 202.81028418922796, 96643.46040391113, 237751.77264861763},
                     {"O05 0", 202.81029256714444, 202.81028995725273, 96643.45354712023, 237751.76803419783},
                     {"O05 0.1", 202.8102918332215, 202.81028944240842, 96643.454159146, 237751.76844607329}};
-  // That of the tests of MAP++ is steep: 125 m of line in 100 m of water.
+  // The line of MAP++'s tests is steep: 125 m of line in 100 m of water.
   check_step({"O05 MAP", 50 - 12.638384812729416, 100, 125 - 12.63817471418034, 5.45e8, 1327.647744080927,
               17449.668166213807, 149176.92386153372});
   for (const auto& r : rows) check_step({r.name, 400 - r.x_td, 200, 500 - r.LB, 7.51e12, 800, r.H, r.V});
 }
 
-// A chain of bars converges with the square of their length, the beams' cubic shape faster.
+// The error of cables falls with the square of the element length, that of beams (cubic shape functions)
+// faster.
 TEST(Catenary, CablesAndBeamsConverge) {
   const Suspended s{"O01a", 100, 60, 130, 5e7, 800, 42367.282133441084, 84534.59422133592};
   for (bool bends : {false, true}) {
@@ -102,13 +104,13 @@ TEST(Catenary, CablesAndBeamsConverge) {
   }
 }
 
-// A line longer than the height it hangs in, started straight and vertical: compressed along itself it is in
-// balance, weight included. That balance must be left for the bight below the lower end, the same that a line
-// already laid in a bight finds.
+// A line longer than its height starts straight and vertical. In axial compression this shape is an
+// equilibrium, weight included, but unstable. Statics must leave it for the bight below the lower end, which
+// it also finds from a start shape with a bight.
 TEST(Catenary, FalseBalanceIsLeft) {
   const double Z = 100, L = 130, w = 800;
   model::LineType t = beam_type(5e7, 8e5, 8e5, w / kGravity);
-  t.EI2 = 1.6e6;  // else the bight may lie in any plane, and one eigenvalue is zero
+  t.EI2 = 1.6e6;  // otherwise the bight may lie in any plane, and one eigenvalue is zero
   double V[2], H[2], energy[2];
   StaticsReport report[2];
   for (size_t i = 0; i < 2; ++i) {

@@ -1,5 +1,5 @@
-// Three of the thirty circles of chain_circles.full.cpp, on a coarser mesh: the fastest, one between and the
-// slowest, of the largest radius.
+// Three of the thirty circles of chain_circles.full.cpp on a coarser mesh: the fastest, a middle one, and the
+// slowest with the largest radius. Errors of the mean peak tension are below 10 %.
 #include "verification/chain_circles.hpp"
 
 namespace hawser::test::chain_circles_test {
@@ -12,8 +12,9 @@ TEST(ChainCircles, ThreeOfThem) {
   }
 }
 
-// A chain that snaps generates energy at steps that do not resolve its waves along (a twentieth would), twice
-// the tension at the default of 0.8; numerical damping of high frequencies takes it out.
+// With steps that do not resolve the axial waves of a snapping chain (a twentieth of these would), the
+// default rho_infinity of 0.8 gives twice the measured tension. More numerical damping (0.4) brings it within
+// 10 %.
 TEST(ChainCircles, LargeStepsWithDamping) {
   const CircleCase& of = circle_cases()[4];
   EXPECT_NEAR(report(of, circle(of, 165, 5e-3, 1, 1, 0.4)), 0, 10);

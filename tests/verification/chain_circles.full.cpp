@@ -1,4 +1,5 @@
-// All thirty circles: mean error 6 %, none above 10 %.
+// All thirty circles of chain_circles.hpp: the mean error of the peak tension is at most 6 %, the largest 10
+// %.
 #include "verification/chain_circles.hpp"
 
 namespace hawser::test {

@@ -1,6 +1,6 @@
-// A chain of 33 m on the bed of a tank, its upper end driven round a vertical circle, slack and snapping taut
-// at the higher speeds: measured by Lindahl (1985); Bergdahl, Palm, Eskilsson & Lindahl (2016), J. Mar. Sci.
-// Eng. 4(1), 5, tables 7 and 8.
+// A chain of 33 m on the bed of a tank, its upper end driven on a vertical circle; at the higher speeds it
+// becomes slack and snaps taut. Measured by Lindahl (1985); Bergdahl, Palm, Eskilsson & Lindahl (2016), J.
+// Mar. Sci. Eng. 4(1), 5, tables 7 and 8.
 #pragma once
 
 #include "support/rig.hpp"
@@ -27,9 +27,9 @@ inline const std::vector<CircleCase>& circle_cases() {
   return cases;
 }
 
-// Coefficients of the article, in the meaning of CableDyn's validation with the same tables (SMI-Lab-Inha,
-// prepare_bergdahl_cases.py): those of drag on the steel's 2.2 mm, the axial one on its skin; added mass on
-// the steel's area; the bed's damper critical.
+// Coefficients of the article, interpreted as in CableDyn's validation with the same tables (SMI-Lab-Inha,
+// prepare_bergdahl_cases.py): drag on the bar diameter of 2.2 mm, the axial coefficient on its skin; added
+// mass on the area of the bar; critical damping of the bed.
 inline model::Case circling_chain(const CircleCase& of, int elements, double step) {
   const double d = 0.0022, m = 0.0818, modulus = 3e9;
   model::LineType t = cable_type(1e4, m);
@@ -77,7 +77,7 @@ struct CircleResult {
   double least = 1e99;                          // N
 };
 
-// Three cycles of ramp, `settle` more, `judged` that count.
+// Three cycles of ramp, `settle` cycles to settle, then `judged` cycles whose peaks are evaluated.
 inline CircleResult circle(const CircleCase& of, int elements, double step, int settle, int judged,
                            double rho_infinity = 0.8) {
   model::Case c = circling_chain(of, elements, step);

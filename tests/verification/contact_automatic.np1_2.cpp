@@ -1,7 +1,6 @@
-// Contact without a given stiffness (docs/theory/contact.md, "Stiffness that follows the run"): slings
-// over a bar and a torus at tensions of 1 to 10^6 times the weight of a radius of line, a capstan whose
-// tension grows a hundredfold in the run, what a checkpoint keeps of it, and what is said of a stiffness that
-// is too soft.
+// Contact with automatic stiffness (docs/theory/contact.md, "Stiffness that follows the run"): slings over a
+// bar and a torus at tensions of 1 to 10^6 times the weight of a radius of line; a capstan whose tension
+// increases a hundredfold; a restart with raised stiffness; errors for a given stiffness that is too small.
 #include <fmt/format.h>
 
 #include "hawser/base/error.hpp"
@@ -34,7 +33,8 @@ std::string points(double radius) {
   return text;
 }
 
-// Over a bar or a torus, strained by 1 % or so: both ends held, and the sling so short; or one end loaded.
+// A sling over a bar or a torus, with a strain of about 1 %: shortened between two held ends, or loaded at
+// one end.
 std::string sling(const std::string& shape, double tension, bool loaded, const std::string& stiffness,
                   bool beam = false, double strain = 0.01) {
   const double EA = 1 / strain * (loaded ? std::max(tension, 10 * kWeight) : tension),
@@ -58,8 +58,8 @@ lines:
                      length / (1 + tension / EA), kRho, kLeg, end, points(kRho));
 }
 
-// A rope half a turn about a bar, held at one end and drawn at the other: its tension grows with the way. Its
-// chords about the bar take 0.23 % of its length.
+// A rope half a turn about a bar, held at one end and drawn at the other; its tension increases with the
+// displacement. The polyline about the bar is 0.23 % shorter than the arc.
 const std::string kDrawn =
     fmt::format(R"(hawser: 1
 environment: {{gravity: 0}}
@@ -87,7 +87,7 @@ double most(double x) {
 
 struct Held {
   double tension = 0, ratio = 0, depth = 0, stiffness = 0;  // N, largest; over the smallest; m; N/m²
-  double steps = 0, problem = 0;                            // of the energy brought in
+  double steps = 0, problem = 0;  // problem: error of the energy balance, over the work brought in
 };
 
 void look(Simulation& s, const Kinematics& state, Held& out) {
@@ -123,7 +123,8 @@ const char* const kTorus = "{torus: {centre: [0, 0, 1], axis: [1, 0, 0], radius:
 
 class Sling : public ::testing::TestWithParam<std::tuple<const char*, bool, double>> {};
 
-// The stiff limit is a given stiffness a hundred times as high, without a ramp.
+// Penetration is at most 5 % of the radius, and tensions are within 1 % of those with a given stiffness a
+// hundred times as large and practically no smoothing.
 TEST_P(Sling, IsHeldOut) {
   const auto [shape, loaded, over_weight] = GetParam();
   const double tension = over_weight * kWeight * kLine;
@@ -145,13 +146,13 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Sling,
                          ::testing::Combine(::testing::Values(kCylinder, kTorus), ::testing::Values(true),
                                             ::testing::Values(1.0, 1e2, 1e3, 1e4, 1e5, 1e6)));
 
-// Between held ends the tension shows what the sling sinks in by.
+// Between held ends the penetration reduces the tension.
 INSTANTIATE_TEST_SUITE_P(Stretched, Sling,
                          ::testing::Combine(::testing::Values(kCylinder, kTorus), ::testing::Values(false),
                                             ::testing::Values(1e3, 1e4, 1e5, 1e6)));
 
-// A load that stretches a line by much would draw it through a bar, on which contact that holds up the line's
-// weight is far too soft.
+// A large load stretches the line. The stiffness that would carry the line's weight alone would let the line
+// pass through the bar.
 class Stretched : public ::testing::TestWithParam<std::tuple<bool, const char*, double>> {};
 
 TEST_P(Stretched, StaysOnTheBar) {
@@ -167,7 +168,8 @@ TEST_P(Stretched, StaysOnTheBar) {
   EXPECT_NEAR(out.tension, 1e5, 1e3);
   EXPECT_LT(out.ratio, 1.01);
 }
-// Neither through a thin bar, whose middle is nearer to its surface than the line is thick.
+// The line does not pass through a thin bar either, whose middle is nearer to its surface than the line's
+// diameter.
 TEST(Slings, StayOnAThinBar) {
   for (const double strain : {0.01, 0.05}) {
     const auto s = simulation(
@@ -197,7 +199,7 @@ TEST(Slings, AreNotDrawnThroughContactThatIsTooSoft) {
   }
 }
 
-// Of beams as of cables; contact at the nodes does the same.
+// The same for beams, and for contact at the nodes.
 TEST(Slings, OfBeamsAndAtNodes) {
   for (const bool beam : {false, true})
     for (const char* method : {"", "contact: {method: nodes}\n"}) {
@@ -207,7 +209,8 @@ TEST(Slings, OfBeamsAndAtNodes) {
     }
 }
 
-// Euler and Eytelwein, at the end of a run in which the tension grew more than a hundredfold.
+// The tension increases more than a hundredfold during the run; its ratio at the end is exp(mu theta) (Euler,
+// Eytelwein).
 TEST(Drawn, TensionGrowsAHundredfold) {
   const auto s = simulation("drawn", kDrawn);
   s->solve_statics();
@@ -242,7 +245,7 @@ TEST(Drawn, TensionGrowsAHundredfold) {
   EXPECT_LT(after.steps, 600);
 }
 
-// A run that goes on has what the first part raised.
+// A restart continues with the stiffness that the first part has raised.
 TEST(Drawn, GoesOnFromACheckpoint) {
   const std::string path = folder("contact_automatic_restart"), input = path + "/case.yaml";
   write_case(input, kDrawn);
@@ -273,8 +276,8 @@ std::string refusal(const std::string& text, bool moves) {
   return {};
 }
 
-// What is the user's own and too soft ends the run, with a sentence that says where, how deep and what it
-// takes.
+// A stiffness given by the user that is too small stops the run with an error that names the place, the depth
+// and a sufficient stiffness.
 TEST(TooSoft, IsRefused) {
   const std::string still =
       refusal(sling(kCylinder, 5e4, true, ", normal_stiffness: {per_length: 5.0e6}"), false);

@@ -1,10 +1,11 @@
-// C01 with contact at the nodes, on a drum of 96 flat facets and on a smooth one (see capstan_rig.hpp).
+// Case C01 with contact at the nodes, on a drum of 96 flat facets and on a smooth one (see capstan_rig.hpp):
+// ratio of the end tensions.
 #include "verification/capstan_rig.hpp"
 
 namespace hawser::test::capstan::contact_capstan_test {
 namespace {
 
-// 26 elements a radian: where the line lies on facets, some of them lift a node.
+// 26 elements a radian. On a faceted drum some nodes are lifted off.
 Pull at_nodes() {
   Pull p;
   p.method = model::ContactMethod::nodes;
@@ -15,7 +16,7 @@ Pull at_nodes() {
 
 class Capstan : public ::testing::TestWithParam<std::tuple<Moving, double, double>> {};
 
-// The figure asked for is 1.5 % at steps of 5 ms or more.
+// Required are 1.5 % at steps of 5 ms or more.
 TEST_P(Capstan, EndTensions) {
   Pull p = at_nodes();
   std::tie(p.moving, p.mu, p.wrap) = GetParam();
@@ -35,7 +36,7 @@ INSTANTIATE_TEST_SUITE_P(Drum, Capstan,
                          ::testing::Combine(::testing::Values(Moving::drum), ::testing::Values(0.1, 0.3, 0.5),
                                             ::testing::Values(M_PI)));
 
-// Steps as the program chooses them, up to ten times longer.
+// Automatic steps, up to ten times longer.
 TEST(CapstanSteps, Automatic) {
   Pull p = at_nodes();
   p.step = 0;
@@ -44,12 +45,12 @@ TEST(CapstanSteps, Automatic) {
   const Pulled o = run(p);
   report(p, o);
   EXPECT_NEAR(o.ratio.mean(), std::exp(0.3 * M_PI), 0.003 * std::exp(0.3 * M_PI));
-  // The stiffness is raised until the nodes on the edges of facets are held out: 602, with 2.7e-5 m of
-  // penetration.
+  // The program raises the stiffness until the nodes on the edges of facets are outside: 602 steps, 2.7e-5 m
+  // of penetration.
   EXPECT_LT(o.steps, 650);
 }
 
-// A smooth drum: what is left is the polygon of the line itself, and no spread.
+// A smooth drum: the error is that of the polygon of the line, and the ratio is constant in time.
 TEST(CapstanSmooth, CableAndBeam) {
   for (const bool beam : {false, true}) {
     Pull p = at_nodes();

@@ -1,5 +1,5 @@
-// Lines in the corners of one mesh against the same walls as volumes of their own: where they lie, what they
-// press with and what friction does, in statics and in motion, on one and two ranks.
+// Lines in the corner of one mesh against the same walls as separate volumes: positions, contact and friction
+// forces in statics and in motion, on one and two ranks.
 #include <fstream>
 
 #include "hawser/io/case_reader.hpp"
@@ -37,7 +37,7 @@ std::shared_ptr<const Surface> mesh(TriangleMesh m, bool smooth = false) {
 
 struct Rest {
   std::vector<double> x, force, friction;  // of this rank's nodes
-  Vec3 total = Vec3::Zero();               // N, on the line, of all
+  Vec3 total = Vec3::Zero();               // N, on the line, sum over the ranks
   int steps = 0, iterations = 0, touching = 0;
   double deepest = 0;  // m
 };
@@ -56,7 +56,7 @@ void look(Simulation& s, const Kinematics& state, Rest& r) {
   r.deepest = largest(s.contact()->largest_penetration().depth);
 }
 
-// At rest, and after the run.
+// At rest, and at the end of the run.
 std::array<Rest, 2> run(const model::Case& c, const Surfaces& surfaces) {
   std::array<Rest, 2> out;
   Simulation s(PETSC_COMM_WORLD, c, surfaces);
@@ -85,7 +85,7 @@ double size(const std::vector<double>& a) {
   return largest(most);
 }
 
-// The same within `part` of the largest force and of a radius of 0.1 m.
+// Equal within `part` of the largest force, and positions within `part` of a radius of 0.1 m.
 void expect_same(const Rest& a, const Rest& b, double part, const std::string& what) {
   std::printf(
       "%s: one mesh %d steps, %d iterations; volumes %d, %d; forces differ by %.1e, places by %.1e m\n",
@@ -97,7 +97,7 @@ void expect_same(const Rest& a, const Rest& b, double part, const std::string& w
   EXPECT_NEAR(a.deepest, b.deepest, part * 0.1) << what;
 }
 
-// A hose on a deck, blown against a bulwark, drawn along both.
+// A hose on a deck, pressed against a bulwark by a distributed load and drawn along both.
 std::string on_deck(const std::string& method, const std::vector<std::string>& volumes) {
   std::string text = R"(hawser: 1
 line_types:
@@ -125,7 +125,7 @@ dynamics: {duration: 1.2, step: 0.012, resolve_impacts: false}
 
 constexpr double kFrom = -5, kTo = 20;
 
-// A prism of a polygon in (y, z), along x.
+// A prism along x with a polygon in (y, z) as its section.
 TriangleMesh along_x(const std::vector<std::pair<double, double>>& polygon,
                      const std::vector<std::vector<int>>& pieces) {
   TriangleMesh m = test::prism_mesh(polygon, pieces, kTo - kFrom);
@@ -133,7 +133,7 @@ TriangleMesh along_x(const std::vector<std::pair<double, double>>& polygon,
   return m;
 }
 
-// Deck z = 0, bulwark y = 0, of one piece.
+// Deck z = 0 and bulwark y = 0 as one mesh.
 TriangleMesh deck_and_bulwark() {
   return along_x({{-5, -5}, {0, -5}, {3, -5}, {3, 0}, {0, 0}, {0, 1}, {-5, 1}, {-5, 0}},
                  {{0, 1, 4, 7}, {1, 2, 3, 4}, {7, 4, 5, 6}});
@@ -156,14 +156,14 @@ TEST(ContactCorner, DeckAndBulwark) {
   }
 }
 
-// The hose comes to lie on the deck and slides against the bulwark from there.
+// The hose lies on the deck and then slides against the bulwark.
 TEST(ContactCorner, FromOneWallToTwo) {
   std::string text = on_deck("line", {"ship"});
   const auto put = [&](const std::string& from, const std::string& to) {
     ASSERT_NE(text.find(from), std::string::npos);
     text.replace(text.find(from), from.size(), to);
   };
-  // Free, at an angle on the deck beside the bulwark, towards which it is blown.
+  // The hose is free and lies at an angle beside the bulwark, towards which the load presses it.
   put("length: 10.1", "length: 10");
   put("end_a: {body: tug, at: [0, 0.4, 0.4]}", "end_a: free");
   put("end_b: {body: tug, at: [10, 0.4, 0.4]}", "end_b: free");
@@ -182,7 +182,7 @@ TEST(ContactCorner, FromOneWallToTwo) {
   expect_same(one[1], two[1], 1e-6, "from one wall to two");
 }
 
-// Half a turn round a drum, pressed against its flange; the drum turns under it.
+// A line half a turn round a drum is pressed against its flange; the drum rotates under it.
 TEST(ContactCorner, DrumAndFlange) {
   const auto text = [](const std::vector<std::string>& volumes) {
     std::string t = R"(hawser: 1

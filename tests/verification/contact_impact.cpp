@@ -1,5 +1,5 @@
-// C08: impact on a penalty spring. A mass against a spring (rigid line, two nodes of 25 kg on 5e4 N/m each,
-// which is 50 kg on 1e5 N/m), the same dropped, and an elastic bar against a wall.
+// Case C08, impact on a penalty spring: a mass with an initial speed (a rigid line of two nodes of 25 kg on
+// 5e4 N/m each, in all 50 kg on 1e5 N/m), a dropped mass, and an elastic bar against a wall.
 #include "verification/contact_rig.hpp"
 
 namespace hawser::test::contact_impact_test {
@@ -50,7 +50,8 @@ Rebound run(const Impact& in) {
         const double f = force[0] + force[1];
         out.force = std::max(out.force, f);
         out.depth = std::max(out.depth, -g);
-        // Between steps the gap, and at the end the force as if it could pull, are taken as straight lines.
+        // Times of touch and release by linear interpolation within a step: of the gap, and of the force as
+        // if it could pull.
         if (touched < 0 && f > 0) touched = t0 + i.h * g0 / (g0 - g);
         if (touched >= 0 && f == 0) {
           const double pull = -kStiffness * g - damping * v;
@@ -68,8 +69,8 @@ Rebound run(const Impact& in) {
   return out;
 }
 
-// Closed form: F = v sqrt(k m), duration pi sqrt(m/k). 0.1 % with steps of T/100, whatever the time in the
-// step at which the spring is met.
+// Closed form: F = v sqrt(k m), duration pi sqrt(m/k). Errors are below 0.1 % with steps of T/100, at any
+// time of impact within a step.
 TEST(Impact, MassOnSpring) {
   for (const double rho : {0.8, 1.0})
     for (const double height : {1e-6, 0.01, 0.0137}) {
@@ -87,8 +88,8 @@ TEST(Impact, MassOnSpring) {
     }
 }
 
-// Kelvin-Voigt without tension, zeta = 0.1, closed form. Its force jumps when it touches, so the error is of
-// first order in the step: up to half a step of that force is met too early or too late.
+// Closed form of a Kelvin-Voigt spring without tension, zeta = 0.1. Its force jumps at the impact, so the
+// error is of first order: the jump is up to half a step early or late.
 TEST(Impact, Damped) {
   const double exact = 0.7440793978;
   double worst[2] = {0, 0};
@@ -102,7 +103,8 @@ TEST(Impact, Damped) {
       worst[fine] = std::max(worst[fine], std::abs(r.speed / kSpeed / exact - 1));
       EXPECT_NEAR(r.duration, 0.06609985373, (fine ? 1e-3 : 5e-3) * 0.06609985373);
     }
-  // From the moment it touches, as the closed form begins: 0.1 % at T/100 as without damping.
+  // If the run starts at the impact, as the closed form does, the error at T/100 is below 0.1 %, as without
+  // damping.
   Impact touching;
   touching.zeta = 0.1;
   touching.height = -1.001e-6;
@@ -116,7 +118,7 @@ TEST(Impact, Damped) {
   EXPECT_LT(worst[1], 1e-3);
 }
 
-// Dropped by 1 m: m g (h + p) = k p²/2.
+// Dropped from 1 m: m g (h + p) = k p²/2.
 TEST(Impact, Drop) {
   Impact in;
   in.gravity = 9.81;
@@ -129,13 +131,13 @@ TEST(Impact, Drop) {
   EXPECT_LT(std::abs(r.lost), 2e-3);
 }
 
-// The bar: E 210 GPa, A 0.01 m², 7850 kg/m³, 10 m, 1 m/s against a wall with a spring kp.
+// The bar: E 210 GPa, A 0.01 m², 7850 kg/m³, 10 m, 1 m/s, against a wall with a spring kp.
 constexpr double kLength = 10, kAxial = 2.1e9, kBarMass = 78.5;
 constexpr int kPieces = 100;
 const double kWave = std::sqrt(kAxial / kBarMass), kImpedance = std::sqrt(kAxial * kBarMass);
 
-// By characteristics: the end moves into the wall at v + 2 w - F/Z, where w is the wave that left the end as
-// w - F/Z a return trip earlier (reflected at the free end with the same velocity).
+// Reference by characteristics: the end moves into the wall at v + 2 w - F/Z. w is the wave that left the end
+// as w - F/Z one return trip earlier; the free end reflects it with the same velocity.
 struct BarHistory {
   double dt = 2e-7, force = 0, release = 0, impulse = 0;
   std::vector<double> F{0};
@@ -180,8 +182,8 @@ class Bar : public ::testing::TestWithParam<double> {};
 TEST_P(Bar, AgainstWall) {
   const double kp = GetParam();
   const int n = kPieces;
-  // Half of what a wave takes through an element, whatever the contact asks for: shorter ones show how a mesh
-  // rings behind the wave front, 15 % above the plateau.
+  // Steps of half the travel time of a wave through an element, whatever the contact requires. Shorter ones
+  // resolve oscillations of the mesh behind the wave front, 15 % above the plateau.
   model::Case c = bar_and_wall(kp, 0.5 * kLength / n / kWave);
   c.dynamics.resolve_impacts = false;
   Simulation s(PETSC_COMM_WORLD, c, {std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitX())});
@@ -226,11 +228,12 @@ TEST_P(Bar, AgainstWall) {
   }
   EXPECT_NEAR(release, exact.release, 5e-3 * exact.release);
   EXPECT_NEAR(impulse, exact.impulse, 5e-3 * exact.impulse);
-  // Not to round-off, as the steps are cut at the impact.
+  // Not to round-off, because steps are divided at the impact.
   EXPECT_NEAR(momentum + brought, impulse, 1e-5 * impulse);
 }
 
-// Asked for a third of the time of contact, a sixth, a twelfth: the same peak, and no energy is made.
+// With steps of a third, a sixth and a twelfth of the contact time the peak is the same, and energy does not
+// increase.
 TEST_P(Bar, PeakDoesNotDependOnTheStep) {
   const double kp = GetParam();
   const BarHistory exact(kp);
@@ -266,8 +269,8 @@ TEST_P(Bar, PeakDoesNotDependOnTheStep) {
 }
 INSTANTIATE_TEST_SUITE_P(Walls, Bar, ::testing::Values(1e8, 1e9, 1e10));
 
-// The history by characteristics against the values of the method's own closed form in its first trip and
-// those of an independent computation (largest force and time of release).
+// The history by characteristics against the closed form of its first trip, and against values of an
+// independent computation (largest force and time of release).
 TEST(BarReference, Characteristics) {
   const double Z = kImpedance;
   const BarHistory soft(1e8), stiff(1e9);

@@ -1,8 +1,8 @@
-// C09: a stiff line under a far tension T leaves a circle of radius rho (of its centreline), without
-// friction, touching at its nodes or along its elements. Elastica: it leaves at alpha before the point where
-// T's direction would be tangent, 1 - cos alpha = EI/(2 T rho²); there the drum pushes with a single force
-// P = T sin alpha; on the drum the tension is T cos alpha and the pressure that over rho; the far line of
-// action passes rho + EI/(2 T rho) from the axis.
+// Case C09: a stiff line under a far tension T leaves a circle of radius rho (of its centreline) without
+// friction, with contact at the nodes or along the elements. Elastica: it leaves at alpha before the point
+// where T's direction is tangent, 1 - cos alpha = EI/(2 T rho²). There the drum exerts a point force P = T
+// sin alpha. On the drum the tension is T cos alpha and the pressure T cos alpha/rho. The line of action of T
+// passes rho + EI/(2 T rho) from the axis.
 #include "verification/contact_rig.hpp"
 
 namespace hawser::test::contact_lift_off_test {
@@ -64,7 +64,7 @@ Found solve(const Row& row, model::ContactMethod method, int elements_a_radian, 
                             tension = of("effective_tension"), normal = of("contact_normal_force"),
                             force = of("contact_force");
   const double lift = kWrap - row.alpha, facet = 2 * M_PI / 96;
-  // The middle of the drum, from the middle of a facet to that of another.
+  // Average over whole facets, from the middle of one to the middle of another.
   const auto middle = [&](double angle) {
     return (std::floor((angle + phase) / facet) + 0.5) * facet - phase;
   };
@@ -84,11 +84,11 @@ Found solve(const Row& row, model::ContactMethod method, int elements_a_radian, 
     f.tension.add(tension[i]);
     sum += normal[i];
     ++inside;
-    if (!facets) start = angle + 0.5 * h / row.rho;  // each node bears what presses on half its elements
+    if (!facets) start = angle + 0.5 * h / row.rho;  // a node carries the pressure of half its elements
   }
   const double pressure = facets ? sum / (row.rho * (to - from)) : sum / (inside * h);
   f.pressure.add(pressure);
-  // What pushes beyond `to` is the pressure up to the lift-off and P there: two components, two unknowns.
+  // Beyond `to` the drum exerts the pressure up to the lift-off, and P there: two components, two unknowns.
   double low = start, high = kWrap;
   for (int i = 0; i < 80; ++i) {
     const double q = 0.5 * (low + high);
@@ -129,9 +129,9 @@ TEST_P(LiftOff, SmoothDrum) { check_step(GetParam(), model::ContactMethod::nodes
 TEST_P(LineLiftOff, Fine) { check_step(GetParam(), model::ContactMethod::line, 60, 1e-3); }
 TEST_P(LineLiftOff, Coarse) { check_step(GetParam(), model::ContactMethod::line, 15, 5e-3); }
 
-// 96 flat facets: the line lies on their edges, each bears p rho 2 pi/96 (a quarter of P in the first row),
-// and it leaves from one of them. So P depends on where the edges are: what can be judged is its mean over
-// the positions of the drum, and the spread is printed.
+// On 96 flat facets the line lies on the edges. Each edge carries p rho 2 pi/96 (a quarter of P in the first
+// row), and the line lifts off from one of them, so P depends on the position of the edges. Its mean over
+// positions of the drum is compared; the range is printed.
 TEST_P(LiftOff, Facets) {
   const Row& row = GetParam();
   Samples P, curvature, scatter, offset, angle;

@@ -1,18 +1,17 @@
-// The ways of keeping a node out of a volume beside each other: elastic, gap spring.
-// The pipe of the figure in cases/impact: 60 m of 12 inch, falls to 1.5 m/s and meets a point support with
-// its middle.
+// Contact at the nodes by an elastic surface and by gap springs. Pipe of the figure in cases/impact: 60 m, 12
+// in, falls at 1.5 m/s onto a point support under its middle.
 #include "verification/contact_models.hpp"
 
 namespace hawser::test::contact_models_test {
 namespace {
 
 struct Landing {
-  double peak = 0, impulse = 0, energy = 0;  // N, N s, J: largest ever above the start
+  double peak = 0, impulse = 0, energy = 0;  // N, N s, J: largest energy above that at the start
   double depth = 0;                          // m, of the node under the surface
   int releases = 0;
 };
 
-// step 0: automatic, at most `longest` (0: as the program likes).
+// step 0: automatic steps of at most `longest` (0: no limit).
 Landing land(model::ContactMethod method, double step, double longest = 0) {
   model::Case c = pipe(method, step);
   c.dynamics.max_step = longest;
@@ -45,7 +44,7 @@ Landing land(model::ContactMethod method, double step, double longest = 0) {
 
 double fallen_energy() { return kMass * 60 * kSpeed * kSpeed / 2; }
 
-// The spring decides the force, not the step, where the program may shorten it at the impact of the node.
+// The peak force depends on the spring and not on the step, because the program shortens steps at impacts.
 TEST(ContactModels, ElasticPeakDoesNotDependOnTheStep) {
   const double period = 2 * M_PI * std::sqrt(kMass / kStiffness);
   const Landing fine = land(model::ContactMethod::nodes, period / 200);
@@ -64,8 +63,8 @@ TEST(ContactModels, ElasticPeakDoesNotDependOnTheStep) {
   expect("automatic, at most", 0, land(model::ContactMethod::nodes, 0), 0.03);
 }
 
-// A gap spring knows the normal of the start alone: pushed off the side of a roller, the pipe still lies on
-// the plane that was there, while a surface lets it go.
+// A gap spring keeps the normal of the start. A pipe that is pushed off the side of a roller still lies on
+// the initial tangent plane; contact with the surface releases it.
 TEST(ContactModels, GapSpringKeepsItsDirection) {
   for (const auto method : {model::ContactMethod::gap, model::ContactMethod::nodes}) {
     model::LineType type = beam_type(1e8, 1e6, 1e6, 100);

@@ -1,4 +1,4 @@
-// A pipe that falls on a point support with its middle, for the ways of keeping a node out of a volume.
+// A pipe that falls onto a point support under its middle, for the methods of contact at the nodes.
 #pragma once
 
 #include "verification/contact_rig.hpp"
@@ -24,7 +24,7 @@ inline model::Case pipe(model::ContactMethod method, double step) {
   support.normal_stiffness = kStiffness;
   c.volumes.push_back(support);
   c.contact.method = method;
-  c.contact.between_lines.enabled = false;  // so that ranks cut it
+  c.contact.between_lines.enabled = false;  // so that the line is cut between ranks
   c.dynamics.enabled = true;
   c.dynamics.step = step;
   return c;

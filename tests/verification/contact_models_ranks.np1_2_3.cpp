@@ -1,4 +1,4 @@
-// Springs and gap springs at the nodes on several ranks: the figures of one.
+// Impact of a pipe with springs and gap springs at the nodes: the impulse on several ranks is that on one.
 #include "verification/contact_models.hpp"
 
 namespace hawser::test::contact_models_ranks {
@@ -32,7 +32,7 @@ TEST(ContactModelsRanks, Motion) {
         });
     int size = 1;
     MPI_Comm_size(PETSC_COMM_WORLD, &size);
-    // The same run on one rank, by every rank for itself.
+    // Every rank runs the same case alone.
     Simulation alone(PETSC_COMM_SELF, c, {point_support()});
     Dynamics& a = alone.dynamics();
     a.start(alone.state());

@@ -1,5 +1,5 @@
-// The reel of cases/reel, judged by geometry, statics and its own energy. Figures of the case: drum 3.6 m,
-// hose radius 0.425 m, 0.1 rad/s after a start that costs 5 s, 250 m of 273.4 kg/m.
+// The reel of cases/reel: turns by geometry, tension by statics, and the energy balance. Data of the case:
+// drum 3.6 m, hose radius 0.425 m, 0.1 rad/s after a start that costs 5 s, 250 m of 273.4 kg/m.
 #include <algorithm>
 #include <cstdlib>
 
@@ -15,7 +15,7 @@ double end() { return std::getenv("HAWSER_FULL") ? 325 : 200; }  // s
 
 constexpr double kBarrel = 3.6, kHose = 0.425, kRho = kBarrel + kHose, kLength = 250, kRate = 0.1, kRamp = 10;
 
-// Angle of the drum: the rate rises by the quintic 10 z³ - 15 z⁴ + 6 z⁵.
+// Angle of the drum; its rate rises by the quintic 10 z³ - 15 z⁴ + 6 z⁵.
 double drum_angle(double t) {
   const double z = std::min(t / kRamp, 1.0);
   return kRate * (kRamp * std::pow(z, 4) * (2.5 - 3 * z + z * z) + std::max(t - kRamp, 0.0));
@@ -25,10 +25,11 @@ struct Wound {
   double time = 0, by_contact = 0, by_length = 0;  // s; turns on the drum
 };
 struct Reeled {
-  double penetration = 0, audit = 0, cpu = 0;  // m; part of the work brought in; s
+  double penetration = 0, audit = 0, cpu = 0;  // m; energy error over the work brought in; s
   std::vector<Wound> wound;                    // every 25 s
-  std::vector<double> moment;                  // of the nodes well inside the wound part, over EI/rho
-  // N: tension at the tied end; 6 m below the last node in contact and at 230 m, less the weight below.
+  std::vector<double> moment;                  // at nodes well inside the wound part, over EI/rho
+  // Tension [N] at the tied end; tension less the weight below, 6 m below the last node in contact and at 230
+  // m.
   Series tied, leaving, hanging;
   long steps = 0, iterations = 0;
 };
@@ -38,7 +39,7 @@ using model::ContactMethod;
 Reeled run(ContactMethod method, int elements, double duration,
            std::shared_ptr<const Surface> instead = nullptr, bool flat = false) {
   model::Case c = io::read_case(HAWSER_SOURCE_DIR "/cases/reel/reel.yaml");
-  EXPECT_EQ(c.contact.method, ContactMethod::line);  // that of the case
+  EXPECT_EQ(c.contact.method, ContactMethod::line);  // the method in the case
   c.contact.method = method;
   if (flat) c.volumes[0].smooth = false;
   c.lines[0].sections[0].elements = elements;
@@ -67,8 +68,8 @@ Reeled run(ContactMethod method, int elements, double duration,
         out.iterations += i.iterations;
         const Kinematics k = d.kinematics();
         const std::vector<double>&T = tension.at(k), &N = normal.at(k);
-        // Along the hose from end A, at the drum's angle, to the last node that lies on the barrel (one
-        // beyond may bear a share of an element's contact).
+        // Angle along the hose from end A, which is at the drum's angle, to the last node on the barrel (the
+        // next node may carry a share of an element's contact).
         const auto turn = [&](size_t n) {
           const double a = std::atan2(k.x[n - 1].z(), k.x[n - 1].x()) - std::atan2(k.x[n].z(), k.x[n].x());
           return std::remainder(a, 2 * M_PI);
@@ -102,7 +103,7 @@ Reeled run(ContactMethod method, int elements, double duration,
   out.cpu = cpu_seconds() - before;
   out.penetration = s.contact()->largest_penetration().depth;
   const std::vector<double>& M = moment.at(d.kinematics());
-  // Bending settles over sqrt(EI/T) = 1.2 m: exclude what is near the clamp and the lift-off.
+  // Bending decays over sqrt(EI/T) = 1.2 m: exclude nodes near the clamp and the lift-off.
   const size_t clear = static_cast<size_t>(std::lround(5 / h));
   for (size_t n = clear; n + clear < last; ++n) out.moment.push_back(M[n] / (EI / kRho));
   const Energy e = s.system().energy(d.kinematics());
@@ -124,7 +125,7 @@ void tell(const char* method, const Reeled& r) {
       r.leaving.noise(15, end() - 35));
 }
 
-// Turns by two measures, moment on the drum, penetration, energy.
+// Checks turns by two measures, moment on the drum, penetration and energy.
 void expect_wound(const char* method, const Reeled& r) {
   EXPECT_LE(r.penetration, 0.01 * kHose);
   EXPECT_LT(std::abs(r.audit), 0.01);
@@ -153,7 +154,7 @@ void expect_wound(const char* method, const Reeled& r) {
       method, moment.mean(), moment.rms(), moment.least, moment.most, off, r.moment.size());
   EXPECT_GT(r.moment.size(), end() / 4);
   EXPECT_NEAR(moment.mean(), 1, 2e-3);
-  EXPECT_EQ(off, 0);  // the first turns lean on each other: 2 %
+  EXPECT_EQ(off, 0);  // 2 %: influence of the adjacent first turns
 }
 
 TEST(Reel, SeveralTurns) {
@@ -169,8 +170,8 @@ TEST(Reel, SeveralTurns) {
 #endif
 }
 
-// The paper's method, on flat facets. Nodes alone are met, and 1 m is a coarse element on a drum of 4 m: the
-// place where the hose leaves the drum jumps from node to node.
+// The paper's method, contact at the nodes on flat facets. Elements of 1 m are coarse on a drum of 4 m: the
+// lift-off point jumps from node to node.
 TEST(Reel, FiveTurnsByNodes) {
   if (!std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
   const Reeled r = run(ContactMethod::nodes, 250, 325, nullptr, true);
@@ -180,7 +181,7 @@ TEST(Reel, FiveTurnsByNodes) {
   EXPECT_LT(r.leaving.noise(15, 60), 5000);
 }
 
-// Where the noise of the nodes comes from: it is not the facets, and it falls with the element.
+// The tension noise of contact at the nodes does not come from the facets; it falls with the element length.
 TEST(Reel, TensionNoiseOfNodes) {
   const auto nodes = ContactMethod::nodes;
   const auto smooth = round_drum(kBarrel, 5.5);

@@ -1,5 +1,4 @@
-// What the verification of contact shares: a line over a drum about the y axis in no gravity, and figures
-// drawn from runs.
+// Shared by the contact tests: a line over a drum about the y axis without gravity, and evaluation of runs.
 #pragma once
 
 #include <algorithm>
@@ -16,13 +15,13 @@
 
 namespace hawser::test {
 
-// A drum of flat facets about the y axis, its vertices on the radius; turned by `phase` about its axis.
+// A drum of flat facets about the y axis, its vertices on the radius; rotated by `phase` about its axis.
 inline std::shared_ptr<const Surface> faceted_drum(int facets, double radius, double width, int rings = 4,
                                                    double phase = 0) {
   TriangleMesh m = test::drum_mesh(facets, radius, width, rings);
   for (Vec3& v : m.vertices) {
     const double a = std::atan2(v.y(), v.x()) + phase, r = std::hypot(v.x(), v.y());
-    v = Vec3(r * std::sin(a), v.z(), r * std::cos(a));  // z to y, a turn of space
+    v = Vec3(r * std::sin(a), v.z(), r * std::cos(a));  // z to y
   }
   return std::make_shared<MeshSurface>(std::move(m));
 }
@@ -31,14 +30,14 @@ inline std::shared_ptr<const Surface> round_drum(double radius, double width) {
   return std::make_shared<CylinderSurface>(Vec3(0, -width / 2, 0), Vec3(0, width / 2, 0), radius);
 }
 
-// Place on a circle about the y axis: angle 0 at +x, pi/2 at +z; and the way along it.
+// Point on a circle about the y axis, angle 0 at +x, pi/2 at +z; and the tangent.
 inline Vec3 on_circle(double radius, double angle) {
   return {radius * std::cos(angle), 0, radius * std::sin(angle)};
 }
 inline Vec3 along_circle(double angle) { return {-std::sin(angle), 0, std::cos(angle)}; }
 
-// Leg, arc from angle 0 to `wrap`, leg: legs along the tangents. The arc's corners are at its nodes' spacing
-// or finer.
+// Path of leg, arc from angle 0 to `wrap`, leg; legs are tangential. The spacing of the arc's corners is that
+// of the nodes or finer.
 inline std::vector<Vec3> capstan_path(double radius, double wrap, double leg_a, double leg_b) {
   std::vector<Vec3> p{on_circle(radius, 0) - leg_a * along_circle(0)};
   const int pieces = static_cast<int>(std::ceil(wrap * 200));
@@ -53,7 +52,7 @@ inline double path_length(const std::vector<Vec3>& p) {
   return s;
 }
 
-// Mean, spread about it and extremes of samples that count with a weight (the step they stand for).
+// Mean, root mean square deviation and extremes of samples weighted with the step.
 struct Samples {
   double weight = 0, sum = 0, square = 0, least = 1e300, most = -1e300;
   void add(double value, double w = 1) {
@@ -67,7 +66,7 @@ struct Samples {
   double rms() const { return std::sqrt(std::max(0.0, square / weight - mean() * mean())); }
 };
 
-// What a run shows at its accepted steps.
+// Values at the accepted steps of a run.
 struct Series {
   std::vector<double> time, step, value;
   void add(const StepInfo& i, double v) {
@@ -75,7 +74,8 @@ struct Series {
     step.push_back(i.h);
     value.push_back(v);
   }
-  // Root mean square over (from, to) [s] about a straight line fitted to the 10 s around each instant.
+  // Root mean square in (from, to) [s] of the deviation from a straight line fitted to the 10 s around each
+  // instant.
   double noise(double from, double to) const {
     double sum = 0, weight = 0;
     size_t low = 0, high = 0;

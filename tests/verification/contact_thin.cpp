@@ -1,5 +1,5 @@
-// Lines thrown at a plate thinner than they are, fast enough to be on its other side a step later: they never
-// get there, whatever the step.
+// Lines thrown at a plate thinner than the lines, so fast that one step may take them to the other side: they
+// do not pass it, whatever the step.
 #include <random>
 
 #include "hawser/geometry/mesh_surface.hpp"
@@ -11,7 +11,7 @@ namespace hawser::test::contact_thin_test {
 namespace {
 
 constexpr double kRadius = 0.05, kHalf = 0.025;  // m, of the line; half the thickness
-// The plate, narrow along the line: [kFrom, kTo] x [-3, 3] x [-kHalf, kHalf].
+// The plate, narrow along the line: [from, to] x [-3, 3] x [-kHalf, kHalf].
 struct Plate {
   double from = 0, to = 0;
   Vec3 low() const { return {from, -3, -kHalf}; }
@@ -29,7 +29,7 @@ struct Course {
   bool met = false;
 };
 
-// Whether the way a -> b goes into the plate and out again on the other side.
+// Whether the path a -> b enters the plate and leaves it on the other side.
 bool through(const Plate& plate, const Vec3& a, const Vec3& b) {
   if (a.z() * b.z() >= 0 || std::min(std::abs(a.z()), std::abs(b.z())) < kHalf) return false;
   const Vec3 at = a + (b - a) * (a.z() / (a.z() - b.z()));
@@ -51,7 +51,7 @@ Course throw_line(const Throw& t, unsigned seed) {
   c.dynamics.step = t.step;
   c.dynamics.max_step = 0.1;
   c.dynamics.resolve_impacts = t.resolve;
-  // Between the ends and the middle of an element; of nodes, at one.
+  // Place along the line between the ends and the middle of an element; at a node for contact at the nodes.
   const double at = t.nodes ? 0 : 0.4 + 1.6 * unit(random);
   const Plate plate{at - 0.15, at + 0.15};
   model::Volume v;
@@ -81,7 +81,7 @@ Course throw_line(const Throw& t, unsigned seed) {
   Dynamics& d = s.dynamics();
   d.start(s.state());
   Course out;
-  // The line as the plate sees it.
+  // The line's axis relative to the plate.
   const auto axis = [&] {
     const Kinematics k = d.kinematics();
     const double rise = t.plate_moves ? t.speed * k.time : 0;

@@ -1,5 +1,5 @@
-// A wire pulled through a thin ring whose mesh has facets smaller than the wire is thick. It rests in a
-// valley between facets, on a kink of the energy, where no residual of a single side is small.
+// A wire pulled through a thin ring whose facets are smaller than the wire's diameter. At rest it lies
+// between facets, where the gradient of the energy is discontinuous and neither one-sided residual is small.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -17,10 +17,10 @@ using run::Simulation;
 using test::NodeField;
 
 constexpr double kRing = 0.1, kTube = 0.003, kWire = 0.01;  // m, radii
-constexpr double kX = 0.3, kSag = 0.3;                      // m, place of the wire in the ring
+constexpr double kX = 0.3, kSag = 0.3;                      // m, position of the wire in the ring
 constexpr int kAround = 48, kAcross = 12;                   // facets
 
-// A ring about an axis along x, turned about it by `turn` rad, as an OBJ file.
+// Writes a ring about an axis along x as an OBJ file, rotated about the axis by `turn` rad.
 void write_ring(const std::string& path, double turn) {
   std::ofstream f(path);
   const double z = kSag + kRing - kTube - kWire;
@@ -41,7 +41,7 @@ void write_ring(const std::string& path, double turn) {
 
 class ThinRing : public ::testing::TestWithParam<double> {};
 
-// The legs are straight, and both have T = EA (l - l0)/l0.
+// The legs are straight, and both have T = EA (l - l0)/l0 within 0.2 %.
 TEST_P(ThinRing, HoldsTheWire) {
   constexpr double kEA = 2e7, kFree = 19.98;
   const std::string at = folder("contact_thin_ring");
@@ -86,7 +86,7 @@ Eigen::MatrixXd products(const std::vector<Eigen::Vector2d>& r) {
   return G;
 }
 
-// The nearest point to the origin of a point, of two points on one side, of a segment and of a triangle about
+// Point nearest to the origin of a point, of two points on one side, of a segment, and of a triangle around
 // it.
 TEST(SmallestCombination, IsNearestToTheOrigin) {
   using V = Eigen::Vector2d;

@@ -1,4 +1,4 @@
-// Wave-drift damping: the decay of surge in a regular wave that has no force on it, with and without it.
+// Wave-drift damping: decay of surge in a regular wave that exerts no force, with and without the damping.
 #include <fmt/format.h>
 
 #include "hawser/io/case_reader.hpp"
@@ -7,7 +7,8 @@
 namespace hawser::test::drift_damping {
 namespace {
 
-// A barge on a soft spring in waves of amplitude a whose damping is b a² between the rows of both periods:
+// A barge on a soft spring in waves of amplitude a. The coefficient b, interpolated between two periods,
+// gives the damping b a²:
 //   x = e^(-q t) (cos w t + q/w sin w t) x_0,   q = b a²/(2 m),   w² = k/m - q²
 TEST(DriftDamping, SurgeDecaysInWaves) {
   constexpr double kMass = 1e6, kStiffness = 4e3, kHeight = 4, kLow = 3e3, kHigh = 9e3, kStart = 10;

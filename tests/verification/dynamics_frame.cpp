@@ -1,4 +1,5 @@
-// A right-angled cantilever kicked out of its plane at the elbow (Simo & Vu-Quoc 1988).
+// A right-angled cantilever loaded out of its plane at the elbow (Simo & Vu-Quoc 1988) against spectral
+// elements.
 #include <algorithm>
 
 #include "verification/dynamics_rig.hpp"
@@ -22,11 +23,11 @@ constexpr double kPath[][7] = {
     {20.0, 9.4696220282, 0.7823384572, -2.6019417748, 14.0930023764, 9.0431971513, 0.496027387},
     {25.0, 7.3972254939, 0.3996018728, 6.0540531524, 6.6276091256, 10.3496695418, 6.6378144027},
     {30.0, 9.8742294038, -1.3329010169, -0.223686811, 8.2634456087, 8.4989877975, 0.1685385543}};
-constexpr double kEnergy = 114.8803442;  // J, once the load is gone; of the same solution
+constexpr double kEnergy = 114.8803442;  // J, after the load has ended; of the same solution
 
 struct Frame {
   double tip = 0, elbow = 0;     // m, largest error up to 10 s
-  double late = 0;               // m, of the tip, up to 30 s
+  double late = 0;               // m, largest error of the tip up to 30 s
   double low = 1e300, high = 0;  // J, energy from 2 s on
 };
 

@@ -1,4 +1,4 @@
-// A limp, heavy beam hung at one end and let go from the horizontal.
+// A flexible, heavy beam hung at one end and released from the horizontal, against spectral elements.
 #include <algorithm>
 
 #include "verification/dynamics_rig.hpp"
@@ -6,7 +6,7 @@
 namespace hawser::test::dynamics_pendulum_test {
 namespace {
 
-// (t, x, z of the tip, m, kinetic and elastic energy, J): spectral elements, two meshes agree to 1e-5.
+// (t, x, z of the tip, m, kinetic and elastic energy, J): spectral elements; two meshes agree within 1e-5.
 constexpr double kTip[][5] = {{0.5, 9.7055243757, -1.2311874039, 105.0105263, 1.205922915},
                               {1.0, 7.598282556, -4.7649059664, 337.6463145, 2.86544188},
                               {1.5, -0.8443305177, -9.6051223441, 482.6628037, 3.173341273},
@@ -44,7 +44,7 @@ Pendulum pendulum(int elements, double h, double rho) {
     out.shortest = std::min(out.shortest, i.h);
     out.longest = std::max(out.longest, i.h);
     const Energy e = s.system().energy(d.kinematics());
-    out.total = std::max(out.total, std::abs(total(e)));  // all of it is zero at the start
+    out.total = std::max(out.total, std::abs(total(e)));  // total energy is zero at the start
     if (next == std::size(kTip) || std::abs(i.time - kTip[next][0]) > 1e-6) return;
     const double* p = kTip[next++];
     out.tip = std::max(out.tip, (d.committed().s.x.back() - Vec3(p[1], 0, p[2])).norm());
@@ -67,7 +67,8 @@ TEST(Dynamics, HeavyPendulum) {
   }
 }
 
-// Automatic steps: the whip at the bottom is taken with short ones, and the error follows the tolerance.
+// Automatic steps: they are short where the tip whips at the bottom, and the error decreases with the
+// tolerance.
 TEST(Dynamics, HeavyPendulumWithAutomaticSteps) {
   double before = 1e300;
   for (const double tolerance : {1e-4, 1e-5, 1e-6}) {

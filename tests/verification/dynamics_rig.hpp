@@ -1,5 +1,5 @@
-// What the verification of dynamics shares: loads that follow any function of time, chains of beams that the
-// case file cannot describe, momentum, and runs that stop at given times.
+// Shared by the tests of dynamics: loads with any function of time, chains of beams that the case file cannot
+// describe, momentum, and runs that stop at given times.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@
 
 namespace hawser::test {
 
-// Dead force and moment on a local node, both times factor(t). Space axes.
+// Dead force and moment on a local node, both times factor(t), in space axes.
 class TimedLoad final : public ForceTerm {
  public:
   TimedLoad(const LocalMesh& mesh, int node, const Vec3& force, const Vec3& moment,
@@ -43,17 +43,17 @@ class TimedLoad final : public ForceTerm {
   std::function<double(double)> factor_;
 };
 
-// A chain of straight beams on one rank whose nodes start with axes of their own choice.
+// A chain of straight beams on one rank; the axes of its nodes at the start are given.
 class BeamChain {
  public:
   struct Piece {
     BeamSection section;
     Vec3 rotary = Vec3::Zero();  // kg m, per length
     double mass_per_length = 0;  // kg/m
-    const Mat3* axes = nullptr;  // as MassSection has them
+    const Mat3* axes = nullptr;  // as in MassSection
   };
 
-  // Element i joins nodes i and i + 1; all nodes start with the identity.
+  // Element i joins nodes i and i + 1; the rotation of all nodes starts as the identity.
   BeamChain(std::vector<Vec3> nodes, const std::vector<Piece>& pieces) : mesh_(mesh(nodes, pieces)) {
     system_ =
         std::make_unique<System>(PETSC_COMM_SELF, local_mesh(mesh_, NodeRanks::all_of(mesh_.nodes()), 0, 1));
@@ -102,7 +102,7 @@ class BeamChain {
   std::unique_ptr<System> system_;
 };
 
-// Momentum of the discrete system, from its own mass matrix: p = M (v, w). One rank.
+// Momentum of the discrete system by its mass matrix: p = M (v, w). One rank.
 struct Momentum {
   Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();  // kg m/s; about the origin, kg m²/s
 };
@@ -127,7 +127,8 @@ inline Momentum momentum(System& system, const Kinematics& k) {
   check(VecGetArray(p.get(), &a));
   for (int n = 0; n < mesh.owned; ++n) {
     const size_t i = static_cast<size_t>(n);
-    // The mass of a tied node is in the rows of what carries it; its own row is that of a unit matrix.
+    // The mass of a tied node is in the rows of the node that carries it; its own row is that of a unit
+    // matrix.
     if (mesh.mesh->node(static_cast<size_t>(mesh.global[i])).tied_to >= 0) continue;
     const double* at = a + 3 * mesh.block[i];
     const Eigen::Map<const Vec3> linear(at);
@@ -142,7 +143,7 @@ inline Momentum momentum(System& system, const Kinematics& k) {
 // Kinetic, strain and potential energy, J.
 inline double total(const Energy& e) { return e.kinetic + e.strain + e.potential; }
 
-// J over all ranks: what is stored and has been dissipated, and what has been brought in.
+// J over all ranks: energy stored plus dissipated, and work brought in.
 struct Balance {
   double stored = 0, brought = 0;
 };
@@ -166,7 +167,7 @@ inline void integrate(Dynamics& d, double until, double mark,
 
 inline bool at_mark(double t, double mark) { return std::abs(t / mark - std::round(t / mark)) < 1e-6; }
 
-// value(node of the first body with mass), from the rank that owns it; a rank may know no node at all.
+// value(node of the first body with mass) from the rank that owns it; a rank may have no node.
 template <class Value>
 double from_owner(const Simulation& s, Value&& value) {
   const int n = s.local().find(s.mesh().body_node(0));
@@ -175,7 +176,7 @@ double from_owner(const Simulation& s, Value&& value) {
   return here;
 }
 
-// Time between the first and the last crossing of zero, over the half periods between them.
+// Time between the first and last zero crossing over the number of periods between them.
 inline double period(const std::vector<std::pair<double, double>>& signal) {
   std::vector<double> zeros;
   for (size_t i = 1; i < signal.size(); ++i) {
@@ -186,7 +187,7 @@ inline double period(const std::vector<std::pair<double, double>>& signal) {
   return 2 * (zeros.back() - zeros.front()) / static_cast<double>(zeros.size() - 1);
 }
 
-// Of value(kinematics, node of the first body with mass) over the duration of the case, from rest.
+// Period of value(kinematics, node of the first body with mass) over the duration of the case, from rest.
 template <class Value>
 double period_from_rest(Simulation& s, Value&& value) {
   s.solve_statics();

@@ -1,4 +1,5 @@
-// A free beam thrown by a force and a moment at one end (Simo & Vu-Quoc 1988, the three-dimensional case).
+// A free beam thrown by a force and a moment at one end (Simo & Vu-Quoc 1988, three-dimensional case) against
+// spectral elements and closed forms of momentum and centre of mass.
 #include <algorithm>
 
 #include "verification/dynamics_rig.hpp"
@@ -6,7 +7,7 @@
 namespace hawser::test::dynamics_spaghetti_test {
 namespace {
 
-// (t, A, B), m: spectral elements of order 12, 2e-4 m from those of order 10 at 15 s.
+// (t, A, B), m: spectral elements of order 12; they differ from those of order 10 by 2e-4 m at 15 s.
 constexpr double kEnds[][7] = {
     {2.5, 3.4129558857, 0.1969044721, 0.017352356, 4.0238073867, 8.4955198448, -0.7330200779},
     {5.0, 19.5627630939, 1.5213310965, -1.507690582, 11.8788293429, 6.8813530781, 1.8300159541},
@@ -14,7 +15,7 @@ constexpr double kEnds[][7] = {
     {10.0, 44.4023781869, 1.6690243517, -2.0652839259, 36.4089565431, 6.3354912083, 1.6789938495},
     {12.5, 57.2343190834, 2.2725892202, -1.9673620458, 49.3256592622, 6.4760634327, 2.2124997795},
     {15.0, 69.3649166198, 2.1958945974, -2.5419686829, 61.3777235151, 6.0153230808, 1.9826952592}};
-// After the load is gone; momentum and centre of mass in closed form, the rest of the same solution.
+// After the load has ended; momentum and centre of mass in closed form, the rest from the same solution.
 const Vec3 kMomentum(50, 0, 0), kAngular(0, -295.7030789, -553.0014685);
 constexpr double kEnergy = 884.1267441;
 double centre(double t) { return t < 3 ? 3 + 4 * t * t * t / 30 : 15.5 + 5 * (t - 5); }  // not in (2.5, 5)
@@ -52,7 +53,7 @@ TEST(Dynamics, FlyingSpaghetti) {
       const double off = std::max((k.x.front() - Vec3(p[1], p[2], p[3])).norm(),
                                   (k.x.back() - Vec3(p[4], p[5], p[6])).norm());
       (i.time < 10.1 ? ends : late) = std::max(i.time < 10.1 ? ends : late, off);
-      Vec3 mean = Vec3::Zero();  // of the cubic between the nodes
+      Vec3 mean = Vec3::Zero();  // of the cubic between nodes
       for (size_t e = 0; e + 1 < k.x.size(); ++e) {
         const Vec3 t1 = k.q[e] * Vec3::UnitX(), t2 = k.q[e + 1] * Vec3::UnitX();
         mean += (0.5 * (k.x[e] + k.x[e + 1]) + 0.5 / 12 * (t1 - t2)) / n;
@@ -63,7 +64,7 @@ TEST(Dynamics, FlyingSpaghetti) {
     if (i.time < 5 - 1e-9 || !at_mark(i.time, 0.5)) return;
     const Momentum p = momentum(s.system(), k);
     linear = std::max(linear, (p.linear - kMomentum).norm() / kMomentum.norm());
-    // The scheme's damped memory of the load's kinks, 0.9 a step, is gone after 400 steps.
+    // The transient of the scheme after the load's kinks decays by 0.9 a step and is gone after 400 steps.
     if (std::abs(i.time - 7) < 1e-9) momentum_at_7 = p.linear;
     if (i.time > 7) kept = std::max(kept, (p.linear - momentum_at_7).norm() / kMomentum.norm());
     angular = std::max(angular, (p.angular - kAngular).norm() / kAngular.norm());
@@ -77,7 +78,7 @@ TEST(Dynamics, FlyingSpaghetti) {
   EXPECT_LT(ends, 0.2);
   EXPECT_LT(late, 0.3);
   EXPECT_LT(com, 1e-3);
-  EXPECT_LT(linear, 1e-8);  // what the scheme makes of the load's kinks: of second order in the step
+  EXPECT_LT(linear, 1e-8);  // error of second order in the step, from the kinks of the load
   EXPECT_LT(kept, 1e-11);
   EXPECT_LT(angular, 3e-4);
   EXPECT_LT(energy, 1e-3);

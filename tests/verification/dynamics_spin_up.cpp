@@ -1,4 +1,5 @@
-// A beam whose root is turned about z, first ever faster, then steadily (Simo & Vu-Quoc 1986).
+// A beam whose root is rotated about z with increasing, then constant speed (Simo & Vu-Quoc 1986), against
+// spectral elements and the closed form of the steady stretch.
 #include <algorithm>
 
 #include "verification/dynamics_rig.hpp"
@@ -22,8 +23,8 @@ RigidPose root(double t) {
   return p;
 }
 
-// Tip displacement (t, u1, u2) in axes that turn with the root: spectral elements of order 10 and 12 with
-// explicit Runge-Kutta agree to 1e-9.
+// Tip displacement (t, u1, u2) in axes that rotate with the root: spectral elements of order 10 and 12 with
+// explicit Runge-Kutta agree within 1e-9.
 constexpr double kTip[][3] = {
     {1, -2.4363385987768993e-05, -0.020543531979102428}, {2, -0.0006059014734027812, -0.10238063223220756},
     {3, -0.0027282885409007918, -0.21726735876225245},   {4, -0.00676600672285943, -0.34227864747799863},
@@ -33,7 +34,7 @@ constexpr double kTip[][3] = {
     {11, -0.003298305319994199, -0.25735103050069297},   {12, -0.0008039872391076841, -0.15090069710586906},
     {13, 0.00023335912356081678, -0.06921548480569006},  {14, 0.0004900604820079479, -0.020291337732294412},
     {15, 0.0005139896816714895, 0.001303626236256683}};
-// Steady stretch of a turning bar, closed form: tan(k L)/k - L, k² = rhoA Omega² / EA.
+// Steady stretch of a rotating bar, closed form: tan(k L)/k - L, k² = rhoA Omega² / EA.
 constexpr double kSteady = 0.0005143174550426011;
 
 struct Spin {
@@ -63,10 +64,10 @@ Spin spin_up(int elements, double h, double rho) {
   long count = 0;
   integrate(d, 20, 0.5, [&](const StepInfo& i) {
     const Vec3 u = root(i.time).rotation.conjugate() * d.committed().s.x.back() - Vec3(10, 0, 0);
-    const Quat& q = d.committed().s.q.front();  // what is prescribed is exact
+    const Quat& q = d.committed().s.q.front();  // the prescribed motion is exact
     EXPECT_LT(log_so3(q.conjugate() * root(i.time).rotation).norm(), 1e-13);
     EXPECT_LT((d.committed().s.w.front() - root(i.time).angular_velocity).norm(), 1e-12);
-    // Nothing can touch: the steps are those asked for.
+    // Without contact the steps are the given ones.
     EXPECT_NEAR(i.h, h, 1e-9 * h);
     out.rejected += i.rejected;
     if (i.time > 15 - 1e-9) {

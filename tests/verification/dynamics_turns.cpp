@@ -1,11 +1,12 @@
-// How far a node may turn in a step.
+// Rotation of a node within a step: less than half a turn; otherwise the step is divided, or the run stops
+// with an error.
 #include "hawser/base/error.hpp"
 #include "support/rig.hpp"
 
 namespace hawser::test::dynamics_turns_test {
 namespace {
 
-// A free beam that spins about its own axis, in steps of 0.1 s if it could have them.
+// A free beam that spins about its own axis, with steps of 0.1 s if the rotation allows them.
 model::Case spinning() {
   model::LineType type = beam_type(1e6, 1e3, 1e3, 5);
   type.rotary_inertia = Vec3(0.02, 0.01, 0.01);
@@ -21,7 +22,7 @@ model::Case spinning() {
 }
 
 struct Spin {
-  double turn = 0;  // rad, most of a step
+  double turn = 0;  // rad, largest within a step
   int steps = 0, rejected = 0;
 };
 

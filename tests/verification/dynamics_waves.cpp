@@ -1,4 +1,4 @@
-// Waves along a line: a plucked taut string and an elastic bar stopped at one end.
+// Waves along a line against closed forms: a plucked taut string, and an elastic bar stopped at one end.
 #include <algorithm>
 
 #include "verification/dynamics_rig.hpp"
@@ -31,8 +31,8 @@ String string(int elements, double h, double rho, bool beam) {
     for (const Vec3& x : d.committed().s.x) a += x.z() * std::sin(M_PI * x.x() / L);
     return a;
   };
-  // u(L/4): h/2 until the kink comes by at L/4c = 0.25 s, then down to -h/2 at 0.75 s, there until 1.25 s,
-  // back.
+  // u(L/4): h/2 until the kink passes at L/4c = 0.25 s, then decreasing to -h/2 at 0.75 s, constant until
+  // 1.25 s, and back.
   auto quarter = [](double time) {
     return height * std::clamp(time < 1 ? 1 - 2 * time : 2 * time - 3, -0.5, 0.5);
   };
@@ -67,9 +67,9 @@ TEST(Dynamics, TautString) {
   }
 }
 
-// A steel bar flies along its axis at 1 m/s and one end stops: the force there is rho c A v until the wave is
-// back from the free end, 2 L/c; then the whole bar flies back. E = 210 GPa, A = 0.01 m², rho = 7850 kg/m³,
-// L = 10 m.
+// A steel bar moves along its axis at 1 m/s when one end is stopped. The force there is rho c A v until the
+// wave from the free end returns at 2 L/c; then the whole bar moves back. E = 210 GPa, A = 0.01 m², rho =
+// 7850 kg/m³, L = 10 m.
 TEST(Dynamics, StoppedBar) {
   constexpr double E = 210e9, A = 0.01, rho = 7850, L = 10, v = 1;
   const double c = std::sqrt(E / rho), F = rho * c * A * v, back = 2 * L / c;

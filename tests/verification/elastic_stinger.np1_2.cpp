@@ -1,5 +1,5 @@
-// Rollers that a structure of beams carries: they go where it goes, what they carry comes down at its ends,
-// and on a stiff structure they are as those on a body. On 1 and 2 ranks.
+// Rollers on a structure of beams move with it and transfer their load to its ends; on a stiff structure they
+// carry the forces of rollers on a body. On 1 and 2 ranks, and after a restart.
 #include <fmt/format.h>
 
 #include "../regression/runs.hpp"
@@ -10,9 +10,10 @@ namespace {
 
 constexpr double kGravity = 10;
 
-// 40 m of heavy pipe over three boxes, on a barge or on two girders of a bending stiffness that meet at a
-// rigid joint in the middle and are clamped at their outer ends, 0.5 m below the pipe, to a hull that moves
-// as the barge. The barge lies the other way round, so that boxes and nodes have other axes.
+// 40 m of heavy pipe over three boxes. The boxes are on a barge, or on two girders of the given bending
+// stiffness that meet at a rigid joint in the middle and are clamped at their outer ends, 0.5 m below the
+// pipe, to a hull that moves as the barge. The barge has the opposite heading, so that boxes and nodes have
+// other axes.
 std::string lay(bool on_girders, double stiffness) {
   const std::string girder = "sections: [{type: girder, length: 12, elements: 12}]";
   return fmt::format(R"(hawser: 1
@@ -69,13 +70,13 @@ TEST(ElasticStinger, RollersOfAStructure) {
     ASSERT_EQ(c.size(), d.size());
     for (size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 1e-3 * 1e4) << box << i;
     for (size_t i = 0; i < c.size(); ++i) EXPECT_NEAR(c[i], d[i], 1e-6 * 1e4) << box << i;
-    // A step that goes on has another first guess: what Newton leaves.
+    // The first step after a restart has another initial guess, so results agree within Newton's tolerance.
     EXPECT_LT(runs::largest_difference(runs::tail(c, rest.series.at(box)), rest.series.at(box)), 5e-5 * 1e4);
     off = std::max(off, std::abs(c[2] / a[2] - 1));
     sum += Vec3(c.data());
   }
-  EXPECT_GT(off, 0.05);  // what gives carries less
-  // At rest what the rollers carry and the weight of the girders is what their ends feel.
+  EXPECT_GT(off, 0.05);  // boxes on the flexible girders carry less
+  // At rest the ends of the girders carry the load of the rollers and the weight of the girders.
   const io::h5::Id file = io::h5::open_read(base + "soft.h5");
   const std::vector<double> f = io::h5::read_row(file, "ends/force", 0).values;
   const Vec3 roots = Vec3(&f[6]) + Vec3(&f[15]);

@@ -1,5 +1,5 @@
-// What lines exert at their ends: bridles against the elastic catenary, a clump weight, a cantilever. From
-// the case file to the results file, the same on one rank and on two.
+// Forces that lines exert at their ends, from case file to results file: bridles against the elastic
+// catenary, a clump weight, a cantilever. The same on one rank and on two.
 #include <fmt/format.h>
 
 #include "../regression/runs.hpp"
@@ -37,7 +37,7 @@ std::string bridle(const std::string& more) {
     const Leg& l = kLegs[i];
     types += fmt::format("  type{}: {{outer_diameter: 0.05, mass_per_length: {}, EA: {}, bending: false}}\n",
                          i, l.mass, l.EA);
-    // The first leaves the joint, the others end there.
+    // Leg 0 starts at the joint, the others end there.
     const std::string held =
         i ? fmt::format("anchor: [{}, {}, {}]", l.anchor.x(), l.anchor.y(), l.anchor.z())
           : fmt::format("body: ship, at: [{}, {}, {}]", l.anchor.x(), l.anchor.y(), l.anchor.z());
@@ -56,7 +56,7 @@ std::string bridle(const std::string& more) {
          "end_b}]}\n";
 }
 
-// What the legs pull the joint with when it is at x, and their tensions there and at the anchors.
+// Force of the legs on the joint at x, and their tensions there and at the anchors.
 struct Pull {
   Vec3 sum = Vec3::Zero(), at_joint[3], at_anchor[3];
 };
@@ -73,7 +73,7 @@ Pull pull(const Vec3& x) {
   return p;
 }
 
-// Where the joint is at rest under a load: Newton with differences, damped.
+// Equilibrium position of the joint under a load: damped Newton iteration with a difference quotient.
 Vec3 at_rest(const Vec3& load) {
   Vec3 x(0, 0, -30);
   for (int i = 0; i < 200; ++i) {
@@ -89,8 +89,8 @@ Vec3 at_rest(const Vec3& load) {
   return x;
 }
 
-// Three legs without a load at the joint, with a point load, with a mass: tensions in fields, histories and
-// the summary; the forces at the joint add up, at rest and in motion.
+// Three legs with no load, a point load and a mass at the joint: tensions in fields, histories and summary.
+// The forces at the joint are in balance at rest and in motion.
 TEST(EndForces, BridleOfThreeLegs) {
   struct Row {
     const char *name, *more;
@@ -116,20 +116,20 @@ TEST(EndForces, BridleOfThreeLegs) {
       const size_t a = 41 * i, b = 41 * i + 40;
       EXPECT_NEAR(r.fields.at("effective_tension")[i ? b : a], T, 1e-3 * T) << row.name << i;
       EXPECT_NEAR(r.fields.at("effective_tension")[i ? a : b], U, 1e-3 * U) << row.name << i;
-      // It leaves end A along its direction: of a cable where it pulls.
+      // The direction at end A is that of the cable's tension.
       const Vec3 out = (joint % 2 ? -1 : 1) * at_end(row.name, "direction", 0, joint);
       EXPECT_LT((out - exact.at_joint[i] / T).norm(), 3e-3) << row.name << i;
     }
     EXPECT_EQ(nodes, 123u);
     EXPECT_LT(worst, 1e-3) << row.name;
     EXPECT_LT(sum.norm(), 1e-6 * size) << row.name;
-    // In motion: no more than the step leaves.
+    // In motion the forces balance within the error of the step.
     double off = 0, largest = 0;
     const auto velocity = r.fields.at("velocity");
     for (size_t o = 1; o < r.output_times.size(); ++o) {
       Vec3 all = row.mass ? Vec3::Zero() : row.load;
       for (size_t i = 0; i < 3; ++i) all += at_end(row.name, "force", o, i ? 2 * i + 1 : 0);
-      if (row.mass > 0) {  // its acceleration, by the history of its speed
+      if (row.mass > 0) {  // acceleration from the history of velocity
         const auto& t = r.step_times;
         const size_t k =
             static_cast<size_t>(std::lower_bound(t.begin(), t.end(), r.output_times[o] - 1e-9) - t.begin());
@@ -146,7 +146,7 @@ TEST(EndForces, BridleOfThreeLegs) {
         largest = std::max(largest, at_end(row.name, "force", o, i ? 2 * i + 1 : 0).norm());
     }
     EXPECT_LT(off, 1e-2 * largest) << row.name;
-    // The history has the same force; the summary knows the largest.
+    // The history has the same force, and the summary its maximum.
     const Vec3 f = at_end(row.name, "force", 0, 0);
     const std::string file = runs::folder("end_forces") + "/" + row.name + ".h5";
     for (size_t c = 0; c < 3; ++c)
@@ -162,7 +162,7 @@ TEST(EndForces, BridleOfThreeLegs) {
   }
 }
 
-// A clump weight of 2 t in the middle of a cable: the tension on both of its sides.
+// A clump weight of 2 t in the middle of a cable: tensions on both sides of it.
 TEST(EndForces, ClumpWeight) {
   const runs::Results r = run("clump", R"(hawser: 1
 line_types: {chain: {outer_diameter: 0.05, mass_per_length: 40, EA: 1e8, bending: false}}
@@ -187,17 +187,17 @@ lines:
   EXPECT_NEAR(f.at("effective_tension_before")[20], before, 1e-3 * before);
   EXPECT_NEAR(f.at("effective_tension_after")[20], after, 1e-3 * after);
   EXPECT_NEAR(f.at("effective_tension")[20], std::max(before, after), 1e-3 * before);
-  // Elsewhere there is one tension.
+  // At other nodes both are equal.
   EXPECT_EQ(f.at("effective_tension_before")[30], f.at("effective_tension")[30]);
   EXPECT_EQ(f.at("effective_tension_after")[30], f.at("effective_tension")[30]);
-  // The smallest of all: where the line is level, if it is anywhere, or beside the weight.
+  // The least tension is at the lowest point of the line, or beside the weight.
   double least = HUGE_VAL;
   for (double s = 0; s <= 100; s += 0.05) least = std::min(least, exact.tension(s).norm());
   EXPECT_NEAR(r.summary[3], std::min(least, after), 2e-3 * least);
 }
 
-// A stiff cantilever of two types with its own weight, forces and a moment at its tip; clamped at end A, and
-// turned round at end B. By statics of the whole: sum of the loads, and their moments about the root.
+// A stiff cantilever of two line types with its own weight, forces and a moment at its tip; clamped at end A,
+// or reversed and clamped at end B. References are the sum of the loads and of their moments about the root.
 TEST(EndForces, Cantilever) {
   const char* const text = R"(hawser: 1
 line_types:
@@ -223,36 +223,36 @@ lines:
          {"TIP", turned ? "end_a" : "end_b"}});
     const double g = kGravity, along = turned ? -1 : 1;
     const Vec3 tip(900, 2500, -4000), weight(0, 0, -(80 * 4 + 50 * 6) * g);
-    const Vec3 force = tip + weight;  // on the root
+    const Vec3 force = tip + weight;  // on the root, by the beam
     const Vec3 moment = Vec3(6000, 0, 0) + Vec3(10, 0, 0).cross(tip) +
                         Vec3(2, 0, 0).cross(Vec3(0, 0, -320 * g)) + Vec3(7, 0, 0).cross(Vec3(0, 0, -300 * g));
     const size_t root = turned ? 1 : 0, n = turned ? 10 : 0;
     const Vec3 F = at_end(name, "force", 0, root), M = at_end(name, "moment", 0, root);
-    // It bends by 1e-5 of its length.
+    // It deflects by 1e-5 of its length.
     EXPECT_LT((F - force).norm(), 1e-6 * force.norm());
     EXPECT_LT((M - moment).norm(), 1e-5 * moment.norm());
     EXPECT_LT((at_end(name, "direction", 0, root) - along * Vec3::UnitX()).norm(), 1e-9);
-    // The line pulls back at what pulls its free end.
+    // The end force at the free end is the reaction to the load.
     EXPECT_LT((at_end(name, "force", 0, 1 - root) + tip).norm(), 1e-6 * tip.norm());
     const auto& f = r.fields;
     const auto axis = [&](const char* of, size_t at) {
       return Vec3(Eigen::Map<const Vec3>(f.at(of).data() + 3 * at));
     };
     const Vec3 d2 = axis("axis_2", n), d3 = axis("axis_1", n).cross(d2);
-    // Section forces: of what comes after on what is before.
+    // Section forces: of the part beyond the section on the part before it.
     const Vec3 section = along * moment;
     EXPECT_NEAR(f.at("effective_tension")[n], 900, 1e-4 * 900);
     EXPECT_NEAR(f.at("shear_force")[n], std::hypot(force.y(), force.z()), 1e-6 * force.norm());
     EXPECT_NEAR(f.at("bending_moment_2")[n], section.dot(d2), 1e-5 * section.norm());
     EXPECT_NEAR(f.at("bending_moment_3")[n], section.dot(d3), 1e-5 * section.norm());
     EXPECT_NEAR(f.at("bending_moment")[n], std::hypot(moment.y(), moment.z()), 1e-5 * moment.norm());
-    EXPECT_NEAR(f.at("torsion_moment")[n], 6000, 0.5);  // -M about -x at end B is the same twist
-    // Where the type changes: the moment there, and the curvature of the thinner one.
+    EXPECT_NEAR(f.at("torsion_moment")[n], 6000, 0.5);  // -M about -x at end B is the same torsion
+    // Where the type changes: the moment, and the curvature of the thinner part.
     const size_t c = turned ? 6 : 4;
     const Vec3 there = Vec3(6, 0, 0).cross(tip) + Vec3(3, 0, 0).cross(Vec3(0, 0, -300 * g));
     EXPECT_NEAR(f.at("bending_moment")[c], there.norm(), 1e-5 * there.norm());
     EXPECT_NEAR(f.at("curvature")[c], there.norm() / 1e10, 0.01 * there.norm() / 1e10);
-    // In the middle of the thinner one, from both elements at the node.
+    // In the middle of the thinner part, averaged over both elements at the node.
     const size_t m = turned ? 3 : 7;
     const Vec3 V = tip + Vec3(0, 0, -150 * g),
                middle = Vec3(3, 0, 0).cross(tip) + Vec3(1.5, 0, 0).cross(Vec3(0, 0, -150 * g));

@@ -1,5 +1,5 @@
-// Free lines of cables, thrown slack, that snap taut and go slack all the time: their energy (theory,
-// "Cables").
+// Energy of free lines of cables that start slack with random velocities and snap taut and slacken all the
+// time (theory, "Cables").
 #include <random>
 
 #include "support/rig.hpp"
@@ -7,11 +7,11 @@
 namespace hawser::test::energy_cables_test {
 namespace {
 
-// A chain of 40 m and 3.2 t with elements that vibrate in 1.2 ms, in no gravity; every node has a speed of
-// its own.
+// A chain of 40 m and 3.2 t without gravity, its elements vibrate with a period of 1.2 ms; every node has a
+// random velocity.
 struct Flight {
   double start = 0, end = 0;   // J
-  double most = 0, least = 1;  // of the start, after any step
+  double most = 0, least = 1;  // of the start, over all steps
   double momentum = 0;         // change over its size
 };
 
@@ -30,7 +30,7 @@ Flight fly(double rho, double step, double duration) {
   c.contact.between_lines.enabled = false;
   Simulation sim(MPI_COMM_WORLD, c);
   State s = sim.state();
-  // The polyline is a little shorter than the line, so that the start is slack.
+  // The polyline is a little shorter than the line: the chain starts slack.
   for (size_t n = 0; n < s.x.size(); ++n) {
     std::mt19937 random(static_cast<unsigned>(sim.local().global[n]) + 7);
     std::uniform_real_distribution<double> u(-1, 1);
@@ -45,8 +45,7 @@ Flight fly(double rho, double step, double duration) {
     return total(e.kinetic + e.strain);
   };
   const auto momentum = [&](const Kinematics& state) {
-    double p =
-        0;  // of equal elements: the inner nodes carry one, the ends a half and their neighbours' share
+    double p = 0;  // equal elements: inner nodes carry one mass, ends a half
     for (const LocalElement& e : sim.local().elements)
       if (e.counted)
         p +=
@@ -70,8 +69,8 @@ Flight fly(double rho, double step, double duration) {
   return f;
 }
 
-// Without numerical damping it is kept, to what Newton's iteration leaves: at steps that resolve nothing,
-// too.
+// Without numerical damping energy is constant within Newton's tolerance, also at steps that do not resolve
+// the vibration.
 TEST(EnergyOfCables, IsKeptWithoutDamping) {
   for (const double step : {0.02, 0.005, 0.001}) {
     const Flight f = fly(1, step, 100 * step);
@@ -83,7 +82,8 @@ TEST(EnergyOfCables, IsKeptWithoutDamping) {
   }
 }
 
-// With damping it falls, and rises by no more than the part delta² of what alternates.
+// With numerical damping the energy falls; it exceeds its initial value by at most the fraction delta², delta
+// = (1 - rho)/(2 (1 + rho)).
 TEST(EnergyOfCables, FallsWithDamping) {
   for (const double rho : {0.8, 0.4, 0.0})
     for (const double step : {0.1, 0.02, 0.005}) {

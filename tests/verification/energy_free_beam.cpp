@@ -7,23 +7,22 @@ TEST(Energy, FreeFlyingBeam) {
   const Tumble coarse = tumble(true, 20, 100, 1, 50), fine = tumble(true, 20, 200, 1, 50);
   show("free beam, 100 steps a period", 1, coarse);
   show("free beam, 200 steps a period", 1, fine);
-  EXPECT_GT(coarse.strain, 0.3);  // it does bend
+  EXPECT_GT(coarse.strain, 0.3);  // the beam bends
   for (const Tumble& t : {coarse, fine}) {
     EXPECT_LT(t.energy, 1e-3);
     EXPECT_LT(std::abs(t.drift), 1e-4);
     EXPECT_LT(t.linear, 1e-11);
-    // At rho = 1 nothing damps a difference once made: it must not build up either.
+    // At rho = 1 a difference of the directors' acceleration is not damped; it must not increase.
     EXPECT_LT(t.apart[1], 2 * t.apart[0]);
   }
-  // These come and go with the square of the step.
+  // These errors fall with the square of the step.
   EXPECT_LT(fine.energy, 0.3 * coarse.energy);
   EXPECT_LT(fine.angular, 0.3 * coarse.angular);
   EXPECT_LT(fine.angular, 5e-5);
 }
 
-// Momentum is kept to what Newton's method leaves, at any step: a coarse one, a damped scheme, steps that
-// change and are taken back, lines whose elements differ in length, whose nodes carry masses and that start
-// bent.
+// Momentum is constant within Newton's tolerance at any step: coarse steps, a damped scheme, automatic steps
+// with rejections, and a bent line with graded elements and masses at nodes.
 TEST(Energy, MomentumOfAFreeBeam) {
   const Tumble coarse = tumble(true, 20, 50, 1, 50);
   show("free beam, 50 steps a period", 1, coarse);
@@ -52,12 +51,12 @@ TEST(Energy, MomentumOfAFreeBeam) {
   c.dynamics.error_tolerance = 1e-4;
   const Tumble automatic = tumble(c, true, 0, 0.8, 10);
   show("the same in automatic steps", 0.8, automatic);
-  // What Newton's method leaves of the residual is a force on the line as a whole. Short steps end at the
+  // The residual that Newton's iteration leaves acts as a force on the whole line. Short steps end at the
   // round-off of their accelerations, and 4600 of them add up.
   EXPECT_LT(automatic.linear, 1e-9);
 }
 
-// With the default tolerance of Newton's iteration, which knows nothing of momentum.
+// The default tolerance of Newton's iteration does not consider momentum.
 TEST(Energy, MomentumWithTheDefaultTolerance) {
   const Tumble t = tumble(true, 20, 100, 1, 50, DynamicsSettings{}.tolerance);
   show("free beam, 100 steps a period, default tolerance", 1, t);
@@ -69,8 +68,8 @@ TEST(Energy, FreeFlyingCable) {
   const Tumble t = tumble(false, 20, 200, 1, 50);
   show("free cable, 200 steps a period", 1, t);
   EXPECT_LT(t.linear, 1e-11);
-  // Its elements go slack and snap taut: a chaotic motion, of which round-off makes 0.7 to 1.3 % in 50
-  // periods.
+  // Its elements slacken and snap taut: in this chaotic motion round-off changes the energy error between 0.7
+  // and 1.3 % in 50 periods.
   EXPECT_LT(t.energy, 0.02);
 }
 

@@ -1,5 +1,5 @@
-// A free beam that flies, tumbles and vibrates in three dimensions without damping, for what time integration
-// should conserve.
+// A free beam that moves, tumbles and vibrates in three dimensions without damping: quantities that time
+// integration should conserve.
 #pragma once
 
 #include <algorithm>
@@ -14,15 +14,16 @@ struct Tumble {
   double linear = 0;   // largest change of momentum over its size
   double angular = 0;  // the same
   double strain = 0;   // largest strain energy over total
-  // Acceleration of the directors against that of w and alpha, largest difference over largest size: in the
-  // first and in the last tenth of the run.
+  // Largest difference, over the largest size, between the directors' acceleration and that of w and alpha,
+  // in the first and in the last tenth of the run.
   double apart[2] = {};
   long steps = 0;
 };
 
-// The line: 10 m, EI 500 N m², GJ 400 N m², EA 1e5 N, 1 kg/m. Its first free-free bending period is
-// 2 pi L² / (4.730² sqrt(EI/m)) = 1.256 s. It starts straight, moving at (0.3, -0.2, 0.4) m/s, turning at
-// (0.3, 0.2, 0.6) rad/s, with 3 m/s in the first mode's ends. Cables have no bending and are swung instead.
+// The line: 10 m, EI 500 N m², GJ 400 N m², EA 1e5 N, 1 kg/m. Its first free-free bending period is 2 pi L² /
+// (4.730² sqrt(EI/m)) = 1.256 s. It starts straight with the velocity (0.3, -0.2, 0.4) m/s, the angular
+// velocity (0.3, 0.2, 0.6) rad/s, and 3 m/s at the ends in the first bending mode. Cables have no bending
+// mode and a lateral motion instead.
 inline constexpr double kFirst = 4.730040744862704;
 inline double first_period() { return 2 * M_PI * 100 / (kFirst * kFirst * std::sqrt(500.0)); }
 
@@ -49,7 +50,7 @@ inline void throw_line(State& s, bool bend) {
   }
 }
 
-// `periods` first bending periods of the thrown line in steps of a period / `per_period`; 0: automatic steps.
+// `periods` first bending periods of the free beam with `per_period` steps a period; 0: automatic steps.
 inline Tumble tumble(model::Case c, bool beam, int per_period, double rho, int periods,
                      double tolerance = 1e-13) {
   const double until = periods * first_period();

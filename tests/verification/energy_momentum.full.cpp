@@ -1,5 +1,5 @@
-// A thousand periods of the free beam without any damping, 100 000 steps: momentum is still what it was, and
-// what the scheme carries beside the state stays near it.
+// A thousand periods of the free beam without damping in 100 000 steps: momentum is constant within 2e-9, and
+// the acceleration that the scheme carries beside the state stays near that of the state.
 #include "verification/energy_free_beam.hpp"
 
 namespace hawser::test {
@@ -8,7 +8,7 @@ namespace {
 TEST(Energy, MomentumOfAFreeBeamForAThousandPeriods) {
   const Tumble t = tumble(true, 20, 100, 1, 1000);
   show("free beam, 100 steps a period", 1, t);
-  EXPECT_LT(t.linear, 2e-9);  // what Newton's method leaves of the residual adds up over 10⁵ steps
+  EXPECT_LT(t.linear, 2e-9);  // residuals of Newton's iteration add up over 10⁵ steps
   EXPECT_LT(t.energy, 2e-3);
   EXPECT_LT(t.apart[1], 3 * t.apart[0]);
 }

@@ -1,4 +1,4 @@
-// The local error of a step is judged by the thickness of each line.
+// The tolerance of the local error is relative to the thickness of each line.
 #include <gtest/gtest.h>
 
 #include "support/rig.hpp"
@@ -6,7 +6,7 @@
 namespace hawser::test::error_tolerance_test {
 namespace {
 
-// Steps that a wire takes which is let go level and swings down, by local error.
+// Number of automatic steps of a wire that is released from the horizontal and swings down.
 int steps_of_a_wire(bool beside_a_pipe) {
   model::LineType wire = cable_type(1e5, 0.5);
   wire.outer_diameter = 0.004;
@@ -42,7 +42,7 @@ int steps_of_a_wire(bool beside_a_pipe) {
   return steps;
 }
 
-// A pipe of 1 m that hardly moves, 50 m away, leaves a wire of 4 mm its steps.
+// A nearly motionless pipe of 1 m, 50 m away, does not lengthen the steps of a wire of 4 mm.
 TEST(ErrorTolerance, IsThatOfEachLine) {
   const int alone = steps_of_a_wire(false), beside = steps_of_a_wire(true);
   EXPECT_GT(alone, 50);

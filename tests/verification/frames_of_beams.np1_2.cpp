@@ -1,4 +1,4 @@
-// Beams joined rigidly, against the deflections of slender frames.
+// Rigidly joined beams against closed forms of slender frames.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 namespace hawser::test::frames_of_beams {
 namespace {
 
-// A column of 4 m, clamped at its foot, with an arm of 3 m joined rigidly to its head, loaded at the tip.
-// Slopes are small, axial strain is negligible: down P b³/3EI + P b² a/EI, sideways P (a³ + b³)/3EI + P b²
-// a/GJ.
+// A column of 4 m, clamped at its foot, with an arm of 3 m joined rigidly to its head and loaded at the tip.
+// For small slopes and negligible axial strain the deflections are: down P b³/3EI + P b² a/EI, sideways P (a³
+// + b³)/3EI + P b² a/GJ.
 TEST(FramesOfBeams, ArmOnAColumn) {
   const double a = 4, b = 3, EI = 1e6, GJ = 8e5;
   for (const bool sideways : {false, true}) {
@@ -56,10 +56,10 @@ TEST(FramesOfBeams, ArmOnAColumn) {
   }
 }
 
-// A portal of a beam of length L between two columns of height h of the same section, with clamped feet,
-// under the weight w of the beam: with k = h/L the moments are w L²/(6 (k + 2)) at the corners and half of
-// that at the feet (Kleinlogel, Rahmenformeln). Its members start straight by themselves; joints would keep
-// the angles of cables that sag.
+// A portal: a beam of length L on two columns of height h and the same section with clamped feet, under the
+// weight w of the beam. With k = h/L the moments are w L²/(6 (k + 2)) at the corners and half of that at the
+// feet (Kleinlogel, Rahmenformeln). The automatic start shape of the members is straight; a sagging shape
+// would give the rigid joints wrong angles.
 TEST(FramesOfBeams, PortalUnderItsWeight) {
   const double L = 6, h = 4, w = 2000;
   const std::string base = runs::folder("frames_of_beams") + "/portal";

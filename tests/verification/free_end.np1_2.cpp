@@ -1,6 +1,7 @@
-// Lines with one free end that comes to lie on the bed or to float, from case files, started by themselves.
-// Along a line in balance on what does not rub, T + M²/2EI less the weight up to here is the same all the
-// way: at a hinge, the tension is the weight of the line from the height of its free end to its own.
+// Lines with one free end that lies on the bed or floats, from case files with the automatic start shape.
+// Along a line in equilibrium without friction, T + M²/2EI less the weight up to the height of the point is
+// constant. So the tension at a hinge is the weight of the line between the heights of its free end and of
+// the hinge.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -34,13 +35,13 @@ lines:
                             HAWSER_SOURCE_DIR "/tests/free_end.yaml");
 }
 
-// Share of a cylinder's section below the surface, its axis at z.
+// Wet fraction of a cylinder's section with its axis at z.
 double wet(double z, double radius) {
   const double u = std::clamp(z / radius, -1.0, 1.0), half = std::acos(u);
   return (half - u * std::sqrt(1 - u * u)) / M_PI;
 }
 
-// Of a line from the height `low` up to `high`, N: Simpson's rule.
+// Weight [N] of a line between the heights `low` and `high`, by Simpson's rule.
 double weight_between(const model::Case& c, const std::string& type, double low, double high) {
   const model::LineType& t = c.line_type(type);
   const double g = c.environment.gravity, d = t.displaced();
@@ -54,13 +55,14 @@ double weight_between(const model::Case& c, const std::string& type, double low,
 }
 
 struct Rest {
-  Vec3 held, end;       // m, the two ends
-  std::vector<Vec3> x;  // from the held one
+  Vec3 held, end;       // m, positions of the ends
+  std::vector<Vec3> x;  // from the held end
   double tension = 0;   // N, at the held end
   int iterations = 0;
 };
 
-// Started by itself, at rest in a few iterations, on one rank and on all.
+// Statics from the automatic start shape; at most so many iterations, and equal positions on one rank and on
+// all.
 Rest rest(const model::Case& c, int most_iterations = 150) {
   Simulation all(PETSC_COMM_WORLD, c), one(PETSC_COMM_SELF, c);
   const StaticsReport report = all.solve_statics();
@@ -90,13 +92,13 @@ void expect_tension(const Rest& r, double expected, double most) {
 
 double off(const Vec3& a, const Vec3& b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
 
-// The free end lies on the bed by its underside, sunk in by its weight alone.
+// The underside of the free end lies on the bed; penetration is that of its weight.
 void expect_on_bed(const model::Case& c, const Vec3& x, const std::string& type) {
   const double radius = 0.5 * c.line_type(type).contact_diameter;
   EXPECT_NEAR(model::height_above_bed(c.environment.seabed, x), radius, 0.05);
 }
 
-// From 145 m above the bed straight down, and 175 m along it.
+// The line hangs vertically from 145 m above the bed, and 175 m of it lie on the bed.
 TEST(FreeEnd, ComesToLieOnTheBed) {
   struct Row {
     std::string type, line;
@@ -113,14 +115,15 @@ TEST(FreeEnd, ComesToLieOnTheBed) {
     const Rest r = rest(c);
     expect_on_bed(c, r.end, row.type);
     const double expected = weight_between(c, row.type, r.end.z(), r.held.z());
-    // A cable's node hangs or lies; half of the element between belongs to each.
+    // A node of a cable hangs or lies; half of the element between belongs to each part.
     const double most = row.type == "beam" ? 1e-3 : 0.5 * row.element / 145;
     expect_tension(r, expected, most * expected);
-    // A beam goes round a bend of (EI/w)^(1/3), 7.6 m.
+    // The bend of a beam has the length (EI/w)^(1/3), 7.6 m.
     const double reach = off(r.held, r.end) - (320 - (r.held.z() - r.end.z()));
     EXPECT_GT(reach, -row.element);
     EXPECT_LT(reach, row.type == "beam" ? 7.6 : row.element);
-    // Neither heaped nor bent back; the cable at the foot may cut its corner.
+    // The line neither folds nor runs backwards; the cable may cut the corner at the touchdown with one
+    // shorter element.
     int cut = 0;
     for (size_t i = 1; i < r.x.size(); ++i) {
       EXPECT_LT(off(r.held, r.x[i - 1]), off(r.held, r.x[i]) + 1e-3);
@@ -132,7 +135,7 @@ TEST(FreeEnd, ComesToLieOnTheBed) {
   }
 }
 
-// One element of it lies; it ends just above the bed; it begins on it.
+// The line has one element on the bed, ends just above the bed, or starts on it.
 TEST(FreeEnd, LiesWithLittleOrAllOfIt) {
   struct Row {
     double z, length, hangs;  // m
@@ -150,7 +153,7 @@ TEST(FreeEnd, LiesWithLittleOrAllOfIt) {
   }
 }
 
-// Down a slope, whose lying part pulls; friction has nothing to hold against.
+// On a slope the part on the bed pulls at the line; friction does not act.
 TEST(FreeEnd, ComesToLieOnASlope) {
   for (const double slope : {10.0, 35.0}) {
     SCOPED_TRACE(slope);
@@ -166,7 +169,7 @@ TEST(FreeEnd, ComesToLieOnASlope) {
   }
 }
 
-// A measured bed, hollow across and going down towards y: the line lies in it, down the slope.
+// A gridded bed, a valley that descends towards y: the line lies in it, down the slope.
 TEST(FreeEnd, ComesToLieOnAMeasuredBed) {
   const std::string path = runs::folder("free_end") + "/bed.xyz";
   if (runs::rank_of(MPI_COMM_WORLD) == 0) {
@@ -186,7 +189,7 @@ TEST(FreeEnd, ComesToLieOnAMeasuredBed) {
   EXPECT_GT(r.end.y(), 160);
 }
 
-// Two sections of different weight, either way round, and a clump weight that hangs or lies.
+// Two sections of different weight in either order, and a clump weight on the suspended part or on the bed.
 TEST(FreeEnd, IsMadeOfParts) {
   const std::string down = ", end_a: {anchor: [0, 0, -5]}, end_b: free";
   const std::string parts[2] = {"{type: light, length: 100, elements: 50}",
@@ -212,8 +215,8 @@ TEST(FreeEnd, IsMadeOfParts) {
   }
 }
 
-// A hose held above the surface, at it and under it: it floats at its draught, straight away. A cable in
-// elements shorter than thick takes longer.
+// A hose held above, at or below the surface floats at its draught, straight out. A cable with elements
+// shorter than its diameter needs more iterations.
 TEST(FreeEnd, Floats) {
   struct Row {
     const char* type;
@@ -222,7 +225,7 @@ TEST(FreeEnd, Floats) {
   };
   for (const Row& row : {Row{"hose", 3, 10, 60}, Row{"hose", 30, 30, 60}, Row{"hose", -40, 30, 60},
                          Row{"cord", 3, 1000, 60, 250},
-                         // Half of the element through the surface, 9 N of what its end bears there, leans:
+                         // Half of the element that crosses the surface, whose end carries 9 N, is inclined:
                          // 0.7 % of the tension.
                          Row{"cord", 3, 25, 200, 600}, Row{"cord", 0, 20, 400, 300}}) {
     for (const bool a : {true, false}) {
@@ -240,7 +243,7 @@ TEST(FreeEnd, Floats) {
   }
 }
 
-// A current takes it along, and a ship that holds it has it away from itself.
+// The line lies along the current; without current it lies away from the ship that holds it.
 TEST(FreeEnd, GoesItsWay) {
   const auto way = [](const Rest& r) { return std::atan2(r.end.y() - r.held.y(), r.end.x() - r.held.x()); };
   for (const double speed : {0.1, 1.5}) {
@@ -261,8 +264,9 @@ TEST(FreeEnd, GoesItsWay) {
   EXPECT_NEAR(way(away), -M_PI / 2, 1e-3);
 }
 
-// What lies exactly on itself has no side: it falls apart by rounding alone, to lie in a heap in which
-// nothing is in anything, or is reported not to rest. No number that is none, and no end of trying.
+// A line that starts exactly on itself has no defined side of contact: round-off alone decides how it
+// separates. Statics finds an equilibrium without penetration, or reports that there is none. It neither
+// returns NaN nor iterates forever.
 TEST(FreeEnd, AStartOnItselfComesApartOrIsRefused) {
   if (!std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
   const model::Case c =
@@ -289,8 +293,8 @@ TEST(FreeEnd, AStartOnItselfComesApartOrIsRefused) {
   EXPECT_GT(least, 0.9 * c.line_type("chain").contact_diameter);
 }
 
-// A pile that is clamped in the bed with its direction up stands, shorter by its weight in water and air over
-// EA, and nothing is asked about its direction: by hand, EA u = integral of what is above.
+// A pile clamped in the bed with its direction upwards stands without a note about its direction. Its
+// shortening by its weight in water and air is EA u = integral of the weight above (by hand).
 TEST(FreeEnd, APileThatIsClampedUpwardsStands) {
   const model::Case c = io::read_case_text(R"(hawser: 1
 environment: {water: {depth: 30}}

@@ -1,5 +1,5 @@
-// Friction through the whole program: a block on an incline, a line dragged over a plane in any direction,
-// the mobilisation of a rope round a drum.
+// Friction in whole runs against closed forms: a block on an incline, a line dragged over a plane in any
+// direction, mobilisation of a rope round a drum.
 #include "verification/contact_rig.hpp"
 
 namespace hawser::test::friction_runs_test {
@@ -26,8 +26,8 @@ model::Case on_plane(model::ContactMethod method, double length, int elements,
   return c;
 }
 
-// The plane under a block tips to an angle in 10 s (quintic), then stands. How far does the block move on it
-// in the 10 s after that, along the slope?
+// The plane under a block tilts to an angle within 10 s (quintic) and then stands. Returns the displacement
+// of the block along the slope in the following 10 s.
 double slides_by(model::ContactMethod method, double mu, double angle, bool across) {
   model::Friction friction;
   friction.axial = friction.lateral = mu;
@@ -72,7 +72,7 @@ TEST(FrictionRuns, BlockOnAnIncline) {
       const double mu = 0.3, limit = std::atan(mu);
       const double below = slides_by(method, mu, 0.999 * limit, across),
                    above = slides_by(method, mu, 1.001 * limit, across);
-      // Free of friction's grip: g (sin a - mu cos a) t²/2.
+      // Sliding: g (sin a - mu cos a) t²/2.
       const double free = kGravity * (std::sin(1.001 * limit) - mu * std::cos(1.001 * limit)) * 100 / 2;
       std::printf(
           "incline, %s, block %s the slope: 0.1 %% below atan(mu) it moves by %.1e m, 0.1 %% above by %.4f m "
@@ -90,7 +90,7 @@ struct Dragged {
   double normal = 0;          // N
 };
 
-// Both ends go with a body at a constant speed; the middle is free.
+// Both ends move with a body at constant speed; the middle is free.
 Dragged drag(model::ContactMethod method, const model::Friction& friction, double direction) {
   model::Case c = on_plane(method, 4, 8, friction);
   const double sinkage = 50 * kGravity / 1e6, z = kRadius - sinkage;
@@ -148,7 +148,7 @@ TEST(FrictionRuns, EllipseIsTraced) {
         const Dragged g = drag(method, row.friction, a);
         const double x = g.force.x() / (mu_a * g.normal), y = g.force.y() / (mu_l * g.normal);
         worst = std::max(worst, std::abs(std::hypot(x, y) - 1));
-        // radial: the slip keeps the direction of sliding; associated: along the normal of the ellipse.
+        // radial: the force is along the direction of sliding; associated: along the normal of the ellipse.
         Vec3 e;
         switch (row.rule) {
           case 0:
@@ -236,7 +236,7 @@ TEST(FrictionRuns, CapstanMobilisation) {
     Dynamics& dyn = s.dynamics();
     dyn.start(s.state());
     const Vec3 end = s.state().x.back();
-    // Tension at the hook against how far the rope has come where it leaves the drum.
+    // Tension at the hook against the displacement of the rope where it leaves the drum.
     std::vector<std::pair<double, double>> path_of_run;
     dyn.run(
         11, [](double t) { return t + 100; },

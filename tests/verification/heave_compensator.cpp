@@ -1,6 +1,6 @@
-// A load on a heave compensator under a crane tip that heaves: the transmissibility of a single degree of
-// freedom, |z|/A = sqrt((k² + (c w)²)/((k - m w²)² + (c w)²)) (any textbook, for example Thomson and Dahleh
-// 1998, Theory of Vibration with Applications, section 3.5), and the stretch by which it hangs.
+// A load on a heave compensator under a crane tip that heaves: static stretch, and transmissibility of a
+// single degree of freedom, |z|/A = sqrt((k² + (c w)²)/((k - m w²)² + (c w)²)) (any textbook, for example
+// Thomson and Dahleh 1998, Theory of Vibration with Applications, section 3.5).
 #include <gtest/gtest.h>
 
 #include "verification/dynamics_rig.hpp"
@@ -13,7 +13,7 @@ constexpr double kAmplitude = 0.5;                                              
 
 enum class Spring { linear, precharged };
 
-// The precharged one carries the load where it is drawn: a straight table.
+// The precharged compensator carries the load at its initial length: a linear table.
 model::Case compensator(Spring spring, double period) {
   model::Case c;
   c.environment.gravity = kG;
@@ -73,7 +73,7 @@ TEST(HeaveCompensator, Transmissibility) {
       EXPECT_NEAR(stretch, hangs, 1e-7 * (1 + hangs));
       Dynamics& d = s.dynamics();
       d.start(s.state());
-      // Of the last four periods, what goes with the sine and the cosine.
+      // Sine and cosine components of the last four periods.
       double sine = 0, cosine = 0;
       integrate(d, end, end, [&](const StepInfo& i) {
         if (i.time < settled + 0.5 * c.dynamics.step) return;

@@ -1,4 +1,4 @@
-// A hose of 278.5 m between two points 200 m apart in a uniform current across, free and with a wall behind
+// A hose of 278.5 m between two points 200 m apart in a uniform lateral current, free, and with a wall behind
 // it.
 //
 // Reference: planar extensible elastica under cross-flow drag on a Winkler wall, solved by multiple shooting
@@ -15,14 +15,15 @@ constexpr double kLength = 278.5, kDiameter = 0.49843453365368695, kDensity = 10
 struct Found {
   double tension = 0, middle = 0, angle = 0;  // N at end A, m from the wall's plane, deg from the flow there
   double curvature = 0, force = 0;            // 1/m, N of the wall
-  double first = 0, last = 0;                 // m, arc lengths between which the line presses
+  double first = 0, last = 0;                 // m, arc lengths at the ends of the contact
 };
 
-// Wholly under water and neutral, so that it stays in the plane. stiffness [N/m²] of the wall; 0: none.
+// The hose is submerged and neutrally buoyant, so it stays in the plane. stiffness [N/m²] of the wall; 0: no
+// wall.
 Found hose(double EI, double EA, double stiffness, int elements, model::Relaxation relaxation) {
   model::LineType t = beam_type(EA, EI, EI, kDensity * M_PI / 4 * kDiameter * kDiameter);
   t.outer_diameter = kDiameter;
-  t.contact_diameter = 1e-6;  // the reference stops the centreline
+  t.contact_diameter = 1e-6;  // the reference has contact at the centreline
   t.Cd_normal = 1.2;
   t.Cd_axial = 0;
   model::Case c = one_line(t, kLength, elements, anchor({60, 0, -10}), anchor({60, 200, -10}));
@@ -89,7 +90,8 @@ TEST(HoseOnWall, FreeInTheCurrent) {
   }
 }
 
-// Without bending: the exact catenary of the constant tension a D0, a half of its sag's.
+// Without bending the hose is the exact catenary of constant tension a D0, D0 the drag per length in normal
+// flow.
 TEST(HoseOnWall, FreeWithoutBending) {
   const Found f = hose(100, 1e10, 0, 200, model::Relaxation::automatic);
   tell("free, EI 100", f);
@@ -118,7 +120,7 @@ TEST(HoseOnWall, AgainstTheWall) {
     }
 }
 
-// Without bending it comes to the wall in a catenary of the constant tension, tangential to it.
+// Without bending the hose reaches the wall tangentially in a catenary of constant tension.
 TEST(HoseOnWall, AgainstTheWallWithoutBending) {
   const Found f = hose(100, 1e10, 1e6, 600, model::Relaxation::automatic);
   tell("on the wall, EI 100", f);

@@ -1,5 +1,6 @@
-// A hose of 10 in dragged along the side of a real tanker's hull, under its stern and under its bow: KVLCC2
-// at 320 m, 130 000 triangles as they are found, with open and non-manifold edges.
+// A hose of 10 in is dragged along the side of a real tanker's hull, under its stern and under its bow,
+// without nodes inside the hull. KVLCC2 at 320 m, 130 000 triangles as published, with open and non-manifold
+// edges.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -14,8 +15,8 @@ namespace {
 
 constexpr double kRadius = 0.249;  // m, of the hose
 
-// Counts what contact asks of a surface and times every sixteenth question (a clock costs more than some
-// answers).
+// Counts the queries of contact to a surface and times every sixteenth (reading the clock costs more than
+// some queries).
 class CountedSurface final : public Surface {
   template <class Ask>
   auto timed(Ask&& ask) const {
@@ -33,7 +34,7 @@ class CountedSurface final : public Surface {
     return timed([&] { return s_->query(y, max_distance, hint); });
   }
   Box bounds() const override { return s_->bounds(); }
-  // Questions about walls count as well.
+  // Queries of facet groups count as well.
   void facet_groups(std::span<const Vec3> axis, double reach, FacetGroups& out) const override {
     timed([&] {
       s_->facet_groups(axis, reach, out);
@@ -48,7 +49,7 @@ class CountedSurface final : public Surface {
     return timed([&] { return s_->query_group(group, y, max_distance, either_side); });
   }
   long asked() const { return asked_; }
-  double microseconds() const {  // less what reading the clock takes
+  double microseconds() const {  // less the time of reading the clock
     double clock = 0;
     for (int i = 0; i < 1000; ++i) clock -= cpu_seconds() - cpu_seconds();
     return timed_ ? 1e6 * (seconds_ / static_cast<double>(timed_) - clock / 1000) : 0;
@@ -71,13 +72,13 @@ struct Drag {
 };
 
 struct Outcome {
-  double deepest = 0;     // m
+  double deepest = 0;     // m, penetration
   int most_touching = 0;  // elements
-  int nodes = 0;          // nodes looked at, at any output
-  int inside = 0;         // of which within the hull, by the reference
+  int nodes = 0;          // nodes compared, at all outputs
+  int inside = 0;         // of these within the hull, by the reference
 };
 
-// x points aft: the bulb begins at -170 m, the rudder ends at 163 m, the keel is at z = -20.8 m.
+// x points aft: the bulb begins at -170 m, the rudder ends at 163 m, and the keel is at z = -20.8 m.
 std::string case_of(const Drag& d, const std::string& hull) {
   return fmt::format(R"(hawser: 1
 title: A hose dragged along a hull, {}
@@ -115,7 +116,7 @@ Outcome drag(const Drag& d) {
   long steps = 0, iterations = 0;
   const long before = counted->asked();
   const double cpu = cpu_seconds();
-  std::vector<Vec3> places;  // of all nodes every half second
+  std::vector<Vec3> places;  // of all nodes, every half second
   dynamics.run(
       d.duration, [](double t) { return t + 1000; },
       [&](const StepInfo& i) {
@@ -159,15 +160,15 @@ void expect_outside(const Drag& d, int touching) {
   EXPECT_EQ(o.inside, 0);
 }
 
-// Pressed against the flat side by a load across, onto the bow's shoulder.
+// A lateral load presses the hose against the flat side and onto the bow's shoulder.
 TEST(HullDrag, AlongTheSide) {
   expect_outside(
       {"side", {"[-25, 31.5, -2]", "[25, 31.5, -2]"}, "loads: [{per_length: [0, -900, 0]}]", -60, 54, -2, 30},
       20);
 }
 
-// A sling about the parallel body whose buoyancy presses it against the bottom, dragged aft to where the hull
-// gets narrow and leaves it.
+// Buoyancy presses a sling against the bottom of the parallel body; it is dragged aft until it leaves the
+// narrowing hull.
 TEST(HullDrag, UnderTheStern) {
   expect_outside({"stern",
                   {"[0, -33, 5]", "[0, 33, 5]"},
@@ -181,7 +182,7 @@ TEST(HullDrag, UnderTheStern) {
                  5);
 }
 
-// Hangs ahead of the bow and is dragged onto the bulb and under it.
+// The hose hangs ahead of the bow and is dragged onto the bulb and under it.
 TEST(HullDrag, UnderTheBow) {
   expect_outside({"bow", {"[0, -32, 8]", "[0, 32, 8]"}, "", -178, 84, 2, 20}, 5);
 }

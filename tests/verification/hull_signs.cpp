@@ -1,4 +1,5 @@
-// Zero wrong answers of inside or outside on real hulls: a sample of hull_signs.full.cpp's.
+// Points are correctly classified as inside or outside real hulls: a sample of the points of
+// hull_signs.full.cpp.
 #include "verification/hull_signs.hpp"
 
 namespace hawser::hull_signs_test {
@@ -13,8 +14,8 @@ TEST(HullSigns, Kvlcc2IsReportedAsInconsistent) {
   if (path.empty()) GTEST_SKIP() << "the hull meshes are not beside the sources";
   const io::LoadedMesh hull = io::read_mesh(path, 58);
   EXPECT_TRUE(hull.open);
-  // The data's README: 86 open edges, 210 non-manifold edges; 24 degenerate triangles, more in single
-  // precision. Of the open edges 32 are cracks of 1.7 mm and less.
+  // README of the data: 86 open edges, 210 non-manifold edges; 24 degenerate triangles, more in single
+  // precision. 32 of the open edges are cracks of 1.7 mm or less.
   ASSERT_EQ(hull.notes.size(), 3U);
   EXPECT_NE(hull.notes[0].find("were merged; 54 edges are still open"), std::string::npos) << hull.notes[0];
   for (const char* fault : {"54 open edges", "210 edges of more than two", "triangles of no area"})

@@ -1,4 +1,5 @@
-// Inside and outside of real hulls, against every triangle.
+// Compares the classification of points as inside or outside real hulls with the winding number of all
+// triangles.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,8 +17,8 @@ struct Signs {
   double microseconds = 0;                           // a query
 };
 
-// A hundred points on each of some lines through the box or through the surface, half of those near the
-// surface.
+// A hundred points on each of some lines through the box or through the surface; half of the latter points
+// are near the surface.
 inline Signs compare_signs(const TriangleMesh& mesh, const MeshSurface& surface, int lines) {
   const auto boundary = boundary_of(mesh);
   std::mt19937 gen(1);

@@ -1,5 +1,5 @@
-// A hose dragged over the stern of KVLCC2 and into the slit between rudder and hull, so that both walls of
-// the slit bear it: as parts of one volume and as volumes of their own.
+// A hose dragged over the stern of KVLCC2 into the slit between rudder and hull presses on both walls, as
+// parts of one volume and as separate volumes; both models agree in the contact impulse.
 #include <fstream>
 
 #include "hawser/io/case_reader.hpp"
@@ -34,8 +34,8 @@ constexpr char kOne[] = "  ship: {mesh: kvlcc2.obj, scale: 58, friction: 0.2}";
 
 struct Drag {
   int steps = 0;
-  double both = 0, deep = 0;   // s, in which it presses on both sides near the middle; m
-  std::vector<double> weight;  // N, on hull and rudder at each whole second (as one volume: all)
+  double both = 0, deep = 0;   // s with contact on both sides near the middle; m, penetration
+  std::vector<double> weight;  // N, on hull and rudder at each whole second
 };
 
 void drag(const std::string& folder, const std::string& volumes, Drag& r) {
@@ -54,7 +54,7 @@ void drag(const std::string& folder, const std::string& volumes, Drag& r) {
   d.run(
       36, [](double t) { return t + 1000; },
       [&](const StepInfo& i) {
-        // Walls that press from both sides: their forces are larger than what is left of them together.
+        // Contact on both walls: the sum of the forces' sizes exceeds the size of their resultant.
         const auto &f = force.at(d.kinematics()), &n = normal.at(d.kinematics());
         Vec3 left = Vec3::Zero();
         double sizes = 0;
@@ -90,7 +90,7 @@ TEST(HullSlit, BothWallsBearTheHose) {
     EXPECT_LT(r.deep, 0.15 * 0.249);
   }
   ASSERT_EQ(one.weight.size(), two.weight.size());
-  // Steps are not the same, so neither is what happens from one to the next.
+  // The steps of both runs differ, so forces are compared as sums over the run.
   double first = 0, second = 0;
   for (const double w : one.weight) first += w;
   for (const double w : two.weight) second += w;

@@ -1,5 +1,5 @@
-// Bodies whose hulls displace water against closed forms: periods, draught and heel, Froude-Krylov force of a
-// box, energy in waves, a spar of members; on one and two ranks.
+// Bodies with hulls in water against closed forms: periods, draught and heel, Froude-Krylov force of a box, a
+// spar with members; energy in waves, restart. On one and two ranks.
 #include "hawser/terms/hulls.hpp"
 
 #include <fmt/format.h>
@@ -47,7 +47,7 @@ Simulation simulation(model::Case c) {
 
 constexpr double kMass = kRho * 20 * 8 * 2.5;  // draught 2.5 m
 
-// Without added mass: heave by the waterplane, roll by I/(rho g (I_x + V (z_B - z_G))).
+// Periods without added mass: heave by the waterplane, roll by I/(rho g (I_x + V (z_B - z_G))).
 TEST(Hulls, HeaveAndRollOfABox) {
   const double inertia = 4e6;
   const auto found = [&](const std::string& start, int axis, double T) {
@@ -68,8 +68,8 @@ TEST(Hulls, HeaveAndRollOfABox) {
   EXPECT_NEAR(found("angular_velocity: [0.005, 0, 0]", 3, roll), roll, 1e-3 * roll);
 }
 
-// Heave and roll together, in still water where nothing else makes steps short: automatic steps are a
-// sixtieth of the shorter period, and five periods with them end where steps of a thousandth of a period end.
+// Heave and roll in still water, where nothing else shortens the steps: automatic steps are a sixtieth of the
+// shorter period, and the motion after 16 s is that with steps of 4 ms.
 TEST(Hulls, AutomaticStepsFollowThePeriodsOfAHull) {
   const double duration = 16;
   const auto read_afloat = [&](const std::string& step) {
@@ -106,7 +106,7 @@ TEST(Hulls, AutomaticStepsFollowThePeriodsOfAHull) {
   EXPECT_NEAR(automatic.x(), fine.x(), 0.03 * 0.045);
 }
 
-// A box whose bottom is missing, and one that is heavier than all the water it can displace.
+// Errors: a box without bottom, and a box heavier than the water it can displace.
 TEST(Hulls, WhatDoesNotFloatIsRefused) {
   const auto message = [](double mass, const std::string& volume) {
     model::Case c = read(barge(fmt::format("floating: {{mass: {}, inertia: [4e6, 2e7, 2e7], hull: {{volumes: "
@@ -138,8 +138,9 @@ TEST(Hulls, WhatDoesNotFloatIsRefused) {
             std::string::npos);
 }
 
-// Of a wall-sided ship with the centre of mass off its middle (Barrass and Derrett, Ship Stability):
-//   tan(heel) (GM + BM/2 tan²(heel)) = y_G; its displaced volume stays.
+// Heel of a wall-sided ship with an eccentric centre of mass (Barrass and Derrett, Ship Stability), at
+// constant displaced volume:
+//   tan(heel) (GM + BM/2 tan²(heel)) = y_G
 TEST(Hulls, HeelOfABoxAtRest) {
   const double off = 0.2;
   const model::Case c = read(
@@ -159,10 +160,10 @@ TEST(Hulls, HeelOfABoxAtRest) {
   printf("box at rest: heel %.8f rad, by the formula of wall-sided ships %.8f rad\n", heel,
          std::atan(tangent));
   EXPECT_NEAR(std::abs(heel), std::atan(tangent), 1e-6);
-  EXPECT_LT(heel, -0.1);  // the side of its mass goes down
+  EXPECT_LT(heel, -0.1);  // towards the side of the centre of mass
 }
 
-// Froude-Krylov force of linear waves of 0.1 m on a box of L x B, draught T, that stays where it is:
+// Froude-Krylov force of linear waves of 0.1 m on a fixed box of L x B, draught T:
 //   across rho g a B (1 - exp(-k T))/k 2 sin(k L/2), upwards rho g a exp(-k T) B (2/k) sin(k L/2)
 TEST(Hulls, FroudeKrylovForceOfABox) {
   const double period = 6;
@@ -202,7 +203,7 @@ TEST(Hulls, FroudeKrylovForceOfABox) {
   EXPECT_LT(std::abs(cosine.y()) + std::abs(sine.y()), 1e-3 * up);
 }
 
-// A floating cylinder with the added mass of a member, on a spring that lets it surge only:
+// A floating cylinder with the added mass of a member, on a spring for surge only:
 // T = 2 pi sqrt((m + rho Ca pi D²/4 T)/k).
 TEST(Hulls, SurgeOfASparWithMembers) {
   const double mass = kRho * M_PI * 9 * 40;
@@ -234,7 +235,7 @@ dynamics: {{duration: {}, step: {}, rho_infinity: 1}}
   EXPECT_NEAR(found, T, 2e-3 * T);
 }
 
-// A barge of members and hull on two lines in waves of several periods.
+// A barge with members and hull, moored by two lines, in waves of several periods.
 std::string moored() {
   return barge(
       fmt::format(
@@ -254,7 +255,7 @@ output: {every: 1, histories: [{body: barge}]}
 )");
 }
 
-// Over 20 s the balance of energy closes, on one rank and on two alike.
+// The energy balance closes within 1 % over 20 s.
 TEST(Hulls, EnergyInWaves) {
   const model::Case c = read(moored());
   Simulation s = simulation(c);
@@ -279,7 +280,7 @@ TEST(Hulls, EnergyInWaves) {
   EXPECT_GT(moved, 1e5);
 }
 
-// 1 and 2 ranks, and a run that goes on from a checkpoint in the middle, are one motion.
+// A restart from a checkpoint in the middle of the run continues the same motion, on 1 and 2 ranks.
 TEST(Hulls, GoesOnAfterARestart) {
   const std::string base = runs::folder("hulls") + "/";
   const std::string input = base + "case.yaml";

@@ -1,5 +1,5 @@
-// Lines pinned to each other at joints: the delta line of MAP++'s test, a beam and cables, the same on any
-// number of ranks at rest and in motion.
+// Lines pinned to each other at joints: the delta line of MAP++'s test, and a beam with cables; the same at
+// rest and in motion on any number of ranks.
 #include "support/rig.hpp"
 
 namespace hawser::test::joints {
@@ -13,7 +13,7 @@ model::End at_joint(const model::Case& c) {
   return e;
 }
 
-// N, that holds an end of a line (this rank's share, to be summed).
+// Force [N] of the support on an end of a line (the share of this rank, to be summed).
 Vec3 reaction(Simulation& sim, size_t line, bool last) {
   const LineSpan& span = sim.mesh().lines[line];
   const int n = sim.local().find(span.first_node + (last ? span.nodes - 1 : 0));
@@ -93,7 +93,7 @@ TEST(Joints, DeltaLineOfMap) {
   EXPECT_NEAR(std::abs(A.x()), 1501931.2036, 1e-3 * 1501931);
   EXPECT_NEAR(std::abs(A.z()), 491199.8739, 1e-3 * 491200);
   EXPECT_NEAR(B.head<2>().norm(), 759963.1168, 1e-3 * 759963);
-  // What the leg pulls the joint with upright, carried by both bridles less their own buoyancy.
+  // Vertical force of the leg on the joint; both bridles carry it less their own buoyancy.
   const double lift = (1025 * M_PI / 4 * 0.285 * 0.285 - 3.8) * 9.81 * 30;
   EXPECT_NEAR(std::abs(B.z() + C.z()), 400068.769 - 2 * lift, 1e-3 * 400069);
   EXPECT_LT(report.iterations, 60);
@@ -123,8 +123,8 @@ TEST(Joints, TheSameOnAnyNumberOfRanksInMotion) {
   printf("  %.1e m apart after 4 s\n", off);
 }
 
-// A pipe on two slings, its other end in a third: what the anchors hold is the whole weight, and the pipe's
-// end turns.
+// A pipe hangs in two slings at one end and a third support at the other: the anchors carry the whole weight,
+// and the end of the pipe can rotate.
 TEST(Joints, APipeInSlings) {
   model::Case c;
   c.environment.gravity = 9.80665;

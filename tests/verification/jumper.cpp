@@ -1,5 +1,5 @@
-// A flexible jumper, hung between a point 55 m deep and a vessel, its top moved by 10 m in 27 s or waves
-// passing: Low & Langley (2006), Proc. OMAE, "Dynamic analysis of a flexible hanging riser in the time and
+// A flexible jumper between a point 55 m deep and a vessel, at rest, with its top moved by 10 m in 27 s, and
+// in waves: Low & Langley (2006), Proc. OMAE, "Dynamic analysis of a flexible hanging riser in the time and
 // frequency domain"; pinned ends, no axial drag.
 #include "support/rig.hpp"
 
@@ -47,7 +47,7 @@ struct History {
   double least = 1e99, most = 0, bottom_least = 1e99, bottom_most = 0;
 };
 
-// Steps of 0.1 s; what is from `from` on counts.
+// Steps of 0.1 s; the history begins at `from`.
 History run(model::Case c, double from, double until) {
   c.dynamics.enabled = true;
   c.dynamics.duration = until;
@@ -77,7 +77,7 @@ History run(model::Case c, double from, double until) {
 // s from the reference's start, kN.
 using Curve = std::vector<std::pair<double, double>>;
 
-// Root mean square difference, kN. Every point of the curve lies in the history, or the test fails.
+// Root mean square difference, kN. Fails if a point of the curve is outside the history.
 double from_curve(const Curve& curve, const History& h, double start) {
   double sum = 0;
   for (const auto& [t, kN] : curve) {
@@ -93,8 +93,8 @@ double from_curve(const Curve& curve, const History& h, double start) {
   return std::sqrt(sum / static_cast<double>(curve.size()));
 }
 
-// Low & Langley's curves at intervals, digitised by MoorDyn's authors (MoorDyn 2, tests/Mooring/
-// lowe_and_langley_2006); of those with none at hand, and beside them, our own spectral elements of order 10.
+// Low & Langley's curves at intervals, digitised by MoorDyn's authors (MoorDyn 2,
+// tests/Mooring/lowe_and_langley_2006), and curves of own spectral elements of order 10.
 const Curve kPublished1 = {{0, 49.728},  {5, 41.645},  {10, 44.447}, {15, 46.701}, {20, 48.375},
                            {25, 52.143}, {30, 44.221}, {35, 42.547}, {40, 47.023}, {45, 46.636},
                            {50, 51.724}, {55, 48.214}, {60, 41.581}, {65, 45.670}, {75, 49.535}};
@@ -117,7 +117,7 @@ const Curve kSpectral3 = {{0, 56.028791},  {6.5, 43.308609},  {13, 38.210697}, {
                           {52, 57.759454}, {58.5, 46.560536}, {65, 37.227579}, {71.5, 50.908102},
                           {78, 57.42682}};
 
-// Planar elastica, multiple shooting to 1e-10: ends' forces and angles, the lowest point, the largest
+// Planar elastica by multiple shooting to 1e-10: forces and angles of the ends, the lowest point, the largest
 // curvature.
 TEST(Jumper, AtRest) {
   for (const int elements : {kElements, 2 * kElements}) {
@@ -162,8 +162,8 @@ TEST(Jumper, AtRest) {
   }
 }
 
-// Extremes of the published curves over all of the 80 s shown, and the curves. No published curve is at hand
-// for case 2: the spectral elements', themselves 0.15 kN (rms) off it.
+// Extremes of the published curves over the 80 s shown, and the curves. For case 2 there is no published
+// curve; the spectral elements replace it, whose root mean square difference from it is 0.15 kN.
 TEST(Jumper, TopMoves) {
   struct Row {
     const char* name;
@@ -191,8 +191,8 @@ TEST(Jumper, TopMoves) {
   }
 }
 
-// Amplitude 5 m, 10 s, along x. The paper's linear waves are not stretched; Wheeler's stretching, the default
-// of a case, gives 1.2 kN less at both ends of the range.
+// Amplitude 5 m, 10 s, along x, without stretching as in the paper. Wheeler's stretching, the default of a
+// case, gives extremes 1.2 kN lower.
 TEST(Jumper, WavesPass) {
   model::Case c = jumper();
   auto& w = c.environment.water.waves;
@@ -209,7 +209,8 @@ TEST(Jumper, WavesPass) {
   EXPECT_LT(published, 0.5);
 }
 
-// The surface far above: spectral elements, two meshes of which differ by 5 N; the last period of 60 s.
+// The surface is far above the jumper. Reference: spectral elements, two meshes of which differ by 5 N; last
+// period of 60 s.
 TEST(Jumper, Submerged) {
   struct Row {
     double amplitude, period, least, most, mean, bottom_least, bottom_most;
@@ -221,7 +222,7 @@ TEST(Jumper, Submerged) {
     c.environment.water.depth = 300;
     move(c, 2, row.amplitude, row.period);
     const History h = run(c, 60 - row.period, 60);
-    double mean = 0;  // from one end of the period on, without the other
+    double mean = 0;  // trapezoidal mean over the period
     for (size_t i = 1; i < h.top.size(); ++i) mean += h.top[i] / static_cast<double>(h.top.size() - 1);
     const double error[] = {h.least / row.least, h.most / row.most, mean / row.mean,
                             h.bottom_least / row.bottom_least, h.bottom_most / row.bottom_most};

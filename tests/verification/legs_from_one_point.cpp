@@ -1,4 +1,4 @@
-// Lines that part at a small angle from one point: near it round lines overlap, which is no contact.
+// Lines from one point at a small angle: near the point their round sections overlap, which is not contact.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ std::vector<Vec3> at_rest(const std::string& text) {
   return sim.state().x;
 }
 
-// As they hang without any contact of lines.
+// The shape at rest is that without contact between lines.
 TEST(LegsFromOnePoint, AreNotPriedApart) {
   for (const double degrees : {40.0, 20.0, 6.0})
     for (const double slack : {0.001, 0.03}) {
@@ -43,7 +43,7 @@ TEST(LegsFromOnePoint, AreNotPriedApart) {
     }
 }
 
-// A cut to come changes nothing before: the line is in two parts, whose ends at the cut are nowhere yet.
+// A cut event in the future does not change statics: the line has two parts, whose new ends do not exist yet.
 TEST(LegsFromOnePoint, NorWhereOneIsCutLater) {
   const char* cut = "dynamics: {duration: 2}\nevents: [{cut: {line: p, at: 25.025}, time: 1.9}]\n";
   const std::vector<Vec3> whole = at_rest(legs(6, 0.001, "")), parts = at_rest(legs(6, 0.001, cut));

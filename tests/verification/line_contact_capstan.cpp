@@ -1,5 +1,5 @@
-// C01 with contact along the line, on a smooth drum with elements of an eighth of the radius (see
-// capstan_rig.hpp).
+// Case C01 with contact along the line, on a smooth drum with elements of an eighth of the radius (see
+// capstan_rig.hpp): ratio of the end tensions.
 #include "verification/capstan_rig.hpp"
 
 namespace hawser::test::capstan::line_contact_capstan_test {
@@ -11,7 +11,8 @@ void expect_exact(const Pull& p) {
   const double exact = std::exp(p.mu * p.wrap);
   EXPECT_NEAR(o.ratio.mean(), exact, 0.005 * exact);
   EXPECT_LT(o.ratio.rms(), 0.005 * exact);
-  // Two turns raise the stiffness of the contact 43 times, and what that brings in is booked step by step.
+  // With two turns the program raises the contact stiffness 43 times; the energy of this is added in every
+  // step.
   EXPECT_LT(std::abs(o.audit), p.wrap > 7 ? 5e-4 : 1e-4);
   EXPECT_GE(o.touching, 6.5 * p.wrap);
 }

@@ -1,6 +1,6 @@
-// The capstan with what a rope has besides tension, contact along the line: bending stiffness (C01), friction
-// that is mobilised (C02), weight (C11); and wound twice, side by side. Half a turn over the top of a smooth
-// drum about y, legs down; a dead load at one end, the other end drawn down.
+// Capstans with contact along the line and more than tension: bending stiffness (C01), mobilised friction
+// (C02), weight (C11), and two turns side by side. Half a turn over the top of a smooth drum about y with
+// vertical legs; a dead load at one end, the other end is drawn down.
 #include <cstdlib>
 
 #include "verification/contact_rig.hpp"
@@ -13,8 +13,8 @@ constexpr double kRho = 1, kLine = 0.01;  // m: radius of the axis on the drum, 
 struct Rope {
   double mu = 0.3, EA = 1e7, EI = 1, weight = 0, load = 1000;  // -, N, N m², N/m, N
   double wrap = M_PI, pitch = 0, leg = 1.5;                    // rad, m a turn, m
-  double beside = 0;                                  // m: the drawn end is farther out than the drum
-  double way = 0.15, speed = 0.05, mobilisation = 0;  // m, m/s, m
+  double beside = 0;                                           // m, outward offset of the drawn end
+  double way = 0.15, speed = 0.05, mobilisation = 0;           // m, m/s, m
   double stretch = 0;
   double stiffness = 0;     // N/m²; 0: automatic
   bool drum_turns = false;  // under a line whose end is held
@@ -43,7 +43,7 @@ Drawn draw(const Rope& r, std::shared_ptr<const Surface> drum_surface = nullptr)
   model::Line& line = c.lines[0];
   line.start = model::Start::points;
   line.points = path;
-  // What the leg weighs belongs to the load at the drum.
+  // The weight of the leg is a part of the load at the drum.
   line.point_loads.push_back({0, -(r.load - r.weight * r.leg) * along_circle(0)});
   model::Body hook;
   hook.name = "hook";
@@ -52,7 +52,7 @@ Drawn draw(const Rope& r, std::shared_ptr<const Surface> drum_surface = nullptr)
   model::Body axle;
   axle.name = "axle";
   axle.ramp = 1;
-  if (r.drum_turns)  // about +y its surface runs from the hook to the load
+  if (r.drum_turns)  // about +y its surface moves from the hook to the load
     axle.motion = model::ConstantMotion{Vec3::Zero(), Vec3::UnitY(), r.speed / kRho};
   else
     hook.motion = model::ConstantMotion{r.speed * along_circle(r.wrap), Vec3::UnitZ(), 0};
@@ -88,7 +88,7 @@ Drawn draw(const Rope& r, std::shared_ptr<const Surface> drum_surface = nullptr)
       [&](const StepInfo& i) {
         const double* f = d.reactions().data() + 3 * s.local().block.back();
         const double slid = (d.kinematics().x[begin] - x0).norm();
-        // Line that has gone over the drum weighs on the other side.
+        // The weight of the line that has passed over the drum is subtracted.
         const double pull =
             Vec3(f[0], f[1], f[2]).norm() + r.weight * (r.leg + slid + slid * std::exp(r.mu * r.wrap));
         out.reaction.push_back(pull);
@@ -102,7 +102,7 @@ Drawn draw(const Rope& r, std::shared_ptr<const Surface> drum_surface = nullptr)
   return out;
 }
 
-// Rows between others, and dear ones, are for HAWSER_FULL.
+// Intermediate and expensive rows run with HAWSER_FULL only.
 bool whole() { return std::getenv("HAWSER_FULL") != nullptr; }
 
 void expect_ratio(const char* what, double parameter, const Drawn& d, double exact, double tolerance) {
@@ -114,8 +114,8 @@ void expect_ratio(const char* what, double parameter, const Drawn& d, double exa
   EXPECT_LT(std::abs(d.audit), 1e-3) << what << parameter;
 }
 
-// C01: the line lifts off where 1 - cos a = B/(2 T), B = EI/rho²; there it presses with a single force T sin
-// a, whose friction counts, and its legs become straight EI/(2 T rho) beside the drum.
+// C01: the line lifts off where 1 - cos a = B/(2 T), B = EI/rho². There it presses with a point force T sin
+// a, which also has friction, and its legs are straight at EI/(2 T rho) beside the drum.
 TEST(LineCapstanVariants, BendingStiffness) {
   for (const auto& [mu, wrap, B, exact] : {std::tuple(0.3, M_PI, 1e-4, 2.566247378),
                                            {0.3, M_PI, 0.02, 2.550233535},
@@ -149,7 +149,7 @@ TEST(LineCapstanVariants, HeavyRope) {
   }
 }
 
-// Wound twice, turn beside turn.
+// Two turns side by side.
 TEST(LineCapstanVariants, TwoTurnsSideBySide) {
   if (!whole()) GTEST_SKIP() << "long; set HAWSER_FULL";
   for (const double mu : {0.1, 0.3, 0.5}) {
@@ -159,14 +159,14 @@ TEST(LineCapstanVariants, TwoTurnsSideBySide) {
     r.pitch = 2.5 * kLine;
     r.EA = 1e8;
     r.way = 0.3;
-    // A helix bends a little less than a circle.
+    // A helix has less curvature than a circle.
     const double exact = std::exp(mu * r.wrap / std::hypot(1, r.pitch / (2 * M_PI * kRho)));
     expect_ratio("two turns, mu", mu, draw(r), exact, 0.005);
   }
 }
 
-// A mesh of 24 facets that are curved again, on the vertices' radius; flat, they scatter. Drawn over it, and
-// while it turns under the line by more than a facet.
+// A mesh of 24 facets with smoothing, which restores the curvature, or flat. The line is drawn over the fixed
+// drum, or the drum rotates under it by more than a facet.
 std::shared_ptr<const Surface> facets(bool smooth) {
   TriangleMesh mesh = test::drum_mesh(24, kRho - kLine, 4, 4);
   for (Vec3& v : mesh.vertices) v = Vec3(v.y(), v.z(), v.x());
@@ -174,7 +174,7 @@ std::shared_ptr<const Surface> facets(bool smooth) {
                                        MeshSurfaceOptions{smooth, 40 * M_PI / 180});
 }
 
-// A quarter turn to two turns, side by side where there is more than one.
+// A quarter turn to two turns; turns lie side by side.
 TEST(LineCapstanVariants, TwentyFourFacets) {
   for (const double wrap : {M_PI / 2, M_PI, 2 * M_PI, 4 * M_PI})
     for (const double mu : {0.1, 0.3, 0.5}) {
@@ -197,7 +197,7 @@ TEST(LineCapstanVariants, TwentyFourFacets) {
     }
 }
 
-// What smoothing spares: nothing is asked of flat facets.
+// Flat facets for comparison: only the mean ratio is checked, within 2 %.
 TEST(LineCapstanVariants, TwentyFourFlatFacets) {
   for (const double mu : {0.1, 0.3, 0.5}) {
     if (mu != 0.3 && !whole()) continue;
@@ -234,8 +234,8 @@ TEST(LineCapstanVariants, DrumTurns) {
   }
 }
 
-// C02: dT/ds = mu T/R min(u/d, 1), du/ds = (T - T1)/EA, u the slip. As published with EA = 1e5 N and d = 2
-// mm; here both displacements are a tenth, so that the wrap stays where it was.
+// C02: dT/ds = mu T/R min(u/d, 1), du/ds = (T - T1)/EA, u the slip. Published with EA = 1e5 N and d = 2 mm;
+// here displacements are a tenth of those, so that the wrap angle stays constant.
 TEST(LineCapstanVariants, Mobilisation) {
   Rope r;
   r.EA = 1e6;

@@ -1,11 +1,11 @@
-// A pipe laid into a groove of two walls, each a volume of its own; facet groups of one mesh are the subject
-// of contact_corner.
+// A pipe rests in a groove of two walls, each a volume of its own. (contact_corner tests facet groups of one
+// mesh.)
 #include "verification/contact_rig.hpp"
 
 namespace hawser::test::line_contact_facet_groups_test {
 namespace {
 
-// Let go a little aside of the bottom it settles there: each wall bears w L / (2 cos a).
+// The pipe is released beside the bottom and comes to rest there: each wall carries w L / (2 cos a).
 TEST(LineContactFacetGroups, BothBear) {
   constexpr double kLength = 10, kMass = 100, kRadius = 0.15;
   for (const double angle : {0.3, 0.8, 1.3}) {  // of the walls' normals to the vertical
@@ -13,7 +13,7 @@ TEST(LineContactFacetGroups, BothBear) {
     type.outer_diameter = type.contact_diameter = 2 * kRadius;
     model::Case c = one_line(type, kLength, 5, {}, {});
     c.environment.gravity = 10;
-    // Its axis is in touch with both at kRadius / cos(angle) above the bottom.
+    // The axis touches both walls at kRadius / cos(angle) above the bottom.
     const double z = kRadius / std::cos(angle) + 0.002;
     c.lines[0].start = model::Start::points;
     c.lines[0].points = {{0, 0.002, z}, {kLength, 0.002, z}};

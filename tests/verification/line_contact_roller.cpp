@@ -1,5 +1,6 @@
-// A heavy tensioned pipe of 40 m lies on a roller of radius 0.25 m that is moved along under it: the reaction
-// is a smooth function of the roller's place, whatever the elements. With contact at the nodes it is not.
+// A heavy tensioned pipe of 40 m lies on a roller of radius 0.25 m that moves along under it. With contact
+// along the line the reaction is a smooth function of the roller's position for any element length; with
+// contact at the nodes it is not.
 #include "hawser/io/case_reader.hpp"
 #include "hawser/run/volumes.hpp"
 #include "verification/contact_rig.hpp"
@@ -12,13 +13,13 @@ constexpr double kSpan = 40, kRoller = 0.25, kPipe = 0.16;  // m
 
 struct Ridden {
   double mean = 0, least = 1e300, most = -1e300;  // N
-  double ripple = 0;                              // rms about a polynomial, of the mean
-  double worst = 0;                               // largest distance from it, of the mean
+  double ripple = 0;                              // rms deviation from a polynomial, over the mean
+  double worst = 0;                               // largest deviation from it, over the mean
   double iterations = 0;
   int most_iterations = 0, failed = 0, lost = 0;  // positions without contact
 };
 
-// Least squares by a polynomial of the seventh degree, in Legendre's form.
+// Least squares by a polynomial of degree seven, in Legendre's basis.
 std::vector<double> smooth(const std::vector<double>& y) {
   using Row = Eigen::Matrix<double, 8, 1>;
   const auto row = [&](size_t i) {
@@ -41,7 +42,7 @@ std::vector<double> smooth(const std::vector<double>& y) {
   return f;
 }
 
-// The roller goes 4.2 m in steps of 5 cm, past the middle; equilibrium at each place.
+// The roller moves 4.2 m in steps of 5 cm, past the middle; equilibrium at each position.
 Ridden ride(double element, model::ContactMethod method) {
   model::LineType type = beam_type(1e8, 3.1e7, 3.1e7, 180);
   type.outer_diameter = type.contact_diameter = 2 * kPipe;
@@ -50,8 +51,8 @@ Ridden ride(double element, model::ContactMethod method) {
   c.environment.gravity = 9.81;
   c.contact.method = method;
   c.lines[0].start = model::Start::straight;
-  // Without the roller it sags by 1.02 m in the middle. In the first two seconds the roller rises from
-  // below and lifts it by 0.35 m, then it goes along at 1 m/s.
+  // Without the roller the sag is 1.02 m. In the first two seconds the roller rises and lifts the pipe by
+  // 0.35 m; then it moves along at 1 m/s.
   model::Body carriage;
   carriage.name = "carriage";
   carriage.position = Vec3(kSpan / 2 - 3.1, 0, -0.67 - kRoller - kPipe);
@@ -77,7 +78,7 @@ Ridden ride(double element, model::ContactMethod method) {
     const State last = s.state();
     s.state().time = time;
     try {
-      return newton(s.system(), s.state(), 1e-8) - 1;  // it improves what has passed once more
+      return newton(s.system(), s.state(), 1e-8) - 1;  // newton() adds one more iteration
     } catch (const std::runtime_error&) {
       s.state() = last;
       s.state().time = time;
@@ -132,7 +133,7 @@ TEST_P(Roller, ReactionIsSmooth) {
   EXPECT_LE(r.most_iterations, 5);
   EXPECT_EQ(r.lost, 0);
 }
-// Why the nodes method is not enough: the same roller.
+// The same roller with contact at the nodes: the reaction varies by more than 10 kN.
 TEST_P(Roller, NodesMissIt) {
   const Ridden r = ride(GetParam(), model::ContactMethod::nodes);
   tell("nodes", GetParam(), r);
@@ -142,11 +143,11 @@ INSTANTIATE_TEST_SUITE_P(Elements, Roller, ::testing::Values(4.0, 2.0, 1.0, 0.5)
   return "mm" + std::to_string(static_cast<int>(1000 * e.param));
 });
 
-// The pipe of cases/roller, drawn over it with friction: in an automatic step a third of what touches comes
-// on and as much leaves, and friction's work is still accounted for.
+// The pipe of cases/roller, drawn over the roller with friction. In an automatic step a third of the contact
+// comes on and as much leaves; the energy balance with the work of friction closes within 1e-4.
 TEST(LineRoller, EnergyCloses) {
   model::Case c = io::read_case(HAWSER_SOURCE_DIR "/cases/roller/roller.yaml");
-  c.dynamics.max_step = 0.06;  // by default a quarter of a second, with 0.03 % not accounted for
+  c.dynamics.max_step = 0.06;  // by default 0.25 s, with an energy error of 0.03 %
   Simulation s(PETSC_COMM_WORLD, c, run::surfaces(run::load_volumes(c)));
   s.solve_statics();
   Dynamics& d = s.dynamics();

@@ -1,4 +1,5 @@
-// Friction at the line's surface: a pipe that is pushed across a plane rolls.
+// Friction at the line's surface: a pipe that is pushed across a plane rolls. Closed forms of a solid
+// cylinder.
 #include "verification/contact_rig.hpp"
 
 namespace hawser::test::line_contact_rolling_test {
@@ -73,12 +74,12 @@ TEST(LineRolling, RollsWithoutSliding) {
   const Pushed p = push(100, true);
   tell("rolls", p, 0.5 * 100 / 75.0);
   EXPECT_NEAR(p.way, 0.5 * 100 / 75.0, 2e-3 * 0.667);
-  EXPECT_NEAR(-0.1 * p.turn, p.way, 2e-3);  // but for the elastic slip
+  EXPECT_NEAR(-0.1 * p.turn, p.way, 2e-3);  // except for the elastic slip
   EXPECT_LT(p.friction, 0.01 * p.brought);
   EXPECT_LT(std::abs(p.audit), 1e-3);
 }
 
-// Beyond that it slides as well: a = f/m - mu g, and mu m g r turns it.
+// Above that the cylinder also slides: a = f/m - mu g, with the moment mu m g r.
 TEST(LineRolling, RollsAndSlides) {
   const Pushed p = push(600, true);
   const double way = 0.5 * (600 / 50.0 - 0.3 * 9.81), turned = 0.5 * 0.3 * 9.81 * 2;
@@ -89,7 +90,7 @@ TEST(LineRolling, RollsAndSlides) {
   EXPECT_LT(std::abs(p.audit), 1e-3);
 }
 
-// With friction at the axis it is held, or slides and does not turn.
+// With friction at the axis the pipe stands still, or slides without rotation.
 TEST(LineRolling, WithoutIt) {
   const Pushed held = push(100, false), slides = push(600, false);
   tell("held", held, 0);

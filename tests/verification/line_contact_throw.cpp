@@ -1,6 +1,5 @@
-// A pipe of 60 m (12 in) is thrown at 1.5 m/s on a point support under its middle and leaps off again: the
-// reaction does not depend on the step, and contact makes no energy. Contact along the line, a thin bar
-// across as the support.
+// A pipe of 60 m (12 in) is thrown at 1.5 m/s on a thin bar across below its middle and rebounds. With
+// contact along the line the peak reaction does not depend on the step, and contact does not generate energy.
 #include "verification/contact_rig.hpp"
 
 namespace hawser::test::line_contact_throw_test {
@@ -12,13 +11,13 @@ constexpr double kSpeed = 1.5, kGap = 0.05, kBar = 0.05;  // m/s, m, m (radius)
 
 struct Thrown {
   double most = 0, impulse = 0, depth = 0;  // N, N s, m: largest reaction, over the first second
-  double made = 0;                          // largest growth of all energies over what there was at the start
+  double made = 0;  // largest increase of the total energy, over the initial kinetic energy
   double audit = 0;
   int steps = 0;
   double iterations = 0;
 };
 
-// step 0: automatic, at most `longest` (0: as the program likes).
+// step 0: automatic steps of at most `longest` (0: no limit).
 Thrown throw_pipe(double stiffness, double step, double longest = 0, bool resolve = true) {
   constexpr int elements = 60;
   const double steel = 2.07e11, r = kDiameter / 2, bore = r - kWall;
@@ -32,7 +31,7 @@ Thrown throw_pipe(double stiffness, double step, double longest = 0, bool resolv
   c.dynamics.max_step = longest;
   c.dynamics.resolve_impacts = resolve;
   c.dynamics.duration = 1;
-  // Where it hangs first, without the support.
+  // The position at rest without the support.
   Simulation rest(PETSC_COMM_WORLD, c);
   rest.solve_statics();
   const double sag = rest.state().x[static_cast<size_t>(elements / 2)].z();
@@ -87,7 +86,7 @@ void tell(double stiffness, const std::string& what, const Thrown& t) {
       t.steps, t.iterations / t.steps);
 }
 
-// Fixed steps are divided at impacts and for a while after.
+// Fixed steps are divided at impacts and for a while afterwards.
 TEST(LineThrow, ReactionDoesNotDependOnTheStep) {
   for (const double stiffness : {1e7, 1e8}) {
     const double period = 2 * M_PI * std::sqrt(kMass / stiffness);  // 26.7, 8.4 ms
@@ -97,7 +96,7 @@ TEST(LineThrow, ReactionDoesNotDependOnTheStep) {
       tell(stiffness, name, t);
       EXPECT_NEAR(t.most, fine.most, 0.01 * fine.most) << name;
       EXPECT_LT(t.made, 1e-3) << name;
-      // Twenty periods after the impact steps grow, and damp the bending waves it has left in the pipe.
+      // Twenty periods after the impact steps increase, and damp the bending waves of the impact.
       EXPECT_LT(std::abs(t.audit), 3e-2) << name;
     };
     for (const double part : {3.0, 4.0, 6.0, 12.0}) {

@@ -1,4 +1,4 @@
-// Bend stiffeners, springs at ends, tables of tension and moment: closed forms.
+// Bend stiffeners, end springs, tables of tension and moment: closed forms.
 #include <functional>
 
 #include "hawser/model/check.hpp"
@@ -29,7 +29,7 @@ void load(model::Case& c, const Vec3& force, const Vec3& moment = Vec3::Zero()) 
   c.lines[0].point_loads.push_back(p);
 }
 
-// A cantilever in a stiffener that thins out: w = ∫ P (L - s)²/EI ds, small deflections; from either end.
+// A cantilever in a tapered stiffener at either end: w = ∫ P (L - s)²/EI ds for small deflections.
 TEST(LineFurniture, BendStiffenerThatThinsOut) {
   const double L = 10, EI = 1e5, P = 1;
   const auto stiff = [&](double s) { return EI + (s < 4 ? 9e5 - 2e5 * s : 0); };
@@ -55,8 +55,8 @@ TEST(LineFurniture, BendStiffenerThatThinsOut) {
     }
 }
 
-// Elastic beam on a spring, small load: P L³/3EI + P L²/k. Rigid beam, large load: k phi = P L cos phi. The
-// direction is that of a body that is inclined.
+// Elastic beam on a rotational spring, small load: P L³/3EI + P L²/k. Rigid beam, large load: k phi = P L cos
+// phi. The direction is that of an inclined body.
 TEST(LineFurniture, SpringAtAnEnd) {
   const double L = 5, k = 2e4;
   for (const bool on_body : {false, true}) {
@@ -93,7 +93,7 @@ TEST(LineFurniture, SpringAtAnEnd) {
   }
 }
 
-// Tension by a table: a cable and a beam pulled, in all its parts; the strain is the table's.
+// Tension by a table: a cable and a beam under tensions in all its ranges have the strain of the table.
 TEST(LineFurniture, TensionByATable) {
   const auto table = std::make_shared<const ResponseCurve>(
       std::vector<ResponseCurve::Row>{{0.01, 1e4}, {0.03, 8e4}, {0.05, 1e5}}, false);
@@ -111,8 +111,8 @@ TEST(LineFurniture, TensionByATable) {
     }
 }
 
-// Half around the circle: an end moment bends a line into an arc of the curvature that its law has for it.
-// `set` makes the line type one of that law.
+// An end moment bends a line into an arc whose curvature is that of the line type's law. `set` gives the line
+// type this law.
 void expect_arcs(double EI, const std::function<double(double)>& moment_at,
                  const std::function<void(model::LineType&)>& set) {
   for (const double M : {1e3, 5e3, 6.5e3}) {

@@ -1,5 +1,5 @@
-// A beam that turns over an arc, from across it to along it and on, and one that slides up its side (C12),
-// against 4C.
+// A beam that rotates over an arc from across to along it, and a beam that slides up the arc's side (C12),
+// against results of 4C.
 #include "hawser/kernels/axis_shape.hpp"
 #include "hawser/math/so3.hpp"
 #include "verification/line_pairs_rig.hpp"
@@ -9,10 +9,10 @@ namespace {
 
 // 4C's tests beam3eb_static_contact_penalty_linposquadpen_beamrotatingoverarc and _beamslidingoverarc: lines
 // of radius 10 mm, E = 1e9 N/m², A = pi 1e-6 m², I = pi/4 1e-8 m⁴. The arc is one element of 3.1414 m with
-// both ends held, 2 m apart and upright, so its shape is Hermite's cubic, 0.785 m high, whatever happens; the
-// other line has three elements and pinned ends. Their law begins at a gap g0 and is a parabola up to the
-// touch, where its slope is the stiffness: the ramp of ours with lines thicker by g0/2 and a smoothing of
-// g0/2.
+// both ends held, 2 m apart and vertical, so its shape is Hermite's cubic of 0.785 m height; the other line
+// has three elements and pinned ends. 4C's law begins at a gap g0 and is a parabola up to the touch, where
+// its slope is the stiffness. This is the smoothing ramp of hawser with lines thicker by g0/2 and a smoothing
+// of g0/2.
 constexpr double kRadius = 0.01, kArc = 3.1414;
 
 model::Case over_arc(double g0, double stiffness, const Vec3& middle, const Vec3& half, int elements,
@@ -42,8 +42,8 @@ model::Case over_arc(double g0, double stiffness, const Vec3& middle, const Vec3
   return c;
 }
 
-// Follows the equilibria up to `end`; steps in which Newton fails, or lines went through each other, are
-// halved. The last iterations are quadratic.
+// Follows the equilibria up to `end`. A step in which Newton fails, or lines pass through each other, is
+// halved. The last iterations must be quadratic.
 int follow_motion(Simulation& s, double end, double longest) {
   int most = 0;
   double step = longest;
@@ -53,7 +53,7 @@ int follow_motion(Simulation& s, double end, double longest) {
     try {
       std::vector<double> u(3 * static_cast<size_t>(s.local().blocks()), 0);
       s.system().tied_nodes().increments(last, next, u.data());
-      // The free nodes go with the ends, in proportion.
+      // Initial guess: free nodes move with the ends, interpolated linearly.
       const LineSpan& l = s.mesh().lines[1];
       const size_t a = static_cast<size_t>(l.first_node), b = a + static_cast<size_t>(l.nodes) - 1;
       const auto at = [&](size_t n) { return Eigen::Map<Vec3>(u.data() + 3 * s.local().block[n]); };
@@ -90,14 +90,14 @@ int follow_motion(Simulation& s, double end, double longest) {
   return most;
 }
 
-// How far the node moved that was at `arc` from the end.
+// Displacement from `from` of the node at the arc length `arc`.
 Vec3 moved(Simulation& s, double arc, const Vec3& from) {
   return s.state().x[static_cast<size_t>(s.mesh().nearest_node(1, arc))] - from;
 }
 
-// Lowered onto the arc, then turned by 117 degrees. 4C: (0.3044091538, 0.4884600274, -0.08700063195) m, the
-// line in contact between 10 and 30 degrees is neither all point (1e5 N/m) nor all line (5e6 N/m²) there;
-// here it is all line.
+// The beam is lowered onto the arc, then rotated by 117 degrees. 4C: (0.3044091538, 0.4884600274,
+// -0.08700063195) m. Between 10 and 30 degrees 4C blends point contact (1e5 N/m) and line contact (5e6 N/m²);
+// here all is line contact.
 TEST(BeamOverArc, Rotating) {
   model::TableMotion m;
   for (int i = 0; i <= 230; ++i) {
@@ -130,8 +130,8 @@ TEST(BeamOverArc, Rotating) {
         elements, u.x(), u.y(), u.z(), strain, s.line_pairs()->normal_force(), most);
     EXPECT_NEAR(u.x(), 0.30441, 0.02 * 0.30441);
     EXPECT_NEAR(u.y(), 0.48846, 0.02 * 0.48846);
-    // The line bends over the arc's top more than three elements let it: 7 % further down than in 4C, which
-    // has three. From six elements on the height no longer changes.
+    // Three elements, as in 4C, are too few for the bend over the arc's top: converged, the beam is 7 % lower
+    // than in 4C. From six elements on the height is constant.
     if (elements == 12) converged = u.z();
     if (elements == 3)
       EXPECT_NEAR(u.z(), -0.08700, 0.03 * 0.08700);
@@ -143,8 +143,8 @@ TEST(BeamOverArc, Rotating) {
   }
 }
 
-// Pressed against the legs from the side, then lifted to the top. 4C: (-3.552809448e-05, 0.01204267184,
-// 0.4851396559) m with point contact alone, 1e4 N/m.
+// The beam is pressed against the arc from the side, then lifted to the top. 4C: (-3.552809448e-05,
+// 0.01204267184, 0.4851396559) m with point contact only, 1e4 N/m.
 TEST(BeamOverArc, Sliding) {
   model::TableMotion m;
   for (int i = 0; i <= 18; ++i) {

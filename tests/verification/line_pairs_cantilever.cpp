@@ -1,15 +1,15 @@
-// A cantilever pressed down by a crossing beam, against 4C.
+// A cantilever pressed down by a crossing beam, against results of 4C.
 #include "verification/line_pairs_rig.hpp"
 
 namespace hawser::test::line_pairs_cantilever_test {
 namespace {
 
-// 4C's test beam3eb_static_contact_penalty_newgap_twocrossedbeams: cantilever of 1 m along x, ten elements,
-// and across it at x = 0.4 m a beam of 1 m along z, clamped at both ends, which starts 0.1 m above (y) and is
-// moved down by 0.155 m; E I = 8.333e-9 N m², E A = 10 N, point penalty 1e-5 N/m. The tip of the cantilever
-// moves by (-0.015842, -0.170225); with another integration of their elements 4C gives (-0.016127,
-// -0.171522). Its lines are 0.114 mm thick and 2 mm of penetration pass; here they are 12 mm thick, moved
-// apart by as much, with a stiffness per length that makes the same penetration at the same force.
+// 4C's test beam3eb_static_contact_penalty_newgap_twocrossedbeams: a cantilever of 1 m along x with ten
+// elements, and across it at x = 0.4 m a beam of 1 m along z, clamped at both ends, which starts 0.1 m above
+// (y) and moves down by 0.155 m; E I = 8.333e-9 N m², E A = 10 N, point penalty 1e-5 N/m. The tip of the
+// cantilever moves by (-0.015842, -0.170225); with another integration rule of the elements 4C has
+// (-0.016127, -0.171522). 4C's lines are 0.114 mm thick with a penetration of 2 mm. Here they are 12 mm thick
+// and farther apart by as much, with a stiffness per length for the same penetration at the same force.
 TEST(CrossedCantilever, TipAs4C) {
   const double radius = 0.006, thin = std::pow(4 * 8.3333333333e-18 / M_PI, 0.25);
   model::Case c;
@@ -46,7 +46,7 @@ TEST(CrossedCantilever, TipAs4C) {
       const State last = s.state();
       std::vector<double> u(3 * static_cast<size_t>(s.local().blocks()), 0);
       const double t = 0.005 * i;
-      for (int n = 0; n < s.local().nodes(); ++n)  // the beam across goes down as a whole
+      for (int n = 0; n < s.local().nodes(); ++n)  // the crossing beam moves down as a whole
         if (s.mesh().node(static_cast<size_t>(n)).line == 1)
           u[3 * static_cast<size_t>(s.local().block[static_cast<size_t>(n)]) + 1] = -0.155 * 0.005;
       retract(s.local(), last, u.data(), s.state());

@@ -1,17 +1,17 @@
-// Two crossing beams: the compliances of both and of the contact in series.
+// Two crossing beams: contact force by the compliances of both beams and of the contact in series.
 #include "verification/line_pairs_rig.hpp"
 
 namespace hawser::test::line_pairs_crossing_test {
 namespace {
 
-// Meier, Popp & Wall's set-up in its linear form: EI 1e5 and 2e5 N m², spans 4 and 5 m, simply supported,
-// contact stiffness 1e6 N/m, 0.02 m apart, supports brought together by D: F = (D - 0.02) / (L1³/48EI1 +
-// L2³/48EI2 + 1/k).
+// Linear form of Meier, Popp & Wall's set-up: EI 1e5 and 2e5 N m², spans 4 and 5 m, simply supported, contact
+// stiffness 1e6 N/m, 0.02 m apart, supports moved together by D: F = (D - 0.02) / (L1³/48EI1 + L2³/48EI2 +
+// 1/k).
 TEST(CrossingBeams, CompliancesInSeries) {
   const double reach = 0.2;
   for (const auto& [D, force, pressed] :
        {std::tuple(0.05, 1096.725057, 0.001096725057), {0.1, 2924.600152, 0.002924600152}}) {
-    // The stiffness per length with which this force presses in as a spring of 1e6 N/m does.
+    // Stiffness per length for which this force has the penetration of a spring of 1e6 N/m.
     const double k = force / crossing_force(1, reach, pressed, M_PI / 2);
     for (const int elements : {8, 7, 20}) {  // nodes under the crossing or beside it
       model::Case c;
@@ -33,7 +33,7 @@ TEST(CrossingBeams, CompliancesInSeries) {
              elements, F, force, 1e3 * p, 1e3 * pressed, its);
       EXPECT_NEAR(F, force, 0.005 * force);
       EXPECT_NEAR(p, pressed, 0.005 * pressed);
-      // From where they are not yet bent as far: the last iterations are quadratic.
+      // From a less bent shape the last iterations are quadratic.
       for (int n = 0; n < s.local().owned; ++n)
         s.state().x[static_cast<size_t>(n)].z() *=
             1 - 0.02 * (s.mesh().node(static_cast<size_t>(n)).line == 0);

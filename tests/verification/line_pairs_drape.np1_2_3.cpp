@@ -1,5 +1,5 @@
-// A slack rope above a taut wire, which it must come to lie on: on the way to its equilibrium statics makes
-// steps of many diameters, none of which may take the rope through the wire.
+// A slack rope starts above a taut wire and must come to rest on it. Statics moves the rope by many diameters
+// in one iteration, but not through the wire.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,10 +13,10 @@ namespace {
 constexpr double kDiameter = 0.1, kAbove = 0.4, kSpan = 10;
 
 struct Draped {
-  double rope = 0, wire = 0, force = 0;  // m, N: heights where they cross
+  double rope = 0, wire = 0, force = 0;  // m, heights at the crossing; N
 };
 
-// The rope crosses the wire at `off` from its middle; `nodes`: elements of each.
+// The rope crosses the wire at `off` from the wire's middle; `nodes`: elements of the wire.
 Draped drape(double stiffness, int nodes, double off, bool touch_at_all = true) {
   model::Case c;
   c.environment.gravity = 9.81;
@@ -33,7 +33,7 @@ Draped drape(double stiffness, int nodes, double off, bool touch_at_all = true) 
   c.contact.between_lines.enabled = touch_at_all;
   Simulation s(PETSC_COMM_WORLD, c);
   s.solve_statics();
-  // The height of either at the crossing, from the node nearest to it.
+  // Heights at the crossing, from the nearest nodes.
   Draped d;
   double most[3] = {1e9, 1e9, s.line_pairs() ? s.line_pairs()->normal_force() : 0};
   double heights[2] = {0, 0};
@@ -63,7 +63,7 @@ Draped drape(double stiffness, int nodes, double off, bool touch_at_all = true) 
 }
 
 TEST(Drape, TheRopeComesToLieOnTheWire) {
-  // Where there is no contact it hangs far below.
+  // Without contact the rope hangs far below.
   const Draped free = drape(1e6, 20, 0, false);
   EXPECT_LT(free.rope, free.wire - 1);
   for (const int elements : {20, 33})
@@ -76,13 +76,14 @@ TEST(Drape, TheRopeComesToLieOnTheWire) {
                     d.rope, d.wire, d.force);
       EXPECT_GT(d.rope, d.wire + 0.5 * kDiameter);
       EXPECT_LT(d.rope, d.wire + 2.5 * kDiameter);
-      // About half of the rope's weight of 3.1 kN, more where it is bent over the wire.
+      // About half of the rope's weight of 3.1 kN, more where the rope bends over the wire.
       EXPECT_GT(d.force, 1000);
       EXPECT_LT(d.force, 3200);
     }
 }
 
-// Contact so soft that no equilibrium has the rope above the wire: that is said, not hidden.
+// With a contact stiffness so small that no equilibrium has the rope above the wire, statics stops with an
+// error.
 TEST(Drape, WhereThereIsNoPathTheMessageReportsIt) {
   try {
     const Draped d = drape(1, 20, 0);

@@ -1,5 +1,5 @@
-// Two crossing beams meet at 2 m/s: the force does not depend on the step once it resolves the contact's
-// period, and energy is never created, whatever step the case asks for.
+// Two crossing beams collide at 2 m/s: the peak force is within 3 % of that with fine steps, and the energy
+// does not increase, for steps of 1/12 to 20 contact periods and automatic ones.
 #include <algorithm>
 
 #include "verification/line_pairs_rig.hpp"
@@ -14,7 +14,7 @@ struct Impact {
 
 constexpr double kStiffness = 2e6, kMass = 20;  // N/m², kg/m
 
-// h <= 0: automatic.
+// h <= 0: automatic steps.
 Impact meet(double h, double friction) {
   model::Case c;
   c.environment.gravity = 0;

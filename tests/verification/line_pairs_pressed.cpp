@@ -1,5 +1,5 @@
-// A line drawn at another with more than their contact can hold: it does not go through, and the run says why
-// it ends.
+// A line is drawn against another with more force than their contact can carry: it does not pass through, and
+// the run stops with the reason.
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/kernels/axis_shape.hpp"
@@ -8,7 +8,7 @@
 namespace hawser::test::line_pairs_pressed_test {
 namespace {
 
-// The ends of `a` come up at 10.7 m/s from below `b`, far past it.
+// The ends of `a` move up at 10.7 m/s from below `b`, far past it.
 const char* const kDrawn = R"(hawser: 1
 environment: {gravity: 0}
 line_types:
@@ -35,7 +35,7 @@ struct Drawn {
   std::string stopped;
 };
 
-// Heights of b over a where they cross as seen from above.
+// Heights of b over a where they cross in plan view.
 std::vector<double> heights(const Simulation& s, const State& at) {
   const auto points = [&](int line) {
     std::vector<Vec3> out;
@@ -97,7 +97,7 @@ TEST(PressedLines, WhatIsTooSoftEndsTheRunWithTheReason) {
     EXPECT_NE(d.stopped.find("is too small for the contact force"), std::string::npos) << d.stopped;
     EXPECT_NE(d.stopped.find("lines a (arc length"), std::string::npos) << d.stopped;
     EXPECT_EQ(d.stopped.find("out of balance"), std::string::npos) << d.stopped;
-    // What it proposes holds.
+    // The stiffness that the message proposes carries the force.
     const size_t at = d.stopped.find("{per_length: ");
     ASSERT_NE(at, std::string::npos);
     const Drawn held = draw(d.stopped.substr(at, d.stopped.find('}', at) + 1 - at));

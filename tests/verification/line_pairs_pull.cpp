@@ -1,5 +1,5 @@
-// A line drawn over another with friction: the supports feel mu N, in whatever direction it is drawn. The
-// lines are stiff: bent ones would have to climb over each other as well.
+// A line is drawn over another with friction: the supports carry mu N, for any direction of motion. The lines
+// are stiff, because bent lines would also climb over each other.
 #include "verification/line_pairs_rig.hpp"
 
 namespace hawser::test::line_pairs_pull_test {
@@ -7,12 +7,12 @@ namespace {
 
 constexpr double kMu = 0.3, kRadius = 0.05;
 
-// The second line lies across the first (at the angle theta) and is drawn along the direction `way` (angle
-// from the first) by the body it ends at.
+// The second line crosses the first at the angle theta. The body at its ends moves it in the direction `way`
+// (angle from the first line).
 struct Drawn {
   double friction = 0,
-         normal = 0;  // N, of the supports of the drawn line: along the way and across both lines
-  double aside = 0;   // N, across the way, in the plane
+         normal = 0;  // N, of the supports of the drawn line: along the motion and normal to both lines
+  double aside = 0;   // N, across the motion, in the plane
   int iterations = 0, steps = 0;
 };
 
@@ -34,7 +34,7 @@ Drawn draw(double theta, double way, int elements) {
   }
   sledge.motion = m;
   c.bodies = {sledge};
-  // Clamped at both ends, so that neither turns about its own axis.
+  // Clamped at both ends, so that neither line rotates about its axis.
   model::End a = clamp({-1, 0, 0}, Vec3::UnitX()), b = clamp({1, 0, 0}, Vec3::UnitX());
   c.lines.push_back(straight_line("first", "beam", 2, elements, a, b));
   for (model::End* e : {&a, &b}) {
@@ -52,14 +52,14 @@ Drawn draw(double theta, double way, int elements) {
   VecHandle r;
   for (int i = 1; i <= steps; ++i) {
     const State last = s.state();
-    // The ends first, Newton does the rest.
+    // Initial guess: only the ends move.
     std::vector<double> u(3 * static_cast<size_t>(s.local().blocks()), 0);
     s.system().tied_nodes().increments(last, i / static_cast<double>(steps), u.data());
     State& now = s.state();
     State moved = last;
     retract(s.local(), last, u.data(), moved);
     moved.time = i / static_cast<double>(steps);
-    // Friction's step begins at the last equilibrium, not at the last iterate.
+    // The step of friction begins at the last equilibrium, not at the last iterate.
     VecHandle du = s.system().create_vector(), res = s.system().create_vector();
     MatHandle J = s.system().create_matrix();
     KspHandle ksp;

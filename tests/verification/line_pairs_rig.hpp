@@ -1,4 +1,4 @@
-// What the verification of contact between lines shares: cases of several straight lines.
+// Shared by the tests of contact between lines: cases of several straight lines.
 #pragma once
 
 #include <cmath>
@@ -20,7 +20,7 @@ inline model::Line straight_line(const std::string& name, const std::string& typ
   return l;
 }
 
-// Stiffness per length of all contact of lines with lines.
+// Sets the stiffness per length of all contact between lines.
 inline void touch(model::Case& c, double per_length, double smoothing, double friction = 0, double slip = 0) {
   model::LinePairSettings& s = c.contact.between_lines.general;
   s.basis = model::StiffnessBasis::per_length;
@@ -30,9 +30,9 @@ inline void touch(model::Case& c, double per_length, double smoothing, double fr
   s.mobilisation_length = slip;
 }
 
-// Force of two straight cylinders that cross at the angle theta, their axes `reach - p` apart, under k per
-// length of either (the two sides together) without smoothing: the integral of the pressure's part along the
-// normal.
+// Contact force of two straight cylinders that cross at the angle theta, their axes `reach - p` apart, with
+// the stiffness k per length of either (both sides in series) without smoothing: the integral of the normal
+// component of the pressure.
 inline double crossing_force(double k, double reach, double p, double theta) {
   const double d = reach - p, most = std::sqrt(reach * reach - d * d);  // m, across the other axis
   double sum = 0;
@@ -44,7 +44,7 @@ inline double crossing_force(double k, double reach, double p, double theta) {
   return sum / std::sin(theta);
 }
 
-// Candidates for what is where it is, then Newton.
+// Updates the candidate pairs at the present state, then solves with Newton.
 inline int settle(Simulation& s, double tolerance = 1e-10, std::vector<double>* residuals = nullptr) {
   if (s.system().update_couplings(s.state().at_rest(), 0) == CouplingChange::layout_changed)
     s.system().update_ghosts(s.state());

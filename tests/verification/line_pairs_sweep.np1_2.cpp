@@ -1,6 +1,6 @@
-// A rope drawn over a taut wire, so that their crossing sweeps along one of them over its elements and
-// joints: friction is mu times the normal force in every step, however long, and the energy that it takes is
-// booked.
+// A rope is drawn over a taut wire, so that their crossing moves along one of them over elements and nodes.
+// Friction is mu times the normal force in every step of any length, and the energy balance with its work
+// closes.
 #include <fmt/format.h>
 
 #include "verification/contact_rig.hpp"
@@ -16,18 +16,18 @@ double over_ranks(double x) {
 
 struct Swept {
   Samples ratio;     // friction over normal force at the ends of steps, once the rope slides
-  double audit = 0;  // energy not accounted for, of what was brought in
+  double audit = 0;  // error of the energy balance, over the work brought in
   double depth = 0;  // m
-  double way = 0;    // m, of the crossing along the wire a step, on average
+  double way = 0;    // m, mean displacement of the crossing along the wire in a step
   int steps = 0;
 };
 
-// light: a rope three times as thick as the wire, that is hardly pressed in. lengthwise: drawn along itself.
+// light: a rope three times as thick as the wire with little contact force. lengthwise: drawn along its own
+// axis.
 enum class Kind { beams, cables, light, lengthwise };
 constexpr const char* kNames[] = {"beams", "cables", "thick and light", "lengthwise"};
 
-// Both ends of the rope ride on a frame that goes along the wire, or along the rope, at 0.5 m/s. step 0:
-// automatic.
+// Both ends of the rope move with a frame along the wire, or along the rope, at 0.5 m/s. step 0: automatic.
 Swept sweep(Kind kind, double mu, double step) {
   constexpr double kSpeed = 0.5, kDuration = 4, kSlides = 1;  // m/s, s, s
   const bool cables = kind == Kind::cables, light = kind == Kind::light,

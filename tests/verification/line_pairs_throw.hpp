@@ -1,4 +1,4 @@
-// Crossing lines thrown at each other at random.
+// Crossing lines thrown at each other with random velocities.
 #pragma once
 
 #include <random>
@@ -11,7 +11,8 @@ namespace hawser::test {
 inline constexpr double kDiameter = 0.1;
 
 // Whether segments of the two lines changed sides between two states: the vector between their nearest points
-// turns over while these lie inside. Looked at in small pieces of the straight way between.
+// reverses while these points are inside the segments. The linear path between the states is sampled in small
+// pieces.
 inline bool crossed(const Mesh& mesh, const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
   constexpr int kPieces = 200;
   const auto at = [&](int node, double t) {
@@ -41,8 +42,8 @@ inline bool crossed(const Mesh& mesh, const std::vector<Vec3>& from, const std::
 
 struct Throw {
   bool met = false, crossed = false, finished = false;
-  double depth = 0, gain = 0;  // of the radii; largest total energy over the first
-  double made = 0;  // largest growth of energy from the last state apart to one in touch or just after
+  double depth = 0, gain = 0;  // over the radii; largest total energy over the initial one
+  double made = 0;             // largest increase of energy over an impact, until just after it
   int steps = 0, rejected = 0;
 };
 
@@ -114,7 +115,7 @@ inline Throw throw_lines(unsigned seed, double step_diameters, bool cables) {
   return out;
 }
 
-// Steps in which the lines move by half a diameter to four; cables and beams in turn.
+// Steps in which the lines move by half a diameter to four diameters; cables and beams alternate.
 inline Throw throw_of(unsigned seed) { return throw_lines(seed, 0.5 + 3.5 * (seed % 8) / 7.0, seed % 2); }
 
 inline void expect_none_passes_through(unsigned count) {
@@ -122,7 +123,7 @@ inline void expect_none_passes_through(unsigned count) {
   long steps = 0, rejected = 0;
   double depth = 0, made = 0;
   double gain[2] = {0, 0};  // of beams, of cables
-  unsigned gained = 0;      // impacts that made more than a hundredth
+  unsigned gained = 0;      // impacts that increase the energy by more than 1 %
   for (unsigned seed = 0; seed < count; ++seed) {
     const Throw t = throw_of(seed);
     met += t.met;

@@ -1,4 +1,4 @@
-// Ten thousand throws of what line_pairs_throw does with a few.
+// Ten thousand throws of line_pairs_throw.hpp.
 #include "verification/line_pairs_throw.hpp"
 
 namespace hawser::test {

@@ -1,16 +1,16 @@
-// Two strands twisted into a double helix: contact all along, under a small angle. Schemes with one contact
-// point a pair of elements fail here.
+// Two strands twisted into a double helix: contact along the whole length at a small angle. Methods with one
+// contact point per pair of elements fail here.
 #include "verification/line_pairs_rig.hpp"
 
 namespace hawser::test::line_pairs_twist_test {
 namespace {
 
 // Meier, Popp & Wall (2016), "A finite element approach for the line-to-line contact interaction of thin
-// beams with arbitrary orientation", CMAME 308, section 6.2; numbers of 4C's test
-// beam3eb_static_contact_penalty_ linpen_limitdispperiter_twobeamstwisting: strands of radius 10 mm, 5 m
-// long, axes 19 mm apart, one end drawn by 49.647 mm within the first second and turned once round in the
-// four that follow. Then both are helices of radius 9.5 mm stretched by 1 %, T = EA 0.01, curvature kappa,
-// tortuosity tau, and the pressure kappa (T + EI tau²) = 46.845 N/m is what 1 mm of penetration makes.
+// beams with arbitrary orientation", CMAME 308, section 6.2; data of 4C's test
+// beam3eb_static_contact_penalty_linpen_limitdispperiter_twobeamstwisting: strands of radius 10 mm, 5 m long,
+// axes 19 mm apart, one end drawn by 49.647 mm within the first second and rotated by one turn in the next
+// four. Then both are helices of radius 9.5 mm with a strain of 1 %, T = EA 0.01, curvature kappa, tortuosity
+// tau; the pressure kappa (T + EI tau²) = 46.845 N/m is that of 1 mm of penetration.
 constexpr double kOffset = 0.0095, kLength = 5, kShift = 0.049647222609833896;
 
 model::Case strands(int elements) {
@@ -44,8 +44,8 @@ model::Case strands(int elements) {
   return c;
 }
 
-// Ends at their places of another time, everything between them stretched and turned in proportion: what a
-// predictor would do is left to Newton.
+// Moves the ends to their positions at another time and stretches and rotates the nodes between them in
+// proportion, as an initial guess for Newton.
 void carry(Simulation& s, const State& last, double next) {
   const double time = last.time;
   s.state().time = next;
@@ -71,7 +71,7 @@ struct Steps {
   int its = 0, steps = 0, most = 0;
 };
 
-// From the straight strands to the end of the turn.
+// Solves from the straight strands to the end of the rotation.
 Steps twist(Simulation& s) {
   Steps done;
   double step = 0.25;
@@ -81,7 +81,7 @@ Steps twist(Simulation& s) {
     try {
       carry(s, last, std::min(last.time + step, last.time < 1 ? 1.0 : 5.0));
       const int n = settle(s, 1e-9);
-      s.system().prepare(last.at_rest(), 0);  // Newton from too far may take strands through each other
+      s.system().prepare(last.at_rest(), 0);  // the step may have taken the strands through each other
       if (!s.system().check_step(s.state().at_rest()).accepted())
         throw std::runtime_error("through each other");
       done.its += n;
@@ -97,7 +97,7 @@ Steps twist(Simulation& s) {
   return done;
 }
 
-// Newton's residuals on the way back to the equilibrium at `state` from one turned by `step` less.
+// Newton's residuals from a start rotated by `step` less than the equilibrium at `state`.
 std::vector<double> residuals_of(Simulation& s, const State& state, double step) {
   s.state() = state;
   std::vector<double> residuals;
@@ -140,22 +140,22 @@ TEST(TwistedStrands, RadiusAndPressureOfTheHelix) {
         elements, worst_radius, mean, 100 * worst_force, moved.x(), moved.y(), moved.z(), done.steps,
         done.its / static_cast<double>(done.steps), done.most);
     EXPECT_LT(worst_radius, 1e-5);
-    // Chords of a helix: the error falls with the square of the element.
+    // The line is a polygon along the helix: the error falls with the square of the element length.
     const double tolerance = elements == 50 ? 0.005 : 0.012;
     EXPECT_NEAR(mean, 46.845279809533594, tolerance * 46.845279809533594);
     EXPECT_LT(worst_force, tolerance);
-    if (elements % 2 == 0) {  // 4C's own answer
+    if (elements % 2 == 0) {  // result of 4C
       EXPECT_NEAR(moved.x(), -0.01900423593621074, 2e-5);
       EXPECT_NEAR(moved.z(), 0.02482361130491732, 2e-5);
     }
   }
 }
 
-// The tangent of the whole is exact. What is left is measured against the tension of the strands, 3142 N at
-// every node, but what bends them and holds them off each other is 9 N a node: on that scale the last
-// iterations of a step of the run start far out, and how the ones compare with the next shows little. So
-// starts are compared: from half as far away one iteration leaves a quarter, two leave a sixteenth, three a
-// 256th; with any error of the tangent it would soon be halves.
+// The tangent is exact. Residuals are relative to the tension of the strands, 3142 N at every node, but
+// bending and contact forces are only 9 N a node, so the residuals of a normal step show little of the order
+// of convergence. Therefore starts at different distances are compared: halving the distance divides the
+// residual after one iteration by 4, after two by 16, after three by 256. With an error in the tangent the
+// factor would be 2.
 TEST(TwistedStrands, LastIterationsAreQuadratic) {
   for (const int elements : {25, 50}) {
     const model::Case c = strands(elements);
@@ -175,7 +175,7 @@ TEST(TwistedStrands, LastIterationsAreQuadratic) {
       }
       last = r;
     }
-    EXPECT_LT(newton_square(last), 10);  // near enough for the measure that crossing lines are asked for
+    EXPECT_LT(newton_square(last), 10);  // the limit for crossing lines
   }
 }
 

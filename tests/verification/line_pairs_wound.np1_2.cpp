@@ -1,5 +1,5 @@
-// A rope with bending stiffness wound once round a thick line that is no volume, at any pitch: statics find
-// how it lies, and drawn over it the ratio of its end tensions is that of friction at its surface.
+// A rope with bending stiffness wound once round a thick line, at several pitch angles: statics finds its
+// shape, and when it is drawn the ratio of its end tensions is that of friction at its surface.
 #include "verification/contact_rig.hpp"
 #include "verification/line_pairs_rig.hpp"
 
@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kPost = 0.5, kRope = 0.01, kLoad = 1000, kTurn = 2 * M_PI, kMu = 0.3;  // m, m, N
 
-// Of a helix, its curvature c and its length s. Friction t acts on the rope's underside, r from its axis, and
-// where the curvature does not change the rope's moment does not either: the couple t r a length is shear, -t
+// Reference, a helix of curvature c and length s. Friction t acts on the rope's underside, r from its axis.
+// The rope's moment is constant where its curvature is, so the couple t r per length is balanced by shear, -t
 // r. So dT/ds = t - t r c, the normal force is T c - r dt/ds, and T grows as exp(g s) with g (1 + mu r g) =
 // mu c (1 - r c). A thin rope has exp(mu c s); on a circle this is exp(mu theta).
 double tension_ratio(double pitch) {
@@ -26,13 +26,13 @@ double over_ranks(double x) {
 
 struct Wound {
   double ratio = 0, spread = 0;  // of T2/T1 over the last part of the run
-  double depth = 0, audit = 0;   // m; energy not accounted for, of what was brought in
-  double turned = 0;             // rad, round the post, at rest
-  double iterations = 0;         // a step
+  double depth = 0, audit = 0;   // m; energy error over the work brought in
+  double turned = 0;             // rad, wrap angle at rest
+  double iterations = 0;         // per step
   int statics = 0, relaxation = 0;
 };
 
-// Straight legs along the helix's tangents: a dead load pulls the first, a hook draws the other.
+// Straight legs along the tangents of the helix: a dead load pulls the first, a hook draws the other.
 Wound wind(double pitch, double duration) {
   const double r = kPost + kRope, c = std::cos(pitch), rise = std::sin(pitch);
   const auto at = [&](double a) { return Vec3(on_circle(r, a) + Vec3(0, r * a * rise / c, 0)); };
@@ -139,7 +139,7 @@ TEST_P(WoundRope, LiesAndSlidesAtAnyPitch) {
         w.iterations, w.depth, 100 * w.audit);
   EXPECT_EQ(w.relaxation, 0);
   EXPECT_LT(w.statics, 80);
-  EXPECT_GT(w.turned, kTurn);  // and what the legs turn by
+  EXPECT_GT(w.turned, kTurn);  // the legs add to the wrap angle
   EXPECT_NEAR(w.ratio, exact, 0.005 * exact);
   EXPECT_LT(w.spread, 0.005 * exact);
   EXPECT_LT(w.iterations, 5);

@@ -1,4 +1,4 @@
-// Lines that cross on the bed, and a line across a pipeline: which lies over the other at rest.
+// Lines that cross on the bed, and a line across a pipeline: which one is on top at rest.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,10 +11,9 @@
 namespace hawser::test::lines_that_cross {
 namespace {
 
-// A chain of 84 mm across a pipeline of 24 in on the bed, given as a line that is straight, as one that
-// starts by itself, or as a volume. By hand: the axis of the chain is half of both contact diameters over
-// that of the pipe, and what hangs from there on both sides presses with 2 sqrt(2 h w T) for the height h
-// over the bed.
+// A chain of 84 mm across a pipeline of 24 in on the bed: a line with a straight or automatic start shape, or
+// a volume. By hand: the axis of the chain is half of both contact diameters above that of the pipe, and the
+// suspended parts on both sides press on it with 2 sqrt(2 h w T) for the height h above the bed.
 std::string field(const std::string& pipeline, const std::string& contact = "") {
   return "hawser: 1\nenvironment: {water: {depth: 100}, seabed: {depth: 100, friction: 0.6}}\nline_types:\n"
          "  chain: {library: chain-studless, diameter: 84 mm, grade: R3}\n"
@@ -33,7 +32,7 @@ std::string pipeline(const char* start) {
       start);
 }
 
-// The height of the chain's axis at x = 400.
+// Height of the chain's axis at x = 400.
 double height(Simulation& sim) {
   const std::vector<Vec3>& x = sim.state().x;
   for (size_t n = 1; n < 251; ++n)
@@ -49,11 +48,11 @@ TEST(LinesThatCross, ChainOverAPipelineOnTheBed) {
     Simulation sim(PETSC_COMM_SELF, io::read_case_text(field(pipeline(start)), "cross.yaml"));
     const double radii = 0.305 + 0.5 * sim.model().line_types.front().contact_diameter;
     sim.solve_statics();
-    // The pipe sinks into the bed under the chain.
+    // The chain presses the pipe into the bed.
     const double pipe = sim.state().x[251 + 50].z();
     EXPECT_NEAR(pipe, -99.695, 0.1) << start;
     EXPECT_NEAR(height(sim) - pipe, radii, 0.02 * radii) << start;
-    // 2 sqrt(2 h w T), h 0.61 m, w 1.197 kN/m, T 325 kN: friction has taken 108 kN of 433 before.
+    // 2 sqrt(2 h w T): h 0.61 m, w 1.197 kN/m, T 325 kN, which is 433 kN less 108 kN of friction.
     EXPECT_NEAR(sim.line_pairs()->normal_force(), 43.6e3, 0.05 * 43.6e3) << start;
   }
 }
@@ -74,7 +73,7 @@ TEST(LinesThatCross, ChainOverAVolumeOnTheBed) {
   EXPECT_NEAR(height(sim), -99.695 + 0.305 + 0.5 * sim.model().line_types.front().contact_diameter, 0.05);
 }
 
-// Two chains that lie on the bed from end to end: the case must say which lies over the other.
+// Two chains that lie on the bed over their whole length: without an order in the case there is an error.
 TEST(LinesThatCross, OrderIsAskedFor) {
   const auto chains = [](const std::string& contact) {
     return "hawser: 1\nenvironment: {water: {depth: 100}, seabed: {depth: 100}}\nline_types:\n"

@@ -1,5 +1,5 @@
-// A mesh that the ranks of a host share: answers to the last bit those of a mesh of one's own, each file read
-// once and kept once a host, and all ranks report alike what is wrong with a file.
+// A mesh shared by the ranks of a host: its results are those of a private mesh to the last bit, each file is
+// read once and stored once a host, and all ranks report the same error of a file.
 #include <gtest/gtest.h>
 #include <sys/inotify.h>
 #include <unistd.h>
@@ -30,7 +30,7 @@ bool same(const std::optional<SurfacePoint>& a, const std::optional<SurfacePoint
          bits(a->point, b->point) && a->triangle == b->triangle && a->feature == b->feature;
 }
 
-// Points about a surface, on each rank others.
+// Compares queries at points around a surface; each rank has other points.
 void expect_same(const Surface& own, const Surface& shared, int points) {
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
@@ -80,7 +80,7 @@ TEST(MeshShared, AnswersAreTheSame) {
   }
 }
 
-// Of this process alone [bytes], 0 where the system does not tell.
+// Memory [bytes] of this process alone; 0 if the system does not report it.
 std::size_t own_memory() {
   std::ifstream in("/proc/self/smaps_rollup");
   std::string word;
@@ -110,8 +110,8 @@ TEST(MeshShared, OneCopyAHost) {
   MPI_Barrier(host.comm());
 }
 
-// How often any process opens a file while `work` runs. The system tells like events one after the other as
-// one, so that reading and closing are watched as well.
+// Number of times that processes open a file while `work` runs. inotify merges equal successive events, so
+// reading and closing are watched as well.
 int openings(const std::string& path, const std::function<void()>& work) {
   const int watch = inotify_init1(IN_NONBLOCK);
   EXPECT_GE(inotify_add_watch(watch, path.c_str(), IN_OPEN | IN_ACCESS | IN_CLOSE), 0) << path;
@@ -131,7 +131,7 @@ int openings(const std::string& path, const std::function<void()>& work) {
   return found;
 }
 
-// A whole run and a check of a case with a mesh that two volumes have and a seabed that is one.
+// A whole run and a check of a case in which two volumes have the same mesh, and the seabed is a mesh.
 TEST(MeshShared, EachFileIsReadOnce) {
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
@@ -182,7 +182,7 @@ lines:
   }
 }
 
-// What load_volumes() says, on all ranks.
+// Error of load_volumes() on all ranks.
 std::string wrong(const model::Case& c) {
   try {
     run::load_volumes(c, MPI_COMM_WORLD);
@@ -211,7 +211,7 @@ TEST(MeshShared, AllRanksTellWhatIsWrong) {
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   model::Case c = io::read_case(HAWSER_SOURCE_DIR "/cases/reel/reel.yaml");
   ASSERT_FALSE(c.volumes.empty());
-  // One the leading rank alone would find, and one with no mesh in it.
+  // A missing file, which only the leading rank finds, and a file without a mesh.
   for (const bool there : {false, true}) {
     c.volumes[0].mesh = (std::filesystem::temp_directory_path() / "hawser_shared_bad.stl").string();
     if (rank == 0) {

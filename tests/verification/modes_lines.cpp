@@ -1,4 +1,5 @@
-// Natural frequencies of lines at rest: tensioned beams, hanging chain, vertical riser, sagged cable.
+// Natural frequencies of lines at rest against closed forms: tensioned beams, hanging chain, vertical riser,
+// sagged cable.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -13,8 +14,7 @@ using namespace hawser::test;
 
 namespace {
 
-// The largest relative error of the first `count` frequencies, each of which comes in `multiplicity` equal
-// modes.
+// Largest relative error of the first `count` frequencies; each has `multiplicity` equal modes.
 double frequency_error(const std::vector<double>& omega, const std::vector<double>& exact, int count,
                        int multiplicity) {
   double worst = 0;
@@ -31,7 +31,7 @@ std::vector<double> frequencies(run::Simulation& s) {
   return natural_frequencies(m.K, m.M);
 }
 
-// L0 that a weight w [N/m] and a tension T at the lower end stretch to L when it hangs along itself.
+// Unstretched length that a weight w [N/m] and a tension T at the lower end stretch to L in a vertical line.
 double unstretched(double L, double T, double w, double EA) {
   double L0 = L;
   for (int i = 0; i < 20; ++i) L0 = L - (T * L0 + 0.5 * w * L0 * L0) / EA;
@@ -40,8 +40,7 @@ double unstretched(double L, double T, double w, double EA) {
 
 }  // namespace
 
-// Transcendental equations of the tensioned Euler-Bernoulli beam, checked by Chebyshev collocation to 1e-8.
-// Hz.
+// Tensioned Euler-Bernoulli beam: transcendental equations, checked by Chebyshev collocation to 1e-8. Hz.
 TEST(Modes, TensionedBeam) {
   struct {
     const char* name;
@@ -88,8 +87,8 @@ TEST(Modes, HangingChain) {
   EXPECT_LT(error[1], 5e-3);
 }
 
-// Held at both ends, tension 100 kN at the lower one, 600 N/m, 150 kg/m, 300 m. The cable by Bessel
-// functions, the riser (EI = 2e7 N m², pinned) by Chebyshev collocation.
+// Held at both ends, tension 100 kN at the lower one, 600 N/m, 150 kg/m, 300 m. Cable by Bessel functions,
+// riser (EI = 2e7 N m², pinned) by Chebyshev collocation.
 TEST(Modes, VerticalCableAndRiser) {
   const std::vector<double> cable{0.36021971121025215, 0.7222126680579809, 1.0838280130088025};
   const std::vector<double> riser{0.3633503983713026, 0.743847975352001, 1.1523732179300605};
@@ -108,8 +107,8 @@ TEST(Modes, VerticalCableAndRiser) {
   }
 }
 
-// Irvine & Caughey (1974), Proc. R. Soc. A 341: symmetric in-plane modes, Omega = omega l sqrt(m/H),
-// lambda² = (m g l/H)² l EA/(H Le). The theory is that of a flat parabola: here the sag is 1/160 of the span.
+// Irvine & Caughey (1974), Proc. R. Soc. A 341: symmetric in-plane modes, Omega = omega l sqrt(m/H), lambda²
+// = (m g l/H)² l EA/(H Le). The theory assumes a flat parabola: the sag is 1/160 of the span.
 TEST(Modes, SaggedCable) {
   struct {
     double lambda2;
@@ -125,7 +124,7 @@ TEST(Modes, SaggedCable) {
   const int n = 60;
   for (const auto& r : rows) {
     const double EA = r.lambda2 * H * Le / (l * ratio * ratio);
-    double low = 0.5 * l, high = 1.1 * l;  // the unstretched length that hangs with H
+    double low = 0.5 * l, high = 1.1 * l;  // unstretched length for which the tension is H
     for (int i = 0; i < 100; ++i) {
       const double L = 0.5 * (low + high);
       const double x = catenary_chord(Vec3(H, 0, -0.5 * w * L), Vec3(0, 0, -w), L, EA).x();
@@ -136,7 +135,7 @@ TEST(Modes, SaggedCable) {
     run::Simulation s(PETSC_COMM_WORLD, c);
     s.solve_statics();
     const ModalMatrices a = modal_matrices(s.system(), s.state().at_rest());
-    // Both halves move alike: x opposite, z equal.
+    // Symmetric modes: both halves move equally, x opposite, z equal.
     Eigen::MatrixXd B = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(a.dof.size()), n - 1);
     for (int i = 1; i < n / 2; ++i) {
       const int x = i - 1, z = n / 2 - 1 + i - 1;

@@ -13,9 +13,9 @@ using namespace hawser::test;
 
 namespace {
 
-// A system that turns steadily about an axis through the origin at angular velocity `Omega` [rad/s].
+// A system that rotates steadily about an axis through the origin at angular velocity `Omega` [rad/s].
 //
-// With R(t) the turning, a node is at x = R (X + xi) and its rotation is R Q exp(phi). At R = 1 and to first
+// With the rotation R(t), a node is at x = R (X + xi) and its rotation is R Q exp(phi). At R = 1 and to first
 // order
 //   v = Om x (X + xi) + xi',  a = Om x (Om x (X + xi)) + 2 Om x xi' + xi''
 //   w = exp(-phi) W + phi',   alpha = W x phi' + phi'',             W = Q' Om, all in material axes,
@@ -55,7 +55,7 @@ struct SteadyRotation {
     return m;
   }
 
-  // Relative equilibrium: Newton on the residual with the accelerations of the turning, which change little.
+  // Relative equilibrium: Newton on the residual with the accelerations of the rotation, which change little.
   int settle() {
     VecHandle r = s.system().create_vector(), u = s.system().create_vector();
     MatHandle J = s.system().create_matrix();
@@ -94,10 +94,10 @@ struct SteadyRotation {
 
 struct Blade {
   std::vector<double> flap, lag;
-  double damping = 0;  // largest |real part| over imaginary part: there is none
+  double damping = 0;  // largest |real part| over imaginary part: there is no damping
 };
 
-// A blade of length 1, EI = m = 1 along x, hub radius 0, turning about z. EA = 1e7 stands for inextensible.
+// A blade of length 1, EI = m = 1 along x, hub radius 0, rotating about z. EA = 1e7 stands for inextensible.
 Blade blade(double eta, int elements) {
   model::LineType t = beam_type(1e7, 1, 1, 1);
   t.rotary_inertia = Vec3(1e-5, 1e-9, 1e-9);
@@ -108,7 +108,8 @@ Blade blade(double eta, int elements) {
   turning.settle();
   const ModalMatrices m = turning.matrices();
   Blade out;
-  // The plane of rotation is one of symmetry: (z, rotation about x and y) and (x, y, rotation about z) part.
+  // The plane of rotation is a plane of symmetry: the motions (z, rotation about x and y) and (x, y, rotation
+  // about z) are uncoupled.
   auto part = [&](bool out_of_plane) {
     const Eigen::MatrixXd B = components(
         m, [&](int block, int axis) { return (block % 2 == 0 ? axis == 2 : axis != 2) == out_of_plane; });

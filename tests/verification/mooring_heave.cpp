@@ -1,4 +1,5 @@
-// Studless chain in 50, 200 and 600 m of water: at rest, in a current, its fairlead heaving by 2 and 5 m.
+// Studless chain in 50, 200 and 600 m of water at rest, in a current, and with its fairlead heaving by 2 and
+// 5 m: against collocation and OrcaFlex.
 #include <cstdlib>
 
 #include "hawser/terms/bed_contact.hpp"
@@ -12,8 +13,8 @@ struct Place {
 };
 constexpr Place k50{50, 400, 410}, k200{200, 700, 760}, k600{600, 1500, 1700};
 
-// OrcaFlex's studless chain has an axial drag of 1.15 on the bar's diameter over pi (its manual, "Chain"): on
-// that of the equivalent cylinder, 1.8 bars, 0.64, and 0.64/pi on the skin.
+// OrcaFlex's studless chain has an axial drag coefficient of 1.15 on the bar's diameter over pi (its manual,
+// "Chain"). On the equivalent cylinder of 1.8 bar diameters this is 0.64, and 0.64/pi on the skin.
 model::Case chain(const Place& at, int elements) {
   model::LineType t = cable_type(1.674e9, 390);
   t.outer_diameter = 0.252;
@@ -38,7 +39,7 @@ model::Case chain(const Place& at, int elements) {
   return c;
 }
 
-// The line's axis touches the bed: its contact diameter is nothing, its bed 100 kN/m³ of its 0.252 m.
+// Contact of the line's axis with the bed: contact diameter zero, bed stiffness 100 kN/m³ times 0.252 m.
 model::Case on_axis(const Place& at, int elements) {
   model::Case c = chain(at, elements);
   c.line_types[0].contact_diameter = 1e-9;
@@ -48,7 +49,7 @@ model::Case on_axis(const Place& at, int elements) {
   return c;
 }
 
-// As OrcaFlex has it: contact on a diameter of its own, a bed of 100 kN/m³ along the surface as across it.
+// As in OrcaFlex: a given contact diameter, bed stiffness 100 kN/m³ normal and tangential.
 model::Case on_diameter(const Place& at, int elements, double contact) {
   model::Case c = chain(at, elements);
   c.line_types[0].contact_diameter = contact;
@@ -60,7 +61,7 @@ model::Case on_diameter(const Place& at, int elements, double contact) {
   bed.friction.shear_stiffness = 1e5;
   return c;
 }
-// Of studless chain, 3.35 bars (its manual, "Chain").
+// Contact diameter of studless chain, 3.35 bar diameters (OrcaFlex manual, "Chain").
 constexpr double kContact = 3.35 * 0.14;
 
 double reaction(Simulation& sim, size_t node) {
@@ -68,7 +69,7 @@ double reaction(Simulation& sim, size_t node) {
   return Eigen::Map<const Vec3>(r.data() + 3 * sim.local().block[node]).norm();
 }
 
-// Converged solution of the line without bending on the same springs (collocation, 1e-10).
+// Reference: converged collocation (1e-10) of the line without bending on the same springs.
 TEST(MooringHeave, AtRest) {
   struct Row {
     const char* name;
@@ -96,9 +97,8 @@ TEST(MooringHeave, AtRest) {
   }
 }
 
-// Forces at the ends: what the motions below start from (MoorDyn's tests, quasi_static_chain), to the last
-// digit given; and OrcaFlex 11.6c as published with CableDyn, whose chain has contact on its 0.252 m and an
-// axial drag of 0.64 on its skin.
+// End forces at the start of the motions below (MoorDyn's tests, quasi_static_chain); and OrcaFlex 11.6c as
+// published with CableDyn, with contact on 0.252 m and an axial drag of 0.64 on the skin.
 TEST(MooringHeave, AtRestAsOrcaFlex) {
   struct Row {
     const char* name;
@@ -137,10 +137,10 @@ struct Range {
 
 struct Heaved {
   Range fairlead, anchor;  // kN
-  double deviation = 0;    // of the fairlead's force
+  double deviation = 0;    // standard deviation of the fairlead's force
 };
 
-// Two periods of 10 s after one of ramp and one to settle; forces at the ends.
+// Two periods of 10 s after one of ramp and one to settle; end forces.
 Heaved heave(const Place& at, double amplitude, double element, double step) {
   const int elements = static_cast<int>(std::lround(at.length / element));
   model::Case c = on_diameter(at, elements, kContact);
@@ -174,9 +174,9 @@ Heaved heave(const Place& at, double amplitude, double element, double step) {
   return out;
 }
 
-// OrcaFlex (series in MoorDyn's tests, quasi_static_chain), 10 m segments. Friction of 0.5, not in statics:
-// the mean of its anchor's tension in 200 m, 1400 kN, is that of the chain at rest without friction (1402 kN;
-// with it 900 kN).
+// OrcaFlex (series in MoorDyn's tests, quasi_static_chain), 10 m segments. Friction of 0.5, but not in
+// statics: its mean anchor tension in 200 m, 1400 kN, is that of the chain at rest without friction (1402 kN;
+// with friction 900 kN).
 struct HeaveRow {
   Place at;
   double heave, element, step;       // m, m, s
@@ -214,15 +214,16 @@ TEST(MooringHeave, FairleadMoves) {
   for (const HeaveRow& r : kRows) compare(r, r.element, r.step);
 }
 
-// At a quarter of the step, on elements half as long down to 1.25 m: what is within bounds above is so
-// because it has converged.
+// A quarter of the step and half the element length, down to 1.25 m: the results are still within the bounds,
+// so those above are converged.
 TEST(MooringHeave, FairleadMovesFine) {
   if (!std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
   for (const HeaveRow& r : kRows) compare(r, std::max(1.25, 0.5 * r.element), 0.25 * r.step);
 }
 
-// Elements that touch down one after the other must not ring, whatever the step. With the bed at the nodes
-// alone the least falls by 9 % from the first step to the second.
+// Touchdown of one element after the other must not cause oscillations: the extremes do not change with the
+// step. If the bed acted at the nodes only, the smallest tension would fall by 9 % from the first step to the
+// second.
 TEST(MooringHeave, TouchdownDoesNotRing) {
   const Heaved coarse = heave(k50, 5, 2.5, 0.05), fine = heave(k50, 5, 2.5, 0.025);
   printf("  fairlead's least %.1f kN at steps of 0.05 s, %.1f kN at 0.025 s\n", coarse.fairlead.least,

@@ -1,5 +1,5 @@
-// A mooring line in a current and an irregular sea, lying with friction, cut between ranks: statics and some
-// seconds with a moving fairlead are those of one rank.
+// A mooring line in a current and an irregular sea, with friction on the bed, cut between ranks: statics and
+// some seconds with a moving fairlead are the same as on one rank.
 #include "hawser/terms/bed_contact.hpp"
 #include "support/mooring.hpp"
 

@@ -1,5 +1,6 @@
-// The goals of docs/performance.md for mooring lines and risers in motion, in chain factorisations, at steps
-// whose extremes at the upper end and the anchor are within 0.5 % of the converged ones.
+// Cost of mooring lines and risers in motion against the goals of docs/performance.md, in chain
+// factorisations, at steps whose extremes at the upper end and the anchor are within 0.5 % of the converged
+// ones.
 #include "support/mooring_speed.hpp"
 
 #include <gtest/gtest.h>
@@ -9,15 +10,15 @@
 namespace hawser::test::speed::mooring_speed_test {
 namespace {
 
-// At the default tolerance. The least cost of some runs over the least factorisation of them: other work on
-// the machine only adds to either. It stops at the first that holds. The goals themselves are for a machine
-// that has nothing else to do (HAWSER_FULL); beside other tests, with which it shares caches and memory,
-// three times as much is let pass, which still sees a step that has become slow.
+// Newton's iteration has its default tolerance. The smallest cost of several runs over their smallest
+// factorisation is compared, because other load on the machine only adds to either; the loop stops at the
+// first run within the goal. The goals are for a machine without other load (HAWSER_FULL). Beside other
+// tests, which share caches and memory, three times the goal is allowed; this still detects a slow step.
 TEST(MooringSpeed, Goals) {
 #if defined(__OPTIMIZE__) && defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__)
   constexpr bool kFast = true;
 #else
-  constexpr bool kFast = false;  // no figures that mean anything
+  constexpr bool kFast = false;  // figures of a debug or sanitizer build mean nothing
 #endif
   const double slack = std::getenv("HAWSER_FULL") ? 1 : 3;
   struct Row {

@@ -11,9 +11,9 @@ struct Part {
   int elements;
 };
 
-// A line of cables from an anchor on a bed at 1000 m to a fairlead at (x, 0, z) from it. The weight is in the
-// mass; the bed is as hard as rock beside it, and its friction there after a slip that is short beside what
-// the line stretches by where it lies.
+// A line of cables from an anchor on a bed at 1000 m to a fairlead at (x, 0, z) from it. The mass is that of
+// the submerged weight. The bed is nearly rigid, and its friction is mobilised over a slip that is short
+// beside the stretch of the line on the bed.
 model::Case mooring(const std::vector<Part>& parts, double x, double z, double friction, double slip) {
   model::Case c;
   c.environment.water.present = true;
@@ -36,7 +36,7 @@ model::Case mooring(const std::vector<Part>& parts, double x, double z, double f
     c.line_types.push_back(t);
     l.sections.push_back({t.name, p.length, p.elements, 1});
   }
-  // The anchor is where the line rests, so that it is not led down to it.
+  // The anchor is at the height where the line rests on the bed, so the bed is not lowered for it.
   bed.smoothing = 0.01 * parts[0].weight / bed.normal_stiffness;
   const double level = -1000 + 0.5e-3 - parts[0].weight / bed.normal_stiffness - 0.5 * *bed.smoothing;
   l.end_a = anchor({7, -4, level});
@@ -53,12 +53,12 @@ struct Reference {
   double H, V, grounded, H_anchor;  // N, N, m, N
   double tolerance;
   int iterations = 40;
-  double slip = 1e-8;       // that mobilises friction, of x
-  double mobilisation = 0;  // m: full friction with it; 0: as laid, with `slip`
-  double at_anchor = 0;     // tolerance there, where it is another
+  double slip = 1e-8;       // slip that mobilises friction, over x
+  double mobilisation = 0;  // m: with full friction; 0: friction as laid, with `slip`
+  double at_anchor = 0;     // tolerance at the anchor, where it differs
 };
 
-// Grounded as far as the bed carries the line: of the last node that it carries, the part of the weight.
+// Grounded length: up to the last node on the bed, plus that node's share of carried weight.
 double grounded_length(Simulation& sim, const Reference& r) {
   const Mesh& mesh = sim.mesh();
   const auto nodes = static_cast<size_t>(mesh.nodes());
@@ -89,8 +89,9 @@ void expect(const Reference& r) {
   const double H = pull(last).head<2>().norm(), V = pull(last).z(), T = std::hypot(H, V),
                A = pull(0).head<2>().norm(), grounded = grounded_length(sim, r);
   const double true_T = std::hypot(r.H, r.V);
-  // A line that friction has taken hold of before its anchor does not pull at it; within the tolerance of all
-  // that it pulls with. So where friction is full: what is left at the anchor is a small difference.
+  // The tolerance of the anchor tension is relative to itself. It is relative to the fairlead tension where
+  // friction has reduced the anchor tension to zero, and for full friction, where the anchor tension is a
+  // small difference.
   const double anchor = r.H_anchor > 0 && !(r.mobilisation > 0) ? r.H_anchor : true_T;
   printf("  %-22s %2d iterations, T %+.4f %%, H %+.4f %%, V %+.4f %%, anchor %+.4f %%, grounded %+.2f m\n",
          r.name, report.iterations, 100 * (T / true_T - 1), 100 * (H / r.H - 1), 100 * (V / r.V - 1),
@@ -106,8 +107,8 @@ void expect(const Reference& r) {
   }
 }
 
-// A held node carries the half element at it, whose friction does not act: where it acts at the anchor,
-// elements grow from `first` there by tens.
+// A held node carries half of its element without friction. Where friction acts up to the anchor, elements
+// are graded: ten of each length, from `first` on, each length ten times the last.
 std::vector<Part> fine_at_anchor(const Part& line, double first) {
   std::vector<Part> out;
   double length = 0;
@@ -122,7 +123,7 @@ std::vector<Part> fine_at_anchor(const Part& line, double first) {
 const double kOC4 = (113.35 - 1025 * M_PI / 4 * 0.0766 * 0.0766) * 9.80665;
 const double kVolturn = (685 - 1025 * M_PI / 4 * 0.333 * 0.333) * 9.80665;
 
-// OC3-Hywind: MAP++ 1.20.10 in OpenFAST/r-test, and fairleads moved radially.
+// OC3-Hywind: MAP++ 1.20.10 in OpenFAST/r-test, and radially moved fairleads.
 TEST(MooringStatics, Oc3Hywind) {
   const std::vector<Part> line = {{698.0945369, 902.2, 384243000, 180}};
   expect({"OC3", line, 848.67, 250, 0.001, 736939.2901, 535727.9918, 134.7853255, 736845.1972, 1e-3});
@@ -139,7 +140,7 @@ TEST(MooringStatics, Semisubmersibles) {
   const double x = std::hypot(418.8 - 20.434, 725.383 - 35.393);
   expect({"OC4", fine_at_anchor({kOC4, 835.35, 753600000, 160}, 0.1), x, 186, 1, 909408.4262, 631704.299,
           242.3459, 651246.7145, 1e-3});
-  // The same of its report, 835.5 m and 108.63 kg/m under water.
+  // The same line with the data of its report, 835.5 m and 108.63 kg/m under water.
   expect({"OC4, report", fine_at_anchor({108.63 * 9.80665, 835.5, 753600000, 160}, 0.1), x, 186, 1,
           902571.5347, 629573.6131, 244.5155385, 642090.0144, 1e-3});
   const std::vector<Part> line = {{kVolturn, 850, 3270000000, 170}};
@@ -148,10 +149,10 @@ TEST(MooringStatics, Semisubmersibles) {
   expect({"VolturnUS-S, MAP deck", line, 779.8, 186, 1, 1366340.286, 2036440.576, 501.421098, 0, 2e-3, 150});
 }
 
-// MAP++'s own baseline, near vertical, and MoorPy's test_catenary (almost inextensible).
+// Baseline of MAP++'s tests, nearly vertical, and MoorPy's test_catenary (almost inextensible).
 TEST(MooringStatics, UnitTestsOfMapAndMoorPy) {
-  // Of 17.4 kN friction leaves 0.67 kN to the anchor. Slips of nanometres mobilise it here, which is what
-  // Newton's method leaves of positions: half a per cent of what is left at the anchor.
+  // Friction leaves 0.67 kN of 17.4 kN at the anchor. A slip of nanometres mobilises it, the tolerance of
+  // Newton's positions: the error is 0.5 % of the anchor tension.
   expect({"MAP++ base", fine_at_anchor({1327.647744, 125, 545000000, 800}, 5e-4), 50, 100, 1, 17449.66817,
           149176.9239, 12.63817471, 670.6240176, 1e-3, 40, 1e-10, 0, 5e-3});
   const std::vector<Part> line = fine_at_anchor({800, 500, 7.51e12, 200}, 0.05);
@@ -160,8 +161,7 @@ TEST(MooringStatics, UnitTestsOfMapAndMoorPy) {
   expect({"MoorPy, friction 0.1", line, 400, 200, 0.1, 96643.45416, 237751.7684, 202.8102894, 80418.631, 1e-3,
           40, 1e-11, 0, 5e-3});
   expect({"MoorPy, friction 5", line, 400, 200, 5, 96643.4604, 237751.7726, 202.8102842, 0, 1e-3, 100, 1e-9});
-  // Full friction whatever the mobilisation length: nothing to tune, though it is a million times the
-  // stretch.
+  // Full friction does not depend on the mobilisation length, although this is a million times the stretch.
   const std::vector<Part> map = fine_at_anchor({1327.647744, 125, 545000000, 800}, 5e-4);
   for (const double length : {1e-6, 1e-3, 0.1}) {
     printf("  mobilisation length %g m\n", length);
@@ -174,7 +174,7 @@ TEST(MooringStatics, UnitTestsOfMapAndMoorPy) {
   }
 }
 
-// Chain, chain and polyester: Lozon et al. 2025, closed form of their lines.
+// Chain, chain and polyester: lines of Lozon et al. 2025, by closed form.
 TEST(MooringStatics, SeveralSections) {
   expect({"Gulf of Mexico",
           {{4366.188626, 364.5, 2191000000, 100}},

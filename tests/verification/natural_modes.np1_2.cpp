@@ -1,4 +1,4 @@
-// Modes by shift and invert: against closed forms, and the translations of ends tied to a body that swings.
+// Modes by shift and invert against closed forms; the displacements of ends tied to a body that moves.
 #include "hawser/solve/natural_modes.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kG = 9.81;
 
-// Of the node's owner, on all ranks.
+// Mode shape at a node, from its owner, on all ranks.
 Vec3 shape_at(Simulation& s, const NaturalMode& mode, int node) {
   const int n = s.local().find(node);
   Vec3 x = n >= 0 && n < s.local().owned ? mode.shape[static_cast<size_t>(n)] : Vec3(Vec3::Zero());
@@ -34,13 +34,14 @@ TEST(NaturalModes, HangingChain) {
   ASSERT_EQ(modes.size(), 6U);
   for (size_t i = 0; i < 6; ++i) {
     EXPECT_NEAR(std::sqrt(modes[i].squared), exact[i / 2], 5e-4 * exact[i / 2]) << i;
-    // The end swings most.
+    // The displacement is largest at the free end.
     EXPECT_NEAR(shape_at(s, modes[i], 200).norm(), 1, 1e-9) << i;
     EXPECT_NEAR(shape_at(s, modes[i], 0).norm(), 0, 1e-12) << i;
   }
 }
 
-// Four equal chains have every natural frequency eight times: none is excluded, however many are asked for.
+// Four equal chains have every natural frequency eight times. All are found, for any number of requested
+// modes.
 TEST(NaturalModes, OfEqualLinesAreAllThere) {
   const std::vector<double> exact{1.1909350769091904, 2.733692939922684, 4.285561621936849};
   model::Case c = one_line(cable_type(1e8, 1), 10, 60, anchor(Vec3::Zero()), {});
@@ -60,8 +61,8 @@ TEST(NaturalModes, OfEqualLinesAreAllThere) {
   }
 }
 
-// Heave of a spar that is one vertical line through the surface: omega² = rho g A/m, in closed form, wherever
-// the surface lies in an element.
+// Heave of a spar that is one vertical line through the surface: omega² = rho g A/m in closed form, for any
+// position of the surface within an element.
 TEST(NaturalModes, HeaveOfASparDoesNotGoByItsElements) {
   const double area = M_PI / 4 * 8 * 8;
   const double exact = std::sqrt(1025 * kG * area / (2.952e6 + 20000 * 110));
@@ -97,7 +98,7 @@ contact: {{between_lines: false}}
 }
 
 // A load on one sling is a double pendulum in both planes: M = [m L², m L a; m L a, I + m a²], K = [m g L, m
-// g a], and free to turn about the sling.
+// g a]. Its rotation about the sling has no stiffness.
 TEST(NaturalModes, LoadOnASling) {
   const double m = 2000, L = 5, a = 1;
   const Vec3 inertia(3000, 4000, 5000);
@@ -125,17 +126,17 @@ TEST(NaturalModes, LoadOnASling) {
   s.solve_statics();
   const auto modes = hawser::natural_modes(s.system(), s.state().at_rest(), 5);
   ASSERT_EQ(modes.size(), 5U);
-  // It turns in place, without force.
+  // The first mode is the free rotation of the load in place.
   EXPECT_LT(std::abs(modes[0].squared), kFreeMotion);
   EXPECT_EQ(shape_at(s, modes[0], s.mesh().body_node(0)).norm(), 0);
   const int load = s.local().find(s.mesh().body_node(0));
   if (load >= 0 && load < s.local().owned) {
     EXPECT_NEAR((modes[0].rotation[static_cast<size_t>(load)].cwiseAbs() - Vec3::UnitZ()).norm(), 0, 1e-6);
   }
-  // Three components of the node of the sling, six of the load: there are no more modes than those.
+  // There are nine modes: three components of the sling's inner node and six of the load.
   EXPECT_EQ(hawser::natural_modes(s.system(), s.state().at_rest(), 1000).size(), 9U);
   struct Exact {
-    double squared, eye;  // and how far the eye goes as the load's centre goes by 1
+    double squared, eye;  // displacement of the eye for 1 of the load's centre
     int axis;
   };
   std::vector<Exact> exact;

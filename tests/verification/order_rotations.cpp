@@ -1,5 +1,5 @@
-// Order of the time integrator with finite rotations: a fast heavy top against its own equations solved by
-// Runge-Kutta, and a tumbling flexible beam against itself.
+// Second order of the time integrator with finite rotations: a fast heavy top against its own equations
+// solved by Runge-Kutta, and a tumbling flexible beam against a run with finer steps.
 #include <algorithm>
 #include <array>
 #include <span>
@@ -10,7 +10,7 @@ namespace hawser::test::order_rotations_test {
 namespace {
 
 // The top of Brüls & Cardona (2010), section 5.2: 15 kg at (0, 1, 0) m of the body, gravity 9.81 m/s² along
-// -z, turning at (0, 150, -4.61538) rad/s. Here its point stands still by a support.
+// -z, angular velocity (0, 150, -4.61538) rad/s. Here a support holds its point.
 struct Top {
   Vec3 arm{0, 1, 0}, inertia{15.234375, 0.46875, 15.234375};  // m; kg m², about the point
   double mass = 15, gravity = 9.81;
@@ -27,7 +27,7 @@ class TopTerm final : public ForceTerm {
   std::string_view record_key() const override { return "top"; }
   void evaluate(const Kinematics& k, Assembler& assembler) override {
     const Vec3 w = k.w[0], weight = top_.weight(k.q[0]), Jw = top_.inertia.cwiseProduct(w);
-    // In three pieces: the size of what is added is what the residual is judged against.
+    // Added in three pieces, because the residual is relative to the size of the contributions.
     const Vec3 inertia = top_.inertia.cwiseProduct(k.alpha[0]), turn = w.cross(Jw),
                load = -top_.arm.cross(weight);
     const Mat3 M = top_.inertia.asDiagonal();
@@ -46,7 +46,7 @@ struct End {
   Vec3 w;
 };
 
-// Runge-Kutta of fourth order on the quaternion, normalised: 1e-11 at 2e5 steps of 1 s.
+// Runge-Kutta of fourth order on the quaternion, normalised: error 1e-11 with 2e5 steps in 1 s.
 End reference(double until, int steps) {
   const Top top;
   using Y = Eigen::Matrix<double, 7, 1>;
@@ -117,22 +117,22 @@ TEST(Order, HeavyTop) {
   }
 }
 
-// Error against a run with a step eight times finer than the finest.
+// Reference: a run with steps eight times finer than the finest.
 TEST(Order, TumblingBeam) {
   constexpr double until = 0.5;
   for (const double rho : {0.8, 1.0}) {
     auto run = [&](int steps) {
       model::Case c = free_line(true, 4);
-      model::LineType& t = c.line_types[0];  // soft: all its waves are slow beside the step
+      model::LineType& t = c.line_types[0];  // soft: all its waves are slow relative to the step
       t.EA = 1e4;
       t.EI2 = t.EI3 = t.GJ = 100;
       c.dynamics.duration = until;
       c.dynamics.step = until / steps;
       c.dynamics.rho_infinity = rho;
-      c.dynamics.tolerance = 1e-14 * steps;  // accelerations are u / h²: their round-off grows as 1 / h
+      c.dynamics.tolerance = 1e-14 * steps;  // the round-off of accelerations grows as 1 / h
       Simulation s(PETSC_COMM_SELF, c);
       throw_line(s.state(), true);
-      for (size_t i = 0; i < s.state().w.size(); ++i) s.state().w[i].x() += 3;  // and spins about itself
+      for (size_t i = 0; i < s.state().w.size(); ++i) s.state().w[i].x() += 3;  // rotation about its own axis
       Dynamics& d = s.dynamics();
       d.start(s.state());
       integrate(d, until, until, [](const StepInfo&) {});

@@ -1,5 +1,4 @@
-// Which lines several ranks cut, which direct solver they use, and that its
-// answers are those of one rank.
+// Partition of lines between ranks and the direct solver this selects; solutions are those of one rank.
 #include <limits>
 
 #include "hawser/base/mpi.hpp"
@@ -13,7 +12,7 @@
 namespace hawser::test::parallel_solvers {
 namespace {
 
-// One line, wound in turns that nearly touch.
+// One line wound in turns that nearly touch.
 model::Case coil() {
   constexpr int elements = 90, turn = 15;
   model::Case c;
@@ -35,8 +34,7 @@ model::Case coil() {
   return c;
 }
 
-// Lines side by side, so many that none is near itself but the cut through all
-// of them is long.
+// Parallel lines, so many that the cut through all of them is long, although no line is near itself.
 model::Case mat() {
   model::Case c;
   model::LineType type = beam_type(1e6, 1e3, 1e3, 5);
@@ -51,7 +49,7 @@ model::Case mat() {
   return c;
 }
 
-// Long lines side by side, of which two cross.
+// Long parallel lines, two of which cross.
 model::Case farm(int lines) {
   model::Case c;
   model::LineType type = beam_type(1e6, 1e3, 1e3, 5);
@@ -68,8 +66,8 @@ model::Case farm(int lines) {
   return c;
 }
 
-// The tangent of a step at the start and its solution for a right-hand side
-// that looks the same on any number of ranks, by node of the mesh.
+// Tangent of a step at the start and its solution, by node of the mesh; the right-hand side does not depend
+// on the number of ranks.
 struct Solved {
   std::string solver;
   std::vector<Vec3> x;
@@ -88,7 +86,7 @@ Solved solve(MPI_Comm comm, const model::Case& c, const Configure& configure) {
   VecHandle b = system.create_vector(), x = system.create_vector();
   const std::vector<double> zero(3 * static_cast<size_t>(m.blocks()), 0);
   Solved out;
-  // Twice, so that the second has new values in an old pattern.
+  // Two solutions: the second has new values in the same pattern.
   KspHandle ksp;
   check(KSPCreate(comm, ksp.out()));
   for (const double mass : {1.0, 400.0}) {
@@ -150,8 +148,8 @@ class ParallelSolvers : public ::testing::Test {
   int ranks_ = 1;
 };
 
-// A long line and two short ones. One that may touch itself is not cut and, being more than its share, has a
-// rank of its own.
+// A long and two short lines. A line that may touch itself is not cut; here it is longer than a rank's share
+// and has a rank of its own.
 TEST_F(ParallelSolvers, ALineThatMayTouchItselfIsNotCut) {
   model::Case c = one_line(cable_type(1e6, 1), 100, 100, anchor({0, 0, 0}), anchor({100, 0, 0}));
   for (const double y : {50.0, 100.0}) {
@@ -176,14 +174,14 @@ TEST_F(ParallelSolvers, ALineThatMayTouchItselfIsNotCut) {
   }
   c.contact.between_lines.self = false;
   EXPECT_FALSE(whole(shared_out(2)));
-  // Less than its share: with others on its rank.
+  // A line shorter than a rank's share has a rank together with others.
   c.contact.between_lines.self = true;
   c.lines.resize(2, c.lines[0]);
   c.lines.resize(6, c.lines[1]);
   EXPECT_TRUE(whole(shared_out(2)));
 }
 
-// On one rank, so to the last bit.
+// An uncut line is solved by one rank, so the solution is the same to the last bit.
 TEST_F(ParallelSolvers, ACoilIsNotCut) {
   const Solved one = solve(PETSC_COMM_SELF, coil(), configured);
   const Solved all = solve(PETSC_COMM_WORLD, coil(), configured);
@@ -211,7 +209,7 @@ TEST_F(ParallelSolvers, WhereManyTouchAcrossTheCutMumpsSolves) {
   }
 }
 
-// What a solution leaves of the right-hand side, of all blocks of the matrix that are stored.
+// Residual of a solution with all stored blocks of the matrix.
 double residual_of(KSP ksp, Mat A) {
   VecHandle b, x, r;
   check(MatCreateVecs(A, x.out(), b.out()));
@@ -226,7 +224,7 @@ double residual_of(KSP ksp, Mat A) {
   return norm;
 }
 
-// Chains side by side that do not touch, of which every rank has a stretch. Rows stand by rank, chain, place.
+// Parallel chains without contact; every rank has a piece of each. Rows are ordered by rank, chain, position.
 MatHandle chains_cut_by_all(int chains, int stretch) {
   const int ranks = ranks_of(PETSC_COMM_WORLD), rank = rank_of(PETSC_COMM_WORLD), mine = chains * stretch;
   const auto number = [=](int chain, int k) {
@@ -250,7 +248,7 @@ MatHandle chains_cut_by_all(int chains, int stretch) {
   return A;
 }
 
-// More shared unknowns than one dense system may have, in parts that are small.
+// The shared unknowns exceed the limit of one dense system, but each chain is a small system of its own.
 TEST_F(ParallelSolvers, ChainsThatDoNotTouchAreSolvedEachForItself) {
   if (ranks_ == 1) return;
   constexpr int kChains = 90;
@@ -276,8 +274,8 @@ TEST_F(ParallelSolvers, ChainsThatDoNotTouchAreSolvedEachForItself) {
   }
 }
 
-// Every block in the pattern, all but those on the diagonal zero, then more and more of them in use, then
-// fewer again, and a matrix of another pattern.
+// All blocks are in the pattern and off-diagonal blocks are zero at first; then more of them become nonzero,
+// then fewer; finally a matrix of another pattern.
 TEST_F(ParallelSolvers, BlocksComeIntoUseAndGoOutOfIt) {
   const auto matrix = [](PetscInt n) {
     MatHandle A;

@@ -1,4 +1,4 @@
-// Platforms at other headings and places, and their forces by component.
+// Platforms at other headings and positions, their forces by component, and a restart.
 #include <fmt/format.h>
 
 #include <complex>
@@ -18,13 +18,13 @@ using platform_rig::coefficients;
 using platform_rig::motion;
 using run::Simulation;
 
-// Coefficients of wind and of current of a ship.
+// Wind and current coefficients of a ship.
 constexpr const char* kWind =
     "[[0, 0.8, 0, 0], [60, 0.4, 0.6, 0.1], [120, -0.4, 0.6, -0.1], [180, -0.8, 0, 0]]";
 constexpr const char* kCurrent =
     "[[0, 0.08, 0, 0], [60, 0.04, 0.6, 0.1], [120, -0.04, 0.6, -0.1], [180, -0.08, 0, 0]]";
 
-// Coefficients of a ship by formulas: wave forces and mean drift by direction every 30 deg.
+// Coefficients of a ship by formulas: wave forces and mean drift for directions every 30 deg.
 std::string ship_files(const std::string& name) {
   const std::string stem = testing::TempDir() + name;
   if (rank_of(PETSC_COMM_WORLD) == 0) {
@@ -56,8 +56,7 @@ std::string ship_files(const std::string& name) {
   return stem;
 }
 
-// That ship in a wave, a current and wind, its springs about a place; everything turned by an angle and
-// moved.
+// That ship in a wave, a current and wind, on springs about a place; all rotated by an angle and moved.
 std::vector<Vec3> turned_ship(const std::string& stem, double turn_deg, double away, double follow) {
   const double turn = turn_deg * M_PI / 180, k = 0.64 / 10;
   const Mat3 R = exp_so3(turn * Vec3::UnitZ()).toRotationMatrix();
@@ -120,8 +119,8 @@ TEST(Platforms, TurnedAndMovedShipsMoveEqually) {
   }
 }
 
-// With a moment of mean drift -8 sin b cos b in waves to b the ship, which turns freely, lies along them: at
-// rest the surge force is that of waves to 0, 0.5 a² rho g over its stiffness.
+// A free ship with the mean drift moment -8 sin b cos b in waves to b comes to rest along the waves. The
+// surge force at rest is that of waves to 0, and the displacement is 0.5 a² rho g over the stiffness.
 TEST(Platforms, WavesTurnAShipAtRest) {
   const std::string stem = ship_files("hawser_platform_rest/ship");
   const std::string text = fmt::format(
@@ -152,8 +151,8 @@ bodies:
   EXPECT_NEAR(from_owner(s, [&](size_t n) { return s.state().x[n].y(); }), way * std::sin(angle), 1e-5);
 }
 
-// Pushed along its bow, which points to 90 deg, a ship has the added mass of surge, 80 t beside 1000 t; with
-// coefficients that stay at a heading of 0 that of sway, 500 t. K(t) takes little in half a second.
+// A ship with heading 90 deg is pushed along its bow: its added mass is that of surge, 80 t beside 1000 t, or
+// that of sway, 500 t, if the coefficients stay at heading 0. K(t) has little effect within half a second.
 TEST(Platforms, AddedMassTurnsWithTheHeading) {
   const std::string stem = ship_files("hawser_platform_pushed/ship");
   for (const double follow : {100.0, 0.0}) {
@@ -179,8 +178,8 @@ dynamics: {{duration: 0.5, step: 0.01, rho_infinity: 1}}
   }
 }
 
-// A body that moves with a wave at 2 m/s meets it at w - k v: its heave is that of the frequency of
-// encounter, with the phase of where it is.
+// A body that moves with the waves at 2 m/s has the encounter frequency w - k v: its heave has this frequency
+// and the phase of its position.
 TEST(Platforms, MovingBodyMeetsTheWaves) {
   const std::string stem = coefficients("hawser_platform_meets/barge", "3 3 200\n4 4 900\n5 5 4000\n");
   if (rank_of(PETSC_COMM_WORLD) == 0) {
@@ -219,8 +218,8 @@ dynamics: {{duration: 400, step: 0.1, rho_infinity: 1}}
   EXPECT_LT(off, 0.01 * std::abs(heave));
 }
 
-// Of the same ship on a link, in waves, wind and current: what forces come from adds up to all that acts on
-// it, and the rest is the pull of the link.
+// A ship on a link in waves, wind and current: its forces by component sum up to the total force, except for
+// the pull of the link.
 TEST(Platforms, ForcesByComponentAddUp) {
   const std::string stem = ship_files("hawser_platform_components/ship");
   const std::string text = fmt::format(
@@ -255,7 +254,7 @@ dynamics: {{duration: 13, step: 0.1}}
   integrate(d, 13, 13, [](const StepInfo&) {});
   const Kinematics& at = d.kinematics();
   std::vector<std::string> names;
-  std::vector<double> forces;  // by component: force, moment; then those of all, of the link
+  std::vector<double> forces;  // by component: force, moment; then of all, and of the link
   for (const ActsOnBodies* term : s.system().with<ActsOnBodies>())
     for (const std::string& name : term->load_components(0)) names.push_back(name);
   ASSERT_EQ(names, (std::vector<std::string>{"wind", "hydrostatic", "radiation", "added", "wave", "drift"}));
@@ -288,15 +287,15 @@ dynamics: {{duration: 13, step: 0.1}}
   Vec6 rest = of(names.size());
   for (size_t i = 0; i < names.size(); ++i) rest -= of(i);
   const Vec6 link = of(names.size() + 1);
-  // The residual of a step is a mean over it of some terms: the balance at its end holds as that of a step
-  // does.
+  // The residual of a step contains means over the step of some terms, so the balance at its end holds within
+  // the error of a step.
   EXPECT_LT((rest - link).head<3>().norm(), 0.01 * of(1).head<3>().norm());
   EXPECT_GT(link.norm(), 1e4);
   EXPECT_LT((rest - link).head<2>().norm(), 0.02 * of(4).head<2>().norm());
 }
 
-// A ship that turns in waves, wind and a current: stopped in the middle and gone on with, its slow heading,
-// memory, loads and forces by component are those of the run that was not.
+// A ship that rotates in waves, wind and current: after a restart its slow heading, memory, loads and forces
+// by component are exactly those of the uninterrupted run.
 TEST(Platforms, RestartGoesOnWithTheSlowHeading) {
   const std::string path = runs::folder("platform_restart"), stem = ship_files("hawser_platform_kept/ship");
   const std::string text = fmt::format(
@@ -330,7 +329,7 @@ output: {{every: 5, checkpoint_every: 10, history_every: 0.5, histories: [{{body
   runs::run_on_all({input, path + "/rest.h5", path + "/half.h5", 20});
   if (rank_of(PETSC_COMM_WORLD) != 0) return;
   const runs::Results whole = runs::read(path + "/whole.h5"), rest = runs::read(path + "/rest.h5");
-  ASSERT_EQ(whole.columns.at("ship"), 24u + 6 * 8);  // motion and force, then seven components and the rest
+  ASSERT_EQ(whole.columns.at("ship"), 24u + 6 * 8);  // motion, force, seven components, remainder
   for (size_t c = 0; c < whole.columns.at("ship"); ++c) {
     const auto there = rest.column("ship", c), here = runs::tail(whole.column("ship", c), there);
     ASSERT_GT(there.size(), 10u);

@@ -12,7 +12,7 @@
 
 namespace hawser::test::platform_rig {
 
-// Places of the bodies' nodes (the centre of mass) at the ends of steps.
+// Positions of the bodies' nodes (centres of mass) at the ends of steps.
 inline std::vector<std::vector<Vec3>> motion(const model::Case& c, double until, double every) {
   run::Simulation s(PETSC_COMM_WORLD, c);
   if (c.statics.enabled) s.solve_statics();
@@ -36,8 +36,8 @@ inline std::vector<std::vector<Vec3>> motion(const model::Case& c, double until,
   return out;
 }
 
-// Files of a barge of little added mass and damping, and of that hydrostatic stiffness: their path without
-// endings.
+// Writes files of a barge with little added mass and damping and the given hydrostatic stiffness; returns
+// their path without endings.
 inline std::string coefficients(const std::string& name, const std::string& stiffness) {
   const std::string stem = testing::TempDir() + name;
   if (rank_of(PETSC_COMM_WORLD) == 0) {

@@ -1,5 +1,5 @@
-// Platforms by hydrodynamic coefficients: the decay of a hemisphere, two bodies that radiate on each other,
-// and the place where a platform rests under load.
+// Platforms by hydrodynamic coefficients: heave decay of a hemisphere, radiation coupling of two bodies,
+// equilibrium under load, natural modes.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -17,7 +17,7 @@ using platform_rig::coefficients;
 using platform_rig::motion;
 using run::Simulation;
 
-// A hemisphere of 5 m and 261.8 t in 1000 kg/m³ that starts 1 m above its rest, for 10 s.
+// A hemisphere of radius 5 m and 261.8 t in 1000 kg/m³ starts 1 m above its equilibrium, for 10 s.
 model::Case hemisphere(double step) {
   const std::string text = fmt::format(R"(hawser: 1
 environment: {{gravity: 9.81, water: {{density: 1000}}}}
@@ -35,9 +35,8 @@ dynamics: {{duration: 10, step: {}, rho_infinity: 1}}
   return io::read_case_text(text, testing::TempDir() + "sphere.yaml");
 }
 
-// 1 m of heave of a hemisphere of 5 m: inverse Laplace transform of the exact transform of K, from added mass
-// and damping by the multipole method of Hulme (1982). Table of the IEA OES sphere with 261.8 t in 1000
-// kg/m³.
+// Heave decay from 1 m against the inverse Laplace transform of the exact transform of K, with added mass and
+// damping by the multipole method of Hulme (1982). Table of the IEA OES sphere with 261.8 t in 1000 kg/m³.
 TEST(Platforms, HemisphereDecays) {
   constexpr double kTime = 2.5;
   const double exact[] = {1, -0.798213175, 0.43444015, -0.144894465, -0.0327708241};
@@ -51,7 +50,7 @@ TEST(Platforms, HemisphereDecays) {
   }
 }
 
-// Two bodies with B = b (2, -1; -1, 1) omega² exp(-2 omega): their files.
+// Coefficient files of two bodies with B = b (2, -1; -1, 1) omega² exp(-2 omega).
 struct Pair {
   static constexpr double kAdded[3] = {800, -200, 600}, kShare[3] = {2, -1, 1};
   static constexpr double kDamping = 6000;
@@ -87,7 +86,7 @@ struct Pair {
   }
 };
 
-// Against the same equations by average acceleration and a trapezoidal convolution with small steps.
+// Reference: the same equations by average acceleration and trapezoidal convolution with small steps.
 std::vector<Eigen::Vector2d> pair_by_trapezoids(const Pair& pair, Eigen::Vector2d x, double until,
                                                 double every) {
   constexpr double h = 0.01;
@@ -106,7 +105,7 @@ std::vector<Eigen::Vector2d> pair_by_trapezoids(const Pair& pair, Eigen::Vector2
   for (int n = 1; n <= steps; ++n) {
     Eigen::Vector2d past = 0.5 * h * K[static_cast<size_t>(n)] * v[0];
     for (int k = 1; k < n; ++k) past += h * K[static_cast<size_t>(n - k)] * v[static_cast<size_t>(k)];
-    // M a + h/2 K(0) v + past + C x = 0 with x, v of average acceleration.
+    // M a + h/2 K(0) v + past + C x = 0, with x and v by average acceleration.
     const Eigen::Vector2d predicted_v = v.back() + 0.5 * h * a,
                           predicted_x = x + h * v.back() + 0.25 * h * h * a;
     const Eigen::Matrix2d left = M + 0.25 * h * h * K[0] + 0.25 * h * h * C;
@@ -142,7 +141,7 @@ dynamics: {{duration: 20, step: 0.02, rho_infinity: 1}}
   }
 }
 
-// Steps of 0.05 to 0.2 s by turns: the memory knows no grid of times.
+// Steps alternate between 0.05 and 0.2 s: the memory does not require a regular time grid.
 TEST(Platforms, StepsMayChange) {
   Simulation s(PETSC_COMM_WORLD, hemisphere(0.05));
   Dynamics& d = s.dynamics();
@@ -158,8 +157,8 @@ TEST(Platforms, StepsMayChange) {
   EXPECT_NEAR(last, -0.0327708241, 5e-4);
 }
 
-// At rest: heave by a force F/C33, and pitch by its arm, F x/(C55 - m g zG) for small angles; the weight acts
-// by itself.
+// Statics: heave F/C33 by a force F, and pitch F x/(C55 - m g zG) by its arm x for small angles; the weight
+// is not part of the coefficients.
 TEST(Platforms, RestsUnderLoad) {
   const std::string stem = coefficients("hawser_platform_load/barge", "3 3 200\n4 4 900\n5 5 4000\n");
   const std::string text = fmt::format(R"(hawser: 1
@@ -183,8 +182,8 @@ bodies:
   EXPECT_NEAR(pitch, 2000 * 10 / (4e7 - 1e6 * 10 * 2), 1e-8);
 }
 
-// A ship with its centre of mass and its buoyancy ahead of its origin, turned by a moment on a spring: it
-// neither heels nor trims.
+// A ship whose centres of mass and buoyancy are ahead of its origin is rotated by a moment on a yaw spring:
+// heel and trim stay zero.
 TEST(Platforms, ShipYawsUpright) {
   // V x_B = 1000 m³ 4 m.
   const std::string stem = coefficients("hawser_platform_yaw/ship",
@@ -212,8 +211,8 @@ bodies:
         << k;
 }
 
-// A float of 1000 kg with A = 800 - 300 omega, B = 50 omega and C chosen so that omega = 0.8:
-// C = omega² (m + A), zeta = B/(2 omega (m + A)).
+// A float of 1000 kg with A = 800 - 300 omega, B = 50 omega and C for which omega = 0.8 has the mode C =
+// omega² (m + A), zeta = B/(2 omega (m + A)).
 TEST(Platforms, ModesHaveTheAddedMassOfTheirFrequency) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "hawser_platform_modes";
   const std::string stem = (folder / "float").string();

@@ -1,5 +1,5 @@
-// Dynamic positioning of a body that nothing else holds: its motion against the solution of the linear loop,
-// limits, what statics finds, the tangent of a step, and a run that goes on from a checkpoint.
+// Dynamic positioning of a body without other restraint: motion against the solution of the linear control
+// loop, limits, statics, the tangent of a step, and a restart from a checkpoint.
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
@@ -45,7 +45,7 @@ Vec3 thrust(Simulation& s, const Kinematics& state) {
   return Vec3(sum.data());
 }
 
-// Of offsets that nothing pushes: x = e^(-zeta w t) (cos w_d t + zeta w/w_d sin w_d t) x_0. The filter of 1 s
+// Decay of offsets without load: x = e^(-zeta w t) (cos w_d t + zeta w/w_d sin w_d t) x_0. The filter of 1 s
 // adds 3 (w/c)² = 5e-4 of the acceleration.
 TEST(Positioning, DecaysAsAnOscillator) {
   constexpr double w = 2 * M_PI / 80, zeta = 0.5, turns = 2 * M_PI / 60;
@@ -75,9 +75,9 @@ TEST(Positioning, DecaysAsAnOscillator) {
   EXPECT_LT(off, 1e-3);
 }
 
-// A constant force on a body that heads to +y, so that its surge is along y: the linear loop of place,
-// filter and integral as z' = A z + b, whose exact solution is that of the exponential of A. At the end the
-// integral carries the force, and no energy is lost on the way.
+// A constant force on a body with heading +y, so that surge is along y: the linear loop of position, filter
+// and integral is z' = A z + b, solved exactly by the exponential of A. At the end the integral carries the
+// force, and the energy balance closes.
 TEST(Positioning, HoldsAgainstAForceByItsIntegral) {
   constexpr double w = 2 * M_PI / 150, P = kMass * w * w, D = 1.4 * kMass * w, I = 0.15 * P * w, F = 4e4,
                    period = 40, c = 2 * M_PI / period;
@@ -88,8 +88,8 @@ TEST(Positioning, HoldsAgainstAForceByItsIntegral) {
                          "integral: [{}, 0.01, 0], filter_period: {}}}",
                          F, P, D, I, period),
              "statics: false\ndynamics: {duration: 1500, step: 0.5, rho_infinity: 1}\n");
-  // z = (x, v, y, y', r, s): y of the filter, r' = c (y' - r), the slow place y + 2 r/c, s its integral.
-  Eigen::Matrix<double, 7, 7> A = Eigen::Matrix<double, 7, 7>::Zero();  // and 1
+  // z = (x, v, y, y', r, s): y filtered position, r' = c (y' - r), slow position y + 2 r/c, s its integral.
+  Eigen::Matrix<double, 7, 7> A = Eigen::Matrix<double, 7, 7>::Zero();  // and the constant 1
   A(0, 1) = A(2, 3) = 1;
   A.row(3) << c * c, 0, -c * c, -2 * c, 0, 0, 0;
   A.row(4) << 0, 0, 0, c, -c, 0, 0;
@@ -123,8 +123,8 @@ TEST(Positioning, HoldsAgainstAForceByItsIntegral) {
   EXPECT_LT(unbalanced, 1e-4 * F * largest);
 }
 
-// Far away the thrusters give all they have, along the way to the place: x = x_0 - F/(2 m) t², and the
-// integral does not grow.
+// Far from the set point the thrusters exert their maximum, towards the set point: x = x_0 - F/(2 m) t². The
+// integral stays zero.
 TEST(Positioning, GivesNoMoreThanItsLimits) {
   constexpr double kForce = 5e4, kMoment = 2e5, kUntil = 40;
   const model::Case c =
@@ -147,8 +147,8 @@ TEST(Positioning, GivesNoMoreThanItsLimits) {
     EXPECT_EQ(Vec3(&r.values[15]), Vec3::Zero()) << "the integral";
 }
 
-// Limits of surge and of sway are those of the body's axes, and a force between them is on the ellipse along
-// the way to the place: of a body that heads to +y, whose place is 300 m to starboard and 400 m ahead.
+// Limits of surge and sway are along the body's axes; a force between them ends on the ellipse in the
+// direction of the set point. The body has heading +y, its set point is 300 m to starboard and 400 m ahead.
 TEST(Positioning, LimitsAreAnEllipseInItsAxes) {
   constexpr double kSurge = 6e4, kSway = 2e4, P = 1e6;
   const model::Case c =
@@ -164,8 +164,8 @@ TEST(Positioning, LimitsAreAnEllipseInItsAxes) {
   EXPECT_NEAR(F.y(), 0.8 * size, 1e-9 * size);
 }
 
-// A squall that is stronger than the thrusters for five minutes: the integral does not grow while they give
-// all they have, so that the body comes back as fast as without it.
+// A squall exceeds the thrusters for five minutes. The integral does not grow while they are at their limit:
+// the overshoot is below a tenth of the offset.
 TEST(Positioning, DoesNotWindUp) {
   constexpr double w = 2 * M_PI / 100, P = kMass * w * w, D = 1.4 * kMass * w, I = P * w / 10, F = 2e4;
   const auto past = [&](double integral) {
@@ -196,7 +196,7 @@ TEST(Positioning, DoesNotWindUp) {
   EXPECT_LT(-beyond, 0.1 * far);
 }
 
-// Statics from places that are far beyond what the limit holds.
+// Statics converges from positions where the thrusters are at their limit.
 TEST(Positioning, StaticsFromFarOff) {
   const model::Case c =
       vessel("position: [7, -4, 0], rotation_deg: [0, 0, 20], ",
@@ -212,8 +212,8 @@ TEST(Positioning, StaticsFromFarOff) {
   EXPECT_NEAR(rest.z(), 0, 1e-6);
 }
 
-// At rest an integral has the place to a thousandth of F/P, or as near as the limit allows; without it the
-// body is off by F/P. What holds it then goes on to hold it: nothing moves.
+// Equilibrium: with an integral the offset is a thousandth of F/P, or as small as the limit allows; without
+// it F/P. The motion then starts at rest.
 TEST(Positioning, StaticsHoldsThePlace) {
   constexpr double F = 3e4, N = 5e6, k = 1e4;
   struct Figure {
@@ -245,9 +245,9 @@ TEST(Positioning, StaticsHoldsThePlace) {
   }
 }
 
-// Surge alone has an integral, and the load is more than the thrusters hold: sway gives P_y y, surge what
-// that leaves of the ellipse, springs the rest, and nothing moves when time begins to run. For loads to the
-// sides and astern, and with sway in its place.
+// Only surge has an integral, and the load exceeds the limit: sway exerts P_y y, surge the rest of the
+// ellipse, springs the remaining force, and the motion starts at rest. For loads ahead and astern, and with
+// surge and sway exchanged.
 TEST(Positioning, OneIntegralBesideALimit) {
   constexpr double k = 1e4, P = 1e5, X = 3e4, Y = 2e4;
   for (const bool surge : {true, false})
@@ -276,12 +276,12 @@ TEST(Positioning, OneIntegralBesideALimit) {
     }
 }
 
-// Modes are those about rest: of the proportional part, whatever integral and limits do, between which
-// thrusters and a spring at the mass centre carry the load at the origin. That is 10 m behind the mass
-// centre, so that sway and yaw are coupled, and what the spring carries, F, turns the body:
+// Modes about the equilibrium have the proportional stiffness, independent of integral and limits. Thrusters
+// and a spring at the mass centre share the load at the origin. The origin is 10 m behind the mass centre, so
+// sway and yaw are coupled, and the part F of the load that the spring carries adds to the yaw stiffness:
 //   K = P_y (1, -10; -10, 100) + (0, 0; 0, P_yaw - 10 F)
 TEST(Positioning, ModesHaveTheProportionalPart) {
-  constexpr double kArm = 10, kSway = 1e5, kYaw = 1e8, kLoad = 3.7e6;  // N/m of surge as well
+  constexpr double kArm = 10, kSway = 1e5, kYaw = 1e8, kLoad = 3.7e6;  // N/m, of surge and sway
   for (const double spring : {0., 0.7e6, 0.9e6, 1.1e6}) {
     const double carried = spring > 0 ? 0.4 * kLoad : 0, heading = spring > 0 ? 30 : 0;
     const Vec3 load = kLoad * (exp_so3(heading * M_PI / 180 * Vec3::UnitZ()) * Vec3::UnitX());
@@ -326,7 +326,7 @@ TEST(Positioning, TangentOfAStep) {
   }
 }
 
-// The same motion and forces in one run and in two, on 1 and 2 ranks.
+// After a restart the motion and forces are those of one run, on 1 and 2 ranks.
 TEST(Positioning, GoesOnAfterARestart) {
   const std::string path = runs::folder("positioning_restart"), input = path + "/vessel.yaml";
   runs::write_case(input, fmt::format(R"(hawser: 1
@@ -353,7 +353,7 @@ output: {{every: 10, checkpoint_every: 20, history_every: 0.5, histories: [{{bod
   if (runs::rank_of(PETSC_COMM_WORLD) != 0) return;
   const runs::Results whole = runs::read(path + "/whole.h5"), rest = runs::read(path + "/rest.h5"),
                       one = runs::read(path + "/one.h5");
-  ASSERT_EQ(whole.columns.at("vessel"), 24u + 6 * 2);  // motion and force, then thrusters and the rest
+  ASSERT_EQ(whole.columns.at("vessel"), 24u + 6 * 2);  // motion, force, thrusters, remainder
   for (size_t c = 0; c < whole.columns.at("vessel"); ++c) {
     const auto there = rest.column("vessel", c), here = runs::tail(whole.column("vessel", c), there);
     ASSERT_GT(there.size(), 10u);

@@ -1,6 +1,5 @@
-// Slack and floating lines at rest: dynamic relaxation, and the start shapes that lie on the water or the
-// bed. Hose as in Silva, Corrêa & Jacob, OMAE2006-92155: 0.12 t/m, displaces 0.20 t/m, so 0.6 of it is under
-// water.
+// Slack and floating lines at rest: dynamic relaxation, and start shapes on the water or the bed. Hose as in
+// Silva, Corrêa & Jacob, OMAE2006-92155: 0.12 t/m, displaces 0.20 t/m, so 0.6 of its section is submerged.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -58,7 +57,7 @@ model::Case floating(double span, double EI, double speed, double direction) {
   model::LineType t = EI > 0 ? beam_type(kEA, EI, EI, 120) : cable_type(kEA, 120);
   t.outer_diameter = t.contact_diameter = kDiameter;
   t.Cd_normal = 1.2;
-  // The ends float as the hose does.
+  // The ends are at the height of the floating hose.
   const double level = 0.5 * kDiameter - kDraught;
   model::Case c = one_line(t, kLength, 100, anchor({0, 0, level}), anchor({span, 0, level}));
   c.environment.gravity = kGravity;
@@ -68,7 +67,7 @@ model::Case floating(double span, double EI, double speed, double direction) {
   return c;
 }
 
-// Drag across alone: a catenary of constant tension a D, D the drag of the part under water.
+// Lateral current, no bending: a catenary of constant tension a D, D the drag of the submerged part.
 TEST(Relaxation, AHoseFloatsInACurrentAcross) {
   const double drag = 0.6 * 0.5 * kDensity * 1.2 * kDiameter * 0.72 * 0.72;
   for (const double span : {200.0, 80.0}) {
@@ -92,8 +91,8 @@ TEST(Relaxation, AHoseFloatsInACurrentAcross) {
   }
 }
 
-// In still water only its bending holds it: Euler's elastica between hinges. With the modulus k of its end
-// slope, span/L = 2 E/K - 1, its height is L k/K and the thrust EI (2K/L)².
+// In still water only bending resists the thrust: Euler's elastica between hinges. With the modulus k of its
+// end slope, span/L = 2 E/K - 1, its height is L k/K and the thrust EI (2K/L)².
 TEST(Relaxation, AHoseFloatsInStillWater) {
   for (const double span : {200.0, 30.0}) {
     double k = 0.5;
@@ -115,7 +114,7 @@ TEST(Relaxation, AHoseFloatsInStillWater) {
   }
 }
 
-// With the current along the chord a hose streams from both of its ends: hardly any drag on what lies along.
+// In a current along the chord the hose lies downstream of both ends, with little drag along it.
 TEST(Relaxation, AHoseFloatsInACurrentAlong) {
   for (const auto relaxation : {model::Relaxation::automatic, model::Relaxation::always}) {
     model::Case c = floating(10, kEI, 0.72, 0);
@@ -141,8 +140,8 @@ model::Case on_the_floor(bool beam, double depth_of_ends) {
   return c;
 }
 
-// A line six times longer than the way between its ends, on the bed or hung in above it: it lies where the
-// soil carries its weight.
+// A line six times longer than the distance of its ends, with ends on the bed or above it: its middle lies at
+// the height where the bed carries its weight.
 TEST(Relaxation, SlackLinesLieOnTheBed) {
   const double weight = kGravity * (300 - kDensity * M_PI / 4 * kDiameter * kDiameter);
   const double rest = -100 + 0.5 * kDiameter - weight / (1e5 * kDiameter);
@@ -155,7 +154,7 @@ TEST(Relaxation, SlackLinesLieOnTheBed) {
         const AtRest r = at_rest(c);
         EXPECT_NEAR(r.middle.z(), rest, 1e-3);
         EXPECT_LE(r.report.negative_eigenvalues, 0);
-        // From 80 m what hangs is carried by the end: 20 m of weight, and a little for the bend.
+        // From 80 m: the end carries the suspended 20 m, and a little for the bend.
         if (depth == 80.0) {
           EXPECT_GT(r.tension, 18.5 * weight);
           EXPECT_LT(r.tension, 22 * weight);
@@ -163,8 +162,8 @@ TEST(Relaxation, SlackLinesLieOnTheBed) {
       }
 }
 
-// From a shape far from rest, a catenary below the bed, Newton's iteration does not come back; relaxation
-// does, out of the plane.
+// Newton's iteration does not converge from a catenary below the bed; dynamic relaxation does, out of the
+// plane.
 TEST(Relaxation, WhatNewtonCannotDo) {
   model::Case c = on_the_floor(false, 100 - 0.5 * kDiameter);
   c.lines[0].sections[0].elements = 40;

@@ -1,6 +1,6 @@
-// Every output, series row and checkpoint that was reported accepted survives kill -9, at whatever moment it
-// comes. A child (this program again) writes as fast as it can, grows its file, checkpoints, resumes where
-// the last one was killed; the parent kills it at random moments and reads what is on the disk.
+// Every output, series row and checkpoint that was reported as accepted survives kill -9 at any moment. A
+// child (this program again) writes as fast as it can, grows its file, writes checkpoints and resumes from
+// the last one; the parent kills it at random moments and reads the file.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <mpi.h>
@@ -23,7 +23,7 @@
 namespace hawser::io::results_kill_test {
 namespace {
 
-// So large that writing takes a good part of the time and many kills come in the middle of it.
+// So large that writing takes much of the time and many kills interrupt it.
 constexpr int kNodes = 5000, kState = 30, kSteps = 3, kOutputs = 60;
 const char* const kFileVariable = "HAWSER_TEST_KILL_FILE";
 
@@ -40,7 +40,7 @@ ResultContents contents() {
   c.volumes = {{"drum", 0, kCorners, kTriangle, {1}, nullptr}};
   c.clashes = true;
   c.contact_points = true;
-  c.expected_outputs = 2;  // so that it is often killed while the file is made anew
+  c.expected_outputs = 2;  // small: it is often killed while the file is enlarged
   c.expected_steps = 5;
   return c;
 }
@@ -65,7 +65,7 @@ Checkpoint checkpoint(int output) {
   return c;
 }
 
-// Of output k; so many that the tables outgrow their room.
+// Rows of output k; so many that the tables must be enlarged.
 ClashRow clash(int output, int i) {
   ClashRow r;
   r.line = output;
@@ -80,7 +80,7 @@ ClashTables clashes(int output) {
   for (int i = 0; i < 3 * (output % 40); ++i) t.open.push_back(clash(output, -1 - i));
   return t;
 }
-// Of output k; with some outputs none, and so many that the tables outgrow their room.
+// Rows of output k: none for some outputs, and so many that the tables must be enlarged.
 ContactRows contacts(int output) {
   ContactRows rows;
   for (int i = 0; i < 400 * (output % 30); ++i)
@@ -102,7 +102,7 @@ void write_for_ever(const std::string& path) {
       const Checkpoint from = read_checkpoint(MPI_COMM_SELF, path, kNodes, owned);
       time = from.time;
       sequence = from.sequence;
-    } catch (const std::exception&) {  // killed before the first one
+    } catch (const std::exception&) {  // killed before the first checkpoint
     }
     next = static_cast<int>(time) + 1;
     ReportedClashes message;
@@ -123,7 +123,7 @@ void write_for_ever(const std::string& path) {
     file->write_output(k, fields, {&pose, 1}, clashes(k), {}, contacts(k));
     std::printf("output %lld\n", file->written() - 1);
     std::fflush(stdout);
-    if (k % 3 != 2) continue;  // of some outputs several wait to be written together
+    if (k % 3 != 2) continue;  // several outputs are written together
     file->write_checkpoint(checkpoint(k));
     std::printf("checkpoint %d\n", k);
     std::fflush(stdout);
@@ -132,7 +132,7 @@ void write_for_ever(const std::string& path) {
   std::printf("end\n");
 }
 
-// The child's main: only when asked for by the variable.
+// Main function of the child; runs only if the variable is set.
 TEST(ResultsKill, Child) {
   const char* path = std::getenv(kFileVariable);
   if (!path) GTEST_SKIP() << "run by ResultsKill.AcceptedOutputsSurvive";
@@ -144,7 +144,7 @@ struct Progress {
   bool end = false, spoke = false;
 };
 
-// Runs the child, kills it `seconds` after its first word, returns what it had said.
+// Runs the child, kills it `seconds` after its first output, and returns the progress it has reported.
 Progress run_and_kill(const std::string& path, double seconds) {
   int pipe_ends[2];
   if (pipe(pipe_ends)) throw std::runtime_error("pipe");
@@ -153,7 +153,7 @@ Progress run_and_kill(const std::string& path, double seconds) {
     dup2(pipe_ends[1], 1);
     close(pipe_ends[0]);
     close(pipe_ends[1]);
-    // A fresh environment: MPI must not take the child for a part of the parent's job.
+    // A new environment, so that MPI does not take the child for a part of the parent's job.
     const std::string file = std::string(kFileVariable) + "=" + path;
     std::vector<std::string> env{file};
     for (const char* name :

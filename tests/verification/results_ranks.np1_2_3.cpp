@@ -1,5 +1,5 @@
-// A results file is the same, byte for byte, on any number of ranks, and a checkpoint written on one number
-// of ranks comes back bit for bit on another.
+// A results file is the same, byte for byte, on any number of ranks, and a checkpoint is read bit for bit on
+// another number of ranks.
 #include <gtest/gtest.h>
 #include <mpi.h>
 
@@ -58,12 +58,12 @@ ResultContents contents() {
                {"floor", -1, kFloor, kTriangle, {1}, nullptr}};
   c.clashes = true;
   c.contact_points = true;
-  c.expected_outputs = 3;  // so that the room is made twice over
+  c.expected_outputs = 3;  // small: the file is enlarged twice
   c.expected_steps = 4;
   return c;
 }
 
-// Nodes in stretches of five, dealt to the ranks in turn; on three ranks the last one has nothing.
+// Nodes in groups of five, assigned to the ranks in turn; on three ranks the last one has none.
 std::vector<int> owned_nodes(MPI_Comm comm, int total) {
   const int ranks = std::min(size_of(comm), 2);
   std::vector<int> owned;
@@ -78,7 +78,7 @@ double value(int output, int field, int node, int component) {
   return std::sin(1.0 + output) * 1e3 + field * 100 + node + component / 7.0;
 }
 
-constexpr int kPoints = 97;  // so many that their tables outgrow their room
+constexpr int kPoints = 97;  // so many that their tables must be enlarged
 
 void write_rows(ResultsFile& file, MPI_Comm comm, const std::vector<int>& owned, int from, int to) {
   const auto& c = file.contents();
@@ -104,7 +104,7 @@ void write_rows(ResultsFile& file, MPI_Comm comm, const std::vector<int>& owned,
       clashes.ended.resize(static_cast<size_t>(17 * k));
       clashes.open.resize(2);
     }
-    // Of the points the first rank has some, the other that has nodes the rest.
+    // The first rank has some of the points, the other rank with nodes the rest.
     ContactRows contacts;
     const int others = std::min(size_of(comm), 2) - 1;
     for (int i = 0; i < kPoints * (k % 3); ++i)
@@ -180,8 +180,7 @@ void write_run(MPI_Comm comm, const std::string& path, bool finish) {
     file.finish({{"max effective tension", "hose", 670e3, "N", 3, 25}, {"min", "mooring/1", -1, "N", 0, 0}});
 }
 
-// Outputs that follow each other fast are written together; bodies with mass have nodes after those of the
-// lines.
+// Outputs in quick succession are written together; nodes of bodies with mass come after those of the lines.
 void expect_rows_of_lines(bool single) {
   constexpr int kOutputs = 40, kBodies = 2;
   ResultContents c = contents();
@@ -297,7 +296,7 @@ TEST(ResultsRanks, EveryValueIsInItsPlace) {
 TEST(ResultsRanks, CheckpointComesBackOnAnyRanks) {
   const std::string path = temporary("checkpoint.h5");
   write_run(MPI_COMM_WORLD, path, false);
-  // To a rank on its own with everything, and to the same ranks with other shares.
+  // Read by one rank with all nodes, and by the same ranks with another partition.
   std::vector<int> all;
   for (int n = 0; n < 41; ++n) all.push_back(n);
   expect_same(read_checkpoint(MPI_COMM_SELF, path, 41, all), checkpoint(all, 7));
@@ -305,7 +304,7 @@ TEST(ResultsRanks, CheckpointComesBackOnAnyRanks) {
   for (int n = 0; n < 41; ++n)
     if (n * size_of(MPI_COMM_WORLD) / 41 == rank_of(MPI_COMM_WORLD)) mine.push_back(n);
   expect_same(read_checkpoint(MPI_COMM_WORLD, path, 41, mine), checkpoint(mine, 7));
-  // And written alone, read together.
+  // Written by one rank, read by all.
   if (rank_of(MPI_COMM_WORLD) == 0) write_run(MPI_COMM_SELF, path, true);
   MPI_Barrier(MPI_COMM_WORLD);
   expect_same(read_checkpoint(MPI_COMM_WORLD, path, 41, mine), checkpoint(mine, 7));
@@ -345,7 +344,7 @@ TEST(ResultsRanks, ResumedFileIsTheSameAsOneInOneGo) {
   auto other = contents();
   other.lines[1].arc[3] += 0.5;
   EXPECT_THROW(ResultsFile::resume(MPI_COMM_WORLD, path, other, owned, 4, 2), InputError);
-  // Below a file there is no folder, for root neither.
+  // A path below a file is invalid, also for root.
   EXPECT_THROW(ResultsFile::create(MPI_COMM_WORLD, path + "/run.h5", contents(), owned), WriteError);
 }
 
@@ -376,8 +375,8 @@ Checkpoint unpack(const Array& whole, const std::vector<int>& owned, std::vector
   });
 }
 
-// Node 1 has the first records of "friction drum", of one value each. After the time, two scalars and two
-// fields: length; node, kind, key, length.
+// Node 1 has the first records of "friction drum", with one value each. Layout: the time, two scalars, two
+// fields; then the number of records, and their node, kind, key and number of values.
 constexpr size_t kRecords = 3 + 3 * 3 + 3;
 
 TEST(ResultsRanks, CorruptedCountersOfACheckpointAreReported) {
@@ -393,7 +392,7 @@ TEST(ResultsRanks, CorruptedCountersOfACheckpointAreReported) {
     }
 }
 
-// Of what belongs to nodes, a rank asks for that of its own alone, and all together for everything.
+// A rank reads the node data of its own nodes only; all ranks together read everything.
 TEST(ResultsRanks, NodesOfOthersAreNotRead) {
   const Array whole = array_of(checkpoint({0, 1, 2}, 7));
   std::vector<int> asked(whole.values.size(), 0);
@@ -407,12 +406,12 @@ TEST(ResultsRanks, NodesOfOthersAreNotRead) {
   }
   for (size_t at = 0; at < asked.size(); ++at) EXPECT_GT(asked[at], 0) << at;
   const long long read = std::accumulate(asked.begin(), asked.end(), 0LL);
-  // The time, the scalars, two lengths of records: by each of three; where the second and the third node's
-  // begin: by two.
+  // Each of three ranks reads the time, the scalars and two lengths of records; two ranks also read where the
+  // records of the second and the third node begin.
   EXPECT_EQ(read, std::ssize(asked) + 2 * (3 + 2) + 2);
 }
 
-// Changes a number of the array in a slot of the file at `path`.
+// Changes a number of the array in a slot of the file `path`.
 void damage(const std::string& path, const std::string& slot, hsize_t at) {
   const h5::Id access = h5::serial_access();
   const h5::Id file = h5::own(H5Fopen(path.c_str(), H5F_ACC_RDWR, access), H5Fclose, path);
@@ -425,7 +424,7 @@ void damage(const std::string& path, const std::string& slot, hsize_t at) {
   h5::check(H5Dwrite(set, H5T_NATIVE_DOUBLE, memory, from, H5P_DEFAULT, &wrong), path);
 }
 
-// Wherever the newer checkpoint is damaged, in the part of whichever rank, all ranks take the older one.
+// If the newer checkpoint is damaged at any place, in the part of any rank, all ranks read the older one.
 TEST(ResultsRanks, DamagedCheckpointIsPassedOver) {
   const std::string path = temporary("damaged.h5");
   const auto owned = owned_nodes(MPI_COMM_WORLD, 41);
@@ -461,7 +460,7 @@ TEST(ResultsRanks, WhatOneRankCannotReadIsReportedByAll) {
   const bool last = rank_of(MPI_COMM_WORLD) == size_of(MPI_COMM_WORLD) - 1;
   const auto owned = owned_nodes(MPI_COMM_WORLD, 41);
   EXPECT_THROW(read_checkpoint(MPI_COMM_WORLD, last ? path + ".none" : path, 41, owned), InputError);
-  // And what it alone finds wrong: it asks for nodes that there are not.
+  // The error of one rank that requests nodes that do not exist.
   EXPECT_THROW(read_checkpoint(MPI_COMM_WORLD, path, 41, last ? std::vector<int>{1000} : owned), InputError);
 }
 

@@ -1,4 +1,4 @@
-// Risers and cables at rest, with bending, from the automatic start shape: lazy wave, catenary riser,
+// Risers and cables with bending at rest, from the automatic start shape: lazy wave, catenary riser,
 // stiffened catenary, a model cable with discrete modules.
 #include "hawser/kernels/beam.hpp"
 #include "hawser/model/check.hpp"
@@ -13,7 +13,7 @@ struct Part {
   double weight, length;  // N/m under water, m
 };
 
-// Beams of diameter D whose weight under water is that of the parts.
+// Beams of diameter D whose submerged weight is that of the parts.
 model::Case riser(const std::vector<Part>& parts, double D, double EA, double EI, double element,
                   const model::End& a, const model::End& b) {
   model::Case c;
@@ -48,14 +48,14 @@ BeamStress stress(Simulation& sim, size_t element) {
   return beam_stress(b.section, b.reference, e);
 }
 
-// N, that holds the first or the last node.
+// Force [N] of the support on the first or the last node.
 Vec3 reaction(Simulation& sim, bool last) {
   const int node = last ? sim.local().owned - 1 : 0;
   return Eigen::Map<const Vec3>(sim.system().reactions().data() +
                                 3 * sim.local().block[static_cast<size_t>(node)]);
 }
 
-// The largest bend between two arc lengths: 1/m, N m, m from end A.
+// Largest curvature between two arc lengths: 1/m, N m, m from end A.
 struct Bend {
   double curvature = 0, moment = 0, at = 0;
 };
@@ -81,8 +81,8 @@ struct Place {
   double arc = 0, x = 0, z = 0;  // m
 };
 
-// Where the line turns between two arc lengths, a parabola through the nodes about the lowest (way -1) or
-// the highest (way 1).
+// Extreme height between two arc lengths: the vertex of a parabola through the nodes about the lowest (way
+// -1) or the highest node (way 1).
 Place turn(Simulation& sim, double from, double to, int way) {
   const Mesh& mesh = sim.mesh();
   const auto nodes = static_cast<size_t>(mesh.nodes());
@@ -91,7 +91,7 @@ Place turn(Simulation& sim, double from, double to, int way) {
   for (size_t i = 1; i + 1 < nodes; ++i)
     if (mesh.node(i).arc >= from && mesh.node(i).arc <= to && (k == 0 || way * (x[i].z() - x[k].z()) > 0))
       k = i;
-  // Lagrange's parabola by arc length, of even or uneven elements.
+  // Lagrange's parabola in arc length; elements may differ in length.
   const double a = mesh.node(k - 1).arc - mesh.node(k).arc, b = mesh.node(k + 1).arc - mesh.node(k).arc;
   const auto at = [&](int c, double s) {
     const double da = (x[k - 1][c] - x[k][c]) / a, db = (x[k + 1][c] - x[k][c]) / b;
@@ -103,7 +103,7 @@ Place turn(Simulation& sim, double from, double to, int way) {
   return {mesh.node(k).arc + s, at(0, s), at(2, s)};
 }
 
-// Where the line comes down to a level first, beyond an arc length.
+// First point beyond an arc length where the line descends to a level.
 Place down_to(Simulation& sim, double level, double beyond) {
   const Mesh& mesh = sim.mesh();
   const auto nodes = static_cast<size_t>(mesh.nodes());
@@ -115,8 +115,8 @@ Place down_to(Simulation& sim, double level, double beyond) {
           x[i - 1].x() + part * (x[i].x() - x[i - 1].x()), level};
 }
 
-// Power cable of Lozon et al. (2025) in 80 m: own multiple shooting of 10^-10, which OrcaFlex 11.6d agrees
-// with (0.0968 1/m, 9.32 kN). Pinned ends, bed without friction.
+// Power cable of Lozon et al. (2025) in 80 m: own multiple shooting to 10^-10, which agrees with OrcaFlex
+// 11.6d (0.0968 1/m, 9.32 kN). Pinned ends, bed without friction.
 const std::vector<Part> kLazyWave = {
     {157.80029764809922, 68.114}, {-80.15254711308029, 50}, {157.80029764809922, 52.101}};
 model::Case lazy_wave(double element) {
@@ -136,9 +136,10 @@ TEST(RiserStatics, LazyWaveFromTheAutomaticStart) {
 #endif
   for (const double element : {1.0, 0.5}) {
     const model::Case c = lazy_wave(element);
-    Simulation warm(PETSC_COMM_SELF, c);  // the first use of a solver loads it
+    Simulation warm(PETSC_COMM_SELF, c);  // the first use of a solver loads its library
     warm.solve_statics();
-    // Set-up, start shape and statics: the least of some, since other work on the machine only adds.
+    // Time of set-up, start shape and statics: the smallest of several, because other load on the machine
+    // only adds.
     double set_up = 0, statics = 0, least = 1e9;
     for (int i = 0; i < 10 && (i < 3 || least > 50); ++i) {
       const double t0 = cpu_ms();
@@ -174,7 +175,7 @@ TEST(RiserStatics, LazyWaveFromTheAutomaticStart) {
     EXPECT_NEAR(sag.curvature, 0.09683001959, 1e-2 * 0.09683);
     EXPECT_NEAR(hog.curvature, 0.05588367082, 1e-2 * 0.05588);
     EXPECT_NEAR(touchdown.curvature, 0.07607148236, 1e-2 * 0.07607);
-    // Arc length, x, z [m] of the sag and the hog, and of where it comes down to the bed's level.
+    // Arc length, x, z [m] of sag and hog, and of the point at the level of the bed.
     const struct {
       const char* name;
       Place is, expected;
@@ -193,7 +194,7 @@ TEST(RiserStatics, LazyWaveFromTheAutomaticStart) {
     }
     EXPECT_LE(report.negative_eigenvalues, 0);
     EXPECT_LT(report.iterations, 40);
-    // Places on the way: x, z at arc lengths of the reference.
+    // x, z at other arc lengths of the reference.
     const double places[][3] = {{30.81788315, 11.18506326, -44.16210279},
                                 {61.59874783, 30.84135116, -63.62729045},
                                 {92.23164706, 58.28013833, -53.20743374},
@@ -209,7 +210,7 @@ TEST(RiserStatics, LazyWaveFromTheAutomaticStart) {
   }
 }
 
-// A first riser must converge, whatever it is like.
+// Statics converges for lazy waves of many kinds.
 TEST(RiserStatics, LazyWavesOfAllKinds) {
   struct Kind {
     const char* name;
@@ -256,7 +257,7 @@ TEST(RiserStatics, LazyWavesOfAllKinds) {
              t1 - t0, cpu_ms() - t1, reaction(sim, false).norm() / 1000);
       EXPECT_LE(report.negative_eigenvalues, 0) << k.name;
       EXPECT_LT(report.iterations, k.friction > 0 ? 60 : 250) << k.name;
-      // It hangs in its wave: no loops.
+      // No node is above the hang-off: the line has no loops.
       const State& s = sim.state();
       double up = -HUGE_VAL;
       for (size_t i = 1; i < s.x.size(); ++i) up = std::max(up, s.x[i].z());
@@ -267,7 +268,7 @@ TEST(RiserStatics, LazyWavesOfAllKinds) {
   }
 }
 
-// Heavy beams between two points at one height: own multiple shooting to 10^-10.
+// Heavy beams between two points at equal height: own multiple shooting to 10^-10.
 TEST(RiserStatics, StiffenedCatenary) {
   struct Reference {
     double EI;
@@ -283,7 +284,7 @@ TEST(RiserStatics, StiffenedCatenary) {
     const model::End b = r.clamped ? clamp({100, 0, 0}, {1, 0, 0}) : anchor({100, 0, 0});
     model::Case c = one_line(t, 120, 240, a, b);
     c.environment.gravity = 9.80665;
-    // Near the clamps it bends within sqrt(EI/H) = 1.5 m: elements of 0.1 m there, of up to 2 m in the
+    // Near the clamps bending decays within sqrt(EI/H) = 1.5 m: elements of 0.1 m there, up to 2 m in the
     // middle.
     if (r.clamped)
       c.lines[0].sections = {{t.name, 6, 60, 1},
@@ -307,9 +308,9 @@ TEST(RiserStatics, StiffenedCatenary) {
   }
 }
 
-// Catenary riser of OrcaFlex's example A01 (figures repeated by a third party): pinned ends, current from the
-// right. Friction of the bed is not stated: without it the tension at the bed is theirs; with 0.5, held as
-// laid, end B is pulled 8.6 % less, and the rest does not change.
+// Catenary riser of OrcaFlex's example A01 (results as repeated by a third party): pinned ends, current from
+// the right. The friction of the bed is not published: without it the tension at the bed is that of OrcaFlex;
+// with 0.5, as laid, end B has 8.6 % less tension, and the rest is unchanged.
 TEST(RiserStatics, CatenaryRiserInACurrent) {
   for (const double friction : {0.0, 0.5}) {
     model::Case c;
@@ -354,7 +355,7 @@ TEST(RiserStatics, CatenaryRiserInACurrent) {
 }
 
 // Holcombe et al. (2025), a cable of 3.67 m with floats as discrete modules, scale 1:70, in still water:
-// markers measured (digitised in CableDyn's validation), and own multiple shooting of the same model.
+// measured markers (digitised in CableDyn's validation), and own multiple shooting of the same model.
 TEST(RiserStatics, ModelCableWithModules) {
   const double w = 0.0838002143, f = -0.7888845357, s = -0.1528201429, g = 0.0413684211;
   std::vector<Part> parts = {{w, 1.003},

@@ -1,20 +1,19 @@
-// A 12 in pipe laid over a stinger of 120 m radius to a bed 110 m below its top, which is held level at a
-// given tension; frictionless and of the same weight everywhere. Over a rigid arc, over a soft one and over
-// rollers every 4 degrees, against multiple shooting of the differential equations of the inextensible
-// elastica (checked by scipy's solve_bvp to 1e-11) and against what is invariant along the pipe: H = T0 +
-// M0²/(2 EI) - w h.
+// Statics of a 12 in pipe over a stinger of 120 m radius to a bed 110 m below its top. The upper end is held
+// horizontally at a given tension T0; no friction, uniform weight. Over a rigid arc, a soft arc, and rollers
+// every 4 degrees. References: multiple shooting of the inextensible elastica (checked by scipy's solve_bvp
+// to 1e-11), and the invariant along the pipe, H = T0 + M0²/(2 EI) - w h.
 #include "verification/s_lay.hpp"
 
 namespace hawser::s_lay_test {
 namespace {
 
-// Per cent.
+// Difference in per cent.
 double off(double found, double expected) { return 100 * std::abs(found / expected - 1); }
 
 struct Rigid {
   double T0, lift_off, P, x_td, kappa_sag;  // N, deg, N, m, 1/m
 };
-// H is T0 + EI / (2 R²) - w h: the arc bends the pipe at the top already.
+// H is T0 + EI / (2 R²) - w h, because the arc bends the pipe at the top already.
 constexpr Rigid kRigid[] = {{200e3, 38.36858402, 29452.06101, 261.6394364, 0.005088074583},
                             {250e3, 34.94418983, 31795.10144, 289.8975419, 0.00380039448},
                             {300e3, 32.34086984, 33934.10919, 315.793124, 0.003016752252},
@@ -41,7 +40,7 @@ TEST(SLay, OverARigidArc) {
         r.lift_off, l.last_force, r.P);
     EXPECT_LT(off(l.T0, r.T0), 1e-3);
     EXPECT_LT(off(l.H, H), 0.1);
-    // A soft bed meets it earlier by the length of a beam on it.
+    // On a soft bed the touchdown is earlier by the characteristic length of a beam on it.
     EXPECT_NEAR(l.x_td + std::pow(4 * kEI / s.bed, 0.25), r.x_td, 0.5);
     EXPECT_LT(off(l.kappa_sag, r.kappa_sag), 0.5);
     EXPECT_NEAR(l.last_touch, r.lift_off, 0.3);
@@ -81,7 +80,7 @@ TEST(SLay, OverASoftArc) {
 
 struct Rolled {
   double T0, lift_off, x_td;
-  std::vector<double> F, kappa;  // of rollers every 4 degrees, up to the last that touches
+  std::vector<double> F, kappa;  // of rollers every 4 degrees, up to the last in contact
   double M0, H, kappa_sag;
 };
 const Rolled kRolled[] = {
@@ -126,7 +125,8 @@ TEST(SLay, OverRollers) {
     const Laid l = laid(s);
     printf("  T0 %6.0f kN: M0 %+.4f %%, H %+.4f %%, sag %+.4f %%\n", r.T0 / 1e3,
            100 * (l.M0 / std::abs(r.M0) - 1), 100 * (l.H / r.H - 1), 100 * (l.kappa_sag / r.kappa_sag - 1));
-    // Of an endless row of rollers under a pipe of that tension; the first has the clamp beside it.
+    // An endless row of rollers under a pipe with this tension; the first roller is excluded, because the
+    // clamp is beside it.
     for (size_t i = 1; i < 3; ++i) {
       const double angle = 4 * static_cast<double>(i + 1) * M_PI / 180;
       const double w_n = kWeight * std::cos(angle), T = r.T0 - kWeight * kRadius * (1 - std::cos(angle));
@@ -156,8 +156,8 @@ TEST(SLay, OverRollers) {
   }
 }
 
-// cases/s-lay: the mean of the overbend's moment is EI/R, and peaks on rollers in the middle of its short row
-// are about those of an endless one.
+// cases/s-lay: the mean overbend moment is EI/R, and peaks on rollers in the middle of the short row are
+// within 2 % of those of an endless row.
 TEST(SLay, TheCase) {
   const model::Case c = io::read_case(HAWSER_SOURCE_DIR "/cases/s-lay/simple.yaml");
   const auto volumes = run::load_volumes(c);
@@ -184,7 +184,7 @@ TEST(SLay, TheCase) {
     mean += 0.5 * (moment[n] + moment[n + 1]) * (arc(n + 1) - arc(n));
   mean /= arc(node(9)) - arc(node(6));
   EXPECT_LT(off(mean, EI / R), 0.5);
-  for (const size_t box : {7u, 8u}) {  // in the middle of the row, above the water
+  for (const size_t box : {7u, 8u}) {  // in the middle of the row, above water
     const size_t n = node(box);
     const double w = weight * std::cos(0.08 * static_cast<double>(box - 4)), T = tension[n];
     const double beta = 0.5 * s * std::sqrt(T / EI);
@@ -200,7 +200,7 @@ TEST(SLay, TheCase) {
   EXPECT_LT(off(both, row), 2);
 }
 
-// A node is on each roller: two elements to a spacing are enough.
+// With a node on each roller two elements per spacing are sufficient.
 TEST(SLay, RollersOfAFinerMesh) {
   std::vector<double> kappa;
   for (const int parts : {2, 4, 8}) {
@@ -220,7 +220,7 @@ TEST(SLay, RollersOfAFinerMesh) {
   for (const double k : kappa) EXPECT_LT(off(k, expected), 0.05);
 }
 
-// Wherever rollers lie in their elements; the nodes alone show up to F l / 4 less.
+// Rollers anywhere within elements. Curvature at nodes only is smaller by up to F l / 4 / EI.
 TEST(SLay, RollersBetweenNodes) {
   const double expected[] = {0.008827582157, 0.008826068001, 0.008823250634, 0.008820424473};
   double least = 0;
@@ -243,7 +243,7 @@ TEST(SLay, RollersBetweenNodes) {
       least = std::min(least, at_nodes / expected[i] - 1);
     }
   }
-  EXPECT_LT(least, -0.01);  // there is something to be found
+  EXPECT_LT(least, -0.01);  // the peaks between nodes matter
 }
 
 }  // namespace

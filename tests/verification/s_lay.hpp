@@ -1,4 +1,4 @@
-// The 12 in pipe of the verification of S-lays: its case, and what statics finds.
+// The 12 in pipe of the S-lay tests: its case and the results of statics.
 #pragma once
 
 #include <fmt/format.h>
@@ -19,26 +19,26 @@ constexpr double kRoller = 0.2, kSpacing = kRadius * 4 * M_PI / 180;        // m
 
 struct Setting {
   double T0 = 0;                  // N
-  double lift_off = 0, x_td = 0;  // deg, m: roughly, for where it starts
-  double arc = 0;                 // N/m per m, of an arc; 0: rollers
+  double lift_off = 0, x_td = 0;  // deg, m: estimates for the start shape
+  double arc = 0;                 // N/m per m, stiffness of an arc; 0: rollers
   int rollers = 0;                // every 4 degrees
   double bed = 1e6;               // N/m per m
   double over = 0.5;              // m, elements of the overbend
-  bool peaks = true;              // those between nodes are shown at the nearer one
+  bool peaks = true;              // peaks between nodes are shown at the nearer one
 };
 
 struct Laid {
   double T0 = 0, M0 = 0, H = 0, x_td = 0;  // N, N m, N, m
   double kappa_sag = 0, kappa_ob = 0;      // 1/m
   double last_touch = 0,
-         last_force = 0;  // deg; N, of the contact at the lift-off: as rigid as it is, the shear force there
-  double total = 0, depth = 0;                     // N, m
+         last_force = 0;        // deg; N, contact force at the lift-off (shear force there on a rigid arc)
+  double total = 0, depth = 0;  // N, m
   std::vector<double> roller_force, roller_kappa;  // N, 1/m
   int iterations = 0;
 };
 
 inline std::string case_text(const Setting& s) {
-  // A string along the arc, a catenary to the bed, and along that.
+  // Start shape: a string along the arc, a catenary to the bed, and a straight line on the bed.
   const double phi = s.lift_off * M_PI / 180, z = kTop - kRadius + kRadius * std::cos(phi);
   const double a = (z + kDepth) / (1 / std::cos(phi) - 1), hanging = a * std::tan(phi);
   const double x_td = kRadius * std::sin(phi) + a * std::asinh(std::tan(phi)),
@@ -88,7 +88,7 @@ inline std::string case_text(const Setting& s) {
       kTop, kEnd, -kDepth, points.empty() ? "" : "    start: {points: [" + points + "]}\n", s.T0);
 }
 
-// Statics with the length that gives T0. Serial.
+// Statics with the length for the tension T0. Serial.
 inline Laid laid(const Setting& s) {
   const model::Case given = io::read_case_text(case_text(s), "s-lay.yaml");
   const auto volumes = run::load_volumes(given, PETSC_COMM_SELF);
@@ -132,8 +132,8 @@ inline Laid laid(const Setting& s) {
   sim.contact()->active_contacts(touches);
   for (const ActiveContact& t : touches)
     out.last_touch = std::max(out.last_touch, t.to / kRadius * 180 / M_PI);
-  // Back to the lift-off by a parabola through nodes from an element beyond on, where its force is spread no
-  // more.
+  // Extrapolation to the lift-off by a parabola through nodes more than an element beyond it, outside its
+  // contact.
   const double lift_off = s.lift_off / 180 * M_PI * kRadius;
   const auto arc = [&](size_t n) { return sim.mesh().node(n).arc - lift_off; };
   size_t beyond = 0;

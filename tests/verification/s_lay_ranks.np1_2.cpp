@@ -1,5 +1,5 @@
-// Boxes of rollers in whole runs on 1 and 2 ranks: reactions of V and U by closed forms, of a moving body
-// too, and the same whatever the number of ranks; lines off the end of a roller and below one.
+// Roller boxes in whole runs on 1 and 2 ranks: reactions of V rollers by closed form, also on a moving body,
+// equal on all ranks; errors and notes for lines off the end of a roller and below one.
 #include "../regression/runs.hpp"
 #include "hawser/base/error.hpp"
 
@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kWeight = 1000, kAngle = 25 * M_PI / 180;  // N/m
 
-// 40 m of pipe from (-20, 0, 0.325 / cos 25 deg) over boxes about the origin to (20, 0, ...), on a barge that
-// is turned round.
+// 40 m of pipe from (-20, 0, 0.325 / cos 25 deg) to (20, 0, ...) over boxes about the origin, on a barge
+// rotated by 180 degrees.
 std::string beam(const std::string& boxes, const std::string& more, double z = 0.325 / std::cos(kAngle)) {
   const std::string height = std::to_string(z);
   return "hawser: 1\nenvironment: {gravity: 10}\n"
@@ -51,7 +51,7 @@ TEST(SLayRanks, ReactionsOfAV) {
     for (size_t i = 0; i < up.size(); ++i) {
       EXPECT_GT(up[i], 1000);
       EXPECT_NEAR(left[i], 0.5 * up[i], 1e-6 * up[i]);
-      // Each roller presses with W / (2 cos 25 deg), to the middle.
+      // Each roller exerts W / (2 cos 25 deg) towards the middle.
       EXPECT_NEAR(side[i], -0.5 * up[i] * std::tan(kAngle), 1e-4 * up[i]);
       EXPECT_NEAR(right[i], -side[i], 1e-6 * up[i]);
       EXPECT_NEAR(offset[i], 0, 1e-9);
@@ -68,7 +68,7 @@ TEST(SLayRanks, ReactionsOfAV) {
     const auto forces = io::h5::read_row(file, "ends/force", 0).values;
     return forces[which[0] == 'a' ? 2 : 5];
   };
-  // Of the line on its ends, with their own share of weight.
+  // Balance of the rollers' and the ends' forces; the ends include their share of weight.
   EXPECT_NEAR(carried - end("a") - end("b"), 40 * kWeight, 1e-5 * 40 * kWeight);
 }
 

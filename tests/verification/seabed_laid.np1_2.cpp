@@ -1,4 +1,5 @@
-// Lines laid on the seabed from end to end, from case files to results files: friction holds them in statics.
+// Lines laid on the seabed over their whole length, from case files to results files: friction holds them in
+// statics.
 #include "../regression/runs.hpp"
 
 namespace hawser::test::seabed_laid {
@@ -6,7 +7,7 @@ namespace {
 
 using runs::Edits;
 
-// A pipe of 100 kg/m along x on soil of 1e6 N/m², 0.5 of friction after 5 mm.
+// A pipe of 100 kg/m along x on soil of 1e6 N/m², friction 0.5 mobilised at 5 mm.
 std::string pipe(const Edits& edits) {
   std::string text = R"(hawser: 1
 environment: {gravity: 10, seabed: {depth: 50, normal_stiffness: {per_length: 1e6}, friction: FRICTION}}
@@ -54,8 +55,8 @@ Shown run(const std::string& name, const std::string& text) {
           io::h5::read_array(file, "fields/effective_tension").values};
 }
 
-// Pulled at one end, the other held or not: elastic up to F = sqrt(EA tau d), then a part of it slips. Closed
-// form; axis on the bed or underside on it, where it is put makes no difference.
+// Pulled at one end, the other held or free: elastic up to F = sqrt(EA tau d), above that a part slips.
+// Closed form, with the axis or the underside given on the bed.
 TEST(SeabedLaid, PullOut) {
   struct Row {
     const char* force;
@@ -80,8 +81,8 @@ TEST(SeabedLaid, PullOut) {
     }
 }
 
-// Laid cold without force, both ends free, and heated by 60 K: a beam. Closed form: what its ends come out
-// by, the force in the middle, and how much of each half slips, from where it has moved by the mobilisation
+// A beam laid without tension, both ends free, heated by 60 K. Closed form: displacement of the ends, force
+// in the middle, and the slipping length of each half, where the displacement exceeds the mobilisation
 // length.
 TEST(SeabedLaid, Heating) {
   struct Row {
@@ -114,9 +115,9 @@ TEST(SeabedLaid, Heating) {
   }
 }
 
-// A current across, drag 0.5*1025*1.2*0.1*0.25 N/m, of the friction that the chain in water has: it stays. A
-// chain without tension, whose elements tighten and loosen in turn while statics looks for rest.
-// `friction_in_statics: none` and no given start shape leave it without.
+// A current across exerts 0.5*1025*1.2*0.1*0.25 N/m; friction of the submerged chain exceeds this and holds
+// it. The chain has no tension, and its elements tighten and slacken in turn during statics. With
+// `friction_in_statics: none` and no given start shape there is no friction.
 TEST(SeabedLaid, ACurrentAcross) {
   const Edits sea{
       {"gravity: 10", "gravity: 10, water: {depth: 50}, current: {speed: 0.5, direction_deg: 90}"},

@@ -1,5 +1,5 @@
-// Mooring lines on beds that are no plane, with friction: a slope by grid and mesh is the slope by formula;
-// on a ridge one, two and three ranks find the same, at rest and in motion.
+// Mooring lines on beds that are not planes, with friction: a slope by grid and mesh is that by formula; on a
+// ridge one, two and three ranks have the same results at rest and in motion.
 #include "hawser/geometry/ground.hpp"
 #include "hawser/geometry/height_grid.hpp"
 #include "hawser/geometry/mesh_surface.hpp"
@@ -105,8 +105,8 @@ TEST(SeabedShapes, OnARidge) {
   all.solve_statics();
   one.solve_statics();
   expect_same_positions(all, all.state().at_rest(), one.state().at_rest(), 1e-7, "statics");
-  // It lies before the ridge and on it and spans the ground between. The crest carries what the tension turns
-  // by, and the chain sinks in there by some diameters on this soil.
+  // The chain lies before and on the ridge and spans the ground between. The tension presses it onto the
+  // crest, where it sinks in by some diameters on this soil.
   double deepest = 0, highest = 0;
   int lies = 0, spans = 0;
   for (size_t n = 1; n < 80; ++n) {
@@ -123,7 +123,7 @@ TEST(SeabedShapes, OnARidge) {
   run(all, 8);
   run(one, 8);
   expect_same_positions(all, all.dynamics().kinematics(), one.dynamics().kinematics(), 1e-6, "after 8 s");
-  // The bed does what friction and dampers took, and no more.
+  // Energy dissipated by friction and dampers is positive.
   const Energy e = one.system().energy(one.dynamics().kinematics());
   printf("  friction took %.4g J, dampers %.4g J\n", e.friction, e.damping);
   EXPECT_GT(e.friction, 0);

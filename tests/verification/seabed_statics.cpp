@@ -1,11 +1,12 @@
-// Beams and cables lying on a seabed: Winkler's foundation, an end lifted off, pull-out against friction.
+// Beams and cables on a seabed against closed forms: Winkler's foundation, an end lifted off, pull-out
+// against friction.
 #include "hawser/terms/bed_contact.hpp"
 #include "support/rig.hpp"
 
 namespace hawser::test::seabed_statics_test {
 namespace {
 
-// Of the axis: the line is so thin that its radius does not matter.
+// Contact of the axis: the line is so thin that its radius does not matter.
 model::Case on_bed(const model::LineType& type, double length, int elements, const model::End& a,
                    const model::End& b, double stiffness) {
   model::LineType t = type;
@@ -34,8 +35,8 @@ std::vector<double> values(Simulation& sim, const std::string& name) {
   return {};
 }
 
-// A long beam under a point load in its middle: Hetényi (1946), w0 = P lambda/(2 k), M0 = P/(4 lambda), on
-// top of what its weight presses it in.
+// A long beam under a point load in its middle: Hetényi (1946), w0 = P lambda/(2 k), M0 = P/(4 lambda), in
+// addition to the settlement by its weight.
 TEST(SeabedStatics, InfiniteBeamUnderAPointLoad) {
   const double k = 1e5, P = 1e4, EI = 1e6, depth = -50;
   for (const int elements : {100, 400}) {
@@ -68,7 +69,8 @@ TEST(SeabedStatics, InfiniteBeamUnderAPointLoad) {
 }
 
 // A long beam under a point load at its free end: Hetényi (1946), w0 = 2 P lambda/k, slope 2 P lambda²/k,
-// largest moment -P exp(-pi/4) sin(pi/4)/lambda at pi/(4 lambda), on top of what its weight presses it in.
+// largest moment -P exp(-pi/4) sin(pi/4)/lambda at pi/(4 lambda), in addition to the settlement by its
+// weight.
 TEST(SeabedStatics, HalfABeamUnderAPointLoadAtItsEnd) {
   const double k = 1e5, P = 1e4, EI = 1e6, level = -50.1;
   const int elements = 400;
@@ -94,9 +96,9 @@ TEST(SeabedStatics, HalfABeamUnderAPointLoadAtItsEnd) {
   EXPECT_NEAR(at, 1.975171812535064, 0.1);
 }
 
-// The end of a heavy beam is lifted by 0.5 m: how much hangs, and the force, matched solutions of beam and
-// foundation without tension. These are of small deflections and grow with weight and lift together; a tenth
-// of both leaves a hundredth of what large deflections add.
+// The end of a heavy beam is lifted by 0.5 m: hanging length and force by matched solutions of beam and
+// foundation without tension. These assume small deflections and are proportional to weight and lift; a tenth
+// of both reduces the effect of large deflections to a hundredth.
 TEST(SeabedStatics, EndLiftedOffAFoundationWithoutTension) {
   struct Row {
     double k, hanging, force, moment, touchdown_moment, largest_at, deepest;  // largest: m from touchdown
@@ -122,7 +124,7 @@ TEST(SeabedStatics, EndLiftedOffAFoundationWithoutTension) {
       const double h = 30.0 / elements;
       size_t i = 1;
       while (x[i].z() > -50) ++i;
-      // The cubic through both nodes and their slopes.
+      // Cubic through both nodes and their slopes.
       const double z0 = x[i - 1].z() + 50, z1 = x[i].z() + 50;
       const double s0 = h * (sim.state().q[i - 1] * Vec3::UnitX()).z(),
                    s1 = h * (sim.state().q[i] * Vec3::UnitX()).z();
@@ -157,7 +159,7 @@ TEST(SeabedStatics, EndLiftedOffAFoundationWithoutTension) {
 }
 
 // A long pipe pulled at its end against elastoplastic friction tau = mu w with mobilisation length d: elastic
-// up to F = sqrt(EA tau d) at the end, then a part of it slips. Closed form.
+// up to F = sqrt(EA tau d) at the end, above that a part slips. Closed form.
 TEST(SeabedStatics, PullOut) {
   struct Row {
     double F, u, slips, tension;  // N; m; m, length that slips; N, 50 m from the end
@@ -197,9 +199,9 @@ TEST(SeabedStatics, PullOut) {
   }
 }
 
-// A pipe laid cold and heated by 60 K (1.17e-5/K); friction of 500 N/m with 5 mm to mobilise holds its
-// middle. Closed form: what the ends slip, their expansion, and the force in the middle. Half of it, held in
-// the middle.
+// A pipe laid cold and heated by 60 K (1.17e-5/K); friction of 500 N/m mobilised at 5 mm holds its middle.
+// Closed form: slipping length, expansion of the ends, and force in the middle. The model is one half, held
+// in the middle.
 TEST(SeabedStatics, Heating) {
   struct Row {
     double length, slip, end, force;
@@ -237,9 +239,9 @@ TEST(SeabedStatics, Heating) {
   }
 }
 
-// Pulled by 0.08 m, let go, pushed back by as much, slowly: F²/(2 tau EA) going out, F1 less the root of
-// 4 tau EA (u1 - u) coming back (Masing's rule), half of the way left when the force is gone. Rigid-plastic
-// closed form; the mobilisation length is 0.02 mm here, which matters first at a turn of the way.
+// Slow pull by 0.08 m, release and push: F²/(2 tau EA) in loading, F1 less the root of 4 tau EA (u1 - u) in
+// unloading (Masing's rule); half of the displacement remains at zero force. Rigid-plastic closed form; the
+// mobilisation length of 0.02 mm matters only at the reversal.
 TEST(SeabedStatics, PullingUnloadingPushing) {
   const double EA = 5e8, tau = 500, far = 0.08, length = 500;
   constexpr size_t kElements = 1000;

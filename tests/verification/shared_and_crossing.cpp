@@ -1,6 +1,6 @@
-// Random sets of lines that share ends, bodies and joints, or cross on the bed: where nothing should touch,
-// tensions are as without contact; where lines cross, the right one is on top. Ten sets, all hundred with
-// HAWSER_FULL.
+// Random sets of lines with common ends, bodies and joints, or that cross on the bed. Where lines do not
+// touch, tensions are those without contact; where lines cross, the right one is on top. Ten sets, a hundred
+// with HAWSER_FULL.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -40,8 +40,8 @@ std::string anchored(const Vec3& x) {
   return fmt::format("{{anchor: [{:.9g}, {:.9g}, {:.9g}]}}", x.x(), x.y(), x.z());
 }
 
-// Legs from a fairlead, to a bed or through the air, azimuths and slack at random, ends at one point of a
-// body or nearer to each other than their radii.
+// Legs from a fairlead to a bed or through the air with random azimuths and slack; their ends are at one
+// point of a body, or nearer to each other than their radii.
 Set legs(Random& r) {
   const double d = r.in(0.06, 0.3), depth = r.in(40, 120), near = r.of(2) ? 0 : r.in(0.1, 0.9) * d / 2;
   const bool air = r.of(3) == 0;
@@ -68,7 +68,7 @@ Set legs(Random& r) {
   return s;
 }
 
-// A line of its own that comes back to where it begins.
+// A line whose ends are at the same place.
 Set loop(Random& r) {
   const double d = r.in(0.02, 0.3), apart = r.of(2) ? 0 : r.in(0, 0.95) * d, length = r.in(5, 40);
   return {"loop",
@@ -79,7 +79,7 @@ Set loop(Random& r) {
           line("m", "c", length, length / (20 + 10 * r.of(3)), anchored({0, 0, 0}), anchored({apart, 0, 0}))};
 }
 
-// A line down to a joint, from where two or three part at small angles.
+// A line to a joint, from which two or three lines lead at small angles.
 Set joint(Random& r) {
   const double d = r.in(0.05, 0.25), h = r.in(10, 30);
   Set s{"joint",
@@ -99,8 +99,7 @@ Set joint(Random& r) {
   return s;
 }
 
-// A chain or a cable that comes down to the bed across a pipeline on it, at any angle, in any order of the
-// lines.
+// A chain or cable that descends to the bed across a pipeline, at any angle, in any order of the lines.
 struct Crossing {
   Set set;
   double radii, under;  // m; height of the pipe's axis
@@ -163,15 +162,15 @@ void expect_over(const Crossing& c, unsigned seed) {
   SCOPED_TRACE(fmt::format("crossing {}", seed));
   const AtRest r = at_rest(c.set.text(""), "crossing");
   const size_t first = c.pipe_first ? 51 : 0;
-  // Where the chain passes the middle of the pipe.
+  // Where the chain crosses the middle of the pipe.
   const Vec3 pipe = r.x[(c.pipe_first ? 0 : r.x.size() - 51) + 25];
   for (size_t n = first + 1; n < first + r.x.size() - 51; ++n) {
     if (!(r.x[n - 1].x() <= pipe.x() && r.x[n].x() > pipe.x())) continue;
     const double t = (pipe.x() - r.x[n - 1].x()) / (r.x[n].x() - r.x[n - 1].x());
     const double z = r.x[n - 1].z() + t * (r.x[n].z() - r.x[n - 1].z());
     EXPECT_GT(z - pipe.z(), 0.9 * c.radii);
-    EXPECT_LT(pipe.z() - c.under, 0.05 * c.radii);  // pressed down, not lifted
-    // Where the chain does not hang clear of the pipe it presses on it.
+    EXPECT_LT(pipe.z() - c.under, 0.05 * c.radii);  // not lifted
+    // If the chain is not above the pipe, it presses on it.
     if (z - pipe.z() < 0.99 * c.radii) {
       EXPECT_GT(r.force, 0);
     }

@@ -1,5 +1,5 @@
-// Lines that go from one place, or from places nearer to each other than the lines are thick: what leaves it
-// together is not pried apart.
+// Lines from one place, or from places nearer to each other than the lines' diameter: contact does not push
+// them apart there.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 struct AtRest {
   std::vector<Vec3> x;
-  std::vector<double> tension;  // N, effective, of the nodes
+  std::vector<double> tension;  // N, effective, at the nodes
   std::vector<std::string> notes;
 };
 
@@ -36,8 +36,8 @@ void expect_same(const AtRest& with, const AtRest& without, double tolerance, co
   EXPECT_LT(off, tolerance * most) << what;
 }
 
-// A sling of 30 m, 50 kg/m in air, both ends at one hook, or near each other: by hand each end carries half
-// of the weight, 0.5 * 30 * 50 * 9.80665 = 7355 N.
+// A sling of 30 m, 50 kg/m in air, with both ends at one hook or near each other. By hand each end carries
+// half of the weight, 0.5 * 30 * 50 * 9.80665 = 7355 N.
 TEST(SharedPlaces, EndsOfASlingOnOneHook) {
   for (const double apart : {0.0, 0.02, 0.05, 0.09}) {
     const AtRest r = at_rest(fmt::format(
@@ -46,7 +46,7 @@ TEST(SharedPlaces, EndsOfASlingOnOneHook) {
         "lines:\n  m: {{sections: [{{type: c, length: 30, elements: 30}}], end_a: {{anchor: [0, 0, 0]}}, "
         "end_b: {{anchor: [{}, 0, 0]}}}}\n",
         apart));
-    // The field has the tension of the middle of the last element, half of its weight less.
+    // The field is the tension in the middle of the last element, less by half of its weight.
     const double half = 0.5 * 30 * 50 * 9.80665 - 0.5 * 50 * 9.80665;
     EXPECT_NEAR(r.tension.front(), half, 0.01 * half) << apart;
     EXPECT_NEAR(r.tension.back(), half, 0.01 * half) << apart;
@@ -57,8 +57,8 @@ TEST(SharedPlaces, EndsOfASlingOnOneHook) {
   }
 }
 
-// Three slack chains on one fairlead. The forces of its ends are those of a quasi-static code and of the case
-// without contact: of the middle one (-12.2, 0, -231.3) kN, 231.6 kN together.
+// Three slack chains on one fairlead. End forces are those of a quasi-static program and of the case without
+// contact: of the middle chain (-12.2, 0, -231.3) kN, 231.6 kN in all.
 std::string fairlead(const std::string& contact, double apart = 0) {
   const auto chain = [&](const char* name, double length, double y, double at) {
     return fmt::format(
@@ -86,8 +86,8 @@ TEST(SharedPlaces, SlackChainsOnOneFairlead) {
   }
 }
 
-// A line that ends at a joint with two others, which part at a small angle there: their places are found by
-// statics alone.
+// A line ends at a joint from which two others lead at a small angle; statics finds the position of the
+// joint.
 TEST(SharedPlaces, LinesThatPartAtAJoint) {
   const auto frame = [](const std::string& contact) {
     return "hawser: 1\nline_types: {c: {outer_diameter: 0.2, mass_per_length: 60, EA: 250 MN, bending: "
@@ -104,8 +104,8 @@ TEST(SharedPlaces, LinesThatPartAtAJoint) {
   expect_same(at_rest(frame("")), at_rest(frame("contact: {between_lines: false}\n")), 1e-4, "joint");
 }
 
-// Straight lines at the angle a are apart from R/(2 sin(a/2)) on, and free of each other up to twice that. In
-// statics that follows the angle; in motion it becomes less and never more.
+// Straight lines at the angle a do not overlap beyond R/(2 sin(a/2)); contact is excluded up to twice that.
+// The excluded length is updated to the angle in statics; in motion it only decreases.
 TEST(SharedPlaces, FollowTheAngle) {
   const double R = 0.2, length = 20;
   const auto fan = [&](double angle) {

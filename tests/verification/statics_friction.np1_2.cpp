@@ -1,4 +1,4 @@
-// Friction of volumes and between lines in statics, from case files to results files.
+// Friction on volumes and between lines in statics, from case files to results files, against closed forms.
 #include <fmt/format.h>
 
 #include "../regression/runs.hpp"
@@ -11,7 +11,7 @@ struct Shown {
   size_t nodes() const { return tension.size(); }
 };
 
-// On all ranks and, where there are more, on one alone, which must be the same.
+// Runs the case on all ranks and, if there are several, also on one; the positions must be equal.
 Shown run(const std::string& name, const std::string& text) {
   const std::string base = runs::folder("statics_friction") + "/" + name;
   runs::write_case(base + ".yaml", text);
@@ -31,9 +31,9 @@ Shown run(const std::string& name, const std::string& text) {
   return all;
 }
 
-// A pipe of 100 kg/m along x on a deck, pulled at its end: as far as friction is elastic (5 mm) and beyond,
-// in closed form (that of a pile in soil: Randolph and Wroth 1978; here tau = mu w of 500 N/m, EA 5e8 N).
-// What is elastic dies away over sqrt(EA 5 mm/tau) = 71 m, fourteen elements; 200 m slip.
+// A pipe of 100 kg/m along x on a deck, pulled at its end, within the elastic friction (5 mm) and beyond.
+// Closed form of a pile in soil (Randolph and Wroth 1978) with tau = mu w = 500 N/m, EA 5e8 N. The elastic
+// part decays over sqrt(EA 5 mm/tau) = 71 m, fourteen elements; 200 m slip.
 TEST(StaticsFriction, PipePulledOnADeck) {
   struct Row {
     double force, u, tension;  // N, m; N, 50 m from the end
@@ -62,7 +62,8 @@ statics: {{contact_friction: true}}
   }
 }
 
-// A beam laid on a slope of 10 degrees with both ends free stays if mu > tan 10 = 0.1763.
+// A beam on a slope of 10 degrees with both ends free is at rest if mu > tan 10 = 0.1763, and has no
+// equilibrium below.
 TEST(StaticsFriction, PipeOnASlope) {
   const auto slope = [](double mu) {
     return fmt::format(R"(hawser: 1
@@ -83,7 +84,7 @@ statics: {{contact_friction: true, relaxation_steps: 600}}
   };
   const Shown s = run("slope", slope(0.178));
   ASSERT_EQ(s.nodes(), 11U);
-  EXPECT_NEAR(s.position[30], 4.941386218009966, 2.5e-3);  // the mobilisation length, and sinking in
+  EXPECT_NEAR(s.position[30], 4.941386218009966, 2.5e-3);  // mobilisation length and penetration
   const std::string base = runs::folder("statics_friction") + "/slides";
   runs::write_case(base + ".yaml", slope(0.174));
   run::RunOptions o;
@@ -101,8 +102,8 @@ statics: {{contact_friction: true, relaxation_steps: 600}}
       std::exception);
 }
 
-// Half a turn of rope, pulled at one end: exp(mu theta) on a drum, with a stiffness given and with the
-// automatic one, which the pull raises a hundred times, and on a thick line.
+// Half a turn of rope, pulled at one end: ratio exp(mu theta) on a drum with a given stiffness and with the
+// automatic one, which the pull raises a hundredfold, and on a thick line.
 TEST(StaticsFriction, RopeOnADrumAndOnALine) {
   const double reach = 1.01, pull = 1000, mu = 0.3;
   std::string points = fmt::format("[{}, 0, -1.5]", reach);

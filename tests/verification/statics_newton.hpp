@@ -1,4 +1,4 @@
-// Plain Newton with the exact tangent, loads raised in increments: verifies element, loads and assembly
+// Plain Newton iteration with the exact tangent and load increments: tests elements, loads and assembly
 // without the globalisation of the statics solver.
 #pragma once
 
@@ -14,8 +14,8 @@
 
 namespace hawser::test {
 
-// Equilibrium near `state` at state.time; returns the iterations. Throws std::runtime_error when it fails.
-// residuals: those of all iterates, of the size of their contributions.
+// Equilibrium near `state` at state.time; returns the number of iterations. Throws std::runtime_error if it
+// fails. residuals: those of all iterates, relative to the size of their contributions.
 inline int newton(System& system, State& state, double tolerance = 1e-12,
                   std::vector<double>* residuals = nullptr) {
   VecHandle u = system.create_vector(), r = system.create_vector();
@@ -32,7 +32,7 @@ inline int newton(System& system, State& state, double tolerance = 1e-12,
     system.residual(state.at_rest(), r.get());
     if (residuals) residuals->push_back(system.norms(r.get()).relative());
     if (last) return it;
-    last = it > 0 && system.norms(r.get()).small(tolerance);  // one more step to polish
+    last = it > 0 && system.norms(r.get()).small(tolerance);  // one more iteration for accuracy
     system.tangent(state.at_rest(), {}, zero, false, J.get());
     check(KSPSetOperators(ksp.get(), J.get(), J.get()));
     check(KSPSolve(ksp.get(), r.get(), u.get()));
@@ -47,9 +47,9 @@ inline int newton(System& system, State& state, double tolerance = 1e-12,
   throw std::runtime_error("Newton does not converge");
 }
 
-// Whether the last iterations are quadratic: the largest r2/r1² of residuals, of the size of their
-// contributions, that follow each other, r1 below 1e-2 and r2 above round-off. Linear ones, were it by a
-// hundred each, make it as large as 1e3 on their way. Infinite when there were none.
+// Measure of quadratic convergence: the largest r2/r1² of successive relative residuals with r1 below 1e-2
+// and r2 above round-off. Linear convergence, even by a factor of a hundred, makes it as large as 1e3.
+// Infinite if there is no such pair.
 inline double newton_square(const std::vector<double>& r, double round_off = 1e-10) {
   double most = 0;
   for (size_t i = 1; i < r.size(); ++i)
@@ -62,7 +62,7 @@ inline void print_residuals(const std::vector<double>& r) {
   printf(": squared within %.2f\n", newton_square(r));
 }
 
-// Raises loads with a ramp of 1 s from time 0 to 1 in `steps`, halved where Newton fails, and follows the
+// Raises loads by a ramp of 1 s from time 0 to 1 in `steps`, halved where Newton fails, and follows the
 // equilibrium.
 inline void follow(run::Simulation& s, int steps) {
   const double whole = 1.0 / steps;
@@ -81,16 +81,16 @@ inline void follow(run::Simulation& s, int steps) {
   }
 }
 
-// The force and moment (node axes) the support exerts on a node of the last residual, rank 0.
+// Force or moment (node axes) of the support on a node by the last residual, rank 0.
 inline Vec3 reaction(run::Simulation& s, int node, int which = 0) {
   const size_t b = 3 * static_cast<size_t>(s.local().block[static_cast<size_t>(node)] + which);
   return Eigen::Map<const Vec3>(s.system().reactions().data() + b);
 }
 
-// Observed order of convergence of errors on meshes that double.
+// Observed order of convergence of errors on meshes with doubled numbers of elements.
 inline double order(double coarse, double fine) { return std::log2(coarse / fine); }
 
-// A cantilever along x from the origin: the loads at its tip rise within 1 s. The case must outlive the
+// A cantilever along x from the origin; the loads at its tip rise within 1 s. The case must outlive the
 // simulation.
 inline model::Case cantilever(const model::LineType& type, double length, int elements, const Vec3& force,
                               const Vec3& moment = Vec3::Zero()) {

@@ -1,4 +1,5 @@
-// Cantilevers in a plane: roll-up by an end moment, the elastica under a dead tip load, the buckled elastica.
+// Cantilevers in a plane against closed forms: roll-up by an end moment, elastica under a dead tip load,
+// buckled elastica.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,8 +24,7 @@ Tip tip(run::Simulation& s) {
   return {s.state().x.back(), std::atan2(t.y(), t.x())};
 }
 
-// Largest distance of a node from where it is on the circle that a moment 2 pi lam EI/L bends the line to,
-// over L.
+// Largest distance of a node from its place on the circle of the moment 2 pi lam EI/L, over L.
 double roll_up_error(double lam, int elements) {
   const double L = 10, EI = 1000, angle = 2 * M_PI * lam, R = L / angle;
   model::LineType t = beam_type(1e7, EI, EI);
@@ -41,7 +41,7 @@ double roll_up_error(double lam, int elements) {
   return worst / L;
 }
 
-// Tip over L, P L²/EI as given; EA L²/EI = 1e9 stands for inextensible.
+// Tip position over L for P L²/EI = alpha; EA L²/EI = 1e9 stands for inextensible.
 Tip elastica(double alpha, int elements) {
   model::LineType t = beam_type(1e9, 1, 1);
   const model::Case c = cantilever(t, 1, elements, Vec3(0, alpha, 0));
@@ -52,8 +52,8 @@ Tip elastica(double alpha, int elements) {
 
 }  // namespace
 
-// Closed form: a circle of radius EI/M. Judged at every node, for the tip alone says little of a full circle:
-// any chain of equal elements closes.
+// Closed form: a circle of radius EI/M. All nodes are compared, because the tip of a full circle closes for
+// any chain of equal elements.
 TEST(Statics, RollUpByEndMoment) {
   for (double lam : {0.1, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0}) {
     const double e10 = roll_up_error(lam, 10), e20 = roll_up_error(lam, 20), e40 = roll_up_error(lam, 40);
@@ -102,15 +102,14 @@ TEST(Statics, ElasticaUnderDeadTipLoad) {
   }
 }
 
-// A pinned beam pressed to 0.741 of its length along itself is in balance as long as it stays straight.
-// Statics must notice that this balance is false and find the buckled shape. Euler's elastica: with k =
-// sin(alpha/2), span/L = 2E(k)/K(k) - 1, P L²/EI = 4 K(k)², alpha the angle at the ends; here alpha = 60
-// degrees, k = 1/2.
+// A pinned straight beam compressed to 0.741 of its length is in unstable equilibrium. Statics must detect
+// this and find the buckled shape. Euler's elastica: with k = sin(alpha/2), span/L = 2E(k)/K(k) - 1, P L²/EI
+// = 4 K(k)², alpha the angle at the ends; here alpha = 60 degrees, k = 1/2.
 TEST(Statics, CompressedStraightBeamBuckles) {
   const double K = 1.6857503548125961, E = 1.4674622093394272;  // complete elliptic integrals, modulus 1/2
   const double span = 2 * E / K - 1, force = 4 * K * K;
   model::LineType t = beam_type(1e6, 1, 1);
-  t.EI2 = 2;  // else it may buckle in any plane, and one eigenvalue is zero
+  t.EI2 = 2;  // otherwise it may buckle in any plane, and one eigenvalue is zero
   model::Case c = one_line(t, 1, 40, anchor(Vec3::Zero()), anchor(Vec3(span, 0, 0)));
   c.lines[0].start = model::Start::straight;
   run::Simulation s(PETSC_COMM_WORLD, c);
@@ -132,9 +131,9 @@ TEST(Statics, CompressedStraightBeamBuckles) {
   EXPECT_NEAR(P, force, 1e-3 * force);
 }
 
-// Rounding alone makes bending moments of 0.1 N m in the elements of a very stiff pile, and more where its
-// coordinates are large, beside nothing that bends it: there is no rest within a tolerance that does not know
-// this. Its top sinks by w L²/(2 EA).
+// Round-off alone causes bending moments of 0.1 N m in the elements of a very stiff pile, more at large
+// coordinates, although nothing bends it. The convergence criterion must allow for this. The top settles by w
+// L²/(2 EA).
 TEST(Statics, AStiffPileStandsStill) {
   for (const Vec3& foot : {Vec3(0, 0, -50), Vec3(310, -20, -50)})
     for (const int elements : {100, 200}) {

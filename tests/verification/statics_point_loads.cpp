@@ -1,5 +1,5 @@
-// Statics in one go under loads that act at points only: no weight to hang by, no increments.
-// Reference: elastica of Bisshopp & Drucker (1945), elliptic integrals to 30 digits (case S02).
+// Statics in one load step under point loads only, without weight. Reference: elastica of Bisshopp & Drucker
+// (1945), elliptic integrals to 30 digits (case S02).
 #include "support/rig.hpp"
 
 namespace hawser::statics_point_loads_test {
@@ -25,7 +25,7 @@ TEST(StaticsPointLoads, ElasticaFromTheStraightBeam) {
 }
 
 TEST(StaticsPointLoads, AForceThatLastsKeepsTheEnergyOfDynamicsInBalance) {
-  // Released from the straight beam: kinetic + strain = work of the tip force, which is a potential.
+  // Released from the straight beam: kinetic + strain energy = work of the tip force, which has a potential.
   model::Case c = one_line(beam_type(1e6, 1, 1), 1, 8, clamp(Vec3::Zero(), Vec3::UnitX()), {});
   c.lines[0].start = model::Start::straight;
   c.lines[0].point_loads.push_back({1.0, Vec3(0, 0, 2), Vec3::Zero(), 0});

@@ -1,4 +1,4 @@
-// Beams in space: the 45-degree bend, the Princeton beam, path independence and objectivity.
+// Beams in space: 45-degree bend, Princeton beam, path independence, objectivity.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kRadius = 100, kArc = M_PI / 4;
 
-// Bathe & Bolourchi (1979), Int. J. Numer. Meth. Engng 14: a quarter of a half circle, stress-free, clamped
-// at the origin with its tangent along y, bending towards +x; all of it turned by `turn`.
+// Bathe & Bolourchi (1979), Int. J. Numer. Meth. Engng 14: an eighth of a circle, stress-free, clamped at the
+// origin with its tangent along y and bent towards +x; all rotated by `turn`.
 struct Bend {
   model::Case c;
   std::unique_ptr<run::Simulation> s;
@@ -33,7 +33,7 @@ struct Bend {
     s = std::make_unique<run::Simulation>(PETSC_COMM_WORLD, c);
     for (int i = 0; i <= elements; ++i) {
       const double a = kArc * i / elements;
-      Mat3 axes;  // along the arc, towards its centre, z
+      Mat3 axes;  // columns: tangent, direction to the arc's centre, z
       axes << std::sin(a), std::cos(a), 0, std::cos(a), -std::sin(a), 0, 0, 0, -1;
       s->state().q[static_cast<size_t>(i)] = turn * Quat(axes);
     }
@@ -71,9 +71,9 @@ BendError bend_error(int elements, double P, double J, double shear_factor, cons
 
 }  // namespace
 
-// Reissner-Simo beam by shooting with DOP853 to 1e-12: the tip, and the moment at the root that holds the
-// load. The answer depends on the torsion constant: J = 1/6 or Saint-Venant's 0.1406 of the unit square, and
-// a little on the shear stiffness.
+// Reissner-Simo beam by shooting with DOP853 to 1e-12: tip position, and moment at the root in balance with
+// the load. The result depends on the torsion constant, J = 1/6 or Saint-Venant's 0.1406 of the unit square,
+// and a little on the shear stiffness.
 TEST(Statics, FortyFiveDegreeBend) {
   struct {
     double J, shear, P;
@@ -214,10 +214,10 @@ TEST(Statics, FortyFiveDegreeBend) {
       std::size(rows), most8.tip, most8.root, most32.tip, most32.root);
 }
 
-// Dowell & Traybar (1975), geometry 12.377 x 3.2024 mm, E = 71.7 GPa, nu = 0.31, L = 0.508 m; a weight P
-// turned by theta from the stiff direction. Another section has the torsion and the shear stiffness of
-// EXUDYN's example: what is sensitive to them is the twist at 45 degrees. Reissner-Simo beam by shooting to
-// 1e-12: displacements of the tip (axial, chordwise, flapwise, m) and its twist.
+// Dowell & Traybar (1975): section 12.377 x 3.2024 mm, E = 71.7 GPa, nu = 0.31, L = 0.508 m; a weight P at
+// the angle theta from the stiff direction. A second section has the torsion and shear stiffness of EXUDYN's
+// example, which influence mainly the twist at 45 degrees. Reissner-Simo beam by shooting to 1e-12:
+// displacements of the tip (axial, chordwise, flapwise, m) and its twist.
 TEST(Statics, PrincetonBeam) {
   struct Row {
     double P, theta;
@@ -302,7 +302,7 @@ model::LineType unequal_type() {
   return t;
 }
 
-// The tip after the loads `first` and then, on top of them, `second` have risen.
+// Tip position after the loads `first`, then in addition `second`.
 Vec3 loaded_tip(const Vec3& first, const Vec3& second, int elements, Vec3* root_moment = nullptr) {
   const model::Case a = cantilever(unequal_type(), 10, elements, first);
   run::Simulation sa(PETSC_COMM_WORLD, a);
@@ -318,8 +318,8 @@ Vec3 loaded_tip(const Vec3& first, const Vec3& second, int elements, Vec3* root_
 
 }  // namespace
 
-// Fy then Fz, Fz then Fy, both together: one equilibrium. Reissner-Simo beam by shooting to 1e-12; the root
-// moment is that of the load.
+// Fy then Fz, Fz then Fy, and both together have one equilibrium. Reissner-Simo beam by shooting to 1e-12;
+// the root moment is in balance with the load.
 TEST(Statics, FinalStateDoesNotDependOnThePath) {
   const Vec3 Fy(0, 30, 0), Fz(0, 0, 50);
   const Vec3 exact(5.887813974723862, 2.3848868789212005, 6.857480578827238);
@@ -338,7 +338,7 @@ TEST(Statics, FinalStateDoesNotDependOnThePath) {
   EXPECT_LT((moment + exact_moment).norm(), 1e-3 * exact_moment.norm());
 }
 
-// Crisfield & Jelenic (1999), Proc. R. Soc. A 455: strains must not see a rigid rotation.
+// Crisfield & Jelenic (1999), Proc. R. Soc. A 455: a rigid rotation does not change the strains.
 TEST(Statics, TurnedBendGivesTheTurnedTip) {
   const Vec3 P(0, 0, 600);
   Bend straight(bend_type(1. / 6, 1), 8, P);
@@ -366,7 +366,7 @@ TEST(Statics, UnloadedBendTurnedTenTimesStoresNoEnergy) {
     newton(b.s->system(), state);
     energy = std::max(energy, b.s->system().energy(state.at_rest()).strain);
   }
-  // Against the energy that the load of 600 N stores, some 1.6e4 J.
+  // Compare with the energy stored by the load of 600 N, about 1.6e4 J.
   std::printf("unloaded bend after ten turns: largest strain energy %.2e J, tip moved by %.2e R\n", energy,
               (b.tip() - tip0).norm() / kRadius);
   EXPECT_LT(energy, 1e-9);

@@ -1,5 +1,4 @@
-// Lines that are much shorter than the distance of their ends: rubber and elastomers, by a constant EA and by
-// a table.
+// Lines much shorter than the distance of their ends: rubber and elastomers, by a constant EA and by a table.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -27,14 +26,15 @@ double tension(const model::Case& c) {
   return Eigen::Map<const Vec3>(s.system().reactions().data() + 3 * s.local().block[10]).norm();
 }
 
-// EA times the strain: 500 N (1.5/1.3 - 1), and by the table straight through (1.2, 600 N).
+// Tension EA times strain: 500 N (1.5/1.3 - 1), and by the linear table through (1.2, 600 N).
 TEST(StretchedLines, ByEAAndByATable) {
   EXPECT_NEAR(tension(tether("500", 1.3)), 76.923, 1e-3);
   const std::string table = "{table: [[0.5, 250], [1.0, 500], [1.5, 750]]}";
   EXPECT_NEAR(tension(tether(table, 0.7)), 500 * (1.5 / 0.7 - 1), 0.05);
 }
 
-// Metal at 10 %, a constant EA at more than 50 %, a table by more than that beyond its rows: a misprint.
+// Errors for strains that no material bears, probably misprints: 10 % for metal, 50 % for a constant EA, and
+// for a table 50 % beyond its last row.
 TEST(StretchedLines, WhatNoMaterialBearsIsRefused) {
   const auto refused = [](const std::string& EA, double length) {
     try {

@@ -1,5 +1,5 @@
-// Lengths that meet a target, against closed forms of the catenary; targets that cannot be met; several at
-// once; what goes on from a run with one. On 1 and 2 ranks.
+// Lengths that meet a target, against closed forms of the catenary; unattainable targets; several targets at
+// once; a restart. On 1 and 2 ranks.
 #include "hawser/run/targets.hpp"
 
 #include "../regression/runs.hpp"
@@ -30,7 +30,7 @@ model::Case hanging(const std::string& target, double length = 110, int elements
       "}]\n    end_a: {anchor: [0, 0, 0]}\n    end_b: {anchor: [100, 0, 20]}\n    target: " + target + "\n");
 }
 
-// On rigid ground 100 m down, to an end 360 m away.
+// On rigid ground 100 m below, to an end 360 m away.
 model::Case lying(const std::string& target, const std::string& more = "") {
   return case_of(
       "environment: {gravity: 10, seabed: {depth: 100, normal_stiffness: {per_length: 1e8}}}\nlines:\n  l:\n "
@@ -51,7 +51,7 @@ CatenaryShape closed(double length) {
   return catenary(Vec3(0, 0, 0), Vec3(100, 0, 20), {{length, Vec3(0, 0, -kWeight), kEA, Vec3::Zero(), 0}});
 }
 
-// Where a monotone function of the length is `wanted`.
+// Argument at which a monotone function is `wanted`.
 template <class F>
 double solved(double low, double high, double wanted, F&& f) {
   const bool increasing = f(high) > f(low);
@@ -64,9 +64,9 @@ double solved(double low, double high, double wanted, F&& f) {
 
 double declination(const Vec3& tension) { return std::acos(tension.z() / tension.norm()) * 180 / M_PI; }
 
-// A hot pipe that comes out of the soil beside its anchor: at some lengths it and the springs of the soil,
-// whose directions are its own, rotate each other back and forth. No trial may fall back on thousands of
-// steps of relaxation for that.
+// A hot pipe that leaves the soil beside its anchor. At some lengths the pipe and the soil springs, whose
+// directions rotate with it, rotate each other back and forth. Trials must not need thousands of relaxation
+// steps for this.
 TEST(Targets, PipeThatTurnsInTheSoil) {
   const model::Case c = io::read_case_text(R"(hawser: 1
 environment:
@@ -98,7 +98,7 @@ contact: {between_lines: false}
   EXPECT_LT(relaxed, 50);
 }
 
-// Each trial says what it has found.
+// Each trial reports its result.
 TEST(Targets, TrialsAreReported) {
   std::vector<std::string> trials;
   const run::MetTargets m = run::meet_targets(PETSC_COMM_WORLD, hanging("{tension: 120 kN}", 110, 40), {}, {},
@@ -116,7 +116,7 @@ TEST(Targets, TensionOfACatenary) {
   const run::MetTargets m = met(hanging("{tension: 120 kN}"));
   printf("  %.8f m, closed form %.8f m: %s\n", length_of(m), expected, m.found.at(0).c_str());
   EXPECT_NEAR(length_of(m), expected, 1e-6 * expected);
-  // From either side, and at the other end.
+  // From both sides, and at the other end.
   EXPECT_NEAR(length_of(met(hanging("{tension: 120 kN}", 103.5))), expected, 1e-6 * expected);
   const double at_a = solved(103, 140, 120e3, [](double x) { return closed(x).tension_a().norm(); });
   EXPECT_NEAR(length_of(met(hanging("{tension: 120 kN, at: end_a}"))), at_a, 1e-6 * at_a);
@@ -144,7 +144,7 @@ TEST(Targets, OnTheSeabed) {
   EXPECT_NEAR(length_of(met(lying("{tension: 350 kN}"))), taut, 0.02);
 }
 
-// What is written as end_b goes along with the end, what has a number stays.
+// A position `end_b` moves with the end; a numerical position stays.
 TEST(Targets, OfOneSection) {
   const model::Case c = case_of(
       "environment: {gravity: 10}\nlines:\n  l:\n    sections: [{type: rope, length: 60, elements: 60}, "
@@ -162,7 +162,7 @@ TEST(Targets, OfOneSection) {
   EXPECT_EQ(out.output.histories[0].at, model::length_of(out.lines[0]));
 }
 
-// Three lines at a joint: what one needs changes with the length of the other.
+// Three lines at a joint: the tension of one depends on the length of the other.
 TEST(Targets, OfLinesThatPullAtEachOther) {
   const std::string line =
       ": {sections: [{type: rope, length: 75, elements: 40}], end_b: {joint: knot}, end_a: ";
@@ -214,7 +214,7 @@ TEST(Targets, ThatMakeNoSense) {
                  "statics: false");
 }
 
-// The results have the length that was found; a restart goes on with it.
+// The results have the length found; a restart uses it.
 TEST(Targets, ThroughTheProgram) {
   const std::string folder = runs::folder("targets"), path = folder + "/target.yaml", file = folder + "/t.h5";
   runs::write_case(

@@ -1,5 +1,5 @@
-// Touchdown points and laid lengths of lines at rest against closed forms, on rigid and on soft ground,
-// wherever between its nodes the line touches down; on 1 and 2 ranks.
+// Touchdown points and laid lengths of lines at rest against closed forms, on rigid and on soft ground, for
+// touchdown anywhere between nodes; on 1 and 2 ranks.
 #include "hawser/record/touchdown.hpp"
 
 #include "hawser/kernels/catenary_on_bed.hpp"
@@ -10,13 +10,13 @@ namespace {
 
 constexpr double kWeight = 1000, kHeight = 100;  // N/m, m
 
-// From an anchor `above` where a line of 0.1 m lies on the bed to an end `away` from it and kHeight above the
+// A line of 0.1 m from an anchor `above` its height on the bed to an end `away` from it and kHeight above the
 // bed.
 model::Case line_on_bed(double length, int elements, double stiffness, double away, double above = 0) {
   model::LineType t = cable_type(1e9, kWeight / 9.81);
   t.outer_diameter = t.contact_diameter = 0.1;
   model::Case c = one_line(t, length, elements, anchor({0, 0, above - kHeight + 0.05}), anchor({away, 0, 0}));
-  c.contact.between_lines.enabled = false;  // so that ranks cut it
+  c.contact.between_lines.enabled = false;  // so that the line is cut between ranks
   c.environment.gravity = 9.81;
   model::Seabed& bed = c.environment.seabed;
   bed.present = true;
@@ -41,7 +41,7 @@ Rest at_rest(const model::Case& c) {
   return out;
 }
 
-// Elements of 5 m, and the touchdown point where in one of them it likes.
+// Elements of 5 m; the touchdown point lies at different places within an element.
 TEST(Touchdown, OfACatenaryOnRigidGround) {
   for (const double length : {391.0, 392.3, 393.6, 394.9, 396.2}) {
     const int elements = 78;
@@ -59,9 +59,9 @@ TEST(Touchdown, OfACatenaryOnRigidGround) {
   }
 }
 
-// Where the ground yields the gap is zero sqrt(H / k) beyond what lies on rigid ground.
+// On soft ground the gap is zero sqrt(H / k) beyond the touchdown point of rigid ground.
 TEST(Touchdown, OnSoftGround) {
-  // The parabola of what hangs has its vertex half of w / k under the bed, which is that of the closed form.
+  // The vertex of the suspended parabola is w / 2k below the bed; the closed form has the ground there.
   const double length = 393, k = 4000;
   const auto closed = catenary_on_bed(Vec3(0, 0, 0.05 - 0.5 * kWeight / k - kHeight), Vec3(360, 0, 0),
                                       {{length, Vec3(0, 0, -kWeight), 1e9, Vec3::Zero(), 0}}, 0);
@@ -78,7 +78,7 @@ TEST(Touchdown, OnSoftGround) {
   }
 }
 
-// A slack line between two ends above the bed lies in its middle: it touches down twice, mirrored.
+// A slack line between two ends above the bed lies on it in the middle: two symmetric touchdown points.
 TEST(Touchdown, FromBothEnds) {
   model::Case c = line_on_bed(420, 84, 1e8, 300, kHeight);
   const Rest rest = at_rest(c);
@@ -88,7 +88,7 @@ TEST(Touchdown, FromBothEnds) {
   const double laid = rest.touchdown.laid;
   EXPECT_GT(laid, 50);
   EXPECT_LT(laid, 250);
-  // Half of it, from the bed up.
+  // One half, from the bed to its end.
   const double half = 0.5 * (420 - laid);
   const auto closed = catenary_on_bed(Vec3(0, 0, 0.05 - kHeight), Vec3(150, 0, 0),
                                       {{210, Vec3(0, 0, -kWeight), 1e9, Vec3::Zero(), 0}}, 0);
@@ -108,7 +108,7 @@ TEST(Touchdown, WhatHangsOrLiesHasNone) {
   EXPECT_NEAR(lies.touchdown.laid, 300, 1e-9);
 }
 
-// A pipe: its elements are bent, and 1 m and 4 m of them find the same place.
+// A pipe: with elements of 1 m and 4 m the touchdown point is the same within 0.4 m.
 TEST(Touchdown, OfABeam) {
   double found[2] = {};
   for (const int i : {0, 1}) {

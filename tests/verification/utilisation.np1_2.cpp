@@ -1,11 +1,11 @@
-// Bend radius utilisation of a cantilever rolled up by a moment at its end, whose curvature is M / EI
-// everywhere; on 1 and 2 ranks.
+// Bend radius utilisation of a cantilever with an end moment, whose curvature is M / EI everywhere; on 1 and
+// 2 ranks.
 #include "../regression/runs.hpp"
 
 namespace hawser::utilisation_test {
 namespace {
 
-// EI = 1 MN m², M = 200 kN m: a radius of 5 m.
+// EI = 1 MN m², M = 200 kN m: a bend radius of 5 m.
 std::string rolled_up(const std::string& radius, const std::string& name) {
   const std::string folder = runs::folder("utilisation"), path = folder + "/" + name + ".yaml";
   runs::write_case(

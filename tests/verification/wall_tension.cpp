@@ -1,4 +1,4 @@
-// Pipes with contents and marine growth: the tension in the wall, weight, inertia and drag, from case files.
+// Pipes with contents and marine growth: wall tension, weight, inertia and drag, from case files.
 #include <filesystem>
 #include <fstream>
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kG = 9.80665, kRho = 1025, kQuarter = M_PI / 4;
 
-// A pipe of 0.3 m that hangs from z = 10 m, 400 m long, its end free; `more` is of its type.
+// A pipe of 0.3 m hangs from z = 10 m, 400 m long, with a free end; `more` are further keys of its type.
 std::string hanging(bool beam, const std::string& more) {
   return std::string(
              "hawser: 1\nenvironment: {water: {depth: 1000}}\nline_types:\n  pipe: {outer_diameter: 0.3, "
@@ -23,7 +23,7 @@ std::string hanging(bool beam, const std::string& more) {
          "    start: {points: [[0, 0, 10], [0, 0, -390]]}\nstatics: true\n";
 }
 
-// Node fields of a case at rest as the results file has them.
+// Node fields of a case at rest from the results file.
 struct Shown {
   std::vector<double> position, effective, wall;
 };
@@ -46,8 +46,8 @@ Shown shown(const std::string& text) {
   return s;
 }
 
-// T_w = T_e + p_i A_i - p_e A_e with the areas of the bare pipe, whatever it wears: at the free end the
-// pressures alone, in air no pressure outside, at the top what the whole line weighs.
+// T_w = T_e + p_i A_i - p_e A_e with the areas of the bare pipe, with contents, growth or modules: only
+// pressures at the free end, no external pressure in air, the whole weight at the top.
 TEST(WallTension, HangingPipe) {
   struct Kind {
     const char* name;
@@ -76,8 +76,8 @@ TEST(WallTension, HangingPipe) {
         if (k.displaced > 0.4 && !beam) effective = std::max(effective, 0.0);
         const double wall =
             effective + inside * (k.pressure - k.contents * kG * z) - outside * kRho * kG * std::max(-z, 0.0);
-        // Between the middles of the elements: at the surface, where buoyancy sets in, a quarter of one's is
-        // missing.
+        // Tensions are those in the middle of the elements; at the surface, where buoyancy begins, a quarter
+        // of an element's buoyancy is missing.
         const double near = n == 1 ? 0.26 * kG * up * 10 : 100;
         if (n != 1) most = std::max(most, std::abs(s.wall[n] - wall));
         EXPECT_NEAR(s.wall[n], wall, near) << n;
@@ -92,8 +92,7 @@ TEST(WallTension, HangingPipe) {
     }
 }
 
-// The wall of a coated pipe bears the pressure of the sea at its end as without the coating: on the wall's
-// own area.
+// At its end the wall of a coated pipe has the pressure of the sea on its own area, as without the coating.
 TEST(WallTension, CoatedPipe) {
   std::string text = hanging(true, "");
   const std::string plain = "outer_diameter: 0.3, mass_per_length: 200, EA: 1e10, EI: 1e5, GJ: 1e5";
@@ -106,7 +105,7 @@ TEST(WallTension, CoatedPipe) {
   EXPECT_NEAR(s.wall.back(), -kQuarter * 0.3 * 0.3 * pressure, 1e-2);
 }
 
-// Sinking rods that are filled or overgrown, v = v_t tanh(t/tau): weight, inertia, displaced and drag
+// Sinking of filled or overgrown rods, v = v_t tanh(t/tau): weight, inertia, displaced and drag
 // diameter.
 TEST(WallTension, FilledAndOvergrownRodsSink) {
   struct Kind {
@@ -117,8 +116,8 @@ TEST(WallTension, FilledAndOvergrownRodsSink) {
   const double grown = 300 + 1325 * kQuarter * (0.6 * 0.6 - 0.5 * 0.5);
   for (const Kind& k : {Kind{", contents: {inner_diameter: 0.4, density: 900}", filled, 0.5, 0.5},
                         {", marine_growth: {thickness: 0.05}", grown, 0.6, 0.6},
-                        // Free-flooding: less volume than the outside has, which drags all the same; growth
-                        // is a ring around the outside.
+                        // Free-flooding: the displaced volume is smaller than that of the outside, which has
+                        // the drag; growth is a ring around the outside.
                         {", displaced_diameter: 0.3", 300, 0.3, 0.5},
                         {", displaced_diameter: 0.3, marine_growth: {thickness: 0.05}", grown,
                          std::sqrt(0.3 * 0.3 + 0.6 * 0.6 - 0.5 * 0.5), 0.6},

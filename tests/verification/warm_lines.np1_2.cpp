@@ -1,5 +1,5 @@
-// Lines that are warmer or colder than when they were cut to length, from case files to results files; on the
-// bed: seabed_laid.
+// Lines warmer or colder than when they were cut to length, from case files to results files. (On the bed:
+// seabed_laid.)
 #include <fmt/format.h>
 
 #include "../regression/runs.hpp"
@@ -17,7 +17,7 @@ runs::Results run(const std::string& name, const std::string& text, const Edits&
   return runs::read(base + ".h5");
 }
 
-// The last output.
+// Values of the last output.
 std::vector<double> last(const runs::Results& r, const std::string& field) {
   const auto& all = r.fields.at(field);
   return {all.end() - static_cast<std::ptrdiff_t>(all.size() / r.output_times.size()), all.end()};
@@ -38,20 +38,20 @@ lines:
 )";
 const char* const kBeam = "EI: 1e9, GJ: 1e9";
 
-// Between two fixed points the bar has the same force everywhere, and the strains' sum is none:
-// integral of T/EA + alpha dT = 0. Beams, heated; cables, cooled; by a table; a profile along the line.
+// Between two fixed points the force is uniform and the total elongation is zero: integral of T/EA + alpha dT
+// = 0. Beams, heated; cables, cooled; by a table; a profile along the line.
 TEST(WarmLines, BetweenFixedPoints) {
   struct Row {
     const char *name, *stiff, *bending, *warmer;
-    double force, at_15;  // N; m, how far the node at 15 m moves towards end B
+    double force, at_15;  // N; m, displacement of the node at 15 m towards end B
   };
   const double alpha = 2e-5, EA = 1e8, rest = 2e8, flexible = 30 / EA + 10 / rest;
   const double even = -alpha * 50 * 30 / flexible;
-  // 20 K at 5 m, 100 K from 25 m on: 5 at 20, then 20 at 60 on average, 5 at 100 K up to 30 m.
+  // 20 K at 5 m, 100 K from 25 m on: 5 m at 20 K, 20 m at 60 K on average, 5 m at 100 K up to 30 m.
   const double sum = 5 * 20 + 20 * 60 + 5 * 100, profile = -alpha * sum / flexible;
   const double to_15 = alpha * (5 * 20 + 10 * 40);
   const ResponseCurve table(std::vector<ResponseCurve::Row>{{-1, -1e8}, {1e-3, 1e5}, {2e-3, 1.5e5}}, false);
-  double low = 0, high = alpha * 400;  // strain from where there is no tension
+  double low = 0, high = alpha * 400;  // strain relative to that without tension
   while (high - low > 1e-15) {
     const double e = 0.5 * (low + high);
     (30 * (e - alpha * 400) + 10 * table.at(e).force / rest > 0 ? high : low) = e;
@@ -73,8 +73,8 @@ TEST(WarmLines, BetweenFixedPoints) {
   }
 }
 
-// Let go from rest at its cold length, one end free, a beam swings about its new length: the energy is that
-// of the strain it lacks, EA (alpha dT)² L/2, and stays.
+// A heated beam with one free end, and a cooled cable between fixed ends, start at their cold length and
+// oscillate: the total energy is constant at the initial strain energy, of EA (alpha dT)² L/2 for the beam.
 TEST(WarmLines, ReleasedTheySwing) {
   for (const char* bending : {kBeam, "bending: false"}) {
     const bool beam = bending == kBeam;
@@ -102,8 +102,8 @@ TEST(WarmLines, ReleasedTheySwing) {
   }
 }
 
-// A chain from an anchor to a ship: one that is 0.2 % longer by its temperature hangs as one that is made so,
-// of the same weight in all; from the start shape on.
+// A chain from an anchor to a ship that is 0.2 % longer by its temperature has the shape of a chain made 0.2
+// % longer with the same total weight; start shapes are equal, too.
 TEST(WarmLines, AMooringIsALongerOne) {
   const std::string text = R"(hawser: 1
 environment: {water: {depth: 200}, seabed: {depth: 200, friction: 0.6}}
@@ -115,7 +115,7 @@ lines:
     end_b: {anchor: [AWAY, 0, -14]}
     temperature_change: WARMER
 )";
-  for (const char* away : {"760", "800"}) {  // a fifth of it lies; hardly any
+  for (const char* away : {"760", "800"}) {  // a fifth lies on the bed; hardly any
     const Edits all{{"AWAY", away}};
     const auto with = [&](const Edits& edits) {
       Edits e = edits;
@@ -172,7 +172,7 @@ dynamics: {duration: 1e-3, step: 1e-3}
         Row{"slack on the bed", "0.2", "[0, 0, -199.9]", "{anchor: [700, 0, -199.9]}", "auto", none},
         Row{"afloat", "0.6", "[0, 0, 0]", "{anchor: [700, 0, 0]}", "auto", none},
         Row{"in a current", "0.55", "[0, 0, -50]", "free", "auto", none,
-            0.3},  // its drag is not worked out further
+            0.3},  // the start shape does not iterate the drag
         Row{"out of the soil", "0.2", "[-20, 0, -210]", "{anchor: [760, 0, -14]}", "auto",
             "[{to: 25, resistance: {axial: 10 kN/m, normal: 50 kN/m}}]"}}) {
     const auto start = [&](double e, const char* kelvin) {

@@ -1,4 +1,4 @@
-// Rods that drift and sink in water: drag by relative velocity and added mass in time.
+// Rods that drift and sink in water against closed forms: drag by relative velocity, and added mass.
 #include "support/rig.hpp"
 
 namespace hawser::test::water_motion_test {
@@ -38,8 +38,8 @@ void expect_rows(model::Case& c, const Vec3& way, const std::vector<Row>& rows) 
   }
 }
 
-// Neutral, released at rest in a current of 1 m/s across: v = U (1 - 1/(1 + t/tau)), tau = (m + ma)/(rho Cd D
-// U/2).
+// A neutral rod released at rest in a current of 1 m/s across: v = U (1 - 1/(1 + t/tau)), tau = (m + ma)/(rho
+// Cd D U/2).
 TEST(WaterMotion, ReleasedRodIsTakenByTheCurrent) {
   for (const bool beam : {false, true}) {
     model::Case c = rod(1025 * M_PI / 4 * 0.25, beam);
@@ -54,7 +54,7 @@ TEST(WaterMotion, ReleasedRodIsTakenByTheCurrent) {
   }
 }
 
-// 300 kg/m: falls towards sqrt(w/(rho Cd D/2)), v = v_t tanh(t/tau).
+// A rod of 300 kg/m sinks with v = v_t tanh(t/tau) towards v_t = sqrt(w/(rho Cd D/2)).
 TEST(WaterMotion, SinkingRodReachesItsTerminalVelocity) {
   for (const bool beam : {false, true}) {
     model::Case c = rod(300, beam);
@@ -68,8 +68,8 @@ TEST(WaterMotion, SinkingRodReachesItsTerminalVelocity) {
   }
 }
 
-// A ball on a taut string without mass, x'' + b |x'| x' + omega² x = 0 with b = 0.05/m: seven peaks, from a
-// start 2 m aside.
+// A ball on a taut massless string, x'' + b |x'| x' + omega² x = 0 with b = 0.05/m: seven peaks after a start
+// 2 m aside.
 TEST(WaterMotion, QuadraticDragDampsAnOscillation) {
   model::LineType t = cable_type(1e7, 1e-3);
   t.outer_diameter = t.contact_diameter = 1e-4;

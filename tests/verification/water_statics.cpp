@@ -1,11 +1,11 @@
-// Lines at rest in a current.
+// Lines at rest in water against closed forms: a towed cable in a current, a floating hose.
 #include "support/rig.hpp"
 
 namespace hawser::test::water_statics_test {
 namespace {
 
-// Towed cable: straight at the critical angle, where drag across it balances the weight across it,
-// cos phi = -k + sqrt(1 + k²), k = w/(rho Cd D U²); what is left along it is the tension.
+// A towed cable is straight at the critical angle, where normal drag balances the normal component of weight:
+// cos phi = -k + sqrt(1 + k²), k = w/(rho Cd D U²). The tension carries the axial component.
 TEST(WaterStatics, TowedCableStreamsAtItsCriticalAngle) {
   struct Row {
     double speed, degrees, tension;  // m/s, from the horizontal, N per m of cable
@@ -35,9 +35,9 @@ TEST(WaterStatics, TowedCableStreamsAtItsCriticalAngle) {
     }
 }
 
-// The floating hose of 0.12 t/m in air and 0.08 t/m of buoyancy when all of it is under water
-// (OMAE2006-92155, Table 4), its ends held at the surface: away from them its draught, and how hard it is to
-// push down. Circular segment.
+// The floating hose of 0.12 t/m in air and 0.08 t/m net buoyancy when submerged (OMAE2006-92155, Table 4),
+// its ends held at the surface: far from them its draught, and the stiffness against a vertical load.
+// Circular segment.
 TEST(WaterStatics, FloatingHoseAtRest) {
   const double d = 0.4984345337, draught = 0.2885278499254018, stiffness = 4947.4514377865435;
   for (const bool beam : {false, true})

@@ -1,4 +1,4 @@
-// Waves on lines: a pile, and a rod that the water carries along.
+// Wave loads on a pile, and a rod that moves with the water.
 #include "hawser/model/wave_components.hpp"
 #include "support/rig.hpp"
 
@@ -12,8 +12,8 @@ model::Waves one_wave(double height, double period, double phase = 0) {
   return w;
 }
 
-// A pile of 1 m, Cd 1.2, Cm 2, standing from the bed to `top`. A cable is wet up to the surface sharply only
-// if it is thin, so its displaced diameter is; the coefficients make up for it.
+// A pile of 1 m, Cd 1.2, Cm 2, from the bed to `top`. The wet length of a cable ends sharply at the surface
+// only if it is thin, so its displaced diameter is small; the coefficients compensate for this.
 model::Case pile(double depth, double top, const model::Waves& waves, bool beam = false, int elements = 400) {
   model::LineType t = beam ? beam_type(1e9, 1e9, 1e9, 100) : cable_type(1e9, 100);
   const double d = beam ? 1 : 0.02;
@@ -30,7 +30,7 @@ model::Case pile(double depth, double top, const model::Waves& waves, bool beam 
   return c;
 }
 
-// In-line force, and moment about the bed, at time t: what the nodes leave, since the pile is straight.
+// In-line force and moment about the bed at time t, from the node forces; the pile is straight.
 struct Load {
   double force = 0, moment = 0;
 };
@@ -51,8 +51,8 @@ Load load(Simulation& sim, double t) {
   return sum;
 }
 
-// Closed forms of linear theory to the still water, and of Wheeler's stretching under the crest: forces, and
-// moments about the bed. 100 beams, which are up to as long as the pile is thick.
+// Closed forms of linear theory up to still water, and with Wheeler's stretching under the crest: forces, and
+// moments about the bed. 100 beams, up to as long as the pile's diameter.
 TEST(WaveLoads, Pile) {
   struct Row {
     double height, period, depth, most, wheeler, inertia_moment, drag_moment, largest_moment;
@@ -91,7 +91,7 @@ TEST(WaveLoads, Pile) {
     }
 }
 
-// The same pile in Stokes' wave on a current, against a quadrature of its kinematics from the bed to the
+// The same pile in Stokes' wave on a current, against quadrature of its kinematics from the bed to the
 // surface.
 TEST(WaveLoads, PileInStokesWave) {
   const double depth = 30, D = 1, Cd = 1.2, Cm = 2, rho = 1025;
@@ -124,8 +124,8 @@ TEST(WaveLoads, PileInStokesWave) {
   }
 }
 
-// Water is looked at where a node gets with the speed it has at the start of the step, and not again wherever
-// Newton's iterations take it; a new step looks anew.
+// Wave kinematics are evaluated once a step, at the position that a node reaches with its velocity at the
+// start of the step. Newton's iterations do not evaluate them again; a new step does.
 TEST(WaveLoads, OneLookANodeAndStep) {
   model::Waves w = one_wave(4, 8);
   model::Case c = pile(40, -5, w);
@@ -145,7 +145,7 @@ TEST(WaveLoads, OneLookANodeAndStep) {
   };
   const double here = force(0);
   EXPECT_GT(std::abs(here), 1e3);
-  EXPECT_NEAR(force(20), here, 1e-9 * std::abs(here));  // a fifth of a wave on
+  EXPECT_NEAR(force(20), here, 1e-9 * std::abs(here));  // a fifth of a wavelength farther
   for (Vec3& x : s.x) x.x() += 20;
   State before = s;
   before.time -= 0.1;
@@ -153,7 +153,7 @@ TEST(WaveLoads, OneLookANodeAndStep) {
   EXPECT_GT(std::abs(force(0) - here), 1e-2 * std::abs(here));
 }
 
-// A neutral rod without drag has (m + Ca rho A) a = (1 + Ca) rho A a_w: it moves as the water does.
+// A neutral rod without drag has (m + Ca rho A) a = (1 + Ca) rho A a_w: it moves with the water.
 TEST(WaveLoads, NeutralRodMovesWithTheWater) {
   for (const bool beam : {false, true}) {
     const double mass = 1025 * M_PI / 4 * 0.01;

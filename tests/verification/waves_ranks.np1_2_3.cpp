@@ -1,4 +1,4 @@
-// The same seed is the same sea on every rank, to the last bit.
+// A seed gives the same sea on every rank, to the last bit.
 #include <gtest/gtest.h>
 #include <mpi.h>
 

@@ -1,5 +1,5 @@
-// Wind and current on floating bodies by coefficients: reference forces as offsets of statics, a body that
-// the current carries along, its energy, and the tangent of a step.
+// Wind and current on floating bodies by coefficients: reference forces as offsets in statics, a body carried
+// by the current, its energy, and the tangent of a step.
 #include <fmt/format.h>
 
 #include "../regression/runs.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 using run::Simulation;
 
-// Of one side, every 15 deg.
+// Coefficients of one side, every 15 deg.
 constexpr const char* kWind =
     "{frontal_area: 3939, lateral_area: 14368, length: 320, rows: [[0, 0.8, 0, 0], [15, 0.7727, 0.2459, "
     "0.0502], "
@@ -37,9 +37,9 @@ model::Case ship(const std::string& environment, const std::string& body, const 
   return io::read_case_text(text, testing::TempDir() + "ship.yaml");
 }
 
-// On springs that are stiff against turning the body moves by the forces of the reference case: a ship of 320
-// m by tables of 15 deg, wind of 25 m/s to 250 deg at a heading of -35 deg, current of 1.2 m/s to 90 deg
-// at 15.
+// On springs with a large rotational stiffness the offset is the force of the reference case over the
+// stiffness: a ship of 320 m by tables of 15 deg, wind of 25 m/s to 250 deg at a heading of -35 deg, current
+// of 1.2 m/s to 90 deg at a heading of 15 deg.
 TEST(WindAndCurrent, StaticsHasTheReferenceForces) {
   struct Figure {
     const char* environment;
@@ -70,8 +70,8 @@ TEST(WindAndCurrent, StaticsHasTheReferenceForces) {
   }
 }
 
-// m v' = k (U - v)² from rest: U - v = U/(1 + k U t/m), k = rho/2 C_x L T. The flow does work on it, of which
-// none is lost.
+// m v' = k (U - v)² from rest: U - v = U/(1 + k U t/m), k = rho/2 C_x L T. The work of the current is the
+// kinetic energy.
 TEST(WindAndCurrent, CurrentCarriesABodyAlong) {
   constexpr double U = 1.2, m = 2e7, k = 0.5 * 1025 * 0.05 * 320 * 21.5, kUntil = 200;
   const model::Case c =
@@ -113,7 +113,7 @@ TEST(WindAndCurrent, TangentOfAStep) {
   EXPECT_LT(step.worst(1e-3, 1e-3), 1e-7);
 }
 
-// Gusts are a speed of their own, beside the mean: on a stiff spring the force follows rho/2 C A (U + u)².
+// Gusts add to the mean wind speed: on a stiff spring the force is rho/2 C A (U + u)².
 TEST(WindAndCurrent, GustsAddToTheMean) {
   const model::Case c = ship(
       "wind: {speed: 20, gusts: {spectrum: api, seed: 5, ramp: 0, components: 50}}",
@@ -137,7 +137,7 @@ TEST(WindAndCurrent, GustsAddToTheMean) {
     speeds = std::max(speeds, std::abs(u));
   });
   EXPECT_GT(speeds, 0.5);
-  EXPECT_LT(largest, 0.02);  // the damper's share: 0.006 s of delay
+  EXPECT_LT(largest, 0.02);  // effect of the damper: a delay of 0.006 s
 }
 
 }  // namespace

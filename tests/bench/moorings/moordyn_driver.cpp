@@ -4,10 +4,10 @@
 //   c++ -O3 -march=native moordyn_driver.cpp /path/to/libmoordyn.so -Wl,-rpath,/path/to -o driver
 //   ./driver DECK SECONDS STEP RAMP OUTPUT [AX AY AZ PERIOD]...
 //
-// Offsets are the sum of A sin(2 pi t/PERIOD), times half a cosine over RAMP. MoorDyn holds velocities over a
-// call, so it is called once a step, with the mean velocity of the step. A row of OUTPUT every 0.1 s: time,
-// force on the first coupled point, tension of the last segment there (FairTen), largest curvature of all
-// lines.
+// Offsets are the sum of A sin(2 pi t/PERIOD), times half a cosine over RAMP. MoorDyn keeps velocities
+// constant during a call, so it is called once per step with the mean velocity of the step. OUTPUT has a row
+// every 0.1 s: time, force on the first coupled point, tension of the last segment there (FairTen), largest
+// curvature of all lines.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

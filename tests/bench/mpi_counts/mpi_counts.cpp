@@ -1,8 +1,8 @@
-// Counts what a program asks of MPI, for programs that load it before MPI (LD_PRELOAD): the calls and bytes
-// of each function on communicators of several ranks. Rank r writes them to $HAWSER_MPI_COUNTS.r when MPI
-// ends, a line a function: name, calls, bytes. Bytes are those that this rank hands in, or gets where it
-// hands in nothing. What a rank reads from files on its own by pread(), as HDF5 does without MPI, is counted
-// likewise. `Memory` is no function: the most that was resident of this rank, bytes.
+// Counts the MPI calls and bytes of each function on communicators of several ranks, for programs that load
+// this library before MPI (LD_PRELOAD). Rank r writes them to $HAWSER_MPI_COUNTS.r when MPI ends, one line
+// per function: name, calls, bytes. Bytes are those that this rank sends, or receives if it sends none. Reads
+// of this rank from files by pread(), which HDF5 uses without MPI, are counted in the same way. The line
+// `Memory` is the largest resident memory of this rank in bytes.
 #include <dlfcn.h>
 #include <mpi.h>
 #include <sys/resource.h>
