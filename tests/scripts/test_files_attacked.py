@@ -341,7 +341,8 @@ class Signals(Attack):
         self.assertIn("  numbers   long.h5", out)
 
     def test_mpirun_on_its_own_terms(self):
-        # The behaviour at these signals cannot be changed; accepted data must be there.
+        # The program cannot change what mpirun does at these signals; the accepted outputs must be in the
+        # file.
         for sign in (signal.SIGTERM, signal.SIGINT):
             process = self.running("long.yaml", ranks=2)
             process.send_signal(sign)

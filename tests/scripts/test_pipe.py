@@ -188,7 +188,8 @@ class Searching(unittest.TestCase):
     asked = lay_search.Asked(0.3, 0.8)
 
     def search(self, lay_at):
-        """Search from 10 kN at the bottom, 40 kN less than at the top; and the tensions tried."""
+        """Result of a search that starts with 10 kN at the bottom, where the tension is 40 kN less than at
+        the top; and the tensions tried."""
         tried = []
 
         def trial(bottom):
