@@ -152,8 +152,8 @@ void expect_step_tangent(model::ContactMethod method) {
 TEST(Frames, TangentOfAStepAlongLines) { expect_step_tangent(model::ContactMethod::line); }
 TEST(Frames, TangentOfAStepAtNodes) { expect_step_tangent(model::ContactMethod::nodes); }
 
-// The forces of lines and contact on the bodies are opposite to those on everything else: the forces of all
-// nodes sum to those of weight and supports, before and after the motion.
+// Two free bodies joined by a rope, without external forces: their total momentum is constant, because the
+// forces of the rope on bodies and nodes are opposite.
 TEST(Frames, MomentumOfTwoBodiesOnALine) {
   model::Case c;
   c.environment.gravity = 0;

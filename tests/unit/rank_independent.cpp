@@ -18,7 +18,7 @@ TEST(RankIndependent, KeepsSizeAndLosesRounding) {
     EXPECT_EQ(rank_independent(rank_independent(x)), rank_independent(x));
     apart += rank_independent(x) != rank_independent(x * (1 + rounding(gen)));
   }
-  EXPECT_LE(apart, 3);  // of those that lie between two
+  EXPECT_LE(apart, 3);  // values beside a limit of rounding
 }
 
 TEST(RankIndependent, LeavesWhatIsNoSize) {
