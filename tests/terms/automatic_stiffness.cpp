@@ -1,3 +1,5 @@
+// Automatic contact stiffness of lines on volumes and on lines, against hand calculations of the penetration
+// under weight and tension.
 #include "hawser/terms/automatic_stiffness.hpp"
 
 #include <gtest/gtest.h>

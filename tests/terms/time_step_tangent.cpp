@@ -48,7 +48,7 @@ TEST(StepTangent, IsTheDerivativeByTheIncrements) {
         alpha_trial(mesh, system.tied_nodes(), alpha, h, from, u, to);
         return residual(system, to.s, h);
       };
-      // The weight of the scheme applies to mean forces as well.
+      // The test includes mean forces, whose weight in the scheme differs from 1.
       EXPECT_GT(alpha_mean(alpha).weight, 1);
       alpha_trial(mesh, system.tied_nodes(), alpha, h, from, m.trial.u, to);
       MatHandle J = system.create_matrix();

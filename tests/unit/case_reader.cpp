@@ -427,7 +427,7 @@ lines:
   const model::SignTest signs[] = {tetrahedra, solid_angle, winding, pseudonormal, automatic};
   for (size_t i = 0; i < 5; ++i) {
     EXPECT_EQ(plain.volumes[i].sign, signs[i]);
-    EXPECT_EQ(plain.volumes[i].smooth, i > 2);  // the other tests use the flat facets
+    EXPECT_EQ(plain.volumes[i].smooth, i > 2);  // tests of points in polyhedra use the flat facets
   }
   EXPECT_TRUE(plain.output.clashes.enabled);
   EXPECT_EQ(plain.output.clashes.merge_gap, 0.1);

@@ -1,3 +1,5 @@
+// Elastic catenaries: against closed forms, published lines and an integration along the line; special cases,
+// random lines and derivatives.
 #include "hawser/kernels/catenary.hpp"
 
 #include <gtest/gtest.h>

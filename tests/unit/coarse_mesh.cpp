@@ -1,3 +1,4 @@
+// Coarse meshes for display: number of vertices, volume and sharp edges of the original.
 #include "hawser/geometry/coarse_mesh.hpp"
 
 #include <gtest/gtest.h>

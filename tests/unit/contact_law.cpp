@@ -1,3 +1,5 @@
+// Normal contact law: ramp, linear and cubic spring, damping and tables, against closed forms and
+// differences; impact of a mass on it.
 #include "hawser/kernels/contact_law.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Friction law of a point: against published formulas and paths, the continuous law, and closed forms.
 #include "hawser/kernels/friction_law.hpp"
 
 #include <gtest/gtest.h>

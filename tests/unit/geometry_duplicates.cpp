@@ -117,7 +117,7 @@ TEST(GeometryDuplicates, RegionsWrittenTwiceAreTheSurfaceOnce) {
   }
 }
 
-// Fins on the body, whose two sides are removed, together with copies of regions.
+// Fins on the body: both sides of a fin are removed, and copies of regions are removed as well.
 TEST(GeometryDuplicates, FinsGo) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     Chance chance(seed);

@@ -1,5 +1,5 @@
-// Meshes whose sign comes from a test of a point in a polyhedron: distances and signs equal those of the
-// default surface.
+// Meshes whose sign comes from a test of a point in a polyhedron: distances, normals and curvatures equal
+// those of the mesh without the test.
 #include <gtest/gtest.h>
 
 #include <random>

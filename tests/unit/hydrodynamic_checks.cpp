@@ -372,8 +372,8 @@ TEST_F(HydrodynamicChecks, FirstRowWithAnError) {
   expect("body: is 2, and ", ", body: 2");
 }
 
-// A spar of 28274 m³ that displaces ten times its mass, or whose buoyancy is too low; dampers with negative
-// damping; a fairlead in space axes.
+// A spar of 28274 m³ that displaces ten times its mass, or has a negative metacentric height; damping that
+// adds energy; stiffness that pushes the body away; a fairlead whose position is given in space axes.
 TEST_F(HydrodynamicChecks, WhatCannotFloat) {
   expect("mean that without lines it floats 810 m higher, which is more than its size (65.6 m",
          ", excitation: false, displaced_volume: 282740");

@@ -100,7 +100,7 @@ TEST(InputWarnings, LinearWavesOnACurrent) {
   expect_warning(stokes, "of 2 m/s against the waves of 11 s is 12 %");
 }
 
-// Without weight and water, the changes of the line type do not affect the warnings about the line.
+// The case without weight and water, in which a changed line type causes no other warnings about the line.
 Changes weightless(const std::string& from, const std::string& to) {
   return {{from, to},
           {"environment:", "environment:\n  gravity: 0"},

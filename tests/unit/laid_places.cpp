@@ -1,5 +1,5 @@
-// Laid positions of lines of a frame whose ends support each other along very many paths: the result is right
-// and computed in little time.
+// Laid positions of lines of a frame whose ends support each other along very many paths: the lines remain at
+// their start positions on the bed.
 #include "hawser/solve/laid_places.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +49,7 @@ TEST(LaidPlaces, OfALadderOnTheBed) {
   }
   const std::vector<std::vector<Vec3>> laid = laid_places(c, build_mesh(c), starts);
   ASSERT_EQ(laid.size(), starts.size());
-  // The bed is lowered at anchors, which changes the length slightly.
+  // The bed is lowered at anchors, which moves the lines slightly.
   for (size_t l = 0; l < laid.size(); ++l)
     for (size_t i = 0; i < 3; ++i) EXPECT_LT((laid[l][i] - starts[l][i]).norm(), 0.01) << l << " " << i;
 }

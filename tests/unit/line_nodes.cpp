@@ -1,3 +1,4 @@
+// Nodes of a line are moved to the places of attachments: arc lengths by hand.
 #include "hawser/model/line_nodes.hpp"
 
 #include <gtest/gtest.h>

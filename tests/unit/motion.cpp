@@ -1,3 +1,4 @@
+// Prescribed motions of bodies: rates against differences, ramps, tables, drift, and the motion of points.
 #include "hawser/kernels/motion.hpp"
 
 #include <gtest/gtest.h>

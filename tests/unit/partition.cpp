@@ -1,5 +1,5 @@
 // Assignment of the lines of a farm to ranks, and cutting of lines: load, number of cut lines and number of
-// runs against the best possible values.
+// runs of nodes are within given bounds.
 #include "hawser/mesh/partition.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// A value without the rounding error that depends on the number of ranks: equal for values that differ by
+// rounding, and near to the original.
 #include "hawser/base/rank_independent.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,5 @@
+// Inertia and springs of a rigid body: tangents against differences, momentum, energy, and the conversion of
+// mass matrices.
 #include "hawser/kernels/rigid_body.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Forces on points of a body: tangents against differences, and moments of the arms.
 #include "hawser/kernels/stencil.hpp"
 
 #include <gtest/gtest.h>
