@@ -409,7 +409,7 @@ output: {every: 5}
         self.assertEqual(self.hawser("run", "rod.yaml", "-q", "--", "-walk").stdout, "")
 
     def test_full_disk(self):
-        """In a separate file system that is too small: for the file, and for the data written during the run."""
+        """A separate file system is too small for the file, or for the data written during the run."""
         case = CASE.replace("elements: 8", "elements: 200").replace("duration: 0.2", "duration: 5")
         write(self.folder, "rod.yaml", case.replace("every: 0.1", "every: 0.05"))
         (self.folder / "disk").mkdir()

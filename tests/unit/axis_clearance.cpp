@@ -68,7 +68,7 @@ TEST(AxisClearance, BentAxes) {
         least = std::min(least, (a.point(j / 300.0) - b.point(k / 300.0)).squaredNorm());
     worst = std::max(worst, near->distance - std::sqrt(least));
   }
-  // Places whose distances differ by less than the resolution are equal.
+  // Points whose distances differ by less than the resolution count as equal.
   EXPECT_LT(worst, 1e-3);
 }
 
