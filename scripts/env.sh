@@ -5,7 +5,7 @@
 export OMPI_ALLOW_RUN_AS_ROOT="${OMPI_ALLOW_RUN_AS_ROOT:-1}"
 export OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="${OMPI_ALLOW_RUN_AS_ROOT_CONFIRM:-1}"
 export OMPI_MCA_rmaps_base_oversubscribe="${OMPI_MCA_rmaps_base_oversubscribe:-1}"
-# Cross-memory attach needs ptrace rights that containers withhold.
+# Open MPI's cross-memory attach needs ptrace rights, which containers do not have.
 export OMPI_MCA_btl_vader_single_copy_mechanism="${OMPI_MCA_btl_vader_single_copy_mechanism:-none}"
 
 # Several MPI programs at a time (tests) must not be pinned to the same first cores, nor spin while they wait.
@@ -20,7 +20,7 @@ hawser_share_cores() {
   mkdir -m 700 -p "$session" && touch "$session/kept" || true
 }
 
-# The program is parallel by ranks; additional threads would only compete.
+# The program is parallel by ranks; additional threads would only compete with them.
 export OMP_NUM_THREADS="${OMP_NUM_THREADS:-1}"
 export OPENBLAS_NUM_THREADS="${OPENBLAS_NUM_THREADS:-1}"
 

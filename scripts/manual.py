@@ -16,7 +16,8 @@ from pathlib import Path
 
 @dataclass
 class Help:
-    """Parts of a help text: sentences, usage, [(term, meaning)] under the title of each table, and the rest."""
+    """Parts of a help text: sentences, usage, [(term, meaning)] under the title of each table, and the
+    remaining lines."""
 
     about: list = field(default_factory=list)
     usage: str = ""
@@ -30,8 +31,8 @@ class Help:
 
 
 def parse(text):
-    """Both of CLI11's form and of argparse's: titles end in a colon, entries are indented by two spaces, meanings
-    are two spaces further on or in lines indented more."""
+    """The parts of a help text in the form of CLI11 or of argparse: titles end in a colon, entries are
+    indented by two spaces, and meanings are two spaces further on or in lines with a larger indent."""
     help_text, table = Help(), None
     for line in text.splitlines():
         indent = len(line) - len(line.lstrip())
@@ -53,7 +54,7 @@ def parse(text):
 
 
 def ask(program, *command):
-    """--help of the program, in lines of any length."""
+    """Output of --help of the program, without line breaks within sentences."""
     help_text = subprocess.run([program, *command, "--help"], capture_output=True, text=True, check=False,
                           env={**os.environ, "COLUMNS": "1000", "LC_ALL": "C.UTF-8"})
     if help_text.returncode != 0:
@@ -64,7 +65,7 @@ def ask(program, *command):
 
 
 def roff(text):
-    """Text that groff prints as it is; lists of choices may be broken after a comma."""
+    """Text that groff prints unchanged; lists of choices may be broken after a comma."""
     text = re.sub(r",(?=\w)", r",\\:", text.replace("\\", "\\e").replace("-", "\\-").replace("`", "\\(ga"))
     return "\\&" + text if text[:1] in (".", "'") else text
 
@@ -99,7 +100,7 @@ def items(entries):
 
 
 def prose(lines):
-    """Sentences, one a paragraph, and commands in separate lines (indented in the help)."""
+    """Sentences, one in each paragraph, and commands (indented in the help) in separate lines."""
     out = []
     for line in lines:
         out += [".PP"] + ([".RS 4", ".nf", roff(line.strip()), ".fi", ".RE"] if line.startswith(" ") else [roff(line)])

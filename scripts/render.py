@@ -83,7 +83,7 @@ output.GetPointData().AddArray(radius)
 output.GetPointData().SetActiveScalars("shown")
 """
 
-# Likewise one surface of all faces; the input's own cell fields (such as `active`) are left behind.
+# Likewise one surface of all faces, without the cell fields of the input (such as `active`).
 FACES = inspect.getsource(leaves) + """
 from paraview import vtk
 

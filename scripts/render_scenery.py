@@ -23,7 +23,7 @@ MOST_NAMES = 24
 
 
 def results_beside(xdmf):
-    """The results of a run, or None: an .xdmf may come from elsewhere."""
+    """The results of a run, or None if the .xdmf has no results beside it."""
     try:
         return Results(os.path.splitext(xdmf)[0] + ".h5")
     except (Refusal, KeyError):
@@ -31,8 +31,8 @@ def results_beside(xdmf):
 
 
 def sections_of(results):
-    """For each line, by number, (end of a part by arc length, m, and its outer diameter, m); diameters that the case does not
-    give are NaN."""
+    """For each line, by number, (end of a part by arc length, m, and its outer diameter, m); diameters
+    missing from the case are NaN."""
     types, lines = dictionary(results.keys.get("line_types")), dictionary(results.keys.get("lines"))
     out = []
     for line in results.lines:
@@ -46,7 +46,7 @@ def sections_of(results):
 
 
 class Shape:
-    """A surface that is made again at every time."""
+    """A surface that is computed again for every time."""
 
     def __init__(self, view, colour, opacity=1.0, specular=0.0):
         self.source = pv.TrivialProducer()

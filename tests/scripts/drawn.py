@@ -80,7 +80,8 @@ def model(folder, outputs=12, nodes=61, name="model.h5", case=CASE, hole=False, 
 
 
 def contacts_of(x, k):
-    """Points of contact of output k: below some nodes, less with time, none at the last but one; one force is too small to be shown."""
+    """Contact points of output k: below some nodes, fewer with time, none at the last output but one; one
+    force is too small to be shown."""
     nodes = np.arange(10, 10 + max(0, 5 - k))
     force = np.array([[0, 1e3, 2e3 + node] for node in nodes]).reshape(-1, 3)
     force[:1] *= 0.01

@@ -3,11 +3,11 @@
 
     tests/scripts/fuzz.py [--program FILE | --checker FILE] [--from N] [--mutants N] [--jobs N] [--keep FOLDER]
 
-Mutant i is always the same one. Each is checked, and run where it is good and only a file beside the case was changed:
-no crash, no sanitizer's report, nothing that takes over 20 s (300 s under sanitizers), no exit code but 0, 2 and of a run
-3 and 4, and of an error one sentence on stderr that names the case or a file of it. Prints what did otherwise, with its
-number; --keep leaves the files of those in a folder. With --checker (tests/check_many of a build) mutants are checked
-many in one process, and none is run."""
+Mutant i is always the same. Each mutant is checked, and it is run if it is valid and only a file beside the case was
+changed. Required: no crash; no report of a sanitizer; at most 20 s (300 s under sanitizers); exit code 0 or 2, for a
+run also 3 or 4; and for an error one sentence on stderr that names the case or a file of it. Prints the number of each
+mutant that fails this; --keep writes the files of these mutants to a folder. With --checker (tests/check_many of a
+build) many mutants are checked in one process, and no mutant is run."""
 import argparse
 import os
 import queue
@@ -192,7 +192,7 @@ class Checker:
         self.program, self.process, self.stderr = program, None, None
 
     def wrong(self, folder, patience):
-        """As the function of the same name."""
+        """The same as the function `wrong`."""
         if not self.process:
             self.stderr = tempfile.TemporaryFile()
             self.process = subprocess.Popen([self.program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self.stderr)
@@ -221,9 +221,10 @@ class Checker:
 
 
 def fuzz(program, first=0, mutants=200, jobs=2, keep=None, many=False):
-    """Complaints of the mutants first ... first + mutants - 1, and how many ended with which exit code of a check.
+    """Complaints about the mutants first ... first + mutants - 1, and the number of mutants by exit code of
+    the check.
 
-    many: `program` is a checker of many mutants in one process, and none is run."""
+    many: `program` checks many mutants in one process, and no mutant is run."""
     program = str(Path(program).resolve())
     patience = 300 if "ASAN_OPTIONS" in os.environ else 120
     checkers = queue.SimpleQueue()

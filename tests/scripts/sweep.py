@@ -3,10 +3,10 @@
 
     tests/scripts/sweep.py [--program FILE] [--checker FILE] [--runs] [--only PATH] [--jobs N]
 
-Each key stands in one of the cases below, or is put into a map of them that may have it. Each such case is checked
-(`check --quick`, many in one process), and with --runs those that are accepted are run: no crash, nothing that takes over
-120 s, no exit code but 0, 2 and of a run 3 and 4, of an error one sentence that names the case, no `nan` or `inf` in what is
-printed of a check, and no file that was there is other than before. Prints what did otherwise."""
+Each key is part of one of the cases below, or is added to a map of them that may have it. Each such case is checked
+(`check --quick`, many in one process), and with --runs the accepted cases are run. Required: no crash; at most 120 s;
+exit code 0 or 2, for a run also 3 or 4; for an error one sentence that names the case; no `nan` or `inf` in the output
+of a check; and no change of a file that existed before. Prints the cases that fail this."""
 import argparse
 import json
 import os
@@ -25,8 +25,8 @@ import h5py
 ROOT = Path(__file__).resolve().parent.parent.parent
 VALUES = ("nan", "inf", "1e300", "-1e300", "1e60", "-1e60", "1e-60", "0", "''", "[]", "{}")
 PATIENCE = 120.0  # s
-# Runs that take longer, and should be refused or short: a soil without resistance, a volume of extreme size,
-# steps as short as this error tolerance requires.
+# Cases that should be refused or short, but whose runs take longer: a soil without resistance, a volume of
+# extreme size, steps as short as this error tolerance requires.
 TOO_LONG = (("lines.*.buried.[].resistance.normal", "1e-60"), ("volumes.*.shape.capsule.radius", "1e60"), ("dynamics.error_tolerance", "1e-60"))
 
 TABLES = {
@@ -379,7 +379,7 @@ class Checker:
         if code not in ("0", "2") or code == "2" and not SENTENCE.match(sentence):
             return int(code), f"check: exit code {code}: {sentence[:400]!r}"
         shown = (self.folder / "said.txt").read_text(errors="replace")
-        for line in (shown + sentence).splitlines()[1:]:  # the first is the title
+        for line in (shown + sentence).splitlines()[1:]:  # the first line is the title
             if NO_NUMBER.search(re.sub(r"'[^']*'", "", line)):  # quoted parts of the case are excluded
                 return int(code), f"check prints {line[:300]!r}"
         return int(code), ""
@@ -420,8 +420,8 @@ def run_wrong(program, folder):
 
 
 def sweep(program, checker, runs=False, only=None, jobs=2, values=VALUES, share=1):
-    """Complaints, and numbers of changed cases accepted and refused. share: each key is tried with one in `share` of
-    the values, successive keys with different ones."""
+    """Complaints, and numbers of changed cases that were accepted and refused. share: each key is tried with
+    one in `share` of the values, successive keys with different values."""
     program, checker = Path(program).resolve(), Path(checker).resolve()
     schema = json.loads(subprocess.run([program, "schema", "--json"], capture_output=True, check=True).stdout)
     all_cases, places = list(cases()), sweep_places(schema)

@@ -31,8 +31,8 @@ def wave(amplitude, period, phase=0.0):
 
 
 SLOW, FAST = wave(2, 40), wave(0.8, 9)
-# Taut, and lying on the bed at its anchor; half a diameter lower it would snap in the sea of
-# `test_responses_in_a_sea`.
+# A taut chain whose lower end lies on the bed; with its anchor half a diameter lower the tension would snap
+# in the sea of `test_responses_in_a_sea`.
 CHAIN = """\
 hawser: 1
 environment:
@@ -70,7 +70,7 @@ contact: {between_lines: false}
 dynamics: {duration: DURATION}
 output: {every: 1, histories: [{line: riser, at: end_a, name: top}]}
 """
-# Hauled in and paid out at a tabulated speed; the tension is that at the lower end of the stretch.
+# The rope is hauled in and paid out at a tabulated speed; the tension is that at the lower end.
 WINCH = """\
 hawser: 1
 environment: {water: {depth: 100}}

@@ -209,7 +209,7 @@ class Cables(unittest.TestCase):
         twist, bend, tension = (results.rows(name) for name in ("torsion_moment", "curvature", "effective_tension"))
         places = results.rows("position", 3)
         for turns, references in TWISTED.items():
-            i = 2 + 3 * turns  # an output every 100 s: one turn, then two without
+            i = 2 + 3 * turns  # an output every 100 s: one with a turn, then two without
             self.assertAlmostEqual(results.time[i], 200 + 300 * turns)
             measured = abs(twist[i][1][0]), max(bend[i][1]), max(map(abs, places[i][1][1::3])), tension[i][1][0]
             for key, value, reference, acceptance in zip(("torque", "curvature", "sideways", "tension"), measured, references,

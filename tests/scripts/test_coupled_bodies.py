@@ -1,5 +1,6 @@
-"""Bodies that radiate on each other: three that are one by stiff links, against a sum of their coefficients, and two ships side by side
-(skipped without their third-party files) against twelve complex equations."""
+"""Bodies coupled by radiation. Three bodies joined by stiff links move like one body with the sum of their
+coefficients; two ships side by side (skipped without their third-party files) agree with twelve complex
+equations."""
 import gzip
 import json
 import os
@@ -16,7 +17,7 @@ HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 SHIPS = ROOT.parent / "shared/data/platforms/fpso-psv"
 MOTION = ("position_x", "position_y", "position_z", "rotation_vector_x", "rotation_vector_y", "rotation_vector_z")
 DENSITY, GRAVITY = 1025, 9.8
-# An FPSO and a supply vessel: mass about their centres of gravity, and damping of roll that is not of waves.
+# An FPSO and a supply vessel: mass about their centres of gravity, and viscous damping of roll.
 MASSES = [[3.1862e8] * 3 + [1.20e11, 1.7557e12, 1.91e12], [8.17e6] * 3 + [3.62e8, 4.04e9, 4.04e9]]
 ROLL = [6.0971e9, 2.4635e7]
 # Responses of WAMIT's run (its .4): period, direction, heave, roll and pitch of the FPSO, sway, heave and roll of the vessel, per m.
@@ -31,7 +32,7 @@ class CoupledBodies(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def histories(self, text, *ranks):
-        """Time and, by body, six motions of a run."""
+        """Time, and the six motions of each body, of a run."""
         write(self.folder, "case.yaml", text)
         done = run(*ranks, HAWSER, "run", "case.yaml", "-q", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
@@ -44,9 +45,11 @@ class CoupledBodies(unittest.TestCase):
             return file["series/time"][:], found
 
     def test_three_bodies_that_are_one(self):
-        """F3OF (Wendt et al., code comparison of the IEA OES; coefficients and figures of its participants published with NREL's
-        HydroChrono): a base and two flaps that are locked to it, 5 m of surge on 1e5 N/m. By an inverse Laplace transform of the equation with the
-        sum of the coefficients its maxima are 47.77 s apart, of 4.981107 to 4.980298 m; those of four participants 46.3 to 47.8 s."""
+        """F3OF (Wendt et al., code comparison of the IEA OES; coefficients and results of the participants
+        published with NREL's HydroChrono): a base with two flaps locked to it is released at 5 m of surge on
+        a spring of 1e5 N/m. By an inverse Laplace transform of the equation with the sum of the coefficients,
+        the maxima are 47.77 s apart and decrease from 4.981107 to 4.980298 m; four participants have 46.3 to
+        47.8 s."""
         shutil.copy(ROOT / "tests/data/f3of.1", self.folder)
         write(self.folder, "f3of.hst", "3 3 100\n9 9 10\n15 15 10\n")
 
@@ -68,7 +71,7 @@ class CoupledBodies(unittest.TestCase):
         self.assertLess(np.abs(runs[1][1][0] - base).max(), 1e-9)
         x = base[:, 0]
         tops = [k for k in range(1, len(x) - 1) if x[k - 1] < x[k] >= x[k + 1]]
-        # By a parabola through three values.
+        # Maxima of the parabola through three values.
         shift = [0.5 * (x[k - 1] - x[k + 1]) / (x[k - 1] - 2 * x[k] + x[k + 1]) for k in tops]
         at = [time[k] + s * 0.2 for k, s in zip(tops, shift)]
         heights = [x[k] - 0.25 * (x[k - 1] - x[k + 1]) * s for k, s in zip(tops, shift)]
@@ -80,7 +83,8 @@ class CoupledBodies(unittest.TestCase):
             self.assertAlmostEqual(height, exact, delta=5 * 1e-3)
 
     def ships(self):
-        """Added mass, damping and wave forces by (period, direction), all 12, and stiffness, of the files."""
+        """Added mass, damping and wave forces by (period, direction), all of 12 freedoms, and the stiffness,
+        read from the files."""
         for ending in (".1", ".3"):
             if not (SHIPS / f"conjunto_10{ending}.gz").exists():
                 self.skipTest(f"{SHIPS} is not there")
@@ -110,7 +114,8 @@ class CoupledBodies(unittest.TestCase):
                        "output: {every: 1000, histories: [{body: fpso}, {body: vessel}]}\n")
 
     def added_mass_by_damping(self):
-        """That of the program, by frequency: what its convolution means by Ogilvie's relation."""
+        """Added mass of the program by frequency, computed from the damping by Ogilvie's relation, as its
+        convolution implies."""
         write(self.folder, "case.yaml", self.case_of_ships("{regular: {height: 0.02, period: 10}}", 1))
         done = run(HAWSER, "check", "case.yaml", "--quick", "--radiation", "pair.csv", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
@@ -128,10 +133,12 @@ class CoupledBodies(unittest.TestCase):
         return found
 
     def test_two_ships(self):
-        """An FPSO and a supply vessel 10 m apart, files that end at 5 s without a row of infinite frequency: against twelve equations with the
-        file's added mass, whose solution is that of WAMIT's own (its .4) within 0.5 to 2 %: 1 % from 10 s on, of the largest of each kind, and 0.5 % with the
-        added mass that belongs to the damping. At 8 s the file has an irregular frequency, where the two differ by 17 % in heave of the vessel, and a
-        memory of 400 s rounds off the peak of B: 3.5 and 1.5 %."""
+        """An FPSO and a supply vessel 10 m apart, with files that end at 5 s and have no row of infinite
+        frequency. The reference is the solution of twelve equations with the file's added mass, which agrees
+        with WAMIT's own (its .4) within 0.5 to 2 %. From 10 s on the responses differ by at most 1 % of the
+        largest of each kind, and by 0.5 % if the reference has the added mass that belongs to the damping. At
+        8 s the file has an irregular frequency, where the two references differ by 17 % in heave of the
+        vessel, and the memory of 400 s rounds off the peak of B: tolerances of 3.5 and 1.5 %."""
         A, B, X, C = self.ships()
         by_damping = self.added_mass_by_damping()
         M, extra = np.diag(MASSES[0] + MASSES[1]), np.zeros((12, 12))
@@ -144,7 +151,7 @@ class CoupledBodies(unittest.TestCase):
             size = np.repeat([np.abs(exact[k:k + 3]).max() for k in range(0, 12, 3)], 3)
             return np.abs(found - exact) / size
 
-        upper = C.copy()  # in equilibrium nothing is left of the file's C46
+        upper = C.copy()  # in equilibrium, the stiffness C46 of the file has no effect
         upper[3, 5], upper[9, 11] = -105370 * DENSITY * GRAVITY, 228.09 * DENSITY * GRAVITY
         for period, direction, sizes in PRINTED:
             exact = solve(A[period], B[period], upper, 2 * np.pi / period, X[period, direction])

@@ -18,7 +18,7 @@ from support import ROOT, run, write
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 MADE, LOST = 0.3, 1.0  # %
-LOST_TILTED = 3.0  # %: the ends of a tilted pipe excite bending that a third of the contact's period does not resolve
+LOST_TILTED = 3.0  # %: the ends of a tilted pipe excite bending, which steps of a third of the contact's period do not resolve
 
 RADIUS, LENGTH, DURATION = 0.1, 4.0, 1.5  # m, m, s
 SHAPES = {"plane": "shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}",

@@ -25,8 +25,9 @@ class DroppedRopes(unittest.TestCase):
                         for name, data in file["series"].items() if "columns" in data.attrs}
 
     def test_turned_rope_lies_as_the_other(self):
-        """0.5 m of 0.05 kg from 0.1 m, friction 0.5, 10 s: equal after rotation, no lateral drift, at rest, their
-        weight on the floor, and never more energy than initially."""
+        """Two ropes of 0.5 m and 0.05 kg fall from 0.1 m, friction 0.5, 10 s: after rotation their motions
+        are equal, without lateral drift; both come to rest with their weight on the floor; the energy never
+        exceeds its initial value."""
         lines = ""
         for name, angle, middle in (("even", 0, np.zeros(2)), ("turned", TURN, np.array([-np.sin(TURN), np.cos(TURN)]))):
             along = 0.25 * np.array([np.cos(angle), np.sin(angle)])
@@ -53,8 +54,8 @@ class DroppedRopes(unittest.TestCase):
         self.assertLess(energy[-1] - energy[0], -0.09)
 
     def test_damping_does_not_change_rest(self):
-        """4.8 m of rope between points 4 m apart, with `stiffness_damping` of 0 and 1 s: the same equilibrium,
-        without later motion."""
+        """A rope of 4.8 m between points 4 m apart, with `stiffness_damping` of 0 and 1 s: the equilibrium is
+        the same, and the rope does not move afterwards."""
         places = []
         for damping in (0, 1):
             found = self.series(f"line_types: {{rope: {{{ROPE}, stiffness_damping: {damping}}}}}\nlines:\n  rope: {{sections: [{{type: rope, "

@@ -1,5 +1,6 @@
-"""Lines in and over tubes as exact shapes: the wire in a J-tube at rest without friction and in motion, ropes pulled through a bend and over
-its outside with friction, a rope that slides into the sag of a bent tube; on one rank and two."""
+"""Lines in and over tubes as exact shapes, on one rank and two: the tension of a wire in a J-tube at rest
+without friction and in motion, ropes pulled through a bend and over its outside with friction, and a rope
+that slides into the sag of a bent tube."""
 import os
 import tempfile
 import unittest
@@ -36,8 +37,9 @@ class ExactTubes(unittest.TestCase):
                 return done.stdout, series["time"][:], steps, tensions
 
     def test_j_tube(self):
-        """Without friction the tension falls with the height, dT = w dz, from 12 m above the sea, and ends with nothing at the clump in
-        the level part, whose axis is 25 mm above the floor of the bore. In motion nothing happens, in long steps."""
+        """Without friction the tension decreases with height, dT = w dz, from 12 m above the sea to zero at
+        the clump in the level part, whose axis is 25 mm above the floor of the bore. In dynamics the tension
+        remains constant, and the steps are long."""
         case = J_TUBE.replace("{mesh: tube.obj", TUBE).replace("statics: {contact_friction: true}\n", "")
         self.assertNotIn("statics", case)
         case += "output: {every: 0.1, histories: [{line: wire, at: end_a, name: top}]}\n"
@@ -50,7 +52,7 @@ class ExactTubes(unittest.TestCase):
             self.assertGreaterEqual(min(steps[1:-1]), 2e-3)
 
     def test_on_a_body(self):
-        """The same tube in the frame of a body that is half a turn round."""
+        """The tension is the same for the tube in the frame of a body that is rotated by 180 degrees."""
         turned = TUBE.replace("[[0, 0, 8], [0, 0, -21], [46, 0, -21]]", "[[46, 0, 29], [46, 0, 0], [0, 0, 0]]")
         case = J_TUBE.replace("{mesh: tube.obj", turned + ", body: tower").replace("statics: {contact_friction: true}\ndynamics: {duration: 1}\n", "")
         self.assertNotIn("dynamics", case)
@@ -59,7 +61,8 @@ class ExactTubes(unittest.TestCase):
         self.assertAlmostEqual(tensions["top"][0] / TENSION, 1, delta=1e-3)
 
     def pulled(self, inside, command=()):
-        """Pull over the load of a rope through a bend of 90 degrees, or over its outside, mean of the last half."""
+        """Ratio of pull to load of a rope that is pulled through a bend of 90 degrees or over its outside,
+        mean of the second half of the run."""
         bend, bore, wall, line, legs, load, friction = 6, 0.25, 0.03, 0.05, 3, 10e3, 0.2
         r = bend - (bore - line / 2) if inside else bend + bore + wall + line / 2
         places = [(bend - r, 0, -legs - 1.5)]
@@ -107,12 +110,12 @@ output: {{every: 1, histories: [{{line: rope, at: end_a, name: load}}, {{line: r
         self.pulled(True, MPI)
 
     def test_sag(self):
-        """Across a bent tube that sags: without friction the rope slides 0.4 m down to the lowest place, where it lies on a circle. Both
-        legs have T = EA (l - l0)/l0."""
+        """A rope across a bent tube that sags: without friction it slides 0.4 m down to the lowest place,
+        where it lies on a circle. Both legs have the tension T = EA (l - l0)/l0."""
         bend, outer, line, EA, across, below, tension = 4, 0.3, 0.04, 1e6, 3.0, 2.0, 5e3
-        r, middle = outer + line / 2, bend * (sqrt(2) - 1)  # of the rope about the axis; the lowest place of the axis
+        r, middle = outer + line / 2, bend * (sqrt(2) - 1)  # radius of the rope about the axis of the tube; lowest place of this axis
         away = hypot(across, below)
-        turn = pi - atan2(across, below) - acos(r / away)  # from the top to where a leg leaves
+        turn = pi - atan2(across, below) - acos(r / away)  # angle from the top to the point where a leg leaves the circle
         length = 2 * (sqrt(away**2 - r**2) + r * turn)
         aside = 0.4
         up = bend * sqrt(2) - sqrt(bend**2 - aside**2)

@@ -94,7 +94,7 @@ class Farm(unittest.TestCase):
                              strict=True))
             self.assertGreater(len(pairs), 1000)
             for made, kept in pairs:
-                if made != kept:  # the last digit, with another mathematical library
+                if made != kept:  # only the last digit may differ, with another mathematical library
                     made, kept = float(made.strip("[],")), float(kept.strip("[],"))
                     self.assertAlmostEqual(made, kept, delta=0.002 + 1e-4 * abs(kept), msg=name)
 
@@ -158,7 +158,8 @@ class Farm(unittest.TestCase):
             x, y, z = (d + f - a for d, f, a in zip(drift, fairlead, anchor))
             upper, lower = catenary(math.hypot(x, y), z, float(length))
             self.assertAlmostEqual(math.hypot(*force[6 * line + 3:6 * line + 6]) / upper, 1, delta=tolerance, msg=line)
-            # The anchor holds its end a little up: the first metres from it feel no friction.
+            # The anchor holds the end of the chain slightly above its rest position, so the first metres have
+            # no friction.
             self.assertAlmostEqual(math.hypot(*force[6 * line:6 * line + 2]) / lower, 1, delta=5e-3, msg=line)
 
 

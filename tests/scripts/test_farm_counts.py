@@ -1,4 +1,5 @@
-"""MPI calls of a run do not increase with the lines of a farm or the ranks; restarts and memory are by shares of the ranks."""
+"""The number of MPI calls of a run does not increase with the lines of a farm or the ranks; each rank reads
+and stores only its share of restarts and results."""
 import os
 import re
 import statistics
@@ -66,7 +67,8 @@ class Counts(unittest.TestCase):
         self.assertLess(node, MOST_OF_NODE)
 
     def test_a_restart(self):
-        """A rank reads its own data, and as much again for the checksum, and receives none from others."""
+        """A rank reads its own data, the same amount again for the checksum, and receives none from other
+        ranks."""
         with tempfile.TemporaryDirectory() as folder:
             case, rest = Path(folder) / "case.yaml", Path(folder) / "rest.h5"
             case.write_text(farm.farm(MANY, 3, 0.1, 0.1, 0.1), "utf-8")
@@ -74,16 +76,17 @@ class Counts(unittest.TestCase):
             results = Path(folder) / "case.h5"
             whole = 8 * max(self.checkpoint_numbers(results, slot) for slot in (0, 1))
             for ranks in RANKS:
-                # From the end, where nothing is left to compute.
+                # The restart begins at the end, so nothing is left to compute.
                 counts = farm.counted_by_rank(HAWSER, COUNTER, ranks, case, folder, ["--restart", str(results), "-o", str(rest)])
                 for rank, each in enumerate(counts):
                     with self.subTest("ranks, rank", at=(ranks, rank)):
-                        copied = rest.stat().st_size if rank == 0 else 0  # of the new file, when it is trimmed
+                        copied = rest.stat().st_size if rank == 0 else 0  # bytes of the new file, which is trimmed
                         self.assertLess(each["pread"][1] - copied, 2.02 * whole / ranks + REST_OF_FILE)
                         self.assertLess(each["Bcast"][1], REST_OF_FILE)
 
     def test_going_on_in_the_same_file(self):
-        """It reads the checkpoint no more often than a run that continues in another file."""
+        """A run that continues in the same file reads the checkpoint no more often than one that continues in
+        another file."""
         ranks = 2
         with tempfile.TemporaryDirectory() as folder:
             case, results = Path(folder) / "case.yaml", Path(folder) / "case.h5"

@@ -198,7 +198,8 @@ class Places(Attack):
                 self.assertEqual(result.stdout.split(), (["more"] if fill else []) + ["rod.yaml"])
 
     def test_a_limit_of_the_shell(self):
-        # 5 or 10 MB, as the shell counts: Open MPI has files of its own. The results would have 50 MB.
+        # The limit is 5 or 10 MB, depending on the unit of the shell, because Open MPI needs files of its
+        # own; the results would have 50 MB.
         write(self.folder, "rod.yaml", CASE.replace("elements: 8", "elements: 400").replace("duration: 0.2", "duration: 50"))
         for ranks in ([], ["mpirun", "-q", "-n", "2"]):
             result = run("sh", "-c", 'ulimit -f 10000; exec "$@"', "sh", *ranks, HAWSER, "run", "rod.yaml", "-q", cwd=self.folder, timeout=300)
@@ -341,7 +342,8 @@ class Signals(Attack):
         self.assertIn("  numbers   long.h5", out)
 
     def test_mpirun_on_its_own_terms(self):
-        # The behaviour at these signals cannot be changed; accepted data must be there.
+        # The program cannot change what mpirun does at these signals; the accepted outputs must be in the
+        # file.
         for sign in (signal.SIGTERM, signal.SIGINT):
             process = self.running("long.yaml", ranks=2)
             process.send_signal(sign)

@@ -1,5 +1,6 @@
-"""Energy, forces and momentum of floating bodies: the work of thrusters across an unrelated event; forces by component, which
-are zero for absent components; momenta of bodies and a rope that is cut, released or attached."""
+"""Energy, forces and momentum of floating bodies: the work of thrusters is continuous over an unrelated
+event; the recorded components account for the whole force and are zero for absent effects; momenta of bodies
+and a rope are conserved when the rope is cut, released or attached."""
 import os
 import re
 import sys
@@ -90,7 +91,8 @@ statics: false
 dynamics: {duration: 1, step: 0.05, rho_infinity: 1}
 output: {every: 1, file: run.h5, histories: [{body: sphere}]}
 """
-# Two crates in space, one with a fender in the side of the other already at the start, that meet with friction.
+# Two crates in space that meet with friction; the fender of one penetrates the side of the other from the
+# start.
 FENDERED = """\
 hawser: 1
 environment: {gravity: 0}
@@ -104,7 +106,7 @@ statics: false
 dynamics: {duration: 0.5, step: 0.005, rho_infinity: 1}
 output: {every: 1, file: run.h5, histories: [{body: sphere}, {body: other}]}
 """
-# Two bodies in space, that turn and drift apart, and a rope from one to the other.
+# Two rotating bodies in space that move apart, joined by a rope.
 ROPED = """\
 hawser: 1
 environment: {gravity: 0}
@@ -152,7 +154,8 @@ class FreePlatforms(unittest.TestCase):
         return Results(self.folder / "run.h5").series("sphere")
 
     def test_nothing_is_left_of_the_forces(self):
-        """Also in the first row: of a released sphere, and of a spar with thrusters in waves without a ramp."""
+        """The remainder of the force components is zero, also in the first row: for a released sphere, and
+        for a spar with thrusters in waves without a ramp."""
         history = self.history(SPHERE.replace("STEM", str(ROOT / "tests/data/hemisphere")))
         other, restoring = history.column("other_force_z"), history.column("hydrostatic_force_z")
         self.assertLess(abs(other).max(), 1e-6 * abs(restoring).max())
@@ -168,7 +171,8 @@ class FreePlatforms(unittest.TestCase):
             self.assertGreater(parts["wave"][0], 1e3 * left[0], direction)
 
     def test_nothing_is_left_of_the_forces_on_a_hull(self):
-        """Hull pressure, and drag and added mass of members, in waves and a current, are all forces."""
+        """For a hull in waves and a current, hull pressure, and drag and added mass of members, account for
+        the whole force."""
         history = self.history(HULL)
         for direction in ("force_x", "force_z", "moment_y"):
             parts = [history.column(f"{component}_{direction}") for component in ("buoyancy", "froude_krylov", "morison")]
@@ -178,7 +182,8 @@ class FreePlatforms(unittest.TestCase):
                 self.assertGreater(abs(part).max(), 1e3 * left.max(), direction)
 
     def test_contact_is_all_that_acts(self):
-        """A crate on a fender, from the first row on, on one and two ranks: equal and opposite forces without a remainder."""
+        """A crate on a fender, from the first row on, on one and two ranks: contact forces are equal and
+        opposite, without a remainder."""
         for words in ([HAWSER], ["mpirun", "-n", "2", HAWSER]):
             write(self.folder, "case.yaml", FENDERED)
             done = run(*words, "run", "-q", self.folder / "case.yaml", "-o", self.folder / "run.h5")
@@ -198,7 +203,8 @@ class FreePlatforms(unittest.TestCase):
                     self.assertLess(abs(history.column(f"other_force_{axis}")).max(), 1e-6 * most)
 
     def test_periods_afloat(self):
-        """Periods printed by hawser check equal those of hawser modes without lines in all digits; roll and pitch couple with sway and surge."""
+        """Periods printed by hawser check equal those of hawser modes without lines in all digits; roll and
+        pitch are coupled with sway and surge."""
         case = SPAR.replace("STEM", str(ROOT / "docs/tutorial/spar")).replace("statics: false\n", "")
         for part in (r", *waves: [^\n]*", r"\n  waves: [^\n]*", r"\n      positioning: [^\n]*", r"\n      velocity: [^\n]*"):
             case = re.sub(part, "", case)
@@ -214,7 +220,7 @@ class FreePlatforms(unittest.TestCase):
             self.assertAlmostEqual(tilt / pitch, 1, delta=5e-4)
 
     def momenta(self):
-        """Momentum, and angular momentum about the origin, of bodies and rope at each output, by rows."""
+        """Momentum, and angular momentum about the origin, of bodies and rope: one row for each output."""
         with h5py.File(self.folder / "run.h5") as file:
             rows = [int(np.argmin(abs(file["series/time"][:] - t))) for t in file["outputs/time"][:]]
             x, v = file["fields/position"][:], file["fields/velocity"][:]
@@ -240,10 +246,11 @@ class FreePlatforms(unittest.TestCase):
         return P, L
 
     def test_momenta_over_an_event(self):
-        """Momentum to rounding; angular momentum, which is second-order accurate in the step, is the same before and after the event."""
+        """Momentum is conserved to rounding. The error of angular momentum over the event is within the bound
+        and of second order in the step."""
         tied, free = "{body: two, at: [-2, 0, 1]}", "free"
         for event, end, bound in (("cut: {line: rope, at: 9}", tied, 5e-6), ("release: {line: rope, end: end_b}", tied, 5e-6),
-                                  ("attach: {line: rope, end: end_b, body: two}", free, 2e-4)):  # an impact
+                                  ("attach: {line: rope, end: end_b, body: two}", free, 2e-4)):  # attaching causes an impact
             off = []
             for step in (0.01, 0.005):
                 write(self.folder, "case.yaml", ROPED.replace("EVENT", event).replace("END", end).replace("STEP", str(step)))

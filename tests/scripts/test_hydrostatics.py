@@ -1,5 +1,6 @@
-"""Hydrostatics by the mesh of a hull, through the program: periods of a box, a pile and a hemisphere in closed form, and a ship's displacement
-(skipped without its mesh). Decays of a hemisphere by coefficients in steps of 5 to 200 ms, whose memory never brings in energy."""
+"""Hydrostatics from the mesh of a hull: natural periods of a box, a pile and a hemisphere against closed
+forms, and a ship's displacement (skipped without its mesh). Radiation of a hemisphere by coefficients: decays
+in steps of 5 to 200 ms against an inverse Laplace transform, and no energy from the memory."""
 import gzip
 import os
 import re
@@ -32,7 +33,7 @@ class Hydrostatics(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.folder)
 
     def periods(self, floating, shape):
-        """Those of `hawser modes` by the names of their freedoms."""
+        """Periods of `hawser modes` by the names of their freedoms."""
         write(self.folder, "case.yaml", "hawser: 1\nenvironment: {gravity: 9.81, water: {density: 1000}}\nbodies:\n"
               f"  body: {{floating: {{{floating}, hull: {{volumes: [shape]}}}}}}\nvolumes: {{shape: {{shape: {{{shape}}}, body: body}}}}\n")
         done = run(HAWSER, "modes", "case.yaml", "-n", "6", cwd=self.folder)
@@ -40,8 +41,9 @@ class Hydrostatics(unittest.TestCase):
         return {name: float(period) for period, name in re.findall(r"^ *\d+ +([\d.]+) .*body body: (\w+)", done.stdout, re.M)}
 
     def test_periods_of_shapes(self):
-        """Heave 2 pi sqrt(m/(rho g A)), roll 2 pi sqrt(J/(rho g (I + V (z_B - z_G)))): 1e-4 of flat and round sides, 2e-3 of a sphere, whose
-        triangles have its volume and 0.23 % more waterplane."""
+        """Heave 2 pi sqrt(m/(rho g A)), roll 2 pi sqrt(J/(rho g (I + V (z_B - z_G)))). Tolerance 1e-4 for
+        flat and cylindrical sides, 2e-3 for a sphere, whose triangles have its volume and 0.23 % more
+        waterplane area."""
         weight = 1000 * 9.81
         for what, floating, shape, area, moments, volume, arm, inertia, tolerance in (
                 ("box", "mass: 576000, centre_of_mass: [0, 0, -0.6], inertia: [4e6, 2.2e7, 2.4e7]", "box: {centre: [0, 0, 0], size: [20, 8, 7.2]}",
@@ -60,8 +62,8 @@ class Hydrostatics(unittest.TestCase):
             self.assertLess(max(map(abs, off.values())), tolerance)
 
     def test_displacement_of_a_tanker(self):
-        """KVLCC2 at 20.8 m draught: 312 622 m3 (SIMMAN 2008), 0.3 % by a mesh that is open at the transom and the rudder; KM 24.29 m
-        (KG 18.6 m and GM 5.71 m), 0.3 %."""
+        """KVLCC2 at 20.8 m draught (SIMMAN 2008): displacement 312 622 m3 and KM 24.29 m (KG 18.6 m and GM
+        5.71 m), both to 0.3 %. The mesh is open at the transom and the rudder."""
         if not SHIP.exists():
             self.skipTest(f"{SHIP} is not there")
         (self.folder / "kvlcc2.obj").write_bytes(gzip.decompress(SHIP.read_bytes()))
@@ -75,7 +77,7 @@ class Hydrostatics(unittest.TestCase):
         self.assertAlmostEqual(height / 24.29, 1, delta=3e-3)
 
     def ball(self, steps, place=1, more=""):
-        """Time, heave, velocity and force of radiation of a hemisphere."""
+        """Time, heave, velocity and radiation force of a hemisphere."""
         for ending in (".1", ".hst"):
             shutil.copy(ROOT / f"tests/data/hemisphere{ending}", self.folder)
         write(self.folder, "case.yaml", BALL.format(place=place, steps=steps, more=more))
@@ -87,8 +89,9 @@ class Hydrostatics(unittest.TestCase):
             return [file["series/time"][:]] + [data[:, columns.index(c)] for c in ("position_z", "velocity_z", "radiation_force_z")]
 
     def test_steps_of_a_decay(self):
-        """Of 1 m, against the inverse Laplace transform with the exact coefficients (Hulme 1982): 0.2 % of the start in steps of 5 to 100 ms and of
-        5 to 200 ms by the local error; of second order, 1 % in steps of 0.2 s, a 22nd of the period."""
+        """Decay of heave from 1 m, against the inverse Laplace transform with the exact coefficients (Hulme
+        1982): 0.2 % of the start in steps of 5 to 100 ms and in steps of 5 to 200 ms set by the local error;
+        1 % in steps of 0.2 s, a 22nd of the period, with the second-order scheme."""
         known = ((0.5, 0.765791737), (2.5, -0.798213175), (5, 0.43444015), (7.5, -0.144894465), (10, -0.0327708241))
         for steps, tolerance in (("step: 0.005, rho_infinity: 1", 2e-3), ("step: 0.05, rho_infinity: 1", 2e-3),
                                  ("max_step: 0.2, min_step: 0.005, error_tolerance: 1e-4", 2e-3), ("step: 0.1, rho_infinity: 1", 2e-3),
@@ -99,18 +102,19 @@ class Hydrostatics(unittest.TestCase):
             self.assertLess(error, tolerance)
 
     def test_memory_takes_energy_out(self):
-        """Of a hemisphere pushed irregularly from rest: what the memory has taken is above zero at each time."""
+        """The energy that the memory of a hemisphere has absorbed is positive at all times; irregular forces
+        push the hemisphere from rest."""
         rng = np.random.default_rng(45)
         rows = ", ".join(f"[{0.25 * k}, 0, 0, {push:.1f}]" for k, push in enumerate(np.append(0, 4e5 * rng.standard_normal(48))))
         for step in (0.005, 0.02, 0.2):
             time, _, v, force = self.ball(f"step: {step}, rho_infinity: 1", 0, f", loads: [{{table: {{rows: [{rows}]}}}}]")
-            added = 0.5 * 261799.3878  # of infinite frequency: a half of the displaced mass
-            # The force of radiation of the histories has that of the added mass: its work is kinetic energy.
+            added = 0.5 * 261799.3878  # added mass at infinite frequency: half of the displaced mass
+            # The recorded radiation force includes that of the added mass, whose work is kinetic energy.
             work = -np.cumsum(0.5 * (force[1:] + force[:-1]) * 0.5 * (v[1:] + v[:-1]) * np.diff(time))
             taken = work - 0.5 * added * v[1:] ** 2
             print(f"steps of {step} s: the memory takes {taken.min():.3g} to {taken.max():.3g} J")
             self.assertGreater(taken.max(), 1e5)
-            self.assertGreater(taken.min(), -2e-4 * taken.max())  # of the trapezoidal rule
+            self.assertGreater(taken.min(), -2e-4 * taken.max())  # error of the trapezoidal rule
 
 
 if __name__ == "__main__":

@@ -125,7 +125,7 @@ class ThatCannotBeMeant(Lays):
             off = float(re.search(r"is ([0-9.]+) m", output)[1])
             self.assertAlmostEqual(off, 4.5 if above < 0 else 5.5, delta=0.1)
             self.assertNotIn("target", output)
-        # All of them, or the end of the line.
+        # All supports are too low, or the end of the line is too high.
         output = self.refused({"above_path: 0.5": "above_path: -8"}, "lay.yaml:18: supports.stinger.boxes[0]: the path over the supports begins 8.5", "m below the end from which line pipe goes overboard")
         self.assertNotIn("target", output)
 
@@ -151,7 +151,7 @@ class ThatCannotBeMeant(Lays):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertIn("warning: lines.pipe: its start shape passes under volume ramp, ", done.stdout)
         self.assertIn("while its end A is above it; if that is intended, confirm it with 'start: {points: ", done.stdout)
-        # Not where the end is below it.
+        # There is no warning if the end is below the volume.
         low = text.replace("at: [0, 0, 7.9932]", "at: [0, 0, 5]")
         write(self.folder, "low.yaml", low)
         done = run(HAWSER, "check", "--quick", self.folder / "low.yaml")

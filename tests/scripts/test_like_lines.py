@@ -67,7 +67,7 @@ class LikeLines(unittest.TestCase):
             table = [float(row["on the seabed at the start [m]"]) for row in csv.DictReader(file)]
         self.assertEqual(len(lies), 2)
         for one, other in zip(lies, table):
-            self.assertAlmostEqual(one, other, delta=0.051)  # four digits are printed
+            self.assertAlmostEqual(one, other, delta=0.051)  # the output has four digits
 
     def test_chains_have_no_row_of_curvature(self):
         text = legs([400], [-3]).replace("lines:", "  hose: {outer_diameter: 0.5, mass_per_length: 250, EA: 1e8, EI: 2e5, GJ: 1e5}\nlines:")

@@ -188,7 +188,8 @@ class Searching(unittest.TestCase):
     asked = lay_search.Asked(0.3, 0.8)
 
     def search(self, lay_at):
-        """Search from 10 kN at the bottom, 40 kN less than at the top; and the tensions tried."""
+        """Result of a search that starts with 10 kN at the bottom, where the tension is 40 kN less than at
+        the top; and the tensions tried."""
         tried = []
 
         def trial(bottom):
@@ -282,7 +283,7 @@ class Lay(unittest.TestCase):
             self.assertEqual(made.returncode, 0, made.stderr)
             results = Results(path)
             checked = pipe_checks.of_case(results, results.lines[0])
-            # At rest, by part, and at nodes well between the first and last box.
+            # Utilisations at rest of the parts, and the largest at nodes well between the first and last box.
             boxes = [results.series(f"stinger {k}").column("arc_length")[0] for k in (1, 11)]
             line = results.lines[0]
             inside = (line.arc > min(boxes) + 5) & (line.arc < max(boxes) - 5)
@@ -291,7 +292,7 @@ class Lay(unittest.TestCase):
         usual = worst()
         self.assertLess(worst("grade=X70")[0], usual[0])
         self.assertGreater(worst("safety_class=high")[0], usual[0])
-        # gamma_C on the stinger alone: the square of the moment's part, with little effect on the tension's.
+        # gamma_C on the stinger alone changes the moment's part by its square, and hardly the tension's part.
         stinger = worst("condition_factor={supports: 0.8}")
         self.assertAlmostEqual(stinger[3] / usual[3], 0.64, delta=0.01)
         self.assertAlmostEqual(stinger[1], usual[1], delta=1e-6)
@@ -319,13 +320,13 @@ class Lay(unittest.TestCase):
         with open(table, encoding="utf-8") as file:
             row = {key: float(value) for key, value in next(csv.DictReader(file)).items()}
         self.assertTrue(table.with_suffix(".png").is_file())
-        # The smallest: the pipe clears the tip by little more than required.
+        # The tension is the smallest: the pipe clears the tip by little more than required.
         self.assertGreaterEqual(row["tip clearance [m]"], 0.2)
         self.assertLess(row["tip clearance [m]"], 0.23)
         # The tension decreases by the weight over the descent, in air and under water.
         self.assertAlmostEqual(row["tension [N]"] - row["tension at touchdown [N]"], 359.09 * (90 - 0.125) + 852.5 * 10.325,
                                delta=200)
-        # The same lay, with that tension as a target of the case itself.
+        # A case with that tension as its target has the same lay.
         anchor = -549.9 - (row["layback [m]"] - 329.7)
         again = self.folder / "again.h5"
         made = run(HAWSER, "run", self.case, "-q", "-o", again, "--set", "dynamics=null", "--set", "environment.seabed.depth=90",

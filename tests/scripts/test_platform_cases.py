@@ -69,7 +69,8 @@ class Cases(unittest.TestCase):
                 self.assertIn(missing.group(2), page)
 
     def test_volturnus_at_rest(self):
-        """Elastic catenaries and six equations of the body, solved separately: offsets 0.5 % + 0.01 m, tension 0.3 %."""
+        """Equilibrium against a separate solution of elastic catenaries and six equations of the body:
+        offsets to 0.5 % + 0.01 m, tension to 0.3 %."""
         path = self.case("volturnus")
         for force, height, x, z, pitch, tension in ((0, 0, 0, -0.01907, 0, 2434977.1), (1.5e6, 150, 15.7391, -0.05812, 0.0690004, 3598669.97),
                                                     (-2.0e6, 0, -30.31951, -0.1252, 0.010454, 1606454.71)):
@@ -84,7 +85,8 @@ class Cases(unittest.TestCase):
             self.assertAlmostEqual(pull / tension, 1, delta=3e-3)
 
     def test_volturnus_small_decays(self):
-        """Without drag, released 0.1 m, 0.1 or 0.2 deg from rest, it has the periods of the linearised system: 0.5 %."""
+        """Without drag, released at 0.1 m, 0.1 or 0.2 deg from rest, the platform has the periods of the
+        linearised system, to 0.5 %."""
         path = self.case("volturnus")
         no_drag = [*NO_WAVES]
         for key in ("bodies.semi.floating.loads", "bodies.semi.floating.hydrodynamics.quadratic_damping",
@@ -121,10 +123,11 @@ class Cases(unittest.TestCase):
         file = self.run_case(self.case("volturnus"), "--set", "dynamics.duration=60")
         _, found = self.series(file, "semi")
         self.assertGreater(np.ptp(found["position_z"]), 0.1)
-        self.assertGreater(found["drift_force_x"][0], 1e5)  # its mean, in statics
+        self.assertGreater(found["drift_force_x"][0], 1e5)  # the mean drift force, present in statics
 
     def test_volturnus_mean_in_the_storm(self):
-        """An hour of the storm without slow drift: the platform is on average where statics has it, 0.5 % of its offset and of its pitch."""
+        """In an hour of the storm without slow drift, the mean position equals the equilibrium of statics, to
+        0.5 % of offset and of pitch."""
         path = self.case("volturnus")
         no_drift = ("--set", "bodies.semi.floating.hydrodynamics.second_order=null")
         file = self.run_case(path, *AT_REST, *no_drift)
@@ -138,7 +141,8 @@ class Cases(unittest.TestCase):
             self.assertAlmostEqual(mean / rest[column][0], 1, delta=5e-3)
 
     def test_oc4_frequencies(self):
-        """Published 0.0093, 0.0578 and 0.0373 Hz in surge, heave and pitch, within 7 %, by modes and by decays."""
+        """Frequencies in surge, heave and pitch by modes and by decays equal the published 0.0093, 0.0578 and
+        0.0373 Hz, within 7 %."""
         path = self.case("oc4")
         done = run(HAWSER, "modes", path, *NO_WAVES, "-n", "12", "-o", path.with_name("modes.h5"))
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -173,7 +177,7 @@ class Cases(unittest.TestCase):
         for what in ("wind", "current", "drift", "other"):
             self.assertGreater(np.hypot(found[f"{what}_force_x"][0], found[f"{what}_force_y"][0]), 1e4, what)
         self.assertLess(np.abs(found["position_x"] - found["position_x"][0]).max(), 5)
-        # Stopped half way it goes on to the same motion, forces and tension.
+        # A run that is stopped half way and continued has the same motion, forces and tension.
         for words in (("--stop-at", "10", "-o", path.with_name("part.h5")),
                       ("--restart", path.with_name("part.h5"), "-o", path.with_name("rest.h5"))):
             done = run(HAWSER, "run", path, "-q", "--set", "dynamics.duration=20", *words)
@@ -186,7 +190,7 @@ class Cases(unittest.TestCase):
             np.testing.assert_allclose(part, whole, rtol=1e-10, atol=1e-10 * np.abs(whole).max())
 
     def test_ships_touch_and_rub(self):
-        """Pushed together without fenders, the hulls stop each other, and friction slows the vessel."""
+        """Hulls that are pushed together without fenders stop each other, and friction slows the vessel."""
         path, after = self.case("side-by-side"), {}
         for friction in (0.4, 0.001):
             file = self.run_case(path, *NO_WAVES, "--set", "statics=false", "--set", "volumes.fender 1=null", "--set", "volumes.fender 2=null",

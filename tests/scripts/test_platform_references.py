@@ -103,8 +103,9 @@ class Platforms(unittest.TestCase):
         self.assertLess(error, tolerance)
 
     def test_decays_of_volturnus(self):
-        """Linear mooring and damping; steps of 0.05 s: 1e-3 of the start. Nearly undamped free heave in steps of 0.1
-        and 0.2 s and in steps of 0.03 to 0.2 s by the local error: 2e-3."""
+        """Decays with linear mooring and damping: 1e-3 of the initial displacement in steps of 0.05 s (surge:
+        0.2 s). Nearly undamped free heave in steps of 0.1 and 0.2 s, and in steps up to 0.2 s set by the
+        local error: 2e-3."""
         self.umaine()
         time, found = self.run_case(volturnus("", place=(0, 0, 1)), 110, 0.05)
         known = ((5, 0.0282245), (25, 0.20732), (45, 0.365117), (65, 0.512062), (85, 0.643978), (105, 0.757109))
@@ -123,7 +124,8 @@ class Platforms(unittest.TestCase):
         self.decay("its moored surge", known, 5, time, found["semi"]["position_x"], 1e-3)
 
     def test_decay_of_a_sphere(self):
-        """A hemisphere from a file with moments about a point below the water line, 40 s: 0.5 mm of 1 m."""
+        """Decay of a hemisphere over 40 s, from a file with moments about a point below the water line: 0.5
+        mm of 1 m."""
         folder = "platforms/oes-sphere/"
         self.files({"ball.1.gz": f"{folder}sphere.1.gz", "ball.hst": f"{folder}sphere.hst"})
         ball = "  ball: {position: [0, 0, 1], floating: {mass: 261800, inertia: [2.6e6, 2.6e6, 2.6e6], hydrodynamics: {wamit: ball, place: [0, 0, 0]}}}\n"
@@ -132,8 +134,8 @@ class Platforms(unittest.TestCase):
         self.decay("heave of a sphere", known, 1, time, found["ball"]["position_z"], 5e-4)
 
     def test_decay_of_two_bodies(self):
-        """RM3, a float around a spar with a plate: separate, with a damper between them, joined: 1e-3 of the start,
-        2e-3 if joined by a spring of 5e10 N/m."""
+        """Decays of RM3, a float around a spar with a plate: separate, coupled by a damper, and joined: 1e-3
+        of the initial displacement, 2e-3 when joined by a spring of 5e10 N/m."""
         self.files({"rm3.1.gz": "platforms/rm3/rm3.1.gz", "rm3.hst": "platforms/rm3/rm3.hst"})
 
         def pair(z1, z2):
@@ -154,7 +156,8 @@ class Platforms(unittest.TestCase):
             self.decay(f"RM3 {what}, spar", [(t, b) for t, _, b in known], z1, time, found["spar"]["position_z"], tolerance)
 
     def test_decay_about_a_hinge(self):
-        """A flap on a ball joint with coefficients about it: 1e-3 of 1 deg, linear equations."""
+        """Decay of a flap on a ball joint, with coefficients about the joint: 1e-3 of 1 deg, against linear
+        equations."""
         self.files({"flap.csv": "platforms/oswec/flap_pitch_about_hinge.csv"})
         with open(self.folder / "flap.csv", newline="") as file:
             table = [[float(x) for x in row] for row in csv.reader(line for line in file if line[0] != "#")]
@@ -170,7 +173,7 @@ class Platforms(unittest.TestCase):
         self.decay("flap on a hinge", known, 0.01745329, time, found["flap"]["rotation_vector_y"], 1e-3)
 
     def test_natural_periods(self):
-        """Undamped periods; the references are 2 pi/Im lambda = T/sqrt(1 - zeta^2): 0.05 %."""
+        """Undamped natural periods: 0.05 %. The references are 2 pi/Im lambda = T/sqrt(1 - zeta^2)."""
         self.umaine()
         self.oc4_files()
         zeta = np.array([0.0532156, 0.0532156, 0, 0.0503335, 0.0503359, 0.0500484])
@@ -187,7 +190,7 @@ class Platforms(unittest.TestCase):
             np.testing.assert_allclose(found, exact, rtol=5e-4)
 
     def response(self, bodies, omega, direction, natural, step, duration=800, **how):
-        """Response to a wave of 2 cm: its frequency component, separated from nearly undamped free motion."""
+        """Response to a wave of 2 cm at its frequency, separated from the nearly undamped free motion."""
         time, found = self.run_case(bodies, duration, step, waves=sea([omega], [0.02], direction, [0], 150), **how)
         use = time > 160
         columns = [np.ones(np.count_nonzero(use)), time[use]]
@@ -199,7 +202,8 @@ class Platforms(unittest.TestCase):
         return (part[2] + 1j * part[3]) / 0.02
 
     def test_responses_of_oc4(self):
-        """Along 0 and 40 deg, against six complex equations: 0.5 % of the largest of its kind."""
+        """Responses to waves along 0 and 40 deg, against six complex equations: 0.5 % of the largest response
+        of its kind."""
         self.oc4_files()
         natural = 2 * np.pi / np.array([113.122, 79.4996, 25.438, 25.445, 17.2778]) * (1j - np.array([1.2e-5, 0, 6e-6, 6e-6, 5.627e-4]))
         for period, direction, size, lead in (
@@ -216,9 +220,10 @@ class Platforms(unittest.TestCase):
             self.assertLess(off(found, exact), 5e-3)
 
     def test_full_matrix_of_mass(self):
-        """A tanker with the mass of its .frc, which couples pitch and heave but not yaw and sway, and so is that of no
-        rigid body: 0.3 % of the largest of its kind with the added mass that belongs to its damping. That of its file, which has irregular
-        frequencies with damping below zero, is another one: 1.3 %."""
+        """Responses of a tanker with the mass matrix of its .frc, which couples pitch and heave but not yaw
+        and sway, so that it is not that of a rigid body: 0.3 % of the largest response of its kind, if the
+        reference has the added mass that belongs to the damping. The added mass of the file, which has
+        irregular frequencies with negative damping, differs: 1.5 %."""
         folder = "platforms/mss-tanker/"
         self.files({f"tanker{e}": f"{folder}tanker{e}" for e in (".1", ".3.gz", ".hst")})
         mass = np.diag([94620210, 94620210, 94620210, 27409620280.88, 387080076077.14, 417428070207.44])
@@ -244,8 +249,9 @@ class Platforms(unittest.TestCase):
             self.assertLess(off(found, exact), 1.5e-2)
 
     def with_memory(self, omega, direction, mass, added_damping):
-        """The response of the tanker at a frequency of its files with the added mass that follows from its damping, without negative eigenvalues, by
-        the relation of Kramers and Kronig, which is that of an exact convolution, in place of the file's own."""
+        """Response of the tanker at a frequency of its files. Its added mass is not that of the file but that
+        of an exact convolution: it is computed from the damping, without negative eigenvalues, by the
+        relation of Kramers and Kronig."""
         infinite, tables, wave = np.zeros((6, 6)), {}, np.zeros(6, complex)
         C, most = np.zeros((6, 6)), np.zeros(6)
         for line in text_of(self.folder / "tanker", ".1"):
@@ -280,8 +286,9 @@ class Platforms(unittest.TestCase):
         return np.linalg.solve(-(omega**2) * (mass + A) + 1j * omega * (B[at] + added_damping) + C, wave)
 
     def test_sea(self):
-        """The VolturnUS-S in a sea of 46 waves with given phases (JONSWAP of 6 m and 12 s), a fiftieth of it so that it answers linearly:
-        standard deviations and series 1 % of each standard deviation, against the sum of its responses."""
+        """The VolturnUS-S in a sea of 46 waves with given phases (JONSWAP of 6 m and 12 s), scaled to a
+        fiftieth for a linear response: standard deviations and time series to 1 % of each standard deviation,
+        against the sum of the responses to each wave."""
         self.umaine()
         exact = Reference(self.folder / UMAINE, 2.01e7, -2.32, UMAINE_INERTIA, DAMPING, MOORING)
         omegas = 0.25 + 0.05 * np.arange(46)
@@ -305,7 +312,7 @@ class Platforms(unittest.TestCase):
                 self.assertLess(worst, 0.01)
 
     def difference_forces(self):
-        """F_ij of the .12d, N/m² and so on, by its own frequencies: F_ji = conj F_ij."""
+        """F_ij of the .12d, N/m² and so on, at the frequencies of the file: F_ji = conj F_ij."""
         rows = [[float(v) for v in line.split()] for line in text_of(self.folder / UMAINE, ".12d")]
         omegas = np.array(sorted({2 * np.pi / r[0] for r in rows}))
         F = np.zeros((len(omegas), len(omegas), 6), complex)
@@ -317,8 +324,9 @@ class Platforms(unittest.TestCase):
         return omegas, F
 
     def test_slow_drift(self):
-        """Mean and slow forces of the .12d on the VolturnUS-S, by all pairs and by Newman's roots, at the
-        frequencies of the file: 1e-6 of a double sum; mean of regular waves by the file's values."""
+        """Mean and slow drift forces of the .12d on the VolturnUS-S, with all pairs and with Newman's roots,
+        at the frequencies of the file: 1e-6 of a double sum. The mean force in regular waves equals the
+        file's values."""
         self.umaine()
         omegas, F = self.difference_forces()
         for omega, surge, heave in ((0.5, 3411.948, 18955.01), (0.75, 24313.03, 77841.87), (1.6, 128553.7, 4351.441)):
@@ -342,8 +350,8 @@ class Platforms(unittest.TestCase):
                 self.assertLess(error, 1e-6)
 
     def test_drift_of_a_tanker(self):
-        """Mean forces by pressures (.9), for waves in three directions and in a sea, 2 int S D domega by a sum:
-        1e-6, 1 %."""
+        """Mean drift forces from pressures (.9), for waves in three directions (1e-6) and in a sea against
+        the sum for 2 int S D domega (1 %)."""
         folder = "platforms/mss-tanker/"
         self.files({f"tanker{e}": f"{folder}tanker{e}" for e in (".1", ".3.gz", ".9.gz", ".hst")})
         held = added(NONE, np.diag([1e8, 1e8, 0, 0, 0, 1e12])) + ", symmetry: port_starboard, gravity_in_stiffness: true, second_order: mean"
@@ -354,7 +362,7 @@ class Platforms(unittest.TestCase):
             _, found = self.run_case(ship, waves=sea([2 * np.pi / period], [1], direction, [0], 10), **how)
             for column, exact in (("drift_force_x", surge), ("drift_force_y", sway)):
                 self.assertAlmostEqual(found["semi"][column][0], exact, delta=1e-6 * max(abs(surge), abs(sway)))
-        # JONSWAP of 3 m and 9 s, between the longest and 4.16 s.
+        # JONSWAP of 3 m and 9 s, for periods from the longest of the file to 4.16 s.
         omega = np.linspace(2 * np.pi / 40.79, 2 * np.pi / 4.16, 400)
         peak = 2 * np.pi / 9
         shape = omega**-5 * np.exp(-1.25 * (peak / omega) ** 4) * 3.3 ** np.exp(-0.5 * ((omega / peak - 1) / np.where(omega > peak, 0.09, 0.07)) ** 2)
@@ -369,8 +377,8 @@ class Platforms(unittest.TestCase):
             self.assertAlmostEqual(found["semi"]["drift_force_y"][0], sway, delta=0.01 * max(abs(sway), abs(surge)))
 
     def test_drift_of_a_sphere(self):
-        """Mean forces by momentum (.8) and over a control surface (.7) equal the files, which begin with a line of
-        text."""
+        """Mean drift forces from momentum (.8) and over a control surface (.7) equal the files, which begin
+        with a line of text."""
         folder = "platforms/drift-sphere/"
         for ending, rows in ((".8", ((2.51328, 0.008229728), (1.848, 0.8765597), (1.0472, 0.6073183))),
                              (".7.gz", ((2.51328, 0.008109339), (1.848, 0.87851), (1.0472, 0.5754058)))):

@@ -87,7 +87,7 @@ class Radiation(unittest.TestCase):
         self.assertIn("needs a table of hawser check --radiation", self.hawser("plot", "mine.csv", "radiation").stderr)
 
     def damping_of(self, path):
-        """Frequencies, damping and the largest added masses of a file."""
+        """Frequencies, damping matrices and largest added masses of a file."""
         tables, largest = {}, np.zeros(6)
         for line in path.read_text().splitlines():
             r = [float(v) for v in line.split()]
@@ -100,8 +100,9 @@ class Radiation(unittest.TestCase):
         return np.array(omegas), np.array([0.5 * (tables[w] + tables[w].T) for w in omegas]), largest
 
     def test_volturnus(self):
-        """K(0) by an exact integral of the damping of the file without its negative eigenvalues, 1e-6, and as it is, 0.2 %: at 1.44 s it has one of
-        24 % of the largest. A - A(inf) by a principal value, 0.1 % of its largest."""
+        """K(0) against an exact integral of the file's damping: 1e-6 without its negative eigenvalues, 0.2 %
+        with them (at 1.44 s one has 24 % of the largest eigenvalue). A - A(inf) against a principal value:
+        0.1 % of its largest value."""
         if not DATA.is_dir():
             self.skipTest(f"{DATA} is not there")
         for ending in (".1", ".hst"):

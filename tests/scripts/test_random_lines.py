@@ -33,7 +33,7 @@ class RandomLines(unittest.TestCase):
             return list(pool.map(one, seeds))
 
     def test_statics(self):
-        # Includes difficult ones: their slack was folded on the bed before the anchor.
+        # Seeds 31, 115 and 200 are difficult: the slack was folded on the bed before the anchor.
         seeds = range(400) if FULL else [*range(9), 31, 115, 200]
         failed = [f"{seed}: {r.stderr.strip()}" for seed, r in self.run_all(seeds, False) if r.returncode != 0]
         self.assertLessEqual(len(failed), len(seeds) // 100, "\n".join(failed))

@@ -98,7 +98,7 @@ def table(path):
 
 
 def off(found, exact):
-    """Largest difference, relative to the largest of its kind."""
+    """Largest difference, relative to the largest value of its kind."""
     size = np.repeat([np.abs(exact[:3]).max(), np.abs(exact[3:]).max()], 3)
     return float(np.max(np.abs(found - exact) / size))
 
@@ -127,7 +127,7 @@ class Responses(unittest.TestCase):
         return done.stdout
 
     def test_regular_waves(self):
-        """Waves of three periods at a displaced spar with a heading; also for another point of it."""
+        """Waves of three periods at a displaced spar with a heading, for its origin and for another point."""
         results, omegas = [], (1.0, 0.6, 0.35)
         for k, omega in enumerate(omegas):
             waves = f"{{regular: {{height: 0.2, period: {2 * np.pi / omega:.15g}, direction_deg: 110, phase_deg: 25}}, ramp: 60}}"
@@ -153,8 +153,8 @@ class Responses(unittest.TestCase):
             self.assertLess(off(moved[k], exact), 2e-4)
 
     def test_quadratic_damping_by_a_matrix(self):
-        """Its diagonal damps like six numbers; heave that acts on surge pushes the spar along -x, with the sign of
-        its velocity."""
+        """A diagonal matrix damps like six numbers. If heave acts on surge, the spar moves along -x, with the
+        sign of its velocity."""
         found = {}
         mixed = np.diag([1e6, 1e6, 1e7, 1e10, 1e10, 1e8])
         mixed[0, 2] = 5e6
@@ -175,7 +175,7 @@ class Responses(unittest.TestCase):
         self.assertLess(found["mixed"][-1, 0], -0.05)
 
     def test_table_for_a_vessel_that_moves_by_it(self):
-        """The .rao file drives a body to the spar's motion, by the convention of `motion.rao`."""
+        """A body moved by the .rao file, with the convention of `motion.rao`, has the motion of the spar."""
         wave = "{regular: {height: 0.2, period: 12, direction_deg: 30, phase_deg: 40}, ramp: 60}"
         results = self.motion("wave", wave, 600)
         self.rao(results, "-o", "spar.rao")
@@ -197,9 +197,9 @@ output: {{every: 1000, histories: [{{body: spar}}]}}
         self.assertLess(off(again[0], first[0]), 1e-4)
 
     def test_white_noise(self):
-        """H1 within 0.2 % of the largest at half of the frequencies, within 1 % at nine of ten away from the
-        resonances of pitch (0.19 rad/s) and heave (0.32 rad/s), which the segments do not resolve: within 15 %
-        there."""
+        """H1 is within 0.2 % of the largest response at half of the frequencies and within 1 % at nine of
+        ten, away from the resonances of pitch (0.19 rad/s) and heave (0.32 rad/s), which the segments do not
+        resolve: 15 % there."""
         rows = "[[0.02, 0], [0.025, 0.01], [0.2, 0.01], [0.205, 0]]"
         results = self.motion("noise", f"{{spectrum: {{rows: {rows}, seed: 3, components: 500}}, ramp: 100}}", 4600, step=0.2)
         printed = self.rao(results, "--since", "1000", "--segment", "450")
@@ -220,8 +220,8 @@ output: {{every: 1000, histories: [{{body: spar}}]}}
             self.assertLess(error[np.abs(omega - resonance) < 0.04].max(), 0.15)
 
     def test_volturnus(self):
-        """Published coefficients of the UMaine VolturnUS-S, a regular wave of 0.1 m at 0 and 30 deg: own solution in
-        the frequency domain with the mass, mooring and damping of its WAMIT run."""
+        """Published coefficients of the UMaine VolturnUS-S, a regular wave of 0.1 m at 0 and 30 deg, against
+        a separate solution in the frequency domain with the mass, mooring and damping of its WAMIT run."""
         folder = DATA / "umaine-semi"
         if not folder.is_dir():
             self.skipTest(f"{folder} is not there")

@@ -80,8 +80,8 @@ class RigidBodies(unittest.TestCase):
         return 2 * np.pi * np.array([float(v) for v in re.findall(r"^ *\d+ +[\d.e+-]+ +([\d.e+-]+) ", done.stdout, re.M)])
 
     def test_bifilar_pendulum(self):
-        """T = 4 int sqrt((J + m h'^2)/(2 m g (h(A) - h))) dtheta, h = L - sqrt(L^2 - 2 b^2 (1 - cos theta)); swings along the bar
-        likewise: 0.1 %. Of small swings all four periods."""
+        """T = 4 int sqrt((J + m h'^2)/(2 m g (h(A) - h))) dtheta, h = L - sqrt(L^2 - 2 b^2 (1 - cos theta)),
+        and the same for swings along the bar: 0.1 %. For small swings, all four periods."""
         for turn, exact in ((1, 3.663253), (30, 3.724187), (90, 4.27224)):
             height = np.sqrt((2 + STRETCH) ** 2 - 0.5 * (1 - np.cos(np.radians(turn))))
             time, found, _ = self.motion(BAR.replace("PLACE", f"[0, 0, {-height - 0.3:.15g}]").replace("TURN", str(turn)), 22, 0.005)
@@ -98,8 +98,8 @@ class RigidBodies(unittest.TestCase):
         np.testing.assert_allclose(2 * np.pi / self.frequencies()[:4], [3.663185, 3.085036, 2.837491, 1.19121], rtol=1e-3)
 
     def test_heavy_top(self):
-        """Cuspidal nutation of a top of 60 rad/s held at a point, for 4 s, in steps of 1 ms, 0.06 rad of its spin:
-        1e-3 rad."""
+        """Cuspidal nutation of a top of 60 rad/s that is held at a point, over 4 s in steps of 1 ms (0.06 rad
+        of its spin): inclination and precession to 1e-3 rad, nutation period to 1e-3."""
         tilt = 0.5235988
         text = (f"  top: {{position: [0, {-0.3 * np.sin(tilt):.15g}, {0.3 * np.cos(tilt):.15g}], rotation_deg: [{np.degrees(tilt):.15g}, 0, 0],\n"
                 "        floating: {mass: 2, inertia: [0.07, 0.07, 0.06], weight: true, angular_velocity: [0, 0, 60]}}\n"
@@ -116,14 +116,14 @@ class RigidBodies(unittest.TestCase):
         self.assertAlmostEqual(lean.max(), 0.6831895, delta=1e-3)
         tops = np.flatnonzero((lean[:-2] < lean[1:-1]) & (lean[1:-1] >= lean[2:])) + 1
         before, top, after = (lean[tops + k] for k in (-1, 0, 1))
-        at = time[tops] + 0.5 * 1e-3 * (before - after) / (before - 2 * top + after)  # of parabolas
+        at = time[tops] + 0.5 * 1e-3 * (before - after) / (before - 2 * top + after)  # maxima of parabolas
         nutation = (at[-1] - at[0]) / (len(at) - 1)
         print(f"top: nutation in {nutation:.6f} s, off by {nutation / 0.54646 - 1:+.1e}")
         self.assertAlmostEqual(nutation / 0.54646, 1, delta=1e-3)
 
     def test_intermediate_axis(self):
-        """A body that turns about its middle axis flips at the time given by elliptic functions; its energy and its angular
-        momentum stay at any step."""
+        """The rates of a body that rotates about its intermediate axis equal those of elliptic functions when
+        it flips; energy and angular momentum are constant in both step lengths."""
         inertia = np.array([1.0, 2.0, 3.0])
         for step in (0.02, 0.01):
             time, found, file = self.motion("  top: {floating: {mass: 1, inertia: [1, 2, 3], angular_velocity: [0.01, 1, 0.01]}}\n", 20, step)
@@ -139,8 +139,9 @@ class RigidBodies(unittest.TestCase):
             self.assertLess(off, 1e-9)
 
     def test_points_of_a_turned_body(self):
-        """An end at (58, 0, -14) of a body turned by rotation vectors: (10, 20, 30) degrees; those of roll 10, pitch 20, yaw 30 about axes of
-        the body, yaw first, and roll first. A body at pitch 20 that yaws: the velocity of the end is w x r."""
+        """Position of an end at (58, 0, -14) of a body with the rotation vectors of (10, 20, 30) degrees, and
+        of roll 10, pitch 20, yaw 30 about axes of the body, yaw first and roll first. If a body at pitch 20
+        yaws, the velocity of the end is w x r."""
         def end(turn, rate=(0, 0, 0)):
             line = ("line_types: {rope: {outer_diameter: 0.01, mass_per_length: 0.1, EA: 1e4, bending: false}}\nlines:\n  rope: {sections: "
                     "[{type: rope, length: 60, elements: 20}], end_a: {anchor: [90, 20, -33]}, end_b: {body: hull, at: [58, 0, -14]}}\n")
@@ -157,8 +158,9 @@ class RigidBodies(unittest.TestCase):
         np.testing.assert_allclose(found[3:], np.cross([0, 0, 0.1], found[:3]), atol=1e-6)
 
     def test_load_on_one_cable(self):
-        """Its centre is below the anchor, and the vertical in its axes on the attachment: 1e-4 m, 1e-4 rad; small swings 0.1 %, and nothing
-        that holds it about the vertical."""
+        """In equilibrium the centre of mass is below the anchor, and the vertical, in body axes, passes
+        through the attachment: 1e-4 m, 1e-4 rad. Frequencies of small swings: 0.1 %; the rotation about the
+        vertical is free."""
         text = ("  load: {position: [0.05, -0.03, 5.1], rotation_deg: [-18, -34, 3], floating: {mass: 400, inertia: [180, 240, 150], "
                 "products_of_inertia: [-12, -8, 25], weight: true}}\nlinks:\n  c0: {end_a: {anchor: [0, 0, 10]}, "
                 "end_b: {body: load, at: [0.4, -0.25, 0.6]}, stiffness: 50000, rest_length: 4, tension_only: true}\n")
@@ -166,10 +168,11 @@ class RigidBodies(unittest.TestCase):
         np.testing.assert_allclose(self.of(found, "position")[-1], [0, 0, 5.15832992], atol=1e-4)
         np.testing.assert_allclose(rotation(self.of(found, "rotation_vector")[-1])[2], [0.5240974, -0.3275609, 0.7861461], atol=1e-4)
         self.assertAlmostEqual(file["series/c0_link"][-1, 0] / 3922.66, 1, delta=1e-4)
-        np.testing.assert_allclose(self.frequencies(), [1.404361, 1.411421, 4.055317, 5.003916, 11.18034], rtol=1e-3)  # and one that is free
+        np.testing.assert_allclose(self.frequencies(), [1.404361, 1.411421, 4.055317, 5.003916, 11.18034], rtol=1e-3)  # the sixth mode is free
 
     def test_load_on_three_cables(self):
-        """At rest, from a nearby start: 1e-4; small swings 0.1 %; thrown, in 5 s: 2 mm, 2e-3 rad, energy 1e-6."""
+        """Equilibrium from a nearby start: 1e-4. Frequencies of small swings: 0.1 %. Motion of the thrown
+        load over 5 s: 2 mm, 2e-3 rad, energy 1e-6."""
         away = REST + [0.05, -0.03, -0.02]
         turned = np.degrees(TURNED) + [3, -2, 4]
         _, found, file = self.motion(LOAD.replace("PLACE", str(list(away))).replace("TURN", str(list(turned))).replace(" MOTION", ""))

@@ -100,8 +100,8 @@ dynamics: {duration: 12, step: 0.05, min_step: 0.05}
                          r"'stiffness_damping' prevents it")
 
     def test_beam_that_is_rolled_up(self):
-        """Its ends rotate against each other by more than half a turn, which an element takes for less in the other
-        direction."""
+        """The ends of the beam rotate against each other by more than half a turn, which an element
+        interprets as a smaller rotation in the other direction."""
         wheel = "bodies:\n  wheel: {position: [12, 0, 0], motion: {rotation: {axis: [0, 1, 0], rate: 1}, ramp: 1}}\nlines:"
         roll = CASE.replace("lines:", wheel).replace("elements: 8", "elements: 1").replace("duration: 0.2", "duration: 6")
         roll = roll.replace("end_b: free", "end_b: {body: wheel, at: [0, 0, 0], direction: [1, 0, 0], clamped: true}")
@@ -409,7 +409,7 @@ output: {every: 5}
         self.assertEqual(self.hawser("run", "rod.yaml", "-q", "--", "-walk").stdout, "")
 
     def test_full_disk(self):
-        """In a separate file system that is too small: for the file, and for the data written during the run."""
+        """A separate file system is too small for the file, or for the data written during the run."""
         case = CASE.replace("elements: 8", "elements: 200").replace("duration: 0.2", "duration: 5")
         write(self.folder, "rod.yaml", case.replace("every: 0.1", "every: 0.05"))
         (self.folder / "disk").mkdir()

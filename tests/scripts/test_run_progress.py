@@ -62,7 +62,8 @@ class Progress(unittest.TestCase):
         self.assertEqual(run(HAWSER, "run", "rod.yaml", "-q", cwd=self.folder).stdout, "")
 
     def test_title_comes_first(self):
-        """Before a mesh that takes long to read; off a terminal the mesh is named only if it is large."""
+        """The title is printed before a mesh is read that takes long; without a terminal the mesh is named
+        only if it is large."""
         box = (ROOT / "tests/data/bad/box.obj").read_text("utf-8")
         write(self.folder, "box.obj", box)
         write(self.folder, "large.obj", box + "# nothing but this comment, again and again, as long as a row of numbers\n" * 600_000)

@@ -51,7 +51,7 @@ class Size(unittest.TestCase):
         self.check_size("mooring-line/mooring-line.yaml", "--set", "dynamics.duration=20", "--set", "output.every=0.2")
 
     def test_of_bodies_and_meshes_in_automatic_steps(self):
-        # As long as the trial lasts: later steps differ.
+        # The run is as long as the trial, because later steps differ.
         self.check_size("barge-hawser/barge-hawser.yaml", "--set", "dynamics.duration=10", "--set", "output.every=0.1")
 
     def test_of_statics(self):

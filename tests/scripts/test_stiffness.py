@@ -56,8 +56,8 @@ class Stiffness(unittest.TestCase):
         self.assertTrue(np.allclose(np.linalg.norm(force, axis=1), tension, rtol=5e-3))
         self.assertLess(np.abs(values[:, 9:12]).max(), 1e-6 * tension.max())
         self.assertTrue((np.diff(tension) > 0).all())
-        # The stiffness is the slope of the force: its mean over a step by Simpson's rule from three of them. That of the
-        # touchdown goes up and down by a per cent as elements of 5 m leave the bed.
+        # The stiffness is the slope of the force: its mean over two steps by Simpson's rule from three
+        # values. At the touchdown it varies by one per cent as elements of 5 m leave the bed.
         K11 = values[:, 12]
         by_force = (force[2, 0] - force[0, 0]) / 4
         self.assertAlmostEqual(by_force / ((K11[0] + 4 * K11[1] + K11[2]) / 6), 1, delta=1e-2)
@@ -71,7 +71,8 @@ class Stiffness(unittest.TestCase):
         self.assertTrue((self.folder / "mooring-2-stiffness-offsets.png").stat().st_size > 10000)
 
     def test_of_the_lines_alone(self):
-        """Pressure on a hull and the drag of its members do not belong to the mooring: the same table without them."""
+        """Hull pressure and the drag of members are no part of the mooring: the table is the same with and
+        without them."""
         case = """hawser: 1
 environment: {water: {depth: 50}, seabed: {depth: 50}}
 line_types: {chain: {outer_diameter: 0.1, mass_per_length: 100, EA: 400 MN, bending: false}}
@@ -92,12 +93,13 @@ lines:
             done = run(HAWSER, "stiffness", self.folder / f"{name}.yaml", "--body", "barge", "--at", "0,0,0")
             self.assertEqual(done.returncode, 0, done.stderr)
             tables.append(table(self.folder / f"{name}-stiffness.csv")[1])
-        # Two chains hang on it: tens of kN. The buoyancy of the box is 20 MN.
+        # The forces of two chains are tens of kN. The buoyancy of the box is 20 MN.
         self.assertLess(np.abs(tables[0][0, 6:9]).max(), 1e6)
         self.assertTrue(np.allclose(tables[0], tables[1], rtol=1e-6, atol=1e-6 * np.abs(tables[0][0]).max()))
 
     def test_contact_of_the_body_stays(self):
-        """A crate held by a rope against a fender of 1 MN/m: the stiffness includes the fender, and the forces are in balance."""
+        """A crate held by four ropes against a fender of 1 MN/m: the stiffness includes the fender, and the
+        forces are in balance."""
         (self.folder / "fender.yaml").write_text("""hawser: 1
 environment: {gravity: 0}
 line_types: {rope: {outer_diameter: 0.05, mass_per_length: 2, EA: 1e6, bending: false}}
@@ -116,8 +118,8 @@ contact: {between_lines: false}
         done = run(HAWSER, "stiffness", self.folder / "fender.yaml", "--body", "crate")
         self.assertEqual(done.returncode, 0, done.stderr)
         values = table(self.folder / "fender-stiffness.csv")[1][0]
-        self.assertAlmostEqual(values[12] / 1.0195e6, 1, delta=1e-3)  # the fender's 1 MN/m, and 19.5 kN/m of the ropes
-        self.assertLess(np.abs(values[6:9]).max(), 10)  # of 150 kN
+        self.assertAlmostEqual(values[12] / 1.0195e6, 1, delta=1e-3)  # 1 MN/m of the fender and 19.5 kN/m of the ropes
+        self.assertLess(np.abs(values[6:9]).max(), 10)  # N, compared with 150 kN in the fender
 
     def test_sentences(self):
         foreign = self.folder / "wind.csv"

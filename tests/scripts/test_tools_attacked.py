@@ -305,7 +305,8 @@ class Interrupted(Attack):
                     time.sleep(wait)
                     os.killpg(process.pid, signal.SIGINT)
                     _, err = process.communicate(timeout=120)
-                    # Before Python starts the signal ends the program, at the end it comes too late.
+                    # Before Python starts, the signal ends the program; at the end of the run, it comes too
+                    # late.
                     self.assertIn(process.returncode, (130, -signal.SIGINT, 0))
                     self.assertEqual(err, "hawser: stopped by Ctrl-C\n" if process.returncode == 130 else "")
 

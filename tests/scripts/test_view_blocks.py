@@ -127,7 +127,7 @@ class Models(unittest.TestCase):
         self.assertTrue(any("one in " in words for words in header["missing"]), header["missing"])
 
     def test_contact_points_stay_in_a_page_that_has_not_all_fields(self):
-        # Of `velocity` (three components) there is no figure: it is the first to be excluded.
+        # No figure shows `velocity` (three components), so it is the first field to be excluded.
         results = Results(large(self.folder.name, 60, 300, "some.h5"))
         whole = sum(map(len, embedded.packed_model(results, 1e9)[1].values())) * 4 / 3
         names = set(embedded.packed_model(results, whole - 1)[1])

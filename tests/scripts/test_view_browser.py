@@ -235,7 +235,7 @@ class Used(Drawing):
         wait("hawserView.scene.output === 99")
         self.assertEqual(value("[hawserView.controls.slider.max, hawserView.player.speed]"), ["99", 2])
         self.assertIn("49.5 s of 49.5 s", value("document.querySelector('.hawser-view progress').parentNode.textContent"))
-        # A chosen speed stays; a run may be taken back by a restart.
+        # The chosen speed is kept when a restart shortens the run.
         value("(() => {const s = hawserView.controls.speed; s.value = '5'; s.dispatchEvent(new Event('change'))})()")
         written(60)
         wait("hawserView.scene.output === 59")

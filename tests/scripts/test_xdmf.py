@@ -62,7 +62,8 @@ class Xdmf(unittest.TestCase):
             self.assertEqual(len(look["line"]), 41)
             self.assertEqual(len(look["drum"]), len(first["drum"]))
             self.assertGreater(look["triangles"], 100)
-            # It carries 60 m of hose in total, 273.4 kg/m; almost nothing at the free end.
+            # The hose is 60 m long, 273.4 kg/m: the tension is its whole weight at the top and almost zero at
+            # the free end.
             self.assertAlmostEqual(max(look["tension"]) / (60 * 273.4 * 9.80665), 1, delta=0.1)
         # Each vertex of the drum has rotated about -y by 0.7 rad: at 0.1 rad/s, after a start of 10 s of half
         # the angle.

@@ -1,4 +1,4 @@
-// Elements and numbers by chance for tests of axes and of pairs of lines.
+// Random elements and numbers for tests of element axes and of pairs of lines.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@ inline double noise(int i, int purpose) {
 }
 inline Vec3 noise3(int i, int p) { return {noise(3 * i, p), noise(3 * i + 1, p), noise(3 * i + 2, p)}; }
 
-// An element from a to b; its nodes' axes lean off the chord by up to `bend`.
+// Element from a to b. The axis directions at its nodes differ from the chord by up to `bend`.
 inline AxisEnds element(bool beam, const Vec3& a, const Vec3& b, int seed, double bend = 0.05) {
   AxisEnds e;
   e.beam = beam;

@@ -1,4 +1,4 @@
-// A cable element by itself, all of its force and tangents as differences check them.
+// A single cable element: its force, and its tangents for comparison with finite differences.
 #pragma once
 
 #include "hawser/kernels/cable.hpp"
@@ -21,7 +21,7 @@ inline CableEndForces cable_end_forces(const CableSection& s, const CableState& 
   return f;
 }
 
-// Force, and its derivatives by positions and by velocities.
+// Force, and its derivatives with respect to positions and velocities.
 inline CableEndForces cable_tangent(const CableSection& s, const CableState& e, CableMatrix& K,
                                     CableMatrix& C) {
   CableForce o;

@@ -1,7 +1,7 @@
-// For fuzz.py: `hawser check case.yaml` in each folder whose path comes on a line of stdin, in one process,
-// as starting a process under sanitizers takes a hundred times as long as a check. Answers each with a line
-// "exit code, blank, sentence". With a file on the command line they are `check --quick`, and what the last
-// one has printed is in that file.
+// Used by fuzz.py: runs `hawser check case.yaml` in one process for each folder whose path is a line of
+// stdin, because starting a process under sanitizers takes a hundred times as long as a check. Prints for
+// each folder a line "exit code, blank, sentence". If a file is given on the command line, the checks are
+// `check --quick`, and that file contains the output of the last check.
 #include <petscsys.h>
 #include <unistd.h>
 

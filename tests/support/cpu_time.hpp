@@ -1,4 +1,4 @@
-// CPU time of this thread: what others do on the machine does not count.
+// CPU time of this thread. Other processes on the machine do not affect it.
 #pragma once
 
 #include <ctime>

@@ -1,11 +1,11 @@
-// Derivatives of functions by differences, to compare exact ones with.
+// Finite differences of functions, for comparison with exact derivatives.
 #pragma once
 
 #include "hawser/math/types.hpp"
 
 namespace hawser::test {
 
-// Fourth-order difference of f, which takes the six increments of a rigid body, along d.
+// Fourth-order difference of f along d. f takes the six increments of a rigid body.
 template <class F>
 auto slope(F f, const Vec6& d) {
   const double e = 1e-3;

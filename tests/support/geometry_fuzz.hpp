@@ -1,5 +1,6 @@
-// Random campaign against geometry: closest points of triangles and segments, and the sign of distance, in
-// quadruple precision and by other formulas. Shapes from sound to collapsed, sizes 1e-30 to 1e30 m.
+// Random test of geometry: closest points of triangles and segments, and the sign of the distance, against
+// quadruple precision and other formulas. The shapes range from regular to degenerate, their sizes from 1e-30
+// m to 1e30 m.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -62,7 +63,7 @@ class GeometryFuzz {
     report("two segments", cases, worst);
   }
 
-  // Inside or outside of tetrahedra, sound and flat, about their faces, edges and corners.
+  // Inside and outside of regular and flat tetrahedra, at points near their faces, edges and corners.
   void signs(int meshes, int points) {
     long decided = 0;
     for (int m = 0; m < meshes; ++m) {
@@ -74,10 +75,11 @@ class GeometryFuzz {
       if (side(v[0], v[1], v[2], v[3]) > 0) std::swap(v[0], v[1]);
       const double size = std::max({(v[1] - v[0]).norm(), (v[2] - v[0]).norm(), (v[3] - v[0]).norm()});
       TriangleMesh mesh{{v[0], v[1], v[2], v[3]}, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}, {}, {}};
-      if (!inspect(mesh).valid()) continue;  // so flat that it has no inside
+      if (!inspect(mesh).valid()) continue;  // too flat: it has no inside
       const MeshSurface surface(mesh);
-      // Faces that meet at a small angle are no farther apart, near their edge, than that part of the way to
-      // it; where that is less than rounding no arithmetic on doubles can tell on which side of both y is.
+      // Near their common edge, two faces that meet at a small angle are apart by at most that angle times
+      // the distance to the edge. If this is below rounding, double precision cannot decide on which side of
+      // both faces y is.
       double thin = 1;
       for (std::size_t t = 0; t < 4; ++t) {
         const auto& f = mesh.triangles[t];
@@ -121,7 +123,7 @@ class GeometryFuzz {
   int pick(int n) { return static_cast<int>(gen_() % static_cast<unsigned>(n)); }
   double power(double lo, double hi) { return std::pow(10.0, lo + (hi - lo) * 0.5 * (next() + 1)); }
   Vec3 grid() { return Vec3(pick(4), pick(4), pick(4)); }
-  // A point of the hull of the first n of v.
+  // A random point of the convex hull of the first n points of v.
   Vec3 mix(const Vec3* v, int n) {
     double w[4], sum = 0;
     for (int i = 0; i < n; ++i) sum += w[i] = 1e-3 + std::abs(next());
@@ -139,7 +141,7 @@ class GeometryFuzz {
       case 1:
         v[2] = mix(v, 2) + power(-16, 0) * vec();
         break;  // cap
-      case 2:   // corners on a grid: often on a line or equal
+      case 2:   // corners on a grid: often collinear or equal
         for (int i = 0; i < 3; ++i) v[i] = grid();
         break;
       case 3:
@@ -174,7 +176,7 @@ class GeometryFuzz {
     for (int i = 0; i < 4; ++i) v[i] *= scale_;
   }
 
-  // The square root, to 113 bits but for the last few.
+  // Square root, accurate to 113 bits except the last few.
   static W root(W squared) {
     if (!(squared > 0)) return 0;
     W r = std::sqrt(static_cast<double>(squared));
@@ -187,13 +189,14 @@ class GeometryFuzz {
     t = t < 0 ? W(0) : t > 1 ? W(1) : t;
     return a + t * e;
   }
-  // > 0 when p is on the side of the triangle's normal. Of doubles of like size its error is 1e-33 of them.
+  // Positive when p is on the side of the triangle's normal. For doubles of equal size the relative error is
+  // 1e-33.
   static double side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
     const V o = extended(a);
     return static_cast<double>((extended(b) - o).cross(extended(c) - o).dot(extended(p) - o));
   }
 
-  // Distance and side against barycentric coordinates and three segments in 113 bits.
+  // Compares distance and side with barycentric coordinates and three segments in 113 bits.
   bool triangle_is_right(const Vec3& p, const Vec3* v, double& error, double& height_error) {
     const V q = extended(p), a = extended(v[0]), e = extended(v[1]) - a, f = extended(v[2]) - a, r = q - a,
             n = e.cross(f);
@@ -214,7 +217,7 @@ class GeometryFuzz {
         {(v[1] - v[0]).norm(), (v[2] - v[1]).norm(), (v[0] - v[2]).norm(), (p - v[0]).norm(), 1e-300});
     double far = p.cwiseAbs().maxCoeff();
     for (int i = 0; i < 3; ++i) far = std::max(far, v[i].cwiseAbs().maxCoeff());
-    // Coordinates far from the origin are rounded there.
+    // Coordinates far from the origin have a rounding error of this size.
     const double room = size + 0.3 * far;
     error = std::abs(std::sqrt(c.squared_distance) - exact) / room;
     bool right = std::isfinite(c.squared_distance) && c.squared_distance >= 0 && c.point.allFinite() &&
@@ -230,7 +233,7 @@ class GeometryFuzz {
     return right;
   }
 
-  // The minimum over the square is inside or on one of its edges.
+  // The minimum over the unit square of parameters is inside it or on one of its edges.
   static double segment_distance(const Vec3* x) {
     const V a0 = extended(x[0]), b0 = extended(x[2]), u = extended(x[1]) - a0, v = extended(x[3]) - b0,
             r = a0 - b0;

@@ -1,4 +1,4 @@
-// Reads a compressed file through gzip.
+// Reads a compressed file with gzip.
 #pragma once
 
 #include <cstdio>
@@ -7,7 +7,7 @@
 
 namespace hawser::test {
 
-// The text of a .gz file; throws where gzip cannot read it.
+// Text of a .gz file. Throws if gzip cannot read it.
 inline std::string read_gzip(const std::string& path) {
   std::FILE* pipe = popen(("gzip -dc '" + path + "'").c_str(), "r");
   if (!pipe) throw std::runtime_error("gzip cannot be run");

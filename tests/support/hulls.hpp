@@ -1,4 +1,4 @@
-// Hulls of ../shared/data beside the sources, and the winding number of a mesh by another way than the
+// Hulls of ../shared/data beside the sources, and the winding number of a mesh by a method independent of the
 // product's.
 #pragma once
 
@@ -18,7 +18,7 @@
 
 namespace hawser::test {
 
-// Path of the file unpacked into `folder`; empty where the data are absent.
+// Path of the hull file after unpacking it into `folder`; empty if the data are absent.
 inline std::string unpacked_hull(const std::string& name, const std::string& folder) {
   namespace fs = std::filesystem;
   const fs::path packed = fs::path(HAWSER_SOURCE_DIR) / "../shared/data/hulls" / (name + ".gz");
@@ -29,9 +29,9 @@ inline std::string unpacked_hull(const std::string& name, const std::string& fol
   return path;
 }
 
-// Winding numbers along a line from p along the unit vector d, from every triangle: facets that the rest of
-// the line leaves the body by, less those it enters by, and the solid angle of what the boundary of the
-// surface sweeps when it goes off along -d, which closes the surface.
+// Winding numbers at points of the line from p along the unit vector d, summed over all triangles: the number
+// of facets through which the rest of the line leaves the body, less those through which it enters, plus the
+// solid angle of the surface that closes the mesh, which the boundary of the mesh sweeps in direction -d.
 class WindingAlong {
  public:
   WindingAlong(const MeshView& mesh, const Vec3& p, const Vec3& d) : p_(p), d_(d) {
@@ -43,7 +43,7 @@ class WindingAlong {
       met_.emplace_back((y * a + z * b + x * c).dot(d) / (x + y + z), x > 0 ? 1 : -1);
     }
   }
-  // `boundary`: edges (from, to, excess), see boundary_of.
+  // `boundary`: edges (from, to, excess) of boundary_of.
   double at(double along, const MeshView& mesh, const std::vector<std::array<int, 3>>& boundary) const {
     const Vec3 y = p_ + along * d_;
     double w = 0, angle = 0;

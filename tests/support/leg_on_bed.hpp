@@ -1,8 +1,8 @@
-// A mooring leg at rest on a rigid plane bed with Coulomb friction, by another way than the program: the
-// hanging part is an elastic catenary from its touchdown point, the lying part loses mu w cos(b) + w sin(b)
-// of tension per length towards the anchor until none is left, and the tension at the touchdown point is the
-// root of what the line is too long by. Sources: Irvine (1981), Cable Structures, 1.3, for the elastic
-// catenary; Jonkman (2007), 2.5, for the friction of a level bed.
+// Reference solution of a mooring leg at rest on a rigid plane bed with Coulomb friction, independent of the
+// program: the hanging part is an elastic catenary from its touchdown point, the lying part loses mu w cos(b)
+// + w sin(b) of tension per length towards the anchor until the tension is zero, and the tension at the
+// touchdown point is the root of the excess length of the line. Sources: Irvine (1981), Cable Structures,
+// 1.3, for the elastic catenary; Jonkman (2007), 2.5, for the friction of a level bed.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@ struct LegOnBed {
   double length = 0, weight = 0, EA = 0;  // m; N/m in water; N
   double friction = 0;
   double slope = 0;     // rad, of the bed, > 0: it rises from the anchor to the fairlead
-  double padeye = 0;    // m, above the axis of what lies; an end below it is taken to be at it
-  double x = 0, z = 0;  // m, of the fairlead from the place on the bed under the anchor, horizontal and up
+  double padeye = 0;    // m, above the axis of the lying part; an end below this axis is taken to be on it
+  double x = 0, z = 0;  // m, fairlead relative to the point of the bed under the anchor, horizontal and up
   double lift = 0, lifted_from = 0;  // N, of a small buoy on the lying part; m from the anchor
 };
 
@@ -28,7 +28,7 @@ class LegSolver {
  public:
   explicit LegSolver(const LegOnBed& leg) : leg_(leg), c_(std::cos(leg.slope)), s_(std::sin(leg.slope)) {}
 
-  // Nothing where no part of the line lies.
+  // Empty if no part of the line lies on the bed.
   std::optional<LegLoads> solve() const {
     double low = 1e-6;
     double high = 2000 * leg_.weight;
@@ -51,7 +51,7 @@ class LegSolver {
   struct Chord {
     double x = 0, z = 0;
   };
-  // From its lower end, which is pulled back by (H, V), over a length s.
+  // A catenary of length s from its lower end, where the force (H, V) pulls back.
   Chord catenary(double H, double V, double s) const {
     const double w = leg_.weight;
     const double top = V + w * s;
@@ -59,7 +59,7 @@ class LegSolver {
             (std::hypot(H, top) - std::hypot(H, V)) / w + (V * s + 0.5 * w * s * s) / leg_.EA};
   }
 
-  // The lying part from the touchdown point on, where the tension is T: that at its other end, and its
+  // The lying part from the touchdown point on, where the tension is T: tension at its other end, and its
   // stretch.
   void lie(double T, double length, double& at_end, double& stretch) const {
     constexpr int kPieces = 400;
@@ -72,14 +72,14 @@ class LegSolver {
       const double next = std::max(0.0, at_end - drag * ds);
       stretch += 0.5 * (at_end + next) / leg_.EA * ds;
       at_end = next;
-      // What a buoy lifts is not pressed onto the bed.
+      // The lift of the buoy reduces the normal force on the bed.
       if (leg_.lift > 0 && from <= leg_.lifted_from && leg_.lifted_from < from + ds)
         at_end = std::min(T, at_end + leg_.friction * leg_.lift * c_);
     }
   }
 
   struct Padeye {
-    double length = 0, along = 0, load = 0;  // m of line that hangs, m of bed that it spans, N
+    double length = 0, along = 0, load = 0;  // m of hanging line, m of bed below it, N
   };
   Padeye hang(double T) const {
     const double w = leg_.weight;

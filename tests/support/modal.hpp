@@ -1,5 +1,5 @@
 // Small vibrations about a state: K, C and M of a system as dense matrices without the held components, and
-// their frequencies. One rank.
+// their frequencies. On one rank.
 #pragma once
 
 #include <petscksp.h>
@@ -19,7 +19,7 @@ struct ModalMatrices {
   Eigen::MatrixXd K, C, M;
   std::vector<int> dof;  // 3 * local block + component of each row
 
-  // Row of a component of a local block, -1: held.
+  // Row of a component of a local block; -1 if it is held.
   int row(int block, int component) const {
     const auto it = std::find(dof.begin(), dof.end(), 3 * block + component);
     return it == dof.end() ? -1 : static_cast<int>(it - dof.begin());
@@ -45,7 +45,7 @@ inline Eigen::MatrixXd dense_tangent(System& system, const Kinematics& state, co
   return out;
 }
 
-// The matrices of the linearised motion about `at`.
+// The matrices of the motion linearised about `state`.
 inline ModalMatrices modal_matrices(System& system, const Kinematics& state) {
   ModalMatrices m;
   const auto& held = system.tied_nodes().held();
@@ -58,7 +58,7 @@ inline ModalMatrices modal_matrices(System& system, const Kinematics& state) {
   return m;
 }
 
-// B' K B, for motions in the span of the columns of B (a symmetry, a plane).
+// B' K B, for motions in the span of the columns of B (for example of a symmetry or a plane).
 inline Eigen::MatrixXd restricted(const Eigen::MatrixXd& K, const Eigen::MatrixXd& B) {
   Eigen::MatrixXd KB = Eigen::MatrixXd::Zero(K.rows(), B.cols());
   Eigen::MatrixXd out = Eigen::MatrixXd::Zero(B.cols(), B.cols());
@@ -71,7 +71,7 @@ inline Eigen::MatrixXd restricted(const Eigen::MatrixXd& K, const Eigen::MatrixX
   return out;
 }
 
-// Columns of the identity for the components that keep(block, component) wants.
+// Columns of the identity for the components that keep(block, component) selects.
 template <class Keep>
 Eigen::MatrixXd components(const ModalMatrices& m, Keep keep) {
   std::vector<Eigen::Index> rows;
@@ -96,7 +96,7 @@ inline MatHandle petsc_dense(const Eigen::MatrixXd& A) {
   return out;
 }
 
-// Eigenvalues of B^-1 A, by LAPACK through PETSc.
+// Eigenvalues of B^-1 A, from LAPACK through PETSc.
 inline std::vector<std::complex<double>> eigenvalues(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
   const MatHandle a = petsc_dense(A), b = petsc_dense(B);
   KspHandle ksp;
@@ -123,8 +123,8 @@ inline std::vector<double> natural_frequencies(const Eigen::MatrixXd& K, const E
   return omega;
 }
 
-// Exponents s, 1/s, with Im > 0 of the oscillating solutions exp(s t) of M x'' + C x' + K x = 0, by ascending
-// imaginary part; by the companion form.
+// Exponents s, 1/s, of the oscillating solutions exp(s t) of M x'' + C x' + K x = 0 with Im s > 0, in
+// ascending order of Im s, from the companion form.
 inline std::vector<std::complex<double>> oscillations(const Eigen::MatrixXd& K, const Eigen::MatrixXd& C,
                                                       const Eigen::MatrixXd& M) {
   const Eigen::Index n = K.rows();

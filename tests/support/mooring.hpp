@@ -1,4 +1,5 @@
-// A mooring line on a bed with friction, its fairlead on a ship that moves; how far two runs of it are apart.
+// A mooring line on a bed with friction, its fairlead on a ship in motion, and the difference between two
+// runs of it.
 #pragma once
 
 #include <algorithm>
@@ -7,12 +8,12 @@
 
 namespace hawser::test {
 
-// A chain of 835 m in 200 m of water; the fairlead is 795 m away.
+// A chain of 835 m in a water depth of 200 m; the fairlead is at 795 m from the anchor.
 inline model::Case moored_chain(const Vec3& from, int elements, double bed_stiffness, const Vec3& amplitude) {
   model::LineType t = cable_type(7.536e8, 113.35);
   t.outer_diameter = t.contact_diameter = 0.0766;
   model::Case c = one_line(t, 835, elements, anchor(from), {});
-  c.contact.between_lines.enabled = false;  // so that ranks cut it
+  c.contact.between_lines.enabled = false;  // so that the partition cuts the line
   c.environment.gravity = 9.80665;
   c.environment.water.present = true;
   c.environment.water.depth = 200;
@@ -42,14 +43,14 @@ inline model::Case moored_chain(const Vec3& from, int elements, double bed_stiff
   return c;
 }
 
-// Dynamics from the state that statics left.
+// Dynamics, starting from the result of statics.
 inline void run(Simulation& s, double until) {
   s.dynamics().start(s.state());
   s.dynamics().run(
       until, [until](double) { return until; }, [](const StepInfo&) { return true; });
 }
 
-// Expects that positions on all ranks are those of one that does it alone, to `most` [m].
+// Expects that the positions on all ranks equal those of a run on one rank, to `most` [m].
 inline void expect_same_positions(const Simulation& all, const Kinematics& a, const Kinematics& alone,
                                   double most, const char* when) {
   double off = 0;

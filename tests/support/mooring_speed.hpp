@@ -1,8 +1,8 @@
-// What a second of a mooring line or a riser costs: a studless chain ("chain") and a pipe of beams ("riser")
-// in 200 m of water, the upper end surging 2 m every 10 s, in CPU time and in numeric LU factorisations of
-// the same chain (3-blocks, one a node of a cable, two of a beam, natural order), so that it can be compared
-// across machines. Errors are of the upper end's extremes over 20 s to 100 s against converged ones, over the
-// largest tension.
+// Cost of a simulated second of a mooring line or a riser: a studless chain ("chain") and a pipe of beams
+// ("riser") in 200 m of water, the upper end surging 2 m every 10 s. The cost is given in CPU time and in
+// numeric LU factorisations of the same chain (3-blocks, one a node of a cable, two of a beam, natural
+// order), which can be compared across machines. Errors are those of the extremes at the upper end from 20 s
+// to 100 s against converged ones, relative to the largest tension.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,15 +17,15 @@
 
 namespace hawser::test::speed {
 
-// N.
+// All in N.
 struct Extremes {
   double least = 1e99, most = 0, anchor_least = 1e99, anchor_most = 0;
 };
-// Converged in element and step.
+// Converged in element length and time step.
 constexpr Extremes kChain = {1809.80e3, 2352.10e3, 1194.62e3, 1642.79e3};
 constexpr Extremes kRiser = {63.41e3, 70.16e3, 12.97e3, 16.90e3};
 
-// Water, bed, vessel and what is asked of dynamics. Newton's tolerance: 10 to the power of minus `digits`.
+// Water, bed, vessel and settings of dynamics. Newton's tolerance: 10 to the power of minus `digits`.
 inline model::Case surging(double step, int digits) {
   model::Case c;
   c.environment.water.present = true;
@@ -63,7 +63,7 @@ inline model::Line hung(const std::string& type, double length, int segments, co
   return l;
 }
 
-// Bed of 100 kN/m³ on the diameter, without friction; damping of a ratio of 1 a segment.
+// Bed stiffness of 100 kN/m³ on the diameter, no friction; a damping ratio of 1 for each segment.
 inline model::Case chains(int segments, int lines, double step, int digits) {
   model::Case c = surging(step, digits);
   model::LineType t;
@@ -85,7 +85,7 @@ inline model::Case chains(int segments, int lines, double step, int digits) {
   return c;
 }
 
-// Beams pinned at both ends; no damping but the water's.
+// Beams pinned at both ends; the only damping is that of the water.
 inline model::Case riser(int segments, double step, int digits) {
   model::Case c = surging(step, digits);
   model::LineType t;
@@ -104,7 +104,7 @@ inline model::Case riser(int segments, double step, int digits) {
   return c;
 }
 
-// s, of one numeric factorisation: the least of batches of 200.
+// Time of one numeric factorisation, s: the minimum over batches of 200.
 inline double factorisation(System& system, const State& s, int batches) {
   MatHandle J = system.create_matrix();
   Weights w;
@@ -132,12 +132,12 @@ inline double factorisation(System& system, const State& s, int batches) {
 }
 
 struct Cost {
-  double used = 0, one = 0;  // s: CPU a simulated second, a factorisation
+  double used = 0, one = 0;  // s: CPU time of a simulated second, time of a factorisation
   double steps = 0, iterations = 0;
   Extremes found;
 };
 
-// All of the 100 s, from the line at rest.
+// Simulates 100 s from the line at rest.
 inline Cost measure(const model::Case& c, int batches) {
   const std::size_t segments = static_cast<std::size_t>(c.lines[0].sections[0].elements);
   run::Simulation sim(PETSC_COMM_SELF, c);

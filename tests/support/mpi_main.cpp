@@ -1,7 +1,7 @@
-// main of every test program; --file=SUBJECT,... runs the tests of the files SUBJECT.*cpp. PETSc and MPI up
-// before the first test, quiet on ranks above 0, and a failure on any rank is a failure of the program.
-// testing::TempDir() is a new folder, the same on all ranks, that goes when the tests have ended; TEST_TMPDIR
-// names another, as to a program that a test starts.
+// main of every test program. --file=SUBJECT,... runs the tests of the files SUBJECT.*cpp. PETSc and MPI are
+// initialised before the first test; ranks above 0 do not print; a failure on any rank is a failure of the
+// program. testing::TempDir() is a new folder, the same on all ranks, which is removed when the tests have
+// ended; TEST_TMPDIR gives another folder, as for a program that a test starts.
 #include <gtest/gtest.h>
 #include <petscsys.h>
 
@@ -14,7 +14,7 @@
 
 namespace {
 
-// Only the tests of the source files with these subjects: "joints,events" for joints.np1_2_3.cpp and
+// Selects the tests of the source files with these subjects: "joints,events" selects joints.np1_2_3.cpp and
 // events.np1_2.cpp.
 void choose_files(const std::string& subjects) {
   const ::testing::UnitTest& all = *::testing::UnitTest::GetInstance();

@@ -1,4 +1,4 @@
-// Cases of one line built in code, for verification against numbers from elsewhere.
+// Cases of one line built in code, for verification against references from outside the program.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace hawser::test {
 
 using run::Simulation;
 
-// A beam type without weight worth speaking of; set what the case needs.
+// A beam type of negligible weight, from which a case sets further properties.
 inline model::LineType beam_type(double EA, double EI, double GJ, double mass = 1) {
   model::LineType t;
   t.name = "beam";
@@ -44,7 +44,7 @@ inline model::End clamp(const Vec3& at, const Vec3& direction) {
   return e;
 }
 
-// One line of one type in no gravity, A to B.
+// One line of one type from end A to end B, without gravity.
 inline model::Case one_line(const model::LineType& type, double length, int elements, const model::End& a,
                             const model::End& b) {
   model::Case c;

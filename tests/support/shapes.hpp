@@ -1,4 +1,4 @@
-// Meshes for tests, closed and outward, each with what is known of it in closed form. Lengths in m.
+// Closed, outward oriented meshes for tests, whose properties are known in closed form. Lengths in m.
 #pragma once
 
 #include <algorithm>
@@ -38,8 +38,8 @@ inline TriangleMesh tetrahedron_mesh() {
   return m;
 }
 
-// A polygon in the xy plane (anticlockwise), cut into convex pieces that are lists of its corners, drawn
-// out from z = 0 to z = height.
+// Prism over a polygon in the xy plane (anticlockwise), from z = 0 to z = height. The polygon is given as
+// convex pieces, which are lists of its corners.
 inline TriangleMesh prism_mesh(const std::vector<std::pair<double, double>>& polygon,
                                const std::vector<std::vector<int>>& pieces, double height) {
   TriangleMesh m;
@@ -59,28 +59,28 @@ inline TriangleMesh prism_mesh(const std::vector<std::pair<double, double>>& pol
   return m;
 }
 
-// [0,2]x[0,1] and [0,1]x[0,2], z in [0, 1].
+// L-shaped prism: [0,2]x[0,1] and [0,1]x[0,2], z in [0, 1].
 inline TriangleMesh l_prism_mesh() {
   return prism_mesh({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 1}},
                     {{0, 1, 4, 7}, {1, 2, 3, 4}, {7, 4, 5, 6}}, 1);
 }
 
-// A roller box: [0,3]x[0,2] without (1,2)x(1,2), z in [0, 4].
+// A box for a roller: [0,3]x[0,2] without (1,2)x(1,2), z in [0, 4].
 inline TriangleMesh u_channel_mesh() {
   return prism_mesh(
       {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 1}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 1}},
       {{0, 1, 8, 11}, {1, 2, 7, 8}, {2, 3, 4, 7}, {11, 8, 9, 10}, {7, 4, 5, 6}}, 4);
 }
 
-// The cube [0,3]^3 around the void (1,2)^3.
+// The cube [0,3]^3 without its inner part (1,2)^3.
 inline TriangleMesh hollow_cube_mesh() {
   TriangleMesh m = box_mesh(Vec3::Zero(), Vec3::Constant(3));
   append(m, box_mesh(Vec3::Constant(1), Vec3::Constant(2)), true);
   return m;
 }
 
-// A surface of revolution about the z axis: the profile (radius, z) goes up the outside, and starts and ends
-// on the axis (radius 0). `facets` facets around, corners at angles 2 pi k / facets.
+// A surface of revolution about the z axis. The profile (radius, z) runs upwards on the outside and starts
+// and ends on the axis (radius 0). `facets` facets around, corners at angles 2 pi k / facets.
 inline TriangleMesh revolution_mesh(const std::vector<std::pair<double, double>>& profile, int facets) {
   TriangleMesh m;
   const auto at = [&](std::size_t ring, int k) {
@@ -103,8 +103,8 @@ inline TriangleMesh revolution_mesh(const std::vector<std::pair<double, double>>
   return m;
 }
 
-// A closed cylinder about the z axis, z in [-length/2, length/2], with flat facets inscribed in `radius`
-// and `rings` rows of them.
+// A closed cylinder about the z axis, z in [-length/2, length/2], with flat facets inscribed in `radius` and
+// divided into `rings` rows.
 inline TriangleMesh drum_mesh(int facets, double radius, double length, int rings = 1) {
   std::vector<std::pair<double, double>> profile = {{0, -length / 2}};
   for (int i = 0; i <= rings; ++i)
@@ -113,7 +113,7 @@ inline TriangleMesh drum_mesh(int facets, double radius, double length, int ring
   return revolution_mesh(profile, facets);
 }
 
-// The same between two flanges; parts "flange" and "barrel".
+// The same cylinder between two flanges; parts "flange" and "barrel".
 inline TriangleMesh flanged_drum_mesh(int facets, double radius, double length, double flange_radius,
                                       double flange_thickness) {
   const double h = length / 2, o = h + flange_thickness;
@@ -139,7 +139,8 @@ inline TriangleMesh flanged_drum_mesh(int facets, double radius, double length, 
   return m;
 }
 
-// A sphere about the origin, from the octahedron, each edge halved `levels` times: 8 * 4^levels triangles.
+// A sphere about the origin, made from the octahedron by halving each edge `levels` times: 8 * 4^levels
+// triangles.
 inline TriangleMesh sphere_mesh(int levels, double radius = 1) {
   TriangleMesh m;
   m.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};

@@ -1,4 +1,5 @@
-// The tangent of a time step: its product with a direction against differences of the residual of a trial.
+// The tangent of a time step: its product with a direction against finite differences of the residual of a
+// trial.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace hawser::test {
 
 class StepTangent {
  public:
-  // A step h from `from`, for which the system is prepared, with the increments u of its unknowns.
+  // A step h from the state `from`, for which the system is prepared, with increments u of its unknowns.
   StepTangent(System& system, AlphaState from, double h, std::vector<double> u)
       : system_(system),
         from_(std::move(from)),
@@ -24,8 +25,8 @@ class StepTangent {
     linearise();
   }
 
-  // From the simulation's shape with velocities and increments by chance; these are of a size of `place` [m]
-  // and `angle` [rad].
+  // A step from the shape of the simulation with random velocities and increments. The increments have the
+  // size `place` [m] and `angle` [rad].
   static StepTangent by_chance(System& system, State& shape, double h, double place, double angle) {
     system.update_couplings(shape.at_start(h), h);
     system.update_ghosts(shape);
@@ -59,11 +60,11 @@ class StepTangent {
   void commit() { system_.commit(trial().after_step(h_)); }
   void prepare() {
     system_.prepare(from_.s.after_step(h_), h_);
-    linearise();  // what was committed may have changed the step
+    linearise();  // the preceding commit may have changed the step
   }
 
-  // Largest difference of J d and fourth-order differences of the residual, over the largest part of J d, on
-  // all ranks; e: of d, how far they go.
+  // Largest difference of J d and fourth-order differences of the residual, over the largest component of J
+  // d, on all ranks. The differences use the increments ±e d and ±2 e d.
   double error(const std::vector<double>& d, double e) {
     const auto Jd = multiply(system_, J_.get(), d), a = residual_at(e, d), b = residual_at(-e, d),
                p = residual_at(2 * e, d), q = residual_at(-2 * e, d);
@@ -75,7 +76,7 @@ class StepTangent {
     MPI_Allreduce(MPI_IN_PLACE, both, 2, MPI_DOUBLE, MPI_MAX, system_.comm());
     return both[0] / both[1];
   }
-  // The worst of some directions of this size.
+  // Largest error over several directions of this size.
   double worst(double length, double angle) {
     Trial t;
     t.length = length;

@@ -1,5 +1,5 @@
-// Lines that run through each other, and a force term that acts between whichever of their elements are near:
-// what candidates, ghosts and patterns are tested with.
+// Lines that cross each other, and a force term between any of their elements that are near each other: for
+// tests of candidates, ghosts and matrix patterns.
 #pragma once
 
 #include <random>
@@ -9,7 +9,8 @@
 
 namespace hawser::test {
 
-// Linear springs that push the middles of elements apart which are nearer than both radii.
+// Linear springs that push the midpoints of two elements apart when they are nearer than the sum of the
+// radii.
 class MiddleSprings final : public ForceTerm, public CouplesNodes, public LimitsSteps {
  public:
   MiddleSprings(MPI_Comm comm, const LocalMesh& mesh, double radius, double stiffness,
@@ -17,7 +18,7 @@ class MiddleSprings final : public ForceTerm, public CouplesNodes, public Limits
       : list(comm, mesh, ContactRadii({radius, radius}), std::move(settings)), mesh_(mesh), k_(stiffness) {}
 
   LineCandidates list;
-  // Steps longer than this [s] are refused in this interval of time.
+  // Steps longer than this [s] are rejected in this interval of time.
   double refuse = 1e30, refuse_from = 0, refuse_to = 0;
   int located = 0;
 
@@ -82,7 +83,7 @@ class MiddleSprings final : public ForceTerm, public CouplesNodes, public Limits
   double k_;
 };
 
-// Random walks of beams and cables in turn, in a room of 12 m.
+// Random walks, alternately of beams and cables, in a room of 12 m.
 inline model::Case tangle(int lines, int elements, double length = 1) {
   model::Case c;
   c.environment.gravity = 0;

@@ -1,5 +1,5 @@
-// Taylor tests of a System: residual against tangent through everything that lies between a term and the
-// matrix (retraction, weights, held components, ghosts).
+// Taylor tests of a System: residual against tangent, including everything between a term and the matrix
+// (retraction, weights, held components, ghosts).
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 
 namespace hawser::test {
 
-// A number in (-1, 1) that belongs to a node, a component and a purpose: the same on every rank.
+// A number in (-1, 1) for a node, a component and a purpose: the same on every rank.
 inline double noise(int node, int component, int purpose) {
   std::uint64_t z =
       static_cast<std::uint64_t>(node * 64 + component) * 1000003u + static_cast<std::uint64_t>(purpose);
@@ -36,7 +36,7 @@ struct Trial {
   State from, rates;  // rates: only v, w, a, alpha and the directors are used
   std::vector<double> u;
   double h = 0;
-  double length = 0.1, angle = 0.1;  // m, rad: size of the directions that are tried
+  double length = 0.1, angle = 0.1;  // m, rad: size of the test directions
 };
 
 inline State state_of(const LocalMesh& mesh, const Trial& t, double step = 0,
@@ -60,8 +60,8 @@ inline State state_of(const LocalMesh& mesh, const Trial& t, double step = 0,
   }
   retract(mesh, t.from, u.data(), s);
   if (s.directors.empty() || !direction) return s;
-  // What the integrator's weights leave of the directors' acceleration when they are taken one by one: with
-  // the weight of M director_weight times that of C it is that of a step.
+  // The part of the directors' acceleration that the integrator's weights do not contain when each is applied
+  // alone: if the weight of M is director_weight times that of C, the sum equals that of a step.
   State before = s;
   retract(mesh, t.from, t.u.data(), before);
   for (size_t i = 0; i < s.q.size(); ++i) {
@@ -72,7 +72,7 @@ inline State state_of(const LocalMesh& mesh, const Trial& t, double step = 0,
   return s;
 }
 
-// Rows of this rank's owned blocks.
+// Rows of the blocks that this rank owns.
 inline std::vector<double> rows(Vec v) {
   const PetscScalar* p = nullptr;
   PetscInt n = 0;
@@ -82,7 +82,7 @@ inline std::vector<double> rows(Vec v) {
   check(VecRestoreArrayRead(v, &p));
   return out;
 }
-// The state at the end of a step of h [s]; 0: in statics.
+// The state at the end of a step of h [s]; h = 0: in statics.
 inline Kinematics at_end(const State& s, double h) { return h > 0 ? s.after_step(h) : s.at_rest(); }
 inline std::vector<double> residual(System& system, const State& s, double h) {
   VecHandle r = system.create_vector();
@@ -95,7 +95,7 @@ inline MatHandle tangent(System& system, const Trial& t, const Weights& w) {
   return J;
 }
 
-// A direction, zero at held components (held = false) or at all others.
+// A direction that is zero at held components (held = false) or at all others (held = true).
 inline std::vector<double> direction(const System& system, const Trial& t, int purpose, bool held = false) {
   const LocalMesh& m = system.mesh();
   std::vector<double> d(3 * static_cast<size_t>(m.blocks()), 0);
@@ -124,11 +124,11 @@ inline std::vector<double> multiply(const System& system, Mat J, const std::vect
 struct Taylor {
   double error = 0;      // largest relative error of J d against fourth-order differences
   double order = 1e300;  // smallest order of the remainder
-  int orders = 0;        // how often there was a remainder to measure
+  int orders = 0;        // number of directions with a measurable remainder
 };
 
-// J d against (8 (f(e) - f(-e)) - (f(2e) - f(-2e))) / 12e, block by block, and the fall of
-// |f(e) - f - e J d|. One rank.
+// Compares J d with (8 (f(e) - f(-e)) - (f(2e) - f(-2e))) / 12e, block by block, and measures the order of
+// |f(e) - f - e J d| in e. On one rank.
 inline Taylor taylor(System& system, const Trial& t, const Weights& w, int directions = 4) {
   constexpr double e = 0.02;
   const LocalMesh& m = system.mesh();
@@ -157,18 +157,18 @@ inline Taylor taylor(System& system, const Trial& t, const Weights& w, int direc
         block += Jd[j] * Jd[j];
       }
       if (off == 0) continue;
-      // A block where hardly anything happens is measured against what happens elsewhere.
+      // For a block with a small change, the error is relative to the change of all others.
       out.error =
           std::max(out.error, std::sqrt(off) / std::max({std::sqrt(block), 1e-3 * largest, 1e-9 * size}));
     }
-    if (near < 1e-8 * e * largest + 1e-12 * size) continue;  // linear, up to round-off
+    if (near < 1e-8 * e * largest + 1e-12 * size) continue;  // linear to round-off
     out.order = std::min(out.order, std::log2(far / near));
     ++out.orders;
   }
   return out;
 }
 
-// All three tangents alone and together. Prints what was found.
+// Tests the three tangents one by one and together. Prints the errors.
 inline void expect_tangent(System& system, const Trial& t, const std::string& what) {
   struct Kind {
     const char* name;
@@ -185,7 +185,7 @@ inline void expect_tangent(System& system, const Trial& t, const std::string& wh
     if (r.orders) printf(", order %.2f", r.order);
     printf("\n");
   }
-  // Held components: rows and columns of the identity.
+  // Held components have rows and columns of the identity.
   const MatHandle J = tangent(system, t, {1, 3, 7, 0, 0});
   const auto d = direction(system, t, 7, true), Jd = multiply(system, J.get(), d);
   for (size_t i = 0; i < Jd.size(); ++i) EXPECT_EQ(Jd[i], d[i]) << what << ": held, row " << i;

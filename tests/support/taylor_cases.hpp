@@ -1,4 +1,4 @@
-// The models that show every force term in all its situations, for the term suite.
+// The models of the term suite: every force term in all its states.
 #pragma once
 
 #include <string>
@@ -21,9 +21,9 @@ inline const Mat3* suite_axes(bool turned) {
   return turned ? &axes : nullptr;
 }
 
-// Stiffnesses of one size, so that no part hides behind another.
+// Stiffnesses of similar size, so that no part is hidden by a larger one.
 inline void add_structure(SuiteModel& m, double beta, double GA, bool turned, bool tables = false) {
-  // Bent and stretched into their steep and their flat parts.
+  // The beams are bent and stretched into the steep and the flat parts of the curves.
   static const ResponseCurve tension(std::vector<ResponseCurve::Row>{{0.05, 15}, {0.2, 90}, {0.4, 120}},
                                      false);
   static const ResponseCurve moment(std::vector<ResponseCurve::Row>{{0.1, 5}, {0.3, 11}, {0.6, 13}}, true);
@@ -71,7 +71,7 @@ inline void add_mass(SuiteModel& m, const Placement& at, bool turned) {
       std::vector<LineMass::Load>{{at.rotation * Vec3(3, 0, 1), 2}, {at.rotation * Vec3(0, 5, 1), 0.5}}));
 }
 
-// The directors' accelerations as a step has them: near those of w and alpha, but not the same.
+// The directors' accelerations differ slightly from those of w and alpha, as in a step.
 inline void add_directors(SuiteModel& m, const Placement& at) {
   const LocalMesh& l = m.system->mesh();
   State& r = m.trial.rates;
@@ -121,7 +121,7 @@ inline std::vector<SuiteCase> structure_cases() {
       {"end springs", [](MPI_Comm comm, const Placement& at) {
          auto m = std::make_unique<SuiteModel>(comm, at);
          const LocalMesh& l = m->system->mesh();
-         // One to a body that turns, one nearly along its direction, one far from it.
+         // One beside a rotating body, one nearly along its direction, one far from it.
          const auto bodies = std::make_shared<const Bodies>(
              std::vector<RigidMotion>{{at.point({1, 2, 3}), log_so3(at.rotation * exp_so3({0.1, 0.2, 0.3})),
                                        SteadyLaw{Vec3::Zero(), at.rotation * Vec3(1, 2, -2), 0.4}}});
@@ -156,7 +156,7 @@ inline std::vector<SuiteCase> mass_and_load_cases() {
                      }});
   out.push_back({"point loads and masses", [](MPI_Comm comm, const Placement& at) {
                    auto m = held_model(comm, at);
-                   // Weight does not turn with the model.
+                   // The weight does not rotate with the model.
                    add_loads(*m, at, at.rotation.isApprox(Quat::Identity()));
                    m->system->prepare(at_end(m->trial.from, m->trial.h), m->trial.h);
                    return m;
@@ -164,9 +164,9 @@ inline std::vector<SuiteCase> mass_and_load_cases() {
   return out;
 }
 
-// A sea with its surface where the lines are (or far above them), a current that turns with the depth, and a
-// buoy. The sea is level: `at` may turn it about z only. Sections so thick that none comes to the edges of
-// what is half wet, where the second derivative is infinite.
+// A sea with its surface at the height of the lines (or far above them), a current whose direction varies
+// with depth, and a buoy. The sea is level: `at` may rotate it about z only. The sections are so thick that
+// none comes to the limits of the partly wet range, where the second derivative is infinite.
 inline void add_water(SuiteModel& m, const Placement& at, double surface, bool waves = false) {
   constexpr double radius = 2;
   const LocalMesh& l = m.system->mesh();

@@ -1,4 +1,4 @@
-// A model in all situations of contact: its nodes put on a surface, each in a state of its own.
+// A model in all states of contact: its nodes are on a surface, each in a different state.
 #pragma once
 
 #include <string>
@@ -17,14 +17,14 @@ struct SuiteCase {
   std::function<std::unique_ptr<SuiteModel>(MPI_Comm, const Placement&)> build;
 };
 
-// Places of contact. Nodes are put on the surface, each in a state of its own (kHistory), and one step of
-// history is laid down.
+// Surfaces of contact. Each node is placed on the surface in its own state (kHistory), after one step of
+// history.
 enum class ContactOn { plane, cylinder, face, edge, vertex, corner };
 inline constexpr double kContactRadius = 0.1, kNormalStiffness = 1e5;
 
 inline std::unique_ptr<SuiteModel> held_model(MPI_Comm comm, const Placement& at) {
   auto m = std::make_unique<SuiteModel>(comm, at);
-  // One position held by components, one rotation by a component: an end as dynamics has it.
+  // One position held by components and one rotation held by a component, as dynamics has them at an end.
   std::vector<TiedNode> s;
   const LocalMesh& l = m->system->mesh();
   for (int n = 0; n < l.nodes(); ++n)
@@ -39,7 +39,7 @@ inline std::unique_ptr<SuiteModel> held_model(MPI_Comm comm, const Placement& at
   return m;
 }
 
-// Of one piece, the floor z = 0 and the wall y = 0 beside it.
+// One mesh of the floor z = 0 and the wall y = 0 beside it.
 inline TriangleMesh floor_and_wall() {
   TriangleMesh m = test::prism_mesh({{-1, -1}, {0, -1}, {3, -1}, {3, 0}, {0, 0}, {0, 1}, {-1, 1}, {-1, 0}},
                                     {{0, 1, 4, 7}, {1, 2, 3, 4}, {7, 4, 5, 6}}, 9);
@@ -47,10 +47,11 @@ inline TriangleMesh floor_and_wall() {
   return m;
 }
 
-// A place over the surface, body axes: `gap` from it, moved by `slip` along it from where node g begins.
+// A point above the surface, body axes: at the distance `gap`, moved by `slip` along the surface from the
+// start of node g.
 inline Vec3 place(ContactOn on, int g, double gap, double slip) {
   const double d = kContactRadius + gap, k = g;
-  const double way = slip / d;  // rad, over an edge or a vertex
+  const double way = slip / d;  // rad, around an edge or a vertex
   switch (on) {
     case ContactOn::plane:
       return {0.4 * k + 0.8 * slip, -0.6 * slip, d};
@@ -64,7 +65,8 @@ inline Vec3 place(ContactOn on, int g, double gap, double slip) {
       const double angle = 0.7 + 0.03 * k + 0.6 * way;
       return Vec3(3, 0.3 + 0.3 * k + 0.8 * slip, 2) + d * Vec3(std::sin(angle), 0, std::cos(angle));
     }
-    // Floor z = 0 and wall y = 0 of one mesh: the farther from the one, the nearer to the other.
+    // Floor z = 0 and wall y = 0 of one mesh: a larger distance from the one is a smaller distance from the
+    // other.
     case ContactOn::corner:
       return {0.4 * k + 0.8 * slip, kContactRadius - gap - 4.3e-3, d};
     case ContactOn::vertex:
@@ -77,11 +79,11 @@ inline Vec3 place(ContactOn on, int g, double gap, double slip) {
 struct NodeHistory {
   double before, gap;  // m, at the start of the step and in the trial
   double slip;         // m, in the step
-  double speed;        // m/s, relative, of each component
+  double speed;        // m/s, relative velocity, each component
 };
 inline constexpr double mm = 1e-3;
-// By node: open, ramp and stick, full and stick, full and slip, ramp and slip, first touch and stick, first
-// touch and slip, leaves. The ramp is 1 mm wide on either side.
+// Per node: open; ramp and stick; full and stick; full and slip; ramp and slip; first touch and stick; first
+// touch and slip; separation. The ramp is 1 mm wide on either side.
 inline constexpr NodeHistory kHistory[8] = {
     {50 * mm, 30 * mm, 5 * mm, 0.1},  {-0.2 * mm, 0.3 * mm, 0.02 * mm, 0.02}, {-5 * mm, -6 * mm, 1 * mm, 0.1},
     {-5 * mm, -4 * mm, 20 * mm, 0.1}, {-0.3 * mm, 0.2 * mm, 5 * mm, 0.02},    {10 * mm, -4 * mm, 1 * mm, 0.1},
@@ -119,7 +121,7 @@ inline LineVolumeContact& add_contact(SuiteModel& m, const Placement& at, Contac
   LineVolumeContact& contact = *term;
   m.system->add(std::move(term));
 
-  // One step that ends where the trial's begins lays down history, then the trial's step is prepared.
+  // One step to the start of the trial makes the history; then the system is prepared for the trial.
   Trial& t = m.trial;
   const double t0 = t.from.time;
   const RigidPose p0 = bodies->pose(0, t0 - t.h), p1 = bodies->pose(0, t0), p2 = bodies->pose(0, t0 + t.h);

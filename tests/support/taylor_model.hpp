@@ -1,5 +1,5 @@
-// The model the term suite looks at: a line of three beams and one of three cables, strongly deformed, every
-// node with increments, velocities and accelerations of its own. The same on any number of ranks.
+// The model of the term suite: a line of three beams and one of three cables, strongly deformed. Every node
+// has its own increments, velocities and accelerations, the same on any number of ranks.
 #pragma once
 
 #include <functional>
@@ -50,8 +50,8 @@ struct SuiteModel {
     for (int n = 0; n < l.nodes(); ++n) {
       const size_t i = static_cast<size_t>(n);
       const int g = l.global[i];
-      // Line 0 along x, line 1 along a diagonal, nodes shifted by up to 0.15 m; rotations within half a
-      // radian of each other, then increments of up to a radian.
+      // Line 0 along x, line 1 along a diagonal, nodes shifted by up to 0.15 m; their rotations differ by up
+      // to half a radian, their increments are up to a radian.
       const Vec3 straight =
           g < 4 ? Vec3(1.25 * g, 0, 0) : Vec3(0.8 * (g - 4), 3 + 0.8 * (g - 4), 0.5 * (g - 4));
       trial.from.x[i] = at.point(straight + 0.15 * noise3(g, 1));
@@ -69,7 +69,7 @@ struct SuiteModel {
     trial.from.v = trial.rates.v;
     trial.from.w = trial.rates.w;
   }
-  // Where the trial takes node n (local).
+  // Position of node n (local) in the trial.
   Vec3 where(int n) const { return state_of(system->mesh(), trial).x[static_cast<size_t>(n)]; }
   // Moves local node n to `start` and its trial to `end` (space), with trial velocity v.
   void put(int n, const Vec3& start, const Vec3& end, const Vec3& v) {

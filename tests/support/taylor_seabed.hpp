@@ -1,4 +1,4 @@
-// The seabed and what lies in it, for the term suite.
+// The seabed, and lines on it and embedded in it, for the term suite.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@
 
 namespace hawser::test {
 
-// A seabed turned and moved with the model: curved in space, so that slope and curvature count. Distances are
-// those of the bed it is made of.
+// A seabed that is rotated and moved with the model. It is curved, so that slope and curvature affect the
+// result. Distances are those of the original bed.
 class PlacedSurface final : public Surface {
  public:
   PlacedSurface(std::shared_ptr<const Surface> bed, const Vec3& origin, const Quat& turn)
@@ -35,7 +35,7 @@ class PlacedSurface final : public Surface {
   Quat turn_;
 };
 
-// Hills and hollows of some metres: radii of curvature down to a few times the contact radius.
+// Hills and hollows of some metres. The radii of curvature go down to a few times the contact radius.
 inline std::shared_ptr<const HeightGrid> hilly() {
   std::vector<double> x, z;
   for (int i = 0; i <= 24; ++i) x.push_back(i - 8);
@@ -45,10 +45,10 @@ inline std::shared_ptr<const HeightGrid> hilly() {
   return std::make_shared<const HeightGrid>(x, x, z);
 }
 
-// A seabed under the nodes, sloping or of a grid, each node in its own situation (kHistory): with a spring or
-// a table, through whose bends and steep parts they go, or with suction, which holds those that rise; or in
-// the first stage of statics, with friction under a normal force that does not follow the trial; with points
-// half way along the elements as well, which come to be between their nodes' situations.
+// A seabed below the nodes, sloping or of a grid, each node in its own state (kHistory): with a spring; with
+// a table, in whose bends and steep parts the nodes are; with suction on the rising nodes; or in the first
+// stage of statics, with friction under a normal force that does not depend on the trial. Points half way
+// along the elements take states between those of the nodes.
 enum class Soil { spring, table, sticky, laid };
 inline BedContact& add_seabed(SuiteModel& m, const Placement& at, double axial, double lateral,
                               bool curved = false, Soil soil = Soil::spring, bool between = false) {
@@ -98,7 +98,7 @@ inline BedContact& add_seabed(SuiteModel& m, const Placement& at, double axial, 
   m.system->commit(at_end(t.from, t.h));
   if (soil == Soil::laid) {
     t.h = 0;
-    std::vector<Vec3> places = t.from.x;  // within the slip ellipse and beyond it
+    std::vector<Vec3> places = t.from.x;  // inside the slip ellipse and outside it
     for (int n = 0; n < l.nodes(); ++n)
       places[static_cast<size_t>(n)] -=
           2.5 * mm * (at.rotation * noise3(l.global[static_cast<size_t>(n)], 13));
@@ -126,7 +126,8 @@ inline std::vector<SuiteCase> seabed_cases() {
                add_seabed(*m, at, axial, lateral, curved, soil);
                return m;
              }});
-  // Some come to lie just where a table begins and suction lets go, which has no tangent: springs only.
+  // Some nodes come to the start of a table or to the release of suction, where there is no tangent: springs
+  // only.
   for (const auto& [axial, lateral, friction] :
        {std::tuple{0.0, 0.0, "smooth"}, {0.3, 0.3, "isotropic"}, {0.2, 0.5, "anisotropic"}})
     out.push_back({std::string("seabed, half way along too, ") + friction,
@@ -135,8 +136,8 @@ inline std::vector<SuiteCase> seabed_cases() {
                      add_seabed(*m, at, axial, lateral, false, Soil::spring, true);
                      return m;
                    }});
-  // Nodes that the soil holds, yields along, yields across, and yields to both ways, after a step that left
-  // some slip.
+  // Nodes at which the soil sticks, yields along, yields across, and yields in both directions, after a step
+  // that left some slip.
   out.push_back({"buried", [](MPI_Comm comm, const Placement& at) {
                    auto m = std::make_unique<SuiteModel>(comm, at);
                    const LocalMesh& l = m->system->mesh();

@@ -1,4 +1,5 @@
-// The term suite on one rank: tangents, repeatability, rotation with the model.
+// The term suite on one rank: tangents equal finite differences, `evaluate` is repeatable, and forces rotate
+// with the model.
 #include "support/taylor_cases.hpp"
 #include "terms/whole_model.hpp"
 
@@ -33,7 +34,8 @@ TEST(Suite, Tangents) {
   }
 }
 
-// The contact models are what they claim to be, node by node.
+// Each node has the state of contact that kHistory states: open or in contact, sticking or sliding, in the
+// ramp or beyond.
 void expect_situations(ContactOn on) {
   SuiteModel m;
   LineVolumeContact& contact = add_contact(m, {}, on, 0.3, 0.3);
@@ -93,13 +95,13 @@ TEST(Suite, EvaluatingLeavesNoTrace) {
       EXPECT_TRUE(equal) << c.name << what;
     };
     again(": twice");
-    // Elsewhere: near, and so far away that nothing touches.
+    // Other trials: one near, one so far away that there is no contact.
     for (const double far : {5.0, 1e4}) {
       const auto d = direction(system, t, 55);
       residual(system, state_of(mesh, t, far, &d, {1, 1, 1, 0, 0}), t.h);
     }
     again(": after trials elsewhere");
-    // A step that fails and is tried again, shorter and then as before.
+    // A step is rejected and tried again, first shorter and then as before.
     system.prepare(at_end(t.from, t.h), 0.4 * t.h);
     Trial shorter = t;
     shorter.h *= 0.4;
@@ -115,7 +117,7 @@ TEST(Suite, EvaluatingLeavesNoTrace) {
   }
 }
 
-// The same history for a system that tried, failed and tried again, and for one that took the step at once.
+// A system whose step was rejected and repeated has the same history as one whose step was accepted at once.
 TEST(Suite, RejectedStepsLeaveNoTraceInHistory) {
   for (const SuiteCase& c : all_cases()) {
     const auto a = c.build(PETSC_COMM_SELF, {}), b = c.build(PETSC_COMM_SELF, {});
@@ -133,17 +135,18 @@ TEST(Suite, RejectedStepsLeaveNoTraceInHistory) {
   }
 }
 
-// Forces turn with the model; moments, in material axes, stay. Energies stay.
+// Forces rotate with the model; moments, in material axes, do not change; energies do not change.
 TEST(Suite, TurnsWithTheModel) {
   const Placement at{exp_so3({0.9, -1.3, 0.7}), Vec3(2, -1, 3)};
   for (const SuiteCase& c : all_cases()) {
-    if (c.name == "point loads and masses" || c.name == "everything") continue;  // weight: see below
-    if (c.name.starts_with("water")) continue;                                   // level: see below
+    if (c.name == "point loads and masses" || c.name == "everything")
+      continue;                                 // weight: see LoadsTurnWithTheModel
+    if (c.name.starts_with("water")) continue;  // level sea: see WaterTurnsWithTheModelAboutTheVertical
     const auto m = c.build(PETSC_COMM_SELF, {}), turned = c.build(PETSC_COMM_SELF, at);
     m->system->tie({}, {});
     turned->system->tie({}, {});
     const auto [size, off] = turned_forces(*m, *turned, at.rotation);
-    // Contact: round-off of positions times stiffness.
+    // Contact: additional error of round-off of positions times stiffness.
     EXPECT_LT(off, 1e-12 * size + (c.name.starts_with("contact") || c.name.starts_with("seabed")
                                        ? 2e-14 * kNormalStiffness
                                        : 0))

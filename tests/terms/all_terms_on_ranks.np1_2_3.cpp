@@ -1,5 +1,5 @@
 // The term suite on several ranks: residual, tangent, norms, energy and history of every model equal those of
-// the same model on one rank, which every rank computes for itself.
+// the same model on one rank, which every rank computes by itself.
 #include "support/taylor_cases.hpp"
 
 namespace hawser::test::suite_ranks {
@@ -10,7 +10,7 @@ double sum(MPI_Comm comm, double x) {
   return x;
 }
 
-// The matrix's 3 x 3 block, row and column given as global blocks.
+// The 3 x 3 block of the matrix at a row and a column of global blocks.
 Mat3 block(Mat J, int row, int column) {
   const PetscInt r[3] = {3 * row, 3 * row + 1, 3 * row + 2},
                  c[3] = {3 * column, 3 * column + 1, 3 * column + 2};
@@ -20,7 +20,7 @@ Mat3 block(Mat J, int row, int column) {
 }
 
 struct Both {
-  std::unique_ptr<SuiteModel> all, one;  // over all ranks, here alone
+  std::unique_ptr<SuiteModel> all, one;  // on all ranks; on this rank alone
   explicit Both(const SuiteCase& c) : all(c.build(PETSC_COMM_WORLD, {})), one(c.build(PETSC_COMM_SELF, {})) {}
 };
 
@@ -116,8 +116,8 @@ TEST(SuiteRanks, EnergyAndHistory) {
           << c.name;
       const std::string name(all.terms()[t]->record_key());
       if (name == "structure" || name == "mass" || name == "hydrodynamics")
-        continue;            // a rank's sums, put on any of its nodes
-      if (name == "seabed")  // whose second kind they are
+        continue;            // the sums of a rank, stored at any of its nodes
+      if (name == "seabed")  // its sums have the second kind
         for (auto* records : {&mine, &whole})
           std::erase_if(*records, [](const CheckpointRecord& r) { return r.kind == 1; });
       EXPECT_EQ(sum(PETSC_COMM_WORLD, static_cast<double>(mine.size())), static_cast<double>(whole.size()))

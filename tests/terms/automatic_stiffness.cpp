@@ -1,3 +1,5 @@
+// Automatic contact stiffness of lines on volumes and on lines, against hand calculations of the penetration
+// under weight and tension.
 #include "hawser/terms/automatic_stiffness.hpp"
 
 #include <gtest/gtest.h>
@@ -10,13 +12,14 @@ namespace {
 using Bend = advice::StiffnessReason::Bend;
 
 TEST(ContactStiffness, Automatic) {
-  // A hose of 250 m, 273.4 kg/m, 0.85 m: its hanging tension bent to 1 m presses in by 0.5 % of its radius.
+  // A hose of 250 m, 273.4 kg/m, 0.85 m: the force of its hanging tension on a bend of 1 m radius has a
+  // penetration of 0.5 % of the hose radius.
   const double weight = 273.4 * 9.80665;
   StiffnessDemand d{0.425, weight, 250 * weight, 9.505e8, 0, 0, 0};
   const AutomaticStiffness a = automatic_contact_stiffness(d);
   EXPECT_NEAR(a.per_length * 0.005 * 0.425, weight * 251, 1e-6);
   EXPECT_TRUE(a.reason.has_weight);
-  // Round the drum of a reel, 1 cm allowed.
+  // On the drum of a reel, 1 cm allowed.
   model::Volume drum;
   drum.shape = CylinderShape{Vec3::Zero(), Vec3::UnitY(), 3.6};
   d.bend = bending_radius(drum, d.radius);
@@ -31,12 +34,12 @@ TEST(ContactStiffness, Automatic) {
   EXPECT_EQ(bending_radius(drum, d.radius), 10);
   drum.shape = BoxShape{};
   EXPECT_EQ(bending_radius(drum, d.radius), 0);
-  // 273.4 kg on 1e6 N/m.
+  // A mass of 273.4 kg on 1e6 N/m.
   EXPECT_NEAR(contact_period(1e6, 273.4), 0.10389, 1e-5);
 }
 
-// A pipe of 4 m, 200 x 10 mm: its weight of 1.84 kN bends it to no less than 2 sqrt(EI/T) = 111 m, on a mesh
-// as on a drum. Its EA matters only without weight.
+// A pipe of 4 m, 200 x 10 mm: its weight of 1.84 kN bends it to a radius of at least 2 sqrt(EI/T) = 111 m, on
+// a mesh and on a drum. EA determines the tension only if the pipe has no weight.
 TEST(ContactStiffness, OfAStiffPipe) {
   const double weight = 460, tension = 4 * weight;
   StiffnessDemand d{0.1, weight, tension, 1.256e9, 5.7e6, 0, 0};
@@ -52,8 +55,8 @@ TEST(ContactStiffness, OfAStiffPipe) {
               1.256e5 / (2 * std::sqrt(5.7e6 / 1.256e5)), 1e-6);
 }
 
-// By its weight a line is pressed in by 0.5 % of its radius, by 1 % of its EA bent to its radius by a
-// quarter.
+// The weight of a line gives a penetration of 0.5 % of its radius; 1 % of its EA, bent to its radius, gives a
+// penetration of a quarter of the radius.
 TEST(ContactStiffness, OfLinesOnLines) {
   const double r = 0.05, s = 0.25 * r;
   EXPECT_NEAR(stiffness_by_weight(60, r) * 0.005 * r, 60 * 9.80665, 1e-9);

@@ -1,5 +1,6 @@
-// Contact of bodies with bodies: exact tangents of what leads (balls, corners, edges, faces) on what it meets
-// (faces, edges, vertices, round things), open, in the ramp and beyond, with one body floating or both.
+// Contact between bodies: the tangents equal finite differences for leading parts (balls, corners, edges,
+// faces) on other parts (faces, edges, vertices, round primitives); open, in the ramp and beyond, with one or
+// both bodies floating.
 #include "hawser/terms/body_contact.hpp"
 
 #include "hawser/mesh/partition.hpp"
@@ -11,7 +12,7 @@ namespace {
 
 using model::StiffnessBasis;
 
-// The box that is met: its top is z = 0.45, an edge of it x = 0.5 there.
+// The box of the other body: its top is z = 0.45, one edge of the top is x = 0.5.
 const BoxShape kMet{{0, 0, 0}, {1, 1.2, 0.9}};
 const Vec3 kEdge(0.5, 0.1, 0.45), kVertex(0.5, 0.6, 0.45), kTop(0.1, -0.2, 0.45);
 constexpr double kGapSmoothing = 1e-3;
@@ -20,13 +21,13 @@ struct TouchCase {
   std::string name;
   Primitive shape, met = kMet;
   StiffnessBasis basis;
-  Quat turn = Quat::Identity();  // of the body that leads in the axes of the other
-  Vec3 at = Vec3::Zero();        // of its shape, body frame: what is nearest
-  double radius = 0;             // m, about it
-  Vec3 on = kTop;                // of the other, and which way is out there
+  Quat turn = Quat::Identity();  // of the leading body in the axes of the other
+  Vec3 at = Vec3::Zero();        // point of the leading shape that is nearest, body frame
+  double radius = 0;             // m, about this point
+  Vec3 on = kTop;                // point of the other body, and its outward direction
   Vec3 out = Vec3::UnitZ();
   StiffnessBasis met_basis = StiffnessBasis::per_area;
-  double slack = 2e-3;  // m, about as much deeper is it elsewhere
+  double slack = 2e-3;  // m, additional penetration elsewhere, about
 };
 
 Quat axes(const Vec3& x, const Vec3& y) {
@@ -41,9 +42,9 @@ std::vector<TouchCase> touch_cases() {
   const SphereShape ball{{0.1, 0.2, -0.1}, 0.3};
   const BoxShape box{{0.05, 0, 0.1}, {0.8, 1, 0.6}};
   const CapsuleShape bar{{-0.3, 0.1, 0}, {0.3, 0.1, 0}, 0.2};
-  const Vec3 low(-0.35, 0, -0.2);  // on an edge of `box`, which is along y
+  const Vec3 low(-0.35, 0, -0.2);  // on an edge of `box` that is along y
   const Vec3 over_edge = Vec3(0.8, 0, 0.6), across = Vec3(-0.6, 0.5, 0.8).normalized();
-  const Quat on_edge = minimal_rotation(Vec3(-1, 0, -1), -Vec3::UnitZ());  // stands on that edge
+  const Quat on_edge = minimal_rotation(Vec3(-1, 0, -1), -Vec3::UnitZ());  // the body stands on that edge
   const StiffnessBasis point = StiffnessBasis::per_point, length = StiffnessBasis::per_length,
                        area = StiffnessBasis::per_area;
   return {
@@ -107,7 +108,7 @@ struct BodyModel {
   BodyContact* contact = nullptr;
   Trial trial;
 
-  // gap [m] between the two in the trial; closing [m/s] as they come together.
+  // gap [m] between the two in the trial; closing: speed of approach [m/s].
   BodyModel(const TouchCase& what, double gap, bool floats, double closing,
             const model::Friction& friction = {}, double damping = 0.2) {
     const auto volume = [&](const char* body, const Primitive& shape, StiffnessBasis basis) {
@@ -183,7 +184,7 @@ struct BodyModel {
   }
 };
 
-// What the bodies do to each other has no sum and no moment.
+// The sum of the forces and the sum of the moments between the bodies are zero.
 void expect_momentum(const BodyModel& m, const State& s) {
   const LocalMesh& l = m.system->mesh();
   const std::vector<double> f = residual(*m.system, s, m.trial.h);
@@ -228,16 +229,16 @@ model::Friction friction(double coefficient, double mobilisation) {
   return f;
 }
 
-// Where the point that touches sticks and where it slides, from the first touch in the step and with the slip
-// that an accepted step left.
+// Tangents where the contact point sticks and where it slides, from the first touch in the step and with the
+// slip of an accepted step.
 TEST(BodyContact, TangentsWithFriction) {
   for (const TouchCase& c : touch_cases()) {
     for (const bool floats : {true, false})
       for (const auto& [law, name] :
            {std::pair(friction(0.4, 1), "sticks"), {friction(0.4, 1e-3), "slides"}}) {
         const std::string what = c.name + ", " + name + (floats ? ", two" : ", one");
-        // With damping the pieces of a face that are hardly pressed slide while others stick, and there is
-        // always one on the way from one to the other, where the force has a kink.
+        // With damping, the lightly loaded pieces of a face slide while others stick, and one of them is
+        // always between the two, where the force has a kink.
         const double damping = c.basis == StiffnessBasis::per_area && law.mobilisation_length == 1 ? 0 : 0.2;
         BodyModel m(c, -5e-3, floats, 0.1, law, damping), smooth(c, -5e-3, floats, 0.1, {}, damping);
         const State s = state_of(m.system->mesh(), m.trial);
@@ -251,7 +252,7 @@ TEST(BodyContact, TangentsWithFriction) {
         EXPECT_GT(change, 1e-3 * size) << what;
         if (floats) expect_momentum(m, s);
         expect_tangent(*m.system, m.trial, what + ", first touch");
-        // Between contact points of an edge the slip is interpolated; at them it has a kink.
+        // The slip of an edge is interpolated between its contact points, and has a kink at them.
         Trial before = m.trial;
         for (double& u : before.u) u *= 0.997;
         const State committed = state_of(m.system->mesh(), before);
@@ -262,7 +263,7 @@ TEST(BodyContact, TangentsWithFriction) {
   }
 }
 
-// The slip of what sticks is of the history: a restart knows it.
+// The slip of a sticking contact is in the checkpoint records: a restored model has the same slip.
 TEST(BodyContact, SlipIsKept) {
   for (const TouchCase& c : touch_cases()) {
     BodyModel first(c, -5e-3, true, 0.1, friction(0.4, 1)), second(c, -5e-3, true, 0.1, friction(0.4, 1));
@@ -277,7 +278,7 @@ TEST(BodyContact, SlipIsKept) {
   }
 }
 
-// The coefficient falls with the speed of sliding.
+// Tangents with a friction coefficient that decreases with the sliding speed.
 TEST(BodyContact, TangentsWithFrictionThatFalls) {
   model::Friction law = friction(0.4, 1e-3);
   law.axial_kinetic = law.lateral_kinetic = 0.2;
@@ -288,7 +289,8 @@ TEST(BodyContact, TangentsWithFrictionThatFalls) {
   }
 }
 
-// What corners and edges have met is of the history: a restart knows it.
+// The depth that corners and edges have reached is in the checkpoint records: a restored model has the same
+// value.
 TEST(BodyContact, WhatWasMetIsKept) {
   for (const TouchCase& c : touch_cases()) {
     if (c.name != "edge along a face") continue;
@@ -302,7 +304,7 @@ TEST(BodyContact, WhatWasMetIsKept) {
     EXPECT_EQ(apart.contact->save()[0].values.back(), 0);
     apart.contact->restore(kept);
     EXPECT_EQ(apart.contact->save()[0].values, kept[0].values);
-    // Clear of each other it is forgotten.
+    // The value is reset when the bodies are apart.
     apart.system->prepare(apart.trial.from.after_step(apart.trial.h), apart.trial.h);
     EXPECT_EQ(apart.contact->save()[0].values.back(), 0);
     return;

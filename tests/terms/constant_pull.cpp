@@ -1,4 +1,5 @@
-// The force term of docs/how-to/add-a-force-term.md: its tangent, its potential and its field.
+// The force term of docs/how-to/add-a-force-term.md: its tangent equals finite differences, its force is the
+// gradient of its potential, and its field has the expected values.
 #include "../docs/how-to/constant_pull.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Contact at the nodes: forces, work and energies by hand, history, candidates.
+// Contact at nodes: forces, work and energies against hand calculations; history through a checkpoint;
+// candidates.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 namespace hawser::test::contact_at_nodes_test {
 namespace {
 
-// Two cable nodes, one element of 1 m; the second is far from everything.
+// Two cable nodes, one element of 1 m; the second node is far from all surfaces.
 struct Model {
   Mesh mesh;
   LocalMesh local;
@@ -68,7 +69,7 @@ Vec3 node_field(const LineVolumeContact& term, const Kinematics& state, const st
   return Vec3::Constant(NAN);
 }
 
-// Force on a node in a trial, all of it and that of friction: of a copy that accepts it.
+// Total force and friction force on a node in a trial, from a copy of the term that accepts the trial.
 struct Force {
   Vec3 total, friction;
 };
@@ -77,7 +78,7 @@ Force force(LineVolumeContact term, const Kinematics& trial, size_t node) {
   return {node_field(term, trial, "contact_force", node), node_field(term, trial, "friction_force", node)};
 }
 
-// A node that rides on the turning body: what sticks stays stuck, whatever the body does.
+// A node moves with a rotating body: a sticking contact remains sticking for any motion of the body.
 TEST(ContactAtNodes, IsCarriedByItsBody) {
   Model m;
   const RigidMotion turning{{1, 2, 3}, {0.3, -0.2, 0.5}, SteadyLaw{{0.2, -0.1, 0.3}, {1, 2, -2}, 0.4}, 0};
@@ -104,11 +105,12 @@ TEST(ContactAtNodes, IsCarriedByItsBody) {
   EXPECT_NEAR(term.largest_penetration().depth, 0.01, 1e-12);
   EXPECT_EQ(term.largest_penetration().node, 0);
   EXPECT_EQ(term.active_count(), 1);
-  // Only friction and its body work here: the spring in the tangent plane took what the sideways push gave.
+  // Only friction and the body do work here: the tangential spring has taken the work of the sideways push.
   EXPECT_NEAR(term.energy(m.state.after_step(h)).friction, 0.5 * 4e4 * 9e-6, 1e-3);
 }
 
-// Pushed over a plane with given motion: work of the spring, of friction and of damping by hand.
+// The node moves over a plane along a given path: work of the spring, of friction and of damping against hand
+// calculations.
 TEST(ContactAtNodes, Energy) {
   Model m;
   ContactVolume v = volume(std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitZ()));
@@ -129,8 +131,8 @@ TEST(ContactAtNodes, Energy) {
   const Energy e = term.energy(m.state.after_step(h));
   EXPECT_NEAR(e.strain, k * (0.02 * 0.02 / 2 + 1e-6 / 6), 1e-9);
   EXPECT_NEAR(friction.y(), -0.3 * k * 0.02, 1e-9);
-  EXPECT_NEAR(e.damping, c * 1 * 0.02, 0.03 * c * 0.02);  // a ramp of 1 mm is a step of the test
-  const double elastic = 0.3 * k * 0.02 / 4e4;            // slip at which it slides
+  EXPECT_NEAR(e.damping, c * 1 * 0.02, 0.03 * c * 0.02);  // the ramp of 1 mm is one step of the test
+  const double elastic = 0.3 * k * 0.02 / 4e4;            // slip at which sliding begins
   EXPECT_NEAR(e.friction, 0.3 * k * 0.02 * (0.5 - elastic / 2), 0.01 * 300);
   EXPECT_EQ(e.work, 0);
   EXPECT_NEAR(term.largest_penetration().depth, 0.02, 1e-12);
@@ -154,7 +156,7 @@ TEST(ContactAtNodes, Energy) {
   }
 }
 
-// A plane that rises under a held node: all that it brings in is in the spring and the damper.
+// A plane rises under a held node: the work of the plane equals the energy in the spring and the damper.
 TEST(ContactAtNodes, WorkOfTheBody) {
   Model m;
   const RigidMotion rising({0, 0, 0}, {0, 0, 0}, SteadyLaw{{0.1, 0, 0.2}, {0, 0, 1}, 0}, 0);
@@ -212,18 +214,18 @@ TEST(ContactAtNodes, FrictionCanBeOffAndFarPairsAreNoCandidates) {
   m.state.x = {Vec3(0, 0, 6), Vec3(0, 0, 7)};
   term.prepare(m.state.at_start(0.01), 0.01);
   EXPECT_EQ(term.candidates(), 0);
-  m.state.v[1] = Vec3(0, 0, -200);  // comes down within two steps
+  m.state.v[1] = Vec3(0, 0, -200);  // will touch within two steps
   term.prepare(m.state.at_start(0.01), 0.01);
   EXPECT_EQ(term.candidates(), 1);
   m.state.x = {Vec3(0, 0, 2.09), Vec3(0, 0, 4)};
-  term.prepare(m.state.at_rest(), 0);  // statics: anything may move anywhere
+  term.prepare(m.state.at_rest(), 0);  // statics: any displacement is possible
   EXPECT_EQ(term.candidates(), 1);
   m.next = m.state;
   m.next.x[0] += Vec3(0, 1e-3, 0);
   m.next.x[1] = Vec3(0, 0, 2.08);
   EXPECT_GT(force(term, m.next.at_rest(), 0).friction.norm(), 1);
   EXPECT_NEAR(force(term, m.next.at_rest(), 1).total.z(), 2000, 1e-6);
-  m.next.x[1] = Vec3(0, 0, 4);  // away and back: the cached distance does not hide it
+  m.next.x[1] = Vec3(0, 0, 4);  // there and back: the cached distance does not hide the contact
   EXPECT_EQ(force(term, m.next.at_rest(), 1).total.z(), 0);
   m.next.x[1] = Vec3(0, 0, 2.07);
   EXPECT_NEAR(force(term, m.next.at_rest(), 1).total.z(), 3000, 1e-6);

@@ -1,5 +1,5 @@
-// What contact remembers of where a line was free changes nothing: whatever was tried before, forces, what is
-// kept and what limits a step are to the last bit those of a term that begins with what a checkpoint holds.
+// Cached clearances do not change results: after any trials, forces, records and step limits equal bit for
+// bit those of a term restored from a checkpoint.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -63,7 +63,7 @@ ContactVolume volume(std::shared_ptr<const Surface> surface, int body) {
   return v;
 }
 
-// Along x about the origin at a height z, tilted and waved a little.
+// A line along x about the origin at height z, slightly inclined and wavy.
 State line_at(double z, double time, double down) {
   State s(kElements + 1);
   s.time = time;
@@ -80,7 +80,7 @@ State line_at(double z, double time, double down) {
 struct Scene {
   std::string name;
   std::shared_ptr<const Surface> surface;
-  double lowest;  // m, of the line, which comes from 1.5 m above
+  double lowest;  // m, lowest height of the line, which starts 1.5 m higher
   bool moves = false;
 };
 
@@ -96,7 +96,7 @@ std::vector<Scene> scenes() {
   const TriangleMesh box = test::box_mesh(Vec3(-2, -2, -2), Vec3(2, 2, 0));
   const auto ball =
       std::make_shared<MeshSurface>(test::sphere_mesh(3, 2), std::vector<bool>(), MeshSurfaceOptions{true});
-  TriangleMesh channel = test::u_channel_mesh();  // its slit along x, as wide as the line
+  TriangleMesh channel = test::u_channel_mesh();  // its slit is along x and as wide as the line
   TriangleMesh wide = channel, wedge = channel;
   for (Vec3& v : channel.vertices) v = Vec3(v.z() - 2, 0.21 * (v.x() - 1.5), 0.5 * (v.y() - 1));
   for (Vec3& v : wide.vertices) v = Vec3(3 * (v.z() - 2), 0.6 * (v.x() - 1.5), 0.7 * v.y());
@@ -122,7 +122,8 @@ struct Outcome {
   std::vector<double> energies;
 };
 
-// Steps down to the surface and up again; in each, trials near and far before the one that is accepted.
+// The line moves down to the surface and up again; in each step, trials near and far precede the accepted
+// one.
 void go(const Scene& scene, bool beam, model::ContactMethod method) {
   const auto make = [method](const LocalMesh& l, auto bodies, const ContactVolume& v) {
     return LineVolumeContact(l, bodies, {v}, std::vector<LineContactElement>(kElements, {0.1, 50}),
@@ -196,7 +197,8 @@ TEST(ContactMemory, NeverShowsInGapSprings) {
   for (const Scene& scene : scenes()) go(scene, false, model::ContactMethod::gap);
 }
 
-// A line that comes down slowly asks where it is new, and then nothing of what it is far from.
+// A line that moves down slowly queries the surface in its first step, and then makes no queries where it is
+// far from the surface.
 TEST(ContactMemory, AsksLittle) {
   const auto counting = std::make_shared<Counting>(
       std::make_shared<MeshSurface>(test::sphere_mesh(3, 2), std::vector<bool>(), MeshSurfaceOptions{true}));

@@ -1,4 +1,5 @@
-// Two bodies with mass that a full matrix of mass and damping joins: their motion on any number of ranks.
+// Two bodies coupled by a full matrix of mass and damping: their motion on any number of ranks against an
+// integration by Runge and Kutta.
 #include <gtest/gtest.h>
 
 #include "hawser/base/mpi.hpp"
@@ -11,7 +12,7 @@ namespace {
 using Vec12 = Eigen::Matrix<double, 12, 1>;
 using Mat12 = Eigen::Matrix<double, 12, 12, Eigen::RowMajor>;
 
-// Positive definite, all entries different from 0.
+// Positive definite; no entry is 0.
 Mat12 made_up(double scale, int seed) {
   Mat12 G;
   for (int i = 0; i < 12; ++i)
@@ -59,7 +60,8 @@ Vec12 rates(const run::Simulation& s, const Kinematics& state) {
   return Eigen::Map<const Vec12>(all.data());
 }
 
-// So slow that gyroscopic moments do not show: (M + A) y' = -B y, by Runge and Kutta.
+// The motion is so slow that gyroscopic moments are negligible: (M + A) y' = -B y, integrated by Runge and
+// Kutta.
 TEST(CoupledBodies, AFullMatrixOfMassAndDamping) {
   model::Case c;
   for (const char* name : {"one", "other"}) {
@@ -105,7 +107,7 @@ TEST(CoupledBodies, AFullMatrixOfMassAndDamping) {
          y.norm(), start.norm(), (found - y).norm(), most);
   EXPECT_LT((found - y).norm(), 1e-4 * start.norm());
   EXPECT_LT(y.norm(), 0.7 * start.norm());
-  EXPECT_LE(most, 2);  // the equations are all but linear: the tangent has all of both matrices
+  EXPECT_LE(most, 2);  // the equations are nearly linear: the tangent contains both matrices in full
 }
 
 }  // namespace

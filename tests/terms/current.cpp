@@ -1,4 +1,4 @@
-// What a current that changes with time does to a line at rest.
+// Force of a time-varying current on a line at rest, against the closed form of the drag.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace hawser::current_test {
 namespace {
 
-// A cable of 2 m along x, deep in water that goes along y: the force on its first node [N].
+// A cable of 2 m along x, deep in water that flows along y: the force on its first node [N].
 double pull(double ramp, double time, double step) {
   Mesh mesh;
   mesh.add(Node{0, 0, 1, false});
@@ -53,7 +53,7 @@ double pull(double ramp, double time, double step) {
   return force;
 }
 
-// rho/2 Cd D U |U| times half the length: 300 N at 1 m/s.
+// rho/2 Cd D U |U| times half the length: 300 N at 1 m/s. The factor is that at the time of the trial.
 TEST(CurrentInTime, FactorIsThatOfTheTrial) {
   EXPECT_NEAR(pull(0, 0, 0), 300 * 0.25, 1e-9);  // statics: the first row
   EXPECT_NEAR(pull(0, 5, 0.1), 300 * 0.25, 1e-9);
@@ -61,7 +61,7 @@ TEST(CurrentInTime, FactorIsThatOfTheTrial) {
   EXPECT_NEAR(pull(0, 20, 0.1), 300 * 4, 1e-9);
   EXPECT_NEAR(pull(0, 36, 0.1), -300 * 0.4 * 0.4, 1e-9);
   EXPECT_NEAR(pull(0, 90, 0.1), -300, 1e-9);
-  EXPECT_EQ(pull(30, 0, 0), 0);  // the ramp goes beside it: half way at 15 s
+  EXPECT_EQ(pull(30, 0, 0), 0);  // the ramp multiplies the factor: half at 15 s
   EXPECT_NEAR(pull(30, 15, 0.1), 300 * std::pow(0.5 * 1.25, 2), 1e-9);
 }
 

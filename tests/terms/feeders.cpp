@@ -1,4 +1,5 @@
-// The tangent of a time step with feeders: by speed, by a tension that is kept exactly, by a dead band.
+// The tangent of a time step with feeders equals finite differences: controlled by speed, by an exact
+// constant tension, by a dead band.
 #include "hawser/terms/feeders.hpp"
 
 #include <optional>
@@ -52,7 +53,7 @@ model::Case fed(const model::Feed& a, const model::Feed& b, Kind kind) {
   return c;
 }
 
-// With two lines across it: one at the feed point of end A, one at the joint beside it.
+// Adds two crossing lines: one at the feed point of end A, one at the joint beside it.
 void cross(model::Case& c) {
   model::LineType t = c.line_types.front();
   t.name = "across";
@@ -125,8 +126,8 @@ struct Rig {
   }
 };
 
-// Across the middle of the element at the feed point of end A, 5 cm into the line where that has its length
-// L.
+// Across the middle of the element at the feed point of end A, with a penetration of 5 cm when this element
+// has the length L.
 struct Roller {
   static constexpr double kRadius = 0.3;  // m
   Vec3 middle, along;
@@ -157,7 +158,7 @@ struct Roller {
   }
 };
 
-// The lines across, pressed into the rope between its nodes 2 and 3 and at node 3.
+// The crossing lines, pressed into the rope between its nodes 2 and 3 and at node 3.
 void lay_across(State& s) {
   const Vec3 chord = s.x[3] - s.x[2], across = Vec3(-0.3, 1, 0.1).normalized(),
              away = chord.cross(across).normalized();
@@ -186,7 +187,7 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
   for (const model::Feed& a : {speed, exact, band}) cases.push_back({a, Kind::cable, On::lines});
   for (const model::Feed& a : {speed, band}) cases.push_back({a, Kind::beam, On::lines});
   for (model::Feed a : {speed, exact, band}) {
-    a.stock = 2.3;  // the element at the feed point is shorter than that of the mesh
+    a.stock = 2.3;  // the element at the feed point is shorter than the element of the mesh
     for (const Kind kind : {Kind::cable, Kind::beam}) cases.push_back({a, kind, On::roller});
   }
   for (const auto& [a, kind, on] : cases) {
@@ -201,7 +202,7 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
     from.s.resize(mesh.nodes());
     for (int n = 0; n < 10; ++n) {
       const size_t i = static_cast<size_t>(n);
-      // Nodes 0 to 2 are inside the one, 7 to 9 inside the other.
+      // Nodes 0 to 2 are inside the first volume, 7 to 9 inside the second.
       const double s = std::clamp(n - 2, 0, 5) / 5.0;
       from.s.x[i] = s * towards;
       if (beam) from.s.q[i] = along;
@@ -214,7 +215,7 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
       from.s.w[i] = noise3(n, 7);
       from.s.alpha[i] = 3 * noise3(n, 8);
     }
-    // So long that it pulls: the chord is beyond the unstretched length of 5 m.
+    // So long that the line is in tension: the chord is longer than the unstretched length of 5 m.
     for (Vec3& x : from.s.x) x *= 1.4;
     if (crossed) lay_across(from.s);
     for (Feeder& f : r.feeders->all()) {
@@ -240,7 +241,7 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
         d[i] = noise3(n, k < 3 ? 5 : 10)[k % 3];
       }
     StepTangent step(*r.system, from, h, u);
-    // Friction has kinks, and curves bend fast at a yield circle.
+    // Friction has kinks, and curves bend sharply at a yield circle.
     const double e = !smooth ? 1e-5 : kind == Kind::yields ? 2e-4 : 1e-3;
     const double error = step.error(d, e);
     EXPECT_LT(error, smooth ? 1e-8 : 1e-6)

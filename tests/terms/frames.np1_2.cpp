@@ -1,4 +1,5 @@
-// What hangs on bodies that move by their own equations, and what lies against them: the tangent of a step.
+// Lines and contact on bodies that move by their own equations: the tangent of a step equals finite
+// differences, and the forces balance.
 #include <gtest/gtest.h>
 
 #include "hawser/run/volumes.hpp"
@@ -27,8 +28,9 @@ model::Line line(const std::string& name, const std::string& type, double length
   return l;
 }
 
-// A body that beams are clamped to, turned to by a spring and pinned to, on which cables hang (one from it to
-// itself), against which a beam and a cable lie with friction; in a current, with a second body beyond.
+// A body with beams that are clamped, pinned and joined by a rotational spring to it, and with cables (one
+// from the body to itself); a beam and a cable in frictional contact with it; in a current, with a second
+// body beside it.
 model::Case carried(model::ContactMethod method) {
   model::Case c;
   c.environment.water.present = true;
@@ -80,7 +82,7 @@ model::Case carried(model::ContactMethod method) {
   c.lines.push_back(line("leg", "beam", 3, 2, anchor({8, 0, -5}), corner));
   c.lines.push_back(line("arm", "beam", 2, 2, arm, model::End{}));
   c.lines.push_back(line("stay", "cable", 3, 2, anchor({10.5, 0, -4}), corner));
-  // Ends that events let go: a cable tied to a beam, and one to another cable.
+  // Ends that events release: a cable tied to a beam, and one tied to another cable.
   c.joints.push_back({"link", {-8, 0, -5}, false});
   model::End link = corner;
   link.body = "link";
@@ -107,7 +109,7 @@ model::Case carried(model::ContactMethod method) {
   v.friction.axial = 0.3;
   v.friction.lateral = 0.2;
   v.friction.mobilisation_length = 0.02;
-  // A clamp that rides on the leg, out of its middle and turned.
+  // A clamp that is attached to the leg, off its middle and rotated.
   model::Body& clamp = c.bodies.emplace_back();
   clamp.name = "clamp";
   clamp.on = model::Ride{"leg", 1.5};
@@ -134,14 +136,14 @@ void expect_step_tangent(model::ContactMethod method) {
   const auto volumes = run::load_volumes(c);
   Simulation sim(PETSC_COMM_WORLD, c, run::surfaces(volumes));
   StepTangent step = StepTangent::by_chance(sim.system(), sim.state(), 0.02, 0.01, 0.05);
-  // What there is of contact is what is looked at.
+  // The number of contacts is counted after an accepted step.
   step.commit();
   int all = sim.contact()->active_count();
   MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPI_INT, MPI_SUM, PETSC_COMM_WORLD);
   EXPECT_GE(all, method == model::ContactMethod::line ? 5 : 3);
   sim.contact()->restore({});
   step.prepare();
-  // Dampers start and stop where touch begins, a kink that is always near.
+  // Dampers start and stop where contact begins; this kink is always near.
   const double worst = step.worst(1e-6, 1e-5);
   printf("step tangent with bodies: error %.1e, %d places touch\n", worst, all);
   EXPECT_LT(worst, 1e-6);
@@ -150,8 +152,8 @@ void expect_step_tangent(model::ContactMethod method) {
 TEST(Frames, TangentOfAStepAlongLines) { expect_step_tangent(model::ContactMethod::line); }
 TEST(Frames, TangentOfAStepAtNodes) { expect_step_tangent(model::ContactMethod::nodes); }
 
-// What lines and contact do to the bodies is the opposite of what they do to everything else: forces of all
-// nodes add up to those of weight and supports, before anything moves and afterwards.
+// Two free bodies joined by a rope, without external forces: their total momentum is constant, because the
+// forces of the rope on bodies and nodes are opposite.
 TEST(Frames, MomentumOfTwoBodiesOnALine) {
   model::Case c;
   c.environment.gravity = 0;
@@ -203,7 +205,7 @@ TEST(Frames, MomentumOfTwoBodiesOnALine) {
   printf("two bodies on a line: momentum kept to %.1e of %.1f kg m/s, accelerations up to %.0f m/s2\n", worst,
          start.norm(), pull);
   EXPECT_LT(worst, 1e-11 * start.norm());
-  EXPECT_GT(pull, 5);  // the line did pull
+  EXPECT_GT(pull, 5);  // the line was in tension
 }
 
 }  // namespace

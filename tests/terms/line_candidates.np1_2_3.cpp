@@ -1,5 +1,5 @@
-// Pairs of elements that may touch: none is missed, the same on any number of ranks, and what acts between
-// them too, at rest and in motion.
+// Candidate pairs of elements: no touching pair is missing from the list, and the list, the forces and the
+// motion are the same on any number of ranks, in statics and in dynamics.
 #include <algorithm>
 
 #include "hawser/mesh/partition.hpp"
@@ -11,7 +11,7 @@ namespace hawser::test::line_candidates {
 namespace {
 
 struct Model {
-  // places: that two ends share, given by their nodes.
+  // places: shared by two ends, given by the nodes of these ends.
   Model(MPI_Comm comm, const model::Case& c, double radius, double stiffness, CandidateSettings settings = {},
         std::vector<SharedPlace> places = {})
       : sim(comm, c), shared(comm, sim.local(), ContactRadii({radius, radius}), std::move(places), {}) {
@@ -39,7 +39,7 @@ long sum(long x) {
   return x;
 }
 
-// Points of an element's axis, Hermite's cubic where it bends.
+// Points on the axis of an element: Hermite's cubic for a beam.
 std::vector<Vec3> points(const Mesh& mesh, const State& s, int element) {
   const Element& e = mesh.element(static_cast<size_t>(element));
   const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
@@ -65,7 +65,8 @@ double nearest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return best;
 }
 
-// A step of a random motion, the same on every rank, that follows the prediction by the rates only roughly.
+// A step of a random motion, the same on every rank, which follows the prediction from the rates only
+// approximately.
 void move(const LocalMesh& l, State& s, int step, double h) {
   for (int n = 0; n < l.nodes(); ++n) {
     const size_t i = static_cast<size_t>(n);
@@ -85,13 +86,13 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
   CandidateSettings settings;
   settings.exclusion_diameters = 3;
   settings.excluded = {{4, 1}, {2, 2}};
-  const std::vector<SharedPlace> ends = {{{0}, {15}}};  // A of lines 0 and 1, far apart as they are
+  const std::vector<SharedPlace> ends = {{{0}, {15}}};  // ends A of lines 0 and 1, although far apart
   Model all(PETSC_COMM_WORLD, c, radius, 1, settings, ends),
       one(PETSC_COMM_SELF, c, radius, 1, settings, ends);
   State &a = all.sim.state(), &b = one.sim.state();
   const Mesh& mesh = one.sim.mesh();
   const LocalMesh& l = all.sim.local();
-  // Beams bent out of their chords.
+  // The axes of beams are bent away from their chords.
   for (auto [mesh_of, s] : {std::pair(&l, &a), std::pair(&one.sim.local(), &b)})
     for (int n = 0; n < mesh_of->nodes(); ++n)
       if (mesh_of->rotates(n))
@@ -116,7 +117,7 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
       ASSERT_EQ(held(all, static_cast<int>(n)), held(one, static_cast<int>(g)));
       held_ghosts += static_cast<int>(n) >= l.element_ghosts_end && held(one, static_cast<int>(g)) != 0;
     }
-    // The pairs of this rank are those of the whole of which it owns a node.
+    // The pairs of this rank are those pairs of the whole list of which it owns a node.
     auto list = one.pairs();
     const auto have = all.pairs();
     std::vector<std::pair<int, int>> expected;
@@ -132,7 +133,7 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
     EXPECT_EQ(sum(static_cast<long>(all.pairs(true).size())), static_cast<long>(list.size()));
     listed = std::max(listed, static_cast<long>(list.size()));
 
-    // The next step's end is covered, and whatever touches there is in the list.
+    // The end of the next step is covered: all touching pairs are in the list.
     move(l, a, step, h);
     move(one.sim.local(), b, step, h);
     const bool covered = all.sim.system().check_step(a.after_step(h)).accepted();
@@ -167,10 +168,10 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
   const long builds = all.springs->list.builds();
   EXPECT_EQ(builds, one.springs->list.builds());
   EXPECT_GT(builds, 3);
-  EXPECT_LT(builds, 40);  // a list serves several steps
+  EXPECT_LT(builds, 40);  // a list is valid for several steps
 }
 
-// Without skins and motion the list is as tight as it gets: bent axes are still all found.
+// Without skins and motion the list is the tightest possible: pairs of bent axes are still in it.
 TEST(LineCandidates, BentAxes) {
   const model::Case c = tangle(10, 14);
   CandidateSettings settings;
@@ -200,7 +201,8 @@ TEST(LineCandidates, BentAxes) {
   EXPECT_GT(touching, 100);
 }
 
-// Four lines in two bundles, listed in turn: without the pairs any two may go together.
+// Four lines in two bundles, alternately in the file: the partition puts the two lines of a bundle on one
+// rank, because the pairs of their nodes are couplings.
 TEST(LineCandidates, BundlesStayOnOneRank) {
   model::Case c = one_line(cable_type(1e6, 1), 10, 40, anchor({0, 0, 0}), anchor({10, 0, 0}));
   c.lines.resize(4, c.lines[0]);
@@ -221,7 +223,7 @@ TEST(LineCandidates, BundlesStayOnOneRank) {
   EXPECT_NE(owner[0], owner[41]);
 }
 
-// Two lines from one anchor: near it they are one line.
+// Two lines from one anchor: near it, the pairs of their elements are not contact pairs.
 TEST(LineCandidates, JoinedEnds) {
   model::Case c = one_line(cable_type(1e6, 1), 10, 20, anchor({0, 0, 0}), anchor({10, 0, 0}));
   c.lines.push_back(c.lines[0]);
@@ -237,7 +239,7 @@ TEST(LineCandidates, JoinedEnds) {
   };
   EXPECT_TRUE(has(apart, 0, 20));
   EXPECT_FALSE(has(joined, 0, 20));
-  EXPECT_TRUE(has(joined, 1, 21));  // 1 m apart by way of the anchor, more than two diameters
+  EXPECT_TRUE(has(joined, 1, 21));  // 1 m apart along the lines through the anchor, more than two diameters
 }
 
 TEST(LineCandidates, NothingToDoForOneStraightLine) {
@@ -249,8 +251,8 @@ TEST(LineCandidates, NothingToDoForOneStraightLine) {
   EXPECT_FALSE(m.sim.system().coupled());
 }
 
-// Two lines side by side that go sideways together: while they do they do not see each other. When the first
-// stops, still on its way, the second comes on: the list does not hold, or it has them.
+// Two parallel lines move sideways together, so their list has no pairs. When the first line stops within the
+// predicted path, the second reaches it: the list is rejected and the new list contains the pairs.
 TEST(LineCandidates, OneStopsTheNextComesOn) {
   model::Case c = one_line(cable_type(1e6, 1), 10, 10, anchor({0, 0, 0}), anchor({10, 0, 0}));
   c.lines.push_back(c.lines[0]);
@@ -267,7 +269,7 @@ TEST(LineCandidates, OneStopsTheNextComesOn) {
     EXPECT_EQ(sum(static_cast<long>(m.pairs().size())), 0);
     bool predicted = true;
     for (int step = 0; step < 2 && predicted; ++step) {
-      // After the first step it stands where it is.
+      // After the first step the first line does not move.
       for (size_t n = 0; n < s.x.size(); ++n) s.x[n].y() += stops && step > 0 && first(n) ? 0 : 0.4;
       s.time += h;
       predicted = m.sim.system().check_step(s.after_step(h)).accepted();
@@ -280,8 +282,8 @@ TEST(LineCandidates, OneStopsTheNextComesOn) {
   }
 }
 
-// The same where no time passes: statics takes both along to where its first step ends, and then the first
-// one back. Either is on the way that it went, but not at the same place of it.
+// The same in statics, where no time passes: the first step moves both lines to its end, then the first line
+// goes back. Both lines are on the predicted path, but at different places of it.
 TEST(LineCandidates, OneGoesBackInStatics) {
   model::Case c = one_line(cable_type(1e6, 1), 10, 10, anchor({0, 0, 0}), anchor({10, 0, 0}));
   c.lines.push_back(c.lines[0]);
@@ -299,7 +301,8 @@ TEST(LineCandidates, OneGoesBackInStatics) {
     system.update_couplings(straight_path(l, s, to, 1).at_rest(), 1 / CandidateSettings{}.steps);
     EXPECT_EQ(sum(static_cast<long>(m.pairs().size())), 0);
     EXPECT_TRUE(system.check_step(to.at_rest()).accepted());
-    // The next iteration starts there, or, if the step was refused, where it was: the list stays.
+    // The next iteration starts at this place or, if the step was rejected, at its old place: the list
+    // remains valid.
     const long builds = m.springs->list.builds();
     for (const State* at : {&to, &s, &to}) system.update_couplings(at->at_rest(), 0);
     EXPECT_EQ(m.springs->list.builds(), builds);
@@ -313,14 +316,14 @@ TEST(LineCandidates, OneGoesBackInStatics) {
   }
 }
 
-// A line swung about its end in few steps a turn: its way bends out of the skin in one step, and the list for
-// it holds all the same.
+// A line rotates about its end with few steps in a turn: its curved path leaves the skin within one step, and
+// its list is still valid.
 TEST(LineCandidates, WayThatBends) {
   const model::Case c = one_line(beam_type(1e6, 1, 1, 1), 10, 10, clamp(Vec3::Zero(), Vec3::UnitX()), {});
   Model m(PETSC_COMM_WORLD, c, 0.02, 1);
   State& s = m.sim.state();
   const LocalMesh& l = m.sim.local();
-  const double rate = 6, h = 0.04;  // a quarter of a radian a step
+  const double rate = 6, h = 0.04;  // a quarter of a radian in a step
   const auto turn = [&](double t) {
     const Quat q = exp_so3(rate * t * Vec3::UnitZ());
     for (size_t n = 0; n < s.x.size(); ++n) {
@@ -342,7 +345,7 @@ TEST(LineCandidates, WayThatBends) {
   }
 }
 
-// Forces and the tangent's product with a vector.
+// Forces, and the product of the tangent with a vector, equal those on one rank.
 TEST(LineCandidates, ResidualAndTangent) {
   const model::Case c = tangle(6, 12);
   Model all(PETSC_COMM_WORLD, c, 0.6, 100), one(PETSC_COMM_SELF, c, 0.6, 100);
@@ -397,7 +400,7 @@ TEST(LineCandidates, ResidualAndTangent) {
     }
 }
 
-// Where the nodes are, against one rank.
+// Compares node positions with those on one rank.
 void expect_same(Model& all, const State& a, const State& b, double tolerance) {
   const LocalMesh& l = all.sim.local();
   double worst = 0;
@@ -406,7 +409,7 @@ void expect_same(Model& all, const State& a, const State& b, double tolerance) {
   EXPECT_LT(worst, tolerance);
 }
 
-// A bundle of lines thrown across another: pairs come and go, and some steps are refused.
+// A bundle of lines is thrown across another: pairs appear and disappear, and some steps are rejected.
 model::Case two_bundles() {
   model::Case c = tangle(0, 0);
   for (int i = 0; i < 6; ++i) {
@@ -462,7 +465,7 @@ TEST(LineCandidates, DynamicsWithARefusedStep) {
   expect_same(all, all.sim.dynamics().committed().s, one.sim.dynamics().committed().s, 1e-9);
 }
 
-// The upper bundle sags onto the lower, and both hang.
+// The upper bundle comes to rest on the lower bundle, and both hang.
 TEST(LineCandidates, Statics) {
   model::Case c = two_bundles();
   c.environment.gravity = 9.81;

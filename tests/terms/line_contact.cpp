@@ -1,5 +1,5 @@
-// Contact along elements: exact tangents in every situation, repeatable, turns with the model, energies
-// close.
+// Contact along elements: tangents equal finite differences in every state, `evaluate` is repeatable, forces
+// rotate with the model, and the energies balance.
 #include "terms/line_contact_cases.hpp"
 #include "terms/whole_model.hpp"
 
@@ -27,7 +27,7 @@ std::vector<double> node_field(const LineVolumeContact& contact, const Kinematic
   return {};
 }
 
-// The cases are what they claim to be: open and in touch, in the ramp and beyond, stuck and sliding.
+// The cases cover the intended states: open and in contact, in the ramp and beyond, sticking and sliding.
 TEST(LineContact, Situations) {
   for (const LineCase& c : line_cases()) {
     LineModel m(c);
@@ -47,7 +47,7 @@ TEST(LineContact, Situations) {
     }
     int ramp = 0, full = 0, sliding = 0, stuck = 0, moving = 0;
     for (const CheckpointRecord& r : records) {
-      if (r.kind != 0 || r.key % 2 != 0) continue;  // once an element
+      if (r.kind != 0 || r.key % 2 != 0) continue;  // once for each element
       for (size_t i = 0; i < r.values.size(); i += size) {
         const double gap = r.values[i + gap_at], normal = r.values[i + normal_at];
         const Vec3 friction = Eigen::Map<const Vec3>(r.values.data() + i + friction_at);
@@ -76,7 +76,7 @@ TEST(LineContact, EvaluatingLeavesNoTrace) {
     const State here = state_of(mesh, t);
     const auto f = residual(system, here, t.h);
     const MatHandle J = tangent(system, t, {1, 3, 7, 0, 0});
-    // The last as a Newton iteration that diverges leaves it: rounding there is larger than the model.
+    // The last is like a diverging Newton iteration: its rounding error is larger than the model.
     for (const double far : {5.0, 1e4, 1e24})
       for (int k = 0; k < 12; ++k) {
         const auto d = direction(system, t, 55 + k);
@@ -105,7 +105,7 @@ TEST(LineContact, TurnsWithTheModel) {
   const Placement at{exp_so3({0.9, -1.3, 0.7}), Vec3(2, -1, 3)};
   for (const LineCase& c : line_cases()) {
     LineModel m(c), turned(c, PETSC_COMM_SELF, at);
-    // Rotations of the nodes are given in space: the turned model's are turned too.
+    // Rotations of the nodes are given in space, so those of the turned model are turned too.
     const double size = expect_turned(m, turned, at.rotation, 1e-10, c.name);
     EXPECT_GT(size, 5) << c.name;
   }
@@ -135,7 +135,8 @@ TEST(LineContact, HistoryGoesThroughACheckpoint) {
   }
 }
 
-// Force of an element that lies on a plane, by hand; shared out half and half; work of a plane that rises.
+// Force on an element that lies on a plane, against a hand calculation; equal shares of its two nodes; work
+// of a rising plane.
 TEST(LineContact, OneElementOnARisingPlane) {
   Mesh mesh;
   mesh.add(Node{0, 0, 1, false});
@@ -172,7 +173,7 @@ TEST(LineContact, OneElementOnARisingPlane) {
     EXPECT_NEAR(normal[0], force / 2, 1e-9 * force);
     EXPECT_NEAR(normal[1], force / 2, 1e-9 * force);
     const auto friction = node_field(term, at, "friction_force", 2);
-    // Carried along by 10 mm from the touch on, 0.4 of the normal stiffness.
+    // Carried along by 10 mm since the first touch, tangential stiffness 0.4 of the normal stiffness.
     EXPECT_NEAR(friction[0], 0.4 * force / 2 * (0.010 / 0.020), 0.005 * force);
     EXPECT_NEAR(node_field(term, at, "penetration", 2)[1], 0.02, 1e-12);
     term.enable_friction(false);
@@ -182,7 +183,8 @@ TEST(LineContact, OneElementOnARisingPlane) {
   }
 }
 
-// Steps end where something would be met too deep, follow an impact and leave what is laid down slowly alone.
+// The step limit ends a step before a penetration becomes too large, resolves an impact in time, and does not
+// affect a line that is laid down slowly.
 TEST(LineContact, StepsFollowImpacts) {
   Mesh mesh;
   mesh.add(Node{0, 0, 1, false});
@@ -218,20 +220,21 @@ TEST(LineContact, StepsFollowImpacts) {
   };
   EXPECT_EQ(longest(0.2, 0), infinite);
   EXPECT_EQ(longest(0.2, -1), infinite);
-  EXPECT_NEAR(longest(0.2, 0.5, 0.1), 0.2 / 0.5, 2e-4);  // to the touch
+  EXPECT_NEAR(longest(0.2, 0.5, 0.1), 0.2 / 0.5, 2e-4);  // up to the first touch
   EXPECT_NEAR(longest(0.2, 10), 0.2 / 10, 1e-5);
-  EXPECT_NEAR(longest(1e-4, 10), 0.05 / 10, 1e-4);  // it is there: half a radius deep at most
+  EXPECT_NEAR(longest(1e-4, 10), 0.05 / 10, 1e-4);  // in contact almost at once: at most half a radius deep
   EXPECT_NEAR(longest(-0.01, 0.5), followed, 1e-6);
-  EXPECT_NEAR(longest(-0.002, -0.5), 0.002 / 0.5, 2e-5);  // on its way out: to the end
+  EXPECT_NEAR(longest(-0.002, -0.5), 0.002 / 0.5, 2e-5);  // separates: up to the end of contact
   EXPECT_NEAR(longest(-0.005, -0.5), 0.005 / 0.5 / 2, 2e-5);
-  // 0.04 m/s goes 0.9 mm deep, less than the ramp.
+  // A speed of 0.04 m/s gives a penetration of 0.9 mm, less than the ramp.
   EXPECT_NEAR(longest(0.2, 0.04), (0.2 + 0.05) / 0.04, 1e-12);
   EXPECT_NEAR(longest(-0.01, 0.04), 0.05 / 0.04, 1e-12);
-  // At the turning point there is no speed. 1 m/s² is 0.5 mm from the balance, 3 m/s² 1.5 mm.
+  // At the turning point the speed is zero. 1 m/s² is 0.5 mm from equilibrium, 3 m/s² 1.5 mm.
   EXPECT_EQ(longest(-0.01, 0, 0, 1), infinite);
   EXPECT_NEAR(longest(-0.01, 0, 0, 3), followed, 1e-6);
   EXPECT_NEAR(longest(-0.01, 0, 0, -3), followed, 1e-6);
-  // Between impacts it shakes as fast, whichever way it goes; the way to the touch may be longer.
+  // Between impacts the vibration has the same frequency in both directions; the time to the next touch may
+  // be longer.
   EXPECT_NEAR(longest(0.2, -0.5, 0, 3), followed, 1e-6);
   EXPECT_GT(longest(0.2, 0.5, 0, 3), followed);
 }

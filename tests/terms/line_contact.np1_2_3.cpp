@@ -1,5 +1,5 @@
 // Contact along elements on several ranks: residual, tangent, energy and history of every case equal those on
-// one rank, which every rank computes for itself.
+// one rank, which every rank computes by itself.
 #include "terms/line_contact_cases.hpp"
 #include "terms/whole_model.hpp"
 
@@ -24,7 +24,7 @@ TEST(LineContactRanks, SameAsOnOne) {
                               }))
           << c.name << ", node " << r.node << ", key " << r.key;
 
-    // Each rank goes on from the records of its own nodes.
+    // Each rank continues from the records of its own nodes.
     LineModel again(c, PETSC_COMM_WORLD);
     std::vector<CheckpointRecord> records;
     for (const CheckpointRecord& r : whole)

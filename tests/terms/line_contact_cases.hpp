@@ -1,5 +1,5 @@
 // Models of contact along elements: a line of three beams and one of three cables beside each other over a
-// surface that moves, each element in a situation of its own, with one step of history.
+// moving surface, each element in its own state, with one step of history.
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ struct LineCase {
   std::string name;
   Under on;
   double axial = 0, lateral = 0;
-  bool far = false;  // slides in the step instead of sticking
+  bool far = false;  // slides in the step (does not stick)
   bool rolling = false;
 };
 
@@ -46,12 +46,12 @@ inline std::vector<LineCase> line_cases() {
 
 inline constexpr double kLineRadius = 0.1, kLineStiffness = 1e5;  // m, N/m²
 
-// Node g in body axes with a gap [m] under it, moved along by `slip`, and its rotation.
+// Position of node g in body axes at a gap [m] from the surface, moved along by `slip`, and its rotation.
 inline void place_node(Under on, int g, double gap, double slip, Vec3& x, Quat& q) {
   const double k = g % 4, side = g < 4 ? 0 : 1.5;
   x = {1.2 * k + slip, side + 0.7 * slip, kLineRadius + gap};
   q = exp_so3(Vec3(0.2, 2e-3 * noise(g, 0, 1), 3e-3 * noise(g, 1, 1)));
-  // The farther from the floor, the nearer to the wall beside it: at y = -0.1 and 1.6.
+  // A larger distance from the floor is a smaller distance from the wall beside it: at y = -0.1 and 1.6.
   if (on == Under::corner) x.y() = g < 4 ? -gap - 4.5e-3 : 1.5 + gap + 2.4e-3;
   if (on == Under::drum) {  // about y, radius 5
     const double r = 5 + x.z(), angle = x.x() / 5.1;
@@ -60,8 +60,8 @@ inline void place_node(Under on, int g, double gap, double slip, Vec3& x, Quat& 
   }
 }
 
-// Gaps of the nodes of a line at the start of the step and in the trial, mm. On the plane: the first element
-// parts, the second lies, the third comes down; the ramp is 1 mm on either side.
+// Gaps of the nodes of a line at the start of the step and in the trial, mm. On the plane the first element
+// separates, the second stays in contact, the third comes into contact; the ramp is 1 mm on either side.
 struct Gaps {
   double before[4], trial[4];
 };
@@ -71,16 +71,16 @@ inline Gaps gaps(Under on) {
     case Under::drum:
     case Under::corner:
       return {{-2, -5, -5, 8}, {3, -6, -4, -3}};
-    case Under::roller:  // below the middle of the second element: it is 5 mm deep there
+    case Under::roller:  // below the middle of the second element, which penetrates by 5 mm
     case Under::vertex:
       return {{-5, -5.5, -4.5, -5}, {-6, -5.2, -4.4, -3}};
-    case Under::edge:  // at x = 1.8 the box ends
+    case Under::edge:  // the box ends at x = 1.8
       return {{4, -4, -6, -30}, {6, -3.5, -7, -35}};
   }
   return {};
 }
 
-// A channel along x, of one piece: a floor at z = 0 between walls at y = left and y = right.
+// One mesh of a channel along x: a floor at z = 0 between walls at y = left and y = right.
 inline TriangleMesh channel_mesh(double left, double right) {
   TriangleMesh m =
       test::prism_mesh({{left - 1, -1},
@@ -100,7 +100,7 @@ inline TriangleMesh channel_mesh(double left, double right) {
   return m;
 }
 
-// Of one piece, two pyramids side by side with their points below the lines, at z = 0.
+// One mesh of two pyramids side by side, their apexes below the lines at z = 0.
 inline TriangleMesh pyramids_mesh() {
   TriangleMesh m;
   for (const double y : {-1.0, 0.75, 2.5})

@@ -1,5 +1,5 @@
-// Contact of lines with lines: exact tangents in every situation, repeatable, turns with the model, no force
-// or moment on the whole, history through a checkpoint.
+// Contact between lines: tangents equal finite differences in every state, `evaluate` is repeatable, forces
+// rotate with the model and sum to zero, and the history is restored from a checkpoint.
 #include "terms/line_pairs_cases.hpp"
 #include "terms/whole_model.hpp"
 
@@ -54,8 +54,9 @@ TEST(LinePairs, TurnsWithTheModel) {
   }
 }
 
-// Whatever they do to each other, lines do nothing to the whole. Cables have no sections that could carry the
-// moment of friction, so of that the whole of two beams is looked at in tests/unit/line_pair.cpp.
+// The forces between lines sum to zero. Cables have no sections that could carry the moment of friction, so
+// moments are checked here without friction only; tests/unit/line_pair.cpp checks those of two beams with
+// friction.
 TEST(LinePairs, ForcesBalance) {
   for (const PairCase& c : pair_cases()) {
     PairModel m(c);
@@ -103,8 +104,8 @@ TEST(LinePairs, HistoryGoesThroughACheckpoint) {
   }
 }
 
-// Lines pressed in by 0.4 of their radii that a step takes through each other: what is proposed names them,
-// and the pair where it has settings of its own.
+// Lines with a penetration of 0.4 of their radii that pass through each other in a step: the advice names the
+// lines, and the pair if the pair has settings of its own.
 TEST(LinePairs, AdviceNamesTheLines) {
   for (const bool tuned : {false, true}) {
     PairModel m({.name = "through", .angle = 1.3, .gap = -0.35, .before = -0.08, .tuned = tuned});

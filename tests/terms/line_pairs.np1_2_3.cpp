@@ -1,5 +1,5 @@
-// Contact of lines with lines on several ranks: residual, energy, history and what goes on from it equal
-// those on one rank, which every rank computes for itself.
+// Contact between lines on several ranks: residual, energy, history and the motion after a restart equal
+// those on one rank, which every rank computes by itself.
 #include "terms/line_pairs_cases.hpp"
 #include "terms/whole_model.hpp"
 
@@ -13,7 +13,7 @@ TEST(LinePairsRanks, SameAsOnOne) {
         expect_same_on_ranks(all, one, {&Energy::strain, &Energy::friction, &Energy::damping}, 1e-12, c.name);
     EXPECT_NEAR(over_ranks(all.contact->normal_force()), one.contact->normal_force(), 1e-12 * size) << c.name;
 
-    // Each rank goes on from the records of its own nodes.
+    // Each rank continues from the records of its own nodes.
     const LocalMesh& a = all.system->mesh();
     const double h = one.trial.h;
     const State end_a = state_of(a, all.trial);
@@ -24,7 +24,7 @@ TEST(LinePairsRanks, SameAsOnOne) {
       if (std::find(a.global.begin(), a.global.begin() + a.owned, r.node) != a.global.begin() + a.owned)
         records.push_back(r);
     again.contact->restore(records);
-    // Who sees whom may be others after a long step: the state gets their nodes too.
+    // The pairs may change after a long step, so their nodes are added to the state.
     const auto goes_on = [&](PairModel& m) {
       State end = end_a;
       if (m.system->update_couplings(end.after_step(h), h) == CouplingChange::layout_changed)

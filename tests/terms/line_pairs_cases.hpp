@@ -1,5 +1,5 @@
-// Models of contact between lines: the suite's two lines, one of three beams and one of three cables, cross
-// or lie on each other, with one step of history.
+// Models of contact between lines: the two lines of the suite, one of three beams and one of three cables,
+// cross each other or lie on each other, with one step of history.
 #pragma once
 
 #include <fmt/format.h>
@@ -16,13 +16,13 @@ namespace hawser::test {
 struct PairCase {
   std::string name;
   double angle = 0;   // between the lines
-  double gap = 0;     // m, of the surfaces in the trial
-  double before = 0;  // m, of the surfaces at the start of the step
+  double gap = 0;     // m, between the surfaces in the trial
+  double before = 0;  // m, between the surfaces at the start of the step
   double slip = 0;    // m, of the first line in the step
   double friction = 0;
-  double shift = 0;                         // m, along the second line, of where they cross
+  double shift = 0;                         // m, of the crossing point along the second line
   double radius = 0.1, other_radius = 0.1;  // m, of the first line and of the second
-  bool tuned = false;                       // the law is that of the pair, not of all
+  bool tuned = false;                       // the law belongs to the pair, not to all pairs
   double reach() const { return radius + other_radius; }
 };
 
@@ -40,7 +40,7 @@ inline std::vector<PairCase> pair_cases() {
       out.push_back({what + ", at a joint", angle, -5e-3, -5e-3, 1e-4, friction, 0.604});
       out.push_back({what + ", at an end", angle, -5e-3, -5e-3, 1e-4, friction, 1.795});
       if (friction == 0) continue;
-      // Unequal parts for the two sides, and all of it for the thinner line.
+      // Unequal shares of the two sides, and all of the force on the thinner line.
       for (const auto& [first, second] : {std::pair{0.1, 0.125}, {0.03, 0.12}, {0.12, 0.03}}) {
         const std::string radii = fmt::format(", radii {} and {}", first, second);
         out.push_back({what + ", pressed" + radii, angle, -5.4e-3, -4e-3, 1e-4, friction, 0, first, second});
@@ -72,7 +72,7 @@ struct PairModel : SuiteModel {
     auto term = std::make_unique<LinePairs>(comm, system->mesh(), std::move(types), o);
     contact = term.get();
     system->add(std::move(term));
-    // Ghosts first: they depend on where lines are.
+    // First the ghosts: they depend on the positions of the lines.
     State before = place(what, at, -1);
     before.time = trial.from.time - trial.h;
     if (system->update_couplings(before.after_step(trial.h), trial.h) == CouplingChange::layout_changed)
@@ -97,7 +97,7 @@ struct PairModel : SuiteModel {
     trial.angle = 2e-5;
   }
 
-  // The lines before the step of history (-1), at the start (0) and in the trial (1).
+  // The lines before the step of history (-1), at the start of the trial (0) and in the trial (1).
   State place(const PairCase& what, const Placement& at, int stage) const {
     const LocalMesh& l = system->mesh();
     State s(l.nodes());

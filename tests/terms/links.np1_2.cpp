@@ -1,4 +1,5 @@
-// Springs and dampers between points of all kinds: the tangent of a step, and forces and moments in balance.
+// Springs and dampers between points of all kinds: the tangent of a step equals finite differences, and
+// forces and moments balance.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -32,8 +33,8 @@ model::Line line(const std::string& name, const std::string& type, double length
   return l;
 }
 
-// Two bodies with mass, one whose motion is prescribed and one that rides on a beam; a beam, a cable that is
-// tied to a body and one that is not: soft, so that what links do is what is seen.
+// Two bodies with mass, one body with prescribed motion and one attached to a beam; a beam, a cable tied to a
+// body and a free cable. All are soft, so that the forces of the links dominate.
 model::Case things() {
   model::Case c;
   c.environment.gravity = 0;
@@ -111,7 +112,7 @@ model::Case linked(const Pair& p, bool tension_only, double rest) {
 
 struct Step {
   double error = 0;
-  bool apart = false;  // the ends belong to two ranks
+  bool apart = false;  // the ends are on two ranks
 };
 Step step_error(const model::Case& c) {
   Simulation sim(PETSC_COMM_WORLD, c);
@@ -144,8 +145,8 @@ TEST(Links, TangentOfAStepForEveryPairOfEnds) {
   EXPECT_EQ(apart > 0, size > 1);
 }
 
-// Two bodies in space that a link joins far from their centres keep their momentum and, about any point,
-// their moment of momentum.
+// Two bodies in space, joined by a link far from their centres, conserve momentum and, about any point,
+// angular momentum.
 TEST(Links, MomentumOfTwoBodies) {
   model::Case c;
   c.environment.gravity = 0;
@@ -203,7 +204,7 @@ TEST(Links, MomentumOfTwoBodies) {
       "m/s2\n",
       kept, linear.norm(), turned, angular.norm(), pull);
   EXPECT_LT(kept, 1e-11 * linear.norm());
-  EXPECT_LT(turned, 1e-4 * angular.norm());  // of the time integration
+  EXPECT_LT(turned, 1e-4 * angular.norm());  // error of the time integration
   EXPECT_GT(pull, 5);
 }
 

@@ -1,4 +1,5 @@
-// Point loads, moments and masses, assembled by a System of one beam element and one cable node.
+// Point loads, moments and masses, assembled by a System of one beam element and one cable node, against hand
+// calculations.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -67,7 +68,7 @@ TEST(PointLoads, ForceMomentAndRamp) {
   system.add(std::make_unique<PointLoads>(
       system.mesh(), std::vector<NodeLoad>{{1, F, M, 0}, {2, F, Vec3::Zero(), 4}, {7, F, M, 0}}));
   State s = moved();
-  s.time = 2;  // half way up the ramp
+  s.time = 2;  // half of the ramp
   const auto r = residual(system, s);
   const Vec3 moment = s.q[1].conjugate() * M;
   for (size_t c = 0; c < 3; ++c) {
@@ -80,7 +81,7 @@ TEST(PointLoads, ForceMomentAndRamp) {
   EXPECT_THROW(PointLoads(system.mesh(), {{2, F, M, 0}}), std::invalid_argument);
 }
 
-// K against the fourth-order difference of the residual over material rotation increments.
+// K equals the fourth-order difference of the residual over material rotation increments.
 TEST(PointLoads, MomentStiffness) {
   const Mesh mesh = two_lines();
   System system(PETSC_COMM_SELF, local_mesh(mesh));
@@ -124,11 +125,11 @@ TEST(PointLoads, WorkAndCheckpoint) {
     s.q[0] = exp_so3({0, 0, 0.1}) * s.q[0];
     term.commit(s.after_step(0.1));
   }
-  // Lasting forces have a potential, a moment does work.
+  // Constant forces have a potential, a moment does work.
   EXPECT_NEAR(before - term.energy(s.after_step(0.1)).potential, 10 * 2 + 1 * 1, 1e-12);
   EXPECT_NEAR(term.energy(s.after_step(0.1)).work, 6 * 0.5 + 2 * 1, 1e-12);
   copy.restore(term.save());
-  // The case has the loads of node 1 before and after that of node 0.
+  // In the case, the loads of node 1 are before and after that of node 0.
   const std::vector<CheckpointRecord> sums = copy.save();
   ASSERT_EQ(sums.size(), 3u);
   EXPECT_EQ(sums[0].node, 0);

@@ -1,4 +1,5 @@
-// The seabed at single nodes: friction along given paths, a bed by grid or mesh that is a plane, landing.
+// The seabed at single nodes: friction along given paths against the published formulas, the forces on a
+// plane bed given as a formula, a grid or a mesh, and touchdown.
 #include <gtest/gtest.h>
 
 #include "hawser/geometry/ground.hpp"
@@ -11,7 +12,7 @@
 namespace hawser::test::seabed_test {
 namespace {
 
-// Two nodes a metre apart along x, the first of which the bed carries.
+// Two nodes 1 m apart along x; only the first is in contact with the bed.
 struct OneNode {
   Mesh mesh;
   LocalMesh local;
@@ -34,7 +35,7 @@ struct OneNode {
     bed = std::make_unique<BedContact>(local, shape, BedContact::PointLaws{{law, none}, {}});
     state = State(2);
   }
-  // A step to x, committed: friction on the node.
+  // Commits a step to x; returns the friction force on the node.
   Vec3 go(const Vec3& x) {
     bed->prepare(state.after_step(h), h);
     state.x[0] = x;
@@ -51,7 +52,7 @@ struct OneNode {
   double work() const { return bed->energy(state.after_step(h)).friction; }
 };
 
-// 1000 N pressed, coefficients 0.3 and 0.8, mobilisation lengths 0.01 and 0.04 m, as the paper has it
+// Normal force 1000 N, coefficients 0.3 and 0.8, mobilisation lengths 0.01 and 0.04 m, as in the paper
 // (OMAE2006-92155, eqs 6-10: Michalopoulos' spring, return along the radius).
 BedContact::PointLaw paper() {
   BedContact::PointLaw law;
@@ -65,11 +66,12 @@ BedContact::PointLaw paper() {
   f.spring = FrictionSpring::michalopoulos;
   return law;
 }
-constexpr double kDeep = 0.1 - 1e-3;  // m, of the axis, that presses 1000 N
+constexpr double kDeep = 0.1 - 1e-3;  // m, depth of the axis at a normal force of 1000 N
 
 const BedContact::Plane kFlat{Vec3::Zero(), Vec3::UnitZ()};
 
-// Force for a displacement in one step from rest. Own evaluation of eqs 6-10 in Python, double precision.
+// Friction force after a displacement in one step from rest. The reference is a separate evaluation of eqs
+// 6-10 in Python, double precision.
 TEST(SeabedFriction, PaperFormula) {
   const double rows[][4] = {{0.002, 0, 60, 0},
                             {0, 0.01, 0, 200},
@@ -89,7 +91,7 @@ TEST(SeabedFriction, PaperFormula) {
   }
 }
 
-// A case's table per area and per length: of a node its share of it, with the potential beside it.
+// A table of a case per area and per length: a node has its share of the force and of the potential.
 TEST(SeabedTable, ForceAndPotentialOfANode) {
   Mesh mesh;
   mesh.add(Node{0, 0, 1, false});
@@ -110,9 +112,9 @@ TEST(SeabedTable, ForceAndPotentialOfANode) {
     bed.basis = by_length ? model::StiffnessBasis::per_length : model::StiffnessBasis::per_area;
     bed.force_table = std::make_shared<const ContactForceTable>(rows);
     bed.normal_stiffness = bed.force_table->largest_slope();
-    const double share = by_length ? 1 : 0.4;  // half the element
+    const double share = by_length ? 1 : 0.4;  // half of the element
     BedContact term(local, c, {1});
-    bed.force_table.reset();  // it is the term's as well
+    bed.force_table.reset();  // the term shares this law
     const auto at = [&](double deep, double step) {
       State s(2);
       s.x = {Vec3(0, 0, -90 + 0.2 - deep), Vec3(2, 0, 0)};
@@ -132,8 +134,8 @@ TEST(SeabedTable, ForceAndPotentialOfANode) {
   }
 }
 
-// Pressed in by 4 mm, lifted, let go 10 mm above that, landed again: the pull of 500 N at most, its work, and
-// the same from a checkpoint on.
+// Pressed in by 4 mm, lifted, released 10 mm above that, landed again: the pull is at most 500 N; its work;
+// and the same results after a restart from a checkpoint.
 template <class Bed>
 void expect_suction(const Bed& shape) {
   BedContact::PointLaw law;
@@ -152,10 +154,10 @@ void expect_suction(const Bed& shape) {
   for (OneNode* of : {&n, &copy}) {
     EXPECT_NEAR(force(0.001, *of), -500, 1e-9);
     EXPECT_NEAR(force(0.004, *of), -500 * 16 * 0.64 * 0.04, 1e-9);
-    EXPECT_NEAR(force(-0.004, *of), 400, 1e-9);  // back on the same way
-    EXPECT_EQ(force(0.0061, *of), 0);            // lets go
-    EXPECT_EQ(force(0.001, *of), 0);             // and has forgotten
-    EXPECT_NEAR(force(-0.002, *of), 200, 1e-9);  // lands anew
+    EXPECT_NEAR(force(-0.004, *of), 400, 1e-9);  // on the same curve
+    EXPECT_EQ(force(0.0061, *of), 0);            // released
+    EXPECT_EQ(force(0.001, *of), 0);             // no pull remains after the release
+    EXPECT_NEAR(force(-0.002, *of), 200, 1e-9);  // lands again
     EXPECT_NEAR(force(0.003, *of), -500, 1e-9);
     EXPECT_EQ(force(0.6, *of), 0);
     EXPECT_EQ(force(0.0001, *of), 0);
@@ -179,7 +181,8 @@ struct Leg {
   double x, y, fx, fy, work;
 };
 
-// A path of six legs: force at their ends, of 1000 N, and work so far, by trapezoids.
+// A path of six legs: force at their ends under a normal force of 1000 N, and work so far by the trapezoidal
+// rule.
 void follow(int steps, const std::vector<Leg>& legs, double tolerance) {
   OneNode n(kFlat, paper());
   n.go({0, 0, kDeep});
@@ -195,7 +198,8 @@ void follow(int steps, const std::vector<Leg>& legs, double tolerance) {
   }
 }
 
-// Own evaluation of eqs 6-10 in Python, double precision, with one and ten steps a leg.
+// The reference is a separate evaluation of eqs 6-10 in Python, double precision, with one and ten steps a
+// leg.
 TEST(SeabedFriction, PaperPath) {
   follow(1,
          {{0.006, 0, 180, 0, 0.54},
@@ -215,8 +219,8 @@ TEST(SeabedFriction, PaperPath) {
          1e-12);
 }
 
-// Against the continuous law, closed form by legs, with a thousand steps a leg; a closed loop within the
-// ellipse takes and gives work, one way and the other.
+// Against the closed form of the continuous law on each leg, with a thousand steps a leg. A closed loop
+// within the ellipse absorbs work in one direction and generates work in the other.
 TEST(SeabedFriction, PaperPathInTheLimit) {
   follow(1000,
          {{0.006, 0, 180, 0, 0.54},
@@ -239,8 +243,8 @@ TEST(SeabedFriction, PaperPathInTheLimit) {
   }
 }
 
-// Back and forth by 3 mobilisation lengths: 4 mu N (D - d) a cycle. Round and round in a circle: force lags
-// by asin(d/rho) behind the way of a step, its chord; 2 pi rho mu N sqrt(1 - (d/rho)²) a turn.
+// Back and forth by 3 mobilisation lengths: 4 mu N (D - d) of work a cycle. On a circle, the force lags by
+// asin(d/rho) behind the direction of a step, its chord: 2 pi rho mu N sqrt(1 - (d/rho)²) of work a turn.
 TEST(SeabedFriction, CyclesAndCircles) {
   BedContact::PointLaw law = paper();
   law.law.friction.axial = law.law.friction.lateral = 0.3;
@@ -271,8 +275,8 @@ TEST(SeabedFriction, CyclesAndCircles) {
   EXPECT_NEAR(lag, 0.2 * std::cos(M_PI / 2000), 1e-9);
 }
 
-// Lifted off and set down elsewhere within a step or after many, a node begins without friction: it never
-// remembers where it was. The part of the step after the touch counts.
+// A node that was lifted and set down elsewhere, within a step or after many steps, starts without friction;
+// its former place has no effect. Only the part of the step after the touch contributes.
 TEST(SeabedFriction, LandsElsewhere) {
   for (const bool grid : {false, true}) {
     std::vector<double> at{-10, 0, 10}, z(9, 0);
@@ -287,7 +291,7 @@ TEST(SeabedFriction, LandsElsewhere) {
       EXPECT_EQ(landed.norm(), 0);
       EXPECT_NEAR(n.go({3.002, 1, kDeep}).x(), -60, 1e-9);
       n.go({3, 1, 0.2});
-      // Down from 0.1 m above with 0.02 m along: of the step the last (1e-3 + 1e-4)/(0.1 + 1e-3) counts.
+      // Down from 0.1 m above with 0.02 m along: the last (1e-3 + 1e-4)/(0.1 + 1e-3) of the step contributes.
       const double part = (1e-3 + 1e-4) / (0.1 + 1e-3);
       EXPECT_NEAR(n.go({3.02, 1, kDeep}).x(), -0.3 * 1000 * 0.02 * part / 0.01, 1e-6);
     };
@@ -301,7 +305,7 @@ TEST(SeabedFriction, LandsElsewhere) {
   }
 }
 
-// A slope given by a formula, as a grid and as a mesh: the same forces along the same path.
+// A slope given by a formula, a grid and a mesh: the forces along a path are the same.
 TEST(SeabedShapes, SlopesAreTheSame) {
   const auto slope = [](double x, double y) { return -50 + 0.2 * x - 0.1 * y; };
   std::vector<double> at, z;
@@ -316,7 +320,7 @@ TEST(SeabedShapes, SlopesAreTheSame) {
   for (int j = 0; j + 1 < n; ++j)
     for (int i = 0; i + 1 < n; ++i) {
       const int a = j * n + i;
-      // One of each pair is turned over: the bed sees to it.
+      // One triangle of each pair is reversed: the bed corrects its orientation.
       sheet.triangles.push_back({a, a + 1, a + n + 1});
       sheet.triangles.push_back({a, a + n, a + n + 1});
     }
@@ -343,8 +347,7 @@ TEST(SeabedShapes, SlopesAreTheSame) {
   }
 }
 
-// What was near before changes the time and never the answer: the force is that of a bed that has not been
-// asked before.
+// Cached neighbours do not change results: the force equals that of a bed without earlier queries.
 TEST(SeabedShapes, AnswersDoNotDependOnThePath) {
   const auto bed = hilly();
   BedContact::PointLaw law = paper();
@@ -387,8 +390,8 @@ TEST(SeabedShapes, RefusesWhatIsNoSheet) {
   EXPECT_NE(refusal(m).find("more than two triangles"), std::string::npos);
 }
 
-// The point half way along an element whose nodes are on two ranks: both have its history, from what either
-// keeps or from what one rank kept; one counts it.
+// The point half way along an element whose nodes are on two ranks: both ranks have its history, restored
+// from the records of either node or of one rank; its energy is counted once.
 TEST(SeabedHalfWay, HistoryIsWithBothNodes) {
   Mesh mesh;
   for (int i = 0; i < 2; ++i) mesh.add(Node{0, 1.0 * i, 0.5, false});
@@ -401,7 +404,7 @@ TEST(SeabedHalfWay, HistoryIsWithBothNodes) {
     LocalMesh local;
     std::unique_ptr<BedContact> bed;
     State state{2};
-    // The middle to x, pressed by 1000 N.
+    // Moves the middle point to x under 1000 N.
     void go(double x) {
       bed->prepare(state.after_step(0.1), 0.1);
       for (size_t n = 0; n < 2; ++n) state.x[n] = Vec3(x + local.global[n], 0, kDeep);

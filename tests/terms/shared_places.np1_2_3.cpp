@@ -1,5 +1,5 @@
-// Places that lines share, on any number of ranks: the same lengths without contact, and through a
-// checkpoint.
+// Places that lines share, on any number of ranks: the lengths without contact are the same as on one rank,
+// and the same after a restart from a checkpoint.
 #include "hawser/terms/shared_places.hpp"
 
 #include "support/rig.hpp"
@@ -23,7 +23,7 @@ TEST(SharedPlacesOnRanks, KnowTheSame) {
     places.update(sim.state().at_rest(), true);
     std::vector<double> out;
     for (int k = 0; k < places.size(); ++k) out.push_back(places.within(k));
-    // What one rank has kept of a place reaches the others.
+    // The records of a place that one rank saved reach the other ranks.
     std::vector<SharedPlaces::Kept> kept;
     for (int k = 0; k < places.size(); ++k)
       if (sim.local().owns(sim.local().find(ends[static_cast<size_t>(k)].one.node)))
@@ -37,7 +37,7 @@ TEST(SharedPlacesOnRanks, KnowTheSame) {
   const std::vector<double> all = of(PETSC_COMM_WORLD), one = of(PETSC_COMM_SELF);
   EXPECT_EQ(all, one);
   EXPECT_GT(one[0], 0.2);
-  EXPECT_GT(one[0], one[1]);  // the smaller the angle the farther
+  EXPECT_GT(one[0], one[1]);  // a smaller angle gives a larger length
 }
 
 }  // namespace

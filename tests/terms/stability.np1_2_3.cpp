@@ -1,4 +1,5 @@
-// The symmetric part of a tangent whose rows are shared out among ranks, and its negative eigenvalues.
+// The symmetric part of a tangent whose rows are distributed over ranks, and the number of its negative
+// eigenvalues.
 #include "hawser/solve/stability.hpp"
 
 #include <gtest/gtest.h>
@@ -9,8 +10,8 @@
 namespace hawser::test::stability {
 namespace {
 
-// A beam in a current, whose drag has no symmetric tangent, straight between ends 100 m apart: taut, or
-// compressed.
+// A straight beam between ends 100 m apart, in tension or compression, in a current, whose drag has an
+// unsymmetric tangent.
 model::Case beam(const char* length) {
   return io::read_case_text(std::string(R"(hawser: 1
 environment: {water: {depth: 200}, current: {speed: 2, direction_deg: 60}}
@@ -52,7 +53,7 @@ double norm(Vec v) {
   return size;
 }
 
-// A row of a beam has six blocks; whoever makes room for fewer moves all of the matrix again and again.
+// A row of a beam has six blocks. A preallocation of fewer makes PETSc move the whole matrix again and again.
 TEST(Stability, SymmetricPartHasThePatternOfTheTangent) {
   Tangent t(PETSC_COMM_WORLD, beam("99.9"));
   const MatHandle blocks = symmetric_blocks(t.J.get()), rows = symmetric_part(t.J.get());
@@ -73,7 +74,8 @@ TEST(Stability, SymmetricPartHasThePatternOfTheTangent) {
   }
 }
 
-// Cut between ranks, whole on one, by Cholesky's factorisation and by MUMPS.
+// The number of negative eigenvalues, computed with and without the attempt at a Cholesky factorisation, is
+// the same on all ranks and on one.
 TEST(Stability, NegativeEigenvaluesAreTheSameOnAllRanks) {
   for (const char* length : {"99.9", "101"}) {
     const model::Case c = beam(length);

@@ -1,5 +1,5 @@
-// Start shapes of lines that act on each other and are shared out among ranks: each rank makes its own ones
-// and those that act on them, and all are what one rank makes.
+// Start shapes of lines that affect each other and are distributed over ranks: each rank computes its own
+// lines and those that they depend on, and the shapes equal those of one rank.
 #include "hawser/solve/start_shape.hpp"
 
 #include <fmt/format.h>
@@ -27,9 +27,9 @@ std::string at(const Vec3& x, const std::string& more = "") {
   return fmt::format("{{anchor: [{}, {}, {}]{}}}", x.x(), x.y(), x.z(), more);
 }
 
-// On a bed at z = -50: `low` lies under `middle`, and that under `top`; lines apart from all; three legs of a
-// joint; a line that is cut later, with one that lies over its far part; two hoses whose clamped ends point
-// back. Lines that act on each other are far apart in the file.
+// On a bed at z = -50: `low` lies under `middle`, which lies under `top`; a line apart from all others; three
+// legs of a joint; a line that is cut later, with one that lies over its far part; two hoses whose clamped
+// ends point back. Lines that affect each other are far apart in the file.
 model::Case field(const std::string& over = "[[middle, low], [top, middle], [across, parted]]") {
   const Vec3 bed(0, 0, -50);
   const auto on_bed = [&](double x, double y) -> Vec3 { return bed + Vec3(x, y, 0); };
@@ -57,7 +57,7 @@ model::Case field(const std::string& over = "[[middle, low], [top, middle], [acr
       "field.yaml");
 }
 
-// Lines in turn to each rank, ends to the rank of what carries them.
+// Assigns the lines to the ranks in turn, and the ends to the rank of the node they are attached to.
 LocalMesh dealt(const Mesh& mesh, MPI_Comm comm) {
   std::vector<int> owner;
   for (int i = 0; i < mesh.nodes(); ++i) {
@@ -79,7 +79,7 @@ TEST(StartShape, RanksMakeTheirOwn) {
   const StartShape mine = start_shape(PETSC_COMM_WORLD, c, local, bodies),
                    one = start_shape(PETSC_COMM_SELF, c, all, bodies);
   EXPECT_EQ(mine.notes, one.notes);
-  ASSERT_EQ(one.notes.size(), 5u);  // three that lie over others, two hoses
+  ASSERT_EQ(one.notes.size(), 5u);  // three lines that lie over others, two hoses
   EXPECT_EQ(mine.any_laid, one.any_laid);
   ASSERT_TRUE(one.any_laid);
   std::vector<bool> here(c.lines.size(), false);
@@ -98,11 +98,11 @@ TEST(StartShape, RanksMakeTheirOwn) {
   size_t held = 0;
   for (const TiedNode& t : one.tied) held += local.find(t.node) >= 0;
   EXPECT_EQ(mine.tied.size(), held);
-  // A line that nothing of this rank depends on is not made here.
+  // A line that does not affect the lines of this rank is not computed on it.
   const size_t alone = static_cast<size_t>(c.line_index("alone"));
   EXPECT_NE(one.ends[alone][0].coeffs(), Quat::Identity().coeffs());
   EXPECT_EQ(mine.ends[alone][0].coeffs() == one.ends[alone][0].coeffs(), here[alone]);
-  // What lies on what.
+  // The order of the lines that lie on each other.
   const auto top_of = [&](const char* name) {
     const LineSpan& span = mesh.lines[static_cast<size_t>(c.line_index(name))];
     double z = -HUGE_VAL;

@@ -1,12 +1,13 @@
-// The tangent of a time step: the residual as a function of the step's increments alone, through everything
-// the integrator makes of them (velocities, accelerations, the directors' accelerations).
+// The tangent of a time step equals finite differences of the residual with respect to the increments of the
+// step alone, including all quantities that the integrator derives from them (velocities, accelerations, the
+// directors' accelerations).
 #include "hawser/solve/generalized_alpha.hpp"
 #include "support/taylor_cases.hpp"
 
 namespace hawser::test::step_tangent_test {
 namespace {
 
-// A committed state that no step would leave behind: every quantity has a value of its own.
+// A committed state that no step could produce: every quantity has an independent value.
 AlphaState committed(const LocalMesh& mesh, const Trial& t) {
   AlphaState from;
   from.s = t.from;
@@ -47,7 +48,7 @@ TEST(StepTangent, IsTheDerivativeByTheIncrements) {
         alpha_trial(mesh, system.tied_nodes(), alpha, h, from, u, to);
         return residual(system, to.s, h);
       };
-      // Mean forces are among what is checked, with the weight of the scheme.
+      // The test includes mean forces, whose weight in the scheme differs from 1.
       EXPECT_GT(alpha_mean(alpha).weight, 1);
       alpha_trial(mesh, system.tied_nodes(), alpha, h, from, m.trial.u, to);
       MatHandle J = system.create_matrix();
@@ -67,10 +68,11 @@ TEST(StepTangent, IsTheDerivativeByTheIncrements) {
     }
 }
 
-// What telescopes: over any steps, equal or not, the directors' rates follow from their accelerations by the
-// formulas of velocities. The accelerations are those of w and alpha to the second order of the step. (With
-// rho < 1 the algorithmic accelerations are those of another time, off by a part of the step: true
-// accelerations are of first order only after a start and where steps change, those of positions, too.)
+// A telescoping sum: over any sequence of steps, the directors' rates equal those integrated from their
+// accelerations by the formulas of velocities. The accelerations agree with those of w and alpha to second
+// order in the step. (For rho < 1 the algorithmic accelerations belong to another time, off by a fraction of
+// the step; after a start and where steps change they, like those of positions, are first-order accurate
+// only.)
 TEST(StepTangent, DirectorsFollowTheirAccelerations) {
   Mesh mesh = suite_mesh();
   const LocalMesh l = local_mesh(mesh, NodeRanks::all_of(mesh.nodes()), 0, 1);
@@ -79,7 +81,7 @@ TEST(StepTangent, DirectorsFollowTheirAccelerations) {
     const AlphaCoefficients c(rho);
     double before = 0;
     for (const int steps : {100, 200, 400}) {
-      // Node 0 turns by 3 sin t about one material axis and at a steady rate about another.
+      // Node 0 rotates by 3 sin t about one material axis and at steady rates about the others.
       AlphaState from;
       from.s.resize(l.nodes());
       const auto motion = [](double t, Vec3& w, Vec3& alpha) {
@@ -93,7 +95,7 @@ TEST(StepTangent, DirectorsFollowTheirAccelerations) {
       for (int i = 0; i < steps; ++i) {
         const double h = 2.0 / steps * (rho == 1 && i % 3 == 0 ? 0.5 : 1);
         t += h;
-        // Increments that make the scheme's velocity the motion's.
+        // Increments for which the velocity of the scheme equals that of the motion.
         std::vector<double> u(3 * static_cast<size_t>(l.blocks()), 0);
         Vec3 w, alpha;
         motion(t, w, alpha);

@@ -1,5 +1,5 @@
-// What holds of any model of one term: several ranks give what one gives, and it turns with space. A model
-// has `system`, `contact` and `trial`.
+// Checks for the model of any term: forces, tangents and energies on several ranks equal those on one, and
+// forces rotate with the model. A model has `system`, `contact` and `trial`.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -18,8 +18,8 @@ inline double over_ranks(double x) {
   return x;
 }
 
-// Residual and tangent of the trial, then energies and what touches once it is committed. `one` is whole on
-// each rank. The size of the largest force, N.
+// Compares residual and tangent of the trial, then energies and the number of contacts after it is committed.
+// `one` is the whole model on each rank. Returns the size of the largest force, N.
 template <class Model>
 double expect_same_on_ranks(Model& all, Model& one, std::initializer_list<double Energy::*> parts,
                             double tolerance, const std::string& name) {
@@ -53,10 +53,10 @@ double expect_same_on_ranks(Model& all, Model& one, std::initializer_list<double
   return size;
 }
 
-// Forces of a model and of the same one placed elsewhere: turned in space, moments (in the nodes' axes) the
-// same.
+// Compares the forces of a model with those of the same model rotated in space; moments, in the nodes' axes,
+// must not change.
 struct TurnedForces {
-  double size = 0, off = 0;  // N: the largest force, and how far one is from what it should be
+  double size = 0, off = 0;  // N: the largest force, the largest difference
 };
 template <class Model>
 TurnedForces turned_forces(Model& m, Model& turned, const Quat& rotation) {
@@ -74,7 +74,7 @@ TurnedForces turned_forces(Model& m, Model& turned, const Quat& rotation) {
   return out;
 }
 
-// The largest force, N.
+// Returns the largest force, N.
 template <class Model>
 double expect_turned(Model& m, Model& turned, const Quat& rotation, double tolerance,
                      const std::string& name) {

@@ -1,4 +1,4 @@
-// Energy audit of a run: created and lost energy, and when.
+// Energy audit of a run: energy created and lost by the steps, its time and place, and the warnings about it.
 #include "hawser/record/audit.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,8 @@ Energy moving(double kinetic, double work = 0) {
   return e;
 }
 
-// Every step brings in as much as the last took out: the absolute work grows while the sum stays constant.
+// The work enters in some steps and leaves in the last: the absolute work increases, but there is no error
+// and no warning.
 TEST(Audit, IsSilentOfWhatIsBroughtIn) {
   record::Audit a;
   a.update(moving(0), moving(0), 0, 0);
@@ -59,7 +60,7 @@ TEST(Audit, ReportsAnImpactAtTheStart) {
       "t = 0.3 s made most of it, 3 J, at line chain, arc length 3 m: bodies.vessel.motion begins with a "
       "non-zero velocity, which is an impact on the lines at rest; add a 'ramp' to it (a shorter step does "
       "not help)");
-  a.update(moving(100), moving(110), 0.7, 0.1);  // later for another reason
+  a.update(moving(100), moving(110), 0.7, 0.1);  // a larger error later, for another reason
   EXPECT_NE(a.warning(true, "here", "bodies.vessel.motion").find("give dynamics.step: 0.025 s"),
             std::string::npos);
 }
@@ -106,7 +107,8 @@ TEST(Audit, ASlowLossInALongRunIsNoAlarm) {
   EXPECT_EQ(a.warning(false, "here"), "");
 }
 
-// A fifth of the energy present at a time is an error, whatever the absolute work of hours of waves.
+// Created energy of a fifth of the energy present at a time is an error, for any absolute work in hours of
+// waves.
 TEST(Audit, AFifthOfWhatWasThereIsAnAlarmInALongRun) {
   record::Audit a;
   a.update(moving(0), moving(0), 0, 0);
@@ -124,9 +126,9 @@ TEST(Audit, AFifthOfWhatWasThereIsAnAlarmInALongRun) {
   EXPECT_NE(a.warning(false, "here").find("created 30 J"), std::string::npos);
 }
 
-// An end brings in 50 J a wave more than it takes out, drag dissipates it, and of the created energy, half a
-// per cent of the absolute work, nothing remains: no warning, although the sum is ten times the energy
-// present. Without drag it remains.
+// In each wave an end brings in 50 J more than it takes out, and drag dissipates them. The created energy,
+// half a per cent of the absolute work, is dissipated as well: no warning, although its sum is ten times the
+// energy present. Without drag the created energy remains, which is an error.
 TEST(Audit, WhatDissipationTakesAlongIsNoAlarm) {
   for (const double drag : {50.0, 0.0}) {
     record::Audit a;

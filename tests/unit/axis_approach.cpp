@@ -1,4 +1,5 @@
-// Bent axes during a step: each change of sides is found, and no false change is reported.
+// Bent axes during a step: each change of sides is found, and no false change is reported, for crossings at
+// known heights.
 #include "hawser/kernels/axis_approach.hpp"
 
 #include <gtest/gtest.h>
@@ -49,7 +50,7 @@ double distance(const AxisShape& a, const AxisShape& b) {
   return least;
 }
 
-// Lines that cross at (0, 0), one above the other by `gap`, which changes from one value to another.
+// Lines that cross at (0, 0) in plan view, one above the other by `gap`, which changes in the step.
 TEST(AxisApproach, EveryChangeOfSidesIsFoundHoweverDeep) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -59,7 +60,7 @@ TEST(AxisApproach, EveryChangeOfSidesIsFoundHoweverDeep) {
   for (int i = 0; i < 400; ++i) {
     const AxisEnds b = bent({0, -1, 0}, {0, 1, 0}, random);
     AxisEnds a = bent({-1, 0.3 * unit(random), 0}, {1, 0.3 * unit(random), 0}, random);
-    // Bisects the height at which they just cross, so that the gap between the curves is known.
+    // Bisection for the height at which the axes just meet, so that the gap between the curves is known.
     double low = -1, high = 1;
     const AxisShape B(b);
     for (int k = 0; k < 60; ++k) {
@@ -76,7 +77,7 @@ TEST(AxisApproach, EveryChangeOfSidesIsFoundHoweverDeep) {
       (A.point(x).z() > B.point(y).z() ? high : low) = z;
     }
     a = shifted(a, {0, 0, low});
-    // From 0.3 % of the radii on one side to as much on the other, or nearly to the middle.
+    // The gap is 0.3 % to 100 % of the sum of the radii. It changes to the other side or nearly to zero.
     const double start_gap = reach * std::pow(10, -1.25 + 1.25 * unit(random)),
                  side = unit(random) < 0 ? -1 : 1;
     const AxisShape from(shifted(a, {0, 0, side * start_gap}));
@@ -105,7 +106,7 @@ TEST(AxisApproach, EveryChangeOfSidesIsFoundHoweverDeep) {
   EXPECT_GT(kept, 400);
 }
 
-// Statics: axes that cross from the start have no side to keep.
+// Statics: axes that cross in the start shape have no side to keep.
 TEST(AxisApproach, AxesThatCrossHaveNoSide) {
   std::mt19937 random(4);
   const AxisShape b(bent({0, -1, 0}, {0, 1, 0}, random));

@@ -1,4 +1,4 @@
-// Distances of axes to each other and to surfaces, against known values and fine sampling.
+// Distances of axes to each other and to surfaces, against closed forms and fine sampling.
 #include "hawser/kernels/axis_clearance.hpp"
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ TEST(AxisClearance, StraightAxesAreSegments) {
   }
 }
 
-// Sampled finely: the result is a lower bound and occurs at the returned place.
+// Against fine sampling: the result is a lower bound, and the distance at the returned place is close to it.
 TEST(AxisClearance, BentAxes) {
   std::mt19937 random(3);
   double worst = 0;
@@ -68,12 +68,12 @@ TEST(AxisClearance, BentAxes) {
         least = std::min(least, (a.point(j / 300.0) - b.point(k / 300.0)).squaredNorm());
     worst = std::max(worst, near->distance - std::sqrt(least));
   }
-  // Places whose distances differ by less than the resolution are equal.
+  // Points whose distances differ by less than the resolution count as equal.
   EXPECT_LT(worst, 1e-3);
 }
 
-// Quarter circles about one axis, one above the other by 0.3; the cubic of a quarter is within 3e-4 of the
-// radius.
+// Quarter circles about one axis, one above the other by 0.3; the cubic of a quarter circle is accurate to
+// 3e-4 of the radius.
 TEST(AxisClearance, ParallelArcs) {
   const double k = 4.0 / 3 * (std::sqrt(2.0) - 1);
   BezierAxis a{{Vec3(1, 0, 0), Vec3(1, k, 0), Vec3(k, 1, 0), Vec3(0, 1, 0)}}, b = a;

@@ -1,4 +1,4 @@
-// Point of an element's axis nearest to a given point.
+// The point of an element's axis nearest to a given point, against fine sampling.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Roll of a node about its line: known rotations, independence of bending, derivatives.
+// Roll of a node about its line: known rotations, independence of bending, and derivatives against
+// differences.
 #include "hawser/kernels/axis_roll.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ TEST(AxisRoll, KnownTurns) {
   EXPECT_NEAR(axis_roll(q0, q0, c).angle, 0, 1e-15);
   for (const double angle : {-2.5, -0.3, 0.7, 2.9}) {
     EXPECT_NEAR(axis_roll(q0, q0 * exp_so3(angle * c), c).angle, angle, 1e-14);
-    // A preceding rotation across the tangent is no roll.
+    // A preceding rotation about an axis normal to the tangent does not change the roll.
     const Vec3 across = (q0 * c).cross(Vec3(0.3, 0.8, 1.2));
     EXPECT_NEAR(axis_roll(q0, exp_so3(across) * q0 * exp_so3(angle * c), c).angle, angle, 1e-14);
   }

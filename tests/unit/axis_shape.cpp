@@ -1,4 +1,4 @@
-// Axis of an element: force and tangents at the nodes against differences, bound of the slope.
+// Axis of an element: force and tangents at the nodes against differences, and the bound of the slope.
 #include "hawser/kernels/axis_shape.hpp"
 
 #include <gtest/gtest.h>

@@ -46,7 +46,7 @@ TEST(AxisSweep, FindsWhatSamplingFinds) {
       from.b[k] += 0.2 * vec();
       to.b[k] += way + 0.3 * vec();
     }
-    // Certain with a margin on either side, since pieces of a radius are tested as a whole.
+    // `must` and `may` leave a margin on either side, because pieces of a radius are tested as a whole.
     bool must = false, may = false;
     for (int s = 0; s <= 120; ++s) {
       const double xi = s / 120.0;
@@ -69,7 +69,7 @@ TEST(AxisSweep, FindsWhatSamplingFinds) {
   EXPECT_GT(clear, 100);
 }
 
-// Narrow and thin: far smaller than the axis and its displacement.
+// Bodies far smaller than the axis and its displacement.
 TEST(AxisSweep, MissesNothingThatIsSmall) {
   BoxShape bar;
   bar.size = Vec3(0.02, 3, 0.01);
@@ -96,12 +96,12 @@ TEST(AxisSweep, LetsPassWhatSlidesTouchesAndIsPressedIn) {
   };
   EXPECT_FALSE(moved(kRadius, kRadius, 0.3));  // slides
   EXPECT_FALSE(moved(0.6 * kRadius, 0.6 * kRadius, 0.3));
-  EXPECT_FALSE(moved(1, 0.1 * kRadius, 0));   // pressed in, on its own side
-  EXPECT_FALSE(moved(1, -0.1 * kRadius, 0));  // deep, but reported by another check
-  EXPECT_FALSE(moved(-0.01, 1, 0));           // comes out
+  EXPECT_FALSE(moved(1, 0.1 * kRadius, 0));   // pressed in, nearest to its own side
+  EXPECT_FALSE(moved(1, -0.1 * kRadius, 0));  // deep, which another check reports
+  EXPECT_FALSE(moved(-0.01, 1, 0));           // moves out
 }
 
-// A corner touches at exactly one place: after a slight penetration it may leave on the other side.
+// A corner touches at exactly one place: after a slight penetration the axis might leave on the other side.
 TEST(AxisSweep, WhatIsPressedInDoesNotComeOutBehind) {
   BoxShape plate;
   plate.size = Vec3(0.05, 10, 10);
@@ -111,11 +111,11 @@ TEST(AxisSweep, WhatIsPressedInDoesNotComeOutBehind) {
     return goes_through(field_of(*surface), straight(from, from), straight(to, to), 0.002, pressed);
   };
   for (const double x0 : {-0.0249, -0.0254, -0.02}) {
-    EXPECT_TRUE(found(x0, 0.04, 0.1, true)) << x0;    // behind
-    EXPECT_TRUE(found(x0, 0.01, 0, true)) << x0;      // inside, but nearer to its back
+    EXPECT_TRUE(found(x0, 0.04, 0.1, true)) << x0;    // out on the back
+    EXPECT_TRUE(found(x0, 0.01, 0, true)) << x0;      // inside, nearer to the back
     EXPECT_FALSE(found(x0, -0.01, 0.1, true)) << x0;  // deeper
-    EXPECT_FALSE(found(x0, -0.04, 0.1, true)) << x0;  // out again
-    EXPECT_FALSE(found(x0, 0.04, 0.1, false)) << x0;  // other checks have reported this depth
+    EXPECT_FALSE(found(x0, -0.04, 0.1, true)) << x0;  // out on the front
+    EXPECT_FALSE(found(x0, 0.04, 0.1, false)) << x0;  // another check has reported this depth
   }
   EXPECT_TRUE(found(-0.04, 0.04, 0.1, true));
 }

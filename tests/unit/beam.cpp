@@ -1,4 +1,5 @@
-// Beam element: tangents against differences, invariance, symmetry.
+// Beam element: tangents against differences, force as the gradient of the energy, rigid motion, pure
+// bending, and damping that only dissipates.
 #include "hawser/kernels/beam.hpp"
 
 #include <gtest/gtest.h>
@@ -78,7 +79,8 @@ TEST(Beam, TangentIsTheDerivativeOfTheForce) {
     const double h = 3e-5;
     for (int j = 0; j < 12; ++j) {
       const Vec12 d = h * Vec12::Unit(j);
-      // fourth-order differences, so that 1e-6 tests the tangent and not the difference formula
+      // Fourth-order differences, so that the tolerance of 1e-6 tests the tangent and not the difference
+      // formula.
       Kd.col(j) = (8 * (force(t, moved(t.e, d)) - force(t, moved(t.e, -d))) -
                    (force(t, moved(t.e, 2 * d)) - force(t, moved(t.e, -2 * d)))) /
                   (12 * h);
@@ -152,7 +154,7 @@ TEST(Beam, DampingOnlyTakesEnergy) {
   v << t.e.v1, t.e.w1, t.e.v2, t.e.w2;
   EXPECT_GT(f.dot(v), 0);
   EXPECT_NEAR(f.dot(v), beam_stress(t.s, t.r, t.e).dissipation, 1e-10 * f.norm() * v.norm());
-  // a rigid motion dissipates nothing
+  // A rigid motion dissipates no energy.
   Set w = t;
   const Vec3 spin(0.3, -0.8, 0.5);
   w.e.v1 = spin.cross(w.e.x1);

@@ -55,8 +55,8 @@ BodyFlow current() {
   return b;
 }
 
-// A ship of 320 m with tables every 15 deg, evaluated exactly: flow speed and direction, heading, ship
-// velocity, and forces and moment in space axes [N, N m], given to nine digits.
+// A ship of 320 m with tables every 15 deg, in a reference evaluated to nine digits: flow speed and
+// direction, heading, ship velocity, and forces and moment in space axes [N, N m].
 TEST(BodyFlow, YawedMovingShipHasTheReferenceForces) {
   struct Figure {
     bool air;
@@ -80,7 +80,7 @@ TEST(BodyFlow, YawedMovingShipHasTheReferenceForces) {
     const Vec6 found = -body_flow(f.air ? wind() : current(), s, flow).f;
     const Vec3 force(found[0], found[1], found[5]);
     for (int k = 0; k < 3; ++k) {
-      // Half of the last of nine digits plus 1e-9 of the largest.
+      // Half of the last of nine digits, plus 1e-9 of the largest value.
       const double rounded =
           f.force[k] == 0 ? 0 : 0.5 * std::pow(10, std::floor(std::log10(std::abs(f.force[k]))) - 8);
       EXPECT_NEAR(force[k], f.force[k], 1e-9 * f.force.norm() + rounded)
@@ -119,7 +119,7 @@ TEST(BodyFlow, HasItsDerivatives) {
   }
 }
 
-// Everything rotated about the vertical: equal, rotated forces.
+// If everything is rotated about the vertical, the forces are rotated as well.
 TEST(BodyFlow, TurnsWithItsSurroundings) {
   BodyFlow b = wind();
   b.arm = Vec3(3, -2, 25);
@@ -137,7 +137,8 @@ TEST(BodyFlow, TurnsWithItsSurroundings) {
   }
 }
 
-// The variance of the components is that of the spectrum between its limits, and half in a long record.
+// The variance of the gust components equals the integral of the spectrum between its limits; the phases
+// depend on the seed only.
 TEST(Gusts, HaveTheEnergyOfTheirSpectrum) {
   constexpr double kSpeed = 25, kHeight = 15, kAtTen = 23;
   for (const GustSpectrum kind : {GustSpectrum::iso, GustSpectrum::api}) {
@@ -159,8 +160,9 @@ TEST(Gusts, HaveTheEnergyOfTheirSpectrum) {
   }
 }
 
-// ISO 19901-1: 320 m²/s² s at f = 0 for 10 m/s at 10 m; where its dimensionless frequency is 1, over
-// 2^(5/(3 n)). API's integral over all frequencies is its variance, (0.15 V (z/20)^-0.125)².
+// ISO 19901-1: at f = 0 the density is 320 m²/s² s for 10 m/s at 10 m; where the dimensionless frequency is
+// 1, it is divided by 2^(5/(3 n)). The integral of API's spectrum over all frequencies is its variance, (0.15
+// V (z/20)^-0.125)².
 TEST(Gusts, SpectraHaveTheirFormulas) {
   EXPECT_NEAR(gust_density(GustSpectrum::iso, 0, 10, 10, 10), 320, 1e-12);
   EXPECT_NEAR(gust_density(GustSpectrum::iso, 1.0 / 172, 10, 10, 10), 320 / std::pow(2, 5 / (3 * 0.468)),

@@ -32,7 +32,7 @@ RigidBodyState start() {
   return s;
 }
 
-// State after a time h with constant accelerations; R' = R w^ with (w0 x alpha) h³/12 of Magnus' series.
+// State after a time h of constant accelerations; R' = R w^ with (w0 x alpha) h³/12 of Magnus' series.
 RigidBodyState after(double h, const Vec6& u = Vec6::Zero(), const Vec6& rate = Vec6::Zero()) {
   RigidBodyState s = start();
   s.x += h * s.v + 0.5 * h * h * s.a + u.head<3>();
@@ -74,8 +74,8 @@ TEST(BodyMomentum, TangentsAreDerivatives) {
     }
 }
 
-// In short steps it equals the inertia by accelerations at the end to second order: the scheme is the
-// trapezoidal rule, and the rates at the start are known.
+// In short steps it equals the inertia by accelerations at the end to second order, because the scheme is the
+// trapezoidal rule and the rates at the start are known.
 TEST(BodyMomentum, ShortStepsHaveTheInertiaOfTheAccelerations) {
   for (const bool coupled : {false, true}) {
     const RigidBodyData b = body(coupled);

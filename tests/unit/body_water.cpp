@@ -1,4 +1,4 @@
-// Water forces on a rigid body: derivatives, potential, wetted fraction, symmetry.
+// Water forces on a rigid body: derivatives against differences, potential, wetted fraction, symmetry.
 #include "hawser/kernels/body_water.hpp"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ BodyWaterResidual residual(const BodyInWater& b, const RigidBodyState& s, bool t
   return r;
 }
 
-// Partly wet, nearly dry and nearly wet, fully wet; for a body and for a part of a member.
+// Partly wet, nearly dry, nearly wet and fully wet; for a body and for a part of a member.
 TEST(BodyWater, TangentsAreDerivatives) {
   BodyInWater b = module();
   const Vec6 zero = Vec6::Zero();
@@ -103,8 +103,8 @@ TEST(BodyWater, ConvexPartIsNotNegative) {
   }
 }
 
-// Drag of a body with equal axes is independent of its rotation; forces due to the water alone move with the
-// water.
+// The force on a body with equal axes is independent of its rotation and equals the closed form of drag,
+// added mass and buoyancy.
 TEST(BodyWater, RoundBodyHasNoAxes) {
   BodyInWater b = module();
   b.centre.setZero();
@@ -119,7 +119,7 @@ TEST(BodyWater, RoundBodyHasNoAxes) {
   EXPECT_LT((residual(b, s).f.head<3>() + force).norm(), 1e-12);
 }
 
-// Cross-flow principle: flow along a member does not add to the drag across it.
+// Cross-flow principle: flow along a member does not increase the drag across it.
 TEST(BodyWater, CrossFlow) {
   BodyInWater b;
   b.drag = Vec3(3, 3, 0.5);

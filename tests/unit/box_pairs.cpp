@@ -48,7 +48,7 @@ TEST(BoxPairs, RandomBoxesOfOneSizeAndOfMany) {
   }
 }
 
-// The room is 10^9 boxes wide, finer than the bits of the keys.
+// The room is 10^9 boxes wide, which the bits of the keys cannot resolve.
 TEST(BoxPairs, FarApart) {
   auto boxes = random_boxes(200, 0, 4, 5);
   const auto far = random_boxes(200, 0, 4, 6);
@@ -56,7 +56,7 @@ TEST(BoxPairs, FarApart) {
   EXPECT_EQ(sorted(overlapping_pairs(boxes)), every_pair(boxes));
 }
 
-// Strongly uneven distributions.
+// Strongly uneven distributions of boxes.
 TEST(BoxPairs, UnevenSetUps) {
   std::mt19937_64 rng(11);
   std::uniform_real_distribution<double> unit(0, 1);
@@ -68,7 +68,7 @@ TEST(BoxPairs, UnevenSetUps) {
     return boxes;
   };
   std::vector<std::vector<Box>> set_ups;
-  // A wound line: hundreds of neighbours each.
+  // A wound line: each box has hundreds of neighbours.
   set_ups.push_back(random_boxes(900, 0, 0.7, 21));
   // All at one place, in one cell.
   set_ups.emplace_back(300, Box{Vec3(1, 2, 3), Vec3(1.5, 2.5, 3.5)});

@@ -1,4 +1,5 @@
-// Cable element and consistent mass of beams and cables: tangents against differences, exact sums.
+// Cable element and consistent mass of beams and cables: tangents against differences, energy balance of a
+// step, and closed forms.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -59,7 +60,7 @@ TEST(Cable, TangentsAreDerivatives) {
 TEST(Cable, SlackCarriesNothing) {
   const CableSection s{1.0, 300, 0.1};
   CableState e{Vec3::Zero(), Vec3(0.9, 0, 0)};
-  e.v2 = Vec3(50, 0, 0);  // a fast closing of the slack must not cause tension yet
+  e.v2 = Vec3(50, 0, 0);  // fast closing of the slack, while the cable is not yet taut: no tension
   EXPECT_EQ(cable_stress(s, e).tension, 0);
   e.x2.x() = 1.01;
   e.v2.x() = -50;  // damping must not cause compression
@@ -80,8 +81,8 @@ TEST(Cable, TheDamperCarriesNoMoreThanTheSpring) {
   EXPECT_EQ(o.c.norm(), 0);
 }
 
-// The damping of a step is limited so that it stays below the spring's tension at the strain rate of the
-// previous step.
+// The damping of a step is limited so that the damper force stays below the spring's tension at the strain
+// rate of the previous step.
 TEST(CableMean, DampingIsThatOfTheStartOfTheStep) {
   const CableSection s{1.0, 300, 0.1};
   const auto damping = [&](double length, double strain_increment, double previous_h) {
@@ -121,7 +122,7 @@ std::vector<Thrown> thrown(const CableSection& s, double filter) {
              {},
              {}};
     t.x1 = x1 + 0.1 * r.vec();
-    // Sometimes hardly stretched.
+    // In some steps the cable is stretched very little.
     t.x2 =
         t.x1 + (i % 7 == 0 ? 1e-7 : 0.2) * r.vec() + s.length * (1 + 0.15 * r.u(r.g)) * r.vec().normalized();
     if (i % 7 == 0) t.x2 = t.x1 + (x2 - x1) * (1 + 1e-9);
@@ -151,12 +152,12 @@ TEST(CableMean, ItsWorkIsTheChangeOfEnergyAndWhatDampersTake) {
           const double work = S.dot(chord - p.from.chord), stored = energy(chord) - energy(p.from.chord);
           const CableLoss lost = cable_loss(s, p.from, p.step, p.x1, p.x2);
           EXPECT_GE(lost.damped, 0);
-          EXPECT_GE(S.dot(chord + p.from.chord), 0);                                // it never pushes
-          EXPECT_LT(S.cross(chord + p.from.chord).norm(), 1e-12 * (1 + S.norm()));  // and turns nothing
+          EXPECT_GE(S.dot(chord + p.from.chord), 0);                                // no compression
+          EXPECT_LT(S.cross(chord + p.from.chord).norm(), 1e-12 * (1 + S.norm()));  // no moment
           pulled += S.norm() > 0;
           taut += S.norm() > 0 && energy(chord) > 0 && energy(p.from.chord) > 0;
           EXPECT_NEAR(work, stored + lost.damped + lost.filtered, 1e-10 * (1 + std::abs(stored)));
-          // Where it would be in compression the force is zero, and the energy gained comes from the filter.
+          // The force would be compressive, so it is zero, and the energy gained comes from the filter.
           if (S.norm() == 0) {
             EXPECT_LE(stored, 0.5 * filter * 300 * s.length * std::pow(p.from.strain_increment, 2) + 1e-12);
           }
@@ -221,7 +222,7 @@ TEST(CableMean, IsTheForceAtRest) {
 TEST(CableMass, IsTheForceOfUnitAccelerations) {
   const MassSection s{2.0, 3.0};
   const CableMass m = cable_mass(s);
-  EXPECT_NEAR(2 * (m.own + m.shared), 6, 1e-12);  // its mass
+  EXPECT_NEAR(2 * (m.own + m.shared), 6, 1e-12);  // mass of the element
   for (int j = 0; j < 6; ++j) {
     Eigen::Matrix<double, 6, 1> f, expected = Eigen::Matrix<double, 6, 1>::Zero();
     const Vec3 a1 = j < 3 ? Vec3(Vec3::Unit(j)) : Vec3(Vec3::Zero()),
@@ -293,7 +294,7 @@ TEST(BeamMass, UniformAccelerationOfAStraightBarWeighsItsMass) {
   Vec12 f;
   beam_mass_force(s, e, Vec3::Zero(), f);
   EXPECT_LT((f.segment<3>(0) + f.segment<3>(6) - 6 * e.a1).norm(), 1e-12);
-  // and a load of m a per length balances it exactly, moments included
+  // A load of m a per length balances the inertia exactly, moments included.
   beam_mass_force(s, e, 3.0 * e.a1, f);
   EXPECT_LT(f.norm(), 1e-12);
 }

@@ -1,4 +1,4 @@
-// Contact between bodies: requirements on meshes, alone and with their counterpart.
+// Contact between bodies in a case: requirements on the volumes of a pair, and the keys of bodies in water.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -63,8 +63,9 @@ TEST(CaseBodies, SomethingMustStandOutOfOne) {
   };
   const std::string box = "mesh: box.obj, normal_stiffness: ";
   EXPECT_EQ(wrong(ball("per_area"), ball("per_area")), "");
-  EXPECT_EQ(wrong(ball("per_length"), box + "{per_length: 1e6}"), "");  // the box's edges meet it
-  EXPECT_EQ(wrong(ball("per_length"), box + "{per_point: 1e6}"), "");   // its corners do
+  EXPECT_EQ(wrong(ball("per_length"), box + "{per_length: 1e6}"),
+            "");  // contact points are on the edges of the box
+  EXPECT_EQ(wrong(ball("per_length"), box + "{per_point: 1e6}"), "");  // and here on its corners
   EXPECT_EQ(wrong(ball("per_length"),
                   "shape: {sphere: {centre: [0, 0, 0], radius: 1}}, "
                   "normal_stiffness: {per_point: 1e6}"),
@@ -74,7 +75,7 @@ TEST(CaseBodies, SomethingMustStandOutOfOne) {
                       "neither mesh has an edge of more than 10 deg"),
             std::string::npos)
       << both;
-  // Points lead before edges.
+  // Contact points are placed on corners before edges.
   const std::string one = wrong(ball("per_point"), box + "{per_length: 1e6}");
   EXPECT_NE(one.find("with its corners (per_point), but its mesh has none of more than 10 deg"),
             std::string::npos)

@@ -1,4 +1,4 @@
-// Changes of a case by --set: their place, and messages about impossible ones.
+// Changes of a case by --set: the changed places, and messages about changes that are not possible.
 #include "hawser/io/case_changes.hpp"
 
 #include <gtest/gtest.h>
@@ -80,7 +80,8 @@ TEST(CaseChanges, AreMadeInTheDocument) {
   for (const std::string& n : c.notes) EXPECT_FALSE(n.starts_with("--set")) << n;
 }
 
-// A case with other lengths repeats the notes on its changes, and their warnings once.
+// If the search finds other lengths, the case repeats the notes about its changes, and their warnings appear
+// once.
 TEST(CaseChanges, AreReportedForACaseWithOtherLengths) {
   const model::Case c = read({"dynamics.step=0.5"});
   const auto warnings = [](const model::Case& of) {

@@ -1,4 +1,4 @@
-// Largest width of contact ramps, relative to the thickness of the lines they act on.
+// Largest width of contact ramps relative to the thickness of the lines, and friction between bodies.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -61,7 +61,7 @@ TEST(CaseContact, FrictionBetweenBodies) {
   EXPECT_EQ(between(", friction: 0.5", ", friction: 0.3").axial, 0.3);
   EXPECT_EQ(between(", friction: 0.2", ", friction: 0.3").axial, 0.2);
   EXPECT_EQ(between(", friction: {axial: 0.1, lateral: 0.4}", ", friction: 0.3").lateral, 0.1);
-  // The rest of the law is that of the volume that leads with its corners.
+  // The other parts of the law are those of the volume whose corners lead.
   const std::string soft = ", friction: {axial: 0.3, shear_stiffness: 1e6}";
   EXPECT_EQ(between(", friction: 0.2", soft).shear_stiffness, 1e6);
   EXPECT_EQ(between(soft, ", friction: 0.2").shear_stiffness, 0);

@@ -56,7 +56,7 @@ TEST(CaseFlow, OneSideMakesTheOther) {
   EXPECT_NE(s.find("wind: 20 m/s at 10 m, goes to 0 deg\n"), std::string::npos) << s;
 }
 
-// The same body with angles where the wind comes from: 0 is head wind.
+// The same body with angles of the direction from which the wind comes: 0 is head wind.
 TEST(CaseFlow, AnglesFromWhereItComes) {
   const model::Case to = read(wind(std::string("rows: ") + kSide));
   const model::Case from =

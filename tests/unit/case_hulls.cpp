@@ -57,8 +57,8 @@ TEST(CaseHulls, WhatIsRefused) {
                  std::string(kHull) + ", members: [{from: [0, 0, 1], to: [0, 0, 1], diameter: 8}]");
 }
 
-// With the coefficients of files the waves press by those alone, and members have drag alone, unless the case
-// says otherwise.
+// With coefficient files, wave forces come from the files only, and members have drag only, unless the case
+// requests more.
 TEST(CaseHulls, BesideCoefficients) {
   const std::string files = "hydrodynamics: {wamit: " HAWSER_SOURCE_DIR "/docs/tutorial/spar}, ";
   const auto of = [&](const std::string& more) {
@@ -135,27 +135,27 @@ void expect_part(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 
-// Lines that hold a body at its start cause no warning. 0.5 m deeper it displaces 80 m³ more.
+// Lines that hold a body at its start position cause no warning. 0.5 m deeper the body displaces 80 m³ more.
 TEST(CaseHulls, LinesMayHoldABodyOffItsDraught) {
   EXPECT_EQ(Afloat(1.5).at_start().find("warning"), std::string::npos) << Afloat(1.5).at_start();
   EXPECT_EQ(Afloat(1.5).at_start().find("note"), std::string::npos);
   expect_part(Afloat(1).at_start(),
               "warning: body barge floats 0.5 m higher than its initial position: there its weight and "
               "buoyancy differ by 784.53 kN, and no line or spring carries the difference");
-  // 784.5 kN stretch it by 7.85e-3 of its 40 m.
+  // A force of 784.5 kN stretches the line by 7.85e-3 of its 40 m.
   const Afloat held(1, "[0, 0, -2]", 40 / 1.00785);
   expect_part(held.at_start(),
               "note: without its lines body barge would float 0.5 m higher: they must carry 784.53 kN down");
   EXPECT_EQ(held.at_start().find("warning"), std::string::npos);
   EXPECT_TRUE(held.at_rest().empty());
-  // Slack by 0.3 m: 784.5 kN - 1569 kN/m r = 2481 kN/m (r - 0.3 m) at r = 0.377 m.
+  // With 0.3 m of slack: 784.5 kN - 1569 kN/m r = 2481 kN/m (r - 0.3 m) at r = 0.377 m.
   const std::vector<std::string> slack = Afloat(1, "[0, 0, -2]", 40.3).at_rest();
   ASSERT_EQ(slack.size(), 1U);
   expect_part(slack.front(), "body barge comes to rest 0.377 m higher than its initial position");
 }
 
-// KB = 1.25, BM = 8²/(12 2.5) = 2.13 m in roll, 13.3 m in pitch: KG = 4 m is above the metacentre of roll
-// alone, KG = 15 m above both.
+// KB = 1.25 m, BM = 8²/(12 2.5) = 2.13 m in roll and 13.3 m in pitch: KG = 4 m is above the metacentre of
+// roll only, KG = 15 m above both.
 TEST(CaseHulls, NegativeMetacentricHeights) {
   expect_part(Afloat(1.5, "[0, 0, 0]").at_start(),
               "warning: body barge capsizes: its metacentric height in roll is negative");

@@ -20,7 +20,7 @@ std::string text_of(const std::string& path) {
   return s.str();
 }
 
-// Overwrites, excludes or duplicates bytes, or truncates.
+// Overwrites, deletes or duplicates bytes, or truncates the text.
 std::string broken(std::string text, std::mt19937& gen) {
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(gen()) % n; };
   for (std::size_t k = 1 + below(6); k > 0 && !text.empty(); --k) {
@@ -59,7 +59,7 @@ TEST(CaseMeshFuzz, BrokenFilesAreReadOrRefused) {
     stl += "endloop\nendfacet\n";
   }
   stl += "endsolid t\n";
-  // The same in binary: 80 bytes, the number, 50 bytes per triangle.
+  // The same mesh as binary STL: 80 bytes, the number of triangles, 50 bytes for each.
   std::string binary(80, ' ');
   const auto put = [&](const auto& x) { binary.append(reinterpret_cast<const char*>(&x), sizeof x); };
   put(std::uint32_t{4});

@@ -1,4 +1,4 @@
-// Motion tables: interpolation and messages.
+// Motion tables in a case: interpolation between rows, and notes about overshoot.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ const std::string kRows =
 
 TEST(CaseMotion, OvershootOfASplineIsReported) {
   const model::Case c = read(kRows);
-  // The other note: the spline begins with a velocity.
+  // The second note is about the velocity at the start of the spline.
   ASSERT_EQ(c.notes.size(), 2U);
   EXPECT_NE(c.notes[1].find("starts at t = 0 with 0.339 m/s"), std::string::npos) << c.notes[1];
   const std::string& note = c.notes[0];

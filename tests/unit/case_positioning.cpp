@@ -125,8 +125,8 @@ TEST(CasePositioning, GrowthOfTheLoop) {
   EXPECT_LT(unstable, 9);
 }
 
-// With D alone: s⁴ + 3 s³ + 3 s² + (1 + 3 d) s + d with d = D/(m c), by Routh unstable where (8 - 3 d) (1 + 3
-// d) < 9 d, that is for d > 1.8.
+// With D alone: s⁴ + 3 s³ + 3 s² + (1 + 3 d) s + d with d = D/(m c), which is unstable by Routh's criterion
+// if (8 - 3 d) (1 + 3 d) < 9 d, that is for d > 1.8.
 TEST(CasePositioning, DampingAloneMayBeUnstable) {
   constexpr double c = 2 * M_PI / 60;
   for (const double d : {0.5, 1.5, 2.2, 9.}) {

@@ -1,4 +1,4 @@
-// Vessel motion by responses, from the case to the pose of the body.
+// Vessel motion by response amplitude operators, from the case to the pose of the body.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 namespace hawser::case_rao_test {
 namespace {
 
-// Heave of 1 without lag, pitch of 2 deg/m leading by a quarter; heading 30 deg.
+// Heave of 1 m/m in phase, pitch of 2 deg/m leading by a quarter of a period; heading 30 deg.
 TEST(CaseRao, BodyFollowsTheWaves) {
   const std::string text = R"(
 hawser: 1
@@ -51,8 +51,8 @@ dynamics: {duration: 60}
   }
 }
 
-// A drifted and drifting ship meets the waves at its current position: its heave is the elevation there, and
-// its derivatives are those of its position.
+// A ship that drifts meets the waves at its current position: its heave is the elevation there, and its rates
+// are the time derivatives of its pose.
 TEST(CaseRao, DriftsInTheWaves) {
   const std::string text = R"(
 hawser: 1
@@ -78,7 +78,7 @@ dynamics: {duration: 100}
   const model::Case c = io::read_case_text(text, "/nowhere/case.yaml");
   const Bodies bodies(c.bodies);
   const WaveField w = model::wave_field(c.environment);
-  const WaveComponent& k = w.components()[0];  // Stokes' wave as vessels see it: linear
+  const WaveComponent& k = w.components()[0];  // vessels respond to a Stokes wave as to a linear one
   ASSERT_EQ(w.components().size(), 1u);
   for (double t = 0; t < 100; t += 1.3) {
     const RigidPose p = bodies.pose(0, t);
@@ -86,8 +86,8 @@ dynamics: {duration: 100}
     const Vec3 at(52 + 10 * slow, -27 + 4 * slow, 3);
     const double angle = k.number * (k.x * at.x() + k.y * at.y()) - k.omega * t;
     EXPECT_LT((p.position - at - Vec3(0, 0, k.amplitude * std::cos(angle))).norm(), 1e-5) << t;
-    // The waves propagate along the drifted heading of 75 deg: pitch about the athwart axis leads the crest
-    // by a quarter of a period, without roll.
+    // The waves propagate along the heading of 75 deg after the drift: pitch leads the crest by a quarter of
+    // a period, without roll.
     const Vec3 turn = log_so3(p.rotation * exp_so3(Vec3(0, 0, 75 * M_PI / 180)).conjugate());
     const Vec3 side(-std::sin(75 * M_PI / 180), std::cos(75 * M_PI / 180), 0);
     const double pitch = 2 * M_PI / 180 * k.amplitude * std::cos(angle - M_PI / 2);
@@ -102,7 +102,7 @@ dynamics: {duration: 100}
 }
 
 // A table of 0 to 180 deg, and a wave from the other side: with symmetry the ship rolls to the other side;
-// without it a note reports the gap.
+// without it a note reports the missing directions.
 TEST(CaseRao, WavesFromTheOtherSide) {
   const auto read = [](const std::string& sea, const std::string& rao) {
     std::string rows;
@@ -144,7 +144,7 @@ dynamics: {duration: 20}
                 "responses there lie on straight lines between 180 and 360 deg"),
             std::string::npos)
       << blind.notes[0];
-  // No notes at the table's last direction and between close ones.
+  // No notes for the last direction of the table, nor for a direction between two close ones.
   EXPECT_TRUE(read(wave(210), "").notes.empty());
   EXPECT_TRUE(read(wave(150), "").notes.empty());
   const auto sea = read("jonswap: {hs: 3, tp: 9, direction_deg: 300, components: 20}", "").notes;
@@ -152,7 +152,8 @@ dynamics: {duration: 20}
   EXPECT_NE(sea[0].find("20 components of the sea go to 270 deg"), std::string::npos) << sea[0];
 }
 
-// A table used for waves shorter and longer than its periods, and for directions it lacks.
+// Notes for a table with waves shorter and longer than its periods, and with directions that it does not
+// have.
 TEST(CaseRao, WavesBeyondTheTable) {
   const auto notes = [](const std::string& sea, const std::vector<double>& periods,
                         const std::vector<int>& directions) {

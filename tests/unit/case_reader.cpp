@@ -33,8 +33,8 @@ Case read_line(const std::string& line) {
 
 bool near(const Vec3& a, const Vec3& b) { return (a - b).norm() < 1e-14; }
 
-// Linear waves steeper than possible are run with a note; Miche's limit is 0.142 of the length in deep water,
-// 0.142 tanh(kd) otherwise.
+// Linear waves above the breaking limit are accepted with a note. Miche's limit is 0.142 of the length in
+// deep water and 0.142 tanh(kd) in general.
 TEST(CaseReader, WavesThatWouldBreak) {
   const auto notes = [](const std::string& sea) {
     std::vector<std::string> all =
@@ -43,14 +43,14 @@ TEST(CaseReader, WavesThatWouldBreak) {
              "lines: {a: {sections: [{type: hose, length: 100, elements: 20}], end_a: {anchor: [0, 0, 0]}, "
              "end_b: {anchor: [90, 0, 0]}}}\n")
             .notes;
-    // The submerged chain is too heavy for its diameter, and dynamics is missing.
+    // Other notes: the chain is too heavy for its diameter, and dynamics is missing.
     std::erase_if(all, [](const std::string& n) {
       return n.find("line_types.chain") != std::string::npos ||
              n.find("waves: they act") != std::string::npos;
     });
     return all;
   };
-  // 9 s: 126.4 m long, 17.95 m; in 10 m of water 81.7 m and 7.50 m.
+  // The wave of 9 s has a length of 126.4 m and a limit of 17.95 m; in 10 m of water 81.7 m and 7.50 m.
   EXPECT_TRUE(notes("water: {}, waves: {regular: {height: 17.9, period: 9}}").empty());
   const auto deep = notes("water: {}, waves: {regular: {height: 19, period: 9}}");
   ASSERT_EQ(deep.size(), 1U);
@@ -427,7 +427,7 @@ lines:
   const model::SignTest signs[] = {tetrahedra, solid_angle, winding, pseudonormal, automatic};
   for (size_t i = 0; i < 5; ++i) {
     EXPECT_EQ(plain.volumes[i].sign, signs[i]);
-    EXPECT_EQ(plain.volumes[i].smooth, i > 2);  // the tests examine the facets
+    EXPECT_EQ(plain.volumes[i].smooth, i > 2);  // tests of points in polyhedra use the flat facets
   }
   EXPECT_TRUE(plain.output.clashes.enabled);
   EXPECT_EQ(plain.output.clashes.merge_gap, 0.1);

@@ -1,4 +1,4 @@
-// Documents of the schema, its units, and helpful messages.
+// The schema of case files is consistent; its units, and messages with suggestions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace hawser::model::case_schema_test {
 namespace {
 
-// Requirements of the checker and the documents on a schema.
+// Properties of a schema that the checker and the documents require.
 void inspect(const Key& k, const std::string& path) {
   using Type = Key::Type;
   EXPECT_FALSE(k.required && (k.fallback || !k.fallback_note.empty())) << path << ": needed and with default";
@@ -30,7 +30,7 @@ void inspect(const Key& k, const std::string& path) {
       EXPECT_TRUE(std::count(g.keys.begin(), g.keys.end(), key)) << path << ": " << key;
   }
   if (k.type == Type::one_of) {
-    std::set<int> forms;  // alternatives must differ in form for the checker to choose
+    std::set<int> forms;  // the checker chooses among alternatives by their form, so these must differ
     for (const Key& a : k.keys) {
       const int form = a.type == Type::list || a.type == Type::vec3        ? 1
                        : a.type == Type::map || a.type == Type::names      ? 2
@@ -45,7 +45,7 @@ void inspect(const Key& k, const std::string& path) {
 
 TEST(CaseSchema, IsWellMade) { inspect(case_schema(), "case"); }
 
-// Paths of numbers that have words for the two ends of a line.
+// Paths of numbers for which words name the two ends of a line.
 void arc_lengths(const Key& k, const std::string& path, std::set<std::string>& to) {
   const auto ends = [](const Key& a) { return a.words == std::vector<std::string>{"end_a", "end_b"}; };
   const auto number = [](const Key& a) { return a.type == Key::Type::number; };
@@ -55,7 +55,8 @@ void arc_lengths(const Key& k, const std::string& path, std::set<std::string>& t
   for (const Key& inner : k.keys) arc_lengths(inner, path + (inner.name.empty() ? "" : "." + inner.name), to);
 }
 
-// model/cut_lines.cpp renumbers these arc lengths for cut lines. A new one belongs there, and then here.
+// model/cut_lines.cpp renumbers these arc lengths for cut lines. A new key for an arc length must be added
+// there and here.
 TEST(CaseSchema, ArcLengthsAreThoseThatACutRenumbers) {
   std::set<std::string> found;
   arc_lengths(case_schema(), "", found);

@@ -79,7 +79,8 @@ TEST(CaseSea, SuctionOfTheSeabed) {
   expect_part(c, "suction up to 2000 N/m² over 0.05 m");
 }
 
-// The smooth surface of a grid overshoots its heights beside a cliff, but not on a slope.
+// The smooth surface of a grid overshoots its heights beside a cliff, which a note reports; on a slope there
+// is no note.
 TEST(CaseSea, GridWithAStep) {
   const fs::path folder = fs::path(testing::TempDir()) / "hawser_step";
   fs::create_directories(folder);

@@ -1,4 +1,4 @@
-// Volumes given as shapes: surface for contact and triangles for display.
+// Volumes given as shapes: their surfaces for contact against closed forms, and their triangles for display.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -57,12 +57,12 @@ TEST(CaseShapes, OfEveryKind) {
   EXPECT_EQ(tube.bend_radius, (std::vector<double>{3, 1.5}));
   EXPECT_EQ(tube.wall_thickness, 0.03);
 
-  // Contact distances of each volume at a point above (0.1, 0, 0).
+  // Distance from the point to the surface of each volume, in contact.
   const auto volumes = run::load_volumes(c);
   const auto surfaces = run::surfaces(volumes);
   const auto distance = [&](size_t i, const Vec3& y) { return surfaces[i]->query(y, 1e9)->distance; };
   EXPECT_NEAR(distance(0, {5, 5, -50}), 10, 1e-14);
-  EXPECT_NEAR(distance(1, {2.5, 2, 3}), 0.5, 1e-14);  // turned: 2 m along x, 0.4 m along y
+  EXPECT_NEAR(distance(1, {2.5, 2, 3}), 0.5, 1e-14);  // rotated: 2 m along x, 0.4 m along y
   EXPECT_NEAR(distance(1, {1, 3, 3}), 0.8, 1e-14);
   EXPECT_NEAR(distance(2, {0, 0, 3}), 1.5, 1e-14);
   EXPECT_NEAR(distance(3, {0.3, 0.5, 0.4}), 0.25, 1e-14);

@@ -75,7 +75,8 @@ TEST(CaseSupports, BoxesOfEachType) {
   const auto& first = c.supports[0];
   EXPECT_EQ(first.name, "ramp 1");
   EXPECT_EQ(first.line, "pipe");
-  expect_near(first.at, Vec3(-35, 0, 10.325));  // a roller diameter and half the pipe's above the axis
+  expect_near(first.at,
+              Vec3(-35, 0, 10.325));  // half of the roller diameter and half of the pipe's above the axis
   expect_near(c.supports[1].at, Vec3(-40, 0, 10.325));
   const auto cylinder = [&](const std::string& name) {
     for (const model::Volume& v : c.volumes)
@@ -117,8 +118,8 @@ TEST(CaseSupports, ByPoints) {
   expect_near(c.supports[0].at, Vec3(-40, 0, 10) + 0.325 * c.supports[0].up);
 }
 
-// Each box of a group on a structure rides on the nearest point of its beams, as positioned in the body's
-// frame.
+// Each box of a group on a structure is attached to the nearest point of its beams, at its position in the
+// body's frame.
 TEST(CaseSupports, OnAStructure) {
   const auto with = [](const std::string& on, const std::string& girder) {
     return io::read_case_text(
@@ -204,7 +205,7 @@ TEST(CaseSupports, WhatIsWrongIsReportedWithItsRemedy) {
                  "there is another history called 'ramp 1'");
 }
 
-// Strain that defines the yield stress of pipe steel: beyond it the pipe is not elastic.
+// The yield stress of pipe steel is defined at a strain of 0.5 %; beyond it, the pipe is not elastic.
 TEST(CaseSupports, WhatWasBentBeyondYieldIsWarnedOf) {
   const model::Case c = read("{at: 5, type: flat" + kRoller + "}");
   advice::Extreme at{"pipe", 0.041, 2, 12};
@@ -234,7 +235,7 @@ TEST(CaseSupports, SharpBendsAndLongElementsGiveWarnings) {
       << notes(20, "[25, 35, 45]");
 }
 
-// Events select rollers by the name of their group, box, or their own.
+// Events select rollers by the name of their group, of their box, or by their own.
 TEST(TiedNodes, AreSwitchedByName) {
   const auto off = [](const std::string& name) {
     const model::Case c = read(

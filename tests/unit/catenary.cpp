@@ -1,3 +1,5 @@
+// Elastic catenaries: against closed forms, published lines and an integration along the line; special cases,
+// random lines and derivatives.
 #include "hawser/kernels/catenary.hpp"
 
 #include <gtest/gtest.h>
@@ -24,8 +26,8 @@ void expect_planar(const Planar& c, double tolerance) {
   EXPECT_NEAR((s.end_b() - Vec3(c.X, 0, c.Z)).norm(), 0, 1e-10 * c.L);
 }
 
-// Irvine's suspended elastic catenary, closed form solved with 30 digits and checked by an ODE to 1e-12. The
-// last is a near-taut line of a published test whose forces violate vertical equilibrium.
+// Irvine's suspended elastic catenary: closed form solved with 30 digits and checked by an ODE to 1e-12. The
+// last row is a nearly taut line of a published test whose published forces violate vertical equilibrium.
 TEST(Catenary, SuspendedLines) {
   expect_planar({100, 60, 130, 5e7, 800, 42367.282133441084, 84534.59422133592}, 1e-11);
   expect_planar({100, 60, 110, 2e5, 300, 19441.541310991368, 29737.876520897935}, 1e-11);
@@ -80,7 +82,7 @@ TEST(Catenary, SectionsWithLateralLoadsAndPointLoads) {
 
 TEST(Catenary, LooseVerticalTightAndReversed) {
   const std::vector<CatenarySection> hose{{100, {0, 0, -50}, 1e7}};
-  // Both ends at one point: a fold with half the weight on each leg.
+  // Both ends at one point: the line is folded, with half of the weight on each leg.
   CatenaryShape s = catenary({0, 0, 0}, {0, 0, 0}, hose);
   EXPECT_NEAR(s.tension_b().z(), 2500, 1e-3);
   EXPECT_NEAR(s.position(50).z(), -50 * (1 + 50 * 50 / (2 * 1e7)), 1e-3);
@@ -93,14 +95,14 @@ TEST(Catenary, LooseVerticalTightAndReversed) {
   // Shorter than its span.
   s = catenary({0, 0, 0}, {104, 0, 0}, hose);
   EXPECT_NEAR(s.tension_a().x(), 4e5, 100);
-  // From B to A it is the same line.
+  // The line from B to A is the same as that from A to B.
   const CatenaryShape u = catenary({0, 0, 0}, {70, 5, 30}, hose), v = catenary({70, 5, 30}, {0, 0, 0}, hose);
   EXPECT_LT((u.tension_a() + v.tension_b()).norm(), 1e-8 * u.tension_a().norm());
   EXPECT_LT((u.position(30) - v.position(70)).norm(), 1e-9);
-  // Very slack and very light.
+  // A line that is very slack, and one that is very light.
   EXPECT_NO_THROW(catenary({0, 0, 0}, {1e-3, 0, 0}, hose));
   EXPECT_NO_THROW(catenary({0, 0, 0}, {101, 0, 0}, {{100, {0, 0, -1e-9}, 1e9}}));
-  // No load: straight when tight, refused when slack.
+  // Without load a line is straight if it is in tension, and refused if it is slack.
   s = catenary({0, 0, 0}, {0, 101, 0}, {{100, {0, 0, 0}, 1e7}});
   EXPECT_NEAR(s.tension_b().y(), 1e5, 1e-4);
   EXPECT_THROW(catenary({0, 0, 0}, {0, 99, 0}, {{100, {0, 0, 0}, 1e7}}), std::invalid_argument);
@@ -201,7 +203,7 @@ TEST(Catenary, FreeStrainIsALongerLine) {
   EXPECT_LT((r - catenary_chord(T, load / (1 + e), 100 * (1 + e), 1e6 * (1 + e), &L)).norm(), 1e-11);
   EXPECT_LT((K - L).norm(), 1e-12 * L.norm());
   EXPECT_THROW(catenary({0, 0, 0}, {0, 104, 0}, {{100, {0, 0, 0}, 1e7, {0, 0, 0}, 0.05}}),
-               std::invalid_argument);  // slack, and without load
+               std::invalid_argument);  // slack without a load
 }
 
 }  // namespace

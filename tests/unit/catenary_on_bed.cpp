@@ -1,4 +1,4 @@
-// Lines on a level bed against MAP++ and MoorPy, on slopes against an independent solver.
+// Lines on a level bed against MAP++ and MoorPy, on a sloping bed against a separate solver.
 #include "hawser/kernels/catenary_on_bed.hpp"
 
 #include <gtest/gtest.h>
@@ -110,8 +110,9 @@ TEST(CatenaryOnBed, ReferenceLines) {
     const auto s = catenary_on_bed(anchor, b, l.sections, l.friction);
     ASSERT_TRUE(s) << l.name;
     const Vec3 T = s->tension_b(), A = s->tension_a();
-    const double near =
-        std::string(l.name).starts_with("OC3 ") ? 1e-6 : 1e-8;  // the ends are not known more accurately
+    const double near = std::string(l.name).starts_with("OC3 ")
+                            ? 1e-6
+                            : 1e-8;  // the published positions of the ends are not more accurate
     EXPECT_NEAR(T.head<2>().norm(), l.H, near * l.H) << l.name;
     EXPECT_NEAR(T.z(), l.V, near * l.V) << l.name;
     EXPECT_NEAR(s->grounded(), l.grounded, 1e3 * near) << l.name;
@@ -150,8 +151,8 @@ TEST(CatenaryOnBed, ClumpWeight) {
   }
 }
 
-// Beds that rise and fall towards end B, slack and taut, against an independent solver: loads, end positions,
-// and length on the plane.
+// Beds that rise and fall towards end B, slack and taut lines, against a separate solver: loads, end
+// positions, and length on the plane.
 TEST(CatenaryOnBed, SlopingBed) {
   constexpr double kLength = 500;
   for (const double slope : {-0.15, -0.05, 0.05, 0.15})
@@ -180,7 +181,7 @@ TEST(CatenaryOnBed, SlopingBed) {
 
 TEST(CatenaryOnBed, NothingWhereThereIsNoSuchShape) {
   const std::vector<CatenarySection> s = {part(800, 500, 5e8)};
-  EXPECT_FALSE(catenary_on_bed(Vec3::Zero(), Vec3(200, 0, 200), s, 0));  // hangs straight down
+  EXPECT_FALSE(catenary_on_bed(Vec3::Zero(), Vec3(200, 0, 200), s, 0));  // the line hangs straight down
   EXPECT_FALSE(catenary_on_bed(Vec3::Zero(), Vec3(400, 0, -10), s, 0));
   EXPECT_FALSE(catenary_on_bed(Vec3::Zero(), Vec3(400, 0, 200), {part(-800, 500, 5e8)}, 0));
 }

@@ -1,4 +1,5 @@
-// Contacts of steps combined into clashes.
+// Contacts of successive steps are combined into clashes: duration, impulse, largest force and places,
+// against hand calculations.
 #include "hawser/record/clash_log.hpp"
 
 #include <gtest/gtest.h>
@@ -85,7 +86,7 @@ TEST(ClashLog, PlacesOfAPairAreClashesOfTheirOwnUntilTheyMeet) {
   step(log, 0, {touch(0, 0, 1, 2, 5), touch(0, 1, 1, 2)});
   step(log, 1, {touch(0, 0, 1, 2, 5), touch(0, 0, 8, 9, 50), touch(0, 1, 1, 2)});
   EXPECT_EQ(log.count(), 3);
-  // The contact moves along the line.
+  // One contact moves along the line.
   for (int i = 0; i < 6; ++i) step(log, 1.1 + 0.1 * i, {touch(0, 0, 1 + i, 2 + i, 5), touch(0, 0, 8, 9, 50)});
   const auto open = log.open();
   ASSERT_EQ(open.size(), 2u);  // the clash of the other volume has ended
@@ -134,7 +135,7 @@ TEST(ClashLog, GoesOnFromItsRecord) {
   EXPECT_THROW(rest.restore({1, 2, -3}), std::invalid_argument);
 }
 
-// The reported clashes are those of the file's last output, even if the checkpoint is later.
+// The reported clashes are those of the last output in the file, even if the checkpoint is later.
 TEST(ClashLog, KeepsWhatItHasReported) {
   ClashLog log(settings());
   step(log, 0, {touch(0, 0, 1, 2, 3), touch(1, 0, 1, 2, 3)});

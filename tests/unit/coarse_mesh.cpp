@@ -1,3 +1,4 @@
+// Coarse meshes for display: number of vertices, volume and sharp edges of the original.
 #include "hawser/geometry/coarse_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -7,7 +8,7 @@
 namespace hawser {
 namespace {
 
-// A sphere of radius 3 m of 2 n² triangles.
+// A sphere of radius 3 m with 2 n² triangles.
 struct Sphere {
   std::vector<Vec3> vertices;
   std::vector<std::array<int, 3>> triangles;
@@ -49,7 +50,7 @@ TEST(CoarseMesh, HasAsManyVerticesAsAskedForAndTheShape) {
   }
 }
 
-// Where faces meet, the vertex is on all their planes.
+// At an edge of the body, the vertex of the coarse mesh is on all planes that meet there.
 TEST(CoarseMesh, KeepsSharpEdges) {
   constexpr int n = 40;
   std::vector<Vec3> vertices;

@@ -77,15 +77,16 @@ double depth(const Gap& g, double L, const std::vector<ContactInterval>& interva
   return sum;
 }
 
-// Two round humps pass below an axis: the contact length changes no faster within a step than they move,
-// wherever the humps and the inactive interval between them are, and whether that interval opens or closes.
-// Between steps it may change by the quadrature error of the inactive interval.
+// Two round humps move along below an axis: within a step the depth, integrated over the contact, changes by
+// at most 0.1 % of its largest value, wherever the humps and the inactive interval between them are, and
+// whether that interval opens or closes. Between steps it may change by the quadrature error of the inactive
+// interval.
 TEST(ContactIntervals, HumpsComeAndGoSmoothly) {
   const double L = 1.3, R = 7, r = 0.25, move = 1e-4;
   double within = 0, between_steps = 0, most = 0;
   int filled_ever = 0, parted = 0;
   for (const double between : {0.1, 0.148, 0.35, 0.5, 0.8})
-    for (const double rise : {0.0, 3e-8, -3e-8}) {  // step of the humps, up or down
+    for (const double rise : {0.0, 3e-8, -3e-8}) {  // of the humps in a step
       double last = -1, height = R + r - 4e-4;
       const auto humps = [&](double c) {
         Gap a = circle(L, c, height, R + r), b = circle(L, c + between, height + 1e-4, R + r), g;
@@ -128,7 +129,7 @@ TEST(ContactIntervals, LyingAndArching) {
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(g.calls, 3);
   EXPECT_FALSE(found[0].from_moves || found[0].to_moves);
-  // An arch over the second half: roots of -1e-3 + 0.1 (x - 0.6)(0.9 - x) by the formula.
+  // An arch over the second half: roots of -1e-3 + 0.1 (x - 0.6)(0.9 - x) in closed form.
   g.value = [](double x) { return -1e-3 + 0.1 * (x - 0.6) * (0.9 - x); };
   g.slope = [](double x) { return 0.1 * (1.5 - 2 * x); };
   found = contact_intervals(g, {1}, 1);
@@ -147,15 +148,14 @@ TEST(ContactIntervals, LyingAndArching) {
 }
 
 // A shallow inactive interval that begins near the end of a piece and ends in a kink, as over two facets of a
-// hull, is found whether that end lies in it or just before it.
+// hull, is found whether the end of the piece is in it or just before it.
 TEST(ContactIntervals, AHollowWithAKinkIsFoundFromTheFirst) {
   const double move = 1e-4;
   for (const double rise : {2e-3, 6e-3, 0.03})
     for (const double fall : {0.02, 0.09, 0.4}) {
       double last = -1;
       for (double c = 0.24033; c < 0.2503; c += move) {
-        const double kink =
-            c + 0.01;  // the inactive interval from c on, over the kink, to where it has fallen again
+        const double kink = c + 0.01;  // the inactive interval begins at c and ends behind the kink
         Gap g;
         const auto bottom = [&](double x) { return x < kink ? -1 : -0.004 + 0.01 * (x - 0.6) * (x - 0.6); };
         const auto top = [&](double x) {

@@ -1,3 +1,5 @@
+// Normal contact law: ramp, linear and cubic spring, damping and tables, against closed forms and
+// differences; impact of a mass on it.
 #include "hawser/kernels/contact_law.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +18,7 @@ TEST(ContactLaw, RampAndLinearPart) {
   EXPECT_DOUBLE_EQ(normal_force(law, 0, 0).force, 2e5 * 0.01 / 4);
   EXPECT_DOUBLE_EQ(normal_force(law, -0.01, 0).force, 2e5 * 0.01);
   EXPECT_DOUBLE_EQ(normal_force(law, -0.05, 0).force, 2e5 * 0.05);
-  for (double knot : {-0.01, 0.01}) {  // potential, force and stiffness go through the knots
+  for (double knot : {-0.01, 0.01}) {  // potential, force and stiffness are continuous at the knots
     const NormalForce a = normal_force(law, knot - 1e-12, 0), b = normal_force(law, knot + 1e-12, 0);
     EXPECT_NEAR(a.potential, b.potential, 1e-8);
     EXPECT_NEAR(a.elastic, b.elastic, 1e-5);
@@ -40,7 +42,7 @@ TEST(ContactLaw, DerivativesAndPotential) {
     }
 }
 
-// F = k s + c s³, continuous through the knots of the ramp.
+// F = k s + c s³, continuous at the knots of the ramp.
 TEST(ContactLaw, GrowsWithTheDepth) {
   NormalLaw law{2e5, 0.01, 0};
   law.cubic = 3e9;
@@ -52,7 +54,7 @@ TEST(ContactLaw, GrowsWithTheDepth) {
     EXPECT_NEAR(f.by_gap, (p.force - m.force) / (2 * h), 1e-6 * 1e6);
     EXPECT_NEAR(f.elastic, -(p.potential - m.potential) / (2 * h), 1e-4);
   }
-  // A mass of 3 kg at 2 m/s stops at q, where the spring has its energy.
+  // A mass of 3 kg with 2 m/s stops at the depth q at which the energy is in the spring.
   const double k = stiffness_of_impact(law, 0, 3, 2), q2 = (k - 2e5) / (3 * 3e9);
   EXPECT_NEAR(2e5 * q2 / 2 + 3e9 * q2 * q2 / 4, 6, 1e-9);
   EXPECT_NEAR(stiffness_of_impact(law, 0.2, 3, 2), 2e5 + 9e9 * 0.04, 1);
@@ -71,7 +73,8 @@ TEST(ContactLaw, NeverPulls) {
     }
 }
 
-// Flat at (0, 0), through the rows, then straight; compared with its own differences and integral.
+// A tabulated law is zero for gaps, passes through its rows and is straight beyond; its slope and potential
+// are compared with differences and an integral.
 TEST(ContactLaw, Table) {
   const std::vector<ContactForceTable::Row> rows{{0.01, 500}, {0.02, 500}, {0.03, 4000}, {0.05, 5000}};
   const ContactForceTable table(rows);
@@ -80,7 +83,7 @@ TEST(ContactLaw, Table) {
   for (double p = 0; p < 0.08; p += h) {
     const ContactForceTable::Value v = table.at(p), w = table.at(p + h);
     ASSERT_GE(w.force, v.force - 1e-9);
-    // Half a step beyond a row the second derivative is that of the next piece.
+    // In the step across a row the second derivative jumps, hence the absolute tolerance.
     ASSERT_NEAR((w.force - v.force) / h, 0.5 * (v.slope + w.slope), 20 + 1e-3 * v.slope);
     ASSERT_LE(v.slope, table.largest_slope() * (1 + 1e-12));
     integral += 0.5 * h * (v.force + w.force);
@@ -129,7 +132,8 @@ struct Bounce {
   double duration = 0, restitution = 0, force = 0;
 };
 
-// Impact of a free mass on the surface: RK4 with small steps, end by interpolation where the force vanishes.
+// Impact of a free mass on the surface, integrated by RK4 with small steps; it ends where the force is zero,
+// by interpolation.
 Bounce bounce(const NormalLaw& law, double mass, double speed) {
   const double h = 1e-6;
   double g = law.smoothing > 0 ? law.smoothing : -1e-18, v = -speed;
@@ -145,7 +149,7 @@ Bounce bounce(const NormalLaw& law, double mass, double speed) {
     v += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
     const double force = normal_force(law, g, v).force;
     b.force = std::max(b.force, force);
-    // Extrapolated over the last step because the law is cut off at zero.
+    // The law is cut off at zero, so the force is extrapolated over the last step.
     const double raw = -law.stiffness * g - law.damping * v;
     if (v > 0 && (law.smoothing > 0 ? g >= law.smoothing : raw <= 0)) {
       const double part = law.smoothing > 0 ? 1 : before / (before - raw);
@@ -158,7 +162,8 @@ Bounce bounce(const NormalLaw& law, double mass, double speed) {
   return b;
 }
 
-// Analytic: half a period of m = 50 kg on k = 1e5 N/m at 2 m/s; with zeta = 0.1 until the force vanishes.
+// Half a period of m = 50 kg on k = 1e5 N/m at 2 m/s, in closed form; with zeta = 0.1, until the force is
+// zero.
 TEST(ContactLaw, NodeImpact) {
   const Bounce elastic = bounce({1e5, 0, 0}, 50, 2);
   EXPECT_NEAR(elastic.duration, 0.07024814731040725, 1e-8);

@@ -1,4 +1,4 @@
-// Derivative of contact forces along a line against differences, and slips between two places.
+// Derivative of contact forces along a line against differences, and slips between two points of the line.
 #include "hawser/kernels/contact_rates.hpp"
 
 #include <gtest/gtest.h>
@@ -98,7 +98,7 @@ TEST(ContactAlong, DerivativeOfTheForce) {
       const Vec3 found = contact_force_along(law, p.start, p.trial, by);
       EXPECT_LT((found - expected).norm(), 1e-7 * expected.norm()) << s.name << " at " << xi;
       EXPECT_GT(expected.norm(), 1) << s.name;
-      // A rotating sphere: its surface slips as well.
+      // The surface of a rotating sphere slips as well.
       const Vec3 turn(0.002, -0.001, 0.003);
       const auto ball = [&](double x) {
         Place q = at(s, x);

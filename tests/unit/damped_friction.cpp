@@ -1,4 +1,4 @@
-// Friction with damped sticking.
+// Friction with damped sticking: energy balance on a given path.
 #include <gtest/gtest.h>
 
 #include <algorithm>

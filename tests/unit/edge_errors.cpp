@@ -1,4 +1,4 @@
-// Tension errors of straight elements over an edge, by hand.
+// Errors of the tension of straight elements over an edge, against hand calculations.
 #include "hawser/record/edge_errors.hpp"
 
 #include <fmt/format.h>
@@ -18,9 +18,9 @@ namespace {
 
 constexpr double kDegree = M_PI / 180;
 
-// A volume presses across an element of 2 m with a tension of 1 kN, and both adjacent elements slope down by
-// these angles: their tensions are 1 kN over the cosine, by the balance of either node along the middle
-// element. The transverse force only supports the other elements.
+// A volume presses on an element of 2 m with a tension of 1 kN, and both adjacent elements slope down by
+// these angles. By the balance of each node along the middle element, their tensions are 1 kN divided by the
+// cosine. The force across the element only balances the adjacent elements.
 std::string warning(double before, double after, double friction = 0,
                     const std::string& type = "bending: false") {
   const model::Case c = io::read_case_text(fmt::format(R"(
@@ -59,12 +59,12 @@ TEST(EdgeErrors, TensionOnBothSides) {
       std::string::npos)
       << text;
   EXPECT_NE(text.find("or use elements of 0.005 m there"), std::string::npos)
-      << text;                           // a fifth of the radius
-  EXPECT_EQ(warning(20, 0, 300), text);  // physical friction
+      << text;                           // element length: a fifth of the radius
+  EXPECT_EQ(warning(20, 0, 300), text);  // physical friction does not change the text
   EXPECT_EQ(warning(20, 0, 0, "EI: 1, GJ: 1"), "");
 }
 
-// 1 - cos: 0.50 % at 5.73 degrees.
+// 1 - cos is 0.50 % at 5.73 degrees: there is a warning above 0.5 % only.
 TEST(EdgeErrors, NoneOfMoreThanHalfAPercentIsKept) {
   EXPECT_EQ(warning(5.7, 0), "");
   EXPECT_NE(warning(5.8, 0), "");
@@ -78,8 +78,8 @@ TEST(EdgeErrors, WithinTheElement) {
   EXPECT_NE(warning(49, 49).find("by 1.6e+02 N"), std::string::npos) << warning(49, 49);
 }
 
-// Random turns along one line with a gap in the middle: for any cut the joined summary equals the sums by
-// definition.
+// Random turns along one line with an interval without contact: for any cut the joined summary equals the
+// sums by definition.
 TEST(PressedPart, JoinsHoweverTheLineIsCut) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> any(-1, 1);

@@ -1,4 +1,4 @@
-// Warnings about long elements: sag between nodes, and decaying moments.
+// Warnings about long elements: sag between nodes, and bending moments that decay within an element.
 #include "hawser/record/element_errors.hpp"
 
 #include <fmt/format.h>
@@ -56,9 +56,10 @@ TEST(ElementErrors, SagOfCablesBetweenNodes) {
       " m, t = 0 s), and its tension is wrong by about 3.3 % of the largest: use elements of 5.5 m there"))
       << warnings.front();
   EXPECT_TRUE(warnings_of_arc(8, 2, 1000, 1000).empty());
-  EXPECT_TRUE(warnings_of_arc(4, 2, 1000, 1700).empty());  // 2.0 % of the line's tension at another time
+  EXPECT_TRUE(warnings_of_arc(4, 2, 1000, 1700)
+                  .empty());  // 2.0 % of the largest tension of the line, which occurs at another time
   EXPECT_EQ(warnings_of_arc(4, 2, 1000, 1600).size(), 1U);
-  // The kink at a mass is not part of the line's sag.
+  // The kink at a mass does not count as sag.
   EXPECT_TRUE(warnings_of_arc(2, 2, 1000, 1000, "\n    masses: [{at: 10, mass: 100}]").empty());
   EXPECT_EQ(warnings_of_arc(2, 2, 1000, 1000).size(), 1U);
 }
@@ -90,8 +91,8 @@ lines:
   return *std::min_element(tension.begin(), tension.end());
 }
 
-// A cable with a sag of a tenth of its span: the error reported for four elements is their difference from
-// 64.
+// A cable with a sag of a tenth of its span: the error reported for four elements equals their difference
+// from 64 elements.
 TEST(ElementErrors, SagIsWhatShorterElementsShow) {
   std::string warnings, fine;
   const double coarse = least_tension(4, warnings), exact = least_tension(64, fine);
@@ -147,8 +148,9 @@ lines:
   EXPECT_TRUE(warnings.empty()) << warnings[0];
 }
 
-// Nodal moments at 1 m intervals of a beam under tension with decay length 1 m, exp(-|s|) about its middle:
-// the curvature of the cubic misses 1/16.2 of its value. At a mass the forces determine it.
+// Nodal moments at intervals of 1 m of a beam under tension with decay length 1 m, exp(-|s|) about its
+// middle: the curvature of the cubic is too small by 1/16.2 of its value. At a mass the moment follows from
+// the forces.
 TEST(ElementErrors, PeaksOfBendingMoment) {
   const auto warnings = [](double decay, double smooth, const std::string& more = "") {
     const model::Case c = io::read_case_text(fmt::format(R"(

@@ -1,4 +1,5 @@
-// A row of weights cut into parts: as even as possible, at the places with the smallest loss.
+// A row of weights cut into parts: the parts are as even as possible, and the cuts have the smallest loss,
+// against an exhaustive search.
 #include "hawser/mesh/even_parts.hpp"
 
 #include <gtest/gtest.h>
@@ -58,7 +59,7 @@ TEST(EvenParts, AsEvenAsTheItemsAllow) {
 TEST(EvenParts, CutsWhereLeastIsLost) {
   const std::vector<double> weight(8, 1);
   using Cuts = std::vector<int>;
-  // Without a better kind of cut, the even one before item 4.
+  // All kinds of cut are equal, so the even one before item 4 is chosen.
   EXPECT_EQ(cut_into_even_parts(row(weight, std::vector<CutKind>(8, kMuch)), 2, 1.3), (Cuts{0, 4, 8}));
   std::vector<CutKind> before(8, kMuch);
   before[5] = kNothing;
@@ -70,7 +71,7 @@ TEST(EvenParts, CutsWhereLeastIsLost) {
   EXPECT_EQ(cut_into_even_parts(row(weight, before), 2, 1.3), (Cuts{0, 3, 8}));
 }
 
-// Items given as runs of equal ones are cut as if each were given.
+// Items given as runs of equal ones are cut like the same items given one by one.
 TEST(EvenParts, RunsOfEqualItems) {
   std::mt19937 random(3);
   const CutKind kinds[] = {kNothing, kLittle, kMuch};

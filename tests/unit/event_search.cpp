@@ -50,8 +50,8 @@ TEST(EventSearch, AStraightRiseIsFoundInOneTry) {
   EXPECT_NEAR(f.value, 0.5, 1e-9);
 }
 
-// Rises of a thousand tolerances or more, early and late in the step, of either curvature, with slopes that
-// change tenfold at the event.
+// Conditions that rise by a thousand tolerances or more, early and late in the step, with either curvature or
+// with slopes that change tenfold at the event: at most 13 trials.
 TEST(EventSearch, BentRisesTakeFewTries) {
   for (const double root : {0.02, 0.3, 0.77, 0.999}) {
     const std::vector<std::function<double(double)>> rises{
@@ -70,7 +70,7 @@ TEST(EventSearch, BentRisesTakeFewTries) {
   }
 }
 
-// At a jump no step ends within the tolerance; one ends just after it.
+// If the condition jumps, no step ends within the tolerance; the found step ends just after the jump.
 TEST(EventSearch, AJumpIsFoundToTheShortestStep) {
   const Found f = find([](double t) { return std::vector<double>{t < 0.3 ? -500.0 : 200.0}; }, 1);
   EXPECT_GE(f.h, 0.3);

@@ -94,7 +94,7 @@ TEST(Events, ALineIsDividedWhereItIsCut) {
   EXPECT_EQ(c.output.clearances.size(), 3u);
   EXPECT_EQ(c.contact.lines.size(), 3u);
   EXPECT_EQ(c.contact.between_lines.exclude.size(),
-            3u + 3u);  // each with the other line, and with each other
+            3u + 3u);  // three parts with the other line, and three pairs of parts
 
   const Mesh m = build_mesh(c);
   const LineSpan &first = m.lines[0], &second = m.lines[1];

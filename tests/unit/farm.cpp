@@ -1,5 +1,5 @@
-// Farms: placed and rotated objects, shared objects, refusals with file and line, and joined notes of many
-// places.
+// Farms: objects that are placed and rotated, objects that places share, refusals with file and line, and
+// notes that are joined over many places.
 #include "hawser/model/farm.hpp"
 
 #include <gtest/gtest.h>
@@ -165,7 +165,7 @@ TEST_F(FarmFiles, PlacesAreTheFileMovedAndTurned) {
     EXPECT_LT((spring.end_b.at - moved({40, 3, -2})).norm(), 1e-11);
     EXPECT_EQ(spring.end_a.body, std::string(place) + "buoy");
     EXPECT_EQ(spring.end_a.at, Vec3::Zero());
-    // Objects fixed in space by the file are on a stationary body at the place.
+    // Objects fixed in space by the file are attached to a stationary body at the place.
     const auto pile = std::find_if(farm.volumes.begin(), farm.volumes.end(), [&](const model::Volume& v) {
       return v.name == std::string(place) + "pile";
     });
@@ -187,8 +187,8 @@ TEST_F(FarmFiles, CopiesShareMeshes) {
   EXPECT_EQ(volumes[1].facets, volumes[3].facets);
 }
 
-// What a place does not change has one copy: the mass of a buoy, but not that of one with a position, and of
-// a turned one what has no direction.
+// All places share one copy of what does not depend on the place: the mass of a buoy, but not that of one
+// with a position; at a rotated place, only objects without a direction.
 TEST_F(FarmFiles, CopiesShareWhatIsTheSame) {
   std::string text = kPlatform;
   const std::string positioning = "         positioning";
@@ -208,7 +208,7 @@ TEST_F(FarmFiles, CopiesShareWhatIsTheSame) {
 }
 
 TEST_F(FarmFiles, AnchorsAndPointsFollowTheBed) {
-  // 2 m up per 100 m to the east, and 10 m deeper than the platform's own bed at x = 0.
+  // The bed rises by 2 m per 100 m to the east, and is 10 m deeper than the platform's own bed at x = 0.
   const std::string text =
       "hawser: 1\nfarm: {of: platform.yaml, at: [[500, -300], [700, 100, 90]]}\n"
       "environment:\n  water: {density: 1025, depth: 60}\n"
@@ -300,7 +300,7 @@ TEST_F(FarmFiles, SetChangesThePlatform) {
   EXPECT_NE(why_not(text, {"farm[1].of.title=x"}).find("there are 1 platforms"), std::string::npos);
 }
 
-// Lengths found by targets belong to a single place.
+// Lengths found by targets apply to a single place.
 TEST_F(FarmFiles, LengthsOfOnePlace) {
   const model::Case farm = read("hawser: 1\nfarm: {of: platform.yaml, at: [[0, 0], [200, 0]]}\n" + kSea);
   const model::Case other = io::with_lengths(farm, {{"lines.T2/riser.sections[0]", 93}});

@@ -1,5 +1,5 @@
-// Length paid out in a step by tension, force of the element at the feed point, and energy of a changed
-// unstretched length.
+// Feeder law: length paid out in a step as a function of tension, force of the element at the feed point, and
+// energy of a changed unstretched length.
 #include "hawser/kernels/feeder_law.hpp"
 
 #include <gtest/gtest.h>
@@ -66,8 +66,8 @@ TEST(Feed, SolvesItsSpeedLaw) {
       }
 }
 
-// A feeder rests within its band; when it leaves, the tension stays at the edge until the speed equals that
-// of the law, and then follows the law. The map is onto, and the derivative is exact.
+// A feeder rests within its band. Beyond it, the tension stays at the edge until the speed equals that of the
+// law, and then satisfies the law. The tension is a continuous function of the chord.
 TEST(Feed, LeavesItsBandWithoutAJump) {
   for (const double most_speed : {0.0, 4.0})
     for (const double damping : {0.0, 0.02})
@@ -187,7 +187,7 @@ Bar bent(std::mt19937& g, double GA, const ResponseCurve* table) {
   return b;
 }
 
-// The force at a feeder is the negative derivative of strain energy by unstretched length.
+// The force at a feeder is minus the derivative of strain energy with respect to unstretched length.
 TEST(Feed, ABeamPullsByItsEnergy) {
   std::mt19937 g(3);
   const ResponseCurve table = rope();
@@ -213,7 +213,7 @@ TEST(Feed, ABeamPullsByItsEnergy) {
                 1e-8 * b.s.EA);
     EXPECT_LT(f.slope, 0);
   }
-  // Straight: tension plus the elastic energy per length.
+  // For a straight beam the force is the tension plus the elastic energy per length.
   Bar b = bent(g, 0, nullptr);
   b.e.q1 = b.e.q2 = Quat::Identity();
   b.e.x2 = b.e.x1 + 1.3013 * Vec3::UnitX();

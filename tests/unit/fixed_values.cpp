@@ -67,14 +67,15 @@ TEST(FixedValues, DependOnTheValueAndNotOnHowItIsWritten) {
   }
 }
 
-// Calls what(value) for v and all below it.
+// Calls what(value) for v and all its descendants.
 template <class What>
 void each(const model::Value& v, const What& what) {
   what(v);
   for (size_t i = 0; i < v.items.size(); ++i) each(*model::Entry(v, i), what);
 }
 
-// The tree without what a run does not read still has the lines of messages and what a restart compares.
+// The tree without the values that a run does not read still has the line numbers for messages and the values
+// that a restart compares.
 TEST(FixedValues, AndLinesOfKeysSurviveInATreeWithoutValues) {
   for (const char* name : {"reel", "hanging-line", "parted-mooring", "lazy-wave", "fenders", "winch"}) {
     const model::Case c =
@@ -93,7 +94,7 @@ TEST(FixedValues, AndLinesOfKeysSurviveInATreeWithoutValues) {
   }
 }
 
-// A line of a farm that is written in one line of the file is one entry of the tree.
+// A line of a farm that is written in one row of the file is one entry of the tree.
 TEST(FixedValues, KeepOneEntryOfALineInOneRow) {
   std::string text =
       "hawser: 1\nline_types: {chain: {outer_diameter: 0.1, mass_per_length: 30, EA: 1e8, bending: "

@@ -1,5 +1,5 @@
-// Flexible start shape: against the closed form of the catenary, independent of the start, on bed and
-// surface.
+// Flexible start shape: against the closed form of the catenary; independent of the initial guess, on the bed
+// and at the surface.
 #include "hawser/kernels/flexible_shape.hpp"
 
 #include <gtest/gtest.h>
@@ -70,8 +70,8 @@ TEST(FlexibleShape, RandomCatenaries) {
   printf("  worst of 400: %.1e of the length\n", worst);
 }
 
-// A lazy wave on a bed with one end at the surface: a straight start, one far above and a tangle give the
-// same shape.
+// A lazy wave on a bed with one end at the surface: three initial guesses (straight, far above, tangled) give
+// the same shape.
 TEST(FlexibleShape, TheSameFromAnyStart) {
   std::vector<CatenarySection> sections = {
       {150, Vec3(0, 0, -200), 1e8}, {80, Vec3(0, 0, -200), 1e8}, {120, Vec3(0, 0, -200), 1e8}};
@@ -105,7 +105,7 @@ TEST(FlexibleShape, TheSameFromAnyStart) {
   EXPECT_GT(lying, 5);
 }
 
-// A hose lighter than water and held at one end comes to the surface.
+// A hose that is lighter than water and held at one end rises to the surface.
 TEST(FlexibleShape, AFreeEndFloats) {
   std::vector<CatenarySection> sections = {{100, Vec3(0, 0, -600), 1e7}};
   Made m = cut(sections, 64);

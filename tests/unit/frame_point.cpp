@@ -1,4 +1,4 @@
-// A point of a frame: derivatives by a rotation of the frame, and its moment.
+// A point of a frame: derivatives with respect to a rotation of the frame, and its moment.
 #include "hawser/kernels/frame_point.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,8 @@ TEST(FramePoint, MomentAndWork) {
   EXPECT_NEAR(f.dot(p.velocity()), p.moment(f).dot(p.w), 1e-14);
 }
 
-// For an outward residual the convex part is the derivative across the arm; for an inward one it is zero.
+// For an outward residual the convex part is the derivative across the arm; for an inward residual it is
+// zero.
 TEST(FramePoint, ConvexPart) {
   const FramePoint p = turned(Vec3::Zero());
   const Vec3 out = -2 * p.arm();  // a force along the arm

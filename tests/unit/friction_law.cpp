@@ -1,3 +1,4 @@
+// Friction law of a point: against published formulas and paths, the continuous law, and closed forms.
 #include "hawser/kernels/friction_law.hpp"
 
 #include <gtest/gtest.h>
@@ -230,7 +231,7 @@ TEST(FrictionLaw, PaperPathThousandStepsALeg) {
               1e-3);
 }
 
-// A hundred thousand steps per leg: rounding accumulates, mostly in the reference's nearest points.
+// A hundred thousand steps per leg: rounding accumulates, mostly in the nearest points of the reference.
 TEST(FrictionLaw, PaperPathHundredThousandStepsALeg) {
   expect_path(kPaper, 100000,
               {{{0.006, 0}, {180.0, 0.0}, {0.0, 0.0}, 0.5400000000000016},
@@ -274,7 +275,8 @@ TEST(FrictionLaw, PaperPathHundredThousandStepsALeg) {
               1e-8);
 }
 
-// Fraction of a leg that sticks, with a thousand steps, to one step; none of the first two legs slides.
+// Fraction of a leg in which the point sticks, to one of a thousand steps; the first two legs have no
+// sliding.
 TEST(FrictionLaw, PartOfALegThatSticks) {
   const double U[][2] = {{0, 0},        {0.006, 0},     {0.006, 0.03}, {0.02, 0.03},
                          {-0.02, 0.03}, {-0.02, -0.05}, {0, 0}};
@@ -289,15 +291,15 @@ TEST(FrictionLaw, PartOfALegThatSticks) {
       slip = f.slip;
       slid += f.slides;
       stuck += !f.slides;
-      EXPECT_TRUE(f.slides || slid == 0) << leg;  // once it slides it slides on
+      EXPECT_TRUE(f.slides || slid == 0) << leg;  // sliding continues to the end of the leg
     }
     EXPECT_NEAR(stuck / 1000., sticks[leg], 1e-3) << leg;
   }
 }
 
-// Around a rectangle inside the stick ellipse (R up to 0.87). With springs no work remains, for any lengths,
-// given by length or stiffness; the paper's law gains 5.37558 J in one direction (78 % of the stored energy)
-// and loses it in the other.
+// A closed path around a rectangle inside the stick ellipse (R up to 0.87). With springs, given by length or
+// stiffness, the net work is zero for any lengths; the paper's law gains 5.37558 J in one direction (78 % of
+// the stored energy) and loses it in the other.
 TEST(FrictionLaw, ClosedLoopInsideStick) {
   const auto loop = [](const FrictionLaw& law, bool anticlockwise) {
     std::vector<Vec3> corners{{0, 0, 0}, {0.006, 0, 0}, {0.006, 0.025, 0}, {0, 0.025, 0}, {0, 0, 0}};
@@ -333,7 +335,7 @@ TEST(FrictionLaw, ClosedLoopInsideStick) {
   EXPECT_NEAR(std::hypot(far.x() / 300, far.y() / 800), 0.8663861725581729, 1e-12);
 }
 
-// Associated return: nearest on the slip surface in the norm of the springs, found here by search.
+// Associated return: the nearest point on the slip surface in the norm of the springs, against a search.
 TEST(FrictionLaw, AssociatedReturnIsNearest) {
   const FrictionLaw lengths{0.3, 0.8, 0, 0.01, 0.04, FrictionReturn::associated};
   const FrictionLaw springs{0.3, 0.8, 3e4, 0, 0, FrictionReturn::associated};
@@ -361,7 +363,7 @@ TEST(FrictionLaw, AssociatedReturnIsNearest) {
     }
 }
 
-// If isotropic, the two returns are equal.
+// With isotropic friction the two returns are equal.
 TEST(FrictionLaw, ReturnsAgreeWhereIsotropic) {
   for (const double lateral : {0.4, 0.4 + 1e-13}) {
     const FrictionLaw law{0.4, lateral, 0, 0.01, 0.01};
@@ -412,7 +414,7 @@ TEST(FrictionLaw, SteadyCircle) {
     EXPECT_NEAR(lag, 0.2 * std::cos(h / 2), 1e-12);
     EXPECT_NEAR(lag, 0.2, 1e-3 * 0.2);
     EXPECT_NEAR(work, exact, 2e-6 * exact);
-    // Relative to the tangent of the circle at the end of a step half a step more.
+    // Relative to the tangent of the circle at the end of a step the lag is larger by half a step.
     EXPECT_NEAR(behind_the_circle, std::sin(std::asin(lag) + h / 2), 1e-12);
     if (steps > 1000) {
       EXPECT_NEAR(behind_the_circle, 0.2, 1e-3 * 0.2);

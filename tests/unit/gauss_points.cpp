@@ -1,4 +1,5 @@
-// Gauss-Legendre rules with n points integrate polynomials of degree 2 n - 1 to rounding, no higher ones.
+// Gauss-Legendre rules with n points integrate polynomials of degree 2 n - 1 to rounding, and no polynomials
+// of higher degree.
 #include "hawser/math/gauss_points.hpp"
 
 #include <gtest/gtest.h>

@@ -15,8 +15,8 @@ namespace {
 using W = detail::Extended;
 using V = Triple<W>;
 
-// The point of the plane by barycentric coordinates if they are in [0, 1]; else the best of three segments.
-// Practically exact in 113 bits.
+// The foot of p on the plane if its barycentric coordinates are in [0, 1]; otherwise the nearest point of the
+// three segments. In 113 bits this is practically exact.
 double reference_distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, V& best) {
   const V v[3] = {triple<W>(a), triple<W>(b), triple<W>(c)}, q = triple<W>(p);
   W squared = -1;
@@ -40,7 +40,7 @@ double reference_distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec
     const W s = n.dot(r.cross(f)) / nn, t = n.dot(e.cross(r)) / nn;
     if (s >= 0 && t >= 0 && s + t <= 1) offer(v[0] + s * e + t * f);
   }
-  // Square root by Newton from double.
+  // Square root by Newton's method, starting from double.
   W root = std::sqrt(static_cast<double>(squared));
   if (root > 0) root = (root + squared / root) / 2;
   return static_cast<double>(root);
@@ -55,7 +55,7 @@ void expect_exact(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
       << p.transpose() << " | " << a.transpose() << " | " << b.transpose() << " | " << c.transpose();
   ASSERT_LE((got.point - p).norm() - d, 1e-14 * scale);
   ASSERT_GE((got.point - p).norm() - d, -1e-14 * scale);
-  // Nearest points are unique, so they agree as well: to 1e-14 unless the triangle is a sliver.
+  // The nearest point is unique, so the points agree as well: to 1e-14 unless the triangle is a sliver.
   const Vec3 r = best.vec();
   ASSERT_LE((got.point - r).norm(), 1e-14 * scale + 1e-15 * scale * scale / std::max(d, scale))
       << p.transpose();
@@ -91,7 +91,7 @@ TEST(GeometryClosestPoint, RandomTriangles) {
   for (int i = 0; i < 20000; ++i) {
     const Vec3 a = x(), b = x(), c = x();
     ASSERT_NO_FATAL_FAILURE(expect_exact(2 * x(), a, b, c));
-    // Very near, and far.
+    // Points very near to the triangle, and points far away.
     ASSERT_NO_FATAL_FAILURE(expect_exact((a + b + c) / 3 + 1e-9 * x(), a, b, c));
     ASSERT_NO_FATAL_FAILURE(expect_exact(1e4 * x(), a, b, c));
   }
@@ -117,7 +117,7 @@ TEST(GeometryClosestPoint, CollapsedTriangles) {
   const Vec3 p(7, -1, 2);
   // Degenerate to a point.
   EXPECT_EQ(closest_point_on_triangle(p, a, a, a).squared_distance, (p - a).squaredNorm());
-  // Two equal corners, and three collinear ones: a segment.
+  // Two equal corners, and three collinear ones: the triangle is a segment.
   const double d2 = closest_point_on_segment(p, a, b).squared_distance;
   EXPECT_NEAR(closest_point_on_triangle(p, a, a, b).squared_distance, d2, 1e-13);
   EXPECT_NEAR(closest_point_on_triangle(p, a, b, b).squared_distance, d2, 1e-13);

@@ -1,4 +1,5 @@
-// Duplicate triangles: regions of the surface listed twice, fins, walls, sheets.
+// Duplicate triangles: regions of the surface that are listed twice, fins, walls and sheets. After their
+// removal the distances equal those of the clean mesh.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,7 +55,7 @@ TriangleMesh clean_mesh(std::size_t kind) {
   }
 }
 
-// A connected region of at most `size` triangles, grown from one of them.
+// A connected region of at most `size` triangles around one of them.
 std::vector<std::size_t> region(const TriangleMesh& m, std::size_t size, Chance& chance) {
   const Topology topo = topology(m);
   std::vector<std::size_t> all = {chance.below(m.triangles.size())};
@@ -66,7 +67,7 @@ std::vector<std::size_t> region(const TriangleMesh& m, std::size_t size, Chance&
   return all;
 }
 
-// As in the reader.
+// Removes duplicates as the reader does.
 TriangleMesh dropped(TriangleMesh m, DuplicateResult* result = nullptr) {
   const DuplicateResult r = drop_duplicates(m);
   if (result) *result = r;
@@ -92,7 +93,7 @@ TEST(GeometryDuplicates, RegionsWrittenTwiceAreTheSurfaceOnce) {
     const TriangleMesh clean = clean_mesh(seed);
     TriangleMesh m = clean;
     const std::size_t n = clean.triangles.size();
-    // One to three regions, up to the whole mesh; copies in equal, reversed or random orientation.
+    // One to three regions, up to the whole mesh; the copies have equal, reversed or random orientation.
     int added = 0;
     for (std::size_t k = 1 + chance.below(3); k > 0; --k) {
       const std::size_t way = chance.below(3);
@@ -116,7 +117,7 @@ TEST(GeometryDuplicates, RegionsWrittenTwiceAreTheSurfaceOnce) {
   }
 }
 
-// With fins on the body: both sides are removed, and the regions stay.
+// Fins on the body: both sides of a fin are removed, and copies of regions are removed as well.
 TEST(GeometryDuplicates, FinsGo) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     Chance chance(seed);
@@ -157,7 +158,7 @@ TEST(GeometryDuplicates, FinsGo) {
   }
 }
 
-// Two rooms that share a wall listed by each; once with everything listed twice.
+// Two rooms, each of which lists the common wall; the wall is removed, also if everything is listed twice.
 TEST(GeometryDuplicates, AWallBetweenTwoRoomsGoes) {
   TriangleMesh rooms = box_mesh(Vec3::Zero(), Vec3(1, 1, 1));
   append(rooms, box_mesh(Vec3(1, 0, 0), Vec3(2.5, 1, 1)));
@@ -179,7 +180,8 @@ TEST(GeometryDuplicates, AWallBetweenTwoRoomsGoes) {
   EXPECT_NEAR(inspect(two).volume, 2.5, 1e-14);
 }
 
-// A hull without a deck, fully or half two-sided, stays; a two-sided bulkhead in it is removed.
+// A hull without a deck, completely or partly two-sided, keeps one side; a two-sided bulkhead in it is
+// removed.
 TEST(GeometryDuplicates, AnOpenHullOfTwoSidesStaysOnce) {
   TriangleMesh hull = sphere_mesh(3);
   std::erase_if(hull.triangles, [&](const Triangle& t) {
@@ -217,7 +219,7 @@ TEST(GeometryDuplicates, AnOpenHullOfTwoSidesStaysOnce) {
   const TriangleMesh one = dropped(m, &r);
   EXPECT_EQ(r.copies, 0);
   EXPECT_EQ(one.triangles.size(), n);
-  // The hull two-sided as well.
+  // The hull itself is two-sided.
   for (std::size_t t = 0; t < n; ++t) {
     m.triangles.push_back(hull.triangles[t]);
     flip(m.triangles.back());
@@ -227,7 +229,7 @@ TEST(GeometryDuplicates, AnOpenHullOfTwoSidesStaysOnce) {
   EXPECT_EQ(two.triangles.size(), n);
 }
 
-// A deck on walls listed once, with one cell listed twice: the walls do not make the cell redundant.
+// A deck on walls that are listed once, with one cell listed twice: the walls do not make the cell redundant.
 TEST(GeometryDuplicates, ACellOfADeckOnWallsStays) {
   TriangleMesh m;
   const int n = 4;  // cells each way
@@ -246,7 +248,7 @@ TEST(GeometryDuplicates, ACellOfADeckOnWallsStays) {
     }
   for (int j = 0; j <= n; ++j)
     for (int i = 0; i < n; ++i) {
-      // Outer walls face out; the orientation of inner ones is irrelevant.
+      // Outer walls face outward; the orientation of inner walls is irrelevant.
       if (j < n) quad(at(i, j, 0), at(i + 1, j, 0), at(i + 1, j, 1), at(i, j, 1));
       if (j == n) quad(at(i, j, 0), at(i, j, 1), at(i + 1, j, 1), at(i + 1, j, 0));
       if (j < n) quad(at(j, i, 0), at(j, i, 1), at(j, i + 1, 1), at(j, i + 1, 0));
@@ -265,7 +267,7 @@ TEST(GeometryDuplicates, ACellOfADeckOnWallsStays) {
 TEST(GeometryDuplicates, SheetsGo) {
   TriangleMesh box = box_mesh(Vec3::Zero(), Vec3::Ones());
   const TriangleMesh clean = box;
-  // A separate two-sided sheet, and one whose sides have different diagonals.
+  // A separate two-sided sheet, and one whose two sides have different diagonals.
   box.vertices.insert(box.vertices.end(), {{3, 0, 0}, {4, 0, 0}, {4, 1, 0}, {3, 1, 0}});
   for (const Triangle& t : {Triangle{8, 9, 10}, {8, 10, 11}, {8, 10, 9}, {8, 11, 10}})
     box.triangles.push_back(t);
@@ -280,7 +282,7 @@ TEST(GeometryDuplicates, SheetsGo) {
   EXPECT_EQ(drop_flat_pieces(box, 1e-6), 1);
   EXPECT_EQ(box.triangles, clean.triangles);
   EXPECT_EQ(drop_flat_pieces(box, 1e-6), 0);
-  // A sheet alone.
+  // A sheet without a body.
   TriangleMesh sheet;
   sheet.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   sheet.triangles = {{0, 1, 2}, {0, 2, 3}};

@@ -1,4 +1,4 @@
-// Facet groups of one surface: their number, distance and direction against closed forms; a single one on
+// Facet groups of one surface: their number, distance and direction against closed forms; a single group on
 // convex, smooth or thin surfaces.
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@ Vec3 random_in(const Box& b, std::mt19937& gen) {
   return b.lo + b.extent().cwiseProduct(Vec3(u(gen), u(gen), u(gen)));
 }
 
-// Nearest point of each facet group within max_distance [m] of y, the nearest first; none of groups seen from
-// behind. At most one if the surface is convex or smooth.
+// Nearest point of each facet group within max_distance [m] of y, the nearest first, without groups whose
+// facets face away from y. At most one point if the surface is convex or smooth.
 std::vector<SurfacePoint> nearest_on_groups(const Surface& surface, const Vec3& y, double max_distance) {
   FacetGroups groups;
   if (!surface.one_facet_group({&y, 1}, max_distance)) surface.facet_groups({&y, 1}, max_distance, groups);
@@ -42,21 +42,21 @@ TEST(FacetGroups, BothSidesOfACorner) {
   EXPECT_NEAR(near[1].distance, 0.3, 1e-15);
   EXPECT_EQ(near[1].normal, Vec3::UnitY());
   EXPECT_EQ(nearest_on_groups(s, Vec3(1.2, 1.3, 0.5), 0.25).size(), 1u);
-  // Equidistant from both.
+  // The point has the same distance from both faces.
   EXPECT_EQ(nearest_on_groups(s, Vec3(1.2, 1.2, 0.5), 0.25).size(), 2u);
-  // Behind one of them and in front of the other.
+  // Behind one face and in front of the other.
   const auto behind = nearest_on_groups(s, Vec3(0.99, 1.3, 0.5), 0.4);
   ASSERT_EQ(behind.size(), 2u);
   EXPECT_NEAR(behind[0].distance, -0.01, 1e-15);
   EXPECT_EQ(behind[0].normal, Vec3::UnitX());
-  EXPECT_NEAR(behind[1].distance, std::hypot(0.3, 0.01), 1e-15);  // of a face that ends at the edge
-  // Inside, behind both: only the nearest.
+  EXPECT_NEAR(behind[1].distance, std::hypot(0.3, 0.01), 1e-15);  // from a face that ends at the edge
+  // Inside, behind both faces: only the nearest one.
   const auto inside = nearest_on_groups(s, Vec3(0.8, 0.5, 0.5), 0.4);
   ASSERT_EQ(inside.size(), 1u);
   EXPECT_LT(inside[0].distance, 0);
 }
 
-// Faces connected around a convex edge are still two: [0,3] x [0,2] without (1,2) x (1,2).
+// Faces that are connected around a convex edge are two groups: [0,3] x [0,2] without (1,2) x (1,2).
 TEST(FacetGroups, ASlit) {
   const MeshSurface s(u_channel_mesh());
   const auto two = nearest_on_groups(s, Vec3(1.45, 1.9, 2), 0.7);
@@ -65,11 +65,11 @@ TEST(FacetGroups, ASlit) {
   EXPECT_EQ(two[0].normal, Vec3::UnitX());
   EXPECT_NEAR(two[1].distance, 0.55, 1e-15);
   EXPECT_EQ(two[1].normal, Vec3(-Vec3::UnitX()));
-  EXPECT_EQ(nearest_on_groups(s, Vec3(1.45, 1.6, 2), 0.7).size(), 3u);  // and the bottom
+  EXPECT_EQ(nearest_on_groups(s, Vec3(1.45, 1.6, 2), 0.7).size(), 3u);  // the bottom is the third
   EXPECT_EQ(nearest_on_groups(s, Vec3(1.45, 2.6, 2), 0.9).size(), 2u);  // the two ends
 }
 
-// A single answer at each of many points, bitwise equal to that of query().
+// At each of many points there is a single group, whose point equals that of query() bit for bit.
 void expect_one(const Surface& s, double reach, const char* what) {
   std::mt19937 gen(7);
   const Box box = s.bounds().grown(reach);
@@ -100,7 +100,7 @@ TEST(FacetGroups, OneOfWhatIsConvex) {
   expect_one(MeshSurface(drum_mesh(24, 1, 2, 4), {}, smooth), 0.7, "smooth drum");
 }
 
-// Inside of a tank with many sides, for spheres that fit into it.
+// The inside of a tank with many sides is one group for spheres that fit into it.
 TEST(FacetGroups, OneOfAHollowOfManySides) {
   const TriangleMesh tank = revolution_mesh({{0, -2}, {2, -2}, {2, 2}, {1, 2}, {1, -1}, {0, -1}}, 48);
   for (const bool curved : {false, true}) {
@@ -112,12 +112,12 @@ TEST(FacetGroups, OneOfAHollowOfManySides) {
       const auto near = nearest_on_groups(s, Vec3(r * std::cos(a), r * std::sin(a), 0.5), 0.4);
       ASSERT_EQ(near.size(), 1u) << r << " " << a << curved;
     }
-    // Its bottom is another group.
+    // The bottom of the tank is another group.
     EXPECT_EQ(nearest_on_groups(s, Vec3(0.8, 0.05, -0.8), 0.3).size(), 2u);
   }
 }
 
-// A deck with a thin bulwark: the far side of the bulwark has no contact.
+// A deck with a thin bulwark: the far side of the bulwark is not a facet group.
 TEST(FacetGroups, BacksAreNoFacetGroups) {
   TriangleMesh m = prism_mesh({{0, 0}, {4, 0}, {5, 0}, {5, 1}, {4.02, 1}, {4.02, 2}, {4, 2}, {4, 1}, {0, 1}},
                               {{0, 1, 7, 8}, {1, 2, 3, 4, 7}, {7, 4, 5, 6}}, 3);
@@ -139,7 +139,7 @@ TEST(FacetGroups, BacksAreNoFacetGroups) {
   }
 }
 
-// A rounded corner is one group for spheres that fit into it and two for larger ones.
+// A rounded corner is one group for spheres that fit into it, and two for larger spheres.
 TEST(FacetGroups, ARoundedCorner) {
   constexpr double kFillet = 0.1;
   std::vector<std::pair<double, double>> p{{-1, -1}, {2, -1}, {2, 0}, {kFillet, 0}};
@@ -160,7 +160,7 @@ TEST(FacetGroups, ARoundedCorner) {
   EXPECT_EQ(nearest_on_groups(s, Vec3(0.06, 0.07, 1.5), 0.08).size(), 1u);
 }
 
-// A result for a sphere holds for all spheres inside it.
+// If there is one group for a sphere, there is one for all spheres inside it.
 TEST(FacetGroups, OneInALargeBallIsOneInSmallOnes) {
   std::mt19937 gen(11);
   std::uniform_real_distribution<double> u(-1, 1);

@@ -1,4 +1,4 @@
-// Welding, the report, and the repair of orientation.
+// Welding of meshes, the report of their faults, and the repair of their orientation.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -75,7 +75,7 @@ TEST(GeometryMesh, WeldWithToleranceJoinsAcrossCellsAndDropsSlivers) {
   EXPECT_EQ(m.part.size(), m.triangles.size());
   const WeldResult w = weld(m, 0.3);
   EXPECT_GT(w.removed, 0);
-  // -0 and 0 are equal.
+  // -0 and 0 are equal coordinates.
   TriangleMesh z{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 0, -0.0}}, {{0, 1, 2}, {3, 1, 2}}, {}, {}};
   EXPECT_EQ(weld(z).welded, 1);
 }
@@ -146,7 +146,7 @@ TEST(GeometryMesh, OrientationRepair) {
   for (auto& t : m.triangles) std::swap(t[1], t[2]);
   EXPECT_EQ(repair(m).turned, static_cast<int>(m.triangles.size()));
   EXPECT_TRUE(inspect(m).valid());
-  // A body in the cavity of a body: nesting depth 2 is outward again.
+  // A body in the cavity of a body is at nesting depth 2, so it is oriented outward.
   m = hollow_cube_mesh();
   append(m, box_mesh(Vec3::Constant(1.4), Vec3::Constant(1.6)), true);
   EXPECT_FALSE(inspect(m).valid());

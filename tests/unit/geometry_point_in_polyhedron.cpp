@@ -24,14 +24,14 @@ struct Shape {
   double grid;  // spacing of aligned points, 0: none
 };
 
-// Location relative to a closed box.
+// Location of p relative to a closed box.
 Location in_box(const Vec3& p, const Vec3& lo, const Vec3& hi) {
   const double d = (lo - p).cwiseMax(p - hi).maxCoeff();
   return d > 0 ? Location::outside : d < 0 ? Location::inside : Location::boundary;
 }
 
-// Polygon of unit squares extruded to z in [0, height]: a point is inside if every box of a small
-// neighbourhood is.
+// Prism over a polygon of unit squares, z in [0, height]: a point is inside if every box of a small
+// neighbourhood is filled.
 Location in_squares(const Vec3& p, double height, const std::function<bool(int, int)>& filled) {
   int in = 0, out = 0;
   for (const double dx : {-1e-9, 1e-9})
@@ -112,7 +112,7 @@ TEST(GeometryPointInPolyhedron, RandomPoints) {
 }
 
 TEST(GeometryPointInPolyhedron, RaysThroughVerticesAndEdges) {
-  // A grid that contains the vertices: rays along the axes meet vertices, run along edges and lie in faces.
+  // A grid that contains the vertices: rays along the axes pass through vertices, along edges and in faces.
   for (const Shape& s : shapes()) {
     const Box box = inspect(s.mesh).box;
     const Vec3 n = ((box.extent() / s.grid).array() + 0.5).floor();
@@ -123,7 +123,7 @@ TEST(GeometryPointInPolyhedron, RaysThroughVerticesAndEdges) {
           ASSERT_NO_FATAL_FAILURE(check(s, box.lo + s.grid * Vec3(i, j, k)));
     EXPECT_GT(count, 300);
   }
-  // Points level with every vertex of the drum, whose coordinates are not round numbers.
+  // Points at the height of every vertex of the drum, whose coordinates are not round numbers.
   const Shape drum = shapes()[2];
   for (const Vec3& v : drum.mesh.vertices)
     for (const Vec3& from :
@@ -134,7 +134,7 @@ TEST(GeometryPointInPolyhedron, RaysThroughVerticesAndEdges) {
 
 TEST(GeometryPointInPolyhedron, TetrahedraNeedConvexity) {
   for (const Shape& s : shapes()) EXPECT_EQ(is_convex(s.mesh, 1e-9), s.convex) << s.name;
-  // Inside one leg of the U the test of tetrahedra reports outside: nonconvex bodies need another test.
+  // Inside one leg of the U the tetrahedra test reports outside: it is not valid for nonconvex bodies.
   EXPECT_FALSE(inside_by_tetrahedra(u_channel_mesh(), {0.5, 1.5, 2}));
   EXPECT_TRUE(inside_by_ray(u_channel_mesh(), {0.5, 1.5, 2}));
 }

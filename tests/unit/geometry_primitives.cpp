@@ -1,5 +1,5 @@
-// Exact primitives: distance against points and triangles of their surface, inside by implicit forms, normal
-// and curvature by finite differences.
+// Exact primitives: distance against points and triangles of their surface, sign against implicit forms,
+// normal and curvature against finite differences.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,9 +19,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 struct Known {
   const char* name;
   Primitive shape;
-  double size;     // m, about the largest extent
-  double sagitta;  // m, of its facets
-  // Negative inside, positive outside, zero on the surface; independent of a distance where possible.
+  double size;     // m, largest extent, approximately
+  double sagitta;  // m, of the displayed facets
+  // Negative inside, positive outside, zero on the surface; not computed from a distance where possible.
   double (*implicit)(const Vec3&);
 };
 
@@ -156,7 +156,7 @@ TEST(GeometryPrimitives, DistanceAgainstTheSurface) {
       if (mesh) {
         ASSERT_NEAR(mesh->query(y, kInfinity)->distance, s->distance, k.sagitta + rounding);
       }
-      // A limit removes answers without changing others.
+      // A distance limit removes results without changing others.
       const double limit = 0.1 * next();
       const auto near = surface->query(y, limit);
       ASSERT_EQ(near.has_value(), s->distance <= limit);
@@ -190,12 +190,12 @@ TEST(GeometryPrimitives, NormalAndCurvatureAreDerivatives) {
       for (int a = 0; a < 3 && same; ++a) {
         const Vec3 e = h * Vec3::Unit(a);
         const auto up = surface->query(y + e, kInfinity), down = surface->query(y - e, kInfinity);
-        // Excludes edges of the surface and of the medial axis.
+        // Excludes pairs of points on two sides of an edge of the surface or of the medial axis.
         same = up->triangle == s->triangle && down->triangle == s->triangle && up->feature == s->feature &&
                down->feature == s->feature && (up->point - down->point).norm() < 0.1 * bend + 20 * h;
         gradient[a] = (up->distance - down->distance) / (2 * h);
         hessian.col(a) = (up->normal - down->normal) / (2 * h);
-        // The difference of the normals is the integral of the curvature in between (Simpson's rule).
+        // The difference of the normals is the integral of the curvature between the points (Simpson's rule).
         mean.col(a) = (up->curvature.col(a) + 4 * s->curvature.col(a) + down->curvature.col(a)) / 6;
       }
       if (!same) continue;
@@ -214,7 +214,7 @@ TEST(GeometryPrimitives, NormalAndCurvatureAreDerivatives) {
   }
 }
 
-// |d(y) - d(z)| <= |y - z|, across edges, axes and centres too.
+// |d(y) - d(z)| <= |y - z|, also across edges, axes and centres.
 TEST(GeometryPrimitives, DistanceGrowsNoFasterThanTheWay) {
   for (const Known& k : shapes()) {
     SCOPED_TRACE(k.name);
@@ -230,7 +230,8 @@ TEST(GeometryPrimitives, DistanceGrowsNoFasterThanTheWay) {
   }
 }
 
-// On centres, axes, diagonals and sharp edges: finite, unit, reproducible, and a true nearest point.
+// On centres, axes, diagonals and sharp edges the result is finite, reproducible, a unit normal and a true
+// nearest point.
 TEST(GeometryPrimitives, WhereThereIsNoOneNearestPoint) {
   const Vec3 axis = (kTo - kFrom).normalized(), spin = kAxis.normalized();
   const Mat3 turn = exp_so3(kTurn).toRotationMatrix();
@@ -298,7 +299,7 @@ TEST(GeometryPrimitives, KnownAnswers) {
   EXPECT_EQ(capsule->query({7, 0, 4}, 9)->triangle, 2);
   EXPECT_EQ(capsule->query({-1, 0, 0}, 9)->triangle, 1);
   EXPECT_EQ(capsule->bounds().lo, Vec3(-0.5, -0.5, -0.5));
-  // Shrunk to a point it is a sphere.
+  // A capsule of zero length is a sphere.
   const auto ball = make_surface(CapsuleShape{{1, 1, 1}, {1, 1, 1}, 0.5});
   EXPECT_NEAR(ball->query({1, 1, 3}, 9)->distance, 1.5, 1e-15);
 }

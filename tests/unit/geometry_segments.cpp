@@ -14,7 +14,8 @@ namespace {
 
 using detail::Extended;
 
-// Minimum over the square by its inner point (normal equations) and its four edges, 113 bits.
+// Minimum over the square of parameters, from its stationary point (normal equations) and its four edges, in
+// 113 bits.
 double reference(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
   const auto A0 = triple<Extended>(a0), B0 = triple<Extended>(b0);
   const auto u = triple<Extended>(a1) - A0, v = triple<Extended>(b1) - B0, r = A0 - B0;
@@ -32,11 +33,11 @@ double reference(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1)
   }
   const Extended det = a * c - b * b;
   if (det > 0) {
-    // t by projection: computed from s, its error would be amplified when the segments are nearly parallel.
+    // t by projection, because the error of s would be amplified if the segments are nearly parallel.
     const Extended s = (b * e - c * d) / det, t = (e + s * b) / c;
     if (s >= 0 && s <= 1 && t >= 0 && t <= 1) take(s, t);
   }
-  // Square root in the range of double for any magnitude.
+  // Square root in the range of double, for any magnitude.
   Extended scale = 1;
   while (best > 0 && best * scale < Extended(1e-30)) scale *= Extended(1e20);
   while (best * scale > Extended(1e30)) scale /= Extended(1e20);
@@ -47,7 +48,7 @@ double size_of(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
   return std::max({(a1 - a0).stableNorm(), (b1 - b0).stableNorm(), (a0 - b0).stableNorm()});
 }
 
-// Checks all guarantees for a pair; returns the error of the distance relative to the size.
+// Checks all guarantees for a pair of segments; returns the error of the distance relative to their size.
 double check(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
   const SegmentPair p = closest_points_of_segments(a0, a1, b0, b1);
   const double size = size_of(a0, a1, b0, b1);
@@ -96,7 +97,8 @@ TEST(GeometrySegments, AnyTwo) {
   RecordProperty("worst", std::to_string(worst));
 }
 
-// Nearly parallel, at angles and offsets of all magnitudes; Eberly's failures are at angles of 1e-7 to 1e-6.
+// Nearly parallel segments, at angles and offsets of all magnitudes; Eberly's failures are at angles of 1e-7
+// to 1e-6.
 TEST(GeometrySegments, NearlyParallel) {
   Random next(2);
   for (int i = 0; i < 150000; ++i) {
@@ -104,7 +106,7 @@ TEST(GeometrySegments, NearlyParallel) {
     const Vec3 u = next.unit(), across = u.cross(next.unit()).normalized();
     const Vec3 v =
         next.power(-1, 1) * (u + angle * across + angle * next() * next.unit()) * (next.pick(2) ? 1 : -1);
-    // Crossing inside both, with distance `gap` normal to both.
+    // The segments cross, both in their interior, at a distance `gap` normal to both.
     const double gap = next.pick(3) ? next.power(-12, 1) : 0;
     const Vec3 meet = 10 * next.vec(), off = gap * u.cross(v).normalized();
     const double s = 1.2 * next(), t = 1.2 * next();
@@ -137,7 +139,7 @@ TEST(GeometrySegments, KnownAnswers) {
   EXPECT_EQ(p.t, 0.5);
   EXPECT_EQ(p.distance, 2);
   EXPECT_EQ(p.difference, Vec3(0, 0, -2));
-  // Inside - end and end - end.
+  // Interior point and end; end and end.
   p = closest_points_of_segments({0, 0, 0}, {4, 0, 0}, {1, 3, 0}, {1, 7, 0});
   EXPECT_EQ(p.s, 0.25);
   EXPECT_EQ(p.t, 0);
@@ -159,7 +161,7 @@ TEST(GeometrySegments, KnownAnswers) {
   EXPECT_NEAR(p.distance, 2 * std::sqrt(2), 1e-15);
   EXPECT_EQ(p.on_b, Vec3(3, 3, 0));
   EXPECT_LE(closest_points_of_segments({0, 0, 0}, {2, 2, 0}, {4, 4, 0}, {1, 1, 0}).distance, 1e-15);
-  // Points.
+  // Segments of zero length.
   EXPECT_EQ(closest_points_of_segments({1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}).distance, 0);
   p = closest_points_of_segments({1, 2, 2}, {1, 2, 2}, {0, 0, 0}, {0, 0, 0});
   EXPECT_EQ(p.distance, 3);
@@ -202,7 +204,7 @@ TEST(GeometrySegments, ExactRationals) {
   }
 }
 
-// Where lines cross at an angle, the parameters are right as well.
+// If the segments cross at an angle, the parameters are right as well.
 TEST(GeometrySegments, Parameters) {
   Random next(4);
   for (int i = 0; i < 100000; ++i) {

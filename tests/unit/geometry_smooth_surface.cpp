@@ -87,7 +87,7 @@ Errors around_drum(int facets, MeshSurfaceOptions options) {
   return e;
 }
 
-// Contact on a drum of 24 facets: radius to 4e-5, no kink.
+// Contact on a drum of 24 facets: the radius is right to 4e-5, and the normal has no kink.
 TEST(GeometrySmoothSurface, DrumOf24FacetsIsRound) {
   const Errors flat = around_drum(24, {}), smooth = around_drum(24, kSmooth);
   EXPECT_GT(flat.distance, 0.008);  // 1 - cos(7.5 degrees)
@@ -96,7 +96,7 @@ TEST(GeometrySmoothSurface, DrumOf24FacetsIsRound) {
   EXPECT_LT(smooth.normal, 0.03 * kDegree);
   EXPECT_LT(smooth.jump, 1e-5);
   EXPECT_LT(smooth.curvature, 0.025);
-  // A parabola through the ends of an arc with their tangents: fourth order.
+  // A parabola with the end points and end tangents of an arc has a fourth-order error.
   const Errors finer = around_drum(48, kSmooth);
   EXPECT_NEAR(smooth.distance / finer.distance, 16, 1);
 }
@@ -120,11 +120,11 @@ TEST(GeometrySmoothSurface, SphereConverges) {
 }
 
 TEST(GeometrySmoothSurface, CreasesAndPlanesStay) {
-  // A box has only creases.
+  // All edges of a box are creases.
   const MeshSurface box(box_mesh(Vec3::Zero(), Vec3::Ones()), {}, kSmooth);
   EXPECT_EQ(box.curved(), 0);
   EXPECT_EQ(box.sharp_edges(), 12);
-  // Between flanges: planes stay planar, rims are round, the barrel ends at them.
+  // A drum between flanges: planes remain plane, rims are round, and the barrel ends at them.
   const MeshSurface drum(flanged_drum_mesh(24, 1, 2, 1.5, 0.2), {}, kSmooth);
   EXPECT_EQ(drum.sharp_edges(), 6 * 24);
   Random random(3);
@@ -139,12 +139,12 @@ TEST(GeometrySmoothSurface, CreasesAndPlanesStay) {
     ASSERT_TRUE(is_edge(rim->feature) || is_vertex(rim->feature));
     ASSERT_NEAR(drum.query(1.02 * n + Vec3(0, 0, 0.9), 0.1)->distance, 0.02, 1e-4);
   }
-  // With a crease angle below that of its facets a drum is unchanged.
+  // A drum does not change if the crease angle is below the angle between its facets.
   EXPECT_EQ(MeshSurface(drum_mesh(24, 1, 2), {}, {true, 14 * kDegree}).curved(), 0);
   EXPECT_GT(MeshSurface(drum_mesh(24, 1, 2), {}, {true, 16 * kDegree}).curved(), 0);
 }
 
-// The sides of a box with rounded edges, 15 times as wide as the facets of its corners, do not bulge.
+// The plane sides of a box with rounded edges, 15 times as wide as the facets of its corners, remain plane.
 TEST(GeometrySmoothSurface, PlatesBesideRoundedCornersStayFlat) {
   const MeshSurface box(rounded_box(0.2, 6), {}, kSmooth);
   EXPECT_GT(box.curved(), 0);
@@ -152,7 +152,7 @@ TEST(GeometrySmoothSurface, PlatesBesideRoundedCornersStayFlat) {
   EXPECT_NEAR(box.query({0.3, 1.1, 1.5}, 1)->distance, 0.1, 1e-12);
   EXPECT_NEAR(box.query({0.79, -1.1, 1.5}, 1)->distance, 0.1, 1e-12);
   EXPECT_LT(box.bulge(), 0.005);
-  // The corners are round and meet the plates without a kink: polygon 0.0017 m off.
+  // The corners are round and meet the plates without a kink; the polygon has an error of 0.0017 m.
   double worst = 0;
   for (int i = 0; i <= 900; ++i) {
     const double a = M_PI / 2 * i / 900;
@@ -234,8 +234,8 @@ TEST(GeometrySmoothSurface, NearestOfAll) {
   }
 }
 
-// Cached facets never change an answer, bitwise, for any distance to the next query, also beyond centres of
-// curvature; nearby they avoid a search.
+// Cached facets do not change results, bit for bit, for any distance to the next query, also beyond centres
+// of curvature; for a small distance they avoid a search.
 TEST(GeometrySmoothSurface, AskedAgainNearAPlace) {
   const auto part = [](std::size_t count) {
     std::vector<bool> active(count);
@@ -278,7 +278,7 @@ TEST(GeometrySmoothSurface, AskedAgainNearAPlace) {
 }
 
 // No point of any patch is within the distance reported as free, also beyond centres of curvature, where the
-// found point need not be the nearest; near a round surface the whole distance is free.
+// point found need not be the nearest. Near a round surface the whole distance is free.
 TEST(GeometrySmoothSurface, WhatIsFreeHoldsNoSurface) {
   const MeshSurface rough(rough_mesh(0.03), {}, kSmooth);
   std::vector<Vec3> places;
@@ -311,8 +311,8 @@ TEST(GeometrySmoothSurface, WhatIsFreeHoldsNoSurface) {
   }
 }
 
-// The squared distance along straight lines of a patch has no negative second difference where it is reported
-// convex; elsewhere it may.
+// Along straight lines of a patch that is reported convex, the squared distance has no negative second
+// difference; along other patches it may have one.
 TEST(GeometrySmoothSurface, OneNearestPointMeansConvex) {
   Random random(8);
   int convex = 0, bent = 0;
@@ -369,8 +369,8 @@ TEST(GeometrySmoothSurface, PatchesAreWatertightAndDoNotFold) {
   }
 }
 
-// The distance is that of one closed surface: Lipschitz with constant 1, with the sign of the facets' inside
-// where the bulge is irrelevant, and the integral of its normal along any path.
+// The distance is that of one closed surface: its Lipschitz constant is 1, its sign is that of the flat
+// facets except within the bulge, and it is the integral of its normal along any path.
 TEST(GeometrySmoothSurface, DistanceIsContinuousAndAPotential) {
   for (const TriangleMesh& m :
        {flanged_drum_mesh(24, 1, 2, 1.5, 0.2), rough_mesh(0.05), l_prism_mesh(), drum_mesh(7, 1, 2)}) {
@@ -391,7 +391,7 @@ TEST(GeometrySmoothSurface, DistanceIsContinuousAndAPotential) {
         integral += surface.query(y - 0.5 * step, kInfinity)->normal.dot(step);
         last = s->distance;
       }
-      ASSERT_NEAR(integral, last, 0.05);  // kinks of the medial surface are passed in half a step
+      ASSERT_NEAR(integral, last, 0.05);  // a step across the medial surface has an error of half the step
     }
   }
 }

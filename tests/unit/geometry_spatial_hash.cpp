@@ -1,5 +1,5 @@
-// Nearest triangle by spatial hash and by box tree, on even and graded meshes, cold and warm: both equal the
-// exhaustive search.
+// Nearest triangle by spatial hash and by box tree, on even and graded meshes, with and without a hint: both
+// equal the exhaustive search.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -43,7 +43,7 @@ struct Nearest {
   double squared_distance = 0;  // m²
 };
 
-// Nearest triangle, the first of equally near ones, by a SpatialHash or a BoxTree.
+// Nearest triangle by a SpatialHash or a BoxTree; the first of several that are equally near.
 template <class Structure>
 class Search {
  public:
@@ -87,8 +87,8 @@ TriangleMesh graded() {
   return m;
 }
 
-// Points around the vertices, from the size of the mesh down to `finest` of it: a tenth of the n points, all
-// with HAWSER_FULL.
+// Compares the searches at points around the vertices, at distances from the size of the mesh down to
+// `finest` of it: a tenth of the n points, all with HAWSER_FULL.
 void campaign(const TriangleMesh& m, int n, double finest = 1e-5) {
   if (!std::getenv("HAWSER_FULL")) n = (n + 9) / 10;
   const Search<SpatialHash> hash(m);
@@ -140,7 +140,7 @@ TEST(GeometrySpatialHash, FewTriangles) {
 }
 
 TEST(GeometrySpatialHash, ManyTrianglesInOnePlaceAndNoSize) {
-  // A hundred equal triangles and some points: equal distances.
+  // A hundred equal triangles and some degenerate to points: equal distances.
   TriangleMesh m = tetrahedron_mesh();
   for (int i = 0; i < 100; ++i) m.triangles.push_back(m.triangles[3]);
   for (int i = 0; i < 20; ++i) m.triangles.push_back({1, 1, 1});
@@ -149,7 +149,7 @@ TEST(GeometrySpatialHash, ManyTrianglesInOnePlaceAndNoSize) {
 }
 
 TEST(GeometrySpatialHash, FarApart) {
-  // Small triangles with wide gaps: most cells are empty, and the nearest is often only in a neighbouring
+  // Small triangles with wide gaps: most cells are empty, and the nearest triangle is often in a neighbouring
   // cell along one, two or three axes.
   TriangleMesh m;
   std::mt19937 gen(6);
@@ -161,7 +161,7 @@ TEST(GeometrySpatialHash, FarApart) {
     m.triangles.push_back({v, v + 1, v + 2});
   }
   campaign(m, 3000, 1e-3);
-  // Cells of full, half and quarter size, with queries at their faces.
+  // Cells of full, half and quarter size, with query points at their faces.
   const Search<SpatialHash> hash(m);
   const Box box = box_of(m);
   const double side = box.extent().maxCoeff();
@@ -177,7 +177,7 @@ TEST(GeometrySpatialHash, FarApart) {
 }
 
 TEST(GeometrySpatialHash, ManyOfEachSizeInOnePlace) {
-  // All small triangles in one cube, and the largest in many.
+  // All small triangles are in one cube, and the largest triangles in many.
   TriangleMesh m;
   std::mt19937 gen(7);
   std::uniform_real_distribution<double> u(0, 1);
@@ -238,7 +238,7 @@ TEST(GeometrySpatialHash, VerySmallAndVeryLarge) {
   }
 }
 
-// Long diagonal facets have boxes as large as the mesh, others are far smaller than the cubes.
+// Long diagonal facets have boxes as large as the mesh, other facets are far smaller than the cubes.
 TEST(GeometrySpatialHash, MemoryIsBounded) {
   TriangleMesh m = sphere_mesh(4);
   for (int i = 0; i < 300; ++i) {

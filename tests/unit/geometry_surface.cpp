@@ -29,7 +29,7 @@ double brute_force(const TriangleMesh& m, const Vec3& y, const std::vector<bool>
   return std::sqrt(best);
 }
 
-// A point near a mesh: anywhere in its enlarged box, or near a vertex, edge or face.
+// Random points near a mesh: anywhere in its enlarged box, or near a vertex, edge or face.
 class Points {
  public:
   explicit Points(const MeshView& m, unsigned seed = 1) : mesh_(m), gen_(seed) {
@@ -90,7 +90,7 @@ TEST(GeometrySurface, CampaignOfDistanceAndSign) {
         ASSERT_EQ(s->distance < 0, in) << y.transpose() << " d " << s->distance;
         inside += in;
       }
-      // With a limit: the same answer, or none when outside and farther.
+      // With a distance limit: the same result, or none if the point is outside and farther.
       const double limit = 0.05 * size;
       const auto near = surface.query(y, limit);
       ASSERT_EQ(near.has_value(), s->distance <= limit) << y.transpose();
@@ -106,7 +106,7 @@ TEST(GeometrySurface, CampaignOfDistanceAndSign) {
   EXPECT_GT(10 * inside, points);
 }
 
-// Normal and curvature against central differences of distance, away from discontinuities.
+// Normal and curvature against central differences of the distance, away from discontinuities.
 void expect_derivatives(const Surface& surface, const Vec3& y, double h, int& checked) {
   const auto s = surface.query(y, kInfinity);
   ASSERT_TRUE(s);
@@ -170,15 +170,15 @@ TEST(GeometrySurface, CurvatureOnEachFeature) {
   s = cube.query({1 + 1e-9, 0.5, 1 + 1e-9}, 1);
   EXPECT_NEAR(s->distance, std::sqrt(2) * 1e-9, 1e-15);
   EXPECT_LE(s->curvature.norm(), 2e6);
-  // Inside, at the reflex edge of the L: the curvature has the sign of d.
+  // Inside, at the reentrant edge of the L, the curvature has the sign of d.
   s = MeshSurface(l_prism_mesh()).query({0.9, 0.8, 0.5}, 1);
   EXPECT_TRUE(is_edge(s->feature));
   EXPECT_NEAR(s->distance, -std::hypot(0.1, 0.2), 1e-15);
   EXPECT_NEAR(s->curvature.trace(), -1 / std::hypot(0.1, 0.2), 1e-13);
 }
 
-// A bar with edges divided in the middle: beside a vertex on a straight edge the distance is that to the
-// edge, over one on a face that to the face, and beside a corner that to a point.
+// A bar with edges divided in the middle: the distance is that to the edge beside a vertex on a straight
+// edge, to the face over a vertex on a face, and to a point beside a corner.
 TEST(GeometrySurface, CurvatureBesideVerticesOnEdgesAndFaces) {
   TriangleMesh m;
   for (const double x : {-1.0, 0.0, 1.0})
@@ -211,7 +211,8 @@ TEST(GeometrySurface, CurvatureBesideVerticesOnEdgesAndFaces) {
   EXPECT_LT(at({0, 1.5, 0}).curvature.norm(), 1e-12);
   EXPECT_LT(at({0.5, 1.5, 0}).curvature.norm(), 1e-12);  // over an edge between facets of one plane
   const SurfacePoint corner = at({1.3, 1, 1.4});
-  EXPECT_LT((corner.curvature * Vec3::UnitY()).norm(), 1e-12);  // square to the edge along y
+  EXPECT_LT((corner.curvature * Vec3::UnitY()).norm(),
+            1e-12);  // no curvature along the edge, which is parallel to y
   const SurfacePoint tip = at({1.2, 1.2, 1.1});
   EXPECT_NEAR(tip.distance, 0.3, 1e-12);
   EXPECT_LT((tip.curvature - (Mat3::Identity() - tip.normal * tip.normal.transpose()) / 0.3).norm(), 1e-12);
@@ -258,7 +259,7 @@ TEST(GeometrySurface, ActivePart) {
   const TriangleMesh m = flanged_drum_mesh(24, 1, 2, 1.5, 0.2);
   const std::vector<bool> active = active_by_part(m, {"barrel"});
   const MeshSurface barrel(m, active), whole(m);
-  // Beside the barrel both agree; beside the flange only the whole mesh has contact.
+  // Beside the barrel both surfaces agree; beside the flange only the whole mesh has contact.
   const double across = std::cos(M_PI / 24);
   const Vec3 mid(std::cos(M_PI / 24), std::sin(M_PI / 24), 0);
   for (const double depth : {-0.3, -0.01, 0.01, 0.3}) {
@@ -270,9 +271,9 @@ TEST(GeometrySurface, ActivePart) {
   EXPECT_FALSE(barrel.query({0, 0, 1.21}, 0.1));
   EXPECT_TRUE(whole.query({0, 1.4, 1.1}, 0.1));
   EXPECT_FALSE(barrel.query({0, 1.05, 1.15}, 0.1));
-  EXPECT_FALSE(barrel.query({0, 1.4, 1.1}, 0.1));  // in the flange: not under the barrel
-  EXPECT_TRUE(barrel.query({0, 0, 0.9}, 0.01));    // deep in the barrel, nearer to nothing active than 0.9
-  // A plate with only its top active: no contact from below, inside through the whole thickness.
+  EXPECT_FALSE(barrel.query({0, 1.4, 1.1}, 0.1));  // in the flange, not in front of or behind the barrel
+  EXPECT_TRUE(barrel.query({0, 0, 0.9}, 0.01));    // inside the barrel, 0.9 or more from all active facets
+  // A plate with only its top active: no contact from below; points in the whole thickness are inside.
   const TriangleMesh plate = box_mesh({0, 0, 0}, {4, 4, 0.1});
   std::vector<bool> top = active_by_box(plate, {{-1, -1, 0.05}, {5, 5, 1}});
   EXPECT_EQ(std::count(top.begin(), top.end(), true), 2);
@@ -280,7 +281,8 @@ TEST(GeometrySurface, ActivePart) {
   EXPECT_NEAR(deck.query({1, 2, 0.3}, 0.5)->distance, 0.2, 1e-15);
   EXPECT_NEAR(deck.query({1, 2, 0.02}, 0.5)->distance, -0.08, 1e-15);
   EXPECT_FALSE(deck.query({1, 2, -0.02}, 0.5));
-  // In the gap of a U with only the far side of a leg active: behind that side, but outside.
+  // In the gap of a U with only the far side of a leg active, points are behind that side, but outside the
+  // body.
   const TriangleMesh channel = u_channel_mesh();
   const MeshSurface far_side(channel, active_by_box(channel, {{-1, -1, -1}, {0.5, 9, 9}}));
   EXPECT_FALSE(far_side.query({1.0001, 1.5, 2}, 5));
@@ -299,7 +301,7 @@ TEST(GeometrySurface, ActivePart) {
         ASSERT_GT(winding_number(m, y), 0.5);
       }
     } else if (d < 0.4) {
-      // Only behind the barrel's faces a near point may be without contact.
+      // A near point may be without contact only behind the faces of the barrel.
       ASSERT_LT(std::hypot(y.x(), y.y()), 1.5);
     }
   }
@@ -332,7 +334,7 @@ TEST(GeometrySurface, SignWhereTheSurfaceTouchesItselfOrHasNoArea) {
       ASSERT_EQ(s.query(y, kInfinity)->distance<0, winding_number(m, y)> 0.5) << y.transpose();
     }
   }
-  // A triangle of no area along a sharp edge, with a corner in the middle of it.
+  // A triangle of zero area along a sharp edge, with a corner in the middle of the edge.
   TriangleMesh m = tetrahedron_mesh();
   m.vertices.push_back({0.5, 0.5, 0});
   m.triangles = {{0, 2, 4}, {0, 4, 1}, {1, 4, 2}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
@@ -340,7 +342,7 @@ TEST(GeometrySurface, SignWhereTheSurfaceTouchesItselfOrHasNoArea) {
   const MeshSurface s(m);
   Points next(m, 5);
   for (int i = 0; i < 5000; ++i) {
-    // Every second point straight out from that corner, between the normals of the adjacent faces.
+    // Every second point is straight outward from that corner, between the normals of the adjacent faces.
     const double out = i % 199 / 199.0;
     const Vec3 y = i % 2 ? next() : Vec3(Vec3(0.5, 0.5, 0) + out * Vec3(1, 1, 1) - (1 - out) * Vec3::UnitZ());
     const double d = brute_force(m, y);

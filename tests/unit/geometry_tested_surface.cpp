@@ -1,4 +1,5 @@
-// Meshes with an inside test by points in polyhedra.
+// Meshes whose sign comes from a test of a point in a polyhedron: distances, normals and curvatures equal
+// those of the mesh without the test.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -11,7 +12,7 @@ namespace {
 
 using namespace hawser::test;
 
-// Near the surface, deep inside and far away, with and without a distance limit.
+// Compares points near the surface, deep inside and far away, with and without a distance limit.
 void compare(const TriangleMesh& mesh, SignTest test) {
   const auto plain = std::make_shared<MeshSurface>(mesh);
   const TestedSurface tested(plain, test);
@@ -48,8 +49,8 @@ TEST(TestedSurface, BodiesThatAreNotConvex) {
       compare(mesh, test);
 }
 
-// An arm of an L is behind the plane of one of its faces, so the tetrahedra test, unsuitable for such bodies,
-// reports outside; the chosen test decides.
+// An arm of an L is behind the plane of one of its faces, so the tetrahedra test, which is not valid for such
+// bodies, reports outside; the surface uses the chosen test.
 TEST(TestedSurface, TheTestDecides) {
   const auto plain = std::make_shared<MeshSurface>(l_prism_mesh());
   const TestedSurface tested(plain, SignTest::tetrahedra);

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-// Out of plane: a J, then a bend to the side, then one by 60 degrees upwards. The second bend begins where
-// the first one ends.
+// Not in one plane: a J, then a bend to the side, then a bend of 60 degrees upwards. The second bend begins
+// where the first one ends.
 TubeShape winding() {
   return {{{0, 0, 8}, {0, 0, -4}, {5, 0, -4}, {5, 6, -4}, {5, 9, -4 + 3 * std::sqrt(3.0)}},
           {3, 2, 1.5},
@@ -66,7 +66,7 @@ TEST(GeometryTube, LegsAndArcsAreTangent) {
   EXPECT_EQ(tube_pieces({{{0, 0, 0}, {0, 0, 1}, {0, 0, 3}}, {0.5}, 0.1, 0.1}).size(), 2U);
 }
 
-// At known places beside the axis: inside, in the wall and outside, with principal curvatures.
+// Distance and principal curvatures at points beside the axis: inside, in the wall and outside.
 TEST(GeometryTube, DistanceBesideTheAxis) {
   const TubeShape shape = winding();
   const auto pieces = tube_pieces(shape);
@@ -87,7 +87,8 @@ TEST(GeometryTube, DistanceBesideTheAxis) {
     const Vec3 around = t.cross(e);
     ASSERT_NEAR(around.dot(s->curvature * around), sign / rho, 1e-10 / rho);
   }
-  // Along the axis, on the outer and the inner side of the first bend (radius 3 m, centre at (3, 0, -1)).
+  // Curvature along the axis, on the outer and the inner side of the first bend (radius 3 m, centre at (3, 0,
+  // -1)).
   const Vec3 out = Vec3(-1, 0, -1).normalized(), along = Vec3(1, 0, -1).normalized();
   for (const double rho : {-0.31, -0.25, 0.25, 0.31}) {
     const auto s = tube->query(Vec3(3, 0, -1) + (3 + rho) * out, kFar);
@@ -97,8 +98,8 @@ TEST(GeometryTube, DistanceBesideTheAxis) {
   }
 }
 
-// Second-order Taylor expansion at random places near the wall, half of them near a rim; the error falls with
-// the third power of the way.
+// Second-order Taylor expansion at random points near the wall, half of them near a rim; the error decreases
+// with the third power of the displacement.
 TEST(GeometryTube, TaylorExpansion) {
   const TubeShape shape = winding();
   const auto pieces = tube_pieces(shape);
@@ -133,7 +134,7 @@ TEST(GeometryTube, TaylorExpansion) {
   EXPECT_GT(rims, 3000);
 }
 
-// Across the ends of legs and arcs and over the rims distance and normal are continuous.
+// Distance and normal are continuous across the ends of legs and arcs and over the rims.
 TEST(GeometryTube, SmoothAcrossTheEndsOfPieces) {
   const TubeShape shape = winding();
   const auto pieces = tube_pieces(shape);
@@ -156,7 +157,7 @@ TEST(GeometryTube, SmoothAcrossTheEndsOfPieces) {
   }
 }
 
-// Beyond an end: the rounded rim, from all sides.
+// The rounded rim beyond an end, from all sides.
 TEST(GeometryTube, RoundRims) {
   const auto tube = make_surface(TubeShape{{{0, 0, 0}, {0, 0, 5}}, {}, 0.25, 0.06});
   EXPECT_NEAR(tube->query({0.28, 0, -0.13}, 9)->distance, 0.1, 1e-15);
@@ -171,7 +172,7 @@ TEST(GeometryTube, RoundRims) {
   EXPECT_TRUE(tube->query({0, 0, 2.5}, 0.26));
 }
 
-// Of a hairpin, the nearest of two legs answers, and distances do not grow faster than the way.
+// The distance to a hairpin is that to its nearest leg, and is Lipschitz continuous with constant 1.
 TEST(GeometryTube, NearestOfSeveralLegs) {
   const TubeShape hairpin{{{0, 0, 0}, {4, 0, 0}, {4, 1, 0}, {-1, 1, 0}}, {0.5}, 0.2, 0.1};
   ASSERT_FALSE(tube_touches_itself(hairpin));
@@ -195,7 +196,7 @@ TEST(GeometryTube, TouchesItself) {
     return TubeShape{{{0, 0, 0}, {4, 0, 0}, {4, apart, 0}, {-1, apart, 0}}, {0.5 * apart}, 0.2, 0.1};
   };
   EXPECT_FALSE(tube_touches_itself(hairpin(0.62)));
-  // Round a square to where it began, by different distances above.
+  // A path around a square back to its start, at a height `up` above it.
   const auto loop = [](double up) {
     return TubeShape{{{0, 0, 0}, {5, 0, 0}, {5, 5, 0}, {2, 5, up}, {2, -3, up}}, {1}, 0.2, 0.1};
   };
@@ -204,12 +205,12 @@ TEST(GeometryTube, TouchesItself) {
   ASSERT_TRUE(touch);
   EXPECT_NEAR(touch->distance, 0.595, 1e-3);
   EXPECT_NEAR(touch->first, 2, 1e-12);
-  // Tight bends and short legs beside each other do not count.
+  // Tight bends and short consecutive legs do not count as contact.
   EXPECT_FALSE(tube_touches_itself(winding()));
   EXPECT_FALSE(tube_touches_itself({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {2, 1, 0}}, {0.31}, 0.2, 0.1}));
 }
 
-// The facets of pictures are closed; those of hulls have the volume of the tube.
+// The facets for pictures are a closed mesh; those for hulls have the volume of the tube.
 TEST(GeometryTube, FacetsAndVolume) {
   const TubeShape shape = winding();
   const TriangleMesh m = facets(shape, {});

@@ -1,4 +1,5 @@
-// Cracks along open edges from noise and rounding of a file, and the effect of holes on the smooth surface.
+// Cracks along open edges from noise and rounding of a file are welded, and holes do not affect the smooth
+// surface elsewhere.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -19,7 +20,8 @@ using namespace hawser::test;
 constexpr double kNoise = 1e-4;  // m
 constexpr MeshSurfaceOptions kSmooth{true, 40 * M_PI / 180, false};
 
-// Triangles with separate corners, as in an STL file; two in a hundred have corners moved by up to 0.1 mm.
+// Triangles with separate corners, as in an STL file; two per cent of the triangles have corners moved by up
+// to 0.1 mm.
 TriangleMesh noisy(const TriangleMesh& clean) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> each(-kNoise, kNoise);
@@ -120,7 +122,7 @@ TEST(GeometryWeld, NoiseOnABoxOfHalfAMetre) { expect_clean_again(divided_box(0.1
 TEST(GeometryWeld, NoiseOnADrum) { expect_clean_again(drum_mesh(48, 1, 3, 6), 3); }
 TEST(GeometryWeld, NoiseOnAHull) { expect_clean_again(wigley_hull(), 60); }
 
-// Two bodies 1 mm apart.
+// Two bodies at a distance of 1 mm remain separate.
 TEST(GeometryWeld, ClosedMeshesStay) {
   TriangleMesh mesh = box_mesh(Vec3::Zero(), Vec3::Ones());
   append(mesh, box_mesh(Vec3(0, 0, 1.001), Vec3(1, 1, 2)));
@@ -167,7 +169,7 @@ TEST(GeometryWeld, AHoleCostsNothingElsewhere) {
   weld(open);
   EXPECT_EQ(topology(open).open_edges, 24);
   const MeshSurface whole(closed, {}, kSmooth), lidless(open, {}, {true, 40 * M_PI / 180, true});
-  EXPECT_GT(lidless.curved(), 24 * 2 * 6 - 1);  // all of its side
+  EXPECT_GT(lidless.curved(), 24 * 2 * 6 - 1);  // all facets of its side are curved
   std::mt19937 random(5);
   std::uniform_real_distribution<double> angle(0, 2 * M_PI), height(-1.4, 0.9), off(-0.2, 0.2);
   for (int i = 0; i < 3000; ++i) {

@@ -58,7 +58,7 @@ TEST(GeometryWinding, FastIsNearExact) {
   EXPECT_GT(worst[1], worst[2]);
 }
 
-// Signs equal those of the winding number of all triangles.
+// The signs equal those of the winding number summed over all triangles.
 void expect_signs(const TriangleMesh& m, int points, double size) {
   const MeshSurface s(m, {}, open());
   Points next;
@@ -76,7 +76,7 @@ void expect_signs(const TriangleMesh& m, int points, double size) {
     const auto q = s.query(y, 1e9);
     ASSERT_EQ(q->distance<0, w> 0.5) << y.transpose() << " w " << w;
     ASSERT_NEAR(q->normal.norm(), 1, 1e-12);
-    // Small limits change nothing.
+    // A small distance limit does not change results.
     const auto near = s.query(y, 0.02);
     ASSERT_EQ(near.has_value(), q->distance <= 0.02) << y.transpose();
   }
@@ -97,7 +97,7 @@ TEST(GeometryWinding, PiecesThatOverlapAreOneBody) {
   append(within, sphere_mesh(2, 0.5));
   const MeshSurface s(within, {}, open());
   EXPECT_EQ(s.internal_facets(), 128);
-  EXPECT_LT(s.query({0.55, 0, 0}, 1)->distance, -0.35);  // to the outer sphere
+  EXPECT_LT(s.query({0.55, 0, 0}, 1)->distance, -0.35);  // distance to the outer sphere
 }
 
 TEST(GeometryWinding, RepairTurnsPatches) {
@@ -115,7 +115,7 @@ TEST(GeometryWinding, RepairTurnsPatches) {
   EXPECT_EQ(r.turned, turned);
   EXPECT_GT(r.enclosing, 0.99);
   EXPECT_NEAR(winding_number(m, Vec3::Zero()), 1, 0.02);
-  // Most of them reversed.
+  // Most of the triangles are reversed.
   for (auto& t : inside_out.triangles) std::swap(t[0], t[1]);
   repair(inside_out);
   EXPECT_NEAR(winding_number(inside_out, Vec3::Zero()), 1, 0.02);
@@ -125,7 +125,7 @@ TEST(GeometryWinding, RepairTurnsPatches) {
   sheet.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
   EXPECT_EQ(repair(sheet).enclosing, 0);
-  // A cavity is oriented towards its void, a cube without a lid outward.
+  // A cavity is oriented towards its void, a cube without a lid is oriented outward.
   TriangleMesh hollow = hollow_cube_mesh();
   hollow = without(hollow, {0});
   for (std::size_t t = 12; t < hollow.triangles.size(); ++t)

@@ -26,7 +26,7 @@ HeightGrid grid(const std::vector<double>& x, const std::vector<double>& y, F&& 
   return {x, y, z};
 }
 
-// A plane is reproduced, also beyond the grid, with its exact distance.
+// The spline reproduces a plane, also beyond the grid, with its exact distance.
 TEST(HeightGrid, Plane) {
   const Vec3 n = Vec3(-0.3, 0.2, 1).normalized();
   const HeightGrid g = grid(spaced(-50, 70, 7, 0.3), spaced(10, 90, 5, -0.4),
@@ -46,8 +46,8 @@ TEST(HeightGrid, Plane) {
 
 double waves(double x, double y) { return 2 * std::sin(0.21 * x + 0.4) * std::cos(0.17 * y); }
 
-// Slope and curvature are derivatives of the height and continuous between cells and beyond the edge;
-// fourth-order convergence to a smooth surface.
+// Slope and curvature are the derivatives of the height, and are continuous between cells and beyond the
+// edge; convergence to a smooth surface is of fourth order.
 TEST(HeightGrid, SplineIsTwiceDifferentiable) {
   const HeightGrid g = grid(spaced(0, 40, 10, 0.2), spaced(0, 30, 8), waves);
   const double h = 1e-5;
@@ -60,7 +60,7 @@ TEST(HeightGrid, SplineIsTwiceDifferentiable) {
       EXPECT_LT((a.bend.col(0) - (e.slope - w.slope) / (2 * h)).norm(), 1e-8);
       EXPECT_LT((a.bend.col(1) - (n.slope - s.slope) / (2 * h)).norm(), 1e-8);
     }
-  // Across every grid line and the edges.
+  // Continuity across every grid line and the edges.
   for (const double x : g.x())
     EXPECT_LT((g.at(x - 1e-9, 7.3).bend - g.at(x + 1e-9, 7.3).bend).norm(), 1e-7) << x;
   for (const double y : g.y())
@@ -129,12 +129,12 @@ TEST(HeightGrid, OvershootBesideAStep) {
   const auto along_y = grid(short_row, long_row, [&](double, double y) { return -step(y); }).overshoot();
   EXPECT_NEAR(along_y.by, -10 * most, 1e-6);
   EXPECT_NEAR(along_y.at.y(), along_y.above ? 10 * where - 10 : 20 - 10 * where, 1e-2);
-  // Slightly uneven neighbours do not hide it.
+  // Slightly uneven neighbours do not hide the overshoot.
   const auto noise = [&](double x, double) { return step(x) + 0.01 * std::sin(7 * x * x); };
   EXPECT_NEAR(grid(long_row, short_row, noise).overshoot().by, -10 * most, 0.05);
 }
 
-// Hills with a dozen points from top to top, and planes, have no overshoot.
+// Hills with a dozen points in a period, and planes, have no overshoot.
 TEST(HeightGrid, NoOvershootOfHills) {
   const auto hills = [](double x, double y) {
     return 2 * std::sin(M_PI / 6 * x + 0.4) * std::cos(M_PI / 6 * y);

@@ -1,5 +1,5 @@
-// Water pressure on a hull: buoyancy and stiffness in closed form, tangent with and without waves, potential,
-// volumes by three fluxes; exact volumes, split edges.
+// Water pressure on a hull: buoyancy and stiffness against closed forms, tangent with and without waves,
+// potential, displaced volume by three fluxes, and volumes of shapes and split meshes.
 #include "hawser/kernels/hull_pressure.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ HullSurface surface(const TriangleMesh& mesh, const Vec3& centre) {
   return out;
 }
 
-// 8 x 5 x 3 m, with an off-centre centre of mass.
+// A box of 8 x 5 x 3 m with an off-centre centre of mass.
 HullSurface barge() { return surface(test::box_mesh({-4, -2.5, 0}, {4, 2.5, 3}), Vec3(0.3, -0.2, 0.8)); }
 
 RigidBodyState state(const Vec3& turn, double z, const Vec6& by = Vec6::Zero()) {
@@ -96,13 +96,13 @@ TEST(HullPressure, TangentInWaves) {
     };
     EXPECT_LT((p.K * d - slope(force, d)).norm(), 1e-5) << k;
   }
-  // A uniform head equals a higher level.
+  // A uniform head equals a higher water level.
   heads.assign(heads.size(), 0.35);
   const Vec6 higher = hull_pressure(hull, kWeight, 0.45, {}, state(turn, -0.4), false).f;
   EXPECT_LT((hull_pressure(hull, kWeight, 0.1, heads, state(turn, -0.4), false).f - higher).norm(), 1e-10);
 }
 
-// A missing side changes the flux of one coordinate.
+// A missing side changes the volume by the flux of one coordinate only.
 TEST(HullPressure, VolumesAgreeWhereTheSurfaceIsClosed) {
   HullSurface hull = barge();
   const RigidBodyState s = state({0.2, -0.1, 0.7}, -0.4);
@@ -132,7 +132,7 @@ TEST(HullPressure, TrianglesOfShapesHaveTheirVolume) {
   EXPECT_THROW(facets_of_volume(PlaneShape{}), std::invalid_argument);
 }
 
-// Shorter edges, the same closed surface.
+// Splitting shortens the edges and keeps the surface closed.
 TEST(HullPressure, SplitEdgesLeaveNoGaps) {
   TriangleMesh mesh = test::box_mesh({-40, -6, -9}, {40, 6, 3});
   split_edges(mesh, 4, 100000);

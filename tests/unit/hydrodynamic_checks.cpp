@@ -1,5 +1,5 @@
-// Single errors in the coefficients of the tutorial: each is refused or noted by one sentence, and the
-// unchanged set by none.
+// Single errors in the coefficients of the tutorial: each is refused or noted by one sentence; the unchanged
+// set has no notes.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 using Row = std::vector<double>;
 using Change = std::function<void(std::vector<Row>&)>;
 
-// The set with the rows of one file changed by `change`: the refusal, or else all notes.
+// The set with the rows of one file changed by `change`: the sentence of the refusal, or all notes.
 class HydrodynamicChecks : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -155,7 +155,7 @@ TEST_F(HydrodynamicChecks, WaveForces) {
       for (const size_t k : {3, 5, 6}) r[k] *= 1.6;
   });
   expect("times the hydrostatic stiffness C33");
-  with(".3", [](auto& rows) {  // only long waves are right
+  with(".3", [](auto& rows) {  // only forces of long waves are right
     for (Row& r : rows)
       for (const size_t k : {3, 5, 6})
         if (r[0] < 45) r[k] *= 2;
@@ -163,7 +163,7 @@ TEST_F(HydrodynamicChecks, WaveForces) {
   expect("by Haskind's relation");
 }
 
-// What long waves tell of the volume and of the stiffness, and of their phases.
+// Errors that long waves show in forces: phases, volume and stiffness.
 TEST_F(HydrodynamicChecks, LongWaves) {
   const auto times = [](double mode, double factor) {
     return [=](auto& rows) {
@@ -192,7 +192,7 @@ TEST_F(HydrodynamicChecks, LongWaves) {
   expect("the pitch moment of ");
   with(".3", times(4, 1.2));
   expect("the roll moment of ");
-  with(".1", [](auto& rows) {  // z downwards
+  with(".1", [](auto& rows) {  // z axis downwards
     for (Row& r : rows)
       if (is_entry(r, 1, 5) || is_entry(r, 5, 1)) r[3] = -r[3];
   });
@@ -200,7 +200,7 @@ TEST_F(HydrodynamicChecks, LongWaves) {
   expect("and the body displaces 26000 m³: are depth of the water", ", displaced_volume: 26000");
 }
 
-// A file scaled as a whole by its length differs from a body of another volume.
+// If all files are scaled by the length, they differ from a body of another volume.
 TEST_F(HydrodynamicChecks, LengthOfAllFiles) {
   const auto scaled = [](double of_forces, double of_moments) {
     return [=](auto& rows) {
@@ -279,7 +279,7 @@ TEST_F(HydrodynamicChecks, RowsOfTwoRuns) {
   expect("twice, with different values: are these rows of two runs?");
 }
 
-// Three periods in the order of the file, with pairs that are the mean of both, or far from it.
+// Three periods in the order of the file, with pairs that are the mean of both, or far from the mean.
 TEST_F(HydrodynamicChecks, DifferenceForces) {
   const auto pairs = [](double of_pair, const char* more = "") {
     std::string text;
@@ -311,7 +311,7 @@ TEST_F(HydrodynamicChecks, AsymmetricDamping) {
   EXPECT_NE(reported().find("damping differs from its transpose by up to "), std::string::npos) << reported();
 }
 
-// A wide float, where damping affects the phase of heave.
+// A wide float, whose damping affects the phase of heave.
 TEST_F(HydrodynamicChecks, ConjugatedHeave) {
   const auto force = [](double sign) {
     return [sign](auto& rows) {
@@ -336,7 +336,7 @@ TEST_F(HydrodynamicChecks, ConjugatedHeave) {
 }
 
 TEST_F(HydrodynamicChecks, FilesThatAreCutOff) {
-  const auto listed = [](auto& rows) {  // all entries, most of them zero
+  const auto listed = [](auto& rows) {  // all entries, most of which are zero
     const std::vector<Row> before = rows;
     rows.clear();
     for (const double i : {1, 2, 3, 4, 5, 6})
@@ -372,8 +372,8 @@ TEST_F(HydrodynamicChecks, FirstRowWithAnError) {
   expect("body: is 2, and ", ", body: 2");
 }
 
-// A spar of 28274 m³ that displaces ten times its mass, or whose buoyancy is too low; active dampers; a
-// fairlead in space axes.
+// A spar of 28274 m³ that displaces ten times its mass, or has a negative metacentric height; damping that
+// adds energy; stiffness that pushes the body away; a fairlead whose position is given in space axes.
 TEST_F(HydrodynamicChecks, WhatCannotFloat) {
   expect("mean that without lines it floats 810 m higher, which is more than its size (65.6 m",
          ", excitation: false, displaced_volume: 282740");
@@ -427,7 +427,7 @@ TEST_F(HydrodynamicChecks, StiffnessTimesTheDensity) {
   EXPECT_NE(reported(", excitation: false").find("means a waterplane of"), std::string::npos) << reported();
 }
 
-// Momentum gives only surge, sway and yaw.
+// Forces from momentum have surge, sway and yaw only.
 TEST_F(HydrodynamicChecks, DriftWithoutHeave) {
   std::string text;
   for (const int period : {5, 10, 20})

@@ -36,7 +36,7 @@ std::vector<std::vector<double>> rows_of(const std::string& path) {
   return rows;
 }
 
-// WAMIT's numbers, ULEN = 1, by increasing frequency; infinite first if `infinite`.
+// Coefficients of WAMIT, ULEN = 1, in order of frequency; the infinite frequency comes first if `infinite`.
 struct Set {
   std::vector<double> omega, directions;
   std::map<std::array<int, 3>, double> added, damping;    // frequency, i, j
@@ -141,7 +141,7 @@ void write_netcdf4(const std::string& path, const Dimensions& dimensions,
   }
 }
 
-// Version 1, 2 or 5, with an attribute at the file and at each variable.
+// NetCDF classic of version 1, 2 or 5, with an attribute of the file and of each variable.
 void write_classic(const std::string& path, const Dimensions& dimensions, std::vector<Variable> variables,
                    int version) {
   Dimensions all = dimensions;
@@ -203,8 +203,8 @@ void write_classic(const std::string& path, const Dimensions& dimensions, std::v
   std::ofstream(path, std::ios::binary) << head << body;
 }
 
-// A Capytaine dataset for that set, with a fluid of 1000 kg/m³, decreasing frequencies, and another order of
-// freedoms than WAMIT.
+// A Capytaine dataset of that set, with a fluid of 1000 kg/m³, decreasing frequencies, and an order of
+// freedoms different from WAMIT's.
 std::pair<Dimensions, std::vector<Variable>> capytaine_set(const Set& s) {
   const double rho = 1000;
   const std::vector<std::string> names = {"Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw"};
@@ -283,7 +283,7 @@ std::pair<Dimensions, std::vector<Variable>> capytaine_set(const Set& s) {
        {"forward_speed", {}, {0}}}};
 }
 
-// As written by BEMIO: over rho, rho omega and rho g, or in SI units if `scaled`.
+// Writes the set as BEMIO does: divided by rho, rho omega and rho g, or in SI units if `scaled`.
 void write_bemio(const std::string& path, const Set& s, bool scaled) {
   const io::h5::Id file = io::h5::create(path);
   for (const char* group : {"/simulation_parameters", "/body1", "/body1/properties", "/body1/hydro_coeffs",
@@ -402,7 +402,7 @@ TEST_F(HydrodynamicFiles, CapytaineHasTheCoefficientsOfWamit) {
   }
 }
 
-// A frequency at which the panel method failed is ignored.
+// A frequency with NaN, at which the panel method failed, is ignored.
 TEST_F(HydrodynamicFiles, ExcludesWhatIsNoNumber) {
   auto [dimensions, variables] = capytaine_set(wamit_set());
   variables[5].values[5 * 36 + 4] = NAN;
@@ -428,7 +428,7 @@ TEST_F(HydrodynamicFiles, BemioHasTheCoefficientsOfWamit) {
   }
 }
 
-// The reference point and the weight in the stiffness come from the file, and the case's centre of mass is
+// The reference point and the weight in the stiffness come from the file; the centre of mass of the case is
 // compared with it.
 TEST_F(HydrodynamicFiles, GiveOriginAndWeightToTheBody) {
   const auto [dimensions, variables] = capytaine_set(wamit_set());

@@ -1,5 +1,5 @@
-// Step lengths before and during contact, and the duration for which oscillations after an impact are
-// resolved.
+// Step lengths before and during contact, and the time for which oscillations after an impact are resolved,
+// against closed forms.
 #include "hawser/kernels/impact.hpp"
 
 #include <gtest/gtest.h>
@@ -26,63 +26,64 @@ StepLimit limit_of(const ImpactEvent& s) {
   return impact_limited_step({&s, 1}, {&bears, 1}, kMost, kAlone);
 }
 
-// All of the moving line takes part in the impact.
+// The whole moving line takes part in the impact.
 double longest(double gap, double closing, double acceleration = 0, bool last = true) {
   const auto s = impact_event(kSlow, kSignificantDepth, kMass, {gap, closing, acceleration, last});
   return s ? limit_of(*s).longest : kNever;
 }
 
-// Found by bisection.
+// The step is found by bisection.
 void expect_step(double found, double length) { EXPECT_NEAR(found, length, 2e-4 * length); }
-// Beyond the onset or end of contact as far as the lost or created energy is negligible.
+// The step may end after the onset or end of contact, as long as the lost or created energy is negligible.
 void expect_until(double found, double length) {
   EXPECT_GE(found, (1 - 1e-5) * length);
   EXPECT_LT(found, (1 + 3e-3) * length);
 }
 
 TEST(Impact, WhatIsSlowIsNone) {
-  // 0.09 m/s penetrates 0.9 mm, and so does 9 m/s² from balance.
+  // A speed of 0.09 m/s gives a penetration of 0.9 mm, and so do 9 m/s² from equilibrium.
   EXPECT_EQ(longest(-0.01, 0.09), kNever);
   EXPECT_EQ(longest(0.01, 0.09), kNever);
   EXPECT_EQ(longest(-0.01, 0, 9), kNever);
   expect_step(longest(-0.01, 0.11), kStep);
   expect_step(longest(-0.01, 0, -11), kStep);
-  expect_step(longest(-0.01, 0.08, 8), kStep);  // together
+  expect_step(longest(-0.01, 0.08, 8), kStep);  // both together exceed 1 mm
 }
 
 TEST(Impact, StepsEndAtTheTouch) {
   expect_until(longest(0.2, 2), 0.1);
   expect_until(longest(0.01, 2), 0.005);
-  // Pushed back, v t - a t²/2 = gap, and pulled in.
+  // With an acceleration away from the surface, v t - a t²/2 = gap, and with one towards it.
   const double t = longest(0.01, 2, 5);
   EXPECT_NEAR(2 * t - 2.5 * t * t, 0.01, 5e-6);
   const double u = longest(0.01, 2, -5);
   EXPECT_NEAR(2 * u + 2.5 * u * u, 0.01, 5e-6);
-  // It reverses before; accelerations change, so it is checked again during the approach.
+  // The line reverses before contact; accelerations change, so the gap is checked again during the approach.
   expect_until(longest(0.2, 2, 50), 0.2);
   // In contact except for rounding.
   expect_step(longest(1e-6, 2), kStep);
   expect_step(longest(0, 2), kStep);
   EXPECT_EQ(longest(0.2, -2), kNever);
-  expect_step(longest(0.2, -2, 20), kStep);  // oscillates as fast as the contact
-  expect_until(longest(1, 2), 0.25);         // half way: one step of 0.3 s does not reach it
-  EXPECT_EQ(longest(1.3, 2), kNever);        // nor do two
+  expect_step(longest(0.2, -2, 20), kStep);  // the vibration has the frequency of the contact
+  expect_until(longest(1, 2), 0.25);         // half way: one step of 0.3 s does not reach the surface
+  EXPECT_EQ(longest(1.3, 2), kNever);        // nor do two steps
 }
 
 TEST(Impact, StepsEndAtItsEnd) {
-  // By the trapezoidal rule: pushed at the start of the step, not at its end.
+  // By the trapezoidal rule: the contact force acts at the start of the step, not at its end.
   const double p = 0.004, u = 2, a = 40;
   const double t = longest(-p, -u, a);
   EXPECT_NEAR(-p + t * u + t * t / 4 * a, 0, 2e-5);
   EXPECT_LT(t, kStep);
-  // One step does not reach it, two do; three do.
+  // The end of contact is not within one step but within two, so the step is half of it; farther away the
+  // step is the longest.
   const double far = 2 * 0.008 / (u + std::sqrt(u * u + a * 0.008));
   ASSERT_TRUE(far > kStep && far < 2 * kStep);
   expect_until(longest(-0.008, -u, a), far / 2);
   expect_step(longest(-0.3, -u, a), kStep);
   expect_until(longest(-p, -u), p / u);
-  expect_step(longest(-p, -u, -2000), kStep);  // pulled in again
-  // Other parts of the contact are deeper, or it has separated except for rounding.
+  expect_step(longest(-p, -u, -2000), kStep);  // accelerated towards the surface again
+  // Other parts of the contact are deeper, or the line has separated except for rounding.
   expect_step(longest(-p, -u, a, false), kStep);
   expect_step(longest(-1e-6, -u, a), kStep);
 }
@@ -104,7 +105,7 @@ TEST(Impact, HasTheEnergyOfACrossing) {
       EXPECT_NEAR(impact_event(kSlow, kSignificantDepth, kMass, {gap, 2, 0})->crossed(h), in > 0 ? lost : 0,
                   1e-12)
           << h;
-      // Separates, pushed by the spring alone.
+      // The line separates, pushed by the spring alone.
       const double p = gap, push = k / kMass * p, out = 2 * h + 0.25 * push * h * h - p;
       const double w = 2 + 0.5 * h * push, made = 0.5 * kMass * (w * w - 4) - 0.5 * k * p * p;
       EXPECT_NEAR(impact_event(kSlow, kSignificantDepth, kMass, {-p, -2, push})->crossed(h),
@@ -114,7 +115,7 @@ TEST(Impact, HasTheEnergyOfACrossing) {
 }
 
 TEST(Impact, OnlyWhatMattersCutsAStep) {
-  // 10 kg oscillate at 3 m/s; a part of them has an impact at 2 m/s.
+  // 10 kg oscillate at 3 m/s, of which a part has an impact at 2 m/s.
   const auto of = [&](double mass, double drift) {
     std::vector<LineMotion> lines(1);
     lines[0].add(5, {3, drift, 0});
@@ -141,10 +142,10 @@ TEST(Impact, ManySmallOnesTogetherDo) {
     for (ImpactEvent& s : out) s.line = 0;
     return out;
   };
-  const double bears = 0.0200001;  // ten of them
+  const double bears = 0.0200001;  // tolerance for ten impacts
   EXPECT_EQ(impact_limited_step(impacts(10, kSlow), {&bears, 1}, kMost, kAlone).longest, kNever);
   expect_step(impact_limited_step(impacts(11, kSlow), {&bears, 1}, kMost, kAlone).longest, kStep);
-  // Few short impacts among many longer ones: the short ones are excluded.
+  // Few short impacts among many longer ones: the step resolves only the longer ones.
   std::vector<ImpactEvent> both = impacts(11, kSlow), fast = impacts(9, kSlow / 10);
   both.insert(both.end(), fast.begin(), fast.end());
   expect_step(impact_limited_step(both, {&bears, 1}, kMost, kAlone).longest, kStep);
@@ -170,12 +171,12 @@ TEST(Impact, AThousandLinesAreAsOne) {
   for (LineMotion& l : lines)
     if (&l != &lines[6]) l.impact_energy = 0;
   const double alone = impact_limited_step({&impacts[6], 1}, energy_tolerance(lines), kMost, kAlone).longest;
-  // The first is a seventh of all.
+  // The first impact of all is at 0.01 s, that of line 6 alone at 0.07 s.
   EXPECT_NEAR(together, 0.01, 5e-5);
   expect_until(alone, 0.07);
 }
 
-// Penetration of 10 mm at one end of the step, separation of 50 mm at the other.
+// Unresolved impact: penetration of 10 mm at one end of the step, separation of 50 mm at the other.
 TEST(Impact, UnresolvedCrossings) {
   const double k = kMass / (kSlow * kSlow), depth = 0.01, gap = 0.05;
   const auto error = [&](double path, double speed) {
@@ -184,18 +185,19 @@ TEST(Impact, UnresolvedCrossings) {
   const double e = 0.5 * k * depth * gap;
   EXPECT_NEAR(error(depth + gap, 5), e, 1e-12 * e);
   EXPECT_EQ(error(depth + gap, -5), 0);                                // moving away
-  EXPECT_EQ(error(depth + gap, 0.99 * kSignificantDepth / kSlow), 0);  // lifted or laid down
+  EXPECT_EQ(error(depth + gap, 0.99 * kSignificantDepth / kSlow), 0);  // slow: lifted or laid down
   EXPECT_GT(error(depth + gap, 1.01 * kSignificantDepth / kSlow), 0);
-  EXPECT_EQ(error(0.9 * depth, 5), 0);                             // in contact all the time
-  const std::vector<UnresolvedImpact> two{{0, -1, e}, {1, 0, e}};  // the second with the first line
+  EXPECT_EQ(error(0.9 * depth, 5), 0);  // in contact during the whole step
+  const std::vector<UnresolvedImpact> two{
+      {0, -1, e}, {1, 0, e}};  // the second impact is between its line and the first line
   for (const auto& [bears, within] : {std::pair(1.99, false), {2.01, true}})
     EXPECT_EQ(within_tolerance(two, std::vector<double>{bears * e, 10 * e}, kAlone), within);
   EXPECT_TRUE(resolves_contact(kSlow, 0.5 * kStep));
   EXPECT_FALSE(resolves_contact(kSlow, 0.51 * kStep));
 }
 
-// A linear spring without damping, the trapezoidal rule (rho = 1): with adapted steps an impact conserves
-// energy, wherever the steps began; fixed steps of a sixth of the period do not.
+// Linear spring without damping and trapezoidal rule (rho = 1): with adapted steps an impact conserves energy
+// for any start of the steps; with fixed steps of a sixth of the period it does not.
 TEST(Impact, MakesNoEnergy) {
   const double w = 1 / kSlow;
   const auto bounce = [&](double start, bool cut) {
@@ -225,8 +227,8 @@ TEST(Impact, MakesNoEnergy) {
   EXPECT_GT(uncut, 0.1);
 }
 
-// Masses fall on springs one after the other, with common steps: as many steps for a thousand as for thirty,
-// and the remaining energy is right.
+// Masses fall on springs one after the other, with common steps: the number of steps for a thousand equals
+// that for thirty, and the remaining energy is right.
 TEST(Impact, StepsForManyAreNoMoreThanForFew) {
   struct Outcome {
     int steps = 0;
@@ -279,8 +281,9 @@ TEST(Impact, StepsForManyAreNoMoreThanForFew) {
   EXPECT_LT(more.steps, 1.05 * many.steps);
 }
 
-// A mass on a spring far too stiff for the steps after a single short one in which contact began: the energy
-// stored in the scheme's A, scaled with the square of the step, becomes motion.
+// A mass on a spring that is far too stiff for the steps, after a single short step in which contact began:
+// the energy stored in the scheme's A, which is scaled with the square of the step, becomes kinetic energy
+// unless the growth of steps is limited.
 TEST(Impact, StepsGrowNoFasterThanWhatTheyHold) {
   const AlphaCoefficients c(0.8);
   const double w = 1e3, m1 = (1 - c.am) / (1 - c.af), m0 = c.am / (1 - c.af), d0 = c.af / (1 - c.af);
@@ -294,7 +297,7 @@ TEST(Impact, StepsGrowNoFasterThanWhatTheyHold) {
       A = end;
       a = -w * w * x;
       worst = std::max(worst, v * v + w * w * x * x - 1);
-      // Its line has another kilogram at rest.
+      // The line has another kilogram at rest.
       std::vector<LineMotion> line(1), held(1);
       line[0].add(1, {v, 0, 0});
       line[0].add(1, {0, 0, 0});
@@ -309,7 +312,7 @@ TEST(Impact, StepsGrowNoFasterThanWhatTheyHold) {
               most(true), most(false));
   EXPECT_LT(most(true), 0.05);
   EXPECT_GT(most(false), 1);
-  // No further limit: rigid rotation and slow long lines do not restrict the steps.
+  // No limit in other cases: rigid rotation and slow long lines do not restrict the steps.
   std::vector<LineMotion> line(1), held(1);
   line[0].add(1, {2, 0, 0});
   line[0].add(1, {-2, 0, 0});
@@ -337,7 +340,8 @@ TEST(StepControl, AnImpactIsFollowed) {
   EXPECT_NEAR(c.next(1.63, 1.79, kNever), 0.04, 1e-12);
   EXPECT_NEAR(c.next(1.67, 1.83, kNever), 0.08, 1e-12);
   EXPECT_NEAR(c.next(1.75, 1.85, kNever), 0.1, 1e-12);
-  // A softer impact does not lengthen steps meanwhile or during growth; afterwards it counts.
+  // A softer impact does not lengthen steps during the resolved time or while they grow; it has an effect
+  // afterwards.
   c.follow_impact(1.2, 0.3);
   c.follow_impact(1.2, kNever);
   EXPECT_DOUBLE_EQ(c.next(1.3, 2.3, kNever), 0.01);
@@ -345,15 +349,15 @@ TEST(StepControl, AnImpactIsFollowed) {
   EXPECT_NEAR(c.next(1.61, 1.71, kNever), 0.02, 1e-12);
   c.follow_impact(1.7, 0.15);
   EXPECT_DOUBLE_EQ(c.next(1.8, 2.8, kNever), 0.05);
-  // As after a restart.
+  // The same after a restart.
   StepControl d(s);
   d.restore(c.proposal(), c.wait(), c.impact_period(), c.resolved_until());
   EXPECT_DOUBLE_EQ(d.next(1.8, 2.8, kNever), 0.05);
 }
 
-// Energy of an oscillation at frequency w when steps of a third of the contact's period h end and steps a
+// Energy of an oscillation at frequency w when the steps of a third of the contact's period end and steps a
 // hundred times as long are requested: maximum over phases, relative to the initial energy. jump: sudden
-// factor of the step length; 0: by step control.
+// factor of the step length; 0: growth by step control.
 double energy_after(double rho, double w, double jump) {
   const double third = 0.01;
   const AlphaCoefficients c(rho);
@@ -362,7 +366,7 @@ double energy_after(double rho, double w, double jump) {
   double worst = 0;
   for (int phase = 0; phase < 24; ++phase) {
     StepControl control(s);
-    control.restore(control.proposal(), 0, 3 * third, 0);  // the twenty periods are over
+    control.restore(control.proposal(), 0, 3 * third, 0);  // the twenty resolved periods are over
     double x = std::cos(phase * M_PI / 24) / w, v = std::sin(phase * M_PI / 24), a = -w * w * x, A = a, t = 0;
     const double m1 = (1 - c.am) / (1 - c.af), m0 = c.am / (1 - c.af), d0 = c.af / (1 - c.af);
     for (int i = 0; i < 60; ++i) {
@@ -418,7 +422,7 @@ TEST(StepControl, FixedStepsAreDividedAtImpactsByDefault) {
   EXPECT_DOUBLE_EQ(c.next(0, 1, kNever), 0.1);
   EXPECT_DOUBLE_EQ(c.next(0, 1, 0.04), 0.04);
   c.accepted(0.04, 2, 0);
-  EXPECT_DOUBLE_EQ(c.next(0.04, 1.04, kNever), 0.1);  // it returns to the requested step
+  EXPECT_DOUBLE_EQ(c.next(0.04, 1.04, kNever), 0.1);  // returns to the requested step
   s.resolve_impacts = false;
   StepControl strict(s);
   EXPECT_FALSE(strict.respects_term_limits());

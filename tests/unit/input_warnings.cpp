@@ -69,7 +69,7 @@ TEST(InputWarnings, NoneOfAnyShippedCase) {
       const model::Case c = io::read_case(entry.path().string());
       EXPECT_EQ(advice::input_notes(c), std::vector<std::string>{});
     } catch (const std::exception& e) {
-      // Third-party coefficients that a user puts beside the case.
+      // The case needs third-party coefficients, which a user puts beside it.
       if (std::string(e.what()).find("there is no such file, which has added mass") == std::string::npos)
         throw;
       printf("excluded: %s\n", e.what());
@@ -78,7 +78,8 @@ TEST(InputWarnings, NoneOfAnyShippedCase) {
   EXPECT_GE(cases, 16);
 }
 
-// In deep water waves of 11 s have a speed of g 11/2 pi = 17.2 m/s; a current across them has no effect.
+// In deep water, waves of 11 s have a speed of g 11/2 pi = 17.2 m/s; a current across the waves has no
+// effect.
 TEST(InputWarnings, LinearWavesOnACurrent) {
   const auto current = [](const std::string& with) {
     return Changes{{"{speed: 0.2, direction_deg: 90}", with}};
@@ -99,7 +100,7 @@ TEST(InputWarnings, LinearWavesOnACurrent) {
   expect_warning(stokes, "of 2 m/s against the waves of 11 s is 12 %");
 }
 
-// Without weight and water the line type has no consequences for the line.
+// The case without weight and water, in which a changed line type causes no other warnings about the line.
 Changes weightless(const std::string& from, const std::string& to) {
   return {{from, to},
           {"environment:", "environment:\n  gravity: 0"},
@@ -213,7 +214,7 @@ TEST(InputWarnings, TensionsOfLinesAndLengths) {
   expect_warning({{"elements: 76", "elements: 2"}},
                  "lines.mooring.sections: 2 elements for a line that is 4.4 % longer than the distance "
                  "between its ends: its curved shape needs twenty elements or more");
-  // The stock of a feeder does not count in the span.
+  // The stock of a feeder does not count in the length of the span.
   expect_warning({{"length: 760", "length: 755"},
                   {"end_b: {body: vessel, at: [0, 0, 0]}",
                    "end_b: {body: vessel, at: [0, 0, 0], feed: {stock: 40, speed: 0}}"}},
@@ -372,7 +373,7 @@ TEST(InputWarnings, RotationsOfATurnedBody) {
   EXPECT_EQ(notes(turned("90", yaw)), std::vector<std::string>{});
 }
 
-// A body with mass yields to a line that is too short.
+// A line that is too short moves a body with mass, so there is no warning of its tension.
 TEST(InputWarnings, NoTensionOfALineToABodyThatGivesWay) {
   const Changes shorter = {{"length: 760", "length: 715"},
                            {"{motion: {harmonic: {amplitude: [0, 0, 2], period: 10}, ramp: 10}}",

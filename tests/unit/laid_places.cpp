@@ -1,4 +1,5 @@
-// Laid positions of lines of a frame whose ends support each line along very many paths.
+// Laid positions of lines of a frame whose ends support each other along very many paths: the lines remain at
+// their start positions on the bed.
 #include "hawser/solve/laid_places.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@
 namespace hawser::test::laid_places_test {
 namespace {
 
-constexpr int kBays = 40;  // 2^40 ways and more from one end of the ladder to the other
+constexpr int kBays = 40;  // more than 2^40 paths from one end of the ladder to the other
 
 // Two rails along x held at one end, with rungs along y, all on the bed at z = -50.
 std::string ladder() {
@@ -48,7 +49,7 @@ TEST(LaidPlaces, OfALadderOnTheBed) {
   }
   const std::vector<std::vector<Vec3>> laid = laid_places(c, build_mesh(c), starts);
   ASSERT_EQ(laid.size(), starts.size());
-  // The bed is lowered at anchors, which takes a little of the length.
+  // The bed is lowered at anchors, which moves the lines slightly.
   for (size_t l = 0; l < laid.size(); ++l)
     for (size_t i = 0; i < 3; ++i) EXPECT_LT((laid[l][i] - starts[l][i]).norm(), 0.01) << l << " " << i;
 }

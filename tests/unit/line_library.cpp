@@ -1,4 +1,5 @@
-// Line types from the library: values of the underlying tables, overriding, all entries.
+// Line types from the library: values against the tables they come from, keys of the case that override them,
+// and consistency of all entries.
 #include "hawser/io/line_library.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +40,7 @@ TEST(LineLibrary, ChainByGradeAndDiameter) {
   EXPECT_NEAR(t.outer_diameter, 1.89 * 0.084, 1e-12);
   EXPECT_NEAR(t.drag_diameter, 0.084, 1e-12);
   EXPECT_EQ(t.Cd_normal, 2.6);
-  // Its displaced volume is that of its steel.
+  // The displaced volume is that of the steel.
   const double steel = t.mass_per_length / (M_PI / 4 * t.displaced() * t.displaced());
   EXPECT_NEAR(steel, 7850, 0.01 * 7850);
 }

@@ -1,3 +1,4 @@
+// Nodes of a line are moved to the places of attachments: arc lengths by hand.
 #include "hawser/model/line_nodes.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +35,8 @@ TEST(LineNodes, TheNearestGoesToThePlaceAndTheOthersFollow) {
   expect_near(arcs(line, {4.6}), {0, 2.3, 4.6, 6.4, 8.2, 10});
   expect_near(arcs(line, {4}), {0, 2, 4, 6, 8, 10});
   expect_near(arcs(line, {0.5}), {0, 0.5, 2.875, 5.25, 7.625, 10});
-  expect_near(arcs(line, {4.6, 4.6, 6.9}), {0, 2.3, 4.6, 6.9, 8.45, 10});  // the second time it is there
+  expect_near(arcs(line, {4.6, 4.6, 6.9}),
+              {0, 2.3, 4.6, 6.9, 8.45, 10});  // the second time a node is already there
   expect_near(arcs(line, {4.6, 5.2}), {0, 2.3, 4.6, 5.2, 7.6, 10});
 }
 
@@ -56,13 +58,13 @@ TEST(LineNodes, NoneCloserThanATenthAndNoneThatIsNotThere) {
   expect_near(arcs(line, {9.3}), {0, 2.325, 4.65, 6.975, 9.3, 10});
   expect_near(arcs(line, {8.5, 9.3}), {0, 2.125, 4.25, 6.375, 8.5, 10});
   expect_near(arcs(line_of({{"chain", 10, 1}}), {4}), {0, 10});
-  // Places at nodes stay, and no element grows without bounds, from either end.
+  // Nodes at places remain there, and no element becomes much longer, from either end.
   expect_near(arcs(line, {7.6, 8}), {0, 2, 4, 6, 8, 10});
   expect_near(arcs(line, {2, 2.4}), {0, 2, 4, 6, 8, 10});
   expect_near(arcs(line, {4.2, 4.5, 4.8, 5.1, 5.4}), {0, 2.1, 4.2, 5.4, 7.7, 10});
 }
 
-// Nodes of all kinds of attachments are where the mesh expects them.
+// Masses, loads, links and bodies are at nodes where the mesh expects them.
 TEST(LineNodes, OfMassesLoadsLinksAndBodies) {
   Case c;
   c.line_types.resize(1);

@@ -1,4 +1,5 @@
-// Contact of two elements: exact tangents in all situations, potential, balance of forces and moments.
+// Contact of two elements: tangents against differences in all situations, potential, balance of forces and
+// moments.
 #include "hawser/kernels/line_pair.hpp"
 
 #include <gtest/gtest.h>
@@ -40,9 +41,9 @@ constexpr double kRadius = 0.05, kStiffness = 1e5;
 struct Situation {
   const char* name;
   Vec3 a1, a2, b1, b2;       // the trial
-  double before = 0;         // m, additional distance at the start, along z
+  double before = 0;         // m, additional distance at the start of the step, along z
   Vec3 slip = Vec3::Zero();  // m, of a in the step
-  bool round = false;        // a cable a has turned by almost half a turn
+  bool round = false;        // cable a has rotated by almost half a turn
 };
 
 std::vector<Situation> situations() {
@@ -150,7 +151,7 @@ struct Rig {
       Eigen::Map<Vec3>(u + 9, 3) = 0.01 * noise3(1, 8);
     }
     a0 = moved(a, u);
-    // Not exactly: without slip it has no direction.
+    // Not exactly half a turn, because without slip the direction is undefined.
     if (s.round && !beam_a) {
       std::swap(a0.x1, a0.x2);
       a0.x1.y() += 0.01;
@@ -169,7 +170,7 @@ struct Rig {
     }
   }
 
-  // Both sides, elements and joints.
+  // Calls `what` for both sides, for elements and joints.
   void each(const AxisEnds& a1, const AxisEnds& b1, const AxisEnds& sa, const AxisEnds& sb,
             const std::array<std::vector<LinePairContactPoint>, 6>& past,
             const std::function<void(size_t, const LinePairPass&)>& what) const {
@@ -180,7 +181,8 @@ struct Rig {
 
   int unknowns() const { return (a.beam ? 12 : 6) + (b.beam ? 12 : 6); }
 
-  // f, K, C of one of the six parts, or of all (-1), in the order of the part's slave and master -> a, b.
+  // f, K, C of one of the six parts, or of their sum (-1), reordered from slave and master of the part to a,
+  // b.
   void forces(const std::vector<double>& u, const std::vector<double>& du, int part, std::vector<double>& f,
               std::vector<double>* K, std::vector<double>* C) const {
     const int n = unknowns(), na = a.beam ? 12 : 6;
@@ -227,7 +229,7 @@ void for_all(const std::function<void(const std::string&, const Rig&, double fri
              Rig(s, beam_a, beam_b, friction), friction);
 }
 
-// With the whole slave, and with a part of it near a shared place.
+// Tangents with the whole slave, and with a part of it near a shared place.
 TEST(LinePair, Tangents) {
   double worst = 0;
   for_all([&](const std::string& name, const Rig& whole, double) {
@@ -283,7 +285,7 @@ TEST(LinePair, Tangents) {
   printf("  largest error of a tangent %.1e\n", worst);
 }
 
-// A cable that folds back turns by half a turn: forces and their derivatives are finite.
+// A cable that folds back rotates by half a turn: forces and their derivatives are finite.
 TEST(LinePair, HalfATurn) {
   Rig rig({"half round", {-0.5, 0, 0.094}, {0.5, 0, 0.094}, {0.1, -0.4, 0}, {0.1, 0.6, 0}}, false, false,
           0.3);
@@ -298,7 +300,7 @@ TEST(LinePair, HalfATurn) {
   EXPECT_LT(largest, 1e3 * kStiffness);
 }
 
-// A cable swept along another one in steps of `way`, 0.3 m in total: its contact points.
+// Contact points of a cable that is swept along another one in steps of `way`, 0.3 m in total.
 std::array<std::vector<LinePairContactPoint>, 6> swept(double way, double mu) {
   Rig rig({"swept", {-0.5, 0, 0.094}, {0.5, 0, 0.094}, {0.1, -0.4, 0}, {0.1, 0.6, 0}}, false, false, mu);
   auto at = [&](double y) {
@@ -318,7 +320,7 @@ std::array<std::vector<LinePairContactPoint>, 6> swept(double way, double mu) {
   return past;
 }
 
-// New material in a crossing gets the slip of its motion: for any step length friction is mu N.
+// Material that is new in a crossing gets the slip of the sweep: friction is mu N for any step length.
 TEST(LinePair, NewMaterialHasTheSlipOfTheSweep) {
   const double mu = 0.3, mobilised = 5e-3;
   const auto once = swept(0.3, mu);
@@ -357,12 +359,13 @@ TEST(LinePair, ForceIsTheGradientOfThePotential) {
       norm = std::max(norm, std::abs(f[i]));
       off = std::max(off, std::abs((p - m) / (2 * e) - f[i]));
     }
-    // The quadratures of potential and force are truncated differently: they agree to the rule's error.
+    // The quadratures of potential and force are truncated differently, so they agree to the error of the
+    // rule.
     EXPECT_LE(off, 5e-3 * norm) << name;
   });
 }
 
-// Two beams: zero total force and moment, friction included.
+// For two beams, total force and total moment are zero, also with friction.
 TEST(LinePair, ForcesAndMomentsBalance) {
   for (const Situation& s : situations()) {
     const Rig rig(s, true, true, 0.3);
@@ -386,14 +389,14 @@ TEST(LinePair, ForcesAndMomentsBalance) {
   }
 }
 
-// Rigid motion of a pair keeps its friction: the elastic slip rotates with it.
+// A rigid motion of a pair does not change its friction: the elastic slip rotates with the pair.
 TEST(LinePair, RigidMotionLeavesTheSlipAlone) {
   for (const Situation& s : situations())
     for (const bool beam : {true, false}) {
       Rig rig(s, beam, beam, 0.3);
       rig.settings.law.normal.damping = 0;
-      // A cable has no sections: they rotate by the smallest rotation of its chord, the full rotation only if
-      // its axis is normal to the chord.
+      // A cable has no sections, so its frame has the smallest rotation of its chord; this is the full
+      // rotation only if the axis of rotation is normal to the chord.
       if (!beam && std::string(s.name).starts_with("end ")) continue;
       if (rig.history[0].empty() && rig.history[3].empty()) continue;
       const Quat turn = exp_so3(beam ? Vec3(0.4, -0.7, 1.1) : Vec3(0, 0, 0.9));

@@ -1,5 +1,5 @@
-// Closing of a contact of lines in a step: approach along the normal without sliding; and derivatives of the
-// law that uses it.
+// Closing of a contact of lines in a step (approach along the normal without sliding) against closed forms,
+// and derivatives of the contact law that uses it.
 #include "hawser/kernels/line_pair_closing.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,8 @@ TEST(LinePairClosing, SweepsHaveNoneAndImpactsHaveAll) {
     }
 }
 
-// An element that reverses within the step, as in a chain lowered exactly upright.
+// The closing is finite for an element that reverses within the step, as in a chain that is lowered exactly
+// upright.
 TEST(LinePairClosing, WhatTurnsRoundIsFinite) {
   LinePairMotion<double> way = straight(0, Vec3(0.1, 0, -0.02));
   way.slope_before = -way.slope;
@@ -38,8 +39,8 @@ TEST(LinePairClosing, WhatTurnsRoundIsFinite) {
   EXPECT_NEAR(line_pair_closing(way), 0.02, 1e-15);
 }
 
-// A rope drawn over a wire around which it is bent, sharply or to a radius: the material moves along the leg.
-// The same for one bent away from the wire to a radius.
+// A rope is drawn over a wire and bent around it, sharply or to a radius: the material moves along the leg,
+// so the closing is zero or negative. The same for a rope that is bent away from the wire to a radius.
 TEST(LinePairClosing, MaterialThatComesRoundABendSlides) {
   const Vec3 z = Vec3::UnitZ(), b = Vec3::UnitY();
   for (const double turn : {0.3, 0.1, -0.1, -0.3}) {
@@ -52,7 +53,7 @@ TEST(LinePairClosing, MaterialThatComesRoundABendSlides) {
   }
 }
 
-// A rope wound up by a drum of radius r that turns by an angle, onto the previous turn: it descends by the
+// A rope is wound onto its previous turn by a drum of radius r that rotates by an angle: it descends by the
 // height of its leg, r angle²/2.
 TEST(LinePairClosing, WhatIsWoundUpCloses) {
   const double r = 1, turn = 0.05;
@@ -67,7 +68,7 @@ TEST(LinePairClosing, WhatIsWoundUpCloses) {
   }
 }
 
-// Force and couple by all arguments of the law, with and without cut slip of new material.
+// Derivatives of force and couple by all arguments of the law, with and without limited slip of new material.
 TEST(LinePairClosing, DerivativesOfTheLaw) {
   const auto noise = [](int i) { return std::sin(12.9898 * i + 4.1 * i * i); };
   using F = LinePairForce;

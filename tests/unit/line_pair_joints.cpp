@@ -18,8 +18,8 @@ using namespace test::axis_elements;
 
 constexpr double kRadius = 0.05, kStiffness = 1e5;
 
-// A straight beam or cable in one element or several: the force of a line that moves along it is independent
-// of joints.
+// A straight beam or cable consists of one element or several: the force of a line that moves along it is
+// independent of the joints.
 TEST(LinePairJoints, JointsDoNotShow) {
   for (const bool beam : {true, false})
     for (const double angle : {0.05, 0.4, 1.0, M_PI / 2}) {
@@ -75,15 +75,15 @@ TEST(LinePairJoints, JointsDoNotShow) {
     }
 }
 
-// Nearly parallel lines that part beyond a joint of one: the gap decreases slowly until the nearest point
-// passes the joint and increases steeply beyond.
+// Nearly parallel lines that separate beyond a joint of one of them: the gap decreases slowly until the
+// nearest point passes the joint, and increases steeply beyond.
 TEST(LinePairJoints, ContactAtAJointIsNotMissed) {
   int deep = 0, missed = 0;
   for (int seed = 0; seed < 4000; ++seed) {
     AxisEnds b = element(true, Vec3::Zero(), Vec3(0.1, 0, 0), seed, 0.02);
     const double over = 0.05 + 0.04 * noise(seed, 30), lean = 0.003 * (1 + noise(seed, 31));
     const double z = 2 * kRadius - 2e-5 * std::abs(noise(seed, 32));
-    // Position over the end of b, `over` from the first node of a.
+    // A point above the end of b, at the distance `over` from the first node of a.
     const Vec3 along = Vec3(1, 0.1 * noise(seed, 33), -lean).normalized(), at(b.x2 + Vec3(0, 0, z));
     const AxisEnds a = element(true, at - over * along, at + (0.1 - over) * along, seed + 4000, 0.02);
     const PairAxis A(a, a), B(b, b);

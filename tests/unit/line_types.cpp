@@ -1,5 +1,5 @@
-// Line types given as pipes and by data-sheet weights: against pipe tables, by hand, refusals, and the table
-// of `hawser check`.
+// Line types given as pipes and by data-sheet weights: against pipe tables and hand calculations; refusals;
+// the table of `hawser check`.
 #include <gtest/gtest.h>
 
 #include "hawser/base/error.hpp"
@@ -76,7 +76,7 @@ TEST(LineTypes, CoatingsAndContents) {
   EXPECT_NEAR(t.rotary_inertia.x(), bare.rotary_inertia.x() + 900 * ring(D, D1) + 800 * ring(D1, D2), 1e-9);
 }
 
-// A flooded pipe of thickness t floats by its wall alone.
+// The buoyancy of a flooded pipe is that of its wall alone.
 TEST(LineTypes, Flooded) {
   const model::Case c = case_of(
       "pipe: {outer_diameter: 0.5, wall_thickness: 0.02, material: hdpe}, contents: "
@@ -103,8 +103,9 @@ TEST(LineTypes, ByWeights) {
   const model::LineType t = type_of("weight: {in_air: 90 kgf/m, submerged: 45 kgf/m}" + rest);
   EXPECT_NEAR(t.mass_per_length, 90, 1e-9);
   EXPECT_NEAR(1025 * M_PI / 4 * t.displaced() * t.displaced(), 45, 1e-9);
-  EXPECT_EQ(t.dragged(), 0.25);  // of the outside, independent of the displaced diameter
-  // Filled with water of 1025 kg/m³ in the data sheet, with gas in the case.
+  EXPECT_EQ(t.dragged(),
+            0.25);  // the drag diameter is that of the outside, independent of the displaced diameter
+  // The data sheet has water of 1025 kg/m³ in the hose, the case has gas.
   const double bore = M_PI / 4 * 0.01;
   const model::LineType gas = type_of(
       "weight: {in_air: 90 kgf/m, submerged: 45 kgf/m, full_of: 1025}, contents: {inner_diameter: 0.1, "
@@ -112,8 +113,8 @@ TEST(LineTypes, ByWeights) {
       rest);
   EXPECT_NEAR(gas.mass_per_length, 90 - 925 * bore, 1e-9);
   EXPECT_NEAR(gas.displaced(), t.displaced(), 1e-12);
-  // Weights of the drained line in air and the flooded one under water include only the material, and no bore
-  // fits inside.
+  // The weight of the drained line in air and that of the flooded line under water include the material only,
+  // and no bore is consistent with them.
   const std::string drained =
       "weight: {in_air: 338.893, submerged: 121.79}, outer_diameter: 0.3, EA: 60 MN, bending: false";
   const model::LineType open = type_of(drained);

@@ -12,7 +12,7 @@ namespace {
 
 using Rows = std::vector<MonotoneCubic::Row>;
 
-// Linear and by tables, each with and without slack.
+// Linear links and links by tables, each with and without slack.
 struct Named {
   std::string name;
   LinkLaw law;
@@ -55,9 +55,9 @@ TEST(Link, TensionByDefinition) {
   l.tension_only = true;
   EXPECT_DOUBLE_EQ(link_tension(l, 2.5, 1).tension, 310);
   EXPECT_DOUBLE_EQ(link_tension(l, 1.95, 1).tension,
-                   35);  // tightens at a speed at which the damper already pulls
+                   35);  // the link becomes taut at a speed at which the damper is already in tension
   EXPECT_EQ(link_tension(l, 1.5, 1).tension, 0);
-  EXPECT_EQ(link_tension(l, 2.1, -1).tension, 0);  // closes faster than the spring pulls
+  EXPECT_EQ(link_tension(l, 2.1, -1).tension, 0);  // closes faster than the spring can pull
   for (const Named& n : laws()) {
     if (!n.law.spring) continue;
     for (const auto& [e, T] : {std::pair{-0.1, 5.0}, {0.2, 100.0}, {0.9, 400.0}})
@@ -73,7 +73,8 @@ TEST(Link, EnergyAddsUp) {
     const auto T = [&law = law](double length) { return link_tension(law, length, 0).tension; };
     const double stored = link_tension(law, 2.8, 0).energy - link_tension(law, 1.2, 0).energy;
     EXPECT_NEAR(integral(T, 1.2, 2.8), stored, 2e-4 * (1 + std::abs(stored))) << name;
-    // Back and forth, faster and slower than the damper: input energy is stored or dissipated.
+    // The length oscillates, faster and slower than the time constant of the damper: input energy is stored
+    // or dissipated.
     const auto length = [](double t) { return 2 + 0.7 * std::sin(3 * t) + 0.1 * t; };
     const auto speed = [](double t) { return 2.1 * std::cos(3 * t) + 0.1; };
     const double work = integral(
@@ -113,7 +114,7 @@ TEST(Link, TangentAgainstDifferences) {
   EXPECT_LT(worst, 1e-6);
 }
 
-// Without a rest length a linear spring is k d, also at zero distance.
+// Without a rest length the tension of a linear spring is k d, also at zero distance.
 TEST(Link, NoRestLength) {
   LinkLaw law;
   law.stiffness = 500;

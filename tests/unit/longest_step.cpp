@@ -1,4 +1,5 @@
-// Longest automatic step from motion tables, freely swinging or spinning bodies, and platforms.
+// Longest automatic step from motion tables, from oscillating or rotating bodies, and from platforms, against
+// closed forms.
 #include "hawser/model/longest_step.hpp"
 
 #include <gtest/gtest.h>
@@ -35,8 +36,8 @@ model::TableMotion table(double every, double duration, const OfTime& of_time,
 
 double wave(double t, double amplitude, double period) { return amplitude * std::sin(2 * M_PI * t / period); }
 
-// A tabulated sine gives a hundredth of its period for any rows, as with given amplitude and period. A
-// monotone cubic through few rows has corners at its extremes and is faster.
+// The step for a tabulated sine is a hundredth of its period for any rows, as for a sine given by amplitude
+// and period. A monotone cubic through few rows has sharp bends at its extremes, so its step may be shorter.
 TEST(LongestStep, OfASineInATableIsThatOfTheSine) {
   const auto step = [](double every, BetweenRows between) {
     const auto t = table(
@@ -51,8 +52,8 @@ TEST(LongestStep, OfASineInATableIsThatOfTheSine) {
   }
 }
 
-// In closed form: 2 pi sqrt of the sum of (a omega)² over that of (a omega²)². A superposed drift or steady
-// velocity does not change the steps per wave.
+// Closed form: a hundredth of 2 pi sqrt of the sum of (a omega)² over that of (a omega²)². A superposed drift
+// or steady velocity does not change the steps per wave.
 TEST(LongestStep, OfWavesOnADriftFollowsTheWaves) {
   const double fast = 2 * M_PI / 10, slow = 2 * M_PI / 100;
   const auto t =
@@ -76,7 +77,7 @@ TEST(LongestStep, OfSlowTablesIsLong) {
   EXPECT_EQ(model::longest_step(moved(steady)).length, 1e5 / 50);
 }
 
-// Pitch moves attachments 40 m from the origin, and counts together with heave by that lever.
+// Pitch moves attachments at 40 m from the origin, and is combined with heave by this lever.
 TEST(LongestStep, OfRotationsGoesByWhatIsAttached) {
   model::TableMotion t = table(0.25, 1000, [](double time) { return wave(time, 2, 20); });
   for (const double time : t.time) t.rotation.emplace_back(0, wave(time, 0.01, 5), 0);
@@ -106,8 +107,9 @@ TEST(LongestStep, OfACurrentThatChanges) {
   EXPECT_NEAR(model::longest_step(c).length, 1, 0.02);
 }
 
-// A load on a rope without excitation: a sixtieth of 2 pi sqrt(m L/EA), where the scheme lengthens the period
-// by a thousandth (3.47/n², its own recursion). In waves it follows the hook, and its period sets no step.
+// A load on a rope without excitation: a sixtieth of 2 pi sqrt(m L/EA), for which the scheme lengthens the
+// period by a thousandth (3.47/n², from the recursion of the scheme). In waves the load moves with the hook,
+// and its period does not limit the step.
 TEST(LongestStep, OfALoadOnARope) {
   model::Case c;
   c.dynamics.duration = 100;
@@ -165,7 +167,7 @@ TEST(LongestStep, OfAPlatformResolvesItsPeriods) {
   m.centre = {0, 0, 1};
   m.inertia = {1e7, 3e7, 3e7};
   m.hydrodynamics.emplace().data = data;
-  // It rolls about where sway has no mean: what couples both takes its part out of the inertia.
+  // The body rolls about the point at which sway has no mean: the coupling with sway reduces the inertia.
   const double coupling = 1e6;
   const double inertia = 1e7 + 1e6 + 4e6 - coupling * coupling / (1e6 + 1);
   const double period = 2 * M_PI * std::sqrt(inertia / (6e7 - 1e7));

@@ -1,4 +1,4 @@
-// The mesh as a table: nodes and elements equal those that are found one after the other along each line.
+// The mesh as a table: nodes and elements equal those that are computed one after the other along each line.
 #include "hawser/mesh/mesh_table.hpp"
 
 #include <gtest/gtest.h>
@@ -120,7 +120,7 @@ TEST(MeshTable, LengthsAndKindsAreThoseOfTheElements) {
   EXPECT_TRUE(mesh.any_rotates());
 }
 
-// A node that is set twice has the later properties, one that is not keeps those it had.
+// A node that is set twice has the later properties; a node that is not set keeps its properties.
 TEST(MeshTable, NodesThatAreSet) {
   Mesh mesh = build_mesh(uneven());
   const size_t before = mesh.own_nodes().size();
@@ -139,7 +139,7 @@ TEST(MeshTable, NodesThatAreSet) {
     EXPECT_LT(mesh.own_nodes()[i - 1].first, mesh.own_nodes()[i].first);
 }
 
-// Nodes and elements that are given one by one come back as they are.
+// Nodes and elements that were added one by one are returned unchanged.
 TEST(MeshTable, GivenOneByOne) {
   Mesh mesh;
   const Node nodes[] = {{0, 0, 0.5, false}, {0, 1, 1, true}, {0, 2, 0.5, true}};
@@ -189,7 +189,7 @@ TEST(NodeRanks, AreRuns) {
   EXPECT_EQ(more.runs().size(), 2u);
 }
 
-// Blocks and local elements of cut lines, against a count node by node.
+// Numbers of blocks and local elements of cut lines, against a count node by node.
 TEST(LocalMesh, NumbersOfCutLines) {
   const Mesh mesh = build_mesh(uneven());
   std::vector<int> owner;
@@ -217,8 +217,8 @@ TEST(LocalMesh, NumbersOfCutLines) {
   }
 }
 
-// Nodes at a joint have the blocks of the one whose position they share, bodies come last, and both lie on
-// any rank.
+// A node at a joint has the blocks of the node whose position it shares; bodies are last; both may be on any
+// rank.
 TEST(LocalMesh, NumbersOfJointsAndBodies) {
   const model::Case c = io::read_case_text(R"(hawser: 1
 line_types:

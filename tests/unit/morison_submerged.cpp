@@ -1,4 +1,4 @@
-// Four cables wholly under water at once against one at a time.
+// Four submerged cables computed together, against one at a time.
 #include "hawser/kernels/morison_submerged.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ struct Four {
   WaterSections4 sections;
   CablesInWater4 motion;
 
-  // Elements of different sections, lengths and directions; the last is at rest in the water if that is calm.
+  // Elements of different sections, lengths and directions; the last is at rest relative to calm water.
   Four(unsigned seed, double depth, bool moving) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(-1, 1);
@@ -89,13 +89,13 @@ TEST(SubmergedCables, AreWhatSingleOnesAre) {
 TEST(SubmergedCables, AreNotWhereOneGetsDry) {
   Four q(1, 60, false);
   EXPECT_EQ(submerged(q.sections, q.motion), 15u);
-  // Just below the surface, level: a depth of its radius is enough.
+  // Level elements just below the surface: a depth of one radius is sufficient.
   for (int k = 0; k < 2; ++k) q.motion.surface[k][2] = 0;
   for (int k = 0; k < 2; ++k) q.motion.x[k][2][2] = -1.001 * q.section[2].radius;
   EXPECT_EQ(submerged(q.sections, q.motion), 15u);
   q.motion.x[1][2][2] = -0.999 * q.section[2].radius;
   EXPECT_EQ(submerged(q.sections, q.motion), 11u);
-  // A steep one likewise, at its upper end.
+  // A steep element likewise, at its upper end.
   for (const double depth : {0.999, 1.001}) {
     q.motion.x[0][2][2] = -depth * q.section[2].radius;
     q.motion.x[1][2][2] = q.motion.x[0][2][2] - 4;

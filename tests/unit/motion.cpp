@@ -1,3 +1,4 @@
+// Prescribed motions of bodies: rates against differences, ramps, tables, drift, and the motion of points.
 #include "hawser/kernels/motion.hpp"
 
 #include <gtest/gtest.h>
@@ -45,7 +46,7 @@ TEST(Motion, RampIsSmoothAndIntegrates) {
 TEST(Motion, SteadyDerivatives) {
   const RigidMotion m({1, 2, 3}, {0.3, -0.2, 0.5}, SteadyLaw{{0.5, -1, 2}, {1, 2, -2}, 1.7}, 4);
   for (double t : {0.5, 1.3, 2.9, 3.7, 6.0, 40.0}) expect_derivatives(m, t, 1e-8);
-  // After the ramp: late by half the ramp. The angle of rotation in turns avoids wrapping.
+  // After the ramp the motion is late by half the ramp. The angle, measured in turns, does not wrap.
   const RigidPose p = m.at(10);
   EXPECT_NEAR((p.position - Vec3(1 + 0.5 * 8, 2 - 8, 3 + 16)).norm(), 0, 1e-12);
   EXPECT_NEAR(p.angular_velocity.norm(), 1.7, 1e-12);
@@ -81,7 +82,7 @@ TEST(Motion, TableDerivativesAndContinuity) {
   }
 }
 
-// A body that moves 1 m in a second and stops: a spline oscillates around these rows.
+// A body moves by 1 m in a second and stops: a spline oscillates around these rows.
 TEST(Motion, CurvesBetweenRows) {
   const std::vector<double> time{0, 1, 2, 3, 4.5, 6};
   std::vector<Vec3> offset, rotation;
@@ -96,7 +97,7 @@ TEST(Motion, CurvesBetweenRows) {
     for (double t : {0.3, 1.2, 2.7, 3.3, 5.8, 6.5}) expect_derivatives(m, t, 1e-8);
     for (size_t i = 0; i < time.size(); ++i)
       EXPECT_NEAR((m.at(time[i]).position - offset[i]).norm(), 0, 1e-13);
-    // Between neighbouring rows, except for the spline.
+    // The curve is between neighbouring rows, except for the spline.
     const RowCurve curve(time, offset, between);
     double out = 0;
     for (size_t i = 0; i + 1 < time.size(); ++i)
@@ -111,7 +112,7 @@ TEST(Motion, CurvesBetweenRows) {
       for (const auto& o : found) most = std::max(most, o.component == 0 ? o.by : 0);
       EXPECT_GT(out, 0.1);
       EXPECT_NEAR(most, out, 1e-3);
-      // The place is the maximum of the curve, with zero slope.
+      // The reported place is the maximum of the curve, where the slope is zero.
       for (const auto& o : found) {
         EXPECT_NEAR(curve.at(o.time).value[o.component], o.value, 1e-14);
         EXPECT_NEAR(curve.at(o.time).rate[o.component], 0, 1e-12);
@@ -122,7 +123,8 @@ TEST(Motion, CurvesBetweenRows) {
       EXPECT_TRUE(found.empty());
     }
   }
-  // The monotone curve's velocity is continuous; that of the polyline jumps to that after the row.
+  // The velocity of the monotone curve is continuous; that of the polyline jumps at a row to the value after
+  // the row.
   const RigidMotion monotone = motion(BetweenRows::monotone), linear = motion(BetweenRows::linear);
   for (const double row : {1.0, 2.0, 3.0, 4.5})
     EXPECT_NEAR((monotone.at(row - 1e-9).velocity - monotone.at(row + 1e-9).velocity).norm(), 0, 1e-7);
@@ -133,7 +135,7 @@ TEST(Motion, CurvesBetweenRows) {
   EXPECT_NEAR(linear.at(1.5).position.y(), -1, 1e-14);
 }
 
-// Carrier and carried motion: a body that rolls about its own axis while it drifts around.
+// Drift and the motion superposed on it: a body rolls about its own axis while it drifts and rotates.
 TEST(Motion, DriftCarriesTheOtherMotion) {
   DriftLaw drift;
   drift.offset = Vec3(20, -5, 1);
@@ -148,7 +150,7 @@ TEST(Motion, DriftCarriesTheOtherMotion) {
     RigidMotion m({3, 1, 2}, {0.1, 0.2, -0.4}, law, 3);
     m.set_drift(drift);
     for (double t : {0.4, 1.0, 2.2, 5.5, 12.9, 29.0, 47.0}) expect_derivatives(m, t, 1e-8);
-    // As two nested rigid motions.
+    // The pose equals that of two nested rigid motions.
     const RigidMotion carried({3, 1, 2}, {0.1, 0.2, -0.4}, law, 3);
     VectorMotion moved, turned;
     drift.at(7, moved, turned);
@@ -156,11 +158,11 @@ TEST(Motion, DriftCarriesTheOtherMotion) {
     const Quat D = exp_so3(turned.value);
     EXPECT_LT((p.position - (Vec3(3, 1, 2) + moved.value + D * (q.position - Vec3(3, 1, 2)))).norm(), 1e-13);
     EXPECT_NEAR(std::abs((D * q.rotation).dot(p.rotation)), 1, 1e-14);
-    // At rest before the start, and present from statics on without a ramp.
+    // The body is at rest before the start; without a ramp the drift is present from statics on.
     EXPECT_EQ(m.at(-1).velocity.norm(), 0);
     EXPECT_NEAR((m.at(0).position - Vec3(3, 1, 2)).norm() > 15, ramp == 0, 0);
   }
-  // Alone it is the body's motion.
+  // Drift without another motion is the motion of the body.
   RigidMotion still({0, 0, 0}, {0, 0, 0});
   EXPECT_FALSE(still.moves());
   DriftLaw offset;

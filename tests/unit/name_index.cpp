@@ -1,4 +1,4 @@
-// Look-up by name: the first of equal names, also after objects are added, renamed or exchanged.
+// Look-up by name finds the first of equal names, also after objects are added, renamed or exchanged.
 #include "hawser/model/name_index.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Statistics over steps of any length: those of the piecewise linear curve.
+// Statistics over steps of any length equal those of the piecewise linear curve.
 #include "hawser/record/node_statistics.hpp"
 
 #include <gtest/gtest.h>
@@ -55,13 +55,13 @@ TEST(NodeStatistics, OfASineWithStepsOfAnyLength) {
   EXPECT_EQ(all[1][io::kStatistics], -0.5);
 }
 
-// Checkpoint data as read back from a file.
+// The checkpoint as it is read back from a file.
 io::Checkpoint written(io::Checkpoint c) {
   for (auto& [name, field] : c.nodes) field.values = field.make();
   return c;
 }
 
-// Values that exist only from 0 to 1 s and from 3 to 4 s, also across a checkpoint.
+// Values that exist only from 0 to 1 s and from 3 to 4 s, also if a checkpoint is between.
 TEST(NodeStatistics, ExcludeMissingValues) {
   NodeStatistics first(kFields, 2, 0), s(kFields, 2, 0);
   const double none = std::nan("");
@@ -75,7 +75,7 @@ TEST(NodeStatistics, ExcludeMissingValues) {
   s.add(3, values(4, none));
   s.add(4, values(6, none));
   const std::vector<double> tension = s.table(0), curvature = s.table(1);
-  // 0.5 s about 0.5, with 1/12 of its square, and 1 s about 5 with 4/12.
+  // 0.5 s with mean 0.5 and variance 1/12 of its square, and 1 s with mean 5 and variance 4/12.
   const double mean = (0.5 * 0.5 + 5) / 1.5;
   const double square = (0.5 * (0.25 + 1.0 / 12) + 25 + 4.0 / 12) / 1.5;
   EXPECT_EQ(tension[0], 0);
@@ -134,7 +134,7 @@ TEST(NodeStatistics, GoOnFromACheckpoint) {
     rest.add(t, values(v, t));
   });
   EXPECT_EQ(tables(whole), tables(rest));
-  // Older files have none: statistics start again.
+  // Older files have no statistics: these start again.
   empty.restore({});
   EXPECT_TRUE(std::isnan(tables(empty)[0][0]));
 }

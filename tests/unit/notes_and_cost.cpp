@@ -1,4 +1,4 @@
-// Messages of a run before it begins: grouped notes and expected cost.
+// Messages before a run begins: notes that are grouped, the expected cost and the expected memory.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,8 +35,8 @@ TEST(Notes, OfVolumesAreGrouped) {
   EXPECT_TRUE(model::grouped_notes({}).empty());
 }
 
-// A chain of 20 m and a wire of 100 m hang with (20 x 50 + 100 x 2) kg; 120 m of chain would have five times
-// as much.
+// The weight of a hanging chain of 20 m and wire of 100 m is that of (20 x 50 + 100 x 2) kg; 120 m of chain
+// would have five times as much.
 TEST(Notes, TensionOfAnAutomaticStiffnessIsTheWeightOfAllSections) {
   const model::Case c = io::read_case_text(R"(
 hawser: 1
@@ -78,8 +78,9 @@ model::Case rod(int elements, const std::string& between = "false") {
   return io::read_case_text(text, "/nowhere/case.yaml");
 }
 
-// A short run completely; a longer one extrapolated at the rate of its second half; without an equilibrium 60
-// static iterations, and 4 per step of half the longest.
+// Expected cost: a short run is computed completely by the trial; a longer one is extrapolated at the rate of
+// the second half of the trial; without an equilibrium it is 60 static iterations, and 4 iterations for each
+// step of half the longest length.
 TEST(Cost, ByATrial) {
   TrialRun t;
   t.duration = t.reached = 100;
@@ -124,7 +125,7 @@ TEST(Cost, ATrialEndsWithItsBudget) {
   EXPECT_LT(expected_cost(nothing), expected_cost(part) * 10);
 }
 
-// Too long for an equilibrium within one iteration: the message of the run.
+// One iteration is not sufficient for equilibrium: the trial has the message of the run.
 TEST(Cost, ATrialReportsWhyTheRunStops) {
   model::Case c = rod(8);
   c.statics.max_iterations = 1;
@@ -170,13 +171,13 @@ events: [{cut: {line: chain, at: 10}, )" + limit +
   EXPECT_NEAR(cut("time: 0.02"), 9.80665 * 0.08 * 0.08 / 2, 1e-9);
 }
 
-// Chains of 10^5 nodes that came to motion in the trial: 0.45 GB there and 0.40 in the run. Others had only
-// statics there.
+// Chains of 10^5 nodes whose trial includes dynamics: 0.45 GB in the trial and 0.40 GB in the run. The third
+// row has statics only in the trial.
 TEST(Cost, MemoryOfARun) {
   EXPECT_EQ(memory_sentence({43e6, 43e6, 43e6}, 1), "expected memory: about 0.043 GB");
   EXPECT_EQ(memory_sentence({57e6, 61e6, 451e6}, 1), "expected memory: about 0.45 GB");
   EXPECT_EQ(memory_sentence({43e6, 43e6, 316e6, false}, 1), "expected memory: about 0.4 GB");
-  // 143 MB are on each of 8 ranks, the rest is shared out: 143 + 200 x 1.05/8; reading may take more.
+  // Each of 8 ranks has 143 MB, the rest is distributed: 143 + 200 x 1.05/8. Reading may take more.
   EXPECT_EQ(memory_sentence({43e6, 143e6, 343e6}, 1.05 / 8), "expected memory: about 0.17 GB on each rank");
   EXPECT_EQ(memory_sentence({200e6, 143e6, 343e6}, 1.05 / 8), "expected memory: about 0.2 GB on each rank");
   const double before = peak_memory();

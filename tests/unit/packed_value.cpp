@@ -1,5 +1,5 @@
-// Lines and bodies of a case file as bytes: they come back as they were, with the lines of the file, and
-// checked.
+// Lines and bodies of a case file are stored as bytes: unpacked, they equal the original, with the line
+// numbers of the file and as checked.
 #include "hawser/model/packed_value.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ void expect_same(const Value& a, const Value& b) {
   for (size_t i = 0; i < a.items.size(); ++i) expect_same(a.items[i], b.items[i]);
 }
 
-// Long texts and lists, empty ones, quotes, and an alias of what stands further up.
+// Long texts and lists, empty ones, quotes, and an alias of an earlier entry.
 TEST(PackedValue, ComesBackAsItWas) {
   std::string text =
       "first: &one {a: [1, 2],\n  b: {c: 'd'}}\nmany:\n  quoted: \"0\"\n  none:\n  empty: [[], {}]\n  "
@@ -76,7 +76,8 @@ TEST(PackedValue, EntriesOfACaseAreOpenedAsTheyWereChecked) {
   EXPECT_EQ(c.lines[0].sections[0].length, 100);
 }
 
-// A tree that is reduced to what a run needs has its lines in a few bytes if each stands in one line.
+// A tree that is reduced to what a run needs stores its line numbers in a few bytes if each object is in one
+// line of the file.
 TEST(PackedValue, ReducedTreesHavePackedMaps) {
   std::string text = kCase.substr(0, kCase.find("bodies:")) + "lines:\n";
   for (int k = 0; k < 100; ++k)

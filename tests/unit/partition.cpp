@@ -1,4 +1,5 @@
-// Assignment of the lines of a farm to ranks, and cutting of lines.
+// Assignment of the lines of a farm to ranks, and cutting of lines: load, number of cut lines and number of
+// runs of nodes are within given bounds.
 #include "hawser/mesh/partition.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +29,7 @@ void change(Mesh& mesh, int node, int Node::*property, int to) {
   mesh.set({{node, n}});
 }
 
-// Consecutive lines are on one rank, and no line is cut.
+// Lines of a farm are assigned to ranks in consecutive groups, and no line is cut.
 TEST(Partition, LinesOfAFarmAreStretches) {
   const Mesh mesh = mesh_of(std::vector<int>(100, 6));
   const std::vector<int> owner = partition(mesh, 4).of_nodes();
@@ -37,7 +38,7 @@ TEST(Partition, LinesOfAFarmAreStretches) {
   EXPECT_EQ(cut_elements(mesh, owner), 0);
 }
 
-// Joints and couplings of nodes keep lines together, independent of their order.
+// Lines that are joined or coupled by nodes are on one rank, for any order in the file.
 TEST(Partition, JoinedLinesAreOnOneRank) {
   Mesh mesh = mesh_of(std::vector<int>(100, 6));
   change(mesh, 6 * 99, &Node::pinned_to, 0);
@@ -64,7 +65,7 @@ TEST(Partition, CoupledBodiesAreOnOneRank) {
   EXPECT_EQ(cut_elements(mesh, owner), 0);
 }
 
-// One long line and short ones: uncut lines would overload a rank.
+// One long line and short ones: without cuts one rank would be overloaded.
 TEST(Partition, ALongLineIsCut) {
   const Mesh mesh = mesh_of({200, 20, 20, 20});
   const std::vector<int> owner = partition(mesh, 2).of_nodes();
@@ -89,7 +90,7 @@ std::vector<int> all_lines(const Mesh& mesh) {
   return lines;
 }
 
-// Largest number of runs of nodes per rank: each is a separate write of a data set.
+// Largest number of runs of consecutive nodes on a rank: each run is a separate write of a data set.
 int most_runs(const std::vector<int>& owner, int ranks) {
   std::vector<int> runs(static_cast<size_t>(ranks), 0);
   for (size_t n = 0; n < owner.size(); ++n)
@@ -111,23 +112,24 @@ void expect(const Mesh& mesh, const Expected& e) {
   EXPECT_LE(most_runs(owner, e.ranks), e.runs) << e.ranks;
 }
 
-// Lines of platforms with prescribed motions are separate components: some rank has at least ceil(300 /
-// ranks) of them, and none needs to be cut.
+// Lines of platforms with prescribed motion are separate components: at least one rank has ceil(300 / ranks)
+// of them, and no line needs to be cut.
 TEST(Partition, LinesOfPrescribedPlatforms) {
   for (const Expected& e : {Expected{4, 1, 0, 1}, {16, 1.014, 0, 1}, {64, 1.067, 0, 1}, {256, 1.707, 0, 1}})
     expect(platforms(100, 11, false), e);
 }
 
-// A floating platform is one component with its lines. On 64 ranks with at most 1.07 times their share none
-// can have two, so at least 36 platforms are cut, each with at least one separate line. Platform nodes are a
-// run after those of the lines.
+// A floating platform and its lines are one component. On 64 ranks with at most 1.07 times the mean load no
+// rank can have two components, so at least 36 platforms are cut, each at one line or more. The nodes of
+// platforms are a separate run after those of the lines.
 TEST(Partition, FloatingPlatforms) {
   for (const Expected& e : {Expected{4, 1, 0, 2}, {16, 1.07, 8, 3}, {64, 1.113, 36, 3}, {256, 1.35, 200, 3}})
     expect(platforms(100, 11, true), e);
   expect(platforms(100, 51, true), {64, 1.078, 36, 3});
 }
 
-// Two lines in contact along their length are cut side by side: cuts in file order would separate them.
+// Two lines in contact along their length are cut at the same place: cuts in file order would separate the
+// lines from each other.
 TEST(Partition, TouchingLinesAreCutAcross) {
   const Mesh mesh = mesh_of({100, 100});
   std::vector<std::pair<int, int>> coupled;

@@ -26,7 +26,7 @@ TEST(PipeCodes, MomentCapacityOfAnEngineersSheet) {
   s.safety_class = 1;
   const PipeCodes p(s);
   EXPECT_NEAR(p.flow_stress() * p.plastic_moment() / (1.15 * 1.2 * 0.8) / 1e3, 1379.9, 0.05);
-  // That moment at rest has utilisation 1: combination a, with the functional factor 1.2 · 0.8.
+  // That moment at rest has a utilisation of 1: combination a, with the functional factor 1.2 · 0.8.
   EXPECT_NEAR(p.local_buckling({1379.9e3, 0, 0}, {1379.9e3, 0, 0}, 0.8, 0, 0), 1, 1e-4);
   EXPECT_NEAR(p.local_buckling({0, 689.95e3, 0}, {0, 689.95e3, 0}, 0.8, 0, 0), 0.25, 1e-4);
 }
@@ -82,9 +82,9 @@ TEST(PipeCodes, FunctionalAndEnvironmentalLoads) {
     return moment(rest, now, condition) / 1e3;
   };
   const PipeLoads rest{100e3, 0, 0};
-  EXPECT_NEAR(in_kN(rest, rest), 120, 1e-6);                        // a
-  EXPECT_NEAR(in_kN(rest, {300e3, 0, 0}), 110 + 260, 1e-6);         // b
-  EXPECT_NEAR(in_kN(rest, {-100e3, 0, 0}), 260 - 100 / 1.1, 1e-6);  // relieving
+  EXPECT_NEAR(in_kN(rest, rest), 120, 1e-6);                        // combination a
+  EXPECT_NEAR(in_kN(rest, {300e3, 0, 0}), 110 + 260, 1e-6);         // combination b
+  EXPECT_NEAR(in_kN(rest, {-100e3, 0, 0}), 260 - 100 / 1.1, 1e-6);  // relieving functional load
   EXPECT_NEAR(in_kN(rest, {-100e3, 0, 0}, 0.8), 260 - 80 / 1.1, 1e-6);
   EXPECT_NEAR(in_kN(rest, {100e3, 200e3, 0}), std::hypot(110, 260), 1e-6);
 }
@@ -100,7 +100,8 @@ TEST(PipeCodes, ApiRp1111) {
       s.ovality = oval;
       const PipeCodes p(s);
       EXPECT_NEAR(p.bending_and_pressure(0, (expanded ? 0.6 : 0.7) * p_c, 0), 1, 1e-12);
-      // The strain t/2D over 3.33 and times g has utilisation 1; internal pressure does not help.
+      // The strain t/2D divided by 3.33 and multiplied by g has a utilisation of 1; internal pressure does
+      // not reduce it.
       EXPECT_NEAR(p.bending_and_pressure(0.021 / (2 * 0.4064) / 3.33 / (1 + 10 * oval), 0, 1e6), 1, 1e-12);
     }
   const PipeCodes p(s);

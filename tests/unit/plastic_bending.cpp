@@ -1,5 +1,5 @@
-// Bending with history: the given curve, unloading by twice that curve, dissipation, tangents of law and
-// element, and the rows of a Ramberg-Osgood curve.
+// Bending with history: the given curve, unloading along twice that curve, dissipation, tangents of the law
+// and the element, and the rows of a Ramberg-Osgood curve.
 #include "hawser/kernels/plastic_bending.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ TEST(PlasticBending, FollowsItsRowsInEveryDirection) {
       const BendingMoment m = law.at(c * std::cos(turn), c * std::sin(turn), nullptr);
       EXPECT_NEAR(size(m), on_rows(kRows, c), 1e-10 * 2600) << c;
       EXPECT_NEAR(m.m[0] * std::sin(turn) - m.m[1] * std::cos(turn), 0, 1e-9) << c;
-      // The same in steps along the same path.
+      // In several steps along the same path, the moment is the same.
       std::vector<double> set(law.memory(), 0);
       for (int k = 1; k <= 50; ++k)
         law.bend(0.02 * k * c * std::cos(turn), 0.02 * k * c * std::sin(turn), set.data());
@@ -60,16 +60,16 @@ TEST(PlasticBending, IsBentBackByTwiceTheCurve) {
   law.bend(0, c1, set.data());
   for (const double c : {0.075, 0.06, 0.05, 0.0, -0.02, -0.07})
     EXPECT_NEAR(law.at(0, c, set.data()).m[1], m1 - 2 * on_rows(kRows, 0.5 * (c1 - c)), 1e-9) << c;
-  // Residual curvature without moment, unloaded elastically with the first slope.
+  // After elastic unloading with the first slope, the curvature without moment is the residual.
   const auto [r2, r3] = law.residual(set.data());
   EXPECT_NEAR(r2, 0, 1e-15);
   EXPECT_NEAR(r3, c1 - m1 / law.initial(), 1e-12);
-  // At -c1 it is on the first curve again, without history.
+  // At -c1 the moment is on the first curve again, without effect of the history.
   law.bend(0, -c1, set.data());
   for (const double c : {-0.09, -0.2}) EXPECT_NEAR(law.at(0, c, set.data()).m[1], -on_rows(kRows, -c), 1e-9);
 }
 
-// Work on any path is recoverable or dissipated.
+// On any path, work is recoverable or dissipated.
 TEST(PlasticBending, WorkIsKeptOrDissipated) {
   const PlasticBending law(kRows);
   Path path(4);
@@ -147,7 +147,8 @@ TEST(PlasticBending, RefusesWhatDoesNotYield) {
   EXPECT_EQ(wrong({{0.01, 10}}), "at least two rows are needed");
 }
 
-// The element with a long bending history: exact tangent, and equal to the elastic one without yielding.
+// An element with a long bending history: the tangent is exact, and equal to the elastic one without
+// yielding.
 TEST(PlasticBending, TangentOfTheElement) {
   const PlasticBending law(std::vector<PlasticBending::Row>{{0.1, 6}, {0.3, 11}, {0.6, 13}, {1.5, 15}});
   using Vec12 = Eigen::Matrix<double, 12, 1>;
@@ -191,7 +192,7 @@ TEST(PlasticBending, TangentOfTheElement) {
       Kd.col(j) = (a - b) / (2 * h);
     }
     EXPECT_LT((K - Kd).norm(), 1e-6 * Kd.norm()) << "seed " << seed;
-    // In its remembered state, zero motion dissipates nothing.
+    // Without motion from the state of its history, the element dissipates nothing.
     beam_bend(s, r, e, set.data());
     EXPECT_LT(beam_bend(s, r, e, set.data()), 1e-12);
   }

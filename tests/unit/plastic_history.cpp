@@ -1,5 +1,5 @@
-// History transported along a line: integrals are conserved, extremes do not grow, and work of material that
-// enters and leaves.
+// History transported along a line: integrals are conserved, extremes do not increase, and the work of
+// material that enters and leaves equals closed forms.
 #include "hawser/kernels/plastic_history.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,8 @@ double sum(double from, double to, const Values& v) {
   return all;
 }
 
-// Divided and joined: integrals over the length are conserved, and no value exceeds the earlier ones.
+// Elements are divided and joined: integrals over the length are conserved, and no value exceeds the earlier
+// ones.
 TEST(PlasticHistory, DividedAndJoined) {
   const Values whole{1, 3, 2};
   Cells cells;
@@ -44,7 +45,7 @@ TEST(PlasticHistory, DividedAndJoined) {
   EXPECT_LE(*std::max_element(both.begin(), both.end()), 3);
 }
 
-// Material with 1 over the first 0.4 m, then 0, then 3, paid out in many steps and hauled in again.
+// Material with values 1 over the first 0.4 m, then 0, then 3, is paid out in many steps and hauled in again.
 TEST(PlasticHistory, PaidOutAndHauledIn) {
   Values now{1, 1, 1};
   const Values none{0}, more{3};
@@ -64,7 +65,7 @@ TEST(PlasticHistory, PaidOutAndHauledIn) {
   }
   printf("  1 over 0.4 m, then 0 over 0.3 m, then 3 over 0.3 m: %.3f %.3f %.3f\n", now[0], now[1], now[2]);
   EXPECT_GT(now[2], 2);
-  EXPECT_NEAR(now[0], 1, 0.15);  // an edge is smeared over the cells it passed
+  EXPECT_NEAR(now[0], 1, 0.15);  // an edge is spread over the cells that it passed
   // Uniform values stay uniform.
   for (const double to : {0.7, 0.3, 0.9}) {
     const Values same{2, 2, 2};
@@ -90,12 +91,12 @@ BeamSection section(const PlasticBending& p, bool yields) {
   return s;
 }
 
-// Bent by these angles at the ends [rad].
+// Rotated by these angles at the ends [rad].
 BeamEnds bent(double length, const Vec3& at1, const Vec3& at2) {
   return {Vec3::Zero(), Vec3(length, 0, 0), Quat(exp_so3(at1)), Quat(exp_so3(at2))};
 }
 
-// Below yield a feeder works against M²/2EI for any shape, at either end.
+// Below yield a feeder works against the bending energy M²/2EI for any shape, at either end.
 TEST(PlasticHistory, WorkOnElasticBends) {
   const PlasticBending p = law();
   const BeamEnds e = bent(0.79, {0, 0.0015, -0.0007}, {0, -0.003, 0.0025});
@@ -110,7 +111,7 @@ TEST(PlasticHistory, WorkOnElasticBends) {
 }
 
 // A yielded arc: material that enters is bent from straight along the first curve; material that leaves
-// returns the recoverable energy and carries the locked-in energy away.
+// returns the recoverable energy and removes the locked-in energy.
 TEST(PlasticHistory, WorkOnAnArcThatYielded) {
   const PlasticBending p = law();
   const BeamSection s = section(p, true);
@@ -122,7 +123,7 @@ TEST(PlasticHistory, WorkOnAnArcThatYielded) {
   r.set = set.data();
   const Values never(p.memory(), 0);
   const double area =
-      0.5 * 0.02 * 100e3 + 0.04 * 120e3 + 0.14 * 0.5 * (140e3 + M);  // below the curve, by hand
+      0.5 * 0.02 * 100e3 + 0.04 * 120e3 + 0.14 * 0.5 * (140e3 + M);  // area below the curve, by hand
   Values one(p.memory(), 0);
   p.bend(c, 0, one.data());
   const double stored = p.at(c, 0, one.data()).energy;

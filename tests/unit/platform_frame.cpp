@@ -1,4 +1,5 @@
-// Motion of a platform's origin, its derivatives, and forces with a potential of its displacement.
+// Motion of a platform's origin and forces that depend on its displacement, against derivatives and
+// potentials.
 #include "hawser/kernels/platform_frame.hpp"
 
 #include <gtest/gtest.h>
@@ -59,7 +60,7 @@ TEST(PlatformFrame, MotionHasItsDerivatives) {
   }
 }
 
-// The acceleration is the derivative of the rate along the motion.
+// The acceleration is the time derivative of the rate along the motion.
 TEST(PlatformFrame, AccelerationIsTheRateOfTheRate) {
   const double h = 1e-4;
   const auto at = [](double t) {
@@ -111,7 +112,7 @@ TEST(PlatformFrame, HeadingHasItsSlope) {
   EXPECT_NEAR(heading_of(exp_so3(Vec3(0, 0, 2.5))).angle, 2.5, 1e-14);
 }
 
-// Forces that depend on the heading, in its axes; equal forces if everything is rotated.
+// Forces that depend on the heading and act in its axes; if everything is rotated, the forces are as well.
 TEST(PlatformFrame, TurningLoadHasItsTangent) {
   const auto F = [](double heading) {
     TurningForce out;

@@ -1,4 +1,5 @@
-// Hydrostatics of a platform by heave and tilt: the gradient of the potential, its tangent, and yaw.
+// Hydrostatics of a platform by heave and tilt: the force is the gradient of the potential, the tangent its
+// derivative, and yaw is free.
 #include "hawser/kernels/platform_hydrostatics.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ PlatformHydrostatics hydrostatics() {
   return V;
 }
 
-// A body with the rotation `tilt` followed by yaw.
+// A body with the rotation `tilt`, followed by yaw.
 RigidBodyState state(const Vec3& tilt, double yaw, const Vec6& by = Vec6::Zero()) {
   RigidBodyState s;
   s.x = Vec3(0.3, -0.2, 0.5) + by.head<3>();
@@ -31,7 +32,7 @@ RigidBodyState state(const Vec3& tilt, double yaw, const Vec6& by = Vec6::Zero()
   return s;
 }
 
-// Upright, on both sides of the end of the series of alpha/sin alpha (0.451 rad), and beyond a right angle.
+// Upright, on both sides of the end of the series of alpha/sin alpha (0.451 rad), and beyond 90 degrees.
 TEST(PlatformHydrostatics, PullIsTheGradientOfItsPotentialWithItsTangent) {
   const PlatformHydrostatics V = hydrostatics();
   for (const Vec3& tilt : {Vec3(0, 0, 0), Vec3(0.05, -0.1, 0), Vec3(0.44, 0.05, 0), Vec3(0.2, 0.42, 0),
@@ -51,7 +52,7 @@ TEST(PlatformHydrostatics, PullIsTheGradientOfItsPotentialWithItsTangent) {
   }
 }
 
-// Pure tilt has the energy of a stiffness by the rotation vector.
+// For pure tilt the energy is that of a stiffness with the rotation vector.
 TEST(PlatformHydrostatics, TiltIsTheRotationVector) {
   const PlatformHydrostatics V = hydrostatics();
   for (const Vec3& tilt : {Vec3(0.1, -0.2, 0), Vec3(0.7, 1.1, 0)}) {
@@ -64,7 +65,7 @@ TEST(PlatformHydrostatics, TiltIsTheRotationVector) {
   }
 }
 
-// Forces rotate with the body, without yaw moment.
+// Forces rotate with the body, and the yaw moment is zero.
 TEST(PlatformHydrostatics, YawIsFree) {
   const PlatformHydrostatics V = hydrostatics();
   const Vec3 tilt(0.2, -0.3, 0);
@@ -79,7 +80,7 @@ TEST(PlatformHydrostatics, YawIsFree) {
   }
 }
 
-// Upright below its centre of mass buoyancy has no moment, at any yaw.
+// In the upright position, buoyancy on the vertical through the centre of mass has no moment, for any yaw.
 TEST(PlatformHydrostatics, OffsetBuoyancyTurnsWithTheBody) {
   PlatformHydrostatics V = hydrostatics();
   for (const double yaw : {0.0, 1.0, 2.0, 3.0}) {

@@ -1,4 +1,4 @@
-// Sums of wave forces on platforms against direct sums.
+// Wave forces on platforms by fast sums, against direct sums over components and pairs.
 #include "hawser/kernels/platform_waves.hpp"
 
 #include <gtest/gtest.h>
@@ -87,7 +87,7 @@ TEST(PlatformWaves, FullDriftIsTheDoubleSum) {
   }
 }
 
-// sqrt(D_i D_j) for equal signs, else 0 (Standing, Brendling and Wilson 1987).
+// sqrt(D_i D_j) if both have the same sign, else 0 (Standing, Brendling and Wilson 1987).
 TEST(PlatformWaves, NewmanIsTheDoubleSumOfRoots) {
   const auto components = sea();
   const PlatformWaves waves(components, 0, {}, mean(), {}, SecondOrder::newman);
@@ -105,7 +105,8 @@ TEST(PlatformWaves, NewmanIsTheDoubleSumOfRoots) {
   }
 }
 
-// A rotated body has the forces of one made at that heading, and its mean drift the slope of the table.
+// A body that turns to another heading has the wave forces of a body made at that heading, and the derivative
+// of its mean drift is the slope of the table.
 TEST(PlatformWaves, TurnsToAnotherHeading) {
   std::vector<ComplexVec6> values;
   for (int k = 0; k < 24; ++k) {

@@ -1,5 +1,5 @@
-// Retardation functions and their integrals: a hemisphere from its damping, and the force for piecewise
-// linear velocities.
+// Retardation functions and their integrals against closed forms, and the force for piecewise linear
+// velocities.
 #include "hawser/kernels/radiation_memory.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,8 @@ TEST(RadiationMemory, HasTheClosedFormOfItsDamping) {
   }
 }
 
-// A(omega) - A(inf) by Ogilvie's relation in time, from the closed form of K; at and between rows.
+// A(omega) - A(inf) by Ogilvie's relation in the time domain, from the closed form of K; at rows and between
+// them.
 TEST(RadiationMemory, GivesTheAddedMassByOgilvie) {
   const RadiationMemory m = memory();
   for (const double omega : {0.3, 1.0, 1.027, 2.5}) {
@@ -42,9 +43,8 @@ TEST(RadiationMemory, GivesTheAddedMassByOgilvie) {
   }
 }
 
-// The same against the closed form of a triangle of damping from 0 over 1 at 2 rad/s to 0 at 4, by hand: with
-// c
-// + s w = w/2 up to 2 and 2 - w/2 beyond.
+// The same in closed form, by hand, for a triangle of damping that is 0 at zero frequency, 1 at 2 rad/s and 0
+// at 4 rad/s: damping w/2 up to 2 rad/s and 2 - w/2 beyond.
 TEST(RadiationMemory, GivesTheAddedMassByFrequencies) {
   Eigen::MatrixXd triangle(2, 1);
   triangle << 1, 0;
@@ -71,15 +71,15 @@ TEST(RadiationMemory, IntegralsAreThoseOfTheRetardation) {
     EXPECT_NEAR((later[0] - S[0]) / e, 0.5 * (rate[0] + slope[0]), 1e-6) << t;
     EXPECT_NEAR((slope[0] - rate[0]) / e, m.retardation(t + 0.5 * e)[0], 2e-5) << t;
   }
-  // No force after steady motion for longer than the memory.
+  // The force is zero after steady motion for longer than the memory.
   m.integrals(m.length() + 5, S, rate);
   EXPECT_EQ(rate[0], 0);
   m.integrals(m.length(), later, slope);
   EXPECT_EQ(S[0], later[0]);
 }
 
-// Harmonic motion has the damping omega int_0^length S' sin(omega t) dt by the memory. Far below the peak, at
-// 0.4 % of it, a memory that ends where K is 0.1 % of K(0) gives 4 % too much.
+// In harmonic motion the memory gives the damping omega int_0^length S' sin(omega t) dt. Far below the peak,
+// where damping is 0.4 % of it, a memory that ended where K is 0.1 % of K(0) would give 4 % too much.
 TEST(RadiationMemory, IsLongEnoughForLittleDamping) {
   const auto B = [](double omega) { return std::pow(omega, 4) * std::exp(-2 * omega); };
   std::vector<double> omega;

@@ -1,3 +1,5 @@
+// A value without the rounding error that depends on the number of ranks: equal for values that differ by
+// rounding, and near to the original.
 #include "hawser/base/rank_independent.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +20,7 @@ TEST(RankIndependent, KeepsSizeAndLosesRounding) {
     EXPECT_EQ(rank_independent(rank_independent(x)), rank_independent(x));
     apart += rank_independent(x) != rank_independent(x * (1 + rounding(gen)));
   }
-  EXPECT_LE(apart, 3);  // of those that lie between two
+  EXPECT_LE(apart, 3);  // values beside a limit of rounding
 }
 
 TEST(RankIndependent, LeavesWhatIsNoSize) {

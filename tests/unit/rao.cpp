@@ -1,4 +1,4 @@
-// Vessel motion from response amplitude operators: interpolation, phases, headings.
+// Vessel motion from response amplitude operators: interpolation, phases, headings, against closed forms.
 #include "hawser/kernels/rao.hpp"
 
 #include <gtest/gtest.h>
@@ -20,9 +20,10 @@ TEST(Rao, InterpolatesInTheComplexPlane) {
                     {1.0, 270 * deg, heave_of(3, 0)}});
   EXPECT_NEAR(std::abs(t.at(0.5, 0)[2] - std::complex<double>(1, 0)), 0, 1e-14);
   EXPECT_NEAR(std::abs(t.at(0.75, 0)[2] - std::complex<double>(0.5, -0.25)), 0, 1e-14);
-  EXPECT_NEAR(std::abs(t.at(0.1, 0)[2] - std::complex<double>(1, 0)), 0, 1e-14);  // beyond the ends
+  EXPECT_NEAR(std::abs(t.at(0.1, 0)[2] - std::complex<double>(1, 0)), 0,
+              1e-14);  // beyond the ends of the table
   EXPECT_NEAR(std::abs(t.at(9, 0)[2] - std::complex<double>(0, -0.5)), 0, 1e-14);
-  // All around: from 270 to 360 deg, and across the gap from 0 to 270.
+  // A table all around: from 270 to 360 deg, and from 360 to 0 to 270 across the gap.
   EXPECT_NEAR(std::abs(t.at(0.5, -45 * deg)[2] - 1.5), 0, 1e-12);
   EXPECT_NEAR(std::abs(t.at(0.5, 135 * deg)[2] - 1.5), 0, 1e-12);
   EXPECT_NEAR(std::abs(t.at(0.5, 360 * deg)[2] - 1.0), 0, 1e-12);
@@ -41,8 +42,8 @@ WaveField wave(double amplitude, double omega, double direction, double phase) {
   return WaveField({c}, 0, 9.80665, Stretching::none);
 }
 
-// Heave of 1 without lag follows the elevation at the vessel; a lag of a quarter follows a quarter of a
-// period later.
+// Heave of 1 in phase equals the elevation at the vessel; with a lag of a quarter of a period it equals the
+// elevation a quarter of a period before.
 TEST(Rao, PhaseIsALagAfterTheCrestAtTheOrigin) {
   const Vec3 origin(30, -12, 5);
   const WaveField w = wave(1.5, 0.7, 0.9, 0.4);
@@ -82,7 +83,7 @@ TEST(Rao, RowsAreTheMotionAtTheirTimes) {
   }
 }
 
-// Surge and roll rotate with the bow, and the direction is relative to it.
+// Surge and roll are along the bow, and the wave direction is relative to it.
 TEST(Rao, TurnsWithTheHeading) {
   const double heading = 2.1;
   Response ahead{}, abeam{};
@@ -98,8 +99,8 @@ TEST(Rao, TurnsWithTheHeading) {
   EXPECT_LT((x - 2 * port).norm() + (r - 0.1 * bow).norm(), 1e-12);
 }
 
-// A wave from the other side is a mirror image: port becomes starboard. Directions along the vessel stay
-// single rows.
+// A wave from the other side is a mirror image: port becomes starboard. Directions along the vessel have a
+// single row.
 TEST(Rao, OtherSideIsAMirror) {
   const double deg = M_PI / 180;
   std::vector<RaoTable::Row> rows;

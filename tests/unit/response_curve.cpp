@@ -1,5 +1,5 @@
-// Tables of tension and moment: an increasing curve through the rows, its derivative and integral; elements
-// with tables.
+// Tables of tension and moment: an increasing curve through the rows, its derivative and integral; tangent
+// and energy of elements with tables.
 #include "hawser/kernels/response_curve.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ TEST(ResponseCurve, GoesThroughItsRowsRising) {
   }
   EXPECT_EQ(rope.at(0).force, 0);
   EXPECT_EQ(pipe.at(0).force, 0);
-  EXPECT_NEAR(pipe.initial(), 400, 1e-9);  // the same to both sides: the first secant
+  EXPECT_NEAR(pipe.initial(), 400, 1e-9);  // the same to both sides: slope of the first secant
   for (const ResponseCurve* t : {&rope, &pipe})
     for (double x = -0.9; x < 0.9; x += 0.0137) {
       const double h = 1e-6;
@@ -37,7 +37,7 @@ TEST(ResponseCurve, GoesThroughItsRowsRising) {
       EXPECT_NEAR(v.force, (a.energy - b.energy) / (2 * h), 1e-4 * (1 + std::abs(v.force)));
       EXPECT_GE(v.energy, 0);
     }
-  // Linear beyond and, without negative rows, below.
+  // The curve is linear beyond the last row and, without negative rows, below the first.
   EXPECT_NEAR(rope.at(-0.2).force, -0.2 * rope.initial(), 1e-12);
   EXPECT_NEAR(rope.at(0.2).slope, rope.at(0.05).slope, 1e-9);
 }
@@ -77,7 +77,7 @@ BeamEnds moved(BeamEnds e, const Vec12& d) {
   return e;
 }
 
-// Bending in all parts of the table; initial curvature and rotated axes, and a bend stiffener.
+// Bending in all parts of the table, with initial curvature, rotated axes and a bend stiffener.
 TEST(ResponseCurve, BeamTangentAndEnergyBelongToItsForce) {
   const ResponseCurve rope(kRope, false), pipe(kPipe, true);
   std::mt19937 g(7);
@@ -124,7 +124,7 @@ TEST(ResponseCurve, BeamTangentAndEnergyBelongToItsForce) {
   }
 }
 
-// Linear tables give the same element as none: stresses, energy, tangent.
+// With linear tables an element has the same stresses, energy and tangent as without tables.
 TEST(ResponseCurve, StraightTablesChangeNothing) {
   const ResponseCurve rope(std::vector<Row>{{0.1, 30}, {0.2, 60}}, false),
       pipe(std::vector<Row>{{0.1, 5}, {0.2, 10}}, true);
@@ -143,7 +143,8 @@ TEST(ResponseCurve, StraightTablesChangeNothing) {
   beam_tangent(plain, {}, e, false, f, K, &C);
   beam_tangent(tables, {}, e, false, g, L, &D);
   EXPECT_LT((f - g).norm() + (C - D).norm(), 1e-11 * (f.norm() + C.norm()));
-  // Damping forces lag behind the strain alone: their contribution to the element moments is the same.
+  // Damping forces depend on the rate of strain alone, so their contribution to the element moments is the
+  // same.
   EXPECT_LT((K - L).norm(), 1e-11 * K.norm());
   plain.beta = tables.beta = 0;
   const BeamStress a = beam_stress(plain, {}, e), b = beam_stress(tables, {}, e);

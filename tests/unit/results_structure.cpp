@@ -1,5 +1,5 @@
-// Basis of the file's validity at every moment: writing changes only bytes of rows. Also the XDMF file: well
-// formed, with existing references.
+// The results file is valid at every moment because writing changes only bytes of rows. The XDMF file is well
+// formed, and its references exist.
 #include <gtest/gtest.h>
 #include <mpi.h>
 
@@ -35,7 +35,7 @@ ResultContents contents(int lines, int nodes) {
   c.fields = {{"position", "m", 3}, {"contact force", "N", 3}, {"penetration", "m", 1}};
   c.series = {{"time", {{"value", "", 1}}}};
   c.bodies = {"reel"};
-  // Meshes are views of memory owned elsewhere.
+  // Meshes are views of memory that is owned elsewhere.
   static const std::vector<Vec3> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, many(30, Vec3(1, 2, 3));
   static const std::vector<std::array<int, 3>> one = {{0, 1, 2}}, two = {{0, 1, 2}, {3, 4, 5}};
   c.volumes = {{"drum & flange", 0, corners, one, {1}, {}},
@@ -88,7 +88,7 @@ TEST(ResultsStructure, WritingChangesRowsOnly) {
   auto file = ResultsFile::create(MPI_COMM_SELF, path, contents(2, 11), all_nodes(contents(2, 11)));
   Checkpoint checkpoint;
   checkpoint.scalars["step"] = 1;
-  file.write_checkpoint(checkpoint);  // creates room for checkpoints, once
+  file.write_checkpoint(checkpoint);  // makes room for checkpoints, once
   const std::string before = text_of(path);
   const auto data = data_of(path);
   EXPECT_GT(data.size(), 20u);
@@ -106,7 +106,7 @@ TEST(ResultsStructure, WritingChangesRowsOnly) {
     EXPECT_GT(changed, 200u);
     EXPECT_EQ(outside, 0u) << "structure changed by output " << k;
   }
-  // The counter is a single write within one memory page, so no kill can split it.
+  // The counter is a single write within one memory page, so that the end of the process cannot split it.
   const auto h5 = h5::open_read(path);
   const auto at = H5Dget_offset(h5::open_dataset(h5, "written"));
   EXPECT_EQ(at / 4096, (at + 15) / 4096);
@@ -147,7 +147,7 @@ std::vector<hsize_t> numbers(const std::string& text) {
   return {std::istream_iterator<hsize_t>(in), {}};
 }
 
-// Every reference: the dataset exists, the box is inside it, and its size equals Dimensions.
+// Checks every reference: the dataset exists, the box is inside it, and its size equals Dimensions.
 int check_references(const std::string& folder, const std::string& xml) {
   const std::regex item(
       "<DataItem Dimensions=\"([0-9 ]+)\" NumberType=\"(\\w+)\" Precision=\"(\\d)\" "
@@ -181,7 +181,7 @@ int check_references(const std::string& folder, const std::string& xml) {
   return n;
 }
 
-// A moving mesh is written once with the poses of its body; its positions at outputs are for ParaView.
+// A moving mesh is written once, with the poses of its body; only ParaView has its positions at outputs.
 TEST(ResultsXdmf, MeshesAreMovedForParaViewAlone) {
   for (const bool xdmf : {true, false}) {
     const std::string path = temporary(xdmf ? "drawn.h5" : "posed.h5");
@@ -202,7 +202,7 @@ TEST(ResultsXdmf, MeshesAreMovedForParaViewAlone) {
 }
 
 TEST(ResultsXdmf, PointsAtWhatIsThere) {
-  for (const int lines : {3, 20}) {  // one grid a line, and one for all
+  for (const int lines : {3, 20}) {  // one grid for each line, and one grid for all lines
     for (const bool finish : {false, true}) {
       const std::string path = temporary("xdmf.h5");
       int written = 0;
@@ -216,8 +216,8 @@ TEST(ResultsXdmf, PointsAtWhatIsThere) {
       }
       const std::string xml = text_of(temporary("xdmf.xdmf"));
       expect_well_formed(xml);
-      // Per output: a line has topology, 3 fields, arc length, line number, rank; the drum and its coarser
-      // neighbour 3 each, the deck 2.
+      // In each output: a line has topology, 3 fields, arc length, line number and rank; the drum and its
+      // coarser neighbour have 3 each, the deck has 2.
       const int each = 7 * (lines == 3 ? 3 : 1) + 8;
       const int n = check_references(testing::TempDir(), xml);
       EXPECT_EQ(n, written * each);

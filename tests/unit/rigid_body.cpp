@@ -1,3 +1,5 @@
+// Inertia and springs of a rigid body: tangents against differences, momentum, energy, and the conversion of
+// mass matrices.
 #include "hawser/kernels/rigid_body.hpp"
 
 #include <gtest/gtest.h>
@@ -61,7 +63,7 @@ TEST(RigidBody, TangentsAreDerivatives) {
   }
 }
 
-// Direction-dependent mass with coupling of translations and rotations: symmetric, full.
+// A symmetric, full mass matrix with coupling of translations and rotations.
 Mat6 coupled() {
   Mat6 N;
   for (int i = 0; i < 6; ++i)
@@ -90,7 +92,7 @@ TEST(RigidBody, TangentsOfCoupledMassAreDerivatives) {
   }
 }
 
-// Force and moment are the rates of momentum and angular momentum, their power that of kinetic energy.
+// Force and moment are the rates of momentum and angular momentum; their power is the rate of kinetic energy.
 TEST(RigidBody, CoupledMassKeepsMomentumAndEnergy) {
   const Mat6 N = coupled();
   const RigidBodyState now = state();
@@ -129,7 +131,8 @@ TEST(RigidBody, CoupledMassKeepsMomentumAndEnergy) {
   EXPECT_NEAR(power, f.head<3>().dot(now.v) + f.tail<3>().dot(now.w), 1e-8 * f.norm());
 }
 
-// The matrix of a rigid body about any point returns its mass, centre and inertia without coupling.
+// The mass matrix of a rigid body about any point has the mass, centre and inertia of the body, and no
+// coupling remains.
 TEST(RigidBody, MassMatrixOfARigidBody) {
   model::BodyMass body;
   body.mass = 3;
@@ -149,7 +152,7 @@ TEST(RigidBody, MassMatrixOfARigidBody) {
   EXPECT_NEAR(M(0, 4), 3 * 1.1, 1e-14);
   EXPECT_NEAR(M(2, 3), 3 * -0.7, 1e-14);
   EXPECT_NEAR(M(5, 5), 6 + 3 * (0.25 + 0.49), 1e-14);
-  // With a centre inconsistent with the couplings, the whole matrix is preserved.
+  // If the centre is inconsistent with the couplings, the whole matrix is kept.
   model::BodyMass other = found;
   other.centre = Vec3(0.1, 0.2, 0.3);
   other.centre_given = true;

@@ -14,7 +14,7 @@
 namespace hawser::model::schema_defaults_test {
 namespace {
 
-// True if the default of the only key of `root` leaves a new T unchanged; none: the key is for another
+// True if the default of the only key of `root` leaves a new T unchanged; empty if the key belongs to another
 // struct.
 template <class T>
 std::optional<bool> keeps(const Value& root) {

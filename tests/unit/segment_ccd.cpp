@@ -1,4 +1,5 @@
-// Continuous collision of segments against distances at many times.
+// Continuous collision of segments against distances at many times: no approach is missed, and each reported
+// one is true.
 #include "hawser/geometry/segment_ccd.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Distribution of the pressure between two lines over the two sides of the sum.
+// Shares of the contact pressure between two lines on the two sides.
 #include <gtest/gtest.h>
 
 #include "hawser/kernels/line_pair.hpp"
@@ -6,7 +6,7 @@
 namespace hawser::slave_share_test {
 namespace {
 
-// All pressure counts once, by the thinner line if the other is at least 1.5 times as thick.
+// The shares sum to 1; the thinner line has all of the pressure if the other is 1.6 times as thick.
 TEST(SlaveShare, AddsUp) {
   double last = 0.5;
   for (double ratio = 1; ratio < 3; ratio *= 1.02) {

@@ -26,7 +26,7 @@ std::string text_of(const std::string& model) {
   return text.str();
 }
 
-// Heights of 96 to 116 m under x = 0 to 800; that at (400, 0) is different.
+// Writes heights of 96 to 116 m below x = 0 to 800 m; the height at (400, 0) is `there`.
 void write_bed(const std::string& path, double there, double sign = 1, const std::string& before = "") {
   std::ofstream out(path, std::ios::binary);
   out << before;
@@ -37,7 +37,7 @@ void write_bed(const std::string& path, double there, double sign = 1, const std
 
 std::string folder() { return testing::TempDir(); }
 
-// Notes of a case, or the sentence that refuses it.
+// Notes of a case, or the sentence of its refusal.
 std::vector<std::string> warnings_of(const std::string& model, const std::vector<std::string>& set) {
   try {
     return io::read_case_text(text_of(model), folder() + "/" + model + ".yaml", {}, MPI_COMM_SELF, set).notes;
@@ -49,7 +49,7 @@ std::vector<std::string> warnings_of(const std::string& model, const std::vector
 struct Slip {
   std::string model, name;
   std::vector<std::string> set;
-  std::string part;  // of the sentence
+  std::string part;  // part of the sentence
 };
 
 const std::string kSection = "lines.mooring.sections[0].", kChain = "line_types.chain.",
@@ -350,7 +350,7 @@ TEST_F(Slips, EachIsRefusedOrNoted) {
   }
 }
 
-// Warnings that affect all results precede those about resolution.
+// Warnings of what affects all results precede those about resolution.
 TEST_F(Slips, ByWhatTheyCanChange) {
   const std::vector<std::string> found =
       warnings_of("mooring", {"output.every=8", "environment.water.density=1.025"});

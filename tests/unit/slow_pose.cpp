@@ -1,4 +1,4 @@
-// Filter of slow motion against small-step integration, and its frequency response.
+// Filter of slow motion against an integration in small steps, and its frequency response.
 #include "hawser/kernels/slow_pose.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kPeriod = 100, kC = 2 * M_PI / kPeriod;
 
-// Steps of several lengths with uniform motion: Heun's method with 10^4 steps in each.
+// Steps of several lengths with uniform motion, against Heun's method with 10^4 steps in each.
 TEST(SlowPose, IsExactForEvenMotion) {
   SlowPose slow = SlowPose::at(Vec3(1, -2, 0.5));
   Vec3 y(1, -2, 0.5), v = Vec3::Zero(), z = Vec3::Zero(), x = y;
@@ -39,7 +39,8 @@ TEST(SlowPose, IsExactForEvenMotion) {
   }
 }
 
-// Uniform motion without lag; 3 % of waves of a tenth of the period, |c³ + 3 i c² w|/|c + i w|³.
+// The filter follows uniform motion without lag, and passes 3 % of waves of a tenth of its period: |c³ + 3 i
+// c² w|/|c + i w|³.
 TEST(SlowPose, FollowsEvenMotionAndNotWaves) {
   SlowPose slow = SlowPose::at(Vec3::Zero());
   double most = 0;

@@ -1,4 +1,4 @@
-// Peaks of tension that steps or elements do not resolve.
+// Warnings of peaks of tension that steps or elements do not resolve.
 #include "hawser/record/snaps.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ lines:
     end_b: {anchor: [3.9, 0, 0]}
 )";
 
-// Half a wave of this duration [s] and 1 kN in equal steps, one of them at its maximum.
+// Warning about half a wave of this duration [s] and 1 kN in equal steps, one of which is at the maximum.
 std::string warning(double half, int steps, double rest = 0, bool damped = false, double across = 0) {
   const model::Case c = io::read_case_text(kSling, "/nowhere/case.yaml");
   const run::Simulation sim(MPI_COMM_SELF, c);
@@ -40,7 +40,7 @@ std::string warning(double half, int steps, double rest = 0, bool damped = false
   return snaps.warning(0, "sling", 1000, damped, true);
 }
 
-// cos(pi/4) is 71 %, cos(pi/8) 92 % of the maximum.
+// With 4 steps the largest rise in a step is 1 - cos(pi/4) = 29 % of the maximum, with 8 steps it is small.
 TEST(Snaps, OfTooFewSteps) {
   EXPECT_EQ(warning(1, 4),
             "the largest tension of line sling (1 kN at arc length 0 m, t = 1.5 s) is due to an impact that "
@@ -51,24 +51,26 @@ TEST(Snaps, OfTooFewSteps) {
   EXPECT_EQ(warning(1, 4, 600), "");  // a wave of 400 N on 600 N
 }
 
-// A peak of 3 ms, with a phase of 0.35 rad in a third of a millisecond and 1.05 in one, the travel time of a
-// wave across an element over a volume.
+// A peak of 3 ms: its phase is 0.35 rad in a third of a millisecond and 1.05 rad in a millisecond, the times
+// that a transverse wave needs to pass an element over a volume.
 TEST(Snaps, OfAnElementOverAVolume) {
   EXPECT_EQ(warning(3e-3, 100, 0, false, 0.33e-3), "");
   EXPECT_NE(warning(3e-3, 100, 0, false, 1e-3)
                 .find("a transverse wave takes to pass an element that lies over a volume"),
             std::string::npos);
-  EXPECT_EQ(warning(3e-3, 100, 800, false, 1e-3), "");  // no impact
+  EXPECT_EQ(warning(3e-3, 100, 800, false, 1e-3), "");  // most of the tension is permanent: no impact
 }
 
-// A wave of 2 ms between zeros has a phase of 0.70 rad while it passes an element, one of 4 ms 0.35.
+// The phase of a wave of 2 ms between zeros advances by 0.70 rad in the time that an axial wave needs to pass
+// an element, that of 4 ms by 0.35 rad.
 TEST(Snaps, OfTooFewElements) {
   EXPECT_NE(warning(2e-3, 100).find("lasts less than an axial wave takes to pass three elements"),
             std::string::npos);
   EXPECT_EQ(warning(4e-3, 100), "");
 }
 
-// With damped axial waves a rise within an echo, 1.79 ms, is reported as well: half of 3 ms, not of 4.
+// If the steps damp axial waves, a rise within an echo, 1.79 ms, is reported as well: half of 3 ms is
+// shorter, half of 4 ms is not.
 TEST(Snaps, OfDampedWaves) {
   EXPECT_EQ(warning(3e-3, 100), "");
   EXPECT_NE(

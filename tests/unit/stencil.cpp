@@ -1,3 +1,4 @@
+// Forces on points of a body: tangents against differences, and moments of the arms.
 #include "hawser/kernels/stencil.hpp"
 
 #include <gtest/gtest.h>
@@ -14,8 +15,8 @@ const std::array<Vec3, 2> kArms{Vec3(0.4, -0.2, 0.3), Vec3(-0.1, 0.5, 0.2)};
 const Mat3 kField = (Mat3() << 3, 1, -2, 0, 2, 1, 4, -1, 5).finished(),
            kDrag = (Mat3() << 1, 2, 0, -1, 3, 1, 0, 1, 2).finished();
 
-// Two points of a body, each in an artificial field: force = A sin(X) + B X', and a couple A cos(X_0) on the
-// body.
+// Two points of a body, each in an artificial force field: force = A sin(X) + B X', and a couple A cos(X_0)
+// on the body.
 Vec6 force(const Vec6& u, const Vec6& rate, Mat6* K = nullptr, Mat6* C = nullptr, bool turning = true) {
   const Vec3 x = Vec3(0.3, -0.2, 0.5) + u.head<3>(), v = Vec3(0.4, 0.1, -0.3) + rate.head<3>(),
              w = Vec3(0.5, -0.6, 0.8) + rate.tail<3>();
@@ -55,7 +56,8 @@ TEST(Stencil, TangentsAreDerivatives) {
   }
 }
 
-// The forces have the moments of their arms, and without rotation only the columns of rotations differ.
+// The forces have moments about the origin of the body. Without rotation only the columns of rotations
+// differ.
 TEST(Stencil, MomentsAreThoseOfTheArms) {
   Mat6 K, without, C;
   const Vec6 zero = Vec6::Zero();

@@ -1,4 +1,4 @@
-// Waves of finite height: equations of the flow, independent solutions, limits, refusals.
+// Waves of finite height: the equations of the flow, published solutions, limits and refusals.
 #include "hawser/kernels/stokes_wave.hpp"
 
 #include <gtest/gtest.h>
@@ -43,13 +43,13 @@ Residual residual(const StokesWave& w) {
   return r;
 }
 
-// Both are of sixth order in the steepness, at any depth, with and without current. A wrong coefficient of
-// the theory leaves an error of lower order.
+// Both are of sixth order in the steepness, for any depth, with and without current. A wrong coefficient
+// would leave an error of lower order.
 TEST(StokesWave, ConditionsAtTheSurfaceAreOfSixthOrder) {
   for (const double depth : {0.0, 200.0, 30.0, 12.0})
     for (const double current : {0.0, 1.0, -0.7})
       for (const bool transport : {false, true}) {
-        // Half the height at the same length, so that the order is that in k H/2 alone.
+        // Half the height at the same length, so that the order is that of k H/2 alone.
         const auto of = [&](double height) {
           StokesInput in = input(height, 9, depth);
           in.current = current;
@@ -76,8 +76,8 @@ TEST(StokesWave, ConditionsAtTheSurfaceAreOfSixthOrder) {
       }
 }
 
-// No divergence, no rotation, no flow at the bed; minus the acceleration of the water is the gradient of
-// pressure. With a ramp as well.
+// The flow has no divergence and no rotation, and does not pass the bed; minus the acceleration of the water
+// is the gradient of pressure. The same with a ramp.
 TEST(StokesWave, IsPotentialFlow) {
   StokesInput in = input(6, 9, 35);
   in.direction = 0.7;
@@ -109,7 +109,7 @@ TEST(StokesWave, IsPotentialFlow) {
   EXPECT_EQ(w.at({5, 6, -35}, 1).velocity.z(), 0);
 }
 
-// Minus the acceleration of the water is the gradient of pressure, which is zero at the surface.
+// Minus the acceleration of the water is the gradient of the pressure, which is zero at the surface.
 TEST(StokesWave, HeadIsItsPressure) {
   StokesInput in = input(6, 9, 35);
   in.direction = 0.7;
@@ -131,7 +131,7 @@ TEST(StokesWave, HeadIsItsPressure) {
   }
 }
 
-// The flux through a fixed plane fills and empties the space behind it; its mean is that given by
+// The difference of fluxes through two planes is the rate of volume between them; the mean flux is that of
 // `transport`.
 TEST(StokesWave, ContinuityAndTransport) {
   for (const bool transport : {false, true})
@@ -217,7 +217,7 @@ TEST(StokesWave, NearExactWaves) {
   EXPECT_NEAR(steep.length(), 1.6526, 0.002 * 1.6526);
 }
 
-// At zero height it is Airy's wave, with convergence H²; deep water is the limit of depth.
+// At zero height the wave is Airy's, with an error of order H²; deep water is the limit of increasing depth.
 TEST(StokesWave, Limits) {
   double last = 0;
   for (const double height : {0.2, 0.02, 0.002}) {
@@ -255,7 +255,7 @@ std::string refusal(const StokesInput& in) {
 }
 
 TEST(StokesWave, RefusesWhatIsNoWave) {
-  // 0.141 of the length on deep water, 0.83 of the depth where it is shallow.
+  // 0.141 of the length in deep water, 0.83 of the depth in shallow water.
   EXPECT_NEAR(highest_wave(100, 0), 14.1063, 1e-12);
   EXPECT_NEAR(highest_wave(100, 1000), 14.1063, 0.07);
   EXPECT_NEAR(highest_wave(1e5, 1), 0.8332, 1e-3);

@@ -1,4 +1,4 @@
-// The law of contact of a point with a surface.
+// Law of contact of a point with a surface: tangents, rotation with the body, and transport of the slip.
 #include "hawser/kernels/surface_contact_law.hpp"
 
 #include <gtest/gtest.h>
@@ -100,9 +100,10 @@ TEST(VolumeContactKernel, TangentIsExact) {
   for (const ContactLaw& law : laws())
     for (const Situation& s : situations()) {
       const ContactForce c = volume_contact(law, s.start, s.field(s.point, u), true);
-      if (law.normal.table && s.field(s.point, u).gap >= 0) continue;  // no ramp before a table
+      if (law.normal.table && s.field(s.point, u).gap >= 0) continue;  // a table has no ramp before contact
       ASSERT_GT(c.normal.force, 0) << s.name;
-      // Mobilisation laws are cut at a length, spring laws at a force; each situation suits one.
+      // Mobilisation laws are limited by a length, spring laws by a force; each situation is made for one of
+      // them.
       if (law.friction.active() && std::string(s.name).find("slip") != std::string::npos) {
         EXPECT_TRUE(c.slides) << s.name;
       }
@@ -139,7 +140,7 @@ TEST(VolumeContactKernel, TurnsWithTheBody) {
 TEST(VolumeContactKernel, FacetChangeKeepsTheSlip) {
   const ContactLaw law{{1e6, 0, 0}, {0.9, 0.9, 1e5, 0, 0}};
   const Vec3 n(0, std::sin(0.2), std::cos(0.2));
-  const Vec3 s(3e-3, 0, 0);  // along the edge between the facets: keeps its direction
+  const Vec3 s(3e-3, 0, 0);  // along the edge between the facets: the direction does not change
   const ContactStart start{{0, 0, -0.01}, -0.01, Vec3::UnitX(), s, n};
   const ContactForce c = volume_contact(law, start, on_plane({0, 0, -0.01}, Vec3::Zero()), false);
   EXPECT_LT((c.slip - s).norm(), 1e-16);
@@ -148,7 +149,7 @@ TEST(VolumeContactKernel, FacetChangeKeepsTheSlip) {
   EXPECT_LT((d.slip - Vec3(0, 3e-3, 0)).norm(), 1e-16);  // rotated, not shortened
 }
 
-// Only the motion after first contact counts: half of it if the surface was met half way.
+// Only the motion after the first contact counts: half of it if contact begins half way.
 TEST(VolumeContactKernel, FirstTouch) {
   const ContactLaw law{{1e6, 0, 0}, {0.9, 0.9, 1e5, 0, 0}};
   const ContactStart start{{0, 0, 0.01}, 0.01, Vec3::UnitX(), Vec3::Zero(), Vec3::UnitZ()};

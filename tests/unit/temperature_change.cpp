@@ -1,4 +1,4 @@
-// `temperature_change` of a line: reading, and free strain of its elements.
+// `temperature_change` of a line: reading of the key, and free strain of the elements.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -46,7 +46,8 @@ TEST(TemperatureChange, IsReadInKelvinAndAlongTheLine) {
   EXPECT_EQ(read("60").line_type("cold").thermal_expansion, 0);
 }
 
-// Linear between the rows, constant beyond: 60 K up to 10 m, -20 K at 50 m, none from 90 m on.
+// Temperature is linear between the rows and constant beyond: 60 K up to 10 m, -20 K at 50 m, zero from 90 m
+// on.
 TEST(TemperatureChange, MeanIsTheIntegral) {
   const model::Line line = read("[[10, 60], [50, -20], [90, 0]]").lines[0];
   const auto mean = [&](double from, double to) { return model::mean_temperature_change(line, from, to); };
@@ -61,7 +62,7 @@ TEST(TemperatureChange, MeanIsTheIntegral) {
   EXPECT_EQ(model::mean_temperature_change(read("0").lines[0], 3, 40), 0);
 }
 
-// The sum is independent of element boundaries, and a type without expansion has none.
+// The total elongation is independent of element boundaries; a type without expansion has none.
 TEST(TemperatureChange, ElementsAddUp) {
   const model::Case c = read("[[10, 60], [50, -20], [90, 0]]");
   const Mesh mesh = build_mesh(c);

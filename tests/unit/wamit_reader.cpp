@@ -55,7 +55,7 @@ class WamitReader : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
-// rho = 1000, L = 2: A11 = rho L³ Abar, A15: L⁴, A55: L⁵, B with omega.
+// rho = 1000 and L = 2: A11 = rho L³ Abar, A15 with L⁴, A55 with L⁵, B with omega.
 TEST_F(WamitReader, ScalesByLengthDensityAndFrequency) {
   const model::HydrodynamicData d = read();
   EXPECT_EQ(d.bodies, 1);
@@ -79,7 +79,7 @@ TEST_F(WamitReader, ScalesByLengthDensityAndFrequency) {
   EXPECT_EQ(files.size(), 3u);
 }
 
-// In a wave to 315 deg sway is the reverse of that to 45 deg, and 270 deg is interpolated between 180 and 315
+// Sway in a wave to 315 deg is the reverse of that to 45 deg; 270 deg is interpolated between 180 and 315
 // deg.
 TEST_F(WamitReader, MirrorsTheOtherSide) {
   std::string rows;
@@ -120,9 +120,9 @@ TEST_F(WamitReader, ReadsPackedFiles) {
   EXPECT_NEAR(read().added_mass[0](0, 0), 0.6 * 8000, 1e-9);
 }
 
-// The damping of a heaving hemisphere (Hulme 1982) and its added mass, which at infinite frequency is
-// 1.047198 a^3 rho/2. Without that row, with an end at 3 rad/s and a tenth of the rows that an irregular
-// frequency has spoiled, the estimate is within 0.5 % of it; the mean over the rows would be 5 % off.
+// Damping and added mass of a heaving hemisphere (Hulme 1982), whose added mass at infinite frequency is
+// 1.047198 a^3 rho/2. Without that row, with frequencies up to 3 rad/s and a tenth of the rows wrong as at
+// irregular frequencies, the estimate is within 0.5 %; the mean over the rows would be wrong by 5 %.
 TEST_F(WamitReader, EstimatesTheInfiniteFrequencyWithANote) {
   std::ifstream whole(HAWSER_SOURCE_DIR "/tests/data/hemisphere.1");
   std::string text, line;

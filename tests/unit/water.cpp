@@ -1,4 +1,4 @@
-// Buoyancy, drag and added mass of an element, and the current.
+// Buoyancy, drag and added mass of an element against closed forms, quadratures and differences; the current.
 #include <gtest/gtest.h>
 
 #include "hawser/kernels/current.hpp"
@@ -41,7 +41,8 @@ Eigen::VectorXd water_residual(bool beam, const WaterSection& s, const WaterEnds
   return beam ? Eigen::VectorXd(on_beam) : Eigen::VectorXd(on_cable);
 }
 
-// Against quadrature of the chord of a circle, and of the sections of a sphere.
+// Wetted area against quadrature of the chord of a circle, wetted volume against quadrature of the sections
+// of a sphere.
 TEST(Wetting, IsTheSegmentOfACircleAndTheCapOfABall) {
   double area = 0, cap = 0, area_sum = 0, cap_sum = 0;
   const int n = 200000;
@@ -66,8 +67,8 @@ TEST(Wetting, IsTheSegmentOfACircleAndTheCapOfABall) {
   }
 }
 
-// Displacement of 0.6 of the section: draught over diameter of a floating hose of 0.12 t/m in air and 0.20
-// t/m displacement (OMAE2006-92155, Table 4; solution of the circular segment).
+// Draught over diameter of a floating hose of 0.12 t/m in air and 0.20 t/m displacement, that is 0.6 of the
+// section (OMAE2006-92155, Table 4; solution of the circular segment).
 TEST(WaterLoad, FloatingHoseSinksToItsDraught) {
   const double d = std::sqrt(200 / 1025. * 4 / M_PI), weight = 120 * kG;
   EXPECT_NEAR(d, 0.4984345337, 1e-9);
@@ -85,8 +86,8 @@ TEST(WaterLoad, FloatingHoseSinksToItsDraught) {
   }
 }
 
-// Means over a straight piece and their derivatives against quadrature of circle_wetting, for level, nearly
-// level and steep pieces, on both sides of the changes of formulas.
+// Means over a straight piece, and their derivatives, against quadrature of circle_wetting, for level, nearly
+// level and steep pieces, on both sides of the limits between formulas.
 TEST(Wetting, OfAPieceIsTheMeanOfItsSections) {
   const double b = 0.7;
   const double rises[] = {0, 1e-8, -1e-6, 1e-3, 0.1, -0.17, 0.18, 0.5, -1.3, 4, 400};
@@ -106,7 +107,7 @@ TEST(Wetting, OfAPieceIsTheMeanOfItsSections) {
         slope[2] += z * z * w.slope / b / n;
       }
       const PieceWetting p = piece_wetting(h1, h2, b);
-      // Accuracy of the quadrature at the edges of the band.
+      // Accuracy of the quadrature at the limits of the partly wet band.
       const double near = 1e-9 * (1 + std::abs(rise)), edge = 2e-5;
       EXPECT_NEAR(p.integral, integral, near) << rise << " " << middle;
       EXPECT_NEAR(p.share1, share[0], 2e-8) << rise << " " << middle;
@@ -118,8 +119,8 @@ TEST(Wetting, OfAPieceIsTheMeanOfItsSections) {
 }
 
 // For any thickness and position of a beam through the surface, a vertical element displaces its submerged
-// volume, and its stiffness is that of its waterplane, rho g A: both by hand. A cable becomes wet over its
-// radius.
+// volume, and its stiffness is that of its waterplane, rho g A: both by hand. A cable becomes wet over a
+// height of its radius.
 TEST(WaterLoad, SteepElementsDisplaceWhatIsUnderWater) {
   for (const bool beam : {false, true})
     for (const double d : {0.3, 5.0, 6.0}) {
@@ -159,8 +160,8 @@ TEST(WaterLoad, SteepElementsDisplaceWhatIsUnderWater) {
     }
 }
 
-// The potential of beams, few or many, is that of a body: depth times rho g over the submerged part of a
-// leaning cylinder, by quadrature.
+// The potential of an inclined cylinder of few or many beams is that of a body: depth times rho g over the
+// submerged part, by quadrature.
 TEST(WaterLoad, ALeaningCylinderDisplacesWhatIsUnderWater) {
   const double radius = 0.5, length = 4;
   for (const double angle : {0.0, 0.4, 1.0, 1.4}) {
@@ -189,8 +190,8 @@ TEST(WaterLoad, ALeaningCylinderDisplacesWhatIsUnderWater) {
   }
 }
 
-// Forces on leaning elements, thin and thick relative to their length, against fourth-order differences. The
-// stiffness that statics uses far from the solution has no negative eigenvalue.
+// Tangents of inclined elements, thin and thick relative to their length, against fourth-order differences.
+// The stiffness that statics uses far from the solution has no negative eigenvalue.
 TEST(WaterLoad, TangentOfALeaningElement) {
   for (const double d : {0.2, 8.0})
     for (const double angle : {0.1, 0.8, 1.5}) {
@@ -258,7 +259,7 @@ TEST(WaterLoad, ForceIsTheDerivativeOfThePotential) {
   }
 }
 
-// An inclined line in a uniform current: Morison by hand, and equal for cable and beam.
+// An inclined line in a uniform current: Morison's force by hand, the same for cable and beam.
 TEST(WaterLoad, MorisonOfASlantingLine) {
   const WaterSection s = section(5, 0.2, 1.1, 0.05, 0.9);
   WaterEnds e;
@@ -282,7 +283,7 @@ TEST(WaterLoad, MorisonOfASlantingLine) {
   }
 }
 
-// Accelerating water: (1 + Ca) across, 1 + Ca_axial along.
+// Force in accelerating water: (1 + Ca) across the line, 1 + Ca_axial along it.
 TEST(WaterLoad, FroudeKrylovAndAddedMass) {
   WaterSection s = section(5, 0.2, 0, 0, 0.9);
   s.added_axial = 0.1 * s.displaced_mass;

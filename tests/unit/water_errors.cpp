@@ -1,4 +1,4 @@
-// Warnings about elements that are too long for a current or for waves, by hand.
+// Warnings about elements that are too long for a current or for waves, against hand calculations.
 #include "hawser/record/water_errors.hpp"
 
 #include <fmt/format.h>
@@ -14,8 +14,8 @@
 namespace hawser::record::water_errors_test {
 namespace {
 
-// Warnings for a cable with the keys `more` in its start position, after a step that ends at `time`; 0:
-// without a step.
+// Warnings for a cable with the keys `more` in its start position, after a step that ends at `time`; time =
+// 0: without a step.
 std::vector<std::string> warnings(const std::string& sea, const std::string& line, double time = 0) {
   const model::Case c = io::read_case_text(fmt::format(R"(
 hawser: 1
@@ -47,8 +47,8 @@ std::string upright(double length, const std::string& type = "rope", const std::
 const char* const kJet =
     "current: {profile: [{depth: 0, speed: 0}, {depth: 5, speed: 1}, {depth: 10, speed: 0}]}";
 
-// A jet between two nodes: drag of 1/2 rho Cd D times the integral of u², 10/3 m³/s², which an element misses
-// and its halves capture.
+// A jet between two nodes: the drag is 1/2 rho Cd D times the integral of u², 10/3 m³/s². An element has none
+// of it, two elements of half the length have it all.
 TEST(WaterErrors, CurrentBetweenTheNodes) {
   const std::vector<std::string> all = warnings(kJet, upright(10));
   ASSERT_EQ(all.size(), 1U);
@@ -57,21 +57,21 @@ TEST(WaterErrors, CurrentBetweenTheNodes) {
       "line l has elements of 10 m at arc length 5 m (5 m below the still water, t = 0 s), between whose "
       "nodes the current is not linear, and the hydrodynamic forces on the elements of the line are "
       "wrong by about 100 % of their largest sum, 0.6 kN: use elements of 5 m there");
-  EXPECT_EQ(warnings(kJet, upright(10, "rod")).size(), 0U);  // without drag
-  // Linear variation between nodes is exact.
+  EXPECT_EQ(warnings(kJet, upright(10, "rod")).size(), 0U);  // no drag
+  // A current that is linear between nodes causes no error.
   EXPECT_TRUE(
       warnings("current: {profile: [{depth: 0, speed: 2}, {depth: 10, speed: 1}]}", upright(10)).empty());
   EXPECT_TRUE(warnings("current: {speed: 1}", upright(10)).empty());
 }
 
-// 600 N change the direction of a tension of 10 MN or more by less than 1e-4: that of a bar is 53 MN, that of
-// the rope 0.53.
+// 600 N change the direction of a tension of 10 MN or more by less than 1e-4: the tension of the bar is 53
+// MN, that of the rope 0.53 MN.
 TEST(WaterErrors, OfNoMatterBesideTheTension) {
   EXPECT_EQ(warnings(kJet, upright(9.5)).size(), 1U);
   EXPECT_TRUE(warnings(kJet, upright(9.5, "bar")).empty());
 }
 
-// A level element that captures 0.09 of 0.1233 m²/s² misses 600 N of drag. The chain weighs 98 kN in water.
+// A level element that has 0.09 of 0.1233 m²/s² misses 600 N of drag. The chain weighs 98 kN in water.
 TEST(WaterErrors, OfNoMatterBesideTheWeight) {
   const auto level = [](const std::string& type) {
     return warnings(
@@ -87,8 +87,8 @@ TEST(WaterErrors, OfNoMatterBesideTheWeight) {
   EXPECT_EQ(level("chain"), 0U);
 }
 
-// A current that misses an element's middle by a twentieth: 0.407 of 8.407 m³/s² on the lower line, and of
-// 44.407 on both.
+// A current that differs by a twentieth in the middle of an element: the missing 0.407 m³/s² are compared
+// with 8.407 on the lower line, and with 44.407 on both lines if they are joined.
 TEST(WaterErrors, LinesThatAreJoinedBearTogether) {
   const auto both = [](const std::string& end, const std::string& joints) {
     return warnings(
@@ -108,9 +108,9 @@ TEST(WaterErrors, LinesThatAreJoinedBearTogether) {
   EXPECT_NE(apart.front().find("wrong by about 4.8 %"), std::string::npos) << apart.front();
 }
 
-// A level line far below the surface in a wave of 100 m, whose acceleration has constant magnitude and turns
-// by phi between nodes: an element captures cos(phi/2) of it, four times as many sin(phi/2)/4 tan(phi/8),
-// each cos(phi/8).
+// A level line far below the surface in a wave of 100 m, whose acceleration has a constant magnitude and
+// rotates by phi between nodes. An element has cos(phi/2) of the force, four elements a quarter as long have
+// sin(phi/2)/4 tan(phi/8), each cos(phi/8).
 TEST(WaterErrors, WavesBetweenTheNodes) {
   const double period = std::sqrt(2 * M_PI * 100 / 9.81);
   const auto level = [&](int elements, double time = 40) {
@@ -132,8 +132,8 @@ TEST(WaterErrors, WavesBetweenTheNodes) {
       << all.front();
   EXPECT_TRUE(all.front().ends_with("use elements of 3.1 m there")) << all.front();
   EXPECT_TRUE(level(32).empty());     // 1.2 %
-  EXPECT_EQ(level(2).size(), 1U);     // as long as the wave: all nodes have equal motion
-  EXPECT_TRUE(level(16, 0).empty());  // waves act in motion
+  EXPECT_EQ(level(2).size(), 1U);     // as long as the wave: the motion is the same at all nodes
+  EXPECT_TRUE(level(16, 0).empty());  // waves act in dynamics only
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Dispersion, kinematics, stretching and spectra of waves.
+// Waves: dispersion, kinematics, stretching, pressure and spectra, against closed forms and sums by the C
+// library.
 #include "hawser/kernels/waves.hpp"
 
 #include <gtest/gtest.h>
@@ -57,9 +58,9 @@ WaveField regular(double height, double period, double depth, Stretching s = Str
   return WaveField({c}, depth, kG, s);
 }
 
-// An irregular sea component by component with the functions of the C library, for large x, y and late times:
-// to rounding of the angles without excluded components, else within the exclusion tolerance. For a sea, and
-// for one with energy almost only in short waves.
+// An irregular sea summed over components with the functions of the C library, for large x and y and late
+// times. The difference is the rounding of angles if no components are excluded, and below the exclusion
+// tolerance otherwise. For an ordinary sea, and for one with almost all energy in short waves.
 TEST(Waves, SumsOverComponents) {
   for (const double depth : {0.0, 30.0, 200.0}) {
     std::vector<WaveComponent> sea = irregular(Jonswap{6, 11, 3.3}, 0.4, 400, 7, 5);
@@ -104,8 +105,8 @@ TEST(Waves, SumsOverComponents) {
   }
 }
 
-// Components excluded at the bed do not affect the motion there: against the field with the same components
-// at their common elevation. Exclusion occurs only at a bed with Wheeler's stretching.
+// Components that are excluded at the bed do not affect the motion there: against the field with all
+// components at their common elevation. Components are excluded only at a bed with Wheeler's stretching.
 TEST(Waves, PlacesAtTheBedSumSignificantComponents) {
   for (const double depth : {0.0, 200.0})
     for (const Stretching s : {Stretching::none, Stretching::vertical, Stretching::wheeler}) {
@@ -138,7 +139,7 @@ TEST(Waves, PlacesAtTheBedSumSignificantComponents) {
     }
 }
 
-// A long swell and waves too short to reach the bed, in one vector.
+// A long swell, and waves that are too short to reach the bed, in one vector.
 TEST(Waves, AtTheBedUnderSwellAndShortWaves) {
   constexpr double depth = 1000;
   WaveComponent swell, chop;
@@ -155,8 +156,8 @@ TEST(Waves, AtTheBedUnderSwellAndShortWaves) {
   }
 }
 
-// The velocity field has no divergence and rotation, fits the moving surface to first order, vanishes at the
-// bed, and its acceleration is its time derivative.
+// The velocity field has no divergence and no rotation, satisfies the condition at the moving surface to
+// first order, and is zero at the bed; its acceleration is its time derivative.
 TEST(Waves, IsPotentialFlow) {
   const double a = 1e-4, depth = 30, h = 1e-3;
   WaveComponent c, d;
@@ -188,8 +189,8 @@ TEST(Waves, IsPotentialFlow) {
   }
 }
 
-// Below the still water rho du/dt = -grad p, in waves of several directions; at the surface and above it the
-// head is the elevation, at any depth.
+// Below the still water rho du/dt = -grad p, in waves of several directions. At the surface and above it the
+// head equals the elevation, for any depth.
 TEST(Waves, HeadIsTheirPressure) {
   for (const double depth : {0.0, 15.0, 200.0}) {
     const std::vector<WaveComponent> sea = {{0.8, 0.6, 0, 1, 0, 0.3}, {0.4, 1.1, 0, 0.6, 0.8, 1.7}};
@@ -240,7 +241,7 @@ TEST(Waves, ForceOnAPile) {
       }
       return sum;
     };
-    const double quarter = M_PI / 2;  // of the wave before its crest
+    const double quarter = M_PI / 2;  // a quarter of the period before the crest
     EXPECT_NEAR(integrate(Stretching::none, 0, 0, true, false), r.drag, 1e-5 * r.drag);
     EXPECT_NEAR(integrate(Stretching::none, 0, 0, true, true), r.moment_drag, 1e-5 * r.moment_drag);
     EXPECT_NEAR(std::abs(integrate(Stretching::none, 0, quarter, false, false)), r.inertia, 1e-5 * r.inertia);
@@ -252,13 +253,15 @@ TEST(Waves, ForceOnAPile) {
                   1e-5 * r.constant);
     }
   }
-  // Accelerations and velocities out of phase: the crest brings no horizontal acceleration.
+  // Acceleration and velocity are out of phase: at the crest the horizontal acceleration is zero.
   EXPECT_NEAR(regular(5, 10, 50).at({0, 0, -3}, 0).acceleration.x(), 0, 1e-15);
-  EXPECT_GT(regular(5, 10, 50).at({0, 0, -3}, -2.5).acceleration.x(), 0);  // it accelerates before the crest
+  EXPECT_GT(regular(5, 10, 50).at({0, 0, -3}, -2.5).acceleration.x(),
+            0);  // the water accelerates before the crest
 }
 
-// Moments by quadrature to 1e-12, scaled so that m0 is Hs²/16, against those of many components. These end at
-// ten times the peak frequency with the energy beyond distributed over them; the test reverses this.
+// Moments by quadrature to 1e-12, scaled so that m0 is Hs²/16, against those of many components. The
+// components end at ten times the peak frequency, and the energy beyond is distributed over them; the test
+// reverses this.
 TEST(Waves, JonswapMoments) {
   struct Row {
     double height, period, gamma, m_1, m0, m1, m2, m4;  // m4 up to five times the peak's frequency
@@ -383,7 +386,7 @@ TEST(Waves, SpreadingOfEverySeed) {
   }
 }
 
-// No phase of one sea recurs in another, shifted or not.
+// No phase of one sea occurs in another, shifted or not.
 TEST(Waves, SeedsAreIndependent) {
   std::map<double, std::uint64_t> first_seed;
   for (std::uint64_t seed = 0; seed < 40; ++seed)
@@ -393,7 +396,8 @@ TEST(Waves, SeedsAreIndependent) {
     }
 }
 
-// A tabulated spectrum: energy and moments by linear interpolation, direction and seed as for the others.
+// A tabulated spectrum: energy and moments by linear interpolation; direction and seed as for the other
+// spectra.
 TEST(Waves, SpectrumByRows) {
   const std::vector<SpectrumRow> rows{{0.2, 0}, {0.5, 9}, {0.7, 4}, {0.9, 4}, {2, 0}};
   double m0 = 0, m1 = 0;
