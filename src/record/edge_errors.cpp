@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -41,7 +40,6 @@ EdgeErrors::EdgeErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mes
       reported_(mesh.mesh->lines.size(), 0),
       over_(mesh.mesh->lines.size(), {0, -HUGE_VAL}) {
   const int rank = rank_of(comm);
-  std::map<int, Sharer> sharers;
   for (size_t l = 0; l < mesh.mesh->lines.size(); ++l) {
     const LineSpan& line = mesh.mesh->lines[l];
     const int end = line.first_node + line.nodes;
@@ -57,15 +55,11 @@ EdgeErrors::EdgeErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mes
     for (const NodesOfLine& p : pieces)
       if (!here(p)) others.insert(p.rank);
     for (const NodesOfLine& p : pieces) {
-      if (!here(p)) sharers[p.rank].receive.push_back(pieces_.size());
+      if (!here(p)) shared_[p.rank].receive.push_back(static_cast<int>(pieces_.size()));
       if (here(p))
-        for (const int other : others) sharers[other].send.push_back(pieces_.size());
+        for (const int other : others) shared_[other].send.push_back(static_cast<int>(pieces_.size()));
       pieces_.push_back(p);
     }
-  }
-  for (auto& [other, sharer] : sharers) {
-    sharer.rank = other;
-    sharers_.push_back(std::move(sharer));
   }
   for (const LocalElement& l : mesh.elements) {
     const Element& e = mesh.element(l);
@@ -113,20 +107,9 @@ const model::LineType& EdgeErrors::type_at(int node) const {
 }
 
 void EdgeErrors::exchange(std::vector<PressedPart>& of_pieces) const {
-  static_assert(std::is_trivially_copyable_v<PressedPart>);
-  const auto bytes = [](size_t count) { return static_cast<int>(count * sizeof(PressedPart)); };
-  std::vector<std::vector<PressedPart>> out(sharers_.size()), in(sharers_.size());
-  std::vector<MPI_Request> requests(2 * sharers_.size());
-  for (size_t i = 0; i < sharers_.size(); ++i) {
-    const Sharer& s = sharers_[i];
-    for (const size_t piece : s.send) out[i].push_back(of_pieces[piece]);
-    in[i].resize(s.receive.size());
-    MPI_Irecv(in[i].data(), bytes(in[i].size()), MPI_BYTE, s.rank, kTag, comm_, &requests[2 * i]);
-    MPI_Isend(out[i].data(), bytes(out[i].size()), MPI_BYTE, s.rank, kTag, comm_, &requests[2 * i + 1]);
-  }
-  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
-  for (size_t i = 0; i < sharers_.size(); ++i)
-    for (size_t k = 0; k < in[i].size(); ++k) of_pieces[sharers_[i].receive[k]] = in[i][k];
+  hawser::exchange<PressedPart>(
+      comm_, kTag, shared_, [&](int piece) { return of_pieces[piece]; },
+      [&](int piece, const PressedPart& part) { of_pieces[piece] = part; });
 }
 
 void EdgeErrors::update(const Kinematics& state, const Values& values) {

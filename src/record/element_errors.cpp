@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "hawser/advice/input_warnings.hpp"
@@ -37,22 +36,17 @@ ElementErrors::ElementErrors(MPI_Comm comm, const model::Case& c, const LocalMes
   LineOwners lines = line_owners(mesh);
   uncut_ = std::move(lines.uncut);
   const int rank = rank_of(comm);
-  std::map<int, Sharer> sharers;
   for (const int l : lines.cut) {
     const LineSpan& line = mesh.mesh->lines[l];
     const int owner = mesh.owner[line.first_node];
     for (int n = line.first_node; n < line.first_node + line.nodes; ++n) {
-      if (owner != rank && mesh.owner[n] == rank) sharers[owner].send.push_back(mesh.find(n));
+      if (owner != rank && mesh.owner[n] == rank) shared_[owner].send.push_back(mesh.find(n));
       if (owner == rank && mesh.owner[n] != rank)
-        sharers[mesh.owner[n]].receive.push_back(cut_nodes_ + static_cast<size_t>(n - line.first_node));
+        shared_[mesh.owner[n]].receive.push_back(static_cast<int>(cut_nodes_) + n - line.first_node);
     }
     if (owner != rank) continue;
     cut_.push_back(l);
     cut_nodes_ += static_cast<size_t>(line.nodes);
-  }
-  for (auto& [other, sharer] : sharers) {
-    sharer.rank = other;
-    sharers_.push_back(std::move(sharer));
   }
 }
 
@@ -68,22 +62,9 @@ ElementErrors::At ElementErrors::node(size_t n, const Kinematics& state, const V
 // Receives the data of other ranks for the nodes of cut_, in the order of both.
 void ElementErrors::exchange(const Kinematics& state, const Values& values,
                              std::vector<At>& of_cut_lines) const {
-  const MessageType<At> type;
-  std::vector<std::vector<At>> out(sharers_.size()), in(sharers_.size());
-  std::vector<MPI_Request> requests(2 * sharers_.size());
-  for (size_t i = 0; i < sharers_.size(); ++i) {
-    const Sharer& s = sharers_[i];
-    for (const int n : s.send) out[i].push_back(node(static_cast<size_t>(n), state, values));
-    in[i].resize(s.receive.size());
-    MPI_Irecv(in[i].data(), static_cast<int>(in[i].size()), type, s.rank, kNodesTag, comm_, &requests[2 * i]);
-    MPI_Isend(out[i].data(), static_cast<int>(out[i].size()), type, s.rank, kNodesTag, comm_,
-              &requests[2 * i + 1]);
-  }
-  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
-  for (size_t i = 0; i < sharers_.size(); ++i) {
-    const std::vector<size_t>& places = sharers_[i].receive;
-    for (size_t k = 0; k < places.size(); ++k) of_cut_lines[places[k]] = in[i][k];
-  }
+  hawser::exchange<At>(
+      comm_, kNodesTag, shared_, [&](int n) { return node(static_cast<size_t>(n), state, values); },
+      [&](int place, const At& at) { of_cut_lines[place] = at; });
 }
 
 void ElementErrors::declare(Declarations& to) {

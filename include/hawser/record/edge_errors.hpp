@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hawser/advice/long_elements.hpp"
+#include "hawser/base/exchange.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/record/pressed_part.hpp"
@@ -49,10 +50,6 @@ class EdgeErrors : public Recording {
     int line = 0, rank = 0;
     int first = 0, last = 0;  // node numbers of the mesh
   };
-  struct Sharer {  // another rank that owns nodes of the same lines
-    int rank = 0;
-    std::vector<size_t> send, receive;  // indices of pieces
-  };
   std::vector<PressedTurn> turns(const Kinematics& state, const Values& values) const;
   const model::LineType& type_at(int node) const;  // type of the element after the node
   void exchange(std::vector<PressedPart>& of_pieces) const;
@@ -63,7 +60,7 @@ class EdgeErrors : public Recording {
   const model::Case& case_;
   const LocalMesh& mesh_;
   std::vector<NodesOfLine> pieces_;     // of lines with nodes on this rank, in the order of nodes
-  std::vector<Sharer> sharers_;         // by rank
+  IndicesByRank shared_;                // indices of pieces of the same lines on other ranks
   std::vector<Neighbours> neighbours_;  // by owned node
   struct Worst {
     advice::LongElements at;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hawser/advice/long_elements.hpp"
+#include "hawser/base/exchange.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/mesh/of_lines.hpp"
 #include "hawser/model/case.hpp"
@@ -69,12 +70,9 @@ class ElementErrors : public Recording {
   // Lines with all nodes on this rank; cut lines whose first node this rank owns, and their number of nodes.
   std::vector<int> uncut_, cut_;
   size_t cut_nodes_ = 0;
-  struct Sharer {  // another rank that owns nodes of the same lines
-    int rank = 0;
-    std::vector<int> send;        // local nodes of lines whose first node it owns
-    std::vector<size_t> receive;  // places of its nodes among the nodes of cut_
-  };
-  std::vector<Sharer> sharers_;                    // by rank
+  // Sent: local nodes of lines whose first node the other rank owns. Received: places of its nodes among the
+  // nodes of cut_.
+  IndicesByRank shared_;
   OfLines<OfLine> lines_;                          // valid on the rank that owns the first node
   int tension_ = -1, moment_ = -1, pressed_ = -1;  // indices of fields
   std::vector<std::pair<int, int>> touches_;       // fields with components that are nonzero in contact
