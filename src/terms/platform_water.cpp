@@ -136,19 +136,19 @@ void PlatformWater::rest_at(Platform& p, const RigidBodyState& s) {
 }
 
 // Without a previous step, the memory begins with the present velocity.
-void PlatformWater::prepare(const Kinematics& committed, double) {
+void PlatformWater::prepare(const Kinematics& from, double) {
   for (Group& g : groups_) {
     g.is_cached = false;
     if (!g.is_local) continue;
-    if (!committed.after_step())
-      for (Platform& p : g.platforms) p.rest = floating_state(committed, p.local);
-    if (committed.phase != Phase::start || g.past.size() > 1) continue;
-    for (Platform& p : g.platforms) rest_at(p, floating_state(committed, p.local));
-    g.slow_time = committed.time;
-    const Eigen::VectorXd rate = rates(g, committed);
+    if (!from.ends_step())
+      for (Platform& p : g.platforms) p.rest = floating_state(from, p.local);
+    if (from.phase != Phase::start || g.past.size() > 1) continue;
+    for (Platform& p : g.platforms) rest_at(p, floating_state(from, p.local));
+    g.slow_time = from.time;
+    const Eigen::VectorXd rate = rates(g, from);
     g.past.clear();
-    add_past(g, committed.time, rate);
-    const std::vector<Power> start = powers(g, committed.time, rate);
+    add_past(g, from.time, rate);
+    const std::vector<Power> start = powers(g, from.time, rate);
     for (size_t i = 0; i < start.size(); ++i) g.platforms[i].power = start[i];
   }
 }

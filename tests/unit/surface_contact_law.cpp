@@ -101,7 +101,7 @@ TEST(VolumeContactKernel, TangentIsExact) {
     for (const Situation& s : situations()) {
       const ContactForce c = volume_contact(law, s.start, s.field(s.point, u), true);
       if (law.normal.table && s.field(s.point, u).gap >= 0) continue;  // no ramp before a table
-      ASSERT_GT(c.normal.force, 0) << s.name;
+      ASSERT_GT(c.along_normal.force, 0) << s.name;
       // Mobilisation laws are cut at a length, spring laws at a force; each situation suits one.
       if (law.friction.active() && std::string(s.name).find("slip") != std::string::npos) {
         EXPECT_TRUE(c.slides) << s.name;
