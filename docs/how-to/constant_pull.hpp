@@ -16,7 +16,7 @@ class ConstantPull final : public ForceTerm {
   // The local node, the point p [m], which the node never reaches, and the tension T [N].
   ConstantPull(const LocalMesh& mesh, int node, const Vec3& p, double T)
       : mesh_(mesh), n_(node), p_(p), T_(T) {}
-  std::string_view record_key() const override { return "constant pull"; }
+  std::string_view checkpoint_key() const override { return "constant pull"; }
   void evaluate(const Kinematics& trial, Assembler& assembler) override {
     if (!mesh_.owns(n_)) return;
     const Vec3 way = p_ - trial.x[n_], d = way.normalized(), f = -T_ * d;

@@ -177,7 +177,7 @@ LinePairPass::MovingEnd LinePairPass::moving_end(double xi, End end) const {
   const AxisShape::Weights H = slave_.now.functions(xi);
   m.by.setZero();
   if (end == End::gap) {
-    const AxisProjection f = projection(master_.now, part_, x);
+    const AxisProjection f = projection(master_.now, target_, x);
     const double slope = f.normal.dot(x1);
     if (std::abs(slope) < 1e-9 * slave_.now.slope_bound()) return m;
     const AxisShape::Weights G = master_.now.functions(f.eta);
@@ -206,7 +206,7 @@ void LinePairPass::add_convex(const Point& p, const LinePairForce& c, const Rows
   for (size_t r = 0; r < n; ++r)
     for (size_t m = 0; m < n; ++m)
       block_of(g.K, r, m) -= weight * rows.share[r] * rows.share[m] *
-                             (c.normal.by_gap * nrm * nrm.transpose() + by_moved.topRows<3>());
+                             (c.along_normal.by_gap * nrm * nrm.transpose() + by_moved.topRows<3>());
 }
 
 // The tangent includes moving ends.
@@ -219,12 +219,12 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
     std::array<MovingEnd, 2> ends;
     if (exact) ends = {moving_end(panel.from, panel.at_from), moving_end(panel.to, panel.at_to)};
     for (size_t q = 0; q < kContactPoints; ++q) {
-      const double place = ContactRule::unit[q], part = ContactRule::weight[q], w = L * span * part;
+      const double place = ContactRule::unit[q], fraction = ContactRule::weight[q], w = L * span * fraction;
       const Point p = point(panel.from + span * place);
       const Start from = rubs ? start(p.xi) : Start{};
       const LinePairForce c = line_pair_force(set_.law, local(p, from), derivatives);
-      if (points && c.normal.elastic > 0) points->push_back(left_behind(panel, p, c, w));
-      if (!(c.normal.force > 0)) continue;
+      if (points && c.along_normal.elastic > 0) points->push_back(left_behind(panel, p, c, w));
+      if (!(c.along_normal.force > 0)) continue;
       const Rows rows = this->rows(p);
       const auto vector = [&c](size_t r) -> const Vec3& { return r < kTurns ? c.force : c.couple; };
       // The residual is internal minus external: -force.
@@ -248,7 +248,8 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
             (rows.by_xi[r] + rows.by_eta[r] * s.eta_by_xi) * v + rows.share[r] * s.by_xi.segment<3>(first);
         for (const bool last : {false, true}) {
           if (!ends[last].moves) continue;
-          const double interval = last ? part : -part, shift = span * part * (last ? place : 1 - place);
+          const double interval = last ? fraction : -fraction,
+                       shift = span * fraction * (last ? place : 1 - place);
           ends[last].force[r] -= L * (interval * rows.share[r] * v + shift * along);
         }
       }

@@ -67,13 +67,13 @@ Tangential<double> derived(const LinePairLaw& law, const LinePairPoint& at, Forc
     return {Dual(v[0], Inputs, first), Dual(v[1], Inputs, first + 1), Dual(v[2], Inputs, first + 2)};
   };
   Row by = Row::Zero();
-  by.template head<3>() = r.normal.by_gap * at.away.normalized();
-  by[Force::kRate] = r.normal.by_rate;
+  by.template head<3>() = r.along_normal.by_gap * at.away.normalized();
+  by[Force::kRate] = r.along_normal.by_rate;
   Local<Dual> v;
   v.away = dual(at.away, Force::kAway);
   v.along = dual(at.along, Force::kAlong);
   v.moved = dual(at.moved, Force::kMoved);
-  v.force = Dual(r.normal.force, by);
+  v.force = Dual(r.along_normal.force, by);
   for (int c = 0; c < 2; ++c) v.slip[c] = Dual(at.slip[c], Inputs, Force::kSlip + c);
   if constexpr (Inputs == Force::kInputs) {
     v.away_before = dual(at.away_before, Force::kAwayBefore);
@@ -103,17 +103,17 @@ Tangential<double> derived(const LinePairLaw& law, const LinePairPoint& at, Forc
   if (derivatives) r.by.setZero();
   const double d = at.away.norm();
   r.gap = d - law.radii;
-  r.normal = normal_force(law.normal, r.gap, at.rate);
-  if (!(r.normal.force > 0) || !(d > 0)) {
-    r.normal.force = 0;
+  r.along_normal = normal_force(law.normal, r.gap, at.rate);
+  if (!(r.along_normal.force > 0) || !(d > 0)) {
+    r.along_normal.force = 0;
     return r;
   }
   const Vec3 n = at.away / d;
-  r.force = r.normal.force * n;
+  r.force = r.along_normal.force * n;
   if (derivatives) {
-    r.by.block<3, 3>(0, Force::kAway) =
-        r.normal.by_gap * n * n.transpose() + r.normal.force / d * (Mat3::Identity() - n * n.transpose());
-    r.by.block<3, 1>(0, Force::kRate) = r.normal.by_rate * n;
+    r.by.block<3, 3>(0, Force::kAway) = r.along_normal.by_gap * n * n.transpose() +
+                                        r.along_normal.force / d * (Mat3::Identity() - n * n.transpose());
+    r.by.block<3, 1>(0, Force::kRate) = r.along_normal.by_rate * n;
   }
   if (!law.friction.active()) return r;
   Tangential<double> t;
@@ -122,7 +122,7 @@ Tangential<double> derived(const LinePairLaw& law, const LinePairPoint& at, Forc
                            {at.away,
                             at.along,
                             at.moved,
-                            r.normal.force,
+                            r.along_normal.force,
                             {at.slip[0], at.slip[1]},
                             at.away_before,
                             at.slope,

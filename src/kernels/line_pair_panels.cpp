@@ -42,10 +42,10 @@ Stencil stencil_of(const PairAxis& one, const PairAxis& other) {
   return s;
 }
 
-LinePairPass::LinePairPass(const PairAxis& slave, const PairAxis& master, ProjectOn part,
+LinePairPass::LinePairPass(const PairAxis& slave, const PairAxis& master, ProjectOn target,
                            const Settings& settings, const std::vector<LinePairContactPoint>& previous)
-    : slave_(slave), master_(master), part_(part), set_(settings), previous_(previous) {
-  if (part_ != ProjectOn::element) set_.share *= -0.5;
+    : slave_(slave), master_(master), target_(target), set_(settings), previous_(previous) {
+  if (target_ != ProjectOn::element) set_.share *= -0.5;
   wa_ = set_.slave_radius / set_.law.radii;
   wb_ = 1 - wa_;
   at_slave_ = set_.swapped ? static_cast<size_t>(master.now.count()) : 0;
@@ -77,7 +77,7 @@ std::optional<double> LinePairPass::crossing_of(double eta, double lo, double hi
 // other, so that a scan without them may miss contact nearby.
 std::vector<double> LinePairPass::kinks(int levels) const {
   std::vector<double> out;
-  if (part_ != ProjectOn::element) return out;
+  if (target_ != ProjectOn::element) return out;
   const double size = std::ldexp(1.0, -levels);
   for (const double eta : {0.0, 1.0})
     for (double a = 0; a < 1; a += size)
@@ -89,7 +89,7 @@ std::vector<double> LinePairPass::kinks(int levels) const {
 std::vector<LinePairPass::Panel> LinePairPass::panels() const {
   // Gap along the slave minus the smoothing.
   const auto gap = [this](double xi, double) -> AxisGap {
-    const AxisProjection f = projection(master_.now, part_, slave_.now.point(xi));
+    const AxisProjection f = projection(master_.now, target_, slave_.now.point(xi));
     return {f.distance - contact_distance(), f.normal.dot(slave_.now.slope(xi))};
   };
   const int levels = contact_levels(slave_.ends.length, set_.slave_radius);
@@ -98,16 +98,16 @@ std::vector<LinePairPass::Panel> LinePairPass::panels() const {
        split_intervals(contact_intervals(gap, {slave_.now.slope_bound()}, levels, kinks(levels)),
                        panel_levels(slave_.ends.length, set_.slave_radius))) {
     Panel p{s.from, s.to, s.from_moves ? End::gap : End::fixed, s.to_moves ? End::gap : End::fixed};
-    if (p.from < set_.part[0]) {
-      p.from = set_.part[0];
+    if (p.from < set_.range[0]) {
+      p.from = set_.range[0];
       p.at_from = End::fixed;
     }
-    if (p.to > set_.part[1]) {
-      p.to = set_.part[1];
+    if (p.to > set_.range[1]) {
+      p.to = set_.range[1];
       p.at_to = End::fixed;
     }
     if (!(p.from < p.to)) continue;
-    if (part_ == ProjectOn::element)
+    if (target_ == ProjectOn::element)
       split(p, out);
     else
       out.push_back(p);
@@ -168,7 +168,7 @@ LinePairPass::Start LinePairPass::start(double xi) const {
 LinePairPass::Point LinePairPass::point(double xi) const {
   Point p;
   p.xi = xi;
-  p.foot = projection(master_.now, part_, slave_.now.point(xi));
+  p.foot = projection(master_.now, target_, slave_.now.point(xi));
   p.H = slave_.now.functions(xi);
   p.G = master_.now.functions(p.foot.eta);
   p.slope = slave_.now.slope(xi);
@@ -215,9 +215,9 @@ LinePairContactPoint LinePairPass::left_behind(const Panel& panel, const Point& 
   h.force = c.force;
   h.friction = c.friction;
   h.normal = p.foot.normal;
-  h.normal_force = c.normal.force;
-  h.damping_force = c.normal.force - c.normal.elastic;
-  h.potential = c.normal.potential;
+  h.normal_force = c.along_normal.force;
+  h.damping_force = c.along_normal.force - c.along_normal.elastic;
+  h.potential = c.along_normal.potential;
   h.gap = c.gap;
   return h;
 }
@@ -227,7 +227,7 @@ double LinePairPass::potential(const std::vector<Panel>& panels) const {
   for (const Panel& s : panels)
     for (size_t q = 0; q < kContactPoints; ++q) {
       const double xi = s.from + (s.to - s.from) * ContactRule::unit[q];
-      const double d = projection(master_.now, part_, slave_.now.point(xi)).distance;
+      const double d = projection(master_.now, target_, slave_.now.point(xi)).distance;
       sum += set_.share * slave_.ends.length * (s.to - s.from) * ContactRule::weight[q] *
              normal_force(set_.law.normal, d - set_.law.radii, 0).potential;
     }

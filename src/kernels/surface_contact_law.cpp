@@ -58,7 +58,7 @@ template <int kTurns>
                                    bool derivatives, ContactForce& r,
                                    Eigen::Matrix<double, 3, kTurns>& by_turn) {
   if (derivatives) {
-    const Friction<Dual<kTurns>> f = point_friction(law, start, dual(trial, r.normal, rotation));
+    const Friction<Dual<kTurns>> f = point_friction(law, start, dual(trial, r.along_normal, rotation));
     for (int c = 0; c < 3; ++c) {
       const auto& by = f.force[c].derivatives();
       r.friction[c] = f.force[c].value();
@@ -71,8 +71,8 @@ template <int kTurns>
   } else {
     const Friction<double> f =
         point_friction(law, start,
-                       PointState<double>{trial.gap, r.normal.force, trial.lever, trial.step, rotation.turn,
-                                          trial.point, trial.normal, trial.velocity});
+                       PointState<double>{trial.gap, r.along_normal.force, trial.lever, trial.step,
+                                          rotation.turn, trial.point, trial.normal, trial.velocity});
     r.friction = f.force;
     r.slip = f.slip;
     r.slides = f.slides;
@@ -85,14 +85,14 @@ template <int kTurns>
 ContactForce without_friction(const ContactLaw& law, const ContactTrial& trial, bool derivatives) {
   ContactForce r;
   const Vec3& n = trial.normal;
-  r.normal = normal_force(law.normal, trial.gap, n.dot(trial.velocity));
-  if (!(r.normal.force > 0)) return r;
-  r.force = r.normal.force * n;
+  r.along_normal = normal_force(law.normal, trial.gap, n.dot(trial.velocity));
+  if (!(r.along_normal.force > 0)) return r;
+  r.force = r.along_normal.force * n;
   if (derivatives) {
-    r.by_point =
-        n * (r.normal.by_gap * n + r.normal.by_rate * (trial.curvature * trial.velocity)).transpose() +
-        r.normal.force * trial.curvature;
-    r.by_velocity = r.normal.by_rate * n * n.transpose();
+    r.by_point = n * (r.along_normal.by_gap * n + r.along_normal.by_rate * (trial.curvature * trial.velocity))
+                         .transpose() +
+                 r.along_normal.force * trial.curvature;
+    r.by_velocity = r.along_normal.by_rate * n * n.transpose();
   }
   return r;
 }
@@ -102,7 +102,7 @@ ContactForce without_friction(const ContactLaw& law, const ContactTrial& trial, 
 ContactForce volume_contact(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
                             bool derivatives) {
   ContactForce r = without_friction(law, trial, derivatives);
-  if (!(r.normal.force > 0) || !law.friction.active()) return r;
+  if (!(r.along_normal.force > 0) || !law.friction.active()) return r;
   const Rotation<1> roll{trial.roll * start.tangent, start.tangent};
   add_friction(law, start, trial, roll, derivatives, r, r.by_roll);
   return r;
@@ -111,7 +111,7 @@ ContactForce volume_contact(const ContactLaw& law, const ContactStart& start, co
 BallContact ball_contact(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
                          const Vec3& turn, bool derivatives) {
   BallContact r{without_friction(law, trial, derivatives)};
-  if (!(r.normal.force > 0) || !law.friction.active()) return r;
+  if (!(r.along_normal.force > 0) || !law.friction.active()) return r;
   add_friction(law, start, trial, Rotation<3>{turn, Mat3::Identity()}, derivatives, r, r.by_turn);
   return r;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "hawser/base/packed_bytes.hpp"
 #include "hawser/model/schema.hpp"
 
 namespace hawser::model {
@@ -14,90 +15,55 @@ using Kind = Value::Kind;
 
 constexpr int kQuoted = 8;  // added to the kind
 
-class Packing {
- public:
-  std::string bytes;
-
-  void put(const Value& v, int line) {
-    bytes += static_cast<char>(static_cast<int>(v.kind) + (v.quoted ? kQuoted : 0));
-    put(static_cast<std::size_t>(v.line - line));
-    if (v.kind == Kind::scalar) return put(v.text);
-    put(v.items.size());
-    for (std::size_t i = 0; i < v.items.size(); ++i) {
-      if (v.kind == Kind::map) put(v.keys[i]);
-      put(v.items[i], v.line);
-    }
+void write(const Value& v, int line, BytesWriter& to) {
+  to.count(static_cast<std::size_t>(static_cast<int>(v.kind) + (v.quoted ? kQuoted : 0)));
+  to.count(static_cast<std::size_t>(v.line - line));
+  if (v.kind == Kind::scalar) return to.text(v.text);
+  to.count(v.items.size());
+  for (std::size_t i = 0; i < v.items.size(); ++i) {
+    if (v.kind == Kind::map) to.text(v.keys[i]);
+    write(v.items[i], v.line, to);
   }
+}
 
- private:
-  // Seven bits a byte, the lowest first.
-  void put(std::size_t n) {
-    for (; n > 0x7f; n >>= 7) bytes += static_cast<char>(0x80 | (n & 0x7f));
-    bytes += static_cast<char>(n);
-  }
-  void put(const std::string& text) {
-    put(text.size());
-    bytes += text;
-  }
-};
-
-class Unpacking {
- public:
-  explicit Unpacking(const std::string& bytes) : bytes_(bytes) {}
-
-  Value value(int line) {
-    Value v;
-    const int kind = bytes_[at_++];
-    v.kind = static_cast<Kind>(kind % kQuoted);
-    v.quoted = kind >= kQuoted;
-    v.line = line + static_cast<int>(number());
-    if (v.kind == Kind::scalar) {
-      v.text = text();
-      return v;
-    }
-    const std::size_t items = number();
-    v.items.reserve(items);
-    if (v.kind == Kind::map) v.keys.reserve(items);
-    for (std::size_t i = 0; i < items; ++i) {
-      if (v.kind == Kind::map) v.keys.push_back(text());
-      v.items.push_back(value(v.line));
-    }
+Value read(BytesReader& from, int line) {
+  Value v;
+  const int kind = static_cast<int>(from.count());
+  v.kind = static_cast<Kind>(kind % kQuoted);
+  v.quoted = kind >= kQuoted;
+  v.line = line + static_cast<int>(from.count());
+  if (v.kind == Kind::scalar) {
+    v.text = from.text();
     return v;
   }
-
- private:
-  std::size_t number() {
-    std::size_t n = 0;
-    for (int shift = 0;; shift += 7) {
-      const auto byte = static_cast<unsigned char>(bytes_[at_++]);
-      n |= static_cast<std::size_t>(byte & 0x7f) << shift;
-      if (byte <= 0x7f) return n;
-    }
+  const std::size_t items = from.count();
+  v.items.reserve(items);
+  if (v.kind == Kind::map) v.keys.reserve(items);
+  for (std::size_t i = 0; i < items; ++i) {
+    if (v.kind == Kind::map) v.keys.push_back(from.text());
+    v.items.push_back(read(from, v.line));
   }
-  std::string text() {
-    const std::size_t size = number();
-    at_ += size;
-    return bytes_.substr(at_ - size, size);
-  }
-
-  const std::string& bytes_;
-  std::size_t at_ = 0;
-};
+  return v;
+}
 
 }  // namespace
 
 void pack(Value& v) {
-  Packing packing;
-  packing.put(v, v.line);
+  BytesWriter to;
+  write(v, v.line, to);
   Value out;
   out.kind = Kind::packed;
   out.line = v.line;
-  out.text = std::move(packing.bytes);
+  out.text = std::move(to.bytes);
   out.text.shrink_to_fit();
   v = std::move(out);
 }
 
-Value unpacked(const Value& v) { return v.kind == Kind::packed ? Unpacking(v.text).value(v.line) : v; }
+Value unpacked(const Value& v) {
+  if (v.kind != Kind::packed) return v;
+  BytesReader from(v.text);
+  return read(from, v.line);
+}
 
 Entry::Entry(const Value& map, std::size_t i) : at_(&map.items[i]) {
   if (at_->kind != Kind::packed) return;

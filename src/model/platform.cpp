@@ -1,12 +1,12 @@
-// Hydrostatics of a platform, groups of bodies that interact by radiation, and their radiation memory.
+// Hydrostatics of a platform, and groups of bodies that interact by radiation.
 #include "hawser/model/platform.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "hawser/model/case.hpp"
-#include "hawser/model/platform_memory.hpp"
 
 namespace hawser::model {
 
@@ -15,8 +15,6 @@ namespace {
 // Lever arms of buoyancy below this fraction of the cube root of the displaced volume are errors of the panel
 // mesh.
 constexpr double kMeshNoise = 1e-3;
-// Entries of the damping matrix below this fraction of the diagonal entries count as zero.
-constexpr double kNoEntry = 1e-6;
 
 }  // namespace
 
@@ -75,32 +73,6 @@ std::vector<std::vector<int>> radiating_groups(const Case& c) {
     groups[at->second].push_back(static_cast<int>(b));
   }
   return groups;
-}
-
-PlatformMemory platform_memory(const Case& c, const std::vector<int>& bodies) {
-  PlatformMemory out;
-  for (const int body : bodies)
-    for (int k = 0; k < 6; ++k) out.rows.push_back(6 * (c.bodies[body].mass->hydrodynamics->body - 1) + k);
-  const HydrodynamicData& data = *c.bodies[bodies.front()].mass->hydrodynamics->data;
-  const int n = static_cast<int>(out.rows.size());
-  const auto most = [&](int i, int j) {
-    double largest = 0;
-    for (const Eigen::MatrixXd& B : data.damping)
-      largest = std::max(largest, std::abs(B(out.rows[i], out.rows[j])));
-    return largest;
-  };
-  for (int i = 0; i < n; ++i)
-    for (int j = i; j < n; ++j)
-      if (most(i, j) > kNoEntry * std::sqrt(most(i, i) * most(j, j))) out.entries.emplace_back(i, j);
-  if (out.entries.empty()) return out;
-  Eigen::MatrixXd damping(data.omega.size(), out.entries.size());
-  for (Eigen::Index k = 0; k < damping.rows(); ++k)
-    for (Eigen::Index e = 0; e < damping.cols(); ++e) {
-      const auto [i, j] = out.entries[e];
-      damping(k, e) = data.damping[k](out.rows[i], out.rows[j]);
-    }
-  out.memory = RadiationMemory(data.omega, damping);
-  return out;
 }
 
 }  // namespace hawser::model

@@ -1,4 +1,5 @@
-// Consistency of added mass and damping of the files, and names of their degrees of freedom.
+// Radiation memory of a group of bodies, consistency of added mass and damping of the files, and names of
+// their degrees of freedom.
 #include "hawser/model/platform_memory.hpp"
 
 #include <algorithm>
@@ -7,6 +8,38 @@
 #include "hawser/math/freedoms.hpp"
 
 namespace hawser::model {
+namespace {
+
+// Entries of the damping matrix below this fraction of the diagonal entries count as zero.
+constexpr double kNoEntry = 1e-6;
+
+}  // namespace
+
+PlatformMemory platform_memory(const Case& c, const std::vector<int>& bodies) {
+  PlatformMemory out;
+  for (const int body : bodies)
+    for (int k = 0; k < 6; ++k) out.rows.push_back(6 * (c.bodies[body].mass->hydrodynamics->body - 1) + k);
+  const HydrodynamicData& data = *c.bodies[bodies.front()].mass->hydrodynamics->data;
+  const int n = static_cast<int>(out.rows.size());
+  const auto most = [&](int i, int j) {
+    double largest = 0;
+    for (const Eigen::MatrixXd& B : data.damping)
+      largest = std::max(largest, std::abs(B(out.rows[i], out.rows[j])));
+    return largest;
+  };
+  for (int i = 0; i < n; ++i)
+    for (int j = i; j < n; ++j)
+      if (most(i, j) > kNoEntry * std::sqrt(most(i, i) * most(j, j))) out.entries.emplace_back(i, j);
+  if (out.entries.empty()) return out;
+  Eigen::MatrixXd damping(data.omega.size(), out.entries.size());
+  for (Eigen::Index k = 0; k < damping.rows(); ++k)
+    for (Eigen::Index e = 0; e < damping.cols(); ++e) {
+      const auto [i, j] = out.entries[e];
+      damping(k, e) = data.damping[k](out.rows[i], out.rows[j]);
+    }
+  out.memory = RadiationMemory(data.omega, damping);
+  return out;
+}
 
 std::string freedom_name(const Case& c, const std::vector<int>& bodies, int row) {
   const std::string& body = c.bodies[static_cast<size_t>(bodies[static_cast<size_t>(row / 6)])].name;

@@ -110,7 +110,7 @@ void ElementErrors::update(const Kinematics& state, const Values& values) {
     const auto [at_a, at_b] = inside.empty() ? std::array<int, 2>{} : inside[l];
     const int first = at_a, last = line.elements - at_b;  // elements outside of feeders
     update_sag(line, nodes, first, last, state.time, lines_[l].sag);
-    if (!state.after_step()) update_lifts(line, nodes, first, last, state.time, lines_[l].lift);
+    if (!state.ends_step()) update_lifts(line, nodes, first, last, state.time, lines_[l].lift);
     if (!values.moment.empty()) update_bends(line, nodes, first, last, state.time, lines_[l].bend);
   };
   std::vector<At> nodes;

@@ -26,13 +26,13 @@ EndForces::EndForces(const System& system, const Feeders* feeders) : system_(sys
       const int global = local.global[node];
       const Node& g = mesh.node(global);
       const LineSpan& span = mesh.lines[g.line];
-      int end_index = -1;
-      if (global == span.first_node) end_index = 2 * g.line;
-      if (global == span.first_node + span.nodes - 1) end_index = 2 * g.line + 1;
-      if (end_index < 0 && !g.two_sided) continue;
+      std::optional<LineEnd> line_end;
+      for (const LineEnd end : kLineEnds)
+        if (global == span.end_node(end)) line_end = end;
+      if (!line_end && !g.two_sided) continue;
       if (at[node] < 0) {
         at[node] = static_cast<int>(places_.size());
-        places_.push_back({node, end_index, -1, -1, {}});
+        places_.push_back({node, g.line, line_end, -1, -1, {}});
       }
       SectionNode& p = places_[at[node]];
       (second ? p.before : p.after) = static_cast<int>(i);
@@ -45,8 +45,8 @@ EndForces::EndForces(const System& system, const Feeders* feeders) : system_(sys
 int EndForces::end_at(int node) const {
   int ends = 0;
   for (const SectionNode& p : places_) {
-    if (p.node == node) return p.end_index < 0 ? -1 : ends;
-    ends += p.end_index >= 0;
+    if (p.node == node) return p.line_end ? ends : -1;
+    ends += p.line_end.has_value();
   }
   return -1;
 }
@@ -90,7 +90,7 @@ void EndForces::evaluate_feed_points(const Kinematics& state, std::span<const Ve
     feed_points_[k] = {Vec3(from), Vec3(from + 3), Vec3(from + 6), feeders[k].beam};
     feeder_forces_[k] = from[9];
     for (SectionNode& p : places_)
-      if (p.end_index == 2 * feeders[k].line + static_cast<int>(feeders[k].line_end))
+      if (p.line == feeders[k].line && p.line_end == feeders[k].line_end)
         p.sides = {feed_points_[k], feed_points_[k]};
   }
 }

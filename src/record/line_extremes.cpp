@@ -128,7 +128,7 @@ std::vector<io::SummaryRow> LineExtremes::summary() {
 
 // Every rank stores its data of a line at the first node of the line that it owns, so that each rank writes
 // and reads only its own.
-std::vector<CheckpointRecord> LineExtremes::records(NodeRange nodes) const {
+std::vector<CheckpointRecord> LineExtremes::checkpoint_records(NodeRange nodes) const {
   std::vector<CheckpointRecord> out;
   int before = -1;  // line of the previous node
   for (int n = 0; n < local_.owned && local_.node(n).body < 0; ++n) {
@@ -145,7 +145,7 @@ void LineExtremes::save(io::Checkpoint& to) {
   io::TermCheckpoint& kept = to.records[kRecords];
   for (const Quantity& q : quantities_)
     kept.kinds.push_back({q.name, {{"value", 1, q.unit}, {"time", 1, "s"}, {"arc length", 1, "m"}}});
-  kept.make = [this](NodeRange nodes) { return records(nodes); };
+  kept.make = [this](NodeRange nodes) { return checkpoint_records(nodes); };
 }
 
 // Data stored by several ranks may now belong to one rank.

@@ -119,14 +119,14 @@ void NodeFields::correct_ends(const Kinematics& state) {
     put(section_.after, p.sides[1].tension());
     const Vec3 &first = p.sides[0].direction, &second = p.sides[1].direction;
     put(section_.declination,
-        degrees(declination(p.end_index >= 0 ? p.at_line_end().direction : Vec3(first + second))));
+        degrees(declination(p.line_end ? p.at_line_end().direction : Vec3(first + second))));
     const double tension = larger([](const SectionForce& s) { return s.tension(); });
     const double middle = put(section_.tension, tension);
     if (section_.wall >= 0) values_[section_.wall][n] += tension - middle;
     if (p.sides[0].beam || p.sides[1].beam)
       for (const int f : section_.of_beams())
         put(f, larger([&](const SectionForce& s) { return section_.value(f, s, state.q[n]); }));
-    if (p.end_index < 0) continue;
+    if (!p.line_end) continue;
     const SectionForce& s = p.at_line_end();
     const Vec3 rows[] = {p.sign() * s.force, s.direction, p.sign() * s.moment};
     for (size_t f = 0; f < ends_.size(); ++f) ends_[f].insert(ends_[f].end(), rows[f].begin(), rows[f].end());

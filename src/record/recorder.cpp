@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 #include <utility>
 
 #include "hawser/advice/input_warnings.hpp"
 #include "hawser/base/mpi.hpp"
+#include "hawser/base/packed_bytes.hpp"
 #include "hawser/record/audit_checkpoint.hpp"
 #include "hawser/record/clash_report.hpp"
 #include "hawser/record/output_times.hpp"
@@ -23,74 +23,45 @@ namespace {
 // Limit of the initial capacity, rows.
 constexpr double kMostRoom = 1e6;
 
-// Numbers and texts as bytes, for one message.
-class Bytes {
- public:
-  Bytes& operator<<(double x) {
-    const auto* from = reinterpret_cast<const Byte*>(&x);
-    bytes_.insert(bytes_.end(), from, from + sizeof x);
-    return *this;
+void write(const std::vector<io::SummaryRow>& rows, const std::vector<Finding>& findings, BytesWriter& to) {
+  to.count(rows.size());
+  for (const io::SummaryRow& r : rows) {
+    for (const std::string* text : {&r.quantity, &r.line, &r.unit}) to.text(*text);
+    for (const double x : {r.value, r.time, r.arc_length}) to.real(x);
   }
-  Bytes& operator<<(const std::string& text) {
-    *this << static_cast<double>(text.size());
-    for (const char c : text) bytes_.push_back({c});
-    return *this;
+  to.count(findings.size());
+  for (const Finding& f : findings) {
+    to.text(f.text);
+    to.count(f.row + 1);  // kWholeRun: 0
   }
-  Bytes& operator>>(double& x) {
-    std::memcpy(&x, &bytes_[at_], sizeof x);
-    at_ += sizeof x;
-    return *this;
-  }
-  Bytes& operator>>(std::string& text) {
-    double size = 0;
-    *this >> size;
-    text.clear();
-    for (const size_t end = at_ + static_cast<size_t>(size); at_ < end; ++at_) text += bytes_[at_].value;
-    return *this;
-  }
-  bool read() const { return at_ == bytes_.size(); }
-  // Those of all ranks, on rank 0. Collective.
-  void gather_on_first(MPI_Comm comm) {
-    std::vector<Byte> all;
-    GatherPlan(comm, static_cast<int>(bytes_.size())).gather_on_first(bytes_.data(), all);
-    bytes_ = std::move(all);
-  }
+}
 
- private:
-  struct Byte {
-    char value;
-  };
-  std::vector<Byte> bytes_;
-  size_t at_ = 0;
-};
+// Appends the rows and findings of a rank.
+void read(BytesReader& from, std::vector<io::SummaryRow>& rows, std::vector<Finding>& findings) {
+  const size_t before = rows.size();
+  for (size_t count = from.count(); count > 0; --count) {
+    io::SummaryRow& r = rows.emplace_back();
+    for (std::string* text : {&r.quantity, &r.line, &r.unit}) *text = from.text();
+    for (double* x : {&r.value, &r.time, &r.arc_length}) *x = from.real();
+  }
+  for (size_t count = from.count(); count > 0; --count) {
+    Finding& f = findings.emplace_back();
+    f.text = from.text();
+    if (const size_t row = from.count(); row > 0) f.row = before + row - 1;
+  }
+}
 
 // On rank 0 the rows and findings of all ranks, rank by rank; on the others none. Collective.
 void gather_on_first(MPI_Comm comm, std::vector<io::SummaryRow>& rows, std::vector<Finding>& findings) {
   if (ranks_of(comm) == 1) return;
-  Bytes sent;
-  sent << static_cast<double>(rows.size());
-  for (const io::SummaryRow& r : rows)
-    sent << r.quantity << r.line << r.value << r.unit << r.time << r.arc_length;
-  sent << static_cast<double>(findings.size());
-  for (const Finding& f : findings)
-    sent << f.text << (f.row == Finding::kWholeRun ? -1.0 : static_cast<double>(f.row));
+  BytesWriter own;
+  write(rows, findings, own);
   rows.clear();
   findings.clear();
-  sent.gather_on_first(comm);
-  while (!sent.read()) {
-    const size_t before = rows.size();
-    double count = 0;
-    for (sent >> count; count > 0; --count) {
-      io::SummaryRow& r = rows.emplace_back();
-      sent >> r.quantity >> r.line >> r.value >> r.unit >> r.time >> r.arc_length;
-    }
-    for (sent >> count; count > 0; --count) {
-      Finding& f = findings.emplace_back();
-      double row = 0;
-      sent >> f.text >> row;
-      if (row >= 0) f.row = before + static_cast<size_t>(row);
-    }
-  }
+  std::vector<char> all;
+  GatherPlan(comm, static_cast<int>(own.bytes.size())).gather_on_first(own.bytes.data(), all);
+  const std::string bytes(all.begin(), all.end());
+  for (BytesReader from(bytes); !from.at_end();) read(from, rows, findings);
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ double WaterErrors::Group::bears() const {
 }
 
 void WaterErrors::update_sampled(const Kinematics& state) {
-  if (state.after_step() && ++steps_ < kSteps) return;
+  if (state.ends_step() && ++steps_ < kSteps) return;
   steps_ = 0;
   update(state);
 }

@@ -90,7 +90,7 @@ void Actions::repeat(const Action& a, const Found& found, double time) {
       if (a.paid_out == 0) feed(a, found.speed, time);  // otherwise the length is in checkpoints
       break;
     case Action::Kind::friction:
-      sim_.enable_static_friction(a.enabled);
+      sim_.enable_friction_in_statics(a.enabled);
       break;
     case Action::Kind::current:
       sim_.scale_current(a.factor);

@@ -22,6 +22,7 @@
 #include "hawser/run/driver.hpp"
 #include "hawser/run/events.hpp"
 #include "hawser/run/hull_check.hpp"
+#include "hawser/run/lines_on_bed.hpp"
 #include "hawser/run/node_owners.hpp"
 #include "hawser/run/progress.hpp"
 #include "hawser/run/radiation.hpp"
@@ -87,7 +88,7 @@ TrialRun print_trial(Simulation& sim, const model::Case& c, double budget) {
   bool rests = !c.statics.enabled;
   TrialRun tried = trial_run(sim, c, budget, [&](const Kinematics& state) {
     if (!std::exchange(rests, true)) {
-      for (const std::string& line : sim.on_bed()) fmt::print("{}\n", line);
+      for (const std::string& line : lines_on_bed(sim.model(), sim.system(), state)) fmt::print("{}\n", line);
       for (const std::string& line : platforms_held(c, sim.system(), state)) fmt::print("{}\n", line);
       for (const std::string& w : platforms_off_start(c, sim.bodies(), state)) fmt::print("warning: {}\n", w);
     }

@@ -98,8 +98,7 @@ double Events::local_tension(int node) const {
   const int n = sim_.local().find(node);
   for (const record::EndForces::SectionNode& p : ends_.places())
     if (p.node == n)
-      return p.end_index >= 0 ? p.at_line_end().tension()
-                              : std::max(p.sides[0].tension(), p.sides[1].tension());
+      return p.line_end ? p.at_line_end().tension() : std::max(p.sides[0].tension(), p.sides[1].tension());
   return -HUGE_VAL;
 }
 
@@ -181,7 +180,8 @@ void Events::happen(size_t i, const Kinematics& state, const std::string& stage,
   for (const ExcludedEnds& out : sim_.excluded_ends()) {
     const double length = a.line_end == LineEnd::B ? out.end_b : out.end_a;
     if (out.line == sim_.model().line_index(a.line) && length > 0)
-      messages.push_back(advice::released_inside(a, sim_.contact()->volume_name(out.volume), length));
+      messages.push_back(
+          advice::released_inside(a, sim_.line_volume_contact()->volume_name(out.volume), length));
   }
 }
 

@@ -17,10 +17,10 @@
 namespace hawser::run {
 namespace {
 
-// kLeft: length of the element at the feed point just after the release of a node, relative to the element
-// behind it. kCaught: its relative length at which a node is absorbed. The difference prevents an oscillating
+// kRelease: length of the element at the feed point just after the release of a node, relative to the element
+// behind it. kAbsorb: its relative length at which a node is absorbed. The difference prevents an oscillating
 // feeder from releasing and absorbing a node repeatedly.
-constexpr double kLeft = 0.5, kCaught = 0.4;
+constexpr double kRelease = 0.5, kAbsorb = 0.4;
 
 std::string key(const Feeder& f, const char* what) { return fmt::format("feeder.{}.{}", f.name, what); }
 
@@ -62,11 +62,11 @@ void FeederNodes::transfer_node() {
   for (Feeder& f : all->all()) {
     const double mesh_length = all->element_length(f, f.feed_point);
     refuse_all_out(f, time);
-    if (f.feed_point > 0 && f.length >= mesh_length + kLeft * all->element_length(f, f.feed_point - 1)) {
+    if (f.feed_point > 0 && f.length >= mesh_length + kRelease * all->element_length(f, f.feed_point - 1)) {
       release_node(f);
-    } else if (f.length <= kCaught * mesh_length) {
+    } else if (f.length <= kAbsorb * mesh_length) {
       refuse_all_in(f, time);
-      catch_node(f);
+      absorb_node(f);
     }
   }
 }
@@ -76,7 +76,7 @@ void FeederNodes::transfer_node(Feeder& f, int feed_point, double length,
   sim_.dynamics().transfer_node(
       [&] {
         if (feed_point != f.feed_point)
-          sim_.structure().transfer_node(sim_.system().comm(), f.index, feed_point < f.feed_point);
+          sim_.line_structure().transfer_node(sim_.system().comm(), f.index, feed_point < f.feed_point);
         f.feed_point = feed_point;
         f.length = length;
         if (!f.feed.speed.empty()) f.offset = length - model::fed_by(f.feed, f.time).length;
@@ -89,7 +89,7 @@ void FeederNodes::transfer_node(Feeder& f, int feed_point, double length,
 // The held node is released with its material: at the position where the free part has its unstretched length
 // and the strain of the whole element (of a beam on the cubic between its ends), and from there to its
 // equilibrium position; velocity and acceleration are interpolated between the ends.
-Dynamics::Moved FeederNodes::leaving(const Feeder& f, const Kinematics& k, const LocalElement& e) const {
+Dynamics::Moved FeederNodes::released(const Feeder& f, const Kinematics& k, const LocalElement& e) const {
   const Feeders& all = *sim_.feeders();
   const double share = all.element_length(f, f.feed_point) / f.length;  // measured from the free end
   const size_t i = f.line_end == LineEnd::B ? e.second : e.first,
@@ -128,7 +128,7 @@ void FeederNodes::release_node(Feeder& f) {
   const int node = all.node(f, f.feed_point);
   const double mesh_length = all.element_length(f, f.feed_point);
   std::optional<Dynamics::Moved> moved;
-  if (const LocalElement* e = all.at_feed_point(f)) moved = leaving(f, sim_.dynamics().kinematics(), *e);
+  if (const LocalElement* e = all.at_feed_point(f)) moved = released(f, sim_.dynamics().kinematics(), *e);
   if (!f.beam) return transfer_node(f, f.feed_point - 1, f.length - mesh_length, moved);
   const double before = feeder_force(f);
   transfer_node(f, f.feed_point - 1, f.length - mesh_length, moved);
@@ -154,16 +154,16 @@ double FeederNodes::feeder_force(const Feeder& f) {
 
 // The first free node enters the feeder. The bend there becomes straight; the unstretched length keeps the
 // mean strain of the two elements.
-std::optional<Dynamics::Moved> FeederNodes::caught(const Feeder& f, const Kinematics& k,
-                                                   double& length) const {
+std::optional<Dynamics::Moved> FeederNodes::absorbed(const Feeder& f, const Kinematics& k,
+                                                     double& length) const {
   const Feeders& all = *sim_.feeders();
-  const int held = all.node(f, f.feed_point), caught = all.node(f, f.feed_point + 1),
+  const int held = all.node(f, f.feed_point), absorbed = all.node(f, f.feed_point + 1),
             next = all.node(f, f.feed_point + 2);
   const LocalMesh& local = sim_.local();
   const double own[2] = {f.length, all.element_length(f, f.feed_point + 1)}, sum = own[0] + own[1];
   std::optional<Dynamics::Moved> moved;
   length = 0;
-  const int at[3] = {local.find(held), local.find(caught), local.find(next)};
+  const int at[3] = {local.find(held), local.find(absorbed), local.find(next)};
   const bool known = at[0] >= 0 && at[1] >= 0 && at[2] >= 0;
   if (known) {
     const size_t i = at[0], j = at[1], n = static_cast<size_t>(at[2]);
@@ -175,15 +175,15 @@ std::optional<Dynamics::Moved> FeederNodes::caught(const Feeder& f, const Kinema
     const double strain =
         ((k.x[j] - k.x[i]).norm() + own[0] * bow(i, j) + (k.x[n] - k.x[j]).norm() + own[1] * bow(j, n)) / sum;
     length = (k.x[n] - k.x[i]).norm() / (strain - bow(i, n));
-    moved = {caught, k.x[i], k.v[i], k.a[i], k.q[i], k.w[i], k.alpha[i], false};
+    moved = {absorbed, k.x[i], k.v[i], k.a[i], k.q[i], k.w[i], k.alpha[i], false};
   }
   length = of_all(sim_.system().comm(), known, length);
   return moved;
 }
 
-void FeederNodes::catch_node(Feeder& f) {
+void FeederNodes::absorb_node(Feeder& f) {
   double length = 0;
-  const std::optional<Dynamics::Moved> moved = caught(f, sim_.dynamics().kinematics(), length);
+  const std::optional<Dynamics::Moved> moved = absorbed(f, sim_.dynamics().kinematics(), length);
   transfer_node(f, f.feed_point + 1, length, moved);
 }
 
@@ -222,16 +222,16 @@ void FeederNodes::shift(Feeder& f, double by) {
   for (;;) {
     const double mesh_length = all.element_length(f, f.feed_point);
     refuse_all_out(f, f.time);
-    if (f.feed_point > 0 && f.length >= mesh_length + kLeft * all.element_length(f, f.feed_point - 1)) {
+    if (f.feed_point > 0 && f.length >= mesh_length + kRelease * all.element_length(f, f.feed_point - 1)) {
       std::optional<Dynamics::Moved> moved;
-      if (const LocalElement* e = all.at_feed_point(f)) moved = leaving(f, state.at_rest(), *e);
+      if (const LocalElement* e = all.at_feed_point(f)) moved = released(f, state.at_rest(), *e);
       put(moved);
       set(f.feed_point - 1, f.length - mesh_length);
-    } else if (f.length <= kCaught * mesh_length) {
+    } else if (f.length <= kAbsorb * mesh_length) {
       refuse_all_in(f, f.time);
       const double next = all.element_length(f, f.feed_point + 1);
       double length = 0;
-      put(caught(f, state.at_rest(), length));
+      put(absorbed(f, state.at_rest(), length));
       set(f.feed_point + 1, f.length + next);
     } else {
       break;

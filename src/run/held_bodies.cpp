@@ -152,15 +152,15 @@ BodyStiffness HeldBodies::stiffness(int body) {
 std::vector<double> HeldBodies::tensions() const {
   const Kinematics at = sim_.state().at_rest();
   std::vector<LineTension> of(sim_.mesh().lines.size());
-  sim_.structure().tensions(at, of);
+  sim_.line_structure().tensions(at, of);
   std::vector<double> out;
   for (const LineTension& t : of) out.push_back(t.tension);
   record::EndForces ends(sim_.system());
   const std::vector<Vec3> nothing(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero());
   ends.evaluate(at, nothing);
   for (const record::EndForces::SectionNode& p : ends.places())
-    if (p.end_index >= 0) {
-      double& most = out[static_cast<size_t>(p.end_index / 2)];
+    if (p.line_end) {
+      double& most = out[static_cast<size_t>(p.line)];
       most = std::max(most, p.at_line_end().tension());
     }
   all_reduce(sim_.system().comm(), MPI_MAX, out);

@@ -43,10 +43,11 @@ AtRest at_rest(MPI_Comm comm, Simulation& sim) {
   AtRest out;
   out.ends.assign(4 * sim.mesh().lines.size(), 0);
   for (const record::EndForces::SectionNode& p : ends.places()) {
-    if (p.end_index < 0) continue;
+    if (!p.line_end) continue;
     const record::SectionForce& s = p.at_line_end();
-    out.ends[2 * static_cast<size_t>(p.end_index)] = s.tension();
-    out.ends[2 * static_cast<size_t>(p.end_index) + 1] = declination(s.direction);
+    double* end = &out.ends[4 * static_cast<size_t>(p.line) + 2 * end_index(*p.line_end)];
+    end[0] = s.tension();
+    end[1] = declination(s.direction);
   }
   all_reduce(comm, MPI_SUM, out.ends);
   out.feeders = ends.at_feeders();

@@ -175,8 +175,10 @@ io::Checkpoint make_checkpoint(Simulation& simulation, record::Recorder& recorde
   c.time = d.committed().s.time;
   save_nodes(simulation.local(), d.committed(), d.reactions(), d.mean_forces(), c);
   for (const auto& term : simulation.system().terms())
-    c.records[std::string(term->record_key())] = {
-        term->checkpoint_kinds(), {}, [&of = *term](NodeRange nodes) { return of.records(nodes); }};
+    c.records[std::string(term->checkpoint_key())] = {
+        term->checkpoint_kinds(), {}, [&of = *term](NodeRange nodes) {
+          return of.checkpoint_records(nodes);
+        }};
   c.scalars = signature(simulation);
   c.scalars["step.proposal"] = d.control().proposal();
   c.scalars["step.wait"] = d.control().wait();
@@ -186,7 +188,7 @@ io::Checkpoint make_checkpoint(Simulation& simulation, record::Recorder& recorde
   double work = d.support_work();
   all_reduce(simulation.system().comm(), MPI_SUM, work);
   c.scalars["support_work"] = work;
-  const LineVolumeContact* contact = simulation.contact();
+  const LineVolumeContact* contact = simulation.line_volume_contact();
   for (int v = 0; contact && v < contact->volumes(); ++v)
     c.scalars[kStiffness + contact->volume_name(v)] = contact->stiffness(v);
   recorder.save(c);
@@ -205,7 +207,7 @@ InputError older(const std::string& path, const std::string& what) {
 
 void check_records(const io::Checkpoint& c, const System& system, const std::string& path) {
   for (const auto& term : system.terms())
-    if (const auto it = c.records.find(std::string(term->record_key()));
+    if (const auto it = c.records.find(std::string(term->checkpoint_key()));
         it != c.records.end() && it->second.kinds != term->checkpoint_kinds())
       throw older(path, it->first);
 }
@@ -297,9 +299,9 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
     return out;
   };
   for (const auto& term : simulation.system().terms())
-    if (const auto it = c.records.find(std::string(term->record_key())); it != c.records.end())
+    if (const auto it = c.records.find(std::string(term->checkpoint_key())); it != c.records.end())
       term->restore(it->second.records);
-  LineVolumeContact* contact = simulation.contact();
+  LineVolumeContact* contact = simulation.line_volume_contact();
   for (int v = 0; contact && v < contact->volumes(); ++v)
     if (const auto it = c.scalars.find(kStiffness + contact->volume_name(v)); it != c.scalars.end())
       contact->raise_to(v, it->second);

@@ -20,6 +20,7 @@
 #include "hawser/model/notes.hpp"
 #include "hawser/model/schema.hpp"
 #include "hawser/run/events.hpp"
+#include "hawser/run/lines_on_bed.hpp"
 #include "hawser/run/targets.hpp"
 #include "hawser/run/version.hpp"
 
@@ -79,10 +80,11 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
   constexpr int kManySteps = 500;  // of dynamic relaxation; more is unusual
   const model::Case& c = sim.model();
   const size_t before = sim.notes().size();
-  const advice::LongRelaxation relaxation{
-      .steps = kManySteps,
-      .line_pairs = sim.line_pairs() != nullptr,
-      .slides_freely = sim.contact() && !sim.static_friction() && !c.statics.contact_friction};
+  const advice::LongRelaxation relaxation{.steps = kManySteps,
+                                          .line_pairs = sim.line_pairs() != nullptr,
+                                          .slides_freely = sim.line_volume_contact() &&
+                                                           !sim.contact_friction_in_statics() &&
+                                                           !c.statics.contact_friction};
   bool reported = !relaxation.line_pairs && !relaxation.slides_freely;
   const StaticsReport s = sim.solve_statics(
       [&](const StaticsReport& now) {
@@ -93,9 +95,11 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
       },
       falls);
   progress.print_notes({sim.notes().begin() + static_cast<std::ptrdiff_t>(before), sim.notes().end()});
-  progress.print(advice::statics_done(s.iterations, s.relaxation_steps,
-                                      !sim.static_friction() && c.contact.has_friction(c.volumes)));
-  for (const std::string& line : sim.on_bed()) progress.print(line);
+  progress.print(
+      advice::statics_done(s.iterations, s.relaxation_steps,
+                           !sim.contact_friction_in_statics() && c.contact.has_friction(c.volumes)));
+  for (const std::string& line : lines_on_bed(sim.model(), sim.system(), sim.state().at_rest()))
+    progress.print(line);
   if (s.escapes > 0) progress.print("note: " + advice::unstable_equilibria_left(s.escapes));
   progress.print_warnings(sim.tilting_warnings());
   if (s.negative_eigenvalues > 0)

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -19,10 +18,8 @@
 #include "hawser/model/body_pairs.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/longest_step.hpp"
-#include "hawser/model/summary.hpp"
 #include "hawser/model/switched.hpp"
 #include "hawser/record/support_rollers.hpp"
-#include "hawser/record/touchdown.hpp"
 #include "hawser/run/line_pairs.hpp"
 #include "hawser/run/node_owners.hpp"
 #include "hawser/solve/start_shape.hpp"
@@ -259,10 +256,10 @@ std::optional<RigidPose> Simulation::body_pose(int body, const Kinematics& state
   return record::body_pose(*bodies_, local(), body, state);
 }
 
-BedContact* Simulation::seabed() const { return system_->find<BedContact>(); }
+BedContact* Simulation::bed_contact() const { return system_->find<BedContact>(); }
 Feeders* Simulation::feeders() const { return system_->find<Feeders>(); }
 const BodyContact* Simulation::body_contact() const { return system_->find<BodyContact>(); }
-const RigidBodies* Simulation::floating() const { return system_->find<RigidBodies>(); }
+const RigidBodies* Simulation::rigid_bodies() const { return system_->find<RigidBodies>(); }
 
 record::Subject Simulation::subject(std::vector<std::shared_ptr<const Surface>> surfaces) {
   return {case_, *system_, *bodies_, std::move(surfaces), [this]() -> Dynamics& { return dynamics(); }};
@@ -283,49 +280,13 @@ std::vector<std::string> Simulation::tilting_warnings() const {
 
 std::vector<std::string> Simulation::take_stiffness_raises(const std::string& when) {
   std::vector<std::string> out;
-  const LineVolumeContact* contact = this->contact();
+  const LineVolumeContact* contact = this->line_volume_contact();
   for (int v = 0; contact && v < contact->volumes(); ++v) {
     double& last = last_stiffness_[v];
     if (contact->stiffness(v) == last) continue;
     out.push_back(advice::raised_stiffness(contact->volume_name(v), last, contact->stiffness(v), when));
     last = contact->stiffness(v);
   }
-  return out;
-}
-
-// By line, with one sum over the ranks.
-std::vector<std::string> Simulation::on_bed() const {
-  std::vector<std::string> out;
-  if (!seabed()) return out;
-  constexpr size_t kShown = 20;
-  std::vector<double> sums;
-  for (const BedContact::OnBed& l : seabed()->on_bed(state_.at_rest()))
-    sums.insert(sums.end(), {l.friction_length, l.sticking, l.taken});
-  all_reduce(system_->comm(), MPI_SUM, sums);
-  // Between touchdown points, as in the results.
-  const std::vector<record::Touchdown> down =
-      record::Touchdowns(system_->comm(), case_, local()).of_all_lines(state_.at_rest());
-  // Lines that differ only in position are reported together.
-  std::map<std::pair<bool, std::string>, std::pair<std::vector<std::string>, std::vector<advice::OnBed>>>
-      like;
-  std::vector<decltype(like)::const_iterator> in_order;
-  for (size_t l = 0; l < down.size(); ++l) {
-    if (!(down[l].laid > 0)) continue;
-    const bool friction = sums[3 * l] > 0;
-    const auto [at, is_new] = like.try_emplace({friction, model::description_of(case_, case_.lines[l])});
-    if (is_new) in_order.push_back(at);
-    at->second.first.push_back(mesh_->lines[l].name);
-    at->second.second.push_back({down[l].laid, friction, std::abs(sums[3 * l + 2]), sums[3 * l + 1]});
-  }
-  size_t more = 0;
-  for (const auto& group : in_order) {
-    const auto& [names, values] = group->second;
-    if (out.size() == kShown)
-      more += names.size();
-    else
-      out.push_back(advice::lie_on_bed(names, values));
-  }
-  if (more > 0) out.push_back(advice::more_lines_on_bed(more));
   return out;
 }
 
@@ -353,7 +314,7 @@ void Simulation::enable_contact(const model::Action& action) {
   for (size_t v = 0; v < volumes_.size(); ++v)
     if (model::switches(action, volumes_[v].settings)) {
       volumes_[v].off = !action.enabled;
-      contact()->enable(static_cast<int>(v), action.enabled);
+      line_volume_contact()->enable(static_cast<int>(v), action.enabled);
     }
 }
 

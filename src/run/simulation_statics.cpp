@@ -38,13 +38,15 @@ StaticsSettings settings_of(const model::Case& c, bool falls) {
 }  // namespace
 
 // By the case, because a rank without nodes has no friction and statics is collective.
-bool Simulation::lays_lines() const { return seabed() && static_friction_.value_or(true) && any_laid_; }
+bool Simulation::lays_lines() const {
+  return bed_contact() && friction_in_statics_.value_or(true) && any_laid_;
+}
 
 // Continues from the equilibrium with soft friction, under the weight of lines that lay at the start, through
 // stiffer friction to the law of dynamics; with `full` mobilisation under the contact forces found.
 void Simulation::follow_contact(StaticsSettings settings, StaticsReport& report) {
   settings.starts_near = true;
-  BedContact& bed = *seabed();
+  BedContact& bed = *bed_contact();
   const auto solve = [&] {
     const StaticsReport more = find_equilibrium(*system_, settings, state_);
     report.iterations += more.iterations;
@@ -62,12 +64,12 @@ void Simulation::follow_contact(StaticsSettings settings, StaticsReport& report)
 
 StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)> progress, bool falls) {
   StaticsSettings settings = settings_of(case_, falls);
-  settings.friction = static_friction();
+  settings.friction = contact_friction_in_statics();
   settings.progress = std::move(progress);
   const StaticsReport report = find_restrained_equilibrium(settings);
   if (auto* body_contact = system_->find<BodyContact>())
     body_contact->check_overlap_at_rest(state_.at_rest());
-  if (contact() || line_pairs()) system_->commit(state_.at_rest());
+  if (line_volume_contact() || line_pairs()) system_->commit(state_.at_rest());
   check_inside();
   check_depth_at_rest();
   note_contact_at_rest();
@@ -81,7 +83,7 @@ StaticsReport Simulation::find_restrained_equilibrium(const StaticsSettings& set
   const std::vector<RestrainedInStatics*> restrained = system_->with<RestrainedInStatics>();
   const std::vector<Vec3> v = state_.v;  // floating bodies may have initial velocities
   const std::vector<Vec3> w = state_.w;
-  for (RestrainedInStatics* t : restrained) t->hold(true, static_friction());
+  for (RestrainedInStatics* t : restrained) t->hold(true, contact_friction_in_statics());
   StaticsReport report = find_equilibrium(*system_, settings, state_);
   if (lays_lines()) follow_contact(settings, report);
   for (HasFriction* t : system_->with<HasFriction>()) t->enable_friction(true);
@@ -97,16 +99,17 @@ StaticsReport Simulation::find_restrained_equilibrium(const StaticsSettings& set
 
 // Bed friction begins in the laid position.
 void Simulation::enable_friction_at_rest() {
-  BedContact* bed = seabed();
-  for (HasFriction* t : system_->with<HasFriction>()) t->enable_friction(static_friction() && t != bed);
+  BedContact* bed = bed_contact();
+  for (HasFriction* t : system_->with<HasFriction>())
+    t->enable_friction(contact_friction_in_statics() && t != bed);
   if (!lays_lines()) return;
   bed->lay(laid_, state_.at_rest(), case_.environment.seabed.full);
   bed->mobilise_by(kFirstSlip);
 }
 
 void Simulation::check_depth_at_rest() {
-  if (!contact()) return;
-  const auto deep = contact()->deeper_than_allowed(state_.at_rest());
+  if (!line_volume_contact()) return;
+  const auto deep = line_volume_contact()->deeper_than_allowed(state_.at_rest());
   const std::string why = first_text(system_->comm(), deep ? advice::too_deep_at_rest(*deep) : "");
   if (!why.empty()) throw SolveError(why);
 }
@@ -119,7 +122,7 @@ void Simulation::note_contact_at_rest() {
 }
 
 void Simulation::note_bodies_held_without_weight() {
-  if (static_friction()) return;
+  if (contact_friction_in_statics()) return;
   for (size_t b = 0; b < case_.bodies.size(); ++b) {
     const model::Body& body = case_.bodies[b];
     if (!body.mass || !body.mass->weight || body.mass->stiffness.z() > 0) continue;
@@ -129,7 +132,7 @@ void Simulation::note_bodies_held_without_weight() {
 }
 
 void Simulation::note_slack_lines(bool relaxed) {
-  std::vector<double> slack = structure().slack_length(state_.at_rest());
+  std::vector<double> slack = line_structure().slack_length(state_.at_rest());
   all_reduce(system_->comm(), MPI_SUM, slack);
   for (size_t l = 0; l < slack.size(); ++l)
     if (slack[l] > 0 && !case_.lines[l].end_a.feed && !case_.lines[l].end_b.feed)

@@ -104,11 +104,11 @@ void Dynamics::prepare(double h, const State* end) {
     for (auto* rows : {&mean_.q, &mean_.f}) rows->resize(system_.mean_forces().size(), 0);
   }
   system_.prepare(before_step(committed_.s, h), h);
-  expected_ = h;
+  round_off_step_ = h;
 }
 
 void Dynamics::load(Vec u) {
-  const bool others = system_.update_ghosts(u, local_u_);
+  const bool others = system_.gather_with_ghosts(u, local_u_);
   if (loaded_ && !others) return;
   alpha_trial(system_.mesh(), system_.tied_nodes(), alpha_, h_, committed_, local_u_, trial_);
   loaded_ = true;
@@ -188,8 +188,8 @@ void Dynamics::solve_once() {
 
 int Dynamics::try_step(double h) {
   h_ = h;
-  if (h != expected_) system_.update_round_off(before_step(committed_.s, h), h);
-  expected_ = h;
+  if (h != round_off_step_) system_.update_round_off(before_step(committed_.s, h), h);
+  round_off_step_ = h;
   // trial_ needs the values that a step does not change (rotations of cable nodes). After the first copy it
   // has those of the previous step.
   if (!copied_) trial_ = committed_;
@@ -231,7 +231,7 @@ void Dynamics::commit() {
   reactions_ = now;
   std::swap(committed_, trial_);
   last_step_ = h_;
-  expected_ = -1;
+  round_off_step_ = -1;
   system_.commit(committed_.s.after_step(h_));
 }
 
@@ -265,7 +265,7 @@ std::vector<double> Dynamics::solve_masses() {
   check(VecNorm(u_.get(), NORM_INFINITY, &size));
   if (reason < 0 || !std::isfinite(size)) throw SolveError(advice::no_mass(committed_.s.time));
   std::vector<double> out;
-  system_.update_ghosts(u_.get(), out);
+  system_.gather_with_ghosts(u_.get(), out);
   return out;
 }
 

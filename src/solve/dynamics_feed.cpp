@@ -64,7 +64,7 @@ void Dynamics::transfer_node(const std::function<std::optional<Moved>()>& change
   add(mean_.f, system_.mean_forces(), mean);
   add(reactions_, system_.reactions(), all);
   copied_ = loaded_ = false;
-  expected_ = -1;
+  round_off_step_ = -1;
 }
 
 // Finds the position (and rotation) at which the forces on this node alone are in balance, by Newton's

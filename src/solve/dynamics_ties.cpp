@@ -39,10 +39,10 @@ void Dynamics::match_tied_velocities(const TiedNodes& before, State& s) {
   State held = s;
   system_.tied_nodes().rates(s.time, held);
   system_.tied_nodes().follow(held);
-  std::vector<int> caught;
+  std::vector<int> newly_tied;
   for (const TiedNode& h : system_.tied_nodes().nodes())
-    if (h.node < m.owned && h.position_mask == 7 && !holds(before, h.node)) caught.push_back(h.node);
-  if (!on_any_rank(system_.comm(), !caught.empty())) return;
+    if (h.node < m.owned && h.position_mask == 7 && !holds(before, h.node)) newly_tied.push_back(h.node);
+  if (!on_any_rank(system_.comm(), !newly_tied.empty())) return;
   const double h = control_.proposal();
   s.directors.clear();
   s.director_weight = 0;
@@ -55,7 +55,7 @@ void Dynamics::match_tied_velocities(const TiedNodes& before, State& s) {
   check(VecDuplicate(r_.get(), before_impact.out()));
   system_.residual(s.at_start(h), before_impact.get());
   State impacted = s;
-  for (const int n : caught) {
+  for (const int n : newly_tied) {
     const size_t i = static_cast<size_t>(n);
     impacted.a[i] += held.v[i] - s.v[i];
     if (m.rotates(n)) impacted.alpha[i] += held.w[i] - s.w[i];

@@ -54,7 +54,7 @@ PetscErrorCode choose(TSAdapt, TS ts, PetscReal h, PetscInt* scheme, PetscReal* 
   PetscFunctionReturn(0);
 }
 
-PetscErrorCode after_step(TS ts) {
+PetscErrorCode post_step(TS ts) {
   PetscFunctionBegin;
   if (ts->reason >= 0)
     guarded(ts, [&] {
@@ -88,7 +88,7 @@ void lie_alpha_attach(TS ts, Dynamics* dynamics) {
   (void)registered;
   check(TSSetType(ts, kType));
   ts->data = dynamics;
-  check(TSSetPostStep(ts, after_step));
+  check(TSSetPostStep(ts, post_step));
   // Dynamics::next_try() makes steps end at stops and at the end of the run, so PETSc need not.
   check(TSSetExactFinalTime(ts, TS_EXACTFINALTIME_STEPOVER));
   check(TSSetErrorIfStepFails(ts, PETSC_FALSE));

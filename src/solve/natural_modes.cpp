@@ -224,7 +224,7 @@ NaturalMode mode_of(const System& system, const Kinematics& state, const Eigenpa
   mode.squared = pair.squared;
   mode.damping_ratio = pair.damping_ratio;
   std::vector<double> local;
-  system.update_ghosts(pair.vector.get(), local);
+  system.gather_with_ghosts(pair.vector.get(), local);
   move_nodes(system, state, local, mode);
   return mode;
 }

@@ -315,7 +315,7 @@ double StaticSearch::downhill(Vec y) {
   }
   check(VecCopy(y, u_.get()));
   check(VecScale(u_.get(), -1));
-  system_.update_ghosts(u_.get(), local_);
+  system_.gather_with_ghosts(u_.get(), local_);
   return -rise;
 }
 

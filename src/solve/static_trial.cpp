@@ -34,7 +34,7 @@ StaticTrial::StaticTrial(System& system, State& state) : system_(system), state_
         auto& s = *static_cast<StaticTrial*>(self);
         return s.error_.capture([&] {
           check(VecCopy(x, s.u_.get()));
-          s.system_.update_ghosts(s.u_.get(), s.local_);
+          s.system_.gather_with_ghosts(s.u_.get(), s.local_);
           s.residual();
           check(VecCopy(s.r_.get(), f));
         });
@@ -142,9 +142,12 @@ bool StaticTrial::path_is_clear() {
   const Verdict verdict = system_.check_step(trial_.at_rest());
   if (verdict.kind != Verdict::Kind::prepare_again) return passes(verdict);
   const LocalMesh& m = system_.mesh();
-  // With this step the predicted path ends at the trial.
-  if (system_.update_couplings(straight_path(m, state_, trial_, 1).at_rest(),
-                               1 / CandidateSettings{}.steps) == CouplingChange::layout_changed) {
+  // The velocities of this path lead to the trial in 1 s. Lists of candidates predict several steps; of this
+  // length these take 1 s, so that the lists cover the path.
+  const double h = 1 / CandidateSettings{}.steps;
+  if (system_.update_couplings(straight_path(m, state_, trial_, 1).at_rest(), h) ==
+      CouplingChange::layout_changed) {
+    // build() creates u_ again; the increment is transferred to the new layout.
     std::vector<double> u(local_.begin(), local_.begin() + 3 * m.owned_blocks);
     build();
     system_.update_ghosts(state_);
@@ -155,7 +158,7 @@ bool StaticTrial::path_is_clear() {
       std::copy(u.begin(), u.end(), p);
       check(VecRestoreArray(u_.get(), &p));
     }
-    system_.update_ghosts(u_.get(), local_);
+    system_.gather_with_ghosts(u_.get(), local_);
   }
   system_.prepare(state_.at_rest(), 0);
   return passes(system_.check_step(trial_.at_rest()));

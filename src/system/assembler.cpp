@@ -32,13 +32,14 @@ inline void add4(double* p, Row a) {
   std::memcpy(p, &a, sizeof a);
 }
 
-// Adds three rows of a row-major matrix of m columns to a column-major block. It reads one entry beyond.
+// Adds three rows of a row-major matrix of m columns to a column-major block. The last row is read with the
+// entry before it, so that no entry after the matrix is read.
 inline void add_transposed(const double* J, int m, double* to) {
-  const Row r0 = load4(J), r1 = load4(J + m), r2 = load4(J + 2 * m);
-  const Row a = __builtin_shufflevector(r0, r1, 0, 4, 0, 1), b = __builtin_shufflevector(r1, r2, 1, 5, 1, 2);
-  add4(to, __builtin_shufflevector(a, r2, 0, 1, 4, 3));
+  const Row r0 = load4(J), r1 = load4(J + m), r2 = load4(J + 2 * m - 1);
+  const Row a = __builtin_shufflevector(r0, r1, 0, 4, 0, 1), b = __builtin_shufflevector(r1, r2, 1, 6, 1, 2);
+  add4(to, __builtin_shufflevector(a, r2, 0, 1, 5, 3));
   add4(to + 4, __builtin_shufflevector(b, r0, 0, 1, 6, 3));
-  to[8] += r2[2];
+  to[8] += r2[3];
 }
 
 // J = w A or J += w A. The usual sizes, of 2 x 2 and 4 x 4 blocks, have loops of constant length.
@@ -105,8 +106,8 @@ void Assembler::add(std::span<const int> rows, std::span<const int> columns, For
     return add_tied(rows, columns, K, C, M);
 
   constexpr int kFew = 576;
-  double few[kFew + 1];
-  std::vector<double> many(entries > kFew ? static_cast<size_t>(entries) + 1 : 0);
+  double few[kFew];
+  std::vector<double> many(entries > kFew ? static_cast<size_t>(entries) : 0);
   double* J = entries > kFew ? many.data() : few;
   if (K.data() && weights_.K != 0) {
     weigh<true>(entries, weights_.K, K.data(), J);
@@ -142,13 +143,11 @@ void Assembler::add_tied(std::span<const int> rows, std::span<const int> columns
       k.middleCols<3>(j) = (k.middleCols<3>(j) * (*retraction_)[turn]).eval();
   if (C.data()) k += weights_.C * of(C) * P;
   if (M.data()) k += weights_.M * of(M) * P;
-  const Matrix J = on.P.transpose() * k;
-  std::vector<double> own(J.data(), J.data() + J.size());
-  own.push_back(0);
-  put(on.to, to, own.data());
+  Matrix J = on.P.transpose() * k;
+  put(on.to, to, J.data());
 }
 
-// Adds J to the matrix, without rows and columns of held components. J has one entry more than its blocks.
+// Adds J to the matrix, without rows and columns of held components, which it sets to zero in J.
 void Assembler::put(std::span<const int> rows, std::span<const int> columns, double* J) {
   const size_t n = rows.size(), m = 3 * columns.size();
   for (size_t i = 0; i < n; ++i)
@@ -216,7 +215,7 @@ void Assembler::add_pull(int a, int b, const Vec3& f, const Mat3* k, const Mat3*
     if (c) C << *c, -*c, -*c, *c;
     return add_tied(blocks, blocks, K, C, {});
   }
-  double J[37];
+  double J[36];
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       const double s = (k ? weights_.K * (*k)(i, j) : 0) + (c ? weights_.C * (*c)(i, j) : 0);
@@ -236,16 +235,17 @@ void Assembler::add_mean_between(int a, int b, const Vec3& f, const Mat3* k) {
   add_pull(a, b, counted, &stiffness, nullptr);
 }
 
-void Assembler::add_weighted(int a, int b, const Vec6& f, const Mat6& J) {
+bool Assembler::add_weighted(int a, int b, const Vec6& f, const Mat6& J) {
+  if (tied(a) || tied(b)) return false;
   if (force_) {
     add_force(a, f[0], f[1], f[2]);
     add_force(b, f[3], f[4], f[5]);
   }
-  if (!matrix_) return;
+  if (!matrix_) return true;
   const int blocks[2] = {a, b};
-  double own[37];
-  std::copy_n(J.data(), 36, own);
-  put(blocks, blocks, own);
+  Mat6 own = J;
+  put(blocks, blocks, own.data());
+  return true;
 }
 
 void Assembler::add_masses(int a, int b, const Vec6& f, double own, double shared) {
@@ -261,7 +261,7 @@ void Assembler::add_masses(int a, int b, const Vec6& f, double own, double share
     M.topRightCorner<3, 3>() = M.bottomLeftCorner<3, 3>() = shared * Mat3::Identity();
     return add_tied(blocks, blocks, {}, {}, M);
   }
-  double J[37] = {};
+  double J[36] = {};
   for (int i = 0; i < 6; ++i) {
     J[7 * i] = weights_.M * own;
     J[6 * i + (i + 3) % 6] = weights_.M * shared;

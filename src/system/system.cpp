@@ -62,7 +62,7 @@ void System::add(std::unique_ptr<ForceTerm> term) {
     check(PetscClassIdRegister("hawser terms", &c));
     return c;
   }();
-  const std::string key(term->record_key());
+  const std::string key(term->checkpoint_key());
   Events& e = events_.emplace_back();
   check(PetscLogEventRegister(("f " + key).c_str(), id, &e.force));
   check(PetscLogEventRegister(("J " + key).c_str(), id, &e.tangent));
@@ -93,7 +93,7 @@ void System::tie(std::vector<TiedNode> nodes, BodyMotion motion) {
   ties_ = TiedNodeForces(mesh_, tied_nodes_);
 }
 
-bool System::update_ghosts(Vec u, std::vector<double>& out) const {
+bool System::gather_with_ghosts(Vec u, std::vector<double>& out) const {
   out.resize(3 * static_cast<size_t>(mesh_.blocks()));
   const int size = ranks_of(comm_);
   if (size > 1) {
@@ -296,18 +296,18 @@ void System::revert_stiffness() {
   for (RaisesStiffness* t : listed<RaisesStiffness>()) t->revert_stiffness();
 }
 
-void System::prepare(const Kinematics& committed, double h) {
-  update_fed_lines(committed);
+void System::prepare(const Kinematics& from, double h) {
+  update_fed_lines(from);
   for (size_t i = 0; i < terms_.size(); ++i) {
     const Logged logged(events_[i].prepare);
-    terms_[i]->prepare(committed, h);
+    terms_[i]->prepare(from, h);
   }
-  update_round_off(committed, h);
+  update_round_off(from, h);
 }
 
-void System::update_round_off(const Kinematics& committed, double h) {
+void System::update_round_off(const Kinematics& from, double h) {
   double square = 0;
-  for (const ScalesResiduals* t : listed<ScalesResiduals>()) square += t->round_off(committed, h);
+  for (const ScalesResiduals* t : listed<ScalesResiduals>()) square += t->round_off(from, h);
   all_reduce(comm_, MPI_SUM, square);
   round_off_ = rank_independent(std::sqrt(square));
 }

@@ -34,9 +34,9 @@ void System::with_frames(Couplings& c) const {
   }
 }
 
-CouplingChange System::update_couplings(const Kinematics& committed, double h) {
+CouplingChange System::update_couplings(const Kinematics& from, double h) {
   bool same = true;
-  for (CouplesNodes* t : listed<CouplesNodes>()) same &= !t->refresh_couplings(committed, h);
+  for (CouplesNodes* t : listed<CouplesNodes>()) same &= !t->refresh_couplings(from, h);
   if (same) return CouplingChange::unchanged;
   Couplings wanted;
   for (const CouplesNodes* t : listed<CouplesNodes>()) t->list_couplings(wanted);

@@ -75,28 +75,27 @@ ContactStart BedContact::start(const Point& p) const {
   return {s.point, s.gap, s.direction, history(p).slip, history(p).normal};
 }
 
-// Statics calls this before every iteration. Laid lines keep the position from which friction is
-// counted.
-void BedContact::prepare(const Kinematics& committed, double h) {
+// In statics laid lines keep the position from which friction is counted.
+void BedContact::prepare(const Kinematics& from, double h) {
   if (h > 0) {
     laid_.clear();
     laid_.shrink_to_fit();
   }
   for (const Point& p : points_) {
     Start& start = starts_[index_of(p)];
-    if (law(p).law.friction.active()) start.direction = line_direction(p, committed);
+    if (law(p).law.friction.active()) start.direction = line_direction(p, from);
     ContactTrial at;
     if (laid()) {
       LaidReference& laid = laid_[index_of(p)];
-      const double force = contact(p, committed, false, at).normal.force;
+      const double force = contact(p, from, false, at).along_normal.force;
       if (friction_ == Friction::contact && laid.known()) laid.normal_force = force;
       if (friction_ == Friction::pressed && force > 0) laid.normal = at.normal;
       continue;
     }
-    const Vec3 x = of_nodes(p, committed.x);
+    const Vec3 x = of_nodes(p, from.x);
     // The search reaches as far as the point can move in this step, so that its gap at the start is known if
     // it lands.
-    locate(p, x, std::max(2 * h * of_nodes(p, committed.v).norm(), 0.5 * element_[p.node]), at);
+    locate(p, x, std::max(2 * h * of_nodes(p, from.v).norm(), 0.5 * element_[p.node]), at);
     start.point = x;
     start.gap = at.gap;
   }
@@ -138,7 +137,7 @@ void BedContact::evaluate(const Kinematics& trial, Assembler& assembler) {
     }
     const ContactForce c = contact(p, trial, needs_tangent, at, convex);
     const Pull pulled = pull_of(law(p).suction, soil(p, trial), at.gap);
-    if (c.normal.force == 0 && pulled.force == 0) continue;
+    if (c.along_normal.force == 0 && pulled.force == 0) continue;
     const Vec3 residual = pulled.force * at.normal - c.force;
     if (!needs_tangent) {
       add(p, residual, nullptr, nullptr, assembler);
@@ -158,7 +157,7 @@ void BedContact::commit(const Kinematics& accepted) {
     const ContactForce c = contact(p, accepted, false, at);
     const PointHistory& last = history(p);
     PointHistory next;
-    if (c.normal.elastic > 0) {
+    if (c.along_normal.elastic > 0) {
       next = PointHistory(c, at.normal);
       next.active = true;
     }
@@ -203,13 +202,13 @@ Energy BedContact::energy(const Kinematics& state) const {
   e.damping = account_.damping;
   for (const Point& p : points_) {
     if (!p.counted) continue;
-    if (state.after_step()) {
+    if (state.ends_step()) {
       e.strain += history(p).potential;
       continue;
     }
     ContactTrial trial;
     const ContactForce c = contact(p, state, false, trial);
-    e.strain += c.normal.potential;
+    e.strain += c.along_normal.potential;
     if (friction_ != Friction::none && laid())
       e.strain += pressed_friction_at(p, of_nodes(p, state.x)).potential;
   }

@@ -38,7 +38,7 @@ void BedContact::press_by_contact(const Kinematics& state) {
   for (const Point& p : points_) {
     ContactTrial trial;
     LaidReference& laid = laid_[index_of(p)];
-    if (laid.known()) laid.normal_force = contact(p, state, false, trial).normal.force;
+    if (laid.known()) laid.normal_force = contact(p, state, false, trial).along_normal.force;
   }
 }
 

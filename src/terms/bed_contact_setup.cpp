@@ -1,5 +1,5 @@
 // The class BedContact: its construction from the case. Output is in bed_contact_fields.cpp, checkpoints are
-// in bed_contact_records.cpp.
+// in bed_contact_checkpoint.cpp.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>

@@ -98,10 +98,10 @@ double BodiesInFlow::work(const Push& from, const Push& to) {
   return 0.5 * ((from.force + to.force).dot(to.place - from.place) + (from.moment + to.moment).dot(turn));
 }
 
-void BodiesInFlow::prepare(const Kinematics& committed, double) {
+void BodiesInFlow::prepare(const Kinematics& from, double) {
   for (Flow& f : list_)
-    if (!committed.after_step() || !f.pushed) {
-      f.push = push(f, committed);
+    if (!from.ends_step() || !f.pushed) {
+      f.push = push(f, from);
       f.pushed = true;
     }
 }
@@ -140,7 +140,7 @@ std::vector<CheckpointKind> BodiesInFlow::checkpoint_kinds() const {
   return {checkpoint_kind<WorkDone>("wind on a body"), checkpoint_kind<WorkDone>("current on a body")};
 }
 
-std::vector<CheckpointRecord> BodiesInFlow::records(NodeRange range) const {
+std::vector<CheckpointRecord> BodiesInFlow::checkpoint_records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
   for (const Flow& f : list_)
     if (range.has(f.global)) out.push_back(record_of(f.global, 0, WorkDone{f.work}, f.air ? 0 : 1));

@@ -142,22 +142,22 @@ double work(const Flow& from, const Flow& to) {
 
 }  // namespace
 
-void BodiesInWater::prepare(const Kinematics& committed, double) {
+void BodiesInWater::prepare(const Kinematics& from, double) {
   for (Wet& b : list_) {
-    const RigidBodyState s = body_state(b, committed);
+    const RigidBodyState s = body_state(b, from);
     b.start = places(b, s);
-    if (!committed.after_step() || !b.has_wave_place) {
+    if (!from.ends_step() || !b.has_wave_place) {
       b.wave_place = b.start;
       b.has_wave_place = true;
     }
     b.speed = {s.v + s.q * s.w.cross(b.data.centre), s.v + s.q * s.w.cross(b.data.drag_centre)};
     b.known = false;
   }
-  start_time_ = committed.time;
+  start_time_ = from.time;
   // At the start of the motion waves start to act, and accelerations jump.
   for (Wet& b : list_)
-    if (!committed.after_step() || !b.flowed) {
-      b.flow = flow(b, committed);
+    if (!from.ends_step() || !b.flowed) {
+      b.flow = flow(b, from);
       b.flowed = true;
     }
 }
@@ -262,7 +262,7 @@ std::vector<CheckpointKind> BodiesInWater::checkpoint_kinds() const {
   return {checkpoint_kind<Kept>("body in water")};
 }
 
-std::vector<CheckpointRecord> BodiesInWater::records(NodeRange range) const {
+std::vector<CheckpointRecord> BodiesInWater::checkpoint_records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
   for (const Wet& b : list_)
     if (range.has(b.global))

@@ -261,10 +261,10 @@ void BodyContact::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
 }
 
-void BodyContact::prepare(const Kinematics& committed, double h) {
+void BodyContact::prepare(const Kinematics& from, double h) {
   for (Pair& p : pairs_) {
     if (!p.here) continue;
-    p.at = both(p, committed);
+    p.at = both(p, from);
     const Sum s = contact(p, p.at, kStiffness);
     p.potential = s.potential;
     p.stiffness = s.active ? s.on.K.topLeftCorner<3, 3>().norm() : 0;
@@ -276,7 +276,7 @@ void BodyContact::prepare(const Kinematics& committed, double h) {
     p.work_power = s.work_power + friction_power(p);
     if (!p.acted) store_first_forces(p, h);
   }
-  if (h > 0) check_overlap(committed.time);
+  if (h > 0) check_overlap(from.time);
 }
 
 // Forces of a state that no step has led to: the start without statics, or that of a checkpoint.
@@ -324,7 +324,7 @@ Energy BodyContact::energy(const Kinematics& state) const {
   Energy e;
   for (const Pair& p : pairs_) {
     if (!p.counted) continue;
-    e.strain += state.after_step() ? p.potential : contact(p, both(p, state), kSprings).potential;
+    e.strain += state.ends_step() ? p.potential : contact(p, both(p, state), kSprings).potential;
     e.damping += p.damping;
     e.friction += p.dissipated;
     e.work += p.work;

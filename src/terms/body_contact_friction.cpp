@@ -110,7 +110,7 @@ std::vector<CheckpointKind> BodyContact::checkpoint_kinds() const {
   return {checkpoint_kind<Pair>("sums of a pair"), checkpoint_kind<FeaturePoint>("friction of a pair")};
 }
 
-std::vector<CheckpointRecord> BodyContact::records(NodeRange range) const {
+std::vector<CheckpointRecord> BodyContact::checkpoint_records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
   for (size_t i = 0; i < pairs_.size(); ++i) {
     const Pair& p = pairs_[i];

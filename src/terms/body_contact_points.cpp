@@ -49,13 +49,14 @@ AxisContactPoint BodyContactPoints::add(const ContactLaw& law, const ContactStar
   AxisContactPoint point(c, trial.normal);
   point.weight = weight;
   point.gap = trial.gap;
-  if (c.normal.elastic > 0) {
+  if (c.along_normal.elastic > 0) {
     active_ = true;
-    potential_ += weight * c.normal.potential;
-    damping_power_ -= weight * (c.normal.force - c.normal.elastic) * trial.normal.dot(trial.velocity);
+    potential_ += weight * c.along_normal.potential;
+    damping_power_ -=
+        weight * (c.along_normal.force - c.along_normal.elastic) * trial.normal.dot(trial.velocity);
     depth_ = std::max(depth_, -trial.gap);
   }
-  if (!(c.normal.force > 0)) return point;
+  if (!(c.along_normal.force > 0)) return point;
   const Vec3 f = -weight * c.force, touch = arm - radius * trial.normal;
   force_ += f;
   moment_ += touch.cross(f);

@@ -99,7 +99,7 @@ AxisContact::Sample AxisContact::sample(const QuadraturePoint& q, const ContactP
     p.trial.lever = radius_;
   }
   p.contact = volume_contact(law, p.begin, p.trial, mode_.tangent);
-  if (!(p.contact.normal.force > 0)) return p;
+  if (!(p.contact.along_normal.force > 0)) return p;
   p.H = shape_.functions(p.xi);
   p.force = -(R_ * p.contact.force);
   return p;
@@ -120,7 +120,7 @@ void AxisContact::add_panel(const ContactQuadrature& found, size_t panel, const 
   for (; q != found.quadrature.end() && q->panel == panel; ++q) {
     if (!(q->surface.distance <= contact_distance)) continue;
     Sample p = sample(*q, s, law, pair, ends_move);
-    if (p.contact.normal.elastic > 0 && points) {
+    if (p.contact.along_normal.elastic > 0 && points) {
       AxisContactPoint& point = points->emplace_back(p.contact, p.trial.normal);
       point.xi = p.xi;
       point.from = s.from;
@@ -129,7 +129,7 @@ void AxisContact::add_panel(const ContactQuadrature& found, size_t panel, const 
       point.weight = p.weight;
       point.gap = p.trial.gap;
     }
-    if (!(p.contact.normal.force > 0)) continue;
+    if (!(p.contact.along_normal.force > 0)) continue;
     add_sample(p);
     if (ends_move) add_to_moving_ends(law, p, *q, s.to - s.from, ends);
   }

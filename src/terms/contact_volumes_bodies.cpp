@@ -36,31 +36,31 @@ FloatingFrame ContactVolumes::floating_frame(int volume, const Kinematics& state
 
 // Elements are listed with a margin, so that the list remains valid for many steps. It is rebuilt when an
 // element outside the list comes near.
-bool ContactVolumes::refresh_couplings(const Kinematics& committed, double h, double thickest) {
+bool ContactVolumes::refresh_couplings(const Kinematics& from, double h, double thickest) {
   const auto moving = [this](const ContactVolume& v) { return bodies_->floats(v.body); };
   if (std::none_of(volumes_.begin(), volumes_.end(), moving)) return false;
-  bodies_->exchange_poses(comm_, committed);
+  bodies_->exchange_poses(comm_, from);
   std::vector<std::array<int, 3>> wide;
   bool missing = false;
-  const std::vector<RigidPose> poses = this->poses(committed);
+  const std::vector<RigidPose> poses = this->poses(from);
   const Mesh& mesh = *mesh_.mesh;
   for (const LocalElement& e : mesh_.elements) {
     if (!e.counted) continue;
     const Element& g = mesh.element(e.global);
     const size_t a = e.first, b = e.second;
-    const Vec3 middle = 0.5 * (committed.x[a] + committed.x[b]);
+    const Vec3 middle = 0.5 * (from.x[a] + from.x[b]);
     for (size_t k = 0; k < volumes_.size(); ++k) {
       const ContactVolume& v = volumes_[k];
       if (!moving(v)) continue;
       if (takes_part(g.line, static_cast<int>(k), arc_at(mesh, g, 0), arc_at(mesh, g, 1)).none()) continue;
       const RigidPose& pose = poses[v.body + 1];
-      const double speed = std::max((committed.v[a] - pose.velocity_at(committed.x[a])).norm(),
-                                    (committed.v[b] - pose.velocity_at(committed.x[b])).norm());
+      const double speed = std::max((from.v[a] - pose.velocity_at(from.x[a])).norm(),
+                                    (from.v[b] - pose.velocity_at(from.x[b])).norm());
       const double way =
           h > 0 ? std::max(2 * h * speed, 0.5 * g.length) : kStaticsWay * mesh.lines[g.line].length;
       const double contact_distance = 1.01 * thickest + v.settings.smoothing.value_or(0);
       const double away = distance(boxes_[k], pose.to_body(middle)) - contact_distance -
-                          (committed.x[b] - committed.x[a]).norm() - 0.5 * g.length;
+                          (from.x[b] - from.x[a]).norm() - 0.5 * g.length;
       if (away > 2 * way + 2 * g.length) continue;
       const std::array<int, 3> met{g.first, g.second, bodies_->frame(v.body)};
       wide.push_back(met);

@@ -179,11 +179,11 @@ double DynamicPositioning::work(const Passed& from, const Passed& to) {
 }
 
 // Without statics the integral begins at zero.
-void DynamicPositioning::prepare(const Kinematics& committed, double) {
+void DynamicPositioning::prepare(const Kinematics& from, double) {
   for (Positioned& p : list_) {
-    const Vec3 pose = place_and_heading(p.arm, floating_state(committed, p.node));
-    if (committed.moves() && !p.begun) begin(p, pose, committed.time);
-    p.last = passed(p, committed, push(p, committed));
+    const Vec3 pose = place_and_heading(p.arm, floating_state(from, p.node));
+    if (from.moves() && !p.begun) begin(p, pose, from.time);
+    p.last = passed(p, from, push(p, from));
   }
 }
 
@@ -275,7 +275,7 @@ std::vector<CheckpointKind> DynamicPositioning::checkpoint_kinds() const {
   return {checkpoint_kind<KeptThrust>("dynamic positioning")};
 }
 
-std::vector<CheckpointRecord> DynamicPositioning::records(NodeRange range) const {
+std::vector<CheckpointRecord> DynamicPositioning::checkpoint_records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
   for (const Positioned& p : list_)
     if (p.begun && range.has(p.global))

@@ -96,7 +96,7 @@ void EndSprings::holds(const Kinematics& state, std::vector<Hold>& out) const {
   }
 }
 
-void EndSprings::prepare(const Kinematics& committed, double) { holds(committed, before_); }
+void EndSprings::prepare(const Kinematics& from, double) { holds(from, before_); }
 
 // Trapezoidal rule in body axes, as for clamped ends.
 void EndSprings::commit(const Kinematics& accepted) {
@@ -112,7 +112,7 @@ std::vector<CheckpointKind> EndSprings::checkpoint_kinds() const {
   return {checkpoint_kind<WorkDone>("sums of an end")};
 }
 
-std::vector<CheckpointRecord> EndSprings::records(NodeRange range) const {
+std::vector<CheckpointRecord> EndSprings::checkpoint_records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
   for (const size_t i : driven_)
     if (const int node = mesh_.global[springs_[i].node]; range.has(node))

@@ -249,13 +249,13 @@ void Feeders::force(const Feeder& f, const FeedPoint& m, const Kinematics& state
   out[1] = mass_of_element * mass.shared * o.acceleration;
 }
 
-void Feeders::prepare(const Kinematics& committed, double) {
-  before_.x.assign(committed.x.begin(), committed.x.end());
-  before_.q.assign(committed.q.begin(), committed.q.end());
+void Feeders::prepare(const Kinematics& from, double) {
+  before_.x.assign(from.x.begin(), from.x.end());
+  before_.q.assign(from.q.begin(), from.q.end());
   for (size_t k = 0; k < feeders_.size(); ++k) {
     const LocalElement* e = at_feed_point(feeders_[k]);
-    power_[k] = e && e->counted ? power(feeders_[k], committed, *e) : 0;
-    pulls_[k] = e && feeders_[k].beam ? pull(feeders_[k], committed, *e, feeders_[k].length).force : 0;
+    power_[k] = e && e->counted ? power(feeders_[k], from, *e) : 0;
+    pulls_[k] = e && feeders_[k].beam ? pull(feeders_[k], from, *e, feeders_[k].length).force : 0;
   }
 }
 
@@ -389,7 +389,7 @@ double Feeders::load_work(const Feeder& f, const Kinematics& state, const LocalE
 Energy Feeders::energy(const Kinematics& state) const {
   Energy out;
   out.work = work_;
-  if (!state.after_step()) return out;
+  if (!state.ends_step()) return out;
   for (const Feeder& f : feeders_) {
     const LocalElement* e = at_feed_point(f);
     if (!e || !e->counted) continue;

@@ -111,15 +111,15 @@ const Hulls::Forces& Hulls::forces(const Hull& hull, const Kinematics& state) co
   return known;
 }
 
-void Hulls::prepare(const Kinematics& committed, double) {
-  start_time_ = committed.time;
+void Hulls::prepare(const Kinematics& from, double) {
+  start_time_ = from.time;
   for (Hull& hull : list_) {
-    hull.start = floating_state(committed, hull.node);
+    hull.start = floating_state(from, hull.node);
     hull.known = false;
     hull.forces = {};
     // At the start of the motion waves start to act.
-    if (hull.has_waves && committed.after_step()) continue;
-    hull.waves = forces(hull, committed).waves;
+    if (hull.has_waves && from.ends_step()) continue;
+    hull.waves = forces(hull, from).waves;
     hull.has_waves = true;
   }
 }
@@ -206,7 +206,7 @@ std::vector<CheckpointKind> Hulls::checkpoint_kinds() const {
   return {checkpoint_kind<Kept>("hull in water")};
 }
 
-std::vector<CheckpointRecord> Hulls::records(NodeRange range) const {
+std::vector<CheckpointRecord> Hulls::checkpoint_records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
   for (const Hull& hull : list_)
     if (range.has(hull.global))

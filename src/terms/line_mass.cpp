@@ -124,12 +124,12 @@ void LineMass::element_force(const Kinematics& state, const LocalElement& e, Vec
   }
 }
 
-void LineMass::prepare(const Kinematics& committed, double) {
+void LineMass::prepare(const Kinematics& from, double) {
   if (feeders_) feeders_->update_lengths(mesh_, &FedLine::length, pieces_);
   if (ramped_.empty()) return;
-  committed_.x.assign(committed.x.begin(), committed.x.end());
-  committed_.q.assign(committed.q.begin(), committed.q.end());
-  committed_.time = committed.time;
+  committed_.x.assign(from.x.begin(), from.x.end());
+  committed_.q.assign(from.q.begin(), from.q.end());
+  committed_.time = from.time;
 }
 
 void LineMass::commit(const Kinematics& accepted) {
@@ -149,7 +149,7 @@ std::vector<CheckpointKind> LineMass::checkpoint_kinds() const {
   return {checkpoint_kind<WorkDone>("sums of a rank")};
 }
 
-std::vector<CheckpointRecord> LineMass::records(NodeRange range) const {
+std::vector<CheckpointRecord> LineMass::checkpoint_records(NodeRange range) const {
   if (ramped_.empty() || mesh_.owned == 0 || !range.has(mesh_.global[0])) return {};
   return {record_of(mesh_.global[0], 0, WorkDone{work_})};
 }

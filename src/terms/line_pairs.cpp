@@ -23,13 +23,13 @@ double deepest_of(const std::vector<LinePairContactPoint>& points) {
   return -(a.gap + (place - a.xi) * (ab + curve * (place - b.xi)));
 }
 
-bool LinePairs::refresh_couplings(const Kinematics& committed, double h) {
+bool LinePairs::refresh_couplings(const Kinematics& from, double h) {
   if (feeders_ && candidates_.set_elements_in_feeders(feeders_->inside())) {
     shared_.set_elements_in_feeders(feeders_->inside());
     listed_ = false;
   }
-  shared_.update(committed, settles_);
-  if (!candidates_.update(committed, h) && listed_) return false;
+  shared_.update(from, settles_);
+  if (!candidates_.update(from, h) && listed_) return false;
   // Histories are stored by element until the new list is available.
   for (Pair& p : pairs_)
     if (p.points) kept_[p.key] = std::move(p.points);
@@ -56,7 +56,7 @@ void LinePairs::renumber() {
   listed_ = true;
 }
 
-void LinePairs::prepare(const Kinematics& committed, double) {
+void LinePairs::prepare(const Kinematics& from, double) {
   // Without pairs, no element data are needed.
   const size_t n = pairs_.empty() ? 0 : candidates_.segments().size();
   start_.resize(n);
@@ -64,12 +64,12 @@ void LinePairs::prepare(const Kinematics& committed, double) {
   for (size_t i = 0; i < n && feeders_; ++i)
     if (const FedLine* fed = feeders_->find(segment(static_cast<int>(i)).global))
       fed_end_[i] = static_cast<int>(fed->line_end);
-  for (size_t i = 0; i < n; ++i) start_[i] = ends(committed, static_cast<int>(i));
-  rods_ = rods(committed);
+  for (size_t i = 0; i < n; ++i) start_[i] = ends(from, static_cast<int>(i));
+  rods_ = rods(from);
   for (Pair& p : pairs_) {
     p.trial = nullptr;
-    p.part_a = p.part_b = {0, 1};
-    shared_.clip(p.key.first, p.key.second, p.part_a, p.part_b);
+    p.range_a = p.range_b = {0, 1};
+    shared_.clip(p.key.first, p.key.second, p.range_a, p.range_b);
     const Rod &a = rods_[p.a], &b = rods_[p.b];
     p.chords = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2);
     p.clear = p.chords.distance - a.sagitta - b.sagitta - p.law.radii - p.law.normal.smoothing;
@@ -108,19 +108,19 @@ void LinePairs::each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B
   if (!friction_on_) s.law.friction = {};
   s.moves = moves && pair.law.normal.damping > 0;  // only damping depends on velocities
   s.convex = convex;
-  for (size_t k = 0; k < kParts; ++k) {
+  for (size_t k = 0; k < kPasses; ++k) {
     const bool swapped = k >= 3;
-    const ProjectOn part = static_cast<ProjectOn>(k % 3);
+    const ProjectOn target = static_cast<ProjectOn>(k % 3);
     const int master = swapped ? pair.a : pair.b, slave = swapped ? pair.b : pair.a;
-    if (part != ProjectOn::element && !joint(segment(master), part == ProjectOn::second_end)) continue;
-    s.part = swapped ? pair.part_b : pair.part_a;
-    if (!(s.part[0] < s.part[1])) continue;
-    s.slave_radius = type_of(slave).radius;
-    s.share = slave_share(s.slave_radius, type_of(master).radius);
+    if (target != ProjectOn::element && !joint(segment(master), target == ProjectOn::second_end)) continue;
+    s.range = swapped ? pair.range_b : pair.range_a;
+    if (!(s.range[0] < s.range[1])) continue;
+    s.slave_radius = type_of_segment(slave).radius;
+    s.share = slave_share(s.slave_radius, type_of_segment(master).radius);
     s.swapped = swapped;
     if (!(s.share > 0)) continue;
-    what(k,
-         LinePairPass(swapped ? B : A, swapped ? A : B, part, s, pair.points ? (*pair.points)[k] : nothing));
+    what(k, LinePairPass(swapped ? B : A, swapped ? A : B, target, s,
+                         pair.points ? (*pair.points)[k] : nothing));
   }
 }
 
@@ -128,9 +128,9 @@ LinePairs::Trial& LinePairs::find(Pair& pair, const PairAxis& A, const PairAxis&
   std::unique_ptr<Trial>& t = pair.trial;
   if (t && t->a.same_axis(A.now) && t->b.same_axis(B.now)) return *t;
   t = std::make_unique<Trial>(Trial{A.now, B.now});
-  each_pass(pair, A, B, false, false, [&](size_t part, const LinePairPass& pass) {
-    t->panels[part] = pass.panels();
-    t->active |= !t->panels[part].empty();
+  each_pass(pair, A, B, false, false, [&](size_t k, const LinePairPass& pass) {
+    t->panels[k] = pass.panels();
+    t->active |= !t->panels[k].empty();
   });
   return *t;
 }
@@ -138,10 +138,10 @@ LinePairs::Trial& LinePairs::find(Pair& pair, const PairAxis& A, const PairAxis&
 AttachedForces LinePairs::forces(const Pair& pair, const PairAxis& A, const PairAxis& B, Trial& found,
                                  const AxisContactMode& mode) const {
   AttachedForces g = no_forces(A, B, friction_on_ && pair.law.friction.active(), mode.tangent);
-  each_pass(pair, A, B, mode.moves, mode.convex, [&](size_t part, const LinePairPass& pass) {
-    if (found.panels[part].empty()) return;
-    found.points[part].clear();
-    pass.add(found.panels[part], mode.tangent, g, mode.tangent ? nullptr : &found.points[part]);
+  each_pass(pair, A, B, mode.moves, mode.convex, [&](size_t k, const LinePairPass& pass) {
+    if (found.panels[k].empty()) return;
+    found.points[k].clear();
+    pass.add(found.panels[k], mode.tangent, g, mode.tangent ? nullptr : &found.points[k]);
   });
   found.a = A.now;
   found.b = B.now;
@@ -195,14 +195,14 @@ void LinePairs::commit(const Kinematics& accepted) {
       forces(pair, A, B, t, {moves});
     const ContactPoints& next = t.points;
     if (pair.counted) {
-      for (const size_t part : {0, 3}) {
-        const double depth = deepest_of(next[part]);
+      for (const size_t pass : {0, 3}) {
+        const double depth = deepest_of(next[pass]);
         if (depth > deepest_.depth) deepest_ = {depth, accepted.time, pair.key.first, pair.key.second};
       }
       if (moves) account(pair, A, B, next);
       if (moves && feeders_) feeders_->add_work(fed_work(pair, A, B, next));
     }
-    const bool any = std::any_of(next.begin(), next.end(), [](const auto& part) { return !part.empty(); });
+    const bool any = std::any_of(next.begin(), next.end(), [](const auto& pass) { return !pass.empty(); });
     pair.points = any ? std::make_unique<ContactPoints>(std::move(t.points)) : nullptr;
     pair.trial = nullptr;
   }
@@ -218,11 +218,11 @@ void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, 
   const auto turn = [](const PairAxis& axis, double xi) -> Mat3 {
     return axis.beam() ? axis.turn_at(xi) : Mat3::Identity();
   };
-  for (size_t k = 0; k < kParts; ++k) {
+  for (size_t k = 0; k < kPasses; ++k) {
     const bool swapped = k >= 3;
     const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
     const int a = swapped ? pair.b : pair.a, b = swapped ? pair.a : pair.b;
-    const double share = type_of(a).radius / pair.law.radii;
+    const double share = type_of_segment(a).radius / pair.law.radii;
     const auto add = [&](const LinePairContactPoint& h, bool step_end) {
       const double xi = step_end ? h.xi : material_of_start(a, slave, h.xi),
                    eta = step_end ? h.eta : material_of_start(b, master, h.eta);
@@ -245,13 +245,13 @@ void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, 
 // reduces.
 Energy LinePairs::energy(const Kinematics& state) const {
   Energy e;
-  const std::vector<Rod> moved = state.after_step() ? std::vector<Rod>{} : rods(state);
+  const std::vector<Rod> moved = state.ends_step() ? std::vector<Rod>{} : rods(state);
   for (const Pair& p : pairs_) {
     if (!p.counted) continue;
-    if (state.after_step()) {
+    if (state.ends_step()) {
       if (p.points)
-        for (const auto& part : *p.points)
-          for (const LinePairContactPoint& h : part) e.strain += h.weight * h.potential;
+        for (const auto& pass : *p.points)
+          for (const LinePairContactPoint& h : pass) e.strain += h.weight * h.potential;
       continue;
     }
     if (!near(p, moved)) continue;

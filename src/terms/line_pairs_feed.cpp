@@ -13,8 +13,8 @@ PairAxis LinePairs::axis(const Kinematics& state, int segment) const {
   const int fed = fed_end(segment);
   if (fed < 0) return {now, start(segment)};
   AxisEnds before = start(segment);
-  const double part = now.length / before.length;
-  (fed == 0 ? before.x1 : before.x2) = AxisShape(before).point(fed == 0 ? 1 - part : part);
+  const double ratio = now.length / before.length;
+  (fed == 0 ? before.x1 : before.x2) = AxisShape(before).point(fed == 0 ? 1 - ratio : ratio);
   before.length = now.length;
   return {now, before};
 }
@@ -23,8 +23,8 @@ PairAxis LinePairs::axis(const Kinematics& state, int segment) const {
 double LinePairs::material_of_start(int segment, const PairAxis& axis, double xi) const {
   const int fed = fed_end(segment);
   if (fed < 0) return xi;
-  const double part = start(segment).length / axis.ends.length;
-  return fed == 0 ? 1 - part * (1 - xi) : part * xi;
+  const double ratio = start(segment).length / axis.ends.length;
+  return fed == 0 ? 1 - ratio * (1 - xi) : ratio * xi;
 }
 
 // Contact forces act on nodes while the material moves past them. The feeder does the work on the difference
@@ -42,7 +42,7 @@ double LinePairs::fed_work(const Pair& pair, const PairAxis& A, const PairAxis& 
                     : Vec3(axis.now.point(material_of_start(segment, axis, xi)) - place);
   };
   double work = 0;
-  for (size_t k = 0; k < kParts; ++k) {
+  for (size_t k = 0; k < kPasses; ++k) {
     const bool swapped = k >= 3;
     const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
     const int a = swapped ? pair.b : pair.a, b = swapped ? pair.a : pair.b;

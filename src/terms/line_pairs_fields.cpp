@@ -28,7 +28,7 @@ void LinePairs::active_contacts(ActiveContacts& out) const {
     t.other_line = b.element.line;
     t.from = t.other_from = HUGE_VAL;
     t.to = t.other_to = -HUGE_VAL;
-    for (size_t k = 0; k < kParts; ++k) {
+    for (size_t k = 0; k < kPasses; ++k) {
       const bool swapped = k >= 3;
       const ContactSegment &slave = swapped ? b : a, &master = swapped ? a : b;
       double &from = swapped ? t.other_from : t.from, &to = swapped ? t.other_to : t.to;
@@ -53,15 +53,16 @@ void LinePairs::resultants(const Kinematics& state, ContactResultants& out) cons
   for (const Pair& pair : pairs_) {
     if (!pair.counted || !pair.points) continue;
     const AxisShape shapes[] = {AxisShape(ends(state, pair.a)), AxisShape(ends(state, pair.b))};
-    const double radii[] = {type_of(pair.a).radius, type_of(pair.b).radius};
+    const double radii[] = {type_of_segment(pair.a).radius, type_of_segment(pair.b).radius};
     ResultantSum sum;
-    for (size_t k = 0; k < kParts; ++k) {
+    for (size_t k = 0; k < kPasses; ++k) {
       const size_t slave = k < 3 ? 0 : 1;
       for (const LinePairContactPoint& h : (*pair.points)[k])
         sum.add(shapes[slave].point(h.xi) - (radii[slave] + 0.5 * h.gap) * h.normal, h, Mat3::Identity(),
                 slave == 0 ? 1 : -1);
     }
-    if (sum.any()) out.push_back({line_of(pair.a), line_of(pair.b), -1, -1, sum.place(), sum.force()});
+    if (sum.any())
+      out.push_back({line_of_segment(pair.a), line_of_segment(pair.b), -1, -1, sum.place(), sum.force()});
   }
 }
 
@@ -84,7 +85,7 @@ void LinePairs::fields(FieldRegistry& registry) const {
         for (const Pair& p : pairs_) {
           if (!p.points) continue;
           const ContactSegment &a = segment(p.a), &b = segment(p.b);
-          for (size_t k = 0; k < kParts; ++k)
+          for (size_t k = 0; k < kPasses; ++k)
             for (const LinePairContactPoint& h : (*p.points)[k]) {
               put(k < 3 ? a : b, h.xi, 1, h);
               put(k < 3 ? b : a, h.eta, -1, h);

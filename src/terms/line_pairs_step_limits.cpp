@@ -85,7 +85,7 @@ double LinePairs::acceleration(const Pair& p, const Kinematics& state) const {
 
 // Effective mass of the two lines, kg/m.
 double LinePairs::mass_per_length(const Pair& p) const {
-  const double a = type_of(p.a).mass_per_length, b = type_of(p.b).mass_per_length;
+  const double a = type_of_segment(p.a).mass_per_length, b = type_of_segment(p.b).mass_per_length;
   return a * b / (a + b);
 }
 
@@ -120,7 +120,7 @@ void LinePairs::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
         trial.step > kUnresolved * 2 * M_PI * slow
             ? 0.5 * m * speed * speed
             : crossing_error(slow, 2 * ramp, k * depth, 0.5 * k * depth * depth, path, speed);
-    if (error > 0) to.list.push_back({line_of(p.a), line_of(p.b), error});
+    if (error > 0) to.list.push_back({line_of_segment(p.a), line_of_segment(p.b), error});
   }
 }
 
@@ -146,8 +146,8 @@ void LinePairs::limit_step(const Kinematics& state, ImpactEvents& to) {
     if (!p.counted) continue;
     Approach a{std::max(apart - ramp, 0.0), -c.speed, acceleration(p, state)};
     if (p.points) a.gap = -ramp - deepest(p);
-    to.add(impact_event(inverse_frequency(p, std::max(-c.speed, 0.0)), 2 * ramp, mass(p), a), line_of(p.a),
-           line_of(p.b));
+    to.add(impact_event(inverse_frequency(p, std::max(-c.speed, 0.0)), 2 * ramp, mass(p), a),
+           line_of_segment(p.a), line_of_segment(p.b));
   }
 }
 
@@ -160,7 +160,7 @@ advice::NearestPlaces LinePairs::nearest_places(const Pair& p) const {
 
 // Energy in the contact springs of the two lines that this rank counts, J.
 double LinePairs::stored(const Pair& of) const {
-  const auto lines = [&](const Pair& p) { return ordered(line_of(p.a), line_of(p.b)); };
+  const auto lines = [&](const Pair& p) { return ordered(line_of_segment(p.a), line_of_segment(p.b)); };
   return sum([&](const Pair& p) { return lines(p) == lines(of); },
              [](const LinePairContactPoint& h) { return h.potential; });
 }
@@ -172,7 +172,7 @@ advice::StepFinding LinePairs::too_soft(const Pair& p) const {
   if (!(depth > kProposed * radii)) return advice::LinesStartTooNear{nearest_places(p)};
   const double has = stored(p), more = speed > 0 ? 0.5 * mass(p) * speed * speed : 0;
   const double wanted = k * std::pow(depth / (kProposed * radii), 2.5) * (1 + more / has);
-  const bool own = options_.tuned.count(ordered(line_of(p.a), line_of(p.b))) > 0;
+  const bool own = options_.tuned.count(ordered(line_of_segment(p.a), line_of_segment(p.b))) > 0;
   return advice::PressedLines{.at = nearest_places(p),
                               .depth = depth,
                               .radii = radii,

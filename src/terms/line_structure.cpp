@@ -119,8 +119,6 @@ LineStructure::LineStructure(const LocalMesh& mesh, const model::Case& c)
 void LineStructure::evaluate(const Kinematics& trial, Assembler& assembler) {
   update_from_feeders(trial);
   const CableStep step{trial.step, trial.mean.filter};
-  // With a weight of 1 (statics, start of the motion; StepMean) cables have the force at the state itself.
-  const bool in_step = trial.mean.weight != 1;
   if (assembler.needs_tangent()) {
     Vec12 f;
     Mat12 K, C;
@@ -132,7 +130,7 @@ void LineStructure::evaluate(const Kinematics& trial, Assembler& assembler) {
     for (const Cable& c : cables_) {
       CableForce o;
       const CableEnds e = ends(c, trial);
-      if (in_step) {
+      if (trial.mean.over_step()) {
         cable_mean_force(c.section, scaled_start(c, trial.step, last_step_), step, e.x1, e.x2, o);
         assembler.add_mean_between(c.blocks[0], c.blocks[1], o.force, &o.k);
         continue;
@@ -151,10 +149,11 @@ void LineStructure::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Cable& c : cables_) {
     const CableEnds e = ends(c, trial);
     const Vec3 pull =
-        in_step ? cable_mean_force(c.section, scaled_start(c, trial.step, last_step_), step, e.x1, e.x2)
-                : cable_force(c.section, e);
-    // Outside a step `pull` is not a mean. With the weight of 1 it enters the residual unchanged; it also
-    // enters mean_forces(), from which the motion starts.
+        trial.mean.over_step()
+            ? cable_mean_force(c.section, scaled_start(c, trial.step, last_step_), step, e.x1, e.x2)
+            : cable_force(c.section, e);
+    // With the weight of 1, `pull` enters the residual unchanged; it also enters mean_forces(), from which
+    // the motion starts.
     assembler.add_mean_between(c.blocks[0], c.blocks[1], pull, nullptr);
   }
 }
@@ -304,15 +303,15 @@ double LineStructure::commit_plastic(const Kinematics& state) {
   return dissipated;
 }
 
-void LineStructure::prepare(const Kinematics& committed, double) {
+void LineStructure::prepare(const Kinematics& from, double) {
   // In statics every section bends from its initial history in one step. The result is stored when motion
   // begins; it is not work of the motion.
-  update_from_feeders(committed);
-  if (committed.phase == Phase::start && !plastic_history_.empty()) commit_plastic(committed);
-  if (damped_ && !power_) power_ = beam_dissipation(committed);
-  last_step_ = committed.last_step();
+  update_from_feeders(from);
+  if (from.phase == Phase::start && !plastic_history_.empty()) commit_plastic(from);
+  if (damped_ && !power_) power_ = beam_dissipation(from);
+  last_step_ = from.last_step();
   for (Cable& c : cables_) {
-    const CableEnds e = ends(c, committed);
+    const CableEnds e = ends(c, from);
     c.start = cable_start(c.section, e.x1, e.x2, c.start.strain_increment, last_step_);
   }
 }

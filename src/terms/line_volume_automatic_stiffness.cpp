@@ -1,10 +1,9 @@
 // The class LineVolumeContact: penetration of each element into volumes, and demands to raise the automatic
-// stiffness (contact_volumes_automatic_stiffness.cpp). A prescribed stiffness that is too low is refused. See
-// docs/theory/contact.md, "Stiffness that follows the run".
+// stiffness (contact_volumes_automatic_stiffness.cpp). See docs/theory/contact.md, "Stiffness that follows
+// the run".
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/advice/contact_stiffness.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser {
@@ -95,32 +94,6 @@ bool LineVolumeContact::raise_stiffness_where_blocked(const Kinematics& trial) {
 
 void LineVolumeContact::revert_stiffness() {
   if (volumes_.revert_raise()) renew_laws();
-}
-
-std::optional<advice::TooDeep> LineVolumeContact::deeper_than_allowed(const Kinematics& trial) const {
-  if (finder_.by_gap()) return std::nullopt;  // the compression of gap springs has no limit
-  const Pair* in = nullptr;
-  double deepest = 0, xi = 0;
-  for (const Pair& pair : pairs_) {
-    if (is_held(pair) || pair.trial.found.quadrature.empty()) continue;
-    // A pair that has not moved since it was clear is not evaluated in a trial; its result is older.
-    if (!pair.trial.found.configuration.shape.same_axis(AxisShape(ends(trial, pair.element)))) continue;
-    const double most = volumes_.deepest(pair.volume, pair.radius);
-    for (const QuadraturePoint& there : pair.trial.found.quadrature)
-      if (const double depth = pair.radius - there.surface.distance; depth > std::max(most, deepest)) {
-        in = &pair;
-        deepest = depth;
-        xi = there.xi;
-      }
-  }
-  if (!in) return std::nullopt;
-  const LocalElement& e = local(*in);
-  const int node = mesh_.global[xi < 0.5 ? e.first : e.second];
-  return advice::TooDeep{.law = volumes_.law_of(in->volume),
-                         .place = mesh_.mesh->place(node),
-                         .depth = deepest,
-                         .radius = in->radius,
-                         .time = trial.time};
 }
 
 }  // namespace hawser

@@ -85,10 +85,10 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
 Energy LineVolumeContact::energy(const Kinematics& state) const {
   Energy e;
   std::vector<RigidPose> poses;
-  if (!state.after_step()) poses = volumes_.poses(state);
+  if (!state.ends_step()) poses = volumes_.poses(state);
   for (const Pair& p : pairs_) {
     if (!local(p).counted) continue;
-    if (state.after_step()) {
+    if (state.ends_step()) {
       for (const AxisContactPoint& q : p.start.points) e.strain += q.weight * q.potential;
       continue;
     }

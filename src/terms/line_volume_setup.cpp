@@ -22,10 +22,10 @@ LineVolumeContact::LineVolumeContact(const LocalMesh& mesh, std::shared_ptr<cons
   accounts_.resize(elements_.size());
 }
 
-bool LineVolumeContact::refresh_couplings(const Kinematics& committed, double h) {
+bool LineVolumeContact::refresh_couplings(const Kinematics& from, double h) {
   double thickest = 0;
   for (const LineContactElement& e : elements_) thickest = std::max(thickest, e.radius);
-  return volumes_.refresh_couplings(committed, h, thickest);
+  return volumes_.refresh_couplings(from, h, thickest);
 }
 
 // The element at a feeder's feed point has the length at the speed of the start of the step, as for masses.
@@ -70,8 +70,8 @@ void LineVolumeContact::enable_friction(bool on) {
   for (Pair& pair : pairs_) pair.trial.evaluation = Pair::Evaluation::none;
 }
 
-void LineVolumeContact::prepare(const Kinematics& committed, double h) {
-  volumes_.pose_start(committed);
+void LineVolumeContact::prepare(const Kinematics& from, double h) {
+  volumes_.pose_start(from);
   near_.clear();
   std::vector<Pair> old;
   old.swap(pairs_);
@@ -80,7 +80,7 @@ void LineVolumeContact::prepare(const Kinematics& committed, double h) {
   Pair pair;  // reused, because most pairs are far apart and discarded
   for (int e = 0; e < static_cast<int>(elements_.size()); ++e) {
     if (!(elements_[e].radius > 0) || idle(e)) continue;
-    const AxisEnds at = ends(committed, e);
+    const AxisEnds at = ends(from, e);
     const AxisShape shape(at);
     for (int k = 0; k < volumes(); ++k) {
       const auto key = [&] { return std::pair(old[known].element, old[known].volume); };

@@ -1,6 +1,6 @@
 // The class LineVolumeContact: detects elements that pass through a volume in a step without contact at its
 // start and end, or that reach its other side. No force acted on them, so the step is repeated with a shorter
-// length.
+// length; likewise if a line is deeper in a volume than the range of its law.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -47,6 +47,32 @@ Verdict LineVolumeContact::check_step(const Kinematics& trial) const {
                                  .too_soft = drawn && !volumes_.automatic(pair.volume)}};
   }
   return {};
+}
+
+std::optional<advice::TooDeep> LineVolumeContact::deeper_than_allowed(const Kinematics& state) const {
+  if (finder_.by_gap()) return std::nullopt;  // the compression of gap springs has no limit
+  const Pair* in = nullptr;
+  double deepest = 0, xi = 0;
+  for (const Pair& pair : pairs_) {
+    if (is_held(pair) || pair.trial.found.quadrature.empty()) continue;
+    // A pair that has not moved since it was clear is not evaluated in a trial; its result is older.
+    if (!pair.trial.found.configuration.shape.same_axis(AxisShape(ends(state, pair.element)))) continue;
+    const double most = volumes_.deepest(pair.volume, pair.radius);
+    for (const QuadraturePoint& there : pair.trial.found.quadrature)
+      if (const double depth = pair.radius - there.surface.distance; depth > std::max(most, deepest)) {
+        in = &pair;
+        deepest = depth;
+        xi = there.xi;
+      }
+  }
+  if (!in) return std::nullopt;
+  const LocalElement& e = local(*in);
+  const int node = mesh_.global[xi < 0.5 ? e.first : e.second];
+  return advice::TooDeep{.law = volumes_.law_of(in->volume),
+                         .place = mesh_.mesh->place(node),
+                         .depth = deepest,
+                         .radius = in->radius,
+                         .time = state.time};
 }
 
 // Detects an axis that reached the surface because contact is too soft. Inside, the nearest facet may be on

@@ -170,18 +170,18 @@ LinesInWater::FlowLoads LinesInWater::flow_loads(const Kinematics& state) const 
 
 // Statics calls this before every iteration, because the line search needs the work of forces without a
 // potential since then.
-void LinesInWater::prepare(const Kinematics& committed, double) {
+void LinesInWater::prepare(const Kinematics& from, double) {
   if (!sea_.waves.none()) {
-    if (!committed.after_step() || place_.empty()) place_.assign(committed.x.begin(), committed.x.end());
-    start_.assign(committed.x.begin(), committed.x.end());
-    speed_.assign(committed.v.begin(), committed.v.end());
-    start_time_ = committed.time;
+    if (!from.ends_step() || place_.empty()) place_.assign(from.x.begin(), from.x.end());
+    start_.assign(from.x.begin(), from.x.end());
+    speed_.assign(from.v.begin(), from.v.end());
+    start_time_ = from.time;
     wave_known_ = false;
   }
   update_from_feeders(&FedLine::length);
   // At the start of the motion waves start to act and accelerations jump, so the flow of the last commit is
   // not valid.
-  if (!committed.after_step() || flow_loads_.place.empty() || feeders_) flow_loads_ = flow_loads(committed);
+  if (!from.ends_step() || flow_loads_.place.empty() || feeders_) flow_loads_ = flow_loads(from);
 }
 
 void LinesInWater::commit(const Kinematics& accepted) {
@@ -318,7 +318,7 @@ std::vector<CheckpointKind> LinesInWater::checkpoint_kinds() const {
   return {checkpoint_kind<WorkDone>("sums of a rank"), checkpoint_kind<KeptPosition>("places of waves")};
 }
 
-std::vector<CheckpointRecord> LinesInWater::records(NodeRange range) const {
+std::vector<CheckpointRecord> LinesInWater::checkpoint_records(NodeRange range) const {
   if (mesh_.owned == 0) return {};
   std::vector<CheckpointRecord> out;
   if (range.has(mesh_.global[0])) out.push_back(record_of(mesh_.global[0], 0, WorkDone{work_}, kWaterSums));

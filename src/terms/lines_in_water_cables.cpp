@@ -108,11 +108,8 @@ void LinesInWater::add_quad(const CableQuad& q, const Kinematics& trial, Assembl
     if (p.idle) continue;
     const int a = mesh_.block[static_cast<size_t>(p.element.first)],
               b = mesh_.block[static_cast<size_t>(p.element.second)];
-    // Derivatives for a tied end are added singly.
-    if (wet >> i & 1 && !(assembler.tied(a) || assembler.tied(b)))
-      assembler.add_weighted(a, b, f[i], J[i]);
-    else
-      add_element(p, trial, assembler);
+    const bool added = wet >> i & 1 && assembler.add_weighted(a, b, f[i], J[i]);
+    if (!added) add_element(p, trial, assembler);
   }
 }
 

@@ -115,9 +115,9 @@ void Links::powers(const Link& l, const Kinematics& state, double& damping, doub
   if (l.b.frame_node(*bodies_) < 0) work += s.force.pull.dot(s.b.v);
 }
 
-void Links::prepare(const Kinematics& committed, double) {
+void Links::prepare(const Kinematics& from, double) {
   for (Link& l : list_)
-    if (l.counted) powers(l, committed, l.damping_power, l.work_power);
+    if (l.counted) powers(l, from, l.damping_power, l.work_power);
 }
 
 void Links::commit(const Kinematics& accepted) {
@@ -160,7 +160,7 @@ std::vector<CheckpointKind> Links::checkpoint_kinds() const {
   return {checkpoint_kind<Link>("sums of a link")};
 }
 
-std::vector<CheckpointRecord> Links::records(NodeRange range) const {
+std::vector<CheckpointRecord> Links::checkpoint_records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
   for (size_t i = 0; i < list_.size(); ++i)
     if (list_[i].counted && range.has(list_[i].owner))

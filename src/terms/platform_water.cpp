@@ -171,13 +171,13 @@ void PlatformWater::rest_at(Platform& p, const RigidBodyState& s) {
 }
 
 // Without a previous step, the memory begins with the present velocity.
-void PlatformWater::prepare(const Kinematics& committed, double h) {
+void PlatformWater::prepare(const Kinematics& from, double h) {
   for (Group& g : groups_) {
     g.is_cached = false;
     if (!g.is_local) continue;
-    if (!committed.after_step())
-      for (Platform& p : g.platforms) p.rest = floating_state(committed, p.local);
-    if (committed.phase == Phase::start && g.past.size() <= 1) begin_memory(g, committed);
+    if (!from.ends_step())
+      for (Platform& p : g.platforms) p.rest = floating_state(from, p.local);
+    if (from.phase == Phase::start && g.past.size() <= 1) begin_memory(g, from);
     tabulate_lags(g, h);
   }
 }

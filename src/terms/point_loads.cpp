@@ -64,13 +64,13 @@ PointLoads::PointLoads(const LocalMesh& mesh, std::vector<NodeLoad> loads) {
   work_.assign(loads_.size(), 0);
 }
 
-void PointLoads::prepare(const Kinematics& committed, double) {
+void PointLoads::prepare(const Kinematics& from, double) {
   start_.clear();
   rotation_.clear();
-  start_time_ = committed.time;
+  start_time_ = from.time;
   for (const NodeLoad& load : loads_) {
-    start_.push_back(committed.x[load.node]);
-    rotation_.push_back(committed.q[load.node]);
+    start_.push_back(from.x[load.node]);
+    rotation_.push_back(from.q[load.node]);
   }
 }
 
@@ -127,7 +127,7 @@ std::vector<CheckpointKind> PointLoads::checkpoint_kinds() const {
   return {checkpoint_kind<WorkDone>("sums of a load")};
 }
 
-std::vector<CheckpointRecord> PointLoads::records(NodeRange range) const {
+std::vector<CheckpointRecord> PointLoads::checkpoint_records(NodeRange range) const {
   std::vector<CheckpointRecord> records;
   std::unordered_map<int, int> count;
   for (size_t i = 0; i < work_.size(); ++i)

@@ -55,8 +55,8 @@ namespace {
 // resistance. Its force is zero at the start of each Newton iteration, so it does not affect the equilibrium.
 constexpr double kDrift = 0.01;
 
-// True if inertia is the change of the momenta over the step. The start of a run has no step (StepMean).
-bool by_momenta(const Kinematics& state) { return state.moves() && state.mean.weight > 1; }
+// True if inertia is the change of the momenta over the step.
+bool by_momenta(const Kinematics& state) { return state.moves() && state.mean.over_step(); }
 
 }  // namespace
 
@@ -118,11 +118,11 @@ void RigidBodies::powers(const Floating& f, const Kinematics& state, double& dam
 }
 
 // At the start or restart of motion the momenta change by the accelerations.
-void RigidBodies::prepare(const Kinematics& committed, double) {
+void RigidBodies::prepare(const Kinematics& from, double) {
   for (Floating& f : list_) {
-    powers(f, committed, f.damping_power, f.work_power);
-    f.start = floating_state(committed, f.node);
-    if (!committed.after_step()) f.momenta.q = f.momenta.f = momentum_rate(f.data, f.start);
+    powers(f, from, f.damping_power, f.work_power);
+    f.start = floating_state(from, f.node);
+    if (!from.ends_step()) f.momenta.q = f.momenta.f = momentum_rate(f.data, f.start);
   }
 }
 
@@ -229,7 +229,7 @@ std::vector<CheckpointKind> RigidBodies::checkpoint_kinds() const {
   return {checkpoint_kind<Floating>("sums of a body")};
 }
 
-std::vector<CheckpointRecord> RigidBodies::records(NodeRange range) const {
+std::vector<CheckpointRecord> RigidBodies::checkpoint_records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
   for (const Floating& f : list_)
     if (range.has(f.global)) out.push_back(record_of(f.global, 0, f));

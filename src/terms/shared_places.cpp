@@ -131,8 +131,8 @@ std::optional<std::array<double, 2>> SharedPlaces::along(const Branch& branch, i
   return std::array{a, b};
 }
 
-void SharedPlaces::clip(int element, int second, std::array<double, 2>& part,
-                        std::array<double, 2>& second_part) const {
+void SharedPlaces::clip(int element, int second, std::array<double, 2>& range,
+                        std::array<double, 2>& second_range) const {
   if (places_.empty()) return;
   const Mesh& mesh = *mesh_.mesh;
   for (const int k : between(mesh.element(element).line, mesh.element(second).line))
@@ -149,8 +149,8 @@ void SharedPlaces::clip(int element, int second, std::array<double, 2>& part,
         else
           of[1] = std::min(of[1], xi);
       };
-      take_off(*one, swapped ? second_part : part);
-      take_off(*other, swapped ? part : second_part);
+      take_off(*one, swapped ? second_range : range);
+      take_off(*other, swapped ? range : second_range);
     }
 }
 

@@ -76,8 +76,8 @@ SoilResistance::SoilResistance(MPI_Comm comm, const LocalMesh& mesh, const model
                                const Kinematics& start, const std::vector<int>& held)
     : SoilResistance(comm, mesh, start, places_of(mesh, c, held)) {}
 
-void SoilResistance::prepare(const Kinematics& committed, double h) {
-  if (h > 0) turn_to(committed);
+void SoilResistance::prepare(const Kinematics& from, double h) {
+  if (h > 0) turn_to(from);
 }
 
 double SoilResistance::turn_to(const Kinematics& state, double share) {
@@ -131,7 +131,7 @@ Energy SoilResistance::energy(const Kinematics& state) const {
   Energy e;
   for (const Point& p : points_) {
     e.friction += p.friction_work;
-    e.strain += state.after_step() ? p.stored : pull(p, state).potential;
+    e.strain += state.ends_step() ? p.stored : pull(p, state).potential;
   }
   return e;
 }
@@ -149,7 +149,7 @@ std::vector<CheckpointKind> SoilResistance::checkpoint_kinds() const {
   return {checkpoint_kind<Point>("points")};
 }
 
-std::vector<CheckpointRecord> SoilResistance::records(NodeRange range) const {
+std::vector<CheckpointRecord> SoilResistance::checkpoint_records(NodeRange range) const {
   std::vector<CheckpointRecord> records;
   for (const Point& p : points_)
     if (range.has(mesh_.global[p.node])) records.push_back(record_of(mesh_.global[p.node], 0, p));

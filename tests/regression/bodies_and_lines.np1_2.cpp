@@ -34,7 +34,7 @@ Outcome outcome(MPI_Comm comm, const char* file, double duration) {
   const double before = energy()[0];
   Outcome out;
   integrate(d, duration, duration, [&](const StepInfo&) {
-    int touching = s.contact()->active_count();
+    int touching = s.line_volume_contact()->active_count();
     MPI_Allreduce(MPI_IN_PLACE, &touching, 1, MPI_INT, MPI_SUM, comm);
     out.touched += touching > 0;
   });

@@ -31,7 +31,7 @@ contact: {between_lines: false}
 class Height : public ForceTerm {
  public:
   explicit Height(const LocalMesh& mesh) : mesh_(mesh) {}
-  std::string_view record_key() const override { return "height"; }
+  std::string_view checkpoint_key() const override { return "height"; }
   void evaluate(const Kinematics&, Assembler&) override {}
   void fields(FieldRegistry& registry) const override {
     registry.add({{.name = "height",

@@ -22,7 +22,7 @@ class MiddleSprings final : public ForceTerm, public CouplesNodes, public Limits
   double refuse = 1e30, refuse_from = 0, refuse_to = 0;
   int located = 0;
 
-  std::string_view record_key() const override { return "middle springs"; }
+  std::string_view checkpoint_key() const override { return "middle springs"; }
   bool refresh_couplings(const Kinematics& committed, double h) override { return list.update(committed, h); }
   void list_couplings(Couplings& to) const override { list.list_couplings(to); }
   void renumber() override {

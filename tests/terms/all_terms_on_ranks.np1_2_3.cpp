@@ -114,7 +114,7 @@ TEST(SuiteRanks, EnergyAndHistory) {
       };
       EXPECT_NEAR(sum(PETSC_COMM_WORLD, sums(mine)), sums(whole), 1e-12 * (1 + std::abs(sums(whole))))
           << c.name;
-      const std::string name(all.terms()[t]->record_key());
+      const std::string name(all.terms()[t]->checkpoint_key());
       if (name == "structure" || name == "mass" || name == "hydrodynamics")
         continue;            // the sums of a rank, stored at any of its nodes
       if (name == "seabed")  // its sums have the second kind

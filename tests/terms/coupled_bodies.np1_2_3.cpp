@@ -24,7 +24,7 @@ Mat12 made_up(double scale, int seed) {
 class Joined final : public ForceTerm, public CouplesFixedNodes {
  public:
   Joined(const LocalMesh& mesh, const Mat12& A, const Mat12& B) : mesh_(mesh), A_(A), B_(B) {}
-  std::string_view record_key() const override { return "joined"; }
+  std::string_view checkpoint_key() const override { return "joined"; }
   void list_couplings(Couplings& to) const override { to.add({0, 0}, {1, 1}); }
   void evaluate(const Kinematics& trial, Assembler& assembler) override {
     Vec12 a, v;

@@ -138,10 +138,10 @@ void expect_step_tangent(model::ContactMethod method) {
   StepTangent step = StepTangent::by_chance(sim.system(), sim.state(), 0.02, 0.01, 0.05);
   // The number of contacts is counted after an accepted step.
   step.commit();
-  int all = sim.contact()->active_count();
+  int all = sim.line_volume_contact()->active_count();
   MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPI_INT, MPI_SUM, PETSC_COMM_WORLD);
   EXPECT_GE(all, method == model::ContactMethod::line ? 5 : 3);
-  sim.contact()->restore({});
+  sim.line_volume_contact()->restore({});
   step.prepare();
   // Dampers start and stop where contact begins; this kink is always near.
   const double worst = step.worst(1e-6, 1e-5);

@@ -92,7 +92,7 @@ TEST(ContactAlong, DerivativeOfTheForce) {
         return volume_contact(law, q.start, q.trial, false);
       };
       const ContactForce c = contact(xi);
-      ASSERT_GT(c.normal.force, 0) << s.name;
+      ASSERT_GT(c.along_normal.force, 0) << s.name;
       EXPECT_EQ(c.slides, s.name.find("slides") != std::string::npos) << s.name;
       const Vec3 expected = rate([&](double x) { return contact(x).force; });
       const Vec3 found = contact_force_along(law, p.start, p.trial, by);

@@ -181,9 +181,9 @@ struct Rig {
 
   int unknowns() const { return (a.beam ? 12 : 6) + (b.beam ? 12 : 6); }
 
-  // f, K, C of one of the six parts, or of their sum (-1), reordered from slave and master of the part to a,
+  // f, K, C of one of the six passes, or of their sum (-1), reordered from slave and master of the pass to a,
   // b.
-  void forces(const std::vector<double>& u, const std::vector<double>& du, int part, std::vector<double>& f,
+  void forces(const std::vector<double>& u, const std::vector<double>& du, int pass, std::vector<double>& f,
               std::vector<double>* K, std::vector<double>* C) const {
     const int n = unknowns(), na = a.beam ? 12 : 6;
     f.assign(static_cast<size_t>(n), 0);
@@ -194,7 +194,7 @@ struct Rig {
     const AxisEnds at = moved(a, u.data(), du.data()), bt = moved(b, u.data() + na, du.data() + na);
     const PairAxis A(at, a0), B(bt, b0);
     each(at, bt, a0, b0, history, [&](size_t k, const LinePairPass& s) {
-      if (part >= 0 && static_cast<size_t>(part) != k) return;
+      if (pass >= 0 && static_cast<size_t>(pass) != k) return;
       const bool swapped = k >= 3;
       const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
       AttachedForces g = no_forces(slave, master, settings.law.friction.active());
@@ -235,16 +235,16 @@ TEST(LinePair, Tangents) {
   for_all([&](const std::string& name, const Rig& whole, double) {
     for (const double from : {0.0, 0.52}) {
       Rig rig = whole;
-      rig.settings.part = {from, 1};
+      rig.settings.range = {from, 1};
       const int n = rig.unknowns();
       const size_t size = static_cast<size_t>(n);
       const std::vector<double> zero(size, 0);
-      for (int part = 0; part < 6; ++part) {
+      for (int pass = 0; pass < 6; ++pass) {
         std::vector<double> f, K, C, none;
-        rig.forces(zero, zero, part, f, &K, &C);
+        rig.forces(zero, zero, pass, f, &K, &C);
         double largest = 0;
         for (const double k : K) largest = std::max(largest, std::abs(k));
-        if (from == 0 && part % 3 == 0 && name.find("end ") != 0) {
+        if (from == 0 && pass % 3 == 0 && name.find("end ") != 0) {
           EXPECT_GT(largest, 1) << name;
         }
         double largest_c = 0;
@@ -256,8 +256,8 @@ TEST(LinePair, Tangents) {
           const auto at = [&](double t, bool rate) {
             std::vector<double> u(size), out;
             for (size_t i = 0; i < size; ++i) u[i] = t * dir[i];
-            rate ? rig.forces(zero, u, part, out, nullptr, nullptr)
-                 : rig.forces(u, zero, part, out, nullptr, nullptr);
+            rate ? rig.forces(zero, u, pass, out, nullptr, nullptr)
+                 : rig.forces(u, zero, pass, out, nullptr, nullptr);
             return out;
           };
           for (const bool rate : {false, true}) {
@@ -275,7 +275,7 @@ TEST(LinePair, Tangents) {
             if (norm == 0 && off == 0) continue;
             const double error = off / std::max(norm, 1e-3 * (rate ? largest_c : largest));
             worst = std::max(worst, error);
-            EXPECT_LT(error, 1e-6) << name << ", part " << part << (rate ? ", C" : ", K") << ", from "
+            EXPECT_LT(error, 1e-6) << name << ", pass " << pass << (rate ? ", C" : ", K") << ", from "
                                    << from;
           }
         }
@@ -329,8 +329,8 @@ TEST(LinePair, NewMaterialHasTheSlipOfTheSweep) {
   for (const double way : {0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3}) {
     const auto left = swept(way, mu);
     double friction = 0, normal = 0;
-    for (const auto& part : left)
-      for (const LinePairContactPoint& h : part) {
+    for (const auto& pass : left)
+      for (const LinePairContactPoint& h : pass) {
         friction += h.weight * h.friction.norm();
         normal += h.weight * h.normal_force;
       }
@@ -414,8 +414,8 @@ TEST(LinePair, RigidMotionLeavesTheSlipAlone) {
         ASSERT_EQ(next[k].size(), rig.history[k].size()) << s.name;
         for (size_t i = 0; i < next[k].size(); ++i) {
           const LinePairContactPoint &before = rig.history[k][i], &after = next[k][i];
-          EXPECT_NEAR(before.slip[0], after.slip[0], 1e-10) << s.name << ", part " << k;
-          EXPECT_NEAR(before.slip[1], after.slip[1], 1e-10) << s.name << ", part " << k;
+          EXPECT_NEAR(before.slip[0], after.slip[0], 1e-10) << s.name << ", pass " << k;
+          EXPECT_NEAR(before.slip[1], after.slip[1], 1e-10) << s.name << ", pass " << k;
           EXPECT_LE((turn * before.friction - after.friction).norm() / after.normal_force,
                     1e-6 + std::abs(before.normal_force / after.normal_force - 1))
               << s.name;

@@ -101,7 +101,7 @@ TEST(LinePairClosing, DerivativesOfTheLaw) {
                                      -0.2, 0.1,  0.2, 1,   0.1, 0.02, 1,   0,     -0.1, 0.2, 1.1,  0};
     for (int i = 0; i < F::kInputs; ++i) in[i] = base[i] + 0.01 * noise(100 * seed + i);
     const F f = force(true), same = force(false);
-    ASSERT_GT(f.normal.force, 0);
+    ASSERT_GT(f.along_normal.force, 0);
     EXPECT_LT((f.force - same.force).norm() + (f.couple - same.couple).norm(), 1e-12);
     for (int i = 0; i < F::kInputs; ++i) {
       const double at = in[i], e = 1e-6;

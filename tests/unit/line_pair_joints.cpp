@@ -49,12 +49,12 @@ TEST(LinePairJoints, JointsDoNotShow) {
             set.moves = false;
             const std::vector<LinePairContactPoint> none;
             for (int k = 0; k < 6; ++k) {
-              const ProjectOn part = static_cast<ProjectOn>(k % 3);
+              const ProjectOn target = static_cast<ProjectOn>(k % 3);
               // Joints of the chain of pieces; the other line is one element.
-              if (part != ProjectOn::element && k >= 3) continue;
-              if (part == ProjectOn::first_end && i == 0) continue;
-              if (part == ProjectOn::second_end && i + 1 == pieces) continue;
-              const LinePairPass pass(k < 3 ? A : B, k < 3 ? B : A, part, set, none);
+              if (target != ProjectOn::element && k >= 3) continue;
+              if (target == ProjectOn::first_end && i == 0) continue;
+              if (target == ProjectOn::second_end && i + 1 == pieces) continue;
+              const LinePairPass pass(k < 3 ? A : B, k < 3 ? B : A, target, set, none);
               AttachedForces g = no_forces(A, A, false);
               pass.add(pass.panels(), false, g);
               const size_t step = beam ? 2 : 1, first = k < 3 ? 0 : static_cast<size_t>(A.now.count());

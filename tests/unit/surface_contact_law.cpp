@@ -101,7 +101,7 @@ TEST(VolumeContactKernel, TangentIsExact) {
     for (const Situation& s : situations()) {
       const ContactForce c = volume_contact(law, s.start, s.field(s.point, u), true);
       if (law.normal.table && s.field(s.point, u).gap >= 0) continue;  // a table has no ramp before contact
-      ASSERT_GT(c.normal.force, 0) << s.name;
+      ASSERT_GT(c.along_normal.force, 0) << s.name;
       // Mobilisation laws are limited by a length, spring laws by a force; each situation is made for one of
       // them.
       if (law.friction.active() && std::string(s.name).find("slip") != std::string::npos) {

@@ -76,7 +76,7 @@ Bump bump(double zeta) {
   const double p0 = 1e7 * 0.5 - 2.5e7 * 0.1, e0 = total(run.sim.system().energy(d.kinematics()));
   integrate(d, 8, 8, [&](const StepInfo& i) {
     const Kinematics k = d.kinematics();
-    const double F = run.sim.floating()->force_on(1, k)[0].x();
+    const double F = run.sim.rigid_bodies()->force_on(1, k)[0].x();
     out.force = std::max(out.force, F);
     out.duration += F > 1 ? i.h : 0;
     out.momentum =

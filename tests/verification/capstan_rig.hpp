@@ -93,8 +93,8 @@ inline Pulled run(const Pull& p) {
   const Energy e = s.system().energy(d.kinematics());
   const double brought = e.work + d.support_work() - (e.potential - e0.potential);
   out.audit = (e.kinetic + e.strain - e0.kinetic - e0.strain + e.friction + e.damping) / brought - 1;
-  out.touching = s.contact()->active_count();
-  out.penetration = s.contact()->largest_penetration().depth;
+  out.touching = s.line_volume_contact()->active_count();
+  out.penetration = s.line_volume_contact()->largest_penetration().depth;
   return out;
 }
 

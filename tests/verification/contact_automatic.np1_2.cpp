@@ -99,8 +99,8 @@ void look(Simulation& s, const Kinematics& state, Held& out) {
   }
   out.tension = most(largest);
   out.ratio = out.tension / -most(-least);
-  out.depth = most(s.contact()->largest_penetration().depth);
-  out.stiffness = s.contact()->stiffness(0);
+  out.depth = most(s.line_volume_contact()->largest_penetration().depth);
+  out.stiffness = s.line_volume_contact()->stiffness(0);
 }
 
 std::unique_ptr<Simulation> simulation(const std::string& name, const std::string& text) {

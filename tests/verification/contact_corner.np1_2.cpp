@@ -52,8 +52,8 @@ void look(Simulation& s, const Kinematics& state, Rest& r) {
   r.total.setZero();
   for (size_t i = 0; i < r.force.size(); ++i) r.total[static_cast<int>(i % 3)] += r.force[i];
   for (int c = 0; c < 3; ++c) r.total[c] = sum(r.total[c]);
-  r.touching = s.contact()->active_count();
-  r.deepest = largest(s.contact()->largest_penetration().depth);
+  r.touching = s.line_volume_contact()->active_count();
+  r.deepest = largest(s.line_volume_contact()->largest_penetration().depth);
 }
 
 // At rest, and at the end of the run.

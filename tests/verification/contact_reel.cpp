@@ -101,7 +101,7 @@ Reeled run(ContactMethod method, int elements, double duration,
         return true;
       });
   out.cpu = cpu_seconds() - before;
-  out.penetration = s.contact()->largest_penetration().depth;
+  out.penetration = s.line_volume_contact()->largest_penetration().depth;
   const std::vector<double>& M = moment.at(d.kinematics());
   // Bending decays over sqrt(EI/T) = 1.2 m: exclude nodes near the clamp and the lift-off.
   const size_t clear = static_cast<size_t>(std::lround(5 / h));

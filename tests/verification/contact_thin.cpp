@@ -107,12 +107,12 @@ Course throw_line(const Throw& t, unsigned seed) {
           for (size_t n = 0; n < now.size(); ++n)
             if (!t.nodes || n == 100 || n == 101) out.passed += through(plate, last[n], now[n]);
           last = now;
-          out.met |= s.contact()->active_count() > 0;
+          out.met |= s.line_volume_contact()->active_count() > 0;
           ++out.steps;
           out.rejected += info.rejected;
           return true;
         });
-  out.depth = s.contact()->largest_penetration().depth;
+  out.depth = s.line_volume_contact()->largest_penetration().depth;
   return out;
 }
 

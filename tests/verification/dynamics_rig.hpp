@@ -25,7 +25,7 @@ class TimedLoad final : public ForceTerm {
         moment_(moment),
         factor_(std::move(factor)) {}
 
-  std::string_view record_key() const override { return "timed load"; }
+  std::string_view checkpoint_key() const override { return "timed load"; }
   void evaluate(const Kinematics& trial, Assembler& assembler) override {
     const double s = factor_(trial.time);
     const Vec3 m = trial.q[node_].conjugate() * moment_;

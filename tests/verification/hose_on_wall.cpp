@@ -58,10 +58,10 @@ Found hose(double EI, double EA, double stiffness, int elements, model::Relaxati
   for (const FieldSource& source : fields.sources())
     if (source.name == "curvature") source.fill(s.at_rest(), curvature);
   f.curvature = *std::max_element(curvature.begin(), curvature.end());
-  if (!sim.contact()) return f;
+  if (!sim.line_volume_contact()) return f;
   f.first = kLength;
   ActiveContacts touches;
-  sim.contact()->active_contacts(touches);
+  sim.line_volume_contact()->active_contacts(touches);
   for (const ActiveContact& touch : touches) {
     f.force += touch.force;
     f.first = std::min(f.first, touch.from);

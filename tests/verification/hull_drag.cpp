@@ -122,14 +122,14 @@ Outcome drag(const Drag& d) {
       [&](const StepInfo& i) {
         ++steps;
         iterations += i.iterations;
-        out.most_touching = std::max(out.most_touching, s.contact()->active_count());
+        out.most_touching = std::max(out.most_touching, s.line_volume_contact()->active_count());
         if (std::floor(2 * i.time) > std::floor(2 * (i.time - i.h)) || i.time >= d.duration)
           for (const Vec3& x : dynamics.kinematics().x) places.push_back(x);
         return true;
       });
   const double seconds = cpu_seconds() - cpu;
   const long asked = counted->asked() - before;
-  out.deepest = s.contact()->largest_penetration().depth;
+  out.deepest = s.line_volume_contact()->largest_penetration().depth;
   const MeshView& mesh = *volumes[0].facets;
   const auto boundary = test::boundary_of(mesh);
   const Box box = counted->bounds();

@@ -70,7 +70,7 @@ void drag(const std::string& folder, const std::string& volumes, Drag& r) {
         }
         return ++r.steps < 20000;
       });
-  r.deep = s.contact()->largest_penetration().depth;
+  r.deep = s.line_volume_contact()->largest_penetration().depth;
   std::printf(
       "hose in the slit: %d steps, %.1f s between both walls, %.1f mm deep, pressed with %.1f kN at the "
       "end\n",

@@ -38,7 +38,7 @@ TEST(LineContactFacetGroups, BothBear) {
         8, [](double t) { return t + 100; }, [&](const StepInfo&) { return ++steps < 4000; });
     EXPECT_LT(steps, 4000);
     ActiveContacts touches;
-    s.contact()->active_contacts(touches);
+    s.line_volume_contact()->active_contacts(touches);
     double force[2] = {0, 0};
     for (const ActiveContact& t : touches) force[t.volume] += t.force;
     const double each = kMass * 10 * kLength / (2 * std::cos(angle));

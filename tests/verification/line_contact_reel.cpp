@@ -48,7 +48,7 @@ Drawn draw(model::ContactMethod method, int elements, double duration) {
         return true;
       });
   out.cpu = (cpu_seconds() - before) / duration;
-  out.penetration = s.contact()->largest_penetration().depth;
+  out.penetration = s.line_volume_contact()->largest_penetration().depth;
   const Energy e = s.system().energy(d.kinematics());
   const double brought = e.work + d.support_work() - (e.potential - e0.potential);
   out.audit = (e.kinetic + e.strain - e0.kinetic - e0.strain + e.friction + e.damping) / brought - 1;

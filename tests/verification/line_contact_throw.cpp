@@ -71,7 +71,7 @@ Thrown throw_pipe(double stiffness, double step, double longest = 0, bool resolv
         last = f;
         return true;
       });
-  out.depth = s.contact()->largest_penetration().depth;
+  out.depth = s.line_volume_contact()->largest_penetration().depth;
   const Energy e = s.system().energy(d.kinematics());
   out.audit = (e.kinetic + e.strain + e.potential + e.damping + e.friction - before) / kinetic;
   return out;

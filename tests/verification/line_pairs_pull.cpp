@@ -83,7 +83,7 @@ Drawn draw(double theta, double way, int elements) {
       check(KSPSolve(ksp.get(), res.get(), du.get()));
       check(VecScale(du.get(), -1));
       std::vector<double> local;
-      s.system().update_ghosts(du.get(), local);
+      s.system().gather_with_ghosts(du.get(), local);
       State next = now;
       retract(s.local(), now, local.data(), next);
       next.time = now.time;

@@ -74,7 +74,7 @@ struct SteadyRotation {
       check(KSPSetOperators(ksp.get(), J.get(), J.get()));
       check(KSPSolve(ksp.get(), r.get(), u.get()));
       check(VecScale(u.get(), -1));
-      s.system().update_ghosts(u.get(), local);
+      s.system().gather_with_ghosts(u.get(), local);
       retract(s.local(), s.state(), local.data(), next);
       s.state().x = next.x;
       s.state().q = next.q;

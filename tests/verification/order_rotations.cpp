@@ -24,7 +24,7 @@ struct Top {
 
 class TopTerm final : public ForceTerm {
  public:
-  std::string_view record_key() const override { return "top"; }
+  std::string_view checkpoint_key() const override { return "top"; }
   void evaluate(const Kinematics& k, Assembler& assembler) override {
     const Vec3 w = k.w[0], weight = top_.weight(k.q[0]), Jw = top_.inertia.cwiseProduct(w);
     // Added in three pieces, because the residual is relative to the size of the contributions.

@@ -114,7 +114,7 @@ Solved solve(MPI_Comm comm, const model::Case& c, const Configure& configure) {
     out.solver = name;
   }
   std::vector<double> all(3 * static_cast<size_t>(m.mesh->nodes()), 0), local;
-  system.update_ghosts(x.get(), local);
+  system.gather_with_ghosts(x.get(), local);
   for (int n = 0; n < m.owned; ++n)
     for (size_t k = 0; k < 3; ++k)
       all[3 * static_cast<size_t>(m.global[static_cast<size_t>(n)]) + k] =

@@ -143,7 +143,7 @@ TEST(Positioning, GivesNoMoreThanItsLimits) {
   EXPECT_NEAR(end.x(), 300 - 0.6 * way, 1e-6 * way);
   EXPECT_NEAR(end.y(), -400 + 0.8 * way, 1e-6 * way);
   EXPECT_NEAR(end.z(), M_PI / 3 - 0.5 * kMoment / kInertia * kUntil * kUntil, 1e-6);
-  for (const CheckpointRecord& r : s.system().find<DynamicPositioning>()->records({}))
+  for (const CheckpointRecord& r : s.system().find<DynamicPositioning>()->checkpoint_records({}))
     EXPECT_EQ(Vec3(&r.values[15]), Vec3::Zero()) << "the integral";
 }
 

@@ -169,7 +169,7 @@ TEST(SLay, TheCase) {
   const Kinematics at = sim.state().at_rest();
   const std::vector<double> moment = test::NodeField(sim, "bending_moment").at(at),
                             tension = test::NodeField(sim, "effective_tension").at(at);
-  const std::vector<Vec3> forces = sim.contact()->forces_by_volume(at);
+  const std::vector<Vec3> forces = sim.line_volume_contact()->forces_by_volume(at);
   const double EI = 1.62726e7, R = 151.325, s = 12 * R / 150, weight = 852.5;
   const auto node = [&](size_t box) {
     const Vec3 x = model::support_point(c, c.supports[box - 1], c.supports[box - 1].at);

@@ -129,7 +129,7 @@ inline Laid laid(const Setting& s) {
       out.depth = std::max(out.depth, kRadius - std::hypot(at.x[n].x(), at.x[n].z() - kTop + kRadius));
   }
   ActiveContacts touches;
-  sim.contact()->active_contacts(touches);
+  sim.line_volume_contact()->active_contacts(touches);
   for (const ActiveContact& t : touches)
     out.last_touch = std::max(out.last_touch, t.to / kRadius * 180 / M_PI);
   // Extrapolation to the lift-off by a parabola through nodes more than an element beyond it, outside its
@@ -144,7 +144,7 @@ inline Laid laid(const Setting& s) {
       if (j != i) share *= arc(j) / (arc(j) - arc(i));
     out.last_force += share;
   }
-  const std::vector<Vec3> forces = sim.contact()->forces_by_volume(at);
+  const std::vector<Vec3> forces = sim.line_volume_contact()->forces_by_volume(at);
   for (int i = 1; i <= s.rollers; ++i) {
     out.roller_force.push_back(forces[static_cast<size_t>(i - 1)].norm());
     double most = 0;

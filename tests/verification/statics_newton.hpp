@@ -40,7 +40,7 @@ inline int newton(System& system, State& state, double tolerance = 1e-12,
     PetscReal size = 0;
     check(VecNorm(u.get(), NORM_INFINITY, &size));
     if (!std::isfinite(size)) break;
-    system.update_ghosts(u.get(), local);
+    system.gather_with_ghosts(u.get(), local);
     retract(system.mesh(), state, local.data(), next);
     std::swap(state, next);
   }

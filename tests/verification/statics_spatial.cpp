@@ -37,7 +37,7 @@ struct Bend {
       axes << std::sin(a), std::cos(a), 0, std::cos(a), -std::sin(a), 0, 0, 0, -1;
       s->state().q[static_cast<size_t>(i)] = turn * Quat(axes);
     }
-    for (LineStructure::Beam& b : s->structure().beams()) {
+    for (LineStructure::Beam& b : s->line_structure().beams()) {
       const size_t i = static_cast<size_t>(b.element.first), j = static_cast<size_t>(b.element.second);
       BeamEnds e;
       e.x1 = s->state().x[i];

@@ -29,8 +29,12 @@ inline int ranks_of(MPI_Comm comm) {
 
 template <class T>
 MPI_Datatype mpi_type() {
-  static_assert(std::is_same_v<T, double> || std::is_same_v<T, int> || std::is_same_v<T, long long>);
-  return std::is_same_v<T, double> ? MPI_DOUBLE : std::is_same_v<T, int> ? MPI_INT : MPI_LONG_LONG;
+  if constexpr (std::is_same_v<T, double>) return MPI_DOUBLE;
+  if constexpr (std::is_same_v<T, int>) return MPI_INT;
+  if constexpr (std::is_same_v<T, char>) return MPI_CHAR;
+  static_assert(std::is_same_v<T, double> || std::is_same_v<T, int> || std::is_same_v<T, char> ||
+                std::is_same_v<T, long long>);
+  return MPI_LONG_LONG;
 }
 
 // True if ranks may send a T as its bytes: numbers and Eigen's fixed-size vectors, also in structs, arrays

@@ -29,9 +29,9 @@ AxisProjection point_at(const AxisShape& axis, double eta, const Vec3& x);
 // without knowledge of its neighbours: itself, and minus one half of each end that is a joint.
 enum class ProjectOn { element, first_end, second_end };
 
-inline AxisProjection projection(const AxisShape& axis, ProjectOn part, const Vec3& x) {
-  if (part == ProjectOn::element) return closest_point_on(axis, x);
-  return point_at(axis, part == ProjectOn::first_end ? 0 : 1, x);
+inline AxisProjection projection(const AxisShape& axis, ProjectOn target, const Vec3& x) {
+  if (target == ProjectOn::element) return closest_point_on(axis, x);
+  return point_at(axis, target == ProjectOn::first_end ? 0 : 1, x);
 }
 
 }  // namespace hawser

@@ -62,15 +62,15 @@ class LinePairPass {
  public:
   struct Settings {
     LinePairLaw law;
-    double share = 0.5;                // of the pressure, from slave_share()
-    double slave_radius = 0;           // m
-    bool moves = true;                 // in dynamics; without damping it has no effect
-    bool convex = false;               // exclude negative stiffness
-    std::array<double, 2> part{0, 1};  // part of the slave in xi that may touch the master
-    bool swapped = false;              // the slave is the second of the two in the output of add()
+    double share = 0.5;                 // of the pressure, from slave_share()
+    double slave_radius = 0;            // m
+    bool moves = true;                  // in dynamics; without damping it has no effect
+    bool convex = false;                // exclude negative stiffness
+    std::array<double, 2> range{0, 1};  // of the slave in xi, may touch the master
+    bool swapped = false;               // the slave is the second of the two in the output of add()
   };
 
-  LinePairPass(const PairAxis& slave, const PairAxis& master, ProjectOn part, const Settings& settings,
+  LinePairPass(const PairAxis& slave, const PairAxis& master, ProjectOn target, const Settings& settings,
                const std::vector<LinePairContactPoint>& previous);
 
   // Integration interval of the slave. An end may move with the gap, or with the point where the master's
@@ -114,7 +114,7 @@ class LinePairPass {
                   AttachedForces& g) const;
 
   const PairAxis &slave_, &master_;
-  ProjectOn part_;
+  ProjectOn target_;
   Settings set_;
   const std::vector<LinePairContactPoint>& previous_;
   double wa_, wb_;  // shares of the radii

@@ -33,7 +33,7 @@ struct LinePairForce {
   static constexpr int kAway = 0, kAlong = 3, kMoved = 6, kRate = 9, kSlip = 10, kAwayBefore = 12,
                        kSlope = 15, kSlopeBefore = 18, kAlongBefore = 21, kInputs = 24;
 
-  NormalForce normal;
+  NormalForce along_normal;
   double gap = 0;                // m
   Vec3 force = Vec3::Zero();     // N/m, on x: normal and friction; the opposite force acts on y
   Vec3 friction = Vec3::Zero();  // N/m

@@ -36,11 +36,11 @@ struct ContactTrial {
   // Friction at the line's surface. roll: rotation of the line about its axis relative to the body since the
   // start of the step, rad. lever: the line's radius, m; 0: friction acts at the axis.
   double roll = 0, lever = 0;
-  double step = 0;  // s, length of the step; 0: statics, where friction has no damping
+  double step = 0;  // s, length of the step, for the damping of friction between bodies; 0: no damping
 };
 
 struct ContactForce {
-  NormalForce normal;
+  NormalForce along_normal;
   Vec3 force = Vec3::Zero();     // N, on the line: normal and friction
   Vec3 friction = Vec3::Zero();  // N
   Vec3 slip = Vec3::Zero();      // m, elastic slip that remains

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,7 +30,8 @@ class EndForces {
   // none after it.
   struct SectionNode {
     int node = 0;                         // local
-    int end_index = -1;                   // 2 l: end A of line l; 2 l + 1: its end B; -1: within a line
+    int line = -1;                        // of the mesh
+    std::optional<LineEnd> line_end;      // none: within the line
     int before = -1, after = -1;          // local elements
     std::array<SectionForce, 2> sides{};  // before, after
     const SectionForce& at_line_end() const { return sides[after >= 0 ? 1 : 0]; }

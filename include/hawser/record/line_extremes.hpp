@@ -47,7 +47,7 @@ class LineExtremes : public Recording {
     bool largest = true;
     OfLines<Extreme> lines;  // over this rank's nodes
   };
-  std::vector<CheckpointRecord> records(NodeRange nodes) const;
+  std::vector<CheckpointRecord> checkpoint_records(NodeRange nodes) const;
 
   const MPI_Comm comm_;
   const model::Case& case_;

@@ -28,14 +28,14 @@ class FeederNodes {
   void restore(const io::Checkpoint& from, const std::string& path);
 
  private:
-  Dynamics::Moved leaving(const Feeder& f, const Kinematics& k, const LocalElement& e) const;
+  Dynamics::Moved released(const Feeder& f, const Kinematics& k, const LocalElement& e) const;
   // The absorbed node on the ranks that have it, and the length [m] of the element at the feed point
   // afterwards.
-  std::optional<Dynamics::Moved> caught(const Feeder& f, const Kinematics& k, double& length) const;
+  std::optional<Dynamics::Moved> absorbed(const Feeder& f, const Kinematics& k, double& length) const;
   void refuse_all_out(const Feeder& f, double time) const;
   void refuse_all_in(const Feeder& f, double time) const;
   void release_node(Feeder& f);
-  void catch_node(Feeder& f);
+  void absorb_node(Feeder& f);
   double feeder_force(const Feeder& f);
   void transfer_node(Feeder& f, int feed_point, double length, const std::optional<Dynamics::Moved>& moved);
 

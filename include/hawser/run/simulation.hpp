@@ -51,12 +51,12 @@ class Simulation {
   const Bodies& bodies() const { return *bodies_; }
   System& system() { return *system_; }
   // Force terms for use beyond their interface; null: the case has none.
-  LineStructure& structure() const { return *system_->find<LineStructure>(); }
-  LineVolumeContact* contact() const { return system_->find<LineVolumeContact>(); }
+  LineStructure& line_structure() const { return *system_->find<LineStructure>(); }
+  LineVolumeContact* line_volume_contact() const { return system_->find<LineVolumeContact>(); }
   LinePairs* line_pairs() const { return system_->find<LinePairs>(); }
-  BedContact* seabed() const;
+  BedContact* bed_contact() const;
   const BodyContact* body_contact() const;
-  const RigidBodies* floating() const;
+  const RigidBodies* rigid_bodies() const;
   Feeders* feeders() const;
   // Pose of a body of the case; for a floating body nullopt except on the rank that owns its node.
   std::optional<RigidPose> body_pose(int body, const Kinematics& state) const;
@@ -79,12 +79,13 @@ class Simulation {
   std::string inside(const model::Action& action, const Kinematics& state) const;
   // Switches contact of lines with the volumes of an action.
   void enable_contact(const model::Action& action);
-  // Overrides the case's setting of static friction; scale_current() multiplies the current.
-  void enable_static_friction(bool on) { static_friction_ = on; }
-  bool static_friction() const {
-    return static_friction_.value_or(case_.statics.contact_friction);
-  }  // friction of contact
-  void scale_current(double factor);
+  // Overrides, for the coming stages, whether all friction acts in statics; none: as in the case.
+  void enable_friction_in_statics(bool on) { friction_in_statics_ = on; }
+  // True if friction of contact with volumes and lines acts in statics; for that of the bed see lays_lines().
+  bool contact_friction_in_statics() const {
+    return friction_in_statics_.value_or(case_.statics.contact_friction);
+  }
+  void scale_current(double factor);  // multiplies the current
 
   // Throws InputError if a line that starts inside a volume is still inside. Collective.
   void check_inside() const;
@@ -92,9 +93,6 @@ class Simulation {
   // position. Throws InputError as check_inside(). progress: called occasionally, on all ranks. falls:
   // something was released and comes to rest by dynamic relaxation first.
   StaticsReport solve_statics(std::function<void(const StaticsReport&)> progress = {}, bool falls = false);
-  // Messages on the equilibrium: length of each line on the seabed and the effect of friction, one sentence
-  // each. Collective.
-  std::vector<std::string> on_bed() const;
   DynamicsSettings dynamics_settings() const;
 
  private:
@@ -133,9 +131,9 @@ class Simulation {
   // Stiffness of the contact volumes, in their basis, at the last take_stiffness_raises().
   std::vector<double> last_stiffness_;
   int cut_ = 0;
-  std::optional<bool> static_friction_;  // set by a stage; none: as in the case
-  bool any_laid_ = false;                // the laid position of some line of the case is known
-  std::vector<Vec3> laid_;               // m, laid positions of local nodes on the bed; as in StartShape
+  std::optional<bool> friction_in_statics_;  // set by a stage; none: as in the case
+  bool any_laid_ = false;                    // the laid position of some line of the case is known
+  std::vector<Vec3> laid_;                   // m, laid positions of local nodes on the bed; as in StartShape
 };
 
 }  // namespace hawser::run

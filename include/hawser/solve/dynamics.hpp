@@ -159,10 +159,10 @@ class Dynamics {
   MeanForces mean_;  // of the committed state
   // part of the mean forces at the end of the step that earlier steps determine, N
   std::vector<double> mean_history_;
-  double expected_ = -1;      // s, length passed to the last System::expect()
-  bool copied_ = false;       // trial_ holds all values that a step does not change
-  bool loaded_ = false;       // trial_ is the state of local_u_
-  bool old_tangent_ = false;  // the next iteration uses the tangent of an earlier one
+  double round_off_step_ = -1;  // s, step for which System has the round-off; < 0: none
+  bool copied_ = false;         // trial_ holds all values that a step does not change
+  bool loaded_ = false;         // trial_ is the state of local_u_
+  bool old_tangent_ = false;    // the next iteration uses the tangent of an earlier one
   // N, the larger of the first residual of this Newton solution and of its contributions
   double first_ = 0;
   int counted_ = -1;     // iterations until the residual fell below kCounted; < 0: not yet

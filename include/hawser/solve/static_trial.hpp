@@ -45,7 +45,8 @@ class StaticTrial {
   SNESConvergedReason solve();
   // Creates again everything that depends on ghosts and on the matrix's pattern, also during solve().
   void build();
-  // Called once before every step. True: other pairs of lines may touch, so the forces have changed.
+  // Prepares the terms for the present state, before every iteration. True: other pairs of lines may touch,
+  // so the forces have changed.
   bool prepare();
   // Largest fraction of the increment local_ for which displacements are at most 5 % of the longest line and
   // rotations at most half a radian.

@@ -9,11 +9,13 @@ namespace hawser {
 
 // Weight of forces that are given as their mean over a step (docs/theory/time-integration.md#cables).
 // `weight` is their factor in the residual at the end of a trial step, 4/3 to 2, because the scheme carries a
-// part from earlier steps. `weight` = 1: no step (statics, start of the motion); the forces are then those of
-// the state itself. `filter`: fraction of EA with which a cable resists changes of its elongation from step
-// to step.
+// part from earlier steps. With the weight 1 the forces are those of the state itself: in statics, at the
+// start of the motion, and of an accepted state after which a feeder has moved a node. `filter`: fraction of
+// EA with which a cable resists changes of its elongation from step to step.
 struct StepMean {
   double weight = 1, filter = 0;
+
+  bool over_step() const { return weight != 1; }  // the forces are means over a step
 };
 
 enum class Phase {
@@ -43,9 +45,9 @@ struct Kinematics {
   // Forces of the motion act; false in statics.
   bool moves() const { return phase != Phase::statics; }
   // A step has led here; false in statics and at the start of the motion.
-  bool after_step() const { return phase == Phase::step; }
+  bool ends_step() const { return phase == Phase::step; }
   // s, length of the step that led here; 0: none.
-  double last_step() const { return after_step() ? step : 0; }
+  double last_step() const { return ends_step() ? step : 0; }
 };
 
 // Acceleration of the directors of a rotation with the rates w and alpha.

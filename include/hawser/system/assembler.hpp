@@ -120,17 +120,18 @@ class Assembler {
   // For masses that couple positions, with the force f on both. M is `own` times the identity on the diagonal
   // and `shared` times it off the diagonal.
   void add_masses(int a, int b, const Vec6& f, double own, double shared);
-  // Weights for kernels that apply them to their derivatives themselves. They call add_weighted() with force
-  // and derivatives of two positions.
+  // Weights for kernels that apply them to their derivatives themselves and call add_weighted().
   const Weights& weights() const { return weights_; }
+  // Adds the force on two positions and the sum J of its weighted derivatives. False: nothing is added,
+  // because an end is tied to a frame, for which add() needs the derivatives one by one.
+  bool add_weighted(int a, int b, const Vec6& f, const Mat6& J);
   // While this is on, contributions to rows of other ranks are kept and sent to their owners, which do not
   // compute them themselves.
   void send(bool on) { sending_ = on; }
-  // True if derivatives by a block also act on a frame, so that add_weighted() cannot take them.
-  bool tied(int block) const { return ties_->tied(block); }
-  void add_weighted(int a, int b, const Vec6& f, const Mat6& J);
 
  private:
+  // True if derivatives by a block also act on a frame.
+  bool tied(int block) const { return ties_->tied(block); }
   void add_force(int block, double x, double y, double z);
   void put(std::span<const int> rows, std::span<const int> columns, double* J);
   void add_tied(std::span<const int> rows, std::span<const int> columns, DerivativeView K, DerivativeView C,

@@ -41,20 +41,28 @@ class ForceTerm {
   virtual ~ForceTerm() = default;
   // Key of the term's records in checkpoints, and its name in -log_view. A key that has been released stays
   // as it is, because a restart finds the records by it.
-  virtual std::string_view record_key() const = 0;
+  virtual std::string_view checkpoint_key() const = 0;
 
-  // Called once before a step of length h [s] is tried, with the last accepted state. May communicate.
-  virtual void prepare(const Kinematics& committed, double h) {
-    (void)committed;
+  // Stores what the term needs of the state `from`, from which the coming trials depart. In dynamics that is
+  // the last accepted state, and h [s] the longest step that may be tried. In statics it is the state that
+  // the search has reached, before every iteration, and h = 0. Several calls may precede a trial; none
+  // changes the committed history. May communicate.
+  virtual void prepare(const Kinematics& from, double h) {
+    (void)from;
     (void)h;
   }
 
   // Adds force and tangent at the trial state. Local and repeatable: it only reads committed history.
   virtual void evaluate(const Kinematics& trial, Assembler& assembler) = 0;
 
-  // Called when a state is accepted: its history becomes the committed history.
+  // Called when a state is accepted: its history becomes the committed history. In statics that is the
+  // equilibrium; with friction in dynamic relaxation, every step.
   virtual void commit(const Kinematics& accepted) { (void)accepted; }
 
+  // In statics and at the start of the motion: of any state, for example a trial whose sum of strain and
+  // potential the line search compares with that of another since the same prepare(). At the end of a step
+  // (Kinematics::ends_step): of the accepted state only, because contact then has the energy that commit()
+  // has stored.
   virtual Energy energy(const Kinematics& state) const {
     (void)state;
     return Energy{};
@@ -64,10 +72,10 @@ class ForceTerm {
   // The kinds of checkpoint records of the term, the same on all ranks.
   virtual std::vector<CheckpointKind> checkpoint_kinds() const { return {}; }
   // Committed history of the owned nodes in the range. Checkpoints are written in parts, one range at a time.
-  virtual std::vector<CheckpointRecord> records(NodeRange) const { return {}; }
+  virtual std::vector<CheckpointRecord> checkpoint_records(NodeRange) const { return {}; }
   // All of them in the order of a checkpoint.
   std::vector<CheckpointRecord> save() const {
-    std::vector<CheckpointRecord> all = records({});
+    std::vector<CheckpointRecord> all = checkpoint_records({});
     std::ranges::stable_sort(all, {}, checkpoint_place);
     return all;
   }

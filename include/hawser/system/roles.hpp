@@ -18,10 +18,11 @@ namespace hawser {
 class CouplesNodes {
  public:
   virtual ~CouplesNodes() = default;
-  // Called before a step of length h [s] (0: statics) and before prepare(), with the local nodes as before.
-  // True if list_couplings() or anything stored by local node has changed on any rank; renumber() follows
-  // then. Collective, and the same on all ranks.
-  virtual bool refresh_couplings(const Kinematics& committed, double h) = 0;
+  // Called before prepare(), with the state `from` which the next trials depart and with the local nodes as
+  // before. It predicts the motion for steps of h [s]; 0: none is predicted (statics). True if
+  // list_couplings() or anything stored by local node has changed on any rank; renumber() follows then.
+  // Collective, and the same on all ranks.
+  virtual bool refresh_couplings(const Kinematics& from, double h) = 0;
   // Adds the groups of coupled nodes of which this rank owns a node.
   virtual void list_couplings(Couplings& to) const = 0;
   // Called when the coupled nodes are local. Local nodes from LocalMesh::element_ghosts_end on have changed.

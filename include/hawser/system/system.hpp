@@ -79,10 +79,11 @@ class System {
   void remove(const ForceTerm* term);
   void tie(std::vector<TiedNode> nodes, BodyMotion motion);
 
-  // Collects from the terms the nodes they couple in a coming step of h [s], and extends ghosts and pattern
+  // Collects from the terms the nodes they couple in coming steps of h [s] from a state (h = 0: without a
+  // prediction of its motion), and extends ghosts and pattern
   // if they lack these nodes. If the layout has changed, the caller rebuilds vectors, matrices and solvers,
   // and updates the ghosts of its states. Called before prepare(). Collective.
-  CouplingChange update_couplings(const Kinematics& committed, double h);
+  CouplingChange update_couplings(const Kinematics& from, double h);
   // Resizes to the local nodes and fills the ghosts from their owners. Collective.
   void update_ghosts(State& state) const;
   void update_ghosts(std::vector<Vec3>& values) const { exchange_.update_ghosts(values); }
@@ -102,7 +103,7 @@ class System {
   MatHandle create_matrix() const;
   // Refreshes the ghosts of a ghosted vector and copies its local values to `out` (3 * local blocks). False:
   // `out` already had these values.
-  bool update_ghosts(Vec u, std::vector<double>& out) const;
+  bool gather_with_ghosts(Vec u, std::vector<double>& out) const;
 
   // r = sum of all terms at the trial state plus `mean_history` (3 * local blocks; empty: nothing). Held
   // components of r are zero; their values are kept as reactions().
@@ -131,9 +132,10 @@ class System {
       const Kinematics& trial);  // in statics; true on all ranks: stiffness was raised, search again
   void revert_stiffness();
 
-  void prepare(const Kinematics& committed, double h);
-  // Updates the round-off of the residual for a trial that is shorter than the prepared step. Collective.
-  void update_round_off(const Kinematics& committed, double h);
+  // Prepares the terms for trials of at most h [s] that depart from a state (ForceTerm::prepare). Collective.
+  void prepare(const Kinematics& from, double h);
+  // Computes the round-off of the residual in a trial of h [s], after prepare() for a longer one. Collective.
+  void update_round_off(const Kinematics& from, double h);
   void commit(const Kinematics& accepted);
   // overstretched(), lost_in_rounding(): why an equilibrium or a converged step is not a valid result;
   // nullopt: it is valid. overstretched: an element is strained beyond the range of its law.

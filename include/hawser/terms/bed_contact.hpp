@@ -48,8 +48,8 @@ class BedContact final : public ForceTerm, public HasFriction {
   // held: supported local nodes, on which the bed does not act.
   BedContact(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held);
 
-  std::string_view record_key() const override { return "seabed"; }
-  void prepare(const Kinematics& committed, double h) override;
+  std::string_view checkpoint_key() const override { return "seabed"; }
+  void prepare(const Kinematics& from, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& state) const override;
@@ -57,7 +57,7 @@ class BedContact final : public ForceTerm, public HasFriction {
   Vec3 node_force(int node) const;
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange range) const override;
+  std::vector<CheckpointRecord> checkpoint_records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
   void enable_friction(bool on) override { friction_ = on ? Friction::contact : Friction::none; }

@@ -38,8 +38,8 @@ class BodiesInWater final : public ForceTerm,
   // Indices in the case of this rank's bodies that pierce the water surface.
   std::vector<int> in_surface(const Kinematics& state) const;
 
-  std::string_view record_key() const override { return "bodies in water"; }
-  void prepare(const Kinematics& committed, double h) override;
+  std::string_view checkpoint_key() const override { return "bodies in water"; }
+  void prepare(const Kinematics& from, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& state) const override;
@@ -48,7 +48,7 @@ class BodiesInWater final : public ForceTerm,
   std::vector<std::string> load_components(int body) const override;
   std::vector<BodyForce> forces_on(int body, const Kinematics& state) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange range) const override;
+  std::vector<CheckpointRecord> checkpoint_records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:

@@ -60,12 +60,12 @@ class BodyContact final : public ForceTerm,
   BodyContact(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
               std::shared_ptr<const Bodies> bodies, std::vector<BodyVolume> volumes);
 
-  std::string_view record_key() const override { return "body contact"; }
+  std::string_view checkpoint_key() const override { return "body contact"; }
   void list_couplings(Couplings& to) const override;
   void enable_friction(bool on) override { friction_on_ = on; }
   void renumber() override;
   // For a time step (h > 0) also computes the contact frequency and checks the overlap of the volumes.
-  void prepare(const Kinematics& committed, double h) override;
+  void prepare(const Kinematics& from, double h) override;
   void limit_step(const Kinematics& committed, ImpactEvents& to) override;
   // Refuses a step in which a corner or an edge passes through the other body.
   Verdict check_step(const Kinematics& trial) const override;
@@ -79,7 +79,7 @@ class BodyContact final : public ForceTerm,
   std::vector<std::string> load_components(int body) const override;
   std::vector<BodyForce> forces_on(int body, const Kinematics& state) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange range) const override;
+  std::vector<CheckpointRecord> checkpoint_records(NodeRange range) const override;
   // Collective.
   void restore(const std::vector<CheckpointRecord>& records) override;
 

@@ -82,7 +82,7 @@ class ContactVolumes {
   FloatingFrame floating_frame(int volume, const Kinematics& state) const;
   // Lists the pairs of elements and floating bodies that may touch. thickest: largest radius on this rank, m.
   // Returns true on all ranks if the list has changed. Collective.
-  bool refresh_couplings(const Kinematics& committed, double h, double thickest);
+  bool refresh_couplings(const Kinematics& from, double h, double thickest);
   void list_couplings(Couplings& to) const;
 
   // Switches contact of lines with a volume on or off. Called between steps, equally on all ranks.

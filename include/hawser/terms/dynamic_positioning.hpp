@@ -23,15 +23,15 @@ class DynamicPositioning final : public ForceTerm, public LoadsBodies, public Ac
   // integral is constant, and the proportional part acts on motion about rest.
   void integrate_at_rest(bool on) { integrates_ = on; }
 
-  std::string_view record_key() const override { return "dynamic positioning"; }
+  std::string_view checkpoint_key() const override { return "dynamic positioning"; }
   std::vector<std::string> load_components(int body) const override;
   std::vector<BodyForce> forces_on(int body, const Kinematics& state) const override;
-  void prepare(const Kinematics& committed, double h) override;
+  void prepare(const Kinematics& from, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& state) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange range) const override;
+  std::vector<CheckpointRecord> checkpoint_records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:

@@ -30,13 +30,13 @@ class EndSprings final : public ForceTerm {
  public:
   EndSprings(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies, std::vector<EndSpring> springs);
 
-  std::string_view record_key() const override { return "end springs"; }
-  void prepare(const Kinematics& committed, double h) override;
+  std::string_view checkpoint_key() const override { return "end springs"; }
+  void prepare(const Kinematics& from, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& state) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange range) const override;
+  std::vector<CheckpointRecord> checkpoint_records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:

@@ -105,8 +105,8 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   // another. pulls: force on each feeder, N.
   double passed_through(std::span<const double> pulls, double h) const;
 
-  std::string_view record_key() const override { return "feeders"; }
-  void prepare(const Kinematics& committed, double h) override;
+  std::string_view checkpoint_key() const override { return "feeders"; }
+  void prepare(const Kinematics& from, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& state) const override;

@@ -39,9 +39,9 @@ class LineMass final : public ForceTerm,
   // Masses and distributed loads of the case; gravity along -z.
   LineMass(const LocalMesh& mesh, const model::Case& c);
 
-  std::string_view record_key() const override { return "mass"; }
+  std::string_view checkpoint_key() const override { return "mass"; }
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
-  void prepare(const Kinematics& committed, double h) override;
+  void prepare(const Kinematics& from, double h) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& state) const override;
   double dead_load() const override;
@@ -49,7 +49,7 @@ class LineMass final : public ForceTerm,
   void motion(const Kinematics& state, std::span<LineMotion> lines) const override;  // rotations excluded
   double round_off(const Kinematics& state, double h) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange range) const override;
+  std::vector<CheckpointRecord> checkpoint_records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:

@@ -62,13 +62,13 @@ class LinePairs final : public ForceTerm,
 
   void enable_friction(bool on) override { friction_on_ = on; }
 
-  std::string_view record_key() const override { return "line-line contact"; }
-  bool refresh_couplings(const Kinematics& committed, double h) override;
+  std::string_view checkpoint_key() const override { return "line-line contact"; }
+  bool refresh_couplings(const Kinematics& from, double h) override;
   void list_couplings(Couplings& to) const override { candidates_.list_couplings(to); }
   void renumber() override;
   // Refuses a step that missed a contact or in which a line passed through another.
   Verdict check_step(const Kinematics& trial) const override;
-  void prepare(const Kinematics& committed, double h) override;
+  void prepare(const Kinematics& from, double h) override;
   void limit_step(const Kinematics& committed, ImpactEvents& to) override;
   void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
@@ -77,7 +77,7 @@ class LinePairs final : public ForceTerm,
   // Adds line_contact_force, line_contact_normal_force, line_friction_force and line_penetration.
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange range) const override;
+  std::vector<CheckpointRecord> checkpoint_records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
   // Largest penetration over the run of the pairs that this rank counts; mesh elements, -1: no contact so
@@ -106,16 +106,16 @@ class LinePairs final : public ForceTerm,
   void resultants(const Kinematics& state, ContactResultants& out) const;
 
  private:
-  // Passes by slave and part of the master: the first element against the second, against its first end,
+  // Passes by slave and target on the master: the first element against the second, against its first end,
   // against its second end; then with both elements swapped.
-  static constexpr size_t kParts = 6;
-  using ContactPoints = std::array<std::vector<LinePairContactPoint>, kParts>;
+  static constexpr size_t kPasses = 6;
+  using ContactPoints = std::array<std::vector<LinePairContactPoint>, kPasses>;
   using Key = std::pair<int, int>;  // of Mesh::elements
   // Panels of a pair in the last evaluated state, which tangent and commit() of the same state reuse, and
   // contact points from the last evaluation without derivatives, for commit().
   struct Trial {
     AxisShape a, b;
-    std::array<std::vector<LinePairPass::Panel>, kParts> panels{};
+    std::array<std::vector<LinePairPass::Panel>, kPasses> panels{};
     bool active = false;
     bool evaluated = false, moves = false;  // moves: evaluated with velocities
     ContactPoints points{};
@@ -125,8 +125,8 @@ class LinePairs final : public ForceTerm,
     Key key;
     bool counted = false;
     LinePairLaw law;
-    std::array<double, 2> part_a{0, 1}, part_b{0, 1};  // parts of the elements in xi that may touch the other
-    SegmentPair chords;                                // at the start of the step
+    std::array<double, 2> range_a{0, 1}, range_b{0, 1};  // of the elements in xi, may touch the other
+    SegmentPair chords;                                  // at the start of the step
     double clear = 0;  // m, lower bound of the distance between the surfaces at the start of the step
     std::unique_ptr<ContactPoints> points;  // null: no contact
     std::unique_ptr<Trial> trial;           // null: not evaluated in this step
@@ -134,7 +134,7 @@ class LinePairs final : public ForceTerm,
   // True if the elements share a place with a length without contact, so that the distance of their chords
   // does not indicate contact.
   static bool clipped(const Pair& p) {
-    return p.part_a[0] > 0 || p.part_a[1] < 1 || p.part_b[0] > 0 || p.part_b[1] < 1;
+    return p.range_a[0] > 0 || p.range_a[1] < 1 || p.range_b[0] > 0 || p.range_b[1] < 1;
   }
   // A segment as a rod: its chord, and the largest distance of the axis from it.
   struct Rod {
@@ -152,8 +152,10 @@ class LinePairs final : public ForceTerm,
   };
 
   const ContactSegment& segment(int i) const { return candidates_.segments()[i]; }
-  int line_of(int segment) const { return this->segment(segment).element.line; }
-  const LinePairType& type_of(int segment) const { return types_[this->segment(segment).element.type]; }
+  int line_of_segment(int segment) const { return this->segment(segment).element.line; }
+  const LinePairType& type_of_segment(int segment) const {
+    return types_[this->segment(segment).element.type];
+  }
   const AxisEnds& start(int segment) const { return start_[segment]; }
   int fed_end(int segment) const { return fed_end_[segment]; }
   PairAxis axis(const Kinematics& state, int segment) const;
@@ -164,14 +166,14 @@ class LinePairs final : public ForceTerm,
     double sum = 0;
     for (const Pair& p : pairs_)
       if (p.counted && p.points && which(p))
-        for (const auto& part : *p.points)
-          for (const LinePairContactPoint& h : part) sum += h.weight * value(h);
+        for (const auto& pass : *p.points)
+          for (const LinePairContactPoint& h : pass) sum += h.weight * value(h);
     return sum;
   }
   AxisEnds ends(const Kinematics& state, int segment) const;
   Rod rod(const Kinematics& state, int segment) const;
   LinePairLaw law(int segment_a, int segment_b) const;
-  // Calls what(part, pass) for the passes of a pair that may touch.
+  // Calls what(k, pass) for the passes k of a pair that may touch.
   template <class What>
   void each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B, bool moves, bool convex,
                  const What& what) const;

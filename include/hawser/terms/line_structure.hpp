@@ -48,8 +48,8 @@ class LineStructure final : public ForceTerm,
   // Takes the sections from the line types of the case. Every beam is straight when stress-free.
   LineStructure(const LocalMesh& mesh, const model::Case& c);
 
-  std::string_view record_key() const override { return "structure"; }
-  void prepare(const Kinematics& committed, double h) override;
+  std::string_view checkpoint_key() const override { return "structure"; }
+  void prepare(const Kinematics& from, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& state) const override;
@@ -63,7 +63,7 @@ class LineStructure final : public ForceTerm,
   double axial_stiffness() const override;
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange range) const override;
+  std::vector<CheckpointRecord> checkpoint_records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
   std::vector<Beam>& beams() { return beams_; }

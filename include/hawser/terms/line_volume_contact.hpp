@@ -32,10 +32,10 @@ class LineVolumeContact final : public ForceTerm,
                     std::vector<ContactVolume> volumes, std::vector<LineContactElement> elements,
                     MPI_Comm comm = MPI_COMM_SELF, model::ContactMethod method = model::ContactMethod::line);
 
-  std::string_view record_key() const override { return "line contact"; }
-  bool refresh_couplings(const Kinematics& committed, double h) override;
+  std::string_view checkpoint_key() const override { return "line contact"; }
+  bool refresh_couplings(const Kinematics& from, double h) override;
   void list_couplings(Couplings& to) const override { volumes_.list_couplings(to); }
-  void prepare(const Kinematics& committed, double h) override;
+  void prepare(const Kinematics& from, double h) override;
   // Considers the ends and the middle of each element, and present contacts (contact_laws.hpp).
   void limit_step(const Kinematics& committed, ImpactEvents& to) override;
   void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;
@@ -51,7 +51,7 @@ class LineVolumeContact final : public ForceTerm,
   // contact_force, contact_normal_force and friction_force, distributed by the element's shape functions.
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange range) const override;
+  std::vector<CheckpointRecord> checkpoint_records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
   void enable_friction(bool on) override;
@@ -65,9 +65,9 @@ class LineVolumeContact final : public ForceTerm,
   // when a run continues from a checkpoint.
   double stiffness(int volume) const { return volumes_.stiffness(volume); }
   void raise_to(int volume, double stiffness) { volumes_.raise_to(volume, stiffness); }
-  // Where a line is deeper in a volume than the range of its law; nullopt: nowhere. Local; valid for the
-  // trial that was evaluated last.
-  std::optional<advice::TooDeep> deeper_than_allowed(const Kinematics& trial) const;
+  // Where a line is deeper in a volume than the range of its law; nullopt: nowhere. `state` must be the one
+  // that was evaluated last. Local.
+  std::optional<advice::TooDeep> deeper_than_allowed(const Kinematics& state) const;
   // For what this rank counts: largest penetration over the run (with the node at the nearer end of the
   // element), number of pairs of an element and a volume in contact, number of candidate pairs in the step.
   Penetration largest_penetration() const;

@@ -51,8 +51,8 @@ class LinesInWater final : public ForceTerm,
   };
   FlowError flow_error(const Kinematics& state, const WetElement& p, int parts) const;
 
-  std::string_view record_key() const override { return "hydrodynamics"; }
-  void prepare(const Kinematics& committed, double h) override;
+  std::string_view checkpoint_key() const override { return "hydrodynamics"; }
+  void prepare(const Kinematics& from, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& state) const override;
@@ -61,7 +61,7 @@ class LinesInWater final : public ForceTerm,
   void element_force(const Kinematics& state, const LocalElement& e, Vec12& f) const override;
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange range) const override;
+  std::vector<CheckpointRecord> checkpoint_records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:

@@ -27,16 +27,16 @@ class Links final : public ForceTerm, public CouplesFixedNodes, public ScalesRes
   std::vector<Series> series() const override;
   std::vector<std::vector<double>> rows(const Kinematics& state) const override;
 
-  std::string_view record_key() const override { return "links"; }
+  std::string_view checkpoint_key() const override { return "links"; }
   void list_couplings(Couplings& to) const override;
   void renumber() override;
-  void prepare(const Kinematics& committed, double h) override;
+  void prepare(const Kinematics& from, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& state) const override;
   double round_off(const Kinematics& state, double h) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange range) const override;
+  std::vector<CheckpointRecord> checkpoint_records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:

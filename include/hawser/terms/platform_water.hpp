@@ -32,10 +32,10 @@ class PlatformWater final : public ForceTerm,
  public:
   PlatformWater(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh);
 
-  std::string_view record_key() const override { return "platforms in the sea"; }
+  std::string_view checkpoint_key() const override { return "platforms in the sea"; }
   void list_couplings(Couplings& to) const override;
   void renumber() override;
-  void prepare(const Kinematics& committed, double h) override;
+  void prepare(const Kinematics& from, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& state) const override;
@@ -47,7 +47,7 @@ class PlatformWater final : public ForceTerm,
   std::vector<std::string> load_components(int body) const override;
   std::vector<BodyForce> forces_on(int body, const Kinematics& state) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange range) const override;
+  std::vector<CheckpointRecord> checkpoint_records(NodeRange range) const override;
   // Collective: each rank has the records of its own bodies, and needs the velocities of the whole group.
   void restore(const std::vector<CheckpointRecord>& records) override;
 

@@ -26,8 +26,8 @@ class PointLoads final : public ForceTerm, public ScalesResiduals {
   // node.
   PointLoads(const LocalMesh& mesh, std::vector<NodeLoad> loads);
 
-  std::string_view record_key() const override { return "point loads"; }
-  void prepare(const Kinematics& committed, double h) override;
+  std::string_view checkpoint_key() const override { return "point loads"; }
+  void prepare(const Kinematics& from, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   // Constant forces have a potential. Moments and ramped forces do work, summed over the accepted steps by
@@ -35,7 +35,7 @@ class PointLoads final : public ForceTerm, public ScalesResiduals {
   Energy energy(const Kinematics& state) const override;
   double dead_load() const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange range) const override;
+  std::vector<CheckpointRecord> checkpoint_records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:
@@ -63,7 +63,7 @@ class PointMasses final : public ForceTerm, public ScalesResiduals {
  public:
   PointMasses(const LocalMesh& mesh, std::vector<NodeMass> masses, double gravity);
 
-  std::string_view record_key() const override { return "point masses"; }
+  std::string_view checkpoint_key() const override { return "point masses"; }
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   Energy energy(const Kinematics& state) const override;
   double dead_load() const override;

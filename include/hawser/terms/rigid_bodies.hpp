@@ -38,15 +38,15 @@ class RigidBodies final : public ForceTerm,
   // remainder of inertia, springs and weight in a balanced state. On the rank that owns the body.
   std::array<Vec3, 2> force_on(int body, const Kinematics& state) const;
 
-  std::string_view record_key() const override { return "floating bodies"; }
-  void prepare(const Kinematics& committed, double h) override;
+  std::string_view checkpoint_key() const override { return "floating bodies"; }
+  void prepare(const Kinematics& from, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& state) const override;
   double dead_load() const override;
   double round_off(const Kinematics& state, double h) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange range) const override;
+  std::vector<CheckpointRecord> checkpoint_records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:

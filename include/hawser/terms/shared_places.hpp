@@ -78,8 +78,8 @@ class SharedPlaces {
   // True if what(found) is true for any place between two elements.
   template <class What>
   bool any_between(int element, int second, const What& what) const;
-  // Shortens the parts [from, to] of two elements by their lengths without contact with each other.
-  void clip(int element, int second, std::array<double, 2>& part, std::array<double, 2>& second_part) const;
+  // Shortens the ranges [from, to] in xi of two elements by their lengths without contact with each other.
+  void clip(int element, int second, std::array<double, 2>& range, std::array<double, 2>& second_range) const;
 
  private:
   static constexpr int kUnknown = -1;

@@ -32,14 +32,14 @@ class SoilResistance final : public ForceTerm, public RaisesStiffness {
   SoilResistance(MPI_Comm comm, const LocalMesh& mesh, const model::Case& c, const Kinematics& start,
                  const std::vector<int>& held);
 
-  std::string_view record_key() const override { return "buried"; }
-  void prepare(const Kinematics& committed, double h) override;
+  std::string_view checkpoint_key() const override { return "buried"; }
+  void prepare(const Kinematics& from, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& state) const override;
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
-  std::vector<CheckpointRecord> records(NodeRange range) const override;
+  std::vector<CheckpointRecord> checkpoint_records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
   // The springs have the directions of the line at the start of a step. A static solution keeps the
   // directions fixed so that its forces have a potential, then repeats with those of the equilibrium found,

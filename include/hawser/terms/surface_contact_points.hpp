@@ -22,9 +22,9 @@ struct SurfaceContactPoint : ContactPoint {
     normal = n;
     force = c.force;
     friction = c.friction;
-    normal_force = c.normal.force;
-    damping_force = c.normal.force - c.normal.elastic;
-    potential = c.normal.potential;
+    normal_force = c.along_normal.force;
+    damping_force = c.along_normal.force - c.along_normal.elastic;
+    potential = c.along_normal.potential;
   }
 
   template <class Self, class Each>

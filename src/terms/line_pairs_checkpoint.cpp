@@ -13,15 +13,15 @@ namespace {
 
 enum Kind { kPoints, kSums, kDeepest, kShared };
 
-// Contact point with the elements of its pair and its pass (LinePairs::kParts).
+// Contact point with the elements of its pair and its pass (LinePairs::kPasses).
 struct PairPoint {
-  int first = 0, second = 0, part = 0;
+  int first = 0, second = 0, pass = 0;
   LinePairContactPoint point;
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
     each("element", "", self.first);
     each("other element", "", self.second);
-    each("part", "", self.part);
+    each("part", "", self.pass);
     LinePairContactPoint::quantities(self.point, each);
   }
 };
@@ -35,7 +35,7 @@ std::vector<CheckpointKind> LinePairs::checkpoint_kinds() const {
           checkpoint_kind<Deepest>("deepest"), checkpoint_kind<SharedPlaces::Kept>("shared places")};
 }
 
-std::vector<CheckpointRecord> LinePairs::records(NodeRange range) const {
+std::vector<CheckpointRecord> LinePairs::checkpoint_records(NodeRange range) const {
   std::vector<CheckpointRecord> records;
   const auto wanted = [&](int n) { return n < mesh_.owned && range.has(mesh_.global[n]); };
   for (int n = 0; n < mesh_.owned; ++n) {
@@ -55,11 +55,11 @@ std::vector<CheckpointRecord> LinePairs::records(NodeRange range) const {
     const std::array nodes{a.first, a.second, b.first, b.second};
     if (std::none_of(nodes.begin(), nodes.end(), wanted)) continue;
     CheckpointRecord r;
-    int part = 0;
+    int pass = 0;
     for (const auto& points : *p.points) {
       for (const LinePairContactPoint& h : points)
-        put(PairPoint{p.key.first, p.key.second, part, h}, r.values);
-      ++part;
+        put(PairPoint{p.key.first, p.key.second, pass, h}, r.values);
+      ++pass;
     }
     for (const int node : nodes) {
       if (!wanted(node)) continue;
@@ -97,13 +97,13 @@ void LinePairs::restore(const std::vector<CheckpointRecord>& records) {
     if (points.empty()) continue;
     const Key key{points.front().first, points.front().second};
     if (kept_.count(key)) continue;  // already read from another node of the pair
-    auto by_part = std::make_unique<ContactPoints>();
+    auto by_pass = std::make_unique<ContactPoints>();
     for (const PairPoint& p : points) {
-      if (p.part < 0 || static_cast<size_t>(p.part) >= by_part->size())
+      if (p.pass < 0 || static_cast<size_t>(p.pass) >= by_pass->size())
         throw std::invalid_argument("a record of line-line contact in the checkpoint does not fit");
-      (*by_part)[p.part].push_back(p.point);
+      (*by_pass)[p.pass].push_back(p.point);
     }
-    kept_[key] = std::move(by_part);
+    kept_[key] = std::move(by_pass);
   }
 }
 

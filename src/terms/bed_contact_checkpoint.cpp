@@ -13,7 +13,7 @@ std::vector<CheckpointKind> BedContact::checkpoint_kinds() const {
   return {checkpoint_kind<PointHistory>("points"), checkpoint_kind<Account>("sums of a rank")};
 }
 
-std::vector<CheckpointRecord> BedContact::records(NodeRange range) const {
+std::vector<CheckpointRecord> BedContact::checkpoint_records(NodeRange range) const {
   std::vector<CheckpointRecord> records;
   for (const Point& p : points_) {
     if (p.history_index < 0) continue;

@@ -40,7 +40,7 @@ std::vector<CheckpointKind> PlatformWater::checkpoint_kinds() const {
           checkpoint_kind<KeptWork>("sums of a platform")};
 }
 
-std::vector<CheckpointRecord> PlatformWater::records(NodeRange range) const {
+std::vector<CheckpointRecord> PlatformWater::checkpoint_records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
   for (const Group& g : groups_)
     for (size_t i = 0; i < g.platforms.size(); ++i) {

@@ -48,7 +48,7 @@ std::vector<CheckpointKind> LineStructure::checkpoint_kinds() const {
           checkpoint_kind<Bent>("plastic bending"), checkpoint_kind<Bent>("plastic bending inside a feeder")};
 }
 
-std::vector<CheckpointRecord> LineStructure::records(NodeRange range) const {
+std::vector<CheckpointRecord> LineStructure::checkpoint_records(NodeRange range) const {
   if (mesh_.owned == 0) return {};
   std::vector<CheckpointRecord> out;
   const auto wanted = [&](int n) { return n < mesh_.owned && range.has(mesh_.global[n]); };

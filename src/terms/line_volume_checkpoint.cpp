@@ -23,7 +23,7 @@ std::vector<CheckpointKind> LineVolumeContact::checkpoint_kinds() const {
           checkpoint_kind<ContactWork>("sums of an element"), checkpoint_kind<GapSpring>("gap springs")};
 }
 
-std::vector<CheckpointRecord> LineVolumeContact::records(NodeRange range) const {
+std::vector<CheckpointRecord> LineVolumeContact::checkpoint_records(NodeRange range) const {
   std::vector<CheckpointRecord> records;
   const auto wanted = [&](int n) { return n < mesh_.owned && range.has(mesh_.global[n]); };
   for (size_t i = 0; i < accounts_.size(); ++i) {

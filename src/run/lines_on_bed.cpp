@@ -1,0 +1,53 @@
+// Lengths of lines on the seabed between touchdown points; lines that differ only in position are reported
+// together.
+#include "hawser/run/lines_on_bed.hpp"
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "hawser/advice/statics.hpp"
+#include "hawser/base/mpi.hpp"
+#include "hawser/model/summary.hpp"
+#include "hawser/record/touchdown.hpp"
+#include "hawser/terms/bed_contact.hpp"
+
+namespace hawser::run {
+
+std::vector<std::string> lines_on_bed(const model::Case& c, const System& system, const Kinematics& state) {
+  std::vector<std::string> out;
+  const auto* bed = system.find<BedContact>();
+  if (!bed) return out;
+  constexpr size_t kShown = 20;
+  std::vector<double> sums;  // by line
+  for (const BedContact::OnBed& l : bed->on_bed(state))
+    sums.insert(sums.end(), {l.friction_length, l.sticking, l.taken});
+  all_reduce(system.comm(), MPI_SUM, sums);
+  // Between touchdown points, as in the results.
+  const std::vector<record::Touchdown> down =
+      record::Touchdowns(system.comm(), c, system.mesh()).of_all_lines(state);
+  // Lines that differ only in position are reported together.
+  std::map<std::pair<bool, std::string>, std::pair<std::vector<std::string>, std::vector<advice::OnBed>>>
+      like;
+  std::vector<decltype(like)::const_iterator> in_order;
+  for (size_t l = 0; l < down.size(); ++l) {
+    if (!(down[l].laid > 0)) continue;
+    const bool friction = sums[3 * l] > 0;
+    const auto [at, is_new] = like.try_emplace({friction, model::description_of(c, c.lines[l])});
+    if (is_new) in_order.push_back(at);
+    at->second.first.push_back(system.mesh().mesh->lines[l].name);
+    at->second.second.push_back({down[l].laid, friction, std::abs(sums[3 * l + 2]), sums[3 * l + 1]});
+  }
+  size_t more = 0;
+  for (const auto& group : in_order) {
+    const auto& [names, values] = group->second;
+    if (out.size() == kShown)
+      more += names.size();
+    else
+      out.push_back(advice::lie_on_bed(names, values));
+  }
+  if (more > 0) out.push_back(advice::more_lines_on_bed(more));
+  return out;
+}
+
+}  // namespace hawser::run
