@@ -39,9 +39,9 @@ std::vector<io::SummaryRow> DeepContacts::summary() {
   return {};
 }
 
-std::vector<Finding> DeepContacts::findings(const std::vector<io::SummaryRow>& summary, const Audit&) {
+std::vector<Warning> DeepContacts::warnings(const std::vector<io::SummaryRow>& summary, const Audit&) {
   const model::Case& c = subject_.model;
-  std::vector<Finding> out;
+  std::vector<Warning> out;
   for (const auto& [line, d] : of_run_) {
     if (!owns_line(subject_.local(), line)) continue;
     const std::string& name = c.lines[line].name;
@@ -49,7 +49,7 @@ std::vector<Finding> DeepContacts::findings(const std::vector<io::SummaryRow>& s
       return r.quantity == "max penetration" && r.line == name;
     });
     out.push_back({advice::penetration_warning(c, {name, d.depth, d.time, d.arc_length}, c.volumes[d.volume]),
-                   row == summary.end() ? Finding::kWholeRun : static_cast<size_t>(row - summary.begin())});
+                   row == summary.end() ? Warning::kWholeRun : static_cast<size_t>(row - summary.begin())});
   }
   return out;
 }

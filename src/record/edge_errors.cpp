@@ -196,9 +196,9 @@ void EdgeErrors::gather() {
 
 std::vector<std::string> EdgeErrors::remarks() { return std::exchange(new_warnings_, {}); }
 
-std::vector<Finding> EdgeErrors::findings(const std::vector<io::SummaryRow>& summary, const Audit&) {
+std::vector<Warning> EdgeErrors::warnings(const std::vector<io::SummaryRow>& summary, const Audit&) {
   gather();
-  std::vector<Finding> out;
+  std::vector<Warning> out;
   for (size_t i = 0; i < summary.size(); ++i)
     if (const io::SummaryRow& r = summary[i]; is_largest_tension(case_, r))
       if (std::string text = warning(case_.line_index(r.line), r.value); !text.empty())

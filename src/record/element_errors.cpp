@@ -90,11 +90,11 @@ void ElementErrors::output(const Snapshot& s) {
   update(s.at, v);
 }
 
-std::vector<Finding> ElementErrors::findings(const std::vector<io::SummaryRow>& summary, const Audit&) {
+std::vector<Warning> ElementErrors::warnings(const std::vector<io::SummaryRow>& summary, const Audit&) {
   OfLines<double> bent(mesh_, HUGE_VAL);
   for (const io::SummaryRow& r : summary)
     if (r.quantity == "max bending moment") bent[case_.line_index(r.line)] = r.value;
-  std::vector<Finding> out;
+  std::vector<Warning> out;
   for (size_t i = 0; i < summary.size(); ++i)
     if (const io::SummaryRow& r = summary[i]; is_largest_tension(case_, r))
       for (std::string& w : warnings(case_.line_index(r.line), r.value, bent[case_.line_index(r.line)]))

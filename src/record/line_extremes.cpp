@@ -91,8 +91,8 @@ void LineExtremes::step(const Snapshot& s) {
       }
 }
 
-std::vector<Finding> LineExtremes::findings(const std::vector<io::SummaryRow>& summary, const Audit&) {
-  std::vector<Finding> out;
+std::vector<Warning> LineExtremes::warnings(const std::vector<io::SummaryRow>& summary, const Audit&) {
+  std::vector<Warning> out;
   for (size_t i = 0; i < summary.size(); ++i) {
     const io::SummaryRow& row = summary[i];
     const advice::Extreme at{row.line, row.value, row.time, row.arc_length};

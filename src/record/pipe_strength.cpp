@@ -156,7 +156,7 @@ void PipeStrength::fill(const Snapshot& s, Values& values) {
   }
 }
 
-std::vector<Finding> PipeStrength::findings(const std::vector<io::SummaryRow>&, const Audit&) {
+std::vector<Warning> PipeStrength::warnings(const std::vector<io::SummaryRow>&, const Audit&) {
   double most = pulled_;
   all_reduce(comm_, MPI_MAX, most);
   if (!(most > kMostPulled) || rank_of(comm_) != 0) return {};

@@ -23,21 +23,21 @@ namespace {
 // Limit of the initial capacity, rows.
 constexpr double kMostRoom = 1e6;
 
-void write(const std::vector<io::SummaryRow>& rows, const std::vector<Finding>& findings, BytesWriter& to) {
+void write(const std::vector<io::SummaryRow>& rows, const std::vector<Warning>& warnings, BytesWriter& to) {
   to.count(rows.size());
   for (const io::SummaryRow& r : rows) {
     for (const std::string* text : {&r.quantity, &r.line, &r.unit}) to.text(*text);
     for (const double x : {r.value, r.time, r.arc_length}) to.real(x);
   }
-  to.count(findings.size());
-  for (const Finding& f : findings) {
-    to.text(f.text);
-    to.count(f.row + 1);  // kWholeRun: 0
+  to.count(warnings.size());
+  for (const Warning& w : warnings) {
+    to.text(w.text);
+    to.count(w.row + 1);  // kWholeRun: 0
   }
 }
 
-// Appends the rows and findings of a rank.
-void read(BytesReader& from, std::vector<io::SummaryRow>& rows, std::vector<Finding>& findings) {
+// Appends the rows and warnings of a rank.
+void read(BytesReader& from, std::vector<io::SummaryRow>& rows, std::vector<Warning>& warnings) {
   const size_t before = rows.size();
   for (size_t count = from.count(); count > 0; --count) {
     io::SummaryRow& r = rows.emplace_back();
@@ -45,23 +45,23 @@ void read(BytesReader& from, std::vector<io::SummaryRow>& rows, std::vector<Find
     for (double* x : {&r.value, &r.time, &r.arc_length}) *x = from.real();
   }
   for (size_t count = from.count(); count > 0; --count) {
-    Finding& f = findings.emplace_back();
-    f.text = from.text();
-    if (const size_t row = from.count(); row > 0) f.row = before + row - 1;
+    Warning& w = warnings.emplace_back();
+    w.text = from.text();
+    if (const size_t row = from.count(); row > 0) w.row = before + row - 1;
   }
 }
 
-// On rank 0 the rows and findings of all ranks, rank by rank; on the others none. Collective.
-void gather_on_first(MPI_Comm comm, std::vector<io::SummaryRow>& rows, std::vector<Finding>& findings) {
+// On rank 0 the rows and warnings of all ranks, rank by rank; on the others none. Collective.
+void gather_on_first(MPI_Comm comm, std::vector<io::SummaryRow>& rows, std::vector<Warning>& warnings) {
   if (ranks_of(comm) == 1) return;
   BytesWriter own;
-  write(rows, findings, own);
+  write(rows, warnings, own);
   rows.clear();
-  findings.clear();
+  warnings.clear();
   std::vector<char> all;
   GatherPlan(comm, static_cast<int>(own.bytes.size())).gather_on_first(own.bytes.data(), all);
   const std::string bytes(all.begin(), all.end());
-  for (BytesReader from(bytes); !from.at_end();) read(from, rows, findings);
+  for (BytesReader from(bytes); !from.at_end();) read(from, rows, warnings);
 }
 
 }  // namespace
@@ -217,10 +217,10 @@ std::vector<io::SummaryRow> Recorder::gather_summary() {
   std::vector<io::SummaryRow> rows;
   for (const auto& r : recordings_.all)
     for (io::SummaryRow& row : r->summary()) rows.push_back(std::move(row));
-  std::vector<Finding> findings;
+  std::vector<Warning> warnings;
   for (const auto& r : recordings_.all)
-    for (Finding& f : r->findings(rows, audit_)) findings.push_back(std::move(f));
-  gather_on_first(subject_.comm(), rows, findings);
+    for (Warning& w : r->warnings(rows, audit_)) warnings.push_back(std::move(w));
+  gather_on_first(subject_.comm(), rows, warnings);
   std::vector<int> line;
   for (const io::SummaryRow& row : rows) line.push_back(subject_.model.line_index(row.line));
   std::vector<size_t> order(rows.size()), place(rows.size());
@@ -231,12 +231,12 @@ std::vector<io::SummaryRow> Recorder::gather_summary() {
     place[i] = sorted.size();
     sorted.push_back(std::move(rows[i]));
   }
-  for (Finding& f : findings)
-    if (f.row != Finding::kWholeRun) f.row = place[f.row];
-  std::stable_sort(findings.begin(), findings.end(),
-                   [](const Finding& a, const Finding& b) { return a.row < b.row; });
+  for (Warning& w : warnings)
+    if (w.row != Warning::kWholeRun) w.row = place[w.row];
+  std::stable_sort(warnings.begin(), warnings.end(),
+                   [](const Warning& a, const Warning& b) { return a.row < b.row; });
   warnings_.clear();
-  for (Finding& f : findings) warnings_.push_back(std::move(f.text));
+  for (Warning& w : warnings) warnings_.push_back(std::move(w.text));
   return sorted;
 }
 

@@ -1,5 +1,5 @@
 // List of all recordings. Their order determines that of the series in the results file, which continued runs
-// rely on, and of findings about the whole run. EdgeErrors precedes TensionPeaks, which uses its tensions of
+// rely on, and of warnings about the whole run. EdgeErrors precedes TensionPeaks, which uses its tensions of
 // the same step.
 //
 // Where a new history belongs:

@@ -1,4 +1,4 @@
-// The class SupportLog: rows of boxes, and findings on their lines.
+// The class SupportLog: rows of boxes, and warnings on their lines.
 #include "hawser/record/support_log.hpp"
 
 #include <algorithm>
@@ -57,8 +57,8 @@ void SupportLog::rows(const Snapshot&, Rows& to) {
   }
 }
 
-std::vector<Finding> SupportLog::findings(const std::vector<io::SummaryRow>&, const Audit&) {
-  std::vector<Finding> out;
+std::vector<Warning> SupportLog::warnings(const std::vector<io::SummaryRow>&, const Audit&) {
+  std::vector<Warning> out;
   for (const std::string& w : warnings_) out.push_back({w});
   all_reduce(subject_.comm(), MPI_MAX, loaded_);
   if (rank_of(subject_.comm()) != 0) return {};

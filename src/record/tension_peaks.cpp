@@ -25,11 +25,11 @@ void TensionPeaks::step(const Snapshot& s) {
   snaps_.update(s.step.time, s.step.h, s.values[before_], s.values[after_], over);
 }
 
-std::vector<Finding> TensionPeaks::findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) {
+std::vector<Warning> TensionPeaks::warnings(const std::vector<io::SummaryRow>& summary, const Audit& audit) {
   const model::Case& c = subject_.model;
   folds_.gather(subject_.comm());
   snaps_.gather(subject_.comm());
-  std::vector<Finding> out;
+  std::vector<Warning> out;
   for (size_t i = 0; i < summary.size(); ++i) {
     const io::SummaryRow& r = summary[i];
     if (!is_largest_tension(c, r)) continue;

@@ -31,8 +31,8 @@ class LineExtremes : public Recording {
   void step(const Snapshot& s) override;
   // Grouped by line.
   std::vector<io::SummaryRow> summary() override;
-  // Findings for rows beyond the capacity of a line.
-  std::vector<Finding> findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
+  // Warnings for rows beyond the capacity of a line.
+  std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
   void save(io::Checkpoint& to) override;
   void restore(const io::Checkpoint& from) override;
 

@@ -39,8 +39,8 @@ class PipeStrength : public Recording {
   // Takes the loads of this state as the functional loads.
   void start(const Snapshot& s) override;
 
-  // Findings outside the range of the formulas.
-  std::vector<Finding> findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
+  // Warnings outside the range of the formulas.
+  std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
 
   void save(io::Checkpoint& to) override;
   void restore(const io::Checkpoint& from) override;

@@ -1,5 +1,5 @@
 // Interface of all recordings of a run: a recording declares its data, receives every accepted step, and
-// contributes rows of the results file, numbers in checkpoints and findings at the end. The recorder uses
+// contributes rows of the results file, numbers in checkpoints and warnings at the end. The recorder uses
 // only this interface; src/record/recordings.cpp lists the recordings.
 #pragma once
 
@@ -81,7 +81,7 @@ struct Declarations {
 };
 
 // A warning for the user, and the row of the summary it refers to.
-struct Finding {
+struct Warning {
   static constexpr size_t kWholeRun = static_cast<size_t>(-1);
   std::string text;
   size_t row = kWholeRun;
@@ -116,12 +116,12 @@ class Recording {
   virtual void restore(const io::Checkpoint& from) { (void)from; }
 
   // At the end of a run: rows of the summary, each on the rank that owns the first node of its line; then
-  // findings, about a row on its rank, about the whole run on one rank. `summary`: the rows of this rank.
+  // warnings, about a row on its rank, about the whole run on one rank. `summary`: the rows of this rank.
   virtual std::vector<io::SummaryRow> summary() { return {}; }
-  virtual std::vector<Finding> findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) {
+  virtual std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary, const Audit& audit) {
     (void)summary;
     (void)audit;
-    return std::vector<Finding>();
+    return std::vector<Warning>();
   }
 };
 

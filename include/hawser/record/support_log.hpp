@@ -1,4 +1,4 @@
-// Reactions of supports of laid lines and positions of lines in them at every accepted step, with findings on
+// Reactions of supports of laid lines and positions of lines in them at every accepted step, with warnings on
 // lines that are beyond the end of a roller or never rest on it.
 #pragma once
 
@@ -23,7 +23,7 @@ class SupportLog : public Recording {
   void rows(const Snapshot& s, Rows& to) override;
   // Each box once when a line is first beyond the end of its rollers; then boxes that never carried their
   // line although later boxes did, and groups that never carried one.
-  std::vector<Finding> findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
+  std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
 
  private:
   const Subject& subject_;
@@ -32,7 +32,7 @@ class SupportLog : public Recording {
   std::vector<SupportCrossing> crossings_;  // last step
   std::vector<bool> off_;                   // reported already
   std::vector<int>
-      loaded_;  // not 0: a line has touched a part of the box on this rank; findings() joins the ranks
+      loaded_;  // not 0: a line has touched a part of the box on this rank; warnings() joins the ranks
   std::vector<double> lowest_;  // m, height of the line over each box; infinite: no crossing
   std::vector<std::string> warnings_;
 };

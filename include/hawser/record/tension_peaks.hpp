@@ -17,7 +17,7 @@ class TensionPeaks : public Recording {
 
   void declare(Declarations& to) override;
   void step(const Snapshot& s) override;
-  std::vector<Finding> findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
+  std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
 
  private:
   const Subject& subject_;
