@@ -18,7 +18,7 @@ namespace hawser {
 class CouplesNodes {
  public:
   virtual ~CouplesNodes() = default;
-  // Called before prepare(), with the state `from` which the next trials depart and with the local nodes as
+  // Called before prepare(), with the state `from`, from which trials depart, and with the local nodes as
   // before. It predicts the motion for steps of h [s]; 0: none is predicted (statics). True if
   // list_couplings() or anything stored by local node has changed on any rank; renumber() follows then.
   // Collective, and the same on all ranks.

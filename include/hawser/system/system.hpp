@@ -80,9 +80,9 @@ class System {
   void tie(std::vector<TiedNode> nodes, BodyMotion motion);
 
   // Collects from the terms the nodes they couple in coming steps of h [s] from a state (h = 0: without a
-  // prediction of its motion), and extends ghosts and pattern
-  // if they lack these nodes. If the layout has changed, the caller rebuilds vectors, matrices and solvers,
-  // and updates the ghosts of its states. Called before prepare(). Collective.
+  // prediction of its motion), and extends ghosts and pattern if they lack these nodes. If the layout has
+  // changed, the caller rebuilds vectors, matrices and solvers, and updates the ghosts of its states. Called
+  // before prepare(). Collective.
   CouplingChange update_couplings(const Kinematics& from, double h);
   // Resizes to the local nodes and fills the ghosts from their owners. Collective.
   void update_ghosts(State& state) const;
