@@ -19,8 +19,11 @@ using detail::Facets;
 using detail::FacetSearch;
 
 namespace {
-constexpr double kSquare = 1e-9;  // sine below which directions count as parallel or perpendicular
-}
+// Sine below which directions count as parallel or perpendicular: that of kinks by the rounding of
+// coordinates in files (micrometres over facets of 0.1 m, single precision over facets of a hundredth of the
+// mesh). The Hessian 1/d of such an edge would be that of a strip no wider than 1e-5 d.
+constexpr double kSquare = 1e-5;
+}  // namespace
 
 struct MeshSurface::Data {
   std::shared_ptr<const std::byte> keep;  // owner of the arrays, if external
@@ -301,7 +304,7 @@ SurfacePoint MeshSurface::Data::point_at(const Vec3& y, const FacetSearch::Foot&
 
 // Hessian of the distance for a nearest point at a vertex. In general the distance is that from the vertex.
 // If an edge at the vertex is perpendicular to s.normal, as where the vertex divides a straight edge, it is
-// that from the edge; if two such edges are not parallel, that from their plane.
+// that from the edge; if two such edges are not parallel, that from the facets.
 Mat3 MeshSurface::Data::curvature_at_vertex(int first, int corner, double length,
                                             const SurfacePoint& s) const {
   constexpr int kMost = 64;  // facets about a vertex
@@ -317,7 +320,10 @@ Mat3 MeshSurface::Data::curvature_at_vertex(int first, int corner, double length
     const auto from = static_cast<std::size_t>(v), to = static_cast<std::size_t>((v + 1) % 3);
     const Vec3 tangent = (patch.p[to] - patch.p[from] + patch.c[from]).normalized();
     if (std::abs(tangent.dot(s.normal)) <= kSquare) {
-      if (along && along->cross(tangent).norm() > kSquare) return Mat3::Zero();
+      if (along && along->cross(tangent).norm() > kSquare) {
+        const auto at = on_edge(v, 0);
+        return curvature_over_patch(patch, at[0], at[1], s.normal, s.distance);
+      }
       if (!along) curvature = curvature_over_edge(patch, v, 0, s.normal, s.distance, small);
       along = tangent;
     }

@@ -50,6 +50,7 @@ void Simulation::follow_contact(StaticsSettings settings, StaticsReport& report)
   const auto solve = [&] {
     const StaticsReport more = find_equilibrium(*system_, settings, state_);
     report.iterations += more.iterations;
+    report.relaxation_steps += more.relaxation_steps;
     report.escapes += more.escapes;
     report.norms = more.norms;  // the inertia of friction's unsymmetric tangent has no meaning
   };
