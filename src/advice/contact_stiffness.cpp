@@ -49,8 +49,8 @@ std::string chosen_stiffness(const std::string& volume, double stiffness, const 
       "volume {}: normal stiffness {:.3g} N/m per m: a tension of {:.3g} N ({}) bent to a radius of {:.3g} m "
       "({}) and the line's weight of {:.3g} N/m penetrate by {}{:.3g} m",
       volume, stiffness, reason.tension,
-      reason.has_weight ? "the weight of the line and its loads" : "1e-4 of its EA, as it has no weight",
-      reason.radius, name_of(reason.bend), reason.weight,
+      reason.has_weight ? "the line's weight" : "1e-4 of its EA, as it has no weight", reason.radius,
+      name_of(reason.bend), reason.weight,
       reason.penetration_given ? "the allowed " : "0.5 % of the line's radius, ", reason.penetration);
   if (bounce > 0)
     note += fmt::format(

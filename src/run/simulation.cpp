@@ -80,20 +80,6 @@ std::vector<int> held_nodes(const model::Case& c, const LocalMesh& local, const 
   return held;
 }
 
-// Dead loads [N] on a line in addition to its weight: masses or their buoyancy in water, point loads and
-// distributed ones, each with its magnitude, since the line may transfer it in any direction.
-double dead_loads(const model::Case& c, const model::Line& line, double length) {
-  const auto& water = c.environment.water;
-  const double density = water.present ? water.density : 0;
-  double sum = 0;
-  for (const model::PointMass& m : line.masses)
-    sum += c.environment.gravity * std::max(m.mass, density * m.volume - m.mass);
-  for (const model::PointLoad& load : line.point_loads) sum += load.force.norm();
-  for (const model::DistributedLoad& load : line.loads)
-    sum += load.per_length.norm() * ((load.to < 0 ? length : load.to) - load.from);
-  return sum;
-}
-
 // Automatic stiffness of a volume, from the line with the largest demand. The note gives the reason, and
 // whether the steps are too long to resolve a bounce.
 void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& volume,
@@ -104,19 +90,17 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
   const auto weight_of = [&](int type) {  // N/m
     return c.line_types[type].mass_per_length * c.environment.gravity;
   };
-  std::vector<double> line_load;  // N
-  for (size_t l = 0; l < mesh.lines.size(); ++l)
-    line_load.push_back(dead_loads(c, c.lines[l], mesh.lines[l].length));
+  std::vector<double> line_weight(mesh.lines.size(), 0);
   for (int i = 0; i < mesh.elements(); ++i) {
     const Element e = mesh.element(i);
-    line_load[e.line] += e.length * weight_of(e.type);
+    line_weight[e.line] += e.length * weight_of(e.type);
   }
   for (const EvenPart& e : mesh.parts()) {
     const auto& t = c.line_types[e.type];
     StiffnessDemand d;
     d.radius = 0.5 * t.contact_diameter;
     d.weight = weight_of(e.type);
-    d.line_load = line_load[e.line];
+    d.line_weight = line_weight[e.line];
     d.EA = t.EA;
     d.EI = t.least_bending_stiffness();
     d.bend = bending_radius(v, d.radius);

@@ -27,8 +27,8 @@ double allowed_penetration(const StiffnessDemand& d) {
 // k δ = w + T/R, R >= 2 sqrt(EI/T)
 AutomaticStiffness automatic_contact_stiffness(const StiffnessDemand& d) {
   using Bend = advice::StiffnessReason::Bend;
-  const bool hangs = d.line_load > 0;
-  const double tension = hangs ? d.line_load : 1e-4 * d.EA;
+  const bool hangs = d.line_weight > 0;
+  const double tension = hangs ? d.line_weight : 1e-4 * d.EA;
   const double shape = d.bend > 0 ? d.bend : std::max(d.radius, kLeast);
   const double over_edge = tension > 0 ? 2 * std::sqrt(d.EI / tension) : 0;
   AutomaticStiffness out;
@@ -48,7 +48,7 @@ AutomaticStiffness automatic_contact_stiffness(const StiffnessDemand& d) {
 }
 
 double most_stiffness(const StiffnessDemand& d) {
-  return std::max(d.EA, d.line_load) / (d.radius * allowed_penetration(d));
+  return std::max(d.EA, d.line_weight) / (d.radius * allowed_penetration(d));
 }
 
 double stiffness_by_weight(double mass_per_length, double radius) {

@@ -58,7 +58,8 @@ void PlatformWater::add_past(Group& g, double time, Eigen::VectorXd rate) {
 
 namespace {
 
-// Lags nearer than this to a multiple of the step are equal to it, s: the effect on S is that of its table.
+// Lags nearer than this to a multiple of the step are equal to it, s: the error of S is no larger than that
+// of its table.
 double equal_lags(const RadiationMemory& memory) { return 1e-8 * memory.spacing(); }
 
 }  // namespace
@@ -73,6 +74,7 @@ void PlatformWater::tabulate_lags(Group& g, double h) {
     const double lag = static_cast<double>(rows - 1) * h;
     if (std::abs(end - g.past[k].time - lag) > equal_lags(g.memory)) break;
   }
+  g.lag_rows = rows;  // of the history and h alone: the same after a restart
   const size_t n = g.entries.size();
   for (size_t m = g.lags.size() / n; m < rows; ++m) {
     g.lags.resize((m + 1) * n);
@@ -83,8 +85,7 @@ void PlatformWater::tabulate_lags(Group& g, double h) {
 const double* PlatformWater::integrals_at(const Group& g, double lag, double* own, double* rate) {
   const size_t n = g.entries.size();
   const double m = std::round(lag / g.lag_step);
-  if (!rate && m < static_cast<double>(g.lags.size() / n) &&
-      std::abs(lag - m * g.lag_step) <= equal_lags(g.memory))
+  if (!rate && m < static_cast<double>(g.lag_rows) && std::abs(lag - m * g.lag_step) <= equal_lags(g.memory))
     return &g.lags[static_cast<size_t>(m) * n];
   g.memory.integrals(lag, own, rate);
   return own;

@@ -50,7 +50,7 @@ TEST(ContactStiffness, OfAStiffPipe) {
   d.bend = 4;
   EXPECT_NEAR(automatic_contact_stiffness(d).per_length * 0.005 * 0.1, weight + tension / bend, 1e-6);
   d.weight = 0;
-  d.line_load = 0;
+  d.line_weight = 0;
   EXPECT_NEAR(automatic_contact_stiffness(d).per_length * 0.005 * 0.1,
               1.256e5 / (2 * std::sqrt(5.7e6 / 1.256e5)), 1e-6);
 }

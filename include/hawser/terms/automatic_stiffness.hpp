@@ -12,7 +12,7 @@ constexpr double kAllowedPenetration = 0.005;
 struct StiffnessDemand {
   double radius = 0;               // m, half the contact diameter
   double weight = 0;               // N/m, weight of the element per length
-  double line_load = 0;            // N, weight of the whole line with all its sections, masses and loads
+  double line_weight = 0;          // N, weight of the whole line with all its sections
   double EA = 0, EI = 0;           // N, N m²
   double bend = 0;                 // m, smallest radius of curvature of the axis; 0: unknown
   double allowed_penetration = 0;  // m; 0: kAllowedPenetration times the radius
@@ -24,14 +24,14 @@ struct AutomaticStiffness {
 };
 
 // Chooses the stiffness k so that the line's own weight w and its tension T, bent to the radius R, penetrate
-// by the allowed depth d: k d = w + T/R. T is the weight of the whole line with its masses and loads, or 1e-4
-// EA for a line without any. If the radius is unknown, R is the larger of 1 m and the line's radius. R is at
-// least 2 sqrt(EI/T), the radius to which T bends the line over an edge.
+// by the allowed depth d: k d = w + T/R. T is the weight of the whole line, or 1e-4 EA for a line without
+// weight. If the radius is unknown, R is the larger of 1 m and the line's radius. R is at least 2 sqrt(EI/T),
+// the radius to which T bends the line over an edge.
 AutomaticStiffness automatic_contact_stiffness(const StiffnessDemand& d);
 
-// Upper limit of an automatic stiffness, N/m²: with it the larger of EA and the whole line's weight and
-// loads, bent to the line's own radius, penetrates by the allowed depth. A line that is deeper is held inside
-// by something other than its tension.
+// Upper limit of an automatic stiffness, N/m²: with it the larger of EA and the whole line's weight, bent to
+// the line's own radius, penetrates by the allowed depth. A line that is deeper is held inside by something
+// other than its tension.
 double most_stiffness(const StiffnessDemand& d);
 
 // Automatic stiffness between lines: force per length F = k s + c s³ at the penetration s. With k [N/m²] the
