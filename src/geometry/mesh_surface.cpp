@@ -20,8 +20,8 @@ using detail::FacetSearch;
 
 namespace {
 // Sine below which directions count as parallel or perpendicular: that of kinks by the rounding of
-// coordinates in files (micrometres over facets of 0.1 m, single precision over facets of a hundredth of the
-// mesh). The Hessian 1/d of such an edge would be that of a strip no wider than 1e-5 d.
+// coordinates in files (single precision over facets of a hundredth of the mesh, micrometres over facets of
+// 0.5 m). The Hessian 1/d of such an edge would be that of a strip no wider than 1e-5 d.
 constexpr double kSquare = 1e-5;
 }  // namespace
 
