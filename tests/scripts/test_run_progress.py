@@ -97,7 +97,7 @@ class Progress(unittest.TestCase):
         code, text = on_terminal(HAWSER, "run", "slow.yaml", columns=120, cwd=self.folder)
         self.assertEqual(code, 0, text)
         self.assertRegex(text, f"{line}\r\033\\[K")
-        self.assertRegex(text, "steps of dynamic relaxation, out of balance")
+        self.assertRegex(text, "steps of dynamic relaxation, relative residual")
         self.assertNotRegex(text, "so far\r\n")
         self.assertNotIn("so far", run(HAWSER, "run", "slow.yaml", cwd=self.folder).stdout)
 
