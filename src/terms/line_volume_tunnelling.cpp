@@ -13,7 +13,7 @@ namespace hawser {
 namespace {
 
 constexpr std::array<double, 2> kEnds{0, 1};  // positions along an element
-// In statics shorter displacements, in radii, are not tested for tunnelling.
+// Smallest displacement, in radii, that statics tests for tunnelling; in motion it is one radius.
 constexpr double kCreeps = 0.1;
 
 // Part of the axis that may touch.

@@ -5,7 +5,7 @@
 namespace hawser {
 
 struct StepSettings {
-  double fixed = 0;             // s; > 0: fixed step, halved only when a step fails
+  double fixed = 0;             // s; > 0: fixed step, divided to meet stops, halved when it fails
   double first = 0.01;          // s, first automatic step
   double longest = 0.1;         // s
   double shortest = 1e-6;       // s
