@@ -106,12 +106,6 @@ const model::LineType& EdgeErrors::type_at(int node) const {
   return case_.line_types[mesh_.mesh->element(line.first_element + node - line.first_node).type];
 }
 
-void EdgeErrors::exchange(std::vector<PressedPart>& of_pieces) const {
-  hawser::exchange<PressedPart>(
-      comm_, kTag, shared_, [&](int piece) { return of_pieces[piece]; },
-      [&](int piece, const PressedPart& part) { of_pieces[piece] = part; });
-}
-
 void EdgeErrors::update(const Kinematics& state, const Values& values) {
   std::vector<PressedPart> of_pieces(pieces_.size());
   size_t piece = 0;
@@ -119,7 +113,9 @@ void EdgeErrors::update(const Kinematics& state, const Values& values) {
     while (pieces_[piece].last < turn.node) ++piece;
     of_pieces[piece] = joined(of_pieces[piece], PressedPart(turn));
   }
-  exchange(of_pieces);
+  exchange<PressedPart>(
+      comm_, kTag, shared_, [&](int i) { return of_pieces[i]; },
+      [&](int i, const PressedPart& part) { of_pieces[i] = part; });
   for (size_t i = 0; i < pieces_.size();) {
     const int line = pieces_[i].line;
     PressedPart of_line;

@@ -59,14 +59,6 @@ ElementErrors::At ElementErrors::node(size_t n, const Kinematics& state, const V
           values.supported[n]};
 }
 
-// Receives the data of other ranks for the nodes of cut_, in the order of both.
-void ElementErrors::exchange(const Kinematics& state, const Values& values,
-                             std::vector<At>& of_cut_lines) const {
-  hawser::exchange<At>(
-      comm_, kNodesTag, shared_, [&](int n) { return node(static_cast<size_t>(n), state, values); },
-      [&](int place, const At& at) { of_cut_lines[place] = at; });
-}
-
 void ElementErrors::declare(Declarations& to) {
   const std::vector<Field>& fields = to.contents.fields;
   tension_ = find_field(fields, "effective_tension");
@@ -130,7 +122,9 @@ void ElementErrors::update(const Kinematics& state, const Values& values) {
       nodes.push_back(mesh_.owns(local) ? node(static_cast<size_t>(local), state, values) : At{});
     }
   }
-  exchange(state, values, nodes);
+  exchange<At>(
+      comm_, kNodesTag, shared_, [&](int n) { return node(static_cast<size_t>(n), state, values); },
+      [&](int place, const At& at) { nodes[place] = at; });
   size_t first = 0;
   for (const int l : cut_) {
     update_line(l, nodes.data() + first);

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "hawser/base/exchange.hpp"
 #include "hawser/base/mpi.hpp"
 #include "hawser/math/disjoint_sets.hpp"
 
@@ -83,54 +84,13 @@ struct SolverIndex {
   PetscInt at = 0, first = 0, size = 0, matrix = 0;
 };
 
-// Sends lists of blocks to other ranks, and returns the SolverIndex of each block. Collective.
-class Questions {
- public:
-  // lists: by rank; each consists of the label of a part, the number of its blocks, the blocks, and so on.
-  Questions(MPI_Comm comm, PetscMPIInt tag, const std::map<int, Blocks>& lists) : comm_(comm), tag_(tag) {
-    std::vector<PetscMPIInt> to;
-    Blocks lengths;
-    for (const auto& [rank, list] : lists) {
-      to.push_back(rank);
-      lengths.push_back(static_cast<PetscInt>(list.size()));
-    }
-    PetscMPIInt count = 0, *from = nullptr;
-    PetscInt* received = nullptr;
-    check(PetscCommBuildTwoSided(comm, 1, MPIU_INT, static_cast<PetscMPIInt>(to.size()), to.data(),
-                                 lengths.data(), &count, &from, &received));
-    for (int i = 0; i < count; ++i) received_[from[i]].resize(static_cast<size_t>(received[i]));
-    check(PetscFree(from));
-    check(PetscFree(received));
-    exchange(lists, received_);
-  }
-  const std::map<int, Blocks>& received() const { return received_; }
-  // answers: to the ranks of `received`; out: from the ranks that were asked, of the right size.
-  void answer(const std::map<int, std::vector<SolverIndex>>& answers,
-              std::map<int, std::vector<SolverIndex>>& out) const {
-    exchange(answers, out);
-  }
+// Blocks that a rank asks another one about: the label of a part, the number of its blocks, the blocks, and
+// so on.
+using Question = Blocks;
 
- private:
-  template <class T>
-  void exchange(const std::map<int, std::vector<T>>& send, std::map<int, std::vector<T>>& receive) const {
-    const MessageType<T> type;
-    std::vector<MPI_Request> requests;
-    for (auto& [rank, list] : receive)
-      MPI_Irecv(list.data(), static_cast<int>(list.size()), type, rank, tag_, comm_,
-                &requests.emplace_back());
-    for (const auto& [rank, list] : send)
-      MPI_Isend(list.data(), static_cast<int>(list.size()), type, rank, tag_, comm_,
-                &requests.emplace_back());
-    MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
-  }
-  MPI_Comm comm_;
-  PetscMPIInt tag_;
-  std::map<int, Blocks> received_;
-};
-
-// Calls visit(label, block) for each block of a list of Questions.
+// Calls visit(label, block) for each block of a question.
 template <class Visit>
-void for_each_asked(const Blocks& list, const Visit& visit) {
+void for_each_asked(const Question& list, const Visit& visit) {
   for (size_t i = 0; i < list.size();) {
     const PetscInt label = list[i], n = list[i + 1];
     for (PetscInt k = 0; k < n; ++k) visit(label, list[i + 2 + static_cast<size_t>(k)]);
@@ -190,8 +150,8 @@ std::map<PetscInt, InterfacePart> find_parts(MPI_Comm comm, PetscLayout layout, 
 // numbers.
 class SolvedParts {
  public:
-  // asked: by rank, see Questions.
-  explicit SolvedParts(const std::map<int, Blocks>& asked) {
+  // asked: questions of other ranks, by rank.
+  explicit SolvedParts(const std::map<int, Question>& asked) {
     for (const auto& [rank, list] : asked)
       for_each_asked(list, [&](PetscInt name, PetscInt block) { parts_[name].blocks.push_back(block); });
     for (auto& [name, part] : parts_) {
@@ -220,31 +180,32 @@ class SolvedParts {
   std::map<PetscInt, Part> parts_;
 };
 
-// Place of each shared block, as assigned by the rank that solves its part. Collective.
-std::vector<SolverIndex> places_of_shared(const LocalRows& local,
+// Place of each shared block, as assigned by the rank that solves its part. asked: questions of other ranks.
+// Collective.
+std::vector<SolverIndex> places_of_shared(MPI_Comm comm, PetscMPIInt tag, const LocalRows& local,
                                           const std::map<PetscInt, InterfacePart>& found,
-                                          const Questions& questions, const SolvedParts& solved) {
+                                          const std::map<int, Question>& asked, const SolvedParts& solved) {
   std::map<int, std::vector<SolverIndex>> answers, places;
-  for (const auto& [rank, list] : questions.received())
+  for (const auto& [rank, list] : asked)
     for_each_asked(
         list, [&](PetscInt name, PetscInt block) { answers[rank].push_back(solved.place(name, block)); });
   std::map<int, std::vector<int>> rows;  // own blocks that each rank was asked about
   for (const auto& [name, part] : found)
     for (const int k : part.shared) rows[part.solver].push_back(part.rows[k]);
   for (const auto& [rank, blocks] : rows) places[rank].resize(blocks.size());
-  questions.answer(answers, places);
+  exchange_lists(comm, tag, answers, places);
   std::vector<SolverIndex> out(static_cast<size_t>(local.owned));
   for (const auto& [rank, blocks] : rows)
     for (size_t k = 0; k < blocks.size(); ++k) out[blocks[k]] = places[rank][k];
   return out;
 }
 
-// Lists for the ranks that solve the parts, in the form of Questions.
-std::map<int, Blocks> questions_on(const LocalRows& local, const std::map<PetscInt, InterfacePart>& found) {
-  std::map<int, Blocks> out;
+// Questions to the ranks that solve the parts.
+std::map<int, Question> questions_on(const LocalRows& local, const std::map<PetscInt, InterfacePart>& found) {
+  std::map<int, Question> out;
   for (const auto& [name, part] : found) {
     if (part.shared.empty()) continue;
-    Blocks& list = out[part.solver];
+    Question& list = out[part.solver];
     list.insert(list.end(), {name, static_cast<PetscInt>(part.shared.size())});
     for (const int k : part.shared) list.push_back(local.first + part.rows[k]);
   }
@@ -298,9 +259,9 @@ InterfaceParts::InterfaceParts(Mat A) {
 
   PetscMPIInt tag = 0;
   check(PetscObjectGetNewTag(reinterpret_cast<PetscObject>(A), &tag));
-  const Questions questions(comm, tag, questions_on(local, found));
-  const SolvedParts solved(questions.received());
-  const std::vector<SolverIndex> own = places_of_shared(local, found, questions, solved);
+  const std::map<int, Question> asked = send_lists(comm, tag, questions_on(local, found));
+  const SolvedParts solved(asked);
+  const std::vector<SolverIndex> own = places_of_shared(comm, tag, local, found, asked, solved);
   const std::vector<SolverIndex> ghosts = places_of_ghosts(local, blocks.get(), own);
 
   solved_ = solved.sizes;

@@ -58,8 +58,8 @@ void PlatformWater::add_past(Group& g, double time, Eigen::VectorXd rate) {
 
 namespace {
 
-// Lags nearer than this to a multiple of the step are equal to it, s: the error of S is no larger than that
-// of its table.
+// A lag that differs from a multiple of the step by less than this [s] takes the row of that multiple. The
+// error of S is then no larger than that of the table of `memory`.
 double equal_lags(const RadiationMemory& memory) { return 1e-8 * memory.spacing(); }
 
 }  // namespace
@@ -74,8 +74,9 @@ void PlatformWater::tabulate_lags(Group& g, double h) {
     const double lag = static_cast<double>(rows - 1) * h;
     if (std::abs(end - g.past[k].time - lag) > equal_lags(g.memory)) break;
   }
-  g.lag_rows = rows;  // of the history and h alone: the same after a restart
   const size_t n = g.entries.size();
+  g.lags.resize(
+      std::min(g.lags.size(), rows * n));  // rows by the history and h alone: the same after a restart
   for (size_t m = g.lags.size() / n; m < rows; ++m) {
     g.lags.resize((m + 1) * n);
     g.memory.integrals(static_cast<double>(m) * h, &g.lags[m * n], nullptr);
@@ -85,7 +86,8 @@ void PlatformWater::tabulate_lags(Group& g, double h) {
 const double* PlatformWater::integrals_at(const Group& g, double lag, double* own, double* rate) {
   const size_t n = g.entries.size();
   const double m = std::round(lag / g.lag_step);
-  if (!rate && m < static_cast<double>(g.lag_rows) && std::abs(lag - m * g.lag_step) <= equal_lags(g.memory))
+  if (!rate && m < static_cast<double>(g.lags.size() / n) &&
+      std::abs(lag - m * g.lag_step) <= equal_lags(g.memory))
     return &g.lags[static_cast<size_t>(m) * n];
   g.memory.integrals(lag, own, rate);
   return own;

@@ -52,7 +52,6 @@ class EdgeErrors : public Recording {
   };
   std::vector<PressedTurn> turns(const Kinematics& state, const Values& values) const;
   const model::LineType& type_at(int node) const;  // type of the element after the node
-  void exchange(std::vector<PressedPart>& of_pieces) const;
   void update_worst(int line, const PressedPart& of_line, double time);
   void gather();
 

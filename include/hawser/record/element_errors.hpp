@@ -54,7 +54,6 @@ class ElementErrors : public Recording {
     bool supported = false;
   };
   At node(size_t n, const Kinematics& state, const Values& values) const;
-  void exchange(const Kinematics& state, const Values& values, std::vector<At>& of_cut_lines) const;
   void update_sag(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,
                   Worst& worst) const;
   void update_lifts(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,

@@ -124,7 +124,7 @@ class Assembler {
   const Weights& weights() const { return weights_; }
   // Adds the force on two positions and the sum J of its weighted derivatives. False: nothing is added,
   // because an end is tied to a frame, for which add() needs the derivatives one by one.
-  bool add_weighted(int a, int b, const Vec6& f, const Mat6& J);
+  [[nodiscard]] bool add_weighted(int a, int b, const Vec6& f, const Mat6& J);
   // While this is on, contributions to rows of other ranks are kept and sent to their owners, which do not
   // compute them themselves.
   void send(bool on) { sending_ = on; }

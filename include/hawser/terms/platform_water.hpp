@@ -120,7 +120,6 @@ class PlatformWater final : public ForceTerm,
     // S of the memory at m lag_step [s], by m = 0, 1, ... and by entry, as far as accepted steps have that
     // length: they are the same in every step.
     double lag_step = 0;
-    size_t lag_rows = 0;  // valid rows of `lags`
     std::vector<double> lags;
     double slow_time = 0;   // s, time of the slow poses
     bool is_local = false;  // this rank owns one of the bodies
