@@ -88,7 +88,7 @@ bool LineVolumeContact::predict_impacts_by_group(const Pair& pair, const Kinemat
   FacetGroups facet_groups;
   finder_.facet_groups_ahead(pair, std::min(0.5, 2 * to.most) * std::max({speed(0), speed(0.5), speed(1)}),
                              facet_groups);
-  for (const FacetGroup& w : facet_groups.of)
+  for (const FacetGroup& w : facet_groups.list)
     for (const double xi : kSamples) {
       if (!finder_.takes_part(pair, xi)) continue;
       const auto p =
