@@ -83,12 +83,12 @@ void warn_of_slenderness(const LineType& t, std::vector<InputWarning>& out) {
                 "check it by other means",
                 slender, what, field);
   };
-  if (slender > kMostSlender || slender < kLeastSlender)
-    warn(fmt::format("DNV-ST-F101's formulas for combined loads apply from {:g} to {:g}", kLeastSlender,
-                     kMostSlender),
+  if (slender > kMaxSlender || slender < kMinSlender)
+    warn(fmt::format("DNV-ST-F101's formulas for combined loads apply from {:g} to {:g}", kMinSlender,
+                     kMaxSlender),
          "'dnv_local_buckling'");
-  if (slender > kMostSlenderApi)
-    warn(fmt::format("API RP 1111's formula for bending with pressure applies up to {:g}", kMostSlenderApi),
+  if (slender > kMaxSlenderApi)
+    warn(fmt::format("API RP 1111's formula for bending with pressure applies up to {:g}", kMaxSlenderApi),
          "'api_bending_pressure'");
 }
 

@@ -94,7 +94,7 @@ std::string beyond_pipe_formulas(double pulled) {
   return fmt::format(
       "the design tension of a pipe is {:.2g} of its yield tension: DNV-ST-F101's formulas for combined "
       "loads apply up to {:g}",
-      pulled, kMostPulled);
+      pulled, kMaxPulled);
 }
 
 }  // namespace hawser::advice

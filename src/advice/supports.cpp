@@ -50,7 +50,7 @@ double above_the_others(const std::vector<Stop>& way, size_t k) {
     const Stop &a = way[k - 1], &b = way[k + 1];
     const Vec3 chord = b.at - a.at;
     const double d = chord.norm();
-    const double t = nearest_share(here.at, a.at, b.at);
+    const double t = nearest_fraction(here.at, a.at, b.at);
     const double u = 1 - t;
     const Vec3 there =
         u * u * (1 + 2 * t) * a.at + t * t * (3 - 2 * t) * b.at + t * u * d * (u * a.along - t * b.along);

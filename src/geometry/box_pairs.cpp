@@ -12,10 +12,10 @@ std::vector<std::pair<int, int>> overlapping_pairs(std::span<const Box> boxes) {
   const BoxTree tree(boxes, usable);
   std::vector<std::pair<int, int>> out;
   for (const int i : tree.items()) {
-    const Box& mine = boxes[static_cast<std::size_t>(i)];
-    tree.walk([&](std::size_t n) { return tree.nodes()[n].box.overlaps(mine); },
+    const Box& box = boxes[static_cast<std::size_t>(i)];
+    tree.walk([&](std::size_t n) { return tree.nodes()[n].box.overlaps(box); },
               [&](int j) {
-                if (i < j && mine.overlaps(boxes[static_cast<std::size_t>(j)])) out.emplace_back(i, j);
+                if (i < j && box.overlaps(boxes[static_cast<std::size_t>(j)])) out.emplace_back(i, j);
               });
   }
   return out;

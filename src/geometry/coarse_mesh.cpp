@@ -48,16 +48,16 @@ struct Cell {
 }  // namespace
 
 CoarseMesh coarse_mesh(std::span<const Vec3> vertices, std::span<const std::array<int, 3>> triangles,
-                       int most) {
+                       int max_vertices) {
   // Start with a grid in which `most` cells would cover the surface, and coarsen.
   double area = 0, extent = 0;
   for (const auto& [a, b, c] : triangles)
     area += 0.5 * (vertices[b] - vertices[a]).cross(vertices[c] - vertices[a]).norm();
   for (const Vec3& x : vertices) extent = std::max(extent, (x - vertices[0]).norm());
-  double edge = std::max({std::sqrt(area / most), extent / most, 1e-9});
+  double edge = std::max({std::sqrt(area / max_vertices), extent / max_vertices, 1e-9});
   std::vector<int> cell = cells_of(vertices, edge);
   int count = 0;
-  while ((count = 1 + *std::max_element(cell.begin(), cell.end())) > most)
+  while ((count = 1 + *std::max_element(cell.begin(), cell.end())) > max_vertices)
     cell = cells_of(vertices, edge *= 1.15);
 
   CoarseMesh out;

@@ -16,19 +16,20 @@ namespace {
 std::vector<std::vector<int>> boundaries(const MeshView& mesh) {
   const std::vector<EdgeUse> uses = edge_uses(mesh);
   DisjointSets group(mesh.vertices.size());
-  std::vector<bool> on(mesh.vertices.size(), false);
+  std::vector<bool> on_boundary(mesh.vertices.size(), false);
   for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
     int sum = 0;
     for (j = i; j < uses.size() && uses[j].same_edge(uses[i]); ++j) sum += uses[j].forward ? 1 : -1;
     if (sum == 0) continue;
     group.unite(uses[i].low, uses[i].high);
-    on[static_cast<std::size_t>(uses[i].low)] = on[static_cast<std::size_t>(uses[i].high)] = true;
+    on_boundary[static_cast<std::size_t>(uses[i].low)] = on_boundary[static_cast<std::size_t>(uses[i].high)] =
+        true;
   }
   int count = 0;
   const std::vector<int> number =
-      group.numbered([&](int v) { return on[static_cast<std::size_t>(v)]; }, count);
+      group.numbered([&](int v) { return on_boundary[static_cast<std::size_t>(v)]; }, count);
   std::vector<std::vector<int>> out(static_cast<std::size_t>(count));
-  for (std::size_t v = 0; v < on.size(); ++v)
+  for (std::size_t v = 0; v < on_boundary.size(); ++v)
     if (number[v] >= 0) out[static_cast<std::size_t>(number[v])].push_back(static_cast<int>(v));
   return out;
 }
@@ -74,10 +75,10 @@ Defects find_defects(const MeshView& mesh, const Topology& topo, const WindingTr
       piece[static_cast<std::size_t>(topo.component[t])].add(mesh.corner(t, i));
   const bool few = piece.size() <= 1000;
   for (std::size_t t = 0; t < n; ++t) {
-    Box own;
-    for (std::size_t i = 0; i < 3; ++i) own.add(mesh.corner(t, i));
+    Box facet_box;
+    for (std::size_t i = 0; i < 3; ++i) facet_box.add(mesh.corner(t, i));
     for (std::size_t p = 0; p < piece.size() && few && !out.undecided[t]; ++p)
-      out.undecided[t] = p != static_cast<std::size_t>(topo.component[t]) && piece[p].overlaps(own);
+      out.undecided[t] = p != static_cast<std::size_t>(topo.component[t]) && piece[p].overlaps(facet_box);
     if (!few) out.undecided[t] = true;
     const Vec3 c = mesh.centroid(t);
     double reach = 0;

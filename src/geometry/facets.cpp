@@ -129,7 +129,7 @@ std::optional<FacetSearch::Foot> FacetSearch::nearest(const Facets& facets, cons
   const double moved = (y - near.place).norm();
   NearestFacet best(facets, tree_, y, std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < near.count; ++i) {
-    if (near.facets[i].least - moved > best.reach) return best.foot;
+    if (near.facets[i].lower_bound - moved > best.reach) return best.foot;
     best.visit(near.facets[i].triangle);
   }
   return near.others - moved > best.reach ? best.foot : std::nullopt;

@@ -41,8 +41,8 @@ struct Basis {
   Basis(const std::vector<double>& t, double at) {
     const auto above = std::upper_bound(t.begin() + 1, t.end() - 1, at);
     cell = static_cast<size_t>(above - t.begin()) - 1;
-    const double h = t[cell + 1] - t[cell], in = std::clamp(at, t.front(), t.back());
-    const double u = (in - t[cell]) / h, v = 1 - u;
+    const double h = t[cell + 1] - t[cell], clamped = std::clamp(at, t.front(), t.back());
+    const double u = (clamped - t[cell]) / h, v = 1 - u;
     value[0] = v * v * (1 + 2 * u);
     value[1] = u * u * (3 - 2 * u);
     value[2] = h * u * v * v;
@@ -55,9 +55,9 @@ struct Basis {
     bend[1] = -bend[0];
     bend[2] = (6 * u - 4) / h;
     bend[3] = (6 * u - 2) / h;
-    if (in == at) return;
+    if (clamped == at) return;
     for (int i = 0; i < 4; ++i) {
-      value[i] += (at - in) * slope[i];
+      value[i] += (at - clamped) * slope[i];
       bend[i] = 0;
     }
   }
@@ -198,12 +198,12 @@ std::optional<SurfacePoint> HeightGrid::query(const Vec3& y, double max_distance
   const Mat2 bends = plan.transpose() * (s.normal.z() * f.bend) * plan;
   // This function of the matrix, by linear interpolation between its eigenvalues. It is bounded at and beyond
   // the centre of curvature, where the point is not the nearest.
-  const auto of_distance = [&](double k) { return k / std::max(1 - k * s.distance, 0.05); };
+  const auto offset_curvature = [&](double k) { return k / std::max(1 - k * s.distance, 0.05); };
   const double middle = 0.5 * bends.trace();
-  const double half = std::hypot(0.5 * (bends(0, 0) - bends(1, 1)), bends(0, 1)), least = middle - half;
-  const double low = of_distance(least);
-  const double rise = half > 0 ? (of_distance(middle + half) - low) / (2 * half) : 0;
-  s.curvature -= axes * ((low - rise * least) * Mat2::Identity() + rise * bends) * axes.transpose();
+  const double half = std::hypot(0.5 * (bends(0, 0) - bends(1, 1)), bends(0, 1)), smallest = middle - half;
+  const double low = offset_curvature(smallest);
+  const double rise = half > 0 ? (offset_curvature(middle + half) - low) / (2 * half) : 0;
+  s.curvature -= axes * ((low - rise * smallest) * Mat2::Identity() + rise * bends) * axes.transpose();
   return s;
 }
 

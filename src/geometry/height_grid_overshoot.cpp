@@ -20,10 +20,10 @@ struct Cell {
   // A parabola over a hilltop exceeds two equally high points beside it by an eighth of the smaller descent
   // on both sides; twice that is attributed to the shape of the ground. A step has no descent on one side.
   double beyond(double z) const {
-    constexpr double kOfShape = 0.25;
+    constexpr double kShapeFraction = 0.25;
     const auto above = [&](double sign) {
       const double descent = std::min(sign * (p - before), sign * (q - after));
-      return sign * z - std::max(sign * p, sign * q) - kOfShape * std::max(0.0, descent);
+      return sign * z - std::max(sign * p, sign * q) - kShapeFraction * std::max(0.0, descent);
     };
     return std::max(above(1), above(-1));
   }
@@ -34,11 +34,11 @@ struct Cell {
     const double root = b * b - 4 * a * m;
     if (root < 0) return 0;
     const double k = -0.5 * (b + std::copysign(std::sqrt(root), b));
-    double best = 0, by = 0;
+    double best = 0, largest = 0;
     for (const double u : {a != 0 ? k / a : 0, k != 0 ? m / k : 0})
-      if (u > 0 && u < 1 && beyond(at(u)) > by) {
+      if (u > 0 && u < 1 && beyond(at(u)) > largest) {
         best = u;
-        by = beyond(at(u));
+        largest = beyond(at(u));
       }
     return best;
   }
@@ -57,7 +57,7 @@ HeightGrid::Overshoot HeightGrid::overshoot() const {
       const Cell cell{node(i > 0 ? i - 1 : 0).z, p.z,      q.z,     node(std::min(i + 2, t.size() - 1)).z,
                       t[i + 1] - t[i],           p.*slope, q.*slope};
       const double u = cell.furthest(), z = cell.at(u);
-      if (u == 0 || !(cell.beyond(z) > worst.by)) continue;
+      if (u == 0 || !(cell.beyond(z) > worst.height)) continue;
       worst = {cell.beyond(z), place(t[i] + u * cell.h), z > std::max(p.z, q.z)};
     }
   };

@@ -13,7 +13,7 @@ namespace hawser {
 namespace {
 
 constexpr double kWide = 4;  // planar regions whose widths differ by more do not belong to one curved surface
-constexpr double kMostBend = 0.5;  // fraction of the edge's length
+constexpr double kMaxBend = 0.5;  // fraction of the edge's length
 constexpr int kNone = -1;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -158,13 +158,13 @@ class Bends {
       Vec3 na = group_normal_[at(root(3 * t + i))], nb = group_normal_[at(root(3 * t + (i + 1) % 3))];
       const bool has_a = !na.isZero(0), has_b = !nb.isZero(0);
       if (!has_a && !has_b) return;
-      const Vec3 own = (normal_[at(t)] + normal_[at(topo_.neighbours[at(t)][at(i)])]).normalized();
-      const Vec3 m = ((has_a ? na : own) + (has_b ? nb : own)).normalized();
+      const Vec3 edge_normal = (normal_[at(t)] + normal_[at(topo_.neighbours[at(t)][at(i)])]).normalized();
+      const Vec3 m = ((has_a ? na : edge_normal) + (has_b ? nb : edge_normal)).normalized();
       if (has_a && m.dot(na) > 0.5) c -= 0.5 * r.dot(na) / m.dot(na) * m;
       if (has_b && m.dot(nb) > 0.5) c += 0.5 * r.dot(nb) / m.dot(nb) * m;
     }
-    const double most = kMostBend * r.norm(), size = c.norm();
-    if (size > most) c *= most / size;
+    const double limit = kMaxBend * r.norm(), size = c.norm();
+    if (size > limit) c *= limit / size;
     // Rounding of the vertices of a flat place is no bend.
     if (size < 1e-9 * r.norm() || !c.allFinite()) c.setZero();
     bend_[at(e)] = c;
@@ -226,17 +226,17 @@ class Bends {
 
   void collect(MeshBends& out) const {
     out.sharp = static_cast<int>(std::count(kind_.begin(), kind_.end(), Kind::sharp));
-    out.of.resize(edge_.size());
+    out.edge_bends.resize(edge_.size());
     for (int t = 0; t < static_cast<int>(edge_.size()); ++t) {
       SmoothPatch q = patch(t);
       for (int i = 0; i < 3; ++i) {
-        out.of[at(t)][at(i)] = q.c[at(i)].cast<float>();
-        q.c[at(i)] = out.of[at(t)][at(i)].cast<double>();
+        out.edge_bends[at(t)][at(i)] = q.c[at(i)].cast<float>();
+        q.c[at(i)] = out.edge_bends[at(t)][at(i)].cast<double>();
       }
       out.curved += !q.flat();
       out.bulge = std::max(out.bulge, q.bulge());
     }
-    if (out.curved == 0) out.of.clear();
+    if (out.curved == 0) out.edge_bends.clear();
   }
 
   const TriangleMesh& mesh_;

@@ -36,20 +36,20 @@ struct Face {
 };
 
 std::vector<Face> faces_of(const TriangleMesh& mesh) {
-  std::vector<std::pair<std::array<int, 3>, std::size_t>> of(mesh.triangles.size());
-  for (std::size_t t = 0; t < of.size(); ++t) {
-    of[t] = {mesh.triangles[t], t};
-    std::sort(of[t].first.begin(), of[t].first.end());
+  std::vector<std::pair<std::array<int, 3>, std::size_t>> sorted(mesh.triangles.size());
+  for (std::size_t t = 0; t < sorted.size(); ++t) {
+    sorted[t] = {mesh.triangles[t], t};
+    std::sort(sorted[t].first.begin(), sorted[t].first.end());
   }
-  std::sort(of.begin(), of.end());
+  std::sort(sorted.begin(), sorted.end());
   std::vector<Face> faces;
-  for (std::size_t i = 0, j = 0; i < of.size(); i = j) {
+  for (std::size_t i = 0, j = 0; i < sorted.size(); i = j) {
     int balance = 0;
-    for (j = i; j < of.size() && of[j].first == of[i].first; ++j)
-      balance += parity(mesh.triangles[of[j].second]);
+    for (j = i; j < sorted.size() && sorted[j].first == sorted[i].first; ++j)
+      balance += parity(mesh.triangles[sorted[j].second]);
     std::size_t k = i;
-    while (balance != 0 && (parity(mesh.triangles[of[k].second]) > 0) != (balance > 0)) ++k;
-    faces.push_back({of[i].second, of[k].second, static_cast<int>(j - i)});
+    while (balance != 0 && (parity(mesh.triangles[sorted[k].second]) > 0) != (balance > 0)) ++k;
+    faces.push_back({sorted[i].second, sorted[k].second, static_cast<int>(j - i)});
   }
   std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) { return a.first < b.first; });
   return faces;
@@ -72,7 +72,7 @@ TriangleMesh once(const TriangleMesh& mesh, const std::vector<Face>& faces, cons
 // Edge at which patches may end.
 struct Rim {
   double length;                             // m
-  int rest = 0;                              // faces that stay in any case
+  int fixed_faces = 0;                       // faces that stay in any case
   std::vector<std::pair<int, int>> patches;  // patches, and the number of their faces at the edge
 };
 
@@ -119,20 +119,20 @@ class Patches {
     std::sort(uses.begin(), uses.end(), [](const Use& x, const Use& y) {
       return x.a != y.a ? x.a < y.a : x.b != y.b ? x.b < y.b : x.patch < y.patch;
     });
-    rims_of_.resize(count_);
+    rims_of_patch_.resize(count_);
     for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
       const auto end = [&](std::size_t k) { return static_cast<std::size_t>(uses[k].a); };
       Rim r{(mesh_.vertices[end(i)] - mesh_.vertices[static_cast<std::size_t>(uses[i].b)]).norm(), 0, {}};
       for (j = i; j < uses.size() && uses[j].a == uses[i].a && uses[j].b == uses[i].b; ++j) {
         if (uses[j].patch < 0)
-          ++r.rest;
+          ++r.fixed_faces;
         else if (!r.patches.empty() && r.patches.back().first == uses[j].patch)
           ++r.patches.back().second;
         else
           r.patches.emplace_back(uses[j].patch, 1);
       }
       for (const auto& [p, n] : r.patches)
-        if (n % 2 == 1) rims_of_[static_cast<std::size_t>(p)].push_back(rims_.size());
+        if (n % 2 == 1) rims_of_patch_[static_cast<std::size_t>(p)].push_back(rims_.size());
       rims_.push_back(std::move(r));
     }
   }
@@ -144,8 +144,8 @@ class Patches {
   };
   Vote vote(std::size_t patch, const std::vector<bool>& kept) const {
     Vote v;
-    for (const std::size_t r : rims_of_[patch]) {
-      int others = rims_[r].rest;
+    for (const std::size_t r : rims_of_patch_[patch]) {
+      int others = rims_[r].fixed_faces;
       for (const auto& [p, n] : rims_[r].patches)
         if (static_cast<std::size_t>(p) != patch && kept[static_cast<std::size_t>(p)]) others += n;
       if (others > 0) (others % 2 == 1 ? v.needed : v.superfluous) += rims_[r].length;
@@ -160,7 +160,7 @@ class Patches {
     constexpr double kAttached = 0.25, kLone = 0.02, kOneSided = 0.25;
     std::vector<std::pair<std::size_t, bool>> asked;  // and whether the rest touches it
     for (std::size_t p = 0; p < count_; ++p) {
-      if (!kept[p] || rims_of_[p].empty()) continue;
+      if (!kept[p] || rims_of_patch_[p].empty()) continue;
       const Vote v = vote(p, kept);
       if (v.superfluous > v.needed || v.needed == 0) asked.emplace_back(p, v.superfluous > 0);
     }
@@ -177,9 +177,9 @@ class Patches {
     const WindingTree tree(all);
     bool dropped = false;
     for (const auto& [p, attached] : asked) {
-      const auto& of = triangles[p];
-      if (detail::enclosing(all, tree, of, attached ? kAttached : kLone) >= 0.5 &&
-          (!attached || detail::one_sided_visibility(all, tree, of) > kOneSided))
+      const auto& patch_triangles = triangles[p];
+      if (detail::enclosing(all, tree, patch_triangles, attached ? kAttached : kLone) >= 0.5 &&
+          (!attached || detail::one_sided_visibility(all, tree, patch_triangles) > kOneSided))
         continue;
       kept[p] = false;
       dropped = true;
@@ -191,7 +191,7 @@ class Patches {
   std::vector<Face>& faces_;
   std::size_t count_ = 0;
   std::vector<Rim> rims_;
-  std::vector<std::vector<std::size_t>> rims_of_;  // by patch: rims with an odd number of its faces
+  std::vector<std::vector<std::size_t>> rims_of_patch_;  // by patch: rims with an odd number of its faces
 };
 
 }  // namespace

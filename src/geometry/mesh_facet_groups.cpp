@@ -28,8 +28,9 @@ bool any_chord(std::span<const Vec3> axis, Is&& is) {
 // Corner of u that is not on edge `edge` of t.
 const Vec3& beyond(const Facets& facets, int u, int t, int edge) {
   const auto& triangles = facets.mesh().triangles;
-  const auto& mine = triangles[static_cast<std::size_t>(t)];
-  const int a = mine[static_cast<std::size_t>(edge)], b = mine[static_cast<std::size_t>((edge + 1) % 3)];
+  const auto& corners = triangles[static_cast<std::size_t>(t)];
+  const int a = corners[static_cast<std::size_t>(edge)],
+            b = corners[static_cast<std::size_t>((edge + 1) % 3)];
   int k = 0;
   while (k < 2 && (triangles[static_cast<std::size_t>(u)][static_cast<std::size_t>(k)] == a ||
                    triangles[static_cast<std::size_t>(u)][static_cast<std::size_t>(k)] == b))
@@ -90,7 +91,7 @@ bool MeshFacetGroups::parallel(std::span<const Vec3> axis, double reach, std::ve
   Box around;
   for (const Vec3& p : axis) around.add(p);
   around = around.grown(reach);
-  const auto in = [&](std::size_t node) {
+  const auto near_axis = [&](std::size_t node) {
     const Box& box = tree_.nodes()[node].box;
     if (!box.overlaps(around)) return false;
     const Vec3 centre = box.centre();
@@ -99,7 +100,7 @@ bool MeshFacetGroups::parallel(std::span<const Vec3> axis, double reach, std::ve
       return squared_distance_to_segment(centre, p, q) <= far * far;
     });
   };
-  tree_.walk(in, [&](int t) {
+  tree_.walk(near_axis, [&](int t) {
     const FacetGroup::Facet f = ball(t);
     const double far = f.radius + reach, off = bulge(t) + reach;
     any_chord(axis, [&](const Vec3& p, const Vec3& q) {
@@ -243,10 +244,10 @@ std::optional<MeshFacetGroups::Foot> MeshFacetGroups::nearest(const FacetGroup& 
   NearestFacet best(facets_, tree_, y, within);
   // Start with the most promising facet, so that most others are out of reach.
   const FacetGroup::Facet* first = nullptr;
-  double least = std::numeric_limits<double>::infinity();
+  double nearest_squared = std::numeric_limits<double>::infinity();
   for (const FacetGroup::Facet& f : group.facets)
-    if (const double squared = (f.centre - y).squaredNorm(); squared < least) {
-      least = squared;
+    if (const double squared = (f.centre - y).squaredNorm(); squared < nearest_squared) {
+      nearest_squared = squared;
       first = &f;
     }
   if (first) best.visit(first->triangle);
@@ -257,8 +258,8 @@ std::optional<MeshFacetGroups::Foot> MeshFacetGroups::nearest(const FacetGroup& 
   if (!best.foot) return std::nullopt;
   const Vec3 normal = pseudonormal(group, *best.foot);
   const bool flat = best.foot->feature == Feature::face && !facets_.curved(best.foot->triangle);
-  const Vec3& on = flat ? facets_.corner(best.foot->triangle, 0) : best.foot->point;
-  return Foot{*best.foot, normal, normal.dot(y - on) >= 0};
+  const Vec3& on_facet = flat ? facets_.corner(best.foot->triangle, 0) : best.foot->point;
+  return Foot{*best.foot, normal, normal.dot(y - on_facet) >= 0};
 }
 
 // Facets that may come within reach of the axis, sorted by triangle; empty if there is certainly one facet
@@ -325,12 +326,12 @@ MeshFacetGroups::Part MeshFacetGroups::describe(FacetGroup group, int nearest, c
 }
 
 void MeshFacetGroups::find(std::span<const Vec3> axis, double reach, FacetGroups& out) const {
-  out.of.clear();
+  out.list.clear();
   const std::vector<FacetGroup::Facet> facets = around(axis, reach);
   if (facets.size() < 2) return;
   DisjointSets sets;
   join(axis, reach, facets, sets);
-  struct Found {
+  struct Candidate {
     FacetGroup group;
     int nearest = -1;
     Approach at;
@@ -338,10 +339,10 @@ void MeshFacetGroups::find(std::span<const Vec3> axis, double reach, FacetGroups
   int count = 0;
   const std::vector<int> number = sets.numbered(count);
   if (count < 2) return;
-  std::vector<Found> found(static_cast<std::size_t>(count));
+  std::vector<Candidate> candidates(static_cast<std::size_t>(count));
   for (std::size_t k = 0; k < facets.size(); ++k)
-    found[static_cast<std::size_t>(number[k])].group.facets.push_back(facets[k]);
-  for (Found& f : found)
+    candidates[static_cast<std::size_t>(number[k])].group.facets.push_back(facets[k]);
+  for (Candidate& f : candidates)
     for (const FacetGroup::Facet& facet : f.group.facets)
       any_chord(axis, [&](const Vec3& p, const Vec3& q) {
         const double far = f.at.distance + facet.radius;
@@ -354,10 +355,10 @@ void MeshFacetGroups::find(std::span<const Vec3> axis, double reach, FacetGroups
         return f.at.distance == 0;  // none is nearer
       });
   // Groups contain whole connected facets; groups that are out of reach are removed.
-  std::erase_if(found, [&](const Found& f) { return f.at.distance - bulge(f.nearest) > reach; });
-  if (found.size() < 2) return;
+  std::erase_if(candidates, [&](const Candidate& f) { return f.at.distance - bulge(f.nearest) > reach; });
+  if (candidates.size() < 2) return;
   std::vector<Part> parts;
-  for (Found& f : found) parts.push_back(describe(std::move(f.group), f.nearest, f.at.from, axis));
+  for (Candidate& f : candidates) parts.push_back(describe(std::move(f.group), f.nearest, f.at.from, axis));
   std::stable_sort(parts.begin(), parts.end(),
                    [](const Part& a, const Part& b) { return a.distance < b.distance; });
   parts.front().back = false;  // the nearest one can be touched from both sides
@@ -375,16 +376,17 @@ void MeshFacetGroups::find(std::span<const Vec3> axis, double reach, FacetGroups
         std::max_element(facet_groups.begin(), facet_groups.end(), [&](const Part& a, const Part& b) {
           return a.direction.dot(p.direction) < b.direction.dot(p.direction);
         });
-    if (parallel != facet_groups.end() && (parallel->direction.dot(p.direction) > kParallel ||
-                                           static_cast<int>(facet_groups.size()) == FacetGroups::kMost - 1))
+    if (parallel != facet_groups.end() &&
+        (parallel->direction.dot(p.direction) > kParallel ||
+         static_cast<int>(facet_groups.size()) == FacetGroups::kMaxGroups - 1))
       add(parallel->group, p.group);
     else
       facet_groups.push_back(std::move(p));
   }
   if (facet_groups.size() < 2) return;
-  for (Part& p : facet_groups) out.of.push_back(std::move(p.group));
-  if (!backs.facets.empty()) out.of.push_back(std::move(backs));
-  for (FacetGroup& w : out.of) std::ranges::sort(w.facets, {}, &FacetGroup::Facet::triangle);
+  for (Part& p : facet_groups) out.list.push_back(std::move(p.group));
+  if (!backs.facets.empty()) out.list.push_back(std::move(backs));
+  for (FacetGroup& w : out.list) std::ranges::sort(w.facets, {}, &FacetGroup::Facet::triangle);
 }
 
 }  // namespace hawser::detail

@@ -63,10 +63,10 @@ void split(const std::array<int, 3>& t, const std::array<int, 3>& m, std::vector
 
 }  // namespace
 
-void split_edges(TriangleMesh& mesh, double longest, std::size_t most) {
+void split_edges(TriangleMesh& mesh, double longest, std::size_t max_triangles) {
   mesh.part.clear();
   mesh.parts.clear();
-  while (mesh.triangles.size() <= most / 4) {
+  while (mesh.triangles.size() <= max_triangles / 4) {
     bool any = false;
     const std::vector<std::array<int, 3>> middle = middles(mesh, longest, any);
     if (!any) return;

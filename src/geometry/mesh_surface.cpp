@@ -85,8 +85,8 @@ struct MeshSurface::Data {
     return best;
   }
   // Lower bound, m, of the distance from y to places where the body begins without an active facet: in a
-  // hole, or at an inactive part, behind which it is negative. Searches up to `most`.
-  double closed_within(const Vec3& y, double most, int hint) const;
+  // hole, or at an inactive part, behind which it is negative. Searches up to `max_distance`.
+  double closed_within(const Vec3& y, double max_distance, int hint) const;
   std::optional<SurfacePoint> query_foot(const Vec3& y, double max_distance,
                                          const FacetSearch::Foot& c) const;
   SurfacePoint point_at(const Vec3& y, const FacetSearch::Foot& c, const Vec3& pseudonormal,
@@ -162,7 +162,7 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
   d.curved = bends.curved;
   d.sharp = bends.sharp;
   d.bulge = bends.bulge;
-  d.facets = Facets(mesh, std::move(bends.of));
+  d.facets = Facets(mesh, std::move(bends.edge_bends));
   mesh = {};
   d.normals = detail::Pseudonormals(d.facets, topo);
   if (d.winding.empty() && !d.normals.complete()) d.winding = WindingTree(d.mesh());
@@ -304,10 +304,11 @@ SurfacePoint MeshSurface::Data::point_at(const Vec3& y, const FacetSearch::Foot&
 
 // Hessian of the distance for a nearest point at a vertex. In general the distance is that from the vertex.
 // If an edge at the vertex is perpendicular to s.normal, as where the vertex divides a straight edge, it is
-// that from the edge; if two such edges are not parallel, that from the facets.
+// that from the edge; if two such edges are not parallel, that from the facet where the walk around the
+// vertex meets the second of them (the same for all flat facets).
 Mat3 MeshSurface::Data::curvature_at_vertex(int first, int corner, double length,
                                             const SurfacePoint& s) const {
-  constexpr int kMost = 64;  // facets about a vertex
+  constexpr int kMaxFacets = 64;  // facets about a vertex
   const auto index = [&](int t, int i) {
     return mesh().triangles[static_cast<std::size_t>(t)][static_cast<std::size_t>(i)];
   };
@@ -315,7 +316,7 @@ Mat3 MeshSurface::Data::curvature_at_vertex(int first, int corner, double length
   std::optional<Vec3> along;
   Mat3 curvature = Mat3::Zero();
   int t = first, v = corner;
-  for (int n = 0; n < kMost; ++n) {
+  for (int n = 0; n < kMaxFacets; ++n) {
     const SmoothPatch patch = facets.patch(t);
     const auto from = static_cast<std::size_t>(v), to = static_cast<std::size_t>((v + 1) % 3);
     const Vec3 tangent = (patch.p[to] - patch.p[from] + patch.c[from]).normalized();
@@ -343,21 +344,21 @@ double MeshSurface::free_radius(const Vec3& y, double distance, int hint) const 
   double squared = distance * distance;
   const auto visit = [&](int t) {
     if (!facets.curved(t) || one_nearest_point(y, facets.patch(t))) return;
-    const double least = facets.least_distance(t, y);
-    squared = std::min(squared, least * least);
+    const double lower_bound = facets.least_distance(t, y);
+    squared = std::min(squared, lower_bound * lower_bound);
   };
   if (facets.any_curved()) data_->active.tree().nearest(y, squared, visit);
   return data_->closed_within(y, std::sqrt(squared), hint);
 }
 
-double MeshSurface::Data::closed_within(const Vec3& y, double most, int hint) const {
+double MeshSurface::Data::closed_within(const Vec3& y, double max_distance, int hint) const {
   if (partial) {
-    const auto c = nearest(all_facets, y, most, hint);
-    if (!c) return most;
+    const auto c = nearest(all_facets, y, max_distance, hint);
+    if (!c) return max_distance;
     const double away = std::sqrt(c->squared_distance);
     return behind(*c, y, normals.at(facets, c->triangle, *c)) ? -away : away;
   }
-  double squared = most * most;
+  double squared = max_distance * max_distance;
   hole_tree.nearest(y, squared, [&](int i) {
     const double away = holes[static_cast<std::size_t>(i)].distance(y);
     squared = std::min(squared, away * away);
@@ -366,7 +367,7 @@ double MeshSurface::Data::closed_within(const Vec3& y, double most, int hint) co
 }
 
 void MeshSurface::facet_groups(std::span<const Vec3> axis, double reach, FacetGroups& out) const {
-  out.of.clear();
+  out.list.clear();
   if (!data_->convex) data_->facet_groups().find(axis, reach, out);
 }
 

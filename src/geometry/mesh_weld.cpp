@@ -29,10 +29,10 @@ CrackResult weld_cracks(TriangleMesh& mesh) {
     for (std::size_t i = 0; i < 3; ++i) {
       const int a = mesh.triangles[t][i], b = mesh.triangles[t][(i + 1) % 3];
       ++uses[static_cast<std::size_t>(a)];
-      const double most = kCrack * (x(a) - x(b)).norm();
+      const double limit = kCrack * (x(a) - x(b)).norm();
       for (const int v : {a, b}) {
-        auto& own = tolerance[static_cast<std::size_t>(v)];
-        own = std::min(own, most);
+        auto& vertex_tolerance = tolerance[static_cast<std::size_t>(v)];
+        vertex_tolerance = std::min(vertex_tolerance, limit);
         if (topo.neighbours[t][i] == kOpenEdge) open[static_cast<std::size_t>(v)] = 1;
       }
     }

@@ -21,16 +21,16 @@ class NearPoints {
     std::sort(order_.begin(), order_.end(), [&](int a, int b) { return along(a) < along(b); });
     for (size_t k = 0; k < order_.size(); ++k) place_[static_cast<size_t>(order_[k])] = static_cast<int>(k);
   }
-  // Calls what(w) for all other points w within the distance `within` [m] of point v.
-  template <class What>
-  void each(int v, double within, const What& what) const {
+  // Calls visit(w) for all other points w within the distance `within` [m] of point v.
+  template <class Visit>
+  void each(int v, double within, const Visit& visit) const {
     const double rounding = 1e-15 * point(v).norm();
-    for (const int way : {-1, 1})
-      for (int k = place_[static_cast<size_t>(v)] + way; k >= 0 && k < static_cast<int>(order_.size());
-           k += way) {
+    for (const int step : {-1, 1})
+      for (int k = place_[static_cast<size_t>(v)] + step; k >= 0 && k < static_cast<int>(order_.size());
+           k += step) {
         const int w = order_[static_cast<size_t>(k)];
         if (std::abs(along(w) - along(v)) > within + rounding) break;
-        if ((point(w) - point(v)).norm() <= within) what(w);
+        if ((point(w) - point(v)).norm() <= within) visit(w);
       }
   }
 

@@ -9,7 +9,7 @@ namespace hawser {
 namespace {
 
 // True if edge (a, b) of `other` runs from a to b as well.
-bool same_way(const std::array<int, 3>& other, int a, int b) {
+bool same_direction(const std::array<int, 3>& other, int a, int b) {
   for (std::size_t i = 0; i < 3; ++i)
     if (other[i] == a && other[(i + 1) % 3] == b) return true;
   return false;
@@ -30,7 +30,8 @@ bool grow_patch(const MeshView& mesh, const Topology& topo, int first, std::vect
       const int other = topo.neighbours[t][i];
       if (other < 0) continue;
       const auto u = static_cast<std::size_t>(other);
-      const bool agree = !same_way(mesh.triangles[u], mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]);
+      const bool agree =
+          !same_direction(mesh.triangles[u], mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]);
       const auto wanted = static_cast<signed char>(agree ? turn[t] : 1 - turn[t]);
       if (turn[u] < 0) {
         turn[u] = wanted;

@@ -15,17 +15,17 @@ BoxSurface::BoxSurface(const BoxShape& shape)
 
 std::optional<SurfacePoint> BoxSurface::query(const Vec3& y, double max_distance, int) const {
   const Vec3 p = axes_.transpose() * (y - centre_);
-  const Vec3 over = p.cwiseAbs() - half_;
+  const Vec3 excess = p.cwiseAbs() - half_;
   Vec3 normal = Vec3::Zero();  // in the box's axes, like the rest
   Mat3 curvature = Mat3::Zero();
   int side[3] = {0, 0, 0};
   SurfacePoint s;
   int outside = 0;
   for (int i = 0; i < 3; ++i) {
-    if (!(over[i] > 0)) continue;
+    if (!(excess[i] > 0)) continue;
     ++outside;
     side[i] = p[i] < 0 ? -1 : 1;
-    normal[i] = side[i] * over[i];
+    normal[i] = side[i] * excess[i];
   }
   if (outside > 0) {
     s.distance = normal.stableNorm();
@@ -43,9 +43,9 @@ std::optional<SurfacePoint> BoxSurface::query(const Vec3& y, double max_distance
     // Nearest face, the first of equal ones.
     int i = 0;
     for (int k = 1; k < 3; ++k)
-      if (over[k] > over[i]) i = k;
+      if (excess[k] > excess[i]) i = k;
     side[i] = p[i] < 0 ? -1 : 1;
-    s.distance = over[i];
+    s.distance = excess[i];
     if (s.distance > max_distance) return std::nullopt;
     normal[i] = side[i];
   }

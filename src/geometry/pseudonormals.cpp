@@ -19,10 +19,10 @@ std::vector<bool> pinched(const MeshView& mesh, const Topology& topo) {
       const int other = topo.neighbours[t][i];
       if (other < 0) continue;
       const auto u = static_cast<std::size_t>(other);
-      for (const std::size_t mine : {i, (i + 1) % 3})
+      for (const std::size_t corner : {i, (i + 1) % 3})
         for (std::size_t k = 0; k < 3; ++k)
-          if (mesh.triangles[u][k] == mesh.triangles[t][mine])
-            group.unite(static_cast<int>(3 * t + mine), static_cast<int>(3 * u + k));
+          if (mesh.triangles[u][k] == mesh.triangles[t][corner])
+            group.unite(static_cast<int>(3 * t + corner), static_cast<int>(3 * u + k));
     }
   std::vector<int> fan(mesh.vertices.size(), -1);
   std::vector<bool> out(mesh.vertices.size(), false);
@@ -77,9 +77,9 @@ Vec3 Pseudonormals::at(const Facets& facets, int t, const PatchPoint& p) const {
     return curved ? facets.patch(t).normal(p.u, p.v).normalized() : face(facets, t);
   const int other = neighbours_[static_cast<std::size_t>(t)][i];
   if (other < 0) return Vec3::Zero();
-  Vec3 own = face(facets, t), across = face(facets, other);
-  if (own.isZero(0) || across.isZero(0)) return Vec3::Zero();
-  if (curved) own = facets.patch(t).normal(p.u, p.v).normalized();
+  Vec3 this_normal = face(facets, t), across = face(facets, other);
+  if (this_normal.isZero(0) || across.isZero(0)) return Vec3::Zero();
+  if (curved) this_normal = facets.patch(t).normal(p.u, p.v).normalized();
   if (facets.curved(other)) {
     const int a = facets.mesh().triangles[static_cast<std::size_t>(t)][i];
     double s = i == 0 ? p.u : p.v;
@@ -99,7 +99,7 @@ Vec3 Pseudonormals::at(const Facets& facets, int t, const PatchPoint& p) const {
     const auto uv = on_edge(k, 1 - s);
     across = facets.patch(other).normal(uv[0], uv[1]).normalized();
   }
-  const Vec3 n = own + across;
+  const Vec3 n = this_normal + across;
   return n.norm() < 1e-6 ? Vec3(Vec3::Zero()) : n;
 }
 

@@ -33,7 +33,7 @@ OnCurve nearest_on_curve(const Vec3& y, const Vec3& a, const Vec3& b, const Vec3
   const auto at = [&](double s) {
     return s < 0.5 ? Vec3(a + s * e + s * (1 - s) * c) : Vec3(b - (1 - s) * e + s * (1 - s) * c);
   };
-  double s = nearest_share(y, a, b);
+  double s = nearest_fraction(y, a, b);
   double best = (y - at(s)).squaredNorm();
   for (const double other : {0.0, 0.5, 1.0}) {
     const double squared = (y - at(other)).squaredNorm();
@@ -129,14 +129,14 @@ PatchPoint closest_point_on_patch(const Vec3& y, const SmoothPatch& q) {
     out.v = v;
     if (converged) return out;
   }
-  const double found = inside ? out.squared_distance : std::numeric_limits<double>::infinity();
+  const double interior_squared = inside ? out.squared_distance : std::numeric_limits<double>::infinity();
   const double b[3] = {1 - u - v, u, v};
-  const bool lost = !converged || std::min({b[0], b[1], b[2]}) < -0.25;
-  out.squared_distance = found;
+  const bool unreliable = !converged || std::min({b[0], b[1], b[2]}) < -0.25;
+  out.squared_distance = interior_squared;
   for (int i = 0; i < 3; ++i) {
     // The coordinate of the opposite corner is zero on edge i; only edges near the foot can contain the
     // nearest point.
-    if (!lost && b[(i + 2) % 3] > 1e-3) continue;
+    if (!unreliable && b[(i + 2) % 3] > 1e-3) continue;
     const std::size_t j = static_cast<std::size_t>(i), k = static_cast<std::size_t>((i + 1) % 3);
     const OnCurve c = nearest_on_curve(y, q.p[j], q.p[k], q.c[j]);
     if (!(c.squared < out.squared_distance)) continue;
@@ -165,10 +165,10 @@ bool one_nearest_point(const Vec3& y, const SmoothPatch& q) {
   double shrinks = 0, bends = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const double i = slope[k], j = slope[(k + 1) % 3];
-    double most = 0;
-    for (const Vec3& r : hull) most = std::max(most, std::abs(r.dot(q.c[k])));
+    double largest = 0;
+    for (const Vec3& r : hull) largest = std::max(largest, std::abs(r.dot(q.c[k])));
     shrinks += area.cross(q.c[k]).norm() / size * std::max(i, j);
-    bends += 2 * most * i * j;
+    bends += 2 * largest * i * j;
   }
   return shrinks < 1 && bends < (1 - shrinks) * (1 - shrinks);
 }
@@ -188,9 +188,9 @@ Mat3 curvature_over_patch(const SmoothPatch& q, double u, double v, const Vec3& 
     const double scale = 1 + d * k;
     return k / std::copysign(std::max(std::abs(scale), 1e-3), scale);
   };
-  const double most = carried(mean + half), least = carried(mean - half);
+  const double k_max = carried(mean + half), k_min = carried(mean - half);
   // Matrix with the same axes and these two eigenvalues.
-  const double middle = 0.5 * (most + least), ratio = half > 0 ? 0.5 * (most - least) / half : 0;
+  const double middle = 0.5 * (k_max + k_min), ratio = half > 0 ? 0.5 * (k_max - k_min) / half : 0;
   const double across = ratio * ef;
   return (middle + ratio * (ee - mean)) * e * e.transpose() +
          (middle + ratio * (ff - mean)) * f * f.transpose() +

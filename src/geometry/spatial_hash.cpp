@@ -8,7 +8,7 @@
 namespace hawser {
 
 SpatialHash::SpatialHash(std::span<const Box> boxes, const std::vector<bool>& chosen) {
-  constexpr double kMostCells = 1 << 20, kCubesOfItem = 6;
+  constexpr double kMaxCells = 1 << 20, kCubesOfItem = 6;
   std::vector<int> which;
   std::vector<double> sizes;
   Box all;
@@ -22,7 +22,7 @@ SpatialHash::SpatialHash(std::span<const Box> boxes, const std::vector<bool>& ch
   const double extent = all.extent().maxCoeff();
   std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2), sizes.end());
   origin_ = all.lo;
-  side_ = std::max({1.5 * sizes[sizes.size() / 2], extent / kMostCells, std::numeric_limits<double>::min()});
+  side_ = std::max({1.5 * sizes[sizes.size() / 2], extent / kMaxCells, std::numeric_limits<double>::min()});
   const auto fit = [&] {
     for (int a = 0; a < 3; ++a) last_[a] = static_cast<int>(all.extent()[a] / side_);
   };
@@ -42,12 +42,12 @@ SpatialHash::SpatialHash(std::span<const Box> boxes, const std::vector<bool>& ch
   places_ = std::bit_ceil(2 * which.size());
   // Count the items, then store them contiguously.
   std::vector<std::uint32_t> first(places_ + 1, 0);
-  const auto each = [&](auto&& what) {
+  const auto each = [&](auto&& visit) {
     for (const int i : which) {
       const auto [lo, hi] = cells(i);
       for (int x = lo[0]; x <= hi[0]; ++x)
         for (int y = lo[1]; y <= hi[1]; ++y)
-          for (int z = lo[2]; z <= hi[2]; ++z) what(i, place({x, y, z}));
+          for (int z = lo[2]; z <= hi[2]; ++z) visit(i, place({x, y, z}));
     }
   };
   each([&](int, std::size_t k) { ++first[k]; });

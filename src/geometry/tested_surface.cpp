@@ -30,12 +30,12 @@ bool TestedSurface::inside(const Vec3& y) const {
 }
 
 std::optional<SurfacePoint> TestedSurface::query(const Vec3& y, double max_distance, int hint) const {
-  const bool in = inside(y);
+  const bool is_inside = inside(y);
   // A point inside is found at any depth, except below an inactive part.
-  const bool deep = in && !partial_;
+  const bool deep = is_inside && !partial_;
   auto p = mesh_->query(y, deep ? std::numeric_limits<double>::infinity() : max_distance, hint);
   if (!p) return p;
-  if (in != (p->distance < 0) && p->distance != 0) {
+  if (is_inside != (p->distance < 0) && p->distance != 0) {
     p->distance = -p->distance;
     p->normal = -p->normal;
     p->curvature = -p->curvature;

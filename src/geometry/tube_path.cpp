@@ -78,11 +78,11 @@ std::vector<TubePiece> tube_pieces(const TubeShape& s) {
   const std::vector<TubeBend> bends = tube_bends(s);
   std::vector<TubePiece> pieces;
   for (std::size_t i = 0; i + 1 < s.path.size(); ++i) {
-    const Vec3 way = s.path[i + 1] - s.path[i];
-    const double whole = way.norm(), before = i > 0 ? bends[i - 1].tangent : 0,
+    const Vec3 chord = s.path[i + 1] - s.path[i];
+    const double whole = chord.norm(), before = i > 0 ? bends[i - 1].tangent : 0,
                  after = i < corners ? bends[i].tangent : 0, length = whole - before - after;
     need(length >= -kRounding * whole, "a leg of a tube's path is shorter than its bends need");
-    const Vec3 direction = way / whole;
+    const Vec3 direction = chord / whole;
     if (length > kRounding * whole || corners == 0)
       pieces.push_back({s.path[i] + before * direction, direction, length});
     if (i == corners || bends[i].turn < kStraight) continue;

@@ -206,13 +206,13 @@ class BedCheck {
   // A smooth surface through a step of the ground overshoots below and above it.
   void steps() const {
     const HeightGrid::Overshoot o = grid_->overshoot();
-    if (o.by < kKnownHeight) return;
+    if (o.height < kKnownHeight) return;
     c_.notes.push_back(fmt::format(
         "environment.seabed.grid: the smooth surface through the heights of {} goes {:.2g} m {} "
         "them at x {:.4g}, y "
         "{:.4g}, beside a step or a bend, and less elsewhere; if lines come there, give more heights "
         "across the step, or a mesh",
-        bed_.file, o.by, o.above ? "above" : "below", o.at.x(), o.at.y()));
+        bed_.file, o.height, o.above ? "above" : "below", o.at.x(), o.at.y()));
   }
   // True if a place, given as a fraction of the line's length, is in the soil or at the end of a buried
   // stretch.

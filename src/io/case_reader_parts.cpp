@@ -138,7 +138,7 @@ void note_overshoot(const model::TableMotion& m, const std::string& key, std::ve
     }
     for (const RowCurve::Overshoot& o : RowCurve(m.time, k.rows, m.between).overshoots(kOvershoot)) {
       ++places;
-      const double span = most[o.component] - least[o.component], share = span > 0 ? o.by / span : 0;
+      const double span = most[o.component] - least[o.component], share = span > 0 ? o.excess / span : 0;
       if (share > worst_share) {
         worst = o;
         worst_share = share;
@@ -153,7 +153,7 @@ void note_overshoot(const model::TableMotion& m, const std::string& key, std::ve
       "({:.3g} % of what the rows span) beyond both{}; if the body does not do that, give more rows there or "
       "'interpolation: monotone'",
       key, before, after, column->names[worst.component], worst.value * column->factor, column->unit,
-      worst.time, worst.by * column->factor, column->unit, 100 * worst_share,
+      worst.time, worst.excess * column->factor, column->unit, 100 * worst_share,
       places > 1 ? fmt::format(", and so in {} other place{}", places - 1, places > 2 ? "s" : "") : ""));
 }
 

@@ -165,7 +165,7 @@ void check_phases(const RaoTable& table, const WaveField& waves, double bow, con
                   "amplitude fall from {:.3g} to "
                   "{:.3g} {} there{}; if the vessel's does not, give rows between them",
                   key, t.direction / kDegree, kFreedomNames[t.freedom], t.angle / kDegree, 2 * M_PI / t.to,
-                  2 * M_PI / t.from, 100 * energy / all, t.ends / unit, t.least / unit, name,
+                  2 * M_PI / t.from, 100 * energy / all, t.ends / unit, t.smallest / unit, name,
                   found.size() > 1 ? fmt::format(" (and so in {} other place{} of the table)",
                                                  found.size() - 1, found.size() > 2 ? "s" : "")
                                    : ""));

@@ -226,7 +226,7 @@ class Group {
                    line.name == line_.name ? "is laid over these supports itself" : "has a free end");
       const Vec3 a = model::end_position(c_, line.end_a);
       const Vec3 end = model::end_position(c_, line.end_b);
-      const double share = nearest_share(place, a, end);
+      const double share = nearest_fraction(place, a, end);
       const double away = (a + share * (end - a) - place).norm();
       if (away < nearest) {
         nearest = away;

@@ -16,7 +16,7 @@ constexpr double kBelow = 0.75;
 // Any fraction of the initial distance, so that it is never the limit.
 constexpr double kAnyPart = 1e9;
 // Largest number of halvings of an axis, after which chords are within rounding of it.
-constexpr int kMost = 14;
+constexpr int kMaxHalvings = 14;
 
 // Axis at both ends of the step.
 struct Moving {
@@ -48,15 +48,17 @@ class Search {
   Sides look(const AxisInterval& p, const AxisInterval& q) const {
     const MovingSegment A = p.chord(a_), B = q.chord(b_);
     const double ea = p.error(a_), eb = q.error(b_), e = ea + eb;
-    if (first_approach(A, B, limits_.most + e, kSearch * limits_.most) > 1) return Sides::kept;
+    if (first_approach(A, B, limits_.min_distance + e, kSearch * limits_.min_distance) > 1)
+      return Sides::kept;
     const double distance = closest_points_of_segments(A.from0, A.to0, B.from0, B.to0).distance;
-    const bool finest = e == 0 || (ea >= eb ? p : q).level == kMost;
+    const bool finest = e == 0 || (ea >= eb ? p : q).level == kMaxHalvings;
     const bool asked = limits_.no_side >= 0;
     if (finest && asked && distance <= limits_.no_side + e) return Sides::none;
-    double least = std::min(limits_.most, limits_.part * std::max(distance - e, 0.0));
-    least = std::max(least, limits_.floor);
-    if (e <= kChord * least)
-      return least > 0 && first_approach(A, B, least + e, kSearch * least) > 1 ? Sides::kept : Sides::near;
+    double threshold = std::min(limits_.min_distance, limits_.part * std::max(distance - e, 0.0));
+    threshold = std::max(threshold, limits_.floor);
+    if (e <= kChord * threshold)
+      return threshold > 0 && first_approach(A, B, threshold + e, kSearch * threshold) > 1 ? Sides::kept
+                                                                                           : Sides::near;
     if (finest) return Sides::near;
     Sides all = Sides::kept;
     for (const int i : {0, 1}) {
@@ -80,9 +82,9 @@ Sides sides_kept(const AxisShape& a0, const AxisShape& a1, const AxisShape& b0, 
   const Sides kept = Search(a, b, limits).look({}, {});
   if (kept != Sides::near || !(limits.floor > 0)) return kept;
   // Axes already nearer, by more than the error of the chords, only need to satisfy the other limits.
-  const Moving still_a(a0, a0), still_b(b0, b0);
+  const Moving start_a(a0, a0), start_b(b0, b0);
   const ApproachLimits below{kBelow * limits.floor, kAnyPart, 0, -1};
-  if (Search(still_a, still_b, below).look({}, {}) == Sides::kept) return kept;
+  if (Search(start_a, start_b, below).look({}, {}) == Sides::kept) return kept;
   ApproachLimits others = limits;
   others.floor = 0;
   return Search(a, b, others).look({}, {});

@@ -10,12 +10,12 @@
 namespace hawser {
 namespace {
 
-constexpr int kMostIterations = 30, kMostHalvings = 8, kMostLevels = 20;
+constexpr int kMaxIterations = 30, kMaxHalvings = 8, kMaxLevels = 20;
 
 // Part of an axis: start and fraction of it.
 struct AxisPart {
   BezierAxis axis;
-  double from = 0, share = 1;
+  double from = 0, fraction = 1;
   double sagitta = 0;
 };
 
@@ -23,7 +23,7 @@ AxisPart full_axis(const BezierAxis& a) { return {a, 0, 1, a.sagitta()}; }
 
 std::array<AxisPart, 2> halved(const AxisPart& p) {
   const auto h = p.axis.halves();
-  const double half = 0.5 * p.share;
+  const double half = 0.5 * p.fraction;
   return {AxisPart{h[0], p.from, half, h[0].sagitta()}, AxisPart{h[1], p.from + half, half, h[1].sagitta()}};
 }
 
@@ -31,7 +31,7 @@ std::array<AxisPart, 2> halved(const AxisPart& p) {
 AxisApproach polish(const BezierAxis& a, const BezierAxis& b, AxisApproach at) {
   Vec3 r = a.point(at.xi) - b.point(at.eta);
   double size = r.squaredNorm();
-  for (int i = 0; i < kMostIterations; ++i) {
+  for (int i = 0; i < kMaxIterations; ++i) {
     const Vec3 a1 = a.slope(at.xi), b1 = b.slope(at.eta);
     double g = r.dot(a1), h = -r.dot(b1);
     double gg = a1.squaredNorm() + r.dot(a.bend(at.xi)), hh = b1.squaredNorm() - r.dot(b.bend(at.eta)),
@@ -59,9 +59,9 @@ AxisApproach polish(const BezierAxis& a, const BezierAxis& b, AxisApproach at) {
     const double det = gg * hh - gh * gh;
     if (!(det > 0)) break;
     const double dx = -(hh * g - gh * h) / det, dy = -(gg * h - gh * g) / det;
-    bool taken = false;
+    bool accepted = false;
     double moved = 0, factor = 1;
-    for (int k = 0; k < kMostHalvings && !taken; ++k, factor *= 0.5) {
+    for (int k = 0; k < kMaxHalvings && !accepted; ++k, factor *= 0.5) {
       const double xi = std::clamp(at.xi + factor * dx, 0.0, 1.0),
                    eta = std::clamp(at.eta + factor * dy, 0.0, 1.0);
       const Vec3 next = a.point(xi) - b.point(eta);
@@ -71,9 +71,9 @@ AxisApproach polish(const BezierAxis& a, const BezierAxis& b, AxisApproach at) {
       at.eta = eta;
       r = next;
       size = next.squaredNorm();
-      taken = true;
+      accepted = true;
     }
-    if (!taken || moved < 1e-15) break;
+    if (!accepted || moved < 1e-15) break;
   }
   at.distance = std::sqrt(size);
   return at;
@@ -88,27 +88,27 @@ std::optional<AxisApproach> nearest_of(const BezierAxis& a, const BezierAxis& b,
   bool found = false;
   struct Work {
     AxisPart a, b;
-    double least;  // lower bound of the distance
+    double lower_bound;  // lower bound of the distance
     SegmentPair chords;
     int level;
   };
   const auto make = [](const AxisPart& p, const AxisPart& q, int level) {
     Work w{p, q, 0, closest_points_of_segments(p.axis.b[0], p.axis.b[3], q.axis.b[0], q.axis.b[3]), level};
-    w.least = w.chords.distance - p.sagitta - q.sagitta;
+    w.lower_bound = w.chords.distance - p.sagitta - q.sagitta;
     return w;
   };
   std::vector<Work> stack{make(full_axis(a), full_axis(b), 0)};
   while (!stack.empty()) {
     const Work w = stack.back();
     stack.pop_back();
-    if (!(w.least < best.distance)) continue;
-    if (w.a.sagitta + w.b.sagitta <= resolution || w.level >= kMostLevels) {
+    if (!(w.lower_bound < best.distance)) continue;
+    if (w.a.sagitta + w.b.sagitta <= resolution || w.level >= kMaxLevels) {
       AxisApproach start;
-      start.xi = w.a.from + w.chords.s * w.a.share;
-      start.eta = w.b.from + w.chords.t * w.b.share;
-      const AxisApproach there = polish(a, b, start);
-      if (there.distance < best.distance) {
-        best = there;
+      start.xi = w.a.from + w.chords.s * w.a.fraction;
+      start.eta = w.b.from + w.chords.t * w.b.fraction;
+      const AxisApproach polished = polish(a, b, start);
+      if (polished.distance < best.distance) {
+        best = polished;
         found = true;
       }
       continue;
@@ -123,9 +123,9 @@ std::optional<AxisApproach> nearest_of(const BezierAxis& a, const BezierAxis& b,
       return std::array<Work, 2>{make(w.a, h[0], w.level + 1), make(w.a, h[1], w.level + 1)};
     }();
     // The nearer half is examined first.
-    if (next[0].least < next[1].least) std::swap(next[0], next[1]);
+    if (next[0].lower_bound < next[1].lower_bound) std::swap(next[0], next[1]);
     for (const Work& n : next)
-      if (n.least < best.distance) stack.push_back(n);
+      if (n.lower_bound < best.distance) stack.push_back(n);
   }
   if (!found) return std::nullopt;
   return best;

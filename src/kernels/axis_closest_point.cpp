@@ -7,7 +7,7 @@
 namespace hawser {
 namespace {
 
-constexpr int kPlaces = 5, kMost = 60;
+constexpr int kPlaces = 5, kMaxIterations = 60;
 constexpr double kRoot = 1e-15, kNewton = 1e-9;  // the error after a step of Newton's is its square
 
 }  // namespace
@@ -33,12 +33,12 @@ AxisProjection closest_point_on(const AxisShape& axis, const Vec3& x) {
     return f;
   }
   int best = 0;
-  double least = 0;
+  double smallest = 0;
   for (int i = 0; i < kPlaces; ++i) {
     const double d = (x - axis.point(i / (kPlaces - 1.0))).squaredNorm();
-    if (i == 0 || d < least) {
+    if (i == 0 || d < smallest) {
       best = i;
-      least = d;
+      smallest = d;
     }
   }
   double lo = std::max(best - 1, 0) / (kPlaces - 1.0), hi = std::min(best + 1, kPlaces - 1) / (kPlaces - 1.0);
@@ -47,7 +47,7 @@ AxisProjection closest_point_on(const AxisShape& axis, const Vec3& x) {
   const auto h = [&](double e) { return (axis.point(e) - x).dot(axis.slope(e)); };
   if (lo == 0 && h(0) >= 0) return point_at(axis, 0, x);
   if (hi == 1 && h(1) <= 0) return point_at(axis, 1, x);
-  for (int i = 0; i < kMost; ++i) {
+  for (int i = 0; i < kMaxIterations; ++i) {
     const Vec3 away = axis.point(eta) - x, y1 = axis.slope(eta);
     const double v = away.dot(y1), slope = y1.squaredNorm() + away.dot(axis.bend(eta));
     (v < 0 ? lo : hi) = eta;

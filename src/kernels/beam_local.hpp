@@ -69,14 +69,14 @@ inline BendingMoment by_table(const BeamSection& s, double c2, double c3) {
   const ResponseCurve::Value v = s.moment->at(c);
   const double secant = c > 0 ? v.force / c : s.moment->initial();
   // Secant across the curvature, tangent along it.
-  const double rest = c > 0 ? (v.slope - secant) / (c * c) : 0;
+  const double curvature_factor = c > 0 ? (v.slope - secant) / (c * c) : 0;
   BendingMoment o;
   o.energy = v.energy + 0.5 * linear * c * c;
   o.m[0] = (secant + linear) * c2;
   o.m[1] = (secant + linear) * c3;
-  o.K[0][0] = secant + linear + rest * c2 * c2;
-  o.K[1][1] = secant + linear + rest * c3 * c3;
-  o.K[0][1] = o.K[1][0] = rest * c2 * c3;
+  o.K[0][0] = secant + linear + curvature_factor * c2 * c2;
+  o.K[1][1] = secant + linear + curvature_factor * c3 * c3;
+  o.K[0][1] = o.K[1][0] = curvature_factor * c2 * c3;
   return o;
 }
 
@@ -116,22 +116,23 @@ inline Bending bending_by_law(const BeamSection& s, const BeamReference& r, cons
         s.plastic ? with_memory(s, c.about2, c.about3, set) : by_table(s, c.about2, c.about3);
     b.energy += kWeight[k] * s.length * m.energy;
     // Curvature component and factor of each variable.
-    const int of[4] = {0, 1, 0, 1};
-    const double by[4] = {1, 1, z, -z};
+    const int component[4] = {0, 1, 0, 1};
+    const double factor[4] = {1, 1, z, -z};
     for (int i = 0; i < 4; ++i) {
-      b.g[i] += kWeight[k] * by[i] * m.m[of[i]];
-      for (int j = 0; j < 4; ++j) b.H[i][j] += kWeight[k] * iL * by[i] * by[j] * m.K[of[i]][of[j]];
+      b.g[i] += kWeight[k] * factor[i] * m.m[component[i]];
+      for (int j = 0; j < 4; ++j)
+        b.H[i][j] += kWeight[k] * iL * factor[i] * factor[j] * m.K[component[i]][component[j]];
     }
   }
   return b;
 }
 
 inline void axial_by_table(const BeamSection& s, Local& o) {
-  const double share = s.EA / s.tension->initial();
+  const double factor = s.EA / s.tension->initial();
   const ResponseCurve::Value v = s.tension->at(o.strain);
-  o.N = share * v.force;
-  o.EA = share * v.slope;
-  o.axial_energy = share * v.energy;
+  o.N = factor * v.force;
+  o.EA = factor * v.slope;
+  o.axial_energy = factor * v.energy;
 }
 
 // The strain and the potential W(y, psi) in the mean frame R (docs/theory/beam.md#potential), with l = |y|

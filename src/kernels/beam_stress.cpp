@@ -49,12 +49,12 @@ HAWSER_CLONES BeamStress beam_stress(const BeamSection& s, const BeamReference& 
     out.curvature1 = kinematic(-1);
     out.curvature2 = kinematic(1);
     if (!r.set) return out;
-    const auto left = [&](size_t place) {
+    const auto residual = [&](size_t place) {
       const auto [c2, c3] = s.plastic->residual(r.set + place * s.plastic->memory());
       return std::hypot(c2, c3);
     };
-    out.residual1 = left(0);
-    out.residual2 = left(kBendingPlaces - 1);
+    out.residual1 = residual(0);
+    out.residual2 = residual(kBendingPlaces - 1);
     return out;
   }
   const Vec3 EI(s.GJ, s.EI2, s.EI3);

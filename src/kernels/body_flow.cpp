@@ -39,7 +39,7 @@ void FlowCoefficients::at(double direction, Vec3& C, Vec3& by_direction) const {
   }
   const TablePlace p = direction_place(direction_, direction);
   const Vec3 change = values_[p.high] - values_[p.low];
-  C = values_[p.low] + p.share * change;
+  C = values_[p.low] + p.weight * change;
   if (p.low != p.high) by_direction = change / all_round(direction_[p.high] - direction_[p.low]);
 }
 

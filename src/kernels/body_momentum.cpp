@@ -37,9 +37,9 @@ RigidBodyData without_momentum(const RigidBodyData& body) {
 }
 
 Wrench body_momentum(const Mat6& N, const RigidBodyState& s) {
-  const Vec6 own = N * rates_in_body(s);
+  const Vec6 momentum = N * rates_in_body(s);
   Wrench out;
-  out << s.q * own.head<3>(), s.q * own.tail<3>();
+  out << s.q * momentum.head<3>(), s.q * momentum.tail<3>();
   return out;
 }
 
@@ -65,11 +65,11 @@ void add_momentum(const Mat6& N, const MeanWeights& scheme, double h, const Rigi
   const double k = scheme.weight() / h;
   const Wrench before = body_momentum(N, start), history = scheme.history(from.q, from.f);
   const Mat3 R = s.q.toRotationMatrix(), Rt = R.transpose();
-  const Vec6 rates = rates_in_body(s), own = N * rates;
-  const Vec3 p = own.head<3>(), g = k * before.head<3>() - history.head<3>();
+  const Vec6 rates = rates_in_body(s), momentum = N * rates;
+  const Vec3 p = momentum.head<3>(), g = k * before.head<3>() - history.head<3>();
   const Vec3 y = Rt * (history.tail<3>() - k * before.tail<3>() + Vec3(s.x - start.x).cross(g));
   to.inertia.head<3>() += k * (R * p) - g;
-  to.inertia.tail<3>() += k * own.tail<3>() + y;
+  to.inertia.tail<3>() += k * momentum.tail<3>() + y;
 
   // dU = U^ phi + R^T dv, d(R p) = R (dp - p^ phi), d(R^T y) = y^ phi - R^T g^ dx, in body axes.
   const Mat3 U = hat(Vec3(rates.head<3>()));

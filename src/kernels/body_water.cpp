@@ -59,7 +59,7 @@ Mat3 body_drag_by_velocity(const BodyInWater& b, const Vec3& u) {
 // f_d = F R (|u| c o u),  u = R' (u_w - v_d)                  at d: drag (docs/theory/bodies-in-water.md)
 BodyWaterForce body_water_force(const BodyInWater& b, const RigidBodyState& s, const Water& centre,
                                 const Water& drag) {
-  const double wet = even_wetting(depth(b, s, centre.surface)).share;
+  const double wet = even_wetting(depth(b, s, centre.surface)).fraction;
   const SubmergedForces o = submerged_forces(b, s, centre, drag);
   return {wet * (s.q * o.at_centre), wet * (s.q * o.at_drag)};
 }
@@ -75,8 +75,8 @@ void body_water(const BodyInWater& b, const RigidBodyState& s, const Water& cent
   const Wetting wet = even_wetting(depth(b, s, centre.surface));
   const SubmergedForces o = submerged_forces(b, s, centre, drag);
   const Vec3 all = o.at_centre + o.at_drag;
-  out.f << -wet.share * (s.q * all),
-      -wet.share * (b.centre.cross(o.at_centre) + b.drag_centre.cross(o.at_drag));
+  out.f << -wet.fraction * (s.q * all),
+      -wet.fraction * (b.centre.cross(o.at_centre) + b.drag_centre.cross(o.at_drag));
   if (!tangent) return;
   const Mat3 R = s.q.toRotationMatrix(), c = hat(b.centre), d = hat(b.drag_centre);
   const Vec3 up = R.row(2);  // body axes
@@ -85,7 +85,7 @@ void body_water(const BodyInWater& b, const RigidBodyState& s, const Water& cent
   rise << Vec3::UnitZ(), b.centre.cross(up);
   const Vec6 shares = -wet.slope / (0.5 * b.height) * rise;
   if (convex) {
-    const Vec3 floats = wet.share * b.buoyancy * up;
+    const Vec3 floats = wet.fraction * b.buoyancy * up;
     out.K = -b.buoyancy * rise * shares.transpose();
     out.K.bottomRightCorner<3, 3>() +=
         std::max(b.centre.dot(floats), 0.0) *
@@ -107,13 +107,13 @@ void body_water(const BodyInWater& b, const RigidBodyState& s, const Water& cent
   drag_K += D * (R.transpose() * drag.by_height) * deeper.transpose();
   drag_C << -D * R.transpose(), D * d;
   const auto put = [&](const Columns& at_centre, const Columns& at_drag, Mat6& to) {
-    to.topRows<3>() = -wet.share * R * (at_centre + at_drag);
-    to.bottomRows<3>() = -wet.share * (c * at_centre + d * at_drag);
+    to.topRows<3>() = -wet.fraction * R * (at_centre + at_drag);
+    to.bottomRows<3>() = -wet.fraction * (c * at_centre + d * at_drag);
   };
   put(centre_K, drag_K, out.K);
   put(centre_C, drag_C, out.C);
   put(centre_M, Columns::Zero(), out.M);
-  out.K.topRightCorner<3, 3>() += wet.share * R * hat(all);
+  out.K.topRightCorner<3, 3>() += wet.fraction * R * hat(all);
   Vec6 wholly;
   wholly << R * all, b.centre.cross(o.at_centre) + b.drag_centre.cross(o.at_drag);
   out.K -= wholly * shares.transpose();

@@ -55,20 +55,20 @@ struct Mean {
 };
 
 // Mean of the elastic tension between two strains, (V1 - V0)/(l1 - l0), its derivative by the second, and the
-// share s of the path on which the element is taut. For a linear cable the mean is 1/2 k (p0 + p1) s.
+// fraction s of the path on which the element is taut. For a linear cable the mean is 1/2 k (p0 + p1) s.
 struct Elastic {
-  double mean, slope, share;  // share of the strain's change over which the element is taut
+  double mean, slope, taut_fraction;  // s: of the strain's change, over which the element is taut
 };
 
 Elastic elastic_mean(const CableSection& s, double e0, double e1) {
   const double p0 = std::max(e0, 0.0), p1 = std::max(e1, 0.0), grown = p1 - p0, strain_change = e1 - e0;
   if (p0 == 0 && p1 == 0) return {0, 0, 0};
-  const double share = e0 > 0 && e1 > 0 ? 1 : grown / strain_change;
+  const double taut_fraction = e0 > 0 && e1 > 0 ? 1 : grown / strain_change;
   double taut, end;  // mean over the taut part; tension at the end
   if (!s.tension) {
     taut = 0.5 * s.EA * (p0 + p1);
     end = s.EA * p1;
-    if (share == 1) return {taut, 0.5 * s.EA, 1};
+    if (taut_fraction == 1) return {taut, 0.5 * s.EA, 1};
   } else {
     const ResponseCurve::Value b = s.axial(p1);
     end = b.force;
@@ -76,19 +76,20 @@ Elastic elastic_mean(const CableSection& s, double e0, double e1) {
         1e-4;  // below it the difference of energies loses digits; Simpson's rule does not
     if (std::abs(grown) <= kNear * std::max(p0, p1)) {
       const ResponseCurve::Value a = s.axial(p0), m = s.axial(0.5 * (p0 + p1));
-      return {(a.force + 4 * m.force + b.force) / 6, (2 * m.slope + b.slope) / 6, share};
+      return {(a.force + 4 * m.force + b.force) / 6, (2 * m.slope + b.slope) / 6, taut_fraction};
     }
     taut = (b.energy - s.axial(p0).energy) / grown;
   }
-  const double mean = share * taut;
-  return {mean, (end - mean) / strain_change, share};
+  const double mean = taut_fraction * taut;
+  return {mean, (end - mean) / strain_change, taut_fraction};
 }
 
 // S = T* n, n = (d0 + d1)/(l0 + l1) (docs/theory/time-integration.md#cables), with
 //   T* = (V1 - V0)/(l1 - l0) + EA beta*/h (p1 - p0)/L + chi EA/L (dp - s min(1, h/h') dp') >= 0.
 // Symbols: d0, l0 start.chord, start.length; d1 chord; l1 o.l; L s.length; p = max(l - L, 0) elongation; V
-// strain energy; beta* `beta`; h step.h; h' the length of the step before; chi step.filter; s e.share; dp/L =
-// (p1 - p0)/L o.strain_increment; min(1, h/h') dp'/L start.strain_increment, which the caller has scaled.
+// strain energy; beta* `beta`; h step.h; h' the length of the step before; chi step.filter; s
+// e.taut_fraction; dp/L = (p1 - p0)/L o.strain_increment; min(1, h/h') dp'/L start.strain_increment, which
+// the caller has scaled.
 Mean mean_of(const CableSection& s, const CableStart& start, const CableStep& step, const Vec3& chord) {
   Mean o;
   o.l = chord.norm();
@@ -100,7 +101,7 @@ Mean mean_of(const CableSection& s, const CableStart& start, const CableStep& st
   o.elastic = e.mean;
   const double beta = std::min(start.beta, kRigid * step.h);
   o.damper = s.EA * beta / step.h * o.strain_increment;
-  o.filter = step.filter * s.EA * (o.strain_increment - e.share * start.strain_increment);
+  o.filter = step.filter * s.EA * (o.strain_increment - e.taut_fraction * start.strain_increment);
   o.tension = o.elastic + o.damper + o.filter;
   if (o.tension <= 0) {
     o.tension = o.damper = o.filter = 0;
@@ -109,9 +110,10 @@ Mean mean_of(const CableSection& s, const CableStart& start, const CableStep& st
   const double strain_change = strain - start.strain;
   o.slope = e.slope;
   if (strain > 0) o.slope += s.EA * (beta / step.h + step.filter);
-  // If only a part of the change is taut, the share depends on the strain at the end.
-  if (e.share < 1 && strain_change != 0)
-    o.slope -= step.filter * s.EA * start.strain_increment * ((strain > 0 ? 1 : 0) - e.share) / strain_change;
+  // If only a part of the change is taut, that fraction depends on the strain at the end.
+  if (e.taut_fraction < 1 && strain_change != 0)
+    o.slope -= step.filter * s.EA * start.strain_increment * ((strain > 0 ? 1 : 0) - e.taut_fraction) /
+               strain_change;
   return o;
 }
 

@@ -16,13 +16,13 @@ double CatenaryOnBed::LaidPart::stretched(double s) const {
 
 Vec3 CatenaryOnBed::position(double s) const {
   for (const LaidPart& p : pieces_)
-    if (s <= p.end) return anchor_ + (p.x_end - p.stretched(s)) * way_;
+    if (s <= p.end) return anchor_ + (p.x_end - p.stretched(s)) * direction_;
   return hanging_->position(s - grounded_);
 }
 
 Vec3 CatenaryOnBed::tension(double s) const {
   for (const LaidPart& p : pieces_)
-    if (s <= p.end) return p.tension(s) * way_;
+    if (s <= p.end) return p.tension(s) * direction_;
   return hanging_->tension(s - grounded_);
 }
 
@@ -137,11 +137,11 @@ std::optional<Pull> pull_to(const std::vector<CatenarySection>& sections, double
     if (!(det > 0)) return {};
     double dH = -(r.zz * ex - r.xz * ez) / det, dV = -(r.xx * ez - r.xz * ex) / det;
     // Neither component changes its sign; within this limit, descent of the convex complementary energy.
-    double most = 1;
-    if (dH < 0) most = std::min(most, 0.9 * H / -dH);
-    if (dV < 0) most = std::min(most, 0.9 * V / -dV);
+    double largest_step = 1;
+    if (dH < 0) largest_step = std::min(largest_step, 0.9 * H / -dH);
+    if (dV < 0) largest_step = std::min(largest_step, 0.9 * V / -dV);
     const double rate = ex * dH + ez * dV;
-    double low = 0, high = 0, a = most;
+    double low = 0, high = 0, a = largest_step;
     for (int search = 0; search < 60; ++search) {
       r = end_b_pulled_by(sections, friction, slope, H + a * dH, V + a * dV);
       const double now = (r.at.x - to.x) * dH + (r.at.z - to.z) * dV;
@@ -190,7 +190,7 @@ std::optional<CatenaryOnBed> catenary_on_bed(const Vec3& anchor, const Vec3& end
   CatenaryOnBed out;
   out.anchor_ = anchor;
   const Vec3 level = Vec3(span.x(), span.y(), 0) / to.x;
-  out.way_ = (level + slope * Vec3::UnitZ()) / along;
+  out.direction_ = (level + slope * Vec3::UnitZ()) / along;
   double start = 0;
   for (size_t k = 0; k <= r.lowest; ++k) {
     const CatenarySection& s = sections[k];
@@ -221,7 +221,8 @@ std::optional<CatenaryOnBed> catenary_on_bed(const Vec3& anchor, const Vec3& end
     hanging.erase(hanging.begin());
     if (hanging.empty()) return {};
   }
-  out.hanging_.emplace(anchor + x * out.way_, pull->H * level + r.V * Vec3::UnitZ(), std::move(hanging));
+  out.hanging_.emplace(anchor + x * out.direction_, pull->H * level + r.V * Vec3::UnitZ(),
+                       std::move(hanging));
   return out;
 }
 

@@ -14,7 +14,7 @@ constexpr double kMargin = 1e-9;     // of distances
 
 }  // namespace
 
-double least_between(double w, double a, double b, double slope, double bend) {
+double smallest_between(double w, double a, double b, double slope, double bend) {
   const double span = slope * w, straight = 0.5 * (a + b - span);
   if (!(a > 0 && b > 0)) return straight;
   const double p = a * a, q = b * b;
@@ -34,26 +34,26 @@ void ClearanceTube::set(const BezierAxis& axis, double clearance) {
   clearance_ = (1 - kMargin) * clearance - kRounding * size;
 }
 
-double ClearanceTube::left(const BezierAxis& axis) const {
+double ClearanceTube::radius_about(const BezierAxis& axis) const {
   if (!(clearance_ > 0)) return -1;
   return clearance_ - (1 + kMargin) * at_.farthest_distance(axis);
 }
 
 double least_distance(const std::vector<ClearancePoint>& places, double slope, double bend, double& worst) {
-  double least = std::numeric_limits<double>::infinity();
+  double smallest = std::numeric_limits<double>::infinity();
   const auto take = [&](double distance, double xi) {
-    if (!(distance >= least)) {
-      least = distance;
+    if (!(distance >= smallest)) {
+      smallest = distance;
       worst = xi;
     }
   };
   take(places.front().distance - slope * places.front().xi, 0);
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
     const ClearancePoint &a = places[i], &b = places[i + 1];
-    take(least_between(b.xi - a.xi, a.distance, b.distance, slope, bend), 0.5 * (a.xi + b.xi));
+    take(smallest_between(b.xi - a.xi, a.distance, b.distance, slope, bend), 0.5 * (a.xi + b.xi));
   }
   take(places.back().distance - slope * (1 - places.back().xi), 1);
-  return least;
+  return smallest;
 }
 
 }  // namespace hawser

@@ -11,8 +11,8 @@ namespace {
 
 std::vector<ContactForceTable::Row> from_nothing(std::span<const ContactForceTable::Row> rows) {
   std::vector<ContactForceTable::Row> out{{0, 0}};
-  const auto bad = [](size_t row, const char* what) {
-    throw std::invalid_argument("row " + std::to_string(row + 1) + " " + what);
+  const auto bad = [](size_t row, const char* problem) {
+    throw std::invalid_argument("row " + std::to_string(row + 1) + " " + problem);
   };
   for (size_t i = 0; i < rows.size(); ++i) {
     const auto [p, f] = rows[i];

@@ -12,7 +12,7 @@ namespace {
 
 // Error of interval ends in xi. The contact force is zero there, so the error enters the integral squared.
 constexpr double kRoot = 1e-10;
-constexpr int kMost = 100;
+constexpr int kMaxIterations = 100;
 constexpr int kFiner = 4;  // further halvings where contact is not excluded
 
 class Scan {
@@ -23,14 +23,15 @@ class Scan {
   void piece(double a, const AxisGap& A, double b, const AxisGap& B, int levels) {
     const bool in_a = A.gap < 0, in_b = B.gap < 0;
     const double span = slope_bound_ * (b - a);
-    if (!in_a && !in_b && apart(b - a, A.gap, B.gap)) return;
-    const bool both = in_a && in_b;
-    if (levels > 0 || (levels > -kFiner && ((bounds_.contact_distance > 0 && !both) || mixed(b - a, A, B)))) {
+    if (!in_a && !in_b && excluded(b - a, A.gap, B.gap)) return;
+    const bool in_both = in_a && in_b;
+    if (levels > 0 ||
+        (levels > -kFiner && ((bounds_.contact_distance > 0 && !in_both) || mixed(b - a, A, B)))) {
       const double m = 0.5 * (a + b);
       const AxisGap M = gap_(m, span);
       piece(a, A, m, M, levels - 1);
       piece(m, M, b, B, levels - 1);
-    } else if (both) {
+    } else if (in_both) {
       arch(a, A, b, B);
     } else if (in_a) {
       add({a, root(a, A, b, B), false, true});
@@ -43,10 +44,10 @@ class Scan {
 
  private:
   // True if there is certainly no contact between two points out of contact.
-  bool apart(double w, double A, double B) const {
+  bool excluded(double w, double A, double B) const {
     const double far = bounds_.contact_distance;
     return A + B >= slope_bound_ * w ||
-           (far > 0 && least_between(w, A + far, B + far, slope_bound_, bounds_.bend) > far);
+           (far > 0 && smallest_between(w, A + far, B + far, slope_bound_, bounds_.bend) > far);
   }
 
   // True if the gap is neither convex nor concave (else its mean slope would be between those at the ends)
@@ -56,8 +57,8 @@ class Scan {
     const double mean = (B.gap - A.gap) / w, slack = 1e-9 * slope_bound_;
     if (mean > std::min(A.slope, B.slope) - slack && mean < std::max(A.slope, B.slope) + slack) return false;
     const double off = 4.0 / 27 * w * (std::abs(A.slope - mean) + std::abs(B.slope - mean));
-    const auto [least, most] = ordered(A.gap, B.gap);
-    return most < 0 ? most + off > 0 : least >= 0 ? least - off < 0 : true;
+    const auto [lower, upper] = ordered(A.gap, B.gap);
+    return upper < 0 ? upper + off > 0 : lower >= 0 ? lower - off < 0 : true;
   }
 
   void add(const ContactInterval& s) {
@@ -73,20 +74,20 @@ class Scan {
   void arch(double a, const AxisGap& A, double b, const AxisGap& B) {
     const double first = a, last = b, wide = slope_bound_ * (b - a);
     AxisGap from = A, to = B;
-    for (int i = 0; i < kMost && b - a > kRoot; ++i) {
+    for (int i = 0; i < kMaxIterations && b - a > kRoot; ++i) {
       const double w = b - a;
       const bool rises = from.slope > 0, falls = to.slope < 0;
       const double mean = (to.gap - from.gap) / w;
-      double x = 0.5 * w, most = -1;
+      double x = 0.5 * w, highest = -1;
       if (rises && falls && mean < from.slope && mean > to.slope) {
         const double z = (to.gap - from.gap - to.slope * w) / (from.slope - to.slope);
-        most = from.gap + from.slope * z;
+        highest = from.gap + from.slope * z;
         if (i % 3 < 2) x = z;
       } else {
-        if (rises) most = from.gap + from.slope * w;
-        if (falls) most = std::max(most, to.gap - to.slope * w);
+        if (rises) highest = from.gap + from.slope * w;
+        if (falls) highest = std::max(highest, to.gap - to.slope * w);
       }
-      if (!(most > 0)) break;
+      if (!(highest > 0)) break;
       const double edge = 1e-3 * w, m = a + std::clamp(x, edge, w - edge);
       const AxisGap M = gap_(m, wide);
       if (M.gap >= 0) {
@@ -105,7 +106,7 @@ class Scan {
   void dip(double a, AxisGap A, double b, AxisGap B) {
     const double first = a, last = b;
     const AxisGap F = A, L = B;
-    for (int i = 0; i < kMost && b - a > kRoot; ++i) {
+    for (int i = 0; i < kMaxIterations && b - a > kRoot; ++i) {
       // Intersection of the two tangents, a lower bound of a convex gap.
       const double z = (B.gap - A.gap - B.slope * (b - a)) / (A.slope - B.slope);
       if (A.gap + A.slope * z >= 0) return;
@@ -136,7 +137,7 @@ class Scan {
     double x = out - O.gap / (O.gap - I.gap) * (out - in);
     if (const double newton = out - O.gap / O.slope; (newton - in) * (newton - out) < 0) x = newton;
     double last = std::abs(out - in);
-    for (int i = 0; i < kMost; ++i) {
+    for (int i = 0; i < kMaxIterations; ++i) {
       const AxisGap X = gap_(x, wide);
       (X.gap < 0 ? in : out) = x;
       double next = x - X.gap / X.slope;
@@ -159,9 +160,9 @@ class Scan {
 
 }  // namespace
 
-std::vector<double> middles(const std::vector<InactiveInterval>& of) {
+std::vector<double> middles(const std::vector<InactiveInterval>& intervals) {
   std::vector<double> out;
-  for (const InactiveInterval& h : of) out.push_back(h.middle());
+  for (const InactiveInterval& h : intervals) out.push_back(h.middle());
   return out;
 }
 
@@ -215,10 +216,10 @@ std::vector<ContactInterval> as_split_before(const std::vector<ContactInterval>&
     for (const InactiveInterval& h : inactive_intervals(before)) {
       const double m = h.middle();
       if (!(out.back().from < m && m < out.back().to)) continue;
-      const ContactInterval rest{m, out.back().to, false, out.back().to_moves};
+      const ContactInterval remaining{m, out.back().to, false, out.back().to_moves};
       out.back().to = m;
       out.back().to_moves = false;
-      out.push_back(rest);
+      out.push_back(remaining);
     }
   }
   return out;

@@ -32,19 +32,19 @@ Vec3 force_along(const ContactLaw& law, const ContactStart& start, const Contact
   const Vec3 normal_part = N_rate * n + N.force * n_rate;
   if (!law.friction.active()) return normal_part;
 
-  PointState<Dual> there;
-  there.gap = dual(trial.gap, gap_rate);
-  there.force = dual(N.force, N_rate);
-  there.lever = trial.lever;
-  there.step = trial.step;
-  there.turn = dual(turn, turn_rate);
-  there.point = dual(trial.point, by.point);
-  there.normal = dual(n, n_rate);
-  there.velocity = dual(trial.velocity, by.velocity);
+  PointState<Dual> state;
+  state.gap = dual(trial.gap, gap_rate);
+  state.force = dual(N.force, N_rate);
+  state.lever = trial.lever;
+  state.step = trial.step;
+  state.turn = dual(turn, turn_rate);
+  state.point = dual(trial.point, by.point);
+  state.normal = dual(n, n_rate);
+  state.velocity = dual(trial.velocity, by.velocity);
   const ContactStartOf<Dual> from{dual(start.point, by.start_point), dual(start.gap, by.start_gap),
                                   dual(start.tangent, by.start_tangent), dual(start.slip, by.start_slip),
                                   dual(start.normal, by.start_normal)};
-  return normal_part + rate(point_friction(law, from, there).force);
+  return normal_part + rate(point_friction(law, from, state).force);
 }
 
 }  // namespace
@@ -63,10 +63,10 @@ Vec3 ball_force_along(const ContactLaw& law, const ContactStart& start, const Co
 SlipBetween slip_between(const Vec3& slip_a, const Vec3& normal_a, const Vec3& slip_b, const Vec3& normal_b,
                          double t, bool derivatives) {
   SlipBetween out;
-  const Vec3 mean = (1 - t) * normal_a + t * normal_b, apart = normal_b - normal_a;
+  const Vec3 mean = (1 - t) * normal_a + t * normal_b, difference = normal_b - normal_a;
   const double size = mean.norm();
   out.normal = mean / size;
-  out.normal_by_t = (apart - out.normal * out.normal.dot(apart)) / size;
+  out.normal_by_t = (difference - out.normal * out.normal.dot(difference)) / size;
   if (!derivatives) {
     out.slip = (1 - t) * transport_slip<double>(slip_a, normal_a, out.normal) +
                t * transport_slip<double>(slip_b, normal_b, out.normal);

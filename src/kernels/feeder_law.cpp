@@ -9,13 +9,13 @@ namespace hawser {
 
 // g(L) = (L - from) / (h k) - (T(L) - T0) increases with L; the first part is absent for an exact tension.
 FedElement feed_step(FunctionRef<FedPull(double)> pull, const FeedLaw& law, double from, double h) {
-  constexpr int kMost = 200;          // iterations
-  constexpr double kShortest = 1e-6;  // fraction of the length at the start
+  constexpr int kMaxIterations = 200;  // iterations
+  constexpr double kShortest = 1e-6;   // fraction of the length at the start
   if (!(h > 0)) return {from, 0};
   if (law.resting) {
     const double T = pull(from).force;
-    if (T >= law.least && T <= law.most) return {from, 0};
-    const FeedLaw at_edge{T > law.most ? law.most : law.least, 0, law.max_speed, false};
+    if (T >= law.min_tension && T <= law.max_tension) return {from, 0};
+    const FeedLaw at_edge{T > law.max_tension ? law.max_tension : law.min_tension, 0, law.max_speed, false};
     const FedElement fed = feed_step(pull, at_edge, from, h);
     if (std::abs(fed.length - from) <= h * law.per_tension * std::abs(at_edge.tension - law.tension))
       return fed;
@@ -34,16 +34,16 @@ FedElement feed_step(FunctionRef<FedPull(double)> pull, const FeedLaw& law, doub
   while (high < from + reach && at(high).g < 0) high = std::min(2 * high, from + reach);
   if (at(high).g < 0) return {high, 0};
   double L = std::clamp(from, low, high);
-  At here = at(L);
-  for (int i = 0; i < kMost && here.g != 0 && high - low > 2e-16 * high; ++i) {
-    (here.g > 0 ? high : low) = L;
-    const double newton = L - here.g / here.slope;
+  At current = at(L);
+  for (int i = 0; i < kMaxIterations && current.g != 0 && high - low > 2e-16 * high; ++i) {
+    (current.g > 0 ? high : low) = L;
+    const double newton = L - current.g / current.slope;
     const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
     if (std::abs(next - L) <= 1e-16 * L) break;
     L = next;
-    here = at(L);
+    current = at(L);
   }
-  return {L, 1 / here.slope};
+  return {L, 1 / current.slope};
 }
 
 CableFeed cable_feed(const CableSection& s, double chord, double length, double from, double h) {

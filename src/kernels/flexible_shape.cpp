@@ -16,7 +16,7 @@ constexpr double kRound = 0.1;       // tension of an unstrained element over th
 constexpr double kFirstSink = 0.02;  // fraction of the length by which the line sinks into the bed at first
 constexpr double kSink = 0.01;       // fraction of a piece by which the line may sink into the bed
 constexpr double kTolerance = 1e-3;  // fraction of the loads
-constexpr int kMostIterations = 200;
+constexpr int kMaxIterations = 200;
 constexpr size_t kCoarsest = 12;  // pieces
 
 class Shape {
@@ -65,7 +65,7 @@ class Shape {
     if (!(size_ > 0)) return x_;
     for (int stage = first_stage; stage < kStages; ++stage) {
       const double hard = std::pow(kStage, stage), EA = std::min(EA_, kSoft * hard * size_);
-      share_ = EA / EA_;
+      EA_fraction_ = EA / EA_;
       round_ = 4 * kRound * size_ / (hard * EA);
       stiffness_ = std::min(bed_, soft_bed_ * std::pow(bed_ / soft_bed_, stage / (kStages - 1.0)));
       if (stage + 1 == kStages) stiffness_ = bed_;
@@ -110,9 +110,9 @@ class Shape {
       // max(0, strain), smoothed: still convex, and with a descent direction for slack elements.
       const double root = std::hypot(strain, round_), pull = 0.5 * (strain + root), rise = pull / root;
       const Vec3 t = d / l;
-      const double tension = share_ * p.EA * pull * rise;
+      const double tension = EA_fraction_ * p.EA * pull * rise;
       const double stiff =
-          share_ * p.EA * (rise * rise + pull * round_ * round_ / (2 * root * root * root)) / p.length;
+          EA_fraction_ * p.EA * (rise * rise + pull * round_ * round_ / (2 * root * root * root)) / p.length;
       g[i] -= tension * t;
       g[i + 1] += tension * t;
       if (!hessian) continue;
@@ -163,8 +163,8 @@ class Shape {
     between_.resize(n - 1);
     up_.resize(n - 1);
     double shift = 0.1 * size_ / length_;
-    const double least = 1e-6 * size_ / length_;
-    for (int it = 0; it < kMostIterations; ++it) {
+    const double min_shift = 1e-6 * size_ / length_;
+    for (int it = 0; it < kMaxIterations; ++it) {
       gradient(x_, gradient_, true);
       double error = 0;
       for (const Vec3& g : gradient_) error = std::max(error, g.norm());
@@ -186,7 +186,7 @@ class Shape {
         a = high > 0 ? 0.5 * (low + high) : 2 * a;
       }
       for (size_t i = 0; i < n; ++i) x_[i] += a * step_[i];
-      shift = std::max(least, a > 0.3 ? 0.3 * shift : shift);
+      shift = std::max(min_shift, a > 0.3 ? 0.3 * shift : shift);
     }
   }
 
@@ -195,9 +195,9 @@ class Shape {
   std::vector<char> free_;
   std::vector<double> lift_, press_, radius_;  // N, m, m by node
   double length_ = 0, size_ = 0, EA_ = 0, width_ = 0;
-  double bed_ = 0, soft_bed_ = 0;     // N/m², final and initial
-  double share_ = 1, stiffness_ = 0;  // fraction of EA; stiffness of the bed, N/m²
-  double round_ = 0;                  // smoothing strain
+  double bed_ = 0, soft_bed_ = 0;           // N/m², final and initial
+  double EA_fraction_ = 1, stiffness_ = 0;  // fraction of EA; stiffness of the bed, N/m²
+  double round_ = 0;                        // smoothing strain
   std::vector<Vec3> gradient_, trial_gradient_, step_, trial_;
   std::vector<Mat3> diagonal_, between_, up_;
 };
@@ -212,8 +212,8 @@ FlexibleLine::Segment joined(const FlexibleLine::Segment& a, const FlexibleLine:
   return o;
 }
 
-FlexibleLine::Point sum(const FlexibleLine::Point& a, const FlexibleLine::Point& b, double share) {
-  return {a.load + share * b.load, a.buoyancy + share * b.buoyancy};
+FlexibleLine::Point sum(const FlexibleLine::Point& a, const FlexibleLine::Point& b, double factor) {
+  return {a.load + factor * b.load, a.buoyancy + factor * b.buoyancy};
 }
 
 }  // namespace
@@ -238,11 +238,11 @@ std::vector<Vec3> flexible_shape(const FlexibleLine& line, std::vector<Vec3> sta
     from.push_back(start[end]);
     kept.push_back(arc[end]);
   }
-  const std::vector<Vec3> found = flexible_shape(coarse, std::move(from));
+  const std::vector<Vec3> coarse_shape = flexible_shape(coarse, std::move(from));
   for (size_t i = 0; i < start.size(); ++i)
-    start[i] = i % 2 == 0              ? found[i / 2]
-               : i + 1 == start.size() ? found.back()
-                                       : interpolated(kept, found, arc[i]);
+    start[i] = i % 2 == 0              ? coarse_shape[i / 2]
+               : i + 1 == start.size() ? coarse_shape.back()
+                                       : interpolated(kept, coarse_shape, arc[i]);
   return Shape(line, std::move(start)).run(1);
 }
 

@@ -118,10 +118,10 @@ Vec3 displaced_volumes(const HullSurface& hull, double level, const RigidBodySta
   const std::vector<double> heads = corner_heads(hull, level, {}, s, R.row(2).transpose());
   Vec3 out = Vec3::Zero();
   for_each_wet(hull, heads, [&](const Mat3& y, const Vec3& area, const Vec3&, const Mat3* J) {
-    const Vec3 share = mean_by_corner(J, Vec3(Vec3::Ones()));  // of lambda over the wet part, per area
+    const Vec3 mean_lambda = mean_by_corner(J, Vec3(Vec3::Ones()));  // over the wet part, per area
     const Vec3 from_level(0, 0, level - s.x.z());
     // z is relative to the level, so that the waterplane has no flux.
-    const Vec3 flux = (R * y - from_level.replicate<1, 3>()) * share;
+    const Vec3 flux = (R * y - from_level.replicate<1, 3>()) * mean_lambda;
     out += flux.cwiseProduct(R * area);
   });
   return out;

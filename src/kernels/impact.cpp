@@ -25,23 +25,23 @@ double until_contact(double away, double speed, double acceleration) {
 
 // 1 over the energy tolerance of the line; of two lines the smaller tolerance.
 double weight(int line, int other, std::span<const double> energy_tolerance) {
-  double least = energy_tolerance[line];
-  if (other >= 0) least = std::min(least, energy_tolerance[other]);
-  return least > 0 ? 1 / least : 1 / std::numeric_limits<double>::min();
+  double smaller = energy_tolerance[line];
+  if (other >= 0) smaller = std::min(smaller, energy_tolerance[other]);
+  return smaller > 0 ? 1 / smaller : 1 / std::numeric_limits<double>::min();
 }
 
-// Largest argument up to `most` for which what(), increasing and summed over the ranks, is at most 1.
-template <class What>
-double largest(double most, const Sum& sum, const What& what) {
+// Largest argument up to `limit` for which function(), increasing and summed over the ranks, is at most 1.
+template <class Function>
+double largest(double limit, const Sum& sum, const Function& function) {
   constexpr int kParts = 16, kRounds = 6;
-  double from = 0, part = most / kParts;
-  std::array<double, kParts> at{};
+  double from = 0, part = limit / kParts;
+  std::array<double, kParts> values{};
   for (int round = 0; round < kRounds; ++round, part /= kParts) {
-    for (int i = 0; i < kParts; ++i) at[i] = what(from + (i + 1) * part);
-    sum(at);
-    const auto end = std::find_if(at.begin(), at.end(), [](double e) { return !(e <= 1); });
-    from += static_cast<double>(end - at.begin()) * part;
-    if (end == at.end()) break;
+    for (int i = 0; i < kParts; ++i) values[i] = function(from + (i + 1) * part);
+    sum(values);
+    const auto end = std::find_if(values.begin(), values.end(), [](double e) { return !(e <= 1); });
+    from += static_cast<double>(end - values.begin()) * part;
+    if (end == values.end()) break;
   }
   return from;
 }
@@ -60,24 +60,26 @@ bool resolves_contact(double inverse_frequency, double h) {
 }
 
 std::optional<ImpactEvent> impact_event(double inverse_frequency, double significant_depth, double mass,
-                                        const Approach& at) {
-  const double by_speed = inverse_frequency * std::abs(at.closing),
-               by_acceleration = inverse_frequency * inverse_frequency * std::abs(at.acceleration);
+                                        const Approach& approach) {
+  const double by_speed = inverse_frequency * std::abs(approach.closing),
+               by_acceleration = inverse_frequency * inverse_frequency * std::abs(approach.acceleration);
   if (!(std::hypot(by_speed, by_acceleration) > significant_depth)) return {};
   const double step = 2 * M_PI / kSteps * inverse_frequency;
   ImpactEvent s;
-  s.at_ = at;
+  s.approach_ = approach;
   s.inverse_frequency_ = inverse_frequency;
   s.half_ = 0.5 * mass / (inverse_frequency * inverse_frequency);
   s.energy_ = s.half_ * (by_speed * by_speed + by_acceleration * by_acceleration);
   s.crossing_ = kNever;
   s.resolved_ = kAbove * step;
-  if (at.gap < 0) {
+  if (approach.gap < 0) {
     // The contact pushes only at the start of that step, so the trapezoidal rule includes half of it.
-    if (at.last && at.closing < 0) s.crossing_ = until_contact(-at.gap, -at.closing, -0.5 * at.acceleration);
-  } else if (at.closing > 0) {
+    if (approach.last && approach.closing < 0)
+      s.crossing_ = until_contact(-approach.gap, -approach.closing, -0.5 * approach.acceleration);
+  } else if (approach.closing > 0) {
     // Bounded, because accelerations change during the step.
-    s.crossing_ = std::min(until_contact(at.gap, at.closing, at.acceleration), 2 * at.gap / at.closing);
+    s.crossing_ = std::min(until_contact(approach.gap, approach.closing, approach.acceleration),
+                           2 * approach.gap / approach.closing);
     s.resolved_ += s.crossing_;
   } else if (!(by_acceleration > significant_depth)) {
     return {};  // it separates; else it vibrates at the frequency of the contact
@@ -88,21 +90,21 @@ std::optional<ImpactEvent> impact_event(double inverse_frequency, double signifi
 
 double ImpactEvent::crossed(double h) const {
   if (!(h > crossing_)) return 0;
-  const double speed = std::abs(at_.closing);
+  const double speed = std::abs(approach_.closing);
   h = std::min(h, resolved_ + 2 * M_PI / kSteps * inverse_frequency_);  // longer steps: unresolved()
-  if (at_.gap < 0) {
-    const double out = at_.gap + speed * h + 0.25 * at_.acceleration * h * h;
-    return std::min(-half_ * at_.gap * std::max(out, 0.0), energy_);
+  if (approach_.gap < 0) {
+    const double out = approach_.gap + speed * h + 0.25 * approach_.acceleration * h * h;
+    return std::min(-half_ * approach_.gap * std::max(out, 0.0), energy_);
   }
   const double z = 0.5 * h / inverse_frequency_;
   // If the mass would reverse before, it is assumed to continue at its speed.
-  const double root = speed * speed - 2 * at_.acceleration * at_.gap;
-  const double in =
-      -at_.gap + speed * h - (root < 0 ? speed * crossing_ - at_.gap : 0.5 * at_.acceleration * h * h);
-  return std::min(half_ * at_.gap * std::max(in, 0.0) / (1 + z * z), energy_);
+  const double root = speed * speed - 2 * approach_.acceleration * approach_.gap;
+  const double depth = -approach_.gap + speed * h -
+                       (root < 0 ? speed * crossing_ - approach_.gap : 0.5 * approach_.acceleration * h * h);
+  return std::min(half_ * approach_.gap * std::max(depth, 0.0) / (1 + z * z), energy_);
 }
 
-double ImpactEvent::period() const { return at_.gap < 0 ? 2 * M_PI * inverse_frequency_ : kNever; }
+double ImpactEvent::period() const { return approach_.gap < 0 ? 2 * M_PI * inverse_frequency_ : kNever; }
 
 double crossing_error(double inverse_frequency, double significant_depth, double force, double potential,
                       double path, double speed) {
@@ -124,10 +126,10 @@ std::vector<double> energy_tolerance(std::span<const LineMotion> lines) {
 }
 
 double growth_limited_step(std::span<const LineMotion> stored, std::span<const double> energy_tolerance,
-                           double share, double last) {
+                           double factor, double last) {
   double rate = 0;  // 1/s², relative to the energy tolerance of the line
   for (size_t l = 0; l < stored.size(); ++l)
-    if (const double held = share * stored[l].energy(); held > 0)
+    if (const double held = factor * stored[l].energy(); held > 0)
       rate = std::max(rate, held / std::max(energy_tolerance[l], std::numeric_limits<double>::min()));
   return last > 0 && rate > 0 ? std::max(2 * last, std::hypot(last, 1 / std::sqrt(rate))) : kNever;
 }
@@ -141,7 +143,7 @@ bool within_tolerance(std::span<const UnresolvedImpact> impacts, std::span<const
 }
 
 StepLimit impact_limited_step(std::span<const ImpactEvent> impacts, std::span<const double> energy_tolerance,
-                              double most, const Sum& sum) {
+                              double max_step, const Sum& sum) {
   std::vector<double> weights;
   for (const ImpactEvent& s : impacts) weights.push_back(weight(s.line, s.other, energy_tolerance));
   const auto total = [&](const auto& error) {
@@ -154,18 +156,18 @@ StepLimit impact_limited_step(std::span<const ImpactEvent> impacts, std::span<co
   sum({&all, 1});
   if (!(all > 1)) return limit;
   // Longer periods do not shorten any step.
-  const double longest = kSteps * most;
+  const double longest = kSteps * max_step;
   limit.period = largest(longest, sum, [&](double period) {
     return total([&](const ImpactEvent& s) { return s.period() < period ? s.energy() : 0; });
   });
   if (limit.period >= longest) limit.period = kNever;
   const double step = largest(
-      most, sum, [&](double h) { return total([&](const ImpactEvent& s) { return s.unresolved(h); }); });
+      max_step, sum, [&](double h) { return total([&](const ImpactEvent& s) { return s.unresolved(h); }); });
   // If contact is not reached in one step but in two, each covers half of the time.
   const double until = largest(
       2 * step, sum, [&](double h) { return total([&](const ImpactEvent& s) { return s.crossed(h); }); });
   limit.longest = until <= step ? until : 0.5 * until;
-  if (limit.longest >= most) limit.longest = kNever;
+  if (limit.longest >= max_step) limit.longest = kNever;
   return limit;
 }
 

@@ -10,7 +10,7 @@
 namespace hawser {
 namespace {
 
-constexpr size_t kTurns = AttachedForces::kPositions, kMost = AttachedForces::kMost;
+constexpr size_t kTurns = AttachedForces::kPositions, kMaxRows = AttachedForces::kMaxRows;
 constexpr int kByX = 3 * kTurns;             // columns, by position
 using Column = Eigen::Matrix<double, 6, 1>;  // force and couple
 using Six = Eigen::Matrix<double, 6, 3>;
@@ -43,15 +43,16 @@ auto columns(Matrix& m, size_t position) {
 
 }  // namespace
 
-// Rows of F in use, and the share of each in the force or couple at a point.
+// Rows of F in use, and the factor of each on the force or couple at a point.
 struct LinePairPass::Rows {
-  std::array<size_t, kMost> used;
+  std::array<size_t, kMaxRows> used;
   size_t count = 0;
-  std::array<double, kMost> share{}, by_xi{}, by_eta{};  // derivatives of the shares along slave and master
+  std::array<double, kMaxRows> factor{}, by_xi{},
+      by_eta{};  // factors, and derivatives along slave and master
 
   void add(size_t row, double s, double along_slave, double along_master) {
     used[count++] = row;
-    share[row] = s;
+    factor[row] = s;
     by_xi[row] = along_slave;
     by_eta[row] = along_master;
   }
@@ -80,10 +81,10 @@ LinePairPass::Rows LinePairPass::rows(const Point& p) const {
 
 // Derivatives of force and couple at a point.
 struct LinePairPass::Slopes {
-  Eigen::Matrix<double, 6, 3 * kMost, Eigen::RowMajor> by;  // by the quantities conjugate to the rows
-  Column by_xi, by_rate;   // by the position on the slave; by the rate of the gap
-  bool slides_on = false;  // the nearest point moves along the master:
-  Gradient eta_by;         // d eta by the positions
+  Eigen::Matrix<double, 6, 3 * kMaxRows, Eigen::RowMajor> by;  // by the quantities conjugate to the rows
+  Column by_xi, by_rate;    // by the position on the slave; by the rate of the gap
+  bool foot_moves = false;  // the nearest point moves along the master:
+  Gradient eta_by;          // d eta by the positions
   double eta_by_xi = 0;
 };
 
@@ -127,8 +128,8 @@ struct LinePairPass::Slopes {
 
   s.eta_by.setZero();
   const double curve = y1.squaredNorm() - p.foot.away.dot(y2);
-  s.slides_on = p.foot.inside && curve > 0;
-  if (s.slides_on) {
+  s.foot_moves = p.foot.inside && curve > 0;
+  if (s.foot_moves) {
     for (size_t j = 0; j < na; ++j) columns(s.eta_by, at_slave_ + j) = p.H[j] / curve * y1.transpose();
     for (size_t k = 0; k < nb; ++k)
       columns(s.eta_by, at_master_ + k) =
@@ -140,11 +141,11 @@ struct LinePairPass::Slopes {
   s.by.setZero();
   for (size_t m = 0; m < na + nb; ++m) {
     auto by_m = columns(s.by, m);
-    by_m = rows.share[m] * by_away;
+    by_m = rows.factor[m] * by_away;
     if (rubs && rows.by_eta[m] != 0) by_m -= rows.by_eta[m] * by(F::kAlong);
     if (from.is_new && rows.by_xi[m] != 0) by_m += rows.by_xi[m] * by(F::kSlope);
   }
-  if (s.slides_on) add_product<6>(by_eta, s.eta_by, s.by, 0);
+  if (s.foot_moves) add_product<6>(by_eta, s.eta_by, s.by, 0);
   if (!rubs) return s;
   for (const bool of_master : {false, true}) {
     const PairAxis& axis = of_master ? master_ : slave_;
@@ -152,7 +153,7 @@ struct LinePairPass::Slopes {
     if (axis.beam()) {
       // - w N d(old turn), with d(turn) v = dphi x (turn v)
       for (size_t i = 0; i < 2; ++i)
-        columns(s.by, turn + i) = rows.share[turn + i] * by_moved * hat(axis.turn[i] * p.before);
+        columns(s.by, turn + i) = rows.factor[turn + i] * by_moved * hat(axis.turn[i] * p.before);
     } else {
       const Six turned = (of_master ? wb_ : wa_) * by_moved * section_turn_by_chord(axis, p.before);
       columns(s.by, position) += turned;
@@ -165,8 +166,8 @@ struct LinePairPass::Slopes {
 // Moving end of a panel, and the change of the panel's forces as its Gauss points move along.
 struct LinePairPass::MovingEnd {
   bool moves = false;
-  Gradient by;                    // derivative of its position by the positions
-  std::array<Vec3, kMost> force;  // derivative of the rows by its position
+  Gradient by;                       // derivative of its position by the positions
+  std::array<Vec3, kMaxRows> force;  // derivative of the rows by its position
 };
 
 LinePairPass::MovingEnd LinePairPass::moving_end(double xi, End end) const {
@@ -205,7 +206,7 @@ void LinePairPass::add_convex(const Point& p, const LinePairForce& c, const Rows
   const size_t n = g.positions;
   for (size_t r = 0; r < n; ++r)
     for (size_t m = 0; m < n; ++m)
-      block_of(g.K, r, m) -= weight * rows.share[r] * rows.share[m] *
+      block_of(g.K, r, m) -= weight * rows.factor[r] * rows.factor[m] *
                              (c.along_normal.by_gap * nrm * nrm.transpose() + by_moved.topRows<3>());
 }
 
@@ -213,7 +214,7 @@ void LinePairPass::add_convex(const Point& p, const LinePairForce& c, const Rows
 void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, AttachedForces& g,
                        std::vector<LinePairContactPoint>* points) const {
   const bool rubs = set_.law.friction.active(), exact = derivatives && !set_.convex;
-  const double L = set_.share * slave_.ends.length;
+  const double L = set_.fraction * slave_.ends.length;
   for (const Panel& panel : panels) {
     const double span = panel.to - panel.from;
     std::array<MovingEnd, 2> ends;
@@ -223,39 +224,39 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
       const Point p = point(panel.from + span * place);
       const Start from = rubs ? start(p.xi) : Start{};
       const LinePairForce c = line_pair_force(set_.law, local(p, from), derivatives);
-      if (points && c.along_normal.elastic > 0) points->push_back(left_behind(panel, p, c, w));
+      if (points && c.along_normal.elastic > 0) points->push_back(stored_point(panel, p, c, w));
       if (!(c.along_normal.force > 0)) continue;
       const Rows rows = this->rows(p);
       const auto vector = [&c](size_t r) -> const Vec3& { return r < kTurns ? c.force : c.couple; };
       // The residual is internal minus external: -force.
-      for (const size_t r : rows) g.F[r] -= w * rows.share[r] * vector(r);
+      for (const size_t r : rows) g.F[r] -= w * rows.factor[r] * vector(r);
       if (derivatives && !exact) add_convex(p, c, rows, w, g);
       if (!exact) continue;
 
       const Slopes s = slopes(p, from, c, rows);
       Gradient rate = Gradient::Zero();  // derivative of the gap rate by the velocities of the positions
-      for (size_t m = 0; m < g.positions; ++m) columns(rate, m) = rows.share[m] * p.foot.normal.transpose();
+      for (size_t m = 0; m < g.positions; ++m) columns(rate, m) = rows.factor[m] * p.foot.normal.transpose();
       for (const size_t r : rows) {
         const Vec3& v = vector(r);
         const int first = r < kTurns ? 0 : 3, row = 3 * static_cast<int>(r);
         for (int i = 0; i < 3; ++i) {
-          g.K.row(row + i) -= w * rows.share[r] * s.by.row(first + i);
-          if (set_.moves) g.C.row(row + i) -= w * rows.share[r] * s.by_rate[first + i] * rate;
+          g.K.row(row + i) -= w * rows.factor[r] * s.by.row(first + i);
+          if (set_.moves) g.C.row(row + i) -= w * rows.factor[r] * s.by_rate[first + i] * rate;
         }
-        if (s.slides_on && rows.by_eta[r] != 0) add_product<3>(-w * rows.by_eta[r] * v, s.eta_by, g.K, row);
+        if (s.foot_moves && rows.by_eta[r] != 0) add_product<3>(-w * rows.by_eta[r] * v, s.eta_by, g.K, row);
         // The Gauss points move with the ends of the panel, which adds the derivative along xi.
         const Vec3 along =
-            (rows.by_xi[r] + rows.by_eta[r] * s.eta_by_xi) * v + rows.share[r] * s.by_xi.segment<3>(first);
+            (rows.by_xi[r] + rows.by_eta[r] * s.eta_by_xi) * v + rows.factor[r] * s.by_xi.segment<3>(first);
         for (const bool last : {false, true}) {
           if (!ends[last].moves) continue;
           const double interval = last ? fraction : -fraction,
                        shift = span * fraction * (last ? place : 1 - place);
-          ends[last].force[r] -= L * (interval * rows.share[r] * v + shift * along);
+          ends[last].force[r] -= L * (interval * rows.factor[r] * v + shift * along);
         }
       }
     }
     for (const MovingEnd& end : ends)
-      for (int r = 0; r < static_cast<int>(kMost) && end.moves; ++r)
+      for (int r = 0; r < static_cast<int>(kMaxRows) && end.moves; ++r)
         add_product<3>(end.force[r], end.by, g.K, 3 * r);
   }
 }

@@ -16,7 +16,7 @@ constexpr double kRoot = 1e-15;
 
 }  // namespace
 
-double slave_share(double slave, double master) {
+double slave_fraction(double slave, double master) {
   const double ratio = std::max(slave, master) / std::min(slave, master);
   const double thin = std::min(ratio - 0.5, 1.0);
   return slave <= master ? thin : 1 - thin;
@@ -45,7 +45,7 @@ Stencil stencil_of(const PairAxis& one, const PairAxis& other) {
 LinePairPass::LinePairPass(const PairAxis& slave, const PairAxis& master, ProjectOn target,
                            const Settings& settings, const std::vector<LinePairContactPoint>& previous)
     : slave_(slave), master_(master), target_(target), set_(settings), previous_(previous) {
-  if (target_ != ProjectOn::element) set_.share *= -0.5;
+  if (target_ != ProjectOn::element) set_.fraction *= -0.5;
   wa_ = set_.slave_radius / set_.law.radii;
   wb_ = 1 - wa_;
   at_slave_ = set_.swapped ? static_cast<size_t>(master.now.count()) : 0;
@@ -129,13 +129,13 @@ void LinePairPass::split(const Panel& panel, std::vector<Panel>& out) const {
     cuts[n++].at_from = eta == 0 ? End::first_joint : End::second_joint;
   }
   if (n == 2 && cuts[1].from < cuts[0].from) std::swap(cuts[0], cuts[1]);
-  Panel rest = panel;
+  Panel remaining = panel;
   for (int i = 0; i < n; ++i) {
-    out.push_back({rest.from, cuts[i].from, rest.at_from, cuts[i].at_from});
-    rest.from = cuts[i].from;
-    rest.at_from = cuts[i].at_from;
+    out.push_back({remaining.from, cuts[i].from, remaining.at_from, cuts[i].at_from});
+    remaining.from = cuts[i].from;
+    remaining.at_from = cuts[i].at_from;
   }
-  out.push_back(rest);
+  out.push_back(remaining);
 }
 
 // Slip is interpolated between the Gauss points of an interval. New material has none.
@@ -200,8 +200,8 @@ LinePairPoint LinePairPass::local(const Point& p, const Start& s) const {
   return l;
 }
 
-LinePairContactPoint LinePairPass::left_behind(const Panel& panel, const Point& p, const LinePairForce& c,
-                                               double weight) const {
+LinePairContactPoint LinePairPass::stored_point(const Panel& panel, const Point& p, const LinePairForce& c,
+                                                double weight) const {
   LinePairContactPoint h;
   h.xi = p.xi;
   h.from = panel.from;
@@ -228,7 +228,7 @@ double LinePairPass::potential(const std::vector<Panel>& panels) const {
     for (size_t q = 0; q < kContactPoints; ++q) {
       const double xi = s.from + (s.to - s.from) * ContactRule::unit[q];
       const double d = projection(master_.now, target_, slave_.now.point(xi)).distance;
-      sum += set_.share * slave_.ends.length * (s.to - s.from) * ContactRule::weight[q] *
+      sum += set_.fraction * slave_.ends.length * (s.to - s.from) * ContactRule::weight[q] *
              normal_force(set_.law.normal, d - set_.law.radii, 0).potential;
     }
   return sum;

@@ -199,14 +199,14 @@ double water_potential(const WaterSection& s, const WaterEnds& e, bool beam) {
 namespace {
 
 template <bool beam, int n>
-WaterForce flow_force(const WaterSection& s, Motion<n> m, double still) {
+WaterForce flow_force(const WaterSection& s, Motion<n> m, double calm_level) {
   Forces<n> o;
-  if (m.surface[0] == still && m.surface[1] == still) {
+  if (m.surface[0] == calm_level && m.surface[1] == calm_level) {
     evaluate<beam, false, Part::flow>(s, m, false, o);
   } else {
     Forces<n> floating;
     evaluate<beam, false>(s, m, false, o);
-    m.surface[0] = m.surface[1] = still;
+    m.surface[0] = m.surface[1] = calm_level;
     evaluate<beam, false, Part::buoyancy>(s, m, false, floating);
     for (int j = 0; j < n; ++j) o.f[j] -= floating.f[j];
   }
@@ -218,11 +218,11 @@ WaterForce flow_force(const WaterSection& s, Motion<n> m, double still) {
 
 }  // namespace
 
-WaterForce water_force(const WaterSection& s, const WaterEnds& e, bool beam, double still) {
-  if (!beam) return flow_force<false>(s, cable_motion(in_place(e)), still);
+WaterForce water_force(const WaterSection& s, const WaterEnds& e, bool beam, double calm_level) {
+  if (!beam) return flow_force<false>(s, cable_motion(in_place(e)), calm_level);
   BeamMotion b;
   beam_motion(s, e, b);
-  return flow_force<true>(s, b.m, still);
+  return flow_force<true>(s, b.m, calm_level);
 }
 
 Vec3 straight_flow_force(const WaterSection& s, const CableInWater& e, bool beam) {
@@ -253,17 +253,17 @@ void ball_water(const WaterBall& b, const Vec3& x, const Vec3& v, const Vec3& a,
   const Wetting wet = ball_wetting((water.surface - x.z()) / b.radius);
   const Vec3 u = water.velocity - v;
   const double speed = u.norm();
-  const Vec3 rest =
+  const Vec3 dynamic_force =
       b.added_mass * (a - water.acceleration) - b.displaced_mass * water.acceleration - b.drag * speed * u;
-  f = wet.share * (rest - b.buoyancy * Vec3::UnitZ());
+  f = wet.fraction * (dynamic_force - b.buoyancy * Vec3::UnitZ());
   if (!K) return;
   Mat3 D = speed * Mat3::Identity();
   if (speed > 0) D += u * u.transpose() / speed;
-  D *= wet.share * b.drag;
+  D *= wet.fraction * b.drag;
   *K = -D * water.by_height * Vec3::UnitZ().transpose();
-  K->col(2) -= wet.slope / b.radius * (rest - b.buoyancy * Vec3::UnitZ());
+  K->col(2) -= wet.slope / b.radius * (dynamic_force - b.buoyancy * Vec3::UnitZ());
   *C = D;
-  *M = wet.share * b.added_mass * Mat3::Identity();
+  *M = wet.fraction * b.added_mass * Mat3::Identity();
 }
 
 double ball_potential(const WaterBall& b, const Vec3& x, const Water& water) {

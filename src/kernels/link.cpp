@@ -19,8 +19,8 @@ Spring spring(const LinkLaw& law, double elongation) {
   double zero = law.spring->at(0).integral;
   if (law.tension_only) {
     const double first = law.spring->rows().front().first;
-    const MonotoneCubic::Value there = law.spring->at(first);
-    zero = -0.5 * there.y * there.y / there.slope;
+    const MonotoneCubic::Value first_row = law.spring->at(first);
+    zero = -0.5 * first_row.y * first_row.y / first_row.slope;
   }
   return {v.y, v.slope, v.integral - zero};
 }

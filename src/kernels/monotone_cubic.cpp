@@ -6,7 +6,7 @@
 
 namespace hawser {
 
-MonotoneCubic::MonotoneCubic(std::vector<Row> rows, std::optional<double> first, double least)
+MonotoneCubic::MonotoneCubic(std::vector<Row> rows, std::optional<double> first, double min_ratio)
     : rows_(std::move(rows)) {
   const size_t n = rows_.size();
   std::vector<double> width(n - 1), secant(n - 1);
@@ -21,8 +21,8 @@ MonotoneCubic::MonotoneCubic(std::vector<Row> rows, std::optional<double> first,
     if (secant[i - 1] > 0 && secant[i] > 0) slope_[i] = (a + b) / (a / secant[i - 1] + b / secant[i]);
   }
   // At the ends: slope of a parabola, limited to what keeps the curve monotone.
-  const auto parabola = [least](double chord, double other) {
-    return std::clamp(2 * chord - other, least * chord, 3 * chord);
+  const auto parabola = [min_ratio](double chord, double other) {
+    return std::clamp(2 * chord - other, min_ratio * chord, 3 * chord);
   };
   if (n == 2)
     slope_[0] = first.value_or(secant[0]);

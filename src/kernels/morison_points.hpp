@@ -157,7 +157,7 @@ struct Point {
     to[0] -= piece.to;
     to[last] += piece.to;
   }
-  double share() const { return wet.share1 + wet.share2; }  // F
+  double fraction() const { return wet.by_h1 + wet.by_h2; }  // F
   bool partly() const { return wet.slope11 > 0 || wet.slope22 > 0; }
 
   // Where it is partly wet. Derivatives by b are by Euler's theorem: P is homogeneous in h1, h2 and b.
@@ -180,10 +180,10 @@ inline void buoyancy_at(const WaterSection& s, const Chord<beam>& c, const Point
                         Forces<Rule<beam>::shapes>& out) {
   constexpr int n = Chord<beam>::n, last = Chord<beam>::last;
   const double B = p.w * s.buoyancy;
-  for (int j = 0; j < n; ++j) out.f[j][2] -= B * (p.wet.share1 * p.from[j] + p.wet.share2 * p.to[j]);
+  for (int j = 0; j < n; ++j) out.f[j][2] -= B * (p.wet.by_h1 * p.from[j] + p.wet.by_h2 * p.to[j]);
   if (!p.partly()) return;
   // B dP/db, by Euler's theorem.
-  const double G = B * (p.wet.integral - p.piece.h1 * p.wet.share1 - p.piece.h2 * p.wet.share2) / c.band.b;
+  const double G = B * (p.wet.integral - p.piece.h1 * p.wet.by_h1 - p.piece.h2 * p.wet.by_h2) / c.band.b;
   out.f[0] += G * c.db[0];
   out.f[last] += G * c.db[last];
   if constexpr (tangent) {
@@ -225,7 +225,7 @@ inline Flow<Rule<beam>::shapes> flow_at(const WaterSection& s, const Motion<Rule
   Row u = (1 - p.z) * m.u[0] + p.z * m.u[1];
   for (int j = 0; j < n; ++j) u -= p.N[j] * m.V[j];
   const Row aw = (1 - p.z) * m.a[0] + p.z * m.a[1];
-  Flow<n> o{{u, c.t, s.drag_normal, s.drag_axial}, p.w * p.share(), {}, {}};
+  Flow<n> o{{u, c.t, s.drag_normal, s.drag_axial}, p.w * p.fraction(), {}, {}};
   const Row flow = o.drag.force() + s.displaced_mass * aw;
   const double ma = s.added_axial - s.added_normal;
   Row point{};
@@ -249,9 +249,9 @@ struct Sums {
   Row by_z[n][2] = {};       // through the current
 };
 
-// Derivatives of flow_at by velocity, C_jk = w F N_j N_k D, by acceleration, by the chord,
+// Derivatives of flow_at by velocity, C_jk = w F N_j N_k S, by acceleration, by the chord,
 //   w F/l (-N_j T + (m_t - m_n) (t (P y_j)' + (t.y_j) P)),
-// by heights through the current, -w F N_j (1 - z, z) D du_w/dz, and through the wet fraction, w q_j
+// by heights through the current, -w F N_j (1 - z, z) S du_w/dz, and through the wet fraction, w q_j
 // (dF/dX_k)'.
 template <bool beam>
 inline void flow_tangent(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, const Chord<beam>& c,
@@ -267,14 +267,14 @@ inline void flow_tangent(const WaterSection& s, const Motion<Rule<beam>::shapes>
       sums.masses[j][k] += wF * (beam ? consistent : half_lumped);
     }
   const auto& drag = flow.drag;
-  const Mat D = outer(drag.over_speed * drag.across, drag.across) + identity(drag.normal) +
+  const Mat S = outer(drag.over_speed * drag.across, drag.across) + identity(drag.normal) +
                 outer(drag.lengthwise() * t, t);
   for (int j = 0; j < n; ++j)
-    for (int k = 0; k < n; ++k) out.C[j][k] += (wF * p.N[j] * p.N[k]) * D;
+    for (int k = 0; k < n; ++k) out.C[j][k] += (wF * p.N[j] * p.N[k]) * S;
   if (convex) return;
   const double ma = s.added_axial - s.added_normal;
   const Mat T = outer(drag.by_across(), drag.across) + drag.by_turn() * c.across;
-  const Row d[2] = {times(D, m.by_height[0]), times(D, m.by_height[1])};
+  const Row d[2] = {times(S, m.by_height[0]), times(S, m.by_height[1])};
   for (int j = 0; j < n; ++j) {
     const double ty = dot(t, flow.y[j]);
     const Row across = flow.y[j] - ty * t;
@@ -307,7 +307,7 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
   Sums<n> sums;
   for (int g = 0; g < Rule<beam>::points; ++g) {
     Point<beam> p(g, s, m, chord);
-    if (!(p.share() > 0)) continue;
+    if (!(p.fraction() > 0)) continue;
     if (tangent && p.partly()) p.differentiate(chord);
     if constexpr (part != Part::flow) buoyancy_at<beam, tangent>(s, chord, p, convex, out);
     if constexpr (part != Part::buoyancy) {

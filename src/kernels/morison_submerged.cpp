@@ -55,7 +55,7 @@ inline void inertia_and_buoyancy(const WaterSections4& s, const CablesInWater4& 
   }
 }
 
-// Sums over the two points, w = L/2 each: C_jk of N_j N_k w D, and N_j w T = by_un + by_P P of each node.
+// Sums over the two points, w = L/2 each: C_jk of N_j N_k w S, and N_j w T = by_un + by_P P of each node.
 struct DragSums {
   Symmetric C[3] = {};  // 00, 01, 11
   Row by_un[2][3][3] = {};
@@ -78,15 +78,15 @@ inline void drag_at_points(const WaterSections4& s, const CablesInWater4& m, con
     if constexpr (tangent) {
       const Vec a = (w * drag.over_speed) * un;
       const Vec b = (w * drag.lengthwise()) * t;
-      Symmetric D;
+      Symmetric S;
       for (int i = 0; i < 3; ++i) {
-        D.c[i] = a.c[i] * un.c[i] + b.c[i] * t.c[i] + w * drag.normal;
-        for (int k = i + 1; k < 3; ++k) D.c[kPlace[i][k]] = a.c[i] * un.c[k] + b.c[i] * t.c[k];
+        S.c[i] = a.c[i] * un.c[i] + b.c[i] * t.c[i] + w * drag.normal;
+        for (int k = i + 1; k < 3; ++k) S.c[kPlace[i][k]] = a.c[i] * un.c[k] + b.c[i] * t.c[k];
       }
       for (int e = 0; e < 6; ++e) {
-        sums.C[0].c[e] += (N[0] * N[0]) * D.c[e];
-        sums.C[1].c[e] += (N[0] * N[1]) * D.c[e];
-        sums.C[2].c[e] += (N[1] * N[1]) * D.c[e];
+        sums.C[0].c[e] += (N[0] * N[0]) * S.c[e];
+        sums.C[1].c[e] += (N[0] * N[1]) * S.c[e];
+        sums.C[2].c[e] += (N[1] * N[1]) * S.c[e];
       }
       const Vec first = w * drag.by_across();
       const Row p = w * drag.by_turn();
@@ -101,12 +101,12 @@ inline void drag_at_points(const WaterSections4& s, const CablesInWater4& m, con
 
 // J_jn = wK K_jn + wC C_jn + wM M_jn with M_jn = L (5/12 or 1/12) (m_n P + m_t t t').
 template <bool moving>
-inline void put_blocks(const WaterSections4& s, const CablesInWater4& m, const Chords& of_elements,
+inline void put_blocks(const WaterSections4& s, const CablesInWater4& m, const Chords& chords,
                        const Vec (&y)[2], const DragSums& sums, double wK, double wC, double wM,
                        std::array<Mat6, 4>& J) {
-  const Vec& t = of_elements.t;
+  const Vec& t = chords.t;
   const Row ma = s.added_axial - s.added_normal;
-  const Row scale = wK * of_elements.inverse;
+  const Row scale = wK * chords.inverse;
   for (int j = 0; j < 2; ++j) {
     // K by x2 and minus K by x1: (-T + (m_t - m_n) (t across' + (t.y) P)) / l, with P = I - t t'.
     const Row ty = dot(t, y[j]);
@@ -171,8 +171,8 @@ void WaterSections4::set(int lane, const WaterSection& s) {
 // A section gets wet over its radius above and below the axis; see morison_points.hpp.
 unsigned submerged(const WaterSections4& s, const CablesInWater4& m) {
   const Row h[2] = {m.surface[0] - m.x[0][2], m.surface[1] - m.x[1][2]};
-  const Row least = h[0] < h[1] ? h[0] : h[1];
-  const auto dry = least < s.radius;
+  const Row lowest = h[0] < h[1] ? h[0] : h[1];
+  const auto dry = lowest < s.radius;
   unsigned wet = 0;
   for (int i = 0; i < 4; ++i) wet |= dry[i] ? 0u : 1u << i;
   return wet;

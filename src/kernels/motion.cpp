@@ -139,12 +139,12 @@ RowCurve::Activity RowCurve::activity() const {
   return out;
 }
 
-std::vector<RowCurve::Overshoot> RowCurve::overshoots(double share) const {
+std::vector<RowCurve::Overshoot> RowCurve::overshoots(double fraction) const {
   std::vector<Overshoot> out;
-  Vec3 least = Vec3::Constant(HUGE_VAL), most = -least;
+  Vec3 lowest = Vec3::Constant(HUGE_VAL), highest = -lowest;
   for (const Vec3& x : value_) {
-    least = least.cwiseMin(x);
-    most = most.cwiseMax(x);
+    lowest = lowest.cwiseMin(x);
+    highest = highest.cwiseMax(x);
   }
   for (size_t i = 0; i + 1 < time_.size(); ++i)
     for (int c = 0; c < 3; ++c) {
@@ -159,10 +159,10 @@ std::vector<RowCurve::Overshoot> RowCurve::overshoots(double share) const {
       for (const double v : {a != 0 ? k / a : -1, k != 0 ? d / k : -1}) {
         if (!(v > 0 && v < 1)) continue;
         const double t = time_[i] + v * h, x = at(t).value[c];
-        const double by = std::max(std::min(p, q) - x, x - std::max(p, q));
-        if (by > furthest.by) furthest = {i, c, t, x, by};
+        const double excess = std::max(std::min(p, q) - x, x - std::max(p, q));
+        if (excess > furthest.excess) furthest = {i, c, t, x, excess};
       }
-      if (furthest.by > share * (most[c] - least[c])) out.push_back(furthest);
+      if (furthest.excess > fraction * (highest[c] - lowest[c])) out.push_back(furthest);
     }
   return out;
 }

@@ -14,7 +14,7 @@ struct Combination {
   double functional, environmental;
 };
 constexpr Combination kCombinations[] = {{1.2, 0.7}, {1.1, 1.3}};
-constexpr double kLeastOvality = 0.005;
+constexpr double kMinOvality = 0.005;
 
 double elastic_collapse(const PipeSteel& s) {
   return 2 * s.modulus * std::pow(s.wall / s.outer, 3) / (1 - s.poisson * s.poisson);
@@ -25,7 +25,7 @@ double elastic_collapse(const PipeSteel& s) {
 double collapse_pressure(const PipeSteel& s) {
   const double elastic = elastic_collapse(s),
                plastic = 2 * s.smys * s.material_factor * s.fabrication * s.wall / s.outer,
-               oval = std::max(s.ovality, kLeastOvality) * s.outer / s.wall;
+               oval = std::max(s.ovality, kMinOvality) * s.outer / s.wall;
   double low = 0, high = std::min(elastic, plastic);
   for (int k = 0; k < 100; ++k) {
     const double p = 0.5 * (low + high);
@@ -73,9 +73,11 @@ PipeCodes::PipeCodes(const PipeSteel& s) : steel_(s), factor_(kResistance * s.sa
 double PipeCodes::local_buckling(const PipeDesign& loads, double outside, double inside) const {
   const double pulled = factor_ * loads.tension / (flow_ * tension_),
                bent = factor_ * loads.moment / (flow_ * moment_) + pulled * pulled,
-               over = (inside - outside) / burst_;
-  const double weaker = over < 2.0 / 3 ? 1 - hardening_ : 1 - 3 * hardening_ * (1 - over);  // alpha_p
-  const double pressed = over > 0 ? weaker * over / flow_ : factor_ * (outside - inside) / collapse_;
+               overpressure = (inside - outside) / burst_;
+  const double weaker =
+      overpressure < 2.0 / 3 ? 1 - hardening_ : 1 - 3 * hardening_ * (1 - overpressure);  // alpha_p
+  const double pressed =
+      overpressure > 0 ? weaker * overpressure / flow_ : factor_ * (outside - inside) / collapse_;
   return bent * bent + pressed * pressed;
 }
 
@@ -88,18 +90,18 @@ double PipeCodes::local_buckling(const PipeLoads& rest, const PipeLoads& now, do
 }
 
 double PipeCodes::pulled(const PipeLoads& rest, const PipeLoads& now, double condition) const {
-  double most = 0;
+  double largest = 0;
   for (const Combination& c : kCombinations)
-    most = std::max(most, design(c, rest, now, condition).tension / tension_);
-  return most;
+    largest = std::max(largest, design(c, rest, now, condition).tension / tension_);
+  return largest;
 }
 
 double PipeCodes::bending_and_pressure(double strain, double outside, double inside) const {
-  constexpr double kInstallation = 3.33;                  // f_1
-  const double share = steel_.cold_expanded ? 0.6 : 0.7;  // f_o
-  const double g = 1 / (1 + 10 * steel_.ovality);         // the code's ovality is half of DNV's
+  constexpr double kInstallation = 3.33;                            // f_1
+  const double collapse_factor = steel_.cold_expanded ? 0.6 : 0.7;  // f_o
+  const double g = 1 / (1 + 10 * steel_.ovality);                   // the code's ovality is half of DNV's
   return kInstallation * strain * 2 * steel_.slenderness() / g +
-         std::max(outside - inside, 0.0) / (share * api_collapse_);
+         std::max(outside - inside, 0.0) / (collapse_factor * api_collapse_);
 }
 
 double PipeCodes::tension_and_pressure(double tension, double outside, double inside) const {

@@ -89,18 +89,18 @@ std::vector<PlasticBending::Row> ramberg_osgood(double EI, double yield_moment, 
   const auto curvature = [&](double m) {
     return yield * (m + A * std::pow(m, B));
   };  // m: relative to the yield moment
-  double most = 1;
-  while (curvature(most) < last) most *= 2;
-  for (double low = 0; most - low > 1e-12 * most;) {
-    const double middle = 0.5 * (low + most);
-    (curvature(middle) < last ? low : most) = middle;
+  double largest = 1;
+  while (curvature(largest) < last) largest *= 2;
+  for (double low = 0; largest - low > 1e-12 * largest;) {
+    const double middle = 0.5 * (low + largest);
+    (curvature(middle) < last ? low : largest) = middle;
   }
   // A chord of length h has the error M'' h²/8 for a curve with the second derivative M'': equal parts of the
   // integral of sqrt(M''/M) give equal relative errors of the moment.
   constexpr int kFine = 4000;
   std::vector<double> at, sum;
   for (int k = 0; k <= kFine; ++k) {
-    const double m = most * k / kFine, slope = yield * (1 + A * B * std::pow(m, B - 1));
+    const double m = largest * k / kFine, slope = yield * (1 + A * B * std::pow(m, B - 1));
     const double bend = yield * A * B * (B - 1) * std::pow(m, B - 2);  // of the curvature by the moment
     const double density = k == 0 ? 0 : std::sqrt(bend / (slope * m));
     sum.push_back(k == 0 ? 0 : sum.back() + density);

@@ -29,8 +29,8 @@ void remember_cells(std::span<const RememberedCell> cells, std::size_t n, double
   for (const RememberedCell& now : remembered_cells(from, to, out, n)) {
     double* values = out + (now.values - out);
     for (const RememberedCell& old : cells) {
-      const double share = (std::min(now.to, old.to) - std::max(now.from, old.from)) / (now.to - now.from);
-      for (size_t i = 0; i < n && share > 0; ++i) values[i] += share * old.values[i];
+      const double overlap = (std::min(now.to, old.to) - std::max(now.from, old.from)) / (now.to - now.from);
+      for (size_t i = 0; i < n && overlap > 0; ++i) values[i] += overlap * old.values[i];
     }
   }
 }
@@ -54,14 +54,14 @@ double fed_bending_work(const BeamSection& s, const BeamReference& r, const Beam
   }
   const Curvature c = curvature_at(s, r, o, side);
   std::vector<double> set(n, 0.0);
-  double lost = 0;
+  double dissipated = 0;
   if (entering)
     std::copy_n(entering, n, set.begin());
   else if (r.set)
     std::copy_n(r.set + (second_end ? kBendingPlaces - 1 : 0) * n, n, set.begin());
   const double stored = with_memory(s, c.about2, c.about3, set.data()).energy;
-  if (entering) lost = s.plastic->bend(c.about2, c.about3, set.data());
-  return sum + stored + lost;
+  if (entering) dissipated = s.plastic->bend(c.about2, c.about3, set.data());
+  return sum + stored + dissipated;
 }
 
 }  // namespace hawser

@@ -22,10 +22,10 @@ AngleOverSine angle_over_sine(double sine, double cosine) {
   const double square = sine * sine, u = square / (1 + cosine);
   if (cosine > 1 - kSmall) {
     for (int k = kTerms; k > 0; --k) {
-      const double share = k / (2.0 * k + 1);
-      f.second = share * (2 * f.first + u * f.second);
-      f.first = share * (f.value + u * f.first);
-      f.value = 1 + share * u * f.value;
+      const double ratio = k / (2.0 * k + 1);
+      f.second = ratio * (2 * f.first + u * f.second);
+      f.first = ratio * (f.value + u * f.first);
+      f.value = 1 + ratio * u * f.value;
     }
     f.first = -f.first;
     return f;

@@ -16,9 +16,9 @@ ComplexVec6 bilinear(const std::vector<ComplexVec6>& values, size_t columns, con
                      const TablePlace& column) {
   const auto along = [&](size_t r) -> ComplexVec6 {
     const ComplexVec6* first = &values[r * columns];
-    return (1 - column.share) * first[column.low] + column.share * first[column.high];
+    return (1 - column.weight) * first[column.low] + column.weight * first[column.high];
   };
-  return (1 - row.share) * along(row.low) + row.share * along(row.high);
+  return (1 - row.weight) * along(row.low) + row.weight * along(row.high);
 }
 
 }  // namespace

@@ -31,17 +31,17 @@ double mobilisation(const FrictionLaw& law, double N, int i) {
 // q = k_a s_a² + k_l s_l², rho = (s_a/d_a)² + (s_l/d_l)², k_i = mu_i N/d_i; the potential is q h(rho) with
 // h = 1/2 for rho <= 1 and rho^(-1/2) - rho^(-1)/2 beyond (docs/theory/seabed.md).
 PressedFriction pressed_friction(const FrictionLaw& law, double N, const Vec3& slip, const Vec3& normal,
-                                 const Vec3& tangent, double least) {
+                                 const Vec3& tangent, double min_length) {
   PressedFriction r;
   if (!(N > 0)) return r;
-  const std::array<Vec3, 2> way = directions(normal, tangent);
+  const std::array<Vec3, 2> axes = directions(normal, tangent);
   const double mu[2] = {law.axial, law.lateral};
   Mat3 A = Mat3::Zero();
   Mat3 B = Mat3::Zero();
   for (int i = 0; i < 2; ++i) {
     if (!(mu[i] > 0)) continue;
-    const double d = std::max(least, mobilisation(law, N, i));
-    const Mat3 outer = way[i] * way[i].transpose();
+    const double d = std::max(min_length, mobilisation(law, N, i));
+    const Mat3 outer = axes[i] * axes[i].transpose();
     A += mu[i] * N / d * outer;
     B += outer / (d * d);
   }
@@ -70,10 +70,10 @@ Vec3 slip_of_force(const FrictionLaw& law, double N, const Vec3& force, const Ve
                    const Vec3& tangent) {
   Vec3 slip = Vec3::Zero();
   if (!(N > 0)) return slip;
-  const std::array<Vec3, 2> way = directions(normal, tangent);
+  const std::array<Vec3, 2> axes = directions(normal, tangent);
   const double mu[2] = {law.axial, law.lateral};
   for (int i = 0; i < 2; ++i)
-    if (mu[i] > 0) slip -= force.dot(way[i]) * mobilisation(law, N, i) / (mu[i] * N) * way[i];
+    if (mu[i] > 0) slip -= force.dot(axes[i]) * mobilisation(law, N, i) / (mu[i] * N) * axes[i];
   return slip;
 }
 

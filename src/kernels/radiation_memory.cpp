@@ -19,9 +19,9 @@ constexpr double kNegligible = 2e-4;
 constexpr double kPointsPerPeriod = 12;
 constexpr double kLongest = 400;  // s
 // K has ended where it has been small for kSmallFor times as long as it was not, and for at least
-// kLeastPeriods periods of the highest frequency.
-constexpr size_t kSmallFor = 4, kLeastPeriods = 40;
-constexpr double kMostPoints = 20000;
+// kMinPeriods periods of the highest frequency.
+constexpr size_t kSmallFor = 4, kMinPeriods = 40;
+constexpr double kMaxPoints = 20000;
 
 double sinc(double x) { return std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x; }
 
@@ -62,7 +62,7 @@ Eigen::RowVectorXd RadiationMemory::retardation(double t) const {
 void RadiationMemory::tabulate() {
   const Eigen::Index n = entries();
   spacing_ = 2 * M_PI / omega_.back() / kPointsPerPeriod;
-  const auto most = static_cast<size_t>(std::min(kLongest / spacing_, kMostPoints));
+  const auto max_points = static_cast<size_t>(std::min(kLongest / spacing_, kMaxPoints));
   const Eigen::RowVectorXd scale = retardation(0).cwiseAbs();
   const double largest = scale.size() > 0 ? scale.maxCoeff() : 0;
   Eigen::RowVectorXd S = Eigen::RowVectorXd::Zero(n), rate = S;
@@ -73,8 +73,8 @@ void RadiationMemory::tabulate() {
       table_.insert(table_.end(), row->begin(), row->end());
   };
   keep(retardation(0));
-  const auto least = static_cast<size_t>(static_cast<double>(kLeastPeriods) * kPointsPerPeriod);
-  for (size_t p = 1; p <= most && largest > 0 && p < std::max(kSmallFor * needed, least); ++p) {
+  const auto min_points = static_cast<size_t>(static_cast<double>(kMinPeriods) * kPointsPerPeriod);
+  for (size_t p = 1; p <= max_points && largest > 0 && p < std::max(kSmallFor * needed, min_points); ++p) {
     const double from = static_cast<double>(p - 1) * spacing_;
     S += spacing_ * rate;
     for (int q = 0; q < 4; ++q) {
@@ -98,18 +98,18 @@ void RadiationMemory::tabulate() {
 // Quintic Hermite interpolation of S from S, S', K at both ends.
 void RadiationMemory::integrals(double t, double* S, double* rate) const {
   const auto n = static_cast<size_t>(entries());
-  const bool over = t >= length_;
+  const bool beyond = t >= length_;
   const size_t points = table_.size() / (3 * n);
   const size_t p = std::min(static_cast<size_t>(t / spacing_), points - 2);
-  const double s = over ? 1 : t / spacing_ - static_cast<double>(p), r = 1 - s, h = spacing_;
+  const double s = beyond ? 1 : t / spacing_ - static_cast<double>(p), r = 1 - s, h = spacing_;
   const double s3 = s * s * s, r3 = r * r * r;
   const double value0 = r3 * (1 + s * (3 + 6 * s)), value1 = s3 * (1 + r * (3 + 6 * r));
   const double slope0 = h * s * r3 * (1 + 3 * s), slope1 = -h * r * s3 * (1 + 3 * r);
   const double curve0 = 0.5 * h * h * s * s * r3, curve1 = 0.5 * h * h * r * r * s3;
   const double *S0 = &table_[3 * n * p], *rate0 = S0 + n, *K0 = rate0 + n;
   const double *S1 = K0 + n, *rate1 = S1 + n, *K1 = rate1 + n;
-  const auto row = [n](const double* of) {
-    return Eigen::Map<const Eigen::ArrayXd>(of, static_cast<int>(n));
+  const auto row = [n](const double* values) {
+    return Eigen::Map<const Eigen::ArrayXd>(values, static_cast<int>(n));
   };
   Eigen::Map<Eigen::ArrayXd>(S, static_cast<int>(n)) = value0 * row(S0) + slope0 * row(rate0) +
                                                        curve0 * row(K0) + value1 * row(S1) +
@@ -119,9 +119,9 @@ void RadiationMemory::integrals(double t, double* S, double* rate) const {
   const double dslope0 = r * r * (1 + 2 * s - 15 * s * s), dslope1 = s * s * (1 + 2 * r - 15 * r * r);
   const double dcurve0 = 0.5 * h * s * r * r * (2 - 5 * s), dcurve1 = -0.5 * h * r * s * s * (2 - 5 * r);
   for (size_t i = 0; i < n; ++i)
-    rate[i] = over ? 0
-                   : dvalue * (S1[i] - S0[i]) + dslope0 * rate0[i] + dslope1 * rate1[i] + dcurve0 * K0[i] +
-                         dcurve1 * K1[i];
+    rate[i] = beyond ? 0
+                     : dvalue * (S1[i] - S0[i]) + dslope0 * rate0[i] + dslope1 * rate1[i] + dcurve0 * K0[i] +
+                           dcurve1 * K1[i];
 }
 
 // On an interval B = c + s u, the integral of B/(u² - w²) is

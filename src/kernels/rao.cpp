@@ -68,8 +68,8 @@ std::vector<RaoTable::Turn> RaoTable::turns(double omega, double direction) cons
       const double small = std::min(std::abs(p), std::abs(q));
       if (!(small > kSmall * largest_[k]) || !((p * std::conj(q)).real() < 0)) continue;
       // Distance of the straight line from zero.
-      const double least = std::abs((p * std::conj(q)).imag()) / std::abs(q - p);
-      out.push_back({k, direction_[d], omega_[i], omega_[next], std::abs(std::arg(q / p)), small, least});
+      const double smallest = std::abs((p * std::conj(q)).imag()) / std::abs(q - p);
+      out.push_back({k, direction_[d], omega_[i], omega_[next], std::abs(std::arg(q / p)), small, smallest});
     }
     if (a == b) break;
   }
@@ -95,15 +95,15 @@ RaoMotion::RaoMotion(const RaoTable& table, const WaveField& waves, const Vec3& 
     const Response r = table.at(w.omega, std::atan2(w.y, w.x) - heading - yaw);
     // Elevation at the origin a cos(omega t - psi); motion a Re(r exp(i (omega t - psi))).
     const double psi = w.number * (w.x * origin.x() + w.y * origin.y()) + w.phase;
-    double in[6], out[6];  // coefficients of cos and sin omega t
+    double cosines[6], sines[6];  // coefficients of cos and sin omega t
     for (size_t k = 0; k < 6; ++k) {
       const std::complex<double> z = w.amplitude * r[k] * std::polar(1.0, -psi);
-      in[k] = z.real();
-      out[k] = -z.imag();
+      cosines[k] = z.real();
+      sines[k] = -z.imag();
     }
-    terms_.push_back({w.omega, w.number * w.x, w.number * w.y, turned(in[0], in[1], in[2]),
-                      turned(out[0], out[1], out[2]), turned(in[3], in[4], in[5]),
-                      turned(out[3], out[4], out[5])});
+    terms_.push_back({w.omega, w.number * w.x, w.number * w.y, turned(cosines[0], cosines[1], cosines[2]),
+                      turned(sines[0], sines[1], sines[2]), turned(cosines[3], cosines[4], cosines[5]),
+                      turned(sines[3], sines[4], sines[5])});
     highest_ = std::max(highest_, w.omega);
   }
 }
@@ -125,12 +125,12 @@ void RaoMotion::rows(double first, double step, size_t count, const Vec3& drifte
   // errors accumulate until the next row that is computed with cosines.
   constexpr size_t kCosines = 256;
   const auto n = static_cast<Eigen::Index>(terms_.size());
-  Eigen::Matrix<double, 6, Eigen::Dynamic> in(6, n), out(6, n);
+  Eigen::Matrix<double, 6, Eigen::Dynamic> cosines(6, n), sines(6, n);
   Eigen::VectorXd c(n), s(n), before(n), by_c(n), by_s(n);
   for (Eigen::Index k = 0; k < n; ++k) {
     const Term& m = terms_[static_cast<size_t>(k)];
-    in.col(k) << m.offset_cos, m.rotation_cos;
-    out.col(k) << m.offset_sin, m.rotation_sin;
+    cosines.col(k) << m.offset_cos, m.rotation_cos;
+    sines.col(k) << m.offset_sin, m.rotation_sin;
     by_c[k] = std::cos(m.omega * step);
     by_s[k] = std::sin(m.omega * step);
   }
@@ -143,7 +143,7 @@ void RaoMotion::rows(double first, double step, size_t count, const Vec3& drifte
         c[k] = std::cos(angle);
         s[k] = std::sin(angle);
       }
-    const Vec6 x = in * c + out * s;
+    const Vec6 x = cosines * c + sines * s;
     offset.emplace_back(x.head<3>());
     rotation.emplace_back(x.tail<3>());
     before = c;

@@ -10,12 +10,12 @@ namespace hawser {
 namespace {
 
 // Smallest tangent as a fraction of the secant; a smaller one would make a line limp beyond its table.
-constexpr double kLeast = 0.1;
+constexpr double kMinRatio = 0.1;
 
 std::vector<ResponseCurve::Row> through_zero(std::span<const ResponseCurve::Row> rows, bool odd) {
   std::vector<ResponseCurve::Row> out;
-  const auto bad = [](size_t row, const char* what) {
-    throw std::invalid_argument("row " + std::to_string(row + 1) + " " + what);
+  const auto bad = [](size_t row, const char* problem) {
+    throw std::invalid_argument("row " + std::to_string(row + 1) + " " + problem);
   };
   for (size_t i = 0; i < rows.size(); ++i) {
     const auto [e, f] = rows[i];
@@ -41,7 +41,7 @@ std::vector<ResponseCurve::Row> through_zero(std::span<const ResponseCurve::Row>
 }  // namespace
 
 ResponseCurve::ResponseCurve(std::span<const Row> rows, bool odd)
-    : curve_(through_zero(rows, odd), {}, kLeast) {
+    : curve_(through_zero(rows, odd), {}, kMinRatio) {
   const MonotoneCubic::Value zero = curve_.at(0);
   initial_ = zero.slope;
   integral_ = zero.integral;

@@ -73,9 +73,9 @@ double load_potential(const RigidBodyLoad& load, const RigidBodyState& s) {
 // F·(dx + dR arm) + M·theta, with theta the rotation vector of the displacement in space.
 double load_work(const RigidBodyLoad& load, const RigidBodyState& start, const RigidBodyState& s) {
   const Vec3 theta = start.q * log_so3(start.q.conjugate() * s.q);
-  const Vec3 way = s.x - start.x + s.q * load.arm - start.q * load.arm;
-  if (load.body_fixed) return (start.q * load.force).dot(way) + (start.q * load.moment).dot(theta);
-  return load.moment.dot(theta) + (load.constant ? 0 : load.force.dot(way));
+  const Vec3 displacement = s.x - start.x + s.q * load.arm - start.q * load.arm;
+  if (load.body_fixed) return (start.q * load.force).dot(displacement) + (start.q * load.moment).dot(theta);
+  return load.moment.dot(theta) + (load.constant ? 0 : load.force.dot(displacement));
 }
 
 double load_power(const RigidBodyLoad& load, const RigidBodyState& s) {

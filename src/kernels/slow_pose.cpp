@@ -21,20 +21,20 @@ SlowPose SlowPose::after(const Vec3& pose, double h, double period) const {
   const Vec3 s = (out.last - last) / h, lag = 2 / c * s;
   const Vec3 a = filtered - last + lag, b = rate - s + c * a;
   const double decay = std::exp(-c * h);
-  const Vec3 rest = decay * (a + h * b);
-  out.filtered = out.last - lag + rest;
-  out.rate = s + decay * b - c * rest;
+  const Vec3 decaying = decay * (a + h * b);
+  out.filtered = out.last - lag + decaying;
+  out.rate = s + decay * b - c * decaying;
   out.drift = s + decay * (drift - s + c * h * (b - c * a) - 0.5 * c * c * h * h * b);
   out.place = out.filtered + 2 / c * out.drift;
   return out;
 }
 
 // The same with s = pose/h and everything else zero: a = 2 s/c, b = s.
-SlowPose::Share SlowPose::share(double h, double period) {
+SlowPose::Derivatives SlowPose::derivatives(double h, double period) {
   const double c = 2 * M_PI / period, ch = c * h, decay = std::exp(-ch);
-  const double rest = decay * (2 / c + h), rate = 1 + decay - c * rest;
+  const double decaying = decay * (2 / c + h), rate = 1 + decay - c * decaying;
   const double drift = 1 - decay * (1 + ch + 0.5 * ch * ch);
-  return {(h - 2 / c + rest + 2 / c * drift) / h, (3 * rate - 2 * drift) / h};
+  return {(h - 2 / c + decaying + 2 / c * drift) / h, (3 * rate - 2 * drift) / h};
 }
 
 }  // namespace hawser

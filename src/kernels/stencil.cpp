@@ -16,7 +16,7 @@ struct Part {
 struct StencilPoint {
   size_t index = 0;
   bool couple = false;
-  const AttachedPosition* of = nullptr;
+  const AttachedPosition* attached = nullptr;
   std::array<Part, 2> parts;
   size_t count = 0;
 
@@ -49,13 +49,13 @@ AttachedForces::AttachedForces(int n, bool couples, bool derivatives)
 }
 
 void Stencil::to_blocks(const AttachedForces& g, bool turning, double* f, double* K, double* C) const {
-  std::array<StencilPoint, AttachedForces::kMost> rows;
+  std::array<StencilPoint, AttachedForces::kMaxRows> rows;
   size_t count = 0;
   for (size_t i = 0; i < g.positions; ++i) {
     const AttachedPosition& p = attached[i];
     StencilPoint& r = rows[count++];
     r.index = i;
-    r.of = &p;
+    r.attached = &p;
     if (p.position >= 0) r.add(p.position);
     if (p.rotation >= 0) r.add_turning(p.rotation, p.point.by_turn(), p.point.velocity_by_turn());
   }
@@ -64,7 +64,7 @@ void Stencil::to_blocks(const AttachedForces& g, bool turning, double* f, double
     StencilPoint& r = rows[count++];
     r.index = AttachedForces::kPositions + i;
     r.couple = true;
-    r.of = &turns[i];
+    r.attached = &turns[i];
     r.add_turning(turns[i].rotation, turns[i].point.R, Mat3::Zero());
   }
   const int m = 3 * blocks;
@@ -98,7 +98,7 @@ void Stencil::to_blocks(const AttachedForces& g, bool turning, double* f, double
         }
       if (!p.turns || !turning) continue;
       // Arm and couple, in material axes, rotate with the node.
-      const FramePoint& point = row.of->point;
+      const FramePoint& point = row.attached->point;
       put(K, p.block, p.block,
           wide::load(row.couple ? Mat3(hat(point.R.transpose() * F)) : point.moment_by_turn(F)));
     }

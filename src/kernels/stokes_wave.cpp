@@ -34,43 +34,43 @@ struct Dispersion {
 
 // Eqs 21 (Eulerian mean velocity known) and 24 (Stokes' known), zero at the wave number.
 template <class T>
-T dispersion(const StokesInput& in, const T& k) {
+T dispersion(const StokesInput& input, const T& k) {
   using std::sqrt;
-  const bool deep = !(in.depth > 0);
-  T kd = deep ? T(kDeep + 0.0 * k) : T(k * in.depth);
+  const bool deep = !(input.depth > 0);
+  T kd = deep ? T(kDeep + 0.0 * k) : T(k * input.depth);
   const T all = kd;
   if (kd > kDeep) kd = T(kDeep + 0.0 * k);
   const Dispersion<T> f(kd);
-  const T e = 0.5 * in.height * k, e2 = e * e;
+  const T e = 0.5 * input.height * k, e2 = e * e;
   T C2 = f.C2, C4 = f.C4;
-  if (in.transport && !deep) {
+  if (input.transport && !deep) {
     C2 = C2 + f.D2 / all;
     C4 = C4 + f.D4 / all;
   }
-  return sqrt(T(k / in.gravity)) * in.current - 2 * M_PI / in.period / sqrt(T(k * in.gravity)) + f.C0 +
-         e2 * C2 + e2 * e2 * C4;
+  return sqrt(T(k / input.gravity)) * input.current - 2 * M_PI / input.period / sqrt(T(k * input.gravity)) +
+         f.C0 + e2 * C2 + e2 * e2 * C4;
 }
 
-double solve(const StokesInput& in) {
-  const double omega = 2 * M_PI / in.period;
-  double k = wave_number(omega, in.depth, in.gravity);
+double solve(const StokesInput& input) {
+  const double omega = 2 * M_PI / input.period;
+  double k = wave_number(omega, input.depth, input.gravity);
   // First small waves on the current, because the wave number of still water may be far off.
-  for (const double height : {0.0, in.height}) {
-    StokesInput now = in;
+  for (const double height : {0.0, input.height}) {
+    StokesInput now = input;
     now.height = height;
-    bool found = false;
-    for (int i = 0; i < 60 && !found; ++i) {
+    bool converged = false;
+    for (int i = 0; i < 60 && !converged; ++i) {
       const Dual f = dispersion(now, Dual(k, Eigen::Matrix<double, 1, 1>(1.0)));
       const double slope = f.derivatives()[0];
       const double step = std::clamp(-f.value() / slope, -0.5 * k, k);
       k += step;
-      found = std::abs(step) <= 4e-16 * k || f.value() == 0;
-      if (i > 40) found |= std::abs(step) <= 1e-13 * k;
+      converged = std::abs(step) <= 4e-16 * k || f.value() == 0;
+      if (i > 40) converged |= std::abs(step) <= 1e-13 * k;
       if (!(slope > 0) || !std::isfinite(k)) break;  // no wave can run against this current
     }
-    if (!found)
+    if (!converged)
       throw std::invalid_argument("no wave of this height and period can run against a current of " +
-                                  std::to_string(in.current) + " m/s");
+                                  std::to_string(input.current) + " m/s");
   }
   return k;
 }

@@ -1,7 +1,7 @@
 // Normal force and friction with elastic slip at one point of a line against a volume or the seabed, and
-// their derivatives by position, velocity and roll by automatic differentiation. The scalar laws are in
-// contact_law.hpp (normal force) and friction_law.hpp; terms/contact_along_axis.cpp sums along an element,
-// terms/bed_contact.cpp over nodes.
+// their derivatives by position, velocity and roll: of the normal force by formula, of friction by automatic
+// differentiation. The scalar laws are in contact_law.hpp (normal force) and friction_law.hpp;
+// terms/contact_along_axis.cpp sums along an element, terms/bed_contact.cpp over nodes.
 #include "hawser/kernels/surface_contact_law.hpp"
 
 #include <unsupported/Eigen/AutoDiff>
@@ -26,7 +26,7 @@ using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, kTurn + kTurns, 1>>;
 template <int kTurns>
 PointState<Dual<kTurns>> dual(const ContactTrial& t, const NormalForce& n, const Rotation<kTurns>& r) {
   using D = Dual<kTurns>;
-  const auto made = [](double value, const Vec3& by_point, const Vec3& by_velocity) {
+  const auto make_dual = [](double value, const Vec3& by_point, const Vec3& by_velocity) {
     D d(value, D::DerType::Zero());
     d.derivatives().template head<3>() = by_point;
     d.derivatives().template segment<3>(kVelocity) = by_velocity;
@@ -34,17 +34,18 @@ PointState<Dual<kTurns>> dual(const ContactTrial& t, const NormalForce& n, const
   };
   const Vec3 none = Vec3::Zero();
   PointState<D> s;
-  s.gap = made(t.gap, t.normal, none);
-  s.force = made(n.force, n.by_gap * t.normal + n.by_rate * (t.curvature * t.velocity), n.by_rate * t.normal);
+  s.gap = make_dual(t.gap, t.normal, none);
+  s.force =
+      make_dual(n.force, n.by_gap * t.normal + n.by_rate * (t.curvature * t.velocity), n.by_rate * t.normal);
   for (int c = 0; c < 3; ++c) {
-    s.point[c] = made(t.point[c], Vec3::Unit(c), none);
-    s.normal[c] = made(t.normal[c], t.curvature.col(c), none);
-    s.velocity[c] = made(t.velocity[c], none, Vec3::Unit(c));
+    s.point[c] = make_dual(t.point[c], Vec3::Unit(c), none);
+    s.normal[c] = make_dual(t.normal[c], t.curvature.col(c), none);
+    s.velocity[c] = make_dual(t.velocity[c], none, Vec3::Unit(c));
   }
   s.lever = t.lever;
   s.step = t.step;
   for (int c = 0; c < 3 && t.lever > 0; ++c) {
-    s.turn[c] = made(r.turn[c], none, none);
+    s.turn[c] = make_dual(r.turn[c], none, none);
     s.turn[c].derivatives().template tail<kTurns>() = r.by.row(c).transpose();
   }
   return s;

@@ -33,8 +33,8 @@ TablePlace direction_place(const std::vector<double>& directions, double x) {
   const std::size_t after = above - directions.begin(), a = (after + n - 1) % n, b = after % n;
   if (a == b) return {a, b, 0};
   // Counted from the direction below; rounding of x - directions[a] could add a full turn.
-  const double way = within - directions[a];
-  return {a, b, (way < 0 ? way + 2 * M_PI : way) / all_round(directions[b] - directions[a])};
+  const double angle = within - directions[a];
+  return {a, b, (angle < 0 ? angle + 2 * M_PI : angle) / all_round(directions[b] - directions[a])};
 }
 
 DirectionGap direction_gap(const std::vector<double>& directions, double x) {

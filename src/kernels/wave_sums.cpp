@@ -45,10 +45,10 @@ double elevation(std::size_t n, const double* phase, const double* per_time, dou
                  double* __restrict cosine) {
   double sum = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const SineCosine of = sine_cosine(along_x[i] * x + along_y[i] * y + (phase[i] - per_time[i] * t));
-    sine[i] = of.sine;
-    cosine[i] = of.cosine;
-    sum += amplitude[i] * of.cosine;
+    const SineCosine angle = sine_cosine(along_x[i] * x + along_y[i] * y + (phase[i] - per_time[i] * t));
+    sine[i] = angle.sine;
+    cosine[i] = angle.cosine;
+    sum += amplitude[i] * angle.cosine;
   }
   return sum;
 }
@@ -83,8 +83,8 @@ WaveSums::WaveSums(std::vector<WaveComponent> components, double depth) : depth_
     height_beyond_[i] = height_beyond_[i + 1] + components[i].amplitude;
 }
 
-std::size_t WaveSums::up_to(double most) const {
-  const auto end = std::upper_bound(number_.begin(), number_.end(), most);
+std::size_t WaveSums::up_to(double largest_number) const {
+  const auto end = std::upper_bound(number_.begin(), number_.end(), largest_number);
   return (static_cast<std::size_t>(end - number_.begin()) + kVector - 1) / kVector * kVector;
 }
 

@@ -116,8 +116,8 @@ class Spreading {
     const auto density = [&](int i) { return std::pow(std::cos((first_ + i * step_) / 2), 2 * s); };
     for (int i = 0; i < kCells; ++i) below_[i + 1] = below_[i] + density(i) + density(i + 1);
   }
-  double angle(double share) const {
-    const double sum = std::min(share, 1 - 1e-12) * below_.back();  // a fraction of 1 has no unique angle
+  double angle(double fraction) const {
+    const double sum = std::min(fraction, 1 - 1e-12) * below_.back();  // a fraction of 1 has no unique angle
     const auto above = std::upper_bound(below_.begin() + 1, below_.end() - 1, sum);
     const auto i = above - below_.begin() - 1;
     return first_ + step_ * (static_cast<double>(i) + (sum - below_[i]) / (below_[i + 1] - below_[i]));

@@ -7,15 +7,15 @@
 namespace hawser {
 namespace {
 
-constexpr double kGrowth = 2;     // of steps outward
-constexpr int kMostFailures = 6;  // in one direction; each halves the step
+constexpr double kGrowth = 2;    // of steps outward
+constexpr int kMaxFailures = 6;  // in one direction; each halves the step
 
 }  // namespace
 
 RootSearch::RootSearch(double start, double step, double low, double high) : next_(start) {
-  way_[0].step = step;
-  way_[1].step = -step;
-  for (Way& w : way_) {
+  direction_[0].step = step;
+  direction_[1].step = -step;
+  for (Direction& w : direction_) {
     w.limit = w.step > 0 ? high : low;
     w.x = start;
     w.tried = w.step;
@@ -43,21 +43,21 @@ void RootSearch::add(double value) {
   if (count_++ == 0) {
     return begin(value);
   }
-  Way& w = way_[going_];
+  Direction& w = direction_[going_];
   if ((value > 0) != (w.f > 0)) {
     bracketed_ = true;
     x_[0] = next_;
     f_[0] = value;
     x_[1] = w.x;
     f_[1] = w.f;
-    share_ = f_[0] / (f_[0] - f_[1]);
-    next_ = x_[0] + std::clamp(share_, 0.02, 0.98) * (x_[1] - x_[0]);
+    fraction_ = f_[0] / (f_[0] - f_[1]);
+    next_ = x_[0] + std::clamp(fraction_, 0.02, 0.98) * (x_[1] - x_[0]);
     x_[2] = x_[1];
     f_[2] = f_[1];
     return;
   }
   // Changes the direction if the function moves away from zero in this one.
-  const bool away = count_ == 2 && std::abs(value) > std::abs(w.f) && !way_[1 - going_].ended;
+  const bool away = count_ == 2 && std::abs(value) > std::abs(w.f) && !direction_[1 - going_].ended;
   w.x = next_;
   w.f = value;
   w.step *= w.failures > 0 ? 1 : kGrowth;
@@ -68,29 +68,29 @@ void RootSearch::add(double value) {
 
 void RootSearch::fail() {
   if (bracketed_) {
-    if (++failures_ > kMostFailures) exhausted_ = true;
-    share_ *= 0.5;
-    next_ = x_[0] + share_ * (x_[1] - x_[0]);
+    if (++failures_ > kMaxFailures) exhausted_ = true;
+    fraction_ *= 0.5;
+    next_ = x_[0] + fraction_ * (x_[1] - x_[0]);
     return;
   }
   if (count_ == 0) return extend_range();
-  Way& w = way_[going_];
+  Direction& w = direction_[going_];
   w.limit = next_;
   w.step = 0.5 * (next_ - w.x);
-  if (++w.failures > kMostFailures) w.ended = true;
+  if (++w.failures > kMaxFailures) w.ended = true;
   outward();
 }
 
 // The search for a first value has already covered the side from which it came.
 void RootSearch::begin(double value) {
-  Way &there = way_[going_], &back = way_[1 - going_];
+  Direction &current = direction_[going_], &opposite = direction_[1 - going_];
   if (failures_at_start_ > 0) {
-    back.limit = there.x;
-    back.failures = 1;
-    back.ended = false;
+    opposite.limit = current.x;
+    opposite.failures = 1;
+    opposite.ended = false;
   }
-  there.ended = next_ == there.limit;
-  for (Way& w : way_) {
+  current.ended = next_ == current.limit;
+  for (Direction& w : direction_) {
     w.x = next_;
     w.f = value;
   }
@@ -101,11 +101,11 @@ void RootSearch::begin(double value) {
 // The start has no value: search at increasing distances on both sides.
 void RootSearch::extend_range() {
   if (failures_at_start_++ > 0) {
-    way_[going_].x = next_;
-    way_[going_].ended = next_ == way_[going_].limit;
+    direction_[going_].x = next_;
+    direction_[going_].ended = next_ == direction_[going_].limit;
   }
-  if (!way_[1 - going_].ended) going_ = 1 - going_;
-  Way& w = way_[going_];
+  if (!direction_[1 - going_].ended) going_ = 1 - going_;
+  Direction& w = direction_[going_];
   if (w.ended) {
     exhausted_ = true;
     return;
@@ -116,8 +116,8 @@ void RootSearch::extend_range() {
 }
 
 void RootSearch::outward() {
-  if (way_[going_].ended) going_ = 1 - going_;
-  const Way& w = way_[going_];
+  if (direction_[going_].ended) going_ = 1 - going_;
+  const Direction& w = direction_[going_];
   if (w.ended) {
     exhausted_ = true;
     return;
@@ -130,13 +130,13 @@ void RootSearch::outward() {
 
 void RootSearch::between() {
   const double xi = (x_[0] - x_[1]) / (x_[2] - x_[1]), phi = (f_[0] - f_[1]) / (f_[2] - f_[1]);
-  share_ = 0.5;
+  fraction_ = 0.5;
   if (phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi) {
     const double alpha = (x_[2] - x_[0]) / (x_[1] - x_[0]);
-    share_ = f_[0] / (f_[1] - f_[0]) * f_[2] / (f_[1] - f_[2]) +
-             alpha * f_[0] / (f_[2] - f_[0]) * f_[1] / (f_[2] - f_[1]);
+    fraction_ = f_[0] / (f_[1] - f_[0]) * f_[2] / (f_[1] - f_[2]) +
+                alpha * f_[0] / (f_[2] - f_[0]) * f_[1] / (f_[2] - f_[1]);
   }
-  next_ = x_[0] + share_ * (x_[1] - x_[0]);
+  next_ = x_[0] + fraction_ * (x_[1] - x_[0]);
 }
 
 }  // namespace hawser

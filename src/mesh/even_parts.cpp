@@ -61,7 +61,7 @@ class Places {
     return at == last();
   }
   // Smallest possible weight of the heaviest part, by bisection between the mean and the total.
-  double least_limit(int parts) const {
+  double smallest_limit(int parts) const {
     double low = whole() / parts, high = whole();
     while (high - low > kRounding * whole()) {
       const double middle = 0.5 * (low + high);
@@ -89,20 +89,20 @@ class Places {
 
 }  // namespace
 
-std::vector<int> cut_into_even_parts(std::span<const EqualItems> row, int parts, double most) {
+std::vector<int> cut_into_even_parts(std::span<const EqualItems> row, int parts, double max_ratio) {
   if (row.empty()) return std::vector<int>(static_cast<size_t>(parts) + 1, 0);
   Places p(row, CutKind::between_components);
-  double limit = most * p.whole() / parts;
+  double limit = max_ratio * p.whole() / parts;
   for (const CutKind worst : {CutKind::between_lines, CutKind::within_line})
     if (!p.fits(parts, limit)) p = Places(row, worst);
-  if (!p.fits(parts, limit)) limit = p.least_limit(parts);
+  if (!p.fits(parts, limit)) limit = p.smallest_limit(parts);
   const int last = p.last();
-  std::vector<int> cuts(static_cast<size_t>(parts) + 1, last), least(cuts);
+  std::vector<int> cuts(static_cast<size_t>(parts) + 1, last), earliest(cuts);
   cuts[0] = 0;
-  // least[k]: first place at which part k may begin, so that the rest fits into part k and those after it.
-  for (int k = parts - 1; k > 0; --k) least[k] = p.earliest(least[k + 1], limit);
+  // earliest[k]: first place at which part k may begin, so that the rest fits into part k and those after it.
+  for (int k = parts - 1; k > 0; --k) earliest[k] = p.earliest(earliest[k + 1], limit);
   for (int k = 1; k < parts; ++k) {
-    const int before_it = cuts[k - 1], low = std::max(least[k], before_it);
+    const int before_it = cuts[k - 1], low = std::max(earliest[k], before_it);
     const int high = std::max(low, p.furthest(before_it, limit));
     const double even = p.sum(before_it) + (p.whole() - p.sum(before_it)) / (parts - k + 1);
     const auto better = [&](int a, int b) {

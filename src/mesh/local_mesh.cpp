@@ -24,8 +24,8 @@ void pin(LocalMesh& l, int local) {
   const int other = l.node(local).pinned_to;
   if (other < 0) return;
   int& block = l.block[local];
-  if (const int here = l.find(other); here >= 0) {
-    block = l.block[here];
+  if (const int local_node = l.find(other); local_node >= 0) {
+    block = l.block[local_node];
     return;
   }
   const int first = l.first_block(other);
@@ -42,7 +42,7 @@ std::vector<BlockRun> block_runs(const Mesh& mesh, const NodeRanks& owner, int r
   std::vector<int> rank_of, count(static_cast<size_t>(ranks) + 1, 0);
   const std::span<const NodeRanks::Run> owners = owner.runs();
   for (const NodeRun& nodes : node_runs(mesh)) {
-    const int width = nodes.own       ? width_of(*nodes.own)
+    const int width = nodes.special   ? width_of(*nodes.special)
                       : nodes.rotates ? 2
                                       : 1,
               end = nodes.first + nodes.nodes;
@@ -62,7 +62,7 @@ std::vector<BlockRun> block_runs(const Mesh& mesh, const NodeRanks& owner, int r
 }
 
 // Numbers of the local elements in the mesh, ascending: those of owned nodes [0, owned) of a line or more.
-std::vector<int> own_elements(const Mesh& mesh, const NodeRanks& owner, int rank) {
+std::vector<int> local_elements(const Mesh& mesh, const NodeRanks& owner, int rank) {
   std::vector<int> out;
   for (const EvenPart& part : mesh.parts()) {
     const int last_node = part.first_node + part.lengths.elements;
@@ -107,7 +107,7 @@ LocalMesh local_mesh(const Mesh& mesh, const NodeRanks& owner, int rank, int ran
     if (owner.runs()[r].rank == rank)
       for (int n = owner.runs()[r].first; n < owner.end(r); ++n) l.global.push_back(n);
   l.owned = static_cast<int>(l.global.size());
-  const std::vector<int> elements = own_elements(mesh, owner, rank);
+  const std::vector<int> elements = local_elements(mesh, owner, rank);
   std::vector<int> ghosts;
   for (const int i : elements) {
     const Element e = mesh.element(i);
@@ -162,10 +162,10 @@ LineOwners line_owners(const LocalMesh& mesh) {
     const bool cut = !mesh.owner.whole(first, lines[l].nodes);
     const auto owned_end = mesh.global.begin() + mesh.owned;
     const auto owned = std::lower_bound(mesh.global.begin(), owned_end, first);
-    const bool here = owned != owned_end && *owned < end;
+    const bool local = owned != owned_end && *owned < end;
     if (cut) out.cut.push_back(line);
-    if (here) out.here.push_back(line);
-    if (here && !cut) out.uncut.push_back(line);
+    if (local) out.local.push_back(line);
+    if (local && !cut) out.uncut.push_back(line);
   }
   return out;
 }

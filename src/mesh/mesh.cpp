@@ -25,13 +25,13 @@ bool released(const model::Case& c, const model::Line& line, LineEnd line_end) {
 }
 
 // Nodes with properties that do not follow from the elements beside them.
-class OwnNodes {
+class SpecialNodes {
  public:
-  explicit OwnNodes(Mesh& mesh) : mesh_(mesh) {}
+  explicit SpecialNodes(Mesh& mesh) : mesh_(mesh) {}
   // To be changed.
   Node& at(int n) {
-    const auto found = nodes_.find(n);
-    return found != nodes_.end() ? found->second : nodes_.emplace(n, mesh_.node(n)).first->second;
+    const auto place = nodes_.find(n);
+    return place != nodes_.end() ? place->second : nodes_.emplace(n, mesh_.node(n)).first->second;
   }
   void store() const { mesh_.set(nodes_); }
 
@@ -43,7 +43,7 @@ class OwnNodes {
 // An end of a joint that rotates (the last one), or else the first end, shares its position with the other
 // ends; in a rigid joint the others that rotate are tied to it. Ends that are released later are tied to one
 // that is not, and have separate unknowns after the release.
-void join(const model::Case& c, const Mesh& m, OwnNodes& own) {
+void join(const model::Case& c, const Mesh& m, SpecialNodes& special) {
   std::unordered_map<std::string, std::vector<std::pair<size_t, LineEnd>>> ends_of;  // by joint
   for (size_t l = 0; l < c.lines.size(); ++l)
     for (const LineEnd end : kLineEnds)
@@ -59,39 +59,39 @@ void join(const model::Case& c, const Mesh& m, OwnNodes& own) {
       if (first < 0 || m.node(n).rotates) first = n;
     for (int n : ends)
       if (n != first) {
-        Node& node = own.at(n);
+        Node& node = special.at(n);
         (joint.rigid && node.rotates ? node.tied_to : node.pinned_to) = first;
       }
-    for (int n : leaving) own.at(n).tied_to = first;
+    for (int n : leaving) special.at(n).tied_to = first;
   }
 }
 
 // Ties ends to floating bodies, including ends that events attach to one.
-void tie(const model::Case& c, const Mesh& m, OwnNodes& own) {
+void tie(const model::Case& c, const Mesh& m, SpecialNodes& special) {
   for (const model::Event& e : c.events) {
     const model::Action& a = e.action;
     if (a.kind != model::Action::Kind::attach || !c.floats(c.body_index(a.body))) continue;
     const LineSpan& span = m.lines[c.line_index(a.line)];
-    own.at(span.end_node(a.line_end)).tied_to = m.body_node(c.body_index(a.body));
+    special.at(span.end_node(a.line_end)).tied_to = m.body_node(c.body_index(a.body));
   }
   for (size_t l = 0; l < c.lines.size(); ++l)
     for (const LineEnd end : kLineEnds) {
       const model::End& e = c.lines[l].end(end);
       if (e.kind != model::EndKind::body || !c.floats(c.body_index(e.body))) continue;
-      own.at(m.lines[l].end_node(end)).tied_to = m.body_node(c.body_index(e.body));
+      special.at(m.lines[l].end_node(end)).tied_to = m.body_node(c.body_index(e.body));
     }
 }
 
-void mark_two_sided(const model::Case& c, const Mesh& m, OwnNodes& own) {
+void mark_two_sided(const model::Case& c, const Mesh& m, SpecialNodes& special) {
   const std::span<const EvenPart> parts = m.parts();
   for (size_t p = 1; p < parts.size(); ++p)
     if (parts[p].line == parts[p - 1].line && parts[p].type != parts[p - 1].type)
-      own.at(parts[p].first_node).two_sided = true;
+      special.at(parts[p].first_node).two_sided = true;
   for (size_t l = 0; l < c.lines.size(); ++l) {
     const LineSpan& span = m.lines[l];
     const auto attach = [&](double at) {
       const int n = m.nearest_node(static_cast<int>(l), at);
-      if (n > span.first_node && n < span.first_node + span.nodes - 1) own.at(n).two_sided = true;
+      if (n > span.first_node && n < span.first_node + span.nodes - 1) special.at(n).two_sided = true;
     };
     for (const model::PointMass& p : c.lines[l].masses) attach(p.at);
     for (const model::PointLoad& p : c.lines[l].point_loads) attach(p.at);
@@ -136,17 +136,17 @@ Mesh build_mesh(const model::Case& c) {
     span.name = line.name;
     m.lines.push_back(span);
   }
-  OwnNodes own(m);
-  join(c, m, own);
-  mark_two_sided(c, m, own);
+  SpecialNodes special(m);
+  join(c, m, special);
+  mark_two_sided(c, m, special);
   for (size_t b = 0; b < c.bodies.size(); ++b) {
     m.bodies.push_back(c.bodies[b].name);
     if (!c.bodies[b].mass) continue;
     const int group = static_cast<int>(m.lines.size()) + m.nodes() - m.line_nodes();
     m.add(Node{group, 0, 0, true, static_cast<int>(b)});
   }
-  tie(c, m, own);
-  own.store();
+  tie(c, m, special);
+  special.store();
   for (size_t b = 0; b < c.bodies.size(); ++b)
     if (const auto& on = c.bodies[b].on)
       m.rides.emplace_back(static_cast<int>(b), m.nearest_node(c.line_index(on->line), on->at));

@@ -40,7 +40,7 @@ int MeshTable::add(TemperatureRows rows) {
   return static_cast<int>(rows_.size()) - 1;
 }
 
-void MeshTable::add(const Node& node) { own_.emplace_back(nodes_++, node); }
+void MeshTable::add(const Node& node) { special_.emplace_back(nodes_++, node); }
 
 void MeshTable::add(const Element& e) {
   if (!parts_.empty() && goes_on(parts_.back(), e)) {
@@ -61,11 +61,11 @@ void MeshTable::add(const Element& e) {
 
 void MeshTable::set(const std::map<int, Node>& changed) {
   std::vector<std::pair<int, Node>> all(changed.begin(), changed.end());
-  std::copy_if(own_.begin(), own_.end(), std::back_inserter(all),
-               [&](const auto& own) { return !changed.contains(own.first); });
+  std::copy_if(special_.begin(), special_.end(), std::back_inserter(all),
+               [&](const auto& special) { return !changed.contains(special.first); });
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   all.shrink_to_fit();
-  own_ = std::move(all);
+  special_ = std::move(all);
 }
 
 double MeshTable::arc_of(const EvenPart& part, int k) const {
@@ -77,9 +77,9 @@ double MeshTable::arc_of(const EvenPart& part, int k) const {
 }
 
 Node MeshTable::node_at(int n) const {
-  const auto own = std::lower_bound(own_.begin(), own_.end(), n,
-                                    [](const auto& o, int wanted) { return o.first < wanted; });
-  if (own != own_.end() && own->first == n) return own->second;
+  const auto special = std::lower_bound(special_.begin(), special_.end(), n,
+                                        [](const auto& o, int wanted) { return o.first < wanted; });
+  if (special != special_.end() && special->first == n) return special->second;
   const auto at = last_not_after(parts_, n, &EvenPart::first_node);
   const EvenPart& part = *at;
   const int k = n - part.first_node;
@@ -133,8 +133,8 @@ bool MeshTable::any_cable() const {
 }
 
 bool MeshTable::any_rotates() const {
-  return any_beam() ||
-         std::any_of(own_.begin(), own_.end(), [](const auto& own) { return own.second.rotates; });
+  return any_beam() || std::any_of(special_.begin(), special_.end(),
+                                   [](const auto& special) { return special.second.rotates; });
 }
 
 }  // namespace hawser

@@ -37,7 +37,7 @@ class Builder {
   Builder(const Mesh& mesh, int ranks, std::span<const int> uncut, const std::vector<GraphEdge>& joins)
       : mesh_(mesh), joins_(joins), runs_(node_runs(mesh)), kind_(mesh.lines.size(), kCut) {
     for (const NodeRun& r : runs_)
-      if (r.own)
+      if (r.special)
         if (const int with = carrier(mesh, r.first); with != r.first)
           out_.carried.emplace_back(r.first, with);
     find_places_of_bodies();
@@ -50,7 +50,7 @@ class Builder {
   GraphSequence take() { return std::move(out_); }
 
  private:
-  static constexpr int kCut = -1, kOwnRank = -2;  // otherwise: work of an uncut line that is a vertex
+  static constexpr int kCut = -1, kDedicatedRank = -2;  // otherwise: work of an uncut line that is a vertex
 
   const Mesh& mesh_;
   const std::vector<GraphEdge>& joins_;
@@ -84,21 +84,21 @@ class Builder {
   // Separate vertices or ranks for uncut lines.
   void place_uncut_lines(int ranks, std::span<const int> uncut) {
     std::vector<std::int64_t> work(mesh_.lines.size(), 0);
-    std::int64_t left = 0;
+    std::int64_t remaining_work = 0;
     for (const NodeRun& r : runs_) {
-      const std::int64_t here = static_cast<std::int64_t>(r.nodes) * work_of(r.rotates);
-      left += here;
-      if (r.first < mesh_.line_nodes()) work[line_of(r.first)] += here;
+      const std::int64_t run_work = static_cast<std::int64_t>(r.nodes) * work_of(r.rotates);
+      remaining_work += run_work;
+      if (r.first < mesh_.line_nodes()) work[line_of(r.first)] += run_work;
     }
     int rank = 0;
-    for (const auto& [of_line, line] : sorted_by_work(work, uncut)) {
+    for (const auto& [line_work, line] : sorted_by_work(work, uncut)) {
       const int free_ranks = ranks - rank;
-      if (free_ranks > 1 && of_line * free_ranks >= left) {
-        out_.own_ranks.emplace_back(line, rank++);
-        kind_[line] = kOwnRank;
-        left -= of_line;
+      if (free_ranks > 1 && line_work * free_ranks >= remaining_work) {
+        out_.dedicated_ranks.emplace_back(line, rank++);
+        kind_[line] = kDedicatedRank;
+        remaining_work -= line_work;
       } else {
-        kind_[line] = of_line;
+        kind_[line] = line_work;
       }
     }
   }
@@ -110,16 +110,16 @@ class Builder {
     for (const auto& [body, n] : beside_) last.insert(n);
     int line = -1;
     for (const NodeRun& r : runs_) {
-      const bool of_line = r.first < mesh_.line_nodes();
-      const bool begins = of_line && line_of(r.first) != line;
-      if (of_line) line = line_of(r.first);
-      if (of_line && kind_[line] != kCut) {
-        if (begins && kind_[line] != kOwnRank)
+      const bool on_line = r.first < mesh_.line_nodes();
+      const bool begins = on_line && line_of(r.first) != line;
+      if (on_line) line = line_of(r.first);
+      if (on_line && kind_[line] != kCut) {
+        if (begins && kind_[line] != kDedicatedRank)
           out_.pieces.push_back(
               {.first_node = r.first, .work = static_cast<int>(kind_[line]), .uncut = line});
         continue;
       }
-      if (of_line && !begins) chain_.emplace_back(r.first - 1, r.first);
+      if (on_line && !begins) chain_.emplace_back(r.first - 1, r.first);
       if (carrier_of(r.first) >= 0) continue;
       for (int n = r.first, end = r.first + r.nodes; n < end;) {
         int to = end;
@@ -139,7 +139,7 @@ class Builder {
   // Piece and vertex in it of a node; {-1, 0}: its line has a rank.
   std::pair<int, int> vertex_of(int n) const {
     if (const int with = carrier_of(n); with >= 0 && kind_of(n) == kCut) n = with;
-    if (kind_of(n) == kOwnRank) return {-1, 0};
+    if (kind_of(n) == kDedicatedRank) return {-1, 0};
     const bool whole = kind_of(n) != kCut;
     const int at = whole ? mesh_.lines[line_of(n)].first_node : n;
     const auto piece = last_not_after(out_.pieces, at, &Piece::first_node);
@@ -190,8 +190,8 @@ class Builder {
     DisjointSets joined(pieces.size());
     for (const GraphEdge& e : out_.edges) joined.unite(piece_at(e.from), piece_at(e.to));
     // Pieces are in the order of their first nodes.
-    const std::vector<int> of = joined.smallest_of_all();
-    for (size_t i = 0; i < pieces.size(); ++i) pieces[i].component = pieces[of[i]].first_node;
+    const std::vector<int> smallest = joined.smallest_of_all();
+    for (size_t i = 0; i < pieces.size(); ++i) pieces[i].component = pieces[smallest[i]].first_node;
     const auto key = [&](int i) {
       const Piece& p = pieces[i];
       const bool body = p.first_node >= mesh_.line_nodes();
@@ -241,7 +241,7 @@ std::vector<GraphEdge> joins(const Mesh& mesh, std::span<const std::pair<int, in
     edges.push_back({a, b, cost});
     edges.push_back({b, a, cost});
   };
-  for (const auto& [n, node] : mesh.own_nodes())
+  for (const auto& [n, node] : mesh.special_nodes())
     for (const int other : {node.pinned_to, node.tied_to})
       if (other >= 0) add(n, other, kChainCost);
   for (const auto& [a, b] : coupled) add(a, b, kCouplingCost);

@@ -52,8 +52,8 @@ struct GraphSequence {
   std::vector<Piece> pieces;  // in the order of the sequence
   std::vector<GraphEdge>
       edges;  // between positions, those inside of pieces excepted; sorted, both directions
-  std::vector<std::pair<int, int>> own_ranks;  // uncut lines with a separate rank, and that rank
-  std::vector<std::pair<int, int>> carried;    // nodes, and their carriers, by node
+  std::vector<std::pair<int, int>> dedicated_ranks;  // uncut lines with a separate rank, and that rank
+  std::vector<std::pair<int, int>> carried;          // nodes, and their carriers, by node
 };
 
 GraphSequence graph_sequence(const Mesh& mesh, int ranks, std::span<const int> uncut,

@@ -8,34 +8,34 @@ namespace {
 
 class Runs {
  public:
-  explicit Runs(const Mesh& mesh) : own_(mesh.own_nodes()) {}
-  // Appends nodes up to `end` that follow from their elements, except those with properties of their own.
+  explicit Runs(const Mesh& mesh) : special_(mesh.special_nodes()) {}
+  // Appends nodes up to `end` that follow from their elements, except special ones.
   void go(int end, int line, bool rotates) {
     while (at_ < end) {
-      if (next_ < own_.size() && own_[next_].first == at_) {
-        add_own();
+      if (next_ < special_.size() && special_[next_].first == at_) {
+        add_special();
         continue;
       }
-      const int to = next_ < own_.size() ? std::min(end, own_[next_].first) : end;
+      const int to = next_ < special_.size() ? std::min(end, special_[next_].first) : end;
       NodeRun* last = out.empty() ? nullptr : &out.back();
-      if (last && !last->own && last->line == line && last->rotates == rotates)
+      if (last && !last->special && last->line == line && last->rotates == rotates)
         last->nodes += to - at_;
       else
         out.push_back({at_, to - at_, line, rotates});
       at_ = to;
     }
   }
-  void add_own() {
-    const auto& [n, node] = own_[next_++];
+  void add_special() {
+    const auto& [n, node] = special_[next_++];
     out.push_back({n, 1, node.line, node.rotates, &node});
     at_ = n + 1;
   }
-  bool more() const { return next_ < own_.size(); }
+  bool more() const { return next_ < special_.size(); }
 
   std::vector<NodeRun> out;
 
  private:
-  std::span<const std::pair<int, Node>> own_;
+  std::span<const std::pair<int, Node>> special_;
   size_t next_ = 0;  // of own_
   int at_ = 0;       // node
 };
@@ -53,7 +53,7 @@ std::vector<NodeRun> node_runs(const Mesh& mesh) {
     runs.go(p.first_node + p.lengths.elements, p.line, p.beam);
     if (ends) runs.go(p.first_node + p.lengths.elements + 1, p.line, p.beam);
   }
-  while (runs.more()) runs.add_own();
+  while (runs.more()) runs.add_special();
   return std::move(runs.out);
 }
 

@@ -12,7 +12,7 @@ struct NodeRun {
   int first = 0, nodes = 0;
   int line = 0;
   bool rotates = false;
-  const Node* own = nullptr;
+  const Node* special = nullptr;
 };
 
 // All nodes of the mesh, in order; no run goes beyond its line. O(parts and nodes with properties of their

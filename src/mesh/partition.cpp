@@ -17,7 +17,7 @@
 namespace hawser {
 namespace {
 
-constexpr double kMostLoad = 1.07;  // work of a rank over its share, accepted to avoid further cuts
+constexpr double kMaxLoad = 1.07;  // work of a rank over the mean, accepted to avoid further cuts
 
 // Part of each vertex by METIS, with work in the ratio of `shares`. `edges`: sorted, in both directions.
 std::vector<int> metis_parts(std::span<const double> work, const std::vector<GraphEdge>& edges,
@@ -51,14 +51,14 @@ std::vector<int> metis_parts(std::span<const double> work, const std::vector<Gra
   return {part.begin(), part.end()};
 }
 
-// Calls what(second node) for the elements whose nodes belong to different ranks.
-template <class What>
-void for_cut_elements(const Mesh& mesh, const NodeRanks& owner, const What& what) {
+// Calls visit(second node) for the elements whose nodes belong to different ranks.
+template <class Visit>
+void for_cut_elements(const Mesh& mesh, const NodeRanks& owner, const Visit& visit) {
   for (const EvenPart& part : mesh.parts()) {
     const int last_node = part.first_node + part.lengths.elements;
     for (size_t r = owner.run_of(part.first_node) + 1; r < owner.runs().size(); ++r) {
       if (owner.runs()[r].first > last_node) break;
-      what(owner.runs()[r].first);
+      visit(owner.runs()[r].first);
     }
   }
 }
@@ -82,20 +82,20 @@ struct Component {
 struct SequenceCut {
   std::vector<int> first;    // position of each part, and the number of positions
   std::vector<double> load;  // work of each part
-  double most = 0;           // work that a part may have
+  double max_load = 0;       // work that a part may have
 
   int part_of(int position) const {
     return static_cast<int>(last_not_after(first, position) - first.begin());
   }
 };
 
-// Calls what(first vertex in the piece, vertices, part) for the runs of a piece that have the same part.
-template <class What>
-void for_parts_of(const Piece& p, const SequenceCut& cut, const What& what) {
+// Calls visit(first vertex in the piece, vertices, part) for the runs of a piece that have the same part.
+template <class Visit>
+void for_parts_of(const Piece& p, const SequenceCut& cut, const Visit& visit) {
   for (int i = 0; i < p.vertices;) {
     const int part = cut.part_of(p.position + i);
     const int end = std::min(p.vertices, cut.first[part + 1] - p.position);
-    what(i, end - i, part);
+    visit(i, end - i, part);
     i = end;
   }
 }
@@ -103,14 +103,14 @@ void for_parts_of(const Piece& p, const SequenceCut& cut, const What& what) {
 SequenceCut cut_sequence(const GraphSequence& sequence, int parts) {
   std::vector<EqualItems> row;
   for (const Piece& p : sequence.pieces) row.push_back({p.vertices, static_cast<double>(p.work), p.before});
-  SequenceCut cut{cut_into_even_parts(row, parts, kMostLoad),
+  SequenceCut cut{cut_into_even_parts(row, parts, kMaxLoad),
                   std::vector<double>(static_cast<size_t>(parts), 0)};
   for (const Piece& p : sequence.pieces)
     for_parts_of(p, cut, [&](int, int vertices, int part) {
       cut.load[part] += static_cast<double>(vertices) * p.work;
     });
   const double mean = std::accumulate(cut.load.begin(), cut.load.end(), 0.0) / parts;
-  cut.most = std::max(*std::max_element(cut.load.begin(), cut.load.end()), kMostLoad * mean);
+  cut.max_load = std::max(*std::max_element(cut.load.begin(), cut.load.end()), kMaxLoad * mean);
   return cut;
 }
 
@@ -141,17 +141,17 @@ Component component_of(const GraphSequence& sequence, std::span<const Piece> pie
 bool cut_again(Component& c, SequenceCut& cut) {
   const int first = c.part.front();
   const int parts = c.part.back() - first + 1;
-  std::vector<double> share(static_cast<size_t>(parts), 0);
-  for (size_t i = 0; i < c.part.size(); ++i) share[c.part[i] - first] += c.work[i];
-  if (*std::min_element(share.begin(), share.end()) <= 0) return false;
-  const std::vector<int> other = metis_parts(c.work, c.edges, share);
+  std::vector<double> part_work(static_cast<size_t>(parts), 0);
+  for (size_t i = 0; i < c.part.size(); ++i) part_work[c.part[i] - first] += c.work[i];
+  if (*std::min_element(part_work.begin(), part_work.end()) <= 0) return false;
+  const std::vector<int> other = metis_parts(c.work, c.edges, part_work);
   if (cost_of_cut(c.edges, [&](int i) { return other[i]; }) >=
       cost_of_cut(c.edges, [&](int i) { return c.part[i]; }))
     return false;
   std::vector<double> with(cut.load.begin() + first, cut.load.begin() + first + parts);
-  for (int p = 0; p < parts; ++p) with[p] -= share[p];
+  for (int p = 0; p < parts; ++p) with[p] -= part_work[p];
   for (size_t i = 0; i < c.part.size(); ++i) with[other[i]] += c.work[i];
-  if (*std::max_element(with.begin(), with.end()) > cut.most) return false;
+  if (*std::max_element(with.begin(), with.end()) > cut.max_load) return false;
   std::copy(with.begin(), with.end(), cut.load.begin() + first);
   for (size_t i = 0; i < c.part.size(); ++i) c.part[i] = first + other[i];
   return true;
@@ -166,7 +166,7 @@ struct OwnedRun {
 void assign(const Mesh& mesh, const GraphSequence& sequence, std::span<const Piece> pieces, int first_rank,
             SequenceCut& cut, std::vector<OwnedRun>& out) {
   const int begin = pieces.front().position, end = pieces.back().position + pieces.back().vertices;
-  const auto own = [&](const Piece& p, int vertex, int vertices, int part) {
+  const auto set_owner = [&](const Piece& p, int vertex, int vertices, int part) {
     if (p.uncut >= 0)
       out.push_back({p.first_node, mesh.lines[p.uncut].nodes, first_rank + part});
     else
@@ -176,20 +176,20 @@ void assign(const Mesh& mesh, const GraphSequence& sequence, std::span<const Pie
   if (parts > 1 && end - begin > parts)
     if (Component c = component_of(sequence, pieces, cut); cut_again(c, cut)) {
       for (const Piece& p : pieces)
-        for (int i = 0; i < p.vertices; ++i) own(p, i, 1, c.part[p.position + i - begin]);
+        for (int i = 0; i < p.vertices; ++i) set_owner(p, i, 1, c.part[p.position + i - begin]);
       return;
     }
   for (const Piece& p : pieces)
-    for_parts_of(p, cut, [&](int vertex, int vertices, int part) { own(p, vertex, vertices, part); });
+    for_parts_of(p, cut, [&](int vertex, int vertices, int part) { set_owner(p, vertex, vertices, part); });
 }
 
 NodeRanks owners(const Mesh& mesh, int ranks, std::span<const int> uncut,
                  const std::vector<GraphEdge>& joined) {
   const GraphSequence sequence = graph_sequence(mesh, ranks, uncut, joined);
-  const int first_rank = static_cast<int>(sequence.own_ranks.size());
+  const int first_rank = static_cast<int>(sequence.dedicated_ranks.size());
   SequenceCut cut = cut_sequence(sequence, ranks - first_rank);
   std::vector<OwnedRun> runs;
-  for (const auto& [line, rank] : sequence.own_ranks)
+  for (const auto& [line, rank] : sequence.dedicated_ranks)
     runs.push_back({mesh.lines[line].first_node, mesh.lines[line].nodes, rank});
   const std::span<const Piece> pieces = sequence.pieces;
   for (size_t begin = 0, end = 0; begin < pieces.size(); begin = end) {
@@ -250,8 +250,8 @@ Balance balance(const Mesh& mesh, const NodeRanks& owner, int ranks) {
   for (const NodeRun& nodes : node_runs(mesh)) {
     const int end = nodes.first + nodes.nodes;
     for (size_t r = owner.run_of(nodes.first); r < owner.runs().size() && owner.runs()[r].first < end; ++r) {
-      const int here = std::min(end, owner.end(r)) - std::max(nodes.first, owner.runs()[r].first);
-      load[owner.runs()[r].rank] += static_cast<double>(here) * work_of(nodes.rotates);
+      const int nodes_of_rank = std::min(end, owner.end(r)) - std::max(nodes.first, owner.runs()[r].first);
+      load[owner.runs()[r].rank] += static_cast<double>(nodes_of_rank) * work_of(nodes.rotates);
     }
   }
   const double sum = std::accumulate(load.begin(), load.end(), 0.0);

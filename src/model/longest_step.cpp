@@ -208,7 +208,7 @@ void add_free_bodies(const Case& c, bool driven, Shortest& afloat, Shortest& own
   for (const Link& l : c.links)
     for (const LinkEnd* e : {&l.end_a, &l.end_b})
       if (const int body = c.body_index(e->body); c.floats(body))
-        oscillates(own, c.bodies[body].mass->mass, l.law.most_stiffness(), e->body + " on link " + l.name);
+        oscillates(own, c.bodies[body].mass->mass, l.law.max_stiffness(), e->body + " on link " + l.name);
 }
 
 // Adds the initial rotation of bodies with mass.

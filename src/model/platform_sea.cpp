@@ -35,7 +35,7 @@ Mat6 wave_drift_damping(const BodyHydrodynamics& h, const std::vector<WaveCompon
   for (const WaveComponent& w : sea) {
     const TablePlace place = frequency_place(omega, w.omega);
     const Mat3 &low = h.drift_damping[place.low].second, &high = h.drift_damping[place.high].second;
-    sum += w.amplitude * w.amplitude * ((1 - place.share) * low + place.share * high);
+    sum += w.amplitude * w.amplitude * ((1 - place.weight) * low + place.weight * high);
   }
   for (size_t i = 0; i < 3; ++i)
     for (size_t j = 0; j < 3; ++j) out(kHorizontalFreedoms[i], kHorizontalFreedoms[j]) = sum(i, j);

@@ -17,7 +17,7 @@ const char* const kRecords = "deep contacts of lines";  // key in a checkpoint
 DeepContacts::DeepContacts(const Subject& subject)
     : subject_(subject), volumes_(case_indices_of_volumes(subject)) {}
 
-void DeepContacts::put(const Deepest& d, OfLines& to) {
+void DeepContacts::put(const Deepest& d, PerLine& to) {
   Deepest& deepest = to[d.line];
   if (d.factor > deepest.factor) deepest = d;
 }

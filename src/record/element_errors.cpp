@@ -83,7 +83,7 @@ void ElementErrors::output(const Snapshot& s) {
 }
 
 std::vector<Warning> ElementErrors::warnings(const std::vector<io::SummaryRow>& summary, const Audit&) {
-  OfLines<double> bent(mesh_, HUGE_VAL);
+  PerLine<double> bent(mesh_, HUGE_VAL);
   for (const io::SummaryRow& r : summary)
     if (r.quantity == "max bending moment") bent[case_.line_index(r.line)] = r.value;
   std::vector<Warning> out;

@@ -61,7 +61,7 @@ void LineExtremes::declare(Declarations& to) {
       auto q = std::find_if(quantities_.begin(), quantities_.end(),
                             [&](const Quantity& other) { return other.name == name; });
       if (q == quantities_.end())
-        q = quantities_.insert(q, {name, fields_[f].unit, {}, largest, OfLines<Extreme>(local_)});
+        q = quantities_.insert(q, {name, fields_[f].unit, {}, largest, PerLine<Extreme>(local_)});
       q->fields.push_back(f);
     }
   }

@@ -159,7 +159,7 @@ void PipeStrength::fill(const Snapshot& s, Values& values) {
 std::vector<Warning> PipeStrength::warnings(const std::vector<io::SummaryRow>&, const Audit&) {
   double most = pulled_;
   all_reduce(comm_, MPI_MAX, most);
-  if (!(most > kMostPulled) || rank_of(comm_) != 0) return {};
+  if (!(most > kMaxPulled) || rank_of(comm_) != 0) return {};
   return {{advice::beyond_pipe_formulas(most)}};
 }
 

@@ -26,7 +26,7 @@ constexpr int kSteps = 47;
 // The first line of those that joints hold together, of each line.
 std::vector<int> joined_lines(const Mesh& mesh) {
   DisjointSets joined(mesh.lines.size());
-  for (const auto& [number, n] : mesh.own_nodes())
+  for (const auto& [number, n] : mesh.special_nodes())
     for (const int to : {n.pinned_to, n.tied_to})
       if (n.body < 0 && to >= 0 && mesh.node(to).body < 0) joined.unite(n.line, mesh.node(to).line);
   return joined.smallest_of_all();

@@ -120,7 +120,7 @@ void HeldBodies::move(int body, const RigidPose& there) {
     state.x[i] += (1 - share) * way(line.end_a) + share * way(line.end_b);
   }
   here = there;
-  sim_.system().tied_nodes().follow(state);
+  sim_.system().tied_nodes().move_with_frames(state);
 }
 
 void HeldBodies::put(int body, const RigidPose& there) {

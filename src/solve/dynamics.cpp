@@ -23,7 +23,7 @@ constexpr double kCounted = 1e-5;
 // (kink_stiffness.hpp), since a line may lie on kinks between facets. What converges without them does so as
 // before: secants from the start make iterations slower in which contact sticks and slips (decision 036).
 constexpr int kWatched = 2, kOnKinks = 24;
-constexpr int kMostRaises = 40;  // Most raises of penalty stiffness within one try of a step.
+constexpr int kMaxRaises = 40;  // Most raises of penalty stiffness within one try of a step.
 // Arguments of SNESSetLagJacobian: compute no new tangent; compute one at the next iteration only.
 constexpr PetscInt kKeepTangent = -1, kNextTangent = -2;
 // Growth of the residual beyond which Newton's iteration has diverged. Contact alone may raise the residual
@@ -204,7 +204,7 @@ int Dynamics::try_step(double h) {
     if (!tries_.solved) break;
     load(u_.get());
     if (!system_.raise_stiffness(trial_.s.after_step(h_))) break;
-    tries_.solved = round < kMostRaises;
+    tries_.solved = round < kMaxRaises;
     if (!tries_.solved) break;
   }
   return tries_.info.iterations;
@@ -214,7 +214,7 @@ void Dynamics::commit() {
   // Adds the work of prescribed ends: reactions by the trapezoidal rule, mean forces by their mean.
   const std::vector<double>&now = system_.reactions(), &mean = system_.mean_forces();
   const LocalMesh& m = system_.mesh();
-  const auto of = [](const std::vector<double>& rows, size_t i) { return rows.empty() ? 0 : rows[i]; };
+  const auto entry = [](const std::vector<double>& rows, size_t i) { return rows.empty() ? 0 : rows[i]; };
   const auto add_work = [&](const auto& force) {
     for (const TiedNode& s : system_.tied_nodes().nodes()) {
       if (s.node >= m.owned || s.frame >= 0) continue;
@@ -225,9 +225,9 @@ void Dynamics::commit() {
           support_work_ += force(b + static_cast<size_t>(c)) * local_u_[b + static_cast<size_t>(c)];
     }
   };
-  add_work([&](size_t i) { return 0.5 * (reactions_[i] - of(mean_.f, i)); });
+  add_work([&](size_t i) { return 0.5 * (reactions_[i] - entry(mean_.f, i)); });
   alpha_mean_advance(alpha_, mean, mean_);
-  add_work([&](size_t i) { return 0.5 * (now[i] - of(mean_.f, i)) + of(mean, i); });
+  add_work([&](size_t i) { return 0.5 * (now[i] - entry(mean_.f, i)) + entry(mean, i); });
   reactions_ = now;
   std::swap(committed_, trial_);
   last_step_ = h_;
@@ -243,13 +243,13 @@ bool Dynamics::end_step() {
 }
 
 NodeValue Dynamics::largest_acceleration_change() const {
-  NodeValue most;  // After commit() trial_ is the previously committed state.
+  NodeValue largest;  // After commit() trial_ is the previously committed state.
   for (size_t n = 0; n < static_cast<size_t>(system_.mesh().owned); ++n) {
     const double change = (committed_.ax[n] - trial_.ax[n]).norm();
-    if (change > most.value) most = {change, system_.mesh().global[n]};
+    if (change > largest.value) largest = {change, system_.mesh().global[n]};
   }
-  MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE_INT, MPI_MAXLOC, system_.comm());
-  return most;
+  MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE_INT, MPI_MAXLOC, system_.comm());
+  return largest;
 }
 
 // Solves the mass matrix J_ for the residual r_. Returns minus the accelerations, ghosts included. Throws
@@ -279,12 +279,12 @@ void Dynamics::start(const State& state) {
   s.directors.clear();
   s.director_weight = 0;
   system_.tied_nodes().rates(s.time, s);
-  system_.tied_nodes().follow(s);
+  system_.tied_nodes().move_with_frames(s);
   last_step_ = 0;
   const double h = control_.proposal();
   prepare(h);
-  if (const auto found = system_.lost_in_rounding(s.at_rest()))
-    throw SolveError(advice::tension_lost_at(s.time, *found));
+  if (const auto line = system_.lost_in_rounding(s.at_rest()))
+    throw SolveError(advice::tension_lost_at(s.time, *line));
   s.mean = {};
   system_.residual(s.at_start(h), r_.get());
   mean_.q = mean_.f = system_.mean_forces();
@@ -296,7 +296,7 @@ void Dynamics::start(const State& state) {
     s.a[i] -= Eigen::Map<const Vec3>(p);
     if (system_.mesh().rotates(static_cast<int>(i))) s.alpha[i] -= Eigen::Map<const Vec3>(p + 3);
   }
-  system_.tied_nodes().follow(s);
+  system_.tied_nodes().move_with_frames(s);
   alpha_start(system_.mesh(), committed_);
   system_.residual(s.at_start(h), r_.get());
   reactions_ = system_.reactions();

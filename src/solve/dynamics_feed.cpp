@@ -10,7 +10,7 @@
 namespace hawser {
 namespace {
 
-constexpr int kMostSettling = 8;  // Most Newton iterations in settle().
+constexpr int kMaxSettling = 8;  // Most Newton iterations in settle().
 // m and rad: a larger correction of the node in settle() is not applied; it occurs where the line is slack.
 constexpr double kFarthest = 0.1;
 
@@ -73,16 +73,16 @@ void Dynamics::transfer_node(const std::function<std::optional<Moved>()>& change
 void Dynamics::settle(int node) {
   const LocalMesh& m = system_.mesh();
   const int n = m.find(node);
-  const bool own = n >= 0 && n < m.owned;
+  const bool owned = n >= 0 && n < m.owned;
   const std::vector<double> zero(3 * static_cast<size_t>(m.blocks()), 0);
-  for (int i = 0; i < kMostSettling; ++i) {
+  for (int i = 0; i < kMaxSettling; ++i) {
     State s = committed_.s;
     s.mean = {};
     const Kinematics at = before_step(s, control_.proposal());
     system_.residual(at, r_.get());
     system_.tangent(at, {1, 0, 0}, zero, false, J_.get());
     double going = 0;
-    if (own) {
+    if (owned) {
       const int block = m.block[static_cast<size_t>(n)], size = m.rotates(n) ? 6 : 3;
       PetscInt rows[6];
       for (int k = 0; k < size; ++k) rows[k] = 3 * m.global_block[static_cast<size_t>(block + k / 3)] + k % 3;

@@ -38,7 +38,7 @@ void Dynamics::match_tied_velocities(const TiedNodes& before, State& s) {
   const LocalMesh& m = system_.mesh();
   State held = s;
   system_.tied_nodes().rates(s.time, held);
-  system_.tied_nodes().follow(held);
+  system_.tied_nodes().move_with_frames(held);
   std::vector<int> newly_tied;
   for (const TiedNode& h : system_.tied_nodes().nodes())
     if (h.node < m.owned && h.position_mask == 7 && !holds(before, h.node)) newly_tied.push_back(h.node);
@@ -73,7 +73,7 @@ void Dynamics::match_tied_velocities(const TiedNodes& before, State& s) {
     if (m.rotates(static_cast<int>(i))) s.w[i] -= Eigen::Map<const Vec3>(p + 3);
   }
   system_.tied_nodes().rates(s.time, s);
-  system_.tied_nodes().follow(s);
+  system_.tied_nodes().move_with_frames(s);
   system_.update_ghosts(s);
 }
 

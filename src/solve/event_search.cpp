@@ -23,8 +23,8 @@ void weigh(std::vector<double>& stays, const std::vector<double>& before, const 
 double EventSearch::next(double h, double shortest, const std::vector<double>& end,
                          const std::vector<double>& at_start) {
   const bool beyond = std::any_of(end.begin(), end.end(), [](double g) { return g > 1; });
-  const bool there = std::any_of(end.begin(), end.end(), [](double g) { return g >= 0; });
-  if (beyond ? h - before_ <= 2 * shortest : beyond_ == 0 || there) return h;
+  const bool reached = std::any_of(end.begin(), end.end(), [](double g) { return g >= 0; });
+  if (beyond ? h - before_ <= 2 * shortest : beyond_ == 0 || reached) return h;
   std::vector<double> now(end);
   for (double& g : now) g -= kAim;
   if (beyond) {
@@ -42,14 +42,14 @@ double EventSearch::next(double h, double shortest, const std::vector<double>& e
     before_ = h;
     moved_ = -1;
   }
-  // Share of the interval at the first event. Functions above zero at the left end are not events.
-  double share = 1;
+  // Fraction of the interval at the first event. Functions above zero at the left end are not events.
+  double fraction = 1;
   for (size_t i = 0; i < left_.size(); ++i)
-    if (left_[i] < 0 && right_[i] > 0) share = std::min(share, left_[i] / (left_[i] - right_[i]));
-  if (share == 1) return h;
-  const double least = before_ + shortest;
-  return std::min(std::max(before_ + share * (beyond_ - before_), least),
-                  std::max(beyond_ - shortest, least));
+    if (left_[i] < 0 && right_[i] > 0) fraction = std::min(fraction, left_[i] / (left_[i] - right_[i]));
+  if (fraction == 1) return h;
+  const double earliest = before_ + shortest;
+  return std::min(std::max(before_ + fraction * (beyond_ - before_), earliest),
+                  std::max(beyond_ - shortest, earliest));
 }
 
 }  // namespace hawser

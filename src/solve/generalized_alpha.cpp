@@ -55,7 +55,7 @@ void alpha_trial(const LocalMesh& mesh, const TiedNodes& tied, const AlphaCoeffi
     trial.ad[n] = (rate1 - rate0 - k1 * from.ad[n]) / k2;
     s.directors[n] = m1 * trial.ad[n] + m0 * from.ad[n] - d0 * from.s.directors[n];
   }
-  tied.follow(s);
+  tied.move_with_frames(s);
   for (const TiedNode& p : tied.nodes()) {
     const size_t n = p.node;
     if (p.frame >= 0 && p.position_mask == 7) {
@@ -114,13 +114,13 @@ Weights alpha_weights(const AlphaCoefficients& c, double h) {
 }
 
 NodeValue alpha_turn(const LocalMesh& mesh, const std::vector<double>& u) {
-  NodeValue most;
+  NodeValue largest;
   for (size_t n = 0; n < static_cast<size_t>(mesh.owned); ++n) {
     if (!mesh.rotates(static_cast<int>(n))) continue;
     const double angle = Eigen::Map<const Vec3>(u.data() + 3 * mesh.block[n] + 3).norm();
-    if (angle > most.value) most = {angle, mesh.global[n]};
+    if (angle > largest.value) largest = {angle, mesh.global[n]};
   }
-  return most;
+  return largest;
 }
 
 double alpha_error(const LocalMesh& mesh, const AlphaCoefficients& c, double h, const AlphaState& from,

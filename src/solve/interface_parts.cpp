@@ -16,19 +16,20 @@ namespace {
 
 using Blocks = std::vector<PetscInt>;
 
-// Local rows of A: own columns, columns of other ranks and the global numbers of the latter, in blocks.
+// Local rows of A: columns of this rank, columns of other ranks and the global numbers of the latter, in
+// blocks.
 struct LocalRows {
   explicit LocalRows(Mat A) {
-    check(MatMPIBAIJGetSeqBAIJ(A, &own, &other, &ghosts));
+    check(MatMPIBAIJGetSeqBAIJ(A, &diagonal, &off_diagonal, &ghosts));
     PetscInt n = 0;
     check(MatGetLocalSize(A, &n, nullptr));
     owned = n / 3;
-    check(MatGetSize(other, nullptr, &n));
+    check(MatGetSize(off_diagonal, nullptr, &n));
     others = n / 3;
     check(MatGetOwnershipRange(A, &first, nullptr));
     first /= 3;
   }
-  Mat own = nullptr, other = nullptr;
+  Mat diagonal = nullptr, off_diagonal = nullptr;
   const PetscInt* ghosts = nullptr;
   PetscInt owned = 0, others = 0, first = 0;
 };
@@ -45,11 +46,11 @@ void for_each_block(Mat m, const Visit& visit) {
   check(MatRestoreRowIJ(m, 0, PETSC_FALSE, PETSC_TRUE, &rows, &starts, &columns, &done));
 }
 
-// Group of each local block (own ones, then ghosts) that the pattern connects: its first block.
+// Group of each local block (owned ones, then ghosts) that the pattern connects: its first block.
 Blocks connected(const LocalRows& local) {
   DisjointSets groups(static_cast<size_t>(local.owned + local.others));
-  for_each_block(local.own, [&](PetscInt row, PetscInt column) { groups.unite(row, column); });
-  for_each_block(local.other,
+  for_each_block(local.diagonal, [&](PetscInt row, PetscInt column) { groups.unite(row, column); });
+  for_each_block(local.off_diagonal,
                  [&](PetscInt row, PetscInt column) { groups.unite(row, local.owned + column); });
   const std::vector<int> first = groups.smallest_of_all();
   return {first.begin(), first.end()};
@@ -59,23 +60,24 @@ Blocks connected(const LocalRows& local) {
 // ghosts. Collective.
 Blocks labels(MPI_Comm comm, const LocalRows& local, PetscSF blocks) {
   const Blocks group = connected(local);
-  Blocks least(group.size());
-  for (PetscInt i = 0; i < local.owned; ++i) least[i] = local.first + i;
-  for (PetscInt i = 0; i < local.others; ++i) least[local.owned + i] = local.ghosts[i];
+  Blocks smallest(group.size());
+  for (PetscInt i = 0; i < local.owned; ++i) smallest[i] = local.first + i;
+  for (PetscInt i = 0; i < local.others; ++i) smallest[local.owned + i] = local.ghosts[i];
   bool changed = true;
   while (changed) {
-    Blocks of_group = least;
-    for (size_t i = 0; i < group.size(); ++i) of_group[group[i]] = std::min(of_group[group[i]], least[i]);
-    for (size_t i = 0; i < group.size(); ++i) least[i] = of_group[group[i]];
-    const Blocks before = least;
-    PetscInt* ghosts = least.data() + local.owned;
-    check(PetscSFReduceBegin(blocks, MPIU_INT, ghosts, least.data(), MPI_MIN));
-    check(PetscSFReduceEnd(blocks, MPIU_INT, ghosts, least.data(), MPI_MIN));
-    check(PetscSFBcastBegin(blocks, MPIU_INT, least.data(), ghosts, MPI_REPLACE));
-    check(PetscSFBcastEnd(blocks, MPIU_INT, least.data(), ghosts, MPI_REPLACE));
-    changed = on_any_rank(comm, least != before);
+    Blocks smallest_of_group = smallest;
+    for (size_t i = 0; i < group.size(); ++i)
+      smallest_of_group[group[i]] = std::min(smallest_of_group[group[i]], smallest[i]);
+    for (size_t i = 0; i < group.size(); ++i) smallest[i] = smallest_of_group[group[i]];
+    const Blocks before = smallest;
+    PetscInt* ghosts = smallest.data() + local.owned;
+    check(PetscSFReduceBegin(blocks, MPIU_INT, ghosts, smallest.data(), MPI_MIN));
+    check(PetscSFReduceEnd(blocks, MPIU_INT, ghosts, smallest.data(), MPI_MIN));
+    check(PetscSFBcastBegin(blocks, MPIU_INT, smallest.data(), ghosts, MPI_REPLACE));
+    check(PetscSFBcastEnd(blocks, MPIU_INT, smallest.data(), ghosts, MPI_REPLACE));
+    changed = on_any_rank(comm, smallest != before);
   }
-  return least;
+  return smallest;
 }
 
 // Index of an unknown block at the rank that solves its part: its index among all blocks solved there, the
@@ -124,26 +126,26 @@ SfHandle ghost_forest(MPI_Comm comm, PetscLayout layout, const LocalRows& local)
   return sf;
 }
 
-// This rank's share of each part, by label. blocks: ghost_forest(). Collective.
+// This rank's blocks of each part, by label. blocks: ghost_forest(). Collective.
 std::map<PetscInt, InterfacePart> find_parts(MPI_Comm comm, PetscLayout layout, const LocalRows& local,
                                              PetscSF blocks) {
   const Blocks label = labels(comm, local, blocks);
   const PetscInt* copies = nullptr;
   check(PetscSFComputeDegreeBegin(blocks, &copies));
   check(PetscSFComputeDegreeEnd(blocks, &copies));
-  std::map<PetscInt, InterfacePart> found;
+  std::map<PetscInt, InterfacePart> parts;
   for (PetscInt i = 0; i < local.owned; ++i)
-    if (copies[i] > 0) found[label[i]];
+    if (copies[i] > 0) parts[label[i]];
   for (PetscInt i = 0; i < local.others; ++i)
-    found[label[local.owned + i]].ghosts.push_back(static_cast<int>(i));
+    parts[label[local.owned + i]].ghosts.push_back(static_cast<int>(i));
   for (PetscInt i = 0; i < local.owned; ++i) {
-    const auto part = found.find(label[i]);
-    if (part == found.end()) continue;
+    const auto part = parts.find(label[i]);
+    if (part == parts.end()) continue;
     if (copies[i] > 0) part->second.shared.push_back(static_cast<int>(part->second.rows.size()));
     part->second.rows.push_back(static_cast<int>(i));
   }
-  for (auto& [name, part] : found) check(PetscLayoutFindOwner(layout, name, &part.solver));
-  return found;
+  for (auto& [name, part] : parts) check(PetscLayoutFindOwner(layout, name, &part.solver));
+  return parts;
 }
 
 // Parts that this rank solves, in the order of their labels; the blocks of a part are in the order of their
@@ -183,14 +185,14 @@ class SolvedParts {
 // Place of each shared block, as assigned by the rank that solves its part. asked: questions of other ranks.
 // Collective.
 std::vector<SolverIndex> places_of_shared(MPI_Comm comm, PetscMPIInt tag, const LocalRows& local,
-                                          const std::map<PetscInt, InterfacePart>& found,
+                                          const std::map<PetscInt, InterfacePart>& parts,
                                           const std::map<int, Question>& asked, const SolvedParts& solved) {
   std::map<int, std::vector<SolverIndex>> answers, places;
   for (const auto& [rank, list] : asked)
     for_each_asked(
         list, [&](PetscInt name, PetscInt block) { answers[rank].push_back(solved.place(name, block)); });
-  std::map<int, std::vector<int>> rows;  // own blocks that each rank was asked about
-  for (const auto& [name, part] : found)
+  std::map<int, std::vector<int>> rows;  // owned blocks that each rank was asked about
+  for (const auto& [name, part] : parts)
     for (const int k : part.shared) rows[part.solver].push_back(part.rows[k]);
   for (const auto& [rank, blocks] : rows) places[rank].resize(blocks.size());
   exchange_lists(comm, tag, answers, places);
@@ -201,9 +203,9 @@ std::vector<SolverIndex> places_of_shared(MPI_Comm comm, PetscMPIInt tag, const 
 }
 
 // Questions to the ranks that solve the parts.
-std::map<int, Question> questions_on(const LocalRows& local, const std::map<PetscInt, InterfacePart>& found) {
+std::map<int, Question> questions_on(const LocalRows& local, const std::map<PetscInt, InterfacePart>& parts) {
   std::map<int, Question> out;
-  for (const auto& [name, part] : found) {
+  for (const auto& [name, part] : parts) {
     if (part.shared.empty()) continue;
     Question& list = out[part.solver];
     list.insert(list.end(), {name, static_cast<PetscInt>(part.shared.size())});
@@ -214,27 +216,27 @@ std::map<int, Question> questions_on(const LocalRows& local, const std::map<Pets
 
 // Places of the ghosts, sent by their owners. Collective.
 std::vector<SolverIndex> places_of_ghosts(const LocalRows& local, PetscSF blocks,
-                                          const std::vector<SolverIndex>& own) {
+                                          const std::vector<SolverIndex>& owned) {
   std::vector<SolverIndex> out(static_cast<size_t>(local.others));
   const MessageType<SolverIndex> place;
-  check(PetscSFBcastBegin(blocks, place, own.data(), out.data(), MPI_REPLACE));
-  check(PetscSFBcastEnd(blocks, place, own.data(), out.data(), MPI_REPLACE));
+  check(PetscSFBcastBegin(blocks, place, owned.data(), out.data(), MPI_REPLACE));
+  check(PetscSFBcastEnd(blocks, place, owned.data(), out.data(), MPI_REPLACE));
   return out;
 }
 
-// Star forests from this rank's share of each part to the rank that solves it.
+// Star forests from this rank's blocks of each part to the rank that solves it.
 struct Forests {
   SfHandle shared, ghosts, matrices;
 };
-// own, others: places of own blocks that are shared, and of ghosts. Collective.
+// owned, others: places of owned blocks that are shared, and of ghosts. Collective.
 Forests build_forests(MPI_Comm comm, const std::vector<InterfacePart>& parts,
-                      const std::vector<SolverIndex>& own, const std::vector<SolverIndex>& others,
+                      const std::vector<SolverIndex>& owned, const std::vector<SolverIndex>& others,
                       const SolvedParts& solved) {
   std::vector<PetscSFNode> shared, ghosts, matrices;
   for (const InterfacePart& part : parts) {
     for (const int j : part.ghosts) ghosts.push_back({part.solver, others[j].at});
     for (const int k : part.shared) {
-      const SolverIndex& row = own[part.rows[k]];
+      const SolverIndex& row = owned[part.rows[k]];
       shared.push_back({part.solver, row.at});
       for (const int j : part.ghosts) {
         const PetscInt column = others[j].at - others[j].first;
@@ -253,22 +255,22 @@ InterfaceParts::InterfaceParts(Mat A) {
   const LocalRows local(A);
   PetscLayout layout = nullptr;
   check(PetscLayoutCreateFromSizes(comm, local.owned, PETSC_DETERMINE, 1, &layout));
-  const Handle<PetscLayout, PetscLayoutDestroy> of_blocks(layout);
+  const Handle<PetscLayout, PetscLayoutDestroy> block_layout(layout);
   const SfHandle blocks = ghost_forest(comm, layout, local);
-  std::map<PetscInt, InterfacePart> found = find_parts(comm, layout, local, blocks.get());
+  std::map<PetscInt, InterfacePart> parts = find_parts(comm, layout, local, blocks.get());
 
   PetscMPIInt tag = 0;
   check(PetscObjectGetNewTag(reinterpret_cast<PetscObject>(A), &tag));
-  const std::map<int, Question> asked = send_lists(comm, tag, questions_on(local, found));
+  const std::map<int, Question> asked = send_lists(comm, tag, questions_on(local, parts));
   const SolvedParts solved(asked);
-  const std::vector<SolverIndex> own = places_of_shared(comm, tag, local, found, asked, solved);
-  const std::vector<SolverIndex> ghosts = places_of_ghosts(local, blocks.get(), own);
+  const std::vector<SolverIndex> owned = places_of_shared(comm, tag, local, parts, asked, solved);
+  const std::vector<SolverIndex> ghosts = places_of_ghosts(local, blocks.get(), owned);
 
   solved_ = solved.sizes;
   for (const int size : solved_) largest_ = std::max(largest_, 3 * size);
   all_reduce(comm, MPI_MAX, largest_);
-  for (auto& [name, part] : found) parts_.push_back(std::move(part));
-  Forests forests = build_forests(comm, parts_, own, ghosts, solved);
+  for (auto& [name, part] : parts) parts_.push_back(std::move(part));
+  Forests forests = build_forests(comm, parts_, owned, ghosts, solved);
   shared_ = std::move(forests.shared);
   ghosts_ = std::move(forests.ghosts);
   matrices_ = std::move(forests.matrices);

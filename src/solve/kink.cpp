@@ -9,7 +9,7 @@
 namespace hawser {
 namespace {
 
-constexpr size_t kMostSides = 4;
+constexpr size_t kMaxSides = 4;
 
 double dot(Vec a, Vec b) {
   PetscScalar x = 0;
@@ -32,30 +32,30 @@ Eigen::VectorXd smallest_combination(const Eigen::MatrixXd& G) {
   const auto n = G.rows();
   const double unit = std::max(G.diagonal().maxCoeff(), 1e-300);
   Eigen::VectorXd best = Eigen::VectorXd::Unit(n, 0);
-  double least = G(0, 0);
+  double smallest = G(0, 0);
   for (unsigned set = 1; set < 1U << n; ++set) {
-    std::vector<Eigen::Index> in;
+    std::vector<Eigen::Index> members;
     for (Eigen::Index i = 0; i < n; ++i)
-      if (set >> i & 1) in.push_back(i);
+      if (set >> i & 1) members.push_back(i);
     // G l + mu = 0, sum l = 1 for the members of the set.
-    const auto m = static_cast<Eigen::Index>(in.size());
+    const auto m = static_cast<Eigen::Index>(members.size());
     Eigen::MatrixXd A = Eigen::MatrixXd::Ones(m + 1, m + 1);
-    A.topLeftCorner(m, m) = G(in, in) / unit;
+    A.topLeftCorner(m, m) = G(members, members) / unit;
     A(m, m) = 0;
     const Eigen::VectorXd x = A.fullPivLu().solve(Eigen::VectorXd::Unit(m + 1, m));
     if (!x.allFinite() || x.head(m).minCoeff() < 0 || std::abs(x.head(m).sum() - 1) > 1e-9) continue;
     Eigen::VectorXd l = Eigen::VectorXd::Zero(n);
-    l(in) = x.head(m);
+    l(members) = x.head(m);
     const double value = l.dot(G * l);
-    if (value >= least) continue;
-    least = value;
+    if (value >= smallest) continue;
+    smallest = value;
     best = l;
   }
   return best;
 }
 
 void KinkSides::add(const std::vector<double>& from_state, Vec like) {
-  if (sides_.size() == kMostSides) sides_.erase(sides_.begin());
+  if (sides_.size() == kMaxSides) sides_.erase(sides_.begin());
   sides_.push_back({from_state, {}});
   check(VecDuplicate(like, sides_.back().r.out()));
 }
@@ -63,7 +63,7 @@ void KinkSides::add(const std::vector<double>& from_state, Vec like) {
 void KinkSides::evaluate(System& system, const State& state, State& trial) {
   for (Side& side : sides_) {
     retract(system.mesh(), state, side.from_state.data(), trial);
-    system.tied_nodes().follow(trial);
+    system.tied_nodes().move_with_frames(trial);
     system.residual(trial.at_rest(), side.r.get());
   }
 }
@@ -94,9 +94,9 @@ void KinkSides::combine(KSP solver, Vec r, Vec y) const {
 }
 
 double KinkSides::slope(Vec u) const {
-  double most = -HUGE_VAL;
-  for (const Side& side : sides_) most = std::max(most, dot(side.r.get(), u));
-  return most;
+  double largest = -HUGE_VAL;
+  for (const Side& side : sides_) largest = std::max(largest, dot(side.r.get(), u));
+  return largest;
 }
 
 }  // namespace hawser

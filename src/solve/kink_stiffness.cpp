@@ -29,8 +29,8 @@ bool KinkStiffness::observe(const double* u, Vec r, double relative) {
   check(VecGetLocalSize(r, &size));
   const std::vector<double> before(std::move(last_));
   last_.assign(u, u + size);
-  stale_ = iterations_ > 0 && relative > 0.5 * least_ ? stale_ + 1 : 0;
-  least_ = iterations_ > 0 ? std::min(least_, relative) : relative;
+  stale_ = iterations_ > 0 && relative > 0.5 * smallest_residual_ ? stale_ + 1 : 0;
+  smallest_residual_ = iterations_ > 0 ? std::min(smallest_residual_, relative) : relative;
   ++iterations_;
   if (!active_) {
     active_ = stale_ >= kStale && relative < kAlmost;
@@ -42,12 +42,12 @@ bool KinkStiffness::observe(const double* u, Vec r, double relative) {
   check(VecGetArrayRead(r, &p));
   for (size_t b = 0; b < blocks_.size(); ++b) {
     Block& k = blocks_[b];
-    const Eigen::Map<const Vec3> now(last_.data() + 3 * b), then(before.data() + 3 * b), left(p + 3 * b);
+    const Eigen::Map<const Vec3> now(last_.data() + 3 * b), then(before.data() + 3 * b), residual(p + 3 * b);
     const Vec3 d = now - then;
     k.distance += d.norm();
-    const double rise = left.dot(d);
-    if (!(rise > kRounding * left.norm() * d.norm())) continue;
-    k.S += left * left.transpose() / rise;
+    const double rise = residual.dot(d);
+    if (!(rise > kRounding * residual.norm() * d.norm())) continue;
+    k.S += residual * residual.transpose() / rise;
     k.jump = k.S * d;
     k.distance = d.norm();
     ++k.rises;
@@ -77,8 +77,8 @@ ResidualNorms KinkStiffness::norms_without_jumps(const System& system, Vec r, do
   for (size_t b = 0; b < blocks_.size(); ++b) {
     const Block& k = blocks_[b];
     if (k.rises < 2 || k.distance > within) continue;
-    Eigen::Map<Vec3> left(p + 3 * b);
-    left -= std::clamp(left.dot(k.jump) / k.jump.squaredNorm(), 0.0, 1.0) * k.jump;
+    Eigen::Map<Vec3> residual(p + 3 * b);
+    residual -= std::clamp(residual.dot(k.jump) / k.jump.squaredNorm(), 0.0, 1.0) * k.jump;
   }
   check(VecRestoreArray(without_jumps.get(), &p));
   return system.norms(without_jumps.get());

@@ -56,10 +56,10 @@ class Laying {
     // (h_b⁴ x_a + h_a⁴ x_b)/(h_a⁴ + h_b⁴). This is continuous in the heights h, and for a leg with a padeye
     // it is practically the place laid from its anchor.
     const double tiny = 1e-40 * std::pow(mesh_.lines[l].length, 4);
-    const double share = (std::pow(a, 4) + tiny) / (std::pow(a, 4) + std::pow(b, 4) + 2 * tiny);
+    const double weight = (std::pow(a, 4) + tiny) / (std::pow(a, 4) + std::pow(b, 4) + 2 * tiny);
     std::vector<Vec3> out = places({l, LineEnd::A});
     const std::vector<Vec3> other = places({l, LineEnd::B});
-    for (size_t i = 0; i < out.size(); ++i) out[i] += share * (other[i] - out[i]);
+    for (size_t i = 0; i < out.size(); ++i) out[i] += weight * (other[i] - out[i]);
     return out;
   }
 
@@ -85,9 +85,9 @@ class Laying {
     if (line.start != model::Start::straight && line.start != model::Start::points &&
         line.start != model::Start::other_run)
       return false;
-    const double most = model::laying_reach(c_, line) + 0.5 * model::contact_diameter_of(c_, line);
+    const double largest_height = model::laying_reach(c_, line) + 0.5 * model::contact_diameter_of(c_, line);
     return std::all_of(starts_[l].begin(), starts_[l].end(),
-                       [&](const Vec3& x) { return model::height_above_bed(bed_, x) < most; });
+                       [&](const Vec3& x) { return model::height_above_bed(bed_, x) < largest_height; });
   }
 
   // A frame of many lines has too many paths through its joints to follow them all, so the shortest are
@@ -95,11 +95,11 @@ class Laying {
   Holder holder(const Side& s) const {
     if (end(s).kind == model::EndKind::free) return {};
     if (end(s).kind != model::EndKind::joint) return {height_of(s), false, {}};
-    struct Way {
+    struct Path {
       Side first;  // side of the line at the joint of s with which the path begins
       Side to;     // end that the path has reached
     };
-    std::multimap<double, Way> open;  // by path length
+    std::multimap<double, Path> open;  // by path length
     std::set<std::string> reached;
     const auto go_on = [&](const std::string& joint, double length, const Side* first) {
       if (!reached.insert(joint).second) return;
@@ -112,10 +112,10 @@ class Laying {
     };
     go_on(end(s).body, 0, nullptr);
     while (!open.empty()) {
-      const auto [length, way] = *open.begin();
+      const auto [length, path] = *open.begin();
       open.erase(open.begin());
-      if (end(way.to).kind != model::EndKind::joint) return {length, true, way.first};
-      go_on(end(way.to).body, length, &way.first);
+      if (end(path.to).kind != model::EndKind::joint) return {length, true, path.first};
+      go_on(end(path.to).body, length, &path.first);
     }
     return {};
   }
@@ -133,11 +133,11 @@ class Laying {
   // Unit vector along the bed in the direction of a chord; zero if the chord is vertical.
   Vec3 along_bed(const Vec3& from, const Vec3& to) const {
     constexpr double kUpright = 1e-3;
-    Vec3 way(to.x() - from.x(), to.y() - from.y(), 0);
-    if (!(way.norm() > kUpright * (to - from).norm())) return Vec3::Zero();
+    Vec3 direction(to.x() - from.x(), to.y() - from.y(), 0);
+    if (!(direction.norm() > kUpright * (to - from).norm())) return Vec3::Zero();
     const Vec3 n = nearest_normal(from);
-    if (n.z() > kUpright) way.z() = -n.dot(way) / n.z();
-    return way.normalized();
+    if (n.z() > kUpright) direction.z() = -n.dot(direction) / n.z();
+    return direction.normalized();
   }
 
   // The place on the bed from which a line of this radius is laid if its end is at x, and how far the line
@@ -212,9 +212,10 @@ class Laying {
     // straight.
     const bool straight = line.starts_by_itself() && (line.end_a.kind == model::EndKind::joint ||
                                                       line.end_b.kind == model::EndKind::joint);
-    Vec3 way = along_bed(start[node(0)], start[node(last)]);
-    if (!straight) way.setZero();
-    for (int i = 0; way.isZero() && i < last; ++i) way = along_bed(start[node(i)], start[node(i + 1)]);
+    Vec3 direction = along_bed(start[node(0)], start[node(last)]);
+    if (!straight) direction.setZero();
+    for (int i = 0; direction.isZero() && i < last; ++i)
+      direction = along_bed(start[node(i)], start[node(i + 1)]);
     std::vector<Vec3> out(start.size());
     Vec3 x = start_of(s);
     const std::string& type = line.end_section(s.end).type;
@@ -234,8 +235,8 @@ class Laying {
         const double chord = (to - from).norm();
         if (chord > 0) x += natural / chord * (to - from);
       } else {
-        if (const Vec3 here = along_bed(from, to); !straight && !here.isZero()) way = here;
-        x += natural / e.length * down.reach(laid, e.length) * way;
+        if (const Vec3 along = along_bed(from, to); !straight && !along.isZero()) direction = along;
+        x += natural / e.length * down.reach(laid, e.length) * direction;
       }
       laid += e.length;
       out[node(i + 1)] = x;

@@ -17,7 +17,7 @@ constexpr int kRows = 3, kSize = kRows * kRows;  // of a block
 // Fill, and with it the cost of LU, grows steeply with the pairs of nodes in the pattern: for two layers on a
 // drum, LU with all candidates costs five times as much as with those that touch.
 struct NonzeroBlocks {
-  Mat of = nullptr;  // matrix from which the pattern was taken, and the state of its pattern then
+  Mat source = nullptr;  // matrix from which the pattern was taken, and the state of its pattern then
   PetscObjectState pattern = 0;
   std::vector<char> used;          // for each of its blocks: whether it has ever been nonzero
   Handle<Mat, MatDestroy> matrix;  // of the used blocks alone
@@ -65,7 +65,7 @@ PetscErrorCode make_matrix(MPI_Comm comm, const Stored& m, NonzeroBlocks& s) {
   PetscFunctionReturn(0);
 }
 
-PetscErrorCode take_over(Mat A, NonzeroBlocks& s) {
+PetscErrorCode copy_nonzero_blocks(Mat A, NonzeroBlocks& s) {
   PetscFunctionBegin;
   PetscObjectState pattern = 0;
   PetscCall(MatGetNonzeroState(A, &pattern));
@@ -75,8 +75,8 @@ PetscErrorCode take_over(Mat A, NonzeroBlocks& s) {
   if (!known) SETERRQ(PETSC_COMM_SELF, PETSC_ERR_SUP, "a matrix without rows of blocks");
   PetscCall(MatSeqBAIJGetArray(A, &m.values));
   const size_t blocks = m.starts[m.rows];
-  if (A != s.of || pattern != s.pattern || s.used.size() != blocks) s.used.assign(blocks, 0);
-  s.of = A;
+  if (A != s.source || pattern != s.pattern || s.used.size() != blocks) s.used.assign(blocks, 0);
+  s.source = A;
   s.pattern = pattern;
   if (find_used(m, s.used) || !s.matrix)
     PetscCall(make_matrix(PetscObjectComm(reinterpret_cast<PetscObject>(A)), m, s));
@@ -109,7 +109,7 @@ PetscErrorCode set_up_lu(PC pc) {
     PetscCall(PCSetOptionsPrefix(s->lu.get(), prefix));
     if (prefix) PetscCall(PCSetFromOptions(s->lu.get()));
   }
-  PetscCall(take_over(A, *s));
+  PetscCall(copy_nonzero_blocks(A, *s));
   PetscCall(PCSetUp(s->lu.get()));
   PCFailedReason reason = PC_NOERROR;
   PetscCall(PCGetFailedReason(s->lu.get(), &reason));

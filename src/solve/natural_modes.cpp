@@ -23,13 +23,13 @@ namespace {
 // there even if the system can move freely.
 constexpr double kTarget = -4e-5;  // rad²/s²
 constexpr double kTolerance = 1e-10;
-constexpr int kMostEigenIterations = 2000;
-constexpr int kMore = 4;       // modes searched for beyond the requested number
-constexpr long kMost = 8;      // largest multiple of that number
-constexpr double kGap = 1e-6;  // relative difference of eigenvalues below which they count as repeated
+constexpr int kMaxEigenIterations = 2000;
+constexpr int kMore = 4;          // modes searched for beyond the requested number
+constexpr long kMaxMultiple = 8;  // largest multiple of that number
+constexpr double kGap = 1e-6;     // relative difference of eigenvalues below which they count as repeated
 // Ratio of translations to rotations times the size of the system, below which the translations are rounding.
 constexpr double kInPlace = 1e-7;
-constexpr double kLeastSize = 1e-3;  // m, of a model, which may be a single body
+constexpr double kMinSize = 1e-3;  // m, of a model, which may be a single body
 
 class Slepc {
  public:
@@ -97,16 +97,16 @@ void move_nodes(const System& system, const Kinematics& state, const std::vector
     const int frame = mesh.block[s.frame];
     mode.shape[s.node] = block(frame) + state.q[s.frame] * block(frame + 1).cross(s.at);
   }
-  double most[2] = {0, 0};
+  double largest[2] = {0, 0};
   for (size_t n = 0; n < static_cast<size_t>(mesh.owned); ++n) {
-    most[0] = std::max(most[0], mode.shape[n].norm());
-    most[1] = std::max(most[1], mode.rotation[n].norm());
+    largest[0] = std::max(largest[0], mode.shape[n].norm());
+    largest[1] = std::max(largest[1], mode.rotation[n].norm());
   }
-  all_reduce(system.comm(), MPI_MAX, most);
-  const bool in_place = most[0] < kInPlace * most[1] * std::max(size_of(system, state), kLeastSize);
+  all_reduce(system.comm(), MPI_MAX, largest);
+  const bool in_place = largest[0] < kInPlace * largest[1] * std::max(size_of(system, state), kMinSize);
   for (size_t n = 0; n < nodes; ++n) {
-    mode.shape[n] = in_place ? Vec3(Vec3::Zero()) : Vec3(mode.shape[n] / most[0]);
-    mode.rotation[n] /= in_place ? most[1] : most[0];
+    mode.shape[n] = in_place ? Vec3(Vec3::Zero()) : Vec3(mode.shape[n] / largest[0]);
+    mode.rotation[n] /= in_place ? largest[1] : largest[0];
   }
 }
 
@@ -139,7 +139,7 @@ std::vector<Eigenpair> nearest_modes(const System& system, Mat K, Mat M, int cou
   check(EPSSetOperators(eps, K, M));
   check(EPSSetProblemType(eps, EPS_GHEP));
   check(EPSSetDimensions(eps, count, PETSC_DEFAULT, PETSC_DEFAULT));
-  check(EPSSetTolerances(eps, kTolerance, kMostEigenIterations));
+  check(EPSSetTolerances(eps, kTolerance, kMaxEigenIterations));
   check(EPSSetTarget(eps, kTarget));
   check(EPSSetWhichEigenpairs(eps, EPS_TARGET_MAGNITUDE));
   ST st = nullptr;
@@ -150,10 +150,10 @@ std::vector<Eigenpair> nearest_modes(const System& system, Mat K, Mat M, int cou
   solve_directly(ksp);
   check(EPSSetFromOptions(eps));
   check(EPSSolve(eps));
-  PetscInt found = 0;
-  check(EPSGetConverged(eps, &found));
+  PetscInt converged = 0;
+  check(EPSGetConverged(eps, &converged));
   std::vector<Eigenpair> out;
-  for (PetscInt i = 0; i < found; ++i) {
+  for (PetscInt i = 0; i < converged; ++i) {
     Eigenpair pair;
     pair.vector = system.create_vector();
     check(EPSGetEigenpair(eps, i, &pair.squared, nullptr, pair.vector.get(), nullptr));
@@ -186,14 +186,14 @@ void settle(System& system, const Kinematics& state, Mat K, const std::vector<De
   constexpr double kSettled = 1e-9;  // relative, of omega²
   // relative distance of the shift from omega², at which K - shift M is regular
   constexpr double kBeside = 1e-4;
-  constexpr int kPlain = 10, kMostOften = 60;
+  constexpr int kPlain = 10, kMaxIterations = 60;
   const auto oscillate = [&](double omega) {
     for (DependsOnFrequency* t : terms) t->oscillate(omega);
   };
   Vec u = pair.vector.get();
   const VecHandle work = system.create_vector();
   MatHandle M;
-  for (int i = 0; i < kMostOften && pair.squared > kFreeMotion; ++i) {
+  for (int i = 0; i < kMaxIterations && pair.squared > kFreeMotion; ++i) {
     oscillate(std::sqrt(pair.squared));
     M = symmetric(system, state, {0, 0, 1}, 0);
     const double beside = form(K, u, work.get()) / form(M.get(), u, work.get()) * (1 - kBeside);
@@ -240,10 +240,10 @@ bool complete(Mat K, Mat M, const std::vector<Eigenpair>& modes, size_t count) {
   while (last + 1 < modes.size() && !(gap(last) > kGap * std::abs(modes[last + 1].squared))) ++last;
   if (last + 1 >= modes.size()) return false;
   const double end = modes[last].squared + 0.5 * gap(last);
-  const auto found = std::count_if(
+  const auto count_below = std::count_if(
       modes.begin(), modes.end(), [&](const Eigenpair& m) { return m.squared > kTarget && m.squared < end; });
   const int above = eigenvalues_below(K, M, end), below = eigenvalues_below(K, M, kTarget);
-  return above < 0 || below < 0 || found >= above - below;
+  return above < 0 || below < 0 || count_below >= above - below;
 }
 
 }  // namespace
@@ -264,7 +264,7 @@ std::vector<NaturalMode> natural_modes(System& system, const Kinematics& state, 
     if (modes.size() < wanted) throw SolveError(advice::fewer_modes_converged(modes.size(), wanted));
     const bool no_more = ask == free || std::ssize(modes) < ask;
     if (!no_more && !complete(K.get(), M.get(), modes, wanted)) {
-      if (ask > kMost * (count + kMore)) throw SolveError(advice::modes_incomplete());
+      if (ask > kMaxMultiple * (count + kMore)) throw SolveError(advice::modes_incomplete());
       continue;
     }
     modes.resize(wanted);

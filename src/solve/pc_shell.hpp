@@ -18,10 +18,10 @@ void use_shell(PC pc, const char* name, std::unique_ptr<Kept> kept, PetscErrorCo
   check(PCShellSetName(pc, name));
   check(PCShellSetSetUp(pc, setup));
   check(PCShellSetApply(pc, apply));
-  check(PCShellSetDestroy(pc, [](PC of) -> PetscErrorCode {
+  check(PCShellSetDestroy(pc, [](PC shell) -> PetscErrorCode {
     PetscFunctionBegin;
     Kept* k = nullptr;
-    PetscCall(PCShellGetContext(of, &k));
+    PetscCall(PCShellGetContext(shell, &k));
     delete k;
     PetscFunctionReturn(0);
   }));

@@ -16,21 +16,21 @@ namespace hawser {
 namespace {
 
 // Newton iterations of a step: limit; number up to which the mass decreases
-constexpr int kMostIterations = 12, kEasyIterations = 4;
-constexpr int kMostOnKinks = 24;     // limit where Newton's iteration has to find kinks
+constexpr int kMaxIterations = 12, kEasyIterations = 4;
+constexpr int kMaxOnKinks = 24;      // limit where Newton's iteration has to find kinks
 constexpr double kReduction = 1e-4;  // of the imbalance, for a step to count as solved
 constexpr double kHopeless = 1e6;    // growth of the imbalance beyond which Newton's iteration has diverged
 constexpr double kHeavier = 4, kLighter = 0.5;
 // After this number of accepted steps in a row an earlier rejection no longer explains a failure, because the
 // mass is then lower than before that rejection.
 constexpr int kFree = 4;
-constexpr double kFirst = 0.002;    // share of the longest line by which the first step may move nodes
+constexpr double kFirst = 0.002;    // fraction of the longest line by which the first step may move nodes
 constexpr double kHeaviest = 1e12;  // ratio of the mass to the first one at which motion is negligible
 // The motion only creeps if kWatched steps, tried again or not, move no node by kCreep times the longest line
 // and do not halve the imbalance. A heap of line would creep on for ever.
 constexpr int kWatched = 50;
 constexpr double kCreep = 1e-4;
-constexpr double kLost =
+constexpr double kMaxSlide =
     10;  // times the longest line: a body that has slid so far against friction does not come to rest
 
 // The step of pseudo-time is 1, so velocities are increments and the mass is a stiffness: N/m at positions, N
@@ -45,12 +45,12 @@ class Relaxation : StaticTrial {
     turns_.assign(system.mesh().owned_blocks, 0);
     for (int n = 0; n < system.mesh().owned; ++n)
       if (system.mesh().rotates(n)) turns_[system.mesh().block[n] + 1] = 1;
-    check(SNESSetTolerances(snes_.get(), 0, 0, 0, kMostOnKinks, PETSC_DEFAULT));
+    check(SNESSetTolerances(snes_.get(), 0, 0, 0, kMaxOnKinks, PETSC_DEFAULT));
   }
 
   RelaxationReport run() {
     RelaxationReport report;
-    double least = 0, kinetic = 0;
+    double smallest = 0, kinetic = 0;
     int free = 0;  // steps since the last rejection
     if (settings_.pushed > 0) push_state(settings_.pushed);
     while (true) {
@@ -59,8 +59,8 @@ class Relaxation : StaticTrial {
       report.norms = system_.norms(r_.get());
       if (settings_.progress) settings_.progress(report);
       if (report.norms.small(settings_.tolerance)) return report;
-      if (mass_ == 0) mass_ = least = first_mass(report.norms);
-      if (report.steps + report.rejected >= settings_.max_steps || mass_ > kHeaviest * least ||
+      if (mass_ == 0) mass_ = smallest = first_mass(report.norms);
+      if (report.steps + report.rejected >= settings_.max_steps || mass_ > kHeaviest * smallest ||
           !std::isfinite(report.norms.relative()) || test_progress(report))
         throw_no_equilibrium(advice::no_rest(report.steps, imbalance(system_, r_.get(), report.norms)));
       const int iterations = attempt(report.norms);
@@ -125,14 +125,14 @@ class Relaxation : StaticTrial {
     struct {
       double far;
       int node;
-    } most{0, -1};
+    } farthest{0, -1};
     for (size_t n = 0; n < start_.size(); ++n) {
       const double far = (state_.x[n] - start_[n]).norm();
-      if (m.node(n).body >= 0 && far > most.far) most = {far, m.global[n]};
+      if (m.node(n).body >= 0 && far > farthest.far) farthest = {far, m.global[n]};
     }
-    MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE_INT, MPI_MAXLOC, system_.comm());
-    if (most.far > kLost * longest_)
-      throw SolveError(advice::body_moves_on(m.mesh->place(most.node), most.far));
+    MPI_Allreduce(MPI_IN_PLACE, &farthest, 1, MPI_DOUBLE_INT, MPI_MAXLOC, system_.comm());
+    if (farthest.far > kMaxSlide * longest_)
+      throw SolveError(advice::body_moves_on(m.mesh->place(farthest.node), farthest.far));
   }
   // Changes the mass. This is equivalent to another step of time, so increments are scaled to keep the speed.
   void scale_mass(double factor) {
@@ -183,7 +183,7 @@ class Relaxation : StaticTrial {
     if (!std::isfinite(norms.force) || norms.relative() > hopeless_) return SNES_DIVERGED_DTOL;
     if (norms.relative() <= goal_) return SNES_CONVERGED_FNORM_RELATIVE;
     if (!kinks_.observe(local_.data(), r_.get(), norms.relative()))
-      return iteration < kMostIterations ? SNES_CONVERGED_ITERATING : SNES_DIVERGED_MAX_IT;
+      return iteration < kMaxIterations ? SNES_CONVERGED_ITERATING : SNES_DIVERGED_MAX_IT;
     const double goal = std::max(goal_, settings_.tolerance);
     return kinks_.norms_without_jumps(system_, r_.get(), length_).small(goal) ? SNES_CONVERGED_FNORM_RELATIVE
                                                                               : SNES_CONVERGED_ITERATING;

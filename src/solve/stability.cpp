@@ -5,7 +5,7 @@
 
 #include "hawser/base/mpi.hpp"
 #include "hawser/math/types.hpp"
-#include "hawser/system/own_blocks.hpp"
+#include "hawser/system/local_blocks.hpp"
 
 namespace hawser {
 
@@ -29,17 +29,17 @@ struct OtherColumns {
 // factorisation, which overwrites it. Chains have no fill in their own order. If there is fill, the result is
 // false as well.
 bool positive_definite(Mat a) {
-  const OwnBlocks own(a);
-  for (int i = 0; i < own.rows(); ++i) {
-    const Eigen::LLT<Mat3> pivot(as_block(own.at(i, i)));
+  const LocalBlocks blocks(a);
+  for (int i = 0; i < blocks.rows(); ++i) {
+    const Eigen::LLT<Mat3> pivot(as_block(blocks.at(i, i)));
     if (pivot.info() != Eigen::Success) return false;
-    const auto columns = own.columns_from(i, i + 1);
+    const auto columns = blocks.columns_from(i, i + 1);
     for (size_t j = 0; j < columns.size(); ++j) {
-      const Mat3 x = pivot.solve(as_block(own.at(i, columns[j])));
+      const Mat3 x = pivot.solve(as_block(blocks.at(i, columns[j])));
       for (const int k : columns.subspan(j)) {
-        double* to = own.at(columns[j], k);
+        double* to = blocks.at(columns[j], k);
         if (!to) return false;
-        as_block(to) -= x.transpose() * as_block(own.at(i, k));
+        as_block(to) -= x.transpose() * as_block(blocks.at(i, k));
       }
     }
   }
@@ -63,10 +63,10 @@ MatHandle symmetric_blocks(Mat J) {
   check(MatDuplicate(J, MAT_COPY_VALUES, s.out()));
   check(MatScale(s.get(), 0.5));
   {
-    const OwnBlocks own(s.get());
-    for (int row = 0; row < own.rows(); ++row)
-      for (const int column : own.columns_from(row, row)) {
-        auto above = as_block(own.at(row, column)), below = as_block(own.at(column, row));
+    const LocalBlocks blocks(s.get());
+    for (int row = 0; row < blocks.rows(); ++row)
+      for (const int column : blocks.columns_from(row, row)) {
+        auto above = as_block(blocks.at(row, column)), below = as_block(blocks.at(column, row));
         const Mat3 sum = above + below.transpose();
         above = sum;
         below = sum.transpose();
@@ -77,7 +77,7 @@ MatHandle symmetric_blocks(Mat J) {
   if (const OtherColumns others(s.get()); others.blocks) {
     PetscInt first = 0;
     check(MatGetOwnershipRange(s.get(), &first, nullptr));
-    const OwnBlocks other(others.blocks);
+    const LocalBlocks other(others.blocks);
     for (PetscInt row = 0; row < other.rows(); ++row)
       for (const PetscInt column : other.columns_from(row, 0)) {
         const PetscInt to = others.columns[column], from = first / 3 + row;

@@ -13,13 +13,13 @@ namespace {
 // The point where a line leaves the soil if `length` [m] of it is straight from `from`, in the soil, in the
 // direction of `to`.
 Vec3 exit_of_soil(const model::Seabed& bed, const Vec3& from, const Vec3& to, double length) {
-  Vec3 way(to.x() - from.x(), to.y() - from.y(), 0);
-  way = way.norm() > 0 ? Vec3(way.normalized()) : Vec3::UnitX();
+  Vec3 direction(to.x() - from.x(), to.y() - from.y(), 0);
+  direction = direction.norm() > 0 ? Vec3(direction.normalized()) : Vec3::UnitX();
   Vec3 x = from;
   double low = 0, high = length;
   for (int i = 0; i < 60; ++i) {
     const double off = 0.5 * (low + high);
-    x = Vec3(from.x() + off * way.x(), from.y() + off * way.y(), x.z());
+    x = Vec3(from.x() + off * direction.x(), from.y() + off * direction.y(), x.z());
     for (int k = 0; k < 20; ++k) {  // straight up or down to the bed
       const double height = model::height_above_bed(bed, x);
       if (!std::isfinite(height)) break;
@@ -61,24 +61,24 @@ LineStretch stretch_of(const model::Line& line, const LineAlone& mesh, double le
   const double near = 1e-9 * length;
   const auto arc = [&](int i) { return mesh.nodes[i].arc; };
   LineStretch out{line, {}, {}};
-  model::Line& rest = out.line;
+  model::Line& part = out.line;
   const double from = arc(first), to = arc(last);
-  rest.sections.clear();
+  part.sections.clear();
   double start = 0;
   for (model::Section s : line.sections) {
-    const double in = std::min(start + s.length, to) - std::max(start, from);
+    const double inside = std::min(start + s.length, to) - std::max(start, from);
     start += s.length;
-    s.length = in;
-    if (in > near) rest.sections.push_back(s);
+    s.length = inside;
+    if (inside > near) part.sections.push_back(s);
   }
   const auto outside = [&](const auto& p) { return p.at < from || p.at > to; };
-  std::erase_if(rest.masses, outside);
-  std::erase_if(rest.point_loads, outside);
-  std::erase_if(rest.loads, [&](const auto& q) { return q.to >= 0 && q.to <= from; });
-  for (auto& m : rest.masses) m.at -= from;
-  for (auto& row : rest.temperature_change) row.first -= from;
-  for (auto& p : rest.point_loads) p.at -= from;
-  for (auto& q : rest.loads) {
+  std::erase_if(part.masses, outside);
+  std::erase_if(part.point_loads, outside);
+  std::erase_if(part.loads, [&](const auto& q) { return q.to >= 0 && q.to <= from; });
+  for (auto& m : part.masses) m.at -= from;
+  for (auto& row : part.temperature_change) row.first -= from;
+  for (auto& p : part.point_loads) p.at -= from;
+  for (auto& q : part.loads) {
     q.from = std::max(0.0, q.from - from);
     q.to = q.to < 0 ? q.to : q.to - from;
   }
@@ -112,8 +112,8 @@ LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bo
   LineAlone outside = alone(mesh, span);
   if (line.end_a.feed) at_feed_point(outside, first, first + 1, a.length);
   if (line.end_b.feed) at_feed_point(outside, last, last - 1, b.length);
-  const LineStretch rest = stretch_of(line, outside, span.length, first, last);
-  LineStart free = line_start(c, rest.line, bodies, rest.mesh, rest.span);
+  const LineStretch stretch = stretch_of(line, outside, span.length, first, last);
+  LineStart free = line_start(c, stretch.line, bodies, stretch.mesh, stretch.span);
   const auto clamp = [&](const model::End& e, Vec3& tangent) {
     if (e.feed && e.clamped && e.direction)
       tangent = start_pose(c, bodies, e).rotation * e.direction->normalized();
@@ -143,29 +143,29 @@ LineStart line_start_from_soil(const model::Case& c, const model::Line& line, co
   const model::Seabed& bed = c.environment.seabed;
   const Vec3 xa = start_pose(c, bodies, line.end_a).to_space(line.end_a.at),
              xb = start_pose(c, bodies, line.end_b).to_space(line.end_b.at);
-  LineStretch rest = stretch_of(line, alone(mesh, span), span.length, first, last);
+  LineStretch stretch = stretch_of(line, alone(mesh, span), span.length, first, last);
   const double from = arc(first), to = arc(last);
-  rest.line.buried.clear();
+  stretch.line.buried.clear();
   const auto anchor = [](const Vec3& at) {
     model::End e;
     e.kind = model::EndKind::anchor;
     e.at = at;
     return e;
   };
-  if (first > 0) rest.line.end_a = anchor(exit_of_soil(bed, xa, xb, from));
-  if (last < span.nodes - 1) rest.line.end_b = anchor(exit_of_soil(bed, xb, xa, span.length - to));
-  LineStart free = line_start(c, rest.line, bodies, rest.mesh, rest.span);
+  if (first > 0) stretch.line.end_a = anchor(exit_of_soil(bed, xa, xb, from));
+  if (last < span.nodes - 1) stretch.line.end_b = anchor(exit_of_soil(bed, xb, xa, span.length - to));
+  LineStart free = line_start(c, stretch.line, bodies, stretch.mesh, stretch.span);
   lift(bed, free);
   LineStart out;
   for (int i = 0; i < span.nodes; ++i) {
-    const auto straight = [&](const Vec3& a, const Vec3& b, double share) {
-      out.x.push_back(a + share * (b - a));
+    const auto straight = [&](const Vec3& a, const Vec3& b, double fraction) {
+      out.x.push_back(a + fraction * (b - a));
       out.tangent.push_back((b - a).normalized());
     };
     if (i < first) {
-      straight(xa, rest.line.end_a.at, arc(i) / from);
+      straight(xa, stretch.line.end_a.at, arc(i) / from);
     } else if (i > last) {
-      straight(rest.line.end_b.at, xb, (arc(i) - to) / (span.length - to));
+      straight(stretch.line.end_b.at, xb, (arc(i) - to) / (span.length - to));
     } else {
       const size_t k = i - first;
       out.x.push_back(free.x[k]);

@@ -23,7 +23,7 @@ constexpr double kCrossingGap = 0.01;
 constexpr double kSlope = 20;
 // Limit of the vertical component of the common unit normal of two lines. Below it neither line is over the
 // other.
-constexpr double kOver = 0.1;
+constexpr double kMinVertical = 0.1;
 
 // A given line as a polyline of its nodes.
 struct Rope {
@@ -42,18 +42,18 @@ struct Rope {
 
 std::vector<Rope> ropes_of(const model::Case& c, std::vector<StartedLine>& lines) {
   std::vector<Rope> ropes;
-  for (StartedLine& of : lines) {
-    if (!c.contact.takes_part(*of.line)) continue;
+  for (StartedLine& started : lines) {
+    if (!c.contact.takes_part(*started.line)) continue;
     Rope& rope = ropes.emplace_back();
-    rope.line = of.line;
-    rope.number = of.number;
-    rope.counted = of.counted;
-    for (int i = 0; i < of.span.nodes; ++i) {
-      const int element = of.span.first_element + std::min(i, of.span.elements - 1);
-      rope.x.push_back(&of.shape.x[i]);
-      rope.tangent.push_back(&of.shape.tangent[i]);
-      rope.s.push_back(of.mesh->node(of.span.first_node + i).arc);
-      rope.radius.push_back(0.5 * c.line_types[of.mesh->element(element).type].contact_diameter);
+    rope.line = started.line;
+    rope.number = started.number;
+    rope.counted = started.counted;
+    for (int i = 0; i < started.span.nodes; ++i) {
+      const int element = started.span.first_element + std::min(i, started.span.elements - 1);
+      rope.x.push_back(&started.shape.x[i]);
+      rope.tangent.push_back(&started.shape.tangent[i]);
+      rope.s.push_back(started.mesh->node(started.span.first_node + i).arc);
+      rope.radius.push_back(0.5 * c.line_types[started.mesh->element(element).type].contact_diameter);
     }
     rope.raise.assign(rope.x.size(), 0);
   }
@@ -71,9 +71,9 @@ void raise(Rope& rope, double from, double to, double height) {
     const double off = before ? from - rope.s[i] : rope.s[i] > to ? rope.s[i] - to : 0;
     const double room = before ? from - rope.s.front() : rope.s.back() - to;
     const double flat = std::min(longest, 0.5 * room), slope = std::min(kSlope * height, room - flat);
-    double share = 1;
-    if (off > flat) share = off < flat + slope ? 0.5 * (1 + std::cos(M_PI * (off - flat) / slope)) : 0;
-    rope.raise[i] = std::max(rope.raise[i], share * height);
+    double fraction = 1;
+    if (off > flat) fraction = off < flat + slope ? 0.5 * (1 + std::cos(M_PI * (off - flat) / slope)) : 0;
+    rope.raise[i] = std::max(rope.raise[i], fraction * height);
   }
 }
 
@@ -108,7 +108,7 @@ struct Crossing {
 class Crossings {
  public:
   Crossings(const model::Case& c, std::vector<Rope>& ropes) : c_(c), ropes_(ropes) {
-    for (const auto& [x, y] : c.contact.between_lines.exclude) apart_.insert(ordered(x, y));
+    for (const auto& [x, y] : c.contact.between_lines.exclude) excluded_.insert(ordered(x, y));
   }
 
   // Sentences by the pair of lines.
@@ -117,22 +117,22 @@ class Crossings {
   // Raises the upper line at each crossing. `done` gets a sentence for each pair of lines.
   void sweep(Done& done) {
     std::vector<Box> boxes;
-    std::vector<std::pair<Rope*, size_t>> of;
+    std::vector<std::pair<Rope*, size_t>> segments;
     for (Rope& r : ropes_)
       for (size_t i = 0; i < r.segments(); ++i) {
         Box b;
         b.add(*r.x[i]);
         b.add(*r.x[i + 1]);
         boxes.push_back(b.grown(r.radius[i]));
-        of.emplace_back(&r, i);
+        segments.emplace_back(&r, i);
       }
     std::vector<std::pair<int, int>> pairs = overlapping_pairs(boxes);
     std::sort(pairs.begin(), pairs.end());
     for (const auto& [i, j] : pairs) {
-      const auto& [one, k] = of[i];
-      const auto& [other, l] = of[j];
-      if (one == other || apart_.count(ordered(one->line->name, other->line->name))) continue;
-      if (auto found = crossing(*one, k, *other, l)) settle(found->first, found->second, done);
+      const auto& [one, k] = segments[i];
+      const auto& [other, l] = segments[j];
+      if (one == other || excluded_.count(ordered(one->line->name, other->line->name))) continue;
+      if (auto crossed = crossing(*one, k, *other, l)) settle(crossed->first, crossed->second, done);
     }
   }
 
@@ -143,7 +143,7 @@ class Crossings {
     const Vec3 u = one.at(k, 1) - one.at(k, 0), v = other.at(l, 1) - other.at(l, 0),
                w = other.at(l, 0) - one.at(k, 0);
     const double area = u.x() * v.y() - u.y() * v.x(), radii = one.radius[k] + other.radius[l];
-    if (!(std::abs(area) > kOver * u.norm() * v.norm())) return std::nullopt;
+    if (!(std::abs(area) > kMinVertical * u.norm() * v.norm())) return std::nullopt;
     const double s = (w.x() * v.y() - w.y() * v.x()) / area, t = (w.x() * u.y() - w.y() * u.x()) / area;
     if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1)) return std::nullopt;
     const auto pair = closest_points_of_segments(*one.x[k], *one.x[k + 1], *other.x[l], *other.x[l + 1]);
@@ -170,9 +170,9 @@ class Crossings {
   // of only one with the bed, at the crossing or from end to end; by the heights of the start shapes. Null:
   // neither is moved. Throws InputError if none of these applies.
   const Crossing* upper(const Crossing& a, const Crossing& b) const {
-    for (const auto& [over, under] : c_.contact.between_lines.over) {
-      if (over == a.name() && under == b.name()) return &a;
-      if (over == b.name() && under == a.name()) return &b;
+    for (const auto& [upper_name, lower_name] : c_.contact.between_lines.over) {
+      if (upper_name == a.name() && lower_name == b.name()) return &a;
+      if (upper_name == b.name() && lower_name == a.name()) return &b;
     }
     const bool a_moves = a.rope->line->starts_by_itself(), b_moves = b.rope->line->starts_by_itself();
     if (!a_moves && !b_moves) return nullptr;
@@ -195,28 +195,29 @@ class Crossings {
   }
 
   void settle(const Crossing& a, const Crossing& b, Done& done) const {
-    const Crossing* over = upper(a, b);
-    if (!over) return;
-    const Crossing& under = over == &a ? b : a;
-    if (!over->rope->line->starts_by_itself())
-      c_.refuse("contact.between_lines.over", advice::cannot_be_over(over->name(), under.name(), over->x));
-    const Vec3 normal = over->along().cross(under.along()).normalized();
+    const Crossing* upper_line = upper(a, b);
+    if (!upper_line) return;
+    const Crossing& lower_line = upper_line == &a ? b : a;
+    if (!upper_line->rope->line->starts_by_itself())
+      c_.refuse("contact.between_lines.over",
+                advice::cannot_be_over(upper_line->name(), lower_line.name(), upper_line->x));
+    const Vec3 normal = upper_line->along().cross(lower_line.along()).normalized();
     const double radii = a.radius + b.radius, slant = std::abs(normal.z());
-    if (slant < kOver) return;
-    const double to = under.x.z() + (1 + kCrossingGap) * radii / slant;
+    if (slant < kMinVertical) return;
+    const double to = lower_line.x.z() + (1 + kCrossingGap) * radii / slant;
     // The slopes of both lines at the crossing are those of their elements.
-    raise(*over->rope, over->arc(), over->arc(), to - over->x.z());
-    const Rope& one = *over->rope;
-    const Rope& other = *under.rope;
+    raise(*upper_line->rope, upper_line->arc(), upper_line->arc(), to - upper_line->x.z());
+    const Rope& one = *upper_line->rope;
+    const Rope& other = *lower_line.rope;
     if (!(one.number < other.number ? one : other).counted) return;
-    done.try_emplace(
-        ordered(one.number, other.number),
-        advice::starts_over_line(over->name(), under.name(), Vec3(over->x.x(), over->x.y(), to)));
+    done.try_emplace(ordered(one.number, other.number),
+                     advice::starts_over_line(upper_line->name(), lower_line.name(),
+                                              Vec3(upper_line->x.x(), upper_line->x.y(), to)));
   }
 
   const model::Case& c_;
   std::vector<Rope>& ropes_;
-  std::set<std::pair<std::string, std::string>> apart_;
+  std::set<std::pair<std::string, std::string>> excluded_;
 };
 
 // A volume in its place at the start.
@@ -230,16 +231,16 @@ struct Obstacle {
     const auto p = surface->query(pose.to_body(x), size);
     return p ? p->distance : size;
   }
-  // Distance [m] from x along the unit vector `way` to where the distance to the volume is `radius`; more
-  // than `most` if it is farther.
-  double way_out(const Vec3& x, const Vec3& way, double radius, double most) const {
-    double gone = 0;
-    while (gone < most) {
-      const double missing = radius - distance(x + gone * way);
+  // Distance [m] from x along the unit vector `direction` to where the distance to the volume is `radius`;
+  // more than `limit` if it is farther.
+  double distance_out(const Vec3& x, const Vec3& direction, double radius, double limit) const {
+    double advanced = 0;
+    while (advanced < limit) {
+      const double missing = radius - distance(x + advanced * direction);
       if (missing <= 0) break;
-      gone += missing + kCrossingGap * radius;  // the distance changes by no more than the point moves
+      advanced += missing + kCrossingGap * radius;  // the distance changes by no more than the point moves
     }
-    return gone;
+    return advanced;
   }
 };
 
@@ -255,24 +256,24 @@ std::vector<PartInVolume> parts_in(const Rope& rope, const Obstacle& volume) {
   bool inside = false;
   for (size_t i = 0; i < rope.segments(); ++i) {
     const double length = (rope.at(i, 1) - rope.at(i, 0)).norm(), radius = rope.radius[i];
-    for (double gone = 0; gone < length;) {
-      const Vec3 x = rope.at(i, gone / length);
+    for (double advanced = 0; advanced < length;) {
+      const Vec3 x = rope.at(i, advanced / length);
       const double gap = volume.distance(x) - radius,
-                   s = rope.s[i] + gone / length * (rope.s[i + 1] - rope.s[i]);
+                   s = rope.s[i] + advanced / length * (rope.s[i + 1] - rope.s[i]);
       if (gap < 0) {
         if (!inside) out.push_back({s, s});
-        PartInVolume& of = out.back();
-        of.to = s;
-        of.height = std::max(of.height, volume.way_out(x, Vec3::UnitZ(), radius, 2 * volume.size));
-        if (-gap > of.depth) {
-          of.depth = -gap;
-          of.deepest = x;
-          of.radius = radius;
-          of.along = rope.at(i, 1) - rope.at(i, 0);
+        PartInVolume& part = out.back();
+        part.to = s;
+        part.height = std::max(part.height, volume.distance_out(x, Vec3::UnitZ(), radius, 2 * volume.size));
+        if (-gap > part.depth) {
+          part.depth = -gap;
+          part.deepest = x;
+          part.radius = radius;
+          part.along = rope.at(i, 1) - rope.at(i, 0);
         }
       }
       inside = gap < 0;
-      gone += std::max(std::abs(gap), radius);
+      advanced += std::max(std::abs(gap), radius);
     }
   }
   return out;
@@ -283,12 +284,12 @@ std::vector<PartInVolume> parts_in(const Rope& rope, const Obstacle& volume) {
 bool goes_over(const model::Case& c, const PartInVolume& s, const Obstacle& volume) {
   const model::Seabed& bed = c.environment.seabed;
   if (!bed.present) return false;
-  const double down = volume.way_out(s.deepest, -Vec3::UnitZ(), s.radius, 2 * volume.size);
+  const double down = volume.distance_out(s.deepest, -Vec3::UnitZ(), s.radius, 2 * volume.size);
   if (model::height_above_bed(bed, s.deepest - down * Vec3::UnitZ()) > s.radius) return false;
   const Vec3 side = Vec3::UnitZ().cross(s.along);
-  if (!(side.norm() > kOver * s.along.norm())) return false;
+  if (!(side.norm() > kMinVertical * s.along.norm())) return false;
   for (const double sign : {1.0, -1.0})
-    if (volume.way_out(s.deepest, sign * side.normalized(), s.radius, 2 * volume.size) <= s.height)
+    if (volume.distance_out(s.deepest, sign * side.normalized(), s.radius, 2 * volume.size) <= s.height)
       return false;
   return true;
 }
@@ -310,10 +311,10 @@ std::vector<StartNote> lay_over_volumes(const model::Case& c, const Bodies& bodi
     const Vec3 centre = obstacle.pose.to_space(bounds.centre());
     for (Rope& rope : ropes) {
       const model::Line& line = *rope.line;
-      const auto own = [&](const model::End& e) {
+      const auto held_by_body = [&](const model::End& e) {
         return e.kind == model::EndKind::body && e.body == volume.body;
       };
-      if (!line.starts_by_itself() || own(line.end_a) || own(line.end_b)) continue;
+      if (!line.starts_by_itself() || held_by_body(line.end_a) || held_by_body(line.end_b)) continue;
       const bool far = std::all_of(rope.x.begin(), rope.x.end(), [&](const Vec3* x) {
         return (*x - centre).norm() > obstacle.size + rope.s.back() / static_cast<double>(rope.segments());
       });

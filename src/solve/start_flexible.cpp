@@ -13,7 +13,7 @@
 namespace hawser {
 namespace {
 
-constexpr int kMostPieces = 300;  // sufficient for a start shape, however fine the mesh is
+constexpr int kMaxPieces = 300;   // sufficient for a start shape, however fine the mesh is
 constexpr double kStreams = 0.1;  // ratio of drag to weight above which a catenary is not used
 constexpr int kDragRounds = 8;
 constexpr double kSettled = 5e-3;  // of the length: change of the shape below which it is accepted
@@ -51,8 +51,8 @@ FlexibleLine::Segment piece(const model::Case& c, const model::Line& line, const
 
 // Computes drag and shape in turns, each with the other held. Drag is under-relaxed by a half.
 std::vector<Vec3> in_current(const model::Water& water, const CurrentProfile& current, FlexibleLine line,
-                             const std::vector<WaterSection>& sections, const std::vector<Vec3>& still) {
-  std::vector<Vec3> x = still, pull(sections.size(), Vec3::Zero()), dead;
+                             const std::vector<WaterSection>& sections, const std::vector<Vec3>& calm) {
+  std::vector<Vec3> x = calm, pull(sections.size(), Vec3::Zero()), dead;
   double length = 0;
   for (const auto& p : line.pieces) {
     dead.push_back(p.load);
@@ -76,7 +76,7 @@ std::vector<Vec3> in_current(const model::Water& water, const CurrentProfile& cu
   }
   // A line that is pushed together on the bed: statics starts better from the shape in still water than from
   // a fold.
-  return folded(x) ? still : x;
+  return folded(x) ? calm : x;
 }
 
 }  // namespace
@@ -113,8 +113,8 @@ void unfold(const Mesh& mesh, const LineSpan& span, std::vector<Vec3>& x) {
       a -= a > 0;
       b += b < last;
     } while ((x[b] - x[a]).norm() < (1 - kPressed) * (arc[b] - arc[a]) && (a > 0 || b < last));
-    const Vec3 from = x[a], way = x[b] - x[a];
-    for (size_t k = a + 1; k < b; ++k) x[k] = from + (arc[k] - arc[a]) / (arc[b] - arc[a]) * way;
+    const Vec3 from = x[a], chord = x[b] - x[a];
+    for (size_t k = a + 1; k < b; ++k) x[k] = from + (arc[k] - arc[a]) / (arc[b] - arc[a]) * chord;
     i = b;
   }
 }
@@ -157,7 +157,7 @@ bool goes_through(const model::Case& c, const model::Line& line, const std::vect
 }
 
 std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, const Mesh& mesh,
-                                 const LineSpan& span, const std::vector<Vec3>& x, const Vec3& way) {
+                                 const LineSpan& span, const std::vector<Vec3>& x, const Vec3& direction) {
   const model::Seabed& bed = c.environment.seabed;
   const model::Water& water = c.environment.water;
   FlexibleLine f;
@@ -167,7 +167,7 @@ std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, 
   // correct height here, along which it can be laid.
   const Vec3& held = f.held_a ? x.front() : x.back();
   const double height = bed.present && bed.surface ? model::height_above_bed(bed, held) : 0;
-  f.bed = bed.present && (!bed.surface || (!way.isZero(0) && std::isfinite(height)));
+  f.bed = bed.present && (!bed.surface || (!direction.isZero(0) && std::isfinite(height)));
   f.bed_point = Vec3(0, 0, bed.surface ? held.z() - height : -bed.depth);
   f.bed_normal = model::bed_normal(bed);
   f.water = water.present;
@@ -176,7 +176,7 @@ std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, 
   std::vector<double> s{0};
   std::vector<Vec3> places{x.front()};
   std::vector<WaterSection> drags;
-  const int stride = (span.elements + kMostPieces - 1) / kMostPieces;
+  const int stride = (span.elements + kMaxPieces - 1) / kMaxPieces;
   double thick = 0;
   for (int e = 0; e < span.elements; e += stride) {
     const int last = std::min(e + stride, span.elements);
@@ -211,16 +211,16 @@ std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, 
   FlexibleLine pulled = f;
   double weight = 0;
   for (const auto& p : f.pieces) weight += p.length * std::abs(p.load.z() + p.buoyancy);
-  for (auto& p : pulled.pieces) p.load += kPull * weight / span.length * way;
-  std::vector<Vec3> found = flexible_shape(pulled, std::move(places));
+  for (auto& p : pulled.pieces) p.load += kPull * weight / span.length * direction;
+  std::vector<Vec3> shape = flexible_shape(pulled, std::move(places));
   if (const CurrentProfile current = acting_current(c); !current.none())
-    found = in_current(water, current, f, drags, found);
+    shape = in_current(water, current, f, drags, shape);
   std::vector<Vec3> out;
   for (int n = 0; n < span.nodes; ++n)
-    out.push_back(stride == 1 ? found[n] : interpolated(s, found, mesh.node(span.first_node + n).arc));
+    out.push_back(stride == 1 ? shape[n] : interpolated(s, shape, mesh.node(span.first_node + n).arc));
   out.front() = x.front();
   out.back() = f.held_b ? x.back() : out.back();
-  if (!f.held_a) out.front() = found.front();
+  if (!f.held_a) out.front() = shape.front();
   if (f.held_a && f.held_b && mesh.node(span.first_node).rotates) unfold(mesh, span, out);
   return out;
 }

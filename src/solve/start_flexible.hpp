@@ -19,7 +19,7 @@ CurrentProfile acting_current(const model::Case& c);
 // True if a line with its nodes at x goes through the bed, or through the water's surface.
 bool goes_through(const model::Case& c, const model::Line& line, const std::vector<Vec3>& x);
 
-// True if the drag of a current on a line is more than a small share of the line's weight in water.
+// True if the drag of a current on a line is more than a small fraction of the line's weight in water.
 bool streams(const model::Case& c, const model::Line& line);
 
 // True if neighbouring elements of such a line are folded on each other, or almost.
@@ -27,9 +27,9 @@ bool folded(const std::vector<Vec3>& x);
 
 // Shape at rest of a line without bending stiffness, on the bed, through the water's surface and in the
 // current (kernels/flexible_shape.hpp), from the shape x, with the same held ends. Returns one position for
-// each node. `way` is the direction of a small load on a line with one free end, whose slack part would
+// each node. `direction` is that of a small load on a line with one free end, whose slack part would
 // otherwise lie in a heap; zero: none.
 std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, const Mesh& mesh,
-                                 const LineSpan& span, const std::vector<Vec3>& x, const Vec3& way);
+                                 const LineSpan& span, const std::vector<Vec3>& x, const Vec3& direction);
 
 }  // namespace hawser

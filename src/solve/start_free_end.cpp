@@ -14,7 +14,7 @@ namespace hawser {
 namespace {
 
 constexpr int kBisections = 50;
-constexpr double kMostBend = 0.5;  // largest radius of the bend, over the height above the ground
+constexpr double kMaxBend = 0.5;  // largest radius of the bend, over the height above the ground
 
 Vec3 level(const Vec3& v) { return {v.x(), v.y(), 0}; }
 
@@ -29,7 +29,7 @@ class Ground {
     const model::Seabed& bed = sea_.seabed;
     if (!bed.surface) return {x.x(), x.y(), x.z() - model::height_above_bed(bed, x) / std::cos(bed.slope)};
     Vec3 y = x;
-    for (int i = 0; i < kMostDrops; ++i) {
+    for (int i = 0; i < kMaxDrops; ++i) {
       const double height = model::height_above_bed(bed, y);
       if (!std::isfinite(height)) return x;
       y.z() -= height;
@@ -38,14 +38,14 @@ class Ground {
     return y;
   }
 
-  // The point on the ground at `length` from x on the ground, in the direction `way`.
-  Vec3 on(const Vec3& x, const Vec3& way, double length) const {
-    const Vec3 ahead = under(x + length * way);
+  // The point on the ground at `length` from x on the ground, in this direction.
+  Vec3 along_ground(const Vec3& x, const Vec3& direction, double length) const {
+    const Vec3 ahead = under(x + length * direction);
     return under(x + length * (ahead - x).normalized());
   }
 
  private:
-  static constexpr int kMostDrops = 50;  // on a steep bed the nearest point is far from the one below
+  static constexpr int kMaxDrops = 50;  // on a steep bed the nearest point is far from the one below
   const model::Environment& sea_;
   bool floats_;
 };
@@ -98,8 +98,8 @@ Vec3 direction_of_free_end(const model::Case& c, const model::Line& line, const 
     const double weight = t.mass_per_length * c.environment.gravity - buoyancy(c, t);
     pull += s.length * std::max(0.0, weight) * normal.z() * level(normal);
   }
-  for (const Vec3& way : {pull, level(end.direction), level(end.body)})
-    if (way.norm() > 1e-9) return way.normalized();
+  for (const Vec3& direction : {pull, level(end.direction), level(end.body)})
+    if (direction.norm() > 1e-9) return direction.normalized();
   return Vec3::UnitX();
 }
 
@@ -115,7 +115,7 @@ std::optional<std::vector<Vec3>> laid_free_end(const model::Case& c, const model
   const bool floats = water.present && all(1);
   if (!floats && !(c.environment.seabed.present && all(-1))) return {};
   const Ground ground(c.environment, floats);
-  const Vec3 way = direction_of_free_end(c, line, end, floats);
+  const Vec3 direction = direction_of_free_end(c, line, end, floats);
   const double height = end.at.z() - ground.under(end.at).z(), up = height < 0 ? -1 : 1;
   if (floats && height > 0)  // the line hangs in the air; its weight matters only to its stretch
     for (CatenarySection& k : sections) {
@@ -123,8 +123,8 @@ std::optional<std::vector<Vec3>> laid_free_end(const model::Case& c, const model
       k.end_load.z() *= -1;
     }
   const bool hangs = floats ? height != 0 : height > 0;
-  const double radius = hangs ? std::min(bend(c, line, sections), kMostBend * std::abs(height)) : 0;
-  const double foot = ground.under(end.at + radius * way).z();
+  const double radius = hangs ? std::min(bend(c, line, sections), kMaxBend * std::abs(height)) : 0;
+  const double foot = ground.under(end.at + radius * direction).z();
   const auto above = [&](double length) {
     return up * (catenary_free_b(end.at, first_of(sections, length)).end_b().z() - foot) - radius;
   };
@@ -138,7 +138,7 @@ std::optional<std::vector<Vec3>> laid_free_end(const model::Case& c, const model
   std::optional<CatenaryShape> shape;
   if (hanging > 0) shape = catenary_free_b(end.at, first_of(sections, hanging));
   const Vec3 from = shape ? shape->end_b() : end.at;
-  Vec3 last = ground.under(from + radius * way);
+  Vec3 last = ground.under(from + radius * direction);
   double so_far = bent;
   std::vector<Vec3> out;
   for (const double s : arc) {
@@ -146,9 +146,10 @@ std::optional<std::vector<Vec3>> laid_free_end(const model::Case& c, const model
       out.push_back(shape ? shape->position(s) : end.at);
     } else if (s <= bent) {
       const double turned = (s - hanging) / radius;
-      out.push_back(from + radius * ((1 - std::cos(turned)) * way - up * std::sin(turned) * Vec3::UnitZ()));
+      out.push_back(from +
+                    radius * ((1 - std::cos(turned)) * direction - up * std::sin(turned) * Vec3::UnitZ()));
     } else {
-      last = ground.on(last, way, s - so_far);
+      last = ground.along_ground(last, direction, s - so_far);
       so_far = s;
       out.push_back(last);
     }

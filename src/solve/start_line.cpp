@@ -44,13 +44,13 @@ std::vector<CatenarySection> catenary_sections(const model::Case& c, const model
     }
     from += s.length;
     // Point masses and forces act at the end of their section, which is accurate enough for a start shape.
-    const auto here = [&](double at) { return at > from - s.length && at <= from; };
+    const auto in_section = [&](double at) { return at > from - s.length && at <= from; };
     for (const auto& m : line.masses)
-      if (here(m.at))
+      if (in_section(m.at))
         k.end_load +=
             Vec3(0, 0, (water.present ? water.density * m.volume : 0) - m.mass) * c.environment.gravity;
     for (const auto& p : line.point_loads)
-      if (here(p.at) && p.ramp == 0) k.end_load += p.force;
+      if (in_section(p.at) && p.ramp == 0) k.end_load += p.force;
     out.push_back(k);
   }
   return out;
@@ -58,13 +58,13 @@ std::vector<CatenarySection> catenary_sections(const model::Case& c, const model
 
 LineStart from_catenary(const CatenaryShape& shape, const Mesh& mesh, const LineSpan& span) {
   LineStart out;
-  const double most = std::max(shape.tension_a().norm(), shape.tension_b().norm());
+  const double largest_tension = std::max(shape.tension_a().norm(), shape.tension_b().norm());
   for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
     const double s = mesh.node(n).arc;
     out.x.push_back(shape.position(s));
     const Vec3 t = shape.tension(s);
     // At a free end the tension is only round-off and has no meaningful direction.
-    out.tangent.push_back(t.norm() > 1e-9 * most ? Vec3(t.normalized()) : Vec3::Zero());
+    out.tangent.push_back(t.norm() > 1e-9 * largest_tension ? Vec3(t.normalized()) : Vec3::Zero());
   }
   return out;
 }
@@ -94,20 +94,20 @@ std::optional<LineStart> on_bed(const model::Case& c, const model::Line& line, c
   const Vec3& high = b ? xa : xb;
   const Vec3 anchor = model::below_on_bed(bed, b ? xb : xa) + Vec3(0, 0, model::resting_height(c, type));
   const Vec3 foot = model::below_on_bed(bed, high) + Vec3(0, 0, model::resting_height(c, type));
-  const double way = (foot - anchor).norm();
-  if (!(way > 0)) return {};
+  const double distance = (foot - anchor).norm();
+  if (!(distance > 0)) return {};
   const Vec3& low = b ? xb : xa;
   const double hang = std::max(0.0, heights[b ? 1 : 0] - 0.5 * type.contact_diameter);
   if (!(hang < sections.front().length)) return {};
   sections.front().length -= hang;
-  const double rise = (foot.z() - anchor.z()) / way;  // sine of the slope
+  const double rise = (foot.z() - anchor.z()) / distance;  // sine of the slope
   const double friction = (bed.as_laid ? bed.friction.axial : 0) * std::sqrt(1 - rise * rise) + rise;
-  const auto found =
+  const auto shape =
       catenary_on_bed(anchor, high, sections, std::max(0.0, friction), rise / std::sqrt(1 - rise * rise));
-  if (!found) return {};
+  if (!shape) return {};
   const auto place = [&](double from) -> Vec3 {
     if (from < hang) return low - Vec3(0, 0, from);
-    return found->position(from - hang);
+    return shape->position(from - hang);
   };
   LineStart out;
   for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
@@ -141,28 +141,29 @@ LineStart along(const std::vector<Vec3>& points, const Mesh& mesh, const LineSpa
 
 // Shape of another run, by fraction of the length. If ends are held elsewhere now, the line is shifted with
 // them, in proportion to its nearness to each end.
-LineStart as_previous(const model::PreviousShape& left, const std::optional<Vec3>& xa,
+LineStart as_previous(const model::PreviousShape& previous, const std::optional<Vec3>& xa,
                       const std::optional<Vec3>& xb, const Mesh& mesh, const LineSpan& span) {
-  const RowCurve spline(left.arc, left.position);
-  const double there = left.arc.back();
+  const RowCurve spline(previous.arc, previous.position);
+  const double previous_length = previous.arc.back();
   Vec3 a = Vec3::Zero(), b = Vec3::Zero();
-  if (xa) a = *xa - left.position.front();
-  if (xb) b = *xb - left.position.back();
+  if (xa) a = *xa - previous.position.front();
+  if (xb) b = *xb - previous.position.back();
   if (!xa) a = b;
   if (!xb) b = a;
   LineStart out;
   for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
-    const double share = mesh.node(n).arc / span.length, s = share * there;
+    const double fraction = mesh.node(n).arc / span.length, s = fraction * previous_length;
     const VectorMotion at = spline.at(s);
-    out.x.push_back(at.value + (1 - share) * a + share * b);
-    if (left.rotation.empty()) {
+    out.x.push_back(at.value + (1 - fraction) * a + fraction * b);
+    if (previous.rotation.empty()) {
       out.tangent.push_back(at.rate.normalized());
       continue;
     }
-    const auto above = std::upper_bound(left.arc.begin() + 1, left.arc.end() - 1, s);
-    const size_t j = above - left.arc.begin();
-    const double z = std::clamp((s - left.arc[j - 1]) / (left.arc[j] - left.arc[j - 1]), 0.0, 1.0);
-    out.q.push_back(left.rotation[j - 1].slerp(z, left.rotation[j]));
+    const auto above = std::upper_bound(previous.arc.begin() + 1, previous.arc.end() - 1, s);
+    const size_t j = above - previous.arc.begin();
+    const double z =
+        std::clamp((s - previous.arc[j - 1]) / (previous.arc[j] - previous.arc[j - 1]), 0.0, 1.0);
+    out.q.push_back(previous.rotation[j - 1].slerp(z, previous.rotation[j]));
     out.tangent.push_back(out.q.back() * Vec3::UnitX());
   }
   return out;
@@ -245,22 +246,22 @@ LineStart lay_free(const model::Case& c, const model::Line& line, const Bodies& 
 }
 
 double least_bending_stiffness(const model::Case& c, const model::Line& line) {
-  double least = HUGE_VAL;
+  double smallest = HUGE_VAL;
   for (const model::Section& s : line.sections)
-    least = std::min(least, c.line_type(s.type).least_bending_stiffness());
-  return least;
+    smallest = std::min(smallest, c.line_type(s.type).least_bending_stiffness());
+  return smallest;
 }
 
 // True if a line that is no longer than the distance of its ends carries its weight by bending: as a cable it
 // would sag under the tension w L²/(8 sag), and a beam whose buckling load is above this tension sags less.
 bool is_beam(const model::Case& c, const model::Line& line, const std::vector<CatenarySection>& sections,
              double length, const std::vector<Vec3>& x) {
-  const Vec3 way = x.back() - x.front();
-  if (length > (1 + kSlack) * way.norm()) return false;
+  const Vec3 chord = x.back() - x.front();
+  if (length > (1 + kSlack) * chord.norm()) return false;
   const double stiffness = least_bending_stiffness(c, line);
   double load = 0, sag = 0;
   for (const CatenarySection& s : sections) load = std::max(load, s.load.norm());
-  for (const Vec3& p : x) sag = std::max(sag, (p - x.front()).cross(way).norm() / way.norm());
+  for (const Vec3& p : x) sag = std::max(sag, (p - x.front()).cross(chord).norm() / chord.norm());
   return load * std::pow(length, 4) < 8 * sag * M_PI * M_PI * stiffness;
 }
 

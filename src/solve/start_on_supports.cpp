@@ -49,7 +49,8 @@ void add_cubic(Chain& chain, const GuidePoint from, const GuidePoint& to) {
   }
 }
 
-struct Rest {
+// What is beyond a place of the path.
+struct Remainder {
   double deep = 0, wide = 0;  // m, vertical and horizontal distance to the other end
   double length = 0;          // m, of line that remains
 };
@@ -66,15 +67,15 @@ struct Sag {
 // The length [m] that is missing if the line leaves at this angle in a catenary and then lies along the bed
 // to the other end. It increases with the angle and with the position along the supports. At small angles the
 // catenary does not reach the bed before the other end.
-double lacking(double down, const Rest& r) {
+double lacking(double down, const Remainder& r) {
   if (!(down > 1e-4)) return -HUGE_VAL;
   const Sag sag(down, r.deep);
   return sag.wide > r.wide ? -HUGE_VAL : sag.length + r.wide - sag.wide - r.length;
 }
 
-class OverSupports {
+class PathOverSupports {
  public:
-  OverSupports(const model::Case& c, const model::Line& line, const Bodies& bodies, double length)
+  PathOverSupports(const model::Case& c, const model::Line& line, const Bodies& bodies, double length)
       : c_(c), line_(line), length_(length) {
     radius_ = 0.5 * model::contact_diameter_of(c, line);
     const model::SupportBox* first = nullptr;
@@ -95,10 +96,10 @@ class OverSupports {
     const RigidPose pose = start_pose(c, bodies, *end);
     GuidePoint from{pose.to_space(end->at), (boxes.front().at - pose.to_space(end->at)).normalized()};
     if (end->direction) from.along = pose.rotation * (from_a() ? *end->direction : Vec3(-*end->direction));
-    way_.add(from);
+    path_.add(from);
     for (const GuidePoint& b : boxes) {
-      add_cubic(way_, way_.places.back(), b);
-      last_ = way_.places.size() - 1;
+      add_cubic(path_, path_.places.back(), b);
+      last_ = path_.places.size() - 1;
     }
     first_ = std::max<size_t>(1, closed * kPieces);
     const model::End& other = line.end(opposite(from_));
@@ -113,14 +114,14 @@ class OverSupports {
       hang();
     else if (!to_bed())
       straight();
-    return way_;
+    return path_;
   }
   bool from_a() const { return from_ == LineEnd::A; }
 
  private:
-  Rest rest(size_t i) const {
-    const Vec3& p = way_.places[i].at;
-    return {p.z() - to_->z(), std::hypot(to_->x() - p.x(), to_->y() - p.y()), length_ - way_.arc[i]};
+  Remainder remainder(size_t i) const {
+    const Vec3& p = path_.places[i].at;
+    return {p.z() - to_->z(), std::hypot(to_->x() - p.x(), to_->y() - p.y()), length_ - path_.arc[i]};
   }
   // From place i down to the bed in a catenary, and along the bed. False if the other end is not on the bed.
   bool to_bed() {
@@ -129,9 +130,9 @@ class OverSupports {
         std::abs(model::height_above_bed(bed, *to_)) > 2 * radius_ + 1e-3 * std::abs(bed.depth))
       return false;
     size_t i = first_;
-    while (i < last_ && !(lacking(dip(way_.places[i].along), rest(i)) >= 0)) ++i;
-    const Rest r = rest(i);
-    double down = dip(way_.places[i].along);
+    while (i < last_ && !(lacking(dip(path_.places[i].along), remainder(i)) >= 0)) ++i;
+    const Remainder r = remainder(i);
+    double down = dip(path_.places[i].along);
     if (!(r.deep > 0) || i == 1 || lacking(down, r) > kStretched * length_) return false;
     if (!(lacking(down, r) >= 0)) {  // the line is longer than this path needs, so it leaves more steeply
       double low = std::max(down, 1e-3), high = kSteepest;
@@ -140,57 +141,57 @@ class OverSupports {
     }
     cut(i);
     const Sag sag(down, r.deep);
-    const Vec3 p = way_.places.back().at;
-    const Vec3 over = Vec3(to_->x() - p.x(), to_->y() - p.y(), 0).normalized();
+    const Vec3 p = path_.places.back().at;
+    const Vec3 towards_end = Vec3(to_->x() - p.x(), to_->y() - p.y(), 0).normalized();
     const int pieces = 10 * kPieces;
     for (int k = 1; k <= pieces; ++k) {  // from the bed, where it is horizontal: x = a asinh(s / a)
       const double s = sag.length * (1 - static_cast<double>(k) / pieces), t = std::asinh(s / sag.scale);
-      const Vec3 x = p + (sag.wide - sag.scale * t) * over;
-      way_.add({Vec3(x.x(), x.y(), to_->z() + sag.scale * (std::cosh(t) - 1)),
-                (over - std::sinh(t) * Vec3::UnitZ()).normalized()});
+      const Vec3 x = p + (sag.wide - sag.scale * t) * towards_end;
+      path_.add({Vec3(x.x(), x.y(), to_->z() + sag.scale * (std::cosh(t) - 1)),
+                 (towards_end - std::sinh(t) * Vec3::UnitZ()).normalized()});
     }
-    way_.add({*to_, over});
+    path_.add({*to_, towards_end});
     return true;
   }
   // Straight from where it leaves the supports to the other end.
   void straight() {
     size_t i = first_;
-    const auto to_end = [&](size_t k) { return Vec3((*to_ - way_.places[k].at).normalized()); };
-    while (i < last_ && dip(way_.places[i].along) < dip(to_end(i))) ++i;
+    const auto to_end = [&](size_t k) { return Vec3((*to_ - path_.places[k].at).normalized()); };
+    while (i < last_ && dip(path_.places[i].along) < dip(to_end(i))) ++i;
     cut(i);
-    const Vec3 over = to_end(i);
-    way_.add({way_.places.back().at, over});
-    way_.add({*to_, over});
-    if (way_.length() > (1 + kStretched) * length_)
-      c_.refuse("lines." + line_.name + ".sections", advice::too_short_for_supports(length_, way_.length()));
+    const Vec3 towards_end = to_end(i);
+    path_.add({path_.places.back().at, towards_end});
+    path_.add({*to_, towards_end});
+    if (path_.length() > (1 + kStretched) * length_)
+      c_.refuse("lines." + line_.name + ".sections", advice::too_short_for_supports(length_, path_.length()));
   }
   // With a free end: straight on from the last support, and along the bed.
   void hang() {
-    if (way_.length() >= length_) return;
+    if (path_.length() >= length_) return;
     const model::Seabed& bed = c_.environment.seabed;
-    GuidePoint p = way_.places.back();
-    double left = length_ - way_.length();
+    GuidePoint p = path_.places.back();
+    double remaining = length_ - path_.length();
     const double high = bed.present ? model::height_above_bed(bed, p.at) - radius_ : HUGE_VAL;
-    if (p.along.z() < 0 && high < -p.along.z() * left) {
-      const double way = std::max(high, 0.0) / -p.along.z();
-      p.at += way * p.along;
-      way_.add(p);
-      left -= way;
+    if (p.along.z() < 0 && high < -p.along.z() * remaining) {
+      const double slope_length = std::max(high, 0.0) / -p.along.z();
+      p.at += slope_length * p.along;
+      path_.add(p);
+      remaining -= slope_length;
       p.along = Vec3(p.along.x(), p.along.y(), 0).normalized();
-      way_.add(p);
+      path_.add(p);
     }
-    way_.add({p.at + left * p.along, p.along});
+    path_.add({p.at + remaining * p.along, p.along});
   }
   void cut(size_t last) {
-    way_.places.resize(last + 1);
-    way_.arc.resize(last + 1);
+    path_.places.resize(last + 1);
+    path_.arc.resize(last + 1);
   }
 
   const model::Case& c_;
   const model::Line& line_;
   const double length_;
   double radius_ = 0;
-  Chain way_;
+  Chain path_;
   // Places from which the line may leave the supports: first_ is at the last box that is closed above, or at
   // the first place if there is none; last_ is at the last box.
   size_t first_ = 1, last_ = 0;
@@ -203,23 +204,23 @@ class OverSupports {
 
 std::optional<LineStart> line_over_supports(const model::Case& c, const model::Line& line,
                                             const Bodies& bodies, const Mesh& mesh, const LineSpan& span) {
-  OverSupports over(c, line, bodies, span.length);
-  if (!over.known()) return {};
-  const Chain& way = over.find();
+  PathOverSupports supports(c, line, bodies, span.length);
+  if (!supports.known()) return {};
+  const Chain& path = supports.find();
   const double used_length =
       line.end_a.kind == model::EndKind::free || line.end_b.kind == model::EndKind::free
-          ? std::max(way.length(), span.length)
-          : way.length();
+          ? std::max(path.length(), span.length)
+          : path.length();
   LineStart out;
   for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
-    const double share = mesh.node(n).arc / span.length;
-    const double s = std::min((over.from_a() ? share : 1 - share) * used_length, way.length());
+    const double fraction = mesh.node(n).arc / span.length;
+    const double s = std::min((supports.from_a() ? fraction : 1 - fraction) * used_length, path.length());
     size_t i = 1;
-    while (i + 1 < way.places.size() && s > way.arc[i]) ++i;
-    const double d = way.arc[i] - way.arc[i - 1], t = d > 0 ? (s - way.arc[i - 1]) / d : 1;
-    const Vec3 along = ((1 - t) * way.places[i - 1].along + t * way.places[i].along).normalized();
-    out.x.push_back((1 - t) * way.places[i - 1].at + t * way.places[i].at);
-    out.tangent.push_back(over.from_a() ? along : Vec3(-along));
+    while (i + 1 < path.places.size() && s > path.arc[i]) ++i;
+    const double d = path.arc[i] - path.arc[i - 1], t = d > 0 ? (s - path.arc[i - 1]) / d : 1;
+    const Vec3 along = ((1 - t) * path.places[i - 1].along + t * path.places[i].along).normalized();
+    out.x.push_back((1 - t) * path.places[i - 1].at + t * path.places[i].at);
+    out.tangent.push_back(supports.from_a() ? along : Vec3(-along));
   }
   return out;
 }

@@ -65,8 +65,8 @@ bool opposite_is_below_ground(const model::Case& c, LineEnd line_end, const Vec3
 
 // Adds a note if an end is clamped against the direction that the line would have there.
 void warn_of_direction(const model::Case& c, const model::Line& line, LineEnd line_end, const Vec3& x,
-                       const Vec3& own, const Vec3& given, std::vector<std::string>& notes) {
-  const double turn = std::acos(std::clamp(own.dot(given), -1.0, 1.0));
+                       const Vec3& unclamped, const Vec3& given, std::vector<std::string>& notes) {
+  const double turn = std::acos(std::clamp(unclamped.dot(given), -1.0, 1.0));
   if (turn < kAgainst || opposite_is_below_ground(c, line_end, x, given)) return;
   notes.push_back(advice::against_direction(line, line_end, turn));
 }
@@ -158,15 +158,15 @@ class Starts {
 
   std::vector<std::string> take_notes() { return std::move(notes_); }
 
-  // Calls what(line, shape) for each line whose shape is known, in the order of the case.
-  template <class What>
-  void each(const What& what) {
+  // Calls visit(line, shape) for each line whose shape is known, in the order of the case.
+  template <class Visit>
+  void each(const Visit& visit) {
     for (size_t g = 0; g < lines_.size(); ++g) {
       if (at_[g] < 0) continue;
       StartedLine& started = started_[at_[g]];
       for (size_t l = lines_[g].first, end = l + lines_[g].parts; l < end; ++l)
-        what(l, c_.lines[l].given ? part_of(started, c_.lines[l], mesh_.mesh->lines[l].nodes)
-                                  : std::move(started.shape));
+        visit(l, c_.lines[l].given ? part_of(started, c_.lines[l], mesh_.mesh->lines[l].nodes)
+                                   : std::move(started.shape));
     }
   }
 
@@ -217,7 +217,7 @@ class Starts {
 
   // Raises lines over volumes and over each other, and sets the axes of their nodes. Collective.
   void lay(const Surfaces& surfaces) {
-    constexpr int kMostNotes = 3;
+    constexpr int kMaxNotes = 3;
     std::vector<StartNote> over_volumes, over_lines, turned;
     on_each_rank(comm_, [&] {
       over_volumes = lay_over_volumes(c_, bodies_, surfaces, started_);
@@ -229,13 +229,13 @@ class Starts {
           if (started.counted) turned.push_back({started.number, 0, std::move(n)});
       }
     });
-    const auto add = [&](std::vector<StartNote> notes, int most, std::string (*more)(size_t)) {
-      FirstNotes first = first_notes(comm_, std::move(notes), most);
+    const auto add = [&](std::vector<StartNote> notes, int limit, std::string (*more)(size_t)) {
+      FirstNotes first = first_notes(comm_, std::move(notes), limit);
       std::move(first.texts.begin(), first.texts.end(), std::back_inserter(notes_));
       if (first.more > 0) notes_.push_back(more(static_cast<size_t>(first.more)));
     };
-    add(std::move(over_volumes), kMostNotes, advice::more_start_over_volumes);
-    add(std::move(over_lines), kMostNotes, advice::more_start_over_lines);
+    add(std::move(over_volumes), kMaxNotes, advice::more_start_over_volumes);
+    add(std::move(over_lines), kMaxNotes, advice::more_start_over_lines);
     add(std::move(turned), std::numeric_limits<int>::max(), nullptr);
   }
 
@@ -273,11 +273,11 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
   if (given.end_a.kind == model::EndKind::free && given.end_b.kind == model::EndKind::free &&
       line.from == 0 && c.statics.enabled && model::laid_with_friction(c, given) &&
       g.node(span.first_node).rotates)
-    if (const int here = mesh.find(span.first_node); here >= 0) {
+    if (const int local_node = mesh.find(span.first_node); local_node >= 0) {
       TiedNode s;
       s.position_mask = 0;
       s.rotation_mask = 1;
-      s.node = here;
+      s.node = local_node;
       out.tied.push_back(s);
     }
   const std::optional<LineEnd> twist = twist_end(c, given);
@@ -288,8 +288,8 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
     if (cut) continue;
     const int node = span.end_node(end);
     const bool joint = e.kind == model::EndKind::joint;
-    if (const int here = mesh.find(node); joint && here >= 0)
-      out.state.x[here] = e.at;  // exactly where the other ends at the joint are
+    if (const int local_node = mesh.find(node); joint && local_node >= 0)
+      out.state.x[local_node] = e.at;  // exactly where the other ends at the joint are
     if (joint && (end != twist || !g.node(node).rotates)) continue;
     TiedNode s;
     if (joint) s.position_mask = 0;
@@ -308,8 +308,8 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
         s.rotation_mask = 1;
       }
     }
-    if (const int here = mesh.find(node); here >= 0) {
-      s.node = here;
+    if (const int local_node = mesh.find(node); local_node >= 0) {
+      s.node = local_node;
       out.tied.push_back(s);
     }
   }
@@ -367,11 +367,11 @@ StartShape start_shape(MPI_Comm comm, const model::Case& c, const LocalMesh& mes
     out.ends[l] = {start_pose(c, bodies, line.end_a).rotation.conjugate() * q.front(),
                    start_pose(c, bodies, line.end_b).rotation.conjugate() * q.back()};
     for (int i = 0; i < span.nodes; ++i) {
-      const int here = mesh.find(span.first_node + i);
-      if (here < 0) continue;
-      const size_t n = here, k = i;
+      const int local_node = mesh.find(span.first_node + i);
+      if (local_node < 0) continue;
+      const size_t n = local_node, k = i;
       out.state.x[n] = shape.x[k];
-      if (mesh.rotates(here)) out.state.q[n] = q[k];
+      if (mesh.rotates(local_node)) out.state.q[n] = q[k];
     }
     hold_ends(c, mesh, l, out);
     if (with_bed) places[l] = std::move(shape.x);
@@ -384,8 +384,8 @@ StartShape start_shape(MPI_Comm comm, const model::Case& c, const LocalMesh& mes
     out.laid.assign(static_cast<size_t>(mesh.nodes()), Vec3::Zero());
     for (size_t l = 0; l < laid.size(); ++l)
       for (size_t i = 0; i < laid[l].size(); ++i)
-        if (const int here = mesh.find(g.lines[l].first_node + static_cast<int>(i)); here >= 0)
-          out.laid[here] = laid[l][i];
+        if (const int local_node = mesh.find(g.lines[l].first_node + static_cast<int>(i)); local_node >= 0)
+          out.laid[local_node] = laid[l][i];
   }
   tie_to_joints(c, mesh, out);
   start_bodies(c, mesh, bodies, out.state);

@@ -68,18 +68,18 @@ std::vector<bool> with_groups(const model::Case& c, const std::vector<model::Giv
   return out;
 }
 
-FirstNotes first_notes(MPI_Comm comm, std::vector<StartNote> mine, int most) {
-  const auto sort = [](std::vector<StartNote>& notes) {
-    std::stable_sort(notes.begin(), notes.end(), [](const StartNote& a, const StartNote& b) {
+FirstNotes first_notes(MPI_Comm comm, std::vector<StartNote> notes, int limit) {
+  const auto sort = [](std::vector<StartNote>& list) {
+    std::stable_sort(list.begin(), list.end(), [](const StartNote& a, const StartNote& b) {
       return std::tie(a.first, a.second) < std::tie(b.first, b.second);
     });
   };
-  int all = static_cast<int>(mine.size());
+  int all = static_cast<int>(notes.size());
   if (all_reduce(comm, MPI_SUM, all) == 0) return {};
-  sort(mine);
-  if (std::ssize(mine) > most) mine.resize(most);
+  sort(notes);
+  if (std::ssize(notes) > limit) notes.resize(limit);
   std::vector<int> sent;
-  for (const StartNote& n : mine) {
+  for (const StartNote& n : notes) {
     sent.insert(sent.end(), {n.first, n.second, static_cast<int>(n.text.size())});
     sent.insert(sent.end(), n.text.begin(), n.text.end());
   }
@@ -91,7 +91,7 @@ FirstNotes first_notes(MPI_Comm comm, std::vector<StartNote> mine, int most) {
   }
   sort(first);
   FirstNotes out;
-  for (size_t i = 0; i < first.size() && std::ssize(out.texts) < most; ++i)
+  for (size_t i = 0; i < first.size() && std::ssize(out.texts) < limit; ++i)
     out.texts.push_back(std::move(first[i].text));
   out.more = all - static_cast<int>(out.texts.size());
   return out;

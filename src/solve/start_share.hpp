@@ -24,11 +24,11 @@ struct StartNote {
   std::string text;
 };
 
-// First `most` notes of all ranks in order, and the number of further ones. Collective.
+// First `limit` notes of all ranks in order, and the number of further ones. Collective.
 struct FirstNotes {
   std::vector<std::string> texts;
   int more = 0;
 };
-FirstNotes first_notes(MPI_Comm comm, std::vector<StartNote> mine, int most);
+FirstNotes first_notes(MPI_Comm comm, std::vector<StartNote> notes, int limit);
 
 }  // namespace hawser

@@ -18,13 +18,13 @@ constexpr double kRounding = 1e-10;  // relative difference of energies below wh
 constexpr double kFirstShift = 1e-3;
 // Ratio of axial stiffness to load at the start; its factor from stage to stage.
 constexpr double kSoft = 300, kStiffening = 30;
-constexpr int kMostTrials = 30, kMaxEscapes = 3, kPolish = 4;
+constexpr int kMaxTrials = 30, kMaxEscapes = 3, kPolish = 4;
 constexpr double kNegative =
     1e-7;  // relative shift; eigenvalues of slack parts, which are round-off, are below it
-// Factor of a shortened step below which the energy may have a kink, the distance of its sides as a share of
-// the longest element, and the change of slope between them as a share of the slope at the state.
+// Factor of a shortened step below which the energy may have a kink, the distance of its sides as a fraction
+// of the longest element, and the change of slope between them as a fraction of the slope at the state.
 constexpr double kShortened = 0.25, kWidth = 1e-8, kJump = 0.1;
-constexpr int kMostCut = 100;  // most steps of a descent that blocking lines may shorten
+constexpr int kMaxCut = 100;  // most steps of a descent that blocking lines may shorten
 
 }  // namespace
 
@@ -42,8 +42,8 @@ StaticSearch::StaticSearch(System& system, const StaticsSettings& settings, Stat
 
 StaticsReport StaticSearch::run(bool skip_softening) {
   if (!skip_softening) soften_in_stages();
-  State left;       // the equilibrium that was left last
-  double push = 0;  // m, distance from it at which relaxation began
+  State last_equilibrium;  // the equilibrium that was left last
+  double push = 0;         // m, distance from it at which relaxation began
   for (;;) {
     descend(settings_.tolerance);
     use_tangent(true, kNegative);
@@ -56,18 +56,18 @@ StaticsReport StaticSearch::run(bool skip_softening) {
     if (settings_.starts_near || report_.negative_eigenvalues <= 0) break;
     // The same holds for drag. An equilibrium is therefore stable if relaxation returns to within the
     // distance of the perturbation.
-    if (push > 0 && distance_from(left) < push) {
+    if (push > 0 && distance_from(last_equilibrium) < push) {
       report_.negative_eigenvalues = -1;
       --report_.escapes;
       break;
     }
     if (report_.escapes == kMaxEscapes) break;
     ++report_.escapes;
-    left = state_;
+    last_equilibrium = state_;
     push_state(report_.escapes);
     push = 0;
     if (!relaxation_) continue;
-    const double pushed = distance_from(left);
+    const double pushed = distance_from(last_equilibrium);
     if (relax_from_push()) push = pushed;
   }
   polish();
@@ -154,16 +154,16 @@ bool StaticSearch::advance(Vec y) {
   const bool close = exact_;
   const double slope = set_direction(y);
   const double largest = largest_factor();
-  Descent found = find_descent(slope, largest, close);
-  search_for_kink(found, slope, close);
-  if (found.taken) accept_trial();
-  if (found.searched) residual();
-  count_blocked(found.blocked);
-  if ((!found.taken && shift_ > 1e6) || blocked_steps_ > kMostCut)
+  Descent descent = find_descent(slope, largest, close);
+  search_for_kink(descent, slope, close);
+  if (descent.accepted) accept_trial();
+  if (descent.searched) residual();
+  count_blocked(descent.blocked);
+  if ((!descent.accepted && shift_ > 1e6) || blocked_steps_ > kMaxCut)
     stop_search();
   else
-    adapt_shift(found, close || largest == 1);
-  return found.taken;
+    adapt_shift(descent, close || largest == 1);
+  return descent.accepted;
 }
 
 double StaticSearch::set_direction(Vec y) {
@@ -175,7 +175,7 @@ double StaticSearch::set_direction(Vec y) {
 StaticSearch::Descent StaticSearch::find_descent(double slope, double first, bool close) {
   Descent out;
   out.bracket = {0, slope, 0, 0};
-  for (double factor = first; out.trials < kMostTrials && !out.taken; factor *= 0.5) {
+  for (double factor = first; out.trials < kMaxTrials && !out.accepted; factor *= 0.5) {
     ++out.trials;
     out.factor = factor;
     move_trial(factor);
@@ -187,39 +187,39 @@ StaticSearch::Descent StaticSearch::find_descent(double slope, double first, boo
     system_.residual(trial_.at_rest(), r_.get());
     const ResidualNorms n = system_.norms(r_.get());
     if (!std::isfinite(e) || !std::isfinite(n.force)) continue;
-    const double slope_there = slope_at_trial();
-    out.bracket.narrow(factor, slope_there, slope);
+    const double trial_slope = slope_at_trial();
+    out.bracket.narrow(factor, trial_slope, slope);
     // Forces without a potential may raise the energy near the solution. The residual must then be smaller
     // than any before, which prevents cycles.
-    out.taken = energy_falls(e, slope, slope_there, factor) || (close && n.relative() < least_residual_) ||
-                n.small(tolerance_);
-    if (out.taken) report_.norms = n;
+    out.accepted = energy_falls(e, slope, trial_slope, factor) || (close && n.relative() < least_residual_) ||
+                   n.small(tolerance_);
+    if (out.accepted) report_.norms = n;
   }
   return out;
 }
 
 // If the difference of the energies is lost in rounding, the trapezoidal rule on their slopes at both ends of
 // the step replaces it.
-bool StaticSearch::energy_falls(double energy, double slope, double slope_there, double factor) const {
+bool StaticSearch::energy_falls(double energy, double slope, double trial_slope, double factor) const {
   const bool flat = std::abs(energy - energy_) <= kRounding * std::abs(energy_);
-  const double rise = flat ? 0.5 * factor * (slope + slope_there) : energy - energy_;
+  const double rise = flat ? 0.5 * factor * (slope + trial_slope) : energy - energy_;
   return slope < 0 && rise <= kArmijo * factor * slope;
 }
 
-void StaticSearch::Bracket::narrow(double factor, double slope_there, double slope) {
-  if (slope_there > 0)
-    *this = {0, slope, factor, slope_there};
+void StaticSearch::Bracket::narrow(double factor, double trial_slope, double slope) {
+  if (trial_slope > 0)
+    *this = {0, slope, factor, trial_slope};
   else if (factor < beyond)
-    *this = {factor, slope_there, beyond, rises};
+    *this = {factor, trial_slope, beyond, rises};
 }
 
-void StaticSearch::search_for_kink(Descent& found, double slope, bool close) {
-  found.searched =
-      close && slope < 0 && found.bracket.rises > 0 && (!found.taken || found.factor <= kShortened);
-  if (!found.searched) return;
-  const bool kink = stop_at_kink(found.bracket, slope);
-  if (found.taken && !kink) move_trial(found.factor);  // back to the trial before the search
-  found.taken |= kink;
+void StaticSearch::search_for_kink(Descent& descent, double slope, bool close) {
+  descent.searched =
+      close && slope < 0 && descent.bracket.rises > 0 && (!descent.accepted || descent.factor <= kShortened);
+  if (!descent.searched) return;
+  const bool kink = stop_at_kink(descent.bracket, slope);
+  if (descent.accepted && !kink) move_trial(descent.factor);  // back to the trial before the search
+  descent.accepted |= kink;
 }
 
 // If lines block step after step, they approach each other further, and the search cannot continue.
@@ -235,32 +235,32 @@ void StaticSearch::stop_search() {
                                round_off ? SNES_CONVERGED_FNORM_RELATIVE : SNES_DIVERGED_LINE_SEARCH));
 }
 
-void StaticSearch::adapt_shift(const Descent& found, bool trusted) {
-  const bool at_once = found.taken && found.trials == 1;
+void StaticSearch::adapt_shift(const Descent& descent, bool trusted) {
+  const bool at_once = descent.accepted && descent.trials == 1;
   const double factor = at_once && trusted ? 0.2 : at_once ? 1 : 4;
   shift_ = std::clamp(factor * shift_, 1e-9, 1e7);
-  if (!found.taken) shift_ *= 10;
+  if (!descent.accepted) shift_ *= 10;
 }
 
-bool StaticSearch::stop_at_kink(Bracket at, double slope) {
+bool StaticSearch::stop_at_kink(Bracket bracket, double slope) {
   double far = 0;
   for (const double x : local_) far = std::max(far, std::abs(x));
   all_reduce(system_.comm(), MPI_MAX, far);
-  const double width = std::min(1e-3 * at.beyond, kWidth * length_ / far);
-  while (at.beyond - at.under > width) {
-    const double middle = 0.5 * (at.under + at.beyond);
+  const double width = std::min(1e-3 * bracket.beyond, kWidth * length_ / far);
+  while (bracket.beyond - bracket.under > width) {
+    const double middle = 0.5 * (bracket.under + bracket.beyond);
     move_trial(middle);
     system_.residual(trial_.at_rest(), r_.get());
-    const double there = slope_at_trial();
-    (there > 0 ? at.beyond : at.under) = middle;
-    (there > 0 ? at.rises : at.falls) = there;
+    const double trial_slope = slope_at_trial();
+    (trial_slope > 0 ? bracket.beyond : bracket.under) = middle;
+    (trial_slope > 0 ? bracket.rises : bracket.falls) = trial_slope;
   }
-  const bool kink = at.rises - at.falls > kJump * std::abs(slope);
+  const bool kink = bracket.rises - bracket.falls > kJump * std::abs(slope);
   if (kink) {
     std::vector<double> from_state(local_);
-    for (double& x : from_state) x *= at.beyond - at.under;
+    for (double& x : from_state) x *= bracket.beyond - bracket.under;
     kinks_.add(from_state, r_.get());
-    move_trial(at.under);
+    move_trial(bracket.under);
   }
   return kink;
 }

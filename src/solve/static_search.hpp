@@ -44,11 +44,11 @@ class StaticSearch : StaticTrial {
   struct Bracket {
     double under = 0, falls = 0, beyond = 0, rises = 0;
     // Adds the slope at a factor smaller than all before. `slope`: that at the state.
-    void narrow(double factor, double slope_there, double slope);
+    void narrow(double factor, double trial_slope, double slope);
   };
   // Outcome of a search along the increment.
   struct Descent {
-    bool taken = false;     // the trial is accepted
+    bool accepted = false;  // the trial is accepted
     bool blocked = false;   // by lines that a longer step would cross
     bool searched = false;  // for a kink
     int trials = 0;
@@ -61,23 +61,23 @@ class StaticSearch : StaticTrial {
   // Halves the increment, beginning with the factor `first`, until a trial is accepted. close: the tangent is
   // exact.
   Descent find_descent(double slope, double first, bool close);
-  bool energy_falls(double energy, double slope, double slope_there, double factor) const;
+  bool energy_falls(double energy, double slope, double trial_slope, double factor) const;
   // Near the solution, where a step was shortened much: continues to the near side of a kink, if there is
   // one.
-  void search_for_kink(Descent& found, double slope, bool close);
+  void search_for_kink(Descent& descent, double slope, bool close);
   void count_blocked(bool blocked);
   // Ends the search: converged to round-off, or without descent.
   void stop_search();
   // Shift of the next tangent. trusted: the step was not limited, or the tangent is exact.
-  void adapt_shift(const Descent& found, bool trusted);
+  void adapt_shift(const Descent& descent, bool trusted);
   // Searches the bracket for a kink of the energy. If there is one, sets trial_ and r_ to its near side and
   // adds the other one to kinks_. `slope` is the slope at the state. Returns whether there is one.
-  bool stop_at_kink(Bracket at, double slope);
+  bool stop_at_kink(Bracket bracket, double slope);
   // Iterates down to round-off. A residual within the tolerance depends on the number of iterations, and that
   // on rounding and the number of ranks; it would be visible in a soft line beside stiff ones.
   void polish();
   // Selects the next tangent: exact, or convex. A unit of shift is the stiffness of a typical tension over an
-  // element. The share `stiffer` of K is proportional to the shift, up to 1.
+  // element. The fraction `stiffer` of K is proportional to the shift, up to 1.
   void use_tangent(bool exact, double shift);
   void newton(Vec y);
   // Sets local_ and u_ to -y for Newton's direction y. If an exact tangent leads uphill, y is computed again

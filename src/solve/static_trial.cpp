@@ -15,7 +15,7 @@ namespace hawser {
 namespace {
 constexpr double kBodies = 20;  // m, replaces the length of lines in limits if there are none
 constexpr double kNear = 1e-2;  // residual over its scale below which the exact tangent is tried
-constexpr int kMostHalvings = 30;
+constexpr int kMaxHalvings = 30;
 }  // namespace
 
 StaticTrial::StaticTrial(System& system, State& state) : system_(system), state_(state), trial_(state) {
@@ -128,7 +128,7 @@ void StaticTrial::move_trial(double factor) {
   std::vector<double> u(local_);
   for (double& x : u) x *= factor;
   retract(system_.mesh(), state_, u.data(), trial_);
-  system_.tied_nodes().follow(trial_);
+  system_.tied_nodes().move_with_frames(trial_);
 }
 
 bool StaticTrial::path_is_clear() {
@@ -172,17 +172,17 @@ void StaticTrial::throw_no_equilibrium(const std::string& why) {
 }
 
 void StaticTrial::push_state(int attempt) {
-  double share = 1;
-  for (int k = 0; k < kMostHalvings; ++k, share *= 0.5) {
+  double fraction = 1;
+  for (int k = 0; k < kMaxHalvings; ++k, fraction *= 0.5) {
     trial_ = state_;
-    displace(attempt, share, trial_);
+    displace(attempt, fraction, trial_);
     if (!path_is_clear()) continue;
     accept_trial();
     return;
   }
 }
 
-void StaticTrial::displace(int attempt, double share, State& s) const {
+void StaticTrial::displace(int attempt, double fraction, State& s) const {
   const LocalMesh& m = system_.mesh();
   for (int n = 0; n < m.nodes(); ++n) {
     const size_t i = n;
@@ -190,7 +190,7 @@ void StaticTrial::displace(int attempt, double share, State& s) const {
     if (node.body >= 0) continue;
     const double L = m.mesh->lines[node.line].length, z = node.arc / L;
     const double bump =
-        share * 0.01 * attempt * L * std::sin(M_PI * z) * (1 + 0.3 * std::sin(9 * z + attempt));
+        fraction * 0.01 * attempt * L * std::sin(M_PI * z) * (1 + 0.3 * std::sin(9 * z + attempt));
     Vec3 d = bump * Vec3(0.31, 0.52, -0.79);
     const unsigned char held = system_.tied_nodes().held()[m.block[i]];
     for (int c = 0; c < 3; ++c)
@@ -200,7 +200,7 @@ void StaticTrial::displace(int attempt, double share, State& s) const {
     // rotations are perturbed as well.
     const size_t b = m.block[i];
     if (!m.rotates(n) || system_.tied_nodes().held()[b + 1]) continue;
-    const double angle = share * 0.05 * attempt;
+    const double angle = fraction * 0.05 * attempt;
     s.q[i] = s.q[i] * exp_so3(angle * Vec3(0.1 * std::sin(5 * z), std::sin(37 * z + 1), std::cos(41 * z)));
   }
 }

@@ -19,7 +19,7 @@
 namespace hawser {
 namespace {
 
-constexpr int kMostRaises = 100;
+constexpr int kMaxRaises = 100;
 
 // Passes the progress of relaxation to the settings of statics.
 void pass_on_progress(const StaticsSettings& settings, RelaxationSettings& r) {
@@ -105,7 +105,7 @@ StaticsReport relax_with_friction(System& system, const StaticsSettings& setting
     report.relaxation_steps += relaxed.steps;
     report.norms = relaxed.norms;
     if (!system.raise_stiffness(state.at_rest())) return report;
-    if (round == kMostRaises) throw SolveError(advice::automatic_stiffness_unsettled());
+    if (round == kMaxRaises) throw SolveError(advice::automatic_stiffness_unsettled());
     start.restore(state);
   }
 }
@@ -147,7 +147,7 @@ StaticsReport raise_until_enough(System& system, const StaticsSettings& settings
                                  State& state) {
   StaticsReport report = try_methods(system, settings, start, state);
   for (int round = 0; system.raise_stiffness(state.at_rest()); ++round) {
-    if (round == kMostRaises) throw SolveError(advice::automatic_stiffness_unsettled());
+    if (round == kMaxRaises) throw SolveError(advice::automatic_stiffness_unsettled());
     const StaticsReport more = StaticSearch(system, settings, state).run(true);
     report.iterations += more.iterations;
     report.escapes += more.escapes;
@@ -177,10 +177,10 @@ StaticsReport find_equilibrium(System& system, const StaticsSettings& settings, 
   for (auto* a : {&state.v, &state.a, &state.w, &state.alpha}) a->assign(n, Vec3::Zero());
   StaticSearch(system, settings, state).check_start();
   const StaticsReport report = restart_when_stiffened(system, settings, state);
-  if (const auto found = system.overstretched(state.at_rest()))
-    throw SolveError(advice::overstretched_in_statics(*found));
-  if (const auto found = system.lost_in_rounding(state.at_rest()))
-    throw SolveError(advice::tension_lost_in_statics(*found));
+  if (const auto overstretched = system.overstretched(state.at_rest()))
+    throw SolveError(advice::overstretched_in_statics(*overstretched));
+  if (const auto line = system.lost_in_rounding(state.at_rest()))
+    throw SolveError(advice::tension_lost_in_statics(*line));
   system.commit(state.at_rest());
   return report;
 }

@@ -9,10 +9,10 @@ namespace hawser {
 namespace {
 constexpr double kSafety = 0.9, kGrow = 1.5, kShrink = 0.25;
 constexpr int kPatience = 5;
-// After an impact, steps are at most kRinging periods of its contact for kFollowed periods. From then on a
-// step at most doubles the last one: the contact still vibrates faster than such steps resolve, and a step
-// that is many times as long as the last one would add energy to that vibration.
-constexpr double kRinging = 1.0 / 3, kFollowed = 20;
+// After an impact, steps are at most kPartOfPeriod of the period of its contact for kPeriodsAfterImpact
+// periods. From then on a step at most doubles the last one: the contact still vibrates faster than such
+// steps resolve, and a step that is many times as long as the last one would add energy to that vibration.
+constexpr double kPartOfPeriod = 1.0 / 3, kPeriodsAfterImpact = 20;
 }  // namespace
 
 StepControl::StepControl(const StepSettings& settings) : s_(settings) {
@@ -24,7 +24,7 @@ StepControl::StepControl(const StepSettings& settings) : s_(settings) {
 double StepControl::next(double t, double stop, double allowed) const {
   double proposal = proposal_;
   if (respects_term_limits()) {
-    if (impact_period_ > 0) allowed = std::min(allowed, followed(t));
+    if (impact_period_ > 0) allowed = std::min(allowed, allowed_after_impact(t));
     proposal = std::max(std::min(proposal_, allowed), s_.shortest);
   }
   const double n = std::ceil((stop - t) / proposal - 1e-6);
@@ -33,16 +33,18 @@ double StepControl::next(double t, double stop, double allowed) const {
 
 // Longest step from t after the last impact, s. Beyond resolved_until_ it grows by the time since then, so
 // that each step at most doubles.
-double StepControl::followed(double t) const {
-  return kRinging * impact_period_ + std::max(t - resolved_until_, 0.0);
+double StepControl::allowed_after_impact(double t) const {
+  return kPartOfPeriod * impact_period_ + std::max(t - resolved_until_, 0.0);
 }
 
-// Until the limit by the last impact allows steps of kRinging times `period`, a softer contact (longer
+// Until the limit by the last impact allows steps of kPartOfPeriod times `period`, a softer contact (longer
 // period) does not replace that impact.
-void StepControl::follow_impact(double t, double period) {
-  if (!std::isfinite(period) || (impact_period_ > 0 && kRinging * period > followed(t) * (1 + 1e-9))) return;
+void StepControl::after_impact(double t, double period) {
+  if (!std::isfinite(period) ||
+      (impact_period_ > 0 && kPartOfPeriod * period > allowed_after_impact(t) * (1 + 1e-9)))
+    return;
   impact_period_ = period;
-  resolved_until_ = t + kFollowed * period;
+  resolved_until_ = t + kPeriodsAfterImpact * period;
 }
 
 void StepControl::reset_to_first_step() {
@@ -55,7 +57,7 @@ bool StepControl::accurate(double h, double error) const {
   return error <= 2 * s_.error_tolerance;
 }
 
-void StepControl::accepted(double h, int iterations, double error) {
+void StepControl::after_accepted_step(double h, int iterations, double error) {
   const bool fixed = s_.fixed > 0, may_grow = growth_wait_ == 0;
   const double limit = fixed ? s_.fixed : s_.longest;
   if (!may_grow) --growth_wait_;
@@ -73,7 +75,7 @@ void StepControl::accepted(double h, int iterations, double error) {
   proposal_ = std::clamp(from * factor, s_.shortest, limit);
 }
 
-bool StepControl::rejected(double h, bool diverged, double error) {
+bool StepControl::after_rejected_step(double h, bool diverged, double error) {
   if (is_shortest(h)) return false;
   double factor = 0.5;
   if (!diverged && s_.error_tolerance > 0)

@@ -62,12 +62,12 @@ Verdict Dynamics::check_step() {
   if (!tries_.solved) return {Kind::shorter, imbalance(system_, r_.get(), norms_)};
   const Kinematics trial = trial_.s.after_step(h_);
   const NodeValue turn = alpha_turn(system_.mesh(), local_u_);
-  const int over = turned_over(system_.mesh(), kinematics(), trial);
+  const int local_node = turned_over(system_.mesh(), kinematics(), trial);
   double error = alpha_error(system_.mesh(), alpha_, h_, committed_, trial_, settings_.strictness);
-  double largest_turn = turn.value, node_turned_over = over, beyond = system_.overstretch(trial).beyond;
-  RankMax of_ranks;
-  for (double* number : {&error, &largest_turn, &node_turned_over, &beyond}) of_ranks.add(*number);
-  Verdict verdict = system_.check_step(trial, control_.divides(h_), std::move(of_ranks));
+  double largest_turn = turn.value, node_turned_over = local_node, beyond = system_.overstretch(trial).beyond;
+  RankMax maxima;
+  for (double* number : {&error, &largest_turn, &node_turned_over, &beyond}) maxima.add(*number);
+  Verdict verdict = system_.check_step(trial, control_.divides(h_), std::move(maxima));
   tries_.info.error = error;
   tries_.overstretched = beyond > 0;
   if (largest_turn > M_PI) {  // The same orientation would have another increment, in the opposite direction.
@@ -96,7 +96,7 @@ double Dynamics::begin_step() {
   if (control_.respects_term_limits()) {
     const StepLimit limit =
         system_.longest_step(kinematics(), {committed_.ax, alpha_stored(alpha_)}, control_.proposal());
-    control_.follow_impact(committed_.s.time, limit.period);
+    control_.after_impact(committed_.s.time, limit.period);
     tries_.allowed = limit.longest;
   }
   return next_try();
@@ -123,7 +123,7 @@ Dynamics::Decision Dynamics::decide() {
       if (tries_.overstretched)
         throw SolveError(
             advice::overstretched_at(trial_.s.time, *system_.overstretched(trial_.s.after_step(h_))));
-      control_.accepted(h_, tries_.info.iterations, error);
+      control_.after_accepted_step(h_, tries_.info.iterations, error);
       return {true, control_.proposal()};
     case Verdict::Kind::prepare_again:
       // The age of a candidate list must not influence the steps, because a restart makes a new list. So the
@@ -142,7 +142,7 @@ Dynamics::Decision Dynamics::decide() {
   ++tries_.info.rejected;
   tries_.search = {};
   tries_.event = HUGE_VAL;  // A shorter step may not reach the event.
-  if (control_.rejected(h_, !inaccurate, error)) return {false, next_try()};
+  if (control_.after_rejected_step(h_, !inaccurate, error)) return {false, next_try()};
   const std::string because = first_text(system_.comm(), advice::clause(verdict.because));
   throw SolveError(
       advice::shortest_step_fails(committed_.s.time, h_, because, folded_element(system_, kinematics())));

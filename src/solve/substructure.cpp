@@ -19,10 +19,10 @@ using KspHandle = Handle<KSP, KSPDestroy>;
 
 struct Substructure {
   bool coupled = false;
-  int most = 0;  // largest number of unknowns of a part
+  int max_unknowns = 0;  // largest number of unknowns of a part
   std::optional<InterfaceParts> interface;
   Handle<PC, PCDestroy> mumps;                              // if a part is too large
-  KspHandle own_block;                                      // LU of this rank's diagonal block
+  KspHandle local_block;                                    // LU of this rank's diagonal block
   VecHandle ghost, x, y;                                    // sequential: ghost unknowns, work vectors
   std::vector<Eigen::MatrixXd> Z;                           // by part: its rows of Ad^-1 Ao
   std::vector<Eigen::PartialPivLU<Eigen::MatrixXd>> small;  // by part that this rank solves
@@ -48,14 +48,14 @@ PetscErrorCode set_up_mumps(PC pc, Mat A, Substructure& s) {
   PetscFunctionReturn(0);
 }
 
-PetscErrorCode factor_own_block(Mat Ad, PetscInt ghosts, Substructure& s) {
+PetscErrorCode factor_local_block(Mat Ad, PetscInt ghosts, Substructure& s) {
   PetscFunctionBegin;
   PetscCall(MatCreateVecs(Ad, s.x.out(), s.y.out()));
   PetscCall(VecCreateSeq(PETSC_COMM_SELF, ghosts, s.ghost.out()));
-  PetscCall(KSPCreate(PETSC_COMM_SELF, s.own_block.out()));
-  PetscCall(KSPSetType(s.own_block.get(), KSPPREONLY));
+  PetscCall(KSPCreate(PETSC_COMM_SELF, s.local_block.out()));
+  PetscCall(KSPSetType(s.local_block.get(), KSPPREONLY));
   PC lu = nullptr;
-  PetscCall(KSPGetPC(s.own_block.get(), &lu));
+  PetscCall(KSPGetPC(s.local_block.get(), &lu));
   use_lu(lu, s.coupled);
   PetscFunctionReturn(0);
 }
@@ -78,7 +78,7 @@ PetscErrorCode find_columns(Mat Ao, Substructure& s) {
         PetscCall(VecSetValue(s.ghost.get(), 3 * part.ghosts[column / 3] + static_cast<int>(column % 3), 1,
                               INSERT_VALUES));
     PetscCall(MatMult(Ao, s.ghost.get(), s.y.get()));
-    PetscCall(KSPSolve(s.own_block.get(), s.y.get(), s.x.get()));
+    PetscCall(KSPSolve(s.local_block.get(), s.y.get(), s.x.get()));
     const PetscScalar* x = nullptr;
     PetscCall(VecGetArrayRead(s.x.get(), &x));
     for (size_t p = 0; p < parts.size(); ++p) {
@@ -94,15 +94,15 @@ PetscErrorCode find_columns(Mat Ao, Substructure& s) {
 // Factorises I + Z_G of the parts that this rank solves.
 void factorise_parts(Substructure& s) {
   using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-  std::vector<double> mine, solved;
+  std::vector<double> local, solved;
   const std::vector<InterfacePart>& parts = s.interface->parts();
   for (size_t p = 0; p < parts.size(); ++p)
     for (const int i : parts[p].shared)
       for (size_t j = 0; j < parts[p].ghosts.size(); ++j) {
         const RowMajor block = s.Z[p].block<3, 3>(3 * i, 3 * static_cast<Eigen::Index>(j));
-        mine.insert(mine.end(), block.data(), block.data() + block.size());
+        local.insert(local.end(), block.data(), block.data() + block.size());
       }
-  s.interface->bring_matrices(mine, solved);
+  s.interface->bring_matrices(local, solved);
   s.small.clear();
   const double* from = solved.data();
   for (const int size : s.interface->solved()) {
@@ -125,17 +125,17 @@ PetscErrorCode setup(PC pc) {
     s->interface.emplace(A);
     PetscInt ghosts = 0;
     PetscCall(MatGetSize(Ao, nullptr, &ghosts));
-    if (s->interface->largest() > s->most)
+    if (s->interface->largest() > s->max_unknowns)
       PetscCall(make_mumps(pc, *s));
     else
-      PetscCall(factor_own_block(Ad, ghosts, *s));
+      PetscCall(factor_local_block(Ad, ghosts, *s));
   }
   if (s->mumps) {
     PetscCall(set_up_mumps(pc, A, *s));
     PetscFunctionReturn(0);
   }
-  PetscCall(KSPSetOperators(s->own_block.get(), Ad, Ad));
-  PetscCall(KSPSetUp(s->own_block.get()));
+  PetscCall(KSPSetOperators(s->local_block.get(), Ad, Ad));
+  PetscCall(KSPSetUp(s->local_block.get()));
   PetscCall(find_columns(Ao, *s));
   factorise_parts(*s);
   PetscFunctionReturn(0);
@@ -183,7 +183,7 @@ PetscErrorCode apply(PC pc, Vec b, Vec x) {
   PetscCall(VecPlaceArray(s->y.get(), pb));
   PetscCall(VecGetArray(x, &px));
   PetscCall(VecPlaceArray(s->x.get(), px));
-  PetscCall(KSPSolve(s->own_block.get(), s->y.get(), s->x.get()));
+  PetscCall(KSPSolve(s->local_block.get(), s->y.get(), s->x.get()));
   PetscCall(VecResetArray(s->x.get()));
   PetscCall(VecResetArray(s->y.get()));
   correct(*s, px);
@@ -194,10 +194,10 @@ PetscErrorCode apply(PC pc, Vec b, Vec x) {
 
 }  // namespace
 
-void use_substructuring(PC pc, bool coupled, int most) {
+void use_substructuring(PC pc, bool coupled, int max_unknowns) {
   auto s = std::make_unique<Substructure>();
   s->coupled = coupled;
-  s->most = most;
+  s->max_unknowns = max_unknowns;
   use_shell(pc, "lines cut between ranks", std::move(s), setup, apply);
 }
 

@@ -17,15 +17,15 @@ void retract(const LocalMesh& mesh, const State& from, const double* u, State& t
 }
 
 State straight_path(const LocalMesh& mesh, const State& from, const State& to, double h) {
-  State way = from;
-  for (size_t n = 0; n < way.x.size(); ++n) {
-    way.v[n] = (to.x[n] - from.x[n]) / h;
-    way.a[n] = Vec3::Zero();
+  State path = from;
+  for (size_t n = 0; n < path.x.size(); ++n) {
+    path.v[n] = (to.x[n] - from.x[n]) / h;
+    path.a[n] = Vec3::Zero();
     if (!mesh.rotates(static_cast<int>(n))) continue;
-    way.w[n] = log_so3(from.q[n].conjugate() * to.q[n]) / h;
-    way.alpha[n] = Vec3::Zero();
+    path.w[n] = log_so3(from.q[n].conjugate() * to.q[n]) / h;
+    path.alpha[n] = Vec3::Zero();
   }
-  return way;
+  return path;
 }
 
 }  // namespace hawser

@@ -77,7 +77,7 @@ Assembler Assembler::for_tangent(const LocalMesh& mesh, const TiedNodeForces& ti
   a.weights_ = weights;
   a.convex_ = convex;
   a.matrix_ = to.matrix;
-  a.own_ = &to.own;
+  a.blocks_ = &to.blocks;
   a.retraction_ = &to.retraction;
   a.turn_of_ = &to.turn_of;
   a.held_ = &to.held;
@@ -129,22 +129,22 @@ void Assembler::add_tied(std::span<const int> rows, std::span<const int> columns
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Eigen::Index n = 3 * static_cast<Eigen::Index>(rows.size()),
                      m = 3 * static_cast<Eigen::Index>(columns.size());
-  const auto of = [n, m](DerivativeView A) { return Eigen::Map<const Matrix>(A.data(), n, m); };
-  const TiedNodeForces::Unknowns on = ties_->unknowns(rows);
+  const auto matrix_of = [n, m](DerivativeView A) { return Eigen::Map<const Matrix>(A.data(), n, m); };
+  const TiedNodeForces::Unknowns row_unknowns = ties_->unknowns(rows);
   const auto [to, P, V] = ties_->unknowns(columns);
   const Eigen::Index size = 3 * static_cast<Eigen::Index>(to.size());
   Matrix k = Matrix::Zero(n, size);
-  if (K.data()) k += of(K) * P;
-  if (C.data()) k += of(C) * V;
-  if (M.data()) k += ties_->director_weight() * of(M) * V;
+  if (K.data()) k += matrix_of(K) * P;
+  if (C.data()) k += matrix_of(C) * V;
+  if (M.data()) k += ties_->director_weight() * matrix_of(M) * V;
   k *= weights_.K;
   for (Eigen::Index j = 0; j < size; j += 3)
     if (const int turn = (*turn_of_)[to[j / 3]]; turn >= 0)
       k.middleCols<3>(j) = (k.middleCols<3>(j) * (*retraction_)[turn]).eval();
-  if (C.data()) k += weights_.C * of(C) * P;
-  if (M.data()) k += weights_.M * of(M) * P;
-  Matrix J = on.P.transpose() * k;
-  put(on.to, to, J.data());
+  if (C.data()) k += weights_.C * matrix_of(C) * P;
+  if (M.data()) k += weights_.M * matrix_of(M) * P;
+  Matrix J = row_unknowns.P.transpose() * k;
+  put(row_unknowns.to, to, J.data());
 }
 
 // Adds J to the matrix, without rows and columns of held components, which it sets to zero in J.
@@ -166,23 +166,23 @@ void Assembler::put(std::span<const int> rows, std::span<const int> columns, dou
       const bool none = !sending_ || std::all_of(J + 3 * i * m, J + 3 * (i + 1) * m,
                                                  [](double entry) { return entry == 0; });
       for (size_t j = 0; j < columns.size() && !none; ++j)
-        add_elsewhere(row, columns[j], J + 3 * i * m + 3 * j, stride);
+        add_nonlocal(row, columns[j], J + 3 * i * m + 3 * j, stride);
       continue;
     }
     double* to = nullptr;
     for (size_t j = 0; j < columns.size(); ++j) {
       const double* from = J + 3 * i * m + 3 * j;
-      to = columns[j] < owned_blocks_ ? own_->at(row, columns[j], to) : nullptr;
+      to = columns[j] < owned_blocks_ ? blocks_->at(row, columns[j], to) : nullptr;
       if (to)
         add_transposed(from, stride, to);
       else
-        add_elsewhere(row, columns[j], from, stride);
+        add_nonlocal(row, columns[j], from, stride);
     }
   }
 }
 
 // Adds a block in a row or a column of another rank.
-void Assembler::add_elsewhere(int row, int column, const double* J, int m) {
+void Assembler::add_nonlocal(int row, int column, const double* J, int m) {
   double block[9];
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) block[3 * r + c] = J[r * m + c];
@@ -243,12 +243,12 @@ bool Assembler::add_weighted(int a, int b, const Vec6& f, const Mat6& J) {
   }
   if (!matrix_) return true;
   const int blocks[2] = {a, b};
-  Mat6 own = J;
-  put(blocks, blocks, own.data());
+  Mat6 entries = J;
+  put(blocks, blocks, entries.data());
   return true;
 }
 
-void Assembler::add_masses(int a, int b, const Vec6& f, double own, double shared) {
+void Assembler::add_masses(int a, int b, const Vec6& f, double diagonal, double shared) {
   if (force_) {
     add_force(a, f[0], f[1], f[2]);
     add_force(b, f[3], f[4], f[5]);
@@ -257,13 +257,13 @@ void Assembler::add_masses(int a, int b, const Vec6& f, double own, double share
   const bool frames = tied(a) || tied(b);
   if (!matrix_ || (weights_.M == 0 && !frames)) return;
   if (frames) {
-    Mat6 M = own * Mat6::Identity();
+    Mat6 M = diagonal * Mat6::Identity();
     M.topRightCorner<3, 3>() = M.bottomLeftCorner<3, 3>() = shared * Mat3::Identity();
     return add_tied(blocks, blocks, {}, {}, M);
   }
   double J[36] = {};
   for (int i = 0; i < 6; ++i) {
-    J[7 * i] = weights_.M * own;
+    J[7 * i] = weights_.M * diagonal;
     J[6 * i + (i + 3) % 6] = weights_.M * shared;
   }
   put(blocks, blocks, J);

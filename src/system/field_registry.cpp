@@ -18,11 +18,13 @@ std::string label_of(const Field& field) {
 }
 
 void FieldRegistry::add(FieldSource source) {
-  const auto of_kin = [&](const FieldSource& f) { return f.name == source.onto || f.onto == source.onto; };
+  const auto same_group = [&](const FieldSource& f) {
+    return f.name == source.onto || f.onto == source.onto;
+  };
   auto at = sources_.end();
   if (!source.onto.empty())
     for (auto f = sources_.begin(); f != sources_.end(); ++f)
-      if (of_kin(*f)) at = f + 1;
+      if (same_group(*f)) at = f + 1;
   sources_.insert(at, std::move(source));
 }
 

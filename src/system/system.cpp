@@ -23,12 +23,12 @@ System::System(MPI_Comm comm, LocalMesh mesh) : comm_(comm), mesh_(std::move(mes
   size_arrays();
   lines_ = 1;
   for (const EvenPart& p : mesh_.mesh->parts()) lines_ = std::max(lines_, static_cast<size_t>(p.line) + 1);
-  for (const auto& [number, n] : mesh_.mesh->own_nodes())
+  for (const auto& [number, n] : mesh_.mesh->special_nodes())
     lines_ = std::max(lines_, static_cast<size_t>(n.line) + 1);
   cut_ = line_owners(mesh_).cut;
   for (int n = 0; n < mesh_.owned; ++n)
-    if (const int line = mesh_.node(n).line; own_lines_.empty() || own_lines_.back() != line)
-      own_lines_.push_back(line);
+    if (const int line = mesh_.node(n).line; local_lines_.empty() || local_lines_.back() != line)
+      local_lines_.push_back(line);
   tied_nodes_ = TiedNodes(mesh_, {}, {});
   longest_element_ = std::max(longest_element_, mesh_.mesh->longest_element());
   // The moment on a floating body is compared with a force times at least one metre.
@@ -157,10 +157,10 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
   for (size_t b = 0; b < turn_of_.size(); ++b)
     if (turn_of_[b] >= 0) retraction_[turn_of_[b]] = right_jacobian(Eigen::Map<const Vec3>(u.data() + 3 * b));
   check(MatZeroEntries(J));
-  const OwnBlocks own(J);
+  const LocalBlocks blocks(J);
   ties_.move(trial);
   Assembler assembler = Assembler::for_tangent(mesh_, ties_, trial.mean.weight, weights, convex,
-                                               {J, own, retraction_, turn_of_, tied_nodes_.held()});
+                                               {J, blocks, retraction_, turn_of_, tied_nodes_.held()});
   update_fed_lines(trial);
   for (size_t i = 0; i < terms_.size(); ++i) {
     const Logged logged(events_[i].tangent);
@@ -172,7 +172,7 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
   for (int b = 0; b < mesh_.owned_blocks; ++b) {
     if (!held[b] && !shifted) continue;
     const double shift = turn_of_[b] >= 0 ? weights.shift_rotation : weights.shift_position;
-    double* diagonal = own.at(b, b);
+    double* diagonal = blocks.at(b, b);
     for (int c = 0; c < 3; ++c) diagonal[4 * c] += held[b] >> c & 1 ? 1 : shift;
   }
   check(MatAssemblyBegin(J, MAT_FINAL_ASSEMBLY));
@@ -192,9 +192,9 @@ ResidualNorms System::norms(Vec r) const {
   check(VecRestoreArrayRead(r, &p));
   sum_cut_lines({s});
   std::vector<ResidualNorms> worst(1);
-  double most = -1;
+  double largest = -1;
   int line = 0;  // index of the worst line
-  for (const int l : own_lines_) {
+  for (const int l : local_lines_) {
     const double* sum = s.data() + 4 * static_cast<size_t>(l);
     const ResidualNorms n{rank_independent(std::sqrt(sum[0])),
                           rank_independent(std::sqrt(sum[1])),
@@ -204,14 +204,14 @@ ResidualNorms System::norms(Vec r) const {
                           longest_element_,
                           l < std::ssize(mesh_.mesh->lines) ? mesh_.mesh->lines[l].length : 1};
     const double size = n.relative();
-    if (size > most || !std::isfinite(size)) {
+    if (size > largest || !std::isfinite(size)) {
       worst[0] = n;
-      most = std::isfinite(size) ? size : HUGE_VAL;
+      largest = std::isfinite(size) ? size : HUGE_VAL;
       line = l;
     }
   }
   largest_of_ranks(
-      comm_, worst, [most](const ResidualNorms&) { return most; }, line);
+      comm_, worst, [largest](const ResidualNorms&) { return largest; }, line);
   return worst[0];
 }
 
@@ -220,10 +220,10 @@ ResidualNorms System::norms(Vec r) const {
 void System::sum_cut_lines(std::initializer_list<std::span<double>> all) const {
   if (cut_.empty()) return;
   std::vector<double> sums;
-  const auto each = [&](const auto& what) {
-    for (const std::span<double> of : all)
+  const auto each = [&](const auto& visit) {
+    for (const std::span<double> array : all)
       for (const int l : cut_)
-        what(of.subspan(of.size() / lines_ * static_cast<size_t>(l), of.size() / lines_));
+        visit(array.subspan(array.size() / lines_ * static_cast<size_t>(l), array.size() / lines_));
   };
   each([&](std::span<double> numbers) { sums.insert(sums.end(), numbers.begin(), numbers.end()); });
   sum(sums);
@@ -260,16 +260,17 @@ double ResidualNorms::relative() const {
                   ratio(moment, 4 * round_off * arm, moment_size(*this)));
 }
 
-bool System::soften(double most) {
+bool System::soften(double max_stiffness) {
   bool other = false;
-  for (HasAxialStiffness* t : listed<HasAxialStiffness>()) other |= t->soften(most);
+  for (HasAxialStiffness* t : listed<HasAxialStiffness>()) other |= t->soften(max_stiffness);
   return on_any_rank(comm_, other);
 }
 
 double System::axial_stiffness() const {
-  double most = 0;
-  for (const HasAxialStiffness* t : listed<HasAxialStiffness>()) most = std::max(most, t->axial_stiffness());
-  return all_reduce(comm_, MPI_MAX, most);
+  double largest = 0;
+  for (const HasAxialStiffness* t : listed<HasAxialStiffness>())
+    largest = std::max(largest, t->axial_stiffness());
+  return all_reduce(comm_, MPI_MAX, largest);
 }
 
 double System::dead_load() const {

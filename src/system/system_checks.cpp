@@ -6,8 +6,8 @@
 
 namespace hawser {
 namespace {
-constexpr double kRoundOffShare = 0.01;  // largest ratio of round-off to tension
-constexpr double kSure = 1e-3;           // this ratio for the EA that the message recommends
+constexpr double kMaxRoundOffRatio = 0.01;  // largest ratio of round-off to tension
+constexpr double kSure = 1e-3;              // this ratio for the EA that the message recommends
 }  // namespace
 
 Overstretch System::overstretch(const Kinematics& state) const {
@@ -22,7 +22,7 @@ std::optional<advice::Overstretched> System::overstretched(const Kinematics& sta
   if (!broadcast_largest(comm_, worst.beyond, 0, worst)) return std::nullopt;
   return advice::Overstretched{.place = mesh_.mesh->place(worst.node),
                                .strain = worst.strain,
-                               .most = worst.most,
+                               .most = worst.limit,
                                .tension = worst.tension,
                                .EA = worst.EA};
 }
@@ -36,9 +36,9 @@ std::optional<advice::LostInRounding> System::lost_in_rounding(const Kinematics&
   MPI_Allreduce(MPI_IN_PLACE, lines.data(), static_cast<int>(3 * lines.size()), MPI_DOUBLE, MPI_MAX, comm_);
   for (size_t l = 0; l < lines.size(); ++l) {
     const LineTension& t = lines[l];
-    const double share = t.round_off / std::max(t.tension, load);
-    if (share <= kRoundOffShare) continue;
-    return advice::LostInRounding{mesh_.mesh->lines[l].name, share, t.EA, t.EA * kSure / share};
+    const double ratio = t.round_off / std::max(t.tension, load);
+    if (ratio <= kMaxRoundOffRatio) continue;
+    return advice::LostInRounding{mesh_.mesh->lines[l].name, ratio, t.EA, t.EA * kSure / ratio};
   }
   return std::nullopt;
 }

@@ -9,8 +9,8 @@
 namespace hawser {
 namespace {
 
-bool all(MPI_Comm comm, bool here) {
-  int yes = here;
+bool all(MPI_Comm comm, bool local) {
+  int yes = local;
   all_reduce(comm, MPI_MIN, yes);
   return yes;
 }
@@ -136,8 +136,8 @@ std::vector<std::pair<int, int>> System::pattern() const {
 MatHandle System::create_matrix() const {
   const std::vector<std::pair<int, int>> entries = pattern();
   const size_t rows = mesh_.owned_blocks;
-  std::vector<PetscInt> own(rows, 0), other(rows, 0);
-  for (const auto& [row, column] : entries) ++(column < mesh_.owned_blocks ? own : other)[row];
+  std::vector<PetscInt> diagonal(rows, 0), off_diagonal(rows, 0);
+  for (const auto& [row, column] : entries) ++(column < mesh_.owned_blocks ? diagonal : off_diagonal)[row];
 
   MatHandle A;
   check(MatCreate(comm_, A.out()));
@@ -145,7 +145,7 @@ MatHandle System::create_matrix() const {
   check(MatSetSizes(A.get(), n, n, PETSC_DETERMINE, PETSC_DETERMINE));
   check(MatSetType(A.get(), MATBAIJ));
   check(MatSetBlockSize(A.get(), 3));
-  check(MatXAIJSetPreallocation(A.get(), 3, own.data(), other.data(), nullptr, nullptr));
+  check(MatXAIJSetPreallocation(A.get(), 3, diagonal.data(), off_diagonal.data(), nullptr, nullptr));
   if (!sends()) check(MatSetOption(A.get(), MAT_NO_OFF_PROC_ENTRIES, PETSC_TRUE));
   // PETSc discards entries that are not written at the first assembly, but candidates may touch later.
   const double zero[9] = {};

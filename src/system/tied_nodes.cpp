@@ -28,7 +28,7 @@ void TiedNodes::increments(const State& from, double t, double* u) const {
     const size_t n = s.node;
     double* p = u + 3 * mesh_->block[n];
     const RigidPose b = pose(s, t);
-    const bool tied = s.frame >= 0;  // follow() moves it
+    const bool tied = s.frame >= 0;  // move_with_frames() moves it
     const Vec3 move = b.to_space(s.at) - from.x[n];
     for (int c = 0; c < 3; ++c)
       if (s.position_mask >> c & 1) p[c] = s.position_mask == 7 && !tied ? move[c] : 0;
@@ -45,7 +45,7 @@ void TiedNodes::rates(double t, State& out) const {
   for (const TiedNode& s : nodes_) {
     const size_t n = s.node;
     const RigidPose b = pose(s, t);
-    if (s.frame >= 0) {  // follow() moves it; a single held component of rotation has no rate
+    if (s.frame >= 0) {  // move_with_frames() moves it; a single held component of rotation has no rate
       for (int c = 0; c < 3; ++c)
         if (s.rotation_mask != 7 && s.rotation_mask >> c & 1) out.w[n][c] = out.alpha[n][c] = 0;
       continue;
@@ -68,7 +68,7 @@ void TiedNodes::rates(double t, State& out) const {
   }
 }
 
-void TiedNodes::follow(State& out) const {
+void TiedNodes::move_with_frames(State& out) const {
   for (const int i : to_frames_) {
     const TiedNode& s = nodes_[i];
     const size_t n = s.node, f = s.frame;

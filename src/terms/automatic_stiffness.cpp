@@ -56,7 +56,7 @@ double stiffness_by_weight(double mass_per_length, double radius) {
   return mass_per_length * kStandardGravity / (kAllowedPenetration * radius);
 }
 
-// c (r/4)³ = 0.01 EA/r
+// k₃ (r/4)³ = 0.01 EA/r
 double cubic_stiffness(double EA, double radius) {
   return kBreaking * EA / (radius * std::pow(kDeepest * radius, 3));
 }

@@ -96,11 +96,11 @@ double BodyContact::followed(const Pair& pair, const Both& at, double most) cons
 
 void BodyContact::limit_by(const Pair& p, ImpactEvents& to) const {
   const SkeletonParts& leads = volumes_[p.a].skeleton.features;
-  const double speed = fastest(p, p.at), reach = std::isfinite(to.most) ? speed * to.most : HUGE_VAL;
+  const double speed = fastest(p, p.at), reach = std::isfinite(to.max_step) ? speed * to.max_step : HUGE_VAL;
   if (!near(p.b, p.at.across(leads.centre()), leads.radius(), p.law.smoothing + reach)) return;
   const double time_to_depth = speed > 0 ? std::max(p.most_depth / speed, 1e-6) : HUGE_VAL;
   to.limit(time_to_depth);  // not deeper in one step than at a first touch
-  const double most = std::min(to.most, time_to_depth);
+  const double most = std::min(to.max_step, time_to_depth);
   if (p.frequency > 0) {
     const double period = 2 * M_PI / p.frequency;
     to.limit(followed(p, p.at, std::min(most, period / kStepsAPeriod)));

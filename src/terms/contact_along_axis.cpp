@@ -21,9 +21,9 @@ constexpr size_t kTurns = AttachedForces::kPositions;
 struct AxisContact::Moving {
   bool on = false;
   AxisShape::Weights H{};
-  Vec3 by_axis = Vec3::Zero();                 // ds / dx(s), 1/m
-  std::array<Vec3, AxisShape::kMost> force{};  // dF_j / ds
-  std::array<double, 2> torque{};              // dT_i / ds
+  Vec3 by_axis = Vec3::Zero();                         // ds / dx(s), 1/m
+  std::array<Vec3, AxisShape::kMaxPositions> force{};  // dF_j / ds
+  std::array<double, 2> torque{};                      // dT_i / ds
 };
 
 AxisContact::AxisContact(const AxisShape& shape, const RigidPose& pose, double radius, double length,

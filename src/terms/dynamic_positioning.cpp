@@ -128,7 +128,8 @@ DynamicPositioning::Push DynamicPositioning::push_in_motion(const Positioned& p,
                                                             double time) {
   const double h = time - p.time;
   const SlowPose slow = h > 0 ? p.slow.after(pose, h, p.data.filter) : p.slow;
-  const SlowPose::Share share = h > 0 ? SlowPose::share(h, p.data.filter) : SlowPose::Share{};
+  const SlowPose::Derivatives share =
+      h > 0 ? SlowPose::derivatives(h, p.data.filter) : SlowPose::Derivatives{};
   Deviation deviation;
   deviation.heading = slow.place.z();
   deviation.offset = offset(p, slow.place);

@@ -96,7 +96,7 @@ void LineMass::evaluate(const Kinematics& trial, Assembler& assembler) {
       Vec6 f;
       cable_mass_force(p.section, trial.a[i], trial.a[j], w, f);
       const CableMass m = cable_mass(p.section);
-      assembler.add_masses(a, b, f, m.own, m.shared);
+      assembler.add_masses(a, b, f, m.diagonal, m.shared);
     } else if (assembler.needs_tangent()) {
       Vec12 f;
       Mat12 K, C, M;

@@ -116,9 +116,9 @@ void LinePairs::each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B
     s.range = swapped ? pair.range_b : pair.range_a;
     if (!(s.range[0] < s.range[1])) continue;
     s.slave_radius = type_of_segment(slave).radius;
-    s.share = slave_share(s.slave_radius, type_of_segment(master).radius);
+    s.fraction = slave_fraction(s.slave_radius, type_of_segment(master).radius);
     s.swapped = swapped;
-    if (!(s.share > 0)) continue;
+    if (!(s.fraction > 0)) continue;
     what(k, LinePairPass(swapped ? B : A, swapped ? A : B, target, s,
                          pair.points ? (*pair.points)[k] : nothing));
   }

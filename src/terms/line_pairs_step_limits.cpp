@@ -52,13 +52,13 @@ bool LinePairs::tunnels(const Pair& p, const Kinematics& trial) const {
   const AxisShape a0(start(p.a)), b0(start(p.b)), a1(ends(trial, p.a)), b1(ends(trial, p.b));
   ApproachLimits limits;
   if (trial.moves()) {
-    limits.most = kThrough * p.law.radii;
+    limits.min_distance = kThrough * p.law.radii;
     limits.part = 0.5;
     limits.floor = kPressed * p.law.radii;
     return sides_kept(a0, a1, b0, b1, limits) != Sides::kept;
   }
   // Axes may cross at the start; then neither side is the correct one.
-  limits.most = kStaticDepth * p.law.radii;
+  limits.min_distance = kStaticDepth * p.law.radii;
   limits.part = 0.9;
   limits.no_side = kNoSide * p.law.radii;
   return sides_kept(a0, a1, b0, b1, limits) == Sides::near;

@@ -67,7 +67,7 @@ bool LineVolumeContact::raise_stiffness(const Kinematics& equilibrium) {
         }
       }
       // A beam bends locally under contact, so its deepest point counts.
-      at.mean_depth = shape.count() == AxisShape::kMost ? at.depth : area / pair.length;
+      at.mean_depth = shape.count() == AxisShape::kMaxPositions ? at.depth : area / pair.length;
       at.static_share = touches ? static_share(pair, equilibrium, force, at.depth, normal) : 1;
       volumes_.require(pair.volume, pair.laws[0].normal, at, equilibrium.step, wanted);
     }

@@ -91,7 +91,7 @@ class LineVolumeFinder::Gap {
 
 bool LineVolumeFinder::certainly_apart(const LineVolumePair& pair, const AxisShape& shape,
                                        const RigidPose& pose) {
-  return pair.cache.clearance.left(bezier_in(pose, shape)) > 0;
+  return pair.cache.clearance.radius_about(bezier_in(pose, shape)) > 0;
 }
 
 bool LineVolumeFinder::skip_if_apart(LineVolumePair& pair, const AxisShape& shape,
@@ -104,7 +104,7 @@ bool LineVolumeFinder::skip_if_apart(LineVolumePair& pair, const AxisShape& shap
 }
 
 double LineVolumeFinder::clearance_at_start(const LineVolumePair& pair) {
-  return pair.cache.clearance.left(bezier_in(pair.start.pose, pair.start.shape));
+  return pair.cache.clearance.radius_about(bezier_in(pair.start.pose, pair.start.shape));
 }
 
 void LineVolumeFinder::update_clearance(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,

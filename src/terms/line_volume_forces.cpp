@@ -6,7 +6,7 @@
 namespace hawser {
 
 std::optional<AxisContact::Rolls> LineVolumeContact::rolls(const Pair& pair, const AxisShape& shape) const {
-  if (!settings(pair).rolling || shape.count() != AxisShape::kMost || !friction_on_ ||
+  if (!settings(pair).rolling || shape.count() != AxisShape::kMaxPositions || !friction_on_ ||
       !pair.laws[0].friction.active())
     return std::nullopt;
   const Quat before = pair.start.pose.rotation.conjugate(),
@@ -56,7 +56,7 @@ void LineVolumeContact::evaluate(const Kinematics& trial, Assembler& assembler) 
   for (const Near& near : near_) {
     Pair& pair = pairs_[near.pair];
     if (pair.trial.found.panels.empty()) continue;
-    const bool beam = near.shape.count() == AxisShape::kMost;
+    const bool beam = near.shape.count() == AxisShape::kMaxPositions;
     Stencil stencil;
     near.shape.attach(stencil);
     const Eigen::Index size = 3 * stencil.blocks;

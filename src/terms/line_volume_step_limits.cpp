@@ -27,7 +27,7 @@ bool sinks_too_far(double radius, double before, double after) {
 }
 
 // A beam bends locally under contact, so its whole mass does not move with the contact point.
-bool straight(const AxisShape& shape) { return shape.count() < AxisShape::kMost; }
+bool straight(const AxisShape& shape) { return shape.count() < AxisShape::kMaxPositions; }
 
 }  // namespace
 
@@ -86,9 +86,9 @@ bool LineVolumeContact::predict_impacts_by_group(const Pair& pair, const Kinemat
                                                  ImpactEvents& to) const {
   const auto speed = [&](double xi) { return velocity_at_start(pair, xi).norm(); };
   FacetGroups facet_groups;
-  finder_.facet_groups_ahead(pair, std::min(0.5, 2 * to.most) * std::max({speed(0), speed(0.5), speed(1)}),
-                             facet_groups);
-  for (const FacetGroup& w : facet_groups.of)
+  finder_.facet_groups_ahead(
+      pair, std::min(0.5, 2 * to.max_step) * std::max({speed(0), speed(0.5), speed(1)}), facet_groups);
+  for (const FacetGroup& w : facet_groups.list)
     for (const double xi : kSamples) {
       if (!finder_.takes_part(pair, xi)) continue;
       const auto p =

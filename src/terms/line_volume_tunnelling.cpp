@@ -80,7 +80,7 @@ std::optional<advice::TooDeep> LineVolumeContact::deeper_than_allowed(const Kine
 // start of the step may leave on any side.
 bool LineVolumeContact::is_drawn_in(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const {
   if (finder_.by_gap() || is_held(pair)) return false;
-  return !(pair.cache.clearance.left(bezier_in(pose, shape)) > 0) && is_inside(pair, shape, pose) &&
+  return !(pair.cache.clearance.radius_about(bezier_in(pose, shape)) > 0) && is_inside(pair, shape, pose) &&
          !is_inside(pair, pair.start.shape, pair.start.pose);
 }
 

@@ -150,7 +150,7 @@ double Links::round_off(const Kinematics& state, double h) const {
     if (!l.counted) continue;
     const Stretched s = stretched(l, state);
     const double damper = l.law.damper ? l.law.damper->at(std::abs(s.force.speed)).slope : l.law.damping;
-    const double slope = l.law.most_stiffness() + (h > 0 ? damper / h : 0);
+    const double slope = l.law.max_stiffness() + (h > 0 ? damper / h : 0);
     sum += std::pow(4 * eps * slope * s.b.x.norm(), 2);
   }
   return sum;

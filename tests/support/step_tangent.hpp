@@ -39,7 +39,7 @@ class StepTangent {
       if (mesh.rotates(static_cast<int>(i))) from.s.w[i] = 0.5 * noise3(g, 2);
     }
     system.tied_nodes().rates(0, from.s);
-    system.tied_nodes().follow(from.s);
+    system.tied_nodes().move_with_frames(from.s);
     alpha_start(mesh, from);
     system.prepare(from.s.after_step(h), h);
     std::vector<double> u(3 * static_cast<size_t>(mesh.blocks()), 0);

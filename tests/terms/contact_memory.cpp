@@ -152,7 +152,7 @@ void go(const Scene& scene, bool beam, model::ContactMethod method) {
     term.prepare(from.after_step(kStep), kStep);
     const auto limits = [&](LineVolumeContact& t) {
       ImpactEvents impacts;
-      impacts.most = kStep;
+      impacts.max_step = kStep;
       t.limit_step(from.after_step(kStep), impacts);
       Outcome out;
       out.longest = std::min(impacts.longest, kStep);
@@ -215,7 +215,7 @@ TEST(ContactMemory, AsksLittle) {
     term.prepare(from.after_step(kStep), kStep);
     counting->questions = 0;
     ImpactEvents impacts;
-    impacts.most = kStep;
+    impacts.max_step = kStep;
     term.limit_step(from.after_step(kStep), impacts);
     (n == 0 ? first : ahead) += counting->questions;
     counting->questions = 0;

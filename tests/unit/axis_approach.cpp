@@ -90,7 +90,7 @@ TEST(AxisApproach, EveryChangeOfSidesIsFoundHoweverDeep) {
     for (const double factor : {0.7, 0.9, 1.0, 1.5}) {
       const AxisShape to(shifted(a, {0, 0, side * factor * start_gap}));
       const double d0 = distance(from, B), d1 = distance(to, B), least = std::min(d0, d1);
-      double limit = std::min(limits.most, limits.part * d0);
+      double limit = std::min(limits.min_distance, limits.part * d0);
       if (d0 >= limits.floor) limit = std::max(limit, limits.floor);
       const Sides s = sides_kept(from, to, B, B, limits);
       kept += s == Sides::kept;

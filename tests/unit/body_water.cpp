@@ -131,14 +131,14 @@ TEST(BodyWater, CrossFlow) {
 TEST(BodyWater, EvenWetting) {
   for (double u = -1.3; u < 1.3; u += 0.0371) {
     const double e = 1e-5;
-    EXPECT_NEAR((even_wetting(u + e).share - even_wetting(u - e).share) / (2 * e), even_wetting(u).slope,
-                1e-5);
+    EXPECT_NEAR((even_wetting(u + e).fraction - even_wetting(u - e).fraction) / (2 * e),
+                even_wetting(u).slope, 1e-5);
     EXPECT_NEAR((even_wetting(u + e).integral - even_wetting(u - e).integral) / (2 * e),
-                even_wetting(u).share, 1e-5);
-    EXPECT_NEAR(even_wetting(u).share + even_wetting(-u).share, 1, 1e-15);
+                even_wetting(u).fraction, 1e-5);
+    EXPECT_NEAR(even_wetting(u).fraction + even_wetting(-u).fraction, 1, 1e-15);
   }
-  EXPECT_NEAR(even_wetting(-0.89).share, 0.055, 1e-15);
-  EXPECT_NEAR(even_wetting(0.3).share, 0.65, 1e-15);
+  EXPECT_NEAR(even_wetting(-0.89).fraction, 0.055, 1e-15);
+  EXPECT_NEAR(even_wetting(0.3).fraction, 0.65, 1e-15);
   EXPECT_EQ(even_wetting(-1.1).integral, 0);
   EXPECT_NEAR(even_wetting(1.0999999).integral, 1.0999999, 1e-12);
 }

@@ -222,13 +222,13 @@ TEST(CableMean, IsTheForceAtRest) {
 TEST(CableMass, IsTheForceOfUnitAccelerations) {
   const MassSection s{2.0, 3.0};
   const CableMass m = cable_mass(s);
-  EXPECT_NEAR(2 * (m.own + m.shared), 6, 1e-12);  // mass of the element
+  EXPECT_NEAR(2 * (m.diagonal + m.shared), 6, 1e-12);  // mass of the element
   for (int j = 0; j < 6; ++j) {
     Eigen::Matrix<double, 6, 1> f, expected = Eigen::Matrix<double, 6, 1>::Zero();
     const Vec3 a1 = j < 3 ? Vec3(Vec3::Unit(j)) : Vec3(Vec3::Zero()),
                a2 = j < 3 ? Vec3(Vec3::Zero()) : Vec3(Vec3::Unit(j - 3));
     cable_mass_force(s, a1, a2, Vec3::Zero(), f);
-    expected[j] = m.own;
+    expected[j] = m.diagonal;
     expected[(j + 3) % 6] = m.shared;
     EXPECT_LT((f - expected).norm(), 1e-12);
   }

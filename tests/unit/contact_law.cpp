@@ -42,7 +42,7 @@ TEST(ContactLaw, DerivativesAndPotential) {
     }
 }
 
-// F = k s + c s³, continuous at the knots of the ramp.
+// F = k s + k₃ s³, continuous at the knots of the ramp.
 TEST(ContactLaw, GrowsWithTheDepth) {
   NormalLaw law{2e5, 0.01, 0};
   law.cubic = 3e9;

@@ -25,7 +25,7 @@ std::vector<SurfacePoint> nearest_on_groups(const Surface& surface, const Vec3& 
     if (const auto p = surface.query(y, max_distance)) out.push_back(*p);
     return out;
   }
-  for (const FacetGroup& w : groups.of)
+  for (const FacetGroup& w : groups.list)
     if (const auto p = surface.query_group(w, y, max_distance)) out.push_back(*p);
   std::stable_sort(out.begin(), out.end(),
                    [](const SurfacePoint& a, const SurfacePoint& b) { return a.distance < b.distance; });
@@ -78,7 +78,7 @@ void expect_one(const Surface& s, double reach, const char* what) {
     const Vec3 y = random_in(box, gen);
     FacetGroups groups;
     s.facet_groups({&y, 1}, reach, groups);
-    ASSERT_TRUE(groups.of.empty()) << what << " at " << y.transpose();
+    ASSERT_TRUE(groups.list.empty()) << what << " at " << y.transpose();
     const auto all = nearest_on_groups(s, y, reach);
     const auto one = s.query(y, reach);
     ASSERT_EQ(all.size(), one ? 1u : 0u);

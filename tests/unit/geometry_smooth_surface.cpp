@@ -367,7 +367,7 @@ TEST(GeometrySmoothSurface, PatchesAreWatertightAndDoNotFold) {
     const TriangleMesh m = rough_mesh(noise);
     const Topology topo = topology(m);
     const MeshBends bends = mesh_bends(m, topo, 40 * kDegree);
-    ASSERT_EQ(bends.of.size(), m.triangles.size());
+    ASSERT_EQ(bends.edge_bends.size(), m.triangles.size());
     if (noise > 0.1) {
       EXPECT_GT(bends.sharp, 100);
     }
@@ -378,7 +378,8 @@ TEST(GeometrySmoothSurface, PatchesAreWatertightAndDoNotFold) {
       for (int i = 0; i < 3; ++i) {
         const auto u = static_cast<std::size_t>(topo.neighbours[t][static_cast<std::size_t>(i)]);
         bool shared = false;
-        for (const auto& c : bends.of[u]) shared = shared || c == bends.of[t][static_cast<std::size_t>(i)];
+        for (const auto& c : bends.edge_bends[u])
+          shared = shared || c == bends.edge_bends[t][static_cast<std::size_t>(i)];
         ASSERT_TRUE(shared);
         const auto j = static_cast<std::size_t>(i);
         ASSERT_LE(q.c[j].norm(), 0.5 * (q.p[(j + 1) % 3] - q.p[j]).norm() * (1 + 1e-6));

@@ -123,15 +123,15 @@ TEST(HeightGrid, OvershootBesideAStep) {
   const auto long_row = spaced(-300, 300, 60), short_row = spaced(0, 40, 4);
   const auto step = [](double x) { return x > 0.1 ? -90.0 : -100.0; };
   const auto along_x = grid(long_row, short_row, [&](double x, double) { return step(x); }).overshoot();
-  EXPECT_NEAR(along_x.by, -10 * most, 1e-6);
+  EXPECT_NEAR(along_x.height, -10 * most, 1e-6);
   // The undershoot below the step and the overshoot above it are symmetric.
   EXPECT_NEAR(along_x.at.x(), along_x.above ? 20 - 10 * where : 10 * where - 10, 1e-2);
   const auto along_y = grid(short_row, long_row, [&](double, double y) { return -step(y); }).overshoot();
-  EXPECT_NEAR(along_y.by, -10 * most, 1e-6);
+  EXPECT_NEAR(along_y.height, -10 * most, 1e-6);
   EXPECT_NEAR(along_y.at.y(), along_y.above ? 10 * where - 10 : 20 - 10 * where, 1e-2);
   // Slightly uneven neighbours do not hide the overshoot.
   const auto noise = [&](double x, double) { return step(x) + 0.01 * std::sin(7 * x * x); };
-  EXPECT_NEAR(grid(long_row, short_row, noise).overshoot().by, -10 * most, 0.05);
+  EXPECT_NEAR(grid(long_row, short_row, noise).overshoot().height, -10 * most, 0.05);
 }
 
 // Hills with a dozen points in a period, and planes, have no overshoot.
@@ -139,10 +139,11 @@ TEST(HeightGrid, NoOvershootOfHills) {
   const auto hills = [](double x, double y) {
     return 2 * std::sin(M_PI / 6 * x + 0.4) * std::cos(M_PI / 6 * y);
   };
-  EXPECT_LT(grid(spaced(0, 60, 60), spaced(0, 60, 60), hills).overshoot().by, 0.01);
-  EXPECT_LT(
-      grid(spaced(0, 9, 3), spaced(0, 9, 3, 0.3), [](double x, double y) { return x - y; }).overshoot().by,
-      1e-12);
+  EXPECT_LT(grid(spaced(0, 60, 60), spaced(0, 60, 60), hills).overshoot().height, 0.01);
+  EXPECT_LT(grid(spaced(0, 9, 3), spaced(0, 9, 3, 0.3), [](double x, double y) { return x - y; })
+                .overshoot()
+                .height,
+            1e-12);
 }
 
 TEST(HeightGrid, RefusesWhatIsNoGrid) {

@@ -330,7 +330,7 @@ TEST(StepControl, AnImpactIsFollowed) {
   s.first = s.longest = 0.1;
   StepControl c(s);
   EXPECT_DOUBLE_EQ(c.next(0, 1, kNever), 0.1);
-  c.follow_impact(1, 0.03);
+  c.after_impact(1, 0.03);
   EXPECT_DOUBLE_EQ(c.next(1, 2, kNever), 0.01);
   EXPECT_DOUBLE_EQ(c.next(1, 2, 0.002), 0.002);
   EXPECT_NEAR(c.next(1.59, 1.69, kNever), 0.01, 1e-12);
@@ -342,12 +342,12 @@ TEST(StepControl, AnImpactIsFollowed) {
   EXPECT_NEAR(c.next(1.75, 1.85, kNever), 0.1, 1e-12);
   // A softer impact does not lengthen steps during the resolved time or while they grow; it has an effect
   // afterwards.
-  c.follow_impact(1.2, 0.3);
-  c.follow_impact(1.2, kNever);
+  c.after_impact(1.2, 0.3);
+  c.after_impact(1.2, kNever);
   EXPECT_DOUBLE_EQ(c.next(1.3, 2.3, kNever), 0.01);
-  c.follow_impact(1.61, 0.15);
+  c.after_impact(1.61, 0.15);
   EXPECT_NEAR(c.next(1.61, 1.71, kNever), 0.02, 1e-12);
-  c.follow_impact(1.7, 0.15);
+  c.after_impact(1.7, 0.15);
   EXPECT_DOUBLE_EQ(c.next(1.8, 2.8, kNever), 0.05);
   // The same after a restart.
   StepControl d(s);
@@ -404,13 +404,13 @@ TEST(StepControl, StepsShrinkWhileTheyMayNotGrow) {
   s.first = s.longest = 0.1;
   s.error_tolerance = 1e-3;
   StepControl c(s);
-  ASSERT_TRUE(c.rejected(0.1, true, 0));
+  ASSERT_TRUE(c.after_rejected_step(0.1, true, 0));
   EXPECT_DOUBLE_EQ(c.proposal(), 0.05);
-  c.accepted(0.05, 1, 1e-9);
+  c.after_accepted_step(0.05, 1, 1e-9);
   EXPECT_DOUBLE_EQ(c.proposal(), 0.05);
-  c.accepted(0.05, s.hard_iterations + 1, 1e-9);
+  c.after_accepted_step(0.05, s.hard_iterations + 1, 1e-9);
   EXPECT_DOUBLE_EQ(c.proposal(), 0.035);
-  c.accepted(0.035, 1, 8e-3);
+  c.after_accepted_step(0.035, 1, 8e-3);
   EXPECT_DOUBLE_EQ(c.proposal(), 0.035 * 0.9 / 2);
 }
 
@@ -421,12 +421,12 @@ TEST(StepControl, FixedStepsAreDividedAtImpactsByDefault) {
   EXPECT_TRUE(c.respects_term_limits());
   EXPECT_DOUBLE_EQ(c.next(0, 1, kNever), 0.1);
   EXPECT_DOUBLE_EQ(c.next(0, 1, 0.04), 0.04);
-  c.accepted(0.04, 2, 0);
+  c.after_accepted_step(0.04, 2, 0);
   EXPECT_DOUBLE_EQ(c.next(0.04, 1.04, kNever), 0.1);  // returns to the requested step
   s.resolve_impacts = false;
   StepControl strict(s);
   EXPECT_FALSE(strict.respects_term_limits());
-  strict.follow_impact(0, 0.03);
+  strict.after_impact(0, 0.03);
   EXPECT_DOUBLE_EQ(strict.next(0, 1, 0.04), 0.1);
 }
 

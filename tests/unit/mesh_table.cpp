@@ -90,7 +90,7 @@ TEST(MeshTable, EqualsTheSumsAlongTheLines) {
   EXPECT_EQ(mesh.nodes(), n);
   EXPECT_EQ(mesh.elements(), e);
   // Two sections of another type than the one before, and two masses.
-  EXPECT_EQ(mesh.own_nodes().size(), 4u);
+  EXPECT_EQ(mesh.special_nodes().size(), 4u);
   EXPECT_LE(mesh.parts().size(), 10u);
 }
 
@@ -123,20 +123,20 @@ TEST(MeshTable, LengthsAndKindsAreThoseOfTheElements) {
 // A node that is set twice has the later properties; a node that is not set keeps its properties.
 TEST(MeshTable, NodesThatAreSet) {
   Mesh mesh = build_mesh(uneven());
-  const size_t before = mesh.own_nodes().size();
-  const int marked = mesh.own_nodes()[1].first, plain = marked + 1;
+  const size_t before = mesh.special_nodes().size();
+  const int marked = mesh.special_nodes()[1].first, plain = marked + 1;
   Node node = mesh.node(plain);
   node.pinned_to = 3;
   mesh.set({{plain, node}});
   EXPECT_EQ(mesh.node(plain).pinned_to, 3);
   EXPECT_TRUE(mesh.node(marked).two_sided);
-  EXPECT_EQ(mesh.own_nodes().size(), before + 1);
+  EXPECT_EQ(mesh.special_nodes().size(), before + 1);
   node.pinned_to = 5;
   mesh.set({{plain, node}});
   EXPECT_EQ(mesh.node(plain).pinned_to, 5);
-  EXPECT_EQ(mesh.own_nodes().size(), before + 1);
-  for (size_t i = 1; i < mesh.own_nodes().size(); ++i)
-    EXPECT_LT(mesh.own_nodes()[i - 1].first, mesh.own_nodes()[i].first);
+  EXPECT_EQ(mesh.special_nodes().size(), before + 1);
+  for (size_t i = 1; i < mesh.special_nodes().size(); ++i)
+    EXPECT_LT(mesh.special_nodes()[i - 1].first, mesh.special_nodes()[i].first);
 }
 
 // Nodes and elements that were added one by one are returned unchanged.

@@ -109,7 +109,7 @@ TEST(Motion, CurvesBetweenRows) {
     const auto found = curve.overshoots(0.02);
     if (between == BetweenRows::spline) {
       double most = 0;
-      for (const auto& o : found) most = std::max(most, o.component == 0 ? o.by : 0);
+      for (const auto& o : found) most = std::max(most, o.component == 0 ? o.excess : 0);
       EXPECT_GT(out, 0.1);
       EXPECT_NEAR(most, out, 1e-3);
       // The reported place is the maximum of the curve, where the slope is zero.

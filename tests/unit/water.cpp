@@ -54,15 +54,15 @@ TEST(Wetting, IsTheSegmentOfACircleAndTheCapOfABall) {
     cap_sum += h * cap;
     if (i % 9973) continue;
     const double end = u + h / 2;
-    EXPECT_NEAR(circle_wetting(end).share, area, 1e-7);
-    EXPECT_NEAR(ball_wetting(end).share, cap, 1e-7);
+    EXPECT_NEAR(circle_wetting(end).fraction, area, 1e-7);
+    EXPECT_NEAR(ball_wetting(end).fraction, cap, 1e-7);
     EXPECT_NEAR(circle_wetting(end).integral, area_sum, 2e-5);
     EXPECT_NEAR(ball_wetting(end).integral, cap_sum, 2e-5);
   }
   for (const auto law : {circle_wetting, ball_wetting}) {
-    EXPECT_EQ(law(1.5).share, 1);
+    EXPECT_EQ(law(1.5).fraction, 1);
     EXPECT_EQ(law(1.5).integral, 1.5);
-    EXPECT_EQ(law(-1.2).share, 0);
+    EXPECT_EQ(law(-1.2).fraction, 0);
     EXPECT_NEAR(law(1 - 1e-9).integral, 1, 1e-8);
   }
 }
@@ -94,14 +94,14 @@ TEST(Wetting, OfAPieceIsTheMeanOfItsSections) {
   for (const double rise : rises)
     for (const double middle : {-0.69, -0.6, -0.1, 0.0, 0.35, 0.68, 1.2}) {
       const double h1 = middle - 0.5 * rise, h2 = middle + 0.5 * rise;
-      double integral = 0, share[2] = {}, slope[3] = {};
+      double integral = 0, fraction[2] = {}, slope[3] = {};
       const int n = 400000;
       for (int i = 0; i < n; ++i) {
         const double z = (i + 0.5) / n;
         const Wetting w = circle_wetting((h1 + z * rise) / b);
         integral += b * w.integral / n;
-        share[0] += (1 - z) * w.share / n;
-        share[1] += z * w.share / n;
+        fraction[0] += (1 - z) * w.fraction / n;
+        fraction[1] += z * w.fraction / n;
         slope[0] += (1 - z) * (1 - z) * w.slope / b / n;
         slope[1] += z * (1 - z) * w.slope / b / n;
         slope[2] += z * z * w.slope / b / n;
@@ -110,8 +110,8 @@ TEST(Wetting, OfAPieceIsTheMeanOfItsSections) {
       // Accuracy of the quadrature at the limits of the partly wet band.
       const double near = 1e-9 * (1 + std::abs(rise)), edge = 2e-5;
       EXPECT_NEAR(p.integral, integral, near) << rise << " " << middle;
-      EXPECT_NEAR(p.share1, share[0], 2e-8) << rise << " " << middle;
-      EXPECT_NEAR(p.share2, share[1], 2e-8) << rise << " " << middle;
+      EXPECT_NEAR(p.by_h1, fraction[0], 2e-8) << rise << " " << middle;
+      EXPECT_NEAR(p.by_h2, fraction[1], 2e-8) << rise << " " << middle;
       EXPECT_NEAR(p.slope11, slope[0], edge) << rise << " " << middle;
       EXPECT_NEAR(p.slope12, slope[1], edge) << rise << " " << middle;
       EXPECT_NEAR(p.slope22, slope[2], edge) << rise << " " << middle;

@@ -46,10 +46,10 @@ class Host {
     };
     auto window = std::make_shared<Window>();
     void* at = nullptr;
-    int there = MPI_Win_allocate_shared(leads() ? static_cast<MPI_Aint>(bytes + kLine) : 0, 1, MPI_INFO_NULL,
-                                        comm_, &at, &window->win) == MPI_SUCCESS;
-    MPI_Allreduce(MPI_IN_PLACE, &there, 1, MPI_INT, MPI_MIN, comm_);
-    if (!there) return nullptr;
+    int allocated = MPI_Win_allocate_shared(leads() ? static_cast<MPI_Aint>(bytes + kLine) : 0, 1,
+                                            MPI_INFO_NULL, comm_, &at, &window->win) == MPI_SUCCESS;
+    MPI_Allreduce(MPI_IN_PLACE, &allocated, 1, MPI_INT, MPI_MIN, comm_);
+    if (!allocated) return nullptr;
     MPI_Aint room = 0;
     int unit = 1;
     MPI_Win_shared_query(window->win, 0, &room, &unit, &at);

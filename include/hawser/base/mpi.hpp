@@ -70,14 +70,14 @@ class MessageType {
 // Puts together what the ranks have by MPI_SUM, MPI_MAX or MPI_MIN, in place: a number, or each of an array.
 // Collective.
 template <class T>
-T& all_reduce(MPI_Comm comm, MPI_Op op, T& of) {
+T& all_reduce(MPI_Comm comm, MPI_Op op, T& values) {
   if constexpr (std::is_arithmetic_v<T>) {
-    MPI_Allreduce(MPI_IN_PLACE, &of, 1, mpi_type<T>(), op, comm);
+    MPI_Allreduce(MPI_IN_PLACE, &values, 1, mpi_type<T>(), op, comm);
   } else {
-    const MPI_Datatype type = mpi_type<std::remove_reference_t<decltype(*std::data(of))>>();
-    MPI_Allreduce(MPI_IN_PLACE, std::data(of), static_cast<int>(std::size(of)), type, op, comm);
+    const MPI_Datatype type = mpi_type<std::remove_reference_t<decltype(*std::data(values))>>();
+    MPI_Allreduce(MPI_IN_PLACE, std::data(values), static_cast<int>(std::size(values)), type, op, comm);
   }
-  return of;
+  return values;
 }
 
 // Numbers of several origins that one reduction replaces by their maxima over the ranks.
@@ -87,31 +87,31 @@ class RankMax {
   void add(double& number) { numbers_.push_back(&number); }
   // Collective; all ranks have added equally many.
   void reduce(MPI_Comm comm) {
-    std::vector<double> most;
-    for (const double* number : numbers_) most.push_back(*number);
-    all_reduce(comm, MPI_MAX, most);
-    for (std::size_t i = 0; i < most.size(); ++i) *numbers_[i] = most[i];
+    std::vector<double> maxima;
+    for (const double* number : numbers_) maxima.push_back(*number);
+    all_reduce(comm, MPI_MAX, maxima);
+    for (std::size_t i = 0; i < maxima.size(); ++i) *numbers_[i] = maxima[i];
   }
 
  private:
   std::vector<double*> numbers_;
 };
 
-// True if `here` is true on any rank. Collective.
-inline bool on_any_rank(MPI_Comm comm, bool here) {
-  int yes = here;
+// True if `local` is true on any rank. Collective.
+inline bool on_any_rank(MPI_Comm comm, bool local) {
+  int yes = local;
   return all_reduce(comm, MPI_MAX, yes) != 0;
 }
 
 // Text of the first rank with one; empty: none. Collective.
-inline std::string first_text(MPI_Comm comm, std::string mine) {
-  int first = mine.empty() ? ranks_of(comm) : rank_of(comm);
+inline std::string first_text(MPI_Comm comm, std::string text) {
+  int first = text.empty() ? ranks_of(comm) : rank_of(comm);
   if (all_reduce(comm, MPI_MIN, first) == ranks_of(comm)) return {};
-  int length = static_cast<int>(mine.size());
+  int length = static_cast<int>(text.size());
   MPI_Bcast(&length, 1, MPI_INT, first, comm);
-  mine.resize(length);
-  MPI_Bcast(mine.data(), length, MPI_CHAR, first, comm);
-  return mine;
+  text.resize(length);
+  MPI_Bcast(text.data(), length, MPI_CHAR, first, comm);
+  return text;
 }
 
 // Runs `work` on each rank. All ranks throw the InputError of the first rank that has one. Collective.
@@ -135,24 +135,24 @@ void on_root(MPI_Comm comm, const Work& work) {
   });
 }
 
-// Broadcasts the data of the rank with the largest value (the first of equal ones) if that is above `least`;
-// returns whether it is. T: plain data. Collective.
+// Broadcasts the data of the rank with the largest value (the first of equal ones) if that is above
+// `threshold`; returns whether it is. T: plain data. Collective.
 template <class T>
-bool broadcast_largest(MPI_Comm comm, double value, double least, T& of) {
+bool broadcast_largest(MPI_Comm comm, double value, double threshold, T& data) {
   struct {
     double value;
     int rank;
   } largest{value, rank_of(comm)};
   MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm);
-  if (!(largest.value > least)) return false;
-  MPI_Bcast(&of, sizeof of, MPI_BYTE, largest.rank, comm);
+  if (!(largest.value > threshold)) return false;
+  MPI_Bcast(&data, sizeof data, MPI_BYTE, largest.rank, comm);
   return true;
 }
 
 // For each of several items, the data of the rank with its largest value, on all ranks; of equal values those
 // of the smallest order. T: plain data. Collective: one reduction for all items.
 template <class T, class Value>
-void largest_of_ranks(MPI_Comm comm, std::vector<T>& of, const Value& value, int order) {
+void largest_of_ranks(MPI_Comm comm, std::vector<T>& data, const Value& value, int order) {
   if (ranks_of(comm) == 1) return;
   struct Ranked {
     double value;
@@ -166,25 +166,25 @@ void largest_of_ranks(MPI_Comm comm, std::vector<T>& of, const Value& value, int
       if (a[i].value > b[i].value || (a[i].value == b[i].value && a[i].order < b[i].order)) b[i] = a[i];
   };
   std::vector<Ranked> all;
-  for (const T& thing : of) all.push_back({value(thing), order, thing});
+  for (const T& thing : data) all.push_back({value(thing), order, thing});
   MPI_Op larger = MPI_OP_NULL;
   MPI_Op_create(put_larger, 1, &larger);
   MPI_Allreduce(MPI_IN_PLACE, all.data(), static_cast<int>(all.size()), MessageType<Ranked>(), larger, comm);
   MPI_Op_free(&larger);
-  for (std::size_t i = 0; i < of.size(); ++i) of[i] = all[i].thing;
+  for (std::size_t i = 0; i < data.size(); ++i) data[i] = all[i].thing;
 }
 template <class T, class Value>
-void largest_of_ranks(MPI_Comm comm, std::vector<T>& of, const Value& value) {
-  largest_of_ranks(comm, of, value, rank_of(comm));
+void largest_of_ranks(MPI_Comm comm, std::vector<T>& data, const Value& value) {
+  largest_of_ranks(comm, data, value, rank_of(comm));
 }
 
 class GatherPlan {
  public:
-  // mine: number of values of this rank. Collective.
-  GatherPlan(MPI_Comm comm, int mine) : comm_(comm), mine_(mine) {
+  // local_count: number of values of this rank. Collective.
+  GatherPlan(MPI_Comm comm, int local_count) : comm_(comm), local_count_(local_count) {
     count_.resize(ranks_of(comm));
     start_.resize(count_.size() + 1, 0);
-    MPI_Allgather(&mine, 1, MPI_INT, count_.data(), 1, MPI_INT, comm);
+    MPI_Allgather(&local_count, 1, MPI_INT, count_.data(), 1, MPI_INT, comm);
     std::inclusive_scan(count_.begin(), count_.end(), start_.begin() + 1);
   }
 
@@ -192,32 +192,32 @@ class GatherPlan {
   // Offset of each rank's values; the last entry is all().
   const std::vector<int>& starts() const { return start_; }
 
-  // mine: as many as promised; out gets all(), rank by rank. T: plain data. Collective.
+  // local: local_count values of this rank; out gets all(), rank by rank. T: plain data. Collective.
   template <class T>
-  void gather(const T* mine, std::vector<T>& out) const {
+  void gather(const T* local, std::vector<T>& out) const {
     const MessageType<T> type;
     out.resize(all());
-    MPI_Allgatherv(mine, mine_, type, out.data(), count_.data(), start_.data(), type, comm_);
+    MPI_Allgatherv(local, local_count_, type, out.data(), count_.data(), start_.data(), type, comm_);
   }
   // The same on rank 0 only; empty on the others.
   template <class T>
-  void gather_on_first(const T* mine, std::vector<T>& out) const {
+  void gather_on_first(const T* local, std::vector<T>& out) const {
     const MessageType<T> type;
     out.resize(rank_of(comm_) == 0 ? all() : 0);
-    MPI_Gatherv(mine, mine_, type, out.data(), count_.data(), start_.data(), type, 0, comm_);
+    MPI_Gatherv(local, local_count_, type, out.data(), count_.data(), start_.data(), type, 0, comm_);
   }
 
  private:
   MPI_Comm comm_ = MPI_COMM_NULL;
-  int mine_ = 0;
+  int local_count_ = 0;
   std::vector<int> count_, start_;
 };
 
 // Items of all ranks, in the order of the ranks. T: plain data. Collective.
 template <class T>
-std::vector<T> gather_all(MPI_Comm comm, const std::vector<T>& mine) {
+std::vector<T> gather_all(MPI_Comm comm, const std::vector<T>& local) {
   std::vector<T> out;
-  GatherPlan(comm, static_cast<int>(mine.size())).gather(mine.data(), out);
+  GatherPlan(comm, static_cast<int>(local.size())).gather(local.data(), out);
   return out;
 }
 

@@ -1,4 +1,4 @@
-// Schedules a repeated task so that it takes no more than a given share of the time.
+// Schedules a repeated task so that it takes no more than a given fraction of the time.
 #pragma once
 
 #include <chrono>
@@ -7,13 +7,13 @@ namespace hawser {
 
 class ShareOfTime {
  public:
-  explicit ShareOfTime(double share) : share_(share) {}
+  explicit ShareOfTime(double fraction) : fraction_(fraction) {}
   // True if enough time has passed since the last run of the task, relative to its cost.
-  bool due() const { return share_ * seconds_since(end_) >= cost_; }
-  template <class What>
-  void spend(const What& what) {
+  bool due() const { return fraction_ * seconds_since(end_) >= cost_; }
+  template <class Task>
+  void spend(const Task& task) {
     const Clock::time_point start = Clock::now();
-    what();
+    task();
     cost_ = seconds_since(start);
     end_ = Clock::now();
   }
@@ -23,7 +23,7 @@ class ShareOfTime {
   static double seconds_since(Clock::time_point t) {
     return std::chrono::duration<double>(Clock::now() - t).count();
   }
-  double share_, cost_ = 0;  // cost_: s
+  double fraction_, cost_ = 0;  // cost_: s
   Clock::time_point end_ = Clock::now();
 };
 

@@ -18,8 +18,8 @@ class Shared {
   explicit operator bool() const { return has_value(); }
   const T& operator*() const { return *at_; }
   const T* operator->() const { return at_.get(); }
-  T& operator*() { return own(); }
-  T* operator->() { return &own(); }
+  T& operator*() { return unshared(); }
+  T* operator->() { return &unshared(); }
   template <class... From>
   T& emplace(From&&... from) {
     at_ = std::make_shared<T>(std::forward<From>(from)...);
@@ -28,7 +28,7 @@ class Shared {
   void reset() { at_.reset(); }
 
  private:
-  T& own() {
+  T& unshared() {
     if (at_.use_count() > 1) at_ = std::make_shared<T>(*at_);
     return *at_;
   }

@@ -71,10 +71,10 @@ class BoxTree {
   void walk(Enter&& enter, Visit&& visit) const {
     for (int i = 0; i < static_cast<int>(nodes_.size());) {
       const Node& n = node(i);
-      const bool in = enter(static_cast<std::size_t>(i));
-      if (in && n.next == i + 1)
+      const bool entered = enter(static_cast<std::size_t>(i));
+      if (entered && n.next == i + 1)
         for (const int k : below(n)) visit(k);
-      i = in ? i + 1 : n.next;
+      i = entered ? i + 1 : n.next;
     }
   }
 

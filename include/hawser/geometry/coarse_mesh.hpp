@@ -17,9 +17,9 @@ struct CoarseMesh {
 
 // Vertex clustering (Rossignac and Borrel 1993): the vertices in each cell of a regular grid are merged at
 // the point nearest to the planes of their triangles (Lindstrom 2000), and triangles with corners in three
-// cells remain. Uses the finest grid, within 15 %, with at most `most` (> 0) vertices; no vertex moves by
-// more than two diagonals of a cell.
+// cells remain. Uses the finest grid, within 15 %, with at most `max_vertices` (> 0) vertices; no vertex
+// moves by more than two diagonals of a cell.
 CoarseMesh coarse_mesh(std::span<const Vec3> vertices, std::span<const std::array<int, 3>> triangles,
-                       int most);
+                       int max_vertices);
 
 }  // namespace hawser

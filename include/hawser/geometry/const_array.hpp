@@ -16,7 +16,7 @@ class ConstArray {
   ConstArray() = default;
   // Copies share the values.
   ConstArray(std::vector<T> values)
-      : own_(std::make_shared<const std::vector<T>>(std::move(values))), view_(*own_) {}
+      : owned_(std::make_shared<const std::vector<T>>(std::move(values))), view_(*owned_) {}
   // `values` must outlive the array.
   static ConstArray lent(std::span<const T> values) {
     static_assert(std::is_trivially_destructible_v<T>);
@@ -33,7 +33,7 @@ class ConstArray {
   operator std::span<const T>() const { return view_; }
 
  private:
-  std::shared_ptr<const std::vector<T>> own_;
+  std::shared_ptr<const std::vector<T>> owned_;
   std::span<const T> view_;
 };
 

@@ -24,9 +24,9 @@ struct FacetGroup {
 
 // Nearest first; empty if the surface's own query suffices.
 struct FacetGroups {
-  static constexpr int kMost = 4;  // farther groups are merged with the one most similar in normal
-  std::vector<FacetGroup> of;
-  bool several() const { return of.size() > 1; }
+  static constexpr int kMaxGroups = 4;  // farther groups are merged with the one most similar in normal
+  std::vector<FacetGroup> list;
+  bool several() const { return list.size() > 1; }
 };
 
 }  // namespace hawser

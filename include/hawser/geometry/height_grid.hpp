@@ -33,7 +33,7 @@ class HeightGrid final : public Surface {
   // Place on a grid line where the spline is farthest above (or below) both neighbouring heights, by more
   // than the shape of a hill (or hollow) explains, as beside a step.
   struct Overshoot {
-    double by = 0;  // m; 0: nowhere
+    double height = 0;  // m; 0: nowhere
     Eigen::Vector2d at = Eigen::Vector2d::Zero();
     bool above = false;
   };

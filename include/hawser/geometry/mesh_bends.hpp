@@ -26,7 +26,7 @@ namespace hawser {
 
 struct MeshBends {
   // m, for the edges v_i to v_(i+1) of each triangle; identical on both sides of an edge. Empty: all flat.
-  std::vector<std::array<Eigen::Vector3f, 3>> of;
+  std::vector<std::array<Eigen::Vector3f, 3>> edge_bends;
   int curved = 0;    // triangles with a bend
   int sharp = 0;     // edges sharper than the crease angle
   double bulge = 0;  // m, upper bound of the distance of a patch from its facet

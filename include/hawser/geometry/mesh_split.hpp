@@ -6,7 +6,7 @@
 namespace hawser {
 
 // Halves edges longer than `longest` [m] until there are none, equally on both sides of an edge, so that no
-// gaps open. Stops before the mesh exceeds `most` triangles. Part names are not kept.
-void split_edges(TriangleMesh& mesh, double longest, std::size_t most);
+// gaps open. Stops before the mesh exceeds `max_triangles` triangles. Part names are not kept.
+void split_edges(TriangleMesh& mesh, double longest, std::size_t max_triangles);
 
 }  // namespace hawser

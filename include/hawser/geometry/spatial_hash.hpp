@@ -83,13 +83,13 @@ class SpatialHash {
   // Lower bound of the distance from p to the cubes of this and outer rings, m; infinite if there are none.
   double distance_to(int ring, const Cell& at, const Vec3& p) const {
     if (ring == 0) return 0;
-    double way = std::numeric_limits<double>::infinity();
+    double distance = std::numeric_limits<double>::infinity();
     for (int a = 0; a < 3; ++a) {
       const int below = at[a] - ring, above = at[a] + ring;
-      if (below >= 0) way = std::min(way, p[a] - (origin_[a] + side_ * (below + 1)));
-      if (above <= last_[a]) way = std::min(way, origin_[a] + side_ * above - p[a]);
+      if (below >= 0) distance = std::min(distance, p[a] - (origin_[a] + side_ * (below + 1)));
+      if (above <= last_[a]) distance = std::min(distance, origin_[a] + side_ * above - p[a]);
     }
-    return way - kRounding * side_;
+    return distance - kRounding * side_;
   }
   // Calls visit(cell) for the cubes whose largest coordinate difference from `at` is `ring`.
   template <class Visit>

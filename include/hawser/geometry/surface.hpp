@@ -59,7 +59,7 @@ class Surface {
   // point or more). Only meshes that are not convex have several; empty if query() suffices. The grouping
   // depends only on the place.
   virtual void facet_groups(std::span<const Vec3>, double /*reach*/, FacetGroups& out) const {
-    out.of.clear();
+    out.list.clear();
   }
   // True if it is certain that there is at most one; faster.
   virtual bool one_facet_group(std::span<const Vec3>, double /*reach*/) const { return true; }

@@ -12,10 +12,10 @@ namespace hawser {
 
 // Limits of the distance between two axes, m, relative to that at the same place at the start of the step.
 struct ApproachLimits {
-  double most = 0;      // smallest distance allowed,
-  double part = 0.5;    // or this fraction of the distance at the start;
-  double floor = 0;     // lower bound of both, unless the axes were already nearer
-  double no_side = -1;  // axes nearer than this at the start cross; < 0: not tested
+  double min_distance = 0;  // smallest distance allowed,
+  double part = 0.5;        // or this fraction of the distance at the start;
+  double floor = 0;         // lower bound of both, unless the axes were already nearer
+  double no_side = -1;      // axes nearer than this at the start cross; < 0: not tested
 };
 
 enum class Sides { kept, near, none };

@@ -25,8 +25,8 @@ struct AxisEnds {
 
 class AxisShape {
  public:
-  static constexpr int kMost = 4;
-  using Weights = std::array<double, kMost>;
+  static constexpr int kMaxPositions = 4;
+  using Weights = std::array<double, kMaxPositions>;
 
   explicit AxisShape(const AxisEnds& ends);
 
@@ -73,7 +73,7 @@ class AxisShape {
   const Quat& turn(size_t end) const { return q_[end]; }
 
  private:
-  Vec3 combine(const Weights& w, const std::array<Vec3, kMost>& v) const {
+  Vec3 combine(const Weights& w, const std::array<Vec3, kMaxPositions>& v) const {
     Vec3 s = w[0] * v[0] + w[1] * v[1];
     if (count_ == 4) s += w[2] * v[2] + w[3] * v[3];
     return s;
@@ -82,7 +82,7 @@ class AxisShape {
   int count_;
   double length_, slope_bound_;
   Vec3 c_;
-  std::array<Vec3, kMost> X_, V_;
+  std::array<Vec3, kMaxPositions> X_, V_;
   std::array<Quat, 2> q_;
   std::array<Mat3, 2> R_;
   std::array<Vec3, 2> w_;

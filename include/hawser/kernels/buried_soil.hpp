@@ -33,12 +33,12 @@ inline BuriedForce buried_force(const BuriedSoil& soil, const Vec3& slip, const 
       r.stiffness += k * plane;
       return;
     }
-    const Vec3 way = part / s;
-    r.force -= resistance * way;
-    r.slip += length * way;
+    const Vec3 direction = part / s;
+    r.force -= resistance * direction;
+    r.slip += length * direction;
     r.stored += 0.5 * resistance * length;
     r.potential += resistance * (s - 0.5 * length);
-    r.stiffness += resistance / s * (plane - way * way.transpose());
+    r.stiffness += resistance / s * (plane - direction * direction.transpose());
   };
   add(soil.axial, soil.axial_length, tangent * tangent.dot(slip), along);
   add(soil.normal, soil.normal_length, across * slip, across);

@@ -21,9 +21,9 @@ struct CableSection {
   // Tension [N] at a strain, its slope, and the strain energy per length [N].
   ResponseCurve::Value axial(double strain) const {
     if (!tension) return {EA * strain, EA, 0.5 * EA * strain * strain};
-    const double share = EA / tension->initial();
+    const double factor = EA / tension->initial();
     const ResponseCurve::Value v = tension->at(strain);
-    return {share * v.force, share * v.slope, share * v.energy};
+    return {factor * v.force, factor * v.slope, factor * v.energy};
   }
 };
 

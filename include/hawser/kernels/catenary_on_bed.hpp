@@ -30,7 +30,7 @@ class CatenaryOnBed {
     double tension(double s) const;
     double stretched(double s) const;  // m, from s to the end
   };
-  Vec3 anchor_ = Vec3::Zero(), way_ = Vec3::UnitX();
+  Vec3 anchor_ = Vec3::Zero(), direction_ = Vec3::UnitX();
   double grounded_ = 0;
   std::vector<LaidPart> pieces_;
   std::optional<CatenaryShape> hanging_;  // from the touchdown point

@@ -14,10 +14,10 @@ class ClearanceTube {
   // clearance: radius [m] about the axis that is free of the body; < 0: unknown.
   void set(const BezierAxis& axis, double clearance);
   // Radius of the free tube about another axis [m]; <= 0: unknown. Includes a margin for rounding.
-  double left(const BezierAxis& axis) const;
+  double radius_about(const BezierAxis& axis) const;
   // Keeps the larger tube.
   void offer(const BezierAxis& axis, double clearance) {
-    if (clearance > 0 && !(left(axis) >= clearance)) set(axis, clearance);
+    if (clearance > 0 && !(radius_about(axis) >= clearance)) set(axis, clearance);
   }
 
  private:
@@ -33,7 +33,7 @@ struct ClearancePoint {
 // Lower bound [m] of the distance on a piece of an axis, of length w in xi, with the distances a and b at its
 // ends and |dx/dxi| <= slope, |d²x/dxi²| <= bend [m]. Distances change no faster than their points move, and
 // the square of a distance minus |x|² is concave, as the minimum of functions that are linear in x.
-double least_between(double w, double a, double b, double slope, double bend);
+double smallest_between(double w, double a, double b, double slope, double bend);
 
 // Lower bound for the whole axis. places: sorted by xi, at least one. worst: position between the places (or
 // between them and the ends) where it is smallest.

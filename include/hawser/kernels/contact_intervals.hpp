@@ -24,7 +24,7 @@ struct ContactInterval {
   bool from_moves = false, to_moves = false;
 };
 
-// Bounds that exclude contact of a piece of the axis (least_between()) from the gaps at its ends.
+// Bounds that exclude contact of a piece of the axis (smallest_between()) from the gaps at its ends.
 struct AxisBounds {
   double slope = 0;             // m, upper bound of |dx/dxi|
   double contact_distance = 0;  // m, the gap is the distance to a body minus this; 0: unknown
@@ -37,7 +37,7 @@ struct InactiveInterval {
   double middle() const { return 0.5 * (from + to); }
 };
 std::vector<InactiveInterval> inactive_intervals(const std::vector<ContactInterval>& intervals);
-std::vector<double> middles(const std::vector<InactiveInterval>& of);
+std::vector<double> middles(const std::vector<InactiveInterval>& intervals);
 
 // All intervals in contact, in order. Where contact cannot be excluded, the element is halved to pieces of
 // 2^-levels (levels >= 1). A piece with an end out of contact is halved up to four times more: over the

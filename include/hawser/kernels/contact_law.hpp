@@ -9,16 +9,16 @@
 
 namespace hawser {
 
-// Elastic force at the gap g (negative: penetration): F = k s + c s³ with the smoothed depth s: 0 for g >= d,
-// (d - g)²/(4 d) on (-d, d), -g below; d is the smoothing. d = c = 0: a linear spring, with damping
-// Kelvin-Voigt without tension.
+// Elastic force at the gap g (negative: penetration): N = k s + k₃ s³ with the smoothed depth s: 0 for g >=
+// δ, (δ - g)²/(4 δ) on (-δ, δ), -g below; δ is the smoothing. δ = k₃ = 0: a linear spring, with damping
+// Kelvin-Voigt without tension. Symbols as in docs/theory/contact.md.
 struct NormalLaw {
   double stiffness = 0;                      // N/m, k; with a table its largest slope
-  double smoothing = 0;                      // m, d, half width of the ramp; 0 with a table
+  double smoothing = 0;                      // m, δ, half width of the ramp; 0 with a table
   double damping = 0;                        // N s/m, c at full stiffness
   const ContactForceTable* table = nullptr;  // replaces ramp and straight line; not owned
   double table_factor = 1;                   // factor on the table's forces
-  double cubic = 0;                          // N/m³, c; 0 with a table
+  double cubic = 0;                          // N/m³, k₃; 0 with a table
   bool operator==(const NormalLaw&) const = default;
 };
 
@@ -32,9 +32,9 @@ struct NormalForce {
 
 // Force at the gap g [m] and rate [m/s]. The damping force is -c e rate, e = -ds/dg, for a table slope / k.
 inline NormalForce normal_force(const NormalLaw& law, double g, double rate) {
-  const double k = law.stiffness, d = law.smoothing;
+  const double k = law.stiffness, delta = law.smoothing;
   NormalForce r;
-  if (g >= d) return r;
+  if (g >= delta) return r;
   double fade = 1, fade_by_gap = 0, slope = 0;
   if (law.table) {
     const ContactForceTable::Value v = law.table->at(-g);
@@ -44,19 +44,19 @@ inline NormalForce normal_force(const NormalLaw& law, double g, double rate) {
     fade_by_gap = -law.table_factor * v.bend / k;
     slope = law.table_factor * v.slope;
   } else {
-    // V = k (integral of s) + c (integral of s³): k a³/(12 d) + c a⁷/(448 d³) on the ramp, a = d - g.
-    double depth, area, cubes;  // s; integrals of s and s³ from g to d
-    if (g > -d) {
-      const double a = d - g;
-      depth = a * a / (4 * d);
-      fade = a / (2 * d);
-      fade_by_gap = -1 / (2 * d);
-      area = a * a * a / (12 * d);
+    // φ = k (integral of s) + k₃ (integral of s³): k a³/(12 δ) + k₃ a⁷/(448 δ³) on the ramp, a = δ - g.
+    double depth, area, cubes;  // s; integrals of s and s³ from g to δ
+    if (g > -delta) {
+      const double a = delta - g;
+      depth = a * a / (4 * delta);
+      fade = a / (2 * delta);
+      fade_by_gap = -1 / (2 * delta);
+      area = a * a * a / (12 * delta);
       cubes = depth * depth * depth * a / 7;
     } else {
       depth = -g;
-      area = g * g / 2 + d * d / 6;
-      cubes = g * g * g * g / 4 + d * d * d * d / 28;
+      area = g * g / 2 + delta * delta / 6;
+      cubes = g * g * g * g / 4 + delta * delta * delta * delta / 28;
     }
     r.elastic = k * depth + law.cubic * depth * depth * depth;
     r.potential = k * area + law.cubic * cubes;
@@ -73,17 +73,17 @@ inline NormalForce normal_force(const NormalLaw& law, double g, double rate) {
 }
 
 // Largest tangent stiffness [N/m] reached by an impact of the mass m [kg] at the speed u [m/s] on a contact
-// of depth p [m]: k + 3 c max(p, q)², where the spring has absorbed the kinetic energy at the depth q, k q²/2
-// + c q⁴/4 = m u²/2.
+// of depth p [m]: k + 3 k₃ max(p, q)², where the spring has absorbed the kinetic energy at the depth q,
+// k q²/2 + k₃ q⁴/4 = m u²/2.
 inline double stiffness_of_impact(const NormalLaw& law, double p, double m, double u) {
-  const double k = law.stiffness, c = law.cubic;
-  if (!(c > 0)) return k;
-  // q² = (-k + sqrt(k² + 2 c m u²))/c
-  const double by_speed = 2 * m * u * u / (k + std::sqrt(k * k + 2 * c * m * u * u));
-  return k + 3 * c * std::max(p > 0 ? p * p : 0.0, by_speed);
+  const double k = law.stiffness, k3 = law.cubic;
+  if (!(k3 > 0)) return k;
+  // q² = (-k + sqrt(k² + 2 k₃ m u²))/k₃
+  const double by_speed = 2 * m * u * u / (k + std::sqrt(k * k + 2 * k3 * m * u * u));
+  return k + 3 * k3 * std::max(p > 0 ? p * p : 0.0, by_speed);
 }
 
-// Damping c = 2 zeta sqrt(k m) of a contact spring of stiffness k [N/m] with the mass m [kg].
+// Damping c = 2 ζ sqrt(k m) of a contact spring of stiffness k [N/m] with the mass m [kg].
 inline double contact_damping(double zeta, double stiffness, double mass) {
   return 2 * zeta * std::sqrt(stiffness * mass);
 }

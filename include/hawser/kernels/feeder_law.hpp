@@ -7,14 +7,14 @@
 namespace hawser {
 
 // The speed is per_tension (T - tension), limited to max_speed in both directions. A resting feeder rests
-// while the tension is between `least` and `most`. When it starts to move, the tension stays at that limit of
-// the band until the speed is that of the law.
+// while the tension is between `min_tension` and `max_tension`. When it starts to move, the tension stays at
+// that limit of the band until the speed is that of the law.
 struct FeedLaw {
   double tension = 0;      // N
   double per_tension = 0;  // m/s per N; 0: holds exactly that tension
   double max_speed = 0;    // m/s; 0: no limit
   bool resting = false;
-  double least = 0, most = 0;  // N, band of a resting feeder
+  double min_tension = 0, max_tension = 0;  // N, band of a resting feeder
 };
 
 // Tension [N] at a feeder as a function of the unstretched length of the element there, and its derivative

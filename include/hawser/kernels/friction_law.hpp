@@ -69,9 +69,9 @@ Vector3<S> transport_slip(const Vector3<U>& slip, const Vector3<U>& from, const 
 template <class S>
 Coulomb<S> coulomb_at(const FrictionLaw& law, const S& speed2) {
   using std::exp;
-  const S rest = exp(S(speed2 * (-1 / (law.blend_speed * law.blend_speed))));
-  return {S(rest * (law.axial - law.axial_kinetic) + law.axial_kinetic),
-          S(rest * (law.lateral - law.lateral_kinetic) + law.lateral_kinetic)};
+  const S static_weight = exp(S(speed2 * (-1 / (law.blend_speed * law.blend_speed))));
+  return {S(static_weight * (law.axial - law.axial_kinetic) + law.axial_kinetic),
+          S(static_weight * (law.lateral - law.lateral_kinetic) + law.lateral_kinetic)};
 }
 
 // Stiffness k of an isotropic law under the normal force N [N], N/m.

@@ -46,18 +46,18 @@ class ImpactEvent {
 
  private:
   friend std::optional<ImpactEvent> impact_event(double inverse_frequency, double significant_depth,
-                                                 double mass, const Approach& at);
+                                                 double mass, const Approach& approach);
   double inverse_frequency_ = 0, energy_ = 0;  // s, J
   double resolved_ = 0;                        // s
   double crossing_ = 0;                        // s, until the contact begins or ends; infinite: neither
   double half_ = 0;                            // N/m, half the stiffness
-  Approach at_;
+  Approach approach_;
 };
 
 // inverse_frequency: sqrt(m/k) of the contact, s, its period over 2 pi. significant_depth: m; it is an impact
 // if speed or acceleration drives the mass deeper than this. mass: kg.
 std::optional<ImpactEvent> impact_event(double inverse_frequency, double significant_depth, double mass,
-                                        const Approach& at);
+                                        const Approach& approach);
 // True if an impact is possible at speeds [m/s] and accelerations [m/s²] up to these, in any direction.
 bool may_impact(double inverse_frequency, double significant_depth, double speed, double acceleration);
 
@@ -87,7 +87,7 @@ double crossing_error(double inverse_frequency, double significant_depth, double
 struct ImpactEvents {
   double longest = std::numeric_limits<double>::infinity();  // s, limit independent of impacts
   // s, longest step under consideration: impacts that only limit longer ones need not be added.
-  double most = std::numeric_limits<double>::infinity();
+  double max_step = std::numeric_limits<double>::infinity();
   std::vector<ImpactEvent> list;
 
   void limit(double h) {
@@ -120,10 +120,10 @@ struct LineMotion {
 using Sum = std::function<void(std::span<double>)>;
 
 // State of generalized-alpha in addition to the motion: algorithmic accelerations A, m/s², which store the
-// energy share/2 h² A.M A (docs/theory/time-integration.md, "Cables").
+// energy factor/2 h² A.M A (docs/theory/time-integration.md, "Cables").
 struct StoredMotion {
   std::span<const Vec3> accelerations;  // of the nodes
-  double share = 0;
+  double factor = 0;
 };
 
 // Energy error of impacts allowed in a step, by line, J: kErrorOfStep of the line's energy times the number
@@ -136,15 +136,15 @@ std::vector<double> energy_tolerance(std::span<const LineMotion> lines);
 // twice `last`, because each step damps what the next one would add. stored: by line, the sums of LineMotion
 // over all ranks with the accelerations A in place of the velocities.
 double growth_limited_step(std::span<const LineMotion> stored, std::span<const double> energy_tolerance,
-                           double share, double last);
+                           double factor, double last);
 
 // True if the total error of all ranks is within the tolerance. Collective.
 bool within_tolerance(std::span<const UnresolvedImpact> impacts, std::span<const double> energy_tolerance,
                       const Sum& sum);
 
-// Longest step, at most `most` [s], in which the impacts of all ranks together stay within the energy
+// Longest step, at most `max_step` [s], in which the impacts of all ranks together stay within the energy
 // tolerance, and the period of the significant ones. Collective.
 StepLimit impact_limited_step(std::span<const ImpactEvent> impacts, std::span<const double> energy_tolerance,
-                              double most, const Sum& sum);
+                              double max_step, const Sum& sum);
 
 }  // namespace hawser

@@ -48,9 +48,9 @@ double beam_kinetic_energy(const MassSection& s, const MassEnds& e);
 double beam_load_work(const MassSection& s, const Vec3& x1, const Quat& q1, const Vec3& x2, const Quat& q2,
                       const Vec3& load);
 
-// Mass matrix of a cable, kg: `own` times the identity for each end, `shared` times it between them.
+// Mass matrix of a cable, kg: `diagonal` times the identity for each end, `shared` times it between them.
 struct CableMass {
-  double own, shared;
+  double diagonal, shared;
 };
 CableMass cable_mass(const MassSection& s);
 

@@ -19,7 +19,7 @@ namespace hawser {
 // as the master: a thinner line may be wound round it, and all of such a winding is equidistant from the axis
 // of the line inside it. From the winding the nearest point is unique, because no line is bent to its own
 // radius.
-double slave_share(double slave_radius, double master_radius);
+double slave_fraction(double slave_radius, double master_radius);
 
 // An element of a pair at the start of the step and in the trial.
 struct PairAxis {
@@ -32,7 +32,7 @@ struct PairAxis {
   Mat3 turn_at(double xi) const { return (1 - xi) * turn[0] + xi * turn[1]; }
 };
 
-// Gauss point of the accepted state, in space axes. The weight includes the pass's share and sign.
+// Gauss point of the accepted state, in space axes. The weight includes the pass's fraction and sign.
 struct LinePairContactPoint : ContactPoint {
   double xi = 0, from = 0, to = 0;     // position; limits of its panel, all of which is in contact
   bool opens = false, closes = false;  // contact begins at `from`, ends at `to`
@@ -62,7 +62,7 @@ class LinePairPass {
  public:
   struct Settings {
     LinePairLaw law;
-    double share = 0.5;                 // of the pressure, from slave_share()
+    double fraction = 0.5;              // of the pressure, from slave_fraction()
     double slave_radius = 0;            // m
     bool moves = true;                  // in dynamics; without damping it has no effect
     bool convex = false;                // exclude negative stiffness
@@ -105,8 +105,8 @@ class LinePairPass {
   std::vector<double> kinks(int levels) const;
   void split(const Panel& panel, std::vector<Panel>& out) const;
   LinePairPoint local(const Point& p, const Start& s) const;
-  LinePairContactPoint left_behind(const Panel& panel, const Point& p, const LinePairForce& c,
-                                   double weight) const;
+  LinePairContactPoint stored_point(const Panel& panel, const Point& p, const LinePairForce& c,
+                                    double weight) const;
   Rows rows(const Point& p) const;
   Slopes slopes(const Point& p, const Start& from, const LinePairForce& c, const Rows& rows) const;
   MovingEnd moving_end(double xi, End end) const;
@@ -117,7 +117,7 @@ class LinePairPass {
   ProjectOn target_;
   Settings set_;
   const std::vector<LinePairContactPoint>& previous_;
-  double wa_, wb_;  // shares of the radii
+  double wa_, wb_;  // radii of slave and master over their sum
   // Rows of AttachedForces for the positions of both, and for the rotations of their nodes.
   size_t at_slave_, at_master_, turn_slave_, turn_master_;
 };

@@ -29,26 +29,29 @@ struct LinePairMotion {
 // + c) +- d/(1 - c). A line that slides along itself by alpha brings x nearer by -alpha n.t/(a.t), where t is
 // the mean of its tangents at start and end; on a circle this is the direction of its displacement.
 template <class S>
-S line_pair_closing(const LinePairMotion<S>& way) {
+S line_pair_closing(const LinePairMotion<S>& motion) {
   using std::sqrt;
   // Below an angle of about a tenth of a radian lines count as parallel: it does not matter then which of
   // them slides, and each gets half.
   constexpr double kParallel = 3e-3;
   const auto unit = [](const Vector3<S>& v) -> Vector3<S> { return v / S(sqrt(S(v.squaredNorm()))); };
-  const auto over = [](const S& v, const S& by) -> S { return v * by / S(by * by + kParallel * kParallel); };
-  const Vector3<S> n = unit(way.away), w = way.away - way.away_before, a = unit(way.slope),
-                   b = unit(way.along);
+  const auto quotient = [](const S& v, const S& divisor) -> S {
+    return v * divisor / S(divisor * divisor + kParallel * kParallel);
+  };
+  const Vector3<S> n = unit(motion.away), w = motion.away - motion.away_before, a = unit(motion.slope),
+                   b = unit(motion.along);
   const S c = a.dot(b), wa = w.dot(a), wb = w.dot(b);
-  const S both = over(S(0.5 * (wa + wb)), S(1 + c)), apart = over(S(0.5 * (wa - wb)), S(1 - c));
-  const auto brings = [&n](const S& by, const Vector3<S>& before, const Vector3<S>& now) -> S {
+  const S half_sum = quotient(S(0.5 * (wa + wb)), S(1 + c)),
+          half_difference = quotient(S(0.5 * (wa - wb)), S(1 - c));
+  const auto approach = [&n](const S& sliding, const Vector3<S>& before, const Vector3<S>& now) -> S {
     const Vector3<S> mean = before + now;
     // A line whose direction reverses within the step, such as one that folds onto itself, does not slide
     // along itself.
     if (!(now.dot(mean) > kHalfRound)) return S(0);
-    return -by * n.dot(mean) / S(now.dot(mean));
+    return -sliding * n.dot(mean) / S(now.dot(mean));
   };
-  return -n.dot(w) - brings(S(both + apart), unit(way.slope_before), a) -
-         brings(S(both - apart), unit(way.along_before), b);
+  return -n.dot(w) - approach(S(half_sum + half_difference), unit(motion.slope_before), a) -
+         approach(S(half_sum - half_difference), unit(motion.along_before), b);
 }
 
 }  // namespace hawser

@@ -21,7 +21,7 @@ struct LinkLaw {
   bool tension_only = false;
 
   // Largest slope of the spring, N/m.
-  double most_stiffness() const { return spring ? spring->largest_slope() : stiffness; }
+  double max_stiffness() const { return spring ? spring->largest_slope() : stiffness; }
 };
 
 // Tension at a length [m] and its rate [m/s].

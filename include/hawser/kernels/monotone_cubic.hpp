@@ -15,8 +15,8 @@ class MonotoneCubic {
   using Row = std::pair<double, double>;  // x, y
 
   // At least two rows. The slope at the first row is `first`, or by default that of a parabola; a parabola's
-  // slope at an end is limited to between `least` and 3 times the secant's.
-  explicit MonotoneCubic(std::vector<Row> rows, std::optional<double> first = {}, double least = 0);
+  // slope at an end is limited to between `min_ratio` and 3 times the secant's.
+  explicit MonotoneCubic(std::vector<Row> rows, std::optional<double> first = {}, double min_ratio = 0);
 
   struct Value {
     double y = 0, slope = 0, bend = 0;  // y and its first two derivatives by x

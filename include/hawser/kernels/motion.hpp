@@ -56,11 +56,11 @@ class RowCurve {
     size_t row = 0;     // the first of the two, from 0
     int component = 0;  // of the value
     double time = 0;    // s
-    double value = 0, by = 0;
+    double value = 0, excess = 0;
   };
-  // One for each interval and component that leaves the range by more than `share` of the component's range
-  // over all rows.
-  std::vector<Overshoot> overshoots(double share) const;
+  // One for each interval and component that leaves the range by more than `fraction` of the component's
+  // range over all rows.
+  std::vector<Overshoot> overshoots(double fraction) const;
 
   // Integrals over the rows of |x' - mean x'|² and |x''|², all components together. A jump d of the slope at
   // a row, as with linear interpolation, counts as a change over half of both intervals: d²/((h + h')/2).

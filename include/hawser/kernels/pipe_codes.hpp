@@ -44,7 +44,7 @@ class PipeCodes {
   // The larger result of the load combinations a and b.
   double local_buckling(const PipeLoads& rest, const PipeLoads& now, double condition, double outside,
                         double inside) const;
-  // Largest design tension of both combinations over that at yield; the formula holds up to kMostPulled.
+  // Largest design tension of both combinations over that at yield; the formula holds up to kMaxPulled.
   double pulled(const PipeLoads& rest, const PipeLoads& now, double condition) const;
 
   // API RP 1111 4.3.2.2: bending strain and external pressure.
@@ -67,7 +67,7 @@ class PipeCodes {
 };
 
 // Ranges of validity: |S_Sd| / S_p and D/t for the formula of combined loads, D/t for API RP 1111.
-inline constexpr double kMostPulled = 0.4, kLeastSlender = 15, kMostSlender = 45, kMostSlenderApi = 50;
+inline constexpr double kMaxPulled = 0.4, kMinSlender = 15, kMaxSlender = 45, kMaxSlenderApi = 50;
 
 // Yield stress and tensile strength of a grade of API 5L (PSL 2), Pa: "X65".
 struct PipeGrade {

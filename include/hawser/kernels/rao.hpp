@@ -39,7 +39,7 @@ class RaoTable {
     size_t freedom = 0;                      // 0 to 5, surge to yaw
     double direction = 0, from = 0, to = 0;  // rad, rad/s
     double angle = 0;                        // rad
-    double ends = 0, least = 0;              // smaller of both amplitudes; smallest amplitude between them
+    double ends = 0, smallest = 0;           // smaller of both amplitudes; smallest amplitude between them
     bool operator<(const Turn& b) const {
       return std::tie(freedom, direction, from) < std::tie(b.freedom, b.direction, b.from);
     }

@@ -21,10 +21,10 @@ struct SlowPose {
   // State after a step of h [s] to `pose`; the heading changes the shorter way round. period: s.
   SlowPose after(const Vec3& pose, double h, double period) const;
   // Derivatives of `place` and `speed()` by that pose: 1 and 1/s.
-  struct Share {
+  struct Derivatives {
     double place = 0, speed = 0;
   };
-  static Share share(double h, double period);
+  static Derivatives derivatives(double h, double period);
 };
 
 }  // namespace hawser

@@ -23,13 +23,13 @@ auto block_of(Matrix& m, size_t row, size_t column) {
 // Forces conjugate to positions [N], followed by couples conjugate to small rotations of nodes in space axes
 // [N m], with their derivatives by both and by the velocities of the positions.
 struct AttachedForces {
-  static constexpr size_t kPositions = 8, kTurns = 4, kMost = kPositions + kTurns;
+  static constexpr size_t kPositions = 8, kTurns = 4, kMaxRows = kPositions + kTurns;
   size_t positions;
   bool rotates;  // couples act: rows and columns from kPositions are used
-  std::array<Vec3, kMost> F;
+  std::array<Vec3, kMaxRows> F;
   // In 3x3 blocks, a row and a column for each of F (block_of).
-  Eigen::Matrix<double, 3 * kMost, 3 * kMost, Eigen::RowMajor> K;
-  Eigen::Matrix<double, 3 * kMost, 3 * kPositions, Eigen::RowMajor> C;
+  Eigen::Matrix<double, 3 * kMaxRows, 3 * kMaxRows, Eigen::RowMajor> K;
+  Eigen::Matrix<double, 3 * kMaxRows, 3 * kPositions, Eigen::RowMajor> C;
 
   // Zero; without derivatives K and C are not initialised.
   explicit AttachedForces(int positions, bool rotates = false, bool derivatives = true);

@@ -9,7 +9,7 @@ namespace hawser {
 // Two neighbouring entries, and the weight of the second in linear interpolation.
 struct TablePlace {
   std::size_t low = 0, high = 0;
-  double share = 0;
+  double weight = 0;
 };
 // Place in ascending values; beyond the first or the last both indices are that entry.
 TablePlace frequency_place(const std::vector<double>& omega, double x);

@@ -44,8 +44,8 @@ class WaveSums {
   double head(const Phases& at, double z) const;
 
  private:
-  // Number of components with a wave number up to `most`, in full vectors.
-  std::size_t up_to(double most) const;
+  // Number of components with a wave number up to `largest_number`, in full vectors.
+  std::size_t up_to(double largest_number) const;
   // Number of leading components that depend on the depth at the height z.
   std::size_t components_over_bed(double z) const;
 

@@ -33,18 +33,18 @@ class RootSearch {
   void extend_range();
   void outward();
   void between();
-  struct Way {  // search in one direction from the start
+  struct Direction {  // search in one direction from the start
     double step = 0, limit = 0, x = 0, f = 0;
     double tried = 0;  // size of the step in the search for a first value
     int failures = 0;
     bool ended = false;
   };
-  Way way_[2];
+  Direction direction_[2];
   int going_ = 0, count_ = 0, failures_at_start_ = 0;  // failures_at_start_: before the first value
   bool bracketed_ = false, exhausted_ = false;
   double next_ = 0;
   double x_[3] = {}, f_[3] = {};  // bracket: newest point, other side, previous point
-  double share_ = 0.5;            // fraction of the distance from x_[0] to x_[1]
+  double fraction_ = 0.5;         // fraction of the distance from x_[0] to x_[1]
   int failures_ = 0;
   std::vector<std::pair<double, double>> values_;
 };

@@ -18,10 +18,10 @@ struct EqualItems {
 };
 
 // Cuts a row of items into consecutive parts, some of which may be empty. Returns the first item of each, and
-// the number of items at the end. No part weighs more than `most` times the mean, with the lowest cost of the
-// most expensive cut for which this is possible; if it is impossible, no more than the heaviest part of the
-// most even division. Within these limits each cut has the lowest cost in reach, and among these the most
-// even division of the rest. Memory O(runs + parts).
-std::vector<int> cut_into_even_parts(std::span<const EqualItems> row, int parts, double most);
+// the number of items at the end. No part weighs more than `max_ratio` times the mean, with the lowest cost
+// of the most expensive cut for which this is possible; if it is impossible, no more than the heaviest part
+// of the most even division. Within these limits each cut has the lowest cost in reach, and among these the
+// most even division of the rest. Memory O(runs + parts).
+std::vector<int> cut_into_even_parts(std::span<const EqualItems> row, int parts, double max_ratio);
 
 }  // namespace hawser

@@ -74,7 +74,7 @@ struct LocalMesh {
 struct LineOwners {
   std::vector<int> cut;    // several ranks own nodes of it; the same on all ranks
   std::vector<int> uncut;  // this rank owns all nodes
-  std::vector<int> here;   // this rank owns nodes
+  std::vector<int> local;  // this rank owns nodes
 };
 LineOwners line_owners(const LocalMesh& mesh);
 // True if this rank owns the first node of a line.
@@ -96,10 +96,10 @@ const Kept* of_element(const std::vector<Kept>& kept, const LocalElement& e) {
 }
 
 // Adds the residual of a beam (x1, theta1, x2, theta2) or a cable (x1, x2) to f, with a beam's layout.
-inline void add_ends(const Vec12& own, Vec12& f) { f += own; }
-inline void add_ends(const Vec6& own, Vec12& f) {
-  f.head<3>() += own.head<3>();
-  f.segment<3>(6) += own.tail<3>();
+inline void add_ends(const Vec12& ends, Vec12& f) { f += ends; }
+inline void add_ends(const Vec6& ends, Vec12& f) {
+  f.head<3>() += ends.head<3>();
+  f.segment<3>(6) += ends.tail<3>();
 }
 
 // Sets the coupling ghosts to those of `nodes` (mesh nodes, sorted) that are not yet local. Local nodes and

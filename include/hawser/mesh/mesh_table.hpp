@@ -57,7 +57,7 @@ class MeshTable {
  public:
   int nodes() const { return nodes_; }
   int elements() const { return elements_; }
-  // Computed from the table, O(log(parts) + log(nodes with properties of their own)).
+  // Computed from the table, O(log(parts) + log(special nodes)).
   template <std::integral Index>
   Node node(Index n) const {
     return node_at(static_cast<int>(n));
@@ -72,7 +72,7 @@ class MeshTable {
   // In the order of the elements.
   std::span<const EvenPart> parts() const { return parts_; }
   // Nodes with properties that do not follow from the parts, ascending: carried, shared, two-sided, bodies.
-  std::span<const std::pair<int, Node>> own_nodes() const { return own_; }
+  std::span<const std::pair<int, Node>> special_nodes() const { return special_; }
   double longest_element() const;  // m, unstretched; 0: no elements
   bool any_beam() const;
   bool any_cable() const;
@@ -100,7 +100,7 @@ class MeshTable {
   // Arc lengths are sums from there, so that they do not depend on the order of access.
   std::vector<double> sums_;
   std::vector<TemperatureRows> rows_;
-  std::vector<std::pair<int, Node>> own_;
+  std::vector<std::pair<int, Node>> special_;
 
   Node node_at(int n) const;
   Element element_at(int e) const;

@@ -41,12 +41,12 @@ class DeepContacts : public Recording {
       each("arc length", "m", self.arc_length);
     }
   };
-  using OfLines = std::map<int, Deepest>;  // lines with unacceptable depths only
-  static void put(const Deepest& d, OfLines& to);
+  using PerLine = std::map<int, Deepest>;  // lines with unacceptable depths only
+  static void put(const Deepest& d, PerLine& to);
 
   const Subject& subject_;
   std::vector<int> volumes_;  // of the term: index into Case::volumes
-  OfLines of_rank_, of_run_;
+  PerLine of_rank_, of_run_;
 };
 
 }  // namespace hawser::record

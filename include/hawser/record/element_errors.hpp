@@ -11,7 +11,7 @@
 #include "hawser/advice/long_elements.hpp"
 #include "hawser/base/exchange.hpp"
 #include "hawser/mesh/local_mesh.hpp"
-#include "hawser/mesh/of_lines.hpp"
+#include "hawser/mesh/per_line.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/record/recording.hpp"
 #include "hawser/state/kinematics.hpp"
@@ -72,7 +72,7 @@ class ElementErrors : public Recording {
   // Sent: local nodes of lines whose first node the other rank owns. Received: places of its nodes among the
   // nodes of cut_.
   IndicesByRank shared_;
-  OfLines<OfLine> lines_;                          // valid on the rank that owns the first node
+  PerLine<OfLine> lines_;                          // valid on the rank that owns the first node
   int tension_ = -1, moment_ = -1, pressed_ = -1;  // indices of fields
   std::vector<std::pair<int, int>> touches_;       // fields with components that are nonzero in contact
 };

@@ -9,7 +9,7 @@
 
 #include "hawser/advice/peaks.hpp"
 #include "hawser/mesh/local_mesh.hpp"
-#include "hawser/mesh/of_lines.hpp"
+#include "hawser/mesh/per_line.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/state/kinematics.hpp"
 #include "hawser/terms/feeders.hpp"
@@ -40,7 +40,7 @@ class Folds {
   using Worst = advice::FoldedPeak;
   const LocalMesh& mesh_;
   std::vector<Fold> folds_;  // by element of this rank
-  OfLines<Worst> worst_;
+  PerLine<Worst> worst_;
 };
 
 }  // namespace hawser::record

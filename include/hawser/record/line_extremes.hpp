@@ -8,7 +8,7 @@
 #include "hawser/io/checkpoint.hpp"
 #include "hawser/io/results.hpp"
 #include "hawser/mesh/local_mesh.hpp"
-#include "hawser/mesh/of_lines.hpp"
+#include "hawser/mesh/per_line.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/record/recording.hpp"
 #include "hawser/record/utilisation.hpp"
@@ -45,7 +45,7 @@ class LineExtremes : public Recording {
     std::string name, unit;
     std::vector<size_t> fields;
     bool largest = true;
-    OfLines<Extreme> lines;  // over this rank's nodes
+    PerLine<Extreme> lines;  // over this rank's nodes
   };
   std::vector<CheckpointRecord> checkpoint_records(NodeRange nodes) const;
 

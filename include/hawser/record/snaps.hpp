@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hawser/mesh/local_mesh.hpp"
-#include "hawser/mesh/of_lines.hpp"
+#include "hawser/mesh/per_line.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/state/kinematics.hpp"
 
@@ -55,8 +55,8 @@ class Snaps {
   const LocalMesh& mesh_;
   std::vector<double> passage_;  // s, slower element at each owned node; 0: excluded
   std::vector<Before> before_;   // by owned node; empty: no step yet
-  OfLines<double> echo_;         // s, wave along each line and back
-  OfLines<Worst> worst_;
+  PerLine<double> echo_;         // s, wave along each line and back
+  PerLine<Worst> worst_;
 };
 
 }  // namespace hawser::record

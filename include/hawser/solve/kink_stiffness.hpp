@@ -55,8 +55,8 @@ class KinkStiffness {
     int rises = 0;
   };
   std::vector<Block> blocks_;
-  std::vector<double> last_;  // increment of the iteration before
-  double least_ = 0;          // least relative residual so far
+  std::vector<double> last_;      // increment of the iteration before
+  double smallest_residual_ = 0;  // least relative residual so far
   int iterations_ = 0, stale_ = 0, smooth_ = 0;
   bool active_ = false;
 };

@@ -75,7 +75,7 @@ class StaticTrial {
   // True if the residual is small enough for the exact tangent.
   bool tangent_trusted(const ResidualNorms& n) const;
 
-  void displace(int attempt, double share, State& s) const;
+  void displace(int attempt, double fraction, State& s) const;
 
   System& system_;
   State& state_;

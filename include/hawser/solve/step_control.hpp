@@ -34,13 +34,13 @@ class StepControl {
   // Called after an impact at t on a contact with this period [s]. Steps stay below a third of the period for
   // twenty periods, since the remaining vibration determines the next impact. From then on a step at most
   // doubles the last one.
-  void follow_impact(double t, double period);
+  void after_impact(double t, double period);
   // True if a converged step is accurate enough. A step of the shortest length always is.
   bool accurate(double h, double error) const;
 
-  void accepted(double h, int iterations, double error);
+  void after_accepted_step(double h, int iterations, double error);
   // A failed or inaccurate step. Returns false when it already was the shortest.
-  bool rejected(double h, bool diverged, double error);
+  bool after_rejected_step(double h, bool diverged, double error);
 
   double proposal() const { return proposal_; }
   int wait() const { return growth_wait_; }
@@ -54,7 +54,7 @@ class StepControl {
   }
 
  private:
-  double followed(double t) const;
+  double allowed_after_impact(double t) const;
 
   StepSettings s_;
   double proposal_ = 0;

@@ -17,8 +17,8 @@ namespace hawser {
 inline constexpr int kMaxShared = 400;
 
 // Makes `pc` the substructuring solver (on more than one rank, for MPIBAIJ matrices of a symmetric pattern).
-// If a part of the interface has more than `most` unknowns, MUMPS solves the whole matrix. coupled: see
-// use_lu(), for a rank's own part. Collective.
-void use_substructuring(PC pc, bool coupled, int most = kMaxShared);
+// If a part of the interface has more than `max_unknowns` unknowns, MUMPS solves the whole matrix. coupled:
+// see use_lu(), for a rank's own part. Collective.
+void use_substructuring(PC pc, bool coupled, int max_unknowns = kMaxShared);
 
 }  // namespace hawser

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "hawser/math/types.hpp"
-#include "hawser/system/own_blocks.hpp"
+#include "hawser/system/local_blocks.hpp"
 #include "hawser/system/tied_node_forces.hpp"
 
 namespace hawser {
@@ -79,7 +79,7 @@ class Assembler {
   // The matrix of a tangent and what its entries need. They outlive the assembler.
   struct Tangent {
     Mat matrix;
-    const OwnBlocks& own;                    // of the matrix
+    const LocalBlocks& blocks;               // of the matrix
     const std::vector<Mat3>& retraction;     // of rotations
     const std::vector<int>& turn_of;         // by local block: index into `retraction`; -1: a position
     const std::vector<unsigned char>& held;  // by local block: bit c set when component c is prescribed
@@ -117,9 +117,9 @@ class Assembler {
   // the force is then no mean and enters as by add_pull. f is also summed, without the weight, for
   // System::mean_forces().
   void add_mean_between(int a, int b, const Vec3& f, const Mat3* k);
-  // For masses that couple positions, with the force f on both. M is `own` times the identity on the diagonal
-  // and `shared` times it off the diagonal.
-  void add_masses(int a, int b, const Vec6& f, double own, double shared);
+  // For masses that couple positions, with the force f on both. M is `diagonal` times the identity on the
+  // diagonal and `shared` times it off the diagonal.
+  void add_masses(int a, int b, const Vec6& f, double diagonal, double shared);
   // Weights for kernels that apply them to their derivatives themselves and call add_weighted().
   const Weights& weights() const { return weights_; }
   // Adds the force on two positions and the sum J of its weighted derivatives. False: nothing is added,
@@ -136,7 +136,7 @@ class Assembler {
   void put(std::span<const int> rows, std::span<const int> columns, double* J);
   void add_tied(std::span<const int> rows, std::span<const int> columns, DerivativeView K, DerivativeView C,
                 DerivativeView M);
-  void add_elsewhere(int row, int column, const double* J, int m);
+  void add_nonlocal(int row, int column, const double* J, int m);
 
   const TiedNodeForces* ties_ = nullptr;
   double mean_weight_ = 1;
@@ -145,7 +145,7 @@ class Assembler {
   std::vector<double>*force_ = nullptr, *mean_ = nullptr, *squares_ = nullptr;
   // of a tangent
   Mat matrix_ = nullptr;
-  const OwnBlocks* own_ = nullptr;
+  const LocalBlocks* blocks_ = nullptr;
   Weights weights_;
   bool convex_ = false, sending_ = false;
   const std::vector<int>* global_block_ = nullptr;

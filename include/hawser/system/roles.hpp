@@ -88,10 +88,10 @@ class MovesMasses {
 
 // The element that is stretched or compressed furthest beyond the range of its law.
 struct Overstretch {
-  double beyond = 0;            // excess of the strain; 0: there is no such element
-  int node = -1;                // of the mesh, at its first end
-  double strain = 0, most = 0;  // its strain and the allowed one, both signed
-  double tension = 0, EA = 0;   // N
+  double beyond = 0;             // excess of the strain; 0: there is no such element
+  int node = -1;                 // of the mesh, at its first end
+  double strain = 0, limit = 0;  // its strain and the allowed one, both signed
+  double tension = 0, EA = 0;    // N
 };
 
 // Largest tension, round-off of a tension and EA of a line, N.
@@ -107,7 +107,7 @@ class HasAxialStiffness {
   // Statics starts soft, because the energy of a very stiff line is badly conditioned, and elastic, because
   // yielding sections in the bends of a shape far from equilibrium would have almost no stiffness. Returns
   // whether this changes anything on this rank.
-  virtual bool soften(double most) = 0;
+  virtual bool soften(double max_stiffness) = 0;
   // Largest EA, N, of this rank; 0: none.
   virtual double axial_stiffness() const = 0;
   // The most overstretched element of this rank, if any.

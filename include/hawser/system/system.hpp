@@ -122,11 +122,11 @@ class System {
   const std::vector<double>& reactions() const { return force_; }
 
   // The following combine all ranks (collective); see roles.hpp.
-  bool soften(double most);  // true on all ranks: something differs from its true value
+  bool soften(double max_stiffness);  // true on all ranks: something differs from its true value
   double axial_stiffness() const;
   double dead_load() const;
-  // Limit for a step of at most `most` [s]. Impacts limit it by the error of energy that they may cause.
-  StepLimit longest_step(const Kinematics& committed, const StoredMotion& stored, double most);
+  // Limit for a step of at most `max_step` [s]. Impacts limit it by the error of energy that they may cause.
+  StepLimit longest_step(const Kinematics& committed, const StoredMotion& stored, double max_step);
   bool raise_stiffness(const Kinematics& equilibrium);  // true on all ranks: solve again
   bool raise_stiffness_where_blocked(
       const Kinematics& trial);  // in statics; true on all ranks: stiffness was raised, search again
@@ -195,7 +195,7 @@ class System {
   std::vector<double> squares_;       // of the contributions to the last residual(), by block
   size_t lines_ = 0;                  // number of lines, plus one for each node of a body
   std::vector<int> cut_;              // lines of which several ranks own nodes; the same on all ranks
-  std::vector<int> own_lines_;        // lines of which this rank owns nodes
+  std::vector<int> local_lines_;      // lines of which this rank owns nodes
   // J by line, error of energy that impacts may cause in the coming step
   std::vector<double> energy_tolerance_;
   double round_off_ = 0, longest_element_ = 0;

@@ -44,7 +44,7 @@ class TiedNodes {
   // Sets prescribed velocities and accelerations at time t in the state.
   void rates(double t, State& s) const;
   // Sets positions, rotations and all rates of tied nodes from their frames.
-  void follow(State& s) const;
+  void move_with_frames(State& s) const;
 
  private:
   RigidPose pose(const TiedNode& s, double t) const;

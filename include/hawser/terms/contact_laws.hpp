@@ -34,7 +34,7 @@ inline ContactSpring contact_spring(const NormalLaw& law, double mass, double ra
 void limit_depth(double radius, const Approach& at, ImpactEvents& to);
 // True if this limit can apply to a point with a gap of at least `gap` [m] at this speed [m/s].
 inline bool may_limit_depth(double radius, double gap, double speed, const ImpactEvents& to) {
-  return speed * to.most > (1 - 1e-9) * (std::max(gap, 0.0) + 0.5 * radius);
+  return speed * to.max_step > (1 - 1e-9) * (std::max(gap, 0.0) + 0.5 * radius);
 }
 
 }  // namespace hawser

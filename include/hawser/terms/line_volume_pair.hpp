@@ -89,11 +89,11 @@ struct LineVolumePair {
   double smoothing() const { return laws[0].normal.smoothing; }
   bool in_contact(const SurfacePoint& p) const { return p.distance <= contact_distance; }
   int facet_groups() const {
-    return trial.near.facet_groups.several() ? static_cast<int>(trial.near.facet_groups.of.size()) : 1;
+    return trial.near.facet_groups.several() ? static_cast<int>(trial.near.facet_groups.list.size()) : 1;
   }
   // Facet group w; null: the whole surface.
   const FacetGroup* group(int w) const {
-    return trial.near.facet_groups.several() ? &trial.near.facet_groups.of[w] : nullptr;
+    return trial.near.facet_groups.several() ? &trial.near.facet_groups.list[w] : nullptr;
   }
   const std::vector<AxisContactPoint>& previous(int w) const {
     return trial.near.previous.empty() ? start.points : trial.near.previous[w];

@@ -9,14 +9,14 @@
 
 namespace hawser {
 
-class OwnBlocks {
+class LocalBlocks {
  public:
-  OwnBlocks() = default;
+  LocalBlocks() = default;
   // J must have been assembled once, so that its pattern is known.
-  explicit OwnBlocks(Mat J);
-  OwnBlocks(const OwnBlocks&) = delete;
-  OwnBlocks& operator=(const OwnBlocks&) = delete;
-  ~OwnBlocks();
+  explicit LocalBlocks(Mat J);
+  LocalBlocks(const LocalBlocks&) = delete;
+  LocalBlocks& operator=(const LocalBlocks&) = delete;
+  ~LocalBlocks();
 
   int rows() const { return rows_; }
   // Columns of the blocks in a row, from the column `first`.
@@ -43,7 +43,7 @@ class OwnBlocks {
   }
 
  private:
-  Mat own_ = nullptr;
+  Mat matrix_ = nullptr;
   PetscInt rows_ = 0;
   const PetscInt *starts_ = nullptr, *columns_ = nullptr;
   double* values_ = nullptr;

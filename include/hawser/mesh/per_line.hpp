@@ -14,22 +14,22 @@
 namespace hawser {
 
 template <class T>
-class OfLines {
+class PerLine {
  public:
-  OfLines() = default;
-  explicit OfLines(const LocalMesh& mesh, const T& first = {}) {
+  PerLine() = default;
+  explicit PerLine(const LocalMesh& mesh, const T& first = {}) {
     LineOwners lines = line_owners(mesh);
-    lines_ = std::move(lines.here);
+    lines_ = std::move(lines.local);
     cut_ = std::move(lines.cut);
-    of_.assign(lines_.size(), first);
+    values_.assign(lines_.size(), first);
   }
 
   // Ascending.
   std::span<const int> lines() const { return lines_; }
   bool has(int line) const { return std::binary_search(lines_.begin(), lines_.end(), line); }
   // Of a line of this rank.
-  T& operator[](int line) { return of_[place(line)]; }
-  const T& operator[](int line) const { return of_[place(line)]; }
+  T& operator[](int line) { return values_[place(line)]; }
+  const T& operator[](int line) const { return values_[place(line)]; }
   // Gives the ranks that share a line the data of the one with the largest value; that of T() is the
   // smallest. Collective.
   template <class Value>
@@ -50,7 +50,7 @@ class OfLines {
     return static_cast<std::size_t>(std::lower_bound(lines_.begin(), lines_.end(), line) - lines_.begin());
   }
   std::vector<int> lines_, cut_;
-  std::vector<T> of_;
+  std::vector<T> values_;
 };
 
 }  // namespace hawser
