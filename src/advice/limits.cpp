@@ -43,7 +43,7 @@ std::string compression_warning(const model::Case& c, const Extreme& at) {
     }
   if (type->kind != model::LineKind::beam) return {};
   const double w = c.environment.gravity * std::abs(mass_in_water(c, *type, -HUGE_VAL));
-  const double EI = type->least_bending_stiffness();
+  const double EI = type->smallest_bending_stiffness();
   const double strut = M_PI * M_PI * EI / std::pow(model::length_of(line), 2);
   const double limit = std::max(kPinnedFoot * std::cbrt(EI * w * w), strut);
   if (!(-at.value > limit)) return {};

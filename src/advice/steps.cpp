@@ -26,14 +26,14 @@ std::string overstretched(const Overstretched& at) {
   return fmt::format(
       "{}, {} {:.3g} % by {:.3g} N on an EA of {:.3g} N; no line with such an EA can carry {:g} %", at.place,
       at.strain > 0 ? "is stretched by" : "is compressed by", 100 * std::abs(at.strain), std::abs(at.tension),
-      at.EA, 100 * std::abs(at.most));
+      at.EA, 100 * std::abs(at.limit));
 }
 
 std::string lost_in_rounding(const LostInRounding& at) {
   return fmt::format(
       "the tension of line {} is accurate to {:.2g} % only, because of rounding with an EA of {:.3g} N; an "
       "EA of {:.0e} N is practically inextensible",
-      at.line, 100 * at.share, at.EA, at.sufficient);
+      at.line, 100 * at.fraction, at.EA, at.sufficient);
 }
 
 // One clause per kind of finding.
@@ -64,7 +64,7 @@ struct Clause {
     return at.feeder + " is paid out or hauled in by more of an element than one step can follow";
   }
   std::string operator()(const TooDeep& at) const { return too_deep(at); }
-  std::string operator()(const DrawnThrough& at) const { return drawn_through(at); }
+  std::string operator()(const PulledThrough& at) const { return pulled_through(at); }
   std::string operator()(const LinesPass& at) const { return lines_pass(at.at); }
   std::string operator()(const LinesStartTooNear& at) const { return lines_start_too_near(at.at); }
   std::string operator()(const PressedLines& at) const { return lines_too_soft(at); }
@@ -72,7 +72,7 @@ struct Clause {
 
 }  // namespace
 
-std::string clause(const StepFinding& found) { return std::visit(Clause(), found); }
+std::string clause(const StepFinding& finding) { return std::visit(Clause(), finding); }
 
 std::string overstretched_in_statics(const Overstretched& at) {
   return fmt::format("statics: {}: check the units of loads, lengths and EA", overstretched(at));

@@ -185,13 +185,13 @@ class RecorderAtFirstOutput {
         restart_(restart),
         appends_(appends),
         progress_(progress) {}
-  bool made() const { return made_.has_value(); }
+  bool exists() const { return recorder_.has_value(); }
   // Collective at the first call.
   record::Recorder& get() {
-    if (made_) return *made_;
+    if (recorder_) return *recorder_;
     about_.messages = progress_.messages();
-    return made_.emplace(sim_.subject(surfaces(volumes_)), volume_meshes(sim_.model(), volumes_),
-                         std::move(about_), restart_ ? &restart_->checkpoint : nullptr, appends_);
+    return recorder_.emplace(sim_.subject(surfaces(volumes_)), volume_meshes(sim_.model(), volumes_),
+                             std::move(about_), restart_ ? &restart_->checkpoint : nullptr, appends_);
   }
 
  private:
@@ -201,7 +201,7 @@ class RecorderAtFirstOutput {
   const std::optional<RestartFrom>& restart_;
   const bool appends_;
   const Progress& progress_;
-  std::optional<record::Recorder> made_;
+  std::optional<record::Recorder> recorder_;
 };
 
 // Statics with an output for each stage. If it fails, the file is completed, if there is one.
@@ -213,7 +213,7 @@ void find_equilibrium_with_outputs(Simulation& sim, Events& events, RecorderAtFi
       if (k + 1 < sim.model().stages.size()) recorder.get().stage(k, sim.state().at_rest());
     });
   } catch (const SolveError& e) {
-    if (recorder.made()) finish_failed(recorder.get(), progress, e);
+    if (recorder.exists()) finish_failed(recorder.get(), progress, e);
     throw;
   }
   give_back_memory();  // statics has a pair for every element and volume that may meet, motion a few of them

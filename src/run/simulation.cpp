@@ -86,7 +86,7 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
                       std::vector<std::string>& notes) {
   model::Volume& v = volume.settings;
   AutomaticStiffness best;
-  double mass = 0, radius = 0, most = 0;
+  double mass = 0, radius = 0, largest = 0;
   const auto weight_of = [&](int type) {  // N/m
     return c.line_types[type].mass_per_length * c.environment.gravity;
   };
@@ -102,11 +102,11 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
     d.weight = weight_of(e.type);
     d.line_weight = line_weight[e.line];
     d.EA = t.EA;
-    d.EI = t.least_bending_stiffness();
+    d.EI = t.smallest_bending_stiffness();
     d.bend = bending_radius(v, d.radius);
     d.allowed_penetration = v.allowed_penetration;
     const AutomaticStiffness s = automatic_contact_stiffness(d);
-    most = std::max(most, most_stiffness(d));
+    largest = std::max(largest, largest_stiffness(d));
     if (s.per_length > best.per_length) {
       best = s;
       mass = t.mass_per_length;
@@ -119,7 +119,7 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
   // edges.
   if (!v.smoothing && !(v.relative_damping > 0)) v.smoothing = 2e-5 * radius;
   volume.automatic = true;
-  volume.most = std::max(most, best.per_length);
+  volume.max_stiffness = std::max(largest, best.per_length);
   const double bounce = 0.5 * contact_period(best.per_length, mass), step = c.dynamics.step;
   const bool too_short = c.dynamics.enabled && step > 0 && bounce < 1.5 * step;
   notes.push_back(
@@ -150,7 +150,7 @@ Simulation::Simulation(MPI_Comm comm, model::Case c, std::vector<std::shared_ptr
   StartShape start = start_shape(comm, case_, local(), *bodies_, surfaces);
   notes_ = std::move(start.notes);
   const Kinematics at = start.state.at_rest();
-  bodies_->fix_drawn(comm, case_, at);
+  bodies_->fix_placed_in_space(comm, case_, at);
   if (!case_.links.empty()) add<Links>(comm, case_, local(), bodies_, at);
   if (Feeders* fed = feeders()) {
     fed->clamp(start.ends);

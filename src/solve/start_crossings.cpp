@@ -170,7 +170,7 @@ class Crossings {
   // of only one with the bed, at the crossing or from end to end; by the heights of the start shapes. Null:
   // neither is moved. Throws InputError if none of these applies.
   const Crossing* upper(const Crossing& a, const Crossing& b) const {
-    for (const auto& [over, under] : c_.contact.between_lines.over) {
+    for (const auto& [over, under] : c_.contact.between_lines.crossings) {
       if (over == a.name() && under == b.name()) return &a;
       if (over == b.name() && under == a.name()) return &b;
     }

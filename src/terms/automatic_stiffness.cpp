@@ -47,7 +47,7 @@ AutomaticStiffness automatic_contact_stiffness(const StiffnessDemand& d) {
   return out;
 }
 
-double most_stiffness(const StiffnessDemand& d) {
+double largest_stiffness(const StiffnessDemand& d) {
   return std::max(d.EA, d.line_weight) / (d.radius * allowed_penetration(d));
 }
 
