@@ -20,6 +20,7 @@
 #include "hawser/record/result_parts.hpp"
 #include "hawser/run/events.hpp"
 #include "hawser/run/feeder_nodes.hpp"
+#include "hawser/run/step_actions.hpp"
 
 namespace hawser::run {
 namespace {
@@ -74,9 +75,8 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
       d.run(
           trial.duration, [&](double t) { return std::min(times.next(t), events.next(t)); },
           [&](const StepInfo& info) {
-            feeder_nodes.agree();
-            events.apply_due();
-            feeder_nodes.transfer_node();
+            act_after_step(
+                events, feeder_nodes, [] {}, [](const std::string&) {});
             if (look) look(d.kinematics());
             path.push_back({cpu_time() - at_rest, info.time});
             return !budget_spent();

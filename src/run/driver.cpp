@@ -26,6 +26,7 @@
 #include "hawser/run/progress.hpp"
 #include "hawser/run/restart.hpp"
 #include "hawser/run/run_parts.hpp"
+#include "hawser/run/step_actions.hpp"
 #include "hawser/run/volumes.hpp"
 
 namespace hawser::run {
@@ -85,29 +86,29 @@ bool integrate(Simulation& sim, double end, record::Recorder& recorder, Events& 
   };
   bool stopped = false;
   const auto observer = [&](const StepInfo& info) {
-    feeder_nodes.agree();
-    recorder.step(info, d.kinematics(), d.support_work());
-    print_remarks(recorder, progress);
-    progress.step(info.time, info.h, info.iterations);
     const double slack = record::time_tolerance(info.time);
     const bool last = info.time >= end - slack;
     const bool output = info.time >= output_at - slack || last;
     const bool save = info.time >= checkpoint_at - slack || last;
-    // Stop requests and checkpoints due by the clock are agreed on where all ranks communicate anyway.
     int requests[2] = {0, 0};
-    if (output || save) {
-      requests[0] = stop_requested;
-      requests[1] = rank == 0 && checkpoints.due();
-      all_reduce(comm, MPI_MAX, requests);
-    }
-    const bool stop = requests[0] != 0;
-    if (output || stop) {
+    bool stop = false;
+    const auto record_step = [&] {
+      recorder.step(info, d.kinematics(), d.support_work());
+      print_remarks(recorder, progress);
+      progress.step(info.time, info.h, info.iterations);
+      // Stop requests and checkpoints due by the clock are agreed on where all ranks communicate anyway.
+      if (output || save) {
+        requests[0] = stop_requested;
+        requests[1] = rank == 0 && checkpoints.due();
+        all_reduce(comm, MPI_MAX, requests);
+      }
+      stop = requests[0] != 0;
+      if (!output && !stop) return;
       recorder.output(d.kinematics());
       output_at = record::next_multiple(info.time, every);
-    }
+    };
     // Outputs have the state before the events, checkpoints the state after them.
-    for (const std::string& e : events.apply_due()) progress.print(e);
-    feeder_nodes.transfer_node();
+    act_after_step(events, feeder_nodes, record_step, [&](const std::string& e) { progress.print(e); });
     if (save || stop) {
       if (last || stop || checkpoint_every > 0 || requests[1]) save_state();
       checkpoint_at = checkpoint_every > 0 ? record::next_multiple(info.time, checkpoint_every) : output_at;

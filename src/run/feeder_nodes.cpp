@@ -62,15 +62,21 @@ void FeederNodes::transfer_node() {
   if (!all) return;
   const double time = sim_.dynamics().committed().s.time;
   for (Feeder& f : all->all()) {
-    const double mesh_length = all->element_length(f, f.feed_point);
-    refuse_all_out(f, time);
-    if (f.feed_point > 0 && f.length >= mesh_length + kRelease * all->element_length(f, f.feed_point - 1)) {
-      release_node(f);
-    } else if (f.length <= kAbsorb * mesh_length) {
-      refuse_all_in(f, time);
-      absorb_node(f);
-    }
+    const Transfer due = due_transfer(f, time);
+    if (due == Transfer::release) release_node(f);
+    if (due == Transfer::absorb) absorb_node(f);
   }
+}
+
+FeederNodes::Transfer FeederNodes::due_transfer(const Feeder& f, double time) const {
+  const Feeders& all = *sim_.feeders();
+  const double mesh_length = all.element_length(f, f.feed_point);
+  refuse_all_out(f, time);
+  if (f.feed_point > 0 && f.length >= mesh_length + kRelease * all.element_length(f, f.feed_point - 1))
+    return Transfer::release;
+  if (f.length > kAbsorb * mesh_length) return Transfer::none;
+  refuse_all_in(f, time);
+  return Transfer::absorb;
 }
 
 void FeederNodes::transfer_node(Feeder& f, int feed_point, double length,
@@ -224,21 +230,19 @@ void FeederNodes::shift(Feeder& f, double paid_out) {
   };
   set(f.feed_point, f.length + paid_out);
   for (;;) {
-    const double mesh_length = all.element_length(f, f.feed_point);
-    refuse_all_out(f, f.time);
-    if (f.feed_point > 0 && f.length >= mesh_length + kRelease * all.element_length(f, f.feed_point - 1)) {
+    const Transfer due = due_transfer(f, f.time);
+    if (due == Transfer::none) break;
+    if (due == Transfer::release) {
+      const double mesh_length = all.element_length(f, f.feed_point);
       std::optional<Dynamics::Moved> moved;
       if (const LocalElement* e = all.at_feed_point(f)) moved = released(f, state.at_rest(), *e);
       put(moved);
       set(f.feed_point - 1, f.length - mesh_length);
-    } else if (f.length <= kAbsorb * mesh_length) {
-      refuse_all_in(f, f.time);
+    } else {
       const double next = all.element_length(f, f.feed_point + 1);
       double length = 0;
       put(absorbed(f, state.at_rest(), length));
       set(f.feed_point + 1, f.length + next);
-    } else {
-      break;
     }
   }
   f.outside_at_start = all.outside(f);

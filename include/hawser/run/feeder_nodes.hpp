@@ -37,6 +37,10 @@ class FeederNodes {
   void release_node(Feeder& f);
   void absorb_node(Feeder& f);
   double feeder_force(const Feeder& f);
+  // The transfer of a node that is due at the length of the element at the feed point. Throws SolveError if a
+  // stock has run out or all of a line is hauled in.
+  enum class Transfer { none, release, absorb };
+  Transfer due_transfer(const Feeder& f, double time) const;
   void transfer_node(Feeder& f, int feed_point, double length, const std::optional<Dynamics::Moved>& moved);
 
   Simulation& sim_;
