@@ -109,7 +109,7 @@ double ContactVolumes::depth_limit(int volume, double radius) const {
   const ContactVolume& c = volumes_[volume];
   const model::Volume& v = c.settings;
   if (!c.automatic && !has_back(volume)) return HUGE_VAL;
-  return v.force_table ? std::max(radius, v.force_table->rows().back().first) : radius;
+  return v.depth_limit(radius);
 }
 
 }  // namespace hawser

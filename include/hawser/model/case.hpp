@@ -211,6 +211,12 @@ struct Volume {
   double relative_damping = 0;      // zeta of the contact spring
   Friction friction;
   bool roller = false;  // part of `supports`: touches lines only
+
+  // Largest depth of a line of this radius for which the contact law holds, m: the radius, or the last row of
+  // the force table.
+  double depth_limit(double line_radius) const {
+    return force_table ? std::max(line_radius, force_table->rows().back().first) : line_radius;
+  }
 };
 
 struct Section {
