@@ -50,7 +50,7 @@ struct Clause {
     return at.place + ", a beam element folds: its ends turn against each other by more than half a turn";
   }
   std::string operator()(ImpactNotResolved) const {
-    return "it is too long for an impact that begins within it";
+    return "an impact begins within the step, which is too long to resolve it";
   }
   std::string operator()(ErrorTooLarge at) const {
     return fmt::format("its local error of {:.3g} m is too large", at.error);
@@ -61,7 +61,7 @@ struct Clause {
   std::string operator()(LinePassesVolume) const { return "in it a line would pass through a volume"; }
   std::string operator()(BodyPassesBody) const { return "in it a body would pass through another one"; }
   std::string operator()(const FeedsTooFast& at) const {
-    return at.feeder + " is paid out or hauled in by more of an element than one step can follow";
+    return at.feeder + " is paid out or hauled in too fast for the length of its elements and of the step";
   }
   std::string operator()(const TooDeep& at) const { return too_deep(at); }
   std::string operator()(const PulledThrough& at) const { return pulled_through(at); }
