@@ -1,5 +1,6 @@
-// Contact of lines with each other and with themselves: kernels/line_pair.hpp over all candidate pairs, in
-// both passes (each element once as the slave). See docs/theory/line-line.md.
+// Contact of lines with each other and with themselves: kernels/line_pair.hpp over all candidate pairs,
+// each in several passes (kPasses below): each element once as the slave, against the element and the ends of
+// the other. See docs/theory/line-line.md.
 #pragma once
 
 #include <map>
