@@ -19,8 +19,8 @@ class ConstantPull final : public ForceTerm {
   std::string_view checkpoint_key() const override { return "constant pull"; }
   void evaluate(const Kinematics& trial, Assembler& assembler) override {
     if (!mesh_.owns(n_)) return;
-    const Vec3 way = p_ - trial.x[n_], d = way.normalized(), f = -T_ * d;
-    const Mat3 K = T_ / way.norm() * (Mat3::Identity() - d * d.transpose());
+    const Vec3 wire = p_ - trial.x[n_], d = wire.normalized(), f = -T_ * d;
+    const Mat3 K = T_ / wire.norm() * (Mat3::Identity() - d * d.transpose());
     assembler.add(mesh_.block[n_], f, &K);
   }
   Energy energy(const Kinematics& at) const override {

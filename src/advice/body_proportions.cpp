@@ -66,12 +66,12 @@ class BodyProportions {
   // Radius of gyration relative to that of a steel ball of the same mass, close to the densest possible body;
   // wide frames and ships have about ten times that.
   void inertia(const BodyMass& m) {
-    const double ball = std::cbrt(3 * m.mass / (4 * M_PI * 7850)), least = 0.3 * std::sqrt(0.4) * ball,
-                 most = 150 * ball;
+    const double ball = std::cbrt(3 * m.mass / (4 * M_PI * 7850)), lower = 0.3 * std::sqrt(0.4) * ball,
+                 upper = 150 * ball;
     const double small = std::sqrt(m.inertia.minCoeff() / m.mass),
                  large = std::sqrt(m.inertia.maxCoeff() / m.mass);
-    if (m.matrix || (small >= least && large <= most)) return;
-    const double off = small < least ? small : large;
+    if (m.matrix || (small >= lower && large <= upper)) return;
+    const double off = small < lower ? small : large;
     warn("floating.inertia",
          "a radius of gyration of {:.2g} m is {} for a body of {:.4g} kg (a steel ball has {:.2g} m): are "
          "mass and "
@@ -153,17 +153,17 @@ class BodyProportions {
     }
     if (fastest > kMostSpeed)
       return warn(key, "moves at {:.3g} m/s at {:.4g} s: are its columns s and m?", fastest, at);
-    double most = 0;
+    double largest = 0;
     for (std::size_t i = 1; i + 1 < t.time.size(); ++i) {
       const double before = t.time[i] - t.time[i - 1], after = t.time[i + 1] - t.time[i];
       const Vec3 jump = (t.offset[i + 1] - t.offset[i]) / after - (t.offset[i] - t.offset[i - 1]) / before;
-      if (const double a = 2 * jump.norm() / (before + after); a > most) {
-        most = a;
+      if (const double a = 2 * jump.norm() / (before + after); a > largest) {
+        largest = a;
         at = t.time[i];
       }
     }
-    if (t.between != BetweenRows::linear && most > kMostG * g)
-      warn(key, "has an acceleration of {:.2g} g at {:.4g} s: are its columns s and m?", most / g, at);
+    if (t.between != BetweenRows::linear && largest > kMostG * g)
+      warn(key, "has an acceleration of {:.2g} g at {:.4g} s: are its columns s and m?", largest / g, at);
   }
 
   static constexpr double kMostG = 2, kMostSpeed = 30;  // g; m/s, 60 knots

@@ -88,7 +88,7 @@ std::string too_deep(const TooDeep& at) {
 
 std::string too_deep_at_rest(const TooDeep& at) { return "statics: " + too_deep(at); }
 
-std::string drawn_through(const DrawnThrough& at) {
+std::string pulled_through(const PulledThrough& at) {
   const std::string text = fmt::format("{}, would pass through volume {}", at.place, at.law.volume);
   if (!at.too_soft) return text + "; say on which side it lies with 'start: {points: [[x, y, z], ...]}'";
   return text +
@@ -106,7 +106,7 @@ std::string lines_start_too_near(const NearestPlaces& at) {
 
 std::string lines_too_soft(const PressedLines& at) {
   std::string key = fmt::format("normal_stiffness: {{per_length: {:.2g}}}", rounded_up(at.wanted));
-  if (at.own_settings) key = fmt::format("pairs: [{{lines: [{}, {}], {}}}]", at.at.one, at.at.other, key);
+  if (at.given) key = fmt::format("pairs: [{{lines: [{}, {}], {}}}]", at.at.one, at.at.other, key);
   return fmt::format(
       "{} penetrate each other by {:.3g} m, {:.0f} % of the sum of their radii, and would pass through each "
       "other: their contact stiffness, {:.3g} N/m per m, is too small for the contact force ({:.3g} J of "

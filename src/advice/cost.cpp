@@ -16,13 +16,13 @@ std::string trial_fails(const std::string& why) { return "a trial run stops: " +
 
 std::string expected_cost(double cost, const Trial& trial) {
   if (!std::isfinite(cost)) return "expected cost: not known, the trial run was too short for an estimate";
-  std::string by;
+  std::string basis;
   if (trial.by_statics)
-    by = ", by the first iterations of statics";
+    basis = ", by the first iterations of statics";
   else if (trial.reached < trial.duration)
-    by = fmt::format(", by its first {:.2g} of {:.4g} s", trial.reached, trial.duration);
+    basis = fmt::format(", by its first {:.2g} of {:.4g} s", trial.reached, trial.duration);
   return fmt::format("expected cost: {} CPU s{}",
-                     cost < 1 ? std::string("less than 1") : fmt::format("about {:.2g}", cost), by);
+                     cost < 1 ? std::string("less than 1") : fmt::format("about {:.2g}", cost), basis);
 }
 
 std::string expected_results(const ResultBytes& size, const std::string& folder) {
@@ -40,11 +40,11 @@ std::string expected_results(const ResultBytes& size, const std::string& folder)
   if (size.contact_point > 0)
     s += fmt::format(", and {:g} bytes for each point of contact at an output", size.contact_point);
   // At the end of a run the file is rewritten without spare capacity.
-  if (size.left >= 0 && 2 * size.total > size.left)
+  if (size.available >= 0 && 2 * size.total > size.available)
     s += fmt::format(
         "\nnote: the disk of {} has {} free, and a run needs up to twice the size of its results: increase "
         "output.every, or choose another disk with -o",
-        folder, bytes(size.left));
+        folder, bytes(size.available));
   else if (size.total > kMuch)
     s += "\nnote: fields are most of the file in most runs; output.every sets the time between them";
   return s;
@@ -52,8 +52,8 @@ std::string expected_results(const ResultBytes& size, const std::string& folder)
 
 std::string partition(std::span<const int> nodes, double imbalance, int cut_lines, int cut_elements) {
   std::string text = "partition: " + count_of(std::ssize(nodes), "rank") + ", ";
-  const auto [least, most] = std::minmax_element(nodes.begin(), nodes.end());
-  text += nodes.size() > 8 ? fmt::format("{} to {} nodes each", *least, *most)
+  const auto [smallest, largest] = std::minmax_element(nodes.begin(), nodes.end());
+  text += nodes.size() > 8 ? fmt::format("{} to {} nodes each", *smallest, *largest)
                            : fmt::format("{} nodes", fmt::join(nodes, " + "));
   if (nodes.size() > 1)
     text += fmt::format(", on one of them {:.2f} times the mean work; {}, {}", imbalance,

@@ -27,25 +27,25 @@ std::string remedy(bool fixed, double step) {
 
 }  // namespace
 
-std::string energy_made(const EnergyMade& m, const std::string& where,
-                        const std::string& initial_velocity_key) {
-  const std::string made = fmt::format(
+std::string energy_created(const EnergyCreated& m, const std::string& where,
+                           const std::string& initial_velocity_key) {
+  const std::string text = fmt::format(
       "the steps created {:.3g} J of energy by t = {:.6g} s, {:.3g} % of the work done; the one of {:.3g} s "
       "that ended at t = {:.6g} s made most of it, {:.3g} J, at {}: ",
-      m.energy, m.by, 100 * m.energy / m.work, m.length, m.time, m.most, where);
+      m.energy, m.until, 100 * m.energy / m.work, m.length, m.time, m.step_energy, where);
   if (!initial_velocity_key.empty())
-    return made + fmt::format(
+    return text + fmt::format(
                       "{} begins with a non-zero velocity, which is an impact on the lines at rest; add a "
                       "'ramp' to it (a shorter step does not help)",
                       initial_velocity_key);
-  return made + fmt::format("{}; {}", words(m.with), remedy(m.fixed, m.length));
+  return text + fmt::format("{}; {}", words(m.with), remedy(m.fixed, m.length));
 }
 
-std::string energy_lost(double energy, double by, double work, double step, bool fixed) {
+std::string energy_lost(double energy, double until, double work, double step, bool fixed) {
   return fmt::format(
       "the steps lost {:.3g} J by t = {:.6g} s, {:.3g} % of the work done: they are too long for the motion; "
       "{}",
-      energy, by, 100 * energy / work, remedy(fixed, step));
+      energy, until, 100 * energy / work, remedy(fixed, step));
 }
 
 std::string energy_is_no_number() { return "the energy is not a finite number" + not_to_be_used(); }

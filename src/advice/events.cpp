@@ -53,10 +53,10 @@ std::string too_far_from_place(double away, double within) {
   return fmt::format("it is {:.4g} m from 'at', and 'within' allows {:g} m", away, within);
 }
 
-std::string cannot_pay_out(const std::string& stage, double left, const std::string& feeder,
+std::string cannot_pay_out(const std::string& stage, double remaining, const std::string& feeder,
                            const std::string& why) {
-  return fmt::format("stage {}, when {:.6g} m are left to be {} at {}: {}", stage, std::abs(left),
-                     left < 0 ? "hauled in" : "paid out", feeder, why);
+  return fmt::format("stage {}, when {:.6g} m are left to be {} at {}: {}", stage, std::abs(remaining),
+                     remaining < 0 ? "hauled in" : "paid out", feeder, why);
 }
 
 }  // namespace hawser::advice

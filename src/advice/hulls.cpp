@@ -12,7 +12,7 @@ constexpr double kOffWater = 0.1;  // m
 
 const char* higher(double rise) { return rise > 0 ? "higher" : "lower"; }
 
-std::string floats_elsewhere(const HullAtStart& h) {
+std::string flotation_differs(const HullAtStart& h) {
   if (!(std::abs(h.rise) > kOffWater) || !(h.waterplane > 0)) return {};
   if (h.held_by.empty())
     return fmt::format(
@@ -61,10 +61,10 @@ std::string hull_at_start(const HullAtStart& h) {
                        h.pitch_height);
     out += capsizes(h);
   }
-  return out + floats_elsewhere(h);
+  return out + flotation_differs(h);
 }
 
-std::string rests_elsewhere(const std::string& body, double rise) {
+std::string equilibrium_differs(const std::string& body, double rise) {
   if (!(std::abs(rise) > kOffWater)) return {};
   return fmt::format(
       "body {} comes to rest {:.3g} m {} than its initial position: there its weight, its buoyancy and the "

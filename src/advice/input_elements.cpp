@@ -87,8 +87,8 @@ void warn_of_sinking(const Case& c, const Line& line, const Arcs& arcs, const Po
                line_weight = std::max(c.environment.gravity * mass_in_water(c, t, -HUGE_VAL), 0.0),
                bearing = std::max(element, 2 * std::sqrt(tension_on_bed(c, line, line_weight) / per_length)),
                sinks = (weight + 3 * line_weight * element) / (per_length * bearing),
-               own = std::cbrt(6 / M_PI * (m.volume > 0 ? m.volume : m.mass / kSteel));
-  if (sinks > own)
+               diameter = std::cbrt(6 / M_PI * (m.volume > 0 ? m.volume : m.mass / kSteel));
+  if (sinks > diameter)
     add_warning(out, "lines." + line.name + ".masses", Effect::part,
                 "on the seabed, {:.4g} kg at {:.6g} m of line {} penetrates by about {:.2g} m, since the "
                 "element of '{}' that carries it is only {:g} m in diameter; add a short section there whose "
@@ -98,9 +98,9 @@ void warn_of_sinking(const Case& c, const Line& line, const Arcs& arcs, const Po
 
 void warn_of_stiffener(const Line& line, const Arcs& arcs, std::size_t i, std::vector<InputWarning>& out) {
   const BendStiffener& b = line.bend_stiffeners[i];
-  const double most = b.at + (b.towards_a ? -1 : 1) * b.rows.back().first, total = length_of(line),
-               from = std::clamp(std::min(b.at, most), 0.0, total),
-               to = std::clamp(std::max(b.at, most), 0.0, total);
+  const double last = b.at + (b.towards_a ? -1 : 1) * b.rows.back().first, total = length_of(line),
+               from = std::clamp(std::min(b.at, last), 0.0, total),
+               to = std::clamp(std::max(b.at, last), 0.0, total);
   double elements = 0;
   for (std::size_t n = 1; n < arcs.size(); ++n)
     elements += std::max(std::min(arcs[n], to) - std::max(arcs[n - 1], from), 0.0) / (arcs[n] - arcs[n - 1]);
@@ -127,16 +127,16 @@ void warn_of_elements(const Case& c, std::vector<InputWarning>& out) {
       warn_of_distance(line, arcs, p.at, fmt::format("{}.loads[{}]", key, p.order), out);
     for (std::size_t i = 0; i < line.bend_stiffeners.size(); ++i) warn_of_stiffener(line, arcs, i, out);
   }
-  const auto elsewhere = [&](const std::string& name, double at, const std::string& key) {
+  const auto check_node = [&](const std::string& name, double at, const std::string& key) {
     const Line& line = c.line(name);
     warn_of_distance(line, node_arcs(line, places[static_cast<std::size_t>(c.line_index(name))]), at, key,
                      out);
   };
   for (const Link& l : c.links)
     for (const LinkEnd* e : {&l.end_a, &l.end_b})
-      if (!e->line.empty()) elsewhere(e->line, e->arc, "links." + l.name);
+      if (!e->line.empty()) check_node(e->line, e->arc, "links." + l.name);
   for (const Body& b : c.bodies)
-    if (b.on && !b.on->drawn) elsewhere(b.on->line, b.on->at, "bodies." + b.name + ".on");
+    if (b.ride && !b.ride->placed_in_space) check_node(b.ride->line, b.ride->at, "bodies." + b.name + ".on");
 }
 
 }  // namespace hawser::advice

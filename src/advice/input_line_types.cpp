@@ -23,23 +23,23 @@ constexpr double kThick = 5;  // m
 constexpr double kLeastContents = 10, kMostContents = 5000;
 constexpr double kStiff = 250e9, kSoft = 5e5;  // Pa
 
-bool in_range(double x, double least, double most) { return x >= least && x <= most; }
+bool in_range(double x, double lower, double upper) { return x >= lower && x <= upper; }
 
 // Unit in which the mass or diameter would be plausible.
 std::string density_hint(const Case& c, const LineType& t, double density, bool water) {
   const double d = t.displaced();
   const auto fits = [water](double x) { return in_range(x, kLight, water ? kHeavy : kHeavyInAir); };
-  const auto of = [&](const char* key, const std::function<bool(double)>& fit) {
+  const auto hint_for = [&](const char* key, const std::function<bool(double)>& fit) {
     return unit_hint(c, {"line_types", t.name, key}, fit);
   };
   if (t.kind == LineKind::cable && water && density > kHeavy && density < kHeavyInAir)
     return "; for a chain give the diameter of a round bar of equal volume, 1.8 times the diameter of its "
            "own bar";
-  if (std::string hint = of("mass_per_length", [&](double m) { return fits(m / (M_PI / 4 * d * d)); });
+  if (std::string hint = hint_for("mass_per_length", [&](double m) { return fits(m / (M_PI / 4 * d * d)); });
       !hint.empty())
     return hint;
-  if (std::string hint = of(t.displaced() == t.outer_diameter ? "outer_diameter" : "displaced_diameter",
-                            [&](double x) { return fits(t.mass_per_length / (M_PI / 4 * x * x)); });
+  if (std::string hint = hint_for(t.displaced() == t.outer_diameter ? "outer_diameter" : "displaced_diameter",
+                                  [&](double x) { return fits(t.mass_per_length / (M_PI / 4 * x * x)); });
       !hint.empty())
     return hint;
   return "; check both";
@@ -77,11 +77,11 @@ bool warn_of_coatings(const Case& c, const LineType& t, std::vector<InputWarning
 void warn_of_slenderness(const LineType& t, std::vector<InputWarning>& out) {
   if (!t.steel) return;
   const double slender = std::round(t.steel->slenderness() * 1e6) / 1e6;
-  const auto warn = [&](const std::string& what, const char* field) {
+  const auto warn = [&](const std::string& value, const char* field) {
     add_warning(out, fmt::format("line_types.{}.pipe.wall_thickness", t.name), Effect::all,
                 "D/t is {:.3g}, and {}: {} does not apply to this pipe; give it another wall thickness, or "
                 "check it by other means",
-                slender, what, field);
+                slender, value, field);
   };
   if (slender > kMaxSlender || slender < kMinSlender)
     warn(fmt::format("DNV-ST-F101's formulas for combined loads apply from {:g} to {:g}", kMinSlender,

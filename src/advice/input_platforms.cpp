@@ -43,15 +43,15 @@ void warn_of_sea_of_platform(const Case& c, const Body& b, std::vector<InputWarn
 }
 
 void warn_of_coefficients(const Case& c, const Body& b, std::vector<InputWarning>& out) {
-  std::vector<Issue> found;
-  note_hydrodynamic_data(c, b, Issues(found, "bodies." + b.name + ".floating.hydrodynamics"));
-  for (Issue& one : found) add_warning(out, std::move(one.key), Effect::all, "{}", std::move(one.text));
+  std::vector<Issue> issues;
+  note_hydrodynamic_data(c, b, Issues(issues, "bodies." + b.name + ".floating.hydrodynamics"));
+  for (Issue& one : issues) add_warning(out, std::move(one.key), Effect::all, "{}", std::move(one.text));
 }
 
 void warn_of_directions(const Case& c, const Body& b, std::vector<InputWarning>& out) {
   constexpr double kWide = 60;  // deg
   const auto& h = *b.mass->hydrodynamics;
-  if (!(h.follow > 0) || !h.excitation || c.environment.water.waves.kind == Waves::Kind::none) return;
+  if (!(h.follow_period > 0) || !h.excitation || c.environment.water.waves.kind == Waves::Kind::none) return;
   if (h.data->excitation.empty()) return;
   const std::vector<double>& directions = h.data->excitation[static_cast<size_t>(h.body - 1)].directions();
   const double gap = directions.size() < 2 ? 0 : widest_gap(directions, 2 * M_PI).width() * 180 / M_PI;
@@ -79,14 +79,14 @@ void warn_of_members(const Case& c, const Body& b, std::vector<InputWarning>& ou
   for (size_t i = 0; i < m.members.size(); ++i) {
     const BodyMember& member = m.members[i];
     const double volume = 0.25 * M_PI * member.diameter * member.diameter * (member.to - member.from).norm();
-    const double own = m.mass / std::max(c.environment.water.density, 1e-300);
-    if (volume > kLarge * own)
+    const double displaced = m.mass / std::max(c.environment.water.density, 1e-300);
+    if (volume > kLarge * displaced)
       add_warning(out, fmt::format("bodies.{}.floating.members[{}]", b.name, i), Effect::all,
                   "has a volume of {:.3g} m³, and the body's mass is that of {:.3g} m³ of water: are "
                   "its ends and its diameter in metres?",
-                  volume, own);
+                  volume, displaced);
     const double reach = std::max((member.from - m.centre).norm(), (member.to - m.centre).norm());
-    const double size = std::cbrt(std::max(volume, own));
+    const double size = std::cbrt(std::max(volume, displaced));
     if (reach > kReach * size)
       add_warning(out, fmt::format("bodies.{}.floating.members[{}]", b.name, i), Effect::all,
                   "reaches {:.4g} m from the centre of mass, and a cube of the body's volume has sides of "
@@ -125,19 +125,19 @@ void warn_of_floating(const Case& c, const Body& b, std::vector<InputWarning>& o
   const BodyMass& m = *b.mass;
   const double g = c.environment.gravity, density = c.environment.water.density, weight = m.mass * g;
   if (m.hull || !(g > 0)) return;
-  const PlatformHydrostatics still = hydrostatics(m, density, g);
-  const double size = std::cbrt(still.buoyancy / (density * g));
-  const double rise = (still.buoyancy - weight) / std::max(still.stiffness(0, 0), 1e-300);
-  if (still.stiffness(0, 0) > 0 && std::abs(rise) > size)
+  const PlatformHydrostatics calm = hydrostatics(m, density, g);
+  const double size = std::cbrt(calm.buoyancy / (density * g));
+  const double rise = (calm.buoyancy - weight) / std::max(calm.stiffness(0, 0), 1e-300);
+  if (calm.stiffness(0, 0) > 0 && std::abs(rise) > size)
     add_warning(out, "bodies." + b.name + ".floating.mass", Effect::all,
                 "its weight of {:.5g} kN and its buoyancy of {:.5g} kN mean that without lines it "
                 "floats {:.3g} m {}, which is more than its size ({:.3g} m, the side of a cube of "
                 "its volume): is 'mass' or 'displaced_volume' that of another body, or in other "
                 "units?",
-                weight / 1000, still.buoyancy / 1000, std::abs(rise), rise > 0 ? "higher" : "lower", size);
+                weight / 1000, calm.buoyancy / 1000, std::abs(rise), rise > 0 ? "higher" : "lower", size);
   const Vec3 added(0, m.hydrodynamics->stiffness(3, 3) + m.turning_stiffness.x(),
                    m.hydrodynamics->stiffness(4, 4) + m.turning_stiffness.y());
-  const Vec3 heights = (restoring(m, still, g) + added) / weight;
+  const Vec3 heights = (restoring(m, calm, g) + added) / weight;
   const bool roll = heights[1] < 0;
   const bool pitch = heights[2] < 0;
   const bool lines = !line_ends_at(c, b).empty();

@@ -21,8 +21,8 @@ namespace {
 // Range of a magnitude, SI; 0 is always accepted.
 struct Range {
   std::string_view path;  // '*': names of the user's choice; []: list entries
-  double least, most;
-  const char* of;  // quantities in the range, for the message
+  double lower, upper;
+  const char* quantities;  // quantities in the range, for the message
 };
 
 // Currents: tidal streams of narrows have 5 m/s (Pentland Firth), ocean currents 2.5. Waves: hs of 20 m and
@@ -163,16 +163,16 @@ class Walk {
         std::find_if(kRanges.begin(), kRanges.end(), [&](const Range& r) { return r.path == path; });
     if (range == kRanges.end() || v.number == 0) return;
     const double size = std::abs(v.number);
-    if (size >= range->least && size <= range->most) return;
-    const auto fits = [&](double si) { return std::abs(si) >= range->least && std::abs(si) <= range->most; };
+    if (size >= range->lower && size <= range->upper) return;
+    const auto fits = [&](double si) { return std::abs(si) >= range->lower && std::abs(si) <= range->upper; };
     out_.push_back(
         {where,
          fmt::format(
              "{} is {} {}, {}{}{}", plain(v) ? in_unit(v.number, key.unit) : v.text,
-             size < range->least ? "below" : "above", range->of,
-             range->least > 0 ? fmt::format("{} to ", in_unit(range->least, Dimension::none)) : "at most ",
-             in_unit(range->most, key.unit), unit_hint(v, key.unit, fits)),
-         std::string(range->of), Effect::all});
+             size < range->lower ? "below" : "above", range->quantities,
+             range->lower > 0 ? fmt::format("{} to ", in_unit(range->lower, Dimension::none)) : "at most ",
+             in_unit(range->upper, key.unit), unit_hint(v, key.unit, fits)),
+         std::string(range->quantities), Effect::all});
   }
 
   std::vector<InputWarning>& out_;

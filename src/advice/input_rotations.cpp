@@ -18,8 +18,8 @@ constexpr double kTurned = 0.17;  // rad, about ten degrees
 void warn_of_rotation(const Body& b, const Vec3& about, const char* motion, std::vector<InputWarning>& out) {
   const double size = about.norm();
   if (!(size > 0)) return;
-  const Vec3 space = about / size, own = exp_so3(b.rotation).conjugate() * space;
-  if ((own - space).norm() < kTurned) return;
+  const Vec3 space = about / size, body_axes = exp_so3(b.rotation).conjugate() * space;
+  if ((body_axes - space).norm() < kTurned) return;
   const auto text = [](const Vec3& v) {
     const Vec3 r = ((100 * v).array().round() / 100 + 0.0).matrix();
     return fmt::format("({:g}, {:g}, {:g})", r.x(), r.y(), r.z());
@@ -27,7 +27,7 @@ void warn_of_rotation(const Body& b, const Vec3& about, const char* motion, std:
   add_warning(out, fmt::format("bodies.{}.motion.{}", b.name, motion), Effect::part,
               "turns the body about {} in space, and that is {} of its own axes by its "
               "'rotation_deg'; is it meant?",
-              text(space), text(own));
+              text(space), text(body_axes));
 }
 
 }  // namespace

@@ -21,22 +21,22 @@ double lowest_reach(const Case& c, const Line& line) {
   const bool a = line.end_a.kind != EndKind::free, b = line.end_b.kind != EndKind::free;
   if (a && b) return 0.5 * (z(line.end_a) + z(line.end_b) - length);
   if (a || b) return z(a ? line.end_a : line.end_b) - length;
-  double least = std::numeric_limits<double>::infinity();
-  for (const Vec3& p : line.points) least = std::min(least, p.z());
-  return std::isfinite(least) ? least : -least;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Vec3& p : line.points) lowest = std::min(lowest, p.z());
+  return std::isfinite(lowest) ? lowest : -lowest;
 }
 
 double slack_tension(double L, double X, double h) {
   if (L >= X + h) return 0;
-  const auto left = [&](double a) {  // excess length at horizontal tension a
+  const auto excess = [&](double a) {  // excess length at horizontal tension a
     return L - std::sqrt(h * h + 2 * h * a) + (a > 0 ? a * std::acosh(1 + h / a) : 0) - X;
   };
   double low = 0, high = h;
-  while (left(high) < 0 && high < 1e6 * h) high *= 2;
-  if (left(high) < 0) return -1;
+  while (excess(high) < 0 && high < 1e6 * h) high *= 2;
+  if (excess(high) < 0) return -1;
   for (int i = 0; i < 80; ++i) {
     const double a = 0.5 * (low + high);
-    (left(a) < 0 ? low : high) = a;
+    (excess(a) < 0 ? low : high) = a;
   }
   return L > std::sqrt(h * h + 2 * h * high) ? high : -1;
 }
@@ -88,14 +88,14 @@ void warn_of_anchor(const Case& c, const Line& line, const End& e, const char* w
 void warn_of_bed_in_reach(const Case& c, std::vector<InputWarning>& out) {
   const Seabed& bed = c.environment.seabed;
   if (!bed.present || bed.surface || bed.slope > 0 || c.lines.empty()) return;
-  double least = std::numeric_limits<double>::infinity();
-  for (const Line& l : c.lines) least = std::min(least, lowest_reach(c, l));
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Line& l : c.lines) lowest = std::min(lowest, lowest_reach(c, l));
   // Lines move with their bodies.
-  if (least > -0.8 * bed.depth)
+  if (lowest > -0.8 * bed.depth)
     add_warning(out, "environment.seabed", Effect::all,
                 "no line reaches the seabed at z = {:.6g} m: the deepest, if it hung straight down, would "
                 "reach z = {:.6g} m",
-                -bed.depth, least);
+                -bed.depth, lowest);
 }
 
 // Horizontal velocity [m/s] of the current at a depth [m] at t = 0.
@@ -129,9 +129,9 @@ void warn_of_current(const Case& c, const Line& line, std::vector<InputWarning>&
   const double speed = std::abs(current_at(w, w.surface - low.z()).dot(across));
   for (const Section& s : line.sections) {
     const LineType& t = c.line_type(s.type);
-    const double own = c.environment.gravity * mass_in_water(c, t, low.z());
-    if (!(own > 0)) return;  // it floats in parts and has other shapes
-    weight += own * s.length / length;
+    const double weight_per_length = c.environment.gravity * mass_in_water(c, t, low.z());
+    if (!(weight_per_length > 0)) return;  // it floats in parts and has other shapes
+    weight += weight_per_length * s.length / length;
     drag += 0.5 * w.density * t.Cd_normal * t.dragged() * speed * speed * s.length / length;
   }
   const double X = (high - low).head<2>().norm(), a = slack_tension(length, X, h);

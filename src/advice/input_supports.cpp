@@ -44,22 +44,22 @@ void warn_of_line(const Case& c, const Line& line, std::vector<InputWarning>& ou
       before = &b;
       continue;
     }
-    const Vec3 there = support_point(c, *before, before->at);
-    const double apart = (at - there).norm();
-    const Here here = section_at(c, line, end == &line.end_a ? LineEnd::A : LineEnd::B, arc + 0.5 * apart);
-    arc += apart;
+    const Vec3 previous = support_point(c, *before, before->at);
+    const double spacing = (at - previous).norm();
+    const Here local = section_at(c, line, end == &line.end_a ? LineEnd::A : LineEnd::B, arc + 0.5 * spacing);
+    arc += spacing;
     const Vec3 turn = support_point(c, b, b.at + b.along) - at -
-                      support_point(c, *before, before->at + before->along) + there;
-    if (const double strain = 0.5 * here.diameter * turn.norm() / apart; strain > kStrain)
+                      support_point(c, *before, before->at + before->along) + previous;
+    if (const double strain = 0.5 * local.diameter * turn.norm() / spacing; strain > kStrain)
       add_warning(out, b.key, Effect::all,
                   "between supports '{}' and '{}' line '{}' is bent to a radius of {:.4g} m, a strain of "
                   "{:.3g} %; usual in laying of steel pipes is less than 0.35 %",
-                  before->name, b.name, line.name, apart / turn.norm(), 100 * strain);
-    else if (here.element > kCoarse * apart)
+                  before->name, b.name, line.name, spacing / turn.norm(), 100 * strain);
+    else if (local.element > kCoarse * spacing)
       add_warning(out, "lines." + line.name + ".sections", Effect::resolution,
                   "its elements are {:.3g} m long between supports '{}' and '{}', which are {:.3g} m apart: "
                   "use elements of a quarter of that spacing to resolve bending moments on rollers",
-                  here.element, before->name, b.name, apart);
+                  local.element, before->name, b.name, spacing);
     before = &b;
   }
 }

@@ -24,28 +24,28 @@ constexpr double kJump = 0.05, kLeastJump = 0.05;
 
 struct Period {
   double length = 0;  // s; 0: none
-  std::string of;
+  std::string source;
 };
 
-void shorter(Period& least, double length, const std::string& of) {
-  if (length > 0 && (least.length == 0 || length < least.length)) least = {length, of};
+void shorter(Period& shortest, double length, const std::string& source) {
+  if (length > 0 && (shortest.length == 0 || length < shortest.length)) shortest = {length, source};
 }
 
 // Shortest period of waves (of a spectrum: its peak) and of harmonic motions.
 Period driving(const Case& c) {
-  Period least;
+  Period shortest;
   const Waves& w = c.environment.water.waves;
-  if (!possible(w)) return least;
+  if (!possible(w)) return shortest;
   if (w.kind == Waves::Kind::spectrum || w.kind == Waves::Kind::table)
-    shorter(least, w.peak_period, "the waves");
+    shorter(shortest, w.peak_period, "the waves");
   else if (w.kind == Waves::Kind::regular || w.kind == Waves::Kind::stokes)
-    shorter(least, w.rows.front().period, "the wave");
+    shorter(shortest, w.rows.front().period, "the wave");
   for (const Body& b : c.bodies) {
     const auto* h = std::get_if<HarmonicMotion>(&b.motion);
     if (h && !(h->amplitude.isZero() && h->rotation_amplitude.isZero()))
-      shorter(least, h->period, "the motion of body " + b.name);
+      shorter(shortest, h->period, "the motion of body " + b.name);
   }
-  return least;
+  return shortest;
 }
 
 // True if a line is a short, stiff member of a frame, whose slow vibration is that of the frame.
@@ -60,17 +60,17 @@ void warn_of_step(const Case& c, const Period& drive, std::vector<InputWarning>&
   if (drive.length > 0 && step > drive.length / kSteps) {
     add_warning(out, "dynamics.step", Effect::resolution,
                 "{:g} s is {:.2g} steps in a period of {} ({:g} s); usual is {:g} or more", step,
-                drive.length / step, drive.of, drive.length, kSteps);
+                drive.length / step, drive.source, drive.length, kSteps);
     return;
   }
-  Period own;
+  Period natural;
   for (const Line& line : c.lines)
-    if (!is_member(c, line)) shorter(own, slowest_period(c, line), "line " + line.name);
-  if (own.length > 0 && step > own.length / kOwnSteps)
+    if (!is_member(c, line)) shorter(natural, slowest_period(c, line), "line " + line.name);
+  if (natural.length > 0 && step > natural.length / kOwnSteps)
     add_warning(out, "dynamics.step", Effect::resolution,
                 "{:g} s is {:.2g} steps in the longest natural period of {} (about {:.2g} s): the steps "
                 "resolve none of its vibrations",
-                step, own.length / step, own.of, own.length);
+                step, natural.length / step, natural.source, natural.length);
 }
 
 void warn_of_outputs(const Case& c, const Period& drive, std::vector<InputWarning>& out) {
@@ -83,15 +83,15 @@ void warn_of_outputs(const Case& c, const Period& drive, std::vector<InputWarnin
     add_warning(out, "output.every", Effect::resolution,
                 "{:g} s is {:.2g} outputs in a period of {} ({:g} s), too few to show it; usual is 10 or "
                 "more (histories have every step)",
-                every, drive.length / every, drive.of, drive.length);
+                every, drive.length / every, drive.source, drive.length);
 }
 
 // Largest speed of a body's origin and the line ends attached to it [m/s].
 double speed_at(const std::vector<EndAtBody>& ends, const RigidMotion& motion, double t) {
   const RigidPose p = motion.at(t);
-  double most = p.velocity.norm();
-  for (const EndAtBody& e : ends) most = std::max(most, p.velocity_at(p.to_space(e.end.at)).norm());
-  return most;
+  double largest = p.velocity.norm();
+  for (const EndAtBody& e : ends) largest = std::max(largest, p.velocity_at(p.to_space(e.end.at)).norm());
+  return largest;
 }
 
 // Speed at which a motion begins at t = 0 [m/s]; 0 if small relative to the later motion.
@@ -100,17 +100,17 @@ double jump(const Case& c, const Body& b, const std::vector<EndAtBody>& ends) {
   const double first = speed_at(ends, motion, 0);
   if (!(first > kLeastJump)) return 0;
   constexpr int kLooks = 200;
-  double most = 0;
+  double largest = 0;
   for (int i = 1; i <= kLooks; ++i)
-    most = std::max(most, speed_at(ends, motion, c.dynamics.duration * i / kLooks));
-  return first > kJump * most ? first : 0;
+    largest = std::max(largest, speed_at(ends, motion, c.dynamics.duration * i / kLooks));
+  return first > kJump * largest ? first : 0;
 }
 
 bool always_jumps(const TableMotion& t) { return t.between == BetweenRows::linear && !t.time.empty(); }
 
 StartSpeeds start_speeds_of(const Case& c, const Body& b, const std::vector<EndAtBody>& ends) {
   StartSpeeds out;
-  if (b.mass || b.on || !c.statics.enabled) return out;
+  if (b.mass || b.ride || !c.statics.enabled) return out;
   // Linear interpolation jumps at all rows, and rows of waves include their ramp.
   const auto* table = std::get_if<TableMotion>(&b.motion);
   if (b.motion.index() != 0 && b.ramp == 0 && !(table && (always_jumps(*table) || table->of_waves))) {
@@ -171,8 +171,8 @@ namespace {
 // EA/l: more for shorter elements.
 void warn_of_feed(const Case& c, const std::string& line, LineEnd line_end, double jump,
                   const std::string& key, const char* remedy, std::vector<InputWarning>& out) {
-  const Line& of = c.lines[c.line_index(line)];
-  const LineType& type = c.line_type(of.end_section(line_end).type);
+  const Line& line_of_end = c.lines[c.line_index(line)];
+  const LineType& type = c.line_type(line_of_end.end_section(line_end).type);
   if (!(std::abs(jump) > kLeastJump) || !(type.stiffness_damping > 0)) return;
   add_warning(out, key, Effect::part,
               "the speed jumps by {:.3g} m/s, and line type {} has 'stiffness_damping': the peak of "

@@ -46,8 +46,8 @@ std::string text_of(const LengthsTried& tried, const model::LengthTarget& t) {
     text = fmt::format("; it jumps over that at {:.9g} m", *tried.jumps);
   else if (tried.range)
     text = fmt::format("; of the lengths tried, {:.6g} to {:.6g} m, it was between {} and {}",
-                       tried.range->first.first, tried.range->last.first, at(tried.range->least),
-                       at(tried.range->most));
+                       tried.range->first.first, tried.range->last.first, at(tried.range->shortest),
+                       at(tried.range->longest));
   if (!tried.why.empty()) text += (tried.range ? "; beyond these: " : "; as it is given: ") + tried.why;
   return text;
 }
@@ -62,7 +62,7 @@ std::string length_tried(const LengthSearched& at) {
                      name_of(t), value_text(t, at.value), value_text(t, t.value));
 }
 
-std::string length_found(const LengthSearched& at, int trials) {
+std::string length_solved(const LengthSearched& at, int trials) {
   const model::LengthTarget& t = at.target;
   if (at.in_feeder)
     return fmt::format(
@@ -75,10 +75,11 @@ std::string length_found(const LengthSearched& at, int trials) {
       count_of(trials, "static solution"));
 }
 
-std::string length_not_found(const LengthSearched& at, const LengthsTried& tried) {
+std::string length_not_solved(const LengthSearched& at, const LengthsTried& tried) {
   const model::LengthTarget& t = at.target;
   return fmt::format("no length of section {} between {:g} and {:g} m was found that makes {} the {}{}",
-                     t.section + 1, t.least, t.most, value_text(t, t.value), name_of(t), text_of(tried, t));
+                     t.section + 1, t.min_length, t.max_length, value_text(t, t.value), name_of(t),
+                     text_of(tried, t));
 }
 
 std::string feeder_not_at_rest(const LengthSearched& at, const LengthsTried& tried) {

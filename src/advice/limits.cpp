@@ -43,7 +43,7 @@ std::string compression_warning(const model::Case& c, const Extreme& at) {
     }
   if (type->kind != model::LineKind::beam) return {};
   const double w = c.environment.gravity * std::abs(mass_in_water(c, *type, -HUGE_VAL));
-  const double EI = type->least_bending_stiffness();
+  const double EI = type->smallest_bending_stiffness();
   const double strut = M_PI * M_PI * EI / std::pow(model::length_of(line), 2);
   const double limit = std::max(kPinnedFoot * std::cbrt(EI * w * w), strut);
   if (!(-at.value > limit)) return {};
@@ -62,12 +62,16 @@ double acceptable_penetration(const model::Case& c, const model::Line& line, con
 
 std::string penetration_warning(const model::Case& c, const Extreme& at, const model::Volume& volume) {
   const double radius = 0.5 * model::contact_diameter_of(c, c.line(at.line));
+  const double limit = volume.depth_limit(radius);
   return fmt::format(
       "line {} is {:.3g} m inside volume {} (its radius is {:.3g} m) at arc length {:.6g} m, {}: {}", at.line,
       at.value, volume.name, radius, at.arc, when_text(c, at.time),
-      at.value > radius
-          ? "contact acts to a depth of one radius only: the line is trapped inside, or the volume is too "
-            "soft for a line this thin, which then needs a larger 'contact_diameter'"
+      at.value > limit
+          ? fmt::format("the contact law of the volume holds to a depth of {:.3g} m, {}: the line is trapped "
+                        "inside, or the "
+                        "volume is too soft for a line this thin, which then needs a larger "
+                        "'contact_diameter'",
+                        limit, limit > radius ? "the last row of its force_table" : "the radius of the line")
           : "raise normal_stiffness where the case sets it; an automatic one is as high as the line's EA "
             "allows: is the tension above the breaking load?");
 }

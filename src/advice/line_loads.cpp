@@ -64,10 +64,10 @@ class LineLoads {
     const Water& w = c_.environment.water;
     const std::string key = fmt::format("masses[{}]", i);
     if (m.volume > 0) {
-      const double of = m.mass / m.volume;
-      if (of < kLightest || of > kHeaviest)
-        return warn(key, "{:.4g} kg in {:.4g} m³ is a density of {:.3g} kg/m³, {}", m.mass, m.volume, of,
-                    of < kLightest
+      const double density = m.mass / m.volume;
+      if (density < kLightest || density > kHeaviest)
+        return warn(key, "{:.4g} kg in {:.4g} m³ is a density of {:.3g} kg/m³, {}", m.mass, m.volume, density,
+                    density < kLightest
                         ? "lighter than any buoy (foam has 200 to 700); is the volume in litres, or "
                           "the mass in t?"
                         : "heavier than lead (11340); are mass and volume in kg and m³?");
@@ -80,8 +80,8 @@ class LineLoads {
                   std::abs(up) / 1000, up > 0 ? "of buoyancy" : "of weight", t.name, bears / 1000,
                   t.breaking_load > 0 ? "" : " at a strain of 10 %");
     if (m.drag_area > 0 && m.volume > 0) {
-      const double size = std::pow(m.volume, 2.0 / 3), least = 0.01, most = 50;
-      if (const double ratio = m.drag_area / size; ratio < least || ratio > most)
+      const double size = std::pow(m.volume, 2.0 / 3), lower = 0.01, upper = 50;
+      if (const double ratio = m.drag_area / size; ratio < lower || ratio > upper)
         warn(key + ".drag_area", "{:.3g} m² is {:.2g} times volume^(2/3); a ball has 0.6, a plate up to 20",
              m.drag_area, ratio);
     }
@@ -110,11 +110,11 @@ class LineLoads {
   void distributed(const DistributedLoad& q) {
     const double load = q.per_length.norm();
     const LineType& t = type(section_at(std::max(q.from, 0.0)));
-    const double own = t.mass_per_length * c_.environment.gravity;
-    if (!(load > 0) || !(own > 0) || (load > kNothing * own && load < 500 * own)) return;
+    const double weight = t.mass_per_length * c_.environment.gravity;
+    if (!(load > 0) || !(weight > 0) || (load > kNothing * weight && load < 500 * weight)) return;
     warn(fmt::format("loads[{}].per_length", q.order),
-         "{:.3g} N/m is {:.1g} times the weight of '{}', {:.3g} N/m{}", load, load / own, t.name, own,
-         load < own && load * 1000 > kNothing * own ? "; is it in kN/m?" : "");
+         "{:.3g} N/m is {:.1g} times the weight of '{}', {:.3g} N/m{}", load, load / weight, t.name, weight,
+         load < weight && load * 1000 > kNothing * weight ? "; is it in kN/m?" : "");
   }
 
   // Directions are from end A to end B, the mean direction of the line.
@@ -123,12 +123,12 @@ class LineLoads {
     if (!e.direction || !line_.starts_by_itself() || !is_held(line_.end_a) || !is_held(line_.end_b)) return;
     Vec3 along = *e.direction;
     if (e.kind == EndKind::body) along = exp_body(e) * along;
-    const Vec3 way = end_position(c_, line_.end_b) - end_position(c_, line_.end_a);
-    if (!(way.norm() > 0) || along.dot(way.normalized()) > -0.5) return;  // 120 degrees
+    const Vec3 chord = end_position(c_, line_.end_b) - end_position(c_, line_.end_a);
+    if (!(chord.norm() > 0) || along.dot(chord.normalized()) > -0.5) return;  // 120 degrees
     warn(fmt::format("{}.direction", end_key(end)),
          "points {:.0f} degrees away from the line between the ends; a direction is that from end A to end "
          "B: is it reversed?",
-         std::acos(std::clamp(along.dot(way.normalized()), -1.0, 1.0)) * 180 / M_PI);
+         std::acos(std::clamp(along.dot(chord.normalized()), -1.0, 1.0)) * 180 / M_PI);
   }
   Mat3 exp_body(const End& e) const {
     const Body& body = c_.bodies[static_cast<std::size_t>(c_.body_index(e.body))];
@@ -176,14 +176,16 @@ class LineLoads {
 
   void stiffener(const BendStiffener& s, std::size_t i) {
     const LineType& t = type(section_at(s.at));
-    const double own = 0.5 * (t.EI2 + t.EI3);
-    double most = 0;
-    for (const auto& [at, EI] : s.rows) most = std::max(most, EI);
+    const double bare = 0.5 * (t.EI2 + t.EI3);
+    double largest = 0;
+    for (const auto& [at, EI] : s.rows) largest = std::max(largest, EI);
     const std::string key = fmt::format("bend_stiffeners[{}].EI", i);
-    if (most < 0.1 * own)
-      warn(key, "it adds {:.3g} N m² at most to the {:.3g} N m² of '{}': are they N m²?", most, own, t.name);
-    else if (most > 0.1 * t.EA)  // of a diameter of metres
-      warn(key, "it adds {:.3g} N m², {:.2g} times the EI of '{}': are they N m²?", most, most / own, t.name);
+    if (largest < 0.1 * bare)
+      warn(key, "it adds {:.3g} N m² at most to the {:.3g} N m² of '{}': are they N m²?", largest, bare,
+           t.name);
+    else if (largest > 0.1 * t.EA)  // of a diameter of metres
+      warn(key, "it adds {:.3g} N m², {:.2g} times the EI of '{}': are they N m²?", largest, largest / bare,
+           t.name);
     else if (s.rows.back().second > 2 * s.rows.front().second)
       warn(key, "it is stiffer at its tip than at its root; rows count from the root, which is at {:.6g} m",
            s.at);
@@ -202,9 +204,10 @@ class LineLoads {
     double height = end_position(c_, line_.end(end)).z() - end_position(c_, line_.end(other)).z();
     const Seabed& bed = c_.environment.seabed;
     if (bed.present) height = std::min(height, height_above_bed(bed, end_position(c_, line_.end(end))));
-    double least = HUGE_VAL;
-    for (const Section& s : line_.sections) least = std::min(least, mass_in_water(c_, type(s), -HUGE_VAL));
-    const double hangs = least * c_.environment.gravity * height;
+    double smallest = HUGE_VAL;
+    for (const Section& s : line_.sections)
+      smallest = std::min(smallest, mass_in_water(c_, type(s), -HUGE_VAL));
+    const double hangs = smallest * c_.environment.gravity * height;
     if (hangs > 0 && tension < 0.99 * hangs)
       warn("target.tension",
            "{:.4g} kN is less than the smallest weight that hangs from that end, {:.4g} kN{}", tension / 1000,

@@ -7,7 +7,8 @@
 
 namespace hawser::advice {
 
-std::string chosen_pair_stiffness(double least, double most, const std::string& only_line, bool themselves) {
+std::string chosen_pair_stiffness(double smallest, double largest, const std::string& only_line,
+                                  bool themselves) {
   return fmt::format(
       "{}: a normal stiffness of {} N/m per m, chosen by weight and EA. "
       "contact.between_lines.normal_stiffness sets another value, and contact.between_lines: false switches "
@@ -15,10 +16,11 @@ std::string chosen_pair_stiffness(double least, double most, const std::string& 
       !only_line.empty() ? fmt::format("contact of line {} with itself", only_line)
       : themselves       ? "contact between lines and of lines with themselves"
                          : "contact between lines",
-      most > least * (1 + 1e-9) ? fmt::format("{:.3g} to {:.3g}", least, most) : fmt::format("{:.3g}", most));
+      largest > smallest * (1 + 1e-9) ? fmt::format("{:.3g} to {:.3g}", smallest, largest)
+                                      : fmt::format("{:.3g}", largest));
 }
 
-std::string apart_near_place(const std::string& one, const std::string& other, double within, int more) {
+std::string separate_near_place(const std::string& one, const std::string& other, double within, int more) {
   return fmt::format(
       "{} from one place, or from places nearer to each other than the contact radii, and {} only more than "
       "{:.3g} m along from there, beyond where they are first apart{}",

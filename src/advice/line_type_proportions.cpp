@@ -15,7 +15,7 @@ using namespace model;
 
 namespace {
 
-bool between(double x, double least, double most) { return x >= least && x <= most; }
+bool between(double x, double lower, double upper) { return x >= lower && x <= upper; }
 
 class Proportions {
  public:
@@ -60,10 +60,10 @@ class Proportions {
     // 12 times the bound. kN in place of N makes a factor of 1000.
     constexpr double kGive = 13;
     const double D = t_.outer_diameter, EI = 0.5 * (t_.EI2 + t_.EI3);
-    const double most = kGive * D * D / 8, least = std::pow(D / 125, 2) / 16;
-    if (between(EI / t_.EA, least, most)) return;
-    const auto fits = [&](double x) { return between(x / t_.EA, least, most); };
-    if (EI / t_.EA > most)
+    const double upper = kGive * D * D / 8, lower = std::pow(D / 125, 2) / 16;
+    if (between(EI / t_.EA, lower, upper)) return;
+    const auto fits = [&](double x) { return between(x / t_.EA, lower, upper); };
+    if (EI / t_.EA > upper)
       warn("EI",
            "with its EA it means a radius of gyration sqrt(EI/EA) of {:.3g} m, and a section {:.4g} m in "
            "diameter has {:.3g} m at most{}",
@@ -77,10 +77,10 @@ class Proportions {
 
   // Round sections have GJ/EI = 1/(1 + nu) = 0.67 to 1; helical armour increases it up to 300.
   void torsion() {
-    const double EI = 0.5 * (t_.EI2 + t_.EI3), least = 0.05, most = 500;
-    if (between(t_.GJ / EI, least, most)) return;
+    const double EI = 0.5 * (t_.EI2 + t_.EI3), lower = 0.05, upper = 500;
+    if (between(t_.GJ / EI, lower, upper)) return;
     warn("GJ", "{:.4g} N m² is {:.2g} times EI: round sections have 0.7 to 1, armoured cables up to 300{}",
-         t_.GJ, t_.GJ / EI, hint("GJ", [&](double x) { return between(x / EI, least, most); }));
+         t_.GJ, t_.GJ / EI, hint("GJ", [&](double x) { return between(x / EI, lower, upper); }));
   }
 
   // G is below E.
@@ -110,10 +110,10 @@ class Proportions {
   // Linear breaking strain: steel 0.2 % and more, nylon 40 %.
   void strength() {
     if (!(t_.breaking_load > 0) || t_.tension_table) return;
-    const double strain = t_.breaking_load / t_.EA, least = 5e-4, most = 1;
-    if (between(strain, least, most)) return;
+    const double strain = t_.breaking_load / t_.EA, lower = 5e-4, upper = 1;
+    if (between(strain, lower, upper)) return;
     const std::string of_load =
-        hint("breaking_load", [&](double x) { return between(x / t_.EA, least, most); });
+        hint("breaking_load", [&](double x) { return between(x / t_.EA, lower, upper); });
     warn("breaking_load",
          "{:.4g} N over an EA of {:.4g} N is a strain of {:.2g} %; lines break at 0.2 to 50 %{}",
          t_.breaking_load, t_.EA, 100 * strain, of_load);
@@ -130,16 +130,16 @@ class Proportions {
          hint("EA", [&](double x) { return between(x / area, 5e9, 250e9); }));
   }
 
-  void diameter(double d, const char* key, double least, double most) {
+  void diameter(double d, const char* key, double lower, double upper) {
     const double ratio = d / t_.outer_diameter;
-    if (between(ratio, least, most)) return;
+    if (between(ratio, lower, upper)) return;
     if (std::string_view(key) == "displaced_diameter" && !given(key))
       return warn(
           "", "its mass and weight mean a displaced diameter of {:.4g} m, and its outer diameter is {:.4g} m",
           d, t_.outer_diameter);
     if (!given(key)) return;  // another key is the implausible one
-    warn(key, "{:.4g} m is {:.2g} times the outer diameter; {:g} to {:g} times are usual{}", d, ratio, least,
-         most, hint(key, [&](double x) { return between(x / t_.outer_diameter, least, most); }));
+    warn(key, "{:.4g} m is {:.2g} times the outer diameter; {:g} to {:g} times are usual{}", d, ratio, lower,
+         upper, hint(key, [&](double x) { return between(x / t_.outer_diameter, lower, upper); }));
   }
   bool given(const char* key) const {
     const Entry type = entry_of(c_, "line_types", t_.name);
@@ -150,11 +150,11 @@ class Proportions {
   // In diameters: ropes and hoses 2 to 20, steel pipes 100 to 300 (strains of 0.2 to 0.5 %).
   void bend_radius() {
     if (!(t_.minimum_bend_radius > 0)) return;
-    const double ratio = t_.minimum_bend_radius / t_.outer_diameter, least = 0.5, most = 2000;
-    if (between(ratio, least, most)) return;
+    const double ratio = t_.minimum_bend_radius / t_.outer_diameter, lower = 0.5, upper = 2000;
+    if (between(ratio, lower, upper)) return;
     warn("minimum_bend_radius", "{:.4g} m is {:.2g} diameters; lines may be bent to 2 to 500 diameters{}",
          t_.minimum_bend_radius, ratio,
-         hint("minimum_bend_radius", [&](double x) { return between(x / t_.outer_diameter, least, most); }));
+         hint("minimum_bend_radius", [&](double x) { return between(x / t_.outer_diameter, lower, upper); }));
   }
 
   // For pipes without code checks.

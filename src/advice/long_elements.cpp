@@ -9,9 +9,9 @@ namespace hawser::advice {
 namespace {
 
 // Error as a percentage of the largest value. The estimates are asymptotic; from 50 % on no number is given.
-std::string off_by(double share) {
-  return share < 0.5 ? fmt::format("by about {:.2g} % of the largest", 100 * share)
-                     : "by half of the largest and more";
+std::string off_by(double fraction) {
+  return fraction < 0.5 ? fmt::format("by about {:.2g} % of the largest", 100 * fraction)
+                        : "by half of the largest and more";
 }
 
 }  // namespace

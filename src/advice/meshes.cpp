@@ -13,14 +13,14 @@ namespace hawser::advice {
 namespace {
 
 // Faults of a mesh, as nouns.
-std::string faults_of(const MeshReport& found) {
+std::string faults_of(const MeshReport& report) {
   std::vector<std::string> faults;
-  if (found.open_edges > 0) faults.push_back(count_of(found.open_edges, "open edge", "open edges"));
-  if (found.non_manifold_edges > 0)
-    faults.push_back(count_of(found.non_manifold_edges, "edge") + " of more than two triangles");
-  if (found.flipped_edges > 0)
-    faults.push_back(count_of(found.flipped_edges, "edge") + " between triangles turned opposite ways");
-  if (found.degenerate > 0) faults.push_back(count_of(found.degenerate, "triangle") + " of no area");
+  if (report.open_edges > 0) faults.push_back(count_of(report.open_edges, "open edge", "open edges"));
+  if (report.non_manifold_edges > 0)
+    faults.push_back(count_of(report.non_manifold_edges, "edge") + " of more than two triangles");
+  if (report.flipped_edges > 0)
+    faults.push_back(count_of(report.flipped_edges, "edge") + " between triangles turned opposite ways");
+  if (report.degenerate > 0) faults.push_back(count_of(report.degenerate, "triangle") + " of no area");
   if (faults.empty()) faults.emplace_back("normals that point into the solid");
   return fmt::format("{}", fmt::join(faults, ", "));
 }
@@ -71,15 +71,15 @@ std::string repaired(const RepairResult& done) {
   return text;
 }
 
-std::string mesh_not_clean(const MeshReport& found, const RepairResult& done) {
-  return fmt::format("the mesh is not clean: {}; {}", faults_of(found), repaired(done));
+std::string mesh_not_clean(const MeshReport& report, const RepairResult& done) {
+  return fmt::format("the mesh is not clean: {}; {}", faults_of(report), repaired(done));
 }
 
-std::string mesh_encloses_nothing(const MeshReport& found, const RepairResult& done) {
+std::string mesh_encloses_nothing(const MeshReport& report, const RepairResult& done) {
   return fmt::format(
       "the mesh encloses nothing: it has {} among {} triangles, and only {:.0f} % of its area has an inside; "
       "a sheet needs a thickness, or use a `shape`",
-      faults_of(found), found.triangles, 100 * done.enclosing);
+      faults_of(report), report.triangles, 100 * done.enclosing);
 }
 
 std::string mesh_cannot_be_closed(const RepairResult& done) {
@@ -145,9 +145,9 @@ std::string exact_shape(size_t triangles) {
   return fmt::format("exact shape; {} triangles for pictures only", triangles);
 }
 
-std::string drawn_coarser(size_t drawn, size_t vertices) {
+std::string displayed_coarser(size_t displayed, size_t vertices) {
   return fmt::format(
-      "The file for ParaView has at most {} of its {} vertices, as it moves; contact uses all.", drawn,
+      "The file for ParaView has at most {} of its {} vertices, as it moves; contact uses all.", displayed,
       vertices);
 }
 

@@ -15,16 +15,16 @@ std::string stiffness_needs_statics(const model::Case& c) {
   return c.path + ": statics: the stiffness needs the static equilibrium, and this case has 'statics: false'";
 }
 
-std::string fewer_modes_converged(size_t found, size_t wanted) {
-  return fmt::format("modes: {} of {} eigenvalues have converged: ask for fewer", found, wanted);
+std::string fewer_modes_converged(size_t count, size_t wanted) {
+  return fmt::format("modes: {} of {} eigenvalues have converged: ask for fewer", count, wanted);
 }
 
 std::string modes_incomplete() {
   return "modes: there are more natural frequencies than were found: ask for another number";
 }
 
-std::string model_has_no_more_modes(size_t found) {
-  return fmt::format("note: the model has no more than {} modes", found);
+std::string model_has_no_more_modes(size_t count) {
+  return fmt::format("note: the model has no more than {} modes", count);
 }
 
 std::string faster_instabilities(long directions) {

@@ -12,12 +12,12 @@ std::string cannot_write_results(const std::string& path, const std::string& why
 
 }  // namespace
 
-std::string would_replace_input(const std::string& what, const std::string& path, const std::string& read,
+std::string would_replace_input(const std::string& kind, const std::string& path, const std::string& read,
                                 const std::string& written) {
   return fmt::format(
       "cannot write {} to {}: {} is a file that this run reads{}, and would be replaced; give another "
       "file with -o",
-      what, path, read, read == written ? "" : " (" + written + ")");
+      kind, path, read, read == written ? "" : " (" + written + ")");
 }
 
 std::string link_to_itself(const std::string& path) {
@@ -57,15 +57,15 @@ std::string third_party_file(const std::string& path, const std::string& name) {
       path, name + " was not written by hawser and is not replaced; move it, or give another file with -o");
 }
 
-std::string table_needs_csv(const std::string& path, const std::string& what) {
-  return fmt::format("{}: a table of {} is a CSV file: give its name the ending .csv", path, what);
+std::string table_needs_csv(const std::string& path, const std::string& contents) {
+  return fmt::format("{}: a table of {} is a CSV file: give its name the ending .csv", path, contents);
 }
 
-std::string not_such_a_table(const std::string& path, const std::string& what) {
+std::string not_such_a_table(const std::string& path, const std::string& contents) {
   return fmt::format(
       "cannot write the table to {}: the file there is not a table of {} and is not replaced; move it, or "
       "give another file",
-      path, what);
+      path, contents);
 }
 
 std::string no_file_locks(const std::string& path) {

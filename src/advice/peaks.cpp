@@ -11,13 +11,13 @@ std::string folded_peak(const std::string& line, const FoldedPeak& at) {
       "snaps taut that was folded to {:.0f} % of its length: the bend there, and this tension, depend on the "
       "element length. If it matters, give the line type its EI, which prevents folding, and compare with "
       "elements half as long",
-      line, at.tension / 1000, at.arc, at.time, 100 * at.share);
+      line, at.tension / 1000, at.arc, at.time, 100 * at.ratio);
 }
 
 std::string impact_peak(const std::string& line, const ImpactPeak& at) {
   std::string why = "it lasts less than an axial wave takes to pass three elements";
   if (at.cause == ImpactPeak::Cause::steps)
-    why = fmt::format("{:.0f} % of it build up in one step of {:.2g} s", 100 * at.share, at.step);
+    why = fmt::format("{:.0f} % of it build up in one step of {:.2g} s", 100 * at.fraction, at.step);
   if (at.cause == ImpactPeak::Cause::crosswise)
     why = "it lasts less than a transverse wave takes to pass an element that lies over a volume";
   if (at.cause == ImpactPeak::Cause::damping)

@@ -31,21 +31,21 @@ std::string other_version(const std::string& file, const std::string& kept) {
 
 std::string other_case(const std::string& difference) { return "it holds another case: " + difference; }
 
-std::string other_number_of_lines(size_t there, size_t here) {
-  return fmt::format("lines: {} in the file, {} in this case", there, here);
+std::string other_number_of_lines(size_t in_checkpoint, size_t in_case) {
+  return fmt::format("lines: {} in the file, {} in this case", in_checkpoint, in_case);
 }
 
-std::string other_line(size_t place, const std::string& there, const std::string& here) {
-  return fmt::format("its line {} is {}, not {}", place, there, here);
+std::string other_line(size_t place, const std::string& in_checkpoint, const std::string& in_case) {
+  return fmt::format("its line {} is {}, not {}", place, in_checkpoint, in_case);
 }
 
-std::string other_number_of_nodes(const std::string& line, double there, int here) {
-  return fmt::format("line {} has {} nodes in the file, {} in this case", line, there, here);
+std::string other_number_of_nodes(const std::string& line, double in_checkpoint, int in_case) {
+  return fmt::format("line {} has {} nodes in the file, {} in this case", line, in_checkpoint, in_case);
 }
 
-std::string other_node(const std::string& line, double there, double here) {
-  return fmt::format("a node of line {} is at {:.6g} m in the file, {:.6g} m in this case", line, there,
-                     here);
+std::string other_node(const std::string& line, double in_checkpoint, double in_case) {
+  return fmt::format("a node of line {} is at {:.6g} m in the file, {:.6g} m in this case", line,
+                     in_checkpoint, in_case);
 }
 
 std::string other_beams() { return "other nodes are of beams"; }
@@ -56,9 +56,9 @@ std::string other_volumes() { return "other volumes"; }
 
 std::string other_key(const std::string& key, KeyDiffers how) {
   switch (how) {
-    case KeyDiffers::missing_there:
+    case KeyDiffers::missing_in_checkpoint:
       return key + " is not in it";
-    case KeyDiffers::missing_here:
+    case KeyDiffers::missing_in_case:
       return "it has " + key;
     case KeyDiffers::other_value:
       break;
@@ -66,12 +66,12 @@ std::string other_key(const std::string& key, KeyDiffers how) {
   return key + " differs from the checkpoint";
 }
 
-std::string other_number_of_feeds(size_t there, size_t here) {
-  return fmt::format("{} of its lines' ends {} fed, and {} in this case", there, there == 1 ? "is" : "are",
-                     here);
+std::string other_number_of_feeds(size_t in_checkpoint, size_t in_case) {
+  return fmt::format("{} of its lines' ends {} fed, and {} in this case", in_checkpoint,
+                     in_checkpoint == 1 ? "is" : "are", in_case);
 }
 
-std::string not_fed_there(const std::string& end) { return end + " is not fed there"; }
+std::string not_fed_in_checkpoint(const std::string& end) { return end + " is not fed there"; }
 
 std::string changed_by_set(const std::string& text, const std::vector<std::string>& changes) {
   return fmt::format(
@@ -80,9 +80,11 @@ std::string changed_by_set(const std::string& text, const std::vector<std::strin
       text, fmt::join(changes, " --set "));
 }
 
-std::string other_changes(const std::string& file, const std::string& there, const std::string& here) {
+std::string other_changes(const std::string& file, const std::string& in_checkpoint,
+                          const std::string& in_case) {
   return fmt::format("the run of {} was made with{}, and continues with{}", file,
-                     there.empty() ? "out --set" : there, here.empty() ? "out --set" : here);
+                     in_checkpoint.empty() ? "out --set" : in_checkpoint,
+                     in_case.empty() ? "out --set" : in_case);
 }
 
 std::string event_before_restart(const model::Event& event, double time) {

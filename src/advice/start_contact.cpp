@@ -48,9 +48,9 @@ std::string more_lines_on_wrong_side(size_t lines) {
 
 std::string starts_inside(const model::Line& line, const std::string& volume, const InsideVolume& s) {
   const bool through = s.from > 0 && s.to < s.length;
-  const std::string what = through ? fmt::format("its start shape passes through volume {}", volume)
-                                   : fmt::format("its start shape lies in volume {}", volume);
-  return fmt::format("lines.{}: {} {}; {}", line.name, what, where_inside(s), remedy(line, s));
+  const std::string finding = through ? fmt::format("its start shape passes through volume {}", volume)
+                                      : fmt::format("its start shape lies in volume {}", volume);
+  return fmt::format("lines.{}: {} {}; {}", line.name, finding, where_inside(s), remedy(line, s));
 }
 
 std::string stays_inside(const model::Line& line, const std::string& volume, const InsideVolume& s,
@@ -75,11 +75,11 @@ std::string passes_volume(const model::Line& line, const std::string& volume, co
   const std::string where =
       fmt::format("{:.3g} m from it at {:.4g} m of arc length, {}", p.distance, p.arc, point_text(p.place));
   const std::string confirm = "confirm it with 'start: {points: [[x, y, z], ...]}'";
-  if (p.own_a || p.own_b)
+  if (p.carries_a || p.carries_b)
     return fmt::format(
         "lines.{}: its start shape passes under volume {}, {}, while its end {} is above it; if that is "
         "intended, {}",
-        line.name, volume, where, p.own_a ? "A" : "B", confirm);
+        line.name, volume, where, p.carries_a ? "A" : "B", confirm);
   // True of a line on the wrong side of a volume and of one in the bore of a tube.
   const std::string side = p.under ? "below" : "above";
   return fmt::format(

@@ -28,18 +28,18 @@ std::string undecided_crossing(const std::string& line, const std::string& other
       other, point_text(at), line, other);
 }
 
-std::string cannot_be_over(const std::string& over, const std::string& under, const Vec3& at) {
+std::string cannot_be_over(const std::string& upper, const std::string& lower, const Vec3& at) {
   return fmt::format(
       "line '{}' is to lie over line '{}', and its start shape passes through it at {}; move the points of "
       "its 'start' over it",
-      over, under, point_text(at));
+      upper, lower, point_text(at));
 }
 
-std::string starts_over_line(const std::string& over, const std::string& under, const Vec3& at) {
+std::string starts_over_line(const std::string& upper, const std::string& lower, const Vec3& at) {
   return fmt::format(
       "lines.{}: starts over line {}, which it crosses at {} ('contact: {{between_lines: {{over: [[{}, "
       "{}]]}}}}' would have it under it)",
-      over, under, point_text(at), under, over);
+      upper, lower, point_text(at), lower, upper);
 }
 
 std::string starts_over_volume(const std::string& line, const std::string& volume, const Vec3& at) {
@@ -60,11 +60,11 @@ std::string link_without_length() {
          "0, or move its ends apart";
 }
 
-std::string too_short_for_supports(double length, double way) {
+std::string too_short_for_supports(double length, double path_length) {
   return fmt::format(
       "the line is {:.6g} m long, and the shortest path over its supports to its other end is {:.6g} m; make "
       "the line {:.3g} m longer, or move the end",
-      length, way, way - length);
+      length, path_length, path_length - length);
 }
 
 }  // namespace hawser::advice

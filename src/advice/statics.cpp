@@ -45,7 +45,7 @@ std::string lie_on_bed(const std::vector<std::string>& lines, const std::vector<
   std::string friction = "without friction in statics";
   if (values.front().with_friction)
     friction = fmt::format("where friction takes {} kN of tension and is not fully mobilised over {} m",
-                           range(&OnBed::taken, 1e3), range(&OnBed::sticking, 1));
+                           range(&OnBed::friction_tension, 1e3), range(&OnBed::sticking, 1));
   return fmt::format("{}{}: {} m on the seabed, {}", lines.size() > 1 ? "lines " : "lines.",
                      model::names_text(lines), range(&OnBed::lies, 1), friction);
 }

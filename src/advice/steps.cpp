@@ -26,14 +26,14 @@ std::string overstretched(const Overstretched& at) {
   return fmt::format(
       "{}, {} {:.3g} % by {:.3g} N on an EA of {:.3g} N; no line with such an EA can carry {:g} %", at.place,
       at.strain > 0 ? "is stretched by" : "is compressed by", 100 * std::abs(at.strain), std::abs(at.tension),
-      at.EA, 100 * std::abs(at.most));
+      at.EA, 100 * std::abs(at.limit));
 }
 
 std::string lost_in_rounding(const LostInRounding& at) {
   return fmt::format(
       "the tension of line {} is accurate to {:.2g} % only, because of rounding with an EA of {:.3g} N; an "
       "EA of {:.0e} N is practically inextensible",
-      at.line, 100 * at.share, at.EA, at.sufficient);
+      at.line, 100 * at.fraction, at.EA, at.sufficient);
 }
 
 // One clause per kind of finding.
@@ -50,7 +50,7 @@ struct Clause {
     return at.place + ", a beam element folds: its ends turn against each other by more than half a turn";
   }
   std::string operator()(ImpactNotResolved) const {
-    return "it is too long for an impact that begins within it";
+    return "an impact begins within the step, which is too long to resolve it";
   }
   std::string operator()(ErrorTooLarge at) const {
     return fmt::format("its local error of {:.3g} m is too large", at.error);
@@ -61,10 +61,10 @@ struct Clause {
   std::string operator()(LinePassesVolume) const { return "in it a line would pass through a volume"; }
   std::string operator()(BodyPassesBody) const { return "in it a body would pass through another one"; }
   std::string operator()(const FeedsTooFast& at) const {
-    return at.feeder + " is paid out or hauled in by more of an element than one step can follow";
+    return at.feeder + " is paid out or hauled in too fast for the length of its elements and of the step";
   }
   std::string operator()(const TooDeep& at) const { return too_deep(at); }
-  std::string operator()(const DrawnThrough& at) const { return drawn_through(at); }
+  std::string operator()(const PulledThrough& at) const { return pulled_through(at); }
   std::string operator()(const LinesPass& at) const { return lines_pass(at.at); }
   std::string operator()(const LinesStartTooNear& at) const { return lines_start_too_near(at.at); }
   std::string operator()(const PressedLines& at) const { return lines_too_soft(at); }
@@ -72,7 +72,7 @@ struct Clause {
 
 }  // namespace
 
-std::string clause(const StepFinding& found) { return std::visit(Clause(), found); }
+std::string clause(const StepFinding& finding) { return std::visit(Clause(), finding); }
 
 std::string overstretched_in_statics(const Overstretched& at) {
   return fmt::format("statics: {}: check the units of loads, lengths and EA", overstretched(at));

@@ -19,9 +19,9 @@ struct Stop {
   const model::SupportBox* box;
 };
 
-std::vector<Stop> way_over_supports(const model::Case& c, const model::Line& line,
-                                    const std::vector<RigidPose>& poses) {
-  std::vector<Stop> way;
+std::vector<Stop> path_over_supports(const model::Case& c, const model::Line& line,
+                                     const std::vector<RigidPose>& poses) {
+  std::vector<Stop> path;
   for (const model::SupportBox& b : c.supports) {
     if (b.line != line.name) continue;
     const auto pose_of = [&](const std::string& body) {
@@ -30,37 +30,37 @@ std::vector<Stop> way_over_supports(const model::Case& c, const model::Line& lin
     };
     const RigidPose pose = pose_of(b.body);
     const Stop stop{pose.to_space(b.at), pose.rotation * b.along, pose.rotation * b.up, &b};
-    if (const model::End* end = way.empty() ? model::end_before(c, line, b) : nullptr) {
+    if (const model::End* end = path.empty() ? model::end_before(c, line, b) : nullptr) {
       const Vec3 at = model::end_position(c, *end);
       Vec3 along = (stop.at - at).normalized();
       if (end->direction)
         along = (end == &line.end_a ? 1.0 : -1.0) * (pose_of(end->body).rotation * *end->direction);
-      way.push_back({at, along, stop.up, &b});
+      path.push_back({at, along, stop.up, &b});
     }
-    way.push_back(stop);
+    path.push_back(stop);
   }
-  return way;
+  return path;
 }
 
 // Height [m] of a point above the path of the others, at least three: for interior points the cubic Hermite
 // curve through both neighbours; for end points an arc with the curvature between the nearest two.
-double above_the_others(const std::vector<Stop>& way, size_t k) {
-  const Stop& here = way[k];
-  if (k > 0 && k + 1 < way.size()) {
-    const Stop &a = way[k - 1], &b = way[k + 1];
+double height_above_others(const std::vector<Stop>& path, size_t k) {
+  const Stop& stop = path[k];
+  if (k > 0 && k + 1 < path.size()) {
+    const Stop &a = path[k - 1], &b = path[k + 1];
     const Vec3 chord = b.at - a.at;
     const double d = chord.norm();
-    const double t = nearest_fraction(here.at, a.at, b.at);
+    const double t = nearest_fraction(stop.at, a.at, b.at);
     const double u = 1 - t;
-    const Vec3 there =
+    const Vec3 on_curve =
         u * u * (1 + 2 * t) * a.at + t * t * (3 - 2 * t) * b.at + t * u * d * (u * a.along - t * b.along);
-    return (here.at - there).dot(here.up);
+    return (stop.at - on_curve).dot(stop.up);
   }
   const bool first = k == 0;
-  const Stop &near = way[first ? 1 : k - 1], &next = way[first ? 2 : k - 2];
-  const double d = (here.at - near.at).norm(), turn = 0.5 * d / (near.at - next.at).norm();
+  const Stop &near = path[first ? 1 : k - 1], &next = path[first ? 2 : k - 2];
+  const double d = (stop.at - near.at).norm(), turn = 0.5 * d / (near.at - next.at).norm();
   const Vec3 along = (near.along + turn * (near.along - next.along)).normalized();
-  return (here.at - near.at - (first ? -d : d) * along).dot(here.up);
+  return (stop.at - near.at - (first ? -d : d) * along).dot(stop.up);
 }
 
 }  // namespace
@@ -80,11 +80,11 @@ std::optional<BelowSupport> below_supports(const model::Case& c,
       return BelowSupport{
           "lines." + line.name,
           wrong + "; remove 'start', so that it starts on its supports, or give points above them"};
-    const std::vector<Stop> way = way_over_supports(c, line, poses);
+    const std::vector<Stop> path = path_over_supports(c, line, poses);
     size_t odd = 0;
     double off = 0;  // m
-    for (size_t i = 0; i < way.size() && way.size() > 2; ++i)
-      if (const double above = above_the_others(way, i); std::abs(above) > std::abs(off)) {
+    for (size_t i = 0; i < path.size() && path.size() > 2; ++i)
+      if (const double above = height_above_others(path, i); std::abs(above) > std::abs(off)) {
         odd = i;
         off = above;
       }
@@ -94,7 +94,7 @@ std::optional<BelowSupport> below_supports(const model::Case& c,
           fmt::format(
               "line {} {}; move the supports or the end of the line, so that the path leads to the end",
               line.name, wrong)};
-    const model::SupportBox& named = *way[odd].box;
+    const model::SupportBox& named = *path[odd].box;
     const std::string cause =
         odd > 0
             ? fmt::format("support '{}' is {:.3g} m {} the path over its neighbours", named.name,

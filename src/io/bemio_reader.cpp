@@ -44,13 +44,13 @@ class BemioFile {
   }
   std::vector<double> values(const std::string& name, const h5::Shape& shape) const {
     h5::Array a = array(name);
-    h5::Shape found;
+    h5::Shape without_ones;
     for (const hsize_t k : a.shape)
-      if (k != 1) found.push_back(k);
+      if (k != 1) without_ones.push_back(k);
     h5::Shape wanted;
     for (const hsize_t k : shape)
       if (k != 1) wanted.push_back(k);
-    if (found != wanted)
+    if (without_ones != wanted)
       refuse(fmt::format("dataset '{}' is {}, and belongs to {} here", name, fmt::join(a.shape, " x "),
                          fmt::join(shape, " x ")));
     for (const double x : a.values)
@@ -76,8 +76,8 @@ Scales scales(const BemioFile& file, const HydrodynamicForm& form) {
                gravity = file.number("/simulation_parameters/g");
   if (!(density > 0) || !(gravity > 0)) file.refuse("density and gravity are not above 0");
   if (file.has("/simulation_parameters/scaled") && file.number("/simulation_parameters/scaled") != 0) {
-    const double share = form.density / density;
-    return {share, 0, share, share};
+    const double factor = form.density / density;
+    return {factor, 0, factor, factor};
   }
   return {form.density, form.density, 0, form.density * form.gravity};
 }

@@ -152,12 +152,12 @@ Eigen::MatrixXd matrix_of(const CapytaineFile::View& view, const Freedoms& f, in
 }
 
 // Entries are NaN where the panel method failed.
-void note_excluded(const std::string& path, const char* what, const std::vector<double>& omega,
+void note_excluded(const std::string& path, const char* quantity, const std::vector<double>& omega,
                    std::vector<std::string>& notes) {
   if (!omega.empty())
     notes.push_back(fmt::format(
         "{}: the {} of {} frequenc{}, {:g} to {:g} rad/s, {} entries that are no numbers and {} excluded",
-        path, what, omega.size(), omega.size() == 1 ? "y" : "ies", omega.front(), omega.back(),
+        path, quantity, omega.size(), omega.size() == 1 ? "y" : "ies", omega.front(), omega.back(),
         omega.size() == 1 ? "has" : "have", omega.size() == 1 ? "is" : "are"));
 }
 

@@ -136,7 +136,7 @@ class Change {
     return key;
   }
 
-  static std::string found(const Value& v) {
+  static std::string kind_of_value(const Value& v) {
     return v.kind == Kind::scalar ? model::quote(v.text) : v.kind == Kind::list ? "a list" : "a map of keys";
   }
 
@@ -161,7 +161,7 @@ class Change {
     if (v.kind == Kind::null) v.kind = Kind::map;
     if (v.kind != Kind::map)
       refuse(path, "the file has {} here, which has no key '{}'; give the whole: --set '{}={{{}: ...}}'",
-             found(v), name, path, name);
+             kind_of_value(v), name, path, name);
     path += (path.empty() ? "" : ".") + name;
     const auto at = std::find(v.keys.begin(), v.keys.end(), name);
     if (at != v.keys.end()) return opened(v.items[at - v.keys.begin()]);
@@ -178,7 +178,7 @@ class Change {
     if (v.kind != (key.type == Type::names ? Kind::map : Kind::list))
       refuse(path, "{}",
              v.kind == Kind::null ? std::string("is not in the file; give the whole list")
-                                  : fmt::format("the file has {} here, not a list", found(v)));
+                                  : fmt::format("the file has {} here, not a list", kind_of_value(v)));
     if (index >= v.items.size())
       refuse(path, "has no [{}]: there are {}, from [0] to [{}]", index, v.items.size(), v.items.size() - 1);
     path += key.type == Type::names ? "." + v.keys[index] : fmt::format("[{}]", index);

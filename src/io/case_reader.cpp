@@ -74,10 +74,10 @@ Case read_document(const std::string& text, const std::string& path, const ReadP
   const Value& root = *tree;
   c.inputs = {c.path};
   const CaseSource source{path, c.directory, comm, &c.inputs};
-  CaseChanges own;
-  std::copy_if(changes.begin(), changes.end(), std::back_inserter(own),
+  CaseChanges changes_of_case;
+  std::copy_if(changes.begin(), changes.end(), std::back_inserter(changes_of_case),
                [](const std::string& change) { return !changes_platform(change); });
-  c.change_notes = change_document(*tree, own, path);
+  c.change_notes = change_document(*tree, changes_of_case, path);
   c.farm = read_farm(root, source, changes, c.change_notes);
   model::check_structure(*tree, model::case_schema(), path, c.farm ? names_of(*c.farm) : model::MoreNames());
   if (const Value* title = root.find("title"); read_progress.title)
@@ -115,7 +115,7 @@ void read_things(const Value& root, const Value* start_of_case, const CaseSource
   for (std::size_t i = 0; i < lines; ++i)
     finish_line(*model::Entry(root["lines"], i), start_of_case, lengths, others, c, c.lines[i]);
   for (std::size_t i = 0; i < bodies; ++i)
-    if (model::Body& b = c.bodies[i]; b.on) to_length(b.on->at, length_of(c, b.on->line));
+    if (model::Body& b = c.bodies[i]; b.ride) to_length(b.ride->at, length_of(c, b.ride->line));
   for (std::size_t i = 0; i < links; ++i) finish_link(root["links"].items[i], c.links[i], c);
   read_supports(root["supports"], c);
 }

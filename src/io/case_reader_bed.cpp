@@ -37,10 +37,10 @@ size_t place(const std::vector<double>& t, double x) {
   return static_cast<size_t>(std::lower_bound(t.begin(), t.end(), x - same) - t.begin());
 }
 
-double least_step(const std::vector<double>& t) {
-  double least = HUGE_VAL;
-  for (size_t i = 1; i < t.size(); ++i) least = std::min(least, t[i] - t[i - 1]);
-  return least;
+double smallest_step(const std::vector<double>& t) {
+  double smallest = HUGE_VAL;
+  for (size_t i = 1; i < t.size(); ++i) smallest = std::min(smallest, t[i] - t[i - 1]);
+  return smallest;
 }
 
 std::shared_ptr<const HeightGrid> read_grid(const Value& v, const CaseSource& source,
@@ -96,14 +96,14 @@ std::shared_ptr<const HeightGrid> read_grid(const Value& v, const CaseSource& so
            "x and every y",
            path, x[k % x.size()], y[k / x.size()], std::count(given.begin(), given.end(), -1), given.size());
   }
-  const OddHeights odd = odd_heights(z, std::min(least_step(x), least_step(y)));
+  const OddHeights odd = odd_heights(z, std::min(smallest_step(x), smallest_step(y)));
   if (odd.count > 0) {
     const size_t row = given[odd.first];
-    const std::string what = fmt::format(
+    const std::string heights = fmt::format(
         "{:g} m at x {:g}, y {:g}{} is {:.3g} m from all other heights", rows[row][2], rows[row][0],
         rows[row][1], odd.count > 1 ? fmt::format(" and in {} more places", odd.count - 1) : "", odd.gap);
-    if (odd.mark) refuse_row(row, what + ": it is a no-data value; replace it by the height around it");
-    notes.push_back(fmt::format("{}: {}:{}: {}: is it a no-data value?", v.where, path, line[row], what));
+    if (odd.mark) refuse_row(row, heights + ": it is a no-data value; replace it by the height around it");
+    notes.push_back(fmt::format("{}: {}:{}: {}: is it a no-data value?", v.where, path, line[row], heights));
   }
   return std::make_shared<const HeightGrid>(std::move(x), std::move(y), z);
 }
@@ -216,8 +216,8 @@ class BedCheck {
   }
   // True if a place, given as a fraction of the line's length, is in the soil or at the end of a buried
   // stretch.
-  static bool buried(const model::Line& line, double share) {
-    const double length = model::length_of(line), s = share * length, near = 1e-3 * length;
+  static bool buried(const model::Line& line, double fraction) {
+    const double length = model::length_of(line), s = fraction * length, near = 1e-3 * length;
     return std::any_of(line.buried.begin(), line.buried.end(),
                        [&](const model::Buried& b) { return s > b.from - near && s < b.to + near; });
   }
@@ -271,14 +271,14 @@ class BedCheck {
       c_.refuse(key, "{:.4g} m of line do not reach the seabed, which is {:.4g} m above its end", length,
                 deep);
   }
-  // Refuses positions deeper than `most` [m], which bed contact would expel.
-  void place(const std::string& key, const Vec3& x, const model::LineType& type, double most) const {
+  // Refuses positions deeper than `max_depth` [m], which bed contact would expel.
+  void place(const std::string& key, const Vec3& x, const model::LineType& type, double max_depth) const {
     const double deep = -model::height_above_bed(bed_, x);
-    if (covers(x) && deep > most)
+    if (covers(x) && deep > max_depth)
       c_.refuse(key,
                 "is {:.3g} m below the seabed; a line of '{}' may start at most {:.2g} m below it here "
                 "unless it is 'buried'; raise the end, or give the length that is 'buried'",
-                deep, type.name, most);
+                deep, type.name, max_depth);
   }
 
   model::Case& c_;

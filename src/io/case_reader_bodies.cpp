@@ -23,35 +23,36 @@ bool given(const Value& map, const char* key) {
   return v && v->given;
 }
 
-// Refuses a sea with more than the fraction `most` of its energy in directions without rows, or an irregular
-// sea with more than `most_beyond` at longer, or shorter, periods than the table.
-void check_coverage(const Value& files, const std::vector<WaveForceTable>& tables, int body, const char* what,
-                    double most, double most_beyond, const std::vector<WaveComponent>& sea, double heading,
-                    const std::string& key, std::vector<std::string>& notes) {
+// Refuses a sea with more than the fraction `max_uncovered` of its energy in directions without rows, or an
+// irregular sea with more than `max_beyond` at longer, or shorter, periods than the table.
+void check_coverage(const Value& files, const std::vector<WaveForceTable>& tables, int body,
+                    const char* quantity, double max_uncovered, double max_beyond,
+                    const std::vector<WaveComponent>& sea, double heading, const std::string& key,
+                    std::vector<std::string>& notes) {
   if (tables.empty() || sea.empty()) return;
   constexpr double kDegree = M_PI / 180, kSmall = 0.01;
   const WaveForceTable& table = tables[static_cast<size_t>(body) - 1];
-  const model::Coverage share = model::coverage(table, sea, heading);
+  const model::Coverage coverage = model::coverage(table, sea, heading);
   const std::string where = fmt::format(
       "the {} of the files have {} direction{}, {:.4g} to {:.4g} deg, none near {:.4g} deg as seen from "
       "the bow, where {:.3g} % of the sea's energy goes",
-      what, table.directions().size(), table.directions().size() == 1 ? "" : "s",
-      table.directions().front() / kDegree, table.directions().back() / kDegree, share.direction / kDegree,
-      100 * share.uncovered);
-  if (share.uncovered > most) model::refuse(files, where + ": add these directions to the files");
-  if (share.uncovered > kSmall) notes.push_back(key + ": " + where);
+      quantity, table.directions().size(), table.directions().size() == 1 ? "" : "s",
+      table.directions().front() / kDegree, table.directions().back() / kDegree, coverage.direction / kDegree,
+      100 * coverage.uncovered);
+  if (coverage.uncovered > max_uncovered) model::refuse(files, where + ": add these directions to the files");
+  if (coverage.uncovered > kSmall) notes.push_back(key + ": " + where);
   const auto beyond = [&](double energy, const char* which, double omega) {
     if (!(energy > kSmall)) return;
     const std::string text = fmt::format(
         "{:.3g} % of the sea's energy has {} periods than the {} of the files, which end at {:.4g} s",
-        100 * energy, which, what, 2 * M_PI / omega);
-    if (sea.size() > 1 && energy > most_beyond)
+        100 * energy, which, quantity, 2 * M_PI / omega);
+    if (sea.size() > 1 && energy > max_beyond)
       model::refuse(files, text + ": add these periods to the files");
     notes.push_back(key + ": " + text +
                     " and are used there as they are at that: add these periods to the files");
   };
-  beyond(share.shorter, "shorter", table.highest());
-  beyond(share.longer, "longer", table.lowest());
+  beyond(coverage.shorter_waves, "shorter", table.highest());
+  beyond(coverage.longer_waves, "longer", table.lowest());
 }
 
 auto reader_of(model::BodyHydrodynamics::Format format) {

@@ -39,9 +39,9 @@ void finish_current(const Value& v, double water_depth, const CaseSource& source
   for (size_t i = 0; i < c.profile.size(); ++i)
     if (!rows || !rows->items[i].has("direction_deg")) c.profile[i].direction = v["direction_deg"].number;
   for (size_t i = 1; i < c.profile.size(); ++i)
-    if (const double above = c.profile[i - 1].depth, here = c.profile[i].depth; !(here > above))
+    if (const double above = c.profile[i - 1].depth, depth = c.profile[i].depth; !(depth > above))
       refuse(v["profile"].items[i]["depth"],
-             "depths must increase from row to row, but {:g} m follows {:g} m", here, above);
+             "depths must increase from row to row, but {:g} m follows {:g} m", depth, above);
 }
 
 // Rows of a spectrum; returns its peak period [s].
@@ -115,8 +115,8 @@ void check_stokes(const Value& v, const model::Environment& e, std::vector<std::
 void check_sea_steepness(const Value& v, const model::Environment& e, std::vector<std::string>& notes) {
   const model::Waves& w = e.water.waves;
   if (w.kind != model::Waves::Kind::spectrum) return;
-  const double share = std::clamp((w.peak_period - 8) / 7, 0.0, 1.0);
-  const double steepest = (1 - share) / 15 + share / 25;
+  const double fraction = std::clamp((w.peak_period - 8) / 7, 0.0, 1.0);
+  const double steepest = (1 - fraction) / 15 + fraction / 25;
   const double steepness = 2 * M_PI * w.height / (e.gravity * w.peak_period * w.peak_period);
   if (steepness > steepest)
     notes.push_back(fmt::format(

@@ -146,12 +146,12 @@ class Places {
 };
 
 // Document of a platform, with its changes, checked.
-std::shared_ptr<const Value> document(const Value& of, const FarmPart& part, const std::string& path,
+std::shared_ptr<const Value> document(const Value& key, const FarmPart& part, const std::string& path,
                                       const CaseChanges& changes, const std::vector<std::string>& types,
                                       std::vector<std::string>& change_notes) {
   std::string why;
   const std::string text = case_text(path, why);
-  if (!why.empty()) refuse(of, "{}: {}", part.file, why);
+  if (!why.empty()) refuse(key, "{}: {}", part.file, why);
   const auto tree = std::make_shared<Value>(parse_yaml(text, part.file));
   if (const Value* farm = tree->find("farm"))
     model::fail(part.file, farm->line, "farm",
@@ -168,18 +168,18 @@ bool changes_platform(const std::string& change) { return !platform_change(chang
 
 std::shared_ptr<const Farm> read_farm(const Value& root, const CaseSource& source, const CaseChanges& changes,
                                       std::vector<std::string>& change_notes) try {
-  const auto all_own = [&](const std::string& why) {
+  const auto refuse_changes = [&](const std::string& why) {
     for (const std::string& change : changes)
       if (changes_platform(change)) model::fail(source.file, 0, "", fmt::format("--set {}: {}", change, why));
   };
   if (!root.find("farm")) {
-    all_own("the case has no 'farm'");
+    refuse_changes("the case has no 'farm'");
     return nullptr;
   }
   const auto farm = std::make_shared<Farm>();
   const Value v = checked(root, source.file);
   std::vector<std::string> types;
-  if (const Value* own = root.find("line_types")) types = own->keys;
+  if (const Value* case_types = root.find("line_types")) types = case_types->keys;
   const size_t count = v.kind == Value::Kind::list ? v.items.size() : 1;
   for (const std::string& change : changes)
     if (changes_platform(change) && platform_change(change).first >= count)
@@ -188,17 +188,17 @@ std::shared_ptr<const Farm> read_farm(const Value& root, const CaseSource& sourc
                               count - 1));
   for (size_t k = 0; k < count; ++k) {
     const Value& entry = v.kind == Value::Kind::list ? v.items[k] : v;
-    const Value& of = entry["of"];
+    const Value& file = entry["of"];
     FarmPart part;
-    const std::string path = source.input(of.text);
-    part.given = of.text;
-    part.file = (fs::path(source.file).parent_path() / of.text).lexically_normal().string();
+    const std::string path = source.input(file.text);
+    part.given = file.text;
+    part.file = (fs::path(source.file).parent_path() / file.text).lexically_normal().string();
     part.directory = fs::path(path).parent_path().string();
-    CaseChanges own;
+    CaseChanges platform_changes;
     for (const std::string& change : changes)
       if (const auto [number, text] = platform_change(change); !text.empty() && number == k)
-        own.push_back(text);
-    part.tree = document(of, part, path, own, types, change_notes);
+        platform_changes.push_back(text);
+    part.tree = document(file, part, path, platform_changes, types, change_notes);
     Places(entry, source, *farm, part).read();
     farm->parts.push_back(std::move(part));
   }
@@ -223,7 +223,7 @@ namespace {
 
 // Refuses a platform file whose sea differs from the farm's: mass and buoyancy of floating bodies belong
 // together.
-void check_sea(const FarmPart& part, const model::Environment& own, const model::Case& c) {
+void check_sea(const FarmPart& part, const model::Environment& platform, const model::Case& c) {
   if (!(*part.tree)["environment"].given) return;
   const auto differs = [&](const char* key, double a, double b, const char* unit) {
     if (a == b) return;
@@ -232,14 +232,15 @@ void check_sea(const FarmPart& part, const model::Environment& own, const model:
                 c.file);
   };
   const model::Environment& farm = c.environment;
-  differs("environment.gravity", own.gravity, farm.gravity, " m/s²");
-  if (own.water.present != farm.water.present)
+  differs("environment.gravity", platform.gravity, farm.gravity, " m/s²");
+  if (platform.water.present != farm.water.present)
     model::fail(part.file, part.tree->line_of("environment.water"), "environment.water",
                 "is {} here, but {} in {}: a platform and its farm are in the same water",
-                own.water.present ? "given" : "missing", farm.water.present ? "given" : "missing", c.file);
-  if (!own.water.present) return;
-  differs("environment.water.density", own.water.density, farm.water.density, " kg/m³");
-  differs("environment.water.surface", own.water.surface, farm.water.surface, " m");
+                platform.water.present ? "given" : "missing", farm.water.present ? "given" : "missing",
+                c.file);
+  if (!platform.water.present) return;
+  differs("environment.water.density", platform.water.density, farm.water.density, " kg/m³");
+  differs("environment.water.surface", platform.water.surface, farm.water.surface, " m");
 }
 
 // Refuses a line type that has another definition elsewhere.
@@ -251,10 +252,10 @@ void check_line_types(const FarmPart& part, const model::Case& c) {
     if (!other || &*other == &types.items[i] ||
         model::value_text(*other) == model::value_text(types.items[i]))
       continue;
-    const model::KeyPlace there = model::place_of(c, key);
+    const model::KeyPlace defined = model::place_of(c, key);
     model::fail(part.file, types.items[i].line, key,
-                "is another line type than that of {}:{}; give one of them another name", there.file,
-                there.line);
+                "is another line type than that of {}:{}; give one of them another name", defined.file,
+                defined.line);
   }
 }
 
@@ -262,8 +263,8 @@ void check_line_types(const FarmPart& part, const model::Case& c) {
 void note_unused(const FarmPart& part, const Value& root, std::vector<std::string>& notes) {
   std::vector<std::string> keys;
   for (const char* key : {"contact", "start", "stages", "events"}) {
-    const Value *v = part.tree->find(key), *own = root.find(key);
-    if (v && v->given && !(own && model::value_text(*own) == model::value_text(*v)))
+    const Value *v = part.tree->find(key), *in_case = root.find(key);
+    if (v && v->given && !(in_case && model::value_text(*in_case) == model::value_text(*v)))
       keys.push_back(fmt::format("'{}'", key));
   }
   if (!keys.empty())
@@ -296,11 +297,11 @@ model::Case read_platform(const FarmPart& part, const CaseSource& source, const 
 
 // Section lengths of one place by their keys in the platform file.
 SectionLengths lengths_at(const FarmPlace& place, const SectionLengths& lengths) {
-  SectionLengths own;
+  SectionLengths lengths_of_platform;
   const std::string kind = "lines.", begin = kind + model::placed_name(place, "");
   for (auto at = lengths.lower_bound(begin); at != lengths.end() && at->first.starts_with(begin); ++at)
-    own.emplace(kind + at->first.substr(begin.size()), at->second);
-  return own;
+    lengths_of_platform.emplace(kind + at->first.substr(begin.size()), at->second);
+  return lengths_of_platform;
 }
 
 }  // namespace
@@ -314,11 +315,11 @@ void place_platforms(const Value& root, const CaseSource& source, const SectionL
   OtherRuns others(source);
   const Value* start_of_case = root.find("start");
   for (const FarmPart& part : c.farm->parts) {
-    const CaseSource own{part.file, part.directory, source.comm, source.inputs, source.files};
+    const CaseSource platform_source{part.file, part.directory, source.comm, source.inputs, source.files};
     check_line_types(part, c);
     note_unused(part, root, c.notes);
     model::Seabed bed;
-    const model::Case platform = read_platform(part, own, {}, c, bed);
+    const model::Case platform = read_platform(part, platform_source, {}, c, bed);
     c.line_types = platform.line_types;
     c.notes.insert(c.notes.end(), platform.notes.begin(), platform.notes.end());
     const Value &bodies = (*part.tree)["bodies"], &lines = (*part.tree)["lines"];
@@ -328,10 +329,10 @@ void place_platforms(const Value& root, const CaseSource& source, const SectionL
       if (changed.empty())
         model::place_platform(platform, bed, place, c);
       else
-        model::place_platform(read_platform(part, own, changed, c, bed), bed, place, c);
+        model::place_platform(read_platform(part, platform_source, changed, c, bed), bed, place, c);
       try {
         for (size_t i = 0; i < bodies.items.size(); ++i)
-          meet_sea(*model::Entry(bodies, i), own, c.bodies[body + i], c);
+          meet_sea(*model::Entry(bodies, i), platform_source, c.bodies[body + i], c);
       } catch (const model::Refusal& r) {
         model::fail(part.file, r.line, model::placed_key(place, r.where), r.what());
       }

@@ -113,13 +113,13 @@ void finish_target(const Value& v, const Value& sections, model::LengthTarget& t
   }
   const double given = length(t.section);
   if (!v.has("between")) {
-    t.least = 0.5 * given;
-    t.most = 1.5 * given;
+    t.min_length = 0.5 * given;
+    t.max_length = 1.5 * given;
   }
-  if (!(t.least < given && given < t.most))
+  if (!(t.min_length < given && given < t.max_length))
     refuse(v["between"],
            "the search begins with the length of section {}, {:g} m, which is not between {:g} and {:g} m",
-           t.section + 1, given, t.least, t.most);
+           t.section + 1, given, t.min_length, t.max_length);
 }
 
 }  // namespace

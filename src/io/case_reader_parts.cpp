@@ -75,8 +75,8 @@ std::string other_units(double size, const SizeLimits& limits, const model::Case
       const double d = c.line_type(s.type).contact_diameter;
       thin = thin > 0 ? std::min(thin, d) : d;
     }
-  const bool beside = thin > 0 && (size > limits.most_thin * thin || size < limits.least_thin * thin);
-  if (size <= limits.most && !beside) return "";
+  const bool beside = thin > 0 && (size > limits.max_ratio * thin || size < limits.min_ratio * thin);
+  if (size <= limits.max && !beside) return "";
   return fmt::format("is {:.4g} m large{}; is it in other units than metres?", size,
                      thin > 0
                          ? fmt::format(", {:.3g} times the contact diameter of the thinnest line ({:.4g} m)",
@@ -127,21 +127,21 @@ void note_overshoot(const model::TableMotion& m, const std::string& key, std::ve
                              180 / std::numbers::pi}};
   RowCurve::Overshoot worst;
   const Column* column = nullptr;
-  double worst_share = 0;
+  double worst_ratio = 0;
   size_t places = 0;
   for (const Column& k : columns) {
     if (k.rows.empty()) continue;
-    Vec3 least = k.rows.front(), most = least;
+    Vec3 lowest = k.rows.front(), highest = lowest;
     for (const Vec3& x : k.rows) {
-      least = least.cwiseMin(x);
-      most = most.cwiseMax(x);
+      lowest = lowest.cwiseMin(x);
+      highest = highest.cwiseMax(x);
     }
     for (const RowCurve::Overshoot& o : RowCurve(m.time, k.rows, m.between).overshoots(kOvershoot)) {
       ++places;
-      const double span = most[o.component] - least[o.component], share = span > 0 ? o.excess / span : 0;
-      if (share > worst_share) {
+      const double span = highest[o.component] - lowest[o.component], ratio = span > 0 ? o.excess / span : 0;
+      if (ratio > worst_ratio) {
         worst = o;
-        worst_share = share;
+        worst_ratio = ratio;
         column = &k;
       }
     }
@@ -153,7 +153,7 @@ void note_overshoot(const model::TableMotion& m, const std::string& key, std::ve
       "({:.3g} % of what the rows span) beyond both{}; if the body does not do that, give more rows there or "
       "'interpolation: monotone'",
       key, before, after, column->names[worst.component], worst.value * column->factor, column->unit,
-      worst.time, worst.excess * column->factor, column->unit, 100 * worst_share,
+      worst.time, worst.excess * column->factor, column->unit, 100 * worst_ratio,
       places > 1 ? fmt::format(", and so in {} other place{}", places - 1, places > 2 ? "s" : "") : ""));
 }
 

@@ -34,10 +34,10 @@ Material material(const Value& v) {
 double area(double d, double D) { return M_PI / 4 * (D - d) * (D + d); }
 double polar(double d, double D) { return area(d, D) / 8 * (D * D + d * d); }
 
-void only(const Value& v, const char* by, std::initializer_list<const char*> keys) {
+void only(const Value& v, const char* given_key, std::initializer_list<const char*> keys) {
   for (const char* key : keys)
     if (const Value* k = v.find(key); k && k->given)
-      refuse(*k, "'{}' already defines it; remove one of them", by);
+      refuse(*k, "'{}' already defines it; remove one of them", given_key);
 }
 
 // Properties for pipe code checks; unused without a grade.

@@ -25,11 +25,11 @@ constexpr double kWideGap = 100;     // deg; a wider gap between directions miss
 
 // True if a table declared as one side has rows of both sides.
 bool both_sides(const std::vector<RaoTable::Row>& rows) {
-  const auto on = [&](double sign) {
+  const auto has_direction = [&](double sign) {
     return std::any_of(rows.begin(), rows.end(),
                        [&](const RaoTable::Row& r) { return sign * std::sin(r.direction) > 1e-9; });
   };
-  return on(1) && on(-1);
+  return has_direction(1) && has_direction(-1);
 }
 
 RaoTable read_table(const model::Value& rao, double gravity, const CaseSource& source,
@@ -145,17 +145,17 @@ void check_reach(const RaoTable& table, const WaveField& waves, double bow, cons
 void check_phases(const RaoTable& table, const WaveField& waves, double bow, const std::string& key,
                   std::vector<std::string>& notes) {
   constexpr double kReportedShare = 0.01;  // of the sea's energy
-  std::map<RaoTable::Turn, double> found;
+  std::map<RaoTable::Turn, double> turns;
   double all = 0;
   for (const WaveComponent& w : waves.components()) {
     const double energy = w.amplitude * w.amplitude;
     all += energy;
-    for (const RaoTable::Turn& t : table.turns(w.omega, std::atan2(w.y, w.x) - bow)) found[t] += energy;
+    for (const RaoTable::Turn& t : table.turns(w.omega, std::atan2(w.y, w.x) - bow)) turns[t] += energy;
   }
-  std::erase_if(found, [&](const auto& f) { return f.second < kReportedShare * all; });
-  if (found.empty()) return;
+  std::erase_if(turns, [&](const auto& f) { return f.second < kReportedShare * all; });
+  if (turns.empty()) return;
   const auto& [t, energy] = *std::max_element(
-      found.begin(), found.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+      turns.begin(), turns.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   const double unit = t.freedom < 3 ? 1 : kDegree;
   const char* name = t.freedom < 3 ? "m/m" : "deg/m";
   notes.push_back(
@@ -166,8 +166,8 @@ void check_phases(const RaoTable& table, const WaveField& waves, double bow, con
                   "{:.3g} {} there{}; if the vessel's does not, give rows between them",
                   key, t.direction / kDegree, kFreedomNames[t.freedom], t.angle / kDegree, 2 * M_PI / t.to,
                   2 * M_PI / t.from, 100 * energy / all, t.ends / unit, t.smallest / unit, name,
-                  found.size() > 1 ? fmt::format(" (and so in {} other place{} of the table)",
-                                                 found.size() - 1, found.size() > 2 ? "s" : "")
+                  turns.size() > 1 ? fmt::format(" (and so in {} other place{} of the table)",
+                                                 turns.size() - 1, turns.size() > 2 ? "s" : "")
                                    : ""));
 }
 

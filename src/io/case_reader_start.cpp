@@ -75,34 +75,34 @@ std::shared_ptr<const model::PreviousShape> OtherRuns::shape(const Value& start,
     refuse(at, "{} has no line {}{} (lines: {})", r.path, model::quote(name),
            model::did_you_mean(name, r.lines), fmt::join(r.lines, ", "));
   }
-  auto left = std::make_shared<model::PreviousShape>();
-  left->file = r.path;
+  auto shape = std::make_shared<model::PreviousShape>();
+  shape->file = r.path;
   parted_ = false;
-  add_shape(r, found->second, *left);
+  add_shape(r, found->second, *shape);
   // A line that the other run cuts consists of parts, which are connected until the cut.
   for (int k = 2;; ++k) {
     const auto part = r.number.find(fmt::format("{} part {}", name, k));
     if (part == r.number.end()) break;
     model::PreviousShape next;
     add_shape(r, part->second, next);
-    parted_ = (next.position.front() - left->position.back()).norm() > kTogether * next.arc.back();
+    parted_ = (next.position.front() - shape->position.back()).norm() > kTogether * next.arc.back();
     if (parted_) break;
-    const double end = left->arc.back();
+    const double end = shape->arc.back();
     for (size_t n = 1; n < next.arc.size(); ++n) {
-      left->arc.push_back(end + next.arc[n]);
-      left->position.push_back(next.position[n]);
-      if (n < next.rotation.size()) left->rotation.push_back(next.rotation[n]);
+      shape->arc.push_back(end + next.arc[n]);
+      shape->position.push_back(next.position[n]);
+      if (n < next.rotation.size()) shape->rotation.push_back(next.rotation[n]);
     }
   }
-  if (left->rotation.size() != left->arc.size()) left->rotation.clear();
-  return left;
+  if (shape->rotation.size() != shape->arc.size()) shape->rotation.clear();
+  return shape;
 }
 
-void OtherRuns::add_shape(const Run& r, size_t line, model::PreviousShape& left) {
+void OtherRuns::add_shape(const Run& r, size_t line, model::PreviousShape& shape) {
   const size_t first = static_cast<size_t>(r.first[line]), count = static_cast<size_t>(r.count[line]);
   for (size_t n = first; n < first + count; ++n) {
-    left.arc.push_back(r.arc[n]);
-    left.position.push_back(Eigen::Map<const Vec3>(r.position.data() + 3 * n));
+    shape.arc.push_back(r.arc[n]);
+    shape.position.push_back(Eigen::Map<const Vec3>(r.position.data() + 3 * n));
     if (r.axes.empty()) continue;
     const Eigen::Map<const Vec3> a(r.axes[0].data() + 3 * n), b(r.axes[1].data() + 3 * n);
     if (!(a.norm() > 0.5) || !(b.norm() > 0.5)) continue;  // a cable
@@ -110,24 +110,24 @@ void OtherRuns::add_shape(const Run& r, size_t line, model::PreviousShape& left)
     R.col(0) = a.normalized();
     R.col(1) = (b - R.col(0).dot(b) * R.col(0)).normalized();
     R.col(2) = R.col(0).cross(R.col(1));
-    left.rotation.push_back(Quat(R));
+    shape.rotation.push_back(Quat(R));
   }
 }
 
 void check_previous_shape(const model::Line& line, const Value& at, const std::string& key, bool parted,
                           std::vector<std::string>& notes) {
   constexpr double kSame = 1e-6, kMost = 0.2;  // of the length
-  const double here = model::length_of(line), there = line.previous_shape->arc.back();
-  if (std::abs(here - there) > kMost * here)
-    refuse_key(at, key, "the line is {:g} m long, but {:g} m in {}; they may differ by {:g} %{}", here, there,
-               line.previous_shape->file, 100 * kMost,
+  const double length = model::length_of(line), previous_length = line.previous_shape->arc.back();
+  if (std::abs(length - previous_length) > kMost * length)
+    refuse_key(at, key, "the line is {:g} m long, but {:g} m in {}; they may differ by {:g} %{}", length,
+               previous_length, line.previous_shape->file, 100 * kMost,
                parted ? ". It is cut there, and its parts have come apart: give a 'time' before that, or "
                         "make each part a line"
                       : "");
-  if (std::abs(here - there) > kSame * here)
+  if (std::abs(length - previous_length) > kSame * length)
     notes.push_back(fmt::format(
         "{}: the line is {:g} m long and was {:g} m in {}; its shape is taken by share of the length", key,
-        here, there, line.previous_shape->file));
+        length, previous_length, line.previous_shape->file));
 }
 
 }  // namespace hawser::io

@@ -135,9 +135,9 @@ class Group {
   void box(const PlacedSupport& p) {
     const Value& e = *p.entry;
     const bool v = e["type"].is("V"), flat = e["type"].is("flat");
-    const auto only = [&](const char* key, bool wanted, const char* of) {
+    const auto only = [&](const char* key, bool wanted, const char* types) {
       if (e.has(key) && !wanted)
-        refuse(e[key], "a support of type '{}' has none; remove it, or choose {}", e["type"].text, of);
+        refuse(e[key], "a support of type '{}' has none; remove it, or choose {}", e["type"].text, types);
       if (!e.has(key) && wanted)
         refuse_key(e, e.where + "." + key, "required key is missing: a support of type '{}' needs it",
                    e["type"].text);
@@ -161,12 +161,12 @@ class Group {
              length, radius_, needed, angle * 180 / M_PI);
     b.rise = (r + radius_) / std::cos(angle);
     b.at = p.at.at + b.rise * b.up;
-    if (const Value* on = v_.find("on")) b.body = carry(b, *on);
+    if (const Value* lines = v_.find("on")) b.body = carry(b, *lines);
     b.half_width = v ? length * std::cos(angle) : 0.5 * length;
     b.first = c_.volumes.size();
     const Vec3 left = b.left(), base = p.at.at;
-    const auto roller = [&](const char* what, const Vec3& from, const Vec3& to) {
-      b.rollers.emplace_back(what);
+    const auto roller = [&](const char* name, const Vec3& from, const Vec3& to) {
+      b.rollers.emplace_back(name);
       c_.volumes.push_back(volume(b, e, CylinderShape{from, to, r}));
     };
     if (v) {
@@ -199,7 +199,7 @@ class Group {
 
   // Adds a body that carries box b, attached to the nearest point of the lines of a structure, each straight
   // between its ends, with the axes of the group's body at the start. Returns its name.
-  std::string carry(const SupportBox& b, const Value& on) {
+  std::string carry(const SupportBox& b, const Value& lines) {
     RigidPose pose;
     if (const int body = c_.body_index(b.body); body >= 0) {
       if (c_.rides(body))
@@ -217,7 +217,7 @@ class Group {
       refuse(v_, "the body of one of its boxes is called '{}' as another is; give the group another name",
              o.name);
     double nearest = HUGE_VAL;
-    for (const Value& name : on.items) {
+    for (const Value& name : lines.items) {
       const model::Line& line = c_.line(name.text);
       if (line.name == line_.name || line.end_a.kind == model::EndKind::free ||
           line.end_b.kind == model::EndKind::free)
@@ -226,11 +226,11 @@ class Group {
                    line.name == line_.name ? "is laid over these supports itself" : "has a free end");
       const Vec3 a = model::end_position(c_, line.end_a);
       const Vec3 end = model::end_position(c_, line.end_b);
-      const double share = nearest_fraction(place, a, end);
-      const double away = (a + share * (end - a) - place).norm();
-      if (away < nearest) {
-        nearest = away;
-        o.on = model::Ride{line.name, share * model::length_of(line), true};
+      const double fraction = nearest_fraction(place, a, end);
+      const double distance = (a + fraction * (end - a) - place).norm();
+      if (distance < nearest) {
+        nearest = distance;
+        o.ride = model::Ride{line.name, fraction * model::length_of(line), true};
       }
     }
     c_.bodies.push_back(std::move(o));

@@ -41,10 +41,10 @@ std::string describe(const Checkpoint& c, int nodes_total) {
 void agree(MPI_Comm comm, bool valid, const std::string& names) {
   std::uint64_t hash = checkpoint_sum(names, 0, 0);
   // All ranks have the same hash if and only if the largest hash and the largest complement match.
-  std::uint64_t most[3] = {hash, ~hash, valid ? 0u : 1u};
-  MPI_Allreduce(MPI_IN_PLACE, most, 3, MPI_UINT64_T, MPI_MAX, comm);
-  if (most[0] != ~most[1]) throw std::logic_error("checkpoint: names differ between ranks");
-  if (most[2]) throw std::logic_error("checkpoint: values do not belong to the owned nodes");
+  std::uint64_t extremes[3] = {hash, ~hash, valid ? 0u : 1u};
+  MPI_Allreduce(MPI_IN_PLACE, extremes, 3, MPI_UINT64_T, MPI_MAX, comm);
+  if (extremes[0] != ~extremes[1]) throw std::logic_error("checkpoint: names differ between ranks");
+  if (extremes[2]) throw std::logic_error("checkpoint: values do not belong to the owned nodes");
 }
 
 // Number of nodes whose records are passed at a time: a fixed fraction of all, so that terms that scan all
@@ -139,9 +139,9 @@ class CheckpointWriter {
     std::vector<double> begins;  // offset of the records of each owned node
     begins.reserve(owned_.size());
     const int some = nodes_at_a_time(nodes_total_);
-    for (NodeRange of{0, some}; of.first < nodes_total_; of = {of.end, of.end + some}) {
-      if (kept.make) kept.records = kept.make(of);
-      put_records_of(of, kept.records, head + 1, begins);
+    for (NodeRange range{0, some}; range.first < nodes_total_; range = {range.end, range.end + some}) {
+      if (kept.make) kept.records = kept.make(range);
+      put_records_of(range, kept.records, head + 1, begins);
     }
     put_from_root(head, {static_cast<double>(at_ - head - 1)});
     if (at_ > head + 1) put_by_node(begins, 1);
@@ -155,17 +155,17 @@ class CheckpointWriter {
 
  private:
   // Records of a range of nodes, by node, kind and key. first: offset of the first record of the term.
-  void put_records_of(NodeRange of, const std::vector<CheckpointRecord>& records, long long first,
+  void put_records_of(NodeRange range, const std::vector<CheckpointRecord>& records, long long first,
                       std::vector<double>& begins) {
-    const std::vector<const CheckpointRecord*> sorted = sorted_records(of, records);
-    std::vector<long long> start = starts_of_nodes(of, sorted);
-    for (auto n = std::lower_bound(owned_.begin(), owned_.end(), of.first); n != owned_.end() && of.has(*n);
-         ++n)
-      begins.push_back(static_cast<double>(at_ - first + start[*n - of.first]));
+    const std::vector<const CheckpointRecord*> sorted = sorted_records(range, records);
+    std::vector<long long> start = starts_of_nodes(range, sorted);
+    for (auto n = std::lower_bound(owned_.begin(), owned_.end(), range.first);
+         n != owned_.end() && range.has(*n); ++n)
+      begins.push_back(static_cast<double>(at_ - first + start[*n - range.first]));
     std::vector<RowRun> runs;
     std::vector<double> values;
     for (const CheckpointRecord* r : sorted) {
-      long long& to = start[r->node - of.first];
+      long long& to = start[r->node - range.first];
       const long long length = length_of(*r);
       if (runs.empty() || runs.back().first + runs.back().count != at_ + to) runs.push_back({at_ + to, 0});
       runs.back().count += length;
@@ -182,20 +182,20 @@ class CheckpointWriter {
     return kCheckpointRecordHead + std::ssize(r.values);
   }
 
-  static std::vector<const CheckpointRecord*> sorted_records(NodeRange of,
+  static std::vector<const CheckpointRecord*> sorted_records(NodeRange range,
                                                              const std::vector<CheckpointRecord>& records) {
     std::vector<const CheckpointRecord*> sorted;
     for (const CheckpointRecord& r : records)
-      if (of.has(r.node)) sorted.push_back(&r);
+      if (range.has(r.node)) sorted.push_back(&r);
     std::ranges::stable_sort(sorted, {}, [](const CheckpointRecord* r) { return checkpoint_place(*r); });
     return sorted;
   }
 
   // Offset of the records of each node of a range, over all ranks; the last is their end.
-  std::vector<long long> starts_of_nodes(NodeRange of,
+  std::vector<long long> starts_of_nodes(NodeRange range,
                                          const std::vector<const CheckpointRecord*>& records) const {
-    std::vector<long long> start(static_cast<size_t>(of.end - of.first) + 1, 0);
-    for (const CheckpointRecord* r : records) start[r->node - of.first + 1] += length_of(*r);
+    std::vector<long long> start(static_cast<size_t>(range.end - range.first) + 1, 0);
+    for (const CheckpointRecord* r : records) start[r->node - range.first + 1] += length_of(*r);
     all_reduce(comm_, MPI_SUM, start);
     for (size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
     return start;

@@ -69,11 +69,11 @@ void broadcast(MPI_Comm comm, Slot& slot) {
 bool complete(MPI_Comm comm, hid_t file, const Slot& slot) {
   constexpr long long kPiece = 1 << 17;  // numbers in memory at a time
   const long long ranks = ranks_of(comm), rank = rank_of(comm);
-  const long long share = (slot.size + ranks - 1) / ranks;
-  const long long end = std::min(slot.size, (rank + 1) * share);
+  const long long part_of_rank = (slot.size + ranks - 1) / ranks;
+  const long long end = std::min(slot.size, (rank + 1) * part_of_rank);
   std::uint64_t sum = 0;
   on_each(comm, [&] {
-    for (long long at = rank * share; at < end; at += kPiece) {
+    for (long long at = rank * part_of_rank; at < end; at += kPiece) {
       const long long count = std::min(kPiece, end - at);
       const std::vector<double> values = h5::read_part(file, place_of(slot.sequence) + "values",
                                                        static_cast<hsize_t>(at), static_cast<hsize_t>(count));
@@ -141,22 +141,22 @@ Contents contents_of(const std::string& index, int nodes_total) {
   return c;
 }
 
-// A number of the array as an integer between 0 and `most`.
-long long count_of(double number, long long most) {
-  if (!(number >= 0 && number <= static_cast<double>(most))) throw damaged(number);
+// A number of the array as an integer between 0 and `limit`.
+long long count_of(double number, long long limit) {
+  if (!(number >= 0 && number <= static_cast<double>(limit))) throw damaged(number);
   return static_cast<long long>(number);
 }
 
 // Appends the records in `values`, which belong to the nodes `of`.
-void add_records(const std::vector<double>& values, NodeRange of, std::vector<CheckpointRecord>& list) {
+void add_records(const std::vector<double>& values, NodeRange range, std::vector<CheckpointRecord>& list) {
   constexpr long long kMostKinds = 100;  // kinds of records per term
   size_t at = 0;
   const auto next = [&] { return at < values.size() ? values[at++] : throw damaged(0); };
   while (at < values.size()) {
     CheckpointRecord r;
     const double node = next();
-    r.node = static_cast<int>(count_of(node, of.end - 1));
-    if (!of.has(r.node)) throw damaged(node);
+    r.node = static_cast<int>(count_of(node, range.end - 1));
+    if (!range.has(r.node)) throw damaged(node);
     r.kind = static_cast<int>(count_of(next(), kMostKinds));
     r.key = static_cast<int>(next());
     r.values.resize(static_cast<size_t>(count_of(next(), std::ssize(values))));
@@ -198,8 +198,8 @@ Checkpoint unpack_checkpoint(const std::string& index, long long size, int nodes
     for (const RowRun& run : runs) {
       if (length == 0) break;
       const bool last = run.first + run.count == nodes_total;  // its records extend to the end
-      const std::vector<double> of = part(begins + run.first, run.count + (last ? 0 : 1));
-      const long long end = last ? length : count_of(of.back(), length), first = count_of(of[0], end);
+      const std::vector<double> starts = part(begins + run.first, run.count + (last ? 0 : 1));
+      const long long end = last ? length : count_of(starts.back(), length), first = count_of(starts[0], end);
       const NodeRange nodes{static_cast<int>(run.first), static_cast<int>(run.first + run.count)};
       add_records(part(records + first, end - first), nodes, c.records[name].records);
     }

@@ -9,24 +9,25 @@
 namespace hawser::io {
 
 ContactPlaces contact_places(MPI_Comm comm, const std::vector<ContactRows>& outputs, long long before) {
-  std::vector<long long> mine;
-  for (const ContactRows& rows : outputs) mine.push_back(std::ssize(rows));
-  std::vector<long long> of_lower_ranks(mine.size());
-  MPI_Exscan(mine.data(), of_lower_ranks.data(), static_cast<int>(mine.size()), MPI_LONG_LONG, MPI_SUM, comm);
+  std::vector<long long> local;
+  for (const ContactRows& rows : outputs) local.push_back(std::ssize(rows));
+  std::vector<long long> of_lower_ranks(local.size());
+  MPI_Exscan(local.data(), of_lower_ranks.data(), static_cast<int>(local.size()), MPI_LONG_LONG, MPI_SUM,
+             comm);
   // MPI_Exscan leaves the values of rank 0 undefined.
   if (rank_of(comm) == 0) std::fill(of_lower_ranks.begin(), of_lower_ranks.end(), 0);
   ContactPlaces out;
-  out.counts = mine;
+  out.counts = local;
   all_reduce(comm, MPI_SUM, out.counts);
   out.last = before;
-  for (size_t k = 0; k < mine.size(); ++k) {
+  for (size_t k = 0; k < local.size(); ++k) {
     const long long first = out.last + of_lower_ranks[k];
     out.last += out.counts[k];
     out.counts[k] = out.last;
-    if (mine[k] == 0) continue;
+    if (local[k] == 0) continue;
     if (out.runs.empty() || out.runs.back().first + out.runs.back().count != first)
       out.runs.push_back({first, 0});
-    out.runs.back().count += mine[k];
+    out.runs.back().count += local[k];
   }
   out.any = out.last > before;
   return out;
@@ -48,8 +49,9 @@ void write_contacts(SharedFile& file, long long output, const std::vector<Contac
     file.write_runs(kContactPositions, H5T_NATIVE_DOUBLE, -1, at.runs, positions.data());
     file.write_runs(kContactForces, H5T_NATIVE_FLOAT, -1, at.runs, forces.data());
   }
-  const bool here = file.rank() == 0;
-  file.write_rows(kContactCounts, H5T_NATIVE_LLONG, output, std::ssize(at.counts), here, at.counts.data());
+  const bool contributes = file.rank() == 0;
+  file.write_rows(kContactCounts, H5T_NATIVE_LLONG, output, std::ssize(at.counts), contributes,
+                  at.counts.data());
 }
 
 long long contact_room(const ResultContents& c) {

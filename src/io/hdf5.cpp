@@ -14,11 +14,11 @@ herr_t first_reason(unsigned n, const H5E_error2_t* e, void* out) {
   return 0;
 }
 
-[[noreturn]] void fail(const std::string& what) {
+[[noreturn]] void fail(const std::string& operation) {
   std::string reason;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, first_reason, &reason);
   H5Eclear2(H5E_DEFAULT);
-  throw std::runtime_error(reason.empty() ? what : what + " (" + reason + ")");
+  throw std::runtime_error(reason.empty() ? operation : operation + " (" + reason + ")");
 }
 
 Id text_type(size_t length) {
@@ -53,12 +53,12 @@ Id creation_list() {
 
 }  // namespace
 
-void check(herr_t status, const std::string& what) {
-  if (status < 0) fail(what);
+void check(herr_t status, const std::string& operation) {
+  if (status < 0) fail(operation);
 }
 
-Id own(hid_t id, herr_t (*close)(hid_t), const std::string& what) {
-  if (id < 0) fail(what);
+Id own(hid_t id, herr_t (*close)(hid_t), const std::string& operation) {
+  if (id < 0) fail(operation);
   return {id, close};
 }
 

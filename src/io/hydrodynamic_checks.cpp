@@ -16,9 +16,9 @@ using model::HydrodynamicData;
 
 // Largest magnitude of each diagonal entry of added mass.
 Eigen::VectorXd largest_diagonal(const HydrodynamicData& data) {
-  Eigen::VectorXd most = Eigen::VectorXd::Zero(6 * data.bodies);
-  for (const Eigen::MatrixXd& A : data.added_mass) most = most.cwiseMax(A.diagonal().cwiseAbs());
-  return most;
+  Eigen::VectorXd largest = Eigen::VectorXd::Zero(6 * data.bodies);
+  for (const Eigen::MatrixXd& A : data.added_mass) largest = largest.cwiseMax(A.diagonal().cwiseAbs());
+  return largest;
 }
 
 // At infinite frequency the water moves with the body and the added mass is nonnegative. At single
@@ -83,7 +83,7 @@ void check_ogilvie(const HydrodynamicData& data, bool has_infinite, const Eigen:
     above_infinite.push_back(added_mass_by_damping(data.omega, damping, data.omega[k]));
   }
   if (rows.size() < 3) return;
-  double apart = 0, varies = 0;
+  double differs = 0, varies = 0;
   for (Eigen::Index i = 0; i < scale.size(); ++i) {
     if (!(scale[i] > 0)) continue;
     std::vector<double> infinite, added;
@@ -104,45 +104,45 @@ void check_ogilvie(const HydrodynamicData& data, bool has_infinite, const Eigen:
     const double of_added = spread(added, mean(added));
     if (of_added < kVaries * std::abs(mean(added))) continue;
     varies += of_added;
-    apart += spread(infinite, has_infinite ? data.infinite(i, i) / scale[i] : mean(infinite));
+    differs += spread(infinite, has_infinite ? data.infinite(i, i) / scale[i] : mean(infinite));
   }
-  if (apart > kApart * varies)
+  if (differs > kApart * varies)
     notes.push_back(
         fmt::format("{}: added mass and damping do not belong together: by Ogilvie's relation each frequency "
                     "yields the added mass at infinite frequency, and these values differ by {:.0f} % of the "
                     "range of the added mass",
-                    data.radiation_file, 100 * apart / varies));
+                    data.radiation_file, 100 * differs / varies));
 }
 
 // Deviation of each value from linear interpolation between its neighbours, 0 if it lies between them; 0 for
 // the first and the last.
-std::vector<double> off_line(const HydrodynamicData& data, const std::vector<Eigen::MatrixXd>& of,
+std::vector<double> off_line(const HydrodynamicData& data, const std::vector<Eigen::MatrixXd>& matrices,
                              Eigen::Index i, Eigen::Index j) {
   std::vector<double> off(data.omega.size(), 0);
   for (size_t k = 1; k + 1 < off.size(); ++k) {
-    const double share = (data.omega[k] - data.omega[k - 1]) / (data.omega[k + 1] - data.omega[k - 1]);
-    const double before = of[k - 1](i, j), here = of[k](i, j), after = of[k + 1](i, j);
-    if (here > std::max(before, after) || here < std::min(before, after))
-      off[k] = std::abs(here - (1 - share) * before - share * after);
+    const double fraction = (data.omega[k] - data.omega[k - 1]) / (data.omega[k + 1] - data.omega[k - 1]);
+    const double before = matrices[k - 1](i, j), value = matrices[k](i, j), after = matrices[k + 1](i, j);
+    if (value > std::max(before, after) || value < std::min(before, after))
+      off[k] = std::abs(value - (1 - fraction) * before - fraction * after);
   }
   return off;
 }
 
 // Notes a single value far from its neighbours in an otherwise smooth series.
-void note_wild(const HydrodynamicData& data, const std::vector<Eigen::MatrixXd>& of, const char* what,
-               std::vector<std::string>& notes) {
+void note_wild(const HydrodynamicData& data, const std::vector<Eigen::MatrixXd>& matrices,
+               const char* quantity, std::vector<std::string>& notes) {
   // Fraction of the diagonal. Well-resolved peaks of semi-submersibles deviate by a tenth.
   constexpr double kFar = 0.3, kTimes = 4;
   if (data.omega.size() < 8) return;
   Eigen::VectorXd scale = Eigen::VectorXd::Zero(6 * data.bodies);
-  for (const Eigen::MatrixXd& m : of) scale = scale.cwiseMax(m.diagonal().cwiseAbs());
+  for (const Eigen::MatrixXd& m : matrices) scale = scale.cwiseMax(m.diagonal().cwiseAbs());
   int count = 0;
-  double most = 0;
+  double largest = 0;
   std::string text;
   for (Eigen::Index i = 0; i < scale.size(); ++i)
     for (Eigen::Index j = i; j < scale.size(); ++j) {
       const double size = std::sqrt(scale[i] * scale[j]);
-      const std::vector<double> off = off_line(data, of, i, j);
+      const std::vector<double> off = off_line(data, matrices, i, j);
       const auto worst = static_cast<size_t>(std::max_element(off.begin(), off.end()) - off.begin());
       if (!(off[worst] > kFar * size)) continue;
       double next = 0;
@@ -150,12 +150,12 @@ void note_wild(const HydrodynamicData& data, const std::vector<Eigen::MatrixXd>&
         if (k + 1 < worst || k > worst + 1) next = std::max(next, off[k]);
       if (off[worst] < kTimes * next) continue;
       ++count;
-      if (off[worst] < most * size) continue;
-      most = off[worst] / size;
+      if (off[worst] < largest * size) continue;
+      largest = off[worst] / size;
       text = fmt::format("{}: {} of {} at {:.5g} s, {:.4g}, is far from its neighbours, {:.4g} and {:.4g}",
-                         data.radiation_file, what, modes_text(static_cast<int>(i), static_cast<int>(j)),
-                         2 * M_PI / data.omega[worst], of[worst](i, j), of[worst + 1](i, j),
-                         of[worst - 1](i, j));
+                         data.radiation_file, quantity, modes_text(static_cast<int>(i), static_cast<int>(j)),
+                         2 * M_PI / data.omega[worst], matrices[worst](i, j), matrices[worst + 1](i, j),
+                         matrices[worst - 1](i, j));
     }
   if (count > 1) text += fmt::format(" (and {} more)", count - 1);
   if (count > 0)

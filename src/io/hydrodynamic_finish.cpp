@@ -23,13 +23,14 @@ struct Weighted {
 };
 
 // The value with half of the weight on each side. Reorders.
-double median(std::vector<Weighted>& of) {
-  std::sort(of.begin(), of.end(), [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
-  double left = 0;
-  for (const Weighted& w : of) left += w.weight;
-  for (const Weighted& w : of)
-    if ((left -= 2 * w.weight) <= 0) return w.value;
-  return of.back().value;
+double median(std::vector<Weighted>& values) {
+  std::sort(values.begin(), values.end(),
+            [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
+  double remaining = 0;
+  for (const Weighted& w : values) remaining += w.weight;
+  for (const Weighted& w : values)
+    if ((remaining -= 2 * w.weight) <= 0) return w.value;
+  return values.back().value;
 }
 
 // A(inf) = A(omega) - (2/pi) PV int_0^inf B(u)/(u² - omega²) du (Kotik and Mangulis 1962), of each entry the
@@ -40,14 +41,14 @@ double median(std::vector<Weighted>& of) {
 void estimate_infinite(HydrodynamicData& data, std::vector<std::string>& notes) {
   const Eigen::Index n = 6 * data.bodies;
   const size_t rows = data.omega.size(), used = std::max<size_t>(rows - 1, 1);
-  Eigen::MatrixXd damping(rows, n * n), found(used, n * n);
+  Eigen::MatrixXd damping(rows, n * n), integrals(used, n * n);
   for (size_t k = 0; k < rows; ++k) damping.row(static_cast<Eigen::Index>(k)) = data.damping[k].reshaped();
-  Eigen::VectorXd share(used);
+  Eigen::VectorXd weight(used);
   for (size_t k = 0; k < used; ++k) {
     const double omega = data.omega[k];
     const double before = data.omega[k > 0 ? k - 1 : 0], after = data.omega[std::min(k + 1, used - 1)];
-    share[static_cast<Eigen::Index>(k)] = std::log((omega + after) / (before + omega));
-    found.row(static_cast<Eigen::Index>(k)) =
+    weight[static_cast<Eigen::Index>(k)] = std::log((omega + after) / (before + omega));
+    integrals.row(static_cast<Eigen::Index>(k)) =
         data.added_mass[k].reshaped().transpose() - added_mass_by_damping(data.omega, damping, omega);
   }
   data.infinite.resize(n, n);
@@ -55,7 +56,7 @@ void estimate_infinite(HydrodynamicData& data, std::vector<std::string>& notes) 
   for (Eigen::Index entry = 0; entry < n * n; ++entry) {
     for (size_t k = 0; k < used; ++k) {
       const auto row = static_cast<Eigen::Index>(k);
-      by_row[k] = {found(row, entry), share[row]};
+      by_row[k] = {integrals(row, entry), weight[row]};
     }
     data.infinite.reshaped()[entry] = median(by_row);
   }
@@ -76,11 +77,11 @@ void make_passive(HydrodynamicData& data, std::vector<std::string>& notes) {
   const Eigen::Index n = data.infinite.rows();
   Eigen::VectorXd scale(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    double most = std::abs(data.infinite(i, i));
-    for (const Eigen::MatrixXd& A : data.added_mass) most = std::max(most, std::abs(A(i, i)));
-    scale[i] = most > 0 ? std::sqrt(most) : 1;
+    double largest = std::abs(data.infinite(i, i));
+    for (const Eigen::MatrixXd& A : data.added_mass) largest = std::max(largest, std::abs(A(i, i)));
+    scale[i] = largest > 0 ? std::sqrt(largest) : 1;
   }
-  double taken = 0, all = 0, worst = 0, period = 0, before = 0;
+  double negative_area = 0, all = 0, worst = 0, period = 0, before = 0;
   for (size_t k = 0; k < data.omega.size(); ++k) {
     Eigen::MatrixXd& B = data.damping[k];
     const Eigen::MatrixXd scaled = scale.cwiseInverse().asDiagonal() * B * scale.cwiseInverse().asDiagonal();
@@ -88,7 +89,7 @@ void make_passive(HydrodynamicData& data, std::vector<std::string>& notes) {
     const Eigen::VectorXd positive = modes.eigenvalues().cwiseMax(0);
     const double negative = (positive - modes.eigenvalues()).sum(), width = data.omega[k] - before;
     before = data.omega[k];
-    taken += width * negative;
+    negative_area += width * negative;
     all += width * positive.sum();
     if (negative > worst) {
       worst = negative;
@@ -98,27 +99,27 @@ void make_passive(HydrodynamicData& data, std::vector<std::string>& notes) {
     const Eigen::MatrixXd root = scale.asDiagonal() * modes.eigenvectors();
     B = root * positive.asDiagonal() * root.transpose();
   }
-  const std::string found = fmt::format(
+  const std::string note = fmt::format(
       "{}: radiation damping of {:.2g} % of its sum over the frequencies is "
       "negative, most at {:.4g} s",
-      data.radiation_file, 100 * taken / std::max(all, 1e-300), period);
-  if (taken > kMuch * all)
+      data.radiation_file, 100 * negative_area / std::max(all, 1e-300), period);
+  if (negative_area > kMuch * all)
     throw std::runtime_error(
-        found +
+        note +
         ": waves that a body makes cannot drive it; does the file have the other sign, or "
         "irregular frequencies of its panels?");
-  if (taken > kSome * all) notes.push_back(found + "; it is excluded");
+  if (negative_area > kSome * all) notes.push_back(note + "; it is excluded");
 }
 
 // Largest asymmetry of a matrix relative to the diagonal entries of `of`.
-double asymmetry(const Eigen::MatrixXd& m, const Eigen::VectorXd& of) {
-  double most = 0;
+double asymmetry(const Eigen::MatrixXd& m, const Eigen::VectorXd& diagonal) {
+  double largest = 0;
   for (Eigen::Index i = 0; i < m.rows(); ++i)
     for (Eigen::Index j = 0; j < i; ++j) {
-      const double scale = std::sqrt(std::abs(of[i] * of[j]));
-      if (scale > 0) most = std::max(most, std::abs(m(i, j) - m(j, i)) / scale);
+      const double scale = std::sqrt(std::abs(diagonal[i] * diagonal[j]));
+      if (scale > 0) largest = std::max(largest, std::abs(m(i, j) - m(j, i)) / scale);
     }
-  return most;
+  return largest;
 }
 double asymmetry(const Eigen::MatrixXd& m) { return asymmetry(m, m.diagonal()); }
 
@@ -127,10 +128,10 @@ void make_stiffness_symmetric(HydrodynamicData& data, std::vector<std::string>& 
   constexpr double kAsymmetry = 0.05;
   for (int b = 0; b < data.bodies; ++b) {
     auto C = data.hydrostatic.block<3, 3>(6 * b + 2, 6 * b + 2);
-    const double most = C.cwiseAbs().maxCoeff();
+    const double largest = C.cwiseAbs().maxCoeff();
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < i; ++j) {
-        const double scale = j == 0 ? std::sqrt(std::abs(C(0, 0)) * most) : most;
+        const double scale = j == 0 ? std::sqrt(std::abs(C(0, 0)) * largest) : largest;
         if (std::abs(C(i, j) - C(j, i)) > kAsymmetry * scale)
           notes.push_back(fmt::format(
               "{}: the hydrostatic stiffness of {} has {:.4g} in row {} and {:.4g} in row {}, and is "
@@ -148,12 +149,12 @@ void note_depth(const HydrodynamicForm& form, double depth, const HydrodynamicDa
                 std::vector<std::string>& notes) {
   constexpr double kFar = 0.05;
   const auto text = [](double h) { return h > 0 ? fmt::format("{:g} m deep", h) : "infinitely deep"; };
-  const double made = std::isfinite(depth) ? depth : 0;
+  const double depth_in_data = std::isfinite(depth) ? depth : 0;
   const auto number = [&](double h) { return wave_number(data.omega.front(), h, form.gravity); };
-  if (!(form.gravity > 0) || std::abs(number(made) / number(form.depth) - 1) < kFar) return;
+  if (!(form.gravity > 0) || std::abs(number(depth_in_data) / number(form.depth) - 1) < kFar) return;
   notes.push_back(
       fmt::format("{}: is made for water {}, and that of the case is {}: give them the same depth",
-                  data.radiation_file, text(made), text(form.depth)));
+                  data.radiation_file, text(depth_in_data), text(form.depth)));
 }
 
 void finish_coefficients(HydrodynamicData& data, bool has_infinite, const Eigen::MatrixXd& zero_frequency,
@@ -161,19 +162,19 @@ void finish_coefficients(HydrodynamicData& data, bool has_infinite, const Eigen:
   constexpr double kAsymmetry = 0.05;
   double asymmetric = has_infinite ? asymmetry(data.infinite) : 0;
   std::string worst = "at infinite frequency";
-  const char* what = "added mass";
+  const char* quantity = "added mass";
   Eigen::VectorXd damped = Eigen::VectorXd::Zero(6 * data.bodies);
   for (const Eigen::MatrixXd& B : data.damping) damped = damped.cwiseMax(B.diagonal().cwiseAbs());
   for (size_t k = 0; k < data.omega.size(); ++k) {
-    if (const double here = asymmetry(data.added_mass[k]); here > asymmetric) {
-      asymmetric = here;
+    if (const double value = asymmetry(data.added_mass[k]); value > asymmetric) {
+      asymmetric = value;
       worst = fmt::format("at {:.4g} s", 2 * M_PI / data.omega[k]);
-      what = "added mass";
+      quantity = "added mass";
     }
-    if (const double here = asymmetry(data.damping[k], damped); here > asymmetric) {
-      asymmetric = here;
+    if (const double value = asymmetry(data.damping[k], damped); value > asymmetric) {
+      asymmetric = value;
       worst = fmt::format("at {:.4g} s", 2 * M_PI / data.omega[k]);
-      what = "damping";
+      quantity = "damping";
     }
     make_symmetric(data.added_mass[k]);
     make_symmetric(data.damping[k]);
@@ -183,7 +184,7 @@ void finish_coefficients(HydrodynamicData& data, bool has_infinite, const Eigen:
     notes.push_back(
         fmt::format("{}: {} differs from its transpose by up to {:.2g} % of the diagonal, "
                     "{}; the mean of both is used",
-                    data.radiation_file, what, 100 * asymmetric, worst));
+                    data.radiation_file, quantity, 100 * asymmetric, worst));
   if (has_infinite)
     make_symmetric(data.infinite);
   else

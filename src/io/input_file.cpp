@@ -11,7 +11,7 @@ namespace hawser::io {
 
 namespace fs = std::filesystem;
 
-std::string unreadable(const std::string& path, const std::string& kind, double most) {
+std::string unreadable(const std::string& path, const std::string& kind, double max_megabytes) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) return fmt::format("there is no such {} file", kind);
@@ -20,7 +20,8 @@ std::string unreadable(const std::string& path, const std::string& kind, double 
   const std::uintmax_t bytes = fs::file_size(path, error);
   if (error) return "cannot be read: " + error.message();
   const double mb = 1e-6 * static_cast<double>(bytes);
-  if (mb > most) return fmt::format("has {:.4g} MB, and a {} file has {:g} MB at most", mb, kind, most);
+  if (mb > max_megabytes)
+    return fmt::format("has {:.4g} MB, and a {} file has {:g} MB at most", mb, kind, max_megabytes);
   return "";
 }
 

@@ -54,10 +54,10 @@ std::string formula(const Value& v) {
   for (std::size_t i = 0; i < v.items.size(); ++i) {
     const double a = as_number(v.items[i]);
     const std::string& k = v.keys[i];
-    const char* of = k == "d" ? "d" : k == "d2" ? "d²" : k == "d3" ? "d³" : "MBL";
+    const char* reference = k == "d" ? "d" : k == "d2" ? "d²" : k == "d3" ? "d³" : "MBL";
     if (i > 0) s += a < 0 ? " - " : " + ";
     const double size = i > 0 ? std::abs(a) : a;
-    s += size == 1 ? of : fmt::format("{:g} {}", size, of);
+    s += size == 1 ? reference : fmt::format("{:g} {}", size, reference);
   }
   return s;
 }
@@ -92,17 +92,21 @@ model::LineType library_line_type(const Value& v) {
   model::LineType t;
   t.kind = model::LineKind::cable;
   t.breaking_load = strength * value((*entry)["breaking_load"], d, 0);
-  const auto of = [&](const char* property) { return value((*entry)[property], d, t.breaking_load); };
-  t.outer_diameter = of("outer_diameter");
-  t.contact_diameter = entry->has("contact_diameter") ? of("contact_diameter") : t.outer_diameter;
-  t.displaced_diameter = entry->has("displaced_diameter") ? of("displaced_diameter") : t.outer_diameter;
-  t.drag_diameter = of("drag_diameter");
-  t.mass_per_length = of("mass_per_length");
-  t.EA = of("EA");
-  t.Cd_normal = of("Cd_normal");
-  t.Cd_axial = of("Cd_axial");
-  t.Ca_normal = of("Ca_normal");
-  t.Ca_axial = of("Ca_axial");
+  const auto property_of_entry = [&](const char* property) {
+    return value((*entry)[property], d, t.breaking_load);
+  };
+  t.outer_diameter = property_of_entry("outer_diameter");
+  t.contact_diameter =
+      entry->has("contact_diameter") ? property_of_entry("contact_diameter") : t.outer_diameter;
+  t.displaced_diameter =
+      entry->has("displaced_diameter") ? property_of_entry("displaced_diameter") : t.outer_diameter;
+  t.drag_diameter = property_of_entry("drag_diameter");
+  t.mass_per_length = property_of_entry("mass_per_length");
+  t.EA = property_of_entry("EA");
+  t.Cd_normal = property_of_entry("Cd_normal");
+  t.Cd_axial = property_of_entry("Cd_axial");
+  t.Ca_normal = property_of_entry("Ca_normal");
+  t.Ca_axial = property_of_entry("Ca_axial");
   if (!(t.breaking_load > 0) || !(t.EA > 0))
     refuse(v["diameter"],
            "{:g} m is beyond what the formulas of {} are made for (the diameter is in m, or with its unit: "

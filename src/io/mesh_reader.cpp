@@ -99,13 +99,13 @@ namespace {
 
 // Repairs a mesh that is open, inconsistent or inside out, and notes faults and assumptions.
 void repair_mesh(const std::string& path, LoadedMesh& loaded, bool closed) {
-  const MeshReport found = loaded.report;
+  const MeshReport report = loaded.report;
   const RepairResult repaired = repair(loaded.mesh);
   loaded.report = inspect(loaded.mesh);
   loaded.open = !loaded.report.valid();
   if (closed && loaded.open) bad(path, "{}", advice::mesh_cannot_be_closed(repaired));
-  if (repaired.enclosing < 0.5) bad(path, "{}", advice::mesh_encloses_nothing(found, repaired));
-  loaded.notes.push_back(path + ": " + advice::mesh_not_clean(found, repaired));
+  if (repaired.enclosing < 0.5) bad(path, "{}", advice::mesh_encloses_nothing(report, repaired));
+  loaded.notes.push_back(path + ": " + advice::mesh_not_clean(report, repaired));
   if (loaded.open) loaded.notes.push_back(path + ": " + advice::holes_not_filled(repaired));
 }
 

@@ -98,8 +98,8 @@ NumberTable read_number_table(const std::string& path, const std::vector<size_t>
       continue;
     }
     // Before the first row, a line whose words are mostly numbers is a faulty row; else it is a title.
-    const Words found = words_of(words);
-    if (table.rows.empty() && !(fits(found.all) && 2 * found.numbers > found.all)) continue;
+    const Words count = words_of(words);
+    if (table.rows.empty() && !(fits(count.all) && 2 * count.numbers > count.all)) continue;
     throw std::runtime_error(fmt::format("{}:{}: a row of this file has {} numbers, but this one has {}{}",
                                          table.path, line, fmt::join(columns, " or "), row.values.size(),
                                          numbers ? "" : " and something that is no number"));

@@ -19,7 +19,8 @@ bool is_integer(double x) { return x == std::round(x); }
 
 std::vector<std::string> odd_rao_units(const std::vector<std::vector<double>>& rows, double gravity) {
   std::vector<std::string> out;
-  double longest = 0, farthest = 0, latest = 0, most = 0, steepest = 0, phase_following = 0, least = HUGE_VAL;
+  double longest = 0, farthest = 0, latest = 0, farthest_motion = 0, steepest = 0, phase_following = 0,
+         fewest_slopes = HUGE_VAL;
   bool broken_direction = false, broken_phase = false;
   std::set<double> directions;
   for (const std::vector<double>& r : rows) {
@@ -31,7 +32,7 @@ std::vector<std::string> odd_rao_units(const std::vector<std::vector<double>>& r
       if (!(r[k] > 0)) continue;
       latest = std::max(latest, std::abs(r[k + 1]));
       broken_phase |= !is_integer(r[k + 1]);
-      if (k < 8) most = std::max(most, r[k]);
+      if (k < 8) farthest_motion = std::max(farthest_motion, r[k]);
     }
     if (r[0] < 10) continue;
     // deg of slope for 1 m of amplitude, in deep water
@@ -39,7 +40,7 @@ std::vector<std::string> odd_rao_units(const std::vector<std::vector<double>>& r
     const double turns = std::max(r[8], r[10]) / slope;
     steepest = std::max(steepest, turns);
     phase_following = std::max(phase_following, r[6]);
-    if (turns > 0) least = std::min(least, turns);
+    if (turns > 0) fewest_slopes = std::min(fewest_slopes, turns);
   }
   if (longest < 3 && rows.size() > 1)
     out.push_back(fmt::format("the longest period is {:g} s: is the first column a frequency?", longest));
@@ -47,18 +48,19 @@ std::vector<std::string> odd_rao_units(const std::vector<std::vector<double>>& r
     out.push_back(fmt::format("all directions are within {:g} deg: are they in rad?", farthest));
   if (rows.size() > 2 && broken_phase && latest > 0.5 && latest < kTurn)
     out.push_back(fmt::format("all phases are within {:g} deg: are they in rad?", latest));
-  if (most > 20)
-    out.push_back(fmt::format("it moves {:g} m for each m of a wave: are translations in m/m?", most));
+  if (farthest_motion > 20)
+    out.push_back(
+        fmt::format("it moves {:g} m for each m of a wave: are translations in m/m?", farthest_motion));
   if (steepest > 0 && steepest < 0.05 && phase_following > 0.3)
     out.push_back(fmt::format(
         "in waves of 10 s and more roll and pitch are {:.2g} of the wave's slope at most: are they in "
         "rad/m, not deg/m?",
         steepest));
-  if (least < HUGE_VAL && least > 30)
+  if (fewest_slopes < HUGE_VAL && fewest_slopes > 30)
     out.push_back(
         fmt::format("in waves of 10 s and more it rolls or pitches {:.3g} times the wave's slope: are "
                     "rotations in deg/m?",
-                    least));
+                    fewest_slopes));
   return out;
 }
 

@@ -61,7 +61,7 @@ struct ResultsFile::Impl {
 
   std::vector<double> step_times;          // of the series rows that wait for the next output
   std::vector<std::vector<double>> steps;  // by series, of this rank
-  std::vector<char> mine;
+  std::vector<char> of_this_rank;
   std::vector<size_t> columns;  // by series, numbers per step
 
   Impl(MPI_Comm comm, const std::string& path, ResultContents contents, std::vector<int> owned);
@@ -70,7 +70,7 @@ struct ResultsFile::Impl {
   }
   bool root() const { return file.rank() == 0; }
   // True for volumes that are written at every output, for ParaView alone; fixed ones are written once.
-  bool drawn(const VolumeMesh& v) const { return v.moves() && contents.xdmf; }
+  bool displayed(const VolumeMesh& v) const { return v.moves() && contents.xdmf; }
 
   // Rank 0 creates the file, all ranks open it.
   void build(const ResultRoom& wanted, const std::string& from, const ResultLast* last = nullptr) {
@@ -141,7 +141,7 @@ struct ResultsFile::Impl {
   long long write_steps(double until = HUGE_VAL) {
     const double last = until + 1e-9 * std::max(std::abs(until), 1.0);
     const auto n = std::upper_bound(step_times.begin(), step_times.end(), last) - step_times.begin();
-    std::vector<int> owners(mine.begin(), mine.end());
+    std::vector<int> owners(of_this_rank.begin(), of_this_rank.end());
     all_reduce(file.comm(), MPI_SUM, owners);
     if (n > 0)
       for (const int k : owners)
@@ -154,7 +154,7 @@ struct ResultsFile::Impl {
       if (contents.series[s].by_line)
         file.write_runs(places[s], H5T_NATIVE_DOUBLE, count.steps, line_runs, steps[s].data(), n);
       else
-        file.write_rows(places[s], H5T_NATIVE_DOUBLE, count.steps, n, mine[s], steps[s].data());
+        file.write_rows(places[s], H5T_NATIVE_DOUBLE, count.steps, n, of_this_rank[s], steps[s].data());
     return n;
   }
 
@@ -199,10 +199,10 @@ struct ResultsFile::Impl {
     waiting.moved.resize(contents.volumes.size());
     for (size_t i = 0; i < contents.volumes.size(); ++i) {
       const VolumeMesh& mesh = contents.volumes[i];
-      if (!drawn(mesh) || !root()) continue;
+      if (!displayed(mesh) || !root()) continue;
       const BodyPose& pose = poses[mesh.body];
       const Mat3 turn = pose.rotation.toRotationMatrix();
-      for (const Vec3& v : mesh.drawn_vertices()) {
+      for (const Vec3& v : mesh.displayed_vertices()) {
         const Eigen::Vector3f x = (pose.position + turn * v).cast<float>();
         waiting.moved[i].insert(waiting.moved[i].end(), {x.x(), x.y(), x.z()});
       }
@@ -243,7 +243,7 @@ struct ResultsFile::Impl {
     file.write_rows("bodies/rotation", H5T_NATIVE_DOUBLE, row, n, root(), w.rotation.data());
     const auto places = volume_places(contents);
     for (size_t i = 0; i < places.size(); ++i)
-      if (drawn(contents.volumes[i]))
+      if (displayed(contents.volumes[i]))
         file.write_rows(places[i] + "/moved", H5T_NATIVE_FLOAT, row, n, root(), w.moved[i].data());
     if (contents.clashes) write_clashes(row, w.clashes, rows);
     if (contents.contact_points) write_contacts(file, row, w.contacts, points);
@@ -265,9 +265,10 @@ struct ResultsFile::Impl {
   }
 };
 
-ResultsFile::Impl::Impl(MPI_Comm comm, const std::string& path, ResultContents what, std::vector<int> nodes)
+ResultsFile::Impl::Impl(MPI_Comm comm, const std::string& path, ResultContents result_contents,
+                        std::vector<int> nodes)
     : file(comm, path),
-      contents(std::move(what)),
+      contents(std::move(result_contents)),
       owned(std::move(nodes)),
       line_nodes(std::lower_bound(owned.begin(), owned.end(), contents.nodes_total()) - owned.begin()),
       runs(runs_of({owned.begin(), owned.begin() + line_nodes})) {
@@ -288,7 +289,7 @@ ResultsFile::Impl::Impl(MPI_Comm comm, const std::string& path, ResultContents w
   xdmf.emplace(contents, path.substr(name));
   steps.resize(contents.series.size());
   for (const auto& s : contents.series) {
-    mine.push_back(s.by_line && root());
+    of_this_rank.push_back(s.by_line && root());
     columns.push_back(static_cast<size_t>(numbers_in_row(s)) * (s.by_line ? lines.size() : 1));
   }
 }
@@ -369,7 +370,7 @@ void ResultsFile::append_series(double time, const std::vector<std::vector<doubl
     const bool by_line = m.contents.series[s].by_line;
     if (values[s].empty() && !by_line) continue;
     if (values[s].size() != m.columns[s]) throw std::logic_error("results: wrong columns in a series");
-    if (!by_line) m.mine[s] = 1;
+    if (!by_line) m.of_this_rank[s] = 1;
     m.steps[s].insert(m.steps[s].end(), values[s].begin(), values[s].end());
   }
 }

@@ -119,15 +119,17 @@ void write_description(hid_t file, const ResultContents& c) {
     write_triangles(file, place + "/triangles", v.triangles);
     write_active(file, place + "/active", v.active);
     if (!v.coarsened()) continue;
-    write_triangles(file, place + "/drawn_triangles", v.drawn_triangles());
+    write_triangles(file, place + "/drawn_triangles", v.displayed_triangles());
     write_active(file, place + "/drawn_active", v.coarse_active);
   }
 }
 
 hsize_t rows_in(const RowSet& s, long long outputs, long long steps, long long contacts,
                 const ResultContents& c) {
-  if (s.by == RowsBy::node) return static_cast<hsize_t>(c.nodes_total());
-  return static_cast<hsize_t>(s.by == RowsBy::step ? steps : s.by == RowsBy::contact ? contacts : outputs);
+  if (s.rows_by == RowsBy::node) return static_cast<hsize_t>(c.nodes_total());
+  return static_cast<hsize_t>(s.rows_by == RowsBy::step      ? steps
+                              : s.rows_by == RowsBy::contact ? contacts
+                                                             : outputs);
 }
 
 // Labels of fields for external tools.
@@ -154,7 +156,7 @@ void write_row_sets(hid_t file, const ResultContents& c, const ResultRoom& room)
     shape.insert(shape.end(), s.tail.begin(), s.tail.end());
     const h5::Id set = h5::reserve(file, s.name, s.type, shape);
     if (!s.unit.empty()) h5::text_attribute(set, "unit", s.unit);
-    if (s.by == RowsBy::node)
+    if (s.rows_by == RowsBy::node)
       h5::texts_attribute(
           set, "columns",
           {"minimum", "time_of_minimum", "maximum", "time_of_maximum", "mean", "standard_deviation"});
@@ -255,9 +257,10 @@ void copy_rows(hid_t from, hid_t to, hid_t type, hsize_t n) {
                 "copy");
       return space;
     };
-    const h5::Id here = select(from), there = select(to);
-    h5::check(H5Dread(from, type, memory, here, H5P_DEFAULT, buffer.data()), "copy of earlier results");
-    h5::check(H5Dwrite(to, type, memory, there, H5P_DEFAULT, buffer.data()), "copy of earlier results");
+    const h5::Id source_rows = select(from), target_rows = select(to);
+    h5::check(H5Dread(from, type, memory, source_rows, H5P_DEFAULT, buffer.data()),
+              "copy of earlier results");
+    h5::check(H5Dwrite(to, type, memory, target_rows, H5P_DEFAULT, buffer.data()), "copy of earlier results");
   }
 }
 
@@ -265,8 +268,8 @@ void copy_rows(hid_t from, hid_t to, hid_t type, hsize_t n) {
 void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, const ResultRoom& room,
                   const ResultCount& kept, long long clashes, long long contacts, bool newest_checkpoint) {
   const h5::Id from = h5::open_read(path);
-  const auto differs = [&](const std::string& what) {
-    return InputError(path + " cannot be continued: the case does not match its " + what);
+  const auto differs = [&](const std::string& part) {
+    return InputError(path + " cannot be continued: the case does not match its " + part);
   };
   std::vector<std::string> names;
   for (const auto& line : c.lines) names.push_back(line.name);
@@ -286,16 +289,16 @@ void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, co
   }
   for (const auto& s : row_sets(c)) {
     // Statistics are restored from the checkpoint.
-    if (s.by == RowsBy::node && !h5::exists(from, s.name)) continue;
+    if (s.rows_by == RowsBy::node && !h5::exists(from, s.name)) continue;
     if (!h5::exists(from, s.name)) throw differs(s.name);
-    const h5::Id old = h5::open_dataset(from, s.name), made = h5::open_dataset(to, s.name);
+    const h5::Id old = h5::open_dataset(from, s.name), created = h5::open_dataset(to, s.name);
     const h5::Shape shape = h5::shape_of(old);
     if (!std::equal(shape.begin() + 1, shape.end(), s.tail.begin(), s.tail.end()))
       throw InputError(
           "{} cannot be continued: its {} has other columns than this case and this version of hawser write; "
           "go on in another file with -o",
           path, s.name);
-    copy_rows(old, made, s.type, rows_in(s, kept.outputs, kept.steps, contacts, c));
+    copy_rows(old, created, s.type, rows_in(s, kept.outputs, kept.steps, contacts, c));
   }
   if (c.clashes) copy_clash_tables(from, to, clashes);
   if (room.slot_doubles == 0) return;
@@ -325,15 +328,15 @@ void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, co
 }
 
 // Flushes the file before renaming it, and the folder after.
-void put_in_place(const std::string& made, const std::string& path) {
-  const auto sync = [](const std::string& what) {
-    const int fd = open(what.c_str(), O_RDONLY);
+void put_in_place(const std::string& new_path, const std::string& path) {
+  const auto sync = [](const std::string& file) {
+    const int fd = open(file.c_str(), O_RDONLY);
     if (fd < 0) return;
     fsync(fd);
     close(fd);
   };
-  sync(made);
-  if (std::rename(made.c_str(), path.c_str()))
+  sync(new_path);
+  if (std::rename(new_path.c_str(), path.c_str()))
     throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
   const size_t slash = path.rfind('/');
   sync(slash == std::string::npos ? "." : path.substr(0, slash + 1));
@@ -433,7 +436,7 @@ std::vector<RowSet> row_sets(const ResultContents& c) {
     const VolumeMesh& v = c.volumes[i];
     if (v.moves() && c.xdmf)
       sets.push_back(
-          {volumes[i] + "/moved", RowsBy::output, H5T_IEEE_F32LE, {v.drawn_vertices().size(), 3}, "m"});
+          {volumes[i] + "/moved", RowsBy::output, H5T_IEEE_F32LE, {v.displayed_vertices().size(), 3}, "m"});
   }
   sets.push_back({"series/time", RowsBy::step, H5T_IEEE_F64LE, {}, "s"});
   const auto series = series_places(c);
@@ -448,10 +451,10 @@ std::vector<RowSet> row_sets(const ResultContents& c) {
 void build_results(const std::string& path, const ResultContents& contents, const ResultRoom& room,
                    const std::string& from, const ResultCount& kept, long long clashes, long long contacts,
                    const ResultLast* last) {
-  const std::string made = path + ".new";
-  std::remove(made.c_str());  // a link would write elsewhere
+  const std::string new_path = path + ".new";
+  std::remove(new_path.c_str());  // a link would write elsewhere
   try {
-    const h5::Id file = h5::create(made);
+    const h5::Id file = h5::create(new_path);
     {
       const h5::Id type = result_count_type();
       const h5::Id count = h5::reserve(file, "written", type, {1});
@@ -473,17 +476,17 @@ void build_results(const std::string& path, const ResultContents& contents, cons
         last && last->messages ? *last->messages : contents.run.messages;
     if (!messages.empty()) h5::write_texts(file, "messages", messages);
     if (last && contents.clashes) write_last_clashes(file, last->clashes, clashes, kept.outputs - 1);
-    h5::check(H5Fflush(file, H5F_SCOPE_LOCAL), "cannot write " + made);
+    h5::check(H5Fflush(file, H5F_SCOPE_LOCAL), "cannot write " + new_path);
   } catch (const InputError&) {
-    std::remove(made.c_str());
+    std::remove(new_path.c_str());
     throw;
   } catch (const std::exception& e) {
     const std::string text = cannot_write(path, e.what());
-    std::remove(made.c_str());
+    std::remove(new_path.c_str());
     throw WriteError(text);
   }
   if (from.empty()) back_up_results(path);
-  put_in_place(made, path);
+  put_in_place(new_path, path);
 }
 
 }  // namespace hawser::io

@@ -11,8 +11,9 @@ namespace hawser::io {
 
 namespace {
 
-InputError damaged(const std::string& path, const std::string& what) {
-  return InputError("{} is damaged and cannot be continued: {}; go on in another file with -o", path, what);
+InputError damaged(const std::string& path, const std::string& problem) {
+  return InputError("{} is damaged and cannot be continued: {}; go on in another file with -o", path,
+                    problem);
 }
 
 // Valid rows of a dataset of times.
@@ -47,7 +48,7 @@ ResultProgress read_progress(const std::string& path) {
   p.output_times = counted(path, file, "outputs/time", p.count.outputs);
   p.step_times = counted(path, file, "series/time", p.count.steps);
   // The first of `columns` counts the rows of a table at each output.
-  const auto rows_at = [&](const char* of_outputs, size_t columns, const char* table, const char* what) {
+  const auto rows_at = [&](const char* of_outputs, size_t columns, const char* table, const char* rows_of) {
     std::vector<long long> out;
     if (!h5::exists(file, of_outputs)) return out;
     const h5::Array counts = h5::read_array(file, of_outputs);
@@ -56,7 +57,7 @@ ResultProgress read_progress(const std::string& path) {
       const double n = counts.values[columns * i];
       if (n < 0 || n > static_cast<double>(rows))
         throw damaged(path, fmt::format("at output {} the count is {:g} {}, but there are {} rows", i + 1, n,
-                                        what, rows));
+                                        rows_of, rows));
       out.push_back(static_cast<long long>(n));
     }
     return out;

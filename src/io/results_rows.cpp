@@ -61,14 +61,14 @@ void SharedFile::note(const std::exception& e) {
 
 void SharedFile::agree() {
   const int size = ranks_of(comm_);
-  int who = error_.empty() ? size : rank_;
-  all_reduce(comm_, MPI_MIN, who);
-  if (who == size) return;
+  int failed_rank = error_.empty() ? size : rank_;
+  all_reduce(comm_, MPI_MIN, failed_rank);
+  if (failed_rank == size) return;
   auto length = static_cast<int>(error_.size());
-  MPI_Bcast(&length, 1, MPI_INT, who, comm_);
+  MPI_Bcast(&length, 1, MPI_INT, failed_rank, comm_);
   error_.resize(length);
-  MPI_Bcast(error_.data(), length, MPI_CHAR, who, comm_);
-  MPI_Bcast(&internal_, 1, MPI_C_BOOL, who, comm_);
+  MPI_Bcast(error_.data(), length, MPI_CHAR, failed_rank, comm_);
+  MPI_Bcast(&internal_, 1, MPI_C_BOOL, failed_rank, comm_);
   const std::string text = std::exchange(error_, "");
   if (internal_) throw std::runtime_error(text);
   throw WriteError(text);
@@ -108,15 +108,15 @@ void SharedFile::write_runs(const std::string& name, hid_t type, long long row,
   });
 }
 
-void SharedFile::write_rows(const std::string& name, hid_t type, long long first, long long rows, bool here,
-                            const void* data) {
+void SharedFile::write_rows(const std::string& name, hid_t type, long long first, long long rows,
+                            bool contributes, const void* data) {
   attempt([&] {
     const hid_t set = open_.at(name);
     h5::Shape count = h5::shape_of(set), start(count.size(), 0);
     if (empty(count)) return;
     start[0] = static_cast<hsize_t>(first);
     count[0] = static_cast<hsize_t>(rows);
-    hsize_t total = here ? 1 : 0;
+    hsize_t total = contributes ? 1 : 0;
     for (const hsize_t n : count) total *= n;
     const h5::Id space = h5::own(H5Dget_space(set), H5Sclose, name);
     h5::check(total ? H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr)

@@ -19,24 +19,24 @@ ResultsSize results_size(const ResultContents& c, const ExpectedRows& rows) {
   for (const RowSet& s : row_sets(c)) {
     double row = static_cast<double>(H5Tget_size(s.type));
     for (const hsize_t n : s.tail) row *= static_cast<double>(n);
-    if (s.by == RowsBy::contact)
+    if (s.rows_by == RowsBy::contact)
       size.contact_point += row;
-    else if (s.by == RowsBy::step)
+    else if (s.rows_by == RowsBy::step)
       size.histories += row * rows.steps;
-    else if (s.by == RowsBy::node)
+    else if (s.rows_by == RowsBy::node)
       size.fields += row * c.nodes_total();
     else
       (s.name.starts_with("volumes/") ? size.meshes : size.fields) += row * rows.outputs;
-    size.rest += kOfDataset;
+    size.other += kOfDataset;
   }
   for (const VolumeMesh& v : c.volumes) {
     size.meshes +=
         24.0 * static_cast<double>(v.vertices.size()) + 13.0 * static_cast<double>(v.triangles.size());
-    size.rest += 3 * kOfDataset;
+    size.other += 3 * kOfDataset;
   }
   if (rows.checkpoint > 0) size.checkpoints = 2 * kSpare * sizeof(double) * rows.checkpoint;
-  size.rest += 20 * kOfDataset + kNode * c.nodes_total() +
-               static_cast<double>(c.run.case_text.size() + c.run.case_read.size());
+  size.other += 20 * kOfDataset + kNode * c.nodes_total() +
+                static_cast<double>(c.run.case_text.size() + c.run.case_read.size());
   return size;
 }
 

@@ -18,11 +18,11 @@ namespace hawser::io {
 namespace {
 
 // Another process may have removed the file at its end; an open descriptor then refers to a deleted file.
-bool still_there(int file, const std::string& path) {
-  struct stat mine {
-  }, there{};
-  return fstat(file, &mine) == 0 && stat(path.c_str(), &there) == 0 && mine.st_ino == there.st_ino &&
-         mine.st_dev == there.st_dev;
+bool is_same_file(int file, const std::string& path) {
+  struct stat opened {
+  }, on_disk{};
+  return fstat(file, &opened) == 0 && stat(path.c_str(), &on_disk) == 0 && opened.st_ino == on_disk.st_ino &&
+         opened.st_dev == on_disk.st_dev;
 }
 
 }  // namespace
@@ -35,13 +35,13 @@ RunLock::RunLock(const std::string& results) : path_(results + ".lock") {
     held_ = flock(file_, LOCK_EX | LOCK_NB) == 0;
     if (!held_ && errno == EWOULDBLOCK) {
       close(file_);
-      std::string who;
-      std::getline(std::ifstream(path_), who);
+      std::string holder;
+      std::getline(std::ifstream(path_), holder);
       throw InputError(
           "{}another run is writing them{}; wait for its end, or give this one another file with -o", begin,
-          who.empty() ? "" : " (" + who + ")");
+          holder.empty() ? "" : " (" + holder + ")");
     }
-    if (!held_ || still_there(file_, path_)) break;
+    if (!held_ || is_same_file(file_, path_)) break;
     close(file_);
   }
   char host[256] = "";

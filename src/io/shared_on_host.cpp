@@ -27,21 +27,22 @@ void rethrow_on_all_ranks(MPI_Comm comm, const std::function<void()>& work) {
 
 std::shared_ptr<const MeshSurface> shared_on_host(
     MPI_Comm comm, const Host& host, const std::function<std::shared_ptr<const MeshSurface>()>& make) {
-  std::shared_ptr<const MeshSurface> made;
-  const auto make_on = [&](bool here) {
+  std::shared_ptr<const MeshSurface> surface;
+  const auto make_on = [&](bool builds) {
     rethrow_on_all_ranks(comm, [&] {
-      if (here) made = make();
+      if (builds) surface = make();
     });
   };
   make_on(host.leads());
   bool lacks = false;
   if (host.size() > 1) {
-    const auto block = host.share(made ? made->packed_size() : 0, [&](std::byte* to) { made->write(to); });
-    if (block) made = std::make_shared<const MeshSurface>(block);
-    lacks = !made;
+    const auto block =
+        host.share(surface ? surface->packed_size() : 0, [&](std::byte* to) { surface->write(to); });
+    if (block) surface = std::make_shared<const MeshSurface>(block);
+    lacks = !surface;
   }
   make_on(lacks);
-  return made;
+  return surface;
 }
 
 }  // namespace hawser::io

@@ -36,10 +36,10 @@ class Words {
   std::string_view rest_of_line() {
     const std::size_t from = at_;
     while (at_ < text_.size() && text_[at_] != '\n' && text_[at_] != '\r') ++at_;
-    std::string_view rest = text_.substr(from, at_ - from);
-    while (!rest.empty() && blank(rest.front())) rest.remove_prefix(1);
-    while (!rest.empty() && blank(rest.back())) rest.remove_suffix(1);
-    return rest;
+    std::string_view text = text_.substr(from, at_ - from);
+    while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+    return text;
   }
   int line() const { return line_; }
 
@@ -63,8 +63,8 @@ std::string shown(std::string_view word) {
   return "'" + s + (word.size() > 20 ? "...'" : "'");
 }
 
-std::string expected(const Words& words, std::string_view what, std::string_view found) {
-  return fmt::format("line {} of the STL text should have {}, not {}", words.line(), what, shown(found));
+std::string expected(const Words& words, std::string_view wanted, std::string_view word) {
+  return fmt::format("line {} of the STL text should have {}, not {}", words.line(), wanted, shown(word));
 }
 
 bool read_number(std::string_view word, double& x) {

@@ -28,11 +28,11 @@ struct WaitingOutputs {
   }
   // Removes and returns the first n outputs.
   WaitingOutputs take(size_t n) {
-    const size_t of = times.size();
-    if (n == of) return std::exchange(*this, {});
+    const size_t count = times.size();
+    if (n == count) return std::exchange(*this, {});
     WaitingOutputs out;
     const auto part = [&](auto& from, auto& to) {
-      const auto end = from.begin() + static_cast<std::ptrdiff_t>(from.size() / of * n);
+      const auto end = from.begin() + static_cast<std::ptrdiff_t>(from.size() / count * n);
       to.assign(std::make_move_iterator(from.begin()), std::make_move_iterator(end));
       from.erase(from.begin(), end);
     };

@@ -38,13 +38,13 @@ NumberTable table_of(const std::string& stem, const char* ending, const std::vec
 }
 
 NumberTable required(const std::string& stem, const char* ending, const std::vector<size_t>& columns,
-                     const char* what, std::vector<std::string>& read) {
+                     const char* quantity, std::vector<std::string>& read) {
   NumberTable table = table_of(stem, ending, columns, read);
   if (table.path.empty())
     throw std::runtime_error(
         fmt::format("{}{}: there is no such file, which has {}; 'wamit' is the path of WAMIT's files without "
                     "their endings",
-                    stem, ending, what));
+                    stem, ending, quantity));
   return table;
 }
 
@@ -71,12 +71,12 @@ bool is_clear(int i, int j) { return i == j && i % 6 != 5; }
 // frequencies is an error. given: by frequency, including infinity.
 void check_rows(const HydrodynamicData& data, const std::map<double, Eigen::MatrixXi>& given) {
   constexpr double kCounts = 1e-3;
-  Eigen::MatrixXd most = Eigen::MatrixXd::Zero(6 * data.bodies, 6 * data.bodies);
-  for (const Eigen::MatrixXd& A : data.added_mass) most = most.cwiseMax(A.cwiseAbs());
+  Eigen::MatrixXd largest = Eigen::MatrixXd::Zero(6 * data.bodies, 6 * data.bodies);
+  for (const Eigen::MatrixXd& A : data.added_mass) largest = largest.cwiseMax(A.cwiseAbs());
   for (const auto& [omega, rows] : given)
-    for (Eigen::Index i = 0; i < most.rows(); ++i)
-      for (Eigen::Index j = 0; j < most.cols(); ++j) {
-        if (rows(i, j) || !(most(i, j) > kCounts * std::sqrt(most(i, i) * most(j, j)))) continue;
+    for (Eigen::Index i = 0; i < largest.rows(); ++i)
+      for (Eigen::Index j = 0; j < largest.cols(); ++j) {
+        if (rows(i, j) || !(largest(i, j) > kCounts * std::sqrt(largest(i, i) * largest(j, j)))) continue;
         throw std::runtime_error(fmt::format(
             "{}: has no row {} {} ({}) {}, though other periods have one: complete the file",
             data.radiation_file, i + 1, j + 1, modes_text(static_cast<int>(i), static_cast<int>(j)),
@@ -206,11 +206,12 @@ void check_parts(const NumberTable& table, const NumberRow& row, size_t first, d
 
 // Largest modulus per mode in a column of a table.
 std::vector<double> largest_by_mode(const NumberTable& table, size_t mode, size_t column) {
-  std::vector<double> most(6 * kMostBodies + 1, 0);
+  std::vector<double> largest(6 * kMostBodies + 1, 0);
   for (const NumberRow& row : table.rows)
     if (const double m = row.values[mode]; m >= 0 && m <= 6 * kMostBodies)
-      most[static_cast<size_t>(m)] = std::max(most[static_cast<size_t>(m)], std::abs(row.values[column]));
-  return most;
+      largest[static_cast<size_t>(m)] =
+          std::max(largest[static_cast<size_t>(m)], std::abs(row.values[column]));
+  return largest;
 }
 
 // X = rho g L^m (re + i im): m = 2 of forces, 3 of moments.
@@ -221,11 +222,11 @@ void read_excitation(const std::string& stem, const HydrodynamicForm& form, std:
   if (table.path.empty()) return;
   data.excitation_file = table.path;
   WaveForceRows rows(data.bodies, form.mirrored);
-  const std::vector<double> most = largest_by_mode(table, 2, 3);
+  const std::vector<double> largest = largest_by_mode(table, 2, 3);
   for (const NumberRow& row : table.rows) {
     if (!(row.values[0] > 0)) continue;
     const int mode = mode_of(table, row, 2, 6 * data.bodies);
-    check_parts(table, row, 3, most[static_cast<size_t>(mode + 1)]);
+    check_parts(table, row, 3, largest[static_cast<size_t>(mode + 1)]);
     const double scale = form.density * form.gravity * std::pow(form.length, 2 + rotates(mode));
     rows.add(2 * M_PI / row.values[0], row.values[1], mode, scale * Complex(row.values[5], row.values[6]));
   }
@@ -239,12 +240,12 @@ bool read_drift(const std::string& stem, const char* ending, const HydrodynamicF
   const NumberTable table = table_of(stem, ending, {8}, read);
   if (table.path.empty()) return false;
   WaveForceRows rows(data.bodies, form.mirrored);
-  const std::vector<double> most = largest_by_mode(table, 3, 4);
+  const std::vector<double> largest = largest_by_mode(table, 3, 4);
   bool heave = false;
   for (const NumberRow& row : table.rows) {
     if (row.values[1] != row.values[2] || !(row.values[0] > 0) || row.values[3] < 0) continue;
     const int mode = mode_of(table, row, 3, 6 * data.bodies);
-    check_parts(table, row, 4, most[static_cast<size_t>(mode + 1)]);
+    check_parts(table, row, 4, largest[static_cast<size_t>(mode + 1)]);
     heave = heave || mode % 6 == 2;
     const double scale = form.density * form.gravity * std::pow(form.length, 1 + rotates(mode));
     rows.add(2 * M_PI / row.values[0], row.values[1], mode, scale * row.values[6]);
@@ -266,19 +267,19 @@ constexpr double kSamePeriod = 1e-4;
 void note_sparse(const std::string& path, const std::vector<ComplexVec6>& values, size_t n,
                  std::vector<std::string>& notes) {
   constexpr double kFar = 0.5;
-  double apart = 0, all = 0;
+  double differs = 0, all = 0;
   for (const int mode : {0, 1})
     for (size_t i = 0; i + 1 < n; ++i) {
-      const Complex here = values[i * n + i][mode], next = values[(i + 1) * n + i + 1][mode];
-      apart += std::abs(values[i * n + i + 1][mode] - 0.5 * (here + next));
-      all += 0.5 * (std::abs(here) + std::abs(next));
+      const Complex value = values[i * n + i][mode], next = values[(i + 1) * n + i + 1][mode];
+      differs += std::abs(values[i * n + i + 1][mode] - 0.5 * (value + next));
+      all += 0.5 * (std::abs(value) + std::abs(next));
     }
-  if (apart > kFar * all)
+  if (differs > kFar * all)
     notes.push_back(fmt::format(
         "{}: its periods are too sparse for 'second_order: full': forces of neighbouring periods in "
         "surge and sway differ from the mean drift of the two by {:.0f} % of it: add periods between "
         "them, or take 'second_order: newman'",
-        path, 100 * apart / all));
+        path, 100 * differs / all));
 }
 
 // F_ij = rho g L^k (re + i im); half of the matrix is given, F_ji = conj F_ij. One direction.
@@ -308,7 +309,7 @@ bool read_difference(const std::string& stem, const HydrodynamicForm& form, Seco
   std::vector<ComplexVec6> values(n * n, ComplexVec6::Zero());
   std::vector<bool> given(n * n, false);
   std::vector<std::array<bool, 6>> given_mode(n * n, std::array<bool, 6>{});
-  const std::vector<double> most = largest_by_mode(table, 4, 5);
+  const std::vector<double> largest = largest_by_mode(table, 4, 5);
   bool others = false;
   for (const NumberRow& row : table.rows) {
     if (row.values[2] != direction || row.values[3] != direction) {
@@ -316,13 +317,13 @@ bool read_difference(const std::string& stem, const HydrodynamicForm& form, Seco
       continue;
     }
     const int mode = mode_of(table, row, 4, 6);
-    check_parts(table, row, 5, most[static_cast<size_t>(mode + 1)]);
+    check_parts(table, row, 5, largest[static_cast<size_t>(mode + 1)]);
     const double scale = form.density * form.gravity * std::pow(form.length, 1 + rotates(mode));
     const Complex value = scale * Complex(row.values[7], row.values[8]);
     const size_t i = place(row.values[0]), j = place(row.values[1]);
     const size_t at = i * n + j, mirrored = j * n + i, m = static_cast<size_t>(mode);
     if (given_mode[at][m])
-      check_again(table, row, values[at][mode], value, scale * most[m + 1],
+      check_again(table, row, values[at][mode], value, scale * largest[m + 1],
                   "are these rows of two runs, or is F_ji not the conjugate of F_ij?");
     given_mode[at][m] = given_mode[mirrored][m] = true;
     values[at][mode] = value;

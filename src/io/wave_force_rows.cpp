@@ -87,9 +87,9 @@ void WaveForceRows::complete_modes(const std::string& path) {
     for (size_t mode = 0; mode < modes; ++mode)
       if (const double size = std::abs(value[mode]); size > largest[rotates(static_cast<int>(mode))])
         largest[rotates(static_cast<int>(mode))] = size;
-  std::map<long, const std::vector<Complex>*> longer;  // by direction; frequencies increase
+  std::map<long, const std::vector<Complex>*> previous;  // by direction; frequencies increase
   for (auto& [at, value] : values_) {
-    const std::vector<Complex>* before = std::exchange(longer[at.second], &value);
+    const std::vector<Complex>* before = std::exchange(previous[at.second], &value);
     for (size_t mode = 0; mode < modes; ++mode) {
       if (!std::isnan(value[mode].real())) continue;
       const int m = static_cast<int>(mode);
@@ -106,12 +106,12 @@ void WaveForceRows::complete_modes(const std::string& path) {
 
 // X(-beta) equals X(beta) with sway, roll and yaw reversed.
 void WaveForceRows::add_other_side(const std::string& path) {
-  const auto on = [this](bool port) {
+  const auto has_side = [this](bool port) {
     return std::any_of(directions_.begin(), directions_.end(), [port](const auto& d) {
       return port ? d.first > 0 && d.first < kRound / 2 : d.first > kRound / 2;
     });
   };
-  if (on(true) && on(false))
+  if (has_side(true) && has_side(false))
     throw std::runtime_error(path +
                              ": has directions on both sides of the body, and 'symmetry: port_starboard' "
                              "makes the other side of files of one side");

@@ -55,8 +55,8 @@ std::string item(const std::string& h5, const Slab& s) {
   std::string text = h5 + ":/" + s.dataset;
   if (s.by_output || s.count != s.shape) {
     const std::vector<long long> stride(s.start.size(), 1);
-    const auto part = [&](char row, const std::vector<long long>& rest) {
-      return (s.by_output ? std::string{row, ' '} : "") + joined(rest);
+    const auto part = [&](char row, const std::vector<long long>& sizes) {
+      return (s.by_output ? std::string{row, ' '} : "") + joined(sizes);
     };
     text += '|';
     text +=
@@ -82,11 +82,11 @@ std::string safe_name(const std::string& name) {
 }
 
 std::vector<std::string> safe_names(const std::vector<std::string>& names) {
-  std::set<std::string> taken;
+  std::set<std::string> used;
   std::vector<std::string> out;
   for (const auto& name : names) {
     std::string safe = safe_name(name);
-    for (int k = 2; !taken.insert(safe).second; ++k) safe = safe_name(name) + "_" + std::to_string(k);
+    for (int k = 2; !used.insert(safe).second; ++k) safe = safe_name(name) + "_" + std::to_string(k);
     out.push_back(safe);
   }
   return out;
@@ -111,10 +111,10 @@ XdmfWriter::XdmfWriter(const ResultContents& contents, const std::string& h5_nam
 void XdmfWriter::add_output(size_t row, std::string& text) const {
   char time[32];
   std::snprintf(time, sizeof time, "%.17g", times_[row]);
-  const std::string here = std::to_string(row), next = std::to_string(row + 1);
+  const std::string this_row = std::to_string(row), next = std::to_string(row + 1);
   for (const TextPart& p : pieces_) {
     text += p.text;
-    if (p.then) text += p.then == kTime ? time : p.then == kRow ? here : next;
+    if (p.then) text += p.then == kTime ? time : p.then == kRow ? this_row : next;
   }
 }
 
@@ -167,7 +167,7 @@ void XdmfWriter::add_volumes(std::string& text) const {
   const auto places = volume_places(*contents_);
   for (size_t i = 0; i < places.size(); ++i) {
     const auto& v = contents_->volumes[i];
-    const long long nv = std::ssize(v.drawn_vertices()), nt = std::ssize(v.drawn_triangles());
+    const long long nv = std::ssize(v.displayed_vertices()), nt = std::ssize(v.displayed_triangles());
     const std::string mesh = places[i] + (v.coarsened() ? "/drawn_" : "/");
     const Slab triangles{mesh + "triangles", kInt, {0, 0}, {nt, 3}, {nt, 3}};
     const Slab points = v.moves() ? Slab{places[i] + "/moved", kFloat, {0, 0}, {nv, 3}, {nv, 3}, true}
@@ -184,9 +184,9 @@ void XdmfWriter::add_volumes(std::string& text) const {
 }
 
 void XdmfWriter::save(const std::string& path) const {
-  const std::string made = path + ".new";
+  const std::string new_path = path + ".new";
   {
-    std::ofstream out(made, std::ios::binary);
+    std::ofstream out(new_path, std::ios::binary);
     out << kXdmfBegin << xml_text(contents_->run.case_path.empty() ? "hawser" : contents_->run.case_path)
         << "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
     std::string outputs;
@@ -200,11 +200,11 @@ void XdmfWriter::save(const std::string& path) const {
     if (!out) {
       const std::string text = cannot_write(path, std::strerror(errno));
       out.close();
-      std::remove(made.c_str());
+      std::remove(new_path.c_str());
       throw WriteError(text);
     }
   }
-  if (std::rename(made.c_str(), path.c_str()))
+  if (std::rename(new_path.c_str(), path.c_str()))
     throw WriteError("cannot write " + path + ": " + std::strerror(errno));
 }
 

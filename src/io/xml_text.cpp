@@ -22,34 +22,34 @@ size_t character(std::string_view text) {
     if ((static_cast<unsigned char>(c) & 0xC0) != 0x80) return 0;
     code = code << 6 | (static_cast<unsigned char>(c) & 0x3Fu);
   }
-  const std::uint32_t least = n == 2 ? 0x80 : n == 3 ? 0x800 : 0x10000;
+  const std::uint32_t min_code = n == 2 ? 0x80 : n == 3 ? 0x800 : 0x10000;
   const bool surrogate = code >= 0xD800 && code < 0xE000, never = code == 0xFFFE || code == 0xFFFF;
-  return code < least || code > 0x10FFFF || surrogate || never ? 0 : n;
+  return code < min_code || code > 0x10FFFF || surrogate || never ? 0 : n;
 }
 
 }  // namespace
 
 std::string xml_text(const std::string& text) {
   std::string out;
-  for (std::string_view rest = text; !rest.empty();) {
-    const size_t n = character(rest);
-    const char c = rest[0];
+  for (std::string_view remaining = text; !remaining.empty();) {
+    const size_t n = character(remaining);
+    const char c = remaining[0];
     if (n == 0)
       out += kReplacement;
     else if (n == 1 && (c < ' ' || c == '&' || c == '<' || c == '>' || c == '"'))
       out += "&#" + std::to_string(static_cast<int>(c)) + ";";
     else
-      out += rest.substr(0, n);
-    rest.remove_prefix(n == 0 ? 1 : n);
+      out += remaining.substr(0, n);
+    remaining.remove_prefix(n == 0 ? 1 : n);
   }
   return out;
 }
 
 bool xml_holds(const std::string& text) {
-  for (std::string_view rest = text; !rest.empty();) {
-    const size_t n = character(rest);
+  for (std::string_view remaining = text; !remaining.empty();) {
+    const size_t n = character(remaining);
     if (n == 0) return false;
-    rest.remove_prefix(n);
+    remaining.remove_prefix(n);
   }
   return true;
 }

@@ -148,8 +148,8 @@ Mesh build_mesh(const model::Case& c) {
   tie(c, m, special);
   special.store();
   for (size_t b = 0; b < c.bodies.size(); ++b)
-    if (const auto& on = c.bodies[b].on)
-      m.rides.emplace_back(static_cast<int>(b), m.nearest_node(c.line_index(on->line), on->at));
+    if (const auto& ride = c.bodies[b].ride)
+      m.rides.emplace_back(static_cast<int>(b), m.nearest_node(c.line_index(ride->line), ride->at));
   return m;
 }
 

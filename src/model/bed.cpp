@@ -37,13 +37,13 @@ Vec3 below_on_bed(const Seabed& bed, const Vec3& x) {
 }
 
 double penetration_under(const Seabed& bed, double force, double diameter) {
-  const double share = bed.basis == StiffnessBasis::per_length ? 1 : diameter;
-  if (!bed.force_table) return force / (share * bed.normal_stiffness);
+  const double factor = bed.basis == StiffnessBasis::per_length ? 1 : diameter;
+  if (!bed.force_table) return force / (factor * bed.normal_stiffness);
   constexpr double kDeep = 1e3;
   double low = 0, high = kDeep;
   for (int i = 0; i < 60; ++i) {
     const double d = 0.5 * (low + high);
-    (share * bed.force_table->at(d).force < force ? low : high) = d;
+    (factor * bed.force_table->at(d).force < force ? low : high) = d;
   }
   return high;
 }
@@ -73,10 +73,10 @@ BedAtEnd bed_at_end(const Case& c, const Line& line, LineEnd line_end, double el
   const LineType& type = c.line_type(line.end_section(line_end).type);
   const double height = height_above_bed(bed, end_position(c, end));
   if (!std::isfinite(height)) return out;
-  const double rest = resting_height(c, type), radius = 0.5 * type.contact_diameter;
+  const double resting = resting_height(c, type), radius = 0.5 * type.contact_diameter;
   // With an end at the height of first contact the line would sink next to the end; above that height the
   // line hangs from its end.
-  out.depth = height <= radius ? rest - height : std::min(0.0, rest - 2 * radius + height);
+  out.depth = height <= radius ? resting - height : std::min(0.0, resting - 2 * radius + height);
   // The bed of the next line begins at a joint, unchanged.
   out.length = std::max(std::min(std::abs(out.depth) / kSteepest, length), element);
   return out;

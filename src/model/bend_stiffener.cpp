@@ -21,13 +21,13 @@ double stiffened_EI(const std::vector<BendStiffener>& stiffeners, double from, d
   bool any = false;
   for (int k = 0; k < kPieces; ++k) {
     const double s = from + (k + 0.5) / kPieces * (to - from);
-    double here = EI;
+    double local_EI = EI;
     for (const BendStiffener& b : stiffeners) {
       const double more = b.EI(s);
       any |= more > 0;
-      here += more;
+      local_EI += more;
     }
-    flexibility += 1 / here;
+    flexibility += 1 / local_EI;
   }
   return any ? kPieces / flexibility : EI;
 }

@@ -51,19 +51,19 @@ bool touch(const Case& c, const Volume& a, const Volume& b) {
 }  // namespace
 
 bool has_friction_on_bodies(const Case& c, const std::string& body) {
-  for (const Volume& own : c.volumes) {
-    if (own.body != body) continue;
+  for (const Volume& carried : c.volumes) {
+    if (carried.body != body) continue;
     for (const Volume& other : c.volumes)
-      if (touch(c, own, other) && friction_between(own, other).axial > 0) return true;
+      if (touch(c, carried, other) && friction_between(carried, other).axial > 0) return true;
   }
   return false;
 }
 
 std::vector<BodyPair> body_pairs(const Case& c) {
   std::vector<BodyPair> pairs;
-  const auto add = [&](std::size_t leads, std::size_t other, double stiffness, double share) {
+  const auto add = [&](std::size_t leads, std::size_t other, double stiffness, double force_factor) {
     const Volume &a = c.volumes[leads], &b = c.volumes[other];
-    pairs.push_back({leads, other, stiffness, share, friction_between(a, b), hides(a)});
+    pairs.push_back({leads, other, stiffness, force_factor, friction_between(a, b), hides(a)});
   };
   for (std::size_t i = 0; i < c.volumes.size(); ++i)
     for (std::size_t j = i + 1; j < c.volumes.size(); ++j) {
@@ -79,9 +79,9 @@ std::vector<BodyPair> body_pairs(const Case& c) {
       } else if (rb < ra) {
         add(j, i, stiffness(b), 1);
       } else {
-        const double share = ra == 3 ? 0.5 : 1;
-        add(i, j, stiffness(a), share);
-        add(j, i, stiffness(b), share);
+        const double force_factor = ra == 3 ? 0.5 : 1;
+        add(i, j, stiffness(a), force_factor);
+        add(j, i, stiffness(b), force_factor);
       }
     }
   return pairs;

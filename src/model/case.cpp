@@ -26,10 +26,10 @@ double mean_temperature_change(const std::vector<std::pair<double, double>>& row
   if (rows.empty()) return 0;
   if (rows.size() == 1) return rows.front().second;
   double last = from, before = on_broken_line(rows, from), sum = 0;
-  const auto go = [&](double s, double here) {
-    sum += 0.5 * (s - last) * (before + here);
+  const auto go = [&](double s, double value) {
+    sum += 0.5 * (s - last) * (before + value);
     last = s;
-    before = here;
+    before = value;
   };
   const auto first = std::upper_bound(rows.begin(), rows.end(), from,
                                       [](double s, const auto& row) { return s < row.first; });

@@ -28,19 +28,19 @@ void check_size_and_times(const Case& c, const Issues& issue) {
     issue("statics", "statics is off and there is no 'dynamics': nothing to run");
   const Dynamics& d = c.dynamics;
   if (d.enabled) {
-    const auto over = [&](double a, const char* key, double b, const char* than) {
+    const auto check_order = [&](double a, const char* key, double b, const char* than) {
       if (a > 0 && b > 0 && a > b)
         issue(fmt::format("dynamics.{}", key), "{:g} s is longer than {} ({:g} s)", a, than, b);
     };
-    over(d.step, "step", d.duration, "the duration");
-    over(d.min_step, "min_step", d.duration, "the duration");
-    over(d.min_step, "min_step", d.max_step, "max_step");
-    over(d.min_step, "min_step", d.step, "step");
-    over(d.step, "step", d.max_step, "max_step");
-    const auto many = [&](double each, const char* key, const char* what) {
+    check_order(d.step, "step", d.duration, "the duration");
+    check_order(d.min_step, "min_step", d.duration, "the duration");
+    check_order(d.min_step, "min_step", d.max_step, "max_step");
+    check_order(d.min_step, "min_step", d.step, "step");
+    check_order(d.step, "step", d.max_step, "max_step");
+    const auto many = [&](double each, const char* key, const char* events) {
       if (each > 0 && d.duration > kMostSteps * each)
         issue(key, "{:g} s make {:.3g} {} of a run of {:g} s; the limit is {:.3g}", each, d.duration / each,
-              what, d.duration, kMostSteps);
+              events, d.duration, kMostSteps);
     };
     many(d.step, "dynamics.step", "steps");
     many(d.max_step, "dynamics.max_step", "steps");
@@ -127,16 +127,16 @@ void check_joints(const Case& c, const Issues& issue) {
 
 void check_rides(const Case& c, const Issues& issue) {
   for (const Body& b : c.bodies) {
-    if (!b.on) continue;
+    if (!b.ride) continue;
     const std::string key = "bodies." + b.name;
-    const Line& line = c.line(b.on->line);
+    const Line& line = c.line(b.ride->line);
     if (b.mass || b.motion.index() != 0 || b.drift)
       issue(key + ".on",
             "a body that rides on a line has no motion or mass of its own; give the line a mass there "
             "('lines.<line>.masses')");
-    if (!(b.on->at >= 0 && b.on->at <= length_of(line)))
+    if (!(b.ride->at >= 0 && b.ride->at <= length_of(line)))
       issue(key + ".on.at", "line {} ends at {:.6g} m of arc length", line.name, length_of(line));
-    else if (c.line_type(section_at(line, b.on->at)).kind == LineKind::cable)
+    else if (c.line_type(section_at(line, b.ride->at)).kind == LineKind::cable)
       issue(key + ".on.at",
             "line {} does not resist bending there, so the rotation of the body is not defined", line.name);
     for (const auto& [l, end] : line_ends_at(c, b))
@@ -163,11 +163,11 @@ void check_mass_matrix(const MassMatrix& m, const std::string& key, const Issues
         return;
       }
   const Mat6 scaled = size.cwiseInverse().asDiagonal() * M * size.cwiseInverse().asDiagonal();
-  if (const double least = eigenpairs(scaled).values[0]; !(least > 0))
+  if (const double smallest = eigenpairs(scaled).values[0]; !(smallest > 0))
     issue(key,
           "no body has this inertia: the matrix must be positive definite, and its smallest scaled "
           "eigenvalue is {:.3g}",
-          least);
+          smallest);
 }
 
 void check_floating(const Case& c, const Issues& issue) {
@@ -226,9 +226,9 @@ double length_of(const Line& line) {
 }
 
 double contact_diameter_of(const Case& c, const Line& line) {
-  double most = 0;
-  for (const Section& s : line.sections) most = std::max(most, c.line_type(s.type).contact_diameter);
-  return most;
+  double largest = 0;
+  for (const Section& s : line.sections) largest = std::max(largest, c.line_type(s.type).contact_diameter);
+  return largest;
 }
 
 double expansion_of(const Case& c, const Line& line) {

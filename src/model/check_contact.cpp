@@ -14,13 +14,13 @@ namespace {
 // Smallest contact diameter [m] of the participating lines that satisfy which(line); 0: no such line.
 template <class Which>
 double thinnest(const Case& c, const Which& which) {
-  double least = 0;
+  double smallest = 0;
   for (const Line& l : c.lines)
     if (c.contact.takes_part(l) && which(l))
       for (const Section& s : l.sections)
         if (const double d = c.line_type(s.type).contact_diameter; d > 0)
-          least = least > 0 ? std::min(least, d) : d;
-  return least;
+          smallest = smallest > 0 ? std::min(smallest, d) : d;
+  return smallest;
 }
 
 void check_smoothing(std::optional<double> smoothing, double thickness, const std::string& key,
@@ -35,11 +35,11 @@ void check_smoothing(std::optional<double> smoothing, double thickness, const st
 void check_kinetic(const Volume& v, const Issues& issue) {
   const Friction& f = v.friction;
   if (!(f.blend_speed > 0)) return;
-  const auto below = [&](const char* which, double kinetic, double still) {
-    if (kinetic > still)
+  const auto below = [&](const char* which, double kinetic_friction, double static_friction) {
+    if (kinetic_friction > static_friction)
       issue("volumes." + v.name + ".friction.kinetic",
-            "{} friction of {:g} in motion is above that at rest; at most {:g} is allowed", which, kinetic,
-            still);
+            "{} friction of {:g} in motion is above that at rest; at most {:g} is allowed", which,
+            kinetic_friction, static_friction);
   };
   below("axial", f.axial_kinetic, f.axial);
   if (!(f.axial_kinetic > f.axial)) below("lateral", f.lateral_kinetic, f.lateral);
@@ -64,7 +64,7 @@ void check_friction_of_bodies(const Case& c, const Issues& issue) {
 
 // Lines of equal length between the same places, each started as a catenary, would coincide, and their
 // relative position is undefined.
-void check_apart(const Case& c, const Issues& issue) {
+void check_separation(const Case& c, const Issues& issue) {
   struct Span {
     const Line* line;
     Vec3 a, b;
@@ -100,14 +100,14 @@ void check_apart(const Case& c, const Issues& issue) {
 
 // No line is above itself, and no two lines are above each other.
 void check_order(const BetweenLines& b, const Issues& issue) {
-  for (std::size_t i = 0; i < b.over.size(); ++i) {
-    const auto& [upper, lower] = b.over[i];
+  for (std::size_t i = 0; i < b.crossings.size(); ++i) {
+    const auto& [upper, lower] = b.crossings[i];
     const std::string key = fmt::format("contact.between_lines.over[{}]", i);
     if (upper == lower)
       issue(key, "names line {} twice; give the upper line and the lower one", quote(upper));
     const auto reversed = std::pair(lower, upper);
-    if (upper != lower && std::find(b.over.begin(), b.over.begin() + static_cast<std::ptrdiff_t>(i),
-                                    reversed) != b.over.begin() + static_cast<std::ptrdiff_t>(i))
+    if (upper != lower && std::find(b.crossings.begin(), b.crossings.begin() + static_cast<std::ptrdiff_t>(i),
+                                    reversed) != b.crossings.begin() + static_cast<std::ptrdiff_t>(i))
       issue(key, "line {} is to lie over line {} and under it; give one of the two", quote(upper),
             quote(lower));
   }
@@ -125,7 +125,7 @@ void check_contact(const Case& c, const Issues& issue) {
   check_friction_of_bodies(c, issue);
   const BetweenLines& b = c.contact.between_lines;
   if (!b.enabled) return;
-  check_apart(c, issue);
+  check_separation(c, issue);
   check_order(b, issue);
   check_smoothing(b.general.smoothing, thickness, "contact.between_lines.smoothing", issue);
   for (std::size_t i = 0; i < b.pairs.size(); ++i) {

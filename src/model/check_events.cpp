@@ -188,9 +188,10 @@ class EventCheck : private EventChecks {
       issue("time", "is {:g} s, but the run ends at {:g} s", cause.time, c_.dynamics.duration);
     if (cause.kind == Cause::Kind::after && c_.dynamics.enabled && cause.time >= c_.dynamics.duration)
       issue("delay", "is {:g} s, but the run ends at {:g} s", cause.time, c_.dynamics.duration);
-    const bool own = event().action.kind == Kind::release && cause.kind == Cause::Kind::tension &&
-                     cause.line == event().action.line && !cause.below;
-    const std::string when = own ? "" : "when.";
+    const bool on_released_line = event().action.kind == Kind::release &&
+                                  cause.kind == Cause::Kind::tension && cause.line == event().action.line &&
+                                  !cause.below;
+    const std::string when = on_released_line ? "" : "when.";
     if (cause.line.empty()) return;
     const double length = length_of(line(cause.line));
     if (cause.arc > length * (1 + kArcTolerance))

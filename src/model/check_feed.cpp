@@ -120,7 +120,7 @@ void check_surroundings(const Case& c, const Line& line, LineEnd line_end, const
   if (line.start == Start::other_run) issue("", "a line that starts from another run cannot be fed");
   if (!line.loads.empty()) issue("", "a line with distributed loads cannot be fed");
   for (const Body& b : c.bodies)
-    if (b.on && b.on->line == line.name)
+    if (b.ride && b.ride->line == line.name)
       issue("", "body '{}' rides on line {}, and a line that carries bodies cannot be fed", b.name,
             line.name);
 }
@@ -157,12 +157,13 @@ void check_cuts(const Case& c, const Line& line, const Feed& f, LineEnd line_end
 }  // namespace
 
 void check_law(const Feed& f, const Issues& issue) {
-  if (f.most == 0 && f.least == 0) return;
-  if (!(f.least < f.most))
-    issue("dead_band", "[{:g} N, {:g} N] is not a band; the first must be the smaller", f.least, f.most);
-  else if (!(f.least < f.tension && f.tension < f.most))
+  if (f.max_tension == 0 && f.min_tension == 0) return;
+  if (!(f.min_tension < f.max_tension))
+    issue("dead_band", "[{:g} N, {:g} N] is not a band; the first must be the smaller", f.min_tension,
+          f.max_tension);
+  else if (!(f.min_tension < f.tension && f.tension < f.max_tension))
     issue("dead_band", "from {:g} N to {:g} N does not hold the 'tension' of {:g} N between its ends",
-          f.least, f.most, f.tension);
+          f.min_tension, f.max_tension, f.tension);
   if (!(f.speed_per_tension > 0))
     issue("dead_band", "needs 'speed_per_tension', which returns the feeder to its 'tension'");
 }

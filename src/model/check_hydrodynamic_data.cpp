@@ -58,12 +58,12 @@ void check_haskind(const Case& c, const BodyHydrodynamics& h, const Issues& issu
   const char* name = nullptr;
   for (Eigen::Index mode = 0; mode < 3; ++mode) {
     const Eigen::Index row = first_row(h) + mode;
-    double most = 0;
-    for (const Eigen::MatrixXd& B : data.damping) most = std::max(most, B(row, row));
+    double largest = 0;
+    for (const Eigen::MatrixXd& B : data.damping) largest = std::max(largest, B(row, row));
     std::vector<double> ratios;
     for (size_t k = 0; k < data.omega.size(); ++k) {
       const double omega = data.omega[k], B = data.damping[k](row, row);
-      if (omega < table.lowest() || omega > table.highest() || !(B > kCounts * most)) continue;
+      if (omega < table.lowest() || omega > table.highest() || !(B > kCounts * largest)) continue;
       const double number = wave_number(omega, c.environment.water.depth, g),
                    steep = number * c.environment.water.depth;
       const double group =
@@ -96,9 +96,9 @@ void check_end_of_damping(const BodyHydrodynamics& h, const Issues& issue) {
   const double beyond = data.excitation[static_cast<size_t>(h.body) - 1].highest(), end = data.omega.back();
   if (beyond < kFurther * end) return;
   const Eigen::Index row = first_row(h);
-  Vec6 most = Vec6::Zero();
-  for (const Eigen::MatrixXd& B : data.damping) most = most.cwiseMax(B.diagonal().segment<6>(row));
-  const Vec6 last = data.damping.back().diagonal().segment<6>(row).cwiseQuotient(most.cwiseMax(1e-300));
+  Vec6 largest = Vec6::Zero();
+  for (const Eigen::MatrixXd& B : data.damping) largest = largest.cwiseMax(B.diagonal().segment<6>(row));
+  const Vec6 last = data.damping.back().diagonal().segment<6>(row).cwiseQuotient(largest.cwiseMax(1e-300));
   Eigen::Index mode = 0;
   if (last.maxCoeff(&mode) > kLarge)
     issue(

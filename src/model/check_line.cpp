@@ -159,12 +159,12 @@ class LineCheck {
     if (line_.end_a.kind == EndKind::joint || line_.end_b.kind == EndKind::joint) return;  // joints move
     const double span = (end_position(c_, line_.end_b) - end_position(c_, line_.end_a)).norm();
     const double natural = outside() + expansion_of(c_, line_), strain = (span - natural) / natural,
-                 most = largest_strain();
-    if (!(strain < most))
+                 limit = largest_strain();
+    if (!(strain < limit))
       issue("sections",
             "the line is {:.6g} m long{} but its ends are {:.6g} m apart at t = 0; that requires a strain of "
             "{:.3g} %, and the limit is {:g} %; make the line longer or move an end",
-            natural, natural == outside() ? "" : " at its temperature", span, 100 * strain, 100 * most);
+            natural, natural == outside() ? "" : " at its temperature", span, 100 * strain, 100 * limit);
   }
 
   void check_arc(double s, const std::string& key) {
@@ -217,12 +217,13 @@ class LineCheck {
   }
 
   // Largest temperature change [K] in magnitude over the arc lengths [from, to], m.
-  double most_change(double from, double to) const {
-    double most = 0;
-    for (const double s : {from, to}) most = std::max(most, std::abs(mean_temperature_change(line_, s, s)));
+  double largest_change(double from, double to) const {
+    double largest = 0;
+    for (const double s : {from, to})
+      largest = std::max(largest, std::abs(mean_temperature_change(line_, s, s)));
     for (const auto& [s, change] : line_.temperature_change)
-      if (s > from && s < to) most = std::max(most, std::abs(change));
-    return most;
+      if (s > from && s < to) largest = std::max(largest, std::abs(change));
+    return largest;
   }
 
   bool check_temperature() {
@@ -236,12 +237,13 @@ class LineCheck {
     bool expands = false;
     double from = 0;
     for (const Section& s : line_.sections) {
-      const double alpha = c_.line_type(s.type).thermal_expansion, most = most_change(from, from + s.length);
+      const double alpha = c_.line_type(s.type).thermal_expansion,
+                   largest = largest_change(from, from + s.length);
       from += s.length;
       expands |= alpha != 0;
-      if (std::abs(alpha) * most > kLargestExpansion) {
-        issue(key, "by {:g} K '{}' gets a strain of {:.3g} %; the limit is {:g} %", most, s.type,
-              100 * std::abs(alpha) * most, 100 * kLargestExpansion);
+      if (std::abs(alpha) * largest > kLargestExpansion) {
+        issue(key, "by {:g} K '{}' gets a strain of {:.3g} %; the limit is {:g} %", largest, s.type,
+              100 * std::abs(alpha) * largest, 100 * kLargestExpansion);
         return false;
       }
     }

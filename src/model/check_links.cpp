@@ -24,7 +24,7 @@ void check_end(const Case& c, const LinkEnd& e, const std::string& key, const Is
 }
 
 // Initial position of the end; none for ends on lines and on bodies that ride on lines.
-std::optional<Vec3> drawn(const Case& c, const LinkEnd& e) {
+std::optional<Vec3> start_position(const Case& c, const LinkEnd& e) {
   const int body = c.body_index(e.body);
   if (!e.line.empty() || c.rides(body)) return std::nullopt;
   return body < 0 ? e.at : pose_at_start(c.bodies[body]).to_space(e.at);
@@ -51,7 +51,7 @@ void check_links(const Case& c, const Issues& issue) {
       issue(key + ".end_b", "both ends are on body '{}', which is rigid", l.end_a.body);
     if (!l.end_a.line.empty() && l.end_a.line == l.end_b.line && l.end_a.arc == l.end_b.arc)
       issue(key + ".end_b", "both ends are at the same point of line '{}'", l.end_a.line);
-    const std::optional<Vec3> a = drawn(c, l.end_a), b = drawn(c, l.end_b);
+    const std::optional<Vec3> a = start_position(c, l.end_a), b = start_position(c, l.end_b);
     if (!l.rest_given && a && b && *a == *b)
       issue(key,
             "its ends are drawn at the same point, so that its length is 0: give it a 'rest_length', which "

@@ -39,8 +39,8 @@ class LongWaves {
         density_(c.environment.water.density),
         depth_(c.environment.water.depth),
         g_(c.environment.gravity),
-        still_(hydrostatics(mass_, density_, g_)),
-        volume_(still_.buoyancy / (density_ * g_)) {}
+        hydrostatics_(hydrostatics(mass_, density_, g_)),
+        volume_(hydrostatics_.buoyancy / (density_ * g_)) {}
 
   // omega²/g times the side of a cube of the volume; small for waves that are long against the body.
   double length_ratio(double omega) const { return omega * omega / g_ * std::cbrt(volume_); }
@@ -71,9 +71,9 @@ class LongWaves {
   }
   Mat6 added_mass(double omega) const {
     const Eigen::Index row = 6 * (static_cast<Eigen::Index>(h_.body) - 1);
-    const auto [low, high, share] = frequency_place(h_.data->omega, omega);
+    const auto [low, high, fraction] = frequency_place(h_.data->omega, omega);
     const std::vector<Eigen::MatrixXd>& A = h_.data->added_mass;
-    return (1 - share) * A[low].block<6, 6>(row, row) + share * A[high].block<6, 6>(row, row);
+    return (1 - fraction) * A[low].block<6, 6>(row, row) + fraction * A[high].block<6, 6>(row, row);
   }
   // In the depth of the case, or infinitely deep.
   double number(double omega, bool deep) const {
@@ -99,7 +99,7 @@ class LongWaves {
   const BodyHydrodynamics& h_;
   const WaveForceTable& table_;
   double density_, depth_, g_;
-  PlatformHydrostatics still_;
+  PlatformHydrostatics hydrostatics_;
   double volume_;
   double omega_ = table_.lowest(), second_ = 0;
 };
@@ -130,7 +130,7 @@ void LongWaves::check(const Issues& issue) const {
   const std::size_t before = issue.count();
   for (const int freedom : {0, 1})
     if (issue.count() == before) check_phase(freedom, issue);
-  const double C33 = still_.stiffness(0, 0);
+  const double C33 = hydrostatics_.stiffness(0, 0);
   const double expected = C33 - omega_ * omega_ * (density_ * volume_ + added_mass(omega_)(2, 2));
   constexpr double kClear = 0.5;  // the stiffness has most of the force
   if (issue.count() > before || !(expected > kClear * C33)) return;
@@ -171,9 +171,9 @@ double LongWaves::stiffness_by_waves(int freedom, double omega, bool deep) const
 // Whether the stiffness of the files includes weight, compared with the statement of the case.
 std::string LongWaves::weight_hint(const Compared& stiffness) const {
   const double part = -mass_.mass * g_ * mass_.centre.z();
-  const double share = (stiffness.given - stiffness.by_waves) / part;
+  const double ratio = (stiffness.given - stiffness.by_waves) / part;
   const bool stated = h_.gravity_in_stiffness;
-  const auto near = [share](double times) { return std::abs(share - times) < kGravityShare; };
+  const auto near = [ratio](double times) { return std::abs(ratio - times) < kGravityShare; };
   if (std::abs(part) > stiffness.allowed) {
     if (near(1) && !stated)
       return "this is the part of the body's weight: set 'gravity_in_stiffness: true', since it acts by "
@@ -203,23 +203,23 @@ void LongWaves::note(const Issues& note) const {
     return out;
   };
   // Files made for deep water fit a case of finite depth too, but for its longest waves.
-  const auto most_off = [&](bool deep) {
+  const auto largest_difference = [&](bool deep) {
     Compared worst{0, 0, 0, 1};
     for (const int freedom : {0, 1})
       if (moves(freedom))
-        if (const Compared here = volume(freedom, deep); here.off() > worst.off()) worst = here;
+        if (const Compared compared = volume(freedom, deep); compared.off() > worst.off()) worst = compared;
     return worst;
   };
-  const Compared here = most_off(false), in_deep = most_off(true);
-  const bool deep = in_deep.off() < here.off();
+  const Compared as_given = largest_difference(false), in_deep = largest_difference(true);
+  const bool deep = in_deep.off() < as_given.off();
   const double heave = at.limit([&](double w) {
     return force(0, w, number(w, deep))[2].real() + w * w * (density_ * volume_ + added_mass(w)(2, 2));
   });
-  const double C33 = still_.stiffness(0, 0);
+  const double C33 = hydrostatics_.stiffness(0, 0);
   const std::string& file = h_.data->excitation_file;
   // Of the waterplane of a cube, a hundredth is negligible: a submerged body has none.
   const double allowed = (0.03 + 0.1 * ratio) * std::max(std::abs(C33), std::abs(heave)) +
-                         0.01 * still_.buoyancy / std::cbrt(volume_);
+                         0.01 * hydrostatics_.buoyancy / std::cbrt(volume_);
   if (std::abs(heave - C33) > allowed)
     return note(
         h_.key(),
@@ -227,7 +227,7 @@ void LongWaves::note(const Issues& note) const {
         "that of the files is {:.4g} N/m: do they belong to the same body, draught and density, and is "
         "'length_scale' that of the files?",
         file, heave, C33);
-  if (const Compared& worst = deep ? in_deep : here; worst.off() > 1)
+  if (const Compared& worst = deep ? in_deep : as_given; worst.off() > 1)
     return note(
         h_.key(),
         "in the longest waves the {} force of {} is that of a displaced volume of {:.5g} m³, and the body "
@@ -235,11 +235,11 @@ void LongWaves::note(const Issues& note) const {
         "'displaced_volume' that of the body?",
         kFreedomNames[worst.freedom], file, worst.by_waves, worst.given,
         h_.volume > 0 ? "" : " (that of its mass)");
-  const double size = still_.buoyancy * std::cbrt(volume_);
+  const double size = hydrostatics_.buoyancy * std::cbrt(volume_);
   Compared worst{0, 0, 0, 1};
   for (const int freedom : {0, 1}) {
     if (!moves(freedom)) continue;
-    Compared one{4 - freedom, 0, still_.stiffness(2 - freedom, 2 - freedom), 0};
+    Compared one{4 - freedom, 0, hydrostatics_.stiffness(2 - freedom, 2 - freedom), 0};
     one.by_waves = at.limit([&](double w) { return stiffness_by_waves(freedom, w, deep); });
     one.allowed = (0.005 + 0.02 * ratio) * size +
                   (0.01 + 0.1 * ratio) * std::max(std::abs(one.given), std::abs(one.by_waves));

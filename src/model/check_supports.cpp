@@ -99,7 +99,7 @@ void check_supports(const Case& c, const Issues& issue) {
               line.name);
         break;
       }
-      if (const int body = c.body_index(b.body); c.rides(body) && !c.bodies[body].on->drawn) {
+      if (const int body = c.body_index(b.body); c.rides(body) && !c.bodies[body].ride->placed_in_space) {
         issue(b.key,
               "body '{}' rides on a line; name that line in 'on' of the group, and as 'body' the one in "
               "whose frame the boxes are given",
@@ -114,20 +114,20 @@ void check_supports(const Case& c, const Issues& issue) {
       if (!before) {
         check_start(c, line, b, issue);
       } else {
-        const Vec3 way = support_point(c, b, b.at) - support_point(c, *before, before->at);
-        const Vec3 there = pose_of(c, *before).rotation * before->along,
-                   here = pose_of(c, b).rotation * b.along;
-        if (!(way.dot(there) > 0) || !(here.dot(there) > 0))
+        const Vec3 span = support_point(c, b, b.at) - support_point(c, *before, before->at);
+        const Vec3 direction_before = pose_of(c, *before).rotation * before->along,
+                   direction = pose_of(c, b).rotation * b.along;
+        if (!(span.dot(direction_before) > 0) || !(direction.dot(direction_before) > 0))
           issue(b.key,
                 "support '{}' lies behind '{}', which the line passes before it; give supports and groups in "
                 "the order in which it passes them",
                 b.name, before->name);
-        else if (const double here_r = roller_radius(c, b), there_r = roller_radius(c, *before);
-                 way.norm() < here_r + there_r)
+        else if (const double radius = roller_radius(c, b), radius_before = roller_radius(c, *before);
+                 span.norm() < radius + radius_before)
           issue(b.key,
                 "its rollers of {:g} m in diameter and those of support '{}', {:g} m, overlap: the supports "
                 "are {:.4g} m apart; is 'roller_diameter' in m?",
-                2 * here_r, before->name, 2 * there_r, way.norm());
+                2 * radius, before->name, 2 * radius_before, span.norm());
       }
       before = &b;
     }

@@ -19,9 +19,9 @@ constexpr double kSame = 1e-9;  // fraction of the line's length
 Section part_of(const Section& s, double from, double to) {
   const double q = s.elements > 1 ? std::pow(s.grading, 1.0 / (s.elements - 1)) : 1;
   const auto elements_before = [&](double at) {
-    const double share = at / s.length;
+    const double fraction = at / s.length;
     const double n =
-        q == 1 ? share * s.elements : std::log1p(share * (std::pow(q, s.elements) - 1)) / std::log(q);
+        q == 1 ? fraction * s.elements : std::log1p(fraction * (std::pow(q, s.elements) - 1)) / std::log(q);
     return std::clamp(static_cast<int>(std::lround(n)), 0, s.elements);
   };
   Section out = s;
@@ -44,9 +44,9 @@ Line part_of(const Line& line, double from, double to, double length) {
       out.sections.push_back(b - a < s.length ? part_of(s, a - start, b - start) : s);
     start += s.length;
   }
-  const auto elsewhere = [&](const auto& p) { return p.at > to || (p.at <= from && !first); };
-  std::erase_if(out.masses, elsewhere);
-  std::erase_if(out.point_loads, elsewhere);
+  const auto outside = [&](const auto& p) { return p.at > to || (p.at <= from && !first); };
+  std::erase_if(out.masses, outside);
+  std::erase_if(out.point_loads, outside);
   for (PointMass& m : out.masses) m.at -= from;
   for (PointLoad& p : out.point_loads) p.at -= from;
   for (BendStiffener& b : out.bend_stiffeners) b.at -= from;  // one across a cut belongs to both parts
@@ -151,7 +151,7 @@ class Cuts {
       for (LinkEnd* end : {&l.end_a, &l.end_b})
         if (end->line == name) place(end->line, end->arc);
     for (Body& b : c_.bodies)
-      if (b.on && b.on->line == name) place(b.on->line, b.on->at);
+      if (b.ride && b.ride->line == name) place(b.ride->line, b.ride->at);
     for (std::size_t k = 1; k < names_.size(); ++k) {
       if (!c_.contact.all_lines && c_.contact.takes_part(*line_of(name)))
         c_.contact.lines.push_back(names_[k]);
@@ -167,9 +167,9 @@ class Cuts {
         add(between.exclude, between.exclude[i], name, names_[k]);
       for (std::size_t i = 0, n = between.pairs.size(); i < n; ++i) {
         BetweenLines::Tuned more = between.pairs[i];
-        for (std::string* of : {&more.first, &more.second})
-          if (*of == name) {
-            *of = names_[k];
+        for (std::string* line_name : {&more.first, &more.second})
+          if (*line_name == name) {
+            *line_name = names_[k];
             between.pairs.push_back(more);
             break;
           }

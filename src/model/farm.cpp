@@ -56,8 +56,8 @@ KeyPlace place_of(const Case& c, const std::string& key) {
   if (const Placed p = find_placed(c, key); p.part) return {p.part->file, p.part->tree->line_of(p.key)};
   constexpr std::string_view kTypes = "line_types.";
   if (key.starts_with(kTypes)) {
-    const std::string rest = key.substr(kTypes.size());
-    if (const FarmPart* part = part_of_type(c, rest.substr(0, rest.find_first_of(".["))))
+    const std::string remainder = key.substr(kTypes.size());
+    if (const FarmPart* part = part_of_type(c, remainder.substr(0, remainder.find_first_of(".["))))
       return {part->file, part->tree->line_of(key)};
   }
   return {c.file, c.tree ? c.tree->line_of(key) : 0};
@@ -87,8 +87,8 @@ std::string place_in(const Farm& farm, const std::string& text) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '/' || (c & 0x80);
   };
   for (std::size_t slash = text.find('/'); slash != std::string::npos; slash = text.find('/', slash + 1)) {
-    const std::size_t least = slash > kLongest ? slash - kLongest : 0;
-    for (std::size_t begin = least; begin < slash; ++begin) {
+    const std::size_t first = slash > kLongest ? slash - kLongest : 0;
+    for (std::size_t begin = first; begin < slash; ++begin) {
       if (begin > 0 && in_word(text[begin - 1])) continue;
       std::string name = text.substr(begin, slash - begin);
       if (farm.at.count(name)) return name;
@@ -163,11 +163,11 @@ struct Count {
 };
 
 template <class Things, class Add>
-void count(const Case& c, const Things& things, std::vector<Count>& parts, Count& own, Add add) {
+void count(const Case& c, const Things& things, std::vector<Count>& parts, Count& common, Add add) {
   for (const auto& thing : things) {
     const Placed p = find_placed(c, thing.name);
     if (!p.part)
-      add(own, thing);
+      add(common, thing);
     else if (p.place == &p.part->places.front())
       add(parts[static_cast<std::size_t>(p.part - c.farm->parts.data())], thing);
   }
@@ -179,11 +179,11 @@ std::string farm_text(const Case& c) {
   if (!c.farm) return "";
   constexpr std::size_t kListed = 12;  // largest number of places that are listed individually
   std::vector<Count> each(c.farm->parts.size());
-  Count own;
-  count(c, c.lines, each, own, [](Count& n, const Line& l) { n.add(l); });
-  count(c, c.bodies, each, own, [&](Count& n, const Body& b) { n.bodies += !is_place(c, b.name); });
-  count(c, c.links, each, own, [](Count& n, const Link&) { ++n.links; });
-  count(c, c.volumes, each, own, [](Count& n, const Volume&) { ++n.volumes; });
+  Count common;
+  count(c, c.lines, each, common, [](Count& n, const Line& l) { n.add(l); });
+  count(c, c.bodies, each, common, [&](Count& n, const Body& b) { n.bodies += !is_place(c, b.name); });
+  count(c, c.links, each, common, [](Count& n, const Link&) { ++n.links; });
+  count(c, c.volumes, each, common, [](Count& n, const Volume&) { ++n.volumes; });
   std::string s = fmt::format("farm: {}\n", count_of(std::ssize(c.farm->at), "place"));
   for (std::size_t k = 0; k < each.size(); ++k) {
     const FarmPart& part = c.farm->parts[k];
@@ -200,7 +200,7 @@ std::string farm_text(const Case& c) {
           fmt::format("    {}: ({:g}, {:g}) m, heading {:g} deg\n", p.name, p.x, p.y, p.heading * 180 / M_PI);
     }
   }
-  return s + fmt::format("  beside them {}\n", own.text());
+  return s + fmt::format("  beside them {}\n", common.text());
 }
 
 }  // namespace hawser::model

@@ -67,13 +67,13 @@ std::optional<Value> reduced(const Value& v, const Key* key, int line) {
   if (key && key->fixed_in_restart) return v;
   if (key && key->type == Type::one_of) return reduced(v, v.schema, line);
   const bool placed = v.given && v.line != 0;
-  const int here = placed ? v.line : line;
+  const int item_line = placed ? v.line : line;
   std::vector<std::optional<Value>> items;
   for (std::size_t i = 0; i < v.items.size(); ++i)
-    items.push_back(reduced(*Entry(v, i), key_of(v, i, key), here));
+    items.push_back(reduced(*Entry(v, i), key_of(v, i, key), item_line));
   const auto kept =
       std::count_if(items.begin(), items.end(), [](const std::optional<Value>& x) { return x.has_value(); });
-  if (here == line && kept == 0) return std::nullopt;
+  if (item_line == line && kept == 0) return std::nullopt;
   Value out;
   out.kind = v.kind;
   out.line = v.line;

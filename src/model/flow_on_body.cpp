@@ -13,20 +13,21 @@ namespace hawser::model {
 namespace {
 
 // Largest forces in a flow of this speed over all directions.
-std::string line(const char* what, const FlowOnBody& f, double density, double speed, const std::string& of) {
-  Vec3 most = Vec3::Zero();
+std::string line(const char* medium, const FlowOnBody& f, double density, double speed,
+                 const std::string& remark) {
+  Vec3 largest = Vec3::Zero();
   for (int k = 0; k < 360; ++k) {
     Vec3 C, slope;
     f.coefficients.at(k * M_PI / 180, C, slope);
-    most = most.cwiseMax(C.cwiseAbs());
+    largest = largest.cwiseMax(C.cwiseAbs());
   }
   const double pressure = 0.5 * density * speed * speed;
   return fmt::format(
       "    {} by {} rows{}{}: at {:.4g} m/s{} it has at most {:.4g} kN along, {:.4g} kN across and "
       "{:.4g} kN m of yaw\n",
-      what, f.rows, f.by_origin ? ", by where it comes from" : ", by where it goes to",
-      f.mirrored ? ", mirrored" : "", speed, of, pressure * f.frontal * most.x() / 1000,
-      pressure * f.lateral * most.y() / 1000, pressure * f.lateral * f.length * most.z() / 1000);
+      medium, f.rows, f.by_origin ? ", by where it comes from" : ", by where it goes to",
+      f.mirrored ? ", mirrored" : "", speed, remark, pressure * f.frontal * largest.x() / 1000,
+      pressure * f.lateral * largest.y() / 1000, pressure * f.lateral * f.length * largest.z() / 1000);
 }
 
 }  // namespace

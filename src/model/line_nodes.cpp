@@ -28,7 +28,7 @@ using Moved = std::map<std::size_t, double>;
 // need the same node, the nearer place gets it.
 Moved moved_nodes(const std::vector<double>& at, double from, const std::vector<double>& places) {
   struct NodeRequest {
-    double place = 0, apart = 0, off = 0;
+    double place = 0, spacing = 0, shift = 0;
     std::size_t node = 0;
   };
   const std::size_t last = at.size() - 1;
@@ -42,14 +42,14 @@ Moved moved_nodes(const std::vector<double>& at, double from, const std::vector<
     requests.push_back({place, kApart * (at[after] - at[after - 1]), std::abs(at[node] - place), node});
   }
   std::stable_sort(requests.begin(), requests.end(),
-                   [](const NodeRequest& a, const NodeRequest& b) { return a.off < b.off; });
+                   [](const NodeRequest& a, const NodeRequest& b) { return a.shift < b.shift; });
   Moved out = {{0, 0}, {last, at[last]}};
   for (const NodeRequest& w : requests) {
     const auto next = out.lower_bound(w.node);
-    if (next->first == w.node || next->second - w.place < w.apart ||
-        w.place - std::prev(next)->second < w.apart)
+    if (next->first == w.node || next->second - w.place < w.spacing ||
+        w.place - std::prev(next)->second < w.spacing)
       continue;
-    out.emplace(w.node, w.off > kSamePlace * w.apart ? w.place : at[w.node]);
+    out.emplace(w.node, w.shift > kSamePlace * w.spacing ? w.place : at[w.node]);
   }
   return out;
 }
@@ -91,7 +91,7 @@ std::vector<std::vector<double>> fixed_places(const Case& c) {
     for (const LinkEnd* e : {&l.end_a, &l.end_b})
       if (!e->line.empty()) add(e->line, e->arc);
   for (const Body& b : c.bodies)
-    if (b.on) add(b.on->line, b.on->at);
+    if (b.ride) add(b.ride->line, b.ride->at);
   for (auto& places : out) std::sort(places.begin(), places.end());
   return out;
 }

@@ -66,31 +66,32 @@ std::string start_text(Start s) {
 }
 
 std::string warmth_text(const Case& c, const Line& l) {
-  double least = l.temperature_change.front().second, most = least;
+  double lowest = l.temperature_change.front().second, highest = lowest;
   for (const auto& [at, change] : l.temperature_change) {
-    least = std::min(least, change);
-    most = std::max(most, change);
+    lowest = std::min(lowest, change);
+    highest = std::max(highest, change);
   }
-  const bool colder = least < 0 && most <= 0;
-  if (colder) std::tie(least, most) = std::pair(0 - most, 0 - least);
+  const bool colder = lowest < 0 && highest <= 0;
+  if (colder) std::tie(lowest, highest) = std::pair(0 - highest, 0 - lowest);
   const double expansion = expansion_of(c, l);
-  return fmt::format("{} by {} K, {:.6g} m {} without tension", colder ? "colder" : "warmer",
-                     least == most ? fmt::format("{:g}", most) : fmt::format("{:g} to {:g}", least, most),
-                     std::abs(expansion), expansion < 0 ? "shorter" : "longer");
+  return fmt::format(
+      "{} by {} K, {:.6g} m {} without tension", colder ? "colder" : "warmer",
+      lowest == highest ? fmt::format("{:g}", highest) : fmt::format("{:g} to {:g}", lowest, highest),
+      std::abs(expansion), expansion < 0 ? "shorter" : "longer");
 }
 
 std::string target_text(const LengthTarget& t) {
   using Kind = LengthTarget::Kind;
   const std::string end = fmt::format("end {}", end_letter(t.line_end));
-  const std::string what = t.kind == Kind::tension
-                               ? fmt::format("a tension of {:g} kN at {}", t.value / 1000, end)
-                           : t.kind == Kind::declination
-                               ? fmt::format("a declination of {:g} deg at {}", t.value * 180 / M_PI, end)
-                           : t.kind == Kind::touchdown
-                               ? fmt::format("a touchdown point at {:g} m, the first from {}", t.value, end)
-                               : fmt::format("a laid length of {:g} m", t.value);
-  return fmt::format("{}, by the length of section {}, between {:g} and {:g} m", what, t.section + 1, t.least,
-                     t.most);
+  const std::string target = t.kind == Kind::tension
+                                 ? fmt::format("a tension of {:g} kN at {}", t.value / 1000, end)
+                             : t.kind == Kind::declination
+                                 ? fmt::format("a declination of {:g} deg at {}", t.value * 180 / M_PI, end)
+                             : t.kind == Kind::touchdown
+                                 ? fmt::format("a touchdown point at {:g} m, the first from {}", t.value, end)
+                                 : fmt::format("a laid length of {:g} m", t.value);
+  return fmt::format("{}, by the length of section {}, between {:g} and {:g} m", target, t.section + 1,
+                     t.min_length, t.max_length);
 }
 
 // Description of lines with equal properties, preceded by `name`, and their end positions.

@@ -64,8 +64,8 @@ Sea sea(const Environment& e) {
 
 bool moves(const HarmonicMotion& m) { return !m.amplitude.isZero() || !m.rotation_amplitude.isZero(); }
 
-void add_harmonic(const HarmonicMotion& m, const std::string& who, Shortest& to) {
-  if (moves(m)) to.offer(m.period, kInPeriod, "the period of " + who);
+void add_harmonic(const HarmonicMotion& m, const std::string& name, Shortest& to) {
+  if (moves(m)) to.offer(m.period, kInPeriod, "the period of " + name);
 }
 
 // Largest distance of attached lines and links from the body's origin, m: lever arm of its rotation.
@@ -85,11 +85,11 @@ double mean_period(const RowCurve::Activity& a) {
 }
 
 // Adds the period of a motion table and returns a speed [m/s], that of a sine with the same root mean square.
-double add_table(const TableMotion& m, const std::string& who, double lever, Shortest& to) {
+double add_table(const TableMotion& m, const std::string& name, double lever, Shortest& to) {
   if (m.of_waves || m.time.size() < 2) return 0;
   const TableLaw law = table_law(m);
   const RowCurve::Activity moved = law.offset.activity(), turned = law.rotation.activity();
-  const std::string subject = "the mean period of the motion table of " + who;
+  const std::string subject = "the mean period of the motion table of " + name;
   if (lever > 0) {
     const double square = lever * lever;
     to.offer(mean_period({moved.rate + square * turned.rate, moved.second + square * turned.second}),
@@ -103,26 +103,26 @@ double add_table(const TableMotion& m, const std::string& who, double lever, Sho
 
 // Adds the motion of a body and returns the largest speed of its points, m/s.
 double add_body(const Case& c, const Body& b, Shortest& to) {
-  const std::string who = "body " + b.name;
+  const std::string name = "body " + b.name;
   double speed = 0;
   if (const auto* h = std::get_if<HarmonicMotion>(&b.motion)) {
-    add_harmonic(*h, who, to);
+    add_harmonic(*h, name, to);
     speed = 2 * M_PI / h->period * h->amplitude.norm();
   } else if (const auto* t = std::get_if<TableMotion>(&b.motion)) {
-    speed = add_table(*t, who, lever(c, b), to);
+    speed = add_table(*t, name, lever(c, b), to);
   } else if (const auto* s = std::get_if<ConstantMotion>(&b.motion)) {
-    if (s->rate != 0) to.offer(2 * M_PI / std::abs(s->rate), kInPeriod, "a turn of " + who);
+    if (s->rate != 0) to.offer(2 * M_PI / std::abs(s->rate), kInPeriod, "a turn of " + name);
     speed = s->velocity.norm();
   }
   if (b.drift) {
-    add_harmonic(b.drift->harmonic, who, to);
-    speed = std::max(speed, add_table(b.drift->table, who, lever(c, b), to));
+    add_harmonic(b.drift->harmonic, name, to);
+    speed = std::max(speed, add_table(b.drift->table, name, lever(c, b), to));
   }
   return speed;
 }
 
 // Adds a time factor, linear between its rows.
-void add_factor(const TimeFactor& factor, const std::string& of, Shortest& to) {
+void add_factor(const TimeFactor& factor, const std::string& name, Shortest& to) {
   std::vector<double> time;
   std::vector<Vec3> value;
   for (const auto& [t, f] : factor.rows()) {
@@ -130,7 +130,7 @@ void add_factor(const TimeFactor& factor, const std::string& of, Shortest& to) {
     value.emplace_back(f, 0, 0);
   }
   to.offer(mean_period(RowCurve(time, value, BetweenRows::linear).activity()), kInPeriod,
-           "the mean period of the time_factor of " + of);
+           "the mean period of the time_factor of " + name);
 }
 
 // Adds the time-dependent forces on a body.
@@ -157,9 +157,8 @@ double taut_stiffness(const Case& c, const Body& b) {
   double sum = 0;
   for (const Line& line : c.lines)
     for (const LineEnd line_end : kLineEnds) {
-      const End& mine = line.end(line_end);
-      if (mine.kind != EndKind::body || mine.body != b.name || !is_held(line.end(opposite(line_end))))
-        continue;
+      const End& end = line.end(line_end);
+      if (end.kind != EndKind::body || end.body != b.name || !is_held(line.end(opposite(line_end)))) continue;
       double length = 0, give = 0;
       for (const Section& s : line.sections) {
         length += s.length;
@@ -173,12 +172,12 @@ double taut_stiffness(const Case& c, const Body& b) {
 
 // Natural periods of bodies with mass: on springs, on taut lines, on links, in the water surface and by the
 // coefficients of platforms. driven: there is periodic excitation.
-void add_free_bodies(const Case& c, bool driven, Shortest& afloat, Shortest& own) {
-  const auto has_period = [&](Shortest& to, double period, const std::string& what) {
-    to.offer(period, driven ? kInOwn : kInFree, "the period of body " + what);
+void add_free_bodies(const Case& c, bool driven, Shortest& afloat, Shortest& natural) {
+  const auto has_period = [&](Shortest& to, double period, const std::string& name) {
+    to.offer(period, driven ? kInOwn : kInFree, "the period of body " + name);
   };
-  const auto oscillates = [&](Shortest& to, double mass, double stiffness, const std::string& what) {
-    if (stiffness > 0) has_period(to, 2 * M_PI * std::sqrt(mass / stiffness), what);
+  const auto oscillates = [&](Shortest& to, double mass, double stiffness, const std::string& name) {
+    if (stiffness > 0) has_period(to, 2 * M_PI * std::sqrt(mass / stiffness), name);
   };
   for (const Body& b : c.bodies) {
     if (!b.mass) continue;
@@ -203,12 +202,12 @@ void add_free_bodies(const Case& c, bool driven, Shortest& afloat, Shortest& own
       has_period(afloat, periods.pitch, b.name + " in pitch");
     }
     // With excitation the motion follows such a line as if it were a bar.
-    if (!driven) oscillates(own, mass, taut_stiffness(c, b), b.name + " on its lines");
+    if (!driven) oscillates(natural, mass, taut_stiffness(c, b), b.name + " on its lines");
   }
   for (const Link& l : c.links)
     for (const LinkEnd* e : {&l.end_a, &l.end_b})
       if (const int body = c.body_index(e->body); c.floats(body))
-        oscillates(own, c.bodies[body].mass->mass, l.law.max_stiffness(), e->body + " on link " + l.name);
+        oscillates(natural, c.bodies[body].mass->mass, l.law.max_stiffness(), e->body + " on link " + l.name);
 }
 
 // Adds the initial rotation of bodies with mass.
@@ -229,7 +228,8 @@ void add_drag_of_body(const Body& b, const Environment& e, double speed, Shortes
 }
 
 // Adds a line: its slowest period, the axial wave travel time if it starts with a jump, and drag.
-void add_line(const Case& c, const Line& line, double speed, bool jolted, Shortest& own, Shortest& drags) {
+void add_line(const Case& c, const Line& line, double speed, bool jolted, Shortest& natural,
+              Shortest& drags) {
   double length = 0, mass = 0, along = 0;
   for (const Section& s : line.sections) {
     const LineType& t = c.line_type(s.type);
@@ -244,8 +244,8 @@ void add_line(const Case& c, const Line& line, double speed, bool jolted, Shorte
                   "the time in which drag carries line " + line.name + " along");
   }
   if (length == 0 || mass == 0) return;
-  own.offer(slowest_period(c, line), kInOwn, "the slowest period of line " + line.name);
-  if (jolted) own.offer(2 * along, kInOwn, "the time of a wave along line " + line.name + " and back");
+  natural.offer(slowest_period(c, line), kInOwn, "the slowest period of line " + line.name);
+  if (jolted) natural.offer(2 * along, kInOwn, "the time of a wave along line " + line.name + " and back");
 }
 
 // Adds the ramps between the speed rows of a feeder.
@@ -288,7 +288,7 @@ double slowest_period(const Case& c, const Line& line) {
     length += s.length;
     mass += s.length * t.mass_per_length;
     give += s.length / t.EA;
-    bend += s.length * t.least_bending_stiffness();
+    bend += s.length * t.smallest_bending_stiffness();
   }
   if (length == 0 || mass == 0) return 0;
   const bool spans = line.end_a.kind != EndKind::free && line.end_b.kind != EndKind::free;
@@ -304,7 +304,7 @@ double slowest_period(const Case& c, const Line& line) {
 }
 
 LongestStep longest_step(const Case& c) {
-  Shortest to, own, drags;
+  Shortest to, natural, drags;
   const Sea waves = sea(c.environment);
   to.offer(waves.period, kInWaves, "the period of the waves");
   double speed = waves.speed;
@@ -315,7 +315,7 @@ LongestStep longest_step(const Case& c) {
   // Without excitation, outputs and duration do not limit the steps of free bodies from below.
   Shortest afloat;
   const bool driven_by_motion = to.best().length > 0;
-  add_free_bodies(c, driven_by_motion, driven_by_motion ? own : afloat, own);
+  add_free_bodies(c, driven_by_motion, driven_by_motion ? natural : afloat, natural);
   add_spin(c, afloat);
   add_factor(c.environment.water.current.time_factor, "the current", to);
   add_factor(c.environment.wind.time_factor, "the wind", to);
@@ -329,13 +329,13 @@ LongestStep longest_step(const Case& c) {
   to.offer(c.dynamics.duration, kInDuration, "the duration");
   const bool jolted = !c.statics.enabled || !velocity_jumps(c.bodies).empty();
   for (const Line& line : c.lines)
-    add_line(c, line, speed, jolted || fed_at_once(line.end_a) || fed_at_once(line.end_b), own, drags);
+    add_line(c, line, speed, jolted || fed_at_once(line.end_a) || fed_at_once(line.end_b), natural, drags);
   const double driven = to.best().length;
-  const auto follow = [&](const LongestStep& what, double least) {
-    if (what.length > 0) to.offer({std::max(what.length, least * driven), what.divisor, what.subject});
+  const auto resolve = [&](const LongestStep& step, double min_fraction) {
+    if (step.length > 0) to.offer({std::max(step.length, min_fraction * driven), step.divisor, step.subject});
   };
-  follow(own.best(), kLeastOwn);
-  follow(drags.best(), kLeastDrag);
+  resolve(natural.best(), kLeastOwn);
+  resolve(drags.best(), kLeastDrag);
   to.offer(afloat.best());
   return to.best();
 }

@@ -67,11 +67,11 @@ Value unpacked(const Value& v) {
 
 Entry::Entry(const Value& map, std::size_t i) : at_(&map.items[i]) {
   if (at_->kind != Kind::packed) return;
-  const auto own = std::make_shared<Value>(unpacked(*at_));
+  const auto value = std::make_shared<Value>(unpacked(*at_));
   if (map.schema && map.schema->type == Key::Type::names)
-    check_again(*own, map.schema->keys[0], map.where + "." + map.keys[i]);
-  own_ = own;
-  at_ = own_.get();
+    check_again(*value, map.schema->keys[0], map.where + "." + map.keys[i]);
+  owned_ = value;
+  at_ = owned_.get();
 }
 
 Entry find_entry(const Value& map, std::string_view name) {

@@ -61,19 +61,19 @@ class Placing {
   }
 
  private:
-  std::string name(const std::string& own) const { return placed_name(place_, own); }
-  void rename(std::string& own) const {
-    if (!own.empty()) own = name(own);
+  std::string name(const std::string& name_in_file) const { return placed_name(place_, name_in_file); }
+  void rename(std::string& name_in_file) const {
+    if (!name_in_file.empty()) name_in_file = name(name_in_file);
   }
-  // Name of the body that carries objects on body `own` or, if that is empty, fixed in space.
-  std::string carrier(const std::string& own) {
-    if (!own.empty()) return name(own);
+  // Name of the body that carries objects on body `name_in_file` or, if that is empty, fixed in space.
+  std::string carrier(const std::string& name_in_file) {
+    if (!name_in_file.empty()) return name(name_in_file);
     fixed_ = true;
     return place_.name;
   }
 
-  Vec3 way(const Vec3& d) const { return turned_ ? Vec3(turn_ * d) : d; }
-  Vec3 point(const Vec3& x) const { return way(x) + Vec3(place_.x, place_.y, 0); }
+  Vec3 turned(const Vec3& d) const { return turned_ ? Vec3(turn_ * d) : d; }
+  Vec3 point(const Vec3& x) const { return turned(x) + Vec3(place_.x, place_.y, 0); }
   // Position of a point; one up to `reach` [m] above the bed of the file keeps its height above the bed.
   Vec3 on_bed(const Vec3& x, double reach) const {
     Vec3 out = point(x);
@@ -97,12 +97,12 @@ class Placing {
     turn(m.rotation_amplitude, m.rotation_phase);
   }
   void turn(TableMotion& m) const {
-    for (Vec3& x : m.offset) x = way(x);
-    for (Vec3& x : m.rotation) x = way(x);
+    for (Vec3& x : m.offset) x = turned(x);
+    for (Vec3& x : m.rotation) x = turned(x);
   }
   void turn(ConstantMotion& m) const {
-    m.velocity = way(m.velocity);
-    m.axis = way(m.axis);
+    m.velocity = turned(m.velocity);
+    m.axis = turned(m.axis);
   }
   void turn(std::monostate&) const {}
 
@@ -121,15 +121,15 @@ class Placing {
   Body placed(const Body& body) const {
     Body b = body;
     b.name = name(body.name);
-    if (b.on) b.on->line = name(body.on->line);
-    if (!body.on || body.on->drawn) {
+    if (b.ride) b.ride->line = name(body.ride->line);
+    if (!body.ride || body.ride->placed_in_space) {
       b.position = point(b.position);
       if (turned_) b.rotation = log_so3(turn_ * exp_so3(b.rotation));
     }
     std::visit([this](auto& m) { turn(m); }, b.motion);
     if (b.drift && turned_) {
-      b.drift->offset = way(b.drift->offset);
-      b.drift->rotation = way(b.drift->rotation);
+      b.drift->offset = turned(b.drift->offset);
+      b.drift->rotation = turned(b.drift->rotation);
       turn(b.drift->harmonic);
       turn(b.drift->table);
     }
@@ -139,9 +139,9 @@ class Placing {
 
   // Changes only what differs, because all places share the rest.
   void place_mass(const Body& body, Shared<BodyMass>& mass) const {
-    const BodyMass& own = *body.mass;
+    const BodyMass& given = *body.mass;
     if (turned_) {
-      mass->velocity = way(own.velocity);
+      mass->velocity = turned(given.velocity);
       turn_springs(mass->stiffness, body.name, "stiffness");
       turn_springs(mass->damping, body.name, "damping");
     }
@@ -149,10 +149,11 @@ class Placing {
       if (x.place) x.place = point(*x.place);
       if (x.heading) *x.heading += place_.heading;
     };
-    if (own.hydrodynamics && (own.hydrodynamics->place || own.hydrodynamics->heading))
+    if (given.hydrodynamics && (given.hydrodynamics->place || given.hydrodynamics->heading))
       move(*mass->hydrodynamics);
-    if (own.positioning && (own.positioning->place || own.positioning->heading)) move(*mass->positioning);
-    if (own.hull)
+    if (given.positioning && (given.positioning->place || given.positioning->heading))
+      move(*mass->positioning);
+    if (given.hull)
       for (std::string& volume : mass->hull->volumes) rename(volume);
   }
 
@@ -167,7 +168,7 @@ class Placing {
     End e = end;
     if (e.kind == EndKind::anchor) e.at = on_bed(e.at, reach);
     if (e.kind == EndKind::joint) e.at = point(e.at);
-    if (e.direction && e.kind != EndKind::body) e.direction = way(*e.direction);
+    if (e.direction && e.kind != EndKind::body) e.direction = turned(*e.direction);
     rename(e.body);
     return e;
   }

@@ -21,7 +21,7 @@ PlatformMemory platform_memory(const Case& c, const std::vector<int>& bodies) {
     for (int k = 0; k < 6; ++k) out.rows.push_back(6 * (c.bodies[body].mass->hydrodynamics->body - 1) + k);
   const HydrodynamicData& data = *c.bodies[bodies.front()].mass->hydrodynamics->data;
   const int n = static_cast<int>(out.rows.size());
-  const auto most = [&](int i, int j) {
+  const auto peak = [&](int i, int j) {
     double largest = 0;
     for (const Eigen::MatrixXd& B : data.damping)
       largest = std::max(largest, std::abs(B(out.rows[i], out.rows[j])));
@@ -29,7 +29,7 @@ PlatformMemory platform_memory(const Case& c, const std::vector<int>& bodies) {
   };
   for (int i = 0; i < n; ++i)
     for (int j = i; j < n; ++j)
-      if (most(i, j) > kNoEntry * std::sqrt(most(i, i) * most(j, j))) out.entries.emplace_back(i, j);
+      if (peak(i, j) > kNoEntry * std::sqrt(peak(i, i) * peak(j, j))) out.entries.emplace_back(i, j);
   if (out.entries.empty()) return out;
   Eigen::MatrixXd damping(data.omega.size(), out.entries.size());
   for (Eigen::Index k = 0; k < damping.rows(); ++k)
@@ -48,33 +48,33 @@ std::string freedom_name(const Case& c, const std::vector<int>& bodies, int row)
 
 // Without the last row, where the added mass by truncated damping is infinite, and without degrees of freedom
 // that radiate no waves, whose added mass is rounding.
-OgilvieCheck ogilvie_check(const HydrodynamicData& data, const PlatformMemory& of) {
+OgilvieCheck ogilvie_check(const HydrodynamicData& data, const PlatformMemory& radiation) {
   std::vector<Eigen::RowVectorXd> by_damping;
-  for (size_t k = 0; k + 1 < data.omega.size() && !of.entries.empty(); ++k)
-    by_damping.push_back(of.memory.added_mass_by_damping(data.omega[k]));
+  for (size_t k = 0; k + 1 < data.omega.size() && !radiation.entries.empty(); ++k)
+    by_damping.push_back(radiation.memory.added_mass_by_damping(data.omega[k]));
   constexpr double kRounding = 1e-6;
   const auto size = [&data](int row) {
-    double most = std::abs(data.infinite(row, row));
-    for (const Eigen::MatrixXd& A : data.added_mass) most = std::max(most, std::abs(A(row, row)));
-    return most;
+    double largest = std::abs(data.infinite(row, row));
+    for (const Eigen::MatrixXd& A : data.added_mass) largest = std::max(largest, std::abs(A(row, row)));
+    return largest;
   };
   OgilvieCheck worst;
-  for (size_t e = 0; e < of.entries.size(); ++e) {
-    const auto [i, j] = of.entries[e];
+  for (size_t e = 0; e < radiation.entries.size(); ++e) {
+    const auto [i, j] = radiation.entries[e];
     if (i != j) continue;
-    const int row = of.rows[static_cast<size_t>(i)];
+    const int row = radiation.rows[static_cast<size_t>(i)];
     const int first = row - row % 3;
     if (size(row) < kRounding * std::max({size(first), size(first + 1), size(first + 2)})) continue;
-    OgilvieCheck own{0, i, 0};
-    double most = 0;
+    OgilvieCheck of_freedom{0, i, 0};
+    double largest = 0;
     for (size_t k = 0; k < by_damping.size(); ++k) {
       const double varies = data.added_mass[k](row, row) - data.infinite(row, row);
       const double off = std::abs(by_damping[k][static_cast<Eigen::Index>(e)] - varies);
-      most = std::max(most, std::abs(varies));
-      if (off > own.difference) own = {off, i, data.omega[k]};
+      largest = std::max(largest, std::abs(varies));
+      if (off > of_freedom.difference) of_freedom = {off, i, data.omega[k]};
     }
-    if (most > 0) own.difference /= most;
-    if (own.difference > worst.difference) worst = own;
+    if (largest > 0) of_freedom.difference /= largest;
+    if (of_freedom.difference > worst.difference) worst = of_freedom;
   }
   return worst;
 }

@@ -32,9 +32,9 @@ double frequency(const Mat3& C, const Mat3& M, int freedom) {
 
 // Between the rows; beyond them as there.
 Mat6 added_mass(const HydrodynamicData& data, int first, double omega) {
-  const auto [low, high, share] = frequency_place(data.omega, omega);
-  const auto of = [&](size_t row) { return Mat6(data.added_mass[row].block<6, 6>(first, first)); };
-  return (1 - share) * of(low) + share * of(high);
+  const auto [low, high, fraction] = frequency_place(data.omega, omega);
+  const auto block = [&](size_t row) { return Mat6(data.added_mass[row].block<6, 6>(first, first)); };
+  return (1 - fraction) * block(low) + fraction * block(high);
 }
 
 }  // namespace
@@ -43,9 +43,9 @@ PlatformPeriods platform_periods(const Case& c, const Body& b) {
   const BodyMass& m = *b.mass;
   const BodyHydrodynamics& h = *m.hydrodynamics;
   const double g = c.environment.gravity;
-  const PlatformHydrostatics still = hydrostatics(m, c.environment.water.density, g);
-  Mat3 C = still.stiffness;
-  C.diagonal() = restoring(m, still, g);
+  const PlatformHydrostatics calm = hydrostatics(m, c.environment.water.density, g);
+  Mat3 C = calm.stiffness;
+  C.diagonal() = restoring(m, calm, g);
   const Mat6 mass = mass_matrix_about(m, Vec3::Zero());
   const int first = 6 * (h.body - 1);
   const auto period = [&](int freedom) {

@@ -52,13 +52,13 @@ Coverage coverage(const WaveForceTable& table, const std::vector<WaveComponent>&
       if (out.uncovered == 0) out.direction = std::remainder(direction, 2 * M_PI);
       out.uncovered += energy;
     }
-    if (w.omega > table.highest() * (1 + 1e-4)) out.shorter += energy;
-    if (w.omega < table.lowest() * (1 - 1e-4)) out.longer += energy;
+    if (w.omega > table.highest() * (1 + 1e-4)) out.shorter_waves += energy;
+    if (w.omega < table.lowest() * (1 - 1e-4)) out.longer_waves += energy;
   }
   if (!(all > 0)) return out;
   out.uncovered /= all;
-  out.shorter /= all;
-  out.longer /= all;
+  out.shorter_waves /= all;
+  out.longer_waves /= all;
   return out;
 }
 

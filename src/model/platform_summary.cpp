@@ -15,17 +15,17 @@ std::string platform_text(const Case& c, const Body& b) {
   const BodyHydrodynamics& h = *m.hydrodynamics;
   const HydrodynamicData& data = *h.data;
   const double g = c.environment.gravity, density = c.environment.water.density;
-  const PlatformHydrostatics still = hydrostatics(m, density, g);
-  const double weight = m.mass * g, heave = (still.buoyancy - weight) / still.stiffness(0, 0);
+  const PlatformHydrostatics calm = hydrostatics(m, density, g);
+  const double weight = m.mass * g, heave = (calm.buoyancy - weight) / calm.stiffness(0, 0);
   std::string s = fmt::format("    displaced volume {:.6g} m³{}, buoyancy {:.5g} kN, weight {:.5g} kN\n",
-                              still.buoyancy / (density * g), h.volume > 0 ? "" : " (that of its mass)",
-                              still.buoyancy / 1000, weight / 1000);
-  if (h.volume > 0 && still.stiffness(0, 0) > 0)
+                              calm.buoyancy / (density * g), h.volume > 0 ? "" : " (that of its mass)",
+                              calm.buoyancy / 1000, weight / 1000);
+  if (h.volume > 0 && calm.stiffness(0, 0) > 0)
     s += fmt::format(
         "    without lines it would float {:.3g} m {}; lines that pull {:.5g} kN {} keep it in place\n",
-        std::abs(heave), heave > 0 ? "higher" : "lower", std::abs(still.buoyancy - weight) / 1000,
+        std::abs(heave), heave > 0 ? "higher" : "lower", std::abs(calm.buoyancy - weight) / 1000,
         heave > 0 ? "down" : "up");
-  const Vec3 heights = restoring(m, still, g) / weight;
+  const Vec3 heights = restoring(m, calm, g) / weight;
   s += fmt::format("    metacentric heights {:.4g} m (roll), {:.4g} m (pitch)\n", heights[1], heights[2]);
   const int first = 6 * (h.body - 1);
   std::string added;

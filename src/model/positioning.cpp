@@ -28,9 +28,9 @@ double largest_growth(double d, double p, double i) {
 
 Vec3 positioned_mass(const Body& b) {
   const BodyMass& m = *b.mass;
-  const Mat6 own = mass_matrix_about(m, Vec3::Zero());
+  const Mat6 mass_about_origin = mass_matrix_about(m, Vec3::Zero());
   Vec3 mass;
-  for (size_t k = 0; k < 3; ++k) mass[k] = own(kHorizontalFreedoms[k], kHorizontalFreedoms[k]);
+  for (size_t k = 0; k < 3; ++k) mass[k] = mass_about_origin(kHorizontalFreedoms[k], kHorizontalFreedoms[k]);
   if (m.in_water) mass.head<2>() += m.in_water->added_mass.head<2>();
   if (!m.hydrodynamics || !m.hydrodynamics->data || m.hydrodynamics->data->added_mass.empty()) return mass;
   const Eigen::MatrixXd& A = m.hydrodynamics->data->added_mass.front();

@@ -12,7 +12,7 @@ ConstantMotion& steady(Body& b) {
 // Field that selects a kind of motion.
 template <class M>
 Field moves() {
-  return by<Body>([](Body& b, const Value& v) { take(v, b.motion.emplace<M>()); });
+  return set_by<Body>([](Body& b, const Value& v) { take(v, b.motion.emplace<M>()); });
 }
 
 Key harmonic(const Field& field, std::string about) {
@@ -62,9 +62,9 @@ Key drift() {
 Key motion() {
   return map(
       "motion",
-      {vec3({"velocity", by<Body>([](Body& b, const Value& v) { put(steady(b).velocity, v); })}, velocity,
+      {vec3({"velocity", set_by<Body>([](Body& b, const Value& v) { put(steady(b).velocity, v); })}, velocity,
             "constant velocity"),
-       map({"rotation", by<Body>([](Body& b, const Value& v) { take(v, steady(b)); })},
+       map({"rotation", set_by<Body>([](Body& b, const Value& v) { take(v, steady(b)); })},
            {vec3({"axis", unit(&ConstantMotion::axis)}, none,
                  "direction of the axis through the body's position, fixed in space, of any length",
                  required),
@@ -95,7 +95,7 @@ Key motion() {
               "the motion starts smoothly over this time (quintic); for `rao`, the motion by waves",
               at_least(0), or_else("0"))},
       "prescribed motion; without it the body does not move",
-      at_most_one({{{"velocity", "rotation"}, {}}, "harmonic", "table", "rao"}));
+      at_most_one_of({{{"velocity", "rotation"}, {}}, "harmonic", "table", "rao"}));
 }
 
 Key body_in_water() {
@@ -110,7 +110,7 @@ Key body_in_water() {
             "in the body's frame; the fluid inertia force acts there as well", or_else(kZero)),
        vec3({"drag_area", &BodyInWater::drag_area}, area, "projected areas along the body's axes",
             at_least(0), or_else(kZero)),
-       vec3({"Cd", by<BodyInWater>([](BodyInWater& w, const Value& v) {
+       vec3({"Cd", set_by<BodyInWater>([](BodyInWater& w, const Value& v) {
                Vec3 Cd;
                put(Cd, v);
                w.drag_area = w.drag_area.cwiseProduct(Cd);
@@ -125,18 +125,18 @@ Key body_in_water() {
             at_least(0))},
       "forces of the water by Morison's equation along the body's axes "
       "([theory](../theory/bodies-in-water.md)); use it with `weight: true`",
-      at_most_one({"Ca", "added_mass"}));
+      at_most_one_of({"Ca", "added_mass"}));
 }
 
 // A 6x6 matrix, row by row.
 template <class Of>
 Key six_by_six(const char* name, Mat6 Of::*matrix, std::string about, auto... parts) {
-  const auto fill = [matrix](Of& of, const Value& v) {
+  const auto fill = [matrix](Of& target, const Value& v) {
     for (int i = 0; i < 6; ++i)
-      for (int j = 0; j < 6; ++j) (of.*matrix)(i, j) = v.items[i].items[j].number;
+      for (int j = 0; j < 6; ++j) (target.*matrix)(i, j) = v.items[i].items[j].number;
   };
-  return list({name, by<Of>(fill)}, list("", number("", none), items(6, 6)), std::move(about), items(6, 6),
-              parts...);
+  return list({name, set_by<Of>(fill)}, list("", number("", none), items(6, 6)), std::move(about),
+              items(6, 6), parts...);
 }
 
 Key body_hydrodynamics() {
@@ -176,7 +176,7 @@ Key body_hydrodynamics() {
             or_else_note("x and y of `position`, z of `origin_in_file`")),
        number({"heading_deg", &H::heading}, angle, "heading of the body at `place`",
               or_else_note("heading of `rotation_deg`")),
-       number({"follow_period", &H::follow}, time,
+       number({"follow_period", &H::follow_period}, time,
               "period of the low-pass filter of the body's position and heading: waves act at the filtered "
               "position, and the coefficients have the axes of the filtered heading; 0: always at `place` "
               "and `heading_deg`",
@@ -210,7 +210,7 @@ Key body_hydrodynamics() {
            "wave drift damping per square of the wave amplitude: N s/m³, between surge or sway and yaw N "
            "s/m², of yaw N m s/m²; linear between the frequencies",
            either({"file", "rows"})),
-       list({"quadratic_damping", by<H>(by_freedom)},
+       list({"quadratic_damping", set_by<H>(by_freedom)},
             one_of("", {number("", none, at_least(0)), list("", number("", none), items(6, 6))}),
             "six coefficients of quadratic damping: with a velocity v of the body's origin the force is the "
             "coefficient times |v| v, in N s²/m² and N m s²; or a matrix, six rows of six, which multiplies "
@@ -222,7 +222,7 @@ Key body_hydrodynamics() {
 }
 
 Key body_hull() {
-  const Field names = by<BodyHull>([](BodyHull& h, const Value& v) {
+  const Field names = set_by<BodyHull>([](BodyHull& h, const Value& v) {
     for (const Value& n : v.items) h.volumes.push_back(n.text);
   });
   return map(
@@ -344,7 +344,7 @@ Key body_positioning() {
     const auto fill = [to](P& p, const Value& v) {
       for (int i = 0; i < 3; ++i) (p.*to)[i] = v.items[i].number;
     };
-    return list({name, by<P>(fill)}, number("", none, at_least(0)), std::move(about), items(3, 3));
+    return list({name, set_by<P>(fill)}, number("", none, at_least(0)), std::move(about), items(3, 3));
   };
   const auto max_force = [](P& p, const Value& v) {
     if (v.items.empty())
@@ -368,7 +368,7 @@ Key body_positioning() {
               "period of the low-pass filter of position and heading; it keeps thrusters from responding to "
               "waves",
               above(0), or_else("60")),
-       one_of({"max_force", by<P>(max_force)},
+       one_of({"max_force", set_by<P>(max_force)},
               {number("", force, above(0)), list("", number("", force, above(0)), items(2, 2))},
               "limit of the thruster force: one number for all directions, or two for surge and for sway, "
               "with an elliptic limit between them",
@@ -431,7 +431,7 @@ Key bodies() {
                 or_else(kZero)),
            vec3({"rotation_deg", &Body::rotation}, angle, "rotation vector at t = 0", or_else(kZero)),
            motion(), floating(),
-           map({"on", &Body::on},
+           map({"on", &Body::ride},
                {reference({"line", &Ride::line}, "lines", "the line", required),
                 arc({"at", &Ride::at},
                     "arc length at which the body is fixed; the program puts a node there, between elements "

@@ -88,7 +88,7 @@ Field itself() {
 }
 // Calls f(T&, const Value&); a std::invalid_argument from it becomes the refusal of the key.
 template <class T, class Function>
-Field by(Function f) {
+Field set_by(Function f) {
   return Field(Put([f](const Target& to, const Value& v) { f(to.as<T>(), v); }));
 }
 
@@ -118,7 +118,7 @@ using enum Dimension;
 inline void apply(Key& k, std::string about) { k.about = std::move(about); }
 inline void apply(Key& k, Dimension unit) { k.unit = unit; }
 inline void apply(Key& k, std::vector<Key> keys) { k.keys = std::move(keys); }
-inline void apply(Key& k, std::invocable<Key&> auto what) { what(k); }
+inline void apply(Key& k, std::invocable<Key&> auto edit) { edit(k); }
 
 inline auto above(double x) {
   return [x](Key& k) { k.bounds.above = x; };
@@ -129,17 +129,17 @@ inline auto at_least(double x) {
 inline auto at_most(double x) {
   return [x](Key& k) { k.bounds.at_most = x; };
 }
-inline auto in_range(double least, double most) {
+inline auto in_range(double lowest, double highest) {
   return [=](Key& k) {
-    k.bounds.at_least = least;
-    k.bounds.at_most = most;
+    k.bounds.at_least = lowest;
+    k.bounds.at_most = highest;
   };
 }
 // Allowed number of entries of a list; most = 0: no limit.
-inline auto items(std::size_t least, std::size_t most = 0) {
+inline auto items(std::size_t min_count, std::size_t max_count = 0) {
   return [=](Key& k) {
-    k.min_items = least;
-    k.max_items = most;
+    k.min_items = min_count;
+    k.max_items = max_count;
   };
 }
 inline constexpr auto required = [](Key& k) { k.required = true; };
@@ -153,7 +153,7 @@ inline auto or_else_note(std::string words) {
   return [words](Key& k) { k.fallback_note = words; };
 }
 // At most one, or exactly one, of these groups of keys of a map is used.
-inline auto at_most_one(std::vector<Group> groups) {
+inline auto at_most_one_of(std::vector<Group> groups) {
   return [groups](Key& k) { k.groups = groups; };
 }
 inline auto either(std::vector<Group> groups) {

@@ -135,7 +135,7 @@ class Checker {
     fail(file_, v.line, path, fmt::format(text, std::forward<Args>(args)...));
   }
 
-  static std::string found(const Value& v) {
+  static std::string kind_of_value(const Value& v) {
     switch (v.kind) {
       case Kind::null:
         return "nothing";
@@ -152,7 +152,7 @@ class Checker {
 
   [[noreturn]] void wrong_type(const Value& v, const Key& k, const std::string& path,
                                const std::string& hint = "") const {
-    bad(v, path, "expected {}, found {}{}", describe(k), found(v), hint);
+    bad(v, path, "expected {}, found {}{}", describe(k), kind_of_value(v), hint);
   }
 
   // k: of the number, or of the three that it belongs to.
@@ -341,20 +341,20 @@ class Checker {
 
   void check_groups(const Value& v, const Key& k, const std::string& path) const {
     const Group* used = nullptr;
-    std::string by;
+    std::string excluding;
     for (const Group& g : k.groups)
       for (const std::string& key : g.keys) {
         if (!v.has(key)) continue;
         if (used && used != &g)
-          bad(*v.find(key), path, "'{}' and '{}' exclude each other; {}", by, key, choices(k));
+          bad(*v.find(key), path, "'{}' and '{}' exclude each other; {}", excluding, key, choices(k));
         used = &g;
-        by = key;
+        excluding = key;
       }
     if (k.groups.empty()) return;
     if (!used && k.group_required) bad(v, path, "{}", choices(k));
     if (!used) return;
     for (const std::string& key : used->needed)
-      if (!v.has(key)) bad(v, path, "'{}' requires '{}'", by, key);
+      if (!v.has(key)) bad(v, path, "'{}' requires '{}'", excluding, key);
   }
 
   static std::string choices(const Key& k) {
@@ -426,15 +426,15 @@ std::string describe(const Key& k) {
     case Type::vec3:
       return "a list of 3 numbers" + in_unit(k.unit);
     case Type::list: {
-      std::string of = plural(describe(k.keys[0]));
-      if (of.starts_with("a map")) of = "maps" + of.substr(5);
-      if (of.starts_with("a list")) of = "lists" + of.substr(6);
+      std::string items = plural(describe(k.keys[0]));
+      if (items.starts_with("a map")) items = "maps" + items.substr(5);
+      if (items.starts_with("a list")) items = "lists" + items.substr(6);
       if (k.max_items > 0 && k.max_items == k.min_items)
-        return fmt::format("a list of {} {}", k.min_items, of);
-      if (k.max_items > 0) return fmt::format("a list of {} to {} {}", k.min_items, k.max_items, of);
-      if (k.min_items == 1) return "a list of one or more " + of;
-      if (k.min_items > 0) return fmt::format("a list of at least {} {}", k.min_items, of);
-      return "a list of " + of;
+        return fmt::format("a list of {} {}", k.min_items, items);
+      if (k.max_items > 0) return fmt::format("a list of {} to {} {}", k.min_items, k.max_items, items);
+      if (k.min_items == 1) return "a list of one or more " + items;
+      if (k.min_items > 0) return fmt::format("a list of at least {} {}", k.min_items, items);
+      return "a list of " + items;
     }
     case Type::map: {
       std::vector<std::string> names;

@@ -6,48 +6,49 @@
 namespace hawser::model::schema_build {
 namespace {
 
-// Keys of contact between lines; `own`: keys that select a pair, whose defaults are the settings for all
+// Keys of contact between lines; `keys`: keys that select a pair, whose defaults are the settings for all
 // lines.
-std::vector<Key> line_pair_keys(std::vector<Key> own, bool of_a_pair = false) {
+std::vector<Key> line_pair_keys(std::vector<Key> keys, bool of_a_pair = false) {
   const auto fallback = [&](Key k, const char* literal, const char* note) {
     if (of_a_pair) return with(std::move(k), or_else_note("same as for all lines"));
     return literal ? with(std::move(k), or_else(literal)) : with(std::move(k), or_else_note(note));
   };
-  const auto in = [&](auto LinePairSettings::*field) {
+  const auto setting = [&](auto LinePairSettings::*field) {
     return of_a_pair ? within(&BetweenLines::Tuned::settings, field) : within(&BetweenLines::general, field);
   };
   const auto basis = [&](StiffnessBasis b) {
     return of_a_pair ? set(&BetweenLines::Tuned::settings, &LinePairSettings::basis, b)
                      : set(&BetweenLines::general, &LinePairSettings::basis, b);
   };
-  own.push_back(fallback(
+  keys.push_back(fallback(
       one_of(
           "normal_stiffness",
-          {word({"", in(&LinePairSettings::basis), in(&LinePairSettings::normal_stiffness)},
+          {word({"", setting(&LinePairSettings::basis), setting(&LinePairSettings::normal_stiffness)},
                 {{"auto", StiffnessBasis::automatic}}),
            map("",
-               {number({"per_length", in(&LinePairSettings::normal_stiffness),
+               {number({"per_length", setting(&LinePairSettings::normal_stiffness),
                         basis(StiffnessBasis::per_length)},
                        line_stiffness, "per length of line in contact", above(0)),
-                number({"per_area", in(&LinePairSettings::normal_stiffness), basis(StiffnessBasis::per_area)},
+                number({"per_area", setting(&LinePairSettings::normal_stiffness),
+                        basis(StiffnessBasis::per_area)},
                        area_stiffness, "per projected area (length times mean contact diameter)", above(0))},
                either({"per_length", "per_area"}))},
           "penalty stiffness"),
       "auto", nullptr));
-  own.push_back(fallback(
-      number({"friction", in(&LinePairSettings::friction)}, none, "Coulomb coefficient", in_range(0, 10)),
-      "0", nullptr));
-  own.push_back(fallback(number({"mobilisation_length", in(&LinePairSettings::mobilisation_length)}, length,
-                                "slip at which friction is fully mobilised", above(0)),
-                         nullptr, "1 % of the mean contact diameter"));
-  own.push_back(fallback(number({"smoothing", in(&LinePairSettings::smoothing)}, length,
-                                "half width of the smooth onset of the contact force", above(0)),
-                         nullptr, "0.1 % of the mean contact diameter"));
-  own.push_back(
-      fallback(number({"relative_damping", in(&LinePairSettings::relative_damping)}, none,
+  keys.push_back(fallback(number({"friction", setting(&LinePairSettings::friction)}, none,
+                                 "Coulomb coefficient", in_range(0, 10)),
+                          "0", nullptr));
+  keys.push_back(fallback(number({"mobilisation_length", setting(&LinePairSettings::mobilisation_length)},
+                                 length, "slip at which friction is fully mobilised", above(0)),
+                          nullptr, "1 % of the mean contact diameter"));
+  keys.push_back(fallback(number({"smoothing", setting(&LinePairSettings::smoothing)}, length,
+                                 "half width of the smooth onset of the contact force", above(0)),
+                          nullptr, "0.1 % of the mean contact diameter"));
+  keys.push_back(
+      fallback(number({"relative_damping", setting(&LinePairSettings::relative_damping)}, none,
                       "damping of the contact spring relative to its critical damping", in_range(0, 2)),
                "0", nullptr));
-  return own;
+  return keys;
 }
 
 Key between_lines() {
@@ -57,7 +58,7 @@ Key between_lines() {
   Key pair = two;
   pair.name = "lines";
   pair.required = true;
-  pair.fields = {by<BetweenLines::Tuned>([](BetweenLines::Tuned& t, const Value& v) {
+  pair.fields = {set_by<BetweenLines::Tuned>([](BetweenLines::Tuned& t, const Value& v) {
                    t.first = v.items[0].text;
                    t.second = v.items[1].text;
                  }).put};
@@ -69,7 +70,7 @@ Key between_lines() {
                {boolean({"self", &BetweenLines::self}, "contact of a line with itself", or_else("true")),
                 list({"exclude", &BetweenLines::exclude}, two, "pairs of lines without contact",
                      or_else("[]")),
-                list({"over", &BetweenLines::over}, upper,
+                list({"over", &BetweenLines::crossings}, upper,
                      "pairs of lines that cross in their start shapes: the first lies over the second",
                      or_else("[]")),
                 list("pairs",
@@ -82,7 +83,7 @@ Key between_lines() {
 
 // A list of names without duplicates.
 Field chosen(std::vector<std::string> Contact::*names, bool Contact::*all) {
-  return by<Contact>([=](Contact& c, const Value& v) {
+  return set_by<Contact>([=](Contact& c, const Value& v) {
     c.*all = false;
     for (const Value& n : v.items)
       if (std::find((c.*names).begin(), (c.*names).end(), n.text) == (c.*names).end())

@@ -11,7 +11,7 @@ void uniform(Current& c, const Value& v) { c.profile = {{0, v.number, 0}}; }
 
 // Field of a single wave.
 Field only(double Waves::Row::*field) {
-  return by<Waves>([field](Waves& w, const Value& v) {
+  return set_by<Waves>([field](Waves& w, const Value& v) {
     w.rows.resize(1);
     w.rows.front().*field = v.number;
   });
@@ -23,14 +23,14 @@ void friction_in_statics(Seabed& b, const Value& v) {
 }
 
 // Rows of time and factor of a flow.
-Key time_factor(const std::string& of) {
+Key time_factor(const std::string& quantity) {
   return map(
       "time_factor",
       {text("file",
             "text file beside the case: columns t [s] and factor; blanks or commas between, `#` starts "
             "a comment"),
        rows("rows", "the same as a list in the case: `[[t, factor], ...]`", items(2))},
-      "factor of the " + of +
+      "factor of the " + quantity +
           " against time, negative for the opposite direction, applied in addition to `ramp`: linear between "
           "rows, constant outside them; statics takes the value at t = 0",
       either({"file", "rows"}), or_else_note("1 at all times"));
@@ -39,7 +39,7 @@ Key time_factor(const std::string& of) {
 Key current() {
   return map(
       {"current", within(&Environment::water, &Water::current)},
-      {number({"speed", by<Current>(uniform)}, velocity,
+      {number({"speed", set_by<Current>(uniform)}, velocity,
               "speed at all depths, or at the surface for a power law", at_least(0)),
        number(
            "direction_deg", angle,
@@ -146,7 +146,7 @@ Key waves() {
   };
   return map(
       {"waves", within(&Environment::water, &Water::waves)},
-      {map({"regular", by<Waves>([](Waves& w, const Value& v) {
+      {map({"regular", set_by<Waves>([](Waves& w, const Value& v) {
               w.kind = Waves::Kind::regular;
               take(v, w.rows.emplace_back());
             })},
@@ -231,7 +231,7 @@ Key seabed() {
                    line_stiffness, "per length of line", above(0)),
             number({"per_area", &Seabed::normal_stiffness, set(&Seabed::basis, StiffnessBasis::per_area)},
                    area_stiffness, "per projected area (length times contact diameter)", above(0)),
-            force_rows(by<Seabed>(force_table<Seabed>)),
+            force_rows(set_by<Seabed>(force_table<Seabed>)),
             word({"per", &Seabed::basis},
                  {{"length", StiffnessBasis::per_length}, {"area", StiffnessBasis::per_area}},
                  "unit of the forces in the table: N/m of line, N/m² of projected area")},
@@ -252,14 +252,14 @@ Key seabed() {
            "suction of the soil on a line that is lifted, in dynamics: 16 limit s²(1 - s)² with s the uplift "
            "over `length`; it acts again after the line penetrates deeper or touches down again"),
        friction(&Seabed::friction),
-       word({"friction_in_statics", by<Seabed>(friction_in_statics)}, {"as_laid", "full", "none"},
+       word({"friction_in_statics", set_by<Seabed>(friction_in_statics)}, {"as_laid", "full", "none"},
             "friction of the bed in statics: `as_laid`, it acts from the position in which the line was laid "
             "without tension from its anchor (from its start shape, if the case gives one on the bed from "
             "end to end); `full`, the same, but the smallest slip mobilises it, whatever the mobilisation "
             "length; `none`, friction in dynamics only",
             or_else("as_laid"))},
       "the bed on which lines lie: level, sloping, by a grid or by a mesh",
-      at_most_one({{{"depth", "slope_deg", "slope_direction_deg"}, {}}, "grid", "mesh"}));
+      at_most_one_of({{{"depth", "slope_deg", "slope_direction_deg"}, {}}, "grid", "mesh"}));
 }
 
 }  // namespace

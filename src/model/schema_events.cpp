@@ -102,7 +102,7 @@ Key condition() {
              either({"tension", "position", "paid_out"}));
 }
 
-Field on(On kind) { return set(&Event::cause, &Cause::kind, kind); }
+Field set_cause(On kind) { return set(&Event::cause, &Cause::kind, kind); }
 
 void delay(Event& e, const Value& v) {
   if (e.cause.kind == On::after) e.cause.time = v.number;
@@ -117,15 +117,15 @@ Key events() {
   keys.push_back(number({"time", within(&Event::cause, &Cause::time)}, Dimension::time, "time of the event",
                         at_least(0)));
   keys.push_back(number(
-      {"tension", within(&Event::cause, &Cause::limit), on(On::tension)}, force,
+      {"tension", within(&Event::cause, &Cause::limit), set_cause(On::tension)}, force,
       "the event happens when the effective tension at that end, or at the place of the cut, reaches this",
       above(0)));
   keys.push_back(condition());
-  keys.push_back(text({"after", within(&Event::cause, &Cause::event), on(On::after)},
+  keys.push_back(text({"after", within(&Event::cause, &Cause::event), set_cause(On::after)},
                       "the event happens after the event of this name"));
-  keys.push_back(
-      number({"delay", by<Event>(delay)}, Dimension::time, "additional delay", at_least(0), or_else("0")));
-  keys.push_back(text({"stage", within(&Event::cause, &Cause::event), on(On::stage)},
+  keys.push_back(number({"delay", set_by<Event>(delay)}, Dimension::time, "additional delay", at_least(0),
+                        or_else("0")));
+  keys.push_back(text({"stage", within(&Event::cause, &Cause::event), set_cause(On::stage)},
                       "the event happens at the beginning of this stage of statics"));
   return list({"events", &Case::events}, map("", std::move(keys), either(kActions)),
               "Events, each of which happens once: at a `time`, at a `tension`, at a condition (`when`), "

@@ -6,12 +6,12 @@ namespace {
 
 void constant_speed(Feed& f, const Value& v) { f.speed = {{0, v.number}}; }
 void dead_band(Feed& f, const Value& v) {
-  f.least = v.items[0].number;
-  f.most = v.items[1].number;
+  f.min_tension = v.items[0].number;
+  f.max_tension = v.items[1].number;
 }
 void between(LengthTarget& t, const Value& v) {
-  t.least = v.items[0].number;
-  t.most = v.items[1].number;
+  t.min_length = v.items[0].number;
+  t.max_length = v.items[1].number;
 }
 void temperature(Line& l, const Value& v) {
   if (v.number != 0) l.temperature_change = {{0, v.number}};
@@ -87,7 +87,7 @@ Key target() {
             "end to which the target refers", or_else("end_b")),
        integer("section", "section whose `length` is adjusted: its number, counted from 1 at end A",
                at_least(1), or_else_note("the longest section")),
-       list({"between", by<LengthTarget>(between)}, number("", length, above(0)),
+       list({"between", set_by<LengthTarget>(between)}, number("", length, above(0)),
             "range of the length of that section", items(2, 2),
             or_else_note("0.5 and 1.5 times its `length`"))},
       "target that statics meets at t = 0 by adjusting the length of one section; its `length` is the first "
@@ -184,7 +184,7 @@ Key buried() {
 
 Key change_of_temperature() {
   return one_of("temperature_change",
-                {number({"", by<Line>(temperature)}, temperature_change),
+                {number({"", set_by<Line>(temperature)}, temperature_change),
                  rows({"", &Line::temperature_change}, items(2))},
                 "temperature of the line above that at which its sections have their `length`, as one number "
                 "or along the line, `[[m from end A, K], ...]`, linear between the rows and constant outside "
@@ -211,11 +211,11 @@ Key loads() {
 }  // namespace
 
 std::vector<Key> feed_law() {
-  return {number({"speed", by<Feed>(constant_speed)}, velocity,
+  return {number({"speed", set_by<Feed>(constant_speed)}, velocity,
                  "constant speed; above 0 pays out, below 0 hauls in, 0 holds the line"),
           number({"tension", &Feed::tension}, force, "tension that the feeder maintains at its feed point",
                  above(0)),
-          list({"dead_band", by<Feed>(dead_band)}, number("", force, at_least(0)),
+          list({"dead_band", set_by<Feed>(dead_band)}, number("", force, at_least(0)),
                "range of tension in which the feeder stops, after it has reached `tension`", items(2, 2),
                or_else_note("none: it never stops")),
           number({"speed_per_tension", &Feed::speed_per_tension}, none,

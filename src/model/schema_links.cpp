@@ -40,7 +40,7 @@ Key links() {
                 items(1)),
            boolean({"tension_only", within(&Link::law, &LinkLaw::tension_only)},
                    "the link goes slack and does not push", or_else("false"))},
-          at_most_one({"stiffness", "force_table"}), fixed_in_restart),
+          at_most_one_of({"stiffness", "force_table"}), fixed_in_restart),
       "Springs and dampers along the straight line between two points, by name: heave compensators, links, "
       "fender springs ([theory](../theory/links.md)).",
       or_else("{}"));

@@ -59,7 +59,7 @@ Key output() {
               or_else_note("1/100 of the run")),
        number({"checkpoint_every", &Output::checkpoint_every}, time, "time between checkpoints", above(0),
               or_else_note("with every output of fields")),
-       list({"format", by<Output>(format)}, word("", {"hdf5", "xdmf"}),
+       list({"format", set_by<Output>(format)}, word("", {"hdf5", "xdmf"}),
             "file formats: `hdf5` is always written; `xdmf` in addition is for ParaView",
             or_else("[hdf5, xdmf]"), items(1, 2)),
        boolean({"single_precision", &Output::single_precision},

@@ -66,7 +66,7 @@ Key friction(const Field& field) {
                  "whose closed paths do no work; `michalopoulos`, the law of OMAE2006-92155 (Michalopoulos "
                  "1986), whose closed paths do no work only for equal lengths",
                  or_else("elliptic"))},
-           at_most_one({"mobilisation_length", "shear_stiffness"}))},
+           at_most_one_of({"mobilisation_length", "shear_stiffness"}))},
       "Coulomb coefficient for all directions, or a set of keys", or_else("0"));
 }
 
@@ -82,7 +82,8 @@ namespace {
 // Field that selects a shape.
 template <class Shape>
 Field exactly() {
-  return by<Volume>([](Volume& o, const Value& v) { take(v, std::get<Shape>(o.shape.emplace(Shape{}))); });
+  return set_by<Volume>(
+      [](Volume& o, const Value& v) { take(v, std::get<Shape>(o.shape.emplace(Shape{}))); });
 }
 
 void active_box(Volume& o, const Value& v) {
@@ -143,7 +144,8 @@ Key shape() {
                 "points of the axis, from one open end to the other; the corners are rounded off by bends",
                 items(2), required),
            one_of(
-               {"bend_radius", by<TubeShape>(bend_radii)}, {bend_radius(), list("", bend_radius(), items(1))},
+               {"bend_radius", set_by<TubeShape>(bend_radii)},
+               {bend_radius(), list("", bend_radius(), items(1))},
                "radius of the axis in its bends, for all corners or for each between the first and the last "
                "point; above the outer radius. Needed where the path has corners"),
            number({"inner_radius", &TubeShape::inner_radius}, length, "radius of the bore", above(0),
@@ -172,7 +174,7 @@ Key stiffness() {
                    "makes the stiffness automatic, for this largest penetration in statics, and twice this "
                    "in motion except in impacts; default 0.4 % of the line's radius",
                    above(0)),
-            force_rows(by<Volume>(force_table<Volume>)),
+            force_rows(set_by<Volume>(force_table<Volume>)),
             word({"per", &Volume::basis},
                  {{"point", StiffnessBasis::per_point},
                   {"length", StiffnessBasis::per_length},
@@ -190,7 +192,7 @@ Key stiffness() {
 Key active() {
   return one_of("active",
                 {text({"", &Volume::active_part}),
-                 map("", {list({"box", by<Volume>(active_box)}, vec3("", length),
+                 map("", {list({"box", set_by<Volume>(active_box)}, vec3("", length),
                                "`[[x, y, z], [x, y, z]]`: lower and upper corner, in the body's frame",
                                items(2, 2), required)})},
                 "part of the mesh that takes part in contact: its name (OBJ group, STL solid), or a box that "

@@ -22,7 +22,7 @@ namespace {
 std::string point(const Vec3& x) { return fmt::format("({:g}, {:g}, {:g})", x.x(), x.y(), x.z()); }
 
 std::string motion_text(const Case& c, const Body& b) {
-  if (b.on) return fmt::format("rides on line {} at {:g} m", b.on->line, b.on->at);
+  if (b.ride) return fmt::format("rides on line {} at {:g} m", b.ride->line, b.ride->at);
   std::string s = "stands still";
   if (b.mass) {
     const BodyMass& m = *b.mass;

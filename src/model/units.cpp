@@ -92,14 +92,14 @@ const Entry& entry(Dimension d) { return kTable[static_cast<std::size_t>(d)]; }
 std::string canonical(std::string_view unit) {
   std::string s;
   for (std::size_t i = 0; i < unit.size(); ++i) {
-    const std::string_view rest = unit.substr(i);
-    if (rest.starts_with("²")) {
+    const std::string_view remainder = unit.substr(i);
+    if (remainder.starts_with("²")) {
       s += "^2";
       ++i;
-    } else if (rest.starts_with("³")) {
+    } else if (remainder.starts_with("³")) {
       s += "^3";
       ++i;
-    } else if (rest.starts_with("·")) {
+    } else if (remainder.starts_with("·")) {
       ++i;
     } else if (unit[i] == ' ' || unit[i] == '.' || unit[i] == '*') {
       continue;
@@ -171,8 +171,8 @@ Quantity parse_quantity(std::string_view text, Dimension d) {
   // Fractions such as "1/7", usual for exponents.
   if (d == Dimension::none && unit.starts_with('/')) {
     double divisor = 0;
-    const auto [rest, bad] = std::from_chars(unit.data() + 1, unit.data() + unit.size(), divisor);
-    if (bad != std::errc() || rest != unit.data() + unit.size()) {
+    const auto [parsed_end, bad] = std::from_chars(unit.data() + 1, unit.data() + unit.size(), divisor);
+    if (bad != std::errc() || parsed_end != unit.data() + unit.size()) {
       q.status = Quantity::Status::not_a_number;
       return q;
     }

@@ -8,16 +8,16 @@ namespace hawser::model {
 
 StokesInput stokes_input(const Environment& e) {
   const Waves& w = e.water.waves;
-  StokesInput in;
-  in.height = w.rows[0].height;
-  in.period = w.rows[0].period;
-  in.direction = w.rows[0].direction;
-  in.phase = w.rows[0].phase;
-  in.depth = e.water.depth;
-  in.gravity = e.gravity;
-  in.current = w.current;
-  in.transport = w.transport;
-  return in;
+  StokesInput input;
+  input.height = w.rows[0].height;
+  input.period = w.rows[0].period;
+  input.direction = w.rows[0].direction;
+  input.phase = w.rows[0].phase;
+  input.depth = e.water.depth;
+  input.gravity = e.gravity;
+  input.current = w.current;
+  input.transport = w.transport;
+  return input;
 }
 
 WaveField wave_field(const Environment& e) {

@@ -33,40 +33,42 @@ bool Audit::update(const Energy& start, const Energy& e, double time, double h, 
   change.damping = e.damping - start.damping;
   change.unresolved = e.unresolved - start.unresolved;
   error = change.kinetic + change.strain + change.friction + change.damping + change.unresolved - brought_in;
-  at_start = start.kinetic;
-  worked += std::abs(brought_in - brought_before) + passed;
-  set_free = std::max(set_free, start.strain - e.strain);
-  most_strain = std::max(most_strain, e.strain);
-  if (error < least_error) {
-    least_error = error;
-    climb = {};
+  initial_kinetic = start.kinetic;
+  absolute_work += std::abs(brought_in - brought_before) + passed;
+  released_strain = std::max(released_strain, start.strain - e.strain);
+  largest_strain = std::max(largest_strain, e.strain);
+  if (error < smallest_error) {
+    smallest_error = error;
+    largest_step_gain = {};
   }
-  const double rise = error - least_error;
-  least_by_water = std::min(least_by_water, e.by_water - start.by_water);
-  const double taken_before = taken;
-  taken = std::max(taken, change.friction + change.damping + change.unresolved - least_by_water);
+  const double rise = error - smallest_error;
+  smallest_by_water = std::min(smallest_by_water, e.by_water - start.by_water);
+  const double dissipated_before = dissipated;
+  dissipated = std::max(dissipated, change.friction + change.damping + change.unresolved - smallest_by_water);
   // Dissipation removes created energy in proportion.
-  if (there > 0) remains *= std::exp(-(taken - taken_before) / there);
-  remains = std::max(0.0, remains + error - before);
-  most_remains = std::max(most_remains, remains);
-  there = std::max(there, e.kinetic + std::abs(e.strain - start.strain) - remains);
-  const bool most = error - before > climb.value;
-  if (most) climb = {error - before, time, h, -1, Step::ContactWith::nothing};
-  if (rise > made.value) {
-    made = {rise, time, h};
-    worst = climb;
+  if (largest_energy > 0) remaining *= std::exp(-(dissipated - dissipated_before) / largest_energy);
+  remaining = std::max(0.0, remaining + error - before);
+  largest_remaining = std::max(largest_remaining, remaining);
+  largest_energy = std::max(largest_energy, e.kinetic + std::abs(e.strain - start.strain) - remaining);
+  const bool is_largest = error - before > largest_step_gain.value;
+  if (is_largest) largest_step_gain = {error - before, time, h, -1, Step::ContactWith::nothing};
+  if (rise > largest_gain.value) {
+    largest_gain = {rise, time, h};
+    worst = largest_step_gain;
   }
-  if (-error > lost.value) lost = {-error, time, h};
-  return most && climb.value > 1e-4 * size();
+  if (-error > largest_loss.value) largest_loss = {-error, time, h};
+  return is_largest && largest_step_gain.value > 1e-4 * size();
 }
 
 void Audit::located(int node, Step::ContactWith with) {
-  climb.node = node;
-  climb.with = with;
-  if (worst.time == climb.time) worst = climb;
+  largest_step_gain.node = node;
+  largest_step_gain.with = with;
+  if (worst.time == largest_step_gain.time) worst = largest_step_gain;
 }
 
-double Audit::size() const { return at_start + worked + set_free + kRounding * most_strain + kNothing; }
+double Audit::size() const {
+  return initial_kinetic + absolute_work + released_strain + kRounding * largest_strain + kNothing;
+}
 
 double Audit::percent() const { return 100 * error / size(); }
 
@@ -74,27 +76,29 @@ double Audit::percent() const { return 100 * error / size(); }
 // is compared with the largest energy present at a time.
 bool Audit::wrong() const {
   if (!std::isfinite(error)) return true;
-  return made.value > kMadeWrong * size() ||
-         most_remains > kRemainsWrong * there + kRounding * most_strain + kNothing ||
-         lost.value > kLostWrong * size();
+  return largest_gain.value > kMadeWrong * size() ||
+         largest_remaining > kRemainsWrong * largest_energy + kRounding * largest_strain + kNothing ||
+         largest_loss.value > kLostWrong * size();
 }
 
 std::string Audit::warning(bool fixed, const std::string& where,
                            const std::string& initial_velocity_key) const {
   if (!std::isfinite(error)) return advice::energy_is_no_number();
-  const double making = made.value / (kMadeReported * size()), losing = lost.value / (kLostReported * size());
-  if (std::max(making, losing) <= 1 && !wrong()) return "";
+  const double relative_gain = largest_gain.value / (kMadeReported * size()),
+               relative_loss = largest_loss.value / (kLostReported * size());
+  if (std::max(relative_gain, relative_loss) <= 1 && !wrong()) return "";
   const bool at_start_of_motion = worst.time <= kImpactSteps * worst.length;
-  const std::string text = making > losing
-                               ? advice::energy_made({made.value, made.time, size(), worst.value, worst.time,
-                                                      worst.length, worst.with, fixed},
-                                                     where, at_start_of_motion ? initial_velocity_key : "")
-                               : advice::energy_lost(lost.value, lost.time, size(), lost.step, fixed);
+  const std::string text =
+      relative_gain > relative_loss
+          ? advice::energy_created({largest_gain.value, largest_gain.time, size(), worst.value, worst.time,
+                                    worst.length, worst.with, fixed},
+                                   where, at_start_of_motion ? initial_velocity_key : "")
+          : advice::energy_lost(largest_loss.value, largest_loss.time, size(), largest_loss.step, fixed);
   return wrong() ? text + advice::not_to_be_used() : text;
 }
 
 std::string Audit::note() const {
-  const double size = std::max(std::abs(brought_in), there) + kRounding * most_strain + kNothing;
+  const double size = std::max(std::abs(brought_in), largest_energy) + kRounding * largest_strain + kNothing;
   if (now.unresolved < kUnresolvedReported * size) return "";
   return advice::vibration_damped(now.unresolved, size);
 }

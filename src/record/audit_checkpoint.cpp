@@ -21,23 +21,25 @@ template <class AnAudit, class Each>
 void numbers(AnAudit& a, Each&& each) {
   each("audit.brought_in", a.brought_in);
   each("audit.error", a.error);
-  each("audit.at_start", a.at_start);
-  each("audit.worked", a.worked);
-  each("audit.set_free", a.set_free);
-  each("audit.there", a.there);
-  each("audit.held", a.most_strain);
-  each("audit.least_error", a.least_error);
-  each("audit.taken", a.taken);
-  each("audit.remains", a.remains);
-  each("audit.most_remains", a.most_remains);
-  each("audit.least_by_water", a.least_by_water);
-  for (const auto& [name, l] : {std::pair{"audit.made.", &a.made}, {"audit.lost.", &a.lost}}) {
+  each("audit.at_start", a.initial_kinetic);
+  each("audit.worked", a.absolute_work);
+  each("audit.set_free", a.released_strain);
+  each("audit.there", a.largest_energy);
+  each("audit.held", a.largest_strain);
+  each("audit.least_error", a.smallest_error);
+  each("audit.taken", a.dissipated);
+  each("audit.remains", a.remaining);
+  each("audit.most_remains", a.largest_remaining);
+  each("audit.least_by_water", a.smallest_by_water);
+  for (const auto& [name, l] :
+       {std::pair{"audit.made.", &a.largest_gain}, {"audit.lost.", &a.largest_loss}}) {
     const std::string prefix = name;
     each(prefix + "value", l->value);
     each(prefix + "time", l->time);
     each(prefix + "step", l->step);
   }
-  for (const auto& [name, s] : {std::pair{"audit.climb.", &a.climb}, {"audit.worst.", &a.worst}}) {
+  for (const auto& [name, s] :
+       {std::pair{"audit.climb.", &a.largest_step_gain}, {"audit.worst.", &a.worst}}) {
     const std::string prefix = name;
     each(prefix + "value", s->value);
     each(prefix + "time", s->time);

@@ -25,11 +25,11 @@ bool larger(const io::ClashRow& a, const io::ClashRow& b) {
 }
 
 // Extends a row or contact to the range of another of the same pair.
-void widen(auto& to, const auto& by) {
-  to.from = std::min(to.from, by.from);
-  to.to = std::max(to.to, by.to);
-  to.other_from = std::min(to.other_from, by.other_from);
-  to.other_to = std::max(to.other_to, by.other_to);
+void widen(auto& to, const auto& range) {
+  to.from = std::min(to.from, range.from);
+  to.to = std::max(to.to, range.to);
+  to.other_from = std::min(to.other_from, range.other_from);
+  to.other_to = std::max(to.other_to, range.other_to);
 }
 
 void add(ActiveContact& sum, const ActiveContact& t) {
@@ -77,11 +77,11 @@ ActiveContacts put_together(ActiveContacts touches, const std::vector<double>& b
 void ClashLog::step(double time, std::span<const ActiveContact> touches) {
   // Clashes not in contact at the last step may have been separated for too long.
   std::erase_if(open_, [&](const Open& o) {
-    const bool over = o.row.end < time_ && time - o.row.end > settings_.merge_gap;
-    if (over) end(o.row);
-    return over;
+    const bool ended = o.row.end < time_ && time - o.row.end > settings_.merge_gap;
+    if (ended) end(o.row);
+    return ended;
   });
-  follow(time, assign(time, touches));
+  update_tracks(time, assign(time, touches));
   time_ = time;
 }
 
@@ -97,20 +97,21 @@ std::vector<ClashLog::Now> ClashLog::assign(double time, std::span<const ActiveC
   for (const ActiveContact& t : touches) {
     const double reach = merge_length(settings_.merge_length, t.line);
     while (known < before && pair_of(open_[by_pair[known]].row) < pair_of(t)) ++known;
-    size_t mine = open_.size();
+    size_t joined_track = open_.size();
     for (size_t k = known; k < before && pair_of(open_[by_pair[k]].row) == pair_of(t); ++k) {
       const size_t i = by_pair[k];
       const auto& places = open_[i].places;
-      const bool here = !now[i].joined && std::any_of(places.begin(), places.end(), [&](const auto& p) {
-        return t.from <= p.second + reach && p.first <= t.to + reach;
-      });
-      if (!here) continue;
-      if (mine < open_.size())
-        join(mine, i, now);
+      const bool touches_now =
+          !now[i].joined && std::any_of(places.begin(), places.end(), [&](const auto& p) {
+            return t.from <= p.second + reach && p.first <= t.to + reach;
+          });
+      if (!touches_now) continue;
+      if (joined_track < open_.size())
+        join(joined_track, i, now);
       else
-        mine = i;
+        joined_track = i;
     }
-    if (mine == open_.size()) {
+    if (joined_track == open_.size()) {
       io::ClashRow& row = open_.emplace_back().row;
       row.line = t.line;
       row.other_line = t.other_line;
@@ -123,7 +124,7 @@ std::vector<ClashLog::Now> ClashLog::assign(double time, std::span<const ActiveC
       row.other_to = t.other_to;
       now.emplace_back();
     }
-    now[mine].take(t);
+    now[joined_track].take(t);
   }
   return now;
 }
@@ -151,7 +152,7 @@ void ClashLog::join(size_t first, size_t second, std::vector<Now>& now) {
   s.places.insert(s.places.end(), r.places.begin(), r.places.end());
 }
 
-void ClashLog::follow(double time, std::vector<Now> now) {
+void ClashLog::update_tracks(double time, std::vector<Now> now) {
   size_t kept = 0;
   for (size_t i = 0; i < open_.size(); ++i) {
     if (now[i].joined) continue;
@@ -201,11 +202,11 @@ io::ClashTables ClashLog::take() {
   return {std::exchange(ended_, {}), reported_.open};
 }
 
-std::vector<io::ClashRow> ClashLog::largest(size_t most) const {
+std::vector<io::ClashRow> ClashLog::largest(size_t max_rows) const {
   std::vector<io::ClashRow> rows = largest_;
   for (const Open& o : open_) rows.push_back(o.row);
   std::sort(rows.begin(), rows.end(), larger);
-  if (rows.size() > most) rows.resize(most);
+  if (rows.size() > max_rows) rows.resize(max_rows);
   return rows;
 }
 

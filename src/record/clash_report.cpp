@@ -107,9 +107,9 @@ void ClashReport::save(io::Checkpoint& to) {
 
 void ClashReport::restore(const io::Checkpoint& from) {
   const auto at = from.records.find(kRecords);
-  const bool here = at != from.records.end() && !at->second.records.empty();
+  const bool has_record = at != from.records.end() && !at->second.records.empty();
   const std::vector<double> values =
-      gather_all(comm_, here ? at->second.records.front().values : std::vector<double>{});
+      gather_all(comm_, has_record ? at->second.records.front().values : std::vector<double>{});
   if (rank_ == 0 && !values.empty()) log_.restore(values);
 }
 
@@ -130,19 +130,19 @@ std::string ClashReport::table() const {
     if (r.other_line < 0) return line(r.line) + " / " + volume(r.volume);
     return line(r.line) + " / " + (r.other_line == r.line ? "itself" : line(r.other_line));
   };
-  const auto arcs = [](bool there, double from, double to) {
-    return there ? fmt::format("{:.2f}-{:.2f}", from, to) : "";
+  const auto arcs = [](bool valid, double from, double to) {
+    return valid ? fmt::format("{:.2f}-{:.2f}", from, to) : "";
   };
   text += fmt::format("{:<28} {:>9} {:>9} {:>16} {:>16} {:>11} {:>13} {:>11} {:>15}\n", "pair", "start [s]",
                       "end [s]", "arc [m]", "other arc [m]", "peak [N]", "impulse [N s]", "energy [J]",
                       "penetration [m]");
   for (const io::ClashRow& r : rows) {
-    const bool still = std::any_of(open.begin(), open.end(), [&](const io::ClashRow& o) {
+    const bool ongoing = std::any_of(open.begin(), open.end(), [&](const io::ClashRow& o) {
       return o.line == r.line && o.other_line == r.other_line && o.volume == r.volume &&
              o.other_volume == r.other_volume && o.start == r.start && o.from == r.from;
     });
     text += fmt::format("{:<28} {:>9.3f} {:>9} {:>16} {:>16} {:>11.4g} {:>13.4g} {:>11.3g} {:>15.3g}\n",
-                        name(r), r.start, still ? "ongoing" : fmt::format("{:.3f}", r.end),
+                        name(r), r.start, ongoing ? "ongoing" : fmt::format("{:.3f}", r.end),
                         arcs(r.line >= 0, r.from, r.to), arcs(r.other_line >= 0, r.other_from, r.other_to),
                         r.peak_force, r.impulse, r.peak_energy, r.penetration);
   }

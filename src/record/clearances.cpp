@@ -44,7 +44,7 @@ double Clearances::arc(int element, double xi) const {
 }
 
 // Elements of a line counted by this rank.
-std::vector<Clearances::Shaped> Clearances::own(int line, const Kinematics& state) const {
+std::vector<Clearances::Shaped> Clearances::local_shapes(int line, const Kinematics& state) const {
   std::vector<Shaped> out;
   for (const LocalElement& local : mesh_.elements) {
     const Element& e = mesh_.element(local);
@@ -60,7 +60,7 @@ std::vector<Clearances::Shaped> Clearances::own(int line, const Kinematics& stat
   return out;
 }
 
-Clearances::Tree::Tree(std::vector<Shaped> of) : elements(std::move(of)) {
+Clearances::Tree::Tree(std::vector<Shaped> shapes) : elements(std::move(shapes)) {
   std::vector<Box> each;
   for (const Shaped& e : elements) {
     each.push_back(e.axis.box());
@@ -70,9 +70,9 @@ Clearances::Tree::Tree(std::vector<Shaped> of) : elements(std::move(of)) {
 }
 
 // Gathers a line on all ranks: a step of a line costs far more than sending its position.
-Clearances::Tree Clearances::of_all_ranks(const Tree& own) const {
-  if (ranks_of(comm_) == 1) return own;
-  std::vector<Shaped> elements = gather_all(comm_, own.elements);
+Clearances::Tree Clearances::of_all_ranks(const Tree& local) const {
+  if (ranks_of(comm_) == 1) return local;
+  std::vector<Shaped> elements = gather_all(comm_, local.elements);
   std::sort(elements.begin(), elements.end(),
             [](const Shaped& a, const Shaped& b) { return a.element < b.element; });
   return Tree(std::move(elements));
@@ -85,7 +85,7 @@ Clearances::Best Clearances::to_line(const Tree& a, const Tree& b) const {
   const auto p = a.boxes.nodes(), q = b.boxes.nodes();
   struct Pair {
     size_t a, b;
-    double least;
+    double lower_bound;
   };
   const auto make = [&](size_t i, size_t j) {
     return Pair{i, j, distance(p[i].box, q[j].box) - a.radius - b.radius};
@@ -95,9 +95,9 @@ Clearances::Best Clearances::to_line(const Tree& a, const Tree& b) const {
   };
   std::vector<Pair> stack{make(0, 0)};
   while (!stack.empty()) {
-    const auto [i, j, least] = stack.back();
+    const auto [i, j, lower_bound] = stack.back();
     stack.pop_back();
-    if (!(least < best.clearance)) continue;
+    if (!(lower_bound < best.clearance)) continue;
     if (p[i].count == 1 && q[j].count == 1) {
       const Shaped &x = a.elements[a.boxes.below(p[i]).front()], &y = b.elements[b.boxes.below(q[j]).front()];
       const double radii = x.radius + y.radius;
@@ -105,15 +105,16 @@ Clearances::Best Clearances::to_line(const Tree& a, const Tree& b) const {
       if (!near) continue;
       best.clearance = near->distance - radii;
       best.arc = arc(x.element, near->xi);
-      best.there = Vec3(arc(y.element, near->eta), 0, 0);
+      best.other_place = Vec3(arc(y.element, near->eta), 0, 0);
       continue;
     }
     std::array<Pair, 2> next = p[i].count >= q[j].count
                                    ? std::array<Pair, 2>{make(i + 1, j), make(second(p, i), j)}
                                    : std::array<Pair, 2>{make(i, j + 1), make(i, second(q, j))};
-    if (next[0].least < next[1].least) std::swap(next[0], next[1]);  // the nearer pair is processed first
+    if (next[0].lower_bound < next[1].lower_bound)
+      std::swap(next[0], next[1]);  // the nearer pair is processed first
     for (const Pair& n : next)
-      if (n.least < best.clearance) stack.push_back(n);
+      if (n.lower_bound < best.clearance) stack.push_back(n);
   }
   return best;
 }
@@ -134,14 +135,15 @@ Clearances::Best Clearances::to_volume(const std::vector<Shaped>& elements, cons
       axis.b[k] = back * (axis.b[k] - pose.position);
       if (cache[i].known) moved = std::max(moved, (axis.b[k] - cache[i].axis.b[k]).norm());
     }
-    double least = cache[i].known ? cache[i].least - moved : -kFar;
-    if (const double outside = distance(box, axis.box()); outside > 0) least = std::max(least, outside);
-    order.emplace_back(least - elements[i].radius, i);
+    double lower_bound = cache[i].known ? cache[i].lower_bound - moved : -kFar;
+    if (const double outside = distance(box, axis.box()); outside > 0)
+      lower_bound = std::max(lower_bound, outside);
+    order.emplace_back(lower_bound - elements[i].radius, i);
   }
   std::sort(order.begin(), order.end());
   int hint = -1;
-  for (const auto& [least, i] : order) {
-    if (!(least < best.clearance)) break;
+  for (const auto& [lower_bound, i] : order) {
+    if (!(lower_bound < best.clearance)) break;
     const Shaped& e = elements[i];
     const auto field = [&](const Vec3& y, double within, Vec3& normal) -> std::optional<double> {
       const auto p = surface.query(y, within, hint);
@@ -161,7 +163,7 @@ Clearances::Best Clearances::to_volume(const std::vector<Shaped>& elements, cons
     best.clearance = near->distance - e.radius;
     best.arc = arc(e.element, near->xi);
     const auto p = surface.query(axes[i].point(near->xi), near->distance + e.radius, hint);
-    if (p) best.there = pose.position + pose.rotation * p->point;
+    if (p) best.other_place = pose.position + pose.rotation * p->point;
   }
   return best;
 }
@@ -170,10 +172,10 @@ void Clearances::rows(const Snapshot& s, Rows& to) {
   const auto& wanted = case_.output.clearances;
   if (wanted.empty()) return;
   std::vector<Best> nearest;
-  std::map<int, Tree> here, everywhere;  // of lines, of this rank and of all; each is made once
+  std::map<int, Tree> local, global;  // of lines, of this rank and of all; each is made once
   const auto tree_of = [&](int line) -> const Tree& {
-    const auto [t, fresh] = here.try_emplace(line);
-    if (fresh) t->second = Tree(own(line, s.at));
+    const auto [t, fresh] = local.try_emplace(line);
+    if (fresh) t->second = Tree(local_shapes(line, s.at));
     return t->second;
   };
   for (size_t k = 0; k < wanted.size(); ++k) {
@@ -181,8 +183,8 @@ void Clearances::rows(const Snapshot& s, Rows& to) {
     const int line = case_.line_index(w.line);
     if (w.volume.empty()) {
       const int other = case_.line_index(w.other_line);
-      if (!everywhere.count(other)) everywhere[other] = of_all_ranks(tree_of(other));
-      nearest.push_back(to_line(tree_of(line), everywhere[other]));
+      if (!global.count(other)) global[other] = of_all_ranks(tree_of(other));
+      nearest.push_back(to_line(tree_of(line), global[other]));
       continue;
     }
     size_t v = 0;
@@ -199,8 +201,8 @@ void Clearances::rows(const Snapshot& s, Rows& to) {
       continue;
     }
     const Best& n = nearest[k];
-    std::vector<double> row{n.clearance, n.arc, n.there.x()};
-    if (!wanted[k].volume.empty()) row.insert(row.end(), {n.there.y(), n.there.z()});
+    std::vector<double> row{n.clearance, n.arc, n.other_place.x()};
+    if (!wanted[k].volume.empty()) row.insert(row.end(), {n.other_place.y(), n.other_place.z()});
     // No facet of the volume faces this direction.
     if (!std::isfinite(n.clearance)) std::fill(row.begin(), row.end(), std::nan(""));
     to.add(std::move(row));

@@ -38,24 +38,24 @@ ContactPeaks::Peak ContactPeaks::peak(const Kinematics& state, const LocalElemen
   const Quat &q1 = state.q[e.first], &q2 = state.q[e.second];
   const Vec3 x1 = shape.point(0);
   // Section force and moment at the first node, and the non-contact loads along the element.
-  Vec3 force = -part(0), moment = -(q1 * part(1)), rest = part(0) + part(2);
+  Vec3 force = -part(0), moment = -(q1 * part(1)), distributed = part(0) + part(2);
   for (const auto& load : loads) {
     const AxisShape::Weights H = shape.functions(load.xi);
     force += H[0] * load.force;
     moment += H[1] * shape.slope(0).cross(load.force);
   }
   Peak best;
-  double most = -1;
+  double largest = -1;
   for (const auto& place : loads) {
     if (place.xi < from || place.xi >= to) continue;
     const Vec3 arm = x1 - shape.point(place.xi);
-    Vec3 m = moment + arm.cross(force + 0.5 * place.xi * rest);
+    Vec3 m = moment + arm.cross(force + 0.5 * place.xi * distributed);
     for (const auto& before : loads)
       if (before.xi < place.xi) m -= (shape.point(before.xi) - shape.point(place.xi)).cross(before.force);
     const Quat q = q1.slerp(place.xi, q2);
     const double about2 = m.dot(q * Vec3::UnitY()), about3 = m.dot(q * Vec3::UnitZ());
-    if (const double size = std::hypot(about2, about3); size > most) {
-      most = size;
+    if (const double size = std::hypot(about2, about3); size > largest) {
+      largest = size;
       best = {place.xi, about2, about3};
     }
   }
@@ -69,7 +69,7 @@ void ContactPeaks::fill(const Kinematics& state, std::vector<std::vector<double>
   for (auto first = loads.begin(); first != loads.end();) {
     const auto last =
         std::find_if(first, loads.end(), [&](const auto& l) { return l.element != first->element; });
-    const std::span<const LineVolumeContact::Load> own(first, last);
+    const std::span<const LineVolumeContact::Load> loads_of_element(first, last);
     const size_t i = first->element;
     first = last;
     if (EI_[i][0] <= 0 || EI_[i][1] <= 0) continue;
@@ -78,7 +78,7 @@ void ContactPeaks::fill(const Kinematics& state, std::vector<std::vector<double>
     for (const bool second : {false, true}) {
       const int node = second ? e.second : e.first;
       if (node >= mesh.owned) continue;
-      const Peak p = peak(state, e, shape, own, second ? 0.5 : 0, second ? HUGE_VAL : 0.5);
+      const Peak p = peak(state, e, shape, loads_of_element, second ? 0.5 : 0, second ? HUGE_VAL : 0.5);
       const auto value = [&](int field) -> double& { return values[field][node]; };
       const double size = std::hypot(p.about2, p.about3);
       if (size <= value(moment_)) continue;

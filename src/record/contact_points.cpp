@@ -32,12 +32,12 @@ ContactPoints::ContactPoints(const Subject& subject)
       volumes_(case_indices_of_volumes(subject)) {}
 
 void ContactPoints::points(const Snapshot& s, io::ContactRows& to) {
-  ContactResultants found;
-  if (line_volumes_) line_volumes_->resultants(s.at, found);
-  for (ContactResultant& r : found) r.volume = volumes_[r.volume];
-  if (line_pairs_) line_pairs_->resultants(s.at, found);
-  if (bodies_) bodies_->resultants(found);
-  for (const ContactResultant& r : found)
+  ContactResultants all;
+  if (line_volumes_) line_volumes_->resultants(s.at, all);
+  for (ContactResultant& r : all) r.volume = volumes_[r.volume];
+  if (line_pairs_) line_pairs_->resultants(s.at, all);
+  if (bodies_) bodies_->resultants(all);
+  for (const ContactResultant& r : all)
     to.push_back({r.line, r.other_line, r.volume, r.other_volume, r.place, r.force});
 }
 

@@ -32,10 +32,10 @@ void DeepContacts::step(const Snapshot& s) {
 }
 
 std::vector<io::SummaryRow> DeepContacts::summary() {
-  std::vector<Deepest> mine;
-  for (const auto& [line, deepest] : of_rank_) mine.push_back(deepest);
+  std::vector<Deepest> local;
+  for (const auto& [line, deepest] : of_rank_) local.push_back(deepest);
   of_run_.clear();
-  for (const Deepest& d : gather_all(subject_.comm(), mine)) put(d, of_run_);
+  for (const Deepest& d : gather_all(subject_.comm(), local)) put(d, of_run_);
   return {};
 }
 

@@ -38,7 +38,7 @@ EdgeErrors::EdgeErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mes
       worst_(mesh.mesh->lines.size()),
       tension_(mesh.mesh->lines.size(), 0),
       reported_(mesh.mesh->lines.size(), 0),
-      over_(mesh.mesh->lines.size(), {0, -HUGE_VAL}) {
+      passages_(mesh.mesh->lines.size(), {0, -HUGE_VAL}) {
   const int rank = rank_of(comm);
   for (size_t l = 0; l < mesh.mesh->lines.size(); ++l) {
     const LineSpan& line = mesh.mesh->lines[l];
@@ -49,14 +49,14 @@ EdgeErrors::EdgeErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mes
         pieces.push_back({static_cast<int>(l), mesh.owner[n], n, n});
       pieces.back().last = n;
     }
-    const auto here = [rank](const NodesOfLine& p) { return p.rank == rank; };
-    if (std::none_of(pieces.begin(), pieces.end(), here)) continue;
+    const auto on_this_rank = [rank](const NodesOfLine& p) { return p.rank == rank; };
+    if (std::none_of(pieces.begin(), pieces.end(), on_this_rank)) continue;
     std::set<int> others;
     for (const NodesOfLine& p : pieces)
-      if (!here(p)) others.insert(p.rank);
+      if (!on_this_rank(p)) others.insert(p.rank);
     for (const NodesOfLine& p : pieces) {
-      if (!here(p)) shared_[p.rank].receive.push_back(static_cast<int>(pieces_.size()));
-      if (here(p))
+      if (!on_this_rank(p)) shared_[p.rank].receive.push_back(static_cast<int>(pieces_.size()));
+      if (on_this_rank(p))
         for (const int other : others) shared_[other].send.push_back(static_cast<int>(pieces_.size()));
       pieces_.push_back(p);
     }
@@ -89,14 +89,15 @@ std::vector<PressedTurn> EdgeErrors::turns(const Kinematics& state, const Values
     const Vec3 a = (state.x[n] - state.x[beside.before]).normalized(),
                b = (state.x[beside.after] - state.x[n]).normalized();
     const double angle = angle_between(a, b);
-    const double tension = std::max({v.before[n], v.after[n], 0.0}), most = tension * (1 - std::cos(angle));
+    const double tension = std::max({v.before[n], v.after[n], 0.0}), limit = tension * (1 - std::cos(angle));
     const Vec3 along = (a + b).normalized();
-    const double taken =
-        angle > kStraight ? std::clamp(F.dot(along) / std::max(std::cos(0.5 * angle), 1e-3), -most, most) : 0;
+    const double tension_change =
+        angle > kStraight ? std::clamp(F.dot(along) / std::max(std::cos(0.5 * angle), 1e-3), -limit, limit)
+                          : 0;
     const int node = mesh_.global[n];
     const double passage =
         tension > 0 ? beside.length * std::sqrt(type_at(node).mass_per_length / tension) : 0;
-    out.push_back({node, angle, taken, tension, beside.length, passage});
+    out.push_back({node, angle, tension_change, tension, beside.length, passage});
   }
   return out;
 }
@@ -128,7 +129,7 @@ void EdgeErrors::update(const Kinematics& state, const Values& values) {
 // errors alternate between elements, and only a fraction counts.
 void EdgeErrors::update_worst(int line, const PressedPart& of_line, double time) {
   tension_[line] = std::max(tension_[line], of_line.tension);
-  over_[line] = {of_line.passage, time};
+  passages_[line] = {of_line.passage, time};
   SumRange inside = of_line.inside, outside = of_line.outside;
   inside.add(0);
   outside.add(0);
@@ -136,16 +137,16 @@ void EdgeErrors::update_worst(int line, const PressedPart& of_line, double time)
   Worst& w = worst_[line];
   const double error = std::max(outside.width(), kInside * inside.width());
   if (!(error > w.at.error)) return;
-  const PressedTurn& there = of_line.worst;
+  const PressedTurn& worst_turn = of_line.worst;
   w.at = {.error = error,
-          .arc = mesh_.mesh->node(there.node).arc,
+          .arc = mesh_.mesh->node(worst_turn.node).arc,
           .time = time,
-          .turn = there.angle,
-          .length = there.length};
-  w.turn_of_element = there.angle + std::max(of_line.before, of_line.after);
-  const bool evenly = std::min(of_line.before, of_line.after) > kEvenly * there.angle;
-  w.at.recommended = evenly ? there.length * std::sqrt(kLeft * of_line.tension / error)
-                            : kOfRadius * 0.5 * type_at(there.node).contact_diameter;
+          .turn = worst_turn.angle,
+          .length = worst_turn.length};
+  w.turn_of_element = worst_turn.angle + std::max(of_line.before, of_line.after);
+  const bool evenly = std::min(of_line.before, of_line.after) > kEvenly * worst_turn.angle;
+  w.at.recommended = evenly ? worst_turn.length * std::sqrt(kLeft * of_line.tension / error)
+                            : kOfRadius * 0.5 * type_at(worst_turn.node).contact_diameter;
 }
 
 std::string EdgeErrors::warning(int line, double largest) const {

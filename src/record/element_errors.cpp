@@ -53,7 +53,7 @@ ElementErrors::ElementErrors(MPI_Comm comm, const model::Case& c, const LocalMes
 const model::LineType& ElementErrors::type(const Element& e) const { return case_.line_types[e.type]; }
 
 ElementErrors::At ElementErrors::node(size_t n, const Kinematics& state, const Values& values) const {
-  const auto value = [n](std::span<const double> of) { return of.empty() ? 0 : of[n]; };
+  const auto value = [n](std::span<const double> field) { return field.empty() ? 0 : field[n]; };
   const double moment = value(values.moment);
   return {state.x[n], value(values.tension), std::isnan(moment) ? 0 : std::abs(moment), value(values.pressed),
           values.supported[n]};
@@ -70,10 +70,10 @@ void ElementErrors::declare(Declarations& to) {
 }
 
 void ElementErrors::output(const Snapshot& s) {
-  const auto of = [&](int f) {
+  const auto value_of = [&](int f) {
     return f < 0 ? std::span<const double>() : std::span<const double>(s.values[f]);
   };
-  Values v{of(tension_), of(moment_), of(pressed_), {}};
+  Values v{value_of(tension_), value_of(moment_), value_of(pressed_), {}};
   v.supported.resize(mesh_.owned, false);
   for (const auto& [f, components] : touches_)
     for (size_t n = 0, c = static_cast<size_t>(components); n < v.supported.size(); ++n)
@@ -144,13 +144,13 @@ void ElementErrors::update_sag(const LineSpan& line, std::span<const At> nodes, 
         n > first && n < last && !nodes[n].supported && !mesh_.mesh->node(line.first_node + n).two_sided;
     return plain ? angle_between(chord(n - 1), chord(n)) : -1;
   };
-  double longer = 0, compliance = 0, most = 0, tension = HUGE_VAL;
-  Worst here;
+  double extension = 0, compliance = 0, largest = 0, tension = HUGE_VAL;
+  Worst candidate;
   for (int i = first; i < last;) {
     int end = i;  // end of the hanging part
-    Vec3 way = Vec3::Zero();
+    Vec3 chord_sum = Vec3::Zero();
     const auto hangs = [&](int e) { return !nodes[e].supported || !nodes[e + 1].supported; };
-    for (; end < last && hangs(end); ++end) way += element(end).length * chord(end);
+    for (; end < last && hangs(end); ++end) chord_sum += element(end).length * chord(end);
     double length = 0;
     for (int k = i; k < end; ++k) length += element(k).length;
     for (int k = i; k < std::max(end, i + 1); ++k) {
@@ -159,20 +159,20 @@ void ElementErrors::update_sag(const LineSpan& line, std::span<const At> nodes, 
       compliance += e.length * std::max(pull, 0.0) / type(e).EA;
       if (end == i) continue;  // on the bed
       tension = std::min(tension, std::max(pull, 0.0));
-      compliance += e.length * (chord(k) - way / length).squaredNorm();
+      compliance += e.length * (chord(k) - chord_sum / length).squaredNorm();
       const double a = turn(k), b = turn(k + 1), theta = std::min(a < 0 ? b : a, b < 0 ? a : b);
       if (e.beam || theta < 0) continue;  // cubics follow the sag
       const double more = e.length * theta * theta / 24;
-      longer += more;
-      if (more <= most) continue;
-      most = more;
-      here = {0, mesh_.mesh->node(e.first).arc + 0.5 * e.length, time, theta, e.length};
+      extension += more;
+      if (more <= largest) continue;
+      largest = more;
+      candidate = {0, mesh_.mesh->node(e.first).arc + 0.5 * e.length, time, theta, e.length};
     }
     i = std::max(end, i + 1);
   }
-  if (!(longer > 0)) return;
-  here.error = longer / compliance * tension;
-  if (here.error > worst.error) worst = here;
+  if (!(extension > 0)) return;
+  candidate.error = extension / compliance * tension;
+  if (candidate.error > worst.error) worst = candidate;
 }
 
 // Above the liftoff point the static tension of a cable grows by its submerged weight times the height. An
@@ -213,28 +213,29 @@ void ElementErrors::update_lifts(const LineSpan& line, std::span<const At> nodes
 void ElementErrors::update_bends(const LineSpan& line, std::span<const At> nodes, int first, int last,
                                  double time, Worst& worst) const {
   for (int n = first; n <= last; ++n) {
-    const At& here = nodes[n];
-    if (here.moment <= worst.error || !(here.tension > 0)) continue;
+    const At& values = nodes[n];
+    if (values.moment <= worst.error || !(values.tension > 0)) continue;
     const Node& node = mesh_.mesh->node(line.first_node + n);
     const bool at_end = n == first || n == last || node.two_sided;
-    Worst least{.error = HUGE_VAL};  // over both sides
+    Worst smallest{.error = HUGE_VAL};  // over both sides
     for (const int side : {-1, 1}) {
       const int i = side < 0 ? n - 1 : n;
       if (i < first || i >= last) continue;
       const Element& e = mesh_.mesh->element(line.first_element + i);
-      const double decay = std::sqrt(std::max(type(e).EI2, type(e).EI3) / here.tension), x = e.length / decay;
-      const bool falls = e.beam && nodes[n + side].moment < here.moment * std::exp(-0.5 * std::min(x, 1.0));
-      const double error = falls ? here.moment * (at_end ? wrong_at_end(x) : wrong_inside(x)) : 0;
-      if (error < least.error)
-        least = {error,
-                 node.arc,
-                 time,
-                 0,
-                 e.length,
-                 decay,
-                 decay * (at_end ? kRecommendedAtEnd : kRecommendedInside)};
+      const double decay = std::sqrt(std::max(type(e).EI2, type(e).EI3) / values.tension),
+                   x = e.length / decay;
+      const bool falls = e.beam && nodes[n + side].moment < values.moment * std::exp(-0.5 * std::min(x, 1.0));
+      const double error = falls ? values.moment * (at_end ? wrong_at_end(x) : wrong_inside(x)) : 0;
+      if (error < smallest.error)
+        smallest = {error,
+                    node.arc,
+                    time,
+                    0,
+                    e.length,
+                    decay,
+                    decay * (at_end ? kRecommendedAtEnd : kRecommendedInside)};
     }
-    if (least.error > worst.error && least.error < HUGE_VAL) worst = least;
+    if (smallest.error > worst.error && smallest.error < HUGE_VAL) worst = smallest;
   }
 }
 

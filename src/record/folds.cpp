@@ -34,22 +34,22 @@ void Folds::update(const Kinematics& state, std::span<const double> before, std:
     const LocalElement& l = mesh_.elements[i];
     const Element& e = mesh_.element(l);
     const auto a = static_cast<size_t>(l.first), b = static_cast<size_t>(l.second);
-    const double share = (state.x[b] - state.x[a]).norm() / (e.length * (1 + e.free_strain));
-    if (share < kFolded) {
-      f.share = std::min(f.share, share);
+    const double ratio = (state.x[b] - state.x[a]).norm() / (e.length * (1 + e.free_strain));
+    if (ratio < kFolded) {
+      f.ratio = std::min(f.ratio, ratio);
       f.until = HUGE_VAL;
     }
     if (f.until <= state.time) {
-      f.share = 1;
+      f.ratio = 1;
       f.until = 0;
     }
-    if (f.until == 0 || share <= 1) continue;
+    if (f.until == 0 || ratio <= 1) continue;
     if (f.until == HUGE_VAL) f.until = state.time + f.echo;
     const bool first = l.first < mesh_.owned;
     const double tension = first ? after[a] : before[b];
     const size_t n = first ? a : b;
     Worst& w = worst_[e.line];
-    if (tension > w.tension) w = {tension, state.time, mesh_.node(n).arc, f.share};
+    if (tension > w.tension) w = {tension, state.time, mesh_.node(n).arc, f.ratio};
   }
 }
 

@@ -121,7 +121,7 @@ std::vector<double> Histories::node_row(const Point& p, size_t side, const Snaps
   const size_t n = p.nodes[side];
   const bool between = p.weights[1] > 0;
   const EndForces::SectionNode* place = p.places[side] >= 0 ? &ends_.places()[p.places[side]] : nullptr;
-  const auto of = [&](int field) { return s.values[field][n]; };
+  const auto value_of = [&](int field) { return s.values[field][n]; };
   std::vector<double> row;
   const auto vector = [&](const auto& v) { row.insert(row.end(), v.begin(), v.end()); };
   const auto show = [&](const std::vector<size_t>& fields) {
@@ -129,13 +129,13 @@ std::vector<double> Histories::node_row(const Point& p, size_t side, const Snaps
       const int f = static_cast<int>(field);
       const int near = side == 0 ? section_.after : section_.before;
       if (between && (f == section_.tension || f == section_.before || f == section_.after))
-        row.push_back(of(near));
+        row.push_back(value_of(near));
       else if (between && f == section_.wall)
-        row.push_back(of(section_.wall) + of(near) - of(section_.tension));
+        row.push_back(value_of(section_.wall) + value_of(near) - value_of(section_.tension));
       else if (between && place)
-        row.push_back(facing(f, place->sides[side == 0 ? 1 : 0], at.q[n], of(f)));
+        row.push_back(facing(f, place->sides[side == 0 ? 1 : 0], at.q[n], value_of(f)));
       else
-        row.push_back(of(f));
+        row.push_back(value_of(f));
     }
   };
   vector(at.x[n]);
@@ -170,7 +170,7 @@ std::vector<double> Histories::line_row(const Point& p, const Snapshot& s) const
 std::vector<std::string> Histories::load_components(int body) const {
   std::vector<std::string> out;
   if (!subject_.model.floats(body)) return out;
-  for (const ActsOnBodies* term : subject_.system.with<ActsOnBodies>())
+  for (const ReportsBodyForces* term : subject_.system.with<ReportsBodyForces>())
     for (std::string& component : term->load_components(body)) out.push_back(std::move(component));
   if (!out.empty()) out.push_back("other");
   return out;
@@ -194,14 +194,14 @@ std::vector<double> Histories::body_row(int body, const Snapshot& s) const {
     row.insert(row.end(), f.force.begin(), f.force.end());
     row.insert(row.end(), f.moment.begin(), f.moment.end());
   };
-  BodyForce rest{force[0], force[1]};
-  for (const ActsOnBodies* term : subject_.system.with<ActsOnBodies>())
+  BodyForce other{force[0], force[1]};
+  for (const ReportsBodyForces* term : subject_.system.with<ReportsBodyForces>())
     for (const BodyForce& f : term->forces_on(body, at)) {
       add(f);
-      rest.force -= f.force;
-      rest.moment -= f.moment;
+      other.force -= f.force;
+      other.moment -= f.moment;
     }
-  add(rest);
+  add(other);
   return row;
 }
 

@@ -64,8 +64,8 @@ void NodeFields::begin(const std::set<std::string>& every_step) {
                           every_step.count(s.name) > 0);
   const auto in_every_step = [this](int f) { return f < 0 || every_step_[f - kStateFields]; };
   const std::array<int, 5> of_beams = section_.of_beams();
-  rest_apart_ = in_every_step(section_.tension) && in_every_step(section_.declination) &&
-                in_every_step(section_.wall) && std::ranges::all_of(of_beams, in_every_step);
+  only_every_step_ = in_every_step(section_.tension) && in_every_step(section_.declination) &&
+                     in_every_step(section_.wall) && std::ranges::all_of(of_beams, in_every_step);
 }
 
 void NodeFields::fill(const Kinematics& state, bool all) {
@@ -81,7 +81,7 @@ void NodeFields::fill(const Kinematics& state, bool all) {
 }
 
 bool NodeFields::complete(const Kinematics& state) {
-  if (!rest_apart_) return false;
+  if (!only_every_step_) return false;
   for (size_t f = 0; f < every_step_.size(); ++f)
     if (!every_step_[f]) fill_field(f, state);
   return true;
@@ -108,8 +108,8 @@ void NodeFields::correct_ends(const Kinematics& state) {
   for (auto& e : ends_) e.clear();
   for (const EndForces::SectionNode& p : end_forces_.places()) {
     const size_t n = p.node;
-    const auto larger = [&p](auto&& of) {
-      const double a = of(p.sides[0]), b = of(p.sides[1]);
+    const auto larger = [&p](auto&& value_of) {
+      const double a = value_of(p.sides[0]), b = value_of(p.sides[1]);
       return std::abs(a) > std::abs(b) ? a : b;
     };
     const auto put = [&](int field, double value) {

@@ -32,28 +32,28 @@ void NodeStatistics::add(double time, const std::vector<std::vector<double>>& va
   if (time < from_ - time_tolerance(from_)) return;
   const double h = begun_ ? time - latest_ : 0;
   for (std::size_t f = 0; f < sums_.size(); ++f) {
-    const std::vector<double>& of = values[place_[f]];
+    const std::vector<double>& field = values[place_[f]];
     for (std::size_t i = 0; i < sums_[f].size(); ++i) {
-      const double v = of[i];
+      const double v = field[i];
       Sums& s = sums_[f][i];
       const double last = std::exchange(s.last, v);
       if (std::isnan(v)) continue;
-      if (std::isnan(s.least)) s = {v, time, v, time, v, 0, v, 0};
-      if (v < s.least) {
-        s.least = v;
-        s.least_time = time;
+      if (std::isnan(s.lowest)) s = {v, time, v, time, v, 0, v, 0};
+      if (v < s.lowest) {
+        s.lowest = v;
+        s.lowest_time = time;
       }
-      if (v > s.most) {
-        s.most = v;
-        s.most_time = time;
+      if (v > s.highest) {
+        s.highest = v;
+        s.highest_time = time;
       }
       if (!(h > 0) || std::isnan(last)) continue;
       // A linear piece of length h with mean m and variance (v - last)²/12 is merged with the earlier ones
       // (Chan, Golub and LeVeque 1983, equation 2.1, weighted by length).
       s.covered += h;
-      const double share = h / s.covered, off = 0.5 * (last + v) - s.mean, change = v - last;
-      s.squares += (1 - share) * h * off * off + h / 12 * change * change;
-      s.mean += share * off;
+      const double weight = h / s.covered, off = 0.5 * (last + v) - s.mean, change = v - last;
+      s.squares += (1 - weight) * h * off * off + h / 12 * change * change;
+      s.mean += weight * off;
     }
   }
   begun_ = true;
@@ -67,7 +67,7 @@ std::vector<double> NodeStatistics::table(std::size_t field) const {
     const double deviation = std::isnan(s.mean) ? s.mean
                              : s.covered > 0    ? std::sqrt(s.squares / s.covered)
                                                 : 0;
-    out.insert(out.end(), {s.least, s.least_time, s.most, s.most_time, s.mean, deviation});
+    out.insert(out.end(), {s.lowest, s.lowest_time, s.highest, s.highest_time, s.mean, deviation});
   }
   return out;
 }
@@ -81,10 +81,10 @@ void NodeStatistics::save(io::Checkpoint& to) const {
           std::vector<double> values;
           values.reserve(kSaved * sums.size());
           for (const Sums& s : sums) {
-            const bool any = !std::isnan(s.least), last = !std::isnan(s.last);
-            values.insert(values.end(),
-                          {any ? s.least : 0, any ? s.least_time : 0, any ? s.most : 0, any ? s.most_time : 0,
-                           any ? s.mean : 0, s.squares, last ? s.last : 0, s.covered, any + 2.0 * last});
+            const bool any = !std::isnan(s.lowest), last = !std::isnan(s.last);
+            values.insert(values.end(), {any ? s.lowest : 0, any ? s.lowest_time : 0, any ? s.highest : 0,
+                                         any ? s.highest_time : 0, any ? s.mean : 0, s.squares,
+                                         last ? s.last : 0, s.covered, any + 2.0 * last});
           }
           return values;
         }};

@@ -89,18 +89,20 @@ PipeLoads PipeStrength::loads(const Values& values, size_t node) const {
 }
 
 void PipeStrength::start(const Snapshot& s) {
-  rest_.clear();
-  for (size_t n = 0; n < sides_.size() && bending_ >= 0; ++n) rest_.push_back(loads(s.values, n));
+  static_loads_.clear();
+  for (size_t n = 0; n < sides_.size() && bending_ >= 0; ++n) static_loads_.push_back(loads(s.values, n));
 }
 
 double PipeStrength::condition(const Side& side, const PipePlaces& places) const {
   const PipeConditions& conditions = case_.line_types[side.type].conditions;
-  const auto in = [&](const std::vector<std::array<double, 2>>& stretches) {
+  const auto within = [&](const std::vector<std::array<double, 2>>& stretches) {
     if (stretches.empty()) return false;
     const auto& [from, to] = stretches[side.line];
     return from <= side.arc && side.arc <= to;
   };
-  return in(places.supports) ? conditions.supports : in(places.seabed) ? conditions.seabed : conditions.span;
+  return within(places.supports) ? conditions.supports
+         : within(places.seabed) ? conditions.seabed
+                                 : conditions.span;
 }
 
 // Places where the condition of a pipe depends on its support.
@@ -142,10 +144,10 @@ void PipeStrength::fill(const Snapshot& s, Values& values) {
       const double inside =
           type.contents_pressure + type.contents_density * case_.environment.gravity * depth;
       const double strain = 0.5 * codes.outer() * values[curvature_][n];
-      if (!rest_.empty()) {
+      if (!static_loads_.empty()) {
         const double factor = condition(side, known);
-        worst[0] = std::fmax(worst[0], codes.local_buckling(rest_[n], now, factor, outside, inside));
-        pulled_ = std::max(pulled_, codes.pulled(rest_[n], now, factor));
+        worst[0] = std::fmax(worst[0], codes.local_buckling(static_loads_[n], now, factor, outside, inside));
+        pulled_ = std::max(pulled_, codes.pulled(static_loads_[n], now, factor));
       }
       worst[1] = std::fmax(worst[1], codes.bending_and_pressure(strain, outside, inside));
       worst[2] = std::fmax(worst[2], codes.tension_and_pressure(now.tension, outside, inside));
@@ -157,10 +159,10 @@ void PipeStrength::fill(const Snapshot& s, Values& values) {
 }
 
 std::vector<Warning> PipeStrength::warnings(const std::vector<io::SummaryRow>&, const Audit&) {
-  double most = pulled_;
-  all_reduce(comm_, MPI_MAX, most);
-  if (!(most > kMaxPulled) || rank_of(comm_) != 0) return {};
-  return {{advice::beyond_pipe_formulas(most)}};
+  double largest = pulled_;
+  all_reduce(comm_, MPI_MAX, largest);
+  if (!(largest > kMaxPulled) || rank_of(comm_) != 0) return {};
+  return {{advice::beyond_pipe_formulas(largest)}};
 }
 
 void PipeStrength::save(io::Checkpoint& to) {
@@ -169,7 +171,7 @@ void PipeStrength::save(io::Checkpoint& to) {
   io::CheckpointField& f = to.nodes[kRest];
   f.components = 3;
   for (size_t n = 0; n < sides_.size(); ++n) {
-    const PipeLoads l = rest_.empty() ? PipeLoads{} : rest_[n];
+    const PipeLoads l = static_loads_.empty() ? PipeLoads{} : static_loads_[n];
     f.values.insert(f.values.end(), {l.moment_2, l.moment_3, l.tension});
   }
 }
@@ -177,10 +179,10 @@ void PipeStrength::save(io::Checkpoint& to) {
 void PipeStrength::restore(const io::Checkpoint& from) {
   const auto at = from.nodes.find(kRest);
   if (at == from.nodes.end() || buckling_ < 0) return;
-  rest_.clear();
+  static_loads_.clear();
   for (size_t n = 0; n < sides_.size(); ++n) {
     const double* v = at->second.values.data() + 3 * n;
-    rest_.push_back({v[0], v[1], v[2]});
+    static_loads_.push_back({v[0], v[1], v[2]});
   }
   pulled_ = from.scalars.at(kPulled);
 }

@@ -16,8 +16,8 @@ PressedPart::PressedPart(const PressedTurn& turn)
       first(turn),
       last(turn),
       worst(turn),
-      sum(turn.taken),
-      inside{turn.taken, turn.taken},
+      sum(turn.tension_change),
+      inside{turn.tension_change, turn.tension_change},
       tension(turn.tension),
       passage(turn.passage) {}
 
@@ -25,7 +25,7 @@ PressedPart joined(const PressedPart& a, const PressedPart& b) {
   if (!a.pressed) return b;
   if (!b.pressed) return a;
   const bool touch = b.first.node == a.last.node + 1;
-  const bool larger = std::abs(b.worst.taken) > std::abs(a.worst.taken);
+  const bool larger = std::abs(b.worst.tension_change) > std::abs(a.worst.tension_change);
   PressedPart out = larger ? b : a;
   if (touch && larger && b.worst.node == b.first.node) out.before = a.last.angle;
   if (touch && !larger && a.worst.node == a.last.node) out.after = b.first.angle;

@@ -54,12 +54,12 @@ void read(BytesReader& from, std::vector<io::SummaryRow>& rows, std::vector<Warn
 // On rank 0 the rows and warnings of all ranks, rank by rank; on the others none. Collective.
 void gather_on_first(MPI_Comm comm, std::vector<io::SummaryRow>& rows, std::vector<Warning>& warnings) {
   if (ranks_of(comm) == 1) return;
-  BytesWriter own;
-  write(rows, warnings, own);
+  BytesWriter local;
+  write(rows, warnings, local);
   rows.clear();
   warnings.clear();
   std::vector<char> all;
-  GatherPlan(comm, static_cast<int>(own.bytes.size())).gather_on_first(own.bytes.data(), all);
+  GatherPlan(comm, static_cast<int>(local.bytes.size())).gather_on_first(local.bytes.data(), all);
   const std::string bytes(all.begin(), all.end());
   for (BytesReader from(bytes); !from.at_end();) read(from, rows, warnings);
 }
@@ -156,9 +156,9 @@ void Recorder::step(const StepInfo& info, const Kinematics& state, double suppor
   const Snapshot s = snapshot(shown, info);
   fill(s, false);
   stepped_ = true;
-  Energy share = subject_.system.energy(state);
-  share.work += support_work;
-  const Energy now = sum_of(subject_.comm(), share);
+  Energy local = subject_.system.energy(state);
+  local.work += support_work;
+  const Energy now = sum_of(subject_.comm(), local);
   const auto* feeders = subject_.term<Feeders>();
   const double passed = feeders ? feeders->passed_through(fields_.end_forces().at_feeders(), info.h) : 0;
   if (audit_.update(start_, now, info.time, info.h, passed) && info.h > 0) find_worst(s);
@@ -174,9 +174,9 @@ void Recorder::step(const StepInfo& info, const Kinematics& state, double suppor
 void Recorder::find_worst(const Snapshot& s) {
   using With = Audit::Step::ContactWith;
   fill(s, true);
-  const NodeValue most = subject_.dynamics().largest_acceleration_change();
+  const NodeValue change = subject_.dynamics().largest_acceleration_change();
   int with = 0;
-  const int n = subject_.local().find(most.node);
+  const int n = subject_.local().find(change.node);
   if (subject_.local().owns(n))
     for (size_t f = 0; f < s.values.size() && with == 0; ++f) {
       const Field& field = fields_.fields()[f];
@@ -185,7 +185,7 @@ void Recorder::find_worst(const Snapshot& s) {
       if (size != 0) with = static_cast<int>(field.contact_with);
     }
   all_reduce(subject_.comm(), MPI_MAX, with);
-  audit_.located(most.node, static_cast<With>(with));
+  audit_.located(change.node, static_cast<With>(with));
 }
 
 void Recorder::output(const Kinematics& state) {

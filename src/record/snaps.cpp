@@ -42,7 +42,7 @@ Snaps::Snaps(const model::Case& c, const LocalMesh& mesh)
 }
 
 void Snaps::update(double time, double h, std::span<const double> on_a, std::span<const double> on_b,
-                   std::span<const OverVolume> over) {
+                   std::span<const VolumePassage> passages) {
   const bool steps = h > 0 && !before_.empty();
   before_.resize(passage_.size());
   for (size_t n = 0; n < passage_.size(); ++n) {
@@ -70,8 +70,8 @@ void Snaps::update(double time, double h, std::span<const double> on_a, std::spa
            .passage = passage_[n],
            .from = b.low,
            .within = time - b.since};
-      if (!over.empty() && time - over[node.line].time <= echo_[node.line])
-        w.across = over[node.line].passage;
+      if (!passages.empty() && time - passages[node.line].time <= echo_[node.line])
+        w.across = passages[node.line].passage;
       if (steps) {
         w.rise = rise / (h * h);
         w.node = static_cast<int>(n);
@@ -102,7 +102,7 @@ std::string Snaps::warning(int line, const std::string& name, double largest_ten
                                     .time = w.time,
                                     .arc = w.arc,
                                     .step = w.step,
-                                    .share = 1 - std::cos(w.angle),
+                                    .fraction = 1 - std::cos(w.angle),
                                     .from = w.from,
                                     .within = w.within,
                                     .shorter = steps ? 0.5 * w.step * kResolved / w.angle : 0.5 * w.step,

@@ -60,11 +60,11 @@ void Stations::fill(const Feeder& f, const std::vector<std::vector<double>>& val
         first + static_cast<int>(std::ranges::partition_point(free, [&](int m) { return arc(m) < s; }) -
                                  free.begin());  // next node
     const double length = j > first ? arc(j) - arc(j - 1) : 0;
-    const double share = length > 0 ? std::clamp((arc(j) - s) / length, 0.0, 1.0) : 0;  // of the node before
+    const double weight = length > 0 ? std::clamp((arc(j) - s) / length, 0.0, 1.0) : 0;  // of the node before
     for (size_t k = 0; k < fields_.size(); ++k) {
       const double* v = along.data() + k * nodes + j;
-      const bool there = s >= from - 1e-9 * span.length && s <= to + 1e-9 * span.length;
-      values_[k][n] = !there ? std::nan("") : share > 0 ? share * v[-1] + (1 - share) * v[0] : v[0];
+      const bool on_line = s >= from - 1e-9 * span.length && s <= to + 1e-9 * span.length;
+      values_[k][n] = !on_line ? std::nan("") : weight > 0 ? weight * v[-1] + (1 - weight) * v[0] : v[0];
     }
   }
 }

@@ -6,9 +6,9 @@
 
 namespace hawser::record {
 
-TensionPeaks::TensionPeaks(const Subject& subject, const EdgeErrors* over)
+TensionPeaks::TensionPeaks(const Subject& subject, const EdgeErrors* errors)
     : subject_(subject),
-      over_(over),
+      errors_(errors),
       folds_(subject.model, subject.local(), subject.term<Feeders>()),
       snaps_(subject.model, subject.local()) {}
 
@@ -21,8 +21,8 @@ void TensionPeaks::declare(Declarations& to) {
 
 void TensionPeaks::step(const Snapshot& s) {
   folds_.update(s.at, s.values[before_], s.values[after_]);
-  const auto over = over_ ? over_->over_volumes() : std::span<const Snaps::OverVolume>();
-  snaps_.update(s.step.time, s.step.h, s.values[before_], s.values[after_], over);
+  const auto passages = errors_ ? errors_->volume_passages() : std::span<const Snaps::VolumePassage>();
+  snaps_.update(s.step.time, s.step.h, s.values[before_], s.values[after_], passages);
 }
 
 std::vector<Warning> TensionPeaks::warnings(const std::vector<io::SummaryRow>& summary, const Audit& audit) {

@@ -62,9 +62,9 @@ Touchdowns::Above Touchdowns::above(size_t n, const Kinematics& state) const {
 
 // Sums or minimises the numbers of cut lines over the ranks; `numbers`: per line.
 template <class T>
-void Touchdowns::join(MPI_Op op, std::vector<T>& of, size_t numbers) const {
+void Touchdowns::join(MPI_Op op, std::vector<T>& values, size_t numbers) const {
   if (cut_ == 0) return;
-  auto cut = std::span(of).first(cut_ * numbers);
+  auto cut = std::span(values).first(cut_ * numbers);
   all_reduce(comm_, op, cut);
 }
 
@@ -124,20 +124,20 @@ std::pair<TouchdownPoint, double> Touchdowns::point(int element, const Surroundi
   const Element& e = mesh.element(element);
   const LineSpan& span = mesh.lines[e.line];
   const bool to_b = lies(around.gap[-Surrounding::kFirst].value);  // the node towards A lies
-  const int last_lying = to_b ? e.first : e.second, way = to_b ? 1 : -1;
+  const int last_lying = to_b ? e.first : e.second, sign = to_b ? 1 : -1;
   NodesAtChange n{};
   for (int i = 0; i < NodesAtChange::kNodes; ++i) {
-    const int global = last_lying + way * (i - 1);
+    const int global = last_lying + sign * (i - 1);
     n.exists[i] = global >= span.first_node && global < span.first_node + span.nodes;
     if (!n.exists[i]) continue;
     n.inner[i] = global != span.first_node && global != span.first_node + span.nodes - 1;
     n.gap[i] = around.gap[global - e.first - Surrounding::kFirst];
-    n.gap[i].slope *= way;
-    n.arc[i] = way * mesh.node(global).arc;
+    n.gap[i].slope *= sign;
+    n.arc[i] = sign * mesh.node(global).arc;
     n.two_sided[i] = mesh.node(global).two_sided;
   }
   const double s = distance_to_touchdown(n, e.beam);
-  const double arc = std::clamp(mesh.node(last_lying).arc + way * s, 0.0, span.length);
+  const double arc = std::clamp(mesh.node(last_lying).arc + sign * s, 0.0, span.length);
   return {{arc, position_at(n, s)}, s - zero_of_line(n.gap[1].value, n.gap[2].value, n.arc[2] - n.arc[1])};
 }
 
@@ -154,26 +154,26 @@ std::vector<Touchdown> Touchdowns::find(const Kinematics& state) const {
     Touchdown& t = out.emplace_back();
     t.line = line;
     t.laid = changes.laid[k];
-    const auto found = [&](size_t change) -> std::optional<TouchdownPoint> {
+    const auto point_of = [&](size_t change) -> std::optional<TouchdownPoint> {
       if (changes.element[change] == Changes::kNone) return {};
       const auto [point, more] = this->point(std::abs(changes.element[change]), around[change]);
       t.laid += more;
       return point;
     };
-    t.from_a = found(2 * k);
+    t.from_a = point_of(2 * k);
     const bool same = changes.element[2 * k + 1] == -changes.element[2 * k];
-    t.from_b = same ? t.from_a : found(2 * k + 1);
+    t.from_b = same ? t.from_a : point_of(2 * k + 1);
     t.laid = std::clamp(t.laid, 0.0, local_.mesh->lines[line].length);
   }
   return out;
 }
 
 std::vector<Touchdown> Touchdowns::of_all_lines(const Kinematics& state) const {
-  std::vector<Touchdown> mine = find(state);
-  std::erase_if(mine, [this](const Touchdown& t) { return !owns_line(local_, t.line); });
+  std::vector<Touchdown> local = find(state);
+  std::erase_if(local, [this](const Touchdown& t) { return !owns_line(local_, t.line); });
   std::vector<Touchdown> out(local_.mesh->lines.size());
   for (size_t l = 0; l < out.size(); ++l) out[l].line = static_cast<int>(l);  // also without a seabed
-  for (const Touchdown& t : gather_all(comm_, mine)) out[t.line] = t;
+  for (const Touchdown& t : gather_all(comm_, local)) out[t.line] = t;
   return out;
 }
 

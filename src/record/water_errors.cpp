@@ -195,35 +195,35 @@ std::vector<std::string> WaterErrors::warnings() const {
   if (shared_ > 0) largest_of_ranks(comm_, shared, [](const Where& w) { return w.error; });
   std::copy(shared.begin(), shared.end(), where.begin());
   struct Found {
-    double share = 0;  // of the force
-    int first = 0;     // line of the group
-    size_t group = 0;  // on its rank
+    double fraction = 0;  // of the force
+    int first = 0;        // line of the group
+    size_t group = 0;     // on its rank
   };
-  const auto largest_first = [](std::vector<Found>& found) {
-    std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
-      return std::tie(b.share, a.first) < std::tie(a.share, b.first);
+  const auto largest_first = [](std::vector<Found>& elements) {
+    std::sort(elements.begin(), elements.end(), [](const Found& a, const Found& b) {
+      return std::tie(b.fraction, a.first) < std::tie(a.fraction, b.first);
     });
   };
-  std::vector<Found> mine;
+  std::vector<Found> local;
   for (size_t i = rank_of(comm_) == 0 ? 0 : shared_; i < groups_.size(); ++i) {
     const Group& g = groups_[i];
     if (g.error <= g.bears() || !(where[i].error > 0)) continue;
     const auto first = std::find(group_.begin(), group_.end(), static_cast<int>(i)) - group_.begin();
-    mine.push_back({g.error / g.force, static_cast<int>(first), i});
+    local.push_back({g.error / g.force, static_cast<int>(first), i});
   }
-  largest_first(mine);
-  int count = static_cast<int>(mine.size());
+  largest_first(local);
+  int count = static_cast<int>(local.size());
   all_reduce(comm_, MPI_SUM, count);
   constexpr size_t kMost = 3;  // of a farm with equal lines
-  mine.resize(std::min(mine.size(), kMost));
-  std::vector<Found> all = gather_all(comm_, mine);
+  local.resize(std::min(local.size(), kMost));
+  std::vector<Found> all = gather_all(comm_, local);
   largest_first(all);
   all.resize(std::min(all.size(), kMost));
   std::vector<std::string> out;
   for (const Found& f : all) {
-    const bool here =
-        std::any_of(mine.begin(), mine.end(), [&](const Found& m) { return m.first == f.first; });
-    out.push_back(first_text(comm_, here ? warning(groups_[f.group], where[f.group]) : ""));
+    const bool on_this_rank =
+        std::any_of(local.begin(), local.end(), [&](const Found& m) { return m.first == f.first; });
+    out.push_back(first_text(comm_, on_this_rank ? warning(groups_[f.group], where[f.group]) : ""));
   }
   if (count > static_cast<int>(kMost))
     out.back() += advice::more_long_in_flow(static_cast<size_t>(count) - kMost);

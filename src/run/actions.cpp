@@ -35,7 +35,7 @@ double Actions::away(const Action& a, const Kinematics& state) const {
 }
 
 Actions::Found Actions::act(const Action& a, const Kinematics& state) {
-  Found found;
+  Found placed;
   const auto refuse = [&](const std::string& why) {
     throw SolveError(advice::cannot_happen(a, state.time, why));
   };
@@ -56,16 +56,17 @@ Actions::Found Actions::act(const Action& a, const Kinematics& state) {
         packed = {y.x(), y.y(), y.z(), q.w(), q.x(), q.y(), q.z(), away(a, state)};
       }
       all_reduce(sim_.system().comm(), MPI_SUM, packed);
-      std::copy_n(packed.begin(), 3, found.place.begin());
-      std::copy_n(packed.begin() + 3, 4, found.rotation.begin());
-      found.away = packed[7];
+      std::copy_n(packed.begin(), 3, placed.place.begin());
+      std::copy_n(packed.begin() + 3, 4, placed.rotation.begin());
+      placed.away = packed[7];
       constexpr double kRounding = 1e-6;  // m
-      if (a.at && found.away > a.within + kRounding) refuse(advice::too_far_from_place(found.away, a.within));
+      if (a.at && placed.away > a.within + kRounding)
+        refuse(advice::too_far_from_place(placed.away, a.within));
       break;
     }
     case Action::Kind::feed:
       for (const Feeder& f : sim_.feeders()->all())
-        if (f.line == sim_.model().line_index(a.line) && f.line_end == a.line_end) found.speed = f.speed;
+        if (f.line == sim_.model().line_index(a.line) && f.line_end == a.line_end) placed.speed = f.speed;
       break;
     case Action::Kind::friction:
     case Action::Kind::current:
@@ -74,20 +75,20 @@ Actions::Found Actions::act(const Action& a, const Kinematics& state) {
       if (const std::string where = sim_.inside(a, state); !where.empty()) refuse(where);
       break;
   }
-  repeat(a, found, state.time);
-  return found;
+  repeat(a, placed, state.time);
+  return placed;
 }
 
-void Actions::repeat(const Action& a, const Found& found, double time) {
+void Actions::repeat(const Action& a, const Found& placed, double time) {
   switch (a.kind) {
     case Action::Kind::release:
       std::erase_if(tied_, [&, n = node(a)](const TiedNode& s) { return sim_.local().global[s.node] == n; });
       break;
     case Action::Kind::attach:
-      hold(a, found);
+      hold(a, placed);
       break;
     case Action::Kind::feed:
-      if (a.paid_out == 0) feed(a, found.speed, time);  // otherwise the length is in checkpoints
+      if (a.paid_out == 0) feed(a, placed.speed, time);  // otherwise the length is in checkpoints
       break;
     case Action::Kind::friction:
       sim_.enable_friction_in_statics(a.enabled);
@@ -101,19 +102,19 @@ void Actions::repeat(const Action& a, const Found& found, double time) {
   }
 }
 
-void Actions::hold(const Action& a, const Found& found) {
+void Actions::hold(const Action& a, const Found& placed) {
   const int n = sim_.local().find(node(a));
   if (n < 0) return;
   TiedNode s;
   s.node = n;
-  s.at = Vec3(found.place.data());
+  s.at = Vec3(placed.place.data());
   const int body = sim_.model().body_index(a.body);
   if (sim_.model().floats(body))
     s.frame = sim_.bodies().local_node(body);
   else
     s.body = body;
   if (a.clamped && sim_.local().rotates(n)) {
-    const auto& q = found.rotation;
+    const auto& q = placed.rotation;
     s.rotation_mask = 7;
     s.rotation = Quat(q[0], q[1], q[2], q[3]);
   }

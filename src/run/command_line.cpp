@@ -20,11 +20,11 @@ namespace hawser::run {
 namespace {
 
 // Three or six numbers separated by commas; missing ones are 0. InputError for anything else.
-Offset numbers_of(const char* option, const std::string& text, size_t most) {
+Offset numbers_of(const char* option, const std::string& text, size_t max_count) {
   Offset out{};
   size_t n = 0;
   const char* at = text.c_str();
-  for (bool more = true; more && n < most; ++n) {
+  for (bool more = true; more && n < max_count; ++n) {
     char* end = nullptr;
     out[n] = std::strtod(at, &end);
     if (end == at || !std::isfinite(out[n])) break;
@@ -33,7 +33,7 @@ Offset numbers_of(const char* option, const std::string& text, size_t most) {
   }
   if (*at || (n != 3 && n != 6))
     throw InputError(fmt::format("{} {}: give {} separated by commas", option, model::quote(text),
-                                 most == 3 ? "three numbers" : "three or six numbers"));
+                                 max_count == 3 ? "three numbers" : "three or six numbers"));
   return out;
 }
 
@@ -71,7 +71,7 @@ CommandLine::CommandLine(const std::string& petsc_options) {
   add_stiffness();
   add_check();
   add_printed();
-  for (const auto& command : kPostCommands) cli_.add_subcommand(command.name, command.what);
+  for (const auto& command : kPostCommands) cli_.add_subcommand(command.name, command.help);
 }
 
 const Command& CommandLine::command() const {

@@ -20,6 +20,7 @@
 #include "hawser/record/result_parts.hpp"
 #include "hawser/run/events.hpp"
 #include "hawser/run/feeder_nodes.hpp"
+#include "hawser/run/step_actions.hpp"
 
 namespace hawser::run {
 namespace {
@@ -42,7 +43,7 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
                    const std::function<void(const Kinematics&)>& look) {
   TrialRun trial;
   const double begun = cpu_time();
-  const auto over = [&] { return cpu_time() - begun > budget; };
+  const auto budget_spent = [&] { return cpu_time() - begun > budget; };
   if (c.dynamics.enabled) {
     const StepSettings step = sim.dynamics_settings().step;
     trial.duration = c.dynamics.duration;
@@ -54,7 +55,7 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
     if (c.statics.enabled) {
       const auto report = [&](const StaticsReport& now) {
         if (now.iterations <= 1) first = cpu_time();
-        if (now.iterations <= 1 || !over()) return;
+        if (now.iterations <= 1 || !budget_spent()) return;
         trial.iteration = (cpu_time() - first) / (now.iterations - 1);
         throw Spent();
       };
@@ -64,7 +65,7 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
     }
     if (look) look(sim.state().at_rest());
     if (c.dynamics.enabled) {
-      std::vector<std::pair<double, double>> way;  // CPU s, simulated time [s]
+      std::vector<std::pair<double, double>> path;  // CPU s, simulated time [s]
       const record::OutputTimes times(c);
       Dynamics& d = sim.dynamics();
       FeederNodes feeder_nodes(sim);
@@ -74,23 +75,22 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
       d.run(
           trial.duration, [&](double t) { return std::min(times.next(t), events.next(t)); },
           [&](const StepInfo& info) {
-            feeder_nodes.agree();
-            events.apply_due();
-            feeder_nodes.transfer_node();
+            act_after_step(
+                events, feeder_nodes, [] {}, [](const std::string&) {});
             if (look) look(d.kinematics());
-            way.push_back({cpu_time() - at_rest, info.time});
-            return !over();
+            path.push_back({cpu_time() - at_rest, info.time});
+            return !budget_spent();
           });
-      trial.reached = way.back().second;
+      trial.reached = path.back().second;
       trial.moved = true;
-      const auto half = std::find_if(way.begin(), way.end(),
-                                     [&](const auto& w) { return w.first >= 0.5 * way.back().first; });
-      const auto from = half == way.end() - 1 ? std::pair(0.0, 0.0) : *half;
+      const auto half = std::find_if(path.begin(), path.end(),
+                                     [&](const auto& w) { return w.first >= 0.5 * path.back().first; });
+      const auto from = half == path.end() - 1 ? std::pair(0.0, 0.0) : *half;
       // Steps of the initial transient, and further ones as long as those of the second half.
-      const double behind = std::max(static_cast<double>(way.end() - half), 1.0);
-      trial.steps = static_cast<double>(way.size()) +
+      const double behind = std::max(static_cast<double>(path.end() - half), 1.0);
+      trial.steps = static_cast<double>(path.size()) +
                     (trial.duration - trial.reached) * behind / std::max(trial.reached - from.second, 1e-300);
-      trial.rate = (way.back().first - from.first) / (way.back().second - from.second);
+      trial.rate = (path.back().first - from.first) / (path.back().second - from.second);
     }
   } catch (const Spent&) {
   } catch (const InputError&) {
@@ -123,7 +123,7 @@ std::string size_sentence(const io::ResultsSize& size, const std::string& folder
   bytes.contact_point = size.contact_point;
   std::error_code unknown;
   const std::filesystem::space_info disk = std::filesystem::space(folder, unknown);
-  if (!unknown) bytes.left = static_cast<double>(disk.available);
+  if (!unknown) bytes.available = static_cast<double>(disk.available);
   return advice::expected_results(bytes, folder);
 }
 
@@ -153,11 +153,11 @@ double memory_now() {
 
 double file_memory_now() { return counted_memory()[2]; }
 
-std::string memory_sentence(const MemoryUse& use, double most_of_work) {
+std::string memory_sentence(const MemoryUse& use, double largest_part) {
   constexpr double kStill = 1.3;  // memory of dynamics over that of statics
   const double on_all = use.shared + use.of_files;
-  const double own = (use.moved ? 1 : kStill) * (use.measured - on_all) * most_of_work;
-  return advice::expected_memory(std::max(use.read, on_all + own), most_of_work < 1);
+  const double of_work = (use.moved ? 1 : kStill) * (use.measured - on_all) * largest_part;
+  return advice::expected_memory(std::max(use.read, on_all + of_work), largest_part < 1);
 }
 
 }  // namespace hawser::run

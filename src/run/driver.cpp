@@ -26,6 +26,7 @@
 #include "hawser/run/progress.hpp"
 #include "hawser/run/restart.hpp"
 #include "hawser/run/run_parts.hpp"
+#include "hawser/run/step_actions.hpp"
 #include "hawser/run/volumes.hpp"
 
 namespace hawser::run {
@@ -85,29 +86,29 @@ bool integrate(Simulation& sim, double end, record::Recorder& recorder, Events& 
   };
   bool stopped = false;
   const auto observer = [&](const StepInfo& info) {
-    feeder_nodes.agree();
-    recorder.step(info, d.kinematics(), d.support_work());
-    print_remarks(recorder, progress);
-    progress.step(info.time, info.h, info.iterations);
     const double slack = record::time_tolerance(info.time);
     const bool last = info.time >= end - slack;
     const bool output = info.time >= output_at - slack || last;
     const bool save = info.time >= checkpoint_at - slack || last;
-    // Stop requests and checkpoints due by the clock are agreed on where all ranks communicate anyway.
     int requests[2] = {0, 0};
-    if (output || save) {
-      requests[0] = stop_requested;
-      requests[1] = rank == 0 && checkpoints.due();
-      all_reduce(comm, MPI_MAX, requests);
-    }
-    const bool stop = requests[0] != 0;
-    if (output || stop) {
+    bool stop = false;
+    const auto record_step = [&] {
+      recorder.step(info, d.kinematics(), d.support_work());
+      print_remarks(recorder, progress);
+      progress.step(info.time, info.h, info.iterations);
+      // Stop requests and checkpoints due by the clock are agreed on where all ranks communicate anyway.
+      if (output || save) {
+        requests[0] = stop_requested;
+        requests[1] = rank == 0 && checkpoints.due();
+        all_reduce(comm, MPI_MAX, requests);
+      }
+      stop = requests[0] != 0;
+      if (!output && !stop) return;
       recorder.output(d.kinematics());
       output_at = record::next_multiple(info.time, every);
-    }
+    };
     // Outputs have the state before the events, checkpoints the state after them.
-    for (const std::string& e : events.apply_due()) progress.print(e);
-    feeder_nodes.transfer_node();
+    act_after_step(events, feeder_nodes, record_step, [&](const std::string& e) { progress.print(e); });
     if (save || stop) {
       if (last || stop || checkpoint_every > 0 || requests[1]) save_state();
       checkpoint_at = checkpoint_every > 0 ? record::next_multiple(info.time, checkpoint_every) : output_at;
@@ -185,13 +186,13 @@ class RecorderAtFirstOutput {
         restart_(restart),
         appends_(appends),
         progress_(progress) {}
-  bool made() const { return made_.has_value(); }
+  bool exists() const { return recorder_.has_value(); }
   // Collective at the first call.
   record::Recorder& get() {
-    if (made_) return *made_;
+    if (recorder_) return *recorder_;
     about_.messages = progress_.messages();
-    return made_.emplace(sim_.subject(surfaces(volumes_)), volume_meshes(sim_.model(), volumes_),
-                         std::move(about_), restart_ ? &restart_->checkpoint : nullptr, appends_);
+    return recorder_.emplace(sim_.subject(surfaces(volumes_)), volume_meshes(sim_.model(), volumes_),
+                             std::move(about_), restart_ ? &restart_->checkpoint : nullptr, appends_);
   }
 
  private:
@@ -201,7 +202,7 @@ class RecorderAtFirstOutput {
   const std::optional<RestartFrom>& restart_;
   const bool appends_;
   const Progress& progress_;
-  std::optional<record::Recorder> made_;
+  std::optional<record::Recorder> recorder_;
 };
 
 // Statics with an output for each stage. If it fails, the file is completed, if there is one.
@@ -213,7 +214,7 @@ void find_equilibrium_with_outputs(Simulation& sim, Events& events, RecorderAtFi
       if (k + 1 < sim.model().stages.size()) recorder.get().stage(k, sim.state().at_rest());
     });
   } catch (const SolveError& e) {
-    if (recorder.made()) finish_failed(recorder.get(), progress, e);
+    if (recorder.exists()) finish_failed(recorder.get(), progress, e);
     throw;
   }
   give_back_memory();  // statics has a pair for every element and volume that may meet, motion a few of them

@@ -31,7 +31,7 @@ double tolerance(const Cause& c) {
 }  // namespace
 
 bool Events::waits_for_condition(const Happening& h) {
-  const Cause::Kind kind = h.what.cause.kind;
+  const Cause::Kind kind = h.event.cause.kind;
   return kind != Cause::Kind::time && kind != Cause::Kind::after && kind != Cause::Kind::stage;
 }
 
@@ -40,7 +40,7 @@ Events::Events(MPI_Comm comm, Simulation& simulation)
   const model::Case& c = sim_.model();
   for (const model::Event& e : c.events) {
     Happening h;
-    h.what = e;
+    h.event = e;
     const Cause& cause = e.cause;
     if (cause.kind == Cause::Kind::paid_out) {
       const auto& feeders = sim_.feeders()->all();
@@ -66,16 +66,16 @@ void Events::watch() {
 
 double Events::local_value(const Happening& h, const Kinematics& state) const {
   const LocalMesh& local = sim_.local();
-  const Cause& cause = h.what.cause;
+  const Cause& cause = h.event.cause;
   const int n = h.node < 0 ? -1 : local.find(h.node);
-  const bool own = local.owns(n);
+  const bool local_node = local.owns(n);
   switch (cause.kind) {
     case Cause::Kind::position:
       if (!cause.body.empty()) {
         const auto pose = sim_.body_pose(sim_.model().body_index(cause.body), state);
         return pose ? pose->position[cause.axis] : -HUGE_VAL;
       }
-      return own ? state.x[n][cause.axis] : -HUGE_VAL;
+      return local_node ? state.x[n][cause.axis] : -HUGE_VAL;
     case Cause::Kind::paid_out: {
       const Feeders& feeders = *sim_.feeders();
       const Feeder& f = feeders.all()[h.feeder];
@@ -83,7 +83,7 @@ double Events::local_value(const Happening& h, const Kinematics& state) const {
       return feeders.outside(f) - f.length + feeders.feed_point(f, state).length - f.outside_at_start;
     }
     case Cause::Kind::near:
-      return own ? actions_.away(h.what.action, state) : -HUGE_VAL;
+      return local_node ? actions_.away(h.event.action, state) : -HUGE_VAL;
     case Cause::Kind::tension:
       return local_tension(h.node);
     case Cause::Kind::time:
@@ -112,7 +112,7 @@ std::vector<double> Events::values(const Kinematics& state) {
 std::vector<double> Events::conditions(const std::vector<double>& values) const {
   std::vector<double> out;
   for (size_t e = 0; e < events_.size(); ++e) {
-    const Cause& c = events_[e].what.cause;
+    const Cause& c = events_[e].event.cause;
     const bool waits = events_[e].happened < 0 && waits_for_condition(events_[e]);
     out.push_back(waits ? (c.below ? c.limit - values[e] : values[e] - c.limit) / tolerance(c) : -1);
   }
@@ -123,12 +123,12 @@ void Events::refuse_met(const std::vector<double>& values) const {
   const std::vector<double> g = conditions(values);
   for (size_t e = 0; e < events_.size(); ++e) {
     if (!(g[e] >= 0)) continue;
-    sim_.model().refuse(fmt::format("events[{}]", e), advice::met_at_start(events_[e].what, values[e]));
+    sim_.model().refuse(fmt::format("events[{}]", e), advice::met_at_start(events_[e].event, values[e]));
   }
 }
 
 double Events::due(const Happening& h) const {
-  const Cause& c = h.what.cause;
+  const Cause& c = h.event.cause;
   if (c.kind == Cause::Kind::time) return c.time;
   if (c.kind != Cause::Kind::after) return HUGE_VAL;
   const double first = events_[h.after].happened;
@@ -147,7 +147,7 @@ std::vector<size_t> Events::due_at(double time, const std::vector<double>& value
   const std::vector<double> g = conditions(values);
   std::vector<size_t> out;
   for (size_t i = 0; i < events_.size(); ++i) {
-    const Cause& c = events_[i].what.cause;
+    const Cause& c = events_[i].event.cause;
     const bool now = stage.empty() ? g[i] >= 0 || time >= due(events_[i]) - record::time_tolerance(time)
                                    : c.kind == Cause::Kind::stage && c.event == stage;
     if (events_[i].happened < 0 && now) out.push_back(i);
@@ -158,8 +158,8 @@ std::vector<size_t> Events::due_at(double time, const std::vector<double>& value
 void Events::happen(size_t i, const Kinematics& state, const std::string& stage,
                     std::vector<std::string>& messages) {
   Happening& h = events_[i];
-  const Action& a = h.what.action;
-  h.found = actions_.act(a, state);
+  const Action& a = h.event.action;
+  h.placed = actions_.act(a, state);
   h.order = static_cast<double>(std::count_if(events_.begin(), events_.end(),
                                               [](const Happening& other) { return other.happened >= 0; }));
   h.happened = state.time;
@@ -168,12 +168,12 @@ void Events::happen(size_t i, const Kinematics& state, const std::string& stage,
     how.tension = local_tension(actions_.node(a));
     all_reduce(comm_, MPI_MAX, how.tension);
   }
-  if (a.at) how.from_place = h.found.away;
+  if (a.at) how.from_place = h.placed.away;
   if (a.kind == Action::Kind::attach && !a.at && !a.body.empty()) {
     const model::Body& body = sim_.model().bodies[sim_.model().body_index(a.body)];
     const Vec3 centre =
         sim_.model().floats(sim_.model().body_index(a.body)) ? body.mass->centre : Vec3(Vec3::Zero());
-    how.from_origin = (Vec3(h.found.place.data()) + centre).norm();
+    how.from_origin = (Vec3(h.placed.place.data()) + centre).norm();
   }
   messages.push_back(advice::happened(a, state.time, stage, how));
   if (a.kind != Action::Kind::release) return;
@@ -214,9 +214,9 @@ std::vector<std::string> Events::at_rest(const std::string& stage) {
 // True if the stage releases a line or its support.
 bool Events::releases_end(const std::string& stage) const {
   return std::any_of(events_.begin(), events_.end(), [&](const Happening& h) {
-    const Action& a = h.what.action;
+    const Action& a = h.event.action;
     const bool carried = a.kind == Action::Kind::contact && !a.enabled;
-    return h.what.cause.kind == Cause::Kind::stage && h.what.cause.event == stage &&
+    return h.event.cause.kind == Cause::Kind::stage && h.event.cause.event == stage &&
            (a.kind == Action::Kind::release || carried);
   });
 }
@@ -237,21 +237,21 @@ void Events::solve_stages(const std::function<void(bool)>& solve,
 
 // Pays out element by element, all feeders of the stage together, each from the equilibrium before.
 void Events::pay_out(const std::string& stage, const std::function<void(bool)>& solve) {
-  std::map<Feeder*, double> left;  // m
+  std::map<Feeder*, double> remaining;  // m
   for (const Happening& h : events_) {
-    const Action& a = h.what.action;
-    if (h.what.cause.kind != Cause::Kind::stage || h.what.cause.event != stage || a.paid_out == 0) continue;
+    const Action& a = h.event.action;
+    if (h.event.cause.kind != Cause::Kind::stage || h.event.cause.event != stage || a.paid_out == 0) continue;
     for (Feeder& f : sim_.feeders()->all())
-      if (f.line == sim_.model().line_index(a.line) && f.line_end == a.line_end) left[&f] += a.paid_out;
+      if (f.line == sim_.model().line_index(a.line) && f.line_end == a.line_end) remaining[&f] += a.paid_out;
   }
   FeederNodes feeder_nodes(sim_);
-  for (bool more = !left.empty(); more;) {
+  for (bool more = !remaining.empty(); more;) {
     more = false;
-    for (auto& [f, length] : left) {
-      const double most = sim_.feeders()->element_length(*f, f->feed_point),
-                   by = std::clamp(length, -most, most);
-      feeder_nodes.shift(*f, by);
-      more |= (length -= by) != 0;
+    for (auto& [f, length] : remaining) {
+      const double limit = sim_.feeders()->element_length(*f, f->feed_point),
+                   shift = std::clamp(length, -limit, limit);
+      feeder_nodes.shift(*f, shift);
+      more |= (length -= shift) != 0;
     }
     try {
       if (more)
@@ -259,9 +259,9 @@ void Events::pay_out(const std::string& stage, const std::function<void(bool)>& 
       else
         solve(false);
     } catch (const SolveError& e) {
-      const auto& [f, length] = *std::max_element(left.begin(), left.end(), [](const auto& p, const auto& q) {
-        return std::abs(p.second) < std::abs(q.second);
-      });
+      const auto& [f, length] = *std::max_element(
+          remaining.begin(), remaining.end(),
+          [](const auto& p, const auto& q) { return std::abs(p.second) < std::abs(q.second); });
       throw SolveError(advice::cannot_pay_out(stage, length, f->name, e.what()));
     }
   }
@@ -288,7 +288,7 @@ std::vector<std::string> Events::apply_due() {
     if (now.empty()) break;
     // An impact dissipates energy, and contact that ends releases stored energy.
     const bool changes = std::any_of(now.begin(), now.end(), [this](size_t i) {
-      return events_[i].what.action.kind != Action::Kind::release;
+      return events_[i].event.action.kind != Action::Kind::release;
     });
     const double before = changes ? energy() : 0;
     happen(now, at, "", messages, [&] { d.retie(actions_.tied()); });
@@ -300,7 +300,7 @@ std::vector<std::string> Events::apply_due() {
 std::vector<std::string> Events::not_happened() const {
   std::vector<std::string> out;
   for (const Happening& h : events_)
-    if (h.happened < 0) out.push_back(advice::did_not_happen(h.what));
+    if (h.happened < 0) out.push_back(advice::did_not_happen(h.event));
   return out;
 }
 

@@ -27,11 +27,11 @@ std::vector<std::pair<const char*, double*>> entries(Actions::Found& f) {
 void Events::save(io::Checkpoint& to) const {
   for (const Happening& h : events_) {
     if (h.happened < 0) continue;
-    const std::string key = kHappened + h.what.name;
+    const std::string key = kHappened + h.event.name;
     to.scalars[key] = h.happened;
     to.scalars[key + kOrder] = h.order;
-    Actions::Found found = h.found;
-    for (const auto& [name, value] : entries(found)) to.scalars[key + name] = *value;
+    Actions::Found placed = h.placed;
+    for (const auto& [name, value] : entries(placed)) to.scalars[key + name] = *value;
   }
 }
 
@@ -43,21 +43,21 @@ std::vector<std::string> Events::restore(const io::Checkpoint& from) {
   std::vector<Happening*> happened;
   std::set<std::string> known;  // keys
   for (Happening& h : events_) {
-    const std::string key = kHappened + h.what.name;
+    const std::string key = kHappened + h.event.name;
     known.insert(key);
     known.insert(key + kOrder);
     const auto at = from.scalars.find(key);
     if (at == from.scalars.end()) {
-      if (h.what.cause.kind == Cause::Kind::time &&
-          h.what.cause.time < from.time - record::time_tolerance(from.time))
-        throw refusal(advice::event_before_restart(h.what, from.time));
-      if (h.what.cause.kind == Cause::Kind::stage) throw refusal(advice::event_of_statics_missing(h.what));
+      if (h.event.cause.kind == Cause::Kind::time &&
+          h.event.cause.time < from.time - record::time_tolerance(from.time))
+        throw refusal(advice::event_before_restart(h.event, from.time));
+      if (h.event.cause.kind == Cause::Kind::stage) throw refusal(advice::event_of_statics_missing(h.event));
       continue;
     }
     h.happened = at->second;
     if (const auto order = from.scalars.find(key + kOrder); order != from.scalars.end())
       h.order = order->second;
-    for (const auto& [name, value] : entries(h.found)) {
+    for (const auto& [name, value] : entries(h.placed)) {
       known.insert(key + name);
       if (const auto entry = from.scalars.find(key + name); entry != from.scalars.end())
         *value = entry->second;
@@ -73,8 +73,8 @@ std::vector<std::string> Events::restore(const io::Checkpoint& from) {
   std::vector<std::string> messages;
   actions_.begin();
   for (const Happening* h : happened) {
-    actions_.repeat(h->what.action, h->found, h->happened);
-    messages.push_back("note: " + advice::event_happened(h->what, h->happened));
+    actions_.repeat(h->event.action, h->placed, h->happened);
+    messages.push_back("note: " + advice::event_happened(h->event, h->happened));
   }
   if (messages.empty()) return messages;
   System& system = sim_.system();

@@ -22,7 +22,9 @@ namespace {
 // feeder from releasing and absorbing a node repeatedly.
 constexpr double kRelease = 0.5, kAbsorb = 0.4;
 
-std::string key(const Feeder& f, const char* what) { return fmt::format("feeder.{}.{}", f.name, what); }
+std::string key(const Feeder& f, const char* quantity) {
+  return fmt::format("feeder.{}.{}", f.name, quantity);
+}
 
 // Value on all ranks from the ranks that know it.
 double of_all(MPI_Comm comm, bool known, double value) {
@@ -60,15 +62,21 @@ void FeederNodes::transfer_node() {
   if (!all) return;
   const double time = sim_.dynamics().committed().s.time;
   for (Feeder& f : all->all()) {
-    const double mesh_length = all->element_length(f, f.feed_point);
-    refuse_all_out(f, time);
-    if (f.feed_point > 0 && f.length >= mesh_length + kRelease * all->element_length(f, f.feed_point - 1)) {
-      release_node(f);
-    } else if (f.length <= kAbsorb * mesh_length) {
-      refuse_all_in(f, time);
-      absorb_node(f);
-    }
+    const Transfer due = due_transfer(f, time);
+    if (due == Transfer::release) release_node(f);
+    if (due == Transfer::absorb) absorb_node(f);
   }
+}
+
+FeederNodes::Transfer FeederNodes::due_transfer(const Feeder& f, double time) const {
+  const Feeders& all = *sim_.feeders();
+  const double mesh_length = all.element_length(f, f.feed_point);
+  refuse_all_out(f, time);
+  if (f.feed_point > 0 && f.length >= mesh_length + kRelease * all.element_length(f, f.feed_point - 1))
+    return Transfer::release;
+  if (f.length > kAbsorb * mesh_length) return Transfer::none;
+  refuse_all_in(f, time);
+  return Transfer::absorb;
 }
 
 void FeederNodes::transfer_node(Feeder& f, int feed_point, double length,
@@ -91,7 +99,7 @@ void FeederNodes::transfer_node(Feeder& f, int feed_point, double length,
 // equilibrium position; velocity and acceleration are interpolated between the ends.
 Dynamics::Moved FeederNodes::released(const Feeder& f, const Kinematics& k, const LocalElement& e) const {
   const Feeders& all = *sim_.feeders();
-  const double share = all.element_length(f, f.feed_point) / f.length;  // measured from the free end
+  const double fraction = all.element_length(f, f.feed_point) / f.length;  // measured from the free end
   const size_t i = f.line_end == LineEnd::B ? e.second : e.first,
                j = f.line_end == LineEnd::B ? e.first : e.second;
   const FeedPoint feed_point = all.feed_point(f, k);
@@ -100,19 +108,19 @@ Dynamics::Moved FeederNodes::released(const Feeder& f, const Kinematics& k, cons
   Dynamics::Moved m;
   m.node = all.node(f, f.feed_point);
   m.free = true;
-  m.x = k.x[j] - share * flow.chord;
-  m.v = k.v[j] + share * (flow.velocity - k.v[j]);
-  m.a = k.a[j] + share * (a - k.a[j]);
+  m.x = k.x[j] - fraction * flow.chord;
+  m.v = k.v[j] + fraction * (flow.velocity - k.v[j]);
+  m.a = k.a[j] + fraction * (a - k.a[j]);
   if (f.beam) {
     // Material rates: frames rotate along the bent line, and the outgoing material moves along it.
     const Vec3 turn = log_so3(k.q[j].conjugate() * k.q[i]),
                flows = -(feed_point.speed / feed_point.length) * turn;
     const double towards = (f.line_end == LineEnd::B ? 1 : -1) * flow.chord.norm();
     const Vec3 from = towards * (k.q[j] * Vec3::UnitX()), to = towards * (k.q[i] * Vec3::UnitX());
-    const double s = share, r = 1 - share;
+    const double s = fraction, r = 1 - fraction;
     m.x = r * r * (1 + 2 * s) * k.x[j] + s * s * (1 + 2 * r) * k.x[i] + s * r * (r * from - s * to);
     const Vec3 along = 6 * s * r * (k.x[i] - k.x[j]) + r * (r - 2 * s) * from + s * (s - 2 * r) * to;
-    const Quat q = k.q[j] * exp_so3(share * turn);
+    const Quat q = k.q[j] * exp_so3(fraction * turn);
     m.q =
         (minimal_rotation(q * Vec3::UnitX(), (f.line_end == LineEnd::B ? along : Vec3(-along)).normalized()) *
          q)
@@ -160,7 +168,8 @@ std::optional<Dynamics::Moved> FeederNodes::absorbed(const Feeder& f, const Kine
   const int held = all.node(f, f.feed_point), absorbed = all.node(f, f.feed_point + 1),
             next = all.node(f, f.feed_point + 2);
   const LocalMesh& local = sim_.local();
-  const double own[2] = {f.length, all.element_length(f, f.feed_point + 1)}, sum = own[0] + own[1];
+  const double lengths[2] = {f.length, all.element_length(f, f.feed_point + 1)},
+               sum = lengths[0] + lengths[1];
   std::optional<Dynamics::Moved> moved;
   length = 0;
   const int at[3] = {local.find(held), local.find(absorbed), local.find(next)};
@@ -172,8 +181,9 @@ std::optional<Dynamics::Moved> FeederNodes::absorbed(const Feeder& f, const Kine
       if (f.line_end == LineEnd::B) std::swap(a, b);
       return f.beam ? beam_bow({}, {k.x[a], k.x[b], k.q[a], k.q[b]}) : 0.0;
     };
-    const double strain =
-        ((k.x[j] - k.x[i]).norm() + own[0] * bow(i, j) + (k.x[n] - k.x[j]).norm() + own[1] * bow(j, n)) / sum;
+    const double strain = ((k.x[j] - k.x[i]).norm() + lengths[0] * bow(i, j) + (k.x[n] - k.x[j]).norm() +
+                           lengths[1] * bow(j, n)) /
+                          sum;
     length = (k.x[n] - k.x[i]).norm() / (strain - bow(i, n));
     moved = {absorbed, k.x[i], k.v[i], k.a[i], k.q[i], k.w[i], k.alpha[i], false};
   }
@@ -201,7 +211,7 @@ void FeederNodes::refuse_all_in(const Feeder& f, double time) const {
     throw SolveError(advice::all_hauled_in(f.name, time, sim_.model().lines[f.line].given != nullptr));
 }
 
-void FeederNodes::shift(Feeder& f, double by) {
+void FeederNodes::shift(Feeder& f, double paid_out) {
   Feeders& all = *sim_.feeders();
   State& state = sim_.state();
   const auto put = [&](const std::optional<Dynamics::Moved>& moved) {
@@ -218,23 +228,21 @@ void FeederNodes::shift(Feeder& f, double by) {
     f.offset = length - (f.feed.speed.empty() ? 0 : model::fed_by(f.feed, f.time).length);
     all.update_feed_point(f);
   };
-  set(f.feed_point, f.length + by);
+  set(f.feed_point, f.length + paid_out);
   for (;;) {
-    const double mesh_length = all.element_length(f, f.feed_point);
-    refuse_all_out(f, f.time);
-    if (f.feed_point > 0 && f.length >= mesh_length + kRelease * all.element_length(f, f.feed_point - 1)) {
+    const Transfer due = due_transfer(f, f.time);
+    if (due == Transfer::none) break;
+    if (due == Transfer::release) {
+      const double mesh_length = all.element_length(f, f.feed_point);
       std::optional<Dynamics::Moved> moved;
       if (const LocalElement* e = all.at_feed_point(f)) moved = released(f, state.at_rest(), *e);
       put(moved);
       set(f.feed_point - 1, f.length - mesh_length);
-    } else if (f.length <= kAbsorb * mesh_length) {
-      refuse_all_in(f, f.time);
+    } else {
       const double next = all.element_length(f, f.feed_point + 1);
       double length = 0;
       put(absorbed(f, state.at_rest(), length));
       set(f.feed_point + 1, f.length + next);
-    } else {
-      break;
     }
   }
   f.outside_at_start = all.outside(f);
@@ -261,16 +269,16 @@ void FeederNodes::save(io::Checkpoint& to) const {
 
 void FeederNodes::restore(const io::Checkpoint& from, const std::string& path) {
   const auto refuse = [&](const std::string& why) { return InputError(advice::cannot_go_on(path, why)); };
-  size_t there = 0, here = sim_.feeders() ? sim_.feeders()->all().size() : 0;
+  size_t in_checkpoint = 0, in_case = sim_.feeders() ? sim_.feeders()->all().size() : 0;
   for (const auto& [name, value] : from.scalars)
-    there += name.starts_with("feeder.") && name.ends_with(".feed_point");
-  if (there != here) throw refuse(advice::other_number_of_feeds(there, here));
+    in_checkpoint += name.starts_with("feeder.") && name.ends_with(".feed_point");
+  if (in_checkpoint != in_case) throw refuse(advice::other_number_of_feeds(in_checkpoint, in_case));
   if (!sim_.feeders()) return;
   const int rank = rank_of(sim_.system().comm());
   sim_.feeders()->set_work(rank == 0 ? from.scalars.at("feeders.work") : 0);
   for (Feeder& f : sim_.feeders()->all()) {
-    if (!from.scalars.count(key(f, "feed_point"))) throw refuse(advice::not_fed_there(f.name));
-    const auto take = [&](const char* what) { return from.scalars.at(key(f, what)); };
+    if (!from.scalars.count(key(f, "feed_point"))) throw refuse(advice::not_fed_in_checkpoint(f.name));
+    const auto take = [&](const char* quantity) { return from.scalars.at(key(f, quantity)); };
     const double feed_point = take("feed_point");
     if (!(feed_point >= 0 && feed_point < sim_.feeders()->elements(f)) || !(take("length") > 0))
       throw refuse(advice::damaged_checkpoint("the feed point of " + f.name, feed_point));

@@ -64,16 +64,17 @@ HeldBodies::HeldBodies(Simulation& sim)
   for (size_t b = 0; b < c.bodies.size(); ++b) {
     if (!c.bodies[b].mass) continue;
     std::vector<double> pose(7, 0);
-    if (const auto here = sim_.body_pose(static_cast<int>(b), sim_.state().at_rest())) {
-      Eigen::Map<Vec3>(pose.data()) = here->position;
-      Eigen::Map<Eigen::Vector4d>(pose.data() + 3) = here->rotation.coeffs();
+    if (const auto pose_now = sim_.body_pose(static_cast<int>(b), sim_.state().at_rest())) {
+      Eigen::Map<Vec3>(pose.data()) = pose_now->position;
+      Eigen::Map<Eigen::Vector4d>(pose.data() + 3) = pose_now->rotation.coeffs();
     }
     all_reduce(system.comm(), MPI_SUM, pose);
     RigidPose& p = (*poses_)[b];
     p.position = Vec3(pose.data());
     p.rotation = Quat(Eigen::Vector4d(pose.data() + 3)).normalized();
   }
-  for (LoadsBodies* term : system.with<LoadsBodies>()) system.remove(dynamic_cast<const ForceTerm*>(term));
+  for (AppliesExternalLoad* term : system.with<AppliesExternalLoad>())
+    system.remove(dynamic_cast<const ForceTerm*>(term));
   motion_ = [poses = poses_, before = BodyMotion(system.tied_nodes().motion()), &c](int body, double time) {
     return c.bodies[static_cast<size_t>(body)].mass ? (*poses)[static_cast<size_t>(body)]
                                                     : before(body, time);
@@ -85,54 +86,54 @@ void HeldBodies::solve() { sim_.solve_statics(); }
 
 // Number of increments such that no line end on the body moves by more than kStep of the shortest of these
 // lines.
-int HeldBodies::steps_to(int body, const RigidPose& there) const {
+int HeldBodies::steps_to(int body, const RigidPose& target) const {
   const model::Case& c = sim_.model();
   const RigidPose& from = pose(body);
-  double shortest = HUGE_VAL, way = 0;
+  double shortest = HUGE_VAL, distance = 0;
   for (const auto& [line, end] : model::line_ends_at(c, c.bodies[static_cast<size_t>(body)])) {
     shortest = std::min(shortest, model::length_of(line));
-    way = std::max(way, (there.to_space(end.at) - from.to_space(end.at)).norm());
+    distance = std::max(distance, (target.to_space(end.at) - from.to_space(end.at)).norm());
   }
-  return std::max(1, static_cast<int>(std::ceil(way / (kStep * shortest))));
+  return std::max(1, static_cast<int>(std::ceil(distance / (kStep * shortest))));
 }
 
 // Moves line nodes with their ends, in proportion to arc length.
-void HeldBodies::move(int body, const RigidPose& there) {
+void HeldBodies::move(int body, const RigidPose& target) {
   const model::Case& c = sim_.model();
   const LocalMesh& local = sim_.local();
-  RigidPose& here = (*poses_)[static_cast<size_t>(body)];
-  const auto way = [&](const model::End& e) {
+  RigidPose& pose_now = (*poses_)[static_cast<size_t>(body)];
+  const auto displacement = [&](const model::End& e) {
     const bool moves = e.kind == model::EndKind::body && c.body_index(e.body) == body;
-    return moves ? Vec3(there.to_space(e.at) - here.to_space(e.at)) : Vec3(Vec3::Zero());
+    return moves ? Vec3(target.to_space(e.at) - pose_now.to_space(e.at)) : Vec3(Vec3::Zero());
   };
   State& state = sim_.state();
   for (int n = 0; n < local.nodes(); ++n) {
     const Node& node = local.node(n);
     const auto i = static_cast<size_t>(n);
     if (node.body == body) {
-      state.x[i] = there.to_space(c.bodies[static_cast<size_t>(body)].mass->centre);
-      state.q[i] = there.rotation;
+      state.x[i] = target.to_space(c.bodies[static_cast<size_t>(body)].mass->centre);
+      state.q[i] = target.rotation;
     }
     if (node.body >= 0) continue;
     const model::Line& line = c.lines[static_cast<size_t>(node.line)];
-    const double share =
+    const double fraction =
         std::clamp(node.arc / sim_.mesh().lines[static_cast<size_t>(node.line)].length, 0.0, 1.0);
-    state.x[i] += (1 - share) * way(line.end_a) + share * way(line.end_b);
+    state.x[i] += (1 - fraction) * displacement(line.end_a) + fraction * displacement(line.end_b);
   }
-  here = there;
+  pose_now = target;
   sim_.system().tied_nodes().move_with_frames(state);
 }
 
-void HeldBodies::put(int body, const RigidPose& there) {
+void HeldBodies::put(int body, const RigidPose& target) {
   const RigidPose from = pose(body);
-  const Vec3 turn = log_so3(from.rotation.conjugate() * there.rotation);
-  const int steps = steps_to(body, there);
+  const Vec3 turn = log_so3(from.rotation.conjugate() * target.rotation);
+  const int steps = steps_to(body, target);
   for (int k = 1; k <= steps; ++k) {
-    const double share = static_cast<double>(k) / steps;
-    RigidPose next = there;
+    const double fraction = static_cast<double>(k) / steps;
+    RigidPose next = target;
     if (k < steps) {
-      next.position = from.position + share * (there.position - from.position);
-      next.rotation = from.rotation * exp_so3(share * turn);
+      next.position = from.position + fraction * (target.position - from.position);
+      next.rotation = from.rotation * exp_so3(fraction * turn);
     }
     move(body, next);
     solve();
@@ -151,17 +152,17 @@ BodyStiffness HeldBodies::stiffness(int body) {
 // Tensions at the middle of elements, and at the ends, which carry half an element's weight more.
 std::vector<double> HeldBodies::tensions() const {
   const Kinematics at = sim_.state().at_rest();
-  std::vector<LineTension> of(sim_.mesh().lines.size());
-  sim_.line_structure().tensions(at, of);
+  std::vector<LineTension> tensions(sim_.mesh().lines.size());
+  sim_.line_structure().tensions(at, tensions);
   std::vector<double> out;
-  for (const LineTension& t : of) out.push_back(t.tension);
+  for (const LineTension& t : tensions) out.push_back(t.tension);
   record::EndForces ends(sim_.system());
   const std::vector<Vec3> nothing(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero());
   ends.evaluate(at, nothing);
   for (const record::EndForces::SectionNode& p : ends.places())
     if (p.line_end) {
-      double& most = out[static_cast<size_t>(p.line)];
-      most = std::max(most, p.at_line_end().tension());
+      double& largest = out[static_cast<size_t>(p.line)];
+      largest = std::max(largest, p.at_line_end().tension());
     }
   all_reduce(sim_.system().comm(), MPI_MAX, out);
   return out;

@@ -123,29 +123,30 @@ std::string hulls_text(const model::Case& c, const std::vector<LoadedVolume>& vo
 }
 
 std::vector<std::string> platforms_off_start(const model::Case& c, const Bodies& bodies,
-                                             const Kinematics& rest) {
+                                             const Kinematics& equilibrium) {
   std::vector<std::string> out;
   for (size_t b = 0; b < c.bodies.size(); ++b) {
     const model::Body& body = c.bodies[b];
     if (!body.mass || !(body.mass->hull || body.mass->hydrodynamics)) continue;
     const int node = bodies.local_node(static_cast<int>(b));
     if (node < 0) continue;
-    const double rise = floating_state(rest, node).x.z() - start_of(body).x.z();
-    if (std::string text = advice::rests_elsewhere(body.name, rise); !text.empty())
+    const double rise = floating_state(equilibrium, node).x.z() - start_of(body).x.z();
+    if (std::string text = advice::equilibrium_differs(body.name, rise); !text.empty())
       out.push_back(std::move(text));
   }
   return out;
 }
 
-std::vector<std::string> platforms_held(const model::Case& c, const System& system, const Kinematics& rest) {
+std::vector<std::string> platforms_held(const model::Case& c, const System& system,
+                                        const Kinematics& equilibrium) {
   std::vector<std::string> out;
   const RigidBodies* floating = system.find<RigidBodies>();
   for (size_t b = 0; floating && b < c.bodies.size(); ++b) {
     const model::Body& body = c.bodies[b];
     if (!body.mass || !(body.mass->hull || body.mass->hydrodynamics)) continue;
-    double up = floating->force_on(static_cast<int>(b), rest)[0].z();
-    for (const ActsOnBodies* term : system.with<ActsOnBodies>())
-      for (const BodyForce& f : term->forces_on(static_cast<int>(b), rest)) up -= f.force.z();
+    double up = floating->force_on(static_cast<int>(b), equilibrium)[0].z();
+    for (const ReportsBodyForces* term : system.with<ReportsBodyForces>())
+      for (const BodyForce& f : term->forces_on(static_cast<int>(b), equilibrium)) up -= f.force.z();
     constexpr double kRounding = 1e-6;  // of the weight
     if (std::abs(up) > kRounding * body.mass->mass * c.environment.gravity)
       out.push_back(advice::held_at_rest(body.name, up));

@@ -60,20 +60,20 @@ LengthSearch::LengthSearch(const model::Case& c, size_t line)
       t_(*c.lines[line].target),
       key_(fmt::format("lines.{}.sections[{}]", c.lines[line].name, t_.section)),
       given_(c.lines[line].sections[t_.section].length),
-      rest_(model::length_of(c.lines[line]) - given_) {
+      other_sections_(model::length_of(c.lines[line]) - given_) {
   begin(given_, kFirstStep * given_);
 }
 
 LengthSearch::LengthSearch(const model::Case& c, size_t line, LineEnd line_end, int feeder)
-    : line_(line), feeder_(feeder), rest_(0) {
+    : line_(line), feeder_(feeder), other_sections_(0) {
   const model::Line& l = c.lines[line];
   const model::Feed& feed = *l.end(line_end).feed;
   key_ = fmt::format("lines.{}.{}.feed.stock", l.as_given().name, end_key(line_end));
   t_.value = feed.tension;
   t_.line_end = line_end;
-  t_.most = model::length_of(l);
+  t_.max_length = model::length_of(l);
   given_ = feed.stock;
-  begin(given_, kNextStep * (t_.most - given_));
+  begin(given_, kNextStep * (t_.max_length - given_));
 }
 
 void LengthSearch::begin(double from, double step) {
@@ -83,10 +83,10 @@ void LengthSearch::begin(double from, double step) {
                                      (t_.kind == Kind::declination && t_.line_end == LineEnd::B) ||
                                      (t_.kind == Kind::touchdown && t_.line_end == LineEnd::A));
   length_ = from;
-  search_ = RootSearch(from, falls ? -step : step, t_.least, t_.most);
+  search_ = RootSearch(from, falls ? -step : step, t_.min_length, t_.max_length);
 }
 
-void LengthSearch::restart() { begin(last_found_, kNextStep * last_found_); }
+void LengthSearch::restart() { begin(last_solved_, kNextStep * last_solved_); }
 
 bool LengthSearch::narrow() const { return search_.bracketed() && search_.width() < kNarrow * length_; }
 
@@ -98,14 +98,14 @@ double LengthSearch::reached(const AtRest& now) const {
   if (t_.kind == Kind::laid_length) return down.laid;
   const auto& point = t_.line_end == LineEnd::A ? down.from_a : down.from_b;
   // A fully hanging line touches down at its other end, a fully lying line at this end.
-  if (!point) return (down.laid > 0) == (t_.line_end == LineEnd::A) ? 0 : rest_ + length_;
+  if (!point) return (down.laid > 0) == (t_.line_end == LineEnd::A) ? 0 : other_sections_ + length_;
   return point->arc;
 }
 
 double LengthSearch::error() const {
   const double scale = t_.kind == Kind::tension       ? t_.value
                        : t_.kind == Kind::declination ? 1
-                                                      : rest_ + length_;
+                                                      : other_sections_ + length_;
   return given_kept_ ? 0 : std::abs(value_ - t_.value) / scale;
 }
 
@@ -113,7 +113,7 @@ bool LengthSearch::update(const AtRest& now) {
   if (given_kept_) return false;
   const bool met_before = met_;
   value_ = reached(now);
-  last_found_ = length_;
+  last_solved_ = length_;
   near_ = error() <= kCoarse;
   met_ = error() <= kTolerance || (narrow() && near_);
   return met_before && !met_;
@@ -130,9 +130,9 @@ advice::LengthSearched LengthSearch::searched(const model::Case& c) const {
 
 std::string LengthSearch::now(const model::Case& c) const { return advice::length_tried(searched(c)); }
 
-std::string LengthSearch::found(const model::Case& c, int trials) const {
+std::string LengthSearch::solved_sentence(const model::Case& c, int trials) const {
   return given_kept_ ? advice::feeder_not_at_rest(searched(c), tried())
-                     : advice::length_found(searched(c), trials);
+                     : advice::length_solved(searched(c), trials);
 }
 
 // Trials as pairs of length and deviation from the target.
@@ -152,7 +152,7 @@ advice::LengthsTried LengthSearch::tried() const {
 void LengthSearch::end_without_length(const model::Case& c) {
   if (feeder_ < 0)
     c.refuse(fmt::format("lines.{}.target", c.lines[line_].name),
-             advice::length_not_found(searched(c), tried()));
+             advice::length_not_solved(searched(c), tried()));
   given_kept_ = met_ = true;
   length_ = given_;
 }

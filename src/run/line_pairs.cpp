@@ -25,8 +25,9 @@ struct BranchStart {
 
 // True if an end is held by the case, not only by a future cut.
 bool is_place(const model::Line& line, LineEnd line_end) {
-  const model::End &own = line.end(line_end), &of_given = line.as_given().end(line_end);
-  return own.kind != model::EndKind::free && own.kind == of_given.kind && own.body == of_given.body;
+  const model::End &end_of_part = line.end(line_end), &of_given = line.as_given().end(line_end);
+  return end_of_part.kind != model::EndKind::free && end_of_part.kind == of_given.kind &&
+         end_of_part.body == of_given.body;
 }
 
 std::vector<BranchStart> places_of_lines(const model::Case& c, const Mesh& mesh) {
@@ -52,7 +53,9 @@ std::vector<SharedPlace> shared_places(const model::Case& c, const Mesh& mesh) {
   double widest = 0;
   for (const BranchStart& p : places) widest = std::max(widest, 2 * p.radius);
   // Sorted along x, so that only neighbours are compared.
-  const auto where = [](const BranchStart& p) { return std::tuple(p.at.x(), p.branch.node, p.branch.way); };
+  const auto where = [](const BranchStart& p) {
+    return std::tuple(p.at.x(), p.branch.node, p.branch.direction);
+  };
   std::sort(places.begin(), places.end(),
             [&](const BranchStart& p, const BranchStart& q) { return where(p) < where(q); });
   std::vector<SharedPlace> out;
@@ -110,15 +113,15 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
     options.tuned[ordered(c.line_index(t.first), c.line_index(t.second))] = t.settings;
   // Types of no element that takes part keep a radius of 0.
   std::vector<LinePairType> types(c.line_types.size());
-  double least = HUGE_VAL, most = 0;  // N/m², of the types that take part
+  double smallest = HUGE_VAL, largest = 0;  // N/m², of the types that take part
   for (const EvenPart& e : mesh.mesh->parts()) {
     const model::LineType& t = c.line_types[e.type];
     if (!takes_part[e.line] || !(t.contact_diameter > 0) || types[e.type].radius > 0) continue;
     const double radius = 0.5 * t.contact_diameter;
     types[e.type] = {radius, t.mass_per_length, stiffness_by_weight(t.mass_per_length, radius),
                      cubic_stiffness(t.EA, radius)};
-    least = std::min(least, types[e.type].linear);
-    most = std::max(most, types[e.type].linear);
+    smallest = std::min(smallest, types[e.type].linear);
+    largest = std::max(largest, types[e.type].linear);
   }
   const bool automatic = b.general.basis == model::StiffnessBasis::automatic ||
                          std::any_of(b.pairs.begin(), b.pairs.end(), [](const auto& t) {
@@ -126,7 +129,7 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
                          });
   if (automatic)
     details.push_back(
-        advice::chosen_pair_stiffness(least, most, lines == 1 ? c.lines.front().name : "", b.self));
+        advice::chosen_pair_stiffness(smallest, largest, lines == 1 ? c.lines.front().name : "", b.self));
   return std::make_unique<LinePairs>(comm, mesh, std::move(types), std::move(options));
 }
 
@@ -140,7 +143,7 @@ std::string shared_places_note(const SharedPlaces& places, const Mesh& mesh) {
   if (farthest < 0) return "";
   const auto name = [&](const Branch& s) { return mesh.lines[mesh.node(s.node).line].name; };
   const std::string one = name(places.place(farthest).one), other = name(places.place(farthest).other);
-  return advice::apart_near_place(one, other, places.within(farthest), others);
+  return advice::separate_near_place(one, other, places.within(farthest), others);
 }
 
 }  // namespace hawser::run

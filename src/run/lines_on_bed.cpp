@@ -21,7 +21,7 @@ std::vector<std::string> lines_on_bed(const model::Case& c, const System& system
   constexpr size_t kShown = 20;
   std::vector<double> sums;  // by line
   for (const BedContact::OnBed& l : bed->on_bed(state))
-    sums.insert(sums.end(), {l.friction_length, l.sticking, l.taken});
+    sums.insert(sums.end(), {l.friction_length, l.sticking, l.friction_tension});
   all_reduce(system.comm(), MPI_SUM, sums);
   // Between touchdown points, as in the results.
   const std::vector<record::Touchdown> down =

@@ -96,7 +96,7 @@ int guarded(const Petsc& petsc, const std::function<int()>& work) {
 
 // The words of the command line; words after a single "--" are for PETSc.
 struct Words {
-  std::vector<char*> own, petsc;  // each with the program's name first and a null pointer last
+  std::vector<char*> program, petsc;  // each with the program's name first and a null pointer last
   std::string petsc_text;
 };
 
@@ -108,10 +108,10 @@ Words split(int argc, char** argv) {
       after = true;
       continue;
     }
-    (after ? out.petsc : out.own).push_back(argv[i]);
+    (after ? out.petsc : out.program).push_back(argv[i]);
     if (after) out.petsc_text += (out.petsc_text.empty() ? "" : " ") + std::string(argv[i]);
   }
-  out.own.push_back(nullptr);
+  out.program.push_back(nullptr);
   out.petsc.push_back(nullptr);
   return out;
 }
@@ -125,7 +125,7 @@ int main(int argc, char** argv) {
   Words words = split(argc, argv);
   hawser::run::CommandLine line(words.petsc_text);
   line.cli().failure_message([&](const CLI::App*, const CLI::Error& e) {
-    return hawser::run::usage_error(line.cli(), e, {words.own.begin() + 1, words.own.end() - 1});
+    return hawser::run::usage_error(line.cli(), e, {words.program.begin() + 1, words.program.end() - 1});
   });
 
   // Requests answered by the parser need no MPI, but only one of several ranks answers.
@@ -134,7 +134,7 @@ int main(int argc, char** argv) {
   if (hawser::launched()) begin();
   const bool prints = !petsc || petsc->rank == 0;
   try {
-    line.cli().parse(static_cast<int>(words.own.size()) - 1, words.own.data());
+    line.cli().parse(static_cast<int>(words.program.size()) - 1, words.program.data());
   } catch (const CLI::ParseError& e) {
     std::ostringstream out, wrong;
     const bool failed = line.cli().exit(e, out, wrong) != 0;
@@ -153,10 +153,10 @@ int main(int argc, char** argv) {
   return guarded(*petsc, [&] {
     const int code = command.run(PETSC_COMM_WORLD);
     if (!command.reports_unused_options) return code;
-    const auto left = unused(words.petsc);
-    if (prints && !line.quiet() && !left.empty())
-      fmt::print("\nwarning: this run did not use the PETSc option{} {}\n", left.size() > 1 ? "s" : "",
-                 fmt::join(left, ", "));
+    const auto unused_options = unused(words.petsc);
+    if (prints && !line.quiet() && !unused_options.empty())
+      fmt::print("\nwarning: this run did not use the PETSc option{} {}\n",
+                 unused_options.size() > 1 ? "s" : "", fmt::join(unused_options, ", "));
     return code;
   });
 }

@@ -54,7 +54,7 @@ Extent largest(MPI_Comm comm, const LocalMesh& local, const std::vector<Vec3>& v
 // on all ranks.
 struct MovingBody {
   int body = -1;  // in the case; -1: none moves by half of it
-  double share = 0.5;
+  double fraction = 0.5;
 };
 
 MovingBody moving_body(MPI_Comm comm, const Simulation& sim, const std::vector<Vec3>& values, double size) {
@@ -78,7 +78,7 @@ MovingBody moving_body(MPI_Comm comm, const Simulation& sim, const std::vector<V
   if (!moved.empty()) all_reduce(comm, MPI_MAX, moved);
   MovingBody out;
   for (size_t b = 0; b < moved.size(); ++b)
-    if (moved[b] >= out.share * size) out = {static_cast<int>(b), moved[b] / size};
+    if (moved[b] >= out.fraction * size) out = {static_cast<int>(b), moved[b] / size};
   return out;
 }
 
@@ -91,9 +91,9 @@ std::string freedoms(MPI_Comm comm, Simulation& sim, const NaturalMode& mode, in
   if (const int n = sim.bodies().local_node(body); n >= 0 && sim.local().owns(n)) {
     const Mat3 axes = sim.state().q[n].toRotationMatrix();
     const Vec3 turn = axes.transpose() * mode.rotation[n];
-    const Vec3 way = axes.transpose() * mode.shape[n] + turn.cross(m.centre);
+    const Vec3 displacement = axes.transpose() * mode.shape[n] + turn.cross(m.centre);
     for (int k = 0; k < 3; ++k) {
-      energy[k] = turns ? 0 : m.mass * way[k] * way[k];
+      energy[k] = turns ? 0 : m.mass * displacement[k] * displacement[k];
       energy[3 + k] = m.inertia[k] * turn[k] * turn[k];
     }
   }
@@ -137,7 +137,7 @@ std::string row(MPI_Comm comm, Simulation& sim, int number, const NaturalMode& m
   const MovingBody with = moving_body(comm, sim, turns ? mode.rotation : mode.shape, p.size);
   if (with.body >= 0 && mesh.node(p.node).body < 0) {
     const std::string body = "body " + sim.model().bodies[with.body].name;
-    where = with.share > 0.99 ? body + " (" + where + ")" : where + ", with " + body;
+    where = with.fraction > 0.99 ? body + " (" + where + ")" : where + ", with " + body;
   }
   if (with.body >= 0) where += ": " + freedoms(comm, sim, mode, with.body, turns);
   return fmt::format("{:>4} {}  {:>5.2f} {:>5.2f} {:>5.2f}  {}{}\n", number, when, p.along.x(), p.along.y(),
@@ -145,7 +145,7 @@ std::string row(MPI_Comm comm, Simulation& sim, int number, const NaturalMode& m
 }
 
 io::ResultContents contents(MPI_Comm comm, const Simulation& sim, const std::vector<LoadedVolume>& volumes,
-                            const ModesOptions& o, int found) {
+                            const ModesOptions& o, int count) {
   const model::Case& c = sim.model();
   io::ResultContents out;
   out.run = run_info(comm, c, o.options_text);
@@ -155,7 +155,7 @@ io::ResultContents contents(MPI_Comm comm, const Simulation& sim, const std::vec
   out.series = {{"modes", {{"period", "s", 1}, {"frequency", "Hz", 1}}}};
   for (const auto& b : c.bodies) out.bodies.push_back(b.name);
   out.xdmf = c.output.xdmf;
-  out.expected_outputs = out.expected_steps = found + 1;
+  out.expected_outputs = out.expected_steps = count + 1;
   out.free_bodies = sim.mesh().nodes() - sim.mesh().line_nodes();
   return out;
 }
@@ -167,7 +167,7 @@ std::vector<double> flat(const std::vector<Vec3>& values, int nodes) {
 }
 
 // Factor of the translations [1] and rotations [rad] of a drawn mode, m.
-double drawn_size(MPI_Comm comm, const Simulation& sim, const NaturalMode& mode) {
+double displayed_size(MPI_Comm comm, const Simulation& sim, const NaturalMode& mode) {
   double size = sim.model().lines.empty() ? 1 : 0, turn = 0;  // m, rad
   for (const auto& line : sim.model().lines) size = std::max(size, kDrawn * model::length_of(line));
   for (int b = 0; b < sim.bodies().size(); ++b)
@@ -187,24 +187,24 @@ State moved(const State& at, const NaturalMode& mode, double size) {
 }
 
 void write(MPI_Comm comm, Simulation& sim, const std::vector<LoadedVolume>& volumes, const ModesOptions& o,
-           const std::string& path, const std::vector<NaturalMode>& found,
+           const std::string& path, const std::vector<NaturalMode>& modes,
            const std::vector<std::string>& messages) {
   const int rank = rank_of(comm);
   const LocalMesh& local = sim.local();
   std::vector<int> owned(local.global.begin(), local.global.begin() + local.owned);
   io::ResultsFile file = io::ResultsFile::create(
-      comm, path, contents(comm, sim, volumes, o, static_cast<int>(found.size())), std::move(owned));
-  const std::vector<Vec3> rest(static_cast<size_t>(local.owned), Vec3::Zero());
-  file.write_output(0, {flat(sim.state().x, local.owned), flat(rest, local.owned)},
+      comm, path, contents(comm, sim, volumes, o, static_cast<int>(modes.size())), std::move(owned));
+  const std::vector<Vec3> zero(static_cast<size_t>(local.owned), Vec3::Zero());
+  file.write_output(0, {flat(sim.state().x, local.owned), flat(zero, local.owned)},
                     record::body_poses(sim.bodies(), sim.system(), sim.state().at_rest()));
   double number = 0;
-  for (const NaturalMode& mode : found) {
+  for (const NaturalMode& mode : modes) {
     ++number;
-    const State drawn = moved(sim.state(), mode, drawn_size(comm, sim, mode));
+    const State displayed = moved(sim.state(), mode, displayed_size(comm, sim, mode));
     const double period = mode.squared > kFreeMotion ? period_of(mode) : HUGE_VAL;
     file.append_series(number, {rank == 0 ? std::vector<double>{period, 1 / period} : std::vector<double>{}});
-    file.write_output(number, {flat(drawn.x, local.owned), flat(mode.shape, local.owned)},
-                      record::body_poses(sim.bodies(), sim.system(), drawn.at_rest()));
+    file.write_output(number, {flat(displayed.x, local.owned), flat(mode.shape, local.owned)},
+                      record::body_poses(sim.bodies(), sim.system(), displayed.at_rest()));
   }
   file.finish({}, {}, messages);
 }
@@ -232,23 +232,23 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
   Events events(comm, sim);
   const StaticsReport statics = solve_static_stages(sim, events, progress);
   if (auto* thrusters = sim.system().find<DynamicPositioning>()) thrusters->integrate_at_rest(false);
-  const std::vector<NaturalMode> found = natural_modes(sim.system(), sim.state().at_rest(), options.count);
+  const std::vector<NaturalMode> modes = natural_modes(sim.system(), sim.state().at_rest(), options.count);
   progress.end();
   std::string table =
       fmt::format("{:>4} {:>12} {:>14}{}  {:^17}  {}\n", "mode", "period [s]", "frequency [Hz]",
                   has_platforms(c) ? " damping ratio" : "", "x, y, z there", "largest at");
-  for (size_t i = 0; i < found.size(); ++i)
-    table += row(comm, sim, static_cast<int>(i) + 1, found[i], largest(comm, sim.local(), found[i].shape),
-                 largest(comm, sim.local(), found[i].rotation));
-  const auto unstable = std::count_if(found.begin(), found.end(),
+  for (size_t i = 0; i < modes.size(); ++i)
+    table += row(comm, sim, static_cast<int>(i) + 1, modes[i], largest(comm, sim.local(), modes[i].shape),
+                 largest(comm, sim.local(), modes[i].rotation));
+  const auto unstable = std::count_if(modes.begin(), modes.end(),
                                       [](const NaturalMode& m) { return m.squared < -kFreeMotion; });
   if (statics.negative_eigenvalues > unstable)
     table += advice::faster_instabilities(statics.negative_eigenvalues - unstable) + "\n";
-  write(comm, sim, volumes, options, place.path(), found, progress.messages());
+  write(comm, sim, volumes, options, place.path(), modes, progress.messages());
   if (rank == 0 && !options.quiet) {
     fmt::print("\n{}", table);
-    if (found.size() < static_cast<size_t>(options.count))
-      fmt::print("\n{}\n", advice::model_has_no_more_modes(found.size()));
+    if (modes.size() < static_cast<size_t>(options.count))
+      fmt::print("\n{}\n", advice::model_has_no_more_modes(modes.size()));
     fmt::print("\nresults: {}\n", place.path());
   }
   return 0;

@@ -38,10 +38,10 @@ std::vector<std::pair<int, int>> near_elements(MPI_Comm comm, const model::Case&
   LineCandidates candidates(comm, part, ContactRadii(std::move(radius), std::move(takes_part)),
                             std::move(settings));
   candidates.update(shape.state.at_rest(), 0);
-  std::vector<std::pair<int, int>> mine;
+  std::vector<std::pair<int, int>> local;
   for (const auto& [a, b] : candidates.elements())
-    if (mesh.element(a).line != mesh.element(b).line) mine.emplace_back(a, b);
-  std::vector<std::pair<int, int>> out = gather_all(comm, mine);
+    if (mesh.element(a).line != mesh.element(b).line) local.emplace_back(a, b);
+  std::vector<std::pair<int, int>> out = gather_all(comm, local);
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());  // pairs found by two ranks
   return out;

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Target of a chain of links; circular links are returned unchanged.
-std::string followed(fs::path path) {
+std::string resolved_links(fs::path path) {
   std::error_code e;
   for (int i = 0; i < 40 && fs::is_symlink(path, e); ++i)
     path = path.parent_path() / fs::read_symlink(path, e);
@@ -32,25 +32,25 @@ bool same_file(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-void check_not_read(const std::string& what, const std::string& path, const std::vector<std::string>& written,
+void check_not_read(const std::string& kind, const std::string& path, const std::vector<std::string>& written,
                     const std::vector<std::string>& read) {
   for (const std::string& out : written)
     for (const std::string& in : read)
-      if (same_file(out, in)) throw InputError(advice::would_replace_input(what, path, in, out));
+      if (same_file(out, in)) throw InputError(advice::would_replace_input(kind, path, in, out));
 }
 
-void check_table(const std::string& path, std::string_view head, const std::string& what,
+void check_table(const std::string& path, std::string_view head, const std::string& contents,
                  const std::vector<std::string>& inputs) {
   check_not_read("the table", path, {path}, inputs);
   std::ifstream file(path, std::ios::binary);
-  std::string found(head.size(), ' ');
-  if (file && !(file.read(found.data(), static_cast<std::streamsize>(found.size())) && found == head))
-    throw InputError(advice::not_such_a_table(path, what));
+  std::string start(head.size(), ' ');
+  if (file && !(file.read(start.data(), static_cast<std::streamsize>(start.size())) && start == head))
+    throw InputError(advice::not_such_a_table(path, contents));
 }
 
 OutputPlace::OutputPlace(MPI_Comm comm, const std::string& path, const std::string& restart,
                          const std::vector<std::string>& inputs)
-    : path_(followed(path)), appends_(same_file(restart, path_)) {
+    : path_(resolved_links(path)), appends_(same_file(restart, path_)) {
   on_root(comm, [&] {
     check();
     std::vector<std::string> read = inputs;
@@ -86,9 +86,9 @@ void OutputPlace::check() const {
 
 // Checks existing files that the run will replace.
 void OutputPlace::check_old() {
-  const auto there = [](const std::string& name) { return fs::exists(fs::symlink_status(name)); };
+  const auto exists_name = [](const std::string& name) { return fs::exists(fs::symlink_status(name)); };
   const auto check_one = [&](const std::string& name, bool is_results) {
-    if (!there(name) || is_results) return;
+    if (!exists_name(name) || is_results) return;
     throw InputError(fs::is_directory(name) ? advice::name_is_a_folder(path_, name)
                                             : advice::third_party_file(path_, name));
   };
@@ -100,7 +100,7 @@ void OutputPlace::check_old() {
   const std::string kept = io::backup_name(path_), kept_xdmf = io::backup_name(xdmf);
   check_one(kept, io::is_results(kept));
   check_one(kept_xdmf, io::is_xdmf(kept_xdmf));
-  if (there(path_)) notes_.push_back(advice::results_kept_as(path_, kept));
+  if (exists_name(path_)) notes_.push_back(advice::results_kept_as(path_, kept));
 }
 
 }  // namespace hawser::run

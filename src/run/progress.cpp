@@ -51,14 +51,14 @@ void Progress::rewrite(std::string text) {
   open_ = true;
 }
 
-void Progress::busy(const std::string& what, double took) {
+void Progress::busy(const std::string& text, double took) {
   if (!prints_) return;
   const auto now = Clock::now();
   if (columns_ > 0) {
-    rewrite(what);
+    rewrite(text);
     passing_ = true;
   } else if (took > kLong || seconds(now - last_) > kLong) {
-    std::puts(what.c_str());
+    std::puts(text.c_str());
     std::fflush(stdout);
   } else {
     return;
@@ -85,28 +85,28 @@ void Progress::begin(double time, double end) {
   start_ = time;
   duration_ = end;
   began_ = last_ = Clock::now();
-  next_share_ = std::floor(10 * time / std::max(duration_, 1e-300) + 1e-9) / 10 + 0.1;
+  next_fraction_ = std::floor(10 * time / std::max(duration_, 1e-300) + 1e-9) / 10 + 0.1;
 }
 
 void Progress::step(double time, double step, int iterations) {
   if (!prints_) return;
-  const double share = time / std::max(duration_, 1e-300);
+  const double fraction = time / std::max(duration_, 1e-300);
   const auto now = Clock::now();
-  const bool last = share >= 1 - 1e-9;
-  const bool due = share >= next_share_ - 1e-9;
+  const bool last = fraction >= 1 - 1e-9;
+  const bool due = fraction >= next_fraction_ - 1e-9;
   const double silent = seconds(now - last_);
   if (columns_ > 0 ? silent < kRewriteEvery && !last : silent < kLineEvery && !due) return;
   last_ = now;
   // Extrapolates the rate so far.
-  const double left = seconds(now - began_) * (duration_ - time) / std::max(time - start_, 1e-300);
+  const double remaining = seconds(now - began_) * (duration_ - time) / std::max(time - start_, 1e-300);
   std::string text =
       fmt::format("t = {:.3f} of {:.6g} s ({:3.0f} %), step {:.3g} s, {}, {} left", time, duration_,
-                  100 * share, step, count_of(iterations, "iteration"), clock_text(left));
+                  100 * fraction, step, count_of(iterations, "iteration"), clock_text(remaining));
   if (columns_ > 0) {
     rewrite(std::move(text));
     passing_ = false;
   } else {
-    if (due) next_share_ = std::floor(share * 10 + 1e-9) / 10 + 0.1;
+    if (due) next_fraction_ = std::floor(fraction * 10 + 1e-9) / 10 + 0.1;
     std::puts(text.c_str());
     std::fflush(stdout);
   }

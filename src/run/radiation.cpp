@@ -29,33 +29,33 @@ constexpr double kPointsPerPeriod = 6;
 std::string table(const model::Case& c, const std::vector<int>& bodies) {
   const model::HydrodynamicData& data =
       *c.bodies[static_cast<size_t>(bodies.front())].mass->hydrodynamics->data;
-  const model::PlatformMemory of = model::platform_memory(c, bodies);
+  const model::PlatformMemory radiation = model::platform_memory(c, bodies);
   std::string s(kHead);
-  for (const auto& [i, j] : of.entries)
+  for (const auto& [i, j] : radiation.entries)
     s += fmt::format(",{}-{}", model::freedom_name(c, bodies, i), model::freedom_name(c, bodies, j));
   s += "\n";
   const auto row = [&](std::string_view quantity, double at, const auto& value) {
     s += fmt::format("{},{:.10g}", quantity, at);
-    for (size_t e = 0; e < of.entries.size(); ++e) s += fmt::format(",{:.10g}", value(e));
+    for (size_t e = 0; e < radiation.entries.size(); ++e) s += fmt::format(",{:.10g}", value(e));
     s += "\n";
   };
   const auto entry = [&](const Eigen::MatrixXd& of_files, size_t e) {
-    const auto [i, j] = of.entries[e];
-    return of_files(of.rows[static_cast<size_t>(i)], of.rows[static_cast<size_t>(j)]);
+    const auto [i, j] = radiation.entries[e];
+    return of_files(radiation.rows[static_cast<size_t>(i)], radiation.rows[static_cast<size_t>(j)]);
   };
   const auto of_row = [](const Eigen::RowVectorXd& r) {
     return [&r](size_t e) { return r[static_cast<Eigen::Index>(e)]; };
   };
   const double step = 2 * M_PI / data.omega.back() / kPointsPerPeriod;
-  for (int k = 0; k * step <= of.memory.length() && !of.entries.empty(); ++k) {
-    const Eigen::RowVectorXd K = of.memory.retardation(k * step);
+  for (int k = 0; k * step <= radiation.memory.length() && !radiation.entries.empty(); ++k) {
+    const Eigen::RowVectorXd K = radiation.memory.retardation(k * step);
     row("retardation", k * step, of_row(K));
   }
   for (size_t k = 0; k < data.omega.size(); ++k) {
     row("damping", data.omega[k], [&](size_t e) { return entry(data.damping[k], e); });
     row("added mass", data.omega[k], [&](size_t e) { return entry(data.added_mass[k], e); });
-    if (k + 1 == data.omega.size() || of.entries.empty()) continue;
-    const Eigen::RowVectorXd A = of.memory.added_mass_by_damping(data.omega[k]);
+    if (k + 1 == data.omega.size() || radiation.entries.empty()) continue;
+    const Eigen::RowVectorXd A = radiation.memory.added_mass_by_damping(data.omega[k]);
     row("added mass by damping", data.omega[k],
         [&](size_t e) { return entry(data.infinite, e) + A[static_cast<Eigen::Index>(e)]; });
   }

@@ -81,9 +81,9 @@ std::map<std::string, double> signature(const Simulation& simulation) {
   const auto& volumes = simulation.model().volumes;
   for (size_t v = 0; v < volumes.size(); ++v) out["case.volume " + volumes[v].name] = static_cast<double>(v);
   double& keys = out[kKeys];
-  const auto add = [&](const model::Value& tree, const std::string& of) {
+  const auto add = [&](const model::Value& tree, const std::string& prefix) {
     for (const auto& [key, value] : model::fixed_values(tree)) {
-      out[kKey + of + key] = number_of(value);
+      out[kKey + prefix + key] = number_of(value);
       ++keys;
     }
   };
@@ -98,22 +98,22 @@ std::map<std::string, double> signature(const Simulation& simulation) {
 }
 
 // The first of these numbers in which the case of a checkpoint differs; empty: none.
-std::string difference(const std::map<std::string, double>& there,
-                       const std::map<std::string, double>& here) {
+std::string difference(const std::map<std::string, double>& in_checkpoint,
+                       const std::map<std::string, double>& in_case) {
   std::set<std::string> names;
-  for (const auto* side : {&there, &here})
+  for (const auto* side : {&in_checkpoint, &in_case})
     for (const auto& [name, number] : *side) names.insert(name);
   for (const std::string& name : names) {
-    const auto a = there.find(name), b = here.find(name);
-    if (a != there.end() && b != here.end() && a->second == b->second) continue;
+    const auto a = in_checkpoint.find(name), b = in_case.find(name);
+    if (a != in_checkpoint.end() && b != in_case.end() && a->second == b->second) continue;
     if (name == "case.rotating nodes") return advice::other_beams();
     if (name.starts_with(kBending)) return advice::other_plasticity();
     if (name.starts_with("case.volume ")) return advice::other_volumes();
     if (!name.starts_with(kKey)) continue;
     const std::string key = name.substr(kKey.size());
-    return advice::other_key(key, a == there.end()  ? advice::KeyDiffers::missing_there
-                                  : b == here.end() ? advice::KeyDiffers::missing_here
-                                                    : advice::KeyDiffers::other_value);
+    return advice::other_key(key, a == in_checkpoint.end() ? advice::KeyDiffers::missing_in_checkpoint
+                                  : b == in_case.end()     ? advice::KeyDiffers::missing_in_case
+                                                           : advice::KeyDiffers::other_value);
   }
   return "";
 }
@@ -135,19 +135,20 @@ void save_nodes(const LocalMesh& m, const AlphaState& s, const std::vector<doubl
                 const MeanForces& mean, io::Checkpoint& c) {
   const size_t owned = m.owned;
   for (size_t i = 0; i < std::size(kVectors); ++i)
-    c.nodes[kVectors[i]] = field_of(owned, 3, [&of = vectors(s, i)](size_t n, size_t k) {
-      return of.empty() ? 0 : of[n][static_cast<Eigen::Index>(k)];
+    c.nodes[kVectors[i]] = field_of(owned, 3, [&values = vectors(s, i)](size_t n, size_t k) {
+      return values.empty() ? 0 : values[n][static_cast<Eigen::Index>(k)];
     });
   for (const auto& [name, values] : {std::pair{kDirectors, &s.s.directors}, {kAlgorithmicDirectors, &s.ad}})
     if (has_directors(m))
-      c.nodes[name] = field_of(owned, 9, [&of = *values](size_t n, size_t k) { return of[n].data()[k]; });
-  c.nodes["rotation"] = field_of(owned, 4, [&of = s.s.q](size_t n, size_t k) {
-    return k == 0 ? of[n].w() : of[n].vec()[static_cast<Eigen::Index>(k) - 1];
+      c.nodes[name] =
+          field_of(owned, 9, [&directors = *values](size_t n, size_t k) { return directors[n].data()[k]; });
+  c.nodes["rotation"] = field_of(owned, 4, [&values = s.s.q](size_t n, size_t k) {
+    return k == 0 ? values[n].w() : values[n].vec()[static_cast<Eigen::Index>(k) - 1];
   });
-  const auto rows = [&](const char* name, const std::vector<double>& of) {
-    c.nodes[name] = field_of(owned, 6, [&m, &of](size_t n, size_t k) {
+  const auto rows = [&](const char* name, const std::vector<double>& values) {
+    c.nodes[name] = field_of(owned, 6, [&m, &values](size_t n, size_t k) {
       const size_t b = 3 * static_cast<size_t>(m.block[n]);
-      return !of.empty() && (k < 3 || m.rotates(static_cast<int>(n))) ? of[b + k] : 0.0;
+      return !values.empty() && (k < 3 || m.rotates(static_cast<int>(n))) ? values[b + k] : 0.0;
     });
   };
   rows(kReaction, reactions);
@@ -176,8 +177,8 @@ io::Checkpoint make_checkpoint(Simulation& simulation, record::Recorder& recorde
   save_nodes(simulation.local(), d.committed(), d.reactions(), d.mean_forces(), c);
   for (const auto& term : simulation.system().terms())
     c.records[std::string(term->checkpoint_key())] = {
-        term->checkpoint_kinds(), {}, [&of = *term](NodeRange nodes) {
-          return of.checkpoint_records(nodes);
+        term->checkpoint_kinds(), {}, [&owner = *term](NodeRange nodes) {
+          return owner.checkpoint_records(nodes);
         }};
   c.scalars = signature(simulation);
   c.scalars["step.proposal"] = d.control().proposal();
@@ -199,8 +200,8 @@ io::Checkpoint make_checkpoint(Simulation& simulation, record::Recorder& recorde
 
 namespace {
 
-InputError older(const std::string& path, const std::string& what) {
-  return InputError(advice::cannot_go_on(path, advice::other_version(path, what)));
+InputError older(const std::string& path, const std::string& reason) {
+  return InputError(advice::cannot_go_on(path, advice::other_version(path, reason)));
 }
 
 }  // namespace
@@ -223,12 +224,13 @@ io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
   const auto refuse = [&](const std::string& why) {
     return InputError(advice::cannot_go_on(path, advice::other_case(why)));
   };
-  std::map<std::string, double> there = c.scalars;
-  std::erase_if(there,
+  std::map<std::string, double> in_checkpoint = c.scalars;
+  std::erase_if(in_checkpoint,
                 [](const auto& s) { return !s.first.starts_with("case.") && !s.first.starts_with(kKey); });
   if (!c.scalars.count(kKeys)) throw older(path, "the case");
   if (!c.scalars.count(kResolvedUntil)) throw older(path, "the impacts of its steps");
-  if (const std::string other = difference(there, signature(simulation)); !other.empty()) throw refuse(other);
+  if (const std::string other = difference(in_checkpoint, signature(simulation)); !other.empty())
+    throw refuse(other);
   if (const std::string wrong = first_text(comm, damage(c)); !wrong.empty())
     throw InputError(advice::cannot_go_on(path, wrong));
   if (!c.nodes.count(kMeanQ)) throw older(path, "the mean forces of cables");
@@ -255,10 +257,11 @@ std::vector<std::string> compare_changes(MPI_Comm comm, const std::string& path,
     const io::h5::Id file = io::h5::open_read(path);
     if (!io::h5::exists(file, "set")) return;
     std::istringstream lines(io::h5::read_text(file, "set"));
-    std::string there;
-    for (std::string line; std::getline(lines, line);) there += " --set " + line;
-    const std::string here = changes.empty() ? "" : fmt::format(" --set {}", fmt::join(changes, " --set "));
-    if (there != here) notes.push_back(advice::other_changes(path, there, here));
+    std::string in_checkpoint;
+    for (std::string line; std::getline(lines, line);) in_checkpoint += " --set " + line;
+    const std::string in_case =
+        changes.empty() ? "" : fmt::format(" --set {}", fmt::join(changes, " --set "));
+    if (in_checkpoint != in_case) notes.push_back(advice::other_changes(path, in_checkpoint, in_case));
   });
   return notes;
 }

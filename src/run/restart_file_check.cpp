@@ -19,17 +19,19 @@ namespace fs = std::filesystem;
 
 // Compares the lines whose first node is one of `owned` (ascending); each rank reads only these.
 void compare_lines(const std::string& path, const Mesh& mesh, std::span<const int> owned) {
-  const auto other = [&](const std::string& what) { return InputError(advice::other_case(what)); };
+  const auto other = [&](const std::string& difference) {
+    return InputError(advice::other_case(difference));
+  };
   const io::h5::Id file = io::h5::open_parts(path);
   const size_t lines = io::h5::shape_of(io::h5::open_dataset(file, "lines/name")).at(0);
   if (lines != mesh.lines.size()) throw other(advice::other_number_of_lines(lines, mesh.lines.size()));
   for (size_t l = 0, end = 0; l < lines; l = end) {
-    const auto mine = [&](size_t line) {
+    const auto on_this_rank = [&](size_t line) {
       return line < lines && std::binary_search(owned.begin(), owned.end(), mesh.lines[line].first_node);
     };
     end = l + 1;
-    if (!mine(l)) continue;
-    while (mine(end)) ++end;
+    if (!on_this_rank(l)) continue;
+    while (on_this_rank(end)) ++end;
     const auto names = io::h5::read_texts_part(file, "lines/name", l, end - l);
     const auto nodes = io::h5::read_part(file, "lines/nodes", l, end - l);
     for (size_t k = l; k < end; ++k) {
@@ -44,9 +46,9 @@ void compare_lines(const std::string& path, const Mesh& mesh, std::span<const in
                                        static_cast<hsize_t>(last - first));
     for (int n = first; n < last; ++n) {
       const LineSpan& line = mesh.lines[mesh.node(n).line];
-      const double here = mesh.node(n).arc, there = arc[static_cast<size_t>(n - first)];
-      if (std::abs(here - there) > 1e-9 * line.length)
-        throw other(advice::other_node(line.name, there, here));
+      const double in_case = mesh.node(n).arc, in_checkpoint = arc[static_cast<size_t>(n - first)];
+      if (std::abs(in_case - in_checkpoint) > 1e-9 * line.length)
+        throw other(advice::other_node(line.name, in_checkpoint, in_case));
     }
   }
 }

@@ -69,7 +69,7 @@ model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<Loa
     progress.print_notes(model::grouped_notes(c.notes));  // may explain the failure
     throw;
   }
-  progress.print_notes(met.found);
+  progress.print_notes(met.sentences);
   met.model.output.file = c.output.file;  // may be set by the command line
   return std::move(met.model);
 }
@@ -114,7 +114,7 @@ StaticsReport solve_static_stages(Simulation& sim, Events& events, Progress& pro
   StaticsReport last;
   try {
     events.solve_stages([&](bool falls) { last = solve_one(sim, progress, falls); },
-                        [&](const std::string& what) { progress.print(what); }, rested);
+                        [&](const std::string& text) { progress.print(text); }, rested);
   } catch (const SolveError&) {
     progress.print("note: " + advice::statics_failed(sim.model()));
     throw;
@@ -135,7 +135,7 @@ void give_back_memory() {
 
 io::ReadProgress read_progress(Progress& progress) {
   return {[&progress](const std::string& title) { progress.print(title); },
-          [&progress](const std::string& what, double seconds) { progress.busy(what, seconds); }};
+          [&progress](const std::string& text, double seconds) { progress.busy(text, seconds); }};
 }
 
 }  // namespace hawser::run

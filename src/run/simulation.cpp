@@ -20,10 +20,10 @@
 #include "hawser/model/longest_step.hpp"
 #include "hawser/model/switched.hpp"
 #include "hawser/record/support_rollers.hpp"
+#include "hawser/run/contact_stiffness.hpp"
 #include "hawser/run/line_pairs.hpp"
 #include "hawser/run/node_owners.hpp"
 #include "hawser/solve/start_shape.hpp"
-#include "hawser/terms/automatic_stiffness.hpp"
 #include "hawser/terms/bed_contact.hpp"
 #include "hawser/terms/bodies_in_flow.hpp"
 #include "hawser/terms/bodies_in_water.hpp"
@@ -80,52 +80,6 @@ std::vector<int> held_nodes(const model::Case& c, const LocalMesh& local, const 
   return held;
 }
 
-// Automatic stiffness of a volume, from the line with the largest demand. The note gives the reason, and
-// whether the steps are too long to resolve a bounce.
-void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& volume,
-                      std::vector<std::string>& notes) {
-  model::Volume& v = volume.settings;
-  AutomaticStiffness best;
-  double mass = 0, radius = 0, most = 0;
-  const auto weight_of = [&](int type) {  // N/m
-    return c.line_types[type].mass_per_length * c.environment.gravity;
-  };
-  std::vector<double> line_weight(mesh.lines.size(), 0);
-  for (int i = 0; i < mesh.elements(); ++i) {
-    const Element e = mesh.element(i);
-    line_weight[e.line] += e.length * weight_of(e.type);
-  }
-  for (const EvenPart& e : mesh.parts()) {
-    const auto& t = c.line_types[e.type];
-    StiffnessDemand d;
-    d.radius = 0.5 * t.contact_diameter;
-    d.weight = weight_of(e.type);
-    d.line_weight = line_weight[e.line];
-    d.EA = t.EA;
-    d.EI = t.least_bending_stiffness();
-    d.bend = bending_radius(v, d.radius);
-    d.allowed_penetration = v.allowed_penetration;
-    const AutomaticStiffness s = automatic_contact_stiffness(d);
-    most = std::max(most, most_stiffness(d));
-    if (s.per_length > best.per_length) {
-      best = s;
-      mass = t.mass_per_length;
-      radius = d.radius;
-    }
-  }
-  v.basis = model::StiffnessBasis::per_length;
-  v.normal_stiffness = best.per_length;
-  // Damping needs a long ramp, since steps of an impact do not resolve its work; statics needs a short one at
-  // edges.
-  if (!v.smoothing && !(v.relative_damping > 0)) v.smoothing = 2e-5 * radius;
-  volume.automatic = true;
-  volume.most = std::max(most, best.per_length);
-  const double bounce = 0.5 * contact_period(best.per_length, mass), step = c.dynamics.step;
-  const bool too_short = c.dynamics.enabled && step > 0 && bounce < 1.5 * step;
-  notes.push_back(
-      advice::chosen_stiffness(v.name, best.per_length, best.reason, too_short ? bounce : 0, step));
-}
-
 }  // namespace
 
 // Creates a force term owned by the system.
@@ -150,7 +104,7 @@ Simulation::Simulation(MPI_Comm comm, model::Case c, std::vector<std::shared_ptr
   StartShape start = start_shape(comm, case_, local(), *bodies_, surfaces);
   notes_ = std::move(start.notes);
   const Kinematics at = start.state.at_rest();
-  bodies_->fix_drawn(comm, case_, at);
+  bodies_->fix_placed_in_space(comm, case_, at);
   if (!case_.links.empty()) add<Links>(comm, case_, local(), bodies_, at);
   if (Feeders* fed = feeders()) {
     fed->clamp(start.ends);

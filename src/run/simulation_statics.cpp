@@ -44,7 +44,7 @@ bool Simulation::lays_lines() const {
 
 // Continues from the equilibrium with soft friction, under the weight of lines that lay at the start, through
 // stiffer friction to the law of dynamics; with `full` mobilisation under the contact forces found.
-void Simulation::follow_contact(StaticsSettings settings, StaticsReport& report) {
+void Simulation::solve_with_contact_friction(StaticsSettings settings, StaticsReport& report) {
   settings.starts_near = true;
   BedContact& bed = *bed_contact();
   const auto solve = [&] {
@@ -55,11 +55,11 @@ void Simulation::follow_contact(StaticsSettings settings, StaticsReport& report)
     report.norms = more.norms;  // the inertia of friction's unsymmetric tangent has no meaning
   };
   for (const double slip : {kFirstSlip / 30, 0.0}) {
-    bed.mobilise_by(slip);
+    bed.mobilise_at(slip);
     if (case_.environment.seabed.full) bed.press_by_contact(state_.at_rest());
     solve();
   }
-  bed.follow_contact(state_.at_rest());
+  bed.use_contact_friction(state_.at_rest());
   solve();
 }
 
@@ -86,7 +86,7 @@ StaticsReport Simulation::find_restrained_equilibrium(const StaticsSettings& set
   const std::vector<Vec3> w = state_.w;
   for (RestrainedInStatics* t : restrained) t->hold(true, contact_friction_in_statics());
   StaticsReport report = find_equilibrium(*system_, settings, state_);
-  if (lays_lines()) follow_contact(settings, report);
+  if (lays_lines()) solve_with_contact_friction(settings, report);
   for (HasFriction* t : system_->with<HasFriction>()) t->enable_friction(true);
   for (RestrainedInStatics* t : restrained) t->hold(false, true);
   if (restrained.empty()) return report;
@@ -105,7 +105,7 @@ void Simulation::enable_friction_at_rest() {
     t->enable_friction(contact_friction_in_statics() && t != bed);
   if (!lays_lines()) return;
   bed->lay(laid_, state_.at_rest(), case_.environment.seabed.full);
-  bed->mobilise_by(kFirstSlip);
+  bed->mobilise_at(kFirstSlip);
 }
 
 void Simulation::check_depth_at_rest() {
@@ -127,8 +127,8 @@ void Simulation::note_bodies_held_without_weight() {
   for (size_t b = 0; b < case_.bodies.size(); ++b) {
     const model::Body& body = case_.bodies[b];
     if (!body.mass || !body.mass->weight || body.mass->stiffness.z() > 0) continue;
-    const StaticRest rest = static_rest(case_, static_cast<int>(b));
-    if (rest.by_friction && !rest.always) notes_.push_back(advice::held_without_weight(body.name));
+    const StaticRest rule = static_rest(case_, static_cast<int>(b));
+    if (rule.by_friction && !rule.always) notes_.push_back(advice::held_without_weight(body.name));
   }
 }
 

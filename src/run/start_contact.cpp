@@ -44,7 +44,7 @@ std::vector<Inside> all_inside(MPI_Comm comm, const model::Case& c, const LocalM
   return out;
 }
 
-advice::InsideVolume found(const Inside& s, const Mesh& mesh) {
+advice::InsideVolume inside_volume(const Inside& s, const Mesh& mesh) {
   return {s.from, s.to, s.at, s.depth, s.place, mesh.lines[s.line].length};
 }
 
@@ -78,9 +78,9 @@ void remove_excluded(std::vector<Inside>& inside, const std::vector<ExcludedEnds
 // Stretches excluded by the case, and by default those inside next to a held end.
 void find_excluded_ends(const model::Case& c, const Mesh& mesh, const std::vector<ContactVolume>& volumes,
                         StartContact& start) {
-  std::map<std::pair<int, int>, ExcludedEnds> of;
-  const auto entry = [&of](int line, int volume) -> ExcludedEnds& {
-    ExcludedEnds& l = of[{line, volume}];
+  std::map<std::pair<int, int>, ExcludedEnds> ends_of;
+  const auto entry = [&ends_of](int line, int volume) -> ExcludedEnds& {
+    ExcludedEnds& l = ends_of[{line, volume}];
     l.line = line;
     l.volume = volume;
     return l;
@@ -96,11 +96,12 @@ void find_excluded_ends(const model::Case& c, const Mesh& mesh, const std::vecto
     }
   for (size_t v = 0; v < volumes.size(); ++v)  // a body on a line does not touch it
     if (c.rides(volumes[v].body)) {
-      const int line = c.line_index(c.bodies[volumes[v].body].on->line);
+      const int line = c.line_index(c.bodies[volumes[v].body].ride->line);
       entry(line, static_cast<int>(v)).end_a = mesh.lines[line].length;
     }
   for (const Inside& s : start.inside) {
-    if (const auto known = of.find({s.line, s.volume}); known != of.end() && c.rides(volumes[s.volume].body))
+    if (const auto known = ends_of.find({s.line, s.volume});
+        known != ends_of.end() && c.rides(volumes[s.volume].body))
       continue;
     const model::Line& line = c.lines[s.line];
     const double length = mesh.lines[s.line].length, near = 1e-9 * length;
@@ -117,21 +118,21 @@ void find_excluded_ends(const model::Case& c, const Mesh& mesh, const std::vecto
           advice::excluded_at_end(line, end, volumes[s.volume].settings.name, s.depth, reach));
     }
   }
-  for (const auto& [key, l] : of) start.excluded_ends.push_back(l);
+  for (const auto& [key, l] : ends_of) start.excluded_ends.push_back(l);
 }
 
 // Ends of a line with automatic start shape, m in space.
 struct Chord {
   bool known = false;
   Vec3 a = Vec3::Zero(), b = Vec3::Zero();
-  Vec3 at(double share) const { return a + share * (b - a); }
+  Vec3 at(double fraction) const { return a + fraction * (b - a); }
 };
 
 // For each line and volume, the node nearest to the volume; at equal distance the first from end A. Sorted by
 // line and volume.
-std::vector<OnWrongSide> nearest_nodes(const std::vector<OnWrongSide>& of) {
+std::vector<OnWrongSide> nearest_nodes(const std::vector<OnWrongSide>& nodes) {
   std::map<std::pair<int, int>, OnWrongSide> nearest;
-  for (const OnWrongSide& p : of) {
+  for (const OnWrongSide& p : nodes) {
     const auto [best, fresh] = nearest.try_emplace({p.line, p.volume}, p);
     if (!fresh && std::pair(p.distance, p.at) < std::pair(best->second.distance, best->second.at))
       best->second = p;
@@ -157,8 +158,8 @@ void find_lines_on_wrong_side(MPI_Comm comm, const model::Case& c, const LocalMe
       continue;
     chords[l] = {true, model::end_position(c, line.end_a), model::end_position(c, line.end_b)};
   }
-  const auto share_of = [&](size_t line, double arc) { return arc / mesh.mesh->lines[line].length; };
-  const auto own = [&](const model::End& e, size_t v) {
+  const auto fraction_of = [&](size_t line, double arc) { return arc / mesh.mesh->lines[line].length; };
+  const auto carries_end = [&](const model::End& e, size_t v) {
     return e.kind == model::EndKind::body && e.body == volumes[v].settings.body;
   };
   const ExpectedPlace expected_place = [&](const Node& node, size_t v, const Vec3& x) -> std::optional<Vec3> {
@@ -166,28 +167,28 @@ void find_lines_on_wrong_side(MPI_Comm comm, const model::Case& c, const LocalMe
     const model::Line& line = c.lines[l];
     if (!chords[l].known || volumes[v].settings.roller) return {};  // supports have separate messages
     double top = -HUGE_VAL;
-    if (own(line.end_a, v)) top = chords[l].a.z();
-    if (own(line.end_b, v)) top = std::max(top, chords[l].b.z());
-    if (top == -HUGE_VAL) return chords[l].at(share_of(l, node.arc));
+    if (carries_end(line.end_a, v)) top = chords[l].a.z();
+    if (carries_end(line.end_b, v)) top = std::max(top, chords[l].b.z());
+    if (top == -HUGE_VAL) return chords[l].at(fraction_of(l, node.arc));
     if (!(top > x.z())) return {};
     return Vec3(x.x(), x.y(), top);
   };
   std::vector<std::string> warnings;
-  const std::vector<OnWrongSide> here = nodes_on_wrong_side(mesh, state, bodies, volumes, expected_place);
-  for (const OnWrongSide& p : nearest_nodes(gather_all(comm, nearest_nodes(here)))) {
+  const std::vector<OnWrongSide> local = nodes_on_wrong_side(mesh, state, bodies, volumes, expected_place);
+  for (const OnWrongSide& p : nearest_nodes(gather_all(comm, nearest_nodes(local)))) {
     const int l = p.line;
     const int v = p.volume;
     const model::Line& line = c.lines[l];
     const model::Volume& volume = volumes[v].settings;
     // Other messages report stretches inside.
-    const auto there = [&](const Inside& s) { return s.line == l && s.volume == v; };
-    if (std::any_of(inside.begin(), inside.end(), there)) continue;
+    const auto is_same = [&](const Inside& s) { return s.line == l && s.volume == v; };
+    if (std::any_of(inside.begin(), inside.end(), is_same)) continue;
     const size_t n = l;
-    const bool own_a = own(line.end_a, static_cast<size_t>(v)),
-               own_b = own(line.end_b, static_cast<size_t>(v));
-    const bool under = own_a || own_b || chords[n].at(share_of(n, p.at)).z() >= p.place.z();
+    const bool carries_a = carries_end(line.end_a, static_cast<size_t>(v)),
+               carries_b = carries_end(line.end_b, static_cast<size_t>(v));
+    const bool under = carries_a || carries_b || chords[n].at(fraction_of(n, p.at)).z() >= p.place.z();
     warnings.push_back(
-        advice::passes_volume(line, volume.name, {under, p.distance, p.at, p.place, own_a, own_b}));
+        advice::passes_volume(line, volume.name, {under, p.distance, p.at, p.place, carries_a, carries_b}));
   }
   shorten(warnings, advice::more_lines_on_wrong_side);
   start.warnings.insert(start.warnings.end(), warnings.begin(), warnings.end());
@@ -213,7 +214,7 @@ std::string inside_text(MPI_Comm comm, const model::Case& c, const LocalMesh& me
   std::vector<Inside> inside = all_inside(comm, c, mesh, state, bodies, feeders, {volume});
   remove_excluded(inside, excluded_ends, *mesh.mesh);
   if (inside.empty()) return "";
-  return advice::line_inside(c.lines[inside.front().line].name, found(inside.front(), *mesh.mesh));
+  return advice::line_inside(c.lines[inside.front().line].name, inside_volume(inside.front(), *mesh.mesh));
 }
 
 StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
@@ -221,9 +222,9 @@ StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh&
                            const std::vector<ContactVolume>& volumes) {
   StartContact out;
   if (volumes.empty()) return out;
-  std::vector<ContactVolume> on = volumes;
-  for (ContactVolume& v : on) v.off = false;
-  out.inside = all_inside(comm, c, mesh, state, bodies, feeders, on);
+  std::vector<ContactVolume> switched_on = volumes;
+  for (ContactVolume& v : switched_on) v.off = false;
+  out.inside = all_inside(comm, c, mesh, state, bodies, feeders, switched_on);
   // Ends are excluded from contact with inactive volumes as well; other stretches inside are checked again
   // when the volume is switched on.
   find_excluded_ends(c, *mesh.mesh, volumes, out);
@@ -231,8 +232,8 @@ StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh&
   const std::vector<Inside> all = out.inside;
   remove_excluded(out.inside, out.excluded_ends, *mesh.mesh);
   for (const Inside& s : out.inside)
-    out.warnings.push_back(
-        advice::starts_inside(c.lines[s.line], volumes[s.volume].settings.name, found(s, *mesh.mesh)));
+    out.warnings.push_back(advice::starts_inside(c.lines[s.line], volumes[s.volume].settings.name,
+                                                 inside_volume(s, *mesh.mesh)));
   shorten(out.notes, advice::more_ends_excluded);
   shorten(out.warnings, advice::more_stretches_inside);
   find_lines_on_wrong_side(comm, c, mesh, state, bodies, volumes, all, out);
@@ -251,8 +252,8 @@ std::string still_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& m
              s.depth > kLeft * o.depth;
     });
     if (!before) continue;
-    return advice::stays_inside(c.lines[s.line], volumes[s.volume].settings.name, found(s, *mesh.mesh),
-                                c.statics.enabled);
+    return advice::stays_inside(c.lines[s.line], volumes[s.volume].settings.name,
+                                inside_volume(s, *mesh.mesh), c.statics.enabled);
   }
   return "";
 }

@@ -54,7 +54,7 @@ int chosen_body(const model::Case& c, const std::string& name) {
   if (std::find(all.begin(), all.end(), wanted) == all.end())
     throw InputError(advice::lines_not_tied_to(c, wanted, all));
   const int body = c.body_index(wanted);
-  if (c.bodies[static_cast<size_t>(body)].on) throw InputError(advice::body_rides_on_line(c, wanted));
+  if (c.bodies[static_cast<size_t>(body)].ride) throw InputError(advice::body_rides_on_line(c, wanted));
   return body;
 }
 
@@ -62,8 +62,10 @@ std::vector<Offset> offsets_of(const StiffnessOptions& o) {
   std::vector<Offset> out{Offset{}};
   out.insert(out.end(), o.offsets.begin(), o.offsets.end());
   for (int k = 1; o.to > 0 && k <= o.steps; ++k) {
-    const double way = o.to * k / o.steps;
-    const auto part = [way](double share) { return std::abs(share) < 1e-15 ? 0 : way * share; };
+    const double distance = o.to * k / o.steps;
+    const auto part = [distance](double component) {
+      return std::abs(component) < 1e-15 ? 0 : distance * component;
+    };
     out.push_back({part(std::cos(o.direction)), part(std::sin(o.direction)), 0, 0, 0, 0});
   }
   return out;
@@ -97,8 +99,8 @@ bool write(const std::string& path, const model::Case& c, const std::vector<Stif
 }
 
 std::string matrix_text(const Mat6& K) {
-  const double most[2] = {K.topLeftCorner<3, 3>().cwiseAbs().maxCoeff(),
-                          K.bottomRightCorner<3, 3>().cwiseAbs().maxCoeff()};
+  const double largest[2] = {K.topLeftCorner<3, 3>().cwiseAbs().maxCoeff(),
+                             K.bottomRightCorner<3, 3>().cwiseAbs().maxCoeff()};
   std::string s = fmt::format("{:>4}", "");
   for (const char* name : {"x", "y", "z", "rx", "ry", "rz"}) s += fmt::format(" {:>12}", name);
   s += "\n";
@@ -107,7 +109,7 @@ std::string matrix_text(const Mat6& K) {
     s += fmt::format("{:>4}", names[i]);
     for (int j = 0; j < 6; ++j) {
       // Rounding errors relative to the diagonal are printed as 0.
-      const double rounding = 1e-9 * std::sqrt(most[i / 3] * most[j / 3]);
+      const double rounding = 1e-9 * std::sqrt(largest[i / 3] * largest[j / 3]);
       s += fmt::format(" {:>12.5g}", std::abs(K(i, j)) < rounding ? 0.0 : K(i, j));
     }
     s += "\n";
@@ -122,11 +124,11 @@ std::string table(const model::Case& c, const std::vector<StiffnessAtOffset>& ro
   std::string s = fmt::format("{:>10} {:>10} {:>12} {:>12} {:>12} {:>14}  {}\n", "x [m]", "y [m]", "Fx [kN]",
                               "Fy [kN]", "Fz [kN]", "tension [kN]", "of line");
   for (const StiffnessAtOffset& r : rows) {
-    const auto most = std::max_element(r.tensions.begin(), r.tensions.end());
-    s +=
-        fmt::format("{:>10.4g} {:>10.4g} {:>12.6g} {:>12.6g} {:>12.6g} {:>14.6g}  {}\n", r.offset[0],
-                    r.offset[1], in_kN(r.force[0], *most), in_kN(r.force[1], *most), in_kN(r.force[2], *most),
-                    *most / 1000, c.lines[static_cast<size_t>(most - r.tensions.begin())].name);
+    const auto largest = std::max_element(r.tensions.begin(), r.tensions.end());
+    s += fmt::format("{:>10.4g} {:>10.4g} {:>12.6g} {:>12.6g} {:>12.6g} {:>14.6g}  {}\n", r.offset[0],
+                     r.offset[1], in_kN(r.force[0], *largest), in_kN(r.force[1], *largest),
+                     in_kN(r.force[2], *largest), *largest / 1000,
+                     c.lines[static_cast<size_t>(largest - r.tensions.begin())].name);
   }
   return s;
 }
@@ -168,33 +170,33 @@ int stiffness(MPI_Comm comm, const StiffnessOptions& o) {
   if (!floats) hold_body(sim, body);
   solve_static_stages(sim, events, progress);
   HeldBodies held(sim);
-  const RigidPose rest = held.pose(body);
+  const RigidPose start = held.pose(body);
 
   std::vector<StiffnessAtOffset> rows;
   for (const Offset& offset : offsets_of(o)) {
-    RigidPose there = rest;
-    there.position += Vec3(offset.data());
-    there.rotation = (exp_so3(Vec3(offset.data() + 3)) * rest.rotation).normalized();
+    RigidPose displaced = start;
+    displaced.position += Vec3(offset.data());
+    displaced.rotation = (exp_so3(Vec3(offset.data() + 3)) * start.rotation).normalized();
     // Offsets are those of the reference point, about which the body rotates.
-    there.position += rest.rotation * o.at - there.rotation * o.at;
-    if (!rows.empty()) held.put(body, there);
+    displaced.position += start.rotation * o.at - displaced.rotation * o.at;
+    if (!rows.empty()) held.put(body, displaced);
     const BodyStiffness s = held.stiffness(body);
-    const Vec3 arm = there.rotation * (o.at - c.bodies[static_cast<size_t>(body)].mass->centre);
-    const BodyStiffness at_point = about_point(s, arm, there.rotation.toRotationMatrix());
+    const Vec3 arm = displaced.rotation * (o.at - c.bodies[static_cast<size_t>(body)].mass->centre);
+    const BodyStiffness at_point = about_point(s, arm, displaced.rotation.toRotationMatrix());
     rows.push_back({offset, -at_point.f, at_point.K, held.tensions()});
   }
   progress.end();
   if (on_any_rank(comm, rank == 0 && !write(path, c, rows)))
     throw io::WriteError(io::cannot_write(path, std::strerror(errno)));
   if (rank == 0 && !o.quiet) {
-    const Vec3 point = rest.to_space(o.at), turned = log_so3(rest.rotation) / kDegree;
+    const Vec3 point = start.to_space(o.at), turned = log_so3(start.rotation) / kDegree;
     fmt::print(
         "\nbody {} at rest: point ({:.4f}, {:.4f}, {:.4f}) m, rotation vector ({:.4f}, {:.4f}, {:.4f}) deg\n",
         c.bodies[static_cast<size_t>(body)].name, point.x(), point.y(), point.z(), turned.x(), turned.y(),
         turned.z());
-    const double most = *std::max_element(rows.front().tensions.begin(), rows.front().tensions.end());
+    const double largest = *std::max_element(rows.front().tensions.begin(), rows.front().tensions.end());
     Vec6 f = rows.front().force;
-    for (double& x : f) x = in_kN(x, most);
+    for (double& x : f) x = in_kN(x, largest);
     fmt::print(
         "forces of its lines about this point: force ({:.5g}, {:.5g}, {:.5g}) kN, moment ({:.5g}, {:.5g}, "
         "{:.5g}) "

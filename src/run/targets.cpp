@@ -63,7 +63,7 @@ class Searches {
   }
   // The trial found this equilibrium.
   void update(const AtRest& now) {
-    for (LengthSearch& s : all_) target_lost_ |= s.update(now);
+    for (LengthSearch& s : all_) target_missed_ |= s.update(now);
   }
   // Ends a trial after update().
   void add_values() {
@@ -89,8 +89,8 @@ class Searches {
       failed |= s.failed();
       if (s.failed() && alone) s.end_without_length(case_);
     }
-    const bool separate = !alone && (target_lost_ || failed);
-    target_lost_ = false;
+    const bool separate = !alone && (target_missed_ || failed);
+    target_missed_ = false;
     if (separate) {
       together_ = false;
       for (LengthSearch& s : all_) s.restart();
@@ -105,7 +105,7 @@ class Searches {
 
   const model::Case& case_;
   std::vector<LengthSearch> all_;
-  bool together_ = true, target_lost_ = false;
+  bool together_ = true, target_missed_ = false;
   size_t turn_ = 0;  // index of the search that continues alone
 };
 
@@ -132,7 +132,7 @@ MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<L
       searches.update(at_rest(comm, sim));
       if (tried) tried(advice::length_trial(trial, searches.worst().now(c)));
       if (searches.met()) {
-        for (const LengthSearch& s : searches.all()) out.found.push_back(s.found(c, trial));
+        for (const LengthSearch& s : searches.all()) out.sentences.push_back(s.solved_sentence(c, trial));
         return out;
       }
     } catch (const WrongPlaces&) {
@@ -168,7 +168,7 @@ MetTargets with_lengths_of(const model::Case& c, const std::string& results, MPI
       const size_t last = node + static_cast<size_t>(l.sections[l.target->section].elements);
       const double length = arc.at(last) - arc.at(node);
       lengths[fmt::format("lines.{}.sections[{}]", l.name, l.target->section)] = length;
-      out.found.push_back(advice::length_of_other_run(l.name, l.target->section, length));
+      out.sentences.push_back(advice::length_of_other_run(l.name, l.target->section, length));
     }
     out.model = io::with_lengths(c, lengths, comm);
     out.model.output.file = c.output.file;

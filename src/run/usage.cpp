@@ -109,35 +109,35 @@ std::string usage_error(const CLI::App& cli, const CLI::Error& error, const std:
   }
   const CLI::App& command = *chosen.front();
   const std::string name = "hawser " + command.get_name();
-  std::string what = error.what();
+  std::string text = error.what();
   if (kind == static_cast<int>(CLI::ExitCodes::ExtrasError)) {  // "The following ... not expected: one two"
-    const std::string all = what.substr(std::min(what.find(": "), what.size() - 2) + 2);
+    const std::string all = text.substr(std::min(text.find(": "), text.size() - 2) + 2);
     const std::string extra = all.substr(0, all.find(' ')), option = unknown_option(command, words);
-    what = !option.empty() ? no_option(command, option, words)
+    text = !option.empty() ? no_option(command, option, words)
                            : fmt::format("{} is an unexpected argument", model::quote(extra));
   } else if (kind == static_cast<int>(CLI::ExitCodes::RequiredError)) {
-    what = fmt::format("a case file is missing: {} case.yaml", name);
+    text = fmt::format("a case file is missing: {} case.yaml", name);
   } else if (kind == static_cast<int>(CLI::ExitCodes::ArgumentMismatch)) {
-    what = fmt::format("a value is missing after {}", what.substr(0, what.find(':')));
+    text = fmt::format("a value is missing after {}", text.substr(0, text.find(':')));
   }
-  return fmt::format("hawser: {} (see {} --help)\n", what, name);
+  return fmt::format("hawser: {} (see {} --help)\n", text, name);
 }
 
-CLI::Validator whole_number(long least, long most) {
+CLI::Validator whole_number(long lowest, long highest) {
   const auto test = [=](std::string& text) -> std::string {
     long n = 0;
     const auto [end, wrong] = std::from_chars(text.data(), text.data() + text.size(), n);
-    if (wrong == std::errc() && end == text.data() + text.size() && n >= least && n <= most) return "";
-    return fmt::format("{} is not a whole number from {} to {}", model::quote(text), least, most);
+    if (wrong == std::errc() && end == text.data() + text.size() && n >= lowest && n <= highest) return "";
+    return fmt::format("{} is not a whole number from {} to {}", model::quote(text), lowest, highest);
   };
   return CLI::Validator(test, "");
 }
 
-CLI::Validator positive(std::string what) {
-  const auto test = [what = std::move(what)](std::string& text) -> std::string {
+CLI::Validator positive(std::string kind) {
+  const auto test = [kind = std::move(kind)](std::string& text) -> std::string {
     char* end = nullptr;
     const double x = std::strtod(text.c_str(), &end);
-    return x > 0 && std::isfinite(x) && !*end ? "" : fmt::format("{} is no {}", model::quote(text), what);
+    return x > 0 && std::isfinite(x) && !*end ? "" : fmt::format("{} is no {}", model::quote(text), kind);
   };
   return CLI::Validator(test, "");
 }

@@ -59,7 +59,7 @@ size_t first_use(const model::Case& c, size_t i) {
 // Moving meshes are written at every output because XDMF cannot express motion. This many vertices suffice
 // for a picture and take 120 kB per output.
 constexpr int kDrawnVertices = 10000;
-bool drawn_coarser(const model::Case& c, size_t volume, size_t vertices) {
+bool displayed_coarser(const model::Case& c, size_t volume, size_t vertices) {
   return c.output.xdmf && c.body_index(c.volumes[volume].body) >= 0 && vertices > kDrawnVertices;
 }
 
@@ -91,22 +91,22 @@ class Meshes {
     l.report += ' ';
     l.report += v.smooth ? advice::curved_facets(surface->curved(), surface->bulge(), surface->sharp_edges())
                          : advice::flat_facets();
-    if (drawn_coarser(c_, i, surface->mesh().vertices.size())) {
+    if (displayed_coarser(c_, i, surface->mesh().vertices.size())) {
       l.report += ' ';
-      l.report += advice::drawn_coarser(kDrawnVertices, surface->mesh().vertices.size());
+      l.report += advice::displayed_coarser(kDrawnVertices, surface->mesh().vertices.size());
     }
     if (v.sign == SignTest::tetrahedra || v.sign == SignTest::ray || v.sign == SignTest::solid_angle)
       l.notes.push_back(advice::slow_inside_test(surface->mesh().triangles.size()));
     return surface;
   }
   // Replaces make() for a volume that shares the mesh of volume k.
-  void share(size_t i, size_t k) { blunt_[i] = blunt_[k]; }
+  void copy_bluntness(size_t i, size_t k) { blunt_[i] = blunt_[k]; }
   // To be called after the last volume.
   void check_leaders() const { io::check_leaders(c_, blunt_); }
 
  private:
-  void announce(const std::string& what, const model::Volume& v) const {
-    if (read_progress_.busy) read_progress_.busy(what, io::reading_time(v.mesh));
+  void announce(const std::string& text, const model::Volume& v) const {
+    if (read_progress_.busy) read_progress_.busy(text, io::reading_time(v.mesh));
   }
   // A file that a later volume uses as well is kept.
   io::LoadedMesh read(size_t i) {
@@ -163,19 +163,19 @@ Box reach(const model::Case& c, const std::string& body_name) {
   Box box;
   for (const model::Line& line : c.lines) {
     const double length = model::length_of(line);
-    Box own;
-    for (const Vec3& p : line.points) own.add(local(p));
+    Box line_box;
+    for (const Vec3& p : line.points) line_box.add(local(p));
     int held = 0;
     for (const model::End* e : {&line.end_a, &line.end_b})
       if (e->kind != model::EndKind::free) {
-        own.add(local(model::end_position(c, *e)));
+        line_box.add(local(model::end_position(c, *e)));
         ++held;
       }
     if (line.points.empty() && held > 0) {
-      const Vec3 middle = own.centre();
-      own.add(Box{middle, middle}.grown(held == 1 ? length : 0.5 * length));
+      const Vec3 middle = line_box.centre();
+      line_box.add(Box{middle, middle}.grown(held == 1 ? length : 0.5 * length));
     }
-    box.add(own);
+    box.add(line_box);
   }
   return box;
 }
@@ -214,7 +214,7 @@ std::vector<LoadedVolume> load_volumes(const model::Case& c, MPI_Comm comm,
       }
     } else if (const size_t k = first_use(c, i); k < i) {
       l = out[k];
-      meshes.share(i, k);
+      meshes.copy_bluntness(i, k);
     } else {
       auto surface = io::shared_on_host(comm, host, [&] { return meshes.make(i, l); });
       broadcast(host.comm(), l);
@@ -266,7 +266,7 @@ std::vector<io::VolumeMesh> volume_meshes(const model::Case& c, const std::vecto
                    {volumes[i].active.begin(), volumes[i].active.end()},
                    volumes[i].facets});
     io::VolumeMesh& v = out.back();
-    if (!drawn_coarser(c, i, v.vertices.size())) continue;
+    if (!displayed_coarser(c, i, v.vertices.size())) continue;
     v.coarse = coarse_mesh(v.vertices, v.triangles, kDrawnVertices);
     if (!v.active.empty())
       for (const int t : v.coarse.from) v.coarse_active.push_back(v.active[t]);

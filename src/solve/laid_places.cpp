@@ -188,7 +188,8 @@ class Laying {
     out.length[1] = height;
     const double weight = model::submerged_weight(c_, type);
     if (weight > 0)
-      out.length[1] = std::max(height, std::pow(72 * type.least_bending_stiffness() * height / weight, 0.25));
+      out.length[1] =
+          std::max(height, std::pow(72 * type.smallest_bending_stiffness() * height / weight, 0.25));
     out.sine[1] = height / out.length[1];
     return out;
   }

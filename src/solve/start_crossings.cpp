@@ -170,7 +170,7 @@ class Crossings {
   // of only one with the bed, at the crossing or from end to end; by the heights of the start shapes. Null:
   // neither is moved. Throws InputError if none of these applies.
   const Crossing* upper(const Crossing& a, const Crossing& b) const {
-    for (const auto& [upper_name, lower_name] : c_.contact.between_lines.over) {
+    for (const auto& [upper_name, lower_name] : c_.contact.between_lines.crossings) {
       if (upper_name == a.name() && lower_name == b.name()) return &a;
       if (upper_name == b.name() && lower_name == a.name()) return &b;
     }

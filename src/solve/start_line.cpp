@@ -245,11 +245,11 @@ LineStart lay_free(const model::Case& c, const model::Line& line, const Bodies& 
   return through(flexible_start(c, line, mesh, span, x, direction_of_free_end(c, line, end, false)));
 }
 
-double least_bending_stiffness(const model::Case& c, const model::Line& line) {
-  double smallest = HUGE_VAL;
+double smallest_bending_stiffness(const model::Case& c, const model::Line& line) {
+  double least = HUGE_VAL;
   for (const model::Section& s : line.sections)
-    smallest = std::min(smallest, c.line_type(s.type).least_bending_stiffness());
-  return smallest;
+    least = std::min(least, c.line_type(s.type).smallest_bending_stiffness());
+  return least;
 }
 
 // True if a line that is no longer than the distance of its ends carries its weight by bending: as a cable it
@@ -258,7 +258,7 @@ bool is_beam(const model::Case& c, const model::Line& line, const std::vector<Ca
              double length, const std::vector<Vec3>& x) {
   const Vec3 chord = x.back() - x.front();
   if (length > (1 + kSlack) * chord.norm()) return false;
-  const double stiffness = least_bending_stiffness(c, line);
+  const double stiffness = smallest_bending_stiffness(c, line);
   double load = 0, sag = 0;
   for (const CatenarySection& s : sections) load = std::max(load, s.load.norm());
   for (const Vec3& p : x) sag = std::max(sag, (p - x.front()).cross(chord).norm() / chord.norm());
@@ -273,7 +273,7 @@ bool stands(const model::Case& c, const model::Line& line, const std::vector<Cat
   const model::End& e = line.end_a.kind != model::EndKind::free ? line.end_a : line.end_b;
   const bool held = e.clamped || (e.kind == model::EndKind::joint && c.joint(e.body).rigid);
   if (!held || !e.direction) return false;
-  const double stiffness = least_bending_stiffness(c, line);
+  const double stiffness = smallest_bending_stiffness(c, line);
   double load = 0, at_end = 0;
   for (const CatenarySection& s : sections) {
     load = std::max(load, s.load.norm());

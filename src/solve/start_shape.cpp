@@ -218,9 +218,9 @@ class Starts {
   // Raises lines over volumes and over each other, and sets the axes of their nodes. Collective.
   void lay(const Surfaces& surfaces) {
     constexpr int kMaxNotes = 3;
-    std::vector<StartNote> over_volumes, over_lines, turned;
+    std::vector<StartNote> volume_passages, over_lines, turned;
     on_each_rank(comm_, [&] {
-      over_volumes = lay_over_volumes(c_, bodies_, surfaces, started_);
+      volume_passages = lay_over_volumes(c_, bodies_, surfaces, started_);
       over_lines = lay_over_each_other(c_, started_);
       for (StartedLine& started : started_) {
         std::vector<std::string> notes;
@@ -234,7 +234,7 @@ class Starts {
       std::move(first.texts.begin(), first.texts.end(), std::back_inserter(notes_));
       if (first.more > 0) notes_.push_back(more(static_cast<size_t>(first.more)));
     };
-    add(std::move(over_volumes), kMaxNotes, advice::more_start_over_volumes);
+    add(std::move(volume_passages), kMaxNotes, advice::more_start_over_volumes);
     add(std::move(over_lines), kMaxNotes, advice::more_start_over_lines);
     add(std::move(turned), std::numeric_limits<int>::max(), nullptr);
   }

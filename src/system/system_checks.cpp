@@ -22,7 +22,7 @@ std::optional<advice::Overstretched> System::overstretched(const Kinematics& sta
   if (!broadcast_largest(comm_, worst.beyond, 0, worst)) return std::nullopt;
   return advice::Overstretched{.place = mesh_.mesh->place(worst.node),
                                .strain = worst.strain,
-                               .most = worst.limit,
+                               .limit = worst.limit,
                                .tension = worst.tension,
                                .EA = worst.EA};
 }

@@ -1,5 +1,5 @@
-// Formulas for automatic contact stiffness of a line on a volume and between lines. run/simulation.cpp
-// (choose_stiffness) and run/line_pairs.cpp choose the initial values. During a run
+// Formulas for automatic contact stiffness of a line on a volume and between lines.
+// run/contact_stiffness.cpp and run/line_pairs.cpp choose the initial values. During a run
 // line_volume_automatic_stiffness.cpp requests more for volumes, contact_volumes_automatic_stiffness.cpp
 // raises it.
 #include "hawser/terms/automatic_stiffness.hpp"
@@ -47,7 +47,7 @@ AutomaticStiffness automatic_contact_stiffness(const StiffnessDemand& d) {
   return out;
 }
 
-double most_stiffness(const StiffnessDemand& d) {
+double largest_stiffness(const StiffnessDemand& d) {
   return std::max(d.EA, d.line_weight) / (d.radius * allowed_penetration(d));
 }
 

@@ -47,9 +47,9 @@ bool BedContact::locate(const Point& p, const Vec3& x, double beyond, ContactTri
   return cache.clear < 0;
 }
 
-double BedContact::gap(const Vec3& x, double most) const {
+double BedContact::gap(const Vec3& x, double max_distance) const {
   if (!surface_) return plane_.gap(x);
-  const auto s = surface_->query(x, most);
+  const auto s = surface_->query(x, max_distance);
   return s ? s->distance : std::numeric_limits<double>::infinity();
 }
 
@@ -218,7 +218,7 @@ Energy BedContact::energy(const Kinematics& state) const {
 Vec3 BedContact::node_force(int node) const {
   Vec3 sum = Vec3::Zero();
   for (const Point& p : points_)
-    if (const double part = share(p, node); part > 0) sum += part * history(p).force;
+    if (const double fraction = fraction_on_node(p, node); fraction > 0) sum += fraction * history(p).force;
   return sum;
 }
 

@@ -16,7 +16,7 @@ void BedContact::fields(FieldRegistry& registry) const {
                        for (const Point& p : points_)
                          for (const int node : {p.node, p.second})
                            if (p.history_index >= 0 && mesh_.owns(node))
-                             show(node, share(p, node), Mat3::Identity(), history(p));
+                             show(node, fraction_on_node(p, node), Mat3::Identity(), history(p));
                      });
 }
 

@@ -12,7 +12,7 @@ PressedFriction BedContact::pressed_friction_at(const Point& p, const Vec3& x) c
   FrictionLaw law = this->law(p).law.friction;
   if (firm_ && friction_ == Friction::pressed) law.stiffness = this->law(p).axial_stiffness;
   return pressed_friction(law, from.normal_force, from.slip + (x - from.place), from.normal,
-                          starts_[index_of(p)].direction, least_slip_);
+                          starts_[index_of(p)].direction, full_slip_);
 }
 
 void BedContact::lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm) {
@@ -42,7 +42,7 @@ void BedContact::press_by_contact(const Kinematics& state) {
   }
 }
 
-void BedContact::follow_contact(const Kinematics& state) {
+void BedContact::use_contact_friction(const Kinematics& state) {
   for (const Point& p : points_) {
     LaidReference& laid = laid_[index_of(p)];
     if (!firm_ || !(laid.normal_force > 0)) continue;
@@ -54,7 +54,7 @@ void BedContact::follow_contact(const Kinematics& state) {
     laid.place = x;
   }
   friction_ = Friction::contact;
-  least_slip_ = 0;
+  full_slip_ = 0;
 }
 
 std::vector<BedContact::OnBed> BedContact::on_bed(const Kinematics& state) const {
@@ -73,7 +73,7 @@ std::vector<BedContact::OnBed> BedContact::on_bed(const Kinematics& state) const
     const double a = f.axial > 0 ? along / (f.axial * h.normal_force) : 0;
     const double l = f.lateral > 0 ? across / (f.lateral * h.normal_force) : 0;
     if (std::hypot(a, l) < kMobilised) line.sticking += law(p).length;
-    line.taken += along;
+    line.friction_tension += along;
   }
   return out;
 }

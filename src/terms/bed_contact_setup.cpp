@@ -59,7 +59,7 @@ namespace {
 BedContact::Plane plane_of(const model::Seabed& s) { return {Vec3(0, 0, -s.depth), model::bed_normal(s)}; }
 
 // Share of the line that belongs to a point.
-struct Share {
+struct Tributary {
   double radius = 0, length = 0, area = 0, weight = 0;  // m, m, m², N under water
   double axial_stiffness = 0;                           // N/m
   double lowered = 0;                                   // m, lowering of the bed at the point
@@ -73,23 +73,23 @@ struct Share {
   }
 };
 
-BedContact::PointLaw law_of(const Share& s, const model::Seabed& bed) {
+BedContact::PointLaw law_of(const Tributary& s, const model::Seabed& bed) {
   BedContact::PointLaw o;
   if (!(s.length > 0)) return o;
   o.radius = s.radius - s.lowered;
   o.length = s.length;
   o.weight = s.weight;
   o.axial_stiffness = s.axial_stiffness;
-  const double share = bed.basis == model::StiffnessBasis::per_length ? s.length : s.area;
-  const double k = bed.normal_stiffness * share;
+  const double extent = bed.basis == model::StiffnessBasis::per_length ? s.length : s.area;
+  const double k = bed.normal_stiffness * extent;
   NormalLaw& normal = o.law.normal;
   normal.stiffness = k;
-  normal.damping = bed.damping * share;
-  o.suction = {bed.suction * share, bed.suction_length};
+  normal.damping = bed.damping * extent;
+  o.suction = {bed.suction * extent, bed.suction_length};
   normal.table = bed.force_table.get();
-  normal.table_factor = share;
+  normal.table_factor = extent;
   normal.smoothing = model::bed_smoothing(bed, s.radius, s.weight, k);
-  o.law.friction = friction_law(bed.friction, share, 2 * s.radius);
+  o.law.friction = friction_law(bed.friction, extent, 2 * s.radius);
   return o;
 }
 
@@ -129,7 +129,7 @@ class BedAtEnds {
 // without bending stiffness they do not bridge the distance between a node in contact and the next one
 // (docs/theory/seabed.md). In a partly buried element, the node outside has the bare part of its half.
 BedContact::PointLaws laws_of(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held) {
-  std::vector<Share> nodes(static_cast<size_t>(mesh.owned)), middles(mesh.elements.size());
+  std::vector<Tributary> nodes(static_cast<size_t>(mesh.owned)), middles(mesh.elements.size());
   std::vector<BedAtEnds> ends;
   for (size_t l = 0; l < c.lines.size(); ++l) ends.emplace_back(c, *mesh.mesh, l);
   for (size_t i = 0; i < mesh.elements.size(); ++i) {
@@ -155,8 +155,8 @@ BedContact::PointLaws laws_of(const LocalMesh& mesh, const model::Case& c, const
   for (const int node : held)
     if (node < mesh.owned) nodes[node] = {};
   BedContact::PointLaws laws;
-  for (const Share& s : nodes) laws.nodes.push_back(law_of(s, c.environment.seabed));
-  for (const Share& s : middles) laws.middles.push_back(law_of(s, c.environment.seabed));
+  for (const Tributary& s : nodes) laws.nodes.push_back(law_of(s, c.environment.seabed));
+  for (const Tributary& s : middles) laws.middles.push_back(law_of(s, c.environment.seabed));
   return laws;
 }
 

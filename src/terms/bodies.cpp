@@ -27,21 +27,21 @@ void Bodies::in_state(const model::Case& c, const LocalMesh& mesh) {
     f.node = mesh.mesh->frame_node(static_cast<int>(b));
     f.exchanged = pose(static_cast<int>(b), 0.0);
     if (c.bodies[b].mass) f.centre = c.bodies[b].mass->centre;
-    if (!c.bodies[b].on || c.bodies[b].on->drawn) continue;
+    if (!c.bodies[b].ride || c.bodies[b].ride->placed_in_space) continue;
     f.turn = exp_so3(c.bodies[b].rotation);
     f.centre = -(f.turn.conjugate() * c.bodies[b].position);
   }
 }
 
-void Bodies::fix_drawn(MPI_Comm comm, const model::Case& c, const Kinematics& start) {
-  std::vector<size_t> drawn;
+void Bodies::fix_placed_in_space(MPI_Comm comm, const model::Case& c, const Kinematics& start) {
+  std::vector<size_t> placed;
   for (size_t b = 0; b < frames_.size(); ++b)
-    if (c.bodies[b].on && c.bodies[b].on->drawn) drawn.push_back(b);
-  if (drawn.empty()) return;
+    if (c.bodies[b].ride && c.bodies[b].ride->placed_in_space) placed.push_back(b);
+  if (placed.empty()) return;
   // Only the rank that owns the node contributes; other ranks may need the result later.
-  std::vector<double> places(7 * drawn.size(), 0);
-  for (size_t i = 0; i < drawn.size(); ++i) {
-    const int body = static_cast<int>(drawn[i]), node = local_node(body);
+  std::vector<double> places(7 * placed.size(), 0);
+  for (size_t i = 0; i < placed.size(); ++i) {
+    const int body = static_cast<int>(placed[i]), node = local_node(body);
     if (!mesh_->owns(node)) continue;
     const RigidBodyState s = floating_state(start, node);
     const RigidPose p = pose(body, 0.0);
@@ -51,8 +51,8 @@ void Bodies::fix_drawn(MPI_Comm comm, const model::Case& c, const Kinematics& st
     std::copy_n(turn.coeffs().data(), 4, &places[7 * i + 3]);
   }
   all_reduce(comm, MPI_SUM, places);
-  for (size_t i = 0; i < drawn.size(); ++i) {
-    Frame& f = frames_[drawn[i]];
+  for (size_t i = 0; i < placed.size(); ++i) {
+    Frame& f = frames_[placed[i]];
     f.centre = Vec3(&places[7 * i]);
     f.turn.coeffs() = Eigen::Map<const Eigen::Vector4d>(&places[7 * i + 3]);
   }

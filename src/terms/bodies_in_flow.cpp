@@ -55,7 +55,7 @@ void BodiesInFlow::add(const model::Case& c, int body, int node, const LocalMesh
   f.block = mesh.block[node];
   f.global = mesh.global[node];
   f.body = body;
-  f.rest = static_rest(c, body);
+  f.static_rest = static_rest(c, body);
 }
 
 // Gusts act in dynamics only.
@@ -66,17 +66,17 @@ FlowVelocity BodiesInFlow::velocity(const Flow& f, const Kinematics& state, cons
     if (state.moves()) out.velocity += wind_.gust(state.time);
     return out;
   }
-  const Water still = sea_.still_at((s.x + s.q * f.data.arm).z(), state.time);
-  out.velocity = still.velocity;
-  out.by_height = still.by_height;
+  const Water calm = sea_.calm_at((s.x + s.q * f.data.arm).z(), state.time);
+  out.velocity = calm.velocity;
+  out.by_height = calm.by_height;
   return out;
 }
 
 BodiesInFlow::Push BodiesInFlow::push(const Flow& f, const Kinematics& state) const {
   const RigidBodyState s = floating_state(state, f.node);
   const Vec3 c = relative_flow(f.data, s, velocity(f, state, s).velocity);
-  const Vec3 by = flow_force(f.data, c.x(), c.y()).force;
-  return {s.q * Vec3(by.x(), by.y(), 0), s.x + s.q * f.data.arm, Vec3(0, 0, by.z()), s.q};
+  const Vec3 force = flow_force(f.data, c.x(), c.y()).force;
+  return {s.q * Vec3(force.x(), force.y(), 0), s.x + s.q * f.data.arm, Vec3(0, 0, force.z()), s.q};
 }
 
 std::vector<std::string> BodiesInFlow::load_components(int body) const {

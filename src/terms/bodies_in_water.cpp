@@ -25,7 +25,7 @@ BodiesInWater::BodiesInWater(const model::Case& c, const LocalMesh& mesh) : sea_
     const model::Body& body = c.bodies[b.body];
     const model::BodyMass& m = *body.mass;
     if (!m.in_water && m.members.empty()) continue;
-    b.rest = static_rest(c, b.body);
+    b.static_rest = static_rest(c, b.body);
     const size_t first = list_.size();
     if (m.in_water) {
       const model::BodyInWater& w = *m.in_water;
@@ -88,16 +88,16 @@ BodiesInWater::Places BodiesInWater::wave_places(const Wet& b, const Kinematics&
 
 Water BodiesInWater::water(const Wet& b, const Kinematics& state, const Vec3& x,
                            WaveMotion Wet::*wave) const {
-  const Water still = sea_.still_at(x.z(), state.time);
-  if (sea_.waves.none() || !state.moves()) return still;
+  const Water calm = sea_.calm_at(x.z(), state.time);
+  if (sea_.waves.none() || !state.moves()) return calm;
   if (!b.known || b.time != state.time) {
-    const Places there = wave_places(b, state);
-    b.centre = sea_.waves_at(there.centre, state.time);
-    b.drag = there.drag == there.centre ? b.centre : sea_.waves_at(there.drag, state.time);
+    const Places places = wave_places(b, state);
+    b.centre = sea_.waves_at(places.centre, state.time);
+    b.drag = places.drag == places.centre ? b.centre : sea_.waves_at(places.drag, state.time);
     b.time = state.time;
     b.known = true;
   }
-  return still + b.*wave;
+  return calm + b.*wave;
 }
 
 BodiesInWater::Flow BodiesInWater::all_forces(const Wet& b, const RigidBodyState& s,
@@ -231,16 +231,16 @@ std::vector<std::string> BodiesInWater::load_components(int body) const {
 
 std::vector<BodyForce> BodiesInWater::forces_on(int body, const Kinematics& state) const {
   BodyForce sum;
-  bool here = false;
+  bool acts = false;
   for (const Wet& b : list_) {
     if (b.body != body) continue;
-    here = true;
+    acts = true;
     const RigidBodyState s = body_state(b, state);
     const Flow f = all_forces(b, s, state);
     sum.force += f.force.at_centre + f.force.at_drag;
     sum.moment += (f.at.centre - s.x).cross(f.force.at_centre) + (f.at.drag - s.x).cross(f.force.at_drag);
   }
-  return here ? std::vector<BodyForce>{sum} : std::vector<BodyForce>{};
+  return acts ? std::vector<BodyForce>{sum} : std::vector<BodyForce>{};
 }
 
 namespace {

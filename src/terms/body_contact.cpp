@@ -54,15 +54,16 @@ BodyContact::BodyContact(MPI_Comm comm, const model::Case& c, const LocalMesh& m
     Pair pair;
     pair.a = p.a;
     pair.b = p.b;
-    pair.share = p.share;
+    pair.force_factor = p.force_factor;
     pair.hides = p.hides;
     pair.mass = 1 / (1 / bodies_of_volumes_[p.a].mass + 1 / bodies_of_volumes_[p.b].mass);
     pair.size = boxes_[p.a].extent().maxCoeff();  // a plane is never the slave
     pair.round = std::min(kSmoothing * pair.size, kMostSmoothing);
-    pair.most_depth = kDeepestAtOnce * pair.size;
+    pair.max_approach = kDeepestAtOnce * pair.size;
     for (const auto& [i, first] : {std::pair(p.a, 0), std::pair(p.b, 6)}) {
       const Vec3 e = boxes_[i].extent();
-      if (e.allFinite() && e.minCoeff() > 0) pair.most_depth = std::min(pair.most_depth, 0.5 * e.minCoeff());
+      if (e.allFinite() && e.minCoeff() > 0)
+        pair.max_approach = std::min(pair.max_approach, 0.5 * e.minCoeff());
       const PairBody& body = bodies_of_volumes_[i];
       if (body.global < 0) continue;
       pair.root.block<3, 3>(first, first) = Mat3::Identity() / std::sqrt(body.mass);
@@ -102,12 +103,12 @@ void BodyContact::renumber() {
   }
   for (Pair& p : pairs_) {
     const PairBody &a = bodies_of_volumes_[p.a], &b = bodies_of_volumes_[p.b];
-    p.here = owned(a) || owned(b);
+    p.owns_body = owned(a) || owned(b);
     p.counted = a.global >= 0 ? owned(a) : owned(b);
   }
 }
 
-Vec3 BodyContact::Both::turned_since(const Both& start) const {
+Vec3 BodyContact::PairFrames::turned_since(const PairFrames& start) const {
   return log_so3(Quat(Mat3(turn() * start.turn().transpose())));
 }
 
@@ -129,7 +130,7 @@ BodyFrame BodyContact::frame(size_t volume, const Kinematics& state) const {
           state.w[n], state.alpha[n]};
 }
 
-BodyContact::Both BodyContact::both(const Pair& pair, const Kinematics& state) const {
+BodyContact::PairFrames BodyContact::frames_of(const Pair& pair, const Kinematics& state) const {
   return {frame(pair.a, state), frame(pair.b, state)};
 }
 
@@ -140,18 +141,18 @@ bool BodyContact::near(size_t volume, const Vec3& centre, double radius, double 
   return s && s->distance <= reach;
 }
 
-void BodyContact::contact_of_edge(const Pair& pair, const Both& at, const RigidPose& pose,
+void BodyContact::contact_of_edge(const Pair& pair, const PairFrames& at, const RigidPose& pose,
                                   const SkeletonPart& e, const AxisContactMode& mode,
                                   const Slipping& friction, BodyContactPoints& points) const {
   const Surface& surface = *volumes_[pair.b].surface;
   const double contact_distance = e.radius + pair.law.smoothing, length = (e.to - e.from).norm(),
-               weight = pair.share * length;
+               weight = pair.force_factor * length;
   const AxisShape shape = chord(at.A, e.from, e.to);
   const auto place = [&](double xi) { return points.place(e.place(xi)); };
-  ContactQuadrature found;
+  ContactQuadrature contact;
   auto gap = axis_distance(surface, pose, shape, contact_distance);
-  found.add_panels(split_intervals(contact_intervals(gap, {length}, kEdgeLevels), kEdgeLevels), 0, weight,
-                   [&](double xi) { return surface.query(place(xi), contact_distance); });
+  contact.add_panels(split_intervals(contact_intervals(gap, {length}, kEdgeLevels), kEdgeLevels), 0, weight,
+                     [&](double xi) { return surface.query(place(xi), contact_distance); });
   const Vec3 slope = place(1) - place(0);
   // Derivative of a panel's end by the bodies' motion; nullopt if the edge is parallel to the surface.
   const auto moving_end = [&](double xi) -> std::optional<Vec6> {
@@ -164,10 +165,10 @@ void BodyContact::contact_of_edge(const Pair& pair, const Both& at, const RigidP
   const bool with_ends = mode.tangent && !mode.convex;
   std::vector<BodyFrictionPoint> touching;
   std::array<std::optional<Vec6>, 2> ends;
-  for (size_t i = 0; i < found.quadrature.size(); ++i) {
-    const QuadraturePoint& q = found.quadrature[i];
-    const ContactPanel& panel = found.panels[q.panel];
-    if (with_ends && (i == 0 || found.quadrature[i - 1].panel != q.panel))
+  for (size_t i = 0; i < contact.quadrature.size(); ++i) {
+    const QuadraturePoint& q = contact.quadrature[i];
+    const ContactPanel& panel = contact.panels[q.panel];
+    if (with_ends && (i == 0 || contact.quadrature[i - 1].panel != q.panel))
       ends = {panel.from_moves ? moving_end(panel.from) : std::nullopt,
               panel.to_moves ? moving_end(panel.to) : std::nullopt};
     std::array<BodyContactPoints::MovingEnd, 2> moving;
@@ -193,27 +194,29 @@ void BodyContact::contact_of_edge(const Pair& pair, const Both& at, const RigidP
   if (friction.points) friction.points->add(volumes_[pair.a].skeleton.features.index(e), touching);
 }
 
-BodyContact::Sum BodyContact::contact(const Pair& pair, const Both& at, const AxisContactMode& mode,
+BodyContact::Sum BodyContact::contact(const Pair& pair, const PairFrames& at, const AxisContactMode& mode,
                                       const Slipping& friction) const {
   const BodyFrame &A = at.A, &B = at.B;
   RigidPose pose;  // of the surface
   pose.position = B.to_space(Vec3::Zero());
   pose.rotation = Quat(B.R);
   Sum sum;
-  sum.on.f = Vec12::Zero();
+  sum.residual.f = Vec12::Zero();
   const bool slips = friction.law.active();
-  BodyContactPoints points(A, B, slips ? at.turned_since(pair.at) : Vec3(Vec3::Zero()), friction.step, mode);
+  BodyContactPoints points(A, B, slips ? at.turned_since(pair.frames) : Vec3(Vec3::Zero()), friction.step,
+                           mode);
   const auto point = [&](const SkeletonPart& p) {
     const Vec3 z = points.place(p.from);
     const auto s = volumes_[pair.b].surface->query(z, p.radius + pair.law.smoothing);
     if (!s) return;
     const ContactStart start = slips ? start_of(pair, at, p, 0, nullptr) : ContactStart();
     const AxisContactPoint at_point =
-        points.add({pair.law, friction.law}, start, *s, z, p.radius, pair.share * p.weight);
+        points.add({pair.law, friction.law}, start, *s, z, p.radius, pair.force_factor * p.weight);
     if (friction.eighths) add_resultant(pair, p.from, z, p.radius, at_point, *friction.eighths);
     if (!friction.points || !(at_point.normal_force > 0)) return;
-    const BodyFrictionPoint left{0, 0, 0, at_point.weight, at_point.slip, at_point.normal, at_point.friction};
-    friction.points->add(volumes_[pair.a].skeleton.features.index(p), {&left, 1});
+    const BodyFrictionPoint touching_point{
+        0, 0, 0, at_point.weight, at_point.slip, at_point.normal, at_point.friction};
+    friction.points->add(volumes_[pair.a].skeleton.features.index(p), {&touching_point, 1});
   };
   volumes_[pair.a].skeleton.features.walk(
       [&](const Vec3& y, double r) { return near(pair.b, at.across(y), r, pair.law.smoothing); },
@@ -233,29 +236,29 @@ BodyContact::Sum BodyContact::contact(const Pair& pair, const Both& at, const Ax
   double *k = mode.tangent ? K.data() : nullptr, *c = mode.tangent ? C.data() : nullptr;
   points.to_body(f.data(), k, c);
   const std::array<LineBlock, 2> blocks{LineBlock{0, false, A.x, A.v, A.R}, {1, true, A.x, A.v, A.R}};
-  sum.on = against_body(blocks, {2, B.x, B.v, B.R}, !mode.convex, f.data(), k, c);
+  sum.residual = against_body(blocks, {2, B.x, B.v, B.R}, !mode.convex, f.data(), k, c);
   const Vec12 rates = at.rates();
   for (const auto& [volume, first] : {std::pair(pair.a, 0), std::pair(pair.b, 6)})
     if (bodies_of_volumes_[volume].global < 0)
-      sum.work_power += sum.on.f.segment<6>(first).dot(rates.segment<6>(first));
+      sum.work_power += sum.residual.f.segment<6>(first).dot(rates.segment<6>(first));
   return sum;
 }
 
 void BodyContact::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Pair& p : pairs_) {
-    if (!p.here) continue;
+    if (!p.owns_body) continue;
     const PairBody &a = bodies_of_volumes_[p.a], &b = bodies_of_volumes_[p.b];
     const bool tangent = assembler.needs_tangent();
-    const Sum s = contact(p, both(p, trial), {trial.moves(), tangent, false}, slipping(p, trial.step));
+    const Sum s = contact(p, frames_of(p, trial), {trial.moves(), tangent, false}, slipping(p, trial.step));
     if (!s.active) continue;
     // Only bodies with unknowns have rows and columns.
     const Eigen::Index first = a.global < 0 ? 6 : 0, count = a.global < 0 || b.global < 0 ? 6 : 12;
     const std::array<int, 4> blocks{a.block, a.block + 1, b.block, b.block + 1};
-    const Eigen::VectorXd f = s.on.f.segment(first, count);
+    const Eigen::VectorXd f = s.residual.f.segment(first, count);
     AgainstBody::Matrix K, C;
     if (tangent) {
-      K = s.on.K.block(first, first, count, count);
-      C = s.on.C.block(first, first, count, count);
+      K = s.residual.K.block(first, first, count, count);
+      C = s.residual.C.block(first, first, count, count);
     }
     assembler.add({&blocks[first / 3], static_cast<size_t>(count / 3)}, f, K, C);
   }
@@ -263,15 +266,15 @@ void BodyContact::evaluate(const Kinematics& trial, Assembler& assembler) {
 
 void BodyContact::prepare(const Kinematics& from, double h) {
   for (Pair& p : pairs_) {
-    if (!p.here) continue;
-    p.at = both(p, from);
-    const Sum s = contact(p, p.at, kStiffness);
+    if (!p.owns_body) continue;
+    p.frames = frames_of(p, from);
+    const Sum s = contact(p, p.frames, kStiffness);
     p.potential = s.potential;
-    p.stiffness = s.active ? s.on.K.topLeftCorner<3, 3>().norm() : 0;
+    p.stiffness = s.active ? s.residual.K.topLeftCorner<3, 3>().norm() : 0;
     p.penetration = s.depth;
-    p.elastic = s.active ? Vec12(contact(p, p.at, kSprings).on.f) : Vec12(Vec12::Zero());
+    p.elastic = s.active ? Vec12(contact(p, p.frames, kSprings).residual.f) : Vec12(Vec12::Zero());
     p.frequency = h > 0 ? frequency(p, s) : 0;
-    p.energy = relative_energy(p, p.at) + s.potential;
+    p.energy = relative_energy(p, p.frames) + s.potential;
     p.damping_power = s.damping_power;
     p.work_power = s.work_power + friction_power(p);
     if (!p.acted) store_first_forces(p, h);
@@ -284,9 +287,9 @@ void BodyContact::store_first_forces(Pair& p, double h) const {
   Slipping friction = slipping(p, 0);
   Eighths eighths;
   if (p.counted) friction.eighths = &eighths;
-  const Sum s = contact(p, p.at, {h > 0}, friction);
-  p.acts = s.active ? Vec12(s.on.f) : Vec12(Vec12::Zero());
-  if (p.counted) p.resultants = resultants_of(p, p.at, eighths);
+  const Sum s = contact(p, p.frames, {h > 0}, friction);
+  p.acts = s.active ? Vec12(s.residual.f) : Vec12(Vec12::Zero());
+  if (p.counted) p.resultants = resultants_of(p, p.frames, eighths);
 }
 
 void BodyContact::commit(const Kinematics& accepted) {
@@ -294,8 +297,8 @@ void BodyContact::commit(const Kinematics& accepted) {
     Slipping friction = slipping(p, accepted.step);
     const bool slips = friction.law.active();
     // Slip and forces are kept on the ranks of both bodies.
-    if (!p.here) continue;
-    const Both now = both(p, accepted);
+    if (!p.owns_body) continue;
+    const PairFrames now = frames_of(p, accepted);
     BodyFrictionPoints touching;
     Eighths eighths;
     if (slips) friction.points = &touching;
@@ -304,12 +307,12 @@ void BodyContact::commit(const Kinematics& accepted) {
     if (slips && accepted.moves())
       p.dissipated += half_dissipation(p, now, p.touching) + half_dissipation(p, now, touching);
     p.touching = std::move(touching);
-    p.acts = s.active ? Vec12(s.on.f) : Vec12(Vec12::Zero());
+    p.acts = s.active ? Vec12(s.residual.f) : Vec12(Vec12::Zero());
     p.acted = true;
     if (!p.counted) continue;
     p.depth = std::max(p.depth, s.depth);
     p.potential = s.potential;
-    p.now.force = s.on.f.segment<3>(0).norm();
+    p.now.force = s.residual.f.segment<3>(0).norm();
     p.now.energy = s.potential;
     p.now.depth = s.depth;
     p.resultants = resultants_of(p, now, eighths);
@@ -324,7 +327,7 @@ Energy BodyContact::energy(const Kinematics& state) const {
   Energy e;
   for (const Pair& p : pairs_) {
     if (!p.counted) continue;
-    e.strain += state.ends_step() ? p.potential : contact(p, both(p, state), kSprings).potential;
+    e.strain += state.ends_step() ? p.potential : contact(p, frames_of(p, state), kSprings).potential;
     e.damping += p.damping;
     e.friction += p.dissipated;
     e.work += p.work;
@@ -343,10 +346,10 @@ std::vector<BodyForce> BodyContact::forces_on(int body, const Kinematics& state)
   BodyForce sum;
   for (const Pair& p : pairs_)
     for (const auto& [volume, first] : {std::pair(p.a, 0), std::pair(p.b, 6)}) {
-      const PairBody& own = bodies_of_volumes_[volume];
-      if (own.body != body || own.node < 0) continue;
+      const PairBody& carrier = bodies_of_volumes_[volume];
+      if (carrier.body != body || carrier.node < 0) continue;
       sum.force -= p.acts.segment<3>(first);
-      sum.moment -= state.q[own.node] * p.acts.segment<3>(first + 3);
+      sum.moment -= state.q[carrier.node] * p.acts.segment<3>(first + 3);
     }
   return {sum};
 }
@@ -355,7 +358,8 @@ std::vector<BodyForce> BodyContact::forces_on(int body, const Kinematics& state)
 double BodyContact::round_off(const Kinematics&, double) const {
   double sum = 0;
   for (const Pair& p : pairs_)
-    if (p.counted) sum += std::pow(4 * DBL_EPSILON * p.stiffness * (p.at.A.x.norm() + p.at.B.x.norm()), 2);
+    if (p.counted)
+      sum += std::pow(4 * DBL_EPSILON * p.stiffness * (p.frames.A.x.norm() + p.frames.B.x.norm()), 2);
   return sum;
 }
 
@@ -377,7 +381,8 @@ void BodyContact::add_resultant(const Pair& pair, const Vec3& y, const Vec3& z, 
   to[eighth].add(z - (r + point.gap) * point.normal, point, Mat3::Identity());
 }
 
-ContactResultants BodyContact::resultants_of(const Pair& pair, const Both& at, const Eighths& sums) const {
+ContactResultants BodyContact::resultants_of(const Pair& pair, const PairFrames& at,
+                                             const Eighths& sums) const {
   ContactResultants out;
   const double sign = pair.a < pair.b ? 1 : -1;  // the force on the first of the two
   for (const ResultantSum& sum : sums)

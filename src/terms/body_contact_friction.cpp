@@ -25,8 +25,8 @@ struct FeaturePoint {
 
 std::vector<double> values_of(const BodyFrictionPoints& points) {
   std::vector<double> values;
-  points.each([&](int feature, std::span<const BodyFrictionPoint> of) {
-    for (const BodyFrictionPoint& p : of) put(FeaturePoint{feature, p}, values);
+  points.each([&](int feature, std::span<const BodyFrictionPoint> group) {
+    for (const BodyFrictionPoint& p : group) put(FeaturePoint{feature, p}, values);
   });
   return values;
 }
@@ -35,28 +35,28 @@ BodyFrictionPoints points_of(const std::vector<double>& values) {
   CheckpointRecord record;
   record.values = values;
   BodyFrictionPoints points;
-  std::vector<BodyFrictionPoint> of;
+  std::vector<BodyFrictionPoint> group;
   const std::vector<FeaturePoint> all = entries<FeaturePoint>(record);
   for (size_t i = 0; i < all.size(); ++i) {
-    of.push_back(all[i].point);
+    group.push_back(all[i].point);
     if (i + 1 < all.size() && all[i + 1].feature == all[i].feature) continue;
-    points.add(all[i].feature, of);
-    of.clear();
+    points.add(all[i].feature, group);
+    group.clear();
   }
   return points;
 }
 
 }  // namespace
 
-ContactStart BodyContact::start_of(const Pair& pair, const Both& trial, const SkeletonPart& part, double xi,
-                                   ContactRates* rates) const {
-  const Vec3 y = part.place(xi), slope = pair.at.turn() * (part.to - part.from);
+ContactStart BodyContact::start_of(const Pair& pair, const PairFrames& trial, const SkeletonPart& part,
+                                   double xi, ContactRates* rates) const {
+  const Vec3 y = part.place(xi), slope = pair.frames.turn() * (part.to - part.from);
   ContactStart s;
-  s.point = pair.at.across(y);
+  s.point = pair.frames.across(y);
   if (part.from != part.to) s.tangent = slope.normalized();
   if (rates) rates->start_point = slope;
-  const auto known = pair.touching.of(volumes_[pair.a].skeleton.features.index(part));
-  if (previous_slip(known, xi, s, rates)) return s;
+  const auto previous_points = pair.touching.of(volumes_[pair.a].skeleton.features.index(part));
+  if (previous_slip(previous_points, xi, s, rates)) return s;
   // Bound of the gap at the start for a point that touches in the trial, from its displacement.
   const double within =
       (trial.across(y) - s.point).norm() + part.radius + pair.law.smoothing + 1e-6 * pair.size;
@@ -68,16 +68,16 @@ ContactStart BodyContact::start_of(const Pair& pair, const Both& trial, const Sk
 
 // Trapezoidal rule: friction times the displacement z1 - z0 of the point relative to the surface. The surface
 // of a ball also moves by -r phi x n due to its rotation phi.
-double BodyContact::half_dissipation(const Pair& pair, const Both& trial,
+double BodyContact::half_dissipation(const Pair& pair, const PairFrames& trial,
                                      const BodyFrictionPoints& points) const {
   const SkeletonParts& parts = volumes_[pair.a].skeleton.features;
-  const Vec3 turned = trial.turned_since(pair.at);
+  const Vec3 turned = trial.turned_since(pair.frames);
   double sum = 0;
   points.each([&](int feature, std::span<const BodyFrictionPoint> touching) {
     const SkeletonPart& part = parts[feature];
     for (const BodyFrictionPoint& p : touching) {
       const Vec3 y = part.place(p.xi);
-      const Vec3 moved = trial.across(y) - pair.at.across(y) - part.radius * turned.cross(p.normal);
+      const Vec3 moved = trial.across(y) - pair.frames.across(y) - part.radius * turned.cross(p.normal);
       sum -= 0.5 * p.weight * p.friction.dot(moved);
     }
   });
@@ -89,13 +89,13 @@ double BodyContact::half_dissipation(const Pair& pair, const Both& trial,
 double BodyContact::friction_power(const Pair& pair) const {
   const bool by_a = bodies_of_volumes_[pair.a].global < 0, by_b = bodies_of_volumes_[pair.b].global < 0;
   if (!by_a && !by_b) return 0;
-  const BodyFrame &A = pair.at.A, &B = pair.at.B;
+  const BodyFrame &A = pair.frames.A, &B = pair.frames.B;
   const SkeletonParts& parts = volumes_[pair.a].skeleton.features;
   double sum = 0;
   pair.touching.each([&](int feature, std::span<const BodyFrictionPoint> touching) {
     const SkeletonPart& part = parts[feature];
     for (const BodyFrictionPoint& p : touching) {
-      const Vec3 z = pair.at.across(part.place(p.xi)) - part.radius * p.normal;
+      const Vec3 z = pair.frames.across(part.place(p.xi)) - part.radius * p.normal;
       Vec3 speed = Vec3::Zero();
       if (by_b) speed += B.velocity(z);
       if (by_a) speed -= A.velocity(A.to_body(B.to_space(z)));
@@ -140,11 +140,11 @@ void BodyContact::restore(const std::vector<CheckpointRecord>& records) {
     p.depth = kept.depth;
     p.met = kept.met;
   }
-  share_slip();
+  send_slip();
 }
 
 // All ranks process the pairs in the same order, so that sends and receives match.
-void BodyContact::share_slip() {
+void BodyContact::send_slip() {
   const int rank = rank_of(comm_);
   for (Pair& p : pairs_) {
     const int a = bodies_of_volumes_[p.a].global, b = bodies_of_volumes_[p.b].global;

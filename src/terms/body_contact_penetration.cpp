@@ -18,13 +18,14 @@ constexpr double kBeyond = 2;      // factor on the penetration of the features,
 
 }  // namespace
 
-double BodyContact::deepest(size_t volume, const BodyFrame& of, size_t in, const BodyFrame& there) const {
-  const auto across = [&](const Vec3& y) { return there.to_body(of.to_space(y)); };
+double BodyContact::overlap_depth(size_t volume, const BodyFrame& frame, size_t other,
+                                  const BodyFrame& other_frame) const {
+  const auto across = [&](const Vec3& y) { return other_frame.to_body(frame.to_space(y)); };
   double depth = 0;  // only deeper points are of interest
   volumes_[volume].skeleton.faces.walk(
-      [&](const Vec3& y, double r) { return near(in, across(y), r, -depth); },
+      [&](const Vec3& y, double r) { return near(other, across(y), r, -depth); },
       [&](const SkeletonPart& p) {
-        if (const auto s = volumes_[in].surface->query(across(p.from), 0))
+        if (const auto s = volumes_[other].surface->query(across(p.from), 0))
           depth = std::max(depth, -s->distance);
       });
   return depth;
@@ -46,7 +47,8 @@ void BodyContact::check_overlap(double time) {
     watched = watched || p.hides;
     const bool again = p.other >= 0 && static_cast<size_t>(p.other) < i;  // the same two volumes
     if (!p.hides || !p.counted || again) continue;
-    const double depth = std::max(deepest(p.a, p.at.A, p.b, p.at.B), deepest(p.b, p.at.B, p.a, p.at.A));
+    const double depth = std::max(overlap_depth(p.a, p.frames.A, p.b, p.frames.B),
+                                  overlap_depth(p.b, p.frames.B, p.a, p.frames.A));
     // If each volume is the slave in a pair, the penetration may show in the other pair.
     const double penetration = std::max(p.penetration, p.other < 0 ? 0 : pairs_[p.other].penetration);
     p.met = depth > 0 ? std::max(p.met, penetration) : 0;

@@ -17,7 +17,7 @@ BodyContactPoints::BodyContactPoints(const BodyFrame& body, const BodyFrame& sur
       centre_(surface.to_body(body.x)),
       velocity_(to_axes_ * (body.v - surface.velocity(centre_))),
       turning_(turn_ * body.w - surface.w),
-      own_turning_(turn_ * body.w),
+      body_turning_(turn_ * body.w),
       surface_turning_(surface.w),
       turned_(turned),
       step_(step),
@@ -68,7 +68,7 @@ AxisContactPoint BodyContactPoints::add(const ContactLaw& law, const ContactStar
     const Mat3 C = -weight * c.by_velocity, Cb = C * b;
     const Mat3 by_spin = C * hat(surface_turning_);
     K -= by_spin;
-    by_turn += by_spin * b - C * hat(own_turning_.cross(arm));
+    by_turn += by_spin * b - C * hat(body_turning_.cross(arm));
     C_.topLeftCorner<3, 3>() += C;
     C_.topRightCorner<3, 3>() -= Cb;
     C_.bottomLeftCorner<3, 3>() += m * C;
@@ -105,10 +105,10 @@ void BodyContactPoints::add_moving_ends(const ContactLaw& law, const ContactStar
   const Vec3 f = -point.force, along = -ball_force_along(law, start, trial, turned_, rates);
   const Vec3 touch = z - centre_ - radius * trial.normal,
              touch_along = slope - radius * trial.curvature * slope;
-  const Vec6 here = (Vec6() << f, touch.cross(f)).finished(),
+  const Vec6 by_force = (Vec6() << f, touch.cross(f)).finished(),
              change = (Vec6() << along, touch_along.cross(f) + touch.cross(along)).finished();
   for (const MovingEnd& end : ends)
-    K_ += (end.weight * here + end.place * change) * end.by_motion.transpose();
+    K_ += (end.weight * by_force + end.place * change) * end.by_motion.transpose();
 }
 
 // Positions are in space axes, rotations in body axes.

@@ -59,7 +59,7 @@ class BodyContactPoints {
   Vec3 centre_;   // m, centre of the body, frame of the surface
   // In axes of the surface: velocity of the body's centre and angular velocity relative to the surface,
   // angular velocities of the body and of the surface.
-  Vec3 velocity_, turning_, own_turning_, surface_turning_;
+  Vec3 velocity_, turning_, body_turning_, surface_turning_;
   Vec3 turned_;
   double step_;
   Mat3 turned_by_turn_;  // derivative of turned_ by a small rotation of the body

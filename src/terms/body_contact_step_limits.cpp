@@ -25,7 +25,7 @@ constexpr double kRounding = 1e-9;
 
 }  // namespace
 
-void BodyContact::Both::move(double time) {
+void BodyContact::PairFrames::move(double time) {
   for (BodyFrame* f : {&A, &B}) {
     f->x += time * f->v;
     f->R = f->R * exp_so3(time * f->w).toRotationMatrix();
@@ -34,23 +34,23 @@ void BodyContact::Both::move(double time) {
 
 double BodyContact::frequency(const Pair& pair, const Sum& s) const {
   if (!s.active) return 0;
-  const Mat12 K = pair.root.transpose() * s.on.K * pair.root;
+  const Mat12 K = pair.root.transpose() * s.residual.K * pair.root;
   return std::sqrt(std::max(eigenpairs(K).values[11], 0.0));
 }
 
-double BodyContact::relative_energy(const Pair& pair, const Both& at) const {
+double BodyContact::relative_energy(const Pair& pair, const PairFrames& at) const {
   const Vec3 speed = at.A.v - at.B.velocity(at.B.to_body(at.A.x));
   return 0.5 * (pair.mass * speed.squaredNorm() + at.A.w.dot(bodies_of_volumes_[pair.a].inertia * at.A.w) +
                 at.B.w.dot(bodies_of_volumes_[pair.b].inertia * at.B.w));
 }
 
-double BodyContact::fastest(const Pair& pair, const Both& at) const {
+double BodyContact::fastest(const Pair& pair, const PairFrames& at) const {
   const SkeletonParts& leads = volumes_[pair.a].skeleton.features;
   const double arm = (leads.centre() - at.A.centre).norm() + leads.radius();
   return (at.A.v - at.B.v).norm() + at.A.w.norm() * arm + at.B.w.norm() * (arm + (at.A.x - at.B.x).norm());
 }
 
-std::optional<BodyContact::Nearest> BodyContact::nearest(const Pair& pair, const Both& at,
+std::optional<BodyContact::Nearest> BodyContact::nearest(const Pair& pair, const PairFrames& at,
                                                          double within) const {
   const Surface& surface = *volumes_[pair.b].surface;
   auto field = distance_to(surface);
@@ -60,10 +60,10 @@ std::optional<BodyContact::Nearest> BodyContact::nearest(const Pair& pair, const
       [&](const Vec3& centre, double radius) { return near(pair.b, at.across(centre), radius, gap); },
       [&](const SkeletonPart& p) {
         const BezierAxis axis = BezierAxis::straight(at.across(p.from), at.across(p.to));
-        const auto found = nearest_to(field, axis, gap + p.radius, p.from == p.to ? 0 : kLevels);
-        if (!found) return;
-        y = p.from + found->xi * (p.to - p.from);
-        distance = found->distance;
+        const auto closest = nearest_to(field, axis, gap + p.radius, p.from == p.to ? 0 : kLevels);
+        if (!closest) return;
+        y = p.from + closest->xi * (p.to - p.from);
+        distance = closest->distance;
         gap = distance - p.radius;
       });
   if (!(gap < within)) return std::nullopt;
@@ -78,15 +78,15 @@ std::optional<BodyContact::Nearest> BodyContact::nearest(const Pair& pair, const
 
 // The stiffness increases with the features that come into contact during the step, so the criterion is a
 // twentieth of the period at the end of the step.
-double BodyContact::followed(const Pair& pair, const Both& at, double most) const {
+double BodyContact::resolved_step(const Pair& pair, const PairFrames& at, double max_step) const {
   const auto resolves_contact = [&](double h) {
-    Both there = at;
-    there.move(h);
-    const double w = frequency(pair, contact(pair, there, kStiffness));
+    PairFrames moved = at;
+    moved.move(h);
+    const double w = frequency(pair, contact(pair, moved, kStiffness));
     return h * w <= 2 * M_PI / kStepsAPeriod * (1 + kRounding);
   };
-  if (resolves_contact(most)) return most;
-  double accepted = 1e-4 * most, rejected = most;
+  if (resolves_contact(max_step)) return max_step;
+  double accepted = 1e-4 * max_step, rejected = max_step;
   for (int k = 0; k < kHalvings && rejected > 1.1 * accepted; ++k) {
     const double h = std::sqrt(accepted * rejected);
     (resolves_contact(h) ? accepted : rejected) = h;
@@ -96,29 +96,30 @@ double BodyContact::followed(const Pair& pair, const Both& at, double most) cons
 
 void BodyContact::limit_by(const Pair& p, ImpactEvents& to) const {
   const SkeletonParts& leads = volumes_[p.a].skeleton.features;
-  const double speed = fastest(p, p.at), reach = std::isfinite(to.max_step) ? speed * to.max_step : HUGE_VAL;
-  if (!near(p.b, p.at.across(leads.centre()), leads.radius(), p.law.smoothing + reach)) return;
-  const double time_to_depth = speed > 0 ? std::max(p.most_depth / speed, 1e-6) : HUGE_VAL;
+  const double speed = fastest(p, p.frames),
+               reach = std::isfinite(to.max_step) ? speed * to.max_step : HUGE_VAL;
+  if (!near(p.b, p.frames.across(leads.centre()), leads.radius(), p.law.smoothing + reach)) return;
+  const double time_to_depth = speed > 0 ? std::max(p.max_approach / speed, 1e-6) : HUGE_VAL;
   to.limit(time_to_depth);  // not deeper in one step than at a first touch
-  const double most = std::min(to.max_step, time_to_depth);
+  const double max_step = std::min(to.max_step, time_to_depth);
   if (p.frequency > 0) {
     const double period = 2 * M_PI / p.frequency;
-    to.limit(followed(p, p.at, std::min(most, period / kStepsAPeriod)));
+    to.limit(resolved_step(p, p.frames, std::min(max_step, period / kStepsAPeriod)));
   }
 
-  const auto place = nearest(p, p.at, p.law.smoothing + speed * std::min(most, 1e6));
+  const auto place = nearest(p, p.frames, p.law.smoothing + speed * std::min(max_step, 1e6));
   if (!place) return;
-  const Approach at{place->gap - p.law.smoothing, -place->gradient.dot(p.at.rates()),
-                    place->gradient.dot(p.at.accelerations()), true};
+  const Approach at{place->gap - p.law.smoothing, -place->gradient.dot(p.frames.rates()),
+                    place->gradient.dot(p.frames.accelerations()), true};
   double inverse_frequency = 0;  // s
   if (at.gap < 0) {
     if (p.frequency == 0 || at.closing > 0) return;
     inverse_frequency = 1 / p.frequency;
   } else {
-    if (!(at.closing > 0) || at.gap > at.closing * most) return;
-    Both there = p.at;
-    there.move(at.gap / at.closing);
-    const double h = followed(p, there, most);
+    if (!(at.closing > 0) || at.gap > at.closing * max_step) return;
+    PairFrames moved = p.frames;
+    moved.move(at.gap / at.closing);
+    const double h = resolved_step(p, moved, max_step);
     to.limit(at.gap / at.closing + h);
     inverse_frequency = h * kStepsAPeriod / (2 * M_PI);
   }
@@ -134,24 +135,24 @@ void BodyContact::limit_by(const Pair& p, ImpactEvents& to) const {
 
 void BodyContact::limit_step(const Kinematics&, ImpactEvents& to) {
   for (const Pair& p : pairs_)
-    if (p.here) limit_by(p, to);
+    if (p.owns_body) limit_by(p, to);
 }
 
 // Compares the trapezoidal work of the springs with the energy that they store. A step with too large a
 // difference went too deep and is repeated.
 void BodyContact::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
   for (const Pair& p : pairs_) {
-    if (!p.here) continue;
-    const Both now = both(p, trial);
+    if (!p.owns_body) continue;
+    const PairFrames now = frames_of(p, trial);
     const Sum s = contact(p, now, kSprings);
     if (!s.active && p.potential == 0) continue;
-    Vec12 way;
-    way.segment<3>(0) = now.A.x - p.at.A.x;
-    way.segment<3>(6) = now.B.x - p.at.B.x;
-    way.segment<3>(3) = log_so3(Quat(Mat3(p.at.A.R.transpose() * now.A.R)));
-    way.segment<3>(9) = log_so3(Quat(Mat3(p.at.B.R.transpose() * now.B.R)));
-    const double made = s.potential - p.potential - 0.5 * (p.elastic + s.on.f).dot(way);
-    if (!(std::abs(made) > kEnergyError * std::max(p.energy, s.potential))) continue;
+    Vec12 displacement;
+    displacement.segment<3>(0) = now.A.x - p.frames.A.x;
+    displacement.segment<3>(6) = now.B.x - p.frames.B.x;
+    displacement.segment<3>(3) = log_so3(Quat(Mat3(p.frames.A.R.transpose() * now.A.R)));
+    displacement.segment<3>(9) = log_so3(Quat(Mat3(p.frames.B.R.transpose() * now.B.R)));
+    const double created = s.potential - p.potential - 0.5 * (p.elastic + s.residual.f).dot(displacement);
+    if (!(std::abs(created) > kEnergyError * std::max(p.energy, s.potential))) continue;
     const double w = std::max(p.frequency, frequency(p, contact(p, now, kStiffness)));
     if (trial.step * w > 2 * M_PI / kShortest) to.too_deep = true;
   }
@@ -160,7 +161,7 @@ void BodyContact::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
 // Tests corners, edges and balls in the frame of the other body. The radius of a corner is taken as the width
 // of the law's ramp, at least its default.
 bool BodyContact::tunnels(const Pair& pair, const Kinematics& trial) const {
-  const Both &before = pair.at, now = both(pair, trial);
+  const PairFrames &before = pair.frames, now = frames_of(pair, trial);
   auto field = distance_to(*volumes_[pair.b].surface);
   const double smoothing = pair.law.smoothing, round = std::max(smoothing, pair.round);
   bool through = false;

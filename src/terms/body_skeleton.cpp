@@ -116,15 +116,15 @@ BodySkeleton body_skeleton(const model::Volume& v, const MeshView& mesh, const s
 
 void watch_faces(const MeshView& mesh, const std::vector<bool>& active, BodySkeleton& skeleton) {
   double area = 0;
-  const auto each = [&](const auto& what) {
+  const auto each = [&](const auto& visit) {
     for (size_t t = 0; t < mesh.triangles.size(); ++t)
-      if (active.empty() || active[t]) what(corners(mesh, t));
+      if (active.empty() || active[t]) visit(corners(mesh, t));
   };
   each([&](const Triangle& t) { area += 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm(); });
   if (!(area > 0)) return;
   // Of small triangles, only one point in each cell of the size of a piece is kept.
   const double piece = std::sqrt(area / kWatched);
-  std::set<std::array<long, 3>> taken;
+  std::set<std::array<long, 3>> cells;
   std::vector<SkeletonPart> points, places;
   each([&](const Triangle& t) {
     points.clear();
@@ -132,7 +132,7 @@ void watch_faces(const MeshView& mesh, const std::vector<bool>& active, BodySkel
     for (const SkeletonPart& p : points) {
       const std::array<long, 3> cell{std::lround(p.from.x() / piece), std::lround(p.from.y() / piece),
                                      std::lround(p.from.z() / piece)};
-      if (taken.insert(cell).second) places.push_back(p);
+      if (cells.insert(cell).second) places.push_back(p);
     }
   });
   skeleton.faces = SkeletonParts(std::move(places));

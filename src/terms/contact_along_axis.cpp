@@ -19,7 +19,7 @@ constexpr size_t kTurns = AttachedForces::kPositions;
 // End of a panel that moves with the unknowns. s is where gap(s, X) = smoothing, so ds = -n . dx(s) / (n .
 // x'(s)). The positions and weights of the Gauss points change with s.
 struct AxisContact::Moving {
-  bool on = false;
+  bool touches = false;
   AxisShape::Weights H{};
   Vec3 by_axis = Vec3::Zero();                         // ds / dx(s), 1/m
   std::array<Vec3, AxisShape::kMaxPositions> force{};  // dF_j / ds
@@ -42,22 +42,23 @@ AxisContact::AxisContact(const AxisShape& shape, const RigidPose& pose, double r
   for (size_t i = 0; i < 2 && rolls_; ++i) about_[i] = shape_.axes(i) * rolls_->ends[i].by_turn;
 }
 
-void AxisContact::add(const ContactQuadrature& found, const Pair& pair,
+void AxisContact::add(const ContactQuadrature& contact, const PanelFunctions& functions,
                       std::vector<AxisContactPoint>* points) {
-  for (size_t i = 0; i < found.panels.size(); ++i) add_panel(found, i, pair, points);
+  for (size_t i = 0; i < contact.panels.size(); ++i) add_panel(contact, i, functions, points);
 }
 
-std::array<AxisContact::Moving, 2> AxisContact::moving_ends(const ContactPanel& s, const Pair& pair) const {
+std::array<AxisContact::Moving, 2> AxisContact::moving_ends(const ContactPanel& s,
+                                                            const PanelFunctions& functions) const {
   std::array<Moving, 2> ends;
   for (size_t i = 0; i < 2; ++i) {
     if (!(i ? s.to_moves : s.from_moves)) continue;
     const double xi = i ? s.to : s.from;
-    const auto p = pair.query(s, xi);
+    const auto p = functions.query(s, xi);
     if (!p) continue;
     const Vec3 normal = R_ * p->normal;
     const double slope = normal.dot(shape_.slope(xi));
     if (std::abs(slope) < 1e-9 * shape_.slope_bound()) continue;
-    ends[i].on = true;
+    ends[i].touches = true;
     ends[i].H = shape_.functions(xi);
     ends[i].by_axis = -normal / slope;
     ends[i].force.fill(Vec3::Zero());
@@ -81,7 +82,8 @@ struct AxisContact::Sample {
 };
 
 AxisContact::Sample AxisContact::sample(const QuadraturePoint& q, const ContactPanel& s,
-                                        const ContactLaw& law, const Pair& pair, bool ends_move) const {
+                                        const ContactLaw& law, const PanelFunctions& functions,
+                                        bool ends_move) const {
   Sample p;
   p.xi = q.xi;
   p.weight = q.weight;
@@ -93,7 +95,7 @@ AxisContact::Sample AxisContact::sample(const QuadraturePoint& q, const ContactP
   if (!mode_.convex) p.trial.curvature = q.surface.curvature;
   // Relative velocity in the body frame: u = R'(v - V) - omega x y.
   if (mode_.moves) p.trial.velocity = R_inverse_ * (shape_.velocity(p.xi) - pose_.velocity_at(x));
-  if (law.friction.active()) p.begin = pair.start(s, p.xi, ends_move ? &p.rates : nullptr);
+  if (law.friction.active()) p.begin = functions.start(s, p.xi, ends_move ? &p.rates : nullptr);
   if (rolls_) {
     p.trial.roll = rolls_->angle(p.xi);
     p.trial.lever = radius_;
@@ -106,20 +108,20 @@ AxisContact::Sample AxisContact::sample(const QuadraturePoint& q, const ContactP
 }
 
 // The tangent includes the moving ends.
-void AxisContact::add_panel(const ContactQuadrature& found, size_t panel, const Pair& pair,
+void AxisContact::add_panel(const ContactQuadrature& contact, size_t panel, const PanelFunctions& functions,
                             std::vector<AxisContactPoint>* points) {
-  const ContactPanel& s = found.panels[panel];
-  const ContactLaw law = pair.law(s);
+  const ContactPanel& s = contact.panels[panel];
+  const ContactLaw law = functions.law(s);
   const double contact_distance = radius_ + law.normal.smoothing;
   std::array<Moving, 2> ends;
-  if (mode_.tangent && !mode_.convex) ends = moving_ends(s, pair);
-  const bool ends_move = ends[0].on || ends[1].on;
+  if (mode_.tangent && !mode_.convex) ends = moving_ends(s, functions);
+  const bool ends_move = ends[0].touches || ends[1].touches;
   // Points are sorted by panel.
-  auto q = std::partition_point(found.quadrature.begin(), found.quadrature.end(),
+  auto q = std::partition_point(contact.quadrature.begin(), contact.quadrature.end(),
                                 [&](const QuadraturePoint& p) { return p.panel < panel; });
-  for (; q != found.quadrature.end() && q->panel == panel; ++q) {
+  for (; q != contact.quadrature.end() && q->panel == panel; ++q) {
     if (!(q->surface.distance <= contact_distance)) continue;
-    Sample p = sample(*q, s, law, pair, ends_move);
+    Sample p = sample(*q, s, law, functions, ends_move);
     if (p.contact.along_normal.elastic > 0 && points) {
       AxisContactPoint& point = points->emplace_back(p.contact, p.trial.normal);
       point.xi = p.xi;
@@ -134,7 +136,7 @@ void AxisContact::add_panel(const ContactQuadrature& found, size_t panel, const 
     if (ends_move) add_to_moving_ends(law, p, *q, s.to - s.from, ends);
   }
   for (const Moving& m : ends) {
-    if (!m.on) continue;
+    if (!m.touches) continue;
     for (size_t k = 0; k < n_; ++k) {
       for (size_t j = 0; j < 2 && rolls_; ++j)
         block_of(g_.K, kTurns + j, k) += m.H[k] * m.torque[j] * about_[j] * m.by_axis.transpose();
@@ -176,7 +178,7 @@ void AxisContact::add_to_moving_ends(const ContactLaw& law, Sample& p, const Qua
   const AxisShape::Weights dH = shape_.derivatives(p.xi);
   const std::array<double, 2> N{1 - p.xi, p.xi};
   for (size_t i = 0; i < 2; ++i) {
-    if (!ends[i].on) continue;
+    if (!ends[i].touches) continue;
     const double interval = i ? q.part : -q.part, shift = span * q.part * (i ? q.along : 1 - q.along);
     for (size_t j = 0; j < n_; ++j)
       ends[i].force[j] += L * ((interval * p.H[j] + shift * dH[j]) * p.force + shift * p.H[j] * slope);

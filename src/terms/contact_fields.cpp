@@ -12,23 +12,23 @@ void add_contact_fields(FieldRegistry& registry, const ContactFields& shown, con
     field.components = components;
     registry.add({std::move(field), [each, put, components](const Kinematics& state, std::span<double> out) {
                     std::fill(out.begin(), out.end(), 0.0);
-                    each(state, [&](int node, double share, const Mat3& axes, const ContactPoint& p) {
-                      put(out.data() + components * node, share, axes, p);
+                    each(state, [&](int node, double weight, const Mat3& axes, const ContactPoint& p) {
+                      put(out.data() + components * node, weight, axes, p);
                     });
                   }});
   };
   const auto vector = [](Vec3 ContactPoint::*value) {
-    return [value](double* out, double share, const Mat3& axes, const ContactPoint& p) {
-      Eigen::Map<Vec3>(out, 3) += share * p.weight * (axes * (p.*value));
+    return [value](double* out, double weight, const Mat3& axes, const ContactPoint& p) {
+      Eigen::Map<Vec3>(out, 3) += weight * p.weight * (axes * (p.*value));
     };
   };
   add(shown.force, 3, vector(&ContactPoint::force));
-  add(shown.normal_force, 1, [](double* out, double share, const Mat3&, const ContactPoint& p) {
-    *out += share * p.weight * p.normal_force;
+  add(shown.normal_force, 1, [](double* out, double weight, const Mat3&, const ContactPoint& p) {
+    *out += weight * p.weight * p.normal_force;
   });
   add(shown.friction, 3, vector(&ContactPoint::friction));
-  add(shown.penetration, 1, [](double* out, double share, const Mat3&, const ContactPoint& p) {
-    if (share >= 0.5) *out = std::max(*out, -p.gap);
+  add(shown.penetration, 1, [](double* out, double weight, const Mat3&, const ContactPoint& p) {
+    if (weight >= 0.5) *out = std::max(*out, -p.gap);
   });
 }
 

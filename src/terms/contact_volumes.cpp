@@ -32,17 +32,17 @@ void ContactVolumes::exclude_ends(std::vector<ExcludedEnds> ends) {
   });
 }
 
-ContactShare ContactVolumes::takes_part(int line, int volume, double from, double to) const {
+ActiveInterval ContactVolumes::takes_part(int line, int volume, double from, double to) const {
   if (at(volume).off) return {1, 0};
   const std::pair key(line, volume);
-  const auto found =
+  const auto excluded =
       std::lower_bound(excluded_ends_.begin(), excluded_ends_.end(), key,
                        [](const ExcludedEnds& l, auto k) { return std::pair(l.line, l.volume) < k; });
-  if (found == excluded_ends_.end() || std::pair(found->line, found->volume) != key) return {};
-  const double end = mesh_.mesh->lines[line].length - found->end_b, span = to - from;
+  if (excluded == excluded_ends_.end() || std::pair(excluded->line, excluded->volume) != key) return {};
+  const double end = mesh_.mesh->lines[line].length - excluded->end_b, span = to - from;
   // A single point, or an interval.
-  if (!(span > 0)) return from >= found->end_a && from <= end ? ContactShare{} : ContactShare{1, 0};
-  return {std::max(0.0, (found->end_a - from) / span), std::min(1.0, (end - from) / span)};
+  if (!(span > 0)) return from >= excluded->end_a && from <= end ? ActiveInterval{} : ActiveInterval{1, 0};
+  return {std::max(0.0, (excluded->end_a - from) / span), std::min(1.0, (end - from) / span)};
 }
 
 advice::VolumeLaw ContactVolumes::law_of(int volume) const {

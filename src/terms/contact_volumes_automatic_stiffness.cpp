@@ -53,27 +53,28 @@ void ContactVolumes::require(int volume, const NormalLaw& law, const PressedPoin
   const double now = volumes_[k].settings.normal_stiffness, given = volumes_[k].settings.allowed_penetration;
   const double allowed = given > 0 ? given : kAllowed * p.radius;
   if (p.held) return;
-  double want = 0;
+  double demand = 0;
   // Period with the stiffness at the start of the step.
   const double period = contact_period(law.stiffness * committed_[k] / now, p.mass);
   const bool resolves_impact = step > 0 && p.mass > 0 && step < kFollowing * period;
-  const bool pressed = !resolves_impact || p.static_share > kPressed;
+  const bool pressed = !resolves_impact || p.static_fraction > kPressed;
   const double times = resolves_impact ? kDeepInAnImpact : step > 0 ? kMoving : 1;
   const bool at_rest = step <= 0;
   const double depth = given > 0 || at_rest ? p.depth : std::max(p.mean_depth, times / kDeepest * p.depth);
-  if (pressed && p.static_share * depth > times * allowed) {
-    const double most = resolves_impact ? std::max(1 + step / period, kLeastInAStep) : kMostInAStep;
-    want = now * p.static_share * depth / (kRaisedTo * allowed);
-    if (step > 0) want = std::min(want, most * committed_[k]);
+  if (pressed && p.static_fraction * depth > times * allowed) {
+    const double max_factor = resolves_impact ? std::max(1 + step / period, kLeastInAStep) : kMostInAStep;
+    demand = now * p.static_fraction * depth / (kRaisedTo * allowed);
+    if (step > 0) demand = std::min(demand, max_factor * committed_[k]);
   }
   // The penetration of an impact is u sqrt(m/k). A spring that is already loaded releases its energy only
   // within a part of its period; raising its stiffness would only load it further.
   const bool loaded = resolves_impact && p.depth > 0;
   if (step > 0 && !loaded)
-    want = std::max(want, now * p.mass * std::pow(p.speed / (kImpactDepth * p.radius), 2) / law.stiffness);
+    demand =
+        std::max(demand, now * p.mass * std::pow(p.speed / (kImpactDepth * p.radius), 2) / law.stiffness);
   // A deeper penetration would end the run.
-  if (p.depth > p.radius) want = std::max(want, now * std::pow(2 * p.depth / p.radius, 2));
-  wanted[k] = std::max(wanted[k], want);
+  if (p.depth > p.radius) demand = std::max(demand, now * std::pow(2 * p.depth / p.radius, 2));
+  wanted[k] = std::max(wanted[k], demand);
 }
 
 bool ContactVolumes::raise(std::vector<double>& wanted) {
@@ -83,9 +84,9 @@ bool ContactVolumes::raise(std::vector<double>& wanted) {
   bool more = false;
   for (size_t k = 0; k < wanted.size(); ++k) {
     ContactVolume& v = volumes_[k];
-    const double to = std::min(wanted[k], v.most);
-    if (!v.automatic || !(to > kWorthIt * v.settings.normal_stiffness)) continue;
-    v.settings.normal_stiffness = to;
+    const double stiffness = std::min(wanted[k], v.max_stiffness);
+    if (!v.automatic || !(stiffness > kWorthIt * v.settings.normal_stiffness)) continue;
+    v.settings.normal_stiffness = stiffness;
     more = true;
   }
   return more;
@@ -104,11 +105,11 @@ bool ContactVolumes::has_back(int volume) const {
   return !dynamic_cast<const PlaneSurface*>(&surface(volume));
 }
 
-double ContactVolumes::deepest(int volume, double radius) const {
+double ContactVolumes::depth_limit(int volume, double radius) const {
   const ContactVolume& c = volumes_[volume];
   const model::Volume& v = c.settings;
   if (!c.automatic && !has_back(volume)) return HUGE_VAL;
-  return v.force_table ? std::max(radius, v.force_table->rows().back().first) : radius;
+  return v.depth_limit(radius);
 }
 
 }  // namespace hawser

@@ -56,15 +56,15 @@ bool ContactVolumes::refresh_couplings(const Kinematics& from, double h, double 
       const RigidPose& pose = poses[v.body + 1];
       const double speed = std::max((from.v[a] - pose.velocity_at(from.x[a])).norm(),
                                     (from.v[b] - pose.velocity_at(from.x[b])).norm());
-      const double way =
+      const double travel =
           h > 0 ? std::max(2 * h * speed, 0.5 * g.length) : kStaticsWay * mesh.lines[g.line].length;
       const double contact_distance = 1.01 * thickest + v.settings.smoothing.value_or(0);
-      const double away = distance(boxes_[k], pose.to_body(middle)) - contact_distance -
-                          (from.x[b] - from.x[a]).norm() - 0.5 * g.length;
-      if (away > 2 * way + 2 * g.length) continue;
+      const double gap = distance(boxes_[k], pose.to_body(middle)) - contact_distance -
+                         (from.x[b] - from.x[a]).norm() - 0.5 * g.length;
+      if (gap > 2 * travel + 2 * g.length) continue;
       const std::array<int, 3> met{g.first, g.second, bodies_->frame(v.body)};
       wide.push_back(met);
-      missing = missing || (away <= way && !std::binary_search(near_.begin(), near_.end(), met));
+      missing = missing || (gap <= travel && !std::binary_search(near_.begin(), near_.end(), met));
     }
   }
   if (!on_any_rank(comm_, missing)) return false;

@@ -70,12 +70,12 @@ DynamicPositioning::Push DynamicPositioning::push(const model::DynamicPositionin
   out.asked = -by_gains(e, rate, sum);
   Vec3 given = out.asked;
   Mat3 limit = Mat3::Identity();
-  const Eigen::Vector2d least = data.max_force.cwiseInverse(), plane = out.asked.head<2>();
-  const double size = plane.cwiseProduct(least).norm();
+  const Eigen::Vector2d inverse_limit = data.max_force.cwiseInverse(), plane = out.asked.head<2>();
+  const double size = plane.cwiseProduct(inverse_limit).norm();
   out.force_limited = size > kOnEllipse;
   out.moment_limited = std::abs(out.asked.z()) > data.max_moment;
   if (out.force_limited) {
-    const Eigen::Vector2d along = plane / size, across = along.cwiseProduct(least.cwiseAbs2());
+    const Eigen::Vector2d along = plane / size, across = along.cwiseProduct(inverse_limit.cwiseAbs2());
     given.head<2>() = along;
     limit.topLeftCorner<2, 2>() = (Eigen::Matrix2d::Identity() - along * across.transpose()) / size;
   }
@@ -85,14 +85,15 @@ DynamicPositioning::Push DynamicPositioning::push(const model::DynamicPositionin
   }
   if (out.force_limited && alone >= 0) {
     const int other = 1 - alone;
-    const double share = std::clamp(plane[other] * least[other], -1.0, 1.0);
-    const double left = std::sqrt(1 - share * share), end = std::copysign(1 / least[alone], plane[alone]);
-    given[other] = share / least[other];
-    given[alone] = left * end;
+    const double fraction = std::clamp(plane[other] * inverse_limit[other], -1.0, 1.0);
+    const double remaining = std::sqrt(1 - fraction * fraction),
+                 end = std::copysign(1 / inverse_limit[alone], plane[alone]);
+    given[other] = fraction / inverse_limit[other];
+    given[alone] = remaining * end;
     limit.topLeftCorner<2, 2>().setZero();
-    if (left > 0) {
+    if (remaining > 0) {
       limit(other, other) = 1;
-      limit(alone, other) = -share * least[other] / left * end;
+      limit(alone, other) = -fraction * inverse_limit[other] / remaining * end;
     }
   }
   out.force = H * given;
@@ -128,16 +129,16 @@ DynamicPositioning::Push DynamicPositioning::push_in_motion(const Positioned& p,
                                                             double time) {
   const double h = time - p.time;
   const SlowPose slow = h > 0 ? p.slow.after(pose, h, p.data.filter) : p.slow;
-  const SlowPose::Derivatives share =
+  const SlowPose::Derivatives weights =
       h > 0 ? SlowPose::derivatives(h, p.data.filter) : SlowPose::Derivatives{};
   Deviation deviation;
   deviation.heading = slow.place.z();
   deviation.offset = offset(p, slow.place);
   deviation.speed = slow.speed();
   deviation.sum = p.integral + 0.5 * h * (offset(p, p.slow.place) + deviation.offset);
-  deviation.by_place = share.place;
-  deviation.by_speed = share.speed;
-  deviation.by_sum = 0.5 * h * share.place;
+  deviation.by_place = weights.place;
+  deviation.by_speed = weights.speed;
+  deviation.by_sum = 0.5 * h * weights.place;
   return push(p.data, deviation);
 }
 
@@ -174,9 +175,9 @@ DynamicPositioning::Passed DynamicPositioning::passed(const Positioned& p, const
 }
 
 double DynamicPositioning::work(const Passed& from, const Passed& to) {
-  Vec3 way = to.origin - from.origin;
-  way.z() = log_so3(to.turned * from.turned.conjugate()).z();
-  return 0.5 * (from.force + to.force).dot(way);
+  Vec3 displacement = to.origin - from.origin;
+  displacement.z() = log_so3(to.turned * from.turned.conjugate()).z();
+  return 0.5 * (from.force + to.force).dot(displacement);
 }
 
 // Without statics the integral begins at zero.

@@ -70,15 +70,15 @@ void EndSprings::evaluate(const Kinematics& trial, Assembler& assembler) {
     Vec6 f, g;
     g << d, t;
     f = s.stiffness * a.first * g;
-    Mat6 K = s.stiffness * a.second * g * g.transpose(), apart = Mat6::Zero();
-    apart.topRightCorner<3, 3>().setIdentity();
-    apart.bottomLeftCorner<3, 3>().setIdentity();
-    K += s.stiffness * a.first * apart;
+    Mat6 K = s.stiffness * a.second * g * g.transpose(), exchange = Mat6::Zero();
+    exchange.topRightCorner<3, 3>().setIdentity();
+    exchange.bottomLeftCorner<3, 3>().setIdentity();
+    K += s.stiffness * a.first * exchange;
     // Far from a solution W(c) may be concave. The tangent is then that of the convex k |t - d|²/2 at t = d,
     // where it has no force.
     if (assembler.convex()) {
       f.setZero();
-      K = s.stiffness * (Mat6::Identity() - apart);
+      K = s.stiffness * (Mat6::Identity() - exchange);
     }
     add_pair_force(assembler, tangent, direction, f, K, Mat6::Zero());
   }

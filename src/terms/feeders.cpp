@@ -20,7 +20,7 @@ namespace {
 // they are the mean of the lumped and the consistent matrix, for beams those of cubic shape functions
 // (kernels/line_mass.cpp).
 struct MassShares {
-  double own, shared;
+  double diagonal, off_diagonal;
 };
 MassShares mass_shares(bool beam) {
   return beam ? MassShares{13. / 35, 9. / 70} : MassShares{5. / 12, 1. / 12};
@@ -154,10 +154,10 @@ FeedPoint Feeders::feed_point(const Feeder& f, const Kinematics& state) const {
   if (!f.feed.speed.empty() || !(h > 0)) return predicted_feed_point(f, state);
   const LocalElement* e = at_feed_point(f);
   if (!e) return {f.length, f.speed, 0, 0};
-  const FedElement fed = feed_step(
-      [&](double length) { return pull(f, state, *e, length); },
-      {f.feed.tension, f.feed.speed_per_tension, f.feed.max_speed, f.resting, f.feed.least, f.feed.most},
-      f.length, h);
+  const FedElement fed = feed_step([&](double length) { return pull(f, state, *e, length); },
+                                   {f.feed.tension, f.feed.speed_per_tension, f.feed.max_speed, f.resting,
+                                    f.feed.min_tension, f.feed.max_tension},
+                                   f.length, h);
   FeedPoint m{fed.length, (fed.length - f.length) / h, 0, 0, fed.length_by_force};
   const size_t i = e->first, j = e->second;
   const double l = chord(state, *e);
@@ -175,8 +175,8 @@ FeedPoint Feeders::feed_point(const Feeder& f, const Kinematics& state) const {
 
 FedPull Feeders::pull(const Feeder& f, const Kinematics& state, const LocalElement& e, double length) const {
   if (!f.beam) return feed_of_cable(f, state, e, length);
-  const BeamFeed of = feed_of_beam(f, state, e, length);
-  return {of.force, of.slope};
+  const BeamFeed unit = feed_of_beam(f, state, e, length);
+  return {unit.force, unit.slope};
 }
 
 double Feeders::strain_before(const Feeder& f, const LocalElement& e) const {
@@ -208,10 +208,10 @@ std::vector<TiedNode> Feeders::with_held(const std::vector<TiedNode>& tied) cons
     if (!std::binary_search(fed.begin(), fed.end(), mesh_.global[s.node])) out.push_back(s);
   for (const Feeder& f : feeders_)
     for (int i = 0; i <= f.feed_point; ++i)
-      if (const int here = mesh_.find(node(f, i)); here >= 0) {
+      if (const int local = mesh_.find(node(f, i)); local >= 0) {
         out.push_back(f.tied);
-        out.back().node = here;
-        if (mesh_.rotates(here)) out.back().rotation_mask = 7;
+        out.back().node = local;
+        if (mesh_.rotates(local)) out.back().rotation_mask = 7;
       }
   return out;
 }
@@ -244,9 +244,9 @@ void Feeders::force(const Feeder& f, const FeedPoint& m, const Kinematics& state
   const Flow o = flow(m, state, e, f.line_end);
   const MassShares mass = mass_shares(f.beam);
   const double mass_of_element = f.mass_per_length * m.length;
-  out[0] = mass_of_element * mass.own * o.acceleration +
+  out[0] = mass_of_element * mass.diagonal * o.acceleration +
            (f.mass_per_length * m.speed * m.speed / m.length) * o.chord;
-  out[1] = mass_of_element * mass.shared * o.acceleration;
+  out[1] = mass_of_element * mass.off_diagonal * o.acceleration;
 }
 
 void Feeders::prepare(const Kinematics& from, double) {
@@ -275,21 +275,21 @@ void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
       continue;
     }
     const MassShares mass = mass_shares(f.beam);
-    const double rate = m.speed / m.length, held = f.mass_per_length * m.length * mass.own,
-                 shared = f.mass_per_length * m.length * mass.shared;
+    const double rate = m.speed / m.length, held = f.mass_per_length * m.length * mass.diagonal,
+                 off_diagonal = f.mass_per_length * m.length * mass.off_diagonal;
     // Derivatives of the acceleration by position and velocity of the free node. Those by the other node have
     // the opposite sign.
     const double by_x = m.acceleration / m.length - 2 * rate * rate, by_v = 2 * rate;
-    const double own = f.mass_per_length * m.speed * rate;
+    const double released = f.mass_per_length * m.speed * rate;
     Mat6 K = Mat6::Zero(), C = Mat6::Zero();
     const auto put = [](Mat6& to, int i, double value) {
       to.block<3, 3>(3 * i, 3).diagonal().array() = value;
       to.block<3, 3>(3 * i, 0).diagonal().array() = -value;
     };
-    put(K, 0, held * by_x + own);
-    put(K, 1, shared * by_x);
+    put(K, 0, held * by_x + released);
+    put(K, 1, off_diagonal * by_x);
     put(C, 0, held * by_v);
-    put(C, 1, shared * by_v);
+    put(C, 1, off_diagonal * by_v);
     assembler.add(blocks, r, K, C);
   }
 }
@@ -316,13 +316,14 @@ double Feeders::power(const Feeder& f, const Kinematics& state, const LocalEleme
                j = f.line_end == LineEnd::B ? e.first : e.second;
   const Flow o = flow(m, state, e, f.line_end);
   const double mass = f.mass_per_length, rate = m.speed / m.length;
-  const auto [own, shared] = mass_shares(f.beam);
-  const Vec3 inertia = mass * m.length * (own * (state.a[i] + o.acceleration) + shared * state.a[j]);
+  const auto [diagonal, off_diagonal] = mass_shares(f.beam);
+  const Vec3 inertia =
+      mass * m.length * (diagonal * (state.a[i] + o.acceleration) + off_diagonal * state.a[j]);
   const Vec3 &v = o.velocity, &w = state.v[j];
   return rate * o.chord.dot(inertia) +
          mass * m.speed *
-             (1.5 * own * v.squaredNorm() + (2 * shared - own) * v.dot(w) +
-              (0.5 * own - shared) * w.squaredNorm()) -
+             (1.5 * diagonal * v.squaredNorm() + (2 * off_diagonal - diagonal) * v.dot(w) +
+              (0.5 * diagonal - off_diagonal) * w.squaredNorm()) -
          mass * m.speed * state.v[i].dot(v - state.v[i]);
 }
 
@@ -333,7 +334,7 @@ bool Feeders::rests(const Feeder& f, const FeedPoint& m, const Kinematics& accep
   constexpr double kThere = 0.01;  // of the band's part on this side of the target
   if (f.resting) return m.speed == 0;
   const double off = pull(f, accepted, e, m.length).force - f.feed.tension;
-  const double band = off > 0 ? f.feed.most - f.feed.tension : f.feed.tension - f.feed.least;
+  const double band = off > 0 ? f.feed.max_tension - f.feed.tension : f.feed.tension - f.feed.min_tension;
   return f.speed * m.speed < 0 || std::abs(off) < kThere * band;
 }
 
@@ -397,9 +398,9 @@ Energy Feeders::energy(const Kinematics& state) const {
     const size_t i = f.line_end == LineEnd::B ? e->second : e->first,
                  j = f.line_end == LineEnd::B ? e->first : e->second;
     const Vec3 v = flow(m, state, *e, f.line_end).velocity, &held = state.v[i], &w = state.v[j];
-    const auto [own, shared] = mass_shares(f.beam);
+    const auto [diagonal, off_diagonal] = mass_shares(f.beam);
     out.kinetic += f.mass_per_length * m.length *
-                   (0.5 * own * (v.squaredNorm() - held.squaredNorm()) + shared * w.dot(v - held));
+                   (0.5 * diagonal * (v.squaredNorm() - held.squaredNorm()) + off_diagonal * w.dot(v - held));
   }
   return out;
 }

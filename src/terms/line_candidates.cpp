@@ -184,8 +184,8 @@ bool LineCandidates::holds(const Kinematics& state, double h, double tau) const 
 // The fraction of the path at a time. If no time has passed since the list was made (statics), the path leads
 // to a trial state, and the fraction is that of its end, 1.
 double LineCandidates::part(double time) const {
-  if (!(time > made_)) return 1;
-  return span_ > 0 ? std::min((time - made_) / span_, 1.0) : 0;
+  if (!(time > built_at_)) return 1;
+  return span_ > 0 ? std::min((time - built_at_) / span_, 1.0) : 0;
 }
 
 bool LineCandidates::covers(const Kinematics& trial) const {
@@ -199,7 +199,7 @@ bool LineCandidates::update(const Kinematics& committed, double h) {
   // If no time has passed (statics), the axes may be at the end of the path, or at its start if the trial was
   // not taken.
   int usable[2] = {known && holds(committed, 0, part(committed.time)),
-                   known && !(committed.time > made_) && holds(committed, 0, 0)};
+                   known && !(committed.time > built_at_) && holds(committed, 0, 0)};
   if (h > 0) {
     const bool predicted = known && holds(committed, h, part(committed.time + h));
     for (int& g : usable) g = g && predicted;
@@ -212,23 +212,23 @@ bool LineCandidates::update(const Kinematics& committed, double h) {
     for (size_t k = 0; k < within_.size(); ++k)
       within_[k] = kShared * settings_.shared->within(static_cast<int>(k));
   predict(committed, h);
-  std::vector<std::pair<int, int>> found = search();
-  const bool changed = on_any_rank(comm_, found != list_);
-  list_ = std::move(found);
+  std::vector<std::pair<int, int>> pairs = search();
+  const bool changed = on_any_rank(comm_, pairs != list_);
+  list_ = std::move(pairs);
   return changed;
 }
 
 // The paths are parabolas in time. If they bend much (a line that is swung, a long step), they are predicted
 // for fewer steps, but at least one, so that the bend is no more than a skin.
 void LineCandidates::predict(const Kinematics& committed, double h) {
-  made_ = committed.time;
+  built_at_ = committed.time;
   double steps = settings_.steps;
   const auto go = [&] {
     span_ = steps * h;
     double worst = 0;
     for (size_t i = 0; i < built_.size(); ++i) {
       SweptAxis& s = built_[i];
-      const double own = skin(s.element);
+      const double straight = skin(s.element);
       double bend = 0;
       s.to = axis(local_[i], committed, span_);
       const std::array<Vec3, 4> half = axis(local_[i], committed, 0.5 * span_);
@@ -236,8 +236,8 @@ void LineCandidates::predict(const Kinematics& committed, double h) {
         bend_[i][k] = half[k] - 0.5 * (s.from[k] + s.to[k]);
         bend = std::max(bend, bend_[i][k].norm());
       }
-      s.skin = own + bend;
-      worst = std::max(worst, bend / own);
+      s.skin = straight + bend;
+      worst = std::max(worst, bend / straight);
     }
     return worst;
   };
@@ -256,12 +256,12 @@ std::vector<std::pair<int, int>> LineCandidates::search() const {
   for (const SweptAxis& s : built_) boxes.push_back(swept_box(s));
   const std::vector<SweptAxis> others = from_others(boxes);
   for (const SweptAxis& s : others) boxes.push_back(swept_box(s));
-  const size_t own = built_.size();
-  const auto axis_of = [&](size_t i) { return i < own ? &built_[i] : &others[i - own]; };
+  const size_t local_count = built_.size();
+  const auto axis_of = [&](size_t i) { return i < local_count ? &built_[i] : &others[i - local_count]; };
   std::vector<std::pair<int, int>> out;
   for (const auto& [first, second] : overlapping_pairs(boxes)) {
     const size_t i = first, j = second;
-    if (i >= own) continue;  // pairs are ordered, so the second one is of another rank, too
+    if (i >= local_count) continue;  // pairs are ordered, so the second one is of another rank, too
     if (j - i <= excluded_after_[i]) continue;
     const SweptAxis *p = axis_of(i), *q = axis_of(j);
     if (p->element > q->element) std::swap(p, q);  // so that all ranks compute identical results
@@ -276,12 +276,12 @@ bool LineCandidates::never(const SweptAxis& p, const SweptAxis& q) const {
   if (!settings_.excluded.empty() &&
       std::binary_search(settings_.excluded.begin(), settings_.excluded.end(), ordered(p.line, q.line)))
     return true;
-  const double apart = settings_.exclusion_diameters * (p.radius + q.radius);
+  const double exclusion = settings_.exclusion_diameters * (p.radius + q.radius);
   if (p.line == q.line && (p.second == q.first || q.second == p.first ||
-                           std::max(q.arc[0] - p.arc[1], p.arc[0] - q.arc[1]) < apart))
+                           std::max(q.arc[0] - p.arc[1], p.arc[0] - q.arc[1]) < exclusion))
     return true;
   return settings_.shared && settings_.shared->any_between(p.element, q.element, [&](const auto& f) {
-    return f.one[0] + f.other[0] < apart;
+    return f.one[0] + f.other[0] < exclusion;
   });
 }
 

@@ -28,14 +28,14 @@ std::vector<Box> boxes_of(std::span<const double> numbers) {
 }
 
 // Bounding boxes of up to kChunk successive elements of one line.
-std::vector<Box> chunks_of(const std::vector<SweptAxis>& own, std::span<const Box> of) {
+std::vector<Box> chunks_of(const std::vector<SweptAxis>& axes, std::span<const Box> boxes) {
   std::vector<Box> out;
-  for (size_t i = 0, first = 0; i < own.size(); ++i) {
-    if (i == 0 || own[i].line != own[i - 1].line || i - first == kChunk) {
+  for (size_t i = 0, first = 0; i < axes.size(); ++i) {
+    if (i == 0 || axes[i].line != axes[i - 1].line || i - first == kChunk) {
       first = i;
       out.emplace_back();
     }
-    out.back().add(of[i]);
+    out.back().add(boxes[i]);
   }
   return out;
 }
@@ -48,10 +48,10 @@ std::vector<Box> regions_of(const std::vector<Box>& chunks) {
   if (!tree.empty()) regions.push_back(0);
   while (!regions.empty() && regions.size() < kRegions) {
     const auto larger = [&](size_t a, size_t b) { return nodes[a].count < nodes[b].count; };
-    size_t& most = *std::max_element(regions.begin(), regions.end(), larger);
-    if (nodes[most].count == 1) break;
-    const size_t first = most + 1;
-    most = first;
+    size_t& longest = *std::max_element(regions.begin(), regions.end(), larger);
+    if (nodes[longest].count == 1) break;
+    const size_t first = longest + 1;
+    longest = first;
     regions.push_back(static_cast<size_t>(nodes[first].next));
   }
   std::vector<Box> out;
@@ -69,32 +69,32 @@ std::vector<std::vector<double>> exchange(MPI_Comm comm, int tag, const std::vec
   std::vector<MPI_Request> requests(ranks.size());
   for (size_t i = 0; i < ranks.size(); ++i)
     MPI_Isend(out[i].data(), static_cast<int>(out[i].size()), MPI_DOUBLE, ranks[i], tag, comm, &requests[i]);
-  std::vector<std::vector<double>> in(ranks.size());
+  std::vector<std::vector<double>> received(ranks.size());
   for (size_t i = 0; i < ranks.size(); ++i) {
     MPI_Status status;
     int count = 0;
     MPI_Probe(ranks[i], tag, comm, &status);
     MPI_Get_count(&status, MPI_DOUBLE, &count);
-    in[i].resize(static_cast<size_t>(count));
-    MPI_Recv(in[i].data(), count, MPI_DOUBLE, ranks[i], tag, comm, MPI_STATUS_IGNORE);
+    received[i].resize(static_cast<size_t>(count));
+    MPI_Recv(received[i].data(), count, MPI_DOUBLE, ranks[i], tag, comm, MPI_STATUS_IGNORE);
   }
   MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
-  return in;
+  return received;
 }
 
 }  // namespace
 
-std::vector<SweptAxis> LineCandidates::from_others(std::span<const Box> of) const {
+std::vector<SweptAxis> LineCandidates::from_others(std::span<const Box> boxes) const {
   const int size = ranks_of(comm_), rank = rank_of(comm_);
   if (size == 1) return {};
-  const std::vector<SweptAxis>& own = built_;
-  const std::vector<Box> chunks = chunks_of(own, of);
+  const std::vector<SweptAxis>& axes = built_;
+  const std::vector<Box> chunks = chunks_of(axes, boxes);
   std::vector<Box> regions = regions_of(chunks);
-  std::vector<double> mine, all(kBox * kRegions * static_cast<size_t>(size));
+  std::vector<double> local_regions, all(kBox * kRegions * static_cast<size_t>(size));
   regions.resize(kRegions);
-  for (const Box& b : regions) append(mine, b);
+  for (const Box& b : regions) append(local_regions, b);
   constexpr int kNumbers = static_cast<int>(kBox * kRegions);
-  MPI_Allgather(mine.data(), kNumbers, MPI_DOUBLE, all.data(), kNumbers, MPI_DOUBLE, comm_);
+  MPI_Allgather(local_regions.data(), kNumbers, MPI_DOUBLE, all.data(), kNumbers, MPI_DOUBLE, comm_);
 
   // Ranks with regions that overlap those of this rank, and for each the chunks of this rank that are near.
   std::vector<int> ranks;
@@ -117,21 +117,21 @@ std::vector<SweptAxis> LineCandidates::from_others(std::span<const Box> of) cons
     const std::vector<Box> others_boxes = boxes_of(near[k]);
     const BoxTree tree(others_boxes);
     out[k].clear();
-    for (size_t i = 0; i < own.size() && !tree.empty(); ++i) {
+    for (size_t i = 0; i < axes.size() && !tree.empty(); ++i) {
       bool reached = false;
-      tree.walk([&](size_t node) { return !reached && tree.nodes()[node].box.overlaps(of[i]); },
-                [&](int item) { reached |= others_boxes[static_cast<size_t>(item)].overlaps(of[i]); });
+      tree.walk([&](size_t node) { return !reached && tree.nodes()[node].box.overlaps(boxes[i]); },
+                [&](int item) { reached |= others_boxes[static_cast<size_t>(item)].overlaps(boxes[i]); });
       if (!reached) continue;
-      out[k].push_back(own[i].element);
-      out[k].push_back(own[i].skin);
-      for (const auto* end : {&own[i].from, &own[i].to})
+      out[k].push_back(axes[i].element);
+      out[k].push_back(axes[i].skin);
+      for (const auto* end : {&axes[i].from, &axes[i].to})
         for (const Vec3& p : *end) out[k].insert(out[k].end(), p.begin(), p.end());
     }
   }
   std::vector<SweptAxis> others;
-  for (const std::vector<double>& in : exchange(comm_, kAxisTag, ranks, out))
-    for (size_t i = 0; i < in.size(); i += kAxis) {
-      const double* d = in.data() + i;
+  for (const std::vector<double>& axes_of_rank : exchange(comm_, kAxisTag, ranks, out))
+    for (size_t i = 0; i < axes_of_rank.size(); i += kAxis) {
+      const double* d = axes_of_rank.data() + i;
       SweptAxis& s = others.emplace_back(at_rest(static_cast<int>(d[0])));
       s.skin = d[1];
       for (size_t k = 0; k < 4; ++k) {
@@ -145,7 +145,7 @@ std::vector<SweptAxis> LineCandidates::from_others(std::span<const Box> of) cons
   std::sort(others.begin(), others.end(), before);
   others.erase(std::unique(others.begin(), others.end(), same), others.end());
   std::erase_if(others,
-                [&](const SweptAxis& s) { return std::binary_search(own.begin(), own.end(), s, before); });
+                [&](const SweptAxis& s) { return std::binary_search(axes.begin(), axes.end(), s, before); });
   return others;
 }
 

@@ -63,11 +63,11 @@ LineMass::Built LineMass::build(const LocalMesh& mesh, const model::Case& c) {
       const double end = l.to < 0 ? mesh.mesh->lines[g.line].length : l.to;
       const double overlap = std::min(to, end) - std::max(from, l.from);
       if (overlap <= 0) continue;
-      const Vec3 share = overlap / g.length * l.per_length;
+      const Vec3 load = overlap / g.length * l.per_length;
       if (l.ramp > 0)
-        out.ramped.push_back({share, l.ramp});
+        out.ramped.push_back({load, l.ramp});
       else
-        p.load += share;
+        p.load += load;
     }
     p.ramped = static_cast<int>(out.ramped.size()) - p.first_ramped;
     out.pieces.push_back(p);
@@ -114,13 +114,13 @@ void LineMass::element_force(const Kinematics& state, const LocalElement& e, Vec
   const MassElement* p = of_element(pieces_, e);
   if (!p || p->idle) return;
   if (p->beam) {
-    Vec12 own;
-    beam_mass_force(p->section, ends(*p, state), load(*p, state.time), own);
-    add_ends(own, f);
+    Vec12 force;
+    beam_mass_force(p->section, ends(*p, state), load(*p, state.time), force);
+    add_ends(force, f);
   } else {
-    Vec6 own;
-    cable_mass_force(p->section, state.a[e.first], state.a[e.second], load(*p, state.time), own);
-    add_ends(own, f);
+    Vec6 force;
+    cable_mass_force(p->section, state.a[e.first], state.a[e.second], load(*p, state.time), force);
+    add_ends(force, f);
   }
 }
 

@@ -7,18 +7,18 @@
 
 namespace hawser {
 
-double deepest_of(const std::vector<LinePairContactPoint>& points) {
+double largest_depth_of(const std::vector<LinePairContactPoint>& points) {
   if (points.empty()) return 0;
-  size_t least = 0;
+  size_t deepest = 0;
   for (size_t i = 1; i < points.size(); ++i)
-    if (points[i].gap < points[least].gap) least = i;
-  if (points.size() < 3) return -points[least].gap;
-  const size_t first = std::min(least > 0 ? least - 1 : 0, points.size() - 3);
+    if (points[i].gap < points[deepest].gap) deepest = i;
+  if (points.size() < 3) return -points[deepest].gap;
+  const size_t first = std::min(deepest > 0 ? deepest - 1 : 0, points.size() - 3);
   const LinePairContactPoint &a = points[first], &b = points[first + 1], &c = points[first + 2];
   const double ab = (b.gap - a.gap) / (b.xi - a.xi), bc = (c.gap - b.gap) / (c.xi - b.xi);
   const double curve = (bc - ab) / (c.xi - a.xi);
   const bool joined = a.to >= b.from && b.to >= c.from;
-  if (!joined || !(curve > 0)) return -points[least].gap;
+  if (!joined || !(curve > 0)) return -points[deepest].gap;
   const double place = std::clamp(0.5 * (a.xi + b.xi - ab / curve), a.from, c.to);
   return -(a.gap + (place - a.xi) * (ab + curve * (place - b.xi)));
 }
@@ -99,9 +99,9 @@ bool LinePairs::near(const Pair& p, const std::vector<Rod>& moved) const {
          p.law.radii + p.law.normal.smoothing;
 }
 
-template <class What>
+template <class Visit>
 void LinePairs::each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B, bool moves, bool convex,
-                          const What& what) const {
+                          const Visit& visit) const {
   static const std::vector<LinePairContactPoint> nothing;
   LinePairPass::Settings s;
   s.law = pair.law;
@@ -119,8 +119,8 @@ void LinePairs::each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B
     s.fraction = slave_fraction(s.slave_radius, type_of_segment(master).radius);
     s.swapped = swapped;
     if (!(s.fraction > 0)) continue;
-    what(k, LinePairPass(swapped ? B : A, swapped ? A : B, target, s,
-                         pair.points ? (*pair.points)[k] : nothing));
+    visit(k, LinePairPass(swapped ? B : A, swapped ? A : B, target, s,
+                          pair.points ? (*pair.points)[k] : nothing));
   }
 }
 
@@ -135,18 +135,18 @@ LinePairs::Trial& LinePairs::find(Pair& pair, const PairAxis& A, const PairAxis&
   return *t;
 }
 
-AttachedForces LinePairs::forces(const Pair& pair, const PairAxis& A, const PairAxis& B, Trial& found,
+AttachedForces LinePairs::forces(const Pair& pair, const PairAxis& A, const PairAxis& B, Trial& in_trial,
                                  const AxisContactMode& mode) const {
   AttachedForces g = no_forces(A, B, friction_on_ && pair.law.friction.active(), mode.tangent);
   each_pass(pair, A, B, mode.moves, mode.convex, [&](size_t k, const LinePairPass& pass) {
-    if (found.panels[k].empty()) return;
-    found.points[k].clear();
-    pass.add(found.panels[k], mode.tangent, g, mode.tangent ? nullptr : &found.points[k]);
+    if (in_trial.panels[k].empty()) return;
+    in_trial.points[k].clear();
+    pass.add(in_trial.panels[k], mode.tangent, g, mode.tangent ? nullptr : &in_trial.points[k]);
   });
-  found.a = A.now;
-  found.b = B.now;
-  found.moves = mode.moves;
-  found.evaluated = !mode.tangent;
+  in_trial.a = A.now;
+  in_trial.b = B.now;
+  in_trial.moves = mode.moves;
+  in_trial.evaluated = !mode.tangent;
   return g;
 }
 
@@ -159,9 +159,9 @@ void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (Pair& pair : pairs_) {
     if (!near(pair, moved)) continue;
     const PairAxis A = axis(trial, pair.a), B = axis(trial, pair.b);
-    Trial& found = find(pair, A, B);
-    if (!found.active) continue;
-    const AttachedForces g = forces(pair, A, B, found, mode);
+    Trial& in_trial = find(pair, A, B);
+    if (!in_trial.active) continue;
+    const AttachedForces g = forces(pair, A, B, in_trial, mode);
     const Stencil stencil = stencil_of(A, B);
     const Eigen::Index size = 3 * stencil.blocks;
     f.setZero(size);
@@ -196,7 +196,7 @@ void LinePairs::commit(const Kinematics& accepted) {
     const ContactPoints& next = t.points;
     if (pair.counted) {
       for (const size_t pass : {0, 3}) {
-        const double depth = deepest_of(next[pass]);
+        const double depth = largest_depth_of(next[pass]);
         if (depth > deepest_.depth) deepest_ = {depth, accepted.time, pair.key.first, pair.key.second};
       }
       if (moves) account(pair, A, B, next);
@@ -222,13 +222,13 @@ void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, 
     const bool swapped = k >= 3;
     const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
     const int a = swapped ? pair.b : pair.a, b = swapped ? pair.a : pair.b;
-    const double share = type_of_segment(a).radius / pair.law.radii;
+    const double slave_weight = type_of_segment(a).radius / pair.law.radii;
     const auto add = [&](const LinePairContactPoint& h, bool step_end) {
       const double xi = step_end ? h.xi : material_of_start(a, slave, h.xi),
                    eta = step_end ? h.eta : material_of_start(b, master, h.eta);
       const Vec3 between_before = slave.start.point(xi) - master.start.point(eta),
                  between_now = slave.now.point(xi) - master.now.point(eta);
-      const Mat3 turned = share * turn(slave, xi) + (1 - share) * turn(master, eta);
+      const Mat3 turned = slave_weight * turn(slave, xi) + (1 - slave_weight) * turn(master, eta);
       // The lever of the couple is the vector between the axes while the force acts.
       const Vec3 moved = step_end ? Vec3(turned.transpose() * between_now - between_before)
                                   : Vec3(between_now - turned * between_before);

@@ -33,7 +33,7 @@ double LinePairs::fed_work(const Pair& pair, const PairAxis& A, const PairAxis& 
                            const ContactPoints& next) const {
   if (fed_end(pair.a) < 0 && fed_end(pair.b) < 0) return 0;
   // Displacement of the material minus that of the point at constant xi.
-  const auto way = [&](int segment, const PairAxis& axis, double xi, bool step_end) -> Vec3 {
+  const auto displacement = [&](int segment, const PairAxis& axis, double xi, bool step_end) -> Vec3 {
     if (fed_end(segment) < 0) return Vec3::Zero();
     AxisEnds nodes = step_end ? start(segment) : axis.ends;  // with the length for which the forces act
     nodes.length = step_end ? axis.ends.length : start(segment).length;
@@ -48,7 +48,8 @@ double LinePairs::fed_work(const Pair& pair, const PairAxis& A, const PairAxis& 
     const int a = swapped ? pair.b : pair.a, b = swapped ? pair.a : pair.b;
     const auto add = [&](const LinePairContactPoint& h, bool step_end) {
       const Vec3 force = h.friction + h.damping_force * h.normal;
-      work -= 0.5 * h.weight * force.dot(way(a, slave, h.xi, step_end) - way(b, master, h.eta, step_end));
+      work -= 0.5 * h.weight *
+              force.dot(displacement(a, slave, h.xi, step_end) - displacement(b, master, h.eta, step_end));
     };
     if (pair.points)
       for (const LinePairContactPoint& h : (*pair.points)[k]) {

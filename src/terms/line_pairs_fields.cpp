@@ -41,7 +41,7 @@ void LinePairs::active_contacts(ActiveContacts& out) const {
         t.force += h.weight * h.normal_force;
         t.energy += h.weight * h.potential;
       }
-      if (k % 3 == 0) t.depth = std::max(t.depth, deepest_of(points));
+      if (k % 3 == 0) t.depth = std::max(t.depth, largest_depth_of(points));
     }
     out.push_back(t);
   }
@@ -79,8 +79,8 @@ void LinePairs::fields(FieldRegistry& registry) const {
        .penetration = {.name = "line_penetration", .unit = "m", .report = Field::Report::table, .order = 12}},
       [this](const Kinematics&, const ShowPoint& show) {
         const auto put = [&](const ContactSegment& s, double xi, double sign, const LinePairContactPoint& h) {
-          share_at_ends(s.element, s.first, s.second, mesh_.owned, xi,
-                        [&](int node, double share) { show(node, share, sign * Mat3::Identity(), h); });
+          weights_at_ends(s.element, s.first, s.second, mesh_.owned, xi,
+                          [&](int node, double weight) { show(node, weight, sign * Mat3::Identity(), h); });
         };
         for (const Pair& p : pairs_) {
           if (!p.points) continue;

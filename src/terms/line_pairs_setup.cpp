@@ -53,20 +53,20 @@ LinePairLaw LinePairs::law(int segment_a, int segment_b) const {
   const double diameter = A.radius + B.radius;  // the mean of the two
   LinePairLaw law;
   law.radii = A.radius + B.radius;
-  double share = 1;
-  if (s.basis == model::StiffnessBasis::per_area) share = diameter;
+  double factor = 1;
+  if (s.basis == model::StiffnessBasis::per_area) factor = diameter;
   if (s.basis == model::StiffnessBasis::automatic) {
     law.normal.stiffness = std::max(A.linear, B.linear);
     law.normal.cubic = std::min(A.cubic, B.cubic);
   } else {
-    law.normal.stiffness = s.normal_stiffness * share;
+    law.normal.stiffness = s.normal_stiffness * factor;
   }
   law.normal.smoothing = s.smoothing.value_or(0.001 * diameter);
   law.normal.damping = contact_damping(
       s.relative_damping, law.normal.stiffness,
       A.mass_per_length * B.mass_per_length / std::max(A.mass_per_length + B.mass_per_length, 1e-300));
   law.friction.axial = law.friction.lateral = s.friction;
-  law.friction.stiffness = s.shear_stiffness * share;
+  law.friction.stiffness = s.shear_stiffness * factor;
   law.friction.axial_length = law.friction.lateral_length =
       s.mobilisation_length > 0 ? s.mobilisation_length : 0.01 * diameter;
   return law;

@@ -32,13 +32,13 @@ Verdict LinePairs::check_step(const Kinematics& trial) const {
   if (start_.size() != candidates_.segments().size()) return {};  // not prepared, no comparison possible
   const std::vector<Rod> moved = rods(trial);
   const Pair* through = nullptr;
-  double least = HUGE_VAL;
+  double smallest_gap = HUGE_VAL;
   for (const Pair& p : pairs_) {
     if (clipped(p) || !met(p, moved) || !tunnels(p, trial)) continue;
     const double gap = nearest_at_start(p).gap;
-    if (!through || gap < least) {
+    if (!through || gap < smallest_gap) {
       through = &p;
-      least = gap;
+      smallest_gap = gap;
     }
   }
   if (through)
@@ -91,7 +91,7 @@ double LinePairs::mass_per_length(const Pair& p) const {
 
 // 1/omega of the effective mass on the contact, s.
 double LinePairs::inverse_frequency(const Pair& p, double speed) const {
-  const double m = mass_per_length(p), depth = deepest(p);
+  const double m = mass_per_length(p), depth = largest_depth(p);
   return std::sqrt(m / stiffness_of_impact(p.law.normal, depth, m, speed));
 }
 
@@ -126,10 +126,10 @@ void LinePairs::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
 
 // Penetration in the accepted state, m, negative within the ramp; 0: no contact. A pass without a share of
 // the force has no points.
-double LinePairs::deepest(const Pair& p) const {
+double LinePairs::largest_depth(const Pair& p) const {
   double depth = -HUGE_VAL;
   for (const size_t pass : {0, 3})
-    if (p.points && !(*p.points)[pass].empty()) depth = std::max(depth, deepest_of((*p.points)[pass]));
+    if (p.points && !(*p.points)[pass].empty()) depth = std::max(depth, largest_depth_of((*p.points)[pass]));
   return depth > -HUGE_VAL ? depth : 0;
 }
 
@@ -141,11 +141,11 @@ void LinePairs::limit_step(const Kinematics& state, ImpactEvents& to) {
     const size_t i = p.a, j = p.b;
     const Nearest c = nearest_at_start(p);
     const double ramp = p.law.normal.smoothing,
-                 apart = std::max(c.gap - rods_[i].sagitta - rods_[j].sagitta, 0.0);
-    if (c.speed < 0) to.limit((apart + kDeep * p.law.radii) / -c.speed);
+                 clearance = std::max(c.gap - rods_[i].sagitta - rods_[j].sagitta, 0.0);
+    if (c.speed < 0) to.limit((clearance + kDeep * p.law.radii) / -c.speed);
     if (!p.counted) continue;
-    Approach a{std::max(apart - ramp, 0.0), -c.speed, acceleration(p, state)};
-    if (p.points) a.gap = -ramp - deepest(p);
+    Approach a{std::max(clearance - ramp, 0.0), -c.speed, acceleration(p, state)};
+    if (p.points) a.gap = -ramp - largest_depth(p);
     to.add(impact_event(inverse_frequency(p, std::max(-c.speed, 0.0)), 2 * ramp, mass(p), a),
            line_of_segment(p.a), line_of_segment(p.b));
   }
@@ -159,27 +159,27 @@ advice::NearestPlaces LinePairs::nearest_places(const Pair& p) const {
 }
 
 // Energy in the contact springs of the two lines that this rank counts, J.
-double LinePairs::stored(const Pair& of) const {
+double LinePairs::stored(const Pair& pair) const {
   const auto lines = [&](const Pair& p) { return ordered(line_of_segment(p.a), line_of_segment(p.b)); };
-  return sum([&](const Pair& p) { return lines(p) == lines(of); },
+  return sum([&](const Pair& p) { return lines(p) == lines(pair); },
              [](const LinePairContactPoint& h) { return h.potential; });
 }
 
 // The energy of a crossing is proportional to the depth to the power 5/2.
 advice::StepFinding LinePairs::too_soft(const Pair& p) const {
   const double radii = p.law.radii, k = p.law.normal.stiffness, speed = -nearest_at_start(p).speed,
-               depth = deepest(p);
+               depth = largest_depth(p);
   if (!(depth > kProposed * radii)) return advice::LinesStartTooNear{nearest_places(p)};
   const double has = stored(p), more = speed > 0 ? 0.5 * mass(p) * speed * speed : 0;
   const double wanted = k * std::pow(depth / (kProposed * radii), 2.5) * (1 + more / has);
-  const bool own = options_.tuned.count(ordered(line_of_segment(p.a), line_of_segment(p.b))) > 0;
+  const bool given = options_.tuned.count(ordered(line_of_segment(p.a), line_of_segment(p.b))) > 0;
   return advice::PressedLines{.at = nearest_places(p),
                               .depth = depth,
                               .radii = radii,
                               .stiffness = k,
                               .wanted = wanted,
                               .energy = has,
-                              .own_settings = own};
+                              .given = given};
 }
 
 }  // namespace hawser

@@ -208,12 +208,12 @@ Overstretch LineStructure::overstretched(const Kinematics& state) const {
   Overstretch worst;
   const auto look = [&](const auto& e, double strain) {
     const ResponseCurve* table = e.section.tension;
-    const double most = strain > 0 ? (table ? table->last() : 0) + kStrainBeyondRows
-                                   : (table ? std::min(table->first(), 0.0) : 0) - kStrainBeyondRows;
-    const double beyond = std::abs(strain) - std::abs(most);
+    const double limit = strain > 0 ? (table ? table->last() : 0) + kStrainBeyondRows
+                                    : (table ? std::min(table->first(), 0.0) : 0) - kStrainBeyondRows;
+    const double beyond = std::abs(strain) - std::abs(limit);
     if (!(beyond > worst.beyond)) return;
     const int node = mesh_.global[e.element.first];
-    worst = {beyond,      node, strain, most, table ? table->at(strain).force : e.section.EA * strain,
+    worst = {beyond,      node, strain, limit, table ? table->at(strain).force : e.section.EA * strain,
              e.section.EA};
   };
   for (const Beam& b : beams_)
@@ -245,22 +245,22 @@ std::vector<double> LineStructure::slack_length(const Kinematics& state) const {
 }
 
 // Bounds are applied to the unsoftened values, so that removing a bound restores them exactly.
-bool LineStructure::soften(double most) {
+bool LineStructure::soften(double max_EA) {
   if (true_beams_.empty() && true_EA_.empty()) {
     for (const Beam& b : beams_) true_beams_.push_back({b.section.EA, b.section.plastic});
     for (const Cable& c : cables_) true_EA_.push_back(c.section.EA);
   }
-  const bool yields = most == HUGE_VAL;
+  const bool yields = max_EA == HUGE_VAL;
   bool other = false;
   for (size_t i = 0; i < beams_.size(); ++i) {
     const auto& [EA, plastic] = true_beams_[i];
     BeamSection& s = beams_[i].section;
-    s.EA = std::min(most, EA);
+    s.EA = std::min(max_EA, EA);
     s.plastic = yields ? plastic : nullptr;
     other |= s.EA != EA || s.plastic != plastic;
   }
   for (size_t i = 0; i < cables_.size(); ++i) {
-    cables_[i].section.EA = std::min(most, true_EA_[i]);
+    cables_[i].section.EA = std::min(max_EA, true_EA_[i]);
     other |= cables_[i].section.EA != true_EA_[i];
   }
   if (yields) {
@@ -273,10 +273,10 @@ bool LineStructure::soften(double most) {
 }
 
 double LineStructure::axial_stiffness() const {
-  double most = 0;
-  for (const Beam& b : beams_) most = std::max(most, b.section.EA);
-  for (const Cable& c : cables_) most = std::max(most, c.section.EA);
-  return most;
+  double largest = 0;
+  for (const Beam& b : beams_) largest = std::max(largest, b.section.EA);
+  for (const Cable& c : cables_) largest = std::max(largest, c.section.EA);
+  return largest;
 }
 
 double LineStructure::beam_dissipation(const Kinematics& state) const {
@@ -297,8 +297,8 @@ double LineStructure::commit_plastic(const Kinematics& state) {
     // The reference points to the history at a trial length.
     if (b.reference.set != set) std::copy_n(b.reference.set, b.remembered(), set);
     b.reference.set = set;
-    const double lost = beam_bend(b.section, b.reference, ends(b, state), set);
-    if (b.element.counted) dissipated += lost;
+    const double plastic_work = beam_bend(b.section, b.reference, ends(b, state), set);
+    if (b.element.counted) dissipated += plastic_work;
   }
   return dissipated;
 }
@@ -322,14 +322,14 @@ void LineStructure::commit(const Kinematics& accepted) {
     const CableStep step{accepted.step, accepted.mean.filter};
     for (Cable& c : cables_) {
       const CableEnds e = ends(c, accepted);
-      const CableLoss lost =
+      const CableLoss losses =
           cable_loss(c.section, scaled_start(c, accepted.step, last_step_), step, e.x1, e.x2);
-      c.start.strain_increment = lost.strain_increment;
+      c.start.strain_increment = losses.strain_increment;
       if (c.element.counted) {
-        damping_ += lost.damped;
-        filtered_ += lost.filtered;
+        damping_ += losses.damped;
+        filtered_ += losses.filtered;
       }
-      if (c.element.counted && feeders_) feeders_->add_work(lost.fed);
+      if (c.element.counted && feeders_) feeders_->add_work(losses.fed);
     }
   }
   if (accepted.moves() && !plastic_history_.empty()) {
@@ -361,9 +361,9 @@ Energy LineStructure::energy(const Kinematics& state) const {
 void LineStructure::element_force(const Kinematics& state, const LocalElement& e, Vec12& f) const {
   if (const Beam* b = of_element(beams_, e)) {
     if (b->idle) return;
-    Vec12 own;
-    beam_force(b->section, b->reference, ends(*b, state), own);
-    add_ends(own, f);
+    Vec12 force;
+    beam_force(b->section, b->reference, ends(*b, state), force);
+    add_ends(force, f);
   } else if (const Cable* c = of_element(cables_, e)) {
     const Vec3 pull = cable_force(section_for_output(*c, state), ends(*c, state));
     add_ends((Vec6() << -pull, pull).finished(), f);

@@ -97,10 +97,10 @@ void LineStructure::keep_hauled_in(const Beam& b, const FedLine& f) {
   for (const RememberedCell& c : inside(*mesh_.mesh, f, kept)) {
     const double middle = 0.5 * (c.from + c.to);
     if (middle > from || middle <= to) continue;
-    double* in = kept.data() + (c.values - kept.data());
+    double* target = kept.data() + (c.values - kept.data());
     for (const RememberedCell& old : remembered_cells(0, from, values.data(), n))
-      if (old.from <= middle && middle <= old.to) std::copy_n(old.values, n, in);
-    b.section.plastic->bend(0, 0, in);
+      if (old.from <= middle && middle <= old.to) std::copy_n(old.values, n, target);
+    b.section.plastic->bend(0, 0, target);
   }
 }
 
@@ -114,8 +114,8 @@ double LineStructure::fed_work(const Kinematics& state) const {
     const FedLine* fed = feeders_->find(b.element.global);
     if (!fed || fed->length == fed->before) continue;
     const double grown = fed->length - fed->before;
-    const std::vector<double> in = entering(*fed, fed->before + 0.5 * grown);
-    const double* enters = grown > 0 ? in.data() : nullptr;
+    const std::vector<double> entering_values = entering(*fed, fed->before + 0.5 * grown);
+    const double* enters = grown > 0 ? entering_values.data() : nullptr;
     BeamSection then = b.section;
     BeamReference as_then = b.reference;
     then.length = fed->before;
@@ -157,8 +157,9 @@ void LineStructure::transfer_node(MPI_Comm comm, size_t feeder, bool releases) {
   const auto keep = [&](int element, const std::vector<double>& values) {
     Beam* b = beam(element);
     if (!b) return;
-    const std::vector<double> own = turned(values.data(), n, f.line_end);
-    std::copy(own.begin(), own.end(), plastic_history_.begin() + static_cast<std::ptrdiff_t>(b->memory));
+    const std::vector<double> values_of_element = turned(values.data(), n, f.line_end);
+    std::copy(values_of_element.begin(), values_of_element.end(),
+              plastic_history_.begin() + static_cast<std::ptrdiff_t>(b->memory));
   };
   std::vector<RememberedCell> cells;
   for (const RememberedCell& c : remembered_cells(0, f.length, part(0), n)) cells.push_back(c);

@@ -24,8 +24,8 @@ bool resting(double stiffness, double depth, double mass, double speed) {
 }  // namespace
 
 // Static fraction of the force [N] on the whole element, 0 to 1.
-double LineVolumeContact::static_share(const Pair& pair, const Kinematics& state, double force, double depth,
-                                       const Vec3& normal) const {
+double LineVolumeContact::static_fraction(const Pair& pair, const Kinematics& state, double force,
+                                          double depth, const Vec3& normal) const {
   if (!state.moves()) return 1;
   const size_t a = local(pair).first, b = local(pair).second;
   const Vec3 place = 0.5 * (state.x[a] + state.x[b]),
@@ -40,7 +40,7 @@ bool LineVolumeContact::raise_stiffness(const Kinematics& equilibrium) {
   volumes_.pose_trial(equilibrium);
   std::vector<double> wanted = volumes_.stiffnesses();
   for (Pair& pair : pairs_) {
-    const bool touches = !pair.trial.found.panels.empty() || pair.start.several_groups;
+    const bool touches = !pair.trial.contact.panels.empty() || pair.start.several_groups;
     if (!volumes_.automatic(pair.volume) || (!touches && !equilibrium.moves())) continue;
     const AxisShape shape(ends(equilibrium, pair.element));
     const RigidPose& pose = volumes_.trial_pose(pair.volume);
@@ -55,20 +55,20 @@ bool LineVolumeContact::raise_stiffness(const Kinematics& equilibrium) {
       double force = 0, area = 0;  // N, m²: force and integral of the depth, of the whole facet group
       Vec3 normal = Vec3::Zero();
       at.depth = 0;
-      for (const QuadraturePoint& there : pair.trial.found.quadrature) {
-        if (!touches || pair.trial.found.panels[there.panel].group != w || !pair.in_contact(there.surface))
+      for (const QuadraturePoint& point : pair.trial.contact.quadrature) {
+        if (!touches || pair.trial.contact.panels[point.panel].group != w || !pair.in_contact(point.surface))
           continue;
-        const double gap = there.surface.distance - pair.radius;
-        force += there.weight * normal_force(pair.law(there.xi).normal, gap, 0).elastic;
-        area += there.weight * std::max(-gap, 0.0);
+        const double gap = point.surface.distance - pair.radius;
+        force += point.weight * normal_force(pair.law(point.xi).normal, gap, 0).elastic;
+        area += point.weight * std::max(-gap, 0.0);
         if (-gap > at.depth) {
           at.depth = -gap;
-          normal = pose.rotation * there.surface.normal;
+          normal = pose.rotation * point.surface.normal;
         }
       }
       // A beam bends locally under contact, so its deepest point counts.
       at.mean_depth = shape.count() == AxisShape::kMaxPositions ? at.depth : area / pair.length;
-      at.static_share = touches ? static_share(pair, equilibrium, force, at.depth, normal) : 1;
+      at.static_fraction = touches ? static_fraction(pair, equilibrium, force, at.depth, normal) : 1;
       volumes_.require(pair.volume, pair.laws[0].normal, at, equilibrium.step, wanted);
     }
   }
@@ -81,11 +81,11 @@ bool LineVolumeContact::raise_stiffness_where_blocked(const Kinematics& trial) {
   constexpr double kStiffer = 4;
   std::vector<double> wanted = volumes_.stiffnesses();
   for (const Pair& pair : pairs_) {
-    double& there = wanted[pair.volume];
+    double& demand = wanted[pair.volume];
     const double stiffer = kStiffer * volumes_.settings(pair.volume).normal_stiffness;
-    if (there >= stiffer || !volumes_.automatic(pair.volume)) continue;
+    if (demand >= stiffer || !volumes_.automatic(pair.volume)) continue;
     const AxisShape shape(ends(trial, pair.element));
-    if (is_drawn_in(pair, shape, volumes_.pose_of(pair.volume, trial))) there = stiffer;
+    if (is_pulled_in(pair, shape, volumes_.pose_of(pair.volume, trial))) demand = stiffer;
   }
   if (!volumes_.raise(wanted)) return false;
   renew_laws();

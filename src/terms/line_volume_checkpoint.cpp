@@ -64,15 +64,15 @@ void LineVolumeContact::restore(const std::vector<CheckpointRecord>& records) {
   for (const CheckpointRecord& r : records) {
     const bool sums = r.kind == kSums;
     const auto& side = !sums && r.key % 2 ? before : behind;
-    const auto found = side.find(r.node);
-    if (found == side.end()) continue;
+    const auto owner = side.find(r.node);
+    if (owner == side.end()) continue;
     if (sums) {
-      accounts_[found->second] = entry<ContactWork>(r);
+      accounts_[owner->second] = entry<ContactWork>(r);
       continue;
     }
     if (r.key < 0 || r.key / 2 >= volumes())
       throw std::invalid_argument("a contact record of the checkpoint does not fit this case");
-    const int element = found->second, volume = r.key / 2;
+    const int element = owner->second, volume = r.key / 2;
     const auto [at, is_new] = known.insert({{element, volume}, pairs_.size()});
     if (is_new) pairs_.emplace_back();
     Pair& pair = pairs_[at->second];

@@ -42,12 +42,12 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
   // Path of a point of the line (y0 to y1, body axes), and its displacement without sliding along the line
   // (lifted). A pipe that is pulled over a roller continuously makes and loses contact, yet the length in
   // contact does not change, so sliding does not count as separation. With contact at nodes it does.
-  struct Way {
+  struct PointPath {
     Vec3 y0, y1, lifted, along;
   };
   const auto rolled = rolls(pair, shape);
-  const auto way = [&](double xi) {
-    Way w;
+  const auto path_of = [&](double xi) {
+    PointPath w;
     w.y0 = before.to_body(start.point(xi));
     w.y1 = after.to_body(shape.point(xi));
     w.along = ((before.rotation.conjugate() * start.slope(xi)).normalized() +
@@ -59,7 +59,7 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
   };
   // If the stiffness was raised, the change of spring energy due to the raise counts as external work.
   const double raise = volumes_.raised(pair.volume) ? 1 : 0;
-  const auto add = [&](const AxisContactPoint& p, const Mat3& R, const Way& w, double touching) {
+  const auto add = [&](const AxisContactPoint& p, const Mat3& R, const PointPath& w, double touching) {
     sum.add(step, p, R, w.y0, w.y1, touching);
     sum.work += raise * 0.5 * touching * p.weight * p.elastic_force() * p.normal.dot(w.y1 - w.y0);
     if (!rolled) return;
@@ -68,13 +68,13 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
     sum.friction -= 0.25 * p.weight * (R * p.friction).dot((step.R0 + step.R1) * surface);
   };
   for (const AxisContactPoint& p : pair.start.points) {
-    const Way w = way(p.xi);
+    const PointPath w = path_of(p.xi);
     const double away = p.normal.dot(w.lifted), deep = std::max(smoothing - p.gap, 0.0);
     add(p, step.R0, w, away > deep ? deep / away : 1);
     sum.work -= raise * p.weight * p.potential;
   }
   for (const AxisContactPoint& p : next) {
-    const Way w = way(p.xi);
+    const PointPath w = path_of(p.xi);
     const double came = -p.normal.dot(w.lifted), deep = smoothing - p.gap;
     add(p, step.R1, w, came > deep ? deep / came : 1);
     sum.work += raise * p.weight * p.potential;
@@ -94,12 +94,12 @@ Energy LineVolumeContact::energy(const Kinematics& state) const {
     }
     const AxisShape shape(ends(state, p.element));
     const RigidPose& pose = poses[volumes_.body(p.volume)];
-    if (LineVolumeFinder::certainly_apart(p, shape, pose)) continue;
+    if (LineVolumeFinder::certainly_clear(p, shape, pose)) continue;
     Pair pair = p;
-    for (const QuadraturePoint& there : finder_.find(pair, shape, pose).quadrature)
-      if (p.in_contact(there.surface))
-        e.strain += there.weight *
-                    normal_force(p.law(there.xi).normal, there.surface.distance - p.radius, 0).potential;
+    for (const QuadraturePoint& point : finder_.find(pair, shape, pose).quadrature)
+      if (p.in_contact(point.surface))
+        e.strain += point.weight *
+                    normal_force(p.law(point.xi).normal, point.surface.distance - p.radius, 0).potential;
   }
   for (size_t i = 0; i < accounts_.size(); ++i) {
     if (!mesh_.elements[i].counted) continue;

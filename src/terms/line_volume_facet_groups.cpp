@@ -70,22 +70,22 @@ void LineVolumeFinder::assign_previous_points(LineVolumePair& pair) const {
   const size_t facet_groups = pair.facet_groups();
   // By present facet group: points by facet group of the last step.
   using Points = std::vector<AxisContactPoint>;
-  std::vector<std::vector<Points>> of(facet_groups, std::vector<Points>(FacetGroups::kMaxGroups));
+  std::vector<std::vector<Points>> points_of(facet_groups, std::vector<Points>(FacetGroups::kMaxGroups));
   for (const AxisContactPoint& p : pair.start.points) {
     size_t best = 0;
     double like = -2;
     const Vec3 y = pair.start.pose.to_body(pair.start.shape.point(p.xi));
     for (size_t w = 0; w < facet_groups && facet_groups > 1; ++w) {
-      const auto there =
+      const auto nearest =
           surface(pair).query_group(near.facet_groups.list[w], y, std::numeric_limits<double>::max(), true);
-      if (there && there->normal.dot(p.normal) > like) {
-        like = there->normal.dot(p.normal);
+      if (nearest && nearest->normal.dot(p.normal) > like) {
+        like = nearest->normal.dot(p.normal);
         best = w;
       }
     }
-    of[best][p.group].push_back(p);
+    points_of[best][p.group].push_back(p);
   }
-  for (std::vector<Points>& before : of) {
+  for (std::vector<Points>& before : points_of) {
     const auto force = [](const Points& points) {
       double sum = 0;
       for (const AxisContactPoint& p : points) sum += p.weight * p.normal_force;

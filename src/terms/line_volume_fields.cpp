@@ -33,9 +33,9 @@ void LineVolumeContact::fields(FieldRegistry& registry) const {
                          axes.push_back(volumes_.pose_of(v, state).rotation.toRotationMatrix());
                        for (const Pair& p : pairs_)
                          for (const AxisContactPoint& q : p.start.points)
-                           share_at_ends(
+                           weights_at_ends(
                                element(p), local(p).first, local(p).second, mesh_.owned, q.xi,
-                               [&](int node, double share) { show(node, share, axes[p.volume], q); });
+                               [&](int node, double weight) { show(node, weight, axes[p.volume], q); });
                      });
 }
 

@@ -19,7 +19,7 @@ constexpr double kFirst = 2;
 constexpr double kAll = 1 - 1e-9;
 
 // Restricts panels to the part of the axis that may touch. The limit is a fixed material point.
-void clip(const ContactShare& part, std::vector<ContactInterval>& panels) {
+void clip(const ActiveInterval& part, std::vector<ContactInterval>& panels) {
   for (ContactInterval& s : panels) {
     if (s.from < part.from) {
       s.from = part.from;
@@ -89,15 +89,15 @@ class LineVolumeFinder::Gap {
   std::optional<AxisGap> middle_;
 };
 
-bool LineVolumeFinder::certainly_apart(const LineVolumePair& pair, const AxisShape& shape,
+bool LineVolumeFinder::certainly_clear(const LineVolumePair& pair, const AxisShape& shape,
                                        const RigidPose& pose) {
   return pair.cache.clearance.radius_about(bezier_in(pose, shape)) > 0;
 }
 
-bool LineVolumeFinder::skip_if_apart(LineVolumePair& pair, const AxisShape& shape,
+bool LineVolumeFinder::skip_if_clear(LineVolumePair& pair, const AxisShape& shape,
                                      const RigidPose& pose) const {
-  if (!certainly_apart(pair, shape, pose)) return false;
-  pair.trial.found.clear();
+  if (!certainly_clear(pair, shape, pose)) return false;
+  pair.trial.contact.clear();
   pair.trial.near = {};
   pair.trial.evaluation = LineVolumePair::Evaluation::none;
   return true;
@@ -111,19 +111,20 @@ void LineVolumeFinder::update_clearance(LineVolumePair& pair, const AxisShape& s
                                         std::vector<ClearancePoint>& places) const {
   const auto by_xi = [](const ClearancePoint& a, const ClearancePoint& b) { return a.xi < b.xi; };
   std::sort(places.begin(), places.end(), by_xi);
-  double least = std::numeric_limits<double>::infinity(), worst = 0;
-  for (const ClearancePoint& p : places) least = std::min(least, p.distance - pair.contact_distance);
-  if (!(least > 0)) return;
+  double smallest_gap = std::numeric_limits<double>::infinity(), worst = 0;
+  for (const ClearancePoint& p : places)
+    smallest_gap = std::min(smallest_gap, p.distance - pair.contact_distance);
+  if (!(smallest_gap > 0)) return;
   const auto free_radius = [&] {
     return least_distance(places, shape.slope_bound(), shape.bend_bound(), worst) - pair.contact_distance;
   };
   double free = free_radius();
-  for (int i = 0; i < kProbes && free < kCertain * least; ++i) {
-    const double within = pair.contact_distance + 2 * least;
+  for (int i = 0; i < kProbes && free < kCertain * smallest_gap; ++i) {
+    const double within = pair.contact_distance + 2 * smallest_gap;
     const auto p = surface(pair).query(pose.to_body(shape.point(worst)), within, pair.cache.hint);
     const ClearancePoint more{worst, p ? p->distance : within};
     places.insert(std::upper_bound(places.begin(), places.end(), more, by_xi), more);
-    least = std::min(least, more.distance - pair.contact_distance);
+    smallest_gap = std::min(smallest_gap, more.distance - pair.contact_distance);
     free = free_radius();
   }
   if (!(free > 0)) return;  // Surface::free_radius() only shortens distances
@@ -168,14 +169,14 @@ std::vector<ContactInterval> LineVolumeFinder::locate(LineVolumePair& pair, int 
   // The distance to one facet group is no bound for the others.
   if (intervals.empty() && !pair.group(group)) update_clearance(pair, shape, pose, places_);
   std::vector<ContactInterval> panels =
-      split_intervals(as_split_before(intervals, before, pair.trial.found.filled), levels);
+      split_intervals(as_split_before(intervals, before, pair.trial.contact.filled), levels);
   if (!pair.part.all()) clip(pair.part, panels);
   return panels;
 }
 
 void LineVolumeFinder::find_along(LineVolumePair& pair, int group, const AxisShape& shape,
                                   const RigidPose& pose) const {
-  pair.trial.found.add_panels(locate(pair, group, shape, pose), group, pair.length, [&](double xi) {
+  pair.trial.contact.add_panels(locate(pair, group, shape, pose), group, pair.length, [&](double xi) {
     const auto p = query(pair, group, xi, pose.to_body(shape.point(xi)), pair.contact_distance);
     if (p) pair.cache.hint = p->triangle;
     return p;
@@ -185,7 +186,7 @@ void LineVolumeFinder::find_along(LineVolumePair& pair, int group, const AxisSha
 // The trapezoidal rule: each end has the weight of its half of the element.
 void LineVolumeFinder::find_at_nodes(LineVolumePair& pair, int group, const AxisShape& shape,
                                      const RigidPose& pose) const {
-  ContactQuadrature& f = pair.trial.found;
+  ContactQuadrature& f = pair.trial.contact;
   pair.trial.queries = 0;
   Gap gap(*this, pair, group, shape, pose, places_);
   // The middle cannot show contact behind one of several facet groups.
@@ -208,22 +209,22 @@ bool LineVolumeFinder::takes_part(const LineVolumePair& pair, double xi) const {
 
 const ContactQuadrature& LineVolumeFinder::find(LineVolumePair& pair, const AxisShape& shape,
                                                 const RigidPose& pose) const {
-  if (skip_if_apart(pair, shape, pose)) return pair.trial.found;
-  const bool same = pair.trial.found.configuration.same_configuration(shape, pose);
-  if (!pair.trial.found.configuration.same_motion(shape, pose))
+  if (skip_if_clear(pair, shape, pose)) return pair.trial.contact;
+  const bool same = pair.trial.contact.configuration.same_configuration(shape, pose);
+  if (!pair.trial.contact.configuration.same_motion(shape, pose))
     pair.trial.evaluation = LineVolumePair::Evaluation::none;
-  if (!same) pair.trial.found.clear();
-  pair.trial.found.configuration = {true, shape, pose};
+  if (!same) pair.trial.contact.clear();
+  pair.trial.contact.configuration = {true, shape, pose};
   if (same) {
     pair.trial.queries = pair.trial.queries_of_search;
-    return pair.trial.found;
+    return pair.trial.contact;
   }
   pair.trial.near = {};
   if (pair.start.several_groups) find_facet_groups(pair, shape, pose);
   for (int w = 0; w < pair.facet_groups(); ++w)
     at_nodes() ? find_at_nodes(pair, w, shape, pose) : find_along(pair, w, shape, pose);
   pair.trial.queries_of_search = pair.trial.queries;
-  return pair.trial.found;
+  return pair.trial.contact;
 }
 
 // The surface is searched at any distance; the box of a plane has no useful size.

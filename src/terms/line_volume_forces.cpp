@@ -31,7 +31,7 @@ AxisContact LineVolumeContact::contact(Pair& pair, const AxisShape& shape,
   };
   AxisContact c(shape, pose, pair.radius, pair.length, mode, rolls(pair, shape));
   pair.trial.evaluated.clear();
-  c.add(pair.trial.found, {law, query, start}, mode.tangent ? nullptr : &pair.trial.evaluated);
+  c.add(pair.trial.contact, {law, query, start}, mode.tangent ? nullptr : &pair.trial.evaluated);
   pair.trial.evaluation = mode.tangent ? Pair::Evaluation::none : Pair::evaluation_of(mode.moves);
   return c;
 }
@@ -43,7 +43,7 @@ void LineVolumeContact::find_near_pairs(const Kinematics& trial) {
     Pair& pair = pairs_[i];
     const AxisShape shape(ends(trial, pair.element));
     const RigidPose& pose = volumes_.trial_pose(pair.volume);
-    if (finder_.skip_if_apart(pair, shape, pose)) continue;
+    if (finder_.skip_if_clear(pair, shape, pose)) continue;
     near_.push_back({i, shape});
     finder_.find(pair, shape, pose);
   }
@@ -55,7 +55,7 @@ void LineVolumeContact::evaluate(const Kinematics& trial, Assembler& assembler) 
   const bool tangent = assembler.needs_tangent(), moves = trial.moves();
   for (const Near& near : near_) {
     Pair& pair = pairs_[near.pair];
-    if (pair.trial.found.panels.empty()) continue;
+    if (pair.trial.contact.panels.empty()) continue;
     const bool beam = near.shape.count() == AxisShape::kMaxPositions;
     Stencil stencil;
     near.shape.attach(stencil);

@@ -49,11 +49,11 @@ std::array<ContactLaw, 2> LineVolumeContact::laws(const Pair& pair) const {
   const double diameter = 2 * settings(pair).radius;
   std::array<ContactLaw, 2> laws;
   for (size_t i = 0; i < 2; ++i) {
-    double share = 1;  // 1/m, converts the basis to N/m²
+    double factor = 1;  // 1/m, converts the basis to N/m²
     if (v.basis == model::StiffnessBasis::per_point)
-      share = 1 / (finder_.at_nodes() ? mesh_.node(i ? e.second : e.first).tributary : pair.length);
-    if (v.basis == model::StiffnessBasis::per_area) share = diameter;
-    laws[i] = contact_law(v, share, diameter, settings(pair).mass_per_length);
+      factor = 1 / (finder_.at_nodes() ? mesh_.node(i ? e.second : e.first).tributary : pair.length);
+    if (v.basis == model::StiffnessBasis::per_area) factor = diameter;
+    laws[i] = contact_law(v, factor, diameter, settings(pair).mass_per_length);
   }
   return laws;
 }
@@ -126,12 +126,12 @@ bool LineVolumeContact::start_pair(Pair& pair, const AxisEnds& at, const AxisSha
   return true;
 }
 
-// Takes over the results of the last step. `found` is reused only if it refers to the whole surface, because
-// facet groups may have changed, and only without contact, because panels must be split as at the start of
-// this step.
+// Takes over the results of the last step. `contact` is reused only if it refers to the whole surface,
+// because facet groups may have changed, and only without contact, because panels must be split as at the
+// start of this step.
 void LineVolumeContact::reuse_previous(Pair& previous, Pair& pair) const {
   if (!previous.start.several_groups && previous.start.points.empty())
-    pair.trial.found = std::move(previous.trial.found);
+    pair.trial.contact = std::move(previous.trial.contact);
   pair.start.points = std::move(previous.start.points);
   pair.start.springs = previous.start.springs;
   pair.cache = std::move(previous.cache);
@@ -145,7 +145,7 @@ void LineVolumeContact::start_facet_groups(Pair& pair, double motion) const {
   if (!finder_.by_gap()) {
     const bool touched = !pair.start.points.empty() && pair.start.points.back().group > 0;
     pair.start.several_groups = touched || !finder_.one_facet_group(pair, motion);
-    if (pair.start.several_groups) pair.trial.found = {};
+    if (pair.start.several_groups) pair.trial.contact = {};
     return;
   }
   for (size_t i = 0; i < 2; ++i)

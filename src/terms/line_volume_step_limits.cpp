@@ -38,7 +38,7 @@ void LineVolumeContact::limit_step(const Kinematics& committed, ImpactEvents& to
   }
 }
 
-void LineVolumeContact::add_impact_at(const Pair& pair, const Kinematics& committed, double xi, double share,
+void LineVolumeContact::add_impact_at(const Pair& pair, const Kinematics& committed, double xi, double length,
                                       double gap, const Vec3& normal, bool last, ImpactEvents& to,
                                       double touching) const {
   const Quat back = pair.start.pose.rotation.conjugate();
@@ -47,8 +47,8 @@ void LineVolumeContact::add_impact_at(const Pair& pair, const Kinematics& commit
   const Approach at{gap, -normal.dot(velocity), normal.dot(acceleration), last};
   limit_depth(pair.radius, at, to);
   const ContactSpring s = spring(pair, xi, touching);
-  const double mass = settings(pair).mass_per_length * share * pair.length / touching;
-  if (local(pair).counted && share > 0)
+  const double mass = settings(pair).mass_per_length * length * pair.length / touching;
+  if (local(pair).counted && length > 0)
     to.add(impact_event(s.inverse_frequency, s.significant_depth, mass, at), element(pair).line);
 }
 
@@ -56,7 +56,7 @@ void LineVolumeContact::limit_by_active_contacts(const Pair& pair, const Kinemat
                                                  ImpactEvents& to) const {
   // The deepest point of contact with a facet group stands for its whole length in contact; with contact at
   // nodes each node is separate.
-  const bool apart = finder_.at_nodes();
+  const bool at_nodes = finder_.at_nodes();
   const auto last = pair.start.points.end();
   for (auto first = pair.start.points.begin(), end = first; first != last; first = end) {
     end = std::find_if(first, last, [&](const AxisContactPoint& p) { return p.group != first->group; });
@@ -65,19 +65,19 @@ void LineVolumeContact::limit_by_active_contacts(const Pair& pair, const Kinemat
     double all = 0;
     for (auto p = first; p != end; ++p) all += p->weight;
     for (auto p = first; p != end; ++p)
-      add_impact_at(pair, committed, p->xi, p == deepest && !apart ? all : p->weight,
-                    p->gap - pair.smoothing(), p->normal, p == deepest || apart, to,
-                    apart || !straight(pair.start.shape) ? pair.length : all);
+      add_impact_at(pair, committed, p->xi, p == deepest && !at_nodes ? all : p->weight,
+                    p->gap - pair.smoothing(), p->normal, p == deepest || at_nodes, to,
+                    at_nodes || !straight(pair.start.shape) ? pair.length : all);
   }
 }
 
 void LineVolumeContact::predict_impacts(const Pair& pair, const Kinematics& committed, double xi,
                                         const SurfacePoint& p, ImpactEvents& to) const {
-  const bool apart = finder_.at_nodes();
+  const bool at_nodes = finder_.at_nodes();
   const bool touching = std::any_of(pair.start.points.begin(), pair.start.points.end(),
-                                    [&](const AxisContactPoint& h) { return !apart || h.xi == xi; });
+                                    [&](const AxisContactPoint& h) { return !at_nodes || h.xi == xi; });
   // Weights of Simpson's rule, or of the nodes. limit_by_active_contacts() treats points in contact.
-  const double gap = p.distance - pair.contact_distance, part = apart ? 0.5 : (xi == 0.5 ? 4.0 : 1.0) / 6;
+  const double gap = p.distance - pair.contact_distance, part = at_nodes ? 0.5 : (xi == 0.5 ? 4.0 : 1.0) / 6;
   add_impact_at(pair, committed, xi, gap < 0 && touching ? 0 : part * pair.length, gap, p.normal, false, to,
                 pair.length);
 }
@@ -145,15 +145,15 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
     // Skips pairs without contact both at the start and in the last evaluation, unless the surface has
     // several facet groups: the contact may be with another one.
     if (!local(pair).counted ||
-        (pair.start.points.empty() && !pair.start.several_groups && pair.trial.found.panels.empty()))
+        (pair.start.points.empty() && !pair.start.several_groups && pair.trial.contact.panels.empty()))
       continue;
     const AxisShape shape(ends(trial, pair.element));
     const RigidPose& pose = volumes_.trial_pose(pair.volume);
-    const ContactQuadrature& found = finder_.find(pair, shape, pose);
+    const ContactQuadrature& contact = finder_.find(pair, shape, pose);
     for (int w = 0; w < pair.facet_groups(); ++w) {
       double deepest = 0, deepest_before = 0;
-      for (const QuadraturePoint& p : found.quadrature)
-        if (found.panels[p.panel].group == w) deepest = std::max(deepest, pair.radius - p.surface.distance);
+      for (const QuadraturePoint& p : contact.quadrature)
+        if (contact.panels[p.panel].group == w) deepest = std::max(deepest, pair.radius - p.surface.distance);
       for (const AxisContactPoint& p : pair.previous(w)) deepest_before = std::max(deepest_before, -p.gap);
       to.too_deep = to.too_deep || sinks_too_far(pair.radius, deepest_before, deepest);
     }
@@ -161,12 +161,12 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
         resolves_contact(spring(pair, 1, pair.length).inverse_frequency, trial.step))
       continue;
 
-    const auto add = [&](double touching, double xi, double share, double force, double potential,
+    const auto add = [&](double touching, double xi, double weight, double force, double potential,
                          double path, double speed) {
       const ContactSpring s =
           spring(pair, xi, finder_.at_nodes() || !straight(shape) ? pair.length : touching);
       const double error =
-          share * crossing_error(s.inverse_frequency, s.significant_depth, force, potential, path, speed);
+          weight * crossing_error(s.inverse_frequency, s.significant_depth, force, potential, path, speed);
       if (error > 0) to.list.push_back({element(pair).line, -1, error});
     };
     const auto moved = [&](double xi) -> Vec3 {
@@ -178,28 +178,28 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
       for (const AxisContactPoint& p : pair.previous(w)) touched += p.weight;
       for (const AxisContactPoint& p : pair.previous(w)) {
         const auto holds = [&](const auto& s) { return s.from <= p.xi && p.xi <= s.to; };
-        if (std::any_of(found.panels.begin(), found.panels.end(),
+        if (std::any_of(contact.panels.begin(), contact.panels.end(),
                         [&](const ContactPanel& s) { return s.group == w && holds(s); }) &&
-            std::none_of(found.filled.begin(), found.filled.end(), holds))
+            std::none_of(contact.filled.begin(), contact.filled.end(), holds))
           continue;
         const Vec3 x = shape.point(p.xi), leaves = shape.velocity(p.xi) - pose.velocity_at(x);
         add(touched, p.xi, p.weight, p.elastic_force(), p.potential, p.normal.dot(moved(p.xi)),
             (pose.rotation * p.normal).dot(leaves));
       }
     }
-    for (const QuadraturePoint& p : found.quadrature) {
-      const auto& previous = pair.previous(found.panels[p.panel].group);
+    for (const QuadraturePoint& p : contact.quadrature) {
+      const auto& previous = pair.previous(contact.panels[p.panel].group);
       const auto holds = [&](const AxisContactPoint& q) { return q.from <= p.xi && p.xi <= q.to; };
       if (!pair.in_contact(p.surface) || std::any_of(previous.begin(), previous.end(), holds)) continue;
       // In axial sliding elements begin and end contact, but the length in contact does not change.
       const Vec3 along = (pose.rotation.conjugate() * shape.slope(p.xi)).normalized(), all = moved(p.xi),
-                 way = finder_.at_nodes() ? all : Vec3(all - along * along.dot(all));
-      const double came = -p.surface.normal.dot(way);
+                 displacement = finder_.at_nodes() ? all : Vec3(all - along * along.dot(all));
+      const double came = -p.surface.normal.dot(displacement);
       if (!(came > pair.contact_distance - p.surface.distance)) continue;
       const NormalForce f = normal_force(pair.law(p.xi).normal, p.surface.distance - pair.radius, 0);
       double touches = 0;
-      for (const QuadraturePoint& q : found.quadrature)
-        if (found.panels[q.panel].group == found.panels[p.panel].group && pair.in_contact(q.surface))
+      for (const QuadraturePoint& q : contact.quadrature)
+        if (contact.panels[q.panel].group == contact.panels[p.panel].group && pair.in_contact(q.surface))
           touches += q.weight;
       add(touches, p.xi, p.weight, f.elastic, f.potential, came, came / trial.step);
     }

@@ -37,48 +37,48 @@ Verdict LineVolumeContact::check_step(const Kinematics& trial) const {
       shape.emplace(ends(trial, element));
     }
     const RigidPose& pose = poses[volumes_.body(pair.volume)];
-    const bool drawn = rests && is_drawn_in(pair, *shape, pose);
-    if (!drawn && !tunnels(pair, *shape, pose, rests)) continue;
+    const bool pulled_in = rests && is_pulled_in(pair, *shape, pose);
+    if (!pulled_in && !tunnels(pair, *shape, pose, rests)) continue;
     if (!rests) return {Verdict::Kind::shorter, advice::LinePassesVolume{}};
     const int node = mesh_.global[local(pair).first];
     return {Verdict::Kind::shorter,
-            advice::DrawnThrough{.law = volumes_.law_of(pair.volume),
-                                 .place = mesh_.mesh->place(node),
-                                 .too_soft = drawn && !volumes_.automatic(pair.volume)}};
+            advice::PulledThrough{.law = volumes_.law_of(pair.volume),
+                                  .place = mesh_.mesh->place(node),
+                                  .too_soft = pulled_in && !volumes_.automatic(pair.volume)}};
   }
   return {};
 }
 
 std::optional<advice::TooDeep> LineVolumeContact::deeper_than_allowed(const Kinematics& state) const {
   if (finder_.by_gap()) return std::nullopt;  // the compression of gap springs has no limit
-  const Pair* in = nullptr;
+  const Pair* deepest_pair = nullptr;
   double deepest = 0, xi = 0;
   for (const Pair& pair : pairs_) {
-    if (is_held(pair) || pair.trial.found.quadrature.empty()) continue;
+    if (is_held(pair) || pair.trial.contact.quadrature.empty()) continue;
     // A pair that has not moved since it was clear is not evaluated in a trial; its result is older.
-    if (!pair.trial.found.configuration.shape.same_axis(AxisShape(ends(state, pair.element)))) continue;
-    const double most = volumes_.deepest(pair.volume, pair.radius);
-    for (const QuadraturePoint& there : pair.trial.found.quadrature)
-      if (const double depth = pair.radius - there.surface.distance; depth > std::max(most, deepest)) {
-        in = &pair;
+    if (!pair.trial.contact.configuration.shape.same_axis(AxisShape(ends(state, pair.element)))) continue;
+    const double limit = volumes_.depth_limit(pair.volume, pair.radius);
+    for (const QuadraturePoint& point : pair.trial.contact.quadrature)
+      if (const double depth = pair.radius - point.surface.distance; depth > std::max(limit, deepest)) {
+        deepest_pair = &pair;
         deepest = depth;
-        xi = there.xi;
+        xi = point.xi;
       }
   }
-  if (!in) return std::nullopt;
-  const LocalElement& e = local(*in);
+  if (!deepest_pair) return std::nullopt;
+  const LocalElement& e = local(*deepest_pair);
   const int node = mesh_.global[xi < 0.5 ? e.first : e.second];
-  return advice::TooDeep{.law = volumes_.law_of(in->volume),
+  return advice::TooDeep{.law = volumes_.law_of(deepest_pair->volume),
                          .place = mesh_.mesh->place(node),
                          .depth = deepest,
-                         .radius = in->radius,
+                         .radius = deepest_pair->radius,
                          .time = state.time};
 }
 
 // Detects an axis that reached the surface because contact is too soft. Inside, the nearest facet may be on
 // the far side of the volume, and contact would push the line out there. An element that is inside at the
 // start of the step may leave on any side.
-bool LineVolumeContact::is_drawn_in(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const {
+bool LineVolumeContact::is_pulled_in(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const {
   if (finder_.by_gap() || is_held(pair)) return false;
   return !(pair.cache.clearance.radius_about(bezier_in(pose, shape)) > 0) && is_inside(pair, shape, pose) &&
          !is_inside(pair, pair.start.shape, pair.start.pose);
@@ -89,7 +89,7 @@ bool LineVolumeContact::is_drawn_in(const Pair& pair, const AxisShape& shape, co
 bool LineVolumeContact::is_inside(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const {
   if (!volumes_.has_back(pair.volume)) return false;
   auto gap = axis_distance(volumes_.surface(pair.volume), pose, shape,
-                           pair.radius - volumes_.deepest(pair.volume, pair.radius));
+                           pair.radius - volumes_.depth_limit(pair.volume, pair.radius));
   if (finder_.at_nodes())
     return std::any_of(kEnds.begin(), kEnds.end(),
                        [&](double xi) { return finder_.takes_part(pair, xi) && gap(xi, 0).gap < 0; });
@@ -106,15 +106,16 @@ bool LineVolumeContact::tunnels(const Pair& pair, const AxisShape& shape, const 
                                 bool rests) const {
   if (finder_.by_gap()) return false;
   const double radius = pair.radius;
-  const double least = rests ? kCreeps * radius : radius;
+  const double min_displacement = rests ? kCreeps * radius : radius;
   const BezierAxis from = part_of(pair, pair.start.shape, pair.start.pose), to = part_of(pair, shape, pose);
-  if (from.farthest_distance(to) <= std::max(least, LineVolumeFinder::clearance_at_start(pair))) return false;
+  if (from.farthest_distance(to) <= std::max(min_displacement, LineVolumeFinder::clearance_at_start(pair)))
+    return false;
   if (rests && (!volumes_.has_back(pair.volume) || is_inside(pair, pair.start.shape, pair.start.pose)))
     return false;
   auto field = distance_to(volumes_.surface(pair.volume));
   const auto passes = [&](const BezierAxis& before, const BezierAxis& after) {
-    return goes_through(field, before, after, before.farthest_distance(after) > radius ? radius : least,
-                        rests);
+    return goes_through(field, before, after,
+                        before.farthest_distance(after) > radius ? radius : min_displacement, rests);
   };
   if (!finder_.at_nodes()) return passes(from, to);
   return std::any_of(kEnds.begin(), kEnds.end(), [&](double xi) {

@@ -32,8 +32,8 @@ const std::vector<WaveMotion>& LinesInWater::waves(const Kinematics& state) cons
 }
 
 Water LinesInWater::water(const Kinematics& state, size_t node) const {
-  const Water still = sea_.still_at(state.x[node].z(), state.time);
-  return sea_.waves.none() || !state.moves() ? still : still + waves(state)[node];
+  const Water calm = sea_.calm_at(state.x[node].z(), state.time);
+  return sea_.waves.none() || !state.moves() ? calm : calm + waves(state)[node];
 }
 
 void LinesInWater::update_water(const Kinematics& state) const {
@@ -245,15 +245,15 @@ void LinesInWater::element_force(const Kinematics& state, const LocalElement& e,
   const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
   const Water first = water(state, i), second = water(state, j);
   if (p->beam) {
-    Vec12 own;
-    beam_water_force(p->section, ends(*p, state, first, second), own);
-    add_ends(own, f);
+    Vec12 force;
+    beam_water_force(p->section, ends(*p, state, first, second), force);
+    add_ends(force, f);
   } else {
-    Vec6 own;
+    Vec6 force;
     cable_water_force(p->section,
                       {state.x[i], state.x[j], state.v[i], state.v[j], state.a[i], state.a[j], first, second},
-                      own);
-    add_ends(own, f);
+                      force);
+    add_ends(force, f);
   }
 }
 

@@ -73,8 +73,9 @@ CablesInWater4 LinesInWater::motion(const CableQuad& q, const Kinematics& k) con
     const int* node = end ? q.second : q.first;
     const size_t n[4] = {static_cast<size_t>(node[0]), static_cast<size_t>(node[1]),
                          static_cast<size_t>(node[2]), static_cast<size_t>(node[3])};
-    const auto take = [&n](const auto& of, wide::Row* to) {
-      const Vec3 &a = of(n[0]), &b = of(n[1]), &c = of(n[2]), &d = of(n[3]);
+    const auto take = [&n](const auto& vector_of_node, wide::Row* to) {
+      const Vec3 &a = vector_of_node(n[0]), &b = vector_of_node(n[1]), &c = vector_of_node(n[2]),
+                 &d = vector_of_node(n[3]);
       for (int i = 0; i < 3; ++i) to[i] = wide::Row{a[i], b[i], c[i], d[i]};
     };
     take([&](size_t i) -> const Vec3& { return k.x[i]; }, m.x[end]);

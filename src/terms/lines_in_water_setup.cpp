@@ -39,8 +39,9 @@ std::vector<LinesInWater::WetElement> pieces_of(const LocalMesh& mesh, const mod
         1 - buried_length(c.lines[static_cast<size_t>(g.line)], from, from + g.length) / g.length;
     // In the soil a line has no drag and no added mass, only buoyancy.
     WaterSection& w = p.section;
-    for (double* of : {&w.drag_normal, &w.drag_axial, &w.added_normal, &w.added_axial, &w.displaced_mass})
-      *of *= bare;
+    for (double* coefficient :
+         {&w.drag_normal, &w.drag_axial, &w.added_normal, &w.added_axial, &w.displaced_mass})
+      *coefficient *= bare;
   }
   return out;
 }

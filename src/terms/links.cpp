@@ -43,9 +43,9 @@ Links::Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::sh
   all_reduce(comm, MPI_SUM, places);
   for (size_t i = 0; i < list_.size(); ++i) {
     if (c.links[i].rest_given) continue;
-    double& rest = list_[i].law.rest_length;
-    rest = (Vec3(&places[6 * i + 3]) - Vec3(&places[6 * i])).norm();
-    if (!(rest > 0)) c.refuse("links." + c.links[i].name, advice::link_without_length());
+    double& rest_length = list_[i].law.rest_length;
+    rest_length = (Vec3(&places[6 * i + 3]) - Vec3(&places[6 * i])).norm();
+    if (!(rest_length > 0)) c.refuse("links." + c.links[i].name, advice::link_without_length());
   }
   renumber();
 }
@@ -60,9 +60,9 @@ void Links::list_couplings(Couplings& to) const {
 void Links::renumber() {
   for (Link& l : list_) {
     const int a = l.a.frame_node(*bodies_), b = l.b.frame_node(*bodies_);
-    l.here = (mesh_.owns_node(a) || mesh_.owns_node(b)) && (a < 0 || mesh_.find(a) >= 0) &&
-             (b < 0 || mesh_.find(b) >= 0);
-    l.counted = l.here && mesh_.owns_node(l.owner);
+    l.has_both = (mesh_.owns_node(a) || mesh_.owns_node(b)) && (a < 0 || mesh_.find(a) >= 0) &&
+                 (b < 0 || mesh_.find(b) >= 0);
+    l.counted = l.has_both && mesh_.owns_node(l.owner);
   }
 }
 
@@ -93,11 +93,11 @@ std::vector<std::vector<double>> Links::rows(const Kinematics& state) const {
 
 void Links::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Link& l : list_) {
-    if (!l.here) continue;
+    if (!l.has_both) continue;
     const Stretched s = stretched(l, trial, assembler.convex());
-    const auto between = [](const Mat3& of) {
+    const auto between = [](const Mat3& matrix) {
       Mat6 m;
-      m << of, -of, -of, of;
+      m << matrix, -matrix, -matrix, matrix;
       return m;
     };
     Vec6 f;

@@ -83,14 +83,14 @@ void PlatformWater::tabulate_lags(Group& g, double h) {
   }
 }
 
-const double* PlatformWater::integrals_at(const Group& g, double lag, double* own, double* rate) {
+const double* PlatformWater::integrals_at(const Group& g, double lag, double* buffer, double* rate) {
   const size_t n = g.entries.size();
   const double m = std::round(lag / g.lag_step);
   if (!rate && m < static_cast<double>(g.lags.size() / n) &&
       std::abs(lag - m * g.lag_step) <= equal_lags(g.memory))
     return &g.lags[static_cast<size_t>(m) * n];
-  g.memory.integrals(lag, own, rate);
-  return own;
+  g.memory.integrals(lag, buffer, rate);
+  return buffer;
 }
 
 // F(t) = v_0 S'(t - t_0) + sum_k a_k [S(t - t_k) - S(t - t_k+1)]
@@ -110,16 +110,16 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
   const double step = g.past.empty() ? 0 : time - g.past.back().time;
   const auto entries = static_cast<Eigen::Index>(g.entries.size());
   if (!g.past.empty() && entries > 0) {
-    Eigen::ArrayXd own(entries), dS(entries);
-    const double* S = own.data();
-    const std::vector<double> still(2 * g.entries.size(), 0);
+    Eigen::ArrayXd integrals(entries), dS(entries);
+    const double* S = integrals.data();
+    const std::vector<double> zero_slopes(2 * g.entries.size(), 0);
     Eigen::ArrayX2d force = Eigen::ArrayX2d::Zero(entries, 2);
     using Slopes = Eigen::Map<const Eigen::ArrayX2d>;
     for (size_t k = 0; k < g.past.size(); ++k) {
-      const Slopes before(k > 0 ? &g.slopes[k * still.size()] : still.data(), entries, 2);
-      const Slopes after(k + 1 < g.past.size() ? &g.slopes[(k + 1) * still.size()] : still.data(), entries,
-                         2);
-      S = integrals_at(g, time - g.past[k].time, own.data(), k > 0 ? nullptr : dS.data());
+      const Slopes before(k > 0 ? &g.slopes[k * zero_slopes.size()] : zero_slopes.data(), entries, 2);
+      const Slopes after(k + 1 < g.past.size() ? &g.slopes[(k + 1) * zero_slopes.size()] : zero_slopes.data(),
+                         entries, 2);
+      S = integrals_at(g, time - g.past[k].time, integrals.data(), k > 0 ? nullptr : dS.data());
       force += (after - before).colwise() * Eigen::Map<const Eigen::ArrayXd>(S, entries);
     }
     const Eigen::VectorXd& first = g.past.front().rate;
@@ -136,7 +136,7 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
     const Platform& p = g.platforms[i];
     if (p.waves.none()) continue;
     const Vec3 place =
-        p.follow > 0 ? Vec3(p.slow.place + (time - g.slow_time) * p.slow.drift) : p.potential.place;
+        p.follow_period > 0 ? Vec3(p.slow.place + (time - g.slow_time) * p.slow.drift) : p.potential.place;
     const Vec3 origin = place + p.axes * p.file_origin;
     const PlatformWaves::Forces f = p.waves.at(time, origin.x(), origin.y());
     const auto first = 6 * static_cast<Eigen::Index>(i);
@@ -154,10 +154,11 @@ void PlatformWater::damping_and_memory(const Group& g, const AtTime& now, const 
   for (size_t i = 0; i < g.platforms.size(); ++i) {
     const Platform& p = g.platforms[i];
     const auto first = 6 * static_cast<Eigen::Index>(i);
-    const Vec6 own = rate.segment<6>(first), size = own.cwiseAbs();
-    force.segment<6>(first) += p.damping * own + p.quadratic * size.cwiseProduct(own);
+    const Vec6 body_rate = rate.segment<6>(first), size = body_rate.cwiseAbs();
+    force.segment<6>(first) +=
+        p.added_damping * body_rate + p.added_quadratic_damping * size.cwiseProduct(body_rate);
     if (!slope) continue;
-    slope->block<6, 6>(first, first) += p.damping + p.quadratic * (2 * size).asDiagonal();
+    slope->block<6, 6>(first, first) += p.added_damping + p.added_quadratic_damping * (2 * size).asDiagonal();
   }
 }
 
@@ -168,7 +169,7 @@ void PlatformWater::turn(Platform& p) {
 }
 
 void PlatformWater::rest_at(Platform& p, const RigidBodyState& s) {
-  if (!(p.follow > 0)) return;
+  if (!(p.follow_period > 0)) return;
   p.slow = SlowPose::at(place_and_heading(p.arm, s));
   turn(p);
 }
@@ -179,7 +180,7 @@ void PlatformWater::prepare(const Kinematics& from, double h) {
     g.is_cached = false;
     if (!g.is_local) continue;
     if (!from.ends_step())
-      for (Platform& p : g.platforms) p.rest = floating_state(from, p.local);
+      for (Platform& p : g.platforms) p.last_iterate = floating_state(from, p.local);
     if (from.phase == Phase::start && g.past.size() <= 1) begin_memory(g, from);
     tabulate_lags(g, h);
   }
@@ -216,7 +217,8 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
       F -= now.first_order + now.second_order;
     } else {
       for (size_t i = 0; i < n; ++i)
-        if (const Platform& p = g.platforms[i]; !(p.follow > 0)) F.segment<6>(6 * i) -= p.waves.mean_drift();
+        if (const Platform& p = g.platforms[i]; !(p.follow_period > 0))
+          F.segment<6>(6 * i) -= p.waves.mean_drift();
       if (g.harmonic_damping.size() > 0) by_rate = g.harmonic_damping;
     }
     F += mass * acceleration;
@@ -224,15 +226,15 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
       const Platform& p = g.platforms[i];
       const int blocks[2] = {p.block, p.block + 1};
       const RigidBodyState s = floating_state(trial, p.local);
-      const PlatformPull still = hydrostatic_pull(p.hydrostatics, p.arm, s);
+      const PlatformPull calm = hydrostatic_pull(p.hydrostatics, p.arm, s);
       const PlatformPull added = platform_pull(p.potential, p.arm, s);
-      const Vec6 own = F.segment<6>(6 * static_cast<Eigen::Index>(i));
-      const Vec6 f = motion[i].G.transpose() * own;
-      const Mat6 slope = platform_force_slope(motion[i], p.arm, own);
+      const Vec6 wave_force = F.segment<6>(6 * static_cast<Eigen::Index>(i));
+      const Vec6 f = motion[i].G.transpose() * wave_force;
+      const Mat6 slope = platform_force_slope(motion[i], p.arm, wave_force);
       assembler.add(blocks, f, slope);
-      assembler.add(blocks, still.f, still.K);
+      assembler.add(blocks, calm.f, calm.K);
       assembler.add(blocks, added.f, added.K);
-      if (!trial.moves() && p.follow > 0 && !p.waves.none()) {
+      if (!trial.moves() && p.follow_period > 0 && !p.waves.none()) {
         const PlatformWaves::MeanDrift mean = p.waves.mean_drift(heading_of(s.q).angle);
         const PlatformLoad drift = turning_load({mean.force, mean.by_heading}, p.arm, s);
         assembler.add(blocks, drift.f, drift.K);
@@ -271,15 +273,15 @@ void PlatformWater::commit(const Kinematics& accepted) {
     add_past(g, accepted.time, std::move(rate));
     // Velocities older than the memory have no effect; they are deleted in blocks.
     constexpr size_t kOver = 100;
-    const double least = accepted.time - g.memory.length();
-    if (g.past.size() > kOver + 1 && g.past[kOver].time < least) {
+    const double oldest = accepted.time - g.memory.length();
+    if (g.past.size() > kOver + 1 && g.past[kOver].time < oldest) {
       g.past.erase(g.past.begin(), g.past.begin() + kOver);
       g.slopes.erase(g.slopes.begin(), g.slopes.begin() + static_cast<int>(2 * kOver * g.entries.size()));
     }
     for (Platform& p : g.platforms) {
-      if (!(p.follow > 0)) continue;
+      if (!(p.follow_period > 0)) continue;
       const Vec3 pose = place_and_heading(p.arm, floating_state(accepted, p.local));
-      p.slow = p.slow.after(pose, accepted.time - g.slow_time, p.follow);
+      p.slow = p.slow.after(pose, accepted.time - g.slow_time, p.follow_period);
       turn(p);
     }
     g.slow_time = accepted.time;
@@ -295,9 +297,9 @@ std::vector<PlatformWater::Power> PlatformWater::powers(const Group& g, double t
   std::vector<Power> out;
   for (size_t i = 0; i < g.platforms.size(); ++i) {
     const auto first = 6 * static_cast<Eigen::Index>(i);
-    const Vec6 own = rate.segment<6>(first);
-    out.push_back(
-        {force.segment<6>(first).dot(own), (now.first_order + now.second_order).segment<6>(first).dot(own)});
+    const Vec6 body_rate = rate.segment<6>(first);
+    out.push_back({force.segment<6>(first).dot(body_rate),
+                   (now.first_order + now.second_order).segment<6>(first).dot(body_rate)});
   }
   return out;
 }

@@ -48,8 +48,8 @@ std::vector<CheckpointRecord> PlatformWater::checkpoint_records(NodeRange range)
       if (!p.owned || !range.has(p.node)) continue;
       CheckpointRecord rates{p.node, 0, {}, 0};
       for (const Past& past : g.past) {
-        const Vec6 own = past.rate.segment<6>(6 * static_cast<Eigen::Index>(i));
-        put(KeptRate{past.time, own.head<3>(), own.tail<3>()}, rates.values);
+        const Vec6 body_rate = past.rate.segment<6>(6 * static_cast<Eigen::Index>(i));
+        put(KeptRate{past.time, body_rate.head<3>(), body_rate.tail<3>()}, rates.values);
       }
       out.push_back(std::move(rates));
       const KeptWork work{p.damping_work, p.wave_work, p.power.damping, p.power.waves, p.slow};
@@ -99,7 +99,7 @@ void PlatformWater::restore(const std::vector<CheckpointRecord>& records) {
     g.slow_time = g.past.back().time;
     for (Eigen::Index i = 0; i < n; ++i) {
       Platform& p = g.platforms[static_cast<size_t>(i)];
-      if (!(p.follow > 0)) continue;
+      if (!(p.follow_period > 0)) continue;
       const double* kept = &slow[static_cast<size_t>(15 * i)];
       p.slow = {Vec3(kept), Vec3(kept + 3), Vec3(kept + 6), Vec3(kept + 9), Vec3(kept + 12)};
       turn(p);

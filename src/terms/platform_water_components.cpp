@@ -8,8 +8,8 @@ namespace hawser {
 Vec6 PlatformWater::mean_force(const Platform& p, const RigidBodyState& s) {
   if (p.waves.none()) return Vec6::Zero();
   const double heading = heading_of(s.q).angle;
-  const Mat3 H = p.follow > 0 ? heading_axes(heading) : p.axes;
-  const Vec6 F = p.follow > 0 ? p.waves.mean_drift(heading).force : p.waves.mean_drift();
+  const Mat3 H = p.follow_period > 0 ? heading_axes(heading) : p.axes;
+  const Vec6 F = p.follow_period > 0 ? p.waves.mean_drift(heading).force : p.waves.mean_drift();
   Vec6 out;
   out << H * F.head<3>(), H * F.tail<3>();
   return out;
@@ -17,9 +17,9 @@ Vec6 PlatformWater::mean_force(const Platform& p, const RigidBodyState& s) {
 
 double PlatformWater::mean_work(const Platform& p, const RigidBodyState& s) {
   if (p.waves.none()) return 0;
-  const Vec6 mean = 0.5 * (mean_force(p, p.rest) + mean_force(p, s));
-  const Vec3 way = s.x + s.q * p.arm - p.rest.x - p.rest.q * p.arm;
-  return mean.head<3>().dot(way) + mean.tail<3>().dot(log_so3(s.q * p.rest.q.conjugate()));
+  const Vec6 mean = 0.5 * (mean_force(p, p.last_iterate) + mean_force(p, s));
+  const Vec3 displacement = s.x + s.q * p.arm - p.last_iterate.x - p.last_iterate.q * p.arm;
+  return mean.head<3>().dot(displacement) + mean.tail<3>().dot(log_so3(s.q * p.last_iterate.q.conjugate()));
 }
 
 std::vector<std::string> PlatformWater::load_components(int body) const {
@@ -42,12 +42,12 @@ std::vector<BodyForce> PlatformWater::forces_on(int body, const Kinematics& stat
       const PlatformMotion m = platform_motion(p.axes, p.arm, s);
       const auto of_unknowns = [&s](const Vec6& f) { return BodyForce{-f.head<3>(), -(s.q * f.tail<3>())}; };
       const auto by_rate = [&](const Vec6& F) { return of_unknowns(m.G.transpose() * F); };
-      const Vec6 still = hydrostatic_pull(p.hydrostatics, p.arm, s).f;
+      const Vec6 calm = hydrostatic_pull(p.hydrostatics, p.arm, s).f;
       const Vec6 pull = platform_pull(p.potential, p.arm, s).f;
       if (!state.moves()) {
         const Vec6 mean = mean_force(p, s);
         const BodyForce drift{mean.head<3>(), mean.tail<3>() + (s.q * p.arm).cross(mean.head<3>())};
-        return {of_unknowns(still), {}, of_unknowns(pull), {}, drift};
+        return {of_unknowns(calm), {}, of_unknowns(pull), {}, drift};
       }
       const Eigen::VectorXd rate = rates(g, state);
       Eigen::VectorXd acceleration(rate.size()), force;
@@ -58,11 +58,12 @@ std::vector<BodyForce> PlatformWater::forces_on(int body, const Kinematics& stat
       }
       const AtTime& now = at_time(g, state.time);
       damping_and_memory(g, now, rate, force, nullptr);
-      const Vec6 own = rate.segment<6>(first);
-      const Vec6 dampers = p.damping * own + p.quadratic * own.cwiseAbs().cwiseProduct(own);
+      const Vec6 body_rate = rate.segment<6>(first);
+      const Vec6 dampers = p.added_damping * body_rate +
+                           p.added_quadratic_damping * body_rate.cwiseAbs().cwiseProduct(body_rate);
       const Eigen::MatrixXd mass = g.added_mass + period_mass(g, state.step);
       const Vec6 radiation = force.segment<6>(first) - dampers + (mass * acceleration).segment<6>(first);
-      return {of_unknowns(still), by_rate(radiation), of_unknowns(pull + m.G.transpose() * dampers),
+      return {of_unknowns(calm), by_rate(radiation), of_unknowns(pull + m.G.transpose() * dampers),
               by_rate(-now.first_order.segment<6>(first)), by_rate(-now.second_order.segment<6>(first))};
     }
   }

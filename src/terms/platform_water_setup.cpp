@@ -32,15 +32,15 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
   p.file_origin = -h.in_file;
   p.body = body;
   p.potential.axes = p.axes = heading_axes(heading);
-  p.follow = h.follow;
+  p.follow_period = h.follow_period;
   p.slow = SlowPose::at({b.position.x(), b.position.y(), heading});
   p.potential.place = h.place ? *h.place : Vec3(b.position.x(), b.position.y(), sea_.surface + h.in_file.z());
   p.potential.stiffness = h.stiffness;
   // A hull has its own hydrostatics (terms/hulls.hpp).
   if (!m.hull) p.hydrostatics = model::hydrostatics(m, sea_.density, sea_.gravity);
   p.hydrostatics.level = p.potential.place.z();
-  p.damping = h.damping + model::wave_drift_damping(h, sea_.waves.components());
-  p.quadratic = h.quadratic_damping;
+  p.added_damping = h.damping + model::wave_drift_damping(h, sea_.waves.components());
+  p.added_quadratic_damping = h.quadratic_damping;
   const auto of_body = [&h](const std::vector<WaveForceTable>& tables) {
     return tables.empty() ? WaveForceTable() : tables[static_cast<size_t>(h.body) - 1];
   };
@@ -72,20 +72,20 @@ void PlatformWater::find_modes(const model::Case& c, Group& g) {
     const Platform& p = g.platforms[i];
     const model::BodyMass& m = *c.bodies[p.body].mass;
     if (m.hull) return;
-    RigidBodyState rest;
-    rest.q = Quat(p.axes);
-    rest.x = p.potential.place - rest.q * p.arm;
-    const Mat6 back = platform_motion(p.axes, p.arm, rest).G.inverse();
+    RigidBodyState start;
+    start.q = Quat(p.axes);
+    start.x = p.potential.place - start.q * p.arm;
+    const Mat6 back = platform_motion(p.axes, p.arm, start).G.inverse();
     const Mat6 K =
-        hydrostatic_pull(p.hydrostatics, p.arm, rest).K + platform_pull(p.potential, p.arm, rest).K;
+        hydrostatic_pull(p.hydrostatics, p.arm, start).K + platform_pull(p.potential, p.arm, start).K;
     const Mat6 by_rates = back.transpose() * K * back;
     M.block<6, 6>(6 * i, 6 * i) += model::mass_matrix_about(m, Vec3::Zero());
     C.block<6, 6>(6 * i, 6 * i) = 0.5 * (by_rates + by_rates.transpose());
   }
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> found(C, M);
-  if (found.info() != Eigen::Success) return;
-  g.modes = M * found.eigenvectors();
-  g.squares = found.eigenvalues().array().max(0);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(C, M);
+  if (eigen.info() != Eigen::Success) return;
+  g.modes = M * eigen.eigenvectors();
+  g.squares = eigen.eigenvalues().array().max(0);
 }
 
 // The scheme replaces -omega² x by -omega² (1 + c h² omega²) x in M a + C x = 0. With M - c h² C in place of
@@ -105,16 +105,18 @@ void PlatformWater::oscillate(double omega) {
       g.harmonic_damping.resize(0, 0);
       continue;
     }
-    const auto [low, high, share] = frequency_place(data.omega, omega);
-    const auto between = [&, low = low, high = high, share = share](const std::vector<Eigen::MatrixXd>& of) {
-      return Eigen::MatrixXd((1 - share) * of[low](g.rows, g.rows) + share * of[high](g.rows, g.rows));
+    const auto [low, high, fraction] = frequency_place(data.omega, omega);
+    const auto between = [&, low = low, high = high,
+                          fraction = fraction](const std::vector<Eigen::MatrixXd>& matrices) {
+      return Eigen::MatrixXd((1 - fraction) * matrices[low](g.rows, g.rows) +
+                             fraction * matrices[high](g.rows, g.rows));
     };
     g.added_mass = between(data.added_mass);
     g.harmonic_damping = between(data.damping);
     if (omega < data.omega.front()) g.harmonic_damping *= omega / data.omega.front();
     if (omega > data.omega.back()) g.harmonic_damping.setZero();
     for (size_t i = 0; i < g.platforms.size(); ++i)
-      g.harmonic_damping.block<6, 6>(6 * i, 6 * i) += g.platforms[i].damping;
+      g.harmonic_damping.block<6, 6>(6 * i, 6 * i) += g.platforms[i].added_damping;
   }
 }
 

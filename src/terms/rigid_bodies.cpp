@@ -14,7 +14,7 @@ namespace hawser {
 
 RigidBodyData RigidBodies::data(const Floating& f) const {
   RigidBodyData d = f.data;
-  for (int i = 0; i < 3 && hold_ && !f.rest.found(friction_); ++i) {
+  for (int i = 0; i < 3 && hold_ && !f.static_rest.is_computed(friction_); ++i) {
     if (!(d.stiffness[i] > 0)) {
       d.stiffness[i] = d.mass;
       d.weight[i] = 0;
@@ -24,10 +24,10 @@ RigidBodyData RigidBodies::data(const Floating& f) const {
   return d;
 }
 
-RigidBodyState floating_start(const model::BodyMass& mass, const RigidPose& rest) {
+RigidBodyState floating_start(const model::BodyMass& mass, const RigidPose& pose) {
   RigidBodyState s;
-  s.x = rest.to_space(mass.centre);
-  s.q = rest.rotation;
+  s.x = pose.to_space(mass.centre);
+  s.q = pose.rotation;
   s.v = mass.velocity;
   s.w = mass.angular_velocity;
   return s;
@@ -78,7 +78,7 @@ RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::share
     f.data.turning_damping = m.turning_damping;
     for (const model::BodyLoad& l : m.loads)
       f.loads.push_back({{l.force, l.moment, l.at - m.centre, l.body_fixed, l.table.empty()}, l.table});
-    f.rest = static_rest(c, body);
+    f.static_rest = static_rest(c, body);
     f.centre = m.centre;
     f.body = body;
     f.node = n;
@@ -98,7 +98,7 @@ RigidBodyLoad RigidBodies::Load::at(double time) const {
 }
 
 // Pose and velocity of the centre of mass for the prescribed motion of the body.
-RigidPose RigidBodies::rest(const Floating& f, double time) const {
+RigidPose RigidBodies::spring_rest(const Floating& f, double time) const {
   RigidPose p = bodies_->pose(f.body, time);
   const Vec3 x = p.to_space(f.centre);
   p.velocity = p.velocity_at(x);
@@ -108,7 +108,7 @@ RigidPose RigidBodies::rest(const Floating& f, double time) const {
 
 void RigidBodies::powers(const Floating& f, const Kinematics& state, double& damping, double& work) const {
   const RigidBodyState s = floating_state(state, f.node);
-  const RigidPose r = rest(f, state.time);
+  const RigidPose r = spring_rest(f, state.time);
   const Vec3 dv = s.v - r.velocity, dw = s.w - s.q.conjugate() * r.angular_velocity;
   damping = dv.dot(f.data.damping.cwiseProduct(dv)) + dw.dot(f.data.turning_damping.cwiseProduct(dw));
   // The support supplies the power of its force on the springs and dampers at their far end.
@@ -126,10 +126,10 @@ void RigidBodies::prepare(const Kinematics& from, double) {
   }
 }
 
-RigidBodyResidual RigidBodies::own(const Floating& f, const RigidBodyState& s, const Kinematics& trial,
-                                   bool step) const {
-  if (!step) return rigid_body(data(f), s, rest(f, trial.time));
-  RigidBodyResidual r = rigid_body(without_momentum(f.data), s, rest(f, trial.time));
+RigidBodyResidual RigidBodies::residual(const Floating& f, const RigidBodyState& s, const Kinematics& trial,
+                                        bool step) const {
+  if (!step) return rigid_body(data(f), s, spring_rest(f, trial.time));
+  RigidBodyResidual r = rigid_body(without_momentum(f.data), s, spring_rest(f, trial.time));
   add_momentum(momentum_matrix(f.data), scheme_, trial.step, f.start, f.momenta, s, r);
   return r;
 }
@@ -137,12 +137,12 @@ RigidBodyResidual RigidBodies::own(const Floating& f, const RigidBodyState& s, c
 void RigidBodies::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Floating& f : list_) {
     const RigidBodyState s = floating_state(trial, f.node);
-    RigidBodyResidual r = own(f, s, trial, by_momenta(trial));
-    if (!hold_ || f.rest.found(friction_))
+    RigidBodyResidual r = residual(f, s, trial, by_momenta(trial));
+    if (!hold_ || f.static_rest.is_computed(friction_))
       for (const Load& l : f.loads) add_load(l.at(trial.time), s, r);
     const int blocks[2] = {f.block, f.block + 1};
     assembler.add(blocks, r.inertia, r.K, r.C, r.M);
-    if (hold_ && f.rest.found(friction_) && assembler.needs_tangent()) {
+    if (hold_ && f.static_rest.is_computed(friction_) && assembler.needs_tangent()) {
       Mat6 K = Mat6::Zero();
       K.topLeftCorner<3, 3>() = kDrift * kDrift * f.data.mass * Mat3::Identity();
       K.bottomRightCorner<3, 3>() = kDrift * kDrift * f.data.inertia;
@@ -159,10 +159,10 @@ std::array<Vec3, 2> RigidBodies::force_on(int body, const Kinematics& state) con
     if (f.body != body) continue;
     const RigidBodyState s = floating_state(state, f.node);
     const bool step = by_momenta(state);
-    RigidBodyResidual r = rigid_body(step ? without_momentum(f.data) : f.data, s, rest(f, state.time));
+    RigidBodyResidual r = rigid_body(step ? without_momentum(f.data) : f.data, s, spring_rest(f, state.time));
     for (const Load& l : f.loads) add_load(l.at(state.time), s, r);
-    const Vec6 own = r.f(), momenta = step ? f.momenta.f : Vec6(Vec6::Zero());
-    return {own.head<3>() + momenta.head<3>(), s.q * own.tail<3>() + momenta.tail<3>()};
+    const Vec6 inertia = r.f(), momenta = step ? f.momenta.f : Vec6(Vec6::Zero());
+    return {inertia.head<3>() + momenta.head<3>(), s.q * inertia.tail<3>() + momenta.tail<3>()};
   }
   return {Vec3::Zero(), Vec3::Zero()};
 }
@@ -185,7 +185,7 @@ Energy RigidBodies::energy(const Kinematics& state) const {
     const RigidBodyState s = floating_state(state, f.node);
     e.kinetic += rigid_body_kinetic(f.data, s);
     const RigidBodyData d = data(f);
-    e.strain += rigid_body_strain(d, s, rest(f, state.time));
+    e.strain += rigid_body_strain(d, s, spring_rest(f, state.time));
     e.potential -= d.weight.dot(s.x);
     for (const Load& load : f.loads) {
       const RigidBodyLoad l = load.at(state.time);

@@ -29,7 +29,9 @@ struct SharedPlaces::Gaps {
   const Rope &one, &other;
   double step = 0;
 
-  double at(int k) const { return std::min(of(one, other, k * step), of(other, one, k * step)); }
+  double at(int k) const {
+    return std::min(distance_from(one, other, k * step), distance_from(other, one, k * step));
+  }
 
   static size_t segment(const Rope& rope, double s) {
     const auto after = std::upper_bound(rope.s.begin(), rope.s.end(), s) - rope.s.begin();
@@ -42,22 +44,22 @@ struct SharedPlaces::Gaps {
 
   // Smallest gap between the place s of a rope and the other rope. The search starts at equal length and
   // stops at a local minimum.
-  static double of(const Rope& rope, const Rope& other, double s) {
+  static double distance_from(const Rope& rope, const Rope& other, double s) {
     const size_t i = segment(rope, s);
     const double span = rope.s[i + 1] - rope.s[i], t = span > 0 ? (s - rope.s[i]) / span : 0;
     const Vec3 p = rope.x[i] + std::min(t, 1.0) * (rope.x[i + 1] - rope.x[i]);
     const size_t last = other.s.size() - 2;
     size_t j = segment(other, s);
-    double least = distance(other, j, p);
+    double smallest = distance(other, j, p);
     for (const bool forward : {false, true})
       while (forward ? j < last : j > 0) {
         const size_t next = forward ? j + 1 : j - 1;
         const double d = distance(other, next, p);
-        if (d > least) break;
-        least = d;
+        if (d > smallest) break;
+        smallest = d;
         j = next;
       }
-    return least - rope.radius[i];
+    return smallest - rope.radius[i];
   }
 };
 
@@ -81,14 +83,14 @@ SharedPlaces::SharedPlaces(MPI_Comm comm, const LocalMesh& mesh, ContactRadii ra
   };
   for (const SharedPlace& p : places) {
     PlaceState& place = places_.emplace_back();
-    place.of = p;
+    place.branches = p;
     place.step = (first_radius(p.one) + first_radius(p.other)) / kSteps;
     place.limit = std::min(length(p.one), length(p.other));
     const int a = mesh.mesh->node(p.one.node).line, b = mesh.mesh->node(p.other.node).line;
     if (first_part_[a] == first_part_[b]) {
-      const double apart = arc(p.other.node) - arc(p.one.node);
-      const bool facing = apart * p.one.way > 0 && apart * p.other.way < 0;
-      place.limit = std::min(place.limit, (facing ? 0.5 : 1) * std::abs(apart));
+      const double distance = arc(p.other.node) - arc(p.one.node);
+      const bool facing = distance * p.one.direction > 0 && distance * p.other.direction < 0;
+      place.limit = std::min(place.limit, (facing ? 0.5 : 1) * std::abs(distance));
     }
     between_[ordered(first_part_[a], first_part_[b])].push_back(static_cast<int>(places_.size()) - 1);
   }
@@ -126,7 +128,7 @@ std::optional<std::array<double, 2>> SharedPlaces::along(const Branch& branch, i
   const Element& e = mesh_.mesh->element(element);
   if (first_part_[e.line] != first_part_[mesh_.mesh->node(branch.node).line]) return std::nullopt;
   const double from = begin(branch);
-  const double a = branch.way * (arc(e.first) - from), b = branch.way * (arc(e.second) - from);
+  const double a = branch.direction * (arc(e.first) - from), b = branch.direction * (arc(e.second) - from);
   if (std::min(a, b) < -1e-6 * e.length) return std::nullopt;
   return std::array{a, b};
 }
@@ -142,12 +144,13 @@ void SharedPlaces::clip(int element, int second, std::array<double, 2>& range,
       if (!one || !other) continue;
       const double within = this->within(k);
       if (std::min((*one)[0], (*one)[1]) >= within || std::min((*other)[0], (*other)[1]) >= within) continue;
-      const auto take_off = [within](const std::array<double, 2>& d, std::array<double, 2>& of) {
+      const auto take_off = [within](const std::array<double, 2>& d,
+                                     std::array<double, 2>& distances_of_side) {
         const double xi = std::clamp((within - d[0]) / (d[1] - d[0]), 0.0, 1.0);
         if (d[1] > d[0])
-          of[0] = std::max(of[0], xi);
+          distances_of_side[0] = std::max(distances_of_side[0], xi);
         else
-          of[1] = std::min(of[1], xi);
+          distances_of_side[1] = std::min(distances_of_side[1], xi);
       };
       take_off(*one, swapped ? second_range : range);
       take_off(*other, swapped ? range : second_range);
@@ -161,7 +164,7 @@ std::vector<int> SharedPlaces::nodes_to(const Branch& branch, double reach) cons
   const double from = begin(branch);
   std::vector<int> out;
   for (int n = std::clamp(branch.node, first, last); n >= 0 && n < mesh_.mesh->line_nodes();
-       n += branch.way) {
+       n += branch.direction) {
     const int line = mesh_.mesh->node(n).line;
     if (first_part_[line] != first_part) break;
     const auto [a, b] = outside(line);
@@ -175,16 +178,16 @@ std::vector<int> SharedPlaces::nodes_to(const Branch& branch, double reach) cons
 // Positions of mesh nodes, from the ranks that own them.
 std::vector<Vec3> SharedPlaces::gather(const std::vector<int>& nodes, const Kinematics& state) const {
   std::vector<Vec3> out(nodes.size(), Vec3::Zero());
-  std::vector<double> mine;
+  std::vector<double> local;
   const bool alone = ranks_of(comm_) == 1;
   for (size_t i = 0; i < nodes.size(); ++i) {
     const int n = mesh_.find(nodes[i]);
     if (!mesh_.owns(n)) continue;
     out[i] = state.x[n];
-    if (!alone) mine.insert(mine.end(), {static_cast<double>(i), out[i].x(), out[i].y(), out[i].z()});
+    if (!alone) local.insert(local.end(), {static_cast<double>(i), out[i].x(), out[i].y(), out[i].z()});
   }
   if (alone) return out;
-  const std::vector<double> all = gather_all(comm_, mine);
+  const std::vector<double> all = gather_all(comm_, local);
   for (size_t i = 0; i < all.size(); i += 4)
     out[static_cast<size_t>(all[i])] = Vec3(all[i + 1], all[i + 2], all[i + 3]);
   return out;
@@ -199,7 +202,7 @@ SharedPlaces::Rope SharedPlaces::rope(const Branch& branch, const std::vector<in
     out.s.push_back(std::abs(arc(nodes[i]) - from));
     const Node& n = mesh_.mesh->node(nodes[i]);
     const LineSpan& line = mesh_.mesh->lines[n.line];
-    const int element = line.first_element + nodes[i] - line.first_node - (branch.way < 0 ? 1 : 0);
+    const int element = line.first_element + nodes[i] - line.first_node - (branch.direction < 0 ? 1 : 0);
     const int within = std::clamp(element, line.first_element, line.first_element + line.elements - 1);
     out.radius.push_back(radii_.of(mesh_.mesh->element(within)));
   }
@@ -231,8 +234,9 @@ void SharedPlaces::update(const Kinematics& state, bool settles) {
     if (!settles && p.within == 0) continue;  // permanently apart: without `settles` the length only shrinks
     const double reach =
         p.within == kUnknown ? p.limit : std::min(p.limit, (kFree * (p.within + 1) + 1) * p.step);
-    nodes[k] = {nodes_to(p.of.one, reach), nodes_to(p.of.other, reach)};
-    for (const std::vector<int>& of : nodes[k]) all.insert(all.end(), of.begin(), of.end());
+    nodes[k] = {nodes_to(p.branches.one, reach), nodes_to(p.branches.other, reach)};
+    for (const std::vector<int>& ends_nodes : nodes[k])
+      all.insert(all.end(), ends_nodes.begin(), ends_nodes.end());
   }
   if (all.empty()) return;  // the same on every rank
   const std::vector<Vec3> x = gather(all, state);
@@ -240,10 +244,11 @@ void SharedPlaces::update(const Kinematics& state, bool settles) {
   for (size_t k = 0; k < places_.size(); ++k) {
     std::array<Rope, 2> ropes;
     for (const size_t side : {0, 1}) {
-      const std::vector<int>& of = nodes[k][side];
-      const SharedPlace& place = places_[k].of;
-      ropes[side] = rope(side == 0 ? place.one : place.other, of, {next, next + std::ssize(of)});
-      next += std::ssize(of);
+      const std::vector<int>& branch_nodes = nodes[k][side];
+      const SharedPlace& place = places_[k].branches;
+      ropes[side] =
+          rope(side == 0 ? place.one : place.other, branch_nodes, {next, next + std::ssize(branch_nodes)});
+      next += std::ssize(branch_nodes);
     }
     if (nodes[k][0].size() > 1 && nodes[k][1].size() > 1) update(places_[k], ropes[0], ropes[1], settles);
   }
@@ -256,9 +261,9 @@ void SharedPlaces::update(PlaceState& p, const Rope& one, const Rope& other, boo
   const int reach = static_cast<int>(
       std::min({p.limit, one.s.back(), other.s.back(), (kFree * (std::max(p.within, 0) + 1) + 1) * p.step}) /
       p.step);
-  const int most = static_cast<int>(p.limit / p.step);
+  const int limit_steps = static_cast<int>(p.limit / p.step);
   const bool unknown = p.within == kUnknown;
-  const int known_to = unknown ? most : std::min(most, reach);
+  const int known_to = unknown ? limit_steps : std::min(limit_steps, reach);
   const auto overlaps = [&](int k) { return gaps.at(k) < 0; };
   // Length up to which the branches, first apart at `first`, stay apart, at most kFree * first.
   const auto free_to = [&](int first) {
@@ -270,15 +275,16 @@ void SharedPlaces::update(PlaceState& p, const Rope& one, const Rope& other, boo
   if (unknown) {
     double nearest = 0;
     int first = 0;
-    for (; first < most; ++first) {
+    for (; first < limit_steps; ++first) {
       const double gap = gaps.at(first);
       if (gap >= 0) break;
       nearest = std::min(nearest, gap);
     }
-    const int a = mesh_.mesh->node(p.of.one.node).line, b = mesh_.mesh->node(p.of.other.node).line;
+    const int a = mesh_.mesh->node(p.branches.one.node).line,
+              b = mesh_.mesh->node(p.branches.other.node).line;
     const bool side_by_side =
-        first == most && first_part_[a] != first_part_[b] && nearest > -kPressed * kSteps * p.step;
-    p.within = side_by_side ? 0 : first == most ? most : free_to(first);
+        first == limit_steps && first_part_[a] != first_part_[b] && nearest > -kPressed * kSteps * p.step;
+    p.within = side_by_side ? 0 : first == limit_steps ? limit_steps : free_to(first);
   } else if (!overlaps(p.within)) {
     int first = p.within;
     while (first > 0 && !overlaps(first - 1)) --first;
@@ -289,13 +295,13 @@ void SharedPlaces::update(PlaceState& p, const Rope& one, const Rope& other, boo
     // so the length without contact grows.
     int first = p.within;
     while (first < known_to && overlaps(first)) ++first;
-    if (first <= p.clear) p.within = first == most ? most : free_to(first);
+    if (first <= p.clear) p.within = first == limit_steps ? limit_steps : free_to(first);
   }
   if (!settles) return;
-  const int end = std::min(most, kFree * (p.within + 1) + 1);
+  const int end = std::min(limit_steps, kFree * (p.within + 1) + 1);
   p.clear = p.within;
   while (p.clear < std::min(end, known_to) && gaps.at(p.clear) > kClear * kSteps * p.step) ++p.clear;
-  if (p.clear >= known_to) p.clear = most;
+  if (p.clear >= known_to) p.clear = limit_steps;
 }
 
 }  // namespace hawser

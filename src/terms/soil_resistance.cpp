@@ -29,13 +29,13 @@ std::vector<SoilResistance::BuriedNode> places_of(const LocalMesh& mesh, const m
       if (node >= mesh.owned) continue;
       for (const model::Buried& b : line.buried) {
         const double start = from + (second ? half : 0);
-        const double in = std::min(start + half, b.to) - std::max(start, b.from);
-        if (!(in > 0)) continue;
-        soil[node].axial += in * b.axial;
-        soil[node].normal += in * b.normal;
-        soil[node].axial_length += in * b.axial_length;
-        soil[node].normal_length += in * b.normal_length;
-        length[node] += in;
+        const double overlap = std::min(start + half, b.to) - std::max(start, b.from);
+        if (!(overlap > 0)) continue;
+        soil[node].axial += overlap * b.axial;
+        soil[node].normal += overlap * b.normal;
+        soil[node].axial_length += overlap * b.axial_length;
+        soil[node].normal_length += overlap * b.normal_length;
+        length[node] += overlap;
       }
     }
   }
@@ -54,9 +54,10 @@ std::vector<SoilResistance::BuriedNode> places_of(const LocalMesh& mesh, const m
 }  // namespace
 
 double buried_length(const model::Line& line, double from, double to) {
-  double in = 0;
-  for (const model::Buried& b : line.buried) in += std::max(0.0, std::min(to, b.to) - std::max(from, b.from));
-  return in;
+  double buried = 0;
+  for (const model::Buried& b : line.buried)
+    buried += std::max(0.0, std::min(to, b.to) - std::max(from, b.from));
+  return buried;
 }
 
 SoilResistance::SoilResistance(MPI_Comm comm, const LocalMesh& mesh, const Kinematics& start,
@@ -80,25 +81,25 @@ void SoilResistance::prepare(const Kinematics& from, double h) {
   if (h > 0) turn_to(from);
 }
 
-double SoilResistance::turn_to(const Kinematics& state, double share) {
-  double most = 0;
+double SoilResistance::turn_to(const Kinematics& state, double fraction) {
+  double largest = 0;
   for (Point& p : points_) {
     const Vec3 now = line_.tangent(state, p.node);
     const Vec3 turn = now - p.tangent;
     // Assigned directly for a full turn, so that the result does not depend on the old direction.
-    p.tangent = share < 1 ? Vec3((p.tangent + share * turn).normalized()) : now;
-    most = std::max(most, turn.norm());
+    p.tangent = fraction < 1 ? Vec3((p.tangent + fraction * turn).normalized()) : now;
+    largest = std::max(largest, turn.norm());
   }
-  return most;
+  return largest;
 }
 
 // If the line turns back with its springs, so that the turn decreases by less than a quarter of what was
 // expected, the next turns are half as large.
 bool SoilResistance::raise_stiffness(const Kinematics& equilibrium) {
   if (equilibrium.moves()) return false;
-  double turn = turn_to(equilibrium, share_);
+  double turn = turn_to(equilibrium, turn_fraction_);
   all_reduce(comm_, MPI_MAX, turn);
-  if (!(turn <= (1 - 0.25 * share_) * turn_)) share_ *= 0.5;
+  if (!(turn <= (1 - 0.25 * turn_fraction_) * turn_)) turn_fraction_ *= 0.5;
   turn_ = turn;
   return turn > kTurned;
 }
@@ -121,7 +122,7 @@ void SoilResistance::commit(const Kinematics& accepted) {
     p.force = s.force;
     p.stored = s.stored;
   }
-  share_ = 1;
+  turn_fraction_ = 1;
   turn_ = HUGE_VAL;
   if (!accepted.moves()) turn_to(accepted);  // statics with friction commits its stages
 }
@@ -160,9 +161,9 @@ void SoilResistance::restore(const std::vector<CheckpointRecord>& records) {
   std::unordered_map<int, size_t> at;
   for (size_t i = 0; i < points_.size(); ++i) at[mesh_.global[points_[i].node]] = i;
   for (const CheckpointRecord& r : records) {
-    const auto found = at.find(r.node);
-    if (found == at.end()) continue;
-    Point& p = points_[found->second];
+    const auto point = at.find(r.node);
+    if (point == at.end()) continue;
+    Point& p = points_[point->second];
     const Point kept = entry<Point>(r);
     p.at = kept.at;
     p.slip = kept.slip;

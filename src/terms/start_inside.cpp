@@ -126,19 +126,19 @@ std::vector<OnWrongSide> nodes_on_wrong_side(const LocalMesh& mesh, const Kinema
       const Node& node = mesh.node(n);
       if (node.body >= 0) continue;
       const Vec3 x = state.x[n];
-      const std::optional<Vec3> there = expected_place(node, v, x);
-      if (!there) continue;
-      const Vec3 from = pose.to_body(x), to = pose.to_body(*there);
-      Box way;
-      way.add(from);
-      way.add(to);
+      const std::optional<Vec3> expected = expected_place(node, v, x);
+      if (!expected) continue;
+      const Vec3 from = pose.to_body(x), to = pose.to_body(*expected);
+      Box path;
+      path.add(from);
+      path.add(to);
       const double length = (to - from).norm();
-      if (!way.overlaps(box) || !(length > 0)) continue;
+      if (!path.overlaps(box) || !(length > 0)) continue;
       const auto away = [&](const Vec3& y) {
         const auto p = surface.query(y, length);
         return p ? p->distance : length;
       };
-      const double first = away(from), least = 1e-3 * length;
+      const double first = away(from), min_step = 1e-3 * length;
       if (!(first > 0) || !(away(to) > 0)) continue;
       for (double s = first; s < length;) {
         const double d = away(from + s / length * (to - from));
@@ -146,7 +146,7 @@ std::vector<OnWrongSide> nodes_on_wrong_side(const LocalMesh& mesh, const Kinema
           out.push_back({node.line, static_cast<int>(v), node.arc, s, x});
           break;
         }
-        s += std::max(d, least);
+        s += std::max(d, min_step);
       }
     }
   }

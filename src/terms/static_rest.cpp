@@ -35,11 +35,11 @@ StaticRest static_rest(const model::Case& c, int body) {
   const model::BodyMass& m = *c.bodies[body].mass;
   const bool held_in_flow = (m.wind || m.current) && m.stiffness.head<2>().minCoeff() > 0;
   const bool positioned = m.positioning && m.positioning->proportional.head<2>().minCoeff() > 0;
-  StaticRest rest;
-  rest.always = m.hydrodynamics || held_in_flow || positioned || !m.loads.empty() ||
-                in_lines_or_links(c, body) || floats_at_rest(c, m);
-  rest.by_friction = model::has_friction_on_bodies(c, c.bodies[body].name);
-  return rest;
+  StaticRest out;
+  out.always = m.hydrodynamics || held_in_flow || positioned || !m.loads.empty() ||
+               in_lines_or_links(c, body) || floats_at_rest(c, m);
+  out.by_friction = model::has_friction_on_bodies(c, c.bodies[body].name);
+  return out;
 }
 
 }  // namespace hawser

@@ -174,8 +174,8 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
   speed.speed = {{0, 0.5}, {1, 2.5}};
   exact.tension = 30;
   band.tension = 30;
-  band.least = 20;
-  band.most = 40;
+  band.min_tension = 20;
+  band.max_tension = 40;
   band.speed_per_tension = 0.02;
   limited = band;
   limited.max_speed = 0.01;

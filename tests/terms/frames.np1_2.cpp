@@ -112,7 +112,7 @@ model::Case carried(model::ContactMethod method) {
   // A clamp that is attached to the leg, off its middle and rotated.
   model::Body& clamp = c.bodies.emplace_back();
   clamp.name = "clamp";
-  clamp.on = model::Ride{"leg", 1.5};
+  clamp.ride = model::Ride{"leg", 1.5};
   clamp.position = {0.05, 0.1, 0.02};
   clamp.rotation = {0.3, -0.2, 0.4};
   model::Volume collar = v;

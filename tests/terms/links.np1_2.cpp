@@ -59,7 +59,7 @@ model::Case things() {
   vessel.motion = swing;
   model::Body& rider = c.bodies.emplace_back();
   rider.name = "rider";
-  rider.on = model::Ride{"leg", 2};
+  rider.ride = model::Ride{"leg", 2};
   rider.position = {0.05, 0.4, 0.2};
   rider.rotation = {0.3, -0.2, 0.4};
   c.lines = {line("leg", "beam", 3, clamp({8, 0, -3}, Vec3::UnitZ()), model::End{}),

@@ -22,7 +22,7 @@ TEST(Audit, IsSilentOfWhatIsBroughtIn) {
   a.update(moving(0), moving(995, 1000), 0.2, 0.1);
   a.update(moving(0), moving(0, 0), 0.3, 0.1);
   EXPECT_EQ(a.brought_in, 0);
-  EXPECT_EQ(a.worked, 2000);
+  EXPECT_EQ(a.absolute_work, 2000);
   EXPECT_EQ(a.error, 0);
   EXPECT_EQ(a.warning(true, "here"), "");
   EXPECT_FALSE(a.wrong());
@@ -143,7 +143,7 @@ TEST(Audit, WhatDissipationTakesAlongIsNoAlarm) {
       a.update(moving(0), out, wave + 0.5, 1);
     }
     EXPECT_NEAR(a.error, 1000, 1e-9);
-    EXPECT_NEAR(a.there, 100, 2);
+    EXPECT_NEAR(a.largest_energy, 100, 2);
     EXPECT_EQ(a.wrong(), drag == 0);
   }
 }

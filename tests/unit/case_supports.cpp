@@ -151,9 +151,9 @@ TEST(CaseSupports, OnAStructure) {
     const model::Body& b = c.bodies[static_cast<size_t>(i + 1)];
     EXPECT_EQ(b.name, c.supports[static_cast<size_t>(i)].name);
     EXPECT_EQ(c.volumes[static_cast<size_t>(i)].body, b.name);
-    ASSERT_TRUE(b.on && b.on->drawn);
-    EXPECT_EQ(b.on->line, "front");
-    EXPECT_NEAR(b.on->at, i ? 20 : 5, 1e-12);
+    ASSERT_TRUE(b.ride && b.ride->placed_in_space);
+    EXPECT_EQ(b.ride->line, "front");
+    EXPECT_NEAR(b.ride->at, i ? 20 : 5, 1e-12);
     expect_near(b.position, Vec3(50, 0, 1));
   }
   const auto message = [&](const std::string& on, const std::string& girder = "pipe") -> std::string {

@@ -89,14 +89,14 @@ TEST(PressedPart, JoinsHoweverTheLineIsCut) {
   double sum = 0, high = 0, low = 0, outside_high = 0, outside_low = 0;
   size_t worst = 0;
   for (size_t i = 0; i < turns.size(); ++i) {
-    sum += turns[i].taken;
+    sum += turns[i].tension_change;
     high = std::max(high, sum);
     low = std::min(low, sum);
     if (i == 2 || i == 4) {
       outside_high = std::max(outside_high, sum);
       outside_low = std::min(outside_low, sum);
     }
-    if (std::abs(turns[i].taken) > std::abs(turns[worst].taken)) worst = i;
+    if (std::abs(turns[i].tension_change) > std::abs(turns[worst].tension_change)) worst = i;
   }
   const auto beside = [&](size_t i) {
     return i < turns.size() && std::abs(turns[i].node - turns[worst].node) == 1 ? turns[i].angle : 0;

@@ -82,7 +82,7 @@ TEST(LineNodes, OfMassesLoadsLinksAndBodies) {
   c.links[0].end_b.arc = 86;
   c.bodies.resize(1);
   c.bodies[0].name = "rider";
-  c.bodies[0].on = Ride{"other", 14};
+  c.bodies[0].ride = Ride{"other", 14};
   EXPECT_EQ(fixed_places(c), (std::vector<std::vector<double>>{{33.3, 52, 86}, {14, 77}}));
   const Mesh m = build_mesh(c);
   for (const double at : {33.3, 52.0, 86.0}) EXPECT_NEAR(m.node(m.nearest_node(0, at)).arc, at, 1e-12);

@@ -255,7 +255,7 @@ dynamics: {{duration: 13, step: 0.1}}
   const Kinematics& at = d.kinematics();
   std::vector<std::string> names;
   std::vector<double> forces;  // by component: force, moment; then of all, and of the link
-  for (const ActsOnBodies* term : s.system().with<ActsOnBodies>())
+  for (const ReportsBodyForces* term : s.system().with<ReportsBodyForces>())
     for (const std::string& name : term->load_components(0)) names.push_back(name);
   ASSERT_EQ(names, (std::vector<std::string>{"wind", "hydrostatic", "radiation", "added", "wave", "drift"}));
   const auto add = [&](const Vec3& force, const Vec3& moment) {
@@ -264,7 +264,7 @@ dynamics: {{duration: 13, step: 0.1}}
   };
   const bool here = s.local().owns(s.local().find(s.mesh().body_node(0)));
   if (here) {
-    for (const ActsOnBodies* term : s.system().with<ActsOnBodies>())
+    for (const ReportsBodyForces* term : s.system().with<ReportsBodyForces>())
       for (const BodyForce& f : term->forces_on(0, at)) add(f.force, f.moment);
     const auto all = s.rigid_bodies()->force_on(0, at);
     add(all[0], all[1]);

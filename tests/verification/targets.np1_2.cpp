@@ -94,7 +94,7 @@ contact: {between_lines: false}
   const run::MetTargets m = run::meet_targets(PETSC_COMM_WORLD, c, {}, [&](const StaticsReport& now) {
     relaxed = std::max(relaxed, now.relaxation_steps);
   });
-  printf("  %d steps of relaxation at the most: %s\n", relaxed, m.found.at(0).c_str());
+  printf("  %d steps of relaxation at the most: %s\n", relaxed, m.sentences.at(0).c_str());
   EXPECT_LT(relaxed, 50);
 }
 
@@ -104,7 +104,8 @@ TEST(Targets, TrialsAreReported) {
   const run::MetTargets m = run::meet_targets(PETSC_COMM_WORLD, hanging("{tension: 120 kN}", 110, 40), {}, {},
                                               [&](const std::string& trial) { trials.push_back(trial); });
   const std::string found = "(after " + std::to_string(trials.size()) + " static solutions)";
-  EXPECT_TRUE(m.found.at(0).ends_with(found)) << m.found.at(0) << ", " << trials.size() << " reported";
+  EXPECT_TRUE(m.sentences.at(0).ends_with(found))
+      << m.sentences.at(0) << ", " << trials.size() << " reported";
   EXPECT_TRUE(trials.at(0).starts_with(
       "statics 1 of the search for lengths: line l: with 110 m of section 1 the tension at end B is "))
       << trials.at(0);
@@ -114,7 +115,7 @@ TEST(Targets, TrialsAreReported) {
 TEST(Targets, TensionOfACatenary) {
   const double expected = solved(103, 140, 120e3, [](double x) { return closed(x).tension_b().norm(); });
   const run::MetTargets m = met(hanging("{tension: 120 kN}"));
-  printf("  %.8f m, closed form %.8f m: %s\n", length_of(m), expected, m.found.at(0).c_str());
+  printf("  %.8f m, closed form %.8f m: %s\n", length_of(m), expected, m.sentences.at(0).c_str());
   EXPECT_NEAR(length_of(m), expected, 1e-6 * expected);
   // From both sides, and at the other end.
   EXPECT_NEAR(length_of(met(hanging("{tension: 120 kN}", 103.5))), expected, 1e-6 * expected);
@@ -172,10 +173,10 @@ TEST(Targets, OfLinesThatPullAtEachOther) {
               "{anchor: [60, 0, 0]}, target: {tension: 100 kN, at: end_a}}\n  c" + line +
               "{anchor: [-30, -52, 0]}}\n");
   const run::MetTargets m = met(c);
-  for (const std::string& s : m.found) printf("  %s\n", s.c_str());
-  ASSERT_EQ(m.found.size(), 2u);
-  EXPECT_NE(m.found[0].find("tension at end A is 95000 N"), std::string::npos) << m.found[0];
-  EXPECT_NE(m.found[1].find("tension at end A is 100000 N"), std::string::npos) << m.found[1];
+  for (const std::string& s : m.sentences) printf("  %s\n", s.c_str());
+  ASSERT_EQ(m.sentences.size(), 2u);
+  EXPECT_NE(m.sentences[0].find("tension at end A is 95000 N"), std::string::npos) << m.sentences[0];
+  EXPECT_NE(m.sentences[1].find("tension at end A is 100000 N"), std::string::npos) << m.sentences[1];
 }
 
 std::string refusal(const std::function<void()>& what) {

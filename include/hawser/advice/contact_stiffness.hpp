@@ -29,7 +29,7 @@ std::string raised_stiffness(const std::string& volume, double from, double to, 
 std::string too_deep_at_rest(const TooDeep& at);
 // Clauses used by clause() of steps.hpp.
 std::string too_deep(const TooDeep& at);
-std::string drawn_through(const DrawnThrough& at);
+std::string pulled_through(const PulledThrough& at);
 std::string lines_pass(const NearestPlaces& at);
 std::string lines_start_too_near(const NearestPlaces& at);
 std::string lines_too_soft(const PressedLines& at);

@@ -18,10 +18,11 @@ std::string expected_cost(double cost, const Trial& trial);
 std::string trial_fails(const std::string& why);
 
 // "expected results: about 24 MB (fields 18 MB, histories 4 MB, ...)", followed by a note if the size is
-// large or exceeds the free space of the folder's disk. All in bytes; left: free space, below 0: unknown.
+// large or exceeds the free space of the folder's disk. All in bytes; available: free space, below 0:
+// unknown.
 struct ResultBytes {
   std::vector<std::pair<std::string, double>> parts;
-  double total = 0, left = -1;
+  double total = 0, available = -1;
   double contact_point = 0;  // of each point of contact, in addition to `total`
 };
 std::string expected_results(const ResultBytes& size, const std::string& folder);

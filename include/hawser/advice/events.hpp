@@ -25,9 +25,9 @@ std::string cannot_happen(const model::Action& action, double time, const std::s
 std::string nothing_holds();
 std::string holds_already();
 std::string too_far_from_place(double away, double within);  // m
-// left: length [m] still to be paid out (below 0: hauled in) in a stage of statics, which fails because of
-// `why`.
-std::string cannot_pay_out(const std::string& stage, double left, const std::string& feeder,
+// remaining: length [m] still to be paid out (below 0: hauled in) in a stage of statics, which fails because
+// of `why`.
+std::string cannot_pay_out(const std::string& stage, double remaining, const std::string& feeder,
                            const std::string& why);
 
 }  // namespace hawser::advice

@@ -30,7 +30,7 @@ std::string hull_at_start(const HullAtStart& hull);
 
 // For a body that statics raises by `rise` [m]: weight, buoyancy and line forces are not balanced at the
 // position in the case. Empty up to 0.1 m.
-std::string rests_elsewhere(const std::string& body, double rise);
+std::string equilibrium_differs(const std::string& body, double rise);
 
 // Vertical force on a body at rest [N, upwards] other than its weight and the water: lines and contact.
 std::string held_at_rest(const std::string& body, double up);

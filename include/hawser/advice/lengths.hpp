@@ -19,19 +19,19 @@ struct LengthSearched {
 // Progress of one trial.
 std::string length_tried(const LengthSearched& at);
 // Result after `trials` static analyses.
-std::string length_found(const LengthSearched& at, int trials);
+std::string length_solved(const LengthSearched& at, int trials);
 
 // Trials of an unsuccessful search, (length, value), and why statics failed beyond them.
 struct LengthsTried {
   using Trial = std::pair<double, double>;
   struct Range {
-    Trial first, last, least, most;  // by order of trials, and by value
+    Trial first, last, shortest, longest;  // by order of trials, and by value
   };
   std::optional<Range> range;   // none: statics never converged
   std::optional<double> jumps;  // m, length at which the value jumps across the target
   std::string why;
 };
-std::string length_not_found(const LengthSearched& at, const LengthsTried& tried);
+std::string length_not_solved(const LengthSearched& at, const LengthsTried& tried);
 std::string feeder_not_at_rest(const LengthSearched& at, const LengthsTried& tried);
 std::string targets_do_not_settle();
 // For a run that continues from one that found the length.

@@ -14,9 +14,9 @@ namespace hawser::advice {
 std::string mesh_summary(const MeshReport& report);
 // A clause.
 std::string repaired(const RepairResult& done);
-// found: before the repair.
-std::string mesh_not_clean(const MeshReport& found, const RepairResult& done);
-std::string mesh_encloses_nothing(const MeshReport& found, const RepairResult& done);
+// report: before the repair.
+std::string mesh_not_clean(const MeshReport& report, const RepairResult& done);
+std::string mesh_encloses_nothing(const MeshReport& report, const RepairResult& done);
 std::string mesh_cannot_be_closed(const RepairResult& done);
 std::string holes_not_filled(const RepairResult& done);
 std::string mesh_not_closed(const MeshReport& report);
@@ -30,7 +30,7 @@ std::string triangles_without_area(int removed);
 std::string flat_facets();
 std::string curved_facets(long curved, double bulge, long sharp_edges);  // m
 std::string exact_shape(size_t triangles);
-std::string drawn_coarser(size_t drawn, size_t vertices);
+std::string displayed_coarser(size_t displayed, size_t vertices);
 std::string internal_facets(long facets);
 std::string slow_inside_test(size_t triangles);
 std::string vertex_too_far(double distance, double scale);  // m

@@ -13,9 +13,9 @@ namespace hawser::advice {
 std::string modes_need_statics(const model::Case& c);
 std::string stiffness_needs_statics(const model::Case& c);
 
-std::string fewer_modes_converged(size_t found, size_t wanted);
+std::string fewer_modes_converged(size_t count, size_t wanted);
 std::string modes_incomplete();
-std::string model_has_no_more_modes(size_t found);
+std::string model_has_no_more_modes(size_t count);
 std::string faster_instabilities(long directions);
 
 // Refusals of the body of `hawser stiffness`; all: names of the bodies with attached lines.

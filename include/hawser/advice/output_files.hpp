@@ -7,9 +7,9 @@
 
 namespace hawser::advice {
 
-// what: "the results" or "the table"; read: a file of the case that would be overwritten; written: its path
+// kind: "the results" or "the table"; read: a file of the case that would be overwritten; written: its path
 // by the name to be written.
-std::string would_replace_input(const std::string& what, const std::string& path, const std::string& read,
+std::string would_replace_input(const std::string& kind, const std::string& path, const std::string& read,
                                 const std::string& written);
 
 // Reasons why the results cannot be written to `path`.
@@ -22,9 +22,9 @@ std::string name_too_long(const std::string& path, size_t characters, long allow
 std::string name_is_a_folder(const std::string& path, const std::string& name);
 std::string third_party_file(const std::string& path, const std::string& name);
 
-// Refusals of a file for a table of `what` ("stiffnesses", "radiation").
-std::string table_needs_csv(const std::string& path, const std::string& what);
-std::string not_such_a_table(const std::string& path, const std::string& what);
+// Refusals of a file for a table of `contents` ("stiffnesses", "radiation").
+std::string table_needs_csv(const std::string& path, const std::string& contents);
+std::string not_such_a_table(const std::string& path, const std::string& contents);
 
 // Notes.
 std::string no_file_locks(const std::string& path);

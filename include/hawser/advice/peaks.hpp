@@ -8,7 +8,7 @@ namespace hawser::advice {
 // Peak in an element that was folded and snaps taut.
 struct FoldedPeak {
   double tension = 0, time = 0, arc = 0;  // N, s, m
-  double share = 1;                       // folded length over element length
+  double ratio = 1;                       // folded length over element length
 };
 std::string folded_peak(const std::string& line, const FoldedPeak& at);
 
@@ -18,7 +18,7 @@ struct ImpactPeak {
   Cause cause = Cause::steps;
   double tension = 0, time = 0, arc = 0;  // N, s, m
   double step = 0;                        // s, step at the peak
-  double share = 0;                       // fraction of the tension that built up in this step
+  double fraction = 0;                    // fraction of the tension that built up in this step
   double from = 0, within = 0;            // N, s: tension before the rise, and duration of the rise
   double shorter = 0;                     // s, step recommended for comparison
   bool fixed = false;                     // the user chose the step

@@ -27,10 +27,10 @@ std::string excluded_at_end(const model::Line& line, LineEnd line_end, const std
 
 // A line that passes a volume on the other side than its ends.
 struct Passes {
-  bool under = false;                 // below the volume
-  double distance = 0, arc = 0;       // m, distance to the volume; m
-  Vec3 place = Vec3::Zero();          // m
-  bool own_a = false, own_b = false;  // the volume's body carries that end, which is above
+  bool under = false;                         // below the volume
+  double distance = 0, arc = 0;               // m, distance to the volume; m
+  Vec3 place = Vec3::Zero();                  // m
+  bool carries_a = false, carries_b = false;  // the volume's body carries that end, which is above
 };
 std::string passes_volume(const model::Line& line, const std::string& volume, const Passes& p);
 

@@ -16,8 +16,8 @@ std::string no_start_shape(const std::string& line);
 
 // Lines that cross at a place [m].
 std::string undecided_crossing(const std::string& line, const std::string& other, const Vec3& at);
-std::string cannot_be_over(const std::string& over, const std::string& under, const Vec3& at);
-std::string starts_over_line(const std::string& over, const std::string& under, const Vec3& at);
+std::string cannot_be_over(const std::string& upper, const std::string& lower, const Vec3& at);
+std::string starts_over_line(const std::string& upper, const std::string& lower, const Vec3& at);
 std::string starts_over_volume(const std::string& line, const std::string& volume, const Vec3& at);
 std::string more_start_over_lines(size_t lines);
 std::string more_start_over_volumes(size_t lines);
@@ -26,6 +26,6 @@ std::string more_start_over_volumes(size_t lines);
 std::string link_without_length();
 
 // m: length of the line, and of its shortest path over its supports.
-std::string too_short_for_supports(double length, double way);
+std::string too_short_for_supports(double length, double path_length);
 
 }  // namespace hawser::advice

@@ -15,10 +15,10 @@ std::string slack_at_rest(const std::string& line, double length, bool fell);
 std::string no_waterplane(const std::string& body);
 // Of a line.
 struct OnBed {
-  double lies = 0;             // m on the seabed
-  bool with_friction = false;  // in statics
-  double taken = 0;            // N of tension by friction
-  double sticking = 0;         // m with friction that is not fully mobilised
+  double lies = 0;              // m on the seabed
+  bool with_friction = false;   // in statics
+  double friction_tension = 0;  // N of tension by friction
+  double sticking = 0;          // m with friction that is not fully mobilised
 };
 // One line, or several with the same description and the ranges of their values.
 std::string lie_on_bed(const std::vector<std::string>& lines, const std::vector<OnBed>& values);

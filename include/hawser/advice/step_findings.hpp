@@ -64,7 +64,7 @@ struct TooDeep {
 
 // A line would pass through a volume during the search for an equilibrium. too_soft: because of a stiffness
 // given in the case.
-struct DrawnThrough {
+struct PulledThrough {
   VolumeLaw law;
   std::string place;
   bool too_soft = false;
@@ -87,13 +87,13 @@ struct PressedLines {
   double depth = 0, radii = 0;       // m; sum of both radii
   double stiffness = 0, wanted = 0;  // N/m per m: current and required value; the latter is rounded up
   double energy = 0;                 // J, in the contact
-  bool own_settings = false;         // the case gives a stiffness for this pair
+  bool given = false;                // the case gives a stiffness for this pair
 };
 
 // monostate: no finding, or another rank has it.
 using StepFinding =
     std::variant<std::monostate, Imbalance, TurnsTooFar, ElementTurnsOver, ImpactNotResolved, ErrorTooLarge,
-                 BeyondContactSearch, LinePassesVolume, BodyPassesBody, FeedsTooFast, TooDeep, DrawnThrough,
+                 BeyondContactSearch, LinePassesVolume, BodyPassesBody, FeedsTooFast, TooDeep, PulledThrough,
                  LinesPass, LinesStartTooNear, PressedLines>;
 
 }  // namespace hawser::advice

@@ -9,21 +9,21 @@
 namespace hawser::advice {
 
 // Reason why a time step or static trial is rejected; empty for std::monostate.
-std::string clause(const StepFinding& found);
+std::string clause(const StepFinding& finding);
 std::string imbalance(const Imbalance& at);
 
 struct Overstretched {
   std::string place;
-  double strain = 0, most = 0;  // most: allowed for such an EA
-  double tension = 0, EA = 0;   // N
+  double strain = 0, limit = 0;  // limit: allowed for such an EA
+  double tension = 0, EA = 0;    // N
 };
 std::string overstretched_in_statics(const Overstretched& at);
 std::string overstretched_at(double time, const Overstretched& at);  // s
 
-// The tension is known only to the fraction `share`; sufficient: EA [N] that is practically inextensible.
+// The tension is known only to the fraction `fraction`; sufficient: EA [N] that is practically inextensible.
 struct LostInRounding {
   std::string line;
-  double share = 0, EA = 0, sufficient = 0;
+  double fraction = 0, EA = 0, sufficient = 0;
 };
 std::string tension_lost_in_statics(const LostInRounding& at);
 std::string tension_lost_at(double time, const LostInRounding& at);  // s

@@ -15,7 +15,7 @@ namespace hawser::io {
 // Progress reports while a case is read, before long operations; members may be empty.
 struct ReadProgress {
   std::function<void(const std::string& title)> title;  // the path if the case has no title
-  std::function<void(const std::string& what, double seconds)>
+  std::function<void(const std::string& text, double seconds)>
       busy;  // the next operation and its estimated duration [s]
 };
 // Estimated time to read a mesh file [s], from its size.

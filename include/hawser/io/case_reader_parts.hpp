@@ -51,8 +51,8 @@ Vec3 as_vec3(const model::Value& v);
 // Limits of a plausible size, m: an absolute upper limit, and limits in contact diameters of the thinnest
 // line of the case.
 struct SizeLimits {
-  double most;
-  double least_thin, most_thin;
+  double max;
+  double min_ratio, max_ratio;
 };
 // Asks whether a size [m] is in units other than metres; empty: it is within its limits.
 std::string other_units(double size, const SizeLimits& limits, const model::Case& c);

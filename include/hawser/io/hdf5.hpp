@@ -35,9 +35,9 @@ class Id {
   herr_t (*close_)(hid_t) = nullptr;
 };
 
-// Throws std::runtime_error with `what` and HDF5's own reason if a call failed.
-void check(herr_t status, const std::string& what);
-Id own(hid_t id, herr_t (*close)(hid_t), const std::string& what);
+// Throws std::runtime_error with `operation` and HDF5's own reason if a call failed.
+void check(herr_t status, const std::string& operation);
+Id own(hid_t id, herr_t (*close)(hid_t), const std::string& operation);
 
 // Switches off HDF5's printing of error stacks. Called by the functions below that open files.
 void quiet();

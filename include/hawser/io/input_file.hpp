@@ -10,9 +10,9 @@ namespace hawser::io {
 // parser of YAML takes up to 300 times the size of the text in memory, tables and meshes take 20 times.
 inline constexpr double kMostCase = 16, kMostTable = 500, kMostMesh = 1000;
 
-// Reason why the file cannot be read, as the end of a sentence; empty: it is a regular file of at most `most`
-// MB. kind: "case", "mesh" or the like.
-std::string unreadable(const std::string& path, const std::string& kind, double most);
+// Reason why the file cannot be read, as the end of a sentence; empty: it is a regular file of at most
+// `max_megabytes` MB. kind: "case", "mesh" or the like.
+std::string unreadable(const std::string& path, const std::string& kind, double max_megabytes);
 
 // Length of the UTF-8 byte order mark at the start of a text, bytes.
 inline std::size_t mark_length(std::string_view text) { return text.starts_with("\xef\xbb\xbf") ? 3 : 0; }

@@ -69,8 +69,8 @@ struct VolumeMesh {
 
   bool moves() const { return body >= 0; }
   bool coarsened() const { return !coarse.vertices.empty(); }
-  std::span<const Vec3> drawn_vertices() const { return coarsened() ? coarse.vertices : vertices; }
-  std::span<const std::array<int, 3>> drawn_triangles() const {
+  std::span<const Vec3> displayed_vertices() const { return coarsened() ? coarse.vertices : vertices; }
+  std::span<const std::array<int, 3>> displayed_triangles() const {
     return coarsened() ? coarse.triangles : triangles;
   }
 };

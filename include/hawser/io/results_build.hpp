@@ -43,7 +43,7 @@ void check_contents(const ResultContents& contents, bool writes);
 enum class RowsBy { output, step, node, contact };
 struct RowSet {
   std::string name;
-  RowsBy by = RowsBy::output;
+  RowsBy rows_by = RowsBy::output;
   hid_t type = -1;  // of its numbers, in file and memory
   h5::Shape tail;   // shape of one row
   std::string unit;

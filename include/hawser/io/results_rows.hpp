@@ -52,8 +52,8 @@ class SharedFile {
   // second, in `rows` rows from `row` on.
   void write_runs(const std::string& name, hid_t type, long long row, const std::vector<RowRun>& runs,
                   const void* data, long long rows = 1);
-  // Collective: writes whole rows [first, first + rows); only the rank with `here` has the data.
-  void write_rows(const std::string& name, hid_t type, long long first, long long rows, bool here,
+  // Collective: writes whole rows [first, first + rows); only the rank with `contributes` has the data.
+  void write_rows(const std::string& name, hid_t type, long long first, long long rows, bool contributes,
                   const void* data);
   // Writes a whole dataset from this rank alone.
   void write_alone(const std::string& name, hid_t type, const void* data);

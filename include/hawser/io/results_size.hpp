@@ -13,9 +13,9 @@ struct ExpectedRows {
 
 // Bytes of the HDF5 file. Clashes and contact points, whose number is not predictable, are excluded.
 struct ResultsSize {
-  double fields = 0, histories = 0, checkpoints = 0, meshes = 0, rest = 0;
+  double fields = 0, histories = 0, checkpoints = 0, meshes = 0, other = 0;
   double contact_point = 0;  // of each point of contact at an output, which `total` does not contain
-  double total() const { return fields + histories + checkpoints + meshes + rest; }
+  double total() const { return fields + histories + checkpoints + meshes + other; }
 };
 ResultsSize results_size(const ResultContents& contents, const ExpectedRows& rows);
 

@@ -12,9 +12,9 @@ namespace hawser::model {
 // surface of `b`.
 struct BodyPair {
   std::size_t a = 0, b = 0;
-  double stiffness = 0;  // N/m, N/m² or N/m³ by the basis of `a`
-  double share = 1;      // of the force: 1/2 if both volumes are slaves with their faces
-  Friction friction;     // isotropic
+  double stiffness = 0;     // N/m, N/m² or N/m³ by the basis of `a`
+  double force_factor = 1;  // of the force: 1/2 if both volumes are slaves with their faces
+  Friction friction;        // isotropic
   // True if `b` can penetrate `a` undetected: between corners, edges or balls of `a`.
   bool hides = false;
 };

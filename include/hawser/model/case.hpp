@@ -72,7 +72,7 @@ struct LineType {
   double dragged() const { return drag_diameter > 0 ? drag_diameter : outer_diameter; }
   // Time [s] in which an axial wave travels a length [m]: L / c, c = sqrt(EA / m).
   double wave_time(double length) const { return length * std::sqrt(mass_per_length / EA); }
-  double least_bending_stiffness() const {  // N m², 0 for a cable
+  double smallest_bending_stiffness() const {  // N m², 0 for a cable
     return kind == LineKind::beam ? std::min(EI2, EI3) : 0.0;
   }
 };
@@ -171,7 +171,7 @@ struct Ride {
   double at = 0;  // m, arc length from end A
   // True if position and rotation are given in space at the start; the body is then fixed to the node in that
   // pose.
-  bool drawn = false;
+  bool placed_in_space = false;
 };
 
 struct Body {
@@ -182,7 +182,7 @@ struct Body {
   double ramp = 0;  // s, smooth start of the motion (quintic), 0: none
   Shared<Drift> drift;
   Shared<BodyMass> mass;  // none: the motion is prescribed
-  Shared<Ride> on;        // none: not on a line; position and rotation are relative to the node
+  Shared<Ride> ride;      // none: not on a line; position and rotation are relative to the node
 };
 
 struct Box {
@@ -211,6 +211,12 @@ struct Volume {
   double relative_damping = 0;      // zeta of the contact spring
   Friction friction;
   bool roller = false;  // part of `supports`: touches lines only
+
+  // Largest depth of a line of this radius for which the contact law holds, m: the radius, or the last row of
+  // the force table.
+  double depth_limit(double line_radius) const {
+    return force_table ? std::max(line_radius, force_table->rows().back().first) : line_radius;
+  }
 };
 
 struct Section {
@@ -287,10 +293,10 @@ struct PreviousShape {
 struct LengthTarget {
   enum class Kind { tension, declination, touchdown, laid_length };
   Kind kind = Kind::tension;
-  double value = 0;               // N; rad; m, arc length of the touchdown point; m
-  LineEnd line_end = LineEnd::B;  // at which the value is, or from which it is measured
-  int section = 0;                // whose length is adjusted
-  double least = 0, most = 0;     // m, bounds of its length
+  double value = 0;                       // N; rad; m, arc length of the touchdown point; m
+  LineEnd line_end = LineEnd::B;          // at which the value is, or from which it is measured
+  int section = 0;                        // whose length is adjusted
+  double min_length = 0, max_length = 0;  // m, bounds of its length
 };
 
 struct Line {
@@ -347,7 +353,8 @@ struct BetweenLines {
   };
   std::vector<Tuned> pairs;
   std::vector<std::pair<std::string, std::string>> exclude;
-  std::vector<std::pair<std::string, std::string>> over;  // crossing lines: the first starts above the second
+  std::vector<std::pair<std::string, std::string>>
+      crossings;  // crossing lines: the first starts above the second
 };
 
 struct Contact {
@@ -463,7 +470,7 @@ struct Case : CaseDocument {
   const Joint& joint(const std::string& name) const;         // throws std::out_of_range
   // True if lines do not touch this volume until an event switches the contact on.
   bool off_at_start(const Volume& volume) const;
-  bool rides(int body) const { return body >= 0 && bodies[body].on.has_value(); }
+  bool rides(int body) const { return body >= 0 && bodies[body].ride.has_value(); }
   // Throws InputError "file:line: key: why".
   [[noreturn]] void refuse(const std::string& key, const std::string& why) const;
   // Message of refuse(): file, line and key before `why`.

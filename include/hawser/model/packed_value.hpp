@@ -21,13 +21,13 @@ class Entry {
  public:
   Entry() = default;  // none
   Entry(const Value& map, std::size_t i);
-  explicit Entry(std::shared_ptr<const Value> own) : own_(std::move(own)), at_(own_.get()) {}
+  explicit Entry(std::shared_ptr<const Value> value) : owned_(std::move(value)), at_(owned_.get()) {}
   explicit operator bool() const { return at_ != nullptr; }
   const Value& operator*() const { return *at_; }
   const Value* operator->() const { return at_; }
 
  private:
-  std::shared_ptr<const Value> own_;  // null: it is not packed
+  std::shared_ptr<const Value> owned_;  // null: it is not packed
   const Value* at_ = nullptr;
 };
 // Entry of this name; none if the map has no such key. The map may be packed.

@@ -32,7 +32,7 @@ struct BodyHydrodynamics {
   double volume = 0;                  // m³ displaced at `place`; 0: mass over density
   std::optional<Vec3> place;          // m, reference position of the body origin
   std::optional<double> heading;      // rad, reference heading
-  double follow = 100;  // s: waves and coefficients follow motion slower than this; 0: they do not
+  double follow_period = 100;  // s: waves and coefficients follow motion slower than this; 0: they do not
   Mat6 stiffness = Mat6::Zero(), damping = Mat6::Zero();  // additional, about the body origin: N/m ... N m s
   // Wave-drift damping by frequency [rad/s, increasing]: surge and sway forces and yaw moment per velocity
   // and per squared wave amplitude; N s/m³, N s/m², N m s/m².
@@ -72,12 +72,12 @@ struct BodyLoad {
 // manual 7, section 4.2). The body needs hydrodynamics; density [kg/m³] of water, gravity [m/s²].
 PlatformHydrostatics hydrostatics(const BodyMass& body, double density, double gravity);
 // Stiffness in heave [N/m], roll and pitch [N m/rad] including weight: C - m g z_G for rotations.
-Vec3 restoring(const BodyMass& body, const PlatformHydrostatics& still, double gravity);
+Vec3 restoring(const BodyMass& body, const PlatformHydrostatics& calm, double gravity);
 
 // Fractions of a sea's energy outside a table of wave forces: at directions (relative to the bow) without
 // nearby rows, and at periods shorter or longer than those of the table. heading: of the body, rad.
 struct Coverage {
-  double uncovered = 0, shorter = 0, longer = 0;
+  double uncovered = 0, shorter_waves = 0, longer_waves = 0;
   double direction = 0;  // rad, the first direction not covered
 };
 Coverage coverage(const WaveForceTable& table, const std::vector<WaveComponent>& sea, double heading);

@@ -29,6 +29,6 @@ struct OgilvieCheck {
   int freedom = 0;        // index into `rows`
   double omega = 0;       // rad/s
 };
-OgilvieCheck ogilvie_check(const HydrodynamicData& data, const PlatformMemory& of);
+OgilvieCheck ogilvie_check(const HydrodynamicData& data, const PlatformMemory& radiation);
 
 }  // namespace hawser::model

@@ -18,25 +18,25 @@ struct Audit {
   double error = 0;
   // Reference of the error over the run so far: initial kinetic energy, absolute work of every step, and
   // strain energy released from the start state.
-  double at_start = 0, worked = 0, set_free = 0;
-  double there = 0;        // largest kinetic and strain energy at a time, without created energy
-  double most_strain = 0;  // largest strain energy: scale of rounding errors
-  double least_error = 0;  // minimum of `error` so far
+  double initial_kinetic = 0, absolute_work = 0, released_strain = 0;
+  double largest_energy = 0;  // largest kinetic and strain energy at a time, without created energy
+  double largest_strain = 0;  // largest strain energy: scale of rounding errors
+  double smallest_error = 0;  // minimum of `error` so far
   // Dissipated so far by friction, damping and the scheme, and the net energy taken out by water.
-  double taken = 0, least_by_water = 0;
+  double dissipated = 0, smallest_by_water = 0;
   // Created energy that may still be in the lines (docs/theory/time-integration.md): current and largest
   // value.
-  double remains = 0, most_remains = 0;
+  double remaining = 0, largest_remaining = 0;
   struct Step {
     double value = 0, time = 0, length = 0;  // J; s, at its end; s
     int node = -1;                           // of the mesh, with the largest change of motion; -1: unknown
     using ContactWith = advice::ContactWith;
     ContactWith with = ContactWith::nothing;  // force acting there
-  } climb;                                    // the step that created most since the error was least
+  } largest_step_gain;                        // the step that created most since the error was least
   struct Largest {
     double value = 0, time = 0, step = 0;  // J; s, at the end of the step; s, its length
-  } made, lost;                            // created since the error was least; lost since the start
-  Step worst;                              // of `made`: the step that created most
+  } largest_gain, largest_loss;            // created since the error was least; lost since the start
+  Step worst;                              // of `largest_gain`: the step that created most
 
   // Update after a step of h [s] that ended at `time`; start: energies at the start of the run; passed:
   // external work [J] that cancels within the step and is not in brought_in. True: the place of the largest

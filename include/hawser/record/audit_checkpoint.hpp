@@ -12,6 +12,6 @@ void save_audit(const Energy& start, const Audit& audit, io::Checkpoint& to);
 void restore_audit(const io::Checkpoint& from, Energy& start, Audit& audit);
 
 // Sum over all ranks. Collective.
-Energy sum_of(MPI_Comm comm, Energy share);
+Energy sum_of(MPI_Comm comm, Energy local);
 
 }  // namespace hawser::record

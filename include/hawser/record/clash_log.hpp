@@ -40,7 +40,7 @@ class ClashLog {
   void begin_file() { reported_ = {}; }
   // Number of all clashes so far, the ended ones first, and those with the largest peak forces.
   long long count() const { return ended_count_ + static_cast<long long>(open_.size()); }
-  std::vector<io::ClashRow> largest(size_t most) const;
+  std::vector<io::ClashRow> largest(size_t max_rows) const;
 
   // Complete state as numbers, and its restoration.
   std::vector<double> save() const;
@@ -64,7 +64,7 @@ class ClashLog {
   std::vector<Now> assign(double time, std::span<const ActiveContact> touches);
   void join(size_t first, size_t second, std::vector<Now>& now);
   // Updates the clashes with the contacts of a step, and ends those separated for too long.
-  void follow(double time, std::vector<Now> now);
+  void update_tracks(double time, std::vector<Now> now);
   void end(const io::ClashRow& row);
 
   ClashSettings settings_;

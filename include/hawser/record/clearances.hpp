@@ -31,8 +31,8 @@ class Clearances : public Recording {
  private:
   struct Best {
     double clearance = 0;
-    double arc = 0;             // m
-    Vec3 there = Vec3::Zero();  // m; to a line: its arc length first
+    double arc = 0;                   // m
+    Vec3 other_place = Vec3::Zero();  // m; to a line: its arc length first
   };
   struct Shaped {
     int element = 0;  // of the mesh
@@ -45,18 +45,18 @@ class Clearances : public Recording {
     BoxTree boxes;
     double radius = 0;  // m, largest
     Tree() = default;
-    explicit Tree(std::vector<Shaped> of);
+    explicit Tree(std::vector<Shaped> shapes);
   };
-  // Lower bound `least` [m] of the distance of an element to a volume, valid while its axis has not moved in
-  // the body's frame. Affects the cost but not the result.
+  // Lower bound `lower_bound` [m] of the distance of an element to a volume, valid while its axis has not
+  // moved in the body's frame. Affects the cost but not the result.
   struct Cache {
     BezierAxis axis;
-    double least = 0;
+    double lower_bound = 0;
     bool known = false;
   };
 
-  std::vector<Shaped> own(int line, const Kinematics& state) const;
-  Tree of_all_ranks(const Tree& own) const;
+  std::vector<Shaped> local_shapes(int line, const Kinematics& state) const;
+  Tree of_all_ranks(const Tree& local) const;
   Best to_line(const Tree& a, const Tree& b) const;
   Best to_volume(const std::vector<Shaped>& elements, const Surface& surface, const io::BodyPose& pose,
                  std::vector<Cache>& cache) const;
@@ -66,7 +66,7 @@ class Clearances : public Recording {
   const model::Case& case_;
   const LocalMesh& mesh_;
   const std::vector<std::shared_ptr<const Surface>>& surfaces_;
-  std::vector<std::vector<Cache>> cache_;  // by clearance, for own()
+  std::vector<std::vector<Cache>> cache_;  // by clearance, for local_shapes()
 };
 
 }  // namespace hawser::record

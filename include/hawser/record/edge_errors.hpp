@@ -34,7 +34,7 @@ class EdgeErrors : public Recording {
   // empty.
   std::string warning(int line, double largest_tension) const;
 
-  std::span<const Snaps::OverVolume> over_volumes() const { return over_; }  // by line
+  std::span<const Snaps::VolumePassage> volume_passages() const { return passages_; }  // by line
 
   void declare(Declarations& to) override;
   void step(const Snapshot& s) override;
@@ -69,7 +69,7 @@ class EdgeErrors : public Recording {
   std::vector<Worst> worst_;
   std::vector<double> tension_;   // N, by line: largest so far under contact with volumes
   std::vector<double> reported_;  // by line, N: error already reported
-  std::vector<Snaps::OverVolume> over_;
+  std::vector<Snaps::VolumePassage> passages_;
   std::vector<std::string> new_warnings_;
   int force_ = -1, friction_ = -1, before_ = -1, after_ = -1;  // indices of fields
 };

@@ -33,7 +33,7 @@ class Folds {
 
  private:
   struct Fold {
-    double share = 1;  // smallest chord over length while folded
+    double ratio = 1;  // smallest chord over length while folded
     double until = 0;  // s, end of the waves from its straightening; infinite: not yet straight
     double echo = 0;   // s, wave along the line and back
   };

@@ -46,7 +46,7 @@ class NodeFields {
   std::vector<io::ResultField> end_fields_;
   std::vector<char> every_step_;  // by field of the registry
   std::vector<int> onto_;         // by registry field: index in values_ of the field it starts from; -1: none
-  bool rest_apart_ = false;       // correct_ends() changes only fields of every step
+  bool only_every_step_ = false;  // correct_ends() changes only fields of every step
   EndForces end_forces_;
   ContactPeaks peaks_;
   Values values_, ends_;

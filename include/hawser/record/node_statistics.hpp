@@ -28,7 +28,7 @@ class NodeStatistics {
 
  private:
   struct Sums {
-    double least, least_time, most, most_time, mean;
+    double lowest, lowest_time, highest, highest_time, mean;
     double squares;  // integral of squared deviation from the mean, s times unit squared
     double last;     // value at the latest step; NaN: none
     double covered;  // s, total duration with values

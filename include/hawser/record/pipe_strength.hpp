@@ -64,7 +64,7 @@ class PipeStrength : public Recording {
   std::vector<PipeCodes> codes_;            // of graded line types
   std::vector<int> of_type_;                // index in codes_ by line type; -1: none
   std::vector<std::array<Side, 2>> sides_;  // by owned node
-  std::vector<PipeLoads> rest_;             // by owned node; empty: unknown
+  std::vector<PipeLoads> static_loads_;     // by owned node; empty: unknown
   bool by_place_ = false;                   // conditions depend on the support of the pipe
   int tension_ = -1, moment_2_ = -1, moment_3_ = -1, curvature_ = -1;  // indices of fields
   int buckling_ = -1, bending_ = -1, pull_ = -1;

@@ -10,9 +10,9 @@ namespace hawser::record {
 
 // State of a line at a node in contact with a volume.
 struct PressedTurn {
-  int node = 0;      // node number in the mesh
-  double angle = 0;  // rad, turn of the line there
-  double taken = 0;  // N, change of tension
+  int node = 0;               // node number in the mesh
+  double angle = 0;           // rad, turn of the line there
+  double tension_change = 0;  // N, change of tension
   double tension = 0, length = 0,
          passage = 0;  // N; m, longer adjacent element; s, travel time of a wave across it
 };
@@ -33,7 +33,7 @@ struct PressedPart {
 
   bool pressed = false;
   PressedTurn first, last;
-  PressedTurn worst;                // the first of those with the largest `taken`
+  PressedTurn worst;                // the first of those with the largest `tension_change`
   double before = 0, after = 0;     // rad, turns at the nodes next to `worst`; 0: no contact there
   double sum = 0;                   // N, S at the last node
   SumRange inside;                  // N, range of all S_k

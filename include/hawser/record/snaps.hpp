@@ -24,13 +24,13 @@ class Snaps {
   // frames, which bend.
   Snaps(const model::Case& c, const LocalMesh& mesh);
   // Turn of a line over a volume from one cable element to the next.
-  struct OverVolume {
+  struct VolumePassage {
     double passage = 0, time = 0;  // s, transverse wave through the slowest of these cables; s, when
   };
   // By owned node: effective tension towards end A and towards end B, N. After every step of h [s]; 0: at the
-  // start. over: by line, the last contact with a volume; empty: no volumes.
+  // start. passages: by line, the last contact with a volume; empty: no volumes.
   void update(double time, double h, std::span<const double> before, std::span<const double> after,
-              std::span<const OverVolume> over = {});
+              std::span<const VolumePassage> passages = {});
   // Combines the ranks after the last step. Collective.
   void gather(MPI_Comm comm);
   // Sentence if the largest tension [N] of a line is such a peak; else empty. damped: much axial vibration

@@ -11,9 +11,9 @@ namespace hawser::record {
 
 class TensionPeaks : public Recording {
  public:
-  // over: contact of lines with volumes, updated before this recording; null: none. Both must outlive the
+  // errors: contact of lines with volumes, updated before this recording; null: none. Both must outlive the
   // object.
-  TensionPeaks(const Subject& subject, const EdgeErrors* over);
+  TensionPeaks(const Subject& subject, const EdgeErrors* errors);
 
   void declare(Declarations& to) override;
   void step(const Snapshot& s) override;
@@ -21,7 +21,7 @@ class TensionPeaks : public Recording {
 
  private:
   const Subject& subject_;
-  const EdgeErrors* over_;
+  const EdgeErrors* errors_;
   Folds folds_;
   Snaps snaps_;
   int before_ = -1, after_ = -1;  // indices of fields

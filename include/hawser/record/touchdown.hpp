@@ -76,7 +76,7 @@ class Touchdowns {
                                         const Kinematics& state) const;
   std::pair<TouchdownPoint, double> point(int element, const Surrounding& around) const;
   template <class T>
-  void join(MPI_Op op, std::vector<T>& of, size_t numbers) const;
+  void join(MPI_Op op, std::vector<T>& values, size_t numbers) const;
 
   MPI_Comm comm_;
   const model::Seabed& bed_;

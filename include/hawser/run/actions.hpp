@@ -31,7 +31,7 @@ class Actions {
   // Performs an action in the accepted `state`. Throws SolveError if it is impossible. Collective.
   Found act(const model::Action& action, const Kinematics& state);
   // Repeats an action performed at this time [s], in a run continued from a checkpoint.
-  void repeat(const model::Action& action, const Found& found, double time);
+  void repeat(const model::Action& action, const Found& placed, double time);
   // Tied local nodes, to be passed to the system.
   const std::vector<TiedNode>& tied() const { return tied_; }
 
@@ -43,7 +43,7 @@ class Actions {
  private:
   bool held(int node) const;
   RigidPose pose(const model::Action& action, const Kinematics& state) const;
-  void hold(const model::Action& action, const Found& found);
+  void hold(const model::Action& action, const Found& placed);
   void feed(const model::Action& action, double speed, double time);
 
   Simulation& sim_;

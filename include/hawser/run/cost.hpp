@@ -51,6 +51,6 @@ struct MemoryUse {
 };
 // "expected memory: about 0.9 GB", or of the rank with the largest work, its fraction of the total; 1: one
 // rank.
-std::string memory_sentence(const MemoryUse& use, double most_of_work);
+std::string memory_sentence(const MemoryUse& use, double largest_part);
 
 }  // namespace hawser::run

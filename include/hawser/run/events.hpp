@@ -48,13 +48,13 @@ class Events {
 
  private:
   struct Happening {
-    model::Event what;
+    model::Event event;
     int node = -1;         // node of the mesh whose tension, position or distance is monitored
     int feeder = -1;       // feeder whose length is monitored
     int after = -1;        // index of the preceding event
     double happened = -1;  // s; < 0: not yet
     double order = 0;      // number of events before it
-    Actions::Found found;
+    Actions::Found placed;
   };
   static bool waits_for_condition(const Happening& h);
   double due(const Happening& h) const;  // s; infinite: unknown

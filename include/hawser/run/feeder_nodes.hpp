@@ -16,9 +16,9 @@ class FeederNodes {
 
   // After an accepted step, before its output. Collective.
   void agree();
-  // In statics: pays out `by` [m] (negative: hauls in), including released and absorbed nodes; the
+  // In statics: pays out `paid_out` [m] (negative: hauls in), including released and absorbed nodes; the
   // equilibrium must be solved afterwards. Throws SolveError as transfer_node(). Collective.
-  void shift(Feeder& f, double by);
+  void shift(Feeder& f, double paid_out);
   // After the output of a step: releases or absorbs nodes. Throws SolveError if a stock has run out or all of
   // a line is hauled in. Collective.
   void transfer_node();
@@ -37,6 +37,10 @@ class FeederNodes {
   void release_node(Feeder& f);
   void absorb_node(Feeder& f);
   double feeder_force(const Feeder& f);
+  // The transfer of a node that is due at the length of the element at the feed point. Throws SolveError if a
+  // stock has run out or all of a line is hauled in.
+  enum class Transfer { none, release, absorb };
+  Transfer due_transfer(const Feeder& f, double time) const;
   void transfer_node(Feeder& f, int feed_point, double length, const std::optional<Dynamics::Moved>& moved);
 
   Simulation& sim_;

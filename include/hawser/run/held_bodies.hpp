@@ -16,14 +16,14 @@ void hold_body(Simulation& sim, int body);
 class HeldBodies {
  public:
   // Holds the bodies of the simulation at their positions, and removes the loads on the bodies themselves:
-  // weight, springs, loads, water, wind, thrusters (LoadsBodies). Lines, links and contact remain. The
-  // simulation outlives it. Collective, as are the others.
+  // weight, springs, loads, water, wind, thrusters (AppliesExternalLoad). Lines, links and contact remain.
+  // The simulation outlives it. Collective, as are the others.
   explicit HeldBodies(Simulation& sim);
 
   // body: index in the case; it must have mass.
   const RigidPose& pose(int body) const { return poses_->at(static_cast<size_t>(body)); }
   // Moves a body in increments and solves statics after each. Throws SolveError if that fails.
-  void put(int body, const RigidPose& there);
+  void put(int body, const RigidPose& target);
   void solve();
   // About the centre of mass.
   BodyStiffness stiffness(int body);
@@ -31,8 +31,8 @@ class HeldBodies {
   std::vector<double> tensions() const;
 
  private:
-  void move(int body, const RigidPose& there);
-  int steps_to(int body, const RigidPose& there) const;
+  void move(int body, const RigidPose& target);
+  int steps_to(int body, const RigidPose& target) const;
 
   Simulation& sim_;
   std::shared_ptr<std::vector<RigidPose>> poses_;  // by body of the case

@@ -21,12 +21,13 @@ void set_hydrostatics(model::Case& c, const std::vector<LoadedVolume>& volumes);
 std::string hulls_text(const model::Case& c, const std::vector<LoadedVolume>& volumes);
 
 // Messages about bodies of this rank with hulls or hydrodynamic coefficients whose rest position differs from
-// that of the case (advice::rests_elsewhere).
+// that of the case (advice::equilibrium_differs).
 std::vector<std::string> platforms_off_start(const model::Case& c, const Bodies& bodies,
-                                             const Kinematics& rest);
+                                             const Kinematics& equilibrium);
 
 // Vertical force on each of these bodies at rest besides its weight and the water (advice::held_at_rest). On
 // one rank.
-std::vector<std::string> platforms_held(const model::Case& c, const System& system, const Kinematics& rest);
+std::vector<std::string> platforms_held(const model::Case& c, const System& system,
+                                        const Kinematics& equilibrium);
 
 }  // namespace hawser::run

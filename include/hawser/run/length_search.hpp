@@ -55,7 +55,7 @@ class LengthSearch {
   void end_without_length(const model::Case& c);
 
   // Sentence with the result after `trials` static analyses.
-  std::string found(const model::Case& c, int trials) const;
+  std::string solved_sentence(const model::Case& c, int trials) const;
 
  private:
   void begin(double from, double step);
@@ -68,9 +68,9 @@ class LengthSearch {
   model::LengthTarget t_;
   int feeder_ = -1;  // -1: a section
   std::string key_;
-  double given_, rest_;  // m, given length; length of the other sections
+  double given_, other_sections_;  // m, given length; length of the other sections
   RootSearch search_{1, 1, 0, 2};
-  double length_ = 0, value_ = 0, last_found_ = 0;  // m; its value; m, last one with an equilibrium
+  double length_ = 0, value_ = 0, last_solved_ = 0;  // m; its value; m, last one with an equilibrium
   bool met_ = false, near_ = false, given_kept_ = false;
   std::string why_;
 };

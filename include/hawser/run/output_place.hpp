@@ -13,13 +13,13 @@
 
 namespace hawser::run {
 
-// Throws InputError if one of the files written with `what` ("the results") at `path` is an input file.
-void check_not_read(const std::string& what, const std::string& path, const std::vector<std::string>& written,
+// Throws InputError if one of the files written with `kind` ("the results") at `path` is an input file.
+void check_not_read(const std::string& kind, const std::string& path, const std::vector<std::string>& written,
                     const std::vector<std::string>& read);
 
 // Throws InputError if `path` is a file that the case reads, or does not begin with `head`, as tables of
-// `what` do; such files are not overwritten.
-void check_table(const std::string& path, std::string_view head, const std::string& what,
+// `contents` do; such files are not overwritten.
+void check_table(const std::string& path, std::string_view head, const std::string& contents,
                  const std::vector<std::string>& inputs);
 
 class OutputPlace {

@@ -7,7 +7,7 @@ namespace hawser::run {
 
 struct PostCommand {
   const char* name;
-  const char* what;
+  const char* help;
 };
 inline constexpr PostCommand kPostCommands[] = {
     {"report", "Make one HTML file of a run: pictures, tables, range graphs, histories, energy."},

@@ -15,7 +15,7 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   // Announces an operation of about `seconds`: immediately on a terminal, otherwise only if it takes long.
-  void busy(const std::string& what, double seconds);
+  void busy(const std::string& text, double seconds);
   // Progress of statics; residual: relative to the forces.
   void statics(int iterations, int relaxation_steps, double residual);
   // Start of the steps: simulated times of the first and last one [s]; earlier time does not count for the
@@ -38,7 +38,7 @@ class Progress {
   int columns_;  // of the terminal; 0: no terminal
   double start_ = 0, duration_ = 0;
   Clock::time_point began_ = Clock::now(), last_ = Clock::now();
-  double next_share_ = 0.1;
+  double next_fraction_ = 0.1;
   std::vector<std::string> messages_;
   void rewrite(std::string text);
   bool open_ = false;     // the rewritten line is on the terminal

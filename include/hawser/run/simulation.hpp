@@ -108,7 +108,7 @@ class Simulation {
                   const VolumeFacets& facets);
   std::string inside(int volume, const Kinematics& state) const;
   bool lays_lines() const;  // statics has bed friction
-  void follow_contact(StaticsSettings settings, StaticsReport& report);
+  void solve_with_contact_friction(StaticsSettings settings, StaticsReport& report);
   // Finds the equilibrium with friction as in statics, and with bodies restrained that have no equilibrium of
   // their own. The bodies keep their initial velocities for dynamics.
   StaticsReport find_restrained_equilibrium(const StaticsSettings& settings);

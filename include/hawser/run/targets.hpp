@@ -18,8 +18,8 @@ namespace hawser::run {
 bool has_targets(const model::Case& c);
 
 struct MetTargets {
-  model::Case model;               // with the lengths found
-  std::vector<std::string> found;  // one sentence per target
+  model::Case model;                   // with the lengths found
+  std::vector<std::string> sentences;  // one sentence per target
 };
 
 // Each trial solves statics; each line with a target has its own bracketed search (math/root_search.hpp). All

@@ -12,8 +12,8 @@ namespace hawser::run {
 std::string usage_error(const CLI::App& cli, const CLI::Error& error, const std::vector<std::string>& words);
 
 // Validators of option values with their descriptions: a whole number in a range; a number above 0, described
-// by `what` ("time above 0, in s").
-CLI::Validator whole_number(long least, long most);
-CLI::Validator positive(std::string what);
+// by `kind` ("time above 0, in s").
+CLI::Validator whole_number(long lowest, long highest);
+CLI::Validator positive(std::string kind);
 
 }  // namespace hawser::run

@@ -32,7 +32,7 @@ AutomaticStiffness automatic_contact_stiffness(const StiffnessDemand& d);
 // Upper limit of an automatic stiffness, N/m²: with it the larger of EA and the whole line's weight, bent to
 // the line's own radius, penetrates by the allowed depth. A line that is deeper is held inside by something
 // other than its tension.
-double most_stiffness(const StiffnessDemand& d);
+double largest_stiffness(const StiffnessDemand& d);
 
 // Automatic stiffness between lines: force per length F = k s + c s³ at the penetration s. With k [N/m²] the
 // line's own weight, by standard gravity, penetrates by 0.5 % of its radius [m]; with c [N/m⁴] 1 % of its EA

@@ -9,16 +9,16 @@
 
 namespace hawser {
 
-// Gap function of an axis for contact_intervals(): distance to the surface minus `most` [m], and its slope
-// along the axis. It is negative where the axis is nearer than `most` or, for a negative `most`, deeper than
-// -most. The surface, its pose and the axis must outlive the function.
+// Gap function of an axis for contact_intervals(): distance to the surface minus `offset` [m], and its slope
+// along the axis. It is negative where the axis is nearer than `offset` or, for a negative `offset`, deeper
+// than -most. The surface, its pose and the axis must outlive the function.
 inline auto axis_distance(const Surface& surface, const RigidPose& pose, const AxisShape& shape,
-                          double most = 0) {
-  return [&, most, hint = -1](double xi, double within) mutable -> AxisGap {
-    const auto p = surface.query(pose.to_body(shape.point(xi)), within + most, hint);
+                          double offset = 0) {
+  return [&, offset, hint = -1](double xi, double within) mutable -> AxisGap {
+    const auto p = surface.query(pose.to_body(shape.point(xi)), within + offset, hint);
     if (!p) return {within, 0};
     hint = p->triangle;
-    return {p->distance - most, (pose.rotation * p->normal).dot(shape.slope(xi))};
+    return {p->distance - offset, (pose.rotation * p->normal).dot(shape.slope(xi))};
   };
 }
 

@@ -69,15 +69,15 @@ class BedContact final : public ForceTerm, public HasFriction {
   // places: by local node, m; NaN: not laid.
   void lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm);
   // For the first stage: friction is fully mobilised at this slip [m] or more, so that it increases smoothly.
-  void mobilise_by(double least_slip) { least_slip_ = least_slip; }
+  void mobilise_at(double full_slip) { full_slip_ = full_slip; }
   void press_by_contact(const Kinematics& state);
-  void follow_contact(const Kinematics& state);
+  void use_contact_friction(const Kinematics& state);
 
   // Part of a line on the bed in the accepted state.
   struct OnBed {
     // m of line on the bed: with friction; with friction that is not fully mobilised.
     double friction_length = 0, sticking = 0;
-    double taken = 0;  // N, tension that friction takes up, positive from end A to end B
+    double friction_tension = 0;  // N, tension that friction takes up, positive from end A to end B
   };
   // By line of the mesh, summed over the points that this rank counts.
   std::vector<OnBed> on_bed(const Kinematics& state) const;
@@ -139,13 +139,13 @@ class BedContact final : public ForceTerm, public HasFriction {
     int history_index = -1;  // index into histories_; -1: none
     bool counted = true;     // this rank counts it in sums
   };
-  // of_nodes(): interpolates nodal values to the point. share(): fraction of a force on the point that acts
-  // on a node.
+  // of_nodes(): interpolates nodal values to the point. fraction_on_node(): fraction of a force on the point
+  // that acts on a node.
   static Vec3 of_nodes(const Point& p, std::span<const Vec3> values) {
     const Vec3& first = values[p.node];
     return p.second < 0 ? first : Vec3(0.5 * (first + values[p.second]));
   }
-  static double share(const Point& p, int node) {
+  static double fraction_on_node(const Point& p, int node) {
     if (p.second < 0) return p.node == node ? 1 : 0;
     return p.node == node || p.second == node ? 0.5 : 0;
   }
@@ -167,8 +167,8 @@ class BedContact final : public ForceTerm, public HasFriction {
   // Sets gap, normal and curvature of the trial for a point at x [m]. Returns false if the point does not
   // touch; the gap to a surface is then limited to `beyond` [m] more than where contact begins.
   bool locate(const Point& p, const Vec3& x, double beyond, ContactTrial& trial) const;
-  // Signed distance of x [m] if it is less than `most` [m]; else infinity.
-  double gap(const Vec3& x, double most) const;
+  // Signed distance of x [m] if it is less than `max_distance` [m]; else infinity.
+  double gap(const Vec3& x, double max_distance) const;
   // convex: without the geometric stiffness of a curved bed, which is negative over a mound.
   ContactForce contact(const Point& p, const Kinematics& state, bool derivatives, ContactTrial& trial,
                        bool convex = false) const;
@@ -189,7 +189,7 @@ class BedContact final : public ForceTerm, public HasFriction {
   std::vector<LaidReference>
       laid_;  // in statics with friction; empty: slip and normal are those of histories_
   bool firm_ = false;
-  double least_slip_ = 0;
+  double full_slip_ = 0;
   std::vector<PointHistory> histories_;
   std::vector<int> vacant_;  // free indices in histories_
   Account account_;

@@ -25,7 +25,7 @@ class Bodies {
 
   // Attaches bodies that ride on lines and are drawn in space to their nodes, at their relative pose in the
   // start shape. Collective.
-  void fix_drawn(MPI_Comm comm, const model::Case& c, const Kinematics& start);
+  void fix_placed_in_space(MPI_Comm comm, const model::Case& c, const Kinematics& start);
 
   int size() const { return static_cast<int>(motions_.size()); }
   // True if the motion of the body is an unknown.

@@ -17,10 +17,10 @@ namespace hawser {
 Wind wind_of(const model::Case& c);
 
 class BodiesInFlow final : public ForceTerm,
-                           public LoadsBodies,
+                           public AppliesExternalLoad,
                            public RestrainedInStatics,
                            public InCurrent,
-                           public ActsOnBodies {
+                           public ReportsBodyForces {
  public:
   // Builds the term for the bodies of the case that this rank owns.
   BodiesInFlow(const model::Case& c, const LocalMesh& mesh);
@@ -57,7 +57,7 @@ class BodiesInFlow final : public ForceTerm,
     double height = 0;  // m above the still water, reference height of the wind coefficients
     int node = 0, block = 0, global = 0;  // local node; local block of its position; mesh node
     int body = 0;                         // index in the case
-    StaticRest rest;
+    StaticRest static_rest;
     Push push;  // at the last accepted state; in statics at the last iteration
     bool pushed = false;
     double work = 0;  // J, over the accepted steps
@@ -66,7 +66,7 @@ class BodiesInFlow final : public ForceTerm,
   FlowVelocity velocity(const Flow& f, const Kinematics& state, const RigidBodyState& s) const;
   Push push(const Flow& f, const Kinematics& state) const;
   static double work(const Push& from, const Push& to);
-  bool idle(const Flow& f) const { return hold_ && !f.rest.found(friction_); }
+  bool idle(const Flow& f) const { return hold_ && !f.static_rest.is_computed(friction_); }
 
   Sea sea_;
   Wind wind_;

@@ -19,11 +19,11 @@ struct BodyMember;
 }  // namespace model
 
 class BodiesInWater final : public ForceTerm,
-                            public LoadsBodies,
+                            public AppliesExternalLoad,
                             public ScalesResiduals,
                             public RestrainedInStatics,
                             public InCurrent,
-                            public ActsOnBodies {
+                            public ReportsBodyForces {
  public:
   // Builds the term for the bodies of the case that this rank owns.
   BodiesInWater(const model::Case& c, const LocalMesh& mesh);
@@ -67,7 +67,7 @@ class BodiesInWater final : public ForceTerm,
     int node = 0, block = 0, global = 0;  // local node; local block of its position; mesh node
     int body = 0;                         // index in the case
     int key = 0;                          // distinguishes the records of one body
-    StaticRest rest;
+    StaticRest static_rest;
     // Waves are evaluated once a step, for its end, at the centres extrapolated with their velocities.
     Places start, speed;              // m, m/s, at the start of the step
     Places wave_place;                // m, where waves were evaluated for the state at start_time_
@@ -90,7 +90,7 @@ class BodiesInWater final : public ForceTerm,
   Flow all_forces(const Wet& b, const RigidBodyState& s, const Kinematics& state) const;
   // The same without the buoyancy in still water, which has a potential.
   Flow flow(const Wet& b, const Kinematics& state) const;
-  bool idle(const Wet& b) const { return hold_ && !b.rest.found(friction_); }
+  bool idle(const Wet& b) const { return hold_ && !b.static_rest.is_computed(friction_); }
 
   Sea sea_;
   std::vector<Wet> list_;

@@ -53,7 +53,7 @@ class BodyContact final : public ForceTerm,
                           public LimitsSteps,
                           public ScalesResiduals,
                           public HasFriction,
-                          public ActsOnBodies {
+                          public ReportsBodyForces {
  public:
   // volumes: all volumes of the case, in its order. The pairs are those of model::body_pairs. comm: all
   // ranks.
@@ -101,7 +101,7 @@ class BodyContact final : public ForceTerm,
     double mass = HUGE_VAL;                // kg
     Mat3 inertia = Mat3::Zero();           // kg m², body axes
   };
-  struct Both {
+  struct PairFrames {
     BodyFrame A, B;
     Vec3 across(const Vec3& y) const { return B.to_body(A.to_space(y)); }  // from A's frame to B's
     // Rates of the twelve unknowns.
@@ -110,21 +110,21 @@ class BodyContact final : public ForceTerm,
     void move(double time);                              // moves both on by `time` [s] at their velocities
     Mat3 turn() const { return B.R.transpose() * A.R; }  // from the axes of A to those of B
     // Rotation vector of A relative to B since `start`, rad, axes of B.
-    Vec3 turned_since(const Both& start) const;
+    Vec3 turned_since(const PairFrames& start) const;
   };
   struct Pair {
-    size_t a = 0, b = 0;         // volumes
-    NormalLaw law;               // of a's features on the surface of b, per unit of the basis
-    FrictionLaw friction;        // per unit of the basis
-    double share = 1, mass = 0;  // factor on the force; effective mass, kg
-    double size = 0;             // m, largest extent of volume a
-    double round = 0;            // m, radius assumed for corners in the tunnelling test
-    double most_depth = 0;       // m, largest approach allowed in a step in which the bodies may meet
+    size_t a = 0, b = 0;                // volumes
+    NormalLaw law;                      // of a's features on the surface of b, per unit of the basis
+    FrictionLaw friction;               // per unit of the basis
+    double force_factor = 1, mass = 0;  // factor on the force; effective mass, kg
+    double size = 0;                    // m, largest extent of volume a
+    double round = 0;                   // m, radius assumed for corners in the tunnelling test
+    double max_approach = 0;            // m, largest approach allowed in a step in which the bodies may meet
     // A root of the inverse mass matrix of the twelve unknowns; zero rows for prescribed motion.
     Mat12 root = Mat12::Zero();
     bool hides = false;                        // see model::BodyPair
     int other = -1;                            // index of the pair with a and b swapped; -1: none
-    bool here = false, counted = false;        // this rank owns one of the bodies; counts the pair
+    bool owns_body = false, counted = false;   // this rank owns one of the bodies; counts the pair
     double damping = 0, work = 0;              // J, over the accepted steps
     double dissipated = 0;                     // J, dissipated by friction over the accepted steps
     double damping_power = 0, work_power = 0;  // W, at the start of the step
@@ -134,7 +134,7 @@ class BodyContact final : public ForceTerm,
     double frequency = 0;           // rad/s, highest natural frequency on the contact springs; 0: no contact
     double energy = 0;              // J, kinetic energy of the relative motion plus potential
     Vec12 elastic = Vec12::Zero();  // residual without damping
-    Both at;
+    PairFrames frames;
     double penetration = 0;        // m, penetration
     double met = 0;                // m, largest of that since the two volumes were last apart
     double depth = 0;              // m, largest, over the accepted steps
@@ -156,7 +156,7 @@ class BodyContact final : public ForceTerm,
   // Contact of a pair in a state: residual for the twelve unknowns (x_A, theta_A, x_B, theta_B), positions in
   // space axes and rotations as material increments, and its derivatives on request.
   struct Sum {
-    AgainstBody on;
+    AgainstBody residual;
     double potential = 0;                      // J
     double damping_power = 0, work_power = 0;  // W; work_power: external work of prescribed motion
     double depth = 0;                          // m, largest penetration
@@ -171,7 +171,7 @@ class BodyContact final : public ForceTerm,
   };
   bool owned(const PairBody& body) const { return body.node >= 0 && body.node < mesh_.owned; }
   BodyFrame frame(size_t volume, const Kinematics& state) const;
-  Both both(const Pair& pair, const Kinematics& state) const;
+  PairFrames frames_of(const Pair& pair, const Kinematics& state) const;
   using Eighths = std::array<ResultantSum, 8>;  // frame of the surface
   // The law of friction in a step of length h [s], 0 in statics; the contact points go to `points`, and their
   // sums to `eighths`, if given.
@@ -185,27 +185,28 @@ class BodyContact final : public ForceTerm,
     return {friction_on_ ? pair.friction : FrictionLaw(), h};
   }
   // Contact without friction.
-  Sum contact(const Pair& pair, const Both& at, const AxisContactMode& mode) const {
+  Sum contact(const Pair& pair, const PairFrames& at, const AxisContactMode& mode) const {
     return contact(pair, at, mode, Slipping());
   }
-  Sum contact(const Pair& pair, const Both& at, const AxisContactMode& mode, const Slipping& friction) const;
-  void contact_of_edge(const Pair& pair, const Both& at, const RigidPose& surface, const SkeletonPart& part,
-                       const AxisContactMode& mode, const Slipping& friction,
+  Sum contact(const Pair& pair, const PairFrames& at, const AxisContactMode& mode,
+              const Slipping& friction) const;
+  void contact_of_edge(const Pair& pair, const PairFrames& at, const RigidPose& surface,
+                       const SkeletonPart& part, const AxisContactMode& mode, const Slipping& friction,
                        BodyContactPoints& points) const;
   // State at the start of the step of the point xi of a feature that touches in the trial.
-  ContactStart start_of(const Pair& pair, const Both& trial, const SkeletonPart& part, double xi,
+  ContactStart start_of(const Pair& pair, const PairFrames& trial, const SkeletonPart& part, double xi,
                         ContactRates* rates) const;
   // Adds a point at z, in the frame of the surface, of a part of radius r at y, in the frame of a's volume.
   void add_resultant(const Pair& pair, const Vec3& y, const Vec3& z, double r, const AxisContactPoint& point,
                      Eighths& to) const;
-  ContactResultants resultants_of(const Pair& pair, const Both& at, const Eighths& sums) const;
+  ContactResultants resultants_of(const Pair& pair, const PairFrames& at, const Eighths& sums) const;
   void store_first_forces(Pair& pair, double h) const;
   // J, half of the work dissipated by friction at these points along their displacement in the step.
-  double half_dissipation(const Pair& pair, const Both& trial, const BodyFrictionPoints& points) const;
+  double half_dissipation(const Pair& pair, const PairFrames& trial, const BodyFrictionPoints& points) const;
   // Power of prescribed motion against friction at the points of the committed state, W.
   double friction_power(const Pair& pair) const;
   // Sends the slip of pairs of two floating bodies from the rank of the first body to that of the second.
-  void share_slip();
+  void send_slip();
   // True if a ball, in the frame of a volume, may be nearer to the volume's surface than `gap` [m].
   bool near(size_t volume, const Vec3& centre, double radius, double gap) const;
   bool tunnels(const Pair& pair, const Kinematics& trial) const;
@@ -213,16 +214,17 @@ class BodyContact final : public ForceTerm,
   // `stiffness`, rad/s.
   double frequency(const Pair& pair, const Sum& stiffness) const;
   // Kinetic energy of the relative motion of the bodies, J.
-  double relative_energy(const Pair& pair, const Both& at) const;
+  double relative_energy(const Pair& pair, const PairFrames& at) const;
   // Upper bound of the speed at which any point of one body approaches the other, m/s.
-  double fastest(const Pair& pair, const Both& at) const;
+  double fastest(const Pair& pair, const PairFrames& at) const;
   // Smallest gap of corners, edges and balls if it is below `within` [m].
-  std::optional<Nearest> nearest(const Pair& pair, const Both& at, double within) const;
-  // Largest step from `state`, at most `most` [s], in which the contact springs are resolved.
-  double followed(const Pair& pair, const Both& at, double most) const;
+  std::optional<Nearest> nearest(const Pair& pair, const PairFrames& at, double within) const;
+  // Largest step from `state`, at most `max_step` [s], in which the contact springs are resolved.
+  double resolved_step(const Pair& pair, const PairFrames& at, double max_step) const;
   void limit_by(const Pair& pair, ImpactEvents& to) const;
   // Depth of the deepest point of the faces of one volume in the other, m; in body_contact_penetration.cpp.
-  double deepest(size_t volume, const BodyFrame& of, size_t in, const BodyFrame& there) const;
+  double overlap_depth(size_t volume, const BodyFrame& frame, size_t other,
+                       const BodyFrame& other_frame) const;
   void check_overlap(double time);
 
   MPI_Comm comm_;

@@ -23,7 +23,7 @@ struct AxisContactMode {
 class AxisContact {
  public:
   // Data of the axis and the surface that the finder of the contact provides.
-  struct Pair {
+  struct PanelFunctions {
     // The law of a panel, per unit of the weights.
     FunctionRef<ContactLaw(const ContactPanel&)> law;
     // Surface point at an end of a panel, also slightly beyond contact; called for tangents only.
@@ -44,9 +44,10 @@ class AxisContact {
   AxisContact(const AxisShape& shape, const RigidPose& pose, double radius, double length,
               const AxisContactMode& mode, std::optional<Rolls> rolls = {});
 
-  // Adds the contact forces at the quadrature points of `found`. `points`, if given, receives the contact
+  // Adds the contact forces at the quadrature points of `contact`. `points`, if given, receives the contact
   // points.
-  void add(const ContactQuadrature& found, const Pair& pair, std::vector<AxisContactPoint>* points = nullptr);
+  void add(const ContactQuadrature& contact, const PanelFunctions& functions,
+           std::vector<AxisContactPoint>* points = nullptr);
   // Adds the forces to the blocks to which the positions are attached: f[3n], K and C (3n)x(3n), row-major; K
   // and C may both be null.
   void to_blocks(const Stencil& stencil, double* f, double* K, double* C);
@@ -54,11 +55,11 @@ class AxisContact {
  private:
   struct Moving;
   struct Sample;
-  void add_panel(const ContactQuadrature& found, size_t panel, const Pair& pair,
+  void add_panel(const ContactQuadrature& contact, size_t panel, const PanelFunctions& functions,
                  std::vector<AxisContactPoint>* points);
-  std::array<Moving, 2> moving_ends(const ContactPanel& s, const Pair& pair) const;
-  Sample sample(const QuadraturePoint& q, const ContactPanel& s, const ContactLaw& law, const Pair& pair,
-                bool ends_move) const;
+  std::array<Moving, 2> moving_ends(const ContactPanel& s, const PanelFunctions& functions) const;
+  Sample sample(const QuadraturePoint& q, const ContactPanel& s, const ContactLaw& law,
+                const PanelFunctions& functions, bool ends_move) const;
   void add_sample(const Sample& p);
   void add_rolling(const Sample& p, const Mat3& by_point);
   void add_to_moving_ends(const ContactLaw& law, Sample& p, const QuadraturePoint& q, double span,

@@ -10,14 +10,14 @@
 
 namespace hawser {
 
-// share: factor from the stiffness and force table of the volume to those of the contact (a node, a length).
+// factor: from the stiffness and force table of the volume to those of the contact (a node, a length).
 // smoothing [m]: default if the volume has none. mass: effective mass for the damping, kg per unit of the
 // law.
-NormalLaw normal_law(const model::Volume& v, double share, double smoothing, double mass);
+NormalLaw normal_law(const model::Volume& v, double factor, double smoothing, double mass);
 // diameter: of the line, m; it determines the default mobilisation length of friction.
-FrictionLaw friction_law(const model::Friction& f, double share, double diameter);
+FrictionLaw friction_law(const model::Friction& f, double factor, double diameter);
 // diameter: of the line, m; mass: per length of line, kg/m.
-ContactLaw contact_law(const model::Volume& v, double share, double diameter, double mass);
+ContactLaw contact_law(const model::Volume& v, double factor, double diameter, double mass);
 
 // Spring data of a point of a line on a volume, for kernels/impact.hpp.
 struct ContactSpring {

@@ -25,8 +25,9 @@ struct ContactVolume {
   int body = -1;                           // index into Bodies; -1: fixed in space
   model::Volume settings;  // basis, stiffness, smoothing, damping, friction; basis not automatic
   bool automatic = false;  // the program chooses the stiffness per length and raises it as needed
-  double most = std::numeric_limits<double>::infinity();  // N/m², upper limit of an automatic stiffness
-  bool off = false;                                       // excluded from contact with lines
+  double max_stiffness =
+      std::numeric_limits<double>::infinity();  // N/m², upper limit of an automatic stiffness
+  bool off = false;                             // excluded from contact with lines
 };
 
 // Lengths at the ends of a line that are excluded from contact with a volume.
@@ -36,7 +37,7 @@ struct ExcludedEnds {
 };
 
 // Part of an interval of a line that takes part in contact with a volume, as fractions of the interval.
-struct ContactShare {
+struct ActiveInterval {
   double from = 0, to = 1;
   bool all() const { return from <= 0 && to >= 1; }
   bool none() const { return !(from < to); }
@@ -49,7 +50,7 @@ struct ContactShare {
 struct PressedPoint {
   double depth = 0, radius = 0;  // m; depth: largest of the element
   double mean_depth = 0;         // m; for a straight element the mean over its length, for a beam the largest
-  double static_share = 1;
+  double static_fraction = 1;
   double speed = 0, mass = 0;  // m/s; kg per unit of the law
   bool held = false;           // by an end of the line, so that stiffness cannot reduce the depth
 };
@@ -90,7 +91,7 @@ class ContactVolumes {
   // Called before the first step, equally on all ranks.
   void exclude_ends(std::vector<ExcludedEnds> ends);
   // Part of the interval [from, to] of a line's arc length [m] that takes part in contact.
-  ContactShare takes_part(int line, int volume, double from, double to) const;
+  ActiveInterval takes_part(int line, int volume, double from, double to) const;
 
   // Stiffness of the last accepted state, in the volume's basis. A checkpoint stores it so that a restart can
   // raise an automatic stiffness to it.
@@ -113,7 +114,7 @@ class ContactVolumes {
   bool has_back(int volume) const;
   // Largest penetration for which the volume's law holds, m: the line's radius, or the last row of a force
   // table.
-  double deepest(int volume, double radius) const;
+  double depth_limit(int volume, double radius) const;
 
  private:
   const ContactVolume& at(int volume) const { return volumes_[volume]; }

@@ -14,7 +14,7 @@
 
 namespace hawser {
 
-class DynamicPositioning final : public ForceTerm, public LoadsBodies, public ActsOnBodies {
+class DynamicPositioning final : public ForceTerm, public AppliesExternalLoad, public ReportsBodyForces {
  public:
   // Builds the term for the bodies of the case that this rank owns.
   DynamicPositioning(const model::Case& c, const LocalMesh& mesh);

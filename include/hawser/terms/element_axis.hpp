@@ -26,13 +26,13 @@ inline AxisEnds element_axis(const Kinematics& state, const Element& e, int firs
   return a;
 }
 
-// Calls what(node, share) for the ends that this rank owns. share: value of the position's shape function at
+// Calls add(node, weight) for the ends that this rank owns. weight: value of the position's shape function at
 // xi.
-template <class What>
-void share_at_ends(const Element& e, int first, int second, int owned, double xi, const What& what) {
+template <class Add>
+void weights_at_ends(const Element& e, int first, int second, int owned, double xi, const Add& add) {
   const double at_second = e.beam ? xi * xi * (3 - 2 * xi) : xi;
-  if (first < owned) what(first, 1 - at_second);
-  if (second < owned) what(second, at_second);
+  if (first < owned) add(first, 1 - at_second);
+  if (second < owned) add(second, at_second);
 }
 
 }  // namespace hawser

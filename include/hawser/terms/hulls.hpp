@@ -23,10 +23,10 @@ using VolumeFacets = std::vector<std::shared_ptr<const MeshView>>;
 HullSurface hull_surface(const model::Case& c, int body, const VolumeFacets& facets, double longest);
 
 class Hulls final : public ForceTerm,
-                    public LoadsBodies,
+                    public AppliesExternalLoad,
                     public ScalesResiduals,
                     public RestrainedInStatics,
-                    public ActsOnBodies {
+                    public ReportsBodyForces {
  public:
   // Builds the term for the bodies of the case that this rank owns.
   Hulls(const model::Case& c, const LocalMesh& mesh, const VolumeFacets& facets);
@@ -57,14 +57,14 @@ class Hulls final : public ForceTerm,
     Phase phase = Phase::statics;
     Vec3 x = Vec3::Zero();
     Quat q = Quat::Identity();
-    HullPressure still;
+    HullPressure calm;
     BodyForce waves;
   };
   struct Hull {
     HullSurface surface;
     int node = 0, block = 0, global = 0;  // local node; local block of its position; mesh node
     int body = 0;                         // index in the case
-    StaticRest rest;
+    StaticRest static_rest;
     bool in_waves = false;
     double full_buoyancy = 0;  // N, buoyancy of the fully submerged hull
     RigidBodyState start;      // at the start of the step
@@ -80,7 +80,7 @@ class Hulls final : public ForceTerm,
   const std::vector<double>& heads(const Hull& hull, const Kinematics& state) const;
   HullPressure pressure(const Hull& hull, const Kinematics& state, bool waves, bool tangent) const;
   const Forces& forces(const Hull& hull, const Kinematics& state) const;
-  bool idle(const Hull& hull) const { return hold_ && !hull.rest.found(friction_); }
+  bool idle(const Hull& hull) const { return hold_ && !hull.static_rest.is_computed(friction_); }
 
   Sea sea_;
   std::vector<Hull> list_;

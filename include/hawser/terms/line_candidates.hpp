@@ -140,7 +140,7 @@ class LineCandidates {
   // By element of local_: offset of the path's midpoint in time from that of the straight path.
   std::vector<std::array<Vec3, 4>> bend_;
   std::vector<double> within_;             // m, by shared place: length within which the list excludes pairs
-  double made_ = 0, span_ = 0;             // s, time of the last build; duration of the predicted paths
+  double built_at_ = 0, span_ = 0;         // s, time of the last build; duration of the predicted paths
   std::vector<std::pair<int, int>> list_;  // pairs of Mesh::elements, sorted
   std::vector<ContactSegment> segments_;
   std::vector<CandidatePair> pairs_;

@@ -1,5 +1,6 @@
-// Contact of lines with each other and with themselves: kernels/line_pair.hpp over all candidate pairs, in
-// both passes (each element once as the slave). See docs/theory/line-line.md.
+// Contact of lines with each other and with themselves: kernels/line_pair.hpp over all candidate pairs,
+// each in several passes (kPasses below): each element once as the slave, against the element and the ends of
+// the other. See docs/theory/line-line.md.
 #pragma once
 
 #include <map>
@@ -44,7 +45,7 @@ struct LinePairOptions {
 
 // Largest penetration [m], from the parabola through the deepest Gauss point and the two next to it; 0
 // without points.
-double deepest_of(const std::vector<LinePairContactPoint>& points);
+double largest_depth_of(const std::vector<LinePairContactPoint>& points);
 
 class LinePairs final : public ForceTerm,
                         public CouplesNodes,
@@ -173,13 +174,13 @@ class LinePairs final : public ForceTerm,
   AxisEnds ends(const Kinematics& state, int segment) const;
   Rod rod(const Kinematics& state, int segment) const;
   LinePairLaw law(int segment_a, int segment_b) const;
-  // Calls what(k, pass) for the passes k of a pair that may touch.
-  template <class What>
+  // Calls visit(k, pass) for the passes k of a pair that may touch.
+  template <class Visit>
   void each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B, bool moves, bool convex,
-                 const What& what) const;
+                 const Visit& visit) const;
   Trial& find(Pair& pair, const PairAxis& A, const PairAxis& B) const;
   // Contact forces on both elements, summed over the passes.
-  AttachedForces forces(const Pair& pair, const PairAxis& A, const PairAxis& B, Trial& found,
+  AttachedForces forces(const Pair& pair, const PairAxis& A, const PairAxis& B, Trial& in_trial,
                         const AxisContactMode& mode) const;
   bool joint(const ContactSegment& s, int end) const;
   std::vector<Rod> rods(const Kinematics& state) const;
@@ -196,7 +197,7 @@ class LinePairs final : public ForceTerm,
   double mass(const Pair& pair) const;
   bool tunnels(const Pair& pair, const Kinematics& trial) const;
   advice::NearestPlaces nearest_places(const Pair& pair) const;
-  double deepest(const Pair& pair) const;
+  double largest_depth(const Pair& pair) const;
   double stored(const Pair& pair) const;
   advice::StepFinding too_soft(const Pair& pair) const;
   void account(const Pair& pair, const PairAxis& A, const PairAxis& B, const ContactPoints& next);

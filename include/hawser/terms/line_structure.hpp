@@ -59,7 +59,7 @@ class LineStructure final : public ForceTerm,
   void tensions(const Kinematics& state, std::span<LineTension> lines) const override;
   // Length of this rank's cables without tension, by line, m.
   std::vector<double> slack_length(const Kinematics& state) const;
-  bool soften(double most) override;
+  bool soften(double max_EA) override;
   double axial_stiffness() const override;
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;

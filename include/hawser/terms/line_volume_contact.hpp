@@ -128,9 +128,9 @@ class LineVolumeContact final : public ForceTerm,
   AxisContact contact(Pair& pair, const AxisShape& shape, const AxisContactMode& mode) const;
   void account(const Pair& pair, const AxisShape& shape, const std::vector<AxisContactPoint>& next);
 
-  // add_impact_at() adds the impact at xi, of `share` m of the `touching` m in contact; `last`: see Approach.
-  // predict_impacts() adds the impact with a surface that the element may reach.
-  void add_impact_at(const Pair& pair, const Kinematics& committed, double xi, double share, double gap,
+  // add_impact_at() adds the impact at xi, of `length` m of the `touching` m in contact; `last`: see
+  // Approach. predict_impacts() adds the impact with a surface that the element may reach.
+  void add_impact_at(const Pair& pair, const Kinematics& committed, double xi, double length, double gap,
                      const Vec3& normal, bool last, ImpactEvents& to, double touching) const;
   void predict_impacts(const Pair& pair, const Kinematics& committed, double xi, const SurfacePoint& p,
                        ImpactEvents& to) const;
@@ -140,13 +140,13 @@ class LineVolumeContact final : public ForceTerm,
   void limit_by_active_contacts(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   void limit_ahead(Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   bool tunnels(const Pair& pair, const AxisShape& shape, const RigidPose& pose, bool rests) const;
-  bool is_drawn_in(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
+  bool is_pulled_in(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
   bool is_inside(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
   // True if stiffness cannot reduce the penetration of this element because one of its ends is held. With
   // contact at nodes, held ends are excluded from contact.
   bool is_held(const Pair& p) const { return !finder_.at_nodes() && (p.held[0] || p.held[1]); }
-  double static_share(const Pair& pair, const Kinematics& state, double force, double depth,
-                      const Vec3& normal) const;
+  double static_fraction(const Pair& pair, const Kinematics& state, double force, double depth,
+                         const Vec3& normal) const;
 
   const LocalMesh& mesh_;
   ContactVolumes volumes_;

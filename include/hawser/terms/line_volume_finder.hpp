@@ -27,10 +27,10 @@ class LineVolumeFinder {
   // Contact of the pair in a trial. The result is stored, because residual, tangent and commit() need the
   // same one.
   const ContactQuadrature& find(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
-  // True if the axis certainly does not touch. skip_if_apart() then also deletes the stored contact of the
+  // True if the axis certainly does not touch. skip_if_clear() then also deletes the stored contact of the
   // pair.
-  bool skip_if_apart(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
-  static bool certainly_apart(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose);
+  bool skip_if_clear(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
+  static bool certainly_clear(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose);
   // Radius [m] of the tube about the axis at the start of the step that is free of contact.
   static double clearance_at_start(const LineVolumePair& pair);
   // Queries the surface, or one facet group of it, for the point xi of a pair, which is at y.

@@ -46,12 +46,12 @@ struct PairStart {
 
 // Contact in a trial.
 struct PairTrial {
-  ContactQuadrature found;
-  NearGroups near;               // facet groups for the axis of `found`
+  ContactQuadrature contact;
+  NearGroups near;               // facet groups for the axis of `contact`
   size_t queries = 0;            // of the surface in this trial
-  size_t queries_of_search = 0;  // in the search for `found`
+  size_t queries_of_search = 0;  // in the search for `contact`
   // Contact points from an evaluation of the law without derivatives, with or without velocities, at the
-  // motion `found.configuration`. commit() reuses them for the same state.
+  // motion `contact.configuration`. commit() reuses them for the same state.
   enum class Evaluation { none, at_rest, in_motion };
   Evaluation evaluation = Evaluation::none;
   std::vector<AxisContactPoint> evaluated;
@@ -74,7 +74,7 @@ struct LineVolumePair {
   int element = 0, volume = 0;
   double length = 0, radius = 0;  // m, of the element
   double contact_distance = 0;    // m, distance below which there is a force: radius + smoothing
-  ContactShare part;              // part of the axis that takes part in contact with this volume
+  ActiveInterval part;            // part of the axis that takes part in contact with this volume
   std::array<bool, 2> held{};     // whether each end is held
   int levels = 1;                 // halvings in the search for intervals, kernels/contact_intervals.hpp
   // Laws per length for each half of the element; they may differ with contact at nodes.

@@ -19,7 +19,8 @@ namespace hawser {
 class Links final : public ForceTerm, public CouplesFixedNodes, public ScalesResiduals, public HasSeries {
  public:
   // Default rest lengths are those of the start shape, after bodies drawn in space are attached
-  // (Bodies::fix_drawn). Refuses a link whose rest length would be zero (model::Case::refuse). Collective.
+  // (Bodies::fix_placed_in_space). Refuses a link whose rest length would be zero (model::Case::refuse).
+  // Collective.
   Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
         const Kinematics& start);
 
@@ -45,7 +46,7 @@ class Links final : public ForceTerm, public CouplesFixedNodes, public ScalesRes
     Attached a, b;
     LinkLaw law;
     int owner = -1;                            // mesh node of the first end that is fixed to a node
-    bool here = false, counted = false;        // this rank has both ends; counts the link
+    bool has_both = false, counted = false;    // this rank has both ends; counts the link
     double damping = 0, work = 0;              // J, over the accepted steps
     double damping_power = 0, work_power = 0;  // W, at the start of the step
 

@@ -24,11 +24,11 @@ namespace hawser {
 // Bodies with coefficients from the same files form a group and radiate on each other. Every rank that owns a
 // body of a group computes the whole group; the owner of a body counts its energy.
 class PlatformWater final : public ForceTerm,
-                            public LoadsBodies,
+                            public AppliesExternalLoad,
                             public CouplesFixedNodes,
                             public ScalesResiduals,
                             public DependsOnFrequency,
-                            public ActsOnBodies {
+                            public ReportsBodyForces {
  public:
   PlatformWater(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh);
 
@@ -61,17 +61,17 @@ class PlatformWater final : public ForceTerm,
     int node = 0, local = -1, block = -1;  // mesh node; local node and block
     bool owned = false;
     Mat3 axes = Mat3::Identity();  // H, axes of the coefficients during a step
-    double follow = 0;             // s, period of the slow motion that the axes follow; 0: fixed
+    double follow_period = 0;      // s, period of the slow motion that the axes follow; 0: fixed
     SlowPose slow;                 // slow motion at the last accepted state
     Vec3 arm = Vec3::Zero();       // m, from the centre of mass to the body's origin, body axes
     PlatformHydrostatics hydrostatics;
     PlatformPotential potential;  // of the added stiffness
-    Mat6 damping = Mat6::Zero();
-    Mat6 quadratic = Mat6::Zero();
+    Mat6 added_damping = Mat6::Zero();
+    Mat6 added_quadratic_damping = Mat6::Zero();
     PlatformWaves waves;
     Vec3 file_origin = Vec3::Zero();  // m, origin of the files from the body's origin, axes of the heading
     double damping_work = 0, wave_work = 0;  // J, over the accepted steps
-    RigidBodyState rest;                     // in statics, at the last iteration
+    RigidBodyState last_iterate;             // in statics, at the last iteration
     Power power;                             // at the last accepted state
   };
   // Velocities of a group at the end of an accepted step.
@@ -90,8 +90,8 @@ class PlatformWater final : public ForceTerm,
   static void add_past(Group& g, double time, Eigen::VectorXd rate);
   // Extends Group::lags for a step of h [s].
   static void tabulate_lags(Group& g, double h);
-  // S of the memory at lag [s] by entry: a row of Group::lags, or evaluated to `own`; with `rate` also S'.
-  static const double* integrals_at(const Group& g, double lag, double* own, double* rate);
+  // S of the memory at lag [s] by entry: a row of Group::lags, or evaluated to `buffer`; with `rate` also S'.
+  static const double* integrals_at(const Group& g, double lag, double* buffer, double* rate);
   // Forces at a given time that do not depend on the trial state: of waves, and of the memory of accepted
   // steps. The memory of the current step adds memory_damping (rate - rate at its start).
   struct AtTime {

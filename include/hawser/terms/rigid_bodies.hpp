@@ -19,7 +19,7 @@
 namespace hawser {
 
 class RigidBodies final : public ForceTerm,
-                          public LoadsBodies,
+                          public AppliesExternalLoad,
                           public ScalesResiduals,
                           public RestrainedInStatics {
  public:
@@ -61,7 +61,7 @@ class RigidBodies final : public ForceTerm,
     Vec3 centre;                // m, centre of mass in the body frame
     int body = 0, node = 0;     // index in the case; local node
     int block = 0, global = 0;  // local block of the position; mesh node
-    StaticRest rest;
+    StaticRest static_rest;
     RigidBodyState start;                      // at the last prepare()
     MomentumForces momenta;                    // at the last accepted state
     double damping = 0, work = 0;              // J, over the accepted steps
@@ -75,9 +75,10 @@ class RigidBodies final : public ForceTerm,
       each("rates of the momenta", "N, N m", self.momenta.f);
     }
   };
-  RigidPose rest(const Floating& f, double time) const;
+  RigidPose spring_rest(const Floating& f, double time) const;
   // Residual of a body. step: inertia from the change of the momenta over the step; else from accelerations.
-  RigidBodyResidual own(const Floating& f, const RigidBodyState& s, const Kinematics& trial, bool step) const;
+  RigidBodyResidual residual(const Floating& f, const RigidBodyState& s, const Kinematics& trial,
+                             bool step) const;
   void powers(const Floating& f, const Kinematics& state, double& damping, double& work) const;
 
   std::shared_ptr<const Bodies> bodies_;
@@ -89,7 +90,7 @@ class RigidBodies final : public ForceTerm,
 };
 
 // Start position of the centre of mass of a floating body, and its velocities (w in body axes).
-RigidBodyState floating_start(const model::BodyMass& mass, const RigidPose& rest);
+RigidBodyState floating_start(const model::BodyMass& mass, const RigidPose& pose);
 // Pose of the body's frame from the state of its centre of mass.
 RigidPose floating_pose(const RigidBodyState& s, const Vec3& centre);
 RigidBodyState floating_state(const Kinematics& state, int node);

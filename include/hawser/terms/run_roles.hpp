@@ -21,9 +21,9 @@ class HasFriction {
 
 // Loads bodies with mass from outside of the model: weight, springs, water, wind, thrusters. Lines, links and
 // contact join bodies to something and do not have this role.
-class LoadsBodies {
+class AppliesExternalLoad {
  public:
-  virtual ~LoadsBodies() = default;
+  virtual ~AppliesExternalLoad() = default;
 };
 
 // A term that acts differently in statics, which may hold bodies with mass at their start.
@@ -64,9 +64,9 @@ struct BodyForce {
 };
 
 // A term that acts on floating bodies and reports its forces.
-class ActsOnBodies {
+class ReportsBodyForces {
  public:
-  virtual ~ActsOnBodies() = default;
+  virtual ~ReportsBodyForces() = default;
   // Load components, such as "wave", that act on a body of the case, equal on all ranks; empty: the term does
   // not act on it.
   virtual std::vector<std::string> load_components(int body) const = 0;

@@ -20,8 +20,8 @@ namespace hawser {
 
 // Part of a line from one of its nodes in one direction.
 struct Branch {
-  int node = 0;  // of the mesh
-  int way = 1;   // 1: towards end B; -1: towards end A
+  int node = 0;       // of the mesh
+  int direction = 1;  // 1: towards end B; -1: towards end A
 };
 
 struct SharedPlace {
@@ -45,7 +45,7 @@ class SharedPlaces {
   void update(const Kinematics& state, bool settles);
 
   int size() const { return static_cast<int>(places_.size()); }
-  const SharedPlace& place(int k) const { return places_[k].of; }
+  const SharedPlace& place(int k) const { return places_[k].branches; }
   double diameter(int k) const;  // m, mean of the two diameters at place k
   // Length without contact along either branch from place k, m.
   double within(int k) const { return places_[k].step * std::max(places_[k].within, 0); }
@@ -75,9 +75,9 @@ class SharedPlaces {
     int place = 0;
     std::array<double, 2> one, other;
   };
-  // True if what(found) is true for any place between two elements.
-  template <class What>
-  bool any_between(int element, int second, const What& what) const;
+  // True if visit(found) is true for any place between two elements.
+  template <class Visit>
+  bool any_between(int element, int second, const Visit& visit) const;
   // Shortens the ranges [from, to] in xi of two elements by their lengths without contact with each other.
   void clip(int element, int second, std::array<double, 2>& range, std::array<double, 2>& second_range) const;
 
@@ -85,7 +85,7 @@ class SharedPlaces {
   static constexpr int kUnknown = -1;
   // Lengths along the branches are counted in steps, so that the same state gives the same result.
   struct PlaceState {
-    SharedPlace of;
+    SharedPlace branches;
     double step = 0;        // m
     double limit = 0;       // m, largest length along either branch
     int within = kUnknown;  // length without contact, in steps
@@ -118,8 +118,8 @@ class SharedPlaces {
   std::map<std::pair<int, int>, std::vector<int>> between_;  // by first parts
 };
 
-template <class What>
-bool SharedPlaces::any_between(int element, int second, const What& what) const {
+template <class Visit>
+bool SharedPlaces::any_between(int element, int second, const Visit& visit) const {
   if (places_.empty()) return false;
   const Mesh& mesh = *mesh_.mesh;
   for (const int k : between(mesh.element(element).line, mesh.element(second).line))
@@ -129,7 +129,7 @@ bool SharedPlaces::any_between(int element, int second, const What& what) const 
       if (!one || !other) continue;
       std::sort(one->begin(), one->end());
       std::sort(other->begin(), other->end());
-      if (what(Found{k, *one, *other})) return true;
+      if (visit(Found{k, *one, *other})) return true;
     }
   return false;
 }

@@ -70,14 +70,14 @@ class SoilResistance final : public ForceTerm, public RaisesStiffness {
     return buried_force(p.soil, p.slip + (state.x[p.node] - p.at), p.tangent);
   }
 
-  // Turns the directions of the springs by the fraction `share` towards those of the line in `state`. Returns
-  // the largest angle between them before, rad.
-  double turn_to(const Kinematics& state, double share = 1);
+  // Turns the directions of the springs by the fraction `fraction` towards those of the line in `state`.
+  // Returns the largest angle between them before, rad.
+  double turn_to(const Kinematics& state, double fraction = 1);
 
   MPI_Comm comm_;
   const LocalMesh& mesh_;
   std::vector<Point> points_;
-  double share_ = 1, turn_ = HUGE_VAL;  // in statics: fraction of the next turn; last turn, rad
+  double turn_fraction_ = 1, turn_ = HUGE_VAL;  // in statics: fraction of the next turn; last turn, rad
   LineNeighbours line_;
 };
 

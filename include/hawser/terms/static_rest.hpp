@@ -10,7 +10,7 @@ struct StaticRest {
   // lines, is held by springs in wind and current, or floats in water where no current moves it.
   bool always = false;
   bool by_friction = false;  // other bodies can hold it if contact has friction in statics
-  bool found(bool friction) const { return always || (friction && by_friction); }
+  bool is_computed(bool friction) const { return always || (friction && by_friction); }
 };
 
 // body: index in the case, of a body with mass.

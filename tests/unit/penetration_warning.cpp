@@ -1,0 +1,39 @@
+// The warning of a line deep in a volume names the depth to which the contact law holds: the radius of the
+// line, or the last row of a force table.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "hawser/advice/limits.hpp"
+
+namespace hawser::test::penetration_warning_test {
+namespace {
+
+std::string warning(double depth, const model::Volume& volume) {
+  model::Case c;
+  model::LineType& type = c.line_types.emplace_back();
+  type.name = "rope";
+  type.contact_diameter = 0.2;
+  model::Line& line = c.lines.emplace_back();
+  line.name = "mooring";
+  line.sections = {{"rope", 10, 5}};
+  return advice::penetration_warning(c, {"mooring", depth, 3, 5}, volume);
+}
+
+TEST(PenetrationWarning, WithoutATableTheLawHoldsToTheRadius) {
+  EXPECT_NE(warning(0.15, {}).find("holds to a depth of 0.1 m, the radius of the line"), std::string::npos);
+  EXPECT_EQ(warning(0.05, {}).find("holds to a depth"), std::string::npos);
+}
+
+TEST(PenetrationWarning, WithATableItHoldsToTheLastRow) {
+  const std::vector<ContactForceTable::Row> rows = {{0.1, 1000}, {0.3, 5000}};
+  model::Volume volume;
+  volume.force_table = std::make_shared<ContactForceTable>(rows);
+  EXPECT_EQ(warning(0.15, volume).find("holds to a depth"), std::string::npos);
+  EXPECT_NE(warning(0.35, volume).find("holds to a depth of 0.3 m, the last row of its force_table"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace hawser::test::penetration_warning_test
