@@ -8,6 +8,7 @@
 #include "hawser/math/angle_gap.hpp"
 #include "hawser/math/freedoms.hpp"
 #include "hawser/math/symmetric.hpp"
+#include "hawser/model/body_motion.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/positioning.hpp"
 
@@ -135,6 +136,13 @@ void warn_of_floating(const Case& c, const Body& b, std::vector<InputWarning>& o
                 "its volume): is 'mass' or 'displaced_volume' that of another body, or in other "
                 "units?",
                 weight / 1000, calm.buoyancy / 1000, std::abs(rise), rise > 0 ? "higher" : "lower", size);
+  const double level = hydrodynamic_place(b, c.environment.water.surface).z(), above = b.position.z() - level;
+  if (std::abs(above) > size)
+    add_warning(out, "bodies." + b.name + ".position", Effect::all,
+                "z is {:.4g} m, {:.4g} m {} the height of its files, {:.4g} m, which is more than its size "
+                "({:.3g} m, the side of a cube of its volume): the origin of the body is at the water line "
+                "unless 'origin_in_file' or 'place' state another height",
+                b.position.z(), std::abs(above), above > 0 ? "above" : "below", level, size);
   const Vec3 added(0, m.hydrodynamics->stiffness(3, 3) + m.turning_stiffness.x(),
                    m.hydrodynamics->stiffness(4, 4) + m.turning_stiffness.y());
   const Vec3 heights = (restoring(m, calm, g) + added) / weight;

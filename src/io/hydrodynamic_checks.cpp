@@ -67,14 +67,35 @@ void check_limits(const HydrodynamicData& data, bool has_infinite, const Eigen::
   notes.push_back(text);
 }
 
-// By Ogilvie's relation each row yields the added mass at infinite frequency; all rows must agree.
-void check_ogilvie(const HydrodynamicData& data, bool has_infinite, const Eigen::VectorXd& scale,
-                   std::vector<std::string>& notes) {
+// Values relative to the largest added mass of their entry.
+double deviation(const std::vector<double>& x, double from) {
+  double sum = 0;
+  for (const double value : x) sum += (value - from) * (value - from);
+  return std::sqrt(sum / static_cast<double>(x.size()));
+}
+double mean(const std::vector<double>& x) {
+  double sum = 0;
+  for (const double value : x) sum += value;
+  return sum / static_cast<double>(x.size());
+}
+
+// Sums over the diagonal entries that vary with frequency: standard deviation of the added mass, and of its
+// value at infinite frequency, which Ogilvie's relation yields from each row: about their mean, and about
+// that of the file.
+struct OgilvieSpread {
+  double added = 0, about_mean = 0, about_file = 0;
+};
+
+// The same with the damping multiplied by a power of omega.
+OgilvieSpread ogilvie_spread(const HydrodynamicData& data, bool has_infinite, const Eigen::VectorXd& scale,
+                             double power) {
   constexpr size_t kRows = 60;
-  constexpr double kInside = 0.6, kVaries = 0.1, kApart = 0.5;
+  constexpr double kInside = 0.6, kVaries = 0.1;
   Eigen::MatrixXd damping(std::ssize(data.omega), scale.size());
-  for (Eigen::Index k = 0; k < damping.rows(); ++k)
-    damping.row(k) = data.damping[static_cast<size_t>(k)].diagonal().transpose();
+  for (Eigen::Index k = 0; k < damping.rows(); ++k) {
+    const auto row = static_cast<size_t>(k);
+    damping.row(k) = std::pow(data.omega[row], power) * data.damping[row].diagonal().transpose();
+  }
   std::vector<size_t> rows;
   std::vector<Eigen::RowVectorXd> above_infinite;
   for (size_t k = 0; k < data.omega.size(); k += std::max<size_t>(1, data.omega.size() / kRows)) {
@@ -82,8 +103,8 @@ void check_ogilvie(const HydrodynamicData& data, bool has_infinite, const Eigen:
     rows.push_back(k);
     above_infinite.push_back(added_mass_by_damping(data.omega, damping, data.omega[k]));
   }
-  if (rows.size() < 3) return;
-  double differs = 0, varies = 0;
+  OgilvieSpread out;
+  if (rows.size() < 3) return out;
   for (Eigen::Index i = 0; i < scale.size(); ++i) {
     if (!(scale[i] > 0)) continue;
     std::vector<double> infinite, added;
@@ -91,27 +112,39 @@ void check_ogilvie(const HydrodynamicData& data, bool has_infinite, const Eigen:
       added.push_back(data.added_mass[rows[r]](i, i) / scale[i]);
       infinite.push_back(added.back() - above_infinite[r][i] / scale[i]);
     }
-    const auto spread = [](const std::vector<double>& x, double about) {
-      double sum = 0;
-      for (const double value : x) sum += (value - about) * (value - about);
-      return std::sqrt(sum / static_cast<double>(x.size()));
-    };
-    const auto mean = [](const std::vector<double>& x) {
-      double sum = 0;
-      for (const double value : x) sum += value;
-      return sum / static_cast<double>(x.size());
-    };
-    const double of_added = spread(added, mean(added));
+    const double middle = mean(infinite), of_added = deviation(added, mean(added));
     if (of_added < kVaries * std::abs(mean(added))) continue;
-    varies += of_added;
-    differs += spread(infinite, has_infinite ? data.infinite(i, i) / scale[i] : mean(infinite));
+    out.added += of_added;
+    out.about_mean += deviation(infinite, middle);
+    out.about_file += deviation(infinite, has_infinite ? data.infinite(i, i) / scale[i] : middle);
   }
-  if (differs > kApart * varies)
+  return out;
+}
+
+// By Ogilvie's relation each row yields the added mass at infinite frequency; all rows must agree. With
+// damping that is divided by omega once too often or not at all, they agree better after its correction. The
+// mean of the rows is compared then, since the value of the file differs from it if the table ends early.
+void check_ogilvie(const HydrodynamicData& data, bool has_infinite, const Eigen::VectorXd& scale,
+                   std::vector<std::string>& notes) {
+  constexpr double kApart = 0.5, kBetter = 0.5;
+  const OgilvieSpread given = ogilvie_spread(data, has_infinite, scale, 0);
+  for (const double power : {1.0, -1.0}) {
+    const OgilvieSpread other = ogilvie_spread(data, has_infinite, scale, power);
+    if (!(other.about_mean < kBetter * given.about_mean)) continue;
+    notes.push_back(fmt::format(
+        "{}: added mass and damping belong together (by Ogilvie's relation) if the damping is {} the angular "
+        "frequency, {:.2g} times better than as it is: is it stored over omega as its format requires "
+        "(WAMIT's and BEMIO's is B/(rho omega), Capytaine's is B)?",
+        data.radiation_file, power > 0 ? "multiplied by" : "divided by",
+        given.about_mean / other.about_mean));
+    return;
+  }
+  if (given.about_file > kApart * given.added)
     notes.push_back(
         fmt::format("{}: added mass and damping do not belong together: by Ogilvie's relation each frequency "
                     "yields the added mass at infinite frequency, and these values differ by {:.0f} % of the "
                     "range of the added mass",
-                    data.radiation_file, 100 * differs / varies));
+                    data.radiation_file, 100 * given.about_file / given.added));
 }
 
 // Deviation of each value from linear interpolation between its neighbours, 0 if it lies between them; 0 for

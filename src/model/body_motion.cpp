@@ -34,6 +34,11 @@ double hydrodynamic_heading(const Body& body) {
   return given ? *given : heading(body);
 }
 
+Vec3 hydrodynamic_place(const Body& body, double surface) {
+  const BodyHydrodynamics& h = *body.mass->hydrodynamics;
+  return h.place ? *h.place : Vec3(body.position.x(), body.position.y(), surface + h.in_file.z());
+}
+
 TableLaw table_law(const TableMotion& m) {
   TableLaw law;
   if (!m.offset.empty()) law.offset = RowCurve(m.time, m.offset, m.between);

@@ -18,25 +18,46 @@ namespace {
 // First row of a body in the matrices of its files.
 Eigen::Index first_row(const BodyHydrodynamics& h) { return 6 * (static_cast<Eigen::Index>(h.body) - 1); }
 
+constexpr int kDirections = 72;  // of a mean over all directions
+
+// True if the table has directions all round.
+bool all_round(const WaveForceTable& table) {
+  constexpr double kGap = M_PI / 3;
+  return table.directions().size() >= 3 && widest_gap(table.directions(), 2 * M_PI).width() <= kGap;
+}
+
+// Heave force, its mean over all directions if the table has them all round.
+Complex heave_force(const WaveForceTable& table, double omega) {
+  if (!all_round(table)) return table.at(omega, table.directions().front())[2];
+  Complex sum = 0;
+  for (int d = 0; d < kDirections; ++d) sum += table.at(omega, 2 * M_PI * d / kDirections)[2];
+  return sum / static_cast<double>(kDirections);
+}
+
 // In moderately long waves the heave force is that of the stiffness plus, a quarter of a period ahead of the
-// crest, that of damping by the velocity of the water: Im X3 = omega B33 about the body itself.
+// crest, that of damping by the velocity of the water: Im X3 = omega B33 about the body itself. The pressure
+// on a wide waterplane has another imaginary part, which the mean over all directions does not have: with the
+// distance r from the origin, the mean of exp(-i k r cos beta) is J0(k r).
 void check_heave_phase(const Case& c, const Body& b, const Issues& issue) {
-  constexpr double kLong = 0.6, kCounts = 0.015, kOpposite = -0.4;
+  constexpr double kLong = 0.6, kOpposite = -0.4;
+  constexpr double kWide = 0.015;    // of |X3|: the damping is above the part by the waterplane
+  constexpr double kRounded = 2e-4;  // rad: it is above the rounding of phases to 0.01 deg
   const BodyHydrodynamics& h = *b.mass->hydrodynamics;
   const HydrodynamicData& data = *h.data;
   if (data.bodies > 1 || h.in_file.head<2>().norm() > 0) return;
   const WaveForceTable& table = data.excitation.front();
+  const double counts = all_round(table) ? kRounded : kWide;
   const double size = std::cbrt(b.mass->mass / c.environment.water.density);
   double imaginary = 0, damped = 0, all = 0;
   for (size_t k = 0; k < data.omega.size(); ++k) {
     const double omega = data.omega[k];
     if (omega < table.lowest() || omega * omega / c.environment.gravity * size > kLong) continue;
-    const Complex X = table.at(omega, table.directions().front())[2];
+    const Complex X = heave_force(table, omega);
     imaginary += X.imag();
     damped += omega * data.damping[k](2, 2);
     all += std::abs(X);
   }
-  if (damped > kCounts * all && imaginary < kOpposite * damped)
+  if (damped > counts * all && imaginary < kOpposite * damped)
     issue(h.key(),
           "in waves longer than {:.3g} s the heave force lags the crest, but the damping of {} requires that "
           "it leads it: its phases in {} are conjugated (they are leads with exp(+i omega t))",
@@ -49,10 +70,10 @@ void check_heave_phase(const Case& c, const Body& b, const Issues& issue) {
 // (Newman 1977, Marine Hydrodynamics, 6.173). Takes the median of the ratios over the frequencies with
 // significant damping; wrong units of either make it differ greatly from 1.
 void check_haskind(const Case& c, const BodyHydrodynamics& h, const Issues& issue) {
-  constexpr double kGap = M_PI / 3, kCounts = 0.1, kFar = 1.5;
+  constexpr double kCounts = 0.1, kFar = 1.5;
   const HydrodynamicData& data = *h.data;
   const WaveForceTable& table = data.excitation[static_cast<size_t>(h.body) - 1];
-  if (table.directions().size() < 3 || widest_gap(table.directions(), 2 * M_PI).width() > kGap) return;
+  if (!all_round(table)) return;
   const double g = c.environment.gravity, density = c.environment.water.density;
   double worst = 1;
   const char* name = nullptr;
@@ -69,7 +90,6 @@ void check_haskind(const Case& c, const BodyHydrodynamics& h, const Issues& issu
       const double group =
           0.5 * omega / number * (steep > 0 && steep < 20 ? 1 + 2 * steep / std::sinh(2 * steep) : 1);
       double sum = 0;
-      constexpr int kDirections = 72;
       for (int d = 0; d < kDirections; ++d)
         sum += std::norm(table.at(omega, 2 * M_PI * d / kDirections)[mode]) * 2 * M_PI / kDirections;
       ratios.push_back(number * sum / (8 * M_PI * density * g * group * B));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/model/body_motion.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/model/platform.hpp"
 #include "hawser/model/platform_memory.hpp"
@@ -25,6 +26,10 @@ std::string platform_text(const Case& c, const Body& b) {
         "    without lines it would float {:.3g} m {}; lines that pull {:.5g} kN {} keep it in place\n",
         std::abs(heave), heave > 0 ? "higher" : "lower", std::abs(calm.buoyancy - weight) / 1000,
         heave > 0 ? "down" : "up");
+  const double above = b.position.z() - hydrodynamic_place(b, c.environment.water.surface).z();
+  if (std::abs(above) >= 0.01)
+    s += fmt::format("    starts {:.4g} m {} the height of its files\n", std::abs(above),
+                     above > 0 ? "above" : "below");
   const Vec3 heights = restoring(m, calm, g) / weight;
   s += fmt::format("    metacentric heights {:.4g} m (roll), {:.4g} m (pitch)\n", heights[1], heights[2]);
   const int first = 6 * (h.body - 1);

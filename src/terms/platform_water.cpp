@@ -64,22 +64,24 @@ double equal_lags(const RadiationMemory& memory) { return 1e-8 * memory.spacing(
 
 }  // namespace
 
-void PlatformWater::tabulate_lags(Group& g, double h) {
-  if (!(h > 0) || g.past.empty() || g.entries.empty()) return;
-  if (h != g.lag_step) g.lags.clear();
-  g.lag_step = h;
+void PlatformWater::tabulate_lags(Group& g) {
+  if (g.past.size() < 2 || g.entries.empty()) return g.lags.clear();
+  const double end = g.past.back().time, last = end - g.past[g.past.size() - 2].time;
+  if (std::abs(last - g.lag_step) > equal_lags(g.memory)) {
+    g.lags.clear();
+    g.lag_step = last;
+  }
   size_t rows = 2;  // of the trial, and of the last accepted state
-  const double end = g.past.back().time;
   for (size_t k = g.past.size() - 1; k-- > 0; ++rows) {
-    const double lag = static_cast<double>(rows - 1) * h;
+    const double lag = static_cast<double>(rows - 1) * g.lag_step;
     if (std::abs(end - g.past[k].time - lag) > equal_lags(g.memory)) break;
   }
   const size_t n = g.entries.size();
   g.lags.resize(
-      std::min(g.lags.size(), rows * n));  // rows by the history and h alone: the same after a restart
+      std::min(g.lags.size(), rows * n));  // rows by the history and lag_step: the same after a restart
   for (size_t m = g.lags.size() / n; m < rows; ++m) {
     g.lags.resize((m + 1) * n);
-    g.memory.integrals(static_cast<double>(m) * h, &g.lags[m * n], nullptr);
+    g.memory.integrals(static_cast<double>(m) * g.lag_step, &g.lags[m * n], nullptr);
   }
 }
 
@@ -175,14 +177,14 @@ void PlatformWater::rest_at(Platform& p, const RigidBodyState& s) {
 }
 
 // Without a previous step, the memory begins with the present velocity.
-void PlatformWater::prepare(const Kinematics& from, double h) {
+void PlatformWater::prepare(const Kinematics& from, double) {
   for (Group& g : groups_) {
     g.is_cached = false;
     if (!g.is_local) continue;
     if (!from.ends_step())
       for (Platform& p : g.platforms) p.last_iterate = floating_state(from, p.local);
     if (from.phase == Phase::start && g.past.size() <= 1) begin_memory(g, from);
-    tabulate_lags(g, h);
+    tabulate_lags(g);
   }
 }
 

@@ -18,6 +18,7 @@ struct KeptRate {
 
 struct KeptWork {
   double damping = 0, waves = 0, damping_power = 0, wave_power = 0;
+  double lag_step = 0;
   SlowPose slow;
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
@@ -25,6 +26,7 @@ struct KeptWork {
     each("work of waves", "J", self.waves);
     each("power of damping", "W", self.damping_power);
     each("power of waves", "W", self.wave_power);
+    each("step of the memory's table", "s", self.lag_step);
     each("slow place and heading", "m, rad", self.slow.place);
     each("their velocity", "m/s, rad/s", self.slow.drift);
     each("filtered place and heading", "m, rad", self.slow.filtered);
@@ -52,7 +54,7 @@ std::vector<CheckpointRecord> PlatformWater::checkpoint_records(NodeRange range)
         put(KeptRate{past.time, body_rate.head<3>(), body_rate.tail<3>()}, rates.values);
       }
       out.push_back(std::move(rates));
-      const KeptWork work{p.damping_work, p.wave_work, p.power.damping, p.power.waves, p.slow};
+      const KeptWork work{p.damping_work, p.wave_work, p.power.damping, p.power.waves, g.lag_step, p.slow};
       out.push_back(record_of(p.node, 0, work, 1));
     }
   return out;
@@ -61,7 +63,7 @@ std::vector<CheckpointRecord> PlatformWater::checkpoint_records(NodeRange range)
 void PlatformWater::restore(const std::vector<CheckpointRecord>& records) {
   for (Group& g : groups_) {
     const auto n = static_cast<Eigen::Index>(g.platforms.size());
-    std::vector<double> slow(static_cast<size_t>(15 * n), 0);
+    std::vector<double> slow(static_cast<size_t>(15 * n + 1), 0);  // the last: step of the memory's table
     std::vector<double> past;  // for each state, its time and 6 n velocities
     const size_t row = static_cast<size_t>(1 + 6 * n);
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -71,6 +73,7 @@ void PlatformWater::restore(const std::vector<CheckpointRecord>& records) {
         p.damping_work = kept->damping;
         p.wave_work = kept->waves;
         p.power = {kept->damping_power, kept->wave_power};
+        if (i == 0) slow.back() = kept->lag_step;
         Eigen::Map<Eigen::Matrix<double, 15, 1>>(&slow[static_cast<size_t>(15 * i)]) << kept->slow.place,
             kept->slow.drift, kept->slow.filtered, kept->slow.rate, kept->slow.last;
       }
@@ -90,6 +93,8 @@ void PlatformWater::restore(const std::vector<CheckpointRecord>& records) {
     if (size > 0) all_reduce(comm_, MPI_SUM, past);
     all_reduce(comm_, MPI_SUM, slow);
     g.past.clear();
+    g.lags.clear();
+    g.lag_step = slow.back();
     g.is_cached = false;
     for (size_t k = 0; k < size; k += row) {
       Eigen::VectorXd rate = Eigen::Map<const Eigen::VectorXd>(&past[k + 1], 6 * n);

@@ -34,7 +34,7 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
   p.potential.axes = p.axes = heading_axes(heading);
   p.follow_period = h.follow_period;
   p.slow = SlowPose::at({b.position.x(), b.position.y(), heading});
-  p.potential.place = h.place ? *h.place : Vec3(b.position.x(), b.position.y(), sea_.surface + h.in_file.z());
+  p.potential.place = model::hydrodynamic_place(b, sea_.surface);
   p.potential.stiffness = h.stiffness;
   // A hull has its own hydrostatics (terms/hulls.hpp).
   if (!m.hull) p.hydrostatics = model::hydrostatics(m, sea_.density, sea_.gravity);

@@ -56,7 +56,9 @@ def oc4(more=""):
     return floater("oc4", OC4_MASS, OC4_CENTRE, OC4_INERTIA, added(NONE, OC4_MOORING) + more)
 
 
-class Platforms(unittest.TestCase):
+class PlatformRuns(unittest.TestCase):
+    """Files, cases and runs of the tests of platforms."""
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -102,6 +104,8 @@ class Platforms(unittest.TestCase):
         print(f"{what}: off by {error:.1e} of the start")
         self.assertLess(error, tolerance)
 
+
+class Platforms(PlatformRuns):
     def test_decays_of_volturnus(self):
         """Decays with linear mooring and damping: 1e-3 of the initial displacement in steps of 0.05 s (surge:
         0.2 s). Nearly undamped free heave in steps of 0.1 and 0.2 s, and in steps up to 0.2 s set by the

@@ -17,6 +17,8 @@ TableLaw table_law(const TableMotion& table);
 // Headings of the bow, rad from +x: at t = 0, and at the position for which the hydrodynamic files hold.
 double heading(const Body& body);
 double hydrodynamic_heading(const Body& body);
+// Position of the body's origin for which the hydrodynamic files hold, m. surface: z of the still water, m.
+Vec3 hydrodynamic_place(const Body& body, double surface);
 
 // Times [s, increasing] at which a body's velocity jumps: the rows of motion tables with linear
 // interpolation.

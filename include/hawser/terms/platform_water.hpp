@@ -88,8 +88,8 @@ class PlatformWater final : public ForceTerm,
   static void rest_at(Platform& p, const RigidBodyState& s);
   void begin_memory(Group& g, const Kinematics& start) const;
   static void add_past(Group& g, double time, Eigen::VectorXd rate);
-  // Extends Group::lags for a step of h [s].
-  static void tabulate_lags(Group& g, double h);
+  // Extends Group::lags by the history.
+  static void tabulate_lags(Group& g);
   // S of the memory at lag [s] by entry: a row of Group::lags, or evaluated to `buffer`; with `rate` also S'.
   static const double* integrals_at(const Group& g, double lag, double* buffer, double* rate);
   // Forces at a given time that do not depend on the trial state: of waves, and of the memory of accepted
@@ -118,7 +118,8 @@ class PlatformWater final : public ForceTerm,
     // the diagonal). Contiguous, because each step reads the whole memory.
     std::vector<double> slopes;
     // S of the memory at m lag_step [s], by m = 0, 1, ... and by entry, as far as accepted steps have that
-    // length: they are the same in every step.
+    // length: they are the same in every step. lag_step is the length of the last accepted step, from the
+    // first of equal steps (their lengths differ by rounding).
     double lag_step = 0;
     std::vector<double> lags;
     double slow_time = 0;   // s, time of the slow poses

@@ -1,0 +1,143 @@
+"""Faults of hydrodynamic files that single rows do not show: heave with conjugated phases, damping with another power
+of the frequency, a body far from the height of its files. Each has a sentence of `hawser check`, for the spar of the
+tutorial and for public files (skipped if missing), which have no such sentence as they are."""
+import gzip
+import os
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+from support import ROOT, run, write
+
+HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
+DATA = ROOT.parent / "shared/data"
+PLATFORMS = DATA / "platforms"
+CONJUGATED = "the heave force lags the crest, but the damping of"
+MULTIPLIED, DIVIDED = "if the damping is multiplied by the angular frequency", "if the damping is divided by the angular frequency"
+FAR = "which is more than its size"
+WEIGHT = ", gravity_in_stiffness: true"
+# Files without endings, water, gravity, mass and more keys of each body, more keys of hydrodynamics.
+SPAR = (ROOT / "docs/tutorial/spar", "density: 1025, depth: 200", 9.80665, ["mass: 2.8981e7, centre_of_mass: [0, 0, -50], inertia: [2e10, 2e10, 1e9]"], "")
+SETS = {
+    "VolturnUS-S": (DATA / "umaine-semi/IEA-15-240-RWT-UMaineSemi", "density: 1025, depth: 200", 9.80665,
+                    ["mass: 2.01e7, centre_of_mass: [0, 0, -2.32], inertia: [4.25e10, 4.25e10, 2.37e10]"], ", displaced_volume: 20206.35"),
+    "OC4": (PLATFORMS / "oc4-semi/marin_semi", "density: 1025, depth: 200", 9.80665,
+            ["mass: 1.407265e7, centre_of_mass: [0, 0, -9.89], inertia: [1.13e10, 1.13e10, 1.2288e10]"], ", displaced_volume: 13917"),
+    "TLP": (PLATFORMS / "tlp-mit/tlpmit", "density: 1025, depth: 200", 9.80665,
+            ["mass: 8.6e6, centre_of_mass: [0, 0, -40.61], inertia: [5.7e8, 5.7e8, 3.6e8]"], ", displaced_volume: 12179.6"),
+    "tanker": (PLATFORMS / "mss-tanker/tanker", "density: 1025", 9.81, ["mass: 94620210, centre_of_mass: [3.93, 0, 2.5], inertia: [2.7e10, 3.85e11, 4.11e11]"],
+               ", symmetry: port_starboard" + WEIGHT),
+    "drilling semi": (PLATFORMS / "mss-semisub/semisub", "density: 1025", 9.81, ["mass: 51979800, centre_of_mass: [0, 0, -0.5], inertia: [5.66e10, 6.0e10, 7.3e10]"],
+                      ", symmetry: port_starboard" + WEIGHT),
+    "OES sphere": (PLATFORMS / "oes-sphere/sphere", "density: 1000, depth: 200", 9.81, ["mass: 261800, inertia: [1.7e6, 1.7e6, 1.7e6]"],
+                   ", origin_in_file: [0, 0, -2]" + WEIGHT),
+    "drift sphere": (PLATFORMS / "drift-sphere/sphere", "density: 1000", 9.80665, ["mass: 2094.395, inertia: [800, 800, 800]"], ""),
+    "RM3": (PLATFORMS / "rm3/rm3", "density: 1000", 9.81, ["mass: 725834, inertia: [2.1e7, 2.1e7, 3.7e7]", "mass: 886691, inertia: [9.4e7, 9.4e7, 2.9e7]"], WEIGHT),
+    "two ships": (PLATFORMS / "fpso-psv/conjunto_10", "density: 1025, depth: 1000", 9.8,
+                  ["mass: 3.1862e8, inertia: [1.2e11, 1.7557e12, 1.8e12]", "mass: 8.17e6, inertia: [3.62e8, 4.04e9, 4.04e9]"], WEIGHT),
+    "hemisphere": (PLATFORMS / "hemisphere/hemisphere_ulen5", "density: 1000", 9.81, ["mass: 261800, inertia: [2.6e6, 2.6e6, 2.6e6]"], ", length_scale: 5"),
+}
+# Names of files that are not those of their set.
+OTHERS = {"oc4-semi/marin_semi.3": PLATFORMS / "oc4-semi/oc4_excitation_raft_grid.3", "fpso-psv/conjunto_10.hst": ROOT / "cases/side-by-side/conjunto_10.hst"}
+
+
+def changed(text, columns, change):
+    """Rows of numbers with at least so many columns, changed."""
+    out = []
+    for line in text.splitlines():
+        try:
+            row = [float(word) for word in line.split()]
+        except ValueError:
+            out.append(line)
+            continue
+        if len(row) >= columns:
+            change(row)
+        out.append(" ".join(f"{x:.10g}" for x in row))
+    return "\n".join(out) + "\n"
+
+
+def conjugate_heave(text):
+    def change(row):
+        if (row[2] - 1) % 6 == 2:
+            row[4], row[6] = -row[4], -row[6]
+
+    return changed(text, 7, change)
+
+
+def scaled_damping(power):
+    def change(row):
+        if row[0] > 0:
+            row[4] *= (2 * np.pi / row[0]) ** power
+
+    return lambda text: changed(text, 5, change)
+
+
+class Faults(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def text(self, stem, ending):
+        """Text of a file, which may be compressed; none if it is not there."""
+        path = OTHERS.get(f"{stem.parent.name}/{stem.name}{ending}", Path(f"{stem}{ending}"))
+        zipped = path.with_name(path.name + ".gz")
+        return path.read_text() if path.exists() else gzip.decompress(zipped.read_bytes()).decode() if zipped.exists() else None
+
+    def check(self, of, change=None, z=None, ending=".1"):
+        """Output of `hawser check`, with one file changed."""
+        stem, water, gravity, masses, keys = of
+        for old in self.folder.iterdir():
+            old.unlink()
+        for suffix in (".1", ".3", ".hst"):
+            text = self.text(stem, suffix)
+            if text is None and suffix != ".3":
+                self.skipTest(f"{stem}{suffix} is not there")
+            if text is not None:
+                write(self.folder, f"files{suffix}", change(text) if change and suffix == ending else text)
+        height = z if z is not None else -2 if "origin_in_file" in keys else 0
+        bodies = "".join(f"  body{n}: {{position: [0, 0, {height}], floating: {{{mass}, hydrodynamics: {{wamit: files, body: {n}{keys}}}}}}}\n"
+                         for n, mass in enumerate(masses, 1))
+        write(self.folder, "case.yaml", f"hawser: 1\nenvironment: {{gravity: {gravity}, water: {{{water}}}}}\nbodies:\n{bodies}"
+              "statics: false\ndynamics: {duration: 1, step: 0.1}\n")
+        done = run(HAWSER, "check", "case.yaml", "--quick", cwd=self.folder)
+        return done.stdout + done.stderr
+
+    def assert_only(self, sentence, text):
+        for one in (CONJUGATED, MULTIPLIED, DIVIDED, FAR):
+            self.assertEqual(text.count(one), 1 if one == sentence else 0, text)
+
+    def test_spar(self):
+        self.assert_only(None, self.check(SPAR))
+        self.assert_only(CONJUGATED, self.check(SPAR, conjugate_heave, ending=".3"))
+        self.assert_only(DIVIDED, self.check(SPAR, scaled_damping(1)))
+        self.assert_only(MULTIPLIED, self.check(SPAR, scaled_damping(-1)))
+
+    def test_height_of_the_files(self):
+        """A cube of the spar's volume has sides of 30.5 m."""
+        text = self.check(SPAR)
+        self.assertNotIn("the height of its files", text)
+        for z, where in ((-20, "20 m below"), (1, "1 m above")):
+            text = self.check(SPAR, z=z)
+            self.assert_only(None, text)
+            self.assertIn(f"starts {where} the height of its files", text)
+        text = self.check(SPAR, z=-31)
+        self.assert_only(FAR, text)
+        self.assertIn("bodies.body1.position: z is -31 m, 31 m below the height of its files, 0 m, which is more than its size (30.5 m", text)
+
+    def test_public_files(self):
+        for name, of in SETS.items():
+            with self.subTest(name=name):
+                self.assert_only(None, self.check(of))
+                if len(of[3]) == 1 and name != "hemisphere":
+                    self.assert_only(CONJUGATED, self.check(of, conjugate_heave, ending=".3"))
+                self.assert_only(DIVIDED, self.check(of, scaled_damping(1)))
+                text = self.check(of, scaled_damping(-1))
+                # Without a row of infinite frequency its estimate is impossible, which has another sentence.
+                if "is negative" not in text:
+                    self.assert_only(MULTIPLIED, text)
+
+
+if __name__ == "__main__":
+    unittest.main()
