@@ -13,12 +13,18 @@ namespace {
 // Entries of the damping matrix below this fraction of the diagonal entries count as zero.
 constexpr double kNoEntry = 1e-6;
 
+std::vector<int> rows_of(const Case& c, const std::vector<int>& bodies) {
+  std::vector<int> rows;
+  for (const int body : bodies)
+    for (int k = 0; k < 6; ++k) rows.push_back(6 * (c.bodies[body].mass->hydrodynamics->body - 1) + k);
+  return rows;
+}
+
 }  // namespace
 
 PlatformMemory platform_memory(const Case& c, const std::vector<int>& bodies) {
   PlatformMemory out;
-  for (const int body : bodies)
-    for (int k = 0; k < 6; ++k) out.rows.push_back(6 * (c.bodies[body].mass->hydrodynamics->body - 1) + k);
+  out.rows = rows_of(c, bodies);
   const HydrodynamicData& data = *c.bodies[bodies.front()].mass->hydrodynamics->data;
   const int n = static_cast<int>(out.rows.size());
   const auto peak = [&](int i, int j) {
@@ -39,6 +45,13 @@ PlatformMemory platform_memory(const Case& c, const std::vector<int>& bodies) {
     }
   out.memory = RadiationMemory(data.omega, damping);
   return out;
+}
+
+std::shared_ptr<const PlatformMemory> PlatformMemories::of(const Case& c, const std::vector<int>& bodies) {
+  const HydrodynamicData* data = c.bodies[bodies.front()].mass->hydrodynamics->data.get();
+  std::shared_ptr<const PlatformMemory>& memory = computed_[{data, rows_of(c, bodies)}];
+  if (!memory) memory = std::make_shared<const PlatformMemory>(platform_memory(c, bodies));
+  return memory;
 }
 
 std::string freedom_name(const Case& c, const std::vector<int>& bodies, int row) {

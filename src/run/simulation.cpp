@@ -197,7 +197,7 @@ void Simulation::add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces
     if (any([](const model::BodyMass& m) { return m.positioning.has_value(); }))
       add<DynamicPositioning>(case_, local());
     if (any([](const model::BodyMass& m) { return m.hydrodynamics.has_value(); }))
-      add<PlatformWater>(system_->comm(), case_, local());
+      add<PlatformWater>(case_, local());
   }
   if (model::body_pairs(case_).empty() || skeletons.size() != case_.volumes.size()) return;
   std::vector<BodyVolume> touching;

@@ -12,27 +12,21 @@
 namespace hawser {
 
 void PlatformWater::list_couplings(Couplings& to) const {
-  for (const Group& g : groups_) {
-    const auto owned = [this](const Platform& p) { return mesh_.owns_node(p.node); };
-    if (std::none_of(g.platforms.begin(), g.platforms.end(), owned)) continue;
+  for (const Group& g : groups_)
     for (const Platform& a : g.platforms)
       for (const Platform& b : g.platforms)
         if (a.node < b.node) to.add({a.node, a.node}, {b.node, b.node});
-  }
 }
 
 void PlatformWater::renumber() {
   for (Group& g : groups_) {
-    g.is_local = false;
-    bool complete = true;
+    g.is_complete = true;
     for (Platform& p : g.platforms) {
       p.local = mesh_.find(p.node);
       p.block = p.local < 0 ? -1 : mesh_.block[p.local];
       p.owned = mesh_.owns(p.local);
-      g.is_local |= p.owned;
-      complete &= p.local >= 0;
+      g.is_complete &= p.local >= 0;
     }
-    g.is_local &= complete;
   }
 }
 
@@ -47,11 +41,11 @@ Eigen::VectorXd PlatformWater::rates(const Group& g, const Kinematics& state) co
 
 void PlatformWater::add_past(Group& g, double time, Eigen::VectorXd rate) {
   if (g.past.empty()) {
-    g.slopes.assign(2 * g.entries.size(), 0);
+    g.slopes.assign(2 * g.radiation->entries.size(), 0);
   } else {
     const Eigen::VectorXd slope = (rate - g.past.back().rate) / (time - g.past.back().time);
-    for (const auto& [i, j] : g.entries) g.slopes.push_back(slope[j]);
-    for (const auto& [i, j] : g.entries) g.slopes.push_back(i != j ? slope[i] : 0);
+    for (const auto& [i, j] : g.radiation->entries) g.slopes.push_back(slope[j]);
+    for (const auto& [i, j] : g.radiation->entries) g.slopes.push_back(i != j ? slope[i] : 0);
   }
   g.past.push_back({time, std::move(rate)});
 }
@@ -65,33 +59,33 @@ double equal_lags(const RadiationMemory& memory) { return 1e-8 * memory.spacing(
 }  // namespace
 
 void PlatformWater::tabulate_lags(Group& g) {
-  if (g.past.size() < 2 || g.entries.empty()) return g.lags.clear();
+  if (g.past.size() < 2 || g.radiation->entries.empty()) return g.lags.clear();
   const double end = g.past.back().time, last = end - g.past[g.past.size() - 2].time;
-  if (std::abs(last - g.lag_step) > equal_lags(g.memory)) {
+  if (std::abs(last - g.lag_step) > equal_lags(g.radiation->memory)) {
     g.lags.clear();
     g.lag_step = last;
   }
   size_t rows = 2;  // of the trial, and of the last accepted state
   for (size_t k = g.past.size() - 1; k-- > 0; ++rows) {
     const double lag = static_cast<double>(rows - 1) * g.lag_step;
-    if (std::abs(end - g.past[k].time - lag) > equal_lags(g.memory)) break;
+    if (std::abs(end - g.past[k].time - lag) > equal_lags(g.radiation->memory)) break;
   }
-  const size_t n = g.entries.size();
+  const size_t n = g.radiation->entries.size();
   g.lags.resize(
       std::min(g.lags.size(), rows * n));  // rows by the history and lag_step: the same after a restart
   for (size_t m = g.lags.size() / n; m < rows; ++m) {
     g.lags.resize((m + 1) * n);
-    g.memory.integrals(static_cast<double>(m) * g.lag_step, &g.lags[m * n], nullptr);
+    g.radiation->memory.integrals(static_cast<double>(m) * g.lag_step, &g.lags[m * n], nullptr);
   }
 }
 
 const double* PlatformWater::integrals_at(const Group& g, double lag, double* buffer, double* rate) {
-  const size_t n = g.entries.size();
+  const size_t n = g.radiation->entries.size();
   const double m = std::round(lag / g.lag_step);
   if (!rate && m < static_cast<double>(g.lags.size() / n) &&
-      std::abs(lag - m * g.lag_step) <= equal_lags(g.memory))
+      std::abs(lag - m * g.lag_step) <= equal_lags(g.radiation->memory))
     return &g.lags[static_cast<size_t>(m) * n];
-  g.memory.integrals(lag, buffer, rate);
+  g.radiation->memory.integrals(lag, buffer, rate);
   return buffer;
 }
 
@@ -110,11 +104,11 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
   now.memory_damping = Eigen::MatrixXd::Zero(n, n);
   g.is_cached = true;
   const double step = g.past.empty() ? 0 : time - g.past.back().time;
-  const auto entries = static_cast<Eigen::Index>(g.entries.size());
+  const auto entries = static_cast<Eigen::Index>(g.radiation->entries.size());
   if (!g.past.empty() && entries > 0) {
     Eigen::ArrayXd integrals(entries), dS(entries);
     const double* S = integrals.data();
-    const std::vector<double> zero_slopes(2 * g.entries.size(), 0);
+    const std::vector<double> zero_slopes(2 * g.radiation->entries.size(), 0);
     Eigen::ArrayX2d force = Eigen::ArrayX2d::Zero(entries, 2);
     using Slopes = Eigen::Map<const Eigen::ArrayX2d>;
     for (size_t k = 0; k < g.past.size(); ++k) {
@@ -126,7 +120,7 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
     }
     const Eigen::VectorXd& first = g.past.front().rate;
     for (Eigen::Index e = 0; e < entries; ++e) {
-      const auto [i, j] = g.entries[static_cast<size_t>(e)];
+      const auto [i, j] = g.radiation->entries[static_cast<size_t>(e)];
       now.memory_force[i] += force(e, 0) + dS[e] * first[j];
       if (i != j) now.memory_force[j] += force(e, 1) + dS[e] * first[i];
       if (step > 0)
@@ -180,7 +174,7 @@ void PlatformWater::rest_at(Platform& p, const RigidBodyState& s) {
 void PlatformWater::prepare(const Kinematics& from, double) {
   for (Group& g : groups_) {
     g.is_cached = false;
-    if (!g.is_local) continue;
+    if (!g.is_complete) continue;
     if (!from.ends_step())
       for (Platform& p : g.platforms) p.last_iterate = floating_state(from, p.local);
     if (from.phase == Phase::start && g.past.size() <= 1) begin_memory(g, from);
@@ -201,7 +195,7 @@ void PlatformWater::begin_memory(Group& g, const Kinematics& start) const {
 // Residual of each body: G^T (A a + D + memory - waves) and hydrostatics.
 void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Group& g : groups_) {
-    if (!g.is_local) continue;
+    if (!g.is_complete) continue;
     const size_t n = g.platforms.size();
     std::vector<PlatformMotion> motion(n);
     Eigen::VectorXd rate(6 * n), acceleration(6 * n), F = Eigen::VectorXd::Zero(6 * static_cast<int>(n));
@@ -257,7 +251,7 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
 
 void PlatformWater::commit(const Kinematics& accepted) {
   for (Group& g : groups_) {
-    if (!g.is_local) continue;
+    if (!g.is_complete) continue;
     if (!accepted.moves()) {
       g.past.clear();
       for (Platform& p : g.platforms) rest_at(p, floating_state(accepted, p.local));
@@ -275,10 +269,11 @@ void PlatformWater::commit(const Kinematics& accepted) {
     add_past(g, accepted.time, std::move(rate));
     // Velocities older than the memory have no effect; they are deleted in blocks.
     constexpr size_t kOver = 100;
-    const double oldest = accepted.time - g.memory.length();
+    const double oldest = accepted.time - g.radiation->memory.length();
     if (g.past.size() > kOver + 1 && g.past[kOver].time < oldest) {
       g.past.erase(g.past.begin(), g.past.begin() + kOver);
-      g.slopes.erase(g.slopes.begin(), g.slopes.begin() + static_cast<int>(2 * kOver * g.entries.size()));
+      g.slopes.erase(g.slopes.begin(),
+                     g.slopes.begin() + static_cast<int>(2 * kOver * g.radiation->entries.size()));
     }
     for (Platform& p : g.platforms) {
       if (!(p.follow_period > 0)) continue;
@@ -309,7 +304,7 @@ std::vector<PlatformWater::Power> PlatformWater::powers(const Group& g, double t
 Energy PlatformWater::energy(const Kinematics& state) const {
   Energy e;
   for (const Group& g : groups_) {
-    if (!g.is_local) continue;
+    if (!g.is_complete) continue;
     const Eigen::VectorXd rate = rates(g, state);
     const Eigen::VectorXd momentum = (g.added_mass + period_mass(g, state.last_step())) * rate;
     for (size_t i = 0; i < g.platforms.size(); ++i) {

@@ -1,5 +1,7 @@
 // The class PlatformWater: checkpoint records of platforms.
-#include "hawser/base/mpi.hpp"
+#include <algorithm>
+#include <stdexcept>
+
 #include "hawser/terms/platform_water.hpp"
 
 namespace hawser {
@@ -38,77 +40,60 @@ struct KeptWork {
 }  // namespace
 
 std::vector<CheckpointKind> PlatformWater::checkpoint_kinds() const {
-  return {checkpoint_kind<KeptRate>("velocities of a platform"),
-          checkpoint_kind<KeptWork>("sums of a platform")};
+  return {checkpoint_kind<KeptRate>("velocities of a group of platforms"),
+          checkpoint_kind<KeptWork>("sums of a group of platforms")};
 }
 
+// Each body has records of its whole group, because after a restart another rank may own the others.
 std::vector<CheckpointRecord> PlatformWater::checkpoint_records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
-  for (const Group& g : groups_)
-    for (size_t i = 0; i < g.platforms.size(); ++i) {
-      const Platform& p = g.platforms[i];
+  for (const Group& g : groups_) {
+    const auto n = static_cast<Eigen::Index>(g.platforms.size());
+    CheckpointRecord rates{0, 0, {}, 0}, sums{0, 0, {}, 1};
+    for (const Past& past : g.past)
+      for (Eigen::Index i = 0; i < n; ++i)
+        put(KeptRate{past.time, past.rate.segment<3>(6 * i), past.rate.segment<3>(6 * i + 3)}, rates.values);
+    for (const Platform& p : g.platforms)
+      put(KeptWork{p.damping_work, p.wave_work, p.power.damping, p.power.waves, p.slow}, sums.values);
+    for (const Platform& p : g.platforms) {
       if (!p.owned || !range.has(p.node)) continue;
-      CheckpointRecord rates{p.node, 0, {}, 0};
-      for (const Past& past : g.past) {
-        const Vec6 body_rate = past.rate.segment<6>(6 * static_cast<Eigen::Index>(i));
-        put(KeptRate{past.time, body_rate.head<3>(), body_rate.tail<3>()}, rates.values);
-      }
-      out.push_back(std::move(rates));
-      const KeptWork work{p.damping_work, p.wave_work, p.power.damping, p.power.waves, g.lag_step, p.slow};
-      out.push_back(record_of(p.node, 0, work, 1));
+      rates.node = sums.node = p.node;
+      out.push_back(rates);
+      out.push_back(sums);
     }
+  }
   return out;
 }
 
 void PlatformWater::restore(const std::vector<CheckpointRecord>& records) {
   for (Group& g : groups_) {
-    const auto n = static_cast<Eigen::Index>(g.platforms.size());
-    std::vector<double> slow(static_cast<size_t>(15 * n + 1), 0);  // the last: step of the memory's table
-    std::vector<double> past;  // for each state, its time and 6 n velocities
-    const size_t row = static_cast<size_t>(1 + 6 * n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      Platform& p = g.platforms[static_cast<size_t>(i)];
-      if (!p.owned) continue;
-      if (const auto kept = find_entry<KeptWork>(records, p.node, 0, 1)) {
-        p.damping_work = kept->damping;
-        p.wave_work = kept->waves;
-        p.power = {kept->damping_power, kept->wave_power};
-        if (i == 0) slow.back() = kept->lag_step;
-        Eigen::Map<Eigen::Matrix<double, 15, 1>>(&slow[static_cast<size_t>(15 * i)]) << kept->slow.place,
-            kept->slow.drift, kept->slow.filtered, kept->slow.rate, kept->slow.last;
-      }
-      const CheckpointRecord* rates = find_record(records, p.node);
-      if (!rates) continue;
-      const std::vector<KeptRate> kept = entries<KeptRate>(*rates);
-      past.resize(row * kept.size(), 0);
-      for (size_t k = 0; k < kept.size(); ++k) {
-        double* state = &past[row * k];
-        if (i == 0) state[0] = kept[k].time;
-        Eigen::Map<Vec6>(state + 1 + 6 * i) << kept[k].velocity, kept[k].turning;
-      }
-    }
-    unsigned long size = past.size();
-    MPI_Allreduce(MPI_IN_PLACE, &size, 1, MPI_UNSIGNED_LONG, MPI_MAX, comm_);
-    past.resize(size, 0);
-    if (size > 0) all_reduce(comm_, MPI_SUM, past);
-    all_reduce(comm_, MPI_SUM, slow);
     g.past.clear();
-    g.lags.clear();
-    g.lag_step = slow.back();
     g.is_cached = false;
-    for (size_t k = 0; k < size; k += row) {
-      Eigen::VectorXd rate = Eigen::Map<const Eigen::VectorXd>(&past[k + 1], 6 * n);
-      add_past(g, past[k], std::move(rate));
+    const auto owned =
+        std::find_if(g.platforms.begin(), g.platforms.end(), [](const Platform& p) { return p.owned; });
+    const CheckpointRecord* rates = find_record(records, owned->node);
+    const CheckpointRecord* sums = find_record(records, owned->node, 0, 1);
+    if (!rates || !sums) continue;
+    const size_t n = g.platforms.size();
+    const std::vector<KeptRate> past = entries<KeptRate>(*rates);
+    const std::vector<KeptWork> work = entries<KeptWork>(*sums);
+    if (past.size() % n != 0 || work.size() != n)
+      throw std::invalid_argument("a record of the checkpoint is of a group of another size");
+    for (size_t k = 0; k < past.size(); k += n) {
+      Eigen::VectorXd rate(6 * n);
+      for (size_t i = 0; i < n; ++i) rate.segment<6>(6 * i) << past[k + i].velocity, past[k + i].turning;
+      add_past(g, past[k].time, std::move(rate));
     }
-    if (!(size > 0)) continue;
-    g.slow_time = g.past.back().time;
-    for (Eigen::Index i = 0; i < n; ++i) {
-      Platform& p = g.platforms[static_cast<size_t>(i)];
-      if (!(p.follow_period > 0)) continue;
-      const double* kept = &slow[static_cast<size_t>(15 * i)];
-      p.slow = {Vec3(kept), Vec3(kept + 3), Vec3(kept + 6), Vec3(kept + 9), Vec3(kept + 12)};
+    for (size_t i = 0; i < n; ++i) {
+      Platform& p = g.platforms[i];
+      p.damping_work = work[i].damping;
+      p.wave_work = work[i].waves;
+      p.power = {work[i].damping_power, work[i].wave_power};
+      if (!(p.follow_period > 0) || g.past.empty()) continue;
+      p.slow = work[i].slow;
       turn(p);
     }
+    if (!g.past.empty()) g.slow_time = g.past.back().time;
   }
 }
 

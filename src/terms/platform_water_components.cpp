@@ -23,17 +23,15 @@ double PlatformWater::mean_work(const Platform& p, const RigidBodyState& s) {
 }
 
 std::vector<std::string> PlatformWater::load_components(int body) const {
-  for (const Group& g : groups_)
-    for (const Platform& p : g.platforms)
-      if (p.body == body) return {"hydrostatic", "radiation", "added", "wave", "drift"};
-  return {};
+  if (!on_body_[static_cast<size_t>(body)]) return {};
+  return {"hydrostatic", "radiation", "added", "wave", "drift"};
 }
 
 // Radiation: added mass, with its reduction due to the step, and memory, or the damping of the files in
 // harmonic motion. Added: the stiffness and damping matrices of the case.
 std::vector<BodyForce> PlatformWater::forces_on(int body, const Kinematics& state) const {
   for (const Group& g : groups_) {
-    if (!g.is_local) continue;
+    if (!g.is_complete) continue;
     for (size_t i = 0; i < g.platforms.size(); ++i) {
       const Platform& p = g.platforms[i];
       if (p.body != body) continue;

@@ -1,5 +1,6 @@
 // The class PlatformWater: construction. Groups of bodies by their files, stiffness and buoyancy of each.
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <utility>
 
 #include "hawser/kernels/table_places.hpp"
@@ -7,17 +8,22 @@
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/model/mass_matrix.hpp"
-#include "hawser/model/platform_memory.hpp"
 #include "hawser/terms/platform_water.hpp"
 
 namespace hawser {
-PlatformWater::PlatformWater(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh)
-    : comm_(comm), mesh_(mesh), sea_(sea_of(c)) {
+
+PlatformWater::PlatformWater(const model::Case& c, const LocalMesh& mesh)
+    : mesh_(mesh), sea_(sea_of(c)), on_body_(c.bodies.size(), false) {
   // To the fourth order the scheme's acceleration of x = exp(i omega t) is -omega² (1 + c omega² h²) x with
   //   c = 1/6 + 3 delta²,   delta = (1 - rho)/(2 (1 + rho)).
   const double rho = c.dynamics.rho_infinity, delta = 0.5 * (1 - rho) / (1 + rho);
   period_error_ = 1.0 / 6 + 3 * delta * delta;
-  for (const std::vector<int>& bodies : model::radiating_groups(c)) add_group(c, bodies);
+  const auto is_owned = [&](int body) { return mesh_.owns_node(mesh_.mesh->body_node(body)); };
+  model::PlatformMemories memories;
+  for (const std::vector<int>& bodies : model::radiating_groups(c)) {
+    for (const int body : bodies) on_body_[static_cast<size_t>(body)] = true;
+    if (std::any_of(bodies.begin(), bodies.end(), is_owned)) add_group(c, bodies, memories.of(c, bodies));
+  }
   renumber();
 }
 
@@ -50,15 +56,13 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
   return p;
 }
 
-void PlatformWater::add_group(const model::Case& c, const std::vector<int>& bodies) {
+void PlatformWater::add_group(const model::Case& c, const std::vector<int>& bodies,
+                              std::shared_ptr<const model::PlatformMemory> radiation) {
   Group g;
+  g.radiation = std::move(radiation);
   for (const int body : bodies) g.platforms.push_back(platform(c, body));
   g.data = c.bodies[bodies.front()].mass->hydrodynamics->data;
-  model::PlatformMemory waves = model::platform_memory(c, bodies);
-  g.rows = std::move(waves.rows);
-  g.entries = std::move(waves.entries);
-  g.memory = std::move(waves.memory);
-  g.added_mass = g.data->infinite(g.rows, g.rows);
+  g.added_mass = g.data->infinite(g.radiation->rows, g.radiation->rows);
   find_modes(c, g);
   groups_.push_back(std::move(g));
 }
@@ -101,15 +105,15 @@ void PlatformWater::oscillate(double omega) {
   for (Group& g : groups_) {
     const model::HydrodynamicData& data = *g.data;
     if (!(omega > 0)) {
-      g.added_mass = data.infinite(g.rows, g.rows);
+      g.added_mass = data.infinite(g.radiation->rows, g.radiation->rows);
       g.harmonic_damping.resize(0, 0);
       continue;
     }
     const auto [low, high, fraction] = frequency_place(data.omega, omega);
     const auto between = [&, low = low, high = high,
                           fraction = fraction](const std::vector<Eigen::MatrixXd>& matrices) {
-      return Eigen::MatrixXd((1 - fraction) * matrices[low](g.rows, g.rows) +
-                             fraction * matrices[high](g.rows, g.rows));
+      return Eigen::MatrixXd((1 - fraction) * matrices[low](g.radiation->rows, g.radiation->rows) +
+                             fraction * matrices[high](g.radiation->rows, g.radiation->rows));
     };
     g.added_mass = between(data.added_mass);
     g.harmonic_damping = between(data.damping);

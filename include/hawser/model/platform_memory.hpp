@@ -1,6 +1,8 @@
 // Radiation memory of bodies, computed from the radiation damping in their files.
 #pragma once
 
+#include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +20,17 @@ struct PlatformMemory {
 };
 // For the bodies of one of radiating_groups().
 PlatformMemory platform_memory(const Case& c, const std::vector<int>& bodies);
+
+// Computes the memories of several groups, and that of groups with equal files only once.
+class PlatformMemories {
+ public:
+  std::shared_ptr<const PlatformMemory> of(const Case& c, const std::vector<int>& bodies);
+
+ private:
+  // By the data and the rows of the bodies in its matrices.
+  std::map<std::pair<const HydrodynamicData*, std::vector<int>>, std::shared_ptr<const PlatformMemory>>
+      computed_;
+};
 
 // Name such as "surge"; with several bodies "float surge".
 std::string freedom_name(const Case& c, const std::vector<int>& bodies, int row);

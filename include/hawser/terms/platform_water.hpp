@@ -2,18 +2,16 @@
 // forces of first and second order, added linear and quadratic damping. See docs/theory/platforms.md.
 #pragma once
 
-#include <mpi.h>
-
 #include <memory>
 #include <vector>
 
 #include "hawser/kernels/platform_frame.hpp"
 #include "hawser/kernels/platform_hydrostatics.hpp"
 #include "hawser/kernels/platform_waves.hpp"
-#include "hawser/kernels/radiation_memory.hpp"
 #include "hawser/kernels/slow_pose.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/hydrodynamic_data.hpp"
+#include "hawser/model/platform_memory.hpp"
 #include "hawser/system/depends_on_frequency.hpp"
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/run_roles.hpp"
@@ -22,7 +20,8 @@
 namespace hawser {
 
 // Bodies with coefficients from the same files form a group and radiate on each other. Every rank that owns a
-// body of a group computes the whole group; the owner of a body counts its energy.
+// body of a group computes the whole group, and no other rank has data of it; the owner of a body counts its
+// energy.
 class PlatformWater final : public ForceTerm,
                             public AppliesExternalLoad,
                             public CouplesFixedNodes,
@@ -30,7 +29,7 @@ class PlatformWater final : public ForceTerm,
                             public DependsOnFrequency,
                             public ReportsBodyForces {
  public:
-  PlatformWater(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh);
+  PlatformWater(const model::Case& c, const LocalMesh& mesh);
 
   std::string_view checkpoint_key() const override { return "platforms in the sea"; }
   void list_couplings(Couplings& to) const override;
@@ -48,7 +47,7 @@ class PlatformWater final : public ForceTerm,
   std::vector<BodyForce> forces_on(int body, const Kinematics& state) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> checkpoint_records(NodeRange range) const override;
-  // Collective: each rank has the records of its own bodies, and needs the velocities of the whole group.
+  // The record of a body has the history of its whole group.
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:
@@ -102,16 +101,14 @@ class PlatformWater final : public ForceTerm,
   };
   struct Group {
     std::vector<Platform> platforms;
-    std::vector<std::pair<int, int>> entries;  // rows and columns of the entries of `memory`, row <= column
-    RadiationMemory memory;
-    Eigen::MatrixXd added_mass;        // at the frequency of oscillate()
-    Eigen::MatrixXd harmonic_damping;  // at that frequency; empty: time integration
+    std::shared_ptr<const model::PlatformMemory> radiation;  // shared by groups of equal platforms
+    Eigen::MatrixXd added_mass;                              // at the frequency of oscillate()
+    Eigen::MatrixXd harmonic_damping;                        // at that frequency; empty: time integration
     // Modes for the stiffness of the potentials alone, 6 N by number of modes, with v . M v = 1, and their
     // omega² [1/s²]. Empty if a body has a hull, whose stiffness differs.
     Eigen::MatrixXd modes;
     Eigen::ArrayXd squares;
     std::shared_ptr<const model::HydrodynamicData> data;
-    std::vector<int> rows;  // rows of the bodies in the data's matrices
     std::vector<Past> past;
     // By step of `past` (none before the first) and by entry of the memory: change of velocity over the step
     // length, first for all columns, which act on the rows, then for all rows, which act on the columns (0 on
@@ -122,12 +119,13 @@ class PlatformWater final : public ForceTerm,
     // first of equal steps (their lengths differ by rounding).
     double lag_step = 0;
     std::vector<double> lags;
-    double slow_time = 0;   // s, time of the slow poses
-    bool is_local = false;  // this rank owns one of the bodies
+    double slow_time = 0;      // s, time of the slow poses
+    bool is_complete = false;  // this rank has all bodies of the group, owned or as ghosts
     mutable AtTime cache;
     mutable bool is_cached = false;
   };
-  void add_group(const model::Case& c, const std::vector<int>& bodies);
+  void add_group(const model::Case& c, const std::vector<int>& bodies,
+                 std::shared_ptr<const model::PlatformMemory> radiation);
   Platform platform(const model::Case& c, int body) const;
   static void find_modes(const model::Case& c, Group& g);
   // Mass [kg and so on] added to that of a group so that its free oscillations have the correct periods in
@@ -140,11 +138,11 @@ class PlatformWater final : public ForceTerm,
                           Eigen::VectorXd& force, Eigen::MatrixXd* slope) const;
   std::vector<Power> powers(const Group& g, double time, const Eigen::VectorXd& rate) const;
 
-  MPI_Comm comm_;
   const LocalMesh& mesh_;
   Sea sea_;
-  std::vector<Group> groups_;
-  double period_error_ = 0;  // the scheme changes omega² to omega² (1 + period_error_ omega² h²)
+  std::vector<bool> on_body_;  // by body of the case: it has coefficients; the same on all ranks
+  std::vector<Group> groups_;  // with a body of this rank
+  double period_error_ = 0;    // the scheme changes omega² to omega² (1 + period_error_ omega² h²)
 };
 
 }  // namespace hawser
