@@ -3,11 +3,17 @@
 // the run".
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser {
 namespace {
+
+// Largest factor by which statics without friction raises a stiffness at once. The search continues from the
+// equilibrium of the softer contact and has to begin near that of the stiffer one. With friction it begins
+// again from the start, and the number of raises decides.
+constexpr double kMaxFactorAtRest = 10;
 
 // Fraction of a force that remains after subtraction of the inertia of `mass` with the acceleration [m/s²]
 // away from the surface.
@@ -72,7 +78,9 @@ bool LineVolumeContact::raise_stiffness(const Kinematics& equilibrium) {
       volumes_.require(pair.volume, pair.laws[0].normal, at, equilibrium.step, wanted);
     }
   }
-  if (!volumes_.raise(wanted)) return false;
+  const double max_factor =
+      equilibrium.moves() || friction_on_ ? std::numeric_limits<double>::infinity() : kMaxFactorAtRest;
+  if (!volumes_.raise(wanted, max_factor)) return false;
   renew_laws();
   return true;
 }
