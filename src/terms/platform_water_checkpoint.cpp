@@ -54,7 +54,8 @@ std::vector<CheckpointRecord> PlatformWater::checkpoint_records(NodeRange range)
       for (Eigen::Index i = 0; i < n; ++i)
         put(KeptRate{past.time, past.rate.segment<3>(6 * i), past.rate.segment<3>(6 * i + 3)}, rates.values);
     for (const Platform& p : g.platforms)
-      put(KeptWork{p.damping_work, p.wave_work, p.power.damping, p.power.waves, p.slow}, sums.values);
+      put(KeptWork{p.damping_work, p.wave_work, p.power.damping, p.power.waves, g.lag_step, p.slow},
+          sums.values);
     for (const Platform& p : g.platforms) {
       if (!p.owned || !range.has(p.node)) continue;
       rates.node = sums.node = p.node;
@@ -68,6 +69,8 @@ std::vector<CheckpointRecord> PlatformWater::checkpoint_records(NodeRange range)
 void PlatformWater::restore(const std::vector<CheckpointRecord>& records) {
   for (Group& g : groups_) {
     g.past.clear();
+    g.lags.clear();
+    g.lag_step = 0;
     g.is_cached = false;
     const auto owned =
         std::find_if(g.platforms.begin(), g.platforms.end(), [](const Platform& p) { return p.owned; });
@@ -79,6 +82,7 @@ void PlatformWater::restore(const std::vector<CheckpointRecord>& records) {
     const std::vector<KeptWork> work = entries<KeptWork>(*sums);
     if (past.size() % n != 0 || work.size() != n)
       throw std::invalid_argument("a record of the checkpoint is of a group of another size");
+    g.lag_step = work.front().lag_step;
     for (size_t k = 0; k < past.size(); k += n) {
       Eigen::VectorXd rate(6 * n);
       for (size_t i = 0; i < n; ++i) rate.segment<6>(6 * i) << past[k + i].velocity, past[k + i].turning;
