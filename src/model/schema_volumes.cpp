@@ -242,8 +242,9 @@ Key volumes() {
            number({"smoothing", &Volume::smoothing}, length,
                   "half width of the smooth onset of the contact force; 0: linear from the first touch",
                   at_least(0),
-                  or_else_note(
-                      "0.1 % of the contact diameter; 0.001 % with an automatic stiffness without damping"),
+                  or_else_note("0.1 % of the contact diameter; 0.001 % with an automatic stiffness without "
+                               "damping; between "
+                               "bodies 0.1 % of the size of the body, at most 10 mm"),
                   fixed_in_restart),
            relative_damping(), friction(&Volume::friction)},
           either({{{"mesh", "scale", "closed", "sign", "smooth", "crease_angle_deg", "active"}, {"mesh"}},
