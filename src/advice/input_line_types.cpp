@@ -77,11 +77,11 @@ bool warn_of_coatings(const Case& c, const LineType& t, std::vector<InputWarning
 void warn_of_slenderness(const LineType& t, std::vector<InputWarning>& out) {
   if (!t.steel) return;
   const double slender = std::round(t.steel->slenderness() * 1e6) / 1e6;
-  const auto warn = [&](const std::string& value, const char* field) {
+  const auto warn = [&](const std::string& range, const char* field) {
     add_warning(out, fmt::format("line_types.{}.pipe.wall_thickness", t.name), Effect::all,
                 "D/t is {:.3g}, and {}: {} does not apply to this pipe; give it another wall thickness, or "
                 "check it by other means",
-                slender, value, field);
+                slender, range, field);
   };
   if (slender > kMaxSlender || slender < kMinSlender)
     warn(fmt::format("DNV-ST-F101's formulas for combined loads apply from {:g} to {:g}", kMinSlender,

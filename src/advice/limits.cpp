@@ -55,25 +55,29 @@ std::string compression_warning(const model::Case& c, const Extreme& at) {
 
 double acceptable_penetration(const model::Case& c, const model::Line& line, const model::Volume& volume) {
   const double radius = 0.5 * model::contact_diameter_of(c, line);
-  // An automatic stiffness allows twice the given penetration in motion (theory/contact.md).
+  // An automatic stiffness is raised in motion above twice the given penetration (theory/contact.md), with a
+  // tenth more before the next raise.
   constexpr double kInMotion = 2.2;
   return std::max(c.contact.warned_penetration * radius, kInMotion * volume.allowed_penetration);
 }
 
 std::string penetration_warning(const model::Case& c, const Extreme& at, const model::Volume& volume) {
   const double radius = 0.5 * model::contact_diameter_of(c, c.line(at.line));
-  const double limit = volume.depth_limit(radius);
+  const double limit = volume.depth_limit(radius, volume.basis == model::StiffnessBasis::automatic);
+  std::string advice =
+      "raise normal_stiffness where the case sets it; an automatic one is as high as the line's EA allows: "
+      "is "
+      "the tension above the breaking load?";
+  if (at.value > limit)
+    advice = fmt::format(
+        "the contact law of the volume holds to a depth of {:.3g} m, {}: the line is trapped inside, or the "
+        "volume is too soft for a line this thin, which then needs a larger 'contact_diameter'",
+        limit, limit > radius ? "the last row of its table" : "the radius of the line");
+  else if (volume.force_table)
+    advice = "the table of its normal_stiffness allows this depth: are its forces those of this volume?";
   return fmt::format(
       "line {} is {:.3g} m inside volume {} (its radius is {:.3g} m) at arc length {:.6g} m, {}: {}", at.line,
-      at.value, volume.name, radius, at.arc, when_text(c, at.time),
-      at.value > limit
-          ? fmt::format("the contact law of the volume holds to a depth of {:.3g} m, {}: the line is trapped "
-                        "inside, or the "
-                        "volume is too soft for a line this thin, which then needs a larger "
-                        "'contact_diameter'",
-                        limit, limit > radius ? "the last row of its force_table" : "the radius of the line")
-          : "raise normal_stiffness where the case sets it; an automatic one is as high as the line's EA "
-            "allows: is the tension above the breaking load?");
+      at.value, volume.name, radius, at.arc, when_text(c, at.time), advice);
 }
 
 std::string curvature_warning(const model::Case& c, const Extreme& at) {

@@ -49,7 +49,7 @@ struct Cell {
 
 CoarseMesh coarse_mesh(std::span<const Vec3> vertices, std::span<const std::array<int, 3>> triangles,
                        int max_vertices) {
-  // Start with a grid in which `most` cells would cover the surface, and coarsen.
+  // Start with a grid in which `max_vertices` cells would cover the surface, and coarsen.
   double area = 0, extent = 0;
   for (const auto& [a, b, c] : triangles)
     area += 0.5 * (vertices[b] - vertices[a]).cross(vertices[c] - vertices[a]).norm();

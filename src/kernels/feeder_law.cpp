@@ -9,8 +9,8 @@ namespace hawser {
 
 // g(L) = (L - from) / (h k) - (T(L) - T0) increases with L; the first part is absent for an exact tension.
 FedElement feed_step(FunctionRef<FedPull(double)> pull, const FeedLaw& law, double from, double h) {
-  constexpr int kMaxIterations = 200;  // iterations
-  constexpr double kShortest = 1e-6;   // fraction of the length at the start
+  constexpr int kMaxIterations = 200;
+  constexpr double kShortest = 1e-6;  // fraction of the length at the start
   if (!(h > 0)) return {from, 0};
   if (law.resting) {
     const double T = pull(from).force;

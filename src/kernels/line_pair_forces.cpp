@@ -1,5 +1,5 @@
 // The class LinePairPass: forces and couples summed over the Gauss points, with their exact tangent. A pass
-// integrates along one line and finds the nearest points on the other; the second pass exchanges the lines.
+// integrates along one line and finds the nearest points on the other. terms/line_pairs.hpp lists the passes.
 // The law at a pair of points is in line_pair_law.cpp.
 #include <cmath>
 #include <limits>

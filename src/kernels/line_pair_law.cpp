@@ -39,7 +39,8 @@ Tangential<S> tangential(const LinePairLaw& law, const LinePairPoint& at, const 
   const Vector3<S> l = n.cross(b);
   Vector3<S> slip = v.moved - n * S(n.dot(v.moved));
   if (at.is_new) {
-    // Material that closed by less than the width of the ramp was in contact before.
+    // Only the part of the slip after the first touch counts: the fraction of the approach of this step that
+    // was made within the contact distance.
     const double ramp = law.normal.smoothing;
     const S deep = S(law.radii + ramp) - d;
     const S closing =

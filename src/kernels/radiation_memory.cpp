@@ -18,9 +18,9 @@ constexpr double kNegligible = 2e-4;
 // Points of the table per period of the highest frequency.
 constexpr double kPointsPerPeriod = 12;
 constexpr double kLongest = 400;  // s
-// K has ended where it has been small for kSmallFor times as long as it was not, and for at least
-// kMinPeriods periods of the highest frequency.
-constexpr size_t kSmallFor = 4, kMinPeriods = 40;
+// K has ended at the time t if it is small from t to kUpTo t; at least kMinPeriods periods of the highest
+// frequency are examined.
+constexpr size_t kUpTo = 4, kMinPeriods = 40;
 constexpr double kMaxPoints = 20000;
 
 double sinc(double x) { return std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x; }
@@ -74,7 +74,7 @@ void RadiationMemory::tabulate() {
   };
   keep(retardation(0));
   const auto min_points = static_cast<size_t>(static_cast<double>(kMinPeriods) * kPointsPerPeriod);
-  for (size_t p = 1; p <= max_points && largest > 0 && p < std::max(kSmallFor * needed, min_points); ++p) {
+  for (size_t p = 1; p <= max_points && largest > 0 && p < std::max(kUpTo * needed, min_points); ++p) {
     const double from = static_cast<double>(p - 1) * spacing_;
     S += spacing_ * rate;
     for (int q = 0; q < 4; ++q) {

@@ -1,7 +1,8 @@
 // Normal force and friction with elastic slip at one point of a line against a volume or the seabed, and
 // their derivatives by position, velocity and roll: of the normal force by formula, of friction by automatic
 // differentiation. The scalar laws are in contact_law.hpp (normal force) and friction_law.hpp;
-// terms/contact_along_axis.cpp sums along an element, terms/bed_contact.cpp over nodes.
+// terms/contact_along_axis.cpp sums along an element, terms/bed_contact.cpp over nodes and middles of
+// elements.
 #include "hawser/kernels/surface_contact_law.hpp"
 
 #include <unsupported/Eigen/AutoDiff>
@@ -100,8 +101,8 @@ ContactForce without_friction(const ContactLaw& law, const ContactTrial& trial, 
 
 }  // namespace
 
-ContactForce volume_contact(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
-                            bool derivatives) {
+ContactForce surface_contact(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
+                             bool derivatives) {
   ContactForce r = without_friction(law, trial, derivatives);
   if (!(r.along_normal.force > 0) || !law.friction.active()) return r;
   const Rotation<1> roll{trial.roll * start.tangent, start.tangent};

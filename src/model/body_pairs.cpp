@@ -18,7 +18,7 @@ int rank(const Volume& v) {
   if (v.basis == StiffnessBasis::automatic) return kNever;
   const bool bar = is_bar(v);
   const bool ball = v.shape && std::holds_alternative<SphereShape>(*v.shape);
-  if (v.shape && std::holds_alternative<PlaneShape>(*v.shape)) return kNever;
+  if (v.is_plane()) return kNever;
   if (ball) return v.basis == StiffnessBasis::per_point ? 0 : kNever;
   if (bar && v.basis != StiffnessBasis::per_area) return 0;
   return v.basis == StiffnessBasis::per_point ? 1 : v.basis == StiffnessBasis::per_length ? 2 : 3;

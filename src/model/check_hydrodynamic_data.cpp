@@ -22,7 +22,7 @@ constexpr int kDirections = 72;  // of a mean over all directions
 
 // True if the table has directions all round.
 bool all_round(const WaveForceTable& table) {
-  constexpr double kGap = M_PI / 3;
+  constexpr double kGap = M_PI / 3 * (1 + 1e-6);
   return table.directions().size() >= 3 && widest_gap(table.directions(), 2 * M_PI).width() <= kGap;
 }
 

@@ -70,7 +70,7 @@ void check_hull(const Case& c, const Body& b, const Issues& issue) {
     if (volume->body != b.name)
       issue("volumes", "volume '{}' moves with {}, not with this body: set 'body: {}' there", name,
             volume->body.empty() ? "nothing" : "body '" + volume->body + "'", b.name);
-    if (volume->shape && std::holds_alternative<PlaneShape>(*volume->shape))
+    if (volume->is_plane())
       issue("volumes", "volume '{}' is a plane, which displaces no finite volume", name);
     if (std::count(m.hull->volumes.begin(), m.hull->volumes.end(), name) > 1)
       issue("volumes", "names volume '{}' twice", name);

@@ -9,7 +9,7 @@
 namespace hawser::model {
 namespace {
 
-constexpr double kSamePlace = 1e-9;  // fraction of an element
+constexpr double kSamePlace = 1e-9;  // fraction of the smallest distance between moved nodes
 constexpr double kApart = 0.1;       // smallest distance between moved nodes, as a fraction of an element
 
 // All elements of a section, without moved nodes.

@@ -17,15 +17,15 @@ namespace {
 // Steps in each of these times (docs/theory/time-integration.md#step-length): the period of a prescribed
 // motion or a turn; of the waves; a ramp; a natural period of a line or a body with excitation; the time
 // constant of drag; the duration; the shortest period of gusts.
-constexpr int kInPeriod = 100, kInWaves = 75, kInRamp = 20, kInOwn = 20, kInDrag = 10, kInDuration = 50,
-              kInGust = 4;
+constexpr int kStepsInPeriod = 100, kStepsInWaves = 75, kStepsInRamp = 20, kStepsInNaturalPeriod = 20,
+              kStepsInDragTime = 10, kStepsInDuration = 50, kStepsInGust = 4;
 // Lower bound of the step by natural periods and drag, as a fraction of the step by excitation. The control
 // of the local error reduces the step further if necessary.
-constexpr double kLeastOwn = 0.1, kLeastDrag = 0.5;
+constexpr double kMinByNaturalPeriods = 0.1, kMinByDrag = 0.5;
 // Steps in the natural period of a body without periodic excitation: the period of the scheme is too long by
 // 3.47/n² at n steps a period and rho_infinity 0.8, a thousandth here
 // (docs/theory/time-integration.md#error-of-the-period). A forced motion has the period of its excitation.
-constexpr int kInFree = 60;
+constexpr int kStepsInFreePeriod = 60;
 
 // Keeps the shortest step and its reason.
 class Shortest {
@@ -65,7 +65,7 @@ Sea sea(const Environment& e) {
 bool moves(const HarmonicMotion& m) { return !m.amplitude.isZero() || !m.rotation_amplitude.isZero(); }
 
 void add_harmonic(const HarmonicMotion& m, const std::string& name, Shortest& to) {
-  if (moves(m)) to.offer(m.period, kInPeriod, "the period of " + name);
+  if (moves(m)) to.offer(m.period, kStepsInPeriod, "the period of " + name);
 }
 
 // Largest distance of attached lines and links from the body's origin, m: lever arm of its rotation.
@@ -93,10 +93,10 @@ double add_table(const TableMotion& m, const std::string& name, double lever, Sh
   if (lever > 0) {
     const double square = lever * lever;
     to.offer(mean_period({moved.rate + square * turned.rate, moved.second + square * turned.second}),
-             kInPeriod, subject);
+             kStepsInPeriod, subject);
   } else {
-    to.offer(mean_period(moved), kInPeriod, subject);
-    to.offer(mean_period(turned), kInPeriod, subject);
+    to.offer(mean_period(moved), kStepsInPeriod, subject);
+    to.offer(mean_period(turned), kStepsInPeriod, subject);
   }
   return std::sqrt(2 * moved.rate / (m.time.back() - m.time.front()));
 }
@@ -111,7 +111,7 @@ double add_body(const Case& c, const Body& b, Shortest& to) {
   } else if (const auto* t = std::get_if<TableMotion>(&b.motion)) {
     speed = add_table(*t, name, lever(c, b), to);
   } else if (const auto* s = std::get_if<ConstantMotion>(&b.motion)) {
-    if (s->rate != 0) to.offer(2 * M_PI / std::abs(s->rate), kInPeriod, "a turn of " + name);
+    if (s->rate != 0) to.offer(2 * M_PI / std::abs(s->rate), kStepsInPeriod, "a turn of " + name);
     speed = s->velocity.norm();
   }
   if (b.drift) {
@@ -129,7 +129,7 @@ void add_factor(const TimeFactor& factor, const std::string& name, Shortest& to)
     time.push_back(t);
     value.emplace_back(f, 0, 0);
   }
-  to.offer(mean_period(RowCurve(time, value, BetweenRows::linear).activity()), kInPeriod,
+  to.offer(mean_period(RowCurve(time, value, BetweenRows::linear).activity()), kStepsInPeriod,
            "the mean period of the time_factor of " + name);
 }
 
@@ -146,7 +146,7 @@ void add_loads(const Body& b, Shortest& to) {
       moment.push_back(f.tail<3>());
     }
     for (const std::vector<Vec3>& value : {force, moment})
-      to.offer(mean_period(RowCurve(time, value, BetweenRows::linear).activity()), kInPeriod,
+      to.offer(mean_period(RowCurve(time, value, BetweenRows::linear).activity()), kStepsInPeriod,
                "the mean period of a load of body " + b.name);
   }
 }
@@ -174,7 +174,7 @@ double taut_stiffness(const Case& c, const Body& b) {
 // coefficients of platforms. driven: there is periodic excitation.
 void add_free_bodies(const Case& c, bool driven, Shortest& afloat, Shortest& natural) {
   const auto has_period = [&](Shortest& to, double period, const std::string& name) {
-    to.offer(period, driven ? kInOwn : kInFree, "the period of body " + name);
+    to.offer(period, driven ? kStepsInNaturalPeriod : kStepsInFreePeriod, "the period of body " + name);
   };
   const auto oscillates = [&](Shortest& to, double mass, double stiffness, const std::string& name) {
     if (stiffness > 0) has_period(to, 2 * M_PI * std::sqrt(mass / stiffness), name);
@@ -214,7 +214,7 @@ void add_free_bodies(const Case& c, bool driven, Shortest& afloat, Shortest& nat
 void add_spin(const Case& c, Shortest& to) {
   for (const Body& b : c.bodies)
     if (b.mass)
-      to.offer(2 * M_PI / b.mass->angular_velocity.norm(), kInPeriod,
+      to.offer(2 * M_PI / b.mass->angular_velocity.norm(), kStepsInPeriod,
                "a turn of body " + b.name + " with the velocity that it begins with");
 }
 
@@ -223,7 +223,7 @@ void add_drag_of_body(const Body& b, const Environment& e, double speed, Shortes
   const BodyInWater& w = *b.mass->in_water;
   const double drag = 0.5 * e.water.density * w.drag_area.maxCoeff() * speed;
   if (drag > 0)
-    drags.offer((b.mass->mass + w.added_mass.minCoeff()) / drag, kInDrag,
+    drags.offer((b.mass->mass + w.added_mass.minCoeff()) / drag, kStepsInDragTime,
                 "the time in which drag carries body " + b.name + " along");
 }
 
@@ -240,12 +240,14 @@ void add_line(const Case& c, const Line& line, double speed, bool jolted, Shorte
     const double area = 0.25 * M_PI * t.displaced() * t.displaced(),
                  drag = 0.5 * c.environment.water.density * t.Cd_normal * t.dragged() * speed;
     if (drag > 0)
-      drags.offer((t.mass_per_length + c.environment.water.density * area * t.Ca_normal) / drag, kInDrag,
-                  "the time in which drag carries line " + line.name + " along");
+      drags.offer((t.mass_per_length + c.environment.water.density * area * t.Ca_normal) / drag,
+                  kStepsInDragTime, "the time in which drag carries line " + line.name + " along");
   }
   if (length == 0 || mass == 0) return;
-  natural.offer(slowest_period(c, line), kInOwn, "the slowest period of line " + line.name);
-  if (jolted) natural.offer(2 * along, kInOwn, "the time of a wave along line " + line.name + " and back");
+  natural.offer(slowest_period(c, line), kStepsInNaturalPeriod, "the slowest period of line " + line.name);
+  if (jolted)
+    natural.offer(2 * along, kStepsInNaturalPeriod,
+                  "the time of a wave along line " + line.name + " and back");
 }
 
 // Adds the ramps between the speed rows of a feeder.
@@ -254,7 +256,8 @@ void add_feed(const End& end, const std::string& line, Shortest& to) {
   const auto& rows = end.feed->speed;
   for (size_t i = 1; i < rows.size(); ++i)
     if (rows[i].second != rows[i - 1].second)
-      to.offer(rows[i].first - rows[i - 1].first, kInRamp, "a change of speed of the feeder of line " + line);
+      to.offer(rows[i].first - rows[i - 1].first, kStepsInRamp,
+               "a change of speed of the feeder of line " + line);
 }
 
 bool fed_at_once(const End& end) {
@@ -263,19 +266,19 @@ bool fed_at_once(const End& end) {
 
 void add_ramps(const Case& c, Shortest& to) {
   const Water& w = c.environment.water;
-  if (!w.current.profile.empty()) to.offer(w.current.ramp, kInRamp, "the ramp of the current");
+  if (!w.current.profile.empty()) to.offer(w.current.ramp, kStepsInRamp, "the ramp of the current");
   for (const Body& b : c.bodies) {
-    to.offer(b.ramp, kInRamp, "the ramp of body " + b.name);
-    if (b.drift) to.offer(b.drift->ramp, kInRamp, "the ramp of body " + b.name);
+    to.offer(b.ramp, kStepsInRamp, "the ramp of body " + b.name);
+    if (b.drift) to.offer(b.drift->ramp, kStepsInRamp, "the ramp of body " + b.name);
   }
   for (const Line& line : c.lines) {
-    for (const auto& l : line.loads) to.offer(l.ramp, kInRamp, "the ramp of a load");
-    for (const auto& l : line.point_loads) to.offer(l.ramp, kInRamp, "the ramp of a load");
+    for (const auto& l : line.loads) to.offer(l.ramp, kStepsInRamp, "the ramp of a load");
+    for (const auto& l : line.point_loads) to.offer(l.ramp, kStepsInRamp, "the ramp of a load");
     for (const End* end : {&line.end_a, &line.end_b}) add_feed(*end, line.name, to);
   }
   for (const Event& e : c.events)
     if (e.action.kind == Action::Kind::feed)
-      to.offer(e.action.ramp, kInRamp, "the ramp of a feeder of line " + e.action.line);
+      to.offer(e.action.ramp, kStepsInRamp, "the ramp of a feeder of line " + e.action.line);
 }
 
 }  // namespace
@@ -306,7 +309,7 @@ double slowest_period(const Case& c, const Line& line) {
 LongestStep longest_step(const Case& c) {
   Shortest to, natural, drags;
   const Sea waves = sea(c.environment);
-  to.offer(waves.period, kInWaves, "the period of the waves");
+  to.offer(waves.period, kStepsInWaves, "the period of the waves");
   double speed = waves.speed;
   for (const CurrentRow& row : c.environment.water.current.profile) speed = std::max(speed, row.speed);
   for (const Body& b : c.bodies) speed = std::max(speed, add_body(c, b, to));
@@ -322,11 +325,11 @@ LongestStep longest_step(const Case& c) {
   if (c.environment.wind.gusts != GustSpectrum::none) {
     const bool blown =
         std::any_of(c.bodies.begin(), c.bodies.end(), [](const Body& b) { return b.mass && b.mass->wind; });
-    if (blown) to.offer(1 / kFastestGust, kInGust, "the shortest period of the gusts");
+    if (blown) to.offer(1 / kFastestGust, kStepsInGust, "the shortest period of the gusts");
   }
   add_ramps(c, to);
   to.offer(c.output.every, 1, "the time between outputs");
-  to.offer(c.dynamics.duration, kInDuration, "the duration");
+  to.offer(c.dynamics.duration, kStepsInDuration, "the duration");
   const bool jolted = !c.statics.enabled || !velocity_jumps(c.bodies).empty();
   for (const Line& line : c.lines)
     add_line(c, line, speed, jolted || fed_at_once(line.end_a) || fed_at_once(line.end_b), natural, drags);
@@ -334,8 +337,8 @@ LongestStep longest_step(const Case& c) {
   const auto resolve = [&](const LongestStep& step, double min_fraction) {
     if (step.length > 0) to.offer({std::max(step.length, min_fraction * driven), step.divisor, step.subject});
   };
-  resolve(natural.best(), kLeastOwn);
-  resolve(drags.best(), kLeastDrag);
+  resolve(natural.best(), kMinByNaturalPeriods);
+  resolve(drags.best(), kMinByDrag);
   to.offer(afloat.best());
   return to.best();
 }

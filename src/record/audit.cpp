@@ -7,11 +7,10 @@
 
 namespace hawser::record {
 namespace {
-// Fractions of Audit::size(). Created energy amplifies itself; lost energy damps, and slight damping is
-// equivalent to slightly thicker water.
+// Fractions of Audit::size(). Created energy amplifies itself; lost energy acts as slightly more drag.
 constexpr double kMadeReported = 0.01, kMadeWrong = 0.05, kLostReported = 0.05, kLostWrong = 0.20,
                  kUnresolvedReported = 0.02;
-// Fraction of the largest kinetic and strain energy so far: created energy that has not been dissipated is
+// Fraction of Audit::largest_energy: created energy that has not been dissipated is
 // still in the lines.
 constexpr double kRemainsWrong = 0.2;
 

@@ -32,7 +32,7 @@ void Histories::declare(Declarations& to) {
   const std::vector<io::ResultField>& fields = to.contents.fields;
   for (size_t f = 0; f < fields.size(); ++f) {
     if (fields[f].history == Field::History::yes) shown_.push_back(f);
-    if (fields[f].history == Field::History::behind_ends) shown_last_.push_back(f);
+    if (fields[f].history == Field::History::after_end_columns) shown_last_.push_back(f);
   }
   section_ = SectionFields::find(fields);
   const auto add = [&fields](io::ResultSeries& series, const std::vector<size_t>& which) {

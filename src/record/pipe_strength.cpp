@@ -20,7 +20,7 @@ Field of_code(const char* name, const char* label, const char* code) {
   return {.name = name,
           .unit = "1",
           .label = label,
-          .history = Field::History::behind_ends,
+          .history = Field::History::after_end_columns,
           .statistics = true,
           .at_stations = true,
           .extreme = label,

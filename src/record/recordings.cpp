@@ -7,8 +7,8 @@
 //   of lines that a case names.
 // - Numbers of one force term, such as the force of each link: as HasSeries of the term. TermHistory writes
 //   them.
-// - A load component on a floating body: as ReportsBodyForces of the term. Histories puts it beside the
-// motion.
+// - A load component on a floating body: as ReportsBodyForces of the term. Histories puts it beside
+//   the motion.
 // - Numbers that need several terms, the whole state, or a memory of earlier steps: as a new Recording.
 #include <utility>
 

@@ -74,7 +74,7 @@ FeederNodes::Transfer FeederNodes::due_transfer(const Feeder& f, double time) co
   refuse_all_out(f, time);
   if (f.feed_point > 0 && f.length >= mesh_length + kRelease * all.element_length(f, f.feed_point - 1))
     return Transfer::release;
-  if (f.length > kAbsorb * mesh_length) return Transfer::none;
+  if (!(f.length <= kAbsorb * mesh_length)) return Transfer::none;
   refuse_all_in(f, time);
   return Transfer::absorb;
 }

@@ -27,7 +27,8 @@ constexpr int kFree = 4;
 constexpr double kFirst = 0.002;    // fraction of the longest line by which the first step may move nodes
 constexpr double kHeaviest = 1e12;  // ratio of the mass to the first one at which motion is negligible
 // The motion only creeps if kWatched steps, tried again or not, move no node by kCreep times the longest line
-// and do not halve the imbalance. A heap of line would creep on for ever.
+// and do not halve the imbalance. A slack line in a heap would creep without
+// reaching the tolerance.
 constexpr int kWatched = 50;
 constexpr double kCreep = 1e-4;
 constexpr double kMaxSlide =

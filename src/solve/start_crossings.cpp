@@ -24,6 +24,8 @@ constexpr double kSlope = 20;
 // Limit of the vertical component of the common unit normal of two lines. Below it neither line is over the
 // other.
 constexpr double kMinVertical = 0.1;
+// Smallest horizontal component of the direction of a line that can lie over a volume or pass beside it.
+constexpr double kMinHorizontal = 0.1;
 
 // A given line as a polyline of its nodes.
 struct Rope {
@@ -287,7 +289,7 @@ bool goes_over(const model::Case& c, const PartInVolume& s, const Obstacle& volu
   const double down = volume.distance_out(s.deepest, -Vec3::UnitZ(), s.radius, 2 * volume.size);
   if (model::height_above_bed(bed, s.deepest - down * Vec3::UnitZ()) > s.radius) return false;
   const Vec3 side = Vec3::UnitZ().cross(s.along);
-  if (!(side.norm() > kMinVertical * s.along.norm())) return false;
+  if (!(side.norm() > kMinHorizontal * s.along.norm())) return false;
   for (const double sign : {1.0, -1.0})
     if (volume.distance_out(s.deepest, sign * side.normalized(), s.radius, 2 * volume.size) <= s.height)
       return false;

@@ -47,7 +47,7 @@ StaticsReport StaticSearch::run(bool skip_softening) {
   for (;;) {
     descend(settings_.tolerance);
     use_tangent(true, kNegative);
-    weights_.stiffer = 0;
+    weights_.stabilisation = 0;
     tangent();
     // Frees the factors, so that they are not in memory together with those of the inertia.
     check(KSPReset(ksp_.get()));
@@ -296,7 +296,7 @@ void StaticSearch::use_tangent(bool exact, double shift) {
   const double unit = report_.norms.force_scale / std::sqrt(static_cast<double>(unknowns)) / length_;
   weights_.shift_position = shift * unit;
   weights_.shift_rotation = shift * unit * length_ * length_;
-  weights_.stiffer = std::min(1.0, shift / kFirstShift);
+  weights_.stabilisation = std::min(1.0, shift / kFirstShift);
 }
 
 void StaticSearch::newton(Vec y) {

@@ -77,7 +77,7 @@ class StaticSearch : StaticTrial {
   // on rounding and the number of ranks; it would be visible in a soft line beside stiff ones.
   void polish();
   // Selects the next tangent: exact, or convex. A unit of shift is the stiffness of a typical tension over an
-  // element. The fraction `stiffer` of K is proportional to the shift, up to 1.
+  // element. The fraction `stabilisation` of K is proportional to the shift, up to 1.
   void use_tangent(bool exact, double shift);
   void newton(Vec y);
   // Sets local_ and u_ to -y for Newton's direction y. If an exact tangent leads uphill, y is computed again

@@ -56,7 +56,8 @@ int turned_over(const LocalMesh& mesh, const Kinematics& before, const Kinematic
 
 // Checks in this order: Newton's iteration converged; no rotation is ambiguous (more than half a turn in
 // the step, or within a beam element); the terms have found all contacts of the step (candidates, tunnelling,
-// penetration); impacts are resolved. All but the first share one reduction over the ranks.
+// penetration); impacts are resolved. All but the first share one reduction over the ranks; unresolved
+// impacts need two more.
 Verdict Dynamics::check_step() {
   using Kind = Verdict::Kind;
   if (!tries_.solved) return {Kind::shorter, imbalance(system_, r_.get(), norms_)};
@@ -67,7 +68,7 @@ Verdict Dynamics::check_step() {
   double largest_turn = turn.value, node_turned_over = local_node, beyond = system_.overstretch(trial).beyond;
   RankMax maxima;
   for (double* number : {&error, &largest_turn, &node_turned_over, &beyond}) maxima.add(*number);
-  Verdict verdict = system_.check_step(trial, control_.divides(h_), std::move(maxima));
+  Verdict verdict = system_.check_step(trial, control_.may_shorten(h_), std::move(maxima));
   tries_.info.error = error;
   tries_.overstretched = beyond > 0;
   if (largest_turn > M_PI) {  // The same orientation would have another increment, in the opposite direction.

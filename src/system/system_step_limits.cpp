@@ -48,7 +48,7 @@ StepLimit System::longest_step(const Kinematics& committed, const StoredMotion& 
   };
   std::vector<LineMotion> lines = local_motions;
   sum_cut_lines({numbers_of(std::span(lines).first(lines_)), numbers_of(std::span(lines).last(lines_))});
-  // Without impacts this is the only reduction.
+  // Without impacts and cut lines this is the only reduction.
   double smallest[3] = {impacts.longest, growth_limit(lines), impacts.list.empty() ? 1.0 : 0.0};
   all_reduce(comm_, MPI_MIN, smallest);
   StepLimit limit;
@@ -80,7 +80,7 @@ Verdict System::check_step(const Kinematics& trial, bool impacts, RankMax togeth
     const Logged logged(limit_event_);
     for (LimitsSteps* t : listed<LimitsSteps>()) t->unresolved(trial, unresolved_impacts);
   }
-  // A single reduction for all quantities of a trial.
+  // A single reduction for all quantities of a trial, unless a rank has an unresolved impact.
   double severity = static_cast<double>(worst.kind);
   double too_deep = unresolved_impacts.too_deep ? 1 : 0, any_impact = unresolved_impacts.list.empty() ? 0 : 1;
   for (double* number : {&severity, &too_deep, &any_impact}) together.add(*number);

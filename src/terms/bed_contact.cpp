@@ -28,7 +28,7 @@ bool BedContact::locate(const Point& p, const Vec3& x, double beyond, ContactTri
   trial.gap = smoothing + beyond;
   Cache& cache = cache_[index_of(p)];
   if (cache.clear - (1 + 1e-9) * (x - cache.centre).norm() > beyond) return false;
-  const double look = std::max(2 * beyond, 0.5 * element_[p.node]);
+  const double look = std::max(2 * beyond, 0.5 * longest_element_[p.node]);
   const auto s = surface_->query(x, contact_distance(p) + look, cache.hint);
   cache.centre = x;
   if (!s) {
@@ -61,8 +61,8 @@ ContactForce BedContact::contact(const Point& p, const Kinematics& state, bool d
   if (!touches) return {};
   if (state.moves()) t.velocity = of_nodes(p, state.v);
   if (friction_ == Friction::contact && !(laid() && !laid_[index_of(p)].known()))
-    return volume_contact(law(p).law, start(p), t, derivatives);
-  return volume_contact({law(p).law.normal, FrictionLaw{}}, start(p), t, derivatives);
+    return surface_contact(law(p).law, start(p), t, derivatives);
+  return surface_contact({law(p).law.normal, FrictionLaw{}}, start(p), t, derivatives);
 }
 
 ContactStart BedContact::start(const Point& p) const {
@@ -95,7 +95,7 @@ void BedContact::prepare(const Kinematics& from, double h) {
     const Vec3 x = of_nodes(p, from.x);
     // The search reaches as far as the point can move in this step, so that its gap at the start is known if
     // it lands.
-    locate(p, x, std::max(2 * h * of_nodes(p, from.v).norm(), 0.5 * element_[p.node]), at);
+    locate(p, x, std::max(2 * h * of_nodes(p, from.v).norm(), 0.5 * longest_element_[p.node]), at);
     start.point = x;
     start.gap = at.gap;
   }
@@ -128,11 +128,11 @@ void BedContact::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Point& p : points_) {
     ContactTrial at;
     // N/m, fraction of the difference between the tangent and the secant stiffness of friction
-    Mat3 stiffer = Mat3::Zero();
+    Mat3 stabilisation = Mat3::Zero();
     if (friction_ != Friction::none && laid() && laid_[index_of(p)].normal_force > 0) {
       const PressedFriction f = pressed_friction_at(p, of_nodes(p, trial.x));
-      if (needs_tangent) stiffer = assembler.weights().stiffer * (f.by_slip - f.secant);
-      const Mat3 K = stiffer - f.by_slip;
+      if (needs_tangent) stabilisation = assembler.weights().stabilisation * (f.by_slip - f.secant);
+      const Mat3 K = stabilisation - f.by_slip;
       if (friction_ == Friction::pressed) add(p, -f.force, needs_tangent ? &K : nullptr, nullptr, assembler);
     }
     const ContactForce c = contact(p, trial, needs_tangent, at, convex);
@@ -144,7 +144,7 @@ void BedContact::evaluate(const Kinematics& trial, Assembler& assembler) {
       continue;
     }
     const Mat3 K = pulled.by_lift * at.normal * at.normal.transpose() + pulled.force * at.curvature -
-                   c.by_point + (friction_ == Friction::contact ? stiffer : Mat3::Zero()),
+                   c.by_point + (friction_ == Friction::contact ? stabilisation : Mat3::Zero()),
                C = -c.by_velocity;
     add(p, residual, &K, trial.moves() ? &C : nullptr, assembler);
   }

@@ -20,10 +20,10 @@ BedContact::BedContact(const LocalMesh& mesh, const Plane& plane, PointLaws laws
 BedContact::BedContact(const LocalMesh& mesh, std::shared_ptr<const Surface> surface, PointLaws laws)
     : mesh_(mesh), surface_(std::move(surface)), line_(mesh) {
   if (surface_) bounds_ = surface_->bounds();
-  element_.assign(mesh.nodes(), 0);
+  longest_element_.assign(mesh.nodes(), 0);
   for (const LocalElement& e : mesh.elements)
     for (const int n : {e.first, e.second}) {
-      double& longest = element_[n];
+      double& longest = longest_element_[n];
       longest = std::max(longest, mesh.element(e).length);
     }
   const size_t owned = mesh.owned, elements = mesh.elements.size();

@@ -45,7 +45,7 @@ AxisContactPoint BodyContactPoints::add(const ContactLaw& law, const ContactStar
   const Vec3 arm = z - centre_;
   const ContactTrial trial = this->trial(at, z, radius);
   const BallContact c = radius > 0 ? ball_contact(law, start, trial, turned_, mode_.tangent)
-                                   : BallContact{volume_contact(law, start, trial, mode_.tangent)};
+                                   : BallContact{surface_contact(law, start, trial, mode_.tangent)};
   AxisContactPoint point(c, trial.normal);
   point.weight = weight;
   point.gap = trial.gap;

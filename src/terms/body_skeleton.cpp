@@ -86,7 +86,7 @@ BodySkeleton body_skeleton(const model::Volume& v, const MeshView& mesh, const s
   const auto* capsule = v.shape ? std::get_if<CapsuleShape>(&*v.shape) : nullptr;
   const auto* torus = v.shape ? std::get_if<TorusShape>(&*v.shape) : nullptr;
   const auto* tube = v.shape ? std::get_if<TubeShape>(&*v.shape) : nullptr;
-  if (v.shape && std::holds_alternative<PlaneShape>(*v.shape)) return {};
+  if (v.is_plane()) return {};
   if (v.basis == model::StiffnessBasis::per_area) {
     Box box;
     for (const Vec3& x : mesh.vertices) box.add(x);

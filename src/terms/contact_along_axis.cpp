@@ -100,7 +100,7 @@ AxisContact::Sample AxisContact::sample(const QuadraturePoint& q, const ContactP
     p.trial.roll = rolls_->angle(p.xi);
     p.trial.lever = radius_;
   }
-  p.contact = volume_contact(law, p.begin, p.trial, mode_.tangent);
+  p.contact = surface_contact(law, p.begin, p.trial, mode_.tangent);
   if (!(p.contact.along_normal.force > 0)) return p;
   p.H = shape_.functions(p.xi);
   p.force = -(R_ * p.contact.force);

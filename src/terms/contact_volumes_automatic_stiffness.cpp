@@ -106,10 +106,7 @@ bool ContactVolumes::has_back(int volume) const {
 }
 
 double ContactVolumes::depth_limit(int volume, double radius) const {
-  const ContactVolume& c = volumes_[volume];
-  const model::Volume& v = c.settings;
-  if (!c.automatic && !has_back(volume)) return HUGE_VAL;
-  return v.depth_limit(radius);
+  return settings(volume).depth_limit(radius, automatic(volume));
 }
 
 }  // namespace hawser

@@ -135,7 +135,7 @@ void LineStructure::evaluate(const Kinematics& trial, Assembler& assembler) {
         assembler.add_mean_between(c.blocks[0], c.blocks[1], o.force, &o.k);
         continue;
       }
-      cable_force(c.section, e, assembler.weights().stiffer, o);
+      cable_force(c.section, e, assembler.weights().stabilisation, o);
       assembler.add_pull(c.blocks[0], c.blocks[1], o.force, &o.k, c.section.beta > 0 ? &o.c : nullptr);
     }
     return;

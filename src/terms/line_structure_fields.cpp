@@ -78,7 +78,7 @@ void LineStructure::fields(FieldRegistry& registry) const {
        [](const BeamEnd& e) { return e.stress.tension; },
        [](const CableSection& s, const CableEnds& e) { return cable_stress(s, e).tension; }},
       // Angle between the line's direction, from end A to end B, and the vertical: 0 is straight up.
-      {{.name = "declination", .unit = "deg", .history = History::behind_ends, .statistics = true},
+      {{.name = "declination", .unit = "deg", .history = History::after_end_columns, .statistics = true},
        [](const BeamEnd& e) {
          return degrees(declination((e.second ? e.ends.q2 : e.ends.q1) * Vec3::UnitX()));
        },

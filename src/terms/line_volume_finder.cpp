@@ -13,7 +13,7 @@ namespace {
 // kCertain times the smallest distance.
 constexpr int kProbes = 4;
 constexpr double kCertain = 0.5;
-// Range of the first query at the middle, in bounds of the slope.
+// Range of the first query at the middle, in multiples of the upper bound of |dx/dxi|.
 constexpr double kFirst = 2;
 // Fraction of an element's length, by the weights of its Gauss points, above which all of it touched.
 constexpr double kAll = 1 - 1e-9;

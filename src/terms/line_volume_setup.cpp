@@ -97,10 +97,10 @@ void LineVolumeContact::prepare(const Kinematics& from, double h) {
   }
 }
 
-// A pair is a candidate if the volume's box is nearer to the middle of the element than a margin: twice the
-// distance by which line and body can approach each other in the step at their present speed, and at least
-// half an element. In statics (h = 0) Newton iterations may move the line anywhere, so every pair is a
-// candidate; so is every pair of gap springs.
+// A pair is a candidate if the volume's box is nearer to the element than the contact distance and a margin:
+// twice the distance by which line and body can approach each other in the step at their present speed, and
+// at least half an element. In statics (h = 0) Newton iterations may move the line anywhere, so every pair is
+// a candidate; so is every pair of gap springs.
 bool LineVolumeContact::start_pair(Pair& pair, const AxisEnds& at, const AxisShape& shape, double h,
                                    double& motion) const {
   const LocalElement& e = mesh_.elements[pair.element];

@@ -110,7 +110,7 @@ void LineVolumeContact::limit_ahead(Pair& pair, const Kinematics& committed, Imp
   std::vector<ClearancePoint> free;
   for (size_t i = 0; i < kSamples.size(); ++i) {
     const double xi = kSamples[i], speed = velocity_at_start(pair, xi).norm();
-    // The range of the query is the distance covered in half a second.
+    // The range of the query: half the upper bound of |dx/dxi|, and the distance covered in half a second.
     const double far = 0.5 * (start.slope_bound() + speed), within = pair.contact_distance + far;
     const ContactSpring s = spring(pair, xi, pair.length);
     const bool matters = may_limit_depth(pair.radius, clearance, speed, to) ||

@@ -267,7 +267,7 @@ void LinesInWater::fields(FieldRegistry& registry) const {
     return;
   registry.add({{.name = "wall_tension",
                  .unit = "N",
-                 .history = Field::History::behind_ends,
+                 .history = Field::History::after_end_columns,
                  .statistics = true,
                  .report = Field::Report::table,
                  .order = 10},

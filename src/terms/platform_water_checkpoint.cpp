@@ -47,7 +47,9 @@ std::vector<CheckpointKind> PlatformWater::checkpoint_kinds() const {
 // Each body has records of its whole group, because after a restart another rank may own the others.
 std::vector<CheckpointRecord> PlatformWater::checkpoint_records(NodeRange range) const {
   std::vector<CheckpointRecord> out;
+  const auto is_written = [&](const Platform& p) { return p.owned && range.has(p.node); };
   for (const Group& g : groups_) {
+    if (std::none_of(g.platforms.begin(), g.platforms.end(), is_written)) continue;
     const auto n = static_cast<Eigen::Index>(g.platforms.size());
     CheckpointRecord rates{0, 0, {}, 0}, sums{0, 0, {}, 1};
     for (const Past& past : g.past)
@@ -57,7 +59,7 @@ std::vector<CheckpointRecord> PlatformWater::checkpoint_records(NodeRange range)
       put(KeptWork{p.damping_work, p.wave_work, p.power.damping, p.power.waves, g.lag_step, p.slow},
           sums.values);
     for (const Platform& p : g.platforms) {
-      if (!p.owned || !range.has(p.node)) continue;
+      if (!is_written(p)) continue;
       rates.node = sums.node = p.node;
       out.push_back(rates);
       out.push_back(sums);

@@ -47,7 +47,7 @@ class Height : public ForceTerm {
                   [this](const Kinematics& state, std::span<double> out) {
                     for (size_t n = 0; n < static_cast<size_t>(mesh_.owned); ++n) out[n] = state.x[n].z();
                   }});
-    registry.add({{.name = "raised_tension", .unit = "N", .history = Field::History::behind_ends},
+    registry.add({{.name = "raised_tension", .unit = "N", .history = Field::History::after_end_columns},
                   [](const Kinematics&, std::span<double> out) {
                     for (double& v : out) v += 1;
                   },

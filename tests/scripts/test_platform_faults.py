@@ -14,7 +14,7 @@ HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 DATA = ROOT.parent / "shared/data"
 PLATFORMS = DATA / "platforms"
 CONJUGATED = "the heave force lags the crest, but the damping of"
-MULTIPLIED, DIVIDED = "if the damping is multiplied by the angular frequency", "if the damping is divided by the angular frequency"
+MULTIPLIED, DIVIDED = "with the damping multiplied by the angular frequency", "with the damping divided by the angular frequency"
 FAR = "which is more than its size"
 WEIGHT = ", gravity_in_stiffness: true"
 # Files without endings, water, gravity, mass and more keys of each body, more keys of hydrodynamics.
@@ -65,6 +65,10 @@ def conjugate_heave(text):
     return changed(text, 7, change)
 
 
+def every_60_degrees(text):
+    return "".join(line + "\n" for line in text.splitlines() if float(line.split()[1]) % 60 == 0)
+
+
 def scaled_damping(power):
     def change(row):
         if row[0] > 0:
@@ -111,6 +115,7 @@ class Faults(unittest.TestCase):
     def test_spar(self):
         self.assert_only(None, self.check(SPAR))
         self.assert_only(CONJUGATED, self.check(SPAR, conjugate_heave, ending=".3"))
+        self.assert_only(CONJUGATED, self.check(SPAR, lambda text: conjugate_heave(every_60_degrees(text)), ending=".3"))
         self.assert_only(DIVIDED, self.check(SPAR, scaled_damping(1)))
         self.assert_only(MULTIPLIED, self.check(SPAR, scaled_damping(-1)))
 

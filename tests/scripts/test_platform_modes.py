@@ -13,7 +13,8 @@ from test_rao import text_of
 DENSITY, GRAVITY = 1025, 9.80665
 MASS, CENTRE = 2.01e7, -2.32
 STATES = "platforms/volturnus-wamit/IEA-15-240-RWT-UMaineSemi.ss"
-# Period 2 pi/Im lambda and -Re lambda/|lambda| of the modes by the largest freedom, free and moored with damping.
+# Period 2 pi/Im lambda and -Re lambda/|lambda| of the modes by the largest freedom, free and moored with damping: the complex
+# eigenvalues of lambda² (M + A) + lambda (B + D) + C with A and B at |Im lambda|, as computed from the files without this program.
 FREE = {3: (20.5522723, 1.68116818e-4), 4: (28.4315405, 1.28590545e-5), 5: (28.4326431, 1.28530284e-5)}
 MOORED = {1: (135.04524, 0.0532156229), 2: (135.045379, 0.0532155206), 3: (20.4423728, 0.0500483889), 4: (27.104697, 0.0503334978),
           5: (27.1056352, 0.0503358892), 6: (88.1476114, 1.29369509e-9)}
@@ -165,7 +166,7 @@ class VolturnUS(PlatformRuns):
 
     def test_memory(self):
         """Retardation functions of `hawser check --radiation` against exact integrals over the files: R2 above
-        0.99 for each entry above 1 % of its diagonal ones, and their integral, which is B(0), below 1 % of
+        0.9995 for each entry above 1 % of its diagonal ones, and their integral, which is B(0), below 0.1 % of
         the largest B. A public state-space fit has the known R2 and K(0) against them, to 0.002 and 0.5 %."""
         self.case(volturnus(""))
         done = run(HAWSER, "check", "case.yaml", "--quick", "--radiation", "r.csv", cwd=self.folder)
@@ -188,8 +189,8 @@ class VolturnUS(PlatformRuns):
                 worst = min(worst, off)
                 at_rest = max(at_rest, abs(np.sum(0.5 * (K[1:] + K[:-1]) * np.diff(table[:, 0]))) / largest[i, j])
         print(f"VolturnUS-S: {len(found)} retardation functions, R2 at least {worst:.6f}; B(0) at most {at_rest:.1e} of the largest B")
-        self.assertGreater(worst, 0.99)
-        self.assertLess(at_rest, 0.01)
+        self.assertGreater(worst, 0.9995)
+        self.assertLess(at_rest, 0.001)
         self.files({"fit.ss": STATES})
         numbers = [[float(v) for v in line.split()] for line in (self.folder / "fit.ss").read_text().splitlines()[4:] if line.strip()]
         A, B, C = (np.array(numbers[a:b]) for a, b in ((0, 60), (60, 120), (120, 126)))

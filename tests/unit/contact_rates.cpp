@@ -89,7 +89,7 @@ TEST(ContactAlong, DerivativeOfTheForce) {
       by.start_gap = rate([&](double x) { return Vec3::Constant(at(s, x).start.gap); }).x();
       const auto contact = [&](double x) {
         const Place q = at(s, x);
-        return volume_contact(law, q.start, q.trial, false);
+        return surface_contact(law, q.start, q.trial, false);
       };
       const ContactForce c = contact(xi);
       ASSERT_GT(c.along_normal.force, 0) << s.name;

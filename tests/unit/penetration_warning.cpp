@@ -1,5 +1,5 @@
 // The warning of a line deep in a volume names the depth to which the contact law holds: the radius of the
-// line, or the last row of a force table.
+// line, or the last row of a table; for a plane there is no such depth.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -30,9 +30,18 @@ TEST(PenetrationWarning, WithATableItHoldsToTheLastRow) {
   const std::vector<ContactForceTable::Row> rows = {{0.1, 1000}, {0.3, 5000}};
   model::Volume volume;
   volume.force_table = std::make_shared<ContactForceTable>(rows);
-  EXPECT_EQ(warning(0.15, volume).find("holds to a depth"), std::string::npos);
-  EXPECT_NE(warning(0.35, volume).find("holds to a depth of 0.3 m, the last row of its force_table"),
+  EXPECT_NE(warning(0.15, volume).find("the table of its normal_stiffness allows"), std::string::npos);
+  EXPECT_NE(warning(0.35, volume).find("holds to a depth of 0.3 m, the last row of its table"),
             std::string::npos);
+}
+
+TEST(PenetrationWarning, APlaneWithAGivenStiffnessHasNoLimit) {
+  model::Volume volume;
+  volume.shape = PlaneShape{};
+  volume.basis = model::StiffnessBasis::per_length;
+  EXPECT_EQ(warning(0.15, volume).find("holds to a depth"), std::string::npos);
+  volume.basis = model::StiffnessBasis::automatic;
+  EXPECT_NE(warning(0.15, volume).find("holds to a depth"), std::string::npos);
 }
 
 }  // namespace

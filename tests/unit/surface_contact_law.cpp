@@ -99,7 +99,7 @@ TEST(VolumeContactKernel, TangentIsExact) {
   const Vec3 u(0.3, -0.2, -0.15);
   for (const ContactLaw& law : laws())
     for (const Situation& s : situations()) {
-      const ContactForce c = volume_contact(law, s.start, s.field(s.point, u), true);
+      const ContactForce c = surface_contact(law, s.start, s.field(s.point, u), true);
       if (law.normal.table && s.field(s.point, u).gap >= 0) continue;  // a table has no ramp before contact
       ASSERT_GT(c.along_normal.force, 0) << s.name;
       // Mobilisation laws are limited by a length, spring laws by a force; each situation is made for one of
@@ -108,12 +108,12 @@ TEST(VolumeContactKernel, TangentIsExact) {
         EXPECT_TRUE(c.slides) << s.name;
       }
       expect_tangent(
-          [&](const Vec3& d) { return volume_contact(law, s.start, s.field(s.point + d, u), false).force; },
+          [&](const Vec3& d) { return surface_contact(law, s.start, s.field(s.point + d, u), false).force; },
           c.by_point, 0.02, std::string(s.name) + " by point");
       expect_tangent(
-          [&](const Vec3& d) { return volume_contact(law, s.start, s.field(s.point, u + d), false).force; },
+          [&](const Vec3& d) { return surface_contact(law, s.start, s.field(s.point, u + d), false).force; },
           c.by_velocity, 1, std::string(s.name) + " by velocity");
-      EXPECT_LT((c.force - volume_contact(law, s.start, s.field(s.point, u), false).force).norm(),
+      EXPECT_LT((c.force - surface_contact(law, s.start, s.field(s.point, u), false).force).norm(),
                 1e-14 * c.force.norm());
     }
 }
@@ -125,9 +125,9 @@ TEST(VolumeContactKernel, TurnsWithTheBody) {
     for (const Situation& s : situations()) {
       const ContactTrial t = s.field(s.point, {0.3, -0.2, -0.15});
       const ContactStart a = s.start;
-      const ContactForce plain = volume_contact(law, a, t, true);
+      const ContactForce plain = surface_contact(law, a, t, true);
       const ContactStart turned_start{R * a.point, a.gap, R * a.tangent, R * a.slip, R * a.normal};
-      const ContactForce turned = volume_contact(
+      const ContactForce turned = surface_contact(
           law, turned_start,
           {R * t.point, R * t.velocity, t.gap, R * t.normal, R * t.curvature * R.transpose()}, true);
       EXPECT_LE((turned.force - R * plain.force).norm(), 1e-12 * plain.force.norm()) << s.name;
@@ -142,10 +142,10 @@ TEST(VolumeContactKernel, FacetChangeKeepsTheSlip) {
   const Vec3 n(0, std::sin(0.2), std::cos(0.2));
   const Vec3 s(3e-3, 0, 0);  // along the edge between the facets: the direction does not change
   const ContactStart start{{0, 0, -0.01}, -0.01, Vec3::UnitX(), s, n};
-  const ContactForce c = volume_contact(law, start, on_plane({0, 0, -0.01}, Vec3::Zero()), false);
+  const ContactForce c = surface_contact(law, start, on_plane({0, 0, -0.01}, Vec3::Zero()), false);
   EXPECT_LT((c.slip - s).norm(), 1e-16);
   const ContactStart across{{0, 0, -0.01}, -0.01, Vec3::UnitX(), n.cross(Vec3(3e-3, 0, 0)), n};
-  const ContactForce d = volume_contact(law, across, on_plane({0, 0, -0.01}, Vec3::Zero()), false);
+  const ContactForce d = surface_contact(law, across, on_plane({0, 0, -0.01}, Vec3::Zero()), false);
   EXPECT_LT((d.slip - Vec3(0, 3e-3, 0)).norm(), 1e-16);  // rotated, not shortened
 }
 
@@ -153,7 +153,7 @@ TEST(VolumeContactKernel, FacetChangeKeepsTheSlip) {
 TEST(VolumeContactKernel, FirstTouch) {
   const ContactLaw law{{1e6, 0, 0}, {0.9, 0.9, 1e5, 0, 0}};
   const ContactStart start{{0, 0, 0.01}, 0.01, Vec3::UnitX(), Vec3::Zero(), Vec3::UnitZ()};
-  const ContactForce c = volume_contact(law, start, on_plane({4e-3, 0, -0.01}, Vec3::Zero()), false);
+  const ContactForce c = surface_contact(law, start, on_plane({4e-3, 0, -0.01}, Vec3::Zero()), false);
   EXPECT_LT((c.slip - Vec3(2e-3, 0, 0)).norm(), 1e-17);
   EXPECT_LT((c.force - Vec3(-200, 0, 1e4)).norm(), 1e-9);
 }

@@ -15,8 +15,8 @@ struct Extreme {
   std::string line;
   double value = 0, time = 0, arc = 0;
 };
-// Empty if the extreme is acceptable. Utilisation above 1; exceeded: the consequence for the line; label:
-// name of the utilisation.
+// The first three are empty if the extreme is acceptable. Utilisation above 1; exceeded: the consequence for
+// the line; label: name of the utilisation.
 std::string utilisation_warning(const model::Case& c, const Extreme& at, const std::string& exceeded,
                                 const std::string& label);
 // Compression (negative tension) beyond the buckling load.
@@ -26,7 +26,7 @@ std::string curvature_warning(const model::Case& c, const Extreme& at);
 // Penetration [m] of a line into a volume that needs no warning: a fraction of the line's radius, or about
 // twice the `allowed_penetration` of the volume.
 double acceptable_penetration(const model::Case& c, const model::Line& line, const model::Volume& volume);
-// Penetration of the volume beyond the acceptable one.
+// For a penetration of the volume above acceptable_penetration().
 std::string penetration_warning(const model::Case& c, const Extreme& at, const model::Volume& volume);
 // Design tension of a pipe over its yield tension.
 std::string beyond_pipe_formulas(double pulled);

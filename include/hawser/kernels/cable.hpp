@@ -73,7 +73,7 @@ void cable_force(const CableSection& s, const CableEnds& e, double slack, CableF
 CableStress cable_stress(const CableSection& s, const CableEnds& e);
 
 // The mean force of a step, with the sign of CableForce: its work over the displacement of the ends is the
-// change of strain energy, to the last bit, plus the energy taken by damper and filter (Simo & Tarnow 1992,
+// change of strain energy, to rounding, plus the energy taken by damper and filter (Simo & Tarnow 1992,
 // ZAMP 43; Gonzalez 1996, J. Nonlinear Sci. 6): docs/theory/time-integration.md#cables. It is never
 // compressive.
 // strain_increment: change of the taut part of the strain in the step before, which took previous_h [s]; both

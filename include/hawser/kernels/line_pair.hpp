@@ -15,8 +15,8 @@
 namespace hawser {
 
 // Fraction of the pressure between two lines that is integrated along the slave, by the radii; the rest is
-// integrated along the master. For equal radii it is one half, and 0 for a slave that is half as thick again
-// as the master: a thinner line may be wound round it, and all of such a winding is equidistant from the axis
+// integrated along the master. For equal radii it is one half, and 0 for a slave 1.5 times as thick as
+// the master: a thinner line may be wound round it, and all of such a winding is equidistant from the axis
 // of the line inside it. From the winding the nearest point is unique, because no line is bent to its own
 // radius.
 double slave_fraction(double slave_radius, double master_radius);

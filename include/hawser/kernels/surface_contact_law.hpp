@@ -52,8 +52,8 @@ struct ContactForce {
 
 // The trial slip is the old slip, rotated with the normal, plus the tangential displacement of the point
 // since it touched. If the point met the surface within the step, only the displacement after that counts.
-ContactForce volume_contact(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
-                            bool derivatives);
+ContactForce surface_contact(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
+                             bool derivatives);
 
 struct BallContact : ContactForce {
   Mat3 by_turn = Mat3::Zero();  // N, d force / d turn

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -212,9 +213,11 @@ struct Volume {
   Friction friction;
   bool roller = false;  // part of `supports`: touches lines only
 
+  bool is_plane() const { return shape && std::holds_alternative<PlaneShape>(*shape); }
   // Largest depth of a line of this radius for which the contact law holds, m: the radius, or the last row of
-  // the force table.
-  double depth_limit(double line_radius) const {
+  // a table; no limit for a plane with a given stiffness. automatic: the program chooses the stiffness.
+  double depth_limit(double line_radius, bool automatic) const {
+    if (!automatic && is_plane()) return std::numeric_limits<double>::infinity();
     return force_table ? std::max(line_radius, force_table->rows().back().first) : line_radius;
   }
 };

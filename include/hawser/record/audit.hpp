@@ -19,7 +19,8 @@ struct Audit {
   // Reference of the error over the run so far: initial kinetic energy, absolute work of every step, and
   // strain energy released from the start state.
   double initial_kinetic = 0, absolute_work = 0, released_strain = 0;
-  double largest_energy = 0;  // largest kinetic and strain energy at a time, without created energy
+  // Largest kinetic energy and change of strain energy since the start at a time, without created energy.
+  double largest_energy = 0;
   double largest_strain = 0;  // largest strain energy: scale of rounding errors
   double smallest_error = 0;  // minimum of `error` so far
   // Dissipated so far by friction, damping and the scheme, and the net energy taken out by water.

@@ -26,7 +26,7 @@ class StepControl {
   // True if the limits of the terms apply.
   bool respects_term_limits() const { return s_.fixed <= 0 || s_.resolve_impacts; }
   // True if a step of h may be repeated with a shorter length because of a condition detected at its end.
-  bool divides(double h) const { return respects_term_limits() && !is_shortest(h); }
+  bool may_shorten(double h) const { return respects_term_limits() && !is_shortest(h); }
   bool is_shortest(double h) const { return h <= s_.shortest * (1 + 1e-9); }
   double shortest_length() const { return s_.shortest; }  // s
   // Called when accelerations have jumped: the next step is at most the first one of the settings.

@@ -16,13 +16,13 @@
 namespace hawser {
 
 // J = wK K T + wC C + wM M, where T is the right Jacobian of the step's rotation increments, plus a shift of
-// the free diagonal: N/m on positions, N m on rotations. `stiffer`, 0 to 1, is used by statics far from the
-// solution, where slack or sliding lines would have no stiffness: K takes this share of the axial stiffness
-// of slack cables, and it shifts sliding friction by this share from its derivative to its secant.
+// the free diagonal: N/m on positions, N m on rotations. `stabilisation`, 0 to 1, is used by statics far from
+// the solution, where slack or sliding lines would have no stiffness: K takes this share of the axial
+// stiffness of slack cables, and it shifts sliding friction by this share from its derivative to its secant.
 struct Weights {
   double K = 1, C = 0, M = 0;
   double shift_position = 0, shift_rotation = 0;
-  double stiffer = 0;
+  double stabilisation = 0;
 };
 
 // Force on up to eight blocks (3n) and its derivatives (3n x 3n), with fixed-capacity storage.

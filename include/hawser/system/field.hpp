@@ -15,7 +15,7 @@ struct Field {
   enum class History {
     no,
     yes,
-    behind_ends  // its column stands after those that only ends of lines have
+    after_end_columns  // after the columns that only ends of lines have
   };
   // Output in the report along each line: none, a row in the table of extremes, or also a range graph.
   enum class Report { no, table, graph };

@@ -18,8 +18,9 @@ namespace hawser {
 // Sums over the objects that this rank counts, J. All but the first three accumulate over the accepted steps.
 struct Energy {
   double kinetic = 0, strain = 0, potential = 0;
-  double friction = 0, damping = 0,
-         work = 0;        // dissipated by friction, by damping; work of moving bodies on the lines
+  double friction = 0, damping = 0;  // dissipated by friction, by damping
+  double work =
+      0;  // by forces from outside: moving bodies, feeders, loads with a ramp, waves, current and wind
   double unresolved = 0;  // taken by the time integration from axial vibration that is too fast for its steps
   double by_water = 0;    // part of `work` done by moving water and drag
 

@@ -193,9 +193,9 @@ class BedContact final : public ForceTerm, public HasFriction {
   std::vector<PointHistory> histories_;
   std::vector<int> vacant_;  // free indices in histories_
   Account account_;
-  mutable std::vector<Cache> cache_;  // empty: a plane
-  bool suction_ = false;              // at least one point has suction
-  std::vector<double> element_;       // m, longest element at each local node
+  mutable std::vector<Cache> cache_;     // empty: a plane
+  bool suction_ = false;                 // at least one point has suction
+  std::vector<double> longest_element_;  // m, longest element at each local node
   LineNeighbours line_;
   Friction friction_ = Friction::contact;
 };
