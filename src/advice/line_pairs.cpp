@@ -22,12 +22,12 @@ std::string chosen_pair_stiffness(double smallest, double largest, const std::st
 
 std::string separate_near_place(const std::string& one, const std::string& other, double within, int more) {
   return fmt::format(
-      "{} from one place, or from places nearer to each other than the contact radii, and {} only more than "
-      "{:.3g} m along from there, beyond where they are first apart{}",
-      one == other ? fmt::format("both ends of line {} go", one)
-                   : fmt::format("lines {} and {} go", one, other),
-      one == other ? "they touch each other" : "touch each other", within,
-      more > 0 ? fmt::format("; likewise {}, over less", count_of(more, "more pair")) : "");
+      "{} at one place, or at places nearer to each other than the contact radii: contact {} is excluded "
+      "along the first {:.3g} m from there{}",
+      one == other ? fmt::format("both ends of line {} are", one)
+                   : fmt::format("lines {} and {} start", one, other),
+      one == other ? "of its branches" : "between them", within,
+      more > 0 ? fmt::format("; likewise of {}, along less", count_of(more, "more pair")) : "");
 }
 
 }  // namespace hawser::advice

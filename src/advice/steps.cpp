@@ -56,10 +56,10 @@ struct Clause {
     return fmt::format("its local error of {:.3g} m is too large", at.error);
   }
   std::string operator()(BeyondContactSearch) const {
-    return "lines move further in it than the contact search covers";
+    return "lines move further than the contact search covers";
   }
-  std::string operator()(LinePassesVolume) const { return "in it a line would pass through a volume"; }
-  std::string operator()(BodyPassesBody) const { return "in it a body would pass through another one"; }
+  std::string operator()(LinePassesVolume) const { return "a line would pass through a volume"; }
+  std::string operator()(BodyPassesBody) const { return "a body would pass through another one"; }
   std::string operator()(const FeedsTooFast& at) const {
     return at.feeder + " is paid out or hauled in too fast for the length of its elements and of the step";
   }

@@ -148,7 +148,8 @@ HeightGrid::Height HeightGrid::at(double x, double y) const {
   return h;
 }
 
-// A cone with the steepest slope below the surface point under y contains no ground.
+// The cone that opens upwards from the surface point under y, with the steepest slope of the bed, contains no
+// ground.
 double HeightGrid::free_radius(const Vec3& y, double distance, int /*hint*/) const {
   return std::min(distance, (y.z() - at(y.x(), y.y()).z) / std::sqrt(1 + steepest_ * steepest_));
 }

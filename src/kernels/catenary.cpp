@@ -145,19 +145,20 @@ CatenaryShape catenary(const Vec3& end_a, const Vec3& end_b, const std::vector<C
     throw std::invalid_argument("a slack line without load has no catenary shape");
 
   Vec3 x = first_tension(span, t);
-  Mat3 stiffness;
-  Vec3 error = chord_of_all(x, sections, &stiffness) - span;
+  Mat3 compliance;
+  Vec3 error = chord_of_all(x, sections, &compliance) - span;
   const double scale = t.length + span.norm();
   double best = error.norm();
   Vec3 best_x = x;
   for (int iteration = 0; iteration < 200 && best > 1e-15 * scale; ++iteration) {
-    const Vec3 step = -stiffness.ldlt().solve(error);
+    const Vec3 step = -compliance.ldlt().solve(error);
     const double slope = error.dot(step);
     if (!(slope < 0)) break;
-    // The energy along the step is convex: stop when its slope has halved without changing sign.
+    // The energy along the step is convex: stop when the size of its slope has halved, or after the whole
+    // step if the slope has not changed its sign.
     double low = 0, high = 0, a = 1, slope_a = 0;
     for (int search = 0; search < 100; ++search) {
-      error = chord_of_all(x + a * step, sections, &stiffness) - span;
+      error = chord_of_all(x + a * step, sections, &compliance) - span;
       slope_a = error.dot(step);
       if (slope_a > -0.5 * slope)
         high = a;  // too far

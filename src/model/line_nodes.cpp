@@ -25,7 +25,7 @@ Progression plain(const Section& s) {
 using Moved = std::map<std::size_t, double>;
 
 // `at` [m]: unmoved node positions of the section. Each place moves the nearest interior node; if two places
-// need the same node, the nearer place gets it.
+// need the same node, the nearer place gets it. A place too near to another moved node gets none.
 Moved moved_nodes(const std::vector<double>& at, double from, const std::vector<double>& places) {
   struct NodeRequest {
     double place = 0, spacing = 0, shift = 0;

@@ -1,4 +1,5 @@
-// Multiples of the intervals of a case, and the earliest of several times.
+// The next time at which a step must end: of an output, a checkpoint, an event, or a jump of a prescribed
+// velocity.
 #include "hawser/record/output_times.hpp"
 
 #include <algorithm>

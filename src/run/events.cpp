@@ -1,4 +1,5 @@
-// The class Events: selection of due events. Their effects are in actions.cpp.
+// The class Events: selection of due events, stages of statics, and limits of pay-out. The effects of events
+// are in actions.cpp.
 #include "hawser/run/events.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Retardation functions, damping and added mass of platforms in a CSV file.
+// Retardation functions, damping and added mass of platforms, a CSV file for each group.
 #include "hawser/run/radiation.hpp"
 
 #include <fmt/format.h>

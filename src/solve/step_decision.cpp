@@ -57,7 +57,7 @@ int turned_over(const LocalMesh& mesh, const Kinematics& before, const Kinematic
 // Checks in this order: Newton's iteration converged; no rotation is ambiguous (more than half a turn in
 // the step, or within a beam element); the terms have found all contacts of the step (candidates, tunnelling,
 // penetration); impacts are resolved. All but the first share one reduction over the ranks; unresolved
-// impacts need two more.
+// impacts need two more, and a rotation of more than half a turn one.
 Verdict Dynamics::check_step() {
   using Kind = Verdict::Kind;
   if (!tries_.solved) return {Kind::shorter, imbalance(system_, r_.get(), norms_)};

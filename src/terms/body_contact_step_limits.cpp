@@ -15,9 +15,9 @@ namespace hawser {
 namespace {
 
 constexpr double kStepsAPeriod = 20;
-constexpr double kShortest = 200;      // largest number of steps per period that is requested
-constexpr double kEnergyError = 3e-4;  // per step, fraction of the energy of the relative motion
-constexpr int kLevels = 3;             // of an edge: the gap has one minimum in each eighth
+constexpr double kMaxStepsAPeriod = 200;  // that is requested
+constexpr double kEnergyError = 3e-4;     // per step, fraction of the energy of the relative motion
+constexpr int kLevels = 3;                // of an edge: the gap has one minimum in each eighth
 constexpr int kHalvings = 12;
 // Relative tolerance of a frequency: with constant stiffness, the frequency at the end of the longest step
 // differs from that at its start only by rounding.
@@ -154,7 +154,7 @@ void BodyContact::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
     const double created = s.potential - p.potential - 0.5 * (p.elastic + s.residual.f).dot(displacement);
     if (!(std::abs(created) > kEnergyError * std::max(p.energy, s.potential))) continue;
     const double w = std::max(p.frequency, frequency(p, contact(p, now, kStiffness)));
-    if (trial.step * w > 2 * M_PI / kShortest) to.too_deep = true;
+    if (trial.step * w > 2 * M_PI / kMaxStepsAPeriod) to.too_deep = true;
   }
 }
 

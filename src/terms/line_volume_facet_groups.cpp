@@ -49,7 +49,7 @@ bool LineVolumeFinder::one_facet_group(const LineVolumePair& pair, double motion
                                        kTogether * pair.contact_distance + motion + shape.bend_bound() / 8);
 }
 
-// Facet groups of the trial: those near the axis, and those with contact points of the last step.
+// Facet groups of the trial near the axis. The contact points of the last step are assigned to them.
 void LineVolumeFinder::find_facet_groups(LineVolumePair& pair, const AxisShape& shape,
                                          const RigidPose& pose) const {
   const auto p = surface(pair).query(pose.to_body(shape.point(0.5)),

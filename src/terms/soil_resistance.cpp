@@ -1,5 +1,5 @@
 // The class SoilResistance: soil resistance at each buried node of a line, force and tangent, stored energy
-// and friction work, output field and history. The soil law is in kernels/buried_soil.hpp.
+// and friction work, output field and checkpoint. The soil law is in kernels/buried_soil.hpp.
 #include "hawser/terms/soil_resistance.hpp"
 
 #include <algorithm>

@@ -51,7 +51,7 @@ TEST(SharedPlaces, EndsOfASlingOnOneHook) {
     EXPECT_NEAR(r.tension.front(), half, 0.01 * half) << apart;
     EXPECT_NEAR(r.tension.back(), half, 0.01 * half) << apart;
     const bool reported = std::any_of(r.notes.begin(), r.notes.end(), [](const std::string& n) {
-      return n.find("both ends of line m go from one place") == 0;
+      return n.find("both ends of line m are at one place") == 0;
     });
     EXPECT_TRUE(reported) << apart;
   }

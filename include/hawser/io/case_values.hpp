@@ -1,4 +1,4 @@
-// Values of optional keys.
+// Values of optional keys, and arc lengths of places on lines.
 #pragma once
 
 #include "hawser/io/case_reader_parts.hpp"

@@ -32,13 +32,13 @@ inline constexpr const char* kContactForces = "contact_points/force";
 // --- Inside io.
 
 // Rows of this rank's points of several outputs; the points of an output are in the order of the ranks.
-// before: number of rows of earlier outputs. Collective: one call for all these outputs.
 struct ContactPlaces {
   std::vector<RowRun> runs;
   std::vector<long long> counts;  // by output: rows of this output and all earlier ones, over all ranks
   long long last = 0;             // last entry of `counts`
   bool any = false;               // true if any rank has a point
 };
+// before: number of rows of earlier outputs. Collective: one call for all these outputs.
 ContactPlaces contact_places(MPI_Comm comm, const std::vector<ContactRows>& outputs, long long before);
 
 // Writes the points to the rows `at` and the counts to the rows from `output` on. Collective.

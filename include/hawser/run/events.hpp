@@ -35,7 +35,7 @@ class Events {
   // After an accepted step or at a restart: performs the events that are due. Returns messages. Collective.
   std::vector<std::string> apply_due();
 
-  // Time [s] of the next event that follows another one; infinite: none.
+  // Time [s] of the next event that is due at a time or after another one; infinite: none.
   double next(double time) const;
 
   // Messages about events that did not happen by the end of the run.
@@ -62,7 +62,7 @@ class Events {
   std::vector<double> values(const Kinematics& state);
   double local_value(const Happening& h, const Kinematics& state) const;
   double local_tension(int node) const;
-  // Deficit of each waiting event's condition in units of its tolerance; >= 0: met.
+  // Excess of each waiting event's value over its condition, in units of its tolerance; >= 0: met.
   std::vector<double> conditions(const std::vector<double>& values) const;
   void refuse_met(const std::vector<double>& values) const;
   void watch();

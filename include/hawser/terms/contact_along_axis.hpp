@@ -1,6 +1,6 @@
 // Contact of an axis with a surface: sums the contact law over the points in contact into forces on the
-// control points of the axis, with their exact tangent. The axis is an element of a line, an edge of a body
-// or one of its corners. See docs/theory/contact.md.
+// control points of the axis, with their exact tangent. The axis is an element of a line. See
+// docs/theory/contact.md.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // Plain data of contact between an axis and a surface: the quadrature points found in a trial, and the
-// contact points of an accepted step. All in the frame of the surface's body.
+// contact points of an accepted step. In the frame of the surface's body; of the bed in space axes.
 #pragma once
 
 #include <vector>
