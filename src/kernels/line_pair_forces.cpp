@@ -69,12 +69,12 @@ LinePairPass::Rows LinePairPass::rows(const Point& p) const {
   for (size_t k = 0; k < nb; ++k) r.add(at_master_ + k, -p.G[k], 0, -dG[k]);
   if (!set_.law.friction.active()) return r;
   if (slave_.beam()) {
-    r.add(turn_slave_, wa_ * (1 - xi), -wa_, 0);
-    r.add(turn_slave_ + 1, wa_ * xi, wa_, 0);
+    r.add(turn_slave_, slave_lever_ * (1 - xi), -slave_lever_, 0);
+    r.add(turn_slave_ + 1, slave_lever_ * xi, slave_lever_, 0);
   }
   if (master_.beam()) {
-    r.add(turn_master_, wb_ * (1 - eta), 0, -wb_);
-    r.add(turn_master_ + 1, wb_ * eta, 0, wb_);
+    r.add(turn_master_, master_lever_ * (1 - eta), 0, -master_lever_);
+    r.add(turn_master_ + 1, master_lever_ * eta, 0, master_lever_);
   }
   return r;
 }
@@ -95,7 +95,7 @@ struct LinePairPass::Slopes {
 [[gnu::flatten]] LinePairPass::Slopes LinePairPass::slopes(const Point& p, const Start& from,
                                                            const LinePairForce& c, const Rows& rows) const {
   using F = LinePairForce;
-  const bool rubs = set_.law.friction.active();
+  const bool has_friction = set_.law.friction.active();
   const size_t na = slave_.now.count(), nb = master_.now.count();
   const double xi = p.xi, eta = p.foot.eta;
   const Vec3 &nrm = p.foot.normal, &y1 = p.along;
@@ -113,11 +113,11 @@ struct LinePairPass::Slopes {
     by_eta -= s.by_rate * nrm.dot(master_.now.velocity_slope(eta));
     s.by_xi += s.by_rate * nrm.dot(slave_.now.velocity_slope(xi));
   }
-  if (rubs) {
-    const Mat3 T = wa_ * p.Ta + wb_ * p.Tb;
+  if (has_friction) {
+    const Mat3 T = slave_lever_ * p.Ta + master_lever_ * p.Tb;
     const Vec3 x1_before = slave_.start.slope(xi), y1_before = master_.start.slope(eta);
-    by_eta += by_moved * (T * y1_before - wb_ * ((master_.turn[1] - master_.turn[0]) * p.before));
-    s.by_xi += by_moved * (-T * x1_before - wa_ * ((slave_.turn[1] - slave_.turn[0]) * p.before));
+    by_eta += by_moved * (T * y1_before - master_lever_ * ((master_.turn[1] - master_.turn[0]) * p.before));
+    s.by_xi += by_moved * (-T * x1_before - slave_lever_ * ((slave_.turn[1] - slave_.turn[0]) * p.before));
     s.by_xi += c.by.col(F::kSlip) * from.slip_slope[0] + c.by.col(F::kSlip + 1) * from.slip_slope[1];
     if (from.is_new) {
       by_eta += by(F::kAlongBefore) * master_.start.bend(eta) - by(F::kAwayBefore) * y1_before;
@@ -142,11 +142,11 @@ struct LinePairPass::Slopes {
   for (size_t m = 0; m < na + nb; ++m) {
     auto by_m = columns(s.by, m);
     by_m = rows.factor[m] * by_away;
-    if (rubs && rows.by_eta[m] != 0) by_m -= rows.by_eta[m] * by(F::kAlong);
+    if (has_friction && rows.by_eta[m] != 0) by_m -= rows.by_eta[m] * by(F::kAlong);
     if (from.is_new && rows.by_xi[m] != 0) by_m += rows.by_xi[m] * by(F::kSlope);
   }
   if (s.foot_moves) add_product<6>(by_eta, s.eta_by, s.by, 0);
-  if (!rubs) return s;
+  if (!has_friction) return s;
   for (const bool of_master : {false, true}) {
     const PairAxis& axis = of_master ? master_ : slave_;
     const size_t turn = of_master ? turn_master_ : turn_slave_, position = of_master ? at_master_ : at_slave_;
@@ -155,7 +155,8 @@ struct LinePairPass::Slopes {
       for (size_t i = 0; i < 2; ++i)
         columns(s.by, turn + i) = rows.factor[turn + i] * by_moved * hat(axis.turn[i] * p.before);
     } else {
-      const Six turned = (of_master ? wb_ : wa_) * by_moved * section_turn_by_chord(axis, p.before);
+      const Six turned =
+          (of_master ? master_lever_ : slave_lever_) * by_moved * section_turn_by_chord(axis, p.before);
       columns(s.by, position) += turned;
       columns(s.by, position + 1) -= turned;
     }
@@ -213,7 +214,7 @@ void LinePairPass::add_convex(const Point& p, const LinePairForce& c, const Rows
 // The tangent includes moving ends.
 void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, AttachedForces& g,
                        std::vector<LinePairContactPoint>* points) const {
-  const bool rubs = set_.law.friction.active(), exact = derivatives && !set_.convex;
+  const bool has_friction = set_.law.friction.active(), exact = derivatives && !set_.convex;
   const double L = set_.fraction * slave_.ends.length;
   for (const Panel& panel : panels) {
     const double span = panel.to - panel.from;
@@ -222,7 +223,7 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
     for (size_t q = 0; q < kContactPoints; ++q) {
       const double place = ContactRule::unit[q], fraction = ContactRule::weight[q], w = L * span * fraction;
       const Point p = point(panel.from + span * place);
-      const Start from = rubs ? start(p.xi) : Start{};
+      const Start from = has_friction ? start(p.xi) : Start{};
       const LinePairForce c = line_pair_force(set_.law, local(p, from), derivatives);
       if (points && c.along_normal.elastic > 0) points->push_back(stored_point(panel, p, c, w));
       if (!(c.along_normal.force > 0)) continue;

@@ -31,8 +31,8 @@ PairAxis::PairAxis(const AxisEnds& n, const AxisEnds& s) : now(n), start(s), end
   }
 }
 
-AttachedForces no_forces(const PairAxis& one, const PairAxis& other, bool rubs, bool derivatives) {
-  return AttachedForces(one.now.count() + other.now.count(), rubs, derivatives);
+AttachedForces no_forces(const PairAxis& one, const PairAxis& other, bool has_friction, bool derivatives) {
+  return AttachedForces(one.now.count() + other.now.count(), has_friction, derivatives);
 }
 
 Stencil stencil_of(const PairAxis& one, const PairAxis& other) {
@@ -46,8 +46,8 @@ LinePairPass::LinePairPass(const PairAxis& slave, const PairAxis& master, Projec
                            const Settings& settings, const std::vector<LinePairContactPoint>& previous)
     : slave_(slave), master_(master), target_(target), set_(settings), previous_(previous) {
   if (target_ != ProjectOn::element) set_.fraction *= -0.5;
-  wa_ = set_.slave_radius / set_.law.radii;
-  wb_ = 1 - wa_;
+  slave_lever_ = set_.slave_radius / set_.law.radii;
+  master_lever_ = 1 - slave_lever_;
   at_slave_ = set_.swapped ? static_cast<size_t>(master.now.count()) : 0;
   at_master_ = set_.swapped ? 0 : static_cast<size_t>(slave.now.count());
   turn_slave_ = AttachedForces::kPositions + (set_.swapped ? 2 : 0);
@@ -188,7 +188,7 @@ LinePairPoint LinePairPass::local(const Point& p, const Start& s) const {
   l.along = p.along;
   l.rate = p.foot.normal.dot(p.velocity);
   if (set_.law.friction.active()) {
-    l.moved = l.away - wa_ * (p.Ta * p.before) - wb_ * (p.Tb * p.before);
+    l.moved = l.away - slave_lever_ * (p.Ta * p.before) - master_lever_ * (p.Tb * p.before);
     l.slip[0] = s.slip[0];
     l.slip[1] = s.slip[1];
     l.is_new = s.is_new;

@@ -70,8 +70,8 @@ PlatformLoad turning_load(const TurningForce& F, const Vec3& r, const RigidBodyS
 }
 
 // P = [H^T, -Q hat(r); 0, T^-1(theta)] with T the right Jacobian: d theta = T^-1 d phi.
-PlatformPull platform_pull(const PlatformPotential& V, const Vec3& r, const RigidBodyState& s) {
-  PlatformPull out;
+PotentialGradient platform_gradient(const PlatformPotential& V, const Vec3& r, const RigidBodyState& s) {
+  PotentialGradient out;
   const Mat3 Ht = V.axes.transpose(), Q = Ht * s.q.toRotationMatrix();
   const Vec3 theta = log_so3(Quat(V.axes).conjugate() * s.q);
   Vec6 displacement;

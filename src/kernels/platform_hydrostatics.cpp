@@ -44,7 +44,8 @@ AngleOverSine angle_over_sine(double sine, double cosine) {
 //   U'' = E^T C E + sum_k (C eta)_k eta_k''
 //   f = L^T U',   K = L^T U'' L + (derivative of L^T at fixed U'),   L = dy/d (x, phi)
 // The moment is g x n with g = U_z r + U_n, so the derivative of L^T is hat(g) hat(n) on the rotations.
-PlatformPull hydrostatic_pull(const PlatformHydrostatics& V, const Vec3& r, const RigidBodyState& s) {
+PotentialGradient hydrostatic_gradient(const PlatformHydrostatics& V, const Vec3& r,
+                                       const RigidBodyState& s) {
   const Vec3 n = s.q.conjugate() * Vec3::UnitZ();
   const AngleOverSine f = angle_over_sine(std::hypot(n.x(), n.y()), n.z());
   const double heave = s.x.z() + r.dot(n) - V.level;
@@ -55,22 +56,22 @@ PlatformPull hydrostatic_pull(const PlatformHydrostatics& V, const Vec3& r, cons
   E << 1, 0, 0, 0,                     //
       0, 0, f.value, f.first * n.y(),  //
       0, -f.value, 0, -f.first * n.x();
-  const Vec3 pull = V.stiffness * eta;
+  const Vec3 restoring = V.stiffness * eta;
   const Vec4 up(1, V.arm_x, V.arm_y, 0);
-  const Vec4 slope = E.transpose() * pull - V.buoyancy * up;
+  const Vec4 slope = E.transpose() * restoring - V.buoyancy * up;
   Mat4 curve = E.transpose() * V.stiffness * E;
-  curve(1, 3) -= pull[2] * f.first;
-  curve(3, 1) -= pull[2] * f.first;
-  curve(2, 3) += pull[1] * f.first;
-  curve(3, 2) += pull[1] * f.first;
-  curve(3, 3) += (pull[1] * n.y() - pull[2] * n.x()) * f.second;
+  curve(1, 3) -= restoring[2] * f.first;
+  curve(3, 1) -= restoring[2] * f.first;
+  curve(2, 3) += restoring[1] * f.first;
+  curve(3, 2) += restoring[1] * f.first;
+  curve(3, 3) += (restoring[1] * n.y() - restoring[2] * n.x()) * f.second;
   Eigen::Matrix<double, 4, 6> L = Eigen::Matrix<double, 4, 6>::Zero();
   L(0, 2) = 1;
   L.topRightCorner<1, 3>() = r.cross(n).transpose();
   L.bottomRightCorner<3, 3>() = hat(n);
   const Vec3 g = slope[0] * r + slope.tail<3>();
-  PlatformPull out;
-  out.potential = 0.5 * eta.dot(pull) - V.buoyancy * (heave + V.arm_x * n.x() + V.arm_y * n.y());
+  PotentialGradient out;
+  out.potential = 0.5 * eta.dot(restoring) - V.buoyancy * (heave + V.arm_x * n.x() + V.arm_y * n.y());
   out.f = L.transpose() * slope;
   out.K = L.transpose() * curve * L;
   out.K.bottomRightCorner<3, 3>() += hat(g) * hat(n);

@@ -54,9 +54,9 @@ PlatformHydrostatics hydrostatics(const BodyMass& m, double density, double grav
   return out;
 }
 
-Vec3 restoring(const BodyMass& m, const PlatformHydrostatics& calm, double gravity) {
+Vec3 restoring(const BodyMass& m, const PlatformHydrostatics& hydrostatics, double gravity) {
   const double by_weight = m.mass * gravity * m.centre.z();
-  return calm.stiffness.diagonal() - Vec3(0, by_weight, by_weight);
+  return hydrostatics.stiffness.diagonal() - Vec3(0, by_weight, by_weight);
 }
 
 std::vector<std::vector<int>> radiating_groups(const Case& c) {

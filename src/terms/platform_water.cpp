@@ -147,14 +147,15 @@ void PlatformWater::damping_and_memory(const Group& g, const AtTime& now, const 
   force = now.memory_force;
   if (!g.past.empty()) force += now.memory_damping * (rate - g.past.back().rate);
   if (slope) *slope = now.memory_damping;
-  for (size_t i = 0; i < g.platforms.size(); ++i) {
+  for (size_t i = 0; i < g.platforms.abs_rate(); ++i) {
     const Platform& p = g.platforms[i];
     const auto first = 6 * static_cast<Eigen::Index>(i);
-    const Vec6 body_rate = rate.segment<6>(first), size = body_rate.cwiseAbs();
+    const Vec6 body_rate = rate.segment<6>(first), abs_rate = body_rate.cwiseAbs();
     force.segment<6>(first) +=
-        p.added_damping * body_rate + p.added_quadratic_damping * size.cwiseProduct(body_rate);
+        p.added_damping * body_rate + p.added_quadratic_damping * abs_rate.cwiseProduct(body_rate);
     if (!slope) continue;
-    slope->block<6, 6>(first, first) += p.added_damping + p.added_quadratic_damping * (2 * size).asDiagonal();
+    slope->block<6, 6>(first, first) +=
+        p.added_damping + p.added_quadratic_damping * (2 * abs_rate).asDiagonal();
   }
 }
 
@@ -222,13 +223,13 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
       const Platform& p = g.platforms[i];
       const int blocks[2] = {p.block, p.block + 1};
       const RigidBodyState s = floating_state(trial, p.local);
-      const PlatformPull calm = hydrostatic_pull(p.hydrostatics, p.arm, s);
-      const PlatformPull added = platform_pull(p.potential, p.arm, s);
+      const PotentialGradient hydrostatic = hydrostatic_gradient(p.hydrostatics, p.arm, s);
+      const PotentialGradient added = platform_gradient(p.potential, p.arm, s);
       const Vec6 wave_force = F.segment<6>(6 * static_cast<Eigen::Index>(i));
       const Vec6 f = motion[i].G.transpose() * wave_force;
       const Mat6 slope = platform_force_slope(motion[i], p.arm, wave_force);
       assembler.add(blocks, f, slope);
-      assembler.add(blocks, calm.f, calm.K);
+      assembler.add(blocks, hydrostatic.f, hydrostatic.K);
       assembler.add(blocks, added.f, added.K);
       if (!trial.moves() && p.follow_period > 0 && !p.waves.none()) {
         const PlatformWaves::MeanDrift mean = p.waves.mean_drift(heading_of(s.q).angle);
@@ -313,8 +314,8 @@ Energy PlatformWater::energy(const Kinematics& state) const {
       const auto first = 6 * static_cast<Eigen::Index>(i);
       e.kinetic += 0.5 * rate.segment<6>(first).dot(momentum.segment<6>(first));
       const RigidBodyState s = floating_state(state, p.local);
-      e.potential += hydrostatic_pull(p.hydrostatics, p.arm, s).potential;
-      e.potential += platform_pull(p.potential, p.arm, s).potential;
+      e.potential += hydrostatic_gradient(p.hydrostatics, p.arm, s).potential;
+      e.potential += platform_gradient(p.potential, p.arm, s).potential;
       if (!state.moves()) e.potential -= mean_work(p, s);
       e.damping += p.damping_work;
       e.work += p.wave_work;

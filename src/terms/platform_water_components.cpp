@@ -40,12 +40,12 @@ std::vector<BodyForce> PlatformWater::forces_on(int body, const Kinematics& stat
       const PlatformMotion m = platform_motion(p.axes, p.arm, s);
       const auto of_unknowns = [&s](const Vec6& f) { return BodyForce{-f.head<3>(), -(s.q * f.tail<3>())}; };
       const auto by_rate = [&](const Vec6& F) { return of_unknowns(m.G.transpose() * F); };
-      const Vec6 calm = hydrostatic_pull(p.hydrostatics, p.arm, s).f;
-      const Vec6 pull = platform_pull(p.potential, p.arm, s).f;
+      const Vec6 hydrostatic = hydrostatic_gradient(p.hydrostatics, p.arm, s).f;
+      const Vec6 by_stiffness = platform_gradient(p.potential, p.arm, s).f;
       if (!state.moves()) {
         const Vec6 mean = mean_force(p, s);
         const BodyForce drift{mean.head<3>(), mean.tail<3>() + (s.q * p.arm).cross(mean.head<3>())};
-        return {of_unknowns(calm), {}, of_unknowns(pull), {}, drift};
+        return {of_unknowns(hydrostatic), {}, of_unknowns(by_stiffness), {}, drift};
       }
       const Eigen::VectorXd rate = rates(g, state);
       Eigen::VectorXd acceleration(rate.size()), force;
@@ -61,7 +61,8 @@ std::vector<BodyForce> PlatformWater::forces_on(int body, const Kinematics& stat
                            p.added_quadratic_damping * body_rate.cwiseAbs().cwiseProduct(body_rate);
       const Eigen::MatrixXd mass = g.added_mass + period_mass(g, state.step);
       const Vec6 radiation = force.segment<6>(first) - dampers + (mass * acceleration).segment<6>(first);
-      return {of_unknowns(calm), by_rate(radiation), of_unknowns(pull + m.G.transpose() * dampers),
+      return {of_unknowns(hydrostatic), by_rate(radiation),
+              of_unknowns(by_stiffness + m.G.transpose() * dampers),
               by_rate(-now.first_order.segment<6>(first)), by_rate(-now.second_order.segment<6>(first))};
     }
   }

@@ -81,7 +81,7 @@ void PlatformWater::find_modes(const model::Case& c, Group& g) {
     start.x = p.potential.place - start.q * p.arm;
     const Mat6 back = platform_motion(p.axes, p.arm, start).G.inverse();
     const Mat6 K =
-        hydrostatic_pull(p.hydrostatics, p.arm, start).K + platform_pull(p.potential, p.arm, start).K;
+        hydrostatic_gradient(p.hydrostatics, p.arm, start).K + platform_gradient(p.potential, p.arm, start).K;
     const Mat6 by_rates = back.transpose() * K * back;
     M.block<6, 6>(6 * i, 6 * i) += model::mass_matrix_about(m, Vec3::Zero());
     C.block<6, 6>(6 * i, 6 * i) = 0.5 * (by_rates + by_rates.transpose());

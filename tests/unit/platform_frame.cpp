@@ -90,14 +90,15 @@ TEST(PlatformFrame, ForcesHaveTheirSlope) {
 
 TEST(PlatformFrame, PullIsTheGradientOfItsPotentialWithItsTangent) {
   const PlatformPotential V = potential();
-  const PlatformPull pull = platform_pull(V, kArm, state());
+  const PotentialGradient gradient = platform_gradient(V, kArm, state());
   using One = Eigen::Matrix<double, 1, 1>;
   for (int k = 0; k < 6; ++k) {
     const Vec6 d = Vec6::Unit(k);
-    const One work = slope([&](const Vec6& u) { return One(platform_pull(V, kArm, state(u)).potential); }, d);
-    EXPECT_NEAR(pull.f.dot(d), work[0], 1e-8 * pull.f.norm()) << k;
-    const Vec6 found = slope([&](const Vec6& u) { return platform_pull(V, kArm, state(u)).f; }, d);
-    EXPECT_LT((pull.K * d - found).norm(), 1e-8 * pull.K.norm()) << k;
+    const One work =
+        slope([&](const Vec6& u) { return One(platform_gradient(V, kArm, state(u)).potential); }, d);
+    EXPECT_NEAR(gradient.f.dot(d), work[0], 1e-8 * gradient.f.norm()) << k;
+    const Vec6 found = slope([&](const Vec6& u) { return platform_gradient(V, kArm, state(u)).f; }, d);
+    EXPECT_LT((gradient.K * d - found).norm(), 1e-8 * gradient.K.norm()) << k;
   }
 }
 

@@ -38,16 +38,16 @@ TEST(PlatformHydrostatics, PullIsTheGradientOfItsPotentialWithItsTangent) {
   for (const Vec3& tilt : {Vec3(0, 0, 0), Vec3(0.05, -0.1, 0), Vec3(0.44, 0.05, 0), Vec3(0.2, 0.42, 0),
                            Vec3(-0.9, 0.6, 0), Vec3(1, 1.5, 0)}) {
     const double yaw = 2.2;
-    const PlatformPull pull = hydrostatic_pull(V, kArm, state(tilt, yaw));
+    const PotentialGradient gradient = hydrostatic_gradient(V, kArm, state(tilt, yaw));
     using One = Eigen::Matrix<double, 1, 1>;
     for (int k = 0; k < 6; ++k) {
       const Vec6 d = Vec6::Unit(k);
       const auto potential = [&](const Vec6& u) {
-        return One(hydrostatic_pull(V, kArm, state(tilt, yaw, u)).potential);
+        return One(hydrostatic_gradient(V, kArm, state(tilt, yaw, u)).potential);
       };
-      const auto force = [&](const Vec6& u) { return hydrostatic_pull(V, kArm, state(tilt, yaw, u)).f; };
-      EXPECT_NEAR(pull.f.dot(d), slope(potential, d)[0], 1e-7) << tilt.transpose() << ", " << k;
-      EXPECT_LT((pull.K * d - slope(force, d)).norm(), 1e-7) << tilt.transpose() << ", " << k;
+      const auto force = [&](const Vec6& u) { return hydrostatic_gradient(V, kArm, state(tilt, yaw, u)).f; };
+      EXPECT_NEAR(gradient.f.dot(d), slope(potential, d)[0], 1e-7) << tilt.transpose() << ", " << k;
+      EXPECT_LT((gradient.K * d - slope(force, d)).norm(), 1e-7) << tilt.transpose() << ", " << k;
     }
   }
 }
@@ -61,7 +61,7 @@ TEST(PlatformHydrostatics, TiltIsTheRotationVector) {
     const Vec3 eta(O.z() - V.level, tilt.x(), tilt.y());
     const double buoy = (O + s.q * Vec3(V.arm_x, V.arm_y, 0)).z() - V.level;
     const double expected = 0.5 * eta.dot(V.stiffness * eta) - V.buoyancy * buoy;
-    EXPECT_NEAR(hydrostatic_pull(V, kArm, s).potential, expected, 1e-12 * std::abs(expected));
+    EXPECT_NEAR(hydrostatic_gradient(V, kArm, s).potential, expected, 1e-12 * std::abs(expected));
   }
 }
 
@@ -69,10 +69,10 @@ TEST(PlatformHydrostatics, TiltIsTheRotationVector) {
 TEST(PlatformHydrostatics, YawIsFree) {
   const PlatformHydrostatics V = hydrostatics();
   const Vec3 tilt(0.2, -0.3, 0);
-  const PlatformPull straight = hydrostatic_pull(V, kArm, state(tilt, 0));
+  const PotentialGradient straight = hydrostatic_gradient(V, kArm, state(tilt, 0));
   for (const double yaw : {0.5, 1.5, 3.0, -2.5}) {
     const RigidBodyState s = state(tilt, yaw);
-    const PlatformPull turned = hydrostatic_pull(V, kArm, s);
+    const PotentialGradient turned = hydrostatic_gradient(V, kArm, s);
     EXPECT_NEAR(turned.potential, straight.potential, 1e-12 * std::abs(straight.potential));
     EXPECT_LT((turned.f - straight.f).norm(), 1e-12 * straight.f.norm());
     const Vec3 moment = s.q * Vec3(turned.f.tail<3>());  // about the centre of mass
@@ -86,9 +86,9 @@ TEST(PlatformHydrostatics, OffsetBuoyancyTurnsWithTheBody) {
   for (const double yaw : {0.0, 1.0, 2.0, 3.0}) {
     const RigidBodyState s = state(Vec3::Zero(), yaw);
     V.level = s.x.z() + kArm.z();
-    const PlatformPull pull = hydrostatic_pull(V, kArm, s);
-    EXPECT_NEAR(pull.f[2], -V.buoyancy, 1e-12);
-    EXPECT_LT(pull.f.tail<3>().norm(), 1e-12);
+    const PotentialGradient gradient = hydrostatic_gradient(V, kArm, s);
+    EXPECT_NEAR(gradient.f[2], -V.buoyancy, 1e-12);
+    EXPECT_LT(gradient.f.tail<3>().norm(), 1e-12);
   }
 }
 

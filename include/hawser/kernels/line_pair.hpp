@@ -55,7 +55,8 @@ struct LinePairContactPoint : ContactPoint {
 };
 
 // AttachedForces without forces, and the blocks of the nodes of both elements.
-AttachedForces no_forces(const PairAxis& one, const PairAxis& other, bool rubs, bool derivatives = true);
+AttachedForces no_forces(const PairAxis& one, const PairAxis& other, bool has_friction,
+                         bool derivatives = true);
 Stencil stencil_of(const PairAxis& one, const PairAxis& other);
 
 class LinePairPass {
@@ -117,7 +118,7 @@ class LinePairPass {
   ProjectOn target_;
   Settings set_;
   const std::vector<LinePairContactPoint>& previous_;
-  double wa_, wb_;  // radii of slave and master over their sum
+  double slave_lever_, master_lever_;  // radii of slave and master over their sum
   // Rows of AttachedForces for the positions of both, and for the rotations of their nodes.
   size_t at_slave_, at_master_, turn_slave_, turn_master_;
 };

@@ -52,11 +52,11 @@ struct PlatformPotential {
   Vec3 place = Vec3::Zero();     // m, position of the point where xi = 0
   Mat6 stiffness = Mat6::Zero();
 };
-struct PlatformPull {
+struct PotentialGradient {
   double potential = 0;   // J
   Vec6 f = Vec6::Zero();  // gradient by the unknowns
   Mat6 K = Mat6::Zero();
 };
-PlatformPull platform_pull(const PlatformPotential& V, const Vec3& r, const RigidBodyState& s);
+PotentialGradient platform_gradient(const PlatformPotential& V, const Vec3& r, const RigidBodyState& s);
 
 }  // namespace hawser

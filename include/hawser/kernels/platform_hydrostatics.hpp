@@ -17,6 +17,6 @@ struct PlatformHydrostatics {
   double arm_x = 0, arm_y = 0;    // m, from O to the centre of buoyancy, body axes
 };
 // r: from the centre of mass to O, m, body axes.
-PlatformPull hydrostatic_pull(const PlatformHydrostatics& V, const Vec3& r, const RigidBodyState& s);
+PotentialGradient hydrostatic_gradient(const PlatformHydrostatics& V, const Vec3& r, const RigidBodyState& s);
 
 }  // namespace hawser
