@@ -147,7 +147,7 @@ void PlatformWater::damping_and_memory(const Group& g, const AtTime& now, const 
   force = now.memory_force;
   if (!g.past.empty()) force += now.memory_damping * (rate - g.past.back().rate);
   if (slope) *slope = now.memory_damping;
-  for (size_t i = 0; i < g.platforms.abs_rate(); ++i) {
+  for (size_t i = 0; i < g.platforms.size(); ++i) {
     const Platform& p = g.platforms[i];
     const auto first = 6 * static_cast<Eigen::Index>(i);
     const Vec6 body_rate = rate.segment<6>(first), abs_rate = body_rate.cwiseAbs();
