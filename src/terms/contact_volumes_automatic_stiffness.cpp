@@ -106,6 +106,7 @@ bool ContactVolumes::has_back(int volume) const {
 }
 
 double ContactVolumes::depth_limit(int volume, double radius) const {
+  if (!automatic(volume) && !has_back(volume)) return std::numeric_limits<double>::infinity();
   return settings(volume).depth_limit(radius, automatic(volume));
 }
 
