@@ -13,7 +13,7 @@ namespace {
 // Largest factor by which statics without friction raises a stiffness at once. The search continues from the
 // equilibrium of the softer contact and has to begin near that of the stiffer one. With friction it begins
 // again from the start, and the number of raises decides.
-constexpr double kMaxFactorAtRest = 10;
+constexpr double kMaxFactorAtRest = 30;
 
 // Fraction of a force that remains after subtraction of the inertia of `mass` with the acceleration [m/s²]
 // away from the surface.
