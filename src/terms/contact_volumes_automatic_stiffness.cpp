@@ -77,14 +77,14 @@ void ContactVolumes::require(int volume, const NormalLaw& law, const PressedPoin
   wanted[k] = std::max(wanted[k], demand);
 }
 
-bool ContactVolumes::raise(std::vector<double>& wanted, double max_factor) {
+bool ContactVolumes::raise(std::vector<double>& wanted) {
   if (std::none_of(volumes_.begin(), volumes_.end(), [](const ContactVolume& v) { return v.automatic; }))
     return false;
   all_reduce(comm_, MPI_MAX, wanted);
   bool more = false;
   for (size_t k = 0; k < wanted.size(); ++k) {
     ContactVolume& v = volumes_[k];
-    const double stiffness = std::min({wanted[k], v.max_stiffness, max_factor * v.settings.normal_stiffness});
+    const double stiffness = std::min(wanted[k], v.max_stiffness);
     if (!v.automatic || !(stiffness > kWorthIt * v.settings.normal_stiffness)) continue;
     v.settings.normal_stiffness = stiffness;
     more = true;

@@ -3,17 +3,11 @@
 // the run".
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser {
 namespace {
-
-// Largest factor by which statics without friction raises a stiffness at once. The search continues from the
-// equilibrium of the softer contact and has to begin near that of the stiffer one. With friction it begins
-// again from the start, and the number of raises decides.
-constexpr double kMaxFactorAtRest = 30;
 
 // Fraction of a force that remains after subtraction of the inertia of `mass` with the acceleration [m/s²]
 // away from the surface.
@@ -78,9 +72,7 @@ bool LineVolumeContact::raise_stiffness(const Kinematics& equilibrium) {
       volumes_.require(pair.volume, pair.laws[0].normal, at, equilibrium.step, wanted);
     }
   }
-  const double max_factor =
-      equilibrium.moves() || friction_on_ ? std::numeric_limits<double>::infinity() : kMaxFactorAtRest;
-  if (!volumes_.raise(wanted, max_factor)) return false;
+  if (!volumes_.raise(wanted)) return false;
   renew_laws();
   return true;
 }

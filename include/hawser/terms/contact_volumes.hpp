@@ -102,9 +102,9 @@ class ContactVolumes {
   std::vector<double> stiffnesses() const;
   void require(int volume, const NormalLaw& law, const PressedPoint& p, double step,
                std::vector<double>& wanted) const;
-  // Raises each automatic stiffness to the largest demand of all ranks, but at most by `max_factor`. Returns
-  // true on all ranks if any was raised. Collective if a volume is automatic.
-  bool raise(std::vector<double>& wanted, double max_factor = std::numeric_limits<double>::infinity());
+  // Raises each automatic stiffness to the largest demand of all ranks. Returns true on all ranks if any was
+  // raised. Collective if a volume is automatic.
+  bool raise(std::vector<double>& wanted);
   // revert_raise() resets the trial stiffness to that of the last accepted state and returns whether any
   // value changed; commit_raise() accepts it.
   bool revert_raise();
