@@ -136,7 +136,8 @@ void warn_of_floating(const Case& c, const Body& b, std::vector<InputWarning>& o
                 "its volume): is 'mass' or 'displaced_volume' that of another body, or in other "
                 "units?",
                 weight / 1000, calm.buoyancy / 1000, std::abs(rise), rise > 0 ? "higher" : "lower", size);
-  const double level = hydrodynamic_place(b, c.environment.water.surface).z(), above = b.position.z() - level;
+  const double level = hydrodynamic_place(b, c.environment.water.surface).z();
+  const double above = b.position.z() - level;
   if (std::abs(above) > size)
     add_warning(out, "bodies." + b.name + ".position", Effect::all,
                 "z is {:.4g} m, {:.4g} m {} the height of its files, {:.4g} m, which is more than its size "

@@ -55,8 +55,8 @@ std::string compression_warning(const model::Case& c, const Extreme& at) {
 
 double acceptable_penetration(const model::Case& c, const model::Line& line, const model::Volume& volume) {
   const double radius = 0.5 * model::contact_diameter_of(c, line);
-  // An automatic stiffness is raised in motion above twice the given penetration (theory/contact.md), with a
-  // tenth more before the next raise.
+  // An automatic stiffness is raised in motion above twice the given penetration (theory/contact.md); a
+  // tenth is a margin.
   constexpr double kInMotion = 2.2;
   return std::max(c.contact.warned_penetration * radius, kInMotion * volume.allowed_penetration);
 }
@@ -65,9 +65,8 @@ std::string penetration_warning(const model::Case& c, const Extreme& at, const m
   const double radius = 0.5 * model::contact_diameter_of(c, c.line(at.line));
   const double limit = volume.depth_limit(radius, volume.basis == model::StiffnessBasis::automatic);
   std::string advice =
-      "raise normal_stiffness where the case sets it; an automatic one is as high as the line's EA allows: "
-      "is "
-      "the tension above the breaking load?";
+      "raise normal_stiffness where the case sets it; an automatic one is as high as the line's EA "
+      "allows: is the tension above the breaking load?";
   if (at.value > limit)
     advice = fmt::format(
         "the contact law of the volume holds to a depth of {:.3g} m, {}: the line is trapped inside, or the "

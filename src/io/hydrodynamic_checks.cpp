@@ -67,27 +67,28 @@ void check_limits(const HydrodynamicData& data, bool has_infinite, const Eigen::
   notes.push_back(text);
 }
 
-// Values relative to the largest added mass of their entry.
-double deviation(const std::vector<double>& x, double from) {
+// Root of the mean square of the differences from `reference`.
+double deviation(const std::vector<double>& x, double reference) {
   double sum = 0;
-  for (const double value : x) sum += (value - from) * (value - from);
+  for (const double value : x) sum += (value - reference) * (value - reference);
   return std::sqrt(sum / static_cast<double>(x.size()));
 }
+
 double mean(const std::vector<double>& x) {
   double sum = 0;
   for (const double value : x) sum += value;
   return sum / static_cast<double>(x.size());
 }
 
-// Sums over the diagonal entries that vary with frequency: standard deviation of the added mass, and of its
-// value at infinite frequency, which Ogilvie's relation yields from each row: about their mean, and about
-// that of the file.
+// Sums over the diagonal entries that vary with frequency, relative to the largest added mass of each entry:
+// deviation of the added mass from its mean, and deviations of the values at infinite frequency that
+// Ogilvie's relation yields from each row, from their mean and from the value of the file.
 struct OgilvieSpread {
   double added = 0, about_mean = 0, about_file = 0;
   size_t rows = 0;  // number of frequencies
 };
 
-// The same with the damping multiplied by a power of omega.
+// Computed with the damping multiplied by a power of omega.
 OgilvieSpread ogilvie_spread(const HydrodynamicData& data, bool has_infinite, const Eigen::VectorXd& scale,
                              double power) {
   constexpr size_t kRows = 60;
@@ -114,7 +115,8 @@ OgilvieSpread ogilvie_spread(const HydrodynamicData& data, bool has_infinite, co
       added.push_back(data.added_mass[rows[r]](i, i) / scale[i]);
       infinite.push_back(added.back() - above_infinite[r][i] / scale[i]);
     }
-    const double middle = mean(infinite), of_added = deviation(added, mean(added));
+    const double middle = mean(infinite);
+    const double of_added = deviation(added, mean(added));
     if (of_added < kVaries * std::abs(mean(added))) continue;
     out.added += of_added;
     out.about_mean += deviation(infinite, middle);
@@ -128,7 +130,8 @@ OgilvieSpread ogilvie_spread(const HydrodynamicData& data, bool has_infinite, co
 // mean of the rows is compared then, since the value of the file differs from it if the table ends early.
 void check_ogilvie(const HydrodynamicData& data, bool has_infinite, const Eigen::VectorXd& scale,
                    std::vector<std::string>& notes) {
-  constexpr double kApart = 0.5, kBetter = 0.5;
+  constexpr double kApart = 0.5;
+  constexpr double kBetter = 0.5;
   constexpr size_t kMinRows = 6;  // with fewer rows the integral over B is too coarse to compare powers
   const OgilvieSpread given = ogilvie_spread(data, has_infinite, scale, 0);
   for (const double power : {1.0, -1.0}) {
@@ -136,10 +139,9 @@ void check_ogilvie(const HydrodynamicData& data, bool has_infinite, const Eigen:
     const OgilvieSpread other = ogilvie_spread(data, has_infinite, scale, power);
     if (!(other.about_mean < kBetter * given.about_mean)) continue;
     notes.push_back(fmt::format(
-        "{}: with the damping {} the angular frequency, the added masses at infinite frequency that follow "
-        "from "
-        "each row by Ogilvie's relation scatter {:.0f} times less: is the damping stored over omega as its "
-        "format requires (WAMIT's and BEMIO's is B/(rho omega), Capytaine's is B)?",
+        "{}: with the damping {} the angular frequency, the added masses at infinite frequency that "
+        "follow from each row by Ogilvie's relation scatter {:.0f} times less: is the damping stored over "
+        "omega as its format requires (WAMIT's and BEMIO's is B/(rho omega), Capytaine's is B)?",
         data.radiation_file, power > 0 ? "multiplied by" : "divided by",
         given.about_mean / other.about_mean));
     return;

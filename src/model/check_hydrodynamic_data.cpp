@@ -26,9 +26,8 @@ bool all_round(const WaveForceTable& table) {
   return table.directions().size() >= 3 && widest_gap(table.directions(), 2 * M_PI).width() <= kGap;
 }
 
-// Heave force, its mean over all directions if the table has them all round.
-Complex heave_force(const WaveForceTable& table, double omega) {
-  if (!all_round(table)) return table.at(omega, table.directions().front())[2];
+// Mean heave force over all directions.
+Complex mean_heave_force(const WaveForceTable& table, double omega) {
   Complex sum = 0;
   for (int d = 0; d < kDirections; ++d) sum += table.at(omega, 2 * M_PI * d / kDirections)[2];
   return sum / static_cast<double>(kDirections);
@@ -46,13 +45,15 @@ void check_heave_phase(const Case& c, const Body& b, const Issues& issue) {
   const HydrodynamicData& data = *h.data;
   if (data.bodies > 1 || h.in_file.head<2>().norm() > 0) return;
   const WaveForceTable& table = data.excitation.front();
-  const double counts = all_round(table) ? kRounded : kWide;
+  const bool has_mean = all_round(table);
+  const double counts = has_mean ? kRounded : kWide;
   const double size = std::cbrt(b.mass->mass / c.environment.water.density);
   double imaginary = 0, damped = 0, all = 0;
   for (size_t k = 0; k < data.omega.size(); ++k) {
     const double omega = data.omega[k];
     if (omega < table.lowest() || omega * omega / c.environment.gravity * size > kLong) continue;
-    const Complex X = heave_force(table, omega);
+    const Complex X =
+        has_mean ? mean_heave_force(table, omega) : table.at(omega, table.directions().front())[2];
     imaginary += X.imag();
     damped += omega * data.damping[k](2, 2);
     all += std::abs(X);

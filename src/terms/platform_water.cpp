@@ -53,14 +53,15 @@ void PlatformWater::add_past(Group& g, double time, Eigen::VectorXd rate) {
 namespace {
 
 // A lag that differs from a multiple of the step by less than this [s] takes the row of that multiple. The
-// error of S is then no larger than that of the table of `memory`.
+// error of S is then no larger than that of the interpolation in RadiationMemory.
 double equal_lags(const RadiationMemory& memory) { return 1e-8 * memory.spacing(); }
 
 }  // namespace
 
 void PlatformWater::tabulate_lags(Group& g) {
   if (g.past.size() < 2 || g.radiation->entries.empty()) return g.lags.clear();
-  const double end = g.past.back().time, last = end - g.past[g.past.size() - 2].time;
+  const double end = g.past.back().time;
+  const double last = end - g.past[g.past.size() - 2].time;
   if (std::abs(last - g.lag_step) > equal_lags(g.radiation->memory)) {
     g.lags.clear();
     g.lag_step = last;
@@ -71,8 +72,8 @@ void PlatformWater::tabulate_lags(Group& g) {
     if (std::abs(end - g.past[k].time - lag) > equal_lags(g.radiation->memory)) break;
   }
   const size_t n = g.radiation->entries.size();
-  g.lags.resize(
-      std::min(g.lags.size(), rows * n));  // rows by the history and lag_step: the same after a restart
+  // The history and lag_step alone determine the number of rows, so that it is the same after a restart.
+  g.lags.resize(std::min(g.lags.size(), rows * n));
   for (size_t m = g.lags.size() / n; m < rows; ++m) {
     g.lags.resize((m + 1) * n);
     g.radiation->memory.integrals(static_cast<double>(m) * g.lag_step, &g.lags[m * n], nullptr);
@@ -150,7 +151,8 @@ void PlatformWater::damping_and_memory(const Group& g, const AtTime& now, const 
   for (size_t i = 0; i < g.platforms.size(); ++i) {
     const Platform& p = g.platforms[i];
     const auto first = 6 * static_cast<Eigen::Index>(i);
-    const Vec6 body_rate = rate.segment<6>(first), abs_rate = body_rate.cwiseAbs();
+    const Vec6 body_rate = rate.segment<6>(first);
+    const Vec6 abs_rate = body_rate.cwiseAbs();
     force.segment<6>(first) +=
         p.added_damping * body_rate + p.added_quadratic_damping * abs_rate.cwiseProduct(body_rate);
     if (!slope) continue;
@@ -225,9 +227,9 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
       const RigidBodyState s = floating_state(trial, p.local);
       const PotentialGradient hydrostatic = hydrostatic_gradient(p.hydrostatics, p.arm, s);
       const PotentialGradient added = platform_gradient(p.potential, p.arm, s);
-      const Vec6 wave_force = F.segment<6>(6 * static_cast<Eigen::Index>(i));
-      const Vec6 f = motion[i].G.transpose() * wave_force;
-      const Mat6 slope = platform_force_slope(motion[i], p.arm, wave_force);
+      const Vec6 force = F.segment<6>(6 * static_cast<Eigen::Index>(i));
+      const Vec6 f = motion[i].G.transpose() * force;
+      const Mat6 slope = platform_force_slope(motion[i], p.arm, force);
       assembler.add(blocks, f, slope);
       assembler.add(blocks, hydrostatic.f, hydrostatic.K);
       assembler.add(blocks, added.f, added.K);

@@ -51,7 +51,8 @@ std::vector<CheckpointRecord> PlatformWater::checkpoint_records(NodeRange range)
   for (const Group& g : groups_) {
     if (std::none_of(g.platforms.begin(), g.platforms.end(), is_written)) continue;
     const auto n = static_cast<Eigen::Index>(g.platforms.size());
-    CheckpointRecord rates{0, 0, {}, 0}, sums{0, 0, {}, 1};
+    CheckpointRecord rates{0, 0, {}, 0};
+    CheckpointRecord sums{0, 0, {}, 1};
     for (const Past& past : g.past)
       for (Eigen::Index i = 0; i < n; ++i)
         put(KeptRate{past.time, past.rate.segment<3>(6 * i), past.rate.segment<3>(6 * i + 3)}, rates.values);

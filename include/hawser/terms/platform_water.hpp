@@ -87,7 +87,7 @@ class PlatformWater final : public ForceTerm,
   static void rest_at(Platform& p, const RigidBodyState& s);
   void begin_memory(Group& g, const Kinematics& start) const;
   static void add_past(Group& g, double time, Eigen::VectorXd rate);
-  // Extends Group::lags by the history.
+  // Computes the rows of Group::lags that accepted steps of one length have in common.
   static void tabulate_lags(Group& g);
   // S of the memory at lag [s] by entry: a row of Group::lags, or evaluated to `buffer`; with `rate` also S'.
   static const double* integrals_at(const Group& g, double lag, double* buffer, double* rate);
