@@ -32,7 +32,7 @@ constexpr double kHeaviest = 1e12;  // ratio of the mass to the first one at whi
 constexpr int kWatched = 50;
 constexpr double kCreep = 1e-4;
 constexpr double kMaxSlide =
-    10;  // times the longest line: a body that has slid so far against friction does not come to rest
+    10;  // times the longest line: a body that has slid or fallen so far does not come to rest
 
 // The step of pseudo-time is 1, so velocities are increments and the mass is a stiffness: N/m at positions, N
 // m at rotations.
@@ -62,8 +62,10 @@ class Relaxation : StaticTrial {
       if (report.norms.small(settings_.tolerance)) return report;
       if (mass_ == 0) mass_ = smallest = first_mass(report.norms);
       if (report.steps + report.rejected >= settings_.max_steps || mass_ > kHeaviest * smallest ||
-          !std::isfinite(report.norms.relative()) || test_progress(report))
+          !std::isfinite(report.norms.relative()) || test_progress(report)) {
+        check_bodies();
         throw_no_equilibrium(advice::no_rest(report.steps, imbalance(system_, r_.get(), report.norms)));
+      }
       const int iterations = attempt(report.norms);
       report.iterations += std::abs(iterations);
       if (iterations <= 0) {

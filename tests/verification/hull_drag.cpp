@@ -3,6 +3,7 @@
 // edges.
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <fstream>
 
 #include "hawser/io/case_reader.hpp"
@@ -170,6 +171,7 @@ TEST(HullDrag, AlongTheSide) {
 // Buoyancy presses a sling against the bottom of the parallel body; it is dragged aft until it leaves the
 // narrowing hull.
 TEST(HullDrag, UnderTheStern) {
+  if (!std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
   expect_outside({"stern",
                   {"[0, -33, 5]", "[0, 33, 5]"},
                   "loads: [{per_length: [0, 0, 1500]}]\n    start: {points: [[95, -33, 5], [95, -29.5, "

@@ -379,7 +379,7 @@ enum class Relaxation { automatic, always, never };
 struct Statics {
   bool enabled = true;
   double tolerance = 1e-8;  // residual relative to the internal forces
-  int max_iterations = 500;
+  int max_iterations = 1000;
   Relaxation relaxation = Relaxation::automatic;
   int relaxation_steps = 5000;    // limit
   bool contact_friction = false;  // on volumes and between lines, from the start shape on

@@ -32,7 +32,7 @@ struct StaticsReport {
 
 struct StaticsSettings {
   double tolerance = 1e-8;  // of the residual, relative to its contributions
-  int max_iterations = 500;
+  int max_iterations = 1000;
   // `state` is near an equilibrium: the search does not begin with soft lines.
   bool starts_near = false;
   RelaxationUse relaxation = RelaxationUse::when_newton_fails;  // with `starts_near` only `never` acts
