@@ -152,8 +152,10 @@ std::string statics_failed(const model::Case& c) {
                                                  : "'contact_friction: true', so that friction holds bodies");
   if (c.statics.contact_friction)
     ways.emplace_back("'contact_friction: false'");
-  else if (c.environment.seabed.present && c.environment.seabed.full)
+  else if (const model::Seabed& bed = c.environment.seabed; bed.present && bed.full)
     ways.emplace_back("'friction_in_statics: as_laid'");
+  else if (bed.present && bed.as_laid && (bed.friction.axial > 0 || bed.friction.lateral > 0))
+    ways.emplace_back("'friction_in_statics: none' of the seabed, whose friction then begins in dynamics");
   for (const model::Line& line : c.lines)
     if (line.starts_by_itself()) {
       ways.push_back(fmt::format("'start: {{points: ...}}' of line {}, near where it will rest", line.name));

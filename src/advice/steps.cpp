@@ -58,8 +58,12 @@ struct Clause {
   std::string operator()(BeyondContactSearch) const {
     return "lines move further than the contact search covers";
   }
-  std::string operator()(LinePassesVolume) const { return "a line would pass through a volume"; }
-  std::string operator()(BodyPassesBody) const { return "a body would pass through another one"; }
+  std::string operator()(const LinePassesVolume& at) const {
+    return fmt::format("{}, would pass through volume {}", at.place, at.volume);
+  }
+  std::string operator()(const BodyPassesBody& at) const {
+    return fmt::format("{} would pass through {}", at.volume, at.other);
+  }
   std::string operator()(const FeedsTooFast& at) const {
     return at.feeder + " is paid out or hauled in too fast for the length of its elements and of the step";
   }

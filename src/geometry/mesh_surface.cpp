@@ -19,9 +19,9 @@ using detail::Facets;
 using detail::FacetSearch;
 
 namespace {
-// Sine below which directions count as parallel or perpendicular: that of kinks by the rounding of
-// coordinates in files (single precision over facets of a hundredth of the mesh, micrometres over facets of
-// 0.5 m). The Hessian 1/d of such an edge would be that of a strip no wider than 1e-5 d.
+// Sine below which directions count as parallel or perpendicular. Smaller kinks come from rounded coordinates
+// in files (single precision over facets of a hundredth of the mesh, micrometres over facets of 0.5 m). The
+// Hessian 1/d of such an edge would be that of a strip no wider than 1e-5 d.
 constexpr double kSquare = 1e-5;
 }  // namespace
 
@@ -36,12 +36,12 @@ struct MeshSurface::Data {
   ConstArray<detail::Defects::Hole> holes;
   BoxTree hole_tree;  // of boxes around them
   Box bounds;
-  double small = 0;             // m, smaller lengths are rounding or need a bound
+  double small = 0;             // m, 1e-6 of the mesh: shorter lengths count as round-off
   WindingTree winding;          // built only if defects or undefined pseudonormals need it
   std::vector<bool> undecided;  // facets near which the winding number decides; empty: none
   int curved = 0, sharp = 0, internal = 0;
   double bulge = 0;
-  bool convex = false;  // one facet group everywhere
+  bool one_group = false;  // convex: one facet group everywhere
 
   template <class Self, class P>
   static void pack(Self& self, P& p) {
@@ -62,7 +62,7 @@ struct MeshSurface::Data {
     p.value(self.sharp);
     p.value(self.internal);
     p.value(self.bulge);
-    p.value(self.convex);
+    p.value(self.one_group);
   }
   detail::MeshFacetGroups facet_groups() const { return {facets, normals, active.tree()}; }
   MeshView mesh() const { return facets.mesh(); }
@@ -86,7 +86,7 @@ struct MeshSurface::Data {
   }
   // Lower bound, m, of the distance from y to places where the body begins without an active facet: in a
   // hole, or at an inactive part, behind which it is negative. Searches up to `max_distance`.
-  double closed_within(const Vec3& y, double max_distance, int hint) const;
+  double distance_to_closure(const Vec3& y, double max_distance, int hint) const;
   std::optional<SurfacePoint> query_foot(const Vec3& y, double max_distance,
                                          const FacetSearch::Foot& c) const;
   SurfacePoint point_at(const Vec3& y, const FacetSearch::Foot& c, const Vec3& pseudonormal,
@@ -179,7 +179,7 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
   }
   d.active = FacetSearch(d.facets, met);
   d.partial = !active.empty();
-  d.convex = detail::MeshFacetGroups::convex(d.facets, d.normals, topo.components);
+  d.one_group = detail::MeshFacetGroups::convex(d.facets, d.normals, topo.components);
   if (d.partial) {
     d.all_facets = FacetSearch(d.facets, outer);
     d.border_vertex.assign(d.mesh().vertices.size(), false);
@@ -192,7 +192,7 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
   d.bounds = (d.partial ? d.all_facets : d.active).tree().box();
   d.small = 1e-6 * d.bounds.extent().maxCoeff();
   if (!std::isfinite(d.bounds.extent().squaredNorm()))
-    throw std::invalid_argument("the mesh is too large: squares of its lengths are no numbers");
+    throw std::invalid_argument("the mesh is too large: squares of its lengths overflow");
   std::vector<Box> boxes;
   for (const auto& hole : defects.holes) boxes.push_back(hole.box());
   d.hole_tree = BoxTree(boxes);
@@ -305,7 +305,8 @@ SurfacePoint MeshSurface::Data::point_at(const Vec3& y, const FacetSearch::Foot&
 // Hessian of the distance for a nearest point at a vertex. In general the distance is that from the vertex.
 // If an edge at the vertex is perpendicular to s.normal, as where the vertex divides a straight edge, it is
 // that from the edge; if two such edges are not parallel, that from the facet where the walk around the
-// vertex meets the second of them (the same for all flat facets).
+// vertex meets the second of them (the same for all flat facets). The walk ends at the border of an open
+// mesh.
 Mat3 MeshSurface::Data::curvature_at_vertex(int first, int corner, double length,
                                             const SurfacePoint& s) const {
   constexpr int kMaxFacets = 64;  // facets about a vertex
@@ -348,10 +349,10 @@ double MeshSurface::free_radius(const Vec3& y, double distance, int hint) const 
     squared = std::min(squared, lower_bound * lower_bound);
   };
   if (facets.any_curved()) data_->active.tree().nearest(y, squared, visit);
-  return data_->closed_within(y, std::sqrt(squared), hint);
+  return data_->distance_to_closure(y, std::sqrt(squared), hint);
 }
 
-double MeshSurface::Data::closed_within(const Vec3& y, double max_distance, int hint) const {
+double MeshSurface::Data::distance_to_closure(const Vec3& y, double max_distance, int hint) const {
   if (partial) {
     const auto c = nearest(all_facets, y, max_distance, hint);
     if (!c) return max_distance;
@@ -368,11 +369,11 @@ double MeshSurface::Data::closed_within(const Vec3& y, double max_distance, int 
 
 void MeshSurface::facet_groups(std::span<const Vec3> axis, double reach, FacetGroups& out) const {
   out.list.clear();
-  if (!data_->convex) data_->facet_groups().find(axis, reach, out);
+  if (!data_->one_group) data_->facet_groups().find(axis, reach, out);
 }
 
 bool MeshSurface::one_facet_group(std::span<const Vec3> axis, double reach) const {
-  if (data_->convex) return true;
+  if (data_->one_group) return true;
   return reach < data_->bounds.diagonal() && data_->facet_groups().one(axis, reach);
 }
 

@@ -55,7 +55,8 @@ struct Mean {
 };
 
 // Mean of the elastic tension between two strains, (V1 - V0)/(l1 - l0), its derivative by the second, and the
-// fraction s of the path on which the element is taut. For a linear cable the mean is 1/2 k (p0 + p1) s.
+// fraction s of the path on which the element is taut. For a linear cable the mean is 1/2 EA (p0 + p1) s
+// with p = max(strain, 0).
 struct Elastic {
   double mean, slope, taut_fraction;  // s: of the strain's change, over which the element is taut
 };
@@ -111,7 +112,8 @@ Mean mean_of(const CableSection& s, const CableStart& start, const CableStep& st
   const double strain_change = strain - start.strain;
   o.slope = e.slope;
   if (strain > 0) o.slope += s.EA * (beta / step.h + step.filter);
-  // If only a part of the change is taut, that fraction depends on the strain at the end.
+  // If only a part of the change is taut, that fraction depends on the strain at the end:
+  // ds/de1 = ([e1 > 0] - s)/(e1 - e0).
   if (e.taut_fraction < 1 && strain_change != 0)
     o.slope -= step.filter * s.EA * start.strain_increment * ((strain > 0 ? 1 : 0) - e.taut_fraction) /
                strain_change;
@@ -158,9 +160,10 @@ void cable_mean_force(const CableSection& s, const CableStart& start, const Cabl
 CableLoss cable_loss(const CableSection& s, const CableStart& start, const CableStep& step, const Vec3& x1,
                      const Vec3& x2) {
   const Mean m = mean_of(s, start, step, x2 - x1);
-  // If the unstretched length changes, the change of the chord has two parts: the mean length times the
-  // change of strain, on which the material's forces do work, and the mean ratio of stretched to unstretched
-  // length times the paid-out length (docs/theory/feeders.md#energy). `elongation` is the first part.
+  // If the unstretched length changes, the change of the chord has two parts: the mean of the unstretched
+  // lengths at start and end times the change of strain, on which the material's forces do work, and the mean
+  // ratio of stretched to unstretched length times the paid-out length (docs/theory/feeders.md#energy).
+  // `elongation` is the first part.
   const double fed_length = s.length - start.unstretched_length,
                length_ratio =
                    1 + s.free_strain + 0.5 * (start.strain + (m.l - s.length) / s.length - s.free_strain);

@@ -68,8 +68,8 @@ std::optional<ImpactEvent> impact_event(double inverse_frequency, double signifi
   ImpactEvent s;
   s.approach_ = approach;
   s.inverse_frequency_ = inverse_frequency;
-  s.half_ = 0.5 * mass / (inverse_frequency * inverse_frequency);
-  s.energy_ = s.half_ * (by_speed * by_speed + by_acceleration * by_acceleration);
+  s.half_stiffness_ = 0.5 * mass / (inverse_frequency * inverse_frequency);
+  s.energy_ = s.half_stiffness_ * (by_speed * by_speed + by_acceleration * by_acceleration);
   s.crossing_ = kNever;
   s.resolved_ = kAbove * step;
   if (approach.gap < 0) {
@@ -94,14 +94,14 @@ double ImpactEvent::crossed(double h) const {
   h = std::min(h, resolved_ + 2 * M_PI / kSteps * inverse_frequency_);  // longer steps: unresolved()
   if (approach_.gap < 0) {
     const double out = approach_.gap + speed * h + 0.25 * approach_.acceleration * h * h;
-    return std::min(-half_ * approach_.gap * std::max(out, 0.0), energy_);
+    return std::min(-half_stiffness_ * approach_.gap * std::max(out, 0.0), energy_);
   }
   const double z = 0.5 * h / inverse_frequency_;
   // If the mass would reverse before, it is assumed to continue at its speed.
   const double root = speed * speed - 2 * approach_.acceleration * approach_.gap;
   const double depth = -approach_.gap + speed * h -
                        (root < 0 ? speed * crossing_ - approach_.gap : 0.5 * approach_.acceleration * h * h);
-  return std::min(half_ * approach_.gap * std::max(depth, 0.0) / (1 + z * z), energy_);
+  return std::min(half_stiffness_ * approach_.gap * std::max(depth, 0.0) / (1 + z * z), energy_);
 }
 
 double ImpactEvent::period() const { return approach_.gap < 0 ? 2 * M_PI * inverse_frequency_ : kNever; }

@@ -44,7 +44,8 @@ struct Rule<true> {
   }
 };
 
-// Generalised positions, velocities, accelerations and the nodes' water.
+// Generalised positions X [m], velocities V [m/s], accelerations A [m/s²]; of the water at both nodes:
+// velocity u [m/s], du/dz `by_height` [1/s], acceleration a [m/s²], height of the surface [m].
 template <int n>
 struct Motion {
   Row X[n], V[n], A[n];
@@ -54,8 +55,8 @@ struct Motion {
 
 template <int n>
 struct Forces {
-  Row f[n];     // residual
-  Mat K[n][n];  // by X, V, A
+  Row f[n];     // residual, N
+  Mat K[n][n];  // derivatives of f by X, V, A
   Mat C[n][n];
   Mat M[n][n];
 };

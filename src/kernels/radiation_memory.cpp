@@ -39,6 +39,8 @@ RadiationMemory::RadiationMemory(const std::vector<double>& omega, const Eigen::
     if (!(w > before)) throw std::invalid_argument("frequencies of radiation damping must grow from above 0");
     before = w;
   }
+  if (damping.size() == 0 || damping.isZero(0))
+    throw std::invalid_argument("a radiation memory needs an entry with damping");
   tabulate();
 }
 
@@ -64,7 +66,6 @@ void RadiationMemory::tabulate() {
   spacing_ = 2 * M_PI / omega_.back() / kPointsPerPeriod;
   const auto max_points = static_cast<size_t>(std::min(kLongest / spacing_, kMaxPoints));
   const Eigen::RowVectorXd scale = retardation(0).cwiseAbs();
-  const double largest = scale.size() > 0 ? scale.maxCoeff() : 0;
   Eigen::RowVectorXd S = Eigen::RowVectorXd::Zero(n), rate = S;
   Eigen::RowVectorXd largest_rate = rate;
   size_t needed = 1;
@@ -74,7 +75,7 @@ void RadiationMemory::tabulate() {
   };
   keep(retardation(0));
   const auto min_points = static_cast<size_t>(static_cast<double>(kMinPeriods) * kPointsPerPeriod);
-  for (size_t p = 1; p <= max_points && largest > 0 && p < std::max(kUpTo * needed, min_points); ++p) {
+  for (size_t p = 1; p <= max_points && p < std::max(kUpTo * needed, min_points); ++p) {
     const double from = static_cast<double>(p - 1) * spacing_;
     S += spacing_ * rate;
     for (int q = 0; q < 4; ++q) {
@@ -90,7 +91,7 @@ void RadiationMemory::tabulate() {
     if (!small(K, scale) || !small(rate, largest_rate)) needed = p + 1;
     keep(K);
   }
-  needed = std::min(needed, table_.size() / static_cast<size_t>(3 * std::max<Eigen::Index>(n, 1)) - 1);
+  needed = std::min(needed, table_.size() / static_cast<size_t>(3 * n) - 1);
   table_.resize((needed + 1) * static_cast<size_t>(n) * 3);
   length_ = static_cast<double>(needed) * spacing_;
 }

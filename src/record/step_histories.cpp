@@ -1,4 +1,5 @@
-// Columns and rows of the short histories. Rank 0 writes values that every rank has.
+// Columns and rows of the histories of touchdown, terms, feeders, energy and steps. Rank 0 adds values that
+// every rank has.
 #include "hawser/record/step_histories.hpp"
 
 #include <fmt/format.h>

@@ -65,7 +65,7 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
     }
     if (look) look(sim.state().at_rest());
     if (c.dynamics.enabled) {
-      std::vector<std::pair<double, double>> path;  // CPU s, simulated time [s]
+      std::vector<std::pair<double, double>> samples;  // CPU s, simulated time [s]
       const record::OutputTimes times(c);
       Dynamics& d = sim.dynamics();
       FeederNodes feeder_nodes(sim);
@@ -78,19 +78,19 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
             act_after_step(
                 events, feeder_nodes, [] {}, [](const std::string&) {});
             if (look) look(d.kinematics());
-            path.push_back({cpu_time() - at_rest, info.time});
+            samples.push_back({cpu_time() - at_rest, info.time});
             return !budget_spent();
           });
-      trial.reached = path.back().second;
+      trial.reached = samples.back().second;
       trial.moved = true;
-      const auto half = std::find_if(path.begin(), path.end(),
-                                     [&](const auto& w) { return w.first >= 0.5 * path.back().first; });
-      const auto from = half == path.end() - 1 ? std::pair(0.0, 0.0) : *half;
+      const auto half = std::find_if(samples.begin(), samples.end(),
+                                     [&](const auto& w) { return w.first >= 0.5 * samples.back().first; });
+      const auto from = half == samples.end() - 1 ? std::pair(0.0, 0.0) : *half;
       // Steps of the initial transient, and further ones as long as those of the second half.
-      const double behind = std::max(static_cast<double>(path.end() - half), 1.0);
-      trial.steps = static_cast<double>(path.size()) +
+      const double behind = std::max(static_cast<double>(samples.end() - half), 1.0);
+      trial.steps = static_cast<double>(samples.size()) +
                     (trial.duration - trial.reached) * behind / std::max(trial.reached - from.second, 1e-300);
-      trial.rate = (path.back().first - from.first) / (path.back().second - from.second);
+      trial.rate = (samples.back().first - from.first) / (samples.back().second - from.second);
     }
   } catch (const Spent&) {
   } catch (const InputError&) {

@@ -31,7 +31,7 @@ double tolerance(const Cause& c) {
 
 }  // namespace
 
-bool Events::waits_for_condition(const Happening& h) {
+bool Events::waits_for_condition(const ScheduledEvent& h) {
   const Cause::Kind kind = h.event.cause.kind;
   return kind != Cause::Kind::time && kind != Cause::Kind::after && kind != Cause::Kind::stage;
 }
@@ -40,7 +40,7 @@ Events::Events(MPI_Comm comm, Simulation& simulation)
     : comm_(comm), sim_(simulation), ends_(simulation.system(), simulation.feeders()), actions_(simulation) {
   const model::Case& c = sim_.model();
   for (const model::Event& e : c.events) {
-    Happening h;
+    ScheduledEvent h;
     h.event = e;
     const Cause& cause = e.cause;
     if (cause.kind == Cause::Kind::paid_out) {
@@ -65,7 +65,7 @@ void Events::watch() {
     sim_.dynamics().watch([this](const Kinematics& trial) { return conditions(values(trial)); });
 }
 
-double Events::local_value(const Happening& h, const Kinematics& state) const {
+double Events::local_value(const ScheduledEvent& h, const Kinematics& state) const {
   const LocalMesh& local = sim_.local();
   const Cause& cause = h.event.cause;
   const int n = h.node < 0 ? -1 : local.find(h.node);
@@ -106,7 +106,7 @@ double Events::local_tension(int node) const {
 std::vector<double> Events::values(const Kinematics& state) {
   ends_.evaluate(state, std::vector<Vec3>(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero()));
   std::vector<double> out;
-  for (const Happening& h : events_) out.push_back(local_value(h, state));
+  for (const ScheduledEvent& h : events_) out.push_back(local_value(h, state));
   return all_reduce(comm_, MPI_MAX, out);
 }
 
@@ -128,7 +128,7 @@ void Events::refuse_met(const std::vector<double>& values) const {
   }
 }
 
-double Events::due(const Happening& h) const {
+double Events::due(const ScheduledEvent& h) const {
   const Cause& c = h.event.cause;
   if (c.kind == Cause::Kind::time) return c.time;
   if (c.kind != Cause::Kind::after) return HUGE_VAL;
@@ -138,7 +138,7 @@ double Events::due(const Happening& h) const {
 
 double Events::next(double time) const {
   double out = HUGE_VAL;
-  for (const Happening& h : events_)
+  for (const ScheduledEvent& h : events_)
     if (h.happened < 0 && due(h) > time + record::time_tolerance(time)) out = std::min(out, due(h));
   return out;
 }
@@ -158,11 +158,11 @@ std::vector<size_t> Events::due_at(double time, const std::vector<double>& value
 
 void Events::happen(size_t i, const Kinematics& state, const std::string& stage,
                     std::vector<std::string>& messages) {
-  Happening& h = events_[i];
+  ScheduledEvent& h = events_[i];
   const Action& a = h.event.action;
   h.placed = actions_.act(a, state);
-  h.order = static_cast<double>(std::count_if(events_.begin(), events_.end(),
-                                              [](const Happening& other) { return other.happened >= 0; }));
+  h.order = static_cast<double>(std::count_if(
+      events_.begin(), events_.end(), [](const ScheduledEvent& other) { return other.happened >= 0; }));
   h.happened = state.time;
   advice::Happened how;
   if (a.kind == Action::Kind::release) {
@@ -214,7 +214,7 @@ std::vector<std::string> Events::at_rest(const std::string& stage) {
 
 // True if the stage releases a line or its support.
 bool Events::releases_end(const std::string& stage) const {
-  return std::any_of(events_.begin(), events_.end(), [&](const Happening& h) {
+  return std::any_of(events_.begin(), events_.end(), [&](const ScheduledEvent& h) {
     const Action& a = h.event.action;
     const bool carried = a.kind == Action::Kind::contact && !a.enabled;
     return h.event.cause.kind == Cause::Kind::stage && h.event.cause.event == stage &&
@@ -239,7 +239,7 @@ void Events::solve_stages(const std::function<void(bool)>& solve,
 // Pays out element by element, all feeders of the stage together, each from the equilibrium before.
 void Events::pay_out(const std::string& stage, const std::function<void(bool)>& solve) {
   std::map<Feeder*, double> remaining;  // m
-  for (const Happening& h : events_) {
+  for (const ScheduledEvent& h : events_) {
     const Action& a = h.event.action;
     if (h.event.cause.kind != Cause::Kind::stage || h.event.cause.event != stage || a.paid_out == 0) continue;
     for (Feeder& f : sim_.feeders()->all())
@@ -282,7 +282,7 @@ std::vector<std::string> Events::apply_due() {
     const Energy e = sim_.system().energy(d.committed().s.after_step(d.control().proposal()));
     return e.kinetic + e.strain + e.potential + e.friction + e.damping + e.unresolved - e.work;
   };
-  const auto waits = [](const Happening& h) { return h.happened < 0; };
+  const auto waits = [](const ScheduledEvent& h) { return h.happened < 0; };
   while (std::any_of(events_.begin(), events_.end(), waits)) {
     const Kinematics at = d.kinematics();
     const std::vector<size_t> now = due_at(at.time, values(at), "");
@@ -300,7 +300,7 @@ std::vector<std::string> Events::apply_due() {
 
 std::vector<std::string> Events::not_happened() const {
   std::vector<std::string> out;
-  for (const Happening& h : events_)
+  for (const ScheduledEvent& h : events_)
     if (h.happened < 0) out.push_back(advice::did_not_happen(h.event));
   return out;
 }

@@ -25,7 +25,7 @@ std::vector<std::pair<const char*, double*>> entries(Actions::Found& f) {
 }  // namespace
 
 void Events::save(io::Checkpoint& to) const {
-  for (const Happening& h : events_) {
+  for (const ScheduledEvent& h : events_) {
     if (h.happened < 0) continue;
     const std::string key = kHappened + h.event.name;
     to.scalars[key] = h.happened;
@@ -40,9 +40,9 @@ std::vector<std::string> Events::restore(const io::Checkpoint& from) {
   const auto refusal = [this](const std::string& why) {
     return InputError("{}: events: {}", sim_.model().path, why);
   };
-  std::vector<Happening*> happened;
+  std::vector<ScheduledEvent*> happened;
   std::set<std::string> known;  // keys
-  for (Happening& h : events_) {
+  for (ScheduledEvent& h : events_) {
     const std::string key = kHappened + h.event.name;
     known.insert(key);
     known.insert(key + kOrder);
@@ -67,12 +67,12 @@ std::vector<std::string> Events::restore(const io::Checkpoint& from) {
   for (const auto& [key, time] : from.scalars)
     if (key.starts_with(kHappened) && !known.count(key))
       throw refusal(advice::event_unknown(std::string(key.substr(kHappened.size())), time));
-  std::stable_sort(happened.begin(), happened.end(), [](const Happening* a, const Happening* b) {
+  std::stable_sort(happened.begin(), happened.end(), [](const ScheduledEvent* a, const ScheduledEvent* b) {
     return std::tie(a->happened, a->order) < std::tie(b->happened, b->order);
   });
   std::vector<std::string> messages;
   actions_.begin();
-  for (const Happening* h : happened) {
+  for (const ScheduledEvent* h : happened) {
     actions_.repeat(h->event.action, h->placed, h->happened);
     messages.push_back("note: " + advice::event_happened(h->event, h->happened));
   }

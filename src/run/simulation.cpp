@@ -292,7 +292,8 @@ DynamicsSettings Simulation::dynamics_settings() const {
   s.step.resolve_impacts = d.resolve_impacts;
   s.step.longest = d.max_step > 0 ? d.max_step : model::longest_step(case_).length;
   s.step.first = s.step.longest / 10;
-  s.step.shortest = d.min_step > 0 ? d.min_step : 1e-7 * std::max(1.0, d.step > 0 ? 10 * d.step : 1.0);
+  // 1e-7 s, or a millionth of a fixed step that is longer than 0.1 s.
+  s.step.shortest = d.min_step > 0 ? d.min_step : std::max(1e-7, 1e-6 * d.step);
   s.step.error_tolerance = d.error_tolerance;
   if (d.error_tolerance > 0) return s;
   // One percent of the diameter per step is far below the accuracy of a line's shape or tension in results.

@@ -203,7 +203,7 @@ int Dynamics::try_step(double h) {
     solve_once();
     if (!tries_.solved) break;
     load(u_.get());
-    if (!system_.raise_stiffness(trial_.s.after_step(h_))) break;
+    if (!system_.adapt_stiffness(trial_.s.after_step(h_))) break;
     tries_.solved = round < kMaxRaises;
     if (!tries_.solved) break;
   }

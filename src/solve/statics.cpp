@@ -104,7 +104,7 @@ StaticsReport relax_with_friction(System& system, const StaticsSettings& setting
     report.iterations += relaxed.iterations;
     report.relaxation_steps += relaxed.steps;
     report.norms = relaxed.norms;
-    if (!system.raise_stiffness(state.at_rest())) return report;
+    if (!system.adapt_stiffness(state.at_rest())) return report;
     if (round == kMaxRaises) throw SolveError(advice::automatic_stiffness_unsettled());
     start.restore(state);
   }
@@ -146,7 +146,7 @@ StaticsReport try_methods(System& system, const StaticsSettings& settings, const
 StaticsReport raise_until_enough(System& system, const StaticsSettings& settings, const Start& start,
                                  State& state) {
   StaticsReport report = try_methods(system, settings, start, state);
-  for (int round = 0; system.raise_stiffness(state.at_rest()); ++round) {
+  for (int round = 0; system.adapt_stiffness(state.at_rest()); ++round) {
     if (round == kMaxRaises) throw SolveError(advice::automatic_stiffness_unsettled());
     const StaticsReport more = StaticSearch(system, settings, state).run(true);
     report.iterations += more.iterations;

@@ -7,11 +7,14 @@
 
 namespace hawser {
 namespace {
+// The local error is proportional to the cube of the step: h_new = kSafety h (tolerance/error)^(1/3)
+// (docs/theory/time-integration.md). The other factors: docs/decisions/006-step-control.md.
 constexpr double kSafety = 0.9, kGrow = 1.5, kShrink = 0.25;
 constexpr int kPatience = 5;
 // After an impact, steps are at most kPartOfPeriod of the period of its contact for kPeriodsAfterImpact
-// periods. From then on a step at most doubles the last one: the contact still vibrates faster than such
-// steps resolve, and a step that is many times as long as the last one would add energy to that vibration.
+// periods. From then on the limit is that length plus the time since then, so that steps at the limit double
+// from one to the next: the contact still vibrates faster than such steps resolve, and a step that is many
+// times as long as the last one would add energy to that vibration.
 constexpr double kPartOfPeriod = 1.0 / 3, kPeriodsAfterImpact = 20;
 }  // namespace
 
@@ -31,8 +34,7 @@ double StepControl::next(double t, double stop, double allowed) const {
   return (stop - t) / std::max(n, 1.0);
 }
 
-// Longest step from t after the last impact, s. Beyond resolved_until_ it grows by the time since then, so
-// that each step at most doubles.
+// Longest step from t after the last impact, s. Beyond resolved_until_ it grows by the time since then.
 double StepControl::allowed_after_impact(double t) const {
   return kPartOfPeriod * impact_period_ + std::max(t - resolved_until_, 0.0);
 }

@@ -202,7 +202,7 @@ void Assembler::add(int block, const Vec3& f, const Mat3* K, const Mat3* C, cons
   add({&block, 1}, f, view(K, k), view(C, c), view(M, m));
 }
 
-void Assembler::add_pull(int a, int b, const Vec3& f, const Mat3* k, const Mat3* c) {
+void Assembler::add_between(int a, int b, const Vec3& f, const Mat3* k, const Mat3* c) {
   if (force_) {
     add_force(a, -f[0], -f[1], -f[2]);
     add_force(b, f[0], f[1], f[2]);
@@ -230,9 +230,9 @@ void Assembler::add_mean_between(int a, int b, const Vec3& f, const Mat3* k) {
   if (mean_)
     for (const int end : {a, b})
       if (end < owned_blocks_) Eigen::Map<Vec3>(mean_->data() + 3 * end) += end == a ? Vec3(-f) : f;
-  if (!k) return add_pull(a, b, counted, nullptr, nullptr);
+  if (!k) return add_between(a, b, counted, nullptr, nullptr);
   const Mat3 stiffness = mean_weight_ * *k;
-  add_pull(a, b, counted, &stiffness, nullptr);
+  add_between(a, b, counted, &stiffness, nullptr);
 }
 
 bool Assembler::add_weighted(int a, int b, const Vec6& f, const Mat6& J) {

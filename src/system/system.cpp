@@ -280,21 +280,21 @@ double System::dead_load() const {
   return rank_independent(sum);
 }
 
-bool System::raise_stiffness(const Kinematics& equilibrium) {
+bool System::adapt_stiffness(const Kinematics& equilibrium) {
   bool again = false;
-  for (RaisesStiffness* t : listed<RaisesStiffness>()) again = t->raise_stiffness(equilibrium) || again;
+  for (AdaptsStiffness* t : listed<AdaptsStiffness>()) again = t->adapt_stiffness(equilibrium) || again;
   return again;
 }
 
 bool System::raise_stiffness_where_blocked(const Kinematics& trial) {
   bool again = false;
-  for (RaisesStiffness* t : listed<RaisesStiffness>())
+  for (AdaptsStiffness* t : listed<AdaptsStiffness>())
     again = t->raise_stiffness_where_blocked(trial) || again;
   return again;
 }
 
 void System::revert_stiffness() {
-  for (RaisesStiffness* t : listed<RaisesStiffness>()) t->revert_stiffness();
+  for (AdaptsStiffness* t : listed<AdaptsStiffness>()) t->revert_stiffness();
 }
 
 void System::prepare(const Kinematics& from, double h) {

@@ -123,11 +123,14 @@ void BedContact::add(const Point& p, const Vec3& residual, const Mat3* K, const 
   add_shared({mesh_.block[p.node], mesh_.block[p.second]}, residual, K, C, assembler);
 }
 
+// Residual of a point with the soil's force p n - suction and friction F: minus the force on the line. Its
+// tangent is K = p' n n^T + p H - dF/dx for suction p(gap) with the normal n and the curvature H of the bed.
+// In statics with friction it is stabilised: K = -dF/ds + w (dF/ds - S), S the secant of pressed friction and
+// w = weights().stabilisation, because dF/ds alone vanishes where all friction is mobilised.
 void BedContact::evaluate(const Kinematics& trial, Assembler& assembler) {
   const bool needs_tangent = assembler.needs_tangent(), convex = assembler.convex();
   for (const Point& p : points_) {
     ContactTrial at;
-    // N/m, fraction of the difference between the tangent and the secant stiffness of friction
     Mat3 stabilisation = Mat3::Zero();
     if (friction_ != Friction::none && laid() && laid_[index_of(p)].normal_force > 0) {
       const PressedFriction f = pressed_friction_at(p, of_nodes(p, trial.x));
@@ -150,7 +153,8 @@ void BedContact::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
 }
 
-// Evaluates contact at the accepted state. Energies are integrated by the trapezoidal rule.
+// Evaluates contact at the accepted state. The work of friction and damping in the step is that of the mean
+// of the forces at its ends: the trapezoidal rule.
 void BedContact::commit(const Kinematics& accepted) {
   for (Point& p : points_) {
     ContactTrial at;

@@ -180,9 +180,10 @@ bool BodyContact::tunnels(const Pair& pair, const Kinematics& trial) const {
 }
 
 Verdict BodyContact::check_step(const Kinematics& trial) const {
-  const bool through = std::any_of(pairs_.begin(), pairs_.end(),
-                                   [&](const Pair& pair) { return pair.counted && tunnels(pair, trial); });
-  return through ? Verdict{Verdict::Kind::shorter, advice::BodyPassesBody{}} : Verdict{};
+  for (const Pair& pair : pairs_)
+    if (pair.counted && tunnels(pair, trial))
+      return {Verdict::Kind::shorter, advice::BodyPassesBody{names_[pair.a], names_[pair.b]}};
+  return {};
 }
 
 }  // namespace hawser

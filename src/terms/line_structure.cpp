@@ -136,7 +136,7 @@ void LineStructure::evaluate(const Kinematics& trial, Assembler& assembler) {
         continue;
       }
       cable_force(c.section, e, assembler.weights().stabilisation, o);
-      assembler.add_pull(c.blocks[0], c.blocks[1], o.force, &o.k, c.section.beta > 0 ? &o.c : nullptr);
+      assembler.add_between(c.blocks[0], c.blocks[1], o.force, &o.k, c.section.beta > 0 ? &o.c : nullptr);
     }
     return;
   }

@@ -36,7 +36,7 @@ double LineVolumeContact::static_fraction(const Pair& pair, const Kinematics& st
              : 0;
 }
 
-bool LineVolumeContact::raise_stiffness(const Kinematics& equilibrium) {
+bool LineVolumeContact::adapt_stiffness(const Kinematics& equilibrium) {
   volumes_.pose_trial(equilibrium);
   std::vector<double> wanted = volumes_.stiffnesses();
   for (Pair& pair : pairs_) {

@@ -39,12 +39,12 @@ Verdict LineVolumeContact::check_step(const Kinematics& trial) const {
     const RigidPose& pose = poses[volumes_.body(pair.volume)];
     const bool pulled_in = rests && is_pulled_in(pair, *shape, pose);
     if (!pulled_in && !tunnels(pair, *shape, pose, rests)) continue;
-    if (!rests) return {Verdict::Kind::shorter, advice::LinePassesVolume{}};
-    const int node = mesh_.global[local(pair).first];
+    const advice::VolumeLaw law = volumes_.law_of(pair.volume);
+    const std::string place = mesh_.mesh->place(mesh_.global[local(pair).first]);
+    if (!rests) return {Verdict::Kind::shorter, advice::LinePassesVolume{place, law.volume}};
     return {Verdict::Kind::shorter,
-            advice::PulledThrough{.law = volumes_.law_of(pair.volume),
-                                  .place = mesh_.mesh->place(node),
-                                  .too_soft = pulled_in && !volumes_.automatic(pair.volume)}};
+            advice::PulledThrough{
+                .law = law, .place = place, .too_soft = pulled_in && !volumes_.automatic(pair.volume)}};
   }
   return {};
 }

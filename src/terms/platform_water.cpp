@@ -138,6 +138,7 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
     const PlatformWaves::Forces f = p.waves.at(time, origin.x(), origin.y());
     const auto first = 6 * static_cast<Eigen::Index>(i);
     now.first_order.segment<6>(first) = ramp * f.first;
+    // Slow drift is quadratic in the height of waves. The mean drift acts in statics already and has no ramp.
     now.second_order.segment<6>(first) = ramp * ramp * f.slow + p.waves.mean_drift();
   }
   return now;
@@ -195,7 +196,13 @@ void PlatformWater::begin_memory(Group& g, const Kinematics& start) const {
   for (size_t i = 0; i < power.size(); ++i) g.platforms[i].power = power[i];
 }
 
-// Residual of each body: G^T (A a + D + memory - waves) and hydrostatics.
+// Residual of each body: f_i = G_i^T F_i and hydrostatics, with the forces on all bodies of the group
+//   F = (A_inf + A_h) a + D(r) + memory - waves,
+// r, a: rates and accelerations of the bodies in the axes of their files; A_h of period_mass(), D of added
+// and harmonic damping. With D_r = dF/dr the tangent by position, velocity and acceleration of body j is
+//   K_ij = G_i^T ((A_inf + A_h)_ij da_j/dq + D_r,ij dr_j/dq) + [i = j] d(G_i^T)/dq F_i,
+//   C_ij = G_i^T ((A_inf + A_h)_ij da_j/dq' + D_r,ij G_j),  M_ij = G_i^T (A_inf + A_h)_ij G_j.
+// Harmonic damping is in the tangent only (DependsOnFrequency), for modes and responses.
 void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Group& g : groups_) {
     if (!g.is_complete) continue;
@@ -335,7 +342,7 @@ double PlatformWater::dead_load() const {
   return sum;
 }
 
-// Accelerations have the round-off of v h divided by h², stiffness that of positions.
+// Round-off of inertia forces, eps m v/h, and of restoring forces, eps k x; 4: operations in each.
 double PlatformWater::round_off(const Kinematics& state, double h) const {
   const double eps = std::numeric_limits<double>::epsilon();
   double sum = 0;

@@ -95,7 +95,7 @@ double SoilResistance::turn_to(const Kinematics& state, double fraction) {
 
 // If the line turns back with its springs, so that the turn decreases by less than a quarter of what was
 // expected, the next turns are half as large.
-bool SoilResistance::raise_stiffness(const Kinematics& equilibrium) {
+bool SoilResistance::adapt_stiffness(const Kinematics& equilibrium) {
   if (equilibrium.moves()) return false;
   double turn = turn_to(equilibrium, turn_fraction_);
   all_reduce(comm_, MPI_MAX, turn);

@@ -38,8 +38,12 @@ struct ErrorTooLarge {
 // Lines move farther than the list of contact candidates covers.
 struct BeyondContactSearch {};
 
-struct LinePassesVolume {};
-struct BodyPassesBody {};
+struct LinePassesVolume {
+  std::string place, volume;
+};
+struct BodyPassesBody {
+  std::string volume, other;  // with their bodies
+};
 
 struct FeedsTooFast {
   std::string feeder;  // "end A of line mooring"

@@ -50,7 +50,7 @@ class ImpactEvent {
   double inverse_frequency_ = 0, energy_ = 0;  // s, J
   double resolved_ = 0;                        // s
   double crossing_ = 0;                        // s, until the contact begins or ends; infinite: neither
-  double half_ = 0;                            // N/m, half the stiffness
+  double half_stiffness_ = 0;                  // N/m, half the stiffness
   Approach approach_;
 };
 

@@ -56,9 +56,9 @@ void beam_water_tangent(const WaterSection& s, const WaterEnds& e, bool convex, 
 // [m/s].
 Vec3 line_drag(const WaterSection& s, const Vec3& u, const Vec3& t);
 
-// Potential of buoyancy, J (for a fully wet line: buoyancy times depth). WaterForce: the other forces in the
-// generalised coordinates (x1, L t1, x2, L t2) of a beam, (x1, x2) of a cable.
+// Potential of buoyancy, J (for a fully wet line: buoyancy times depth).
 double water_potential(const WaterSection& s, const WaterEnds& e, bool beam);
+// The other forces in the generalised coordinates (x1, L t1, x2, L t2) of a beam, (x1, x2) of a cable.
 struct WaterForce {
   Vec3 force[4];  // N: drag, Froude-Krylov and added mass, on the line
 };
@@ -73,8 +73,13 @@ struct WaterBall {
   double drag = 0;                                          // kg/m, rho Cd A/2
   double radius = 0;                                        // m
 };
+// Morison's equation for a sphere (Morison et al. 1950). Residual, N, of a ball at x [m] that moves with v
+// [m/s] and a [m/s²], with the wet fraction phi of its volume and the relative velocity u = u_water - v:
+//   f = phi (m_a (a - a_water) - m_d a_water - c |u| u - B e_z),
+// and its derivatives K, C, M by x, v, a: all or none (null).
 void ball_water(const WaterBall& b, const Vec3& x, const Vec3& v, const Vec3& a, const Water& water, Vec3& f,
                 Mat3* K, Mat3* C, Mat3* M);
+// Potential of its buoyancy, J.
 double ball_potential(const WaterBall& b, const Vec3& x, const Water& water);
 
 }  // namespace hawser

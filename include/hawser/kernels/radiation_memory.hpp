@@ -25,12 +25,14 @@ class RadiationMemory {
   RadiationMemory() = default;
   // omega [rad/s]: above 0, increasing; damping: one row per frequency, one column per entry [N s/m, N s, N m
   // s]. Linear between the rows and from 0 at omega = 0; zero beyond the last. Throws std::invalid_argument
-  // if sizes differ or frequencies do not increase.
+  // if sizes differ, frequencies do not increase, or all damping is zero.
   RadiationMemory(const std::vector<double>& omega, const Eigen::MatrixXd& damping);
 
   Eigen::Index entries() const { return damping_.cols(); }
-  // Length of the memory, s. Beyond it K is small and S is taken as constant. Steady motion is then undamped,
-  // as for an infinite memory, because the integral of K over all times is zero.
+  // Length of the memory, s: the time after which K is small, at most 400 s and 20000 points. If K is not
+  // small by then, the memory is cut, which rounds off narrow peaks of B. Beyond it S is taken as constant.
+  // Steady motion is then undamped, as for an infinite memory, because the integral of K over all times is
+  // zero.
   double length() const { return length_; }
   // Distance of the points of the table, s.
   double spacing() const { return spacing_; }

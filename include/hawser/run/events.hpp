@@ -47,7 +47,7 @@ class Events {
   std::vector<std::string> restore(const io::Checkpoint& from);
 
  private:
-  struct Happening {
+  struct ScheduledEvent {
     model::Event event;
     int node = -1;         // node of the mesh whose tension, position or distance is monitored
     int feeder = -1;       // feeder whose length is monitored
@@ -56,11 +56,11 @@ class Events {
     double order = 0;      // number of events before it
     Actions::Found placed;
   };
-  static bool waits_for_condition(const Happening& h);
-  double due(const Happening& h) const;  // s; infinite: unknown
+  static bool waits_for_condition(const ScheduledEvent& h);
+  double due(const ScheduledEvent& h) const;  // s; infinite: unknown
   // Monitored tensions [N], positions, lengths and distances [m], the same on all ranks.
   std::vector<double> values(const Kinematics& state);
-  double local_value(const Happening& h, const Kinematics& state) const;
+  double local_value(const ScheduledEvent& h, const Kinematics& state) const;
   double local_tension(int node) const;
   // Excess of each waiting event's value over its condition, in units of its tolerance; >= 0: met.
   std::vector<double> conditions(const std::vector<double>& values) const;
@@ -82,7 +82,7 @@ class Events {
   Simulation& sim_;
   record::EndForces ends_;
   Actions actions_;
-  std::vector<Happening> events_;
+  std::vector<ScheduledEvent> events_;
 };
 
 }  // namespace hawser::run

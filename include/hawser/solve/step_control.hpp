@@ -32,14 +32,16 @@ class StepControl {
   // Called when accelerations have jumped: the next step is at most the first one of the settings.
   void reset_to_first_step();
   // Called after an impact at t on a contact with this period [s]. Steps stay below a third of the period for
-  // twenty periods, since the remaining vibration determines the next impact. From then on a step at most
-  // doubles the last one.
+  // twenty periods, since the remaining vibration determines the next impact. From then on the limit grows by
+  // the time that has passed.
   void after_impact(double t, double period);
-  // True if a converged step is accurate enough. A step of the shortest length always is.
+  // True if a converged step of h with the local error `error` [m] is accurate enough. A step of the shortest
+  // length always is.
   bool accurate(double h, double error) const;
 
   void after_accepted_step(double h, int iterations, double error);
-  // A failed or inaccurate step. Returns false when it already was the shortest.
+  // A step of h that was not solved (`diverged`) or has the local error `error` [m]. Returns false if it
+  // already was the shortest.
   bool after_rejected_step(double h, bool diverged, double error);
 
   double proposal() const { return proposal_; }

@@ -111,10 +111,10 @@ class Assembler {
            const Mat3* M = nullptr);
   // Force on the positions a and b, where f depends on their difference alone: the residual
   // gets -f at a and +f at b. k and c are the derivatives of f by x_b - x_a and v_b - v_a, or null.
-  void add_pull(int a, int b, const Vec3& f, const Mat3* k, const Mat3* c);
-  // As add_pull, with a force f that is the mean over the step (StepMean) and its derivative k by x_b -
+  void add_between(int a, int b, const Vec3& f, const Mat3* k, const Mat3* c);
+  // As add_between, with a force f that is the mean over the step (StepMean) and its derivative k by x_b -
   // x_a. Both enter with the weight of StepMean. In statics and at the start of the motion that weight is 1:
-  // the force is then no mean and enters as by add_pull. f is also summed, without the weight, for
+  // the force is then no mean and enters as by add_between. f is also summed, without the weight, for
   // System::mean_forces().
   void add_mean_between(int a, int b, const Vec3& f, const Mat3* k);
   // For masses that couple positions, with the force f on both. M is `diagonal` times the identity on the

@@ -56,12 +56,13 @@ class LimitsSteps {
   }
 };
 
-// Has a penalty stiffness that is raised during the run as needed. evaluate() never changes it.
-class RaisesStiffness {
+// Has a stiffness that is adapted to an equilibrium: contact raises it until the penetration is small, soil
+// springs take the direction in which they are pulled. evaluate() never changes it.
+class AdaptsStiffness {
  public:
-  virtual ~RaisesStiffness() = default;
-  // Raises the stiffness if this equilibrium requires it. True: solve again. Collective.
-  virtual bool raise_stiffness(const Kinematics& equilibrium) = 0;
+  virtual ~AdaptsStiffness() = default;
+  // Adapts the stiffness if this equilibrium requires it. True: solve again. Collective.
+  virtual bool adapt_stiffness(const Kinematics& equilibrium) = 0;
   // In statics, raises the stiffness if it is too low to keep a line out of a volume on the path to that
   // trial. True: solve again. Collective.
   virtual bool raise_stiffness_where_blocked(const Kinematics& trial) = 0;
@@ -120,8 +121,8 @@ class HasAxialStiffness {
 class ScalesResiduals {
  public:
   virtual ~ScalesResiduals() = default;
-  // Sum of squares, N², of the round-off of the forces on this rank, in a trial of a step h [s] (0: statics).
-  // No residual can be smaller.
+  // Sum of squares of the round-off of the forces [N] and moments [N m] on this rank, in a trial of a step
+  // h [s] (0: statics). No residual can be smaller.
   virtual double round_off(const Kinematics& state, double h) const {
     (void)state;
     (void)h;

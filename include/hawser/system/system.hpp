@@ -127,7 +127,7 @@ class System {
   double dead_load() const;
   // Limit for a step of at most `max_step` [s]. Impacts limit it by the error of energy that they may cause.
   StepLimit longest_step(const Kinematics& committed, const StoredMotion& stored, double max_step);
-  bool raise_stiffness(const Kinematics& equilibrium);  // true on all ranks: solve again
+  bool adapt_stiffness(const Kinematics& equilibrium);  // true on all ranks: solve again
   bool raise_stiffness_where_blocked(
       const Kinematics& trial);  // in statics; true on all ranks: stiffness was raised, search again
   void revert_stiffness();
@@ -178,7 +178,7 @@ class System {
   TiedNodeForces ties_;
   std::vector<std::unique_ptr<ForceTerm>> terms_;
   // The terms that have a role (roles.hpp).
-  std::tuple<std::vector<CouplesNodes*>, std::vector<LimitsSteps*>, std::vector<RaisesStiffness*>,
+  std::tuple<std::vector<CouplesNodes*>, std::vector<LimitsSteps*>, std::vector<AdaptsStiffness*>,
              std::vector<ActsOnElements*>, std::vector<MovesMasses*>, std::vector<HasAxialStiffness*>,
              std::vector<ScalesResiduals*>, std::vector<FedLines*>>
       roles_;

@@ -21,7 +21,7 @@ namespace hawser {
 class LineVolumeContact final : public ForceTerm,
                                 public CouplesNodes,
                                 public LimitsSteps,
-                                public RaisesStiffness,
+                                public AdaptsStiffness,
                                 public HasFriction,
                                 public ActsOnFedLines {
  public:
@@ -43,7 +43,7 @@ class LineVolumeContact final : public ForceTerm,
   Verdict check_step(const Kinematics& trial) const override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   // Raises an automatic stiffness that is too low for the present load; the trial is then solved again.
-  bool raise_stiffness(const Kinematics& equilibrium) override;
+  bool adapt_stiffness(const Kinematics& equilibrium) override;
   bool raise_stiffness_where_blocked(const Kinematics& trial) override;
   void revert_stiffness() override;
   void commit(const Kinematics& accepted) override;

@@ -18,7 +18,7 @@ namespace hawser {
 // Length of the arc [from, to] of a line that lies in the soil, m.
 double buried_length(const model::Line& line, double from, double to);
 
-class SoilResistance final : public ForceTerm, public RaisesStiffness {
+class SoilResistance final : public ForceTerm, public AdaptsStiffness {
  public:
   struct BuriedNode {
     int node = 0;  // local, owned
@@ -44,7 +44,7 @@ class SoilResistance final : public ForceTerm, public RaisesStiffness {
   // The springs have the directions of the line at the start of a step. A static solution keeps the
   // directions fixed so that its forces have a potential, then repeats with those of the equilibrium found,
   // until the directions no longer change.
-  bool raise_stiffness(const Kinematics& equilibrium) override;
+  bool adapt_stiffness(const Kinematics& equilibrium) override;
   bool raise_stiffness_where_blocked(const Kinematics&) override { return false; }
   void revert_stiffness() override {}
 
