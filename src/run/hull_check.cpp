@@ -113,8 +113,13 @@ std::string hulls_text(const model::Case& c, const std::vector<LoadedVolume>& vo
     start.displaced = start.buoyancy / (density * g);
     start.volume = displaced_volumes(hull, top_of(hull, s), s).mean();
     start.waterplane = p.K(2, 2) / (density * g);
-    start.roll_height = p.K(3, 3) / start.buoyancy;
-    start.pitch_height = p.K(4, 4) / start.buoyancy;
+    // Of rotations about the centre of the waterplane, which do not change the displaced volume.
+    const auto height = [&](int turn) {
+      const double coupled = start.waterplane > 0 ? p.K(2, turn) * p.K(turn, 2) / p.K(2, 2) : 0;
+      return (p.K(turn, turn) - coupled) / start.buoyancy;
+    };
+    start.roll_height = height(3);
+    start.pitch_height = height(4);
     start.rise = rise_to_float(hull, s, weight, density * g, level);
     start.held_by = held_by(c, b);
     out += advice::hull_at_start(start);

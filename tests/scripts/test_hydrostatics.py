@@ -61,6 +61,23 @@ class Hydrostatics(unittest.TestCase):
             print(f"{what}: " + ", ".join(f"{freedom} {found[freedom]:.5g} s, {error:+.1e}" for freedom, error in off.items()))
             self.assertLess(max(map(abs, off.values())), tolerance)
 
+    def test_heights_beside_the_waterplane(self):
+        """A float of 40 x 20 m with a draught of 2 m over a box of 20 x 20 x 4 m below one of its ends. The metacentric heights
+        I/V + z_B - z_G have I about the centre of the waterplane, 5 m aft of the centres of mass and buoyancy."""
+        write(self.folder, "case.yaml", """\
+hawser: 1
+environment: {water: {density: 1000}}
+bodies: {body: {floating: {mass: 3.2e6, centre_of_mass: [5, 0, 0], inertia: [1e8, 4e8, 4e8], hull: {volumes: [above, below]}}}}
+volumes:
+  above: {shape: {box: {centre: [0, 0, 0], size: [40, 20, 4]}}, body: body}
+  below: {shape: {box: {centre: [10, 0, -4.5], size: [20, 20, 4]}}, body: body}
+""")
+        done = run(HAWSER, "check", "case.yaml", "--quick", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        found = [float(x) for x in re.search(r"metacentric heights (\S+) m \(roll\), (\S+) m", done.stdout).groups()]
+        buoyancy = -0.5 * 1 - 0.5 * 4.5
+        np.testing.assert_allclose(found, [40 * 20**3 / 12 / 3200 + buoyancy, 20 * 40**3 / 12 / 3200 + buoyancy], rtol=2e-4)
+
     def sphere(self, around):
         """Writes a mesh of a sphere of 5 m with as many facets around its axis and half as many from pole to
         pole, and its exact volume."""
