@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hawser/advice/hulls.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/kernels/hull_pressure.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/bed.hpp"
@@ -139,6 +140,25 @@ std::vector<std::string> platforms_off_start(const model::Case& c, const Bodies&
     if (std::string text = advice::equilibrium_differs(body.name, rise); !text.empty())
       out.push_back(std::move(text));
   }
+  return out;
+}
+
+std::vector<std::string> platforms_turned_over(MPI_Comm comm, const model::Case& c, const Bodies& bodies,
+                                               const Kinematics& equilibrium) {
+  std::vector<double> tilt(c.bodies.size());
+  for (size_t b = 0; b < c.bodies.size(); ++b) {
+    const model::Body& body = c.bodies[b];
+    if (!body.mass || !(body.mass->hull || body.mass->hydrodynamics)) continue;
+    const int node = bodies.local_node(static_cast<int>(b));
+    if (node < 0) continue;
+    // Between the upward vertical in body axes and that of the start.
+    const Vec3 up = floating_state(equilibrium, node).q.conjugate() * Vec3::UnitZ();
+    tilt[b] = std::acos(std::clamp(up.dot(start_of(body).q.conjugate() * Vec3::UnitZ()), -1.0, 1.0));
+  }
+  all_reduce(comm, MPI_MAX, tilt);
+  std::vector<std::string> out;
+  for (size_t b = 0; b < tilt.size(); ++b)
+    if (tilt[b] > M_PI / 2) out.push_back(advice::turned_over(c.bodies[b].name, tilt[b]));
   return out;
 }
 

@@ -198,6 +198,16 @@ class Faults(unittest.TestCase):
         self.assert_only(FAR, text)
         self.assertIn("bodies.body1.position: z is -31 m, 31 m below the height of its files, 0 m, which is more than its size (30.5 m", text)
 
+    def test_phases_that_turn(self):
+        """60 m from the origin of the phases forces between directions 30 deg apart are too small in waves of 8 s."""
+        sentence = "the waterplane of the body is 60 m from the origin of the phases in the files"
+        mass = SPAR[3][0].replace("[0, 0, -50]", "[60, 0, -50]")
+        for period, step, count in ((8, 30, 1), (8, 10, 0), (25, 30, 0)):
+            of = (SPAR[0], SPAR[1] + f"}}, waves: {{regular: {{height: 1, period: {period}, direction_deg: 50}}", SPAR[2], [mass], SPAR[4])
+            text = self.check(of, changes=from_another_origin(60, 0, range(0, 360, step)))
+            self.assertEqual(text.count(sentence), count, text)
+        self.assertNotIn("origin of the phases", self.check((SPAR[0], SPAR[1] + "}, waves: {regular: {height: 1, period: 8}", *SPAR[2:])))
+
     def test_damping_that_drives(self):
         """Negative damping of one degree of freedom is too small a part of all to be refused."""
         def negative(row):
