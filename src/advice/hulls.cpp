@@ -72,6 +72,14 @@ std::string equilibrium_differs(const std::string& body, double rise) {
       body, std::abs(rise), higher(rise));
 }
 
+std::string turned_over(const std::string& body, double tilt) {
+  return fmt::format(
+      "body {} comes to rest turned over, {:.0f} deg from its initial attitude: it is unstable there, or "
+      "statics went past a heel at which it is stable; `hawser check` prints its metacentric heights; lower "
+      "its centre of mass, or start it near its heel by `rotation_deg`",
+      body, tilt * 180 / M_PI);
+}
+
 std::string held_at_rest(const std::string& body, double up) {
   return fmt::format("body {} at rest: its lines and what touches it pull it {:.5g} kN {}", body,
                      std::abs(up) / 1000, up < 0 ? "down" : "up");

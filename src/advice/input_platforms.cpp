@@ -11,6 +11,7 @@
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/positioning.hpp"
+#include "hawser/model/waterplane.hpp"
 
 namespace hawser::advice {
 
@@ -57,11 +58,13 @@ void warn_of_directions(const Case& c, const Body& b, std::vector<InputWarning>&
   const std::vector<double>& directions = h.data->excitation[static_cast<size_t>(h.body - 1)].directions();
   const double gap = directions.size() < 2 ? 0 : widest_gap(directions, 2 * M_PI).width() * 180 / M_PI;
   if (gap <= kWide) return;
+  // A full circle in radians, read as degrees.
+  const bool radians = directions.size() > 2 && directions.back() <= 2 * M_PI * M_PI / 180;
   add_warning(out, "bodies." + b.name + ".floating.hydrodynamics.follow_period", Effect::all,
               "the wave forces turn with the slow heading of the body, but the files have no direction "
-              "within {:.0f} deg: give files all round if the body yaws towards that gap, or "
+              "within {:.0f} deg: {}give files all round if the body yaws towards that gap, or "
               "'follow_period: 0'",
-              gap);
+              gap, radians ? "are their directions in radians? They are read as degrees; " : "");
 }
 
 void warn_of_hull(const Body& b, std::vector<InputWarning>& out) {
@@ -144,11 +147,11 @@ void warn_of_floating(const Case& c, const Body& b, std::vector<InputWarning>& o
                 "({:.3g} m, the side of a cube of its volume): the origin of the body is at the water line "
                 "unless 'origin_in_file' or 'place' state another height",
                 b.position.z(), std::abs(above), above > 0 ? "above" : "below", level, size);
-  const Vec3 added(0, m.hydrodynamics->stiffness(3, 3) + m.turning_stiffness.x(),
-                   m.hydrodynamics->stiffness(4, 4) + m.turning_stiffness.y());
-  const Vec3 heights = (restoring(m, calm, g) + added) / weight;
-  const bool roll = heights[1] < 0;
-  const bool pitch = heights[2] < 0;
+  const Eigen::Vector2d added(m.hydrodynamics->stiffness(3, 3) + m.turning_stiffness.x(),
+                              m.hydrodynamics->stiffness(4, 4) + m.turning_stiffness.y());
+  const Eigen::Vector2d heights = metacentric_heights(m, calm, g) + added / weight;
+  const bool roll = heights[0] < 0;
+  const bool pitch = heights[1] < 0;
   const bool lines = !line_ends_at(c, b).empty();
   if (roll || pitch)
     add_warning(out, "bodies." + b.name + ".floating.centre_of_mass", Effect::all,
@@ -158,7 +161,7 @@ void warn_of_floating(const Case& c, const Body& b, std::vector<InputWarning>& o
                 roll && pitch ? "roll and pitch"
                 : roll        ? "roll"
                               : "pitch",
-                std::min(heights[1], heights[2]),
+                heights.minCoeff(),
                 lines ? "its lines must keep it upright, as tendons do; if that is not intended, " : "");
 }
 

@@ -69,6 +69,29 @@ void estimate_infinite(HydrodynamicData& data, std::vector<std::string>& notes) 
 
 void make_symmetric(Eigen::MatrixXd& m) { m = (0.5 * (m + m.transpose())).eval(); }
 
+// Notes degrees of freedom, except yaw (of round bodies noise), of which most of the damping is negative.
+// Called before negative eigenvalues are removed.
+void note_negative(const HydrodynamicData& data, std::vector<std::string>& notes) {
+  constexpr double kCounts = 1e-4;  // of omega A: above noise
+  for (Eigen::Index i = 0; i < data.infinite.rows(); ++i) {
+    if (i % 6 == 5) continue;
+    double sum = 0, all = 0, largest = 0, before = 0;
+    for (size_t k = 0; k < data.omega.size(); ++k) {
+      const double B = data.damping[k](i, i), width = data.omega[k] - before;
+      before = data.omega[k];
+      sum += width * B;
+      all += width * std::abs(B);
+      largest =
+          std::max(largest, -B / (data.omega[k] * std::max(std::abs(data.added_mass[k](i, i)), 1e-300)));
+    }
+    if (largest > kCounts && sum < -0.5 * all)
+      notes.push_back(fmt::format(
+          "{}: the radiation damping of {} is negative at most frequencies and is taken as zero there: waves "
+          "that a body makes cannot drive it; does the file have the other sign?",
+          data.radiation_file, modes_text(static_cast<int>(i), static_cast<int>(i))));
+  }
+}
+
 // Radiation only dissipates energy: removes negative eigenvalues of B in the metric of the added mass, which
 // makes translations and rotations comparable. Irregular frequencies of panel methods and noise of small
 // entries cause some. Large changes are refused.
@@ -190,6 +213,7 @@ void finish_coefficients(HydrodynamicData& data, bool has_infinite, const Eigen:
   else
     estimate_infinite(data, notes);
   check_coefficients(data, has_infinite, zero_frequency, notes);
+  note_negative(data, notes);
   make_passive(data, notes);
 }
 

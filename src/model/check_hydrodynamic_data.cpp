@@ -11,6 +11,7 @@
 #include "hawser/math/freedoms.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/model/check.hpp"
+#include "hawser/model/waterplane.hpp"
 
 namespace hawser::model {
 namespace {
@@ -18,52 +19,115 @@ namespace {
 // First row of a body in the matrices of its files.
 Eigen::Index first_row(const BodyHydrodynamics& h) { return 6 * (static_cast<Eigen::Index>(h.body) - 1); }
 
-constexpr int kDirections = 72;  // of a mean over all directions
-
 // True if the table has directions all round.
 bool all_round(const WaveForceTable& table) {
   constexpr double kGap = M_PI / 3 * (1 + 1e-6);
   return table.directions().size() >= 3 && widest_gap(table.directions(), 2 * M_PI).width() <= kGap;
 }
 
-// Mean heave force over all directions.
-Complex mean_heave_force(const WaveForceTable& table, double omega) {
-  Complex sum = 0;
-  for (int d = 0; d < kDirections; ++d) sum += table.at(omega, 2 * M_PI * d / kDirections)[2];
-  return sum / static_cast<double>(kDirections);
+// Weights of the directions [rad] of a table for the mean over the circle: the constant of the Fourier series
+//   c + sum_m (a_m cos m beta + b_m sin m beta),   m = 1 ... harmonics
+// that fits the values best, each direction counted by its part of the circle. It is exact for such a series.
+// The fit is well conditioned if no gap exceeds pi/harmonics (Groechenig 1992, Reconstruction algorithms in
+// irregular sampling).
+Eigen::RowVectorXd mean_weights(const std::vector<double>& directions, int harmonics) {
+  const Eigen::Index rows = std::ssize(directions), columns = 1 + 2 * Eigen::Index{harmonics};
+  Eigen::MatrixXd series(rows, columns);
+  Eigen::VectorXd part(rows);
+  for (Eigen::Index d = 0; d < rows; ++d) {
+    const auto at = [&](Eigen::Index k) { return directions[static_cast<size_t>((k + rows) % rows)]; };
+    const double turn = 2 * M_PI, around = at(d + 1) - at(d - 1);
+    part[d] = 0.5 * (d == 0 || d + 1 == rows ? around + turn : around);
+    series(d, 0) = 1;
+    for (int m = 1; m <= harmonics; ++m) {
+      series(d, 2 * m - 1) = std::cos(m * at(d));
+      series(d, 2 * m) = std::sin(m * at(d));
+    }
+  }
+  const Eigen::MatrixXd weighted = series.transpose() * part.asDiagonal();
+  return Eigen::MatrixXd(weighted * series).ldlt().solve(weighted).row(0);
 }
 
+// Harmonics that the widest gap of the directions resolves; of waves longer than the body those above the
+// sixth are negligible.
+int resolved_harmonics(const std::vector<double>& directions) {
+  constexpr int kMost = 6;
+  constexpr double kRounding = 1e-6;
+  const double resolved = M_PI / widest_gap(directions, 2 * M_PI).width();
+  return std::min(kMost, static_cast<int>(std::ceil(resolved - kRounding)) - 1);
+}
+
+// Heave force at the phase of the wave at the centre of the waterplane: its mean over all directions or, of
+// files without directions all round, its value in the first one.
+class HeaveForce {
+ public:
+  HeaveForce(const WaveForceTable& table, const Eigen::Vector2d& centre) : table_(table), centre_(centre) {
+    if (!all_round(table)) return;
+    const int harmonics = resolved_harmonics(table.directions());
+    weights_ = mean_weights(table.directions(), harmonics);
+    coarse_ = mean_weights(table.directions(), harmonics - 1);
+  }
+  bool has_mean() const { return weights_.size() > 0; }
+  // number: of the wave, 1/m.
+  Complex at(double omega, double number) const {
+    return has_mean() ? mean(weights_, omega, number) : at(omega, number, table_.directions().front());
+  }
+  // Estimated error of the mean: its change by the last harmonic.
+  double error(double omega, double number) const {
+    return has_mean() ? std::abs(mean(weights_, omega, number) - mean(coarse_, omega, number)) : 0;
+  }
+
+ private:
+  Complex at(double omega, double number, double beta) const {
+    const double lead = number * (centre_.x() * std::cos(beta) + centre_.y() * std::sin(beta));
+    return table_.at(omega, beta)[2] * std::polar(1.0, lead);
+  }
+  Complex mean(const Eigen::RowVectorXd& weights, double omega, double number) const {
+    Complex sum = 0;
+    for (Eigen::Index d = 0; d < weights.size(); ++d)
+      sum += weights[d] * at(omega, number, table_.directions()[static_cast<size_t>(d)]);
+    return sum;
+  }
+
+  const WaveForceTable& table_;
+  Eigen::Vector2d centre_;
+  Eigen::RowVectorXd weights_, coarse_;
+};
+
 // In moderately long waves the heave force is that of the stiffness plus, a quarter of a period ahead of the
-// crest, that of damping by the velocity of the water: Im X3 = omega B33 about the body itself. The pressure
-// on a wide waterplane has another imaginary part, which the mean over all directions does not have: with the
-// distance r from the origin, the mean of exp(-i k r cos beta) is J0(k r).
+// crest, that of damping by the velocity of the water: Im X3 = omega B33 at the centre of the waterplane. The
+// pressure on a wide waterplane has another imaginary part, which the mean over all directions does not have:
+// with the distance r from the centre, the mean of exp(-i k r cos beta) is J0(k r).
 void check_heave_phase(const Case& c, const Body& b, const Issues& issue) {
   constexpr double kLong = 0.6, kOpposite = -0.4;
   constexpr double kWide = 0.015;    // of |X3|: the damping is above the part by the waterplane
   constexpr double kRounded = 2e-4;  // rad: it is above the rounding of phases to 0.01 deg
   const BodyHydrodynamics& h = *b.mass->hydrodynamics;
   const HydrodynamicData& data = *h.data;
-  if (data.bodies > 1 || h.in_file.head<2>().norm() > 0) return;
+  if (data.bodies > 1) return;
+  const Water& water = c.environment.water;
+  const double g = c.environment.gravity;
   const WaveForceTable& table = data.excitation.front();
-  const bool has_mean = all_round(table);
-  const double counts = has_mean ? kRounded : kWide;
-  const double size = std::cbrt(b.mass->mass / c.environment.water.density);
-  double imaginary = 0, damped = 0, all = 0;
+  const Mat3 C = hydrostatics(*b.mass, water.density, g).stiffness;
+  const HeaveForce force(table, h.in_file.head<2>() + waterplane_centre(C));
+  const double counts = force.has_mean() ? kRounded : kWide;
+  const double size = std::cbrt(b.mass->mass / water.density);
+  double imaginary = 0, damped = 0, all = 0, error = 0;
   for (size_t k = 0; k < data.omega.size(); ++k) {
     const double omega = data.omega[k];
-    if (omega < table.lowest() || omega * omega / c.environment.gravity * size > kLong) continue;
-    const Complex X =
-        has_mean ? mean_heave_force(table, omega) : table.at(omega, table.directions().front())[2];
+    if (omega < table.lowest() || omega * omega / g * size > kLong) continue;
+    const double number = wave_number(omega, water.depth, g);
+    const Complex X = force.at(omega, number);
     imaginary += X.imag();
+    error += force.error(omega, number);
     damped += omega * data.damping[k](2, 2);
     all += std::abs(X);
   }
-  if (damped > counts * all && imaginary < kOpposite * damped)
+  if (damped > counts * all && imaginary + error < kOpposite * damped)
     issue(h.key(),
           "in waves longer than {:.3g} s the heave force lags the crest, but the damping of {} requires that "
           "it leads it: its phases in {} are conjugated (they are leads with exp(+i omega t))",
-          2 * M_PI / std::sqrt(kLong * c.environment.gravity / size), data.radiation_file,
-          data.excitation_file);
+          2 * M_PI / std::sqrt(kLong * g / size), data.radiation_file, data.excitation_file);
 }
 
 // Haskind's relation between radiation damping and wave excitation,
@@ -72,9 +136,11 @@ void check_heave_phase(const Case& c, const Body& b, const Issues& issue) {
 // significant damping; wrong units of either make it differ greatly from 1.
 void check_haskind(const Case& c, const BodyHydrodynamics& h, const Issues& issue) {
   constexpr double kCounts = 0.1, kFar = 1.5;
+  constexpr double kNone = 1e-9;  // of omega A: damping that was removed
   const HydrodynamicData& data = *h.data;
   const WaveForceTable& table = data.excitation[static_cast<size_t>(h.body) - 1];
   if (!all_round(table)) return;
+  const Eigen::RowVectorXd weights = mean_weights(table.directions(), resolved_harmonics(table.directions()));
   const double g = c.environment.gravity, density = c.environment.water.density;
   double worst = 1;
   const char* name = nullptr;
@@ -85,14 +151,17 @@ void check_haskind(const Case& c, const BodyHydrodynamics& h, const Issues& issu
     std::vector<double> ratios;
     for (size_t k = 0; k < data.omega.size(); ++k) {
       const double omega = data.omega[k], B = data.damping[k](row, row);
-      if (omega < table.lowest() || omega > table.highest() || !(B > kCounts * largest)) continue;
+      if (omega < table.lowest() || omega > table.highest() || !(B > kCounts * largest) ||
+          !(B > kNone * omega * std::abs(data.added_mass[k](row, row))))
+        continue;
       const double number = wave_number(omega, c.environment.water.depth, g),
                    steep = number * c.environment.water.depth;
       const double group =
           0.5 * omega / number * (steep > 0 && steep < 20 ? 1 + 2 * steep / std::sinh(2 * steep) : 1);
       double sum = 0;
-      for (int d = 0; d < kDirections; ++d)
-        sum += std::norm(table.at(omega, 2 * M_PI * d / kDirections)[mode]) * 2 * M_PI / kDirections;
+      for (Eigen::Index d = 0; d < weights.size(); ++d)
+        sum += 2 * M_PI * weights[d] *
+               std::norm(table.at(omega, table.directions()[static_cast<size_t>(d)])[mode]);
       ratios.push_back(number * sum / (8 * M_PI * density * g * group * B));
     }
     if (ratios.size() < 3) continue;

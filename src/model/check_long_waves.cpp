@@ -1,11 +1,13 @@
 // Limits of wave forces in long waves. A wave that is long against the body accelerates all of the water by
 // i k g a along its direction, so that to first order in the wave number k, about any point of the body and
 // at the phase of the wave there,
-//   surge   X1 =  i k g (rho V + A11) cos beta      roll    X4 = -i k (C44 - g A42) sin beta
-//   sway    X2 =  i k g (rho V + A22) sin beta      pitch   X5 =  i k (C55 + g A51) cos beta
+//   surge   X1 =  i k g ((rho V + A11) cos beta + A12 sin beta)
+//   sway    X2 =  i k g ((rho V + A22) sin beta + A21 cos beta)
 //   heave   X3 =  C33 - omega² (rho V + A33)
-// with C44 and C55 by the pressure alone: the pressure of the wave on the volume and on the waterplane, by
-// the theorem of Gauss, and the added mass times the acceleration. V, C33, C44 and C55 of two frequencies
+//   roll    X4 =  C34 - i k ((C44 - g A42) sin beta - (C45 + g A41) cos beta)
+//   pitch   X5 =  C35 + i k ((C55 + g A51) cos beta - (C45 - g A52) sin beta)
+// with C44, C45 and C55 by the pressure alone: the pressure of the wave on the volume and on the waterplane,
+// by the theorem of Gauss, and the added mass times the acceleration. V, C33, C44 and C55 of two frequencies
 // differ from their limits by terms of order omega² and are extrapolated to omega = 0.
 #include "check_long_waves.hpp"
 
@@ -16,6 +18,7 @@
 #include "hawser/kernels/table_places.hpp"
 #include "hawser/kernels/waves.hpp"
 #include "hawser/math/freedoms.hpp"
+#include "hawser/model/waterplane.hpp"
 
 namespace hawser::model {
 namespace {
@@ -63,11 +66,23 @@ class LongWaves {
     const double beta = direction(freedom), along = freedom == 0 ? std::cos(beta) : std::sin(beta);
     return std::abs(along) < kLeast ? 0 : along;
   }
-  // Wave force in the direction of `direction(freedom)`, at the phase of the wave at the body.
-  ComplexVec6 force(int freedom, double omega, double number) const {
+  // Component of the same direction along the other axis.
+  double across(int freedom) const {
     const double beta = direction(freedom);
-    const double lead = number * (h_.in_file.x() * std::cos(beta) + h_.in_file.y() * std::sin(beta));
+    return freedom == 0 ? std::sin(beta) : std::cos(beta);
+  }
+  // Wave force in the direction of `direction(freedom)`, at the phase of the wave at a horizontal distance
+  // from the body's origin.
+  ComplexVec6 force(int freedom, double omega, double number,
+                    const Eigen::Vector2d& point = Eigen::Vector2d::Zero()) const {
+    const double beta = direction(freedom);
+    const Eigen::Vector2d from_phases = h_.in_file.head<2>() + point;
+    const double lead = number * (from_phases.x() * std::cos(beta) + from_phases.y() * std::sin(beta));
     return table_.at(omega, beta) * std::polar(1.0, lead);
+  }
+  // At the centre of the waterplane, about which the wave is symmetric to first order: forces, not moments.
+  ComplexVec6 central_force(int freedom, double omega, double number) const {
+    return force(freedom, omega, number, waterplane_centre(hydrostatics_.stiffness));
   }
   Mat6 added_mass(double omega) const {
     const Eigen::Index row = 6 * (static_cast<Eigen::Index>(h_.body) - 1);
@@ -109,7 +124,7 @@ void LongWaves::check_phase(int freedom, const Issues& issue) const {
   constexpr double kPhase = 30 * kDegree;
   if (!moves(freedom)) return;
   const double k = number(omega_, false);
-  const ComplexVec6 X = force(freedom, omega_, k);
+  const ComplexVec6 X = central_force(freedom, omega_, k);
   constexpr double kCounts = 0.02;  // of heave
   if (std::abs(X[freedom]) < kCounts * std::abs(X[2])) return;
   const double phase = std::arg(X[freedom] * component(freedom));
@@ -122,7 +137,7 @@ void LongWaves::check_phase(int freedom, const Issues& issue) const {
       2 * M_PI / omega_, kFreedomNames[freedom], phase < 0 ? "lags" : "leads", std::abs(phase) / kDegree,
       h_.data->excitation_file,
       conjugated ? "conjugated (WAMIT's and BEMIO's are leads with exp(+i omega t), Capytaine's lags with "
-                   "exp(-i omega t))"
+                   "exp(-i omega t)), or its directions are those that waves come from"
                  : "not leads on the crest at the origin of the files, with exp(+i omega t)");
 }
 
@@ -134,7 +149,7 @@ void LongWaves::check(const Issues& issue) const {
   const double expected = C33 - omega_ * omega_ * (density_ * volume_ + added_mass(omega_)(2, 2));
   constexpr double kClear = 0.5;  // the stiffness has most of the force
   if (issue.count() > before || !(expected > kClear * C33)) return;
-  const Complex heave = force(0, omega_, number(omega_, false))[2];
+  const Complex heave = central_force(0, omega_, number(omega_, false))[2];
   constexpr double kFar = 1.5, kPhase = 30 * kDegree;
   const double ratio = std::abs(heave) / expected;
   if (ratio > kFar || ratio < 1 / kFar)
@@ -157,15 +172,20 @@ void LongWaves::check(const Issues& issue) const {
 
 double LongWaves::volume_by_waves(int freedom, double omega, bool deep) const {
   const double k = number(omega, deep);
-  const double push = force(freedom, omega, k)[freedom].imag() / component(freedom);
-  return (push / (k * g_) - added_mass(omega)(freedom, freedom)) / density_;
+  const Mat6 A = added_mass(omega);
+  const double push = central_force(freedom, omega, k)[freedom].imag() / (k * g_);
+  const double by_others = across(freedom) * A(freedom, 1 - freedom);
+  return ((push - by_others) / component(freedom) - A(freedom, freedom)) / density_;
 }
 
 double LongWaves::stiffness_by_waves(int freedom, double omega, bool deep) const {
   const double k = number(omega, deep), sign = freedom == 0 ? 1 : -1;
   const int turn = 4 - freedom;
-  const double moment = sign * force(freedom, omega, k)[turn].imag() / component(freedom);
-  return moment / k - sign * g_ * added_mass(omega)(turn, freedom);
+  const Mat6 A = added_mass(omega);
+  const double moment = sign * force(freedom, omega, k)[turn].imag() / k;
+  const double by_others =
+      across(freedom) * (-hydrostatics_.stiffness(1, 2) + sign * g_ * A(turn, 1 - freedom));
+  return (moment - by_others) / component(freedom) - sign * g_ * A(turn, freedom);
 }
 
 // Whether the stiffness of the files includes weight, compared with the statement of the case.
@@ -213,7 +233,8 @@ void LongWaves::note(const Issues& note) const {
   const Compared as_given = largest_difference(false), in_deep = largest_difference(true);
   const bool deep = in_deep.off() < as_given.off();
   const double heave = at.limit([&](double w) {
-    return force(0, w, number(w, deep))[2].real() + w * w * (density_ * volume_ + added_mass(w)(2, 2));
+    return central_force(0, w, number(w, deep))[2].real() +
+           w * w * (density_ * volume_ + added_mass(w)(2, 2));
   });
   const double C33 = hydrostatics_.stiffness(0, 0);
   const std::string& file = h_.data->excitation_file;

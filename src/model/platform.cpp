@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hawser/model/case.hpp"
+#include "hawser/model/waterplane.hpp"
 
 namespace hawser::model {
 
@@ -57,6 +58,14 @@ PlatformHydrostatics hydrostatics(const BodyMass& m, double density, double grav
 Vec3 restoring(const BodyMass& m, const PlatformHydrostatics& hydrostatics, double gravity) {
   const double by_weight = m.mass * gravity * m.centre.z();
   return hydrostatics.stiffness.diagonal() - Vec3(0, by_weight, by_weight);
+}
+
+Eigen::Vector2d metacentric_heights(const BodyMass& m, const PlatformHydrostatics& hydrostatics,
+                                    double gravity) {
+  Mat3 C = hydrostatics.stiffness;
+  C.diagonal() = restoring(m, hydrostatics, gravity);
+  const Mat3 T = upright_from_point(waterplane_centre(C));
+  return (T.transpose() * C * T).diagonal().tail<2>() / (m.mass * gravity);
 }
 
 std::vector<std::vector<int>> radiating_groups(const Case& c) {

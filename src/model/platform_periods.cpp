@@ -7,6 +7,7 @@
 #include "hawser/kernels/table_places.hpp"
 #include "hawser/model/mass_matrix.hpp"
 #include "hawser/model/platform.hpp"
+#include "hawser/model/waterplane.hpp"
 
 namespace hawser::model {
 namespace {
@@ -46,10 +47,17 @@ PlatformPeriods platform_periods(const Case& c, const Body& b) {
   const PlatformHydrostatics calm = hydrostatics(m, c.environment.water.density, g);
   Mat3 C = calm.stiffness;
   C.diagonal() = restoring(m, calm, g);
+  // About the centre of the waterplane, where heave is not a part of roll and pitch.
+  const Eigen::Vector2d centre = waterplane_centre(C);
+  const Mat3 upright = upright_from_point(centre);
+  const Mat6 motion = motion_from_point(centre);
+  C = upright.transpose() * C * upright;
   const Mat6 mass = mass_matrix_about(m, Vec3::Zero());
   const int first = 6 * (h.body - 1);
   const auto period = [&](int freedom) {
-    const auto with = [&](const Mat6& A) { return frequency(C, mass_upright(mass + A), freedom); };
+    const auto with = [&](const Mat6& A) {
+      return frequency(C, mass_upright(motion.transpose() * (mass + A) * motion), freedom);
+    };
     double omega = with(h.data->infinite.block<6, 6>(first, first));
     constexpr int kIterations = 50;
     for (int i = 0; i < kIterations && omega > 0; ++i) {

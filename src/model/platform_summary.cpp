@@ -9,6 +9,7 @@
 #include "hawser/model/platform.hpp"
 #include "hawser/model/platform_memory.hpp"
 #include "hawser/model/platform_periods.hpp"
+#include "hawser/model/waterplane.hpp"
 
 namespace hawser::model {
 std::string platform_text(const Case& c, const Body& b) {
@@ -30,8 +31,8 @@ std::string platform_text(const Case& c, const Body& b) {
   if (std::abs(above) >= 0.01)
     s += fmt::format("    starts {:.4g} m {} the height of its files\n", std::abs(above),
                      above > 0 ? "above" : "below");
-  const Vec3 heights = restoring(m, calm, g) / weight;
-  s += fmt::format("    metacentric heights {:.4g} m (roll), {:.4g} m (pitch)\n", heights[1], heights[2]);
+  const Eigen::Vector2d heights = metacentric_heights(m, calm, g);
+  s += fmt::format("    metacentric heights {:.4g} m (roll), {:.4g} m (pitch)\n", heights[0], heights[1]);
   const int first = 6 * (h.body - 1);
   std::string added;
   for (int k = 0; k < 6; ++k)

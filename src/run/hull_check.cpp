@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hawser/advice/hulls.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/kernels/hull_pressure.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/bed.hpp"
@@ -113,8 +114,13 @@ std::string hulls_text(const model::Case& c, const std::vector<LoadedVolume>& vo
     start.displaced = start.buoyancy / (density * g);
     start.volume = displaced_volumes(hull, top_of(hull, s), s).mean();
     start.waterplane = p.K(2, 2) / (density * g);
-    start.roll_height = p.K(3, 3) / start.buoyancy;
-    start.pitch_height = p.K(4, 4) / start.buoyancy;
+    // Of rotations about the centre of the waterplane, which do not change the displaced volume.
+    const auto height = [&](int turn) {
+      const double coupled = start.waterplane > 0 ? p.K(2, turn) * p.K(turn, 2) / p.K(2, 2) : 0;
+      return (p.K(turn, turn) - coupled) / start.buoyancy;
+    };
+    start.roll_height = height(3);
+    start.pitch_height = height(4);
     start.rise = rise_to_float(hull, s, weight, density * g, level);
     start.held_by = held_by(c, b);
     out += advice::hull_at_start(start);
@@ -134,6 +140,25 @@ std::vector<std::string> platforms_off_start(const model::Case& c, const Bodies&
     if (std::string text = advice::equilibrium_differs(body.name, rise); !text.empty())
       out.push_back(std::move(text));
   }
+  return out;
+}
+
+std::vector<std::string> platforms_turned_over(MPI_Comm comm, const model::Case& c, const Bodies& bodies,
+                                               const Kinematics& equilibrium) {
+  std::vector<double> tilt(c.bodies.size());
+  for (size_t b = 0; b < c.bodies.size(); ++b) {
+    const model::Body& body = c.bodies[b];
+    if (!body.mass || !(body.mass->hull || body.mass->hydrodynamics)) continue;
+    const int node = bodies.local_node(static_cast<int>(b));
+    if (node < 0) continue;
+    // Between the upward vertical in body axes and that of the start.
+    const Vec3 up = floating_state(equilibrium, node).q.conjugate() * Vec3::UnitZ();
+    tilt[b] = std::acos(std::clamp(up.dot(start_of(body).q.conjugate() * Vec3::UnitZ()), -1.0, 1.0));
+  }
+  all_reduce(comm, MPI_MAX, tilt);
+  std::vector<std::string> out;
+  for (size_t b = 0; b < tilt.size(); ++b)
+    if (tilt[b] > M_PI / 2) out.push_back(advice::turned_over(c.bodies[b].name, tilt[b]));
   return out;
 }
 

@@ -20,6 +20,7 @@
 #include "hawser/model/notes.hpp"
 #include "hawser/model/schema.hpp"
 #include "hawser/run/events.hpp"
+#include "hawser/run/hull_check.hpp"
 #include "hawser/run/lines_on_bed.hpp"
 #include "hawser/run/targets.hpp"
 #include "hawser/run/version.hpp"
@@ -102,6 +103,7 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
     progress.print(line);
   if (s.escapes > 0) progress.print("note: " + advice::unstable_equilibria_left(s.escapes));
   progress.print_warnings(sim.tilting_warnings());
+  progress.print_warnings(platforms_turned_over(sim.system().comm(), c, sim.bodies(), sim.state().at_rest()));
   if (s.negative_eigenvalues > 0)
     progress.print("warning: " + advice::unstable_at_rest(s.negative_eigenvalues));
   return s;

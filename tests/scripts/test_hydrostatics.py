@@ -61,6 +61,48 @@ class Hydrostatics(unittest.TestCase):
             print(f"{what}: " + ", ".join(f"{freedom} {found[freedom]:.5g} s, {error:+.1e}" for freedom, error in off.items()))
             self.assertLess(max(map(abs, off.values())), tolerance)
 
+    def test_heights_beside_the_waterplane(self):
+        """A float of 40 x 20 m with a draught of 2 m over a box of 20 x 20 x 4 m below one of its ends. The metacentric heights
+        I/V + z_B - z_G have I about the centre of the waterplane, 5 m aft of the centres of mass and buoyancy."""
+        write(self.folder, "case.yaml", """\
+hawser: 1
+environment: {water: {density: 1000}}
+bodies: {body: {floating: {mass: 3.2e6, centre_of_mass: [5, 0, 0], inertia: [1e8, 4e8, 4e8], hull: {volumes: [above, below]}}}}
+volumes:
+  above: {shape: {box: {centre: [0, 0, 0], size: [40, 20, 4]}}, body: body}
+  below: {shape: {box: {centre: [10, 0, -4.5], size: [20, 20, 4]}}, body: body}
+""")
+        done = run(HAWSER, "check", "case.yaml", "--quick", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        found = [float(x) for x in re.search(r"metacentric heights (\S+) m \(roll\), (\S+) m", done.stdout).groups()]
+        buoyancy = -0.5 * 1 - 0.5 * 4.5
+        np.testing.assert_allclose(found, [40 * 20**3 / 12 / 3200 + buoyancy, 20 * 40**3 / 12 / 3200 + buoyancy], rtol=2e-4)
+
+    def test_box_that_turns_over(self):
+        """A box of 40 x 20 x 8 m with a draught of 4 m and a metacentric height of -1.67 m, pushed over by a small moment. With 5.33 m
+        it heels by sin(heel) (GM + BM/2 tan² heel) = moment/weight."""
+        def rest(height, ranks=()):
+            write(self.folder, "case.yaml", f"""\
+hawser: 1
+environment: {{gravity: 9.81, water: {{density: 1000}}}}
+bodies: {{box: {{floating: {{mass: 3.2e6, centre_of_mass: [0, 0, {height}], inertia: [1.5e8, 4.5e8, 5e8], hull: {{volumes: [hull]}}, turning_stiffness: [0, 0, 1e8],
+                           loads: [{{force: [0, 0, 0], moment: [3e6, 0, 0]}}]}}}}}}
+volumes: {{hull: {{shape: {{box: {{centre: [0, 0, 0], size: [40, 20, 8]}}}}, body: box}}}}
+output: {{histories: [{{body: box}}]}}
+""")
+            done = run(*ranks, HAWSER, "run", "case.yaml", cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with h5py.File(self.folder / "case.h5") as file:
+                return float(file["series/box"][-1, 3]), done.stdout + done.stderr
+
+        heel, text = rest(1)
+        self.assertNotIn("warning:", text)
+        self.assertAlmostEqual(np.sin(heel) * (16 / 3 + 25 / 6 * np.tan(heel) ** 2), 3e6 / (3.2e6 * 9.81), places=8)
+        for ranks in ((), ("mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "2")):
+            heel, text = rest(8, ranks)
+            self.assertGreater(abs(heel), np.pi / 2)
+            self.assertEqual(text.count("warning: body box comes to rest turned over, 180 deg"), 1, text)
+
     def sphere(self, around):
         """Writes a mesh of a sphere of 5 m with as many facets around its axis and half as many from pole to
         pole, and its exact volume."""

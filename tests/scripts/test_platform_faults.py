@@ -77,6 +77,55 @@ def scaled_damping(power):
     return lambda text: changed(text, 5, change)
 
 
+def from_another_origin(x, y, headings):
+    """Changes of .1, .3 and .hst of the spar, which is round, to those about an origin at (-x, -y) from its axis and for other
+    headings. About the origin O' of a body with its old origin at r = (x, y, 0) from it A' = T^T A T, with T = [[1, -r^], [0, 1]];
+    X leads by the phase of the wave at r less."""
+    T = np.eye(6)
+    T[0, 5], T[1, 5], T[2, 3], T[2, 4] = -y, x, y, -x
+
+    def matrices(text, first, values):
+        found = {}
+        for row in ([float(word) for word in line.split()] for line in text.splitlines()):
+            i, j = int(row[first]) - 1, int(row[first + 1]) - 1
+            for k in range(min(values, len(row) - first - 2)):
+                found.setdefault((*row[:first],), np.zeros((values, 6, 6)))[k, i, j] = row[first + 2 + k]
+        out = ""
+        for at, blocks in found.items():
+            moved = [T.T @ block @ T for block in blocks]
+            count = values if not at or at[0] > 0 else 1
+            out += "".join(" ".join(f"{v:.9g}" for v in (*at, i + 1, j + 1, *(m[i, j] for m in moved[:count]))) + "\n"
+                           for i in range(6) for j in range(6) if any(m[i, j] for m in moved[:count]))
+        return out
+
+    def stiffness(text):
+        """With the buoyancy beside the origin: C46 = -rho g V x, C56 = -rho g V y."""
+        buoyancy = "".join(f"{i} 6 {-28274.3 * arm:.9g}\n" for i, arm in ((4, x), (5, y)) if arm)
+        return matrices(text, 0, 1) + buoyancy
+
+    def forces(text):
+        rows = [[float(word) for word in line.split()] for line in text.splitlines()]
+        along = {}
+        for row in rows:
+            if row[1] == 0:
+                along.setdefault(row[0], np.zeros(6, complex))[int(row[2]) - 1] = complex(row[5], row[6])
+        out = ""
+        for period, X in along.items():
+            omega = 2 * np.pi / period
+            number = omega**2 / 9.80665
+            for _ in range(100):  # k tanh(k d) = omega²/g, by the mean of k and of what follows from it
+                number = 0.5 * (number + omega**2 / 9.80665 / np.tanh(number * 200))
+            for heading in headings:
+                c, s = np.cos(np.radians(heading)), np.sin(np.radians(heading))
+                turned = np.array([X[0] * c, X[0] * s, X[2], -X[4] * s, X[4] * c, 0])
+                moved = T.T @ turned * np.exp(-1j * number * (x * c + y * s))
+                out += "".join(f"{period} {heading} {i + 1} {abs(v):.6g} {np.degrees(np.angle(v)):.2f} {v.real:.6g} {v.imag:.6g}\n"
+                               for i, v in enumerate(moved) if abs(v) > 0)
+        return out
+
+    return {".1": lambda text: matrices(text, 1, 2), ".3": forces, ".hst": stiffness}
+
+
 class Faults(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -89,8 +138,8 @@ class Faults(unittest.TestCase):
         zipped = path.with_name(path.name + ".gz")
         return path.read_text() if path.exists() else gzip.decompress(zipped.read_bytes()).decode() if zipped.exists() else None
 
-    def check(self, of, change=None, z=None, ending=".1"):
-        """Output of `hawser check`, with one file changed."""
+    def check(self, of, change=None, z=None, ending=".1", changes=None):
+        """Output of `hawser check`, with one file changed or, by `changes`, several."""
         stem, water, gravity, masses, keys = of
         for old in self.folder.iterdir():
             old.unlink()
@@ -99,6 +148,7 @@ class Faults(unittest.TestCase):
             if text is None and suffix != ".3":
                 self.skipTest(f"{stem}{suffix} is not there")
             if text is not None:
+                text = changes[suffix](text) if changes else text
                 write(self.folder, f"files{suffix}", change(text) if change and suffix == ending else text)
         height = z if z is not None else -2 if "origin_in_file" in keys else 0
         bodies = "".join(f"  body{n}: {{position: [0, 0, {height}], floating: {{{mass}, hydrodynamics: {{wamit: files, body: {n}{keys}}}}}}}\n"
@@ -119,6 +169,23 @@ class Faults(unittest.TestCase):
         self.assert_only(DIVIDED, self.check(SPAR, scaled_damping(1)))
         self.assert_only(MULTIPLIED, self.check(SPAR, scaled_damping(-1)))
 
+    def test_origin_beside_the_axis(self):
+        """Phases are those at the origin; 60 m beside the axis the heave force of a wave of 150 m has one of up to 144 deg. Directions
+        of unequal gaps, whose mean has odd harmonics unless they are weighted; all in one quarter; all round. Heights and periods are
+        those of the spar about its axis."""
+        for x, y in ((60, 0), (-25, 55)):
+            mass = SPAR[3][0].replace("[0, 0, -50]", f"[{x}, {y}, -50]")
+            of = (*SPAR[:3], [mass], SPAR[4])
+            for headings in (range(0, 360, 55), (0, 60, 120, 180, 240, 300, 330), (0, 30, 60), range(0, 360, 30)):
+                with self.subTest(x=x, y=y, headings=headings):
+                    changes = from_another_origin(x, y, headings)
+                    text = self.check(of, changes=changes)
+                    self.assert_only(None, text)
+                    self.assertNotIn("note:", text)
+                    self.assertIn("metacentric heights 5.277 m (roll), 5.277 m (pitch)", text)
+                    self.assertIn("heave 19.69 s, roll 30.62 s, pitch 30.62 s", text)
+            self.assert_only(CONJUGATED, self.check(of, conjugate_heave, ending=".3", changes=changes))
+
     def test_height_of_the_files(self):
         """A cube of the spar's volume has sides of 30.5 m."""
         text = self.check(SPAR)
@@ -130,6 +197,41 @@ class Faults(unittest.TestCase):
         text = self.check(SPAR, z=-31)
         self.assert_only(FAR, text)
         self.assertIn("bodies.body1.position: z is -31 m, 31 m below the height of its files, 0 m, which is more than its size (30.5 m", text)
+
+    def test_phases_that_turn(self):
+        """60 m from the origin of the phases forces between directions 30 deg apart are too small in waves of 8 s."""
+        sentence = "the waterplane of the body is 60 m from the origin of the phases in the files"
+        mass = SPAR[3][0].replace("[0, 0, -50]", "[60, 0, -50]")
+        for period, step, count in ((8, 30, 1), (8, 10, 0), (25, 30, 0)):
+            of = (SPAR[0], SPAR[1] + f"}}, waves: {{regular: {{height: 1, period: {period}, direction_deg: 50}}", SPAR[2], [mass], SPAR[4])
+            text = self.check(of, changes=from_another_origin(60, 0, range(0, 360, step)))
+            self.assertEqual(text.count(sentence), count, text)
+        self.assertNotIn("origin of the phases", self.check((SPAR[0], SPAR[1] + "}, waves: {regular: {height: 1, period: 8}", *SPAR[2:])))
+
+    def test_damping_that_drives(self):
+        """Negative damping of one degree of freedom is too small a part of all to be refused."""
+        def negative(row):
+            if row[0] > 0 and row[1] == row[2] == 3:
+                row[4] = -row[4]
+
+        sentence = "the radiation damping of heave is negative at most frequencies"
+        text = self.check(SPAR, lambda text: changed(text, 5, negative))
+        self.assertEqual(text.count(sentence), 1, text)
+        self.assertNotIn("Haskind", text)
+        self.assertNotIn(sentence, self.check(SPAR))
+
+    def test_other_directions(self):
+        """Directions that waves come from, and in radians."""
+        def opposite(row):
+            row[1] = (row[1] + 180) % 360
+
+        def radians(row):
+            row[1] = np.radians(row[1])
+
+        self.assertIn("or its directions are those that waves come from", self.check(SPAR, lambda text: changed(text, 7, opposite), ending=".3"))
+        of = (SPAR[0], SPAR[1] + "}, waves: {regular: {height: 1, period: 10}", *SPAR[2:])
+        text = self.check(of, lambda text: changed(text, 7, radians), ending=".3")
+        self.assertIn("are their directions in radians?", text)
 
     def test_public_files(self):
         for name, of in SETS.items():

@@ -81,6 +81,51 @@ class Restarts(unittest.TestCase):
             self.assertLess(off, 1e-12)
             self.assertLess(others, 1e-5)
 
+    def turning_case(self, follow):
+        """The three bodies in a wave, each with another yaw, by 10 to 20 deg, that their slow headings follow. Forces of the waves
+        differ by 30 deg of direction."""
+        periods = sorted({float(line.split()[0]) for line in (self.folder / "f3of.1").read_text().splitlines()[1:]} - {0.0, -1.0})
+        rows = []
+        for period in periods:
+            number = (2 * np.pi / period) ** 2 / 9.81
+            for direction in range(0, 360, 30):
+                c, s = np.cos(np.radians(direction)), np.sin(np.radians(direction))
+                for body, size in enumerate((2000.0, 300.0, 300.0)):
+                    for mode, X in ((1, 1j * number * size * c), (2, 1j * number * size * s), (3, 100.0 if body == 0 else 10.0), (6, 1j * number * size * s)):
+                        rows.append(f"{period:.9g} {direction} {6 * body + mode} {abs(X):.9g} {np.degrees(np.angle(X)):.6g} {np.real(X):.9g} {np.imag(X):.9g}")
+        write(self.folder, "f3of.3", "\n".join(rows) + "\n")
+        text = ("hawser: 1\nenvironment: {gravity: 9.81, water: {density: 1000}, waves: {regular: {height: 0.5, period: 9, direction_deg: 40}, ramp: 5}}\n"
+                "bodies:\n")
+        for number, (name, mass, x, rate) in enumerate((("base", 1089825, 0, 0.02), ("one", 179250, -12.5, -0.03), ("two", 179250, 12.5, 0.04))):
+            held = np.diag([1e5, 1e5, 1e6, 1e9, 1e9, 1e6]).tolist()
+            text += (f"  {name}: {{position: [{x}, 0, -9], floating: {{mass: {mass}, inertia: [1e8, 1e8, 1e8], angular_velocity: [0, 0, {rate}], hydrodynamics: "
+                     f"{{wamit: f3of, body: {number + 1}, follow_period: {follow}, stiffness: {json.dumps(held)}}}}}}}\n")
+        write(self.folder, "case.yaml", text + "statics: false\ndynamics: {duration: 16, step: 0.1}\n"
+              "output: {every: 8, checkpoint_every: 6.35, histories: [{body: base}, {body: one}, {body: two}]}\n")
+
+    def test_slow_headings(self):
+        """A group with slow headings on 1, 2 and 3 ranks, and restarts on another number of ranks. Followed headings change the
+        motion by more than a hundredth of its size."""
+        self.turning_case(0)
+        self.run_case(1, "-o", "fixed.h5")
+        self.turning_case(15)
+        for ranks in (1, 2, 3):
+            self.run_case(ranks, "-o", f"whole{ranks}.h5")
+        followed, _ = self.difference("whole1.h5", "fixed.h5", 10)
+        self.assertGreater(followed * START, 5e-3)
+        for ranks in (2, 3):
+            off, count = self.difference(f"whole{ranks}.h5", "whole1.h5", 0)
+            print(f"slow headings, {ranks} ranks and 1: off by {off:.1e} at {count} times, of {followed:.1e} by the headings")
+            self.assertGreater(count, 150)
+            self.assertLess(off, 1e-10)
+        for ranks, others in ((1, 2), (2, 1), (2, 3), (3, 1)):
+            self.run_case(ranks, "--stop-at", "6.35", "-o", "part.h5")
+            self.run_case(others, "--restart", "part.h5", "-o", "rest.h5")
+            off, count = self.difference("rest.h5", "whole1.h5", 6.35)
+            print(f"slow headings, restart of {ranks} on {others} ranks: off by {off:.1e} at {count} times")
+            self.assertGreater(count, 90)
+            self.assertLess(off, 1e-10)
+
 
 if __name__ == "__main__":
     unittest.main()

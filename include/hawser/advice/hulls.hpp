@@ -32,6 +32,9 @@ std::string hull_at_start(const HullAtStart& hull);
 // position in the case. Empty up to 0.1 m.
 std::string equilibrium_differs(const std::string& body, double rise);
 
+// For a body that statics turns over, by `tilt` [rad] from its initial attitude.
+std::string turned_over(const std::string& body, double tilt);
+
 // Vertical force on a body at rest [N, upwards] other than its weight and the water: lines and contact.
 std::string held_at_rest(const std::string& body, double up);
 // For a volume of a floating body whose lowest point is `depth` [m] below the seabed, which does not hold it.

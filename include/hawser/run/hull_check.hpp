@@ -25,6 +25,10 @@ std::string hulls_text(const model::Case& c, const std::vector<LoadedVolume>& vo
 std::vector<std::string> platforms_off_start(const model::Case& c, const Bodies& bodies,
                                              const Kinematics& equilibrium);
 
+// Messages about such bodies of any rank that rest with the underside up (advice::turned_over). Collective.
+std::vector<std::string> platforms_turned_over(MPI_Comm comm, const model::Case& c, const Bodies& bodies,
+                                               const Kinematics& equilibrium);
+
 // Vertical force on each of these bodies at rest besides its weight and the water (advice::held_at_rest). On
 // one rank.
 std::vector<std::string> platforms_held(const model::Case& c, const System& system,
