@@ -17,7 +17,7 @@ Key statics() {
                     "only, from the equilibrium without friction",
                     or_else("false")),
             integer({"max_iterations", &Statics::max_iterations},
-                    "largest number of Newton iterations in a stage", in_range(1, 1e6), or_else("500")),
+                    "largest number of Newton iterations in a stage", in_range(1, 1e6), or_else("1000")),
             word({"dynamic_relaxation", &Statics::relaxation},
                  {{"auto", Relaxation::automatic},
                   {"always", Relaxation::always},

@@ -1,6 +1,6 @@
 """Impacts of cables with edges: lines over edges and around corners of moving decks, a rope under a hull, and nets
 under a falling crate, from random_scenes.py at default settings. Steps create and lose little of the energy brought
-in, stored or released."""
+in, stored or released. Statics of ropes over an edge and of a load in smooth slings."""
 import os
 import re
 import tempfile
@@ -56,6 +56,26 @@ class Edges(unittest.TestCase):
                 tension = float(re.search(r"max effective tension +rope +(\S+) N", result.stdout)[1])
                 self.assertGreater(tension, 10000)
                 self.assertLess(tension, 11000)
+
+    def test_a_body_that_falls_in_statics(self):
+        """A smooth cylinder in two smooth slings slides out of them: its equilibrium is unstable."""
+        sling = ("  s{name}: {{sections: [{{type: rope, length: 5.88, elements: 20}}], end_a: {{anchor: [{x}, -1.2, 2]}}, "
+                 "end_b: {{anchor: [{x}, 1.2, 2]}},\n    start: {{points: [[{x}, -1.2, 2], [{x}, -0.51, 0], [{x}, -0.36, -0.36], "
+                 "[{x}, 0, -0.51], [{x}, 0.36, -0.36], [{x}, 0.51, 0], [{x}, 1.2, 2]]}}}}\n")
+        with tempfile.TemporaryDirectory() as folder:
+            write(Path(folder), "slings.yaml", """\
+hawser: 1
+environment: {}
+line_types: {rope: {outer_diameter: 0.02, mass_per_length: 1, EA: 1 MN, bending: false}}
+bodies: {load: {position: [0, 0, 0], floating: {mass: 2000, inertia: [250, 800, 800], weight: true}}}
+volumes: {load: {shape: {capsule: {from: [-2, 0, 0], to: [2, 0, 0], radius: 0.5}}, body: load}}
+contact: {between_lines: false}
+statics: {max_iterations: 30}
+lines:
+""" + sling.format(name=0, x=-1) + sling.format(name=1, x=1))
+            output = run(HAWSER, "run", "slings.yaml", cwd=folder)
+        self.assertEqual(output.returncode, 3, output.stdout + output.stderr)
+        self.assertRegex(output.stderr, r"body load has moved by \S+ m and does not come to rest: it falls")
 
 
 if __name__ == "__main__":
