@@ -149,7 +149,7 @@ void warn_of_floating(const Case& c, const Body& b, std::vector<InputWarning>& o
                 b.position.z(), std::abs(above), above > 0 ? "above" : "below", level, size);
   const Eigen::Vector2d added(m.hydrodynamics->stiffness(3, 3) + m.turning_stiffness.x(),
                               m.hydrodynamics->stiffness(4, 4) + m.turning_stiffness.y());
-  const Eigen::Vector2d heights = metacentric_heights(m, calm, g) + added / weight;
+  const Eigen::Vector2d heights = metacentric_heights(restoring(m, calm, g), weight) + added / weight;
   const bool roll = heights[0] < 0;
   const bool pitch = heights[1] < 0;
   const bool lines = !line_ends_at(c, b).empty();

@@ -55,17 +55,15 @@ PlatformHydrostatics hydrostatics(const BodyMass& m, double density, double grav
   return out;
 }
 
-Vec3 restoring(const BodyMass& m, const PlatformHydrostatics& hydrostatics, double gravity) {
+Mat3 restoring(const BodyMass& m, const PlatformHydrostatics& hydrostatics, double gravity) {
   const double by_weight = m.mass * gravity * m.centre.z();
-  return hydrostatics.stiffness.diagonal() - Vec3(0, by_weight, by_weight);
+  Mat3 C = hydrostatics.stiffness;
+  C.diagonal() -= Vec3(0, by_weight, by_weight);
+  return C;
 }
 
-Eigen::Vector2d metacentric_heights(const BodyMass& m, const PlatformHydrostatics& hydrostatics,
-                                    double gravity) {
-  Mat3 C = hydrostatics.stiffness;
-  C.diagonal() = restoring(m, hydrostatics, gravity);
-  const Mat3 T = upright_from_point(waterplane_centre(C));
-  return (T.transpose() * C * T).diagonal().tail<2>() / (m.mass * gravity);
+Eigen::Vector2d metacentric_heights(const Mat3& C, double weight) {
+  return about_waterplane_centre(C).diagonal().tail<2>() / weight;
 }
 
 std::vector<std::vector<int>> radiating_groups(const Case& c) {

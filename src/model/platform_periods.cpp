@@ -45,13 +45,9 @@ PlatformPeriods platform_periods(const Case& c, const Body& b) {
   const BodyHydrodynamics& h = *m.hydrodynamics;
   const double g = c.environment.gravity;
   const PlatformHydrostatics calm = hydrostatics(m, c.environment.water.density, g);
-  Mat3 C = calm.stiffness;
-  C.diagonal() = restoring(m, calm, g);
   // About the centre of the waterplane, where heave is not a part of roll and pitch.
-  const Eigen::Vector2d centre = waterplane_centre(C);
-  const Mat3 upright = upright_from_point(centre);
-  const Mat6 motion = motion_from_point(centre);
-  C = upright.transpose() * C * upright;
+  const Mat3 C = about_waterplane_centre(restoring(m, calm, g));
+  const Mat6 motion = motion_from_point(waterplane_centre(calm.stiffness));
   const Mat6 mass = mass_matrix_about(m, Vec3::Zero());
   const int first = 6 * (h.body - 1);
   const auto period = [&](int freedom) {

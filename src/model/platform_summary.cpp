@@ -31,7 +31,7 @@ std::string platform_text(const Case& c, const Body& b) {
   if (std::abs(above) >= 0.01)
     s += fmt::format("    starts {:.4g} m {} the height of its files\n", std::abs(above),
                      above > 0 ? "above" : "below");
-  const Eigen::Vector2d heights = metacentric_heights(m, calm, g);
+  const Eigen::Vector2d heights = metacentric_heights(restoring(m, calm, g), weight);
   s += fmt::format("    metacentric heights {:.4g} m (roll), {:.4g} m (pitch)\n", heights[0], heights[1]);
   const int first = 6 * (h.body - 1);
   std::string added;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "hawser/advice/hulls.hpp"
@@ -10,6 +11,7 @@
 #include "hawser/kernels/hull_pressure.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/bed.hpp"
+#include "hawser/model/waterplane.hpp"
 #include "hawser/terms/hulls.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 #include "hawser/terms/run_roles.hpp"
@@ -58,6 +60,17 @@ void for_each_hull(Case& c, const std::vector<LoadedVolume>& volumes, const Visi
   for (size_t b = 0; b < c.bodies.size(); ++b)
     if (auto& body = c.bodies[b]; body.mass && body.mass->hull)
       visit(body, hull_surface(c, static_cast<int>(b), facets, HUGE_VAL));
+}
+
+bool is_platform(const model::Body& b) { return b.mass && (b.mass->hull || b.mass->hydrodynamics); }
+
+// Calls `visit` with the index of each platform that has a node on this rank, and its pose at `state`.
+template <class Visit>
+void for_each_platform(const model::Case& c, const Bodies& bodies, const Kinematics& state,
+                       const Visit& visit) {
+  for (int b = 0; b < static_cast<int>(c.bodies.size()); ++b)
+    if (const int node = bodies.local_node(b); node >= 0 && is_platform(c.bodies[b]))
+      visit(b, floating_state(state, node));
 }
 
 // Rise [m] of the body to the position where buoyancy balances its weight, at constant rotation: bisection
@@ -114,13 +127,9 @@ std::string hulls_text(const model::Case& c, const std::vector<LoadedVolume>& vo
     start.displaced = start.buoyancy / (density * g);
     start.volume = displaced_volumes(hull, top_of(hull, s), s).mean();
     start.waterplane = p.K(2, 2) / (density * g);
-    // Of rotations about the centre of the waterplane, which do not change the displaced volume.
-    const auto height = [&](int turn) {
-      const double coupled = start.waterplane > 0 ? p.K(2, turn) * p.K(turn, 2) / p.K(2, 2) : 0;
-      return (p.K(turn, turn) - coupled) / start.buoyancy;
-    };
-    start.roll_height = height(3);
-    start.pitch_height = height(4);
+    const Eigen::Vector2d heights = model::metacentric_heights(p.K.block<3, 3>(2, 2), start.buoyancy);
+    start.roll_height = heights[0];
+    start.pitch_height = heights[1];
     start.rise = rise_to_float(hull, s, weight, density * g, level);
     start.held_by = held_by(c, b);
     out += advice::hull_at_start(start);
@@ -131,34 +140,29 @@ std::string hulls_text(const model::Case& c, const std::vector<LoadedVolume>& vo
 std::vector<std::string> platforms_off_start(const model::Case& c, const Bodies& bodies,
                                              const Kinematics& equilibrium) {
   std::vector<std::string> out;
-  for (size_t b = 0; b < c.bodies.size(); ++b) {
+  for_each_platform(c, bodies, equilibrium, [&](int b, const RigidBodyState& at) {
     const model::Body& body = c.bodies[b];
-    if (!body.mass || !(body.mass->hull || body.mass->hydrodynamics)) continue;
-    const int node = bodies.local_node(static_cast<int>(b));
-    if (node < 0) continue;
-    const double rise = floating_state(equilibrium, node).x.z() - start_of(body).x.z();
+    const double rise = at.x.z() - start_of(body).x.z();
     if (std::string text = advice::equilibrium_differs(body.name, rise); !text.empty())
       out.push_back(std::move(text));
-  }
+  });
   return out;
 }
 
 std::vector<std::string> platforms_turned_over(MPI_Comm comm, const model::Case& c, const Bodies& bodies,
                                                const Kinematics& equilibrium) {
-  std::vector<double> tilt(c.bodies.size());
-  for (size_t b = 0; b < c.bodies.size(); ++b) {
-    const model::Body& body = c.bodies[b];
-    if (!body.mass || !(body.mass->hull || body.mass->hydrodynamics)) continue;
-    const int node = bodies.local_node(static_cast<int>(b));
-    if (node < 0) continue;
+  std::vector<std::pair<int, double>> local;  // body and tilt
+  for_each_platform(c, bodies, equilibrium, [&](int b, const RigidBodyState& at) {
     // Between the upward vertical in body axes and that of the start.
-    const Vec3 up = floating_state(equilibrium, node).q.conjugate() * Vec3::UnitZ();
-    tilt[b] = std::acos(std::clamp(up.dot(start_of(body).q.conjugate() * Vec3::UnitZ()), -1.0, 1.0));
-  }
-  all_reduce(comm, MPI_MAX, tilt);
+    const Vec3 up = at.q.conjugate() * Vec3::UnitZ();
+    const Vec3 at_start = start_of(c.bodies[b]).q.conjugate() * Vec3::UnitZ();
+    const double tilt = std::acos(std::clamp(up.dot(at_start), -1.0, 1.0));
+    if (tilt > M_PI / 2) local.emplace_back(b, tilt);
+  });
+  const std::vector<std::pair<int, double>> all = gather_all(comm, local);
+  const std::map<int, double> turned(all.begin(), all.end());  // a body may be on several ranks
   std::vector<std::string> out;
-  for (size_t b = 0; b < tilt.size(); ++b)
-    if (tilt[b] > M_PI / 2) out.push_back(advice::turned_over(c.bodies[b].name, tilt[b]));
+  for (const auto& [b, tilt] : turned) out.push_back(advice::turned_over(c.bodies[b].name, tilt));
   return out;
 }
 
@@ -168,7 +172,7 @@ std::vector<std::string> platforms_held(const model::Case& c, const System& syst
   const RigidBodies* floating = system.find<RigidBodies>();
   for (size_t b = 0; floating && b < c.bodies.size(); ++b) {
     const model::Body& body = c.bodies[b];
-    if (!body.mass || !(body.mass->hull || body.mass->hydrodynamics)) continue;
+    if (!is_platform(body)) continue;
     double up = floating->force_on(static_cast<int>(b), equilibrium)[0].z();
     for (const ReportsBodyForces* term : system.with<ReportsBodyForces>())
       for (const BodyForce& f : term->forces_on(static_cast<int>(b), equilibrium)) up -= f.force.z();

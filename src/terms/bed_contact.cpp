@@ -123,10 +123,10 @@ void BedContact::add(const Point& p, const Vec3& residual, const Mat3* K, const 
   add_shared({mesh_.block[p.node], mesh_.block[p.second]}, residual, K, C, assembler);
 }
 
-// Residual of a point with the soil's force p n - suction and friction F: minus the force on the line. Its
-// tangent is K = p' n n^T + p H - dF/dx for suction p(gap) with the normal n and the curvature H of the bed.
-// In statics with friction it is stabilised: K = -dF/ds + w (dF/ds - S), S the secant of pressed friction and
-// w = weights().stabilisation, because dF/ds alone vanishes where all friction is mobilised.
+// Residual of a point: the pull p of suction along the normal n, less the force c of contact and friction.
+// With the gap g and the curvature H of the bed its tangent is K = dp/dg n n^T + p H - dc/dx, C = -dc/dv. Far
+// from an equilibrium w > 0, and K has the stiffness S of the secant of friction F in place of a part w of
+// dF/ds, which is 0 where all friction is mobilised: w (dF/ds - S) is added.
 void BedContact::evaluate(const Kinematics& trial, Assembler& assembler) {
   const bool needs_tangent = assembler.needs_tangent(), convex = assembler.convex();
   for (const Point& p : points_) {

@@ -71,8 +71,8 @@ struct BodyLoad {
 // separately. Files with gravity include -m g zG in C44 and C55, m g xG in C46 and m g yG in C56 (WAMIT
 // manual 7, section 4.2). The body needs hydrodynamics; density [kg/m³] of water, gravity [m/s²].
 PlatformHydrostatics hydrostatics(const BodyMass& body, double density, double gravity);
-// Stiffness in heave [N/m], roll and pitch [N m/rad] including weight: C - m g z_G for rotations.
-Vec3 restoring(const BodyMass& body, const PlatformHydrostatics& calm, double gravity);
+// Stiffness matrix of heave [N/m], roll and pitch [N m/rad] with weight: C, less m g z_G for both rotations.
+Mat3 restoring(const BodyMass& body, const PlatformHydrostatics& calm, double gravity);
 
 // Fractions of a sea's energy outside a table of wave forces: at directions (relative to the bow) without
 // nearby rows, and at periods shorter or longer than those of the table. heading: of the body, rad.

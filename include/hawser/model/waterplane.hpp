@@ -13,13 +13,7 @@ inline Eigen::Vector2d waterplane_centre(const Mat3& C) {
 }
 
 // Motion of the origin by one of a point at this horizontal distance from it: the heave of the origin is
-// that of the point plus x theta_y - y theta_x, in heave, roll and pitch, and in all degrees of freedom.
-inline Mat3 upright_from_point(const Eigen::Vector2d& point) {
-  Mat3 T = Mat3::Identity();
-  T(0, 1) = -point.y();
-  T(0, 2) = point.x();
-  return T;
-}
+// that of the point plus x theta_y - y theta_x.
 inline Mat6 motion_from_point(const Eigen::Vector2d& point) {
   Mat6 T = Mat6::Identity();
   T(0, 5) = point.y();
@@ -29,8 +23,15 @@ inline Mat6 motion_from_point(const Eigen::Vector2d& point) {
   return T;
 }
 
-// Metacentric heights of roll and pitch, m: of rotations about the centre of the waterplane, which do not
-// change the displaced volume.
-Eigen::Vector2d metacentric_heights(const BodyMass& body, const PlatformHydrostatics& calm, double gravity);
+// Stiffness C of heave, roll and pitch about the body's origin, transferred to the centre of the waterplane.
+inline Mat3 about_waterplane_centre(const Mat3& C) {
+  const Mat3 T = motion_from_point(waterplane_centre(C)).block<3, 3>(2, 2);
+  return T.transpose() * C * T;
+}
+
+// Metacentric heights of roll and pitch, m, of a body with this stiffness of heave, roll and pitch, weight
+// included: of rotations about the centre of the waterplane, which do not change the displaced volume.
+// weight: N.
+Eigen::Vector2d metacentric_heights(const Mat3& C, double weight);
 
 }  // namespace hawser::model
