@@ -221,8 +221,9 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
     std::array<MovingEnd, 2> ends;
     if (exact) ends = {moving_end(panel.from, panel.at_from), moving_end(panel.to, panel.at_to)};
     for (size_t q = 0; q < kContactPoints; ++q) {
-      const double place = ContactRule::unit[q], fraction = ContactRule::weight[q], w = L * span * fraction;
-      const Point p = point(panel.from + span * place);
+      const PanelPoint at = panel_point(q);
+      const double w = L * span * at.weight;
+      const Point p = point(panel.from + span * at.place);
       const Start from = has_friction ? start(p.xi) : Start{};
       const LinePairForce c = line_pair_force(set_.law, local(p, from), derivatives);
       if (points && c.along_normal.elastic > 0) points->push_back(stored_point(panel, p, c, w));
@@ -250,9 +251,8 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
             (rows.by_xi[r] + rows.by_eta[r] * s.eta_by_xi) * v + rows.factor[r] * s.by_xi.segment<3>(first);
         for (const bool last : {false, true}) {
           if (!ends[last].moves) continue;
-          const double interval = last ? fraction : -fraction,
-                       shift = span * fraction * (last ? place : 1 - place);
-          ends[last].force[r] -= L * (interval * rows.factor[r] * v + shift * along);
+          const double by_length = at.length_by_end(last), by_xi = span * at.weight * at.xi_by_end(last);
+          ends[last].force[r] -= L * (by_length * rows.factor[r] * v + by_xi * along);
         }
       }
     }

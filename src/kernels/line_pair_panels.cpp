@@ -14,6 +14,12 @@ namespace {
 constexpr double kSteep = 0.5;
 constexpr double kRoot = 1e-15;
 
+// Weight of a pass against an end of the master, where another element joins it. Along a chain of elements b
+// with the joints V the potential is phi(rho) = sum_b phi(rho_b) - sum_V phi(rho_V): the closest point at a
+// joint belongs to both elements there and would count twice. Each of the two has half of the joint's term
+// (docs/theory/line-line.md#a-chain-of-elements).
+constexpr double kJointWeight = -0.5;
+
 }  // namespace
 
 double slave_fraction(double slave, double master) {
@@ -45,7 +51,7 @@ Stencil stencil_of(const PairAxis& one, const PairAxis& other) {
 LinePairPass::LinePairPass(const PairAxis& slave, const PairAxis& master, ProjectOn target,
                            const Settings& settings, const std::vector<LinePairContactPoint>& previous)
     : slave_(slave), master_(master), target_(target), set_(settings), previous_(previous) {
-  if (target_ != ProjectOn::element) set_.fraction *= -0.5;
+  if (target_ != ProjectOn::element) set_.fraction *= kJointWeight;
   slave_lever_ = set_.slave_radius / set_.law.radii;
   master_lever_ = 1 - slave_lever_;
   at_slave_ = set_.swapped ? static_cast<size_t>(master.now.count()) : 0;
@@ -226,9 +232,10 @@ double LinePairPass::potential(const std::vector<Panel>& panels) const {
   double sum = 0;
   for (const Panel& s : panels)
     for (size_t q = 0; q < kContactPoints; ++q) {
-      const double xi = s.from + (s.to - s.from) * ContactRule::unit[q];
+      const PanelPoint at = panel_point(q);
+      const double xi = s.from + (s.to - s.from) * at.place;
       const double d = projection(master_.now, target_, slave_.now.point(xi)).distance;
-      sum += set_.fraction * slave_.ends.length * (s.to - s.from) * ContactRule::weight[q] *
+      sum += set_.fraction * slave_.ends.length * (s.to - s.from) * at.weight *
              normal_force(set_.law.normal, d - set_.law.radii, 0).potential;
     }
   return sum;

@@ -16,8 +16,9 @@ constexpr size_t kTurns = AttachedForces::kPositions;
 
 }  // namespace
 
-// End of a panel that moves with the unknowns. s is where gap(s, X) = smoothing, so ds = -n . dx(s) / (n .
-// x'(s)). The positions and weights of the Gauss points change with s.
+// End of a panel that moves with the unknowns X. It is at xi = s, the root of gap(s, X) = smoothing, so that
+//   ds = -n . dx(s) / (n . x'(s)).
+// Positions and weights of the Gauss points depend on s, so forces have the additional derivative dF/ds ds.
 struct AxisContact::Moving {
   bool touches = false;
   AxisShape::Weights H{};
@@ -91,7 +92,7 @@ AxisContact::Sample AxisContact::sample(const QuadraturePoint& q, const ContactP
   p.trial.point = pose_.to_body(x);
   p.trial.gap = q.surface.distance - radius_;
   p.trial.normal = q.surface.normal;
-  // The term -N H is the negative geometric stiffness of contact.
+  // The stiffness is -dN/dg n n' - N d²g/dx². The second term, by the curvature of the surface, is negative.
   if (!mode_.convex) p.trial.curvature = q.surface.curvature;
   // Relative velocity in the body frame: u = R'(v - V) - omega x y.
   if (mode_.moves) p.trial.velocity = R_inverse_ * (shape_.velocity(p.xi) - pose_.velocity_at(x));
@@ -107,7 +108,8 @@ AxisContact::Sample AxisContact::sample(const QuadraturePoint& q, const ContactP
   return p;
 }
 
-// The tangent includes the moving ends.
+// Sums the Gauss points of a panel. The tangent adds to this sum the motion of the panel's ends:
+//   K_jk += dF_j/ds ds/dx H_k.
 void AxisContact::add_panel(const ContactQuadrature& contact, size_t panel, const PanelFunctions& functions,
                             std::vector<AxisContactPoint>* points) {
   const ContactPanel& s = contact.panels[panel];
@@ -161,8 +163,8 @@ void AxisContact::add_sample(const Sample& p) {
     }
 }
 
-// Changes of force and torque of a point with the ends of its panel, which has the length `span` in xi,
-// through the weight w = L span part and the place xi = from + along span.
+// Contribution of a Gauss point to dF_j/ds at both ends of its panel, with F_j = w H_j(xi) f(xi). The ends
+// determine w = L span weight and xi = from + span place, span = to - from. Torques likewise.
 void AxisContact::add_to_moving_ends(const ContactLaw& law, Sample& p, const QuadraturePoint& q, double span,
                                      std::array<Moving, 2>& ends) const {
   const double L = length_;
@@ -179,16 +181,18 @@ void AxisContact::add_to_moving_ends(const ContactLaw& law, Sample& p, const Qua
   const std::array<double, 2> N{1 - p.xi, p.xi};
   for (size_t i = 0; i < 2; ++i) {
     if (!ends[i].touches) continue;
-    const double interval = i ? q.part : -q.part, shift = span * q.part * (i ? q.along : 1 - q.along);
+    const double by_length = q.in_panel.length_by_end(i == 1),
+                 by_xi = span * q.in_panel.weight * q.in_panel.xi_by_end(i == 1);
     for (size_t j = 0; j < n_; ++j)
-      ends[i].force[j] += L * ((interval * p.H[j] + shift * dH[j]) * p.force + shift * p.H[j] * slope);
+      ends[i].force[j] += L * ((by_length * p.H[j] + by_xi * dH[j]) * p.force + by_xi * p.H[j] * slope);
     for (size_t j = 0; j < 2 && rolls_; ++j)
       ends[i].torque[j] +=
-          L * ((interval * N[j] + (j ? shift : -shift)) * torque + shift * N[j] * torque_along);
+          L * ((by_length * N[j] + (j ? by_xi : -by_xi)) * torque + by_xi * N[j] * torque_along);
   }
 }
 
-// A roll by da moves the line's surface by arm da, so the torque is -arm . f. The ends roll about `about_`.
+// A roll by da moves the line's surface by arm da, so the torque is -arm . f. It acts on the ends about the
+// axes `about_`.
 void AxisContact::add_rolling(const Sample& p, const Mat3& by_point) {
   const double w = p.weight, torque = p.torque();
   const AxisShape::Weights& H = p.H;

@@ -109,10 +109,9 @@ void LinePairs::each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B
   s.moves = moves && pair.law.normal.damping > 0;  // only damping depends on velocities
   s.convex = convex;
   for (size_t k = 0; k < kPasses; ++k) {
-    const bool swapped = k >= 3;
-    const ProjectOn target = static_cast<ProjectOn>(k % 3);
+    const auto [swapped, target] = kPassKinds[k];
     const int master = swapped ? pair.a : pair.b, slave = swapped ? pair.b : pair.a;
-    if (target != ProjectOn::element && !joint(segment(master), target == ProjectOn::second_end)) continue;
+    if (!kPassKinds[k].on_element() && !joint(segment(master), target == ProjectOn::second_end)) continue;
     s.range = swapped ? pair.range_b : pair.range_a;
     if (!(s.range[0] < s.range[1])) continue;
     s.slave_radius = type_of_segment(slave).radius;
@@ -195,8 +194,9 @@ void LinePairs::commit(const Kinematics& accepted) {
       forces(pair, A, B, t, {moves});
     const ContactPoints& next = t.points;
     if (pair.counted) {
-      for (const size_t pass : {0, 3}) {
-        const double depth = largest_depth_of(next[pass]);
+      for (size_t k = 0; k < kPasses; ++k) {
+        if (!kPassKinds[k].on_element()) continue;
+        const double depth = largest_depth_of(next[k]);
         if (depth > deepest_.depth) deepest_ = {depth, accepted.time, pair.key.first, pair.key.second};
       }
       if (moves) account(pair, A, B, next);
@@ -219,7 +219,7 @@ void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, 
     return axis.beam() ? axis.turn_at(xi) : Mat3::Identity();
   };
   for (size_t k = 0; k < kPasses; ++k) {
-    const bool swapped = k >= 3;
+    const bool swapped = kPassKinds[k].swapped;
     const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
     const int a = swapped ? pair.b : pair.a, b = swapped ? pair.a : pair.b;
     const double slave_weight = type_of_segment(a).radius / pair.law.radii;

@@ -13,7 +13,7 @@ namespace {
 
 enum Kind { kPoints, kSums, kDeepest, kShared };
 
-// Contact point with the elements of its pair and its pass (LinePairs::kPasses).
+// Contact point with the elements of its pair and its pass (LinePairs::kPassKinds).
 struct PairPoint {
   int first = 0, second = 0, pass = 0;
   LinePairContactPoint point;

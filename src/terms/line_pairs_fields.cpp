@@ -29,7 +29,7 @@ void LinePairs::active_contacts(ActiveContacts& out) const {
     t.from = t.other_from = HUGE_VAL;
     t.to = t.other_to = -HUGE_VAL;
     for (size_t k = 0; k < kPasses; ++k) {
-      const bool swapped = k >= 3;
+      const bool swapped = kPassKinds[k].swapped;
       const ContactSegment &slave = swapped ? b : a, &master = swapped ? a : b;
       double &from = swapped ? t.other_from : t.from, &to = swapped ? t.other_to : t.to;
       double &foot_from = swapped ? t.from : t.other_from, &foot_to = swapped ? t.to : t.other_to;
@@ -41,7 +41,7 @@ void LinePairs::active_contacts(ActiveContacts& out) const {
         t.force += h.weight * h.normal_force;
         t.energy += h.weight * h.potential;
       }
-      if (k % 3 == 0) t.depth = std::max(t.depth, largest_depth_of(points));
+      if (kPassKinds[k].on_element()) t.depth = std::max(t.depth, largest_depth_of(points));
     }
     out.push_back(t);
   }
@@ -56,7 +56,7 @@ void LinePairs::resultants(const Kinematics& state, ContactResultants& out) cons
     const double radii[] = {type_of_segment(pair.a).radius, type_of_segment(pair.b).radius};
     ResultantSum sum;
     for (size_t k = 0; k < kPasses; ++k) {
-      const size_t slave = k < 3 ? 0 : 1;
+      const size_t slave = kPassKinds[k].swapped ? 1 : 0;
       for (const LinePairContactPoint& h : (*pair.points)[k])
         sum.add(shapes[slave].point(h.xi) - (radii[slave] + 0.5 * h.gap) * h.normal, h, Mat3::Identity(),
                 slave == 0 ? 1 : -1);
@@ -87,8 +87,8 @@ void LinePairs::fields(FieldRegistry& registry) const {
           const ContactSegment &a = segment(p.a), &b = segment(p.b);
           for (size_t k = 0; k < kPasses; ++k)
             for (const LinePairContactPoint& h : (*p.points)[k]) {
-              put(k < 3 ? a : b, h.xi, 1, h);
-              put(k < 3 ? b : a, h.eta, -1, h);
+              put(kPassKinds[k].swapped ? b : a, h.xi, 1, h);
+              put(kPassKinds[k].swapped ? a : b, h.eta, -1, h);
             }
         }
       });

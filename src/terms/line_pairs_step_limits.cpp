@@ -128,8 +128,9 @@ void LinePairs::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
 // the force has no points.
 double LinePairs::largest_depth(const Pair& p) const {
   double depth = -HUGE_VAL;
-  for (const size_t pass : {0, 3})
-    if (p.points && !(*p.points)[pass].empty()) depth = std::max(depth, largest_depth_of((*p.points)[pass]));
+  for (size_t k = 0; k < kPasses; ++k)
+    if (kPassKinds[k].on_element() && p.points && !(*p.points)[k].empty())
+      depth = std::max(depth, largest_depth_of((*p.points)[k]));
   return depth > -HUGE_VAL ? depth : 0;
 }
 

@@ -195,7 +195,7 @@ void LineVolumeFinder::find_at_nodes(LineVolumePair& pair, int group, const Axis
     if (!near || !takes_part(pair, xi)) continue;
     const auto p = gap.query(xi, 0.5 * shape.slope_bound());
     if (!p || !pair.in_contact(*p)) continue;
-    f.quadrature.push_back({xi, 0.5 * pair.length, xi, 1, f.panels.size(), *p});
+    f.quadrature.push_back({xi, 0.5 * pair.length, {xi, 1}, f.panels.size(), *p});
     f.panels.push_back({{0.5 * xi, 0.5 + 0.5 * xi}, group});
   }
   if (f.panels.empty() && !pair.group(group) && !by_gap()) update_clearance(pair, shape, pose, places_);

@@ -2,6 +2,7 @@
 // negative, and panels with Gauss points on them. Pure functions: the result depends on the gap alone.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "hawser/math/function_ref.hpp"
@@ -71,5 +72,15 @@ std::vector<ContactInterval> split_intervals(const std::vector<ContactInterval>&
 // body.
 inline constexpr int kContactPoints = 4;
 using ContactRule = GaussPoints<kContactPoints>;
+
+// Gauss point of a panel [from, to], at xi = from + place (to - from). It has the part `weight` of the panel.
+struct PanelPoint {
+  double place = 0, weight = 1;
+
+  // Derivatives by an end of the panel: of weight (to - from), and of xi.
+  double length_by_end(bool at_to) const { return at_to ? weight : -weight; }
+  double xi_by_end(bool at_to) const { return at_to ? place : 1 - place; }
+};
+constexpr PanelPoint panel_point(std::size_t q) { return {ContactRule::unit[q], ContactRule::weight[q]}; }
 
 }  // namespace hawser

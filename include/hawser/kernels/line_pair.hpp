@@ -63,7 +63,7 @@ class LinePairPass {
  public:
   struct Settings {
     LinePairLaw law;
-    double fraction = 0.5;              // of the pressure, from slave_fraction()
+    double fraction = 0.5;              // s of the theory: part of the pressure, from slave_fraction()
     double slave_radius = 0;            // m
     bool moves = true;                  // in dynamics; without damping it has no effect
     bool convex = false;                // exclude negative stiffness

@@ -1,8 +1,9 @@
 // Contact of lines with each other and with themselves: kernels/line_pair.hpp over all candidate pairs,
-// each in several passes (kPasses below): each element once as the slave, against the element and the ends of
-// the other. See docs/theory/line-line.md.
+// each in several passes (kPassKinds below): each element once as the slave, against the element and the ends
+// of the other. See docs/theory/line-line.md.
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -107,9 +108,21 @@ class LinePairs final : public ForceTerm,
   void resultants(const Kinematics& state, ContactResultants& out) const;
 
  private:
-  // Passes by slave and target on the master: the first element against the second, against its first end,
-  // against its second end; then with both elements swapped.
+  // A pass of a pair integrates along one element, the slave, against a target on the other, the master: the
+  // element, or one of its ends if it is a joint, where the pass removes what the neighbour counts again.
+  struct PassKind {
+    bool swapped;  // the slave is the second element of the pair, not the first
+    ProjectOn target;
+    bool on_element() const { return target == ProjectOn::element; }
+  };
   static constexpr size_t kPasses = 6;
+  // Checkpoints store the index of a pass.
+  static constexpr std::array<PassKind, kPasses> kPassKinds{{{false, ProjectOn::element},
+                                                             {false, ProjectOn::first_end},
+                                                             {false, ProjectOn::second_end},
+                                                             {true, ProjectOn::element},
+                                                             {true, ProjectOn::first_end},
+                                                             {true, ProjectOn::second_end}}};
   using ContactPoints = std::array<std::vector<LinePairContactPoint>, kPasses>;
   using Key = std::pair<int, int>;  // of Mesh::elements
   // Panels of a pair in the last evaluated state, which tangent and commit() of the same state reuse, and
@@ -174,7 +187,7 @@ class LinePairs final : public ForceTerm,
   AxisEnds ends(const Kinematics& state, int segment) const;
   Rod rod(const Kinematics& state, int segment) const;
   LinePairLaw law(int segment_a, int segment_b) const;
-  // Calls visit(k, pass) for the passes k of a pair that may touch.
+  // Calls visit(k, pass) for the passes kPassKinds[k] of a pair that may touch.
   template <class Visit>
   void each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B, bool moves, bool convex,
                  const Visit& visit) const;

@@ -83,8 +83,8 @@ struct ContactPanel : ContactInterval {
 
 // Quadrature point of a panel, and the surface there.
 struct QuadraturePoint {
-  double xi = 0, weight = 0;   // -, m
-  double along = 0, part = 1;  // position in the panel, 0 to 1; weight of the rule
+  double xi = 0, weight = 0;  // -, m
+  PanelPoint in_panel;
   size_t panel = 0;
   SurfacePoint surface;
 };
@@ -109,10 +109,10 @@ struct ContactQuadrature {
                   const Query& query) {
     for (const ContactInterval& s : intervals) {
       for (size_t q = 0; q < kContactPoints; ++q) {
-        const double along = ContactRule::unit[q], part = ContactRule::weight[q];
-        const double xi = s.from + (s.to - s.from) * along;
+        const PanelPoint at = panel_point(q);
+        const double xi = s.from + (s.to - s.from) * at.place;
         if (const auto p = query(xi))
-          quadrature.push_back({xi, length * (s.to - s.from) * part, along, part, panels.size(), *p});
+          quadrature.push_back({xi, length * (s.to - s.from) * at.weight, at, panels.size(), *p});
       }
       panels.push_back({s, group});
     }
