@@ -322,8 +322,8 @@ void LineStructure::commit(const Kinematics& accepted) {
     const CableStep step{accepted.step, accepted.mean.filter};
     for (Cable& c : cables_) {
       const CableEnds e = ends(c, accepted);
-      const CableLoss losses =
-          cable_loss(c.section, scaled_start(c, accepted.step, last_step_), step, e.x1, e.x2);
+      const CableStepResult losses =
+          cable_step_result(c.section, scaled_start(c, accepted.step, last_step_), step, e.x1, e.x2);
       c.start.strain_increment = losses.strain_increment;
       if (c.element.counted) {
         damping_ += losses.damped;

@@ -129,7 +129,7 @@ std::vector<Thrown> thrown(const CableSection& s, double filter) {
     out.push_back(t);
     x1 = t.x1;
     x2 = t.x2;
-    strain_increment = cable_loss(s, t.from, t.step, x1, x2).strain_increment;
+    strain_increment = cable_step_result(s, t.from, t.step, x1, x2).strain_increment;
   }
   return out;
 }
@@ -150,7 +150,7 @@ TEST(CableMean, ItsWorkIsTheChangeOfEnergyAndWhatDampersTake) {
             return cable_stress(s, {Vec3::Zero(), d, Vec3::Zero(), Vec3::Zero()}).strain_energy;
           };
           const double work = S.dot(chord - p.from.chord), stored = energy(chord) - energy(p.from.chord);
-          const CableLoss lost = cable_loss(s, p.from, p.step, p.x1, p.x2);
+          const CableStepResult lost = cable_step_result(s, p.from, p.step, p.x1, p.x2);
           EXPECT_GE(lost.damped, 0);
           EXPECT_GE(S.dot(chord + p.from.chord), 0);                                // no compression
           EXPECT_LT(S.cross(chord + p.from.chord).norm(), 1e-12 * (1 + S.norm()));  // no moment
@@ -172,7 +172,7 @@ TEST(CableMean, TheFilterGivesBackNoMoreThanItHolds) {
   const CableSection s{1.1, 300, 0};
   double sum = 0, least = 0, most = 0;
   for (const Thrown& p : thrown(s, 0.06)) {
-    sum += cable_loss(s, p.from, p.step, p.x1, p.x2).filtered;
+    sum += cable_step_result(s, p.from, p.step, p.x1, p.x2).filtered;
     least = std::min(least, sum);
     most = std::max(most, sum);
   }

@@ -157,7 +157,7 @@ TEST(Feed, WorkAndEnergyAgree) {
       const auto energy = [](const CableSection& s, const Vec3& d) {
         return cable_stress(s, {Vec3::Zero(), d, Vec3::Zero(), Vec3::Zero()}).strain_energy;
       };
-      const CableLoss lost = cable_loss(s1, from, step, Vec3::Zero(), d1);
+      const CableStepResult lost = cable_step_result(s1, from, step, Vec3::Zero(), d1);
       const double work = cable_mean_force(s1, from, step, Vec3::Zero(), d1).dot(d1 - d0) + lost.fed;
       EXPECT_NEAR(work, energy(s1, d1) - energy(s0, d0) + lost.damped + lost.filtered, 1e-9);
       EXPECT_GE(lost.damped, 0);

@@ -46,7 +46,7 @@ struct CableStart {
   double length = 0;              // m, of the chord
   double strain = 0;              // beyond the free strain; negative: slack
   double unstretched_length = 0;  // m; at the end of the step it differs where line is paid out
-  double strain_increment = 0;    // of the taut part of the strain in the step before, see cable_loss
+  double strain_increment = 0;    // of the taut part of the strain in the step before, see cable_step_result
   // s, damping in this step: that of the section, reduced so that at the strain rate of the step before the
   // damper does not exceed the spring's tension. 0 if the element is slack at the start.
   double beta = 0;
@@ -67,10 +67,10 @@ struct CableStress {
 // T = EA (e + beta e'), e = l/L - 1 - free strain, for e > 0. The damper's part is limited in magnitude to
 // the spring's. `force` is T t as in CableForce. `slack`: fraction of the axial stiffness in k of slack
 // elements.
-Vec3 cable_force(const CableSection& s, const CableEnds& e);
-void cable_force(const CableSection& s, const CableEnds& e, double slack, CableForce& out);
+Vec3 cable_force(const CableSection& section, const CableEnds& e);
+void cable_force(const CableSection& section, const CableEnds& e, double slack, CableForce& out);
 
-CableStress cable_stress(const CableSection& s, const CableEnds& e);
+CableStress cable_stress(const CableSection& section, const CableEnds& e);
 
 // The mean force of a step, with the sign of CableForce: its work over the displacement of the ends is the
 // change of strain energy, to rounding, plus the energy taken by damper and filter (Simo & Tarnow 1992,
@@ -78,22 +78,22 @@ CableStress cable_stress(const CableSection& s, const CableEnds& e);
 // compressive.
 // strain_increment: change of the taut part of the strain in the step before, which took previous_h [s]; both
 // are 0 where there was none.
-CableStart cable_start(const CableSection& s, const Vec3& x1, const Vec3& x2, double strain_increment,
+CableStart cable_start(const CableSection& section, const Vec3& x1, const Vec3& x2, double strain_increment,
                        double previous_h);
-Vec3 cable_mean_force(const CableSection& s, const CableStart& start, const CableStep& step, const Vec3& x1,
-                      const Vec3& x2);
+Vec3 cable_mean_force(const CableSection& section, const CableStart& start, const CableStep& step,
+                      const Vec3& x1, const Vec3& x2);
 // The same with its derivative by x2 - x1. c is zero: in a step dampers act through the change of position.
-void cable_mean_force(const CableSection& s, const CableStart& start, const CableStep& step, const Vec3& x1,
-                      const Vec3& x2, CableForce& out);
+void cable_mean_force(const CableSection& section, const CableStart& start, const CableStep& step,
+                      const Vec3& x1, const Vec3& x2, CableForce& out);
 
-// Energy that the element has lost in a step that ended with x1 and x2.
-struct CableLoss {
-  double damped = 0;            // J, taken by the damping of the line type
-  double filtered = 0;          // J, taken by the filter; negative where the filter returns energy
-  double strain_increment = 0;  // for the start of the next step
+// Energies of a step that ended with x1 and x2, and the strain that the next step needs.
+struct CableStepResult {
+  double damped = 0;            // J, lost to the damping of the line type
+  double filtered = 0;          // J, lost to the filter; negative where the filter returns energy
+  double strain_increment = 0;  // for cable_start of the next step
   double fed = 0;               // J, work of the feeder that changed the unstretched length
 };
-CableLoss cable_loss(const CableSection& s, const CableStart& start, const CableStep& step, const Vec3& x1,
-                     const Vec3& x2);
+CableStepResult cable_step_result(const CableSection& section, const CableStart& start, const CableStep& step,
+                                  const Vec3& x1, const Vec3& x2);
 
 }  // namespace hawser
