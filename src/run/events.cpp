@@ -31,8 +31,8 @@ double tolerance(const Cause& c) {
 
 }  // namespace
 
-bool Events::waits_for_condition(const ScheduledEvent& h) {
-  const Cause::Kind kind = h.event.cause.kind;
+bool Events::waits_for_condition(const ScheduledEvent& scheduled) {
+  const Cause::Kind kind = scheduled.event.cause.kind;
   return kind != Cause::Kind::time && kind != Cause::Kind::after && kind != Cause::Kind::stage;
 }
 
@@ -40,23 +40,23 @@ Events::Events(MPI_Comm comm, Simulation& simulation)
     : comm_(comm), sim_(simulation), ends_(simulation.system(), simulation.feeders()), actions_(simulation) {
   const model::Case& c = sim_.model();
   for (const model::Event& e : c.events) {
-    ScheduledEvent h;
-    h.event = e;
+    ScheduledEvent scheduled;
+    scheduled.event = e;
     const Cause& cause = e.cause;
     if (cause.kind == Cause::Kind::paid_out) {
       const auto& feeders = sim_.feeders()->all();
       for (size_t f = 0; f < feeders.size(); ++f)
         if (feeders[f].line == c.line_index(cause.line) &&
             feeders[f].line_end == (cause.arc > 0 ? LineEnd::B : LineEnd::A))
-          h.feeder = static_cast<int>(f);
+          scheduled.feeder = static_cast<int>(f);
     } else if (!cause.line.empty()) {
-      h.node = sim_.mesh().nearest_node(c.line_index(cause.line), cause.arc);
+      scheduled.node = sim_.mesh().nearest_node(c.line_index(cause.line), cause.arc);
     } else if (cause.kind == Cause::Kind::near) {
-      h.node = actions_.node(e.action);
+      scheduled.node = actions_.node(e.action);
     }
     for (size_t k = 0; k < c.events.size() && cause.kind == Cause::Kind::after; ++k)
-      if (c.events[k].name == cause.event) h.after = static_cast<int>(k);
-    events_.push_back(std::move(h));
+      if (c.events[k].name == cause.event) scheduled.after = static_cast<int>(k);
+    events_.push_back(std::move(scheduled));
   }
 }
 
@@ -65,10 +65,10 @@ void Events::watch() {
     sim_.dynamics().watch([this](const Kinematics& trial) { return conditions(values(trial)); });
 }
 
-double Events::local_value(const ScheduledEvent& h, const Kinematics& state) const {
+double Events::local_value(const ScheduledEvent& scheduled, const Kinematics& state) const {
   const LocalMesh& local = sim_.local();
-  const Cause& cause = h.event.cause;
-  const int n = h.node < 0 ? -1 : local.find(h.node);
+  const Cause& cause = scheduled.event.cause;
+  const int n = scheduled.node < 0 ? -1 : local.find(scheduled.node);
   const bool local_node = local.owns(n);
   switch (cause.kind) {
     case Cause::Kind::position:
@@ -79,14 +79,14 @@ double Events::local_value(const ScheduledEvent& h, const Kinematics& state) con
       return local_node ? state.x[n][cause.axis] : -HUGE_VAL;
     case Cause::Kind::paid_out: {
       const Feeders& feeders = *sim_.feeders();
-      const Feeder& f = feeders.all()[h.feeder];
+      const Feeder& f = feeders.all()[scheduled.feeder];
       if (!feeders.at_feed_point(f)) return -HUGE_VAL;
       return feeders.outside(f) - f.length + feeders.feed_point(f, state).length - f.outside_at_start;
     }
     case Cause::Kind::near:
-      return local_node ? actions_.away(h.event.action, state) : -HUGE_VAL;
+      return local_node ? actions_.away(scheduled.event.action, state) : -HUGE_VAL;
     case Cause::Kind::tension:
-      return local_tension(h.node);
+      return local_tension(scheduled.node);
     case Cause::Kind::time:
     case Cause::Kind::after:
     case Cause::Kind::stage:
@@ -106,7 +106,7 @@ double Events::local_tension(int node) const {
 std::vector<double> Events::values(const Kinematics& state) {
   ends_.evaluate(state, std::vector<Vec3>(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero()));
   std::vector<double> out;
-  for (const ScheduledEvent& h : events_) out.push_back(local_value(h, state));
+  for (const ScheduledEvent& scheduled : events_) out.push_back(local_value(scheduled, state));
   return all_reduce(comm_, MPI_MAX, out);
 }
 
@@ -128,18 +128,19 @@ void Events::refuse_met(const std::vector<double>& values) const {
   }
 }
 
-double Events::due(const ScheduledEvent& h) const {
-  const Cause& c = h.event.cause;
+double Events::due(const ScheduledEvent& scheduled) const {
+  const Cause& c = scheduled.event.cause;
   if (c.kind == Cause::Kind::time) return c.time;
   if (c.kind != Cause::Kind::after) return HUGE_VAL;
-  const double first = events_[h.after].happened;
+  const double first = events_[scheduled.after].happened;
   return first < 0 ? HUGE_VAL : first + c.time;
 }
 
 double Events::next(double time) const {
   double out = HUGE_VAL;
-  for (const ScheduledEvent& h : events_)
-    if (h.happened < 0 && due(h) > time + record::time_tolerance(time)) out = std::min(out, due(h));
+  for (const ScheduledEvent& scheduled : events_)
+    if (scheduled.happened < 0 && due(scheduled) > time + record::time_tolerance(time))
+      out = std::min(out, due(scheduled));
   return out;
 }
 
@@ -158,23 +159,23 @@ std::vector<size_t> Events::due_at(double time, const std::vector<double>& value
 
 void Events::happen(size_t i, const Kinematics& state, const std::string& stage,
                     std::vector<std::string>& messages) {
-  ScheduledEvent& h = events_[i];
-  const Action& a = h.event.action;
-  h.placed = actions_.act(a, state);
-  h.order = static_cast<double>(std::count_if(
+  ScheduledEvent& scheduled = events_[i];
+  const Action& a = scheduled.event.action;
+  scheduled.placed = actions_.act(a, state);
+  scheduled.order = static_cast<double>(std::count_if(
       events_.begin(), events_.end(), [](const ScheduledEvent& other) { return other.happened >= 0; }));
-  h.happened = state.time;
+  scheduled.happened = state.time;
   advice::Happened how;
   if (a.kind == Action::Kind::release) {
     how.tension = local_tension(actions_.node(a));
     all_reduce(comm_, MPI_MAX, how.tension);
   }
-  if (a.at) how.from_place = h.placed.away;
+  if (a.at) how.from_place = scheduled.placed.away;
   if (a.kind == Action::Kind::attach && !a.at && !a.body.empty()) {
     const model::Body& body = sim_.model().bodies[sim_.model().body_index(a.body)];
     const Vec3 centre =
         sim_.model().floats(sim_.model().body_index(a.body)) ? body.mass->centre : Vec3(Vec3::Zero());
-    how.from_origin = (Vec3(h.placed.place.data()) + centre).norm();
+    how.from_origin = (Vec3(scheduled.placed.place.data()) + centre).norm();
   }
   messages.push_back(advice::happened(a, state.time, stage, how));
   if (a.kind != Action::Kind::release) return;
@@ -214,10 +215,10 @@ std::vector<std::string> Events::at_rest(const std::string& stage) {
 
 // True if the stage releases a line or its support.
 bool Events::releases_end(const std::string& stage) const {
-  return std::any_of(events_.begin(), events_.end(), [&](const ScheduledEvent& h) {
-    const Action& a = h.event.action;
+  return std::any_of(events_.begin(), events_.end(), [&](const ScheduledEvent& scheduled) {
+    const Action& a = scheduled.event.action;
     const bool carried = a.kind == Action::Kind::contact && !a.enabled;
-    return h.event.cause.kind == Cause::Kind::stage && h.event.cause.event == stage &&
+    return scheduled.event.cause.kind == Cause::Kind::stage && scheduled.event.cause.event == stage &&
            (a.kind == Action::Kind::release || carried);
   });
 }
@@ -239,9 +240,11 @@ void Events::solve_stages(const std::function<void(bool)>& solve,
 // Pays out element by element, all feeders of the stage together, each from the equilibrium before.
 void Events::pay_out(const std::string& stage, const std::function<void(bool)>& solve) {
   std::map<Feeder*, double> remaining;  // m
-  for (const ScheduledEvent& h : events_) {
-    const Action& a = h.event.action;
-    if (h.event.cause.kind != Cause::Kind::stage || h.event.cause.event != stage || a.paid_out == 0) continue;
+  for (const ScheduledEvent& scheduled : events_) {
+    const Action& a = scheduled.event.action;
+    if (scheduled.event.cause.kind != Cause::Kind::stage || scheduled.event.cause.event != stage ||
+        a.paid_out == 0)
+      continue;
     for (Feeder& f : sim_.feeders()->all())
       if (f.line == sim_.model().line_index(a.line) && f.line_end == a.line_end) remaining[&f] += a.paid_out;
   }
@@ -282,7 +285,7 @@ std::vector<std::string> Events::apply_due() {
     const Energy e = sim_.system().energy(d.committed().s.after_step(d.control().proposal()));
     return e.kinetic + e.strain + e.potential + e.friction + e.damping + e.unresolved - e.work;
   };
-  const auto waits = [](const ScheduledEvent& h) { return h.happened < 0; };
+  const auto waits = [](const ScheduledEvent& scheduled) { return scheduled.happened < 0; };
   while (std::any_of(events_.begin(), events_.end(), waits)) {
     const Kinematics at = d.kinematics();
     const std::vector<size_t> now = due_at(at.time, values(at), "");
@@ -300,8 +303,8 @@ std::vector<std::string> Events::apply_due() {
 
 std::vector<std::string> Events::not_happened() const {
   std::vector<std::string> out;
-  for (const ScheduledEvent& h : events_)
-    if (h.happened < 0) out.push_back(advice::did_not_happen(h.event));
+  for (const ScheduledEvent& scheduled : events_)
+    if (scheduled.happened < 0) out.push_back(advice::did_not_happen(scheduled.event));
   return out;
 }
 

@@ -25,12 +25,12 @@ std::vector<std::pair<const char*, double*>> entries(Actions::Found& f) {
 }  // namespace
 
 void Events::save(io::Checkpoint& to) const {
-  for (const ScheduledEvent& h : events_) {
-    if (h.happened < 0) continue;
-    const std::string key = kHappened + h.event.name;
-    to.scalars[key] = h.happened;
-    to.scalars[key + kOrder] = h.order;
-    Actions::Found placed = h.placed;
+  for (const ScheduledEvent& scheduled : events_) {
+    if (scheduled.happened < 0) continue;
+    const std::string key = kHappened + scheduled.event.name;
+    to.scalars[key] = scheduled.happened;
+    to.scalars[key + kOrder] = scheduled.order;
+    Actions::Found placed = scheduled.placed;
     for (const auto& [name, value] : entries(placed)) to.scalars[key + name] = *value;
   }
 }
@@ -42,27 +42,28 @@ std::vector<std::string> Events::restore(const io::Checkpoint& from) {
   };
   std::vector<ScheduledEvent*> happened;
   std::set<std::string> known;  // keys
-  for (ScheduledEvent& h : events_) {
-    const std::string key = kHappened + h.event.name;
+  for (ScheduledEvent& scheduled : events_) {
+    const std::string key = kHappened + scheduled.event.name;
     known.insert(key);
     known.insert(key + kOrder);
     const auto at = from.scalars.find(key);
     if (at == from.scalars.end()) {
-      if (h.event.cause.kind == Cause::Kind::time &&
-          h.event.cause.time < from.time - record::time_tolerance(from.time))
-        throw refusal(advice::event_before_restart(h.event, from.time));
-      if (h.event.cause.kind == Cause::Kind::stage) throw refusal(advice::event_of_statics_missing(h.event));
+      if (scheduled.event.cause.kind == Cause::Kind::time &&
+          scheduled.event.cause.time < from.time - record::time_tolerance(from.time))
+        throw refusal(advice::event_before_restart(scheduled.event, from.time));
+      if (scheduled.event.cause.kind == Cause::Kind::stage)
+        throw refusal(advice::event_of_statics_missing(scheduled.event));
       continue;
     }
-    h.happened = at->second;
+    scheduled.happened = at->second;
     if (const auto order = from.scalars.find(key + kOrder); order != from.scalars.end())
-      h.order = order->second;
-    for (const auto& [name, value] : entries(h.placed)) {
+      scheduled.order = order->second;
+    for (const auto& [name, value] : entries(scheduled.placed)) {
       known.insert(key + name);
       if (const auto entry = from.scalars.find(key + name); entry != from.scalars.end())
         *value = entry->second;
     }
-    happened.push_back(&h);
+    happened.push_back(&scheduled);
   }
   for (const auto& [key, time] : from.scalars)
     if (key.starts_with(kHappened) && !known.count(key))
@@ -72,9 +73,9 @@ std::vector<std::string> Events::restore(const io::Checkpoint& from) {
   });
   std::vector<std::string> messages;
   actions_.begin();
-  for (const ScheduledEvent* h : happened) {
-    actions_.repeat(h->event.action, h->placed, h->happened);
-    messages.push_back("note: " + advice::event_happened(h->event, h->happened));
+  for (const ScheduledEvent* scheduled : happened) {
+    actions_.repeat(scheduled->event.action, scheduled->placed, scheduled->happened);
+    messages.push_back("note: " + advice::event_happened(scheduled->event, scheduled->happened));
   }
   if (messages.empty()) return messages;
   System& system = sim_.system();

@@ -56,11 +56,11 @@ class Events {
     double order = 0;      // number of events before it
     Actions::Found placed;
   };
-  static bool waits_for_condition(const ScheduledEvent& h);
-  double due(const ScheduledEvent& h) const;  // s; infinite: unknown
+  static bool waits_for_condition(const ScheduledEvent& scheduled);
+  double due(const ScheduledEvent& scheduled) const;  // s; infinite: unknown
   // Monitored tensions [N], positions, lengths and distances [m], the same on all ranks.
   std::vector<double> values(const Kinematics& state);
-  double local_value(const ScheduledEvent& h, const Kinematics& state) const;
+  double local_value(const ScheduledEvent& scheduled, const Kinematics& state) const;
   double local_tension(int node) const;
   // Excess of each waiting event's value over its condition, in units of its tolerance; >= 0: met.
   std::vector<double> conditions(const std::vector<double>& values) const;
