@@ -130,7 +130,7 @@ class Walk {
     if (!v.given || !v.schema) return;
     switch (v.kind) {
       case Value::Kind::map: {
-        const bool names = v.schema->type == Key::Type::names;
+        const bool names = v.schema->type == Key::Type::map_by_name;
         for (std::size_t i = 0; i < v.items.size(); ++i)
           visit(*Entry(v, i), path + (path.empty() ? "" : ".") + (names ? "*" : v.keys[i]));
         return;

@@ -131,7 +131,7 @@ class Change {
     if (key.type != Type::one_of) return key;
     for (const Key& k : key.keys) {
       const bool list = k.type == Type::list || k.type == Type::vec3;
-      if (step.name.empty() ? list : k.type == Type::map || k.type == Type::names) return k;
+      if (step.name.empty() ? list : k.type == Type::map || k.type == Type::map_by_name) return k;
     }
     return key;
   }
@@ -143,19 +143,19 @@ class Change {
   Value& entry(Value& v, const Key& key, const std::string& name, std::string& path) const {
     if (key.type == Type::list || key.type == Type::vec3)
       refuse(path, "is a list: give a place in it, '{}[0]', not '{}'", path, name);
-    if (key.type != Type::map && key.type != Type::names)
+    if (key.type != Type::map && key.type != Type::map_by_name)
       refuse(path, "is {}, which has no keys", model::describe(key));
     std::vector<std::string> known;
     for (const Key& k : key.keys) known.push_back(k.name);
-    if (key.type == Type::names) known = v.keys;
+    if (key.type == Type::map_by_name) known = v.keys;
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       std::string meant = model::did_you_mean(name, known);
       if (const std::string below = key.type == Type::map ? model::place_below(key, name) : "";
           !below.empty())
         meant = fmt::format("; did you mean '{}{}{}'?", path, path.empty() ? "" : ".", below);
       known.resize(std::min<std::size_t>(known.size(), 20));
-      refuse(path, "{} '{}'{} ({}: {})", key.type == Type::names ? "there is no" : "unknown key", name, meant,
-             key.type == Type::names ? "there are" : "allowed",
+      refuse(path, "{} '{}'{} ({}: {})", key.type == Type::map_by_name ? "there is no" : "unknown key", name,
+             meant, key.type == Type::map_by_name ? "there are" : "allowed",
              known.empty() ? "none" : model::enumerate(known, "and"));
     }
     if (v.kind == Kind::null) v.kind = Kind::map;
@@ -173,15 +173,15 @@ class Change {
 
   Value& item(Value& v, const Key& key, std::size_t index, std::string& path) const {
     if (key.type == Type::map) refuse(path, "is no list but has keys: {}.{}", path, key.keys[0].name);
-    if (key.type != Type::list && key.type != Type::vec3 && key.type != Type::names)
+    if (key.type != Type::list && key.type != Type::vec3 && key.type != Type::map_by_name)
       refuse(path, "is {}, not a list", model::describe(key));
-    if (v.kind != (key.type == Type::names ? Kind::map : Kind::list))
+    if (v.kind != (key.type == Type::map_by_name ? Kind::map : Kind::list))
       refuse(path, "{}",
              v.kind == Kind::null ? std::string("is not in the file; give the whole list")
                                   : fmt::format("the file has {} here, not a list", kind_of_value(v)));
     if (index >= v.items.size())
       refuse(path, "has no [{}]: there are {}, from [0] to [{}]", index, v.items.size(), v.items.size() - 1);
-    path += key.type == Type::names ? "." + v.keys[index] : fmt::format("[{}]", index);
+    path += key.type == Type::map_by_name ? "." + v.keys[index] : fmt::format("[{}]", index);
     return opened(v.items[index]);
   }
 

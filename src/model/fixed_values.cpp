@@ -40,7 +40,7 @@ void collect(const Value& v, const Key& key, std::map<std::string, std::string>&
     return;  // by without_values()
   } else if (key.type == Type::one_of) {
     collect(v, *v.schema, to);
-  } else if (key.type == Type::names || key.type == Type::list) {
+  } else if (key.type == Type::map_by_name || key.type == Type::list) {
     for (std::size_t i = 0; i < v.items.size(); ++i) collect(*Entry(v, i), key.keys[0], to);
   } else if (key.type == Type::map) {
     for (const Key& k : key.keys)
@@ -55,7 +55,7 @@ namespace {
 // The key of an item of a list or a map with this key; null: it has none.
 const Key* key_of(const Value& v, std::size_t item, const Key* key) {
   if (!key || key->keys.empty()) return nullptr;
-  if (key->type == Type::names || key->type == Type::list) return &key->keys[0];
+  if (key->type == Type::map_by_name || key->type == Type::list) return &key->keys[0];
   if (key->type != Type::map) return nullptr;
   const auto at =
       std::find_if(key->keys.begin(), key->keys.end(), [&](const Key& k) { return k.name == v.keys[item]; });
@@ -88,7 +88,7 @@ std::optional<Value> reduced(const Value& v, const Key* key, int line) {
     out.items.push_back(items[i] ? std::move(*items[i]) : Value());
     if (!in_order) out.keys.push_back(v.keys[i]);
   }
-  const bool names = key && key->type == Type::names;
+  const bool names = key && key->type == Type::map_by_name;
   if (names && std::all_of(out.items.begin(), out.items.end(),
                            [](const Value& x) { return x.kind == Value::Kind::map && x.items.empty(); }))
     pack(out);

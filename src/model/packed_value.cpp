@@ -68,7 +68,7 @@ Value unpacked(const Value& v) {
 Entry::Entry(const Value& map, std::size_t i) : at_(&map.items[i]) {
   if (at_->kind != Kind::packed) return;
   const auto value = std::make_shared<Value>(unpacked(*at_));
-  if (map.schema && map.schema->type == Key::Type::names)
+  if (map.schema && map.schema->type == Key::Type::map_by_name)
     check_again(*value, map.schema->keys[0], map.where + "." + map.keys[i]);
   owned_ = value;
   at_ = owned_.get();

@@ -424,7 +424,7 @@ Key floating() {
 }  // namespace
 
 Key bodies() {
-  return names(
+  return map_by_name(
       {"bodies", &Case::bodies},
       map("<body>",
           {vec3({"position", &Body::position}, length, "position of the body's origin at t = 0",

@@ -201,8 +201,8 @@ Key list(Head head, Key item, auto... parts) {
 Key map(Head head, std::vector<Key> keys, auto... parts) {
   return make(Type::map, head, std::move(keys), parts...);
 }
-Key names(Head head, Key item, auto... parts) {
-  return make(Type::names, head, std::vector{std::move(item)}, parts...);
+Key map_by_name(Head head, Key item, auto... parts) {
+  return make(Type::map_by_name, head, std::vector{std::move(item)}, parts...);
 }
 Key one_of(Head head, std::vector<Key> alternatives, auto... parts) {
   return make(Type::one_of, head, std::move(alternatives), parts...);

@@ -121,7 +121,7 @@ class Checker {
         return check_list(v, k, path);
       case Type::map:
         return check_map(v, k, path);
-      case Type::names:
+      case Type::map_by_name:
         return check_names(v, k, path);
       case Type::one_of:
         return check_one_of(v, k, path);
@@ -375,7 +375,7 @@ class Checker {
         for (const Key& a : k.keys)
           if (!choice && a.type == t) choice = &a;
     };
-    if (v.kind == Kind::map) pick({Type::map, Type::names});
+    if (v.kind == Kind::map) pick({Type::map, Type::map_by_name});
     if (v.kind == Kind::list) pick({Type::vec3, Type::list});
     if (v.kind == Kind::scalar) {
       const char c = v.text.empty() ? ' ' : v.text.front();
@@ -441,7 +441,7 @@ std::string describe(const Key& k) {
       for (const Key& c : k.keys) names.push_back(c.name);
       return fmt::format("a map with the keys {}", fmt::join(names, ", "));
     }
-    case Type::names:
+    case Type::map_by_name:
       return "a map of names";
     case Type::one_of: {
       std::vector<std::string> parts;

@@ -27,7 +27,7 @@ Key platform(Head head) {
             required),
        one_of("at",
               {list("", list("", number("", none), items(2, 3)), items(1)),
-               names("", list("", number("", none), items(2, 3)), items(1))},
+               map_by_name("", list("", number("", none), items(2, 3)), items(1))},
               "x and y [m] and optionally heading [deg] of each place, as a list, `[[x, y], [x, y, heading], "
               "...]`, or by name, `{A1: [x, y], ...}`"),
        rows_of_places(),

@@ -202,7 +202,7 @@ void members(const Key& k, Writer& w) {
     case Type::map:
       map_members(k, w);
       break;
-    case Type::names:
+    case Type::map_by_name:
       w.member("type", "\"object\"");
       w.open("patternProperties", '{');
       w.open(name_pattern(), '{');

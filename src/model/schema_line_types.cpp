@@ -154,7 +154,8 @@ Key line_types() {
              "minimum allowed bend radius, for the utilisation in the summary; the line does not break",
              above(0), or_else_note("none"))};
   for (Key& k : in_water()) keys.push_back(std::move(k));
-  return names("line_types", map("<type>", std::move(keys)), "Properties of lines, by name.", or_else("{}"));
+  return map_by_name("line_types", map("<type>", std::move(keys)), "Properties of lines, by name.",
+                     or_else("{}"));
 }
 
 }  // namespace hawser::model::schema_build

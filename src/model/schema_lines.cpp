@@ -227,7 +227,7 @@ std::vector<Key> feed_law() {
 }
 
 Key joints() {
-  return names(
+  return map_by_name(
       {"joints", &Case::joints},
       map("<joint>",
           {vec3({"start", &Joint::start}, length,
@@ -242,11 +242,11 @@ Key joints() {
 }
 
 Key lines() {
-  return names({"lines", &Case::lines},
-               map("<line>", {sections(), line_end({"end_a", &Line::end_a}, "how end A is held"),
-                              line_end({"end_b", &Line::end_b}, "how end B is held"), start(), masses(),
-                              bend_stiffeners(), buried(), change_of_temperature(), loads(), target()}),
-               "Lines, by name. Arc lengths are unstretched and count from end A.", or_else("{}"));
+  return map_by_name({"lines", &Case::lines},
+                     map("<line>", {sections(), line_end({"end_a", &Line::end_a}, "how end A is held"),
+                                    line_end({"end_b", &Line::end_b}, "how end B is held"), start(), masses(),
+                                    bend_stiffeners(), buried(), change_of_temperature(), loads(), target()}),
+                     "Lines, by name. Arc lengths are unstretched and count from end A.", or_else("{}"));
 }
 
 }  // namespace hawser::model::schema_build

@@ -19,7 +19,7 @@ Key link_end(Head head) {
 }  // namespace
 
 Key links() {
-  return names(
+  return map_by_name(
       {"links", &Case::links},
       map("<link>",
           {link_end({"end_a", &Link::end_a}), link_end({"end_b", &Link::end_b}),

@@ -70,7 +70,7 @@ std::string value_text(const Key& k) {
       return list_text(k);
     case Type::map:
       return "keys";
-    case Type::names:
+    case Type::map_by_name:
       return "names";
     case Type::one_of: {
       std::vector<std::string> parts;
@@ -171,17 +171,17 @@ std::string schema_markdown() {
   s += "\n## Top level\n\n";
   s += kTable;
   for (const Key& k : case_schema().keys) {
-    const bool own_table = k.type == Type::map || k.type == Type::names || k.type == Type::one_of;
+    const bool own_table = k.type == Type::map || k.type == Type::map_by_name || k.type == Type::one_of;
     const std::string name =
         own_table ? fmt::format("[`{}`](#{})", k.name, k.name) : fmt::format("`{}`", k.name);
     s += fmt::format("| {} | {} | {} | {} | {} |\n", name, value_text(k), unit_text(k), default_text(k),
                      k.about);
   }
   for (const Key& k : case_schema().keys) {
-    if (k.type != Type::map && k.type != Type::names && k.type != Type::one_of) continue;
+    if (k.type != Type::map && k.type != Type::map_by_name && k.type != Type::one_of) continue;
     s += fmt::format("\n## {}\n\n{}{}\n\n", k.name, k.about, groups_below(k));
     s += kTable;
-    if (k.type == Type::names) {
+    if (k.type == Type::map_by_name) {
       rows_below(k.keys[0], k.keys[0].name, s);
     } else {
       rows_below(k, "", s);

@@ -64,7 +64,7 @@ Key boxes() {
 }  // namespace
 
 Key supports() {
-  return names(
+  return map_by_name(
       "supports",
       map("<group>",
           {reference("body", "bodies",

@@ -203,7 +203,7 @@ Key active() {
 }  // namespace
 
 Key volumes() {
-  return names(
+  return map_by_name(
       {"volumes", &Case::volumes},
       map("<volume>",
           {text({"mesh", &Volume::mesh},

@@ -32,11 +32,11 @@ void inspect(const Key& k, const std::string& path) {
   if (k.type == Type::one_of) {
     std::set<int> forms;  // the checker chooses among alternatives by their form, so these must differ
     for (const Key& a : k.keys) {
-      const int form = a.type == Type::list || a.type == Type::vec3        ? 1
-                       : a.type == Type::map || a.type == Type::names      ? 2
-                       : a.type == Type::number || a.type == Type::integer ? 3
-                       : a.type == Type::boolean                           ? 4
-                                                                           : 5;
+      const int form = a.type == Type::list || a.type == Type::vec3         ? 1
+                       : a.type == Type::map || a.type == Type::map_by_name ? 2
+                       : a.type == Type::number || a.type == Type::integer  ? 3
+                       : a.type == Type::boolean                            ? 4
+                                                                            : 5;
       EXPECT_TRUE(forms.insert(form).second) << path;
     }
   }

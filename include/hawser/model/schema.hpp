@@ -62,15 +62,15 @@ struct Key {
     number,
     integer,
     boolean,
-    word,       // one of `words`
-    text,       // any text (a file name, a title)
-    name,       // letters, digits, '_', '-', '+', blanks
-    reference,  // name of an entry of the top-level map `refers`
-    vec3,       // list of three numbers
-    list,       // keys[0] describes its items
-    map,        // with the keys `keys`
-    names,      // map from names of the user's choice to keys[0]
-    one_of      // alternatives `keys`, distinguished by their form: number, word, list, map
+    word,         // one of `words`
+    text,         // any text (a file name, a title)
+    name,         // letters, digits, '_', '-', '+', blanks
+    reference,    // name of an entry of the top-level map `refers`
+    vec3,         // list of three numbers
+    list,         // keys[0] describes its items
+    map,          // with the keys `keys`
+    map_by_name,  // map from names of the user's choice to keys[0]
+    one_of        // alternatives `keys`, distinguished by their form: number, word, list, map
   };
 
   std::string name;
