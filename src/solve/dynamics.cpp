@@ -88,7 +88,7 @@ void Dynamics::build() {
 
 void Dynamics::prepare(double h, const State* end) {
   const auto update_couplings = [&](const State& s) {
-    return system_.update_couplings(before_step(s, h), h);
+    return system_.update_couplings(step_origin(s, h), h);
   };
   if ((end ? update_couplings(straight_path(system_.mesh(), committed_.s, *end, h))
            : update_couplings(committed_.s)) == CouplingChange::layout_changed) {
@@ -103,7 +103,7 @@ void Dynamics::prepare(double h, const State* end) {
     reactions_.resize(size, 0);
     for (auto* rows : {&mean_.q, &mean_.f}) rows->resize(system_.mean_forces().size(), 0);
   }
-  system_.prepare(before_step(committed_.s, h), h);
+  system_.prepare(step_origin(committed_.s, h), h);
   round_off_step_ = h;
 }
 
@@ -188,7 +188,7 @@ void Dynamics::solve_once() {
 
 int Dynamics::try_step(double h) {
   h_ = h;
-  if (h != round_off_step_) system_.update_round_off(before_step(committed_.s, h), h);
+  if (h != round_off_step_) system_.update_round_off(step_origin(committed_.s, h), h);
   round_off_step_ = h;
   // trial_ needs the values that a step does not change (rotations of cable nodes). After the first copy it
   // has those of the previous step.
@@ -252,9 +252,9 @@ NodeValue Dynamics::largest_acceleration_change() const {
   return largest;
 }
 
-// Solves the mass matrix J_ for the residual r_. Returns minus the accelerations, ghosts included. Throws
-// SolveError when the mass matrix is singular.
-std::vector<double> Dynamics::solve_masses() {
+// Solves M a = -r for -a, ghosts included: M is in J_, the residual r (internal minus external forces) in r_.
+// Throws SolveError when M is singular.
+std::vector<double> Dynamics::minus_accelerations() {
   KSP ksp = nullptr;
   check(SNESGetKSP(snes_, &ksp));
   check(KSPSetOperators(ksp, J_.get(), J_.get()));
@@ -290,7 +290,7 @@ void Dynamics::start(const State& state) {
   mean_.q = mean_.f = system_.mean_forces();
   const std::vector<double> zero(3 * static_cast<size_t>(system_.mesh().blocks()), 0);
   system_.tangent(s.at_start(h), {0, 0, 1}, zero, false, J_.get());
-  const std::vector<double> less = solve_masses();
+  const std::vector<double> less = minus_accelerations();
   for (size_t i = 0; i < s.x.size(); ++i) {
     const double* p = less.data() + 3 * system_.mesh().block[i];
     s.a[i] -= Eigen::Map<const Vec3>(p);

@@ -21,7 +21,7 @@ void Dynamics::transfer_node(const std::function<std::optional<Moved>()>& change
   const auto forces = [this] {
     State s = committed_.s;
     s.mean = {};
-    system_.residual(before_step(s, control_.proposal()), r_.get());
+    system_.residual(step_origin(s, control_.proposal()), r_.get());
   };
   prepare(control_.proposal());  // for the committed state, which has not changed
   forces();
@@ -78,7 +78,7 @@ void Dynamics::settle(int node) {
   for (int i = 0; i < kMaxSettling; ++i) {
     State s = committed_.s;
     s.mean = {};
-    const Kinematics at = before_step(s, control_.proposal());
+    const Kinematics at = step_origin(s, control_.proposal());
     system_.residual(at, r_.get());
     system_.tangent(at, {1, 0, 0}, zero, false, J_.get());
     double going = 0;

@@ -66,7 +66,7 @@ void Dynamics::match_tied_velocities(const TiedNodes& before, State& s) {
   check(VecAXPY(r_.get(), -1, before_impact.get()));
   const std::vector<double> zero(3 * static_cast<size_t>(m.blocks()), 0);
   system_.tangent(s.at_start(h), {0, 0, 1}, zero, false, J_.get());
-  const std::vector<double> less = solve_masses();
+  const std::vector<double> less = minus_accelerations();
   for (size_t i = 0; i < s.x.size(); ++i) {
     const double* p = less.data() + 3 * m.block[i];
     s.v[i] -= Eigen::Map<const Vec3>(p);

@@ -77,13 +77,13 @@ void StepControl::after_accepted_step(double h, int iterations, double error) {
   proposal_ = std::clamp(from * factor, s_.shortest, limit);
 }
 
-bool StepControl::after_rejected_step(double h, bool diverged, double error) {
+bool StepControl::after_rejected_step(double h, Rejection why, double error) {
   if (is_shortest(h)) return false;
   double factor = 0.5;
-  if (!diverged && s_.error_tolerance > 0)
+  if (why == Rejection::inaccurate && s_.error_tolerance > 0)
     factor = std::clamp(kSafety * std::cbrt(s_.error_tolerance / error), kShrink, 0.8);
   proposal_ = std::max(h * factor, s_.shortest);
-  growth_wait_ = diverged ? kPatience : 1;
+  growth_wait_ = why == Rejection::invalid ? kPatience : 1;
   return true;
 }
 

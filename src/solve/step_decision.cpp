@@ -143,7 +143,8 @@ Dynamics::Decision Dynamics::decide() {
   ++tries_.info.rejected;
   tries_.search = {};
   tries_.event = HUGE_VAL;  // A shorter step may not reach the event.
-  if (control_.after_rejected_step(h_, !inaccurate, error)) return {false, next_try()};
+  const auto why = inaccurate ? StepControl::Rejection::inaccurate : StepControl::Rejection::invalid;
+  if (control_.after_rejected_step(h_, why, error)) return {false, next_try()};
   const std::string because = first_text(system_.comm(), advice::clause(verdict.because));
   throw SolveError(
       advice::shortest_step_fails(committed_.s.time, h_, because, folded_element(system_, kinematics())));

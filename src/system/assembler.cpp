@@ -97,7 +97,7 @@ void Assembler::add(std::span<const int> rows, std::span<const int> columns, For
                     DerivativeView K, DerivativeView C, DerivativeView M) {
   const int n = 3 * static_cast<int>(rows.size()), m = 3 * static_cast<int>(columns.size()), entries = n * m;
   assert(!force.data() || force.size() == n);
-  assert(K.has(n, m) && C.has(n, m) && M.has(n, m));
+  assert(K.none_or_sized(n, m) && C.none_or_sized(n, m) && M.none_or_sized(n, m));
   if (const double* f = force.data(); force_ && f)
     for (size_t i = 0; i < rows.size(); ++i) add_force(rows[i], f[3 * i], f[3 * i + 1], f[3 * i + 2]);
   if (!matrix_) return;

@@ -49,11 +49,12 @@ StepLimit System::longest_step(const Kinematics& committed, const StoredMotion& 
   std::vector<LineMotion> lines = local_motions;
   sum_cut_lines({numbers_of(std::span(lines).first(lines_)), numbers_of(std::span(lines).last(lines_))});
   // Without impacts and cut lines this is the only reduction.
-  double smallest[3] = {impacts.longest, growth_limit(lines), impacts.list.empty() ? 1.0 : 0.0};
-  all_reduce(comm_, MPI_MIN, smallest);
+  double minima[] = {impacts.longest, growth_limit(lines), impacts.list.empty() ? 1.0 : 0.0};
+  all_reduce(comm_, MPI_MIN, minima);
+  const auto [longest_by_terms, longest_by_growth, no_impacts] = minima;
   StepLimit limit;
-  limit.longest = std::min(smallest[0], smallest[1]);
-  if (smallest[2] > 0) return limit;
+  limit.longest = std::min(longest_by_terms, longest_by_growth);
+  if (no_impacts > 0) return limit;
 
   lines = local_motions;
   for (const ImpactEvent& s : impacts.list) {
@@ -61,7 +62,7 @@ StepLimit System::longest_step(const Kinematics& committed, const StoredMotion& 
     if (s.other >= 0) lines[s.other].impact_energy += s.energy();
   }
   sum(numbers_of(lines));
-  limit.longest = std::min(smallest[0], growth_limit(lines));
+  limit.longest = std::min(longest_by_terms, growth_limit(lines));
   all_reduce(comm_, MPI_MIN, limit.longest);
   const StepLimit impact_limited =
       impact_limited_step(impacts.list, energy_tolerance_, std::min(max_step, limit.longest),

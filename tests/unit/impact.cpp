@@ -404,7 +404,7 @@ TEST(StepControl, StepsShrinkWhileTheyMayNotGrow) {
   s.first = s.longest = 0.1;
   s.error_tolerance = 1e-3;
   StepControl c(s);
-  ASSERT_TRUE(c.after_rejected_step(0.1, true, 0));
+  ASSERT_TRUE(c.after_rejected_step(0.1, StepControl::Rejection::invalid, 0));
   EXPECT_DOUBLE_EQ(c.proposal(), 0.05);
   c.after_accepted_step(0.05, 1, 1e-9);
   EXPECT_DOUBLE_EQ(c.proposal(), 0.05);

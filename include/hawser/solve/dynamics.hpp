@@ -86,7 +86,7 @@ class Dynamics {
   void run(double until, const std::function<double(double)>& next_stop, const Observer& observer);
 
   const AlphaState& committed() const { return committed_; }
-  Kinematics kinematics() const { return before_step(committed_.s, control_.proposal()); }
+  Kinematics kinematics() const { return step_origin(committed_.s, control_.proposal()); }
   const StepControl& control() const { return control_; }
   double last_step() const { return last_step_; }
   const std::vector<double>& reactions() const { return reactions_; }  // of the committed state
@@ -130,11 +130,12 @@ class Dynamics {
   void load(Vec u);
   void solve_once();
   void put(const std::vector<double>& u);
-  std::vector<double> solve_masses();
+  std::vector<double> minus_accelerations();
   void match_tied_velocities(const TiedNodes& before, State& s);
   void settle(int node);
-  // The state s in place of the committed one, from which a step of h [s] begins.
-  Kinematics before_step(const State& s, double h) const {
+  // Kinematics of the state from which a step of h [s] begins: the end of the last step, or at the start of a
+  // motion its first instant. s: the committed state, or one that replaces it.
+  Kinematics step_origin(const State& s, double h) const {
     return last_step_ > 0 ? s.after_step(last_step_) : s.at_start(h);
   }
 

@@ -40,9 +40,12 @@ class StepControl {
   bool accurate(double h, double error) const;
 
   void after_accepted_step(double h, int iterations, double error);
-  // A step of h that was not solved (`diverged`) or has the local error `error` [m]. Returns false if it
+  // Why a trial was rejected: it is not a valid step (not solved, a missed contact, an impact that is not
+  // resolved), or it is valid and its local error is too large.
+  enum class Rejection { invalid, inaccurate };
+  // A step of h was rejected. error: its local error, m, used if it is inaccurate. Returns false if the step
   // already was the shortest.
-  bool after_rejected_step(double h, bool diverged, double error);
+  bool after_rejected_step(double h, Rejection why, double error);
 
   double proposal() const { return proposal_; }
   int wait() const { return growth_wait_; }

@@ -57,7 +57,8 @@ class DerivativeView {
     assert(A.size() == 0 || A.derived().outerStride() == columns_);
   }
   const double* data() const { return data_; }
-  bool has(Eigen::Index rows, Eigen::Index columns) const {
+  // True if there are no derivatives, or they have this size.
+  bool none_or_sized(Eigen::Index rows, Eigen::Index columns) const {
     return !data_ || (rows_ == rows && columns_ == columns);
   }
 
