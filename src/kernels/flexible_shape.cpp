@@ -9,10 +9,10 @@
 namespace hawser {
 namespace {
 
-// Number of stages, each a factor of ten stiffer and less smoothed than the one before.
-constexpr int kStages = 4;
-constexpr double kSoft = 30, kStage = 10;  // EA over load in the first stage; factor per stage
-constexpr double kRound = 0.1;       // tension of an unstrained element over the load, in the first stage
+// Number of levels of stiffness, each ten times as stiff and less smoothed than the one before.
+constexpr int kLevels = 4;
+constexpr double kSoft = 30, kStiffening = 10;  // EA over load at the first level; factor from level to level
+constexpr double kRound = 0.1;       // tension of an unstrained element over the load, at the first level
 constexpr double kFirstSink = 0.02;  // fraction of the length by which the line sinks into the bed at first
 constexpr double kSink = 0.01;       // fraction of a piece by which the line may sink into the bed
 constexpr double kTolerance = 1e-3;  // fraction of the loads
@@ -61,14 +61,14 @@ class Shape {
     width_ = std::max(0.005 * length_, 2 * *std::max_element(radius_.begin(), radius_.end()));
   }
 
-  std::vector<Vec3> run(int first_stage) {
+  std::vector<Vec3> run(int first_level) {
     if (!(size_ > 0)) return x_;
-    for (int stage = first_stage; stage < kStages; ++stage) {
-      const double hard = std::pow(kStage, stage), EA = std::min(EA_, kSoft * hard * size_);
+    for (int level = first_level; level < kLevels; ++level) {
+      const double hard = std::pow(kStiffening, level), EA = std::min(EA_, kSoft * hard * size_);
       EA_fraction_ = EA / EA_;
       round_ = 4 * kRound * size_ / (hard * EA);
-      stiffness_ = std::min(bed_, soft_bed_ * std::pow(bed_ / soft_bed_, stage / (kStages - 1.0)));
-      if (stage + 1 == kStages) stiffness_ = bed_;
+      stiffness_ = std::min(bed_, soft_bed_ * std::pow(bed_ / soft_bed_, level / (kLevels - 1.0)));
+      if (level + 1 == kLevels) stiffness_ = bed_;
       descend();
     }
     return x_;

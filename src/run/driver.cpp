@@ -42,16 +42,16 @@ void request_stop(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
-// A stage of -log_view for its lifetime; inside, events are named by term.
-class Stage {
+// A part of the table of -log_view (PETSc: stage) for its lifetime; inside, events are named by term.
+class LoggedPart {
  public:
-  explicit Stage(const char* name) {
-    PetscLogStage stage = -1;
-    check(PetscLogStageGetId(name, &stage));  // already registered by an earlier run of this process
-    if (stage < 0) check(PetscLogStageRegister(name, &stage));
-    check(PetscLogStagePush(stage));
+  explicit LoggedPart(const char* name) {
+    PetscLogStage part = -1;
+    check(PetscLogStageGetId(name, &part));  // already registered by an earlier run of this process
+    if (part < 0) check(PetscLogStageRegister(name, &part));
+    check(PetscLogStagePush(part));
   }
-  ~Stage() { PetscLogStagePop(); }
+  ~LoggedPart() { PetscLogStagePop(); }
 };
 
 void print_remarks(record::Recorder& recorder, Progress& progress) {
@@ -69,7 +69,7 @@ void finish_failed(record::Recorder& recorder, const Progress& progress, const S
 // on all ranks. Throws SolveError with everything on disk. Collective.
 bool integrate(Simulation& sim, double end, record::Recorder& recorder, Events& events,
                FeederNodes& feeder_nodes, Progress& progress) {
-  const Stage stage("dynamics");
+  const LoggedPart logged("dynamics");
   for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, request_stop);
   const MPI_Comm comm = sim.system().comm();
   const int rank = rank_of(comm);
@@ -209,7 +209,7 @@ class RecorderAtFirstOutput {
 void find_equilibrium_with_outputs(Simulation& sim, Events& events, RecorderAtFirstOutput& recorder,
                                    Progress& progress) {
   try {
-    const Stage stage("statics");
+    const LoggedPart logged("statics");
     solve_static_stages(sim, events, progress, [&](size_t k) {
       if (k + 1 < sim.model().stages.size()) recorder.get().stage(k, sim.state().at_rest());
     });

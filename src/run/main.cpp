@@ -38,7 +38,7 @@ struct Petsc {
   // Ranks wait for each other before they end: mpirun kills the others when one ends with an error, and rank
   // 0 may still have messages.
   ~Petsc() {
-    // Removes an unused stage that -log_view would show as "Unknown".
+    // Removes an unused part that -log_view would show as "Unknown".
     PetscStageLog log = nullptr;
     if (PetscLogGetStageLog(&log) == 0)
       for (int s = 0; s < log->numStages; ++s)

@@ -16,7 +16,7 @@ namespace {
 constexpr double kArmijo = 1e-4;
 constexpr double kRounding = 1e-10;  // relative difference of energies below which it is rounding
 constexpr double kFirstShift = 1e-3;
-// Ratio of axial stiffness to load at the start; its factor from stage to stage.
+// Ratio of axial stiffness to load at the start; its factor from level to level.
 constexpr double kSoft = 300, kStiffening = 30;
 constexpr int kMaxTrials = 30, kMaxEscapes = 3, kPolish = 4;
 constexpr double kNegative =
@@ -41,7 +41,7 @@ StaticSearch::StaticSearch(System& system, const StaticsSettings& settings, Stat
 }
 
 StaticsReport StaticSearch::run(bool skip_softening) {
-  if (!skip_softening) soften_in_stages();
+  if (!skip_softening) stiffen_by_levels();
   State last_equilibrium;  // the equilibrium that was left last
   double push = 0;         // m, distance from it at which relaxation began
   for (;;) {
@@ -86,7 +86,7 @@ void StaticSearch::residual() {
 
 void StaticSearch::tangent() { system_.tangent(state_.at_rest(), weights_, zero_, !exact_, J_.get()); }
 
-void StaticSearch::soften_in_stages() {
+void StaticSearch::stiffen_by_levels() {
   residual();
   const double stiff = system_.axial_stiffness(), load = system_.dead_load();
   if (load == 0 || tangent_trusted(report_.norms)) return;

@@ -35,7 +35,7 @@ class StaticSearch : StaticTrial {
 
   // If the axial stiffness is far above the forces, finds the equilibrium with softer lines first, and that
   // of lines that yield with elastic lines first.
-  void soften_in_stages();
+  void stiffen_by_levels();
   void descend(double tolerance);
   // Moves the state along Newton's direction y as far as the energy or, near the solution, the residual
   // decreases. Returns whether it moved. Sets the reason if the search ends.

@@ -124,7 +124,7 @@ void SoilResistance::commit(const Kinematics& accepted) {
   }
   turn_fraction_ = 1;
   turn_ = HUGE_VAL;
-  if (!accepted.moves()) turn_to(accepted);  // statics with friction commits its stages
+  if (!accepted.moves()) turn_to(accepted);  // statics with friction commits its phases
 }
 
 // In statics the energy of the trial, which the line search reduces.

@@ -61,14 +61,14 @@ class BedContact final : public ForceTerm, public HasFriction {
   void restore(const std::vector<CheckpointRecord>& records) override;
 
   void enable_friction(bool on) override { friction_ = on ? Friction::contact : Friction::none; }
-  // In statics, until the first time step, slip is counted from where the lines were laid, in two stages. In
-  // the first stage (pressed) the normal force does not depend on the trial, so that friction has a
+  // In statics, until the first time step, slip is counted from where the lines were laid, in two phases. In
+  // the first phase (pressed) the normal force does not depend on the trial, so that friction has a
   // potential. It is the weight of the points on the bed at the start, later the contact force of the last
-  // solution. In the second stage friction has the law of motion. firm: the friction springs of the first
-  // stage are as stiff as the line's elements; the mobilised friction carries over to the second stage.
+  // solution. In the second phase friction has the law of motion. firm: the friction springs of the first
+  // phase are as stiff as the line's elements; the mobilised friction carries over to the second phase.
   // places: by local node, m; NaN: not laid.
   void lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm);
-  // For the first stage: friction is fully mobilised at this slip [m] or more, so that it increases smoothly.
+  // For the first phase: friction is fully mobilised at this slip [m] or more, so that it increases smoothly.
   void mobilise_at(double full_slip) { full_slip_ = full_slip; }
   void press_by_contact(const Kinematics& state);
   void use_contact_friction(const Kinematics& state);
@@ -160,7 +160,7 @@ class BedContact final : public ForceTerm, public HasFriction {
   bool laid() const { return !laid_.empty(); }
   Vec3 line_direction(const Point& p, const Kinematics& state) const;
   void add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C, Assembler& assembler) const;
-  // Friction of the first stage of statics. In the second stage its potential replaces friction in the line
+  // Friction of the first phase of statics. In the second phase its potential replaces friction in the line
   // search.
   PressedFriction pressed_friction_at(const Point& p, const Vec3& x) const;
   double contact_distance(const Point& p) const { return law(p).radius + law(p).law.normal.smoothing; }

@@ -11,7 +11,7 @@
 
 namespace hawser {
 
-// A term with friction, which the first stage of statics switches off.
+// A term with friction, which the first phase of statics switches off.
 class HasFriction {
  public:
   virtual ~HasFriction() = default;
