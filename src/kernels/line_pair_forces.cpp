@@ -11,9 +11,10 @@ namespace hawser {
 namespace {
 
 constexpr size_t kTurns = AttachedForces::kPositions, kMaxRows = AttachedForces::kMaxRows;
-constexpr int kByX = 3 * kTurns;             // columns, by position
-using Column = Eigen::Matrix<double, 6, 1>;  // force and couple
-using Six = Eigen::Matrix<double, 6, 3>;
+constexpr int kByX = 3 * kTurns;  // columns, by position
+// Derivatives of force (rows 0 to 2) and couple (rows 3 to 5) by a number, and by a vector.
+using ByNumber = Eigen::Matrix<double, 6, 1>;
+using ByVector = Eigen::Matrix<double, 6, 3>;
 using Gradient = Eigen::Matrix<double, 1, kByX>;
 
 // d(section_turn v) by the chord of a cable.
@@ -81,8 +82,8 @@ LinePairPass::Rows LinePairPass::rows(const Point& p) const {
 
 // Derivatives of force and couple at a point.
 struct LinePairPass::Slopes {
-  Eigen::Matrix<double, 6, 3 * kMaxRows, Eigen::RowMajor> by;  // by the quantities conjugate to the rows
-  Column by_xi, by_rate;    // by the position on the slave; by the rate of the gap
+  Eigen::Matrix<double, 6, 3 * kMaxRows, Eigen::RowMajor> by_positions;  // and by rotations, as the rows of F
+  ByNumber by_xi, by_rate;  // by the position on the slave; by the rate of the gap
   bool foot_moves = false;  // the nearest point moves along the master:
   Gradient eta_by;          // d eta by the positions
   double eta_by_xi = 0;
@@ -100,14 +101,14 @@ struct LinePairPass::Slopes {
   const double xi = p.xi, eta = p.foot.eta;
   const Vec3 &nrm = p.foot.normal, &y1 = p.along;
   const Vec3 y2 = master_.now.bend(eta);
-  const auto by = [&](int column) { return c.by.block<6, 3>(0, column); };
-  const Six by_moved = by(F::kMoved);
+  const auto derivative_by = [&](int first_column) { return c.by.block<6, 3>(0, first_column); };
+  const ByVector by_moved = derivative_by(F::kMoved);
   Slopes s;
   s.by_rate = c.by.col(F::kRate);
   const Mat3 P = (Mat3::Identity() - nrm * nrm.transpose()) / p.foot.distance;
-  const Six by_away = by(F::kAway) + by_moved + s.by_rate * (P * p.velocity).transpose();
+  const ByVector by_away = derivative_by(F::kAway) + by_moved + s.by_rate * (P * p.velocity).transpose();
 
-  Column by_eta = -by_away * y1 + by(F::kAlong) * y2;
+  ByNumber by_eta = -by_away * y1 + derivative_by(F::kAlong) * y2;
   s.by_xi = by_away * p.slope;
   if (set_.moves) {
     by_eta -= s.by_rate * nrm.dot(master_.now.velocity_slope(eta));
@@ -120,9 +121,10 @@ struct LinePairPass::Slopes {
     s.by_xi += by_moved * (-T * x1_before - slave_lever_ * ((slave_.turn[1] - slave_.turn[0]) * p.before));
     s.by_xi += c.by.col(F::kSlip) * from.slip_slope[0] + c.by.col(F::kSlip + 1) * from.slip_slope[1];
     if (from.is_new) {
-      by_eta += by(F::kAlongBefore) * master_.start.bend(eta) - by(F::kAwayBefore) * y1_before;
-      s.by_xi += by(F::kAwayBefore) * x1_before + by(F::kSlope) * slave_.now.bend(xi) +
-                 by(F::kSlopeBefore) * slave_.start.bend(xi);
+      by_eta += derivative_by(F::kAlongBefore) * master_.start.bend(eta) -
+                derivative_by(F::kAwayBefore) * y1_before;
+      s.by_xi += derivative_by(F::kAwayBefore) * x1_before + derivative_by(F::kSlope) * slave_.now.bend(xi) +
+                 derivative_by(F::kSlopeBefore) * slave_.start.bend(xi);
     }
   }
 
@@ -138,14 +140,14 @@ struct LinePairPass::Slopes {
   }
   s.by_xi += by_eta * s.eta_by_xi;
 
-  s.by.setZero();
+  s.by_positions.setZero();
   for (size_t m = 0; m < na + nb; ++m) {
-    auto by_m = columns(s.by, m);
+    auto by_m = columns(s.by_positions, m);
     by_m = rows.factor[m] * by_away;
-    if (has_friction && rows.by_eta[m] != 0) by_m -= rows.by_eta[m] * by(F::kAlong);
-    if (from.is_new && rows.by_xi[m] != 0) by_m += rows.by_xi[m] * by(F::kSlope);
+    if (has_friction && rows.by_eta[m] != 0) by_m -= rows.by_eta[m] * derivative_by(F::kAlong);
+    if (from.is_new && rows.by_xi[m] != 0) by_m += rows.by_xi[m] * derivative_by(F::kSlope);
   }
-  if (s.foot_moves) add_product<6>(by_eta, s.eta_by, s.by, 0);
+  if (s.foot_moves) add_product<6>(by_eta, s.eta_by, s.by_positions, 0);
   if (!has_friction) return s;
   for (const bool of_master : {false, true}) {
     const PairAxis& axis = of_master ? master_ : slave_;
@@ -153,12 +155,12 @@ struct LinePairPass::Slopes {
     if (axis.beam()) {
       // - w N d(old turn), with d(turn) v = dphi x (turn v)
       for (size_t i = 0; i < 2; ++i)
-        columns(s.by, turn + i) = rows.factor[turn + i] * by_moved * hat(axis.turn[i] * p.before);
+        columns(s.by_positions, turn + i) = rows.factor[turn + i] * by_moved * hat(axis.turn[i] * p.before);
     } else {
-      const Six turned =
+      const ByVector turned =
           (of_master ? master_lever_ : slave_lever_) * by_moved * section_turn_by_chord(axis, p.before);
-      columns(s.by, position) += turned;
-      columns(s.by, position + 1) -= turned;
+      columns(s.by_positions, position) += turned;
+      columns(s.by_positions, position + 1) -= turned;
     }
   }
   return s;
@@ -167,8 +169,8 @@ struct LinePairPass::Slopes {
 // Moving end of a panel, and the change of the panel's forces as its Gauss points move along.
 struct LinePairPass::MovingEnd {
   bool moves = false;
-  Gradient by;                       // derivative of its position by the positions
-  std::array<Vec3, kMaxRows> force;  // derivative of the rows by its position
+  Gradient by_positions;             // derivative of its xi by the positions
+  std::array<Vec3, kMaxRows> force;  // derivative of the rows of F by its xi
 };
 
 LinePairPass::MovingEnd LinePairPass::moving_end(double xi, End end) const {
@@ -177,22 +179,24 @@ LinePairPass::MovingEnd LinePairPass::moving_end(double xi, End end) const {
   const size_t na = slave_.now.count(), nb = master_.now.count();
   const Vec3 x = slave_.now.point(xi), x1 = slave_.now.slope(xi);
   const AxisShape::Weights H = slave_.now.functions(xi);
-  m.by.setZero();
+  m.by_positions.setZero();
   if (end == End::gap) {
     const AxisProjection f = projection(master_.now, target_, x);
     const double slope = f.normal.dot(x1);
     if (std::abs(slope) < 1e-9 * slave_.now.slope_bound()) return m;
     const AxisShape::Weights G = master_.now.functions(f.eta);
-    for (size_t j = 0; j < na; ++j) columns(m.by, at_slave_ + j) = -H[j] / slope * f.normal.transpose();
-    for (size_t k = 0; k < nb; ++k) columns(m.by, at_master_ + k) = G[k] / slope * f.normal.transpose();
+    for (size_t j = 0; j < na; ++j)
+      columns(m.by_positions, at_slave_ + j) = -H[j] / slope * f.normal.transpose();
+    for (size_t k = 0; k < nb; ++k)
+      columns(m.by_positions, at_master_ + k) = G[k] / slope * f.normal.transpose();
   } else {
     const double eta = end == End::first_joint ? 0 : 1;
     const Vec3 V = master_.now.point(eta), t = master_.now.slope(eta);
     const double slope = x1.dot(t);
     const AxisShape::Weights G = master_.now.functions(eta), dG = master_.now.derivatives(eta);
-    for (size_t j = 0; j < na; ++j) columns(m.by, at_slave_ + j) = -H[j] / slope * t.transpose();
+    for (size_t j = 0; j < na; ++j) columns(m.by_positions, at_slave_ + j) = -H[j] / slope * t.transpose();
     for (size_t k = 0; k < nb; ++k)
-      columns(m.by, at_master_ + k) = (G[k] * t - dG[k] * (x - V)).transpose() / slope;
+      columns(m.by_positions, at_master_ + k) = (G[k] * t - dG[k] * (x - V)).transpose() / slope;
   }
   m.force.fill(Vec3::Zero());
   m.moves = true;
@@ -203,7 +207,7 @@ LinePairPass::MovingEnd LinePairPass::moving_end(double xi, End end) const {
 void LinePairPass::add_convex(const Point& p, const LinePairForce& c, const Rows& rows, double weight,
                               AttachedForces& g) const {
   const Vec3& nrm = p.foot.normal;
-  const Six by_moved = c.by.block<6, 3>(0, LinePairForce::kMoved);
+  const ByVector by_moved = c.by.block<6, 3>(0, LinePairForce::kMoved);
   const size_t n = g.positions;
   for (size_t r = 0; r < n; ++r)
     for (size_t m = 0; m < n; ++m)
@@ -242,7 +246,7 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
         const Vec3& v = vector(r);
         const int first = r < kTurns ? 0 : 3, row = 3 * static_cast<int>(r);
         for (int i = 0; i < 3; ++i) {
-          g.K.row(row + i) -= w * rows.factor[r] * s.by.row(first + i);
+          g.K.row(row + i) -= w * rows.factor[r] * s.by_positions.row(first + i);
           if (set_.moves) g.C.row(row + i) -= w * rows.factor[r] * s.by_rate[first + i] * rate;
         }
         if (s.foot_moves && rows.by_eta[r] != 0) add_product<3>(-w * rows.by_eta[r] * v, s.eta_by, g.K, row);
@@ -258,7 +262,7 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
     }
     for (const MovingEnd& end : ends)
       for (int r = 0; r < static_cast<int>(kMaxRows) && end.moves; ++r)
-        add_product<3>(end.force[r], end.by, g.K, 3 * r);
+        add_product<3>(end.force[r], end.by_positions, g.K, 3 * r);
   }
 }
 

@@ -48,8 +48,10 @@ Tangential<S> tangential(const LinePairLaw& law, const LinePairPoint& at, const 
     if (closing > deep) slip *= S((deep + ramp) / (closing + ramp));
   }
   slip += b * v.slip[0] + l * v.slip[1];
+  // The law is isotropic: the direction of the line has no effect.
+  const Vec3 any_direction = Vec3::UnitX();
   const Friction<S> f = friction<S>(law.friction, Coulomb<double>{law.friction.axial, law.friction.lateral},
-                                    v.force, slip, n, Vec3(Vec3::UnitX()));
+                                    v.force, slip, n, any_direction);
   Tangential<S> r;
   r.force = f.force;
   r.couple = f.force.cross(v.away);
