@@ -41,11 +41,11 @@ Eigen::VectorXd PlatformWater::rates(const Group& g, const Kinematics& state) co
 
 void PlatformWater::add_past(Group& g, double time, Eigen::VectorXd rate) {
   if (g.past.empty()) {
-    g.slopes.assign(2 * g.radiation->entries.size(), 0);
+    g.accelerations.assign(2 * g.radiation->entries.size(), 0);
   } else {
-    const Eigen::VectorXd slope = (rate - g.past.back().rate) / (time - g.past.back().time);
-    for (const auto& [i, j] : g.radiation->entries) g.slopes.push_back(slope[j]);
-    for (const auto& [i, j] : g.radiation->entries) g.slopes.push_back(i != j ? slope[i] : 0);
+    const Eigen::VectorXd a = (rate - g.past.back().rate) / (time - g.past.back().time);
+    for (const auto& [i, j] : g.radiation->entries) g.accelerations.push_back(a[j]);
+    for (const auto& [i, j] : g.radiation->entries) g.accelerations.push_back(i != j ? a[i] : 0);
   }
   g.past.push_back({time, std::move(rate)});
 }
@@ -54,7 +54,7 @@ namespace {
 
 // A lag that differs from a multiple of the step by less than this [s] takes the row of that multiple. The
 // error of S is then no larger than that of the interpolation in RadiationMemory.
-double equal_lags(const RadiationMemory& memory) { return 1e-8 * memory.spacing(); }
+double lag_tolerance(const RadiationMemory& memory) { return 1e-8 * memory.spacing(); }
 
 }  // namespace
 
@@ -62,14 +62,14 @@ void PlatformWater::tabulate_lags(Group& g) {
   if (g.past.size() < 2 || g.radiation->entries.empty()) return g.lags.clear();
   const double end = g.past.back().time;
   const double last = end - g.past[g.past.size() - 2].time;
-  if (std::abs(last - g.lag_step) > equal_lags(g.radiation->memory)) {
+  if (std::abs(last - g.lag_step) > lag_tolerance(g.radiation->memory)) {
     g.lags.clear();
     g.lag_step = last;
   }
   size_t rows = 2;  // of the trial, and of the last accepted state
   for (size_t k = g.past.size() - 1; k-- > 0; ++rows) {
     const double lag = static_cast<double>(rows - 1) * g.lag_step;
-    if (std::abs(end - g.past[k].time - lag) > equal_lags(g.radiation->memory)) break;
+    if (std::abs(end - g.past[k].time - lag) > lag_tolerance(g.radiation->memory)) break;
   }
   const size_t n = g.radiation->entries.size();
   // The history and lag_step alone determine the number of rows, so that it is the same after a restart.
@@ -84,7 +84,7 @@ const double* PlatformWater::integrals_at(const Group& g, double lag, double* bu
   const size_t n = g.radiation->entries.size();
   const double m = std::round(lag / g.lag_step);
   if (!rate && m < static_cast<double>(g.lags.size() / n) &&
-      std::abs(lag - m * g.lag_step) <= equal_lags(g.radiation->memory))
+      std::abs(lag - m * g.lag_step) <= lag_tolerance(g.radiation->memory))
     return &g.lags[static_cast<size_t>(m) * n];
   g.radiation->memory.integrals(lag, buffer, rate);
   return buffer;
@@ -95,8 +95,8 @@ const double* PlatformWater::integrals_at(const Group& g, double lag, double* bu
 // with S the second integral of the retardation function, v_0 the first velocity of the bodies, a_k their
 // mean acceleration from t_k to t_k+1, up to t_n. The trial step adds S(t - t_n) (v - v_n)/(t - t_n). Each
 // entry of S acts on its row, and by symmetry on its column.
-const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time) const {
-  AtTime& now = g.cache;
+const PlatformWater::KnownForces& PlatformWater::known_forces(const Group& g, double time) const {
+  KnownForces& now = g.cache;
   if (g.is_cached && now.time == time) return now;
   const Eigen::Index n = 6 * static_cast<Eigen::Index>(g.platforms.size());
   now.time = time;
@@ -109,13 +109,15 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
   if (!g.past.empty() && entries > 0) {
     Eigen::ArrayXd integrals(entries), dS(entries);
     const double* S = integrals.data();
-    const std::vector<double> zero_slopes(2 * g.radiation->entries.size(), 0);
+    const std::vector<double> no_acceleration(2 * g.radiation->entries.size(), 0);
     Eigen::ArrayX2d force = Eigen::ArrayX2d::Zero(entries, 2);
-    using Slopes = Eigen::Map<const Eigen::ArrayX2d>;
+    using Accelerations = Eigen::Map<const Eigen::ArrayX2d>;
     for (size_t k = 0; k < g.past.size(); ++k) {
-      const Slopes before(k > 0 ? &g.slopes[k * zero_slopes.size()] : zero_slopes.data(), entries, 2);
-      const Slopes after(k + 1 < g.past.size() ? &g.slopes[(k + 1) * zero_slopes.size()] : zero_slopes.data(),
-                         entries, 2);
+      const Accelerations before(
+          k > 0 ? &g.accelerations[k * no_acceleration.size()] : no_acceleration.data(), entries, 2);
+      const Accelerations after(
+          k + 1 < g.past.size() ? &g.accelerations[(k + 1) * no_acceleration.size()] : no_acceleration.data(),
+          entries, 2);
       S = integrals_at(g, time - g.past[k].time, integrals.data(), k > 0 ? nullptr : dS.data());
       force += (after - before).colwise() * Eigen::Map<const Eigen::ArrayXd>(S, entries);
     }
@@ -144,7 +146,7 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
   return now;
 }
 
-void PlatformWater::damping_and_memory(const Group& g, const AtTime& now, const Eigen::VectorXd& rate,
+void PlatformWater::damping_and_memory(const Group& g, const KnownForces& now, const Eigen::VectorXd& rate,
                                        Eigen::VectorXd& force, Eigen::MatrixXd* slope) const {
   force = now.memory_force;
   if (!g.past.empty()) force += now.memory_damping * (rate - g.past.back().rate);
@@ -218,7 +220,7 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
     }
     const Eigen::MatrixXd mass = g.added_mass + period_mass(g, trial.step);
     if (trial.moves()) {
-      const AtTime& now = at_time(g, trial.time);
+      const KnownForces& now = known_forces(g, trial.time);
       damping_and_memory(g, now, rate, F, assembler.needs_tangent() ? &by_rate : nullptr);
       F -= now.first_order + now.second_order;
     } else {
@@ -282,8 +284,9 @@ void PlatformWater::commit(const Kinematics& accepted) {
     const double oldest = accepted.time - g.radiation->memory.length();
     if (g.past.size() > kOver + 1 && g.past[kOver].time < oldest) {
       g.past.erase(g.past.begin(), g.past.begin() + kOver);
-      g.slopes.erase(g.slopes.begin(),
-                     g.slopes.begin() + static_cast<int>(2 * kOver * g.radiation->entries.size()));
+      g.accelerations.erase(
+          g.accelerations.begin(),
+          g.accelerations.begin() + static_cast<int>(2 * kOver * g.radiation->entries.size()));
     }
     for (Platform& p : g.platforms) {
       if (!(p.follow_period > 0)) continue;
@@ -299,7 +302,7 @@ void PlatformWater::commit(const Kinematics& accepted) {
 std::vector<PlatformWater::Power> PlatformWater::powers(const Group& g, double time,
                                                         const Eigen::VectorXd& rate) const {
   Eigen::VectorXd force;
-  const AtTime& now = at_time(g, time);
+  const KnownForces& now = known_forces(g, time);
   damping_and_memory(g, now, rate, force, nullptr);
   std::vector<Power> out;
   for (size_t i = 0; i < g.platforms.size(); ++i) {

@@ -54,7 +54,7 @@ std::vector<BodyForce> PlatformWater::forces_on(int body, const Kinematics& stat
         acceleration.segment<6>(6 * static_cast<Eigen::Index>(j)) =
             platform_motion(other.axes, other.arm, floating_state(state, other.local)).acceleration;
       }
-      const AtTime& now = at_time(g, state.time);
+      const KnownForces& now = known_forces(g, state.time);
       damping_and_memory(g, now, rate, force, nullptr);
       const Vec6 body_rate = rate.segment<6>(first);
       const Vec6 dampers = p.added_damping * body_rate +

@@ -93,7 +93,7 @@ class PlatformWater final : public ForceTerm,
   static const double* integrals_at(const Group& g, double lag, double* buffer, double* rate);
   // Forces at a given time that do not depend on the trial state: of waves, and of the memory of accepted
   // steps. The memory of the current step adds memory_damping (rate - rate at its start).
-  struct AtTime {
+  struct KnownForces {
     double time = 0;
     Eigen::VectorXd memory_force;
     Eigen::VectorXd first_order, second_order;  // of waves
@@ -110,10 +110,10 @@ class PlatformWater final : public ForceTerm,
     Eigen::ArrayXd squares;
     std::shared_ptr<const model::HydrodynamicData> data;
     std::vector<Past> past;
-    // By step of `past` (none before the first) and by entry of the memory: change of velocity over the step
-    // length, first for all columns, which act on the rows, then for all rows, which act on the columns (0 on
+    // Mean accelerations a_k of the theory, by step of `past` (0 before the first) and by entry of the
+    // memory: first for all columns, which act on the rows, then for all rows, which act on the columns (0 on
     // the diagonal). Contiguous, because each step reads the whole memory.
-    std::vector<double> slopes;
+    std::vector<double> accelerations;
     // S of the memory at m lag_step [s], by m = 0, 1, ... and by entry, as far as accepted steps have that
     // length: they are the same in every step. lag_step is the length of the last accepted step, from the
     // first of equal steps (their lengths differ by rounding).
@@ -121,7 +121,7 @@ class PlatformWater final : public ForceTerm,
     std::vector<double> lags;
     double slow_time = 0;      // s, time of the slow poses
     bool is_complete = false;  // this rank has all bodies of the group, owned or as ghosts
-    mutable AtTime cache;
+    mutable KnownForces cache;
     mutable bool is_cached = false;
   };
   void add_group(const model::Case& c, const std::vector<int>& bodies,
@@ -132,9 +132,9 @@ class PlatformWater final : public ForceTerm,
   // steps of h [s].
   Eigen::MatrixXd period_mass(const Group& g, double h) const;
   Eigen::VectorXd rates(const Group& g, const Kinematics& state) const;
-  const AtTime& at_time(const Group& g, double time) const;
+  const KnownForces& known_forces(const Group& g, double time) const;
   // Force of damping and memory on a group, and its derivative by the rates.
-  void damping_and_memory(const Group& g, const AtTime& now, const Eigen::VectorXd& rate,
+  void damping_and_memory(const Group& g, const KnownForces& now, const Eigen::VectorXd& rate,
                           Eigen::VectorXd& force, Eigen::MatrixXd* slope) const;
   std::vector<Power> powers(const Group& g, double time, const Eigen::VectorXd& rate) const;
 
