@@ -426,7 +426,7 @@ void ResultsFile::write_output(double time, const std::vector<std::vector<double
 void ResultsFile::write_checkpoint(Checkpoint checkpoint) {
   auto& m = *impl_;
   m.write_waiting();  // a continued run keeps all earlier outputs
-  const int nodes = m.contents.nodes_total() + m.contents.free_bodies;
+  const int nodes = m.contents.nodes_total() + m.contents.body_nodes;
   const CheckpointRoom need = checkpoint_room(m.file.comm(), checkpoint, nodes, m.owned);
   const auto text = static_cast<long long>(need.index.size());
   m.ensure_room(0, 0, need.size, text);

@@ -142,7 +142,7 @@ Mesh build_mesh(const model::Case& c) {
   for (size_t b = 0; b < c.bodies.size(); ++b) {
     m.bodies.push_back(c.bodies[b].name);
     if (!c.bodies[b].mass) continue;
-    const int group = static_cast<int>(m.lines.size()) + m.nodes() - m.line_nodes();
+    const int group = static_cast<int>(m.lines.size()) + m.body_nodes();
     m.add(Node{group, 0, 0, true, static_cast<int>(b)});
   }
   tie(c, m, special);

@@ -112,7 +112,7 @@ io::ResultContents Recorder::declared(std::vector<io::VolumeMesh> volumes, io::R
   }
   for (const auto& b : c.bodies) contents.bodies.push_back(b.name);
   contents.clashes = recordings_.clashes != nullptr;
-  contents.free_bodies = mesh.nodes() - mesh.line_nodes();
+  contents.body_nodes = mesh.body_nodes();
   // Unused capacity is free; rebuilding a file costs a copy.
   const io::ExpectedRows rows = expected_rows(c);
   contents.expected_outputs = static_cast<int>(std::min(rows.outputs + 2, kMostRoom));

@@ -156,7 +156,7 @@ io::ResultContents contents(MPI_Comm comm, const Simulation& sim, const std::vec
   for (const auto& b : c.bodies) out.bodies.push_back(b.name);
   out.xdmf = c.output.xdmf;
   out.expected_outputs = out.expected_steps = count + 1;
-  out.free_bodies = sim.mesh().nodes() - sim.mesh().line_nodes();
+  out.body_nodes = sim.mesh().body_nodes();
   return out;
 }
 

@@ -19,7 +19,7 @@ NodeRanks owners_of_uncut_lines(const Mesh& mesh, int ranks) {
   const long long nodes = mesh.line_nodes();
   for (const LineSpan& line : mesh.lines)
     owner.append(line.nodes, static_cast<int>(line.first_node * static_cast<long long>(ranks) / nodes));
-  owner.append(mesh.nodes() - mesh.line_nodes(), 0);
+  owner.append(mesh.body_nodes(), 0);
   return owner;
 }
 

@@ -184,7 +184,7 @@ void write_run(MPI_Comm comm, const std::string& path, bool finish) {
 void expect_rows_of_lines(bool single) {
   constexpr int kOutputs = 40, kBodies = 2;
   ResultContents c = contents();
-  c.free_bodies = kBodies;
+  c.body_nodes = kBodies;
   c.clashes = false;
   c.single_precision = single;
   const int nodes = c.nodes_total();

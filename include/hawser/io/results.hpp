@@ -104,7 +104,7 @@ struct ResultContents {
   int expected_outputs = 100;     // initial capacity; doubled when exhausted
   int expected_steps = 1000;      // likewise, rows of the series
 
-  int free_bodies = 0;  // bodies with a node in checkpoints, after the nodes of the lines
+  int body_nodes = 0;  // bodies with a node in checkpoints, after the nodes of the lines
 
   int nodes_total() const;  // nodes of the lines
 };

@@ -31,6 +31,7 @@ struct Mesh : MeshTable {
 
   // Nodes of lines: [0, line_nodes()); those of bodies follow.
   int line_nodes() const { return lines.empty() ? 0 : lines.back().first_node + lines.back().nodes; }
+  int body_nodes() const { return nodes() - line_nodes(); }
   // Node of a body of the case; -1: no mass.
   int body_node(int body) const;
   // Node that is the frame of a body of the case: its own, or one of the line it rides on; -1: prescribed
