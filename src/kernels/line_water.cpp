@@ -199,14 +199,14 @@ double water_potential(const WaterSection& s, const WaterEnds& e, bool beam) {
 namespace {
 
 template <bool beam, int n>
-WaterForce flow_force(const WaterSection& s, Motion<n> m, double calm_level) {
+WaterForce flow_force(const WaterSection& s, Motion<n> m, double still_water_level) {
   Forces<n> o;
-  if (m.surface[0] == calm_level && m.surface[1] == calm_level) {
+  if (m.surface[0] == still_water_level && m.surface[1] == still_water_level) {
     evaluate<beam, false, Part::flow>(s, m, false, o);
   } else {
     Forces<n> floating;
     evaluate<beam, false>(s, m, false, o);
-    m.surface[0] = m.surface[1] = calm_level;
+    m.surface[0] = m.surface[1] = still_water_level;
     evaluate<beam, false, Part::buoyancy>(s, m, false, floating);
     for (int j = 0; j < n; ++j) o.f[j] -= floating.f[j];
   }
@@ -218,11 +218,11 @@ WaterForce flow_force(const WaterSection& s, Motion<n> m, double calm_level) {
 
 }  // namespace
 
-WaterForce water_force(const WaterSection& s, const WaterEnds& e, bool beam, double calm_level) {
-  if (!beam) return flow_force<false>(s, cable_motion(in_place(e)), calm_level);
+WaterForce water_force(const WaterSection& s, const WaterEnds& e, bool beam, double still_water_level) {
+  if (!beam) return flow_force<false>(s, cable_motion(in_place(e)), still_water_level);
   BeamMotion b;
   beam_motion(s, e, b);
-  return flow_force<true>(s, b.m, calm_level);
+  return flow_force<true>(s, b.m, still_water_level);
 }
 
 Vec3 straight_flow_force(const WaterSection& s, const CableInWater& e, bool beam) {

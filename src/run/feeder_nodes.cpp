@@ -142,7 +142,7 @@ void FeederNodes::release_node(Feeder& f) {
   transfer_node(f, f.feed_point - 1, f.length - mesh_length, moved);
   // Two elements represent a bent line better than one, and their length differs by about 1e-7; the
   // unstretched length takes the difference, so that the force on the feeder is continuous.
-  const double more = (before - feeder_force(f)) * (f.length + mesh_length) / f.bar.EA;
+  const double more = (before - feeder_force(f)) * (f.length + mesh_length) / f.beam_section.EA;
   if (moved) {
     const Kinematics k = sim_.dynamics().kinematics();
     const size_t n = sim_.local().find(node);

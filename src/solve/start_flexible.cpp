@@ -51,8 +51,9 @@ FlexibleLine::Segment piece(const model::Case& c, const model::Line& line, const
 
 // Computes drag and shape in turns, each with the other held. Drag is under-relaxed by a half.
 std::vector<Vec3> in_current(const model::Water& water, const CurrentProfile& current, FlexibleLine line,
-                             const std::vector<WaterSection>& sections, const std::vector<Vec3>& calm) {
-  std::vector<Vec3> x = calm, pull(sections.size(), Vec3::Zero()), dead;
+                             const std::vector<WaterSection>& sections,
+                             const std::vector<Vec3>& without_current) {
+  std::vector<Vec3> x = without_current, pull(sections.size(), Vec3::Zero()), dead;
   double length = 0;
   for (const auto& p : line.pieces) {
     dead.push_back(p.load);
@@ -76,7 +77,7 @@ std::vector<Vec3> in_current(const model::Water& water, const CurrentProfile& cu
   }
   // A line that is pushed together on the bed: statics starts better from the shape in still water than from
   // a fold.
-  return folded(x) ? calm : x;
+  return folded(x) ? without_current : x;
 }
 
 }  // namespace

@@ -66,9 +66,9 @@ FlowVelocity BodiesInFlow::velocity(const Flow& f, const Kinematics& state, cons
     if (state.moves()) out.velocity += wind_.gust(state.time);
     return out;
   }
-  const Water calm = sea_.calm_at((s.x + s.q * f.data.arm).z(), state.time);
-  out.velocity = calm.velocity;
-  out.by_height = calm.by_height;
+  const Water without_waves = sea_.without_waves_at((s.x + s.q * f.data.arm).z(), state.time);
+  out.velocity = without_waves.velocity;
+  out.by_height = without_waves.by_height;
   return out;
 }
 

@@ -88,8 +88,8 @@ BodiesInWater::Places BodiesInWater::wave_places(const Wet& b, const Kinematics&
 
 Water BodiesInWater::water(const Wet& b, const Kinematics& state, const Vec3& x,
                            WaveMotion Wet::*wave) const {
-  const Water calm = sea_.calm_at(x.z(), state.time);
-  if (sea_.waves.none() || !state.moves()) return calm;
+  const Water without_waves = sea_.without_waves_at(x.z(), state.time);
+  if (sea_.waves.none() || !state.moves()) return without_waves;
   if (!b.known || b.time != state.time) {
     const Places places = wave_places(b, state);
     b.centre = sea_.waves_at(places.centre, state.time);
@@ -97,7 +97,7 @@ Water BodiesInWater::water(const Wet& b, const Kinematics& state, const Vec3& x,
     b.time = state.time;
     b.known = true;
   }
-  return calm + b.*wave;
+  return without_waves + b.*wave;
 }
 
 BodiesInWater::Flow BodiesInWater::all_forces(const Wet& b, const RigidBodyState& s,
@@ -116,9 +116,9 @@ BodiesInWater::Flow BodiesInWater::flow(const Wet& b, const Kinematics& state) c
   floating.centre = b.data.centre;
   floating.height = b.data.height;
   floating.buoyancy = b.data.buoyancy;
-  Water calm;
-  calm.surface = sea_.surface;
-  out.force.at_centre -= body_water_force(floating, s, calm, calm).at_centre;
+  Water still_water;
+  still_water.surface = sea_.surface;
+  out.force.at_centre -= body_water_force(floating, s, still_water, still_water).at_centre;
   return out;
 }
 

@@ -37,7 +37,7 @@ double chord(const Kinematics& state, const LocalElement& e) {
 
 BeamFeed feed_of_beam(const Feeder& f, const Kinematics& state, const LocalElement& e, double length) {
   const size_t i = e.first, j = e.second;
-  BeamSection s = f.bar;
+  BeamSection s = f.beam_section;
   s.length = length;
   BeamReference r;
   r.strain = f.free_strain;
@@ -102,9 +102,9 @@ void Feeders::update_feed_point(Feeder& f) {
   f.beam = g.beam;
   f.free_strain = g.free_strain;
   if (f.beam)
-    f.bar = beam_section(*mesh_.mesh, case_, g);
+    f.beam_section = beam_section(*mesh_.mesh, case_, g);
   else
-    f.cable = cable_section(case_, g);
+    f.cable_section = cable_section(case_, g);
   f.mass_per_length = t.mass_per_length;
   f.weight = Vec3(0, 0, -case_.environment.gravity * t.mass_per_length);
   fed_.resize(feeders_.size());
@@ -180,19 +180,20 @@ FedPull Feeders::pull(const Feeder& f, const Kinematics& state, const LocalEleme
 }
 
 double Feeders::strain_before(const Feeder& f, const LocalElement& e) const {
-  return chord(before_.at_rest(), e) / f.length - 1 - f.cable.free_strain;
+  return chord(before_.at_rest(), e) / f.length - 1 - f.cable_section.free_strain;
 }
 
 double Feeders::strain_rate(const Feeder& f, const Kinematics& state, const LocalElement& e,
                             double length) const {
   if (before_.x.size() != state.x.size()) return 0;
-  return (chord(state, e) / length - 1 - f.cable.free_strain - strain_before(f, e)) / (state.time - f.time);
+  return (chord(state, e) / length - 1 - f.cable_section.free_strain - strain_before(f, e)) /
+         (state.time - f.time);
 }
 
 CableFeed Feeders::feed_of_cable(const Feeder& f, const Kinematics& state, const LocalElement& e,
                                  double length) const {
   const double h = before_.x.size() == state.x.size() ? state.time - f.time : 0;
-  return cable_feed(f.cable, chord(state, e), length, h > 0 ? strain_before(f, e) : 0, h);
+  return cable_feed(f.cable_section, chord(state, e), length, h > 0 ? strain_before(f, e) : 0, h);
 }
 
 std::vector<std::array<int, 2>> Feeders::inside() const {

@@ -106,7 +106,7 @@ const Hulls::Forces& Hulls::forces(const Hull& hull, const Kinematics& state) co
     return known;
   known = {state.time, state.step, state.phase, s.x, s.q, pressure(hull, state, false, false), {}};
   if (!hull.in_waves || !state.moves()) return known;
-  const Vec6 f = known.calm.f - pressure(hull, state, true, false).f;
+  const Vec6 f = known.still_water.f - pressure(hull, state, true, false).f;
   known.waves = {f.head<3>(), s.q * f.tail<3>()};
   return known;
 }
@@ -151,7 +151,7 @@ Energy Hulls::energy(const Kinematics& state) const {
   for (const Hull& hull : list_) {
     e.work += hull.work;
     e.by_water += hull.work;
-    if (!idle(hull)) e.potential += forces(hull, state).calm.potential;
+    if (!idle(hull)) e.potential += forces(hull, state).still_water.potential;
   }
   return e;
 }
@@ -180,7 +180,7 @@ std::vector<BodyForce> Hulls::forces_on(int body, const Kinematics& state) const
     if (hull.body != body) continue;
     const RigidBodyState s = floating_state(state, hull.node);
     const Forces& now = forces(hull, state);
-    std::vector<BodyForce> out = {{-now.calm.f.head<3>(), -(s.q * now.calm.f.tail<3>())}};
+    std::vector<BodyForce> out = {{-now.still_water.f.head<3>(), -(s.q * now.still_water.f.tail<3>())}};
     if (hull.in_waves) out.push_back(now.waves);
     return out;
   }

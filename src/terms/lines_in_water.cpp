@@ -32,8 +32,8 @@ const std::vector<WaveMotion>& LinesInWater::waves(const Kinematics& state) cons
 }
 
 Water LinesInWater::water(const Kinematics& state, size_t node) const {
-  const Water calm = sea_.calm_at(state.x[node].z(), state.time);
-  return sea_.waves.none() || !state.moves() ? calm : calm + waves(state)[node];
+  const Water without_waves = sea_.without_waves_at(state.x[node].z(), state.time);
+  return sea_.waves.none() || !state.moves() ? without_waves : without_waves + waves(state)[node];
 }
 
 void LinesInWater::update_water(const Kinematics& state) const {
@@ -158,11 +158,11 @@ LinesInWater::FlowLoads LinesInWater::flow_loads(const Kinematics& state) const 
     WaterBall floating;
     floating.buoyancy = b.ball.buoyancy;
     floating.radius = b.ball.radius;
-    Water calm;
-    calm.surface = sea_.surface;
+    Water still_water;
+    still_water.surface = sea_.surface;
     Vec3 f, up;
     ball_water(b.ball, state.x[n], state.v[n], state.a[n], water_at(n), f, nullptr, nullptr, nullptr);
-    ball_water(floating, state.x[n], state.v[n], state.a[n], calm, up, nullptr, nullptr, nullptr);
+    ball_water(floating, state.x[n], state.v[n], state.a[n], still_water, up, nullptr, nullptr, nullptr);
     out.force[static_cast<size_t>(mesh_.block[n])] += up - f;
   }
   return out;
@@ -201,14 +201,14 @@ void LinesInWater::commit(const Kinematics& accepted) {
 Energy LinesInWater::energy(const Kinematics& state) const {
   Energy e;
   // The potential is that of still water; waves do work.
-  Water calm;
-  calm.surface = sea_.surface;
+  Water still_water;
+  still_water.surface = sea_.surface;
   for (const WetElement& p : pieces_)
     if (p.element.counted && !p.idle)
-      e.potential += water_potential(p.section, ends(p, state, calm, calm), p.beam);
+      e.potential += water_potential(p.section, ends(p, state, still_water, still_water), p.beam);
   for (const Ball& b : balls_) {
     const size_t n = static_cast<size_t>(b.node);
-    e.potential += ball_potential(b.ball, state.x[n], calm);
+    e.potential += ball_potential(b.ball, state.x[n], still_water);
   }
   if (!state.moves() && !flow_loads_.place.empty()) e.potential -= work(flow_loads_, flow_loads(state));
   e.work = e.by_water = work_;

@@ -44,8 +44,8 @@ void LinesInWater::update_from_feeders(double FedLine::*length) {
 // Change of the buoyancy potential by feeders, J: that of the change of length, mean of the positions before
 // and after.
 double LinesInWater::fed_buoyancy(const Kinematics& state) const {
-  Water calm;
-  calm.surface = sea_.surface;
+  Water still_water;
+  still_water.surface = sea_.surface;
   double sum = 0;
   const State& old = feeders_->before();
   if (old.x.size() != state.x.size()) return 0;
@@ -59,7 +59,7 @@ double LinesInWater::fed_buoyancy(const Kinematics& state) const {
     WaterSection s = p.section;
     s.length = fed->before;
     for (const Kinematics& k : {before, state}) {
-      const WaterEnds e = ends(p, k, calm, calm);
+      const WaterEnds e = ends(p, k, still_water, still_water);
       sum += 0.5 * (water_potential(p.section, e, p.beam) - water_potential(s, e, p.beam));
     }
   }

@@ -22,7 +22,7 @@ LinesInWater::FlowError LinesInWater::flow_error(const Kinematics& state, const 
     Cut c{between(state.x[i], state.x[j]), between(state.v[i], state.v[j]), between(state.a[i], state.a[j]),
           k == 0 ? first : second};
     if (k == 0 || k == kFiner * parts) return c;
-    c.water = sea_.calm_at(c.x.z(), state.time);
+    c.water = sea_.without_waves_at(c.x.z(), state.time);
     if (has_waves() && state.moves())
       c.water = c.water + sea_.waves_at(between(wave_place(state, i), wave_place(state, j)), state.time);
     c.water.surface = (1 - s) * first.surface + s * second.surface;

@@ -9,7 +9,7 @@
 
 namespace hawser {
 
-Water Sea::calm_at(double z, double time) const {
+Water Sea::without_waves_at(double z, double time) const {
   Water w;
   w.surface = surface;
   if (current.none()) return w;
@@ -31,11 +31,11 @@ double Sea::wave_head(const Vec3& x, double time) const {
   return waves.head(x - surface * Vec3::UnitZ(), time, factor);
 }
 
-Water operator+(Water calm, const WaveMotion& wave) {
-  calm.surface += wave.surface;
-  calm.velocity += wave.velocity;
-  calm.acceleration = wave.acceleration;
-  return calm;
+Water operator+(Water water, const WaveMotion& wave) {
+  water.surface += wave.surface;
+  water.velocity += wave.velocity;
+  water.acceleration = wave.acceleration;
+  return water;
 }
 
 CurrentProfile current_profile(const model::Water& w, double factor) {

@@ -62,8 +62,8 @@ double water_potential(const WaterSection& s, const WaterEnds& e, bool beam);
 struct WaterForce {
   Vec3 force[4];  // N: drag, Froude-Krylov and added mass, on the line
 };
-// Includes the change of buoyancy because the surface is not at `calm_level` [m].
-WaterForce water_force(const WaterSection& s, const WaterEnds& e, bool beam, double calm_level);
+// Includes the change of buoyancy because the surface is not at `still_water_level` [m].
+WaterForce water_force(const WaterSection& s, const WaterEnds& e, bool beam, double still_water_level);
 // Sum of these forces over a straight element that remains straight, without buoyancy, N.
 Vec3 straight_flow_force(const WaterSection& s, const CableInWater& e, bool beam);
 

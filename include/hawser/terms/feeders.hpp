@@ -34,8 +34,9 @@ struct Feeder {
   model::Feed feed;
   TiedNode tied;  // how a node is held at the feeder
   bool beam = false;
-  CableSection cable;  // section at the feed point of a cable, with the element's length in the mesh
-  BeamSection bar;     // section of a beam at the feed point
+  // Of the element at the feed point, with its length in the mesh: the one of these that `beam` names.
+  CableSection cable_section;
+  BeamSection beam_section;
   double free_strain = 0;
   double mass_per_length = 0;   // kg/m
   Vec3 weight = Vec3::Zero();   // N/m

@@ -57,7 +57,7 @@ class Hulls final : public ForceTerm,
     Phase phase = Phase::statics;
     Vec3 x = Vec3::Zero();
     Quat q = Quat::Identity();
-    HullPressure calm;
+    HullPressure still_water;
     BodyForce waves;
   };
   struct Hull {

@@ -37,7 +37,7 @@ class LinesInWater final : public ForceTerm,
   void scale_current(double factor) override { sea_.current_scale = factor; }
 
   // True if the water moves anywhere.
-  bool moving() const { return !sea_.calm(); }
+  bool moving() const { return !sea_.at_rest(); }
   bool has_waves() const { return !sea_.waves.none(); }
   bool has_current() const { return !sea_.current.none(); }
   double above_still_water(double z) const { return z - sea_.surface; }

@@ -22,16 +22,16 @@ struct Sea {
   WaveField waves;
   double wave_ramp = 0;  // s
 
-  bool calm() const { return current.none() && waves.none(); }
+  bool at_rest() const { return current.none() && waves.none(); }
   // Water without waves at a height z [m].
-  Water calm_at(double z, double time) const;
+  Water without_waves_at(double z, double time) const;
   // Motion of the waves alone. A term evaluates it once a step (docs/theory/waves.md#in-a-step).
   WaveMotion waves_at(const Vec3& x, double time) const;
   // Wave pressure over rho g at a point, m.
   double wave_head(const Vec3& x, double time) const;
 };
 // Adds the wave motion to the current.
-Water operator+(Water calm, const WaveMotion& wave);
+Water operator+(Water water, const WaveMotion& wave);
 
 Sea sea_of(const model::Case& c);
 CurrentProfile current_profile(const model::Water& w, double factor = 1);
