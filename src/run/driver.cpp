@@ -22,6 +22,7 @@
 #include "hawser/record/recorder.hpp"
 #include "hawser/run/events.hpp"
 #include "hawser/run/feeder_nodes.hpp"
+#include "hawser/run/hull_check.hpp"
 #include "hawser/run/output_place.hpp"
 #include "hawser/run/progress.hpp"
 #include "hawser/run/restart.hpp"
