@@ -129,16 +129,17 @@ void warn_of_floating(const Case& c, const Body& b, std::vector<InputWarning>& o
   const BodyMass& m = *b.mass;
   const double g = c.environment.gravity, density = c.environment.water.density, weight = m.mass * g;
   if (m.hull || !(g > 0)) return;
-  const PlatformHydrostatics calm = hydrostatics(m, density, g);
-  const double size = std::cbrt(calm.buoyancy / (density * g));
-  const double rise = (calm.buoyancy - weight) / std::max(calm.stiffness(0, 0), 1e-300);
-  if (calm.stiffness(0, 0) > 0 && std::abs(rise) > size)
+  const PlatformHydrostatics in_still_water = hydrostatics(m, density, g);
+  const double size = std::cbrt(in_still_water.buoyancy / (density * g));
+  const double rise = (in_still_water.buoyancy - weight) / std::max(in_still_water.stiffness(0, 0), 1e-300);
+  if (in_still_water.stiffness(0, 0) > 0 && std::abs(rise) > size)
     add_warning(out, "bodies." + b.name + ".floating.mass", Effect::all,
                 "its weight of {:.5g} kN and its buoyancy of {:.5g} kN mean that without lines it "
                 "floats {:.3g} m {}, which is more than its size ({:.3g} m, the side of a cube of "
                 "its volume): is 'mass' or 'displaced_volume' that of another body, or in other "
                 "units?",
-                weight / 1000, calm.buoyancy / 1000, std::abs(rise), rise > 0 ? "higher" : "lower", size);
+                weight / 1000, in_still_water.buoyancy / 1000, std::abs(rise), rise > 0 ? "higher" : "lower",
+                size);
   const double level = hydrodynamic_place(b, c.environment.water.surface).z();
   const double above = b.position.z() - level;
   if (std::abs(above) > size)
@@ -149,7 +150,8 @@ void warn_of_floating(const Case& c, const Body& b, std::vector<InputWarning>& o
                 b.position.z(), std::abs(above), above > 0 ? "above" : "below", level, size);
   const Eigen::Vector2d added(m.hydrodynamics->stiffness(3, 3) + m.turning_stiffness.x(),
                               m.hydrodynamics->stiffness(4, 4) + m.turning_stiffness.y());
-  const Eigen::Vector2d heights = metacentric_heights(restoring(m, calm, g), weight) + added / weight;
+  const Eigen::Vector2d heights =
+      metacentric_heights(restoring(m, in_still_water, g), weight) + added / weight;
   const bool roll = heights[0] < 0;
   const bool pitch = heights[1] < 0;
   const bool lines = !line_ends_at(c, b).empty();

@@ -44,10 +44,10 @@ PlatformPeriods platform_periods(const Case& c, const Body& b) {
   const BodyMass& m = *b.mass;
   const BodyHydrodynamics& h = *m.hydrodynamics;
   const double g = c.environment.gravity;
-  const PlatformHydrostatics calm = hydrostatics(m, c.environment.water.density, g);
+  const PlatformHydrostatics in_still_water = hydrostatics(m, c.environment.water.density, g);
   // About the centre of the waterplane, where heave is not a part of roll and pitch.
-  const Mat3 C = about_waterplane_centre(restoring(m, calm, g));
-  const Mat6 motion = motion_from_point(waterplane_centre(calm.stiffness));
+  const Mat3 C = about_waterplane_centre(restoring(m, in_still_water, g));
+  const Mat6 motion = motion_from_point(waterplane_centre(in_still_water.stiffness));
   const Mat6 mass = mass_matrix_about(m, Vec3::Zero());
   const int first = 6 * (h.body - 1);
   const auto period = [&](int freedom) {

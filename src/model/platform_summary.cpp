@@ -17,21 +17,23 @@ std::string platform_text(const Case& c, const Body& b) {
   const BodyHydrodynamics& h = *m.hydrodynamics;
   const HydrodynamicData& data = *h.data;
   const double g = c.environment.gravity, density = c.environment.water.density;
-  const PlatformHydrostatics calm = hydrostatics(m, density, g);
-  const double weight = m.mass * g, heave = (calm.buoyancy - weight) / calm.stiffness(0, 0);
-  std::string s = fmt::format("    displaced volume {:.6g} m³{}, buoyancy {:.5g} kN, weight {:.5g} kN\n",
-                              calm.buoyancy / (density * g), h.volume > 0 ? "" : " (that of its mass)",
-                              calm.buoyancy / 1000, weight / 1000);
-  if (h.volume > 0 && calm.stiffness(0, 0) > 0)
+  const PlatformHydrostatics in_still_water = hydrostatics(m, density, g);
+  const double weight = m.mass * g,
+               heave = (in_still_water.buoyancy - weight) / in_still_water.stiffness(0, 0);
+  std::string s =
+      fmt::format("    displaced volume {:.6g} m³{}, buoyancy {:.5g} kN, weight {:.5g} kN\n",
+                  in_still_water.buoyancy / (density * g), h.volume > 0 ? "" : " (that of its mass)",
+                  in_still_water.buoyancy / 1000, weight / 1000);
+  if (h.volume > 0 && in_still_water.stiffness(0, 0) > 0)
     s += fmt::format(
         "    without lines it would float {:.3g} m {}; lines that pull {:.5g} kN {} keep it in place\n",
-        std::abs(heave), heave > 0 ? "higher" : "lower", std::abs(calm.buoyancy - weight) / 1000,
+        std::abs(heave), heave > 0 ? "higher" : "lower", std::abs(in_still_water.buoyancy - weight) / 1000,
         heave > 0 ? "down" : "up");
   const double above = b.position.z() - hydrodynamic_place(b, c.environment.water.surface).z();
   if (std::abs(above) >= 0.01)
     s += fmt::format("    starts {:.4g} m {} the height of its files\n", std::abs(above),
                      above > 0 ? "above" : "below");
-  const Eigen::Vector2d heights = metacentric_heights(restoring(m, calm, g), weight);
+  const Eigen::Vector2d heights = metacentric_heights(restoring(m, in_still_water, g), weight);
   s += fmt::format("    metacentric heights {:.4g} m (roll), {:.4g} m (pitch)\n", heights[0], heights[1]);
   const int first = 6 * (h.body - 1);
   std::string added;

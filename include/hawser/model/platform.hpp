@@ -72,7 +72,7 @@ struct BodyLoad {
 // manual 7, section 4.2). The body needs hydrodynamics; density [kg/m³] of water, gravity [m/s²].
 PlatformHydrostatics hydrostatics(const BodyMass& body, double density, double gravity);
 // Stiffness matrix of heave [N/m], roll and pitch [N m/rad] with weight: C, less m g z_G for both rotations.
-Mat3 restoring(const BodyMass& body, const PlatformHydrostatics& calm, double gravity);
+Mat3 restoring(const BodyMass& body, const PlatformHydrostatics& hydrostatics, double gravity);
 
 // Fractions of a sea's energy outside a table of wave forces: at directions (relative to the bow) without
 // nearby rows, and at periods shorter or longer than those of the table. heading: of the body, rad.
