@@ -86,6 +86,7 @@ class Dynamics {
   void run(double until, const std::function<double(double)>& next_stop, const Observer& observer);
 
   const AlphaState& committed() const { return committed_; }
+  // Of the committed state.
   Kinematics kinematics() const { return step_origin(committed_.s, control_.proposal()); }
   const StepControl& control() const { return control_; }
   double last_step() const { return last_step_; }
