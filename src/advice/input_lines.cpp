@@ -60,7 +60,7 @@ void warn_of_span(const Case& c, const Line& line, std::vector<InputWarning>& ou
       [&](const Section& a, const Section& b) { return c.line_type(a.type).EA < c.line_type(b.type).EA; });
   // A body with mass yields to the line.
   const auto yields_to_line = [&](const End& e) {
-    return e.kind == EndKind::body && c.floats(c.body_index(e.body));
+    return e.kind == EndKind::body && c.floats(c.body_index(e.carrier));
   };
   if (chord > loose && !yields_to_line(line.end_a) && !yields_to_line(line.end_b))
     warn_if_overloaded(

@@ -50,7 +50,7 @@ Period driving(const Case& c) {
 
 // True if a line is a short, stiff member of a frame, whose slow vibration is that of the frame.
 bool is_member(const Case& c, const Line& line) {
-  const auto rigid = [&](const End& e) { return e.kind == EndKind::joint && c.joint(e.body).rigid; };
+  const auto rigid = [&](const End& e) { return e.kind == EndKind::joint && c.joint(e.carrier).rigid; };
   return rigid(line.end_a) || rigid(line.end_b);
 }
 

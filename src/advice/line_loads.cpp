@@ -131,7 +131,7 @@ class LineLoads {
          std::acos(std::clamp(along.dot(chord.normalized()), -1.0, 1.0)) * 180 / M_PI);
   }
   Mat3 exp_body(const End& e) const {
-    const Body& body = c_.bodies[static_cast<std::size_t>(c_.body_index(e.body))];
+    const Body& body = c_.bodies[static_cast<std::size_t>(c_.body_index(e.carrier))];
     return exp_so3(body.rotation).toRotationMatrix();
   }
 

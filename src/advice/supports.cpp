@@ -34,7 +34,7 @@ std::vector<Stop> path_over_supports(const model::Case& c, const model::Line& li
       const Vec3 at = model::end_position(c, *end);
       Vec3 along = (stop.at - at).normalized();
       if (end->direction)
-        along = (end == &line.end_a ? 1.0 : -1.0) * (pose_of(end->body).rotation * *end->direction);
+        along = (end == &line.end_a ? 1.0 : -1.0) * (pose_of(end->carrier).rotation * *end->direction);
       path.push_back({at, along, stop.up, &b});
     }
     path.push_back(stop);

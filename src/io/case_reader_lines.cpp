@@ -16,7 +16,7 @@ using model::Value;
 namespace {
 
 void finish_end(const Value& v, const SectionLengths& lengths, const model::Case& c, model::End& e) {
-  if (e.kind == model::EndKind::joint) e.at = c.joint(e.body).start;
+  if (e.kind == model::EndKind::joint) e.at = c.joint(e.carrier).start;
   if (!e.feed) return;
   const auto found = lengths.find(v["feed"]["stock"].where);
   if (found != lengths.end()) e.feed->stock = found->second;

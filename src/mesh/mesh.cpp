@@ -48,7 +48,7 @@ void join(const model::Case& c, const Mesh& m, SpecialNodes& special) {
   for (size_t l = 0; l < c.lines.size(); ++l)
     for (const LineEnd end : kLineEnds)
       if (const model::End& e = c.lines[l].end(end); e.kind == model::EndKind::joint)
-        ends_of[e.body].emplace_back(l, end);
+        ends_of[e.carrier].emplace_back(l, end);
   for (const model::Joint& joint : c.joints) {
     std::vector<int> ends, leaving;
     for (const auto& [l, end] : ends_of[joint.name]) {
@@ -77,8 +77,8 @@ void tie(const model::Case& c, const Mesh& m, SpecialNodes& special) {
   for (size_t l = 0; l < c.lines.size(); ++l)
     for (const LineEnd end : kLineEnds) {
       const model::End& e = c.lines[l].end(end);
-      if (e.kind != model::EndKind::body || !c.floats(c.body_index(e.body))) continue;
-      special.at(m.lines[l].end_node(end)).tied_to = m.body_node(c.body_index(e.body));
+      if (e.kind != model::EndKind::body || !c.floats(c.body_index(e.carrier))) continue;
+      special.at(m.lines[l].end_node(end)).tied_to = m.body_node(c.body_index(e.carrier));
     }
 }
 

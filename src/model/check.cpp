@@ -103,15 +103,16 @@ void check_joints(const Case& c, const Issues& issue) {
   for (const Line& l : c.lines) {
     const auto add = [&](const End& e, const Section& s) {
       if (e.kind != EndKind::joint) return;
-      Ends& at = joined[e.body];
+      Ends& at = joined[e.carrier];
       ++at.all;
       at.bending += c.line_type(s.type).kind == LineKind::beam;
     };
     add(l.end_a, l.sections.front());
     add(l.end_b, l.sections.back());
-    if (l.end_a.kind == EndKind::joint && l.end_b.kind == EndKind::joint && l.end_a.body == l.end_b.body)
+    if (l.end_a.kind == EndKind::joint && l.end_b.kind == EndKind::joint &&
+        l.end_a.carrier == l.end_b.carrier)
       issue("lines." + l.name + ".end_b.joint",
-            "both ends are at joint '{}'; the ends of a line must be at different points", l.end_a.body);
+            "both ends are at joint '{}'; the ends of a line must be at different points", l.end_a.carrier);
   }
   for (const Joint& j : c.joints) {
     const auto& [ends, bending] = joined[j.name];
@@ -244,7 +245,7 @@ std::vector<EndAtBody> line_ends_at(const Case& c, const Body& body) {
   std::vector<EndAtBody> out;
   for (const Line& line : c.lines)
     for (const End* e : {&line.end_a, &line.end_b})
-      if (e->kind == EndKind::body && e->body == body.name) out.push_back({line, *e});
+      if (e->kind == EndKind::body && e->carrier == body.name) out.push_back({line, *e});
   return out;
 }
 
@@ -252,7 +253,7 @@ std::vector<std::vector<EndAtBody>> line_ends_by_body(const Case& c) {
   std::vector<std::vector<EndAtBody>> out(c.bodies.size());
   for (const Line& line : c.lines)
     for (const End* e : {&line.end_a, &line.end_b})
-      if (const int body = e->kind == EndKind::body ? c.body_index(e->body) : -1; body >= 0)
+      if (const int body = e->kind == EndKind::body ? c.body_index(e->carrier) : -1; body >= 0)
         out[body].push_back({line, *e});
   return out;
 }
@@ -261,8 +262,8 @@ bool is_held(const End& end) { return end.kind == EndKind::anchor || end.kind ==
 
 Vec3 end_position(const Case& c, const End& end) {
   if (end.kind == EndKind::anchor || end.kind == EndKind::joint) return end.at;
-  const int i = c.body_index(end.body);
-  if (i < 0) throw std::out_of_range("no body '" + end.body + "'");
+  const int i = c.body_index(end.carrier);
+  if (i < 0) throw std::out_of_range("no body '" + end.carrier + "'");
   return pose_at_start(c.bodies[i]).to_space(end.at);
 }
 

@@ -124,7 +124,7 @@ class EventOrder : private EventChecks {
       for (const Line& l : c_.lines)
         for (const LineEnd line_end : kLineEnds) {
           const End& e = l.end(line_end);
-          if (e.kind != EndKind::joint || e.body != j.name) continue;
+          if (e.kind != EndKind::joint || e.carrier != j.name) continue;
           bool released = false;
           for (std::size_t k = 0; k < c_.events.size(); ++k)
             if (const Action& a = c_.events[k].action;

@@ -83,12 +83,13 @@ class EventCheck : private EventChecks {
       issue("attach.clamped", "line '{}' has no bending stiffness there and cannot be clamped", a.line);
     if (c_.rides(body))
       issue("attach.body", "body '{}' rides on a line; ends of lines are tied to lines at a joint", a.body);
-    if (c_.floats(body) && (end.kind == EndKind::joint || (end.kind == EndKind::body && end.body != a.body &&
-                                                           c_.floats(c_.body_index(end.body)))))
+    if (c_.floats(body) &&
+        (end.kind == EndKind::joint ||
+         (end.kind == EndKind::body && end.carrier != a.body && c_.floats(c_.body_index(end.carrier)))))
       issue("attach.body",
             "{} of line '{}' begins at {} '{}', and an end can be attached to one moving thing only, so not "
             "to body '{}' as well",
-            end_name(a), a.line, end.kind == EndKind::joint ? "joint" : "body", end.body, a.body);
+            end_name(a), a.line, end.kind == EndKind::joint ? "joint" : "body", end.carrier, a.body);
     for (const Event& other : c_.events)
       if (other.action.kind == Kind::attach && other.action.line == a.line &&
           other.action.line_end == a.line_end && c_.floats(body) &&

@@ -39,11 +39,12 @@ double runs_out(const Feed& f, double end) {
 // Reason why a line cannot be fed at an end; empty: it can.
 std::string why_not_fed(const Case& c, const Line& line, const End& end) {
   if (end.kind == EndKind::joint) return "a joint cannot feed a line; the end must be at an anchor or a body";
-  if (end.kind == EndKind::body && (c.floats(c.body_index(end.body)) || c.rides(c.body_index(end.body))))
+  if (end.kind == EndKind::body &&
+      (c.floats(c.body_index(end.carrier)) || c.rides(c.body_index(end.carrier))))
     return fmt::format(
         "body '{}' moves by its own equations or rides on a line, and a line can be fed only from an anchor "
         "or a body whose motion is prescribed",
-        end.body);
+        end.carrier);
   for (const Section& s : line.sections)
     if (const LineType& t = c.line_type(s.type); t.kind != LineKind::cable) {
       if (!end.clamped)

@@ -15,7 +15,7 @@ namespace {
 constexpr double kSteep = 0.25;  // up to the first roller: tangent of the largest plausible turn
 
 RigidPose pose_of_end(const Case& c, const End& e) {
-  const int body = c.body_index(e.body);
+  const int body = c.body_index(e.carrier);
   return body < 0 ? RigidPose{} : pose_at_start(c.bodies[body]);
 }
 

@@ -122,7 +122,7 @@ class Cuts {
     joint.rigid = c_.line_type(before.sections.back().type).kind == LineKind::beam &&
                   c_.line_type(after.sections.front().type).kind == LineKind::beam;
     before.end_b.kind = after.end_a.kind = EndKind::joint;
-    before.end_b.body = after.end_a.body = joint.name;
+    before.end_b.carrier = after.end_a.carrier = joint.name;
     c_.joints.push_back(std::move(joint));
   }
 

@@ -39,9 +39,9 @@ class Places {
 // at: position of the end in words.
 std::string end_text(const End& e, const std::string& at) {
   if (e.kind == EndKind::free) return "free";
-  if (e.kind == EndKind::joint) return "joined at " + e.body;
+  if (e.kind == EndKind::joint) return "joined at " + e.carrier;
   const std::string where =
-      e.kind == EndKind::anchor ? "anchored at " + at : "tied to " + e.body + " at " + at;
+      e.kind == EndKind::anchor ? "anchored at " + at : "tied to " + e.carrier + " at " + at;
   return where + (e.clamped                    ? ", clamped"
                   : e.rotational_stiffness > 0 ? fmt::format(", {:g} N m/rad", e.rotational_stiffness)
                                                : "");

@@ -158,7 +158,8 @@ double taut_stiffness(const Case& c, const Body& b) {
   for (const Line& line : c.lines)
     for (const LineEnd line_end : kLineEnds) {
       const End& end = line.end(line_end);
-      if (end.kind != EndKind::body || end.body != b.name || !is_held(line.end(opposite(line_end)))) continue;
+      if (end.kind != EndKind::body || end.carrier != b.name || !is_held(line.end(opposite(line_end))))
+        continue;
       double length = 0, give = 0;
       for (const Section& s : line.sections) {
         length += s.length;

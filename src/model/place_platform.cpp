@@ -169,7 +169,7 @@ class Placing {
     if (e.kind == EndKind::anchor) e.at = on_bed(e.at, reach);
     if (e.kind == EndKind::joint) e.at = point(e.at);
     if (e.direction && e.kind != EndKind::body) e.direction = turned(*e.direction);
-    rename(e.body);
+    rename(e.carrier);
     return e;
   }
 

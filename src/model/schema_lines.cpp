@@ -42,10 +42,10 @@ Key line_end(Head head, const std::string& about) {
        map("",
            {vec3({"anchor", &End::at, set(&End::kind, EndKind::anchor)}, length,
                  "fixed at this point in space; an anchor at the height of the seabed lies on the bed"),
-            reference({"body", &End::body, set(&End::kind, EndKind::body)}, "bodies",
+            reference({"body", &End::carrier, set(&End::kind, EndKind::body)}, "bodies",
                       "attached to this body ..."),
             vec3({"at", &End::at}, length, "... at this point of its frame"),
-            reference({"joint", &End::body, set(&End::kind, EndKind::joint)}, "joints",
+            reference({"joint", &End::carrier, set(&End::kind, EndKind::joint)}, "joints",
                       "pinned to the other ends at this joint, which is free to move"),
             vec3({"direction", unit(&End::direction)}, none,
                  "tangent of the line from end A to end B, in space (anchor) or in the body's frame, of any "

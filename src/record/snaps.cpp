@@ -17,7 +17,7 @@ constexpr double kSame = 1 - 1e-9;       // tolerance of equal tensions
 
 bool counts(const model::Case& c, const model::Line& line) {
   const auto in_frame = [&](const model::End& e) {
-    return e.kind == model::EndKind::joint && c.joint(e.body).rigid;
+    return e.kind == model::EndKind::joint && c.joint(e.carrier).rigid;
   };
   return !line.end_a.feed && !line.end_b.feed && !in_frame(line.end_a) && !in_frame(line.end_b);
 }

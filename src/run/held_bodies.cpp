@@ -103,7 +103,7 @@ void HeldBodies::move(int body, const RigidPose& target) {
   const LocalMesh& local = sim_.local();
   RigidPose& pose_now = (*poses_)[static_cast<size_t>(body)];
   const auto displacement = [&](const model::End& e) {
-    const bool moves = e.kind == model::EndKind::body && c.body_index(e.body) == body;
+    const bool moves = e.kind == model::EndKind::body && c.body_index(e.carrier) == body;
     return moves ? Vec3(target.to_space(e.at) - pose_now.to_space(e.at)) : Vec3(Vec3::Zero());
   };
   State& state = sim_.state();

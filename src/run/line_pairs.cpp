@@ -27,7 +27,7 @@ struct BranchStart {
 bool is_place(const model::Line& line, LineEnd line_end) {
   const model::End &end_of_part = line.end(line_end), &of_given = line.as_given().end(line_end);
   return end_of_part.kind != model::EndKind::free && end_of_part.kind == of_given.kind &&
-         end_of_part.body == of_given.body;
+         end_of_part.carrier == of_given.carrier;
 }
 
 std::vector<BranchStart> places_of_lines(const model::Case& c, const Mesh& mesh) {

@@ -71,7 +71,7 @@ MovingBody moving_body(MPI_Comm comm, const Simulation& sim, const std::vector<V
       const int i = local.global[n] - span.first_node;
       if (i != 0 && i != span.nodes - 1) continue;
       const model::End& e = c.lines[node.line].end(i == 0 ? LineEnd::A : LineEnd::B);
-      if (e.kind == model::EndKind::body) body = c.body_index(e.body);
+      if (e.kind == model::EndKind::body) body = c.body_index(e.carrier);
     }
     if (c.floats(body)) moved[body] = std::max(moved[body], values[n].norm());
   }

@@ -160,7 +160,7 @@ void find_lines_on_wrong_side(MPI_Comm comm, const model::Case& c, const LocalMe
   }
   const auto fraction_of = [&](size_t line, double arc) { return arc / mesh.mesh->lines[line].length; };
   const auto carries_end = [&](const model::End& e, size_t v) {
-    return e.kind == model::EndKind::body && e.body == volumes[v].settings.body;
+    return e.kind == model::EndKind::body && e.carrier == volumes[v].settings.body;
   };
   const ExpectedPlace expected_place = [&](const Node& node, size_t v, const Vec3& x) -> std::optional<Vec3> {
     const size_t l = node.line;

@@ -43,7 +43,7 @@ class Laying {
     for (size_t l = 0; l < c.lines.size(); ++l)
       for (const LineEnd end : kLineEnds)
         if (const model::End& e = c.lines[l].end(end); e.kind == model::EndKind::joint)
-          joints_[e.body].push_back({l, end});
+          joints_[e.carrier].push_back({l, end});
   }
 
   std::vector<Vec3> line(size_t l) const {
@@ -110,12 +110,12 @@ class Laying {
         open.insert({length + kAway * mesh_.lines[side.line].length + height, {first ? *first : side, far}});
       }
     };
-    go_on(end(s).body, 0, nullptr);
+    go_on(end(s).carrier, 0, nullptr);
     while (!open.empty()) {
       const auto [length, path] = *open.begin();
       open.erase(open.begin());
       if (end(path.to).kind != model::EndKind::joint) return {length, true, path.first};
-      go_on(end(path.to).body, length, &path.first);
+      go_on(end(path.to).carrier, length, &path.first);
     }
     return {};
   }

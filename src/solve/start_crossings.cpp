@@ -314,7 +314,7 @@ std::vector<StartNote> lay_over_volumes(const model::Case& c, const Bodies& bodi
     for (Rope& rope : ropes) {
       const model::Line& line = *rope.line;
       const auto held_by_body = [&](const model::End& e) {
-        return e.kind == model::EndKind::body && e.body == volume.body;
+        return e.kind == model::EndKind::body && e.carrier == volume.body;
       };
       if (!line.starts_by_itself() || held_by_body(line.end_a) || held_by_body(line.end_b)) continue;
       const bool far = std::all_of(rope.x.begin(), rope.x.end(), [&](const Vec3* x) {

@@ -271,7 +271,7 @@ bool is_beam(const model::Case& c, const model::Line& line, const std::vector<Ca
 bool stands(const model::Case& c, const model::Line& line, const std::vector<CatenarySection>& sections,
             double length) {
   const model::End& e = line.end_a.kind != model::EndKind::free ? line.end_a : line.end_b;
-  const bool held = e.clamped || (e.kind == model::EndKind::joint && c.joint(e.body).rigid);
+  const bool held = e.clamped || (e.kind == model::EndKind::joint && c.joint(e.carrier).rigid);
   if (!held || !e.direction) return false;
   const double stiffness = smallest_bending_stiffness(c, line);
   double load = 0, at_end = 0;
@@ -285,7 +285,7 @@ bool stands(const model::Case& c, const model::Line& line, const std::vector<Cat
 }  // namespace
 
 RigidPose start_pose(const model::Case& c, const Bodies& bodies, const model::End& e) {
-  return e.kind == model::EndKind::body ? bodies.pose(c.body_index(e.body), 0) : RigidPose{};
+  return e.kind == model::EndKind::body ? bodies.pose(c.body_index(e.carrier), 0) : RigidPose{};
 }
 
 LineStart line_start(const model::Case& c, const model::Line& line, const Bodies& bodies, const Mesh& mesh,

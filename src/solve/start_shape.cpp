@@ -49,7 +49,7 @@ Quat axes_along(const Vec3& t) {
 }
 
 bool rigid(const model::Case& c, const model::End& e) {
-  return e.kind == model::EndKind::joint && c.joint(e.body).rigid;
+  return e.kind == model::EndKind::joint && c.joint(e.carrier).rigid;
 }
 
 // True if the line would go into the ground if its end at x, on the ground, had the direction opposite to
@@ -284,7 +284,7 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
   for (const LineEnd end : kLineEnds) {
     const model::End& e = line.end(end);
     if (e.kind == model::EndKind::free) continue;
-    const bool cut = e.kind == model::EndKind::joint && given.end(end).body != e.body;
+    const bool cut = e.kind == model::EndKind::joint && given.end(end).carrier != e.carrier;
     if (cut) continue;
     const int node = span.end_node(end);
     const bool joint = e.kind == model::EndKind::joint;
@@ -293,7 +293,7 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
     if (joint && (end != twist || !g.node(node).rotates)) continue;
     TiedNode s;
     if (joint) s.position_mask = 0;
-    s.body = e.kind == model::EndKind::body ? c.body_index(e.body) : -1;
+    s.body = e.kind == model::EndKind::body ? c.body_index(e.carrier) : -1;
     s.at = e.at;
     if (const int frame = g.node(node).tied_to; frame >= 0 && c.floats(s.body)) {
       s.at -= c.bodies[s.body].mass->centre;

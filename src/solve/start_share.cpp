@@ -50,7 +50,7 @@ void unite_joined(const model::Case& c, const std::vector<model::GivenLine>& lin
     for (int l = lines[g].first; l < lines[g].first + lines[g].parts; ++l)
       for (const LineEnd end : kLineEnds)
         if (const model::End& e = c.lines[l].end(end); e.kind == model::EndKind::joint)
-          group.unite(first.try_emplace(e.body, g).first->second, g);
+          group.unite(first.try_emplace(e.carrier, g).first->second, g);
 }
 
 }  // namespace

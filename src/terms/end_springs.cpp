@@ -39,7 +39,7 @@ std::vector<EndSpring> end_springs(const model::Case& c, const LocalMesh& mesh) 
       if (e.kind == model::EndKind::free || !(e.rotational_stiffness > 0) || !e.direction) continue;
       const int node = mesh.find(span.end_node(end));
       if (!mesh.owns(node) || !mesh.rotates(node)) continue;
-      out.push_back({node, e.kind == model::EndKind::body ? c.body_index(e.body) : -1,
+      out.push_back({node, e.kind == model::EndKind::body ? c.body_index(e.carrier) : -1,
                      e.direction->normalized(), e.rotational_stiffness});
     }
   }

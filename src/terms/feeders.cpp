@@ -57,7 +57,7 @@ Feeders::Feeders(const LocalMesh& mesh, const model::Case& c) : mesh_(mesh), cas
       f.line_end = line_end;
       f.feed = *end.feed;
       f.name = fmt::format("end {} of line {}", end_letter(line_end), c.lines[l].name);
-      f.tied.body = end.kind == model::EndKind::body ? c.body_index(end.body) : -1;
+      f.tied.body = end.kind == model::EndKind::body ? c.body_index(end.carrier) : -1;
       f.tied.at = end.at;
       const FedStart start = fed_start(*mesh.mesh, mesh.mesh->lines[l], line_end, f.feed.stock);
       f.feed_point = start.inside;

@@ -36,7 +36,7 @@ inline model::Case moored_chain(const Vec3& from, int elements, double bed_stiff
   c.bodies.push_back(b);
   model::End e;
   e.kind = model::EndKind::body;
-  e.body = "ship";
+  e.carrier = "ship";
   c.lines[0].end_b = e;
   c.dynamics.enabled = true;
   c.dynamics.step = 0.1;

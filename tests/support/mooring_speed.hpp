@@ -58,7 +58,7 @@ inline model::Line hung(const std::string& type, double length, int segments, co
   l.end_a.kind = model::EndKind::anchor;
   l.end_a.at = anchor;
   l.end_b.kind = model::EndKind::body;
-  l.end_b.body = "vessel";
+  l.end_b.carrier = "vessel";
   l.end_b.at = hang_off;
   return l;
 }

@@ -12,7 +12,7 @@ namespace {
 model::End on(const std::string& body, const Vec3& at) {
   model::End e;
   e.kind = model::EndKind::body;
-  e.body = body;
+  e.carrier = body;
   e.at = at;
   return e;
 }
@@ -75,7 +75,7 @@ model::Case carried(model::ContactMethod method) {
   c.joints = {{"corner", {8, 0, -2}, true}};
   model::End corner;
   corner.kind = model::EndKind::joint;
-  corner.body = "corner";
+  corner.carrier = "corner";
   corner.at = {8, 0, -2};
   model::End arm = corner;
   arm.direction = Vec3(0.2, 1, 0.1).normalized();
@@ -85,7 +85,7 @@ model::Case carried(model::ContactMethod method) {
   // Ends that events release: a cable tied to a beam, and one tied to another cable.
   c.joints.push_back({"link", {-8, 0, -5}, false});
   model::End link = corner;
-  link.body = "link";
+  link.carrier = "link";
   link.at = {-8, 0, -5};
   c.lines.push_back(line("upper", "cable", 3, 2, anchor({-8, 0, -2}), link));
   c.lines.push_back(line("lower", "cable", 2.5, 2, link, anchor({-8, 1, -7.3})));

@@ -17,7 +17,7 @@ model::LinkEnd on_line(const std::string& line, double arc) { return {"", line, 
 model::End tied(const std::string& body, const Vec3& at) {
   model::End e;
   e.kind = model::EndKind::body;
-  e.body = body;
+  e.carrier = body;
   e.at = at;
   return e;
 }

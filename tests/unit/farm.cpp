@@ -149,7 +149,7 @@ TEST_F(FarmFiles, PlacesAreTheFileMovedAndTurned) {
         const model::End &e = l.end(end), &f = m.end(end);
         const bool anchor = e.kind == model::EndKind::anchor;
         if (!anchor) {
-          EXPECT_EQ(f.body, place + e.body);
+          EXPECT_EQ(f.carrier, place + e.carrier);
         }
         if (e.direction) {
           EXPECT_LT((*f.direction - (anchor ? Vec3(turn * *e.direction) : *e.direction)).norm(), 1e-14)
@@ -273,7 +273,7 @@ TEST_F(FarmFiles, OwnLinesReferToPlaces) {
       "contact: {volumes: [T1/hull, T2/hull]}\n"
       "output: {histories: [{line: T2/leg 1, at: end_a, name: anchor}, {body: T1/buoy}]}\n" +
       kSea);
-  EXPECT_EQ(farm.line("cable").end_b.body, "T2/float");
+  EXPECT_EQ(farm.line("cable").end_b.carrier, "T2/float");
   EXPECT_NEAR(farm.links.front().end_a.arc, 90, 1e-12);
   const std::string text = model::summary(farm);
   for (const char* part :

@@ -85,7 +85,7 @@ TEST(LongestStep, OfRotationsGoesByWhatIsAttached) {
   c.bodies[0].name = "vessel";
   model::Line& line = c.lines.emplace_back();
   line.end_b.kind = model::EndKind::body;
-  line.end_b.body = "vessel";
+  line.end_b.carrier = "vessel";
   const auto expected = [](double lever) {
     const double w = 2 * M_PI / 20, p = 2 * M_PI / 5;
     const double rate = std::pow(2 * w, 2) + std::pow(0.01 * lever * p, 2);
@@ -127,7 +127,7 @@ TEST(LongestStep, OfALoadOnARope) {
   line.sections.push_back({"rope", 50, 10, 1});
   line.end_a.kind = model::EndKind::anchor;
   line.end_b.kind = model::EndKind::body;
-  line.end_b.body = "load";
+  line.end_b.carrier = "load";
   const double period = 2 * M_PI * std::sqrt(4e5 * 50 / 2e7);
   const model::LongestStep free = model::longest_step(c);
   EXPECT_NEAR(free.length, period / 60, 1e-9);

@@ -13,7 +13,7 @@ constexpr double kG = 9.80665;
 model::End on(const std::string& body, const Vec3& at) {
   model::End e;
   e.kind = model::EndKind::body;
-  e.body = body;
+  e.carrier = body;
   e.at = at;
   return e;
 }

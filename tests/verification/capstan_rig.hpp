@@ -60,7 +60,7 @@ inline Pulled run(const Pull& p) {
     drum.motion = model::ConstantMotion{Vec3::Zero(), Vec3::UnitY(), speed / rho};
   c.bodies = {hook, drum};
   line.end_b.kind = model::EndKind::body;
-  line.end_b.body = "hook";
+  line.end_b.carrier = "hook";
 
   model::Volume volume;
   volume.name = volume.body = "drum";

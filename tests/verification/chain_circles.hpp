@@ -64,7 +64,7 @@ inline model::Case circling_chain(const CircleCase& of, int elements, double ste
   c.bodies.push_back(b);
   model::End e;
   e.kind = model::EndKind::body;
-  e.body = "carriage";
+  e.carrier = "carriage";
   c.lines[0].end_b = e;
   c.dynamics.enabled = true;
   c.dynamics.step = step;

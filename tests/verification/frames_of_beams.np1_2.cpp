@@ -20,7 +20,7 @@ TEST(FramesOfBeams, ArmOnAColumn) {
     c.joints = {{"head", {0, 0, a}, true}};
     model::End head;
     head.kind = model::EndKind::joint;
-    head.body = "head";
+    head.carrier = "head";
     head.at = {0, 0, a};
     model::End arm = head;
     arm.direction = Vec3::UnitX();

@@ -104,7 +104,7 @@ Dragged drag(model::ContactMethod method, const model::Friction& friction, doubl
   c.bodies.push_back(tug);
   for (model::End* e : {&c.lines[0].end_a, &c.lines[0].end_b}) {
     e->kind = model::EndKind::body;
-    e->body = "tug";
+    e->carrier = "tug";
     e->at = Vec3(e == &c.lines[0].end_a ? -2 : 2, 0, 0);
     e->clamped = true;
     e->direction = Vec3::UnitX();
@@ -218,7 +218,7 @@ TEST(FrictionRuns, CapstanMobilisation) {
     hook.motion = model::ConstantMotion{0.003 * along_circle(wrap), Vec3::UnitZ(), 0};
     c.bodies = {hook};
     line.end_b.kind = model::EndKind::body;
-    line.end_b.body = "hook";
+    line.end_b.carrier = "hook";
     model::Volume drum;
     drum.name = "drum";
     drum.basis = model::StiffnessBasis::per_length;

@@ -8,7 +8,7 @@ namespace {
 model::End at_joint(const model::Case& c) {
   model::End e;
   e.kind = model::EndKind::joint;
-  e.body = c.joints[0].name;
+  e.carrier = c.joints[0].name;
   e.at = c.joints[0].start;
   return e;
 }
@@ -67,7 +67,7 @@ model::Case delta() {
     l.sections = {{"bridle", 30, 20, 1}};
     l.end_a = at_joint(c);
     l.end_b.kind = model::EndKind::body;
-    l.end_b.body = "platform";
+    l.end_b.carrier = "platform";
     l.end_b.at = Vec3(2.6, y, -70);
     c.lines.push_back(l);
   }

@@ -25,7 +25,7 @@ model::Case jumper() {
   c.bodies.push_back(b);
   model::End e;
   e.kind = model::EndKind::body;
-  e.body = "vessel";
+  e.carrier = "vessel";
   c.lines[0].end_b = e;
   return c;
 }

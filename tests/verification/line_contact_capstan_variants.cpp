@@ -58,7 +58,7 @@ Drawn draw(const Rope& r, std::shared_ptr<const Surface> drum_surface = nullptr)
     hook.motion = model::ConstantMotion{r.speed * along_circle(r.wrap), Vec3::UnitZ(), 0};
   c.bodies = {hook, axle};
   line.end_b.kind = model::EndKind::body;
-  line.end_b.body = "hook";
+  line.end_b.carrier = "hook";
   model::Volume drum;
   drum.name = "drum";
   drum.body = "axle";

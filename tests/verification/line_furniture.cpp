@@ -71,7 +71,7 @@ TEST(LineFurniture, SpringAtAnEnd) {
     Vec3 along = Vec3::UnitX(), across = -Vec3::UnitZ();
     if (on_body) {
       a.kind = model::EndKind::body;
-      a.body = "vessel";
+      a.carrier = "vessel";
       a.at = Vec3(1, 0, 0);
       along = turn * along;
       across = turn * across;

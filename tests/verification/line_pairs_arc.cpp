@@ -34,7 +34,7 @@ model::Case over_arc(double g0, double stiffness, const Vec3& middle, const Vec3
   c.lines.push_back(arc);
   model::End a, b;
   a.kind = b.kind = model::EndKind::body;
-  a.body = b.body = "jaw";
+  a.carrier = b.carrier = "jaw";
   a.at = -half;
   b.at = half;
   c.lines.push_back(straight_line("beam", type.name, 2 * half.norm(), elements, a, b));

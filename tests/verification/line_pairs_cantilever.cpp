@@ -33,7 +33,7 @@ TEST(CrossedCantilever, TipAs4C) {
   model::End a = clamp({0, 0, -0.5}, Vec3::UnitZ()), b = clamp({0, 0, 0.5}, Vec3::UnitZ());
   for (model::End* e : {&a, &b}) {
     e->kind = model::EndKind::body;
-    e->body = "jaw";
+    e->carrier = "jaw";
   }
   c.lines.push_back(straight_line("jaw", "beam", 1, 20, a, b));
   double k = 1.1e-3, force = 0;

@@ -39,7 +39,7 @@ Drawn draw(double theta, double way, int elements) {
   c.lines.push_back(straight_line("first", "beam", 2, elements, a, b));
   for (model::End* e : {&a, &b}) {
     e->kind = model::EndKind::body;
-    e->body = "sledge";
+    e->carrier = "sledge";
     e->direction = along;
     e->at = (e == &a ? -1 : 1) * along;
   }

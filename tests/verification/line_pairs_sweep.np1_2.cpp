@@ -56,7 +56,7 @@ Swept sweep(Kind kind, double mu, double step) {
   m.bodies = {frame};
   model::End a, b;
   a.kind = b.kind = model::EndKind::body;
-  a.body = b.body = "frame";
+  a.carrier = b.carrier = "frame";
   a.at = Vec3(0, -3, -0.3);
   b.at = Vec3(0, 3, -0.3);
   m.lines = {straight_line("wire", "wire", 11.985, 24, anchor({-6, 0, 0}), anchor({6, 0, 0})),

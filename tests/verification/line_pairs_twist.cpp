@@ -35,7 +35,7 @@ model::Case strands(int elements) {
   for (const double side : {1.0, -1.0}) {
     model::End b;
     b.kind = model::EndKind::body;
-    b.body = "jaw";
+    b.carrier = "jaw";
     b.at = Vec3(side * kOffset, 0, 0);
     c.lines.push_back(straight_line(side > 0 ? "first" : "second", "beam", kLength, elements,
                                     anchor({side * kOffset, 0, 0}), b));

@@ -62,7 +62,7 @@ Wound wind(double pitch, double duration) {
   m.bodies = {hook};
   model::End held;
   held.kind = model::EndKind::body;
-  held.body = "hook";
+  held.carrier = "hook";
   m.lines = {straight_line("rope", "rope", length, elements, {}, held),
              straight_line("post", "post", high + 4, 8, clamp({0, -2, 0}, Vec3::UnitY()),
                            clamp({0, high + 2, 0}, Vec3::UnitY()))};

@@ -33,7 +33,7 @@ model::Case chain(const Place& at, int elements) {
   c.bodies.push_back(b);
   model::End e;
   e.kind = model::EndKind::body;
-  e.body = "vessel";
+  e.carrier = "vessel";
   c.lines[0].end_b = e;
   c.dynamics.enabled = false;
   return c;

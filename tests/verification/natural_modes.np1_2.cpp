@@ -114,7 +114,7 @@ TEST(NaturalModes, LoadOnASling) {
   b.mass->weight = true;
   model::End eye;
   eye.kind = model::EndKind::body;
-  eye.body = "load";
+  eye.carrier = "load";
   eye.at = {0, 0, a};
   model::Line line;
   line.name = "sling";

@@ -247,7 +247,7 @@ TEST(SeabedStatics, PullingUnloadingPushing) {
   constexpr size_t kElements = 1000;
   model::End b;
   b.kind = model::EndKind::body;
-  b.body = "hand";
+  b.carrier = "hand";
   b.clamped = true;
   b.direction = Vec3::UnitX();
   model::Case c = on_bed(beam_type(EA, 1e7, 1e7, 100), length, static_cast<int>(kElements), {}, b, 1e6);

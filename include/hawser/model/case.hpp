@@ -234,7 +234,7 @@ enum class EndKind { free, anchor, body, joint };
 struct End {
   EndKind kind = EndKind::free;
   Vec3 at = Vec3::Zero();           // m; anchor: in space, body: in its frame
-  std::string body;                 // name of the body or joint
+  std::string carrier;              // name of the body or joint that holds the end
   std::optional<Vec3> direction;    // unit tangent from A to B, same frame as `at`
   bool clamped = false;             // rotation tied as well
   double rotational_stiffness = 0;  // N m/rad, a spring towards `direction`
