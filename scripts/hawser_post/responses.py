@@ -52,7 +52,7 @@ class Motion:
 
     def slow_origin(self, keep):
         """x and y of the origin at all steps without wave-frequency motion, by the filter of a platform's wave
-        forces, c² (3 s + c)/(s + c)³ with c = 2 pi / `follow_period`; for other bodies the mean over `keep`."""
+        forces, c⁴ (5 s + c)/(s + c)⁵ with c = 2 pi / `follow_period`; for other bodies the mean over `keep`."""
         floating = dictionary(dictionary(dictionary(self.results.keys.get("bodies")).get(self.body)).get("floating"))
         water = dictionary(floating.get("hydrodynamics"))
         period = water.get("follow_period", 0.0)
@@ -65,7 +65,7 @@ class Motion:
         out = []
         for k in (0, 1):
             moved = np.interp(even, self.time, self.origin[:, k] - still[k])
-            filtered = signal.lsim(([3 * c**2, c**3], [1, 3 * c, 3 * c**2, c**3]), moved, even)[1]
+            filtered = signal.lsim(([5 * c**4, c**5], np.poly([-c] * 5)), moved, even)[1]
             out.append(still[k] + np.interp(self.time, even, filtered))
         return np.column_stack(out)
 

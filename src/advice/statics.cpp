@@ -162,7 +162,11 @@ std::string statics_failed(const model::Case& c) {
       ways.push_back(fmt::format("'start: {{points: ...}}' of line {}, near where it will rest", line.name));
       break;
     }
-  if (c.contact.between_lines.enabled) ways.emplace_back("'contact: {between_lines: false}'");
+  if (c.contact.between_lines.enabled && !c.lines.empty())
+    ways.emplace_back("'contact: {between_lines: false}'");
+  if (std::any_of(c.bodies.begin(), c.bodies.end(), [](const model::Body& b) { return bool(b.mass); }))
+    ways.emplace_back(
+        "stiffness, hydrostatics, lines or thrusters that can balance the loads of each floating body");
   constexpr size_t kMost = 3;
   if (ways.size() > kMost) ways.resize(kMost);
   return fmt::format("statics has failed; what may help: {}{}see docs/how-to/failing-runs.md",

@@ -38,6 +38,20 @@ ComplexVec6 WaveForceTable::at(double omega, double direction) const {
                   frequency_place(omega_, omega));
 }
 
+// The elevation at c is that at the origin times exp(-i k c.d) for a wave to the direction d, so that X of c
+// is X exp(i k c.d).
+ComplexVec6 WaveForceTable::at(double omega, double direction, const Eigen::Vector2d& kc) const {
+  const TablePlace row = direction_place(directions_, direction), column = frequency_place(omega_, omega);
+  const auto phase = [&kc](double towards) {
+    return std::polar(1.0, kc.x() * std::cos(towards) + kc.y() * std::sin(towards));
+  };
+  const auto at_centre = [&](size_t r) -> ComplexVec6 {
+    return phase(directions_[r]) * bilinear(values_, omega_.size(), {r, r, 0}, column);
+  };
+  return std::conj(phase(direction)) *
+         ((1 - row.weight) * at_centre(row.low) + row.weight * at_centre(row.high));
+}
+
 ComplexVec6 WaveForceTable::by_direction(double omega, double direction) const {
   const TablePlace row = direction_place(directions_, direction);
   if (row.low == row.high) return ComplexVec6::Zero();
@@ -58,14 +72,16 @@ ComplexVec6 DifferenceForceTable::at(double first, double second) const {
 }
 
 PlatformWaves::PlatformWaves(const std::vector<WaveComponent>& sea, double heading,
-                             const WaveForceTable& first, const WaveForceTable& mean,
-                             const DifferenceForceTable& difference, SecondOrder order)
+                             const Eigen::Vector2d& centre, const WaveForceTable& first,
+                             const WaveForceTable& mean, const DifferenceForceTable& difference,
+                             SecondOrder order)
     : components_(sea),
       first_table_(first),
       mean_table_(mean),
       difference_table_(difference),
       order_(order),
-      heading_(heading) {
+      heading_(heading),
+      centre_(centre) {
   first_.assign(sea.size(), ComplexVec6::Zero());
   if (order_ == SecondOrder::full) add_full();
   turn_to(heading);
@@ -76,7 +92,7 @@ void PlatformWaves::turn_to(double heading) {
   const auto n = static_cast<Eigen::Index>(components_.size());
   for (size_t i = 0; i < components_.size() && !first_table_.none(); ++i) {
     const WaveComponent& w = components_[i];
-    first_[i] = w.amplitude * first_table_.at(w.omega, std::atan2(w.y, w.x) - heading);
+    first_[i] = w.amplitude * first_table_.at(w.omega, std::atan2(w.y, w.x) - heading, w.number * centre_);
   }
   mean_drift_ = mean_drift(heading).force;
   if (order_ != SecondOrder::newman) return;

@@ -5,36 +5,48 @@
 
 namespace hawser {
 
-SlowPose SlowPose::at(const Vec3& pose) {
+template <int N>
+SlowPose<N> SlowPose<N>::at(const Vec3& pose) {
   SlowPose out;
-  out.place = out.filtered = out.last = pose;
+  out.place = out.last = pose;
+  out.delayed = pose.replicate<N, 1>();
   return out;
 }
 
-// y'' + 2 c y' + c² (y - x) = 0, z' = c (y' - z), slow pose y + 2 z/c, with x = x_0 + s t:
-//   y = x - 2 s/c + (a + b t) exp(-c t),   z = s + (z_0 - s + c (b - c a) t - c² b t²/2) exp(-c t)
-SlowPose SlowPose::after(const Vec3& pose, double h, double period) const {
+// y_k' = c (y_(k-1) - y_k), y_0 = x, k = 1 ... N; slow pose y_N + (N/c) y_N'. With x = x_0 + u t
+//   y_k(t) = x - k u/c + exp(-c t) sum_(j<k) (c t)^j/j! d_(k-j),   d_k = y_k(0) - x_0 + k u/c.
+template <int N>
+SlowPose<N> SlowPose<N>::after(const Vec3& pose, double h, double period) const {
   const double c = 2 * M_PI / period;
   SlowPose out;
   out.last = pose;
   out.last.z() = last.z() + std::remainder(pose.z() - last.z(), 2 * M_PI);
-  const Vec3 s = (out.last - last) / h, lag = 2 / c * s;
-  const Vec3 a = filtered - last + lag, b = rate - s + c * a;
-  const double decay = std::exp(-c * h);
-  const Vec3 decaying = decay * (a + h * b);
-  out.filtered = out.last - lag + decaying;
-  out.rate = s + decay * b - c * decaying;
-  out.drift = s + decay * (drift - s + c * h * (b - c * a) - 0.5 * c * c * h * h * b);
-  out.place = out.filtered + 2 / c * out.drift;
+  const Vec3 lag = (out.last - last) / (c * h);
+  const auto y = [](const SlowPose& of, int k) { return of.delayed.template segment<3>(3 * (k - 1)); };
+  for (int k = 1; k <= N; ++k) {
+    Vec3 sum = out.last - k * lag;
+    double weight = std::exp(-c * h);
+    for (int j = 0; j < k; ++j) {
+      sum += weight * (y(*this, k - j) - last + (k - j) * lag);
+      weight *= c * h / (j + 1);
+    }
+    out.delayed.template segment<3>(3 * (k - 1)) = sum;
+  }
+  const auto rate = [&](int k) { return Vec3(c * (y(out, k - 1) - y(out, k))); };
+  out.drift = rate(N);
+  out.speed = out.drift + N * (rate(N - 1) - rate(N));
+  out.place = y(out, N) + N / c * out.drift;
   return out;
 }
 
-// The same with s = pose/h and everything else zero: a = 2 s/c, b = s.
-SlowPose::Derivatives SlowPose::derivatives(double h, double period) {
-  const double c = 2 * M_PI / period, ch = c * h, decay = std::exp(-ch);
-  const double decaying = decay * (2 / c + h), rate = 1 + decay - c * decaying;
-  const double drift = 1 - decay * (1 + ch + 0.5 * ch * ch);
-  return {(h - 2 / c + decaying + 2 / c * drift) / h, (3 * rate - 2 * drift) / h};
+// The filter is linear: these are place and speed after a unit step from zero.
+template <int N>
+typename SlowPose<N>::Derivatives SlowPose<N>::derivatives(double h, double period) {
+  const SlowPose unit = SlowPose().after(Vec3::UnitX(), h, period);
+  return {unit.place.x(), unit.speed.x()};
 }
+
+template struct SlowPose<3>;
+template struct SlowPose<5>;
 
 }  // namespace hawser

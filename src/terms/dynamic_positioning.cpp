@@ -128,13 +128,13 @@ DynamicPositioning::Push DynamicPositioning::push_at_rest(const Positioned& p, c
 DynamicPositioning::Push DynamicPositioning::push_in_motion(const Positioned& p, const Vec3& pose,
                                                             double time) {
   const double h = time - p.time;
-  const SlowPose slow = h > 0 ? p.slow.after(pose, h, p.data.filter) : p.slow;
-  const SlowPose::Derivatives weights =
-      h > 0 ? SlowPose::derivatives(h, p.data.filter) : SlowPose::Derivatives{};
+  const ControllerPose slow = h > 0 ? p.slow.after(pose, h, p.data.filter) : p.slow;
+  const ControllerPose::Derivatives weights =
+      h > 0 ? ControllerPose::derivatives(h, p.data.filter) : ControllerPose::Derivatives{};
   Deviation deviation;
   deviation.heading = slow.place.z();
   deviation.offset = offset(p, slow.place);
-  deviation.speed = slow.speed();
+  deviation.speed = slow.speed;
   deviation.sum = p.integral + 0.5 * h * (offset(p, p.slow.place) + deviation.offset);
   deviation.by_place = weights.place;
   deviation.by_speed = weights.speed;
@@ -148,7 +148,7 @@ DynamicPositioning::Push DynamicPositioning::push(const Positioned& p, const Kin
 }
 
 void DynamicPositioning::begin(Positioned& p, const Vec3& pose, double time) {
-  p.slow = SlowPose::at(pose);
+  p.slow = ControllerPose::at(pose);
   p.time = time;
   p.begun = true;
 }
@@ -255,16 +255,12 @@ Energy DynamicPositioning::energy(const Kinematics& state) const {
 namespace {
 
 struct KeptThrust {
-  SlowPose slow;
+  ControllerPose slow;
   Vec3 integral = Vec3::Zero();
   double time = 0, work = 0;
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
-    each("slow place and heading", "m, rad", self.slow.place);
-    each("their velocity", "m/s, rad/s", self.slow.drift);
-    each("filtered place and heading", "m, rad", self.slow.filtered);
-    each("their rate", "m/s, rad/s", self.slow.rate);
-    each("place and heading", "m, rad", self.slow.last);
+    ControllerPose::quantities(self.slow, each);
     each("integral of the offset", "m s, rad s", self.integral);
     each("time", "s", self.time);
     each("work", "J", self.work);

@@ -172,7 +172,7 @@ void PlatformWater::turn(Platform& p) {
 
 void PlatformWater::rest_at(Platform& p, const RigidBodyState& s) {
   if (!(p.follow_period > 0)) return;
-  p.slow = SlowPose::at(place_and_heading(p.arm, s));
+  p.slow = WavePose::at(place_and_heading(p.arm, s));
   turn(p);
 }
 

@@ -21,7 +21,7 @@ struct KeptRate {
 struct KeptWork {
   double damping = 0, waves = 0, damping_power = 0, wave_power = 0;
   double lag_step = 0;
-  SlowPose slow;
+  WavePose slow;
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
     each("work of damping", "J", self.damping);
@@ -29,11 +29,7 @@ struct KeptWork {
     each("power of damping", "W", self.damping_power);
     each("power of waves", "W", self.wave_power);
     each("step of the memory's table", "s", self.lag_step);
-    each("slow place and heading", "m, rad", self.slow.place);
-    each("their velocity", "m/s, rad/s", self.slow.drift);
-    each("filtered place and heading", "m, rad", self.slow.filtered);
-    each("their rate", "m/s, rad/s", self.slow.rate);
-    each("place and heading", "m, rad", self.slow.last);
+    WavePose::quantities(self.slow, each);
   }
 };
 

@@ -8,6 +8,7 @@
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/model/mass_matrix.hpp"
+#include "hawser/model/waterplane.hpp"
 #include "hawser/terms/platform_water.hpp"
 
 namespace hawser {
@@ -39,11 +40,12 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
   p.body = body;
   p.potential.axes = p.axes = heading_axes(heading);
   p.follow_period = h.follow_period;
-  p.slow = SlowPose::at({b.position.x(), b.position.y(), heading});
+  p.slow = WavePose::at({b.position.x(), b.position.y(), heading});
   p.potential.place = model::hydrodynamic_place(b, sea_.surface);
   p.potential.stiffness = h.stiffness;
   // A hull has its own hydrostatics (terms/hulls.hpp).
-  if (!m.hull) p.hydrostatics = model::hydrostatics(m, sea_.density, sea_.gravity);
+  const PlatformHydrostatics of_files = model::hydrostatics(m, sea_.density, sea_.gravity);
+  if (!m.hull) p.hydrostatics = of_files;
   p.hydrostatics.level = p.potential.place.z();
   p.added_damping = h.damping + model::wave_drift_damping(h, sea_.waves.components());
   p.added_quadratic_damping = h.quadratic_damping;
@@ -51,8 +53,9 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
     return tables.empty() ? WaveForceTable() : tables[static_cast<size_t>(h.body) - 1];
   };
   if (h.excitation && !sea_.waves.none())
-    p.waves = PlatformWaves(sea_.waves.components(), heading, of_body(h.data->excitation),
-                            of_body(h.data->drift), h.data->difference, h.second_order);
+    p.waves = PlatformWaves(
+        sea_.waves.components(), heading, h.in_file.head<2>() + model::waterplane_centre(of_files.stiffness),
+        of_body(h.data->excitation), of_body(h.data->drift), h.data->difference, h.second_order);
   return p;
 }
 

@@ -3,12 +3,17 @@ of the frequency, a body far from the height of its files. Each has a sentence o
 tutorial and for public files (skipped if missing), which have no such sentence as they are."""
 import gzip
 import os
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 from support import ROOT, run, write
+
+sys.path.insert(0, str(ROOT / "scripts"))
+from hawser_post.results import Results  # noqa: E402
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 DATA = ROOT.parent / "shared/data"
@@ -198,15 +203,37 @@ class Faults(unittest.TestCase):
         self.assert_only(FAR, text)
         self.assertIn("bodies.body1.position: z is -31 m, 31 m below the height of its files, 0 m, which is more than its size (30.5 m", text)
 
-    def test_phases_that_turn(self):
-        """60 m from the origin of the phases forces between directions 30 deg apart are too small in waves of 8 s."""
-        sentence = "the waterplane of the body is 60 m from the origin of the phases in the files"
-        mass = SPAR[3][0].replace("[0, 0, -50]", "[60, 0, -50]")
-        for period, step, count in ((8, 30, 1), (8, 10, 0), (25, 30, 0)):
-            of = (SPAR[0], SPAR[1] + f"}}, waves: {{regular: {{height: 1, period: {period}, direction_deg: 50}}", SPAR[2], [mass], SPAR[4])
-            text = self.check(of, changes=from_another_origin(60, 0, range(0, 360, step)))
-            self.assertEqual(text.count(sentence), count, text)
-        self.assertNotIn("origin of the phases", self.check((SPAR[0], SPAR[1] + "}, waves: {regular: {height: 1, period: 8}", *SPAR[2:])))
+    def test_directions_between_those_of_files(self):
+        """Files about an origin 60 m from the axis with directions 30 deg apart: in a wave of 8 s to 50 deg the spar moves as with
+        files about its axis; linear interpolation at that origin loses a third of the force."""
+        moved = []
+        for x, keys in ((0, ""), (60, "")):
+            wave = "}, waves: {regular: {height: 1, period: 8, direction_deg: 50}, ramp: 10"
+            mass = SPAR[3][0].replace("[0, 0, -50]", f"[{x}, 0, -50]")
+            of = (SPAR[0], SPAR[1] + wave, SPAR[2], [mass], keys)
+            self.check(of, changes=from_another_origin(x, 0, range(0, 360, 30)))
+            case = (self.folder / "case.yaml").read_text()
+            case = case.replace("position: [0, 0, 0]", f"position: [{-x}, 0, 0]").replace("duration: 1,", "duration: 30,")
+            case += f"output: {{histories: [{{body: body1}}]}}\n"
+            write(self.folder, "case.yaml", case)
+            done = run(HAWSER, "run", "case.yaml", cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            series = Results(self.folder / "case.h5").series("body1")
+            place, turn = (np.column_stack([series.column(f"{name}_{axis}") for axis in "xyz"]) for name in ("position", "rotation_vector"))
+            moved.append(place + Rotation.from_rotvec(turn).apply([x, 0, 0]))
+        size = np.abs(moved[0] - moved[0][0]).max()
+        self.assertGreater(size, 0.02)
+        self.assertLess(np.abs(moved[1] - moved[0]).max(), 1e-3 * size)
+
+    def test_a_moment_that_nothing_balances(self):
+        """The righting moment of the spar reaches 460 MN m, with linear hydrostatics; there is no line that remedies could be about."""
+        self.check(SPAR[:3] + ([SPAR[3][0] + ", loads: [{moment: [0, 8e8, 0]}]"], ""))
+        case = (self.folder / "case.yaml").read_text().replace("statics: false\n", "")
+        write(self.folder, "case.yaml", case)
+        done = run(HAWSER, "run", "case.yaml", cwd=self.folder)
+        self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
+        self.assertIn("stiffness, hydrostatics, lines or thrusters that can balance the loads of each floating body", done.stdout)
+        self.assertNotIn("between_lines", done.stdout)
 
     def test_damping_that_drives(self):
         """Negative damping of one degree of freedom is too small a part of all to be refused."""

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace hawser::slow_pose_test {
@@ -11,57 +12,76 @@ namespace {
 constexpr double kPeriod = 100, kC = 2 * M_PI / kPeriod;
 
 // Steps of several lengths with uniform motion, against Heun's method with 10^4 steps in each.
-TEST(SlowPose, IsExactForEvenMotion) {
-  SlowPose slow = SlowPose::at(Vec3(1, -2, 0.5));
-  Vec3 y(1, -2, 0.5), v = Vec3::Zero(), z = Vec3::Zero(), x = y;
+TEST(SlowPose, IsExactForUniformMotion) {
+  WavePose slow = WavePose::at(Vec3(1, -2, 0.5));
+  std::array<Vec3, 6> y;  // the pose and its five filtered values
+  y.fill(Vec3(1, -2, 0.5));
   const double steps[] = {0.5, 3, 0.1, 20};
-  const Vec3 goes[] = {Vec3(0.3, 0, 0.01), Vec3(-1, 2, -0.4), Vec3(0.2, 0.2, 0.02), Vec3(9, -5, 0.7)};
+  const Vec3 moves[] = {Vec3(0.3, 0, 0.01), Vec3(-1, 2, -0.4), Vec3(0.2, 0.2, 0.02), Vec3(9, -5, 0.7)};
   for (int k = 0; k < 4; ++k) {
     constexpr int kSmall = 10000;
     const double h = steps[k] / kSmall;
     for (int i = 0; i < kSmall; ++i) {
-      const auto force = [&](const Vec3& at, const Vec3& rate, double share) {
-        return Vec3(kC * kC * (x + share * goes[k] - at) - 2 * kC * rate);
-      };
-      const double from = static_cast<double>(i) / kSmall, to = static_cast<double>(i + 1) / kSmall;
-      const Vec3 a = force(y, v, from), az = kC * (v - z);
-      const Vec3 y1 = y + h * v, v1 = v + h * a, z1 = z + h * az;
-      y += 0.5 * h * (v + v1);
-      z += 0.5 * h * (az + kC * (v1 - z1));
-      v += 0.5 * h * (a + force(y1, v1, to));
+      std::array<Vec3, 6> end = y;
+      end[0] += moves[k] / kSmall;
+      for (size_t n = 1; n < 6; ++n) end[n] += h * kC * (y[n - 1] - y[n]);
+      const std::array<Vec3, 6> first = y;
+      y[0] = end[0];
+      for (size_t n = 1; n < 6; ++n) y[n] += 0.5 * h * kC * (first[n - 1] - first[n] + end[n - 1] - end[n]);
     }
-    x += goes[k];
-    slow = slow.after(x, steps[k], kPeriod);
-    EXPECT_LT((slow.filtered - y).norm(), 1e-7) << k;
-    EXPECT_LT((slow.rate - v).norm(), 1e-7) << k;
-    EXPECT_LT((slow.drift - z).norm(), 1e-7) << k;
-    EXPECT_LT((slow.place - (y + 2 / kC * z)).norm(), 1e-6) << k;
+    slow = slow.after(y[0], steps[k], kPeriod);
+    for (size_t n = 1; n < 6; ++n)
+      EXPECT_LT((slow.delayed.segment<3>(3 * static_cast<Eigen::Index>(n) - 3) - y[n]).norm(), 1e-7) << k;
+    const Vec3 drift = kC * (y[4] - y[5]);
+    EXPECT_LT((slow.drift - drift).norm(), 1e-7) << k;
+    EXPECT_LT((slow.place - (y[5] + 5 / kC * drift)).norm(), 1e-6) << k;
+    EXPECT_LT((slow.speed - drift - 5 * kC * (y[3] - 2 * y[4] + y[5])).norm(), 1e-7) << k;
   }
 }
 
-// The filter follows uniform motion without lag, and passes 3 % of waves of a tenth of its period: |c³ + 3 i
-// c² w|/|c + i w|³.
-TEST(SlowPose, FollowsEvenMotionAndNotWaves) {
-  SlowPose slow = SlowPose::at(Vec3::Zero());
-  double most = 0;
+// Largest deflection of the slow pose in an oscillation of unit amplitude with a tenth of the period.
+template <int N>
+double gain_in_waves() {
+  SlowPose<N> slow = SlowPose<N>::at(Vec3::Zero());
+  double largest = 0;
+  for (int i = 1; i <= 4000; ++i) {
+    const double t = 0.25 * i;
+    slow = slow.after(Vec3(0, std::sin(2 * M_PI * t / 10), 0), 0.25, kPeriod);
+    if (t > 600) largest = std::max(largest, std::abs(slow.place.y()));
+  }
+  return largest;
+}
+
+// The filter follows uniform motion without lag, and passes |1 + i N w/c|/|1 + i w/c|^N of an oscillation:
+// with a tenth of the period 3 % (N = 3) and 0.5 % (N = 5).
+TEST(SlowPose, FollowsUniformMotionAndNotWaves) {
+  WavePose slow = WavePose::at(Vec3::Zero());
   for (int i = 1; i <= 4000; ++i) {
     const double t = 0.25 * i;
     slow = slow.after(Vec3(2 * t, 0, 0), 0.25, kPeriod);
     if (t < 600) continue;
     EXPECT_NEAR(slow.place.x(), 2 * t, 1e-6);
     EXPECT_NEAR(slow.drift.x(), 2, 1e-8);
+    EXPECT_NEAR(slow.speed.x(), 2, 1e-8);
   }
-  slow = SlowPose::at(Vec3::Zero());
-  for (int i = 1; i <= 4000; ++i) {
-    const double t = 0.25 * i;
-    slow = slow.after(Vec3(0, std::sin(2 * M_PI * t / 10), 0), 0.25, kPeriod);
-    if (t > 600) most = std::max(most, std::abs(slow.place.y()));
+  EXPECT_NEAR(gain_in_waves<3>(), std::hypot(1, 30) / std::pow(std::hypot(1, 10), 3), 1e-3);
+  EXPECT_NEAR(gain_in_waves<5>(), std::hypot(1, 50) / std::pow(std::hypot(1, 10), 5), 1e-4);
+}
+
+// Place and velocity are linear in the pose at the end of a step.
+TEST(SlowPose, DerivativesByThePose) {
+  const ControllerPose start = ControllerPose::at(Vec3(1, -2, 0.5)).after(Vec3(1.3, -2.1, 0.6), 0.4, kPeriod);
+  const Vec3 pose(1.1, -2.4, 0.55), change(0.2, -0.3, 0.1);
+  for (const double h : {0.02, 1.0, 30.0}) {
+    const ControllerPose a = start.after(pose, h, kPeriod), b = start.after(pose + change, h, kPeriod);
+    const auto by_pose = ControllerPose::derivatives(h, kPeriod);
+    EXPECT_LT((b.place - a.place - by_pose.place * change).norm(), 1e-13) << h;
+    EXPECT_LT((b.speed - a.speed - by_pose.speed * change).norm(), 1e-13 * (1 + by_pose.speed)) << h;
   }
-  EXPECT_NEAR(most, std::hypot(1, 30) / std::pow(std::hypot(1, 10), 3), 1e-3);
 }
 
 TEST(SlowPose, TurnsTheShorterWay) {
-  SlowPose slow = SlowPose::at(Vec3(0, 0, 3.1));
+  WavePose slow = WavePose::at(Vec3(0, 0, 3.1));
   for (int i = 0; i < 10000; ++i) slow = slow.after(Vec3(0, 0, -3.1), 0.1, kPeriod);
   EXPECT_NEAR(slow.place.z(), 2 * M_PI - 3.1, 1e-9);
 }

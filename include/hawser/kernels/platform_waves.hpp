@@ -15,7 +15,7 @@ using Complex = std::complex<double>;
 using ComplexVec6 = Eigen::Matrix<Complex, 6, 1>;
 
 // Table over frequency and direction: F = Re X a exp(i omega t) for the elevation a cos(omega t) at the
-// origin of the body; X in N/m and N (second order: N/m², N/m), body axes. Linear interpolation in the
+// origin of the files; X in N/m and N (second order: N/m², N/m), body axes. Linear interpolation in the
 // complex plane, periodic in the direction, constant beyond the first and the last frequency.
 class WaveForceTable {
  public:
@@ -25,6 +25,9 @@ class WaveForceTable {
   WaveForceTable(std::vector<double> omega, std::vector<double> directions, std::vector<ComplexVec6> values);
   bool none() const { return values_.empty(); }
   ComplexVec6 at(double omega, double direction) const;
+  // Interpolates forces with the phases of another point between the directions, because those at a distant
+  // origin change too much from one direction to the next. kc: wave number times its position, body axes.
+  ComplexVec6 at(double omega, double direction, const Eigen::Vector2d& kc) const;
   // Derivative by the direction, 1/rad.
   ComplexVec6 by_direction(double omega, double direction) const;
   double lowest() const { return omega_.front(); }
@@ -57,9 +60,11 @@ class PlatformWaves {
  public:
   PlatformWaves() = default;
   // first: first-order table, or none; mean: forces in regular waves divided by the square of the amplitude,
-  // or none; difference: for SecondOrder::full. heading: of the body from +x, rad.
-  PlatformWaves(const std::vector<WaveComponent>& sea, double heading, const WaveForceTable& first,
-                const WaveForceTable& mean, const DifferenceForceTable& difference, SecondOrder order);
+  // or none; difference: for SecondOrder::full. heading: of the body from +x, rad. centre: of the waterplane,
+  // from the origin of the files [m], axes of the heading.
+  PlatformWaves(const std::vector<WaveComponent>& sea, double heading, const Eigen::Vector2d& centre,
+                const WaveForceTable& first, const WaveForceTable& mean,
+                const DifferenceForceTable& difference, SecondOrder order);
 
   bool none() const { return components_.empty(); }
   // Sets the heading [rad] and recomputes the forces for it.
@@ -93,6 +98,7 @@ class PlatformWaves {
   DifferenceForceTable difference_table_;
   SecondOrder order_ = SecondOrder::none;
   double heading_ = 0;
+  Eigen::Vector2d centre_ = Eigen::Vector2d::Zero();
   std::vector<ComplexVec6> first_;  // times the amplitude of the component
   std::vector<Mode> modes_;
   Vec6 mean_drift_ = Vec6::Zero();

@@ -1,30 +1,44 @@
-// Position and heading of a body without motion faster than a given period: a low-pass filter of third order
-// without lag in uniform motion, exact for steps with uniform motion. See docs/theory/platforms.md.
+// Position and heading of a body without motion faster than a given period: a low-pass filter without lag in
+// uniform motion, exact for steps with uniform motion. See docs/theory/platforms.md, "Slow place and
+// heading".
 #pragma once
 
 #include "hawser/math/types.hpp"
 
 namespace hawser {
 
-// Vectors contain x, y [m] and heading [rad].
+// Filter of order N, whose gain decreases with the power N - 1 of the frequency. Vectors contain x, y [m] and
+// heading [rad].
+template <int N>
 struct SlowPose {
-  Vec3 place = Vec3::Zero();                          // slow pose
-  Vec3 drift = Vec3::Zero();                          // velocity of the slow pose
-  Vec3 filtered = Vec3::Zero(), rate = Vec3::Zero();  // state of the filter
-  Vec3 last = Vec3::Zero();                           // last pose of the body
-
-  // Time derivative of `place`; without lag in uniform motion, where `drift` has none in accelerated motion.
-  Vec3 speed() const { return 3 * rate - 2 * drift; }
+  Vec3 place = Vec3::Zero();  // slow pose
+  Vec3 drift = Vec3::Zero();  // velocity of y_N: in uniform motion that of the slow pose, smoother
+  Vec3 speed = Vec3::Zero();  // time derivative of `place`
+  Vec3 last = Vec3::Zero();   // last pose of the body
+  Eigen::Vector<double, 3 * N> delayed = Eigen::Vector<double, 3 * N>::Zero();  // y_1 ... y_N
 
   // State of a body at rest at `pose`.
   static SlowPose at(const Vec3& pose);
   // State after a step of h [s] to `pose`; the heading changes the shorter way round. period: s.
   SlowPose after(const Vec3& pose, double h, double period) const;
-  // Derivatives of `place` and `speed()` by that pose: 1 and 1/s.
+  // Derivatives of `place` and `speed` by that pose: 1 and 1/s.
   struct Derivatives {
     double place = 0, speed = 0;
   };
   static Derivatives derivatives(double h, double period);
+
+  // Entries of a checkpoint.
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("slow place and heading", "m, rad", self.place);
+    each("their smooth velocity", "m/s, rad/s", self.drift);
+    each("their velocity", "m/s, rad/s", self.speed);
+    each("place and heading", "m, rad", self.last);
+    each("filtered place and heading", "m, rad", self.delayed);
+  }
 };
+
+using ControllerPose = SlowPose<3>;  // of dynamic positioning: little delay
+using WavePose = SlowPose<5>;        // of wave forces: 0.5 % of motion with a tenth of the period
 
 }  // namespace hawser

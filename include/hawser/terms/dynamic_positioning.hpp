@@ -59,7 +59,7 @@ class DynamicPositioning final : public ForceTerm, public AppliesExternalLoad, p
     model::DynamicPositioning data;
     Vec3 target = Vec3::Zero(), arm = Vec3::Zero();  // x, y, heading; from centre of mass to origin
     int node = 0, block = 0, global = 0, body = 0;   // local node; local block; mesh node; body of the case
-    SlowPose slow;                                   // at the last accepted state, at `time`
+    ControllerPose slow;                             // at the last accepted state, at `time`
     Vec3 integral = Vec3::Zero();                    // time integral of the offset, space axes: m s, rad s
     double time = 0, work = 0;                       // s, J
     bool begun = false;

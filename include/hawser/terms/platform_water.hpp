@@ -61,7 +61,7 @@ class PlatformWater final : public ForceTerm,
     bool owned = false;
     Mat3 axes = Mat3::Identity();  // H, axes of the coefficients during a step
     double follow_period = 0;      // s, period of the slow motion that the axes follow; 0: fixed
-    SlowPose slow;                 // slow motion at the last accepted state
+    WavePose slow;                 // slow motion at the last accepted state
     Vec3 arm = Vec3::Zero();       // m, from the centre of mass to the body's origin, body axes
     PlatformHydrostatics hydrostatics;
     PlatformPotential potential;  // of the added stiffness
