@@ -7,7 +7,6 @@
 
 #include "hawser/io/case_values.hpp"
 #include "hawser/io/hydrodynamic_files.hpp"
-#include "hawser/kernels/table_places.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/mass_matrix.hpp"
 #include "hawser/model/waterplane.hpp"
@@ -57,41 +56,24 @@ void check_coverage(const Value& files, const std::vector<WaveForceTable>& table
   beyond(coverage.longer_waves, "longer", table.lowest());
 }
 
-// Notes forces that linear interpolation between directions makes too small. Far from the origin of the
-// phases, at d, they change between the directions e1 and e2 by k d.(e1 - e2), and in the middle the mean of
-// two forces of one size has cos of half of that.
+// Notes forces that linear interpolation between directions makes too small.
 void note_turning_phases(const model::Body& b, const model::Environment& e,
                          const std::vector<WaveComponent>& sea, double heading, const std::string& key,
                          std::vector<std::string>& notes) {
-  constexpr double kMuch = 0.1, kDegree = M_PI / 180, kOff = 1e-6;
+  constexpr double kMuch = 0.1, kDegree = M_PI / 180;
   const model::BodyHydrodynamics& h = *b.mass->hydrodynamics;
   if (h.data->excitation.empty() || sea.empty() || !(e.gravity > 0)) return;
-  const std::vector<double>& directions = h.data->excitation[static_cast<size_t>(h.body) - 1].directions();
+  const WaveForceTable& table = h.data->excitation[static_cast<size_t>(h.body) - 1];
   const Mat3 C = model::hydrostatics(*b.mass, e.water.density, e.gravity).stiffness;
   const Eigen::Vector2d d = h.in_file.head<2>() + model::waterplane_centre(C);
-  double all = 0, lost = 0, largest = 0;
-  DirectionGap worst;
-  for (const WaveComponent& w : sea) {
-    const double energy = w.amplitude * w.amplitude;
-    // A heading that varies leaves the rows of the table.
-    const double direction = std::atan2(w.y, w.x) - heading + (h.follow_period > 0 ? kOff : 0);
-    const DirectionGap gap = direction_gap(directions, direction);
-    const Eigen::Vector2d apart(std::cos(gap.from) - std::cos(gap.to), std::sin(gap.from) - std::sin(gap.to));
-    const double turn = w.number * std::abs(d.dot(apart));
-    all += energy;
-    lost += energy * (1 - std::cos(std::min(0.5 * turn, M_PI / 2)));
-    if (energy * turn > largest) {
-      largest = energy * turn;
-      worst = gap;
-    }
-  }
-  if (lost > kMuch * all)
+  const model::TurningPhases phases = model::turning_phases(table, d, sea, heading, h.follow_period > 0);
+  if (phases.lost > kMuch)
     notes.push_back(fmt::format(
         "{}: the waterplane of the body is {:.3g} m from the origin of the phases in the files, which "
         "therefore change so much from the direction {:.4g} to {:.4g} deg that wave forces between them, by "
         "linear interpolation, are up to {:.2g} % too small: add directions between them, or use files with "
         "their origin at the waterplane",
-        key, d.norm(), worst.from / kDegree, worst.to / kDegree, 100 * lost / all));
+        key, d.norm(), phases.worst.from / kDegree, phases.worst.to / kDegree, 100 * phases.lost));
 }
 
 auto reader_of(model::BodyHydrodynamics::Format format) {

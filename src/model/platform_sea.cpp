@@ -1,4 +1,5 @@
-// Coverage of a sea's directions and periods by tables of wave forces, and wave-drift damping in that sea.
+// Coverage of a sea's directions and periods by tables of wave forces, loss between their directions, and
+// wave-drift damping in that sea.
 #include <algorithm>
 #include <cmath>
 
@@ -24,6 +25,19 @@ bool covered(const std::vector<double>& directions, double direction) {
   return gap.to - gap.from <= kWideGap * (1 + 1e-9) || nearest < kDegree;
 }
 
+// Calls visit(component, amplitude² [m²], direction relative to the bow [rad]). Returns the sum of
+// amplitude².
+template <class Visit>
+double for_components(const std::vector<WaveComponent>& sea, double heading, const Visit& visit) {
+  double all = 0;
+  for (const WaveComponent& w : sea) {
+    const double energy = w.amplitude * w.amplitude;
+    all += energy;
+    visit(w, energy, std::atan2(w.y, w.x) - heading);
+  }
+  return all;
+}
+
 }  // namespace
 
 Mat6 wave_drift_damping(const BodyHydrodynamics& h, const std::vector<WaveComponent>& sea) {
@@ -44,21 +58,40 @@ Mat6 wave_drift_damping(const BodyHydrodynamics& h, const std::vector<WaveCompon
 
 Coverage coverage(const WaveForceTable& table, const std::vector<WaveComponent>& sea, double heading) {
   Coverage out;
-  double all = 0;
-  for (const WaveComponent& w : sea) {
-    const double energy = w.amplitude * w.amplitude, direction = std::atan2(w.y, w.x) - heading;
-    all += energy;
-    if (!covered(table.directions(), direction)) {
-      if (out.uncovered == 0) out.direction = std::remainder(direction, 2 * M_PI);
-      out.uncovered += energy;
-    }
-    if (w.omega > table.highest() * (1 + 1e-4)) out.shorter_waves += energy;
-    if (w.omega < table.lowest() * (1 - 1e-4)) out.longer_waves += energy;
-  }
+  const double all =
+      for_components(sea, heading, [&](const WaveComponent& w, double energy, double direction) {
+        if (!covered(table.directions(), direction)) {
+          if (out.uncovered == 0) out.direction = std::remainder(direction, 2 * M_PI);
+          out.uncovered += energy;
+        }
+        if (w.omega > table.highest() * (1 + 1e-4)) out.shorter_waves += energy;
+        if (w.omega < table.lowest() * (1 - 1e-4)) out.longer_waves += energy;
+      });
   if (!(all > 0)) return out;
   out.uncovered /= all;
   out.shorter_waves /= all;
   out.longer_waves /= all;
+  return out;
+}
+
+TurningPhases turning_phases(const WaveForceTable& table, const Eigen::Vector2d& d,
+                             const std::vector<WaveComponent>& sea, double heading, bool varies) {
+  constexpr double kOff = 1e-6;  // rad, off the rows of the table
+  TurningPhases out;
+  double largest = 0;
+  const double all =
+      for_components(sea, heading, [&](const WaveComponent& w, double energy, double direction) {
+        const DirectionGap gap = direction_gap(table.directions(), direction + (varies ? kOff : 0));
+        const Eigen::Vector2d apart(std::cos(gap.from) - std::cos(gap.to),
+                                    std::sin(gap.from) - std::sin(gap.to));
+        const double turn = w.number * std::abs(d.dot(apart));
+        out.lost += energy * (1 - std::cos(std::min(0.5 * turn, M_PI / 2)));
+        if (energy * turn > largest) {
+          largest = energy * turn;
+          out.worst = gap;
+        }
+      });
+  if (all > 0) out.lost /= all;
   return out;
 }
 

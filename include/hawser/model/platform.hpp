@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hawser/kernels/platform_hydrostatics.hpp"
+#include "hawser/kernels/table_places.hpp"
 #include "hawser/math/types.hpp"
 #include "hawser/model/hydrodynamic_data.hpp"
 
@@ -81,6 +82,17 @@ struct Coverage {
   double direction = 0;  // rad, the first direction not covered
 };
 Coverage coverage(const WaveForceTable& table, const std::vector<WaveComponent>& sea, double heading);
+
+// Loss of wave force by linear interpolation between directions. With the origin of the phases a distance d
+// [m, axes of the files] from the waterplane, phases change between the directions e1 and e2 by
+// k d.(e1 - e2), and in the middle the mean of two forces of one size has cos of half of that. varies: the
+// heading does not stay at that of the table's rows.
+struct TurningPhases {
+  double lost = 0;     // fraction of the sea's energy
+  DirectionGap worst;  // rad, with the largest change of phase times energy
+};
+TurningPhases turning_phases(const WaveForceTable& table, const Eigen::Vector2d& d,
+                             const std::vector<WaveComponent>& sea, double heading, bool varies);
 
 // Lines on a body with hydrodynamics that `hawser check` prints.
 std::string platform_text(const Case& c, const Body& b);
