@@ -16,8 +16,8 @@ namespace {
 // Newton iterations cost 1.37 to 1.46 µs per node of a beam, 0.29 to 0.30 of a cable (docs/performance.md).
 constexpr int kBeamWork = 5;
 constexpr int kCableWork = 1;
-// A tenth of kChainCost: a node beside a parallel line with equal elements has couplings to about five of its
-// nodes, which together then cost less than an element.
+// A tenth of kChainCost. A node has twelve couplings to a parallel line with equal elements (four for each of
+// three pairs of near elements): separating it from that line costs about as much as cutting its own.
 constexpr int kCouplingCost = 10;
 
 struct UncutLine {
