@@ -43,28 +43,28 @@ std::vector<std::string> input_notes(const Case& c, Effect from, Effect to) {
   std::vector<InputWarning> all = input_warnings(c);
   std::stable_sort(all.begin(), all.end(),
                    [](const InputWarning& a, const InputWarning& b) { return a.effect < b.effect; });
-  std::erase_if(all, [&](const InputWarning& d) { return d.effect < from || d.effect > to; });
+  std::erase_if(all, [&](const InputWarning& w) { return w.effect < from || w.effect > to; });
   std::vector<std::string> texts;
-  for (const InputWarning& d : all) texts.push_back(d.key + ": " + d.text);
-  std::vector<InputWarning> once;  // joined over the places of a farm
+  for (const InputWarning& w : all) texts.push_back(w.key + ": " + w.text);
+  std::vector<InputWarning> joined;  // joined over the places of a farm
   for (const NoteOfPlaces& n : join_places(c, texts)) {
-    once.push_back(std::move(all[n.first]));
-    once.back().text += n.also;
+    joined.push_back(std::move(all[n.first]));
+    joined.back().text += n.also;
   }
-  all = std::move(once);
+  all = std::move(joined);
   std::map<std::string, int> count, reported;
-  for (const InputWarning& d : all) ++count[d.group];
+  for (const InputWarning& w : all) ++count[w.group];
   std::vector<std::string> notes;
-  for (const InputWarning& d : all) {
-    if (++reported[d.group] > kReported) continue;
-    const auto& [file, line] = place_of(c, d.key);
+  for (const InputWarning& w : all) {
+    if (++reported[w.group] > kReported) continue;
+    const auto& [file, line] = place_of(c, w.key);
     std::string where = file;
     if (line > 0) where += fmt::format(":{}", line);
     if (line == kBySet) where += " with --set";
-    const int more = count[d.group] - kReported;
+    const int more = count[w.group] - kReported;
     notes.push_back(fmt::format(
-        "{}: {}: {}{}", where, d.key, d.text,
-        reported[d.group] == kReported && more > 0 ? fmt::format(" (and {} more like it)", more) : ""));
+        "{}: {}: {}{}", where, w.key, w.text,
+        reported[w.group] == kReported && more > 0 ? fmt::format(" (and {} more like it)", more) : ""));
   }
   return notes;
 }

@@ -90,10 +90,11 @@ std::string automatic_stiffness_unsettled() {
          "give the volumes a normal_stiffness, or shorten the buried stretches of lines that resist bending";
 }
 
-std::string no_equilibrium(StaticsEnds how, const Imbalance& at) {
+std::string no_equilibrium(StaticsEnds how, int limit, const Imbalance& at) {
   switch (how) {
     case StaticsEnds::too_many_iterations:
-      return "statics: too many iterations: " + imbalance(at);
+      return fmt::format("statics: Newton's method does not converge within {} ('max_iterations'): {}",
+                         count_of(limit, "iteration"), imbalance(at));
     case StaticsEnds::no_descent:
       return "statics: the line search finds no smaller residual: " + imbalance(at);
     case StaticsEnds::forces_beyond_numbers:

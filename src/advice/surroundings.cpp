@@ -14,7 +14,7 @@ using namespace model;
 
 namespace {
 
-void dry_bed(const Case& c, std::vector<InputWarning>& out) {
+void bed_and_water(const Case& c, std::vector<InputWarning>& out) {
   const Seabed& bed = c.environment.seabed;
   const Water& w = c.environment.water;
   if (!bed.present || c.lines.empty()) return;
@@ -68,7 +68,7 @@ void spectrum_rows(const Case& c, std::vector<InputWarning>& out) {
 }
 
 // Ramps longer than the run, and waves without dynamics.
-void short_period_motion(const Case& c, std::vector<InputWarning>& out) {
+void ramps_and_duration(const Case& c, std::vector<InputWarning>& out) {
   const Water& w = c.environment.water;
   const bool waves = w.waves.kind != Waves::Kind::none;
   const auto ramp = [&](double length, const std::string& key) {
@@ -92,10 +92,10 @@ void short_period_motion(const Case& c, std::vector<InputWarning>& out) {
 }  // namespace
 
 void warn_of_surroundings(const Case& c, std::vector<InputWarning>& out) {
-  dry_bed(c, out);
+  bed_and_water(c, out);
   shallow_waves(c, out);
   spectrum_rows(c, out);
-  short_period_motion(c, out);
+  ramps_and_duration(c, out);
 }
 
 }  // namespace hawser::advice

@@ -7,10 +7,8 @@
 
 #include "hawser/io/case_values.hpp"
 #include "hawser/io/hydrodynamic_files.hpp"
-#include "hawser/kernels/table_places.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/mass_matrix.hpp"
-#include "hawser/model/waterplane.hpp"
 #include "hawser/model/wave_components.hpp"
 
 namespace hawser::io {

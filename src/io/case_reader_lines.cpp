@@ -74,29 +74,6 @@ void load(const Value& v, int order, double length, model::Line& l) {
 void finish_bend_stiffener(const Value& v, double length, model::BendStiffener& b) {
   if (!v.has("towards")) b.towards_a = v["at"].is("end_b");
   to_length(b.at, length);
-  const Value& rows = v["EI"];
-  for (std::size_t i = 0; i < b.rows.size(); ++i) {
-    const auto [d, k] = b.rows[i];
-    if (!(d >= 0) || (i > 0 && !(d > b.rows[i - 1].first)))
-      refuse(rows.items[i],
-             i > 0 ? fmt::format(
-                         "distances from the root must increase from row to row, but {:g} m follows {:g} m",
-                         d, b.rows[i - 1].first)
-                   : fmt::format("{:g} m is before the root", d));
-    if (!(k >= 0)) refuse(rows.items[i], "{:g} N m² would soften the line", k);
-  }
-  const double tip = b.towards_a ? b.at - b.rows.back().first : b.at + b.rows.back().first;
-  if (tip < -1e-9 * length || tip > length * (1 + 1e-9))
-    refuse(rows, "reaches to {:g} m of a line of {:g} m", tip, length);
-}
-
-void check_temperature_change(const Value& v, const model::Line& l) {
-  for (std::size_t i = 1; i < l.temperature_change.size(); ++i) {
-    const double before = l.temperature_change[i - 1].first, s = l.temperature_change[i].first;
-    if (!(s > before))
-      refuse(v.items[i], "arc lengths from end A must increase from row to row, but {:g} m follows {:g} m", s,
-             before);
-  }
 }
 
 // Length target: the condition, and the section whose length is adjusted.
@@ -155,7 +132,6 @@ void finish_line(const Value& v, const Value* start_of_case, const SectionLength
   finish_start(v, start_of_case, others, c, l);
   each("buried", l.buried, [&](const Value& x, auto& b) { finish_buried(x, length, l, c, b); });
   if (l.target) finish_target(v["target"], v["sections"], *l.target);
-  check_temperature_change(v["temperature_change"], l);
   for (model::PointMass& m : l.masses) to_length(m.at, length);
   each("bend_stiffeners", l.bend_stiffeners,
        [&](const Value& x, auto& b) { finish_bend_stiffener(x, length, b); });

@@ -69,11 +69,11 @@ struct Forces {
 template <bool beam>
 struct Band {
   static constexpr double kSharp = 1e-3;  // delta as a fraction of the length
-  double by_lean = 0, b = 1;              // m², derivative of b² by t_z²; m, b
-  Band(const WaterSection& s, double lean) {
+  double kappa = 0, b = 1;                // m², d(b²)/d(t_z²); m, b
+  Band(const WaterSection& s, double tz) {
     const double delta = kSharp * s.length;
-    if (beam) by_lean = delta * delta - s.radius * s.radius;
-    b = std::sqrt(s.radius * s.radius + by_lean * lean * lean);
+    if (beam) kappa = delta * delta - s.radius * s.radius;
+    b = std::sqrt(s.radius * s.radius + kappa * tz * tz);
   }
 };
 
@@ -92,13 +92,16 @@ struct PointInterval {
         h2(h + to * fall) {}
 };
 
-// Derivatives of t_z²/2 by the chord.
+// First derivative of t_z²/2 by the chord, with e upwards and the chord's length l = 1/`inverse`:
+//   t_z (e - t_z t)/l.
 inline Row by_chord_of(Row t, double inverse) { return (inverse * t[2]) * (unit(2) - t[2] * t); }
+// Second derivative: (e e' - 2 t_z (e t' + t e') - t_z² I + 4 t_z² t t')/l²
+//   = ((e - k) e' + (2 t_z k - 2 t_z e) t' - t_z² I)/l² with k = 2 t_z t.
 inline Mat by_chord2_of(Row t, double inverse) {
   const Row up = unit(2);
-  const double lean = t[2];
-  const Row k = 2 * lean * t;
-  const Mat m = outer(up - k, up) + outer(2 * lean * k - 2 * lean * up, t) - identity(lean * lean);
+  const double tz = t[2];
+  const Row k = 2 * tz * t;
+  const Mat m = outer(up - k, up) + outer(2 * tz * k - 2 * tz * up, t) - identity(tz * tz);
   return (inverse * inverse) * m;
 }
 
@@ -121,7 +124,7 @@ struct Chord {
         fall(rise - chord[2]),
         band(s, t[2]) {
     if constexpr (beam) {
-      db[last] = (band.by_lean / band.b) * by_chord_of(t, inverse);
+      db[last] = (band.kappa / band.b) * by_chord_of(t, inverse);
       db[0] = -db[last];
     }
   }
@@ -196,9 +199,10 @@ inline void buoyancy_at(const WaterSection& s, const Chord<beam>& c, const Point
         out.K[0][k] -= by_band;
       }
     }
+    // G d²b/dc² with d²b/dc² = (kappa d²(t_z²/2)/dc² - db/dc (db/dc)')/b, by b db/dc = kappa d(t_z²/2)/dc.
     if (beam && !convex) {  // may be negative for short elements, so not convex
       const Mat k2 =
-          (G / c.band.b) * (c.band.by_lean * by_chord2_of(c.t, c.inverse) - outer(c.db[last], c.db[last]));
+          (G / c.band.b) * (c.band.kappa * by_chord2_of(c.t, c.inverse) - outer(c.db[last], c.db[last]));
       out.K[0][0] += k2;
       out.K[last][last] += k2;
       out.K[0][last] -= k2;

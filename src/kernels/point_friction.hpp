@@ -1,5 +1,6 @@
-// Trial slip and friction of a point of a line against a volume or the seabed. Both are templates of the
-// scalar, for derivatives by the point and along the line. The law is in friction_law.hpp.
+// Trial slip and friction of a point of a line against a volume or the seabed. Memory is the slip in
+// ContactStart: BedContact::start() for the bed, LineVolumeFinder::start() for volumes. Both are templates of
+// the scalar, for derivatives by the point and along the line. The law is in friction_law.hpp.
 #pragma once
 
 #include "hawser/kernels/surface_contact_law.hpp"
@@ -27,6 +28,9 @@ Vector3<S> slip_in_step(const ContactLaw& law, const ContactStartOf<U>& start, c
   return moved;
 }
 
+// The trial slip s = s0 + moved, with the slip s0 of the last accepted state turned from its normal to the
+// present one, makes the force -k s, limited to the friction ellipse: friction() in friction_law.hpp. Sets
+// force and slip; a term keeps the slip when the step is accepted.
 template <class S, class U>
 Friction<S> point_friction(const ContactLaw& law, const ContactStartOf<U>& start, const PointState<S>& t) {
   const Vector3<S> moved = slip_in_step(law, start, t);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <span>
 
-#include "hawser/mesh/partition.hpp"
 #include "node_runs.hpp"
 
 namespace hawser {

@@ -13,8 +13,11 @@
 namespace hawser {
 namespace {
 
+// Newton iterations cost 1.37 to 1.46 µs per node of a beam, 0.29 to 0.30 of a cable (docs/performance.md).
 constexpr int kBeamWork = 5;
 constexpr int kCableWork = 1;
+// A tenth of kChainCost. A node has twelve couplings to a parallel line with equal elements (four for each of
+// three pairs of near elements): separating it from that line costs about as much as cutting its own.
 constexpr int kCouplingCost = 10;
 
 struct UncutLine {
@@ -42,7 +45,7 @@ class Builder {
           out_.carried.emplace_back(r.first, with);
     find_places_of_bodies();
     place_uncut_lines(ranks, uncut);
-    add_pieces();
+    add_vertex_runs();
     move_work_of_carried();
     add_edges();
     arrange();
@@ -57,7 +60,7 @@ class Builder {
   std::vector<NodeRun> runs_;
   std::vector<std::int64_t> kind_;  // of each line
   std::map<int, int> beside_;  // for each body's node: the middle one of the nodes of lines it is joined to
-  std::vector<std::pair<int, int>> chain_;  // nodes that an element joins, not of one piece
+  std::vector<std::pair<int, int>> chain_;  // nodes that an element joins, not of one run
   GraphSequence out_;
 
   std::int64_t kind_of(int n) const { return n < mesh_.line_nodes() ? kind_[line_of(n)] : kCut; }
@@ -103,8 +106,8 @@ class Builder {
     }
   }
 
-  // Pieces in the order of the file. Carriers, and nodes that have a body beside them, end a piece.
-  void add_pieces() {
+  // Runs in the order of the file. Carriers, and nodes that have a body beside them, end a run.
+  void add_vertex_runs() {
     std::set<int> alone, last;
     for (const auto& [n, with] : out_.carried) alone.insert(with);
     for (const auto& [body, n] : beside_) last.insert(n);
@@ -115,7 +118,7 @@ class Builder {
       if (on_line) line = line_of(r.first);
       if (on_line && kind_[line] != kCut) {
         if (begins && kind_[line] != kDedicatedRank)
-          out_.pieces.push_back(
+          out_.vertex_runs.push_back(
               {.first_node = r.first, .work = static_cast<int>(kind_[line]), .uncut = line});
         continue;
       }
@@ -130,35 +133,35 @@ class Builder {
           if (const auto next = last.lower_bound(n); next != last.end()) to = std::min(to, *next + 1);
         }
         if (n > r.first) chain_.emplace_back(n - 1, n);
-        out_.pieces.push_back({.first_node = n, .vertices = to - n, .work = work_of(r.rotates)});
+        out_.vertex_runs.push_back({.first_node = n, .vertices = to - n, .work = work_of(r.rotates)});
         n = to;
       }
     }
   }
 
-  // Piece and vertex in it of a node; {-1, 0}: its line has a rank.
+  // Vertex run and vertex in it of a node; {-1, 0}: its line has a rank.
   std::pair<int, int> vertex_of(int n) const {
     if (const int with = carrier_of(n); with >= 0 && kind_of(n) == kCut) n = with;
     if (kind_of(n) == kDedicatedRank) return {-1, 0};
     const bool whole = kind_of(n) != kCut;
     const int at = whole ? mesh_.lines[line_of(n)].first_node : n;
-    const auto piece = last_not_after(out_.pieces, at, &Piece::first_node);
-    return {static_cast<int>(piece - out_.pieces.begin()), whole ? 0 : n - piece->first_node};
+    const auto run = last_not_after(out_.vertex_runs, at, &VertexRun::first_node);
+    return {static_cast<int>(run - out_.vertex_runs.begin()), whole ? 0 : n - run->first_node};
   }
 
   void move_work_of_carried() {
     for (const auto& [n, with] : out_.carried) {
       const int work = work_of(mesh_.node(n).rotates);
-      if (kind_of(n) >= 0) out_.pieces[vertex_of(n).first].work -= work;
-      if (const int to = vertex_of(with).first; to >= 0) out_.pieces[to].work += work;
+      if (kind_of(n) >= 0) out_.vertex_runs[vertex_of(n).first].work -= work;
+      if (const int to = vertex_of(with).first; to >= 0) out_.vertex_runs[to].work += work;
     }
   }
 
-  // Between vertices (piece, vertex in it), as numbers in the order of the file.
+  // Between vertices (run, vertex in it), as numbers in the order of the file.
   void add_edges() {
     std::vector<int> before{0};
-    for (const Piece& p : out_.pieces) before.push_back(before.back() + p.vertices);
-    for (size_t i = 0; i < out_.pieces.size(); ++i) out_.pieces[i].position = before[i];
+    for (const VertexRun& p : out_.vertex_runs) before.push_back(before.back() + p.vertices);
+    for (size_t i = 0; i < out_.vertex_runs.size(); ++i) out_.vertex_runs[i].position = before[i];
     const auto add = [&](int a, int b, int cost) {
       const auto [p, i] = vertex_of(a);
       const auto [q, j] = vertex_of(b);
@@ -172,41 +175,42 @@ class Builder {
     for (const GraphEdge& e : joins_) add(e.from, e.to, e.cost);
   }
 
-  // True if a piece begins with the first node of a line that is not carried by another node.
-  bool begins_line(const Piece& p) const {
+  // True if a run begins with the first node of a line that is not carried by another node.
+  bool begins_line(const VertexRun& p) const {
     if (p.first_node >= mesh_.line_nodes()) return false;
     const int first = mesh_.lines[line_of(p.first_node)].first_node;
     return p.first_node == first || (p.first_node == first + 1 && carrier_of(first) >= 0);
   }
 
-  // Brings the pieces into the order of the sequence, with their components.
+  // Brings the runs into the order of the sequence, with their components.
   void arrange() {
-    std::vector<Piece>& pieces = out_.pieces;
+    std::vector<VertexRun>& vertex_runs = out_.vertex_runs;
     std::vector<int> first_vertex;
-    for (const Piece& p : pieces) first_vertex.push_back(p.position);
-    const auto piece_at = [&](int vertex) {
+    for (const VertexRun& p : vertex_runs) first_vertex.push_back(p.position);
+    const auto run_at = [&](int vertex) {
       return static_cast<int>(last_not_after(first_vertex, vertex) - first_vertex.begin());
     };
-    DisjointSets joined(pieces.size());
-    for (const GraphEdge& e : out_.edges) joined.unite(piece_at(e.from), piece_at(e.to));
-    // Pieces are in the order of their first nodes.
+    DisjointSets joined(vertex_runs.size());
+    for (const GraphEdge& e : out_.edges) joined.unite(run_at(e.from), run_at(e.to));
+    // Runs are in the order of their first nodes.
     const std::vector<int> smallest = joined.smallest_of_all();
-    for (size_t i = 0; i < pieces.size(); ++i) pieces[i].component = pieces[smallest[i]].first_node;
+    for (size_t i = 0; i < vertex_runs.size(); ++i)
+      vertex_runs[i].component = vertex_runs[smallest[i]].first_node;
     const auto key = [&](int i) {
-      const Piece& p = pieces[i];
+      const VertexRun& p = vertex_runs[i];
       const bool body = p.first_node >= mesh_.line_nodes();
       const auto at = beside_.find(p.first_node);
       return std::tuple(p.component, body && at != beside_.end() ? at->second : p.first_node, body,
                         p.first_node);
     };
     std::vector<int> order;
-    for (int i = 0; i < std::ssize(pieces); ++i) order.push_back(i);
+    for (int i = 0; i < std::ssize(vertex_runs); ++i) order.push_back(i);
     std::sort(order.begin(), order.end(), [&](int a, int b) { return key(a) < key(b); });
-    std::vector<Piece> arranged;
-    std::vector<int> position(pieces.size());
+    std::vector<VertexRun> arranged;
+    std::vector<int> position(vertex_runs.size());
     int next = 0;
     for (const int i : order) {
-      Piece p = pieces[i];
+      VertexRun p = vertex_runs[i];
       p.before = arranged.empty() || arranged.back().component != p.component ? CutKind::between_components
                  : begins_line(p)                                             ? CutKind::between_lines
                                                                               : CutKind::within_line;
@@ -215,12 +219,12 @@ class Builder {
       arranged.push_back(p);
     }
     const auto moved = [&](int vertex) {
-      const int i = piece_at(vertex);
+      const int i = run_at(vertex);
       return position[i] + vertex - first_vertex[i];
     };
     for (GraphEdge& e : out_.edges) e = {moved(e.from), moved(e.to), e.cost};
     out_.edges = merged(std::move(out_.edges));
-    pieces = std::move(arranged);
+    vertex_runs = std::move(arranged);
   }
 };
 

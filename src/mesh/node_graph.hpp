@@ -11,7 +11,7 @@
 
 namespace hawser {
 
-// A cut through a chain costs more than one through a coupling: a node of a line in contact has several.
+// Cost of cutting an element, a joint or a tie; that of a coupling is kCouplingCost in node_graph.cpp.
 constexpr int kChainCost = 100;
 
 struct GraphEdge {
@@ -33,7 +33,7 @@ std::vector<GraphEdge> joins(const Mesh& mesh, std::span<const std::pair<int, in
 std::vector<GraphEdge> merged(std::vector<GraphEdge> edges);
 
 // Consecutive vertices in the sequence in which ranks get them; elements join each one to the next.
-struct Piece {
+struct VertexRun {
   int first_node = 0;
   int vertices = 1;
   int work = 0;                                  // of each vertex
@@ -49,9 +49,8 @@ struct Piece {
 // remaining ranks, it has a separate rank. Other nodes are a vertex each; carried nodes belong to the vertex
 // or rank of their carrier.
 struct GraphSequence {
-  std::vector<Piece> pieces;  // in the order of the sequence
-  std::vector<GraphEdge>
-      edges;  // between positions, those inside of pieces excepted; sorted, both directions
+  std::vector<VertexRun> vertex_runs;  // in the order of the sequence
+  std::vector<GraphEdge> edges;  // between positions, those inside of runs excepted; sorted, both directions
   std::vector<std::pair<int, int>> dedicated_ranks;  // uncut lines with a separate rank, and that rank
   std::vector<std::pair<int, int>> carried;          // nodes, and their carriers, by node
 };

@@ -1,5 +1,6 @@
-// Cuts the graph of nodes and couplings into one part for each rank: runs of the file, or METIS inside a
-// component where that cuts less.
+// Cuts the graph of nodes and couplings (node_graph.hpp) into one part for each rank: consecutive vertices of
+// its sequence (even_parts.hpp), or METIS inside a component where that cuts less. Its input from the case:
+// run/node_owners.cpp.
 #include "hawser/mesh/partition.hpp"
 
 #include <metis.h>
@@ -17,7 +18,10 @@
 namespace hawser {
 namespace {
 
-constexpr double kMaxLoad = 1.07;  // work of a rank over the mean, accepted to avoid further cuts
+// Work of a part over its fair share (the mean) that is accepted to avoid further cuts: the smallest for
+// which a farm of 300 equal lines has no cut line on 4 to 64 ranks, 5/(300/64) = 1.067
+// (docs/performance.md#farms).
+constexpr double kMaxImbalance = 1.07;
 
 // Part of each vertex by METIS, with work in the ratio of `shares`. `edges`: sorted, in both directions.
 std::vector<int> metis_parts(std::span<const double> work, const std::vector<GraphEdge>& edges,
@@ -80,18 +84,18 @@ struct Component {
 
 // The cut of the sequence: parts are runs of positions.
 struct SequenceCut {
-  std::vector<int> first;    // position of each part, and the number of positions
-  std::vector<double> load;  // work of each part
-  double max_load = 0;       // work that a part may have
+  std::vector<int> first;         // position of each part, and the number of positions
+  std::vector<double> part_work;  // of each part
+  double max_work = 0;            // of a part
 
   int part_of(int position) const {
     return static_cast<int>(last_not_after(first, position) - first.begin());
   }
 };
 
-// Calls visit(first vertex in the piece, vertices, part) for the runs of a piece that have the same part.
+// Calls visit(first vertex in the run, vertices, part) for the stretches of a run that have the same part.
 template <class Visit>
-void for_parts_of(const Piece& p, const SequenceCut& cut, const Visit& visit) {
+void for_parts_of(const VertexRun& p, const SequenceCut& cut, const Visit& visit) {
   for (int i = 0; i < p.vertices;) {
     const int part = cut.part_of(p.position + i);
     const int end = std::min(p.vertices, cut.first[part + 1] - p.position);
@@ -102,23 +106,26 @@ void for_parts_of(const Piece& p, const SequenceCut& cut, const Visit& visit) {
 
 SequenceCut cut_sequence(const GraphSequence& sequence, int parts) {
   std::vector<EqualItems> row;
-  for (const Piece& p : sequence.pieces) row.push_back({p.vertices, static_cast<double>(p.work), p.before});
-  SequenceCut cut{cut_into_even_parts(row, parts, kMaxLoad),
+  for (const VertexRun& p : sequence.vertex_runs)
+    row.push_back({p.vertices, static_cast<double>(p.work), p.before});
+  SequenceCut cut{cut_into_even_parts(row, parts, kMaxImbalance),
                   std::vector<double>(static_cast<size_t>(parts), 0)};
-  for (const Piece& p : sequence.pieces)
+  for (const VertexRun& p : sequence.vertex_runs)
     for_parts_of(p, cut, [&](int, int vertices, int part) {
-      cut.load[part] += static_cast<double>(vertices) * p.work;
+      cut.part_work[part] += static_cast<double>(vertices) * p.work;
     });
-  const double mean = std::accumulate(cut.load.begin(), cut.load.end(), 0.0) / parts;
-  cut.max_load = std::max(*std::max_element(cut.load.begin(), cut.load.end()), kMaxLoad * mean);
+  const double mean = std::accumulate(cut.part_work.begin(), cut.part_work.end(), 0.0) / parts;
+  cut.max_work =
+      std::max(*std::max_element(cut.part_work.begin(), cut.part_work.end()), kMaxImbalance * mean);
   return cut;
 }
 
-Component component_of(const GraphSequence& sequence, std::span<const Piece> pieces, const SequenceCut& cut) {
+Component component_of(const GraphSequence& sequence, std::span<const VertexRun> vertex_runs,
+                       const SequenceCut& cut) {
   Component out;
-  out.begin = pieces.front().position;
-  out.end = pieces.back().position + pieces.back().vertices;
-  for (const Piece& p : pieces) {
+  out.begin = vertex_runs.front().position;
+  out.end = vertex_runs.back().position + vertex_runs.back().vertices;
+  for (const VertexRun& p : vertex_runs) {
     out.work.insert(out.work.end(), static_cast<size_t>(p.vertices), p.work);
     for_parts_of(p, cut, [&](int, int vertices, int part) {
       out.part.insert(out.part.end(), static_cast<size_t>(vertices), part);
@@ -136,23 +143,24 @@ Component component_of(const GraphSequence& sequence, std::span<const Piece> pie
   return out;
 }
 
-// Cuts a component again by METIS into parts of the same weights. The new cut replaces that of the sequence
+// Cuts a component again by METIS into parts of the same work. The new cut replaces that of the sequence
 // if its edges cost less and no part gets more work than allowed; returns true then.
 bool cut_again(Component& c, SequenceCut& cut) {
   const int first = c.part.front();
   const int parts = c.part.back() - first + 1;
-  std::vector<double> part_work(static_cast<size_t>(parts), 0);
-  for (size_t i = 0; i < c.part.size(); ++i) part_work[c.part[i] - first] += c.work[i];
-  if (*std::min_element(part_work.begin(), part_work.end()) <= 0) return false;
-  const std::vector<int> other = metis_parts(c.work, c.edges, part_work);
+  // Work of the component in each part.
+  std::vector<double> shares(static_cast<size_t>(parts), 0);
+  for (size_t i = 0; i < c.part.size(); ++i) shares[c.part[i] - first] += c.work[i];
+  if (*std::min_element(shares.begin(), shares.end()) <= 0) return false;
+  const std::vector<int> other = metis_parts(c.work, c.edges, shares);
   if (cost_of_cut(c.edges, [&](int i) { return other[i]; }) >=
       cost_of_cut(c.edges, [&](int i) { return c.part[i]; }))
     return false;
-  std::vector<double> with(cut.load.begin() + first, cut.load.begin() + first + parts);
-  for (int p = 0; p < parts; ++p) with[p] -= part_work[p];
-  for (size_t i = 0; i < c.part.size(); ++i) with[other[i]] += c.work[i];
-  if (*std::max_element(with.begin(), with.end()) > cut.max_load) return false;
-  std::copy(with.begin(), with.end(), cut.load.begin() + first);
+  std::vector<double> new_work(cut.part_work.begin() + first, cut.part_work.begin() + first + parts);
+  for (int p = 0; p < parts; ++p) new_work[p] -= shares[p];
+  for (size_t i = 0; i < c.part.size(); ++i) new_work[other[i]] += c.work[i];
+  if (*std::max_element(new_work.begin(), new_work.end()) > cut.max_work) return false;
+  std::copy(new_work.begin(), new_work.end(), cut.part_work.begin() + first);
   for (size_t i = 0; i < c.part.size(); ++i) c.part[i] = first + other[i];
   return true;
 }
@@ -163,10 +171,11 @@ struct OwnedRun {
 };
 
 // Owners of the nodes of a component, except those that are carried.
-void assign(const Mesh& mesh, const GraphSequence& sequence, std::span<const Piece> pieces, int first_rank,
-            SequenceCut& cut, std::vector<OwnedRun>& out) {
-  const int begin = pieces.front().position, end = pieces.back().position + pieces.back().vertices;
-  const auto set_owner = [&](const Piece& p, int vertex, int vertices, int part) {
+void assign(const Mesh& mesh, const GraphSequence& sequence, std::span<const VertexRun> vertex_runs,
+            int first_rank, SequenceCut& cut, std::vector<OwnedRun>& out) {
+  const int begin = vertex_runs.front().position,
+            end = vertex_runs.back().position + vertex_runs.back().vertices;
+  const auto set_owner = [&](const VertexRun& p, int vertex, int vertices, int part) {
     if (p.uncut >= 0)
       out.push_back({p.first_node, mesh.lines[p.uncut].nodes, first_rank + part});
     else
@@ -174,12 +183,12 @@ void assign(const Mesh& mesh, const GraphSequence& sequence, std::span<const Pie
   };
   const int parts = cut.part_of(end - 1) - cut.part_of(begin) + 1;
   if (parts > 1 && end - begin > parts)
-    if (Component c = component_of(sequence, pieces, cut); cut_again(c, cut)) {
-      for (const Piece& p : pieces)
+    if (Component c = component_of(sequence, vertex_runs, cut); cut_again(c, cut)) {
+      for (const VertexRun& p : vertex_runs)
         for (int i = 0; i < p.vertices; ++i) set_owner(p, i, 1, c.part[p.position + i - begin]);
       return;
     }
-  for (const Piece& p : pieces)
+  for (const VertexRun& p : vertex_runs)
     for_parts_of(p, cut, [&](int vertex, int vertices, int part) { set_owner(p, vertex, vertices, part); });
 }
 
@@ -191,10 +200,10 @@ NodeRanks owners(const Mesh& mesh, int ranks, std::span<const int> uncut,
   std::vector<OwnedRun> runs;
   for (const auto& [line, rank] : sequence.dedicated_ranks)
     runs.push_back({mesh.lines[line].first_node, mesh.lines[line].nodes, rank});
-  const std::span<const Piece> pieces = sequence.pieces;
-  for (size_t begin = 0, end = 0; begin < pieces.size(); begin = end) {
-    while (end < pieces.size() && pieces[end].component == pieces[begin].component) ++end;
-    assign(mesh, sequence, pieces.subspan(begin, end - begin), first_rank, cut, runs);
+  const std::span<const VertexRun> vertex_runs = sequence.vertex_runs;
+  for (size_t begin = 0, end = 0; begin < vertex_runs.size(); begin = end) {
+    while (end < vertex_runs.size() && vertex_runs[end].component == vertex_runs[begin].component) ++end;
+    assign(mesh, sequence, vertex_runs.subspan(begin, end - begin), first_rank, cut, runs);
   }
   std::sort(runs.begin(), runs.end(), [](const OwnedRun& a, const OwnedRun& b) { return a.first < b.first; });
   const auto owner_of = [&](int n) { return last_not_after(runs, n, &OwnedRun::first)->rank; };
@@ -236,12 +245,13 @@ size_t shared_nodes(const Mesh& mesh, const std::vector<GraphEdge>& joined, cons
 NodeRanks partition(const Mesh& mesh, int ranks, std::span<const std::pair<int, int>> coupled,
                     std::span<const int> uncut) {
   if (ranks == 1) return NodeRanks::all_of(mesh.nodes());
-  NodeRanks plain = owners(mesh, ranks, uncut, joins(mesh, {}));
-  if (coupled.empty()) return plain;
-  // METIS minimises cut edges; the cost is that of the nodes at them.
+  NodeRanks uncoupled = owners(mesh, ranks, uncut, joins(mesh, {}));
+  if (coupled.empty()) return uncoupled;
+  // METIS minimises the cost of cut edges; messages have the nodes at them.
   const std::vector<GraphEdge> all = joins(mesh, coupled);
-  NodeRanks weighed = owners(mesh, ranks, uncut, all);
-  return shared_nodes(mesh, all, weighed) < shared_nodes(mesh, all, plain) ? weighed : plain;
+  NodeRanks with_couplings = owners(mesh, ranks, uncut, all);
+  return shared_nodes(mesh, all, with_couplings) < shared_nodes(mesh, all, uncoupled) ? with_couplings
+                                                                                      : uncoupled;
 }
 
 Balance balance(const Mesh& mesh, const NodeRanks& owner, int ranks) {

@@ -172,9 +172,27 @@ class LineCheck {
       issue(key, "arc length {:.6g} m is beyond the end of the line, which is {:.6g} m long", s, length_);
   }
 
+  // False: the rows are not a stiffness over a distance.
+  bool check_rows(const BendStiffener& b, const std::string& key) {
+    const std::size_t before = issue.count();
+    for (std::size_t i = 0; i < b.rows.size(); ++i) {
+      const auto [d, EI] = b.rows[i];
+      const std::string row = fmt::format("{}.EI[{}]", key, i);
+      if (i == 0 && !(d >= 0)) issue(row, "{:g} m is before the root", d);
+      if (i > 0 && !(d > b.rows[i - 1].first))
+        issue(row, "distances from the root must increase from row to row, but {:g} m follows {:g} m", d,
+              b.rows[i - 1].first);
+      if (!(EI >= 0)) issue(row, "{:g} N m² would soften the line", EI);
+    }
+    return issue.count() == before;
+  }
+
   void check_stiffener(const BendStiffener& b, const std::string& key) {
     check_arc(b.at, key + ".at");
+    if (!check_rows(b, key)) return;
     const double tip = b.towards_a ? b.at - b.rows.back().first : b.at + b.rows.back().first;
+    if (tip < -kArcTolerance * length_ || tip > length_ * (1 + kArcTolerance))
+      return issue(key + ".EI", "reaches to {:g} m of a line of {:g} m", tip, length_);
     double start = 0;
     for (const Section& s : line_.sections) {
       const double overlap =
@@ -233,7 +251,14 @@ class LineCheck {
     const std::string key = "temperature_change";
     if (rows.front().first < -kArcTolerance * length_)
       issue(key + "[0]", "arc length {:.6g} m is before end A", rows.front().first);
-    for (std::size_t i = 0; i < rows.size(); ++i) check_arc(rows[i].first, fmt::format("{}[{}]", key, i));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const std::string row = fmt::format("{}[{}]", key, i);
+      check_arc(rows[i].first, row);
+      if (i == 0 || rows[i].first > rows[i - 1].first) continue;
+      issue(row, "arc lengths from end A must increase from row to row, but {:g} m follows {:g} m",
+            rows[i].first, rows[i - 1].first);
+      return false;
+    }
     bool expands = false;
     double from = 0;
     for (const Section& s : line_.sections) {

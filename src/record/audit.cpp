@@ -7,15 +7,16 @@
 
 namespace hawser::record {
 namespace {
-// Fractions of Audit::size(). Created energy amplifies itself; lost energy acts as slightly more drag.
-constexpr double kMadeReported = 0.01, kMadeWrong = 0.05, kLostReported = 0.05, kLostWrong = 0.20,
+// Fractions of Audit::size() above which created or lost energy is reported, or the results are wrong.
+// Created energy amplifies itself; lost energy acts as slightly more drag.
+constexpr double kCreatedReported = 0.01, kCreatedWrong = 0.05, kLostReported = 0.05, kLostWrong = 0.20,
                  kUnresolvedReported = 0.02;
-// Fraction of Audit::largest_energy: created energy that has not been dissipated is
-// still in the lines.
-constexpr double kRemainsWrong = 0.2;
+// The same of Audit::remaining, as a fraction of Audit::largest_energy: created energy that has not been
+// dissipated is still in the lines.
+constexpr double kRemainingWrong = 0.2;
 
-// Rounding and Newton's tolerance as a fraction of the strain energy; negligible energy for any line, J.
-constexpr double kRounding = 1e-6, kNothing = 1e-6;
+// Rounding and Newton's tolerance as a fraction of the strain energy; an energy [J] negligible for any line.
+constexpr double kRounding = 1e-6, kNegligible = 1e-6;
 
 // Number of steps from t = 0 in which an impact at the start creates energy.
 constexpr double kImpactSteps = 6;
@@ -66,7 +67,7 @@ void Audit::located(int node, Step::ContactWith with) {
 }
 
 double Audit::size() const {
-  return initial_kinetic + absolute_work + released_strain + kRounding * largest_strain + kNothing;
+  return initial_kinetic + absolute_work + released_strain + kRounding * largest_strain + kNegligible;
 }
 
 double Audit::percent() const { return 100 * error / size(); }
@@ -75,15 +76,15 @@ double Audit::percent() const { return 100 * error / size(); }
 // is compared with the largest energy present at a time.
 bool Audit::wrong() const {
   if (!std::isfinite(error)) return true;
-  return largest_gain.value > kMadeWrong * size() ||
-         largest_remaining > kRemainsWrong * largest_energy + kRounding * largest_strain + kNothing ||
+  return largest_gain.value > kCreatedWrong * size() ||
+         largest_remaining > kRemainingWrong * largest_energy + kRounding * largest_strain + kNegligible ||
          largest_loss.value > kLostWrong * size();
 }
 
 std::string Audit::warning(bool fixed, const std::string& where,
                            const std::string& initial_velocity_key) const {
   if (!std::isfinite(error)) return advice::energy_is_no_number();
-  const double relative_gain = largest_gain.value / (kMadeReported * size()),
+  const double relative_gain = largest_gain.value / (kCreatedReported * size()),
                relative_loss = largest_loss.value / (kLostReported * size());
   if (std::max(relative_gain, relative_loss) <= 1 && !wrong()) return "";
   const bool at_start_of_motion = worst.time <= kImpactSteps * worst.length;
@@ -97,7 +98,8 @@ std::string Audit::warning(bool fixed, const std::string& where,
 }
 
 std::string Audit::note() const {
-  const double size = std::max(std::abs(brought_in), largest_energy) + kRounding * largest_strain + kNothing;
+  const double size =
+      std::max(std::abs(brought_in), largest_energy) + kRounding * largest_strain + kNegligible;
   if (now.unresolved < kUnresolvedReported * size) return "";
   return advice::vibration_damped(now.unresolved, size);
 }

@@ -29,6 +29,10 @@ void ContactPeaks::find(const std::vector<Field>& fields) {
   curvature_ = find_field(fields, "curvature");
 }
 
+// Largest moment at the contact forces P_k, which act at x_k, between `from` and `to`. F and M: section force
+// and moment at the first node x1, from its nodal force and the share of the P_k in it by shape functions; Q:
+// sum of all other loads, uniform; s = xi:
+//   m(s) = M + (x1 - x(s)) x (F + s Q/2) - sum over x_k before x(s) of (x_k - x(s)) x P_k.
 ContactPeaks::Peak ContactPeaks::peak(const Kinematics& state, const LocalElement& e, const AxisShape& shape,
                                       std::span<const LineVolumeContact::Load> loads, double from,
                                       double to) const {

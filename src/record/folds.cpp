@@ -11,7 +11,7 @@ namespace {
 
 // Chord over arc of a quarter circle: an element bent more sharply is folded.
 const double kFolded = 2 * std::sqrt(2.0) / M_PI;
-constexpr double kSame = 1 - 1e-9;  // tolerance of equal tensions
+constexpr double kEqual = 1 - 1e-9;  // of the largest tension: a tension that is equal to it
 
 }  // namespace
 
@@ -59,7 +59,7 @@ void Folds::gather(MPI_Comm comm) {
 
 std::string Folds::warning(int line, const std::string& name, double largest_tension) const {
   const Worst& w = worst_[line];
-  return w.tension > kSame * largest_tension ? advice::folded_peak(name, w) : "";
+  return w.tension > kEqual * largest_tension ? advice::folded_peak(name, w) : "";
 }
 
 }  // namespace hawser::record

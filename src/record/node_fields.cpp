@@ -1,4 +1,5 @@
-// The class NodeFields: list of fields, those needed at every step, and corrections at line ends.
+// The class NodeFields: list of fields, those needed at every step, and corrections at line ends. A term
+// computes the values (fill_field); Recorder::write_output passes them to io::ResultsFile::write_output.
 #include "hawser/record/node_fields.hpp"
 
 #include <algorithm>

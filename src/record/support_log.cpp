@@ -12,9 +12,9 @@ namespace hawser::record {
 SupportLog::SupportLog(const Subject& subject)
     : subject_(subject),
       rollers_(subject),
-      off_(subject.model.supports.size(), false),
-      loaded_(off_.size(), 0),
-      lowest_(off_.size(), HUGE_VAL) {}
+      reported_(subject.model.supports.size(), false),
+      loaded_(reported_.size(), 0),
+      lowest_(reported_.size(), HUGE_VAL) {}
 
 void SupportLog::declare(Declarations& to) {
   for (const model::SupportBox& b : subject_.model.supports) {
@@ -34,8 +34,8 @@ void SupportLog::step(const Snapshot& s) {
     for (size_t i = 0; i < b.rollers.size(); ++i)
       if (forces_[rollers_.first(k) + i] != Vec3::Zero()) loaded_[k] = 1;
     if (x.known) lowest_[k] = std::min(lowest_[k], x.height);
-    if (off_[k] || !x.known || std::abs(x.offset) <= b.half_width || x.height >= b.rise) continue;
-    off_[k] = true;
+    if (reported_[k] || !x.known || std::abs(x.offset) <= b.half_width || x.height >= b.rise) continue;
+    reported_[k] = true;
     warnings_.push_back(advice::off_rollers(b, x, s.at.time));
   }
 }
@@ -68,18 +68,18 @@ std::vector<Warning> SupportLog::warnings(const std::vector<io::SummaryRow>&, co
     double diameter = 0;
     for (const model::Section& s : c.line(b.line).sections)
       diameter = std::max(diameter, c.line_type(s.type).outer_diameter);
-    bool first = true, any = false, further = false;  // of the line's boxes
+    bool first = true, any_loaded = false, later_loaded = false;  // of the line's boxes
     for (size_t j = 0; j < lowest_.size(); ++j) {
       if (c.supports[j].line != b.line) continue;
       first = first && j >= k;
-      any = any || loaded_[j] != 0;
-      further = further || (j > k && loaded_[j] != 0);
+      any_loaded = any_loaded || loaded_[j] != 0;
+      later_loaded = later_loaded || (j > k && loaded_[j] != 0);
     }
     // Being clear of the last boxes is the intended laying state; a clearance below one diameter over an
     // inner box means that the next are slightly high.
-    if (further && loaded_[k] == 0 && lowest_[k] > diameter)
+    if (later_loaded && loaded_[k] == 0 && lowest_[k] > diameter)
       out.push_back({advice::never_carries(b, lowest_[k])});
-    if (first && !any) out.push_back({advice::none_carries(b.line)});
+    if (first && !any_loaded) out.push_back({advice::none_carries(b.line)});
   }
   return out;
 }

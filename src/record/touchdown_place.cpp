@@ -9,13 +9,13 @@ namespace hawser::record {
 namespace {
 
 constexpr double kSame = 1e-9;  // relative tolerance of lengths
-constexpr int kMostTries = 60;
+constexpr int kMostTries = 60;  // bisections halve the bracket to round-off in 53
 
 // Zero of the cubic of two gaps with these slopes, m beyond the lying node, by bisection; the sign changes at
 // least once.
 double zero_of_cubic(double lying, double slope, double hanging, double next_slope, double length) {
   double low = 0, high = 1;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < kMostTries; ++i) {
     const double t = 0.5 * (low + high), u = 1 - t;
     const double g = u * u * ((1 + 2 * t) * lying + t * length * slope) +
                      t * t * ((1 + 2 * u) * hanging - u * length * next_slope);
@@ -38,9 +38,9 @@ double supported_beyond(double deep, double behind, double bend) {
   if (!(deep > 0)) return low;
   double l = low + std::sqrt(deep / bend), step = HUGE_VAL;
   for (int i = 0; i < kMostTries && std::abs(step) > kSame * l; ++i) {
-    const double e = std::exp(-(behind + l) / l), off = bend * l * l * (1 - e) - deep;
-    (off < 0 ? low : high) = l;
-    step = -off / (bend * (2 * l * (1 - e) - behind * e));
+    const double e = std::exp(-(behind + l) / l), excess = bend * l * l * (1 - e) - deep;
+    (excess < 0 ? low : high) = l;
+    step = -excess / (bend * (2 * l * (1 - e) - behind * e));
     const double to = l + step;
     l = to >= low && to <= high ? to : high < HUGE_VAL ? 0.5 * (low + high) : 2 * l;
   }

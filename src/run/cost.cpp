@@ -29,7 +29,7 @@ namespace {
 // statics, and per step of dynamics; steps are the longest ones.
 constexpr double kStatics = 60, kDynamics = 4;
 
-struct Spent {};  // thrown when statics has used its share
+struct BudgetSpent {};  // thrown when statics has used its share
 
 }  // namespace
 
@@ -40,7 +40,7 @@ double cpu_time() {
 }
 
 TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
-                   const std::function<void(const Kinematics&)>& look) {
+                   const std::function<void(const Kinematics&)>& on_state) {
   TrialRun trial;
   const double begun = cpu_time();
   const auto budget_spent = [&] { return cpu_time() - begun > budget; };
@@ -57,13 +57,13 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
         if (now.iterations <= 1) first = cpu_time();
         if (now.iterations <= 1 || !budget_spent()) return;
         trial.iteration = (cpu_time() - first) / (now.iterations - 1);
-        throw Spent();
+        throw BudgetSpent();
       };
       events.solve_stages([&](bool falls) { sim.solve_statics(report, falls); });
     } else {
       sim.check_inside();
     }
-    if (look) look(sim.state().at_rest());
+    if (on_state) on_state(sim.state().at_rest());
     if (c.dynamics.enabled) {
       std::vector<std::pair<double, double>> samples;  // CPU s, simulated time [s]
       const record::OutputTimes times(c);
@@ -77,7 +77,7 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
           [&](const StepInfo& info) {
             act_after_step(
                 events, feeder_nodes, [] {}, [](const std::string&) {});
-            if (look) look(d.kinematics());
+            if (on_state) on_state(d.kinematics());
             samples.push_back({cpu_time() - at_rest, info.time});
             return !budget_spent();
           });
@@ -87,12 +87,12 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
                                      [&](const auto& w) { return w.first >= 0.5 * samples.back().first; });
       const auto from = half == samples.end() - 1 ? std::pair(0.0, 0.0) : *half;
       // Steps of the initial transient, and further ones as long as those of the second half.
-      const double behind = std::max(static_cast<double>(samples.end() - half), 1.0);
-      trial.steps = static_cast<double>(samples.size()) +
-                    (trial.duration - trial.reached) * behind / std::max(trial.reached - from.second, 1e-300);
+      const double recent_steps = std::max(static_cast<double>(samples.end() - half), 1.0);
+      trial.steps = static_cast<double>(samples.size()) + (trial.duration - trial.reached) * recent_steps /
+                                                              std::max(trial.reached - from.second, 1e-300);
       trial.rate = (samples.back().first - from.first) / (samples.back().second - from.second);
     }
-  } catch (const Spent&) {
+  } catch (const BudgetSpent&) {
   } catch (const InputError&) {
     throw;  // an error of the case
   } catch (const std::exception& e) {
@@ -154,9 +154,9 @@ double memory_now() {
 double file_memory_now() { return counted_memory()[2]; }
 
 std::string memory_sentence(const MemoryUse& use, double largest_part) {
-  constexpr double kStill = 1.3;  // memory of dynamics over that of statics
+  constexpr double kMotionOverStatics = 1.3;  // memory of dynamics over that of statics
   const double on_all = use.shared + use.of_files;
-  const double of_work = (use.moved ? 1 : kStill) * (use.measured - on_all) * largest_part;
+  const double of_work = (use.moved ? 1 : kMotionOverStatics) * (use.measured - on_all) * largest_part;
   return advice::expected_memory(std::max(use.read, on_all + of_work), largest_part < 1);
 }
 

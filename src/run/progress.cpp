@@ -48,7 +48,7 @@ void Progress::rewrite(std::string text) {
   text.resize(std::min(text.size(), static_cast<size_t>(columns_ - 1)));
   std::fputs(fmt::format("\r\033[K{}", text).c_str(), stdout);
   std::fflush(stdout);
-  open_ = true;
+  line_shown_ = true;
 }
 
 void Progress::busy(const std::string& text, double took) {
@@ -56,7 +56,7 @@ void Progress::busy(const std::string& text, double took) {
   const auto now = Clock::now();
   if (columns_ > 0) {
     rewrite(text);
-    passing_ = true;
+    replaceable_ = true;
   } else if (took > kLong || seconds(now - last_) > kLong) {
     std::puts(text.c_str());
     std::fflush(stdout);
@@ -74,7 +74,7 @@ void Progress::statics(int iterations, int relaxation_steps, double residual) {
   const std::string text = advice::statics_progress(iterations, relaxation_steps, residual);
   if (columns_ > 0) {
     rewrite(text);
-    passing_ = true;
+    replaceable_ = true;
     return;
   }
   std::puts(text.c_str());
@@ -104,7 +104,7 @@ void Progress::step(double time, double step, int iterations) {
                   100 * fraction, step, count_of(iterations, "iteration"), clock_text(remaining));
   if (columns_ > 0) {
     rewrite(std::move(text));
-    passing_ = false;
+    replaceable_ = false;
   } else {
     if (due) next_fraction_ = std::floor(fraction * 10 + 1e-9) / 10 + 0.1;
     std::puts(text.c_str());
@@ -129,10 +129,10 @@ void Progress::print_warnings(const std::vector<std::string>& warnings) {
 }
 
 void Progress::end() {
-  if (!open_) return;
-  std::fputs(passing_ ? "\r\033[K" : "\n", stdout);
+  if (!line_shown_) return;
+  std::fputs(replaceable_ ? "\r\033[K" : "\n", stdout);
   std::fflush(stdout);
-  open_ = false;
+  line_shown_ = false;
 }
 
 }  // namespace hawser::run

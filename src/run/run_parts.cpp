@@ -42,12 +42,12 @@ io::RunInfo run_info(MPI_Comm comm, const model::Case& c, const std::string& pet
 }
 
 std::vector<std::string> all_notes(const model::Case& c, const std::vector<LoadedVolume>& volumes,
-                                   const std::vector<std::string>& chosen) {
+                                   const std::vector<std::string>& choices) {
   std::vector<std::string> all = c.change_notes;
   all.insert(all.end(), c.notes.begin(), c.notes.end());
   for (const auto& v : volumes)
     for (const auto& n : v.notes) all.push_back("volumes." + v.name + ": " + n);
-  all.insert(all.end(), chosen.begin(), chosen.end());
+  all.insert(all.end(), choices.begin(), choices.end());
   return model::grouped_notes(model::notes_by_place(c, std::move(all)));
 }
 
@@ -112,11 +112,11 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
 }  // namespace
 
 StaticsReport solve_static_stages(Simulation& sim, Events& events, Progress& progress,
-                                  const std::function<void(size_t)>& rested) {
+                                  const std::function<void(size_t)>& on_equilibrium) {
   StaticsReport last;
   try {
     events.solve_stages([&](bool falls) { last = solve_one(sim, progress, falls); },
-                        [&](const std::string& text) { progress.print(text); }, rested);
+                        [&](const std::string& text) { progress.print(text); }, on_equilibrium);
   } catch (const SolveError&) {
     progress.print("note: " + advice::statics_failed(sim.model()));
     throw;

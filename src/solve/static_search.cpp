@@ -344,7 +344,7 @@ bool StaticSearch::relax_from_push() {
 }
 
 std::string StaticSearch::failure(advice::StaticsEnds how) const {
-  return advice::no_equilibrium(how, imbalance(system_, r_.get(), report_.norms));
+  return advice::no_equilibrium(how, settings_.max_iterations, imbalance(system_, r_.get(), report_.norms));
 }
 
 }  // namespace hawser

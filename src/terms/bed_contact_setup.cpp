@@ -1,5 +1,4 @@
-// The class BedContact: its construction from the case. Output is in bed_contact_fields.cpp, checkpoints are
-// in bed_contact_checkpoint.cpp.
+// The class BedContact: its construction from the case.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>

@@ -132,7 +132,10 @@ TEST(Cost, ATrialReportsWhyTheRunStops) {
   c.statics.relaxation = model::Relaxation::never;
   Simulation sim(MPI_COMM_SELF, c);
   const TrialRun trial = trial_run(sim, c, 100);
-  EXPECT_EQ(trial.failure.find("statics: "), 0U) << trial.failure;
+  EXPECT_EQ(trial.failure.find(
+                "statics: Newton's method does not converge within 1 iteration ('max_iterations'): "),
+            0U)
+      << trial.failure;
   EXPECT_EQ(trial.reached, 0);
 }
 

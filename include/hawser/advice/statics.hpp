@@ -35,9 +35,10 @@ struct LongRelaxation {
   bool slides_freely = false;  // lines touch volumes without friction
 };
 std::string long_relaxation(const LongRelaxation& r);
-// Reason why statics ends without an equilibrium; at: place of the largest residual.
+// Reason why statics ends without an equilibrium; at: place of the largest residual; limit: of Newton's
+// iterations.
 enum class StaticsEnds { forces_beyond_numbers, too_many_iterations, no_descent };
-std::string no_equilibrium(StaticsEnds how, const Imbalance& at);
+std::string no_equilibrium(StaticsEnds how, int limit, const Imbalance& at);
 std::string no_rest(int steps, const Imbalance& at);
 // Messages of a failed search and of a second one from the same start by other means.
 std::string second_failure(const std::string& first, const std::string& second);

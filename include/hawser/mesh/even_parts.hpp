@@ -1,4 +1,5 @@
-// Division of a row of weights into parts of about equal sums.
+// Division of a row of weights into parts of about equal sums. In the partition an item is a vertex of the
+// graph's sequence, its weight the work of the vertex, and a part the vertices of a rank.
 #pragma once
 
 #include <span>

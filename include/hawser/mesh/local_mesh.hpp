@@ -102,6 +102,9 @@ inline void add_ends(const Vec6& ends, Vec12& f) {
   f.segment<3>(6) += ends.tail<3>();
 }
 
+// The part of a rank: owned nodes, and ghosts of the elements that it shares. owner: from partition().
+LocalMesh local_mesh(const Mesh& mesh, const NodeRanks& owner, int rank, int ranks);
+
 // Sets the coupling ghosts to those of `nodes` (mesh nodes, sorted) that are not yet local. Local nodes and
 // blocks before them keep their numbers.
 void set_coupling_ghosts(LocalMesh& mesh, std::span<const int> nodes);

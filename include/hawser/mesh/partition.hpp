@@ -18,9 +18,6 @@ namespace hawser {
 NodeRanks partition(const Mesh& mesh, int ranks, std::span<const std::pair<int, int>> coupled = {},
                     std::span<const int> uncut = {});
 
-// This rank's part.
-LocalMesh local_mesh(const Mesh& mesh, const NodeRanks& owner, int rank, int ranks);
-
 struct Balance {
   double imbalance = 1;  // largest work of a rank divided by the mean
   int cut_lines = 0;     // lines with nodes of several ranks

@@ -34,8 +34,10 @@ class Folds {
  private:
   struct Fold {
     double ratio = 1;  // smallest chord over length while folded
-    double until = 0;  // s, end of the waves from its straightening; infinite: not yet straight
-    double echo = 0;   // s, wave along the line and back
+    // s, end of the waves from its straightening; infinite: folded and not yet straight; 0: not folded.
+    double until = 0;
+    double echo =
+        0;  // s, travel time of a wave along the line and back; 0: a beam or a fed line, not observed
   };
   using Worst = advice::FoldedPeak;
   const LocalMesh& mesh_;

@@ -26,7 +26,8 @@ struct SumRange {
   double width() const { return high - low; }
 };
 
-// n_1 < n_2 < ... are the contact nodes of the part, and S_k = taken_1 + ... + taken_k.
+// n_1 < n_2 < ... are the contact nodes of the part, dT_k are their `tension_change`, and S_k = dT_1 + ... +
+// dT_k.
 struct PressedPart {
   PressedPart() = default;  // without contact
   explicit PressedPart(const PressedTurn& turn);

@@ -30,7 +30,7 @@ class SupportLog : public Recording {
   SupportRollers rollers_;
   std::vector<Vec3> forces_;                // N, last step, all contact volumes: this rank's part
   std::vector<SupportCrossing> crossings_;  // last step
-  std::vector<bool> off_;                   // reported already
+  std::vector<bool> reported_;              // by box: the line has been beyond the end of its rollers
   std::vector<int>
       loaded_;  // not 0: a line has touched a part of the box on this rank; warnings() joins the ranks
   std::vector<double> lowest_;  // m, height of the line over each box; infinite: no crossing

@@ -23,9 +23,9 @@ struct TrialRun {
   std::string failure;               // reason why the run stops; empty: none
 };
 // Runs statics and dynamics for `budget` CPU s, at least one step each. On one rank, because each rank reads
-// its own clock. look: called at the equilibrium and after every step.
+// its own clock. on_state: called at the equilibrium and after every step.
 TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
-                   const std::function<void(const Kinematics&)>& look = {});
+                   const std::function<void(const Kinematics&)>& on_state = {});
 
 // CPU s of the whole run.
 double expected_cost(const TrialRun& trial);

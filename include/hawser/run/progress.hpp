@@ -41,8 +41,8 @@ class Progress {
   double next_fraction_ = 0.1;
   std::vector<std::string> messages_;
   void rewrite(std::string text);
-  bool open_ = false;     // the rewritten line is on the terminal
-  bool passing_ = false;  // and may be overwritten by other messages
+  bool line_shown_ = false;   // the rewritten line is on the terminal
+  bool replaceable_ = false;  // it is removed before other messages, not kept
 };
 
 // "1:02:03" or "0:05".

@@ -22,7 +22,7 @@ class Events;
 io::RunInfo run_info(MPI_Comm comm, const model::Case& c, const std::string& petsc_options);
 // Repairs and choices, equal ones of several volumes together.
 std::vector<std::string> all_notes(const model::Case& c, const std::vector<LoadedVolume>& volumes,
-                                   const std::vector<std::string>& chosen);
+                                   const std::vector<std::string>& choices);
 // The case with section lengths that meet the targets of its lines (run/targets.hpp), with notes printed;
 // without targets the case itself. restart: results of a continued run, which give the lengths. on_iteration:
 // called at every iteration of the search; an exception from it ends the search. Collective.
@@ -30,11 +30,11 @@ model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<Loa
                              Progress& progress, const std::string& restart = "",
                              const std::function<void()>& on_iteration = {});
 // Statics of the case with its stages, progress and notes on the equilibrium; returns the report of the last
-// stage. rested: called with the index of each stage after its equilibrium. Collective; throws as
+// stage. on_equilibrium: called with the index of each stage after its equilibrium. Collective; throws as
 // Simulation::solve_statics.
 StaticsReport solve_static_stages(
     Simulation& sim, Events& events, Progress& progress,
-    const std::function<void(size_t)>& rested = [](size_t) {});
+    const std::function<void(size_t)>& on_equilibrium = [](size_t) {});
 // Frees the text of a case and reduces its tree to without_values(), once the run no longer reads them.
 void forget_file(model::Case& c);
 // MPI libraries make malloc retain freed memory, which can be gigabytes.

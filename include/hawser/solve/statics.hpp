@@ -11,6 +11,7 @@
 
 #include <functional>
 
+#include "hawser/model/case.hpp"
 #include "hawser/solve/linear_solver.hpp"
 #include "hawser/state/state.hpp"
 #include "hawser/system/system.hpp"
@@ -30,13 +31,14 @@ struct StaticsReport {
   ResidualNorms norms;
 };
 
+// Initial values are the defaults of the keys of `statics`.
 struct StaticsSettings {
-  double tolerance = 1e-8;  // of the residual, relative to its contributions
-  int max_iterations = 1000;
+  double tolerance = model::Statics().tolerance;  // of the residual, relative to its contributions
+  int max_iterations = model::Statics().max_iterations;
   // `state` is near an equilibrium: the search does not begin with soft lines.
   bool starts_near = false;
   RelaxationUse relaxation = RelaxationUse::when_newton_fails;  // with `starts_near` only `never` acts
-  int relaxation_steps = 5000;                                  // at most
+  int relaxation_steps = model::Statics().relaxation_steps;     // at most
   // Friction of contact acts along the path: relaxation alone is used, and it commits the terms step by step.
   bool friction = false;
   // Called with the state of the search before every iteration or step of relaxation, on all ranks.

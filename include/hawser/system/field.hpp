@@ -1,5 +1,8 @@
-// Metadata of an output field, declared in `fields()` of a term (example: terms/line_structure_fields.cpp),
-// for results, report and ParaView.
+// Metadata of an output field. Path of a field: `fields()` of a term declares it with the function that
+// computes its values at the nodes (example: terms/line_structure_fields.cpp). NodeFields::fill
+// (record/node_fields.cpp) calls that function, after every step if statistics, histories or extremes need
+// it, else at outputs. At an output io::ResultsFile::write_output writes one row of the data set
+// `fields/NAME`; its attributes, and those that report, ParaView and tables use, are the members below.
 #pragma once
 
 #include <span>

@@ -85,6 +85,8 @@ class BedContact final : public ForceTerm, public HasFriction {
   int active_count() const;
 
  private:
+  // Memory of a point in contact: elastic slip of friction [m] with the normal of the bed for which it is
+  // stored, forces [N] and potential [J] (SurfaceContactPoint), and suction.
   struct PointHistory : SurfaceContactPoint {
     using SurfaceContactPoint::SurfaceContactPoint;
     bool active = false;
