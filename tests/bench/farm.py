@@ -58,9 +58,9 @@ def farm(lines, elements=10, duration=2.0, step=0.1, every=1.0, statics=True):
     )
 
 
-def edges(ropes, duration, step, every):
+def edges(ropes, duration, step, every, falling=False):
     """The text of the case file of ropes beside each other over the edge of one box, under 1 kN. The end of the first one
-    is pulled, and the error of its tension on the edge grows from step to step. Contacts are not reported one by one."""
+    is pulled, and the error of its tension on the edge grows from step to step. Contacts are not reported one by one. falling: all ropes fall on the box, without statics."""
     winch, held = (1.085, -0.1812), (-0.99, 0.01)  # x and z of the ends, m
     lines = []
     for k in range(ropes):
@@ -74,15 +74,15 @@ def edges(ropes, duration, step, every):
         )
     width = 0.5 * ropes
     return f"""hawser: 1
-environment: {{gravity: 0}}
+environment: {{gravity: {9.81 if falling else 0}}}
 line_types: {{rope: {{outer_diameter: 0.02, mass_per_length: 1, EA: 2 MN, stiffness_damping: 0.01, bending: false}}}}
 bodies:
   winch: {{position: [{winch[0]}, 0, {winch[1]}], motion: {{harmonic: {{amplitude: [0.02, 0, -0.003], period: 1}}, ramp: 0.5}}}}
 volumes: {{box: {{shape: {{box: {{centre: [-1.5, {0.5 * width:g}, -1.5], size: [3, {width + 2:g}, 3]}}}}}}}}
 lines:
 """ + "\n".join(lines) + f"""
-statics: true
-dynamics: {{duration: {duration:g}, step: {step:g}}}
+statics: {str(not falling).lower()}
+dynamics: {{duration: {duration:g}{'' if falling else f', step: {step:g}'}}}
 output: {{every: {every:g}, clashes: false}}
 """
 

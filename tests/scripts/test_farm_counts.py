@@ -18,7 +18,7 @@ COUNTER = os.environ.get("HAWSER_MPI_COUNTER", str(ROOT / "build/tests/libmpi_co
 FEW, MANY, RANKS = 100, 1000, (2, 4, 8)
 STEPS = 5  # additional steps in the second run of each farm and number of ranks, and in the third, with an output each
 MOST_OF_STEP, MOST_BYTES = 10, 1000  # collective calls in a step, and the bytes in them
-FEW_ROPES = 25
+FEW_ROPES, FEW_FALLING = 25, 10
 MOST_BYTES_ON_VOLUMES = 1100  # in the collective calls of a step
 MOST_OF_OUTPUT = 60  # collective calls
 MOST_OF_RUN = 900  # collective calls of the start, statics, and one step and output
@@ -162,6 +162,16 @@ class LinesOnVolumes(unittest.TestCase):
                 self.assertLessEqual(calls, 1.2 * found[FEW_ROPES, 2][0] if ranks > 1 else 0)
                 self.assertLessEqual(size, 1.2 * found[FEW_ROPES, 2][1] if ranks > 1 else 0)
                 self.assertLessEqual(size, MOST_BYTES_ON_VOLUMES)
+
+    def test_steps_with_impacts(self):
+        """Ranks do not exchange data of each line that has an impact on a volume."""
+        with tempfile.TemporaryDirectory() as folder:
+            case, sent = Path(folder) / "case.yaml", []
+            for ropes in (FEW_FALLING, 4 * FEW_FALLING):
+                case.write_text(farm.edges(ropes, 0.02, 0, 0.02, falling=True), "utf-8")
+                sent.append(farm.counted(HAWSER, COUNTER, 2, case, folder)["Allreduce"][1])
+            print("bytes in the reductions of steps with impacts", sent)
+            self.assertLess(sent[1], 1.2 * sent[0])
 
 
 if __name__ == "__main__":
