@@ -116,9 +116,9 @@ double LineMotion::energy() const {
   return (inner > kRounding * kinetic ? inner : 0) + impact_energy;
 }
 
-std::vector<double> energy_tolerance(std::span<const LineMotion> lines) {
-  int lines_with_impacts = 0;
-  for (const LineMotion& l : lines) lines_with_impacts += l.impact_energy > kErrorOfStep * l.energy();
+bool LineMotion::has_impacts() const { return impact_energy > kErrorOfStep * energy(); }
+
+std::vector<double> energy_tolerance(std::span<const LineMotion> lines, int lines_with_impacts) {
   std::vector<double> out;
   for (const LineMotion& l : lines)
     out.push_back(kErrorOfStep * std::max(lines_with_impacts, 1) * l.energy());

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "hawser/base/exchange.hpp"
 #include "hawser/base/mpi.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/record/contact_points.hpp"
@@ -19,6 +20,7 @@ namespace {
 constexpr int kMostSteps = 256;  // stored by each rank
 constexpr double kMergeDiameters = 4;
 constexpr size_t kTouch = 11;
+constexpr int kLogTag = 78;
 // Key in the records of a checkpoint, beside those of the terms.
 const std::string kRecords = "clash report";
 
@@ -96,21 +98,25 @@ io::ClashTables ClashReport::take() {
   return log_.take();
 }
 
-// A record needs a node of the rank that writes it; rank 0 may own none, so all ranks receive the log.
+// A record needs a node of the rank that writes it; rank 0 may own none, so the owner of node 0 receives the
+// log.
 void ClashReport::save(io::Checkpoint& to) {
   collect();
-  std::vector<double> values = gather_all(comm_, rank_ == 0 ? log_.save() : std::vector<double>{});
+  ListsByRank<double> log;
+  if (rank_ == 0) log[subject_.local().owner[0]] = log_.save();
+  log = send_lists(comm_, kLogTag, log);
   io::TermCheckpoint& kept = to.records[kRecords];
   kept.kinds = {{"clash log", {{"number", 1, ""}}}};
-  if (subject_.local().owns_node(0)) kept.records = {{0, 0, std::move(values)}};
+  if (subject_.local().owns_node(0)) kept.records = {{0, 0, std::move(log[0])}};
 }
 
 void ClashReport::restore(const io::Checkpoint& from) {
   const auto at = from.records.find(kRecords);
   const bool has_record = at != from.records.end() && !at->second.records.empty();
-  const std::vector<double> values =
-      gather_all(comm_, has_record ? at->second.records.front().values : std::vector<double>{});
-  if (rank_ == 0 && !values.empty()) log_.restore(values);
+  ListsByRank<double> log;
+  if (has_record) log[0] = at->second.records.front().values;
+  for (const auto& [rank, values] : send_lists(comm_, kLogTag, log))
+    if (!values.empty()) log_.restore(values);
 }
 
 std::string ClashReport::table() const {

@@ -28,6 +28,14 @@ Vec3 vector_of(std::span<const double> values, size_t n) {
   return {values[3 * n], values[3 * n + 1], values[3 * n + 2]};
 }
 
+// True if volumes may press on elements without bending stiffness of the line.
+bool is_cable_on_volumes(const model::Case& c, const model::Line& line) {
+  const auto is_cable = [&](const model::Section& s) {
+    return c.line_type(s.type).kind != model::LineKind::beam;
+  };
+  return c.contact.takes_part(line) && std::any_of(line.sections.begin(), line.sections.end(), is_cable);
+}
+
 }  // namespace
 
 EdgeErrors::EdgeErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh)
@@ -35,35 +43,36 @@ EdgeErrors::EdgeErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mes
       case_(c),
       mesh_(mesh),
       neighbours_(static_cast<size_t>(mesh.owned)),
-      worst_(mesh.mesh->lines.size()),
-      tension_(mesh.mesh->lines.size(), 0),
-      reported_(mesh.mesh->lines.size(), 0),
-      passages_(mesh.mesh->lines.size(), {0, -HUGE_VAL}) {
+      lines_(mesh),
+      passages_(mesh, {0, -HUGE_VAL}) {
   const int rank = rank_of(comm);
-  for (size_t l = 0; l < mesh.mesh->lines.size(); ++l) {
+  const std::span<const NodeRanks::Run> owners = mesh.owner.runs();
+  for (const int l : lines_.lines()) {
+    if (!is_cable_on_volumes(c, c.lines[l])) continue;
     const LineSpan& line = mesh.mesh->lines[l];
     const int end = line.first_node + line.nodes;
-    std::vector<NodesOfLine> pieces;
-    for (int n = line.first_node; n < end; ++n) {
-      if (pieces.empty() || pieces.back().rank != mesh.owner[n])
-        pieces.push_back({static_cast<int>(l), mesh.owner[n], n, n});
-      pieces.back().last = n;
-    }
-    const auto on_this_rank = [rank](const NodesOfLine& p) { return p.rank == rank; };
-    if (std::none_of(pieces.begin(), pieces.end(), on_this_rank)) continue;
+    const auto first = static_cast<int>(pieces_.size());
     std::set<int> others;
-    for (const NodesOfLine& p : pieces)
-      if (!on_this_rank(p)) others.insert(p.rank);
-    for (const NodesOfLine& p : pieces) {
-      if (!on_this_rank(p)) shared_[p.rank].receive.push_back(static_cast<int>(pieces_.size()));
-      if (on_this_rank(p))
-        for (const int other : others) shared_[other].send.push_back(static_cast<int>(pieces_.size()));
-      pieces_.push_back(p);
+    for (size_t r = mesh.owner.run_of(line.first_node); r < owners.size() && owners[r].first < end; ++r) {
+      if (owners[r].rank != rank) others.insert(owners[r].rank);
+      pieces_.push_back({l, owners[r].rank, std::max(line.first_node, owners[r].first),
+                         std::min(end, mesh.owner.end(r)) - 1});
+    }
+    for (int i = first; i < static_cast<int>(pieces_.size()); ++i) {
+      if (const int owner = pieces_[i].rank; owner != rank)
+        shared_[owner].receive.push_back(i);
+      else
+        for (const int other : others) shared_[other].send.push_back(i);
     }
   }
+  const auto has_pieces = [this](int line) {
+    const auto at = std::lower_bound(pieces_.begin(), pieces_.end(), line,
+                                     [](const NodesOfLine& p, int l) { return p.line < l; });
+    return at != pieces_.end() && at->line == line;
+  };
   for (const LocalElement& l : mesh.elements) {
     const Element& e = mesh.element(l);
-    if (e.beam) continue;
+    if (e.beam || !has_pieces(e.line)) continue;
     const auto add = [&](int node, int Neighbours::*side, int other) {
       if (node >= mesh.owned) return;
       Neighbours& n = neighbours_[node];
@@ -117,24 +126,27 @@ void EdgeErrors::update(const Kinematics& state, const Values& values) {
   exchange<PressedPart>(
       comm_, kTag, shared_, [&](int i) { return of_pieces[i]; },
       [&](int i, const PressedPart& part) { of_pieces[i] = part; });
+  pressed_.clear();
   for (size_t i = 0; i < pieces_.size();) {
     const int line = pieces_[i].line;
     PressedPart of_line;
     for (; i < pieces_.size() && pieces_[i].line == line; ++i) of_line = joined(of_line, of_pieces[i]);
-    if (of_line.pressed) update_worst(line, of_line, state.time);
+    if (!of_line.pressed) continue;
+    pressed_.push_back(line);
+    update_worst(line, of_line, state.time);
   }
 }
 
 // The tensions on both sides of a volume differ by the sum over the nodes between them. Within the contact
 // errors alternate between elements, and only a fraction counts.
 void EdgeErrors::update_worst(int line, const PressedPart& of_line, double time) {
-  tension_[line] = std::max(tension_[line], of_line.tension);
+  OfLine& w = lines_[line];
+  w.tension = std::max(w.tension, of_line.tension);
   passages_[line] = {of_line.passage, time};
   SumRange inside = of_line.inside, outside = of_line.outside;
   inside.add(0);
   outside.add(0);
   outside.add(of_line.sum);
-  Worst& w = worst_[line];
   const double error = std::max(outside.width(), kInside * inside.width());
   if (!(error > w.at.error)) return;
   const PressedTurn& worst_turn = of_line.worst;
@@ -150,12 +162,17 @@ void EdgeErrors::update_worst(int line, const PressedPart& of_line, double time)
 }
 
 std::string EdgeErrors::warning(int line, double largest) const {
-  const advice::LongElements& w = worst_[line].at;
-  if (!(w.error > kAllowed * largest)) return {};
-  const double turned = worst_[line].turn_of_element / kWide;
-  return advice::turns_on_edge(mesh_.mesh->lines[line].name, w, largest,
-                               largest * w.length * w.length * std::max(turned * turned, 0.25));
+  return warning(mesh_.mesh->lines[line].name, lines_[line], largest);
 }
+
+std::string EdgeErrors::warning(const std::string& name, const OfLine& w, double largest) {
+  if (!exceeds(w, largest)) return {};
+  const double turned = w.turn_of_element / kWide;
+  return advice::turns_on_edge(name, w.at, largest,
+                               largest * w.at.length * w.at.length * std::max(turned * turned, 0.25));
+}
+
+bool EdgeErrors::exceeds(const OfLine& w, double largest) { return w.at.error > kAllowed * largest; }
 
 void EdgeErrors::declare(Declarations& to) {
   const auto needed = [&](const char* name) {
@@ -171,30 +188,28 @@ void EdgeErrors::declare(Declarations& to) {
 void EdgeErrors::step(const Snapshot& s) {
   if (force_ < 0 || friction_ < 0 || before_ < 0 || after_ < 0) return;
   update(s.at, {s.values[force_], s.values[friction_], s.values[before_], s.values[after_]});
-  const auto unreported = [&](size_t l) {
-    return worst_[l].at.error > kAgain * reported_[l] ? warning(static_cast<int>(l), tension_[l]) : "";
+  struct Found {
+    int line = 0;
+    OfLine worst;
   };
-  bool any = false;
-  for (size_t l = 0; l < worst_.size() && !any; ++l) any = !unreported(l).empty();
-  if (!on_any_rank(comm_, any)) return;
-  gather();
-  for (size_t l = 0; l < worst_.size(); ++l)
-    if (std::string text = unreported(l); !text.empty()) {
-      reported_[l] = worst_[l].at.error;
-      new_warnings_.push_back(std::move(text));
-    }
-}
-
-// Combines the ranks.
-void EdgeErrors::gather() {
-  largest_of_ranks(comm_, worst_, [](const Worst& w) { return w.at.error; });
-  all_reduce(comm_, MPI_MAX, tension_);
+  std::vector<Found> found;  // by the rank that owns the first node of a line
+  for (const int line : pressed_) {
+    OfLine& w = lines_[line];
+    if (!(w.at.error > kAgain * w.reported) || !exceeds(w, w.tension)) continue;
+    w.reported = w.at.error;
+    if (owns_line(mesh_, line)) found.push_back({line, w});
+  }
+  if (!on_any_rank(comm_, !found.empty())) return;
+  std::vector<Found> all;
+  GatherPlan(comm_, static_cast<int>(found.size())).gather_on_first(found.data(), all);
+  std::sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.line < b.line; });
+  for (const Found& f : all)
+    new_warnings_.push_back(warning(mesh_.mesh->lines[f.line].name, f.worst, f.worst.tension));
 }
 
 std::vector<std::string> EdgeErrors::remarks() { return std::exchange(new_warnings_, {}); }
 
 std::vector<Warning> EdgeErrors::warnings(const std::vector<io::SummaryRow>& summary, const Audit&) {
-  gather();
   std::vector<Warning> out;
   for (size_t i = 0; i < summary.size(); ++i)
     if (const io::SummaryRow& r = summary[i]; is_largest_tension(case_, r))

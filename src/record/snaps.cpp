@@ -42,7 +42,7 @@ Snaps::Snaps(const model::Case& c, const LocalMesh& mesh)
 }
 
 void Snaps::update(double time, double h, std::span<const double> on_a, std::span<const double> on_b,
-                   std::span<const VolumePassage> passages) {
+                   const PerLine<VolumePassage>* passages) {
   const bool steps = h > 0 && !before_.empty();
   before_.resize(passage_.size());
   for (size_t n = 0; n < passage_.size(); ++n) {
@@ -70,8 +70,8 @@ void Snaps::update(double time, double h, std::span<const double> on_a, std::spa
            .passage = passage_[n],
            .from = b.low,
            .within = time - b.since};
-      if (!passages.empty() && time - passages[node.line].time <= echo_[node.line])
-        w.across = passages[node.line].passage;
+      if (passages && time - (*passages)[node.line].time <= echo_[node.line])
+        w.across = (*passages)[node.line].passage;
       if (steps) {
         w.rise = rise / (h * h);
         w.node = static_cast<int>(n);

@@ -21,8 +21,8 @@ void TensionPeaks::declare(Declarations& to) {
 
 void TensionPeaks::step(const Snapshot& s) {
   folds_.update(s.at, s.values[before_], s.values[after_]);
-  const auto passages = errors_ ? errors_->volume_passages() : std::span<const Snaps::VolumePassage>();
-  snaps_.update(s.step.time, s.step.h, s.values[before_], s.values[after_], passages);
+  snaps_.update(s.step.time, s.step.h, s.values[before_], s.values[after_],
+                errors_ ? &errors_->volume_passages() : nullptr);
 }
 
 std::vector<Warning> TensionPeaks::warnings(const std::vector<io::SummaryRow>& summary, const Audit& audit) {

@@ -215,15 +215,14 @@ ResidualNorms System::norms(Vec r) const {
   return worst[0];
 }
 
-// all: arrays with equally many numbers for each line. For lines that the partition cuts, every rank gets the
-// sum over the ranks; numbers of other lines are unchanged.
-void System::sum_cut_lines(std::initializer_list<std::span<double>> all) const {
-  if (cut_.empty()) return;
+void System::sum_lines(std::span<const int> lines, std::initializer_list<std::span<double>> all,
+                       std::span<double> more) const {
   std::vector<double> sums;
   const auto each = [&](const auto& visit) {
     for (const std::span<double> array : all)
-      for (const int l : cut_)
+      for (const int l : lines)
         visit(array.subspan(array.size() / lines_ * static_cast<size_t>(l), array.size() / lines_));
+    visit(more);
   };
   each([&](std::span<double> numbers) { sums.insert(sums.end(), numbers.begin(), numbers.end()); });
   sum(sums);

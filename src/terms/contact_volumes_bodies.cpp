@@ -1,6 +1,8 @@
 // The class ContactVolumes: poses of the volumes' bodies, and the floating bodies that lines may meet.
 #include <algorithm>
+#include <set>
 
+#include "hawser/base/exchange.hpp"
 #include "hawser/base/mpi.hpp"
 #include "hawser/mesh/arc.hpp"
 #include "hawser/terms/contact_volumes.hpp"
@@ -8,6 +10,7 @@
 namespace hawser {
 namespace {
 
+constexpr int kCouplingsTag = 77;
 constexpr double kStaticsWay = 0.15;  // of the line: largest displacement in a Newton iteration of statics
 
 }  // namespace
@@ -68,7 +71,14 @@ bool ContactVolumes::refresh_couplings(const Kinematics& from, double h, double 
     }
   }
   if (!on_any_rank(comm_, missing)) return false;
-  near_ = gather_all(comm_, wide);
+  // The ranks of the other node and of the body have a part in the coupling.
+  ListsByRank<std::array<int, 3>> of_others;
+  for (const std::array<int, 3>& met : wide)
+    for (const int owner : std::set{mesh_.owner[met[1]], mesh_.owner[met[2]]})
+      if (owner != rank_of(comm_)) of_others[owner].push_back(met);
+  near_ = std::move(wide);
+  for (const auto& [rank, received] : send_lists(comm_, kCouplingsTag, of_others))
+    near_.insert(near_.end(), received.begin(), received.end());
   std::sort(near_.begin(), near_.end());
   near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
   return true;

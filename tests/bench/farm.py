@@ -58,6 +58,35 @@ def farm(lines, elements=10, duration=2.0, step=0.1, every=1.0, statics=True):
     )
 
 
+def edges(ropes, duration, step, every, falling=False):
+    """The text of the case file of ropes beside each other over the edge of one box, under 1 kN. The end of the first one
+    is pulled, and the error of its tension on the edge grows from step to step. Contacts are not reported one by one. falling: all ropes fall on the box, without statics."""
+    winch, held = (1.085, -0.1812), (-0.99, 0.01)  # x and z of the ends, m
+    lines = []
+    for k in range(ropes):
+        y, pulled = 0.5 * k, k == 0
+        corner = f"[0, {y:g}, 0.01], [0.001736, {y:g}, 0.009848]"
+        lines.append(
+            f"  rope {k + 1}:\n    sections: [{{type: rope, length: {2.091 if pulled else 2.02}, elements: 10}}]\n"
+            f"    end_a: {{anchor: [{held[0]}, {y:g}, {held[1]}]}}\n    end_b: {'{body: winch, at: [0, 0, 0]}' if pulled else 'free'}\n"
+            f"    start: {{points: [[{held[0]}, {y:g}, {held[1]}], {corner}, [{winch[0]}, {y:g}, {winch[1]}]]}}"
+            + ("" if pulled else "\n    loads: [{at: end_b, force: [984.808, 0, -173.648]}]")
+        )
+    width = 0.5 * ropes
+    return f"""hawser: 1
+environment: {{gravity: {9.81 if falling else 0}}}
+line_types: {{rope: {{outer_diameter: 0.02, mass_per_length: 1, EA: 2 MN, stiffness_damping: 0.01, bending: false}}}}
+bodies:
+  winch: {{position: [{winch[0]}, 0, {winch[1]}], motion: {{harmonic: {{amplitude: [0.02, 0, -0.003], period: 1}}, ramp: 0.5}}}}
+volumes: {{box: {{shape: {{box: {{centre: [-1.5, {0.5 * width:g}, -1.5], size: [3, {width + 2:g}, 3]}}}}}}}}
+lines:
+""" + "\n".join(lines) + f"""
+statics: {str(not falling).lower()}
+dynamics: {{duration: {duration:g}{'' if falling else f', step: {step:g}'}}}
+output: {{every: {every:g}, clashes: false}}
+"""
+
+
 def run(hawser, ranks, case, environment=None, options=()):
     """CPU seconds of all ranks together. Ranks that share cores must not spin while they wait."""
     words = [hawser, "run", str(case), "-q", *options]

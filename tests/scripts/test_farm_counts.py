@@ -18,6 +18,8 @@ COUNTER = os.environ.get("HAWSER_MPI_COUNTER", str(ROOT / "build/tests/libmpi_co
 FEW, MANY, RANKS = 100, 1000, (2, 4, 8)
 STEPS = 5  # additional steps in the second run of each farm and number of ranks, and in the third, with an output each
 MOST_OF_STEP, MOST_BYTES = 10, 1000  # collective calls in a step, and the bytes in them
+FEW_ROPES, FEW_FALLING = 25, 10
+MOST_BYTES_ON_VOLUMES = 1100  # in the collective calls of a step
 MOST_OF_OUTPUT = 60  # collective calls
 MOST_OF_RUN = 900  # collective calls of the start, statics, and one step and output
 REST_OF_FILE = 100000  # bytes that a rank may read of a results file besides its share: names, headers, the counter of an output
@@ -137,6 +139,39 @@ class Counts(unittest.TestCase):
             with self.subTest("lines, ranks", at=(lines, ranks)):
                 sent = max(sum(counts.get(name, (0, 0))[1] for name in ("Send", "Isend")) for counts in runs)
                 self.assertLess(sent, 0.02 * 3 * lines * ELEMENT)
+
+
+@unittest.skipIf("ASAN_OPTIONS" in os.environ, "the sanitizers must be loaded first")
+class LinesOnVolumes(unittest.TestCase):
+    def test_a_step(self):
+        """Collective calls of steps in which one line needs a warning of its edge, and the bytes in them, do not increase with
+        the lines on volumes or the ranks; on one rank there are none."""
+        with tempfile.TemporaryDirectory() as folder:
+            case, found = Path(folder) / "case.yaml", {}
+            for ropes in (FEW_ROPES, 4 * FEW_ROPES):
+                for ranks in (1, 2, 4):
+                    runs = []
+                    for steps in (1, 1 + STEPS):
+                        case.write_text(farm.edges(ropes, 0.05 * steps, 0.05, 0.05 * steps), "utf-8")
+                        runs.append(farm.collectives(farm.counted(HAWSER, COUNTER, ranks, case, folder)))
+                    found[ropes, ranks] = [(b - a) / STEPS for a, b in zip(*runs)]
+        print("lines on volumes, ranks: collective calls and bytes of a step", found)
+        for ropes, ranks in found:
+            calls, size = found[ropes, ranks]
+            with self.subTest("ropes, ranks", at=(ropes, ranks)):
+                self.assertLessEqual(calls, 1.2 * found[FEW_ROPES, 2][0] if ranks > 1 else 0)
+                self.assertLessEqual(size, 1.2 * found[FEW_ROPES, 2][1] if ranks > 1 else 0)
+                self.assertLessEqual(size, MOST_BYTES_ON_VOLUMES)
+
+    def test_steps_with_impacts(self):
+        """Ranks do not exchange data of each line that has an impact on a volume."""
+        with tempfile.TemporaryDirectory() as folder:
+            case, sent = Path(folder) / "case.yaml", []
+            for ropes in (FEW_FALLING, 4 * FEW_FALLING):
+                case.write_text(farm.edges(ropes, 0.02, 0, 0.02, falling=True), "utf-8")
+                sent.append(farm.counted(HAWSER, COUNTER, 2, case, folder)["Allreduce"][1])
+            print("bytes in the reductions of steps with impacts", sent)
+            self.assertLess(sent[1], 1.2 * sent[0])
 
 
 if __name__ == "__main__":

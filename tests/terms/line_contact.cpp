@@ -216,7 +216,7 @@ TEST(LineContact, StepsFollowImpacts) {
     for (const ImpactEvent& impact : to.list) line.impact_energy += impact.energy();
     const auto alone = [](std::span<double>) {};
     return std::min(to.longest,
-                    impact_limited_step(to.list, energy_tolerance({&line, 1}), 10, alone).longest);
+                    impact_limited_step(to.list, energy_tolerance({&line, 1}, 1), 10, alone).longest);
   };
   EXPECT_EQ(longest(0.2, 0), infinite);
   EXPECT_EQ(longest(0.2, -1), infinite);

@@ -34,8 +34,8 @@ std::string warning(double half, int steps, double rest = 0, bool damped = false
   for (int k = 0; k <= steps; ++k) {
     const double way = M_PI * k / steps;
     const std::vector<double> tension(3, rest + (1000 - rest) * std::max(std::sin(way), 0.0));
-    const std::vector<Snaps::VolumePassage> over{{across, 1 + h * k - 1e-3}};
-    snaps.update(1 + h * k, k == 0 ? 0 : h, tension, tension, over);
+    const PerLine<Snaps::VolumePassage> over(sim.local(), {across, 1 + h * k - 1e-3});
+    snaps.update(1 + h * k, k == 0 ? 0 : h, tension, tension, &over);
   }
   return snaps.warning(0, "sling", 1000, damped, true);
 }

@@ -114,6 +114,8 @@ struct LineMotion {
     kinetic += 0.5 * m * velocity.squaredNorm();
   }
   double energy() const;
+  // True if its impacts matter beside its energy.
+  bool has_impacts() const;
 };
 
 // Sums the numbers over all ranks, in place.
@@ -127,14 +129,14 @@ struct StoredMotion {
 };
 
 // Energy error of impacts allowed in a step, by line, J: kErrorOfStep of the line's energy times the number
-// of lines whose impacts have more than that. `lines` are summed over all ranks.
+// of lines of the model that have impacts.
 constexpr double kErrorOfStep = 2e-5;
-std::vector<double> energy_tolerance(std::span<const LineMotion> lines);
+std::vector<double> energy_tolerance(std::span<const LineMotion> lines, int lines_with_impacts);
 
 // Longest step [s] after one of `last` [s] for which the energy stored in A grows by no more than the
 // tolerance. That energy is proportional to the square of the step and would be released as motion. At least
-// twice `last`, because each step damps what the next one would add. stored: by line, the sums of LineMotion
-// over all ranks with the accelerations A in place of the velocities.
+// twice `last`, because each step damps what the next one would add. stored: by line, its LineMotion
+// with the accelerations A in place of the velocities.
 double growth_limited_step(std::span<const LineMotion> stored, std::span<const double> energy_tolerance,
                            double factor, double last);
 

@@ -11,6 +11,7 @@
 #include "hawser/advice/long_elements.hpp"
 #include "hawser/base/exchange.hpp"
 #include "hawser/mesh/local_mesh.hpp"
+#include "hawser/mesh/per_line.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/record/pressed_part.hpp"
 #include "hawser/record/recording.hpp"
@@ -31,10 +32,10 @@ class EdgeErrors : public Recording {
   // Ranks that share a line exchange one summary per part that a rank owns. Collective.
   void update(const Kinematics& state, const Values& values);
   // Sentence if the largest error so far [N] exceeds the allowed fraction of the given tension [N]; else
-  // empty.
+  // empty. For a line of this rank.
   std::string warning(int line, double largest_tension) const;
 
-  std::span<const Snaps::VolumePassage> volume_passages() const { return passages_; }  // by line
+  const PerLine<Snaps::VolumePassage>& volume_passages() const { return passages_; }
 
   void declare(Declarations& to) override;
   void step(const Snapshot& s) override;
@@ -50,26 +51,28 @@ class EdgeErrors : public Recording {
     int line = 0, rank = 0;
     int first = 0, last = 0;  // node numbers of the mesh
   };
+  struct OfLine {
+    advice::LongElements at;     // largest error so far
+    double turn_of_element = 0;  // rad, sum over both ends of an element there
+    double tension = 0;          // N, largest so far under contact with volumes
+    double reported = 0;         // N, error already reported
+  };
   std::vector<PressedTurn> turns(const Kinematics& state, const Values& values) const;
   const model::LineType& type_at(int node) const;  // type of the element after the node
   void update_worst(int line, const PressedPart& of_line, double time);
-  void gather();
+  static bool exceeds(const OfLine& of_line, double largest_tension);
+  static std::string warning(const std::string& name, const OfLine& of_line, double largest_tension);
 
   MPI_Comm comm_;
   const model::Case& case_;
   const LocalMesh& mesh_;
-  std::vector<NodesOfLine> pieces_;     // of lines with nodes on this rank, in the order of nodes
+  // Of lines with nodes on this rank that volumes may press on, in the order of nodes.
+  std::vector<NodesOfLine> pieces_;
   IndicesByRank shared_;                // indices of pieces of the same lines on other ranks
   std::vector<Neighbours> neighbours_;  // by owned node
-  struct Worst {
-    advice::LongElements at;
-    double turn_of_element = 0;  // rad, sum over both ends of an element
-  };
-  // By line; valid where this rank owns nodes of the line, and on all ranks after gather().
-  std::vector<Worst> worst_;
-  std::vector<double> tension_;   // N, by line: largest so far under contact with volumes
-  std::vector<double> reported_;  // by line, N: error already reported
-  std::vector<Snaps::VolumePassage> passages_;
+  PerLine<OfLine> lines_;               // the same on all ranks that share a line
+  std::vector<int> pressed_;            // lines of this rank in contact after the last step, ascending
+  PerLine<Snaps::VolumePassage> passages_;
   std::vector<std::string> new_warnings_;
   int force_ = -1, friction_ = -1, before_ = -1, after_ = -1;  // indices of fields
 };

@@ -44,7 +44,7 @@ class Recorder {
 
   const Audit& audit() const { return audit_; }
   std::string audit_warning() const;  // Audit::warning with the names of this case
-  // Warnings since the last call to be reported before the run ends; the same on all ranks.
+  // Warnings since the last call to be reported before the run ends; on rank 0 at least.
   std::vector<std::string> remarks();
   // Clash report as text, on rank 0 after finish(); empty: no clashes.
   std::string clash_table() const;

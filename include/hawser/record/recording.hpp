@@ -107,7 +107,7 @@ class Recording {
   virtual void points(const Snapshot&, io::ContactRows&) {}
   // Adds a row for each series that it declared; after step(), for steps in histories.
   virtual void rows(const Snapshot&, Rows&) {}
-  // Sentences for the user since start() or step(), before the run ends; the same on all ranks.
+  // Sentences for the user since start() or step(), before the run ends; on rank 0 at least.
   virtual std::vector<std::string> remarks() { return {}; }
   // Updates data that the file has once.
   virtual void write(io::ResultsFile& file) { (void)file; }

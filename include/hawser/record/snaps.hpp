@@ -28,9 +28,9 @@ class Snaps {
     double passage = 0, time = 0;  // s, transverse wave through the slowest of these cables; s, when
   };
   // By owned node: effective tension towards end A and towards end B, N. After every step of h [s]; 0: at the
-  // start. passages: by line, the last contact with a volume; empty: no volumes.
+  // start. passages: the last contact with a volume; null: no volumes.
   void update(double time, double h, std::span<const double> before, std::span<const double> after,
-              std::span<const VolumePassage> passages = {});
+              const PerLine<VolumePassage>* passages = nullptr);
   // Combines the ranks after the last step. Collective.
   void gather(MPI_Comm comm);
   // Sentence if the largest tension [N] of a line is such a peak; else empty. damped: much axial vibration

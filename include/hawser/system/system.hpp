@@ -162,7 +162,13 @@ class System {
   void size_arrays();
   void sum(std::span<double> values) const;  // sums over the ranks, in place
   std::vector<LineMotion> motions(const Kinematics& state, const StoredMotion& stored) const;
-  void sum_cut_lines(std::initializer_list<std::span<double>> all) const;
+  // all: arrays with equally many numbers for each line. Every rank gets the sums over the ranks for some
+  // lines, which are the same on all ranks, and of `more`; numbers of other lines are unchanged.
+  void sum_lines(std::span<const int> lines, std::initializer_list<std::span<double>> all,
+                 std::span<double> more = {}) const;
+  void sum_cut_lines(std::initializer_list<std::span<double>> all) const {
+    if (!cut_.empty()) sum_lines(cut_, all);
+  }
   void reghost_ties();
   void with_frames(Couplings& c) const;
   // The blocks of the tangent in this rank's rows, sorted: row and column as local blocks. A node is coupled
@@ -196,7 +202,8 @@ class System {
   size_t lines_ = 0;                  // number of lines, plus one for each node of a body
   std::vector<int> cut_;              // lines of which several ranks own nodes; the same on all ranks
   std::vector<int> local_lines_;      // lines of which this rank owns nodes
-  // J by line, error of energy that impacts may cause in the coming step
+  // J by line, error of energy that impacts may cause in the coming step; known for the lines of this rank
+  // and for those of its impacts
   std::vector<double> energy_tolerance_;
   double round_off_ = 0, longest_element_ = 0;
 };

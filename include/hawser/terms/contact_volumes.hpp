@@ -129,7 +129,8 @@ class ContactVolumes {
   std::vector<ExcludedEnds> excluded_ends_;  // sorted by line and volume
   std::vector<RigidPose> poses_, start_poses_;
   MPI_Comm comm_;
-  std::vector<std::array<int, 3>> near_;  // element's nodes and body's node that may touch; all ranks
+  // Element's nodes and body's node that may touch, sorted: those of which this rank owns any.
+  std::vector<std::array<int, 3>> near_;
 };
 
 }  // namespace hawser
