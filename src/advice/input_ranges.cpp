@@ -9,6 +9,7 @@
 
 #include "hawser/advice/input_warnings.hpp"
 #include "hawser/model/farm.hpp"
+#include "hawser/model/radians.hpp"
 #include "hawser/model/schema.hpp"
 #include "unit_hint.hpp"
 
@@ -109,17 +110,9 @@ bool plain(const Value& v) {
   return q.status == Quantity::Status::ok;
 }
 
-// True for angles that are multiples of 15 degrees in radians to 1e-3, such as 1.57 and 3.14.
 bool written_in_radians(const Value& v) {
-  constexpr double kStep = M_PI / 12, kRounded = 1e-3;
   const Quantity q = parse_quantity(v.text, Dimension::none);
-  const double size = std::abs(q.si);
-  if (q.status != Quantity::Status::ok || size > 2 * M_PI * (1 + kRounded) ||
-      v.text.find('.') == std::string::npos)
-    return false;
-  const double steps = std::round(size / kStep);
-  // 0.25 to 0.27 could be one step of 0.2618; with so few digits a small angle in degrees is more likely.
-  return steps > 0 && std::abs(size - steps * kStep) < kRounded * size;
+  return q.status == Quantity::Status::ok && v.text.find('.') != std::string::npos && is_in_radians(q.si);
 }
 
 class Walk {

@@ -18,6 +18,7 @@
 #include "hawser/model/nearest.hpp"
 #include "hawser/model/packed_value.hpp"
 #include "hawser/model/place_platform.hpp"
+#include "hawser/model/radians.hpp"
 
 namespace hawser::io {
 
@@ -70,12 +71,37 @@ Value checked(const Value& root, const std::string& file) {
   return std::move(farm.items.front());
 }
 
+// Finds places at one position.
+class PlacesByPosition {
+ public:
+  // A place less than kSamePlace away that was added before; null: none, and this place is added.
+  const FarmPlace* add(const FarmPlace& place) {
+    const long long i = std::llround(place.x / kSamePlace), k = std::llround(place.y / kSamePlace);
+    for (long long a = i - 1; a <= i + 1; ++a)
+      for (long long b = k - 1; b <= k + 1; ++b)
+        if (const auto at = cells_.find({a, b});
+            at != cells_.end() && std::hypot(place.x - at->second.x, place.y - at->second.y) < kSamePlace)
+          return &at->second;
+    cells_.emplace(std::pair(i, k), place);
+    return nullptr;
+  }
+
+ private:
+  std::map<std::pair<long long, long long>, FarmPlace> cells_;  // key: position in units of kSamePlace
+};
+
 class Places {
  public:
   Places(const Value& v, const CaseSource& source, Farm& farm, FarmPart& part)
       : v_(v), source_(source), farm_(farm), part_(part), heading_(v["heading_deg"].number) {}
 
   void read() {
+    read_places();
+    note_radians();
+  }
+
+ private:
+  void read_places() {
     if (const Value* at = v_.find("at")) {
       for (size_t i = 0; i < at->items.size(); ++i) {
         std::vector<double> row;
@@ -99,7 +125,6 @@ class Places {
     }
   }
 
- private:
   std::string next_name() { return fmt::format("{}{}", v_["name"].text, ++count_); }
 
   void in_rows(const Value& v) {
@@ -123,17 +148,28 @@ class Places {
   void add(const Value& v, const std::string& name, const std::vector<double>& row,
            const std::string& where = "") {
     FarmPlace place{name, row[0], row[1], row.size() > 2 ? row[2] * kHeadingUnit : heading_};
+    if (row.size() > 2 && row[2] != 0) given_headings_.push_back(row[2]);
     if (std::max(std::abs(place.x), std::abs(place.y)) > kFarthestPlace)
       refuse(v, "{}{} is {:.4g} m from the origin; places are up to {:g} m from it", where, name,
              std::hypot(place.x, place.y), kFarthestPlace);
     if (!farm_.at.emplace(name, std::pair(farm_.parts.size(), part_.places.size())).second)
       refuse(v, "{}there is another place called '{}'; give one of the platforms a 'name'", where, name);
     if (farm_.at.size() > kMostPlaces) refuse(v, "{}there are more than {} places", where, kMostPlaces);
-    const auto [same, is_new] = known_.emplace(
-        std::pair(std::llround(place.x / kSamePlace), std::llround(place.y / kSamePlace)), name);
-    if (!is_new)
-      refuse(v, "{}{} is at the place of {}, ({:g}, {:g})", where, name, same->second, place.x, place.y);
+    if (const FarmPlace* same = known_.add(place))
+      refuse(v, "{}{} is at the place of {}, ({:g}, {:g})", where, name, same->name, place.x, place.y);
     part_.places.push_back(std::move(place));
+  }
+
+  // Notes headings that are all multiples of 15 deg if they are read as radians.
+  void note_radians() {
+    if (given_headings_.empty() ||
+        !std::all_of(given_headings_.begin(), given_headings_.end(), model::is_in_radians))
+      return;
+    const Value& at = v_[v_.find("at") ? "at" : "file"];
+    part_.notes.push_back(fmt::format(
+        "{}:{}: {}: headings of places are in degrees, and all of these are small, the first is "
+        "{:g} deg; if radians are meant, write {:.4g}",
+        source_.file, at.line, at.where, given_headings_.front(), given_headings_.front() / kHeadingUnit));
   }
 
   const Value& v_;
@@ -142,7 +178,8 @@ class Places {
   FarmPart& part_;
   const double heading_;  // rad
   int count_ = 0;
-  std::map<std::pair<long long, long long>, std::string> known_;
+  PlacesByPosition known_;
+  std::vector<double> given_headings_;  // in lists and files, other than 0
 };
 
 // Document of a platform, with its changes, checked.
@@ -160,6 +197,18 @@ std::shared_ptr<const Value> document(const Value& key, const FarmPart& part, co
     change_notes.push_back(part.file + ": " + std::move(note));
   model::check_structure(*tree, model::case_schema(), part.file, {{"line_types", types}});
   return tree;
+}
+
+// Notes the first position that platforms of different entries have in common.
+void note_shared_places(Farm& farm, const std::string& file) {
+  PlacesByPosition known;
+  for (FarmPart& part : farm.parts)
+    for (const FarmPlace& place : part.places)
+      if (const FarmPlace* same = known.add(place)) {
+        part.notes.push_back(fmt::format("{}: farm: {} is at the place of {}, ({:g}, {:g}); is it meant?",
+                                         file, place.name, same->name, place.x, place.y));
+        return;
+      }
 }
 
 }  // namespace
@@ -184,8 +233,10 @@ std::shared_ptr<const Farm> read_farm(const Value& root, const CaseSource& sourc
   for (const std::string& change : changes)
     if (changes_platform(change) && platform_change(change).first >= count)
       model::fail(source.file, 0, "",
-                  fmt::format("--set {}: there are {} platforms, from farm[0] to farm[{}]", change, count,
-                              count - 1));
+                  fmt::format("--set {}: {}", change,
+                              count == 1 ? "there is one platform, farm[0]"
+                                         : fmt::format("there are {} platforms, from farm[0] to farm[{}]",
+                                                       count, count - 1)));
   for (size_t k = 0; k < count; ++k) {
     const Value& entry = v.kind == Value::Kind::list ? v.items[k] : v;
     const Value& file = entry["of"];
@@ -202,6 +253,7 @@ std::shared_ptr<const Farm> read_farm(const Value& root, const CaseSource& sourc
     Places(entry, source, *farm, part).read();
     farm->parts.push_back(std::move(part));
   }
+  note_shared_places(*farm, source.file);
   return farm;
 } catch (const model::Refusal& r) {
   model::fail(source.file, r.line, r.where, r.what());
@@ -318,6 +370,7 @@ void place_platforms(const Value& root, const CaseSource& source, const SectionL
     const CaseSource platform_source{part.file, part.directory, source.comm, source.inputs, source.files};
     check_line_types(part, c);
     note_unused(part, root, c.notes);
+    c.notes.insert(c.notes.end(), part.notes.begin(), part.notes.end());
     model::Seabed bed;
     const model::Case platform = read_platform(part, platform_source, {}, c, bed);
     c.line_types = platform.line_types;

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <numbers>
 #include <sstream>
+#include <string_view>
 
 #include "hawser/base/error.hpp"
 #include "hawser/io/input_file.hpp"
@@ -19,6 +20,32 @@ namespace hawser::io {
 using model::refuse;
 using model::Value;
 namespace fs = std::filesystem;
+
+namespace {
+
+// True if a comma has no number before it but one after it. Commas at the end of a row are accepted: exports
+// of spreadsheets have them.
+bool misses_a_number(std::string_view row) {
+  bool open = true, missing = false;  // no number since the last comma; a comma without number was read
+  for (const char c : row) {
+    if (c == ',') {
+      missing = missing || open;
+      open = true;
+    } else if (c != ' ' && c != '\t' && c != '\r') {
+      if (missing) return true;
+      open = false;
+    }
+  }
+  return false;
+}
+
+// What to change in a file with a word that is no number. at_start: no number is before it.
+std::string_view table_hint(const std::string& word, bool at_start) {
+  if (word.find(';') != std::string::npos) return "; separate numbers by blanks or commas";
+  return at_start ? "; begin a line of titles with '#'" : "";
+}
+
+}  // namespace
 
 std::vector<std::vector<double>> read_rows(const std::string& path, const Value& at,
                                            std::vector<int>* lines) {
@@ -34,6 +61,7 @@ std::vector<std::vector<double>> read_rows(const std::string& path, const Value&
       line.erase(0, mark_length(line));
     }
     line = line.substr(0, line.find('#'));
+    if (misses_a_number(line)) refuse(at, "{}:{}: a number is missing before a comma", path, n);
     for (char& c : line)
       if (c == ',' || c == '\t' || c == '\r') c = ' ';
     std::vector<double> row;
@@ -44,7 +72,8 @@ std::vector<std::vector<double>> read_rows(const std::string& path, const Value&
         refuse(at, "{}:{}: {} is out of range; a number is 0 or between {:g} and {:g} in size", path, n,
                model::quote(w), model::kSmallest, model::kLargest);
       if (q.status != model::Quantity::Status::ok)
-        refuse(at, "{}:{}: {} is no finite number", path, n, model::quote(w));
+        refuse(at, "{}:{}: {} is no finite number{}", path, n, model::quote(w),
+               table_hint(w, rows.empty() && row.empty()));
       row.push_back(q.si);
     }
     if (row.empty()) continue;

@@ -229,8 +229,11 @@ class Checker {
     if (!is_name(name))
       bad(v, path,
           "{} is not a valid name; a name begins with a letter or digit and has up to 100 letters, digits, "
-          "'_', '-', '+' and inner blanks",
-          quote(name));
+          "'_', '-', '+' and inner blanks{}",
+          quote(name),
+          name.find('/') == std::string::npos || path.starts_with("farm")
+              ? ""
+              : "; parts at the places of a farm are described in the file of their platform");
   }
 
   void check_reference(Value& v, const Key& k, const std::string& path) {

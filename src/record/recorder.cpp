@@ -11,6 +11,7 @@
 #include "hawser/advice/input_warnings.hpp"
 #include "hawser/base/mpi.hpp"
 #include "hawser/base/packed_bytes.hpp"
+#include "hawser/model/farm.hpp"
 #include "hawser/record/audit_checkpoint.hpp"
 #include "hawser/record/clash_report.hpp"
 #include "hawser/record/output_times.hpp"
@@ -235,8 +236,9 @@ std::vector<io::SummaryRow> Recorder::gather_summary() {
     if (w.row != Warning::kWholeRun) w.row = place[w.row];
   std::stable_sort(warnings.begin(), warnings.end(),
                    [](const Warning& a, const Warning& b) { return a.row < b.row; });
-  warnings_.clear();
-  for (Warning& w : warnings) warnings_.push_back(std::move(w.text));
+  std::vector<std::string> texts;
+  for (Warning& w : warnings) texts.push_back(std::move(w.text));
+  warnings_ = model::notes_by_place(subject_.model, std::move(texts));
   return sorted;
 }
 

@@ -168,7 +168,7 @@ int check_case(MPI_Comm comm, const CheckOptions& options) {
     memory.moved = tried.moved;
     memory.measured = peak_memory() > before ? peak_memory() : memory_now();
     memory.of_files += file_memory_now();
-    fmt::print("{}\n", memory_sentence(memory, imbalance / ranks));
+    fmt::print("{}\n", memory_sentence(memory, imbalance, ranks));
     if (tried.moved)
       checkpoint = io::checkpoint_numbers(make_checkpoint(sim, recorder, Events(MPI_COMM_SELF, sim)));
   }

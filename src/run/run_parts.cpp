@@ -70,7 +70,7 @@ model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<Loa
     progress.print_notes(model::grouped_notes(c.notes));  // may explain the failure
     throw;
   }
-  progress.print_notes(met.sentences);
+  progress.print_notes(model::notes_by_place(c, std::move(met.sentences)));
   met.model.output.file = c.output.file;  // may be set by the command line
   return std::move(met.model);
 }

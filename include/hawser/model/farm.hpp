@@ -29,6 +29,7 @@ struct FarmPart {
   std::string directory;              // absolute, base of relative paths
   std::shared_ptr<const Value> tree;  // checked keys
   std::vector<FarmPlace> places;
+  std::vector<std::string> notes;  // on the places
 };
 
 struct Farm {

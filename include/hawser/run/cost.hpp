@@ -49,8 +49,7 @@ struct MemoryUse {
   bool moved = true;  // as in TrialRun
   double of_files = 0;
 };
-// "expected memory: about 0.9 GB", or of the rank with the largest work, its fraction of the total; 1: one
-// rank.
-std::string memory_sentence(const MemoryUse& use, double largest_part);
+// "expected memory: about 0.9 GB", or of the rank with the largest work, `imbalance` times the mean.
+std::string memory_sentence(const MemoryUse& use, double imbalance, int ranks);
 
 }  // namespace hawser::run
