@@ -38,18 +38,17 @@ ComplexVec6 WaveForceTable::at(double omega, double direction) const {
                   frequency_place(omega_, omega));
 }
 
-// The elevation at c is that at the origin times exp(-i k c.d) for a wave to the direction d, so that X of c
-// is X exp(i k c.d).
-ComplexVec6 WaveForceTable::at(double omega, double direction, const Eigen::Vector2d& kc) const {
-  const TablePlace row = direction_place(directions_, direction), column = frequency_place(omega_, omega);
-  const auto phase = [&kc](double towards) {
-    return std::polar(1.0, kc.x() * std::cos(towards) + kc.y() * std::sin(towards));
-  };
-  const auto at_centre = [&](size_t r) -> ComplexVec6 {
-    return phase(directions_[r]) * bilinear(values_, omega_.size(), {r, r, 0}, column);
-  };
-  return std::conj(phase(direction)) *
-         ((1 - row.weight) * at_centre(row.low) + row.weight * at_centre(row.high));
+// The elevation at c is that at the origin times exp(-i k c.d) for a wave to the direction d:
+//   X at c = X exp(i k c.d)
+WaveForceTable WaveForceTable::with_phases_at(const Eigen::Vector2d& c,
+                                              const std::vector<double>& numbers) const {
+  WaveForceTable out = *this;
+  for (size_t row = 0; row < directions_.size(); ++row) {
+    const double distance = c.x() * std::cos(directions_[row]) + c.y() * std::sin(directions_[row]);
+    for (size_t i = 0; i < omega_.size(); ++i)
+      out.values_[row * omega_.size() + i] *= std::polar(1.0, numbers[i] * distance);
+  }
+  return out;
 }
 
 ComplexVec6 WaveForceTable::by_direction(double omega, double direction) const {
@@ -71,17 +70,26 @@ ComplexVec6 DifferenceForceTable::at(double first, double second) const {
   return bilinear(values_, omega_.size(), frequency_place(omega_, first), frequency_place(omega_, second));
 }
 
+// F_ij at c = F_ij exp(i (k_i - k_j) c.d)
+DifferenceForceTable DifferenceForceTable::with_phases_at(double distance,
+                                                          const std::vector<double>& numbers) const {
+  DifferenceForceTable out = *this;
+  const size_t n = omega_.size();
+  for (size_t i = 0; i < n; ++i)
+    for (size_t j = 0; j < n; ++j)
+      out.values_[i * n + j] *= std::polar(1.0, (numbers[i] - numbers[j]) * distance);
+  return out;
+}
+
 PlatformWaves::PlatformWaves(const std::vector<WaveComponent>& sea, double heading,
-                             const Eigen::Vector2d& centre, const WaveForceTable& first,
-                             const WaveForceTable& mean, const DifferenceForceTable& difference,
-                             SecondOrder order)
+                             const WaveForceTable& first, const WaveForceTable& mean,
+                             const DifferenceForceTable& difference, SecondOrder order)
     : components_(sea),
       first_table_(first),
       mean_table_(mean),
       difference_table_(difference),
       order_(order),
-      heading_(heading),
-      centre_(centre) {
+      heading_(heading) {
   first_.assign(sea.size(), ComplexVec6::Zero());
   if (order_ == SecondOrder::full) add_full();
   turn_to(heading);

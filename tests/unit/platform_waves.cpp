@@ -62,7 +62,7 @@ TEST(PlatformWaves, FirstOrderLeadsTheCrest) {
   w.number = 0.06;
   w.x = std::cos(0.9);
   w.y = std::sin(0.9);
-  const PlatformWaves waves({w}, 0.9 - M_PI / 4, Eigen::Vector2d::Zero(), table, {}, {}, SecondOrder::none);
+  const PlatformWaves waves({w}, 0.9 - M_PI / 4, table, {}, {}, SecondOrder::none);
   const Complex X = 0.25 * (Complex(1, 2) + Complex(3, 4) + Complex(5, -6) + Complex(7, 8));
   const double t = 3.1, x = 12, y = -5;
   const double phase = 0.75 * t - 0.06 * (w.x * x + w.y * y) - 0.4;
@@ -73,7 +73,7 @@ TEST(PlatformWaves, FirstOrderLeadsTheCrest) {
 TEST(PlatformWaves, FullDriftIsTheDoubleSum) {
   const auto components = sea();
   const DifferenceForceTable table = difference();
-  const PlatformWaves waves(components, 0, Eigen::Vector2d::Zero(), {}, {}, table, SecondOrder::full);
+  const PlatformWaves waves(components, 0, {}, {}, table, SecondOrder::full);
   for (const double t : {0.0, 17.0, 230.5}) {
     Vec6 sum = Vec6::Zero(), average = Vec6::Zero();
     for (const WaveComponent& a : components)
@@ -90,7 +90,7 @@ TEST(PlatformWaves, FullDriftIsTheDoubleSum) {
 // sqrt(D_i D_j) if both have the same sign, else 0 (Standing, Brendling and Wilson 1987).
 TEST(PlatformWaves, NewmanIsTheDoubleSumOfRoots) {
   const auto components = sea();
-  const PlatformWaves waves(components, 0, Eigen::Vector2d::Zero(), {}, mean(), {}, SecondOrder::newman);
+  const PlatformWaves waves(components, 0, {}, mean(), {}, SecondOrder::newman);
   for (const double t : {0.0, 17.0, 230.5}) {
     Vec6 sum = Vec6::Zero();
     for (const WaveComponent& a : components)
@@ -105,29 +105,54 @@ TEST(PlatformWaves, NewmanIsTheDoubleSumOfRoots) {
   }
 }
 
-// Forces whose size varies linearly between the directions of the table, and whose phases are those of a
-// distant origin: they are interpolated exactly with the phases of the centre, and lose a third otherwise.
-TEST(PlatformWaves, InterpolatesAboutTheCentre) {
-  const Eigen::Vector2d kc(2.5, -1.5);
-  const auto force = [&](double direction) -> ComplexVec6 {
-    const double phase = kc.x() * std::cos(direction) + kc.y() * std::sin(direction);
-    return ComplexVec6::Constant((3 + direction) * std::polar(1.0, 0.4 - phase));
+// Forces whose size varies linearly with frequency and direction and whose phases are those of an origin at
+// -c: with phases at c they are interpolated exactly, and lose a third or more otherwise.
+TEST(PlatformWaves, InterpolatesWithPhasesAtTheCentre) {
+  const Eigen::Vector2d c(25, -15);
+  const auto number = [](double omega) { return omega * omega / 9.81; };
+  const auto at_centre = [](double omega, double direction) {
+    return ComplexVec6::Constant((3 + direction + omega) * std::polar(1.0, 0.4)).eval();
   };
-  const std::vector<double> directions = {0, 0.6, 1.2};
-  const WaveForceTable table({0.5}, directions, {force(0), force(0.6), force(1.2)});
-  for (const double direction : {0.0, 0.2, 0.3, 0.6, 0.9}) {
-    const ComplexVec6 expected = force(direction);
-    EXPECT_LT((table.at(0.5, direction, kc) - expected).norm(), 1e-14 * expected.norm()) << direction;
+  const auto phase = [&](double omega, double direction) {
+    return std::polar(1.0, -number(omega) * (c.x() * std::cos(direction) + c.y() * std::sin(direction)));
+  };
+  const std::vector<double> omega = {0.8, 1.2}, directions = {0, 0.6, 1.2};
+  std::vector<ComplexVec6> values;
+  for (const double b : directions)
+    for (const double w : omega) values.push_back(phase(w, b) * at_centre(w, b));
+  const WaveForceTable table(omega, directions, values);
+  const WaveForceTable moved = table.with_phases_at(c, {number(0.8), number(1.2)});
+  for (const double b : {0.0, 0.2, 0.6, 0.9})
+    for (const double w : {0.8, 0.95, 1.2})
+      EXPECT_LT((moved.at(w, b) - at_centre(w, b)).norm(), 1e-13 * at_centre(w, b).norm()) << w << " " << b;
+  EXPECT_LT(table.at(1.2, 0.9).norm(), 0.7 * at_centre(1.2, 0.9).norm());
+  EXPECT_LT(table.at(1, 0).norm(), 0.7 * at_centre(1, 0).norm());
+}
+
+// Difference-frequency forces with the phases of another point, in waves that are earlier there.
+TEST(PlatformWaves, DifferenceForcesWithPhasesAtAnotherPoint) {
+  const double distance = 40;
+  std::vector<double> numbers, omega;
+  for (int i = 0; i < 8; ++i) {
+    omega.push_back(0.35 + 0.15 * i);
+    numbers.push_back(omega.back() * omega.back() / 9.81);
   }
-  EXPECT_LT(table.at(0.5, 0.9).norm(), 0.7 * force(0.9).norm());
-  WaveComponent w;
-  w.omega = 0.5;
-  w.number = 0.1;
-  w.amplitude = 2;
-  w.x = std::cos(0.9);
-  w.y = std::sin(0.9);
-  const PlatformWaves waves({w}, 0, kc / w.number, table, {}, {}, SecondOrder::none);
-  EXPECT_LT((waves.at(0, 0, 0).first - w.amplitude * force(0.9).real()).norm(), 1e-13);
+  const DifferenceForceTable moved = difference().with_phases_at(distance, numbers);
+  // Components on the frequencies of the table, so that nothing is interpolated.
+  std::vector<WaveComponent> waves = sea();
+  waves.resize(8);
+  for (size_t i = 0; i < 8; ++i) {
+    waves[i].omega = omega[i];
+    waves[i].number = numbers[i];
+  }
+  const PlatformWaves at_origin(waves, 0, {}, {}, difference(), SecondOrder::full);
+  const PlatformWaves at_point(waves, 0, {}, {}, moved, SecondOrder::full);
+  for (const double t : {0.0, 3.0, 50.0}) {
+    const Vec6 expected = at_origin.at(t, 0, 0).slow;
+    const Vec6 found = at_point.at(t, distance * waves[0].x, distance * waves[0].y).slow;
+    EXPECT_LT((found - expected).norm(), 1e-3 * expected.norm()) << t;
+    EXPECT_GT((at_point.at(t, 0, 0).slow - expected).norm(), 0.1 * expected.norm()) << t;
+  }
 }
 
 // A body that turns to another heading has the wave forces of a body made at that heading, and the derivative
@@ -140,8 +165,8 @@ TEST(PlatformWaves, TurnsToAnotherHeading) {
   }
   const WaveForceTable table({0.4, 0.9, 1.4}, {0, 0.7, 1.5, 2.4, 3.3, 4.2, 5, 5.9}, values);
   for (const SecondOrder order : {SecondOrder::mean, SecondOrder::newman}) {
-    PlatformWaves turned(sea(), 0.1, Eigen::Vector2d::Zero(), table, table, {}, order);
-    const PlatformWaves made(sea(), 2.2, Eigen::Vector2d::Zero(), table, table, {}, order);
+    PlatformWaves turned(sea(), 0.1, table, table, {}, order);
+    const PlatformWaves made(sea(), 2.2, table, table, {}, order);
     EXPECT_GT((turned.at(3, 1, 2).first - made.at(3, 1, 2).first).norm(), 0.1);
     turned.turn_to(2.2);
     const auto a = turned.at(3, 1, 2), b = made.at(3, 1, 2);

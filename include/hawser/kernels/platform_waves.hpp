@@ -14,8 +14,8 @@ namespace hawser {
 using Complex = std::complex<double>;
 using ComplexVec6 = Eigen::Matrix<Complex, 6, 1>;
 
-// Table over frequency and direction: F = Re X a exp(i omega t) for the elevation a cos(omega t) at the
-// origin of the files; X in N/m and N (second order: N/m², N/m), body axes. Linear interpolation in the
+// Table over frequency and direction: F = Re X a exp(i omega t) for the elevation a cos(omega t) at a point
+// of the body; X in N/m and N (second order: N/m², N/m), body axes. Linear interpolation in the
 // complex plane, periodic in the direction, constant beyond the first and the last frequency.
 class WaveForceTable {
  public:
@@ -25,14 +25,15 @@ class WaveForceTable {
   WaveForceTable(std::vector<double> omega, std::vector<double> directions, std::vector<ComplexVec6> values);
   bool none() const { return values_.empty(); }
   ComplexVec6 at(double omega, double direction) const;
-  // Interpolates forces with the phases of another point between the directions, because those at a distant
-  // origin change too much from one direction to the next. kc: wave number times its position, body axes.
-  ComplexVec6 at(double omega, double direction, const Eigen::Vector2d& kc) const;
   // Derivative by the direction, 1/rad.
   ComplexVec6 by_direction(double omega, double direction) const;
   double lowest() const { return omega_.front(); }
   double highest() const { return omega_.back(); }
+  const std::vector<double>& omega() const { return omega_; }
   const std::vector<double>& directions() const { return directions_; }
+  // The same forces with the phases of the waves at another point, c from the origin [m, body axes].
+  // numbers: wave number of each frequency, 1/m.
+  WaveForceTable with_phases_at(const Eigen::Vector2d& c, const std::vector<double>& numbers) const;
 
  private:
   std::vector<double> omega_, directions_;
@@ -48,6 +49,10 @@ class DifferenceForceTable {
   DifferenceForceTable(std::vector<double> omega, std::vector<ComplexVec6> values);
   bool none() const { return values_.empty(); }
   ComplexVec6 at(double first, double second) const;
+  const std::vector<double>& omega() const { return omega_; }
+  // The same forces with the phases at another point. distance: from the origin along the direction of the
+  // waves, m; numbers: wave number of each frequency, 1/m.
+  DifferenceForceTable with_phases_at(double distance, const std::vector<double>& numbers) const;
 
  private:
   std::vector<double> omega_;
@@ -60,11 +65,9 @@ class PlatformWaves {
  public:
   PlatformWaves() = default;
   // first: first-order table, or none; mean: forces in regular waves divided by the square of the amplitude,
-  // or none; difference: for SecondOrder::full. heading: of the body from +x, rad. centre: of the waterplane,
-  // from the origin of the files [m], axes of the heading.
-  PlatformWaves(const std::vector<WaveComponent>& sea, double heading, const Eigen::Vector2d& centre,
-                const WaveForceTable& first, const WaveForceTable& mean,
-                const DifferenceForceTable& difference, SecondOrder order);
+  // or none; difference: for SecondOrder::full. heading: of the body from +x, rad.
+  PlatformWaves(const std::vector<WaveComponent>& sea, double heading, const WaveForceTable& first,
+                const WaveForceTable& mean, const DifferenceForceTable& difference, SecondOrder order);
 
   bool none() const { return components_.empty(); }
   // Sets the heading [rad] and recomputes the forces for it.
@@ -80,7 +83,7 @@ class PlatformWaves {
   struct Forces {
     Vec6 first = Vec6::Zero(), slow = Vec6::Zero();  // slow: second order without its mean
   };
-  // Forces at a time [s]; x, y: position of the body's origin for the phases of the waves, m.
+  // Forces at a time [s]; x, y: position of the point of the tables' phases, m.
   Forces at(double time, double x, double y) const;
 
  private:
@@ -98,7 +101,6 @@ class PlatformWaves {
   DifferenceForceTable difference_table_;
   SecondOrder order_ = SecondOrder::none;
   double heading_ = 0;
-  Eigen::Vector2d centre_ = Eigen::Vector2d::Zero();
   std::vector<ComplexVec6> first_;  // times the amplitude of the component
   std::vector<Mode> modes_;
   Vec6 mean_drift_ = Vec6::Zero();

@@ -37,6 +37,7 @@ class WaveField {
 
   bool none() const { return components_.empty(); }
   const std::vector<WaveComponent>& components() const { return components_; }
+  double depth() const { return depth_; }  // m; <= 0: infinite
   // z: from the still water. factor, rate: of a ramp, and its derivative, 1/s.
   WaveMotion at(const Vec3& x, double t, double factor = 1, double rate = 0) const;
   // Wave pressure over rho g [m]; above the surface it is the elevation. Without stretching the pressure
