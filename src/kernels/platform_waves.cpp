@@ -100,7 +100,7 @@ void PlatformWaves::turn_to(double heading) {
   const auto n = static_cast<Eigen::Index>(components_.size());
   for (size_t i = 0; i < components_.size() && !first_table_.none(); ++i) {
     const WaveComponent& w = components_[i];
-    first_[i] = w.amplitude * first_table_.at(w.omega, std::atan2(w.y, w.x) - heading, w.number * centre_);
+    first_[i] = w.amplitude * first_table_.at(w.omega, std::atan2(w.y, w.x) - heading);
   }
   mean_drift_ = mean_drift(heading).force;
   if (order_ != SecondOrder::newman) return;

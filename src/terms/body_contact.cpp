@@ -176,8 +176,8 @@ void BodyContact::contact_of_edge(const Pair& pair, const PairFrames& at, const 
     const double span = panel.to - panel.from;
     for (size_t k = 0; k < 2; ++k)
       if (ends[k])
-        moving[n++] = {*ends[k], weight * (k ? q.part : -q.part),
-                       weight * span * q.part * (k ? q.along : 1 - q.along)};
+        moving[n++] = {*ends[k], weight * q.in_panel.length_by_end(k == 1),
+                       weight * span * q.in_panel.weight * q.in_panel.xi_by_end(k == 1)};
     ContactRates rates;
     const ContactStart start =
         friction.law.active() ? start_of(pair, at, e, q.xi, n > 0 ? &rates : nullptr) : ContactStart();
