@@ -153,7 +153,7 @@ class Change {
       if (const std::string below = key.type == Type::map ? model::place_below(key, name) : "";
           !below.empty())
         meant = fmt::format("; did you mean '{}{}{}'?", path, path.empty() ? "" : ".", below);
-      if (key.type == Type::names && name.find('/') != std::string::npos)
+      if (key.type == Type::map_by_name && name.find('/') != std::string::npos)
         meant = "; to change a part of a platform of the farm, at all its places, begin with 'farm.of.'";
       known.resize(std::min<std::size_t>(known.size(), 20));
       refuse(path, "{} '{}'{} ({}: {})", key.type == Type::map_by_name ? "there is no" : "unknown key", name,
