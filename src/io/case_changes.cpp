@@ -154,7 +154,9 @@ class Change {
           !below.empty())
         meant = fmt::format("; did you mean '{}{}{}'?", path, path.empty() ? "" : ".", below);
       if (key.type == Type::map_by_name && name.find('/') != std::string::npos)
-        meant = "; to change a part of a platform of the farm, at all its places, begin with 'farm.of.'";
+        meant =
+            "; a part of a farm's platform changes at all its places, by 'farm.of.' before its key, or "
+            "'farm[1].of.' for the second entry of 'farm'";
       known.resize(std::min<std::size_t>(known.size(), 20));
       refuse(path, "{} '{}'{} ({}: {})", key.type == Type::map_by_name ? "there is no" : "unknown key", name,
              meant, key.type == Type::map_by_name ? "there are" : "allowed",

@@ -4,6 +4,9 @@
 #include <cmath>
 
 namespace hawser {
+namespace {
+constexpr int kHeadingOrder = 3;
+}
 
 template <int N>
 SlowPose<N> SlowPose<N>::at(const Vec3& pose) {
@@ -13,7 +16,7 @@ SlowPose<N> SlowPose<N>::at(const Vec3& pose) {
   return out;
 }
 
-// y_k' = c (y_(k-1) - y_k), y_0 = x, k = 1 ... N; slow pose y_N + (N/c) y_N'. With x = x_0 + u t
+// y_k' = c (y_(k-1) - y_k), y_0 = x, k = 1 ... N; slow pose y_n + (n/c) y_n', n the order. With x = x_0 + u t
 //   y_k(t) = x - k u/c + exp(-c t) sum_(j<k) (c t)^j/j! d_(k-j),   d_k = y_k(0) - x_0 + k u/c.
 template <int N>
 SlowPose<N> SlowPose<N>::after(const Vec3& pose, double h, double period) const {
@@ -33,9 +36,12 @@ SlowPose<N> SlowPose<N>::after(const Vec3& pose, double h, double period) const 
     out.delayed.template segment<3>(3 * (k - 1)) = sum;
   }
   const auto rate = [&](int k) { return Vec3(c * (y(out, k - 1) - y(out, k))); };
-  out.drift = rate(N);
-  out.speed = out.drift + N * (rate(N - 1) - rate(N));
-  out.place = y(out, N) + N / c * out.drift;
+  for (int i = 0; i < 3; ++i) {
+    const int n = i < 2 ? N : kHeadingOrder;
+    out.drift[i] = rate(n)[i];
+    out.speed[i] = rate(n)[i] + n * (rate(n - 1)[i] - rate(n)[i]);
+    out.place[i] = y(out, n)[i] + n / c * rate(n)[i];
+  }
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "hawser/base/error.hpp"
+#include "hawser/model/farm.hpp"
 #include "hawser/model/nearest.hpp"
 #include "hawser/model/packed_value.hpp"
 #include "hawser/model/schema.hpp"
@@ -225,15 +226,20 @@ class Checker {
     check_name_text(v, v.text, path);
   }
 
+  // True for the maps of parts that a farm copies.
+  static bool can_be_placed(const std::string& path) {
+    return std::find(std::begin(kPlaced), std::end(kPlaced), path) != std::end(kPlaced);
+  }
+
   void check_name_text(const Value& v, const std::string& name, const std::string& path) const {
     if (!is_name(name))
       bad(v, path,
           "{} is not a valid name; a name begins with a letter or digit and has up to 100 letters, digits, "
           "'_', '-', '+' and inner blanks{}",
           quote(name),
-          name.find('/') == std::string::npos || path.starts_with("farm")
-              ? ""
-              : "; parts at the places of a farm are described in the file of their platform");
+          name.find('/') != std::string::npos && can_be_placed(path)
+              ? "; parts at the places of a farm are described in the file of their platform"
+              : "");
   }
 
   void check_reference(Value& v, const Key& k, const std::string& path) {

@@ -1,6 +1,7 @@
 // The class PlatformWater: construction. Groups of bodies by their files, stiffness and buoyancy of each.
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "hawser/kernels/table_places.hpp"
@@ -29,6 +30,19 @@ PlatformWater::PlatformWater(const model::Case& c, const LocalMesh& mesh)
   renumber();
 }
 
+namespace {
+
+// The centre of the waterplane from the body's origin, m. If there is hardly a waterplane, its stiffness is
+// noise, and the centre of buoyancy takes its place. weight_density: rho g, N/m³.
+Eigen::Vector2d phase_point(const PlatformHydrostatics& h, double weight_density) {
+  constexpr double kSmall = 1e-3;  // of the area of a cube with the displaced volume
+  const double side = std::cbrt(h.buoyancy / weight_density);
+  if (h.stiffness(0, 0) > kSmall * weight_density * side * side) return model::waterplane_centre(h.stiffness);
+  return {h.arm_x, h.arm_y};
+}
+
+}  // namespace
+
 PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) const {
   const model::Body& b = c.bodies[body];
   const model::BodyMass& m = *b.mass;
@@ -51,7 +65,7 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
   p.added_quadratic_damping = h.quadratic_damping;
   // Interpolation between frequencies and directions is about the centre of the waterplane: phases at an
   // origin far from it would change too much from one to the next.
-  const Eigen::Vector2d centre = model::waterplane_centre(of_files.stiffness);
+  const Eigen::Vector2d centre = phase_point(of_files, sea_.density * sea_.gravity);
   p.phase_point << centre, 0;
   if (h.excitation && !sea_.waves.none()) p.waves = platform_waves(h, heading, h.in_file.head<2>() + centre);
   return p;

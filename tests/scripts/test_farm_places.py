@@ -83,7 +83,7 @@ class Places(unittest.TestCase):
 
     def test_parts_of_one_place(self):
         at = "{of: platform.yaml, at: [[0, 0], [600, 0]]}"
-        self.refused("there is no 'T1/west'; to change a part of a platform of the farm, at all its places, begin with 'farm.of.'",
+        self.refused("there is no 'T1/west'; a part of a farm's platform changes at all its places, by 'farm.of.' before its key, or 'farm[1].of.' for",
                      at, "--set", "lines.T1/west.sections[0].length=280")
         self.refused("--set farm[1].of.title=x: there is one platform, farm[0]", at, "--set", "farm[1].of.title=x")
         self.refused("farm.yaml:8: lines: 'T1/west' is not a valid name; a name begins with a letter or digit and has up to 100 "

@@ -297,7 +297,7 @@ TEST_F(FarmFiles, SetChangesThePlatform) {
   EXPECT_EQ(farm.change_notes.size(), 2u);
   EXPECT_NE(why_not(text, {"farm.of.lines.leg 7.sections[0].length=61"}).find("platform.yaml with --set"),
             std::string::npos);
-  EXPECT_NE(why_not(text, {"farm[1].of.title=x"}).find("there are 1 platforms"), std::string::npos);
+  EXPECT_NE(why_not(text, {"farm[1].of.title=x"}).find("there is one platform, farm[0]"), std::string::npos);
 }
 
 // Lengths found by targets apply to a single place.

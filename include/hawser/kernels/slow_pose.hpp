@@ -7,12 +7,13 @@
 
 namespace hawser {
 
-// Filter of order N, whose gain decreases with the power N - 1 of the frequency. Vectors contain x, y [m] and
-// heading [rad].
+// Filter of order N for x and y; its gain decreases with the power 1 - N of high frequencies, and is up
+// to 1.5 at lower ones (N = 5). The heading is filtered by third order, because mean forces depend on it: the
+// lag of their moment is negative damping, and grows with N. Vectors contain x, y [m] and heading [rad].
 template <int N>
 struct SlowPose {
   Vec3 place = Vec3::Zero();  // slow pose
-  Vec3 drift = Vec3::Zero();  // velocity of y_N: in uniform motion that of the slow pose, smoother
+  Vec3 drift = Vec3::Zero();  // velocity of the filtered pose: in uniform motion that of `place`, smoother
   Vec3 speed = Vec3::Zero();  // time derivative of `place`
   Vec3 last = Vec3::Zero();   // last pose of the body
   Eigen::Vector<double, 3 * N> delayed = Eigen::Vector<double, 3 * N>::Zero();  // y_1 ... y_N
@@ -39,6 +40,6 @@ struct SlowPose {
 };
 
 using ControllerPose = SlowPose<3>;  // of dynamic positioning: little delay
-using WavePose = SlowPose<5>;        // of wave forces: 0.5 % of motion with a tenth of the period
+using WavePose = SlowPose<5>;        // of wave forces: 0.05 % of motion with a tenth of the period
 
 }  // namespace hawser
