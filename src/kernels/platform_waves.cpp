@@ -70,26 +70,17 @@ ComplexVec6 DifferenceForceTable::at(double first, double second) const {
   return bilinear(values_, omega_.size(), frequency_place(omega_, first), frequency_place(omega_, second));
 }
 
-// F_ij at c = F_ij exp(i (k_i - k_j) c.d)
-DifferenceForceTable DifferenceForceTable::with_phases_at(double distance,
-                                                          const std::vector<double>& numbers) const {
-  DifferenceForceTable out = *this;
-  const size_t n = omega_.size();
-  for (size_t i = 0; i < n; ++i)
-    for (size_t j = 0; j < n; ++j)
-      out.values_[i * n + j] *= std::polar(1.0, (numbers[i] - numbers[j]) * distance);
-  return out;
-}
-
 PlatformWaves::PlatformWaves(const std::vector<WaveComponent>& sea, double heading,
-                             const WaveForceTable& first, const WaveForceTable& mean,
-                             const DifferenceForceTable& difference, SecondOrder order)
+                             const WaveForceTable& first, const Eigen::Vector2d& first_point,
+                             const WaveForceTable& mean, const DifferenceForceTable& difference,
+                             SecondOrder order)
     : components_(sea),
       first_table_(first),
       mean_table_(mean),
       difference_table_(difference),
       order_(order),
-      heading_(heading) {
+      heading_(heading),
+      first_point_(first_point) {
   first_.assign(sea.size(), ComplexVec6::Zero());
   if (order_ == SecondOrder::full) add_full();
   turn_to(heading);
@@ -100,7 +91,9 @@ void PlatformWaves::turn_to(double heading) {
   const auto n = static_cast<Eigen::Index>(components_.size());
   for (size_t i = 0; i < components_.size() && !first_table_.none(); ++i) {
     const WaveComponent& w = components_[i];
-    first_[i] = w.amplitude * first_table_.at(w.omega, std::atan2(w.y, w.x) - heading);
+    const double direction = std::atan2(w.y, w.x) - heading;
+    const double distance = first_point_.x() * std::cos(direction) + first_point_.y() * std::sin(direction);
+    first_[i] = w.amplitude * std::polar(1.0, -w.number * distance) * first_table_.at(w.omega, direction);
   }
   mean_drift_ = mean_drift(heading).force;
   if (order_ != SecondOrder::newman) return;

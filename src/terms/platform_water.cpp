@@ -136,7 +136,7 @@ const PlatformWater::KnownForces& PlatformWater::known_forces(const Group& g, do
     if (p.waves.none()) continue;
     const Vec3 place =
         p.follow_period > 0 ? Vec3(p.slow.place + (time - g.slow_time) * p.slow.drift) : p.potential.place;
-    const Vec3 origin = place + p.axes * p.phase_point;
+    const Vec3 origin = place + p.axes * p.file_origin;
     const PlatformWaves::Forces f = p.waves.at(time, origin.x(), origin.y());
     const auto first = 6 * static_cast<Eigen::Index>(i);
     now.first_order.segment<6>(first) = ramp * f.first;

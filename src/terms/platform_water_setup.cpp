@@ -51,6 +51,7 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
   Platform p;
   p.node = mesh_.mesh->body_node(body);
   p.arm = -m.centre;
+  p.file_origin = -h.in_file;
   p.body = body;
   p.potential.axes = p.axes = heading_axes(heading);
   p.follow_period = h.follow_period;
@@ -63,34 +64,28 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
   p.hydrostatics.level = p.potential.place.z();
   p.added_damping = h.damping + model::wave_drift_damping(h, sea_.waves.components());
   p.added_quadratic_damping = h.quadratic_damping;
-  // Interpolation between frequencies and directions is about the centre of the waterplane: phases at an
-  // origin far from it would change too much from one to the next.
-  const Eigen::Vector2d centre = phase_point(of_files, sea_.density * sea_.gravity);
-  p.phase_point << centre, 0;
-  if (h.excitation && !sea_.waves.none()) p.waves = platform_waves(h, heading, h.in_file.head<2>() + centre);
+  if (h.excitation && !sea_.waves.none())
+    p.waves =
+        platform_waves(h, heading, h.in_file.head<2>() + phase_point(of_files, sea_.density * sea_.gravity));
   return p;
 }
 
+// First-order forces are interpolated with their phases at `centre`: those at an origin far from it change
+// too much from one frequency or direction to the next.
 PlatformWaves PlatformWater::platform_waves(const model::BodyHydrodynamics& h, double heading,
                                             const Eigen::Vector2d& centre) const {
-  const auto numbers = [this](const std::vector<double>& omega) {
-    std::vector<double> out;
-    for (const double w : omega) out.push_back(wave_number(w, sea_.waves.depth(), sea_.gravity));
-    return out;
-  };
   const auto of_body = [&h](const std::vector<WaveForceTable>& tables) {
     return tables.empty() ? WaveForceTable() : tables[static_cast<size_t>(h.body) - 1];
   };
   WaveForceTable first = of_body(h.data->excitation);
-  if (!first.none()) first = first.with_phases_at(centre, numbers(first.omega()));
-  const WaveForceTable mean = of_body(h.data->drift);
-  DifferenceForceTable difference = h.data->difference;
-  if (!difference.none()) {
-    const double direction = mean.directions().front();
-    const double distance = centre.x() * std::cos(direction) + centre.y() * std::sin(direction);
-    difference = difference.with_phases_at(distance, numbers(difference.omega()));
+  if (!first.none()) {
+    std::vector<double> numbers;
+    for (const double omega : first.omega())
+      numbers.push_back(wave_number(omega, sea_.waves.depth(), sea_.gravity));
+    first = first.with_phases_at(centre, numbers);
   }
-  return {sea_.waves.components(), heading, first, mean, difference, h.second_order};
+  return {sea_.waves.components(), heading,       first, centre, of_body(h.data->drift),
+          h.data->difference,      h.second_order};
 }
 
 void PlatformWater::add_group(const model::Case& c, const std::vector<int>& bodies,

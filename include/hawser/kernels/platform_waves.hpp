@@ -49,10 +49,6 @@ class DifferenceForceTable {
   DifferenceForceTable(std::vector<double> omega, std::vector<ComplexVec6> values);
   bool none() const { return values_.empty(); }
   ComplexVec6 at(double first, double second) const;
-  const std::vector<double>& omega() const { return omega_; }
-  // The same forces with the phases at another point. distance: from the origin along the direction of the
-  // waves, m; numbers: wave number of each frequency, 1/m.
-  DifferenceForceTable with_phases_at(double distance, const std::vector<double>& numbers) const;
 
  private:
   std::vector<double> omega_;
@@ -66,8 +62,10 @@ class PlatformWaves {
   PlatformWaves() = default;
   // first: first-order table, or none; mean: forces in regular waves divided by the square of the amplitude,
   // or none; difference: for SecondOrder::full. heading: of the body from +x, rad.
+  // first_point: point of the phases of `first`, from that of the other tables, m, axes of the heading.
   PlatformWaves(const std::vector<WaveComponent>& sea, double heading, const WaveForceTable& first,
-                const WaveForceTable& mean, const DifferenceForceTable& difference, SecondOrder order);
+                const Eigen::Vector2d& first_point, const WaveForceTable& mean,
+                const DifferenceForceTable& difference, SecondOrder order);
 
   bool none() const { return components_.empty(); }
   // Sets the heading [rad] and recomputes the forces for it.
@@ -83,7 +81,7 @@ class PlatformWaves {
   struct Forces {
     Vec6 first = Vec6::Zero(), slow = Vec6::Zero();  // slow: second order without its mean
   };
-  // Forces at a time [s]; x, y: position of the point of the tables' phases, m.
+  // Forces at a time [s]; x, y: position of the point of the phases of `mean` and `difference`, m.
   Forces at(double time, double x, double y) const;
 
  private:
@@ -101,6 +99,7 @@ class PlatformWaves {
   DifferenceForceTable difference_table_;
   SecondOrder order_ = SecondOrder::none;
   double heading_ = 0;
+  Eigen::Vector2d first_point_ = Eigen::Vector2d::Zero();
   std::vector<ComplexVec6> first_;  // times the amplitude of the component
   std::vector<Mode> modes_;
   Vec6 mean_drift_ = Vec6::Zero();

@@ -68,8 +68,7 @@ class PlatformWater final : public ForceTerm,
     Mat6 added_damping = Mat6::Zero();
     Mat6 added_quadratic_damping = Mat6::Zero();
     PlatformWaves waves;
-    Vec3 phase_point =
-        Vec3::Zero();  // m, from the body's origin, axes of the heading: where phases are taken
+    Vec3 file_origin = Vec3::Zero();  // m, origin of the files from the body's origin, axes of the heading
     double damping_work = 0, wave_work = 0;  // J, over the accepted steps
     RigidBodyState last_iterate;             // in statics, at the last iteration
     Power power;                             // at the last accepted state
@@ -128,7 +127,7 @@ class PlatformWater final : public ForceTerm,
   void add_group(const model::Case& c, const std::vector<int>& bodies,
                  std::shared_ptr<const model::PlatformMemory> radiation);
   Platform platform(const model::Case& c, int body) const;
-  // centre: point of the phases from the origin of the files, m, axes of the heading.
+  // centre: of the waterplane from the origin of the files, m, axes of the heading.
   PlatformWaves platform_waves(const model::BodyHydrodynamics& h, double heading,
                                const Eigen::Vector2d& centre) const;
   static void find_modes(const model::Case& c, Group& g);
