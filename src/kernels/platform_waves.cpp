@@ -21,6 +21,11 @@ ComplexVec6 bilinear(const std::vector<ComplexVec6>& values, size_t columns, con
   return (1 - row.weight) * along(row.low) + row.weight * along(row.high);
 }
 
+// Distance of a point from the origin [m] along waves to a direction [rad].
+double distance_along(const Eigen::Vector2d& point, double direction) {
+  return point.x() * std::cos(direction) + point.y() * std::sin(direction);
+}
+
 }  // namespace
 
 WaveForceTable::WaveForceTable(std::vector<double> omega, std::vector<double> directions,
@@ -44,7 +49,7 @@ WaveForceTable WaveForceTable::with_phases_at(const Eigen::Vector2d& c,
                                               const std::vector<double>& numbers) const {
   WaveForceTable out = *this;
   for (size_t row = 0; row < directions_.size(); ++row) {
-    const double distance = c.x() * std::cos(directions_[row]) + c.y() * std::sin(directions_[row]);
+    const double distance = distance_along(c, directions_[row]);
     for (size_t i = 0; i < omega_.size(); ++i)
       out.values_[row * omega_.size() + i] *= std::polar(1.0, numbers[i] * distance);
   }
@@ -92,7 +97,7 @@ void PlatformWaves::turn_to(double heading) {
   for (size_t i = 0; i < components_.size() && !first_table_.none(); ++i) {
     const WaveComponent& w = components_[i];
     const double direction = std::atan2(w.y, w.x) - heading;
-    const double distance = first_point_.x() * std::cos(direction) + first_point_.y() * std::sin(direction);
+    const double distance = distance_along(first_point_, direction);
     first_[i] = w.amplitude * std::polar(1.0, -w.number * distance) * first_table_.at(w.omega, direction);
   }
   mean_drift_ = mean_drift(heading).force;

@@ -7,9 +7,10 @@
 
 namespace hawser {
 
-// Filter of order N for x and y; its gain decreases with the power 1 - N of high frequencies, and is up
-// to 1.5 at lower ones (N = 5). The heading is filtered by third order, because mean forces depend on it: the
-// lag of their moment is negative damping, and grows with N. Vectors contain x, y [m] and heading [rad].
+// Filter of order N for x and y. At high frequencies its gain decreases as omega^(1 - N); at low ones it is
+// up to 1.5 (N = 5). The heading is filtered by third order: mean forces depend on it, and the lag of their
+// moment acts as negative damping, which is larger for higher orders. Vectors contain x, y [m] and heading
+// [rad].
 template <int N>
 struct SlowPose {
   Vec3 place = Vec3::Zero();  // slow pose

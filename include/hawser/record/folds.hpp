@@ -36,8 +36,8 @@ class Folds {
     double ratio = 1;  // smallest chord over length while folded
     // s, end of the waves from its straightening; infinite: folded and not yet straight; 0: not folded.
     double until = 0;
-    double echo =
-        0;  // s, travel time of a wave along the line and back; 0: a beam or a fed line, not observed
+    // s, travel time of a wave along the line and back; 0: a beam or a fed line, not observed.
+    double echo = 0;
   };
   using Worst = advice::FoldedPeak;
   const LocalMesh& mesh_;
