@@ -1,6 +1,6 @@
 // The class LinePairPass: forces and couples summed over the Gauss points, with their exact tangent. A pass
 // integrates along one line and finds the nearest points on the other. terms/line_pairs.hpp lists the passes.
-// The law at a pair of points is in line_pair_law.cpp.
+// The law at a pair of points is in line_pair_law.cpp, the types of points in line_pair_point.hpp.
 #include <cmath>
 #include <limits>
 
@@ -44,7 +44,7 @@ auto columns(Matrix& m, size_t position) {
 
 }  // namespace
 
-// Rows of F in use, and the factor of each on the force or couple at a point.
+// Rows of AttachedForces::F in use, and the factor of each on the force or couple at a point.
 struct LinePairPass::Rows {
   std::array<size_t, kMaxRows> used;
   size_t count = 0;
@@ -82,7 +82,8 @@ LinePairPass::Rows LinePairPass::rows(const Point& p) const {
 
 // Derivatives of force and couple at a point.
 struct LinePairPass::Slopes {
-  Eigen::Matrix<double, 6, 3 * kMaxRows, Eigen::RowMajor> by_positions;  // and by rotations, as the rows of F
+  // Also by rotations, in the order of AttachedForces::F.
+  Eigen::Matrix<double, 6, 3 * kMaxRows, Eigen::RowMajor> by_positions;
   ByNumber by_xi, by_rate;  // by the position on the slave; by the rate of the gap
   bool foot_moves = false;  // the nearest point moves along the master:
   Gradient eta_by;          // d eta by the positions
@@ -166,7 +167,11 @@ struct LinePairPass::Slopes {
   return s;
 }
 
-// Moving end of a panel, and the change of the panel's forces as its Gauss points move along.
+// Moving end of a panel, and the change of the panel's forces as its Gauss points move along. With x at xi on
+// the slave, y, V on the master and n the normal from y to x, the end moves by
+//   dxi = -n . (dx - dy) / (n . x')                   where the gap is constant (End::gap);
+//   dxi = -[(dx - dV) . t + (x - V) . dt] / (x' . t)  where (x - V) . t = 0, at a joint V of the master; t is
+//                                                     its tangent there.
 struct LinePairPass::MovingEnd {
   bool moves = false;
   Gradient by_positions;             // derivative of its xi by the positions

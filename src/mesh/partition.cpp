@@ -247,7 +247,8 @@ NodeRanks partition(const Mesh& mesh, int ranks, std::span<const std::pair<int, 
   if (ranks == 1) return NodeRanks::all_of(mesh.nodes());
   NodeRanks uncoupled = owners(mesh, ranks, uncut, joins(mesh, {}));
   if (coupled.empty()) return uncoupled;
-  // METIS minimises the cost of cut edges; messages have the nodes at them.
+  // METIS minimises the cost of cut edges, but the size of messages is the number of shared nodes: the
+  // partition with fewer of these is taken.
   const std::vector<GraphEdge> all = joins(mesh, coupled);
   NodeRanks with_couplings = owners(mesh, ranks, uncut, all);
   return shared_nodes(mesh, all, with_couplings) < shared_nodes(mesh, all, uncoupled) ? with_couplings

@@ -10,6 +10,9 @@ namespace {
 // The local error is proportional to the cube of the step: h_new = kSafety h (tolerance/error)^(1/3)
 // (docs/theory/time-integration.md). The other factors: docs/decisions/006-step-control.md.
 constexpr double kSafety = 0.9, kGrow = 1.5, kShrink = 0.25;
+constexpr double kShrinkIfHard = 0.7;        // after many iterations
+constexpr double kShrinkIfInvalid = 0.5;     // after a step that was not solved or not valid
+constexpr double kShrinkIfInaccurate = 0.8;  // at least, after an inaccurate step
 constexpr int kPatience = 5;
 // After an impact, steps are at most kPartOfPeriod of the period of its contact for kPeriodsAfterImpact
 // periods. From then on the limit is that length plus the time since then, so that steps at the limit double
@@ -41,7 +44,7 @@ double StepControl::allowed_after_impact(double t) const {
 
 // Until the limit by the last impact allows steps of kPartOfPeriod times `period`, a softer contact (longer
 // period) does not replace that impact.
-void StepControl::after_impact(double t, double period) {
+void StepControl::limit_by_impact(double t, double period) {
   if (!std::isfinite(period) ||
       (impact_period_ > 0 && kPartOfPeriod * period > allowed_after_impact(t) * (1 + 1e-9)))
     return;
@@ -67,7 +70,7 @@ void StepControl::after_accepted_step(double h, int iterations, double error) {
   if (may_grow && fixed) factor = 2;  // back to the user's step
   if (!fixed) {
     if (may_grow && iterations <= s_.easy_iterations) factor = kGrow;
-    if (iterations > s_.hard_iterations) factor = 0.7;
+    if (iterations > s_.hard_iterations) factor = kShrinkIfHard;
     // The local error is proportional to the cube of the step.
     if (s_.error_tolerance > 0 && error > 0)
       factor = std::clamp(kSafety * std::cbrt(s_.error_tolerance / error), kShrink, factor);
@@ -79,9 +82,9 @@ void StepControl::after_accepted_step(double h, int iterations, double error) {
 
 bool StepControl::after_rejected_step(double h, Rejection why, double error) {
   if (is_shortest(h)) return false;
-  double factor = 0.5;
+  double factor = kShrinkIfInvalid;
   if (why == Rejection::inaccurate && s_.error_tolerance > 0)
-    factor = std::clamp(kSafety * std::cbrt(s_.error_tolerance / error), kShrink, 0.8);
+    factor = std::clamp(kSafety * std::cbrt(s_.error_tolerance / error), kShrink, kShrinkIfInaccurate);
   proposal_ = std::max(h * factor, s_.shortest);
   growth_wait_ = why == Rejection::invalid ? kPatience : 1;
   return true;

@@ -63,7 +63,7 @@ ContactForce BedContact::contact(const Point& p, const Kinematics& state, bool d
   if (convex) t.curvature.setZero();
   if (!touches) return {};
   if (state.moves()) t.velocity = of_nodes(p, state.v);
-  if (friction_ == Friction::contact && !(laid() && !laid_[index_of(p)].known()))
+  if (friction_ == FrictionMode::contact && !(laid() && !laid_[index_of(p)].known()))
     return surface_contact(law(p).law, start(p), t, derivatives);
   return surface_contact({law(p).law.normal, FrictionLaw{}}, start(p), t, derivatives);
 }
@@ -91,8 +91,8 @@ void BedContact::prepare(const Kinematics& from, double h) {
     if (laid()) {
       LaidReference& laid = laid_[index_of(p)];
       const double force = contact(p, from, false, at).along_normal.force;
-      if (friction_ == Friction::contact && laid.known()) laid.normal_force = force;
-      if (friction_ == Friction::pressed && force > 0) laid.normal = at.normal;
+      if (friction_ == FrictionMode::contact && laid.known()) laid.normal_force = force;
+      if (friction_ == FrictionMode::pressed && force > 0) laid.normal = at.normal;
       continue;
     }
     const Vec3 x = of_nodes(p, from.x);
@@ -135,11 +135,12 @@ void BedContact::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Point& p : points_) {
     ContactTrial at;
     Mat3 stabilisation = Mat3::Zero();
-    if (friction_ != Friction::none && laid() && laid_[index_of(p)].normal_force > 0) {
+    if (friction_ != FrictionMode::none && laid() && laid_[index_of(p)].normal_force > 0) {
       const PressedFriction f = pressed_friction_at(p, of_nodes(p, trial.x));
       if (needs_tangent) stabilisation = assembler.weights().stabilisation * (f.by_slip - f.secant);
       const Mat3 K = stabilisation - f.by_slip;
-      if (friction_ == Friction::pressed) add(p, -f.force, needs_tangent ? &K : nullptr, nullptr, assembler);
+      if (friction_ == FrictionMode::pressed)
+        add(p, -f.force, needs_tangent ? &K : nullptr, nullptr, assembler);
     }
     const ContactForce c = contact(p, trial, needs_tangent, at, convex);
     const Pull pulled = pull_of(law(p).suction, soil(p, trial), at.gap);
@@ -150,7 +151,7 @@ void BedContact::evaluate(const Kinematics& trial, Assembler& assembler) {
       continue;
     }
     const Mat3 K = pulled.by_lift * at.normal * at.normal.transpose() + pulled.force * at.curvature -
-                   c.by_point + (friction_ == Friction::contact ? stabilisation : Mat3::Zero()),
+                   c.by_point + (friction_ == FrictionMode::contact ? stabilisation : Mat3::Zero()),
                C = -c.by_velocity;
     add(p, residual, &K, trial.moves() ? &C : nullptr, assembler);
   }
@@ -265,7 +266,7 @@ Energy BedContact::energy(const Kinematics& state) const {
     ContactTrial trial;
     const ContactForce c = contact(p, state, false, trial);
     e.strain += c.along_normal.potential;
-    if (friction_ != Friction::none && laid())
+    if (friction_ != FrictionMode::none && laid())
       e.strain += pressed_friction_at(p, of_nodes(p, state.x)).potential;
   }
   return e;

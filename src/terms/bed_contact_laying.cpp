@@ -10,14 +10,14 @@ PressedFriction BedContact::pressed_friction_at(const Point& p, const Vec3& x) c
   const LaidReference& from = laid_[index_of(p)];
   if (!from.known()) return {};
   FrictionLaw law = this->law(p).law.friction;
-  if (firm_ && friction_ == Friction::pressed) law.stiffness = this->law(p).axial_stiffness;
+  if (firm_ && friction_ == FrictionMode::pressed) law.stiffness = this->law(p).axial_stiffness;
   return pressed_friction(law, from.normal_force, from.slip + (x - from.place), from.normal,
                           starts_[index_of(p)].direction, full_slip_);
 }
 
 void BedContact::lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm) {
   laid_.assign(points_.size(), {});
-  friction_ = Friction::pressed;
+  friction_ = FrictionMode::pressed;
   firm_ = firm;
   for (const Point& p : points_) {
     LaidReference& laid = laid_[index_of(p)];
@@ -53,7 +53,7 @@ void BedContact::use_contact_friction(const Kinematics& state) {
                               laid.normal, starts_[index_of(p)].direction);
     laid.place = x;
   }
-  friction_ = Friction::contact;
+  friction_ = FrictionMode::contact;
   full_slip_ = 0;
 }
 

@@ -67,7 +67,7 @@ std::array<AxisContact::Moving, 2> AxisContact::moving_ends(const ContactPanel& 
   return ends;
 }
 
-// Contact at a Gauss point. H: shape functions; force: on the line, space axes, N/m.
+// Contact at a Gauss point. H: shape functions; residual: minus the force on the line, space axes, N/m.
 struct AxisContact::Sample {
   double xi = 0, weight = 0;
   AxisShape::Weights H{};
@@ -75,11 +75,11 @@ struct AxisContact::Sample {
   ContactStart begin;
   ContactRates rates;  // of `begin`, if ends of the panel move
   ContactForce contact;
-  Vec3 force = Vec3::Zero();
+  Vec3 residual = Vec3::Zero();
 
   // Displacement of the line's surface per unit roll, m, body frame.
   Vec3 arm() const { return -trial.lever * begin.tangent.cross(trial.normal); }
-  double torque() const { return -arm().dot(contact.force); }  // N m/m
+  double torque() const { return -arm().dot(contact.force); }  // residual of the roll, N m/m
 };
 
 AxisContact::Sample AxisContact::sample(const QuadraturePoint& q, const ContactPanel& s,
@@ -104,7 +104,7 @@ AxisContact::Sample AxisContact::sample(const QuadraturePoint& q, const ContactP
   p.contact = surface_contact(law, p.begin, p.trial, mode_.tangent);
   if (!(p.contact.along_normal.force > 0)) return p;
   p.H = shape_.functions(p.xi);
-  p.force = -(R_ * p.contact.force);
+  p.residual = -(R_ * p.contact.force);
   return p;
 }
 
@@ -147,9 +147,10 @@ void AxisContact::add_panel(const ContactQuadrature& contact, size_t panel, cons
   }
 }
 
-// F_j += w H_j f,  K_jk += w H_j H_k ∂f/∂x,  C_jk += w H_j H_k ∂f/∂v
+// With the force f on the line:
+//   F_j -= w H_j f,  K_jk -= w H_j H_k ∂f/∂x,  C_jk -= w H_j H_k ∂f/∂v
 void AxisContact::add_sample(const Sample& p) {
-  for (size_t j = 0; j < n_; ++j) g_.F[j] += p.weight * p.H[j] * p.force;
+  for (size_t j = 0; j < n_; ++j) g_.F[j] += p.weight * p.H[j] * p.residual;
   const Mat3 by_point = p.contact.by_point - (mode_.moves ? 1.0 : 0.0) * p.contact.by_velocity * spin_;
   if (rolls_) add_rolling(p, by_point);
   if (!mode_.tangent) return;
@@ -163,7 +164,7 @@ void AxisContact::add_sample(const Sample& p) {
     }
 }
 
-// Contribution of a Gauss point to dF_j/ds at both ends of its panel, with F_j = w H_j(xi) f(xi). The ends
+// Contribution of a Gauss point to dF_j/ds at both ends of its panel, with F_j = -w H_j(xi) f(xi). The ends
 // determine w = L span weight and xi = from + span place, span = to - from. Torques likewise.
 void AxisContact::add_to_moving_ends(const ContactLaw& law, Sample& p, const QuadraturePoint& q, double span,
                                      std::array<Moving, 2>& ends) const {
@@ -184,15 +185,15 @@ void AxisContact::add_to_moving_ends(const ContactLaw& law, Sample& p, const Qua
     const double by_length = q.in_panel.length_by_end(i == 1),
                  by_xi = span * q.in_panel.weight * q.in_panel.xi_by_end(i == 1);
     for (size_t j = 0; j < n_; ++j)
-      ends[i].force[j] += L * ((by_length * p.H[j] + by_xi * dH[j]) * p.force + by_xi * p.H[j] * slope);
+      ends[i].force[j] += L * ((by_length * p.H[j] + by_xi * dH[j]) * p.residual + by_xi * p.H[j] * slope);
     for (size_t j = 0; j < 2 && rolls_; ++j)
       ends[i].torque[j] +=
           L * ((by_length * N[j] + (j ? by_xi : -by_xi)) * torque + by_xi * N[j] * torque_along);
   }
 }
 
-// A roll by da moves the line's surface by arm da, so the torque is -arm . f. It acts on the ends about the
-// axes `about_`.
+// A roll by da moves the line's surface by arm da, so the force f on the line does the work arm . f da, and
+// the residual of the roll is -arm . f. It acts on the ends about the axes `about_`.
 void AxisContact::add_rolling(const Sample& p, const Mat3& by_point) {
   const double w = p.weight, torque = p.torque();
   const AxisShape::Weights& H = p.H;

@@ -2,8 +2,9 @@
 // residual and tangent. The force acts on the element's nodes, the reaction on the floating body. evaluate()
 // calls, for each near pair:
 //   surface_contact()         force f at a point, df/dx, df/dv: kernels/surface_contact_law.cpp
-//   AxisContact::add_panel()  F_j = sum of w H_j f over the Gauss points of a panel, its derivatives K_jk and
-//                             C_jk, and those through the moving ends of the panel: contact_along_axis.cpp
+//   AxisContact::add_panel()  residual F_j = -sum of w H_j f over the Gauss points of a panel, its
+//   derivatives
+//                             K_jk and C_jk, and those through the moving ends: contact_along_axis.cpp
 //   Stencil::to_blocks()      chain rule from points x + R y of the axis to positions x and rotations R of
 //                             the nodes; for cables the identity: kernels/stencil.cpp
 #include "hawser/terms/line_volume_contact.hpp"

@@ -80,13 +80,13 @@ void PlatformWater::tabulate_lags(Group& g) {
   }
 }
 
-const double* PlatformWater::integrals_at(const Group& g, double lag, double* buffer, double* rate) {
+const double* PlatformWater::integrals_at(const Group& g, double lag, double* buffer, double* dS) {
   const size_t n = g.radiation->entries.size();
   const double m = std::round(lag / g.lag_step);
-  if (!rate && m < static_cast<double>(g.lags.size() / n) &&
+  if (!dS && m < static_cast<double>(g.lags.size() / n) &&
       std::abs(lag - m * g.lag_step) <= lag_tolerance(g.radiation->memory))
     return &g.lags[static_cast<size_t>(m) * n];
-  g.radiation->memory.integrals(lag, buffer, rate);
+  g.radiation->memory.integrals(lag, buffer, dS);
   return buffer;
 }
 

@@ -338,7 +338,7 @@ TEST(StepControl, AnImpactIsFollowed) {
   s.first = s.longest = 0.1;
   StepControl c(s);
   EXPECT_DOUBLE_EQ(c.next(0, 1, kNever), 0.1);
-  c.after_impact(1, 0.03);
+  c.limit_by_impact(1, 0.03);
   EXPECT_DOUBLE_EQ(c.next(1, 2, kNever), 0.01);
   EXPECT_DOUBLE_EQ(c.next(1, 2, 0.002), 0.002);
   EXPECT_NEAR(c.next(1.59, 1.69, kNever), 0.01, 1e-12);
@@ -350,12 +350,12 @@ TEST(StepControl, AnImpactIsFollowed) {
   EXPECT_NEAR(c.next(1.75, 1.85, kNever), 0.1, 1e-12);
   // A softer impact does not lengthen steps during the resolved time or while they grow; it has an effect
   // afterwards.
-  c.after_impact(1.2, 0.3);
-  c.after_impact(1.2, kNever);
+  c.limit_by_impact(1.2, 0.3);
+  c.limit_by_impact(1.2, kNever);
   EXPECT_DOUBLE_EQ(c.next(1.3, 2.3, kNever), 0.01);
-  c.after_impact(1.61, 0.15);
+  c.limit_by_impact(1.61, 0.15);
   EXPECT_NEAR(c.next(1.61, 1.71, kNever), 0.02, 1e-12);
-  c.after_impact(1.7, 0.15);
+  c.limit_by_impact(1.7, 0.15);
   EXPECT_DOUBLE_EQ(c.next(1.8, 2.8, kNever), 0.05);
   // The same after a restart.
   StepControl d(s);
@@ -434,7 +434,7 @@ TEST(StepControl, FixedStepsAreDividedAtImpactsByDefault) {
   s.resolve_impacts = false;
   StepControl strict(s);
   EXPECT_FALSE(strict.respects_term_limits());
-  strict.after_impact(0, 0.03);
+  strict.limit_by_impact(0, 0.03);
   EXPECT_DOUBLE_EQ(strict.next(0, 1, 0.04), 0.1);
 }
 

@@ -47,7 +47,7 @@ inline constexpr int kStatistics = 6;
 struct ResultSeries {
   std::string name;
   std::vector<ResultField> columns;
-  bool by_line = false;
+  bool by_line = false;  // each rank writes the columns of the lines of which it has end A
 };
 
 struct BodyPose {

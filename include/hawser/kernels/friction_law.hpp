@@ -1,6 +1,7 @@
 // Elastic-plastic anisotropic Coulomb friction of a point on a surface. The elastic slip is a vector in the
-// tangent plane, in the body's frame. The law is a pure function of this slip, the normal force and the axial
-// direction. It is a template of the scalar, for automatic differentiation.
+// tangent plane, in the axes of the caller: of the body for volumes, of space for the bed, of the contact for
+// two lines. The law is a pure function of this slip, the normal force and the axial direction. It is a
+// template of the scalar, for automatic differentiation.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,8 +26,8 @@ struct FrictionLaw {
   FrictionSpring spring = FrictionSpring::elliptic;
   double axial_kinetic = 0, lateral_kinetic = 0;  // coefficients at speeds far above the blend speed
   double blend_speed = 0;                         // m/s; 0: the coefficients at rest apply at every speed
-  // sqrt(kg), 2 zeta sqrt(m), for isotropic laws: sticking friction with the stiffness k has the damper c =
-  // damping sqrt(k).
+  // sqrt(kg), 2 zeta sqrt(mass), for isotropic laws: sticking friction with the stiffness k has the damper c
+  // = damping sqrt(k).
   double damping = 0;
 
   bool operator==(const FrictionLaw&) const = default;

@@ -1,4 +1,5 @@
-// Radiation force due to the past motion of a body (Cummins 1962), from its radiation damping:
+// Radiation force due to the past motion of a body (Cummins 1962), from its radiation damping. F is what the
+// motion needs; the water's force on the body is -F.
 //   F(t) = int_-inf^t K(t - s) v(s) ds,
 //   K(t) = (2/pi) int_0^inf B(omega) cos(omega t) d omega  (Ogilvie 1964)
 // For velocities that are linear between the times t_k with slopes a_k, and S'' = K, S(0) = S'(0) = 0,

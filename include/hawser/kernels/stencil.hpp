@@ -20,8 +20,9 @@ auto block_of(Matrix& m, size_t row, size_t column) {
   return m.template block<3, 3>(3 * static_cast<Eigen::Index>(row), 3 * static_cast<Eigen::Index>(column));
 }
 
-// Forces conjugate to positions [N], followed by couples conjugate to small rotations of nodes in space axes
-// [N m], with their derivatives by both and by the velocities of the positions.
+// Part of the residual: minus the forces on the positions [N], followed by minus the couples on nodes,
+// conjugate to their small rotations in space axes [N m], with their derivatives by both and by the
+// velocities of the positions.
 struct AttachedForces {
   static constexpr size_t kPositions = 8, kTurns = 4, kMaxRows = kPositions + kTurns;
   size_t positions;

@@ -26,7 +26,8 @@ using Values = std::vector<std::vector<double>>;  // by field, over this rank's 
 // Rows of a step, one per series.
 class Rows {
  public:
-  // Adds a row that is complete on this rank; empty if another rank has it.
+  // Adds a row that is complete on this rank; empty if another rank has it. Of a series by line: the values
+  // of this rank's lines.
   void add(std::vector<double> row) { rows_.push_back(std::move(row)); }
   // Adds this rank's part of a row, of equal length on all ranks; rank 0 gets the sum.
   void add_part(std::vector<double> part) {

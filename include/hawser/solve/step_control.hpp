@@ -31,10 +31,10 @@ class StepControl {
   double shortest_length() const { return s_.shortest; }  // s
   // Called when accelerations have jumped: the next step is at most the first one of the settings.
   void reset_to_first_step();
-  // Called after an impact at t on a contact with this period [s]. Steps stay below a third of the period for
-  // twenty periods, since the remaining vibration determines the next impact. From then on the limit grows by
-  // the time that has passed.
-  void after_impact(double t, double period);
+  // Called at the start t of each step with the period [s] of the contact that an impact has hit in the last
+  // step; infinite: no impact. Steps stay below a third of the period for twenty periods, since the remaining
+  // vibration determines the next impact. From then on the limit grows by the time that has passed.
+  void limit_by_impact(double t, double period);
   // True if a converged step of h with the local error `error` [m] is accurate enough. A step of the shortest
   // length always is.
   bool accurate(double h, double error) const;

@@ -60,7 +60,7 @@ class BedContact final : public ForceTerm, public HasFriction {
   std::vector<CheckpointRecord> checkpoint_records(NodeRange range) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
-  void enable_friction(bool on) override { friction_ = on ? Friction::contact : Friction::none; }
+  void enable_friction(bool on) override { friction_ = on ? FrictionMode::contact : FrictionMode::none; }
   // In statics, until the first time step, slip is counted from where the lines were laid, in two phases. In
   // the first phase (pressed) the normal force does not depend on the trial, so that friction has a
   // potential. It is the weight of the points on the bed at the start, later the contact force of the last
@@ -115,7 +115,7 @@ class BedContact final : public ForceTerm, public HasFriction {
     Vec3 point = Vec3::Zero(), direction = Vec3::UnitX();
     double gap = 0;
   };
-  enum class Friction { none, pressed, contact };
+  enum class FrictionMode { none, pressed, contact };
   // Reference of friction in statics: position, slip at this position, bed normal, and normal force at the
   // last iteration.
   struct LaidReference {
@@ -199,7 +199,7 @@ class BedContact final : public ForceTerm, public HasFriction {
   bool suction_ = false;                 // at least one point has suction
   std::vector<double> longest_element_;  // m, longest element at each local node
   LineNeighbours line_;
-  Friction friction_ = Friction::contact;
+  FrictionMode friction_ = FrictionMode::contact;
 };
 
 }  // namespace hawser

@@ -44,12 +44,12 @@ class AxisContact {
   AxisContact(const AxisShape& shape, const RigidPose& pose, double radius, double length,
               const AxisContactMode& mode, std::optional<Rolls> rolls = {});
 
-  // Adds the contact forces at the quadrature points of `contact`. `points`, if given, receives the contact
-  // points.
+  // Adds minus the contact forces on the line (its residual) at the quadrature points of `contact`. `points`,
+  // if given, receives the contact points.
   void add(const ContactQuadrature& contact, const PanelFunctions& functions,
            std::vector<AxisContactPoint>* points = nullptr);
-  // Adds the forces to the blocks to which the positions are attached: f[3n], K and C (3n)x(3n), row-major; K
-  // and C may both be null.
+  // Adds the residual to the blocks to which the positions are attached: f[3n], K and C (3n)x(3n), row-major;
+  // K and C may both be null.
   void to_blocks(const Stencil& stencil, double* f, double* K, double* C);
 
  private:

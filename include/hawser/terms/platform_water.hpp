@@ -89,8 +89,8 @@ class PlatformWater final : public ForceTerm,
   static void add_past(Group& g, double time, Eigen::VectorXd rate);
   // Computes the rows of Group::lags that accepted steps of one length have in common.
   static void tabulate_lags(Group& g);
-  // S of the memory at lag [s] by entry: a row of Group::lags, or evaluated to `buffer`; with `rate` also S'.
-  static const double* integrals_at(const Group& g, double lag, double* buffer, double* rate);
+  // S of the memory at lag [s] by entry: a row of Group::lags, or evaluated to `buffer`; with `dS` also S'.
+  static const double* integrals_at(const Group& g, double lag, double* buffer, double* dS);
   // Forces at a given time that do not depend on the trial state: of waves, and of the memory of accepted
   // steps. The memory of the current step adds memory_damping (rate - rate at its start).
   struct KnownForces {
@@ -110,9 +110,10 @@ class PlatformWater final : public ForceTerm,
     Eigen::ArrayXd squares;
     std::shared_ptr<const model::HydrodynamicData> data;
     std::vector<Past> past;
-    // Mean accelerations a_k of the theory, by step of `past` (0 before the first) and by entry of the
-    // memory: first for all columns, which act on the rows, then for all rows, which act on the columns (0 on
-    // the diagonal). Contiguous, because each step reads the whole memory.
+    // Mean accelerations of the theory, by row of `past` and by entry of the memory. Row k is a_k-1, of the
+    // step that ends at past[k]; row 0 is zero. In a row: first for all columns, which act on the rows, then
+    // for all rows, which act on the columns (0 on the diagonal). Contiguous, because each step reads the
+    // whole memory.
     std::vector<double> accelerations;
     // S of the memory at m lag_step [s], by m = 0, 1, ... and by entry, as far as accepted steps have that
     // length: they are the same in every step. lag_step is the length of the last accepted step, from the
