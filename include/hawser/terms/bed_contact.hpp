@@ -100,7 +100,8 @@ class BedContact final : public ForceTerm, public HasFriction {
       each("held by suction", "", self.soil.held);
     }
   };
-  // Energy dissipated so far at the points that this rank counts, J. The work of suction counts as damping.
+  // Energy that lines have lost so far at the points that this rank counts, J: to friction, including elastic
+  // slip, which may return it; to damping, including suction.
   struct Account {
     double friction = 0, damping = 0;
 
