@@ -195,7 +195,7 @@ void check_parts(const NumberTable& table, const NumberRow& row, size_t first, d
   const double scale = std::max(modulus, std::abs(parts));
   if (scale <= kSmall * largest || (modulus == 0 && phase == 0)) return;
   // A negative real number may have its modulus and the phase 0.
-  if (std::abs(parts - std::polar(modulus, phase * kRadPerDegree)) <= 2 * kRounded * scale) return;
+  if (std::abs(parts - modulus * std::polar(1.0, phase * kRadPerDegree)) <= 2 * kRounded * scale) return;
   if (parts.imag() == 0 && std::abs(std::abs(parts.real()) - std::abs(modulus)) <= kRounded * scale) return;
   refuse(table, row,
          fmt::format(

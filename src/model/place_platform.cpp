@@ -86,7 +86,8 @@ class Placing {
   // amplitude sin(w t + phase), by component, as the imaginary part of rotated complex amplitudes.
   void turn(Vec3& amplitude, Vec3& phase) const {
     if (!turned_) return;
-    const Eigen::Vector2cd a(std::polar(amplitude.x(), phase.x()), std::polar(amplitude.y(), phase.y()));
+    const Eigen::Vector2cd a(amplitude.x() * std::polar(1.0, phase.x()),
+                             amplitude.y() * std::polar(1.0, phase.y()));
     const double c = std::cos(place_.heading), s = std::sin(place_.heading);
     const std::complex<double> x = c * a.x() - s * a.y(), y = s * a.x() + c * a.y();
     amplitude.head<2>() = Eigen::Vector2d(std::abs(x), std::abs(y));
