@@ -24,6 +24,11 @@ std::string model_size(size_t nodes, int ranks, int cut_elements) {
   return ranks == 1 ? size : size + ", " + count_of(cut_elements, "cut element");
 }
 
+std::string one_rank_has_all() {
+  return "one rank has all nodes, since a line that may touch itself is not divided among ranks: more ranks "
+         "do not make the run faster; set 'contact: {between_lines: {self: false}}' to allow division";
+}
+
 std::string continuing_from(const std::string& file, double time) {
   return fmt::format("continuing from t = {:.6g} s of {}", time, file);
 }

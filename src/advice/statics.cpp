@@ -174,9 +174,4 @@ std::string statics_failed(const model::Case& c) {
                      fmt::join(ways, "; "), ways.empty() ? "" : "; ");
 }
 
-std::string one_rank_has_all() {
-  return "one rank has all nodes, since a line that may touch itself is not divided among ranks: more ranks "
-         "do not make the run faster; set 'contact: {between_lines: {self: false}}' to allow division";
-}
-
 }  // namespace hawser::advice

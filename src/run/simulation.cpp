@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "hawser/advice/contact_stiffness.hpp"
+#include "hawser/advice/run.hpp"
 #include "hawser/advice/statics.hpp"
 #include "hawser/advice/supports.hpp"
 #include "hawser/base/error.hpp"

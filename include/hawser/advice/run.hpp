@@ -11,6 +11,8 @@ namespace hawser::advice {
 // Restart of a case without dynamics.
 std::string restart_needs_dynamics(const model::Case& c);
 std::string model_size(size_t nodes, int ranks, int cut_elements);
+// One of several ranks has all nodes, because whole lines are not cut.
+std::string one_rank_has_all();
 std::string continuing_from(const std::string& file, double time);  // s
 std::string nothing_left();
 

@@ -52,7 +52,4 @@ std::string singular_mooring();
 // The most effective remedies for failed statics that this case does not use; docs/how-to/failing-runs.md.
 std::string statics_failed(const model::Case& c);
 
-// One of several ranks has all nodes, because whole lines are not cut.
-std::string one_rank_has_all();
-
 }  // namespace hawser::advice
