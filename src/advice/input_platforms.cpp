@@ -42,6 +42,11 @@ void warn_of_sea_of_platform(const Case& c, const Body& b, std::vector<InputWarn
     add_warning(out, key, Effect::all,
                 "its coefficients are those of linear waves: the wave of 'stokes' acts on it as a linear "
                 "one of the same height and period");
+  if (w.waves.kind == Waves::Kind::none && !b.mass->hydrodynamics->drift_damping.empty())
+    add_warning(
+        out, key + ".wave_drift_damping", Effect::part,
+        "has no effect, since it is multiplied by the squared amplitudes of the waves and the case has none: "
+        "'damping' acts in still water, too");
 }
 
 void warn_of_coefficients(const Case& c, const Body& b, std::vector<InputWarning>& out) {

@@ -1,10 +1,13 @@
-// Stability of an equilibrium: number of negative eigenvalues of its tangent by a factorisation.
+// Stability of an equilibrium: number of negative eigenvalues of its tangent by a factorisation; those of
+// bodies without the assumption that the tangent is symmetric.
 #include "hawser/solve/stability.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include "hawser/base/mpi.hpp"
 #include "hawser/math/types.hpp"
+#include "hawser/solve/linear_solver.hpp"
 #include "hawser/system/local_blocks.hpp"
 
 namespace hawser {
@@ -54,6 +57,94 @@ bool positive_definite_chains(Mat J) {
   if (const OtherColumns other(J); other.blocks) check(MatGetSize(other.blocks, nullptr, &others));
   if (on_any_rank(comm, others > 0)) return false;
   return !on_any_rank(comm, !positive_definite(symmetric_blocks(J).get()));
+}
+
+// Rows of the unknowns of all bodies in the global vectors, the same on all ranks.
+std::vector<int> rows_of_bodies(const System& system) {
+  const LocalMesh& mesh = system.mesh();
+  std::vector<int> own;
+  for (int n = 0; n < mesh.owned; ++n) {
+    if (mesh.node(n).body < 0) continue;
+    for (int k = 0; k < 6; ++k) own.push_back(3 * mesh.global_block[mesh.block[n] + k / 3] + k % 3);
+  }
+  return gather_all(system.comm(), own);
+}
+
+// Access to these rows of distributed vectors and matrices. Each function is collective.
+class BodyRows {
+ public:
+  BodyRows(const System& system, std::vector<int> rows)
+      : rows_(std::move(rows)), unit_(system.create_vector()), product_(system.create_vector()) {
+    check(VecGetOwnershipRange(unit_.get(), &first_, &end_));
+  }
+  Eigen::Index count() const { return std::ssize(rows_); }
+
+  // Sets v to the unit vector of the k-th of these rows.
+  void set_unit(Vec v, Eigen::Index k) const {
+    check(VecSet(v, 0));
+    if (owns(k)) check(VecSetValue(v, rows_[k], 1, INSERT_VALUES));
+    check(VecAssemblyBegin(v));
+    check(VecAssemblyEnd(v));
+  }
+  void clear(Vec v) const {
+    for (Eigen::Index k = 0; k < count(); ++k)
+      if (owns(k)) check(VecSetValue(v, rows_[k], 0, INSERT_VALUES));
+    check(VecAssemblyBegin(v));
+    check(VecAssemblyEnd(v));
+  }
+  // These rows of A v, on all ranks.
+  Eigen::VectorXd product(Mat A, Vec v) const {
+    check(MatMult(A, v, product_.get()));
+    std::vector<double> x(rows_.size(), 0);
+    for (Eigen::Index k = 0; k < count(); ++k)
+      if (owns(k)) check(VecGetValues(product_.get(), 1, &rows_[k], &x[k]));
+    all_reduce(PetscObjectComm(reinterpret_cast<PetscObject>(A)), MPI_SUM, x);
+    return Eigen::Map<Eigen::VectorXd>(x.data(), count());
+  }
+  // These rows and columns of A.
+  Eigen::MatrixXd block(Mat A) const {
+    Eigen::MatrixXd out(count(), count());
+    for (Eigen::Index k = 0; k < count(); ++k) {
+      set_unit(unit_.get(), k);
+      out.col(k) = product(A, unit_.get());
+    }
+    return out;
+  }
+  // Sets these rows and columns of A to those of the unit matrix.
+  void hold(Mat A) const {
+    std::vector<int> own;
+    for (Eigen::Index k = 0; k < count(); ++k)
+      if (owns(k)) own.push_back(rows_[k]);
+    check(MatZeroRowsColumns(A, static_cast<PetscInt>(own.size()), own.data(), 1, nullptr, nullptr));
+  }
+
+ private:
+  bool owns(Eigen::Index k) const { return rows_[k] >= first_ && rows_[k] < end_; }
+  std::vector<int> rows_;
+  VecHandle unit_, product_;
+  PetscInt first_ = 0, end_ = 0;
+};
+
+// Stiffness of the bodies' unknowns b while everything else, l, remains in equilibrium:
+//   J_ll x = -J_lb e, K e = J_bb e + J_bl x.
+// held: J with the bodies held.
+Eigen::MatrixXd condensed(const BodyRows& bodies, const System& system, Mat J, Mat held) {
+  KspHandle solver;
+  check(KSPCreate(system.comm(), solver.out()));
+  configure_linear_solver(solver.get(), system, "statics_");
+  check(KSPSetOperators(solver.get(), held, held));
+  const VecHandle total = system.create_vector(), push = system.create_vector(),
+                  answer = system.create_vector();
+  Eigen::MatrixXd K(bodies.count(), bodies.count());
+  for (Eigen::Index k = 0; k < bodies.count(); ++k) {
+    bodies.set_unit(total.get(), k);
+    check(MatMult(J, total.get(), push.get()));
+    bodies.clear(push.get());
+    check(KSPSolve(solver.get(), push.get(), answer.get()));
+    check(VecAXPY(total.get(), -1, answer.get()));
+    K.col(k) = bodies.product(J, total.get());
+  }
+  return K;
 }
 
 }  // namespace
@@ -114,6 +205,25 @@ int negative_pivots(Mat a) {
 int negative_eigenvalues(Mat J, bool chains) {
   if (chains && positive_definite_chains(J)) return 0;
   return negative_pivots(symmetric_part(J).get());
+}
+
+int unstable_directions(System& system, const Kinematics& state, Mat J) {
+  constexpr double kRounding = 1e-9;  // of the largest eigenvalue
+  const int negative = negative_eigenvalues(J, !system.coupled());
+  const BodyRows bodies(system, rows_of_bodies(system));
+  if (negative <= 0 || bodies.count() == 0) return negative;
+  MatHandle held;
+  check(MatDuplicate(J, MAT_COPY_VALUES, held.out()));
+  bodies.hold(held.get());
+  if (negative_eigenvalues(held.get()) != 0) return negative;
+  const MatHandle mass = system.create_matrix();
+  const std::vector<double> zero(3 * static_cast<size_t>(system.mesh().blocks()), 0);
+  system.tangent(state, {0, 0, 1}, zero, false, mass.get());
+  const Eigen::LLT<Eigen::MatrixXd> M(bodies.block(mass.get()));
+  if (M.info() != Eigen::Success) return negative;
+  const Eigen::MatrixXd K = condensed(bodies, system, J, held.get());
+  const Eigen::VectorXd squared = Eigen::MatrixXd(M.solve(K)).eigenvalues().real();
+  return static_cast<int>((squared.array() < -kRounding * squared.cwiseAbs().maxCoeff()).count());
 }
 
 }  // namespace hawser

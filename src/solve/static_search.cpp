@@ -51,7 +51,7 @@ StaticsReport StaticSearch::run(bool skip_softening) {
     tangent();
     // Frees the factors, so that they are not in memory together with those of the inertia.
     check(KSPReset(ksp_.get()));
-    report_.negative_eigenvalues = negative_eigenvalues(J_.get(), !system_.coupled());
+    report_.negative_eigenvalues = unstable_directions(system_, state_.at_rest(), J_.get());
     // Friction has an unsymmetric tangent; the inertia of its symmetric part does not decide on stability.
     if (settings_.starts_near || report_.negative_eigenvalues <= 0) break;
     // The same holds for drag. An equilibrium is therefore stable if relaxation returns to within the

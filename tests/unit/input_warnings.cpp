@@ -383,7 +383,8 @@ TEST(InputWarnings, NoTensionOfALineToABodyThatGivesWay) {
 }
 
 // Notes on a hemisphere of 5 m by coefficients, with wave forces at 5 and 6 s.
-std::vector<std::string> notes_of_platform(const std::string& environment, const std::string& inertia) {
+std::vector<std::string> notes_of_platform(const std::string& environment, const std::string& inertia,
+                                           const std::string& more = "") {
   const fs::path folder = fs::path(testing::TempDir()) / "hawser_warnings_platform";
   fs::create_directories(folder);
   for (const char* ending : {"1", "hst"})
@@ -393,8 +394,8 @@ std::vector<std::string> notes_of_platform(const std::string& environment, const
   const std::string text = "hawser: 1\nenvironment: {gravity: 9.81, water: {density: 1000, depth: 100}" +
                            environment +
                            "}\nbodies:\n  float: {floating: {mass: 261800, inertia: " + inertia +
-                           ", hydrodynamics: {wamit: " + (folder / "float").string() +
-                           ", length_scale: 5}}}\nstatics: false\ndynamics: {duration: 20}\n";
+                           ", hydrodynamics: {wamit: " + (folder / "float").string() + ", length_scale: 5" +
+                           more + "}}}\nstatics: false\ndynamics: {duration: 20}\n";
   return advice::input_notes(io::read_case_text(text, "float.yaml", {}, MPI_COMM_SELF));
 }
 
@@ -413,6 +414,11 @@ TEST(InputWarnings, Platforms) {
             std::vector<std::string>{});
   expect(notes_of_platform(", waves: {stokes: {height: 0.1, period: 5}}", sphere),
          "bodies.float.floating.hydrodynamics: its coefficients are those of linear waves");
+  const std::string drift_damping = ", wave_drift_damping: {rows: [[5, 100, 100, 100], [6, 100, 100, 100]]}";
+  expect(notes_of_platform("", sphere, drift_damping),
+         "bodies.float.floating.hydrodynamics.wave_drift_damping: has no effect, since it is multiplied by");
+  EXPECT_EQ(notes_of_platform(", waves: {regular: {height: 0.1, period: 5}}", sphere, drift_damping),
+            std::vector<std::string>{});
 }
 
 // 1154 kN and three elements of chain of 33 kN press on 100 kN/m³ times 0.25 m over 2 sqrt(H/k) = 15 m, with

@@ -1,8 +1,10 @@
-// Forces on bodies by tables of time: displacement and work of a free body, and statics.
+// Forces on bodies by tables of time: displacement and work of a free body, statics and its stability.
+#include <fmt/format.h>
+
 #include "../regression/runs.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/math/so3.hpp"
-#include "verification/dynamics_rig.hpp"
+#include "verification/platform_rig.hpp"
 
 namespace hawser::test::body_loads {
 namespace {
@@ -84,6 +86,48 @@ bodies:
   EXPECT_NEAR(from_owner(s, [&](size_t n) { return log_so3(s.state().q[n]).z(); }), angle, 1e-9);
   EXPECT_NEAR(from_owner(s, [&](size_t) { return s.system().energy(s.state().at_rest()).potential; }), 0,
               1e-9);
+}
+
+// A moment M about a fixed axis heels a barge. Pitch and yaw about it have the stiffness [[C, M], [0, k]], so
+// that only the sign of the yaw stiffness k decides on stability. The symmetric part would be positive
+// for k > M²/(4 C) = 2.5e4 N m/rad only. Slack chains, on one rank or two, change none of this.
+TEST(BodyLoads, MomentAboutAFixedAxisIsStable) {
+  const std::string stem =
+      platform_rig::coefficients("hawser_body_loads/barge", "3 3 100\n4 4 1000\n5 5 1000\n");
+  const auto statics = [&](double k, bool chains) {
+    std::string text = fmt::format(R"(hawser: 1
+environment: {{gravity: 10, water: {{density: 1000, depth: 100}}}}
+bodies:
+  barge:
+    floating:
+      mass: 1e6
+      inertia: [1e7, 1e7, 1e7]
+      hydrodynamics:
+        wamit: {}
+        place: [0, 0, 0]
+        stiffness: [[1e3, 0, 0, 0, 0, 0], [0, 1e3, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, {}]]
+      loads: [{{moment: [1e6, 0, 0]}}]
+)",
+                                   stem, k);
+    if (chains)
+      text += R"(
+line_types:
+  chain: {outer_diameter: 0.1, mass_per_length: 100, EA: 1e8, bending: false}
+lines:
+  port: {sections: [{type: chain, length: 130, elements: 20}], end_a: {anchor: [-80, 0, -99]}, end_b: {body: barge, at: [-0.1, 0, 0]}}
+  starboard: {sections: [{type: chain, length: 130, elements: 20}], end_a: {anchor: [80, 0, -99]}, end_b: {body: barge, at: [0.1, 0, 0]}}
+)";
+    return Simulation(PETSC_COMM_WORLD, io::read_case_text(text, testing::TempDir() + "barge.yaml"))
+        .solve_statics();
+  };
+  for (const bool chains : {false, true}) {
+    for (const double k : {4e4, 1e4, 1e3}) {
+      const StaticsReport report = statics(k, chains);
+      EXPECT_EQ(report.negative_eigenvalues, 0) << k;
+      EXPECT_EQ(report.escapes, 0) << k;
+    }
+    EXPECT_EQ(statics(-1e5, chains).negative_eigenvalues, 1);
+  }
 }
 
 }  // namespace

@@ -294,6 +294,49 @@ dynamics: {{duration: 13, step: 0.1}}
   EXPECT_LT((rest - link).head<2>().norm(), 0.02 * of(4).head<2>().norm());
 }
 
+// A submerged body, 1000 m³ about a point 40 m ahead of the origin of its files, has a surge force of
+// constant size and phase at that point: it is interpolated exactly between periods with the phases there, 40
+// k. The little heave stiffness of the files is noise, whose centre would be 20 m ahead.
+TEST(Platforms, WaveForcesOfASubmergedBodyHaveTheirPhasesAtTheCentreOfBuoyancy) {
+  const std::string stem =
+      coefficients("hawser_platform_submerged/body", "3 3 0.05\n3 5 -1\n4 4 5000\n5 5 5000\n4 6 -40000\n");
+  const double arm = 40;
+  const auto number = [](double omega) { return omega * omega / 10; };
+  if (rank_of(PETSC_COMM_WORLD) == 0) {
+    std::ofstream waves(stem + ".3");
+    for (const double omega : {1.2, 0.8}) {
+      const std::complex<double> X = 5.0 * std::polar(1.0, -number(omega) * arm);
+      waves << fmt::format("{:.17g} 0 1 0 0 {:.17g} {:.17g}\n", 2 * M_PI / omega, X.real(), X.imag());
+    }
+  }
+  MPI_Barrier(PETSC_COMM_WORLD);
+  for (const double omega : {0.8, 0.9, 1.0, 1.1}) {
+    const std::string text = fmt::format(R"(hawser: 1
+environment:
+  gravity: 10
+  water: {{density: 1000}}
+  waves: {{regular: {{height: 2, period: {:.17g}}}, ramp: 0}}
+bodies:
+  body: {{floating: {{mass: 1e6, inertia: [1e8, 1e8, 1e8], hydrodynamics: {{wamit: {}}}}}}}
+statics: false
+dynamics: {{duration: 1, step: 0.1}}
+)",
+                                         2 * M_PI / omega, stem);
+    Simulation s(PETSC_COMM_WORLD, io::read_case_text(text, testing::TempDir() + "submerged.yaml"));
+    Dynamics& d = s.dynamics();
+    d.start(s.state());
+    std::vector<double> surge(1, 0);
+    if (s.local().owns(s.local().find(s.mesh().body_node(0))))
+      for (const ReportsBodyForces* term : s.system().with<ReportsBodyForces>())
+        for (size_t i = 0; i < term->load_components(0).size(); ++i)
+          if (term->load_components(0)[i] == "wave")
+            surge[0] += term->forces_on(0, d.kinematics())[i].force.x();
+    all_reduce(PETSC_COMM_WORLD, MPI_SUM, surge);
+    // amplitude 1 m, rho g = 1e4 N/m³
+    EXPECT_NEAR(surge[0], 5e4 * std::cos(number(omega) * arm), 5e4 * 1e-5) << omega;
+  }
+}
+
 // A ship that rotates in waves, wind and current: after a restart its slow heading, memory, loads and forces
 // by component are exactly those of the uninterrupted run.
 TEST(Platforms, RestartGoesOnWithTheSlowHeading) {

@@ -1,4 +1,5 @@
 // Stability of an equilibrium: it is stable if the symmetric part of its tangent has no negative eigenvalue.
+// Forces without a potential can only make the reverse false (docs/theory/statics.md, "Stability").
 #pragma once
 
 #include "hawser/system/system.hpp"
@@ -20,5 +21,11 @@ int negative_pivots(Mat a);
 // cut between ranks and no lines meet at a joint (which causes fill), Cholesky's factorisation of a copy can
 // show that there are none without MUMPS. Collective.
 int negative_eigenvalues(Mat J, bool chains = false);
+
+// Number of directions in which an equilibrium with the tangent J is unstable. This is the number of negative
+// eigenvalues of its symmetric part, unless there are bodies and everything else is stable while they are
+// held: then it is that of the eigenvalues with a negative real part of M^-1 K, with the mass M of the bodies
+// and their stiffness K by static condensation, which need not be symmetric. -1: not known. Collective.
+int unstable_directions(System& system, const Kinematics& state, Mat J);
 
 }  // namespace hawser
