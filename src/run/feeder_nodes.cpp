@@ -269,7 +269,7 @@ void FeederNodes::save(io::Checkpoint& to) const {
 }
 
 void FeederNodes::restore(const io::Checkpoint& from, const std::string& path) {
-  const auto refuse = [&](const std::string& why) { return InputError(advice::cannot_go_on(path, why)); };
+  const auto refuse = [&](const std::string& why) { return InputError(advice::cannot_continue(path, why)); };
   size_t in_checkpoint = 0, in_case = sim_.feeders() ? sim_.feeders()->all().size() : 0;
   for (const auto& [name, value] : from.scalars)
     in_checkpoint += name.starts_with("feeder.") && name.ends_with(".feed_point");
