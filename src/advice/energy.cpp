@@ -31,7 +31,7 @@ std::string energy_created(const EnergyCreated& m, const std::string& where,
                            const std::string& initial_velocity_key) {
   const std::string text = fmt::format(
       "the steps created {:.3g} J of energy by t = {:.6g} s, {:.3g} % of the work done; the one of {:.3g} s "
-      "that ended at t = {:.6g} s made most of it, {:.3g} J, at {}: ",
+      "that ended at t = {:.6g} s created most of it, {:.3g} J, at {}: ",
       m.energy, m.until, 100 * m.energy / m.work, m.length, m.time, m.step_energy, where);
   if (!initial_velocity_key.empty())
     return text + fmt::format(

@@ -75,7 +75,7 @@ std::string equilibrium_differs(const std::string& body, double rise) {
 std::string turned_over(const std::string& body, double tilt) {
   return fmt::format(
       "body {} comes to rest turned over, {:.0f} deg from its initial attitude: it is unstable there, or "
-      "statics went past a heel at which it is stable; `hawser check` prints its metacentric heights; lower "
+      "statics passed a heel at which it is stable; `hawser check` prints its metacentric heights; lower "
       "its centre of mass, or start it near its heel by `rotation_deg`",
       body, tilt * 180 / M_PI);
 }

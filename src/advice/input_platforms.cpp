@@ -67,7 +67,7 @@ void warn_of_directions(const Case& c, const Body& b, std::vector<InputWarning>&
   const bool radians = directions.size() > 2 && directions.back() <= 2 * M_PI * M_PI / 180;
   add_warning(out, "bodies." + b.name + ".floating.hydrodynamics.follow_period", Effect::all,
               "the wave forces turn with the slow heading of the body, but the files have no direction "
-              "within {:.0f} deg: {}give files all round if the body yaws towards that gap, or "
+              "within {:.0f} deg: {}give files with all directions if the body yaws towards that gap, or "
               "'follow_period: 0'",
               gap, radians ? "are their directions in radians? They are read as degrees; " : "");
 }
@@ -228,11 +228,12 @@ void warn_of_positioning(const Body& b, std::vector<InputWarning>& out) {
   const std::string key = "bodies." + b.name + ".floating.positioning";
   for (int k = 0; k < 3; ++k)
     if (growth[k] > 0)
-      add_warning(out, key, Effect::all,
-                  "the control loop is unstable in {}: without other forces the motion grows e times in "
-                  "{:.3g} s; reduce 'proportional' or 'integral', increase 'derivative', or take a "
-                  "shorter 'filter_period'",
-                  kFreedomNames[kHorizontalFreedoms[k]], 1 / growth[k]);
+      add_warning(
+          out, key, Effect::all,
+          "the control loop is unstable in {}: without other forces the motion grows by a factor of e in "
+          "{:.3g} s; reduce 'proportional' or 'integral', increase 'derivative', or take a "
+          "shorter 'filter_period'",
+          kFreedomNames[kHorizontalFreedoms[k]], 1 / growth[k]);
 }
 
 }  // namespace

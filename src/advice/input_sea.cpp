@@ -142,7 +142,7 @@ void warn_of_current(const Case& c, const Line& line, std::vector<InputWarning>&
   const std::string far = bow < 0.1 ? fmt::format("about {:.2g} m sideways", bow * lies) : "far sideways";
   add_warning(out, "lines." + line.name, Effect::part,
               "{:.3g} m of it lie slack on the bed ({:.3g} kN), and in statics, where no friction acts "
-              "across a line before it is at rest, the current of {:.3g} m/s there bows them {}; with "
+              "across a line before it is at rest, the current of {:.3g} m/s there bends them {}; with "
               "'environment.current.ramp' the current begins in dynamics, where friction holds them",
               lies, a * weight / 1000, speed, far);
 }

@@ -43,7 +43,7 @@ std::string text_of(const LengthsTried& tried, const model::LengthTarget& t) {
   };
   std::string text;
   if (tried.range && tried.jumps)
-    text = fmt::format("; it jumps over that at {:.9g} m", *tried.jumps);
+    text = fmt::format("; at {:.9g} m it jumps past the target", *tried.jumps);
   else if (tried.range)
     text = fmt::format("; of the lengths tried, {:.6g} to {:.6g} m, it was between {} and {}",
                        tried.range->first.first, tried.range->last.first, at(tried.range->shortest),
@@ -96,7 +96,7 @@ std::string targets_do_not_settle() {
 }
 
 std::string length_of_other_run(const std::string& line, int section, double length) {
-  return fmt::format("line {}: section {} is {:.6f} m long, as the run found that this one goes on from",
+  return fmt::format("line {}: section {} is {:.6f} m long, as found by the run that this one continues",
                      line, section + 1, length);
 }
 

@@ -19,7 +19,7 @@ std::string faults_of(const MeshReport& report) {
   if (report.non_manifold_edges > 0)
     faults.push_back(count_of(report.non_manifold_edges, "edge") + " of more than two triangles");
   if (report.flipped_edges > 0)
-    faults.push_back(count_of(report.flipped_edges, "edge") + " between triangles turned opposite ways");
+    faults.push_back(count_of(report.flipped_edges, "edge") + " between triangles of opposite orientation");
   if (report.degenerate > 0) faults.push_back(count_of(report.degenerate, "triangle") + " of no area");
   if (faults.empty()) faults.emplace_back("normals that point into the solid");
   return fmt::format("{}", fmt::join(faults, ", "));
@@ -50,7 +50,7 @@ std::string mesh_summary(const MeshReport& r) {
     faults.push_back(count_of(r.non_manifold_edges, "edge joins", "edges join") + " more than two triangles");
   if (r.flipped_edges > 0)
     faults.push_back(count_of(r.flipped_edges, "edge lies", "edges lie") +
-                     " between triangles turned opposite ways");
+                     " between triangles of opposite orientation");
   if (r.closed && r.consistently_oriented && !r.outward) faults.push_back("normals point into the solid");
   if (r.degenerate > 0)
     faults.push_back(count_of(r.degenerate, "triangle has", "triangles have") + " no area");
@@ -67,7 +67,7 @@ std::string repaired(const RepairResult& done) {
                                " turned over (inside and outside found by counting the crossings of rays)";
   if (done.one_sided > 0)
     text += "; " + count_of(done.one_sided, "patch is", "patches are") +
-            " one-sided like a Möbius band and left as found";
+            " one-sided like a Möbius band and not changed";
   return text;
 }
 
@@ -88,7 +88,8 @@ std::string mesh_cannot_be_closed(const RepairResult& done) {
 
 std::string holes_not_filled(const RepairResult& done) {
   return fmt::format(
-      "holes are not filled: the inside is where the winding number is above 1/2, which holds behind {:.4g} "
+      "holes are not filled: the inside is where the winding number is above 1/2, which is true behind "
+      "{:.4g} "
       "% of the surface",
       100 * done.enclosing);
 }
@@ -96,7 +97,7 @@ std::string holes_not_filled(const RepairResult& done) {
 std::string mesh_not_closed(const MeshReport& report) {
   return fmt::format(
       "the mesh is not closed: {} open edges and {} edges of more than two triangles in {} triangles; the "
-      "volume says `closed: required`",
+      "volume has `closed: required`",
       report.open_edges, report.non_manifold_edges, report.triangles);
 }
 
@@ -105,7 +106,7 @@ std::string cracks_closed(const CrackResult& done) {
       "{} of open edges that lay up to {:.2g} m apart {} merged{}; {}", count_of(done.welded, "corner"),
       done.widest, done.welded == 1 ? "was" : "were",
       done.removed > 0 ? fmt::format(", which removed {}", count_of(done.removed, "triangle")) : "",
-      done.open_edges == 0 ? "no edge is open now"
+      done.open_edges == 0 ? "all edges are now closed"
                            : count_of(done.open_edges, "edge is", "edges are") + " still open");
 }
 
@@ -113,15 +114,15 @@ std::string duplicates_excluded(const DuplicateResult& done) {
   std::vector<std::string> parts;
   if (done.copies > 0)
     parts.push_back(count_of(done.copies, "triangle that is", "triangles that are") +
-                    " listed more than once excluded");
+                    " listed more than once, excluded");
   if (done.back_to_back > 0)
     parts.push_back(
-        fmt::format("{} triangles that lie back to back and bound nothing excluded", done.back_to_back));
+        fmt::format("{} triangles that lie back to back and enclose no volume, excluded", done.back_to_back));
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
 std::string flat_pieces_excluded(int pieces) {
-  return count_of(pieces, "piece") + " of no thickness excluded";
+  return count_of(pieces, "piece") + " without thickness excluded";
 }
 
 std::string only_flat_pieces() {

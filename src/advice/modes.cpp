@@ -16,11 +16,11 @@ std::string stiffness_needs_statics(const model::Case& c) {
 }
 
 std::string fewer_modes_converged(size_t count, size_t wanted) {
-  return fmt::format("modes: {} of {} eigenvalues have converged: ask for fewer", count, wanted);
+  return fmt::format("modes: {} of {} eigenvalues have converged: request fewer", count, wanted);
 }
 
 std::string modes_incomplete() {
-  return "modes: there are more natural frequencies than were found: ask for another number";
+  return "modes: there are more natural frequencies than were found: request another number";
 }
 
 std::string model_has_no_more_modes(size_t count) {

@@ -6,8 +6,8 @@
 
 namespace hawser::advice {
 
-std::string cannot_go_on(const std::string& file, const std::string& because) {
-  return fmt::format("cannot go on from {}: {}", file, because);
+std::string cannot_continue(const std::string& file, const std::string& because) {
+  return fmt::format("cannot continue from {}: {}", file, because);
 }
 
 std::string no_file() { return "there is no such file"; }
@@ -75,7 +75,7 @@ std::string not_fed_in_checkpoint(const std::string& end) { return end + " is no
 
 std::string changed_by_set(const std::string& text, const std::vector<std::string>& changes) {
   return fmt::format(
-      "{} (the case is changed by --set {}; a run that goes on may have another duration, other motions, "
+      "{} (the case is changed by --set {}; a continued run may have another duration, other motions, "
       "waves, loads, friction, steps and outputs, but not other lines, lengths, elements, links or volumes)",
       text, fmt::join(changes, " --set "));
 }
@@ -95,7 +95,7 @@ std::string event_before_restart(const model::Event& event, double time) {
 }
 
 std::string event_of_statics_missing(const model::Event& event) {
-  return fmt::format("{} is to be {} {}, and was not in the run that this one goes on from",
+  return fmt::format("{} is to be {} {}, and was not in the run that this one continues",
                      event.action.subject(), event.action.participle(), event.cause.text());
 }
 

@@ -51,7 +51,7 @@ std::string length_trial(int trial, const std::string& value) {
   return fmt::format("statics {} of the search for lengths: {}", trial, value);
 }
 
-std::string preparing_mesh(const std::string& file) { return fmt::format("making the mesh {} ready", file); }
+std::string preparing_mesh(const std::string& file) { return fmt::format("preparing the mesh {}", file); }
 
 std::string energy_of_run(const EnergyOfRun& e) {
   return fmt::format(

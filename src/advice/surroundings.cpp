@@ -31,7 +31,7 @@ void bed_and_water(const Case& c, std::vector<InputWarning>& out) {
   if (w.present && lowest > w.surface)
     add_warning(out, bed.surface ? "environment.seabed" : "environment.seabed.depth", Effect::all,
                 "all of the seabed is {:.4g} m or more above the water: z points up{}", lowest - w.surface,
-                bed.surface ? "; 'depths: true' is for a grid that counts downwards" : "");
+                bed.surface ? "; 'depths: true' is for a grid of depths, positive downwards" : "");
 }
 
 // Waves break when their height reaches the water depth.

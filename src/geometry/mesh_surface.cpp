@@ -141,7 +141,7 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
   const bool open = topo.odd_edges > 0 || topo.flipped_edges > 0;
   if (!options.open && topo.odd_edges > 0) refuse(std::to_string(topo.odd_edges) + " edges are open");
   if (!options.open && topo.flipped_edges > 0)
-    refuse(std::to_string(topo.flipped_edges) + " edges lie between triangles turned opposite ways");
+    refuse(std::to_string(topo.flipped_edges) + " edges lie between triangles of opposite orientation");
   if (!active.empty() && active.size() != mesh.triangles.size())
     throw std::invalid_argument("the active part has " + std::to_string(active.size()) + " flags for " +
                                 std::to_string(mesh.triangles.size()) + " triangles");

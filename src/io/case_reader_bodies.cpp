@@ -156,7 +156,7 @@ void read_load_table(const Value& table, const CaseSource& source, model::BodyLo
     const std::vector<double>& r = rows[i];
     if (r.size() != columns)
       model::refuse(at, "row {} has {} numbers, but row 1 has {}", i + 1, r.size(), columns);
-    check_time(given, i);
+    check_increase(given, i, "times", "s");
     Vec6 force = Vec6::Zero();
     for (size_t k = 1; k < columns; ++k) force[static_cast<Eigen::Index>(k) - 1] = r[k];
     load.table.emplace_back(r[0], force);

@@ -7,6 +7,7 @@
 
 #include "hawser/advice/input_warnings.hpp"
 #include "hawser/io/case_values.hpp"
+#include "hawser/model/increasing.hpp"
 #include "hawser/model/wave_components.hpp"
 
 namespace hawser::io {
@@ -25,7 +26,7 @@ TimeFactor read_time_factor(const Value& v, const CaseSource& source) {
   for (size_t i = 0; i < rows.size(); ++i) {
     const std::vector<double>& r = rows[i];
     if (r.size() != 2) refuse(at, "a row has 2 numbers, t and factor, but row {} has {}", i + 1, r.size());
-    check_time(given, i);
+    check_increase(given, i, "times", "s");
     out.emplace_back(r[0], r[1]);
   }
   return TimeFactor(std::move(out));
@@ -39,14 +40,16 @@ void finish_current(const Value& v, double water_depth, const CaseSource& source
   for (size_t i = 0; i < c.profile.size(); ++i)
     if (!rows || !rows->items[i].has("direction_deg")) c.profile[i].direction = v["direction_deg"].number;
   for (size_t i = 1; i < c.profile.size(); ++i)
-    if (const double above = c.profile[i - 1].depth, depth = c.profile[i].depth; !(depth > above))
-      refuse(v["profile"].items[i]["depth"],
-             "depths must increase from row to row, but {:g} m follows {:g} m", depth, above);
+    if (const std::string fault =
+            model::increase_fault("depths", "m", c.profile[i - 1].depth, c.profile[i].depth);
+        !fault.empty())
+      refuse(v["profile"].items[i]["depth"], "{}", fault);
 }
 
 // Rows of a spectrum; returns its peak period [s].
 double read_spectrum(const Value& s, const CaseSource& source, model::Waves& w) {
-  const auto [at, rows] = read_input_rows(s, source);
+  const InputRows given = read_input_rows(s, source);
+  const auto& [at, rows] = given;
   const double unit = s["frequency"].number;
   double energy = 0;
   SpectrumRow peak;
@@ -59,9 +62,7 @@ double read_spectrum(const Value& s, const CaseSource& source, model::Waves& w) 
              rows[i][0], rows[i][1]);
     if (!w.spectrum.empty()) {
       const SpectrumRow& last = w.spectrum.back();
-      if (!(r.omega > last.omega))
-        refuse(at, "frequencies must grow, but row {} has {:g} after {:g}", i + 1, rows[i][0],
-               rows[i - 1][0]);
+      check_increase(given, i, "frequencies", "");
       energy += 0.5 * (r.omega - last.omega) * (r.density + last.density);
     }
     w.spectrum.push_back(r);

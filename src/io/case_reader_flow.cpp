@@ -30,8 +30,7 @@ std::vector<CoefficientRow> rows_of(const InputRows& given) {
     const std::vector<double>& r = rows[i];
     if (r.size() != 4)
       refuse(at, "a row has 4 numbers (angle, Cx, Cy, Cn), but row {} has {}", i + 1, r.size());
-    if (i > 0 && !(r[0] > rows[i - 1][0] + kSame))
-      refuse(at, "angles must increase, but row {} has {:g} deg after {:g} deg", i + 1, r[0], rows[i - 1][0]);
+    check_increase(given, i, "angles", "deg", kSame);
     out.push_back({r[0], Vec3(r[1], r[2], r[3])});
   }
   if (const double span = out.back().angle - out.front().angle; span > 360 + kSame)

@@ -12,6 +12,7 @@
 
 #include "hawser/base/error.hpp"
 #include "hawser/io/input_file.hpp"
+#include "hawser/model/increasing.hpp"
 #include "hawser/model/nearest.hpp"
 #include "hawser/model/schema.hpp"
 
@@ -129,11 +130,12 @@ InputRows read_input_rows(const Value& v, const CaseSource& source) {
   return given;
 }
 
-void check_time(const InputRows& given, size_t i) {
+void check_increase(const InputRows& given, size_t i, std::string_view quantities, std::string_view unit,
+                    double tolerance) {
   if (i == 0) return;
-  const double before = given.rows[i - 1][0], now = given.rows[i][0];
-  if (!(now > before))
-    refuse(given.at, "times must increase, but row {} has t = {:g} s after {:g} s", i + 1, now, before);
+  const std::string fault =
+      model::increase_fault(quantities, unit, given.rows[i - 1][0], given.rows[i][0], tolerance);
+  if (!fault.empty()) refuse(given.at, "{}: row {}", fault, i + 1);
 }
 
 namespace {
@@ -199,7 +201,7 @@ void read_motion_table(const Value& table, const CaseSource& source, model::Tabl
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::vector<double>& r = rows[i];
     if (r.size() != columns) refuse(at, "row {} has {} numbers, but row 1 has {}", i + 1, r.size(), columns);
-    check_time(given, i);
+    check_increase(given, i, "times", "s");
     m.time.push_back(r[0]);
     m.offset.emplace_back(r[1], r[2], r[3]);
     if (columns == 7) m.rotation.push_back(Vec3(r[4], r[5], r[6]) * (std::numbers::pi / 180));

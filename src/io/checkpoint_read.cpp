@@ -226,7 +226,7 @@ Checkpoint read_checkpoint(MPI_Comm comm, const std::string& path, int nodes_tot
       });
     });
   } catch (const InputError& e) {
-    throw InputError("cannot go on from " + path + ": " + e.what());
+    throw InputError("cannot continue from " + path + ": " + e.what());
   }
   checkpoint.sequence = slot->sequence;
   return checkpoint;

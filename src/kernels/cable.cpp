@@ -94,9 +94,9 @@ Elastic elastic_mean(const CableSection& section, double strain0, double strain1
 //   T* = (V1 - V0)/(l1 - l0) + EA beta*/h (p1 - p0)/L + chi EA/L (dp - s min(1, h/h') dp') >= 0.
 // Symbols: d0, l0 start.chord, start.length; d1 chord; l1 o.l; L s.length; p = max(l - L, 0) elongation
 // (l - L less the free strain, if there is one); V
-// strain energy; beta* `beta`; h step.h; h' the length of the step before; chi step.filter; s
-// e.taut_fraction; dp/L = (p1 - p0)/L o.strain_increment; min(1, h/h') dp'/L start.strain_increment, which
-// the caller has scaled.
+// strain energy; beta* = min(start.beta, kRigid h) `beta`; h step.h; h' the length of the step before; chi
+// step.filter; s e.taut_fraction; dp/L = (p1 - p0)/L o.strain_increment; min(1, h/h') dp'/L
+// start.strain_increment, which the caller has scaled.
 Mean mean_of(const CableSection& section, const CableStart& start, const CableStep& step, const Vec3& chord) {
   Mean o;
   o.l = chord.norm();
@@ -198,9 +198,10 @@ Vec3 cable_force(const CableSection& section, const CableEnds& e) {
   return o.tension * o.t;
 }
 
-// dF/dd = t (dT/dd)' + T/l (I - t t'),  dT/dd = (dT/dstrain) t/L + EA beta drate/dd
+// dF/dd of a taut element = t (dT/dd)' + T/l (I - t t'),  dT/dd = (dT/dstrain) t/L + EA beta drate/dd
 //   d chord, l its length, t = d/l, dv = v2 - v1; the terms in beta only while the damper is within its limit
 //   rate = (t . dv - L' l/L)/L,  drate/dd = (dv - t (t . dv))/(l L) - L' t/L²
+// dF/dd of a slack element = slack EA/L t t', in place of 0, which would be singular.
 void cable_force(const CableSection& section, const CableEnds& e, double slack, CableForce& out) {
   const CableState o = cable_state(section, e);
   out.force = o.tension * o.t;

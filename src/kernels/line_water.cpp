@@ -218,7 +218,8 @@ WaterForce flow_force(const WaterSection& s, Motion<n> m, double still_water_lev
 
 }  // namespace
 
-WaterForce water_force(const WaterSection& s, const WaterEnds& e, bool beam, double still_water_level) {
+WaterForce flow_force_on_line(const WaterSection& s, const WaterEnds& e, bool beam,
+                              double still_water_level) {
   if (!beam) return flow_force<false>(s, cable_motion(in_place(e)), still_water_level);
   BeamMotion b;
   beam_motion(s, e, b);

@@ -111,7 +111,7 @@ struct Chord {
   static constexpr int n = Rule<beam>::shapes, last = n - (beam ? 2 : 1);
   double inverse;  // 1/m, of its length l; 0 where that is 0
   Row t;           // unit vector
-  Mat across;      // P = I - t t'
+  Mat projector;   // P = I - t t'
   double fall;     // m, by which the surface's height above the axis grows from one end to the other
   Band<beam> band;
   Row db[n] = {};  // derivatives of b by X
@@ -120,7 +120,7 @@ struct Chord {
   Chord(const WaterSection& s, Row chord, double rise)
       : inverse(inverse_length(chord)),
         t(inverse * chord),
-        across(identity(1) - outer(t, t)),
+        projector(identity(1) - outer(t, t)),
         fall(rise - chord[2]),
         band(s, t[2]) {
     if constexpr (beam) {
@@ -145,8 +145,8 @@ struct Point {
   double N[n];
   PointInterval<beam> piece;
   PieceWetting wet;
-  double from[n], to[n];        // minus the derivatives of h1 and h2 by heights
-  Row by1[n], by2[n], by_b[n];  // derivatives of dP/dh1, dP/dh2, dP/db by X: differentiate()
+  double fall1[n], fall2[n];    // by which h1 and h2 decrease with the heights of X
+  Row by1[n], by2[n], by_b[n];  // derivatives of dU/dh1, dU/dh2, dU/db by X: differentiate()
 
   Point(int g, const WaterSection& s, const Motion<n>& m, const Chord<beam>& c)
       : z(Rule<beam>::at[g]), w(Rule<beam>::weight[g] * s.length) {
@@ -155,44 +155,46 @@ struct Point {
     for (int j = 0; j < n; ++j) h -= N[j] * m.X[j][2];
     piece = PointInterval<beam>(g, h, c.fall);
     wet = piece_wetting(piece.h1, piece.h2, c.band.b);
-    for (int j = 0; j < n; ++j) from[j] = to[j] = N[j];
-    from[0] -= piece.from;
-    from[last] += piece.from;
-    to[0] -= piece.to;
-    to[last] += piece.to;
+    for (int j = 0; j < n; ++j) fall1[j] = fall2[j] = N[j];
+    fall1[0] -= piece.from;
+    fall1[last] += piece.from;
+    fall2[0] -= piece.to;
+    fall2[last] += piece.to;
   }
   double fraction() const { return wet.by_h1 + wet.by_h2; }  // F
   bool partly() const { return wet.slope11 > 0 || wet.slope22 > 0; }
 
-  // Where it is partly wet. Derivatives by b are by Euler's theorem: P is homogeneous in h1, h2 and b.
+  // Where it is partly wet. Derivatives by b are by Euler's theorem: U is homogeneous in h1, h2 and b.
   void differentiate(const Chord<beam>& c) {
     const double b = c.band.b;
     const double b1 = -(piece.h1 * wet.slope11 + piece.h2 * wet.slope12) / b;
     const double b2 = -(piece.h1 * wet.slope12 + piece.h2 * wet.slope22) / b;
     const double bb = -(piece.h1 * b1 + piece.h2 * b2) / b;
     for (int k = 0; k < n; ++k) {
-      by1[k] = -(wet.slope11 * from[k] + wet.slope12 * to[k]) * unit(2) + b1 * c.db[k];
-      by2[k] = -(wet.slope12 * from[k] + wet.slope22 * to[k]) * unit(2) + b2 * c.db[k];
-      by_b[k] = -(b1 * from[k] + b2 * to[k]) * unit(2) + bb * c.db[k];
+      by1[k] = -(wet.slope11 * fall1[k] + wet.slope12 * fall2[k]) * unit(2) + b1 * c.db[k];
+      by2[k] = -(wet.slope12 * fall1[k] + wet.slope22 * fall2[k]) * unit(2) + b2 * c.db[k];
+      by_b[k] = -(b1 * fall1[k] + b2 * fall2[k]) * unit(2) + bb * c.db[k];
     }
   }
 };
 
-// f_j = B dP/dX_j and K_jk = B d²P/dX_j dX_k, B = rho g A w.
+// f_j = B dU/dX_j and K_jk = B d²U/dX_j dX_k, B = rho g A w, with the potential U(h1, h2, b) of the piece
+// (PieceWetting::integral).
 template <bool beam, bool tangent>
 inline void buoyancy_at(const WaterSection& s, const Chord<beam>& c, const Point<beam>& p, bool convex,
                         Forces<Rule<beam>::shapes>& out) {
   constexpr int n = Chord<beam>::n, last = Chord<beam>::last;
   const double B = p.w * s.buoyancy;
-  for (int j = 0; j < n; ++j) out.f[j][2] -= B * (p.wet.by_h1 * p.from[j] + p.wet.by_h2 * p.to[j]);
+  for (int j = 0; j < n; ++j) out.f[j][2] -= B * (p.wet.by_h1 * p.fall1[j] + p.wet.by_h2 * p.fall2[j]);
   if (!p.partly()) return;
-  // B dP/db, by Euler's theorem.
+  // B dU/db, by Euler's theorem.
   const double G = B * (p.wet.integral - p.piece.h1 * p.wet.by_h1 - p.piece.h2 * p.wet.by_h2) / c.band.b;
   out.f[0] += G * c.db[0];
   out.f[last] += G * c.db[last];
   if constexpr (tangent) {
     for (int k = 0; k < n; ++k) {
-      for (int j = 0; j < n; ++j) out.K[j][k].r[2] -= (B * p.from[j]) * p.by1[k] + (B * p.to[j]) * p.by2[k];
+      for (int j = 0; j < n; ++j)
+        out.K[j][k].r[2] -= (B * p.fall1[j]) * p.by1[k] + (B * p.fall2[j]) * p.by2[k];
       if constexpr (beam) {
         const Mat by_band = outer(B * c.db[last], p.by_b[k]);
         out.K[last][k] += by_band;
@@ -213,7 +215,7 @@ inline void buoyancy_at(const WaterSection& s, const Chord<beam>& c, const Point
 
 // Forces of the flow at a point.
 template <int n>
-struct Flow {
+struct FlowForces {
   morison_formula::Drag<double, Row> drag;
   double wF;       // m, wet length that the point represents
   Row y[n], q[n];  // m/s², acceleration relative to the water that belongs to a shape; N/m, residual
@@ -223,15 +225,15 @@ struct Flow {
 //   y_j = N_j (sum N_k a_k - a_w) of a beam, consistent with its mass,
 //   y_j = N_j (sum N_k a_k + a_j)/2 - N_j a_w of a cable, whose mass is half lumped.
 template <bool beam>
-inline Flow<Rule<beam>::shapes> flow_at(const WaterSection& s, const Motion<Rule<beam>::shapes>& m,
-                                        const Chord<beam>& c, const Point<beam>& p,
-                                        Forces<Rule<beam>::shapes>& out) {
+inline FlowForces<Rule<beam>::shapes> flow_at(const WaterSection& s, const Motion<Rule<beam>::shapes>& m,
+                                              const Chord<beam>& c, const Point<beam>& p,
+                                              Forces<Rule<beam>::shapes>& out) {
   constexpr int n = Chord<beam>::n;
   Row u = (1 - p.z) * m.u[0] + p.z * m.u[1];
   for (int j = 0; j < n; ++j) u -= p.N[j] * m.V[j];
   const Row aw = (1 - p.z) * m.a[0] + p.z * m.a[1];
-  Flow<n> o{{u, c.t, s.drag_normal, s.drag_axial}, p.w * p.fraction(), {}, {}};
-  const Row flow = o.drag.force() + s.displaced_mass * aw;
+  FlowForces<n> o{{u, c.t, s.drag_normal, s.drag_axial}, p.w * p.fraction(), {}, {}};
+  const Row drag_and_pressure = o.drag.force() + s.displaced_mass * aw;  // pressure of the waves, m_d a_w
   const double ma = s.added_axial - s.added_normal;
   Row point{};
   for (int k = 0; k < n; ++k) point += p.N[k] * m.A[k];
@@ -240,7 +242,7 @@ inline Flow<Rule<beam>::shapes> flow_at(const WaterSection& s, const Motion<Rule
       o.y[j] = p.N[j] * (point - aw);
     else
       o.y[j] = (0.5 * p.N[j]) * (point + m.A[j]) - p.N[j] * aw;
-    o.q[j] = morison_formula::added_mass(s.added_normal, ma, c.t, o.y[j]) - p.N[j] * flow;
+    o.q[j] = morison_formula::added_mass(s.added_normal, ma, c.t, o.y[j]) - p.N[j] * drag_and_pressure;
     out.f[j] += o.wF * o.q[j];
   }
   return o;
@@ -260,38 +262,38 @@ struct Sums {
 // (dF/dX_k)'.
 template <bool beam>
 inline void flow_tangent(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, const Chord<beam>& c,
-                         const Point<beam>& p, const Flow<Rule<beam>::shapes>& flow, bool convex,
+                         const Point<beam>& p, const FlowForces<Rule<beam>::shapes>& at_point, bool convex,
                          Sums<Rule<beam>::shapes>& sums, Forces<Rule<beam>::shapes>& out) {
   constexpr int n = Chord<beam>::n;
   const Row t = c.t;
-  const double wF = flow.wF;
+  const double wF = at_point.wF;
   for (int j = 0; j < n; ++j)
     for (int k = 0; k < n; ++k) {
       const double consistent = p.N[j] * p.N[k];
       const double half_lumped = 0.5 * p.N[j] * (p.N[k] + (j == k ? 1 : 0));
       sums.masses[j][k] += wF * (beam ? consistent : half_lumped);
     }
-  const auto& drag = flow.drag;
+  const auto& drag = at_point.drag;
   const Mat S = outer(drag.over_speed * drag.across, drag.across) + identity(drag.normal) +
                 outer(drag.lengthwise() * t, t);
   for (int j = 0; j < n; ++j)
     for (int k = 0; k < n; ++k) out.C[j][k] += (wF * p.N[j] * p.N[k]) * S;
-  if (convex) return;
+  if (convex) return;  // the derivatives below are not symmetric and may have negative stiffness
   const double ma = s.added_axial - s.added_normal;
-  const Mat T = outer(drag.by_across(), drag.across) + drag.by_turn() * c.across;
+  const Mat T = outer(drag.by_across(), drag.across) + drag.by_turn() * c.projector;
   const Row d[2] = {times(S, m.by_height[0]), times(S, m.by_height[1])};
   for (int j = 0; j < n; ++j) {
-    const double ty = dot(t, flow.y[j]);
-    const Row across = flow.y[j] - ty * t;
+    const double ty = dot(t, at_point.y[j]);
+    const Row Py = at_point.y[j] - ty * t;
     sums.by_chord[j] +=
-        (-wF * p.N[j] * c.inverse) * T + (wF * c.inverse * ma) * (outer(t, across) + ty * c.across);
+        (-wF * p.N[j] * c.inverse) * T + (wF * c.inverse * ma) * (outer(t, Py) + ty * c.projector);
     sums.by_z[j][0] -= (wF * p.N[j] * (1 - p.z)) * d[0];
     sums.by_z[j][1] -= (wF * p.N[j] * p.z) * d[1];
   }
   if (p.partly())
     for (int k = 0; k < n; ++k) {
       const Row slope = p.w * (p.by1[k] + p.by2[k]);
-      for (int j = 0; j < n; ++j) out.K[j][k] += outer(flow.q[j], slope);
+      for (int j = 0; j < n; ++j) out.K[j][k] += outer(at_point.q[j], slope);
     }
 }
 
@@ -316,8 +318,8 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
     if (tangent && p.partly()) p.differentiate(chord);
     if constexpr (part != Part::flow) buoyancy_at<beam, tangent>(s, chord, p, convex, out);
     if constexpr (part != Part::buoyancy) {
-      const Flow<n> flow = flow_at<beam>(s, m, chord, p, out);
-      if constexpr (tangent) flow_tangent<beam>(s, m, chord, p, flow, convex, sums, out);
+      const FlowForces<n> at_point = flow_at<beam>(s, m, chord, p, out);
+      if constexpr (tangent) flow_tangent<beam>(s, m, chord, p, at_point, convex, sums, out);
     }
   }
   if constexpr (tangent) {

@@ -108,11 +108,11 @@ inline void put_blocks(const WaterSections4& s, const CablesInWater4& m, const C
   const Row ma = s.added_axial - s.added_normal;
   const Row scale = wK * chords.inverse;
   for (int j = 0; j < 2; ++j) {
-    // K by x2 and minus K by x1: (-T + (m_t - m_n) (t across' + (t.y) P)) / l, with P = I - t t'.
+    // K by x2 and minus K by x1: (-T + (m_t - m_n) (t (P y)' + (t.y) P)) / l, with P = I - t t'.
     const Row ty = dot(t, y[j]);
-    const Vec across = y[j] - ty * t;
+    const Vec Py = y[j] - ty * t;
     const Row onP = ma * ty - sums.by_P[j];
-    const Vec row = ma * across - onP * t;
+    const Vec row = ma * Py - onP * t;
     Row chordwise[3][3];
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k < 3; ++k) {

@@ -9,6 +9,7 @@
 #include "hawser/base/count_of.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
+#include "hawser/model/increasing.hpp"
 
 namespace hawser::model {
 namespace {
@@ -102,10 +103,9 @@ void check_speed_table(const Feed& f, const Issues& issue) {
     if (f.speed[i].first < 0)
       issue(fmt::format("speed_table[{}]", i), "the time {:g} s is before the start of the run",
             f.speed[i].first);
-    if (i > 0 && !(f.speed[i].first > f.speed[i - 1].first))
-      issue(fmt::format("speed_table[{}]", i),
-            "the time {:g} s does not follow {:g} s; times must grow from row to row", f.speed[i].first,
-            f.speed[i - 1].first);
+    if (i == 0) continue;
+    const std::string fault = increase_fault("times", "s", f.speed[i - 1].first, f.speed[i].first);
+    if (!fault.empty()) issue(fmt::format("speed_table[{}]", i), "{}", fault);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
+#include "hawser/model/increasing.hpp"
 
 namespace hawser::model {
 namespace {
@@ -179,9 +180,10 @@ class LineCheck {
       const auto [d, EI] = b.rows[i];
       const std::string row = fmt::format("{}.EI[{}]", key, i);
       if (i == 0 && !(d >= 0)) issue(row, "{:g} m is before the root", d);
-      if (i > 0 && !(d > b.rows[i - 1].first))
-        issue(row, "distances from the root must increase from row to row, but {:g} m follows {:g} m", d,
-              b.rows[i - 1].first);
+      if (i > 0)
+        if (const std::string fault = increase_fault("distances from the root", "m", b.rows[i - 1].first, d);
+            !fault.empty())
+          issue(row, "{}", fault);
       if (!(EI >= 0)) issue(row, "{:g} N m² would soften the line", EI);
     }
     return issue.count() == before;
@@ -254,9 +256,11 @@ class LineCheck {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const std::string row = fmt::format("{}[{}]", key, i);
       check_arc(rows[i].first, row);
-      if (i == 0 || rows[i].first > rows[i - 1].first) continue;
-      issue(row, "arc lengths from end A must increase from row to row, but {:g} m follows {:g} m",
-            rows[i].first, rows[i - 1].first);
+      if (i == 0) continue;
+      const std::string fault =
+          increase_fault("arc lengths from end A", "m", rows[i - 1].first, rows[i].first);
+      if (fault.empty()) continue;
+      issue(row, "{}", fault);
       return false;
     }
     bool expands = false;

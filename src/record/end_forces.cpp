@@ -61,8 +61,10 @@ void EndForces::evaluate(const Kinematics& state, std::span<const Vec3> support_
   if (feeders_) evaluate_feed_points(state, support_forces);
 }
 
-// Ends inside feeders have the force at the feed point. One rank computes it; one maximum over the ranks
-// exchanges the numbers of all feeders.
+// Ends inside feeders have the force at the feed point. The force on a feeder is
+//   F = N + (m_2²/EI_2 + m_3²/EI_3)/2,
+// with the tension N and, for an elastic beam, the moments m_2 and m_3 there (docs/theory/feeders.md). One
+// rank computes it; one maximum over the ranks exchanges the numbers of all feeders.
 void EndForces::evaluate_feed_points(const Kinematics& state, std::span<const Vec3> support_forces) {
   constexpr size_t kNumbers = 10;  // force, moment, direction, feeder force
   const auto& elements = system_.mesh().elements;
@@ -97,6 +99,11 @@ void EndForces::evaluate_feed_points(const Kinematics& state, std::span<const Ve
   }
 }
 
+// Force n and moment m on the section at a node, from the force f and moment c (node axes, rotation R) of its
+// element there, f = f_internal + M a - loads (docs/theory/end-forces.md):
+//   n = -f, m = -R c at the first node,  n = f, m = R c at the second.
+// Tension N = n.t with the tangent t = R e_x of a beam. A cable has t = n/|n| where it hangs freely and is
+// taut, n.d > max(|f_2 - f_1|/2, |n|)/2 with the direction d of the chord, else t = d.
 SectionForce EndForces::section(const Kinematics& state, int element, bool second,
                                 std::span<const Vec3> support_forces) const {
   const LocalMesh& local = system_.mesh();

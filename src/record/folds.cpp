@@ -37,14 +37,14 @@ void Folds::update(const Kinematics& state, std::span<const double> before, std:
     const double ratio = (state.x[b] - state.x[a]).norm() / (e.length * (1 + e.free_strain));
     if (ratio < kFolded) {
       f.ratio = std::min(f.ratio, ratio);
-      f.until = HUGE_VAL;
+      f.waves_end = HUGE_VAL;
     }
-    if (f.until <= state.time) {
+    if (f.waves_end <= state.time) {
       f.ratio = 1;
-      f.until = 0;
+      f.waves_end = 0;
     }
-    if (f.until == 0 || ratio <= 1) continue;
-    if (f.until == HUGE_VAL) f.until = state.time + f.echo;
+    if (f.waves_end == 0 || ratio <= 1) continue;
+    if (f.waves_end == HUGE_VAL) f.waves_end = state.time + f.echo;
     const bool first = l.first < mesh_.owned;
     const double tension = first ? after[a] : before[b];
     const size_t n = first ? a : b;

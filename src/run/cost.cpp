@@ -79,7 +79,7 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
           [&](const StepInfo& info) {
             act_after_step(
                 events, feeder_nodes, [] {}, [](const std::string&) {});
-            if (on_state) on_state(d.kinematics());
+            if (on_state) on_state(d.committed_kinematics());
             samples.push_back({cpu_time() - at_rest, info.time});
             return !budget_spent();
           });

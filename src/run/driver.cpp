@@ -94,7 +94,7 @@ bool integrate(Simulation& sim, double end, record::Recorder& recorder, Events& 
     int requests[2] = {0, 0};
     bool stop = false;
     const auto record_step = [&] {
-      recorder.step(info, d.kinematics(), d.support_work());
+      recorder.step(info, d.committed_kinematics(), d.support_work());
       print_remarks(recorder, progress);
       progress.step(info.time, info.h, info.iterations);
       // Stop requests and checkpoints due by the clock are agreed on where all ranks communicate anyway.
@@ -105,7 +105,7 @@ bool integrate(Simulation& sim, double end, record::Recorder& recorder, Events& 
       }
       stop = requests[0] != 0;
       if (!output && !stop) return;
-      recorder.output(d.kinematics());
+      recorder.output(d.committed_kinematics());
       output_at = record::next_multiple(info.time, every);
     };
     // Outputs have the state before the events, checkpoints the state after them.
@@ -168,8 +168,8 @@ void print_notes(Simulation& sim, const std::vector<LoadedVolume>& volumes, cons
 }
 
 // Sets the simulation to its checkpoint.
-void go_on(const io::Checkpoint& checkpoint, const std::string& path, Simulation& sim, Events& events,
-           FeederNodes& feeder_nodes, Progress& progress) {
+void restore_run(const io::Checkpoint& checkpoint, const std::string& path, Simulation& sim, Events& events,
+                 FeederNodes& feeder_nodes, Progress& progress) {
   for (const std::string& e : events.restore(checkpoint)) progress.print(e);
   feeder_nodes.restore(checkpoint, path);
   restore(checkpoint, sim);
@@ -179,11 +179,11 @@ void go_on(const io::Checkpoint& checkpoint, const std::string& path, Simulation
 // The recorder of a run, created at the first output, so that a case without equilibrium leaves no file.
 class RecorderAtFirstOutput {
  public:
-  RecorderAtFirstOutput(Simulation& sim, const std::vector<LoadedVolume>& volumes, io::RunInfo about,
+  RecorderAtFirstOutput(Simulation& sim, const std::vector<LoadedVolume>& volumes, io::RunInfo run_info,
                         const std::optional<RestartFrom>& restart, bool appends, const Progress& progress)
       : sim_(sim),
         volumes_(volumes),
-        about_(std::move(about)),
+        run_info_(std::move(run_info)),
         restart_(restart),
         appends_(appends),
         progress_(progress) {}
@@ -191,15 +191,15 @@ class RecorderAtFirstOutput {
   // Collective at the first call.
   record::Recorder& get() {
     if (recorder_) return *recorder_;
-    about_.messages = progress_.messages();
+    run_info_.messages = progress_.messages();
     return recorder_.emplace(sim_.subject(surfaces(volumes_)), volume_meshes(sim_.model(), volumes_),
-                             std::move(about_), restart_ ? &restart_->checkpoint : nullptr, appends_);
+                             std::move(run_info_), restart_ ? &restart_->checkpoint : nullptr, appends_);
   }
 
  private:
   Simulation& sim_;
   const std::vector<LoadedVolume>& volumes_;
-  io::RunInfo about_;
+  io::RunInfo run_info_;
   const std::optional<RestartFrom>& restart_;
   const bool appends_;
   const Progress& progress_;
@@ -226,7 +226,7 @@ void find_equilibrium_with_outputs(Simulation& sim, Events& events, RecorderAtFi
 void start_motion(Simulation& sim, Events& events, record::Recorder& recorder, Progress& progress) {
   for (const std::string& e : events.begin()) progress.print(e);
   sim.dynamics().start(sim.state());
-  const Kinematics moving = sim.dynamics().kinematics();
+  const Kinematics moving = sim.dynamics().committed_kinematics();
   // A start at rest is recorded at rest: initial velocities of motions are applied after it.
   recorder.start(moving, sim.model().statics.enabled ? sim.state().at_rest() : moving);
   sim.state() = State();  // dynamics has a separate copy
@@ -238,9 +238,9 @@ void start_or_resume(Simulation& sim, const std::optional<RestartFrom>& restart,
                      bool appends, Events& events, FeederNodes& feeder_nodes, record::Recorder& recorder,
                      Progress& progress) {
   if (restart) {
-    go_on(restart->checkpoint, path, sim, events, feeder_nodes, progress);
+    restore_run(restart->checkpoint, path, sim, events, feeder_nodes, progress);
     // A new file begins with the state from which the run continues.
-    if (!appends) recorder.output(sim.dynamics().kinematics());
+    if (!appends) recorder.output(sim.dynamics().committed_kinematics());
   } else if (sim.model().dynamics.enabled) {
     start_motion(sim, events, recorder, progress);
   } else {

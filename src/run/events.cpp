@@ -287,7 +287,7 @@ std::vector<std::string> Events::apply_due() {
   };
   const auto waits = [](const ScheduledEvent& scheduled) { return scheduled.happened < 0; };
   while (std::any_of(events_.begin(), events_.end(), waits)) {
-    const Kinematics at = d.kinematics();
+    const Kinematics at = d.committed_kinematics();
     const std::vector<size_t> now = due_at(at.time, values(at), "");
     if (now.empty()) break;
     // An impact dissipates energy, and contact that ends releases stored energy.

@@ -136,7 +136,8 @@ void FeederNodes::release_node(Feeder& f) {
   const int node = all.node(f, f.feed_point);
   const double mesh_length = all.element_length(f, f.feed_point);
   std::optional<Dynamics::Moved> moved;
-  if (const LocalElement* e = all.at_feed_point(f)) moved = released(f, sim_.dynamics().kinematics(), *e);
+  if (const LocalElement* e = all.at_feed_point(f))
+    moved = released(f, sim_.dynamics().committed_kinematics(), *e);
   if (!f.beam) return transfer_node(f, f.feed_point - 1, f.length - mesh_length, moved);
   const double before = feeder_force(f);
   transfer_node(f, f.feed_point - 1, f.length - mesh_length, moved);
@@ -144,7 +145,7 @@ void FeederNodes::release_node(Feeder& f) {
   // unstretched length takes the difference, so that the force on the feeder is continuous.
   const double more = (before - feeder_force(f)) * (f.length + mesh_length) / f.beam_section.EA;
   if (moved) {
-    const Kinematics k = sim_.dynamics().kinematics();
+    const Kinematics k = sim_.dynamics().committed_kinematics();
     const size_t n = sim_.local().find(node);
     moved->x = k.x[n];
     moved->q = k.q[n];
@@ -155,7 +156,7 @@ void FeederNodes::release_node(Feeder& f) {
 // Force on the feeder, N, on all ranks.
 double FeederNodes::feeder_force(const Feeder& f) {
   record::EndForces ends(sim_.system(), sim_.feeders());
-  ends.evaluate(sim_.dynamics().kinematics(),
+  ends.evaluate(sim_.dynamics().committed_kinematics(),
                 std::vector<Vec3>(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero()));
   return ends.at_feeders()[f.index];
 }
@@ -193,7 +194,7 @@ std::optional<Dynamics::Moved> FeederNodes::absorbed(const Feeder& f, const Kine
 
 void FeederNodes::absorb_node(Feeder& f) {
   double length = 0;
-  const std::optional<Dynamics::Moved> moved = absorbed(f, sim_.dynamics().kinematics(), length);
+  const std::optional<Dynamics::Moved> moved = absorbed(f, sim_.dynamics().committed_kinematics(), length);
   transfer_node(f, f.feed_point + 1, length, moved);
 }
 
@@ -268,7 +269,7 @@ void FeederNodes::save(io::Checkpoint& to) const {
 }
 
 void FeederNodes::restore(const io::Checkpoint& from, const std::string& path) {
-  const auto refuse = [&](const std::string& why) { return InputError(advice::cannot_go_on(path, why)); };
+  const auto refuse = [&](const std::string& why) { return InputError(advice::cannot_continue(path, why)); };
   size_t in_checkpoint = 0, in_case = sim_.feeders() ? sim_.feeders()->all().size() : 0;
   for (const auto& [name, value] : from.scalars)
     in_checkpoint += name.starts_with("feeder.") && name.ends_with(".feed_point");

@@ -201,7 +201,7 @@ io::Checkpoint make_checkpoint(Simulation& simulation, record::Recorder& recorde
 namespace {
 
 InputError older(const std::string& path, const std::string& reason) {
-  return InputError(advice::cannot_go_on(path, advice::other_version(path, reason)));
+  return InputError(advice::cannot_continue(path, advice::other_version(path, reason)));
 }
 
 }  // namespace
@@ -222,7 +222,7 @@ io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
   check_restart_file(comm, path, simulation.mesh(), owned);
   io::Checkpoint c = io::read_checkpoint(comm, path, simulation.mesh().nodes(), owned);
   const auto refuse = [&](const std::string& why) {
-    return InputError(advice::cannot_go_on(path, advice::other_case(why)));
+    return InputError(advice::cannot_continue(path, advice::other_case(why)));
   };
   std::map<std::string, double> in_checkpoint = c.scalars;
   std::erase_if(in_checkpoint,
@@ -232,7 +232,7 @@ io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
   if (const std::string other = difference(in_checkpoint, signature(simulation)); !other.empty())
     throw refuse(other);
   if (const std::string wrong = first_text(comm, damage(c)); !wrong.empty())
-    throw InputError(advice::cannot_go_on(path, wrong));
+    throw InputError(advice::cannot_continue(path, wrong));
   if (!c.nodes.count(kMeanQ)) throw older(path, "the mean forces of cables");
   check_records(c, simulation.system(), path);
   return c;

@@ -73,7 +73,7 @@ void check_restart_file(MPI_Comm comm, const std::string& path, const Mesh& mesh
     return std::string();
   };
   const std::string why = first_text(comm, check());
-  if (!why.empty()) throw InputError(advice::cannot_go_on(path, why));
+  if (!why.empty()) throw InputError(advice::cannot_continue(path, why));
 }
 
 }  // namespace hawser::run

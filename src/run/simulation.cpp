@@ -304,7 +304,7 @@ DynamicsSettings Simulation::dynamics_settings() const {
     double diameter = 0;
     for (int e = span.first_element; e < span.first_element + span.elements; ++e)
       diameter = std::max(diameter, case_.line_types[mesh().element(e).type].outer_diameter);
-    s.strictness.push_back(diameter > 0 ? s.step.error_tolerance / (0.01 * diameter) : 1);
+    s.error_weight.push_back(diameter > 0 ? s.step.error_tolerance / (0.01 * diameter) : 1);
   }
   return s;
 }

@@ -124,12 +124,12 @@ NodeValue alpha_turn(const LocalMesh& mesh, const std::vector<double>& u) {
 }
 
 double alpha_error(const LocalMesh& mesh, const AlphaCoefficients& c, double h, const AlphaState& from,
-                   const AlphaState& to, const std::vector<double>& strictness) {
+                   const AlphaState& to, const std::vector<double>& error_weight) {
   double worst = 0;
   for (size_t n = 0; n < static_cast<size_t>(mesh.owned); ++n) {
     const auto line = static_cast<size_t>(mesh.node(n).line);
-    const double strict = line < strictness.size() ? strictness[line] : 1;
-    worst = std::max(worst, strict * strict * (to.ax[n] - from.ax[n]).squaredNorm());
+    const double weight = line < error_weight.size() ? error_weight[line] : 1;
+    worst = std::max(worst, weight * weight * (to.ax[n] - from.ax[n]).squaredNorm());
   }
   return std::abs(1.0 / 6 - c.beta) * h * h * std::sqrt(worst);
 }

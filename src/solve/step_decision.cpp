@@ -63,8 +63,8 @@ Verdict Dynamics::check_step() {
   if (!tries_.solved) return {Kind::shorter, imbalance(system_, r_.get(), norms_)};
   const Kinematics trial = trial_.s.after_step(h_);
   const NodeValue turn = alpha_turn(system_.mesh(), local_u_);
-  const int local_node = turned_over(system_.mesh(), kinematics(), trial);
-  double error = alpha_error(system_.mesh(), alpha_, h_, committed_, trial_, settings_.strictness);
+  const int local_node = turned_over(system_.mesh(), committed_kinematics(), trial);
+  double error = alpha_error(system_.mesh(), alpha_, h_, committed_, trial_, settings_.error_weight);
   double largest_turn = turn.value, node_turned_over = local_node, beyond = system_.overstretch(trial).beyond;
   RankMax maxima;
   for (double* number : {&error, &largest_turn, &node_turned_over, &beyond}) maxima.add(*number);
@@ -93,10 +93,10 @@ double Dynamics::begin_step() {
   prepare(control_.proposal());  // The terms are prepared for the longest try; later tries are shorter.
   tries_ = {};
   // Evaluated at the committed state, before the terms have evaluated a trial.
-  if (events_) tries_.at_start = events_(kinematics());
+  if (events_) tries_.at_start = events_(committed_kinematics());
   if (control_.respects_term_limits()) {
-    const StepLimit limit =
-        system_.longest_step(kinematics(), {committed_.ax, alpha_stored(alpha_)}, control_.proposal());
+    const StepLimit limit = system_.longest_step(committed_kinematics(),
+                                                 {committed_.ax, alpha_stored(alpha_)}, control_.proposal());
     control_.limit_by_impact(committed_.s.time, limit.period);
     tries_.allowed = limit.longest;
   }
@@ -146,8 +146,8 @@ Dynamics::Decision Dynamics::decide() {
   const auto why = inaccurate ? StepControl::Rejection::inaccurate : StepControl::Rejection::invalid;
   if (control_.after_rejected_step(h_, why, error)) return {false, next_try()};
   const std::string because = first_text(system_.comm(), advice::clause(verdict.because));
-  throw SolveError(
-      advice::shortest_step_fails(committed_.s.time, h_, because, folded_element(system_, kinematics())));
+  throw SolveError(advice::shortest_step_fails(committed_.s.time, h_, because,
+                                               folded_element(system_, committed_kinematics())));
 }
 
 }  // namespace hawser

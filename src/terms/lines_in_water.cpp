@@ -146,12 +146,13 @@ LinesInWater::FlowLoads LinesInWater::flow_loads(const Kinematics& state) const 
     for (int i = 0; i < q.count; ++i) {
       const WetElement& p = pieces_[static_cast<size_t>(q.piece[i])];
       if (p.element.counted && !p.idle)
-        put(p, known >> i & 1 ? all[i] : water_force(p.section, ends(p, state), false, sea_.surface));
+        put(p, known >> i & 1 ? all[i] : flow_force_on_line(p.section, ends(p, state), false, sea_.surface));
     }
   }
   for (const int b : beams_) {
     const WetElement& p = pieces_[static_cast<size_t>(b)];
-    if (p.element.counted && !p.idle) put(p, water_force(p.section, ends(p, state), true, sea_.surface));
+    if (p.element.counted && !p.idle)
+      put(p, flow_force_on_line(p.section, ends(p, state), true, sea_.surface));
   }
   for (const Ball& b : balls_) {
     const size_t n = static_cast<size_t>(b.node);

@@ -25,7 +25,7 @@ Outcome outcome(MPI_Comm comm, const char* file, double duration) {
   Dynamics& d = s.dynamics();
   d.start(s.state());
   const auto energy = [&] {
-    const Energy e = s.system().energy(d.kinematics());
+    const Energy e = s.system().energy(d.committed_kinematics());
     double sums[] = {total(e) + e.friction + e.damping + e.unresolved, e.work + d.support_work(),
                      e.friction + e.damping};
     MPI_Allreduce(MPI_IN_PLACE, sums, 3, MPI_DOUBLE, MPI_SUM, comm);
@@ -42,7 +42,7 @@ Outcome outcome(MPI_Comm comm, const char* file, double duration) {
   out.turnover = energy()[1];
   out.depth = s.body_contact() ? s.body_contact()->largest_penetration() : 0;
   const int body = static_cast<int>(c.bodies.size()) - 1, n = s.local().find(s.mesh().body_node(body));
-  if (n >= 0 && n < s.local().owned) out.place = d.kinematics().x[static_cast<size_t>(n)].x();
+  if (n >= 0 && n < s.local().owned) out.place = d.committed_kinematics().x[static_cast<size_t>(n)].x();
   double all[] = {out.depth, out.place};
   MPI_Allreduce(MPI_IN_PLACE, &all[0], 1, MPI_DOUBLE, MPI_MAX, comm);
   MPI_Allreduce(MPI_IN_PLACE, &all[1], 1, MPI_DOUBLE, MPI_SUM, comm);

@@ -64,14 +64,15 @@ std::vector<Release> releases(const std::string& input) {
   Dynamics& d = sim.dynamics();
   d.start(sim.state());
   const auto energy = [&] {
-    const Energy e = sim.system().energy(d.kinematics());
+    const Energy e = sim.system().energy(d.committed_kinematics());
     std::array<double, 2> sum = {e.kinetic + e.strain + e.potential, e.kinetic};
     MPI_Allreduce(MPI_IN_PLACE, sum.data(), 2, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
     return sum;
   };
   const auto feeder_force = [&] {
     record::EndForces ends(sim.system(), sim.feeders());
-    ends.evaluate(d.kinematics(), std::vector<Vec3>(static_cast<size_t>(sim.local().nodes()), Vec3::Zero()));
+    ends.evaluate(d.committed_kinematics(),
+                  std::vector<Vec3>(static_cast<size_t>(sim.local().nodes()), Vec3::Zero()));
     return ends.at_feeders().front();
   };
   std::vector<Release> out;

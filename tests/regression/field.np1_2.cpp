@@ -78,14 +78,14 @@ TEST(Field, IsShownAsDeclared) {
     sim.solve_statics();
     record::Recorder recorder(sim.subject(), {}, {});
     sim.dynamics().start(sim.state());
-    recorder.start(sim.dynamics().kinematics(), sim.state().at_rest());
+    recorder.start(sim.dynamics().committed_kinematics(), sim.state().at_rest());
     sim.dynamics().run(
         1, [](double) { return 1.0; },
         [&](const StepInfo& info) {
-          recorder.step(info, sim.dynamics().kinematics(), sim.dynamics().support_work());
+          recorder.step(info, sim.dynamics().committed_kinematics(), sim.dynamics().support_work());
           return true;
         });
-    recorder.output(sim.dynamics().kinematics());
+    recorder.output(sim.dynamics().committed_kinematics());
     recorder.finish({});
   }
   if (rank_of(MPI_COMM_WORLD) != 0) return;

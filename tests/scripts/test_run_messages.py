@@ -430,7 +430,7 @@ output: {every: 5}
 
     def test_restarts_that_do_not_fit(self):
         def restart(file, *parts, case="rod.yaml", ranks=0):
-            self.refused(["run", case, "-o", "new.h5", "--restart", file], f"cannot go on from {file}: ", *parts,
+            self.refused(["run", case, "-o", "new.h5", "--restart", file], f"cannot continue from {file}: ", *parts,
                          ranks=ranks)
 
         restart("none.h5", "there is no such file")

@@ -74,7 +74,7 @@ class Progress(unittest.TestCase):
                 lines = run(HAWSER, command, "deck.yaml", cwd=self.folder).stdout.splitlines()
                 self.assertEqual(lines[0], "a cantilever")
                 self.assertEqual(lines[1] == "reading the mesh large.obj (44 MB)", expected, lines[:3])
-                self.assertEqual("making the mesh large.obj ready" in lines, expected, lines[:3])
+                self.assertEqual("preparing the mesh large.obj" in lines, expected, lines[:3])
                 self.assertEqual(lines.count("a cantilever"), 1)
         _, text = on_terminal(HAWSER, "run", "deck.yaml", cwd=self.folder)
         self.assertTrue(text.startswith("a cantilever\r\n\r\033[Kreading the mesh large.obj (44 MB)\r\033[K"), text[:200])

@@ -176,7 +176,7 @@ TEST(Links, MomentumOfTwoBodies) {
   Dynamics& d = sim.dynamics();
   d.start(sim.state());
   const auto momentum = [&] {
-    const Kinematics k = d.kinematics();
+    const Kinematics k = d.committed_kinematics();
     const LocalMesh& m = sim.local();
     std::array<double, 6> sum{};
     for (size_t n = 0; n < static_cast<size_t>(m.owned); ++n) {
@@ -196,7 +196,7 @@ TEST(Links, MomentumOfTwoBodies) {
     kept = std::max(kept, (p - linear).norm());
     turned = std::max(turned, (L - angular).norm());
     for (size_t n = 0; n < static_cast<size_t>(sim.local().owned); ++n)
-      pull = std::max(pull, d.kinematics().a[n].norm());
+      pull = std::max(pull, d.committed_kinematics().a[n].norm());
   });
   MPI_Allreduce(MPI_IN_PLACE, &pull, 1, MPI_DOUBLE, MPI_MAX, PETSC_COMM_WORLD);
   printf(

@@ -38,7 +38,7 @@ TEST(Audit, ReportsWhatAStepMadeWhereAndWhatHelps) {
   EXPECT_EQ(
       a.warning(true, "line chain, arc length 3 m"),
       "the steps created 3 J of energy by t = 0.3 s, 3 % of the work done; the one of 0.1 s that ended at "
-      "t = 0.3 s made most of it, 3 J, at line chain, arc length 3 m: it touches a volume there; give "
+      "t = 0.3 s created most of it, 3 J, at line chain, arc length 3 m: it touches a volume there; give "
       "dynamics.step: 0.025 s");
   EXPECT_FALSE(a.wrong());
   a.worst.with = record::Audit::Step::ContactWith::nothing;
@@ -57,7 +57,7 @@ TEST(Audit, ReportsAnImpactAtTheStart) {
   EXPECT_EQ(
       a.warning(true, "line chain, arc length 3 m", "bodies.vessel.motion"),
       "the steps created 3 J of energy by t = 0.3 s, 3 % of the work done; the one of 0.1 s that ended at "
-      "t = 0.3 s made most of it, 3 J, at line chain, arc length 3 m: bodies.vessel.motion begins with a "
+      "t = 0.3 s created most of it, 3 J, at line chain, arc length 3 m: bodies.vessel.motion begins with a "
       "non-zero velocity, which is an impact on the lines at rest; add a 'ramp' to it (a shorter step does "
       "not help)");
   a.update(moving(100), moving(110), 0.7, 0.1);  // a larger error later, for another reason

@@ -107,7 +107,7 @@ TEST(CaseFlow, BadTablesGetASentence) {
       wind("rows: [[0, 0.8, 0.1, 0], [60, 0.4, 0.7, 0], [120, -0.4, 0.6, 0], [180, -0.7, 0, 0]]"),
       "rows of one side are mirrored for the other, so that Cy and Cn at 0 deg are 0, found 0.1 and 0");
   expect_refused(wind("rows: [[0, 0.8, 0, 0], [60, 0.4, 0.7, 0], [50, -0.4, 0.6, 0], [180, -0.7, 0, 0]]"),
-                 "angles must increase, but row 3 has 50 deg after 60 deg");
+                 "angles must increase from row to row, but 50 deg follows 60 deg: row 3");
   expect_refused(
       "current: {length: 90, rows: [[0, 0.8, 0, 0], [60, 0.4, 0.7, 0], [120, -0.4, 0.6, 0], [180, -0.7, 0, "
       "0]]}",

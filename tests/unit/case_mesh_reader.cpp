@@ -208,7 +208,7 @@ TEST(CaseMeshReader, DoubledDecksStayAndSheetsAreRefused) {
   EXPECT_TRUE(m.report.valid());
   EXPECT_DOUBLE_EQ(m.report.volume, 1);
   ASSERT_EQ(m.notes.size(), 1U);
-  EXPECT_NE(m.notes[0].find("deck.obj: 2 triangles that are listed more than once excluded"),
+  EXPECT_NE(m.notes[0].find("deck.obj: 2 triangles that are listed more than once, excluded"),
             std::string::npos)
       << m.notes[0];
   for (const char* faces : {"f 1 2 3\nf 1 3 4\nf 1 3 2\nf 1 4 3\n", "f 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n"})

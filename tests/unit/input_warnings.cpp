@@ -236,7 +236,7 @@ TEST(InputWarnings, Depths) {
 }
 
 TEST(InputWarnings, SlackOnTheBedInACurrent) {
-  expect_warning({{"length: 760", "length: 880"}}, "bows them about 17 m sideways");  // a run: 17.1 m
+  expect_warning({{"length: 760", "length: 880"}}, "bends them about 17 m sideways");  // a run: 17.1 m
   EXPECT_TRUE(
       notes({{"length: 760", "length: 880"}, {"direction_deg: 90", "direction_deg: 90, ramp: 20"}}).empty());
   EXPECT_TRUE(notes({{"length: 760", "length: 880"}, {"direction_deg: 90", "direction_deg: 0"}}).empty());

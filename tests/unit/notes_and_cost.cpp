@@ -159,7 +159,7 @@ events: [{cut: {line: chain, at: 10}, )" + limit +
     const TrialRun trial = trial_run(sim, c, 100);
     EXPECT_EQ(trial.failure, "");
     EXPECT_NEAR(trial.reached, 0.1, 1e-9);
-    const Kinematics rest = sim.state().at_rest(), end = sim.dynamics().kinematics();
+    const Kinematics rest = sim.state().at_rest(), end = sim.dynamics().committed_kinematics();
     double fallen = 0;  // centre of mass of the lower part: elements of equal mass
     for (size_t n = 0; n <= 10; ++n) fallen += (n % 10 == 0 ? 0.05 : 0.1) * (rest.x[n].z() - end.x[n].z());
     return fallen;

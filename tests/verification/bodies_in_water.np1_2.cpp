@@ -119,7 +119,7 @@ TEST(BodiesInWater, TerminalVelocity) {
   Dynamics& d = s.dynamics();
   d.start(s.state());
   integrate(d, 6, 6, [](const StepInfo&) {});
-  const double found = -from_owner(s, [&](size_t n) { return d.kinematics().v[n].z(); });
+  const double found = -from_owner(s, [&](size_t n) { return d.committed_kinematics().v[n].z(); });
   const double v = std::sqrt(2 * (2000 - 1000) * kG / (1000 * 1.6 * 2));
   printf("falling body: %.6f m/s, closed form %.6f m/s (%+.4f %%)\n", found, v, 100 * (found / v - 1));
   EXPECT_NEAR(found, v, 1e-3 * v);
@@ -146,7 +146,7 @@ TEST(BodiesInWater, LightBodyWithMuchAddedMassSinks) {
     const double a0 = 50 * kG / (100 + added), v = std::sqrt(2 * 50 * kG / (1000 * 0.2));
     double worst = 0;
     integrate(d, 10, 1, [&](const StepInfo& i) {
-      const double sunk = -20 - from_owner(s, [&](size_t n) { return d.kinematics().x[n].z(); });
+      const double sunk = -20 - from_owner(s, [&](size_t n) { return d.committed_kinematics().x[n].z(); });
       const double exact = v * v / a0 * std::log(std::cosh(a0 * i.time / v));
       if (i.time > 0.99) worst = std::max(worst, std::abs(sunk / exact - 1));
     });
@@ -248,7 +248,8 @@ Lowered lower(MPI_Comm comm, const model::Case& c) {
   Lowered out;
   integrate(d, c.dynamics.duration, c.dynamics.duration, [&](const StepInfo&) {
     const int n = s.local().find(s.mesh().body_node(0));
-    Vec3 x = n >= 0 && n < s.local().owned ? Vec3(d.kinematics().x[static_cast<size_t>(n)]) : Vec3::Zero();
+    Vec3 x = n >= 0 && n < s.local().owned ? Vec3(d.committed_kinematics().x[static_cast<size_t>(n)])
+                                           : Vec3::Zero();
     MPI_Allreduce(MPI_IN_PLACE, x.data(), 3, MPI_DOUBLE, MPI_SUM, comm);
     out.place = x;
     out.least = std::min(out.least, x.z());

@@ -92,7 +92,7 @@ TEST(BodiesOnLines, BifilarPendulum) {
   std::vector<std::pair<double, double>> yaw;
   integrate(d, 5 * T, 5 * T, [&](const StepInfo& i) {
     yaw.emplace_back(i.time, from_owner(s, [&](size_t n) {
-                       const Vec3 axis = d.kinematics().q[n] * Vec3::UnitX();
+                       const Vec3 axis = d.committed_kinematics().q[n] * Vec3::UnitX();
                        return std::atan2(axis.y(), axis.x());
                      }));
   });
@@ -125,7 +125,7 @@ TEST(BodiesOnLines, CompoundPendulumOnALine) {
   dyn.start(s.state());
   std::vector<std::pair<double, double>> swing;
   integrate(dyn, 5 * T, 5 * T, [&](const StepInfo& i) {
-    swing.emplace_back(i.time, from_owner(s, [&](size_t n) { return dyn.kinematics().x[n].x(); }));
+    swing.emplace_back(i.time, from_owner(s, [&](size_t n) { return dyn.committed_kinematics().x[n].x(); }));
   });
   const double found = period(swing);
   printf("compound pendulum on a line: %.5f s, closed form %.5f s (%.3f %%)\n", found, T,

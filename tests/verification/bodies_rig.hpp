@@ -53,9 +53,9 @@ struct BodiesRun {
     }
     return all;
   }
-  std::vector<RigidPose> poses() { return poses(sim.dynamics().kinematics()); }
+  std::vector<RigidPose> poses() { return poses(sim.dynamics().committed_kinematics()); }
   Energy energy() {
-    Energy e = sim.system().energy(sim.dynamics().kinematics());
+    Energy e = sim.system().energy(sim.dynamics().committed_kinematics());
     for (double* of : {&e.kinetic, &e.strain, &e.potential, &e.friction, &e.damping, &e.work})
       MPI_Allreduce(MPI_IN_PLACE, of, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
     return e;

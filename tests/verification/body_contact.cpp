@@ -73,9 +73,9 @@ Bump bump(double zeta) {
   Dynamics& d = run.sim.dynamics();
   const size_t a = run.node(0), b = run.node(1);
   Bump out;
-  const double p0 = 1e7 * 0.5 - 2.5e7 * 0.1, e0 = total(run.sim.system().energy(d.kinematics()));
+  const double p0 = 1e7 * 0.5 - 2.5e7 * 0.1, e0 = total(run.sim.system().energy(d.committed_kinematics()));
   integrate(d, 8, 8, [&](const StepInfo& i) {
-    const Kinematics k = d.kinematics();
+    const Kinematics k = d.committed_kinematics();
     const double F = run.sim.rigid_bodies()->force_on(1, k)[0].x();
     out.force = std::max(out.force, F);
     out.duration += F > 1 ? i.h : 0;
@@ -188,7 +188,7 @@ TEST(BodyContact, ABodyOnSpringsSwings) {
   const double w = std::sqrt(800.0 / 200), turn = std::sqrt(3000 / (60.0 * 200));
   double off = 0, angle = 0;
   integrate(d, 40, 40, [&](const StepInfo& i) {
-    const Kinematics k = d.kinematics();
+    const Kinematics k = d.committed_kinematics();
     off = std::max(off, std::abs(k.x[0].x() - 1 - 0.3 / w * std::sin(w * i.time)));
     angle = std::max(angle, std::abs(log_so3(k.q[0]).z() - 0.1 / turn * std::sin(turn * i.time)));
   });
@@ -225,12 +225,12 @@ TEST(BodyContact, TumblingBoxesKeepMomentum) {
     }
     return L;
   };
-  const Kinematics k0 = d.kinematics();
+  const Kinematics k0 = d.committed_kinematics();
   const Vec3 p0 = 3 * k0.v[a] + 5 * k0.v[b], L0 = angular(k0);
   const double e0 = total(run.sim.system().energy(k0));
   double strain = 0, momentum = 0, turning = 0, energy = 0;
   integrate(d, 3, 3, [&](const StepInfo&) {
-    const Kinematics k = d.kinematics();
+    const Kinematics k = d.committed_kinematics();
     const Energy e = run.sim.system().energy(k);
     strain = std::max(strain, e.strain / e0);
     energy = std::max(energy, std::abs(total(e) / e0 - 1));

@@ -16,7 +16,7 @@ std::vector<double> poses(MPI_Comm comm, const model::Case& c, const std::vector
   integrate(d, 10, 2, [&](const StepInfo& i) {
     if (!at_mark(i.time, 2)) return;
     for (int b = 0; b < 2; ++b) {
-      const auto p = s.body_pose(b, d.kinematics());
+      const auto p = s.body_pose(b, d.committed_kinematics());
       for (int k = 0; k < 7; ++k)
         out.push_back(!p ? 0 : k < 3 ? p->position[k] : p->rotation.coeffs()[k - 3]);
     }

@@ -32,7 +32,8 @@ double at_end(const model::Case& c, const What& what) {
   d.start(s.state());
   integrate(d, 1, 1, [](const StepInfo&) {});
   const int node = s.local().find(s.mesh().body_node(0));
-  double value = node >= 0 && node < s.local().owned ? what(d.kinematics(), static_cast<size_t>(node)) : 0;
+  double value =
+      node >= 0 && node < s.local().owned ? what(d.committed_kinematics(), static_cast<size_t>(node)) : 0;
   MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
   return value;
 }
@@ -104,10 +105,10 @@ TEST(BodyFree, CoupledMassKeepsMomentum) {
     d.start(s.state());
     const int node = s.local().find(s.mesh().body_node(0));
     const bool here = s.local().owns(node);
-    if (here) std::tie(first, energy) = momentum(d.kinematics(), node);
+    if (here) std::tie(first, energy) = momentum(d.committed_kinematics(), node);
     integrate(d, 4, 4, [&](const StepInfo&) {
       if (!here) return;
-      const auto [P, T] = momentum(d.kinematics(), node);
+      const auto [P, T] = momentum(d.committed_kinematics(), node);
       off = std::max(off, (P - first).norm() / first.norm());
       lost = std::max(lost, std::abs(T / energy - 1));
     });

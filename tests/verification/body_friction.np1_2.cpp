@@ -153,7 +153,7 @@ dynamics: {{duration: 1, max_step: 2e-4, rho_infinity: 1}}
   r.start();
   double error = 0;
   r.move(0.3, [&](const StepInfo&) {
-    const double t = r.sim.dynamics().kinematics().time, wd = w * std::sqrt(1 - D * D);
+    const double t = r.sim.dynamics().committed_kinematics().time, wd = w * std::sqrt(1 - D * D);
     const double x = speed / wd * std::exp(-D * w * t) * std::sin(wd * t);
     error = std::max(error, std::abs(r.poses()[0].position.x() - x));
   });

@@ -233,7 +233,7 @@ TEST(BodyFrictionStatics, HullsThatRollAgainstEachOther) {
     BodiesRun r(hulls(mass));
     r.start();
     const auto momenta = [&] {
-      Momentum m = momentum(r.sim.system(), r.sim.dynamics().kinematics());
+      Momentum m = momentum(r.sim.system(), r.sim.dynamics().committed_kinematics());
       MPI_Allreduce(MPI_IN_PLACE, m.linear.data(), 3, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
       return m.linear;
     };
@@ -287,7 +287,7 @@ dynamics: {duration: 10}
   r.start();
   const double a0 = r.audit();
   const auto on_deck = [&] {
-    const Kinematics k = r.sim.dynamics().kinematics();
+    const Kinematics k = r.sim.dynamics().committed_kinematics();
     const RigidPose deck = *r.sim.body_pose(0, k);
     return deck.to_body(r.poses()[1].position);
   };

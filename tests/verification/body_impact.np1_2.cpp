@@ -78,11 +78,11 @@ Outcome impact_event(MPI_Comm comm, const model::Case& c) {
     Vec3 momentum;
   };
   const auto now = [&] {
-    const Energy e = s.system().energy(d.kinematics());
+    const Energy e = s.system().energy(d.committed_kinematics());
     std::array<double, 5> v{total(e) + e.damping, e.strain, 0, 0, 0};
     for (int b = 0; b < 2; ++b)
       if (c.bodies[static_cast<size_t>(b)].mass)
-        if (const auto p = s.body_pose(b, d.kinematics()))
+        if (const auto p = s.body_pose(b, d.committed_kinematics()))
           for (int k = 0; k < 3; ++k)
             v[static_cast<size_t>(2 + k)] += c.bodies[static_cast<size_t>(b)].mass->mass * p->velocity[k];
     v = sum(v);
@@ -102,7 +102,7 @@ Outcome impact_event(MPI_Comm comm, const model::Case& c) {
     out.rejected += i.rejected;
   });
   for (int b = 0; b < 2; ++b) {
-    const auto p = s.body_pose(b, d.kinematics());
+    const auto p = s.body_pose(b, d.committed_kinematics());
     for (int k = 0; k < 7; ++k)
       out.poses.push_back(!p || !c.bodies[static_cast<size_t>(b)].mass ? 0
                           : k < 3                                      ? p->position[k]

@@ -33,12 +33,15 @@ dynamics: {duration: 6, step: 0.01, rho_infinity: 1}
   d.start(s.state());
   integrate(d, 6, 6, [](const StepInfo&) {});
   const double exact = 800 * 64.0 / (6 * 4000) + 800 * 16.0 / 8000 * 2 + 0.5 * 0.8 * 4, speed = 1.6 + 1.6;
-  EXPECT_NEAR(from_owner(s, [&](size_t n) { return d.kinematics().x[n].x(); }), exact, 1e-5 * exact);
-  EXPECT_NEAR(from_owner(s, [&](size_t n) { return d.kinematics().x[n].y(); }), 0.5 * exact, 1e-5 * exact);
-  EXPECT_NEAR(from_owner(s, [&](size_t n) { return d.kinematics().v[n].x(); }), speed, 1e-6 * speed);
+  EXPECT_NEAR(from_owner(s, [&](size_t n) { return d.committed_kinematics().x[n].x(); }), exact,
+              1e-5 * exact);
+  EXPECT_NEAR(from_owner(s, [&](size_t n) { return d.committed_kinematics().x[n].y(); }), 0.5 * exact,
+              1e-5 * exact);
+  EXPECT_NEAR(from_owner(s, [&](size_t n) { return d.committed_kinematics().v[n].x(); }), speed,
+              1e-6 * speed);
   const double kinetic = 0.5 * 1000 * speed * speed * 1.25;
   const auto energy = [&](double Energy::*part) {
-    return from_owner(s, [&](size_t) { return s.system().energy(d.kinematics()).*part; });
+    return from_owner(s, [&](size_t) { return s.system().energy(d.committed_kinematics()).*part; });
   };
   EXPECT_NEAR(energy(&Energy::work), kinetic, 1e-4 * kinetic);
   EXPECT_NEAR(energy(&Energy::kinetic), kinetic, 1e-4 * kinetic);

@@ -126,13 +126,13 @@ dynamics: {duration: 0.25, step: 5e-4, rho_infinity: 1}
         // The load rises within the first step, in the mean to half. The ends of a beam rotate, because its
         // load and inertia are distributed and the soil acts at nodes only.
         for (size_t n = beam ? 29 : 0; n <= (beam ? 31 : 60); ++n) {
-          const Vec3& x = one.dynamics().kinematics().x[n];
+          const Vec3& x = one.dynamics().committed_kinematics().x[n];
           worst = std::max(worst, std::abs(x.y() - swings(info.time - 0.5 * step)));
           up = std::max(up, std::abs(x.z() + 21));
         }
         return true;
       });
-  const double taken = one.system().energy(one.dynamics().kinematics()).friction;
+  const double taken = one.system().energy(one.dynamics().committed_kinematics()).friction;
   const double yielding = 60 * Q * (most - Q / k);  // J
   if (first_rank())
     printf(
@@ -144,7 +144,8 @@ dynamics: {duration: 0.25, step: 5e-4, rho_infinity: 1}
     EXPECT_NEAR(taken, yielding, 0.01 * yielding);
   }
   run(all, 0.25);
-  expect_same_positions(all, all.dynamics().kinematics(), one.dynamics().kinematics(), 1e-9, "in the end");
+  expect_same_positions(all, all.dynamics().committed_kinematics(), one.dynamics().committed_kinematics(),
+                        1e-9, "in the end");
 }
 
 TEST(Buried, SwingsWithoutWaterAndYields) {
@@ -243,8 +244,9 @@ dynamics: {duration: 4, step: 0.1}
   EXPECT_NEAR(here, there, 0.02 * T0);
   run(all, 4);
   run(one, 4);
-  expect_same_positions(all, all.dynamics().kinematics(), one.dynamics().kinematics(), 1e-7, "after 4 s");
-  EXPECT_LT((one.dynamics().kinematics().x[3] - laid[3]).norm(), 0.5);
+  expect_same_positions(all, all.dynamics().committed_kinematics(), one.dynamics().committed_kinematics(),
+                        1e-7, "after 4 s");
+  EXPECT_LT((one.dynamics().committed_kinematics().x[3] - laid[3]).norm(), 0.5);
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ inline Pulled run(const Pull& p) {
   Dynamics& d = s.dynamics();
   d.start(s.state());
   Pulled out;
-  const Energy e0 = s.system().energy(d.kinematics());
+  const Energy e0 = s.system().energy(d.committed_kinematics());
   const double before = cpu_seconds();
   d.run(
       p.duration, [](double t) { return t + 100; },
@@ -90,7 +90,7 @@ inline Pulled run(const Pull& p) {
         return true;
       });
   out.cpu = (cpu_seconds() - before) / p.duration;
-  const Energy e = s.system().energy(d.kinematics());
+  const Energy e = s.system().energy(d.committed_kinematics());
   const double brought = e.work + d.support_work() - (e.potential - e0.potential);
   out.audit = (e.kinetic + e.strain - e0.kinetic - e0.strain + e.friction + e.damping) / brought - 1;
   out.touching = s.line_volume_contact()->active_count();

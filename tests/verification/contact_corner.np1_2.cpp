@@ -70,7 +70,7 @@ std::array<Rest, 2> run(const model::Case& c, const Surfaces& surfaces) {
         out[1].iterations += i.iterations;
         return ++out[1].steps < 5000;
       });
-  look(s, d.kinematics(), out[1]);
+  look(s, d.committed_kinematics(), out[1]);
   return out;
 }
 

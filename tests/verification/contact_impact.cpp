@@ -46,7 +46,7 @@ Rebound run(const Impact& in) {
       10, [](double t) { return t + 100; },
       [&](const StepInfo& i) {
         const double g = d.committed().s.x[0].z() - radius, v = d.committed().s.v[0].z();
-        const std::vector<double>& force = contact.at(d.kinematics());
+        const std::vector<double>& force = contact.at(d.committed_kinematics());
         const double f = force[0] + force[1];
         out.force = std::max(out.force, f);
         out.depth = std::max(out.depth, -g);
@@ -199,7 +199,7 @@ TEST_P(Bar, AgainstWall) {
   d.run(
       0.012, [](double t) { return t + 100; },
       [&](const StepInfo& i) {
-        const double f = contact.at(d.kinematics())[0];
+        const double f = contact.at(d.committed_kinematics())[0];
         most = std::max(most, f);
         impulse += 0.5 * (f + last) * i.h;
         if (f > 0) release = i.time;
@@ -252,8 +252,8 @@ TEST_P(Bar, PeakDoesNotDependOnTheStep) {
         [&](const StepInfo& i) {
           ++steps;
           rejected += i.rejected;
-          most = std::max(most, contact.at(d.kinematics())[0]);
-          const Energy e = s.system().energy(d.kinematics());
+          most = std::max(most, contact.at(d.committed_kinematics())[0]);
+          const Energy e = s.system().energy(d.committed_kinematics());
           energy = std::max(energy, e.kinetic + e.strain);
           last = e.kinetic + e.strain;
           return true;

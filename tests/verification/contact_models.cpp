@@ -21,7 +21,7 @@ Landing land(model::ContactMethod method, double step, double longest = 0) {
   NodeField contact(s, "contact_normal_force");
   Landing out;
   const auto total = [&] {
-    const Energy e = s.system().energy(d.kinematics());
+    const Energy e = s.system().energy(d.committed_kinematics());
     return e.kinetic + e.strain + e.potential;
   };
   const double e0 = total();
@@ -30,7 +30,7 @@ Landing land(model::ContactMethod method, double step, double longest = 0) {
       0.35, [](double t) { return t + 100; },
       [&](const StepInfo& i) {
         double f = 0;
-        for (const double x : contact.at(d.kinematics())) f += x;
+        for (const double x : contact.at(d.committed_kinematics())) f += x;
         out.peak = std::max(out.peak, f);
         out.impulse += 0.5 * (f + last) * i.h;
         if (last > 0 && f == 0) ++out.releases;

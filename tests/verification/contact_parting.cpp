@@ -65,17 +65,17 @@ Course follow(Simulation& s, Bar bar, double thrown, double until, double from, 
   Dynamics& d = s.dynamics();
   d.start(s.state());
   NodeField normal(s, bar == Bar::line ? "line_contact_normal_force" : "contact_normal_force");
-  const Energy first = s.system().energy(d.kinematics());
+  const Energy first = s.system().energy(d.committed_kinematics());
   const double energy = 0.5 * kMass * kSpan * thrown * thrown;
   double least = first.kinetic + first.strain;
   d.run(
       until, [](double t) { return t + 100; },
       [&](const StepInfo& i) {
         double f = 0;
-        for (size_t n = 0; n <= kElements; ++n) f += normal.at(d.kinematics())[n];
+        for (size_t n = 0; n <= kElements; ++n) f += normal.at(d.committed_kinematics())[n];
         if (i.time > from && i.time < to) out.reaction.add(f, i.h);
         if (f > 0) out.lifted = i.time;
-        const Energy e = s.system().energy(d.kinematics());
+        const Energy e = s.system().energy(d.committed_kinematics());
         out.made = std::max(out.made, (e.kinetic + e.strain - least) / energy);
         least = std::min(least, e.kinetic + e.strain);
         ++out.steps;
@@ -152,7 +152,7 @@ double bar_on_wall(model::ContactMethod method, double stiffness, double step) {
   Dynamics& d = s.dynamics();
   d.start(s.state());
   const auto energy = [&] {
-    const Energy e = s.system().energy(d.kinematics());
+    const Energy e = s.system().energy(d.committed_kinematics());
     return e.kinetic + e.strain;
   };
   const double first = energy();

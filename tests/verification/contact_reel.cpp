@@ -55,7 +55,7 @@ Reeled run(ContactMethod method, int elements, double duration,
   const Vec3 load = c.lines[0].loads[0].per_length - type.mass_per_length * 9.80665 * Vec3::UnitZ();
   const double h = kLength / elements, EI = type.EI2;
   NodeField tension(s, "effective_tension"), normal(s, "contact_normal_force"), moment(s, "bending_moment");
-  const Energy e0 = s.system().energy(d.kinematics());
+  const Energy e0 = s.system().energy(d.committed_kinematics());
   const double z0 = s.state().x.back().z();
   Reeled out;
   const double before = cpu_seconds();
@@ -66,7 +66,7 @@ Reeled run(ContactMethod method, int elements, double duration,
       [&](const StepInfo& i) {
         ++out.steps;
         out.iterations += i.iterations;
-        const Kinematics k = d.kinematics();
+        const Kinematics k = d.committed_kinematics();
         const std::vector<double>&T = tension.at(k), &N = normal.at(k);
         // Angle along the hose from end A, which is at the drum's angle, to the last node on the barrel (the
         // next node may carry a share of an element's contact).
@@ -102,11 +102,11 @@ Reeled run(ContactMethod method, int elements, double duration,
       });
   out.cpu = cpu_seconds() - before;
   out.penetration = s.line_volume_contact()->largest_penetration().depth;
-  const std::vector<double>& M = moment.at(d.kinematics());
+  const std::vector<double>& M = moment.at(d.committed_kinematics());
   // Bending decays over sqrt(EI/T) = 1.2 m: exclude nodes near the clamp and the lift-off.
   const size_t clear = static_cast<size_t>(std::lround(5 / h));
   for (size_t n = clear; n + clear < last; ++n) out.moment.push_back(M[n] / (EI / kRho));
-  const Energy e = s.system().energy(d.kinematics());
+  const Energy e = s.system().energy(d.committed_kinematics());
   const double brought = e.work + d.support_work() - (e.potential - e0.potential);
   out.audit = (e.kinetic + e.strain - e0.kinetic - e0.strain + e.friction + e.damping) / brought - 1;
   return out;

@@ -83,7 +83,7 @@ Course throw_line(const Throw& t, unsigned seed) {
   Course out;
   // The line's axis relative to the plate.
   const auto axis = [&] {
-    const Kinematics k = d.kinematics();
+    const Kinematics k = d.committed_kinematics();
     const double rise = t.plate_moves ? t.speed * k.time : 0;
     std::vector<Vec3> p;
     for (const LocalElement& e : s.local().elements) {

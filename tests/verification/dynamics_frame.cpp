@@ -64,7 +64,7 @@ Frame frame(int per_leg, double h, double rho, double until) {
   size_t next = 0;
   integrate(d, until, 1, [&](const StepInfo& i) {
     if (i.time > 2 + 1e-9) {
-      const double e = total(system.energy(d.kinematics()));
+      const double e = total(system.energy(d.committed_kinematics()));
       out.low = std::min(out.low, e);
       out.high = std::max(out.high, e);
     }

@@ -43,7 +43,7 @@ Pendulum pendulum(int elements, double h, double rho) {
     out.rejected += i.rejected;
     out.shortest = std::min(out.shortest, i.h);
     out.longest = std::max(out.longest, i.h);
-    const Energy e = s.system().energy(d.kinematics());
+    const Energy e = s.system().energy(d.committed_kinematics());
     out.total = std::max(out.total, std::abs(total(e)));  // total energy is zero at the start
     if (next == std::size(kTip) || std::abs(i.time - kTip[next][0]) > 1e-6) return;
     const double* p = kTip[next++];

@@ -148,7 +148,7 @@ struct Balance {
   double stored = 0, brought = 0;
 };
 inline Balance balance(Simulation& s, MPI_Comm comm) {
-  const Energy e = s.system().energy(s.dynamics().kinematics());
+  const Energy e = s.system().energy(s.dynamics().committed_kinematics());
   double sums[] = {total(e) + e.friction + e.damping + e.unresolved, e.work + s.dynamics().support_work()};
   MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, comm);
   return {sums[0], sums[1]};
@@ -193,11 +193,12 @@ double period_from_rest(Simulation& s, Value&& value) {
   s.solve_statics();
   Dynamics& d = s.dynamics();
   d.start(s.state());
-  const double rest = from_owner(s, [&](size_t n) { return value(d.kinematics(), n); });
+  const double rest = from_owner(s, [&](size_t n) { return value(d.committed_kinematics(), n); });
   const double duration = s.model().dynamics.duration;
   std::vector<std::pair<double, double>> signal;
   integrate(d, duration, duration, [&](const StepInfo& i) {
-    signal.emplace_back(i.time, from_owner(s, [&](size_t n) { return value(d.kinematics(), n); }) - rest);
+    signal.emplace_back(i.time,
+                        from_owner(s, [&](size_t n) { return value(d.committed_kinematics(), n); }) - rest);
   });
   return period(signal);
 }

@@ -104,7 +104,7 @@ TEST(Dynamics, StoppedBar) {
     before = f;
     if (i.time < back * (1 + 1e-9)) impulse += f * i.h;
     if (std::abs(i.time - back) < 1e-9 * back)
-      momentum_back = momentum(s.system(), d.kinematics()).linear.x();
+      momentum_back = momentum(s.system(), d.committed_kinematics()).linear.x();
   });
   const double p = rho * A * L * v;
   printf(

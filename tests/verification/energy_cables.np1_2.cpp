@@ -54,18 +54,18 @@ Flight fly(double rho, double step, double duration) {
   };
   Flight f;
   sim.dynamics().start(s);
-  f.start = energy(sim.dynamics().kinematics());
-  const double p0 = momentum(sim.dynamics().kinematics());
+  f.start = energy(sim.dynamics().committed_kinematics());
+  const double p0 = momentum(sim.dynamics().committed_kinematics());
   sim.dynamics().run(
       duration, [&](double) { return duration; },
       [&](const StepInfo&) {
-        const double now = energy(sim.dynamics().kinematics()) / f.start;
+        const double now = energy(sim.dynamics().committed_kinematics()) / f.start;
         f.most = std::max(f.most, now);
         f.least = std::min(f.least, now);
         return true;
       });
-  f.end = energy(sim.dynamics().kinematics());
-  f.momentum = std::abs(momentum(sim.dynamics().kinematics()) - p0) / std::abs(p0);
+  f.end = energy(sim.dynamics().committed_kinematics());
+  f.momentum = std::abs(momentum(sim.dynamics().committed_kinematics()) - p0) / std::abs(p0);
   return f;
 }
 

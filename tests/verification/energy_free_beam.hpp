@@ -62,14 +62,14 @@ inline Tumble tumble(model::Case c, bool beam, int per_period, double rho, int p
   throw_line(s.state(), beam);
   Dynamics& d = s.dynamics();
   d.start(s.state());
-  const double e0 = total(s.system().energy(d.kinematics()));
-  const Momentum p0 = momentum(s.system(), d.kinematics());
+  const double e0 = total(s.system().energy(d.committed_kinematics()));
+  const Momentum p0 = momentum(s.system(), d.committed_kinematics());
   Tumble out;
   const long every = std::max(1, periods * per_period / 500);
   long step = 0, samples[2] = {};
   double mean[2] = {}, apart[2] = {}, size = 0;
   integrate(d, until, until, [&](const StepInfo&) {
-    const Kinematics k = d.kinematics();
+    const Kinematics k = d.committed_kinematics();
     const Energy e = s.system().energy(k);
     out.energy = std::max(out.energy, std::abs(total(e) / e0 - 1));
     out.strain = std::max(out.strain, e.strain / e0);

@@ -119,9 +119,9 @@ Dragged drag(model::ContactMethod method, const model::Friction& friction, doubl
       1.5, [](double t) { return t + 100; }, [](const StepInfo&) { return true; });
   Dragged out;
   NodeField tangential(s, "friction_force"), normal(s, "contact_normal_force");
-  const auto& f = tangential.at(d.kinematics());
+  const auto& f = tangential.at(d.committed_kinematics());
   for (size_t i = 0; i < f.size(); i += 3) out.force += Vec3(f[i], f[i + 1], f[i + 2]);
-  for (const double n : normal.at(d.kinematics())) out.normal += n;
+  for (const double n : normal.at(d.committed_kinematics())) out.normal += n;
   return out;
 }
 

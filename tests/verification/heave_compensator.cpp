@@ -77,7 +77,7 @@ TEST(HeaveCompensator, Transmissibility) {
       double sine = 0, cosine = 0;
       integrate(d, end, end, [&](const StepInfo& i) {
         if (i.time < settled + 0.5 * c.dynamics.step) return;
-        const double z = height(s, d.kinematics()) - rest;
+        const double z = height(s, d.committed_kinematics()) - rest;
         sine += 2 * z * std::sin(w * i.time) / 800;
         cosine += 2 * z * std::cos(w * i.time) / 800;
       });

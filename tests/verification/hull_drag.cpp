@@ -125,7 +125,7 @@ Outcome drag(const Drag& d) {
         iterations += i.iterations;
         out.most_touching = std::max(out.most_touching, s.line_volume_contact()->active_count());
         if (std::floor(2 * i.time) > std::floor(2 * (i.time - i.h)) || i.time >= d.duration)
-          for (const Vec3& x : dynamics.kinematics().x) places.push_back(x);
+          for (const Vec3& x : dynamics.committed_kinematics().x) places.push_back(x);
         return true;
       });
   const double seconds = cpu_seconds() - cpu;

@@ -55,7 +55,7 @@ void drag(const std::string& folder, const std::string& volumes, Drag& r) {
       36, [](double t) { return t + 1000; },
       [&](const StepInfo& i) {
         // Contact on both walls: the sum of the forces' sizes exceeds the size of their resultant.
-        const auto &f = force.at(d.kinematics()), &n = normal.at(d.kinematics());
+        const auto &f = force.at(d.committed_kinematics()), &n = normal.at(d.committed_kinematics());
         Vec3 left = Vec3::Zero();
         double sizes = 0;
         for (size_t k = 53; k <= 58; ++k) {

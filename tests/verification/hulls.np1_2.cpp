@@ -93,8 +93,8 @@ TEST(Hulls, AutomaticStepsFollowThePeriodsOfAHull) {
     Vec3 out;
     for (int axis = 0; axis < 3; ++axis)
       out[axis] = from_owner(s, [&](size_t n) {
-        if (axis == 2) return d.kinematics().x[n].z() + 0.5;
-        return log_so3(floating_state(d.kinematics(), static_cast<int>(n)).q)[axis];
+        if (axis == 2) return d.committed_kinematics().x[n].z() + 0.5;
+        return log_so3(floating_state(d.committed_kinematics(), static_cast<int>(n)).q)[axis];
       });
     return out;
   };
@@ -270,7 +270,8 @@ TEST(Hulls, EnergyInWaves) {
     const double now = balance(s, PETSC_COMM_WORLD).stored;
     moved += std::abs(now - before);
     before = now;
-    for (int k = 0; k < 3; ++k) end[k] = from_owner(s, [&](size_t n) { return d.kinematics().x[n][k]; });
+    for (int k = 0; k < 3; ++k)
+      end[k] = from_owner(s, [&](size_t n) { return d.committed_kinematics().x[n][k]; });
   });
   const auto [left, all] = balance(s, PETSC_COMM_WORLD);
   const double unexplained = left - stored - (all - brought);

@@ -109,7 +109,7 @@ TEST(Joints, TheSameOnAnyNumberOfRanksInMotion) {
     s->dynamics().run(
         4, [](double) { return 4.0; }, [](const StepInfo&) { return true; });
   }
-  const Kinematics a = all.dynamics().kinematics(), b = one.dynamics().kinematics();
+  const Kinematics a = all.dynamics().committed_kinematics(), b = one.dynamics().committed_kinematics();
   for (int n = 0; n < all.local().owned; ++n)
     off = std::max(off, (a.x[static_cast<size_t>(n)] -
                          b.x[static_cast<size_t>(all.local().global[static_cast<size_t>(n)])])

@@ -79,15 +79,15 @@ Drawn draw(const Rope& r, std::shared_ptr<const Surface> drum_surface = nullptr)
   s.solve_statics();
   Dynamics& d = s.dynamics();
   d.start(s.state());
-  const Energy e0 = s.system().energy(d.kinematics());
+  const Energy e0 = s.system().energy(d.committed_kinematics());
   Drawn out;
   const size_t begin = static_cast<size_t>(std::lround(r.leg / (1 + r.stretch) / h));
-  const Vec3 x0 = d.kinematics().x[begin];
+  const Vec3 x0 = d.committed_kinematics().x[begin];
   d.run(
       c.dynamics.duration, [](double t) { return t + 100; },
       [&](const StepInfo& i) {
         const double* f = d.reactions().data() + 3 * s.local().block.back();
-        const double slid = (d.kinematics().x[begin] - x0).norm();
+        const double slid = (d.committed_kinematics().x[begin] - x0).norm();
         // The weight of the line that has passed over the drum is subtracted.
         const double pull =
             Vec3(f[0], f[1], f[2]).norm() + r.weight * (r.leg + slid + slid * std::exp(r.mu * r.wrap));
@@ -96,7 +96,7 @@ Drawn draw(const Rope& r, std::shared_ptr<const Surface> drum_surface = nullptr)
         if (i.time > c.dynamics.duration / 2) out.ratio.add(pull / r.load, i.h);
         return true;
       });
-  const Energy e = s.system().energy(d.kinematics());
+  const Energy e = s.system().energy(d.committed_kinematics());
   const double brought = e.work + d.support_work() - (e.potential - e0.potential);
   out.audit = (e.kinetic + e.strain - e0.kinetic - e0.strain + e.friction + e.damping) / brought - 1;
   return out;

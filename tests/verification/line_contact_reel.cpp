@@ -29,7 +29,7 @@ Drawn draw(model::ContactMethod method, int elements, double duration) {
       (c.lines[0].loads[0].per_length - type.mass_per_length * 9.80665 * Vec3::UnitZ()).norm();
   const double h = kLength / elements;
   NodeField tension(s, "effective_tension");
-  const Energy e0 = s.system().energy(d.kinematics());
+  const Energy e0 = s.system().energy(d.committed_kinematics());
   Series tension_below;
   Drawn out;
   const double before = cpu_seconds();
@@ -38,7 +38,7 @@ Drawn draw(model::ContactMethod method, int elements, double duration) {
       [&](const StepInfo& i) {
         ++out.steps;
         out.iterations += i.iterations;
-        const Kinematics k = d.kinematics();
+        const Kinematics k = d.committed_kinematics();
         size_t n = k.x.size() - 1;
         while (n > 0 && k.x[n].z() < -6) --n;  // between n and n + 1: 6 m below the axis
         const double part = (k.x[n].z() + 6) / (k.x[n].z() - k.x[n + 1].z());
@@ -49,7 +49,7 @@ Drawn draw(model::ContactMethod method, int elements, double duration) {
       });
   out.cpu = (cpu_seconds() - before) / duration;
   out.penetration = s.line_volume_contact()->largest_penetration().depth;
-  const Energy e = s.system().energy(d.kinematics());
+  const Energy e = s.system().energy(d.committed_kinematics());
   const double brought = e.work + d.support_work() - (e.potential - e0.potential);
   out.audit = (e.kinetic + e.strain - e0.kinetic - e0.strain + e.friction + e.damping) / brought - 1;
   out.noise = tension_below.noise(15, duration - 5);

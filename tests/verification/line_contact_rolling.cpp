@@ -39,21 +39,21 @@ Pushed push(double push, bool rolling) {
   Simulation s(PETSC_COMM_WORLD, c, {std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitZ())});
   Dynamics& d = s.dynamics();
   d.start(s.state());
-  const Energy e0 = s.system().energy(d.kinematics());
+  const Energy e0 = s.system().energy(d.committed_kinematics());
   const Quat q0 = s.state().q[2];
   double turn = 0;
   Quat last = q0;
   d.run(
       1, [](double t) { return t + 100; },
       [&](const StepInfo&) {
-        const Quat q = d.kinematics().q[2];
+        const Quat q = d.committed_kinematics().q[2];
         turn += log_so3(q * last.conjugate()).x();
         last = q;
         return true;
       });
-  const Energy e = s.system().energy(d.kinematics());
+  const Energy e = s.system().energy(d.committed_kinematics());
   Pushed out;
-  out.way = d.kinematics().x[2].y();
+  out.way = d.committed_kinematics().x[2].y();
   out.turn = turn;
   out.friction = e.friction;
   out.brought = e.work + d.support_work() - (e.potential - e0.potential);

@@ -51,10 +51,10 @@ Thrown throw_pipe(double stiffness, double step, double longest = 0, bool resolv
   d.start(s.state());
   NodeField normal(s, "contact_normal_force");
   const auto total = [&] {
-    const Energy e = s.system().energy(d.kinematics());
+    const Energy e = s.system().energy(d.committed_kinematics());
     return e.kinetic + e.strain + e.potential;
   };
-  const double before = total(), kinetic = s.system().energy(d.kinematics()).kinetic;
+  const double before = total(), kinetic = s.system().energy(d.committed_kinematics()).kinetic;
   EXPECT_NEAR(s.state().x[elements / 2].z(), sag, 1e-6) << "it does not hang over the support";
   Thrown out;
   double last = 0;
@@ -62,7 +62,7 @@ Thrown throw_pipe(double stiffness, double step, double longest = 0, bool resolv
       1, [](double t) { return t + 100; },
       [&](const StepInfo& i) {
         double f = 0;
-        for (const double n : normal.at(d.kinematics())) f += n;
+        for (const double n : normal.at(d.committed_kinematics())) f += n;
         out.most = std::max(out.most, f);
         out.impulse += 0.5 * (f + last) * i.h;
         out.made = std::max(out.made, (total() - before) / kinetic);
@@ -72,7 +72,7 @@ Thrown throw_pipe(double stiffness, double step, double longest = 0, bool resolv
         return true;
       });
   out.depth = s.line_volume_contact()->largest_penetration().depth;
-  const Energy e = s.system().energy(d.kinematics());
+  const Energy e = s.system().energy(d.committed_kinematics());
   out.audit = (e.kinetic + e.strain + e.potential + e.damping + e.friction - before) / kinetic;
   return out;
 }

@@ -43,7 +43,7 @@ Impact meet(double h, double friction) {
   Dynamics& d = s.dynamics();
   d.start(s.state());
   const auto total = [&] {
-    const Energy e = s.system().energy(d.kinematics());
+    const Energy e = s.system().energy(d.committed_kinematics());
     return e.kinetic + e.strain;
   };
   const double first = total();

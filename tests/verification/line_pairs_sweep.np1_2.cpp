@@ -75,7 +75,7 @@ Swept sweep(Kind kind, double mu, double step) {
   s.solve_statics();
   Dynamics& d = s.dynamics();
   d.start(s.state());
-  const Energy before = s.system().energy(d.kinematics());
+  const Energy before = s.system().energy(d.committed_kinematics());
   Swept out;
   d.run(
       kDuration, [](double t) { return t + 100; },
@@ -89,7 +89,7 @@ Swept sweep(Kind kind, double mu, double step) {
   const double depth = s.line_pairs()->deepest().depth;
   MPI_Allreduce(&depth, &out.depth, 1, MPI_DOUBLE, MPI_MAX, PETSC_COMM_WORLD);
   out.way = kSpeed * kDuration / out.steps;
-  const Energy after = s.system().energy(d.kinematics());
+  const Energy after = s.system().energy(d.committed_kinematics());
   const double brought = over_ranks(after.work - before.work + d.support_work());
   out.audit = over_ranks(after.kinetic + after.strain - before.kinetic - before.strain + after.friction +
                          after.damping) /

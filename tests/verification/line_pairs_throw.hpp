@@ -85,7 +85,7 @@ inline Throw throw_lines(unsigned seed, double step_diameters, bool cables) {
   Throw out;
   std::vector<Vec3> last = d.committed().s.x;
   const auto total = [&] {
-    const Energy e = s.system().energy(d.kinematics());
+    const Energy e = s.system().energy(d.committed_kinematics());
     return e.kinetic + e.strain + e.potential;
   };
   const double first = total();

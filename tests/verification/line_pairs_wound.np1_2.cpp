@@ -95,7 +95,7 @@ Wound wind(double pitch, double duration) {
   d.start(s.state());
   const int end = l.find(s.mesh().lines[0].nodes - 1);
   const bool here = end >= 0 && end < l.owned;
-  const Energy before = s.system().energy(d.kinematics());
+  const Energy before = s.system().energy(d.committed_kinematics());
   Samples ratio;
   int steps = 0, iterations = 0;
   d.run(
@@ -111,7 +111,7 @@ Wound wind(double pitch, double duration) {
   out.ratio = over_ranks(here ? ratio.mean() : 0);
   out.spread = over_ranks(here ? ratio.rms() : 0);
   out.iterations = static_cast<double>(iterations) / steps;
-  const Energy after = s.system().energy(d.kinematics());
+  const Energy after = s.system().energy(d.committed_kinematics());
   const double brought = over_ranks(after.work + d.support_work() - (after.potential - before.potential));
   out.audit = over_ranks(after.kinetic + after.strain - before.kinetic - before.strain + after.friction +
                          after.damping) /

@@ -252,7 +252,7 @@ dynamics: {{duration: 13, step: 0.1}}
   Dynamics& d = s.dynamics();
   d.start(s.state());
   integrate(d, 13, 13, [](const StepInfo&) {});
-  const Kinematics& at = d.kinematics();
+  const Kinematics& at = d.committed_kinematics();
   std::vector<std::string> names;
   std::vector<double> forces;  // by component: force, moment; then of all, and of the link
   for (const ReportsBodyForces* term : s.system().with<ReportsBodyForces>())

@@ -29,9 +29,9 @@ inline std::vector<std::vector<Vec3>> motion(const model::Case& c, double until,
       row.push_back(Vec3(all.data()));
     }
   };
-  keep(d.kinematics());
+  keep(d.committed_kinematics());
   integrate(d, until, every, [&](const StepInfo& i) {
-    if (std::abs(std::remainder(i.time, every)) < 1e-9) keep(d.kinematics());
+    if (std::abs(std::remainder(i.time, every)) < 1e-9) keep(d.committed_kinematics());
   });
   return out;
 }

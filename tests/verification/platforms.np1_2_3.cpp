@@ -150,7 +150,7 @@ TEST(Platforms, StepsMayChange) {
   double last = 0;
   const auto stop = [&](double t) { return t + (n++ % 3 == 0 ? 0.013 : 0.041); };
   d.run(10, stop, [&](const StepInfo&) {
-    last = from_owner(s, [&](size_t node) { return d.kinematics().x[node].z(); });
+    last = from_owner(s, [&](size_t node) { return d.committed_kinematics().x[node].z(); });
     return true;
   });
   printf("hemisphere at 10 s with changing steps: %.6f m\n", last);

@@ -66,7 +66,7 @@ TEST(Positioning, DecaysAsAnOscillator) {
   double off = 0;
   integrate(d, 120, 10, [&](const StepInfo& i) {
     if (!at_mark(i.time, 10)) return;
-    const Vec3 x = place(s, d.kinematics());
+    const Vec3 x = place(s, d.committed_kinematics());
     off = std::max(off, std::abs(x.x() - 10 * decay(w, i.time)) / 10);
     off = std::max(off, std::abs(x.y() + 6 * decay(w, i.time)) / 6);
     off = std::max(off, std::abs(x.z() - 4 * M_PI / 180 * decay(turns, i.time)) / (4 * M_PI / 180));
@@ -101,7 +101,7 @@ TEST(Positioning, HoldsAgainstAForceByItsIntegral) {
   d.start(s.state());
   double off = 0, largest = 0, unbalanced = 0, least = 0;
   const auto energy = [&](double Energy::*part) {
-    return from_owner(s, [&](size_t) { return s.system().energy(d.kinematics()).*part; });
+    return from_owner(s, [&](size_t) { return s.system().energy(d.committed_kinematics()).*part; });
   };
   integrate(d, 1500, 25, [&](const StepInfo& i) {
     if (!at_mark(i.time, 25)) return;
@@ -109,16 +109,16 @@ TEST(Positioning, HoldsAgainstAForceByItsIntegral) {
     least = std::min(least, work);
     unbalanced = std::max(unbalanced, std::abs(work - energy(&Energy::kinetic) - energy(&Energy::potential)));
     const Eigen::Matrix<double, 7, 7> E = (A * i.time).exp();
-    const double y = place(s, d.kinematics()).y();
+    const double y = place(s, d.committed_kinematics()).y();
     off = std::max(off, std::abs(y - E(0, 6)));
     largest = std::max(largest, std::abs(E(0, 6)));
   });
-  const double end = place(s, d.kinematics()).y();
+  const double end = place(s, d.committed_kinematics()).y();
   printf("against a force: off by %.1e of %.3g m, at the end %.2e m\n", off, largest, end);
   EXPECT_GT(largest, 10);
   EXPECT_LT(off, 1e-4 * largest);
   EXPECT_LT(std::abs(end), 1e-3 * largest);
-  EXPECT_NEAR(thrust(s, d.kinematics()).y(), -F, 1e-3 * F);
+  EXPECT_NEAR(thrust(s, d.committed_kinematics()).y(), -F, 1e-3 * F);
   EXPECT_LT(least, -0.5 * F * largest);
   EXPECT_LT(unbalanced, 1e-4 * F * largest);
 }
@@ -138,7 +138,7 @@ TEST(Positioning, GivesNoMoreThanItsLimits) {
   Dynamics& d = s.dynamics();
   d.start(s.state());
   integrate(d, kUntil, kUntil, [](const StepInfo&) {});
-  const Vec3 end = place(s, d.kinematics());
+  const Vec3 end = place(s, d.committed_kinematics());
   const double way = 0.5 * kForce / kMass * kUntil * kUntil;
   EXPECT_NEAR(end.x(), 300 - 0.6 * way, 1e-6 * way);
   EXPECT_NEAR(end.y(), -400 + 0.8 * way, 1e-6 * way);
@@ -183,7 +183,7 @@ TEST(Positioning, DoesNotWindUp) {
     d.start(s.state());
     double most = 0, least = 0;
     integrate(d, 800, 10, [&](const StepInfo&) {
-      const double x = place(s, d.kinematics()).x();
+      const double x = place(s, d.committed_kinematics()).x();
       most = std::max(most, x);
       least = std::min(least, x);
     });
@@ -242,7 +242,7 @@ TEST(Positioning, StaticsHoldsThePlace) {
     Dynamics& d = s.dynamics();
     d.start(s.state());
     integrate(d, 20, 20, [](const StepInfo&) {});
-    EXPECT_LT((place(s, d.kinematics()) - rest).norm(), 1e-4 * (F / 1e5)) << f.keys;
+    EXPECT_LT((place(s, d.committed_kinematics()) - rest).norm(), 1e-4 * (F / 1e5)) << f.keys;
   }
 }
 
@@ -273,7 +273,7 @@ TEST(Positioning, OneIntegralBesideALimit) {
       Dynamics& d = s.dynamics();
       d.start(s.state());
       integrate(d, 20, 20, [](const StepInfo&) {});
-      EXPECT_LT((place(s, d.kinematics()) - rest).norm(), 1e-3 * std::abs(along));
+      EXPECT_LT((place(s, d.committed_kinematics()) - rest).norm(), 1e-3 * std::abs(along));
     }
 }
 

@@ -82,7 +82,8 @@ TEST(SeabedShapes, ASlopeIsASlope) {
     other.solve_statics();
     const double at_rest = apart(other.state().x, formula.state().x);
     run(other, 8);
-    const Kinematics a = other.dynamics().kinematics(), b = formula.dynamics().kinematics();
+    const Kinematics a = other.dynamics().committed_kinematics(),
+                     b = formula.dynamics().committed_kinematics();
     const double later = apart({a.x.begin(), a.x.end()}, {b.x.begin(), b.x.end()});
     printf("  %s: %.1e m apart at rest, %.1e m after 8 s; %d and %d nodes lie\n", of_grid ? "grid" : "mesh",
            at_rest, later, other.bed_contact()->active_count(), formula.bed_contact()->active_count());
@@ -122,9 +123,10 @@ TEST(SeabedShapes, OnARidge) {
   EXPECT_GT(deepest, -0.4);
   run(all, 8);
   run(one, 8);
-  expect_same_positions(all, all.dynamics().kinematics(), one.dynamics().kinematics(), 1e-6, "after 8 s");
+  expect_same_positions(all, all.dynamics().committed_kinematics(), one.dynamics().committed_kinematics(),
+                        1e-6, "after 8 s");
   // Energy dissipated by friction and dampers is positive.
-  const Energy e = one.system().energy(one.dynamics().kinematics());
+  const Energy e = one.system().energy(one.dynamics().committed_kinematics());
   printf("  friction took %.4g J, dampers %.4g J\n", e.friction, e.damping);
   EXPECT_GT(e.friction, 0);
 }

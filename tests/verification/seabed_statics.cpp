@@ -275,7 +275,7 @@ TEST(SeabedStatics, PullingUnloadingPushing) {
   sim.dynamics().run(
       60, [](double) { return 60.0; },
       [&](const StepInfo& info) {
-        const double u = sim.dynamics().kinematics().x[kElements].x() - length;
+        const double u = sim.dynamics().committed_kinematics().x[kElements].x() - length;
         const double F = sim.dynamics().reactions()[3 * 2 * kElements];
         if (info.time > 20.05) {
           if (last_F > 0 && F <= 0) left = last_u + (u - last_u) * last_F / (last_F - F);

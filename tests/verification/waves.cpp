@@ -184,7 +184,7 @@ TEST(WaveLoads, NeutralRodMovesWithTheWater) {
         20, [](double) { return 20.0; },
         [&](const StepInfo& info) {
           if (info.time < 7) return true;
-          const Vec3 v = sim.dynamics().kinematics().v[1];
+          const Vec3 v = sim.dynamics().committed_kinematics().v[1];
           const double angle = -omega * info.time;
           off = std::max(off, (v - Vec3(across * std::cos(angle), 0, up * std::sin(angle))).norm());
           return true;

@@ -84,9 +84,9 @@ TEST(WindAndCurrent, CurrentCarriesABodyAlong) {
   Dynamics& d = s.dynamics();
   d.start(s.state());
   integrate(d, kUntil, kUntil, [](const StepInfo&) {});
-  const double speed = from_owner(s, [&](size_t n) { return d.kinematics().v[n].norm(); });
+  const double speed = from_owner(s, [&](size_t n) { return d.committed_kinematics().v[n].norm(); });
   const double exact = U - U / (1 + k * U * kUntil / m);
-  const Energy e = s.system().energy(d.kinematics());
+  const Energy e = s.system().energy(d.committed_kinematics());
   double work = e.work, kinetic = e.kinetic;
   MPI_Allreduce(MPI_IN_PLACE, &work, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
   MPI_Allreduce(MPI_IN_PLACE, &kinetic, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
@@ -129,7 +129,7 @@ TEST(WindAndCurrent, GustsAddToTheMean) {
   double largest = 0, speeds = 0;
   integrate(d, 30, 5, [&](const StepInfo& i) {
     if (i.time < 4 || !at_mark(i.time, 5)) return;
-    const double x = from_owner(s, [&](size_t n) { return d.kinematics().x[n].x(); });
+    const double x = from_owner(s, [&](size_t n) { return d.committed_kinematics().x[n].x(); });
     double u = 0;
     for (const Gust& g : all) u += g.amplitude * std::cos(g.omega * i.time + g.phase);
     const double force = 0.5 * 1.225 * 0.8 * 3939 * std::pow(20 + u, 2);

@@ -10,7 +10,7 @@
 namespace hawser::advice {
 
 // Reason why a run cannot continue from the file; because: one of the clauses below.
-std::string cannot_go_on(const std::string& file, const std::string& because);
+std::string cannot_continue(const std::string& file, const std::string& because);
 std::string no_file();
 std::string not_readable();
 std::string not_hdf5();

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -68,8 +69,10 @@ struct InputRows {
   std::vector<std::vector<double>> rows;
 };
 InputRows read_input_rows(const model::Value& v, const CaseSource& source);
-// Refuses row i if its first number, a time, is not above that of the row before.
-void check_time(const InputRows& given, size_t i);
+// Refuses row i if its first number is not more than `tolerance` above that of the row before
+// (model::increase_fault).
+void check_increase(const InputRows& given, size_t i, std::string_view quantities, std::string_view unit,
+                    double tolerance = 0);
 
 // Table of `rao: {...}`, read once per file. notes: columns with implausible units.
 std::shared_ptr<const RaoTable> read_responses(const model::Value& rao, double gravity,

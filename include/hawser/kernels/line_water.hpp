@@ -58,12 +58,13 @@ Vec3 line_drag(const WaterSection& s, const Vec3& u, const Vec3& t);
 
 // Potential of buoyancy, J (for a fully wet line: buoyancy times depth).
 double water_potential(const WaterSection& s, const WaterEnds& e, bool beam);
-// The other forces in the generalised coordinates (x1, L t1, x2, L t2) of a beam, (x1, x2) of a cable.
+// The other forces in the generalised coordinates (x1, L t1, x2, L t2) of a beam, (x1, x2) of a cable. Their
+// sign is opposite to that of the residuals above.
 struct WaterForce {
   Vec3 force[4];  // N: drag, Froude-Krylov and added mass, on the line
 };
 // Includes the change of buoyancy because the surface is not at `still_water_level` [m].
-WaterForce water_force(const WaterSection& s, const WaterEnds& e, bool beam, double still_water_level);
+WaterForce flow_force_on_line(const WaterSection& s, const WaterEnds& e, bool beam, double still_water_level);
 // Sum of these forces over a straight element that remains straight, without buoyancy, N.
 Vec3 straight_flow_force(const WaterSection& s, const CableInWater& e, bool beam);
 

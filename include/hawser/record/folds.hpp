@@ -35,7 +35,7 @@ class Folds {
   struct Fold {
     double ratio = 1;  // smallest chord over length while folded
     // s, end of the waves from its straightening; infinite: folded and not yet straight; 0: not folded.
-    double until = 0;
+    double waves_end = 0;
     // s, travel time of a wave along the line and back; 0: a beam or a fed line, not observed.
     double echo = 0;
   };

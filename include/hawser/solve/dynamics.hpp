@@ -25,8 +25,9 @@ struct DynamicsSettings {
   double tolerance = 1e-8;  // Of the residual, relative to its contributions.
   int max_iterations = 20;  // Of Newton's method, before a trial counts as failed.
   StepSettings step;
-  // By line: step.error_tolerance divided by the line's own tolerance. Bodies, and lines without one, have 1.
-  std::vector<double> strictness;
+  // Factor of the local error, by line: step.error_tolerance divided by the line's own tolerance. Bodies, and
+  // lines without one, have 1.
+  std::vector<double> error_weight;
 };
 
 // What happened in one accepted step.
@@ -86,8 +87,7 @@ class Dynamics {
   void run(double until, const std::function<double(double)>& next_stop, const Observer& observer);
 
   const AlphaState& committed() const { return committed_; }
-  // Of the committed state.
-  Kinematics kinematics() const { return step_origin(committed_.s, control_.proposal()); }
+  Kinematics committed_kinematics() const { return step_origin(committed_.s, control_.proposal()); }
   const StepControl& control() const { return control_; }
   double last_step() const { return last_step_; }
   const std::vector<double>& reactions() const { return reactions_; }  // of the committed state

@@ -9,6 +9,7 @@
 
 #include <functional>
 
+#include "hawser/model/case.hpp"
 #include "hawser/state/state.hpp"
 #include "hawser/system/system.hpp"
 
@@ -23,7 +24,7 @@ struct RelaxationReport {
 
 struct RelaxationSettings {
   double tolerance = 1e-4;  // of the residual, relative to its contributions
-  int max_steps = 5000;
+  int max_steps = model::Statics().relaxation_steps;
   // > 0: first displaces the start shape asymmetrically by this many hundredths of its length
   int pushed = 0;
   // Friction acts against the path of the lines. Therefore no momentum is carried from step to step, as in a
