@@ -15,7 +15,7 @@ import farm  # noqa: E402
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 COUNTER = os.environ.get("HAWSER_MPI_COUNTER", str(ROOT / "build/tests/libmpi_counts.so"))
-FEW, MANY, RANKS = 100, 1000, (2, 4, 8)
+FEW, MANY, RANKS = 100, 1000, (2, 4, 8) if os.environ.get("HAWSER_FULL") else (2, 8)
 STEPS = 5  # additional steps in the second run of each farm and number of ranks, and in the third, with an output each
 MOST_OF_STEP, MOST_BYTES = 10, 1000  # collective calls in a step, and the bytes in them
 FEW_ROPES, FEW_FALLING = 25, 10

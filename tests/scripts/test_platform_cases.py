@@ -158,7 +158,7 @@ class Cases(unittest.TestCase):
         for freedom, published in (("surge", 0.0093), ("heave", 0.0578), ("pitch", 0.0373)):
             start, column, duration = starts[freedom]
             file = self.run_case(path, *NO_WAVES, "--set", "statics=false", "--set", f"bodies.semi.{start}", "--set",
-                                 "bodies.semi.floating.hydrodynamics.place=[0, 0, 0]", "--set", f"dynamics={{duration: {duration}, step: 0.1}}")
+                                 "bodies.semi.floating.hydrodynamics.place=[0, 0, 0]", "--set", f"dynamics={{duration: {duration}, step: 0.2}}")
             time, found = self.series(file, "semi")
             x = found[column] - np.mean(found[column][time > 0.1 * duration])
             up = np.flatnonzero((x[:-1] < 0) & (x[1:] >= 0))

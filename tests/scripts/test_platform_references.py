@@ -31,6 +31,7 @@ OC4_MOORING[1, 3] = OC4_MOORING[3, 1] = 107232
 OC4_MASS, OC4_CENTRE = 1.407265e7, -1.391779e8 / 1.407265e7
 OC4_INERTIA = [1.270018e10 - OC4_MASS * OC4_CENTRE**2, 1.269097e10 - OC4_MASS * OC4_CENTRE**2, 1.228805e10]
 NONE = np.zeros((6, 6))
+WHOLE = bool(os.environ.get("HAWSER_FULL"))  # all waves of a test, not a selection
 
 
 def sea(omegas, amplitudes, direction, leads, ramp):
@@ -218,6 +219,8 @@ class Platforms(PlatformRuns):
                 (12.5, 40, [0.4679717, 0.3946105, 0.2655533, 0.003336205, 0.003915079, 0.001428284], [-89.752, -86.916, 0.953, -99.881, 91.93, -89.955]),
                 (7.14285714, 40, [0.04140756, 0.05201151, 0.03682081, 0.003311427, 0.002348289, 0.005693272],
                  [-26.409, -40.69, 90.35, -133.823, 113.321, -90.738])):
+            if not WHOLE and (period, direction) not in ((16.6666667, 0), (25, 40), (7.14285714, 40)):
+                continue
             exact = size * np.exp(1j * np.radians(lead))
             found = self.response(oc4(), 2 * np.pi / period, direction, natural, 0.2 if period > 15 else 0.1)
             print(f"OC4 in a wave of {period:.4g} s to {direction} deg: off by {off(found, exact):.1e}")
@@ -243,6 +246,8 @@ class Platforms(PlatformRuns):
                 (7.86, 180, [0.03860134, 0, 0.07607129, 0, 0.001432062, 0], [82.377, 0, -125.756, 0, 66.366, 0]),
                 (10.44, 120, [0.1948939, 0.2255905, 0.6121073, 0.00857545, 0.01275726, 0.005844512], [89.758, -75.892, -2.949, 84.228, -107.921, 6.255]),
                 (13.91, 120, [0.372586, 0.676606, 0.829605, 0.039274, 0.00943496, 0.00589319], [91.918, -95.658, 1.523, -120.626, -96.191, 1.981])):
+            if not WHOLE and period == 13.91:
+                continue
             exact = size * np.exp(1j * np.radians(lead))
             omega = 2 * np.pi / period
             found = self.response(ship, omega, direction, [], 0.1, 900, gravity=9.81, water="density: 1025")
@@ -302,6 +307,8 @@ class Platforms(PlatformRuns):
         leads = 2 * np.pi * ((np.arange(1, 47) ** 2 * 0.6180339887498949) % 1)
         known = {0: (0.6687388, 0, 0.6517911, 0, 0.005596578, 0), 30: (0.5543132, 0.336473, 0.6407156, 0.003461006, 0.004748015, 0.006616721)}
         for direction, deviations in known.items():
+            if not WHOLE and direction == 0:
+                continue
             time, found = self.run_case(volturnus(added(DAMPING, MOORING)), 1000, 0.1, waves=sea(omegas, amplitudes, direction, leads, 150))
             use = time > 1000 - 2 * np.pi / 0.05
             for k, column in enumerate(MOTION):

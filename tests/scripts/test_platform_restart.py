@@ -54,8 +54,9 @@ class Restarts(unittest.TestCase):
     def test_checkpoint_between_multiples_of_the_step(self):
         """The unbroken run ends a step at the stop too, because of a checkpoint: the restarted run is equal."""
         self.case(24, "every: 8, checkpoint_every: 9.37")
-        for ranks, others in ((1, 1), (2, 2), (1, 2)):
-            self.run_case(others, "-o", "whole.h5")
+        for ranks, others in ((1, 1), (2, 2), (1, 2)):  # the last with the whole run of the second
+            if ranks == others:
+                self.run_case(others, "-o", "whole.h5")
             self.run_case(ranks, "--stop-at", "9.37", "-o", "part.h5")
             self.run_case(others, "--restart", "part.h5", "-o", "rest.h5")
             off, count = self.difference("rest.h5", "whole.h5", 9.37)

@@ -1,5 +1,5 @@
-// Three of the thirty circles of chain_circles.full.cpp on a coarser mesh: the fastest, a middle one, and the
-// slowest with the largest radius. Errors of the mean peak tension are below 10 %.
+// Three of the thirty circles of chain_circles.full.cpp on a coarser mesh: the fastest, a middle one (with
+// HAWSER_FULL), and the slowest with the largest radius. Errors of the mean peak tension are below 10 %.
 #include "verification/chain_circles.hpp"
 
 namespace hawser::test::chain_circles_test {
@@ -7,6 +7,7 @@ namespace {
 
 TEST(ChainCircles, ThreeOfThem) {
   for (const size_t i : {4u, 14u, 29u}) {
+    if (i == 14 && !std::getenv("HAWSER_FULL")) continue;
     const CircleCase& of = circle_cases()[i];
     EXPECT_NEAR(report(of, circle(of, 41, 1e-3, 1, 1)), 0, 10);
   }
