@@ -30,7 +30,8 @@ std::string unfit(const LoadedMesh& loaded, model::SignTest sign) {
   if (loaded.open || !r.valid())
     return fmt::format(
         "needs a closed mesh whose triangles face outward, but this one has {} open edges, {} of more than "
-        "two triangles and {} between triangles of opposite orientation; 'automatic' and 'winding' do without",
+        "two triangles and {} between triangles of opposite orientation; 'automatic' and 'winding' do "
+        "without",
         r.open_edges, r.non_manifold_edges, r.flipped_edges);
   if (sign != model::SignTest::tetrahedra) return "";
   if (r.components > 1)
