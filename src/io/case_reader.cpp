@@ -13,6 +13,7 @@
 
 #include "hawser/advice/input_warnings.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/io/case_changes.hpp"
 #include "hawser/io/case_values.hpp"
 #include "hawser/io/input_file.hpp"
@@ -62,16 +63,18 @@ Case read_tree(model::CaseDocument document, const SectionLengths& lengths, MPI_
   return model::with_cuts(std::move(c));
 }
 
-Case read_document(const std::string& text, const std::string& path, const ReadProgress& read_progress,
+Case read_document(std::string text, const std::string& path, const ReadProgress& read_progress,
                    MPI_Comm comm, const CaseChanges& changes) {
   model::CaseDocument c;
-  c.text = text;
   c.file = path;
   c.changes = changes;
   c.path = fs::absolute(path).lexically_normal().string();
   c.directory = fs::path(c.path).parent_path().string();
   const auto tree = std::make_shared<Value>(parse_yaml(text, path));
   const Value& root = *tree;
+  // Rank 0 writes it to the results; on the others its memory is free before the case is built.
+  if (rank_of(comm) == 0) c.text = std::move(text);
+  std::string().swap(text);
   c.inputs = {c.path};
   const CaseSource source{path, c.directory, comm, &c.inputs};
   CaseChanges changes_of_case;
@@ -84,6 +87,18 @@ Case read_document(const std::string& text, const std::string& path, const ReadP
     read_progress.title(title && !title->text.empty() ? title->text : c.path);
   c.tree = tree;
   return read_tree(std::move(c), {}, comm);
+}
+
+Case read_changed(std::string text, const std::string& path, const ReadProgress& read_progress, MPI_Comm comm,
+                  const CaseChanges& changes) {
+  try {
+    return read_document(std::move(text), path, read_progress, comm, changes);
+  } catch (const InputError& e) {
+    // The fault may be on another line than the change.
+    const std::string why = e.what();
+    if (changes.empty() || why.find("--set") != std::string::npos) throw;
+    throw InputError("{} (the case is changed by --set {})", why, fmt::join(changes, " --set "));
+  }
 }
 
 }  // namespace
@@ -141,22 +156,15 @@ model::Case with_lengths(const Case& c, const SectionLengths& lengths, MPI_Comm 
 
 model::Case read_case_text(const std::string& text, const std::string& path,
                            const ReadProgress& read_progress, MPI_Comm comm, const CaseChanges& changes) {
-  try {
-    return read_document(text, path, read_progress, comm, changes);
-  } catch (const InputError& e) {
-    // The fault may be on another line than the change.
-    const std::string why = e.what();
-    if (changes.empty() || why.find("--set") != std::string::npos) throw;
-    throw InputError("{} (the case is changed by --set {})", why, fmt::join(changes, " --set "));
-  }
+  return read_changed(text, path, read_progress, comm, changes);
 }
 
 model::Case read_case(const std::string& path, const ReadProgress& read_progress, MPI_Comm comm,
                       const CaseChanges& changes) {
   std::string why;
-  const std::string text = case_text(path, why);
+  std::string text = case_text(path, why);
   if (!why.empty()) model::fail(path, why == kEmpty ? 1 : 0, "", why);
-  return read_case_text(text, path, read_progress, comm, changes);
+  return read_changed(std::move(text), path, read_progress, comm, changes);
 }
 
 }  // namespace hawser::io

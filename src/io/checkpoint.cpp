@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "hawser/base/mpi.hpp"
 
@@ -47,11 +49,22 @@ void agree(MPI_Comm comm, bool valid, const std::string& names) {
   if (extremes[2]) throw std::logic_error("checkpoint: values do not belong to the owned nodes");
 }
 
-// Number of nodes whose records are passed at a time: a fixed fraction of all, so that terms that scan all
-// their records for each range do so a limited number of times.
-int nodes_at_a_time(int nodes_total) {
-  constexpr int kParts = 16, kFewest = 500;
-  return std::max(kFewest, nodes_total / kParts + 1);
+// Parts in which each rank passes the records of its nodes, equally many on all ranks: few, because terms
+// scan all their records for each.
+int checkpoint_parts(int nodes_total) {
+  constexpr int kMost = 16, kFewestNodes = 500;
+  return std::min(kMost, nodes_total / kFewestNodes + 1);
+}
+
+// Part k: nodes of other ranks that it includes have no records on this rank.
+NodeRange nodes_of_part(const std::vector<int>& owned, int k, int parts) {
+  constexpr int kLast = std::numeric_limits<int>::max();
+  const auto begin = [&](int i) {
+    if (i == 0) return 0;
+    const size_t at = owned.size() * static_cast<size_t>(i) / static_cast<size_t>(parts);
+    return at < owned.size() ? owned[at] : kLast;
+  };
+  return {begin(k), begin(k + 1)};
 }
 
 }  // namespace
@@ -98,8 +111,8 @@ CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& c, int nodes_tot
       }
     };
     look(kept.records);
-    const int some = nodes_at_a_time(nodes_total);
-    for (int n = 0; kept.make && n < nodes_total; n += some) look(kept.make({n, n + some}));
+    const int parts = checkpoint_parts(nodes_total);
+    for (int k = 0; kept.make && k < parts; ++k) look(kept.make(nodes_of_part(owned, k, parts)));
   }
   room.index = describe(c, nodes_total);
   agree(comm, valid, room.index);
@@ -133,18 +146,21 @@ class CheckpointWriter {
     put_by_node(field.values, field.components);
   }
 
-  // The number of doubles of the records comes before them, and is known after them.
+  // The number of doubles of the records comes before them.
   void put_records(TermCheckpoint& kept) {
     const long long head = at_++;
-    std::vector<double> begins;  // offset of the records of each owned node
-    begins.reserve(owned_.size());
-    const int some = nodes_at_a_time(nodes_total_);
-    for (NodeRange range{0, some}; range.first < nodes_total_; range = {range.end, range.end + some}) {
+    std::vector<double> begins = lengths_by_node(kept);
+    const long long all = lengths_to_begins(begins);
+    put_from_root(head, {static_cast<double>(all)});
+    if (all == 0) return;
+    const int parts = checkpoint_parts(nodes_total_);
+    for (int k = 0; k < parts; ++k) {
+      const NodeRange range = nodes_of_part(owned_, k, parts);
       if (kept.make) kept.records = kept.make(range);
-      put_records_of(range, kept.records, head + 1, begins);
+      put_records_of(range, kept.records, begins);
     }
-    put_from_root(head, {static_cast<double>(at_ - head - 1)});
-    if (at_ > head + 1) put_by_node(begins, 1);
+    at_ += all;
+    put_by_node(begins, 1);
   }
 
   unsigned long long checksum() const {
@@ -154,28 +170,79 @@ class CheckpointWriter {
   }
 
  private:
-  // Records of a range of nodes, by node, kind and key. first: offset of the first record of the term.
-  void put_records_of(NodeRange range, const std::vector<CheckpointRecord>& records, long long first,
-                      std::vector<double>& begins) {
+  // Number of doubles of the records of each owned node.
+  std::vector<double> lengths_by_node(const TermCheckpoint& kept) const {
+    std::vector<double> lengths(owned_.size(), 0);
+    const auto add = [&](const std::vector<CheckpointRecord>& records) {
+      for (const CheckpointRecord& r : records)
+        lengths[place_of(r.node)] += static_cast<double>(length_of(r));
+    };
+    if (!kept.make) add(kept.records);
+    const int parts = checkpoint_parts(nodes_total_);
+    for (int k = 0; kept.make && k < parts; ++k) add(kept.make(nodes_of_part(owned_, k, parts)));
+    return lengths;
+  }
+
+  // Replaces these lengths by the offset of the records of each node among those of all ranks; returns the
+  // sum over all ranks. Ranks exchange a sum for each run of consecutive nodes.
+  long long lengths_to_begins(std::vector<double>& of_nodes) const {
+    struct RunOfNodes {
+      long long first = 0, length = 0;
+    };
+    std::vector<RunOfNodes> runs;
+    const std::vector<RowRun> owned_runs = runs_of(owned_);
+    size_t n = 0;
+    for (const RowRun& run : owned_runs) {
+      RunOfNodes& out = runs.emplace_back(RunOfNodes{run.first, 0});
+      for (const size_t end = n + static_cast<size_t>(run.count); n < end; ++n) {
+        const auto length = static_cast<long long>(of_nodes[n]);
+        of_nodes[n] = static_cast<double>(out.length);
+        out.length += length;
+      }
+    }
+    std::vector<RunOfNodes> all = gather_all(comm_, runs);
+    std::ranges::sort(all, {}, &RunOfNodes::first);
+    long long sum = 0;
+    for (RunOfNodes& run : all) run.length = std::exchange(sum, sum + run.length);  // from here on its offset
+    n = 0;
+    for (const RowRun& run : owned_runs) {
+      const auto begin =
+          static_cast<double>(std::ranges::lower_bound(all, run.first, {}, &RunOfNodes::first)->length);
+      for (const size_t end = n + static_cast<size_t>(run.count); n < end; ++n) of_nodes[n] += begin;
+    }
+    return sum;
+  }
+
+  // Records of a range of nodes, by node, kind and key. begins: offset of the first record of each owned
+  // node.
+  void put_records_of(NodeRange range, const std::vector<CheckpointRecord>& records,
+                      const std::vector<double>& begins) {
     const std::vector<const CheckpointRecord*> sorted = sorted_records(range, records);
-    std::vector<long long> start = starts_of_nodes(range, sorted);
-    for (auto n = std::lower_bound(owned_.begin(), owned_.end(), range.first);
-         n != owned_.end() && range.has(*n); ++n)
-      begins.push_back(static_cast<double>(at_ - first + start[*n - range.first]));
-    std::vector<RowRun> runs;
+    long long size = 0;
+    for (const CheckpointRecord* r : sorted) size += length_of(*r);
     std::vector<double> values;
+    values.reserve(static_cast<size_t>(size));
+    std::vector<RowRun> runs;
+    int node = -1;
+    long long to = 0;
     for (const CheckpointRecord* r : sorted) {
-      long long& to = start[r->node - range.first];
+      if (r->node != node) {
+        node = r->node;
+        to = at_ + static_cast<long long>(begins[place_of(node)]);
+      }
       const long long length = length_of(*r);
-      if (runs.empty() || runs.back().first + runs.back().count != at_ + to) runs.push_back({at_ + to, 0});
+      if (runs.empty() || runs.back().first + runs.back().count != to) runs.push_back({to, 0});
       runs.back().count += length;
       to += length;
       values.insert(values.end(), {static_cast<double>(r->node), static_cast<double>(r->kind),
                                    static_cast<double>(r->key), static_cast<double>(r->values.size())});
       values.insert(values.end(), r->values.begin(), r->values.end());
     }
-    if (start.back() > 0) put_piece(runs, values);
-    at_ += start.back();
+    put_piece(runs, values);
+  }
+
+  size_t place_of(int owned_node) const {
+    return static_cast<size_t>(std::ranges::lower_bound(owned_, owned_node) - owned_.begin());
   }
 
   static long long length_of(const CheckpointRecord& r) {
@@ -189,16 +256,6 @@ class CheckpointWriter {
       if (range.has(r.node)) sorted.push_back(&r);
     std::ranges::stable_sort(sorted, {}, [](const CheckpointRecord* r) { return checkpoint_place(*r); });
     return sorted;
-  }
-
-  // Offset of the records of each node of a range, over all ranks; the last is their end.
-  std::vector<long long> starts_of_nodes(NodeRange range,
-                                         const std::vector<const CheckpointRecord*>& records) const {
-    std::vector<long long> start(static_cast<size_t>(range.end - range.first) + 1, 0);
-    for (const CheckpointRecord* r : records) start[r->node - range.first + 1] += length_of(*r);
-    all_reduce(comm_, MPI_SUM, start);
-    for (size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-    return start;
   }
 
   void put_by_node(const std::vector<double>& values, int components) {

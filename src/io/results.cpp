@@ -52,7 +52,7 @@ struct ResultsFile::Impl {
   long long contacts = 0;  // points of the outputs in the file
 
   std::string xdmf_path;
-  std::optional<XdmfWriter> xdmf;
+  std::optional<XdmfWriter> xdmf;  // on rank 0
   Clock::time_point last_flush;
   ShareOfTime xdmf_time{kXdmfShare}, output_time{kOutputShare};
   bool xdmf_behind = false;
@@ -286,7 +286,7 @@ ResultsFile::Impl::Impl(MPI_Comm comm, const std::string& path, ResultContents r
   line_runs = runs_of(lines);
   const size_t slash = path.rfind('/'), name = slash == std::string::npos ? 0 : slash + 1;
   xdmf_path = xdmf_beside(path);
-  xdmf.emplace(contents, path.substr(name));
+  if (root()) xdmf.emplace(contents, path.substr(name));
   steps.resize(contents.series.size());
   for (const auto& s : contents.series) {
     of_this_rank.push_back(s.by_line && root());

@@ -76,11 +76,13 @@ void write_description(hid_t file, const ResultContents& c) {
   std::vector<int> first, nodes, line_of, number;
   std::vector<double> arc;
   for (const auto& line : c.lines) {
-    names.push_back(line.name);
     first.push_back(line.first_node);
     nodes.push_back(line.nodes);
+    line_of.insert(line_of.end(), static_cast<size_t>(line.nodes), static_cast<int>(nodes.size()) - 1);
+  }
+  for (const auto& line : c.line_labels) {
+    names.push_back(line.name);
     arc.insert(arc.end(), line.arc.begin(), line.arc.end());
-    line_of.insert(line_of.end(), static_cast<size_t>(line.nodes), static_cast<int>(names.size()) - 1);
   }
   number.resize(line_of.size());
   std::iota(number.begin(), number.end(), 0);
@@ -272,11 +274,11 @@ void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, co
     return InputError(path + " cannot be continued: the case does not match its " + part);
   };
   std::vector<std::string> names;
-  for (const auto& line : c.lines) names.push_back(line.name);
+  for (const auto& line : c.line_labels) names.push_back(line.name);
   if (!h5::exists(from, "lines/name") || h5::read_texts(from, "lines/name") != names) throw differs("lines");
   // Compared with the case, not with the new file, which may be incomplete on a full disk.
   std::vector<double> arc;
-  for (const auto& line : c.lines) arc.insert(arc.end(), line.arc.begin(), line.arc.end());
+  for (const auto& line : c.line_labels) arc.insert(arc.end(), line.arc.begin(), line.arc.end());
   if (h5::read_array(from, "nodes/arc_length").values != arc) throw differs("nodes");
   for (const std::string group : {"series", "line_series"}) {
     if (!h5::exists(from, group)) continue;
@@ -354,9 +356,12 @@ void check_contents(const ResultContents& c, bool writes) {
   if (c.fields.empty() || c.fields[0].name != "position" || c.fields[0].components != 3)
     throw std::logic_error("results: the first field must be position");
   int next = 0;
-  for (const auto& line : c.lines) {
-    if (line.first_node != next || (writes && line.arc.size() != static_cast<size_t>(line.nodes)))
-      throw std::logic_error("results: the nodes of line " + line.name + " are not in file order");
+  if (writes && c.line_labels.size() != c.lines.size())
+    throw std::logic_error("results: names of lines are missing");
+  for (size_t l = 0; l < c.lines.size(); ++l) {
+    const ResultLine& line = c.lines[l];
+    if (line.first_node != next || (writes && c.line_labels[l].arc.size() != static_cast<size_t>(line.nodes)))
+      throw std::logic_error(fmt::format("results: the nodes of line {} are not in file order", l));
     next += line.nodes;
   }
   for (const auto& v : c.volumes)

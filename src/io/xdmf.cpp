@@ -156,11 +156,13 @@ void XdmfWriter::add_lines(std::string& text) const {
              item(h5_name_, {"lines/cells", kInt, {0}, {cells}, {cells}}) + "</Topology>\n");
     return;
   }
-  for (const auto& line : c.lines)
-    grid(line.name, line.first_node, line.nodes,
+  for (size_t l = 0; l < c.lines.size(); ++l) {
+    const ResultLine& line = c.lines[l];
+    grid(c.line_labels[l].name, line.first_node, line.nodes,
          "<Topology TopologyType=\"Polyline\" NumberOfElements=\"1\" NodesPerElement=\"" +
              std::to_string(line.nodes) + "\">" +
              item(h5_name_, {"nodes/number", kInt, {0}, {line.nodes}, {total}}) + "</Topology>\n");
+  }
 }
 
 void XdmfWriter::add_volumes(std::string& text) const {

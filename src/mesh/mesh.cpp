@@ -105,6 +105,8 @@ void mark_two_sided(const model::Case& c, const Mesh& m, SpecialNodes& special) 
 Mesh build_mesh(const model::Case& c) {
   Mesh m;
   const auto places = model::fixed_places(c);
+  m.lines.reserve(c.lines.size());
+  m.bodies.reserve(c.bodies.size());
   for (size_t i = 0; i < c.lines.size(); ++i) {
     const auto& line = c.lines[i];
     LineSpan span;
@@ -134,7 +136,7 @@ Mesh build_mesh(const model::Case& c) {
     span.elements = m.elements() - span.first_element;
     span.length = part.start;
     span.name = line.name;
-    m.lines.push_back(span);
+    m.lines.push_back(std::move(span));
   }
   SpecialNodes special(m);
   join(c, m, special);

@@ -105,12 +105,13 @@ io::ResultContents Recorder::declared(std::vector<io::VolumeMesh> volumes, io::R
   contents.volumes = std::move(volumes);
   contents.waves = result_waves(c);
   contents.xdmf = c.output.xdmf;
-  const bool writes = rank_of(subject_.comm()) == 0;
-  contents.lines = result_lines(c, mesh, writes);
-  if (writes) {
+  contents.lines = result_lines(mesh);
+  if (rank_of(subject_.comm()) == 0) {
+    contents.line_labels = result_line_labels(c, mesh);
     contents.ranks = subject_.local().owner.of_nodes();
     contents.ranks.resize(static_cast<size_t>(mesh.line_nodes()));
   }
+  contents.bodies.reserve(c.bodies.size());
   for (const auto& b : c.bodies) contents.bodies.push_back(b.name);
   contents.clashes = recordings_.clashes != nullptr;
   contents.body_nodes = mesh.body_nodes();

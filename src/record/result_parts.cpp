@@ -10,14 +10,22 @@
 
 namespace hawser::record {
 
-std::vector<io::ResultLine> result_lines(const model::Case& c, const Mesh& mesh, bool with_arcs) {
+std::vector<io::ResultLine> result_lines(const Mesh& mesh) {
   std::vector<io::ResultLine> out;
   out.reserve(mesh.lines.size());
+  for (const LineSpan& span : mesh.lines) out.push_back({span.first_node, span.nodes});
+  return out;
+}
+
+std::vector<io::ResultLineLabels> result_line_labels(const model::Case& c, const Mesh& mesh) {
+  std::vector<io::ResultLineLabels> out;
+  out.reserve(mesh.lines.size());
   for (size_t l = 0; l < mesh.lines.size(); ++l) {
-    io::ResultLine line{c.lines[l].name, mesh.lines[l].first_node, mesh.lines[l].nodes, {}};
-    if (with_arcs) line.arc.reserve(line.nodes);
-    for (int n = 0; n < line.nodes && with_arcs; ++n) line.arc.push_back(mesh.node(line.first_node + n).arc);
-    out.push_back(std::move(line));
+    const LineSpan& span = mesh.lines[l];
+    io::ResultLineLabels& line = out.emplace_back();
+    line.name = c.lines[l].name;
+    line.arc.reserve(static_cast<size_t>(span.nodes));
+    for (int n = 0; n < span.nodes; ++n) line.arc.push_back(mesh.node(span.first_node + n).arc);
   }
   return out;
 }

@@ -149,7 +149,8 @@ io::ResultContents contents(MPI_Comm comm, const Simulation& sim, const std::vec
   const model::Case& c = sim.model();
   io::ResultContents out;
   out.run = run_info(comm, c, o.options_text);
-  out.lines = record::result_lines(c, sim.mesh());
+  out.lines = record::result_lines(sim.mesh());
+  out.line_labels = record::result_line_labels(c, sim.mesh());
   out.volumes = volume_meshes(c, volumes);
   out.fields = {{"position", "m", 3}, {"mode_shape", "1", 3}};
   out.series = {{"modes", {{"period", "s", 1}, {"frequency", "Hz", 1}}}};

@@ -15,6 +15,7 @@ constexpr size_t kPose = 13;  // doubles of a pose and its rates
 }  // namespace
 
 Bodies::Bodies(const std::vector<model::Body>& bodies) {
+  motions_.reserve(bodies.size());
   for (const model::Body& b : bodies) motions_.push_back(model::rigid_motion(b));
 }
 

@@ -4,11 +4,13 @@
     tests/bench/farm.py case LINES OUTPUT.yaml
     tests/bench/farm.py cost HAWSER --lines 1000 10000 --ranks 1 2
     tests/bench/farm.py counts HAWSER --counter build/tests/libmpi_counts.so --lines 100 1000 --ranks 2 4 8
+    tests/bench/farm.py memory HAWSER --counter build/tests/libmpi_counts.so --lines 4000 8000 --ranks 4 8
 """
 import argparse
 import math
 import os
 import resource
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -120,6 +122,18 @@ def collectives(counts):
     return sum(calls for calls, _ in found), sum(size for _, size in found)
 
 
+def on_every_rank(growth):
+    """A rank's memory for a line is r + s/ranks; its values for two numbers of ranks separate r from s. Returns r."""
+    (few, at_few), (many, at_many) = sorted(growth.items())
+    return (many * at_many - few * at_few) / (many - few)
+
+
+def peak_memory(hawser, counter, ranks, case, folder):
+    """Bytes of a rank; the first one writes descriptions, too."""
+    counts = counted_by_rank(hawser, counter, ranks, case, folder)
+    return statistics.median(each["Memory"][1] for each in counts[1:])
+
+
 def print_cost(given, folder):
     """By runs of one and of two spans of time with as many outputs, without statics and with."""
     print("lines  ranks  CPU s of a rank: around the steps, statics, a step")
@@ -148,18 +162,34 @@ def print_counts(given, folder):
             print(f"{lines:5}  {ranks:5}  {step[0]:.1f} ({step[1]:.0f})  {calls} ({size:.0f})")
 
 
+def print_memory(given, folder):
+    """From peaks of runs of two steps."""
+    few, many = given.lines
+    growth = {}
+    for ranks in given.ranks:
+        peaks = []
+        for lines in (few, many):
+            case = Path(folder) / "case.yaml"
+            case.write_text(farm(lines, given.elements, 0.2, 0.1, 0.2), "utf-8")
+            peaks.append(peak_memory(given.hawser, given.counter, ranks, case, folder))
+        growth[ranks] = (peaks[1] - peaks[0]) / (many - few)
+        print(f"{ranks} ranks: {growth[ranks]:.0f} B a line on each, peaks {peaks[0] / 1e6:.0f} and {peaks[1] / 1e6:.0f} MB")
+    print(f"of a line of other ranks: {on_every_rank(growth):.0f} B")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     what = parser.add_subparsers(dest="what", required=True)
     case = what.add_parser("case", help="write the case")
     case.add_argument("lines", type=int)
     case.add_argument("output", type=Path)
-    for name, text in (("cost", "measure CPU time"), ("counts", "count calls of MPI")):
+    for name, text in (("cost", "measure CPU time"), ("counts", "count calls of MPI"),
+                       ("memory", "measure the memory of a rank for lines of other ranks")):
         measure = what.add_parser(name, help=text)
         measure.add_argument("hawser")
         measure.add_argument("--lines", type=int, nargs="+", default=[100, 1000])
         measure.add_argument("--ranks", type=int, nargs="+", default=[1, 2])
-        if name == "counts":
+        if name != "cost":
             measure.add_argument("--counter", required=True, help="libmpi_counts.so of the build")
     for each in what.choices.values():
         each.add_argument("--elements", type=int, default=10)
@@ -168,7 +198,7 @@ def main():
         given.output.write_text(farm(given.lines, given.elements), "utf-8")
         return
     with tempfile.TemporaryDirectory() as folder:
-        (print_cost if given.what == "cost" else print_counts)(given, folder)
+        {"cost": print_cost, "counts": print_counts, "memory": print_memory}[given.what](given, folder)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 // The results file is valid at every moment because writing changes only bytes of rows. The XDMF file is well
 // formed, and its references exist.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <mpi.h>
 
@@ -29,9 +30,10 @@ std::string text_of(const std::string& path) {
 ResultContents contents(int lines, int nodes) {
   ResultContents c;
   c.run.case_path = "a <strange> & \"quoted\" case.yaml";
-  for (int l = 0; l < lines; ++l)
-    c.lines.push_back(
-        {"line " + std::to_string(l), l * nodes, nodes, std::vector<double>(static_cast<size_t>(nodes))});
+  for (int l = 0; l < lines; ++l) {
+    c.lines.push_back({l * nodes, nodes});
+    c.line_labels.push_back({fmt::format("line {}", l), std::vector<double>(static_cast<size_t>(nodes))});
+  }
   c.fields = {{"position", "m", 3}, {"contact force", "N", 3}, {"penetration", "m", 1}};
   c.series = {{"time", {{"value", "", 1}}}};
   c.bodies = {"reel"};

@@ -32,9 +32,12 @@ struct RunInfo {
 
 // Nodes of a line are consecutive in file order from end A to end B; lines are consecutive as well.
 struct ResultLine {
-  std::string name;
   int first_node = 0, nodes = 0;
-  std::vector<double> arc;  // m from end A, one a node; on rank 0, which writes them
+};
+// What rank 0 writes of a line.
+struct ResultLineLabels {
+  std::string name;
+  std::vector<double> arc;  // m from end A, one a node
 };
 
 using ResultField = Field;  // only the columns name, unit and components
@@ -87,7 +90,8 @@ struct ResultWaves {
 struct ResultContents {
   RunInfo run;
   std::vector<ResultLine> lines;
-  std::vector<int> ranks;           // owner of each line node; on rank 0. Empty: rank 0 owns all
+  std::vector<ResultLineLabels> line_labels;  // of each line; on rank 0
+  std::vector<int> ranks;                     // owner of each line node; on rank 0. Empty: rank 0 owns all
   std::vector<ResultField> fields;  // node fields; `position` [m, 3 components] always exists and is first
   // Fields at line ends; number 2 l is end A of line l, 2 l + 1 its end B.
   std::vector<ResultField> end_fields;

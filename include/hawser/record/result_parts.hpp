@@ -10,8 +10,8 @@
 
 namespace hawser::record {
 
-// with_arcs: as the rank that writes them needs it.
-std::vector<io::ResultLine> result_lines(const model::Case& c, const Mesh& mesh, bool with_arcs = true);
+std::vector<io::ResultLine> result_lines(const Mesh& mesh);
+std::vector<io::ResultLineLabels> result_line_labels(const model::Case& c, const Mesh& mesh);
 // The waves of a case; a Stokes' wave as the linear one of its height.
 io::ResultWaves result_waves(const model::Case& c);
 
