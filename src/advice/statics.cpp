@@ -97,6 +97,9 @@ std::string no_equilibrium(StaticsEnds how, int limit, const Imbalance& at) {
                          count_of(limit, "iteration"), imbalance(at));
     case StaticsEnds::no_descent:
       return "statics: the line search finds no smaller residual: " + imbalance(at);
+    case StaticsEnds::creeps:
+      return "statics: Newton's method hardly moves the lines and does not reduce the residual: " +
+             imbalance(at);
     case StaticsEnds::forces_beyond_numbers:
       break;
   }

@@ -26,11 +26,6 @@ constexpr double kHeavier = 4, kLighter = 0.5;
 constexpr int kFree = 4;
 constexpr double kFirst = 0.002;    // fraction of the longest line by which the first step may move nodes
 constexpr double kHeaviest = 1e12;  // ratio of the mass to the first one at which motion is negligible
-// The motion only creeps if kWatched steps, tried again or not, move no node by kCreep times the longest line
-// and do not halve the imbalance. A slack line in a heap would creep without
-// reaching the tolerance.
-constexpr int kWatched = 50;
-constexpr double kCreep = 1e-4;
 constexpr double kMaxSlide =
     10;  // times the longest line: a body that has slid or fallen so far does not come to rest
 
@@ -105,22 +100,15 @@ class Relaxation : StaticTrial {
     const double force = std::max(n.force, n.moment / std::max(length_, 1e-300));
     return force / std::sqrt(nodes) / (kFirst * longest_);
   }
-  // Every kWatched steps: returns true if the imbalance has not halved since the last test and no node has
-  // moved by kCreep times the longest line. If the imbalance has not halved, relaxation continues without
-  // momentum if it had it, and vice versa: drag has no potential and can feed a motion that kinetic damping
-  // does not end.
+  // Every kWatched steps, tried again or not: returns true if the motion only creeps. If the imbalance has
+  // not halved, relaxation continues without momentum if it had it, and vice versa: drag has no potential and
+  // can feed a motion that kinetic damping does not end.
   bool test_progress(const RelaxationReport& report) {
     const int tried = report.steps + report.rejected;
     if (tried % kWatched != 0) return false;
-    double far = 0;
-    for (size_t n = 0; n < last_places_.size(); ++n)
-      far = std::max(far, (state_.x[n] - last_places_[n]).norm());
-    all_reduce(system_.comm(), MPI_MAX, far);
-    const bool halved = tried == 0 || report.norms.relative() <= 0.5 * last_imbalance_;
-    if (!halved) viscous_ = !viscous_;
-    last_places_.assign(state_.x.begin(), state_.x.begin() + system_.mesh().owned);
-    last_imbalance_ = report.norms.relative();
-    return !halved && far < kCreep * longest_;
+    const Progress since = progress(report.norms);
+    if (!since.halved) viscous_ = !viscous_;
+    return since.creeps;
   }
   // Throws SolveError if a body slides or falls without end.
   void check_bodies() const {
@@ -228,8 +216,6 @@ class Relaxation : StaticTrial {
   bool viscous_ = false;  // momentum is dropped after each step
   // relative imbalance at which a step is solved, and at which it has failed
   double goal_ = 0, hopeless_ = 0;
-  std::vector<Vec3> last_places_;  // places of owned nodes at the last test of the progress
-  double last_imbalance_ = 0;      // relative imbalance at that test
   const std::vector<Vec3> start_;  // places of owned nodes where relaxation began
 };
 

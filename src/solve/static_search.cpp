@@ -102,13 +102,17 @@ void StaticSearch::descend(double tolerance) {
   tolerance_ = tolerance;
   shift_ = kFirstShift;
   blocked_steps_ = 0;
+  forget_progress();
+  creeps_ = false;
   least_residual_ = HUGE_VAL;
   kinks_.clear();
   iterations_before_ = report_.iterations;
   const SNESConvergedReason reason = solve();
-  if (reason < 0)
-    throw_no_equilibrium(failure(reason == SNES_DIVERGED_MAX_IT ? advice::StaticsEnds::too_many_iterations
-                                                                : advice::StaticsEnds::no_descent));
+  if (reason >= 0) return;
+  using enum advice::StaticsEnds;
+  throw_no_equilibrium(failure(reason != SNES_DIVERGED_MAX_IT ? no_descent
+                               : creeps_                      ? creeps
+                                                              : too_many_iterations));
 }
 
 void StaticSearch::begin_iteration(int iteration) {
@@ -132,7 +136,8 @@ SNESConvergedReason StaticSearch::test_convergence(int iteration) {
     kinks_.evaluate(system_, state_, trial_);
     if (kinks_.norms(system_, f_.get()).small(tolerance_)) return SNES_CONVERGED_FNORM_RELATIVE;
   }
-  if (iteration >= settings_.max_iterations) return SNES_DIVERGED_MAX_IT;
+  creeps_ = iteration % kWatched == 0 && progress(report_.norms).creeps;
+  if (creeps_ || iteration >= settings_.max_iterations) return SNES_DIVERGED_MAX_IT;
   const bool close = tangent_trusted(report_.norms);
   use_tangent(close, close && shift_ < 1e-5 ? 0 : shift_);
   return SNES_CONVERGED_ITERATING;

@@ -16,6 +16,10 @@ namespace {
 constexpr double kBodies = 20;  // m, replaces the length of lines in limits if there are none
 constexpr double kNear = 1e-2;  // residual over its scale below which the exact tangent is tried
 constexpr int kMaxHalvings = 30;
+// A search only creeps if kWatched steps move no node by kCreep times the longest line and do not halve the
+// imbalance. A slack line in a heap, or a line on the facets of a mesh, would creep without reaching the
+// tolerance.
+constexpr double kCreep = 1e-4;
 }  // namespace
 
 StaticTrial::StaticTrial(System& system, State& state) : system_(system), state_(state), trial_(state) {
@@ -169,6 +173,17 @@ void StaticTrial::throw_no_equilibrium(const std::string& why) {
   system_.update_ghosts(blocked_);
   if (system_.raise_stiffness_where_blocked(blocked_.at_rest())) throw StiffnessRaised();
   throw PathBlocked(advice::path_blocked(first_text(system_.comm(), advice::clause(*blocked_by_))));
+}
+
+StaticTrial::Progress StaticTrial::progress(const ResidualNorms& now) {
+  double far = 0;
+  for (size_t n = 0; n < last_places_.size(); ++n)
+    far = std::max(far, (state_.x[n] - last_places_[n]).norm());
+  all_reduce(system_.comm(), MPI_MAX, far);
+  const bool halved = now.relative() <= 0.5 * last_imbalance_;
+  last_places_.assign(state_.x.begin(), state_.x.begin() + system_.mesh().owned);
+  last_imbalance_ = now.relative();
+  return {halved, !halved && far < kCreep * longest_};
 }
 
 void StaticTrial::push_state(int attempt) {

@@ -37,7 +37,7 @@ struct LongRelaxation {
 std::string long_relaxation(const LongRelaxation& r);
 // Reason why statics ends without an equilibrium; at: place of the largest residual; limit: of Newton's
 // iterations.
-enum class StaticsEnds { forces_beyond_numbers, too_many_iterations, no_descent };
+enum class StaticsEnds { forces_beyond_numbers, too_many_iterations, no_descent, creeps };
 std::string no_equilibrium(StaticsEnds how, int limit, const Imbalance& at);
 std::string no_rest(int steps, const Imbalance& at);
 // Messages of a failed search and of a second one from the same start by other means.

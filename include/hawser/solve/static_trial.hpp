@@ -6,6 +6,7 @@
 
 #include <petscsnes.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,6 +70,16 @@ class StaticTrial {
     std::swap(state_.q, trial_.q);
   }
 
+  // Iterations or steps after which a search tests its progress.
+  static constexpr int kWatched = 50;
+  // Progress since the last call, from the state there.
+  struct Progress {
+    bool halved = false;  // the imbalance
+    bool creeps = false;  // the imbalance has not halved, and no node has moved noticeably
+  };
+  Progress progress(const ResidualNorms& now);
+  void forget_progress() { last_imbalance_ = HUGE_VAL; }
+
   double sum_of_ranks(double x) const;
   // Strain energy and potential over all ranks, J.
   double potential(const State& s) const;
@@ -93,6 +104,10 @@ class StaticTrial {
   // The obstacle on the path to the last blocked trial, and that trial; nullopt on all ranks: none.
   std::optional<advice::StepFinding> blocked_by_;
   State blocked_;
+
+ private:
+  std::vector<Vec3> last_places_;     // places of owned nodes at the last test of the progress
+  double last_imbalance_ = HUGE_VAL;  // relative imbalance at that test
 };
 
 }  // namespace hawser
