@@ -114,14 +114,11 @@ std::optional<AxisApproach> nearest_of(const BezierAxis& a, const BezierAxis& b,
       continue;
     }
     const bool first = w.a.sagitta >= w.b.sagitta;
-    std::array<Work, 2> next = first ? [&] {
-      const auto h = halved(w.a);
-      return std::array<Work, 2>{make(h[0], w.b, w.level + 1), make(h[1], w.b, w.level + 1)};
-    }()
-                                     : [&] {
-      const auto h = halved(w.b);
-      return std::array<Work, 2>{make(w.a, h[0], w.level + 1), make(w.a, h[1], w.level + 1)};
-    }();
+    const std::array<AxisPart, 2> h = halved(first ? w.a : w.b);
+    const auto part = [&](int i) {
+      return first ? make(h[i], w.b, w.level + 1) : make(w.a, h[i], w.level + 1);
+    };
+    std::array<Work, 2> next{part(0), part(1)};
     // The nearer half is examined first.
     if (next[0].lower_bound < next[1].lower_bound) std::swap(next[0], next[1]);
     for (const Work& n : next)
