@@ -92,11 +92,10 @@ Elastic elastic_mean(const CableSection& section, double strain0, double strain1
 
 // S = T* n, n = (d0 + d1)/(l0 + l1) (docs/theory/time-integration.md#cables), with
 //   T* = (V1 - V0)/(l1 - l0) + EA beta*/h (p1 - p0)/L + chi EA/L (dp - s min(1, h/h') dp') >= 0.
-// Symbols: d0, l0 start.chord, start.length; d1 chord; l1 o.l; L s.length; p = max(l - L, 0) elongation
-// (l - L less the free strain, if there is one); V
-// strain energy; beta* = min(start.beta, kRigid h) `beta`; h step.h; h' the length of the step before; chi
-// step.filter; s e.taut_fraction; dp/L = (p1 - p0)/L o.strain_increment; min(1, h/h') dp'/L
-// start.strain_increment, which the caller has scaled.
+// Symbols: d0, l0 start.chord, start.length; d1 chord; l1 o.l; L section.length; p = max(l - L, 0) elongation
+// (l - L less the free strain, if there is one); V strain energy; beta* = min(start.beta, kRigid h) `beta`; h
+// step.h; h' the length of the step before; chi step.filter; s e.taut_fraction; dp/L = (p1 - p0)/L
+// o.strain_increment; min(1, h/h') dp'/L start.strain_increment, which the caller has scaled.
 Mean mean_of(const CableSection& section, const CableStart& start, const CableStep& step, const Vec3& chord) {
   Mean o;
   o.l = chord.norm();

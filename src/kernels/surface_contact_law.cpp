@@ -82,8 +82,8 @@ template <int kTurns>
   r.force += r.friction;
 }
 
-// F = N(g, g') n, with n = n(y), dn/dy = H and g' = n.u (docs/theory/contact.md). Derivative by y: n (N_g n +
-// N_g' H u)' + N H; by u: N_g' n n'.
+// F = N(g, r) n, with n = n(y), dn/dy = H and the gap rate r = n.u (docs/theory/contact.md; N:
+// kernels/contact_law.hpp). Derivative by y: n (N_g n + N_r H u)^T + N H; by u: N_r n n^T.
 ContactForce without_friction(const ContactLaw& law, const ContactTrial& trial, bool derivatives) {
   ContactForce r;
   const Vec3& n = trial.normal;

@@ -86,7 +86,7 @@ struct Component {
 struct SequenceCut {
   std::vector<int> first;         // position of each part, and the number of positions
   std::vector<double> part_work;  // of each part
-  double max_work = 0;            // of a part
+  double allowed_work = 0;        // of a part
 
   int part_of(int position) const {
     return static_cast<int>(last_not_after(first, position) - first.begin());
@@ -115,7 +115,7 @@ SequenceCut cut_sequence(const GraphSequence& sequence, int parts) {
       cut.part_work[part] += static_cast<double>(vertices) * p.work;
     });
   const double mean = std::accumulate(cut.part_work.begin(), cut.part_work.end(), 0.0) / parts;
-  cut.max_work =
+  cut.allowed_work =
       std::max(*std::max_element(cut.part_work.begin(), cut.part_work.end()), kMaxImbalance * mean);
   return cut;
 }
@@ -159,7 +159,7 @@ bool cut_again(Component& c, SequenceCut& cut) {
   std::vector<double> new_work(cut.part_work.begin() + first, cut.part_work.begin() + first + parts);
   for (int p = 0; p < parts; ++p) new_work[p] -= shares[p];
   for (size_t i = 0; i < c.part.size(); ++i) new_work[other[i]] += c.work[i];
-  if (*std::max_element(new_work.begin(), new_work.end()) > cut.max_work) return false;
+  if (*std::max_element(new_work.begin(), new_work.end()) > cut.allowed_work) return false;
   std::copy(new_work.begin(), new_work.end(), cut.part_work.begin() + first);
   for (size_t i = 0; i < c.part.size(); ++i) c.part[i] = first + other[i];
   return true;

@@ -56,14 +56,18 @@ std::string plural(std::string s) {  // "a number [m]" -> "numbers [m]"
   return s;
 }
 
+// Bounds in the base unit, which is stated unless the bound is zero.
 std::string bounds_text(const Key& k) {
-  if (k.bounds.at_least && k.bounds.at_least == k.bounds.at_most)
-    return fmt::format("{:g}", *k.bounds.at_least);
   const double f = k.unit == Dimension::angle ? 180 / 3.14159265358979323846 : 1;
+  const auto text = [&](double bound) {
+    return bound == 0 || k.unit == Dimension::none ? fmt::format("{:g}", bound * f)
+                                                   : fmt::format("{:g} {}", bound * f, base_unit(k.unit));
+  };
+  if (k.bounds.at_least && k.bounds.at_least == k.bounds.at_most) return text(*k.bounds.at_least);
   std::vector<std::string> parts;
-  if (k.bounds.above) parts.push_back(fmt::format("above {:g}", *k.bounds.above * f));
-  if (k.bounds.at_least) parts.push_back(fmt::format("at least {:g}", *k.bounds.at_least * f));
-  if (k.bounds.at_most) parts.push_back(fmt::format("at most {:g}", *k.bounds.at_most * f));
+  if (k.bounds.above) parts.push_back("above " + text(*k.bounds.above));
+  if (k.bounds.at_least) parts.push_back("at least " + text(*k.bounds.at_least));
+  if (k.bounds.at_most) parts.push_back("at most " + text(*k.bounds.at_most));
   return enumerate(parts, "and");
 }
 

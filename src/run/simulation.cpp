@@ -128,7 +128,8 @@ void Simulation::distribute(MPI_Comm comm) {
   const int rank = rank_of(comm), size = ranks_of(comm);
   const NodeRanks owner = node_owners(comm, case_, *mesh_, *bodies_, size);
   cut_ = hawser::cut_elements(*mesh_, owner);
-  if (size > 1 && owner.runs().size() == 1) notes_.push_back(advice::one_rank_has_all());
+  if (size > 1 && owner.runs().size() == 1 && !uncut_lines(case_).empty())
+    notes_.push_back(advice::one_rank_has_all());
   system_ = std::make_unique<System>(comm, local_mesh(*mesh_, owner, rank, size));
   bodies_->in_state(case_, local());
 }

@@ -13,6 +13,7 @@ constexpr double kSafety = 0.9, kGrow = 1.5, kShrink = 0.25;
 constexpr double kShrinkIfHard = 0.7;        // after many iterations
 constexpr double kShrinkIfInvalid = 0.5;     // after a step that was not solved or not valid
 constexpr double kShrinkIfInaccurate = 0.8;  // at least, after an inaccurate step
+constexpr double kAcceptedError = 2;         // of the tolerance that the length of the step aims at
 constexpr int kPatience = 5;
 // After an impact, steps are at most kPartOfPeriod of the period of its contact for kPeriodsAfterImpact
 // periods. From then on the limit is that length plus the time since then, so that steps at the limit double
@@ -59,7 +60,7 @@ void StepControl::reset_to_first_step() {
 
 bool StepControl::accurate(double h, double error) const {
   if (s_.fixed > 0 || s_.error_tolerance <= 0 || is_shortest(h)) return true;
-  return error <= 2 * s_.error_tolerance;
+  return error <= kAcceptedError * s_.error_tolerance;
 }
 
 void StepControl::after_accepted_step(double h, int iterations, double error) {

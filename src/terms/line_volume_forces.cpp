@@ -1,10 +1,10 @@
 // The class LineVolumeContact: adds contact of lines with volumes (triangle meshes and exact shapes) to
 // residual and tangent. The force acts on the element's nodes, the reaction on the floating body. evaluate()
 // calls, for each near pair:
+//   normal_force()            N(g, r) of gap and rate: kernels/contact_law.hpp
 //   surface_contact()         force f at a point, df/dx, df/dv: kernels/surface_contact_law.cpp
-//   AxisContact::add_panel()  residual F_j = -sum of w H_j f over the Gauss points of a panel, its
-//   derivatives
-//                             K_jk and C_jk, and those through the moving ends: contact_along_axis.cpp
+//   AxisContact::add_panel()  F_j = -sum of w H_j f over the Gauss points of a panel (the residual) with K_jk
+//                             and C_jk, also through moving ends: contact_along_axis.cpp
 //   Stencil::to_blocks()      chain rule from points x + R y of the axis to positions x and rotations R of
 //                             the nodes; for cables the identity: kernels/stencil.cpp
 #include "hawser/terms/line_volume_contact.hpp"

@@ -1,4 +1,5 @@
-// The class LinesInWater: fully submerged cables, four at a time.
+// The class LinesInWater: fully submerged cables, four at a time. Their force is in
+// kernels/morison_submerged.cpp.
 #include <algorithm>
 
 #include "hawser/kernels/line_water.hpp"

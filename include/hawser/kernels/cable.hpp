@@ -77,7 +77,8 @@ CableStress cable_stress(const CableSection& section, const CableEnds& e);
 // ZAMP 43; Gonzalez 1996, J. Nonlinear Sci. 6): docs/theory/time-integration.md#cables. It is never
 // compressive.
 // strain_increment: change of the taut part of the strain in the step before, which took previous_h [s]; both
-// are 0 where there was none.
+// are 0 where there was none. If the step to come takes h < previous_h, the caller multiplies
+// strain_increment of the result by h/previous_h before the functions below.
 CableStart cable_start(const CableSection& section, const Vec3& x1, const Vec3& x2, double strain_increment,
                        double previous_h);
 Vec3 cable_mean_force(const CableSection& section, const CableStart& start, const CableStep& step,

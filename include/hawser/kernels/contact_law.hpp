@@ -11,7 +11,8 @@ namespace hawser {
 
 // Elastic force at the gap g (negative: penetration): N = k s + k₃ s³ with the smoothed depth s: 0 for g >=
 // δ, (δ - g)²/(4 δ) on (-δ, δ), -g below; δ is the smoothing. δ = k₃ = 0: a linear spring, with damping
-// Kelvin-Voigt without tension. Symbols as in docs/theory/contact.md.
+// Kelvin-Voigt without tension. Units are those of a point; along lines all are per metre. Symbols as in
+// docs/theory/contact.md.
 struct NormalLaw {
   double stiffness = 0;                      // N/m, k; with a table its largest slope
   double smoothing = 0;                      // m, δ, half width of the ramp; 0 with a table

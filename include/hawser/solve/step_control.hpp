@@ -5,13 +5,13 @@
 namespace hawser {
 
 struct StepSettings {
-  double fixed = 0;             // s; > 0: fixed step, divided to meet stops, halved when it fails
-  double first = 0.01;          // s, first automatic step
-  double longest = 0.1;         // s
-  double shortest = 1e-6;       // s
-  double error_tolerance = 0;   // m, allowed local error of a step; 0: not controlled
-  int easy_iterations = 4;      // the step may increase after at most this many Newton iterations
-  int hard_iterations = 8;      // it decreases after more than this many
+  double fixed = 0;            // s; > 0: fixed step, divided to meet stops, halved when it fails
+  double first = 0.01;         // s, first automatic step
+  double longest = 0.1;        // s
+  double shortest = 1e-6;      // s
+  double error_tolerance = 0;  // m, local error that steps aim at; up to twice is accepted; 0: not controlled
+  int easy_iterations = 4;     // the step may increase after at most this many Newton iterations
+  int hard_iterations = 8;     // it decreases after more than this many
   bool resolve_impacts = true;  // fixed steps, too, are shortened to what the terms allow
 };
 

@@ -28,7 +28,7 @@ namespace hawser {
 struct LinePairType {
   double radius = 0;           // m, half the contact diameter; 0: its lines take no part
   double mass_per_length = 0;  // kg/m
-  // k and c of F = k s + c s³ a metre, for pairs with basis `automatic` (automatic_stiffness.hpp).
+  // k and k₃ of N = k s + k₃ s³ a metre, for pairs with basis `automatic` (automatic_stiffness.hpp).
   double linear = 0, cubic = 0;  // N/m², N/m⁴
 };
 
