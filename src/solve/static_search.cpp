@@ -136,7 +136,9 @@ SNESConvergedReason StaticSearch::test_convergence(int iteration) {
     kinks_.evaluate(system_, state_, trial_);
     if (kinks_.norms(system_, f_.get()).small(tolerance_)) return SNES_CONVERGED_FNORM_RELATIVE;
   }
-  creeps_ = iteration % kWatched == 0 && progress(report_.norms).creeps;
+  // Relaxation, which follows, often moves a line that Newton's method hardly moves.
+  creeps_ = settings_.relaxation != RelaxationUse::never && iteration % kWatched == 0 &&
+            progress(report_.norms).creeps && !is_round_off();
   if (creeps_ || iteration >= settings_.max_iterations) return SNES_DIVERGED_MAX_IT;
   const bool close = tangent_trusted(report_.norms);
   use_tangent(close, close && shift_ < 1e-5 ? 0 : shift_);
@@ -233,11 +235,13 @@ void StaticSearch::count_blocked(bool blocked) {
   blocked_steps_ += blocked;
 }
 
+// A residual that very stiff lines cannot reduce.
+bool StaticSearch::is_round_off() const { return report_.norms.small(100 * tolerance_); }
+
 void StaticSearch::stop_search() {
   residual();
-  const bool round_off = report_.norms.small(100 * tolerance_);  // of very stiff lines
   check(SNESSetConvergedReason(snes_.get(),
-                               round_off ? SNES_CONVERGED_FNORM_RELATIVE : SNES_DIVERGED_LINE_SEARCH));
+                               is_round_off() ? SNES_CONVERGED_FNORM_RELATIVE : SNES_DIVERGED_LINE_SEARCH));
 }
 
 void StaticSearch::adapt_shift(const Descent& descent, bool trusted) {

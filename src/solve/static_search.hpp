@@ -67,6 +67,7 @@ class StaticSearch : StaticTrial {
   void search_for_kink(Descent& descent, double slope, bool close);
   void count_blocked(bool blocked);
   // Ends the search: converged to round-off, or without descent.
+  bool is_round_off() const;
   void stop_search();
   // Shift of the next tangent. trusted: the step was not limited, or the tangent is exact.
   void adapt_shift(const Descent& descent, bool trusted);

@@ -16,9 +16,9 @@ namespace {
 constexpr double kBodies = 20;  // m, replaces the length of lines in limits if there are none
 constexpr double kNear = 1e-2;  // residual over its scale below which the exact tangent is tried
 constexpr int kMaxHalvings = 30;
-// A search only creeps if kWatched steps move no node by kCreep times the longest line and do not halve the
-// imbalance. A slack line in a heap, or a line on the facets of a mesh, would creep without reaching the
-// tolerance.
+// A search only creeps if kWatched steps move no node by kCreep times its line (a body: the longest line) and
+// do not halve the imbalance. A slack line in a heap, or a line on the facets of a mesh, would creep without
+// reaching the tolerance.
 constexpr double kCreep = 1e-4;
 }  // namespace
 
@@ -176,14 +176,18 @@ void StaticTrial::throw_no_equilibrium(const std::string& why) {
 }
 
 StaticTrial::Progress StaticTrial::progress(const ResidualNorms& now) {
-  double far = 0;
-  for (size_t n = 0; n < last_places_.size(); ++n)
-    far = std::max(far, (state_.x[n] - last_places_[n]).norm());
+  const LocalMesh& mesh = system_.mesh();
+  double far = 0;  // of the length
+  for (size_t n = 0; n < last_places_.size(); ++n) {
+    const Node& node = mesh.node(static_cast<int>(n));
+    const double length = node.body < 0 ? mesh.mesh->lines[node.line].length : longest_;
+    far = std::max(far, (state_.x[n] - last_places_[n]).norm() / length);
+  }
   all_reduce(system_.comm(), MPI_MAX, far);
   const bool halved = now.relative() <= 0.5 * last_imbalance_;
-  last_places_.assign(state_.x.begin(), state_.x.begin() + system_.mesh().owned);
+  last_places_.assign(state_.x.begin(), state_.x.begin() + mesh.owned);
   last_imbalance_ = now.relative();
-  return {halved, !halved && far < kCreep * longest_};
+  return {halved, !halved && far < kCreep};
 }
 
 void StaticTrial::push_state(int attempt) {

@@ -402,7 +402,7 @@ TEST(Feeders, RefuseWhatTheyCannotDo) {
       {{{"stock: 40", "stock: 0"}}, "must be above 0"},
       {{{"stock: 40", "stock: 3"}}, "a stock needs at least 2"},
       {{{"stock: 40", "stock: 58"}}, "it must leave at least 3"},
-      {{{"[20, 1], [24", "[20, 1], [19"}}, "times must grow"},
+      {{{"[20, 1], [24", "[20, 1], [19"}}, "times must increase"},
       {{{table, "tension: 10 kN, dead_band: [12 kN, 8 kN], speed_per_tension: 1e-4"}}, "is not a band"},
       {{{table, "tension: 20 kN, dead_band: [8 kN, 12 kN], speed_per_tension: 1e-4"}}, "does not hold"},
       {{{table, "tension: 10 kN, dead_band: [8 kN, 12 kN]"}}, "needs 'speed_per_tension'"},

@@ -193,7 +193,8 @@ TEST_F(Snapping, PeaksAreThoseOfFinerMeshes) {
   if (!first()) return;
   printf("  largest tension: %.2f MN by default, %.2f MN with finer elements and steps\n", by_default / 1e6,
          finest / 1e6);
-  EXPECT_NEAR(by_default, finest, 0.1 * finest);
+  // Errors that decrease linearly with elements and steps leave two thirds of the difference.
+  EXPECT_NEAR(by_default, finest, (full ? 0.1 : 0.067) * finest);
 }
 
 TEST_F(Snapping, GoesOnAfterARestart) {

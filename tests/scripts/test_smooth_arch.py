@@ -1,10 +1,12 @@
 """A hose over a smooth arch: the part in the water pulls all slack out of the part on the bed, so that no equilibrium near the start
-exists without friction. Statics then names 'contact_friction', with which the hose comes to rest; on one rank and two."""
+exists without friction. Statics then names 'contact_friction', with which the hose comes to rest; on one rank and two. A wire on rocks
+whose facets it does not come to rest on."""
 import os
 import tempfile
 import unittest
 from pathlib import Path
 
+from random_scenes import scene
 from support import ROOT, run, write
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
@@ -36,6 +38,23 @@ class SmoothArch(unittest.TestCase):
             write(Path(folder), "held.yaml", ARCH + "statics: {contact_friction: true}\n")
             held = run(HAWSER, "run", "held.yaml", cwd=folder)
             self.assertEqual(held.returncode, 0, held.stdout + held.stderr)
+
+    def test_descent_that_creeps(self):
+        """A wire without friction on the facets of rocks: Newton's method ends when it hardly moves the line, and its message, the
+        last, says so. Without relaxation to follow it continues."""
+        rocks = scene(153)
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in rocks.files.items():
+                write(Path(folder), name, text)
+            write(Path(folder), "case.yaml", rocks.text())
+            for n in (1, 2):
+                r = run("mpirun", "-n", n, HAWSER, "run", "case.yaml", "-q", "-o", "case.h5", cwd=folder, timeout=300)
+                self.assertEqual(r.returncode, 3, r.stderr)
+                self.assertIn("hawser: statics: Newton's method hardly moves the lines and does not reduce the residual: line line",
+                              r.stdout + r.stderr)
+            r = run(HAWSER, "run", "case.yaml", "-q", "-o", "case.h5", "--set", "statics.dynamic_relaxation=never",
+                    "--set", "statics.max_iterations=150", cwd=folder, timeout=300)
+            self.assertIn("Newton's method does not converge within 150 iterations", r.stdout + r.stderr)
 
 
 if __name__ == "__main__":

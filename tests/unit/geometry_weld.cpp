@@ -208,7 +208,7 @@ TEST(GeometryWeld, TheRepairIsReported) {
   EXPECT_NE(loaded.notes[0].find("hawser_noisy_drum.stl: "), std::string::npos);
   EXPECT_NE(loaded.notes[0].find(" corners of open edges that lay up to 0.000"), std::string::npos)
       << loaded.notes[0];
-  EXPECT_NE(loaded.notes[0].find(" m apart were merged; no edge is open now"), std::string::npos)
+  EXPECT_NE(loaded.notes[0].find(" m apart were merged; all edges are now closed"), std::string::npos)
       << loaded.notes[0];
 }
 

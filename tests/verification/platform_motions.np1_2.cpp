@@ -330,7 +330,7 @@ dynamics: {{duration: 1, step: 0.1}}
       for (const ReportsBodyForces* term : s.system().with<ReportsBodyForces>())
         for (size_t i = 0; i < term->load_components(0).size(); ++i)
           if (term->load_components(0)[i] == "wave")
-            surge[0] += term->forces_on(0, d.kinematics())[i].force.x();
+            surge[0] += term->forces_on(0, d.committed_kinematics())[i].force.x();
     all_reduce(PETSC_COMM_WORLD, MPI_SUM, surge);
     // amplitude 1 m, rho g = 1e4 N/m³
     EXPECT_NEAR(surge[0], 5e4 * std::cos(number(omega) * arm), 5e4 * 1e-5) << omega;

@@ -14,7 +14,7 @@ inline std::string increase_fault(std::string_view quantities, std::string_view 
                                   double now, double tolerance = 0) {
   if (now > before + tolerance) return {};
   const std::string_view space = unit.empty() ? "" : " ";
-  return fmt::format("{} must increase from row to row, but {:g}{}{} follows {:g}{}{}", quantities, now,
+  return fmt::format("{} must increase from row to row, but {:.10g}{}{} follows {:.10g}{}{}", quantities, now,
                      space, unit, before, space, unit);
 }
 

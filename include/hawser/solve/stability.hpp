@@ -1,5 +1,5 @@
-// Stability of an equilibrium: it is stable if the symmetric part of its tangent has no negative eigenvalue.
-// Forces without a potential can only make the reverse false (docs/theory/statics.md, "Stability").
+// Stability of an equilibrium: it does not diverge if the symmetric part of its tangent has no negative
+// eigenvalue. If forces have no potential, the reverse need not hold (docs/theory/statics.md, "Stability").
 #pragma once
 
 #include "hawser/system/system.hpp"
@@ -22,10 +22,10 @@ int negative_pivots(Mat a);
 // show that there are none without MUMPS. Collective.
 int negative_eigenvalues(Mat J, bool chains = false);
 
-// Number of directions in which an equilibrium with the tangent J is unstable. This is the number of negative
-// eigenvalues of its symmetric part, unless there are bodies and everything else is stable while they are
-// held: then it is that of the eigenvalues with a negative real part of M^-1 K, with the mass M of the bodies
-// and their stiffness K by static condensation, which need not be symmetric. -1: not known. Collective.
+// Number of directions in which an equilibrium with the tangent J is unstable: the number of negative
+// eigenvalues of its symmetric part. It is 0 despite these if everything else is stable while the bodies are
+// held, at most 50, and all eigenvalues of M^-1 K are real and positive, with the mass M of the bodies and
+// their stiffness K by static condensation, which need not be symmetric. -1: not known. Collective.
 int unstable_directions(System& system, const Kinematics& state, Mat J);
 
 }  // namespace hawser
