@@ -67,7 +67,10 @@ std::string unstable_equilibria_left(int equilibria) {
 }
 
 std::string unstable_at_rest(long eigenvalues) {
-  return fmt::format("the static equilibrium is unstable ({} negative eigenvalues)", eigenvalues);
+  return fmt::format(
+      "the static equilibrium is unstable ({}): to find a stable one, start lines (`start`) or floating "
+      "bodies (`position`, `rotation_deg`) away from it",
+      count_of(eigenvalues, "negative eigenvalue"));
 }
 
 std::string long_relaxation(const LongRelaxation& r) {

@@ -61,7 +61,8 @@ StaticsReport StaticSearch::run(bool skip_softening) {
       --report_.escapes;
       break;
     }
-    if (report_.escapes == kMaxEscapes) break;
+    // A push moves lines only.
+    if (report_.escapes == kMaxEscapes || system_.mesh().mesh->lines.empty()) break;
     ++report_.escapes;
     last_equilibrium = state_;
     push_state(report_.escapes);

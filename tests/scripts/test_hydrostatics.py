@@ -81,12 +81,12 @@ volumes:
     def test_box_that_turns_over(self):
         """A box of 40 x 20 x 8 m with a draught of 4 m and a metacentric height of -1.67 m, pushed over by a small moment. With 5.33 m
         it heels by sin(heel) (GM + BM/2 tan² heel) = moment/weight."""
-        def rest(height, ranks=()):
+        def rest(height, ranks=(), moment=3e6):
             write(self.folder, "case.yaml", f"""\
 hawser: 1
 environment: {{gravity: 9.81, water: {{density: 1000}}}}
 bodies: {{box: {{floating: {{mass: 3.2e6, centre_of_mass: [0, 0, {height}], inertia: [1.5e8, 4.5e8, 5e8], hull: {{volumes: [hull]}}, turning_stiffness: [0, 0, 1e8],
-                           loads: [{{force: [0, 0, 0], moment: [3e6, 0, 0]}}]}}}}}}
+                           loads: [{{force: [0, 0, 0], moment: [{moment}, 0, 0]}}]}}}}}}
 volumes: {{hull: {{shape: {{box: {{centre: [0, 0, 0], size: [40, 20, 8]}}}}, body: box}}}}
 output: {{histories: [{{body: box}}]}}
 """)
@@ -102,6 +102,11 @@ output: {{histories: [{{body: box}}]}}
             heel, text = rest(8, ranks)
             self.assertGreater(abs(heel), np.pi / 2)
             self.assertEqual(text.count("warning: body box comes to rest turned over, 180 deg"), 1, text)
+            # Upright without a moment: an equilibrium that is not left, and is called unstable.
+            heel, text = rest(8, ranks, moment=0)
+            self.assertAlmostEqual(heel, 0)
+            self.assertIn("warning: the static equilibrium is unstable", text)
+            self.assertNotIn("unstable equilibri", text.replace("static equilibrium is unstable", ""))
 
     def sphere(self, around):
         """Writes a mesh of a sphere of 5 m with as many facets around its axis and half as many from pole to
