@@ -88,9 +88,8 @@ std::string mesh_cannot_be_closed(const RepairResult& done) {
 
 std::string holes_not_filled(const RepairResult& done) {
   return fmt::format(
-      "holes are not filled: the inside is where the winding number is above 1/2, which is true behind "
-      "{:.4g} "
-      "% of the surface",
+      "holes are not filled: the inside is where the winding number is above 1/2, which is true "
+      "behind {:.4g} % of the surface",
       100 * done.enclosing);
 }
 

@@ -1,50 +1,17 @@
-// Static condensation onto a body: its six columns by solutions with the tangent of the held body.
+// Stiffness of the lines at a body, by condensation of the tangent onto its six unknowns.
 #include "hawser/solve/body_stiffness.hpp"
 
 #include <petscksp.h>
 
+#include "condensation.hpp"
 #include "hawser/advice/statics.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/base/mpi.hpp"
 #include "hawser/math/so3.hpp"
 
 namespace hawser {
 namespace {
 
 using Solver = Handle<KSP, KSPDestroy>;
-
-// Positions of the body's six unknowns in the global vectors; empty on ranks that do not own it.
-std::vector<PetscInt> rows_of(const LocalMesh& mesh, int body_node) {
-  const int n = mesh.find(body_node);
-  std::vector<PetscInt> out;
-  if (!mesh.owns(n)) return out;
-  for (int k = 0; k < 6; ++k) out.push_back(3 * mesh.global_block[mesh.block[n] + k / 3] + k % 3);
-  return out;
-}
-
-// Values at these rows, on all ranks.
-Vec6 values(MPI_Comm comm, Vec v, const std::vector<PetscInt>& rows) {
-  std::vector<double> x(6, 0);
-  if (!rows.empty()) check(VecGetValues(v, 6, rows.data(), x.data()));
-  all_reduce(comm, MPI_SUM, x);
-  return Eigen::Map<const Vec6>(x.data());
-}
-
-// Sets the held components to zero.
-void clear_held(const System& system, Vec v) {
-  const auto& held = system.tied_nodes().held();
-  PetscScalar* x = nullptr;
-  check(VecGetArray(v, &x));
-  for (size_t i = 0; i < 3 * static_cast<size_t>(system.mesh().owned_blocks); ++i)
-    if (held[i / 3] >> (i % 3) & 1) x[i] = 0;
-  check(VecRestoreArray(v, &x));
-}
-
-void set(Vec v, const std::vector<PetscInt>& rows, const Vec6& x) {
-  if (!rows.empty()) check(VecSetValues(v, 6, rows.data(), x.data(), INSERT_VALUES));
-  check(VecAssemblyBegin(v));
-  check(VecAssemblyEnd(v));
-}
 
 MatHandle tangent(System& system, const Kinematics& state) {
   MatHandle J = system.create_matrix();
@@ -58,22 +25,22 @@ MatHandle tangent(System& system, const Kinematics& state) {
 
 }  // namespace
 
-// With the body's unknowns b and all others l: J_ll x = -J_lb e, K e = J_bb e + J_bl x.
 BodyStiffness body_stiffness(System& system, const Kinematics& state, int body_node,
                              const std::vector<TiedNode>& free, const std::vector<TiedNode>& held) {
   const MPI_Comm comm = system.comm();
   const BodyMotion motion = system.tied_nodes().motion();
-  const std::vector<PetscInt> rows = rows_of(system.mesh(), body_node);
+  std::vector<int> owned = {system.mesh().find(body_node)};
+  if (!system.mesh().owns(owned[0])) owned.clear();
+  const BodyRows body(system, owned);
   BodyStiffness out;
-  const VecHandle push = system.create_vector(), answer = system.create_vector(),
-                  total = system.create_vector();
+  const VecHandle residual = system.create_vector();
 
   system.tie(free, motion);
-  system.residual(state, push.get());
-  out.f = values(comm, push.get(), rows);
+  system.residual(state, residual.get());
+  out.f = body.values(residual.get());
   const MatHandle stiffness = tangent(system, state);
   system.tie(held, motion);
-  system.residual(state, answer.get());
+  system.residual(state, residual.get());
   const MatHandle others = tangent(system, state);
 
   Solver solver;
@@ -86,20 +53,9 @@ BodyStiffness body_stiffness(System& system, const Kinematics& state, int body_n
   check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
   check(KSPSetOperators(solver.get(), others.get(), others.get()));
   check(KSPSetFromOptions(solver.get()));
-  for (int k = 0; k < 6; ++k) {
-    check(VecSet(total.get(), 0));
-    set(total.get(), rows, Vec6::Unit(k));
-    check(MatMult(stiffness.get(), total.get(), push.get()));
-    check(VecScale(push.get(), -1));
-    clear_held(system, push.get());
-    check(KSPSolve(solver.get(), push.get(), answer.get()));
-    KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
-    check(KSPGetConvergedReason(solver.get(), &reason));
-    if (reason < 0) throw SolveError(advice::singular_mooring());
-    check(VecAXPY(total.get(), 1, answer.get()));
-    check(MatMult(stiffness.get(), total.get(), push.get()));
-    out.K.col(k) = values(comm, push.get(), rows);
-  }
+  const std::optional<Eigen::MatrixXd> K = condensed(body, system, stiffness.get(), solver.get());
+  if (!K) throw SolveError(advice::singular_mooring());
+  out.K = *K;
   return out;
 }
 

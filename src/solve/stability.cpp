@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <optional>
 
+#include "condensation.hpp"
 #include "hawser/base/mpi.hpp"
 #include "hawser/math/types.hpp"
 #include "hawser/solve/linear_solver.hpp"
@@ -60,95 +61,12 @@ bool positive_definite_chains(Mat J) {
   return !on_any_rank(comm, !positive_definite(symmetric_blocks(J).get()));
 }
 
-// Rows of the unknowns of all bodies in the global vectors, the same on all ranks.
-std::vector<int> rows_of_bodies(const System& system) {
-  const LocalMesh& mesh = system.mesh();
-  std::vector<int> own;
-  for (int n = 0; n < mesh.owned; ++n) {
-    if (mesh.node(n).body < 0) continue;
-    for (int k = 0; k < 6; ++k) own.push_back(3 * mesh.global_block[mesh.block[n] + k / 3] + k % 3);
-  }
-  return gather_all(system.comm(), own);
-}
-
-// Access to these rows of distributed vectors and matrices. Each function is collective.
-class BodyRows {
- public:
-  BodyRows(const System& system, std::vector<int> rows)
-      : rows_(std::move(rows)), unit_(system.create_vector()), product_(system.create_vector()) {
-    check(VecGetOwnershipRange(unit_.get(), &first_, &end_));
-  }
-  Eigen::Index count() const { return std::ssize(rows_); }
-
-  // Sets v to the unit vector of the k-th of these rows.
-  void set_unit(Vec v, Eigen::Index k) const {
-    check(VecSet(v, 0));
-    if (owns(k)) check(VecSetValue(v, rows_[k], 1, INSERT_VALUES));
-    check(VecAssemblyBegin(v));
-    check(VecAssemblyEnd(v));
-  }
-  void clear(Vec v) const {
-    for (Eigen::Index k = 0; k < count(); ++k)
-      if (owns(k)) check(VecSetValue(v, rows_[k], 0, INSERT_VALUES));
-    check(VecAssemblyBegin(v));
-    check(VecAssemblyEnd(v));
-  }
-  // These rows of A v, on all ranks.
-  Eigen::VectorXd product(Mat A, Vec v) const {
-    check(MatMult(A, v, product_.get()));
-    std::vector<double> x(rows_.size(), 0);
-    for (Eigen::Index k = 0; k < count(); ++k)
-      if (owns(k)) check(VecGetValues(product_.get(), 1, &rows_[k], &x[k]));
-    all_reduce(PetscObjectComm(reinterpret_cast<PetscObject>(A)), MPI_SUM, x);
-    return Eigen::Map<Eigen::VectorXd>(x.data(), count());
-  }
-  // These rows and columns of A.
-  Eigen::MatrixXd block(Mat A) const {
-    Eigen::MatrixXd out(count(), count());
-    for (Eigen::Index k = 0; k < count(); ++k) {
-      set_unit(unit_.get(), k);
-      out.col(k) = product(A, unit_.get());
-    }
-    return out;
-  }
-  // Sets these rows and columns of A to those of the unit matrix.
-  void hold(Mat A) const {
-    std::vector<int> own;
-    for (Eigen::Index k = 0; k < count(); ++k)
-      if (owns(k)) own.push_back(rows_[k]);
-    check(MatZeroRowsColumns(A, static_cast<PetscInt>(own.size()), own.data(), 1, nullptr, nullptr));
-  }
-
- private:
-  bool owns(Eigen::Index k) const { return rows_[k] >= first_ && rows_[k] < end_; }
-  std::vector<int> rows_;
-  VecHandle unit_, product_;
-  PetscInt first_ = 0, end_ = 0;
-};
-
-// Stiffness of the bodies' unknowns b while everything else, l, remains in equilibrium:
-//   J_ll x = -J_lb e, K e = J_bb e + J_bl x.
-// held: J with the bodies held. nullopt on all ranks: it is singular.
-std::optional<Eigen::MatrixXd> condensed(const BodyRows& bodies, const System& system, Mat J, Mat held) {
-  KspHandle solver;
-  check(KSPCreate(system.comm(), solver.out()));
-  configure_linear_solver(solver.get(), system, "statics_");
-  check(KSPSetOperators(solver.get(), held, held));
-  const VecHandle total = system.create_vector(), push = system.create_vector(),
-                  answer = system.create_vector();
-  Eigen::MatrixXd K(bodies.count(), bodies.count());
-  for (Eigen::Index k = 0; k < bodies.count(); ++k) {
-    bodies.set_unit(total.get(), k);
-    check(MatMult(J, total.get(), push.get()));
-    bodies.clear(push.get());
-    check(KSPSolve(solver.get(), push.get(), answer.get()));
-    KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
-    check(KSPGetConvergedReason(solver.get(), &reason));
-    if (reason < 0) return std::nullopt;
-    check(VecAXPY(total.get(), -1, answer.get()));
-    K.col(k) = bodies.product(J, total.get());
-  }
-  return K;
+// Rows of the unknowns of all bodies.
+BodyRows rows_of_bodies(const System& system) {
+  std::vector<int> nodes;
+  for (int n = 0; n < system.mesh().owned; ++n)
+    if (system.mesh().node(n).body >= 0) nodes.push_back(n);
+  return {system, nodes};
 }
 
 }  // namespace
@@ -218,7 +136,7 @@ int unstable_directions(System& system, const Kinematics& state, Mat J) {
   constexpr double kReal = 1e-3;       // largest imaginary part over the real one of two equal eigenvalues
   const int negative = negative_eigenvalues(J, !system.coupled());
   if (negative <= 0) return negative;
-  const BodyRows bodies(system, rows_of_bodies(system));
+  const BodyRows bodies = rows_of_bodies(system);
   if (bodies.count() == 0 || bodies.count() > kMostUnknowns) return negative;
   MatHandle held;
   check(MatDuplicate(J, MAT_COPY_VALUES, held.out()));
@@ -227,8 +145,12 @@ int unstable_directions(System& system, const Kinematics& state, Mat J) {
   const MatHandle mass = system.create_matrix();
   const std::vector<double> zero(3 * static_cast<size_t>(system.mesh().blocks()), 0);
   system.tangent(state, {0, 0, 1}, zero, false, mass.get());
-  const Eigen::LLT<Eigen::MatrixXd> M(bodies.block(mass.get()));
-  const std::optional<Eigen::MatrixXd> K = condensed(bodies, system, J, held.get());
+  const Eigen::LLT<Eigen::MatrixXd> M(bodies.block(system, mass.get()));
+  KspHandle solver_of_held;
+  check(KSPCreate(system.comm(), solver_of_held.out()));
+  configure_linear_solver(solver_of_held.get(), system, "statics_");
+  check(KSPSetOperators(solver_of_held.get(), held.get(), held.get()));
+  const std::optional<Eigen::MatrixXd> K = condensed(bodies, system, J, solver_of_held.get());
   if (M.info() != Eigen::Success || !K || !K->allFinite()) return negative;
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(M.solve(*K), false);
   if (solver.info() != Eigen::Success) return negative;
