@@ -67,6 +67,11 @@ NodeRange nodes_of_part(const std::vector<int>& owned, int k, int parts) {
   return {begin(k), begin(k + 1)};
 }
 
+// Numbers of a record in the array.
+long long length_of(const CheckpointRecord& r) {
+  return kCheckpointRecordHead + static_cast<long long>(r.values.size());
+}
+
 }  // namespace
 
 unsigned long long checkpoint_sum(long long first, const double* values, long long count) {
@@ -104,10 +109,14 @@ CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& c, int nodes_tot
   std::vector<long long> of_term;
   for (const auto& [name, kept] : c.records) {
     long long& size = of_term.emplace_back(0);
+    std::vector<int>& lengths = room.lengths.emplace_back(owned.size(), 0);
     const auto look = [&, &kept = kept](const std::vector<CheckpointRecord>& records) {
       for (const auto& r : records) {
-        valid = valid && std::binary_search(owned.begin(), owned.end(), r.node) && fits(kept, r);
-        size += kCheckpointRecordHead + static_cast<long long>(r.values.size());
+        const auto at = std::ranges::lower_bound(owned, r.node);
+        valid = valid && at != owned.end() && *at == r.node && fits(kept, r);
+        if (!valid) return;
+        lengths[static_cast<size_t>(at - owned.begin())] += static_cast<int>(length_of(r));
+        size += length_of(r);
       }
     };
     look(kept.records);
@@ -147,9 +156,9 @@ class CheckpointWriter {
   }
 
   // The number of doubles of the records comes before them.
-  void put_records(TermCheckpoint& kept) {
+  void put_records(TermCheckpoint& kept, const std::vector<int>& lengths) {
     const long long head = at_++;
-    std::vector<double> begins = lengths_by_node(kept);
+    std::vector<double> begins(lengths.begin(), lengths.end());
     const long long all = lengths_to_begins(begins);
     put_from_root(head, {static_cast<double>(all)});
     if (all == 0) return;
@@ -170,21 +179,8 @@ class CheckpointWriter {
   }
 
  private:
-  // Number of doubles of the records of each owned node.
-  std::vector<double> lengths_by_node(const TermCheckpoint& kept) const {
-    std::vector<double> lengths(owned_.size(), 0);
-    const auto add = [&](const std::vector<CheckpointRecord>& records) {
-      for (const CheckpointRecord& r : records)
-        lengths[place_of(r.node)] += static_cast<double>(length_of(r));
-    };
-    if (!kept.make) add(kept.records);
-    const int parts = checkpoint_parts(nodes_total_);
-    for (int k = 0; kept.make && k < parts; ++k) add(kept.make(nodes_of_part(owned_, k, parts)));
-    return lengths;
-  }
-
-  // Replaces these lengths by the offset of the records of each node among those of all ranks; returns the
-  // sum over all ranks. Ranks exchange a sum for each run of consecutive nodes.
+  // Replaces the lengths of the records of nodes by their offsets among those of all ranks; returns the sum
+  // over all ranks. Ranks exchange a sum for each run of consecutive nodes.
   long long lengths_to_begins(std::vector<double>& of_nodes) const {
     struct RunOfNodes {
       long long first = 0, length = 0;
@@ -245,10 +241,6 @@ class CheckpointWriter {
     return static_cast<size_t>(std::ranges::lower_bound(owned_, owned_node) - owned_.begin());
   }
 
-  static long long length_of(const CheckpointRecord& r) {
-    return kCheckpointRecordHead + std::ssize(r.values);
-  }
-
   static std::vector<const CheckpointRecord*> sorted_records(NodeRange range,
                                                              const std::vector<CheckpointRecord>& records) {
     std::vector<const CheckpointRecord*> sorted;
@@ -294,16 +286,18 @@ class CheckpointWriter {
 
 }  // namespace
 
-unsigned long long write_checkpoint_array(MPI_Comm comm, Checkpoint c, int nodes_total,
-                                          const std::vector<int>& owned, const PutNumbers& put) {
+unsigned long long write_checkpoint_array(MPI_Comm comm, Checkpoint c, const CheckpointRoom& room,
+                                          int nodes_total, const std::vector<int>& owned,
+                                          const PutNumbers& put) {
   CheckpointWriter writer(comm, nodes_total, owned, put);
   writer.put_scalars(c);
   for (auto& [name, field] : c.nodes) {
     writer.put_field(name, field);
     field = {};
   }
+  auto lengths = room.lengths.begin();
   for (auto& [name, kept] : c.records) {
-    writer.put_records(kept);
+    writer.put_records(kept, *lengths++);
     kept = {};
   }
   return writer.checksum();

@@ -437,7 +437,7 @@ void ResultsFile::write_checkpoint(Checkpoint checkpoint) {
   if (m.root()) index.push_back({0, text});
   m.file.write_runs(slot + "index", H5T_NATIVE_CHAR, -1, index, need.index.data());
   const auto sum =
-      write_checkpoint_array(m.file.comm(), std::move(checkpoint), nodes, m.owned,
+      write_checkpoint_array(m.file.comm(), std::move(checkpoint), need, nodes, m.owned,
                              [&](const std::vector<RowRun>& runs, const std::vector<double>& values) {
                                m.file.write_runs(slot + "values", H5T_NATIVE_DOUBLE, -1, runs, values.data());
                              });

@@ -360,7 +360,7 @@ Array array_of(const Checkpoint& c) {
   const std::vector<int> owned{0, 1, 2};
   const CheckpointRoom room = checkpoint_room(MPI_COMM_SELF, c, 3, owned);
   Array whole{room.index, std::vector<double>(static_cast<size_t>(room.size), -1)};
-  write_checkpoint_array(MPI_COMM_SELF, c, 3, owned,
+  write_checkpoint_array(MPI_COMM_SELF, c, room, 3, owned,
                          [&](const std::vector<RowRun>& runs, const std::vector<double>& values) {
                            auto from = values.begin();
                            for (const RowRun& r : runs) {

@@ -54,6 +54,8 @@ constexpr int kCheckpointRecordHead = 4;  // numbers of a record before its valu
 struct CheckpointRoom {
   std::string index;   // same on all ranks
   long long size = 0;  // doubles in the whole array, same on all ranks
+  // By term, doubles of the records of each of this rank's nodes.
+  std::vector<std::vector<int>> lengths;
 };
 
 // Collective. Throws std::logic_error when names differ between ranks or a record's node is not owned.
@@ -61,11 +63,12 @@ CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& checkpoint, int 
                                const std::vector<int>& owned);
 
 // Passes the array in pieces to `put`, equally many on every rank: the row runs of this rank, ascending, and
-// their numbers. Parts of the checkpoint are released when passed. Returns the checksum of the whole array,
-// the same on all ranks. Collective.
+// their numbers. room: that of the checkpoint. Parts of the checkpoint are released when passed. Returns the
+// checksum of the whole array, the same on all ranks. Collective.
 using PutNumbers = std::function<void(const std::vector<RowRun>& runs, const std::vector<double>& values)>;
-unsigned long long write_checkpoint_array(MPI_Comm comm, Checkpoint checkpoint, int nodes_total,
-                                          const std::vector<int>& owned, const PutNumbers& put);
+unsigned long long write_checkpoint_array(MPI_Comm comm, Checkpoint checkpoint, const CheckpointRoom& room,
+                                          int nodes_total, const std::vector<int>& owned,
+                                          const PutNumbers& put);
 // Inverse: requests from `get` the numbers of the array of length `size` that belong to the nodes `owned` or
 // to all ranks. Serial. Throws InputError if they are no checkpoint of `nodes_total` nodes.
 using GetNumbers = std::function<std::vector<double>(const RowRun& run)>;
