@@ -114,6 +114,14 @@ std::string no_rest(int steps, const Imbalance& at) {
                      imbalance(at));
 }
 
+std::string rests_by_contact_friction() {
+  return "statics found no equilibrium without friction of contact, so that lines and bodies came to rest "
+         "with it on "
+         "the path from their start ('statics: {contact_friction: true}'): their forces depend on this path, "
+         "by as "
+         "much as friction can hold";
+}
+
 std::string second_failure(const std::string& first, const std::string& second) {
   return fmt::format("{}; after that, {}", first, second);
 }
@@ -122,8 +130,9 @@ std::string path_blocked(const std::string& because) { return "statics: " + beca
 
 std::string body_moves_on(const std::string& place, double far) {
   return fmt::format(
-      "statics: {} has moved by {:.3g} m and does not come to rest: it falls, or the friction under it is "
-      "too low",
+      "statics: {} has moved by {:.3g} m and does not come to rest: its lines, springs, supports and "
+      "friction do not "
+      "balance the loads on it",
       place, far);
 }
 
@@ -136,18 +145,19 @@ std::string singular_mooring() {
 
 std::string statics_failed(const model::Case& c) {
   std::vector<std::string> ways;
-  const bool slides = !c.lines.empty() && !c.statics.contact_friction;
-  const bool on_volume = slides && !c.volumes.empty();
-  const bool on_mesh = slides && std::any_of(c.volumes.begin(), c.volumes.end(),
-                                             [](const model::Volume& v) { return !v.mesh.empty(); });
-  if (on_volume)
-    ways.push_back(
-        fmt::format("where a line slides along a volume or finds no rest on its facets, 'friction' of that "
-                    "volume with 'statics: {{contact_friction: true}}'{}",
-                    on_mesh ? ", or 'shape: {tube: ...}' for a mesh that is a tube" : ""));
+  const bool has_friction = c.contact.has_friction(c.volumes);
+  const bool with_friction = c.statics.contact_friction.value_or(has_friction);  // has been tried
+  const bool on_mesh =
+      !c.lines.empty() &&
+      std::any_of(c.volumes.begin(), c.volumes.end(), [](const model::Volume& v) { return !v.mesh.empty(); });
+  if (!c.lines.empty() && !c.volumes.empty() && !with_friction)
+    ways.push_back(fmt::format(
+        "where a line slides along a volume or finds no rest on its facets, {}",
+        has_friction ? "its friction, without 'contact_friction: false'" : "'friction' of that volume"));
+  if (on_mesh) ways.emplace_back("'shape: {tube: ...}' for a mesh that is a tube");
   if (c.statics.relaxation == model::Relaxation::never)
     ways.emplace_back("without 'dynamic_relaxation: never'");
-  else if (!on_mesh && c.statics.relaxation == model::Relaxation::automatic && !c.statics.contact_friction)
+  else if (!on_mesh && c.statics.relaxation == model::Relaxation::automatic && !with_friction)
     ways.emplace_back("'statics: {dynamic_relaxation: always}'");
   if (c.environment.water.present && !c.environment.water.current.profile.empty() &&
       !(c.environment.water.current.ramp > 0) && c.dynamics.enabled)
@@ -156,9 +166,9 @@ std::string statics_failed(const model::Case& c) {
   const bool on_bodies = std::any_of(bodies.begin(), bodies.end(),
                                      [](const model::BodyPair& p) { return p.friction.axial > 0; });
   if (on_bodies)
-    ways.emplace_back(c.statics.contact_friction ? "more 'friction' of volumes on which a body slides"
-                                                 : "'contact_friction: true', so that friction holds bodies");
-  if (c.statics.contact_friction)
+    ways.emplace_back(with_friction ? "more 'friction' of volumes on which a body slides"
+                                    : "'contact_friction: true', so that friction holds bodies");
+  if (c.statics.contact_friction.value_or(false))
     ways.emplace_back("'contact_friction: false'");
   else if (const model::Seabed& bed = c.environment.seabed; bed.present && bed.full)
     ways.emplace_back("'friction_in_statics: as_laid'");

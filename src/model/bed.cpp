@@ -102,7 +102,8 @@ bool laid_with_friction(const Case& c, const Line& line) {
 }
 
 bool held_by_friction(const Case& c, const Line& line) {
-  return laid_with_friction(c, line) || (c.statics.contact_friction && !line.starts_by_itself());
+  return laid_with_friction(c, line) ||
+         (c.statics.contact_friction.value_or(false) && !line.starts_by_itself());
 }
 
 }  // namespace hawser::model

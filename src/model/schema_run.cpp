@@ -15,7 +15,7 @@ Key statics() {
                     "friction with volumes, between lines and between bodies acts in statics as well, "
                     "against the motion from the start positions of the case; `false`: it acts in dynamics "
                     "only, from the equilibrium without friction",
-                    or_else("false")),
+                    or_else_note("`true` if statics finds no equilibrium without friction")),
             integer({"max_iterations", &Statics::max_iterations},
                     "largest number of Newton iterations in a stage", in_range(1, 1e6), or_else("1000")),
             word({"dynamic_relaxation", &Statics::relaxation},

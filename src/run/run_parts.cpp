@@ -81,11 +81,10 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
   constexpr int kManySteps = 500;  // of dynamic relaxation; more is unusual
   const model::Case& c = sim.model();
   const size_t before = sim.notes().size();
-  const advice::LongRelaxation relaxation{.steps = kManySteps,
-                                          .line_pairs = sim.line_pairs() != nullptr,
-                                          .slides_freely = sim.line_volume_contact() &&
-                                                           !sim.contact_friction_in_statics() &&
-                                                           !c.statics.contact_friction};
+  const advice::LongRelaxation relaxation{
+      .steps = kManySteps,
+      .line_pairs = sim.line_pairs() != nullptr,
+      .slides_freely = sim.line_volume_contact() && !sim.contact_friction_in_statics()};
   bool reported = !relaxation.line_pairs && !relaxation.slides_freely;
   const StaticsReport s = sim.solve_statics(
       [&](const StaticsReport& now) {

@@ -67,7 +67,7 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
   StaticsSettings settings = settings_of(case_, falls);
   settings.friction = contact_friction_in_statics();
   settings.progress = std::move(progress);
-  const StaticsReport report = find_restrained_equilibrium(settings);
+  const StaticsReport report = find_equilibrium_or_rest_by_friction(settings);
   if (auto* body_contact = system_->find<BodyContact>())
     body_contact->check_overlap_at_rest(state_.at_rest());
   if (line_volume_contact() || line_pairs()) system_->commit(state_.at_rest());
@@ -77,6 +77,33 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
   note_bodies_held_without_weight();
   note_slack_lines(report.relaxation_steps > 0);
   return report;
+}
+
+// Without friction a line may have no equilibrium, or none that can be found on the facets of a mesh.
+// Friction that the case has then brings it to rest on the path from the start.
+StaticsReport Simulation::find_equilibrium_or_rest_by_friction(StaticsSettings settings) {
+  const bool may_rest = !friction_in_statics_ && !case_.statics.contact_friction.has_value() &&
+                        case_.statics.relaxation != model::Relaxation::never &&
+                        case_.contact.has_friction(case_.volumes);
+  if (!may_rest) return find_restrained_equilibrium(settings);
+  const StaticsStart start(*system_, state_);
+  std::string failure;
+  try {
+    return find_restrained_equilibrium(settings);
+  } catch (const SolveError& without_friction) {
+    failure = without_friction.what();
+  }
+  system_->revert_stiffness();
+  start.restore(state_);
+  enable_friction_in_statics(true);
+  settings.friction = true;
+  try {
+    const StaticsReport report = find_restrained_equilibrium(settings);
+    notes_.push_back(advice::rests_by_contact_friction());
+    return report;
+  } catch (const SolveError& with_friction) {
+    throw SolveError(advice::second_failure(failure, with_friction.what()));
+  }
 }
 
 StaticsReport Simulation::find_restrained_equilibrium(const StaticsSettings& settings) {

@@ -68,30 +68,11 @@ StaticsReport relax_then_newton(System& system, const StaticsSettings& settings,
   }
 }
 
-// The start of the search, to which it can return.
-class Start {
- public:
-  Start(System& system, const State& state) : system_(system), state_(state) {
-    for (const auto& term : system.terms()) history_.push_back(term->save());
-  }
-  void restore(State& state) const {
-    system_.soften(HUGE_VAL);
-    state = state_;
-    for (size_t i = 0; i < history_.size(); ++i) system_.terms()[i]->restore(history_[i]);
-    system_.update_ghosts(state);
-  }
-
- private:
-  System& system_;
-  State state_;
-  std::vector<std::vector<CheckpointRecord>> history_;
-};
-
 // Friction forces depend on the path, which Newton's iteration of statics does not have, so relaxation is
 // used. If contact was too soft on that path, lines were pulled into volumes, and friction would hold them
 // while they are pressed out again. The path is therefore repeated from the start with the stiffness required
 // at its end.
-StaticsReport relax_with_friction(System& system, const StaticsSettings& settings, const Start& start,
+StaticsReport relax_with_friction(System& system, const StaticsSettings& settings, const StaticsStart& start,
                                   State& state) {
   RelaxationSettings r;
   r.max_steps = settings.relaxation_steps;
@@ -121,7 +102,14 @@ std::vector<Method> methods(const StaticsSettings& settings) {
   return {Method::newton, Method::relaxation};
 }
 
-StaticsReport try_methods(System& system, const StaticsSettings& settings, const Start& start, State& state) {
+// For a search that no relaxation follows: Newton's descent continues while it hardly moves the lines.
+StaticsSettings without_relaxation(StaticsSettings settings) {
+  settings.relaxation = RelaxationUse::never;
+  return settings;
+}
+
+StaticsReport try_methods(System& system, const StaticsSettings& settings, const StaticsStart& start,
+                          State& state) {
   if (settings.friction) return relax_with_friction(system, settings, start, state);
   const std::vector<Method> order = methods(settings);
   std::vector<std::string> failures;
@@ -130,7 +118,8 @@ StaticsReport try_methods(System& system, const StaticsSettings& settings, const
     const bool last = failures.size() + 1 == order.size();
     try {
       if (method == Method::relaxation) return relax_then_newton(system, settings, state);
-      return StaticSearch(system, settings, state).run(settings.starts_near);
+      return StaticSearch(system, last ? without_relaxation(settings) : settings, state)
+          .run(settings.starts_near);
     } catch (const PathBlocked& blocked) {
       if (last || settings.starts_near) throw;
       failures.emplace_back(blocked.what());
@@ -143,12 +132,12 @@ StaticsReport try_methods(System& system, const StaticsSettings& settings, const
 }
 
 // Raises the contact stiffness until the equilibrium requires no more.
-StaticsReport raise_until_enough(System& system, const StaticsSettings& settings, const Start& start,
+StaticsReport raise_until_enough(System& system, const StaticsSettings& settings, const StaticsStart& start,
                                  State& state) {
   StaticsReport report = try_methods(system, settings, start, state);
   for (int round = 0; system.adapt_stiffness(state.at_rest()); ++round) {
     if (round == kMaxRaises) throw SolveError(advice::automatic_stiffness_unsettled());
-    const StaticsReport more = StaticSearch(system, settings, state).run(true);
+    const StaticsReport more = StaticSearch(system, without_relaxation(settings), state).run(true);
     report.iterations += more.iterations;
     report.escapes += more.escapes;
     report.negative_eigenvalues = more.negative_eigenvalues;
@@ -160,7 +149,7 @@ StaticsReport raise_until_enough(System& system, const StaticsSettings& settings
 // If contact is far too soft, lines would be pulled through volumes. Such steps are rejected; if the step
 // becomes too short, the contact stiffness is raised and the search begins again.
 StaticsReport restart_when_stiffened(System& system, const StaticsSettings& settings, State& state) {
-  const Start start(system, state);
+  const StaticsStart start(system, state);
   for (;;) {
     try {
       return raise_until_enough(system, settings, start, state);
@@ -171,6 +160,17 @@ StaticsReport restart_when_stiffened(System& system, const StaticsSettings& sett
 }
 
 }  // namespace
+
+StaticsStart::StaticsStart(System& system, const State& state) : system_(system), state_(state) {
+  for (const auto& term : system.terms()) history_.push_back(term->save());
+}
+
+void StaticsStart::restore(State& state) const {
+  system_.soften(HUGE_VAL);
+  state = state_;
+  for (size_t i = 0; i < history_.size(); ++i) system_.terms()[i]->restore(history_[i]);
+  system_.update_ghosts(state);
+}
 
 StaticsReport find_equilibrium(System& system, const StaticsSettings& settings, State& state) {
   const size_t n = state.x.size();

@@ -69,7 +69,7 @@ ContactForce BedContact::contact(const Point& p, const Kinematics& state, bool d
 }
 
 ContactStart BedContact::start(const Point& p) const {
-  const Start& s = starts_[index_of(p)];
+  const StepStart& s = starts_[index_of(p)];
   if (laid()) {
     const LaidReference& from = laid_[index_of(p)];
     // With a gap of 0 at the start, all of the displacement from the laid position counts as slip.
@@ -85,7 +85,7 @@ void BedContact::prepare(const Kinematics& from, double h) {
     laid_.shrink_to_fit();
   }
   for (const Point& p : points_) {
-    Start& start = starts_[index_of(p)];
+    StepStart& start = starts_[index_of(p)];
     if (law(p).law.friction.active()) start.direction = line_direction(p, from);
     ContactTrial at;
     if (laid()) {

@@ -381,8 +381,9 @@ struct Statics {
   double tolerance = 1e-8;  // residual relative to the internal forces
   int max_iterations = 1000;
   Relaxation relaxation = Relaxation::automatic;
-  int relaxation_steps = 5000;    // limit
-  bool contact_friction = false;  // on volumes and between lines, from the start shape on
+  int relaxation_steps = 5000;  // limit
+  // Friction on volumes and between lines, from the start shape on; none: only if statics fails without it.
+  std::optional<bool> contact_friction;
 };
 
 struct Dynamics {

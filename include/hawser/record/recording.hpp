@@ -1,6 +1,6 @@
 // Interface of all recordings of a run: a recording declares its data, receives every accepted step, and
 // contributes rows of the results file, numbers in checkpoints and warnings at the end. The recorder uses
-// only this interface; src/record/recordings.cpp lists the recordings.
+// only this interface; src/record/recording_list.cpp lists the recordings.
 #pragma once
 
 #include <mpi.h>

@@ -83,7 +83,7 @@ class Simulation {
   void enable_friction_in_statics(bool on) { friction_in_statics_ = on; }
   // True if friction of contact with volumes and lines acts in statics; for that of the bed see lays_lines().
   bool contact_friction_in_statics() const {
-    return friction_in_statics_.value_or(case_.statics.contact_friction);
+    return friction_in_statics_.value_or(case_.statics.contact_friction.value_or(false));
   }
   void scale_current(double factor);  // multiplies the current
 
@@ -112,6 +112,8 @@ class Simulation {
   // Finds the equilibrium with friction as in statics, and with bodies restrained that have no equilibrium of
   // their own. The bodies keep their initial velocities for dynamics.
   StaticsReport find_restrained_equilibrium(const StaticsSettings& settings);
+  // The same, by friction of contact if there is none without it.
+  StaticsReport find_equilibrium_or_rest_by_friction(StaticsSettings settings);
   void enable_friction_at_rest();
   // Throws SolveError if a line is deeper in a volume than a contact with its stiffness can hold it.
   void check_depth_at_rest();

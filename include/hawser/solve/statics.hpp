@@ -45,6 +45,18 @@ struct StaticsSettings {
   std::function<void(const StaticsReport&)> progress;
 };
 
+// State and histories of the terms at the start of a search, to which it can return.
+class StaticsStart {
+ public:
+  StaticsStart(System& system, const State& state);
+  void restore(State& state) const;
+
+ private:
+  System& system_;
+  State state_;
+  std::vector<std::vector<CheckpointRecord>> history_;
+};
+
 // Moves `state` (positions and rotations; rates are set to zero) to equilibrium at state.time and commits the
 // terms there. Throws SolveError naming line, arc length and imbalance.
 StaticsReport find_equilibrium(System& system, const StaticsSettings& settings, State& state);

@@ -112,7 +112,7 @@ class BedContact final : public ForceTerm, public HasFriction {
     }
   };
   // Point at the start of the step: position, gap, and direction of the line.
-  struct Start {
+  struct StepStart {
     Vec3 point = Vec3::Zero(), direction = Vec3::UnitX();
     double gap = 0;
   };
@@ -188,7 +188,7 @@ class BedContact final : public ForceTerm, public HasFriction {
   Box bounds_ = Box::everything();                  // bounding box of the surface
   std::vector<PointLaw> laws_;                      // each distinct law once
   std::vector<Point> points_;
-  std::vector<Start> starts_;
+  std::vector<StepStart> starts_;
   std::vector<LaidReference>
       laid_;  // in statics with friction; empty: slip and normal are those of histories_
   bool firm_ = false;
