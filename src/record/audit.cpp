@@ -14,6 +14,9 @@ constexpr double kCreatedReported = 0.01, kCreatedWrong = 0.05, kLostReported = 
 // The same of Audit::remaining, as a fraction of Audit::largest_energy: created energy that has not been
 // dissipated is still in the lines.
 constexpr double kRemainingWrong = 0.2;
+// Created energy e as axial vibration changes the tension T of a line with the strain energy E = T² L/2EA by
+// sqrt(e/E) of it: by at most 5 % if e is below this fraction of E.
+constexpr double kSmallVibration = 0.0025;
 
 // Rounding and Newton's tolerance as a fraction of the strain energy; an energy [J] negligible for any line.
 constexpr double kRounding = 1e-6, kNegligible = 1e-6;
@@ -76,8 +79,10 @@ double Audit::percent() const { return 100 * error / size(); }
 // is compared with the largest energy present at a time.
 bool Audit::wrong() const {
   if (!std::isfinite(error)) return true;
-  return largest_gain.value > kCreatedWrong * size() ||
-         largest_remaining > kRemainingWrong * largest_energy + kRounding * largest_strain + kNegligible ||
+  const bool created =
+      largest_gain.value > kCreatedWrong * size() ||
+      largest_remaining > kRemainingWrong * largest_energy + kRounding * largest_strain + kNegligible;
+  return (created && largest_gain.value > kSmallVibration * largest_strain) ||
          largest_loss.value > kLostWrong * size();
 }
 

@@ -57,6 +57,31 @@ class Edges(unittest.TestCase):
                 self.assertGreater(tension, 10000)
                 self.assertLess(tension, 11000)
 
+    def test_descent_over_an_edge_that_takes_long(self):
+        """400 elements as short as the radius over an edge, a turn of 15 degrees, without friction: after the contact stiffness has been
+        raised, Newton's method hardly moves the line for many iterations, and converges. At rest the tension is the load at both ends."""
+        with tempfile.TemporaryDirectory() as folder:
+            write(Path(folder), "edge.yaml", """\
+hawser: 1
+environment: {gravity: 0}
+line_types: {rope: {outer_diameter: 0.02, mass_per_length: 1, EA: 2 MN, bending: false}}
+volumes: {box: {shape: {box: {centre: [-2, 0, -2], size: [4, 4, 4]}}}}
+lines:
+  rope:
+    sections: [{type: rope, length: 4.00261716, element_length: 0.01}]
+    end_a: {anchor: [-2, 0, 0.01]}
+    end_b: free
+    start: {points: [[-2, 0, 0.01], [0, 0, 0.01], [0.000871557427, 0, 0.00996194698], [0.00173648178, 0, 0.00984807753],
+                     [0.00258819045, 0, 0.00965925826], [1.93443984, 0, -0.507978832]]}
+    loads: [{at: end_b, force: [965.925826, 0, -258.819045]}]
+""")
+            for n in (1, 2):
+                output = run("mpirun", "-n", n, HAWSER, "run", "edge.yaml", "-o", "edge.h5", cwd=folder, timeout=300)
+                self.assertEqual(output.returncode, 0, output.stdout + output.stderr)
+                for which in ("max", "min"):
+                    tension = float(re.search(which + r" effective tension +rope +(\S+) N", output.stdout)[1])
+                    self.assertAlmostEqual(tension, 1000, delta=8)
+
     def test_a_body_that_falls_in_statics(self):
         """A smooth cylinder in two smooth slings slides out of them: its equilibrium is unstable."""
         sling = ("  s{name}: {{sections: [{{type: rope, length: 5.88, elements: 20}}], end_a: {{anchor: [{x}, -1.2, 2]}}, "
