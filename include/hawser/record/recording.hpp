@@ -114,8 +114,7 @@ class Recording {
   virtual void start(const Snapshot& s) { (void)s; }
   virtual void step(const Snapshot& s) { (void)s; }
   virtual void output(const Snapshot& s) { (void)s; }
-  // Adds what the tables of clashes have had to show since the last call, at outputs and at the end; on rank
-  // 0.
+  // Adds the clashes for the file since the last call, at outputs and at the end; on rank 0.
   virtual void take_clashes(io::ClashTables& to) { (void)to; }
   // Adds the points of contact of an output or stage that this rank counts.
   virtual void points(const Snapshot&, io::ContactRows&) {}
