@@ -1,4 +1,4 @@
-"""What the wire feels of the hose that is drawn over it.
+"""The force on the wire from the hose that is drawn over it.
 
     python3 cases/crossing-lines/figures.py [cases/crossing-lines/crossing-lines.h5]
 

@@ -183,9 +183,9 @@ def faults(vertices, triangles):
         for i in range(3):
             edges[t[i], t[(i + 1) % 3]] += 1
     if any(count > 1 for count in edges.values()):
-        found.append("directed edges used more than once: not manifold, or not oriented alike")
+        found.append("directed edges used more than once: not manifold, or not of one orientation")
     if any((b, a) not in edges for a, b in edges):
-        found.append("edges with one triangle only: not closed, or not oriented alike")
+        found.append("edges with one triangle only: not closed, or not of one orientation")
     used = {i for t in triangles for i in t}
     euler = len(used) - len(edges) // 2 + len(triangles)
     if euler != 2:

@@ -107,9 +107,9 @@ def faults(triangles):
     doubled = sum(1 for count in edges.values() if count > 1)
     unmatched = sum(1 for a, b in edges if (b, a) not in edges)
     if doubled:
-        found.append(f"{doubled} directed edges used more than once: not manifold, or not oriented alike")
+        found.append(f"{doubled} directed edges used more than once: not manifold, or not of one orientation")
     if unmatched:
-        found.append(f"{unmatched} edges with one triangle only: not closed, or not oriented alike")
+        found.append(f"{unmatched} edges with one triangle only: not closed, or not of one orientation")
     vertices = {vertex for triangle in triangles for vertex in triangle}
     euler = len(vertices) - len(edges) // 2 + len(triangles)
     if euler != 2:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes spar.1, spar.3 and spar.hst: what a diffraction program says of an upright cylinder, in WAMIT's form.
+"""Writes spar.1, spar.3 and spar.hst: the results of a diffraction program for an upright cylinder, in WAMIT's form.
 
 Linear waves about a cylinder of radius a and draught d that stands upright in water of depth h, by matched eigenfunctions
 (Garrett 1971, J. Fluid Mech. 46, waves on a cylinder that is held; Yeung 1981, Appl. Ocean Res. 3, waves by its motion). With z

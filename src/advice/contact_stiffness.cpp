@@ -90,7 +90,7 @@ std::string too_deep_at_rest(const TooDeep& at) { return "statics: " + too_deep(
 
 std::string pulled_through(const PulledThrough& at) {
   const std::string text = fmt::format("{}, would pass through volume {}", at.place, at.law.volume);
-  if (!at.too_soft) return text + "; say on which side it lies with 'start: {points: [[x, y, z], ...]}'";
+  if (!at.too_soft) return text + "; state on which side it lies with 'start: {points: [[x, y, z], ...]}'";
   return text +
          (at.law.table
               ? ": add rows up to the largest contact force to its table, or set 'normal_stiffness: auto'"

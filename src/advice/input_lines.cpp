@@ -18,9 +18,9 @@ namespace {
 
 // Strains far above those of designs: steel wire and chain break at 1 to 2 %, polyester at 10 %, nylon at 40
 // % (ISO 18692, ISO 19901-7).
-constexpr double kMetal = 20e9, kMetalStrain = 0.01,
-                 kFibreStrain = 0.1;  // Pa, smallest modulus of a metal
-constexpr double kLong = 10;          // length over distance of the ends
+constexpr double kMetalStrain = 0.01, kFibreStrain = 0.1;
+constexpr double kMetal = 20e9;  // Pa, smallest modulus of a metal
+constexpr double kLong = 10;     // length over distance of the ends
 constexpr int kFew = 5;          // elements of a hanging line; with fewer the tension error is 10 % or more
 constexpr double kSlack = 1.01;  // length over distance of the ends, for a sagging line
 constexpr double kDeepLong = 5;  // and over that plus the heights of both ends above the bed

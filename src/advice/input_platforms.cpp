@@ -52,7 +52,8 @@ void warn_of_sea_of_platform(const Case& c, const Body& b, std::vector<InputWarn
 void warn_of_coefficients(const Case& c, const Body& b, std::vector<InputWarning>& out) {
   std::vector<Issue> issues;
   note_hydrodynamic_data(c, b, Issues(issues, "bodies." + b.name + ".floating.hydrodynamics"));
-  for (Issue& one : issues) add_warning(out, std::move(one.key), Effect::all, "{}", std::move(one.text));
+  for (Issue& one : issues)
+    out.push_back({std::move(one.key), std::move(one.text), std::string(one.format), Effect::all});
 }
 
 void warn_of_directions(const Case& c, const Body& b, std::vector<InputWarning>& out) {

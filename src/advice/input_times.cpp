@@ -135,6 +135,14 @@ std::vector<StartSpeeds> start_speeds(const Case& c) {
   return out;
 }
 
+std::string initial_velocity_key(const Case& c) {
+  const std::vector<StartSpeeds> speeds = start_speeds(c);
+  for (size_t b = 0; b < speeds.size(); ++b)
+    if (speeds[b].motion + speeds[b].drift > 0)
+      return fmt::format("bodies.{}.{}", c.bodies[b].name, speeds[b].motion > 0 ? "motion" : "motion.drift");
+  return "";
+}
+
 namespace {
 
 void warn_of_start(const Body& b, const StartSpeeds& speed, std::vector<InputWarning>& out) {

@@ -15,10 +15,10 @@ Vec3 direction(int i, int n) {
 
 constexpr int kRays = 9, kVoters = 15;
 
-// Rays in both directions from the largest triangles of the patch. Calls tell(crossings, front): the number
-// of triangles the ray meets, and whether it starts at the front.
+// Rays in both directions from the largest triangles of the patch. Calls with_ray(crossings, front): the
+// number of triangles the ray meets, and whether it starts at the front.
 template <class F>
-void each_ray(const MeshView& mesh, const WindingTree& tree, std::vector<int>& patch, F tell) {
+void each_ray(const MeshView& mesh, const WindingTree& tree, std::vector<int>& patch, F with_ray) {
   const auto larger = [&](int a, int b) {
     const double x = mesh.area_vector(a).squaredNorm(), y = mesh.area_vector(b).squaredNorm();
     return x != y ? x > y : a < b;
@@ -33,7 +33,7 @@ void each_ray(const MeshView& mesh, const WindingTree& tree, std::vector<int>& p
       const Vec3 u = direction(i, kRays);
       const double side = u.dot(n.normalized());
       if (std::abs(side) < 0.1) continue;
-      tell(tree.crossings(mesh, c, u, t), side > 0);
+      with_ray(tree.crossings(mesh, c, u, t), side > 0);
     }
   }
 }

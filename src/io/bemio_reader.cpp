@@ -188,11 +188,7 @@ HydrodynamicData read_bemio(const std::string& path, const HydrodynamicForm& for
   bool has_infinite = false;
   read_radiation(file, scale, data, has_infinite);
   read_hydrostatics(file, scale, data);
-  if (form.mirrored && data.bodies > 1)
-    file.refuse(
-        fmt::format("has {} bodies, which are no mirror image of themselves: 'symmetry: "
-                    "port_starboard' is for files of one body",
-                    data.bodies));
+  check_mirrored(form, data);
   if (file.has("/body1/hydro_coeffs/excitation/re"))
     data.excitation =
         force_tables(file, form, scale.force, "excitation/re", "excitation/im", data.bodies, path);

@@ -293,11 +293,7 @@ HydrodynamicData read_capytaine(const std::string& path, const HydrodynamicForm&
   read_radiation(file, f, scale, data, has_infinite, notes);
   if (file.has("water_depth")) note_depth(form, file.number("water_depth"), data, notes);
   read_hydrostatics(file, f, scale, gravity, data);
-  if (form.mirrored && data.bodies > 1)
-    file.refuse(
-        fmt::format("has {} bodies, which are no mirror image of themselves: 'symmetry: "
-                    "port_starboard' is for files of one body",
-                    data.bodies));
+  check_mirrored(form, data);
   read_excitation(file, f, scale, form, data, notes);
   finish_coefficients(data, has_infinite, {}, notes);
   return data;

@@ -12,7 +12,7 @@ namespace {
 
 void check_action(const Value& v, const Action& a) {
   if (const Value* attach = v.find("attach"); attach && a.at.has_value() != (a.within > 0))
-    refuse(*attach, "'at' and 'within' say together where the end is expected");
+    refuse(*attach, "'at' and 'within' together define where the end is expected");
   const Value* feed = v.find("feed");
   if (!feed) return;
   if (feed->has("speed") + feed->has("tension") + feed->has("paid_out") != 1)

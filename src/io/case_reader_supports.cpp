@@ -60,7 +60,7 @@ class Group {
     if (c_.lines.size() != 1)
       refuse_key(
           v_, v_.where + ".line",
-          "required key is missing: the case has {} lines; say which of them is laid over these supports",
+          "required key is missing: the case has {} lines; state which of them is laid over these supports",
           c_.lines.size());
     return c_.lines.front();
   }

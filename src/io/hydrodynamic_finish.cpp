@@ -168,6 +168,14 @@ void make_stiffness_symmetric(HydrodynamicData& data, std::vector<std::string>& 
 
 }  // namespace
 
+void check_mirrored(const HydrodynamicForm& form, const HydrodynamicData& data) {
+  if (form.mirrored && data.bodies > 1)
+    throw std::runtime_error(fmt::format(
+        "{}: has {} bodies, which are no mirror image of themselves: 'symmetry: port_starboard' is for files "
+        "of one body",
+        data.radiation_file, data.bodies));
+}
+
 void note_depth(const HydrodynamicForm& form, double depth, const HydrodynamicData& data,
                 std::vector<std::string>& notes) {
   constexpr double kFar = 0.05;

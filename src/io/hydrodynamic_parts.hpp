@@ -52,6 +52,9 @@ class WaveForceRows {
 void finish_coefficients(model::HydrodynamicData& data, bool has_infinite,
                          const Eigen::MatrixXd& zero_frequency, std::vector<std::string>& notes);
 
+// Refuses several bodies in files whose other side is to be mirrored.
+void check_mirrored(const HydrodynamicForm& form, const model::HydrodynamicData& data);
+
 // Notes files made for another depth of water [m; infinite: 0 or HUGE_VAL] than that of the case.
 void note_depth(const HydrodynamicForm& form, double depth, const model::HydrodynamicData& data,
                 std::vector<std::string>& notes);

@@ -124,7 +124,7 @@ std::string line_library_markdown() {
       "of the library.\n\n"
       "```yaml\nline_types:\n  chain: {library: chain-studless, diameter: 84 mm, grade: R4}\n"
       "  rope: {library: polyester, diameter: 210 mm, EA: 190 MN}\n```\n\n"
-      "All are cables (`bending: false`), unless the case says `bending: true` and gives `EI` and `GJ`. d is "
+      "All are cables (`bending: false`), unless the case sets `bending: true` and gives `EI` and `GJ`. d is "
       "the nominal\ndiameter in m, of a chain that of its bar; MBL the minimum breaking load in N. Cd axial "
       "acts on the skin, π times\nthe drag diameter.\n\n"
       "| `library` | mass kg/m | EA N | MBL N | outer diameter | contact diameter | displaced diameter | "

@@ -130,10 +130,10 @@ std::string read_binary(const std::string& file, double scale, TriangleMesh& mes
         "is no STL file: a text begins with 'solid', and a binary file has {} bytes at least, not {}",
         kHeader, file.size());
   const std::uintmax_t n = facet_count(file);
-  if (n == 0) return "the binary STL file says that it has no facets";
+  if (n == 0) return "the binary STL file has a number of facets of 0";
   if (kHeader + kFacet * n > file.size())
     return fmt::format(
-        "is truncated or no STL file: it does not begin with 'solid', and for binary it says that it has {} "
+        "is truncated or no STL file: it does not begin with 'solid', and as a binary file it states {} "
         "facets, which are {} bytes, but there are {}",
         n, kHeader + kFacet * n, file.size());
   mesh.parts = {""};

@@ -254,7 +254,7 @@ bool read_drift(const std::string& stem, const char* ending, const HydrodynamicF
   if (!heave)
     notes.push_back(
         table.path +
-        ": has no rows of heave, roll and pitch, whose mean drift is then zero (the momentum of .8 tells "
+        ": has no rows of heave, roll and pitch, whose mean drift is then zero (the momentum of .8 shows "
         "only that of surge, sway and yaw)");
   return true;
 }
@@ -358,11 +358,7 @@ HydrodynamicData read_wamit(const std::string& stem, const HydrodynamicForm& for
   Eigen::MatrixXd zero_frequency;
   read_radiation(stem, form, read, data, has_infinite, zero_frequency);
   read_hydrostatics(stem, form, read, data);
-  if (form.mirrored && data.bodies > 1)
-    throw std::runtime_error(fmt::format(
-        "{}.1: has {} bodies, which are no mirror image of themselves: 'symmetry: port_starboard' is for "
-        "files of one body",
-        stem, data.bodies));
+  check_mirrored(form, data);
   read_excitation(stem, form, read, data);
   if (order != SecondOrder::none) {
     const bool found = (data.bodies == 1 && read_difference(stem, form, order, read, data, notes)) ||

@@ -65,6 +65,10 @@ HAWSER_CLONES BeamStress beam_stress(const BeamSection& s, const BeamReference& 
   return out;
 }
 
+// f = -dU/dL of the strain energy U = EA L e²/2 + (k3 a2² + k2 a3² + p·D p)/2 with e = l/L - 1, where D
+// varies as 1/L, k as 1/(L (1 + P)) and the flexibility in shear P as 1/L²:
+//   f = N l/L - EA e²/2 + [k3 a2² (1 - P3)/(1 + P3) + k2 a3² (1 - P2)/(1 + P2) + p·D p]/(2 L)
+//   df/dl = EA l/L²
 BeamFeed beam_feed(const BeamSection& s, const BeamReference& r, const BeamEnds& e) {
   Local o;
   kinematics(s, r, e, false, o);

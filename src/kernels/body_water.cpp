@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "hawser/kernels/frame_point.hpp"
 #include "hawser/kernels/wetting.hpp"
 #include "hawser/math/so3.hpp"
 
@@ -85,11 +86,9 @@ void body_water(const BodyInWater& b, const RigidBodyState& s, const Water& cent
   rise << Vec3::UnitZ(), b.centre.cross(up);
   const Vec6 shares = -wet.slope / (0.5 * b.height) * rise;
   if (convex) {
-    const Vec3 floats = wet.fraction * b.buoyancy * up;
     out.K = -b.buoyancy * rise * shares.transpose();
     out.K.bottomRightCorner<3, 3>() +=
-        std::max(b.centre.dot(floats), 0.0) *
-        (Mat3::Identity() - b.centre * b.centre.transpose() / std::max(b.centre.squaredNorm(), 1e-300));
+        FramePoint{b.centre, R}.convex_moment_by_turn(-wet.fraction * b.buoyancy * Vec3::UnitZ());
     return;
   }
   // Derivative of drag by the water velocity.

@@ -7,6 +7,9 @@
 
 namespace hawser {
 
+// Friction q per length reduces the tension from T at the end of the part, so that over the length l before
+// the end, of which l' = min(l, T/q) is under tension, the stretched length is
+//   (1 + free strain) l + (T l' - q l'²/2)/EA.
 double CatenaryOnBed::LaidPart::tension(double s) const { return std::max(0.0, T_end - drag * (end - s)); }
 
 double CatenaryOnBed::LaidPart::stretched(double s) const {

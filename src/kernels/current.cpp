@@ -19,6 +19,8 @@ CurrentProfile::CurrentProfile(const Vec3& velocity, double exponent, double wat
   if (exponent > 0 && !(water_depth > 0)) throw std::invalid_argument("a power law needs the water's depth");
 }
 
+// Power law of the height above the bed over the depth d of the water, u = 1 - depth/d:
+//   v = v0 u^p,   dv/d depth = -p u^(p - 1) v0/d
 void CurrentProfile::at(double depth, Vec3& velocity, Vec3& by_depth) const {
   by_depth.setZero();
   if (rows_.empty()) {

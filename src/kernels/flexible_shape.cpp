@@ -82,6 +82,10 @@ class Shape {
     return std::clamp(h, 0.0, 1.0);
   }
 
+  // The energy is, with the strain e = l/L - 1 of each element and r = round_, at nodes with a gap g < 0,
+  //   E = sum EA L p²/2 - sum F·x - lift + sum k w g²/2,   p = (e + sqrt(e² + r²))/2,
+  //   p' = p/sqrt(e² + r²),   p'' = r²/(2 sqrt(e² + r²)³),
+  //   T = dE/dl = EA p p',   dT/dl = EA (p'² + p p'')/L.
   // Gradient of the energy at x, and on request its Hessian: diagonal blocks, and minus the blocks between a
   // node and the next.
   void gradient(const std::vector<Vec3>& x, std::vector<Vec3>& g, bool hessian) {

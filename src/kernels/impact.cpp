@@ -59,6 +59,8 @@ bool resolves_contact(double inverse_frequency, double h) {
   return h <= kAbove * M_PI / kSteps * inverse_frequency;
 }
 
+// A mass m that meets the spring k = m/tau², tau = inverse_frequency, with the speed v and the acceleration a
+// vibrates with the energy k ((tau v)² + (tau² a)²)/2.
 std::optional<ImpactEvent> impact_event(double inverse_frequency, double significant_depth, double mass,
                                         const Approach& approach) {
   const double by_speed = inverse_frequency * std::abs(approach.closing),
@@ -88,6 +90,10 @@ std::optional<ImpactEvent> impact_event(double inverse_frequency, double signifi
   return s;
 }
 
+// Energy of a step h that begins at the gap g with the speed v and the acceleration a outwards, at most that
+// of the vibration:
+//   arriving:  k g d/(2 (1 + (h/2 tau)²)),   depth at the end d = -g + v h - a h²/2
+//   leaving:   -k g d/2,                     distance at the end d = g + v h + a h²/4
 double ImpactEvent::crossed(double h) const {
   if (!(h > crossing_)) return 0;
   const double speed = std::abs(approach_.closing);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "hawser/kernels/frame_point.hpp"
 #include "hawser/math/heading.hpp"
 
 namespace hawser {
@@ -16,12 +17,12 @@ Vec6 platform_rate(const Mat3& H, const Vec3& r, const RigidBodyState& s) {
 PlatformMotion platform_motion(const Mat3& H, const Vec3& r, const RigidBodyState& s) {
   PlatformMotion m;
   const Mat3 Ht = H.transpose(), Q = Ht * s.q.toRotationMatrix();
+  const FramePoint point{r, Q, s.w};
   const Vec3 turning = s.w.cross(r), lift = s.alpha.cross(r) + s.w.cross(turning);
   m.rate = platform_rate(H, r, s);
   m.acceleration << Ht * s.a + Q * lift, Q * s.alpha;
-  const Mat3 Qr = Q * hat(r);
-  m.G << Ht, -Qr, Mat3::Zero(), Q;
-  m.rate_by_place << Mat3::Zero(), -Q * hat(turning), Mat3::Zero(), -Q * hat(s.w);
+  m.G << Ht, point.by_turn(), Mat3::Zero(), Q;
+  m.rate_by_place << Mat3::Zero(), point.velocity_by_turn(), Mat3::Zero(), -Q * hat(s.w);
   m.acceleration_by_place << Mat3::Zero(), -Q * hat(lift), Mat3::Zero(), -Q * hat(s.alpha);
   m.acceleration_by_rate << Mat3::Zero(), -Q * (hat(turning) + hat(s.w) * hat(r)), Mat3::Zero(), Mat3::Zero();
   return m;
@@ -29,9 +30,10 @@ PlatformMotion platform_motion(const Mat3& H, const Vec3& r, const RigidBodyStat
 
 // G^T F = (H F_p, r x Q^T F_p + Q^T F_t), and d (Q^T y) = hat(Q^T y) d phi.
 Mat6 platform_force_slope(const PlatformMotion& m, const Vec3& r, const Vec6& F) {
-  const Mat3 Qt = m.G.bottomRightCorner<3, 3>().transpose();
+  const Mat3 Q = m.G.bottomRightCorner<3, 3>();
   Mat6 K = Mat6::Zero();
-  K.bottomRightCorner<3, 3>() = hat(r) * hat(Qt * F.head<3>()) + hat(Qt * F.tail<3>());
+  K.bottomRightCorner<3, 3>() =
+      FramePoint{r, Q}.moment_by_turn(F.head<3>()) + hat(Q.transpose() * F.tail<3>());
   return K;
 }
 
@@ -80,11 +82,12 @@ PotentialGradient platform_gradient(const PlatformPotential& V, const Vec3& r, c
   out.potential = 0.5 * displacement.dot(F);
   const Mat3 T = inverse_right_jacobian(theta);
   Mat6 P;
-  P << Ht, -Q * hat(r), Mat3::Zero(), T;
+  const FramePoint point{r, Q};
+  P << Ht, point.by_turn(), Mat3::Zero(), T;
   out.f = P.transpose() * F;
   out.K = P.transpose() * V.stiffness * P;
   out.K.bottomRightCorner<3, 3>() +=
-      hat(r) * hat(Q.transpose() * F.head<3>()) + inverse_jacobian_transposed_slope(theta, F.tail<3>()) * T;
+      point.moment_by_turn(F.head<3>()) + inverse_jacobian_transposed_slope(theta, F.tail<3>()) * T;
   return out;
 }
 

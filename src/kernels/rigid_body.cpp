@@ -5,6 +5,7 @@
 #include <array>
 
 #include "hawser/kernels/coupled_mass.hpp"
+#include "hawser/kernels/frame_point.hpp"
 #include "hawser/math/so3.hpp"
 
 namespace hawser {
@@ -55,7 +56,7 @@ std::array<Vec3, 2> load_in_body(const RigidBodyLoad& load, const RigidBodyState
 
 }  // namespace
 
-// d (R^T y) = hat(R^T y) d phi for y fixed in space; d (R F) = -R hat(F) d phi for F fixed to the body.
+// d (R^T y) = hat(R^T y) d theta for y fixed in space; d (R F) = -R hat(F) d theta for F fixed to the body.
 void add_load(const RigidBodyLoad& load, const RigidBodyState& s, RigidBodyResidual& to) {
   const auto [F, moment] = load_in_body(load, s);
   to.applied.head<3>() -= s.q * F;
@@ -63,7 +64,9 @@ void add_load(const RigidBodyLoad& load, const RigidBodyState& s, RigidBodyResid
   if (load.body_fixed)
     to.K.topRightCorner<3, 3>() += s.q.toRotationMatrix() * hat(F);
   else
-    to.K.bottomRightCorner<3, 3>() -= hat(load.arm) * hat(F) + hat(s.q.conjugate() * load.moment);
+    to.K.bottomRightCorner<3, 3>() -=
+        FramePoint{load.arm, s.q.toRotationMatrix()}.moment_by_turn(load.force) +
+        hat(s.q.conjugate() * load.moment);
 }
 
 double load_potential(const RigidBodyLoad& load, const RigidBodyState& s) {

@@ -126,7 +126,7 @@ StokesWave::StokesWave(const StokesInput& input) : input_(input) {
   constexpr double kLongest = 100;
   if (!deep && ursell() > kLongest)
     throw std::invalid_argument("the wave is too long for its depth: its Ursell number is " +
-                                std::to_string(ursell()) + ", and Stokes' theory is good up to 40");
+                                std::to_string(ursell()) + ", and Stokes' theory is valid up to 40");
   const Dispersion<double> f(kd);
   const Shape s(kd);
   const double e = 0.5 * k_ * input.height, e2 = e * e, e3 = e2 * e, e4 = e3 * e, e5 = e4 * e;

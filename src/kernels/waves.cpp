@@ -66,7 +66,8 @@ WaveMotion WaveField::at(const Vec3& x, double t, double factor, double rate) co
   return m;
 }
 
-// Height at which linear theory is evaluated for the height z.
+// Height at which linear theory is evaluated for the height z. Wheeler, with the elevation eta and depth d:
+//   z' = d (z - eta)/(d + eta),   z - eta in infinite depth.
 double WaveField::stretched(double z, double surface) const {
   if (stretching_ != Stretching::wheeler) return std::min(z, 0.0);
   return depth_ > 0 ? depth_ * (z - surface) / (depth_ + surface) : z - surface;
@@ -82,6 +83,8 @@ double WaveField::head(const Vec3& x, double t, double factor) const {
 
 namespace {
 
+// JONSWAP spectrum (Hasselmann et al. 1973) without its constant, with r = peak/omega:
+//   r^5/peak exp(-5/4 r^4) gamma^exp(-(omega - peak)²/(2 sigma² peak²))
 double shape(double omega, double peak, double gamma) {
   const double r = peak / omega, sigma = omega <= peak ? 0.07 : 0.09;
   const double off = (omega - peak) / (sigma * peak);

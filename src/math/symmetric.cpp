@@ -1,3 +1,4 @@
+// Eigenvalues and eigenvectors of small symmetric matrices.
 #include "hawser/math/symmetric.hpp"
 
 #include <Eigen/Eigenvalues>

@@ -77,7 +77,7 @@ BedAtEnd bed_at_end(const Case& c, const Line& line, LineEnd line_end, double el
   // With an end at the height of first contact the line would sink next to the end; above that height the
   // line hangs from its end.
   out.depth = height <= radius ? resting - height : std::min(0.0, resting - 2 * radius + height);
-  // The bed of the next line begins at a joint, unchanged.
+  // The difference vanishes within the line: from a joint on, the bed of the next line is unchanged.
   out.length = std::max(std::min(std::abs(out.depth) / kSteepest, length), element);
   return out;
 }

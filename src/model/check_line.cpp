@@ -105,7 +105,7 @@ class LineCheck {
         break;
       case Start::automatic:
         if (ends == 0)
-          issue("", "both ends are free: give start: {{points: [[x, y, z], ...]}} to say where it lies");
+          issue("", "both ends are free: give start: {{points: [[x, y, z], ...]}} to state where it lies");
     }
     check_held();
   }

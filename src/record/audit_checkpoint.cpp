@@ -1,6 +1,7 @@
 // Names of energies and audit numbers in a checkpoint.
 #include "hawser/record/audit_checkpoint.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <type_traits>
@@ -21,31 +22,31 @@ template <class AnAudit, class Each>
 void numbers(AnAudit& a, Each&& each) {
   each("audit.brought_in", a.brought_in);
   each("audit.error", a.error);
-  each("audit.at_start", a.initial_kinetic);
-  each("audit.worked", a.absolute_work);
-  each("audit.set_free", a.released_strain);
-  each("audit.there", a.largest_energy);
-  each("audit.held", a.largest_strain);
-  each("audit.least_error", a.smallest_error);
-  each("audit.taken", a.dissipated);
-  each("audit.remains", a.remaining);
-  each("audit.most_remains", a.largest_remaining);
-  each("audit.least_by_water", a.smallest_by_water);
+  each("audit.initial_kinetic", a.initial_kinetic);
+  each("audit.absolute_work", a.absolute_work);
+  each("audit.released_strain", a.released_strain);
+  each("audit.largest_energy", a.largest_energy);
+  each("audit.largest_strain", a.largest_strain);
+  each("audit.smallest_error", a.smallest_error);
+  each("audit.dissipated", a.dissipated);
+  each("audit.remaining", a.remaining);
+  each("audit.largest_remaining", a.largest_remaining);
+  each("audit.smallest_by_water", a.smallest_by_water);
   for (const auto& [name, l] :
-       {std::pair{"audit.made.", &a.largest_gain}, {"audit.lost.", &a.largest_loss}}) {
+       {std::pair{"audit.largest_gain.", &a.largest_gain}, {"audit.largest_loss.", &a.largest_loss}}) {
     const std::string prefix = name;
     each(prefix + "value", l->value);
     each(prefix + "time", l->time);
     each(prefix + "step", l->step);
   }
   for (const auto& [name, s] :
-       {std::pair{"audit.climb.", &a.largest_step_gain}, {"audit.worst.", &a.worst}}) {
+       {std::pair{"audit.largest_step_gain.", &a.largest_step_gain}, {"audit.worst.", &a.worst}}) {
     const std::string prefix = name;
     each(prefix + "value", s->value);
     each(prefix + "time", s->time);
     each(prefix + "length", s->length);
     each(prefix + "node", s->node);
-    each(prefix + "touch", s->with);
+    each(prefix + "with", s->with);
   }
 }
 
@@ -60,11 +61,15 @@ void save_audit(const Energy& start, const Audit& audit, io::Checkpoint& to) {
           [&](const std::string& name, const auto& value) { to.scalars[name] = static_cast<double>(value); });
 }
 
+bool has_audit(const io::Checkpoint& c) {
+  io::Checkpoint complete;
+  save_audit({}, {}, complete);
+  return std::all_of(complete.scalars.begin(), complete.scalars.end(),
+                     [&](const auto& number) { return c.scalars.count(number.first) > 0; });
+}
+
 void restore_audit(const io::Checkpoint& from, Energy& start, Audit& audit) {
-  const auto get = [&](const std::string& name) {
-    const auto at = from.scalars.find(name);
-    return at == from.scalars.end() ? 0.0 : at->second;
-  };
+  const auto get = [&](const std::string& name) { return from.scalars.at(name); };
   for (const auto& [name, member] : kEnergies) {
     start.*member = get(std::string("audit.start.") + name);
     audit.now.*member = get(std::string("audit.now.") + name);

@@ -93,9 +93,9 @@ void ClashReport::collect() {
   }
 }
 
-io::ClashTables ClashReport::take() {
+void ClashReport::take_clashes(io::ClashTables& to) {
   collect();
-  return log_.take();
+  to = log_.take();
 }
 
 // A record needs a node of the rank that writes it; rank 0 may own none, so the owner of node 0 receives the

@@ -35,10 +35,7 @@ const std::string kRest = "pipe codes: functional loads", kPulled = "pipe codes:
 }  // namespace
 
 PipeStrength::PipeStrength(const Subject& subject)
-    : case_(subject.model),
-      mesh_(subject.mesh()),
-      comm_(subject.comm()),
-      touchdowns_(subject.comm(), subject.model, subject.local()) {
+    : case_(subject.model), mesh_(subject.mesh()), comm_(subject.comm()) {
   if (!case_.supports.empty()) rollers_.emplace(subject);
   for (const model::LineType& t : case_.line_types) {
     const bool judged = t.steel && t.kind == model::LineKind::beam;
@@ -112,7 +109,7 @@ PipePlaces PipeStrength::places(const Snapshot& s) const {
   if (rollers_) out.supports = rollers_->carrying(s);
   if (!case_.environment.seabed.present) return out;
   out.seabed.assign(mesh_.lines.size(), {HUGE_VAL, -HUGE_VAL});
-  for (const Touchdown& t : touchdowns_.find(s.at)) {
+  for (const Touchdown& t : s.touchdowns()) {
     std::array<double, 2>& lies = out.seabed[t.line];
     if (!t.from_a && t.laid > 0) lies = {-HUGE_VAL, HUGE_VAL};  // lies completely
     if (!t.from_a) continue;

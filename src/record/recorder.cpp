@@ -1,8 +1,6 @@
 // The class Recorder: order of updates of fields, energies and recordings, and writing of the results file.
 #include "hawser/record/recorder.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -10,13 +8,11 @@
 
 #include "hawser/advice/input_warnings.hpp"
 #include "hawser/base/mpi.hpp"
-#include "hawser/base/packed_bytes.hpp"
 #include "hawser/model/farm.hpp"
 #include "hawser/record/audit_checkpoint.hpp"
-#include "hawser/record/clash_report.hpp"
 #include "hawser/record/output_times.hpp"
 #include "hawser/record/result_parts.hpp"
-#include "hawser/terms/feeders.hpp"
+#include "hawser/record/summary_rows.hpp"
 
 namespace hawser::record {
 namespace {
@@ -24,52 +20,13 @@ namespace {
 // Limit of the initial capacity, rows.
 constexpr double kMostRoom = 1e6;
 
-void write(const std::vector<io::SummaryRow>& rows, const std::vector<Warning>& warnings, BytesWriter& to) {
-  to.count(rows.size());
-  for (const io::SummaryRow& r : rows) {
-    for (const std::string* text : {&r.quantity, &r.line, &r.unit}) to.text(*text);
-    for (const double x : {r.value, r.time, r.arc_length}) to.real(x);
-  }
-  to.count(warnings.size());
-  for (const Warning& w : warnings) {
-    to.text(w.text);
-    to.count(w.row + 1);  // kWholeRun: 0
-  }
-}
-
-// Appends the rows and warnings of a rank.
-void read(BytesReader& from, std::vector<io::SummaryRow>& rows, std::vector<Warning>& warnings) {
-  const size_t before = rows.size();
-  for (size_t count = from.count(); count > 0; --count) {
-    io::SummaryRow& r = rows.emplace_back();
-    for (std::string* text : {&r.quantity, &r.line, &r.unit}) *text = from.text();
-    for (double* x : {&r.value, &r.time, &r.arc_length}) *x = from.real();
-  }
-  for (size_t count = from.count(); count > 0; --count) {
-    Warning& w = warnings.emplace_back();
-    w.text = from.text();
-    if (const size_t row = from.count(); row > 0) w.row = before + row - 1;
-  }
-}
-
-// On rank 0 the rows and warnings of all ranks, rank by rank; on the others none. Collective.
-void gather_on_first(MPI_Comm comm, std::vector<io::SummaryRow>& rows, std::vector<Warning>& warnings) {
-  if (ranks_of(comm) == 1) return;
-  BytesWriter local;
-  write(rows, warnings, local);
-  rows.clear();
-  warnings.clear();
-  std::vector<char> all;
-  GatherPlan(comm, static_cast<int>(local.bytes.size())).gather_on_first(local.bytes.data(), all);
-  const std::string bytes(all.begin(), all.end());
-  for (BytesReader from(bytes); !from.at_end();) read(from, rows, warnings);
-}
-
 }  // namespace
 
 Recorder::Recorder(Subject subject, std::vector<io::VolumeMesh> volumes, io::RunInfo run,
                    const io::Checkpoint* from, bool append, bool write)
     : subject_(std::move(subject)),
+      feeders_(subject_.system.with<FeedsLines>()),
+      touchdowns_(subject_.comm(), subject_.model, subject_.local()),
       fields_(subject_),
       recordings_(recordings(subject_, fields_.end_forces())),
       rows_every_(subject_.model.output.history_every) {
@@ -82,19 +39,22 @@ Recorder::Recorder(Subject subject, std::vector<io::VolumeMesh> volumes, io::Run
   std::vector<int> owned(local.global.begin(), local.global.begin() + local.owned);
   const std::string& path = subject_.model.output.file;
   if (from) restore(*from);
-  ClashReport* const clashes = recordings_.clashes;
-  if (clashes && !append) clashes->begin_file();
+  io::ReportedClashes reported;
+  for (const auto& r : recordings_)
+    if (append)
+      r->add_reported(reported);
+    else
+      r->begin_file();
   file_ = std::make_unique<io::ResultsFile>(
-      append
-          ? io::ResultsFile::resume(subject_.comm(), path, std::move(contents), std::move(owned), from->time,
-                                    from->sequence, clashes ? clashes->reported() : io::ReportedClashes{})
-          : io::ResultsFile::create(subject_.comm(), path, std::move(contents), std::move(owned)));
+      append ? io::ResultsFile::resume(subject_.comm(), path, std::move(contents), std::move(owned),
+                                       from->time, from->sequence, reported)
+             : io::ResultsFile::create(subject_.comm(), path, std::move(contents), std::move(owned)));
 }
 
 io::ResultContents Recorder::declared(std::vector<io::VolumeMesh> volumes, io::RunInfo run) {
   const model::Case& c = subject_.model;
   const Mesh& mesh = subject_.mesh();
-  for (const auto& r : recordings_.all) r->add_fields(fields_.fields());
+  for (const auto& r : recordings_) r->add_fields(fields_.fields());
   Declarations all;
   io::ResultContents& contents = all.contents;
   contents.run = std::move(run);
@@ -113,31 +73,30 @@ io::ResultContents Recorder::declared(std::vector<io::VolumeMesh> volumes, io::R
   }
   contents.bodies.reserve(c.bodies.size());
   for (const auto& b : c.bodies) contents.bodies.push_back(b.name);
-  contents.clashes = recordings_.clashes != nullptr;
   contents.body_nodes = mesh.body_nodes();
   // Unused capacity is free; rebuilding a file costs a copy.
   const io::ExpectedRows rows = expected_rows(c);
   contents.expected_outputs = static_cast<int>(std::min(rows.outputs + 2, kMostRoom));
   contents.expected_steps = static_cast<int>(std::min(1.1 * rows.steps + 100, kMostRoom));
-  for (const auto& r : recordings_.all) r->declare(all);
+  for (const auto& r : recordings_) r->declare(all);
   fields_.begin(all.every_step);
   return std::move(all.contents);
 }
 
 Snapshot Recorder::snapshot(const Kinematics& state, const StepInfo& info) const {
-  return {subject_, state, info, fields_.values(), fields_.ends(), fields_.end_forces(), audit_};
+  return {subject_, touchdowns_, state, info, fields_.values(), fields_.ends(), fields_.end_forces(), audit_};
 }
 
 void Recorder::fill(const Snapshot& s, bool all) {
   fields_.fill(s.at, all);
-  for (const auto& r : recordings_.all) r->fill(s, fields_.values());
+  for (const auto& r : recordings_) r->fill(s, fields_.values());
 }
 
 // Stages have no time: the last has 0, each one before it a second less.
 void Recorder::stage(size_t place, const Kinematics& state) {
   const Snapshot s = snapshot(state);
   fill(s, true);
-  for (const auto& r : recordings_.all) r->stage(s);
+  for (const auto& r : recordings_) r->stage(s);
   const double last = static_cast<double>(subject_.model.stages.size()) - 1;
   write_output(static_cast<double>(place) - last, s, {});
 }
@@ -147,7 +106,7 @@ void Recorder::start(const Kinematics& state, const Kinematics& shown) {
   if (subject_.model.statics.enabled) {
     const Snapshot s = snapshot(shown);
     fill(s, false);
-    for (const auto& r : recordings_.all) r->start(s);
+    for (const auto& r : recordings_) r->start(s);
   }
   step({}, state, 0, shown);
   output(shown);
@@ -161,14 +120,14 @@ void Recorder::step(const StepInfo& info, const Kinematics& state, double suppor
   Energy local = subject_.system.energy(state);
   local.work += support_work;
   const Energy now = sum_of(subject_.comm(), local);
-  const auto* feeders = subject_.term<Feeders>();
-  const double passed = feeders ? feeders->passed_through(fields_.end_forces().at_feeders(), info.h) : 0;
+  double passed = 0;
+  for (const FeedsLines* f : feeders_) passed += f->passed_through(fields_.end_forces().at_feeders(), info.h);
   if (audit_.update(start_, now, info.time, info.h, passed) && info.h > 0) find_worst(s);
-  for (const auto& r : recordings_.all) r->step(s);
+  for (const auto& r : recordings_) r->step(s);
   if (info.time < rows_from_ - time_tolerance(info.time)) return;
   if (rows_every_ > 0) rows_from_ = next_multiple(info.time, rows_every_);
   Rows rows;
-  for (const auto& r : recordings_.all) r->rows(s, rows);
+  for (const auto& r : recordings_) r->rows(s, rows);
   file_->append_series(info.time, std::move(rows).gathered(subject_.comm()));
 }
 
@@ -193,34 +152,41 @@ void Recorder::find_worst(const Snapshot& s) {
 void Recorder::output(const Kinematics& state) {
   const Snapshot s = snapshot(state);
   if (!stepped_ || !fields_.complete(state)) fill(s, true);
-  for (const auto& r : recordings_.all) r->output(s);
+  for (const auto& r : recordings_) r->output(s);
   write_output(state.time, s, take_clashes());
 }
 
 void Recorder::write_output(double time, const Snapshot& s, const io::ClashTables& clashes) {
   io::ContactRows points;
-  for (const auto& r : recordings_.all) r->points(s, points);
+  for (const auto& r : recordings_) r->points(s, points);
   file_->write_output(time, s.values, s.poses(), clashes, s.ends, points);
 }
 
 io::ClashTables Recorder::take_clashes() {
-  return recordings_.clashes ? recordings_.clashes->take() : io::ClashTables{};
+  io::ClashTables all;
+  for (const auto& r : recordings_) r->take_clashes(all);
+  return all;
 }
 
-std::string Recorder::clash_table() const { return recordings_.clashes ? recordings_.clashes->table() : ""; }
+std::vector<std::string> Recorder::tables() const {
+  std::vector<std::string> all;
+  for (const auto& r : recordings_)
+    if (std::string text = r->table(); !text.empty()) all.push_back(std::move(text));
+  return all;
+}
 
 void Recorder::checkpoint(io::Checkpoint c) {
-  for (const auto& r : recordings_.all) r->write(*file_);
+  for (const auto& r : recordings_) r->write(*file_);
   file_->write_checkpoint(std::move(c));
 }
 
 // Rows of the summary and warnings of all ranks, on rank 0 in the order of the lines. Collective.
 std::vector<io::SummaryRow> Recorder::gather_summary() {
   std::vector<io::SummaryRow> rows;
-  for (const auto& r : recordings_.all)
+  for (const auto& r : recordings_)
     for (io::SummaryRow& row : r->summary()) rows.push_back(std::move(row));
   std::vector<Warning> warnings;
-  for (const auto& r : recordings_.all)
+  for (const auto& r : recordings_)
     for (Warning& w : r->warnings(rows, audit_)) warnings.push_back(std::move(w));
   gather_on_first(subject_.comm(), rows, warnings);
   std::vector<int> line;
@@ -246,18 +212,8 @@ std::vector<io::SummaryRow> Recorder::gather_summary() {
 std::string Recorder::audit_warning() const {
   const int node = audit_.worst.node;
   const model::Case& c = subject_.model;
-  const auto warning = [&](const std::string& initial_velocity_key) {
-    return audit_.warning(c.dynamics.step > 0, node < 0 ? "a body" : subject_.mesh().place(node),
-                          initial_velocity_key);
-  };
-  std::string initial_velocity_key;
-  if (warning("").empty()) return "";
-  const std::vector<advice::StartSpeeds> speeds = advice::start_speeds(c);
-  for (size_t b = 0; b < speeds.size() && initial_velocity_key.empty(); ++b)
-    if (speeds[b].motion + speeds[b].drift > 0)
-      initial_velocity_key =
-          fmt::format("bodies.{}.{}", c.bodies[b].name, speeds[b].motion > 0 ? "motion" : "motion.drift");
-  return warning(initial_velocity_key);
+  return audit_.warning(c.dynamics.step > 0, node < 0 ? "a body" : subject_.mesh().place(node),
+                        advice::initial_velocity_key(c));
 }
 
 std::string Recorder::finish(std::vector<std::string> messages) {
@@ -266,32 +222,27 @@ std::string Recorder::finish(std::vector<std::string> messages) {
   if (const std::string n = audit_.note(); moved && !n.empty()) messages.push_back("note: " + n);
   if (const std::string w = audit_warning(); moved && !w.empty()) messages.push_back("warning: " + w);
   for (const std::string& w : warnings_) messages.push_back("warning: " + w);
-  for (const auto& r : recordings_.all) r->write(*file_);
+  for (const auto& r : recordings_) r->write(*file_);
   file_->finish(rows, take_clashes(), messages);
   if (rank_of(subject_.comm()) != 0) return "";
-  std::string text = fmt::format("{:<24} {:<16} {:>14} {:<6} {:>10} {:>12}\n", "quantity", "line", "value",
-                                 "unit", "time [s]", "arc [m]");
-  for (const auto& r : rows)
-    text += fmt::format("{:<24} {:<16} {:>14.6g} {:<6} {:>10.3f} {:>12.3f}\n", r.quantity, r.line, r.value,
-                        r.unit, r.time, r.arc_length);
-  return text;
+  return summary_table(rows);
 }
 
 std::vector<std::string> Recorder::remarks() {
   std::vector<std::string> all;
-  for (const auto& r : recordings_.all)
+  for (const auto& r : recordings_)
     for (std::string& text : r->remarks()) all.push_back(std::move(text));
   return all;
 }
 
 void Recorder::save(io::Checkpoint& to) {
   save_audit(start_, audit_, to);
-  for (const auto& r : recordings_.all) r->save(to);
+  for (const auto& r : recordings_) r->save(to);
 }
 
 void Recorder::restore(const io::Checkpoint& from) {
   restore_audit(from, start_, audit_);
-  for (const auto& r : recordings_.all) r->restore(from);
+  for (const auto& r : recordings_) r->restore(from);
   if (rows_every_ > 0) rows_from_ = next_multiple(from.time, rows_every_);
 }
 

@@ -33,12 +33,12 @@
 
 namespace hawser::record {
 
-Recordings recordings(const Subject& s, const EndForces& forces) {
+std::vector<std::unique_ptr<Recording>> recordings(const Subject& s, const EndForces& forces) {
   const model::Case& c = s.model;
-  Recordings out;
+  std::vector<std::unique_ptr<Recording>> out;
   const auto add = [&out](auto recording) -> auto& {
     auto& added = *recording;
-    out.all.push_back(std::move(recording));
+    out.push_back(std::move(recording));
     return added;
   };
   add(std::make_unique<Histories>(s, forces));
@@ -54,7 +54,7 @@ Recordings recordings(const Subject& s, const EndForces& forces) {
   add(std::make_unique<WaterErrors>(c, s.system));
   add(std::make_unique<PipeStrength>(s));
   if (can_touch(s)) add(std::make_unique<ContactPoints>(s));
-  if (ClashReport::wanted(s)) out.clashes = &add(std::make_unique<ClashReport>(s));
+  if (ClashReport::wanted(s)) add(std::make_unique<ClashReport>(s));
   if (!c.supports.empty()) add(std::make_unique<SupportLog>(s));
   if (c.output.touchdowns && c.environment.seabed.present) add(std::make_unique<TouchdownHistory>(s));
   add(std::make_unique<TermHistory>(s));

@@ -19,9 +19,6 @@ void add_on_first(const Subject& subject, std::vector<double> row, Rows& to) {
 
 }  // namespace
 
-TouchdownHistory::TouchdownHistory(const Subject& subject)
-    : subject_(subject), touchdowns_(subject.comm(), subject.model, subject.local()) {}
-
 void TouchdownHistory::declare(Declarations& to) {
   io::ResultSeries series{"touchdown",
                           {{"end_a_arc_length", "m", 1},
@@ -35,7 +32,7 @@ void TouchdownHistory::declare(Declarations& to) {
 
 void TouchdownHistory::rows(const Snapshot& s, Rows& to) {
   std::vector<double> row;
-  for (const Touchdown& t : touchdowns_.find(s.at)) {
+  for (const Touchdown& t : s.touchdowns()) {
     if (!owns_line(subject_.local(), t.line)) continue;
     for (const auto& p : {t.from_a, t.from_b}) {
       row.push_back(p ? p->arc : std::nan(""));

@@ -131,7 +131,7 @@ bool integrate(Simulation& sim, double end, record::Recorder& recorder, Events& 
 // Prints the final results; `table`: of extremes.
 void print_results(const model::Case& c, const record::Recorder& recorder, const std::string& table) {
   fmt::print("\n{}", table);
-  if (const std::string clashes = recorder.clash_table(); !clashes.empty()) fmt::print("\n{}", clashes);
+  for (const std::string& more : recorder.tables()) fmt::print("\n{}", more);
   if (c.dynamics.enabled) {
     const record::Audit& a = recorder.audit();
     fmt::print("\n{}\n", advice::energy_of_run({.brought_in = a.brought_in,

@@ -18,6 +18,7 @@
 #include "hawser/io/results_size.hpp"
 #include "hawser/model/farm.hpp"
 #include "hawser/model/schema.hpp"
+#include "hawser/record/audit_checkpoint.hpp"
 #include "hawser/run/feeder_nodes.hpp"
 #include "hawser/run/restart_file_check.hpp"
 
@@ -234,6 +235,7 @@ io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
   if (const std::string wrong = first_text(comm, damage(c)); !wrong.empty())
     throw InputError(advice::cannot_continue(path, wrong));
   if (!c.nodes.count(kMeanQ)) throw older(path, "the mean forces of cables");
+  if (!record::has_audit(c)) throw older(path, "the energy audit");
   check_records(c, simulation.system(), path);
   return c;
 }

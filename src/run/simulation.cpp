@@ -214,8 +214,6 @@ std::optional<RigidPose> Simulation::body_pose(int body, const Kinematics& state
 
 BedContact* Simulation::bed_contact() const { return system_->find<BedContact>(); }
 Feeders* Simulation::feeders() const { return system_->find<Feeders>(); }
-const BodyContact* Simulation::body_contact() const { return system_->find<BodyContact>(); }
-const RigidBodies* Simulation::rigid_bodies() const { return system_->find<RigidBodies>(); }
 
 record::Subject Simulation::subject(std::vector<std::shared_ptr<const Surface>> surfaces) {
   return {case_, *system_, *bodies_, std::move(surfaces), [this]() -> Dynamics& { return dynamics(); }};

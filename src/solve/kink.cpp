@@ -1,3 +1,4 @@
+// The class KinkSides: residuals on the sides of a kink, and their combination that descends along it.
 #include "hawser/solve/kink.hpp"
 
 #include <Eigen/LU>

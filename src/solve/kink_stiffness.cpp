@@ -1,3 +1,4 @@
+// The class KinkStiffness: corrections of rank one by node, and when the iteration ends.
 #include "hawser/solve/kink_stiffness.hpp"
 
 #include <algorithm>

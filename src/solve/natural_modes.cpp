@@ -12,6 +12,7 @@
 #include "hawser/base/error.hpp"
 #include "hawser/base/handle.hpp"
 #include "hawser/base/mpi.hpp"
+#include "hawser/kernels/frame_point.hpp"
 #include "hawser/solve/linear_solver.hpp"
 #include "hawser/solve/stability.hpp"
 #include "hawser/system/depends_on_frequency.hpp"
@@ -80,7 +81,7 @@ double size_of(const System& system, const Kinematics& state) {
   return (high - low).norm();
 }
 
-// Motion of the nodes from the unknowns u. A tied node moves with its frame, dx = dX - R hat(y) theta.
+// Motion of the nodes from the unknowns u. A tied node moves with its frame.
 void move_nodes(const System& system, const Kinematics& state, const std::vector<double>& u,
                 NaturalMode& mode) {
   const LocalMesh& mesh = system.mesh();
@@ -95,7 +96,8 @@ void move_nodes(const System& system, const Kinematics& state, const std::vector
   for (const int i : system.tied_nodes().to_frames()) {
     const TiedNode& s = system.tied_nodes().nodes()[i];
     const int frame = mesh.block[s.frame];
-    mode.shape[s.node] = block(frame) + state.q[s.frame] * block(frame + 1).cross(s.at);
+    const FramePoint point{s.at, state.q[s.frame].toRotationMatrix()};
+    mode.shape[s.node] = block(frame) + point.by_turn() * block(frame + 1);
   }
   double largest[2] = {0, 0};
   for (size_t n = 0; n < static_cast<size_t>(mesh.owned); ++n) {

@@ -9,10 +9,9 @@
 namespace hawser {
 
 AgainstBody against_body(std::span<const LineBlock> line, const FloatingFrame& body, bool turning,
-                         const double* f, const double* K, const double* C) {
+                         const BlockVector& f, const BlockMatrix* K, const BlockMatrix* C) {
   using Matrix = AgainstBody::Matrix;
   const Eigen::Index n = 3 * static_cast<Eigen::Index>(line.size()), m = n + 6;
-  const Eigen::Map<const Eigen::VectorXd> on_line(f, n);
   const auto point = [&](const LineBlock& l) {
     return FramePoint{body.R.transpose() * (l.x - body.x), body.R};
   };
@@ -29,19 +28,18 @@ AgainstBody against_body(std::span<const LineBlock> line, const FloatingFrame& b
   }
   AgainstBody out;
   out.f.resize(m);
-  out.f << on_line, -G.transpose() * on_line;
+  out.f << f, -G.transpose() * f;
   if (K) {
-    const Eigen::Map<const Matrix> KL(K, n, n);
     out.K = Matrix::Zero(m, m);
-    out.K.topLeftCorner(n, n) = KL;
-    Matrix by_body = -KL * G;
+    out.K.topLeftCorner(n, n) = *K;
+    Matrix by_body = -(*K * G);
     Matrix turned = Matrix::Zero(6, n + 6);
     if (turning) {
       Vec3 sum = Vec3::Zero();  // moment about the body, body axes
       for (size_t i = 0; i < line.size(); ++i) {
         const LineBlock& l = line[i];
         const Eigen::Index at = 3 * static_cast<Eigen::Index>(i);
-        const Vec3 fi = on_line.segment<3>(at);
+        const Vec3 fi = f.segment<3>(at);
         if (l.turns) {
           const Mat3 Q = body.R.transpose() * l.R;
           turned.block<3, 3>(3, at) = Q * hat(fi);
@@ -49,10 +47,7 @@ AgainstBody against_body(std::span<const LineBlock> line, const FloatingFrame& b
           continue;
         }
         by_body.block<3, 3>(at, 3) -= hat(fi) * body.R;
-        if (C) {
-          const Eigen::Map<const Matrix> CL(C, n, n);
-          by_body.middleCols<3>(3) += CL.middleCols<3>(at) * hat(l.v - body.v) * body.R;
-        }
+        if (C) by_body.middleCols<3>(3) += C->middleCols<3>(at) * hat(l.v - body.v) * body.R;
         turned.block<3, 3>(3, at) = body.R.transpose() * hat(fi);
         turned.block<3, 3>(3, n) -= body.R.transpose() * hat(fi);
         sum += point(l).moment(fi);
@@ -64,10 +59,9 @@ AgainstBody against_body(std::span<const LineBlock> line, const FloatingFrame& b
     out.K.bottomRows(6) -= G.transpose() * out.K.topRows(n);
   }
   if (C) {
-    const Eigen::Map<const Matrix> CL(C, n, n);
     out.C = Matrix::Zero(m, m);
-    out.C.topLeftCorner(n, n) = CL;
-    out.C.topRightCorner(n, 6) = -CL * G;
+    out.C.topLeftCorner(n, n) = *C;
+    out.C.topRightCorner(n, 6) = -(*C * G);
     out.C.bottomRows(6) = -G.transpose() * out.C.topRows(n);
   }
   return out;
@@ -75,7 +69,7 @@ AgainstBody against_body(std::span<const LineBlock> line, const FloatingFrame& b
 
 // Every rank that owns some of the line's rows adds those; one rank adds the body's rows.
 void add_against_body(Assembler& assembler, std::span<const LineBlock> line, const FloatingFrame& body,
-                      bool counted, const double* f, const double* K, const double* C) {
+                      bool counted, const BlockVector& f, const BlockMatrix* K, const BlockMatrix* C) {
   const AgainstBody all = against_body(line, body, !assembler.convex(), f, K, C);
   const size_t n = line.size();
   std::array<int, AgainstBody::kBlocks> numbers{};

@@ -231,12 +231,16 @@ BodyContact::Sum BodyContact::contact(const Pair& pair, const PairFrames& at, co
   sum.damping_power = points.damping_power();
   sum.depth = points.depth();
   if (!sum.active) return sum;
-  std::array<double, 6> f{};
-  std::array<double, 36> K{}, C{};
-  double *k = mode.tangent ? K.data() : nullptr, *c = mode.tangent ? C.data() : nullptr;
-  points.to_body(f.data(), k, c);
+  BlockVector f = BlockVector::Zero(6);
+  BlockMatrix K, C;
+  if (mode.tangent) {
+    K.setZero(6, 6);
+    C.setZero(6, 6);
+  }
+  BlockMatrix *by_place = mode.tangent ? &K : nullptr, *by_rate = mode.tangent ? &C : nullptr;
+  points.to_body(f, by_place, by_rate);
   const std::array<LineBlock, 2> blocks{LineBlock{0, false, A.x, A.v, A.R}, {1, true, A.x, A.v, A.R}};
-  sum.residual = against_body(blocks, {2, B.x, B.v, B.R}, !mode.convex, f.data(), k, c);
+  sum.residual = against_body(blocks, {2, B.x, B.v, B.R}, !mode.convex, f, by_place, by_rate);
   const Vec12 rates = at.rates();
   for (const auto& [volume, first] : {std::pair(pair.a, 0), std::pair(pair.b, 6)})
     if (bodies_of_volumes_[volume].global < 0)

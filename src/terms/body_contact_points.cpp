@@ -112,16 +112,15 @@ void BodyContactPoints::add_moving_ends(const ContactLaw& law, const ContactStar
 }
 
 // Positions are in space axes, rotations in body axes.
-void BodyContactPoints::to_body(double* f, double* K, double* C) const {
+void BodyContactPoints::to_body(BlockVector& f, BlockMatrix* K, BlockMatrix* C) const {
   Mat6 T = Mat6::Zero();
   T.topLeftCorner<3, 3>() = to_axes_;
   T.bottomRightCorner<3, 3>() = turn_;
-  Eigen::Matrix<double, 6, 1> sum;
-  sum.head<3>() = force_;
-  sum.tail<3>() = moment_;
-  Eigen::Map<Eigen::Matrix<double, 6, 1>>(f) += T.transpose() * sum;
-  if (K) Eigen::Map<Mat6>(K) += T.transpose() * K_ * T;
-  if (C) Eigen::Map<Mat6>(C) += T.transpose() * C_ * T;
+  Vec6 sum;
+  sum << force_, moment_;
+  f += T.transpose() * sum;
+  if (K) *K += T.transpose() * K_ * T;
+  if (C) *C += T.transpose() * C_ * T;
 }
 
 }  // namespace hawser

@@ -40,9 +40,9 @@ class BodyContactPoints {
                        ContactRates rates, std::span<const MovingEnd> ends);
   // Derivative of the position xi of a panel end at z, where the gap is constant, by a motion of the body.
   Vec6 end_by_motion(const Vec3& z, const Vec3& normal, const Vec3& slope) const;
-  // Adds the sums to the residual f[6] of the body's position and rotation, and to K and C [6x6], row-major,
-  // if not null.
-  void to_body(double* f, double* K, double* C) const;
+  // Adds the sums to the residual f[6] of the body's position and rotation, and to K and C [6x6] if not
+  // null.
+  void to_body(BlockVector& f, BlockMatrix* K, BlockMatrix* C) const;
 
   bool active() const { return active_; }
   double potential() const { return potential_; }          // J

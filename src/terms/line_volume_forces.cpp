@@ -74,7 +74,6 @@ void LineVolumeContact::evaluate(const Kinematics& trial, Assembler& assembler) 
     }
     contact(pair, near.shape, {moves, tangent, assembler.convex()})
         .to_blocks(stencil, f.data(), tangent ? K.data() : nullptr, tangent ? C.data() : nullptr);
-    const double *by_x = tangent ? K.data() : nullptr, *by_v = tangent && moves ? C.data() : nullptr;
     const LocalElement& e = local(pair);
     const int a = mesh_.block[e.first], b = mesh_.block[e.second];
     const int blocks[4] = {a, beam ? a + 1 : b, b, b + 1};
@@ -89,7 +88,7 @@ void LineVolumeContact::evaluate(const Kinematics& trial, Assembler& assembler) 
       line[i] = {blocks[i], beam && i % 2 == 1, trial.x[n], trial.v[n], trial.q[n].toRotationMatrix()};
     }
     add_against_body(assembler, {line.data(), count}, volumes_.floating_frame(pair.volume, trial), e.counted,
-                     f.data(), by_x, by_v);
+                     f, tangent ? &K : nullptr, tangent && moves ? &C : nullptr);
   }
 }
 

@@ -60,7 +60,7 @@ class Bench:
         return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, done
 
     def run_hawser(self, c, lines, mesh, step, seconds):
-        """CPU seconds, {program: (deviation, peak, curvature)}; (seconds, None) where hawser says that the step is too long."""
+        """CPU seconds, {program: (deviation, peak, curvature)}; (seconds, None) where hawser reports that the step is too long."""
         (self.folder / "case.yaml").write_text(hawser_file(c, lines, mesh, step, seconds), "utf-8")
         used, done = self.cpu(self.hawser, "run", "case.yaml", "-q")
         if done.returncode in (3, 4):

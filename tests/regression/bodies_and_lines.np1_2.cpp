@@ -40,7 +40,8 @@ Outcome outcome(MPI_Comm comm, const char* file, double duration) {
   });
   out.unexplained = energy()[0] - before;
   out.turnover = energy()[1];
-  out.depth = s.body_contact() ? s.body_contact()->largest_penetration() : 0;
+  const auto* bodies = s.system().find<BodyContact>();
+  out.depth = bodies ? bodies->largest_penetration() : 0;
   const int body = static_cast<int>(c.bodies.size()) - 1, n = s.local().find(s.mesh().body_node(body));
   if (n >= 0 && n < s.local().owned) out.place = d.committed_kinematics().x[static_cast<size_t>(n)].x();
   double all[] = {out.depth, out.place};

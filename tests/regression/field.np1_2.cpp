@@ -1,4 +1,4 @@
-// A field declared by a force term appears where its declaration says: at outputs, in histories, in
+// A field declared by a force term appears where its declaration states: at outputs, in histories, in
 // statistics over steps and at stations, and in the table of extremes; attributes describe it for other
 // tools.
 #include <memory>

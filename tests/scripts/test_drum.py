@@ -69,7 +69,7 @@ class Drum(unittest.TestCase):
         a, b, c = sound[500]
         for broken, word in [
             (sound[:500] + sound[501:], "not closed"),
-            (sound[:500] + [(a, c, b)] + sound[501:], "not oriented alike"),
+            (sound[:500] + [(a, c, b)] + sound[501:], "not of one orientation"),
             (sound + [sound[500]], "more than once"),
             ([(p, r, q) for p, q, r in sound], "inside out"),
             (sound[:500] + [(a, b, b)] + sound[501:], "degenerate"),

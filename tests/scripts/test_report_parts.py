@@ -364,7 +364,7 @@ class Parts(unittest.TestCase):
             del file["line_series/touchdown"]
         self.assertAlmostEqual(tables.of_lines(Results(path))[1][0][4], 8.0)
 
-    def test_statistics_say_from_when(self):
+    def test_statistics_state_from_when(self):
         # A history at a node with every fourth step: the statistics over every step are used.
         case = CASE + "  histories: [{line: riser, at: 20, name: here}, {line: riser, at: 21, name: between}]\n"
         case = case.replace("output: {statistics_from: 4 s}", "output:\n  statistics_from: 4 s")

@@ -50,7 +50,7 @@ class SmoothArch(unittest.TestCase):
 
     def test_descent_that_creeps(self):
         """A wire without friction on the facets of rocks: Newton's method ends when it hardly moves the line, and its message, the
-        last, says so. Without relaxation to follow it continues."""
+        last, reports it. Without relaxation to follow it continues."""
         rocks = scene(153)
         with tempfile.TemporaryDirectory() as folder:
             for name, text in rocks.files.items():

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
+#include "hawser/record/audit_checkpoint.hpp"
+
 namespace hawser::test::audit_test {
 namespace {
 
@@ -11,6 +15,31 @@ Energy moving(double kinetic, double work = 0) {
   e.kinetic = kinetic;
   e.work = work;
   return e;
+}
+
+// A checkpoint without one of the numbers is incomplete: none is taken as zero.
+TEST(Audit, IsRestoredCompletely) {
+  record::Audit a;
+  a.update(moving(100), moving(100), 0, 0);
+  a.update(moving(100), moving(103, 1), 0.3, 0.1);
+  a.located(7, record::Audit::Step::ContactWith::volume);
+  io::Checkpoint complete;
+  record::save_audit(moving(100), a, complete);
+  ASSERT_TRUE(record::has_audit(complete));
+  record::Audit b;
+  Energy start;
+  record::restore_audit(complete, start, b);
+  EXPECT_EQ(start.kinetic, 100);
+  EXPECT_EQ(b.absolute_work, a.absolute_work);
+  EXPECT_EQ(b.largest_step_gain.value, a.largest_step_gain.value);
+  EXPECT_EQ(b.worst.node, a.worst.node);
+  EXPECT_EQ(b.warning(true, "here"), a.warning(true, "here"));
+  for (const auto& [name, value] : complete.scalars) {
+    io::Checkpoint part = complete;
+    part.scalars.erase(name);
+    EXPECT_FALSE(record::has_audit(part)) << name;
+    EXPECT_THROW(record::restore_audit(part, start, b), std::out_of_range) << name;
+  }
 }
 
 // The work enters in some steps and leaves in the last: the absolute work increases, but there is no error

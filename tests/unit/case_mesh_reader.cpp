@@ -171,17 +171,16 @@ TEST(CaseMeshReader, BinaryStlOfAnyHeader) {
         << header;
 }
 
-TEST(CaseMeshReader, StlFilesThatAreRefusedSayWhatWasFound) {
+TEST(CaseMeshReader, StlFilesThatAreRefusedReportWhatWasFound) {
   const std::string well_formed = tetrahedron("t", "0 0 0", "1 0 0", "0 1 0", "0 0 1", true);
   const auto with = [&](const std::string& from, const std::string& to) {
     std::string s = well_formed;
     return s.replace(s.find(from), from.size(), to);
   };
   const std::pair<std::string, const char*> files[] = {
-      {binary("", 4, 4).substr(0, 200),
-       "it says that it has 4 facets, which are 284 bytes, but there are 200"},
-      {binary("", 4000000000, 4), "it says that it has 4000000000 facets"},
-      {binary("", 0, 0), "says that it has no facets"},
+      {binary("", 4, 4).substr(0, 200), "it states 4 facets, which are 284 bytes, but there are 200"},
+      {binary("", 4000000000, 4), "it states 4000000000 facets"},
+      {binary("", 0, 0), "has a number of facets of 0"},
       {"solid t\nendsolid t\n", "the STL text has no facets"},
       {"hello", "is no STL file: a text begins with 'solid'"},
       {with("vertex 0 1 0", "vertex 0 1,5 0"), "line 5 of the STL text should have a number, not '1,5'"},

@@ -375,7 +375,7 @@ lines:
   EXPECT_NE(s.find("friction 0.5 along, 0.7 across at rest, 0.3 and 0.4 sliding"), std::string::npos) << s;
 }
 
-TEST(CaseReader, PairsOfLinesTakeWhatTheyDoNotSayFromAll) {
+TEST(CaseReader, PairsOfLinesTakeMissingKeysFromAll) {
   const Case c = read(std::string(kTypes) + R"(lines:
   a: {sections: [{type: hose, length: 10, elements: 2}], end_a: {anchor: [0, 0, 0]}, end_b: {anchor: [9.9, 0, 0]}}
   b: {sections: [{type: hose, length: 10, elements: 2}], end_a: {anchor: [0, 5, 0]}, end_b: {anchor: [9.9, 5, 0]}}

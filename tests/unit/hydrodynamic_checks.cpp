@@ -49,13 +49,16 @@ class HydrodynamicChecks : public ::testing::Test {
     for (const Row& r : rows) text += fmt::format("{:.10g}\n", fmt::join(r, " "));
     write(ending, text);
   }
-  std::string reported(const std::string& keys = "", const std::string& rest = "") {
-    const std::string text =
-        "hawser: 1\nenvironment: {gravity: 9.80665, water: {density: 1025, depth: 200}}\nbodies:\n  spar: "
-        "{floating: "
-        "{mass: 2.8981e7, "
-        "centre_of_mass: [0, 0, -50], inertia: [2e10, 2e10, 1e9], hydrodynamics: {wamit: " +
-        (folder_ / "spar").string() + keys + "}}}\nstatics: false\ndynamics: {duration: 20}\n" + rest;
+  std::string reported(const std::string& keys = "", const std::string& rest = "",
+                       const std::vector<std::string>& bodies = {"spar"}) {
+    std::string text =
+        "hawser: 1\nenvironment: {gravity: 9.80665, water: {density: 1025, depth: 200}}\nbodies:\n";
+    for (const std::string& name : bodies)
+      text += "  " + name +
+              ": {floating: {mass: 2.8981e7, centre_of_mass: [0, 0, -50], inertia: [2e10, 2e10, 1e9], "
+              "hydrodynamics: {wamit: " +
+              (folder_ / "spar").string() + keys + "}}}\n";
+    text += "statics: false\ndynamics: {duration: 20}\n" + rest;
     try {
       const model::Case c = io::read_case_text(text, "spar.yaml", {}, MPI_COMM_SELF);
       std::string out;
@@ -198,6 +201,23 @@ TEST_F(HydrodynamicChecks, LongWaves) {
   });
   expect("the pitch moment of ");
   expect("and the body displaces 26000 m³: are depth of the water", ", displaced_volume: 26000");
+}
+
+// Two notes of each of two bodies: no kind has more than three.
+TEST_F(HydrodynamicChecks, NotesOfDifferentKindsAreNotGrouped) {
+  with(".3", [](auto& rows) {
+    for (Row& r : rows)
+      for (const size_t k : {3, 5, 6})
+        if (r[0] < 45 || r[2] == 4) r[k] *= r[2] == 4 ? 1.2 : 2;
+  });
+  const std::string text = reported("", "", {"fore", "aft"});
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4) << text;
+  EXPECT_EQ(text.find("more like it"), std::string::npos) << text;
+  for (const char* body : {"fore", "aft"})
+    for (const char* part : {"the roll moment of ", "by Haskind's relation"}) {
+      const size_t at = text.find(part, text.find(std::string("bodies.") + body));
+      EXPECT_NE(at, std::string::npos) << body << ", " << part << "\n" << text;
+    }
 }
 
 // If all files are scaled by the length, they differ from a body of another volume.

@@ -193,7 +193,7 @@ TEST(Cost, MemoryOfARun) {
   EXPECT_LE(memory_now(), peak_memory() + 1e7);
 }
 
-TEST(Details, TellTheStiffnessOfALineWithItself) {
+TEST(Details, ReportTheStiffnessOfALineWithItself) {
   const auto message = [](const std::string& between) {
     const Simulation sim(MPI_COMM_SELF, rod(10, between));
     for (const std::string& n : sim.details())

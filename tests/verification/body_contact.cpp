@@ -76,7 +76,7 @@ Bump bump(double zeta) {
   const double p0 = 1e7 * 0.5 - 2.5e7 * 0.1, e0 = total(run.sim.system().energy(d.committed_kinematics()));
   integrate(d, 8, 8, [&](const StepInfo& i) {
     const Kinematics k = d.committed_kinematics();
-    const double F = run.sim.rigid_bodies()->force_on(1, k)[0].x();
+    const double F = run.sim.system().find<RigidBodies>()->force_on(1, k)[0].x();
     out.force = std::max(out.force, F);
     out.duration += F > 1 ? i.h : 0;
     out.momentum =
@@ -86,7 +86,7 @@ Bump bump(double zeta) {
     out.v1 = k.v[a].x();
     out.v2 = k.v[b].x();
   });
-  out.depth = run.sim.body_contact()->largest_penetration();
+  out.depth = run.sim.system().find<BodyContact>()->largest_penetration();
   printf("zeta %g: penetration %.6f m, force %.4e N, %.4f s, v %.6f %.6f m/s; momentum %.1e, energy %.1e\n",
          zeta, out.depth, out.force, out.duration, out.v1, out.v2, out.momentum, out.audit);
   return out;
@@ -123,7 +123,7 @@ TEST(BodyContact, FloatersWithAFenderByTable) {
   Collision run(c);
   integrate(run.sim.dynamics(), 8, 8, [](const StepInfo&) {});
   const double mass = 1 / (1 / 1e7 + 1 / 2.5e7), energy = 0.5 * mass * 0.6 * 0.6;
-  const double depth = run.sim.body_contact()->largest_penetration();
+  const double depth = run.sim.system().find<BodyContact>()->largest_penetration();
   EXPECT_NEAR(table->at(depth).potential, energy, 1e-3 * energy) << depth;
   EXPECT_LT(table->at(depth).force, 0.9 * table->largest_slope() * depth);
 }
@@ -162,7 +162,7 @@ TEST(BodyContact, ThinPlatesAreNotPassed) {
                 return true;
               });
           passed += run.sim.dynamics().committed().s.x[n].x() > 0;
-          depth = std::max(depth, run.sim.body_contact()->largest_penetration());
+          depth = std::max(depth, run.sim.system().find<BodyContact>()->largest_penetration());
         }
         printf("%s, %s, step %g: %d of 5 passed, %d steps, %d rejected, deepest %.4f m\n",
                basis == model::StiffnessBasis::per_point ? "corners" : "edges",

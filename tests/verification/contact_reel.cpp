@@ -112,7 +112,7 @@ Reeled run(ContactMethod method, int elements, double duration,
   return out;
 }
 
-void tell(const char* method, const Reeled& r) {
+void print(const char* method, const Reeled& r) {
   std::printf(
       "reel, %s: penetration %.2f mm, energy not accounted for %.3f %%, %ld steps, %.1f iterations a step, "
       "%.3f CPU s a second\n",
@@ -159,7 +159,7 @@ void expect_wound(const char* method, const Reeled& r) {
 
 TEST(Reel, SeveralTurns) {
   const Reeled r = run(ContactMethod::line, 250, end());
-  tell("line", r);
+  print("line", r);
   expect_wound("line", r);
   EXPECT_LT(r.tied.noise(15, end() - 15), 1000);
   EXPECT_LT(r.leaving.noise(15, 60), 200);
@@ -175,7 +175,7 @@ TEST(Reel, SeveralTurns) {
 TEST(Reel, FiveTurnsByNodes) {
   if (!std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
   const Reeled r = run(ContactMethod::nodes, 250, 325, nullptr, true);
-  tell("nodes", r);
+  print("nodes", r);
   expect_wound("nodes", r);
   EXPECT_LT(r.hanging.noise(15, end() - 15), 1000);
   EXPECT_LT(r.leaving.noise(15, 60), 5000);

@@ -70,7 +70,7 @@ Found hose(double EI, double EA, double stiffness, int elements, model::Relaxati
   return f;
 }
 
-void tell(const char* what, const Found& f) {
+void print(const char* what, const Found& f) {
   std::printf(
       "%s: end tension %.1f N at %.3f deg, middle at %.4f m, curvature %.6f 1/m, contact %.2f to %.2f m, "
       "%.1f N\n",
@@ -82,7 +82,7 @@ constexpr double kEA = 61781895, kEI = 196133;
 TEST(HoseOnWall, FreeInTheCurrent) {
   for (const auto relaxation : {model::Relaxation::never, model::Relaxation::always}) {
     const Found f = hose(kEI, kEA, 0, 100, relaxation);
-    tell("free", f);
+    print("free", f);
     EXPECT_NEAR(f.tension, 10902.904312922767, 5e-3 * 10902.9);
     EXPECT_NEAR(f.middle, -26.588397820789567, 0.05);
     EXPECT_NEAR(f.angle, 26.85661519011112, 0.1);
@@ -94,7 +94,7 @@ TEST(HoseOnWall, FreeInTheCurrent) {
 // flow.
 TEST(HoseOnWall, FreeWithoutBending) {
   const Found f = hose(100, 1e10, 0, 200, model::Relaxation::automatic);
-  tell("free, EI 100", f);
+  print("free, EI 100", f);
   EXPECT_NEAR(f.tension, 10916.849985832752, 5e-3 * 10916.8);
   EXPECT_NEAR(60 - f.middle, 86.57543728017528, 0.05);
 }
@@ -109,7 +109,7 @@ TEST(HoseOnWall, AgainstTheWall) {
         Row{1e6, 2363.382619, 10.8703123, 0.03999318684, 79.93613095, 198.563869, 21199.37609}})
     for (const auto relaxation : {model::Relaxation::automatic, model::Relaxation::always}) {
       const Found f = hose(kEI, kEA, r.stiffness, 200, relaxation);
-      tell("on the wall", f);
+      print("on the wall", f);
       EXPECT_NEAR(f.tension, r.tension, 5e-3 * r.tension);
       EXPECT_NEAR(f.angle, r.angle, 0.1);
       EXPECT_NEAR(f.curvature, r.curvature, 1e-2 * r.curvature);
@@ -123,7 +123,7 @@ TEST(HoseOnWall, AgainstTheWall) {
 // Without bending the hose reaches the wall tangentially in a catenary of constant tension.
 TEST(HoseOnWall, AgainstTheWallWithoutBending) {
   const Found f = hose(100, 1e10, 1e6, 600, model::Relaxation::automatic);
-  tell("on the wall, EI 100", f);
+  print("on the wall, EI 100", f);
   EXPECT_NEAR(f.tension, 2347.288037826, 5e-3 * 2347.3);
   EXPECT_NEAR(f.last - f.first, 2 * 65.9522941, 1);
   EXPECT_NEAR(f.force, 20960.81358, 5e-3 * 20960.8);

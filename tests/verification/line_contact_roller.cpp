@@ -114,7 +114,7 @@ Ridden ride(double element, model::ContactMethod method) {
   return out;
 }
 
-void tell(const char* method, double element, const Ridden& r) {
+void print(const char* method, double element, const Ridden& r) {
   std::printf(
       "roller, %s, elements of %.1f m: reaction %.3f kN (%.3f to %.3f), rms about its smooth course %.4f %%, "
       "most %.4f %%; "
@@ -127,7 +127,7 @@ class Roller : public ::testing::TestWithParam<double> {};
 
 TEST_P(Roller, ReactionIsSmooth) {
   const Ridden r = ride(GetParam(), model::ContactMethod::line);
-  tell("line", GetParam(), r);
+  print("line", GetParam(), r);
   EXPECT_LT(r.ripple, 1e-3);
   EXPECT_LT(r.worst, 1e-3);
   EXPECT_LE(r.most_iterations, 5);
@@ -136,7 +136,7 @@ TEST_P(Roller, ReactionIsSmooth) {
 // The same roller with contact at the nodes: the reaction varies by more than 10 kN.
 TEST_P(Roller, NodesMissIt) {
   const Ridden r = ride(GetParam(), model::ContactMethod::nodes);
-  tell("nodes", GetParam(), r);
+  print("nodes", GetParam(), r);
   EXPECT_GT(r.most - r.least, 10e3);
 }
 INSTANTIATE_TEST_SUITE_P(Elements, Roller, ::testing::Values(4.0, 2.0, 1.0, 0.5), [](const auto& e) {

@@ -61,7 +61,7 @@ Pushed push(double push, bool rolling) {
   return out;
 }
 
-void tell(const char* what, const Pushed& p, double way) {
+void print(const char* what, const Pushed& p, double way) {
   std::printf(
       "pushed pipe, %s: %.5f m in a second (%.5f), surface %.5f m by turning; friction took %.3f of %.1f J, "
       "not "
@@ -72,7 +72,7 @@ void tell(const char* what, const Pushed& p, double way) {
 // A solid cylinder: a = f/(m + J/r²) = f/(1.5 m) while friction f/3 is below mu m g.
 TEST(LineRolling, RollsWithoutSliding) {
   const Pushed p = push(100, true);
-  tell("rolls", p, 0.5 * 100 / 75.0);
+  print("rolls", p, 0.5 * 100 / 75.0);
   EXPECT_NEAR(p.way, 0.5 * 100 / 75.0, 2e-3 * 0.667);
   EXPECT_NEAR(-0.1 * p.turn, p.way, 2e-3);  // except for the elastic slip
   EXPECT_LT(p.friction, 0.01 * p.brought);
@@ -83,7 +83,7 @@ TEST(LineRolling, RollsWithoutSliding) {
 TEST(LineRolling, RollsAndSlides) {
   const Pushed p = push(600, true);
   const double way = 0.5 * (600 / 50.0 - 0.3 * 9.81), turned = 0.5 * 0.3 * 9.81 * 2;
-  tell("rolls and slides", p, way);
+  print("rolls and slides", p, way);
   EXPECT_NEAR(p.way, way, 2e-3 * way);
   EXPECT_NEAR(-0.1 * p.turn, turned, 3e-3 * turned);
   EXPECT_NEAR(p.friction, 0.3 * 50 * 9.81 * 4 * (way - turned), 0.01 * p.friction);
@@ -93,7 +93,7 @@ TEST(LineRolling, RollsAndSlides) {
 // With friction at the axis the pipe stands still, or slides without rotation.
 TEST(LineRolling, WithoutIt) {
   const Pushed held = push(100, false), slides = push(600, false);
-  tell("held", held, 0);
+  print("held", held, 0);
   EXPECT_LT(held.way, 3e-3);
   EXPECT_NEAR(slides.way, 0.5 * (600 / 50.0 - 0.3 * 9.81), 0.02);
   EXPECT_LT(std::abs(slides.turn), 1e-9);

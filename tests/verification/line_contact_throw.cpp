@@ -77,7 +77,7 @@ Thrown throw_pipe(double stiffness, double step, double longest = 0, bool resolv
   return out;
 }
 
-void tell(double stiffness, const std::string& what, const Thrown& t) {
+void print(double stiffness, const std::string& what, const Thrown& t) {
   std::printf(
       "thrown pipe, %.0e N/m², %s: reaction %.2f kN at most, impulse %.3f kN s, %.2f mm deep; energy made "
       "%.4f "
@@ -91,9 +91,9 @@ TEST(LineThrow, ReactionDoesNotDependOnTheStep) {
   for (const double stiffness : {1e7, 1e8}) {
     const double period = 2 * M_PI * std::sqrt(kMass / stiffness);  // 26.7, 8.4 ms
     const Thrown fine = throw_pipe(stiffness, period / 48);
-    tell(stiffness, "T/48", fine);
+    print(stiffness, "T/48", fine);
     const auto expect = [&](const std::string& name, const Thrown& t) {
-      tell(stiffness, name, t);
+      print(stiffness, name, t);
       EXPECT_NEAR(t.most, fine.most, 0.01 * fine.most) << name;
       EXPECT_LT(t.made, 1e-3) << name;
       // Twenty periods after the impact steps increase, and damp the bending waves of the impact.
@@ -107,7 +107,7 @@ TEST(LineThrow, ReactionDoesNotDependOnTheStep) {
     expect("fixed, 2 T", throw_pipe(stiffness, 2 * period));
     expect("automatic", throw_pipe(stiffness, 0));
     const Thrown strict = throw_pipe(stiffness, period / 3, 0, false);
-    tell(stiffness, "fixed, T/3, not divided", strict);
+    print(stiffness, "fixed, T/3, not divided", strict);
     EXPECT_EQ(strict.steps, static_cast<int>(std::ceil(3 / period)));
     EXPECT_LT(strict.made, 1e-3);
   }

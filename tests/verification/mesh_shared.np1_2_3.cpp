@@ -93,7 +93,7 @@ std::size_t own_memory() {
 TEST(MeshShared, OneCopyAHost) {
   const Host host(MPI_COMM_WORLD);
   if (host.size() == 1) GTEST_SKIP() << "needs two ranks on a host";
-  if (own_memory() == 0) GTEST_SKIP() << "the system does not tell what memory is shared";
+  if (own_memory() == 0) GTEST_SKIP() << "the system does not report what memory is shared";
   std::unique_ptr<MeshSurface> made;
   if (host.leads()) made = std::make_unique<MeshSurface>(sphere_mesh(7));
   const std::size_t before = own_memory();
@@ -206,7 +206,7 @@ TEST(MeshShared, VolumesOfACase) {
   }
 }
 
-TEST(MeshShared, AllRanksTellWhatIsWrong) {
+TEST(MeshShared, AllRanksReportWhatIsWrong) {
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   model::Case c = io::read_case(HAWSER_SOURCE_DIR "/cases/reel/reel.yaml");

@@ -266,7 +266,7 @@ dynamics: {{duration: 13, step: 0.1}}
   if (here) {
     for (const ReportsBodyForces* term : s.system().with<ReportsBodyForces>())
       for (const BodyForce& f : term->forces_on(0, at)) add(f.force, f.moment);
-    const auto all = s.rigid_bodies()->force_on(0, at);
+    const auto all = s.system().find<RigidBodies>()->force_on(0, at);
     add(all[0], all[1]);
     const auto n = static_cast<size_t>(s.local().find(s.mesh().body_node(0)));
     const Vec3 arm = at.q[n] * Vec3(48, 0, 1), along = at.x[n] + arm - Vec3(110, 20, 3);

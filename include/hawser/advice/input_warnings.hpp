@@ -77,6 +77,8 @@ struct StartSpeeds {
   double motion = 0, drift = 0;
 };
 std::vector<StartSpeeds> start_speeds(const model::Case& c);
+// Key of the motion of the first body with such a speed; empty: none has one.
+std::string initial_velocity_key(const model::Case& c);
 
 // True if height and period of a sea are possible; otherwise consequences are not worth a note.
 bool possible(const model::Waves& waves);

@@ -1,5 +1,5 @@
 // One HDF5 file per run, with an XDMF file beside it for ParaView. The structure of the file is fixed when it
-// is created: outputs fill existing rows, and a counter written last says how many are valid. The file is
+// is created: outputs fill existing rows, and a counter written last states how many are valid. The file is
 // therefore valid at every moment, even if the run is killed (docs/decisions/010-files-that-survive.md;
 // contents: docs/user-guide/results.md).
 #pragma once

@@ -1,3 +1,4 @@
+// Angle between two vectors.
 #pragma once
 
 #include <cmath>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -13,8 +14,9 @@ namespace hawser::model {
 inline constexpr double kArcTolerance = 1e-9;
 
 struct Issue {
-  std::string key;   // dotted, as in the file: "lines.hose.end_b"
-  std::string text;  // "is 90 m long but ..."
+  std::string key;               // dotted, as in the file: "lines.hose.end_b"
+  std::string text;              // "is 90 m long but ..."
+  std::string_view format = {};  // of the text, a literal: the same for issues of one kind
 };
 
 // Appends issues at or below a key to a list.
@@ -26,7 +28,8 @@ class Issues {
   // Formats the text as fmt::format does; key may be empty.
   template <class... Args>
   void operator()(const std::string& key, fmt::format_string<Args...> text, Args&&... args) const {
-    to_.push_back({at(key), fmt::format(text, std::forward<Args>(args)...)});
+    const fmt::string_view format = text;
+    to_.push_back({at(key), fmt::format(text, std::forward<Args>(args)...), {format.data(), format.size()}});
   }
 
  private:

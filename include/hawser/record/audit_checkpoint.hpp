@@ -8,7 +8,9 @@ namespace hawser::record {
 
 // start: energies from which the audit counts.
 void save_audit(const Energy& start, const Audit& audit, io::Checkpoint& to);
-// Numbers that an older file lacks are 0.
+// True if the checkpoint has all numbers of save_audit; those of an earlier version may not.
+bool has_audit(const io::Checkpoint& c);
+// Throws std::out_of_range if has_audit is false.
 void restore_audit(const io::Checkpoint& from, Energy& start, Audit& audit);
 
 // Sum over all ranks. Collective.

@@ -26,15 +26,14 @@ class ClashReport : public Recording {
   // The subject must outlive the report.
   explicit ClashReport(const Subject& subject);
 
+  void declare(Declarations& to) override { to.contents.clashes = true; }
   // Must precede the preparation of the next step. Communicates only every kMostSteps steps.
   void step(const Snapshot& s) override;
-  // Clashes for the next output, on rank 0. Collective.
-  io::ClashTables take();
-  // Clashes written by outputs so far, on rank 0. A new file begins with none.
-  const io::ReportedClashes& reported() const { return log_.reported(); }
-  void begin_file() { log_.begin_file(); }
-  // Table of the clashes with the largest forces, text on rank 0 after take(); empty: no clashes.
-  std::string table() const;
+  void take_clashes(io::ClashTables& to) override;
+  void begin_file() override { log_.begin_file(); }
+  void add_reported(io::ReportedClashes& to) const override { to = log_.reported(); }
+  // Table of the clashes with the largest forces; empty: no clashes.
+  std::string table() const override;
 
   // Stored as records of the first node.
   void save(io::Checkpoint& to) override;

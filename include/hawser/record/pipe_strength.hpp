@@ -15,7 +15,6 @@
 #include "hawser/model/case.hpp"
 #include "hawser/record/recording.hpp"
 #include "hawser/record/support_rollers.hpp"
-#include "hawser/record/touchdown.hpp"
 
 namespace hawser::record {
 
@@ -59,7 +58,6 @@ class PipeStrength : public Recording {
   const model::Case& case_;
   const Mesh& mesh_;
   const MPI_Comm comm_;
-  Touchdowns touchdowns_;
   std::optional<SupportRollers> rollers_;   // none: no supports
   std::vector<PipeCodes> codes_;            // of graded line types
   std::vector<int> of_type_;                // index in codes_ by line type; -1: none

@@ -10,6 +10,8 @@
 #include "hawser/record/node_fields.hpp"
 #include "hawser/record/recording.hpp"
 #include "hawser/record/subject.hpp"
+#include "hawser/record/touchdown.hpp"
+#include "hawser/terms/run_roles.hpp"
 
 namespace hawser::record {
 
@@ -27,8 +29,8 @@ class Recorder {
   // Equilibrium `state` of a stage of statics except the last, by its index; written as an output at a
   // negative time.
   void stage(size_t place, const Kinematics& state);
-  // The start of a run: the state `at`, the reference of energies, which may have velocities; and the state
-  // recorded as first step and output: its static equilibrium if there is one.
+  // The start of a run: `state`, the reference of energies, which may have velocities; `shown`, recorded as
+  // first step and output: the static equilibrium of `state` if there is one.
   void start(const Kinematics& state, const Kinematics& shown);
   // Every accepted step. Collective.
   void step(const StepInfo& info, const Kinematics& state, double support_work) {
@@ -46,8 +48,8 @@ class Recorder {
   std::string audit_warning() const;  // Audit::warning with the names of this case
   // Warnings since the last call to be reported before the run ends; on rank 0 at least.
   std::vector<std::string> remarks();
-  // Clash report as text, on rank 0 after finish(); empty: no clashes.
-  std::string clash_table() const;
+  // Tables of the recordings as text, on rank 0 after finish().
+  std::vector<std::string> tables() const;
   // Warnings for the user after finish(), for example deep penetration or created energy; on rank 0.
   const std::vector<std::string>& warnings() const { return warnings_; }
   const io::ResultsFile& file() const { return *file_; }
@@ -67,8 +69,10 @@ class Recorder {
   io::ClashTables take_clashes();
 
   const Subject subject_;
+  const std::vector<FeedsLines*> feeders_;
+  const Touchdowns touchdowns_;
   NodeFields fields_;
-  Recordings recordings_;
+  std::vector<std::unique_ptr<Recording>> recordings_;
   bool stepped_ = false;               // field values are those of the last step
   double rows_every_, rows_from_ = 0;  // s, for the histories; 0: every step
   std::unique_ptr<io::ResultsFile> file_;

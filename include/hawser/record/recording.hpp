@@ -17,6 +17,7 @@
 #include "hawser/record/audit.hpp"
 #include "hawser/record/end_forces.hpp"
 #include "hawser/record/subject.hpp"
+#include "hawser/record/touchdown.hpp"
 #include "hawser/terms/active_contact.hpp"
 
 namespace hawser::record {
@@ -45,15 +46,17 @@ class Rows {
 // An accepted state and its data.
 class Snapshot {
  public:
-  Snapshot(const Subject& subject, const Kinematics& state, const StepInfo& info, const Values& of_nodes,
-           const Values& of_ends, const EndForces& forces, const Audit& energies)
+  Snapshot(const Subject& subject, const Touchdowns& touchdowns, const Kinematics& state,
+           const StepInfo& info, const Values& of_nodes, const Values& of_ends, const EndForces& forces,
+           const Audit& energies)
       : at(state),
         step(info),
         values(of_nodes),
         ends(of_ends),
         end_forces(forces),
         audit(energies),
-        subject_(subject) {}
+        subject_(subject),
+        finder_(touchdowns) {}
 
   const Kinematics& at;
   const StepInfo step;  // step that led to this state; of length 0: none
@@ -67,11 +70,18 @@ class Snapshot {
   }
   // Contacts of lines with volumes that this rank counts; volumes are those of the term.
   const ActiveContacts& volume_contacts() const;
+  // Touchdowns::find of the state. Collective.
+  const std::vector<Touchdown>& touchdowns() const {
+    if (!touchdowns_) touchdowns_ = finder_.find(at);
+    return *touchdowns_;
+  }
 
  private:
   const Subject& subject_;
+  const Touchdowns& finder_;
   mutable std::optional<std::vector<io::BodyPose>> poses_;
   mutable std::optional<ActiveContacts> volume_contacts_;
+  mutable std::optional<std::vector<Touchdown>> touchdowns_;
 };
 
 // Contributions of recordings to the results file, and fields needed at every step; other fields are computed
@@ -104,6 +114,8 @@ class Recording {
   virtual void start(const Snapshot& s) { (void)s; }
   virtual void step(const Snapshot& s) { (void)s; }
   virtual void output(const Snapshot& s) { (void)s; }
+  // Adds the clashes for the file since the last call, at outputs and at the end; on rank 0.
+  virtual void take_clashes(io::ClashTables& to) { (void)to; }
   // Adds the points of contact of an output or stage that this rank counts.
   virtual void points(const Snapshot&, io::ContactRows&) {}
   // Adds a row for each series that it declared; after step(), for steps in histories.
@@ -115,6 +127,10 @@ class Recording {
 
   virtual void save(io::Checkpoint& to) { (void)to; }
   virtual void restore(const io::Checkpoint& from) { (void)from; }
+  // After restore(), if the run continues in a new file, which has nothing of the earlier steps.
+  virtual void begin_file() {}
+  // Adds the clashes in the file in which the run continues; on rank 0.
+  virtual void add_reported(io::ReportedClashes& to) const { (void)to; }
 
   // At the end of a run: rows of the summary, each on the rank that owns the first node of its line; then
   // warnings, about a row on its rank, about the whole run on one rank. `summary`: the rows of this rank.
@@ -124,16 +140,12 @@ class Recording {
     (void)audit;
     return std::vector<Warning>();
   }
+  // A table for the user after the last take_clashes(), on rank 0; empty: none.
+  virtual std::string table() const { return {}; }
 };
 
-class ClashReport;
-
-// All recordings of a case, in the order of their series in the results file.
-struct Recordings {
-  std::vector<std::unique_ptr<Recording>> all;
-  ClashReport* clashes = nullptr;  // one of them, which has its own tables in the file; null: none
-};
-// Subject and forces outlive them. Collective.
-Recordings recordings(const Subject& subject, const EndForces& forces);
+// All recordings of a case, in the order of their series in the results file. Subject and forces outlive
+// them. Collective.
+std::vector<std::unique_ptr<Recording>> recordings(const Subject& subject, const EndForces& forces);
 
 }  // namespace hawser::record

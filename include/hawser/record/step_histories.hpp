@@ -3,7 +3,6 @@
 
 #include "hawser/record/recording.hpp"
 #include "hawser/record/subject.hpp"
-#include "hawser/record/touchdown.hpp"
 #include "hawser/terms/run_roles.hpp"
 
 namespace hawser {
@@ -15,13 +14,12 @@ namespace hawser::record {
 // Touchdown points of each line. The subject must outlive all classes of this file.
 class TouchdownHistory : public Recording {
  public:
-  explicit TouchdownHistory(const Subject& subject);
+  explicit TouchdownHistory(const Subject& subject) : subject_(subject) {}
   void declare(Declarations& to) override;
   void rows(const Snapshot& s, Rows& to) override;
 
  private:
   const Subject& subject_;
-  Touchdowns touchdowns_;
 };
 
 // Series that force terms declare.

@@ -25,9 +25,7 @@
 #include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser {
-class BodyContact;
 class Feeders;
-class RigidBodies;
 class BedContact;
 }  // namespace hawser
 
@@ -55,8 +53,6 @@ class Simulation {
   LineVolumeContact* line_volume_contact() const { return system_->find<LineVolumeContact>(); }
   LinePairs* line_pairs() const { return system_->find<LinePairs>(); }
   BedContact* bed_contact() const;
-  const BodyContact* body_contact() const;
-  const RigidBodies* rigid_bodies() const;
   Feeders* feeders() const;
   // Pose of a body of the case; for a floating body nullopt except on the rank that owns its node.
   std::optional<RigidPose> body_pose(int body, const Kinematics& state) const;

@@ -2,5 +2,5 @@
 #pragma once
 
 namespace hawser::run {
-inline constexpr const char* kVersion = "0.1.0";
+extern const char* const kVersion;
 }

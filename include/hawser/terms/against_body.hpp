@@ -37,14 +37,14 @@ struct AgainstBody {
   Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMost, 1> f;
   Matrix K, C;  // empty where the input was null
 };
-// Extends f [3n], K and C [3n x 3n, row-major, or null] of n blocks of a line to the body. turning: include
+// Extends f [3n], K and C [3n x 3n, or null] of n blocks of a line to the body. turning: include
 // the rotation of the forces and of their arms about the body, which may make the stiffness negative.
 AgainstBody against_body(std::span<const LineBlock> line, const FloatingFrame& body, bool turning,
-                         const double* f, const double* K, const double* C);
+                         const BlockVector& f, const BlockMatrix* K, const BlockMatrix* C);
 
 // Adds the result of against_body() to the assembler, n <= 4. counted: this rank adds the body's rows,
 // whichever rank owns the body.
 void add_against_body(Assembler& assembler, std::span<const LineBlock> line, const FloatingFrame& body,
-                      bool counted, const double* f, const double* K, const double* C);
+                      bool counted, const BlockVector& f, const BlockMatrix* K, const BlockMatrix* C);
 
 }  // namespace hawser

@@ -19,6 +19,7 @@
 #include "hawser/system/fed_lines.hpp"
 #include "hawser/system/force_term.hpp"
 #include "hawser/system/tied_nodes.hpp"
+#include "hawser/terms/run_roles.hpp"
 
 namespace hawser {
 
@@ -63,7 +64,11 @@ struct FeedPoint {
   double length_rate = 0;
 };
 
-class Feeders final : public ForceTerm, public ActsOnElements, public LimitsSteps, public FedLines {
+class Feeders final : public ForceTerm,
+                      public ActsOnElements,
+                      public LimitsSteps,
+                      public FedLines,
+                      public FeedsLines {
  public:
   Feeders(const LocalMesh& mesh, const model::Case& c);
 
@@ -102,9 +107,7 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
 
   double work() const { return work_; }
   void set_work(double work) { work_ = work; }
-  // Work [J] that feeders do on a line in a step of h [s] while others remove it, from the same line or
-  // another. pulls: force on each feeder, N.
-  double passed_through(std::span<const double> pulls, double h) const;
+  double passed_through(std::span<const double> pulls, double h) const override;
 
   std::string_view checkpoint_key() const override { return "feeders"; }
   void prepare(const Kinematics& from, double h) override;

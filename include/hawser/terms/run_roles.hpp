@@ -2,6 +2,7 @@
 // lists the terms with a role.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,15 @@ class InCurrent {
   virtual ~InCurrent() = default;
   // Sets the factor on the current velocities of the case.
   virtual void scale_current(double factor) = 0;
+};
+
+// A term that feeds lines.
+class FeedsLines {
+ public:
+  virtual ~FeedsLines() = default;
+  // Work [J] that it does on lines in a step of h [s] while it removes the same work elsewhere, from the same
+  // line or another. pulls: force on each feeder, N.
+  virtual double passed_through(std::span<const double> pulls, double h) const = 0;
 };
 
 // A named row of numbers at every step, in addition to nodal fields.

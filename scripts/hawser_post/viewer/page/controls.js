@@ -145,7 +145,7 @@ hawser.Controls = class {
     [this.low.value, this.high.value] = [short(low), short(high)];
   }
 
-  say(output, words) {
+  show(output, words) {
     this.slider.value = output;
     this.slider.setAttribute("aria-valuetext", words);
     this.clock.textContent = words;

@@ -13,7 +13,7 @@ hawser.View = class {
     this.scene = new hawser.Scene(this.picture, model);
     this.field = model.field("effective_tension") || model.header.fields[0];
     this.scene.field = this.field;
-    this.player = new hawser.Player(this.scene, (output) => this.tell(output));
+    this.player = new hawser.Player(this.scene, (output) => this.show(output));
     this.player.ended = () => this.play(false);
     this.player.failed = (error) => this.fail(error);
     this.controls = new hawser.Controls(this);
@@ -78,7 +78,7 @@ hawser.View = class {
   }
 
   // Updates the controls to output `output`; other models show the output nearest in time.
-  tell(output) {
+  show(output) {
     const time = this.model.header.times[output];
     const outputs = [output];
     for (const other of this.others) {
@@ -93,7 +93,7 @@ hawser.View = class {
         this.scene.redraw();
       }).catch((error) => this.fail(error));
     }
-    this.controls.say(output, this.when(output));
+    this.controls.show(output, this.when(output));
     // During animation the graph is updated less often than the picture.
     if (!this.player.playing || performance.now() - this.graphAt > GRAPH_EVERY) {
       this.curves.at(outputs, this.when(output));
@@ -173,7 +173,7 @@ hawser.View = class {
     this.scene.selected = k;
     this.controls.lineList.value = String(k);
     await this.curves.choose(this.model.header.lines[k] || null, this.field);
-    this.tell(this.player.output);
+    this.show(this.player.output);
     this.scene.redraw();
   }
 
