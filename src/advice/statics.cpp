@@ -60,7 +60,7 @@ std::string held_without_weight(const std::string& body) {
 
 std::string unstable_equilibria_left(int equilibria) {
   return fmt::format(
-      "statics left {} during the search (lines buckled or snapped through, or a body capsized): "
+      "statics left {} during the search (lines buckled or snapped through, or a body heeled or capsized): "
       "the model can rest in more than one shape; check that this is the intended one, and give `start` near "
       "it if not",
       count_of(equilibria, "unstable equilibrium", "unstable equilibria"));
@@ -68,8 +68,8 @@ std::string unstable_equilibria_left(int equilibria) {
 
 std::string unstable_at_rest(long eigenvalues) {
   return fmt::format(
-      "the static equilibrium is unstable ({}): to find a stable one, start lines (`start`) or floating "
-      "bodies (`position`, `rotation_deg`) away from it",
+      "the static equilibrium is unstable ({}), and statics has not found a stable one near it: start lines "
+      "(`start`) or floating bodies (`position`, `rotation_deg`) where they can rest, or restrain them",
       count_of(eigenvalues, "negative eigenvalue"));
 }
 

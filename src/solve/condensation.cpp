@@ -14,9 +14,10 @@ BodyRows::BodyRows(const System& system, std::span<const int> nodes) {
   check(VecGetOwnershipRange(system.create_vector().get(), &first_, &end_));
 }
 
-void BodyRows::set_unit(Vec v, Eigen::Index k) const {
+void BodyRows::set(Vec v, const Eigen::VectorXd& x) const {
   check(VecSet(v, 0));
-  if (owns(k)) check(VecSetValue(v, rows_[k], 1, INSERT_VALUES));
+  for (Eigen::Index k = 0; k < count(); ++k)
+    if (owns(k)) check(VecSetValue(v, rows_[k], x[k], INSERT_VALUES));
   check(VecAssemblyBegin(v));
   check(VecAssemblyEnd(v));
 }
@@ -41,11 +42,19 @@ Eigen::MatrixXd BodyRows::block(const System& system, Mat A) const {
   const VecHandle product = system.create_vector();
   Eigen::MatrixXd out(count(), count());
   for (Eigen::Index k = 0; k < count(); ++k) {
-    set_unit(unit.get(), k);
+    set(unit.get(), Eigen::VectorXd::Unit(count(), k));
     check(MatMult(A, unit.get(), product.get()));
     out.col(k) = values(product.get());
   }
   return out;
+}
+
+void BodyRows::add(const Eigen::MatrixXd& values, Mat A) const {
+  for (Eigen::Index i = 0; i < count(); ++i)
+    for (Eigen::Index k = 0; k < count() && owns(i); ++k)
+      if (values(i, k) != 0) check(MatSetValue(A, rows_[i], rows_[k], values(i, k), ADD_VALUES));
+  check(MatAssemblyBegin(A, MAT_FINAL_ASSEMBLY));
+  check(MatAssemblyEnd(A, MAT_FINAL_ASSEMBLY));
 }
 
 void BodyRows::hold(Mat A) const {
@@ -53,6 +62,13 @@ void BodyRows::hold(Mat A) const {
   for (Eigen::Index k = 0; k < count(); ++k)
     if (owns(k)) own.push_back(rows_[k]);
   check(MatZeroRowsColumns(A, static_cast<PetscInt>(own.size()), own.data(), 1, nullptr, nullptr));
+}
+
+BodyRows rows_of_bodies(const System& system) {
+  std::vector<int> nodes;
+  for (int n = 0; n < system.mesh().owned; ++n)
+    if (system.mesh().node(n).body >= 0) nodes.push_back(n);
+  return {system, nodes};
 }
 
 namespace {
@@ -69,23 +85,31 @@ void clear_held(const System& system, Vec v) {
 
 }  // namespace
 
+bool move_in_equilibrium(const BodyRows& bodies, const System& system, Mat J, KSP held,
+                         const Eigen::VectorXd& e, Vec motion) {
+  const VecHandle force = system.create_vector();
+  const VecHandle others = system.create_vector();
+  bodies.set(motion, e);
+  check(MatMult(J, motion, force.get()));
+  bodies.clear(force.get());
+  clear_held(system, force.get());
+  check(KSPSolve(held, force.get(), others.get()));
+  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+  check(KSPGetConvergedReason(held, &reason));
+  check(VecAXPY(motion, -1, others.get()));
+  return reason >= 0;
+}
+
 std::optional<Eigen::MatrixXd> condensed(const BodyRows& bodies, const System& system, Mat J, KSP held) {
-  const VecHandle total = system.create_vector();
-  const VecHandle push = system.create_vector();
-  const VecHandle answer = system.create_vector();
-  Eigen::MatrixXd K(bodies.count(), bodies.count());
-  for (Eigen::Index k = 0; k < bodies.count(); ++k) {
-    bodies.set_unit(total.get(), k);
-    check(MatMult(J, total.get(), push.get()));
-    bodies.clear(push.get());
-    clear_held(system, push.get());
-    check(KSPSolve(held, push.get(), answer.get()));
-    KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
-    check(KSPGetConvergedReason(held, &reason));
-    if (reason < 0) return std::nullopt;
-    check(VecAXPY(total.get(), -1, answer.get()));
-    check(MatMult(J, total.get(), push.get()));
-    K.col(k) = bodies.values(push.get());
+  const VecHandle motion = system.create_vector();
+  const VecHandle force = system.create_vector();
+  const Eigen::Index n = bodies.count();
+  Eigen::MatrixXd K(n, n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    if (!move_in_equilibrium(bodies, system, J, held, Eigen::VectorXd::Unit(n, k), motion.get()))
+      return std::nullopt;
+    check(MatMult(J, motion.get(), force.get()));
+    K.col(k) = bodies.values(force.get());
   }
   return K;
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "condensation.hpp"
 #include "hawser/advice/modes.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/handle.hpp"
@@ -59,6 +60,24 @@ MatHandle symmetric(System& system, const Kinematics& state, const Weights& weig
   check(MatAssemblyEnd(A.get(), MAT_FINAL_ASSEMBLY));
   check(MatSetOption(A.get(), MAT_SYMMETRIC, PETSC_TRUE));
   return A;
+}
+
+// Adds to K, a symmetric part, the antisymmetric part of the bodies' rows and columns of the tangent, which
+// forces without a potential cause. Returns whether there is one, beyond rounding.
+bool add_asymmetry_of_bodies(System& system, const Kinematics& state, Mat K) {
+  constexpr double kRounding = 1e-9;  // of the largest entry
+  const BodyRows bodies = rows_of_bodies(system);
+  if (bodies.count() == 0 || bodies.count() > kMostDense) return false;
+  const MatHandle J = system.create_matrix();
+  const std::vector<double> zero(3 * static_cast<size_t>(system.mesh().blocks()), 0);
+  system.tangent(state, {1, 0, 0}, zero, false, J.get());
+  const Eigen::MatrixXd block = bodies.block(system, J.get());
+  const Eigen::MatrixXd antisymmetric = 0.5 * (block - block.transpose());
+  const double rounding = kRounding * block.cwiseAbs().maxCoeff();
+  if (antisymmetric.cwiseAbs().maxCoeff() <= rounding) return false;
+  bodies.add(antisymmetric, K);
+  check(MatSetOption(K, MAT_SYMMETRIC, PETSC_FALSE));
+  return true;
 }
 
 long free_components(const System& system) {
@@ -132,14 +151,15 @@ void solve_directly(KSP ksp) {
   check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
 }
 
-// The converged modes among the `count` ones nearest to the target, lowest first.
-std::vector<Eigenpair> nearest_modes(const System& system, Mat K, Mat M, int count) {
+// The converged modes among the `count` ones nearest to the target, lowest first. Of complex eigenvalues,
+// which come in pairs, the real part; the two vectors are real and imaginary part.
+std::vector<Eigenpair> nearest_modes(const System& system, Mat K, Mat M, bool is_symmetric, int count) {
   Solver solver;
   check(EPSCreate(system.comm(), solver.out()));
   EPS eps = solver.get();
   check(EPSSetOptionsPrefix(eps, "modes_"));
   check(EPSSetOperators(eps, K, M));
-  check(EPSSetProblemType(eps, EPS_GHEP));
+  check(EPSSetProblemType(eps, is_symmetric ? EPS_GHEP : EPS_GNHEP));
   check(EPSSetDimensions(eps, count, PETSC_DEFAULT, PETSC_DEFAULT));
   check(EPSSetTolerances(eps, kTolerance, kMaxEigenIterations));
   check(EPSSetTarget(eps, kTarget));
@@ -158,7 +178,10 @@ std::vector<Eigenpair> nearest_modes(const System& system, Mat K, Mat M, int cou
   for (PetscInt i = 0; i < converged; ++i) {
     Eigenpair pair;
     pair.vector = system.create_vector();
-    check(EPSGetEigenpair(eps, i, &pair.squared, nullptr, pair.vector.get(), nullptr));
+    double imaginary = 0;
+    VecHandle other = system.create_vector();
+    check(EPSGetEigenpair(eps, i, &pair.squared, &imaginary, pair.vector.get(), other.get()));
+    if (imaginary < 0) std::swap(pair.vector, other);
     out.push_back(std::move(pair));
   }
   sort(out);
@@ -258,14 +281,17 @@ std::vector<NaturalMode> natural_modes(System& system, const Kinematics& state, 
   // Held components get the stiffness 1 and no mass, so that their eigenvalues are infinite and do not appear
   // among the lowest.
   const MatHandle K = symmetric(system, state, {1, 0, 0}, 1), M = symmetric(system, state, {0, 0, 1}, 0);
+  const bool is_symmetric = !add_asymmetry_of_bodies(system, state, K.get());
   // A Krylov space contains the directions of a repeated eigenvalue (of equal lines) only by rounding, so
   // some may be missing at first.
   for (long ask = std::min<long>(count + kMore, free);; ask = std::min(2 * ask, free)) {
-    std::vector<Eigenpair> modes = nearest_modes(system, K.get(), M.get(), static_cast<int>(ask));
+    std::vector<Eigenpair> modes =
+        nearest_modes(system, K.get(), M.get(), is_symmetric, static_cast<int>(ask));
     const size_t wanted = count;
     if (modes.size() < wanted) throw SolveError(advice::fewer_modes_converged(modes.size(), wanted));
     const bool no_more = ask == free || std::ssize(modes) < ask;
-    if (!no_more && !complete(K.get(), M.get(), modes, wanted)) {
+    // The inertia counts eigenvalues of symmetric matrices only.
+    if (is_symmetric && !no_more && !complete(K.get(), M.get(), modes, wanted)) {
       if (ask > kMaxMultiple * (count + kMore)) throw SolveError(advice::modes_incomplete());
       continue;
     }

@@ -4,6 +4,8 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <complex>
 #include <optional>
 
 #include "condensation.hpp"
@@ -61,12 +63,28 @@ bool positive_definite_chains(Mat J) {
   return !on_any_rank(comm, !positive_definite(symmetric_blocks(J).get()));
 }
 
-// Rows of the unknowns of all bodies.
-BodyRows rows_of_bodies(const System& system) {
-  std::vector<int> nodes;
-  for (int n = 0; n < system.mesh().owned; ++n)
-    if (system.mesh().node(n).body >= 0) nodes.push_back(n);
-  return {system, nodes};
+// Largest imaginary part over the real one, and largest relative difference, of equal real eigenvalues.
+constexpr double kReal = 1e-3;
+
+// The eigenvector of a real eigenvalue. If others are equal to it, their eigenvectors depend on rounding, but
+// the space of all does not: of the projections of unit vectors onto it the result is the longest, the first
+// if several are equally long. This determines its sign as well.
+Eigen::VectorXd eigenvector(const Eigen::EigenSolver<Eigen::MatrixXd>& modes, double eigenvalue) {
+  const Eigen::Index n = modes.eigenvalues().size();
+  const Eigen::MatrixXcd all = modes.eigenvectors();
+  Eigen::MatrixXd equal = Eigen::MatrixXd::Zero(n, 2 * n);
+  for (Eigen::Index k = 0; k < n; ++k)
+    if (std::abs(modes.eigenvalues()[k] - eigenvalue) <= kReal * std::abs(eigenvalue)) {
+      equal.col(k) = all.col(k).real();
+      equal.col(n + k) = all.col(k).imag();
+    }
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(equal);
+  qr.setThreshold(kReal);
+  const Eigen::MatrixXd basis = qr.householderQ() * Eigen::MatrixXd::Identity(n, qr.rank());
+  const Eigen::VectorXd lengths = basis.rowwise().norm();
+  Eigen::Index longest = 0;
+  while (lengths[longest] < (1 - kReal) * lengths.maxCoeff()) ++longest;
+  return basis * basis.row(longest).transpose();
 }
 
 }  // namespace
@@ -129,19 +147,18 @@ int negative_eigenvalues(Mat J, bool chains) {
   return negative_pivots(symmetric_part(J).get());
 }
 
-int unstable_directions(System& system, const Kinematics& state, Mat J) {
-  // Most unknowns of bodies for which the dense eigenvalues, of cubic cost, take no longer than statics.
-  constexpr Eigen::Index kMostUnknowns = 300;
+Stability stability(System& system, const Kinematics& state, Mat J) {
   constexpr double kRounding = 1e-11;  // of the largest eigenvalue
-  constexpr double kReal = 1e-3;       // largest imaginary part over the real one of two equal eigenvalues
-  const int negative = negative_eigenvalues(J, !system.coupled());
-  if (negative <= 0) return negative;
+  Stability out;
+  out.negative = negative_eigenvalues(J, !system.coupled());
+  if (out.negative <= 0) return out;
   const BodyRows bodies = rows_of_bodies(system);
-  if (bodies.count() == 0 || bodies.count() > kMostUnknowns) return negative;
+  if (bodies.count() == 0 || bodies.count() > kMostDense) return out;
   MatHandle held;
   check(MatDuplicate(J, MAT_COPY_VALUES, held.out()));
   bodies.hold(held.get());
-  if (negative_eigenvalues(held.get()) != 0) return negative;
+  if (negative_eigenvalues(held.get()) != 0) return out;
+  out.by_bodies = true;
   const MatHandle mass = system.create_matrix();
   const std::vector<double> zero(3 * static_cast<size_t>(system.mesh().blocks()), 0);
   system.tangent(state, {0, 0, 1}, zero, false, mass.get());
@@ -151,15 +168,27 @@ int unstable_directions(System& system, const Kinematics& state, Mat J) {
   configure_linear_solver(solver_of_held.get(), system, "statics_");
   check(KSPSetOperators(solver_of_held.get(), held.get(), held.get()));
   const std::optional<Eigen::MatrixXd> K = condensed(bodies, system, J, solver_of_held.get());
-  if (M.info() != Eigen::Success || !K || !K->allFinite()) return negative;
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(M.solve(*K), false);
-  if (solver.info() != Eigen::Success) return negative;
-  const Eigen::ArrayXcd squared = solver.eigenvalues().array();
-  // Only eigenvalues that are positive beyond rounding show that the symmetric part is misleading. Damping
-  // decides about complex ones.
+  if (M.info() != Eigen::Success || !K || !K->allFinite()) return out;
+  // L^-1 K L^-T with M = L L^T, whose eigenvectors are y = L^T x
+  const Eigen::MatrixXd half = M.matrixL().solve(*K);
+  const Eigen::EigenSolver<Eigen::MatrixXd> modes(M.matrixL().solve(half.transpose()).transpose());
+  if (modes.info() != Eigen::Success) return out;
+  // Damping decides about complex eigenvalues.
+  const Eigen::ArrayXcd squared = modes.eigenvalues().array();
+  const Eigen::Array<bool, Eigen::Dynamic, 1> real = squared.imag().abs() <= kReal * squared.real().abs();
+  // Only eigenvalues that are positive beyond rounding show that the symmetric part is misleading.
   const double rounding = kRounding * squared.abs().maxCoeff();
-  const bool stable = (squared.real() > rounding && squared.imag().abs() <= kReal * squared.real()).all();
-  return stable ? 0 : negative;
+  if ((real && squared.real() > rounding).all()) {
+    out.negative = 0;
+    return out;
+  }
+  const double least = real.select(squared.real(), 0).minCoeff();
+  if (least >= -rounding) return out;
+  out.negative = static_cast<int>((real && squared.real() < -rounding).count());
+  const Eigen::VectorXd x = M.matrixU().solve(eigenvector(modes, least));
+  out.motion = system.create_vector();
+  move_in_equilibrium(bodies, system, J, solver_of_held.get(), x, out.motion.get());
+  return out;
 }
 
 }  // namespace hawser

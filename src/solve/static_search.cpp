@@ -7,7 +7,7 @@
 
 #include "hawser/base/error.hpp"
 #include "hawser/base/mpi.hpp"
-#include "hawser/solve/stability.hpp"
+#include "hawser/math/so3.hpp"
 #include "hawser/system/imbalance.hpp"
 
 namespace hawser {
@@ -19,6 +19,11 @@ constexpr double kFirstShift = 1e-3;
 // Ratio of axial stiffness to load at the start; its factor from level to level.
 constexpr double kSoft = 300, kStiffening = 30;
 constexpr int kMaxTrials = 30, kMaxEscapes = 3, kPolish = 4;
+// A push ends where the forces that drive it vanish first: number of its trials up to the longest step, and
+// the relative accuracy of that place.
+constexpr int kPartsOfPush = 16;
+constexpr double kEndOfPush = 0.1;
+constexpr double kSamePlace = 1e-6;  // relative to the longest line, for the side to which bodies are pushed
 constexpr double kNegative =
     1e-7;  // relative shift; eigenvalues of slack parts, which are round-off, are below it
 // Factor of a shortened step below which the energy may have a kink, the distance of its sides as a fraction
@@ -41,17 +46,15 @@ StaticSearch::StaticSearch(System& system, const StaticsSettings& settings, Stat
 }
 
 StaticsReport StaticSearch::run(bool skip_softening) {
+  const State start = state_;
   if (!skip_softening) stiffen_by_levels();
   State last_equilibrium;  // the equilibrium that was left last
   double push = 0;         // m, distance from it at which relaxation began
+  int pushes_of_lines = 0, pushes_of_bodies = 0;
   for (;;) {
     descend(settings_.tolerance);
-    use_tangent(true, kNegative);
-    weights_.stabilisation = 0;
-    tangent();
-    // Frees the factors, so that they are not in memory together with those of the inertia.
-    check(KSPReset(ksp_.get()));
-    report_.negative_eigenvalues = unstable_directions(system_, state_.at_rest(), J_.get());
+    const Stability found = judge();
+    report_.negative_eigenvalues = found.negative;
     // Friction has an unsymmetric tangent; the inertia of its symmetric part does not decide on stability.
     if (settings_.starts_near || report_.negative_eigenvalues <= 0) break;
     // The same holds for drag. An equilibrium is therefore stable if relaxation returns to within the
@@ -61,18 +64,98 @@ StaticsReport StaticSearch::run(bool skip_softening) {
       --report_.escapes;
       break;
     }
-    // A push moves lines only.
-    if (report_.escapes == kMaxEscapes || system_.mesh().mesh->lines.empty()) break;
+    push = 0;
+    if (found.by_bodies) {
+      // Every body may have to be pushed off on its own.
+      const int most = kMaxEscapes * system_.mesh().mesh->body_nodes();
+      if (!found.motion || pushes_of_bodies++ == most || !leave_along(found.motion.get(), start)) break;
+      ++report_.escapes;
+      continue;
+    }
+    if (pushes_of_lines == kMaxEscapes || system_.mesh().mesh->lines.empty()) break;
+    ++pushes_of_lines;
     ++report_.escapes;
     last_equilibrium = state_;
-    push_state(report_.escapes);
-    push = 0;
+    push_state(pushes_of_lines);
     if (!relaxation_) continue;
     const double pushed = distance_from(last_equilibrium);
     if (relax_from_push()) push = pushed;
   }
   polish();
   return report_;
+}
+
+Stability StaticSearch::judge() {
+  use_tangent(true, kNegative);
+  weights_.stabilisation = 0;
+  tangent();
+  // Frees the factors, so that they are not in memory together with those of the inertia.
+  check(KSPReset(ksp_.get()));
+  return stability(system_, state_.at_rest(), J_.get());
+}
+
+bool StaticSearch::leave_along(Vec motion, const State& start) {
+  const State equilibrium = state_;
+  const double first = sign_towards(start, motion);
+  for (const double sign : {first, -first}) {
+    check(VecCopy(motion, u_.get()));
+    check(VecScale(u_.get(), sign));
+    push_along();
+    const double pushed = distance_from(equilibrium);
+    try {
+      if (relaxation_) relax_from_push();
+      descend(settings_.tolerance);
+      if (distance_from(equilibrium) > 0.5 * pushed) return true;
+    } catch (const SolveError&) {  // nothing stops this motion
+      if (relaxation_ && sign != first) throw;
+      blocked_by_.reset();
+    }
+    state_ = equilibrium;
+    system_.update_ghosts(state_);
+    prepare_again();
+  }
+  residual();
+  return false;
+}
+
+double StaticSearch::sign_towards(const State& start, Vec motion) {
+  system_.gather_with_ghosts(motion, local_);
+  const LocalMesh& mesh = system_.mesh();
+  double along = 0, square = 0;
+  for (int n = 0; n < mesh.owned; ++n) {
+    if (mesh.node(n).body < 0) continue;
+    const double* u = local_.data() + 3 * mesh.block[n];
+    const Vec3 x(u), turn = longest_ * Vec3(u + 3);
+    along +=
+        x.dot(start.x[n] - state_.x[n]) + longest_ * turn.dot(log_so3(state_.q[n].conjugate() * start.q[n]));
+    square += x.squaredNorm() + turn.squaredNorm();
+  }
+  all_reduce(system_.comm(), MPI_SUM, along);
+  all_reduce(system_.comm(), MPI_SUM, square);
+  return along < -kSamePlace * longest_ * std::sqrt(square) ? -1 : 1;
+}
+
+void StaticSearch::push_along() {
+  system_.gather_with_ghosts(u_.get(), local_);
+  const auto forces_drive = [&](double factor) {
+    move_trial(factor);
+    if (!path_is_clear()) return false;
+    system_.residual(trial_.at_rest(), r_.get());
+    return slope_at_trial() < 0;
+  };
+  const double longest = 1 / relative_size();
+  double under = 0, beyond = longest / kPartsOfPush;
+  while (under < longest && forces_drive(beyond)) {
+    under = beyond;
+    beyond += longest / kPartsOfPush;
+  }
+  for (int trial = 0; trial < kMaxTrials && under < longest && beyond - under > kEndOfPush * beyond;
+       ++trial) {
+    const double factor = 0.5 * (under + beyond);
+    (forces_drive(factor) ? under : beyond) = factor;
+  }
+  move_trial(under);
+  accept_trial();
 }
 
 void StaticSearch::check_start() {
@@ -337,8 +420,11 @@ double StaticSearch::slope_at_trial() const {
 
 double StaticSearch::distance_from(const State& from) const {
   double far = 0;
-  for (size_t n = 0; n < static_cast<size_t>(system_.mesh().owned); ++n)
+  for (size_t n = 0; n < static_cast<size_t>(system_.mesh().owned); ++n) {
     far = std::max(far, (state_.x[n] - from.x[n]).norm());
+    if (system_.mesh().node(static_cast<int>(n)).body >= 0)
+      far = std::max(far, state_.q[n].angularDistance(from.q[n]) * longest_);
+  }
   return all_reduce(system_.comm(), MPI_MAX, far);
 }
 
@@ -346,11 +432,15 @@ bool StaticSearch::relax_from_push() {
   const RelaxationReport r = relax(system_, *relaxation_, state_);
   report_.iterations += r.iterations;
   report_.relaxation_steps += r.steps;
+  prepare_again();
+  return r.steps > 0;
+}
+
+void StaticSearch::prepare_again() {
   build();
   local_ = zero_;
   trial_ = state_;
   prepare();
-  return r.steps > 0;
 }
 
 std::string StaticSearch::failure(advice::StaticsEnds how) const {

@@ -8,6 +8,7 @@
 #include "hawser/advice/statics.hpp"
 #include "hawser/solve/kink.hpp"
 #include "hawser/solve/relaxation.hpp"
+#include "hawser/solve/stability.hpp"
 #include "hawser/solve/static_trial.hpp"
 #include "hawser/solve/statics.hpp"
 
@@ -86,9 +87,22 @@ class StaticSearch : StaticTrial {
   double downhill(Vec y);
   // Slope of the energy along the increment at the trial, whose residual is in r_.
   double slope_at_trial() const;
+  // Stability of the state, an equilibrium.
+  Stability judge();
+  // Pushes bodies off an unstable equilibrium along this motion or against it, first towards the start, and
+  // descends. Returns whether this has led to another equilibrium; if not, the state is the same as before.
+  // Throws SolveError if relaxation finds no rest in either direction.
+  bool leave_along(Vec motion, const State& start);
+  // -1 if the start is on the other side of the bodies than their motion, else 1.
+  double sign_towards(const State& start, Vec motion);
+  // Moves the state along u_ as far as the forces drive it, at most by the longest step.
+  void push_along();
   // Dynamic relaxation from the perturbed state. Returns whether it took any steps.
   bool relax_from_push();
-  // Largest distance of a node from its place in that state, m. Collective.
+  // Prepares the search for a state that was moved outside of it.
+  void prepare_again();
+  // Largest distance of a node from its place in that state, m, or rotation of a body times the length of the
+  // longest line. Collective.
   double distance_from(const State& from) const;
   std::string failure(advice::StaticsEnds how) const;
 

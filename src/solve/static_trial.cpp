@@ -115,7 +115,7 @@ bool StaticTrial::tangent_trusted(const ResidualNorms& n) const {
                   : n.relative() < kNear;
 }
 
-double StaticTrial::largest_factor() const {
+double StaticTrial::relative_size() const {
   double x = 0, turn = 0;
   const LocalMesh& m = system_.mesh();
   for (int n = 0; n < m.owned; ++n) {
@@ -123,9 +123,9 @@ double StaticTrial::largest_factor() const {
     x = std::max(x, Eigen::Map<const Vec3>(p).norm());
     if (m.rotates(n)) turn = std::max(turn, Eigen::Map<const Vec3>(p + 3).norm());
   }
-  double worst = std::max(x / (0.05 * longest_), turn / 0.5);
-  all_reduce(system_.comm(), MPI_MAX, worst);
-  return worst > 1 ? 1 / worst : 1;
+  double largest = std::max(x / (0.05 * longest_), turn / 0.5);
+  all_reduce(system_.comm(), MPI_MAX, largest);
+  return largest;
 }
 
 void StaticTrial::move_trial(double factor) {

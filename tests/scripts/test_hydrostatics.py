@@ -102,11 +102,14 @@ output: {{histories: [{{body: box}}]}}
             heel, text = rest(8, ranks)
             self.assertGreater(abs(heel), np.pi / 2)
             self.assertEqual(text.count("warning: body box comes to rest turned over, 180 deg"), 1, text)
-            # Upright without a moment: an equilibrium that is not left, and is called unstable.
+            # Upright without a moment: an unstable equilibrium that is left.
             heel, text = rest(8, ranks, moment=0)
-            self.assertAlmostEqual(heel, 0)
-            self.assertIn("warning: the static equilibrium is unstable", text)
-            self.assertNotIn("unstable equilibri", text.replace("static equilibrium is unstable", ""))
+            self.assertAlmostEqual(abs(heel), np.pi, places=5)
+            self.assertIn("note: statics left 1 unstable equilibrium", text)
+            self.assertNotIn("warning: the static equilibrium is unstable", text)
+            heel, text = rest(6.5, ranks, moment=0)
+            self.assertAlmostEqual(heel, np.arctan(0.2), places=6)
+            self.assertNotIn("warning", text)
 
     def sphere(self, around):
         """Writes a mesh of a sphere of 5 m with as many facets around its axis and half as many from pole to

@@ -1,9 +1,12 @@
 // Forces on bodies by tables of time: displacement and work of a free body, statics and its stability.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "../regression/runs.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/math/so3.hpp"
+#include "hawser/solve/natural_modes.hpp"
 #include "verification/platform_rig.hpp"
 
 namespace hawser::test::body_loads {
@@ -93,11 +96,16 @@ bodies:
 
 // A moment M about a fixed axis heels a barge. Pitch and yaw about it have the stiffness [[C, M], [0, k]], so
 // that only the sign of the yaw stiffness k decides on stability. The symmetric part would be positive
-// for k > M²/(4 C) = 2.5e4 N m/rad only. Slack chains, on one rank or two, change none of this.
+// for k > M²/(4 C) = 2.5e4 N m/rad only. Modes are judged likewise. Slack chains, on one rank or two, change
+// none of this.
 TEST(BodyLoads, MomentAboutAFixedAxisIsStable) {
   const std::string stem =
       platform_rig::coefficients("hawser_body_loads/barge", "3 3 100\n4 4 1000\n5 5 1000\n");
-  const auto statics = [&](double k, bool chains) {
+  struct Found {
+    StaticsReport report;
+    std::vector<NaturalMode> modes;
+  };
+  const auto found = [&](double k, bool chains) {
     std::string text = fmt::format(R"(hawser: 1
 environment: {{gravity: 10, water: {{density: 1000, depth: 100}}}}
 bodies:
@@ -120,16 +128,32 @@ lines:
   port: {sections: [{type: chain, length: 130, elements: 20}], end_a: {anchor: [-80, 0, -99]}, end_b: {body: barge, at: [-0.1, 0, 0]}}
   starboard: {sections: [{type: chain, length: 130, elements: 20}], end_a: {anchor: [80, 0, -99]}, end_b: {body: barge, at: [0.1, 0, 0]}}
 )";
-    return Simulation(PETSC_COMM_WORLD, io::read_case_text(text, testing::TempDir() + "barge.yaml"))
-        .solve_statics();
+    Simulation sim(PETSC_COMM_WORLD, io::read_case_text(text, testing::TempDir() + "barge.yaml"));
+    Found out;
+    out.report = sim.solve_statics();
+    out.modes = natural_modes(sim.system(), sim.state().at_rest(), 6);
+    return out;
   };
   for (const bool chains : {false, true}) {
     for (const double k : {4e4, 1e4, 1e3}) {
-      const StaticsReport report = statics(k, chains);
+      const auto [report, modes] = found(k, chains);
       EXPECT_EQ(report.negative_eigenvalues, 0) << k;
       EXPECT_EQ(report.escapes, 0) << k;
+      EXPECT_GT(modes[0].squared, 0) << k;
+      if (chains) continue;
+      // Yaw and pitch. At a heel of 0.1 rad omega² differ by 0.33 % and -0.33 % from k/I and C/I.
+      std::vector<double> yaw, pitch;
+      for (const NaturalMode& mode : modes) {
+        yaw.push_back(std::abs(mode.squared / (k / 1e7) - 1));
+        pitch.push_back(std::abs(mode.squared - 0.99667));
+      }
+      EXPECT_LT(std::ranges::min(yaw), 5e-3) << k;
+      EXPECT_LT(std::ranges::min(pitch), 1e-4) << k;
     }
-    EXPECT_EQ(statics(-1e5, chains).negative_eigenvalues, 1);
+    const auto [report, modes] = found(-1e5, chains);
+    EXPECT_EQ(report.negative_eigenvalues, 1);
+    EXPECT_EQ(report.escapes, 0);
+    EXPECT_LT(modes[0].squared, -kFreeMotion);
   }
 }
 

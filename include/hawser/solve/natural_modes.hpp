@@ -23,8 +23,9 @@ inline constexpr double kFreeMotion = 4e-7;  // rad²/s²
 
 // The `count` lowest modes (fewer if there are no more), ascending, about `state`, which is at rest. M
 // includes the added mass of the terms. If it depends on the frequency, it is that of each mode (fixed
-// point); free and unstable modes have that of time integration. Only the symmetric part of unsymmetric
-// tangents (friction) counts. Collective. Throws SolveError if the eigenvalues do not converge.
+// point); free and unstable modes have that of time integration. Of unsymmetric tangents (friction) only the
+// symmetric part counts, except in the unknowns of bodies, at most 50. If K is not symmetric, the squares may
+// be complex; their real part is given. Collective. Throws SolveError if the eigenvalues do not converge.
 std::vector<NaturalMode> natural_modes(System& system, const Kinematics& state, int count);
 
 }  // namespace hawser

@@ -22,10 +22,19 @@ int negative_pivots(Mat a);
 // show that there are none without MUMPS. Collective.
 int negative_eigenvalues(Mat J, bool chains = false);
 
-// Number of directions in which an equilibrium with the tangent J is unstable: the number of negative
-// eigenvalues of its symmetric part. It is 0 despite these if everything else is stable while the bodies are
-// held, at most 50, and all eigenvalues of M^-1 K are real and positive, with the mass M of the bodies and
-// their stiffness K by static condensation, which need not be symmetric. -1: not known. Collective.
-int unstable_directions(System& system, const Kinematics& state, Mat J);
+struct Stability {
+  // Number of negative eigenvalues of the symmetric part of the tangent. If everything else is stable while
+  // the bodies, at most 50, are held: number of real negative eigenvalues of M^-1 K, with the mass M of the
+  // bodies and their stiffness K by static condensation, which need not be symmetric; if none is negative but
+  // one is complex, again that of the symmetric part. -1: not known.
+  int negative = 0;
+  bool by_bodies = false;  // everything else is stable while the bodies are held
+  // The motion of these bodies that diverges fastest, with everything else in equilibrium, of any size. Of
+  // several equally fast ones it is one that does not depend on rounding. Null on all ranks: none is known.
+  VecHandle motion;
+};
+
+// Stability of an equilibrium with the tangent J. Collective.
+Stability stability(System& system, const Kinematics& state, Mat J);
 
 }  // namespace hawser

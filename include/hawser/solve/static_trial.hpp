@@ -6,6 +6,7 @@
 
 #include <petscsnes.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -49,9 +50,11 @@ class StaticTrial {
   // Prepares the terms for the present state, before every iteration. True: other pairs of lines may touch,
   // so the forces have changed.
   bool prepare();
-  // Largest fraction of the increment local_ for which displacements are at most 5 % of the longest line and
-  // rotations at most half a radian.
-  double largest_factor() const;
+  // Size of the increment local_ relative to the longest step: displacements of 5 % of the longest line, or
+  // rotations of half a radian.
+  double relative_size() const;
+  // Largest fraction of the increment that is no longer than this step.
+  double largest_factor() const { return 1 / std::max(1.0, relative_size()); }
   // trial_ = state_ moved by `factor` times local_.
   void move_trial(double factor);
   // True if, on the straight path from the state to the trial, no line passes through another or through a
