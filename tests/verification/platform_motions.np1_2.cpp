@@ -134,7 +134,7 @@ bodies:
     rotation_deg: [0, 0, 75]
     floating:
       mass: 1e6
-      centre_of_mass: [0, 0, 2]
+      centre_of_mass: [0, 0, 0]
       inertia: [1e8, 1e9, 1e9]
       hydrodynamics:
         wamit: {}
