@@ -208,6 +208,38 @@ class CoupledBodies(unittest.TestCase):
             print(f"two ships, {period} s, with the memory cut at 400 s: off by {off(found, cut).max():.1e}")
             self.assertLess(off(found, cut).max(), 3e-3)
 
+    def test_modes_of_two_ships(self):
+        """The 12 modes of the two ships on springs are the roots of det(C - omega^2 (M + A(omega))), each once: the
+        number of negative eigenvalues of this matrix increases by one at each. A(omega) of a resonance of the water
+        between the ships changes fast near 8 s and makes M + A indefinite."""
+        A, _, _, C = self.ships()
+        M = np.diag(MASSES[0] + MASSES[1])
+        springs = [[1e6, 1e6, 0, 0, 0, 8e9], [3e4, 3e4, 0, 0, 0, 5e7]]
+        C = 0.5 * (C + C.T) + np.diag(springs[0] + springs[1])
+        rows = np.array(sorted(2 * np.pi / period for period in A))
+        values = [0.5 * (A[p] + A[p].T) for p in sorted(A, reverse=True)]
+        scale = 1 / np.sqrt(np.diag(M))
+
+        def below(omega):
+            k = int(np.clip(np.searchsorted(rows, omega), 1, len(rows) - 1))
+            t = np.clip((omega - rows[k - 1]) / (rows[k] - rows[k - 1]), 0, 1)
+            added = (1 - t) * values[k - 1] + t * values[k]
+            return np.count_nonzero(np.linalg.eigvalsh((C - omega**2 * (M + added)) * scale[:, None] * scale) < 0)
+
+        omega = np.geomspace(2 * np.pi / 200, 2 * np.pi / 5, 10000)
+        count = np.array([below(w) for w in omega])
+        self.assertTrue(np.all(np.diff(count) >= 0))
+        exact = [2 * np.pi / omega[np.searchsorted(count, k)] for k in range(1, 13)]
+        text = self.case_of_ships("{regular: {height: 0.02, period: 10}}", 1).replace("statics: false\n", "")
+        for number, spring in enumerate(springs):
+            text = text.replace(f"body: {number + 1},", f"body: {number + 1}, stiffness: {np.diag(spring).tolist()},")
+        write(self.folder, "case.yaml", text)
+        for ranks in ([], ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "2"]):
+            done = run(*ranks, HAWSER, "modes", "case.yaml", "-n", "12", cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            table = [line.split() for line in done.stdout[done.stdout.index("mode "):].splitlines()[1:13]]
+            np.testing.assert_allclose([float(row[1]) for row in table], exact, rtol=1e-3)
+
 
 if __name__ == "__main__":
     unittest.main()
