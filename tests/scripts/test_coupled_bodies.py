@@ -82,6 +82,31 @@ class CoupledBodies(unittest.TestCase):
         for height, exact in ((heights[0], 4.98110683), (heights[-1], 4.98029767)):
             self.assertAlmostEqual(height, exact, delta=5 * 1e-3)
 
+    def test_settings_of_one_body(self):
+        """Bodies that radiate on each other may have drift forces for one of them; their length scales are equal, and
+        bodies elsewhere than in their files have a note."""
+        shutil.copy(ROOT / "tests/data/f3of.1", self.folder)
+        write(self.folder, "f3of.hst", "3 3 100\n9 9 10\n15 15 10\n")
+        write(self.folder, "f3of.8", "".join(f"{period} 0 0 {mode} 1 0 1 0\n" for period in (5, 10) for mode in (1, 3, 7, 9, 13, 15)))
+
+        def check(keys=("", "", ""), places=(0, -12.5, 12.5)):
+            text = "hawser: 1\nenvironment: {gravity: 9.81, water: {density: 1000}}\nbodies:\n"
+            for number, (key, x, in_file) in enumerate(zip(keys, places, (0, -12.5, 12.5)), 1):
+                text += (f"  body{number}: {{position: [{x}, 0, -9], floating: {{mass: 1e6, inertia: [1e8, 1e8, 1e8], hydrodynamics: "
+                         f"{{wamit: f3of, body: {number}, origin_in_file: [{in_file}, 0, -9]{key}}}}}}}\n")
+            write(self.folder, "case.yaml", text)
+            return run(HAWSER, "check", "case.yaml", "--quick", cwd=self.folder)
+
+        elsewhere = "the forces of the waves that they radiate and diffract are those of the files"
+        for keys in ((", second_order: newman", "", ""), ("", ", second_order: mean", "")):
+            done = check(keys)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertNotIn(elsewhere, done.stdout)
+        done = check(("", "", ", length_scale: 2"))
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn("each needs an entry with its number as 'body' and the same 'length_scale'", done.stderr)
+        self.assertEqual(check(places=(0, -12.5, 40)).stdout.count(elsewhere), 1)
+
     def ships(self):
         """Added mass, damping and wave forces by (period, direction), all of 12 freedoms, and the stiffness,
         read from the files."""
