@@ -91,8 +91,8 @@ class Waves:
         self.direction = np.arctan2(y, x)
         self.ramp = float(results.file["waves/ramp"][0])
         if np.ptp(np.unwrap(np.sort(self.direction))) > np.radians(0.5):
-            raise Refusal(f"{results.path}: the waves have several directions, but a response belongs to one direction: give no "
-                          "'spreading'")
+            raise Refusal(f"{results.path}: the waves have several directions, but a response belongs to one direction: give waves "
+                          "of one direction, without 'spreading'")
         self.along = np.array([np.mean(x), np.mean(y)])
 
     @property

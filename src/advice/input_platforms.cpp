@@ -7,6 +7,7 @@
 #include "hawser/advice/input_warnings.hpp"
 #include "hawser/math/angle_gap.hpp"
 #include "hawser/math/freedoms.hpp"
+#include "hawser/math/heading.hpp"
 #include "hawser/math/symmetric.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/check.hpp"
@@ -173,6 +174,29 @@ void warn_of_floating(const Case& c, const Body& b, std::vector<InputWarning>& o
                 lines ? "its lines must keep it upright, as tendons do; if that is not intended, " : "");
 }
 
+// Bodies that radiate on each other but lie elsewhere relative to each other than in their files.
+void warn_of_arrangement(const Case& c, const std::vector<int>& group, std::vector<InputWarning>& out) {
+  constexpr double kNear = 0.05;  // of their distance in the files; of an angle, rad
+  const Body& first = c.bodies[static_cast<size_t>(group.front())];
+  const auto place = [&](const Body& b) { return hydrodynamic_place(b, c.environment.water.surface); };
+  for (const int other : group) {
+    const Body& b = c.bodies[static_cast<size_t>(other)];
+    const Vec3 in_files = b.mass->hydrodynamics->in_file - first.mass->hydrodynamics->in_file;
+    if (in_files.head<2>().isZero()) continue;  // not given
+    const double heading = hydrodynamic_heading(first);
+    const Vec3 here = heading_rotation(-heading) * (place(b) - place(first));
+    const double turned = std::remainder(hydrodynamic_heading(b) - heading, 2 * M_PI);
+    const double moved = (here - in_files).head<2>().norm();
+    if (moved > kNear * in_files.head<2>().norm() || std::abs(turned) > kNear)
+      add_warning(
+          out, "bodies." + b.name + ".floating.hydrodynamics", Effect::all,
+          "lies at ({:.4g}, {:.4g}) m from body {} and heads {:.3g} deg to its left, and in the files "
+          "at ({:.4g}, {:.4g}) m with the same heading: the forces of the waves that they radiate and "
+          "diffract are those of the files",
+          here.x(), here.y(), first.name, turned * 180 / M_PI, in_files.x(), in_files.y());
+  }
+}
+
 // A damping matrix that is not positive semidefinite: it dissipates for single velocities but adds energy for
 // some combinations.
 void warn_of_damping(const Case& c, const Body& b, std::vector<InputWarning>& out) {
@@ -244,6 +268,7 @@ void warn_of_platforms(const Case& c, std::vector<InputWarning>& out) {
   if (c.environment.wind.speed > 0 && std::none_of(c.bodies.begin(), c.bodies.end(), in_wind))
     add_warning(out, "environment.wind", Effect::all,
                 "acts on no body (and never on lines): add wind coefficients to a body, 'floating.wind'");
+  for (const std::vector<int>& group : radiating_groups(c)) warn_of_arrangement(c, group, out);
   for (const Body& b : c.bodies) {
     if (b.mass) warn_of_hull(b, out);
     if (b.mass) warn_of_members(c, b, out);

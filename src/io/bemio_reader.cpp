@@ -42,6 +42,14 @@ class BemioFile {
     if (a.values.empty()) refuse(fmt::format("dataset '{}' is empty", name));
     return a.values.front();
   }
+  // m, or the word 'infinite', which is no number.
+  double depth() const {
+    try {
+      return number("/simulation_parameters/water_depth");
+    } catch (const std::runtime_error&) {
+      return HUGE_VAL;
+    }
+  }
   std::vector<double> values(const std::string& name, const h5::Shape& shape) const {
     h5::Array a = array(name);
     h5::Shape without_ones;
@@ -169,7 +177,7 @@ std::vector<WaveForceTable> force_tables(const BemioFile& file, const Hydrodynam
 
 HydrodynamicData read_bemio(const std::string& path, const HydrodynamicForm& form, SecondOrder order,
                             std::vector<std::string>& read, std::vector<std::string>& notes) {
-  if (const std::string why = unreadable(path, "file", kMostTable); !why.empty())
+  if (const std::string why = unreadable(path, "BEMIO", kMostTable); !why.empty())
     throw std::runtime_error(path + ": " + why);
   std::optional<BemioFile> opened;
   try {
@@ -187,6 +195,7 @@ HydrodynamicData read_bemio(const std::string& path, const HydrodynamicForm& for
   const Scales scale = scales(file, form);
   bool has_infinite = false;
   read_radiation(file, scale, data, has_infinite);
+  if (file.has("/simulation_parameters/water_depth")) note_depth(form, file.depth(), data, notes);
   read_hydrostatics(file, scale, data);
   check_mirrored(form, data);
   if (file.has("/body1/hydro_coeffs/excitation/re"))

@@ -1,6 +1,7 @@
 // Entries of `bodies`: motion from files and rows, hydrodynamics, and settings that depend on the sea.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -102,14 +103,27 @@ void read_drift_damping(const Value& v, const CaseSource& source, model::BodyHyd
   h.drift_damping.assign(by_omega.begin(), by_omega.end());
 }
 
+// Mean direction [rad] in which waves travel, by their energy, from the bow; 0 without waves.
+double mean_direction(const model::Environment& e, const model::Body& b) {
+  const WaveField waves = model::wave_field(e);
+  if (waves.none()) return 0;
+  Eigen::Vector2d sum(0, 0);
+  for (const WaveComponent& w : waves.components())
+    sum += w.amplitude * w.amplitude * Eigen::Vector2d(w.x, w.y);
+  return std::atan2(sum.y(), sum.x()) - model::hydrodynamic_heading(b);
+}
+
 // Reads the files of a body's coefficients, once per file.
 void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b, model::Case& c) {
   model::BodyHydrodynamics& h = *b.mass->hydrodynamics;
   const Value& files = v[h.key()];
   h.files = source.absolute(h.files);
+  // Only forces of all difference frequencies are read for one direction.
+  const double direction = h.second_order == SecondOrder::full ? mean_direction(c.environment, b) : 0;
   std::shared_ptr<const model::HydrodynamicData>& known =
-      source.files->coefficients[fmt::format("{} {} {} {} {}", h.files, static_cast<int>(h.format), h.length,
-                                             static_cast<int>(h.second_order), h.mirrored)];
+      source.files
+          ->coefficients[fmt::format("{} {} {} {} {} {}", h.files, static_cast<int>(h.format), h.length,
+                                     static_cast<int>(h.second_order), h.mirrored, direction)];
   if (!known) {
     HydrodynamicForm form;
     form.length = h.length;
@@ -117,6 +131,7 @@ void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b
     form.gravity = c.environment.gravity;
     form.depth = c.environment.water.depth;
     form.mirrored = h.mirrored;
+    form.direction = direction;
     std::vector<std::string> notes, read;
     try {
       known = std::make_shared<const model::HydrodynamicData>(
@@ -125,10 +140,19 @@ void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b
       model::refuse(files, e.what());
     }
     for (const std::string& path : read) source.input(path);
-    for (const std::string& n : notes)
-      c.notes.push_back("bodies." + b.name + ".floating.hydrodynamics: " + n);
+    for (const std::string& n : notes) {
+      const auto is_known = [&n](const std::string& note) { return note.ends_with(n); };
+      if (std::none_of(c.notes.begin(), c.notes.end(), is_known))
+        c.notes.push_back("bodies." + b.name + ".floating.hydrodynamics: " + n);
+    }
   }
   h.data = known;
+  if (const Value* damping = v.find("quadratic_damping")) {
+    const auto is_row = [](const Value& row) { return row.kind == Value::Kind::list; };
+    const auto rows = std::count_if(damping->items.begin(), damping->items.end(), is_row);
+    if (rows != 0 && rows != 6)
+      model::refuse(*damping, "has numbers and rows: give six numbers, or six rows of six");
+  }
   if (const Value* damping = v.find("wave_drift_damping")) read_drift_damping(*damping, source, h);
   if (h.body > h.data->bodies)
     model::refuse(v["body"], "is {}, and {} has {}: it is the number of the body in the files", h.body,

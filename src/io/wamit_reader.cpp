@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <stdexcept>
+#include <string_view>
 
 #include "hydrodynamic_parts.hpp"
 #include "number_table.hpp"
@@ -234,21 +235,23 @@ void read_excitation(const std::string& stem, const HydrodynamicForm& form, std:
 }
 
 // Mean forces in a regular wave: rho g A² L^k re, k = 1 for forces, 2 for moments; only equal pairs of
-// directions are used. Negative modes are moments about other axes.
+// directions (and, in .12d, of periods) are used. Negative modes are moments about other axes.
 bool read_drift(const std::string& stem, const char* ending, const HydrodynamicForm& form,
                 std::vector<std::string>& read, HydrodynamicData& data, std::vector<std::string>& notes) {
-  const NumberTable table = table_of(stem, ending, {8}, read);
+  const size_t periods = ending == std::string_view(".12d") ? 2 : 1, mode_at = periods + 2;
+  const NumberTable table = table_of(stem, ending, {mode_at + 5}, read);
   if (table.path.empty()) return false;
   WaveForceRows rows(data.bodies, form.mirrored);
-  const std::vector<double> largest = largest_by_mode(table, 3, 4);
+  const std::vector<double> largest = largest_by_mode(table, mode_at, mode_at + 1);
   bool heave = false;
   for (const NumberRow& row : table.rows) {
-    if (row.values[1] != row.values[2] || !(row.values[0] > 0) || row.values[3] < 0) continue;
-    const int mode = mode_of(table, row, 3, 6 * data.bodies);
-    check_parts(table, row, 4, largest[static_cast<size_t>(mode + 1)]);
+    if (row.values[0] != row.values[periods - 1] || row.values[periods] != row.values[periods + 1]) continue;
+    if (!(row.values[0] > 0) || row.values[mode_at] < 0) continue;
+    const int mode = mode_of(table, row, mode_at, 6 * data.bodies);
+    check_parts(table, row, mode_at + 1, largest[static_cast<size_t>(mode + 1)]);
     heave = heave || mode % 6 == 2;
     const double scale = form.density * form.gravity * std::pow(form.length, 1 + rotates(mode));
-    rows.add(2 * M_PI / row.values[0], row.values[1], mode, scale * row.values[6]);
+    rows.add(2 * M_PI / row.values[0], row.values[periods], mode, scale * row.values[mode_at + 3]);
   }
   data.drift = rows.tables(table.path);
   if (!heave)
@@ -282,19 +285,22 @@ void note_sparse(const std::string& path, const std::vector<ComplexVec6>& values
         path, 100 * differs / all));
 }
 
-// F_ij = rho g L^k (re + i im); half of the matrix is given, F_ji = conj F_ij. One direction.
-bool read_difference(const std::string& stem, const HydrodynamicForm& form, SecondOrder order,
-                     std::vector<std::string>& read, HydrodynamicData& data,
-                     std::vector<std::string>& notes) {
+// F_ij = rho g L^k (re + i im); half of the matrix is given, F_ji = conj F_ij. The rows of one direction, the
+// nearest to the sea's.
+bool read_difference(const std::string& stem, const HydrodynamicForm& form, std::vector<std::string>& read,
+                     HydrodynamicData& data, std::vector<std::string>& notes) {
   const NumberTable table = table_of(stem, ".12d", {9}, read);
   if (table.path.empty()) return false;
   std::vector<double> omega;
-  double direction = HUGE_VAL;
+  double direction = 0, nearest = HUGE_VAL;
   for (const NumberRow& row : table.rows) {
     for (const size_t column : {0, 1})
       if (row.values[column] > 0) omega.push_back(2 * M_PI / row.values[column]);
-    if (row.values[2] == row.values[3] && std::abs(row.values[2]) < std::abs(direction))
+    const double away = std::abs(std::remainder(row.values[2] - form.direction / kRadPerDegree, 360));
+    if (row.values[2] == row.values[3] && away < nearest) {
+      nearest = away;
       direction = row.values[2];
+    }
   }
   std::sort(omega.begin(), omega.end());
   std::vector<double> distinct;
@@ -338,11 +344,12 @@ bool read_difference(const std::string& stem, const HydrodynamicForm& form, Seco
                     table.path, 2 * M_PI / distinct[k / n], 2 * M_PI / distinct[k % n]));
   }
   if (others)
-    notes.push_back(fmt::format("{}: its rows at {:g} deg are used; those at other directions are not",
-                                table.path, direction));
+    notes.push_back(fmt::format(
+        "{}: its rows at {:g} deg, nearest to the sea, are used; those at other directions are not",
+        table.path, direction));
   std::vector<ComplexVec6> diagonal;
   for (size_t i = 0; i < n; ++i) diagonal.push_back(values[i * n + i]);
-  if (order == SecondOrder::full) note_sparse(table.path, values, n, notes);
+  note_sparse(table.path, values, n, notes);
   data.drift = {WaveForceTable(distinct, {direction * kRadPerDegree}, diagonal)};
   data.difference = DifferenceForceTable(distinct, std::move(values));
   return true;
@@ -361,14 +368,13 @@ HydrodynamicData read_wamit(const std::string& stem, const HydrodynamicForm& for
   check_mirrored(form, data);
   read_excitation(stem, form, read, data);
   if (order != SecondOrder::none) {
-    const bool found = (data.bodies == 1 && read_difference(stem, form, order, read, data, notes)) ||
-                       (order != SecondOrder::full && (read_drift(stem, ".8", form, read, data, notes) ||
-                                                       read_drift(stem, ".7", form, read, data, notes) ||
-                                                       read_drift(stem, ".9", form, read, data, notes)));
+    const bool full = order == SecondOrder::full;
+    bool found = full && data.bodies == 1 && read_difference(stem, form, read, data, notes);
+    for (const char* ending : {".8", ".7", ".9", ".12d"})
+      found = found || (!full && read_drift(stem, ending, form, read, data, notes));
     if (!found)
-      throw std::runtime_error(
-          fmt::format("{}: 'second_order' needs {}, and there is none", stem,
-                      order == SecondOrder::full ? "a file .12d of one body" : "a file .12d, .8, .9 or .7"));
+      throw std::runtime_error(fmt::format("{}: 'second_order' needs {}, and there is none", stem,
+                                           full ? "a file .12d of one body" : "a file .8, .9, .7 or .12d"));
   }
   finish_coefficients(data, has_infinite, zero_frequency, notes);
   return data;

@@ -45,20 +45,24 @@ void check_kinetic(const Volume& v, const Issues& issue) {
   if (!(f.axial_kinetic > f.axial)) below("lateral", f.lateral_kinetic, f.lateral);
 }
 
-// If no line takes part in contact, friction of a volume has an effect only if the other body has friction,
-// too.
+// If no line takes part in contact, friction of a volume has an effect only if a volume of another body
+// that it can touch has friction, too.
 void check_friction_of_bodies(const Case& c, const Issues& issue) {
   if (std::any_of(c.lines.begin(), c.lines.end(), [&](const Line& l) { return c.contact.takes_part(l); }))
     return;
-  const auto has = [](const Volume& v) { return std::min(v.friction.axial, v.friction.lateral) > 0; };
-  for (const BodyPair& p : body_pairs(c)) {
-    const Volume &a = c.volumes[p.a], &b = c.volumes[p.b];
-    if (p.friction.axial > 0 || !(has(a) || has(b))) continue;
+  const std::vector<BodyPair> pairs = body_pairs(c);
+  for (size_t i = 0; i < c.volumes.size(); ++i) {
+    const Volume& v = c.volumes[i];
+    const auto is_in = [i](const BodyPair& p) { return p.a == i || p.b == i; };
+    const auto pair = std::find_if(pairs.begin(), pairs.end(), is_in);
+    if (!(std::min(v.friction.axial, v.friction.lateral) > 0) || pair == pairs.end() ||
+        std::any_of(pair, pairs.end(), [&](const BodyPair& p) { return is_in(p) && p.friction.axial > 0; }))
+      continue;
     return issue(
-        "volumes." + (has(a) ? a : b).name + ".friction",
+        "volumes." + v.name + ".friction",
         "has no effect: between bodies the lower coefficient counts, and {} has none; give it friction, "
         "too",
-        quote((has(a) ? b : a).name));
+        quote(c.volumes[pair->a == i ? pair->b : pair->a].name));
   }
 }
 

@@ -125,7 +125,7 @@ void check_platforms(const Case& c, const Issues& issue) {
     if (static_cast<int>(group.size()) != data.bodies)
       issue("bodies." + first.name + ".floating.hydrodynamics." + first.mass->hydrodynamics->key(),
             "{} has {} bodies that radiate on each other, but {} of the case {} it: each needs an entry with "
-            "its number as 'body'",
+            "its number as 'body' and the same 'length_scale'",
             data.radiation_file, data.bodies, group.size(), group.size() == 1 ? "uses" : "use");
   }
 }

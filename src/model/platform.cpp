@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
+#include <tuple>
 #include <utility>
 
 #include "hawser/model/case.hpp"
@@ -68,14 +70,14 @@ Eigen::Vector2d metacentric_heights(const Mat3& C, double weight) {
 
 std::vector<std::vector<int>> radiating_groups(const Case& c) {
   std::vector<std::vector<int>> groups;
-  // Key: the files, and the number of earlier bodies with the same number in them.
-  std::map<std::pair<const HydrodynamicData*, int>, size_t> group_of;
-  std::map<std::pair<const HydrodynamicData*, int>, int> count;
+  // Key: the file, its length scale, and the number of earlier bodies with the same number in it.
+  std::map<std::tuple<std::string, double, int>, size_t> group_of;
+  std::map<std::tuple<std::string, double, int>, int> count;
   for (size_t b = 0; b < c.bodies.size(); ++b) {
     if (!c.bodies[b].mass || !c.bodies[b].mass->hydrodynamics) continue;
     const BodyHydrodynamics& h = *c.bodies[b].mass->hydrodynamics;
-    const int before = count[{h.data.get(), h.body}]++;
-    const auto [at, added] = group_of.try_emplace({h.data.get(), before}, groups.size());
+    const int before = count[{h.data->radiation_file, h.length, h.body}]++;
+    const auto [at, added] = group_of.try_emplace({h.data->radiation_file, h.length, before}, groups.size());
     if (added) groups.emplace_back();
     groups[at->second].push_back(static_cast<int>(b));
   }

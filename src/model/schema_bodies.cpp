@@ -193,8 +193,8 @@ Key body_hydrodynamics() {
              {"newman", SecondOrder::newman},
              {"full", SecondOrder::full}},
             "second-order wave forces: `mean`, the mean drift force; `newman`, slow drift by Newman's "
-            "approximation from mean drift forces (`.12d`, `.8`, `.9` or `.7`); `full`, all "
-            "difference-frequency forces (`.12d`)",
+            "approximation from mean drift forces (`.8`, `.7`, `.9` or `.12d`); `full`, all "
+            "difference-frequency forces (`.12d`) of the direction nearest to that of the waves",
             or_else("none")),
        six_by_six("stiffness", &H::stiffness,
                   "additional linear stiffness about the body's origin, for displacements from `place`: six "
@@ -242,19 +242,22 @@ Key body_hull() {
 Key body_members() {
   return list(
       {"members", &BodyMass::members},
-      map("", {vec3({"from", &BodyMember::from}, length, "centre of one end, in the body's frame", required),
-               vec3({"to", &BodyMember::to}, length, "centre of the other end", required),
-               number({"diameter", &BodyMember::diameter}, length, "diameter for drag and added mass",
-                      above(0), required),
-               number({"Cd", &BodyMember::drag}, none, "transverse drag coefficient", in_range(0, 100),
-                      or_else("1")),
-               number({"Ca", &BodyMember::added}, none, "transverse added mass coefficient", in_range(0, 100),
-                      or_else_note("1; 0 beside `hydrodynamics`, which includes the added mass")),
-               number({"axial_Cd", &BodyMember::axial_drag}, none,
-                      "axial drag coefficient, on the area of one end", in_range(0, 100), or_else("0")),
-               number({"axial_Ca", &BodyMember::axial_added}, none,
-                      "axial added mass, relative to that of a hemisphere of its diameter", in_range(0, 100),
-                      or_else("0"))}),
+      map("",
+          {vec3({"from", &BodyMember::from}, length, "centre of one end, in the body's frame", required),
+           vec3({"to", &BodyMember::to}, length, "centre of the other end", required),
+           number({"diameter", &BodyMember::diameter}, length, "diameter for drag and added mass", above(0),
+                  required),
+           number({"Cd", &BodyMember::drag}, none, "transverse drag coefficient", in_range(0, 100),
+                  or_else("1")),
+           number({"Ca", &BodyMember::added}, none, "transverse added mass coefficient", in_range(0, 100),
+                  or_else_note("1; 0 beside `hydrodynamics`, which includes the added mass")),
+           number({"axial_Cd", &BodyMember::axial_drag}, none,
+                  "axial drag coefficient, on the area of one end; half of the force acts at each end",
+                  in_range(0, 100), or_else("0")),
+           number(
+               {"axial_Ca", &BodyMember::axial_added}, none,
+               "axial added mass, relative to that of a hemisphere of its diameter; half of it at each end",
+               in_range(0, 100), or_else("0"))}),
       "straight members of circular section, with drag and added mass by Morison's equation along their "
       "wetted length ([theory](../theory/bodies-in-water.md#members))");
 }

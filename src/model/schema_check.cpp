@@ -50,8 +50,10 @@ using Kind = Value::Kind;
 
 std::string in_unit(Dimension d) { return d == Dimension::none ? "" : fmt::format(" [{}]", base_unit(d)); }
 
-std::string plural(std::string s) {  // "a number [m]" -> "numbers [m]"
+// "a number [m]" -> "numbers [m]"
+std::string plural(std::string s) {
   if (s.starts_with("a number")) return "numbers" + s.substr(8);
+  if (s.starts_with("a list")) return "lists" + s.substr(6);
   if (s.starts_with("the name of an entry")) return "names of entries" + s.substr(20);
   return s;
 }
@@ -441,7 +443,11 @@ std::string describe(const Key& k) {
     case Type::list: {
       std::string items = plural(describe(k.keys[0]));
       if (items.starts_with("a map")) items = "maps" + items.substr(5);
-      if (items.starts_with("a list")) items = "lists" + items.substr(6);
+      if (k.keys[0].type == Type::one_of) {
+        std::vector<std::string> parts;
+        for (const Key& a : k.keys[0].keys) parts.push_back(plural(describe(a)));
+        items = enumerate(parts);
+      }
       if (k.max_items > 0 && k.max_items == k.min_items)
         return fmt::format("a list of {} {}", k.min_items, items);
       if (k.max_items > 0) return fmt::format("a list of {} to {} {}", k.min_items, k.max_items, items);

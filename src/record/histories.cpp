@@ -9,22 +9,46 @@
 #include "hawser/base/mpi.hpp"
 #include "hawser/math/declination.hpp"
 #include "hawser/math/so3.hpp"
+#include "hawser/model/body_motion.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 
 namespace hawser::record {
 namespace {
 
-const std::vector<io::ResultField> kBody = {
-    {"position", "m", 3},        {"rotation_vector", "rad", 3},
-    {"velocity", "m/s", 3},      {"angular_velocity", "rad/s", 3},
-    {"acceleration", "m/s2", 3}, {"angular_acceleration", "rad/s2", 3},
-    {"force", "N", 3},           {"moment", "N m", 3}};
+const std::vector<io::ResultField> kBody = {{"position", "m", 3},
+                                            {"rotation_vector", "rad", 3},
+                                            {"roll", "rad", 1},
+                                            {"pitch", "rad", 1},
+                                            {"yaw", "rad", 1},
+                                            {"velocity", "m/s", 3},
+                                            {"angular_velocity", "rad/s", 3},
+                                            {"acceleration", "m/s2", 3},
+                                            {"angular_acceleration", "rad/s2", 3},
+                                            {"force", "N", 3},
+                                            {"moment", "N m", 3}};
 
 const std::vector<io::ResultField> kVolume = {{"force", "N", 3}, {"moment", "N m", 3}};
 
 // Points closer than this fraction of the line's length coincide.
 constexpr double kSamePlace = 1e-9;
+
+// Of the two rotation vectors of a rotation that are shorter than a full turn, the nearer to `start`.
+Vec3 rotation_vector(const Quat& q, const Vec3& start) {
+  const Vec3 shorter = log_so3(q);
+  const double angle = shorter.norm();
+  if (!(angle > 0)) return shorter;
+  const Vec3 longer = (1 - 2 * M_PI / angle) * shorter;
+  return (longer - start).norm() < (shorter - start).norm() ? longer : shorter;
+}
+
+// Roll, pitch and yaw of the rotation Rz(yaw) Ry(pitch) Rx(roll); yaw within half a turn of `start`.
+Vec3 roll_pitch_yaw(const Quat& q, double start) {
+  const Mat3 R = q.toRotationMatrix();
+  const double yaw = std::atan2(R(1, 0), R(0, 0));
+  return {std::atan2(R(2, 1), R(2, 2)), std::atan2(-R(2, 0), std::hypot(R(2, 1), R(2, 2))),
+          start + std::remainder(yaw - start, 2 * M_PI)};
+}
 
 }  // namespace
 
@@ -186,8 +210,10 @@ std::vector<double> Histories::body_row(int body, const Snapshot& s) const {
   if (const auto* floating = subject_.term<RigidBodies>(); floating && subject_.model.floats(body))
     force = floating->force_on(body, at);
   std::vector<double> row;
-  for (const Vec3& x : {p->position, log_so3(p->rotation), p->velocity, p->angular_velocity, p->acceleration,
-                        p->angular_acceleration, force[0], force[1]})
+  const model::Body& b = subject_.model.bodies[static_cast<size_t>(body)];
+  for (const Vec3& x :
+       {p->position, rotation_vector(p->rotation, b.rotation), roll_pitch_yaw(p->rotation, model::heading(b)),
+        p->velocity, p->angular_velocity, p->acceleration, p->angular_acceleration, force[0], force[1]})
     row.insert(row.end(), x.begin(), x.end());
   if (load_components(body).empty()) return row;
   const auto add = [&row](const BodyForce& f) {

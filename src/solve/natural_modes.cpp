@@ -151,22 +151,38 @@ void solve_directly(KSP ksp) {
   check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
 }
 
-// The converged modes among the `count` ones nearest to the target, lowest first. Of complex eigenvalues,
-// which come in pairs, the real part; the two vectors are real and imaginary part.
-std::vector<Eigenpair> nearest_modes(const System& system, Mat K, Mat M, bool is_symmetric, int count) {
+// K - by M.
+MatHandle shifted(Mat K, Mat M, double by) {
+  MatHandle out;
+  check(MatDuplicate(K, MAT_COPY_VALUES, out.out()));
+  check(MatAXPY(out.get(), -by, M, DIFFERENT_NONZERO_PATTERN));
+  return out;
+}
+
+// Number of eigenvalues of K - lambda M below `squared`, by Sylvester's law of inertia (Parlett 1980, section
+// 3-3); -1: not known.
+int eigenvalues_below(Mat K, Mat M, double squared) { return negative_pivots(shifted(K, M, squared).get()); }
+
+// The converged modes among the `count` ones nearest to the target, lowest first; if all are above it
+// (`stable`), found as the largest theta of M x = theta (K - target M) x. Then the matrix on the right is
+// definite, but M need not be: added mass may be negative at some frequencies. Of complex eigenvalues of an
+// unsymmetric K, which come in pairs, the real part; the two vectors are real and imaginary part.
+std::vector<Eigenpair> nearest_modes(const System& system, Mat K, Mat M, int count, bool is_symmetric,
+                                     bool stable) {
   Solver solver;
   check(EPSCreate(system.comm(), solver.out()));
   EPS eps = solver.get();
   check(EPSSetOptionsPrefix(eps, "modes_"));
-  check(EPSSetOperators(eps, K, M));
+  const MatHandle above_target = stable ? shifted(K, M, kTarget) : MatHandle();
+  check(EPSSetOperators(eps, stable ? M : K, stable ? above_target.get() : M));
   check(EPSSetProblemType(eps, is_symmetric ? EPS_GHEP : EPS_GNHEP));
   check(EPSSetDimensions(eps, count, PETSC_DEFAULT, PETSC_DEFAULT));
   check(EPSSetTolerances(eps, kTolerance, kMaxEigenIterations));
   check(EPSSetTarget(eps, kTarget));
-  check(EPSSetWhichEigenpairs(eps, EPS_TARGET_MAGNITUDE));
+  check(EPSSetWhichEigenpairs(eps, stable ? EPS_LARGEST_REAL : EPS_TARGET_MAGNITUDE));
   ST st = nullptr;
   check(EPSGetST(eps, &st));
-  check(STSetType(st, STSINVERT));
+  check(STSetType(st, stable ? STSHIFT : STSINVERT));
   KSP ksp = nullptr;
   check(STGetKSP(st, &ksp));
   solve_directly(ksp);
@@ -182,17 +198,11 @@ std::vector<Eigenpair> nearest_modes(const System& system, Mat K, Mat M, bool is
     VecHandle other = system.create_vector();
     check(EPSGetEigenpair(eps, i, &pair.squared, &imaginary, pair.vector.get(), other.get()));
     if (imaginary < 0) std::swap(pair.vector, other);
+    if (stable && !(pair.squared > 0)) break;
+    if (stable) pair.squared = kTarget + 1 / pair.squared;
     out.push_back(std::move(pair));
   }
   sort(out);
-  return out;
-}
-
-// K - by M.
-MatHandle shifted(Mat K, Mat M, double by) {
-  MatHandle out;
-  check(MatDuplicate(K, MAT_COPY_VALUES, out.out()));
-  check(MatAXPY(out.get(), -by, M, DIFFERENT_NONZERO_PATTERN));
   return out;
 }
 
@@ -204,42 +214,91 @@ double form(Mat A, Vec u, Vec work) {
   return out;
 }
 
-// Changes a mode from that with another mass to that with the mass at its own frequency, omega = sqrt(u . K
-// u/u . M(omega) u), by inverse iteration (Wilkinson 1965, section 9.47) with the mass at the last frequency.
+// Number of modes up to the first gap above the `count` lowest ones, if these are all between it and the
+// target, below which are `below` ones; otherwise 0. Not judged if `below` is negative.
+size_t complete(Mat K, Mat M, const std::vector<Eigenpair>& modes, size_t count, int below) {
+  size_t last = count - 1;
+  const auto gap = [&](size_t i) { return modes[i + 1].squared - modes[i].squared; };
+  while (last + 1 < modes.size() && !(gap(last) > kGap * std::abs(modes[last + 1].squared))) ++last;
+  if (last + 1 >= modes.size()) return 0;
+  if (below < 0) return last + 1;
+  const double end = modes[last].squared + 0.5 * gap(last);
+  const auto count_below = std::count_if(
+      modes.begin(), modes.end(), [&](const Eigenpair& m) { return m.squared > kTarget && m.squared < end; });
+  const int above = eigenvalues_below(K, M, end);
+  return above < 0 || count_below >= above - below ? last + 1 : 0;
+}
+
+// The `count` lowest modes and those of the same frequency as the last; fewer if no more are found. The
+// inertia counts eigenvalues of symmetric matrices only.
+std::vector<Eigenpair> lowest_modes(const System& system, Mat K, Mat M, size_t count, bool is_symmetric) {
+  const long wanted = static_cast<long>(count), free = free_components(system);
+  const int below = is_symmetric ? eigenvalues_below(K, M, kTarget) : -1;
+  // A Krylov space contains the directions of a repeated eigenvalue (of equal lines) only by rounding, so
+  // some may be missing at first.
+  for (long ask = std::min(wanted + kMore, free);; ask = std::min(2 * ask, free)) {
+    std::vector<Eigenpair> modes =
+        nearest_modes(system, K, M, static_cast<int>(ask), is_symmetric, below == 0);
+    if (ask == free || std::ssize(modes) < ask) return modes;
+    if (const size_t all = complete(K, M, modes, count, below); all > 0) {
+      modes.resize(all);
+      return modes;
+    }
+    if (ask > kMaxMultiple * (wanted + kMore)) throw SolveError(advice::modes_incomplete());
+  }
+}
+
+size_t first_oscillating(const std::vector<Eigenpair>& modes) {
+  const auto oscillates = [](const Eigenpair& m) { return m.squared > kFreeMotion; };
+  return static_cast<size_t>(std::find_if(modes.begin(), modes.end(), oscillates) - modes.begin());
+}
+
+// Changes the modes that oscillate from those with the mass of time integration to those with the mass at
+// their own frequency: the k-th of them is at the root s of mu_k(s) = s, where mu_k(s) is the k-th eigenvalue
+// with the mass at omega = sqrt(s). Found by secants within a bracket.
 void settle(System& system, const Kinematics& state, Mat K, const std::vector<DependsOnFrequency*>& terms,
-            Eigenpair& pair) {
+            std::vector<Eigenpair>& modes, bool is_symmetric) {
   constexpr double kSettled = 1e-9;  // relative, of omega²
-  // relative distance of the shift from omega², at which K - shift M is regular
-  constexpr double kBeside = 1e-4;
-  constexpr int kPlain = 10, kMaxIterations = 60;
+  constexpr int kSecants = 10;       // after these the bracket is bisected
+  constexpr int kMaxIterations = 100;
   const auto oscillate = [&](double omega) {
     for (DependsOnFrequency* t : terms) t->oscillate(omega);
   };
-  Vec u = pair.vector.get();
   const VecHandle work = system.create_vector();
-  MatHandle M;
-  for (int i = 0; i < kMaxIterations && pair.squared > kFreeMotion; ++i) {
-    oscillate(std::sqrt(pair.squared));
-    M = symmetric(system, state, {0, 0, 1}, 0);
-    const double beside = form(K, u, work.get()) / form(M.get(), u, work.get()) * (1 - kBeside);
-    const MatHandle A = shifted(K, M.get(), beside);
-    KspHandle ksp;
-    check(KSPCreate(system.comm(), ksp.out()));
-    check(KSPSetOperators(ksp.get(), A.get(), A.get()));
-    solve_directly(ksp.get());
-    check(MatMult(M.get(), u, work.get()));
-    check(KSPSolve(ksp.get(), work.get(), u));
-    check(VecNormalize(u, nullptr));
-    const double before = pair.squared;
-    pair.squared = form(K, u, work.get()) / form(M.get(), u, work.get());
-    if (std::abs(pair.squared - before) < kSettled * pair.squared) break;
-    // The mass changes so fast with frequency that omega alternates; the mean damps this.
-    if (i > kPlain) pair.squared = 0.5 * (pair.squared + before);
-  }
-  if (M) {
-    const MatHandle C = symmetric(system, state, {0, 1, 0}, 0);
-    pair.damping_ratio =
-        form(C.get(), u, work.get()) / (2 * std::sqrt(std::abs(pair.squared)) * form(M.get(), u, work.get()));
+  const size_t first = first_oscillating(modes);
+  for (size_t k = first; k < modes.size();) {
+    double low = 0, high = HUGE_VAL, s = modes[k].squared, before = 0, change_before = 0;
+    for (int i = 0;; ++i) {
+      if (i == kMaxIterations) throw SolveError(advice::modes_incomplete());
+      oscillate(std::sqrt(s));
+      const MatHandle M = symmetric(system, state, {0, 0, 1}, 0);
+      std::vector<Eigenpair> here = lowest_modes(system, K, M.get(), k + 1, is_symmetric);
+      size_t m = first_oscillating(here) + k - first;
+      // Where the mass is negative in some direction, there are fewer.
+      const double mu = m < here.size() ? here[m].squared : HUGE_VAL;
+      const double change = mu - s;
+      (change > 0 ? low : high) = s;
+      if (std::abs(change) < kSettled * s || high - low < kSettled * s) {
+        const MatHandle C = symmetric(system, state, {0, 1, 0}, 0);
+        // Repeated eigenvalues have any vectors of their space, so all of them are taken here.
+        for (; k < modes.size() && m < here.size() && here[m].squared <= mu * (1 + kGap); ++k, ++m) {
+          Vec u = here[m].vector.get();
+          here[m].damping_ratio =
+              form(C.get(), u, work.get()) / (2 * std::sqrt(here[m].squared) * form(M.get(), u, work.get()));
+          modes[k] = std::move(here[m]);
+        }
+        break;
+      }
+      const double secant = i == 0 ? mu : s - change * (s - before) / (change - change_before);
+      double next = std::min(mu, 2 * s);
+      if (i < kSecants && secant > low && secant < high)
+        next = secant;
+      else if (high < HUGE_VAL)
+        next = 0.5 * (low + high);
+      before = s;
+      change_before = change;
+      s = next;
+    }
   }
   oscillate(0);
 }
@@ -254,56 +313,26 @@ NaturalMode mode_of(const System& system, const Kinematics& state, const Eigenpa
   return mode;
 }
 
-// Number of eigenvalues of K - lambda M below `squared`, by Sylvester's law of inertia (Parlett 1980, section
-// 3-3); -1: not known.
-int eigenvalues_below(Mat K, Mat M, double squared) { return negative_pivots(shifted(K, M, squared).get()); }
-
-// True if these modes are all those between the target and the first gap above the `count` lowest ones.
-bool complete(Mat K, Mat M, const std::vector<Eigenpair>& modes, size_t count) {
-  size_t last = count - 1;
-  const auto gap = [&](size_t i) { return modes[i + 1].squared - modes[i].squared; };
-  while (last + 1 < modes.size() && !(gap(last) > kGap * std::abs(modes[last + 1].squared))) ++last;
-  if (last + 1 >= modes.size()) return false;
-  const double end = modes[last].squared + 0.5 * gap(last);
-  const auto count_below = std::count_if(
-      modes.begin(), modes.end(), [&](const Eigenpair& m) { return m.squared > kTarget && m.squared < end; });
-  const int above = eigenvalues_below(K, M, end), below = eigenvalues_below(K, M, kTarget);
-  return above < 0 || below < 0 || count_below >= above - below;
-}
-
 }  // namespace
 
 std::vector<NaturalMode> natural_modes(System& system, const Kinematics& state, int count) {
   const Slepc slepc;
-  const long free = free_components(system);
-  count = static_cast<int>(std::min<long>(count, free));
-  if (count == 0) return {};
+  const size_t wanted = static_cast<size_t>(std::min<long>(count, free_components(system)));
+  if (wanted == 0) return {};
   // Held components get the stiffness 1 and no mass, so that their eigenvalues are infinite and do not appear
   // among the lowest.
   const MatHandle K = symmetric(system, state, {1, 0, 0}, 1), M = symmetric(system, state, {0, 0, 1}, 0);
   const bool is_symmetric = !add_asymmetry_of_bodies(system, state, K.get());
-  // A Krylov space contains the directions of a repeated eigenvalue (of equal lines) only by rounding, so
-  // some may be missing at first.
-  for (long ask = std::min<long>(count + kMore, free);; ask = std::min(2 * ask, free)) {
-    std::vector<Eigenpair> modes =
-        nearest_modes(system, K.get(), M.get(), is_symmetric, static_cast<int>(ask));
-    const size_t wanted = count;
-    if (modes.size() < wanted) throw SolveError(advice::fewer_modes_converged(modes.size(), wanted));
-    const bool no_more = ask == free || std::ssize(modes) < ask;
-    // The inertia counts eigenvalues of symmetric matrices only.
-    if (is_symmetric && !no_more && !complete(K.get(), M.get(), modes, wanted)) {
-      if (ask > kMaxMultiple * (count + kMore)) throw SolveError(advice::modes_incomplete());
-      continue;
-    }
-    modes.resize(wanted);
-    if (const auto terms = system.with<DependsOnFrequency>(); !terms.empty()) {
-      for (Eigenpair& pair : modes) settle(system, state, K.get(), terms, pair);
-      sort(modes);
-    }
-    std::vector<NaturalMode> out;
-    for (const Eigenpair& pair : modes) out.push_back(mode_of(system, state, pair));
-    return out;
+  std::vector<Eigenpair> modes = lowest_modes(system, K.get(), M.get(), wanted, is_symmetric);
+  if (modes.size() < wanted) throw SolveError(advice::fewer_modes_converged(modes.size(), wanted));
+  modes.resize(wanted);
+  if (const auto terms = system.with<DependsOnFrequency>(); !terms.empty()) {
+    settle(system, state, K.get(), terms, modes, is_symmetric);
+    sort(modes);
   }
+  std::vector<NaturalMode> out;
+  for (const Eigenpair& pair : modes) out.push_back(mode_of(system, state, pair));
+  return out;
 }
 
 }  // namespace hawser

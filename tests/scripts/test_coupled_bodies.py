@@ -82,6 +82,31 @@ class CoupledBodies(unittest.TestCase):
         for height, exact in ((heights[0], 4.98110683), (heights[-1], 4.98029767)):
             self.assertAlmostEqual(height, exact, delta=5 * 1e-3)
 
+    def test_settings_of_one_body(self):
+        """Bodies that radiate on each other may have drift forces for one of them; their length scales are equal, and
+        bodies elsewhere than in their files have a note."""
+        shutil.copy(ROOT / "tests/data/f3of.1", self.folder)
+        write(self.folder, "f3of.hst", "3 3 100\n9 9 10\n15 15 10\n")
+        write(self.folder, "f3of.8", "".join(f"{period} 0 0 {mode} 1 0 1 0\n" for period in (5, 10) for mode in (1, 3, 7, 9, 13, 15)))
+
+        def check(keys=("", "", ""), places=(0, -12.5, 12.5)):
+            text = "hawser: 1\nenvironment: {gravity: 9.81, water: {density: 1000}}\nbodies:\n"
+            for number, (key, x, in_file) in enumerate(zip(keys, places, (0, -12.5, 12.5)), 1):
+                text += (f"  body{number}: {{position: [{x}, 0, -9], floating: {{mass: 1e6, inertia: [1e8, 1e8, 1e8], hydrodynamics: "
+                         f"{{wamit: f3of, body: {number}, origin_in_file: [{in_file}, 0, -9]{key}}}}}}}\n")
+            write(self.folder, "case.yaml", text)
+            return run(HAWSER, "check", "case.yaml", "--quick", cwd=self.folder)
+
+        elsewhere = "the forces of the waves that they radiate and diffract are those of the files"
+        for keys in ((", second_order: newman", "", ""), ("", ", second_order: mean", "")):
+            done = check(keys)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertNotIn(elsewhere, done.stdout)
+        done = check(("", "", ", length_scale: 2"))
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn("each needs an entry with its number as 'body' and the same 'length_scale'", done.stderr)
+        self.assertEqual(check(places=(0, -12.5, 40)).stdout.count(elsewhere), 1)
+
     def ships(self):
         """Added mass, damping and wave forces by (period, direction), all of 12 freedoms, and the stiffness,
         read from the files."""
@@ -207,6 +232,38 @@ class CoupledBodies(unittest.TestCase):
             cut = solve(by_damping[min(by_damping, key=lambda w: abs(w - omega))] + more, damping, C, omega, X[period, direction])
             print(f"two ships, {period} s, with the memory cut at 400 s: off by {off(found, cut).max():.1e}")
             self.assertLess(off(found, cut).max(), 3e-3)
+
+    def test_modes_of_two_ships(self):
+        """The 12 modes of the two ships on springs are the roots of det(C - omega^2 (M + A(omega))), each once: the
+        number of negative eigenvalues of this matrix increases by one at each. A(omega) of a resonance of the water
+        between the ships changes fast near 8 s and makes M + A indefinite."""
+        A, _, _, C = self.ships()
+        M = np.diag(MASSES[0] + MASSES[1])
+        springs = [[1e6, 1e6, 0, 0, 0, 8e9], [3e4, 3e4, 0, 0, 0, 5e7]]
+        C = 0.5 * (C + C.T) + np.diag(springs[0] + springs[1])
+        rows = np.array(sorted(2 * np.pi / period for period in A))
+        values = [0.5 * (A[p] + A[p].T) for p in sorted(A, reverse=True)]
+        scale = 1 / np.sqrt(np.diag(M))
+
+        def below(omega):
+            k = int(np.clip(np.searchsorted(rows, omega), 1, len(rows) - 1))
+            t = np.clip((omega - rows[k - 1]) / (rows[k] - rows[k - 1]), 0, 1)
+            added = (1 - t) * values[k - 1] + t * values[k]
+            return np.count_nonzero(np.linalg.eigvalsh((C - omega**2 * (M + added)) * scale[:, None] * scale) < 0)
+
+        omega = np.geomspace(2 * np.pi / 200, 2 * np.pi / 5, 10000)
+        count = np.array([below(w) for w in omega])
+        self.assertTrue(np.all(np.diff(count) >= 0))
+        exact = [2 * np.pi / omega[np.searchsorted(count, k)] for k in range(1, 13)]
+        text = self.case_of_ships("{regular: {height: 0.02, period: 10}}", 1).replace("statics: false\n", "")
+        for number, spring in enumerate(springs):
+            text = text.replace(f"body: {number + 1},", f"body: {number + 1}, stiffness: {np.diag(spring).tolist()},")
+        write(self.folder, "case.yaml", text)
+        for ranks in ([], ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "2"]):
+            done = run(*ranks, HAWSER, "modes", "case.yaml", "-n", "12", cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            table = [line.split() for line in done.stdout[done.stdout.index("mode "):].splitlines()[1:13]]
+            np.testing.assert_allclose([float(row[1]) for row in table], exact, rtol=1e-3)
 
 
 if __name__ == "__main__":

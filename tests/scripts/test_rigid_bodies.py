@@ -74,6 +74,25 @@ class RigidBodies(unittest.TestCase):
     def of(self, found, what):
         return np.array([found[f"{what}_{axis}"] for axis in "xyz"]).T
 
+    def test_roll_pitch_yaw(self):
+        """A ball with a trim of 5 deg and a list of -8 deg turns about the vertical from a heading of 170 or -170 deg
+        through 180 deg: its yaw and the components of its rotation vector are continuous."""
+        for heading, rate in ((170, 0.5), (-170, -0.5)):
+            roll, pitch, yaw = np.radians([-8, 5, heading])
+            turn = rotation([0, 0, yaw]) @ rotation([0, pitch, 0]) @ rotation([roll, 0, 0])
+            angle = np.arccos((np.trace(turn) - 1) / 2)
+            axis = np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]]) / (2 * np.sin(angle))
+            spin = rate * turn[2]  # axes of the body
+            time, found, _ = self.motion(f"  ball: {{rotation_deg: {np.degrees(angle * axis).tolist()}, floating: {{mass: 100, inertia: [10, 10, 10], "
+                                         f"angular_velocity: {spin.tolist()}}}}}\n", 1, 0.05)
+            np.testing.assert_allclose(found["roll"], roll, atol=1e-9)
+            np.testing.assert_allclose(found["pitch"], pitch, atol=1e-9)
+            np.testing.assert_allclose(found["yaw"], yaw + rate * time, atol=1e-9)
+            vectors = self.of(found, "rotation_vector")
+            self.assertLess(np.abs(np.diff(vectors, axis=0)).max(), 0.1)
+            for vector, t in zip(vectors, time):
+                np.testing.assert_allclose(rotation(vector), rotation([0, 0, rate * t]) @ turn, atol=1e-9)
+
     def frequencies(self):
         done = run(HAWSER, "modes", "case.yaml", "-n", "6", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -88,6 +88,14 @@ TEST(CaseContact, FrictionOfBodiesWithoutEffect) {
   EXPECT_EQ(refused(crate(half, "", kCrate, "per_point") + line), "");
   for (const char* basis : {"per_point", "per_length"})
     EXPECT_EQ(refused(crate(half, half, kBar, basis)), "");
+  // A smooth volume of a body that has a rough one, too.
+  const std::string two = crate(half, half, kCrate, "per_point");
+  const auto statics = two.find("statics:");
+  EXPECT_EQ(refused(two.substr(0, statics) +
+                    "  hull: {shape: {sphere: {centre: [0, 0, 2], radius: 0.1}}, body: crate, "
+                    "normal_stiffness: {per_point: 1e7}, friction: 0}\n" +
+                    two.substr(statics)),
+            "");
 }
 
 TEST(CaseContact, RampsGoByTheLinesTheyActOn) {

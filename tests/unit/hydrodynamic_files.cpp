@@ -428,6 +428,31 @@ TEST_F(HydrodynamicFiles, BemioHasTheCoefficientsOfWamit) {
   }
 }
 
+// The depth is a number or the word 'infinite'.
+TEST_F(HydrodynamicFiles, BemioHasTheDepthOfItsWater) {
+  const auto reported = [&](double depth, const char* word = nullptr) {
+    write_bemio(path("float.h5"), wamit_set(), false);
+    {
+      const io::h5::Id file(H5Fopen(path("float.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+      const std::string name = "/simulation_parameters/water_depth";
+      if (word) {
+        io::h5::write_text(file, name, word);
+      } else {
+        const io::h5::Id set = io::h5::reserve(file, name, H5T_IEEE_F64LE, {1, 1});
+        io::h5::check(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &depth), name);
+      }
+    }
+    notes.clear();
+    io::read_bemio(path("float.h5"), {1, kDensity, kGravity, false, 20}, SecondOrder::none, files, notes);
+    return std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+      return note.find("is made for water") != std::string::npos;
+    });
+  };
+  EXPECT_FALSE(reported(20));
+  EXPECT_TRUE(reported(5));
+  EXPECT_TRUE(reported(0, "infinite"));
+}
+
 // The reference point and the weight in the stiffness come from the file; the centre of mass of the case is
 // compared with it.
 TEST_F(HydrodynamicFiles, GiveOriginAndWeightToTheBody) {

@@ -156,6 +156,34 @@ TEST_F(WamitReader, ReadsDifferenceFrequencies) {
   EXPECT_NE(refusal(SecondOrder::full).find("no row for the periods"), std::string::npos);
 }
 
+// Rows of two directions: those of equal periods are mean drift forces of both, unless a file .8 has these;
+// the forces of all pairs are those of the direction nearest to that of the sea.
+TEST_F(WamitReader, ReadsDifferenceFrequenciesOfTwoDirections) {
+  std::string text;
+  for (const int direction : {0, 30})
+    for (const char* row : {"6.2832 6.2832 {0} {0} 1 {1} 0 {1} 0\n", "6.2832 3.1416 {0} {0} 1 {1} 0 {1} 0\n",
+                            "3.1416 3.1416 {0} {0} 1 {1} 0 {1} 0\n"})
+      text += fmt::format(fmt::runtime(row), direction, direction == 0 ? 4 : 3);
+  write(".12d", text);
+  const auto is = [](Complex value, double expected) { EXPECT_NEAR(value.real(), expected, 1); };
+  for (const SecondOrder order : {SecondOrder::mean, SecondOrder::newman}) {
+    const model::HydrodynamicData d = read(order);
+    is(d.drift[0].at(2, 0)[0], 8e4);
+    is(d.drift[0].at(2, M_PI / 6)[0], 6e4);
+  }
+  EXPECT_TRUE(notes.empty() || notes[0].find("heave") != std::string::npos);
+  for (const double degrees : {0, 12, 20, 45, 360}) {
+    form.direction = degrees * M_PI / 180;
+    const bool second = degrees > 15 && degrees < 360;
+    const model::HydrodynamicData d = read(SecondOrder::full);
+    is(d.difference.at(1, 2)[0], second ? 6e4 : 8e4);
+    is(d.drift[0].at(1, form.direction)[0], second ? 6e4 : 8e4);
+    EXPECT_NE(notes.back().find(second ? "rows at 30 deg" : "rows at 0 deg"), std::string::npos);
+  }
+  write(".8", "6.2832 0 0 1 1 0 1 0\n3.1416 0 0 1 1 0 1 0\n6.2832 60 60 1 2 0 2 0\n3.1416 60 60 1 2 0 2 0\n");
+  is(read(SecondOrder::newman).drift[0].at(2, M_PI / 3)[0], 4e4);
+}
+
 TEST_F(WamitReader, RefusesWithFileAndLine) {
   write(".1", "6.28 1 1 0.6 0.1\n3.14 1 7.5 0.6 0.1\n");
   EXPECT_NE(refusal().find("body.1:2: 7.5 is no mode of motion"), std::string::npos) << refusal();

@@ -2,6 +2,7 @@
 // equilibrium under load, natural modes.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -243,6 +244,39 @@ bodies:
     EXPECT_NEAR(mode.damping_ratio, 50 * kOmega / (2 * kOmega * kMoving), 1e-8);
   }
   EXPECT_TRUE(found);
+}
+
+// Added mass of 800 kg up to 1.2 rad/s, linear to -1600 kg at 1.6 rad/s and to 0 at 2.4 rad/s, of a
+// float of 1000 kg: the mass is negative at its frequency without added mass, and its mode C = omega² (m + A)
+// is at 2.2 rad/s. A second float of its own files and the same frequency has the same mode again.
+TEST(Platforms, ModesWithNegativeAddedMass) {
+  const std::string stem = testing::TempDir() + "hawser_negative/float";
+  constexpr double kOmega = 2.2, kMoving = 1000 - 400;
+  if (rank_of(PETSC_COMM_WORLD) == 0) {
+    std::filesystem::create_directories(testing::TempDir() + "hawser_negative");
+    std::ofstream radiation(stem + ".1"), stiffness(stem + ".hst");
+    radiation << "0 3 3 0\n";
+    for (const auto& [omega, added] :
+         {std::pair(0.2, 800.0), {0.4, 800.0}, {1.2, 800.0}, {1.6, -1600.0}, {2.4, 0.0}, {2.8, 0.0}})
+      radiation << fmt::format("{:.17g} 3 3 {:.17g} 0.01\n", 2 * M_PI / omega, added / 1000);
+    stiffness << fmt::format("3 3 {:.17g}\n4 4 0.4\n5 5 0.5\n", kOmega * kOmega * kMoving / 1e4);
+  }
+  MPI_Barrier(PETSC_COMM_WORLD);
+  const std::string body =
+      fmt::format("floating: {{mass: 1000, inertia: [400, 400, 400], hydrodynamics: {{wamit: {}}}}}", stem);
+  const std::string text = fmt::format(R"(hawser: 1
+environment: {{gravity: 10, water: {{density: 1000}}}}
+bodies:
+  one: {{{0}}}
+  two: {{position: [50, 0, 0], {0}}}
+)",
+                                       body);
+  Simulation s(PETSC_COMM_WORLD, io::read_case_text(text, testing::TempDir() + "negative.yaml"));
+  s.solve_statics();
+  const std::vector<NaturalMode> modes = hawser::natural_modes(s.system(), s.state().at_rest(), 12);
+  const auto heaves = [](const NaturalMode& m) { return std::abs(m.squared - kOmega * kOmega) < 1e-6; };
+  EXPECT_EQ(std::count_if(modes.begin(), modes.end(), heaves), 2);
+  for (const NaturalMode& mode : modes) EXPECT_GT(mode.squared, -kFreeMotion);
 }
 
 }  // namespace
