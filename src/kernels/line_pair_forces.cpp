@@ -11,29 +11,22 @@ namespace hawser {
 namespace {
 
 constexpr size_t kTurns = AttachedForces::kPositions, kMaxRows = AttachedForces::kMaxRows;
-constexpr int kByX = 3 * kTurns;  // columns, by position
-// Derivatives of force (rows 0 to 2) and couple (rows 3 to 5) by a number, and by a vector.
-using ByNumber = Eigen::Matrix<double, 6, 1>;
-using ByVector = Eigen::Matrix<double, 6, 3>;
-using Gradient = Eigen::Matrix<double, 1, kByX>;
+// By the columns of AttachedForces::K.
+constexpr int kColumns = 3 * kMaxRows;
+using Gradient = Eigen::Matrix<double, 1, kColumns>;
+using RowMajor3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+using VectorGradient = Eigen::Matrix<double, 3, kColumns, Eigen::RowMajor>;
 
 // d(section_turn v) by the chord of a cable.
 Mat3 section_turn_by_chord(const PairAxis& cable, const Vec3& v) {
-  const Vec3 chord = cable.now.slope(0), t = chord.normalized(), f = cable.start.slope(0).normalized(),
-             sum = f + t;
+  const auto& [f, t] = cable.way;
+  const Vec3 sum = f + t;
   const double opening = std::max(1 + f.dot(t), kHalfRound), a = sum.dot(v),
                by_opening = opening > kHalfRound ? a / (opening * opening) : 0;
-  const Mat3 by_t = (2 * f.dot(v) - a / opening) * Mat3::Identity() - sum * v.transpose() / opening +
-                    by_opening * sum * f.transpose();
-  const double length = std::max(chord.norm(), std::numeric_limits<double>::min());
-  return by_t * ((Mat3::Identity() - t * t.transpose()) / length);
-}
-
-// Adds column times gradient to rows of m from `row`. Row by row, the storage order of m, because Eigen would
-// evaluate the product by coefficient.
-template <int n, class Matrix>
-void add_product(const Eigen::Matrix<double, n, 1>& column, const Gradient& gradient, Matrix& m, int row) {
-  for (int i = 0; i < n; ++i) m.row(row + i).template head<kByX>() += column[i] * gradient;
+  const Mat3 by_t =
+      (2 * f.dot(v) - a / opening) * Mat3::Identity() - sum * (v / opening - by_opening * f).transpose();
+  const double length = std::max(cable.now.slope_bound(), std::numeric_limits<double>::min());
+  return (by_t - by_t * t * t.transpose()) / length;
 }
 
 // Columns of a position or a rotation.
@@ -57,6 +50,7 @@ struct LinePairPass::Rows {
     by_xi[row] = along_slave;
     by_eta[row] = along_master;
   }
+  bool turn() const { return used[count - 1] >= kTurns; }
   auto begin() const { return used.begin(); }
   auto end() const { return used.begin() + static_cast<std::ptrdiff_t>(count); }
 };
@@ -82,11 +76,13 @@ LinePairPass::Rows LinePairPass::rows(const Point& p) const {
 
 // Derivatives of force and couple at a point.
 struct LinePairPass::Slopes {
-  // Also by rotations, in the order of AttachedForces::F.
-  Eigen::Matrix<double, 6, 3 * kMaxRows, Eigen::RowMajor> by_positions;
-  ByNumber by_xi, by_rate;  // by the position on the slave; by the rate of the gap
-  bool foot_moves = false;  // the nearest point moves along the master:
-  Gradient eta_by;          // d eta by the positions
+  // By the columns of K; by the position on the slave; by the rate of the gap.
+  struct Of {
+    VectorGradient by_positions = VectorGradient::Zero();
+    Vec3 by_xi, by_rate;
+  };
+  Of force, couple;
+  Gradient eta_by = Gradient::Zero();  // of the nearest point along the master, if it moves
   double eta_by_xi = 0;
 };
 
@@ -94,77 +90,87 @@ struct LinePairPass::Slopes {
 // rotations of the sections and on eta, which follows from D . y' = 0:
 //   d eta = ((dx - dy) . y' + D . dy') / (y' . y' - D . y'').
 // flatten: otherwise products of small matrices are function calls.
-[[gnu::flatten]] LinePairPass::Slopes LinePairPass::slopes(const Point& p, const Start& from,
-                                                           const LinePairForce& c, const Rows& rows) const {
+[[gnu::flatten]] void LinePairPass::find_slopes(const Point& p, const Start& from, const LinePairForce& c,
+                                                const Rows& rows, Slopes& s) const {
   using F = LinePairForce;
   const bool has_friction = set_.law.friction.active();
   const size_t na = slave_.now.count(), nb = master_.now.count();
   const double xi = p.xi, eta = p.foot.eta;
   const Vec3 &nrm = p.foot.normal, &y1 = p.along;
   const Vec3 y2 = master_.now.bend(eta);
-  const auto derivative_by = [&](int first_column) { return c.by.block<6, 3>(0, first_column); };
-  const ByVector by_moved = derivative_by(F::kMoved);
-  Slopes s;
-  s.by_rate = c.by.col(F::kRate);
+  const auto derivative_by = [&](int first_column) { return c.by.block<3, 3>(0, first_column); };
+  const Mat3 by_moved = derivative_by(F::kMoved);
+  s.force.by_rate = c.by.col(F::kRate);
   const Mat3 P = (Mat3::Identity() - nrm * nrm.transpose()) / p.foot.distance;
-  const ByVector by_away = derivative_by(F::kAway) + by_moved + s.by_rate * (P * p.velocity).transpose();
+  const RowMajor3 by_away =
+      derivative_by(F::kAway) + by_moved + s.force.by_rate * (P * p.velocity).transpose();
 
-  ByNumber by_eta = -by_away * y1 + derivative_by(F::kAlong) * y2;
-  s.by_xi = by_away * p.slope;
+  Vec3 by_eta = -by_away * y1 + derivative_by(F::kAlong) * y2, &by_xi = s.force.by_xi;
+  by_xi = by_away * p.slope;
   if (set_.moves) {
-    by_eta -= s.by_rate * nrm.dot(master_.now.velocity_slope(eta));
-    s.by_xi += s.by_rate * nrm.dot(slave_.now.velocity_slope(xi));
+    by_eta -= s.force.by_rate * nrm.dot(master_.now.velocity_slope(eta));
+    by_xi += s.force.by_rate * nrm.dot(slave_.now.velocity_slope(xi));
   }
   if (has_friction) {
     const Mat3 T = slave_lever_ * p.Ta + master_lever_ * p.Tb;
     const Vec3 x1_before = slave_.start.slope(xi), y1_before = master_.start.slope(eta);
     by_eta += by_moved * (T * y1_before - master_lever_ * ((master_.turn[1] - master_.turn[0]) * p.before));
-    s.by_xi += by_moved * (-T * x1_before - slave_lever_ * ((slave_.turn[1] - slave_.turn[0]) * p.before));
-    s.by_xi += c.by.col(F::kSlip) * from.slip_slope[0] + c.by.col(F::kSlip + 1) * from.slip_slope[1];
+    by_xi += by_moved * (-T * x1_before - slave_lever_ * ((slave_.turn[1] - slave_.turn[0]) * p.before));
+    by_xi += c.by.col(F::kSlip) * from.slip_slope[0] + c.by.col(F::kSlip + 1) * from.slip_slope[1];
     if (from.is_new) {
       by_eta += derivative_by(F::kAlongBefore) * master_.start.bend(eta) -
                 derivative_by(F::kAwayBefore) * y1_before;
-      s.by_xi += derivative_by(F::kAwayBefore) * x1_before + derivative_by(F::kSlope) * slave_.now.bend(xi) +
-                 derivative_by(F::kSlopeBefore) * slave_.start.bend(xi);
+      by_xi += derivative_by(F::kAwayBefore) * x1_before + derivative_by(F::kSlope) * slave_.now.bend(xi) +
+               derivative_by(F::kSlopeBefore) * slave_.start.bend(xi);
     }
   }
 
-  s.eta_by.setZero();
   const double curve = y1.squaredNorm() - p.foot.away.dot(y2);
-  s.foot_moves = p.foot.inside && curve > 0;
-  if (s.foot_moves) {
-    for (size_t j = 0; j < na; ++j) columns(s.eta_by, at_slave_ + j) = p.H[j] / curve * y1.transpose();
-    for (size_t k = 0; k < nb; ++k)
-      columns(s.eta_by, at_master_ + k) =
-          (-rows.by_eta[at_master_ + k] * p.foot.away - p.G[k] * y1).transpose() / curve;
-    s.eta_by_xi = p.slope.dot(y1) / curve;
+  if (p.foot.inside && curve > 0) {
+    const Vec3 by_difference = y1 / curve, by_tangent = p.foot.away / curve;
+    for (size_t m = 0; m < na + nb; ++m)
+      columns(s.eta_by, m) = (rows.factor[m] * by_difference - rows.by_eta[m] * by_tangent).transpose();
+    s.eta_by_xi = p.slope.dot(by_difference);
+  } else {
+    s.eta_by.setZero();
+    s.eta_by_xi = 0;
   }
-  s.by_xi += by_eta * s.eta_by_xi;
+  by_xi += by_eta * s.eta_by_xi;
 
-  s.by_positions.setZero();
+  VectorGradient& by = s.force.by_positions;
+  for (int i = 0; i < 3; ++i) by.row(i) = by_eta[i] * s.eta_by;
+  const RowMajor3 by_along = derivative_by(F::kAlong), by_slope = derivative_by(F::kSlope);
   for (size_t m = 0; m < na + nb; ++m) {
-    auto by_m = columns(s.by_positions, m);
-    by_m = rows.factor[m] * by_away;
-    if (has_friction && rows.by_eta[m] != 0) by_m -= rows.by_eta[m] * derivative_by(F::kAlong);
-    if (from.is_new && rows.by_xi[m] != 0) by_m += rows.by_xi[m] * derivative_by(F::kSlope);
+    columns(by, m) += rows.factor[m] * by_away;
+    if (has_friction) columns(by, m) -= rows.by_eta[m] * by_along;
+    if (from.is_new) columns(by, m) += rows.by_xi[m] * by_slope;
   }
-  if (s.foot_moves) add_product<6>(by_eta, s.eta_by, s.by_positions, 0);
-  if (!has_friction) return s;
+  if (!has_friction) return;
   for (const bool of_master : {false, true}) {
     const PairAxis& axis = of_master ? master_ : slave_;
     const size_t turn = of_master ? turn_master_ : turn_slave_, position = of_master ? at_master_ : at_slave_;
     if (axis.beam()) {
       // - w N d(old turn), with d(turn) v = dphi x (turn v)
       for (size_t i = 0; i < 2; ++i)
-        columns(s.by_positions, turn + i) = rows.factor[turn + i] * by_moved * hat(axis.turn[i] * p.before);
+        columns(by, turn + i) = rows.factor[turn + i] * by_moved * hat(axis.turn[i] * p.before);
     } else {
-      const ByVector turned =
+      const Mat3 turned =
           (of_master ? master_lever_ : slave_lever_) * by_moved * section_turn_by_chord(axis, p.before);
-      columns(s.by_positions, position) += turned;
-      columns(s.by_positions, position + 1) -= turned;
+      columns(by, position) += turned;
+      columns(by, position + 1) -= turned;
     }
   }
-  return s;
+  if (!rows.turn()) return;
+  // The couple is force x D.
+  const Mat3 by_force = -hat(p.foot.away);
+  const RowMajor3 arm = hat(c.force);
+  s.couple.by_rate = by_force * s.force.by_rate;
+  s.couple.by_xi = by_force * by_xi + arm * (p.slope - s.eta_by_xi * y1);
+  const Vec3 by_foot = arm * y1;
+  for (int i = 0; i < 3; ++i)
+    s.couple.by_positions.row(i) = by_force(i, 0) * by.row(0) + by_force(i, 1) * by.row(1) +
+                                   by_force(i, 2) * by.row(2) - by_foot[i] * s.eta_by;
+  for (size_t m = 0; m < na + nb; ++m) columns(s.couple.by_positions, m) += rows.factor[m] * arm;
 }
 
 // Moving end of a panel, and the change of the panel's forces as its Gauss points move along. With x at xi on
@@ -212,12 +218,12 @@ LinePairPass::MovingEnd LinePairPass::moving_end(double xi, End end) const {
 void LinePairPass::add_convex(const Point& p, const LinePairForce& c, const Rows& rows, double weight,
                               AttachedForces& g) const {
   const Vec3& nrm = p.foot.normal;
-  const ByVector by_moved = c.by.block<6, 3>(0, LinePairForce::kMoved);
+  const Mat3 by_moved = c.by.block<3, 3>(0, LinePairForce::kMoved);
   const size_t n = g.positions;
   for (size_t r = 0; r < n; ++r)
     for (size_t m = 0; m < n; ++m)
       block_of(g.K, r, m) -= weight * rows.factor[r] * rows.factor[m] *
-                             (c.along_normal.by_gap * nrm * nrm.transpose() + by_moved.topRows<3>());
+                             (c.along_normal.by_gap * nrm * nrm.transpose() + by_moved);
 }
 
 // The tangent includes moving ends.
@@ -225,6 +231,9 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
                        std::vector<LinePairContactPoint>* points) const {
   const bool has_friction = set_.law.friction.active(), exact = derivatives && !set_.convex;
   const double L = set_.fraction * slave_.ends.length;
+  std::optional<Slopes> slopes;
+  if (exact) slopes.emplace();
+  if (points) points->reserve(kContactPoints * panels.size());
   for (const Panel& panel : panels) {
     const double span = panel.to - panel.from;
     std::array<MovingEnd, 2> ends;
@@ -244,20 +253,22 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
       if (derivatives && !exact) add_convex(p, c, rows, w, g);
       if (!exact) continue;
 
-      const Slopes s = slopes(p, from, c, rows);
+      Slopes& s = *slopes;
+      find_slopes(p, from, c, rows, s);
       Gradient rate = Gradient::Zero();  // derivative of the gap rate by the velocities of the positions
       for (size_t m = 0; m < g.positions; ++m) columns(rate, m) = rows.factor[m] * p.foot.normal.transpose();
       for (const size_t r : rows) {
         const Vec3& v = vector(r);
-        const int first = r < kTurns ? 0 : 3, row = 3 * static_cast<int>(r);
+        const Slopes::Of& of = r < kTurns ? s.force : s.couple;
         for (int i = 0; i < 3; ++i) {
-          g.K.row(row + i) -= w * rows.factor[r] * s.by_positions.row(first + i);
-          if (set_.moves) g.C.row(row + i) -= w * rows.factor[r] * s.by_rate[first + i] * rate;
+          const Eigen::Index row = 3 * static_cast<Eigen::Index>(r) + i;
+          g.K.row(row) -= w * rows.factor[r] * of.by_positions.row(i);
+          if (rows.by_eta[r] != 0) g.K.row(row) -= w * rows.by_eta[r] * v[i] * s.eta_by;
+          if (set_.moves)
+            g.C.row(row) -= w * rows.factor[r] * of.by_rate[i] * rate.head<3 * AttachedForces::kPositions>();
         }
-        if (s.foot_moves && rows.by_eta[r] != 0) add_product<3>(-w * rows.by_eta[r] * v, s.eta_by, g.K, row);
         // The Gauss points move with the ends of the panel, which adds the derivative along xi.
-        const Vec3 along =
-            (rows.by_xi[r] + rows.by_eta[r] * s.eta_by_xi) * v + rows.factor[r] * s.by_xi.segment<3>(first);
+        const Vec3 along = (rows.by_xi[r] + rows.by_eta[r] * s.eta_by_xi) * v + rows.factor[r] * of.by_xi;
         for (const bool last : {false, true}) {
           if (!ends[last].moves) continue;
           const double by_length = at.length_by_end(last), by_xi = span * at.weight * at.xi_by_end(last);
@@ -266,8 +277,9 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
       }
     }
     for (const MovingEnd& end : ends)
-      for (int r = 0; r < static_cast<int>(kMaxRows) && end.moves; ++r)
-        add_product<3>(end.force[r], end.by_positions, g.K, 3 * r);
+      for (size_t r = 0; r < kMaxRows && end.moves; ++r)
+        for (int i = 0; i < 3; ++i)
+          g.K.row(3 * static_cast<Eigen::Index>(r) + i) += end.force[r][i] * end.by_positions;
   }
 }
 

@@ -14,6 +14,9 @@ namespace {
 constexpr double kSteep = 0.5;
 constexpr double kRoot = 1e-15;
 
+// Between straight axes panels are not finer than 2^-kStraightPanels of the element.
+constexpr int kStraightPanels = 3;
+
 // Weight of a pass against an end of the master, where another element joins it. Along a chain of elements b
 // with the joints V the potential is phi(rho) = sum_b phi(rho_b) - sum_V phi(rho_V): the closest point at a
 // joint belongs to both elements there and would count twice. Each of the two has half of the joint's term
@@ -32,8 +35,8 @@ PairAxis::PairAxis(const AxisEnds& n, const AxisEnds& s) : now(n), start(s), end
   if (n.beam) {
     for (size_t i = 0; i < 2; ++i) turn[i] = now.axes(i) * start.axes(i).transpose();
   } else {
-    const Vec3 before = (s.x2 - s.x1).normalized(), after = (n.x2 - n.x1).normalized();
-    turn[0] = turn[1] = section_turn(before, after);
+    way = {(s.x2 - s.x1).normalized(), (n.x2 - n.x1).normalized()};
+    turn[0] = turn[1] = section_turn(way[0], way[1]);
   }
 }
 
@@ -98,11 +101,14 @@ std::vector<LinePairPass::Panel> LinePairPass::panels() const {
     const AxisProjection f = projection(master_.now, target_, slave_.now.point(xi));
     return {f.distance - contact_distance(), f.normal.dot(slave_.now.slope(xi))};
   };
-  const int levels = contact_levels(slave_.ends.length, set_.slave_radius);
+  // Between straight axes the gap is convex: it has one interval and is smooth along it.
+  const bool straight = !slave_.beam() && !master_.beam();
+  const double length = slave_.ends.length, radius = set_.slave_radius;
+  const int levels = straight ? 1 : contact_levels(length, radius), fine = panel_levels(length, radius);
   std::vector<Panel> out;
   for (const ContactInterval& s :
        split_intervals(contact_intervals(gap, {slave_.now.slope_bound()}, levels, kinks(levels)),
-                       panel_levels(slave_.ends.length, set_.slave_radius))) {
+                       straight ? std::min(fine, kStraightPanels) : fine)) {
     Panel p{s.from, s.to, s.from_moves ? End::gap : End::fixed, s.to_moves ? End::gap : End::fixed};
     if (p.from < set_.range[0]) {
       p.from = set_.range[0];

@@ -43,12 +43,23 @@ void LinePairs::renumber() {
   for (Pair& p : pairs_)
     if (p.points) kept_[p.key] = std::move(p.points);
   pairs_.clear();
+  segments_.clear();
+  start_.clear();
+  std::vector<int> index(candidates_.segments().size(), -1);
+  const auto segment_of_pair = [&](int candidate) {
+    int& i = index[candidate];
+    if (i < 0) {
+      i = static_cast<int>(segments_.size());
+      segments_.push_back(candidates_.segments()[candidate]);
+    }
+    return i;
+  };
   for (const CandidatePair& c : candidates_.pairs()) {
     Pair& p = pairs_.emplace_back();
-    p.a = c.a;
-    p.b = c.b;
+    p.a = segment_of_pair(c.a);
+    p.b = segment_of_pair(c.b);
     p.counted = c.counted;
-    p.key = {segment(c.a).global, segment(c.b).global};
+    p.key = {segment(p.a).global, segment(p.b).global};
     p.law = law(p.a, p.b);
     if (const auto k = kept_.find(p.key); k != kept_.end()) p.points = std::move(k->second);
   }
@@ -57,8 +68,7 @@ void LinePairs::renumber() {
 }
 
 void LinePairs::prepare(const Kinematics& from, double) {
-  // Without pairs, no element data are needed.
-  const size_t n = pairs_.empty() ? 0 : candidates_.segments().size();
+  const size_t n = segments_.size();
   start_.resize(n);
   fed_end_.assign(n, -1);
   for (size_t i = 0; i < n && feeders_; ++i)

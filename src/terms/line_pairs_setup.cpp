@@ -81,7 +81,7 @@ AxisEnds LinePairs::ends(const Kinematics& state, int segment) const {
 
 LinePairs::Rod LinePairs::rod(const Kinematics& state, int segment) const {
   const AxisEnds e = ends(state, segment);
-  return {e.x1, e.x2, AxisShape(e).bezier().sagitta()};
+  return {e.x1, e.x2, e.beam ? AxisShape(e).bezier().sagitta() : 0};
 }
 
 // True if the element has a neighbour at this end on the same line and outside feeders.

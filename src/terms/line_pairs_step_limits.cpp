@@ -29,7 +29,7 @@ constexpr double kProposed = 0.25;
 
 Verdict LinePairs::check_step(const Kinematics& trial) const {
   if (!candidates_.covers(trial)) return {Verdict::Kind::prepare_again, advice::BeyondContactSearch{}};
-  if (start_.size() != candidates_.segments().size()) return {};  // not prepared, no comparison possible
+  if (start_.size() != segments_.size()) return {};  // not prepared, no comparison possible
   const std::vector<Rod> moved = rods(trial);
   const Pair* through = nullptr;
   double smallest_gap = HUGE_VAL;

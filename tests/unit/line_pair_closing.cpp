@@ -110,9 +110,13 @@ TEST(LinePairClosing, DerivativesOfTheLaw) {
       in[i] = at - e;
       const F m = force(false);
       in[i] = at;
+      // The couple is force x D.
+      const Vec3 away(in[F::kAway], in[F::kAway + 1], in[F::kAway + 2]),
+          by = f.by.col(i), by_away = i < F::kAlong ? Vec3(Vec3::Unit(i)) : Vec3(Vec3::Zero()),
+          couple_by = by.cross(away) + f.force.cross(by_away);
       for (int c = 0; c < 3; ++c) {
-        EXPECT_NEAR(f.by(c, i), (p.force[c] - m.force[c]) / (2 * e), 1e-5) << seed << ", " << i;
-        EXPECT_NEAR(f.by(3 + c, i), (p.couple[c] - m.couple[c]) / (2 * e), 1e-5) << seed << ", " << i;
+        EXPECT_NEAR(by[c], (p.force[c] - m.force[c]) / (2 * e), 1e-5) << seed << ", " << i;
+        EXPECT_NEAR(couple_by[c], (p.couple[c] - m.couple[c]) / (2 * e), 1e-5) << seed << ", " << i;
       }
     }
   }

@@ -27,6 +27,7 @@ struct PairAxis {
 
   AxisShape now, start;
   AxisEnds ends;             // now
+  std::array<Vec3, 2> way;   // of a cable: its direction at the start and now
   std::array<Mat3, 2> turn;  // of the sections at the nodes since the start; a cable's turn with its axis
   bool beam() const { return now.count() == 4; }
   Mat3 turn_at(double xi) const { return (1 - xi) * turn[0] + xi * turn[1]; }
@@ -109,7 +110,8 @@ class LinePairPass {
   LinePairContactPoint stored_point(const Panel& panel, const Point& p, const LinePairForce& c,
                                     double weight) const;
   Rows rows(const Point& p) const;
-  Slopes slopes(const Point& p, const Start& from, const LinePairForce& c, const Rows& rows) const;
+  void find_slopes(const Point& p, const Start& from, const LinePairForce& c, const Rows& rows,
+                   Slopes& s) const;
   MovingEnd moving_end(double xi, End end) const;
   void add_convex(const Point& p, const LinePairForce& c, const Rows& rows, double weight,
                   AttachedForces& g) const;

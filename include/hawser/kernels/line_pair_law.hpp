@@ -37,10 +37,10 @@ struct LinePairForce {
   double gap = 0;                // m
   Vec3 force = Vec3::Zero();     // N/m, on x: normal and friction; the opposite force acts on y
   Vec3 friction = Vec3::Zero();  // N/m
-  Vec3 couple = Vec3::Zero();    // N, -D x friction; acts on the sections, distributed by the radii
+  Vec3 couple = Vec3::Zero();    // N, force x D; acts on the sections, distributed by the radii
   double slip[2] = {0, 0};
   bool slides = false;
-  Eigen::Matrix<double, 6, kInputs> by;  // derivatives of force and couple; filled on request
+  Eigen::Matrix<double, 3, kInputs> by;  // derivatives of force; filled on request
 };
 
 // Trial slip: the previous slip, carried along in the frame (T, n x T) of the other line, plus the part of M

@@ -165,7 +165,7 @@ class LinePairs final : public ForceTerm,
     }
   };
 
-  const ContactSegment& segment(int i) const { return candidates_.segments()[i]; }
+  const ContactSegment& segment(int i) const { return segments_[i]; }
   int line_of_segment(int segment) const { return this->segment(segment).element.line; }
   const LinePairType& type_of_segment(int segment) const {
     return types_[this->segment(segment).element.type];
@@ -223,6 +223,7 @@ class LinePairs final : public ForceTerm,
   LineCandidates candidates_;
   bool settles_ = true;
   std::vector<Pair> pairs_;
+  std::vector<ContactSegment> segments_;                // of the pairs
   std::map<Key, std::unique_ptr<ContactPoints>> kept_;  // points by pair while the list is rebuilt
   bool listed_ = false;
   std::vector<AxisEnds> start_;    // by segment
