@@ -252,12 +252,11 @@ Key body_members() {
            number({"Ca", &BodyMember::added}, none, "transverse added mass coefficient", in_range(0, 100),
                   or_else_note("1; 0 beside `hydrodynamics`, which includes the added mass")),
            number({"axial_Cd", &BodyMember::axial_drag}, none,
-                  "axial drag coefficient, on the area of one end; half of the force acts at each end",
+                  "axial drag coefficient, on the area of one end; a partly wet member has its wet fraction",
                   in_range(0, 100), or_else("0")),
-           number(
-               {"axial_Ca", &BodyMember::axial_added}, none,
-               "axial added mass, relative to that of a hemisphere of its diameter; half of it at each end",
-               in_range(0, 100), or_else("0"))}),
+           number({"axial_Ca", &BodyMember::axial_added}, none,
+                  "axial added mass, relative to that of a hemisphere of its diameter; likewise",
+                  in_range(0, 100), or_else("0"))}),
       "straight members of circular section, with drag and added mass by Morison's equation along their "
       "wetted length ([theory](../theory/bodies-in-water.md#members))");
 }

@@ -44,8 +44,7 @@ BodiesInWater::BodiesInWater(const model::Case& c, const LocalMesh& mesh) : sea_
 }
 
 // Divides a member into pieces of half a diameter, at least 4 and at most 50. Each piece becomes wet over its
-// height in the upright body, and has its share of the transverse forces of the member; the pieces at the
-// ends have half of the axial ones each:
+// height in the upright body, and has its share of the forces of the member:
 //   rho/2 Cd D L across, rho/2 Cd pi D²/4 along;   rho Ca pi D²/4 L across, rho Ca pi D³/12 along
 void BodiesInWater::add_member(const model::Body& body, const model::BodyMember& m, Wet piece) {
   const Vec3 along = m.to - m.from;
@@ -58,16 +57,13 @@ void BodiesInWater::add_member(const model::Body& body, const model::BodyMember&
   const double added = sea_.density * m.added * area * each;
   BodyInWater& data = piece.data;
   data.height = each * rise + m.diameter * std::sqrt(std::max(1 - rise * rise, 0.0));
-  const double axial_drag = 0.5 * sea_.density * m.axial_drag * area;
-  const double axial_added = sea_.density * m.axial_added * area * m.diameter / 3;
+  data.drag = Vec3(drag, drag, 0.5 * sea_.density * m.axial_drag * area / pieces);
+  data.added = Vec3(added, added, sea_.density * m.axial_added * area * m.diameter / (3 * pieces));
   data.cross_flow = true;
   piece.axes = Quat::FromTwoVectors(Vec3::UnitZ(), along);
   for (int i = 0; i < pieces; ++i) {
     const Vec3 centre = m.from + (i + 0.5) / pieces * along - body.mass->centre;
     data.centre = data.drag_centre = piece.axes.conjugate() * centre;
-    const double end = i == 0 || i + 1 == pieces ? 0.5 : 0;
-    data.drag = Vec3(drag, drag, end * axial_drag);
-    data.added = Vec3(added, added, end * axial_added);
     list_.push_back(piece);
   }
 }
