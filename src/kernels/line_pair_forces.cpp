@@ -19,7 +19,7 @@ using VectorGradient = Eigen::Matrix<double, 3, kColumns, Eigen::RowMajor>;
 
 // d(section_turn v) by the chord of a cable.
 Mat3 section_turn_by_chord(const PairAxis& cable, const Vec3& v) {
-  const auto& [f, t] = cable.way;
+  const auto& [f, t] = cable.directions;
   const Vec3 sum = f + t;
   const double opening = std::max(1 + f.dot(t), kHalfRound), a = sum.dot(v),
                by_opening = opening > kHalfRound ? a / (opening * opening) : 0;

@@ -35,8 +35,8 @@ PairAxis::PairAxis(const AxisEnds& n, const AxisEnds& s) : now(n), start(s), end
   if (n.beam) {
     for (size_t i = 0; i < 2; ++i) turn[i] = now.axes(i) * start.axes(i).transpose();
   } else {
-    way = {(s.x2 - s.x1).normalized(), (n.x2 - n.x1).normalized()};
-    turn[0] = turn[1] = section_turn(way[0], way[1]);
+    directions = {(s.x2 - s.x1).normalized(), (n.x2 - n.x1).normalized()};
+    turn[0] = turn[1] = section_turn(directions[0], directions[1]);
   }
 }
 

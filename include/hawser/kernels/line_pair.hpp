@@ -26,8 +26,8 @@ struct PairAxis {
   PairAxis(const AxisEnds& now, const AxisEnds& start);
 
   AxisShape now, start;
-  AxisEnds ends;             // now
-  std::array<Vec3, 2> way;   // of a cable: its direction at the start and now
+  AxisEnds ends;                   // now
+  std::array<Vec3, 2> directions;  // of a cable, at the start and now
   std::array<Mat3, 2> turn;  // of the sections at the nodes since the start; a cable's turn with its axis
   bool beam() const { return now.count() == 4; }
   Mat3 turn_at(double xi) const { return (1 - xi) * turn[0] + xi * turn[1]; }
