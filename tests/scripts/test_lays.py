@@ -190,7 +190,7 @@ events:
             done = self.hawser("lay", {}, *words)
             self.assertEqual((done.returncode, len(done.stderr.splitlines())), (2, 1), done.stderr)
             self.assertIn(part, done.stderr)
-            self.assertNotIn("nan", done.stderr)
+            self.assertNotRegex(done.stderr, r"\bnan\b")
         write(self.folder, "wire.yaml", CASE.replace("pipe: {outer_diameter: 16 in, wall_thickness: 19.1 mm, grade: X60, coatings: "
                                                      "[{thickness: 40 mm, density: 3040}]}",
                                                      "outer_diameter: 0.5\n    mass_per_length: 400\n    EA: 1 GN\n    EI: 100 MN m2\n    GJ: 80 MN m2"))

@@ -372,7 +372,7 @@ output: {{every: 5, checkpoint_every: 10, history_every: 0.5, histories: [{{body
   runs::run_on_all({input, path + "/rest.h5", path + "/half.h5", 20});
   if (rank_of(PETSC_COMM_WORLD) != 0) return;
   const runs::Results whole = runs::read(path + "/whole.h5"), rest = runs::read(path + "/rest.h5");
-  ASSERT_EQ(whole.columns.at("ship"), 24u + 6 * 8);  // motion, force, seven components, remainder
+  ASSERT_EQ(whole.columns.at("ship"), 27u + 6 * 8);  // motion, force, seven components, remainder
   for (size_t c = 0; c < whole.columns.at("ship"); ++c) {
     const auto there = rest.column("ship", c), here = runs::tail(whole.column("ship", c), there);
     ASSERT_GT(there.size(), 10u);

@@ -354,7 +354,7 @@ output: {{every: 10, checkpoint_every: 20, history_every: 0.5, histories: [{{bod
   if (runs::rank_of(PETSC_COMM_WORLD) != 0) return;
   const runs::Results whole = runs::read(path + "/whole.h5"), rest = runs::read(path + "/rest.h5"),
                       one = runs::read(path + "/one.h5");
-  ASSERT_EQ(whole.columns.at("vessel"), 24u + 6 * 2);  // motion, force, thrusters, remainder
+  ASSERT_EQ(whole.columns.at("vessel"), 27u + 6 * 2);  // motion, force, thrusters, remainder
   for (size_t c = 0; c < whole.columns.at("vessel"); ++c) {
     const auto there = rest.column("vessel", c), here = runs::tail(whole.column("vessel", c), there);
     ASSERT_GT(there.size(), 10u);
