@@ -208,7 +208,7 @@ VARIANTS = (
      "wind: {rows: [[0, 0.8, 0, 0], [60, 0.4, 0.6, 0.1], [120, -0.4, 0.6, -0.1], [180, -0.8, 0, 0]], angles: to, frontal_area: 100, "
      "lateral_area: 200, length: 40, at: [0, 0, 10], height: 10}, current: {file: flow.txt, angles: to, length: 40, draught: 3, at: [0, 0, -2]}, "
      "hydrodynamics: {wamit: barge, length_scale: 10, body: 1, origin_in_file: [0, 0, 0], displaced_volume: 500, gravity_in_stiffness: false, "
-     "place: [200, 0, 0], heading_deg: 0, follow_period: 60, symmetry: none, excitation: true, second_order: newman, quadratic_damping: [1, 1, 1, 1, 1, [0, 0, 0, 0, 0, 1]], "
+     "place: [200, 0, 0], heading_deg: 0, follow_period: 60, symmetry: none, excitation: true, second_order: newman, quadratic_damping: [[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]], "
      "stiffness: [[1e3, 0, 0, 0, 0, 0], [0, 1e3, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e3]], damping: [[1e3, 0, 0, 0, 0, 0], [0, 1e3, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e3]], "
      "wave_drift_damping: {rows: [[5, 10, 20, 1e3], [10, 5, 10, 500]]}}, "
      "positioning: {place: [200, 0, 0], heading_deg: 0, proportional: [1e3, 1e3, 1e5], derivative: [1e4, 1e4, 1e6], integral: [10, 10, 1e3], "

@@ -48,16 +48,18 @@ class Hydrostatics(unittest.TestCase):
         for what, floating, shape, area, moments, volume, arm, inertia, tolerance in (
                 ("box", "mass: 576000, centre_of_mass: [0, 0, -0.6], inertia: [4e6, 2.2e7, 2.4e7]", "box: {centre: [0, 0, 0], size: [20, 8, 7.2]}",
                  160, {"roll": 20 * 8**3 / 12, "pitch": 8 * 20**3 / 12}, 576, -1.2, {"roll": 4e6, "pitch": 2.2e7}, 1e-4),
-                ("pile", f"mass: {40 * np.pi * 36e3:.17g}, centre_of_mass: [0, 0, -26], inertia: [9e8, 8e8, 8e7]",
+                ("pile", f"mass: {40 * np.pi * 36e3:.17g}, centre_of_mass: [0, 0, -26], inertia: [9e8, 9e8, 8e7]",
                  "cylinder: {from: [0, 0, -40], to: [0, 0, 10], radius: 6}", 36 * np.pi, {"roll": np.pi * 6**4 / 4, "pitch": np.pi * 6**4 / 4},
-                 1440 * np.pi, 6, {"roll": 9e8, "pitch": 8e8}, 1e-4),
+                 1440 * np.pi, 6, {"roll": 9e8, "pitch": 9e8}, 1e-4),
                 ("hemisphere", f"mass: {250e3 / 3 * np.pi:.17g}, inertia: [2.6e6, 2.6e6, 2.6e6]", "sphere: {centre: [0, 0, 0], radius: 5}",
                  25 * np.pi, {}, 250 / 3 * np.pi, -15 / 8, {}, 2e-3)):
             found = self.periods(floating, f"shape: {{{shape}}}")
             exact = {"heave": 2 * np.pi * np.sqrt(1000 * volume / (weight * area))}
             for freedom, moment in moments.items():
                 exact[freedom] = 2 * np.pi * np.sqrt(inertia[freedom] / (weight * (moment + volume * arm)))
-            off = {freedom: found[freedom] / period - 1 for freedom, period in exact.items()}
+            # Roll and pitch of the pile are two modes of one frequency about any horizontal axes, which may have one name.
+            self.assertLessEqual(len(exact.keys() - found.keys()), what == "pile", found)
+            off = {freedom: found[freedom] / period - 1 for freedom, period in exact.items() if freedom in found}
             print(f"{what}: " + ", ".join(f"{freedom} {found[freedom]:.5g} s, {error:+.1e}" for freedom, error in off.items()))
             self.assertLess(max(map(abs, off.values())), tolerance)
 
