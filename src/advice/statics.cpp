@@ -116,10 +116,8 @@ std::string no_rest(int steps, const Imbalance& at) {
 
 std::string rests_by_contact_friction() {
   return "statics found no equilibrium without friction of contact, so that lines and bodies came to rest "
-         "with it on "
-         "the path from their start ('statics: {contact_friction: true}'): their forces depend on this path, "
-         "by as "
-         "much as friction can hold";
+         "with it on the path from their start ('statics: {contact_friction: true}'): their forces depend on "
+         "this path, by as much as friction can hold";
 }
 
 std::string second_failure(const std::string& first, const std::string& second) {
@@ -131,8 +129,7 @@ std::string path_blocked(const std::string& because) { return "statics: " + beca
 std::string body_moves_on(const std::string& place, double far) {
   return fmt::format(
       "statics: {} has moved by {:.3g} m and does not come to rest: its lines, springs, supports and "
-      "friction do not "
-      "balance the loads on it",
+      "friction do not balance the loads on it",
       place, far);
 }
 

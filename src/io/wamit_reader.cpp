@@ -238,7 +238,8 @@ void read_excitation(const std::string& stem, const HydrodynamicForm& form, std:
 // directions (and, in .12d, of periods) are used. Negative modes are moments about other axes.
 bool read_drift(const std::string& stem, const char* ending, const HydrodynamicForm& form,
                 std::vector<std::string>& read, HydrodynamicData& data, std::vector<std::string>& notes) {
-  const size_t periods = ending == std::string_view(".12d") ? 2 : 1, mode_at = periods + 2;
+  const size_t periods = ending == std::string_view(".12d") ? 2 : 1;
+  const size_t mode_at = periods + 2;
   const NumberTable table = table_of(stem, ending, {mode_at + 5}, read);
   if (table.path.empty()) return false;
   WaveForceRows rows(data.bodies, form.mirrored);
@@ -292,7 +293,8 @@ bool read_difference(const std::string& stem, const HydrodynamicForm& form, std:
   const NumberTable table = table_of(stem, ".12d", {9}, read);
   if (table.path.empty()) return false;
   std::vector<double> omega;
-  double direction = 0, nearest = HUGE_VAL;
+  double direction = 0;
+  double nearest = HUGE_VAL;
   for (const NumberRow& row : table.rows) {
     for (const size_t column : {0, 1})
       if (row.values[column] > 0) omega.push_back(2 * M_PI / row.values[column]);

@@ -105,7 +105,8 @@ struct LinePairPass::Slopes {
   const RowMajor3 by_away =
       derivative_by(F::kAway) + by_moved + s.force.by_rate * (P * p.velocity).transpose();
 
-  Vec3 by_eta = -by_away * y1 + derivative_by(F::kAlong) * y2, &by_xi = s.force.by_xi;
+  Vec3 by_eta = -by_away * y1 + derivative_by(F::kAlong) * y2;
+  Vec3& by_xi = s.force.by_xi;
   by_xi = by_away * p.slope;
   if (set_.moves) {
     by_eta -= s.force.by_rate * nrm.dot(master_.now.velocity_slope(eta));
@@ -127,7 +128,8 @@ struct LinePairPass::Slopes {
 
   const double curve = y1.squaredNorm() - p.foot.away.dot(y2);
   if (p.foot.inside && curve > 0) {
-    const Vec3 by_difference = y1 / curve, by_tangent = p.foot.away / curve;
+    const Vec3 by_difference = y1 / curve;
+    const Vec3 by_tangent = p.foot.away / curve;
     for (size_t m = 0; m < na + nb; ++m)
       columns(s.eta_by, m) = (rows.factor[m] * by_difference - rows.by_eta[m] * by_tangent).transpose();
     s.eta_by_xi = p.slope.dot(by_difference);
@@ -139,7 +141,8 @@ struct LinePairPass::Slopes {
 
   VectorGradient& by = s.force.by_positions;
   for (int i = 0; i < 3; ++i) by.row(i) = by_eta[i] * s.eta_by;
-  const RowMajor3 by_along = derivative_by(F::kAlong), by_slope = derivative_by(F::kSlope);
+  const RowMajor3 by_along = derivative_by(F::kAlong);
+  const RowMajor3 by_slope = derivative_by(F::kSlope);
   for (size_t m = 0; m < na + nb; ++m) {
     columns(by, m) += rows.factor[m] * by_away;
     if (has_friction) columns(by, m) -= rows.by_eta[m] * by_along;

@@ -52,7 +52,8 @@ Friction<S> isotropic(const LinePairLaw& law, const Vector3<S>& slip, const S& f
 void add_friction(const LinePairLaw& law, const LinePairPoint& at, double d, const Vec3& n, bool derivatives,
                   Force& r) {
   const Mat3 P = Mat3::Identity() - n * n.transpose();
-  Vec3 along = at.along, b = P * along;
+  Vec3 along = at.along;
+  Vec3 b = P * along;
   const bool beyond =
       !(b.squaredNorm() > 1e-12 * along.squaredNorm());  // an end, on the axis of the other line
   if (beyond) {
@@ -61,7 +62,8 @@ void add_friction(const LinePairLaw& law, const LinePairPoint& at, double d, con
   }
   const double across = b.norm();
   b /= across;
-  const Vec3 l = n.cross(b), slid = P * at.moved;
+  const Vec3 l = n.cross(b);
+  const Vec3 slid = P * at.moved;
   const double part = at.is_new ? part_in_contact<double>(law, {at.away, at.away_before, at.slope,
                                                                 at.slope_before, at.along, at.along_before})
                                 : 1;

@@ -103,8 +103,10 @@ std::vector<LinePairPass::Panel> LinePairPass::panels() const {
   };
   // Between straight axes the gap is convex: it has one interval and is smooth along it.
   const bool straight = !slave_.beam() && !master_.beam();
-  const double length = slave_.ends.length, radius = set_.slave_radius;
-  const int levels = straight ? 1 : contact_levels(length, radius), fine = panel_levels(length, radius);
+  const double length = slave_.ends.length;
+  const double radius = set_.slave_radius;
+  const int levels = straight ? 1 : contact_levels(length, radius);
+  const int fine = panel_levels(length, radius);
   std::vector<Panel> out;
   for (const ContactInterval& s :
        split_intervals(contact_intervals(gap, {slave_.now.slope_bound()}, levels, kinks(levels)),

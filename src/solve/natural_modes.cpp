@@ -232,7 +232,8 @@ size_t complete(Mat K, Mat M, const std::vector<Eigenpair>& modes, size_t count,
 // The `count` lowest modes and those of the same frequency as the last; fewer if no more are found. The
 // inertia counts eigenvalues of symmetric matrices only.
 std::vector<Eigenpair> lowest_modes(const System& system, Mat K, Mat M, size_t count, bool is_symmetric) {
-  const long wanted = static_cast<long>(count), free = free_components(system);
+  const long wanted = static_cast<long>(count);
+  const long free = free_components(system);
   const int below = is_symmetric ? eigenvalues_below(K, M, kTarget) : -1;
   // A Krylov space contains the directions of a repeated eigenvalue (of equal lines) only by rounding, so
   // some may be missing at first.
@@ -267,7 +268,11 @@ void settle(System& system, const Kinematics& state, Mat K, const std::vector<De
   const VecHandle work = system.create_vector();
   const size_t first = first_oscillating(modes);
   for (size_t k = first; k < modes.size();) {
-    double low = 0, high = HUGE_VAL, s = modes[k].squared, before = 0, change_before = 0;
+    double low = 0;
+    double high = HUGE_VAL;
+    double s = modes[k].squared;
+    double before = 0;
+    double change_before = 0;
     for (int i = 0;; ++i) {
       if (i == kMaxIterations) throw SolveError(advice::modes_incomplete());
       oscillate(std::sqrt(s));

@@ -50,7 +50,8 @@ StaticsReport StaticSearch::run(bool skip_softening) {
   if (!skip_softening) stiffen_by_levels();
   State last_equilibrium;  // the equilibrium that was left last
   double push = 0;         // m, distance from it at which relaxation began
-  int pushes_of_lines = 0, pushes_of_bodies = 0;
+  int pushes_of_lines = 0;
+  int pushes_of_bodies = 0;
   for (;;) {
     descend(settings_.tolerance);
     const Stability found = judge();
@@ -121,7 +122,8 @@ bool StaticSearch::leave_along(Vec motion, const State& start) {
 double StaticSearch::sign_towards(const State& start, Vec motion) {
   system_.gather_with_ghosts(motion, local_);
   const LocalMesh& mesh = system_.mesh();
-  double along = 0, square = 0;
+  double along = 0;
+  double square = 0;
   for (int n = 0; n < mesh.owned; ++n) {
     if (mesh.node(n).body < 0) continue;
     const double* u = local_.data() + 3 * mesh.block[n];
@@ -144,7 +146,8 @@ void StaticSearch::push_along() {
     return slope_at_trial() < 0;
   };
   const double longest = 1 / relative_size();
-  double under = 0, beyond = longest / kPartsOfPush;
+  double under = 0;
+  double beyond = longest / kPartsOfPush;
   while (under < longest && forces_drive(beyond)) {
     under = beyond;
     beyond += longest / kPartsOfPush;

@@ -99,27 +99,13 @@ bodies:
 // for k > M²/(4 C) = 2.5e4 N m/rad only. Modes are judged likewise. Slack chains, on one rank or two, change
 // none of this.
 TEST(BodyLoads, MomentAboutAFixedAxisIsStable) {
-  const std::string stem =
-      platform_rig::coefficients("hawser_body_loads/barge", "3 3 100\n4 4 1000\n5 5 1000\n");
   struct Found {
     StaticsReport report;
     std::vector<NaturalMode> modes;
   };
   const auto found = [&](double k, bool chains) {
-    std::string text = fmt::format(R"(hawser: 1
-environment: {{gravity: 10, water: {{density: 1000, depth: 100}}}}
-bodies:
-  barge:
-    floating:
-      mass: 1e6
-      inertia: [1e7, 1e7, 1e7]
-      hydrodynamics:
-        wamit: {}
-        place: [0, 0, 0]
-        stiffness: [[1e3, 0, 0, 0, 0, 0], [0, 1e3, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, {}]]
-      loads: [{{moment: [1e6, 0, 0]}}]
-)",
-                                   stem, k);
+    std::string text =
+        platform_rig::barge("hawser_body_loads/barge", 1e3, k) + "      loads: [{moment: [1e6, 0, 0]}]\n";
     if (chains)
       text += R"(
 line_types:

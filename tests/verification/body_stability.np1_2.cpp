@@ -94,23 +94,9 @@ TEST(BodyStability, StableBoxStays) {
 
 // Surge with a negative stiffness has no other equilibrium: the present one is kept and reported as unstable.
 TEST(BodyStability, MotionThatNothingStopsIsReported) {
-  const std::string stem =
-      platform_rig::coefficients("hawser_body_stability/barge", "3 3 100\n4 4 1000\n5 5 1000\n");
-  Simulation s(PETSC_COMM_WORLD, io::read_case_text(fmt::format(R"(hawser: 1
-environment: {{gravity: 10, water: {{density: 1000, depth: 100}}}}
-bodies:
-  barge:
-    floating:
-      mass: 1e6
-      inertia: [1e7, 1e7, 1e7]
-      hydrodynamics:
-        wamit: {}
-        place: [0, 0, 0]
-        stiffness: [[-1e3, 0, 0, 0, 0, 0], [0, 1e3, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e5]]
-statics: {{max_iterations: 50}}
-)",
-                                                                stem),
-                                                    testing::TempDir() + "barge.yaml"));
+  const std::string text =
+      platform_rig::barge("hawser_body_stability/barge", -1e3, 1e5) + "statics: {max_iterations: 50}\n";
+  Simulation s(PETSC_COMM_WORLD, io::read_case_text(text, testing::TempDir() + "barge.yaml"));
   const StaticsReport report = s.solve_statics();
   EXPECT_EQ(report.negative_eigenvalues, 1);
   EXPECT_EQ(report.escapes, 0);

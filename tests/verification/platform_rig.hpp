@@ -1,6 +1,8 @@
 // Runs of floating bodies and files of coefficients for them.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -47,6 +49,24 @@ inline std::string coefficients(const std::string& name, const std::string& stif
   }
   MPI_Barrier(PETSC_COMM_WORLD);
   return stem;
+}
+
+// Case of such a barge, with springs of the stiffness `surge` [N/m] and `yaw` [N m/rad] and of 1e3 N/m in
+// sway. More keys of `floating` may follow.
+inline std::string barge(const std::string& name, double surge, double yaw) {
+  return fmt::format(R"(hawser: 1
+environment: {{gravity: 10, water: {{density: 1000, depth: 100}}}}
+bodies:
+  barge:
+    floating:
+      mass: 1e6
+      inertia: [1e7, 1e7, 1e7]
+      hydrodynamics:
+        wamit: {}
+        place: [0, 0, 0]
+        stiffness: [[{}, 0, 0, 0, 0, 0], [0, 1e3, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, {}]]
+)",
+                     coefficients(name, "3 3 100\n4 4 1000\n5 5 1000\n"), surge, yaw);
 }
 
 }  // namespace hawser::test::platform_rig
