@@ -42,13 +42,18 @@ wide::Mat block_at(const Matrix& m, size_t row, size_t column) {
 AttachedForces::AttachedForces(int n, bool couples, bool derivatives)
     : positions(static_cast<size_t>(n)), rotates(couples) {
   F.fill(Vec3::Zero());
-  if (derivatives) {
+  if (!derivatives) return;
+  if (couples) {
     K.setZero();
     C.setZero();
+  } else {
+    K.topLeftCorner(3 * n, 3 * n).setZero();
+    C.topLeftCorner(3 * n, 3 * n).setZero();
   }
 }
 
-void Stencil::to_blocks(const AttachedForces& g, bool turning, double* f, double* K, double* C) const {
+void Stencil::to_blocks(const AttachedForces& g, bool turning, BlockVector& f, BlockMatrix* K,
+                        BlockMatrix* C) const {
   std::array<StencilPoint, AttachedForces::kMaxRows> rows;
   size_t count = 0;
   for (size_t i = 0; i < g.positions; ++i) {
@@ -67,17 +72,16 @@ void Stencil::to_blocks(const AttachedForces& g, bool turning, double* f, double
     r.attached = &turns[i];
     r.add_turning(turns[i].rotation, turns[i].point.R, Mat3::Zero());
   }
-  const int m = 3 * blocks;
-  const auto put = [m](double* to, int i, int j, const wide::Mat& b) {
+  const auto put = [](BlockMatrix& to, int i, int j, const wide::Mat& b) {
     for (int r = 0; r < 3; ++r)
-      for (int c = 0; c < 3; ++c) to[(3 * i + r) * m + 3 * j + c] += b.r[r][c];
+      for (int c = 0; c < 3; ++c) to(3 * i + r, 3 * j + c) += b.r[r][c];
   };
   for (size_t i = 0; i < count; ++i)
     for (const Part& p : rows[i]) {
       const StencilPoint& row = rows[i];
       const Vec3& F = g.F[row.index];
       const Vec3 on_block = p.turns ? wide::vec(wide::left(wide::load(F), p.E)) : F;
-      for (int r = 0; r < 3; ++r) f[3 * p.block + r] += on_block[r];
+      f.segment<3>(3 * p.block) += on_block;
       if (!K) continue;
       for (size_t j = 0; j < count; ++j)
         for (const Part& q : rows[j]) {
@@ -91,15 +95,15 @@ void Stencil::to_blocks(const AttachedForces& g, bool turning, double* f, double
               c = c * q.E;
             }
             if (p.turns) c = wide::transposed_times(p.E, c);
-            put(C, p.block, q.block, c);
+            put(*C, p.block, q.block, c);
           }
           if (p.turns) k = wide::transposed_times(p.E, k);
-          put(K, p.block, q.block, k);
+          put(*K, p.block, q.block, k);
         }
       if (!p.turns || !turning) continue;
       // Arm and couple, in material axes, rotate with the node.
       const FramePoint& point = row.attached->point;
-      put(K, p.block, p.block,
+      put(*K, p.block, p.block,
           wide::load(row.couple ? Mat3(hat(point.R.transpose() * F)) : point.moment_by_turn(F)));
     }
 }

@@ -52,11 +52,19 @@ ElementErrors::ElementErrors(MPI_Comm comm, const model::Case& c, const LocalMes
 
 const model::LineType& ElementErrors::type(const Element& e) const { return case_.line_types[e.type]; }
 
+double ElementErrors::arc(const LineSpan& line, int node) const {
+  return mesh_.mesh->node(line.first_node + node).arc;
+}
+
 ElementErrors::At ElementErrors::node(size_t n, const Kinematics& state, const Values& values) const {
   const auto value = [n](std::span<const double> field) { return field.empty() ? 0 : field[n]; };
   const double moment = value(values.moment);
-  return {state.x[n], value(values.tension), std::isnan(moment) ? 0 : std::abs(moment), value(values.pressed),
-          values.supported[n]};
+  return {state.x[n],
+          value(values.tension),
+          std::isnan(moment) ? 0 : std::abs(moment),
+          value(values.pressed),
+          values.supported[n],
+          mesh_.node(n).two_sided};
 }
 
 void ElementErrors::declare(Declarations& to) {
@@ -96,14 +104,17 @@ std::vector<Warning> ElementErrors::warnings(const std::vector<io::SummaryRow>& 
 
 void ElementErrors::update(const Kinematics& state, const Values& values) {
   const auto inside = feeders_ ? feeders_->inside() : std::vector<std::array<int, 2>>();
+  std::vector<Element> elements;
   const auto update_line = [&](int l, const At* nodes_of_line) {
     const LineSpan& line = mesh_.mesh->lines[l];
+    elements.clear();
+    for (int e = 0; e < line.elements; ++e) elements.push_back(mesh_.mesh->element(line.first_element + e));
     const std::span<const At> nodes(nodes_of_line, static_cast<size_t>(line.nodes));
     const auto [at_a, at_b] = inside.empty() ? std::array<int, 2>{} : inside[l];
-    const int first = at_a, last = line.elements - at_b;  // elements outside of feeders
-    update_sag(line, nodes, first, last, state.time, lines_[l].sag);
-    if (!state.ends_step()) update_lifts(line, nodes, first, last, state.time, lines_[l].lift);
-    if (!values.moment.empty()) update_bends(line, nodes, first, last, state.time, lines_[l].bend);
+    const InState s{line, nodes, elements, at_a, line.elements - at_b, state.time};
+    update_sag(s, lines_[l].sag);
+    if (!state.ends_step()) update_lifts(s, lines_[l].lift);
+    if (!values.moment.empty()) update_bends(s, lines_[l].bend);
   };
   std::vector<At> nodes;
   for (const int l : uncut_) {
@@ -134,14 +145,12 @@ void ElementErrors::update(const Kinematics& state, const Values& values) {
 
 // The curve within a straight element is longer by theta²/24 of its length, with theta the turn across the
 // element. The line has this additional slack; its effect on the tension follows from the shape.
-void ElementErrors::update_sag(const LineSpan& line, std::span<const At> nodes, int first, int last,
-                               double time, Worst& worst) const {
+void ElementErrors::update_sag(const InState& s, Worst& worst) const {
+  const auto& [line, nodes, elements, first, last, time] = s;
   const auto chord = [&](int i) { return Vec3((nodes[i + 1].x - nodes[i].x).normalized()); };
-  const auto element = [&](int i) { return mesh_.mesh->element(line.first_element + i); };
   // Turn at a node caused by the loads of the line alone; -1: other loads act.
   const auto turn = [&](int n) {
-    const bool plain =
-        n > first && n < last && !nodes[n].supported && !mesh_.mesh->node(line.first_node + n).two_sided;
+    const bool plain = n > first && n < last && !nodes[n].supported && !nodes[n].two_sided;
     return plain ? angle_between(chord(n - 1), chord(n)) : -1;
   };
   double extension = 0, compliance = 0, largest = 0, tension = HUGE_VAL;
@@ -150,11 +159,11 @@ void ElementErrors::update_sag(const LineSpan& line, std::span<const At> nodes, 
     int end = i;  // end of the hanging part
     Vec3 chord_sum = Vec3::Zero();
     const auto hangs = [&](int e) { return !nodes[e].supported || !nodes[e + 1].supported; };
-    for (; end < last && hangs(end); ++end) chord_sum += element(end).length * chord(end);
+    for (; end < last && hangs(end); ++end) chord_sum += elements[end].length * chord(end);
     double length = 0;
-    for (int k = i; k < end; ++k) length += element(k).length;
+    for (int k = i; k < end; ++k) length += elements[k].length;
     for (int k = i; k < std::max(end, i + 1); ++k) {
-      const Element& e = element(k);
+      const Element& e = elements[k];
       const double pull = 0.5 * (nodes[k].tension + nodes[k + 1].tension);
       compliance += e.length * std::max(pull, 0.0) / type(e).EA;
       if (end == i) continue;  // on the bed
@@ -166,7 +175,7 @@ void ElementErrors::update_sag(const LineSpan& line, std::span<const At> nodes, 
       extension += more;
       if (more <= largest) continue;
       largest = more;
-      candidate = {0, mesh_.mesh->node(e.first).arc + 0.5 * e.length, time, theta, e.length};
+      candidate = {0, arc(line, k) + 0.5 * e.length, time, theta, e.length};
     }
     i = std::max(end, i + 1);
   }
@@ -178,18 +187,18 @@ void ElementErrors::update_sag(const LineSpan& line, std::span<const At> nodes, 
 // Above the liftoff point the static tension of a cable grows by its submerged weight times the height. An
 // element with one end on the bed assigns half its weight to each end, wherever the line leaves the bed
 // between them; two elements further on the tension has the whole error.
-void ElementErrors::update_lifts(const LineSpan& line, std::span<const At> nodes, int first, int last,
-                                 double time, Worst& worst) const {
+void ElementErrors::update_lifts(const InState& s, Worst& worst) const {
+  const auto& [line, nodes, elements, first, last, time] = s;
   if (!case_.lines[&line - mesh_.mesh->lines.data()].loads.empty()) return;
   for (int n = first; n <= last; ++n) {
     if (!nodes[n].supported || nodes[n].pressed > 0) continue;  // friction of a volume changes the tension
     for (const int side : {-1, 1}) {
       if (n + 2 * side < first || n + 2 * side > last) continue;
       if (nodes[n + side].supported || nodes[n + 2 * side].supported) continue;
-      const int i = line.first_element + (side > 0 ? n : n - 1);
-      const Element &next = mesh_.mesh->element(i), &after = mesh_.mesh->element(i + side);
+      const int i = side > 0 ? n : n - 1;
+      const Element &next = elements[i], &after = elements[i + side];
       if (next.beam || after.beam || next.type != after.type) continue;
-      if (mesh_.mesh->node(line.first_node + n + side).two_sided) continue;
+      if (nodes[n + side].two_sided) continue;
       const double weight =
           case_.environment.gravity * advice::mass_in_water(case_, type(next), nodes[n].x.z());
       // Nodal tension is the mean of the adjacent elements. The tension of the hanging elements follows from
@@ -199,36 +208,31 @@ void ElementErrors::update_lifts(const LineSpan& line, std::span<const At> nodes
       const double leaving = 2 * low.tension - hanging, lying = std::max(2 * lies.tension - leaving, 0.0);
       const double error = std::abs(high.tension - lying - weight * (high.x.z() - lies.x.z()));
       if (error > worst.error)
-        worst = {.error = error,
-                 .arc = mesh_.mesh->node(line.first_node + n).arc,
-                 .time = time,
-                 .length = next.length,
-                 .weight = weight};
+        worst = {.error = error, .arc = arc(line, n), .time = time, .length = next.length, .weight = weight};
     }
   }
 }
 
 // At a support, clamp or attachment the moment of a beam under tension has a peak that decays like
 // exp(-s/decay), decay = sqrt(EI/T), to both sides. In a smooth bend there is no peak.
-void ElementErrors::update_bends(const LineSpan& line, std::span<const At> nodes, int first, int last,
-                                 double time, Worst& worst) const {
+void ElementErrors::update_bends(const InState& s, Worst& worst) const {
+  const auto& [line, nodes, elements, first, last, time] = s;
   for (int n = first; n <= last; ++n) {
     const At& values = nodes[n];
     if (values.moment <= worst.error || !(values.tension > 0)) continue;
-    const Node& node = mesh_.mesh->node(line.first_node + n);
-    const bool at_end = n == first || n == last || node.two_sided;
+    const bool at_end = n == first || n == last || values.two_sided;
     Worst smallest{.error = HUGE_VAL};  // over both sides
     for (const int side : {-1, 1}) {
       const int i = side < 0 ? n - 1 : n;
       if (i < first || i >= last) continue;
-      const Element& e = mesh_.mesh->element(line.first_element + i);
+      const Element& e = elements[i];
       const double decay = std::sqrt(std::max(type(e).EI2, type(e).EI3) / values.tension),
                    x = e.length / decay;
       const bool falls = e.beam && nodes[n + side].moment < values.moment * std::exp(-0.5 * std::min(x, 1.0));
       const double error = falls ? values.moment * (at_end ? wrong_at_end(x) : wrong_inside(x)) : 0;
       if (error < smallest.error)
         smallest = {error,
-                    node.arc,
+                    arc(line, n),
                     time,
                     0,
                     e.length,

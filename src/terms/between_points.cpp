@@ -45,22 +45,26 @@ void add_pair_force(Assembler& assembler, const AttachedNow& a, const AttachedNo
     stencil.add({place, number(side->turn), side->point});
   }
   if (stencil.blocks == 0) return;
-  AttachedForces g(2);
+  const bool tangent = assembler.needs_tangent();
+  AttachedForces g(2, false, tangent);
   for (const int i : {0, 1}) {
     g.F[i] = f.segment<3>(3 * i);
+    if (!tangent) continue;
     for (const int j : {0, 1}) {
       block_of(g.K, i, j) = k.block<3, 3>(3 * i, 3 * j);
       block_of(g.C, i, j) = c.block<3, 3>(3 * i, 3 * j);
     }
   }
   const int m = 3 * stencil.blocks;
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 12, 12>;
-  Matrix K = Matrix::Zero(m, m), C = K;
-  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 12, 1> force(m);
-  force.setZero();
-  stencil.to_blocks(g, !assembler.convex(), force.data(), K.data(), C.data());
+  BlockVector force = BlockVector::Zero(m);
+  BlockMatrix K, C;
+  if (tangent) {
+    K.setZero(m, m);
+    C.setZero(m, m);
+  }
+  stencil.to_blocks(g, !assembler.convex(), force, tangent ? &K : nullptr, tangent ? &C : nullptr);
   for (const size_t i : {0, 1})
-    if (const AttachedPosition& p = stencil.attached[i]; assembler.convex() && p.rotation >= 0)
+    if (const AttachedPosition& p = stencil.attached[i]; tangent && assembler.convex() && p.rotation >= 0)
       K.block<3, 3>(3 * p.rotation, 3 * p.rotation) += p.point.convex_moment_by_turn(g.F[i]);
   assembler.add({blocks.data(), static_cast<size_t>(stencil.blocks)}, force, K, C);
 }

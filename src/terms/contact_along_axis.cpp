@@ -222,7 +222,7 @@ void AxisContact::add_rolling(const Sample& p, const Mat3& by_point) {
 }
 
 // The roll axis does not turn with the node like a material vector; by_turn_turn is its derivative.
-void AxisContact::to_blocks(const Stencil& stencil, double* f, double* K, double* C) {
+void AxisContact::to_blocks(const Stencil& stencil, BlockVector& f, BlockMatrix* K, BlockMatrix* C) {
   for (size_t i = 0; i < 2 && rolls_ && K && !mode_.convex; ++i) {
     const AxisRoll& roll = rolls_->ends[i];
     const Mat3 turned = torque_[i] * (roll.by_turn_turn - hat(roll.by_turn));

@@ -177,8 +177,7 @@ void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
     const bool damped = tangent && trial.moves() && pair.law.normal.damping > 0;
     if (tangent) K.setZero(size, size);
     if (damped) C.setZero(size, size);
-    stencil.to_blocks(g, !assembler.convex(), f.data(), tangent ? K.data() : nullptr,
-                      damped ? C.data() : nullptr);
+    stencil.to_blocks(g, !assembler.convex(), f, tangent ? &K : nullptr, damped ? &C : nullptr);
     int blocks[8], n = 0;
     for (const bool second : {false, true}) {
       const ContactSegment& s = segment(second ? pair.b : pair.a);

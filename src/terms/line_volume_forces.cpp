@@ -73,7 +73,7 @@ void LineVolumeContact::evaluate(const Kinematics& trial, Assembler& assembler) 
       C.setZero(size, size);
     }
     contact(pair, near.shape, {moves, tangent, assembler.convex()})
-        .to_blocks(stencil, f.data(), tangent ? K.data() : nullptr, tangent ? C.data() : nullptr);
+        .to_blocks(stencil, f, tangent ? &K : nullptr, tangent ? &C : nullptr);
     const LocalElement& e = local(pair);
     const int a = mesh_.block[e.first], b = mesh_.block[e.second];
     const int blocks[4] = {a, beam ? a + 1 : b, b, b + 1};

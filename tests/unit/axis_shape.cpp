@@ -32,7 +32,7 @@ AxisEnds random_ends(unsigned seed) {
 }
 
 // An artificial smooth force field on three points of the axis: force = A sin(x) + B v.
-Vec12 force(const AxisEnds& e, Mat12* K = nullptr, Mat12* C = nullptr) {
+Vec12 force(const AxisEnds& e, BlockMatrix* K = nullptr, BlockMatrix* C = nullptr) {
   const Mat3 A = (Mat3() << 3, 1, -2, 0, 2, 1, 4, -1, 5).finished(),
              B = (Mat3() << 1, 2, 0, -1, 3, 1, 0, 1, 2).finished();
   const AxisShape shape(e);
@@ -49,14 +49,14 @@ Vec12 force(const AxisEnds& e, Mat12* K = nullptr, Mat12* C = nullptr) {
       }
     }
   }
-  Vec12 f = Vec12::Zero();
+  BlockVector f = BlockVector::Zero(12);
   if (K) {
-    K->setZero();
-    C->setZero();
+    K->setZero(12, 12);
+    C->setZero(12, 12);
   }
   Stencil stencil;
   shape.attach(stencil);
-  stencil.to_blocks(g, true, f.data(), K ? K->data() : nullptr, C ? C->data() : nullptr);
+  stencil.to_blocks(g, true, f, K, C);
   return f;
 }
 
@@ -64,7 +64,8 @@ Vec12 force(const AxisEnds& e, Mat12* K = nullptr, Mat12* C = nullptr) {
 
 TEST(AxisShape, TangentsAtTheNodesAreDerivatives) {
   const AxisEnds e = random_ends(3);
-  Mat12 K, C, Kd, Cd;
+  BlockMatrix K, C;
+  Mat12 Kd, Cd;
   force(e, &K, &C);
   const double h = 1e-5;
   for (int j = 0; j < 12; ++j) {

@@ -199,15 +199,17 @@ struct Rig {
       const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
       AttachedForces g = no_forces(slave, master, settings.law.friction.active());
       s.add(s.panels(), K, g);
-      std::vector<double> ff(static_cast<size_t>(n), 0), kk(static_cast<size_t>(n * n), 0), cc = kk;
-      stencil_of(slave, master).to_blocks(g, true, ff.data(), kk.data(), cc.data());
+      BlockVector ff = BlockVector::Zero(n);
+      BlockMatrix kk = BlockMatrix::Zero(n, n);
+      BlockMatrix cc = kk;
+      stencil_of(slave, master).to_blocks(g, true, ff, &kk, &cc);
       const int ns = swapped ? n - na : na;
       const auto index = [&](int i) { return !swapped ? i : i < ns ? i + na : i - ns; };
       for (int i = 0; i < n; ++i) {
-        f[static_cast<size_t>(index(i))] += ff[static_cast<size_t>(i)];
+        f[static_cast<size_t>(index(i))] += ff[i];
         for (int j = 0; K && j < n; ++j) {
-          (*K)[static_cast<size_t>(index(i) * n + index(j))] += kk[static_cast<size_t>(i * n + j)];
-          (*C)[static_cast<size_t>(index(i) * n + index(j))] += cc[static_cast<size_t>(i * n + j)];
+          (*K)[static_cast<size_t>(index(i) * n + index(j))] += kk(i, j);
+          (*C)[static_cast<size_t>(index(i) * n + index(j))] += cc(i, j);
         }
       }
     });

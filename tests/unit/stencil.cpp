@@ -9,7 +9,6 @@ namespace hawser::stencil_test {
 namespace {
 
 using Vec6 = Eigen::Matrix<double, 6, 1>;
-using Mat6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 
 const std::array<Vec3, 2> kArms{Vec3(0.4, -0.2, 0.3), Vec3(-0.1, 0.5, 0.2)};
 const Mat3 kField = (Mat3() << 3, 1, -2, 0, 2, 1, 4, -1, 5).finished(),
@@ -17,7 +16,8 @@ const Mat3 kField = (Mat3() << 3, 1, -2, 0, 2, 1, 4, -1, 5).finished(),
 
 // Two points of a body, each in an artificial force field: force = A sin(X) + B X', and a couple A cos(X_0)
 // on the body.
-Vec6 force(const Vec6& u, const Vec6& rate, Mat6* K = nullptr, Mat6* C = nullptr, bool turning = true) {
+Vec6 force(const Vec6& u, const Vec6& rate, BlockMatrix* K = nullptr, BlockMatrix* C = nullptr,
+           bool turning = true) {
   const Vec3 x = Vec3(0.3, -0.2, 0.5) + u.head<3>(), v = Vec3(0.4, 0.1, -0.3) + rate.head<3>(),
              w = Vec3(0.5, -0.6, 0.8) + rate.tail<3>();
   const Mat3 R = (exp_so3(Vec3(0.7, -1.1, 0.9)) * exp_so3(u.tail<3>())).toRotationMatrix();
@@ -35,17 +35,17 @@ Vec6 force(const Vec6& u, const Vec6& rate, Mat6* K = nullptr, Mat6* C = nullptr
     block_of(g.K, AttachedForces::kPositions, i) = -kField * X.array().sin().matrix().asDiagonal();
   }
   s.turns[0] = {-1, 1, {.R = R}};
-  Vec6 f = Vec6::Zero();
+  BlockVector f = BlockVector::Zero(6);
   if (K) {
-    K->setZero();
-    C->setZero();
+    K->setZero(6, 6);
+    C->setZero(6, 6);
   }
-  s.to_blocks(g, turning, f.data(), K ? K->data() : nullptr, C ? C->data() : nullptr);
+  s.to_blocks(g, turning, f, K, C);
   return f;
 }
 
 TEST(Stencil, TangentsAreDerivatives) {
-  Mat6 K, C;
+  BlockMatrix K, C;
   const Vec6 zero = Vec6::Zero();
   force(zero, zero, &K, &C);
   const double h = 1e-5;
@@ -59,7 +59,7 @@ TEST(Stencil, TangentsAreDerivatives) {
 // The forces have moments about the origin of the body. Without rotation only the columns of rotations
 // differ.
 TEST(Stencil, MomentsAreThoseOfTheArms) {
-  Mat6 K, without, C;
+  BlockMatrix K, without, C;
   const Vec6 zero = Vec6::Zero();
   const Vec6 f = force(zero, zero, &K, &C);
   EXPECT_EQ(f, force(zero, zero, &without, &C, false));

@@ -9,6 +9,10 @@
 
 namespace hawser {
 
+// Force on up to eight blocks (3n) and its derivatives (3n x 3n), with fixed-capacity storage.
+using BlockVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 24, 1>;
+using BlockMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 24, 24>;
+
 struct AttachedPosition {
   int position = -1, rotation = -1;  // blocks of the stencil; -1: none
   FramePoint point;
@@ -32,7 +36,7 @@ struct AttachedForces {
   Eigen::Matrix<double, 3 * kMaxRows, 3 * kMaxRows, Eigen::RowMajor> K;
   Eigen::Matrix<double, 3 * kMaxRows, 3 * kPositions, Eigen::RowMajor> C;
 
-  // Zero; without derivatives K and C are not initialised.
+  // Zero; without derivatives K and C are not initialised, and without couples only the positions of K and C.
   explicit AttachedForces(int positions, bool rotates = false, bool derivatives = true);
 };
 
@@ -44,9 +48,9 @@ struct Stencil {
   std::array<AttachedPosition, AttachedForces::kTurns> turns;  // rotation and its R; none for a cable
 
   void add(const AttachedPosition& p) { attached[positions++] = p; }
-  // Adds to f[3n], K and C (3n)x(3n), row-major, n = blocks; K and C may both be null, or C alone if g.C is
-  // zero. turning: include in K the rotation of the arms with their nodes, which may be negative stiffness.
-  void to_blocks(const AttachedForces& g, bool turning, double* f, double* K, double* C) const;
+  // Adds to f (3n), K and C (3n x 3n), n = blocks; K and C may both be null, or C alone if g.C is zero.
+  // turning: include in K the rotation of the arms with their nodes, which may be negative stiffness.
+  void to_blocks(const AttachedForces& g, bool turning, BlockVector& f, BlockMatrix* K, BlockMatrix* C) const;
 };
 
 }  // namespace hawser

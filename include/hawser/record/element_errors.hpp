@@ -52,15 +52,21 @@ class ElementErrors : public Recording {
     Vec3 x = Vec3::Zero();
     double tension = 0, moment = 0, pressed = 0;
     bool supported = false;
+    bool two_sided = false;  // Node::two_sided
+  };
+  struct InState {  // line in a state
+    const LineSpan& line;
+    std::span<const At> nodes;
+    std::span<const Element> elements;
+    int first, last;  // nodes at the ends of what is outside of feeders
+    double time;      // s
   };
   At node(size_t n, const Kinematics& state, const Values& values) const;
-  void update_sag(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,
-                  Worst& worst) const;
-  void update_lifts(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,
-                    Worst& worst) const;
-  void update_bends(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,
-                    Worst& worst) const;
+  void update_sag(const InState& s, Worst& worst) const;
+  void update_lifts(const InState& s, Worst& worst) const;
+  void update_bends(const InState& s, Worst& worst) const;
   const model::LineType& type(const Element& e) const;
+  double arc(const LineSpan& line, int node) const;  // m, of the line's node
 
   const model::Case& case_;
   const LocalMesh& mesh_;

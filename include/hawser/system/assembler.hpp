@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "hawser/kernels/stencil.hpp"
 #include "hawser/math/types.hpp"
 #include "hawser/system/local_blocks.hpp"
 #include "hawser/system/tied_node_forces.hpp"
@@ -24,10 +25,6 @@ struct Weights {
   double shift_position = 0, shift_rotation = 0;
   double stabilisation = 0;
 };
-
-// Force on up to eight blocks (3n) and its derivatives (3n x 3n), with fixed-capacity storage.
-using BlockVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 24, 1>;
-using BlockMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 24, 24>;
 
 // A force on blocks, as a view of a vector that outlives it; default: none.
 class ForceView {

@@ -48,9 +48,9 @@ class AxisContact {
   // if given, receives the contact points.
   void add(const ContactQuadrature& contact, const PanelFunctions& functions,
            std::vector<AxisContactPoint>* points = nullptr);
-  // Adds the residual to the blocks to which the positions are attached: f[3n], K and C (3n)x(3n), row-major;
-  // K and C may both be null.
-  void to_blocks(const Stencil& stencil, double* f, double* K, double* C);
+  // Adds the residual to the blocks to which the positions are attached: f (3n), K and C (3n x 3n), which
+  // may both be null.
+  void to_blocks(const Stencil& stencil, BlockVector& f, BlockMatrix* K, BlockMatrix* C);
 
  private:
   struct Moving;
