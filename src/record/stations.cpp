@@ -19,7 +19,14 @@ Stations::Stations(MPI_Comm comm, const LocalMesh& mesh, const Feeders* feeders,
     place_.push_back(f);
   }
   values_.assign(fields_.size(), std::vector<double>(static_cast<size_t>(mesh.owned), std::nan("")));
-  cut_lines_ = line_owners(mesh).cut;
+  const LineOwners lines = line_owners(mesh);
+  cut_lines_ = lines.cut;
+  for (const Feeder& f : feeders->all()) {
+    if (!std::ranges::binary_search(lines.local, f.line) || arcs_.contains(f.line)) continue;
+    const LineSpan& span = mesh.mesh->lines[f.line];
+    std::vector<double>& arcs = arcs_[f.line];
+    for (int i = 0; i < span.nodes; ++i) arcs.push_back(mesh.mesh->node(span.first_node + i).arc);
+  }
 }
 
 const std::vector<std::vector<double>>& Stations::at(const std::vector<std::vector<double>>& values) {
@@ -40,8 +47,10 @@ void Stations::fill(const Feeder& f, const std::vector<std::vector<double>>& val
       for (size_t k = 0; k < place_.size(); ++k)
         along[k * nodes + static_cast<size_t>(i)] = values[place_[k]][n];
   if (std::ranges::binary_search(cut_lines_, f.line)) all_reduce(comm_, MPI_SUM, along);
+  const auto arcs = arcs_.find(f.line);
+  if (arcs == arcs_.end()) return;
 
-  const auto arc = [&](int i) { return mesh_.mesh->node(span.first_node + i).arc; };
+  const auto arc = [&](int i) { return arcs->second[i]; };
   int first = 0, last = span.nodes - 1;      // free nodes, or an end without feeder
   double from = 0, to = span.length;         // m, arc lengths at the feeders
   for (const Feeder& o : feeders_->all()) {  // both, if the line is fed at both ends

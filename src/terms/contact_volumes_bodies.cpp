@@ -4,7 +4,6 @@
 
 #include "hawser/base/exchange.hpp"
 #include "hawser/base/mpi.hpp"
-#include "hawser/mesh/arc.hpp"
 #include "hawser/terms/contact_volumes.hpp"
 
 namespace hawser {
@@ -49,13 +48,13 @@ bool ContactVolumes::refresh_couplings(const Kinematics& from, double h, double 
   const Mesh& mesh = *mesh_.mesh;
   for (const LocalElement& e : mesh_.elements) {
     if (!e.counted) continue;
-    const Element& g = mesh.element(e.global);
+    const Element& g = mesh_.element(e);
     const size_t a = e.first, b = e.second;
     const Vec3 middle = 0.5 * (from.x[a] + from.x[b]);
     for (size_t k = 0; k < volumes_.size(); ++k) {
       const ContactVolume& v = volumes_[k];
       if (!moving(v)) continue;
-      if (takes_part(g.line, static_cast<int>(k), arc_at(mesh, g, 0), arc_at(mesh, g, 1)).none()) continue;
+      if (takes_part(g.line, static_cast<int>(k), arc_at(mesh_, e, 0), arc_at(mesh_, e, 1)).none()) continue;
       const RigidPose& pose = poses[v.body + 1];
       const double speed = std::max((from.v[a] - pose.velocity_at(from.x[a])).norm(),
                                     (from.v[b] - pose.velocity_at(from.x[b])).norm());

@@ -3,6 +3,7 @@
 
 #include <mpi.h>
 
+#include <map>
 #include <vector>
 
 #include "hawser/io/results.hpp"
@@ -37,7 +38,8 @@ class Stations {
   std::vector<io::ResultField> fields_;
   std::vector<std::size_t> place_;  // index of each among all fields
   std::vector<std::vector<double>> values_;
-  std::vector<int> cut_lines_;  // lines whose nodes more than one rank owns, ascending
+  std::map<int, std::vector<double>> arcs_;  // m, of the nodes of each fed line with nodes of this rank
+  std::vector<int> cut_lines_;               // lines whose nodes more than one rank owns, ascending
 };
 
 }  // namespace hawser::record
