@@ -115,12 +115,14 @@ std::string lines_too_soft(const PressedLines& at) {
 }
 
 std::string bodies_overlap(const std::string& one, const std::string& other, double depth, double met,
-                           double time) {
+                           double time, const std::string& slave) {
+  const std::string points = slave.empty()
+                                 ? "their contact points (corners and edges)"
+                                 : fmt::format("the contact points (corners and edges) of {}", slave);
   return fmt::format(
-      "at t = {:.6g} s {} and {} overlap by {:.3g} m, but their contact points (corners and edges) penetrate "
-      "by {:.3g} m at most; give them stiffnesses per_area (per_length where edges cross), or a sphere or "
-      "capsule where they touch",
-      time, one, other, depth, met);
+      "at t = {:.6g} s {} and {} overlap by {:.3g} m, but {} penetrate by {:.3g} m at most; give them "
+      "stiffnesses per_area (per_length where edges cross), or a sphere or capsule where they touch",
+      time, one, other, depth, points, met);
 }
 
 }  // namespace hawser::advice

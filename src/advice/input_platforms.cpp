@@ -13,6 +13,7 @@
 #include "hawser/model/check.hpp"
 #include "hawser/model/positioning.hpp"
 #include "hawser/model/waterplane.hpp"
+#include "hawser/model/wave_components.hpp"
 
 namespace hawser::advice {
 
@@ -39,15 +40,38 @@ void warn_of_sea_of_platform(const Case& c, const Body& b, std::vector<InputWarn
     add_warning(out, key, Effect::all,
                 "the current acts on lines but not on this body, which has wave coefficients only: add its "
                 "current coefficients, 'floating.current'");
-  if (w.waves.kind == Waves::Kind::stokes && b.mass->hydrodynamics->excitation)
+  if (w.waves.stokes() && b.mass->hydrodynamics->excitation)
     add_warning(out, key, Effect::all,
                 "its coefficients are those of linear waves: the wave of 'stokes' acts on it as a linear "
                 "one of the same height and period");
-  if (w.waves.kind == Waves::Kind::none && !b.mass->hydrodynamics->drift_damping.empty())
+  if (w.waves.none() && !b.mass->hydrodynamics->drift_damping.empty())
     add_warning(
         out, key + ".wave_drift_damping", Effect::part,
         "has no effect, since it is multiplied by the squared amplitudes of the waves and the case has none: "
         "'damping' acts in still water, too");
+}
+
+// Forces of all difference frequencies are those of the mean direction of the waves.
+void warn_of_crossing_waves(const Case& c, const Body& b, std::vector<InputWarning>& out) {
+  constexpr double kMost = 0.1, kFar = 45;  // of the energy; deg
+  if (b.mass->hydrodynamics->second_order != SecondOrder::full) return;
+  const WaveField waves = wave_field(c.environment);
+  Eigen::Vector2d sum(0, 0);
+  for (const WaveComponent& w : waves.components())
+    sum += w.amplitude * w.amplitude * Eigen::Vector2d(w.x, w.y);
+  const Eigen::Vector2d mean = sum.normalized();
+  double all = 0, far = 0;
+  for (const WaveComponent& w : waves.components()) {
+    const double energy = w.amplitude * w.amplitude;
+    all += energy;
+    if (mean.dot(Eigen::Vector2d(w.x, w.y)) < std::cos(kFar * M_PI / 180)) far += energy;
+  }
+  if (far <= kMost * all) return;
+  add_warning(out, "bodies." + b.name + ".floating.hydrodynamics.second_order", Effect::all,
+              "{:.2g} % of the sea's energy goes to directions more than {:g} deg from the mean, and 'full' "
+              "takes the forces of the mean direction for all waves: compare with 'newman', which uses all "
+              "directions",
+              100 * far / all, kFar);
 }
 
 void warn_of_coefficients(const Case& c, const Body& b, std::vector<InputWarning>& out) {
@@ -60,7 +84,7 @@ void warn_of_coefficients(const Case& c, const Body& b, std::vector<InputWarning
 void warn_of_directions(const Case& c, const Body& b, std::vector<InputWarning>& out) {
   constexpr double kWide = 60;  // deg
   const auto& h = *b.mass->hydrodynamics;
-  if (!(h.follow_period > 0) || !h.excitation || c.environment.water.waves.kind == Waves::Kind::none) return;
+  if (!(h.follow_period > 0) || !h.excitation || c.environment.water.waves.none()) return;
   if (h.data->excitation.empty()) return;
   const std::vector<double>& directions = h.data->excitation[static_cast<size_t>(h.body - 1)].directions();
   const double gap = directions.size() < 2 ? 0 : widest_gap(directions, 2 * M_PI).width() * 180 / M_PI;
@@ -283,6 +307,7 @@ void warn_of_platforms(const Case& c, std::vector<InputWarning>& out) {
     warn_of_stiffness(b, out);
     warn_of_sea_of_platform(c, b, out);
     warn_of_directions(c, b, out);
+    warn_of_crossing_waves(c, b, out);
   }
 }
 

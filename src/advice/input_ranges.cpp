@@ -62,6 +62,14 @@ constexpr auto kRanges = std::to_array<Range>({
     {"environment.waves.stokes.period", kShortest, kLongestWave, "periods of waves"},
     {"environment.waves.components[].height", 0, kHighestWave, "heights of waves"},
     {"environment.waves.components[].period", kShortest, kLongestComponent, "periods of waves"},
+    {"environment.waves.sum[].jonswap.hs", 0.001, kHighestSea, "significant heights of seas"},
+    {"environment.waves.sum[].jonswap.tp", kShortest, kLongestSea, "peak periods of seas"},
+    {"environment.waves.sum[].pierson_moskowitz.hs", 0.001, kHighestSea, "significant heights of seas"},
+    {"environment.waves.sum[].pierson_moskowitz.tp", kShortest, kLongestSea, "peak periods of seas"},
+    {"environment.waves.sum[].regular.height", 0.001, kHighestWave, "heights of waves"},
+    {"environment.waves.sum[].regular.period", kShortest, kLongestWave, "periods of waves"},
+    {"environment.waves.sum[].components[].height", 0, kHighestWave, "heights of waves"},
+    {"environment.waves.sum[].components[].period", kShortest, kLongestComponent, "periods of waves"},
     {"line_types.*.Cd_normal", 0, 5, "drag coefficients across a line"},
     {"line_types.*.Cd_axial", 0, 1.5, "drag coefficients along a line, on its skin"},
     {"line_types.*.Ca_normal", 0, 5, "added mass coefficients of lines"},
@@ -191,12 +199,14 @@ std::string unit_hint(const Case& c, const std::vector<std::string>& keys,
   return v && v->kind == Value::Kind::scalar && v->schema ? unit_hint(*v, v->schema->unit, fits) : "";
 }
 
-bool possible(const Waves& w) {
-  const bool sea = w.kind == Waves::Kind::spectrum || w.kind == Waves::Kind::table;
-  if (w.kind == Waves::Kind::none) return true;
-  if (sea) return w.height <= kHighestSea && w.peak_period >= kShortest && w.peak_period <= kLongestSea;
-  return std::all_of(w.rows.begin(), w.rows.end(), [](const Waves::Row& r) {
+bool possible(const Waves& waves) {
+  const auto row = [](const WaveSystem::Row& r) {
     return r.height <= kHighestWave && r.period >= kShortest && r.period <= kLongestComponent;
+  };
+  return std::all_of(waves.systems.begin(), waves.systems.end(), [&](const WaveSystem& w) {
+    if (w.irregular())
+      return w.height <= kHighestSea && w.peak_period >= kShortest && w.peak_period <= kLongestSea;
+    return std::all_of(w.rows.begin(), w.rows.end(), row);
   });
 }
 

@@ -176,35 +176,32 @@ void warn_of_buoy(const Case& c, const Line& line, const PointMass& m, std::vect
               m.volume, m.at, line.name, 0.5 * M_PI / 4 * std::pow(6 / M_PI * m.volume, 2.0 / 3));
 }
 
-// Representative wave of a linear sea: its peak, or the highest of given waves. Period 0: none.
-Waves::Row leading_wave(const Waves& w) {
-  Waves::Row out;
-  if (w.kind == Waves::Kind::spectrum || w.kind == Waves::Kind::table) {
-    out.period = w.peak_period;
-    out.direction = w.direction;
-  } else if (w.kind == Waves::Kind::regular || w.kind == Waves::Kind::components)
-    out = *std::max_element(w.rows.begin(), w.rows.end(),
-                            [](const Waves::Row& a, const Waves::Row& b) { return a.height < b.height; });
-  return out;
+// Representative wave of a system of linear waves: its peak, or the highest of given waves.
+WaveSystem::Row leading_wave(const WaveSystem& w) {
+  if (w.irregular()) return {w.height, w.peak_period, w.direction, 0};
+  return *std::max_element(w.rows.begin(), w.rows.end(),
+                           [](const auto& a, const auto& b) { return a.height < b.height; });
 }
 
 // Linear waves propagate in still water: the current neither stretches nor steepens them.
 void warn_of_waves_on_current(const Case& c, std::vector<InputWarning>& out) {
   constexpr double kMuch = 0.1;  // of the wave speed; changes the wave length by a fifth
   const Water& w = c.environment.water;
-  const Waves::Row wave = leading_wave(w.waves);
-  if (!c.dynamics.enabled || w.current.profile.empty() || !(wave.period > 0)) return;
+  if (!c.dynamics.enabled || w.current.profile.empty() || w.waves.stokes()) return;
   const CurrentRow& top = w.current.profile.front();
-  const double along = w.current.time_factor.at(0) * top.speed * std::cos(top.direction - wave.direction);
-  const double omega = 2 * M_PI / wave.period,
-               speed = omega / wave_number(omega, w.depth, c.environment.gravity);
-  if (std::abs(along) < kMuch * speed) return;
-  add_warning(out, "environment.waves", Effect::part,
-              "the current of {:.3g} m/s {} the waves of {:.4g} s is {:.2g} % of their speed, and linear "
-              "waves here neglect that the current makes them {}; compare with a single wave as 'stokes' "
-              "with its own 'current', which includes it",
-              std::abs(along), along > 0 ? "along" : "against", wave.period, 100 * std::abs(along) / speed,
-              along > 0 ? "longer and flatter" : "shorter and steeper");
+  for (const WaveSystem& system : w.waves.systems) {
+    const WaveSystem::Row wave = leading_wave(system);
+    const double along = w.current.time_factor.at(0) * top.speed * std::cos(top.direction - wave.direction);
+    const double omega = 2 * M_PI / wave.period,
+                 speed = omega / wave_number(omega, w.depth, c.environment.gravity);
+    if (std::abs(along) < kMuch * speed) continue;
+    add_warning(out, system.key, Effect::part,
+                "the current of {:.3g} m/s {} the waves of {:.4g} s is {:.2g} % of their speed, and linear "
+                "waves here neglect that the current makes them {}; compare with a single wave as 'stokes' "
+                "with its own 'current', which includes it",
+                std::abs(along), along > 0 ? "along" : "against", wave.period, 100 * std::abs(along) / speed,
+                along > 0 ? "longer and flatter" : "shorter and steeper");
+  }
 }
 
 }  // namespace

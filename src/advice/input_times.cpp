@@ -34,12 +34,13 @@ void shorter(Period& shortest, double length, const std::string& source) {
 // Shortest period of waves (of a spectrum: its peak) and of harmonic motions.
 Period driving(const Case& c) {
   Period shortest;
-  const Waves& w = c.environment.water.waves;
-  if (!possible(w)) return shortest;
-  if (w.kind == Waves::Kind::spectrum || w.kind == Waves::Kind::table)
-    shorter(shortest, w.peak_period, "the waves");
-  else if (w.kind == Waves::Kind::regular || w.kind == Waves::Kind::stokes)
-    shorter(shortest, w.rows.front().period, "the wave");
+  const Waves& waves = c.environment.water.waves;
+  if (!possible(waves)) return shortest;
+  for (const WaveSystem& w : waves.systems)
+    if (w.irregular())
+      shorter(shortest, w.peak_period, "the waves");
+    else if (w.kind != WaveSystem::Kind::components)
+      shorter(shortest, w.rows.front().period, "the wave");
   for (const Body& b : c.bodies) {
     const auto* h = std::get_if<HarmonicMotion>(&b.motion);
     if (h && !(h->amplitude.isZero() && h->rotation_amplitude.isZero()))

@@ -37,29 +37,30 @@ void bed_and_water(const Case& c, std::vector<InputWarning>& out) {
 // Waves break when their height reaches the water depth.
 void shallow_waves(const Case& c, std::vector<InputWarning>& out) {
   const Water& w = c.environment.water;
-  const bool spectrum = w.waves.kind == Waves::Kind::spectrum;
-  if (!spectrum || !(w.depth > 0) || w.waves.height < 0.8 * w.depth) return;
+  double height = 0;
+  for (const WaveSystem& system : w.waves.systems)
+    if (system.kind == WaveSystem::Kind::spectrum) height = std::hypot(height, system.height);
+  if (!(w.depth > 0) || height < 0.8 * w.depth) return;
   add_warning(out, "environment.waves", Effect::all,
               "a significant height of {:.4g} m is {:.2g} times the water depth of {:.4g} m: waves break at "
               "about 0.6",
-              w.waves.height, w.waves.height / w.depth, w.depth);
+              height, height / w.depth, w.depth);
 }
 
 // Significant height 4 sqrt(m0) [m] and peak of a tabulated spectrum, compared with the steepest seas
 // (DNV-RP-C205 3.5.4, 1/15 at 8 s and below) and the longest swell.
-void spectrum_rows(const Case& c, std::vector<InputWarning>& out) {
-  const Waves& w = c.environment.water.waves;
-  if (w.kind != Waves::Kind::table) return;
+void spectrum_rows(const WaveSystem& w, double gravity, std::vector<InputWarning>& out) {
+  if (w.kind != WaveSystem::Kind::table) return;
   double energy = 0;
   for (std::size_t i = 1; i < w.spectrum.size(); ++i)
     energy += 0.5 * (w.spectrum[i].omega - w.spectrum[i - 1].omega) *
               (w.spectrum[i].density + w.spectrum[i - 1].density);
   const double hs = 4 * std::sqrt(energy), tp = w.peak_period;
-  const double steepness = 2 * M_PI * hs / (c.environment.gravity * tp * tp);
+  const double steepness = 2 * M_PI * hs / (gravity * tp * tp);
   constexpr double kSteepest = 1.0 / 12, kLongest = 40, kHighest = 25;
   if (steepness < kSteepest && tp < kLongest && hs < kHighest) return;
   add_warning(
-      out, "environment.waves.spectrum", Effect::all,
+      out, w.key, Effect::all,
       "its rows make waves of {:.3g} m with a peak at {:.3g} s, {}: is 'frequency' right (hz or rad_s)?", hs,
       tp,
       tp >= kLongest   ? "longer than any swell"
@@ -70,7 +71,7 @@ void spectrum_rows(const Case& c, std::vector<InputWarning>& out) {
 // Ramps longer than the run, and waves without dynamics.
 void ramps_and_duration(const Case& c, std::vector<InputWarning>& out) {
   const Water& w = c.environment.water;
-  const bool waves = w.waves.kind != Waves::Kind::none;
+  const bool waves = !w.waves.none();
   const auto ramp = [&](double length, const std::string& key) {
     if (length > c.dynamics.duration)
       add_warning(out, key, Effect::part,
@@ -94,7 +95,7 @@ void ramps_and_duration(const Case& c, std::vector<InputWarning>& out) {
 void warn_of_surroundings(const Case& c, std::vector<InputWarning>& out) {
   bed_and_water(c, out);
   shallow_waves(c, out);
-  spectrum_rows(c, out);
+  for (const WaveSystem& w : c.environment.water.waves.systems) spectrum_rows(w, c.environment.gravity, out);
   ramps_and_duration(c, out);
 }
 

@@ -16,6 +16,7 @@ namespace {
 using model::refuse;
 using model::refuse_key;
 using model::Value;
+using WaveKind = model::WaveSystem::Kind;
 
 // Rows of time and factor, from a file or the case.
 TimeFactor read_time_factor(const Value& v, const CaseSource& source) {
@@ -47,7 +48,7 @@ void finish_current(const Value& v, double water_depth, const CaseSource& source
 }
 
 // Rows of a spectrum; returns its peak period [s].
-double read_spectrum(const Value& s, const CaseSource& source, model::Waves& w) {
+double read_spectrum(const Value& s, const CaseSource& source, model::WaveSystem& w) {
   const InputRows given = read_input_rows(s, source);
   const auto& [at, rows] = given;
   const double unit = s["frequency"].number;
@@ -72,14 +73,26 @@ double read_spectrum(const Value& s, const CaseSource& source, model::Waves& w) 
   return 2 * M_PI / std::max(peak.omega, w.spectrum.back().omega / 50);
 }
 
-void finish_waves(const Value& v, const CaseSource& source, model::Waves& w) {
-  if (const Value* s = v.find("spectrum")) {
-    w.kind = model::Waves::Kind::table;
-    w.peak_period = read_spectrum(*s, source, w);
+// The keys of a wave system.
+const Value& system_keys(const Value& waves, size_t index) {
+  const Value* sum = waves.find("sum");
+  return sum ? sum->items[index] : waves;
+}
+
+void finish_waves(const Value& v, const CaseSource& source, model::Waves& waves) {
+  double longest = 0;
+  for (size_t i = 0; i < waves.systems.size(); ++i) {
+    model::WaveSystem& w = waves.systems[i];
+    const Value& given = system_keys(v, i);
+    if (w.kind == WaveKind::stokes && waves.systems.size() > 1)
+      refuse(given["stokes"],
+             "Stokes' wave is not linear, so that no other waves can be added to it: give it alone, or a "
+             "linear wave, 'regular', in its place");
+    if (const Value* s = given.find("spectrum")) w.peak_period = read_spectrum(*s, source, w);
+    longest = std::max(longest, w.peak_period);
+    for (const model::WaveSystem::Row& r : w.rows) longest = std::max(longest, r.period);
   }
-  if (v.has("ramp")) return;
-  w.ramp = w.peak_period;
-  for (const model::Waves::Row& r : w.rows) w.ramp = std::max(w.ramp, r.period);
+  if (!v.has("ramp")) waves.ramp = longest;
 }
 
 void finish_seabed(const Value& v, double water_depth, const CaseSource& source, model::Seabed& b,
@@ -94,7 +107,7 @@ void finish_seabed(const Value& v, double water_depth, const CaseSource& source,
 }
 
 void check_stokes(const Value& v, const model::Environment& e, std::vector<std::string>& notes) {
-  const std::string key = "environment.waves.stokes";
+  const model::WaveSystem& stokes = e.water.waves.systems.front();
   try {
     const StokesWave wave(model::stokes_input(e));
     constexpr double kUrsellLimit = 40;  // Hedges (1995)
@@ -102,44 +115,41 @@ void check_stokes(const Value& v, const model::Environment& e, std::vector<std::
       notes.push_back(
           fmt::format("{}: the wave is long for its depth: its Ursell number is {:.3g}, and fifth-order "
                       "theory is valid up to {:g}",
-                      key, wave.ursell(), kUrsellLimit));
+                      stokes.key, wave.ursell(), kUrsellLimit));
   } catch (const std::invalid_argument& error) {
-    refuse(v["stokes"], error.what());
+    refuse(system_keys(v, 0)["stokes"], error.what());
   }
-  if (e.water.waves.current != 0 && !e.water.current.profile.empty())
+  if (stokes.current != 0 && !e.water.current.profile.empty())
     notes.push_back(
-        key +
+        stokes.key +
         ".current: it acts on lines in addition to 'environment.current', which does not change the wave");
 }
 
 // Steepness limit 2 pi Hs/(g Tp²) of DNV-RP-C205, 3.5.4, linear between 8 and 15 s.
-void check_sea_steepness(const Value& v, const model::Environment& e, std::vector<std::string>& notes) {
-  const model::Waves& w = e.water.waves;
-  if (w.kind != model::Waves::Kind::spectrum) return;
+void check_sea_steepness(const model::WaveSystem& w, double gravity, std::vector<std::string>& notes) {
+  if (w.kind != WaveKind::spectrum) return;
   const double fraction = std::clamp((w.peak_period - 8) / 7, 0.0, 1.0);
   const double steepest = (1 - fraction) / 15 + fraction / 25;
-  const double steepness = 2 * M_PI * w.height / (e.gravity * w.peak_period * w.peak_period);
+  const double steepness = 2 * M_PI * w.height / (gravity * w.peak_period * w.peak_period);
   if (steepness > steepest)
-    notes.push_back(fmt::format(
-        "environment.waves.{}: waves of a sea of {:g} m at {:g} s would break: its steepness 2 pi hs/(g tp²) "
-        "is {:.3g}, and seas of this period get to {:.3g}, {:.3g} m high (DNV-RP-C205)",
-        v.find("jonswap") ? "jonswap" : "pierson_moskowitz", w.height, w.peak_period, steepness, steepest,
-        w.height * steepest / steepness));
+    notes.push_back(
+        fmt::format("{}: waves of a sea of {:g} m at {:g} s would break: its steepness 2 pi hs/(g tp²) "
+                    "is {:.3g}, and seas of this period get to {:.3g}, {:.3g} m high (DNV-RP-C205)",
+                    w.key, w.height, w.peak_period, steepness, steepest, w.height * steepest / steepness));
 }
 
 // Linear theory has no breaking limit (Miche 1944).
-void check_steepness(const model::Environment& e, std::vector<std::string>& notes) {
-  const model::Waves& w = e.water.waves;
-  if (w.kind != model::Waves::Kind::regular && w.kind != model::Waves::Kind::components) return;
+void check_steepness(const model::WaveSystem& w, const model::Environment& e,
+                     std::vector<std::string>& notes) {
+  if (w.kind != WaveKind::regular && w.kind != WaveKind::components) return;
   for (size_t i = 0; i < w.rows.size(); ++i) {
     const double k = wave_number(2 * M_PI / w.rows[i].period, e.water.depth, e.gravity);
     const double length = 2 * M_PI / k;
     const double highest = 0.142 * length * (e.water.depth > 0 ? std::tanh(k * e.water.depth) : 1);
     if (w.rows[i].height > highest)
       notes.push_back(fmt::format(
-          "environment.waves.{}: a wave of {:g} m would break: {:.3g} m long, it gets {:.3g} m high (Miche)",
-          w.kind == model::Waves::Kind::regular ? "regular" : fmt::format("components[{}]", i),
-          w.rows[i].height, length, highest));
+          "{}{}: a wave of {:g} m would break: {:.3g} m long, it gets {:.3g} m high (Miche)", w.key,
+          w.kind == WaveKind::regular ? "" : fmt::format("[{}]", i), w.rows[i].height, length, highest));
   }
 }
 
@@ -164,10 +174,12 @@ void finish_environment(const Value& v, const CaseSource& source, model::Environ
     if (e.seabed.surface && !(e.water.depth > 0))
       refuse(*w, "with a seabed of a grid or a mesh, waves need one 'depth' of the water");
     finish_waves(*w, source, e.water.waves);
-    if (e.water.waves.kind == model::Waves::Kind::stokes) check_stokes(*w, e, notes);
+    if (e.water.waves.stokes()) check_stokes(*w, e, notes);
     if (!advice::possible(e.water.waves)) return;
-    check_steepness(e, notes);
-    check_sea_steepness(*w, e, notes);
+    for (const model::WaveSystem& system : e.water.waves.systems) {
+      check_steepness(system, e, notes);
+      check_sea_steepness(system, e.gravity, notes);
+    }
   }
 }
 

@@ -44,7 +44,7 @@ void check_platform(const Case& c, const Body& b, const Issues& issue) {
     issue("excitation",
           "the wave forces of the files contain the pressure of the waves, which 'hull' adds again: set "
           "'wave_pressure: false' there, or 'excitation: false'");
-  if (h.excitation && c.environment.water.present && c.environment.water.waves.kind != Waves::Kind::none &&
+  if (h.excitation && c.environment.water.present && !c.environment.water.waves.none() &&
       h.data->excitation.empty())
     issue(h.key(), "the case has waves, but {} has no wave forces: add them, or set 'excitation: false'",
           h.data->excitation_file);

@@ -50,8 +50,7 @@ struct Sea {
   double speed = 0, period = 0;
 };
 Sea sea(const Environment& e) {
-  const Waves& w = e.water.waves;
-  if (!e.water.present || w.kind == Waves::Kind::none) return {};
+  if (!e.water.present || e.water.waves.none()) return {};
   double energy = 0, flow = 0, squares = 0;
   const WaveField field = wave_field(e);
   for (const WaveComponent& k : field.components()) {

@@ -10,8 +10,8 @@ namespace {
 void uniform(Current& c, const Value& v) { c.profile = {{0, v.number, 0}}; }
 
 // Field of a single wave.
-Field only(double Waves::Row::*field) {
-  return set_by<Waves>([field](Waves& w, const Value& v) {
+Field only(double WaveSystem::Row::*field) {
+  return set_by<WaveSystem>([field](WaveSystem& w, const Value& v) {
     w.rows.resize(1);
     w.rows.front().*field = v.number;
   });
@@ -74,28 +74,37 @@ Key water() {
              "the sea; without it lines are in air");
 }
 
+// Fields of the key of a wave system, whatever its kind.
+Field wave_system(WaveSystem::Kind kind) {
+  return set_by<WaveSystem>([kind](WaveSystem& w, const Value& v) {
+    w.kind = kind;
+    w.key = v.where;
+  });
+}
+
 // Keys common to all spectra.
 std::vector<Key> component_keys() {
   return {
-      number({"direction_deg", &Waves::direction}, angle,
+      number({"direction_deg", &WaveSystem::direction}, angle,
              "direction in which they travel, anticlockwise from +x", or_else("0")),
-      integer({"seed", &Waves::seed},
+      integer({"seed", &WaveSystem::seed},
               "seed of phases and frequencies: the same sea on any machine and any number of ranks",
               in_range(0, 1e9), or_else("1")),
-      integer({"components", &Waves::count}, "number of wave components", in_range(1, 20000), or_else("200")),
-      number({"spreading", &Waves::spreading}, none,
+      integer({"components", &WaveSystem::count}, "number of wave components", in_range(1, 20000),
+              or_else("200")),
+      number({"spreading", &WaveSystem::spreading}, none,
              "exponent s of the spreading cos^2s of half the angle from the mean direction; 0: long-crested",
              in_range(0, 1000), or_else("0"))};
 }
 
 std::vector<Key> spectrum_keys(bool peaked) {
-  std::vector<Key> keys = {number({"hs", &Waves::height, set(&Waves::kind, Waves::Kind::spectrum)}, length,
-                                  "significant wave height", above(0), required),
-                           number({"tp", &Waves::peak_period}, time, "peak period", above(0), required)};
+  std::vector<Key> keys = {
+      number({"hs", &WaveSystem::height}, length, "significant wave height", above(0), required),
+      number({"tp", &WaveSystem::peak_period}, time, "peak period", above(0), required)};
   for (Key& k : component_keys()) keys.push_back(std::move(k));
   if (peaked)
-    keys.push_back(
-        number({"gamma", &Waves::gamma}, none, "peak enhancement factor", in_range(1, 10), or_else("3.3")));
+    keys.push_back(number({"gamma", &WaveSystem::gamma}, none, "peak enhancement factor", in_range(1, 10),
+                          or_else("3.3")));
   return keys;
 }
 
@@ -108,25 +117,25 @@ Key spectrum() {
       word("frequency", {{"hz", 2 * M_PI}, {"rad_s", 1}},
            "units of the columns: Hz and m²/Hz, or rad/s and m² s/rad", or_else("hz"))};
   for (Key& k : component_keys()) keys.push_back(std::move(k));
-  return map("spectrum", std::move(keys), "irregular sea by a tabulated spectrum, linear between rows",
-             either({"file", "rows"}));
+  return map({"spectrum", wave_system(WaveSystem::Kind::table), itself<WaveSystem>()}, std::move(keys),
+             "irregular sea by a tabulated spectrum, linear between rows", either({"file", "rows"}));
 }
 
 Key stokes() {
   return map(
-      "stokes",
-      {number({"height", only(&Waves::Row::height), set(&Waves::kind, Waves::Kind::stokes)}, length,
-              "from trough to crest", above(0), required),
-       number({"period", only(&Waves::Row::period)}, time, "period at a fixed point", above(0), required),
-       number({"direction_deg", only(&Waves::Row::direction)}, angle,
+      {"stokes", wave_system(WaveSystem::Kind::stokes), itself<WaveSystem>()},
+      {number({"height", only(&WaveSystem::Row::height)}, length, "from trough to crest", above(0), required),
+       number({"period", only(&WaveSystem::Row::period)}, time, "period at a fixed point", above(0),
+              required),
+       number({"direction_deg", only(&WaveSystem::Row::direction)}, angle,
               "direction in which it travels, anticlockwise from +x", or_else("0")),
-       number({"phase_deg", only(&Waves::Row::phase)}, angle,
+       number({"phase_deg", only(&WaveSystem::Row::phase)}, angle,
               "phase: a crest is where k x - omega t + phase = 0", or_else("0")),
-       number({"current", &Waves::current}, velocity,
+       number({"current", &WaveSystem::current}, velocity,
               "uniform current along the wave (negative: against it) on which the wave travels; its velocity "
               "is added to that of the water, so do not give it as `current` of the environment as well",
               or_else("0")),
-       word({"current_is", &Waves::transport}, {{"euler", false}, {"transport", true}},
+       word({"current_is", &WaveSystem::transport}, {{"euler", false}, {"transport", true}},
             "definition of `current`: `euler`, the mean velocity at a fixed point below the troughs; "
             "`transport`, the mean mass transport velocity over the depth (0: no net flow, as in a closed "
             "tank)",
@@ -134,40 +143,64 @@ Key stokes() {
       "one wave of finite height by Stokes' theory of fifth order (Fenton 1985)");
 }
 
-Key waves() {
+std::vector<Key> wave_systems() {
+  using Kind = WaveSystem::Kind;
   const auto one = [] {
     return std::vector<Key>{
-        number({"height", &Waves::Row::height}, length, "from trough to crest", above(0), required),
-        number({"period", &Waves::Row::period}, time, "period", above(0), required),
-        number({"direction_deg", &Waves::Row::direction}, angle,
+        number({"height", &WaveSystem::Row::height}, length, "from trough to crest", above(0), required),
+        number({"period", &WaveSystem::Row::period}, time, "period", above(0), required),
+        number({"direction_deg", &WaveSystem::Row::direction}, angle,
                "direction in which it travels, anticlockwise from +x", or_else("0")),
-        number({"phase_deg", &Waves::Row::phase}, angle,
+        number({"phase_deg", &WaveSystem::Row::phase}, angle,
                "phase: elevation = height/2 cos(k x - omega t + phase)", or_else("0"))};
   };
-  return map(
-      {"waves", within(&Environment::water, &Water::waves)},
-      {map({"regular", set_by<Waves>([](Waves& w, const Value& v) {
-              w.kind = Waves::Kind::regular;
-              take(v, w.rows.emplace_back());
-            })},
-           one(), "one linear (Airy) wave"),
-       map("jonswap", spectrum_keys(true), "irregular sea by the JONSWAP spectrum, Hasselmann et al. 1973"),
-       map("pierson_moskowitz", spectrum_keys(false),
-           "irregular, fully developed sea by the Pierson-Moskowitz spectrum"),
-       spectrum(),
-       list({"components", &Waves::rows, set(&Waves::kind, Waves::Kind::components)}, map("", one()),
-            "list of linear waves", items(1)),
-       stokes(),
-       word(
-           {"stretching", &Waves::stretching},
+  return {map({"regular", wave_system(Kind::regular),
+               set_by<WaveSystem>([](WaveSystem& w, const Value& v) { take(v, w.rows.emplace_back()); })},
+              one(), "one linear (Airy) wave"),
+          map({"jonswap", wave_system(Kind::spectrum), itself<WaveSystem>()}, spectrum_keys(true),
+              "irregular sea by the JONSWAP spectrum, Hasselmann et al. 1973"),
+          map({"pierson_moskowitz", wave_system(Kind::spectrum), itself<WaveSystem>()}, spectrum_keys(false),
+              "irregular, fully developed sea by the Pierson-Moskowitz spectrum"),
+          spectrum(),
+          list({"components", &WaveSystem::rows, wave_system(Kind::components)}, map("", one()),
+               "list of linear waves", items(1)),
+          stokes()};
+}
+
+// A key of a wave system among those of waves that have this system only.
+Key alone(Key key) {
+  const std::vector<Put> fields = key.fields;
+  key.fields = {[fields](const Target& to, const Value& v) {
+    WaveSystem& system = to.as<Waves>().systems.emplace_back();
+    for (const Put& field : fields) field(system, v);
+  }};
+  return key;
+}
+
+Key waves() {
+  std::vector<Group> kinds;
+  std::vector<Key> keys;
+  for (Key& k : wave_systems()) {
+    kinds.push_back(k.name.c_str());
+    keys.push_back(alone(std::move(k)));
+  }
+  keys.push_back(
+      list({"sum", &Waves::systems}, map("", wave_systems(), either(kinds)),
+           "wave systems whose waves are added, such as wind sea and swell: each entry has one of "
+           "the keys above (`stokes`, which is not linear, only alone); systems with the same `seed` "
+           "have independent phases",
+           items(1)));
+  kinds.push_back("sum");
+  keys.push_back(
+      word({"stretching", &Waves::stretching},
            {{"wheeler", Stretching::wheeler}, {"vertical", Stretching::vertical}, {"none", Stretching::none}},
            "extrapolation of linear wave kinematics above the still water level: `wheeler`, the profile is "
            "stretched to the surface; `vertical`, the values at the still water level; `none`, zero",
-           or_else("wheeler")),
-       number({"ramp", &Waves::ramp}, time, "duration over which the waves build up smoothly", at_least(0),
-              or_else_note("the longest period, or the peak period"))},
-      "waves; they act in dynamics only and need `water`",
-      either({"regular", "jonswap", "pierson_moskowitz", "spectrum", "components", "stokes"}));
+           or_else("wheeler")));
+  keys.push_back(number({"ramp", &Waves::ramp}, time, "duration over which the waves build up smoothly",
+                        at_least(0), or_else_note("the longest period, or the peak period")));
+  return map({"waves", within(&Environment::water, &Water::waves)}, std::move(keys),
+             "waves; they act in dynamics only and need `water`", either(kinds));
 }
 
 Key wind() {

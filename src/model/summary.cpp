@@ -15,6 +15,7 @@
 #include "hawser/model/longest_step.hpp"
 #include "hawser/model/notes.hpp"
 #include "hawser/model/positioning.hpp"
+#include "hawser/model/wave_components.hpp"
 
 namespace hawser::model {
 namespace {
@@ -157,6 +158,32 @@ std::string step_text(const Case& c) {
                      fraction(longest.divisor) + longest.subject);
 }
 
+std::string text_of(const WaveSystem& w) {
+  switch (w.kind) {
+    case WaveSystem::Kind::spectrum:
+      return fmt::format("waves of Hs {:g} m, Tp {:g} s in {} components, seed {}", w.height, w.peak_period,
+                         w.count, w.seed);
+    case WaveSystem::Kind::regular:
+      return fmt::format("a wave of {:g} m and {:g} s", w.rows.front().height, w.rows.front().period);
+    case WaveSystem::Kind::table:
+      return fmt::format("waves of a spectrum by {} rows in {} components, seed {}", w.spectrum.size(),
+                         w.count, w.seed);
+    case WaveSystem::Kind::stokes:
+      return fmt::format("Stokes' wave of {:g} m and {:g} s{}", w.rows.front().height, w.rows.front().period,
+                         w.current != 0 ? fmt::format(" on a current of {:g} m/s", w.current) : "");
+    case WaveSystem::Kind::components:
+      return fmt::format("{} waves", w.rows.size());
+  }
+  return "";
+}
+
+// 4 sqrt(m0), the root of the sum of squares of those of the wave systems.
+double significant_height(const WaveField& waves) {
+  double energy = 0;
+  for (const WaveComponent& w : waves.components()) energy += 0.5 * w.amplitude * w.amplitude;
+  return 4 * std::sqrt(energy);
+}
+
 void describe_sea(const Case& c, std::string& s) {
   const Water& w = c.environment.water;
   if (w.present) {
@@ -170,20 +197,14 @@ void describe_sea(const Case& c, std::string& s) {
     if (const auto& rows = w.current.time_factor.rows(); !rows.empty())
       s += fmt::format(", times a factor by {} rows from {:g} to {:g} s", rows.size(), rows.front().first,
                        rows.back().first);
-    const Waves& v = w.waves;
-    if (v.kind == Waves::Kind::spectrum)
-      s += fmt::format(", waves of Hs {:g} m, Tp {:g} s in {} components, seed {}", v.height, v.peak_period,
-                       v.count, v.seed);
-    else if (v.kind == Waves::Kind::regular)
-      s += fmt::format(", a wave of {:g} m and {:g} s", v.rows.front().height, v.rows.front().period);
-    else if (v.kind == Waves::Kind::table)
-      s += fmt::format(", waves of a spectrum by {} rows in {} components, seed {}", v.spectrum.size(),
-                       v.count, v.seed);
-    else if (v.kind == Waves::Kind::stokes)
-      s += fmt::format(", Stokes' wave of {:g} m and {:g} s{}", v.rows.front().height, v.rows.front().period,
-                       v.current != 0 ? fmt::format(" on a current of {:g} m/s", v.current) : "");
-    else if (v.kind == Waves::Kind::components)
-      s += fmt::format(", {} waves", v.rows.size());
+    std::vector<std::string> systems;
+    for (const WaveSystem& system : w.waves.systems) systems.push_back(text_of(system));
+    if (systems.size() > 1)
+      s += fmt::format(", a sea of Hs {:.4g} m in {} systems: {}",
+                       significant_height(wave_field(c.environment)), systems.size(),
+                       fmt::join(systems, "; "));
+    else if (!systems.empty())
+      s += ", " + systems.front();
     s += "\n";
   }
   if (const Wind& wind = c.environment.wind; wind.present) {

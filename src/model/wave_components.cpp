@@ -1,13 +1,38 @@
-// Wave field of a case from its rows, spectrum, tabulated spectrum or Stokes wave, for hydrodynamics and
-// vessel motions.
+// Wave field of a case from the rows and spectra of its wave systems, or from its Stokes wave, for
+// hydrodynamics and vessel motions.
 #include "hawser/model/wave_components.hpp"
 
 #include <cmath>
 
+#include "hawser/math/random.hpp"
+
 namespace hawser::model {
+namespace {
+
+WaveComponent component(const WaveSystem::Row& r) {
+  WaveComponent out;
+  out.amplitude = r.height / 2;
+  out.omega = 2 * M_PI / r.period;
+  out.phase = r.phase;
+  out.x = std::cos(r.direction);
+  out.y = std::sin(r.direction);
+  return out;
+}
+
+std::vector<WaveComponent> components(const WaveSystem& w, std::uint64_t seed) {
+  if (w.kind == WaveSystem::Kind::spectrum)
+    return irregular(Jonswap{w.height, w.peak_period, w.gamma}, w.direction, w.count, seed, w.spreading);
+  if (w.kind == WaveSystem::Kind::table)
+    return irregular(w.spectrum, w.direction, w.count, seed, w.spreading);
+  std::vector<WaveComponent> out;
+  for (const WaveSystem::Row& r : w.rows) out.push_back(component(r));
+  return out;
+}
+
+}  // namespace
 
 StokesInput stokes_input(const Environment& e) {
-  const Waves& w = e.water.waves;
+  const WaveSystem& w = e.water.waves.systems.front();
   StokesInput input;
   input.height = w.rows[0].height;
   input.period = w.rows[0].period;
@@ -22,26 +47,15 @@ StokesInput stokes_input(const Environment& e) {
 
 WaveField wave_field(const Environment& e) {
   const Waves& waves = e.water.waves;
-  if (waves.kind == Waves::Kind::stokes)
-    return WaveField(std::make_shared<const StokesWave>(stokes_input(e)));
-  std::vector<WaveComponent> components;
-  if (waves.kind == Waves::Kind::spectrum) {
-    components = irregular(Jonswap{waves.height, waves.peak_period, waves.gamma}, waves.direction,
-                           waves.count, waves.seed, waves.spreading);
-  } else if (waves.kind == Waves::Kind::table) {
-    components = irregular(waves.spectrum, waves.direction, waves.count, waves.seed, waves.spreading);
-  } else {
-    for (const Waves::Row& r : waves.rows) {
-      WaveComponent one;
-      one.amplitude = r.height / 2;
-      one.omega = 2 * M_PI / r.period;
-      one.phase = r.phase;
-      one.x = std::cos(r.direction);
-      one.y = std::sin(r.direction);
-      components.push_back(one);
-    }
+  if (waves.stokes()) return WaveField(std::make_shared<const StokesWave>(stokes_input(e)));
+  std::vector<WaveComponent> all;
+  for (size_t i = 0; i < waves.systems.size(); ++i) {
+    // Systems of the same seed have different phases.
+    const WaveSystem& system = waves.systems[i];
+    const std::vector<WaveComponent> some = components(system, sequence_seed(system.seed, i));
+    all.insert(all.end(), some.begin(), some.end());
   }
-  return WaveField(std::move(components), e.water.depth, e.gravity, waves.stretching);
+  return WaveField(std::move(all), e.water.depth, e.gravity, waves.stretching);
 }
 
 }  // namespace hawser::model

@@ -43,12 +43,16 @@ class Slepc {
 
 using Solver = Handle<EPS, EPSDestroy>;
 
-// The symmetric part of a tangent, with `held` instead of 1 on the diagonal of held components.
-MatHandle symmetric(System& system, const Kinematics& state, const Weights& weights, double held) {
-  const MatHandle J = system.create_matrix();
+MatHandle tangent(System& system, const Kinematics& state, const Weights& weights) {
+  MatHandle J = system.create_matrix();
   const std::vector<double> zero(3 * static_cast<size_t>(system.mesh().blocks()), 0);
   system.tangent(state, weights, zero, false, J.get());
-  MatHandle A = symmetric_part(J.get());
+  return J;
+}
+
+// The symmetric part of a tangent J, with `held` instead of 1 on the diagonal of held components.
+MatHandle symmetric(const System& system, Mat J, double held) {
+  MatHandle A = symmetric_part(J);
   const auto& is_held = system.tied_nodes().held();
   for (int b = 0; b < system.mesh().owned_blocks; ++b)
     for (int c = 0; c < 3; ++c) {
@@ -62,22 +66,39 @@ MatHandle symmetric(System& system, const Kinematics& state, const Weights& weig
   return A;
 }
 
-// Adds to K, a symmetric part, the antisymmetric part of the bodies' rows and columns of the tangent, which
-// forces without a potential cause. Returns whether there is one, beyond rounding.
-bool add_asymmetry_of_bodies(System& system, const Kinematics& state, Mat K) {
+// Adds to K, the symmetric part of the tangent J, the antisymmetric part of the bodies' rows and columns,
+// which forces without a potential cause. Returns whether there is one, beyond rounding.
+bool add_asymmetry_of_bodies(const System& system, Mat J, Mat K) {
   constexpr double kRounding = 1e-9;  // of the largest entry
   const BodyRows bodies = rows_of_bodies(system);
   if (bodies.count() == 0 || bodies.count() > kMostDense) return false;
-  const MatHandle J = system.create_matrix();
-  const std::vector<double> zero(3 * static_cast<size_t>(system.mesh().blocks()), 0);
-  system.tangent(state, {1, 0, 0}, zero, false, J.get());
-  const Eigen::MatrixXd block = bodies.block(system, J.get());
+  const Eigen::MatrixXd block = bodies.block(system, J);
   const Eigen::MatrixXd antisymmetric = 0.5 * (block - block.transpose());
   const double rounding = kRounding * block.cwiseAbs().maxCoeff();
   if (antisymmetric.cwiseAbs().maxCoeff() <= rounding) return false;
   bodies.add(antisymmetric, K);
   check(MatSetOption(K, MAT_SYMMETRIC, PETSC_FALSE));
   return true;
+}
+
+struct Stiffness {
+  MatHandle matrix;
+  bool is_symmetric = true;
+};
+
+// Held components get the stiffness 1 and no mass, so that their eigenvalues are infinite and do not appear
+// among the lowest.
+Stiffness stiffness_of(System& system, const Kinematics& state) {
+  const MatHandle J = tangent(system, state, {1, 0, 0});
+  Stiffness out;
+  out.matrix = symmetric(system, J.get(), 1);
+  out.is_symmetric = !add_asymmetry_of_bodies(system, J.get(), out.matrix.get());
+  return out;
+}
+
+// Mass or damping matrix, by weights.
+MatHandle without_held(System& system, const Kinematics& state, const Weights& weights) {
+  return symmetric(system, tangent(system, state, weights).get(), 0);
 }
 
 long free_components(const System& system) {
@@ -276,7 +297,7 @@ void settle(System& system, const Kinematics& state, Mat K, const std::vector<De
     for (int i = 0;; ++i) {
       if (i == kMaxIterations) throw SolveError(advice::modes_incomplete());
       oscillate(std::sqrt(s));
-      const MatHandle M = symmetric(system, state, {0, 0, 1}, 0);
+      const MatHandle M = without_held(system, state, {0, 0, 1});
       std::vector<Eigenpair> here = lowest_modes(system, K, M.get(), k + 1, is_symmetric);
       size_t m = first_oscillating(here) + k - first;
       // Where the mass is negative in some direction, there are fewer.
@@ -284,7 +305,7 @@ void settle(System& system, const Kinematics& state, Mat K, const std::vector<De
       const double change = mu - s;
       (change > 0 ? low : high) = s;
       if (std::abs(change) < kSettled * s || high - low < kSettled * s) {
-        const MatHandle C = symmetric(system, state, {0, 1, 0}, 0);
+        const MatHandle C = without_held(system, state, {0, 1, 0});
         // Repeated eigenvalues have any vectors of their space, so all of them are taken here.
         for (; k < modes.size() && m < here.size() && here[m].squared <= mu * (1 + kGap); ++k, ++m) {
           Vec u = here[m].vector.get();
@@ -324,10 +345,8 @@ std::vector<NaturalMode> natural_modes(System& system, const Kinematics& state, 
   const Slepc slepc;
   const size_t wanted = static_cast<size_t>(std::min<long>(count, free_components(system)));
   if (wanted == 0) return {};
-  // Held components get the stiffness 1 and no mass, so that their eigenvalues are infinite and do not appear
-  // among the lowest.
-  const MatHandle K = symmetric(system, state, {1, 0, 0}, 1), M = symmetric(system, state, {0, 0, 1}, 0);
-  const bool is_symmetric = !add_asymmetry_of_bodies(system, state, K.get());
+  const auto [K, is_symmetric] = stiffness_of(system, state);
+  const MatHandle M = without_held(system, state, {0, 0, 1});
   std::vector<Eigenpair> modes = lowest_modes(system, K.get(), M.get(), wanted, is_symmetric);
   if (modes.size() < wanted) throw SolveError(advice::fewer_modes_converged(modes.size(), wanted));
   modes.resize(wanted);

@@ -283,7 +283,7 @@ void BodyContact::prepare(const Kinematics& from, double h) {
     p.work_power = s.work_power + friction_power(p);
     if (!p.acted) store_first_forces(p, h);
   }
-  if (h > 0) check_overlap(from.time);
+  if (h > 0 || friction_on_) check_overlap(from.time);
 }
 
 // Forces of a state that no step has led to: the start without statics, or that of a checkpoint.

@@ -64,7 +64,8 @@ void BodyContact::check_overlap(double time) {
   const Pair& p = pairs_[worst.pair];
   double met = p.counted ? p.met : 0;
   all_reduce(comm_, MPI_MAX, met);
-  throw SolveError(advice::bodies_overlap(names_[p.a], names_[p.b], worst.depth, met, time));
+  const std::string slave = p.other < 0 ? names_[p.a] : "";
+  throw SolveError(advice::bodies_overlap(names_[p.a], names_[p.b], worst.depth, met, time, slave));
 }
 
 }  // namespace hawser

@@ -185,6 +185,12 @@ VARIANTS = (
     {"environment.waves": "{components: [{height: 1, period: 6, direction_deg: 0, phase_deg: 0}, {height: 1, period: 9}]}",
      "bodies.vessel.motion": "{rao: {rows: [[8, 0, 1, 0, 0, 0, 1, 90, 0, 0, 1, 0, 0, 0]]}}",
      "volumes.post.shape": "{torus: {centre: [30, 40, -5], axis: [0, 0, 1], radius: 3, tube_radius: 0.5}}"},
+    {"environment.waves": "{sum: [{jonswap: {hs: 2, tp: 8, direction_deg: 0, seed: 1, components: 10, spreading: 2, gamma: 3.3}}, "
+     "{pierson_moskowitz: {hs: 2, tp: 8, direction_deg: 0, seed: 1, components: 10, spreading: 0}}, "
+     "{spectrum: {rows: [[0.05, 0], [0.1, 4], [0.2, 1]], frequency: hz, direction_deg: 0, seed: 1, components: 10, spreading: 0}}, "
+     "{spectrum: {file: spectrum.txt}}, {regular: {height: 1, period: 6, direction_deg: 0, phase_deg: 0}}, "
+     "{components: [{height: 1, period: 6, direction_deg: 0, phase_deg: 0}]}]}"},
+    {"environment.waves": "{sum: [{stokes: {height: 2, period: 8, direction_deg: 0, phase_deg: 0, current: 0, current_is: euler}}]}"},
     {"environment.waves": "{stokes: {height: 2, period: 8, direction_deg: 0, phase_deg: 0, current: 0, current_is: euler}}",
      "environment.current": "null", "volumes.post.shape": "{plane: {point: [0, 0, -60], normal: [0, 0, 1]}}",
      "bodies.vessel.motion.drift": "null", "bodies.vessel.motion.harmonic.amplitude": "[0, 0, 0]"},

@@ -62,7 +62,8 @@ TEST(CaseChanges, AreMadeInTheDocument) {
   EXPECT_EQ(c.lines[0].sections[1].length, 25);
   EXPECT_EQ(c.lines[1].end_b.at, Vec3(42, 50, -10));
   EXPECT_EQ(c.dynamics.duration, 0.75);
-  EXPECT_EQ(c.environment.water.waves.kind, model::Waves::Kind::regular);
+  ASSERT_EQ(c.environment.water.waves.systems.size(), 1U);
+  EXPECT_EQ(c.environment.water.waves.systems[0].kind, model::WaveSystem::Kind::regular);
   EXPECT_EQ(c.output.every, 0.25);
   EXPECT_EQ(c.contact.between_lines.general.friction, 0.2);
   EXPECT_EQ(c.changes, changes);

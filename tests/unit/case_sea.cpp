@@ -1,12 +1,15 @@
 // Valid case files of the sea and the bed, with tables from a file or in the case.
 #include <gtest/gtest.h>
 
+#include <complex>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
 #include "hawser/io/case_reader.hpp"
 #include "hawser/model/summary.hpp"
+#include "hawser/model/wave_components.hpp"
 
 namespace hawser::case_sea_test {
 namespace {
@@ -108,6 +111,86 @@ TEST(CaseSea, GridWithAStep) {
       << cliff[0];
   EXPECT_TRUE(notes(0.9, 0).empty());  // 0.097 m
   EXPECT_TRUE(notes(0, 0.5).empty());
+}
+
+std::vector<WaveComponent> components(const std::string& waves) {
+  return model::wave_field(read("{water: {depth: 300}, waves: {" + waves + "}}").environment).components();
+}
+
+bool equal(const WaveComponent& a, const WaveComponent& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+struct Moments {
+  double energy = 0;     // m²
+  double direction = 0;  // deg, mean by energy
+};
+Moments moments(const std::vector<WaveComponent>& all, size_t first, size_t count) {
+  Moments m;
+  std::complex<double> sum = 0;
+  for (size_t i = first; i < first + count; ++i) {
+    const double energy = 0.5 * all[i].amplitude * all[i].amplitude;
+    m.energy += energy;
+    sum += energy * std::complex<double>(all[i].x, all[i].y);
+  }
+  m.direction = std::arg(sum) * 180 / M_PI;
+  return m;
+}
+
+// Energy and direction of each system are those of the case, and the components of the first are those of the
+// same system alone.
+TEST(CaseSea, SumOfWaveSystems) {
+  const std::string wind_sea = "jonswap: {hs: 3, tp: 8, gamma: 2, direction_deg: 20, components: 80}";
+  const std::string waves =
+      "sum: [{" + wind_sea +
+      "}, {pierson_moskowitz: {hs: 2, tp: 15, direction_deg: 110, spreading: 20, components: 60}}, {regular: "
+      "{height: 1, period: 20, direction_deg: -90, phase_deg: 30}}], stretching: vertical";
+  const std::vector<WaveComponent> all = components(waves);
+  ASSERT_EQ(all.size(), 141U);
+  const Moments first = moments(all, 0, 80), second = moments(all, 80, 60), third = moments(all, 140, 1);
+  EXPECT_NEAR(first.energy, 9.0 / 16, 1e-12);
+  EXPECT_NEAR(second.energy, 4.0 / 16, 1e-12);
+  EXPECT_NEAR(third.energy, 1.0 / 8, 1e-12);
+  EXPECT_NEAR(first.direction, 20, 1e-9);
+  EXPECT_NEAR(second.direction, 110, 0.5);
+  EXPECT_NEAR(third.direction, -90, 1e-9);
+  EXPECT_NEAR(all[140].omega, 2 * M_PI / 20, 1e-12);
+  EXPECT_NEAR(all[140].phase, M_PI / 6, 1e-12);
+  const std::vector<WaveComponent> alone = components(wind_sea);
+  for (size_t i = 0; i < 80; ++i) EXPECT_TRUE(equal(all[i], alone[i])) << i;
+  const model::Case c = read("{water: {depth: 300}, waves: {" + waves + "}}");
+  EXPECT_EQ(c.environment.water.waves.ramp, 20);
+  EXPECT_EQ(c.environment.water.waves.stretching, Stretching::vertical);
+  expect_part(
+      c,
+      ", a sea of Hs 3.873 m in 3 systems: waves of Hs 3 m, Tp 8 s in 80 components, seed 1; waves of "
+      "Hs 2 m, Tp 15 s in 60 components, seed 1; a wave of 1 m and 20 s\n");
+}
+
+TEST(CaseSea, OneSystemInASumIsTheSameSea) {
+  for (const std::string waves :
+       {"jonswap: {hs: 3, tp: 8, direction_deg: 20, spreading: 4, seed: 5}",
+        "pierson_moskowitz: {hs: 3, tp: 8}", "spectrum: {rows: [[0.05, 0], [0.1, 9], [0.2, 0]], seed: 2}",
+        "regular: {height: 2, period: 9}", "components: [{height: 2, period: 9}, {height: 1, period: 7}]"}) {
+    const std::vector<WaveComponent> alone = components(waves), in_sum = components("sum: [{" + waves + "}]");
+    ASSERT_EQ(alone.size(), in_sum.size());
+    for (size_t i = 0; i < alone.size(); ++i) EXPECT_TRUE(equal(alone[i], in_sum[i])) << waves << i;
+  }
+}
+
+// The mean of exp(i (phase difference)) of n independent pairs is about 1/sqrt(n).
+TEST(CaseSea, SystemsOfOneSeedHaveIndependentPhases) {
+  constexpr size_t kCount = 400;
+  for (const std::string seed : {"1", "2", "77"}) {
+    const std::string one = "{jonswap: {hs: 3, tp: 9, components: 400, seed: " + seed + "}}";
+    const std::vector<WaveComponent> all = components("sum: [" + one + ", " + one + ", " + one + "]");
+    ASSERT_EQ(all.size(), 3 * kCount);
+    for (const auto& [a, b] : {std::pair{0, 1}, {0, 2}, {1, 2}})
+      for (size_t shift = 0; shift < 3; ++shift) {
+        std::complex<double> sum = 0;
+        for (size_t i = 0; i + shift < kCount; ++i)
+          sum += std::polar(1.0, all[a * kCount + i + shift].phase - all[b * kCount + i].phase);
+        EXPECT_LT(std::abs(sum), 4 * std::sqrt(kCount)) << seed << " " << a << " " << b << " " << shift;
+      }
+  }
 }
 
 }  // namespace

@@ -51,8 +51,8 @@ class HydrodynamicChecks : public ::testing::Test {
   }
   std::string reported(const std::string& keys = "", const std::string& rest = "",
                        const std::vector<std::string>& bodies = {"spar"}) {
-    std::string text =
-        "hawser: 1\nenvironment: {gravity: 9.80665, water: {density: 1025, depth: 200}}\nbodies:\n";
+    std::string text = "hawser: 1\nenvironment: {gravity: 9.80665, water: {density: 1025, depth: 200}" +
+                       waves_ + "}\nbodies:\n";
     for (const std::string& name : bodies)
       text += "  " + name +
               ": {floating: {mass: 2.8981e7, centre_of_mass: [0, 0, -50], inertia: [2e10, 2e10, 1e9], "
@@ -76,6 +76,9 @@ class HydrodynamicChecks : public ::testing::Test {
     EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 1) << text;
     for (const char* ending : {".1", ".3", ".hst"}) with(ending, [](auto&) {});
   }
+
+ protected:
+  std::string waves_;  // of the environment
 
  private:
   std::filesystem::path folder_;
@@ -321,6 +324,27 @@ TEST_F(HydrodynamicChecks, DifferenceForces) {
   EXPECT_EQ(reported(full), "");
   write(".12d", pairs(0.9, "12 16 0 0 1 0.1 0 0.1 0\n"));
   expect("or is F_ji not the conjugate of F_ij?", full);
+}
+
+// A swell of 4/13 of the energy across the wind sea.
+TEST_F(HydrodynamicChecks, DifferenceForcesOfCrossingWaves) {
+  std::string pairs;
+  for (const auto& [one, other] : {std::pair(16, 16), {16, 12}, {16, 8}, {12, 12}, {12, 8}, {8, 8}})
+    pairs += fmt::format("{} {} 0 0 1 0.2 0 0.2 0\n", one, other);
+  write(".12d", pairs);
+  const auto systems = [](int direction) {
+    return fmt::format(
+        ", waves: {{sum: [{{jonswap: {{hs: 3, tp: 11}}}}, {{jonswap: {{hs: 2, tp: 13, direction_deg: "
+        "{}}}}}]}}",
+        direction);
+  };
+  waves_ = systems(100);
+  const std::string part = "31 % of the sea's energy goes to directions more than 45 deg from the mean";
+  EXPECT_NE(reported(", second_order: full").find(part), std::string::npos)
+      << reported(", second_order: full");
+  EXPECT_EQ(reported().find("from the mean"), std::string::npos) << reported();
+  waves_ = systems(30);
+  EXPECT_EQ(reported(", second_order: full").find("from the mean"), std::string::npos);
 }
 
 TEST_F(HydrodynamicChecks, AsymmetricDamping) {

@@ -37,13 +37,13 @@ std::optional<bool> keeps_any(const Value& root) {
 }
 
 std::optional<bool> keeps_initial(const Value& root) {
-  return keeps_any<Case, Environment, Water, Wind, FlowOnBody, Current, CurrentRow, Waves, Waves::Row, Seabed,
-                   Friction, LineType, Body, Drift, BodyMass, BodyInWater, BodyHydrodynamics, BodyHull,
-                   MassMatrix, DynamicPositioning, BodyMember, BodyLoad, HarmonicMotion, ConstantMotion,
-                   TableMotion, Ride, Volume, Line, Section, End, Joint, PointMass, BendStiffener, Buried,
-                   LengthTarget, Feed, Link, LinkLaw, Contact, BetweenLines, BetweenLines::Tuned,
-                   LinePairSettings, Statics, Dynamics, Output, ClashOutput, Clearance, HistoryPoint,
-                   BoxShape, Event, Action, Cause>(root);
+  return keeps_any<Case, Environment, Water, Wind, FlowOnBody, Current, CurrentRow, Waves, WaveSystem,
+                   WaveSystem::Row, Seabed, Friction, LineType, Body, Drift, BodyMass, BodyInWater,
+                   BodyHydrodynamics, BodyHull, MassMatrix, DynamicPositioning, BodyMember, BodyLoad,
+                   HarmonicMotion, ConstantMotion, TableMotion, Ride, Volume, Line, Section, End, Joint,
+                   PointMass, BendStiffener, Buried, LengthTarget, Feed, Link, LinkLaw, Contact, BetweenLines,
+                   BetweenLines::Tuned, LinePairSettings, Statics, Dynamics, Output, ClashOutput, Clearance,
+                   HistoryPoint, BoxShape, Event, Action, Cause>(root);
 }
 
 bool has_fields(const Key& k) {
@@ -52,12 +52,11 @@ bool has_fields(const Key& k) {
   return any;
 }
 
-// Without a spectrum there are no components, only JONSWAP has a peakedness, and the keys of a Stokes wave
-// create its row.
+// Only JONSWAP has a peakedness, and the keys of a Stokes wave create its row.
 const std::set<std::string> kFallback = {
-    ".environment.waves.jonswap.components",           ".environment.waves.jonswap.gamma",
-    ".environment.waves.pierson_moskowitz.components", ".environment.waves.spectrum.components",
-    ".environment.waves.stokes.direction_deg",         ".environment.waves.stokes.phase_deg"};
+    ".environment.waves.jonswap.gamma",        ".environment.waves.sum.jonswap.gamma",
+    ".environment.waves.stokes.direction_deg", ".environment.waves.sum.stokes.direction_deg",
+    ".environment.waves.stokes.phase_deg",     ".environment.waves.sum.stokes.phase_deg"};
 
 int compare(const Key& key, const std::string& path) {
   int compared = 0;

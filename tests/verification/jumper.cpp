@@ -195,9 +195,8 @@ TEST(Jumper, TopMoves) {
 // case, gives extremes 1.2 kN lower.
 TEST(Jumper, WavesPass) {
   model::Case c = jumper();
-  auto& w = c.environment.water.waves;
-  w.kind = model::Waves::Kind::regular;
-  w.rows = {{10, 10, 0, 230 * M_PI / 180}};
+  model::Waves& w = c.environment.water.waves;
+  w.systems.emplace_back().rows = {{10, 10, 0, 230 * M_PI / 180}};
   w.ramp = 10;
   w.stretching = Stretching::none;
   const History h = run(c, 20, 50);

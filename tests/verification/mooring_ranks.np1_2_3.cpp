@@ -1,5 +1,5 @@
-// A mooring line in a current and an irregular sea, with friction on the bed, cut between ranks: statics and
-// some seconds with a moving fairlead are the same as on one rank.
+// A mooring line in a current and a sea of wind waves and swell, with friction on the bed, cut between ranks:
+// statics and some seconds with a moving fairlead are the same as on one rank.
 #include "hawser/terms/bed_contact.hpp"
 #include "support/mooring.hpp"
 
@@ -10,14 +10,17 @@ model::Case chain() {
   model::Case c = moored_chain({0, 0, -200}, 120, 1e5, {1, 0.5, 2});
   c.environment.water.current.profile = {{0, 1, 0.8}, {200, 0.2, 0.3}};
   model::Waves& waves = c.environment.water.waves;
-  waves.kind = model::Waves::Kind::spectrum;
-  waves.height = 4;
-  waves.peak_period = 9;
-  waves.gamma = 3.3;
-  waves.direction = 0.5;
-  waves.spreading = 4;
-  waves.count = 100;
-  waves.seed = 7;
+  for (const double period : {9.0, 14.0}) {
+    model::WaveSystem& w = waves.systems.emplace_back();
+    w.kind = model::WaveSystem::Kind::spectrum;
+    w.height = 36 / period;
+    w.peak_period = period;
+    w.gamma = 3.3;
+    w.direction = 0.5 - 0.2 * (period - 9);
+    w.spreading = 4;
+    w.count = 100;
+    w.seed = 7;
+  }
   waves.ramp = 3;
   c.dynamics.duration = 6;
   return c;

@@ -7,8 +7,7 @@ namespace {
 
 model::Waves one_wave(double height, double period, double phase = 0) {
   model::Waves w;
-  w.kind = model::Waves::Kind::regular;
-  w.rows = {{height, period, 0, phase}};
+  w.systems.emplace_back().rows = {{height, period, 0, phase}};
   return w;
 }
 
@@ -95,11 +94,13 @@ TEST(WaveLoads, Pile) {
 // surface.
 TEST(WaveLoads, PileInStokesWave) {
   const double depth = 30, D = 1, Cd = 1.2, Cm = 2, rho = 1025;
-  model::Waves w;
-  w.kind = model::Waves::Kind::stokes;
+  model::WaveSystem w;
+  w.kind = model::WaveSystem::Kind::stokes;
   w.rows = {{9, 9, 0, 0}};
   w.current = 0.5;
-  const model::Case c = pile(depth, 8, w);
+  model::Waves waves;
+  waves.systems = {w};
+  const model::Case c = pile(depth, 8, waves);
   const WaveField field = model::wave_field(c.environment);
   Simulation sim(PETSC_COMM_SELF, c);
   for (const double t : {0.0, -1.0, -2.3, 1.1, 4.0}) {

@@ -12,11 +12,11 @@ namespace {
 TEST(WavesRanks, SeedsAreTheSameSea) {
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  for (const auto kind : {model::Waves::Kind::spectrum, model::Waves::Kind::table}) {
+  for (const auto kind : {model::WaveSystem::Kind::spectrum, model::WaveSystem::Kind::table}) {
     model::Environment e;
     e.water.present = true;
     e.water.depth = 80;
-    model::Waves& w = e.water.waves;
+    model::WaveSystem& w = e.water.waves.systems.emplace_back();
     w.kind = kind;
     w.height = 5;
     w.peak_period = 11;

@@ -36,9 +36,10 @@ struct Current {
 
 // Linear waves: a regular wave, components of a spectrum (by formula or table) or given components; or a
 // Stokes wave of finite height.
-struct Waves {
-  enum class Kind { none, regular, spectrum, components, stokes, table };
-  Kind kind = Kind::none;
+struct WaveSystem {
+  enum class Kind { regular, spectrum, components, stokes, table };
+  Kind kind = Kind::components;
+  std::string key;  // in the case file
   struct Row {
     double height = 0, period = 0;    // m, crest to trough; s
     double direction = 0, phase = 0;  // rad
@@ -49,11 +50,21 @@ struct Waves {
   std::vector<SpectrumRow> spectrum;              // rows of Kind::table
   double current = 0;                             // m/s, uniform, collinear with the Stokes wave
   bool transport =
-      false;      // `current` is the depth-averaged transport velocity; else the mean Eulerian velocity
-  int count = 0;  // number of components
+      false;        // `current` is the depth-averaged transport velocity; else the mean Eulerian velocity
+  int count = 200;  // number of components of a spectrum
   std::uint64_t seed = 1;
+
+  bool irregular() const { return kind == Kind::spectrum || kind == Kind::table; }
+};
+
+// Systems such as wind sea and swell, whose linear waves are added; a Stokes wave is alone.
+struct Waves {
+  std::vector<WaveSystem> systems;  // empty: no waves
   Stretching stretching = Stretching::wheeler;
   double ramp = 0;  // s, smooth start in dynamics
+
+  bool none() const { return systems.empty(); }
+  bool stokes() const { return !none() && systems.front().kind == WaveSystem::Kind::stokes; }
 };
 
 struct Water {

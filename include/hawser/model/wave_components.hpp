@@ -6,7 +6,7 @@
 
 namespace hawser::model {
 
-// Input of the Stokes wave of a case (Waves::Kind::stokes).
+// Input of the Stokes wave of a case (WaveSystem::Kind::stokes).
 StokesInput stokes_input(const Environment& e);
 
 // Empty without waves; equal on all ranks. Throws std::invalid_argument for a Stokes wave that does not

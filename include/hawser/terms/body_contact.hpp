@@ -64,7 +64,8 @@ class BodyContact final : public ForceTerm,
   void list_couplings(Couplings& to) const override;
   void enable_friction(bool on) override { friction_on_ = on; }
   void renumber() override;
-  // For a time step (h > 0) also computes the contact frequency and checks the overlap of the volumes.
+  // For a time step (h > 0) also computes the contact frequency. Where bodies follow a path, in time or in
+  // statics with friction, also checks the overlap of the volumes.
   void prepare(const Kinematics& from, double h) override;
   void limit_step(const Kinematics& committed, ImpactEvents& to) override;
   // Refuses a step in which a corner or an edge passes through the other body.
