@@ -164,7 +164,7 @@ void Simulation::note_slack_lines(bool relaxed) {
   all_reduce(system_->comm(), MPI_SUM, slack);
   for (size_t l = 0; l < slack.size(); ++l)
     if (slack[l] > 0 && !case_.lines[l].end_a.feed && !case_.lines[l].end_b.feed)
-      notes_.push_back(advice::slack_at_rest(mesh_->lines[l].name, slack[l], relaxed));
+      notes_.push_back(advice::slack_at_rest(mesh_->line_names[l], slack[l], relaxed));
 }
 
 }  // namespace hawser::run

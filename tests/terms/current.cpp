@@ -17,7 +17,7 @@ double pull(double ramp, double time, double step) {
   mesh.add(Node{0, 0, 1, false});
   mesh.add(Node{0, 2, 1, false});
   mesh.add(Element{0, 0, 1, 0, 2, false});
-  mesh.lines = {{0, 2, 0, 1, 2, "one"}};
+  mesh.lines = {{0, 2, 0, 1, 2}};
   LocalMesh local;
   local.mesh = &mesh;
   local.owned = 2;

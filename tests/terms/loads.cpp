@@ -22,7 +22,7 @@ Mesh two_lines() {
   mesh.add(Node{0, 2, 1, true});
   mesh.add(Node{1, 0, 0, false});
   mesh.add(Element{0, 0, 1, 0, 2, true});
-  mesh.lines = {{0, 2, 0, 1, 2, "one"}, {2, 1, 1, 0, 0, "two"}};
+  mesh.lines = {{0, 2, 0, 1, 2}, {2, 1, 1, 0, 0}};
   return mesh;
 }
 
