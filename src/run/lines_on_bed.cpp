@@ -26,6 +26,7 @@ std::vector<std::string> lines_on_bed(const model::Case& c, const System& system
   // Between touchdown points, as in the results.
   const std::vector<record::Touchdown> down =
       record::Touchdowns(system.comm(), c, system.mesh()).of_all_lines(state);
+  if (rank_of(system.comm()) != 0) return out;
   // Lines that differ only in position are reported together.
   std::map<std::pair<bool, std::string>, std::pair<std::vector<std::string>, std::vector<advice::OnBed>>>
       like;

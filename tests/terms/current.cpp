@@ -27,7 +27,7 @@ double pull(double ramp, double time, double step) {
   local.elements = {{0, 1, 0, false}};
   local.copy_local();
   model::Case c;
-  c.lines.resize(1);
+  c.lines.emplace_back();
   model::Water& w = c.environment.water;
   w.present = true;
   w.density = 1000;

@@ -162,7 +162,7 @@ TEST(PointMasses, InertiaAndWeight) {
 
 TEST(PointLoads, OfACase) {
   model::Case c;
-  c.lines.resize(2);
+  for (int i = 0; i < 2; ++i) c.lines.emplace_back();
   c.lines[0].point_loads = {{1.9, {1, 0, 0}, {0, 2, 0}, 3}};
   c.lines[0].masses = {{0.1, 5}};
   const Mesh mesh = two_lines();
