@@ -191,7 +191,7 @@ struct ResultsFile::Impl {
   }
 
   void wait(std::span<const BodyPose> poses) {
-    for (const auto& p : poses) {
+    for (const auto& p : root() ? poses : std::span<const BodyPose>()) {
       waiting.position.insert(waiting.position.end(), {p.position.x(), p.position.y(), p.position.z()});
       waiting.rotation.insert(waiting.rotation.end(),
                               {p.rotation.w(), p.rotation.x(), p.rotation.y(), p.rotation.z()});

@@ -15,8 +15,8 @@ namespace hawser::io {
 struct WaitingOutputs {
   std::vector<double> times;
   std::vector<std::vector<double>> fields, ends;  // by field: outputs x nodes x components
-  std::vector<double> position, rotation;         // of bodies
-  std::vector<std::vector<float>> moved;          // by volume
+  std::vector<double> position, rotation;         // of bodies, on the first rank
+  std::vector<std::vector<float>> moved;          // by volume, on the first rank
   std::vector<ClashTables> clashes;
   std::vector<ContactRows> contacts;
 

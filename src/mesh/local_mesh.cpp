@@ -64,13 +64,13 @@ std::vector<BlockRun> block_runs(const Mesh& mesh, const NodeRanks& owner, int r
 std::vector<int> local_elements(const Mesh& mesh, const NodeRanks& owner, int rank) {
   std::vector<int> out;
   for (const EvenPart& part : mesh.parts()) {
-    const int last_node = part.first_node + part.lengths.elements;
+    const int last_node = part.first_node + part.elements;
     int last = -1;  // element of `out`, in the part
     for (size_t r = owner.run_of(part.first_node);
          r < owner.runs().size() && owner.runs()[r].first <= last_node; ++r) {
       if (owner.runs()[r].rank != rank) continue;
       const int from = std::max(owner.runs()[r].first - part.first_node - 1, last + 1);
-      const int to = std::min(owner.end(r) - part.first_node, part.lengths.elements);
+      const int to = std::min(owner.end(r) - part.first_node, part.elements);
       for (int k = std::max(from, 0); k < to; ++k) out.push_back(part.first_element + (last = k));
     }
   }

@@ -85,7 +85,7 @@ void tie(const model::Case& c, const Mesh& m, SpecialNodes& special) {
 void mark_two_sided(const model::Case& c, const Mesh& m, SpecialNodes& special) {
   const std::span<const EvenPart> parts = m.parts();
   for (size_t p = 1; p < parts.size(); ++p)
-    if (parts[p].line == parts[p - 1].line && parts[p].type != parts[p - 1].type)
+    if (parts[p].line == parts[p - 1].line && parts[p].shape->type != parts[p - 1].shape->type)
       special.at(parts[p].first_node).two_sided = true;
   for (size_t l = 0; l < c.lines.size(); ++l) {
     const LineSpan& span = m.lines[l];
@@ -106,16 +106,15 @@ Mesh build_mesh(const model::Case& c) {
   Mesh m;
   const auto places = model::fixed_places(c);
   m.lines.reserve(c.lines.size());
-  m.bodies.reserve(c.bodies.size());
   for (size_t i = 0; i < c.lines.size(); ++i) {
     const auto& line = c.lines[i];
     LineSpan span;
     span.first_node = m.nodes();
     span.first_element = m.elements();
     m.begin_line();
-    EvenPart part;
-    part.line = static_cast<int>(i);
+    PartShape part;
     if (line.temperature_change.size() > 1) part.rows = m.add(line.temperature_change);
+    double start = 0;  // m, arc length of the beginning of the section
     const auto sections = model::progressions(line, places[i]);
     for (size_t s = 0; s < sections.size(); ++s) {
       const model::Section& section = line.sections[s];
@@ -124,19 +123,19 @@ Mesh build_mesh(const model::Case& c) {
       const model::LineType& type = c.line_types[part.type];
       part.beam = type.kind == model::LineKind::beam;
       part.free_strain = part.rows < 0 ? model::thermal_strain(type, line, 0, 0) : type.thermal_expansion;
-      double along = 0;
+      part.along = 0;
       for (const model::Progression& lengths : sections[s]) {
         part.lengths = lengths;
-        along = m.add(part, along);
+        part.along = m.add(static_cast<int>(i), start, part);
       }
-      part.start += section.length;
-      m.end_section(part.start);
+      start += section.length;
+      m.end_section(start);
     }
     span.nodes = m.nodes() - span.first_node;
     span.elements = m.elements() - span.first_element;
-    span.length = part.start;
-    span.name = line.name;
-    m.lines.push_back(std::move(span));
+    span.length = start;
+    m.lines.push_back(span);
+    m.line_names.push_back(line.name);
   }
   SpecialNodes special(m);
   join(c, m, special);
@@ -147,12 +146,19 @@ Mesh build_mesh(const model::Case& c) {
     const int group = static_cast<int>(m.lines.size()) + m.body_nodes();
     m.add(Node{group, 0, 0, true, static_cast<int>(b)});
   }
+  m.shrink_to_fit();
   tie(c, m, special);
   special.store();
   for (size_t b = 0; b < c.bodies.size(); ++b)
     if (const auto& ride = c.bodies[b].ride)
       m.rides.emplace_back(static_cast<int>(b), m.nearest_node(c.line_index(ride->line), ride->at));
   return m;
+}
+
+void Mesh::shrink_to_fit() {
+  MeshTable::shrink_to_fit();
+  line_names.shrink_to_fit();
+  bodies.shrink_to_fit();
 }
 
 int Mesh::body_node(int body) const {
@@ -180,7 +186,7 @@ int Mesh::nearest_node(int line, double s) const {
 std::string Mesh::place(int node) const {
   const Node n = this->node(node);
   if (n.body >= 0) return "body " + bodies[n.body];
-  return fmt::format("line {}, arc length {:.6g} m", lines[n.line].name, n.arc);
+  return fmt::format("line {}, arc length {:.6g} m", line_names[n.line], n.arc);
 }
 
 }  // namespace hawser

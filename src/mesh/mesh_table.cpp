@@ -13,26 +13,34 @@ constexpr int kStride = 64;  // elements between two stored sums of lengths
 
 // Neighbours in an explicit list of elements that form one even part.
 bool goes_on(const EvenPart& p, const Element& e) {
-  return p.rows < 0 && p.lengths.ratio == 1 && p.line == e.line && p.type == e.type && p.beam == e.beam &&
-         p.lengths.length == e.length && p.free_strain == e.free_strain &&
-         p.first_node + p.lengths.elements == e.first;
+  return p.shape->rows < 0 && p.shape->lengths.ratio == 1 && p.line == e.line && p.shape->type == e.type &&
+         p.shape->beam == e.beam && p.shape->lengths.length == e.length &&
+         p.shape->free_strain == e.free_strain && p.first_node + p.elements == e.first;
+}
+
+// The sums of EvenPart, and the length along the section after the part, m.
+std::vector<double> sums_of(const PartShape& shape) {
+  std::vector<double> sums;
+  double along = shape.along;
+  for (int k = 0; k < shape.lengths.elements; ++k) {
+    if (k % kStride == 0) sums.push_back(along);
+    along += shape.lengths.element_length(k);
+  }
+  sums.push_back(along);
+  return sums;
 }
 
 }  // namespace
 
-double MeshTable::add(EvenPart part, double along) {
-  part.first_element = elements_;
-  part.first_node = nodes_ - 1;
-  part.first_sum = sums_.size();
-  for (int k = 0; k < part.lengths.elements; ++k) {
-    if (k % kStride == 0) sums_.push_back(along);
-    along += part.lengths.element_length(k);
-  }
-  part.end = part.start + along;
-  elements_ += part.lengths.elements;
-  nodes_ += part.lengths.elements;
-  parts_.push_back(part);
-  return along;
+double MeshTable::add(int line, double start, const PartShape& shape) {
+  auto at = shapes_->find(shape);
+  if (at == shapes_->end()) at = shapes_->emplace(shape, sums_of(shape)).first;
+  const auto& [shared, sums] = *at;
+  const int elements = shape.lengths.elements;
+  parts_.push_back({elements_, nodes_ - 1, line, elements, start, start + sums.back(), &shared, sums.data()});
+  elements_ += elements;
+  nodes_ += elements;
+  return sums.back();
 }
 
 int MeshTable::add(TemperatureRows rows) {
@@ -44,17 +52,19 @@ void MeshTable::add(const Node& node) { special_.emplace_back(nodes_++, node); }
 
 void MeshTable::add(const Element& e) {
   if (!parts_.empty() && goes_on(parts_.back(), e)) {
-    ++parts_.back().lengths.elements;
+    ++parts_.back().elements;
   } else {
-    EvenPart p;
-    p.first_element = elements_;
-    p.first_node = e.first;
-    p.line = e.line;
-    p.type = e.type;
-    p.beam = e.beam;
-    p.lengths = {.elements = 1, .length = e.length};
-    p.free_strain = e.free_strain;
-    parts_.push_back(p);
+    PartShape shape;
+    shape.type = e.type;
+    shape.beam = e.beam;
+    shape.lengths.length = e.length;
+    shape.free_strain = e.free_strain;
+    const auto shared = shapes_->try_emplace(shape).first;
+    parts_.push_back({.first_element = elements_,
+                      .first_node = e.first,
+                      .line = e.line,
+                      .elements = 1,
+                      .shape = &shared->first});
   }
   ++elements_;
 }
@@ -69,10 +79,10 @@ void MeshTable::set(const std::map<int, Node>& changed) {
 }
 
 double MeshTable::arc_of(const EvenPart& part, int k) const {
-  if (k == part.lengths.elements) return part.end;
+  if (k == part.elements) return part.end;
   const int from = k / kStride;
-  double along = sums_[part.first_sum + static_cast<size_t>(from)];
-  for (int i = from * kStride; i < k; ++i) along += part.lengths.element_length(i);
+  double along = part.sums[from];
+  for (int i = from * kStride; i < k; ++i) along += part.element_length(i);
   return part.start + along;
 }
 
@@ -85,27 +95,28 @@ Node MeshTable::node_at(int n) const {
   const int k = n - part.first_node;
   Node out{.line = part.line, .arc = arc_of(part, k)};
   const auto join = [&out](const EvenPart& p, int element) {
-    out.tributary += 0.5 * p.lengths.element_length(element);
-    out.rotates |= p.beam;
+    out.tributary += 0.5 * p.element_length(element);
+    out.rotates |= p.shape->beam;
   };
   if (k > 0)
     join(part, k - 1);
   else if (at != parts_.begin() && (at - 1)->line == part.line)
-    join(*(at - 1), (at - 1)->lengths.elements - 1);
-  if (k < part.lengths.elements) join(part, k);
+    join(*(at - 1), (at - 1)->elements - 1);
+  if (k < part.elements) join(part, k);
   return out;
 }
 
 Element MeshTable::element_at(int e) const {
   const EvenPart& part = part_of(e);
   const int k = e - part.first_element;
-  const double length = part.lengths.element_length(k);
-  double strain = part.free_strain;
-  if (part.rows >= 0) {
+  const PartShape& shape = *part.shape;
+  const double length = part.element_length(k);
+  double strain = shape.free_strain;
+  if (shape.rows >= 0) {
     const double from = arc_of(part, k);
-    strain *= model::mean_temperature_change(rows_[static_cast<size_t>(part.rows)], from, from + length);
+    strain *= model::mean_temperature_change(rows_[static_cast<size_t>(shape.rows)], from, from + length);
   }
-  return {part.line, part.first_node + k, part.first_node + k + 1, part.type, length, part.beam, strain};
+  return {part.line, part.first_node + k, part.first_node + k + 1, shape.type, length, shape.beam, strain};
 }
 
 const EvenPart& MeshTable::part_of(int element) const {
@@ -114,22 +125,22 @@ const EvenPart& MeshTable::part_of(int element) const {
 
 double MeshTable::length_of(int element) const {
   const EvenPart& part = part_of(element);
-  return part.lengths.element_length(element - part.first_element);
+  return part.element_length(element - part.first_element);
 }
 
 double MeshTable::longest_element() const {
   double longest = 0;
   for (const EvenPart& p : parts_)
-    for (const int k : {0, p.lengths.elements - 1}) longest = std::max(longest, p.lengths.element_length(k));
+    for (const int k : {0, p.elements - 1}) longest = std::max(longest, p.element_length(k));
   return longest;
 }
 
 bool MeshTable::any_beam() const {
-  return std::any_of(parts_.begin(), parts_.end(), [](const EvenPart& p) { return p.beam; });
+  return std::any_of(parts_.begin(), parts_.end(), [](const EvenPart& p) { return p.shape->beam; });
 }
 
 bool MeshTable::any_cable() const {
-  return std::any_of(parts_.begin(), parts_.end(), [](const EvenPart& p) { return !p.beam; });
+  return std::any_of(parts_.begin(), parts_.end(), [](const EvenPart& p) { return !p.shape->beam; });
 }
 
 bool MeshTable::any_rotates() const {

@@ -49,9 +49,9 @@ std::vector<NodeRun> node_runs(const Mesh& mesh) {
     const EvenPart& p = parts[i];
     const bool goes_on = i > 0 && parts[i - 1].line == p.line;
     const bool ends = i + 1 == parts.size() || parts[i + 1].line != p.line;
-    runs.go(p.first_node + 1, p.line, p.beam || (goes_on && parts[i - 1].beam));
-    runs.go(p.first_node + p.lengths.elements, p.line, p.beam);
-    if (ends) runs.go(p.first_node + p.lengths.elements + 1, p.line, p.beam);
+    runs.go(p.first_node + 1, p.line, p.shape->beam || (goes_on && parts[i - 1].shape->beam));
+    runs.go(p.first_node + p.elements, p.line, p.shape->beam);
+    if (ends) runs.go(p.first_node + p.elements + 1, p.line, p.shape->beam);
   }
   while (runs.more()) runs.add_special();
   return std::move(runs.out);

@@ -59,7 +59,7 @@ std::vector<int> metis_parts(std::span<const double> work, const std::vector<Gra
 template <class Visit>
 void for_cut_elements(const Mesh& mesh, const NodeRanks& owner, const Visit& visit) {
   for (const EvenPart& part : mesh.parts()) {
-    const int last_node = part.first_node + part.lengths.elements;
+    const int last_node = part.first_node + part.elements;
     for (size_t r = owner.run_of(part.first_node) + 1; r < owner.runs().size(); ++r) {
       if (owner.runs()[r].first > last_node) break;
       visit(owner.runs()[r].first);

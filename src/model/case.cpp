@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include "hawser/base/error.hpp"
@@ -94,6 +95,20 @@ int Case::line_index(const std::string& name) const {
 }
 
 const Line& Case::line(const std::string& name) const { return lines[line_index(name)]; }
+
+void Case::forget_lines(const std::vector<bool>& kept) {
+  std::set<std::string> named;
+  for (const Event& e : events) named.insert({e.action.line, e.action.given_line, e.cause.line});
+  for (const Link& l : links) named.insert({l.end_a.line, l.end_b.line});
+  for (const Body& b : bodies)
+    if (b.ride) named.insert(b.ride->line);
+  for (const SupportBox& b : supports) named.insert(b.line);
+  for (const HistoryPoint& h : output.histories) named.insert(h.line);
+  for (const Clearance& d : output.clearances) named.insert({d.line, d.other_line});
+  for (std::size_t l = 0; l < lines.size(); ++l)
+    if (!kept[l] && lines.has(l) && !named.contains(lines[l].name)) lines.forget(l);
+  line_at_ = {};
+}
 
 bool Case::off_at_start(const Volume& volume) const {
   for (const Event& e : events)

@@ -74,14 +74,14 @@ class Cuts {
   Case done() {
     if (std::none_of(c_.events.begin(), c_.events.end(), [](const Event& e) { return e.action.cut >= 0; }))
       return std::move(c_);
-    std::vector<Line> lines;
+    Entries<Line> lines;
     for (const Line& line : c_.lines) divide(line, lines);
     c_.lines = std::move(lines);
     return std::move(c_);
   }
 
  private:
-  void divide(const Line& line, std::vector<Line>& to) {
+  void divide(const Line& line, Entries<Line>& to) {
     const double length = length_of(line);
     arcs_ = {0};
     for (const Event& e : c_.events)

@@ -68,26 +68,27 @@ std::optional<Value> reduced(const Value& v, const Key* key, int line) {
   if (key && key->type == Type::one_of) return reduced(v, v.schema, line);
   const bool placed = v.given && v.line != 0;
   const int item_line = placed ? v.line : line;
-  std::vector<std::optional<Value>> items;
-  for (std::size_t i = 0; i < v.items.size(); ++i)
-    items.push_back(reduced(*Entry(v, i), key_of(v, i, key), item_line));
-  const auto kept =
-      std::count_if(items.begin(), items.end(), [](const std::optional<Value>& x) { return x.has_value(); });
-  if (item_line == line && kept == 0) return std::nullopt;
   Value out;
   out.kind = v.kind;
   out.line = v.line;
   out.given = v.given;
   out.schema = v.schema;
-  if (kept == 0) return out;
   const bool in_order = v.kind == Value::Kind::list;  // items of a list are found by their numbers
-  out.items.reserve(in_order ? items.size() : static_cast<std::size_t>(kept));
-  if (!in_order) out.keys.reserve(static_cast<std::size_t>(kept));
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (!in_order && !items[i]) continue;
-    out.items.push_back(items[i] ? std::move(*items[i]) : Value());
+  bool any = false;
+  out.items.reserve(v.items.size());
+  if (!in_order) out.keys.reserve(v.items.size());
+  for (std::size_t i = 0; i < v.items.size(); ++i) {
+    std::optional<Value> item = reduced(*Entry(v, i), key_of(v, i, key), item_line);
+    any |= item.has_value();
+    if (!in_order && !item) continue;
+    out.items.push_back(item ? std::move(*item) : Value());
     if (!in_order) out.keys.push_back(v.keys[i]);
   }
+  if (item_line == line && !any) return std::nullopt;
+  if (!any) out.items.clear();
+  out.items.shrink_to_fit();
+  out.keys.shrink_to_fit();
+  if (!any) return out;
   const bool names = key && key->type == Type::map_by_name;
   if (names && std::all_of(out.items.begin(), out.items.end(),
                            [](const Value& x) { return x.kind == Value::Kind::map && x.items.empty(); }))

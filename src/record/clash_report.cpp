@@ -24,13 +24,16 @@ constexpr int kLogTag = 78;
 // Key in the records of a checkpoint, beside those of the terms.
 const std::string kRecords = "clash report";
 
-ClashSettings settings_of(const model::Case& c) {
+ClashSettings settings_of(const model::Case& c, const Mesh& mesh) {
   const model::ClashOutput& o = c.output.clashes;
   ClashSettings s;
   s.merge_gap = o.merge_gap;
-  for (const model::Line& line : c.lines)
-    s.merge_length.push_back(o.merge_length > 0 ? o.merge_length
-                                                : kMergeDiameters * model::contact_diameter_of(c, line));
+  s.merge_length.assign(mesh.lines.size(), o.merge_length);
+  if (o.merge_length > 0) return s;
+  for (const EvenPart& p : mesh.parts()) {
+    double& length = s.merge_length[p.line];
+    length = std::max(length, kMergeDiameters * c.line_types[p.shape->type].contact_diameter);
+  }
   return s;
 }
 
@@ -57,7 +60,7 @@ ClashReport::ClashReport(const Subject& subject)
       line_pairs_(subject.term<LinePairs>()),
       body_contact_(subject.term<BodyContact>()),
       rank_(rank_of(comm_)),
-      settings_(settings_of(subject.model)),
+      settings_(settings_of(subject.model, subject.mesh())),
       volumes_(case_indices_of_volumes(subject)),
       log_(settings_) {}
 

@@ -162,7 +162,7 @@ void EdgeErrors::update_worst(int line, const PressedPart& of_line, double time)
 }
 
 std::string EdgeErrors::warning(int line, double largest) const {
-  return warning(mesh_.mesh->lines[line].name, lines_[line], largest);
+  return warning(mesh_.mesh->line_names[line], lines_[line], largest);
 }
 
 std::string EdgeErrors::warning(const std::string& name, const OfLine& w, double largest) {
@@ -204,7 +204,7 @@ void EdgeErrors::step(const Snapshot& s) {
   GatherPlan(comm_, static_cast<int>(found.size())).gather_on_first(found.data(), all);
   std::sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.line < b.line; });
   for (const Found& f : all)
-    new_warnings_.push_back(warning(mesh_.mesh->lines[f.line].name, f.worst, f.worst.tension));
+    new_warnings_.push_back(warning(mesh_.mesh->line_names[f.line], f.worst, f.worst.tension));
 }
 
 std::vector<std::string> EdgeErrors::remarks() { return std::exchange(new_warnings_, {}); }

@@ -245,7 +245,7 @@ void ElementErrors::update_bends(const InState& s, Worst& worst) const {
 
 std::vector<std::string> ElementErrors::warnings(int line, double largest_tension,
                                                  double largest_moment) const {
-  const std::string& name = mesh_.mesh->lines[line].name;
+  const std::string name = mesh_.mesh->line_names[line];
   auto [sag, bend, lift] = lines_[line];
   std::vector<std::string> out;
   if (sag.error > kWarned * largest_tension) {

@@ -44,11 +44,10 @@ LineExtremes::LineExtremes(const Subject& subject, const Utilisation& utilisatio
       case_(subject.model),
       local_(subject.local()),
       feeders_(subject.term<Feeders>()),
-      utilisation_(utilisation) {
-  for (const model::Line& line : case_.lines)
-    has_beams_.push_back(std::any_of(
-        line.sections.begin(), line.sections.end(),
-        [&](const model::Section& s) { return case_.line_type(s.type).kind == model::LineKind::beam; }));
+      utilisation_(utilisation),
+      has_beams_(case_.lines.size(), false) {
+  for (const EvenPart& p : local_.mesh->parts())
+    if (p.shape->beam) has_beams_[p.line] = true;
 }
 
 void LineExtremes::declare(Declarations& to) {

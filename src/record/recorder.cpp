@@ -210,6 +210,7 @@ std::vector<io::SummaryRow> Recorder::gather_summary() {
 }
 
 std::string Recorder::audit_warning() const {
+  if (rank_of(subject_.comm()) != 0) return "";
   const int node = audit_.worst.node;
   const model::Case& c = subject_.model;
   return audit_.warning(c.dynamics.step > 0, node < 0 ? "a body" : subject_.mesh().place(node),

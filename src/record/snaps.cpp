@@ -27,8 +27,8 @@ bool counts(const model::Case& c, const model::Line& line) {
 Snaps::Snaps(const model::Case& c, const LocalMesh& mesh)
     : mesh_(mesh), passage_(static_cast<size_t>(mesh.owned), 0), echo_(mesh, 0), worst_(mesh) {
   for (const EvenPart& part : mesh.mesh->parts())
-    for (int k = 0; echo_.has(part.line) && k < part.lengths.elements; ++k)
-      echo_[part.line] += 2 * c.line_types[part.type].wave_time(part.lengths.element_length(k));
+    for (int k = 0; echo_.has(part.line) && k < part.elements; ++k)
+      echo_[part.line] += 2 * c.line_types[part.shape->type].wave_time(part.element_length(k));
   for (const LocalElement& l : mesh.elements) {
     const Element& e = mesh.element(l);
     const model::LineType& t = c.line_types[e.type];

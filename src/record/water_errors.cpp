@@ -174,7 +174,7 @@ std::vector<Warning> WaterErrors::warnings(const std::vector<io::SummaryRow>&, c
 std::string WaterErrors::warning(const Group& g, const Where& w) const {
   // Morison's formula does not apply to waves shorter than the line's diameter.
   const double sufficient = std::max(w.length / g.parts, std::min(w.diameter, w.length));
-  return advice::long_in_flow({.line = mesh_.mesh->lines[w.line].name,
+  return advice::long_in_flow({.line = mesh_.mesh->line_names[w.line],
                                .length = w.length,
                                .arc = w.arc,
                                .z = w.z,

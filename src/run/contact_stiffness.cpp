@@ -22,10 +22,10 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
     line_weight[e.line] += e.length * weight_of(e.type);
   }
   for (const EvenPart& e : mesh.parts()) {
-    const auto& t = c.line_types[e.type];
+    const auto& t = c.line_types[e.shape->type];
     StiffnessDemand d;
     d.radius = 0.5 * t.contact_diameter;
-    d.weight = weight_of(e.type);
+    d.weight = weight_of(e.shape->type);
     d.line_weight = line_weight[e.line];
     d.EA = t.EA;
     d.EI = t.smallest_bending_stiffness();

@@ -279,6 +279,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   forget_file(read);
   std::vector<BodySkeleton> of_bodies = skeletons(read, volumes);
   Simulation sim(comm, std::move(read), surfaces(volumes), std::move(of_bodies), volume_facets(volumes));
+  sim.forget_lines_of_others();
   const model::Case& c = sim.model();
   const double end =
       options.stop_at > 0 ? std::min(options.stop_at, c.dynamics.duration) : c.dynamics.duration;

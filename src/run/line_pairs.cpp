@@ -115,13 +115,13 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
   std::vector<LinePairType> types(c.line_types.size());
   double smallest = HUGE_VAL, largest = 0;  // N/m², of the types that take part
   for (const EvenPart& e : mesh.mesh->parts()) {
-    const model::LineType& t = c.line_types[e.type];
-    if (!takes_part[e.line] || !(t.contact_diameter > 0) || types[e.type].radius > 0) continue;
+    const model::LineType& t = c.line_types[e.shape->type];
+    if (!takes_part[e.line] || !(t.contact_diameter > 0) || types[e.shape->type].radius > 0) continue;
     const double radius = 0.5 * t.contact_diameter;
-    types[e.type] = {radius, t.mass_per_length, stiffness_by_weight(t.mass_per_length, radius),
-                     cubic_stiffness(t.EA, radius)};
-    smallest = std::min(smallest, types[e.type].linear);
-    largest = std::max(largest, types[e.type].linear);
+    types[e.shape->type] = {radius, t.mass_per_length, stiffness_by_weight(t.mass_per_length, radius),
+                            cubic_stiffness(t.EA, radius)};
+    smallest = std::min(smallest, types[e.shape->type].linear);
+    largest = std::max(largest, types[e.shape->type].linear);
   }
   const bool automatic = b.general.basis == model::StiffnessBasis::automatic ||
                          std::any_of(b.pairs.begin(), b.pairs.end(), [](const auto& t) {
@@ -141,7 +141,7 @@ std::string shared_places_note(const SharedPlaces& places, const Mesh& mesh) {
     if (farthest < 0 || places.within(k) > places.within(farthest)) farthest = k;
   }
   if (farthest < 0) return "";
-  const auto name = [&](const Branch& s) { return mesh.lines[mesh.node(s.node).line].name; };
+  const auto name = [&](const Branch& s) { return mesh.line_names[mesh.node(s.node).line]; };
   const std::string one = name(places.place(farthest).one), other = name(places.place(farthest).other);
   return advice::separate_near_place(one, other, places.within(farthest), others);
 }

@@ -26,6 +26,7 @@ std::vector<std::string> lines_on_bed(const model::Case& c, const System& system
   // Between touchdown points, as in the results.
   const std::vector<record::Touchdown> down =
       record::Touchdowns(system.comm(), c, system.mesh()).of_all_lines(state);
+  if (rank_of(system.comm()) != 0) return out;
   // Lines that differ only in position are reported together.
   std::map<std::pair<bool, std::string>, std::pair<std::vector<std::string>, std::vector<advice::OnBed>>>
       like;
@@ -35,7 +36,7 @@ std::vector<std::string> lines_on_bed(const model::Case& c, const System& system
     const bool friction = sums[3 * l] > 0;
     const auto [at, is_new] = like.try_emplace({friction, model::description_of(c, c.lines[l])});
     if (is_new) in_order.push_back(at);
-    at->second.first.push_back(system.mesh().mesh->lines[l].name);
+    at->second.first.push_back(system.mesh().mesh->line_names[l]);
     at->second.second.push_back({down[l].laid, friction, std::abs(sums[3 * l + 2]), sums[3 * l + 1]});
   }
   size_t more = 0;

@@ -36,19 +36,20 @@ void compare_lines(const std::string& path, const Mesh& mesh, std::span<const in
     const auto nodes = io::h5::read_part(file, "lines/nodes", l, end - l);
     for (size_t k = l; k < end; ++k) {
       const LineSpan& line = mesh.lines[k];
-      if (names[k - l] != line.name) throw other(advice::other_line(k + 1, names[k - l], line.name));
+      if (const std::string name = mesh.line_names[k]; names[k - l] != name)
+        throw other(advice::other_line(k + 1, names[k - l], name));
       if (nodes[k - l] != line.nodes)
-        throw other(advice::other_number_of_nodes(line.name, nodes[k - l], line.nodes));
+        throw other(advice::other_number_of_nodes(mesh.line_names[k], nodes[k - l], line.nodes));
     }
     const int first = mesh.lines[l].first_node;
     const int last = mesh.lines[end - 1].first_node + mesh.lines[end - 1].nodes;
     const auto arc = io::h5::read_part(file, "nodes/arc_length", static_cast<hsize_t>(first),
                                        static_cast<hsize_t>(last - first));
     for (int n = first; n < last; ++n) {
-      const LineSpan& line = mesh.lines[mesh.node(n).line];
+      const int line = mesh.node(n).line;
       const double in_case = mesh.node(n).arc, in_checkpoint = arc[static_cast<size_t>(n - first)];
-      if (std::abs(in_case - in_checkpoint) > 1e-9 * line.length)
-        throw other(advice::other_node(line.name, in_checkpoint, in_case));
+      if (std::abs(in_case - in_checkpoint) > 1e-9 * mesh.lines[line].length)
+        throw other(advice::other_node(mesh.line_names[line], in_checkpoint, in_case));
     }
   }
 }

@@ -117,7 +117,7 @@ StaticsReport solve_static_stages(Simulation& sim, Events& events, Progress& pro
     events.solve_stages([&](bool falls) { last = solve_one(sim, progress, falls); },
                         [&](const std::string& text) { progress.print(text); }, on_equilibrium);
   } catch (const SolveError&) {
-    progress.print("note: " + advice::statics_failed(sim.model()));
+    if (rank_of(sim.system().comm()) == 0) progress.print("note: " + advice::statics_failed(sim.model()));
     throw;
   }
   return last;

@@ -283,6 +283,19 @@ void Simulation::scale_current(double factor) {
   for (InCurrent* t : system_->with<InCurrent>()) t->scale_current(factor);
 }
 
+void Simulation::forget_lines_of_others() {
+  if (rank_of(system_->comm()) == 0) return;
+  // All lines determine the longest step.
+  if (case_.dynamics.max_step == 0) case_.dynamics.max_step = model::longest_step(case_).length;
+  std::vector<bool> kept(case_.lines.size(), false);
+  for (int n = 0; n < local().element_ghosts_end; ++n)
+    if (const int line = local().node(n).line; line < std::ssize(case_.lines)) kept[line] = true;
+  for (const Inside& s : start_contact_.inside) kept[s.line] = true;
+  if (const Feeders* fed = feeders())
+    for (const Feeder& f : fed->all()) kept[f.line] = true;
+  case_.forget_lines(kept);
+}
+
 DynamicsSettings Simulation::dynamics_settings() const {
   const model::Dynamics& d = case_.dynamics;
   DynamicsSettings s;

@@ -150,7 +150,7 @@ void Simulation::note_contact_at_rest() {
 }
 
 void Simulation::note_bodies_held_without_weight() {
-  if (contact_friction_in_statics()) return;
+  if (contact_friction_in_statics() || rank_of(system_->comm()) != 0) return;
   for (size_t b = 0; b < case_.bodies.size(); ++b) {
     const model::Body& body = case_.bodies[b];
     if (!body.mass || !body.mass->weight || body.mass->stiffness.z() > 0) continue;
@@ -162,9 +162,10 @@ void Simulation::note_bodies_held_without_weight() {
 void Simulation::note_slack_lines(bool relaxed) {
   std::vector<double> slack = line_structure().slack_length(state_.at_rest());
   all_reduce(system_->comm(), MPI_SUM, slack);
+  if (rank_of(system_->comm()) != 0) return;
   for (size_t l = 0; l < slack.size(); ++l)
     if (slack[l] > 0 && !case_.lines[l].end_a.feed && !case_.lines[l].end_b.feed)
-      notes_.push_back(advice::slack_at_rest(mesh_->lines[l].name, slack[l], relaxed));
+      notes_.push_back(advice::slack_at_rest(mesh_->line_names[l], slack[l], relaxed));
 }
 
 }  // namespace hawser::run

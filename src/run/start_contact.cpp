@@ -214,7 +214,8 @@ std::string inside_text(MPI_Comm comm, const model::Case& c, const LocalMesh& me
   std::vector<Inside> inside = all_inside(comm, c, mesh, state, bodies, feeders, {volume});
   remove_excluded(inside, excluded_ends, *mesh.mesh);
   if (inside.empty()) return "";
-  return advice::line_inside(c.lines[inside.front().line].name, inside_volume(inside.front(), *mesh.mesh));
+  return advice::line_inside(mesh.mesh->line_names[inside.front().line],
+                             inside_volume(inside.front(), *mesh.mesh));
 }
 
 StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,

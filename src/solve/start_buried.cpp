@@ -93,7 +93,6 @@ LineStretch stretch_of(const model::Line& line, const LineAlone& mesh, double le
     e.second = e.first + 1;
     out.mesh.add(e);
   }
-  out.span.name = line.name;
   out.span.nodes = last - first + 1;
   out.span.elements = last - first;
   out.span.length = to - from;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "hawser/base/mpi.hpp"
 #include "hawser/base/rank_independent.hpp"
@@ -20,15 +21,13 @@ System::System(MPI_Comm comm, LocalMesh mesh) : comm_(comm), mesh_(std::move(mes
     mesh_.element_ghost_blocks_end = mesh_.blocks();
   }
   exchange_ = GhostExchange(comm_, mesh_);
-  size_arrays();
-  lines_ = 1;
-  for (const EvenPart& p : mesh_.mesh->parts()) lines_ = std::max(lines_, static_cast<size_t>(p.line) + 1);
-  for (const auto& [number, n] : mesh_.mesh->special_nodes())
-    lines_ = std::max(lines_, static_cast<size_t>(n.line) + 1);
   cut_ = line_owners(mesh_).cut;
   for (int n = 0; n < mesh_.owned; ++n)
     if (const int line = mesh_.node(n).line; local_lines_.empty() || local_lines_.back() != line)
       local_lines_.push_back(line);
+  std::set_union(cut_.begin(), cut_.end(), local_lines_.begin(), local_lines_.end(),
+                 std::back_inserter(lines_));
+  size_arrays();
   tied_nodes_ = TiedNodes(mesh_, {}, {});
   longest_element_ = std::max(longest_element_, mesh_.mesh->longest_element());
   // The moment on a floating body is compared with a force times at least one metre.
@@ -43,12 +42,13 @@ void System::size_arrays() {
   square_of_block_.resize(blocks);
   for (int n = 0; n < mesh_.nodes(); ++n) {
     const size_t b = mesh_.block[n];
-    const int line = mesh_.node(n).line;
-    square_of_block_[b] = 2 * line;
-    if (mesh_.rotates(n)) {
-      turn_of_[b + 1] = turns++;
-      square_of_block_[b + 1] = 2 * line + 1;
-    }
+    const bool rotates = mesh_.rotates(n);
+    if (rotates) turn_of_[b + 1] = turns++;
+    const auto line = std::lower_bound(lines_.begin(), lines_.end(), mesh_.node(n).line);
+    if (line == lines_.end() || *line != mesh_.node(n).line) continue;  // all of it is on other ranks
+    const auto place = static_cast<int>(line - lines_.begin());
+    square_of_block_[b] = 2 * place;
+    if (rotates) square_of_block_[b + 1] = 2 * place + 1;
   }
   force_.resize(3 * blocks, 0);
   if (mesh_.mesh->any_cable()) mean_.resize(3 * blocks, 0);
@@ -180,8 +180,8 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
 }
 
 ResidualNorms System::norms(Vec r) const {
-  // By line: sums of squares of residual forces and moments, then of their contributions.
-  std::vector<double> s(4 * lines_, 0);
+  // By place in lines_: sums of squares of residual forces and moments, then of their contributions.
+  std::vector<double> s(4 * lines_.size(), 0);
   const PetscScalar* p = nullptr;
   check(VecGetArrayRead(r, &p));
   for (int b = 0; b < mesh_.owned_blocks; ++b) {
@@ -190,12 +190,19 @@ ResidualNorms System::norms(Vec r) const {
     sum[2] += squares_[b];
   }
   check(VecRestoreArrayRead(r, &p));
-  sum_cut_lines({s});
+  const auto sums_of = [&](int line) {
+    const auto place = std::lower_bound(lines_.begin(), lines_.end(), line) - lines_.begin();
+    return std::span(s).subspan(4 * static_cast<size_t>(place), 4);
+  };
+  std::vector<double> of_cut;
+  for (const int l : cut_) of_cut.insert(of_cut.end(), sums_of(l).begin(), sums_of(l).end());
+  if (!cut_.empty()) sum(of_cut);
+  for (size_t i = 0; i < cut_.size(); ++i) std::copy_n(&of_cut[4 * i], 4, sums_of(cut_[i]).begin());
   std::vector<ResidualNorms> worst(1);
   double largest = -1;
   int line = 0;  // index of the worst line
   for (const int l : local_lines_) {
-    const double* sum = s.data() + 4 * static_cast<size_t>(l);
+    const std::span<const double> sum = sums_of(l);
     const ResidualNorms n{rank_independent(std::sqrt(sum[0])),
                           rank_independent(std::sqrt(sum[1])),
                           rank_independent(std::sqrt(sum[2])),
@@ -213,24 +220,6 @@ ResidualNorms System::norms(Vec r) const {
   largest_of_ranks(
       comm_, worst, [largest](const ResidualNorms&) { return largest; }, line);
   return worst[0];
-}
-
-void System::sum_lines(std::span<const int> lines, std::initializer_list<std::span<double>> all,
-                       std::span<double> more) const {
-  std::vector<double> sums;
-  const auto each = [&](const auto& visit) {
-    for (const std::span<double> array : all)
-      for (const int l : lines)
-        visit(array.subspan(array.size() / lines_ * static_cast<size_t>(l), array.size() / lines_));
-    visit(more);
-  };
-  each([&](std::span<double> numbers) { sums.insert(sums.end(), numbers.begin(), numbers.end()); });
-  sum(sums);
-  auto from = sums.begin();
-  each([&](std::span<double> numbers) {
-    std::copy_n(from, numbers.size(), numbers.begin());
-    from += std::ssize(numbers);
-  });
 }
 
 namespace {

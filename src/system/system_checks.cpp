@@ -38,7 +38,7 @@ std::optional<advice::LostInRounding> System::lost_in_rounding(const Kinematics&
     const LineTension& t = lines[l];
     const double ratio = t.round_off / std::max(t.tension, load);
     if (ratio <= kMaxRoundOffRatio) continue;
-    return advice::LostInRounding{mesh_.mesh->lines[l].name, ratio, t.EA, t.EA * kSure / ratio};
+    return advice::LostInRounding{mesh_.mesh->line_names[l], ratio, t.EA, t.EA * kSure / ratio};
   }
   return std::nullopt;
 }

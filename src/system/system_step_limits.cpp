@@ -14,11 +14,6 @@ namespace hawser {
 void System::sum(std::span<double> values) const { all_reduce(comm_, MPI_SUM, values); }
 
 namespace {
-std::span<double> numbers_of(std::span<LineMotion> lines) {
-  static_assert(sizeof(LineMotion) == 6 * sizeof(double));
-  return {reinterpret_cast<double*>(lines.data()), 6 * lines.size()};
-}
-
 // Lines of impacts of which this rank owns no nodes.
 template <class Impact>
 std::vector<int> lines_elsewhere(const std::vector<Impact>& impacts, const std::vector<int>& local_lines) {
@@ -36,19 +31,51 @@ std::vector<int> of_all_ranks(MPI_Comm comm, const std::vector<int>& lines) {
   out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
 }
+
+std::vector<int> united(std::span<const int> a, std::span<const int> b) {
+  std::vector<int> out;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(out));
+  return out;
+}
+
+// Replaces lines by their places among those of the tolerance.
+template <class Impact>
+std::vector<Impact> at_places(std::vector<Impact> impacts, const PerLine<double>& tolerance) {
+  for (Impact& s : impacts)
+    for (int* line : {&s.line, &s.other})
+      if (*line >= 0) *line = static_cast<int>(tolerance.place(*line));
+  return impacts;
+}
 }  // namespace
 
-// This rank's part of the motion of the masses of each line in the state, without its impacts. The second
-// half of the result is the same with algorithmic accelerations as velocities.
-std::vector<LineMotion> System::motions(const Kinematics& state, const StoredMotion& stored) const {
-  std::vector<LineMotion> lines(2 * lines_);
+System::Motions System::motions(const std::vector<int>& lines, const Kinematics& state,
+                                const StoredMotion& stored) const {
+  Motions out(lines);
   Kinematics accelerations = state;
   accelerations.v = stored.accelerations;
   for (const MovesMasses* t : listed<MovesMasses>()) {
-    t->motion(state, std::span(lines).first(lines_));
-    t->motion(accelerations, std::span(lines).last(lines_));
+    t->motion(state, out.moving);
+    t->motion(accelerations, out.stored);
   }
-  return lines;
+  return out;
+}
+
+void System::sum_lines(std::span<const int> lines, Motions& motions, std::span<double> more) const {
+  constexpr size_t kNumbers = 6;
+  static_assert(sizeof(LineMotion) == kNumbers * sizeof(double));
+  std::vector<double> sums;
+  const auto each = [&](const auto& visit) {
+    for (PerLine<LineMotion>* of_lines : {&motions.moving, &motions.stored})
+      for (const int l : lines) visit({reinterpret_cast<double*>(&(*of_lines)[l]), kNumbers});
+    visit(more);
+  };
+  each([&](std::span<double> numbers) { sums.insert(sums.end(), numbers.begin(), numbers.end()); });
+  sum(sums);
+  auto from = sums.begin();
+  each([&](std::span<double> numbers) {
+    std::copy_n(from, numbers.size(), numbers.begin());
+    from += std::ssize(numbers);
+  });
 }
 
 StepLimit System::longest_step(const Kinematics& committed, const StoredMotion& stored, double max_step) {
@@ -58,18 +85,20 @@ StepLimit System::longest_step(const Kinematics& committed, const StoredMotion& 
     const Logged logged(limit_event_);
     for (LimitsSteps* t : listed<LimitsSteps>()) t->limit_step(committed, impacts);
   }
-  const std::vector<LineMotion> local_motions = motions(committed, stored);
   // The tolerance is also set without impacts, because unpredicted impacts found at the end of the step are
   // compared with it.
-  const auto growth_limit = [&](std::span<LineMotion> lines, int lines_with_impacts) {
-    energy_tolerance_ = energy_tolerance(lines.first(lines_), lines_with_impacts);
-    return growth_limited_step(lines.last(lines_), energy_tolerance_, stored.factor, committed.last_step());
+  const auto growth_limit = [&](const Motions& motions, int lines_with_impacts) {
+    const std::span<const int> lines = motions.moving.lines();
+    energy_tolerance_ = PerLine<double>({lines.begin(), lines.end()});
+    const auto tolerance = energy_tolerance(motions.moving.values(), lines_with_impacts);
+    std::copy(tolerance.begin(), tolerance.end(), energy_tolerance_.values().begin());
+    return growth_limited_step(motions.stored.values(), tolerance, stored.factor, committed.last_step());
   };
-  std::vector<LineMotion> lines = local_motions;
-  sum_cut_lines({numbers_of(std::span(lines).first(lines_)), numbers_of(std::span(lines).last(lines_))});
+  Motions without_impacts = motions(lines_, committed, stored);
+  if (!cut_.empty()) sum_lines(cut_, without_impacts);
   // Without impacts and cut lines this is the only reduction.
   const std::vector<int> elsewhere = lines_elsewhere(impacts.list, local_lines_);
-  double minima[] = {impacts.longest, growth_limit(lines, 0), impacts.list.empty() ? 1.0 : 0.0,
+  double minima[] = {impacts.longest, growth_limit(without_impacts, 0), impacts.list.empty() ? 1.0 : 0.0,
                      elsewhere.empty() ? 1.0 : 0.0};
   all_reduce(comm_, MPI_MIN, minima);
   const auto [longest_by_terms, longest_by_growth, no_impacts, none_elsewhere] = minima;
@@ -77,29 +106,28 @@ StepLimit System::longest_step(const Kinematics& committed, const StoredMotion& 
   limit.longest = std::min(longest_by_terms, longest_by_growth);
   if (no_impacts > 0) return limit;
 
-  lines = local_motions;
-  for (const ImpactEvent& s : impacts.list) {
-    lines[s.line].impact_energy += s.energy();
-    if (s.other >= 0) lines[s.other].impact_energy += s.energy();
-  }
   // Lines that several ranks have: those that the partition cuts, and those with an impact on another rank.
-  std::vector<int> shared = cut_;
+  std::vector<int> shared = cut_, lines = lines_;
   if (none_elsewhere == 0) {
     const std::vector<int> others = of_all_ranks(comm_, elsewhere);
-    shared.clear();
-    std::set_union(cut_.begin(), cut_.end(), others.begin(), others.end(), std::back_inserter(shared));
+    shared = united(cut_, others);
+    lines = united(lines_, others);
+  }
+  Motions all = motions(lines, committed, stored);
+  for (const ImpactEvent& s : impacts.list) {
+    all.moving[s.line].impact_energy += s.energy();
+    if (s.other >= 0) all.moving[s.other].impact_energy += s.energy();
   }
   double with_impacts = 0;  // number of lines
   for (const int l : local_lines_)
-    if (!std::binary_search(shared.begin(), shared.end(), l)) with_impacts += lines[l].has_impacts();
-  sum_lines(shared, {numbers_of(std::span(lines).first(lines_)), numbers_of(std::span(lines).last(lines_))},
-            {&with_impacts, 1});
-  for (const int l : shared) with_impacts += lines[l].has_impacts();
-  limit.longest = std::min(longest_by_terms, growth_limit(lines, static_cast<int>(with_impacts)));
+    if (!std::binary_search(shared.begin(), shared.end(), l)) with_impacts += all.moving[l].has_impacts();
+  sum_lines(shared, all, {&with_impacts, 1});
+  for (const int l : shared) with_impacts += all.moving[l].has_impacts();
+  limit.longest = std::min(longest_by_terms, growth_limit(all, static_cast<int>(with_impacts)));
   all_reduce(comm_, MPI_MIN, limit.longest);
-  const StepLimit impact_limited =
-      impact_limited_step(impacts.list, energy_tolerance_, std::min(max_step, limit.longest),
-                          [this](std::span<double> values) { sum(values); });
+  const StepLimit impact_limited = impact_limited_step(
+      at_places(std::move(impacts.list), energy_tolerance_), energy_tolerance_.values(),
+      std::min(max_step, limit.longest), [this](std::span<double> values) { sum(values); });
   limit.longest = std::min(limit.longest, impact_limited.longest);
   limit.period = impact_limited.period;
   return limit;
@@ -133,12 +161,16 @@ Verdict System::check_step(const Kinematics& trial, bool impacts, RankMax togeth
   if (any_elsewhere > 0) {
     const std::vector<int> lines = of_all_ranks(comm_, elsewhere);
     std::vector<double> tolerance;
-    for (const int l : lines) tolerance.push_back(energy_tolerance_[l]);
-    all_reduce(comm_, MPI_MAX, tolerance);  // 0 on ranks that do not know it
-    for (size_t i = 0; i < lines.size(); ++i) energy_tolerance_[lines[i]] = tolerance[i];
+    for (const int l : lines) tolerance.push_back(energy_tolerance_.has(l) ? energy_tolerance_[l] : 0.0);
+    all_reduce(comm_, MPI_MAX, tolerance);
+    PerLine<double> more(united(energy_tolerance_.lines(), lines));
+    for (const int l : energy_tolerance_.lines()) more[l] = energy_tolerance_[l];
+    for (size_t i = 0; i < lines.size(); ++i) more[lines[i]] = tolerance[i];
+    energy_tolerance_ = std::move(more);
   }
   const auto over_ranks = [this](std::span<double> values) { sum(values); };
-  return within_tolerance(unresolved_impacts.list, energy_tolerance_, over_ranks) ? Verdict{} : not_resolved;
+  const auto list = at_places(std::move(unresolved_impacts.list), energy_tolerance_);
+  return within_tolerance(list, energy_tolerance_.values(), over_ranks) ? Verdict{} : not_resolved;
 }
 
 }  // namespace hawser

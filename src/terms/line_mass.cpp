@@ -168,7 +168,7 @@ double LineMass::round_off(const Kinematics& state, double h) const {
   return sum;
 }
 
-void LineMass::motion(const Kinematics& state, std::span<LineMotion> lines) const {
+void LineMass::motion(const Kinematics& state, PerLine<LineMotion>& lines) const {
   for (const MassElement& p : pieces_) {
     if (!p.element.counted || p.idle) continue;
     LineMotion& line = lines[mesh_.element(p.element).line];

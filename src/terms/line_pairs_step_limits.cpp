@@ -156,7 +156,7 @@ void LinePairs::limit_step(const Kinematics& state, ImpactEvents& to) {
 advice::NearestPlaces LinePairs::nearest_places(const Pair& p) const {
   const Element &a = segment(p.a).element, &b = segment(p.b).element;
   const Mesh& m = *mesh_.mesh;
-  return {m.lines[a.line].name, m.lines[b.line].name, arc_at(m, a, p.chords.s), arc_at(m, b, p.chords.t)};
+  return {m.line_names[a.line], m.line_names[b.line], arc_at(m, a, p.chords.s), arc_at(m, b, p.chords.t)};
 }
 
 // Energy in the contact springs of the two lines that this rank counts, J.

@@ -104,7 +104,8 @@ std::vector<LineStructure::Cable> cables_of(const LocalMesh& mesh, const model::
 
 LineStructure::LineStructure(const LocalMesh& mesh, const model::Case& c)
     : LineStructure(mesh, beams_of(mesh, c), cables_of(mesh, c)) {
-  for (const EvenPart& p : mesh.mesh->parts()) yields_ |= c.line_types[p.type].plastic_bending != nullptr;
+  for (const EvenPart& p : mesh.mesh->parts())
+    yields_ |= c.line_types[p.shape->type].plastic_bending != nullptr;
   // Sections inside feeders have never been bent. A line of several types that yields cannot be fed.
   for (size_t l = 0; l < c.lines.size(); ++l)
     for (const LineEnd line_end : kLineEnds) {

@@ -23,7 +23,7 @@ struct Model {
     mesh.add(Node{0, 0, 0.5, false});
     mesh.add(Node{0, 1, 0.5, false});
     mesh.add(Element{0, 0, 1, 0, 1, false});
-    mesh.lines = {{0, 2, 0, 1, 1, "line"}};
+    mesh.lines = {{0, 2, 0, 1, 1}};
     local.mesh = &mesh;
     local.owned = 2;
     local.owner = NodeRanks::all_of(2);

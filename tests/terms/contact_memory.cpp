@@ -48,7 +48,7 @@ class Counting final : public Surface {
 LocalMesh chain(Mesh& mesh, bool beam) {
   for (int i = 0; i <= kElements; ++i) mesh.add(Node{0, kLong * i, 1, beam});
   for (int i = 0; i < kElements; ++i) mesh.add(Element{0, i, i + 1, 0, kLong, beam});
-  mesh.lines = {{0, kElements + 1, 0, kElements, kLong * kElements, "line"}};
+  mesh.lines = {{0, kElements + 1, 0, kElements, kLong * kElements}};
   return local_mesh(mesh, std::vector<int>(static_cast<size_t>(kElements + 1), 0), 0, 1);
 }
 

@@ -17,7 +17,7 @@ double pull(double ramp, double time, double step) {
   mesh.add(Node{0, 0, 1, false});
   mesh.add(Node{0, 2, 1, false});
   mesh.add(Element{0, 0, 1, 0, 2, false});
-  mesh.lines = {{0, 2, 0, 1, 2, "one"}};
+  mesh.lines = {{0, 2, 0, 1, 2}};
   LocalMesh local;
   local.mesh = &mesh;
   local.owned = 2;
@@ -27,7 +27,7 @@ double pull(double ramp, double time, double step) {
   local.elements = {{0, 1, 0, false}};
   local.copy_local();
   model::Case c;
-  c.lines.resize(1);
+  c.lines.emplace_back();
   model::Water& w = c.environment.water;
   w.present = true;
   w.density = 1000;

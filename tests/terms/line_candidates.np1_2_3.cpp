@@ -205,7 +205,7 @@ TEST(LineCandidates, BentAxes) {
 // rank, because the pairs of their nodes are couplings.
 TEST(LineCandidates, BundlesStayOnOneRank) {
   model::Case c = one_line(cable_type(1e6, 1), 10, 40, anchor({0, 0, 0}), anchor({10, 0, 0}));
-  c.lines.resize(4, c.lines[0]);
+  for (int i = 1; i < 4; ++i) c.lines.push_back(c.lines[0]);
   for (int i = 0; i < 4; ++i) {
     model::Line& l = c.lines[static_cast<size_t>(i)];
     l.name += std::to_string(i);

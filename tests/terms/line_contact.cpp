@@ -142,7 +142,7 @@ TEST(LineContact, OneElementOnARisingPlane) {
   mesh.add(Node{0, 0, 1, false});
   mesh.add(Node{0, 2, 1, false});
   mesh.add(Element{0, 0, 1, 0, 2, false});
-  mesh.lines = {{0, 2, 0, 1, 2, "line"}};
+  mesh.lines = {{0, 2, 0, 1, 2}};
   for (const auto& [basis, force] : {std::pair(model::StiffnessBasis::per_point, 1e5 * 0.02),
                                      std::pair(model::StiffnessBasis::per_length, 2e5 * 0.02),
                                      std::pair(model::StiffnessBasis::per_area, 0.2 * 2e5 * 0.02)}) {
@@ -190,7 +190,7 @@ TEST(LineContact, StepsFollowImpacts) {
   mesh.add(Node{0, 0, 1, false});
   mesh.add(Node{0, 2, 1, false});
   mesh.add(Element{0, 0, 1, 0, 2, false});
-  mesh.lines = {{0, 2, 0, 1, 2, "line"}};
+  mesh.lines = {{0, 2, 0, 1, 2}};
   const LocalMesh l = local_mesh(mesh, NodeRanks::all_of(2), 0, 1);
   ContactVolume v;
   v.surface = std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitZ());

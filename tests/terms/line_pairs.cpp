@@ -109,8 +109,8 @@ TEST(LinePairs, HistoryGoesThroughACheckpoint) {
 TEST(LinePairs, AdviceNamesTheLines) {
   for (const bool tuned : {false, true}) {
     PairModel m({.name = "through", .angle = 1.3, .gap = -0.35, .before = -0.08, .tuned = tuned});
-    m.mesh.lines[0].name = "hose";
-    m.mesh.lines[1].name = "rope";
+    m.mesh.line_names = {};
+    for (const char* name : {"hose", "rope"}) m.mesh.line_names.push_back(name);
     const double h = m.trial.h;
     const State& start = m.trial.from;
     const State end = state_of(m.system->mesh(), m.trial);

@@ -22,7 +22,7 @@ Mesh two_lines() {
   mesh.add(Node{0, 2, 1, true});
   mesh.add(Node{1, 0, 0, false});
   mesh.add(Element{0, 0, 1, 0, 2, true});
-  mesh.lines = {{0, 2, 0, 1, 2, "one"}, {2, 1, 1, 0, 0, "two"}};
+  mesh.lines = {{0, 2, 0, 1, 2}, {2, 1, 1, 0, 0}};
   return mesh;
 }
 
@@ -162,7 +162,7 @@ TEST(PointMasses, InertiaAndWeight) {
 
 TEST(PointLoads, OfACase) {
   model::Case c;
-  c.lines.resize(2);
+  for (int i = 0; i < 2; ++i) c.lines.emplace_back();
   c.lines[0].point_loads = {{1.9, {1, 0, 0}, {0, 2, 0}, 3}};
   c.lines[0].masses = {{0.1, 5}};
   const Mesh mesh = two_lines();

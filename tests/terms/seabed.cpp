@@ -97,12 +97,12 @@ TEST(SeabedTable, ForceAndPotentialOfANode) {
   mesh.add(Node{0, 0, 1, false});
   mesh.add(Node{0, 2, 1, false});
   mesh.add(Element{0, 0, 1, 0, 2, true});
-  mesh.lines = {{0, 2, 0, 1, 2, "one"}};
+  mesh.lines = {{0, 2, 0, 1, 2}};
   const LocalMesh local = local_mesh(mesh, NodeRanks::all_of(2), 0, 1);
   const std::vector<ContactForceTable::Row> rows{{0.01, 100}, {0.05, 900}, {0.1, 1000}};
   for (const bool by_length : {false, true}) {
     model::Case c;
-    c.lines.resize(1);
+    c.lines.emplace_back();
     model::LineType& t = c.line_types.emplace_back();
     t.outer_diameter = t.contact_diameter = 0.4;
     t.mass_per_length = 50;
@@ -396,7 +396,7 @@ TEST(SeabedHalfWay, HistoryIsWithBothNodes) {
   Mesh mesh;
   for (int i = 0; i < 2; ++i) mesh.add(Node{0, 1.0 * i, 0.5, false});
   mesh.add(Element{0, 0, 1, 0, 1.0, false});
-  mesh.lines = {{0, 2, 0, 1, 1, "one"}};
+  mesh.lines = {{0, 2, 0, 1, 1}};
   BedContact::PointLaw none;
   none.radius = -1;
   const double h = 0.1;

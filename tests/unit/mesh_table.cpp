@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -110,7 +111,7 @@ TEST(MeshTable, LengthsAndKindsAreThoseOfTheElements) {
   for (int e = 0; e < mesh.elements(); ++e) {
     const Element element = mesh.element(e);
     EXPECT_EQ(mesh.length_of(e), element.length);
-    EXPECT_EQ(mesh.part_of(e).type, element.type);
+    EXPECT_EQ(mesh.part_of(e).shape->type, element.type);
     EXPECT_EQ(mesh.part_of(e).line, element.line);
     longest = std::max(longest, element.length);
   }
@@ -118,6 +119,24 @@ TEST(MeshTable, LengthsAndKindsAreThoseOfTheElements) {
   EXPECT_TRUE(mesh.any_beam());
   EXPECT_TRUE(mesh.any_cable());
   EXPECT_TRUE(mesh.any_rotates());
+}
+
+// A farm has thousands of equal lines.
+TEST(MeshTable, EqualLinesShareTheirParts) {
+  std::string text = R"(hawser: 1
+environment: {gravity: 9.81}
+line_types: {rope: {outer_diameter: 0.2, mass_per_length: 50, EA: 1e8, bending: false}}
+lines:
+)";
+  for (const int elements : {70, 70, 80})
+    text += "  l" + std::to_string(text.size()) +
+            ": {sections: [{type: rope, length: 20, elements: " + std::to_string(elements) +
+            "}], end_a: {anchor: [0, 0, 0]}, end_b: free}\n";
+  const Mesh mesh = build_mesh(io::read_case_text(text, HAWSER_SOURCE_DIR "/tests/mesh_table.yaml"));
+  const auto shape = [&](int line) { return mesh.part_of(mesh.lines[line].first_element).shape; };
+  EXPECT_EQ(shape(0), shape(1));
+  EXPECT_NE(shape(0), shape(2));
+  EXPECT_EQ(mesh.node(mesh.lines[1].first_node + 66).arc, mesh.node(66).arc);
 }
 
 // A node that is set twice has the later properties; a node that is not set keeps its properties.

@@ -15,7 +15,7 @@ Mesh mesh_of(const std::vector<int>& nodes) {
   Mesh mesh;
   for (size_t l = 0; l < nodes.size(); ++l) {
     const int line = static_cast<int>(l), first = mesh.nodes();
-    mesh.lines.push_back({first, nodes[l], mesh.elements(), nodes[l] - 1, 1, "line"});
+    mesh.lines.push_back({first, nodes[l], mesh.elements(), nodes[l] - 1, 1});
     for (int n = 0; n < nodes[l]; ++n) mesh.add(Node{.line = line});
     for (int n = 0; n + 1 < nodes[l]; ++n)
       mesh.add(Element{.line = line, .first = first + n, .second = first + n + 1});

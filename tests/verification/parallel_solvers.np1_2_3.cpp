@@ -176,8 +176,8 @@ TEST_F(ParallelSolvers, ALineThatMayTouchItselfIsNotCut) {
   EXPECT_FALSE(whole(shared_out(2)));
   // A line shorter than a rank's share has a rank together with others.
   c.contact.between_lines.self = true;
-  c.lines.resize(2, c.lines[0]);
-  c.lines.resize(6, c.lines[1]);
+  const model::Line coil = c.lines[0], other = c.lines[1];
+  c.lines = {coil, other, other, other, other, other};
   EXPECT_TRUE(whole(shared_out(2)));
 }
 

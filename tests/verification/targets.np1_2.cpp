@@ -43,9 +43,7 @@ model::Case lying(const std::string& target, const std::string& more = "") {
 
 run::MetTargets met(const model::Case& c) { return run::meet_targets(PETSC_COMM_WORLD, c, {}); }
 
-double length_of(const run::MetTargets& m, size_t line = 0) {
-  return model::length_of(m.model.lines.at(line));
-}
+double length_of(const run::MetTargets& m, size_t line = 0) { return model::length_of(m.model.lines[line]); }
 
 CatenaryShape closed(double length) {
   return catenary(Vec3(0, 0, 0), Vec3(100, 0, 20), {{length, Vec3(0, 0, -kWeight), kEA, Vec3::Zero(), 0}});

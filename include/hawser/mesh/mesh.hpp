@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "hawser/base/names.hpp"
 #include "hawser/math/types.hpp"
 #include "hawser/mesh/mesh_table.hpp"
 #include "hawser/model/line_end.hpp"
@@ -19,15 +20,15 @@ struct Case;
 struct LineSpan {
   int first_node = 0, nodes = 0, first_element = 0, elements = 0;
   double length = 0;  // m, unstretched
-  std::string name;   // as in the case, for messages
   int end_node(LineEnd end) const { return first_node + (end == LineEnd::B ? nodes - 1 : 0); }
 };
 
 struct Mesh : MeshTable {
   std::vector<LineSpan> lines;
+  Names line_names;  // as in the case, for messages
   std::vector<std::pair<int, int>>
-      rides;                        // bodies of the case that ride on lines, and the nodes they ride on
-  std::vector<std::string> bodies;  // names of the bodies of the case, for messages
+      rides;     // bodies of the case that ride on lines, and the nodes they ride on
+  Names bodies;  // names of the bodies of the case, for messages
 
   // Nodes of lines: [0, line_nodes()); those of bodies follow.
   int line_nodes() const { return lines.empty() ? 0 : lines.back().first_node + lines.back().nodes; }
@@ -43,6 +44,8 @@ struct Mesh : MeshTable {
   int nearest_node(int line, double s) const;
   // Description of a node's place: "line hose, arc length 12.5 m", "body barge".
   std::string place(int node) const;
+  // Frees what construction reserved.
+  void shrink_to_fit();
 };
 
 // Divides the lines of a checked case into elements: graded sections, arc lengths from end A.

@@ -2,8 +2,10 @@
 // node.
 #pragma once
 
+#include <compare>
 #include <concepts>
 #include <map>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -39,18 +41,29 @@ struct Element {
 // Change of temperature along a line: arc lengths [m] and changes [K], a broken line.
 using TemperatureRows = std::vector<std::pair<double, double>>;
 
-// Consecutive elements of one type on one line.
-struct EvenPart {
-  int first_element = 0, first_node = 0;
-  int line = 0;
+// Consecutive elements of one type. Parts of equal lines share it.
+struct PartShape {
   int type = 0;
   bool beam = false;
   model::Progression lengths;
-  double start = 0;        // m, arc length of the beginning of the section
-  double end = 0;          // m, arc length of the last node
+  double along = 0;        // m, length of the section's elements before the part
   double free_strain = 0;  // or, with rows of temperatures, the thermal expansion, 1/K
   int rows = -1;           // index of its rows of temperatures; -1: the same strain everywhere
-  size_t first_sum = 0;    // see MeshTable
+  auto operator<=>(const PartShape&) const = default;
+};
+
+// A part of a line with the elements of a shape.
+struct EvenPart {
+  int first_element = 0, first_node = 0;
+  int line = 0;
+  int elements = 0;
+  double start = 0;  // m, arc length of the beginning of the section
+  double end = 0;    // m, arc length of the last node
+  const PartShape* shape = nullptr;
+  // Length along the section before every 64th element, m; null: not known. Arc lengths are sums from there,
+  // so that they do not depend on the order of access.
+  const double* sums = nullptr;
+  double element_length(int k) const { return shape->lengths.element_length(k); }
 };
 
 class MeshTable {
@@ -78,27 +91,28 @@ class MeshTable {
   bool any_cable() const;
   bool any_rotates() const;  // a node of a beam or a body
 
-  // Appends elements to the line, from its last node (the first one after begin_line()) to new nodes.
-  // `along`: length of the elements of the section before them, m. Returns that length after them. Sets the
-  // numbers and the end of the part.
-  double add(EvenPart part, double along);
+  // Appends elements to the line, from its last node (the first one after begin_line()) to new nodes. start:
+  // arc length of the beginning of the section, m. Returns the length of the section's elements up to the
+  // last one.
+  double add(int line, double start, const PartShape& shape);
   // Sets the arc length of the last node of a section, m.
   void end_section(double arc) { parts_.back().end = arc; }
   void begin_line() { ++nodes_; }
-  // Index for EvenPart::rows.
+  // Index for PartShape::rows.
   int add(TemperatureRows rows);
   // Appends one node or element with its own memory: bodies, and lines of few elements.
   void add(const Node& node);
   void add(const Element& element);
+  void shrink_to_fit() { parts_.shrink_to_fit(); }
   // Replaces nodes.
   void set(const std::map<int, Node>& changed);
 
  private:
   int nodes_ = 0, elements_ = 0;
+  // With the sums of EvenPart and the length along the section after the part. Copies of the table share it.
+  using Shapes = std::map<PartShape, std::vector<double>>;
+  std::shared_ptr<Shapes> shapes_ = std::make_shared<Shapes>();
   std::vector<EvenPart> parts_;
-  // For every 64th element of each part, from the first: the length of the section's elements before it, m.
-  // Arc lengths are sums from there, so that they do not depend on the order of access.
-  std::vector<double> sums_;
   std::vector<TemperatureRows> rows_;
   std::vector<std::pair<int, Node>> special_;
 

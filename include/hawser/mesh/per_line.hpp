@@ -1,4 +1,4 @@
-// Data by line, of the lines with nodes on this rank.
+// Data by line, of the lines with nodes on this rank or of a list of lines.
 #pragma once
 
 #include <mpi.h>
@@ -23,13 +23,25 @@ class PerLine {
     cut_ = std::move(lines.cut);
     values_.assign(lines_.size(), first);
   }
+  // lines: ascending.
+  explicit PerLine(std::vector<int> lines, const T& first = {})
+      : lines_(std::move(lines)), values_(lines_.size(), first) {}
 
   // Ascending.
   std::span<const int> lines() const { return lines_; }
+  // In the order of lines().
+  std::span<T> values() { return values_; }
+  std::span<const T> values() const { return values_; }
   bool has(int line) const { return std::binary_search(lines_.begin(), lines_.end(), line); }
-  // Of a line of this rank.
+  // Of a line of lines().
   T& operator[](int line) { return values_[place(line)]; }
   const T& operator[](int line) const { return values_[place(line)]; }
+  // Index of a line of lines().
+  std::size_t place(int line) const {  // the lines of a rank are mostly consecutive
+    const auto near = static_cast<std::size_t>(line - lines_.front());
+    if (near < lines_.size() && lines_[near] == line) return near;
+    return static_cast<std::size_t>(std::lower_bound(lines_.begin(), lines_.end(), line) - lines_.begin());
+  }
   // Gives the ranks that share a line the data of the one with the largest value; that of T() is the
   // smallest. Collective.
   template <class Value>
@@ -43,12 +55,6 @@ class PerLine {
   }
 
  private:
-  // The lines of a rank are mostly consecutive.
-  std::size_t place(int line) const {
-    const auto near = static_cast<std::size_t>(line - lines_.front());
-    if (near < lines_.size() && lines_[near] == line) return near;
-    return static_cast<std::size_t>(std::lower_bound(lines_.begin(), lines_.end(), line) - lines_.begin());
-  }
   std::vector<int> lines_, cut_;
   std::vector<T> values_;
 };

@@ -25,6 +25,7 @@
 #include "hawser/math/types.hpp"
 #include "hawser/model/bend_stiffener.hpp"
 #include "hawser/model/contact_properties.hpp"
+#include "hawser/model/entries.hpp"
 #include "hawser/model/environment.hpp"
 #include "hawser/model/event.hpp"
 #include "hawser/model/feeder.hpp"
@@ -457,7 +458,7 @@ struct Case : CaseDocument {
   std::vector<Volume> volumes;
   std::vector<SupportBox> supports;  // in the order in which lines pass over them
   std::vector<Joint> joints;
-  std::vector<Line> lines;
+  Entries<Line> lines;
   std::vector<Link> links;
   Contact contact;
   Statics statics;
@@ -485,6 +486,8 @@ struct Case : CaseDocument {
     refuse(key, fmt::format(why, std::forward<First>(first), std::forward<More>(more)...));
   }
   bool floats(int body) const { return body >= 0 && bodies[body].mass.has_value(); }
+  // Frees the lines of which `kept` is false, except those that other objects of the case name.
+  void forget_lines(const std::vector<bool>& kept);
 
  private:
   NameIndex type_at_, line_at_, body_at_, joint_at_;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <numeric>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -11,16 +11,22 @@ namespace hawser::model {
 // Each hit is verified against the objects, which may therefore change between look-ups.
 class NameIndex {
  public:
-  // Index of the first object with this `name`; -1: none.
-  template <class Thing>
-  int find(const std::vector<Thing>& things, const std::string& name) const {
+  // Index of the first object with this `name`, of those that are not forgotten (Entries); -1: none.
+  template <class Things>
+  int find(const Things& things, const std::string& name) const {
+    const auto known = [&](int i) {
+      if constexpr (requires { things.has(0); }) return things.has(static_cast<std::size_t>(i));
+      return true;
+    };
     const auto name_of = [&](int i) -> const std::string& {
       return things[static_cast<std::size_t>(i)].name;
     };
-    if (by_name_.size() != things.size()) {
-      by_name_.resize(things.size());
+    if (size_ != things.size()) {
+      size_ = things.size();
+      by_name_.clear();
+      for (int i = 0; i < std::ssize(things); ++i)
+        if (known(i)) by_name_.push_back(i);
       by_name_.shrink_to_fit();
-      std::iota(by_name_.begin(), by_name_.end(), 0);
       std::stable_sort(by_name_.begin(), by_name_.end(),
                        [&](int i, int j) { return name_of(i) < name_of(j); });
     }
@@ -28,14 +34,15 @@ class NameIndex {
         std::lower_bound(by_name_.begin(), by_name_.end(), name,
                          [&](int i, const std::string& wanted) { return name_of(i) < wanted; });
     if (found != by_name_.end() && name_of(*found) == name) return *found;
-    for (std::size_t i = 0; i < things.size(); ++i)
-      if (things[i].name == name) return static_cast<int>(i);
+    for (int i = 0; i < std::ssize(things); ++i)
+      if (known(i) && name_of(i) == name) return i;
     return -1;
   }
 
  private:
-  mutable std::vector<int>
-      by_name_;  // indices in the order of the names; a cache, which does not change results
+  // Indices in the order of the names, of this number of objects: a cache, which does not change results.
+  mutable std::vector<int> by_name_;
+  mutable std::size_t size_ = 0;
 };
 
 }  // namespace hawser::model

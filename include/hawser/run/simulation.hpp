@@ -59,8 +59,9 @@ class Simulation {
   // Subject for recordings; surfaces: one per volume of the case.
   record::Subject subject(std::vector<std::shared_ptr<const Surface>> surfaces = {});
   State& state() { return state_; }
-  Dynamics& dynamics();                                             // created by the first call
-  const std::vector<std::string>& notes() const { return notes_; }  // choices, one sentence each
+  Dynamics& dynamics();  // created by the first call
+  // Choices, one sentence each; those on lines at rest only on the first rank.
+  const std::vector<std::string>& notes() const { return notes_; }
   // Warnings of floating bodies without waterplane stiffness against tilting. Collective.
   std::vector<std::string> tilting_warnings() const;
   const std::vector<std::string>& details() const { return details_; }                  // minor choices
@@ -82,6 +83,9 @@ class Simulation {
     return friction_in_statics_.value_or(case_.statics.contact_friction.value_or(false));
   }
   void scale_current(double factor);  // multiplies the current
+  // Frees what the case has of lines of other ranks, on all ranks but the first, which writes messages about
+  // all lines.
+  void forget_lines_of_others();
 
   // Throws InputError if a line that starts inside a volume is still inside. Collective.
   void check_inside() const;
@@ -117,7 +121,7 @@ class Simulation {
   void note_bodies_held_without_weight();
   void note_slack_lines(bool relaxed);
 
-  const model::Case case_;
+  model::Case case_;
   std::unique_ptr<Mesh> mesh_;
   std::shared_ptr<Bodies> bodies_;
   std::unique_ptr<System> system_;

@@ -8,6 +8,7 @@
 
 #include "hawser/kernels/impact.hpp"
 #include "hawser/mesh/local_mesh.hpp"
+#include "hawser/mesh/per_line.hpp"
 #include "hawser/state/kinematics.hpp"
 #include "hawser/system/couplings.hpp"
 #include "hawser/system/verdict.hpp"
@@ -83,8 +84,8 @@ class ActsOnElements {
 class MovesMasses {
  public:
   virtual ~MovesMasses() = default;
-  // Adds the moving masses that this rank counts, by line of the mesh.
-  virtual void motion(const Kinematics& state, std::span<LineMotion> lines) const = 0;
+  // Adds the moving masses that this rank counts. lines: those of this rank, perhaps among others.
+  virtual void motion(const Kinematics& state, PerLine<LineMotion>& lines) const = 0;
 };
 
 // The element that is stretched or compressed furthest beyond the range of its law.

@@ -161,14 +161,15 @@ class System {
   }
   void size_arrays();
   void sum(std::span<double> values) const;  // sums over the ranks, in place
-  std::vector<LineMotion> motions(const Kinematics& state, const StoredMotion& stored) const;
-  // all: arrays with equally many numbers for each line. Every rank gets the sums over the ranks for some
-  // lines, which are the same on all ranks, and of `more`; numbers of other lines are unchanged.
-  void sum_lines(std::span<const int> lines, std::initializer_list<std::span<double>> all,
-                 std::span<double> more = {}) const;
-  void sum_cut_lines(std::initializer_list<std::span<double>> all) const {
-    if (!cut_.empty()) sum_lines(cut_, all);
-  }
+  // The motion of the masses of lines that this rank counts, without impacts.
+  struct Motions {
+    explicit Motions(const std::vector<int>& lines) : moving(lines), stored(lines) {}
+    PerLine<LineMotion> moving, stored;  // stored: with algorithmic accelerations as velocities
+  };
+  Motions motions(const std::vector<int>& lines, const Kinematics& state, const StoredMotion& stored) const;
+  // Every rank gets the sums over the ranks for some of the lines, which are the same on all ranks, and of
+  // `more`.
+  void sum_lines(std::span<const int> lines, Motions& motions, std::span<double> more = {}) const;
   void reghost_ties();
   void with_frames(Couplings& c) const;
   // The blocks of the tangent in this rank's rows, sorted: row and column as local blocks. A node is coupled
@@ -197,14 +198,14 @@ class System {
   std::vector<int> turn_of_;  // by local block: index into retraction_; -1: a position
   std::vector<double> force_, mean_;
   std::vector<Mat3> retraction_;      // of rotations
-  std::vector<int> square_of_block_;  // 2 * line, + 1 for rotations
+  std::vector<int> square_of_block_;  // 2 * place in lines_, + 1 for rotations
   std::vector<double> squares_;       // of the contributions to the last residual(), by block
-  size_t lines_ = 0;                  // number of lines, plus one for each node of a body
-  std::vector<int> cut_;              // lines of which several ranks own nodes; the same on all ranks
-  std::vector<int> local_lines_;      // lines of which this rank owns nodes
-  // J by line, error of energy that impacts may cause in the coming step; known for the lines of this rank
-  // and for those of its impacts
-  std::vector<double> energy_tolerance_;
+  // Lines of the mesh, ascending; a body's node counts as one.
+  std::vector<int> cut_;          // of which several ranks own nodes; the same on all ranks
+  std::vector<int> local_lines_;  // of which this rank owns nodes
+  std::vector<int> lines_;        // both
+  // J, error of energy that impacts may cause in the coming step; of lines_ and of lines of impacts
+  PerLine<double> energy_tolerance_;
   double round_off_ = 0, longest_element_ = 0;
 };
 

@@ -46,7 +46,7 @@ class LineMass final : public ForceTerm,
   Energy energy(const Kinematics& state) const override;
   double dead_load() const override;
   void element_force(const Kinematics& state, const LocalElement& e, Vec12& f) const override;
-  void motion(const Kinematics& state, std::span<LineMotion> lines) const override;  // rotations excluded
+  void motion(const Kinematics& state, PerLine<LineMotion>& lines) const override;  // rotations excluded
   double round_off(const Kinematics& state, double h) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> checkpoint_records(NodeRange range) const override;

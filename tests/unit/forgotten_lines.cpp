@@ -1,0 +1,58 @@
+// Lines of a case that a rank forgets: what stays, look-up by name, and their container.
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "hawser/io/case_reader.hpp"
+
+namespace hawser::forgotten_lines_test {
+namespace {
+
+// Five lines, of which an event names the second one.
+model::Case farm() {
+  std::string text = R"(hawser: 1
+environment: {gravity: 9.81}
+line_types:
+  rope: {outer_diameter: 0.2, mass_per_length: 50, EA: 1e8, bending: false}
+dynamics: {duration: 10}
+events:
+  - {release: {line: l1, end: end_a}, time: 1}
+lines:
+)";
+  for (int i = 0; i < 5; ++i)
+    text += "  l" + std::to_string(i) +
+            ": {sections: [{type: rope, length: 20, elements: 2}], end_a: {anchor: [" + std::to_string(i) +
+            ", 0, 0]}, end_b: {anchor: [" + std::to_string(i) + ", 10, 0]}}\n";
+  return io::read_case_text(text, HAWSER_SOURCE_DIR "/tests/forgotten_lines.yaml");
+}
+
+TEST(ForgottenLines, ThoseThatTheCaseNamesStay) {
+  model::Case c = farm();
+  EXPECT_EQ(c.line_index("l4"), 4);  // fills the index
+  c.forget_lines({false, false, true, false, false});
+  EXPECT_EQ(c.lines.size(), 5u);
+  for (size_t l = 0; l < 5; ++l) EXPECT_EQ(c.lines.has(l), l == 1 || l == 2) << l;
+  EXPECT_EQ(c.line_index("l1"), 1);
+  EXPECT_EQ(c.line_index("l2"), 2);
+  EXPECT_EQ(c.line("l2").name, "l2");
+  EXPECT_THROW(c.line_index("l4"), std::out_of_range);
+  EXPECT_THROW(c.lines[4], std::logic_error);
+  EXPECT_THROW(for (const model::Line& l : c.lines) EXPECT_FALSE(l.name.empty()), std::logic_error);
+}
+
+// A copy has entries of its own.
+TEST(ForgottenLines, Copies) {
+  model::Entries<std::string> all = {"a", "b", "c"};
+  model::Entries<std::string> copy = all;
+  copy[0] = "changed";
+  copy.forget(1);
+  EXPECT_EQ(all[0], "a");
+  EXPECT_EQ(all[1], "b");
+  const model::Entries<std::string> again = copy;
+  EXPECT_TRUE(again.has(0) && !again.has(1) && again.has(2));
+  EXPECT_EQ(again.back(), "c");
+}
+
+}  // namespace
+}  // namespace hawser::forgotten_lines_test
