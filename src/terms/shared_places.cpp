@@ -215,7 +215,7 @@ void SharedPlaces::forget() {
 }
 
 void SharedPlaces::restore(const Kept& kept) {
-  if (kept.place < 0 || kept.place >= size() || kept.steps < 0)
+  if (kept.place < 0 || kept.place >= size() || kept.steps < kUnknown)
     throw std::invalid_argument("a record of places that lines share does not fit");
   places_[kept.place].within = kept.steps;
 }
