@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <functional>
 #include <optional>
 #include <sstream>
@@ -63,6 +64,24 @@ std::vector<std::string> unused(const std::vector<char*>& given) {
   return out;
 }
 
+// An exception that guarded() does not catch is an internal error, perhaps only on this rank. The program
+// ends without unwinding: destructors that close files would wait for the other ranks.
+[[noreturn]] void end_by_internal_error() {
+  std::string text = "not an exception of the standard library";
+  try {
+    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+  } catch (const std::exception& e) {
+    text = e.what();
+  } catch (...) {
+  }
+  std::fputs(
+      fmt::format("hawser: internal error on rank {}: {}\n", hawser::rank_of(PETSC_COMM_WORLD), text).c_str(),
+      stderr);
+  std::fflush(nullptr);
+  if (hawser::ranks_of(PETSC_COMM_WORLD) > 1) MPI_Abort(PETSC_COMM_WORLD, 1);
+  std::_Exit(1);
+}
+
 int guarded(const Petsc& petsc, const std::function<int()>& work) {
   int code = 1;
   std::string text;
@@ -77,12 +96,6 @@ int guarded(const Petsc& petsc, const std::function<int()>& work) {
   } catch (const hawser::io::WriteError& e) {
     code = hawser::kExitWrite;
     text = e.what();
-  } catch (const std::exception& e) {
-    // An internal error, perhaps only on this rank; the others must not wait for it.
-    std::fputs(fmt::format("hawser: internal error on rank {}: {}\n", petsc.rank, e.what()).c_str(), stderr);
-    const int size = hawser::ranks_of(PETSC_COMM_WORLD);
-    if (size > 1) MPI_Abort(PETSC_COMM_WORLD, 1);
-    return 1;
   }
   if (petsc.rank == 0) std::fputs(fmt::format("hawser: {}\n", text).c_str(), stderr);
   if (code == hawser::kExitWrite) {
@@ -150,6 +163,7 @@ int main(int argc, char** argv) {
     return 0;
   }
   if (!petsc) begin();
+  std::set_terminate(end_by_internal_error);
   return guarded(*petsc, [&] {
     const int code = command.run(PETSC_COMM_WORLD);
     if (!command.reports_unused_options) return code;
