@@ -48,7 +48,6 @@ TABLES = {
 }  # fmt: skip
 
 
-
 def write_coefficients(folder):
     """A buoy in the layouts of BEMIO and Capytaine, with one heading."""
     omega, freedoms = [0.5, 1.0, 2.0], ["Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw"]
@@ -185,12 +184,6 @@ VARIANTS = (
     {"environment.waves": "{components: [{height: 1, period: 6, direction_deg: 0, phase_deg: 0}, {height: 1, period: 9}]}",
      "bodies.vessel.motion": "{rao: {rows: [[8, 0, 1, 0, 0, 0, 1, 90, 0, 0, 1, 0, 0, 0]]}}",
      "volumes.post.shape": "{torus: {centre: [30, 40, -5], axis: [0, 0, 1], radius: 3, tube_radius: 0.5}}"},
-    {"environment.waves": "{sum: [{jonswap: {hs: 2, tp: 8, direction_deg: 0, seed: 1, components: 10, spreading: 2, gamma: 3.3}}, "
-     "{pierson_moskowitz: {hs: 2, tp: 8, direction_deg: 0, seed: 1, components: 10, spreading: 0}}, "
-     "{spectrum: {rows: [[0.05, 0], [0.1, 4], [0.2, 1]], frequency: hz, direction_deg: 0, seed: 1, components: 10, spreading: 0}}, "
-     "{spectrum: {file: spectrum.txt}}, {regular: {height: 1, period: 6, direction_deg: 0, phase_deg: 0}}, "
-     "{components: [{height: 1, period: 6, direction_deg: 0, phase_deg: 0}]}]}"},
-    {"environment.waves": "{sum: [{stokes: {height: 2, period: 8, direction_deg: 0, phase_deg: 0, current: 0, current_is: euler}}]}"},
     {"environment.waves": "{stokes: {height: 2, period: 8, direction_deg: 0, phase_deg: 0, current: 0, current_is: euler}}",
      "environment.current": "null", "volumes.post.shape": "{plane: {point: [0, 0, -60], normal: [0, 0, 1]}}",
      "bodies.vessel.motion.drift": "null", "bodies.vessel.motion.harmonic.amplitude": "[0, 0, 0]"},
@@ -227,8 +220,7 @@ VARIANTS = (
      "hull: {volumes: [column], wave_pressure: true}, "
      "members: [{from: [0, 0, -8], to: [0, 0, 2], diameter: 3, Cd: 1, Ca: 1, axial_Cd: 1, axial_Ca: 1}]}}",
      "volumes.column": "{shape: {cylinder: {from: [0, 0, -8], to: [0, 0, 2], radius: 1.5}}, body: spar, normal_stiffness: {per_point: 1e5}}"},
-    {"farm": "{of: unit.yaml, name: T, heading_deg: 10, at: [[400, 300], [500, 300, 20]]}"},
-    {"farm": "{of: unit.yaml, at: {A: [400, 300]}}"},
+    {"farm": "{of: unit.yaml, name: T, heading_deg: 10, at: [[400, 300], [500, 300, 20]]}"}, {"farm": "{of: unit.yaml, at: {A: [400, 300]}}"},
     {"farm": "{of: unit.yaml, rows: {rows: 1, columns: 2, spacing: [100, 100], from: [400, 300], direction_deg: 10, stagger: 50}}"},
     {"farm": "[{of: unit.yaml, rows: {rows: 2, columns: 2, spacing: [100, 100], from: [400, 300], direction_deg: 10, stagger: 50}}, "
      "{of: unit.yaml, name: U, file: places.txt}]"},
@@ -266,6 +258,8 @@ VARIANTS = (
      "end_b: {anchor: [-110, -30, -48]}}"},
     {"lines.riser.start": "{from: other.h5, time: 0, line: riser}"}, {"start": "{from: other.h5, time: 0}"},
 )  # fmt: skip
+SEAS = [v["environment.waves"] for v in VARIANTS if "environment.waves" in v]  # the last one is a Stokes wave
+VARIANTS += ({"environment.waves": "{sum: [" + ", ".join(SEAS[:-1]) + "]}"}, {"environment.waves": "{sum: [" + SEAS[-1] + "]}"})
 
 
 def parsed(text):
