@@ -199,8 +199,7 @@ VARIANTS = (
      "lines.laid": "{sections: [{type: hose, length: 20, elements: 5}], end_a: {anchor: [-60, -60, -49]}, end_b: {anchor: [-60, -40.1, -48.9]}, start: {points: [[-60, -60, -49], [-60, -40.1, -48.9]]}, "
      "buried: [{from: 0, to: 10, resistance: {axial: 1e4, normal: 1e4}, mobilisation_length: {axial: 0.01, normal: 0.02}}]}"},
     {"lines.mooring.target": "{declination_deg: 40, at: end_b}", "volumes.post.shape": "{tube: {path: [[30, 40, 5], [30, 40, -10], [30, 50, -10], [40, 50, -10]], bend_radius: [3, 4], inner_radius: 0.25, wall_thickness: 0.05}}"},
-    {"lines.mooring.target": "{touchdown: 15, at: end_b}", "lines.riser.temperature_change": "[[0, 20], [55, 10]]"},
-    {"lines.mooring.target": "{laid_length: 15}", "volumes.post.shape": "{tube: {path: [[30, 40, 5], [30, 40, -10], [30, 50, -10]], bend_radius: 3, inner_radius: 0.25, wall_thickness: 0.05}}"},
+    {"lines.mooring.target": "{touchdown: 15, at: end_b}", "lines.riser.temperature_change": "[[0, 20], [55, 10]]"}, {"lines.mooring.target": "{laid_length: 15}", "volumes.post.shape": "{tube: {path: [[30, 40, 5], [30, 40, -10], [30, 50, -10]], bend_radius: 3, inner_radius: 0.25, wall_thickness: 0.05}}"},
     # Platforms.
     {"bodies.barge": "{position: [200, 0, 0], floating: {mass: 5e5, inertia: [2e7, 6e7, 7e7], centre_of_mass: [0, 0, 1], "
      "loads: [{force: [100, 0, 0], moment: [0, 0, 10], at: [1, 0, 2], axes: body}, {table: {rows: [[0, 1, 0, 0], [10, 2, 0, 0]]}}], "
@@ -258,7 +257,8 @@ VARIANTS = (
      "end_b: {anchor: [-110, -30, -48]}}"},
     {"lines.riser.start": "{from: other.h5, time: 0, line: riser}"}, {"start": "{from: other.h5, time: 0}"},
 )  # fmt: skip
-SEAS = [v["environment.waves"] for v in VARIANTS if "environment.waves" in v]  # the last one is a Stokes wave
+REGULAR = "{regular: {height: 1, period: 6, direction_deg: 0, phase_deg: 0}}"
+SEAS = [REGULAR] + [v["environment.waves"] for v in VARIANTS if "environment.waves" in v]  # the last one is a Stokes wave
 VARIANTS += ({"environment.waves": "{sum: [" + ", ".join(SEAS[:-1]) + "]}"}, {"environment.waves": "{sum: [" + SEAS[-1] + "]}"})
 
 
