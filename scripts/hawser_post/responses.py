@@ -92,7 +92,7 @@ class Waves:
         self.ramp = float(results.file["waves/ramp"][0])
         if np.ptp(np.unwrap(np.sort(self.direction))) > np.radians(0.5):
             raise Refusal(f"{results.path}: the waves have several directions, but a response belongs to one direction: give waves "
-                          "of one direction, without 'spreading'")
+                          "of one direction, without 'spreading' and without a 'sum' of other directions")
         self.along = np.array([np.mean(x), np.mean(y)])
 
     @property

@@ -54,7 +54,8 @@ void warn_of_sea_of_platform(const Case& c, const Body& b, std::vector<InputWarn
 // Forces of all difference frequencies are those of the mean direction of the waves.
 void warn_of_crossing_waves(const Case& c, const Body& b, std::vector<InputWarning>& out) {
   constexpr double kMost = 0.1, kFar = 45;  // of the energy; deg
-  if (b.mass->hydrodynamics->second_order != SecondOrder::full) return;
+  const BodyHydrodynamics& h = *b.mass->hydrodynamics;
+  if (!h.excitation || h.second_order != SecondOrder::full) return;
   const WaveField waves = wave_field(c.environment);
   Eigen::Vector2d sum(0, 0);
   for (const WaveComponent& w : waves.components())
@@ -68,7 +69,7 @@ void warn_of_crossing_waves(const Case& c, const Body& b, std::vector<InputWarni
   }
   if (far <= kMost * all) return;
   add_warning(out, "bodies." + b.name + ".floating.hydrodynamics.second_order", Effect::all,
-              "{:.2g} % of the sea's energy goes to directions more than {:g} deg from the mean, and 'full' "
+              "{:.3g} % of the sea's energy goes to directions more than {:g} deg from the mean, and 'full' "
               "takes the forces of the mean direction for all waves: compare with 'newman', which uses all "
               "directions",
               100 * far / all, kFar);

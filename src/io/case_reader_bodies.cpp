@@ -103,14 +103,34 @@ void read_drift_damping(const Value& v, const CaseSource& source, model::BodyHyd
   h.drift_damping.assign(by_omega.begin(), by_omega.end());
 }
 
-// Mean direction [rad] in which waves travel, by their energy, from the bow; 0 without waves.
-double mean_direction(const model::Environment& e, const model::Body& b) {
-  const WaveField waves = model::wave_field(e);
-  if (waves.none()) return 0;
+// Mean direction [rad] in which waves travel, by their energy; 0 without waves.
+double mean_direction(const std::vector<WaveComponent>& sea) {
   Eigen::Vector2d sum(0, 0);
-  for (const WaveComponent& w : waves.components())
-    sum += w.amplitude * w.amplitude * Eigen::Vector2d(w.x, w.y);
-  return std::atan2(sum.y(), sum.x()) - model::hydrodynamic_heading(b);
+  for (const WaveComponent& w : sea) sum += w.amplitude * w.amplitude * Eigen::Vector2d(w.x, w.y);
+  return std::atan2(sum.y(), sum.x());
+}
+
+// The sea with the direction of all waves whose forces of all difference frequencies are used. Refuses a sea
+// whose energy goes mostly elsewhere.
+std::vector<WaveComponent> in_mean_direction(const Value& second_order, std::vector<WaveComponent> sea) {
+  constexpr double kMost = 0.5, kFar = M_PI / 4;
+  const double mean = mean_direction(sea);
+  double all = 0, far = 0;
+  for (WaveComponent& w : sea) {
+    const double energy = w.amplitude * w.amplitude;
+    all += energy;
+    if (w.x * std::cos(mean) + w.y * std::sin(mean) < std::cos(kFar)) far += energy;
+    w.x = std::cos(mean);
+    w.y = std::sin(mean);
+  }
+  if (far > kMost * all)
+    model::refuse(
+        second_order,
+        "'full' takes the forces of the mean direction of the waves, {:.3g} deg, for all of them, but "
+        "{:.3g} % of the sea's energy goes to directions more than 45 deg from it: use 'newman', "
+        "which uses all directions",
+        mean * 180 / M_PI, 100 * far / all);
+  return sea;
 }
 
 // Reads the files of a body's coefficients, once per file.
@@ -119,7 +139,10 @@ void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b
   const Value& files = v[h.key()];
   h.files = source.absolute(h.files);
   // Only forces of all difference frequencies are read for one direction.
-  const double direction = h.second_order == SecondOrder::full ? mean_direction(c.environment, b) : 0;
+  const double direction =
+      h.second_order == SecondOrder::full
+          ? mean_direction(model::wave_field(c.environment).components()) - model::hydrodynamic_heading(b)
+          : 0;
   std::shared_ptr<const model::HydrodynamicData>& known =
       source.files
           ->coefficients[fmt::format("{} {} {} {} {} {}", h.files, static_cast<int>(h.format), h.length,
@@ -228,7 +251,9 @@ void meet_sea(const Value& v, const CaseSource& source, model::Body& b, model::C
       if (h.excitation) {
         check_coverage(files, h.data->excitation, h.body, "wave forces", 0.05, 0.5, sea, heading, key,
                        c.notes);
-        check_coverage(files, h.data->drift, h.body, "drift forces", 0.5, 1, sea, heading, key, c.notes);
+        const bool full = h.second_order == SecondOrder::full;
+        check_coverage(files, h.data->drift, h.body, "drift forces", 0.5, 1,
+                       full ? in_mean_direction((*waves)["second_order"], sea) : sea, heading, key, c.notes);
       }
       if (model::wave_drift_damping(h, sea).diagonal().minCoeff() < 0)
         c.notes.push_back(key +

@@ -64,21 +64,23 @@ std::vector<std::string> unused(const std::vector<char*>& given) {
   return out;
 }
 
-// An exception that guarded() does not catch is an internal error, perhaps only on this rank. The program
-// ends without unwinding: destructors that close files would wait for the other ranks.
-[[noreturn]] void end_by_internal_error() {
-  std::string text = "not an exception of the standard library";
-  try {
-    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
-  } catch (const std::exception& e) {
-    text = e.what();
-  } catch (...) {
-  }
+void print_internal_error(const char* text) {
   std::fputs(
       fmt::format("hawser: internal error on rank {}: {}\n", hawser::rank_of(PETSC_COMM_WORLD), text).c_str(),
       stderr);
+}
+
+// On several ranks an exception that guarded() does not catch is an internal error, perhaps of this rank
+// alone. The program ends without unwinding: destructors that close files would wait for the other ranks.
+[[noreturn]] void abort_all_ranks() {
+  try {
+    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+  } catch (const std::exception& e) {
+    print_internal_error(e.what());
+  } catch (...) {
+  }
   std::fflush(nullptr);
-  if (hawser::ranks_of(PETSC_COMM_WORLD) > 1) MPI_Abort(PETSC_COMM_WORLD, 1);
+  MPI_Abort(PETSC_COMM_WORLD, 1);
   std::_Exit(1);
 }
 
@@ -163,8 +165,7 @@ int main(int argc, char** argv) {
     return 0;
   }
   if (!petsc) begin();
-  std::set_terminate(end_by_internal_error);
-  return guarded(*petsc, [&] {
+  const auto work = [&] {
     const int code = command.run(PETSC_COMM_WORLD);
     if (!command.reports_unused_options) return code;
     const auto unused_options = unused(words.petsc);
@@ -172,5 +173,15 @@ int main(int argc, char** argv) {
       fmt::print("\nwarning: this run did not use the PETSc option{} {}\n",
                  unused_options.size() > 1 ? "s" : "", fmt::join(unused_options, ", "));
     return code;
-  });
+  };
+  if (hawser::ranks_of(PETSC_COMM_WORLD) > 1) {
+    std::set_terminate(abort_all_ranks);
+    return guarded(*petsc, work);
+  }
+  try {
+    return guarded(*petsc, work);
+  } catch (const std::exception& e) {
+    print_internal_error(e.what());
+    return 1;
+  }
 }
