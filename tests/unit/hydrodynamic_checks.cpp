@@ -330,7 +330,7 @@ TEST_F(HydrodynamicChecks, DifferenceForces) {
 TEST_F(HydrodynamicChecks, DifferenceForcesOfCrossingWaves) {
   std::string pairs;
   for (const auto& [one, other] : {std::pair(16, 16), {16, 12}, {16, 8}, {12, 12}, {12, 8}, {8, 8}})
-    pairs += fmt::format("{} {} 0 0 1 0.2 0 0.2 0\n", one, other);
+    for (const int at : {0, 25, 60}) pairs += fmt::format("{0} {1} {2} {2} 1 0.2 0 0.2 0\n", one, other, at);
   write(".12d", pairs);
   const auto systems = [](int direction) {
     return fmt::format(
