@@ -53,26 +53,16 @@ void warn_of_sea_of_platform(const Case& c, const Body& b, std::vector<InputWarn
 
 // Forces of all difference frequencies are those of the mean direction of the waves.
 void warn_of_crossing_waves(const Case& c, const Body& b, std::vector<InputWarning>& out) {
-  constexpr double kMost = 0.1, kFar = 45;  // of the energy; deg
+  constexpr double kMost = 0.1;  // of the energy
   const BodyHydrodynamics& h = *b.mass->hydrodynamics;
   if (!h.excitation || h.second_order != SecondOrder::full) return;
-  const WaveField waves = wave_field(c.environment);
-  Eigen::Vector2d sum(0, 0);
-  for (const WaveComponent& w : waves.components())
-    sum += w.amplitude * w.amplitude * Eigen::Vector2d(w.x, w.y);
-  const Eigen::Vector2d mean = sum.normalized();
-  double all = 0, far = 0;
-  for (const WaveComponent& w : waves.components()) {
-    const double energy = w.amplitude * w.amplitude;
-    all += energy;
-    if (mean.dot(Eigen::Vector2d(w.x, w.y)) < std::cos(kFar * M_PI / 180)) far += energy;
-  }
-  if (far <= kMost * all) return;
+  const double far = mean_direction(wave_field(c.environment).components()).far;
+  if (far <= kMost) return;
   add_warning(out, "bodies." + b.name + ".floating.hydrodynamics.second_order", Effect::all,
               "{:.3g} % of the sea's energy goes to directions more than {:g} deg from the mean, and 'full' "
               "takes the forces of the mean direction for all waves: compare with 'newman', which uses all "
               "directions",
-              100 * far / all, kFar);
+              100 * far, kFarFromMean * 180 / M_PI);
 }
 
 void warn_of_coefficients(const Case& c, const Body& b, std::vector<InputWarning>& out) {

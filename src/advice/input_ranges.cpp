@@ -52,7 +52,6 @@ constexpr auto kRanges = std::to_array<Range>({
     {"environment.wind.speed", 0, 100, "winds"},
     {"environment.wind.density", 0.9, 1.6, "the density of air"},
     {"environment.waves.stokes.current", 0, kMostCurrent, "currents at sea"},
-    {"environment.waves.sum[].stokes.current", 0, kMostCurrent, "currents at sea"},
     {"environment.waves.jonswap.hs", 0.001, kHighestSea, "significant heights of seas"},
     {"environment.waves.jonswap.tp", kShortest, kLongestSea, "peak periods of seas"},
     {"environment.waves.pierson_moskowitz.hs", 0.001, kHighestSea, "significant heights of seas"},
@@ -63,16 +62,6 @@ constexpr auto kRanges = std::to_array<Range>({
     {"environment.waves.stokes.period", kShortest, kLongestWave, "periods of waves"},
     {"environment.waves.components[].height", 0, kHighestWave, "heights of waves"},
     {"environment.waves.components[].period", kShortest, kLongestComponent, "periods of waves"},
-    {"environment.waves.sum[].jonswap.hs", 0.001, kHighestSea, "significant heights of seas"},
-    {"environment.waves.sum[].jonswap.tp", kShortest, kLongestSea, "peak periods of seas"},
-    {"environment.waves.sum[].pierson_moskowitz.hs", 0.001, kHighestSea, "significant heights of seas"},
-    {"environment.waves.sum[].pierson_moskowitz.tp", kShortest, kLongestSea, "peak periods of seas"},
-    {"environment.waves.sum[].regular.height", 0.001, kHighestWave, "heights of waves"},
-    {"environment.waves.sum[].regular.period", kShortest, kLongestWave, "periods of waves"},
-    {"environment.waves.sum[].stokes.height", 0.001, kHighestWave, "heights of waves"},
-    {"environment.waves.sum[].stokes.period", kShortest, kLongestWave, "periods of waves"},
-    {"environment.waves.sum[].components[].height", 0, kHighestWave, "heights of waves"},
-    {"environment.waves.sum[].components[].period", kShortest, kLongestComponent, "periods of waves"},
     {"line_types.*.Cd_normal", 0, 5, "drag coefficients across a line"},
     {"line_types.*.Cd_axial", 0, 1.5, "drag coefficients along a line, on its skin"},
     {"line_types.*.Ca_normal", 0, 5, "added mass coefficients of lines"},
@@ -145,7 +134,9 @@ class Walk {
           for (const Value& x : v.items)
             if (out_.size() == before) number(x, *v.schema, path, v.where);  // one note for all three
         } else {
-          for (const Value& x : v.items) visit(x, path + "[]");
+          // The wave systems of a sum have the keys of a sea of one system.
+          const std::string of_items = path == "environment.waves.sum" ? "environment.waves" : path + "[]";
+          for (const Value& x : v.items) visit(x, of_items);
         }
         return;
       case Value::Kind::scalar:

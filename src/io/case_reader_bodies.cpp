@@ -103,33 +103,22 @@ void read_drift_damping(const Value& v, const CaseSource& source, model::BodyHyd
   h.drift_damping.assign(by_omega.begin(), by_omega.end());
 }
 
-// Mean direction [rad] in which waves travel, by their energy; 0 without waves.
-double mean_direction(const std::vector<WaveComponent>& sea) {
-  Eigen::Vector2d sum(0, 0);
-  for (const WaveComponent& w : sea) sum += w.amplitude * w.amplitude * Eigen::Vector2d(w.x, w.y);
-  return std::atan2(sum.y(), sum.x());
-}
-
-// The sea with the direction of all waves whose forces of all difference frequencies are used. Refuses a sea
-// whose energy goes mostly elsewhere.
+// The sea with all waves turned to its mean direction, the only one of which forces of all difference
+// frequencies are read. Refuses a sea with most of its energy far from that direction.
 std::vector<WaveComponent> in_mean_direction(const Value& second_order, std::vector<WaveComponent> sea) {
-  constexpr double kMost = 0.5, kFar = M_PI / 4;
-  const double mean = mean_direction(sea);
-  double all = 0, far = 0;
-  for (WaveComponent& w : sea) {
-    const double energy = w.amplitude * w.amplitude;
-    all += energy;
-    if (w.x * std::cos(mean) + w.y * std::sin(mean) < std::cos(kFar)) far += energy;
-    w.x = std::cos(mean);
-    w.y = std::sin(mean);
-  }
-  if (far > kMost * all)
+  constexpr double kMost = 0.5;  // of the energy
+  const auto [mean, far] = model::mean_direction(sea);
+  if (far > kMost)
     model::refuse(
         second_order,
         "'full' takes the forces of the mean direction of the waves, {:.3g} deg, for all of them, but "
-        "{:.3g} % of the sea's energy goes to directions more than 45 deg from it: use 'newman', "
+        "{:.3g} % of the sea's energy goes to directions more than {:g} deg from it: use 'newman', "
         "which uses all directions",
-        mean * 180 / M_PI, 100 * far / all);
+        mean * 180 / M_PI, 100 * far, model::kFarFromMean * 180 / M_PI);
+  for (WaveComponent& w : sea) {
+    w.x = std::cos(mean);
+    w.y = std::sin(mean);
+  }
   return sea;
 }
 
@@ -141,7 +130,8 @@ void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b
   // Only forces of all difference frequencies are read for one direction.
   const double direction =
       h.second_order == SecondOrder::full
-          ? mean_direction(model::wave_field(c.environment).components()) - model::hydrodynamic_heading(b)
+          ? model::mean_direction(model::wave_field(c.environment).components()).direction -
+                model::hydrodynamic_heading(b)
           : 0;
   std::shared_ptr<const model::HydrodynamicData>& known =
       source.files

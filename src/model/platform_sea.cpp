@@ -62,4 +62,22 @@ Coverage coverage(const WaveForceTable& table, const std::vector<WaveComponent>&
   return out;
 }
 
+MeanDirection mean_direction(const std::vector<WaveComponent>& sea) {
+  Eigen::Vector2d sum(0, 0);
+  double all = 0;
+  for (const WaveComponent& w : sea) {
+    const double energy = w.amplitude * w.amplitude;
+    sum += energy * Eigen::Vector2d(w.x, w.y);
+    all += energy;
+  }
+  if (!(all > 0)) return {};
+  const Eigen::Vector2d mean = sum.normalized();
+  MeanDirection out;
+  out.direction = std::atan2(sum.y(), sum.x());
+  for (const WaveComponent& w : sea)
+    if (mean.dot(Eigen::Vector2d(w.x, w.y)) < std::cos(kFarFromMean))
+      out.far += w.amplitude * w.amplitude / all;
+  return out;
+}
+
 }  // namespace hawser::model

@@ -196,7 +196,8 @@ void ElementErrors::update_lifts(const InState& s, Worst& worst) const {
       if (n + 2 * side < first || n + 2 * side > last) continue;
       if (nodes[n + side].supported || nodes[n + 2 * side].supported) continue;
       const int i = side > 0 ? n : n - 1;
-      const Element &next = elements[i], &after = elements[i + side];
+      const Element& next = elements[i];
+      const Element& after = elements[i + side];
       if (next.beam || after.beam || next.type != after.type) continue;
       if (nodes[n + side].two_sided) continue;
       const double weight =

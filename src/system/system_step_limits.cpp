@@ -38,7 +38,7 @@ std::vector<int> united(std::span<const int> a, std::span<const int> b) {
   return out;
 }
 
-// Replaces lines by their places among those of the tolerance.
+// The impacts with indices of `tolerance` in place of the numbers of lines.
 template <class Impact>
 std::vector<Impact> at_places(std::vector<Impact> impacts, const PerLine<double>& tolerance) {
   for (Impact& s : impacts)
@@ -48,9 +48,8 @@ std::vector<Impact> at_places(std::vector<Impact> impacts, const PerLine<double>
 }
 }  // namespace
 
-System::Motions System::motions(const std::vector<int>& lines, const Kinematics& state,
-                                const StoredMotion& stored) const {
-  Motions out(lines);
+System::Motions System::motions(const Kinematics& state, const StoredMotion& stored) const {
+  Motions out(lines_);
   Kinematics accelerations = state;
   accelerations.v = stored.accelerations;
   for (const MovesMasses* t : listed<MovesMasses>()) {
@@ -94,7 +93,8 @@ StepLimit System::longest_step(const Kinematics& committed, const StoredMotion& 
     std::copy(tolerance.begin(), tolerance.end(), energy_tolerance_.values().begin());
     return growth_limited_step(motions.stored.values(), tolerance, stored.factor, committed.last_step());
   };
-  Motions without_impacts = motions(lines_, committed, stored);
+  const Motions local = motions(committed, stored);
+  Motions without_impacts = local;
   if (!cut_.empty()) sum_lines(cut_, without_impacts);
   // Without impacts and cut lines this is the only reduction.
   const std::vector<int> elsewhere = lines_elsewhere(impacts.list, local_lines_);
@@ -107,13 +107,18 @@ StepLimit System::longest_step(const Kinematics& committed, const StoredMotion& 
   if (no_impacts > 0) return limit;
 
   // Lines that several ranks have: those that the partition cuts, and those with an impact on another rank.
-  std::vector<int> shared = cut_, lines = lines_;
+  std::vector<int> shared = cut_;
+  std::vector<int> lines = lines_;
   if (none_elsewhere == 0) {
     const std::vector<int> others = of_all_ranks(comm_, elsewhere);
     shared = united(cut_, others);
     lines = united(lines_, others);
   }
-  Motions all = motions(lines, committed, stored);
+  Motions all(lines);
+  for (const int l : lines_) {
+    all.moving[l] = local.moving[l];
+    all.stored[l] = local.stored[l];
+  }
   for (const ImpactEvent& s : impacts.list) {
     all.moving[s.line].impact_energy += s.energy();
     if (s.other >= 0) all.moving[s.other].impact_energy += s.energy();

@@ -36,7 +36,8 @@ struct AttachedForces {
   Eigen::Matrix<double, 3 * kMaxRows, 3 * kMaxRows, Eigen::RowMajor> K;
   Eigen::Matrix<double, 3 * kMaxRows, 3 * kPositions, Eigen::RowMajor> C;
 
-  // Zero; without derivatives K and C are not initialised, and without couples only the positions of K and C.
+  // All zero. Without derivatives K and C are not initialised; without couples only their blocks of positions
+  // are.
   explicit AttachedForces(int positions, bool rotates = false, bool derivatives = true);
 };
 

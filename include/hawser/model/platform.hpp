@@ -82,6 +82,14 @@ struct Coverage {
 };
 Coverage coverage(const WaveForceTable& table, const std::vector<WaveComponent>& sea, double heading);
 
+// Mean direction of a sea by the energy of its waves, rad, and the fraction of the energy that goes to
+// directions more than kFarFromMean from it; zeros without waves.
+struct MeanDirection {
+  double direction = 0, far = 0;
+};
+constexpr double kFarFromMean = 45 * M_PI / 180;
+MeanDirection mean_direction(const std::vector<WaveComponent>& sea);
+
 // Lines on a body with hydrodynamics that `hawser check` prints.
 std::string platform_text(const Case& c, const Body& b);
 

@@ -58,8 +58,9 @@ class ElementErrors : public Recording {
     const LineSpan& line;
     std::span<const At> nodes;
     std::span<const Element> elements;
-    int first, last;  // nodes at the ends of what is outside of feeders
-    double time;      // s
+    int first;  // nodes at the ends of what is outside of feeders
+    int last;
+    double time;  // s
   };
   At node(size_t n, const Kinematics& state, const Values& values) const;
   void update_sag(const InState& s, Worst& worst) const;

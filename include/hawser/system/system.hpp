@@ -164,9 +164,10 @@ class System {
   // The motion of the masses of lines that this rank counts, without impacts.
   struct Motions {
     explicit Motions(const std::vector<int>& lines) : moving(lines), stored(lines) {}
-    PerLine<LineMotion> moving, stored;  // stored: with algorithmic accelerations as velocities
+    PerLine<LineMotion> moving;
+    PerLine<LineMotion> stored;  // with algorithmic accelerations as velocities
   };
-  Motions motions(const std::vector<int>& lines, const Kinematics& state, const StoredMotion& stored) const;
+  Motions motions(const Kinematics& state, const StoredMotion& stored) const;  // of lines_
   // Every rank gets the sums over the ranks for some of the lines, which are the same on all ranks, and of
   // `more`.
   void sum_lines(std::span<const int> lines, Motions& motions, std::span<double> more = {}) const;
