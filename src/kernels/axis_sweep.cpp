@@ -16,21 +16,29 @@ struct SweptPart {
   double from = 0, to = 1;      // interval of the axis
 };
 
-std::array<SweptPart, 2> halves(const SweptPart& p) {
+double length_of(const SweptPart& p) {
   double along = 0;
   for (const BezierAxis& b : p.b)
     along = std::max({along, (b.b[3] - b.b[0]).norm(), (b.b[2] - b.b[1]).norm()});
+  return along;
+}
+
+std::array<SweptPart, 2> halves_in_time(const SweptPart& p) {
   std::array<SweptPart, 2> out{p, p};
-  if (p.b[0].farthest_distance(p.b[1]) > along) {
-    out[0].b[1] = out[1].b[0] = between(p.b[0], p.b[1]);
-    return out;
-  }
+  out[0].b[1] = between(p.b[0], p.b[1]);
+  out[1].b[0] = out[0].b[1];
+  return out;
+}
+
+std::array<SweptPart, 2> halves_along(const SweptPart& p) {
+  std::array<SweptPart, 2> out{p, p};
   for (size_t i = 0; i < 2; ++i) {
     const auto half = p.b[i].halves();
     out[0].b[i] = half[0];
     out[1].b[i] = half[1];
   }
-  out[0].to = out[1].from = 0.5 * (p.from + p.to);
+  out[0].to = 0.5 * (p.from + p.to);
+  out[1].from = out[0].to;
   return out;
 }
 
@@ -50,17 +58,24 @@ bool goes_through(DistanceField field, const BezierAxis& from, const BezierAxis&
     Vec3 normal;
     const auto distance = field(y, size, normal);
     if (!distance) continue;
-    if (*distance <= kDeep * radius) {
-      const double xi = 0.5 * (piece.from + piece.to), near = std::max(*distance, 0.0) + radius;
+    const double length = length_of(piece);
+    const bool near = *distance <= radius;
+    if (near) {
+      const double xi = 0.5 * (piece.from + piece.to);
       const Vec3 y0 = from.point(xi), y1 = to.point(xi);
       Vec3 n0, n1;
-      const auto d0 = field(y0, near + (y - y0).norm(), n0), d1 = field(y1, near + (y - y1).norm(), n1);
+      const auto d0 = field(y0, 2 * radius + (y - y0).norm(), n0),
+                 d1 = field(y1, 2 * radius + (y - y1).norm(), n1);
       const bool outside = d0 && *d0 > kDeep * radius;
-      if (d0 && d1 && ((outside && *d1 >= kClear * radius) || ((outside || pressed) && n0.dot(n1) < 0)))
-        return true;
-      if (size <= radius) continue;
+      const bool other_side =
+          d0 && d1 && ((outside && *d1 >= kClear * radius) || ((outside || pressed) && n0.dot(n1) < 0));
+      if (other_side && *distance <= kDeep * radius) return true;
+      if (!other_side && length <= radius) continue;
     }
-    for (SweptPart& half : halves(piece)) pieces.push_back(half);
+    // Near the surface the ends of the path come first: where the axis is not on another side at the end of
+    // the step, its path is not examined.
+    const bool along = (near && length > radius) || length >= piece.b[0].farthest_distance(piece.b[1]);
+    for (const SweptPart& half : along ? halves_along(piece) : halves_in_time(piece)) pieces.push_back(half);
   }
   return false;
 }

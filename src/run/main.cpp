@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 #include <petsclog.h>
 #include <petscsys.h>
+#include <petscviewer.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -32,6 +33,9 @@ struct Petsc {
   Petsc(int argc, char** argv) {
     hawser::start_singleton();
     PetscInitialize(&argc, &argv, nullptr, nullptr);
+    // Each Jacobian and each solve looks for options such as -snes_compare_explicit and -ksp_view_mat, about
+    // 5 us a step of a small model. Without options there is nothing to find.
+    if (argc == 1 && !std::getenv("PETSC_OPTIONS")) PetscOptionsPushGetViewerOff(PETSC_TRUE);
     PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr);
     PetscPopSignalHandler();
     MPI_Comm_rank(PETSC_COMM_WORLD, &rank);

@@ -96,6 +96,7 @@ TEST(AxisSweep, LetsPassWhatSlidesTouchesAndIsPressedIn) {
   };
   EXPECT_FALSE(moved(kRadius, kRadius, 0.3));  // slides
   EXPECT_FALSE(moved(0.6 * kRadius, 0.6 * kRadius, 0.3));
+  EXPECT_FALSE(moved(0.3 * kRadius, 0.3 * kRadius, 3));
   EXPECT_FALSE(moved(1, 0.1 * kRadius, 0));   // pressed in, nearest to its own side
   EXPECT_FALSE(moved(1, -0.1 * kRadius, 0));  // deep, which another check reports
   EXPECT_FALSE(moved(-0.01, 1, 0));           // moves out
