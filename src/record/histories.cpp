@@ -215,19 +215,20 @@ std::vector<double> Histories::body_row(int body, const Snapshot& s) const {
        {p->position, rotation_vector(p->rotation, b.rotation), roll_pitch_yaw(p->rotation, model::heading(b)),
         p->velocity, p->angular_velocity, p->acceleration, p->angular_acceleration, force[0], force[1]})
     row.insert(row.end(), x.begin(), x.end());
-  if (load_components(body).empty()) return row;
+  if (!subject_.model.floats(body)) return row;
   const auto add = [&row](const BodyForce& f) {
     row.insert(row.end(), f.force.begin(), f.force.end());
     row.insert(row.end(), f.moment.begin(), f.moment.end());
   };
   BodyForce other{force[0], force[1]};
+  const size_t motion = row.size();
   for (const ReportsBodyForces* term : subject_.system.with<ReportsBodyForces>())
     for (const BodyForce& f : term->forces_on(body, at)) {
       add(f);
       other.force -= f.force;
       other.moment -= f.moment;
     }
-  add(other);
+  if (row.size() > motion) add(other);
   return row;
 }
 

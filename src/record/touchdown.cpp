@@ -69,11 +69,10 @@ void Touchdowns::join(MPI_Op op, std::vector<T>& values, size_t numbers) const {
 }
 
 Touchdowns::Changes Touchdowns::changes(const std::vector<double>& gap) const {
-  const Mesh& mesh = *local_.mesh;
   Changes out{std::vector<int>(2 * lines_.size(), Changes::kNone), std::vector<double>(lines_.size(), 0)};
   for (const LocalElement& e : local_.elements) {
     if (!e.counted) continue;
-    const Element& g = mesh.element(e.global);
+    const Element& g = local_.element(e);
     const size_t l = slot_[g.line];
     const double a = gap[e.first], b = gap[e.second];
     if (lies(a) && lies(b)) out.laid[l] += g.length;

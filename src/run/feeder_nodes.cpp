@@ -35,13 +35,13 @@ double of_all(MPI_Comm comm, bool known, double value) {
 }  // namespace
 
 void FeederNodes::agree() {
-  if (!sim_.feeders()) return;
+  if (!feeders_) return;
   std::vector<Feeder*> by_tension;
   std::vector<double> values;  // four for each of them
-  for (Feeder& f : sim_.feeders()->all()) {
+  for (Feeder& f : feeders_->all()) {
     if (!f.feed.speed.empty()) continue;
     by_tension.push_back(&f);
-    if (sim_.feeders()->at_feed_point(f))
+    if (feeders_->at_feed_point(f))
       values.insert(values.end(), {f.length, f.speed, f.length_rate, f.resting ? 1.0 : 0.0});
     else
       values.insert(values.end(), 4, -HUGE_VAL);
@@ -58,10 +58,9 @@ void FeederNodes::agree() {
 }
 
 void FeederNodes::transfer_node() {
-  Feeders* all = sim_.feeders();
-  if (!all) return;
+  if (!feeders_) return;
   const double time = sim_.dynamics().committed().s.time;
-  for (Feeder& f : all->all()) {
+  for (Feeder& f : feeders_->all()) {
     const Transfer due = due_transfer(f, time);
     if (due == Transfer::release) release_node(f);
     if (due == Transfer::absorb) absorb_node(f);
@@ -69,7 +68,7 @@ void FeederNodes::transfer_node() {
 }
 
 FeederNodes::Transfer FeederNodes::due_transfer(const Feeder& f, double time) const {
-  const Feeders& all = *sim_.feeders();
+  const Feeders& all = *feeders_;
   const double mesh_length = all.element_length(f, f.feed_point);
   refuse_all_out(f, time);
   if (f.feed_point > 0 && f.length >= mesh_length + kRelease * all.element_length(f, f.feed_point - 1))
@@ -88,17 +87,17 @@ void FeederNodes::transfer_node(Feeder& f, int feed_point, double length,
         f.feed_point = feed_point;
         f.length = length;
         if (!f.feed.speed.empty()) f.offset = length - model::fed_by(f.feed, f.time).length;
-        sim_.feeders()->update_feed_point(f);
+        feeders_->update_feed_point(f);
         return moved;
       },
-      [&] { return sim_.feeders()->with_held(sim_.system().tied_nodes().nodes()); });
+      [&] { return feeders_->with_held(sim_.system().tied_nodes().nodes()); });
 }
 
 // The held node is released with its material: at the position where the free part has its unstretched length
 // and the strain of the whole element (of a beam on the cubic between its ends), and from there to its
 // equilibrium position; velocity and acceleration are interpolated between the ends.
 Dynamics::Moved FeederNodes::released(const Feeder& f, const Kinematics& k, const LocalElement& e) const {
-  const Feeders& all = *sim_.feeders();
+  const Feeders& all = *feeders_;
   const double fraction = all.element_length(f, f.feed_point) / f.length;  // measured from the free end
   const size_t i = f.line_end == LineEnd::B ? e.second : e.first,
                j = f.line_end == LineEnd::B ? e.first : e.second;
@@ -132,7 +131,7 @@ Dynamics::Moved FeederNodes::released(const Feeder& f, const Kinematics& k, cons
 }
 
 void FeederNodes::release_node(Feeder& f) {
-  const Feeders& all = *sim_.feeders();
+  const Feeders& all = *feeders_;
   const int node = all.node(f, f.feed_point);
   const double mesh_length = all.element_length(f, f.feed_point);
   std::optional<Dynamics::Moved> moved;
@@ -155,7 +154,7 @@ void FeederNodes::release_node(Feeder& f) {
 
 // Force on the feeder, N, on all ranks.
 double FeederNodes::feeder_force(const Feeder& f) {
-  record::EndForces ends(sim_.system(), sim_.feeders());
+  record::EndForces ends(sim_.system(), feeders_);
   ends.evaluate(sim_.dynamics().committed_kinematics(),
                 std::vector<Vec3>(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero()));
   return ends.at_feeders()[f.index];
@@ -165,7 +164,7 @@ double FeederNodes::feeder_force(const Feeder& f) {
 // mean strain of the two elements.
 std::optional<Dynamics::Moved> FeederNodes::absorbed(const Feeder& f, const Kinematics& k,
                                                      double& length) const {
-  const Feeders& all = *sim_.feeders();
+  const Feeders& all = *feeders_;
   const int held = all.node(f, f.feed_point), absorbed = all.node(f, f.feed_point + 1),
             next = all.node(f, f.feed_point + 2);
   const LocalMesh& local = sim_.local();
@@ -199,21 +198,21 @@ void FeederNodes::absorb_node(Feeder& f) {
 }
 
 void FeederNodes::refuse_all_out(const Feeder& f, double time) const {
-  if (f.feed_point == 0 && f.length >= sim_.feeders()->element_length(f, 0))
+  if (f.feed_point == 0 && f.length >= feeders_->element_length(f, 0))
     throw SolveError(advice::stock_runs_out(f.name, time));
 }
 
 void FeederNodes::refuse_all_in(const Feeder& f, double time) const {
-  const Feeders& all = *sim_.feeders();
+  const Feeders& all = *feeders_;
   int others = 0;  // elements inside another feeder of the line
-  for (const Feeder& o : sim_.feeders()->all())
+  for (const Feeder& o : feeders_->all())
     if (o.line == f.line && o.line_end != f.line_end) others = o.feed_point;
   if (f.feed_point + 2 + others >= all.elements(f))
     throw SolveError(advice::all_hauled_in(f.name, time, sim_.model().lines[f.line].given != nullptr));
 }
 
 void FeederNodes::shift(Feeder& f, double paid_out) {
-  Feeders& all = *sim_.feeders();
+  Feeders& all = *feeders_;
   State& state = sim_.state();
   const auto put = [&](const std::optional<Dynamics::Moved>& moved) {
     const int n = moved ? sim_.local().find(moved->node) : -1;
@@ -252,11 +251,11 @@ void FeederNodes::shift(Feeder& f, double paid_out) {
 }
 
 void FeederNodes::save(io::Checkpoint& to) const {
-  if (!sim_.feeders()) return;
-  double work = sim_.feeders()->work();
+  if (!feeders_) return;
+  double work = feeders_->work();
   all_reduce(sim_.system().comm(), MPI_SUM, work);
   to.scalars["feeders.work"] = work;
-  for (const Feeder& f : sim_.feeders()->all()) {
+  for (const Feeder& f : feeders_->all()) {
     to.scalars[key(f, "feed_point")] = f.feed_point;
     to.scalars[key(f, "length")] = f.length;
     to.scalars[key(f, "speed")] = f.speed;
@@ -270,18 +269,18 @@ void FeederNodes::save(io::Checkpoint& to) const {
 
 void FeederNodes::restore(const io::Checkpoint& from, const std::string& path) {
   const auto refuse = [&](const std::string& why) { return InputError(advice::cannot_continue(path, why)); };
-  size_t in_checkpoint = 0, in_case = sim_.feeders() ? sim_.feeders()->all().size() : 0;
+  size_t in_checkpoint = 0, in_case = feeders_ ? feeders_->all().size() : 0;
   for (const auto& [name, value] : from.scalars)
     in_checkpoint += name.starts_with("feeder.") && name.ends_with(".feed_point");
   if (in_checkpoint != in_case) throw refuse(advice::other_number_of_feeds(in_checkpoint, in_case));
-  if (!sim_.feeders()) return;
+  if (!feeders_) return;
   const int rank = rank_of(sim_.system().comm());
-  sim_.feeders()->set_work(rank == 0 ? from.scalars.at("feeders.work") : 0);
-  for (Feeder& f : sim_.feeders()->all()) {
+  feeders_->set_work(rank == 0 ? from.scalars.at("feeders.work") : 0);
+  for (Feeder& f : feeders_->all()) {
     if (!from.scalars.count(key(f, "feed_point"))) throw refuse(advice::not_fed_in_checkpoint(f.name));
     const auto take = [&](const char* quantity) { return from.scalars.at(key(f, quantity)); };
     const double feed_point = take("feed_point");
-    if (!(feed_point >= 0 && feed_point < sim_.feeders()->elements(f)) || !(take("length") > 0))
+    if (!(feed_point >= 0 && feed_point < feeders_->elements(f)) || !(take("length") > 0))
       throw refuse(advice::damaged_checkpoint("the feed point of " + f.name, feed_point));
     f.feed_point = static_cast<int>(feed_point);
     f.length = take("length");
@@ -294,11 +293,10 @@ void FeederNodes::restore(const io::Checkpoint& from, const std::string& path) {
     f.offset = take("offset");
     if (!f.feed.speed.empty() && std::abs(f.offset + model::fed_by(f.feed, f.time).length - f.length) > 1e-9)
       f.offset = f.length - model::fed_by(f.feed, f.time).length;
-    sim_.feeders()->update_feed_point(f);
+    feeders_->update_feed_point(f);
   }
   System& system = sim_.system();
-  system.tie(sim_.feeders()->with_held(system.tied_nodes().nodes()),
-             BodyMotion(system.tied_nodes().motion()));
+  system.tie(feeders_->with_held(system.tied_nodes().nodes()), BodyMotion(system.tied_nodes().motion()));
 }
 
 }  // namespace hawser::run

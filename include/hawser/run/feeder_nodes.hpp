@@ -12,7 +12,7 @@ namespace hawser::run {
 
 class FeederNodes {
  public:
-  explicit FeederNodes(Simulation& simulation) : sim_(simulation) {}
+  explicit FeederNodes(Simulation& simulation) : sim_(simulation), feeders_(simulation.feeders()) {}
 
   // After an accepted step, before its output. Collective.
   void agree();
@@ -44,6 +44,7 @@ class FeederNodes {
   void transfer_node(Feeder& f, int feed_point, double length, const std::optional<Dynamics::Moved>& moved);
 
   Simulation& sim_;
+  Feeders* const feeders_;  // null: no line is fed
 };
 
 }  // namespace hawser::run
