@@ -5,6 +5,7 @@
     tests/bench/farm.py cost HAWSER --lines 1000 10000 --ranks 1 2
     tests/bench/farm.py counts HAWSER --counter build/tests/libmpi_counts.so --lines 100 1000 --ranks 2 4 8
     tests/bench/farm.py memory HAWSER --counter build/tests/libmpi_counts.so --lines 4000 8000 --ranks 4 8
+    tests/bench/farm.py scaling HAWSER --counter build/tests/libmpi_counts.so --lines 1000 4000 --ranks 2 4 8 16 --of 10000
 """
 import argparse
 import math
@@ -134,47 +135,92 @@ def peak_memory(hawser, counter, ranks, case, folder):
     return statistics.median(each["Memory"][1] for each in counts[1:])
 
 
+def cost(given, folder, lines, ranks):
+    """CPU seconds of a rank around the steps, of statics and of a step: by runs of one and of two spans of time with as
+    many outputs, without statics and with."""
+    used = {}
+    for name, duration, statics in (("still", 1, False), ("one", 1, True), ("two", 2, True)):
+        case = Path(folder) / f"{name}.yaml"
+        case.write_text(farm(lines, given.elements, duration, 0.1, duration, statics), "utf-8")
+        used[name] = run(given.hawser, ranks, case) / ranks
+    steps = used["two"] - used["one"]
+    return used["still"] - steps, used["one"] - used["still"], steps / 10
+
+
 def print_cost(given, folder):
-    """By runs of one and of two spans of time with as many outputs, without statics and with."""
     print("lines  ranks  CPU s of a rank: around the steps, statics, a step")
     for lines in given.lines:
         for ranks in given.ranks:
-            used = {}
-            for name, duration, statics in (("still", 1, False), ("one", 1, True), ("two", 2, True)):
-                case = Path(folder) / f"{name}.yaml"
-                case.write_text(farm(lines, given.elements, duration, 0.1, duration, statics), "utf-8")
-                used[name] = run(given.hawser, ranks, case) / ranks
-            steps = used["two"] - used["one"]
-            print(f"{lines:5}  {ranks:5}  {used['still'] - steps:.2f}  {used['one'] - used['still']:.2f}  {steps / 10:.4f}")
+            around, statics, step = cost(given, folder, lines, ranks)
+            print(f"{lines:5}  {ranks:5}  {around:.2f}  {statics:.2f}  {step:.4f}")
+
+
+def counts_of_run(given, folder, lines, ranks):
+    """Collective calls and their bytes: of a step; of a run of 10 steps."""
+    found = {}
+    for duration in (1, 2):
+        case = Path(folder) / "case.yaml"
+        case.write_text(farm(lines, given.elements, duration, 0.1, duration), "utf-8")
+        found[duration] = counted(given.hawser, given.counter, ranks, case, folder)
+    (calls, size), longer = collectives(found[1]), collectives(found[2])
+    return ((longer[0] - calls) / 10, (longer[1] - size) / 10), (calls, size)
 
 
 def print_counts(given, folder):
     print("lines  ranks  collective calls (bytes): a step; a run of 10 steps")
     for lines in given.lines:
         for ranks in given.ranks:
-            found = {}
-            for duration in (1, 2):
-                case = Path(folder) / "case.yaml"
-                case.write_text(farm(lines, given.elements, duration, 0.1, duration), "utf-8")
-                found[duration] = counted(given.hawser, given.counter, ranks, case, folder)
-            (calls, size), longer = collectives(found[1]), collectives(found[2])
-            step = (longer[0] - calls) / 10, (longer[1] - size) / 10
-            print(f"{lines:5}  {ranks:5}  {step[0]:.1f} ({step[1]:.0f})  {calls} ({size:.0f})")
+            step, whole = counts_of_run(given, folder, lines, ranks)
+            print(f"{lines:5}  {ranks:5}  {step[0]:.1f} ({step[1]:.0f})  {whole[0]} ({whole[1]:.0f})")
+
+
+def memory(given, folder, ranks):
+    """Peaks of a rank for the smaller and larger number of lines, from runs of two steps, bytes."""
+    peaks = []
+    for lines in given.lines:
+        case = Path(folder) / "case.yaml"
+        case.write_text(farm(lines, given.elements, 0.2, 0.1, 0.2), "utf-8")
+        peaks.append(peak_memory(given.hawser, given.counter, ranks, case, folder))
+    return peaks
 
 
 def print_memory(given, folder):
-    """From peaks of runs of two steps."""
     few, many = given.lines
     growth = {}
     for ranks in given.ranks:
-        peaks = []
-        for lines in (few, many):
-            case = Path(folder) / "case.yaml"
-            case.write_text(farm(lines, given.elements, 0.2, 0.1, 0.2), "utf-8")
-            peaks.append(peak_memory(given.hawser, given.counter, ranks, case, folder))
+        peaks = memory(given, folder, ranks)
         growth[ranks] = (peaks[1] - peaks[0]) / (many - few)
         print(f"{ranks} ranks: {growth[ranks]:.0f} B a line on each, peaks {peaks[0] / 1e6:.0f} and {peaks[1] / 1e6:.0f} MB")
     print(f"of a line of other ranks: {on_every_rank(growth):.0f} B")
+
+
+def print_scaling(given, folder):
+    """Extrapolates to more ranks. A rank needs of each of the N lines r + s/P (CPU time, memory) on P ranks, with r and s
+    from two numbers of ranks and N from two numbers of lines. A collective call takes `latency` for each doubling of the
+    ranks, as in a binary tree. The memory of the first number of ranks and lines gives what does not depend on lines."""
+    few, many = given.lines
+    growth = {}
+    for ranks in (1, 2):
+        small, large = cost(given, folder, few, ranks), cost(given, folder, many, ranks)
+        growth[ranks] = [(b - a) / (many - few) for a, b in zip(small, large)]
+    by_line = [(2 * two - one, 2 * (one - two)) for one, two in zip(growth[1], growth[2])]
+    calls = {ranks: counts_of_run(given, folder, few, ranks)[0][0] for ranks in given.ranks}
+    print("collective calls of a step: " + ", ".join(f"{n:.1f} on {ranks} ranks" for ranks, n in calls.items()))
+    of_ranks = {}
+    for ranks in (4, 8):
+        peaks = memory(given, folder, ranks)
+        of_ranks[ranks] = (peaks[1] - peaks[0]) / (many - few)
+    replicated = on_every_rank(of_ranks)
+    own = 8 * (of_ranks[8] - replicated)
+    rest = peaks[0] - few * of_ranks[8]
+    print(f"{given.of} lines of {given.elements} elements; {1e6 * given.latency:g} us for each doubling of the ranks")
+    print("ranks  lines of a rank  CPU s around the steps  statics  ms a step: CPU, calls  MB of a rank")
+    for ranks in (1, 16, 256, 1000):
+        share = math.ceil(given.of / ranks)
+        around, statics, step = (max(r, 0) * given.of + s * share for r, s in by_line)
+        waiting = max(calls.values()) * given.latency * math.log2(ranks)
+        size = rest + given.of * replicated + share * own
+        print(f"{ranks:5}  {share:5}  {around:.2f}  {statics:.3f}  {1e3 * step:.2f}, {1e3 * waiting:.2f}  {size / 1e6:.0f}")
 
 
 def main():
@@ -184,13 +230,17 @@ def main():
     case.add_argument("lines", type=int)
     case.add_argument("output", type=Path)
     for name, text in (("cost", "measure CPU time"), ("counts", "count calls of MPI"),
-                       ("memory", "measure the memory of a rank for lines of other ranks")):
+                       ("memory", "measure the memory of a rank for lines of other ranks"),
+                       ("scaling", "extrapolate CPU time, calls and memory to 16, 256 and 1000 ranks")):
         measure = what.add_parser(name, help=text)
         measure.add_argument("hawser")
         measure.add_argument("--lines", type=int, nargs="+", default=[100, 1000])
         measure.add_argument("--ranks", type=int, nargs="+", default=[1, 2])
         if name != "cost":
             measure.add_argument("--counter", required=True, help="libmpi_counts.so of the build")
+    scaling = what.choices["scaling"]
+    scaling.add_argument("--of", type=int, default=10000, help="lines of the farm in the table")
+    scaling.add_argument("--latency", type=float, default=2e-6, help="of a collective call for each doubling of the ranks, s")
     for each in what.choices.values():
         each.add_argument("--elements", type=int, default=10)
     given = parser.parse_args()
@@ -198,7 +248,7 @@ def main():
         given.output.write_text(farm(given.lines, given.elements), "utf-8")
         return
     with tempfile.TemporaryDirectory() as folder:
-        {"cost": print_cost, "counts": print_counts, "memory": print_memory}[given.what](given, folder)
+        {"cost": print_cost, "counts": print_counts, "memory": print_memory, "scaling": print_scaling}[given.what](given, folder)
 
 
 if __name__ == "__main__":
