@@ -35,7 +35,10 @@ struct Petsc {
     PetscInitialize(&argc, &argv, nullptr, nullptr);
     // Each Jacobian and each solve looks for options such as -snes_compare_explicit and -ksp_view_mat, about
     // 5 us a step of a small model. Without options there is nothing to find.
-    if (argc == 1 && !std::getenv("PETSC_OPTIONS")) PetscOptionsPushGetViewerOff(PETSC_TRUE);
+    char* options = nullptr;
+    if (PetscOptionsGetAll(nullptr, &options) == 0 && std::string(options).empty())
+      PetscOptionsPushGetViewerOff(PETSC_TRUE);
+    PetscFree(options);
     PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr);
     PetscPopSignalHandler();
     MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
