@@ -249,9 +249,10 @@ contact: {{lines: [], between_lines: false}}
   return yaml;
 }
 
-// Momentum is constant to round-off, also with lines between the hulls. Mechanical energy never exceeds its
-// initial value, and the energy balance with friction and damping closes within 0.3 % (gain) and 1 % (loss),
-// the error of impacts at default steps.
+// Momentum is constant to round-off, also with lines between the hulls, angular momentum without lines, whose
+// own error is of second order in the step. Mechanical energy never exceeds its initial value, and the energy
+// balance with friction and damping closes within 0.3 % (gain) and 1 % (loss), the error of impacts at
+// default steps.
 TEST(BodyFrictionStatics, HullsThatRollAgainstEachOther) {
   for (const double mass : {0.0, 8.0}) {
     BodiesRun r(hulls(mass));
@@ -259,25 +260,32 @@ TEST(BodyFrictionStatics, HullsThatRollAgainstEachOther) {
     const auto momenta = [&] {
       Momentum m = momentum(r.sim.system(), r.sim.dynamics().committed_kinematics());
       MPI_Allreduce(MPI_IN_PLACE, m.linear.data(), 3, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
-      return m.linear;
+      MPI_Allreduce(MPI_IN_PLACE, m.angular.data(), 3, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+      return m;
     };
-    const Vec3 p0 = momenta();
+    const Momentum m0 = momenta();
+    EXPECT_GT(m0.linear.norm(), 1e5);
+    EXPECT_GT(m0.angular.norm(), 1e6);
     const double e0 = total(r.energy()), a0 = r.audit(), p = 1e6 * 0.4;
-    double most = 0, made = 0, lost = 0, strain = 0, error = 0;
+    double most = 0, made = 0, lost = 0, strain = 0, error = 0, turning = 0;
     r.move(6, [&](const StepInfo&) {
       const double e = total(r.energy()), a = r.audit();
       most = std::max(most, e - e0);
       made = std::max(made, a - a0);
       lost = std::max(lost, a0 - a);
       strain = std::max(strain, r.energy().strain);
-      error = std::max(error, (momenta() - p0).norm());
+      const Momentum m = momenta();
+      error = std::max(error, (m.linear - m0.linear).norm());
+      turning = std::max(turning, (m.angular - m0.angular).norm());
     });
     const Energy end = r.energy();
     printf(
         "lines of %.1f kg/m: strain %.3g of %.3g J, friction %.3g, damping %.3g; made %.2g, lost %.2g, "
-        "momentum %.1e\n",
-        mass, strain, e0, end.friction, end.damping, made / e0, lost / e0, error / p);
+        "momentum %.1e, angular %.1e\n",
+        mass, strain, e0, end.friction, end.damping, made / e0, lost / e0, error / p,
+        turning / m0.angular.norm());
     EXPECT_LT(error, 1e-9 * p);
+    EXPECT_LT(turning, (mass > 0 ? 1e-5 : 1e-9) * m0.angular.norm());
     EXPECT_LE(most, 1e-9 * e0);
     EXPECT_LT(made, 3e-3 * e0);
     EXPECT_LT(lost, 0.01 * e0);
