@@ -116,27 +116,33 @@ dynamics: {duration: 1}
   EXPECT_NEAR(r.poses(r.sim.state().at_rest())[0].position.z(), 0.1 - kMass * kGravity / (4 * kPress), 1e-6);
 }
 
-// Only the corners of the deck touch, and the crate lies between them.
+// Only the corners or edges of the deck touch, and the crate lies, or falls from 3 m, between them.
 TEST(BodyFrictionStatics, CrateBetweenTheCornersOfADeck) {
-  BodiesRun r(R"(hawser: 1
+  for (const char* basis : {"per_point", "per_length"})
+    for (const double thickness : {0.5, 0.05})
+      for (const double height : {0.12, 3.0}) {
+        BodiesRun r(fmt::format(R"(hawser: 1
 bodies:
-  crate: {position: [0.3, 0.2, 0.12], floating: {mass: 600, inertia: [20, 52, 68], weight: true}}
+  crate: {{position: [0.3, 0.2, {}], floating: {{mass: 600, inertia: [20, 52, 68], weight: true}}}}
 volumes:
-  deck: {shape: {box: {centre: [0, 0, -0.25], size: [6, 6, 0.5]}}, normal_stiffness: {per_point: 1e7}, friction: 0.4}
-  crate: {shape: {box: {centre: [0, 0, 0], size: [1, 0.6, 0.2]}}, body: crate, normal_stiffness: {per_area: 1e8}, friction: 0.4}
-statics: {contact_friction: true}
-)");
-  std::string what;
-  try {
-    r.sim.solve_statics();
-  } catch (const SolveError& e) {
-    what = e.what();
-  }
-  EXPECT_NE(
-      what.find("m, but the contact points (corners and edges) of volume deck penetrate by 0 m at most; "
+  deck: {{shape: {{box: {{centre: [0, 0, {}], size: [6, 6, {}]}}}}, normal_stiffness: {{{}: 1e7}}, friction: 0.4}}
+  crate: {{shape: {{box: {{centre: [0, 0, 0], size: [1, 0.6, 0.2]}}}}, body: crate, normal_stiffness: {{per_area: 1e8}}, friction: 0.4}}
+statics: {{contact_friction: true}}
+)",
+                                height, -0.5 * thickness, thickness, basis));
+        std::string what;
+        try {
+          r.sim.solve_statics();
+        } catch (const SolveError& e) {
+          what = e.what();
+        }
+        EXPECT_NE(
+            what.find(
+                "m, but the contact points (corners and edges) of volume deck penetrate by 0 m at most; "
                 "give them stiffnesses per_area"),
-      std::string::npos)
-      << what;
+            std::string::npos)
+            << basis << ", " << thickness << " m, from " << height << " m: " << what;
+      }
 }
 
 // Two free crates, one on the other; two ranks have one each.
