@@ -2,8 +2,12 @@
 #include "hawser/advice/hulls.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
+#include <vector>
+
+#include "hawser/math/freedoms.hpp"
 
 namespace hawser::advice {
 namespace {
@@ -83,6 +87,14 @@ std::string turned_over(const std::string& body, double tilt) {
 std::string held_at_rest(const std::string& body, double up) {
   return fmt::format("body {} at rest: its lines and what touches it pull it {:.5g} kN {}", body,
                      std::abs(up) / 1000, up < 0 ? "down" : "up");
+}
+
+std::string periods_on_lines(const std::string& body, const std::array<model::PlatformMode, 6>& modes) {
+  std::vector<std::string> parts;
+  for (const model::PlatformMode& mode : modes)
+    parts.push_back(fmt::format("{} {}", kFreedomNames[static_cast<size_t>(mode.freedom)],
+                                mode.period > 0 ? fmt::format("{:.4g} s", mode.period) : "none"));
+  return fmt::format("body {} on its lines, without their mass: periods {}", body, fmt::join(parts, ", "));
 }
 
 std::string below_seabed(const std::string& volume, const std::string& body, double depth) {

@@ -34,12 +34,21 @@ void bed_and_water(const Case& c, std::vector<InputWarning>& out) {
                 bed.surface ? "; 'depths: true' is for a grid of depths, positive downwards" : "");
 }
 
+// 4 sqrt(m0) of an irregular sea by a formula or a table, m; 0 of other waves.
+double significant_height(const WaveSystem& w) {
+  if (w.kind == WaveSystem::Kind::spectrum) return w.height;
+  double energy = 0;
+  for (std::size_t i = 1; i < w.spectrum.size(); ++i)
+    energy += 0.5 * (w.spectrum[i].omega - w.spectrum[i - 1].omega) *
+              (w.spectrum[i].density + w.spectrum[i - 1].density);
+  return 4 * std::sqrt(energy);
+}
+
 // Waves break when their height reaches the water depth.
 void shallow_waves(const Case& c, std::vector<InputWarning>& out) {
   const Water& w = c.environment.water;
   double height = 0;
-  for (const WaveSystem& system : w.waves.systems)
-    if (system.kind == WaveSystem::Kind::spectrum) height = std::hypot(height, system.height);
+  for (const WaveSystem& system : w.waves.systems) height = std::hypot(height, significant_height(system));
   if (!(w.depth > 0) || height < 0.8 * w.depth) return;
   add_warning(out, "environment.waves", Effect::all,
               "a significant height of {:.4g} m is {:.2g} times the water depth of {:.4g} m: waves break at "
@@ -47,15 +56,11 @@ void shallow_waves(const Case& c, std::vector<InputWarning>& out) {
               height, height / w.depth, w.depth);
 }
 
-// Significant height 4 sqrt(m0) [m] and peak of a tabulated spectrum, compared with the steepest seas
-// (DNV-RP-C205 3.5.4, 1/15 at 8 s and below) and the longest swell.
+// Significant height and peak of a tabulated spectrum, compared with the steepest seas (DNV-RP-C205 3.5.4,
+// 1/15 at 8 s and below) and the longest swell.
 void spectrum_rows(const WaveSystem& w, double gravity, std::vector<InputWarning>& out) {
   if (w.kind != WaveSystem::Kind::table) return;
-  double energy = 0;
-  for (std::size_t i = 1; i < w.spectrum.size(); ++i)
-    energy += 0.5 * (w.spectrum[i].omega - w.spectrum[i - 1].omega) *
-              (w.spectrum[i].density + w.spectrum[i - 1].density);
-  const double hs = 4 * std::sqrt(energy), tp = w.peak_period;
+  const double hs = significant_height(w), tp = w.peak_period;
   const double steepness = 2 * M_PI * hs / (gravity * tp * tp);
   constexpr double kSteepest = 1.0 / 12, kLongest = 40, kHighest = 25;
   if (steepness < kSteepest && tp < kLongest && hs < kHighest) return;

@@ -127,16 +127,9 @@ void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b
   model::BodyHydrodynamics& h = *b.mass->hydrodynamics;
   const Value& files = v[h.key()];
   h.files = source.absolute(h.files);
-  // Only forces of all difference frequencies are read for one direction.
-  const double direction =
-      h.second_order == SecondOrder::full
-          ? model::mean_direction(model::wave_field(c.environment).components()).direction -
-                model::hydrodynamic_heading(b)
-          : 0;
   std::shared_ptr<const model::HydrodynamicData>& known =
-      source.files
-          ->coefficients[fmt::format("{} {} {} {} {} {}", h.files, static_cast<int>(h.format), h.length,
-                                     static_cast<int>(h.second_order), h.mirrored, direction)];
+      source.files->coefficients[fmt::format("{} {} {} {} {}", h.files, static_cast<int>(h.format), h.length,
+                                             static_cast<int>(h.second_order), h.mirrored)];
   if (!known) {
     HydrodynamicForm form;
     form.length = h.length;
@@ -144,7 +137,6 @@ void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b
     form.gravity = c.environment.gravity;
     form.depth = c.environment.water.depth;
     form.mirrored = h.mirrored;
-    form.direction = direction;
     std::vector<std::string> notes, read;
     try {
       known = std::make_shared<const model::HydrodynamicData>(
@@ -241,9 +233,19 @@ void meet_sea(const Value& v, const CaseSource& source, model::Body& b, model::C
       if (h.excitation) {
         check_coverage(files, h.data->excitation, h.body, "wave forces", 0.05, 0.5, sea, heading, key,
                        c.notes);
-        const bool full = h.second_order == SecondOrder::full;
-        check_coverage(files, h.data->drift, h.body, "drift forces", 0.5, 1,
-                       full ? in_mean_direction((*waves)["second_order"], sea) : sea, heading, key, c.notes);
+        if (h.second_order == SecondOrder::full) {
+          const model::DifferenceForces& of = model::difference_forces(h, sea, heading);
+          check_coverage(files, of.drift, h.body, "drift forces", 0.5, 1,
+                         in_mean_direction((*waves)["second_order"], sea), heading, key, c.notes);
+          if (h.data->difference.size() > 1 && !sea.empty())
+            c.notes.push_back(
+                fmt::format("{}: the difference-frequency forces at {:g} deg as seen from the bow, nearest "
+                            "to the sea, are "
+                            "used; those at other directions are not",
+                            key, of.direction() * 180 / M_PI));
+        } else {
+          check_coverage(files, h.data->drift, h.body, "drift forces", 0.5, 1, sea, heading, key, c.notes);
+        }
       }
       if (model::wave_drift_damping(h, sea).diagonal().minCoeff() < 0)
         c.notes.push_back(key +

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 
@@ -268,9 +269,8 @@ constexpr double kSamePeriod = 1e-4;
 
 // Between two neighbouring frequencies the forces are interpolated from those of the pair and of the two
 // alone; where the former are far from the mean of the latter, neither gives the slow force between them.
-void note_sparse(const std::string& path, const std::vector<ComplexVec6>& values, size_t n,
-                 std::vector<std::string>& notes) {
-  constexpr double kFar = 0.5;
+// This is the mean deviation of surge and sway, as a fraction of the drift.
+double sparseness(const std::vector<ComplexVec6>& values, size_t n) {
   double differs = 0, all = 0;
   for (const int mode : {0, 1})
     for (size_t i = 0; i + 1 < n; ++i) {
@@ -278,31 +278,31 @@ void note_sparse(const std::string& path, const std::vector<ComplexVec6>& values
       differs += std::abs(values[i * n + i + 1][mode] - 0.5 * (value + next));
       all += 0.5 * (std::abs(value) + std::abs(next));
     }
-  if (differs > kFar * all)
+  return all > 0 ? differs / all : 0;
+}
+
+void note_sparse(const std::string& path, double sparseness, std::vector<std::string>& notes) {
+  constexpr double kFar = 0.5;
+  if (sparseness > kFar)
     notes.push_back(fmt::format(
         "{}: its periods are too sparse for 'second_order: full': forces of neighbouring periods in "
         "surge and sway differ from the mean drift of the two by {:.0f} % of it: add periods between "
         "them, or take 'second_order: newman'",
-        path, 100 * differs / all));
+        path, 100 * sparseness));
 }
 
-// F_ij = rho g L^k (re + i im); half of the matrix is given, F_ji = conj F_ij. The rows of one direction, the
-// nearest to the sea's.
-bool read_difference(const std::string& stem, const HydrodynamicForm& form, std::vector<std::string>& read,
-                     HydrodynamicData& data, std::vector<std::string>& notes) {
-  const NumberTable table = table_of(stem, ".12d", {9}, read);
-  if (table.path.empty()) return false;
+// F_ij = rho g L^k (re + i im) of the rows of one direction [deg]; half of the matrix is given, F_ji = conj
+// F_ij. sparse: receives the largest sparseness().
+model::DifferenceForces difference_forces(const NumberTable& table, double direction,
+                                          const HydrodynamicForm& form, const std::vector<double>& largest,
+                                          double& sparse) {
+  std::vector<const NumberRow*> rows;
   std::vector<double> omega;
-  double direction = 0;
-  double nearest = HUGE_VAL;
   for (const NumberRow& row : table.rows) {
+    if (row.values[2] != direction || row.values[3] != direction) continue;
+    rows.push_back(&row);
     for (const size_t column : {0, 1})
       if (row.values[column] > 0) omega.push_back(2 * M_PI / row.values[column]);
-    const double away = std::abs(std::remainder(row.values[2] - form.direction / kRadPerDegree, 360));
-    if (row.values[2] == row.values[3] && away < nearest) {
-      nearest = away;
-      direction = row.values[2];
-    }
   }
   std::sort(omega.begin(), omega.end());
   std::vector<double> distinct;
@@ -317,44 +317,49 @@ bool read_difference(const std::string& stem, const HydrodynamicForm& form, std:
   std::vector<ComplexVec6> values(n * n, ComplexVec6::Zero());
   std::vector<bool> given(n * n, false);
   std::vector<std::array<bool, 6>> given_mode(n * n, std::array<bool, 6>{});
-  const std::vector<double> largest = largest_by_mode(table, 4, 5);
-  bool others = false;
-  for (const NumberRow& row : table.rows) {
-    if (row.values[2] != direction || row.values[3] != direction) {
-      others = true;
-      continue;
-    }
-    const int mode = mode_of(table, row, 4, 6);
-    check_parts(table, row, 5, largest[static_cast<size_t>(mode + 1)]);
+  for (const NumberRow* row : rows) {
+    const int mode = mode_of(table, *row, 4, 6);
+    check_parts(table, *row, 5, largest[static_cast<size_t>(mode + 1)]);
     const double scale = form.density * form.gravity * std::pow(form.length, 1 + rotates(mode));
-    const Complex value = scale * Complex(row.values[7], row.values[8]);
-    const size_t i = place(row.values[0]), j = place(row.values[1]);
+    const Complex value = scale * Complex(row->values[7], row->values[8]);
+    const size_t i = place(row->values[0]), j = place(row->values[1]);
     const size_t at = i * n + j, mirrored = j * n + i, m = static_cast<size_t>(mode);
     if (given_mode[at][m])
-      check_again(table, row, values[at][mode], value, scale * largest[m + 1],
+      check_again(table, *row, values[at][mode], value, scale * largest[m + 1],
                   "are these rows of two runs, or is F_ji not the conjugate of F_ij?");
     given_mode[at][m] = given_mode[mirrored][m] = true;
     values[at][mode] = value;
     values[mirrored][mode] = std::conj(value);
-    given[i * n + j] = given[j * n + i] = true;
+    given[at] = given[mirrored] = true;
   }
   if (const auto missing = std::find(given.begin(), given.end(), false); missing != given.end()) {
     const auto k = static_cast<size_t>(missing - given.begin());
     throw std::runtime_error(
-        fmt::format("{}: has no row for the periods {:.5g} and {:.5g} s: difference-frequency forces are "
-                    "needed for every pair of periods",
-                    table.path, 2 * M_PI / distinct[k / n], 2 * M_PI / distinct[k % n]));
+        fmt::format("{}: has no row for the periods {:.5g} and {:.5g} s at {:g} deg: difference-frequency "
+                    "forces are needed for every pair of periods",
+                    table.path, 2 * M_PI / distinct[k / n], 2 * M_PI / distinct[k % n], direction));
   }
-  if (others)
-    notes.push_back(fmt::format(
-        "{}: its rows at {:g} deg, nearest to the sea, are used; those at other directions are not",
-        table.path, direction));
   std::vector<ComplexVec6> diagonal;
   for (size_t i = 0; i < n; ++i) diagonal.push_back(values[i * n + i]);
-  note_sparse(table.path, values, n, notes);
-  data.drift = {WaveForceTable(distinct, {direction * kRadPerDegree}, diagonal)};
-  data.difference = DifferenceForceTable(distinct, std::move(values));
-  return true;
+  sparse = std::max(sparse, sparseness(values, n));
+  return {{WaveForceTable(distinct, {direction * kRadPerDegree}, diagonal)},
+          DifferenceForceTable(distinct, std::move(values))};
+}
+
+// Rows of two waves of different directions are not used.
+bool read_difference(const std::string& stem, const HydrodynamicForm& form, std::vector<std::string>& read,
+                     HydrodynamicData& data, std::vector<std::string>& notes) {
+  const NumberTable table = table_of(stem, ".12d", {9}, read);
+  if (table.path.empty()) return false;
+  const std::vector<double> largest = largest_by_mode(table, 4, 5);
+  std::set<double> directions;
+  for (const NumberRow& row : table.rows)
+    if (row.values[2] == row.values[3]) directions.insert(row.values[2]);
+  double sparse = 0;
+  for (const double direction : directions)
+    data.difference.push_back(difference_forces(table, direction, form, largest, sparse));
+  note_sparse(table.path, sparse, notes);
+  return !data.difference.empty();
 }
 
 }  // namespace

@@ -7,8 +7,6 @@
 namespace hawser {
 namespace {
 
-bool is_coupled(const RigidBodyData& body) { return !body.coupled.isZero(0); }
-
 Vec6 rates_in_body(const RigidBodyState& s) {
   Vec6 rates;
   rates << s.q.conjugate() * s.v, s.w;
@@ -24,13 +22,11 @@ Wrench about(const Wrench& of, const Vec3& d) {
 
 }  // namespace
 
-Mat6 momentum_matrix(const RigidBodyData& body) {
-  return rigid_mass(is_coupled(body) ? body.mass : 0, body.inertia) + body.coupled;
-}
+Mat6 momentum_matrix(const RigidBodyData& body) { return rigid_mass(body.mass, body.inertia) + body.coupled; }
 
 RigidBodyData without_momentum(const RigidBodyData& body) {
   RigidBodyData out = body;
-  if (is_coupled(body)) out.mass = 0;
+  out.mass = 0;
   out.inertia.setZero();
   out.coupled.setZero();
   return out;
@@ -45,7 +41,7 @@ Wrench body_momentum(const Mat6& N, const RigidBodyState& s) {
 
 Wrench momentum_rate(const RigidBodyData& body, const RigidBodyState& s) {
   RigidBodyData inertia;
-  inertia.mass = is_coupled(body) ? body.mass : 0;
+  inertia.mass = body.mass;
   inertia.inertia = body.inertia;
   inertia.coupled = body.coupled;
   const Vec6 f = rigid_body(inertia, s, {}).f();

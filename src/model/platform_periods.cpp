@@ -1,10 +1,11 @@
-// Periods of heave, roll and pitch of the floating body, with the added mass at these frequencies.
+// Periods of a platform afloat and on its lines, with the added mass at these frequencies.
 #include "hawser/model/platform_periods.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "hawser/kernels/table_places.hpp"
+#include "hawser/math/so3.hpp"
 #include "hawser/model/mass_matrix.hpp"
 #include "hawser/model/platform.hpp"
 #include "hawser/model/waterplane.hpp"
@@ -63,6 +64,38 @@ PlatformPeriods platform_periods(const Case& c, const Body& b) {
     return omega > 0 ? 2 * M_PI / omega : 0;
   };
   return {period(0), period(1), period(2)};
+}
+
+std::array<PlatformMode, 6> platform_modes(const Body& b, const Mat6& K) {
+  const BodyMass& m = *b.mass;
+  const HydrodynamicData& data = *m.hydrodynamics->data;
+  const int first = 6 * (m.hydrodynamics->body - 1);
+  // Motion of the origin by that of the centre of mass.
+  Mat6 motion = Mat6::Identity();
+  motion.topRightCorner<3, 3>() = hat(m.centre);
+  const Mat6 mass = mass_matrix_about(m, m.centre);
+  std::array<PlatformMode, 6> out;
+  for (int k = 0; k < 6; ++k) {
+    Eigen::GeneralizedSelfAdjointEigenSolver<Mat6> modes;
+    Mat6 M;
+    const auto frequency_with = [&](const Mat6& A) {
+      M = mass + motion.transpose() * A * motion;
+      modes.compute(0.5 * (K + K.transpose()), 0.5 * (M + M.transpose()));
+      return std::sqrt(std::max(modes.eigenvalues()[k], 0.0));
+    };
+    double omega = frequency_with(data.infinite.block<6, 6>(first, first));
+    constexpr int kIterations = 50;
+    for (int i = 0; i < kIterations && omega > 0; ++i) {
+      const double next = frequency_with(added_mass(data, first, omega));
+      omega = next > 0 ? 0.5 * (omega + next) : 0;
+    }
+    const Vec6 x = modes.eigenvectors().col(k);
+    Vec6 energy = x.cwiseProduct(M * x);
+    for (int named = 0; named < k; ++named) energy[out[static_cast<size_t>(named)].freedom] = -HUGE_VAL;
+    energy.maxCoeff(&out[static_cast<size_t>(k)].freedom);
+    if (omega > 0) out[static_cast<size_t>(k)].period = 2 * M_PI / omega;
+  }
+  return out;
 }
 
 }  // namespace hawser::model

@@ -80,4 +80,15 @@ MeanDirection mean_direction(const std::vector<WaveComponent>& sea) {
   return out;
 }
 
+const DifferenceForces& difference_forces(const BodyHydrodynamics& h, const std::vector<WaveComponent>& sea,
+                                          double heading) {
+  const double direction = mean_direction(sea).direction - heading;
+  const auto distance = [&](const DifferenceForces& of) {
+    return std::abs(std::remainder(of.direction() - direction, 2 * M_PI));
+  };
+  const std::vector<DifferenceForces>& all = h.data->difference;
+  return *std::min_element(all.begin(), all.end(),
+                           [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+}
+
 }  // namespace hawser::model

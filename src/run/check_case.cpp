@@ -21,6 +21,7 @@
 #include "hawser/run/cost.hpp"
 #include "hawser/run/driver.hpp"
 #include "hawser/run/events.hpp"
+#include "hawser/run/held_bodies.hpp"
 #include "hawser/run/hull_check.hpp"
 #include "hawser/run/lines_on_bed.hpp"
 #include "hawser/run/node_owners.hpp"
@@ -90,6 +91,7 @@ TrialRun print_trial(Simulation& sim, const model::Case& c, double budget) {
     if (!std::exchange(rests, true)) {
       for (const std::string& line : lines_on_bed(sim.model(), sim.system(), state)) fmt::print("{}\n", line);
       for (const std::string& line : platforms_held(c, sim.system(), state)) fmt::print("{}\n", line);
+      for (const std::string& line : periods_on_lines(sim)) fmt::print("{}\n", line);
       for (const std::string& w : platforms_off_start(c, sim.bodies(), state)) fmt::print("warning: {}\n", w);
       for (const std::string& w : platforms_turned_over(sim.system().comm(), c, sim.bodies(), state))
         fmt::print("warning: {}\n", w);

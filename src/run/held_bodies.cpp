@@ -4,10 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/advice/hulls.hpp"
 #include "hawser/base/mpi.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/check.hpp"
+#include "hawser/model/farm.hpp"
+#include "hawser/model/platform_periods.hpp"
 #include "hawser/record/end_forces.hpp"
+#include "hawser/terms/dynamic_positioning.hpp"
 #include "hawser/terms/run_roles.hpp"
 
 namespace hawser::run {
@@ -47,6 +51,20 @@ std::vector<int> with_mass(const model::Case& c) {
   return out;
 }
 
+// Position and rotation of a body with mass, the same on all ranks.
+RigidPose pose_at_rest(Simulation& sim, int body) {
+  std::vector<double> pose(7, 0);
+  if (const auto own = sim.body_pose(body, sim.state().at_rest())) {
+    Eigen::Map<Vec3>(pose.data()) = own->position;
+    Eigen::Map<Eigen::Vector4d>(pose.data() + 3) = own->rotation.coeffs();
+  }
+  all_reduce(sim.system().comm(), MPI_SUM, pose);
+  RigidPose p;
+  p.position = Vec3(pose.data());
+  p.rotation = Quat(Eigen::Vector4d(pose.data() + 3)).normalized();
+  return p;
+}
+
 }  // namespace
 
 void hold_body(Simulation& sim, int body) {
@@ -57,21 +75,38 @@ void hold_body(Simulation& sim, int body) {
              [=](int b, double time) { return b == body ? start : before(b, time); });
 }
 
+std::vector<std::string> periods_on_lines(Simulation& sim) {
+  System& system = sim.system();
+  const model::Case& c = sim.model();
+  const Kinematics at = sim.state().at_rest();
+  const std::vector<TiedNode> free = system.tied_nodes().nodes();
+  const BodyMotion motion = system.tied_nodes().motion();
+  auto* thrusters = system.find<DynamicPositioning>();
+  if (thrusters) thrusters->integrate_at_rest(false);
+  std::vector<std::string> out;
+  for (const int b : with_mass(c)) {
+    const model::Body& body = c.bodies[static_cast<size_t>(b)];
+    if (!body.mass->hydrodynamics || model::line_ends_at(c, body).empty()) continue;
+    if (model::is_repeated(c, body.name)) continue;
+    const Mat6 K =
+        body_stiffness(system, at, sim.mesh().body_node(b), free, with_bodies(sim, free, with_mass(c))).K;
+    Mat6 axes = Mat6::Identity();
+    axes.topLeftCorner<3, 3>() = pose_at_rest(sim, b).rotation.toRotationMatrix();
+    out.push_back(
+        advice::periods_on_lines(body.name, model::platform_modes(body, axes.transpose() * K * axes)));
+  }
+  if (thrusters) thrusters->integrate_at_rest(true);
+  system.tie(free, motion);
+  return out;
+}
+
 HeldBodies::HeldBodies(Simulation& sim)
     : sim_(sim), poses_(std::make_shared<std::vector<RigidPose>>(sim.model().bodies.size())) {
   System& system = sim_.system();
   const model::Case& c = sim_.model();
   for (size_t b = 0; b < c.bodies.size(); ++b) {
     if (!c.bodies[b].mass) continue;
-    std::vector<double> pose(7, 0);
-    if (const auto pose_now = sim_.body_pose(static_cast<int>(b), sim_.state().at_rest())) {
-      Eigen::Map<Vec3>(pose.data()) = pose_now->position;
-      Eigen::Map<Eigen::Vector4d>(pose.data() + 3) = pose_now->rotation.coeffs();
-    }
-    all_reduce(system.comm(), MPI_SUM, pose);
-    RigidPose& p = (*poses_)[b];
-    p.position = Vec3(pose.data());
-    p.rotation = Quat(Eigen::Vector4d(pose.data() + 3)).normalized();
+    (*poses_)[b] = pose_at_rest(sim_, static_cast<int>(b));
   }
   for (AppliesExternalLoad* term : system.with<AppliesExternalLoad>())
     system.remove(dynamic_cast<const ForceTerm*>(term));

@@ -4,6 +4,7 @@
 // the run with a message. The largest value of that period counts, because edges that slide over others may
 // for a moment show little penetration.
 #include <algorithm>
+#include <cmath>
 
 #include "hawser/advice/contact_stiffness.hpp"
 #include "hawser/base/error.hpp"
@@ -31,6 +32,40 @@ double BodyContact::overlap_depth(size_t volume, const BodyFrame& frame, size_t 
   return depth;
 }
 
+double BodyContact::overlap_depth(const Pair& pair, const PairFrames& at) const {
+  return std::max(overlap_depth(pair.a, at.A, pair.b, at.B), overlap_depth(pair.b, at.B, pair.a, at.A));
+}
+
+double BodyContact::allowed_overlap(const Pair& pair) const {
+  double size = HUGE_VAL;
+  for (const size_t v : {pair.a, pair.b})
+    if (const Vec3 e = boxes_[v].extent(); e.allFinite()) size = std::min(size, e.maxCoeff());
+  return kAllowed * size;
+}
+
+// Between two states without overlap a volume may pass through one that no corner or edge meets. A path that
+// is longer than the largest approach, as in dynamic relaxation, is sampled in such lengths.
+bool BodyContact::overlaps_within_step(const Pair& pair, const Kinematics& trial) const {
+  const PairFrames &from = pair.frames, to = frames_of(pair, trial);
+  const SkeletonParts& features = volumes_[pair.a].skeleton.features;
+  const Vec3 start = from.across(features.centre()), path = to.across(features.centre()) - start;
+  const double length = path.norm();
+  if (!(length > pair.max_approach)) return false;
+  if (!near(pair.b, start + 0.5 * path, features.radius() + 0.5 * length, 0)) return false;
+  const double allowed = std::max(overlap_depth(pair, from), overlap_depth(pair, to)) + allowed_overlap(pair);
+  const int samples = static_cast<int>(std::ceil(length / pair.max_approach));
+  for (int k = 1; k < samples; ++k) {
+    PairFrames at = from;
+    for (const auto& [body, end] : {std::pair(&at.A, &to.A), std::pair(&at.B, &to.B)}) {
+      const double part = static_cast<double>(k) / samples;
+      body->x += part * (end->x - body->x);
+      body->R = Quat(body->R).slerp(part, Quat(end->R)).toRotationMatrix();
+    }
+    if (overlap_depth(pair, at) > allowed) return true;
+  }
+  return false;
+}
+
 void BodyContact::check_overlap_at_rest(const Kinematics& state) {
   prepare(state, 0);
   check_overlap(state.time);
@@ -47,15 +82,11 @@ void BodyContact::check_overlap(double time) {
     watched = watched || p.hides;
     const bool again = p.other >= 0 && static_cast<size_t>(p.other) < i;  // the same two volumes
     if (!p.hides || !p.counted || again) continue;
-    const double depth = std::max(overlap_depth(p.a, p.frames.A, p.b, p.frames.B),
-                                  overlap_depth(p.b, p.frames.B, p.a, p.frames.A));
+    const double depth = overlap_depth(p, p.frames);
     // If each volume is the slave in a pair, the penetration may show in the other pair.
     const double penetration = std::max(p.penetration, p.other < 0 ? 0 : pairs_[p.other].penetration);
     p.met = depth > 0 ? std::max(p.met, penetration) : 0;
-    double size = HUGE_VAL;
-    for (const size_t v : {p.a, p.b})
-      if (const Vec3 e = boxes_[v].extent(); e.allFinite()) size = std::min(size, e.maxCoeff());
-    if (depth > kBeyond * p.met + kAllowed * size && depth > worst.depth)
+    if (depth > kBeyond * p.met + allowed_overlap(p) && depth > worst.depth)
       worst = {depth, static_cast<int>(i)};
   }
   if (!watched) return;

@@ -84,8 +84,11 @@ PlatformWaves PlatformWater::platform_waves(const model::BodyHydrodynamics& h, d
       numbers.push_back(wave_number(omega, sea_.waves.depth(), sea_.gravity));
     first = first.with_phases_at(centre, numbers);
   }
-  return {sea_.waves.components(), heading,       first, centre, of_body(h.data->drift),
-          h.data->difference,      h.second_order};
+  const std::vector<WaveComponent>& sea = sea_.waves.components();
+  if (h.second_order != SecondOrder::full)
+    return {sea, heading, first, centre, of_body(h.data->drift), {}, h.second_order};
+  const model::DifferenceForces& difference = model::difference_forces(h, sea, heading);
+  return {sea, heading, first, centre, of_body(difference.drift), difference.pairs, h.second_order};
 }
 
 void PlatformWater::add_group(const model::Case& c, const std::vector<int>& bodies,

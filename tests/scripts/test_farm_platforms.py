@@ -10,7 +10,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from support import ROOT
+import h5py
+from support import ROOT, run
 
 sys.path.insert(0, str(ROOT / "tests/bench"))
 import farm  # noqa: E402
@@ -74,6 +75,28 @@ class FarmOfPlatforms(unittest.TestCase):
             again = ["--restart", str(case.with_suffix(".h5")), "-o", str(self.folder / "again.h5")]
             calls[platforms] = farm.collectives(farm.counted_by_rank(HAWSER, COUNTER, 2, case, self.folder, again)[0])[0]
         self.assertLessEqual(calls[MANY], calls[FEW] + 10)
+
+    def test_difference_forces_by_heading(self):
+        """Places with different headings have the forces of the direction nearest to the sea's as seen from their bows, from one
+        reading of the files."""
+        shutil.copytree(self.folder, self.folder / "headings", ignore=shutil.ignore_patterns("farm*", "headings"))
+        folder = self.folder / "headings"
+        pairs = ((8, 8), (8, 12), (12, 12))
+        rows = [f"{a} {b} {at} {at} {mode} {force} 0 {force} 0\n" for at, mode, force in ((0, 1, 0.2), (90, 2, 0.3)) for a, b in pairs]
+        (folder / "spar.12d").write_text("".join(rows), "ascii")
+        platform = (folder / "platform.yaml").read_text("utf-8").replace("wamit: spar ", "second_order: full\n        wamit: spar ")
+        (folder / "platform.yaml").write_text(platform, "utf-8")
+        case = CASE.format(places="ahead: [0, 0], abeam: [2000, 0, -90]").replace("{every: 0.1}", "{histories: [{body: ahead/spar}, {body: abeam/spar}]}")
+        (folder / "farm.yaml").write_text(case, "utf-8")
+        done = run(HAWSER, "run", folder / "farm.yaml", "-q")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        series = h5py.File(folder / "farm.h5")["series"]
+        weight = 1025 * 9.80665
+        for place, force in (("ahead", 0.2), ("abeam", 0.3)):
+            of = series[f"{place}_spar"]
+            column = [name.decode() for name in of.attrs["columns"]].index("drift_force_x")
+            self.assertAlmostEqual(of[0, column] / (force * weight), 1, delta=1e-6)
+        self.assertIn("forces at 90 deg as seen from the bow", run(HAWSER, "check", folder / "farm.yaml").stdout)
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@ event; the recorded components account for the whole force and are zero for abse
 and a rope are conserved when the rope is cut, released or attached."""
 import os
 import re
+import shutil
 import sys
 import tempfile
 import unittest
@@ -218,6 +219,23 @@ class FreePlatforms(unittest.TestCase):
         for tilt in tilts:
             self.assertAlmostEqual(tilt / roll, 1, delta=5e-4)
             self.assertAlmostEqual(tilt / pitch, 1, delta=5e-4)
+
+    def test_periods_on_lines(self):
+        """Periods of a spar on three chains printed by hawser check equal those of hawser modes, which has the mass of the chains as
+        well: 1 %."""
+        for name in ("spar.1", "spar.3", "spar.hst", "platform-1.yaml"):
+            shutil.copy(ROOT / "docs/tutorial" / name, self.folder)
+        reported = run(HAWSER, "check", self.folder / "platform-1.yaml").stdout
+        found = re.search(r"^body spar on its lines, without their mass: periods (.*)", reported, re.M)
+        self.assertTrue(found, reported)
+        periods = {name: float(value) for name, value in re.findall(r"(\w+) (\S+) s", found[1])}
+        self.assertEqual(set(periods), {"surge", "sway", "heave", "roll", "pitch", "yaw"})
+        modes = run(HAWSER, "modes", self.folder / "platform-1.yaml", "-n", "10").stdout
+        rows = re.findall(r"^ *\d+ +(\S+) .*body spar[^:]*: (?:surge, |sway, )?(\w+)$", modes, re.M)
+        self.assertEqual({name for _, name in rows}, set(periods), modes)
+        for period, name in rows:
+            print(f"spar on its lines, {name}: {periods[name] / float(period) - 1:+.2%}")
+            self.assertAlmostEqual(periods[name] / float(period), 1, delta=0.01)
 
     def momenta(self):
         """Momentum, and angular momentum about the origin, of bodies and rope: one row for each output."""

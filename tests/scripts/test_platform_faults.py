@@ -46,7 +46,7 @@ SETS = {
 OTHERS = {"oc4-semi/marin_semi.3": PLATFORMS / "oc4-semi/oc4_excitation_raft_grid.3", "fpso-psv/conjunto_10.hst": ROOT / "cases/side-by-side/conjunto_10.hst"}
 
 
-def changed(text, columns, change):
+def changed(text, columns, change, digits=10):
     """Rows of numbers with at least so many columns, changed."""
     out = []
     for line in text.splitlines():
@@ -57,7 +57,7 @@ def changed(text, columns, change):
             continue
         if len(row) >= columns:
             change(row)
-        out.append(" ".join(f"{x:.10g}" for x in row))
+        out.append(" ".join(f"{x:.{digits}g}" for x in row))
     return "\n".join(out) + "\n"
 
 
@@ -221,6 +221,36 @@ class Faults(unittest.TestCase):
             forces.append(np.column_stack([series.column(f"wave_force_{axis}") for axis in "xyz"]))
         self.assertGreater(np.abs(forces[0]).max(), 1e6)
         self.assertLess(np.abs(forces[1] - forces[0]).max(), 3e-4 * np.abs(forces[0]).max())
+
+    def test_origin_moved(self):
+        """Phases about an origin at (x, y) from that of the files and `origin_in_file` there mean the same motion, to 1e-8: in waves at a
+        row of the files, and between periods and directions."""
+        def moved(x, y):
+            def change(row):
+                omega, toward = 2 * np.pi / row[0], np.radians(row[1])
+                number = omega**2 / 9.80665
+                for _ in range(200):
+                    number = 0.5 * (number + omega**2 / 9.80665 / np.tanh(number * 200))
+                X = complex(row[5], row[6]) * np.exp(-1j * number * (x * np.cos(toward) + y * np.sin(toward)))
+                row[3:] = [abs(X), np.degrees(np.angle(X)), X.real, X.imag]
+
+            return lambda text: changed(text, 7, change, 17)
+
+        for wave in ("period: 12.5663706, direction_deg: 60", "period: 11.9, direction_deg: 47"):
+            motions = []
+            for x, y in ((0, 0), (60, 0), (-250, 550)):
+                sea = f"}}, waves: {{regular: {{height: 2, {wave}}}, ramp: 10"
+                self.check((SPAR[0], SPAR[1] + sea, *SPAR[2:4], f", origin_in_file: [{x}, {y}, 0]"), moved(x, y), z=0, ending=".3")
+                case = (self.folder / "case.yaml").read_text().replace("duration: 1,", "duration: 30,")
+                write(self.folder, "case.yaml", case + "output: {histories: [{body: body1}]}\n")
+                done = run(HAWSER, "run", "case.yaml", cwd=self.folder)
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+                series = Results(self.folder / "case.h5").series("body1")
+                motions.append(np.column_stack([series.column(f"{what}_{axis}") for what, axes in (("position", "xyz"), ("rotation_vector", "xy")) for axis in axes]))
+            largest = np.abs(motions[0]).max(axis=0)
+            self.assertGreater(largest.min(), 1e-3)
+            for motion in motions[1:]:
+                self.assertLess((np.abs(motion - motions[0]) / largest).max(), 1e-8)
 
     def test_a_moment_that_nothing_balances(self):
         """The righting moment of the spar reaches 460 MN m, with linear hydrostatics; there is no line that remedies could be about."""

@@ -204,7 +204,7 @@ TEST(Links, MomentumOfTwoBodies) {
       "m/s2\n",
       kept, linear.norm(), turned, angular.norm(), pull);
   EXPECT_LT(kept, 1e-11 * linear.norm());
-  EXPECT_LT(turned, 1e-4 * angular.norm());  // error of the time integration
+  EXPECT_LT(turned, 1e-11 * angular.norm());
   EXPECT_GT(pull, 5);
 }
 

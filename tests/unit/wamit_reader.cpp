@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 
 #include "hawser/io/hydrodynamic_files.hpp"
+#include "hawser/model/platform.hpp"
 
 namespace hawser::wamit_reader_test {
 namespace {
@@ -149,15 +152,17 @@ TEST_F(WamitReader, ReadsDifferenceFrequencies) {
       ".12d",
       "6.2832 6.2832 0 0 1 4 0 4 0\n6.2832 3.1416 0 0 1 2.23607 26.5651 2 1\n3.1416 3.1416 0 0 1 3 0 3 0\n");
   const model::HydrodynamicData d = read(SecondOrder::full);
-  EXPECT_NEAR(std::abs(d.difference.at(2, 1)[0] - 2e4 * Complex(2, -1)), 0, 1);
-  EXPECT_NEAR(std::abs(d.difference.at(1, 2)[0] - 2e4 * Complex(2, 1)), 0, 1);
-  EXPECT_NEAR(d.drift[0].at(2, 0)[0].real(), 6e4, 1);
+  ASSERT_EQ(d.difference.size(), 1u);
+  const model::DifferenceForces& of = d.difference[0];
+  EXPECT_NEAR(std::abs(of.pairs.at(2, 1)[0] - 2e4 * Complex(2, -1)), 0, 1);
+  EXPECT_NEAR(std::abs(of.pairs.at(1, 2)[0] - 2e4 * Complex(2, 1)), 0, 1);
+  EXPECT_NEAR(of.drift[0].at(2, 0)[0].real(), 6e4, 1);
   write(".12d", "6.2832 6.2832 0 0 1 4 0 4 0\n3.1416 3.1416 0 0 1 3 0 3 0\n");
   EXPECT_NE(refusal(SecondOrder::full).find("no row for the periods"), std::string::npos);
 }
 
-// Rows of two directions: those of equal periods are mean drift forces of both, unless a file .8 has these;
-// the forces of all pairs are those of the direction nearest to that of the sea.
+// Rows of two directions: those of equal periods are mean drift forces of both, unless a file .8 has these.
+// The forces of all pairs are read of both, and a body has those nearest to the sea's direction from its bow.
 TEST_F(WamitReader, ReadsDifferenceFrequenciesOfTwoDirections) {
   std::string text;
   for (const int direction : {0, 30})
@@ -172,13 +177,20 @@ TEST_F(WamitReader, ReadsDifferenceFrequenciesOfTwoDirections) {
     is(d.drift[0].at(2, M_PI / 6)[0], 6e4);
   }
   EXPECT_TRUE(notes.empty() || notes[0].find("heave") != std::string::npos);
+  model::BodyHydrodynamics h;
+  h.data = std::make_shared<model::HydrodynamicData>(read(SecondOrder::full));
+  WaveComponent wave;
+  wave.amplitude = 1;
   for (const double degrees : {0, 12, 20, 45, 360}) {
-    form.direction = degrees * M_PI / 180;
     const bool second = degrees > 15 && degrees < 360;
-    const model::HydrodynamicData d = read(SecondOrder::full);
-    is(d.difference.at(1, 2)[0], second ? 6e4 : 8e4);
-    is(d.drift[0].at(1, form.direction)[0], second ? 6e4 : 8e4);
-    EXPECT_NE(notes.back().find(second ? "rows at 30 deg" : "rows at 0 deg"), std::string::npos);
+    for (const double turned : {0.0, 2.0}) {
+      wave.x = std::cos(turned + degrees * M_PI / 180);
+      wave.y = std::sin(turned + degrees * M_PI / 180);
+      const model::DifferenceForces& of = model::difference_forces(h, {wave}, turned);
+      is(of.pairs.at(1, 2)[0], second ? 6e4 : 8e4);
+      is(of.drift[0].at(1, of.direction())[0], second ? 6e4 : 8e4);
+      EXPECT_NEAR(of.direction(), second ? M_PI / 6 : 0, 1e-12);
+    }
   }
   write(".8", "6.2832 0 0 1 1 0 1 0\n3.1416 0 0 1 1 0 1 0\n6.2832 60 60 1 2 0 2 0\n3.1416 60 60 1 2 0 2 0\n");
   is(read(SecondOrder::newman).drift[0].at(2, M_PI / 3)[0], 4e4);

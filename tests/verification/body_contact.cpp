@@ -241,7 +241,7 @@ TEST(BodyContact, TumblingBoxesKeepMomentum) {
          strain, momentum, turning, energy);
   EXPECT_GT(strain, 0.1);
   EXPECT_LT(momentum, 1e-9);
-  EXPECT_LT(turning, 1e-4);
+  EXPECT_LT(turning, 1e-9);
   EXPECT_LT(energy, 2e-3);
 }
 

@@ -116,27 +116,33 @@ dynamics: {duration: 1}
   EXPECT_NEAR(r.poses(r.sim.state().at_rest())[0].position.z(), 0.1 - kMass * kGravity / (4 * kPress), 1e-6);
 }
 
-// Only the corners of the deck touch, and the crate lies between them.
+// Only the corners or edges of the deck touch, and the crate lies, or falls from 3 m, between them.
 TEST(BodyFrictionStatics, CrateBetweenTheCornersOfADeck) {
-  BodiesRun r(R"(hawser: 1
+  for (const char* basis : {"per_point", "per_length"})
+    for (const double thickness : {0.5, 0.05})
+      for (const double height : {0.12, 3.0}) {
+        BodiesRun r(fmt::format(R"(hawser: 1
 bodies:
-  crate: {position: [0.3, 0.2, 0.12], floating: {mass: 600, inertia: [20, 52, 68], weight: true}}
+  crate: {{position: [0.3, 0.2, {}], floating: {{mass: 600, inertia: [20, 52, 68], weight: true}}}}
 volumes:
-  deck: {shape: {box: {centre: [0, 0, -0.25], size: [6, 6, 0.5]}}, normal_stiffness: {per_point: 1e7}, friction: 0.4}
-  crate: {shape: {box: {centre: [0, 0, 0], size: [1, 0.6, 0.2]}}, body: crate, normal_stiffness: {per_area: 1e8}, friction: 0.4}
-statics: {contact_friction: true}
-)");
-  std::string what;
-  try {
-    r.sim.solve_statics();
-  } catch (const SolveError& e) {
-    what = e.what();
-  }
-  EXPECT_NE(
-      what.find("m, but the contact points (corners and edges) of volume deck penetrate by 0 m at most; "
+  deck: {{shape: {{box: {{centre: [0, 0, {}], size: [6, 6, {}]}}}}, normal_stiffness: {{{}: 1e7}}, friction: 0.4}}
+  crate: {{shape: {{box: {{centre: [0, 0, 0], size: [1, 0.6, 0.2]}}}}, body: crate, normal_stiffness: {{per_area: 1e8}}, friction: 0.4}}
+statics: {{contact_friction: true}}
+)",
+                                height, -0.5 * thickness, thickness, basis));
+        std::string what;
+        try {
+          r.sim.solve_statics();
+        } catch (const SolveError& e) {
+          what = e.what();
+        }
+        EXPECT_NE(
+            what.find(
+                "m, but the contact points (corners and edges) of volume deck penetrate by 0 m at most; "
                 "give them stiffnesses per_area"),
-      std::string::npos)
-      << what;
+            std::string::npos)
+            << basis << ", " << thickness << " m, from " << height << " m: " << what;
+      }
 }
 
 // Two free crates, one on the other; two ranks have one each.
@@ -249,9 +255,10 @@ contact: {{lines: [], between_lines: false}}
   return yaml;
 }
 
-// Momentum is constant to round-off, also with lines between the hulls. Mechanical energy never exceeds its
-// initial value, and the energy balance with friction and damping closes within 0.3 % (gain) and 1 % (loss),
-// the error of impacts at default steps.
+// Momentum is constant to round-off, also with lines between the hulls, angular momentum without lines, whose
+// own error is of second order in the step. Mechanical energy never exceeds its initial value, and the energy
+// balance with friction and damping closes within 0.3 % (gain) and 1 % (loss), the error of impacts at
+// default steps.
 TEST(BodyFrictionStatics, HullsThatRollAgainstEachOther) {
   for (const double mass : {0.0, 8.0}) {
     BodiesRun r(hulls(mass));
@@ -259,25 +266,32 @@ TEST(BodyFrictionStatics, HullsThatRollAgainstEachOther) {
     const auto momenta = [&] {
       Momentum m = momentum(r.sim.system(), r.sim.dynamics().committed_kinematics());
       MPI_Allreduce(MPI_IN_PLACE, m.linear.data(), 3, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
-      return m.linear;
+      MPI_Allreduce(MPI_IN_PLACE, m.angular.data(), 3, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+      return m;
     };
-    const Vec3 p0 = momenta();
+    const Momentum m0 = momenta();
+    EXPECT_GT(m0.linear.norm(), 1e5);
+    EXPECT_GT(m0.angular.norm(), 1e6);
     const double e0 = total(r.energy()), a0 = r.audit(), p = 1e6 * 0.4;
-    double most = 0, made = 0, lost = 0, strain = 0, error = 0;
+    double most = 0, made = 0, lost = 0, strain = 0, error = 0, turning = 0;
     r.move(6, [&](const StepInfo&) {
       const double e = total(r.energy()), a = r.audit();
       most = std::max(most, e - e0);
       made = std::max(made, a - a0);
       lost = std::max(lost, a0 - a);
       strain = std::max(strain, r.energy().strain);
-      error = std::max(error, (momenta() - p0).norm());
+      const Momentum m = momenta();
+      error = std::max(error, (m.linear - m0.linear).norm());
+      turning = std::max(turning, (m.angular - m0.angular).norm());
     });
     const Energy end = r.energy();
     printf(
         "lines of %.1f kg/m: strain %.3g of %.3g J, friction %.3g, damping %.3g; made %.2g, lost %.2g, "
-        "momentum %.1e\n",
-        mass, strain, e0, end.friction, end.damping, made / e0, lost / e0, error / p);
+        "momentum %.1e, angular %.1e\n",
+        mass, strain, e0, end.friction, end.damping, made / e0, lost / e0, error / p,
+        turning / m0.angular.norm());
     EXPECT_LT(error, 1e-9 * p);
+    EXPECT_LT(turning, (mass > 0 ? 1e-5 : 1e-9) * m0.angular.norm());
     EXPECT_LE(most, 1e-9 * e0);
     EXPECT_LT(made, 3e-3 * e0);
     EXPECT_LT(lost, 0.01 * e0);

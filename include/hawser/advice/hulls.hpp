@@ -2,9 +2,10 @@
 // check` prints.
 #pragma once
 
+#include <array>
 #include <string>
 
-#include "hawser/model/case.hpp"
+#include "hawser/model/platform_periods.hpp"
 
 namespace hawser::advice {
 
@@ -37,6 +38,8 @@ std::string turned_over(const std::string& body, double tilt);
 
 // Vertical force on a body at rest [N, upwards] other than its weight and the water: lines and contact.
 std::string held_at_rest(const std::string& body, double up);
+// Natural periods of a body held by lines.
+std::string periods_on_lines(const std::string& body, const std::array<model::PlatformMode, 6>& modes);
 // For a volume of a floating body whose lowest point is `depth` [m] below the seabed, which does not hold it.
 std::string below_seabed(const std::string& volume, const std::string& body, double depth);
 

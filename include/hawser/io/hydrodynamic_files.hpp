@@ -21,8 +21,7 @@ struct HydrodynamicForm {
   // Wave forces are given from one side of a body with port-starboard symmetry; those from the other side are
   // mirror images, with sway, roll and yaw reversed.
   bool mirrored = false;
-  double depth = 0;      // of the water, m; 0: infinite
-  double direction = 0;  // mean direction in which the waves travel from the bow, rad
+  double depth = 0;  // of the water, m; 0: infinite
 };
 
 // Reads `stem`.1 and so on.

@@ -1,9 +1,8 @@
 // Inertia of a rigid body as the change of its momenta over a step, so that a free body conserves them for
 // any step length. See docs/theory/body-contact.md#momentum.
 //
-// In space axes, with U = R^T v and N = (A, B; B^T, D) about the centre of mass:
+// In space axes, with U = R^T v and the mass matrix N = (A, B; B^T, D) about the centre of mass:
 //   P = R (A U + B w),   L = R (B^T U + D w)
-// For a body with only a mass A = B = 0: m v is linear in the unknowns and not part of P.
 #pragma once
 
 #include "hawser/kernels/rigid_body.hpp"

@@ -13,6 +13,13 @@
 
 namespace hawser::model {
 
+// Forces of all difference frequencies on one body in waves of one direction.
+struct DifferenceForces {
+  std::vector<WaveForceTable> drift;  // of that direction, as in HydrodynamicData
+  DifferenceForceTable pairs;
+  double direction() const { return drift.front().directions().front(); }  // rad
+};
+
 struct HydrodynamicData {
   std::string radiation_file, excitation_file;       // for messages
   int bodies = 0;                                    // matrices have 6 rows and columns per body
@@ -22,8 +29,8 @@ struct HydrodynamicData {
   bool infinite_estimated = false;                   // extrapolated from finite frequencies
   Eigen::MatrixXd hydrostatic;                       // N/m, N, N m/rad
   std::vector<WaveForceTable> excitation;            // per body: N/m, N per m amplitude; empty: not given
-  std::vector<WaveForceTable> drift;  // per body: N/m², N/m per squared amplitude; empty: not given
-  DifferenceForceTable difference;    // of one body, for one wave direction
+  std::vector<WaveForceTable> drift;         // per body: N/m², N/m per squared amplitude; empty: not given
+  std::vector<DifferenceForces> difference;  // of one body, by direction; empty: not given
   // Per body, if the files contain them: the reference point of moments [m, axes of the files] and the moment
   // of weight m g (x, y, z) about it [N m] that is part of their hydrostatic stiffness.
   std::vector<std::optional<Vec3>> origin, weight;

@@ -90,6 +90,11 @@ struct MeanDirection {
 constexpr double kFarFromMean = 45 * M_PI / 180;
 MeanDirection mean_direction(const std::vector<WaveComponent>& sea);
 
+// Forces of all difference frequencies of the direction of the files nearest to the mean direction of a sea,
+// for a body with this heading [rad]; the files must have them.
+const DifferenceForces& difference_forces(const BodyHydrodynamics& h, const std::vector<WaveComponent>& sea,
+                                          double heading);
+
 // Lines on a body with hydrodynamics that `hawser check` prints.
 std::string platform_text(const Case& c, const Body& b);
 

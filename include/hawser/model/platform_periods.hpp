@@ -1,5 +1,7 @@
-// Natural periods of a platform from hydrostatics and added mass.
+// Natural periods of a platform from its stiffness and added mass.
 #pragma once
+
+#include <array>
 
 #include "hawser/model/case.hpp"
 
@@ -12,5 +14,15 @@ struct PlatformPeriods {
 // Natural periods of a body with hydrodynamics, without damping, lines and other bodies:
 // (C - omega² (M + A(omega))) x = 0 in all six degrees of freedom.
 PlatformPeriods platform_periods(const Case& c, const Body& b);
+
+// A natural period, s, 0: none; and the degree of freedom with most of the kinetic energy of those that no
+// longer period has.
+struct PlatformMode {
+  double period = 0;
+  int freedom = 0;
+};
+// The six modes of such a body with a stiffness of all that acts on it, about its centre of mass in body
+// axes, in descending order: (K - omega² (M + A(omega))) x = 0 without damping.
+std::array<PlatformMode, 6> platform_modes(const Body& b, const Mat6& K);
 
 }  // namespace hawser::model

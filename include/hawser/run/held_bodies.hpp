@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "hawser/run/simulation.hpp"
@@ -12,6 +13,11 @@ namespace hawser::run {
 
 // Holds a body with mass in its start position.
 void hold_body(Simulation& sim, int body);
+
+// Natural periods of each body with hydrodynamic coefficients on its lines, by the stiffness of all that acts
+// on it at rest, with other bodies held and without the mass of lines; of a farm, those at the first place of
+// each platform. The simulation has solved its statics. Collective.
+std::vector<std::string> periods_on_lines(Simulation& sim);
 
 class HeldBodies {
  public:

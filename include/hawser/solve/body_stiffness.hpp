@@ -15,7 +15,7 @@ struct BodyStiffness {
   Mat6 K = Mat6::Zero();
 };
 // `held` ties all held nodes including the body; `free` the same without the body. `state` must be in
-// equilibrium with `held`, and no term of the system may act on the body directly. body_node: mesh node.
+// equilibrium with `held`. Terms that act on the body directly contribute as well. body_node: mesh node.
 // Leaves the system tied by `held`. The result is the same on all ranks; collective.
 BodyStiffness body_stiffness(System& system, const Kinematics& state, int body_node,
                              const std::vector<TiedNode>& free, const std::vector<TiedNode>& held);

@@ -226,6 +226,11 @@ class BodyContact final : public ForceTerm,
   // Depth of the deepest point of the faces of one volume in the other, m; in body_contact_penetration.cpp.
   double overlap_depth(size_t volume, const BodyFrame& frame, size_t other,
                        const BodyFrame& other_frame) const;
+  // The larger of the two depths of a pair, m.
+  double overlap_depth(const Pair& pair, const PairFrames& at) const;
+  // m, overlap that is regarded as an error if it exceeds that of corners, edges and balls.
+  double allowed_overlap(const Pair& pair) const;
+  bool overlaps_within_step(const Pair& pair, const Kinematics& trial) const;
   void check_overlap(double time);
 
   MPI_Comm comm_;
