@@ -14,16 +14,28 @@ std::string off_by(double fraction) {
                         : "by half of the largest and more";
 }
 
+constexpr double kReported = 0.01;  // of the friction over an edge
+
+// Effect of bending stiffness on the friction over a sharp edge (docs/theory/element-length.md); empty:
+// small.
+std::string friction_of_beam(double turn) {
+  const double lower = turn * turn / 24;
+  return lower < kReported
+             ? ""
+             : fmt::format(", which itself reduces friction over a sharp edge by {:.0f} %", 100 * lower);
+}
+
 }  // namespace
 
-std::string turns_on_edge(const std::string& line, const LongElements& at, double largest, double EI) {
+std::string turns_on_edge(const std::string& line, const LongElements& at, double largest, double EI,
+                          double turn) {
   return fmt::format(
       "line {} turns by {:.0f} degrees over a volume from one straight element of {:.3g} m to the next (arc "
       "length {:.4g} m, t = {:.4g} s), which reduces its tension there by {:.2g} N as friction would, {:.2g} "
       "% of the largest: give its type an 'EI' of {:.2g} N m² or more (a quarter of that with elements half "
-      "as long), or use elements of {:.2g} m there",
+      "as long){}, or use elements of {:.2g} m there",
       line, at.turn * 180 / M_PI, at.length, at.arc, at.time, at.error, 100 * at.error / largest, EI,
-      at.recommended);
+      friction_of_beam(turn), at.recommended);
 }
 
 std::string sags_between_nodes(const std::string& line, const LongElements& at, double largest) {

@@ -10,7 +10,7 @@ namespace hawser {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kSteps = 22;        // per period: with fewer, fast rebounds create energy
+constexpr double kSteps = 25;        // per period: with fewer, fast rebounds create energy
 constexpr double kAbove = 1 + 1e-6;  // rounding of a step length
 constexpr double kShort = 0.02;      // fraction of such a step: nearer contacts count as present
 constexpr double kRounding = 1e-12;  // fraction of the kinetic energy of the rigid motion
@@ -56,7 +56,7 @@ bool may_impact(double inverse_frequency, double significant_depth, double speed
 }
 
 bool resolves_contact(double inverse_frequency, double h) {
-  return h <= kAbove * M_PI / kSteps * inverse_frequency;
+  return h <= kAbove * M_PI / (2 * kSteps) * inverse_frequency;
 }
 
 // A mass m that meets the spring k = m/tau², tau = inverse_frequency, with the speed v and the acceleration a

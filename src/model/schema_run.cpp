@@ -41,7 +41,7 @@ Key dynamics() {
        number({"min_step", &Dynamics::min_step}, time, "smallest step, below which the run stops", above(0),
               or_else_note("chosen by the program")),
        boolean({"resolve_impacts", &Dynamics::resolve_impacts},
-               "divides a fixed step at an impact as an automatic one: 22 steps in a period of the contact, "
+               "divides a fixed step at an impact as an automatic one: 25 steps in a period of the contact, "
                "one of which ends at the first touch; `false`: the step stays as given",
                or_else("true")),
        number({"rho_infinity", &Dynamics::rho_infinity}, none,

@@ -169,7 +169,8 @@ std::string EdgeErrors::warning(const std::string& name, const OfLine& w, double
   if (!exceeds(w, largest)) return {};
   const double turned = w.turn_of_element / kWide;
   return advice::turns_on_edge(name, w.at, largest,
-                               largest * w.at.length * w.at.length * std::max(turned * turned, 0.25));
+                               largest * w.at.length * w.at.length * std::max(turned * turned, 0.25),
+                               w.turn_of_element);
 }
 
 bool EdgeErrors::exceeds(const OfLine& w, double largest) { return w.at.error > kAllowed * largest; }

@@ -67,8 +67,9 @@ bool BodyContact::overlaps_within_step(const Pair& pair, const Kinematics& trial
 }
 
 void BodyContact::check_overlap_at_rest(const Kinematics& state) {
+  for (Pair& p : pairs_) p.met = 0;  // penetrations on the path to rest do not permit any in the motion
   prepare(state, 0);
-  check_overlap(state.time);
+  if (!friction_on_) check_overlap(state.time);
 }
 
 void BodyContact::check_overlap(double time) {

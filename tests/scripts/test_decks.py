@@ -17,7 +17,8 @@ from pathlib import Path
 from support import ROOT, run, write
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
-MADE, LOST = 0.3, 1.0  # %
+MADE, LOST = 0.1, 1.0  # %
+MADE_FIXED = 0.2  # %: in steps given by the case, which a contact divides at other places; 4 of all runs are above MADE
 LOST_TILTED = 3.0  # %: the ends of a tilted pipe excite bending, which steps of a third of the contact's period do not resolve
 
 RADIUS, LENGTH, DURATION = 0.1, 4.0, 1.5  # m, m, s
@@ -145,7 +146,7 @@ class DecksTest(unittest.TestCase):
         with self.subTest(what=what, ranks=ranks):
             r = Run(self.folder, what, ranks=ranks)
             self.assertEqual(r.exit, 0, r.text)
-            self.assertLess(r.made, MADE)
+            self.assertLess(r.made, MADE if what[4] == "auto" else MADE_FIXED)
             self.assertLess(r.lost, LOST_TILTED if "tilted" in what[1] else LOST)
 
     def test_one_rank(self):

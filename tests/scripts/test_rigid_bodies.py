@@ -1,5 +1,5 @@
-"""Rigid bodies without water: a bifilar pendulum, a heavy top, a freely rotating body, points of a rotated body, and
-a body on elastic cables at rest, swinging and thrown. References: quadratures, elliptic integrals and Runge-Kutta
+"""Rigid bodies without water: a bifilar pendulum, a heavy top, a freely rotating body, points of a rotated body, a
+crate that starts inside a deck, and a body on elastic cables at rest, swinging and thrown. References: quadratures, elliptic integrals and Runge-Kutta
 solutions to 1e-12."""
 import os
 import re
@@ -175,6 +175,25 @@ class RigidBodies(unittest.TestCase):
         pitch = np.radians(20)
         found = end((0, 20, 0), (-0.1 * np.sin(pitch), 0, 0.1 * np.cos(pitch)))
         np.testing.assert_allclose(found[3:], np.cross([0, 0, 0.1], found[:3]), atol=1e-6)
+
+    def test_crate_that_starts_inside_a_deck(self):
+        """The motion does not allow the penetration of 3 cm from which friction brought the crate to rest in statics:
+        the checkpoint has none, at rest it is m g/4k = 1.5 mm."""
+        write(self.folder, "crate.yaml", """\
+hawser: 1
+bodies: {crate: {position: [0, 0, 0.07], floating: {mass: 600, inertia: [20, 52, 68], weight: true}}}
+volumes:
+  deck: {shape: {box: {centre: [0, 0, -0.5], size: [4, 4, 1]}}, friction: 1}
+  crate: {shape: {box: {centre: [0, 0, 0], size: [1, 0.6, 0.2]}}, body: crate, normal_stiffness: {per_point: 1e6}, smoothing: 0, friction: 0.4}
+statics: {contact_friction: true, relaxation_steps: 300}
+dynamics: {duration: 0.001}
+""")
+        result = run(HAWSER, "run", self.folder / "crate.yaml", "-o", self.folder / "crate.h5")
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        with h5py.File(self.folder / "crate.h5") as file:
+            kept = np.concatenate([slot["values"][:] for slot in file["checkpoint"].values()])
+        self.assertLess(np.abs(kept - 600 * GRAVITY / 4e6).min(), 1e-6)
+        self.assertGreater(np.abs(kept - 0.03).min(), 1e-3)
 
     def test_load_on_one_cable(self):
         """In equilibrium the centre of mass is below the anchor, and the vertical, in body axes, passes

@@ -59,9 +59,16 @@ TEST(EdgeErrors, TensionOnBothSides) {
       std::string::npos)
       << text;
   EXPECT_NE(text.find("or use elements of 0.005 m there"), std::string::npos)
-      << text;                           // element length: a fifth of the radius
+      << text;  // element length: a fifth of the radius
+  EXPECT_EQ(text.find("reduces friction over"), std::string::npos) << text;
   EXPECT_EQ(warning(20, 0, 300), text);  // physical friction does not change the text
   EXPECT_EQ(warning(20, 0, 0, "EI: 1, GJ: 1"), "");
+}
+
+// A beam has less friction over an edge than a cable, 1 - (60 degrees)²/24 of it.
+TEST(EdgeErrors, FrictionOfTheRecommendedBeam) {
+  const std::string text = warning(60, 0);
+  EXPECT_NE(text.find("which itself reduces friction over a sharp edge by 5 %"), std::string::npos) << text;
 }
 
 // 1 - cos is 0.50 % at 5.73 degrees: there is a warning above 0.5 % only.

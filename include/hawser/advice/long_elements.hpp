@@ -15,8 +15,9 @@ struct LongElements {
   double weight = 0;                    // N/m, in water
 };
 // largest: tension [N] or moment [N m] to which the error is relative.
-// EI [N m²]: of beams that bend within such elements.
-std::string turns_on_edge(const std::string& line, const LongElements& at, double largest, double EI);
+// EI [N m²]: of beams that bend within such elements. turn: rad, of the whole line over the edge.
+std::string turns_on_edge(const std::string& line, const LongElements& at, double largest, double EI,
+                          double turn);
 std::string sags_between_nodes(const std::string& line, const LongElements& at, double largest);
 std::string leaves_bed_within(const std::string& line, const LongElements& at, double largest);
 std::string moment_between_nodes(const std::string& line, const LongElements& at, double largest);

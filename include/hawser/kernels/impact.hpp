@@ -62,7 +62,7 @@ std::optional<ImpactEvent> impact_event(double inverse_frequency, double signifi
 bool may_impact(double inverse_frequency, double significant_depth, double speed, double acceleration);
 
 // True if a step of h [s] is short enough for a contact of this inverse frequency [s] that its energy error
-// at the beginning or end of contact is accepted: at most half of the steps that resolve an impact.
+// at the beginning or end of contact is accepted: at most a quarter of the steps that resolve an impact.
 bool resolves_contact(double inverse_frequency, double h);
 
 // A contact that began or ended within a step too long to resolve it, so that energy was created or lost. It
