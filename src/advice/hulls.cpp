@@ -97,6 +97,10 @@ std::string periods_on_lines(const std::string& body, const std::array<model::Pl
   return fmt::format("body {} on its lines, without their mass: periods {}", body, fmt::join(parts, ", "));
 }
 
+std::string no_periods_on_lines(const std::string& body, const std::string& reason) {
+  return fmt::format("body {} on its lines: periods not known: {}", body, reason);
+}
+
 std::string below_seabed(const std::string& volume, const std::string& body, double depth) {
   return fmt::format(
       "volumes.{}: reaches {:.4g} m below the seabed where body '{}' starts, and the seabed does not hold "

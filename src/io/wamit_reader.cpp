@@ -301,8 +301,11 @@ model::DifferenceForces difference_forces(const NumberTable& table, double direc
   for (const NumberRow& row : table.rows) {
     if (row.values[2] != direction || row.values[3] != direction) continue;
     rows.push_back(&row);
-    for (const size_t column : {0, 1})
-      if (row.values[column] > 0) omega.push_back(2 * M_PI / row.values[column]);
+    for (const size_t column : {0, 1}) {
+      if (!(row.values[column] > 0))
+        refuse(table, row, "the periods of difference-frequency forces are above 0 s");
+      omega.push_back(2 * M_PI / row.values[column]);
+    }
   }
   std::sort(omega.begin(), omega.end());
   std::vector<double> distinct;
@@ -355,11 +358,14 @@ bool read_difference(const std::string& stem, const HydrodynamicForm& form, std:
   std::set<double> directions;
   for (const NumberRow& row : table.rows)
     if (row.values[2] == row.values[3]) directions.insert(row.values[2]);
+  if (directions.empty())
+    throw std::runtime_error(fmt::format(
+        "{}: has no row of two waves of one direction, and 'second_order: full' needs those", table.path));
   double sparse = 0;
   for (const double direction : directions)
     data.difference.push_back(difference_forces(table, direction, form, largest, sparse));
   note_sparse(table.path, sparse, notes);
-  return !data.difference.empty();
+  return true;
 }
 
 }  // namespace

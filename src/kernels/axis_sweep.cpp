@@ -9,6 +9,7 @@ namespace hawser {
 namespace {
 
 constexpr double kDeep = 0.25, kClear = 0.75;  // fractions of the radius, from axis to surface
+constexpr double kPiece = 0.5;                 // length of pieces that are examined, fraction of the radius
 
 // Part of the axis during part of the step.
 struct SweptPart {
@@ -70,11 +71,12 @@ bool goes_through(DistanceField field, const BezierAxis& from, const BezierAxis&
       const bool other_side =
           d0 && d1 && ((outside && *d1 >= kClear * radius) || ((outside || pressed) && n0.dot(n1) < 0));
       if (other_side && *distance <= kDeep * radius) return true;
-      if (!other_side && length <= radius) continue;
+      if (!other_side && length <= kPiece * radius) continue;
     }
     // Near the surface the ends of the path come first: where the axis is not on another side at the end of
     // the step, its path is not examined.
-    const bool along = (near && length > radius) || length >= piece.b[0].farthest_distance(piece.b[1]);
+    const bool along =
+        (near && length > kPiece * radius) || length >= piece.b[0].farthest_distance(piece.b[1]);
     for (const SweptPart& half : along ? halves_along(piece) : halves_in_time(piece)) pieces.push_back(half);
   }
   return false;

@@ -95,6 +95,11 @@ std::array<PlatformMode, 6> platform_modes(const Body& b, const Mat6& K) {
     energy.maxCoeff(&out[static_cast<size_t>(k)].freedom);
     if (omega > 0) out[static_cast<size_t>(k)].period = 2 * M_PI / omega;
   }
+  // Equal periods, as of surge and sway of a symmetric platform, have any two vectors of one plane.
+  constexpr double kEqual = 1e-3;
+  for (size_t k = 1; k < out.size(); ++k)
+    if (out[k - 1].period <= (1 + kEqual) * out[k].period && out[k - 1].freedom > out[k].freedom)
+      std::swap(out[k - 1].freedom, out[k].freedom);
   return out;
 }
 

@@ -159,6 +159,7 @@ void EdgeErrors::update_worst(int line, const PressedPart& of_line, double time)
   const bool evenly = std::min(of_line.before, of_line.after) > kEvenly * worst_turn.angle;
   w.at.recommended = evenly ? worst_turn.length * std::sqrt(kLeft * of_line.tension / error)
                             : kOfRadius * 0.5 * type_at(worst_turn.node).contact_diameter;
+  w.sharp_turn = evenly ? 0 : w.turn_of_element;
 }
 
 std::string EdgeErrors::warning(int line, double largest) const {
@@ -170,7 +171,7 @@ std::string EdgeErrors::warning(const std::string& name, const OfLine& w, double
   const double turned = w.turn_of_element / kWide;
   return advice::turns_on_edge(name, w.at, largest,
                                largest * w.at.length * w.at.length * std::max(turned * turned, 0.25),
-                               w.turn_of_element);
+                               w.sharp_turn);
 }
 
 bool EdgeErrors::exceeds(const OfLine& w, double largest) { return w.at.error > kAllowed * largest; }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hawser/advice/hulls.hpp"
+#include "hawser/base/error.hpp"
 #include "hawser/base/mpi.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/check.hpp"
@@ -88,12 +89,16 @@ std::vector<std::string> periods_on_lines(Simulation& sim) {
     const model::Body& body = c.bodies[static_cast<size_t>(b)];
     if (!body.mass->hydrodynamics || model::line_ends_at(c, body).empty()) continue;
     if (model::is_repeated(c, body.name)) continue;
-    const Mat6 K =
-        body_stiffness(system, at, sim.mesh().body_node(b), free, with_bodies(sim, free, with_mass(c))).K;
     Mat6 axes = Mat6::Identity();
     axes.topLeftCorner<3, 3>() = pose_at_rest(sim, b).rotation.toRotationMatrix();
-    out.push_back(
-        advice::periods_on_lines(body.name, model::platform_modes(body, axes.transpose() * K * axes)));
+    try {
+      const Mat6 K =
+          body_stiffness(system, at, sim.mesh().body_node(b), free, with_bodies(sim, free, with_mass(c))).K;
+      out.push_back(
+          advice::periods_on_lines(body.name, model::platform_modes(body, axes.transpose() * K * axes)));
+    } catch (const SolveError& no_stiffness) {
+      out.push_back(advice::no_periods_on_lines(body.name, no_stiffness.what()));
+    }
   }
   if (thrusters) thrusters->integrate_at_rest(true);
   system.tie(free, motion);

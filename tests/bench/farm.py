@@ -197,7 +197,8 @@ def print_memory(given, folder):
 def print_scaling(given, folder):
     """Extrapolates to more ranks. A rank needs of each of the N lines r + s/P (CPU time, memory) on P ranks, with r and s
     from two numbers of ranks and N from two numbers of lines. A collective call takes `latency` for each doubling of the
-    ranks, as in a binary tree. The memory of the first number of ranks and lines gives what does not depend on lines."""
+    ranks, as in a binary tree. Peaks on 8 ranks give the memory that does not depend on lines; CPU time that does not,
+    about 0.1 s, is excluded."""
     few, many = given.lines
     growth = {}
     for ranks in (1, 2):

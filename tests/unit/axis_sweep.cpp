@@ -102,6 +102,20 @@ TEST(AxisSweep, LetsPassWhatSlidesTouchesAndIsPressedIn) {
   EXPECT_FALSE(moved(-0.01, 1, 0));           // moves out
 }
 
+// The axis ends a fifth of a radius behind a bar that is far thinner than the line.
+TEST(AxisSweep, FindsAThinBarAnywhereAlongTheAxis) {
+  BoxShape bar;
+  bar.size = Vec3(0.002, 3, 0.002);
+  for (double x = -0.9; x < 0.9; x += 0.037) {
+    bar.centre = Vec3(x, 0, 0);
+    const auto surface = make_surface(bar);
+    const double from = kRadius, to = -0.2 * kRadius;
+    EXPECT_TRUE(goes_through(field_of(*surface), straight(Vec3(-1, 0, from), Vec3(1, 0, from)),
+                             straight(Vec3(-1, 0, to), Vec3(1, 0, to)), kRadius))
+        << x;
+  }
+}
+
 // A corner touches at exactly one place: after a slight penetration the axis might leave on the other side.
 TEST(AxisSweep, WhatIsPressedInDoesNotComeOutBehind) {
   BoxShape plate;

@@ -159,6 +159,10 @@ TEST_F(WamitReader, ReadsDifferenceFrequencies) {
   EXPECT_NEAR(of.drift[0].at(2, 0)[0].real(), 6e4, 1);
   write(".12d", "6.2832 6.2832 0 0 1 4 0 4 0\n3.1416 3.1416 0 0 1 3 0 3 0\n");
   EXPECT_NE(refusal(SecondOrder::full).find("no row for the periods"), std::string::npos);
+  write(".12d", "6.2832 6.2832 0 0 1 4 0 4 0\n0 0 0 0 1 4 0 4 0\n");
+  EXPECT_NE(refusal(SecondOrder::full).find("above 0 s"), std::string::npos);
+  write(".12d", "6.2832 6.2832 0 30 1 4 0 4 0\n");
+  EXPECT_NE(refusal(SecondOrder::full).find("two waves of one direction"), std::string::npos);
 }
 
 // Rows of two directions: those of equal periods are mean drift forces of both, unless a file .8 has these.

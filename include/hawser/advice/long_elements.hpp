@@ -15,7 +15,7 @@ struct LongElements {
   double weight = 0;                    // N/m, in water
 };
 // largest: tension [N] or moment [N m] to which the error is relative.
-// EI [N m²]: of beams that bend within such elements. turn: rad, of the whole line over the edge.
+// EI [N m²]: of beams that bend within such elements. turn: rad, over a sharp edge; 0: none.
 std::string turns_on_edge(const std::string& line, const LongElements& at, double largest, double EI,
                           double turn);
 std::string sags_between_nodes(const std::string& line, const LongElements& at, double largest);

@@ -54,6 +54,7 @@ class EdgeErrors : public Recording {
   struct OfLine {
     advice::LongElements at;     // largest error so far
     double turn_of_element = 0;  // rad, sum over both ends of an element there
+    double sharp_turn = 0;       // rad, the same at a sharp edge; 0: the turn is even
     double tension = 0;          // N, largest so far under contact with volumes
     double reported = 0;         // N, error already reported
   };

@@ -71,8 +71,8 @@ class RigidBodies final : public ForceTerm,
     static void quantities(Self& self, Each&& each) {
       each("damping", "J", self.damping);
       each("work", "J", self.work);
-      each("algorithmic rates of the momenta", "N, N m", self.momenta.q);
-      each("rates of the momenta", "N, N m", self.momenta.f);
+      each("algorithmic rates of change of the momenta", "N, N m", self.momenta.q);
+      each("rates of change of the momenta", "N, N m", self.momenta.f);
     }
   };
   RigidPose spring_rest(const Floating& f, double time) const;
