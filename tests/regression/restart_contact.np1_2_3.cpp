@@ -82,7 +82,7 @@ const char* const kStanding = R"(hawser: 1
 line_types:
   bar: {outer_diameter: 0.1, contact_diameter: 0.001, mass_per_length: 78.5, EA: 2.1e9, EI: 1.0e5, GJ: 1.0e5}
 volumes:
-  ground: {shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}, normal_stiffness: {per_point: 1.0e10},
+  ground: {shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}, normal_stiffness: {per_point: 3.0e9},
            smoothing: 1.0e-8}
 lines:
   bar:

@@ -197,7 +197,7 @@ TEST(LineContact, StepsFollowImpacts) {
   v.settings.basis = model::StiffnessBasis::per_length;
   v.settings.normal_stiffness = 1e5;
   v.settings.smoothing = 1e-3;
-  const double followed = 2 * M_PI / 22 * std::sqrt(50 / 1e5),
+  const double followed = 2 * M_PI / 25 * std::sqrt(50 / 1e5),
                infinite = std::numeric_limits<double>::infinity();
   const auto longest = [&](double gap, double down, double tilt = 0, double acceleration = 0) {
     LineVolumeContact term(l, nullptr, {v}, {{0.1, 50}});
