@@ -253,7 +253,7 @@ class FreePlatforms(unittest.TestCase):
         reported = run(HAWSER, "check", self.folder / "case.yaml").stdout
         found = re.search(r"^body spar on its lines, without their mass: periods (.*)", reported, re.M)
         self.assertTrue(found, reported)
-        periods = sorted(float(value) for value in re.findall(r"(\S+) s", found[1]))
+        periods = sorted(float(value) for value in re.findall(r"([\d.]+) s\b", found[1]))
         modes = run(HAWSER, "modes", self.folder / "case.yaml", "-n", "10").stdout
         exact = sorted(float(value) for value in re.findall(r"^ *\d+ +(\S+) .*body spar", modes, re.M))
         self.assertEqual((len(periods), len(exact)), (6, 6), reported + modes)
