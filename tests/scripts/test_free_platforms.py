@@ -238,27 +238,31 @@ class FreePlatforms(unittest.TestCase):
             self.assertAlmostEqual(periods[name] / float(period), 1, delta=0.01)
 
     def test_periods_of_a_turned_platform(self):
-        """The same, in ascending order, of a spar that starts turned by 40 deg, whose inertia and lines differ in roll and pitch: 1.5 %."""
+        """The same of a spar turned by 40 deg with its chains, of different inertia in roll and pitch, held in surge by a strut: 1.1 %."""
         for name in ("spar.1", "spar.3", "spar.hst"):
             shutil.copy(ROOT / "docs/tutorial" / name, self.folder)
         case = (ROOT / "docs/tutorial/platform-1.yaml").read_text("utf-8")
         for text, other in (("inertia: [4.5e10, 4.5e10, 1.5e9]", "inertia: [4.5e10, 3e10, 1.5e9]"),
                             ("  spar:\n", "  spar:\n    rotation_deg: [0, 0, 40]\n"),
-                            ("lines:\n", "links: {strut: {end_a: {anchor: [-6.428, 7.66, -200]}, end_b: {body: spar, at: [0, 10, -20]}, "
-                                         "stiffness: 5e6, rest_length: 180}}\nlines:\n"),
-                            ("length: 640, elements: 64", "length: 638, elements: 64")):
+                            ("lines:\n", "links: {strut: {end_a: {anchor: [-459.63, -385.67, -20]}, end_b: {body: spar, at: [-10, 0, -20]}, "
+                                         "stiffness: 2e6, rest_length: 590}}\nlines:\n"),
+                            ("length: 640, elements: 64", "length: 638, elements: 64"),
+                            ("anchor: [-600, 0, -200]", "anchor: [-459.63, -385.67, -200]"),
+                            ("anchor: [300, 519.6, -200]", "anchor: [-104.18, 590.87, -200]"),
+                            ("anchor: [300, -519.6, -200]", "anchor: [563.8, -205.2, -200]")):
             self.assertIn(text, case)
             case = case.replace(text, other, 1)
         write(self.folder, "case.yaml", case)
         reported = run(HAWSER, "check", self.folder / "case.yaml").stdout
         found = re.search(r"^body spar on its lines, without their mass: periods (.*)", reported, re.M)
         self.assertTrue(found, reported)
-        periods = sorted(float(value) for value in re.findall(r"([\d.]+) s\b", found[1]))
+        periods = [float(value) for value in re.findall(r"([\d.]+) s\b", found[1])]
+        self.assertEqual(len(periods), 6, reported)
         modes = run(HAWSER, "modes", self.folder / "case.yaml", "-n", "10").stdout
-        exact = sorted(float(value) for value in re.findall(r"^ *\d+ +(\S+) .*body spar", modes, re.M))
-        self.assertEqual((len(periods), len(exact)), (6, 6), reported + modes)
-        for a, b in zip(periods, exact):
-            self.assertAlmostEqual(a / b, 1, delta=0.015, msg=f"{periods} {exact}")
+        exact = [float(value) for value in re.findall(r"^ *\d+ +(\S+) .*body spar", modes, re.M)]
+        self.assertGreater(len(exact), 4, modes)
+        for period in exact:
+            self.assertLess(min(abs(p / period - 1) for p in periods), 0.011, f"{period} {periods}")
 
     def momenta(self):
         """Momentum, and angular momentum about the origin, of bodies and rope: one row for each output."""
