@@ -136,15 +136,15 @@ def peak_memory(hawser, counter, ranks, case, folder):
 
 
 def cost(given, folder, lines, ranks):
-    """CPU seconds of a rank around the steps, of statics and of a step: by runs of one and of two spans of time with as
-    many outputs, without statics and with."""
+    """CPU seconds of a rank around the steps, of statics and of a step: by runs of 10 and of 60 steps with as many outputs,
+    without statics and with; each the least of `given.repeat` runs."""
     used = {}
-    for name, duration, statics in (("still", 1, False), ("one", 1, True), ("two", 2, True)):
+    for name, duration, statics in (("still", 1, False), ("one", 1, True), ("two", 6, True)):
         case = Path(folder) / f"{name}.yaml"
         case.write_text(farm(lines, given.elements, duration, 0.1, duration, statics), "utf-8")
-        used[name] = run(given.hawser, ranks, case) / ranks
-    steps = used["two"] - used["one"]
-    return used["still"] - steps, used["one"] - used["still"], steps / 10
+        used[name] = min(run(given.hawser, ranks, case) for _ in range(given.repeat)) / ranks
+    step = (used["two"] - used["one"]) / 50
+    return used["still"] - 10 * step, used["one"] - used["still"], step
 
 
 def print_cost(given, folder):
@@ -243,6 +243,7 @@ def main():
     scaling.add_argument("--of", type=int, default=10000, help="lines of the farm in the table")
     scaling.add_argument("--latency", type=float, default=2e-6, help="of a collective call for each doubling of the ranks, s")
     for each in what.choices.values():
+        each.add_argument("--repeat", type=int, default=3, help="runs of which the least CPU time counts")
         each.add_argument("--elements", type=int, default=10)
     given = parser.parse_args()
     if given.what == "case":
