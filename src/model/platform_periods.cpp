@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "hawser/kernels/table_places.hpp"
-#include "hawser/math/so3.hpp"
 #include "hawser/model/mass_matrix.hpp"
 #include "hawser/model/platform.hpp"
 #include "hawser/model/waterplane.hpp"
@@ -39,6 +38,19 @@ Mat6 added_mass(const HydrodynamicData& data, int first, double omega) {
   return (1 - fraction) * block(low) + fraction * block(high);
 }
 
+// s, natural period with the added mass at its frequency; 0: none. frequency_with(A): rad/s, with the added
+// mass A of the body whose rows of the matrices begin at `first`.
+template <class FrequencyWith>
+double settled_period(const HydrodynamicData& data, int first, const FrequencyWith& frequency_with) {
+  double omega = frequency_with(Mat6(data.infinite.block<6, 6>(first, first)));
+  constexpr int kIterations = 50;
+  for (int i = 0; i < kIterations && omega > 0; ++i) {
+    const double next = frequency_with(added_mass(data, first, omega));
+    omega = next > 0 ? 0.5 * (omega + next) : 0;
+  }
+  return omega > 0 ? 2 * M_PI / omega : 0;
+}
+
 }  // namespace
 
 PlatformPeriods platform_periods(const Case& c, const Body& b) {
@@ -52,16 +64,9 @@ PlatformPeriods platform_periods(const Case& c, const Body& b) {
   const Mat6 mass = mass_matrix_about(m, Vec3::Zero());
   const int first = 6 * (h.body - 1);
   const auto period = [&](int freedom) {
-    const auto with = [&](const Mat6& A) {
+    return settled_period(*h.data, first, [&](const Mat6& A) {
       return frequency(C, mass_upright(motion.transpose() * (mass + A) * motion), freedom);
-    };
-    double omega = with(h.data->infinite.block<6, 6>(first, first));
-    constexpr int kIterations = 50;
-    for (int i = 0; i < kIterations && omega > 0; ++i) {
-      const double next = with(added_mass(*h.data, first, omega));
-      omega = next > 0 ? 0.5 * (omega + next) : 0;
-    }
-    return omega > 0 ? 2 * M_PI / omega : 0;
+    });
   };
   return {period(0), period(1), period(2)};
 }
@@ -70,32 +75,24 @@ std::array<PlatformMode, 6> platform_modes(const Body& b, const Mat6& K) {
   const BodyMass& m = *b.mass;
   const HydrodynamicData& data = *m.hydrodynamics->data;
   const int first = 6 * (m.hydrodynamics->body - 1);
-  // Motion of the origin by that of the centre of mass.
-  Mat6 motion = Mat6::Identity();
-  motion.topRightCorner<3, 3>() = hat(m.centre);
+  const Mat6 motion = motion_from_point(m.centre);
   const Mat6 mass = mass_matrix_about(m, m.centre);
   std::array<PlatformMode, 6> out;
   for (int k = 0; k < 6; ++k) {
     Eigen::GeneralizedSelfAdjointEigenSolver<Mat6> modes;
     Mat6 M;
-    const auto frequency_with = [&](const Mat6& A) {
+    out[static_cast<size_t>(k)].period = settled_period(data, first, [&](const Mat6& A) {
       M = mass + motion.transpose() * A * motion;
       modes.compute(0.5 * (K + K.transpose()), 0.5 * (M + M.transpose()));
       return std::sqrt(std::max(modes.eigenvalues()[k], 0.0));
-    };
-    double omega = frequency_with(data.infinite.block<6, 6>(first, first));
-    constexpr int kIterations = 50;
-    for (int i = 0; i < kIterations && omega > 0; ++i) {
-      const double next = frequency_with(added_mass(data, first, omega));
-      omega = next > 0 ? 0.5 * (omega + next) : 0;
-    }
+    });
     const Vec6 x = modes.eigenvectors().col(k);
     Vec6 energy = x.cwiseProduct(M * x);
     for (int named = 0; named < k; ++named) energy[out[static_cast<size_t>(named)].freedom] = -HUGE_VAL;
     energy.maxCoeff(&out[static_cast<size_t>(k)].freedom);
-    if (omega > 0) out[static_cast<size_t>(k)].period = 2 * M_PI / omega;
   }
-  // Equal periods, as of surge and sway of a symmetric platform, have any two vectors of one plane.
+  // Modes of equal periods, such as surge and sway of a symmetric platform, have arbitrary vectors in a
+  // plane: they are named in the order of the degrees of freedom.
   constexpr double kEqual = 1e-3;
   for (size_t k = 1; k < out.size(); ++k)
     if (out[k - 1].period <= (1 + kEqual) * out[k].period && out[k - 1].freedom > out[k].freedom)

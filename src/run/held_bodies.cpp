@@ -84,16 +84,17 @@ std::vector<std::string> periods_on_lines(Simulation& sim) {
   const BodyMotion motion = system.tied_nodes().motion();
   auto* thrusters = system.find<DynamicPositioning>();
   if (thrusters) thrusters->integrate_at_rest(false);
+  const std::vector<int> bodies = with_mass(c);
+  const std::vector<TiedNode> held = with_bodies(sim, free, bodies);
   std::vector<std::string> out;
-  for (const int b : with_mass(c)) {
+  for (const int b : bodies) {
     const model::Body& body = c.bodies[static_cast<size_t>(b)];
     if (!body.mass->hydrodynamics || model::line_ends_at(c, body).empty()) continue;
     if (model::is_repeated(c, body.name)) continue;
     Mat6 axes = Mat6::Identity();
     axes.topLeftCorner<3, 3>() = pose_at_rest(sim, b).rotation.toRotationMatrix();
     try {
-      const Mat6 K =
-          body_stiffness(system, at, sim.mesh().body_node(b), free, with_bodies(sim, free, with_mass(c))).K;
+      const Mat6 K = body_stiffness(system, at, sim.mesh().body_node(b), free, held).K;
       out.push_back(
           advice::periods_on_lines(body.name, model::platform_modes(body, axes.transpose() * K * axes)));
     } catch (const SolveError& no_stiffness) {

@@ -44,7 +44,8 @@ double BodyContact::allowed_overlap(const Pair& pair) const {
 }
 
 // Between two states without overlap a volume may pass through one that no corner or edge meets. A path that
-// is longer than the largest approach, as in dynamic relaxation, is sampled in such lengths.
+// is longer than the largest approach, as in dynamic relaxation, is therefore divided into parts of at most
+// that length, and the overlap is computed between them.
 bool BodyContact::overlaps_within_step(const Pair& pair, const Kinematics& trial) const {
   const PairFrames &from = pair.frames, to = frames_of(pair, trial);
   const SkeletonParts& features = volumes_[pair.a].skeleton.features;

@@ -40,7 +40,7 @@ std::string turned_over(const std::string& body, double tilt);
 std::string held_at_rest(const std::string& body, double up);
 // Natural periods of a body held by lines.
 std::string periods_on_lines(const std::string& body, const std::array<model::PlatformMode, 6>& modes);
-// In place of them, with the reason why the stiffness of its lines is not known.
+// Printed instead of the periods if the stiffness of the lines is not known, with the reason.
 std::string no_periods_on_lines(const std::string& body, const std::string& reason);
 // For a volume of a floating body whose lowest point is `depth` [m] below the seabed, which does not hold it.
 std::string below_seabed(const std::string& volume, const std::string& body, double depth);

@@ -9,10 +9,10 @@ namespace hawser {
 // radius during the step, and at the end is clear of it again or on another side, where the surface's normal
 // points backwards. Axes in the body's frame. Displacements of at most the radius are not tested, so that
 // steps are never reduced below that, for any contact stiffness. Pieces of the axis and of its path are
-// excluded if they are farther away than their size, so that thin bodies are not missed; pieces
-// within a radius of the surface are examined in lengths of half a radius. `pressed`: also tests whether
-// points that start nearer than that, or inside, come to another side. A corner or an edge touches with the
-// tested point itself.
+// excluded if they are farther away than their size, so that thin bodies are not missed; pieces within
+// a radius of the surface are examined in lengths of half a radius. `pressed`: also tests whether points that
+// start nearer than that, or inside, come to another side. A corner or an edge touches with the tested point
+// itself.
 bool goes_through(DistanceField field, const BezierAxis& from, const BezierAxis& to, double radius,
                   bool pressed = false);
 

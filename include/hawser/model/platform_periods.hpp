@@ -15,11 +15,9 @@ struct PlatformPeriods {
 // (C - omega² (M + A(omega))) x = 0 in all six degrees of freedom.
 PlatformPeriods platform_periods(const Case& c, const Body& b);
 
-// A natural period, s, 0: none; and the degree of freedom with most of the kinetic energy of those that no
-// longer period has.
 struct PlatformMode {
-  double period = 0;
-  int freedom = 0;
+  double period = 0;  // s; 0: none
+  int freedom = 0;    // the one with the most kinetic energy of those that are not given to a longer period
 };
 // The six modes of such a body with a stiffness of all that acts on it, about its centre of mass in body
 // axes, in descending order: (K - omega² (M + A(omega))) x = 0 without damping.

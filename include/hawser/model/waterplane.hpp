@@ -1,6 +1,7 @@
 // Centre of the waterplane of a platform, about which heave is uncoupled from roll and pitch.
 #pragma once
 
+#include "hawser/math/so3.hpp"
 #include "hawser/math/types.hpp"
 #include "hawser/model/platform.hpp"
 
@@ -12,15 +13,15 @@ inline Eigen::Vector2d waterplane_centre(const Mat3& C) {
   return C(0, 0) > 0 ? Eigen::Vector2d(-C(0, 2) / C(0, 0), C(0, 1) / C(0, 0)) : Eigen::Vector2d::Zero();
 }
 
-// Motion of the origin by one of a point at this horizontal distance from it: the heave of the origin is
-// that of the point plus x theta_y - y theta_x.
-inline Mat6 motion_from_point(const Eigen::Vector2d& point) {
+// Motion of the origin by one of a point at this place [m] from it: the displacement of the origin is that of
+// the point plus point x theta.
+inline Mat6 motion_from_point(const Vec3& point) {
   Mat6 T = Mat6::Identity();
-  T(0, 5) = point.y();
-  T(1, 5) = -point.x();
-  T(2, 3) = -point.y();
-  T(2, 4) = point.x();
+  T.topRightCorner<3, 3>() = hat(point);
   return T;
+}
+inline Mat6 motion_from_point(const Eigen::Vector2d& point) {
+  return motion_from_point(Vec3(point.x(), point.y(), 0));
 }
 
 // Stiffness C of heave, roll and pitch about the body's origin, transferred to the centre of the waterplane.

@@ -68,7 +68,7 @@ class BodyContact final : public ForceTerm,
   // statics with friction, also checks the overlap of the volumes.
   void prepare(const Kinematics& from, double h) override;
   void limit_step(const Kinematics& committed, ImpactEvents& to) override;
-  // Refuses a step in which a corner or an edge passes through the other body.
+  // Refuses a step in which a body passes through another: corners and edges, and on long paths the faces.
   Verdict check_step(const Kinematics& trial) const override;
   void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
