@@ -43,6 +43,7 @@ std::string texts(const std::vector<std::string>& words) {
 }
 
 std::string as_given(const Value& v) {
+  if (v.kind == Kind::packed) return as_given(model::unpacked(v));
   if (v.kind == Kind::scalar) return json_string(v.text);
   if (v.kind == Kind::null) return "null";
   Elements all(v.kind == Kind::list ? '[' : '{');
@@ -51,7 +52,7 @@ std::string as_given(const Value& v) {
     if (v.kind == Kind::list)
       all.add(as_given(v.items[i]));
     else
-      all.add(v.keys[i], as_given(*model::Entry(v, i)));
+      all.add(v.keys[i], as_given(v.items[i]));
   }
   return all.closed();
 }

@@ -30,8 +30,8 @@ using model::Case;
 using model::Value;
 namespace fs = std::filesystem;
 
-// First copies the keys that the schema binds to fields, then handles files, dependencies on other parts of
-// the case, and values made from several keys.
+// First copies the keys that the schema binds to fields, except those of bodies and lines, then handles
+// files, dependencies on other parts of the case, and values made from several keys.
 void read_all(const Value& root, const CaseSource& source, const SectionLengths& lengths, Case& c) try {
   model::take(root, c);
   finish_environment(root["environment"], source, c.environment, c.notes);
@@ -103,11 +103,16 @@ Case read_changed(std::string text, const std::string& path, const ReadProgress&
 
 }  // namespace
 
-// Platforms come first because objects of the file itself may be attached to them.
+// Platforms come first because objects of the file itself may be attached to them. Entries of bodies and
+// lines are unpacked once here, for the keys that the schema binds to fields and for the others.
 void read_things(const Value& root, const Value* start_of_case, const CaseSource& source,
                  const SectionLengths& lengths, bool sea, Case& c) {
-  const std::size_t bodies = c.bodies.size(), volumes = c.volumes.size(), lines = c.lines.size(),
-                    links = c.links.size();
+  const Value &bodies = root["bodies"], &lines = root["lines"];
+  c.bodies.reserve(bodies.keys.size());
+  for (const std::string& name : bodies.keys) c.bodies.emplace_back().name = name;
+  c.lines.reserve(lines.keys.size());
+  for (const std::string& name : lines.keys) c.lines.emplace_back().name = name;
+  const std::size_t volumes = c.volumes.size(), links = c.links.size();
   const Value& types = root["line_types"];
   for (std::size_t i = 0; i < types.items.size(); ++i) {
     const auto same = [&](const model::LineType& t) { return t.name == types.keys[i]; };
@@ -120,16 +125,20 @@ void read_things(const Value& root, const Value* start_of_case, const CaseSource
           ".minimum_bend_radius: a type with 'bending: false' has no curvature to compare it with");
   }
   place_platforms(root, source, lengths, c);
-  for (std::size_t i = 0; i < bodies; ++i) {
-    const model::Entry v(root["bodies"], i);
+  for (std::size_t i = 0; i < bodies.keys.size(); ++i) {
+    const model::Entry v(bodies, i);
+    model::take(*v, c.bodies[i]);
     finish_body(*v, source, c.bodies[i], c);
     if (sea) meet_sea(*v, source, c.bodies[i], c);
   }
   for (std::size_t i = 0; i < volumes; ++i) finish_volume(root["volumes"].items[i], source, c.volumes[i]);
   OtherRuns others(source);
-  for (std::size_t i = 0; i < lines; ++i)
-    finish_line(*model::Entry(root["lines"], i), start_of_case, lengths, others, c, c.lines[i]);
-  for (std::size_t i = 0; i < bodies; ++i)
+  for (std::size_t i = 0; i < lines.keys.size(); ++i) {
+    const model::Entry v(lines, i);
+    model::take(*v, c.lines[i]);
+    finish_line(*v, start_of_case, lengths, others, c, c.lines[i]);
+  }
+  for (std::size_t i = 0; i < bodies.keys.size(); ++i)
     if (model::Body& b = c.bodies[i]; b.ride) to_length(b.ride->at, length_of(c, b.ride->line));
   for (std::size_t i = 0; i < links; ++i) finish_link(root["links"].items[i], c.links[i], c);
   read_supports(root["supports"], c);

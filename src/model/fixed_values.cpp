@@ -36,8 +36,8 @@ namespace {
 void collect(const Value& v, const Key& key, std::map<std::string, std::string>& to) {
   if (key.fixed_in_restart) {
     to[v.where] = value_text(v);
-  } else if (v.kind == Value::Kind::packed) {
-    return;  // by without_values()
+  } else if (!v.schema) {
+    return;  // an entry of lines or bodies, of which without_values() has left the lines in the file
   } else if (key.type == Type::one_of) {
     collect(v, *v.schema, to);
   } else if (key.type == Type::map_by_name || key.type == Type::list) {
@@ -64,6 +64,7 @@ const Key* key_of(const Value& v, std::size_t item, const Key* key) {
 
 // line: in which the nearest entry around v is. nullopt: nothing of v is read.
 std::optional<Value> reduced(const Value& v, const Key* key, int line) {
+  if (v.kind == Value::Kind::packed) return reduced(unpacked(v), key, line);
   if (key && key->fixed_in_restart) return v;
   if (key && key->type == Type::one_of) return reduced(v, v.schema, line);
   const bool placed = v.given && v.line != 0;
@@ -78,7 +79,7 @@ std::optional<Value> reduced(const Value& v, const Key* key, int line) {
   out.items.reserve(v.items.size());
   if (!in_order) out.keys.reserve(v.items.size());
   for (std::size_t i = 0; i < v.items.size(); ++i) {
-    std::optional<Value> item = reduced(*Entry(v, i), key_of(v, i, key), item_line);
+    std::optional<Value> item = reduced(v.items[i], key_of(v, i, key), item_line);
     any |= item.has_value();
     if (!in_order && !item) continue;
     out.items.push_back(item ? std::move(*item) : Value());

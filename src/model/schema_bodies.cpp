@@ -427,7 +427,7 @@ Key floating() {
 
 Key bodies() {
   return map_by_name(
-      {"bodies", &Case::bodies},
+      "bodies",
       map("<body>",
           {vec3({"position", &Body::position}, length, "position of the body's origin at t = 0",
                 or_else(kZero)),

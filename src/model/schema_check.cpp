@@ -104,9 +104,10 @@ class Checker {
   Checker(const std::string& file, Value& root, const MoreNames& more, bool again = false)
       : file_(file), root_(root), more_(more), again_(again) {}
 
-  void check(Value& v, const Key& k, const std::string& path) {
-    v.where = path;
+  void check(Value& v, const Key& k, std::string where) {
+    v.where = std::move(where);
     v.schema = &k;
+    const std::string& path = v.where;
     switch (k.type) {
       case Type::number:
         return check_number(v, k, path, false);
@@ -285,8 +286,9 @@ class Checker {
       bad(v, path, "expected {}, found a list of {}{}", describe(k), v.items.size(), hint_of_no_commas(v));
     constexpr const char* kPlaces[] = {"[0]", "[1]", "[2]"};
     for (std::size_t i = 0; i < 3; ++i) {
-      v.items[i].where = path + kPlaces[i];
-      check_number(v.items[i], k, path + kPlaces[i], false);
+      Value& x = v.items[i];
+      x.where = path + kPlaces[i];
+      check_number(x, k, x.where, false);
     }
   }
 
@@ -295,7 +297,7 @@ class Checker {
     const std::size_t n = v.items.size();
     if (n < k.min_items || (k.max_items > 0 && n > k.max_items))
       bad(v, path, "expected {}, found a list of {}{}", describe(k), n, hint_of_no_commas(v));
-    for (std::size_t i = 0; i < n; ++i) check(v.items[i], k.keys[0], fmt::format("{}[{}]", path, i));
+    for (std::size_t i = 0; i < n; ++i) check(v.items[i], k.keys[0], path + "[" + std::to_string(i) + "]");
   }
 
   void check_names(Value& v, const Key& k, const std::string& path) {
@@ -316,17 +318,19 @@ class Checker {
   void check_map(Value& v, const Key& k, const std::string& path) {
     if (v.kind != Kind::map) wrong_type(v, k, path, hint_of_no_keys(v, k));
     const std::string prefix = path.empty() ? "" : path + ".";
-    for (std::size_t i = 0; i < v.keys.size(); ++i)
-      if (std::none_of(k.keys.begin(), k.keys.end(), [&](const Key& c) { return c.name == v.keys[i]; }))
-        unknown_key(v, i, k, prefix);
+    std::vector<const Key*> of_items;
+    of_items.reserve(k.keys.size());
+    for (std::size_t i = 0; i < v.keys.size(); ++i) {
+      const auto same = [&](const Key& c) { return c.name == v.keys[i]; };
+      const auto found = std::find_if(k.keys.begin(), k.keys.end(), same);
+      if (found == k.keys.end()) unknown_key(v, i, k, prefix);
+      of_items.push_back(&*found);
+    }
     for (const Key& c : k.keys)
       if (c.required && !v.has(c.name))
         bad(v, prefix + c.name, "required key is missing; expected {}: {}", describe(c), c.about);
     check_groups(v, k, path);
-    for (std::size_t i = 0; i < v.keys.size(); ++i) {
-      const auto same = [&](const Key& c) { return c.name == v.keys[i]; };
-      check(v.items[i], *std::find_if(k.keys.begin(), k.keys.end(), same), prefix + v.keys[i]);
-    }
+    for (std::size_t i = 0; i < v.keys.size(); ++i) check(v.items[i], *of_items[i], prefix + v.keys[i]);
     const auto missing = std::count_if(k.keys.begin(), k.keys.end(),
                                        [&](const Key& c) { return c.fallback && !v.has(c.name); });
     v.keys.reserve(v.keys.size() + static_cast<std::size_t>(missing));

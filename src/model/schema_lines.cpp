@@ -242,7 +242,7 @@ Key joints() {
 }
 
 Key lines() {
-  return map_by_name({"lines", &Case::lines},
+  return map_by_name("lines",
                      map("<line>", {sections(), line_end({"end_a", &Line::end_a}, "how end A is held"),
                                     line_end({"end_b", &Line::end_b}, "how end B is held"), start(), masses(),
                                     bend_stiffeners(), buried(), change_of_temperature(), loads(), target()}),
