@@ -274,14 +274,16 @@ ResultsFile::Impl::Impl(MPI_Comm comm, const std::string& path, ResultContents r
       runs(runs_of({owned.begin(), owned.begin() + line_nodes})) {
   check_contents(contents, root());
   std::vector<int> lines;  // whose first node is owned
-  for (size_t l = 0; l < contents.lines.size(); ++l)
+  int first = 0;           // node of the line
+  for (size_t l = 0; l < contents.line_nodes.size(); ++l) {
     for (const int end : {0, 1}) {
-      const ResultLine& line = contents.lines[l];
-      const int node = line.first_node + (end ? line.nodes - 1 : 0);
+      const int node = first + (end ? contents.line_nodes[l] - 1 : 0);
       if (!std::binary_search(owned.begin(), owned.end(), node)) continue;
       ends.push_back(2 * static_cast<int>(l) + end);
       if (end == 0) lines.push_back(static_cast<int>(l));
     }
+    first += contents.line_nodes[l];
+  }
   end_runs = runs_of(ends);
   line_runs = runs_of(lines);
   const size_t slash = path.rfind('/'), name = slash == std::string::npos ? 0 : slash + 1;
@@ -381,7 +383,7 @@ void ResultsFile::write_output(double time, const std::vector<std::vector<double
   auto& m = *impl_;
   const auto& c = m.contents;
   m.file.attempt([&] {
-    if (fields.size() != c.fields.size() || poses.size() != c.bodies.size())
+    if (fields.size() != c.fields.size() || std::ssize(poses) != c.bodies)
       throw std::logic_error("results: fields or poses missing from an output");
     for (size_t i = 0; i < fields.size(); ++i)
       if (fields[i].size() != m.owned.size() * static_cast<size_t>(c.fields[i].components))

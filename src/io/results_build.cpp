@@ -75,10 +75,10 @@ void write_description(hid_t file, const ResultContents& c) {
   std::vector<std::string> names;
   std::vector<int> first, nodes, line_of, number;
   std::vector<double> arc;
-  for (const auto& line : c.lines) {
-    first.push_back(line.first_node);
-    nodes.push_back(line.nodes);
-    line_of.insert(line_of.end(), static_cast<size_t>(line.nodes), static_cast<int>(nodes.size()) - 1);
+  for (size_t l = 0; l < c.line_nodes.size(); ++l) {
+    first.push_back(static_cast<int>(line_of.size()));
+    nodes.push_back(c.line_nodes[l]);
+    line_of.insert(line_of.end(), static_cast<size_t>(nodes.back()), static_cast<int>(l));
   }
   for (const auto& line : c.line_labels) {
     names.push_back(line.name);
@@ -98,16 +98,16 @@ void write_description(hid_t file, const ResultContents& c) {
   write_ints(file, "nodes/rank", ranks);
   // One cell of type 2 (polyline) per line: type, count, nodes (XDMF mixed topology).
   std::vector<int> mixed;
-  for (const auto& line : c.lines) {
-    mixed.insert(mixed.end(), {2, line.nodes});
-    for (int i = 0; i < line.nodes; ++i) mixed.push_back(line.first_node + i);
+  for (size_t l = 0; l < nodes.size(); ++l) {
+    mixed.insert(mixed.end(), {2, nodes[l]});
+    for (int i = 0; i < nodes[l]; ++i) mixed.push_back(first[l] + i);
   }
   write_ints(file, "lines/cells", mixed);
   write_all(file, "nodes/arc_length", H5T_IEEE_F64LE, {arc.size()}, arc.data(), H5T_NATIVE_DOUBLE);
 
   write_waves(file, c.waves);
   h5::group(file, "bodies");
-  h5::write_texts(file, "bodies/name", c.bodies);
+  h5::write_texts(file, "bodies/name", c.body_names);
   h5::group(file, "volumes");
   const auto places = volume_places(c);
   for (size_t i = 0; i < c.volumes.size(); ++i) {
@@ -348,24 +348,22 @@ void put_in_place(const std::string& new_path, const std::string& path) {
 
 int ResultContents::nodes_total() const {
   int n = 0;
-  for (const auto& line : lines) n += line.nodes;
+  for (size_t l = 0; l < line_nodes.size(); ++l) n += line_nodes[l];
   return n;
 }
 
 void check_contents(const ResultContents& c, bool writes) {
   if (c.fields.empty() || c.fields[0].name != "position" || c.fields[0].components != 3)
     throw std::logic_error("results: the first field must be position");
-  int next = 0;
-  if (writes && c.line_labels.size() != c.lines.size())
+  if (writes && c.line_labels.size() != c.line_nodes.size())
     throw std::logic_error("results: names of lines are missing");
-  for (size_t l = 0; l < c.lines.size(); ++l) {
-    const ResultLine& line = c.lines[l];
-    if (line.first_node != next || (writes && c.line_labels[l].arc.size() != static_cast<size_t>(line.nodes)))
-      throw std::logic_error(fmt::format("results: the nodes of line {} are not in file order", l));
-    next += line.nodes;
-  }
+  if (writes && std::ssize(c.body_names) != c.bodies)
+    throw std::logic_error("results: names of bodies are missing");
+  for (size_t l = 0; writes && l < c.line_nodes.size(); ++l)
+    if (std::ssize(c.line_labels[l].arc) != c.line_nodes[l])
+      throw std::logic_error(fmt::format("results: arc lengths of line {} are missing", l));
   for (const auto& v : c.volumes)
-    if (v.body >= static_cast<int>(c.bodies.size()))
+    if (v.body >= c.bodies)
       throw std::logic_error("results: volume " + v.name + " moves with a body that is not there");
 }
 
@@ -418,7 +416,7 @@ std::vector<RowSet> row_sets(const ResultContents& c) {
     sets.push_back({"ends/" + f.name,
                     RowsBy::output,
                     of_fields,
-                    {2 * c.lines.size(), static_cast<hsize_t>(f.components)},
+                    {2 * c.line_nodes.size(), static_cast<hsize_t>(f.components)},
                     f.unit});
   for (const auto& f : c.statistics) {
     h5::Shape tail;
@@ -433,9 +431,13 @@ std::vector<RowSet> row_sets(const ResultContents& c) {
     sets.push_back({kContactPositions, RowsBy::contact, of_fields, {3}, "m"});
     sets.push_back({kContactForces, RowsBy::contact, H5T_IEEE_F32LE, {3}, "N"});
   }
-  sets.push_back({"bodies/position", RowsBy::output, H5T_IEEE_F64LE, {c.bodies.size(), 3}, "m"});
   sets.push_back(
-      {"bodies/rotation", RowsBy::output, H5T_IEEE_F64LE, {c.bodies.size(), 4}, "quaternion w x y z"});
+      {"bodies/position", RowsBy::output, H5T_IEEE_F64LE, {static_cast<hsize_t>(c.bodies), 3}, "m"});
+  sets.push_back({"bodies/rotation",
+                  RowsBy::output,
+                  H5T_IEEE_F64LE,
+                  {static_cast<hsize_t>(c.bodies), 4},
+                  "quaternion w x y z"});
   const auto volumes = volume_places(c);
   for (size_t i = 0; i < volumes.size(); ++i) {
     const VolumeMesh& v = c.volumes[i];
@@ -447,7 +449,7 @@ std::vector<RowSet> row_sets(const ResultContents& c) {
   const auto series = series_places(c);
   for (size_t i = 0; i < series.size(); ++i) {
     h5::Shape tail{numbers_in_row(c.series[i])};
-    if (c.series[i].by_line) tail.insert(tail.begin(), c.lines.size());
+    if (c.series[i].by_line) tail.insert(tail.begin(), c.line_nodes.size());
     sets.push_back({series[i], RowsBy::step, H5T_IEEE_F64LE, tail, ""});
   }
   return sets;

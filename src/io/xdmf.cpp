@@ -120,7 +120,7 @@ void XdmfWriter::add_output(size_t row, std::string& text) const {
 
 void XdmfWriter::add_lines(std::string& text) const {
   const auto& c = *contents_;
-  const long long total = c.nodes_total(), lines = static_cast<long long>(c.lines.size());
+  const long long total = c.nodes_total(), lines = static_cast<long long>(c.line_nodes.size());
   const auto grid = [&](const std::string& name, long long first, long long nodes,
                         const std::string& topology) {
     text += "<Grid Name=\"" + xml_text(name) + "\" GridType=\"Uniform\">\n" + topology;
@@ -149,19 +149,21 @@ void XdmfWriter::add_lines(std::string& text) const {
                         item(h5_name_, {"nodes/" + field, kInt, {first}, {nodes}, {total}}));
     text += "</Grid>\n";
   };
-  if (c.lines.size() > kSeparateLines) {
+  if (c.line_nodes.size() > kSeparateLines) {
     const long long cells = total + 2 * lines;
     grid("lines", 0, total,
          "<Topology TopologyType=\"Mixed\" NumberOfElements=\"" + std::to_string(lines) + "\">" +
              item(h5_name_, {"lines/cells", kInt, {0}, {cells}, {cells}}) + "</Topology>\n");
     return;
   }
-  for (size_t l = 0; l < c.lines.size(); ++l) {
-    const ResultLine& line = c.lines[l];
-    grid(c.line_labels[l].name, line.first_node, line.nodes,
+  int first = 0;  // node of the line
+  for (size_t l = 0; l < c.line_nodes.size(); ++l) {
+    const int nodes = c.line_nodes[l];
+    grid(c.line_labels[l].name, first, nodes,
          "<Topology TopologyType=\"Polyline\" NumberOfElements=\"1\" NodesPerElement=\"" +
-             std::to_string(line.nodes) + "\">" +
-             item(h5_name_, {"nodes/number", kInt, {0}, {line.nodes}, {total}}) + "</Topology>\n");
+             std::to_string(nodes) + "\">" + item(h5_name_, {"nodes/number", kInt, {0}, {nodes}, {total}}) +
+             "</Topology>\n");
+    first += nodes;
   }
 }
 

@@ -203,22 +203,31 @@ void DriftLaw::at(double t, VectorMotion& moved, VectorMotion& turned) const {
 }
 
 RigidMotion::RigidMotion(const Vec3& position, const Vec3& rotation, MotionLaw law, double ramp)
-    : position_(position), rotation_(exp_so3(rotation).normalized()), law_(std::move(law)), ramp_(ramp) {
+    : position_(position) {
   if (!(ramp >= 0)) throw std::invalid_argument("the ramp of a motion must not be negative");
-  if (auto* steady = std::get_if<SteadyLaw>(&law_)) {
+  if (auto* steady = std::get_if<SteadyLaw>(&law)) {
     const double length = steady->axis.norm();
     if (steady->rate != 0 && !(length > 0))
       throw std::invalid_argument("the axis of a rotation must not be zero");
     if (length > 0) steady->axis /= length;
   }
-  if (const auto* harmonic = std::get_if<HarmonicLaw>(&law_))
+  if (const auto* harmonic = std::get_if<HarmonicLaw>(&law))
     if (!(harmonic->period > 0)) throw std::invalid_argument("the period of a motion must be positive");
+  about_ = std::make_shared<const About>(About{exp_so3(rotation).normalized(), std::move(law), ramp, {}});
 }
 
 void RigidMotion::set_drift(DriftLaw drift) {
   if (!(drift.ramp >= 0)) throw std::invalid_argument("the ramp of a drift must not be negative");
   if (!(drift.harmonic.period > 0)) throw std::invalid_argument("the period of a drift must be positive");
-  drift_ = std::make_shared<const DriftLaw>(std::move(drift));
+  About about = *about_;
+  about.drift = std::move(drift);
+  about_ = std::make_shared<const About>(std::move(about));
+}
+
+RigidMotion RigidMotion::from(const Vec3& position) const {
+  RigidMotion out = *this;
+  out.position_ = position;
+  return out;
 }
 
 namespace {
@@ -244,34 +253,35 @@ void move_with_frame(const Vec3& origin, const VectorMotion& moved, const Vector
 }  // namespace
 
 RigidPose RigidMotion::at(double t) const {
-  RigidPose pose{position_, rotation_, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  const auto& [rotation, law, ramp, drift] = *about_;
+  RigidPose pose{position_, rotation, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   if (!moves()) return pose;
   const bool rests = t < 0;
   t = std::max(t, 0.0);
-  const Ramp s = quintic_ramp(t, ramp_);
+  const Ramp s = quintic_ramp(t, ramp);
   VectorMotion offset, psi;
-  if (const auto* steady = std::get_if<SteadyLaw>(&law_)) {
+  if (const auto* steady = std::get_if<SteadyLaw>(&law)) {
     const Vec3 turn = steady->rate * steady->axis;
     offset = {s.integral * steady->velocity, s.value * steady->velocity, s.rate * steady->velocity};
     psi = {s.integral * turn, s.value * turn, s.rate * turn};
-  } else if (const auto* harmonic = std::get_if<HarmonicLaw>(&law_)) {
+  } else if (const auto* harmonic = std::get_if<HarmonicLaw>(&law)) {
     const double f = 2 * std::numbers::pi / harmonic->period;
     offset = times(s, sine(harmonic->amplitude, harmonic->phase, f, t));
     psi = times(s, sine(harmonic->rotation_amplitude, harmonic->rotation_phase, f, t));
-  } else if (const auto* table = std::get_if<TableLaw>(&law_)) {
+  } else if (const auto* table = std::get_if<TableLaw>(&law)) {
     offset = times(s, table->offset.at(t));
     psi = times(s, table->rotation.at(t));
   }
   pose.position = position_ + offset.value;
-  pose.rotation = (exp_so3(psi.value) * rotation_).normalized();
+  pose.rotation = (exp_so3(psi.value) * rotation).normalized();
   if (!rests) {
     pose.velocity = offset.rate;
     pose.acceleration = offset.second;
     angular_rates(psi, pose.angular_velocity, pose.angular_acceleration);
   }
-  if (!drift_) return pose;
+  if (!drift) return pose;
   VectorMotion moved, turned;
-  drift_->at(t, moved, turned);
+  drift->at(t, moved, turned);
   move_with_frame(position_, moved, turned, rests, pose);
   return pose;
 }

@@ -124,12 +124,13 @@ Mesh build_mesh(const model::Case& c) {
       part.beam = type.kind == model::LineKind::beam;
       part.free_strain = part.rows < 0 ? model::thermal_strain(type, line, 0, 0) : type.thermal_expansion;
       part.along = 0;
+      part.start = start;
+      start += section.length;
       for (const model::Progression& lengths : sections[s]) {
         part.lengths = lengths;
-        part.along = m.add(static_cast<int>(i), start, part);
+        part.section_end = &lengths == &sections[s].back() ? start : 0;
+        part.along = m.add(static_cast<int>(i), part);
       }
-      start += section.length;
-      m.end_section(start);
     }
     span.nodes = m.nodes() - span.first_node;
     span.elements = m.elements() - span.first_element;
@@ -141,8 +142,9 @@ Mesh build_mesh(const model::Case& c) {
   join(c, m, special);
   mark_two_sided(c, m, special);
   for (size_t b = 0; b < c.bodies.size(); ++b) {
-    m.bodies.push_back(c.bodies[b].name);
-    if (!c.bodies[b].mass) continue;
+    const bool has_node = c.bodies[b].mass.has_value();
+    m.bodies.push_back(has_node ? c.bodies[b].name : "");
+    if (!has_node) continue;
     const int group = static_cast<int>(m.lines.size()) + m.body_nodes();
     m.add(Node{group, 0, 0, true, static_cast<int>(b)});
   }
@@ -153,6 +155,18 @@ Mesh build_mesh(const model::Case& c) {
     if (const auto& ride = c.bodies[b].ride)
       m.rides.emplace_back(static_cast<int>(b), m.nearest_node(c.line_index(ride->line), ride->at));
   return m;
+}
+
+Runs<double> largest_of_types(const Mesh& mesh, const std::vector<double>& values) {
+  Runs<double> out;
+  auto part = mesh.parts().begin();
+  for (int l = 0; l < std::ssize(mesh.lines); ++l) {
+    double largest = 0;
+    for (; part != mesh.parts().end() && part->line == l; ++part)
+      largest = std::max(largest, values[part->shape->type]);
+    out.push_back(largest);
+  }
+  return out;
 }
 
 void Mesh::shrink_to_fit() {

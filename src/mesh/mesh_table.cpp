@@ -2,6 +2,7 @@
 #include "hawser/mesh/mesh_table.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "hawser/math/last_not_after.hpp"
 #include "hawser/model/temperature_rows.hpp"
@@ -18,7 +19,7 @@ bool goes_on(const EvenPart& p, const Element& e) {
          p.shape->free_strain == e.free_strain && p.first_node + p.elements == e.first;
 }
 
-// The sums of EvenPart, and the length along the section after the part, m.
+// The sums of SharedShape, m.
 std::vector<double> sums_of(const PartShape& shape) {
   std::vector<double> sums;
   double along = shape.along;
@@ -32,15 +33,18 @@ std::vector<double> sums_of(const PartShape& shape) {
 
 }  // namespace
 
-double MeshTable::add(int line, double start, const PartShape& shape) {
+double MeshTable::add(int line, const PartShape& shape) {
   auto at = shapes_->find(shape);
-  if (at == shapes_->end()) at = shapes_->emplace(shape, sums_of(shape)).first;
-  const auto& [shared, sums] = *at;
+  if (at == shapes_->end()) {
+    std::vector<double> sums = sums_of(shape);
+    const double end = shape.section_end > 0 ? shape.section_end : shape.start + sums.back();
+    at = shapes_->emplace(shape, SharedShape{shape, end, std::move(sums)}).first;
+  }
   const int elements = shape.lengths.elements;
-  parts_.push_back({elements_, nodes_ - 1, line, elements, start, start + sums.back(), &shared, sums.data()});
+  parts_.push_back({elements_, nodes_ - 1, line, elements, &at->second});
   elements_ += elements;
   nodes_ += elements;
-  return sums.back();
+  return at->second.sums.back();
 }
 
 int MeshTable::add(TemperatureRows rows) {
@@ -59,12 +63,12 @@ void MeshTable::add(const Element& e) {
     shape.beam = e.beam;
     shape.lengths.length = e.length;
     shape.free_strain = e.free_strain;
-    const auto shared = shapes_->try_emplace(shape).first;
+    const auto shared = shapes_->try_emplace(shape, SharedShape{shape, 0, {}}).first;
     parts_.push_back({.first_element = elements_,
                       .first_node = e.first,
                       .line = e.line,
                       .elements = 1,
-                      .shape = &shared->first});
+                      .shape = &shared->second});
   }
   ++elements_;
 }
@@ -79,11 +83,11 @@ void MeshTable::set(const std::map<int, Node>& changed) {
 }
 
 double MeshTable::arc_of(const EvenPart& part, int k) const {
-  if (k == part.elements) return part.end;
+  if (k == part.elements) return part.shape->end;
   const int from = k / kStride;
-  double along = part.sums[from];
+  double along = part.shape->sums[from];
   for (int i = from * kStride; i < k; ++i) along += part.element_length(i);
-  return part.start + along;
+  return part.shape->start + along;
 }
 
 Node MeshTable::node_at(int n) const {

@@ -6,9 +6,9 @@
 namespace hawser {
 namespace {
 
-class Runs {
+class RunsOfNodes {
  public:
-  explicit Runs(const Mesh& mesh) : special_(mesh.special_nodes()) {}
+  explicit RunsOfNodes(const Mesh& mesh) : special_(mesh.special_nodes()) {}
   // Appends nodes up to `end` that follow from their elements, except special ones.
   void go(int end, int line, bool rotates) {
     while (at_ < end) {
@@ -43,7 +43,7 @@ class Runs {
 }  // namespace
 
 std::vector<NodeRun> node_runs(const Mesh& mesh) {
-  Runs runs(mesh);
+  RunsOfNodes runs(mesh);
   const std::span<const EvenPart> parts = mesh.parts();
   for (size_t i = 0; i < parts.size(); ++i) {
     const EvenPart& p = parts[i];

@@ -93,14 +93,27 @@ RigidPose pose_at_start(const Body& body) {
   return rigid_motion(b).at(0);
 }
 
-std::vector<double> velocity_jumps(const std::vector<Body>& bodies) {
+bool same_motion(const Body& a, const Body& b) {
+  const bool same_drift = a.drift && b.drift ? *a.drift == *b.drift : !a.drift && !b.drift;
+  return a.rotation == b.rotation && a.motion == b.motion && a.ramp == b.ramp && same_drift;
+}
+
+std::vector<double> velocity_jumps(const Body& body) {
   std::vector<double> out;
   const auto add = [&](const TableMotion& t) {
     if (t.between == BetweenRows::linear) out.insert(out.end(), t.time.begin(), t.time.end());
   };
-  for (const Body& b : bodies) {
-    if (const auto* t = std::get_if<TableMotion>(&b.motion)) add(*t);
-    if (b.drift) add(b.drift->table);
+  if (const auto* t = std::get_if<TableMotion>(&body.motion)) add(*t);
+  if (body.drift) add(body.drift->table);
+  return out;
+}
+
+std::vector<double> velocity_jumps(const Entries<Body>& bodies) {
+  std::vector<double> out;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (!bodies.has(b)) continue;  // bodies with such motions are not forgotten
+    const std::vector<double> of_body = velocity_jumps(bodies[b]);
+    out.insert(out.end(), of_body.begin(), of_body.end());
   }
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "hawser/base/error.hpp"
 #include "hawser/math/broken_line.hpp"
+#include "hawser/model/body_motion.hpp"
 #include "hawser/model/farm.hpp"
 #include "hawser/model/schema.hpp"
 #include "hawser/model/switched.hpp"
@@ -108,6 +111,30 @@ void Case::forget_lines(const std::vector<bool>& kept) {
   for (std::size_t l = 0; l < lines.size(); ++l)
     if (!kept[l] && lines.has(l) && !named.contains(lines[l].name)) lines.forget(l);
   line_at_ = {};
+  std::set<std::string> carriers;
+  for (std::size_t l = 0; l < lines.size(); ++l)
+    if (lines.has(l))
+      for (const Line* line : {&std::as_const(lines)[l], &std::as_const(lines)[l].as_given()})
+        carriers.insert({line->end_a.carrier, line->end_b.carrier});
+  for (const Event& e : events) carriers.insert({e.action.body, e.cause.body});
+  for (const Link& l : links) carriers.insert({l.end_a.body, l.end_b.body});
+  for (const Volume& v : volumes) carriers.insert(v.body);
+  for (const SupportBox& b : supports) carriers.insert(b.body);
+  for (const HistoryPoint& h : output.histories) carriers.insert(h.body);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!bodies.has(i)) continue;
+    const Body& b = std::as_const(bodies)[i];
+    if (!b.mass && !b.ride && velocity_jumps(b).empty() && !carriers.contains(b.name)) bodies.forget(i);
+  }
+  body_at_ = {};
+  if (!tree) return;
+  const auto rest = std::make_shared<Value>(*tree);
+  for (std::size_t i = 0; i < rest->keys.size(); ++i)
+    if (rest->keys[i] == "lines" || rest->keys[i] == "bodies") {
+      Value none;
+      std::swap(rest->items[i], none);  // assigning it would keep the capacity of the text
+    }
+  tree = rest;
 }
 
 bool Case::off_at_start(const Volume& volume) const {

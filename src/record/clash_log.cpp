@@ -13,7 +13,7 @@ constexpr size_t kKept = 1000;  // largest ones for the final table
 
 auto pair_of(const auto& t) { return std::tuple(t.line, t.other_line, t.volume, t.other_volume); }
 
-double merge_length(const std::vector<double>& by_line, int line) {
+double merge_length(const Runs<double>& by_line, int line) {
   const size_t l = line;
   return line >= 0 && l < by_line.size() ? by_line[l] : 0;
 }
@@ -57,7 +57,7 @@ void add(io::ClashRow& sum, const io::ClashRow& r) {
 
 }  // namespace
 
-ActiveContacts put_together(ActiveContacts touches, const std::vector<double>& by_line) {
+ActiveContacts put_together(ActiveContacts touches, const Runs<double>& by_line) {
   const auto key = [](const ActiveContact& t) {
     return std::tuple(pair_of(t), t.from, t.to, t.other_from, t.other_to);
   };

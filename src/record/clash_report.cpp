@@ -28,12 +28,10 @@ ClashSettings settings_of(const model::Case& c, const Mesh& mesh) {
   const model::ClashOutput& o = c.output.clashes;
   ClashSettings s;
   s.merge_gap = o.merge_gap;
-  s.merge_length.assign(mesh.lines.size(), o.merge_length);
-  if (o.merge_length > 0) return s;
-  for (const EvenPart& p : mesh.parts()) {
-    double& length = s.merge_length[p.line];
-    length = std::max(length, kMergeDiameters * c.line_types[p.shape->type].contact_diameter);
-  }
+  std::vector<double> of_types;
+  for (const model::LineType& t : c.line_types)
+    of_types.push_back(o.merge_length > 0 ? o.merge_length : kMergeDiameters * t.contact_diameter);
+  s.merge_length = largest_of_types(mesh, of_types);
   return s;
 }
 

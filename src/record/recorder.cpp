@@ -65,14 +65,14 @@ io::ResultContents Recorder::declared(std::vector<io::VolumeMesh> volumes, io::R
   contents.volumes = std::move(volumes);
   contents.waves = result_waves(c);
   contents.xdmf = c.output.xdmf;
-  contents.lines = result_lines(mesh);
+  contents.line_nodes = nodes_of_lines(mesh);
   if (rank_of(subject_.comm()) == 0) {
     contents.line_labels = result_line_labels(c, mesh);
     contents.ranks = subject_.local().owner.of_nodes();
     contents.ranks.resize(static_cast<size_t>(mesh.line_nodes()));
+    for (const auto& b : c.bodies) contents.body_names.push_back(b.name);
   }
-  contents.bodies.reserve(c.bodies.size());
-  for (const auto& b : c.bodies) contents.bodies.push_back(b.name);
+  contents.bodies = subject_.bodies.size();
   contents.body_nodes = mesh.body_nodes();
   // Unused capacity is free; rebuilding a file costs a copy.
   const io::ExpectedRows rows = expected_rows(c);

@@ -10,10 +10,9 @@
 
 namespace hawser::record {
 
-std::vector<io::ResultLine> result_lines(const Mesh& mesh) {
-  std::vector<io::ResultLine> out;
-  out.reserve(mesh.lines.size());
-  for (const LineSpan& span : mesh.lines) out.push_back({span.first_node, span.nodes});
+Runs<int> nodes_of_lines(const Mesh& mesh) {
+  Runs<int> out;
+  for (const LineSpan& span : mesh.lines) out.push_back(span.nodes);
   return out;
 }
 

@@ -26,9 +26,10 @@ Touchdowns::Touchdowns(MPI_Comm comm, const model::Case& c, const LocalMesh& loc
   cut_ = owners.cut.size();
   lines_ = owners.cut;
   lines_.insert(lines_.end(), owners.uncut.begin(), owners.uncut.end());
-  slot_.assign(mesh.lines.size(), -1);
-  for (size_t k = 0; k < lines_.size(); ++k) slot_[lines_[k]] = static_cast<int>(k);
+  const std::vector<int> cut_first = lines_;
   std::sort(lines_.begin(), lines_.end());
+  slot_ = PerLine<size_t>(lines_);
+  for (size_t k = 0; k < cut_first.size(); ++k) slot_[cut_first[k]] = k;
   std::vector<double> touching;  // by line type
   for (const model::LineType& t : c.line_types) touching.push_back(model::touching_height(c, t));
   heights_.resize(local.element_ghosts_end);

@@ -39,8 +39,7 @@ WaterErrors::WaterErrors(const model::Case& c, const System& system)
       case_(c),
       mesh_(system.mesh()),
       structure_(*system.find<HasAxialStiffness>()),
-      water_(system.find<LinesInWater>()),
-      group_(mesh_.mesh->lines.size(), -1) {
+      water_(system.find<LinesInWater>()) {
   if (water_ && !water_->moving()) water_ = nullptr;
   const std::vector<int> first = joined_lines(*mesh_.mesh);
   constexpr int kNone = -1, kSeveral = -2;
@@ -52,14 +51,16 @@ WaterErrors::WaterErrors(const model::Case& c, const System& system)
     int& of_group = rank[first[l]];
     of_group = of_group == kNone || of_group == of_line ? of_line : kSeveral;
   }
+  std::vector<int> group(first.size(), -1);
   for (const int wanted : {kSeveral, rank_of(comm_)}) {
     shared_ = groups_.size();
     for (size_t l = 0; l < first.size(); ++l) {
       if (rank[first[l]] != wanted) continue;
       if (first[l] == static_cast<int>(l)) groups_.emplace_back();
-      group_[l] = first[l] == static_cast<int>(l) ? static_cast<int>(groups_.size()) - 1 : group_[first[l]];
+      group[l] = first[l] == static_cast<int>(l) ? static_cast<int>(groups_.size()) - 1 : group[first[l]];
     }
   }
+  for (const int g : group) group_.push_back(g);
 }
 
 double WaterErrors::Group::bears() const {
@@ -171,6 +172,13 @@ std::vector<Warning> WaterErrors::warnings(const std::vector<io::SummaryRow>&, c
   return out;
 }
 
+std::vector<int> WaterErrors::lines_of(int group) const {
+  std::vector<int> out;
+  for (size_t l = 0; l < group_.size(); ++l)
+    if (group_[l] == group) out.push_back(static_cast<int>(l));
+  return out;
+}
+
 std::string WaterErrors::warning(const Group& g, const Where& w) const {
   // Morison's formula does not apply to waves shorter than the line's diameter.
   const double sufficient = std::max(w.length / g.parts, std::min(w.diameter, w.length));
@@ -182,7 +190,7 @@ std::string WaterErrors::warning(const Group& g, const Where& w) const {
                                .crossed = w.crossed,
                                .in_current = water_->has_current(),
                                .in_waves = water_->has_waves(),
-                               .joined = std::count(group_.begin(), group_.end(), group_[w.line]),
+                               .joined = std::ssize(lines_of(group_[w.line])),
                                .force = g.force,
                                .error = g.error,
                                .recommended = sufficient});
@@ -208,8 +216,7 @@ std::vector<std::string> WaterErrors::warnings() const {
   for (size_t i = rank_of(comm_) == 0 ? 0 : shared_; i < groups_.size(); ++i) {
     const Group& g = groups_[i];
     if (g.error <= g.bears() || !(where[i].error > 0)) continue;
-    const auto first = std::find(group_.begin(), group_.end(), static_cast<int>(i)) - group_.begin();
-    local.push_back({g.error / g.force, static_cast<int>(first), i});
+    local.push_back({g.error / g.force, lines_of(static_cast<int>(i)).front(), i});
   }
   largest_first(local);
   int count = static_cast<int>(local.size());

@@ -73,10 +73,12 @@ std::vector<SharedPlace> shared_places(const model::Case& c, const Mesh& mesh) {
   return out;
 }
 
-// For each line, the first part of the given line that it belongs to.
+// For each line, the first part of the given line that it belongs to; empty: no line is cut.
 std::vector<int> first_parts(const model::Case& c) {
   std::vector<int> out;
-  for (const model::GivenLine& given : model::given_lines(c))
+  const std::vector<model::GivenLine> lines = model::given_lines(c);
+  if (lines.size() == c.lines.size()) return out;
+  for (const model::GivenLine& given : lines)
     out.insert(out.end(), static_cast<size_t>(given.parts), given.first);
   return out;
 }

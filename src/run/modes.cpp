@@ -149,12 +149,13 @@ io::ResultContents contents(MPI_Comm comm, const Simulation& sim, const std::vec
   const model::Case& c = sim.model();
   io::ResultContents out;
   out.run = run_info(comm, c, o.options_text);
-  out.lines = record::result_lines(sim.mesh());
+  out.line_nodes = record::nodes_of_lines(sim.mesh());
   out.line_labels = record::result_line_labels(c, sim.mesh());
   out.volumes = volume_meshes(c, volumes);
   out.fields = {{"position", "m", 3}, {"mode_shape", "1", 3}};
   out.series = {{"modes", {{"period", "s", 1}, {"frequency", "Hz", 1}}}};
-  for (const auto& b : c.bodies) out.bodies.push_back(b.name);
+  out.bodies = static_cast<int>(c.bodies.size());
+  for (const auto& b : c.bodies) out.body_names.push_back(b.name);
   out.xdmf = c.output.xdmf;
   out.expected_outputs = out.expected_steps = count + 1;
   out.body_nodes = sim.mesh().body_nodes();

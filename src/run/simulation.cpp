@@ -312,12 +312,11 @@ DynamicsSettings Simulation::dynamics_settings() const {
   // One percent of the diameter per step is far below the accuracy of a line's shape or tension in results.
   for (const auto& t : case_.line_types)
     s.step.error_tolerance = std::max(s.step.error_tolerance, 0.01 * t.outer_diameter);
-  for (const LineSpan& span : mesh().lines) {
-    double diameter = 0;
-    for (int e = span.first_element; e < span.first_element + span.elements; ++e)
-      diameter = std::max(diameter, case_.line_types[mesh().element(e).type].outer_diameter);
-    s.error_weight.push_back(diameter > 0 ? s.step.error_tolerance / (0.01 * diameter) : 1);
-  }
+  std::vector<double> diameters;
+  for (const auto& t : case_.line_types) diameters.push_back(t.outer_diameter);
+  const Runs<double> largest = largest_of_types(mesh(), diameters);
+  for (size_t l = 0; l < largest.size(); ++l)
+    s.error_weight.push_back(largest[l] > 0 ? s.step.error_tolerance / (0.01 * largest[l]) : 1);
   return s;
 }
 

@@ -124,7 +124,7 @@ NodeValue alpha_turn(const LocalMesh& mesh, const std::vector<double>& u) {
 }
 
 double alpha_error(const LocalMesh& mesh, const AlphaCoefficients& c, double h, const AlphaState& from,
-                   const AlphaState& to, const std::vector<double>& error_weight) {
+                   const AlphaState& to, const Runs<double>& error_weight) {
   double worst = 0;
   for (size_t n = 0; n < static_cast<size_t>(mesh.owned); ++n) {
     const auto line = static_cast<size_t>(mesh.node(n).line);

@@ -14,9 +14,12 @@ constexpr size_t kPose = 13;  // doubles of a pose and its rates
 
 }  // namespace
 
-Bodies::Bodies(const std::vector<model::Body>& bodies) {
+Bodies::Bodies(const model::Entries<model::Body>& bodies) {
   motions_.reserve(bodies.size());
-  for (const model::Body& b : bodies) motions_.push_back(model::rigid_motion(b));
+  for (size_t b = 0; b < bodies.size(); ++b)
+    motions_.push_back(b > 0 && model::same_motion(bodies[b - 1], bodies[b])
+                           ? motions_.back().from(bodies[b].position)
+                           : model::rigid_motion(bodies[b]));
 }
 
 void Bodies::in_state(const model::Case& c, const LocalMesh& mesh) {

@@ -67,9 +67,8 @@ SharedPlaces::SharedPlaces(MPI_Comm comm, const LocalMesh& mesh, ContactRadii ra
                            std::vector<SharedPlace> places, std::vector<int> first_part)
     : comm_(comm), mesh_(mesh), radii_(std::move(radii)), first_part_(std::move(first_part)) {
   const std::vector<LineSpan>& lines = mesh.mesh->lines;
-  offset_.assign(lines.size(), 0);
-  for (size_t l = first_part_.size(); l < lines.size(); ++l) first_part_.push_back(static_cast<int>(l));
-  for (size_t l = 1; l < lines.size(); ++l)
+  offset_.assign(first_part_.size(), 0);
+  for (size_t l = 1; l < first_part_.size(); ++l)
     if (first_part_[l] == first_part_[l - 1]) offset_[l] = offset_[l - 1] + lines[l - 1].length;
   const auto first_radius = [&](const Branch& s) {
     const Node& n = mesh.mesh->node(s.node);
@@ -87,12 +86,13 @@ SharedPlaces::SharedPlaces(MPI_Comm comm, const LocalMesh& mesh, ContactRadii ra
     place.step = (first_radius(p.one) + first_radius(p.other)) / kSteps;
     place.limit = std::min(length(p.one), length(p.other));
     const int a = mesh.mesh->node(p.one.node).line, b = mesh.mesh->node(p.other.node).line;
-    if (first_part_[a] == first_part_[b]) {
+    if (this->first_part(a) == this->first_part(b)) {
       const double distance = arc(p.other.node) - arc(p.one.node);
       const bool facing = distance * p.one.direction > 0 && distance * p.other.direction < 0;
       place.limit = std::min(place.limit, (facing ? 0.5 : 1) * std::abs(distance));
     }
-    between_[ordered(first_part_[a], first_part_[b])].push_back(static_cast<int>(places_.size()) - 1);
+    between_[ordered(this->first_part(a), this->first_part(b))].push_back(static_cast<int>(places_.size()) -
+                                                                          1);
   }
 }
 
@@ -101,14 +101,14 @@ double SharedPlaces::diameter(int k) const { return kSteps * places_[k].step; }
 const std::vector<int>& SharedPlaces::between(int line, int other) const {
   static const std::vector<int> none;
   if (between_.empty()) return none;
-  const auto at = between_.find(ordered(first_part_[line], first_part_[other]));
+  const auto at = between_.find(ordered(first_part(line), first_part(other)));
   return at == between_.end() ? none : at->second;
 }
 
 // Arc length of a node along the given line, m.
 double SharedPlaces::arc(int node) const {
   const Node& n = mesh_.mesh->node(node);
-  return offset_[n.line] + n.arc;
+  return (offset_.empty() ? 0 : offset_[n.line]) + n.arc;
 }
 
 // First and last node of a line outside feeders.
@@ -126,7 +126,7 @@ double SharedPlaces::begin(const Branch& branch) const {
 
 std::optional<std::array<double, 2>> SharedPlaces::along(const Branch& branch, int element) const {
   const Element& e = mesh_.mesh->element(element);
-  if (first_part_[e.line] != first_part_[mesh_.mesh->node(branch.node).line]) return std::nullopt;
+  if (first_part(e.line) != first_part(mesh_.mesh->node(branch.node).line)) return std::nullopt;
   const double from = begin(branch);
   const double a = branch.direction * (arc(e.first) - from), b = branch.direction * (arc(e.second) - from);
   if (std::min(a, b) < -1e-6 * e.length) return std::nullopt;
@@ -159,14 +159,14 @@ void SharedPlaces::clip(int element, int second, std::array<double, 2>& range,
 
 // Nodes of a branch, outwards, up to and including the first one at `reach` [m] or beyond.
 std::vector<int> SharedPlaces::nodes_to(const Branch& branch, double reach) const {
-  const int first_part = first_part_[mesh_.mesh->node(branch.node).line];
+  const int given = first_part(mesh_.mesh->node(branch.node).line);
   const auto [first, last] = outside(mesh_.mesh->node(branch.node).line);
   const double from = begin(branch);
   std::vector<int> out;
   for (int n = std::clamp(branch.node, first, last); n >= 0 && n < mesh_.mesh->line_nodes();
        n += branch.direction) {
     const int line = mesh_.mesh->node(n).line;
-    if (first_part_[line] != first_part) break;
+    if (first_part(line) != given) break;
     const auto [a, b] = outside(line);
     if (n < a || n > b) break;
     out.push_back(n);
@@ -283,7 +283,7 @@ void SharedPlaces::update(PlaceState& p, const Rope& one, const Rope& other, boo
     const int a = mesh_.mesh->node(p.branches.one.node).line,
               b = mesh_.mesh->node(p.branches.other.node).line;
     const bool side_by_side =
-        first == limit_steps && first_part_[a] != first_part_[b] && nearest > -kPressed * kSteps * p.step;
+        first == limit_steps && first_part(a) != first_part(b) && nearest > -kPressed * kSteps * p.step;
     p.within = side_by_side ? 0 : first == limit_steps ? limit_steps : free_to(first);
   } else if (!overlaps(p.within)) {
     int first = p.within;

@@ -3,6 +3,7 @@
 
     tests/bench/farm.py case LINES OUTPUT.yaml
     tests/bench/farm.py cost HAWSER --lines 1000 10000 --ranks 1 2
+    tests/bench/farm.py cost HAWSER --lines 1000 10000 --ranks 1 2 --placed
     tests/bench/farm.py counts HAWSER --counter build/tests/libmpi_counts.so --lines 100 1000 --ranks 2 4 8
     tests/bench/farm.py memory HAWSER --counter build/tests/libmpi_counts.so --lines 4000 8000 --ranks 4 8
     tests/bench/farm.py scaling HAWSER --counter build/tests/libmpi_counts.so --lines 1000 4000 --ranks 2 4 8 16 --of 10000
@@ -38,17 +39,21 @@ ALONE = {"Send", "Isend", "Startall", "pread", "Memory"}  # counted on one rank 
 MOTION = "motion: {harmonic: {amplitude: [1, 0, 2], period: 10}, ramp: 10}"
 
 
-def farm(lines, elements=10, duration=2.0, step=0.1, every=1.0, statics=True):
-    """The text of the case file. Floats stand on a square grid, so far apart that their chains do not touch."""
+def positions(lines):
+    """Of the floats, on a square grid, so far apart that their chains do not touch, m."""
     floats = -(-lines // CHAINS)
     columns = math.ceil(math.sqrt(floats))
-    bodies, chains = [], []
-    for i in range(floats):
-        x, y = SPACING * (i % columns), SPACING * (i // columns)
+    return [(SPACING * (i % columns), SPACING * (i // columns)) for i in range(floats)]
+
+
+def farm(lines, elements=10, duration=2.0, step=0.1, every=1.0, statics=True):
+    """The text of the case file, with every body and line."""
+    bodies, chains, places = [], [], positions(lines)
+    for i, (x, y) in enumerate(places):
         bodies.append(f"  float {i + 1}: {{position: [{x:g}, {y:g}, 0], {MOTION}}}")
     for k in range(lines):
         i, way = k // CHAINS, 2 * math.pi * (k % CHAINS) / CHAINS + 0.1
-        x, y = SPACING * (i % columns), SPACING * (i // columns)
+        x, y = places[i]
         c, s = math.cos(way), math.sin(way)
         chains.append(
             f"  chain {k + 1}: {{sections: [{{type: chain, length: {LENGTH:g}, elements: {elements}}}], "
@@ -59,6 +64,15 @@ def farm(lines, elements=10, duration=2.0, step=0.1, every=1.0, statics=True):
         lines=lines, bodies="\n".join(bodies), chains="\n".join(chains), duration=duration, step=step, every=every,
         statics=str(statics).lower()
     )
+
+
+def placed(lines, platform, **settings):
+    """The text of the case file of the same farm by the key `farm`; writes the file of its platform, of three lines."""
+    platform.write_text(farm(CHAINS, **settings), "utf-8")
+    lines_of_file = farm(CHAINS, **settings).splitlines(keepends=True)
+    head = [line for line in lines_of_file if not line.startswith(("bodies:", "lines:", "line_types:", "  float ", "  chain"))]
+    places = ", ".join(f"[{x:g}, {y:g}]" for x, y in positions(lines))
+    return "".join(head) + f"farm: {{of: {platform.name}, at: [{places}]}}\n"
 
 
 def edges(ropes, duration, step, every, falling=False):
@@ -136,15 +150,21 @@ def peak_memory(hawser, counter, ranks, case, folder):
 
 
 def cost(given, folder, lines, ranks):
-    """CPU seconds of a rank around the steps, of statics and of a step: by runs of 10 and of 60 steps with as many outputs,
-    without statics and with; each the least of `given.repeat` runs."""
+    """CPU seconds of a rank around the steps, of statics and of a step: by runs of 1 and of 11 steps without statics, and of
+    10 and of 60 steps with statics, with as many outputs; each the least of `given.repeat` runs. Without statics the lines
+    are not at rest, and a step takes more iterations."""
     used = {}
-    for name, duration, statics in (("still", 1, False), ("one", 1, True), ("two", 6, True)):
-        case = Path(folder) / f"{name}.yaml"
-        case.write_text(farm(lines, given.elements, duration, 0.1, duration, statics), "utf-8")
-        used[name] = min(run(given.hawser, ranks, case) for _ in range(given.repeat)) / ranks
-    step = (used["two"] - used["one"]) / 50
-    return used["still"] - 10 * step, used["one"] - used["still"], step
+    for steps, statics in ((1, False), (11, False), (10, True), (60, True)):
+        case = Path(folder) / "case.yaml"
+        settings = {"elements": given.elements, "duration": 0.1 * steps, "step": 0.1, "every": 0.1 * steps, "statics": statics}
+        if given.placed:
+            case.write_text(placed(lines, Path(folder) / "platform.yaml", **settings), "utf-8")
+        else:
+            case.write_text(farm(lines, **settings), "utf-8")
+        used[steps] = min(run(given.hawser, ranks, case) for _ in range(given.repeat)) / ranks
+    step = (used[60] - used[10]) / 50
+    around = used[1] - (used[11] - used[1]) / 10
+    return around, used[10] - 10 * step - around, step
 
 
 def print_cost(given, folder):
@@ -245,6 +265,7 @@ def main():
     for each in what.choices.values():
         each.add_argument("--repeat", type=int, default=3, help="runs of which the least CPU time counts")
         each.add_argument("--elements", type=int, default=10)
+        each.add_argument("--placed", action="store_true", help="the farm as places of one platform file; for CPU time")
     given = parser.parse_args()
     if given.what == "case":
         given.output.write_text(farm(given.lines, given.elements), "utf-8")

@@ -183,7 +183,7 @@ TEST(Bodies, OfACase) {
   model::Body reel;
   reel.motion = model::ConstantMotion{Vec3::Zero(), Vec3::UnitY(), 0.1};
   reel.ramp = 10;
-  const Bodies bodies(std::vector<model::Body>{still, ship, reel});
+  const Bodies bodies(model::Entries<model::Body>{still, ship, reel});
   EXPECT_EQ(bodies.size(), 3);
   EXPECT_FALSE(bodies.moves(0));
   EXPECT_FALSE(bodies.moves(-1));

@@ -80,7 +80,7 @@ TEST(LineNodes, OfMassesLoadsLinksAndBodies) {
   c.links[0].end_a.arc = 77;
   c.links[0].end_b.line = "rope";
   c.links[0].end_b.arc = 86;
-  c.bodies.resize(1);
+  c.bodies.emplace_back();
   c.bodies[0].name = "rider";
   c.bodies[0].ride = Ride{"other", 14};
   EXPECT_EQ(fixed_places(c), (std::vector<std::vector<double>>{{33.3, 52, 86}, {14, 77}}));

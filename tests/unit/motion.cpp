@@ -32,6 +32,22 @@ void expect_derivatives(const RigidMotion& m, double t, double tolerance) {
       << "angular acc. at " << t;
 }
 
+TEST(Motion, AtAnotherPosition) {
+  const Vec3 place(1, 2, 3), other(-40, 5, 6);
+  RigidMotion m(place, {0.1, 0.2, 0.3},
+                HarmonicLaw{.amplitude = {1, 0, 2}, .rotation_amplitude = {0, 0.1, 0}}, 2);
+  DriftLaw drift;
+  drift.rotation = {0, 0, 0.4};
+  m.set_drift(drift);
+  const RigidMotion moved = m.from(other);
+  for (const double t : {-1.0, 0.7, 5.0}) {
+    const RigidPose a = m.at(t), b = moved.at(t);
+    EXPECT_LT((b.position - a.position - (other - place)).norm(), 1e-12);
+    EXPECT_LT((b.velocity - a.velocity).norm(), 1e-12);
+    EXPECT_EQ(a.rotation.coeffs(), b.rotation.coeffs());
+  }
+}
+
 TEST(Motion, RampIsSmoothAndIntegrates) {
   EXPECT_DOUBLE_EQ(quintic_ramp(3, 3).value, 1);
   EXPECT_DOUBLE_EQ(quintic_ramp(1.5, 3).value, 0.5);

@@ -31,12 +31,13 @@ ResultContents contents(int lines, int nodes) {
   ResultContents c;
   c.run.case_path = "a <strange> & \"quoted\" case.yaml";
   for (int l = 0; l < lines; ++l) {
-    c.lines.push_back({l * nodes, nodes});
+    c.line_nodes.push_back(nodes);
     c.line_labels.push_back({fmt::format("line {}", l), std::vector<double>(static_cast<size_t>(nodes))});
   }
   c.fields = {{"position", "m", 3}, {"contact force", "N", 3}, {"penetration", "m", 1}};
   c.series = {{"time", {{"value", "", 1}}}};
-  c.bodies = {"reel"};
+  c.bodies = 1;
+  c.body_names = {"reel"};
   // Meshes are views of memory that is owned elsewhere.
   static const std::vector<Vec3> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, many(30, Vec3(1, 2, 3));
   static const std::vector<std::array<int, 3>> one = {{0, 1, 2}}, two = {{0, 1, 2}, {3, 4, 5}};

@@ -30,12 +30,13 @@ const char* const kFileVariable = "HAWSER_TEST_KILL_FILE";
 ResultContents contents() {
   ResultContents c;
   c.run = {"hawser: 1\n", "kill.yaml", "0.1.0", "", "2024-01-01T00:00:00Z", 1};
-  c.lines = {{0, kNodes}};
+  c.line_nodes = {kNodes};
   c.line_labels = {{"hose", std::vector<double>(kNodes)}};
   for (int i = 0; i < kNodes; ++i) c.line_labels[0].arc[static_cast<size_t>(i)] = i;
   c.fields = {{"position", "m", 3}, {"state", "", kState}};
   c.series = {{"end A", {{"effective_tension", "N", 1}}}};
-  c.bodies = {"reel"};
+  c.bodies = 1;
+  c.body_names = {"reel"};
   static const std::vector<Vec3> kCorners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   static const std::vector<std::array<int, 3>> kTriangle = {{0, 1, 2}};
   c.volumes = {{"drum", 0, kCorners, kTriangle, {1}, nullptr}};

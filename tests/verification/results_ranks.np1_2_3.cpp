@@ -42,17 +42,18 @@ std::string bytes_of(const std::string& path) {
 ResultContents contents() {
   ResultContents c;
   c.run = {"hawser: 1\ntitle: test\n", "test.yaml", "0.1.0", "-ksp_view", "2024-01-01T00:00:00Z", 1};
-  c.lines = {{0, 25}, {25, 5}, {30, 11}};
+  c.line_nodes = {25, 5, 11};
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   if (rank == 0) c.line_labels = {{"hose", {}}, {"mooring/1", {}}, {"mooring:1", {}}};
   for (size_t l = 0; l < c.line_labels.size(); ++l)
-    for (int i = 0; i < c.lines[l].nodes; ++i) c.line_labels[l].arc.push_back(2.5 * i);
+    for (int i = 0; i < c.line_nodes[l]; ++i) c.line_labels[l].arc.push_back(2.5 * i);
   c.fields = {{"position", "m", 3}, {"effective_tension", "N", 1}, {"bending_moment", "N m", 3}};
   c.series = {{"end A", {{"position", "m", 3}, {"effective_tension", "N", 1}}},
               {"energy", {{"kinetic", "J", 1}}},
               {"touchdown", {{"arc_length", "m", 1}, {"position", "m", 3}}, true}};
-  c.bodies = {"reel"};
+  c.bodies = 1;
+  c.body_names = {"reel"};
   static const std::vector<Vec3> kDrum = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                  kFloor = {{-9, -9, -1}, {9, -9, -1}, {0, 9, -1}};
   static const std::vector<std::array<int, 3>> kSides = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}},
@@ -91,9 +92,12 @@ void write_rows(ResultsFile& file, MPI_Comm comm, const std::vector<int>& owned,
       const double t = k - 1 + (step + 1) / 3.0;
       if (rank_of(comm) == std::min(size_of(comm), 2) - 1) rows[0] = {t, 2 * t, 3 * t, 4 * t};
       if (rank_of(comm) == 0) rows[1] = {t * t};
-      for (size_t l = 0; l < c.lines.size(); ++l)
-        for (int i = 0; i < 4 && std::binary_search(owned.begin(), owned.end(), c.lines[l].first_node); ++i)
+      int first = 0;  // node of the line
+      for (size_t l = 0; l < c.line_nodes.size(); ++l) {
+        for (int i = 0; i < 4 && std::binary_search(owned.begin(), owned.end(), first); ++i)
           rows[2].push_back(of_line(t, l, i));
+        first += c.line_nodes[l];
+      }
       file.append_series(t, rows);
     }
     std::vector<std::vector<double>> fields(c.fields.size());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,7 +13,7 @@ class Names {
  public:
   void push_back(std::string_view name) {
     text_ += name;
-    end_.push_back(text_.size());
+    end_.push_back(static_cast<std::uint32_t>(text_.size()));
   }
   void shrink_to_fit() {
     text_.shrink_to_fit();
@@ -28,7 +29,7 @@ class Names {
 
  private:
   std::string text_;
-  std::vector<std::size_t> end_;  // of each name in the text
+  std::vector<std::uint32_t> end_;  // of each name in the text, which has up to 4 GB
 };
 
 }  // namespace hawser

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "hawser/base/runs.hpp"
 #include "hawser/geometry/coarse_mesh.hpp"
 #include "hawser/io/checkpoint.hpp"
 #include "hawser/io/clash_rows.hpp"
@@ -30,10 +31,6 @@ struct RunInfo {
   std::vector<std::string> messages = {};  // notes and warnings up to creation; finish() writes all
 };
 
-// Nodes of a line are consecutive in file order from end A to end B; lines are consecutive as well.
-struct ResultLine {
-  int first_node = 0, nodes = 0;
-};
 // What rank 0 writes of a line.
 struct ResultLineLabels {
   std::string name;
@@ -89,7 +86,9 @@ struct ResultWaves {
 // Contents of a results file. Equal on all ranks, except for the parts that only rank 0 writes.
 struct ResultContents {
   RunInfo run;
-  std::vector<ResultLine> lines;
+  // Number of nodes of each line. They are consecutive in file order from end A to end B; lines are
+  // consecutive as well.
+  Runs<int> line_nodes;
   std::vector<ResultLineLabels> line_labels;  // of each line; on rank 0
   std::vector<int> ranks;                     // owner of each line node; on rank 0. Empty: rank 0 owns all
   std::vector<ResultField> fields;  // node fields; `position` [m, 3 components] always exists and is first
@@ -97,7 +96,8 @@ struct ResultContents {
   std::vector<ResultField> end_fields;
   std::vector<ResultField> statistics;  // node fields with statistics over the run
   std::vector<ResultSeries> series;
-  std::vector<std::string> bodies;
+  int bodies = 0;                       // with a pose in each output
+  std::vector<std::string> body_names;  // on rank 0
   std::vector<VolumeMesh> volumes;
   ResultWaves waves;
   std::vector<std::string> stages;  // of statics: outputs at times -n + 1, ..., -1 and 0 are their equilibria

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -122,16 +123,23 @@ class RigidMotion {
   // exp(psi) R0. Throws std::invalid_argument as above.
   void set_drift(DriftLaw drift);
 
+  // The same motion of a body at another position [m]; both share the memory of everything else.
+  RigidMotion from(const Vec3& position) const;
+
   // For t < 0 the body rests where it is at t = 0.
   RigidPose at(double t) const;
-  bool moves() const { return law_.index() != 0 || drift_; }
+  bool moves() const { return about_->law.index() != 0 || about_->drift; }
 
  private:
+  // The motion but for the position.
+  struct About {
+    Quat rotation = Quat::Identity();
+    MotionLaw law;
+    double ramp = 0;
+    std::optional<DriftLaw> drift;
+  };
   Vec3 position_ = Vec3::Zero();
-  Quat rotation_ = Quat::Identity();
-  MotionLaw law_;
-  double ramp_ = 0;
-  std::shared_ptr<const DriftLaw> drift_;  // null: none
+  std::shared_ptr<const About> about_ = std::make_shared<const About>();
 };
 
 // The quintic step 10 z³ - 15 z⁴ + 6 z⁵ of z = t / duration: value, first and second derivative in time, and

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hawser/base/names.hpp"
+#include "hawser/base/runs.hpp"
 #include "hawser/math/types.hpp"
 #include "hawser/mesh/mesh_table.hpp"
 #include "hawser/model/line_end.hpp"
@@ -28,7 +29,7 @@ struct Mesh : MeshTable {
   Names line_names;  // as in the case, for messages
   std::vector<std::pair<int, int>>
       rides;     // bodies of the case that ride on lines, and the nodes they ride on
-  Names bodies;  // names of the bodies of the case, for messages
+  Names bodies;  // names of the bodies of the case with a node, for messages; the others are empty
 
   // Nodes of lines: [0, line_nodes()); those of bodies follow.
   int line_nodes() const { return lines.empty() ? 0 : lines.back().first_node + lines.back().nodes; }
@@ -47,6 +48,9 @@ struct Mesh : MeshTable {
   // Frees what construction reserved.
   void shrink_to_fit();
 };
+
+// The largest of positive values by line type over the types of each line; 0 without elements.
+Runs<double> largest_of_types(const Mesh& mesh, const std::vector<double>& values);
 
 // Divides the lines of a checked case into elements: graded sections, arc lengths from end A.
 Mesh build_mesh(const model::Case& c);

@@ -41,15 +41,25 @@ struct Element {
 // Change of temperature along a line: arc lengths [m] and changes [K], a broken line.
 using TemperatureRows = std::vector<std::pair<double, double>>;
 
-// Consecutive elements of one type. Parts of equal lines share it.
+// Consecutive elements of one type.
 struct PartShape {
   int type = 0;
   bool beam = false;
   model::Progression lengths;
   double along = 0;        // m, length of the section's elements before the part
+  double start = 0;        // m, arc length of the beginning of the section
+  double section_end = 0;  // m, arc length of its end, if the part is the last one of the section; else 0
   double free_strain = 0;  // or, with rows of temperatures, the thermal expansion, 1/K
   int rows = -1;           // index of its rows of temperatures; -1: the same strain everywhere
   auto operator<=>(const PartShape&) const = default;
+};
+
+// A shape that parts of equal lines share.
+struct SharedShape : PartShape {
+  double end = 0;  // m, arc length of the last node
+  // Length along the section before every 64th element and after the part, m; empty: not known. Arc lengths
+  // are sums from there, so that they do not depend on the order of access.
+  std::vector<double> sums;
 };
 
 // A part of a line with the elements of a shape.
@@ -57,12 +67,7 @@ struct EvenPart {
   int first_element = 0, first_node = 0;
   int line = 0;
   int elements = 0;
-  double start = 0;  // m, arc length of the beginning of the section
-  double end = 0;    // m, arc length of the last node
-  const PartShape* shape = nullptr;
-  // Length along the section before every 64th element, m; null: not known. Arc lengths are sums from there,
-  // so that they do not depend on the order of access.
-  const double* sums = nullptr;
+  const SharedShape* shape = nullptr;
   double element_length(int k) const { return shape->lengths.element_length(k); }
 };
 
@@ -91,12 +96,9 @@ class MeshTable {
   bool any_cable() const;
   bool any_rotates() const;  // a node of a beam or a body
 
-  // Appends elements to the line, from its last node (the first one after begin_line()) to new nodes. start:
-  // arc length of the beginning of the section, m. Returns the length of the section's elements up to the
-  // last one.
-  double add(int line, double start, const PartShape& shape);
-  // Sets the arc length of the last node of a section, m.
-  void end_section(double arc) { parts_.back().end = arc; }
+  // Appends elements to the line, from its last node (the first one after begin_line()) to new nodes. Returns
+  // the length of the section's elements up to the last one, m.
+  double add(int line, const PartShape& shape);
   void begin_line() { ++nodes_; }
   // Index for PartShape::rows.
   int add(TemperatureRows rows);
@@ -109,8 +111,7 @@ class MeshTable {
 
  private:
   int nodes_ = 0, elements_ = 0;
-  // With the sums of EvenPart and the length along the section after the part. Copies of the table share it.
-  using Shapes = std::map<PartShape, std::vector<double>>;
+  using Shapes = std::map<PartShape, SharedShape>;  // copies of the table share it
   std::shared_ptr<Shapes> shapes_ = std::make_shared<Shapes>();
   std::vector<EvenPart> parts_;
   std::vector<TemperatureRows> rows_;

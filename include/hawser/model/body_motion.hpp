@@ -22,6 +22,10 @@ Vec3 hydrodynamic_place(const Body& body, double surface);
 
 // Times [s, increasing] at which a body's velocity jumps: the rows of motion tables with linear
 // interpolation.
-std::vector<double> velocity_jumps(const std::vector<Body>& bodies);
+std::vector<double> velocity_jumps(const Entries<Body>& bodies);
+// The same for one body, by table.
+std::vector<double> velocity_jumps(const Body& body);
+// True if the motions differ at most in the position of the body.
+bool same_motion(const Body& a, const Body& b);
 
 }  // namespace hawser::model

@@ -84,6 +84,7 @@ struct ConstantMotion {
   Vec3 velocity = Vec3::Zero();  // m/s
   Vec3 axis = Vec3::UnitZ();     // unit, space-fixed, through the body's position
   double rate = 0;               // rad/s
+  bool operator==(const ConstantMotion&) const = default;
 };
 struct HarmonicMotion {           // offset(t) = amplitude * sin(2 pi t / period + phase), componentwise
   Vec3 amplitude = Vec3::Zero();  // m
@@ -91,6 +92,7 @@ struct HarmonicMotion {           // offset(t) = amplitude * sin(2 pi t / period
   double period = 1;                       // s
   Vec3 phase = Vec3::Zero();               // rad
   Vec3 rotation_phase = Vec3::Zero();
+  bool operator==(const HarmonicMotion&) const = default;
 };
 struct TableMotion {
   std::vector<double> time;    // s, increasing
@@ -98,6 +100,7 @@ struct TableMotion {
   std::vector<Vec3> rotation;  // rad, rotation vector (may be empty)
   BetweenRows between = BetweenRows::spline;
   bool of_waves = false;  // the rows are responses to the case's waves
+  bool operator==(const TableMotion&) const = default;
 };
 using Motion = std::variant<std::monostate, ConstantMotion, HarmonicMotion, TableMotion>;
 
@@ -107,6 +110,7 @@ struct Drift {
   HarmonicMotion harmonic;
   TableMotion table;
   double ramp = 0;  // s, smooth start; 0: acts from statics on
+  bool operator==(const Drift&) const = default;
 };
 
 // Simple model of a body in water: Morison's equation along the body axes.
@@ -454,7 +458,7 @@ struct Case : CaseDocument {
   std::string title;
   Environment environment;
   std::vector<LineType> line_types;
-  std::vector<Body> bodies;
+  Entries<Body> bodies;
   std::vector<Volume> volumes;
   std::vector<SupportBox> supports;  // in the order in which lines pass over them
   std::vector<Joint> joints;
@@ -486,7 +490,9 @@ struct Case : CaseDocument {
     refuse(key, fmt::format(why, std::forward<First>(first), std::forward<More>(more)...));
   }
   bool floats(int body) const { return body >= 0 && bodies[body].mass.has_value(); }
-  // Frees the lines of which `kept` is false, except those that other objects of the case name.
+  // Frees the lines of which `kept` is false, except those that other objects of the case name, and bodies
+  // with prescribed motion that neither the remaining lines nor other objects name; of all, their names and
+  // lines in the file.
   void forget_lines(const std::vector<bool>& kept);
 
  private:

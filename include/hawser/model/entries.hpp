@@ -1,4 +1,4 @@
-// Lines of a case. A rank of a farm forgets those of other ranks.
+// Lines and bodies of a case. A rank of a farm forgets those of other ranks.
 #pragma once
 
 #include <cstddef>

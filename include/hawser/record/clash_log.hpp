@@ -5,19 +5,20 @@
 #include <span>
 #include <vector>
 
+#include "hawser/base/runs.hpp"
 #include "hawser/io/clash_rows.hpp"
 #include "hawser/terms/active_contact.hpp"
 
 namespace hawser::record {
 
 struct ClashSettings {
-  double merge_gap = 0.1;            // s: a shorter separation does not end a clash
-  std::vector<double> merge_length;  // m, by line: places closer along it count as one
+  double merge_gap = 0.1;     // s: a shorter separation does not end a clash
+  Runs<double> merge_length;  // m, by line: places closer along it count as one
 };
 
 // Contacts sorted by pair and place; those of a pair closer along `line` than the merge length are merged:
 // forces and energies add, the largest penetration is kept.
-ActiveContacts put_together(ActiveContacts touches, const std::vector<double>& merge_length);
+ActiveContacts put_together(ActiveContacts touches, const Runs<double>& merge_length);
 
 class ClashLog {
  public:

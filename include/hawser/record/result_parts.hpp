@@ -10,7 +10,7 @@
 
 namespace hawser::record {
 
-std::vector<io::ResultLine> result_lines(const Mesh& mesh);
+Runs<int> nodes_of_lines(const Mesh& mesh);
 std::vector<io::ResultLineLabels> result_line_labels(const model::Case& c, const Mesh& mesh);
 // The waves of a case; a Stokes' wave as the linear one of its height.
 io::ResultWaves result_waves(const model::Case& c);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hawser/mesh/local_mesh.hpp"
+#include "hawser/mesh/per_line.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/record/touchdown_place.hpp"
 #include "hawser/state/kinematics.hpp"
@@ -59,7 +60,7 @@ class Touchdowns {
   };
   Above above(size_t node, const Kinematics& state) const;
 
-  // By place in slot_: the first element from A with a change of contact, and minus the first from B; length
+  // By place of slot_: the first element from A with a change of contact, and minus the first from B; length
   // on the bed [m] with gaps linear between nodes.
   struct Changes {
     static constexpr int kNone = std::numeric_limits<int>::max();
@@ -85,7 +86,7 @@ class Touchdowns {
   std::vector<Height> heights_;  // of local nodes before element_ghosts_end; unset for bodies
   size_t cut_ = 0;               // number of lines that the partition cuts
   std::vector<int> lines_;       // these and the lines of this rank, ascending
-  std::vector<int> slot_;        // index in lines_ by line, cut lines first; -1: not there
+  PerLine<size_t> slot_;         // place of a line in the order with cut lines first
 };
 
 }  // namespace hawser::record

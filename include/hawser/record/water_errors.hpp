@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hawser/base/runs.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/record/recording.hpp"
 #include "hawser/state/kinematics.hpp"
@@ -59,12 +60,13 @@ class WaterErrors : public Recording {
     double bears() const;  // N, negligible error
   };
   std::string warning(const Group& g, const Where& w) const;
+  std::vector<int> lines_of(int group) const;  // ascending
   MPI_Comm comm_;
   const model::Case& case_;
   const LocalMesh& mesh_;
   const HasAxialStiffness& structure_;
   const LinesInWater* water_;  // null: it does not move
-  std::vector<int> group_;     // of each line, by place in groups_; -1: another rank has all of it
+  Runs<int> group_;            // of each line, by place in groups_; -1: another rank has all of it
   std::vector<Group> groups_;  // those that several ranks have, equal on all, then others of this rank
   size_t shared_ = 0;          // how many ranks share
   int steps_ = 0;              // since the last evaluation in motion

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "hawser/base/deferred_error.hpp"
+#include "hawser/base/runs.hpp"
 #include "hawser/solve/event_search.hpp"
 #include "hawser/solve/generalized_alpha.hpp"
 #include "hawser/solve/kink_stiffness.hpp"
@@ -27,7 +28,7 @@ struct DynamicsSettings {
   StepSettings step;
   // Factor of the local error, by line: step.error_tolerance divided by the line's own tolerance. Bodies, and
   // lines without one, have 1.
-  std::vector<double> error_weight;
+  Runs<double> error_weight;
 };
 
 // What happened in one accepted step.

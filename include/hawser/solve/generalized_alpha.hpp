@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "hawser/base/runs.hpp"
 #include "hawser/math/alpha_coefficients.hpp"
 #include "hawser/state/state.hpp"
 #include "hawser/system/assembler.hpp"
@@ -71,6 +72,6 @@ NodeValue alpha_turn(const LocalMesh& mesh, const std::vector<double>& u);
 // Local error of position, m, at this rank's nodes: |1/6 - beta| h² |change of acceleration|
 // (Zienkiewicz & Xie 1991, eq. 17), times the `error_weight` of the node's line (1 where there is none).
 double alpha_error(const LocalMesh& mesh, const AlphaCoefficients& c, double h, const AlphaState& from,
-                   const AlphaState& to, const std::vector<double>& error_weight);
+                   const AlphaState& to, const Runs<double>& error_weight);
 
 }  // namespace hawser

@@ -18,7 +18,7 @@ class Bodies {
   Bodies() = default;
   explicit Bodies(std::vector<RigidMotion> motions) : motions_(std::move(motions)) {}
   // Throws std::invalid_argument for an invalid motion; model::check refuses those before.
-  explicit Bodies(const std::vector<model::Body>& bodies);
+  explicit Bodies(const model::Entries<model::Body>& bodies);
 
   // Makes bodies with mass and bodies that ride on lines part of the states of `mesh`.
   void in_state(const model::Case& c, const LocalMesh& mesh);
