@@ -24,7 +24,7 @@ MOST_OF_RUN = 900  # collective calls of the start, statics, and one step and ou
 REST_OF_FILE = 100000  # bytes that a rank may read of a results file besides its share: names, headers, the counter of an output
 ELEMENT = 208  # bytes of an element that ranks exchange
 FINE = 600  # elements of the lines of which the memory for a node is measured
-FARM = 4000  # lines of other ranks of which the memory for a line is measured
+FARM = 2000  # lines of other ranks of which the memory for a line is measured
 # Largest memory on every rank for a line and for a node of the model, bytes. The peak memory of a rank varies by some tenths
 # of a MB from run to run, which is 0.1 kB a line here.
 MOST_OF_LINE, MOST_OF_NODE = 300, 150
