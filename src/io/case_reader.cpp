@@ -107,12 +107,14 @@ Case read_changed(std::string text, const std::string& path, const ReadProgress&
 // lines are unpacked once here, for the keys that the schema binds to fields and for the others.
 void read_things(const Value& root, const Value* start_of_case, const CaseSource& source,
                  const SectionLengths& lengths, bool sea, Case& c) {
-  const Value &bodies = root["bodies"], &lines = root["lines"];
+  const Value& bodies = root["bodies"];
+  const Value& lines = root["lines"];
   c.bodies.reserve(bodies.keys.size());
   for (const std::string& name : bodies.keys) c.bodies.emplace_back().name = name;
   c.lines.reserve(lines.keys.size());
   for (const std::string& name : lines.keys) c.lines.emplace_back().name = name;
-  const std::size_t volumes = c.volumes.size(), links = c.links.size();
+  const std::size_t volumes = c.volumes.size();
+  const std::size_t links = c.links.size();
   const Value& types = root["line_types"];
   for (std::size_t i = 0; i < types.items.size(); ++i) {
     const auto same = [&](const model::LineType& t) { return t.name == types.keys[i]; };
