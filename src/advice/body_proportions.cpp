@@ -41,7 +41,8 @@ class BodyProportions {
   // Plausible densities, kg/m³: an air bag has 6, a pneumatic fender 90, solid steel 7850.
   void in_water(const BodyMass& m, const BodyInWater& w) {
     constexpr double kLeast = 5, kMost = 12000, kLight = 30;
-    const double density = m.mass / w.volume, size = std::cbrt(w.volume);
+    const double density = m.mass / w.volume;
+    const double size = std::cbrt(w.volume);
     if (density < kLight || density > kMost)
       warn("floating.mass", "{:.4g} kg in a volume of {:.4g} m³ is a density of {:.3g} kg/m³, {}{}", m.mass,
            w.volume, density,
@@ -66,10 +67,11 @@ class BodyProportions {
   // Radius of gyration relative to that of a steel ball of the same mass, close to the densest possible body;
   // wide frames and ships have about ten times that.
   void inertia(const BodyMass& m) {
-    const double ball = std::cbrt(3 * m.mass / (4 * M_PI * 7850)), lower = 0.3 * std::sqrt(0.4) * ball,
-                 upper = 150 * ball;
-    const double small = std::sqrt(m.inertia.minCoeff() / m.mass),
-                 large = std::sqrt(m.inertia.maxCoeff() / m.mass);
+    const double ball = std::cbrt(3 * m.mass / (4 * M_PI * 7850));
+    const double lower = 0.3 * std::sqrt(0.4) * ball;
+    const double upper = 150 * ball;
+    const double small = std::sqrt(m.inertia.minCoeff() / m.mass);
+    const double large = std::sqrt(m.inertia.maxCoeff() / m.mass);
     if (m.matrix || (small >= lower && large <= upper)) return;
     const double off = small < lower ? small : large;
     warn("floating.inertia",
@@ -118,7 +120,8 @@ class BodyProportions {
   void motion() {
     const double g = c_.environment.gravity > 0 ? c_.environment.gravity : 9.80665;
     if (const auto* h = std::get_if<HarmonicMotion>(&b_.motion)) {
-      const double omega = 2 * M_PI / h->period, a = h->amplitude.norm() * omega * omega;
+      const double omega = 2 * M_PI / h->period;
+      const double a = h->amplitude.norm() * omega * omega;
       if (a > kMostG * g)
         warn("motion.harmonic",
              "an amplitude of {:.3g} m with a period of {:.3g} s is an acceleration of {:.2g} g: is the "
@@ -134,7 +137,8 @@ class BodyProportions {
   void drift(double g) {
     if (!b_.drift) return;
     const HarmonicMotion& h = b_.drift->harmonic;
-    const double omega = 2 * M_PI / h.period, a = h.amplitude.norm() * omega * omega;
+    const double omega = 2 * M_PI / h.period;
+    const double a = h.amplitude.norm() * omega * omega;
     if (a > kMostG * g)
       warn("motion.drift.harmonic",
            "an amplitude of {:.3g} m with a period of {:.3g} s is an acceleration of {:.2g} g, too large for "
@@ -155,7 +159,8 @@ class BodyProportions {
       return warn(key, "moves at {:.3g} m/s at {:.4g} s: are its columns s and m?", fastest, at);
     double largest = 0;
     for (std::size_t i = 1; i + 1 < t.time.size(); ++i) {
-      const double before = t.time[i] - t.time[i - 1], after = t.time[i + 1] - t.time[i];
+      const double before = t.time[i] - t.time[i - 1];
+      const double after = t.time[i + 1] - t.time[i];
       const Vec3 jump = (t.offset[i + 1] - t.offset[i]) / after - (t.offset[i] - t.offset[i - 1]) / before;
       if (const double a = 2 * jump.norm() / (before + after); a > largest) {
         largest = a;

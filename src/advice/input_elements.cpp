@@ -39,7 +39,8 @@ struct ElementAt {
 ElementAt element_at(const Arcs& arcs, double at) {
   const auto after =
       std::clamp(std::lower_bound(arcs.begin(), arcs.end(), at), arcs.begin() + 1, arcs.end() - 1);
-  const double from = *(after - 1), to = *after;
+  const double from = *(after - 1);
+  const double to = *after;
   return {from, to, at - from < to - at ? from : to, static_cast<int>(after - arcs.begin()) - 1};
 }
 
@@ -58,7 +59,8 @@ void warn_of_distance(const Line& line, const Arcs& arcs, double at, const std::
 double tension_on_bed(const Case& c, const Line& line, double weight) {
   const Seabed& bed = c.environment.seabed;
   if (!is_held(line.end_a) || !is_held(line.end_b) || bed.surface || !line.starts_by_itself()) return 0;
-  Vec3 low = end_position(c, line.end_a), high = end_position(c, line.end_b);
+  Vec3 low = end_position(c, line.end_a);
+  Vec3 high = end_position(c, line.end_b);
   if (low.z() > high.z()) std::swap(low, high);
   const double h = height_above_bed(bed, high);
   if (height_above_bed(bed, low) > laying_reach(c, line) || !(h > 0)) return 0;
@@ -83,11 +85,11 @@ void warn_of_sinking(const Case& c, const Line& line, const Arcs& arcs, const Po
   // The mass presses down both adjacent elements, which resist with k d l together, and lifts the nodes
   // beyond, whose weight w l it carries as well. A tension H spreads the load over 2 sqrt(H/k), as for a
   // string on an elastic foundation, if that is longer.
-  const double element = p.to - p.from,
-               line_weight = std::max(c.environment.gravity * mass_in_water(c, t, -HUGE_VAL), 0.0),
-               bearing = std::max(element, 2 * std::sqrt(tension_on_bed(c, line, line_weight) / per_length)),
-               sinks = (weight + 3 * line_weight * element) / (per_length * bearing),
-               diameter = std::cbrt(6 / M_PI * (m.volume > 0 ? m.volume : m.mass / kSteel));
+  const double element = p.to - p.from;
+  const double line_weight = std::max(c.environment.gravity * mass_in_water(c, t, -HUGE_VAL), 0.0);
+  const double bearing = std::max(element, 2 * std::sqrt(tension_on_bed(c, line, line_weight) / per_length));
+  const double sinks = (weight + 3 * line_weight * element) / (per_length * bearing);
+  const double diameter = std::cbrt(6 / M_PI * (m.volume > 0 ? m.volume : m.mass / kSteel));
   if (sinks > diameter)
     add_warning(out, "lines." + line.name + ".masses", Effect::part,
                 "on the seabed, {:.4g} kg at {:.6g} m of line {} penetrates by about {:.2g} m, since the "
@@ -98,9 +100,10 @@ void warn_of_sinking(const Case& c, const Line& line, const Arcs& arcs, const Po
 
 void warn_of_stiffener(const Line& line, const Arcs& arcs, std::size_t i, std::vector<InputWarning>& out) {
   const BendStiffener& b = line.bend_stiffeners[i];
-  const double last = b.at + (b.towards_a ? -1 : 1) * b.rows.back().first, total = length_of(line),
-               from = std::clamp(std::min(b.at, last), 0.0, total),
-               to = std::clamp(std::max(b.at, last), 0.0, total);
+  const double last = b.at + (b.towards_a ? -1 : 1) * b.rows.back().first;
+  const double total = length_of(line);
+  const double from = std::clamp(std::min(b.at, last), 0.0, total);
+  const double to = std::clamp(std::max(b.at, last), 0.0, total);
   double elements = 0;
   for (std::size_t n = 1; n < arcs.size(); ++n)
     elements += std::max(std::min(arcs[n], to) - std::max(arcs[n - 1], from), 0.0) / (arcs[n] - arcs[n - 1]);

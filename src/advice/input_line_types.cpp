@@ -101,7 +101,8 @@ void warn_of_line_types(const Case& c, std::vector<InputWarning>& out) {
     warn_of_slenderness(t, out);
     if (warn_of_coatings(c, t, out)) continue;  // all else is a consequence
     const std::string key = "line_types." + t.name;
-    const double d = t.displaced(), density = t.mass_per_length / (M_PI / 4 * d * d);
+    const double d = t.displaced();
+    const double density = t.mass_per_length / (M_PI / 4 * d * d);
     if (density > (water ? kHeavy : kHeavyInAir) || density < kLight)
       add_warning(
           out, key, Effect::all, "{:.4g} kg/m in a diameter of {:.4g} m is a density {}, {}{}",
@@ -114,7 +115,8 @@ void warn_of_line_types(const Case& c, std::vector<InputWarning>& out) {
                   "an outer diameter of {:.4g} m is more than that of any pipe, hose or rope; "
                   "is it in mm? ('{:.4g} mm')",
                   t.outer_diameter, t.outer_diameter);
-    const double D = t.outer_diameter, modulus = t.EA / (M_PI / 4 * D * D);
+    const double D = t.outer_diameter;
+    const double modulus = t.EA / (M_PI / 4 * D * D);
     if (modulus > kStiff)
       add_warning(out, key, Effect::all,
                   "an EA of {:.4g} N over a diameter of {:.4g} m is a modulus of {:.3g} GPa; "

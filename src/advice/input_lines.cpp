@@ -87,7 +87,8 @@ void warn_of_span(const Case& c, const Line& line, std::vector<InputWarning>& ou
 // The higher end carries at least the weight between the heights of the ends; the end of a freely hanging
 // line carries all that is not on the bed.
 void warn_of_weight(const Case& c, const Line& line, std::vector<InputWarning>& out) {
-  const bool a = is_held(line.end_a), b = is_held(line.end_b);
+  const bool a = is_held(line.end_a);
+  const bool b = is_held(line.end_b);
   if ((!a && !b) || line.start == Start::points || line.start == Start::other_run) return;
   const Vec3 top = a && (!b || end_position(c, line.end_a).z() >= end_position(c, line.end_b).z())
                        ? end_position(c, line.end_a)

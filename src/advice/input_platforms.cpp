@@ -149,7 +149,9 @@ void warn_of_stiffness(const Body& b, std::vector<InputWarning>& out) {
 // Bodies that float elsewhere by more than their size, or not upright.
 void warn_of_floating(const Case& c, const Body& b, std::vector<InputWarning>& out) {
   const BodyMass& m = *b.mass;
-  const double g = c.environment.gravity, density = c.environment.water.density, weight = m.mass * g;
+  const double g = c.environment.gravity;
+  const double density = c.environment.water.density;
+  const double weight = m.mass * g;
   if (m.hull || !(g > 0)) return;
   const PlatformHydrostatics in_still_water = hydrostatics(m, density, g);
   const double size = std::cbrt(in_still_water.buoyancy / (density * g));

@@ -18,7 +18,8 @@ constexpr double kTurned = 0.17;  // rad, about ten degrees
 void warn_of_rotation(const Body& b, const Vec3& about, const char* motion, std::vector<InputWarning>& out) {
   const double size = about.norm();
   if (!(size > 0)) return;
-  const Vec3 space = about / size, body_axes = exp_so3(b.rotation).conjugate() * space;
+  const Vec3 space = about / size;
+  const Vec3 body_axes = exp_so3(b.rotation).conjugate() * space;
   if ((body_axes - space).norm() < kTurned) return;
   const auto text = [](const Vec3& v) {
     const Vec3 r = ((100 * v).array().round() / 100 + 0.0).matrix();

@@ -18,7 +18,8 @@ using namespace model;
 double lowest_reach(const Case& c, const Line& line) {
   const double length = length_of(line) + expansion_of(c, line);
   const auto z = [&](const End& e) { return end_position(c, e).z(); };
-  const bool a = line.end_a.kind != EndKind::free, b = line.end_b.kind != EndKind::free;
+  const bool a = line.end_a.kind != EndKind::free;
+  const bool b = line.end_b.kind != EndKind::free;
   if (a && b) return 0.5 * (z(line.end_a) + z(line.end_b) - length);
   if (a || b) return z(a ? line.end_a : line.end_b) - length;
   double lowest = std::numeric_limits<double>::infinity();
@@ -31,7 +32,8 @@ double slack_tension(double L, double X, double h) {
   const auto excess = [&](double a) {  // excess length at horizontal tension a
     return L - std::sqrt(h * h + 2 * h * a) + (a > 0 ? a * std::acosh(1 + h / a) : 0) - X;
   };
-  double low = 0, high = h;
+  double low = 0;
+  double high = h;
   while (excess(high) < 0 && high < 1e6 * h) high *= 2;
   if (excess(high) < 0) return -1;
   for (int i = 0; i < 80; ++i) {
@@ -70,7 +72,8 @@ void warn_of_anchor(const Case& c, const Line& line, const End& e, const char* w
   if (e.kind != EndKind::anchor) return;
   const Water& w = c.environment.water;
   const Seabed& bed = c.environment.seabed;
-  const double z = e.at.z() - w.surface, depth = w.depth > 0 ? w.depth : bed.depth;
+  const double z = e.at.z() - w.surface;
+  const double depth = w.depth > 0 ? w.depth : bed.depth;
   const std::string key = fmt::format("lines.{}.{}.anchor", line.name, which);
   if (w.present && depth > 0 && std::abs(z - depth) < kSameDepth * depth)
     add_warning(out, key, Effect::all,
@@ -110,7 +113,8 @@ Vec3 current_at(const Water& w, double depth) {
   const double factor = w.current.time_factor.at(0);
   if (below == rows.begin()) return factor * vector(rows.front());
   if (below == rows.end()) return factor * vector(rows.back());
-  const CurrentRow &u = *(below - 1), &l = *below;
+  const CurrentRow& u = *(below - 1);
+  const CurrentRow& l = *below;
   return factor * (vector(u) + (depth - u.depth) / (l.depth - u.depth) * (vector(l) - vector(u)));
 }
 
@@ -120,9 +124,12 @@ void warn_of_current(const Case& c, const Line& line, std::vector<InputWarning>&
   if (!c.statics.enabled || w.current.profile.empty() || w.current.ramp > 0 || !bed.present || bed.surface ||
       !line.starts_by_itself() || !is_held(line.end_a) || !is_held(line.end_b))
     return;
-  Vec3 low = end_position(c, line.end_a), high = end_position(c, line.end_b);
+  Vec3 low = end_position(c, line.end_a);
+  Vec3 high = end_position(c, line.end_b);
   if (low.z() > high.z()) std::swap(low, high);
-  const double length = length_of(line), near = laying_reach(c, line), h = height_above_bed(bed, high);
+  const double length = length_of(line);
+  const double near = laying_reach(c, line);
+  const double h = height_above_bed(bed, high);
   if (height_above_bed(bed, low) > near || h < 10 * near) return;
   double weight = 0, drag = 0;  // per length, N/m
   const Vec3 across = Vec3(low.y() - high.y(), high.x() - low.x(), 0).normalized();
@@ -134,10 +141,11 @@ void warn_of_current(const Case& c, const Line& line, std::vector<InputWarning>&
     weight += weight_per_length * s.length / length;
     drag += 0.5 * w.density * t.Cd_normal * t.dragged() * speed * speed * s.length / length;
   }
-  const double X = (high - low).head<2>().norm(), a = slack_tension(length, X, h);
+  const double X = (high - low).head<2>().norm();
+  const double a = slack_tension(length, X, h);
   if (!(speed > 0) || a < 0 || drag > bed.friction.lateral * weight) return;  // it would drift away
-  const double lies = length - std::sqrt(h * h + 2 * h * a),
-               bow = drag * lies / (8 * std::max(a, 1e-9) * weight);
+  const double lies = length - std::sqrt(h * h + 2 * h * a);
+  const double bow = drag * lies / (8 * std::max(a, 1e-9) * weight);
   if (!(lies > 0) || bow < kBow) return;
   const std::string far = bow < 0.1 ? fmt::format("about {:.2g} m sideways", bow * lies) : "far sideways";
   add_warning(out, "lines." + line.name, Effect::part,
@@ -192,8 +200,8 @@ void warn_of_waves_on_current(const Case& c, std::vector<InputWarning>& out) {
   for (const WaveSystem& system : w.waves.systems) {
     const WaveSystem::Row wave = leading_wave(system);
     const double along = w.current.time_factor.at(0) * top.speed * std::cos(top.direction - wave.direction);
-    const double omega = 2 * M_PI / wave.period,
-                 speed = omega / wave_number(omega, w.depth, c.environment.gravity);
+    const double omega = 2 * M_PI / wave.period;
+    const double speed = omega / wave_number(omega, w.depth, c.environment.gravity);
     if (std::abs(along) < kMuch * speed) continue;
     add_warning(out, system.key, Effect::part,
                 "the current of {:.3g} m/s {} the waves of {:.4g} s is {:.2g} % of their speed, and linear "

@@ -80,7 +80,9 @@ class LineLoads {
                   std::abs(up) / 1000, up > 0 ? "of buoyancy" : "of weight", t.name, bears / 1000,
                   t.breaking_load > 0 ? "" : " at a strain of 10 %");
     if (m.drag_area > 0 && m.volume > 0) {
-      const double size = std::pow(m.volume, 2.0 / 3), lower = 0.01, upper = 50;
+      const double size = std::pow(m.volume, 2.0 / 3);
+      const double lower = 0.01;
+      const double upper = 50;
       if (const double ratio = m.drag_area / size; ratio < lower || ratio > upper)
         warn(key + ".drag_area", "{:.3g} m² is {:.2g} times volume^(2/3); a ball has 0.6, a plate up to 20",
              m.drag_area, ratio);
@@ -138,7 +140,8 @@ class LineLoads {
   // A line anchored on the bed should be heavy there.
   void bed_end(LineEnd end) {
     const Seabed& bed = c_.environment.seabed;
-    const End &e = line_.end(end), &other = line_.end(opposite(end));
+    const End& e = line_.end(end);
+    const End& other = line_.end(opposite(end));
     if (!bed.present || e.kind != EndKind::anchor || !is_held(other) || !line_.starts_by_itself()) return;
     const double near = laying_reach(c_, line_);
     if (!(std::abs(height_above_bed(bed, e.at)) < near) ||
@@ -194,7 +197,8 @@ class LineLoads {
   // The tension at the higher end includes at least the weight between the heights of the ends.
   void target() {
     if (!line_.target || line_.target->kind != LengthTarget::Kind::tension) return;
-    const LineEnd end = line_.target->line_end, other = opposite(end);
+    const LineEnd end = line_.target->line_end;
+    const LineEnd other = opposite(end);
     const double tension = line_.target->value;
     const LineType& t = type(line_.end_section(end));
     if (t.breaking_load > 0 && tension > t.breaking_load)

@@ -59,8 +59,10 @@ class Proportions {
     // EA of spiral ropes and hoses is reduced by their lay; benchmark rods and hulls modelled as lines reach
     // 12 times the bound. kN in place of N makes a factor of 1000.
     constexpr double kGive = 13;
-    const double D = t_.outer_diameter, EI = 0.5 * (t_.EI2 + t_.EI3);
-    const double upper = kGive * D * D / 8, lower = std::pow(D / 125, 2) / 16;
+    const double D = t_.outer_diameter;
+    const double EI = 0.5 * (t_.EI2 + t_.EI3);
+    const double upper = kGive * D * D / 8;
+    const double lower = std::pow(D / 125, 2) / 16;
     if (between(EI / t_.EA, lower, upper)) return;
     const auto fits = [&](double x) { return between(x / t_.EA, lower, upper); };
     if (EI / t_.EA > upper)
@@ -77,7 +79,9 @@ class Proportions {
 
   // Round sections have GJ/EI = 1/(1 + nu) = 0.67 to 1; helical armour increases it up to 300.
   void torsion() {
-    const double EI = 0.5 * (t_.EI2 + t_.EI3), lower = 0.05, upper = 500;
+    const double EI = 0.5 * (t_.EI2 + t_.EI3);
+    const double lower = 0.05;
+    const double upper = 500;
     if (between(t_.GJ / EI, lower, upper)) return;
     warn("GJ", "{:.4g} N m² is {:.2g} times EI: round sections have 0.7 to 1, armoured cables up to 300{}",
          t_.GJ, t_.GJ / EI, hint("GJ", [&](double x) { return between(x / EI, lower, upper); }));
@@ -110,7 +114,9 @@ class Proportions {
   // Linear breaking strain: steel 0.2 % and more, nylon 40 %.
   void strength() {
     if (!(t_.breaking_load > 0) || t_.tension_table) return;
-    const double strain = t_.breaking_load / t_.EA, lower = 5e-4, upper = 1;
+    const double strain = t_.breaking_load / t_.EA;
+    const double lower = 5e-4;
+    const double upper = 1;
     if (between(strain, lower, upper)) return;
     const std::string of_load =
         hint("breaking_load", [&](double x) { return between(x / t_.EA, lower, upper); });
@@ -122,7 +128,8 @@ class Proportions {
   // Metals reach this density, and none is so soft; chains have 30 GPa over this diameter, wire ropes 50.
   void softness() {
     constexpr double kDense = 3500, kSoft = 1e8;  // kg/m³, Pa
-    const double D = t_.outer_diameter, area = M_PI / 4 * D * D;
+    const double D = t_.outer_diameter;
+    const double area = M_PI / 4 * D * D;
     if (!(t_.mass_per_length / area > kDense) || !(t_.EA / area < kSoft)) return;
     warn("EA",
          "{:.4g} N over {:.4g} m is a modulus of {:.3g} MPa, and {:.3g} t/m³ are metal, of 20 GPa and more{}",
@@ -150,7 +157,9 @@ class Proportions {
   // In diameters: ropes and hoses 2 to 20, steel pipes 100 to 300 (strains of 0.2 to 0.5 %).
   void bend_radius() {
     if (!(t_.minimum_bend_radius > 0)) return;
-    const double ratio = t_.minimum_bend_radius / t_.outer_diameter, lower = 0.5, upper = 2000;
+    const double ratio = t_.minimum_bend_radius / t_.outer_diameter;
+    const double lower = 0.5;
+    const double upper = 2000;
     if (between(ratio, lower, upper)) return;
     warn("minimum_bend_radius", "{:.4g} m is {:.2g} diameters; lines may be bent to 2 to 500 diameters{}",
          t_.minimum_bend_radius, ratio,

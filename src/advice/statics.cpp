@@ -39,7 +39,8 @@ std::string lie_on_bed(const std::vector<std::string>& lines, const std::vector<
       low = std::min(low, v.*member / unit);
       high = std::max(high, v.*member / unit);
     }
-    const std::string from = fmt::format("{:.4g}", low), to = fmt::format("{:.4g}", high);
+    const std::string from = fmt::format("{:.4g}", low);
+    const std::string to = fmt::format("{:.4g}", high);
     return from == to ? from : from + " to " + to;
   };
   std::string friction = "without friction in statics";

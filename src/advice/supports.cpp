@@ -47,7 +47,8 @@ std::vector<Stop> path_over_supports(const model::Case& c, const model::Line& li
 double height_above_others(const std::vector<Stop>& path, size_t k) {
   const Stop& stop = path[k];
   if (k > 0 && k + 1 < path.size()) {
-    const Stop &a = path[k - 1], &b = path[k + 1];
+    const Stop& a = path[k - 1];
+    const Stop& b = path[k + 1];
     const Vec3 chord = b.at - a.at;
     const double d = chord.norm();
     const double t = nearest_fraction(stop.at, a.at, b.at);
@@ -57,8 +58,10 @@ double height_above_others(const std::vector<Stop>& path, size_t k) {
     return (stop.at - on_curve).dot(stop.up);
   }
   const bool first = k == 0;
-  const Stop &near = path[first ? 1 : k - 1], &next = path[first ? 2 : k - 2];
-  const double d = (stop.at - near.at).norm(), turn = 0.5 * d / (near.at - next.at).norm();
+  const Stop& near = path[first ? 1 : k - 1];
+  const Stop& next = path[first ? 2 : k - 2];
+  const double d = (stop.at - near.at).norm();
+  const double turn = 0.5 * d / (near.at - next.at).norm();
   const Vec3 along = (near.along + turn * (near.along - next.along)).normalized();
   return (stop.at - near.at - (first ? -d : d) * along).dot(stop.up);
 }

@@ -60,7 +60,8 @@ void shallow_waves(const Case& c, std::vector<InputWarning>& out) {
 // 1/15 at 8 s and below) and the longest swell.
 void spectrum_rows(const WaveSystem& w, double gravity, std::vector<InputWarning>& out) {
   if (w.kind != WaveSystem::Kind::table) return;
-  const double hs = significant_height(w), tp = w.peak_period;
+  const double hs = significant_height(w);
+  const double tp = w.peak_period;
   const double steepness = 2 * M_PI * hs / (gravity * tp * tp);
   constexpr double kSteepest = 1.0 / 12, kLongest = 40, kHighest = 25;
   if (steepness < kSteepest && tp < kLongest && hs < kHighest) return;

@@ -17,7 +17,8 @@ struct Builder {
   void build(int first, int count) {
     const std::size_t me = nodes.size();
     nodes.push_back({{}, first, count, 0});
-    const auto begin = items.begin() + first, end = begin + count;
+    const auto begin = items.begin() + first;
+    const auto end = begin + count;
     Box centres;
     for (auto i = begin; i != end; ++i) {
       nodes[me].box.add(box(*i));
@@ -28,7 +29,8 @@ struct Builder {
       centres.extent().maxCoeff(&axis);
       const int half = count / 2;
       std::nth_element(begin, begin + half, end, [&](int a, int b) {
-        const double x = box(a).lo[axis] + box(a).hi[axis], y = box(b).lo[axis] + box(b).hi[axis];
+        const double x = box(a).lo[axis] + box(a).hi[axis];
+        const double y = box(b).lo[axis] + box(b).hi[axis];
         return x != y ? x < y : a < b;
       });
       build(first, half);

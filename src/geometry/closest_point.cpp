@@ -22,8 +22,10 @@ struct Candidate {
 
 template <class T>
 Candidate<T> on_segment(const Triple<T>& p, const Triple<T>& a, const Triple<T>& b) {
-  const Triple<T> e = b - a, r = p - a;
-  const T along = r.dot(e), length2 = e.dot(e);
+  const Triple<T> e = b - a;
+  const Triple<T> r = p - a;
+  const T along = r.dot(e);
+  const T length2 = e.dot(e);
   if (!(along > 0) || !(length2 > 0)) return {a, r.dot(r), 0};
   if (along >= length2) return {b, (p - b).dot(p - b), 1};
   const T t = along / length2;
@@ -44,7 +46,8 @@ Triple<T> area_vector(const Triple<T> v[3], T& sine2, T& slender2) {
     l[i] = e[i].dot(e[i]);
   }
   const int longest = l[0] >= l[1] ? (l[0] >= l[2] ? 0 : 2) : (l[1] >= l[2] ? 1 : 2);
-  const int i = (longest + 1) % 3, j = (longest + 2) % 3;
+  const int i = (longest + 1) % 3;
+  const int j = (longest + 2) % 3;
   const Triple<T> n = e[i].cross(e[j]);
   const T product = l[i] * l[j];
   sine2 = product > 0 ? n.dot(n) / product : T(0);

@@ -33,7 +33,8 @@ struct Cell {
   // the mean of the vertices.
   Vec3 vertex(double edge) const {
     constexpr double kAgreed = 1e-2;
-    const Vec3 mean = sum / members, off = offset - planes * mean;
+    const Vec3 mean = sum / members;
+    const Vec3 off = offset - planes * mean;
     const Eigenpairs along = eigenpairs(planes);
     Vec3 move = Vec3::Zero();
     for (int i = 0; i < 3; ++i)

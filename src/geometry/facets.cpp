@@ -21,14 +21,18 @@ bool thin(const Vec3& a, const Vec3& b, const Vec3& c) {
 // Squared distance of the origin from a well-shaped triangle (Ericson 2005, 5.1.5), corners relative to the
 // point.
 double squared_distance_to(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 ab = b - a, ac = c - a;
-  const double d1 = -ab.dot(a), d2 = -ac.dot(a);
+  const Vec3 ab = b - a;
+  const Vec3 ac = c - a;
+  const double d1 = -ab.dot(a);
+  const double d2 = -ac.dot(a);
   if (d1 <= 0 && d2 <= 0) return a.squaredNorm();
-  const double d3 = -ab.dot(b), d4 = -ac.dot(b);
+  const double d3 = -ab.dot(b);
+  const double d4 = -ac.dot(b);
   if (d3 >= 0 && d4 <= d3) return b.squaredNorm();
   const double vc = d1 * d4 - d3 * d2;
   if (vc <= 0 && d1 >= 0 && d3 <= 0) return (a + d1 / (d1 - d3) * ab).squaredNorm();
-  const double d5 = -ab.dot(c), d6 = -ac.dot(c);
+  const double d5 = -ab.dot(c);
+  const double d6 = -ac.dot(c);
   if (d6 >= 0 && d5 <= d6) return c.squaredNorm();
   const double vb = d5 * d2 - d1 * d6;
   if (vb <= 0 && d2 >= 0 && d6 <= 0) return (a + d2 / (d2 - d6) * ac).squaredNorm();
@@ -73,7 +77,9 @@ PatchPoint Facets::closest(int t, const Vec3& y) const {
 }
 
 double Facets::squared_distance(int t, const Vec3& y) const {
-  const Vec3 &a = corner(t, 0), &b = corner(t, 1), &c = corner(t, 2);
+  const Vec3& a = corner(t, 0);
+  const Vec3& b = corner(t, 1);
+  const Vec3& c = corner(t, 2);
   return thin_[static_cast<std::size_t>(t)] ? closest_point_on_triangle(y, a, b, c).squared_distance
                                             : squared_distance_to(a - y, b - y, c - y);
 }

@@ -21,8 +21,9 @@ TriangleMesh ground_under(TriangleMesh sheet) {
   TriangleMesh& m = sheet;
   Box box;
   for (auto& t : m.triangles) {
-    const Vec3 &a = m.vertices[static_cast<size_t>(t[0])], &b = m.vertices[static_cast<size_t>(t[1])],
-               &c = m.vertices[static_cast<size_t>(t[2])];
+    const Vec3& a = m.vertices[static_cast<size_t>(t[0])];
+    const Vec3& b = m.vertices[static_cast<size_t>(t[1])];
+    const Vec3& c = m.vertices[static_cast<size_t>(t[2])];
     for (const Vec3& v : {a, b, c}) box.add(v);
     const Vec3 n = (b - a).cross(c - a);
     if (!(std::abs(n.z()) > 1e-6 * n.norm()))
@@ -33,14 +34,16 @@ TriangleMesh ground_under(TriangleMesh sheet) {
   const Topology topo = topology(m);
   if (topo.non_manifold_edges > 0)
     throw std::invalid_argument("it has edges of more than two triangles: a bed is a single sheet");
-  const size_t top = m.triangles.size(), vertices = m.vertices.size();
+  const size_t top = m.triangles.size();
+  const size_t vertices = m.vertices.size();
   for (size_t i = 0; i < top; ++i)
     for (size_t e = 0; e < 3; ++e) {
       const int other = topo.neighbours[i][e];
       if (other < 0) continue;
       // Both face up: neighbours use their common edge in opposite directions unless the sheet is folded
       // there.
-      const int from = m.triangles[i][e], to = m.triangles[i][(e + 1) % 3];
+      const int from = m.triangles[i][e];
+      const int to = m.triangles[i][(e + 1) % 3];
       const auto& t = m.triangles[static_cast<size_t>(other)];
       for (size_t k = 0; k < 3; ++k)
         if (t[k] == from && t[(k + 1) % 3] == to)
@@ -64,7 +67,8 @@ TriangleMesh ground_under(TriangleMesh sheet) {
     add(below + t[0], below + t[2], below + t[1]);
     for (size_t e = 0; e < 3; ++e) {
       if (topo.neighbours[i][e] != kOpenEdge) continue;
-      const int from = t[e], to = t[(e + 1) % 3];
+      const int from = t[e];
+      const int to = t[(e + 1) % 3];
       add(to, from, below + from);
       add(to, below + from, below + to);
     }

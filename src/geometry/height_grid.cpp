@@ -17,12 +17,14 @@ template <class Get, class Set>
 void natural_slopes(const std::vector<double>& t, Get&& get, Set&& set) {
   const size_t n = t.size();
   // h1 s[i-1] + 2 (h0 + h1) s[i] + h0 s[i+1] = 3 (h1 d0 + h0 d1), d the slopes of the chords.
-  std::vector<double> upper(n), right(n);
+  std::vector<double> upper(n);
+  std::vector<double> right(n);
   const auto chord = [&](size_t i) { return (get(i + 1) - get(i)) / (t[i + 1] - t[i]); };
   upper[0] = 0.5;
   right[0] = 1.5 * chord(0);
   for (size_t i = 1; i + 1 < n; ++i) {
-    const double h0 = t[i] - t[i - 1], h1 = t[i + 1] - t[i];
+    const double h0 = t[i] - t[i - 1];
+    const double h1 = t[i + 1] - t[i];
     const double pivot = 2 * (h0 + h1) - h1 * upper[i - 1];
     upper[i] = h0 / pivot;
     right[i] = (3 * (h1 * chord(i - 1) + h0 * chord(i)) - h1 * right[i - 1]) / pivot;
@@ -41,8 +43,10 @@ struct Basis {
   Basis(const std::vector<double>& t, double at) {
     const auto above = std::upper_bound(t.begin() + 1, t.end() - 1, at);
     cell = static_cast<size_t>(above - t.begin()) - 1;
-    const double h = t[cell + 1] - t[cell], clamped = std::clamp(at, t.front(), t.back());
-    const double u = (clamped - t[cell]) / h, v = 1 - u;
+    const double h = t[cell + 1] - t[cell];
+    const double clamped = std::clamp(at, t.front(), t.back());
+    const double u = (clamped - t[cell]) / h;
+    const double v = 1 - u;
     value[0] = v * v * (1 + 2 * u);
     value[1] = u * u * (3 - 2 * u);
     value[2] = h * u * v * v;
@@ -67,7 +71,8 @@ struct Basis {
 
 HeightGrid::HeightGrid(std::vector<double> x, std::vector<double> y, const std::vector<double>& height)
     : x_(std::move(x)), y_(std::move(y)) {
-  const size_t nx = x_.size(), ny = y_.size();
+  const size_t nx = x_.size();
+  const size_t ny = y_.size();
   if (nx < 2 || ny < 2) throw std::invalid_argument("a grid of heights needs two columns and two rows");
   if (height.size() != nx * ny) throw std::invalid_argument("a grid of heights needs one for each place");
   for (const std::vector<double>* t : {&x_, &y_})
@@ -100,13 +105,18 @@ HeightGrid::HeightGrid(std::vector<double> x, std::vector<double> y, const std::
   // The slope of a cell is bounded by the differences of its Bézier points.
   for (size_t j = 0; j + 1 < ny; ++j)
     for (size_t i = 0; i + 1 < nx; ++i) {
-      const double h = (x_[i + 1] - x_[i]) / 3, k = (y_[j + 1] - y_[j]) / 3;
+      const double h = (x_[i + 1] - x_[i]) / 3;
+      const double k = (y_[j + 1] - y_[j]) / 3;
       double p[4][4];
       for (size_t b = 0; b < 2; ++b)
         for (size_t a = 0; a < 2; ++a) {
           const Node& n = nodes_[(j + b) * nx + i + a];
-          const double dx = a ? -h : h, dy = b ? -k : k;
-          const size_t r = 3 * b, c = 3 * a, r1 = b ? 2 : 1, c1 = a ? 2 : 1;
+          const double dx = a ? -h : h;
+          const double dy = b ? -k : k;
+          const size_t r = 3 * b;
+          const size_t c = 3 * a;
+          const size_t r1 = b ? 2 : 1;
+          const size_t c1 = a ? 2 : 1;
           p[r][c] = n.z;
           p[r][c1] = n.z + dx * n.x;
           p[r1][c] = n.z + dy * n.y;
@@ -123,7 +133,8 @@ HeightGrid::HeightGrid(std::vector<double> x, std::vector<double> y, const std::
 }
 
 HeightGrid::Height HeightGrid::at(double x, double y) const {
-  const Basis a(x_, x), b(y_, y);
+  const Basis a(x_, x);
+  const Basis b(y_, y);
   const size_t nx = x_.size();
   Height h;
   h.slope.setZero();
@@ -131,9 +142,13 @@ HeightGrid::Height HeightGrid::at(double x, double y) const {
   for (size_t j = 0; j < 2; ++j)
     for (size_t i = 0; i < 2; ++i) {
       const Node& n = nodes_[(b.cell + j) * nx + a.cell + i];
-      const double z[2] = {n.z, n.y}, s[2] = {n.x, n.xy};  // by the functions of y
+      // By the functions of y.
+      const double z[2] = {n.z, n.y};
+      const double s[2] = {n.x, n.xy};
       for (size_t k = 0; k < 2; ++k) {
-        const size_t p = i, q = i + 2, r = j + 2 * k;
+        const size_t p = i;
+        const size_t q = i + 2;
+        const size_t r = j + 2 * k;
         const double value = a.value[p] * z[k] + a.value[q] * s[k];
         const double slope = a.slope[p] * z[k] + a.slope[q] * s[k];
         h.z += b.value[r] * value;
@@ -167,7 +182,8 @@ std::optional<SurfacePoint> HeightGrid::query(const Vec3& y, double max_distance
   for (int i = 0; i < 60; ++i) {
     const double w = f.z - y.z();
     const Vec2 gradient = p - y.head<2>() + w * f.slope;
-    const Mat2 first = Mat2::Identity() + f.slope * f.slope.transpose(), full = first + w * f.bend;
+    const Mat2 first = Mat2::Identity() + f.slope * f.slope.transpose();
+    const Mat2 full = first + w * f.bend;
     const bool convex = full(0, 0) > 0 && full.determinant() > 0.05 * first.determinant();
     Vec2 step = (convex ? full : first).inverse() * -gradient;
     if (step.norm() <= 1e-15 * size) break;
@@ -201,7 +217,8 @@ std::optional<SurfacePoint> HeightGrid::query(const Vec3& y, double max_distance
   // the centre of curvature, where the point is not the nearest.
   const auto offset_curvature = [&](double k) { return k / std::max(1 - k * s.distance, 0.05); };
   const double middle = 0.5 * bends.trace();
-  const double half = std::hypot(0.5 * (bends(0, 0) - bends(1, 1)), bends(0, 1)), smallest = middle - half;
+  const double half = std::hypot(0.5 * (bends(0, 0) - bends(1, 1)), bends(0, 1));
+  const double smallest = middle - half;
   const double low = offset_curvature(smallest);
   const double rise = half > 0 ? (offset_curvature(middle + half) - low) / (2 * half) : 0;
   s.curvature -= axes * ((low - rise * smallest) * Mat2::Identity() + rise * bends) * axes.transpose();

@@ -30,7 +30,8 @@ struct Cell {
   // Position, as a fraction of h, of the largest overshoot; 0: none.
   double furthest() const {
     // Roots of the slope a u² + b u + m.
-    const double a = 3 * (m + n - 2 * (q - p) / h), b = 2 * (3 * (q - p) / h - 2 * m - n);
+    const double a = 3 * (m + n - 2 * (q - p) / h);
+    const double b = 2 * (3 * (q - p) / h - 2 * m - n);
     const double root = b * b - 4 * a * m;
     if (root < 0) return 0;
     const double k = -0.5 * (b + std::copysign(std::sqrt(root), b));
@@ -47,16 +48,19 @@ struct Cell {
 }  // namespace
 
 HeightGrid::Overshoot HeightGrid::overshoot() const {
-  const size_t nx = x_.size(), ny = y_.size();
+  const size_t nx = x_.size();
+  const size_t ny = y_.size();
   Overshoot worst;
   const auto look = [&](size_t first, size_t stride, const std::vector<double>& t, double Node::*slope,
                         auto&& place) {
     const auto node = [&](size_t i) -> const Node& { return nodes_[first + i * stride]; };
     for (size_t i = 0; i + 1 < t.size(); ++i) {
-      const Node &p = node(i), &q = node(i + 1);
+      const Node& p = node(i);
+      const Node& q = node(i + 1);
       const Cell cell{node(i > 0 ? i - 1 : 0).z, p.z,      q.z,     node(std::min(i + 2, t.size() - 1)).z,
                       t[i + 1] - t[i],           p.*slope, q.*slope};
-      const double u = cell.furthest(), z = cell.at(u);
+      const double u = cell.furthest();
+      const double z = cell.at(u);
       if (u == 0 || !(cell.beyond(z) > worst.height)) continue;
       worst = {cell.beyond(z), place(t[i] + u * cell.h), z > std::max(p.z, q.z)};
     }

@@ -45,9 +45,11 @@ class Bends {
   int corner_vertex(int t, int i) const { return mesh_.triangles[at(t)][at(i % 3)]; }
   // Edge of u that joins the same vertices as edge i of t.
   int edge_in(int u, int t, int i) const {
-    const int a = corner_vertex(t, i), b = corner_vertex(t, i + 1);
+    const int a = corner_vertex(t, i);
+    const int b = corner_vertex(t, i + 1);
     for (int k = 0; k < 3; ++k) {
-      const int c = corner_vertex(u, k), d = corner_vertex(u, k + 1);
+      const int c = corner_vertex(u, k);
+      const int d = corner_vertex(u, k + 1);
       if ((c == a && d == b) || (c == b && d == a)) return k;
     }
     return 0;
@@ -59,7 +61,8 @@ class Bends {
     for (int t = 0; t < static_cast<int>(edge_.size()); ++t)
       for (int i = 0; i < 3; ++i) {
         if (edge_[at(t)][at(i)] != kNone) continue;
-        const int e = static_cast<int>(ends_.size()), u = topo_.neighbours[at(t)][at(i)];
+        const int e = static_cast<int>(ends_.size());
+        const int u = topo_.neighbours[at(t)][at(i)];
         edge_[at(t)][at(i)] = e;
         ends_.push_back({corner_vertex(t, i), corner_vertex(t, i + 1)});
         home_.push_back(3 * t + i);
@@ -94,10 +97,12 @@ class Bends {
       widest[at(root(c))] = std::max(widest[at(root(c))], width[at(c / 3)]);
     group_normal_.assign(group_.size(), Vec3::Zero());
     for (int c = 0; c < static_cast<int>(group_.size()); ++c) {
-      const int t = c / 3, i = c % 3, g = root(c);
+      const int t = c / 3;
+      const int i = c % 3;
+      const int g = root(c);
       if (width[at(t)] * kWide < widest[at(g)]) continue;
-      const Vec3 e = vertex(corner_vertex(t, i + 1)) - vertex(corner_vertex(t, i)),
-                 f = vertex(corner_vertex(t, i + 2)) - vertex(corner_vertex(t, i));
+      const Vec3 e = vertex(corner_vertex(t, i + 1)) - vertex(corner_vertex(t, i));
+      const Vec3 f = vertex(corner_vertex(t, i + 2)) - vertex(corner_vertex(t, i));
       const double scale = e.squaredNorm() * f.squaredNorm();
       if (scale > 0) group_normal_[at(g)] += e.cross(f) / scale;
     }
@@ -129,9 +134,10 @@ class Bends {
     for (int v = 0; v < static_cast<int>(tangent_.size()); ++v) {
       if (count[at(v)] != 2) continue;
       const auto other = [&](int e) { return ends_[at(e)][0] == v ? ends_[at(e)][1] : ends_[at(e)][0]; };
-      const Vec3 a = vertex(v) - vertex(other(along[at(v)][0])),
-                 b = vertex(other(along[at(v)][1])) - vertex(v);
-      const double la = a.norm(), lb = b.norm();
+      const Vec3 a = vertex(v) - vertex(other(along[at(v)][0]));
+      const Vec3 b = vertex(other(along[at(v)][1])) - vertex(v);
+      const double la = a.norm();
+      const double lb = b.norm();
       if (!(la > 0 && lb > 0) || a.dot(b) < cosine_ * la * lb) continue;
       Vec3 t = a / (la * la) + b / (lb * lb);
       if (la > kWide * lb) t = a;
@@ -149,21 +155,27 @@ class Bends {
   }
 
   void bend_edge(int e) {
-    const int t = home_[at(e)] / 3, i = home_[at(e)] % 3, a = ends_[at(e)][0], b = ends_[at(e)][1];
+    const int t = home_[at(e)] / 3;
+    const int i = home_[at(e)] % 3;
+    const int a = ends_[at(e)][0];
+    const int b = ends_[at(e)][1];
     const Vec3 r = vertex(b) - vertex(a);
     Vec3 c = Vec3::Zero();
     if (kind_[at(e)] == Kind::sharp) {
       c = from_tangent(a, r) + from_tangent(b, -r);
     } else if (kind_[at(e)] == Kind::smooth) {
-      Vec3 na = group_normal_[at(root(3 * t + i))], nb = group_normal_[at(root(3 * t + (i + 1) % 3))];
-      const bool has_a = !na.isZero(0), has_b = !nb.isZero(0);
+      Vec3 na = group_normal_[at(root(3 * t + i))];
+      Vec3 nb = group_normal_[at(root(3 * t + (i + 1) % 3))];
+      const bool has_a = !na.isZero(0);
+      const bool has_b = !nb.isZero(0);
       if (!has_a && !has_b) return;
       const Vec3 edge_normal = (normal_[at(t)] + normal_[at(topo_.neighbours[at(t)][at(i)])]).normalized();
       const Vec3 m = ((has_a ? na : edge_normal) + (has_b ? nb : edge_normal)).normalized();
       if (has_a && m.dot(na) > 0.5) c -= 0.5 * r.dot(na) / m.dot(na) * m;
       if (has_b && m.dot(nb) > 0.5) c += 0.5 * r.dot(nb) / m.dot(nb) * m;
     }
-    const double limit = kMaxBend * r.norm(), size = c.norm();
+    const double limit = kMaxBend * r.norm();
+    const double size = c.norm();
     if (size > limit) c *= limit / size;
     // Rounding of the vertices of a flat place is no bend.
     if (size < 1e-9 * r.norm() || !c.allFinite()) c.setZero();
@@ -211,7 +223,8 @@ class Bends {
       for (const int t : todo) {
         if (sound(t)) continue;
         for (int i = 0; i < 3; ++i) {
-          const int e = edge_[at(t)][at(i)], u = topo_.neighbours[at(t)][at(i)];
+          const int e = edge_[at(t)][at(i)];
+          const int u = topo_.neighbours[at(t)][at(i)];
           if (bend_[at(e)].isZero(0)) continue;
           bend_[at(e)] *= ++rounds[at(e)] < 4 ? 0.5 : 0.0;
           if (u >= 0) next.push_back(u);

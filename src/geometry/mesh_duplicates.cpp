@@ -216,7 +216,8 @@ int drop_flat_pieces(TriangleMesh& mesh, double thickness) {
   const MeshView view(mesh);
   const auto piece = [&](std::size_t t) { return static_cast<std::size_t>(topo.component[t]); };
   std::vector<bool> drop(n, true);
-  std::vector<Vec3> normal(n, Vec3::Zero()), at(n);
+  std::vector<Vec3> normal(n, Vec3::Zero());
+  std::vector<Vec3> at(n);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Vec3 a = view.area_vector(t);
     if (a.squaredNorm() > normal[piece(t)].squaredNorm()) {

@@ -29,8 +29,8 @@ bool any_chord(std::span<const Vec3> axis, Is&& is) {
 const Vec3& beyond(const Facets& facets, int u, int t, int edge) {
   const auto& triangles = facets.mesh().triangles;
   const auto& corners = triangles[static_cast<std::size_t>(t)];
-  const int a = corners[static_cast<std::size_t>(edge)],
-            b = corners[static_cast<std::size_t>((edge + 1) % 3)];
+  const int a = corners[static_cast<std::size_t>(edge)];
+  const int b = corners[static_cast<std::size_t>((edge + 1) % 3)];
   int k = 0;
   while (k < 2 && (triangles[static_cast<std::size_t>(u)][static_cast<std::size_t>(k)] == a ||
                    triangles[static_cast<std::size_t>(u)][static_cast<std::size_t>(k)] == b))
@@ -102,11 +102,13 @@ bool MeshFacetGroups::parallel(std::span<const Vec3> axis, double reach, std::ve
   };
   tree_.walk(near_axis, [&](int t) {
     const FacetGroup::Facet f = ball(t);
-    const double far = f.radius + reach, off = bulge(t) + reach;
+    const double far = f.radius + reach;
+    const double off = bulge(t) + reach;
     any_chord(axis, [&](const Vec3& p, const Vec3& q) {
       if (squared_distance_to_segment(f.centre, p, q) > far * far) return false;
       const Vec3 n = normals_.quick_face(facets_, t);
-      const double from = n.dot(p - facets_.corner(t, 0)), to = n.dot(q - facets_.corner(t, 0));
+      const double from = n.dot(p - facets_.corner(t, 0));
+      const double to = n.dot(q - facets_.corner(t, 0));
       if (std::min(from, to) > off || std::max(from, to) < -off) return false;  // beyond its plane
       // Long facets have large balls, most of which meet the axis although the facet is far from it.
       if (!facets_.may_reach(t, 0.5 * (p + q), reach + 0.5 * (q - p).norm())) return false;
@@ -153,12 +155,14 @@ bool MeshFacetGroups::one(std::span<const Vec3> axis, double reach) const {
 
 // True if the edge is reentrant and sharp. Curved patches may meet smoothly where their facets do not.
 bool MeshFacetGroups::cut(int t, int edge, int other) const {
-  const Vec3 n = normals_.quick_face(facets_, t), m = normals_.quick_face(facets_, other);
+  const Vec3 n = normals_.quick_face(facets_, t);
+  const Vec3 m = normals_.quick_face(facets_, other);
   if (n.isZero(0) || m.isZero(0) || n.dot(m) > kParallel || !rises(facets_, n, t, edge, other)) return false;
   if (!facets_.curved(t) && !facets_.curved(other)) return true;
   int k = 0;
   while (k < 2 && normals_.neighbour(other, k) != t) ++k;
-  const auto a = on_edge(edge, 0.5), b = on_edge(k, 0.5);
+  const auto a = on_edge(edge, 0.5);
+  const auto b = on_edge(k, 0.5);
   return facets_.patch(t)
              .normal(a[0], a[1])
              .normalized()
@@ -173,7 +177,9 @@ struct MeshFacetGroups::Approach {
 
 MeshFacetGroups::Approach MeshFacetGroups::approach(int t, const Vec3& a, const Vec3& b) const {
   Approach best;
-  const Vec3 &p = facets_.corner(t, 0), &q = facets_.corner(t, 1), &r = facets_.corner(t, 2);
+  const Vec3& p = facets_.corner(t, 0);
+  const Vec3& q = facets_.corner(t, 1);
+  const Vec3& r = facets_.corner(t, 2);
   const auto offer = [&](double distance, const Vec3& from) {
     if (distance < best.distance) best = {distance, from};
   };
@@ -181,7 +187,8 @@ MeshFacetGroups::Approach MeshFacetGroups::approach(int t, const Vec3& a, const 
   if (a == b) return best;
   offer(std::sqrt(closest_point_on_triangle(b, p, q, r).squared_distance), b);
   const Vec3 n = normals_.quick_face(facets_, t);
-  const double above = n.dot(a - p), below = n.dot(b - p);
+  const double above = n.dot(a - p);
+  const double below = n.dot(b - p);
   if (above * below < 0) {
     const Vec3 x = a + above / (above - below) * (b - a);
     offer(std::sqrt(closest_point_on_triangle(x, p, q, r).squared_distance), x);
@@ -199,7 +206,8 @@ bool MeshFacetGroups::holds(const FacetGroup& group, int triangle) {
 }
 
 Vec3 MeshFacetGroups::pseudonormal(const FacetGroup& group, const FacetSearch::Foot& foot) const {
-  const int t = foot.triangle, i = feature_index(foot.feature);
+  const int t = foot.triangle;
+  const int i = feature_index(foot.feature);
   if (foot.feature == Feature::face) return normals_.at(facets_, t, foot);
   if (is_edge(foot.feature)) {
     const int u = normals_.neighbour(t, i);
@@ -214,8 +222,11 @@ Vec3 MeshFacetGroups::pseudonormal(const FacetGroup& group, const FacetSearch::F
     const auto at = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), v) - corners.begin());
     if (at == 3) continue;
     const SmoothPatch q = facets_.patch(f.triangle);
-    const std::size_t j = (at + 1) % 3, k = (at + 2) % 3;
-    const Vec3 e = q.p[j] - q.p[at] + q.c[at], g = q.p[k] - q.p[at] + q.c[k], m = e.cross(g);
+    const std::size_t j = (at + 1) % 3;
+    const std::size_t k = (at + 2) % 3;
+    const Vec3 e = q.p[j] - q.p[at] + q.c[at];
+    const Vec3 g = q.p[k] - q.p[at] + q.c[k];
+    const Vec3 m = e.cross(g);
     const double angle = std::atan2(m.norm(), e.dot(g));
     sum += angle * (q.flat() ? normals_.face(facets_, f.triangle) : Vec3(m.normalized()));
   }
@@ -291,9 +302,11 @@ void MeshFacetGroups::join(std::span<const Vec3> axis, double reach,
   for (int k = 0; k < static_cast<int>(facets.size()); ++k) {
     const int t = facets[static_cast<std::size_t>(k)].triangle;
     for (int e = 0; e < 3; ++e) {
-      const int u = normals_.neighbour(t, e), l = u > t ? place_of(facets, u) : -1;
+      const int u = normals_.neighbour(t, e);
+      const int l = u > t ? place_of(facets, u) : -1;
       if (l < 0 || sets.smallest(k) == sets.smallest(l) || cut(t, e, u)) continue;
-      const Vec3 &p = facets_.corner(t, e), &q = facets_.corner(t, (e + 1) % 3);
+      const Vec3& p = facets_.corner(t, e);
+      const Vec3& q = facets_.corner(t, (e + 1) % 3);
       const double bent =
           facets_.curved(t) ? 0.25 * facets_.patch(t).c[static_cast<std::size_t>(e)].norm() : 0;
       if (comes_near(axis, reach + bent, p, q)) sets.unite(k, l);

@@ -105,8 +105,9 @@ struct MeshSurface::Data {
   // away than facets bulge, y is on the same side of both.
   Vec3 over_flat(const FacetSearch::Foot& c, const Vec3& y) const {
     if (!facets.curved(c.triangle) || c.squared_distance > bulge * bulge) return y;
-    const Vec3 &p0 = facets.corner(c.triangle, 0), &p1 = facets.corner(c.triangle, 1),
-               &p2 = facets.corner(c.triangle, 2);
+    const Vec3& p0 = facets.corner(c.triangle, 0);
+    const Vec3& p1 = facets.corner(c.triangle, 1);
+    const Vec3& p2 = facets.corner(c.triangle, 2);
     return y - (c.point - (p0 + c.u * (p1 - p0) + c.v * (p2 - p0)));
   }
   bool inside_all_facets(const Vec3& y, double bound, int hint) const {
@@ -118,7 +119,8 @@ struct MeshSurface::Data {
 };
 
 bool MeshSurface::Data::under_active(const FacetSearch::Foot& c, const Vec3& y) const {
-  const int t = c.triangle, i = feature_index(c.feature);
+  const int t = c.triangle;
+  const int i = feature_index(c.feature);
   const auto& tri = mesh().triangles[static_cast<std::size_t>(t)];
   bool border = false;
   if (is_vertex(c.feature)) {
@@ -168,7 +170,8 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
   if (d.winding.empty() && !d.normals.complete()) d.winding = WindingTree(d.mesh());
   d.undecided = std::move(defects.undecided);
   // Internal facets are not part of the surface; `met`: active facets that are.
-  std::vector<bool> outer, met = active;
+  std::vector<bool> outer;
+  std::vector<bool> met = active;
   if (d.internal > 0) {
     outer = std::move(defects.internal);
     outer.flip();
@@ -316,10 +319,12 @@ Mat3 MeshSurface::Data::curvature_at_vertex(int first, int corner, double length
   const int vertex = index(first, corner);
   std::optional<Vec3> along;
   Mat3 curvature = Mat3::Zero();
-  int t = first, v = corner;
+  int t = first;
+  int v = corner;
   for (int n = 0; n < kMaxFacets; ++n) {
     const SmoothPatch patch = facets.patch(t);
-    const auto from = static_cast<std::size_t>(v), to = static_cast<std::size_t>((v + 1) % 3);
+    const auto from = static_cast<std::size_t>(v);
+    const auto to = static_cast<std::size_t>((v + 1) % 3);
     const Vec3 tangent = (patch.p[to] - patch.p[from] + patch.c[from]).normalized();
     if (std::abs(tangent.dot(s.normal)) <= kSquare) {
       if (along && along->cross(tangent).norm() > kSquare) {

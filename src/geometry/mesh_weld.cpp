@@ -27,7 +27,8 @@ CrackResult weld_cracks(TriangleMesh& mesh) {
   std::vector<double> tolerance(n, std::numeric_limits<double>::infinity());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
-      const int a = mesh.triangles[t][i], b = mesh.triangles[t][(i + 1) % 3];
+      const int a = mesh.triangles[t][i];
+      const int b = mesh.triangles[t][(i + 1) % 3];
       ++uses[static_cast<std::size_t>(a)];
       const double limit = kCrack * (x(a) - x(b)).norm();
       for (const int v : {a, b}) {

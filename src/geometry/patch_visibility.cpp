@@ -9,7 +9,9 @@ namespace {
 
 // Directions distributed over the sphere (Fibonacci), rotated so that none is along an axis.
 Vec3 direction(int i, int n) {
-  const double z = 1 - (2 * i + 1.0) / n, a = 2.399963229728653 * i + 0.3, r = std::sqrt(1 - z * z);
+  const double z = 1 - (2 * i + 1.0) / n;
+  const double a = 2.399963229728653 * i + 0.3;
+  const double r = std::sqrt(1 - z * z);
   return Vec3(r * std::cos(a), r * std::sin(a), z);
 }
 
@@ -20,14 +22,16 @@ constexpr int kRays = 9, kVoters = 15;
 template <class F>
 void each_ray(const MeshView& mesh, const WindingTree& tree, std::vector<int>& patch, F with_ray) {
   const auto larger = [&](int a, int b) {
-    const double x = mesh.area_vector(a).squaredNorm(), y = mesh.area_vector(b).squaredNorm();
+    const double x = mesh.area_vector(a).squaredNorm();
+    const double y = mesh.area_vector(b).squaredNorm();
     return x != y ? x > y : a < b;
   };
   const auto voters = std::min<std::size_t>(kVoters, patch.size());
   std::partial_sort(patch.begin(), patch.begin() + static_cast<long>(voters), patch.end(), larger);
   for (std::size_t k = 0; k < voters; ++k) {
     const int t = patch[k];
-    const Vec3 n = mesh.area_vector(t), c = mesh.centroid(t);
+    const Vec3 n = mesh.area_vector(t);
+    const Vec3 c = mesh.centroid(t);
     if (n.isZero(0)) continue;
     for (int i = 0; i < kRays; ++i) {
       const Vec3 u = direction(i, kRays);

@@ -19,7 +19,8 @@ double least_extent(const TriangleMesh& mesh, const std::vector<int>& region, co
     for (const int v : mesh.triangles[static_cast<std::size_t>(t)])
       mean += mesh.vertices[static_cast<std::size_t>(v)];
   mean /= 3.0 * static_cast<double>(region.size());
-  const Vec3 a = normal.unitOrthogonal(), b = normal.cross(a);
+  const Vec3 a = normal.unitOrthogonal();
+  const Vec3 b = normal.cross(a);
   Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
   const auto each = [&](auto&& f) {
     for (const int t : region)
@@ -30,7 +31,8 @@ double least_extent(const TriangleMesh& mesh, const std::vector<int>& region, co
   };
   each([&](const Eigen::Vector2d& x) { spread += x * x.transpose(); });
   const Eigen::Matrix2d axes = eigenpairs(spread).vectors;
-  Eigen::Vector2d lo = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()), hi = -lo;
+  Eigen::Vector2d lo = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector2d hi = -lo;
   each([&](const Eigen::Vector2d& x) {
     const Eigen::Vector2d y = axes.transpose() * x;
     lo = lo.cwiseMin(y);

@@ -26,7 +26,8 @@ int exact_sign(const double (&product)[6][2]) {
   int n = 0;
   const auto add = [&](double b) {
     for (int i = 0; i < n; ++i) {
-      const double s = e[i] + b, bb = s - e[i];
+      const double s = e[i] + b;
+      const double bb = s - e[i];
       e[i] = (e[i] - (s - bb)) + (b - bb);
       b = s;
     }
@@ -44,8 +45,13 @@ int exact_sign(const double (&product)[6][2]) {
 // Side of the 2D point o relative to the line a -> b: 1 left, -1 right; 0 only if a = b, because o is
 // considered moved by (eps, eps²).
 int side(const double o[2], const double a[2], const double b[2]) {
-  const double ax = a[0] - o[0], ay = a[1] - o[1], bx = b[0] - o[0], by = b[1] - o[1];
-  const double l = ax * by, r = ay * bx, det = l - r;
+  const double ax = a[0] - o[0];
+  const double ay = a[1] - o[1];
+  const double bx = b[0] - o[0];
+  const double by = b[1] - o[1];
+  const double l = ax * by;
+  const double r = ay * bx;
+  const double det = l - r;
   int s = 0;
   if (std::abs(det) > 4e-16 * (std::abs(l) + std::abs(r))) {
     s = sign(det);
@@ -59,7 +65,8 @@ int side(const double o[2], const double a[2], const double b[2]) {
 
 // Sign of (a - p).n, n = (b - a) x (c - a): 1 when p is below the plane (inside of an outward face).
 int below(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 n = (b - a).cross(c - a), r = a - p;
+  const Vec3 n = (b - a).cross(c - a);
+  const Vec3 r = a - p;
   const double d = n.dot(r);
   const double size = (b - a).cwiseAbs().maxCoeff() * (c - a).cwiseAbs().maxCoeff() * r.cwiseAbs().maxCoeff();
   if (std::abs(d) > 1e-14 * size) return sign(d);
@@ -79,7 +86,8 @@ bool inside_by_tetrahedra(const MeshView& mesh, const Vec3& p) {
 }
 
 bool inside_by_ray(const MeshView& mesh, const Vec3& p, int axis) {
-  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const int u = (axis + 1) % 3;
+  const int v = (axis + 2) % 3;
   const double o[2] = {p[u], p[v]};
   int crossings = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -89,7 +97,9 @@ bool inside_by_ray(const MeshView& mesh, const Vec3& p, int axis) {
       q[i][1] = mesh.corner(t, i)[v];
     }
     // The sign of an edge must be exactly opposite in its two triangles.
-    const int s0 = side(o, q[0], q[1]), s1 = side(o, q[1], q[2]), s2 = side(o, q[2], q[0]);
+    const int s0 = side(o, q[0], q[1]);
+    const int s1 = side(o, q[1], q[2]);
+    const int s2 = side(o, q[2], q[0]);
     if (s0 == 0 || s0 != s1 || s1 != s2) continue;
     // Along the axis the face points forward (s = 1) or backward; the crossing is ahead if p is on the
     // matching side of its plane.
@@ -101,8 +111,12 @@ bool inside_by_ray(const MeshView& mesh, const Vec3& p, int axis) {
 bool inside_by_solid_angle(const MeshView& mesh, const Vec3& p) { return winding_number(mesh, p) > 0.5; }
 
 double solid_angle(const Vec3& p, const Vec3& v0, const Vec3& v1, const Vec3& v2) {
-  const Vec3 a = v0 - p, b = v1 - p, c = v2 - p;
-  const double la = a.norm(), lb = b.norm(), lc = c.norm();
+  const Vec3 a = v0 - p;
+  const Vec3 b = v1 - p;
+  const Vec3 c = v2 - p;
+  const double la = a.norm();
+  const double lb = b.norm();
+  const double lc = c.norm();
   const double det = a.dot((v1 - v0).cross(v2 - v0));
   return 2 * std::atan2(det, la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
 }

@@ -51,7 +51,8 @@ std::optional<SurfacePoint> CylinderSurface::query(const Vec3& y, double max_dis
   const Vec3 er = rho > 1e-12 * radius_ ? Vec3(radial / rho) : axis_.unitOrthogonal();
   const Vec3 ez = z < 0 ? Vec3(-axis_) : axis_;
   const double rho_safe = std::max(rho, 1e-6 * radius_);
-  const double side = rho - radius_, cap = std::abs(z) - half_length_;
+  const double side = rho - radius_;
+  const double cap = std::abs(z) - half_length_;
 
   SurfacePoint s;
   s.distance = side > 0 && cap > 0 ? std::hypot(side, cap) : std::max(side, cap);

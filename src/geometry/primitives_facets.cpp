@@ -22,7 +22,8 @@ struct ProfilePoint {
 // Points with rho = 0 are poles. The last point of a closed profile is joined to the first.
 TriangleMesh revolve(const std::vector<ProfilePoint>& profile, const Vec3& origin, const Vec3& axis,
                      bool closed) {
-  const Vec3 ex = axis.unitOrthogonal(), ey = axis.cross(ex);
+  const Vec3 ex = axis.unitOrthogonal();
+  const Vec3 ey = axis.cross(ex);
   TriangleMesh m;
   std::vector<int> first;  // vertex of each profile point
   for (const ProfilePoint& p : profile) {
@@ -37,7 +38,10 @@ TriangleMesh revolve(const std::vector<ProfilePoint>& profile, const Vec3& origi
   for (std::size_t k = 0; k + (closed ? 0 : 1) < profile.size(); ++k) {
     const std::size_t up = (k + 1) % profile.size();
     for (int i = 0; i < kAround; ++i) {
-      const int a = vertex(k, i), b = vertex(k, i + 1), c = vertex(up, i + 1), d = vertex(up, i);
+      const int a = vertex(k, i);
+      const int b = vertex(k, i + 1);
+      const int c = vertex(up, i + 1);
+      const int d = vertex(up, i);
       if (a != b) m.triangles.push_back({a, b, c});
       if (c != d) m.triangles.push_back({a, c, d});
     }
@@ -83,7 +87,10 @@ TriangleMesh joined(const std::vector<Ring>& rings) {
   const auto vertex = [&](int k, int i) { return kAround * (k % n) + i % kAround; };
   for (int k = 0; k < n; ++k)
     for (int i = 0; i < kAround; ++i) {
-      const int a = vertex(k, i), b = vertex(k, i + 1), c = vertex(k + 1, i + 1), d = vertex(k + 1, i);
+      const int a = vertex(k, i);
+      const int b = vertex(k, i + 1);
+      const int c = vertex(k + 1, i + 1);
+      const int d = vertex(k + 1, i);
       m.triangles.push_back({a, b, c});
       m.triangles.push_back({a, c, d});
     }
@@ -93,11 +100,13 @@ TriangleMesh joined(const std::vector<Ring>& rings) {
 // Rings of the outside along the axis; the frame turns with the arcs and does not twist.
 std::vector<Ring> along(const TubeShape& s) {
   const std::vector<TubePiece> pieces = tube_pieces(s);
-  Vec3 ex = pieces.front().direction.unitOrthogonal(), ey = pieces.front().direction.cross(ex);
+  Vec3 ex = pieces.front().direction.unitOrthogonal();
+  Vec3 ey = pieces.front().direction.cross(ex);
   std::vector<Ring> rings{{pieces.front().from, ex, ey, s.outer_radius()}};
   for (const TubePiece& p : pieces) {
     const int n = std::max(1, static_cast<int>(std::ceil(p.turn() * kAround / (2 * kPi))));
-    const Vec3 ex0 = ex, ey0 = ey;
+    const Vec3 ex0 = ex;
+    const Vec3 ey0 = ey;
     for (int i = 1; i <= n; ++i) {
       if (p.arc()) {
         const Quat turn = exp_so3(p.turn() * i / n * p.axis());
@@ -114,7 +123,8 @@ std::vector<Ring> along(const TubeShape& s) {
 void rim(const Ring& end, const TubeShape& s, int sign, std::vector<Ring>& rings) {
   const Vec3 out = sign * end.ex.cross(end.ey);
   for (int i = 1; i < kRim; ++i) {
-    const double angle = kPi * i / kRim, half = 0.5 * s.wall_thickness;
+    const double angle = kPi * i / kRim;
+    const double half = 0.5 * s.wall_thickness;
     rings.push_back({end.centre + half * std::sin(angle) * out, end.ex, end.ey,
                      s.middle_radius() + sign * half * std::cos(angle)});
   }
@@ -124,7 +134,9 @@ struct Facets {
   const Box& extent;
 
   TriangleMesh operator()(const PlaneShape& s) const {
-    const Vec3 n = s.normal.stableNormalized(), ex = n.unitOrthogonal(), ey = n.cross(ex);
+    const Vec3 n = s.normal.stableNormalized();
+    const Vec3 ex = n.unitOrthogonal();
+    const Vec3 ey = n.cross(ex);
     const Vec3 middle =
         extent.empty() ? s.point : Vec3(extent.centre() - n.dot(extent.centre() - s.point) * n);
     const double half = extent.diagonal() > 0 ? 0.5 * extent.diagonal() : 1;

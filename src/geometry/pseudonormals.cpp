@@ -52,8 +52,11 @@ Pseudonormals::Pseudonormals(const Facets& facets, const Topology& topo) : neigh
         undefined[w] = true;
         continue;
       }
-      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      const Vec3 e = q.p[j] - q.p[i] + q.c[i], f = q.p[k] - q.p[i] + q.c[k], m = e.cross(f);
+      const std::size_t j = (i + 1) % 3;
+      const std::size_t k = (i + 2) % 3;
+      const Vec3 e = q.p[j] - q.p[i] + q.c[i];
+      const Vec3 f = q.p[k] - q.p[i] + q.c[k];
+      const Vec3 m = e.cross(f);
       vertex[w] += std::atan2(m.norm(), e.dot(f)) * (q.flat() ? n : Vec3(m.normalized()));
     }
   }
@@ -77,7 +80,8 @@ Vec3 Pseudonormals::at(const Facets& facets, int t, const PatchPoint& p) const {
     return curved ? facets.patch(t).normal(p.u, p.v).normalized() : face(facets, t);
   const int other = neighbours_[static_cast<std::size_t>(t)][i];
   if (other < 0) return Vec3::Zero();
-  Vec3 this_normal = face(facets, t), across = face(facets, other);
+  Vec3 this_normal = face(facets, t);
+  Vec3 across = face(facets, other);
   if (this_normal.isZero(0) || across.isZero(0)) return Vec3::Zero();
   if (curved) this_normal = facets.patch(t).normal(p.u, p.v).normalized();
   if (facets.curved(other)) {
@@ -85,8 +89,8 @@ Vec3 Pseudonormals::at(const Facets& facets, int t, const PatchPoint& p) const {
     double s = i == 0 ? p.u : p.v;
     if (i == 2) s = 1 - s;
     if (!curved) {
-      const Vec3 &from = facets.corner(t, static_cast<int>(i)),
-                 &to = facets.corner(t, static_cast<int>(i + 1) % 3);
+      const Vec3& from = facets.corner(t, static_cast<int>(i));
+      const Vec3& to = facets.corner(t, static_cast<int>(i + 1) % 3);
       s = (p.point - from).dot(to - from) / (to - from).squaredNorm();
     }
     int k = 0;

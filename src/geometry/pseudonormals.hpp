@@ -47,7 +47,9 @@ class Pseudonormals {
  private:
   // Area vector times two of a well-shaped facet; else zero.
   static Vec3 quick_area(const Facets& facets, int t) {
-    const Vec3 &a = facets.corner(t, 0), e = facets.corner(t, 1) - a, f = facets.corner(t, 2) - a;
+    const Vec3& a = facets.corner(t, 0);
+    const Vec3 e = facets.corner(t, 1) - a;
+    const Vec3 f = facets.corner(t, 2) - a;
     const Vec3 n = e.cross(f);
     const double longest2 = std::max(e.squaredNorm(), f.squaredNorm());
     return n.squaredNorm() > 1e-8 * longest2 * longest2 ? n : Vec3(Vec3::Zero());

@@ -9,7 +9,8 @@ namespace hawser {
 
 double first_approach(const MovingSegment& a, const MovingSegment& b, double threshold, double tolerance) {
   constexpr int kMaxSteps = 500;
-  const Vec3 ua[2] = {a.from1 - a.from0, a.to1 - a.to0}, ub[2] = {b.from1 - b.from0, b.to1 - b.to0};
+  const Vec3 ua[2] = {a.from1 - a.from0, a.to1 - a.to0};
+  const Vec3 ub[2] = {b.from1 - b.from0, b.to1 - b.to0};
   double speed = 0;  // |u_a(s) - u_b(t)| is convex in s and t: largest at the ends
   for (const Vec3& u : ua)
     for (const Vec3& v : ub) speed = std::max(speed, (u - v).norm());

@@ -24,7 +24,8 @@ struct Best {
 
 // Minimum of |r + s u - t v| over the unit square. The lengths are in range and not all zero.
 Best solve(const Vec3& r, const Vec3& u, const Vec3& v) {
-  const double uu = u.squaredNorm(), vv = v.squaredNorm();
+  const double uu = u.squaredNorm();
+  const double vv = v.squaredNorm();
   const auto at = [&](double s, double t) {
     Best b;
     b.s = s;
@@ -51,7 +52,8 @@ Best solve(const Vec3& r, const Vec3& u, const Vec3& v) {
     const bool along_v = vv >= uu;
     const double p = along_v ? r.dot(v) / vv : -r.dot(u) / uu;
     const double q = along_v ? (r + u).dot(v) / vv : (v - r).dot(u) / uu;
-    const double lo = std::max(0.0, std::min(p, q)), hi = std::min(1.0, std::max(p, q));
+    const double lo = std::max(0.0, std::min(p, q));
+    const double hi = std::min(1.0, std::max(p, q));
     if (lo <= hi) {
       const double middle = 0.5 * (lo + hi);
       return along_v ? at(on_u(middle), middle) : at(middle, on_v(middle));
@@ -80,7 +82,9 @@ SegmentPair closest_points_of_segments(const Vec3& a0, const Vec3& a1, const Vec
     p.difference = -p.difference;
     return p;
   }
-  const Vec3 r = a0 - b0, u = a1 - a0, v = b1 - b0;
+  const Vec3 r = a0 - b0;
+  const Vec3 u = a1 - a0;
+  const Vec3 v = b1 - b0;
   const double size = std::max({r.cwiseAbs().maxCoeff(), u.cwiseAbs().maxCoeff(), v.cwiseAbs().maxCoeff()});
   SegmentPair p;
   if (size > kSmall && size < kLarge) {

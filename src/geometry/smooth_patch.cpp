@@ -13,8 +13,14 @@ namespace {
 
 // Barycentric coordinates (u, v) of the foot of x on the plane of the flat triangle, clamped to it.
 std::array<double, 2> flat_coordinates(const SmoothPatch& q, const Vec3& x) {
-  const Vec3 e = q.p[1] - q.p[0], f = q.p[2] - q.p[0], r = x - q.p[0];
-  const double ee = e.dot(e), ef = e.dot(f), ff = f.dot(f), er = e.dot(r), fr = f.dot(r);
+  const Vec3 e = q.p[1] - q.p[0];
+  const Vec3 f = q.p[2] - q.p[0];
+  const Vec3 r = x - q.p[0];
+  const double ee = e.dot(e);
+  const double ef = e.dot(f);
+  const double ff = f.dot(f);
+  const double er = e.dot(r);
+  const double fr = f.dot(r);
   const double det = ee * ff - ef * ef;
   if (!(det > 1e-24 * ee * ff)) return {1.0 / 3, 1.0 / 3};
   const double u = std::clamp((ff * er - ef * fr) / det, 0.0, 1.0);
@@ -44,8 +50,10 @@ OnCurve nearest_on_curve(const Vec3& y, const Vec3& a, const Vec3& b, const Vec3
   }
   double lo = 0, hi = 1;
   for (int i = 0; i < 40; ++i) {
-    const Vec3 r = y - at(s), tangent = e + (1 - 2 * s) * c;
-    const double slope = -r.dot(tangent), bend = tangent.squaredNorm() + 2 * r.dot(c);
+    const Vec3 r = y - at(s);
+    const Vec3 tangent = e + (1 - 2 * s) * c;
+    const double slope = -r.dot(tangent);
+    const double bend = tangent.squaredNorm() + 2 * r.dot(c);
     (slope > 0 ? hi : lo) = s;
     double next = bend > 0 ? s - slope / bend : 0.5 * (lo + hi);
     if (!(next >= lo && next <= hi))
@@ -83,9 +91,13 @@ std::array<double, 2> on_edge(int i, double s) {
 PatchPoint closest_point_on_patch(const Vec3& y, const SmoothPatch& q) {
   PatchPoint out;
   auto [u, v] = flat_coordinates(q, y);
-  const Vec3 uu = -2 * q.c[0], vv = -2 * q.c[2], uv = q.c[1] - q.c[0] - q.c[2];
+  const Vec3 uu = -2 * q.c[0];
+  const Vec3 vv = -2 * q.c[2];
+  const Vec3 uv = q.c[1] - q.c[0] - q.c[2];
   bool converged = false;
-  double squared = std::numeric_limits<double>::infinity(), du = 0, dv = 0;
+  double squared = std::numeric_limits<double>::infinity();
+  double du = 0;
+  double dv = 0;
   for (int i = 0; i < 30 && !converged; ++i) {
     const Vec3 r = y - q.point(u, v);
     const double now = r.squaredNorm();
@@ -98,10 +110,16 @@ PatchPoint closest_point_on_patch(const Vec3& y, const SmoothPatch& q) {
       continue;
     }
     squared = now;
-    const Vec3 a = q.by_u(u, v), b = q.by_v(u, v);
-    const double gu = r.dot(a), gv = r.dot(b);
-    double muu = a.dot(a), muv = a.dot(b), mvv = b.dot(b);
-    const double iuu = muu, iuv = muv, ivv = mvv;
+    const Vec3 a = q.by_u(u, v);
+    const Vec3 b = q.by_v(u, v);
+    const double gu = r.dot(a);
+    const double gv = r.dot(b);
+    double muu = a.dot(a);
+    double muv = a.dot(b);
+    double mvv = b.dot(b);
+    const double iuu = muu;
+    const double iuv = muv;
+    const double ivv = mvv;
     muu -= r.dot(uu);
     muv -= r.dot(uv);
     mvv -= r.dot(vv);
@@ -137,7 +155,8 @@ PatchPoint closest_point_on_patch(const Vec3& y, const SmoothPatch& q) {
     // The coordinate of the opposite corner is zero on edge i; only edges near the foot can contain the
     // nearest point.
     if (!unreliable && b[(i + 2) % 3] > 1e-3) continue;
-    const std::size_t j = static_cast<std::size_t>(i), k = static_cast<std::size_t>((i + 1) % 3);
+    const std::size_t j = static_cast<std::size_t>(i);
+    const std::size_t k = static_cast<std::size_t>((i + 1) % 3);
     const OnCurve c = nearest_on_curve(y, q.p[j], q.p[k], q.c[j]);
     if (!(c.squared < out.squared_distance)) continue;
     out.point = c.point;
@@ -157,14 +176,16 @@ bool one_nearest_point(const Vec3& y, const SmoothPatch& q) {
   std::array<double, 3> slope;  // 1/h_i, gradients of the barycentric coordinates
   std::array<Vec3, 6> hull;     // control points relative to y
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3 &a = q.p[(i + 1) % 3], &b = q.p[(i + 2) % 3];
+    const Vec3& a = q.p[(i + 1) % 3];
+    const Vec3& b = q.p[(i + 2) % 3];
     slope[i] = (b - a).norm() / size;
     hull[i] = q.p[i] - y;
     hull[i + 3] = 0.5 * (q.p[i] + a + q.c[i]) - y;
   }
   double shrinks = 0, bends = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double i = slope[k], j = slope[(k + 1) % 3];
+    const double i = slope[k];
+    const double j = slope[(k + 1) % 3];
     double largest = 0;
     for (const Vec3& r : hull) largest = std::max(largest, std::abs(r.dot(q.c[k])));
     shrinks += area.cross(q.c[k]).norm() / size * std::max(i, j);
@@ -174,23 +195,36 @@ bool one_nearest_point(const Vec3& y, const SmoothPatch& q) {
 }
 
 Mat3 curvature_over_patch(const SmoothPatch& q, double u, double v, const Vec3& n, double d) {
-  const Vec3 a = q.by_u(u, v), b = q.by_v(u, v);
-  const double aa = a.dot(a), ab = a.dot(b), bb = b.dot(b), area2 = aa * bb - ab * ab;
+  const Vec3 a = q.by_u(u, v);
+  const Vec3 b = q.by_v(u, v);
+  const double aa = a.dot(a);
+  const double ab = a.dot(b);
+  const double bb = b.dot(b);
+  const double area2 = aa * bb - ab * ab;
   if (!(area2 > 0)) return Mat3::Zero();
   // In the orthonormal basis (e, f) of the tangent plane the curvature is a symmetric 2 x 2 matrix.
-  const double length = std::sqrt(aa), height = std::sqrt(area2) / length, shear = ab / length;
-  const Vec3 e = a / length, f = (b - shear * e) / height;
-  const double uu = 2 * n.dot(q.c[0]), uv = n.dot(q.c[0] + q.c[2] - q.c[1]), vv = 2 * n.dot(q.c[2]);
-  const double ee = uu / aa, ef = (uv - shear * uu / length) / (length * height),
-               ff = (vv - 2 * shear * uv / length + shear * shear * uu / aa) / (height * height);
-  const double mean = 0.5 * (ee + ff), half = std::hypot(0.5 * (ee - ff), ef);
+  const double length = std::sqrt(aa);
+  const double height = std::sqrt(area2) / length;
+  const double shear = ab / length;
+  const Vec3 e = a / length;
+  const Vec3 f = (b - shear * e) / height;
+  const double uu = 2 * n.dot(q.c[0]);
+  const double uv = n.dot(q.c[0] + q.c[2] - q.c[1]);
+  const double vv = 2 * n.dot(q.c[2]);
+  const double ee = uu / aa;
+  const double ef = (uv - shear * uu / length) / (length * height);
+  const double ff = (vv - 2 * shear * uv / length + shear * shear * uu / aa) / (height * height);
+  const double mean = 0.5 * (ee + ff);
+  const double half = std::hypot(0.5 * (ee - ff), ef);
   const auto carried = [&](double k) {
     const double scale = 1 + d * k;
     return k / std::copysign(std::max(std::abs(scale), 1e-3), scale);
   };
-  const double k_max = carried(mean + half), k_min = carried(mean - half);
+  const double k_max = carried(mean + half);
+  const double k_min = carried(mean - half);
   // Matrix with the same axes and these two eigenvalues.
-  const double middle = 0.5 * (k_max + k_min), ratio = half > 0 ? 0.5 * (k_max - k_min) / half : 0;
+  const double middle = 0.5 * (k_max + k_min);
+  const double ratio = half > 0 ? 0.5 * (k_max - k_min) / half : 0;
   const double across = ratio * ef;
   return (middle + ratio * (ee - mean)) * e * e.transpose() +
          (middle + ratio * (ff - mean)) * f * f.transpose() +
@@ -198,13 +232,15 @@ Mat3 curvature_over_patch(const SmoothPatch& q, double u, double v, const Vec3& 
 }
 
 Mat3 curvature_over_edge(const SmoothPatch& q, int i, double s, const Vec3& n, double d, double small) {
-  const std::size_t j = static_cast<std::size_t>(i), k = static_cast<std::size_t>((i + 1) % 3);
+  const std::size_t j = static_cast<std::size_t>(i);
+  const std::size_t k = static_cast<std::size_t>((i + 1) % 3);
   const Vec3 tangent = q.p[k] - q.p[j] + (1 - 2 * s) * q.c[j];
   const double length2 = tangent.squaredNorm();
   const double divisor = std::copysign(std::max(std::abs(d), small), d);
   if (!(length2 > 0)) return (Mat3::Identity() - n * n.transpose()) / divisor;
   const Vec3 e = tangent / std::sqrt(length2);
-  const double bend = 2 * n.dot(q.c[j]) / length2, scale = 1 + d * bend;
+  const double bend = 2 * n.dot(q.c[j]) / length2;
+  const double scale = 1 + d * bend;
   return (Mat3::Identity() - n * n.transpose() - e * e.transpose()) / divisor +
          bend / std::copysign(std::max(std::abs(scale), 1e-3), scale) * e * e.transpose();
 }

@@ -38,7 +38,8 @@ std::vector<detail::EdgeUse> detail::edge_uses(const MeshView& mesh) {
   uses.reserve(3 * mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
-      const int from = mesh.triangles[t][i], to = mesh.triangles[t][(i + 1) % 3];
+      const int from = mesh.triangles[t][i];
+      const int to = mesh.triangles[t][(i + 1) % 3];
       const auto [low, high] = ordered(from, to);
       uses.push_back({low, high, static_cast<int>(t), static_cast<int>(i), from < to});
     }
@@ -89,7 +90,8 @@ MeshReport inspect(const TriangleMesh& mesh) {
   r.components = topo.components;
   r.closed = r.triangles > 0 && topo.odd_edges == 0;
   r.consistently_oriented = topo.flipped_edges == 0;
-  double shortest2 = std::numeric_limits<double>::infinity(), longest2 = 0;
+  double shortest2 = std::numeric_limits<double>::infinity();
+  double longest2 = 0;
   const MeshView view(mesh);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (int i = 0; i < 3; ++i) {

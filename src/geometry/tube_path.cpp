@@ -32,7 +32,8 @@ std::vector<Chord> chords(const std::vector<TubePiece>& pieces) {
     const int n = std::max(1, static_cast<int>(std::ceil(p.turn() / kChord)));
     const double sagitta = p.radius * (1 - std::cos(0.5 * p.turn() / n));
     for (int i = 0; i < n; ++i) {
-      const double a = p.length * i / n, b = p.length * (i + 1) / n;
+      const double a = p.length * i / n;
+      const double b = p.length * (i + 1) / n;
       out.push_back({p.point(a), p.point(b), at + a, at + b, sagitta});
     }
     at += p.length;
@@ -45,8 +46,8 @@ std::vector<Chord> chords(const std::vector<TubePiece>& pieces) {
 std::vector<TubeBend> tube_bends(const TubeShape& s) {
   std::vector<TubeBend> bends;
   for (std::size_t i = 1; i + 1 < s.path.size(); ++i) {
-    const Vec3 u = (s.path[i] - s.path[i - 1]).stableNormalized(),
-               v = (s.path[i + 1] - s.path[i]).stableNormalized();
+    const Vec3 u = (s.path[i] - s.path[i - 1]).stableNormalized();
+    const Vec3 v = (s.path[i + 1] - s.path[i]).stableNormalized();
     TubeBend b;
     b.turn = std::atan2(u.cross(v).norm(), u.dot(v));
     b.radius = s.bend_radius[s.bend_radius.size() == 1 ? 0 : i - 1];
@@ -79,8 +80,10 @@ std::vector<TubePiece> tube_pieces(const TubeShape& s) {
   std::vector<TubePiece> pieces;
   for (std::size_t i = 0; i + 1 < s.path.size(); ++i) {
     const Vec3 chord = s.path[i + 1] - s.path[i];
-    const double whole = chord.norm(), before = i > 0 ? bends[i - 1].tangent : 0,
-                 after = i < corners ? bends[i].tangent : 0, length = whole - before - after;
+    const double whole = chord.norm();
+    const double before = i > 0 ? bends[i - 1].tangent : 0;
+    const double after = i < corners ? bends[i].tangent : 0;
+    const double length = whole - before - after;
     need(length >= -kRounding * whole, "a leg of a tube's path is shorter than its bends need");
     const Vec3 direction = chord / whole;
     if (length > kRounding * whole || corners == 0)
@@ -106,7 +109,8 @@ std::optional<TubeTouch> tube_touches_itself(const TubeShape& s) {
     boxes.push_back(box.grown(r));
   }
   for (const auto& [i, j] : overlapping_pairs(boxes)) {
-    const Chord &a = all[i], &b = all[j];
+    const Chord& a = all[i];
+    const Chord& b = all[j];
     if (b.from - a.to < M_PI * r) continue;
     const SegmentPair p = closest_points_of_segments(a.a, a.b, b.a, b.b);
     if (p.distance + a.sagitta + b.sagitta < 2 * r)

@@ -52,10 +52,12 @@ double WindingTree::winding_number(const MeshView& mesh, const Vec3& p, double a
       [&](std::size_t node) {
         const Cluster& c = clusters_[node];
         const Vec3 r = c.centre - p;
-        const double r2 = r.squaredNorm(), away = accuracy * c.radius;
+        const double r2 = r.squaredNorm();
+        const double away = accuracy * c.radius;
         if (!(r2 > away * away)) return true;
         // Integral of n . x / |x|³: the field at the centre, and its gradient times the first moment.
-        const double r1 = std::sqrt(r2), r3 = r2 * r1;
+        const double r1 = std::sqrt(r2);
+        const double r3 = r2 * r1;
         angle += r.dot(c.area) / r3 + c.moment.trace() / r3 - 3 * r.dot(c.moment * r) / (r3 * r2);
         return false;
       },
@@ -87,8 +89,12 @@ int WindingTree::crossings(const MeshView& mesh, const Vec3& p, const Vec3& u, i
       },
       [&](int t) {
         if (t == without) return;
-        const Vec3 a = mesh.corner(t, 0) - p, b = mesh.corner(t, 1) - p, c = mesh.corner(t, 2) - p;
-        const double x = u.dot(a.cross(b)), y = u.dot(b.cross(c)), z = u.dot(c.cross(a));
+        const Vec3 a = mesh.corner(t, 0) - p;
+        const Vec3 b = mesh.corner(t, 1) - p;
+        const Vec3 c = mesh.corner(t, 2) - p;
+        const double x = u.dot(a.cross(b));
+        const double y = u.dot(b.cross(c));
+        const double z = u.dot(c.cross(a));
         if (!((x > 0 && y > 0 && z > 0) || (x < 0 && y < 0 && z < 0))) return;
         // Ahead if the signs of the volume and of the side of passing agree.
         met += (a.dot(b.cross(c)) > 0) == (x > 0);

@@ -80,8 +80,8 @@ struct Scales {
 };
 
 Scales scales(const BemioFile& file, const HydrodynamicForm& form) {
-  const double density = file.number("/simulation_parameters/rho"),
-               gravity = file.number("/simulation_parameters/g");
+  const double density = file.number("/simulation_parameters/rho");
+  const double gravity = file.number("/simulation_parameters/g");
   if (!(density > 0) || !(gravity > 0)) file.refuse("density and gravity are not above 0");
   if (file.has("/simulation_parameters/scaled") && file.number("/simulation_parameters/scaled") != 0) {
     const double factor = form.density / density;
@@ -107,8 +107,8 @@ void read_radiation(const BemioFile& file, const Scales& scale, HydrodynamicData
   for (int b = 0; b < data.bodies; ++b) {
     const std::string body = fmt::format("/body{}/hydro_coeffs/", b + 1);
     const auto columns = static_cast<hsize_t>(n);
-    const std::vector<double> added = file.values(body + "added_mass/all", {6, columns, count}),
-                              damping = file.values(body + "radiation_damping/all", {6, columns, count});
+    const std::vector<double> added = file.values(body + "added_mass/all", {6, columns, count});
+    const std::vector<double> damping = file.values(body + "radiation_damping/all", {6, columns, count});
     std::vector<double> infinite;
     if (file.has(body + "added_mass/inf_freq"))
       infinite = file.values(body + "added_mass/inf_freq", {6, columns});

@@ -183,7 +183,8 @@ void read_radiation(const CapytaineFile& file, const Freedoms& f, double scale, 
   for (const size_t k : order) {
     if (!data.omega.empty() && omega[k] == data.omega.back())
       file.refuse(fmt::format("has omega = {:g} rad/s twice", omega[k]));
-    Eigen::MatrixXd A = matrix_of(added, f, n, scale, {k}), B = matrix_of(damping, f, n, scale, {k});
+    Eigen::MatrixXd A = matrix_of(added, f, n, scale, {k});
+    Eigen::MatrixXd B = matrix_of(damping, f, n, scale, {k});
     if (!A.allFinite() || !B.allFinite()) {
       excluded.push_back(omega[k]);
       continue;
@@ -232,8 +233,10 @@ void read_excitation(const CapytaineFile& file, const Freedoms& f, double scale,
     if (found == names.end()) file.refuse(fmt::format("variable 'complex' has no '{}'", name));
     return static_cast<size_t>(found - names.begin());
   };
-  const size_t re = part("re"), im = part("im");
-  const std::vector<double>&omega = file.numbers("omega"), &directions = file.numbers("wave_direction");
+  const size_t re = part("re");
+  const size_t im = part("im");
+  const std::vector<double>& omega = file.numbers("omega");
+  const std::vector<double>& directions = file.numbers("wave_direction");
   const std::vector<std::string> along = {"complex", file.frequencies(), "wave_direction", "influenced_dof"};
   std::vector<CapytaineFile::View> views;
   if (parts) {
@@ -282,7 +285,8 @@ HydrodynamicData read_capytaine(const std::string& path, const HydrodynamicForm&
     file.refuse("was computed with a forward speed; only coefficients at zero speed are supported");
   if (order != SecondOrder::none)
     file.refuse("has no second-order forces: remove 'second_order', or give WAMIT's or BEMIO's files");
-  const double density = file.number("rho"), gravity = file.number("g");
+  const double density = file.number("rho");
+  const double gravity = file.number("g");
   if (!(density > 0) || !(gravity > 0)) file.refuse("density and gravity are not above 0");
   const double scale = form.density / density;
   if (std::abs(gravity / form.gravity - 1) > 0.01)

@@ -106,8 +106,10 @@ Case read_changed(std::string text, const std::string& path, const ReadProgress&
 // Platforms come first because objects of the file itself may be attached to them.
 void read_things(const Value& root, const Value* start_of_case, const CaseSource& source,
                  const SectionLengths& lengths, bool sea, Case& c) {
-  const std::size_t bodies = c.bodies.size(), volumes = c.volumes.size(), lines = c.lines.size(),
-                    links = c.links.size();
+  const std::size_t bodies = c.bodies.size();
+  const std::size_t volumes = c.volumes.size();
+  const std::size_t lines = c.lines.size();
+  const std::size_t links = c.links.size();
   const Value& types = root["line_types"];
   for (std::size_t i = 0; i < types.items.size(); ++i) {
     const auto same = [&](const model::LineType& t) { return t.name == types.keys[i]; };

@@ -217,7 +217,9 @@ class BedCheck {
   // True if a place, given as a fraction of the line's length, is in the soil or at the end of a buried
   // stretch.
   static bool buried(const model::Line& line, double fraction) {
-    const double length = model::length_of(line), s = fraction * length, near = 1e-3 * length;
+    const double length = model::length_of(line);
+    const double s = fraction * length;
+    const double near = 1e-3 * length;
     return std::any_of(line.buried.begin(), line.buried.end(),
                        [&](const model::Buried& b) { return s > b.from - near && s < b.to + near; });
   }
@@ -265,7 +267,8 @@ class BedCheck {
     if (!line.starts_by_itself()) return;
     const bool a = &e == &line.end_a;
     const size_t i = a ? 0 : line.buried.size() - 1;
-    const double length = line.buried[i].to - line.buried[i].from, deep = -model::height_above_bed(bed_, x);
+    const double length = line.buried[i].to - line.buried[i].from;
+    const double deep = -model::height_above_bed(bed_, x);
     const std::string key = fmt::format("lines.{}.buried[{}].{}", line.name, i, a ? "to" : "from");
     if (deep >= length)
       c_.refuse(key, "{:.4g} m of line do not reach the seabed, which is {:.4g} m above its end", length,

@@ -187,7 +187,8 @@ void finish_in_water(const Value& v, const model::Water& water, model::LineType&
   if (!(t.displaced_diameter > 0)) t.displaced_diameter = t.outer_diameter;
   if (!(t.drag_diameter > 0)) t.drag_diameter = t.outer_diameter;
   if (const Value* c = v.find("contents")) {
-    const bool bore = c->has("inner_diameter"), pipe = v.has("pipe");
+    const bool bore = c->has("inner_diameter");
+    const bool pipe = v.has("pipe");
     if (bore && pipe) refuse((*c)["inner_diameter"], "'pipe' already defines it; remove one of them");
     if (!bore && !pipe)
       refuse_key(*c, c->where + ".inner_diameter", "required key is missing: the diameter of the bore");
@@ -213,8 +214,9 @@ void finish_in_water(const Value& v, const model::Water& water, model::LineType&
   }
   if (const Value* g = v.find("marine_growth")) {
     // Marine growth is added to the outer diameter, independent of the displaced diameter.
-    const double d = t.outer_diameter, D = d + 2 * (*g)["thickness"].number,
-                 area = M_PI / 4 * (D * D - d * d);
+    const double d = t.outer_diameter;
+    const double D = d + 2 * (*g)["thickness"].number;
+    const double area = M_PI / 4 * (D * D - d * d);
     t.mass_per_length += (*g)["density"].number * area;
     t.displaced_diameter = std::sqrt(std::pow(t.displaced_diameter, 2) + 4 / M_PI * area);
     t.drag_diameter += D - d;

@@ -41,7 +41,8 @@ constexpr double kSamePlace = 1e-3;     // m
 std::pair<size_t, std::string> platform_change(const std::string& change) {
   constexpr std::string_view kFarm = "farm", kOf = ".of.";
   if (!change.starts_with(kFarm)) return {};
-  size_t at = kFarm.size(), number = 0;
+  size_t at = kFarm.size();
+  size_t number = 0;
   if (at < change.size() && change[at] == '[') {
     const size_t end = change.find(']', at);
     const std::string digits = end == std::string::npos ? "" : change.substr(at + 1, end - at - 1);
@@ -76,7 +77,8 @@ class PlacesByPosition {
  public:
   // A place less than kSamePlace away that was added before; null: none, and this place is added.
   const FarmPlace* add(const FarmPlace& place) {
-    const long long i = std::llround(place.x / kSamePlace), k = std::llround(place.y / kSamePlace);
+    const long long i = std::llround(place.x / kSamePlace);
+    const long long k = std::llround(place.y / kSamePlace);
     for (long long a = i - 1; a <= i + 1; ++a)
       for (long long b = k - 1; b <= k + 1; ++b)
         if (const auto at = cells_.find({a, b});
@@ -128,12 +130,15 @@ class Places {
   std::string next_name() { return fmt::format("{}{}", v_["name"].text, ++count_); }
 
   void in_rows(const Value& v) {
-    const auto rows = static_cast<size_t>(v["rows"].number),
-               columns = static_cast<size_t>(v["columns"].number);
+    const auto rows = static_cast<size_t>(v["rows"].number);
+    const auto columns = static_cast<size_t>(v["columns"].number);
     if (rows * columns > kMostPlaces)
       refuse(v, "{} rows of {} are {} places; the limit is {}", rows, columns, rows * columns, kMostPlaces);
-    const double angle = v["direction_deg"].number, c = std::cos(angle), s = std::sin(angle);
-    const Value &spacing = v["spacing"], &from = v["from"];
+    const double angle = v["direction_deg"].number;
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    const Value& spacing = v["spacing"];
+    const Value& from = v["from"];
     for (size_t i = 0; i < rows; ++i)
       for (size_t k = 0; k < columns; ++k) {
         const double along =
@@ -315,7 +320,8 @@ void check_line_types(const FarmPart& part, const model::Case& c) {
 void note_unused(const FarmPart& part, const Value& root, std::vector<std::string>& notes) {
   std::vector<std::string> keys;
   for (const char* key : {"contact", "start", "stages", "events"}) {
-    const Value *v = part.tree->find(key), *in_case = root.find(key);
+    const Value* v = part.tree->find(key);
+    const Value* in_case = root.find(key);
     if (v && v->given && !(in_case && model::value_text(*in_case) == model::value_text(*v)))
       keys.push_back(fmt::format("'{}'", key));
   }
@@ -350,7 +356,8 @@ model::Case read_platform(const FarmPart& part, const CaseSource& source, const 
 // Section lengths of one place by their keys in the platform file.
 SectionLengths lengths_at(const FarmPlace& place, const SectionLengths& lengths) {
   SectionLengths lengths_of_platform;
-  const std::string kind = "lines.", begin = kind + model::placed_name(place, "");
+  const std::string kind = "lines.";
+  const std::string begin = kind + model::placed_name(place, "");
   for (auto at = lengths.lower_bound(begin); at != lengths.end() && at->first.starts_with(begin); ++at)
     lengths_of_platform.emplace(kind + at->first.substr(begin.size()), at->second);
   return lengths_of_platform;
@@ -375,9 +382,11 @@ void place_platforms(const Value& root, const CaseSource& source, const SectionL
     const model::Case platform = read_platform(part, platform_source, {}, c, bed);
     c.line_types = platform.line_types;
     c.notes.insert(c.notes.end(), platform.notes.begin(), platform.notes.end());
-    const Value &bodies = (*part.tree)["bodies"], &lines = (*part.tree)["lines"];
+    const Value& bodies = (*part.tree)["bodies"];
+    const Value& lines = (*part.tree)["lines"];
     for (const FarmPlace& place : part.places) {
-      const size_t body = c.bodies.size(), line = c.lines.size();
+      const size_t body = c.bodies.size();
+      const size_t line = c.lines.size();
       const SectionLengths changed = lengths_at(place, lengths);
       if (changed.empty())
         model::place_platform(platform, bed, place, c);

@@ -46,7 +46,8 @@ double largest(const std::vector<CoefficientRow>& rows) {
 
 // Completes rows of 0 to 180 deg (or of the other side) by their mirror image.
 bool mirror(const Value& at, std::vector<CoefficientRow>& rows) {
-  const double first = rows.front().angle, last = rows.back().angle;
+  const double first = rows.front().angle;
+  const double last = rows.back().angle;
   if (std::abs(last - first - 180) > kSame || std::abs(std::remainder(first, 180)) > kSame) return false;
   for (const CoefficientRow* r : {&rows.front(), &rows.back()})
     if (r->C.tail<2>().cwiseAbs().maxCoeff() > kRounded * largest(rows))
@@ -63,7 +64,8 @@ bool mirror(const Value& at, std::vector<CoefficientRow>& rows) {
 void close_round(const Value& at, std::vector<CoefficientRow>& rows) {
   const double span = rows.back().angle - rows.front().angle;
   if (std::abs(span - 360) > kSame) return;
-  const Vec3 a = rows.front().C, b = rows.back().C;
+  const Vec3 a = rows.front().C;
+  const Vec3 b = rows.back().C;
   if ((a - b).cwiseAbs().maxCoeff() > kRounded * largest(rows))
     refuse(at, "the rows of {:g} and {:g} deg are of one direction and differ", rows.front().angle,
            rows.back().angle);

@@ -30,7 +30,8 @@ void read_plasticity(const Value& v, model::LineType& t) {
   std::vector<PlasticBending::Row> rows;
   if (curve) {
     const Value& c = p["ramberg_osgood"];
-    const double last = 2 * kStrain / t.outer_diameter, yield = c["yield_moment"].number / t.EI2;
+    const double last = 2 * kStrain / t.outer_diameter;
+    const double yield = c["yield_moment"].number / t.EI2;
     if (!(last > yield))
       refuse(c["yield_moment"],
              "is reached at a curvature of {:.3g} 1/m only, beyond {:g} % of strain; is it in N m?", yield,

@@ -162,14 +162,16 @@ void note_overshoot(const model::TableMotion& m, const std::string& key, std::ve
   size_t places = 0;
   for (const Column& k : columns) {
     if (k.rows.empty()) continue;
-    Vec3 lowest = k.rows.front(), highest = lowest;
+    Vec3 lowest = k.rows.front();
+    Vec3 highest = lowest;
     for (const Vec3& x : k.rows) {
       lowest = lowest.cwiseMin(x);
       highest = highest.cwiseMax(x);
     }
     for (const RowCurve::Overshoot& o : RowCurve(m.time, k.rows, m.between).overshoots(kOvershoot)) {
       ++places;
-      const double span = highest[o.component] - lowest[o.component], ratio = span > 0 ? o.excess / span : 0;
+      const double span = highest[o.component] - lowest[o.component];
+      const double ratio = span > 0 ? o.excess / span : 0;
       if (ratio > worst_ratio) {
         worst = o;
         worst_ratio = ratio;
@@ -178,7 +180,8 @@ void note_overshoot(const model::TableMotion& m, const std::string& key, std::ve
     }
   }
   if (!column) return;
-  const double before = m.time[worst.row], after = m.time[worst.row + 1];
+  const double before = m.time[worst.row];
+  const double after = m.time[worst.row + 1];
   notes.push_back(fmt::format(
       "{}: between its rows at {:g} and {:g} s the spline takes {} to {:.4g} {} at {:.4g} s, {:.3g} {} "
       "({:.3g} % of what the rows span) beyond both{}; if the body does not do that, give more rows there or "

@@ -75,7 +75,9 @@ void read_pipe(const Value& v, bool uneven_bed, model::LineType& t) {
        {"library", "diameter", "grade", "weight", "outer_diameter", "mass_per_length", "displaced_diameter",
         "EA", "EI", "GJ", "rotary_inertia"});
   const Value& p = v["pipe"];
-  const double D = p["outer_diameter"].number, wall = p["wall_thickness"].number, d = D - 2 * wall;
+  const double D = p["outer_diameter"].number;
+  const double wall = p["wall_thickness"].number;
+  const double d = D - 2 * wall;
   if (!(d > 0))
     refuse(p["wall_thickness"], "a wall of {:g} m fills the pipe of {:g} m; it must be below half of that",
            wall, D);
@@ -84,9 +86,11 @@ void read_pipe(const Value& v, bool uneven_bed, model::LineType& t) {
   t.EI2 = t.EI3 = m.E * polar(d, D) / 2;
   t.GJ = m.E / (2 * (1 + m.poisson)) * polar(d, D);
   t.mass_per_length = m.density * area(d, D);
-  double inertia = m.density * polar(d, D), outside = D;
+  double inertia = m.density * polar(d, D);
+  double outside = D;
   for (const Value& layer : p["coatings"].items) {
-    const double next = outside + 2 * layer["thickness"].number, density = layer["density"].number;
+    const double next = outside + 2 * layer["thickness"].number;
+    const double density = layer["density"].number;
     t.mass_per_length += density * area(outside, next);
     inertia += density * polar(outside, next);
     outside = next;
@@ -101,7 +105,8 @@ void read_pipe(const Value& v, bool uneven_bed, model::LineType& t) {
 void read_weight(const Value& v, double gravity, model::LineType& t) {
   only(v, "weight", {"library", "diameter", "grade", "mass_per_length", "displaced_diameter"});
   const Value& w = v["weight"];
-  const double air = w["in_air"].number, submerged = w["submerged"].number;
+  const double air = w["in_air"].number;
+  const double submerged = w["submerged"].number;
   // Mass from weight uses standard gravity if the case has none.
   const double g = gravity > 0 ? gravity : 9.80665;
   if (!(air > submerged))
@@ -116,7 +121,8 @@ void read_weight(const Value& v, double gravity, model::LineType& t) {
            "with {:g} N/m in air and {:g} N/m under water the line displaces as much as a cylinder of {:.4g} "
            "m, but its outer_diameter is {:g} m",
            air, submerged, t.displaced_diameter, outer->number);
-  const Value *contents = v.find("contents"), *bore = contents ? contents->find("inner_diameter") : nullptr;
+  const Value* contents = v.find("contents");
+  const Value* bore = contents ? contents->find("inner_diameter") : nullptr;
   if (!w.has("full_of") || !bore) return;
   t.mass_per_length -= w["full_of"].number * area(0, bore->number);
   if (!(t.mass_per_length > 0))

@@ -99,12 +99,14 @@ std::shared_ptr<const model::PreviousShape> OtherRuns::shape(const Value& start,
 }
 
 void OtherRuns::add_shape(const Run& r, size_t line, model::PreviousShape& shape) {
-  const size_t first = static_cast<size_t>(r.first[line]), count = static_cast<size_t>(r.count[line]);
+  const size_t first = static_cast<size_t>(r.first[line]);
+  const size_t count = static_cast<size_t>(r.count[line]);
   for (size_t n = first; n < first + count; ++n) {
     shape.arc.push_back(r.arc[n]);
     shape.position.push_back(Eigen::Map<const Vec3>(r.position.data() + 3 * n));
     if (r.axes.empty()) continue;
-    const Eigen::Map<const Vec3> a(r.axes[0].data() + 3 * n), b(r.axes[1].data() + 3 * n);
+    const Eigen::Map<const Vec3> a(r.axes[0].data() + 3 * n);
+    const Eigen::Map<const Vec3> b(r.axes[1].data() + 3 * n);
     if (!(a.norm() > 0.5) || !(b.norm() > 0.5)) continue;  // a cable
     Mat3 R;
     R.col(0) = a.normalized();
@@ -117,7 +119,8 @@ void OtherRuns::add_shape(const Run& r, size_t line, model::PreviousShape& shape
 void check_previous_shape(const model::Line& line, const Value& at, const std::string& key, bool parted,
                           std::vector<std::string>& notes) {
   constexpr double kSame = 1e-6, kMost = 0.2;  // of the length
-  const double length = model::length_of(line), previous_length = line.previous_shape->arc.back();
+  const double length = model::length_of(line);
+  const double previous_length = line.previous_shape->arc.back();
   if (std::abs(length - previous_length) > kMost * length)
     refuse_key(at, key, "the line is {:g} m long, but {:g} m in {}; they may differ by {:g} %{}", length,
                previous_length, line.previous_shape->file, 100 * kMost,

@@ -134,7 +134,8 @@ class Group {
 
   void box(const PlacedSupport& p) {
     const Value& e = *p.entry;
-    const bool v = e["type"].is("V"), flat = e["type"].is("flat");
+    const bool v = e["type"].is("V");
+    const bool flat = e["type"].is("flat");
     const auto only = [&](const char* key, bool wanted, const char* types) {
       if (e.has(key) && !wanted)
         refuse(e[key], "a support of type '{}' has none; remove it, or choose {}", e["type"].text, types);
@@ -152,7 +153,8 @@ class Group {
     if (v_.has("body")) b.body = v_["body"].text;
     b.along = p.at.along;
     b.up = p.at.up;
-    const double r = 0.5 * e["roller_diameter"].number, length = e["roller_length"].number;
+    const double r = 0.5 * e["roller_diameter"].number;
+    const double length = e["roller_length"].number;
     const double angle = v ? e["angle_deg"].number : 0;
     if (const double needed = (r + radius_) * std::tan(angle); length < needed)
       refuse(e["roller_length"],
@@ -164,7 +166,8 @@ class Group {
     if (const Value* lines = v_.find("on")) b.body = carry(b, *lines);
     b.half_width = v ? length * std::cos(angle) : 0.5 * length;
     b.first = c_.volumes.size();
-    const Vec3 left = b.left(), base = p.at.at;
+    const Vec3 left = b.left();
+    const Vec3 base = p.at.at;
     const auto roller = [&](const char* name, const Vec3& from, const Vec3& to) {
       b.rollers.emplace_back(name);
       c_.volumes.push_back(volume(b, e, CylinderShape{from, to, r}));
@@ -177,7 +180,8 @@ class Group {
       roller("below", base + 0.5 * length * left, base - 0.5 * length * left);
       if (!flat) {
         const bool closed = e["type"].is("box");
-        const double height = e["side_height"].number, top = height + 2 * r;
+        const double height = e["side_height"].number;
+        const double top = height + 2 * r;
         for (const double side : {1., -1.}) {
           const Vec3 foot = base + side * (0.5 * length + r) * left;
           roller(side > 0 ? "left" : "right", foot, foot + (closed ? top : r + height) * b.up);

@@ -42,7 +42,8 @@ Slot read_slot(hid_t file, const std::string& place) {
   std::array<std::uint64_t, 4> header{};
   h5::read_part(h5::open_dataset(file, place + "header"), H5T_NATIVE_UINT64, 0, header.size(), header.data());
   const h5::Id index = h5::open_dataset(file, place + "index");
-  const hsize_t size = header[1], length = header[2];
+  const hsize_t size = header[1];
+  const hsize_t length = header[2];
   if (size > h5::shape_of(h5::open_dataset(file, place + "values")).at(0) ||
       length > h5::shape_of(index).at(0))
     return slot;
@@ -68,7 +69,8 @@ void broadcast(MPI_Comm comm, Slot& slot) {
 // sums an equal share of the array. Collective.
 bool complete(MPI_Comm comm, hid_t file, const Slot& slot) {
   constexpr long long kPiece = 1 << 17;  // numbers in memory at a time
-  const long long ranks = ranks_of(comm), rank = rank_of(comm);
+  const long long ranks = ranks_of(comm);
+  const long long rank = rank_of(comm);
   const long long part_of_rank = (slot.size + ranks - 1) / ranks;
   const long long end = std::min(slot.size, (rank + 1) * part_of_rank);
   std::uint64_t sum = 0;
@@ -193,13 +195,15 @@ Checkpoint unpack_checkpoint(const std::string& index, long long size, int nodes
 
   for (const std::string& name : terms) {
     const long long length = count_of(part(at++, 1)[0], size);
-    const long long records = at, begins = at + length;  // offsets of the records, of the nodes' offsets
+    const long long records = at;          // offset of the records
+    const long long begins = at + length;  // offset of the nodes' offsets
     at = begins + (length > 0 ? nodes_total : 0);
     for (const RowRun& run : runs) {
       if (length == 0) break;
       const bool last = run.first + run.count == nodes_total;  // its records extend to the end
       const std::vector<double> starts = part(begins + run.first, run.count + (last ? 0 : 1));
-      const long long end = last ? length : count_of(starts.back(), length), first = count_of(starts[0], end);
+      const long long end = last ? length : count_of(starts.back(), length);
+      const long long first = count_of(starts[0], end);
       const NodeRange nodes{static_cast<int>(run.first), static_cast<int>(run.first + run.count)};
       add_records(part(records + first, end - first), nodes, c.records[name].records);
     }

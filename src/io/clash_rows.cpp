@@ -34,15 +34,16 @@ constexpr Column kColumns[] = {{"line", "", offsetof(ClashRow, line), false},
 // Selects rows [first, first + n) of table `slot` of ongoing clashes, or of the ended ones (slot < 0).
 h5::Id select(hid_t set, long long slot, long long first, size_t n) {
   h5::Id space = h5::own(H5Dget_space(set), H5Sclose, "clashes");
-  const hsize_t start[2] = {static_cast<hsize_t>(slot < 0 ? first : slot), static_cast<hsize_t>(first)},
-                count[2] = {slot < 0 ? n : 1, n};
+  const hsize_t start[2] = {static_cast<hsize_t>(slot < 0 ? first : slot), static_cast<hsize_t>(first)};
+  const hsize_t count[2] = {slot < 0 ? n : 1, n};
   h5::check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, count, nullptr), "clashes");
   return space;
 }
 
 void write(hid_t file, const char* name, long long slot, long long first, const std::vector<ClashRow>& rows) {
   if (rows.empty()) return;
-  const h5::Id set = h5::open_dataset(file, name), type = clash_type();
+  const h5::Id set = h5::open_dataset(file, name);
+  const h5::Id type = clash_type();
   const hsize_t n = rows.size();
   const h5::Id memory = h5::own(H5Screate_simple(1, &n, nullptr), H5Sclose, "clashes");
   h5::check(H5Dwrite(set, type, memory, select(set, slot, first, n), H5P_DEFAULT, rows.data()), name);
@@ -51,7 +52,8 @@ void write(hid_t file, const char* name, long long slot, long long first, const 
 std::vector<ClashRow> read(hid_t file, const char* name, long long slot, size_t rows) {
   std::vector<ClashRow> out(rows);
   if (rows == 0) return out;
-  const h5::Id set = h5::open_dataset(file, name), type = clash_type();
+  const h5::Id set = h5::open_dataset(file, name);
+  const h5::Id type = clash_type();
   const hsize_t n = rows;
   const h5::Id memory = h5::own(H5Screate_simple(1, &n, nullptr), H5Sclose, "clashes");
   h5::check(H5Dread(set, type, memory, select(set, slot, 0, n), H5P_DEFAULT, out.data()), name);
@@ -73,8 +75,8 @@ ClashTables read_clashes(const std::string& path) {
   if (!h5::exists(file, kClashCounts)) return out;
   long long written[2] = {};
   {
-    const h5::Id set = h5::open_dataset(file, "written"),
-                 type = h5::own(H5Dget_type(set), H5Tclose, "counter");
+    const h5::Id set = h5::open_dataset(file, "written");
+    const h5::Id type = h5::own(H5Dget_type(set), H5Tclose, "counter");
     h5::check(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, written), "counter");
   }
   if (written[0] == 0) return out;
@@ -114,9 +116,11 @@ void write_last_clashes(hid_t file, const ClashTables& last, long long kept, lon
   const h5::Id set = h5::open_dataset(file, kClashCounts);
   const long long counts[2] = {kept + static_cast<long long>(last.ended.size()),
                                static_cast<long long>(last.open.size())};
-  const hsize_t start[2] = {static_cast<hsize_t>(output), 0}, count[2] = {1, 2}, n = 2;
-  const h5::Id space = h5::own(H5Dget_space(set), H5Sclose, "clashes"),
-               memory = h5::own(H5Screate_simple(1, &n, nullptr), H5Sclose, "clashes");
+  const hsize_t start[2] = {static_cast<hsize_t>(output), 0};
+  const hsize_t count[2] = {1, 2};
+  const hsize_t n = 2;
+  const h5::Id space = h5::own(H5Dget_space(set), H5Sclose, "clashes");
+  const h5::Id memory = h5::own(H5Screate_simple(1, &n, nullptr), H5Sclose, "clashes");
   h5::check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, count, nullptr), "clashes");
   h5::check(H5Dwrite(set, H5T_NATIVE_LLONG, memory, space, H5P_DEFAULT, counts), "clashes");
 }

@@ -222,7 +222,8 @@ Array read_row(hid_t file, const std::string& name, hsize_t row) {
   const Shape whole = shape_of(set);
   if (whole.empty() || row >= whole[0]) throw std::runtime_error("dataset " + name + " has no such row");
   Array a{{whole.begin() + 1, whole.end()}, {}};
-  Shape first(whole.size(), 0), count = whole;
+  Shape first(whole.size(), 0);
+  Shape count = whole;
   first[0] = row;
   count[0] = 1;
   hsize_t n = 1;

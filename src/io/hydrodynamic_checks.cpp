@@ -46,7 +46,8 @@ void check_limits(const HydrodynamicData& data, bool has_infinite, const Eigen::
   double straight = 0, crossed = 0;
   for (Eigen::Index i = 0; i < scale.size(); ++i) {
     if (!(scale[i] > 0)) continue;
-    const double longest = data.added_mass.front()(i, i), shortest = data.added_mass.back()(i, i);
+    const double longest = data.added_mass.front()(i, i);
+    const double shortest = data.added_mass.back()(i, i);
     if (has_zero) {
       straight += std::abs(longest - zero_frequency(i, i)) / scale[i];
       crossed += std::abs(shortest - zero_frequency(i, i)) / scale[i];
@@ -161,7 +162,9 @@ std::vector<double> off_line(const HydrodynamicData& data, const std::vector<Eig
   std::vector<double> off(data.omega.size(), 0);
   for (size_t k = 1; k + 1 < off.size(); ++k) {
     const double fraction = (data.omega[k] - data.omega[k - 1]) / (data.omega[k + 1] - data.omega[k - 1]);
-    const double before = matrices[k - 1](i, j), value = matrices[k](i, j), after = matrices[k + 1](i, j);
+    const double before = matrices[k - 1](i, j);
+    const double value = matrices[k](i, j);
+    const double after = matrices[k + 1](i, j);
     if (value > std::max(before, after) || value < std::min(before, after))
       off[k] = std::abs(value - (1 - fraction) * before - fraction * after);
   }

@@ -40,13 +40,16 @@ double median(std::vector<Weighted>& values) {
 // none unless it is the only one.
 void estimate_infinite(HydrodynamicData& data, std::vector<std::string>& notes) {
   const Eigen::Index n = 6 * data.bodies;
-  const size_t rows = data.omega.size(), used = std::max<size_t>(rows - 1, 1);
-  Eigen::MatrixXd damping(rows, n * n), integrals(used, n * n);
+  const size_t rows = data.omega.size();
+  const size_t used = std::max<size_t>(rows - 1, 1);
+  Eigen::MatrixXd damping(rows, n * n);
+  Eigen::MatrixXd integrals(used, n * n);
   for (size_t k = 0; k < rows; ++k) damping.row(static_cast<Eigen::Index>(k)) = data.damping[k].reshaped();
   Eigen::VectorXd weight(used);
   for (size_t k = 0; k < used; ++k) {
     const double omega = data.omega[k];
-    const double before = data.omega[k > 0 ? k - 1 : 0], after = data.omega[std::min(k + 1, used - 1)];
+    const double before = data.omega[k > 0 ? k - 1 : 0];
+    const double after = data.omega[std::min(k + 1, used - 1)];
     weight[static_cast<Eigen::Index>(k)] = std::log((omega + after) / (before + omega));
     integrals.row(static_cast<Eigen::Index>(k)) =
         data.added_mass[k].reshaped().transpose() - added_mass_by_damping(data.omega, damping, omega);
@@ -77,7 +80,8 @@ void note_negative(const HydrodynamicData& data, std::vector<std::string>& notes
     if (i % 6 == 5) continue;
     double sum = 0, all = 0, largest = 0, before = 0;
     for (size_t k = 0; k < data.omega.size(); ++k) {
-      const double B = data.damping[k](i, i), width = data.omega[k] - before;
+      const double B = data.damping[k](i, i);
+      const double width = data.omega[k] - before;
       before = data.omega[k];
       sum += width * B;
       all += width * std::abs(B);
@@ -110,7 +114,8 @@ void make_passive(HydrodynamicData& data, std::vector<std::string>& notes) {
     const Eigen::MatrixXd scaled = scale.cwiseInverse().asDiagonal() * B * scale.cwiseInverse().asDiagonal();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(scaled);
     const Eigen::VectorXd positive = modes.eigenvalues().cwiseMax(0);
-    const double negative = (positive - modes.eigenvalues()).sum(), width = data.omega[k] - before;
+    const double negative = (positive - modes.eigenvalues()).sum();
+    const double width = data.omega[k] - before;
     before = data.omega[k];
     negative_area += width * negative;
     all += width * positive.sum();

@@ -91,7 +91,8 @@ void check_leaders(const model::Case& c, const std::vector<bool>& blunt) {
       return q.a == p.b && q.b == p.a && !blunt[q.a];
     });
     if (!blunt[p.a] || other) continue;
-    const model::Volume &a = c.volumes[p.a], &b = c.volumes[p.b];
+    const model::Volume& a = c.volumes[p.a];
+    const model::Volume& b = c.volumes[p.b];
     const bool points = a.basis == model::StiffnessBasis::per_point;
     c.refuse("volumes." + a.name + ".normal_stiffness",
              "'{}' is to meet '{}' with its {}, but {} of more than 10 deg: nothing would touch; give a "

@@ -168,7 +168,8 @@ LoadedMesh read_mesh(const std::string& path, double scale, bool closed) {
 
 std::vector<bool> active_triangles(const TriangleMesh& mesh, const model::Volume& volume) {
   if (volume.active_box) {
-    const Vec3 &a = volume.active_box->lower, &b = volume.active_box->upper;
+    const Vec3& a = volume.active_box->lower;
+    const Vec3& b = volume.active_box->upper;
     Box box;
     box.lo = a;
     box.hi = b;

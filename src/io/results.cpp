@@ -222,7 +222,8 @@ struct ResultsFile::Impl {
   // nodes, at_ends: values of all these outputs, as in WaitingOutputs.
   void write(const WaitingOutputs& w, std::span<const std::vector<double>> nodes,
              std::span<const std::vector<double>> at_ends) {
-    const long long n = static_cast<long long>(w.times.size()), row = count.outputs;
+    const long long n = static_cast<long long>(w.times.size());
+    const long long row = count.outputs;
     ClashRoom rows{0, 0};
     if (contents.clashes) {
       size_t ended = 0;
@@ -284,7 +285,8 @@ ResultsFile::Impl::Impl(MPI_Comm comm, const std::string& path, ResultContents r
     }
   end_runs = runs_of(ends);
   line_runs = runs_of(lines);
-  const size_t slash = path.rfind('/'), name = slash == std::string::npos ? 0 : slash + 1;
+  const size_t slash = path.rfind('/');
+  const size_t name = slash == std::string::npos ? 0 : slash + 1;
   xdmf_path = xdmf_beside(path);
   if (root()) xdmf.emplace(contents, path.substr(name));
   steps.resize(contents.series.size());

@@ -243,7 +243,8 @@ void write_summary(hid_t file, const std::vector<SummaryRow>& rows) {
 
 // Copies the first n rows, in pieces that fit the processor's cache.
 void copy_rows(hid_t from, hid_t to, hid_t type, hsize_t n) {
-  h5::Shape count = h5::shape_of(to), start(count.size(), 0);
+  h5::Shape count = h5::shape_of(to);
+  h5::Shape start(count.size(), 0);
   hsize_t row = H5Tget_size(type);
   for (size_t i = 1; i < count.size(); ++i) row *= count[i];
   if (row == 0) return;
@@ -259,7 +260,8 @@ void copy_rows(hid_t from, hid_t to, hid_t type, hsize_t n) {
                 "copy");
       return space;
     };
-    const h5::Id source_rows = select(from), target_rows = select(to);
+    const h5::Id source_rows = select(from);
+    const h5::Id target_rows = select(to);
     h5::check(H5Dread(from, type, memory, source_rows, H5P_DEFAULT, buffer.data()),
               "copy of earlier results");
     h5::check(H5Dwrite(to, type, memory, target_rows, H5P_DEFAULT, buffer.data()), "copy of earlier results");
@@ -293,7 +295,8 @@ void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, co
     // Statistics are restored from the checkpoint.
     if (s.rows_by == RowsBy::node && !h5::exists(from, s.name)) continue;
     if (!h5::exists(from, s.name)) throw differs(s.name);
-    const h5::Id old = h5::open_dataset(from, s.name), created = h5::open_dataset(to, s.name);
+    const h5::Id old = h5::open_dataset(from, s.name);
+    const h5::Id created = h5::open_dataset(to, s.name);
     const h5::Shape shape = h5::shape_of(old);
     if (!std::equal(shape.begin() + 1, shape.end(), s.tail.begin(), s.tail.end()))
       throw InputError(

@@ -88,8 +88,10 @@ void SharedFile::write_runs(const std::string& name, hid_t type, long long row,
     const h5::Shape shape = h5::shape_of(set);
     if (empty(shape)) return;
     const size_t axis = row >= 0 ? 1 : 0;
-    h5::Shape start(shape.size(), 0), block(shape);
-    hsize_t total = 0, inner = row >= 0 ? static_cast<hsize_t>(rows) : 1;
+    h5::Shape start(shape.size(), 0);
+    h5::Shape block(shape);
+    hsize_t total = 0;
+    hsize_t inner = row >= 0 ? static_cast<hsize_t>(rows) : 1;
     for (size_t i = axis + 1; i < shape.size(); ++i) inner *= shape[i];
     if (row >= 0) {
       start[0] = static_cast<hsize_t>(row);
@@ -112,7 +114,8 @@ void SharedFile::write_rows(const std::string& name, hid_t type, long long first
                             bool contributes, const void* data) {
   attempt([&] {
     const hid_t set = open_.at(name);
-    h5::Shape count = h5::shape_of(set), start(count.size(), 0);
+    h5::Shape count = h5::shape_of(set);
+    h5::Shape start(count.size(), 0);
     if (empty(count)) return;
     start[0] = static_cast<hsize_t>(first);
     count[0] = static_cast<hsize_t>(rows);

@@ -110,7 +110,8 @@ void read_radiation(const std::string& stem, const HydrodynamicForm& form, std::
   data.infinite = none;
   for (const NumberRow& row : table.rows) {
     const double period = row.values[0];
-    const int i = mode_of(table, row, 1, modes), j = mode_of(table, row, 2, modes);
+    const int i = mode_of(table, row, 1, modes);
+    const int j = mode_of(table, row, 2, modes);
     const double scale = form.density * std::pow(form.length, 3 + rotates(i) + rotates(j));
     const double added = scale * row.values[3];
     if (period == 0) {
@@ -131,7 +132,8 @@ void read_radiation(const std::string& stem, const HydrodynamicForm& form, std::
     Frequency& at = by_omega.try_emplace(omega, Frequency{none, none, no_rows}).first->second;
     const double damping = scale * omega * row.values[4];
     if (at.given(i, j) && is_clear(i, j)) {
-      const Complex before(at.added(i, j), at.damping(i, j) / omega), again(added, damping / omega);
+      const Complex before(at.added(i, j), at.damping(i, j) / omega);
+      const Complex again(added, damping / omega);
       check_again(table, row, before, again, std::abs(again));
     }
     at.added(i, j) = added;
@@ -171,7 +173,8 @@ void read_hydrostatics(const std::string& stem, const HydrodynamicForm& form, st
   Eigen::MatrixXi given = Eigen::MatrixXi::Zero(n, n);
   bool has_zeros = false;
   for (const NumberRow& row : table.rows) {
-    const int i = mode_of(table, row, 0, n), j = mode_of(table, row, 1, n);
+    const int i = mode_of(table, row, 0, n);
+    const int j = mode_of(table, row, 1, n);
     const double value =
         form.density * form.gravity * std::pow(form.length, 2 + rotates(i) + rotates(j)) * row.values[2];
     if (given(i, j) && is_clear(i, j))
@@ -192,7 +195,8 @@ void read_hydrostatics(const std::string& stem, const HydrodynamicForm& form, st
 // digits; phases of numbers near zero are ignored. Modulus and phase that are both zero are not given.
 void check_parts(const NumberTable& table, const NumberRow& row, size_t first, double largest) {
   constexpr double kRounded = 0.01, kSmall = 0.01;
-  const double modulus = row.values[first], phase = row.values[first + 1];
+  const double modulus = row.values[first];
+  const double phase = row.values[first + 1];
   const Complex parts(row.values[first + 2], row.values[first + 3]);
   const double scale = std::max(modulus, std::abs(parts));
   if (scale <= kSmall * largest || (modulus == 0 && phase == 0)) return;
@@ -274,7 +278,8 @@ double sparseness(const std::vector<ComplexVec6>& values, size_t n) {
   double differs = 0, all = 0;
   for (const int mode : {0, 1})
     for (size_t i = 0; i + 1 < n; ++i) {
-      const Complex value = values[i * n + i][mode], next = values[(i + 1) * n + i + 1][mode];
+      const Complex value = values[i * n + i][mode];
+      const Complex next = values[(i + 1) * n + i + 1][mode];
       differs += std::abs(values[i * n + i + 1][mode] - 0.5 * (value + next));
       all += 0.5 * (std::abs(value) + std::abs(next));
     }
@@ -325,8 +330,11 @@ model::DifferenceForces difference_forces(const NumberTable& table, double direc
     check_parts(table, *row, 5, largest[static_cast<size_t>(mode + 1)]);
     const double scale = form.density * form.gravity * std::pow(form.length, 1 + rotates(mode));
     const Complex value = scale * Complex(row->values[7], row->values[8]);
-    const size_t i = place(row->values[0]), j = place(row->values[1]);
-    const size_t at = i * n + j, mirrored = j * n + i, m = static_cast<size_t>(mode);
+    const size_t i = place(row->values[0]);
+    const size_t j = place(row->values[1]);
+    const size_t at = i * n + j;
+    const size_t mirrored = j * n + i;
+    const size_t m = static_cast<size_t>(mode);
     if (given_mode[at][m])
       check_again(table, *row, values[at][mode], value, scale * largest[m + 1],
                   "are these rows of two runs, or is F_ji not the conjugate of F_ij?");

@@ -111,7 +111,8 @@ XdmfWriter::XdmfWriter(const ResultContents& contents, const std::string& h5_nam
 void XdmfWriter::add_output(size_t row, std::string& text) const {
   char time[32];
   std::snprintf(time, sizeof time, "%.17g", times_[row]);
-  const std::string this_row = std::to_string(row), next = std::to_string(row + 1);
+  const std::string this_row = std::to_string(row);
+  const std::string next = std::to_string(row + 1);
   for (const TextPart& p : pieces_) {
     text += p.text;
     if (p.then) text += p.then == kTime ? time : p.then == kRow ? this_row : next;
@@ -120,7 +121,8 @@ void XdmfWriter::add_output(size_t row, std::string& text) const {
 
 void XdmfWriter::add_lines(std::string& text) const {
   const auto& c = *contents_;
-  const long long total = c.nodes_total(), lines = static_cast<long long>(c.lines.size());
+  const long long total = c.nodes_total();
+  const long long lines = static_cast<long long>(c.lines.size());
   const auto grid = [&](const std::string& name, long long first, long long nodes,
                         const std::string& topology) {
     text += "<Grid Name=\"" + xml_text(name) + "\" GridType=\"Uniform\">\n" + topology;
@@ -169,7 +171,8 @@ void XdmfWriter::add_volumes(std::string& text) const {
   const auto places = volume_places(*contents_);
   for (size_t i = 0; i < places.size(); ++i) {
     const auto& v = contents_->volumes[i];
-    const long long nv = std::ssize(v.displayed_vertices()), nt = std::ssize(v.displayed_triangles());
+    const long long nv = std::ssize(v.displayed_vertices());
+    const long long nt = std::ssize(v.displayed_triangles());
     const std::string mesh = places[i] + (v.coarsened() ? "/drawn_" : "/");
     const Slab triangles{mesh + "triangles", kInt, {0, 0}, {nt, 3}, {nt, 3}};
     const Slab points = v.moves() ? Slab{places[i] + "/moved", kFloat, {0, 0}, {nv, 3}, {nv, 3}, true}

@@ -23,7 +23,8 @@ size_t character(std::string_view text) {
     code = code << 6 | (static_cast<unsigned char>(c) & 0x3Fu);
   }
   const std::uint32_t min_code = n == 2 ? 0x80 : n == 3 ? 0x800 : 0x10000;
-  const bool surrogate = code >= 0xD800 && code < 0xE000, never = code == 0xFFFE || code == 0xFFFF;
+  const bool surrogate = code >= 0xD800 && code < 0xE000;
+  const bool never = code == 0xFFFE || code == 0xFFFF;
   return code < min_code || code > 0x10FFFF || surrogate || never ? 0 : n;
 }
 

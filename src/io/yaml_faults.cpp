@@ -96,7 +96,8 @@ class Lines {
     bool value = true;    // one may begin here: at the start, after "- " and ": ", in brackets after a comma
     bool closed = false;  // the outermost bracket was closed
     for (std::size_t i = 0; i < raw.size(); ++i) {
-      const char c = raw[i], next = i + 1 < raw.size() ? raw[i + 1] : ' ';
+      const char c = raw[i];
+      const char next = i + 1 < raw.size() ? raw[i + 1] : ' ';
       if (quoted()) {
         const char quote = open_.back().kind;
         if ((quote == '"' && c == '\\') || (quote == '\'' && c == '\'' && next == '\''))

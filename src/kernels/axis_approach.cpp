@@ -46,8 +46,11 @@ class Search {
   Search(const Moving& a, const Moving& b, const ApproachLimits& limits) : a_(a), b_(b), limits_(limits) {}
 
   Sides look(const AxisInterval& p, const AxisInterval& q) const {
-    const MovingSegment A = p.chord(a_), B = q.chord(b_);
-    const double ea = p.error(a_), eb = q.error(b_), e = ea + eb;
+    const MovingSegment A = p.chord(a_);
+    const MovingSegment B = q.chord(b_);
+    const double ea = p.error(a_);
+    const double eb = q.error(b_);
+    const double e = ea + eb;
     if (first_approach(A, B, limits_.min_distance + e, kSearch * limits_.min_distance) > 1)
       return Sides::kept;
     const double distance = closest_points_of_segments(A.from0, A.to0, B.from0, B.to0).distance;
@@ -78,11 +81,13 @@ class Search {
 
 Sides sides_kept(const AxisShape& a0, const AxisShape& a1, const AxisShape& b0, const AxisShape& b1,
                  const ApproachLimits& limits) {
-  const Moving a(a0, a1), b(b0, b1);
+  const Moving a(a0, a1);
+  const Moving b(b0, b1);
   const Sides kept = Search(a, b, limits).look({}, {});
   if (kept != Sides::near || !(limits.floor > 0)) return kept;
   // Axes already nearer, by more than the error of the chords, only need to satisfy the other limits.
-  const Moving start_a(a0, a0), start_b(b0, b0);
+  const Moving start_a(a0, a0);
+  const Moving start_b(b0, b0);
   const ApproachLimits below{kBelow * limits.floor, kAnyPart, 0, -1};
   if (Search(start_a, start_b, below).look({}, {}) == Sides::kept) return kept;
   ApproachLimits others = limits;

@@ -32,10 +32,13 @@ AxisApproach polish(const BezierAxis& a, const BezierAxis& b, AxisApproach at) {
   Vec3 r = a.point(at.xi) - b.point(at.eta);
   double size = r.squaredNorm();
   for (int i = 0; i < kMaxIterations; ++i) {
-    const Vec3 a1 = a.slope(at.xi), b1 = b.slope(at.eta);
-    double g = r.dot(a1), h = -r.dot(b1);
-    double gg = a1.squaredNorm() + r.dot(a.bend(at.xi)), hh = b1.squaredNorm() - r.dot(b.bend(at.eta)),
-           gh = -a1.dot(b1);
+    const Vec3 a1 = a.slope(at.xi);
+    const Vec3 b1 = b.slope(at.eta);
+    double g = r.dot(a1);
+    double h = -r.dot(b1);
+    double gg = a1.squaredNorm() + r.dot(a.bend(at.xi));
+    double hh = b1.squaredNorm() - r.dot(b.bend(at.eta));
+    double gh = -a1.dot(b1);
     // At a side of the square that the step would leave, it follows the side.
     const bool no_xi = (at.xi <= 0 && g > 0) || (at.xi >= 1 && g < 0);
     const bool no_eta = (at.eta <= 0 && h > 0) || (at.eta >= 1 && h < 0);
@@ -58,12 +61,13 @@ AxisApproach polish(const BezierAxis& a, const BezierAxis& b, AxisApproach at) {
     }
     const double det = gg * hh - gh * gh;
     if (!(det > 0)) break;
-    const double dx = -(hh * g - gh * h) / det, dy = -(gg * h - gh * g) / det;
+    const double dx = -(hh * g - gh * h) / det;
+    const double dy = -(gg * h - gh * g) / det;
     bool accepted = false;
     double moved = 0, factor = 1;
     for (int k = 0; k < kMaxHalvings && !accepted; ++k, factor *= 0.5) {
-      const double xi = std::clamp(at.xi + factor * dx, 0.0, 1.0),
-                   eta = std::clamp(at.eta + factor * dy, 0.0, 1.0);
+      const double xi = std::clamp(at.xi + factor * dx, 0.0, 1.0);
+      const double eta = std::clamp(at.eta + factor * dy, 0.0, 1.0);
       const Vec3 next = a.point(xi) - b.point(eta);
       if (!(next.squaredNorm() < size)) continue;
       moved = std::max(std::abs(xi - at.xi), std::abs(eta - at.eta));
@@ -159,7 +163,8 @@ std::optional<AxisToSurface> nearest_to(DistanceField field, const BezierAxis& a
   AxisSample last = look(0);
   for (int k = 1; k <= pieces; ++k) {
     const AxisSample next = look(static_cast<double>(k) / pieces);
-    AxisSample lo = last, hi = next;
+    AxisSample lo = last;
+    AxisSample hi = next;
     last = next;
     if (!lo.known || !hi.known || !(lo.slope < 0) || !(hi.slope > 0)) continue;
     if (0.5 * (lo.distance + hi.distance - piece) >= best.distance) continue;

@@ -26,8 +26,10 @@ AxisProjection point_at(const AxisShape& axis, double eta, const Vec3& x) {
 
 AxisProjection closest_point_on(const AxisShape& axis, const Vec3& x) {
   if (axis.count() == 2) {
-    const Vec3 a = axis.point(0), u = axis.slope(0);
-    const double uu = u.squaredNorm(), t = uu > 0 ? (x - a).dot(u) / uu : 0.0;
+    const Vec3 a = axis.point(0);
+    const Vec3 u = axis.slope(0);
+    const double uu = u.squaredNorm();
+    const double t = uu > 0 ? (x - a).dot(u) / uu : 0.0;
     AxisProjection f = point_at(axis, std::clamp(t, 0.0, 1.0), x);
     f.inside = t > 0 && t < 1;
     return f;
@@ -41,15 +43,18 @@ AxisProjection closest_point_on(const AxisShape& axis, const Vec3& x) {
       smallest = d;
     }
   }
-  double lo = std::max(best - 1, 0) / (kPlaces - 1.0), hi = std::min(best + 1, kPlaces - 1) / (kPlaces - 1.0);
+  double lo = std::max(best - 1, 0) / (kPlaces - 1.0);
+  double hi = std::min(best + 1, kPlaces - 1) / (kPlaces - 1.0);
   double eta = best / (kPlaces - 1.0);
   // h = half the derivative of the squared distance.
   const auto h = [&](double e) { return (axis.point(e) - x).dot(axis.slope(e)); };
   if (lo == 0 && h(0) >= 0) return point_at(axis, 0, x);
   if (hi == 1 && h(1) <= 0) return point_at(axis, 1, x);
   for (int i = 0; i < kMaxIterations; ++i) {
-    const Vec3 away = axis.point(eta) - x, y1 = axis.slope(eta);
-    const double v = away.dot(y1), slope = y1.squaredNorm() + away.dot(axis.bend(eta));
+    const Vec3 away = axis.point(eta) - x;
+    const Vec3 y1 = axis.slope(eta);
+    const double v = away.dot(y1);
+    const double slope = y1.squaredNorm() + away.dot(axis.bend(eta));
     (v < 0 ? lo : hi) = eta;
     double next = eta - v / slope;
     const bool newton = slope > 0 && next > lo && next < hi;

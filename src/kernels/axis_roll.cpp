@@ -12,7 +12,8 @@ namespace hawser {
 // decomposition. Its derivative is g.dtheta, g = (t0 + t1)/(1 + t0.t1), for a small rotation dtheta in fixed
 // axes.
 AxisRoll axis_roll(const Quat& q0, const Quat& q1, const Vec3& c) {
-  const Vec3 t0 = q0 * c, t1 = q1 * c;
+  const Vec3 t0 = q0 * c;
+  const Vec3 t1 = q1 * c;
   const Quat q = q1 * q0.conjugate();
   AxisRoll r;
   const double sign = q.w() < 0 ? -1 : 1;

@@ -63,10 +63,11 @@ bool goes_through(DistanceField field, const BezierAxis& from, const BezierAxis&
     const bool near = *distance <= radius;
     if (near) {
       const double xi = 0.5 * (piece.from + piece.to);
-      const Vec3 y0 = from.point(xi), y1 = to.point(xi);
+      const Vec3 y0 = from.point(xi);
+      const Vec3 y1 = to.point(xi);
       Vec3 n0, n1;
-      const auto d0 = field(y0, 2 * radius + (y - y0).norm(), n0),
-                 d1 = field(y1, 2 * radius + (y - y1).norm(), n1);
+      const auto d0 = field(y0, 2 * radius + (y - y0).norm(), n0);
+      const auto d1 = field(y1, 2 * radius + (y - y1).norm(), n1);
       const bool outside = d0 && *d0 > kDeep * radius;
       const bool other_side =
           d0 && d1 && ((outside && *d1 >= kClear * radius) || ((outside || pressed) && n0.dot(n1) < 0));

@@ -33,7 +33,8 @@ inline void force(const Local& o, const BeamReference& r, Vec12& f) {
 
 // Hessian of a_k = 2 y_k/(l + y1), k = 2, 3.
 inline Mat slope_hessian(const Local& o, double a, Row da) {
-  const double inverse = 1 / (o.l + o.y[0]), c = a * inverse / o.l;
+  const double inverse = 1 / (o.l + o.y[0]);
+  const double c = a * inverse / o.l;
   return outer(c * o.d, o.d) - identity(c) - outer(inverse * da, o.g) - outer(inverse * o.g, da);
 }
 
@@ -45,10 +46,17 @@ struct Blocks {
 inline void expand(const Local& o, const BeamReference& r, const Blocks& b, Mat12& to) {
   const Mat Rt = transpose(o.Rm);
   const Mat dd = o.Rm * b.dd * Rt;
-  Mat d1 = o.Rm * b.d1, d2 = o.Rm * b.d2, a = b.one_d * Rt, c = b.two_d * Rt;
-  Mat m11 = b.one_one, m12 = b.one_two, m21 = b.two_one, m22 = b.two_two;
+  Mat d1 = o.Rm * b.d1;
+  Mat d2 = o.Rm * b.d2;
+  Mat a = b.one_d * Rt;
+  Mat c = b.two_d * Rt;
+  Mat m11 = b.one_one;
+  Mat m12 = b.one_two;
+  Mat m21 = b.two_one;
+  Mat m22 = b.two_two;
   if (r.axes) {
-    const Mat A = load(*r.axes), At = transpose(A);
+    const Mat A = load(*r.axes);
+    const Mat At = transpose(A);
     d1 = d1 * At;
     d2 = d2 * At;
     a = A * a;
@@ -107,7 +115,8 @@ struct ByChord {
 };
 
 inline ByChord second_by_chord(const BeamSection& s, const Local& o) {
-  const Mat h2 = slope_hessian(o, o.a2, o.da2), h3 = slope_hessian(o, o.a3, o.da3);
+  const Mat h2 = slope_hessian(o, o.a2, o.da2);
+  const Mat h3 = slope_hessian(o, o.a3, o.da3);
   const double c = 1 / (o.l * s.length);
   return {h2, h3,
           outer(0.2 * o.da2, o.da2) + outer(0.2 * o.da3, o.da3) + (0.2 * o.a2) * h2 + (0.2 * o.a3) * h3 +
@@ -179,9 +188,10 @@ inline Hessian hessian(const BeamSection& s, const BeamReference& r, const Local
   for (int i = 0; i < 3; ++i) H.pp.r[i] += diagonal[i] * unit(i);
   H.py = transpose(H.yp);
   if (s.length_by_force > 0) {
-    const ByLength with_bending = by_length(s, o),
-                   all = s.plastic ? with_bends(s, r, o, with_bending) : with_bending;
-    const Row n = s.length_by_force * all.n, m = s.length_by_force * all.m;
+    const ByLength with_bending = by_length(s, o);
+    const ByLength all = s.plastic ? with_bends(s, r, o, with_bending) : with_bending;
+    const Row n = s.length_by_force * all.n;
+    const Row m = s.length_by_force * all.m;
     H.yy += outer(-n, with_bending.n);
     H.yp += outer(-n, with_bending.m);
     H.py += outer(-m, with_bending.n);
@@ -200,7 +210,8 @@ struct Damping {
 inline Damping damping(const BeamSection& s, const BeamReference& r, const BeamEnds& e, const Local& o,
                        const Increments& by) {
   Damping g;
-  const double b = s.beta, EAL = s.EA * s.length;
+  const double b = s.beta;
+  const double EAL = s.EA * s.length;
   g.Gyy = b * (EAL * outer(o.eps_y, o.eps_y) + o.k3 * outer(o.da2, o.da2) + o.k2 * outer(o.da3, o.da3));
   g.Gyp = (b * EAL) * outer(o.eps_y, o.eps_psi);
   g.Gpp = (b * EAL) * outer(o.eps_psi, o.eps_psi);
@@ -223,7 +234,8 @@ inline Damping damping(const BeamSection& s, const BeamReference& r, const BeamE
 
 // Adds the derivative of G (y', psi') by (y, psi) at fixed (y', psi').
 inline void add_metric_change(const BeamSection& s, const Local& o, const ByChord& second, Hessian& H) {
-  const double b = s.beta, EAL = s.EA * s.length;
+  const double b = s.beta;
+  const double EAL = s.EA * s.length;
   const Row ey = times(second.eps, o.yd);
   const Row ep = Row{0, o.psid[1] / 12, o.psid[2] / 12, 0};
   H.yy += b * (EAL * outer(o.eps_y, ey) + o.k3 * outer(o.da2, times(second.a2, o.yd)) +
@@ -240,8 +252,12 @@ inline Blocks stiffness_matrix(const Local& o, const Increments& by, const Hessi
   const Mat P1 = S - inverse_jacobian_derivative(o, o.m, 1);   // of B q + Psi1' m by psi
   const Mat P2 = inverse_jacobian_derivative(o, o.m, -1) - S;  // of B' q + Psi2' m
   // dn and dm for each of d, theta1, theta2
-  Mat nd = H.yy, n1 = H.yy * by.Z1 + H.yp * o.Psi1, n2 = H.yy * by.Z2 + H.yp * o.Psi2;
-  Mat md = H.py, m1 = H.py * by.Z1 + H.pp * o.Psi1, m2 = H.py * by.Z2 + H.pp * o.Psi2;
+  Mat nd = H.yy;
+  Mat n1 = H.yy * by.Z1 + H.yp * o.Psi1;
+  Mat n2 = H.yy * by.Z2 + H.yp * o.Psi2;
+  Mat md = H.py;
+  Mat m1 = H.py * by.Z1 + H.pp * o.Psi1;
+  Mat m2 = H.py * by.Z2 + H.pp * o.Psi2;
   if (g) {
     nd += g->Gyy * g->Yd;
     n1 += g->Gyy * g->Y1 + g->Gyp * g->R1;
@@ -252,7 +268,8 @@ inline Blocks stiffness_matrix(const Local& o, const Increments& by, const Hessi
   }
   // dq = dn x y + n x dy
   const Mat qd = hat(o.n) - hat_times(o.y, nd);
-  const Mat q1 = hat_times(o.n, by.Z1) - hat_times(o.y, n1), q2 = hat_times(o.n, by.Z2) - hat_times(o.y, n2);
+  const Mat q1 = hat_times(o.n, by.Z1) - hat_times(o.y, n1);
+  const Mat q2 = hat_times(o.n, by.Z2) - hat_times(o.y, n2);
   Blocks k;
   k.dd = nd;
   k.d1 = n1 - hat_times(o.n, by.Bt);
@@ -269,10 +286,13 @@ inline Blocks stiffness_matrix(const Local& o, const Increments& by, const Hessi
 // Derivatives of the force by the velocities (R'(v2 - v1), w1, w2): A' G A, A the rows (1, Z1, Z2) and
 // (0, Psi1, Psi2).
 inline Blocks damping_matrix(const Local& o, const Increments& by, const Damping& g) {
-  const Mat c1 = g.Gyy * by.Z1 + g.Gyp * o.Psi1, c2 = g.Gyy * by.Z2 + g.Gyp * o.Psi2;
+  const Mat c1 = g.Gyy * by.Z1 + g.Gyp * o.Psi1;
+  const Mat c2 = g.Gyy * by.Z2 + g.Gyp * o.Psi2;
   const Mat Gpy = transpose(g.Gyp);
-  const Mat p1 = Gpy * by.Z1 + g.Gpp * o.Psi1, p2 = Gpy * by.Z2 + g.Gpp * o.Psi2;
-  const Mat T1 = transpose(by.Z1), T2 = transpose(by.Z2);
+  const Mat p1 = Gpy * by.Z1 + g.Gpp * o.Psi1;
+  const Mat p2 = Gpy * by.Z2 + g.Gpp * o.Psi2;
+  const Mat T1 = transpose(by.Z1);
+  const Mat T2 = transpose(by.Z2);
   Blocks c;
   c.dd = g.Gyy;
   c.d1 = c1;

@@ -19,7 +19,9 @@ inline void mean_spin_coefficient(double t2, double& tau, double& tau1) {
     tau = 0.25 + t2 * (1.0 / 192 + t2 * (1.0 / 7680 + t2 * (17.0 / 5160960)));
     tau1 = 1.0 / 96 + t2 * (1.0 / 1920 + t2 * (17.0 / 860160 + t2 * 6.674e-7));
   } else {
-    const double t = std::sqrt(t2), c = std::cos(t / 4), g = std::tan(t / 4);
+    const double t = std::sqrt(t2);
+    const double c = std::cos(t / 4);
+    const double g = std::tan(t / 4);
     tau = g / t;
     tau1 = (0.25 / (c * c) - tau) / t2;
   }
@@ -65,7 +67,8 @@ struct Bending {
 
 // Moment M(kappa) in the direction of the curvature; stiffness M' along it and M/kappa across it.
 inline BendingMoment by_table(const BeamSection& s, double c2, double c3) {
-  const double c = std::hypot(c2, c3), linear = s.EI2 - s.moment->initial();
+  const double c = std::hypot(c2, c3);
+  const double linear = s.EI2 - s.moment->initial();
   const ResponseCurve::Value v = s.moment->at(c);
   const double secant = c > 0 ? v.force / c : s.moment->initial();
   // Secant across the curvature, tangent along it.
@@ -101,7 +104,8 @@ struct Curvature {
   double about2, about3;  // 1/m
 };
 inline Curvature curvature_at(const BeamSection& s, const BeamReference& r, const Local& o, double xi) {
-  const double z = 6 * xi, iL = 1 / s.length;
+  const double z = 6 * xi;
+  const double iL = 1 / s.length;
   return {iL * (o.psi[1] - r.psi[1] + z * o.a3), iL * (o.psi[2] - r.psi[2] - z * o.a2)};
 }
 
@@ -144,7 +148,8 @@ inline void axial_by_table(const BeamSection& s, Local& o) {
 // with damping each strain e stands for e + beta e'.
 inline void kinematics(const BeamSection& s, const BeamReference& r, const BeamEnds& e, bool rates,
                        Local& o) {
-  Quat q1 = e.q1, q2 = e.q2;
+  Quat q1 = e.q1;
+  Quat q2 = e.q2;
   if (r.axes) {
     const Quat a(*r.axes);
     q1 = q1 * a;
@@ -166,7 +171,8 @@ inline void kinematics(const BeamSection& s, const BeamReference& r, const BeamE
   o.B = identity(0.5) + (0.5 * o.tau) * h;
 
   o.l = std::sqrt(dot(o.y, o.y));
-  const double il = 1 / o.l, iL = 1 / s.length;
+  const double il = 1 / o.l;
+  const double iL = 1 / s.length;
   o.d = il * o.y;
   o.g = o.d + unit(0);
   const double ic = 1 / (o.l + o.y[0]);

@@ -22,7 +22,8 @@ HAWSER_CLONES BeamStress beam_stress(const BeamSection& s, const BeamReference& 
   else
     out.strain_energy += 0.5 * (o.k3 * o.a2 * o.a2 + o.k2 * o.a3 * o.a3 + dot(p, o.D * p));
   if (s.beta > 0) {
-    const double r2 = dot(o.da2, o.yd), r3 = dot(o.da3, o.yd);
+    const double r2 = dot(o.da2, o.yd);
+    const double r3 = dot(o.da3, o.yd);
     out.dissipation = s.beta * (s.EA * s.length * o.epsd * o.epsd + o.k3 * r2 * r2 + o.k2 * r3 * r3 +
                                 dot(o.psid, o.D * o.psid));
   }
@@ -42,7 +43,8 @@ HAWSER_CLONES BeamStress beam_stress(const BeamSection& s, const BeamReference& 
   }
   // The chord turns by +y3/l about axis 2 and by -y2/l about axis 3 relative to the mean frame. For plastic
   // bending, whose history is inside the element, these are the linear moments that do the same work.
-  const Vec3 bend(0, 0.5 * o.m2, -0.5 * o.m3), mean = vec(o.mpsi);
+  const Vec3 bend(0, 0.5 * o.m2, -0.5 * o.m3);
+  const Vec3 mean = vec(o.mpsi);
   out.moment1 = mean - bend;
   out.moment2 = mean + bend;
   if (s.plastic) {
@@ -72,7 +74,8 @@ HAWSER_CLONES BeamStress beam_stress(const BeamSection& s, const BeamReference& 
 BeamFeed beam_feed(const BeamSection& s, const BeamReference& r, const BeamEnds& e) {
   Local o;
   kinematics(s, r, e, false, o);
-  const double iL = 1 / s.length, axial = s.tension ? o.axial_energy : 0.5 * s.EA * o.strain * o.strain;
+  const double iL = 1 / s.length;
+  const double axial = s.tension ? o.axial_energy : 0.5 * s.EA * o.strain * o.strain;
   BeamFeed out;
   out.force = o.N * o.l * iL - axial;
   out.by_chord = o.EA * o.l * iL * iL;

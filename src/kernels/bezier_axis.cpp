@@ -35,8 +35,12 @@ Box BezierAxis::box() const {
   return out;
 }
 std::array<BezierAxis, 2> BezierAxis::halves() const {
-  const Vec3 p = 0.5 * (b[0] + b[1]), q = 0.5 * (b[1] + b[2]), r = 0.5 * (b[2] + b[3]);
-  const Vec3 pq = 0.5 * (p + q), qr = 0.5 * (q + r), m = 0.5 * (pq + qr);
+  const Vec3 p = 0.5 * (b[0] + b[1]);
+  const Vec3 q = 0.5 * (b[1] + b[2]);
+  const Vec3 r = 0.5 * (b[2] + b[3]);
+  const Vec3 pq = 0.5 * (p + q);
+  const Vec3 qr = 0.5 * (q + r);
+  const Vec3 m = 0.5 * (pq + qr);
   return {BezierAxis{{b[0], p, pq, m}}, BezierAxis{{m, qr, r, b[3]}}};
 }
 // De Casteljau's algorithm: the polar form of the cubic for all combinations of the two ends.

@@ -59,17 +59,23 @@ Wrench momentum_rate(const RigidBodyData& body, const RigidBodyState& s) {
 void add_momentum(const Mat6& N, const MeanWeights& scheme, double h, const RigidBodyState& start,
                   const MomentumForces& from, const RigidBodyState& s, RigidBodyResidual& to) {
   const double k = scheme.weight() / h;
-  const Wrench before = body_momentum(N, start), history = scheme.history(from.q, from.f);
-  const Mat3 R = s.q.toRotationMatrix(), Rt = R.transpose();
-  const Vec6 rates = rates_in_body(s), momentum = N * rates;
-  const Vec3 p = momentum.head<3>(), g = k * before.head<3>() - history.head<3>();
+  const Wrench before = body_momentum(N, start);
+  const Wrench history = scheme.history(from.q, from.f);
+  const Mat3 R = s.q.toRotationMatrix();
+  const Mat3 Rt = R.transpose();
+  const Vec6 rates = rates_in_body(s);
+  const Vec6 momentum = N * rates;
+  const Vec3 p = momentum.head<3>();
+  const Vec3 g = k * before.head<3>() - history.head<3>();
   const Vec3 y = Rt * (history.tail<3>() - k * before.tail<3>() + Vec3(s.x - start.x).cross(g));
   to.inertia.head<3>() += k * (R * p) - g;
   to.inertia.tail<3>() += k * momentum.tail<3>() + y;
 
   // dU = U^ phi + R^T dv, d(R p) = R (dp - p^ phi), d(R^T y) = y^ phi - R^T g^ dx, in body axes.
   const Mat3 U = hat(Vec3(rates.head<3>()));
-  const Mat3 A = N.topLeftCorner<3, 3>(), B = N.topRightCorner<3, 3>(), D = N.bottomRightCorner<3, 3>();
+  const Mat3 A = N.topLeftCorner<3, 3>();
+  const Mat3 B = N.topRightCorner<3, 3>();
+  const Mat3 D = N.bottomRightCorner<3, 3>();
   to.K.topRightCorner<3, 3>() += k * R * (A * U - hat(p));
   to.K.bottomLeftCorner<3, 3>() -= Rt * hat(g);
   to.K.bottomRightCorner<3, 3>() += k * B.transpose() * U + hat(y);

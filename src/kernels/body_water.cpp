@@ -79,7 +79,9 @@ void body_water(const BodyInWater& b, const RigidBodyState& s, const Water& cent
   out.f << -wet.fraction * (s.q * all),
       -wet.fraction * (b.centre.cross(o.at_centre) + b.drag_centre.cross(o.at_drag));
   if (!tangent) return;
-  const Mat3 R = s.q.toRotationMatrix(), c = hat(b.centre), d = hat(b.drag_centre);
+  const Mat3 R = s.q.toRotationMatrix();
+  const Mat3 c = hat(b.centre);
+  const Mat3 d = hat(b.drag_centre);
   const Vec3 up = R.row(2);  // body axes
   // Derivative of the wet fraction by position and rotation: it decreases as the centre rises.
   Vec6 rise;

@@ -65,8 +65,10 @@ struct Elastic {
 };
 
 Elastic elastic_mean(const CableSection& section, double strain0, double strain1) {
-  const double e0 = std::max(strain0, 0.0), e1 = std::max(strain1, 0.0), taut_change = e1 - e0,
-               strain_change = strain1 - strain0;
+  const double e0 = std::max(strain0, 0.0);
+  const double e1 = std::max(strain1, 0.0);
+  const double taut_change = e1 - e0;
+  const double strain_change = strain1 - strain0;
   if (e0 == 0 && e1 == 0) return {0, 0, 0};
   const double taut_fraction = strain0 > 0 && strain1 > 0 ? 1 : taut_change / strain_change;
   double mean_while_taut, at_end;  // N, the second at the end
@@ -80,7 +82,8 @@ Elastic elastic_mean(const CableSection& section, double strain0, double strain1
     constexpr double kNear =
         1e-4;  // below it the difference of energies loses digits; Simpson's rule does not
     if (std::abs(taut_change) <= kNear * std::max(e0, e1)) {
-      const ResponseCurve::Value response0 = section.axial(e0), middle = section.axial(0.5 * (e0 + e1));
+      const ResponseCurve::Value response0 = section.axial(e0);
+      const ResponseCurve::Value middle = section.axial(0.5 * (e0 + e1));
       return {(response0.force + 4 * middle.force + response1.force) / 6,
               (2 * middle.slope + response1.slope) / 6, taut_fraction};
     }
@@ -137,8 +140,8 @@ CableStart cable_start(const CableSection& section, const Vec3& x1, const Vec3& 
   if (o.strain > 0) {
     // EA beta |e'| <= T(e)
     const double damper =
-                     previous_h > 0 ? section.EA * section.beta * std::abs(strain_increment) / previous_h : 0,
-                 spring = section.axial(o.strain).force;
+        previous_h > 0 ? section.EA * section.beta * std::abs(strain_increment) / previous_h : 0;
+    const double spring = section.axial(o.strain).force;
     o.beta = damper > spring ? section.beta * spring / damper : section.beta;
   }
   return o;
@@ -169,10 +172,10 @@ CableStepResult cable_step_result(const CableSection& section, const CableStart&
   // lengths at start and end times the change of strain, on which the material's forces do work, and the mean
   // ratio of stretched to unstretched length times the paid-out length (docs/theory/feeders.md#energy).
   // `elongation` is the first part.
-  const double fed_length = section.length - start.unstretched_length,
-               length_ratio =
-                   1 + section.free_strain +
-                   0.5 * (start.strain + (m.l - section.length) / section.length - section.free_strain);
+  const double fed_length = section.length - start.unstretched_length;
+  const double length_ratio =
+      1 + section.free_strain +
+      0.5 * (start.strain + (m.l - section.length) / section.length - section.free_strain);
   const double elongation = m.l - start.length - length_ratio * fed_length;
   const double energy =
       fed_length == 0
@@ -205,7 +208,8 @@ void cable_force(const CableSection& section, const CableEnds& e, double slack, 
   const CableState o = cable_state(section, e);
   out.force = o.tension * o.t;
   const bool taut = o.tension > 0;
-  const double EA_over_L = section.EA / section.length, across = taut ? o.tension / o.l : 0;
+  const double EA_over_L = section.EA / section.length;
+  const double across = taut ? o.tension / o.l : 0;
   const double stiff = taut ? o.slope_factor * o.axial.slope / section.length : slack * EA_over_L;
   Vec3 along = (stiff - across) * o.t;
   if (o.damped)

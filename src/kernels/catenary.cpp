@@ -19,12 +19,14 @@ Vec3 catenary_chord(const Vec3& tension, const Vec3& load, double length, double
   const Vec3 end = tension - length * load;
   const Vec3 elongation = (length / (2 * EA)) * (tension + end);
   if (derivative) *derivative = (length / EA) * Mat3::Identity();
-  const double t0 = tension.norm(), t1 = end.norm();
+  const double t0 = tension.norm();
+  const double t1 = end.norm();
   if (!(t0 + t1 > 0)) return elongation;
 
   const double w = load.norm();
   const Vec3 e = w > 0 ? Vec3(load / w) : Vec3(tension / t0);
-  const double c = w > 0 ? tension.dot(e) : 0, c1 = c - w * length;
+  const double c = w > 0 ? tension.dot(e) : 0;
+  const double c1 = c - w * length;
   const Vec3 p = w > 0 ? Vec3(tension - c * e) : tension;
   // A fold without transverse force has infinite compliance; this bounds it.
   const double h = std::max(p.norm(), 1e-14 * (t0 + t1));
@@ -32,8 +34,10 @@ Vec3 catenary_chord(const Vec3& tension, const Vec3& load, double length, double
   const double along = length * (c + c1) / (t0 + t1);  // ∫tau/|T| ds
   double A, q;                                         // q = ∫ h²/|T|³ ds
   if (c * c1 >= 0) {
-    const double sum = std::abs(c + c1), low = std::min(std::abs(c), std::abs(c1));
-    const double g = (1 + sum / (t0 + t1)) / (low + std::hypot(low, h)), x = w * length * g;
+    const double sum = std::abs(c + c1);
+    const double low = std::min(std::abs(c), std::abs(c1));
+    const double g = (1 + sum / (t0 + t1)) / (low + std::hypot(low, h));
+    const double x = w * length * g;
     A = length * g * (x > 1e-12 ? std::log1p(x) / x : 1 - x / 2);
     const double mixed = std::abs(c) * t1 + std::abs(c1) * t0;
     q = mixed > 0 ? h * h * length * sum / (t0 * t1 * mixed) : length / std::max(t0, h);
@@ -103,7 +107,8 @@ Totals totals(const std::vector<CatenarySection>& sections) {
 }
 
 Vec3 chord_of_all(const Vec3& tension_a, const std::vector<CatenarySection>& sections, Mat3* derivative) {
-  Vec3 chord = Vec3::Zero(), tension = tension_a;
+  Vec3 chord = Vec3::Zero();
+  Vec3 tension = tension_a;
   if (derivative) derivative->setZero();
   Mat3 part;
   for (const CatenarySection& s : sections) {
@@ -116,7 +121,8 @@ Vec3 chord_of_all(const Vec3& tension_a, const std::vector<CatenarySection>& sec
 
 // Jonkman (2007), after Peyrot & Goulois: the parabola's lambda for a line with the mean load.
 Vec3 first_tension(const Vec3& span, const Totals& t) {
-  const double W = t.load.norm(), distance = span.norm();
+  const double W = t.load.norm();
+  const double distance = span.norm();
   Vec3 tension = Vec3::Zero();
   if (W > 0) {
     const Vec3 up = -t.load / W;

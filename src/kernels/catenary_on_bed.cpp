@@ -13,7 +13,8 @@ namespace hawser {
 double CatenaryOnBed::LaidPart::tension(double s) const { return std::max(0.0, T_end - drag * (end - s)); }
 
 double CatenaryOnBed::LaidPart::stretched(double s) const {
-  const double l = end - s, pulled = drag * l > T_end ? T_end / drag : l;
+  const double l = end - s;
+  const double pulled = drag * l > T_end ? T_end / drag : l;
   return (1 + free_strain) * l + pulled * (T_end - 0.5 * drag * pulled) / EA;
 }
 
@@ -88,8 +89,8 @@ EndB end_b_pulled_by(const std::vector<CatenarySection>& sections, double fricti
   double T = H * along;
   for (size_t k = r.lowest + 1; k-- > 0;) {
     const CatenarySection& s = sections[k];
-    const double l = k == r.lowest ? s.length - r.hanging : s.length,
-                 drag = friction * std::max(-s.load.z(), 0.0);
+    const double l = k == r.lowest ? s.length - r.hanging : s.length;
+    const double drag = friction * std::max(-s.load.z(), 0.0);
     if (l <= 0) continue;
     const double pulled = drag * l > T ? T / drag : l;
     const double laid = (1 + s.free_strain) * l + pulled * (T - 0.5 * drag * pulled) / s.EA;
@@ -117,7 +118,8 @@ Pull first_guess(const std::vector<CatenarySection>& sections, double length, do
     lambda = std::sqrt(3 * ((length * length - to.z * to.z) / (to.x * to.x) - 1));
   lambda = std::max(lambda, 0.2);
   const double w = weight / length;
-  double H = w * to.x / (2 * lambda), V = 0.5 * w * (to.z / std::tanh(lambda) + length);
+  double H = w * to.x / (2 * lambda);
+  double V = 0.5 * w * (to.z / std::tanh(lambda) + length);
   // The excess of the ends' distance over the length stretches the line.
   if (std::hypot(to.x, to.z) > length) {
     double compliance = 0;
@@ -132,19 +134,25 @@ Pull first_guess(const std::vector<CatenarySection>& sections, double length, do
 // Pull that brings end B to a position, by Newton's method; `scale` [m] is the reference of the distance.
 std::optional<Pull> pull_to(const std::vector<CatenarySection>& sections, double friction, double slope,
                             const Plane& to, double scale, const Pull& first) {
-  double H = first.H, V = first.V;
+  double H = first.H;
+  double V = first.V;
   EndB r = end_b_pulled_by(sections, friction, slope, H, V);
   double error = std::hypot(r.at.x - to.x, r.at.z - to.z);
   for (int i = 0; i < 200 && error > 1e-13 * scale; ++i) {
-    const double ex = r.at.x - to.x, ez = r.at.z - to.z, det = r.xx * r.zz - r.xz * r.xz;
+    const double ex = r.at.x - to.x;
+    const double ez = r.at.z - to.z;
+    const double det = r.xx * r.zz - r.xz * r.xz;
     if (!(det > 0)) return {};
-    double dH = -(r.zz * ex - r.xz * ez) / det, dV = -(r.xx * ez - r.xz * ex) / det;
+    double dH = -(r.zz * ex - r.xz * ez) / det;
+    double dV = -(r.xx * ez - r.xz * ex) / det;
     // Neither component changes its sign; within this limit, descent of the convex complementary energy.
     double largest_step = 1;
     if (dH < 0) largest_step = std::min(largest_step, 0.9 * H / -dH);
     if (dV < 0) largest_step = std::min(largest_step, 0.9 * V / -dV);
     const double rate = ex * dH + ez * dV;
-    double low = 0, high = 0, a = largest_step;
+    double low = 0;
+    double high = 0;
+    double a = largest_step;
     for (int search = 0; search < 60; ++search) {
       r = end_b_pulled_by(sections, friction, slope, H + a * dH, V + a * dV);
       const double now = (r.at.x - to.x) * dH + (r.at.z - to.z) * dV;

@@ -15,9 +15,11 @@ constexpr double kMargin = 1e-9;     // of distances
 }  // namespace
 
 double smallest_between(double w, double a, double b, double slope, double bend) {
-  const double span = slope * w, straight = 0.5 * (a + b - span);
+  const double span = slope * w;
+  const double straight = 0.5 * (a + b - span);
   if (!(a > 0 && b > 0)) return straight;
-  const double p = a * a, q = b * b;
+  const double p = a * a;
+  const double q = b * b;
   // Half the second derivative of the squared distance is at most |x'|² + distance |x''|.
   const double c = span * span + (std::max(a, b) + span) * bend * w * w;
   if (!(c > 0)) return std::min(a, b);
@@ -49,7 +51,8 @@ double least_distance(const std::vector<ClearancePoint>& places, double slope, d
   };
   take(places.front().distance - slope * places.front().xi, 0);
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-    const ClearancePoint &a = places[i], &b = places[i + 1];
+    const ClearancePoint& a = places[i];
+    const ClearancePoint& b = places[i + 1];
     take(smallest_between(b.xi - a.xi, a.distance, b.distance, slope, bend), 0.5 * (a.xi + b.xi));
   }
   take(places.back().distance - slope * (1 - places.back().xi), 1);

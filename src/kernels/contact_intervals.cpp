@@ -21,7 +21,8 @@ class Scan {
       : gap_(gap), bounds_(bounds), slope_bound_(bounds.slope), out_(out) {}
 
   void piece(double a, const AxisGap& A, double b, const AxisGap& B, int levels) {
-    const bool in_a = A.gap < 0, in_b = B.gap < 0;
+    const bool in_a = A.gap < 0;
+    const bool in_b = B.gap < 0;
     const double span = slope_bound_ * (b - a);
     if (!in_a && !in_b && excluded(b - a, A.gap, B.gap)) return;
     const bool in_both = in_a && in_b;
@@ -54,7 +55,8 @@ class Scan {
   // where that may matter: the cubic through the ends, at most `off` from their chord, might change its sign
   // twice.
   bool mixed(double w, const AxisGap& A, const AxisGap& B) const {
-    const double mean = (B.gap - A.gap) / w, slack = 1e-9 * slope_bound_;
+    const double mean = (B.gap - A.gap) / w;
+    const double slack = 1e-9 * slope_bound_;
     if (mean > std::min(A.slope, B.slope) - slack && mean < std::max(A.slope, B.slope) + slack) return false;
     const double off = 4.0 / 27 * w * (std::abs(A.slope - mean) + std::abs(B.slope - mean));
     const auto [lower, upper] = ordered(A.gap, B.gap);
@@ -72,13 +74,18 @@ class Scan {
   // Both ends are in contact. The gap may rise above zero and fall again, at a kink even within a small part
   // of the piece. The search continues while the end tangents, which bound a concave gap, allow it.
   void arch(double a, const AxisGap& A, double b, const AxisGap& B) {
-    const double first = a, last = b, wide = slope_bound_ * (b - a);
-    AxisGap from = A, to = B;
+    const double first = a;
+    const double last = b;
+    const double wide = slope_bound_ * (b - a);
+    AxisGap from = A;
+    AxisGap to = B;
     for (int i = 0; i < kMaxIterations && b - a > kRoot; ++i) {
       const double w = b - a;
-      const bool rises = from.slope > 0, falls = to.slope < 0;
+      const bool rises = from.slope > 0;
+      const bool falls = to.slope < 0;
       const double mean = (to.gap - from.gap) / w;
-      double x = 0.5 * w, highest = -1;
+      double x = 0.5 * w;
+      double highest = -1;
       if (rises && falls && mean < from.slope && mean > to.slope) {
         const double z = (to.gap - from.gap - to.slope * w) / (from.slope - to.slope);
         highest = from.gap + from.slope * z;
@@ -88,7 +95,8 @@ class Scan {
         if (falls) highest = std::max(highest, to.gap - to.slope * w);
       }
       if (!(highest > 0)) break;
-      const double edge = 1e-3 * w, m = a + std::clamp(x, edge, w - edge);
+      const double edge = 1e-3 * w;
+      const double m = a + std::clamp(x, edge, w - edge);
       const AxisGap M = gap_(m, wide);
       if (M.gap >= 0) {
         add({first, root(a, from, m, M), false, true});
@@ -104,8 +112,10 @@ class Scan {
 
   // Neither end is in contact, and the gap decreases inwards from both: contact if the minimum is below zero.
   void dip(double a, AxisGap A, double b, AxisGap B) {
-    const double first = a, last = b;
-    const AxisGap F = A, L = B;
+    const double first = a;
+    const double last = b;
+    const AxisGap F = A;
+    const AxisGap L = B;
     for (int i = 0; i < kMaxIterations && b - a > kRoot; ++i) {
       // Intersection of the two tangents, a lower bound of a convex gap.
       const double z = (B.gap - A.gap - B.slope * (b - a)) / (A.slope - B.slope);
@@ -179,7 +189,8 @@ std::vector<ContactInterval> contact_intervals(AxisGapFunction gap, const AxisBo
   const double half = 0.5 * bounds.slope;
   const AxisGap M = gap(0.5, half);
   if (M.gap >= half) return out;
-  const AxisGap A = gap(0, half), B = gap(1, half);
+  const AxisGap A = gap(0, half);
+  const AxisGap B = gap(1, half);
   Scan scan(gap, bounds, out);
   const auto piece = [&](double a, AxisGap from, double b, const AxisGap& to) {
     for (const double m : places) {
@@ -238,7 +249,8 @@ std::vector<ContactInterval> split_intervals(const std::vector<ContactInterval>&
   const double size = std::ldexp(1.0, -levels);
   for (const ContactInterval& s : intervals)
     for (double a = size * std::floor(s.from / size); a < s.to; a += size) {
-      const bool first = a <= s.from, last = a + size >= s.to;
+      const bool first = a <= s.from;
+      const bool last = a + size >= s.to;
       const ContactInterval p{first ? s.from : a, last ? s.to : a + size, first && s.from_moves,
                               last && s.to_moves};
       if (p.to > p.from) panels.push_back(p);

@@ -63,7 +63,8 @@ Vec3 ball_force_along(const ContactLaw& law, const ContactStart& start, const Co
 SlipBetween slip_between(const Vec3& slip_a, const Vec3& normal_a, const Vec3& slip_b, const Vec3& normal_b,
                          double t, bool derivatives) {
   SlipBetween out;
-  const Vec3 mean = (1 - t) * normal_a + t * normal_b, difference = normal_b - normal_a;
+  const Vec3 mean = (1 - t) * normal_a + t * normal_b;
+  const Vec3 difference = normal_b - normal_a;
   const double size = mean.norm();
   out.normal = mean / size;
   out.normal_by_t = (difference - out.normal * out.normal.dot(difference)) / size;
@@ -74,8 +75,8 @@ SlipBetween slip_between(const Vec3& slip_a, const Vec3& normal_a, const Vec3& s
     return out;
   }
   const Vector3<Dual> to = dual(out.normal, out.normal_by_t);
-  const Vector3<Dual> a = transport_slip<Dual>(slip_a, normal_a, to),
-                      b = transport_slip<Dual>(slip_b, normal_b, to);
+  const Vector3<Dual> a = transport_slip<Dual>(slip_a, normal_a, to);
+  const Vector3<Dual> b = transport_slip<Dual>(slip_b, normal_b, to);
   out.slip = (1 - t) * value(a) + t * value(b);
   out.slip_by_t = (1 - t) * rate(a) + t * rate(b) - value(a) + value(b);
   return out;

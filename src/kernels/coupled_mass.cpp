@@ -7,14 +7,18 @@ namespace hawser {
 
 // U' = R^T a - w x U. With a material increment phi, d(R^T y) = (R^T y)^ phi and d(R y) = -R y^ phi.
 void add_coupled_mass(const Mat6& N, const RigidBodyState& s, RigidBodyResidual& to) {
-  const Mat3 R = s.q.toRotationMatrix(), Rt = R.transpose();
-  const Vec3 U = Rt * s.v, A = Rt * s.a, U1 = A - s.w.cross(U);
+  const Mat3 R = s.q.toRotationMatrix();
+  const Mat3 Rt = R.transpose();
+  const Vec3 U = Rt * s.v;
+  const Vec3 A = Rt * s.a;
+  const Vec3 U1 = A - s.w.cross(U);
   Vec6 rate, change, accelerations;
   rate << U, s.w;
   change << U1, s.alpha;
   accelerations << A, s.alpha;
   const Vec6 P = N * rate;
-  const Vec3 p = P.head<3>(), L = P.tail<3>();
+  const Vec3 p = P.head<3>();
+  const Vec3 L = P.tail<3>();
   Vec6 turning;
   turning << s.w.cross(p), s.w.cross(L) + U.cross(p);
   const Vec6 by_acceleration = N * accelerations;
@@ -41,7 +45,8 @@ void add_coupled_mass(const Mat6& N, const RigidBodyState& s, RigidBodyResidual&
   K.rightCols<3>() = by_rate.leftCols<3>() * hat(U) + N.leftCols<3>() * hat(A);
   K.topRightCorner<3, 3>() -= hat(Vec3(F.head<3>()));
   to.K += turn * K;
-  Mat6 C = by_rate, M = N;
+  Mat6 C = by_rate;
+  Mat6 M = N;
   C.leftCols<3>() = by_rate.leftCols<3>() * Rt;
   M.leftCols<3>() = N.leftCols<3>() * Rt;
   to.C += turn * C;

@@ -33,7 +33,8 @@ void CurrentProfile::at(double depth, Vec3& velocity, Vec3& by_depth) const {
     // The slope is unbounded near the bed: linear over the last thousandth of the depth.
     constexpr double kLast = 1e-3;
     const double up = 1 - depth / water_depth_;
-    const double r = std::max(up, kLast), p = std::pow(r, exponent_);
+    const double r = std::max(up, kLast);
+    const double p = std::pow(r, exponent_);
     if (up >= kLast) {
       by_depth = -exponent_ * p / (r * water_depth_) * velocity;
       velocity *= p;
@@ -51,7 +52,8 @@ void CurrentProfile::at(double depth, Vec3& velocity, Vec3& by_depth) const {
   } else {
     const auto above = std::upper_bound(rows_.begin(), rows_.end(), depth,
                                         [](double d, const Row& r) { return d < r.depth; });
-    const Row &b = *above, &a = *(above - 1);
+    const Row& b = *above;
+    const Row& a = *(above - 1);
     by_depth = (b.velocity - a.velocity) / (b.depth - a.depth);
     velocity = a.velocity + (depth - a.depth) * by_depth;
   }

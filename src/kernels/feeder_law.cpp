@@ -29,7 +29,8 @@ FedElement feed_step(FunctionRef<FedPull(double)> pull, const FeedLaw& law, doub
     return At{resists * (L - from) - (p.force - law.tension), resists - p.slope};
   };
   const double reach = law.max_speed > 0 ? h * law.max_speed : HUGE_VAL;
-  double low = std::max(kShortest * from, from - reach), high = std::max(from, low);
+  double low = std::max(kShortest * from, from - reach);
+  double high = std::max(from, low);
   if (at(low).g >= 0) return {low, 0};
   while (high < from + reach && at(high).g < 0) high = std::min(2 * high, from + reach);
   if (at(high).g < 0) return {high, 0};
@@ -50,7 +51,8 @@ CableFeed cable_feed(const CableSection& s, double chord, double length, double 
   const double strain = chord / length - 1 - s.free_strain;
   if (!(strain > 0)) return {};
   const ResponseCurve::Value axial = s.axial(strain);
-  const double viscous = h > 0 ? s.EA * s.beta / h : 0, damper = viscous * (strain - std::max(from, 0.0));
+  const double viscous = h > 0 ? s.EA * s.beta / h : 0;
+  const double damper = viscous * (strain - std::max(from, 0.0));
   if (damper <= -axial.force) return {};
   const bool limited = damper >= axial.force && viscous > 0;
   const double slope = limited ? 2 * axial.slope : axial.slope + viscous;  // N, derivative by the strain

@@ -64,7 +64,8 @@ class Shape {
   std::vector<Vec3> run(int first_level) {
     if (!(size_ > 0)) return x_;
     for (int level = first_level; level < kLevels; ++level) {
-      const double hard = std::pow(kStiffening, level), EA = std::min(EA_, kSoft * hard * size_);
+      const double hard = std::pow(kStiffening, level);
+      const double EA = std::min(EA_, kSoft * hard * size_);
       EA_fraction_ = EA / EA_;
       round_ = 4 * kRound * size_ / (hard * EA);
       stiffness_ = std::min(bed_, soft_bed_ * std::pow(bed_ / soft_bed_, level / (kLevels - 1.0)));
@@ -110,9 +111,12 @@ class Shape {
     for (size_t i = 0; i + 1 < n; ++i) {
       const auto& p = line_.pieces[i];
       const Vec3 d = x[i + 1] - x[i];
-      const double l = d.norm(), strain = l / p.length - 1;
+      const double l = d.norm();
+      const double strain = l / p.length - 1;
       // max(0, strain), smoothed: still convex, and with a descent direction for slack elements.
-      const double root = std::hypot(strain, round_), pull = 0.5 * (strain + root), rise = pull / root;
+      const double root = std::hypot(strain, round_);
+      const double pull = 0.5 * (strain + root);
+      const double rise = pull / root;
       const Vec3 t = d / l;
       const double tension = EA_fraction_ * p.EA * pull * rise;
       const double stiff =
@@ -255,10 +259,13 @@ Vec3 interpolated(const std::vector<double>& s, const std::vector<Vec3>& x, doub
   size_t i = std::upper_bound(s.begin(), s.end(), at) - s.begin();
   i = std::clamp<size_t>(i, 1, n - 1) - 1;
   const auto slope = [&](size_t k) {
-    const size_t a = k > 0 ? k - 1 : 0, b = std::min(k + 1, n - 1);
+    const size_t a = k > 0 ? k - 1 : 0;
+    const size_t b = std::min(k + 1, n - 1);
     return Vec3((x[b] - x[a]) / (s[b] - s[a]));
   };
-  const double h = s[i + 1] - s[i], z = (at - s[i]) / h, y = 1 - z;
+  const double h = s[i + 1] - s[i];
+  const double z = (at - s[i]) / h;
+  const double y = 1 - z;
   return y * y * (1 + 2 * z) * x[i] + z * z * (3 - 2 * z) * x[i + 1] +
          h * z * y * (y * slope(i) - z * slope(i + 1));
 }

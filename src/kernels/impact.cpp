@@ -34,7 +34,8 @@ double weight(int line, int other, std::span<const double> energy_tolerance) {
 template <class Function>
 double largest(double limit, const Sum& sum, const Function& function) {
   constexpr int kParts = 16, kRounds = 6;
-  double from = 0, part = limit / kParts;
+  double from = 0;
+  double part = limit / kParts;
   std::array<double, kParts> values{};
   for (int round = 0; round < kRounds; ++round, part /= kParts) {
     for (int i = 0; i < kParts; ++i) values[i] = function(from + (i + 1) * part);
@@ -63,8 +64,8 @@ bool resolves_contact(double inverse_frequency, double h) {
 // vibrates with the energy k ((tau v)² + (tau² a)²)/2.
 std::optional<ImpactEvent> impact_event(double inverse_frequency, double significant_depth, double mass,
                                         const Approach& approach) {
-  const double by_speed = inverse_frequency * std::abs(approach.closing),
-               by_acceleration = inverse_frequency * inverse_frequency * std::abs(approach.acceleration);
+  const double by_speed = inverse_frequency * std::abs(approach.closing);
+  const double by_acceleration = inverse_frequency * inverse_frequency * std::abs(approach.acceleration);
   if (!(std::hypot(by_speed, by_acceleration) > significant_depth)) return {};
   const double step = 2 * M_PI / kSteps * inverse_frequency;
   ImpactEvent s;
@@ -118,7 +119,8 @@ double crossing_error(double inverse_frequency, double significant_depth, double
 }
 
 double LineMotion::energy() const {
-  const double of_centre = mass > 0 ? 0.5 * momentum.squaredNorm() / mass : 0, inner = kinetic - of_centre;
+  const double of_centre = mass > 0 ? 0.5 * momentum.squaredNorm() / mass : 0;
+  const double inner = kinetic - of_centre;
   return (inner > kRounding * kinetic ? inner : 0) + impact_energy;
 }
 

@@ -40,7 +40,8 @@ inline Mat rotary(const MassSection& s) {
 }
 
 inline void kinematics(const MassSection& s, const MassEnds& e, const Vec3& dead, const Mat& J, Local& o) {
-  const double L = s.length, mL = s.mass_per_length * L;
+  const double L = s.length;
+  const double mL = s.mass_per_length * L;
   o.R[0] = rotation(e.q1);
   o.R[1] = rotation(e.q2);
   o.c = load(Vec3(axes(s).col(0)));
@@ -96,7 +97,8 @@ HAWSER_CLONES void beam_mass_tangent(const MassSection& s, const MassEnds& e, co
   const Mat J = rotary(s);
   kinematics(s, e, load, J, o);
   force(s, o, J, f);
-  const double L = s.length, mL = s.mass_per_length * L;
+  const double L = s.length;
+  const double mL = s.mass_per_length * L;
   const Mat zero{};
   const bool given = e.directors1;
   // Columns of the tangent's acceleration: L Q (-hat(g), G, -hat(c)) by theta, w, alpha; when it is given
@@ -112,10 +114,14 @@ HAWSER_CLONES void beam_mass_tangent(const MassSection& s, const MassEnds& e, co
   for (int i = 0; i < 2; ++i) {
     const Mat row = L * hat_times(o.c, transpose(o.R[i]));  // tangent force to moment
     for (int j = 0; j < 2; ++j) {
-      const double xx = mL * kMass[2 * i][2 * j], xt = mL * kMass[2 * i][2 * j + 1],
-                   tx = mL * kMass[2 * i + 1][2 * j], tt = mL * kMass[2 * i + 1][2 * j + 1];
+      const double xx = mL * kMass[2 * i][2 * j];
+      const double xt = mL * kMass[2 * i][2 * j + 1];
+      const double tx = mL * kMass[2 * i + 1][2 * j];
+      const double tt = mL * kMass[2 * i + 1][2 * j + 1];
       const Mat moment = tt * row;
-      Mat k = moment * T[j], c = given ? zero : moment * W[j], m = moment * A[j];
+      Mat k = moment * T[j];
+      Mat c = given ? zero : moment * W[j];
+      Mat m = moment * A[j];
       if (i == j) {
         k += L * hat_times(o.c, hat(o.back[i]));
         c += hat_times(o.w[i], J) - hat(o.spin[i]);

@@ -21,8 +21,9 @@ using VectorGradient = Eigen::Matrix<double, 3, kColumns, Eigen::RowMajor>;
 Mat3 section_turn_by_chord(const PairAxis& cable, const Vec3& v) {
   const auto& [f, t] = cable.directions;
   const Vec3 sum = f + t;
-  const double opening = std::max(1 + f.dot(t), kHalfRound), a = sum.dot(v),
-               by_opening = opening > kHalfRound ? a / (opening * opening) : 0;
+  const double opening = std::max(1 + f.dot(t), kHalfRound);
+  const double a = sum.dot(v);
+  const double by_opening = opening > kHalfRound ? a / (opening * opening) : 0;
   const Mat3 by_t =
       (2 * f.dot(v) - a / opening) * Mat3::Identity() - sum * (v / opening - by_opening * f).transpose();
   const double length = std::max(cable.now.slope_bound(), std::numeric_limits<double>::min());
@@ -57,9 +58,12 @@ struct LinePairPass::Rows {
 
 LinePairPass::Rows LinePairPass::rows(const Point& p) const {
   Rows r;
-  const double xi = p.xi, eta = p.foot.eta;
-  const AxisShape::Weights dH = slave_.now.derivatives(xi), dG = master_.now.derivatives(eta);
-  const size_t na = slave_.now.count(), nb = master_.now.count();
+  const double xi = p.xi;
+  const double eta = p.foot.eta;
+  const AxisShape::Weights dH = slave_.now.derivatives(xi);
+  const AxisShape::Weights dG = master_.now.derivatives(eta);
+  const size_t na = slave_.now.count();
+  const size_t nb = master_.now.count();
   for (size_t j = 0; j < na; ++j) r.add(at_slave_ + j, p.H[j], dH[j], 0);
   for (size_t k = 0; k < nb; ++k) r.add(at_master_ + k, -p.G[k], 0, -dG[k]);
   if (!set_.law.friction.active()) return r;
@@ -94,9 +98,12 @@ struct LinePairPass::Slopes {
                                                 const Rows& rows, Slopes& s) const {
   using F = LinePairForce;
   const bool has_friction = set_.law.friction.active();
-  const size_t na = slave_.now.count(), nb = master_.now.count();
-  const double xi = p.xi, eta = p.foot.eta;
-  const Vec3 &nrm = p.foot.normal, &y1 = p.along;
+  const size_t na = slave_.now.count();
+  const size_t nb = master_.now.count();
+  const double xi = p.xi;
+  const double eta = p.foot.eta;
+  const Vec3& nrm = p.foot.normal;
+  const Vec3& y1 = p.along;
   const Vec3 y2 = master_.now.bend(eta);
   const auto derivative_by = [&](int first_column) { return c.by.block<3, 3>(0, first_column); };
   const Mat3 by_moved = derivative_by(F::kMoved);
@@ -114,7 +121,8 @@ struct LinePairPass::Slopes {
   }
   if (has_friction) {
     const Mat3 T = slave_lever_ * p.Ta + master_lever_ * p.Tb;
-    const Vec3 x1_before = slave_.start.slope(xi), y1_before = master_.start.slope(eta);
+    const Vec3 x1_before = slave_.start.slope(xi);
+    const Vec3 y1_before = master_.start.slope(eta);
     by_eta += by_moved * (T * y1_before - master_lever_ * ((master_.turn[1] - master_.turn[0]) * p.before));
     by_xi += by_moved * (-T * x1_before - slave_lever_ * ((slave_.turn[1] - slave_.turn[0]) * p.before));
     by_xi += c.by.col(F::kSlip) * from.slip_slope[0] + c.by.col(F::kSlip + 1) * from.slip_slope[1];
@@ -151,7 +159,8 @@ struct LinePairPass::Slopes {
   if (!has_friction) return;
   for (const bool of_master : {false, true}) {
     const PairAxis& axis = of_master ? master_ : slave_;
-    const size_t turn = of_master ? turn_master_ : turn_slave_, position = of_master ? at_master_ : at_slave_;
+    const size_t turn = of_master ? turn_master_ : turn_slave_;
+    const size_t position = of_master ? at_master_ : at_slave_;
     if (axis.beam()) {
       // - w N d(old turn), with d(turn) v = dphi x (turn v)
       for (size_t i = 0; i < 2; ++i)
@@ -190,8 +199,10 @@ struct LinePairPass::MovingEnd {
 LinePairPass::MovingEnd LinePairPass::moving_end(double xi, End end) const {
   MovingEnd m;
   if (end == End::fixed) return m;
-  const size_t na = slave_.now.count(), nb = master_.now.count();
-  const Vec3 x = slave_.now.point(xi), x1 = slave_.now.slope(xi);
+  const size_t na = slave_.now.count();
+  const size_t nb = master_.now.count();
+  const Vec3 x = slave_.now.point(xi);
+  const Vec3 x1 = slave_.now.slope(xi);
   const AxisShape::Weights H = slave_.now.functions(xi);
   m.by_positions.setZero();
   if (end == End::gap) {
@@ -205,9 +216,11 @@ LinePairPass::MovingEnd LinePairPass::moving_end(double xi, End end) const {
       columns(m.by_positions, at_master_ + k) = G[k] / slope * f.normal.transpose();
   } else {
     const double eta = end == End::first_joint ? 0 : 1;
-    const Vec3 V = master_.now.point(eta), t = master_.now.slope(eta);
+    const Vec3 V = master_.now.point(eta);
+    const Vec3 t = master_.now.slope(eta);
     const double slope = x1.dot(t);
-    const AxisShape::Weights G = master_.now.functions(eta), dG = master_.now.derivatives(eta);
+    const AxisShape::Weights G = master_.now.functions(eta);
+    const AxisShape::Weights dG = master_.now.derivatives(eta);
     for (size_t j = 0; j < na; ++j) columns(m.by_positions, at_slave_ + j) = -H[j] / slope * t.transpose();
     for (size_t k = 0; k < nb; ++k)
       columns(m.by_positions, at_master_ + k) = (G[k] * t - dG[k] * (x - V)).transpose() / slope;
@@ -232,7 +245,8 @@ void LinePairPass::add_convex(const Point& p, const LinePairForce& c, const Rows
 // The tangent includes moving ends.
 void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, AttachedForces& g,
                        std::vector<LinePairContactPoint>* points) const {
-  const bool has_friction = set_.law.friction.active(), exact = derivatives && !set_.convex;
+  const bool has_friction = set_.law.friction.active();
+  const bool exact = derivatives && !set_.convex;
   const double L = set_.fraction * slave_.ends.length;
   std::optional<Slopes> slopes;
   if (exact) slopes.emplace();
@@ -274,7 +288,8 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
         const Vec3 along = (rows.by_xi[r] + rows.by_eta[r] * s.eta_by_xi) * v + rows.factor[r] * of.by_xi;
         for (const bool last : {false, true}) {
           if (!ends[last].moves) continue;
-          const double by_length = at.length_by_end(last), by_xi = span * at.weight * at.xi_by_end(last);
+          const double by_length = at.length_by_end(last);
+          const double by_xi = span * at.weight * at.xi_by_end(last);
           ends[last].force[r] -= L * (by_length * rows.factor[r] * v + by_xi * along);
         }
       }

@@ -25,8 +25,8 @@ template <class S>
 S part_in_contact(const LinePairLaw& law, const LinePairMotion<S>& motion) {
   using std::sqrt;
   const double ramp = law.normal.smoothing;
-  const S deep = S(law.radii + ramp) - sqrt(S(motion.away.squaredNorm())),
-          closing = line_pair_closing(motion);
+  const S deep = S(law.radii + ramp) - sqrt(S(motion.away.squaredNorm()));
+  const S closing = line_pair_closing(motion);
   return closing > deep ? S((deep + ramp) / (closing + ramp)) : S(1);
 }
 

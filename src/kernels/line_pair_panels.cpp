@@ -65,9 +65,11 @@ LinePairPass::LinePairPass(const PairAxis& slave, const PairAxis& master, Projec
 
 // Position between lo and hi on the slave where the nearest point passes the master's end `eta`, if any.
 std::optional<double> LinePairPass::crossing_of(double eta, double lo, double hi) const {
-  const Vec3 V = master_.now.point(eta), t = master_.now.slope(eta);
+  const Vec3 V = master_.now.point(eta);
+  const Vec3 t = master_.now.slope(eta);
   const auto beyond = [&](double xi) { return (slave_.now.point(xi) - V).dot(t); };
-  const double a = beyond(lo), b = beyond(hi);
+  const double a = beyond(lo);
+  const double b = beyond(hi);
   if (!((a < 0 && b > 0) || (a > 0 && b < 0))) return std::nullopt;
   double xi = lo - a * (hi - lo) / (b - a);
   for (int i = 0; i < 60; ++i) {
@@ -135,7 +137,8 @@ void LinePairPass::split(const Panel& panel, std::vector<Panel>& out) const {
   for (const double eta : {0.0, 1.0}) {
     const auto xi = crossing_of(eta, panel.from, panel.to);
     if (!xi) continue;
-    const Vec3 x1 = slave_.now.slope(*xi), t = master_.now.slope(eta);
+    const Vec3 x1 = slave_.now.slope(*xi);
+    const Vec3 t = master_.now.slope(eta);
     if (std::abs(x1.dot(t)) < kSteep * x1.norm() * t.norm()) continue;
     if ((slave_.now.point(*xi) - master_.now.point(eta)).norm() >= contact_distance())
       continue;  // contact is at another bend
@@ -165,14 +168,11 @@ LinePairPass::Start LinePairPass::start(double xi) const {
   if (s.is_new) return s;
   if (a && b && a->from != b->from && a->to != b->from) (xi <= a->to ? b : a) = nullptr;
   // Beyond the outermost point slip decreases to zero where contact ends.
-  const double x0 = a ? a->xi : b->from, x1 = b ? b->xi : a->to;
+  const double x0 = a ? a->xi : b->from;
+  const double x1 = b ? b->xi : a->to;
   for (int c = 0; c < 2; ++c) {
-    const double v0 = a          ? a->slip[c]
-                      : b->opens ? 0
-                                 : b->slip[c],
-                 v1 = b           ? b->slip[c]
-                      : a->closes ? 0
-                                  : a->slip[c];
+    const double v0 = a ? a->slip[c] : b->opens ? 0 : b->slip[c];
+    const double v1 = b ? b->slip[c] : a->closes ? 0 : a->slip[c];
     s.slip_slope[c] = x1 > x0 ? (v1 - v0) / (x1 - x0) : 0;
     s.slip[c] = v0 + s.slip_slope[c] * (xi - x0);
   }

@@ -139,10 +139,14 @@ void beam_water_tangent(const WaterSection& s, const WaterEnds& e, bool convex, 
   }
   for (int i = 0; i < 4; ++i)
     for (int k = 0; k < 2; ++k) {
-      const int x = 2 * k, t = x + 1;
-      Mat Kx = o.K[i][x], Cx = o.C[i][x], Mx = o.M[i][x];
+      const int x = 2 * k;
+      const int t = x + 1;
+      Mat Kx = o.K[i][x];
+      Mat Cx = o.C[i][x];
+      Mat Mx = o.M[i][x];
       Mat Kt = o.K[i][t] * A[k] + o.C[i][t] * TV[k] + o.M[i][t] * TA[k];
-      Mat Ct = o.C[i][t] * A[k], Mt = o.M[i][t] * A[k];
+      Mat Ct = o.C[i][t] * A[k];
+      Mat Mt = o.M[i][t] * A[k];
       if (!b.given) Ct += o.M[i][t] * W[k];
       if (i % 2) {
         const Mat& r = row[i / 2];
@@ -169,12 +173,14 @@ template <bool beam, int n>
 double potential(const WaterSection& s, const Motion<n>& m) {
   using R = Rule<beam>;
   const Row chord = m.X[n - (beam ? 2 : 1)] - m.X[0];
-  const double l = std::sqrt(dot(chord, chord)), fall = m.surface[1] - m.surface[0] - chord[2];
+  const double l = std::sqrt(dot(chord, chord));
+  const double fall = m.surface[1] - m.surface[0] - chord[2];
   const Band<beam> band(s, l > 0 ? chord[2] / l : 0);
   double sum = 0;
   for (int g = 0; g < R::points; ++g) {
     const double z = R::at[g];
-    double N[n], h = (1 - z) * m.surface[0] + z * m.surface[1];
+    double N[n];
+    double h = (1 - z) * m.surface[0] + z * m.surface[1];
     R::shape(z, N);
     for (int j = 0; j < n; ++j) h -= N[j] * m.X[j][2];
     const PointInterval<beam> piece(g, h, fall);

@@ -30,7 +30,8 @@ Spring spring(const LinkLaw& law, double elongation) {
 // T = S(e) + D(s), e = l - l0; if it can go slack T = max(0, S(e) + D(s)) (docs/theory/links.md).
 LinkTension link_tension(const LinkLaw& law, double length, double speed) {
   const Spring s = spring(law, length - law.rest_length);
-  double damper = law.damping * speed, slope = law.damping;
+  double damper = law.damping * speed;
+  double slope = law.damping;
   if (law.damper) {
     const ResponseCurve::Value v = law.damper->at(speed);
     damper = v.force;

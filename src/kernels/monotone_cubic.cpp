@@ -9,7 +9,8 @@ namespace hawser {
 MonotoneCubic::MonotoneCubic(std::vector<Row> rows, std::optional<double> first, double min_ratio)
     : rows_(std::move(rows)) {
   const size_t n = rows_.size();
-  std::vector<double> width(n - 1), secant(n - 1);
+  std::vector<double> width(n - 1);
+  std::vector<double> secant(n - 1);
   for (size_t i = 0; i + 1 < n; ++i) {
     width[i] = rows_[i + 1].first - rows_[i].first;
     secant[i] = (rows_[i + 1].second - rows_[i].second) / width[i];
@@ -17,7 +18,8 @@ MonotoneCubic::MonotoneCubic(std::vector<Row> rows, std::optional<double> first,
   // Inside: weighted harmonic mean, monotone by construction.
   slope_.assign(n, 0);
   for (size_t i = 1; i + 1 < n; ++i) {
-    const double a = 2 * width[i] + width[i - 1], b = width[i] + 2 * width[i - 1];
+    const double a = 2 * width[i] + width[i - 1];
+    const double b = width[i] + 2 * width[i - 1];
     if (secant[i - 1] > 0 && secant[i] > 0) slope_[i] = (a + b) / (a / secant[i - 1] + b / secant[i]);
   }
   // At the ends: slope of a parabola, limited to what keeps the curve monotone.
@@ -35,7 +37,9 @@ MonotoneCubic::MonotoneCubic(std::vector<Row> rows, std::optional<double> first,
     integral_[i + 1] = integral_[i] + w * (rows_[i].second + rows_[i + 1].second) / 2 +
                        w * w * (slope_[i] - slope_[i + 1]) / 12;
     // The slope is a parabola: largest at an end or at its crest.
-    const double s0 = slope_[i], s1 = slope_[i + 1], bulge = 6 * secant[i] - 3 * (s0 + s1);
+    const double s0 = slope_[i];
+    const double s1 = slope_[i + 1];
+    const double bulge = 6 * secant[i] - 3 * (s0 + s1);
     largest_slope_ = std::max({largest_slope_, s0, s1});
     if (bulge > 0) {
       const double t = std::clamp(0.5 + (s1 - s0) / (2 * bulge), 0.0, 1.0);
@@ -58,11 +62,15 @@ MonotoneCubic::Value MonotoneCubic::at(double x) const {
   const auto next =
       std::upper_bound(rows_.begin(), rows_.end(), x, [](double p, const Row& r) { return p < r.first; });
   const size_t i = static_cast<size_t>(next - rows_.begin()) - 1;
-  const double w = rows_[i + 1].first - rows_[i].first, t = (x - rows_[i].first) / w;
-  const double f0 = rows_[i].second, rise = rows_[i + 1].second - f0;
-  const double m0 = w * slope_[i], m1 = w * slope_[i + 1];
+  const double w = rows_[i + 1].first - rows_[i].first;
+  const double t = (x - rows_[i].first) / w;
+  const double f0 = rows_[i].second;
+  const double rise = rows_[i + 1].second - f0;
+  const double m0 = w * slope_[i];
+  const double m1 = w * slope_[i + 1];
   // y = f0 + m0 t + b t² + c t³
-  const double b = 3 * rise - 2 * m0 - m1, c = m0 + m1 - 2 * rise;
+  const double b = 3 * rise - 2 * m0 - m1;
+  const double c = m0 + m1 - 2 * rise;
   v.y = f0 + t * (m0 + t * (b + t * c));
   v.slope = (m0 + t * (2 * b + 3 * c * t)) / w;
   v.bend = (2 * b + 6 * c * t) / (w * w);

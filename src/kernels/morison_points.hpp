@@ -108,7 +108,8 @@ inline Mat by_chord2_of(Row t, double inverse) {
 // Quantities that all points of an element share. Its first and last positions are X[0] and X[last].
 template <bool beam>
 struct Chord {
-  static constexpr int n = Rule<beam>::shapes, last = n - (beam ? 2 : 1);
+  static constexpr int n = Rule<beam>::shapes;
+  static constexpr int last = n - (beam ? 2 : 1);
   double inverse;  // 1/m, of its length l; 0 where that is 0
   Row t;           // unit vector
   Mat projector;   // P = I - t t'
@@ -139,7 +140,8 @@ struct Chord {
 // A Gauss point and the wet part of its piece.
 template <bool beam>
 struct Point {
-  static constexpr int n = Rule<beam>::shapes, last = Chord<beam>::last;
+  static constexpr int n = Rule<beam>::shapes;
+  static constexpr int last = Chord<beam>::last;
   double z;  // of the element's length
   double w;  // m, that it represents
   double N[n];
@@ -183,7 +185,8 @@ struct Point {
 template <bool beam, bool tangent>
 inline void buoyancy_at(const WaterSection& s, const Chord<beam>& c, const Point<beam>& p, bool convex,
                         Forces<Rule<beam>::shapes>& out) {
-  constexpr int n = Chord<beam>::n, last = Chord<beam>::last;
+  constexpr int n = Chord<beam>::n;
+  constexpr int last = Chord<beam>::last;
   const double B = p.w * s.buoyancy;
   for (int j = 0; j < n; ++j) out.f[j][2] -= B * (p.wet.by_h1 * p.fall1[j] + p.wet.by_h2 * p.fall2[j]);
   if (!p.partly()) return;
@@ -302,7 +305,8 @@ enum class Part { all, buoyancy, flow };
 template <bool beam, bool tangent, Part part = Part::all>
 void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool convex,
               Forces<Rule<beam>::shapes>& out) {
-  constexpr int n = Chord<beam>::n, last = Chord<beam>::last;
+  constexpr int n = Chord<beam>::n;
+  constexpr int last = Chord<beam>::last;
   const Chord<beam> chord(s, m.X[last] - m.X[0], m.surface[1] - m.surface[0]);
   for (int j = 0; j < n; ++j) out.f[j] = Row{};
   if constexpr (tangent)

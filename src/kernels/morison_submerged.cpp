@@ -73,7 +73,8 @@ inline void drag_at_points(const WaterSections4& s, const CablesInWater4& m, con
     Vec u = -N[0] * lanes(m.v[0]) - N[1] * lanes(m.v[1]);
     if constexpr (moving) u = u + N[0] * lanes(m.velocity[0]) + N[1] * lanes(m.velocity[1]);
     const morison_formula::Drag<Row, Vec> drag(u, t, s.drag_normal, s.drag_axial);
-    const Vec force = w * drag.force(), &un = drag.across;
+    const Vec force = w * drag.force();
+    const Vec& un = drag.across;
     for (int j = 0; j < 2; ++j) f[j] = f[j] - N[j] * force;
     if constexpr (tangent) {
       const Vec a = (w * drag.over_speed) * un;

@@ -16,14 +16,18 @@ Ramp quintic_ramp(double t, double duration) {
   if (t <= 0 && duration > 0) return {0, 0, 0, 0};
   if (t < 0) return {0, 0, 0, 0};
   if (t >= duration) return {1, 0, 0, t - 0.5 * duration};
-  const double z = t / duration, z2 = z * z;
+  const double z = t / duration;
+  const double z2 = z * z;
   return {z2 * z * (10 + z * (6 * z - 15)), 30 * z2 * (1 - z) * (1 - z) / duration,
           60 * z * (1 - z) * (1 - 2 * z) / (duration * duration), duration * z2 * z2 * (2.5 + z * (z - 3))};
 }
 
 void angular_rates(const VectorMotion& psi, Vec3& omega, Vec3& alpha) {
-  const Vec3 &p = psi.value, &d = psi.rate, &dd = psi.second;
-  const double t2 = p.squaredNorm(), t = std::sqrt(t2);
+  const Vec3& p = psi.value;
+  const Vec3& d = psi.rate;
+  const Vec3& dd = psi.second;
+  const double t2 = p.squaredNorm();
+  const double t = std::sqrt(t2);
   double a, b, a1, b1;  // a1 = (da/dp)/p, b1 = (db/dp)/p
   if (t2 < 0.09) {      // the closed forms lose digits as p⁻⁴
     a = 0.5 - t2 * (1.0 / 24 - t2 * (1.0 / 720 - t2 * (1.0 / 40320 - t2 / 3628800)));
@@ -31,13 +35,16 @@ void angular_rates(const VectorMotion& psi, Vec3& omega, Vec3& alpha) {
     a1 = -1.0 / 12 + t2 * (1.0 / 180 - t2 * (1.0 / 6720 - t2 * (1.0 / 453600 - t2 / 47900160)));
     b1 = -1.0 / 60 + t2 * (1.0 / 1260 - t2 * (1.0 / 60480 - t2 * (1.0 / 4989600 - t2 / 622702080)));
   } else {
-    const double c = std::cos(t), s = std::sin(t);
+    const double c = std::cos(t);
+    const double s = std::sin(t);
     a = (1 - c) / t2;
     b = (t - s) / (t2 * t);
     a1 = (t * s - 2 * (1 - c)) / (t2 * t2);
     b1 = (3 * s - 2 * t - t * c) / (t2 * t2 * t);
   }
-  const Vec3 pd = p.cross(d), ppd = p.cross(pd), pdd = p.cross(dd);
+  const Vec3 pd = p.cross(d);
+  const Vec3 ppd = p.cross(pd);
+  const Vec3 pdd = p.cross(dd);
   const double r = p.dot(d);
   omega = d + a * pd + b * ppd;
   alpha = dd + a * pdd + b * p.cross(pdd) + r * (a1 * pd + b1 * ppd) + b * d.cross(pd);
@@ -61,7 +68,8 @@ void RowCurve::bend_spline() {
   std::vector<double> upper(n, 0);
   std::vector<Vec3> m(n, Vec3::Zero());
   for (size_t i = 1; i + 1 < n; ++i) {
-    const double h0 = time_[i] - time_[i - 1], h1 = time_[i + 1] - time_[i];
+    const double h0 = time_[i] - time_[i - 1];
+    const double h1 = time_[i + 1] - time_[i];
     const Vec3 jump = (value_[i + 1] - value_[i]) / h1 - (value_[i] - value_[i - 1]) / h0;
     const double pivot = 2 * (h0 + h1) - h0 * upper[i - 1];
     upper[i] = h1 / pivot;
@@ -76,7 +84,8 @@ void RowCurve::bend_spline() {
 void RowCurve::bend_monotone() {
   const size_t n = time_.size();
   std::vector<double> h(n - 1);
-  std::vector<Vec3> secant(n - 1), slope(n, Vec3::Zero());
+  std::vector<Vec3> secant(n - 1);
+  std::vector<Vec3> slope(n, Vec3::Zero());
   for (size_t i = 0; i + 1 < n; ++i) {
     h[i] = time_[i + 1] - time_[i];
     secant[i] = (value_[i + 1] - value_[i]) / h[i];
@@ -87,8 +96,10 @@ void RowCurve::bend_monotone() {
   };
   for (int c = 0; c < 3; ++c) {
     for (size_t i = 1; i + 1 < n; ++i) {
-      const double before = secant[i - 1][c], after = secant[i][c];
-      const double a = 2 * h[i] + h[i - 1], b = h[i] + 2 * h[i - 1];
+      const double before = secant[i - 1][c];
+      const double after = secant[i][c];
+      const double a = 2 * h[i] + h[i - 1];
+      const double b = h[i] + 2 * h[i - 1];
       if (before * after > 0) slope[i][c] = (a + b) / (a / before + b / after);
     }
     slope[0][c] = end(secant[0][c], slope[1][c]);
@@ -103,11 +114,16 @@ VectorMotion RowCurve::at(double t) const {
   if (time_.empty()) return {};
   if (time_.size() == 1) return {value_[0], Vec3::Zero(), Vec3::Zero()};
   const auto above = std::upper_bound(time_.begin() + 1, time_.end() - 1, t);
-  const size_t j = above - time_.begin(), i = j - 1;
+  const size_t j = above - time_.begin();
+  const size_t i = j - 1;
   const double h = time_[j] - time_[i];
   const double at = std::clamp(t, time_[i], time_[j]);
-  const double v = (at - time_[i]) / h, u = 1 - v;
-  const Vec3 &p = value_[i], &q = value_[j], &m = bend_[i].first, &n = bend_[i].second;
+  const double v = (at - time_[i]) / h;
+  const double u = 1 - v;
+  const Vec3& p = value_[i];
+  const Vec3& q = value_[j];
+  const Vec3& m = bend_[i].first;
+  const Vec3& n = bend_[i].second;
   VectorMotion r;
   r.value = u * p + v * q + h * h / 6 * ((u * u * u - u) * m + (v * v * v - v) * n);
   r.rate = (q - p) / h + h / 6 * ((1 - 3 * u * u) * m + (3 * v * v - 1) * n);
@@ -141,24 +157,31 @@ RowCurve::Activity RowCurve::activity() const {
 
 std::vector<RowCurve::Overshoot> RowCurve::overshoots(double fraction) const {
   std::vector<Overshoot> out;
-  Vec3 lowest = Vec3::Constant(HUGE_VAL), highest = -lowest;
+  Vec3 lowest = Vec3::Constant(HUGE_VAL);
+  Vec3 highest = -lowest;
   for (const Vec3& x : value_) {
     lowest = lowest.cwiseMin(x);
     highest = highest.cwiseMax(x);
   }
   for (size_t i = 0; i + 1 < time_.size(); ++i)
     for (int c = 0; c < 3; ++c) {
-      const double h = time_[i + 1] - time_[i], p = value_[i][c], q = value_[i + 1][c];
-      const double m = bend_[i].first[c], n = bend_[i].second[c];
+      const double h = time_[i + 1] - time_[i];
+      const double p = value_[i][c];
+      const double q = value_[i + 1][c];
+      const double m = bend_[i].first[c];
+      const double n = bend_[i].second[c];
       // Roots 0 < v < 1 of the slope a v² + b v + d.
-      const double a = 0.5 * h * (n - m), b = h * m, d = (q - p) / h - h / 6 * (2 * m + n);
+      const double a = 0.5 * h * (n - m);
+      const double b = h * m;
+      const double d = (q - p) / h - h / 6 * (2 * m + n);
       const double root = b * b - 4 * a * d;
       if (root < 0) continue;
       const double k = -0.5 * (b + std::copysign(std::sqrt(root), b));
       Overshoot furthest;
       for (const double v : {a != 0 ? k / a : -1, k != 0 ? d / k : -1}) {
         if (!(v > 0 && v < 1)) continue;
-        const double t = time_[i] + v * h, x = at(t).value[c];
+        const double t = time_[i] + v * h;
+        const double x = at(t).value[c];
         const double excess = std::max(std::min(p, q) - x, x - std::max(p, q));
         if (excess > furthest.excess) furthest = {i, c, t, x, excess};
       }
@@ -233,7 +256,8 @@ void move_with_frame(const Vec3& origin, const VectorMotion& moved, const Vector
   if (rests) return;
   Vec3 spin, faster;
   angular_rates(turned, spin, faster);
-  const Vec3 v = D * pose.velocity, w = D * pose.angular_velocity;
+  const Vec3 v = D * pose.velocity;
+  const Vec3 w = D * pose.angular_velocity;
   pose.velocity = moved.rate + spin.cross(r) + v;
   pose.acceleration =
       moved.second + faster.cross(r) + spin.cross(spin.cross(r)) + 2 * spin.cross(v) + D * pose.acceleration;

@@ -23,10 +23,11 @@ double elastic_collapse(const PipeSteel& s) {
 // Smallest positive root of (p - p_el)(p² - p_p²) = p p_el p_p f_0 D/t: the difference of the sides decreases
 // from p_el p_p² at 0 to a negative value at the smaller of p_el and p_p.
 double collapse_pressure(const PipeSteel& s) {
-  const double elastic = elastic_collapse(s),
-               plastic = 2 * s.smys * s.material_factor * s.fabrication * s.wall / s.outer,
-               oval = std::max(s.ovality, kMinOvality) * s.outer / s.wall;
-  double low = 0, high = std::min(elastic, plastic);
+  const double elastic = elastic_collapse(s);
+  const double plastic = 2 * s.smys * s.material_factor * s.fabrication * s.wall / s.outer;
+  const double oval = std::max(s.ovality, kMinOvality) * s.outer / s.wall;
+  double low = 0;
+  double high = std::min(elastic, plastic);
   for (int k = 0; k < 100; ++k) {
     const double p = 0.5 * (low + high);
     ((p - elastic) * (p * p - plastic * plastic) > p * elastic * plastic * oval ? low : high) = p;
@@ -56,24 +57,27 @@ PipeDesign design(const Combination& c, const PipeLoads& rest, const PipeLoads& 
 }  // namespace
 
 PipeCodes::PipeCodes(const PipeSteel& s) : steel_(s), factor_(kResistance * s.safety_class) {
-  const double yields = s.material_factor * s.smys, breaks = s.material_factor * s.smts,
-               mean = s.outer - s.wall, inner = s.outer - 2 * s.wall;
+  const double yields = s.material_factor * s.smys;
+  const double breaks = s.material_factor * s.smts;
+  const double mean = s.outer - s.wall;
+  const double inner = s.outer - 2 * s.wall;
   hardening_ = std::clamp((60 - s.slenderness()) / 90, 0.0, 0.5);
   flow_ = 1 - hardening_ + hardening_ * breaks / yields;
   moment_ = yields * mean * mean * s.wall;
   tension_ = M_PI * yields * mean * s.wall;
   burst_ = 2 * s.wall / mean * std::min(yields, breaks / 1.15) * 2 / std::sqrt(3.0);
   collapse_ = collapse_pressure(s);
-  const double yield_pressure = 2 * s.smys * s.wall / s.outer, elastic = elastic_collapse(s);
+  const double yield_pressure = 2 * s.smys * s.wall / s.outer;
+  const double elastic = elastic_collapse(s);
   api_collapse_ = yield_pressure * elastic / std::hypot(yield_pressure, elastic);
   api_burst_ = 0.45 * (s.smys + s.smts) * std::log(s.outer / inner);
   api_yield_ = s.smys * M_PI / 4 * (s.outer * s.outer - inner * inner);
 }
 
 double PipeCodes::local_buckling(const PipeDesign& loads, double outside, double inside) const {
-  const double pulled = factor_ * loads.tension / (flow_ * tension_),
-               bent = factor_ * loads.moment / (flow_ * moment_) + pulled * pulled,
-               overpressure = (inside - outside) / burst_;
+  const double pulled = factor_ * loads.tension / (flow_ * tension_);
+  const double bent = factor_ * loads.moment / (flow_ * moment_) + pulled * pulled;
+  const double overpressure = (inside - outside) / burst_;
   const double weaker =
       overpressure < 2.0 / 3 ? 1 - hardening_ : 1 - 3 * hardening_ * (1 - overpressure);  // alpha_p
   const double pressed =

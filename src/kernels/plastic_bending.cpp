@@ -36,7 +36,9 @@ BendingMoment PlasticBending::at(double c2, double c3, const double* set) const 
   o.energy = 0.5 * hardening_ * (c2 * c2 + c3 * c3);
   o.K[0][0] = o.K[1][1] = hardening_;
   for (const Spring& s : springs_) {
-    const double e2 = c2 - (set ? set[0] : 0), e3 = c3 - (set ? set[1] : 0), e = std::hypot(e2, e3);
+    const double e2 = c2 - (set ? set[0] : 0);
+    const double e3 = c3 - (set ? set[1] : 0);
+    const double e = std::hypot(e2, e3);
     if (set) set += 2;
     if (e <= s.yield) {
       o.m[0] += s.stiffness * e2;
@@ -47,7 +49,9 @@ BendingMoment PlasticBending::at(double c2, double c3, const double* set) const 
       continue;
     }
     // On the yield circle only the component normal to the direction has stiffness.
-    const double secant = s.stiffness * s.yield / e, n2 = e2 / e, n3 = e3 / e;
+    const double secant = s.stiffness * s.yield / e;
+    const double n2 = e2 / e;
+    const double n3 = e3 / e;
     o.m[0] += secant * e2;
     o.m[1] += secant * e3;
     o.K[0][0] += secant * n3 * n3;
@@ -62,7 +66,10 @@ BendingMoment PlasticBending::at(double c2, double c3, const double* set) const 
 double PlasticBending::bend(double c2, double c3, double* set) const {
   double dissipated = 0;
   for (const Spring& s : springs_) {
-    const double e2 = c2 - set[0], e3 = c3 - set[1], e = std::hypot(e2, e3), beyond = e - s.yield;
+    const double e2 = c2 - set[0];
+    const double e3 = c3 - set[1];
+    const double e = std::hypot(e2, e3);
+    const double beyond = e - s.yield;
     if (beyond > 0) {
       set[0] += beyond * e2 / e;
       set[1] += beyond * e3 / e;
@@ -100,7 +107,8 @@ std::vector<PlasticBending::Row> ramberg_osgood(double EI, double yield_moment, 
   constexpr int kFine = 4000;
   std::vector<double> at, sum;
   for (int k = 0; k <= kFine; ++k) {
-    const double m = largest * k / kFine, slope = yield * (1 + A * B * std::pow(m, B - 1));
+    const double m = largest * k / kFine;
+    const double slope = yield * (1 + A * B * std::pow(m, B - 1));
     const double bend = yield * A * B * (B - 1) * std::pow(m, B - 2);  // of the curvature by the moment
     const double density = k == 0 ? 0 : std::sqrt(bend / (slope * m));
     sum.push_back(k == 0 ? 0 : sum.back() + density);

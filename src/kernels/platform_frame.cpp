@@ -16,9 +16,11 @@ Vec6 platform_rate(const Mat3& H, const Vec3& r, const RigidBodyState& s) {
 
 PlatformMotion platform_motion(const Mat3& H, const Vec3& r, const RigidBodyState& s) {
   PlatformMotion m;
-  const Mat3 Ht = H.transpose(), Q = Ht * s.q.toRotationMatrix();
+  const Mat3 Ht = H.transpose();
+  const Mat3 Q = Ht * s.q.toRotationMatrix();
   const FramePoint point{r, Q, s.w};
-  const Vec3 turning = s.w.cross(r), lift = s.alpha.cross(r) + s.w.cross(turning);
+  const Vec3 turning = s.w.cross(r);
+  const Vec3 lift = s.alpha.cross(r) + s.w.cross(turning);
   m.rate = platform_rate(H, r, s);
   m.acceleration << Ht * s.a + Q * lift, Q * s.alpha;
   m.G << Ht, point.by_turn(), Mat3::Zero(), Q;
@@ -47,7 +49,8 @@ Heading heading_of(const Quat& q) {
   Heading out;
   out.angle = std::atan2(bow.y(), bow.x());
   // d bow = R (dphi x e_x) = R (0, dphi_z, -dphi_y).
-  const Vec3 by_z = q * Vec3::UnitY(), by_y = -(q * Vec3::UnitZ());
+  const Vec3 by_z = q * Vec3::UnitY();
+  const Vec3 by_y = -(q * Vec3::UnitZ());
   // A body whose bow points vertically has no heading; this bounds the derivative.
   const double square = std::max(bow.head<2>().squaredNorm(), 1e-6);
   const auto slope = [&](const Vec3& d) { return (bow.x() * d.y() - bow.y() * d.x()) / square; };
@@ -58,7 +61,8 @@ Heading heading_of(const Quat& q) {
 PlatformLoad turning_load(const TurningForce& F, const Vec3& r, const RigidBodyState& s) {
   const Heading heading = heading_of(s.q);
   const Mat3 H = heading_axes(heading.angle);
-  Vec6 in_space, change = F.by_heading;
+  Vec6 in_space;
+  Vec6 change = F.by_heading;
   change.head<3>() += Vec3::UnitZ().cross(F.force.head<3>());
   change.tail<3>() += Vec3::UnitZ().cross(F.force.tail<3>());
   in_space << H * F.force.head<3>(), H * F.force.tail<3>();
@@ -74,7 +78,8 @@ PlatformLoad turning_load(const TurningForce& F, const Vec3& r, const RigidBodyS
 // P = [H^T, -Q hat(r); 0, T^-1(theta)] with T the right Jacobian: d theta = T^-1 d phi.
 PotentialGradient platform_gradient(const PlatformPotential& V, const Vec3& r, const RigidBodyState& s) {
   PotentialGradient out;
-  const Mat3 Ht = V.axes.transpose(), Q = Ht * s.q.toRotationMatrix();
+  const Mat3 Ht = V.axes.transpose();
+  const Mat3 Q = Ht * s.q.toRotationMatrix();
   const Vec3 theta = log_so3(Quat(V.axes).conjugate() * s.q);
   Vec6 displacement;
   displacement << Ht * (s.x + s.q * r - V.place), theta;

@@ -19,7 +19,8 @@ AngleOverSine angle_over_sine(double sine, double cosine) {
   constexpr double kSmall = 0.1;  // of u
   constexpr int kTerms = 14;
   AngleOverSine f;
-  const double square = sine * sine, u = square / (1 + cosine);
+  const double square = sine * sine;
+  const double u = square / (1 + cosine);
   if (cosine > 1 - kSmall) {
     for (int k = kTerms; k > 0; --k) {
       const double ratio = k / (2.0 * k + 1);

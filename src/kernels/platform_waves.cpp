@@ -115,7 +115,8 @@ PlatformWaves::MeanDrift PlatformWaves::mean_drift(double heading) const {
   MeanDrift out;
   if (order_ == SecondOrder::none) return out;
   for (const WaveComponent& w : components_) {
-    const double square = w.amplitude * w.amplitude, direction = std::atan2(w.y, w.x) - heading;
+    const double square = w.amplitude * w.amplitude;
+    const double direction = std::atan2(w.y, w.x) - heading;
     if (order_ == SecondOrder::full) {
       out.force += square * difference_table_.at(w.omega, w.omega).real();
       continue;
@@ -151,7 +152,8 @@ void PlatformWaves::add_full() {
   std::vector<Eigen::MatrixXcd> F(6, Eigen::MatrixXcd::Zero(n, n));
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = 0; j < n; ++j) {
-      const WaveComponent &a = components_[static_cast<size_t>(i)], &b = components_[static_cast<size_t>(j)];
+      const WaveComponent& a = components_[static_cast<size_t>(i)];
+      const WaveComponent& b = components_[static_cast<size_t>(j)];
       const ComplexVec6 value = a.amplitude * b.amplitude * difference_table_.at(a.omega, b.omega);
       for (int freedom = 0; freedom < 6; ++freedom) F[static_cast<size_t>(freedom)](i, j) = value[freedom];
     }

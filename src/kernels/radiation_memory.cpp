@@ -66,7 +66,8 @@ void RadiationMemory::tabulate() {
   spacing_ = 2 * M_PI / omega_.back() / kPointsPerPeriod;
   const auto max_points = static_cast<size_t>(std::min(kLongest / spacing_, kMaxPoints));
   const Eigen::RowVectorXd scale = retardation(0).cwiseAbs();
-  Eigen::RowVectorXd S = Eigen::RowVectorXd::Zero(n), rate = S;
+  Eigen::RowVectorXd S = Eigen::RowVectorXd::Zero(n);
+  Eigen::RowVectorXd rate = S;
   Eigen::RowVectorXd largest_rate = rate;
   size_t needed = 1;
   const auto keep = [&](const Eigen::RowVectorXd& K) {
@@ -102,13 +103,23 @@ void RadiationMemory::integrals(double t, double* S, double* rate) const {
   const bool beyond = t >= length_;
   const size_t points = table_.size() / (3 * n);
   const size_t p = std::min(static_cast<size_t>(t / spacing_), points - 2);
-  const double s = beyond ? 1 : t / spacing_ - static_cast<double>(p), r = 1 - s, h = spacing_;
-  const double s3 = s * s * s, r3 = r * r * r;
-  const double value0 = r3 * (1 + s * (3 + 6 * s)), value1 = s3 * (1 + r * (3 + 6 * r));
-  const double slope0 = h * s * r3 * (1 + 3 * s), slope1 = -h * r * s3 * (1 + 3 * r);
-  const double curve0 = 0.5 * h * h * s * s * r3, curve1 = 0.5 * h * h * r * r * s3;
-  const double *S0 = &table_[3 * n * p], *rate0 = S0 + n, *K0 = rate0 + n;
-  const double *S1 = K0 + n, *rate1 = S1 + n, *K1 = rate1 + n;
+  const double s = beyond ? 1 : t / spacing_ - static_cast<double>(p);
+  const double r = 1 - s;
+  const double h = spacing_;
+  const double s3 = s * s * s;
+  const double r3 = r * r * r;
+  const double value0 = r3 * (1 + s * (3 + 6 * s));
+  const double value1 = s3 * (1 + r * (3 + 6 * r));
+  const double slope0 = h * s * r3 * (1 + 3 * s);
+  const double slope1 = -h * r * s3 * (1 + 3 * r);
+  const double curve0 = 0.5 * h * h * s * s * r3;
+  const double curve1 = 0.5 * h * h * r * r * s3;
+  const double* S0 = &table_[3 * n * p];
+  const double* rate0 = S0 + n;
+  const double* K0 = rate0 + n;
+  const double* S1 = K0 + n;
+  const double* rate1 = S1 + n;
+  const double* K1 = rate1 + n;
   const auto row = [n](const double* values) {
     return Eigen::Map<const Eigen::ArrayXd>(values, static_cast<int>(n));
   };
@@ -117,8 +128,10 @@ void RadiationMemory::integrals(double t, double* S, double* rate) const {
                                                        slope1 * row(rate1) + curve1 * row(K1);
   if (!rate) return;
   const double dvalue = 30 * s * s * r * r / h;
-  const double dslope0 = r * r * (1 + 2 * s - 15 * s * s), dslope1 = s * s * (1 + 2 * r - 15 * r * r);
-  const double dcurve0 = 0.5 * h * s * r * r * (2 - 5 * s), dcurve1 = -0.5 * h * r * s * s * (2 - 5 * r);
+  const double dslope0 = r * r * (1 + 2 * s - 15 * s * s);
+  const double dslope1 = s * s * (1 + 2 * r - 15 * r * r);
+  const double dcurve0 = 0.5 * h * s * r * r * (2 - 5 * s);
+  const double dcurve1 = -0.5 * h * r * s * s * (2 - 5 * r);
   for (size_t i = 0; i < n; ++i)
     rate[i] = beyond ? 0
                      : dvalue * (S1[i] - S0[i]) + dslope0 * rate0[i] + dslope1 * rate1[i] + dcurve0 * K0[i] +
@@ -130,7 +143,8 @@ void RadiationMemory::integrals(double t, double* S, double* rate) const {
 // At a row with u = w, c + s w is B of that row on both sides: the logarithms cancel.
 Eigen::RowVectorXd added_mass_by_damping(const std::vector<double>& omega, const Eigen::MatrixXd& damping,
                                          double at) {
-  Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(damping.cols()), from = sum;
+  Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(damping.cols());
+  Eigen::RowVectorXd from = sum;
   double a = 0;
   const auto log_distance = [at](double u) {
     const double d = std::abs(u - at);
@@ -138,7 +152,8 @@ Eigen::RowVectorXd added_mass_by_damping(const std::vector<double>& omega, const
   };
   for (Eigen::Index k = 0; k < damping.rows(); ++k) {
     const double b = omega[static_cast<size_t>(k)];
-    const Eigen::RowVectorXd s = (damping.row(k) - from) / (b - a), c = from - s * a;
+    const Eigen::RowVectorXd s = (damping.row(k) - from) / (b - a);
+    const Eigen::RowVectorXd c = from - s * a;
     sum += (c + s * at) * (log_distance(b) - log_distance(a)) -
            (c - s * at) * (std::log(b + at) - std::log(a + at));
     from = damping.row(k);

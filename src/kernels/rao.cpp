@@ -64,7 +64,8 @@ std::vector<RaoTable::Turn> RaoTable::turns(double omega, double direction) cons
     const size_t other = d == a ? b : a;
     if (a != b && std::abs(std::remainder(direction - direction_[other], 2 * M_PI)) < kSame) continue;
     for (size_t k = 0; k < 6; ++k) {
-      const std::complex<double> p = row(d, i)[k], q = row(d, next)[k];
+      const std::complex<double> p = row(d, i)[k];
+      const std::complex<double> q = row(d, next)[k];
       const double small = std::min(std::abs(p), std::abs(q));
       if (!(small > kSmall * largest_[k]) || !((p * std::conj(q)).real() < 0)) continue;
       // Distance of the straight line from zero.
@@ -89,7 +90,8 @@ std::vector<RaoTable::Row> with_other_side(const std::vector<RaoTable::Row>& row
 
 RaoMotion::RaoMotion(const RaoTable& table, const WaveField& waves, const Vec3& origin, double heading,
                      double yaw) {
-  const double c = std::cos(heading), s = std::sin(heading);
+  const double c = std::cos(heading);
+  const double s = std::sin(heading);
   const auto turned = [&](double x, double y, double z) { return Vec3(c * x - s * y, s * x + c * y, z); };
   for (const WaveComponent& w : waves.components()) {
     const Response r = table.at(w.omega, std::atan2(w.y, w.x) - heading - yaw);
@@ -113,7 +115,8 @@ void RaoMotion::at(double t, Vec3& offset, Vec3& rotation, const Vec3& drifted) 
   rotation.setZero();
   for (const Term& m : terms_) {
     const double angle = m.omega * t - m.kx * drifted.x() - m.ky * drifted.y();
-    const double c = std::cos(angle), s = std::sin(angle);
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
     offset += c * m.offset_cos + s * m.offset_sin;
     rotation += c * m.rotation_cos + s * m.rotation_sin;
   }
@@ -125,8 +128,13 @@ void RaoMotion::rows(double first, double step, size_t count, const Vec3& drifte
   // errors accumulate until the next row that is computed with cosines.
   constexpr size_t kCosines = 256;
   const auto n = static_cast<Eigen::Index>(terms_.size());
-  Eigen::Matrix<double, 6, Eigen::Dynamic> cosines(6, n), sines(6, n);
-  Eigen::VectorXd c(n), s(n), before(n), by_c(n), by_s(n);
+  Eigen::Matrix<double, 6, Eigen::Dynamic> cosines(6, n);
+  Eigen::Matrix<double, 6, Eigen::Dynamic> sines(6, n);
+  Eigen::VectorXd c(n);
+  Eigen::VectorXd s(n);
+  Eigen::VectorXd before(n);
+  Eigen::VectorXd by_c(n);
+  Eigen::VectorXd by_s(n);
   for (Eigen::Index k = 0; k < n; ++k) {
     const Term& m = terms_[static_cast<size_t>(k)];
     cosines.col(k) << m.offset_cos, m.rotation_cos;

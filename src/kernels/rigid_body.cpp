@@ -22,8 +22,10 @@ Vec3 turned(const RigidBodyState& s, const RigidPose& rest) {
 // (docs/theory/body-contact.md).
 RigidBodyResidual rigid_body(const RigidBodyData& b, const RigidBodyState& s, const RigidPose& rest) {
   RigidBodyResidual r;
-  const Vec3 phi = turned(s, rest), p = b.turning_stiffness.cwiseProduct(phi);
-  const Vec3 W0 = s.q.conjugate() * rest.angular_velocity, Jw = b.inertia * s.w;
+  const Vec3 phi = turned(s, rest);
+  const Vec3 p = b.turning_stiffness.cwiseProduct(phi);
+  const Vec3 W0 = s.q.conjugate() * rest.angular_velocity;
+  const Vec3 Jw = b.inertia * s.w;
   const Mat3 T = inverse_right_jacobian(phi);
   r.inertia.head<3>() = b.mass * s.a;
   r.inertia.tail<3>() = b.inertia * s.alpha;
@@ -94,7 +96,8 @@ double rigid_body_kinetic(const RigidBodyData& b, const RigidBodyState& s) {
 }
 
 double rigid_body_strain(const RigidBodyData& b, const RigidBodyState& s, const RigidPose& rest) {
-  const Vec3 d = s.x - rest.position, phi = turned(s, rest);
+  const Vec3 d = s.x - rest.position;
+  const Vec3 phi = turned(s, rest);
   return 0.5 * d.dot(b.stiffness.cwiseProduct(d)) + 0.5 * phi.dot(b.turning_stiffness.cwiseProduct(phi));
 }
 

@@ -22,8 +22,15 @@ struct Dispersion {
   T C0, C2, C4, D2, D4;
   explicit Dispersion(const T& kd) {
     using std::cosh, std::tanh, std::sqrt;
-    const T S = 1.0 / cosh(T(2.0 * kd)), C = 1.0 - S, t = tanh(kd);
-    const T S2 = S * S, S3 = S2 * S, S4 = S2 * S2, S5 = S4 * S, C_2 = C * C, C_3 = C_2 * C;
+    const T S = 1.0 / cosh(T(2.0 * kd));
+    const T C = 1.0 - S;
+    const T t = tanh(kd);
+    const T S2 = S * S;
+    const T S3 = S2 * S;
+    const T S4 = S2 * S2;
+    const T S5 = S4 * S;
+    const T C_2 = C * C;
+    const T C_3 = C_2 * C;
     C0 = sqrt(t);
     C2 = C0 * (2.0 + 7.0 * S2) / (4.0 * C_2);
     C4 = C0 * (4.0 + 32.0 * S - 116.0 * S2 - 400.0 * S3 - 71.0 * S4 + 146.0 * S5) / (32.0 * C_2 * C_3);
@@ -41,8 +48,10 @@ T dispersion(const StokesInput& input, const T& k) {
   const T all = kd;
   if (kd > kDeep) kd = T(kDeep + 0.0 * k);
   const Dispersion<T> f(kd);
-  const T e = 0.5 * input.height * k, e2 = e * e;
-  T C2 = f.C2, C4 = f.C4;
+  const T e = 0.5 * input.height * k;
+  const T e2 = e * e;
+  T C2 = f.C2;
+  T C4 = f.C4;
   if (input.transport && !deep) {
     C2 = C2 + f.D2 / all;
     C4 = C4 + f.D4 / all;
@@ -80,10 +89,24 @@ struct Shape {
   double A11, A22, A31, A33, A42, A44, A51, A53, A55;
   double B22, B31, B42, B44, B53, B55, E2, E4;
   explicit Shape(double kd) {
-    const double S = 1 / std::cosh(2 * kd), C = 1 - S, sinh = std::sinh(kd), tanh = std::tanh(kd);
-    const double S2 = S * S, S3 = S2 * S, S4 = S3 * S, S5 = S4 * S, S6 = S5 * S, S7 = S6 * S, S8 = S7 * S;
-    const double C_2 = C * C, C_3 = C_2 * C, C_4 = C_3 * C, C_5 = C_4 * C, C_6 = C_5 * C;
-    const double p = 3 + 2 * S, q = 4 + S;
+    const double S = 1 / std::cosh(2 * kd);
+    const double C = 1 - S;
+    const double sinh = std::sinh(kd);
+    const double tanh = std::tanh(kd);
+    const double S2 = S * S;
+    const double S3 = S2 * S;
+    const double S4 = S3 * S;
+    const double S5 = S4 * S;
+    const double S6 = S5 * S;
+    const double S7 = S6 * S;
+    const double S8 = S7 * S;
+    const double C_2 = C * C;
+    const double C_3 = C_2 * C;
+    const double C_4 = C_3 * C;
+    const double C_5 = C_4 * C;
+    const double C_6 = C_5 * C;
+    const double p = 3 + 2 * S;
+    const double q = 4 + S;
     A11 = 1 / sinh;
     A22 = 3 * S2 / (2 * C_2);
     A31 = (-4 - 20 * S + 10 * S2 - 13 * S3) / (8 * sinh * C_3);
@@ -129,7 +152,11 @@ StokesWave::StokesWave(const StokesInput& input) : input_(input) {
                                 std::to_string(ursell()) + ", and Stokes' theory is valid up to 40");
   const Dispersion<double> f(kd);
   const Shape s(kd);
-  const double e = 0.5 * k_ * input.height, e2 = e * e, e3 = e2 * e, e4 = e3 * e, e5 = e4 * e;
+  const double e = 0.5 * k_ * input.height;
+  const double e2 = e * e;
+  const double e3 = e2 * e;
+  const double e4 = e3 * e;
+  const double e5 = e4 * e;
   const double speed = std::sqrt(input.gravity / k_);
   drift_ = omega_ / k_ - speed * (f.C0 + e2 * f.C2 + e4 * f.C4);
   head_ = input.gravity / k_ * (0.5 * f.C0 * f.C0 + kd + e2 * s.E2 + e4 * s.E4);
@@ -177,8 +204,10 @@ StokesWave::Flow StokesWave::flow(double theta, double y) const {
   f.u = drift_;
   for (size_t j = 1; j <= 5; ++j) {
     const double n = static_cast<double>(j);
-    const double c = std::cos(n * theta), s = std::sin(n * theta);
-    const double across = potential_[j] * std::cosh(n * k_ * y), up = potential_[j] * std::sinh(n * k_ * y);
+    const double c = std::cos(n * theta);
+    const double s = std::sin(n * theta);
+    const double across = potential_[j] * std::cosh(n * k_ * y);
+    const double up = potential_[j] * std::sinh(n * k_ * y);
     f.u += across * c;
     f.w += up * s;
     f.ux -= n * k_ * across * s;
@@ -199,7 +228,8 @@ WaveMotion StokesWave::at(const Vec3& x, double t, double factor, double rate) c
   WaveMotion m;
   m.surface = factor * at_phase(theta);
   const Flow f = flow(theta, over_bed(x.z(), m.surface));
-  const double convected = f.u * f.ux + f.w * f.uz, lifted = f.u * f.uz - f.w * f.ux;
+  const double convected = f.u * f.ux + f.w * f.uz;
+  const double lifted = f.u * f.uz - f.w * f.ux;
   const auto vector = [this](double along, double z) { return Vec3(cos_ * along, sin_ * along, z); };
   m.velocity = factor * vector(f.u, f.w);
   m.acceleration =

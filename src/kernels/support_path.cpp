@@ -30,9 +30,12 @@ Vec3 direction_at(const std::vector<Vec3>& points, size_t i) {
   const size_t n = points.size();
   if (n == 2) return (points[1] - points[0]).normalized();
   const size_t m = std::clamp<size_t>(i, 1, n - 2);  // middle point of the parabola
-  const Vec3 first = points[m] - points[m - 1], second = points[m + 1] - points[m];
-  const double a = first.norm(), b = second.norm();
-  const Vec3 before = first / a, after = second / b;
+  const Vec3 first = points[m] - points[m - 1];
+  const Vec3 second = points[m + 1] - points[m];
+  const double a = first.norm();
+  const double b = second.norm();
+  const Vec3 before = first / a;
+  const Vec3 after = second / b;
   // Slopes of the parabola at its three points.
   const Vec3 middle = (b * before + a * after) / (a + b);
   const Vec3 bend = (after - before) / (a + b);

@@ -30,7 +30,9 @@ TablePlace direction_place(const std::vector<double>& directions, double x) {
   const std::size_t n = directions.size();
   const double within = all_round(x);
   const auto above = std::upper_bound(directions.begin(), directions.end(), within);
-  const std::size_t after = above - directions.begin(), a = (after + n - 1) % n, b = after % n;
+  const std::size_t after = above - directions.begin();
+  const std::size_t a = (after + n - 1) % n;
+  const std::size_t b = after % n;
   if (a == b) return {a, b, 0};
   // Counted from the direction below; rounding of x - directions[a] could add a full turn.
   const double angle = within - directions[a];
@@ -39,7 +41,8 @@ TablePlace direction_place(const std::vector<double>& directions, double x) {
 
 DirectionGap direction_gap(const std::vector<double>& directions, double x) {
   const TablePlace place = direction_place(directions, x);
-  const std::size_t a = place.low, b = place.high;
+  const std::size_t a = place.low;
+  const std::size_t b = place.high;
   for (const std::size_t i : {a, b})
     if (a == b || std::abs(std::remainder(x - directions[i], 2 * M_PI)) < kSame)
       return {directions[i], directions[i]};

@@ -26,7 +26,8 @@ struct SineCosine {
 };
 inline SineCosine sine_cosine(double quarters) {
   const double whole = std::nearbyint(quarters);
-  const double x = M_PI / 2 * (quarters - whole), y = x * x;
+  const double x = M_PI / 2 * (quarters - whole);
+  const double y = x * x;
   const int quadrant = static_cast<int>(whole);
   double s = 1, c = 1;
   for (int n = 12; n > 0; n -= 2) {
@@ -35,7 +36,8 @@ inline SineCosine sine_cosine(double quarters) {
   }
   s *= x;
   c = 1 - 0.5 * y * c;
-  const double first = quadrant & 1 ? c : s, second = quadrant & 1 ? s : c;
+  const double first = quadrant & 1 ? c : s;
+  const double second = quadrant & 1 ? s : c;
   return {quadrant & 2 ? -first : first, (quadrant + 1) & 2 ? -second : second};
 }
 
@@ -109,10 +111,12 @@ HAWSER_CLONES void WaveSums::add_motion(const Phases& at, double z, Vec3& veloci
                                         Vec3& acceleration) const {
   const std::size_t n = std::min(significant_components(z), at.sine.size());
   const std::size_t shallow = std::min(n, components_over_bed(z));
-  const double *sine = at.sine.data(), *cosine = at.cosine.data();
+  const double* sine = at.sine.data();
+  const double* cosine = at.cosine.data();
   double ux = 0, uy = 0, uz = 0, ax = 0, ay = 0, az = 0;
   const auto add = [&](std::size_t i, double across, double up) {
-    const double forward = across * cosine[i], growing = omega_[i] * across * sine[i];
+    const double forward = across * cosine[i];
+    const double growing = omega_[i] * across * sine[i];
     ux += x_[i] * forward;
     uy += y_[i] * forward;
     uz += up * sine[i];
@@ -122,8 +126,8 @@ HAWSER_CLONES void WaveSums::add_motion(const Phases& at, double z, Vec3& veloci
   };
   for (std::size_t i = 0; i < shallow; ++i) {
     // A vector with significant components may also contain waves so short that both are zero.
-    const double e = std::exp(number_[i] * z),
-                 back = bottom_[i] / std::max(e, std::numeric_limits<double>::min());
+    const double e = std::exp(number_[i] * z);
+    const double back = bottom_[i] / std::max(e, std::numeric_limits<double>::min());
     add(i, speed_[i] * (e + back), speed_[i] * (e - back));
   }
   for (std::size_t i = shallow; i < n; ++i) {

@@ -18,7 +18,8 @@ double wave_number(double omega, double depth, double gravity) {
   const double y = deep * depth;
   double x = y / std::sqrt(std::tanh(y));
   for (int i = 0; i < 20; ++i) {
-    const double t = std::tanh(x), step = (x * t - y) / (t + x * (1 - t * t));
+    const double t = std::tanh(x);
+    const double step = (x * t - y) / (t + x * (1 - t * t));
     x -= step;
     if (std::abs(step) <= 1e-15 * x) break;
   }
@@ -41,7 +42,8 @@ WaveField::WaveField(std::shared_ptr<const StokesWave> wave)
 // times that. This bound must not exceed WaveSums::kNegligible for the excluded components. Elsewhere all
 // components are summed, because a tall body below needs the elevation above it.
 std::size_t WaveField::components_summed(double z) const {
-  const double height = sums_.height_beyond(0), h = depth_;
+  const double height = sums_.height_beyond(0);
+  const double h = depth_;
   if (stretching_ != Stretching::wheeler || !(h > height) || !(z < -height)) return sums_.size();
   const double highest = h * (z + height) / (h - height);  // below the deepest trough
   const double moves = h * std::abs(h + z) / ((h - height) * (h - height));
@@ -86,7 +88,8 @@ namespace {
 // JONSWAP spectrum (Hasselmann et al. 1973) without its constant, with r = peak/omega:
 //   r^5/peak exp(-5/4 r^4) gamma^exp(-(omega - peak)²/(2 sigma² peak²))
 double shape(double omega, double peak, double gamma) {
-  const double r = peak / omega, sigma = omega <= peak ? 0.07 : 0.09;
+  const double r = peak / omega;
+  const double sigma = omega <= peak ? 0.07 : 0.09;
   const double off = (omega - peak) / (sigma * peak);
   return std::pow(r, 5) / peak * std::exp(-1.25 * std::pow(r, 4)) *
          std::pow(gamma, std::exp(-0.5 * off * off));
@@ -102,7 +105,9 @@ struct Grid {
     for (int i = 0; i <= cells; ++i) omega[i] = peak * from * std::exp(i * step);
     const auto f = [&](double w) { return w * shape(w, peak, gamma); };
     for (size_t i = 1; i < omega.size(); ++i) {
-      const double a = omega[i - 1], b = omega[i], m = std::sqrt(a * b);
+      const double a = omega[i - 1];
+      const double b = omega[i];
+      const double m = std::sqrt(a * b);
       sum[i] = sum[i - 1] + step / 6 * (f(a) + 4 * f(m) + f(b));
     }
   }
@@ -178,7 +183,8 @@ std::vector<WaveComponent> irregular(const Jonswap& spectrum, double direction, 
   Random random = random_of(seed);
   std::vector<WaveComponent> out;
   for (int i = 0; i < count; ++i) {
-    const size_t from = kFine * i, to = from + kFine;
+    const size_t from = kFine * i;
+    const size_t to = from + kFine;
     // The energy excluded by the range is distributed to all bins.
     const double energy = (g.sum[to] - g.sum[from]) / g.sum.back() * spectrum.height * spectrum.height / 16;
     out.push_back(component_of(energy, g.omega[from], g.omega[to], direction, random));
@@ -193,16 +199,21 @@ std::vector<WaveComponent> irregular(const std::vector<SpectrumRow>& rows, doubl
   const auto below = [&rows](double omega) {
     double sum = 0;
     for (size_t i = 1; i < rows.size() && rows[i - 1].omega < omega; ++i) {
-      const SpectrumRow &a = rows[i - 1], &b = rows[i];
-      const double to = std::min(omega, b.omega), z = (to - a.omega) / (b.omega - a.omega);
+      const SpectrumRow& a = rows[i - 1];
+      const SpectrumRow& b = rows[i];
+      const double to = std::min(omega, b.omega);
+      const double z = (to - a.omega) / (b.omega - a.omega);
       sum += (to - a.omega) * (a.density + 0.5 * z * (b.density - a.density));
     }
     return sum;
   };
-  const double last = rows.back().omega, first = std::max(rows.front().omega, last / 50);
+  const double last = rows.back().omega;
+  const double first = std::max(rows.front().omega, last / 50);
   Random random = random_of(seed);
   std::vector<WaveComponent> out;
-  double from = first, so_far = 0;  // the energy below the first bin is added to it
+  // The energy below the first bin is added to it.
+  double from = first;
+  double so_far = 0;
   for (int i = 1; i <= count; ++i) {
     const double to = i < count ? first * std::pow(last / first, static_cast<double>(i) / count) : last;
     const double sum = below(to);

@@ -11,7 +11,8 @@ namespace {
 
 double iso_density(double frequency, double at_ten, double height) {
   constexpr double n = 0.468;
-  const double z = height / 10, U = at_ten / 10;
+  const double z = height / 10;
+  const double U = at_ten / 10;
   const double f = 172 * frequency * std::pow(z, 2.0 / 3) * std::pow(U, -0.75);
   return 320 * U * U * std::pow(z, 0.45) / std::pow(1 + std::pow(f, n), 5 / (3 * n));
 }
@@ -38,7 +39,8 @@ std::vector<Gust> gusts(GustSpectrum kind, double speed, double at_ten, double h
   std::vector<Gust> out;
   if (kind == GustSpectrum::none || !(speed > 0)) return out;
   constexpr int kParts = 8;
-  const double bin = std::log(kFastestGust / kSlowestGust) / count, part = bin / kParts;
+  const double bin = std::log(kFastestGust / kSlowestGust) / count;
+  const double part = bin / kParts;
   const auto density = [&](double log_f) {
     const double f = kSlowestGust * std::exp(log_f);
     return f * gust_density(kind, f, speed, at_ten, height);

@@ -83,7 +83,8 @@ void RootSearch::fail() {
 
 // The search for a first value has already covered the side from which it came.
 void RootSearch::begin(double value) {
-  Direction &current = direction_[going_], &opposite = direction_[1 - going_];
+  Direction& current = direction_[going_];
+  Direction& opposite = direction_[1 - going_];
   if (failures_at_start_ > 0) {
     opposite.limit = current.x;
     opposite.failures = 1;
@@ -129,7 +130,8 @@ void RootSearch::outward() {
 }
 
 void RootSearch::between() {
-  const double xi = (x_[0] - x_[1]) / (x_[2] - x_[1]), phi = (f_[0] - f_[1]) / (f_[2] - f_[1]);
+  const double xi = (x_[0] - x_[1]) / (x_[2] - x_[1]);
+  const double phi = (f_[0] - f_[1]) / (f_[2] - f_[1]);
   fraction_ = 0.5;
   if (phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi) {
     const double alpha = (x_[2] - x_[0]) / (x_[1] - x_[0]);

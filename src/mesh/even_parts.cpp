@@ -62,7 +62,8 @@ class Places {
   }
   // Smallest possible weight of the heaviest part, by bisection between the mean and the total.
   double smallest_limit(int parts) const {
-    double low = whole() / parts, high = whole();
+    double low = whole() / parts;
+    double high = whole();
     while (high - low > kRounding * whole()) {
       const double middle = 0.5 * (low + high);
       (fits(parts, middle) ? high : low) = middle;
@@ -97,12 +98,14 @@ std::vector<int> cut_into_even_parts(std::span<const EqualItems> row, int parts,
     if (!p.fits(parts, limit)) p = Places(row, worst);
   if (!p.fits(parts, limit)) limit = p.smallest_limit(parts);
   const int last = p.last();
-  std::vector<int> cuts(static_cast<size_t>(parts) + 1, last), earliest(cuts);
+  std::vector<int> cuts(static_cast<size_t>(parts) + 1, last);
+  std::vector<int> earliest(cuts);
   cuts[0] = 0;
   // earliest[k]: first place at which part k may begin, so that the rest fits into part k and those after it.
   for (int k = parts - 1; k > 0; --k) earliest[k] = p.earliest(earliest[k + 1], limit);
   for (int k = 1; k < parts; ++k) {
-    const int before_it = cuts[k - 1], low = std::max(earliest[k], before_it);
+    const int before_it = cuts[k - 1];
+    const int low = std::max(earliest[k], before_it);
     const int high = std::max(low, p.furthest(before_it, limit));
     const double even = p.sum(before_it) + (p.whole() - p.sum(before_it)) / (parts - k + 1);
     const auto better = [&](int a, int b) {

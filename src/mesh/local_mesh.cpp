@@ -38,15 +38,15 @@ int width_of(const Node& n) { return n.pinned_to >= 0 ? 0 : n.rotates ? 2 : 1; }
 // Runs of blocks. Parallel numbering: rank by rank, in file order within a rank.
 std::vector<BlockRun> block_runs(const Mesh& mesh, const NodeRanks& owner, int ranks) {
   std::vector<BlockRun> runs;
-  std::vector<int> rank_of, count(static_cast<size_t>(ranks) + 1, 0);
+  std::vector<int> rank_of;
+  std::vector<int> count(static_cast<size_t>(ranks) + 1, 0);
   const std::span<const NodeRanks::Run> owners = owner.runs();
   for (const NodeRun& nodes : node_runs(mesh)) {
-    const int width = nodes.special   ? width_of(*nodes.special)
-                      : nodes.rotates ? 2
-                                      : 1,
-              end = nodes.first + nodes.nodes;
+    const int width = nodes.special ? width_of(*nodes.special) : nodes.rotates ? 2 : 1;
+    const int end = nodes.first + nodes.nodes;
     for (size_t r = owner.run_of(nodes.first); r < owners.size() && owners[r].first < end; ++r) {
-      const int from = std::max(nodes.first, owners[r].first), rank = owners[r].rank;
+      const int from = std::max(nodes.first, owners[r].first);
+      const int rank = owners[r].rank;
       if (runs.empty() || rank_of.back() != rank || runs.back().width != width || width == 0) {
         runs.push_back({from, count[rank + 1], width});
         rank_of.push_back(rank);
@@ -110,7 +110,8 @@ LocalMesh local_mesh(const Mesh& mesh, const NodeRanks& owner, int rank, int ran
   std::vector<int> ghosts;
   for (const int i : elements) {
     const Element e = mesh.element(i);
-    const bool a = owner[e.first] == rank, b = owner[e.second] == rank;
+    const bool a = owner[e.first] == rank;
+    const bool b = owner[e.second] == rank;
     if (a == b) continue;
     ghosts.push_back(a ? e.second : e.first);
     for (const int n : {e.first, e.second})  // and the frames that carry them
@@ -157,7 +158,9 @@ LineOwners line_owners(const LocalMesh& mesh) {
   LineOwners out;
   const std::vector<LineSpan>& lines = mesh.mesh->lines;
   for (size_t l = 0; l < lines.size(); ++l) {
-    const int line = static_cast<int>(l), first = lines[l].first_node, end = first + lines[l].nodes;
+    const int line = static_cast<int>(l);
+    const int first = lines[l].first_node;
+    const int end = first + lines[l].nodes;
     const bool cut = !mesh.owner.whole(first, lines[l].nodes);
     const auto owned_end = mesh.global.begin() + mesh.owned;
     const auto owned = std::lower_bound(mesh.global.begin(), owned_end, first);

@@ -173,8 +173,8 @@ struct OwnedRun {
 // Owners of the nodes of a component, except those that are carried.
 void assign(const Mesh& mesh, const GraphSequence& sequence, std::span<const VertexRun> vertex_runs,
             int first_rank, SequenceCut& cut, std::vector<OwnedRun>& out) {
-  const int begin = vertex_runs.front().position,
-            end = vertex_runs.back().position + vertex_runs.back().vertices;
+  const int begin = vertex_runs.front().position;
+  const int end = vertex_runs.back().position + vertex_runs.back().vertices;
   const auto set_owner = [&](const VertexRun& p, int vertex, int vertices, int part) {
     if (p.uncut >= 0)
       out.push_back({p.first_node, mesh.lines[p.uncut].nodes, first_rank + part});

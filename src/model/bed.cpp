@@ -67,13 +67,15 @@ BedAtEnd bed_at_end(const Case& c, const Line& line, LineEnd line_end, double el
   const Seabed& bed = c.environment.seabed;
   const End& end = line.end(line_end);
   if (!bed.present || end.kind != EndKind::anchor) return out;
-  const double length = length_of(line), where = line_end == LineEnd::B ? length : 0;
+  const double length = length_of(line);
+  const double where = line_end == LineEnd::B ? length : 0;
   for (const Buried& s : line.buried)
     if (where >= s.from && where <= s.to) return out;
   const LineType& type = c.line_type(line.end_section(line_end).type);
   const double height = height_above_bed(bed, end_position(c, end));
   if (!std::isfinite(height)) return out;
-  const double resting = resting_height(c, type), radius = 0.5 * type.contact_diameter;
+  const double resting = resting_height(c, type);
+  const double radius = 0.5 * type.contact_diameter;
   // With an end at the height of first contact the line would sink next to the end; above that height the
   // line hangs from its end.
   out.depth = height <= radius ? resting - height : std::min(0.0, resting - 2 * radius + height);

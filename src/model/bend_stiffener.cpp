@@ -11,7 +11,8 @@ double BendStiffener::EI(double s) const {
   if (rows.size() < 2 || d < rows.front().first || d > rows.back().first) return 0;
   std::size_t i = 1;
   while (i + 1 < rows.size() && d > rows[i].first) ++i;
-  const auto &before = rows[i - 1], &after = rows[i];
+  const auto& before = rows[i - 1];
+  const auto& after = rows[i];
   return before.second + (d - before.first) / (after.first - before.first) * (after.second - before.second);
 }
 

@@ -65,7 +65,8 @@ TableMotion near_start(const TableMotion& t) {
   constexpr std::ptrdiff_t kRows = 64;
   const auto size = static_cast<std::ptrdiff_t>(t.time.size());
   const auto at = std::lower_bound(t.time.begin(), t.time.end(), 0.0) - t.time.begin();
-  const auto first = std::max<std::ptrdiff_t>(at - kRows, 0), last = std::min(at + kRows, size);
+  const auto first = std::max<std::ptrdiff_t>(at - kRows, 0);
+  const auto last = std::min(at + kRows, size);
   TableMotion out;
   out.between = t.between;
   const auto take = [&](const auto& from, auto& to) {

@@ -62,14 +62,17 @@ bool has_friction_on_bodies(const Case& c, const std::string& body) {
 std::vector<BodyPair> body_pairs(const Case& c) {
   std::vector<BodyPair> pairs;
   const auto add = [&](std::size_t leads, std::size_t other, double stiffness, double force_factor) {
-    const Volume &a = c.volumes[leads], &b = c.volumes[other];
+    const Volume& a = c.volumes[leads];
+    const Volume& b = c.volumes[other];
     pairs.push_back({leads, other, stiffness, force_factor, friction_between(a, b), hides(a)});
   };
   for (std::size_t i = 0; i < c.volumes.size(); ++i)
     for (std::size_t j = i + 1; j < c.volumes.size(); ++j) {
-      const Volume &a = c.volumes[i], &b = c.volumes[j];
+      const Volume& a = c.volumes[i];
+      const Volume& b = c.volumes[j];
       if (!touch(c, a, b)) continue;
-      const int ra = rank(a), rb = rank(b);
+      const int ra = rank(a);
+      const int rb = rank(b);
       const double k = a.basis == b.basis ? std::min(a.normal_stiffness, b.normal_stiffness) : 0;
       const auto stiffness = [&](const Volume& v) { return k > 0 ? k : v.normal_stiffness; };
       if (ra == kNever && rb == kNever) {

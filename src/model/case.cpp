@@ -26,7 +26,9 @@ bool holds(const std::vector<std::string>& names, const std::string& name) {
 double mean_temperature_change(const std::vector<std::pair<double, double>>& rows, double from, double to) {
   if (rows.empty()) return 0;
   if (rows.size() == 1) return rows.front().second;
-  double last = from, before = on_broken_line(rows, from), sum = 0;
+  double last = from;
+  double before = on_broken_line(rows, from);
+  double sum = 0;
   const auto go = [&](double s, double value) {
     sum += 0.5 * (s - last) * (before + value);
     last = s;

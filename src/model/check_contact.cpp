@@ -78,7 +78,8 @@ void check_separation(const Case& c, const Issues& issue) {
   for (const Line& l : c.lines)
     if (c.contact.takes_part(l) && l.end_a.kind != EndKind::free && l.end_b.kind != EndKind::free &&
         l.starts_by_itself() && contact_diameter_of(c, l) > 0) {
-      Vec3 a = end_position(c, l.end_a), b = end_position(c, l.end_b);
+      Vec3 a = end_position(c, l.end_a);
+      Vec3 b = end_position(c, l.end_b);
       if (b.x() < a.x()) std::swap(a, b);
       spans.push_back({&l, a, b, length_of(l)});
     }
@@ -87,7 +88,8 @@ void check_separation(const Case& c, const Issues& issue) {
   constexpr double kSame = 1e-6;
   for (std::size_t i = 0; i < spans.size(); ++i)
     for (std::size_t j = i + 1; j < spans.size(); ++j) {
-      const Span &p = spans[i], &q = spans[j];
+      const Span& p = spans[i];
+      const Span& q = spans[j];
       const double near = kSame * p.length;
       if (q.a.x() - p.a.x() > near) break;
       const auto& [one, other] = ordered(p.line->name, q.line->name);

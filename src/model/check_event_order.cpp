@@ -108,7 +108,8 @@ class EventOrder : private EventChecks {
   // Simultaneous events of a feeder would override each other.
   void check_feeds() {
     for (std::size_t k = 0; k < i_; ++k) {
-      const Event &e = event(), &o = c_.events[k];
+      const Event& e = event();
+      const Event& o = c_.events[k];
       if (e.action.kind == Kind::feed && o.action.kind == Kind::feed && e.action.line == o.action.line &&
           e.action.line_end == o.action.line_end && e.cause.kind == o.cause.kind &&
           e.cause.time == o.cause.time && e.cause.event == o.cause.event &&
@@ -178,7 +179,8 @@ class EventOrder : private EventChecks {
 
   void check_stages() {
     for (std::size_t k = 0; k < c_.stages.size(); ++k) {
-      const std::string key = fmt::format("stages[{}]", k), &name = c_.stages[k];
+      const std::string key = fmt::format("stages[{}]", k);
+      const std::string& name = c_.stages[k];
       if (!c_.statics.enabled) all_(key, "the case has 'statics: false', so it has no stages");
       if (std::find(c_.stages.begin(), c_.stages.begin() + static_cast<std::ptrdiff_t>(k), name) !=
           c_.stages.begin() + static_cast<std::ptrdiff_t>(k))

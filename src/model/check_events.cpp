@@ -216,7 +216,8 @@ class EventCheck : private EventChecks {
                 "arc length {:.6g} m of line '{}' is inside the feeder at its end {} at the start, where the "
                 "line has no tension; give '{}' for the tension at the feeder",
                 cause.arc, cause.line, end_letter(end), end_key(end));
-      const bool at_a = cause.arc <= kArcTolerance * length, at_b = cause.arc >= length * (1 - kArcTolerance);
+      const bool at_a = cause.arc <= kArcTolerance * length;
+      const bool at_b = cause.arc >= length * (1 - kArcTolerance);
       const LineEnd end = at_a ? LineEnd::A : LineEnd::B;
       if ((at_a || at_b) && line(cause.line).end(end).kind == EndKind::free && !attached(cause.line, end))
         issue(when + "tension", "the tension of a free end is 0: end {} of line '{}' is free",

@@ -23,11 +23,13 @@ double runs_out(const Feed& f, double end) {
   double from = 0;
   for (const double to : times) {
     // The largest length within an interval is at its ends or at a zero of the speed.
-    const Fed a = fed_by(f, from), b = fed_by(f, to);
+    const Fed a = fed_by(f, from);
+    const Fed b = fed_by(f, to);
     const double slope = (b.speed - a.speed) / (to - from);
     const double top = a.speed > 0 && b.speed < 0 ? from - a.speed / slope : to;
     if (fed_by(f, top).length > f.stock) {
-      double low = from, high = top;
+      double low = from;
+      double high = top;
       for (int i = 0; i < 60; ++i)
         (fed_by(f, 0.5 * (low + high)).length > f.stock ? high : low) = 0.5 * (low + high);
       return high;
@@ -79,8 +81,8 @@ void check_elements(const Line& line, LineEnd line_end, const Issues& issue) {
   int inside = 0, outside = 0;  // number of elements
   for (const Section& s : line.sections)
     for (int i = 0; i < s.elements; ++i) {
-      const double middle = at + (i + 0.5) / s.elements * s.length,
-                   from = line_end == LineEnd::B ? length_of(line) - middle : middle;
+      const double middle = at + (i + 0.5) / s.elements * s.length;
+      const double from = line_end == LineEnd::B ? length_of(line) - middle : middle;
       if (from < f.stock)
         ++inside;
       else if (length_of(line) - from > other)

@@ -31,12 +31,14 @@ bool all_round(const WaveForceTable& table) {
 // The fit is well conditioned if no gap exceeds pi/harmonics (Groechenig 1992, Reconstruction algorithms in
 // irregular sampling).
 Eigen::RowVectorXd mean_weights(const std::vector<double>& directions, int harmonics) {
-  const Eigen::Index rows = std::ssize(directions), columns = 1 + 2 * Eigen::Index{harmonics};
+  const Eigen::Index rows = std::ssize(directions);
+  const Eigen::Index columns = 1 + 2 * Eigen::Index{harmonics};
   Eigen::MatrixXd series(rows, columns);
   Eigen::VectorXd part(rows);
   for (Eigen::Index d = 0; d < rows; ++d) {
     const auto at = [&](Eigen::Index k) { return directions[static_cast<size_t>((k + rows) % rows)]; };
-    const double turn = 2 * M_PI, around = at(d + 1) - at(d - 1);
+    const double turn = 2 * M_PI;
+    const double around = at(d + 1) - at(d - 1);
     part[d] = 0.5 * (d == 0 || d + 1 == rows ? around + turn : around);
     series(d, 0) = 1;
     for (int m = 1; m <= harmonics; ++m) {
@@ -141,7 +143,8 @@ void check_haskind(const Case& c, const BodyHydrodynamics& h, const Issues& issu
   const WaveForceTable& table = data.excitation[static_cast<size_t>(h.body) - 1];
   if (!all_round(table)) return;
   const Eigen::RowVectorXd weights = mean_weights(table.directions(), resolved_harmonics(table.directions()));
-  const double g = c.environment.gravity, density = c.environment.water.density;
+  const double g = c.environment.gravity;
+  const double density = c.environment.water.density;
   double worst = 1;
   const char* name = nullptr;
   for (Eigen::Index mode = 0; mode < 3; ++mode) {
@@ -150,12 +153,13 @@ void check_haskind(const Case& c, const BodyHydrodynamics& h, const Issues& issu
     for (const Eigen::MatrixXd& B : data.damping) largest = std::max(largest, B(row, row));
     std::vector<double> ratios;
     for (size_t k = 0; k < data.omega.size(); ++k) {
-      const double omega = data.omega[k], B = data.damping[k](row, row);
+      const double omega = data.omega[k];
+      const double B = data.damping[k](row, row);
       if (omega < table.lowest() || omega > table.highest() || !(B > kCounts * largest) ||
           !(B > kNone * omega * std::abs(data.added_mass[k](row, row))))
         continue;
-      const double number = wave_number(omega, c.environment.water.depth, g),
-                   steep = number * c.environment.water.depth;
+      const double number = wave_number(omega, c.environment.water.depth, g);
+      const double steep = number * c.environment.water.depth;
       const double group =
           0.5 * omega / number * (steep > 0 && steep < 20 ? 1 + 2 * steep / std::sinh(2 * steep) : 1);
       double sum = 0;
@@ -183,7 +187,8 @@ void check_haskind(const Case& c, const BodyHydrodynamics& h, const Issues& issu
 void check_end_of_damping(const BodyHydrodynamics& h, const Issues& issue) {
   constexpr double kLarge = 0.2, kFurther = 1.25;
   const HydrodynamicData& data = *h.data;
-  const double beyond = data.excitation[static_cast<size_t>(h.body) - 1].highest(), end = data.omega.back();
+  const double beyond = data.excitation[static_cast<size_t>(h.body) - 1].highest();
+  const double end = data.omega.back();
   if (beyond < kFurther * end) return;
   const Eigen::Index row = first_row(h);
   Vec6 largest = Vec6::Zero();
@@ -206,7 +211,8 @@ void check_end_of_damping(const BodyHydrodynamics& h, const Issues& issue) {
 void check_size(const Case& c, const Body& b, const Issues& issue) {
   const BodyHydrodynamics& h = *b.mass->hydrodynamics;
   const HydrodynamicData& data = *h.data;
-  const double density = c.environment.water.density, g = c.environment.gravity;
+  const double density = c.environment.water.density;
+  const double g = c.environment.gravity;
   const double volume = h.volume > 0 ? h.volume : b.mass->mass / density;
   double added = 0;
   for (const Eigen::MatrixXd& A : data.added_mass)

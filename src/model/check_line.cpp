@@ -159,8 +159,9 @@ class LineCheck {
     if (!attached(line_.end_a) || !attached(line_.end_b)) return;
     if (line_.end_a.kind == EndKind::joint || line_.end_b.kind == EndKind::joint) return;  // joints move
     const double span = (end_position(c_, line_.end_b) - end_position(c_, line_.end_a)).norm();
-    const double natural = outside() + expansion_of(c_, line_), strain = (span - natural) / natural,
-                 limit = largest_strain();
+    const double natural = outside() + expansion_of(c_, line_);
+    const double strain = (span - natural) / natural;
+    const double limit = largest_strain();
     if (!(strain < limit))
       issue("sections",
             "the line is {:.6g} m long{} but its ends are {:.6g} m apart at t = 0; that requires a strain of "
@@ -219,7 +220,8 @@ class LineCheck {
       issue(key + ".from", "{:.6g} m is within the previous stretch, which ends at {:.6g} m", b.from,
             line_.buried[i - 1].to);
     if (!line_.starts_by_itself() && line_.start != Start::hanging) return;
-    const bool at_a = b.from <= near, at_b = b.to >= length_ - near;
+    const bool at_a = b.from <= near;
+    const bool at_b = b.to >= length_ - near;
     if (!attached(line_.end_a) || !attached(line_.end_b) || line_.start == Start::hanging || at_a == at_b)
       issue(key,
             "the position of this stretch is not defined: give 'start' as straight or as points, or let it "
@@ -266,8 +268,8 @@ class LineCheck {
     bool expands = false;
     double from = 0;
     for (const Section& s : line_.sections) {
-      const double alpha = c_.line_type(s.type).thermal_expansion,
-                   largest = largest_change(from, from + s.length);
+      const double alpha = c_.line_type(s.type).thermal_expansion;
+      const double largest = largest_change(from, from + s.length);
       from += s.length;
       expands |= alpha != 0;
       if (std::abs(alpha) * largest > kLargestExpansion) {

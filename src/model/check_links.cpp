@@ -37,7 +37,8 @@ void check_links(const Case& c, const Issues& issue) {
     const std::string key = "links." + l.name;
     check_end(c, l.end_a, key + ".end_a", issue);
     check_end(c, l.end_b, key + ".end_b", issue);
-    const bool spring = l.law.stiffness > 0 || l.law.spring, damper = l.law.damping > 0 || l.law.damper;
+    const bool spring = l.law.stiffness > 0 || l.law.spring;
+    const bool damper = l.law.damping > 0 || l.law.damper;
     if (!spring && !damper)
       issue(key, "does nothing: give it a 'stiffness', a 'force_table', a 'damping' or a 'damping_table'");
     if (l.law.tension_only && !spring)
@@ -51,7 +52,8 @@ void check_links(const Case& c, const Issues& issue) {
       issue(key + ".end_b", "both ends are on body '{}', which is rigid", l.end_a.body);
     if (!l.end_a.line.empty() && l.end_a.line == l.end_b.line && l.end_a.arc == l.end_b.arc)
       issue(key + ".end_b", "both ends are at the same point of line '{}'", l.end_a.line);
-    const std::optional<Vec3> a = start_position(c, l.end_a), b = start_position(c, l.end_b);
+    const std::optional<Vec3> a = start_position(c, l.end_a);
+    const std::optional<Vec3> b = start_position(c, l.end_b);
     if (!l.rest_given && a && b && *a == *b)
       issue(key,
             "its ends are drawn at the same point, so that its length is 0: give it a 'rest_length', which "

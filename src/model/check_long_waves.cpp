@@ -63,7 +63,8 @@ class LongWaves {
   // Component of the direction along the axis; 0 if the table has none within 60 deg.
   double component(int freedom) const {
     constexpr double kLeast = 0.5;
-    const double beta = direction(freedom), along = freedom == 0 ? std::cos(beta) : std::sin(beta);
+    const double beta = direction(freedom);
+    const double along = freedom == 0 ? std::cos(beta) : std::sin(beta);
     return std::abs(along) < kLeast ? 0 : along;
   }
   // Component of the same direction along the other axis.
@@ -101,7 +102,8 @@ class LongWaves {
   // Limit of a function of the frequency at omega = 0, with an error of order omega^4.
   template <class Function>
   double limit(const Function& f) const {
-    const double first = f(omega_), second = f(second_);
+    const double first = f(omega_);
+    const double second = f(second_);
     return first - (second - first) * omega_ * omega_ / (second_ * second_ - omega_ * omega_);
   }
   bool moves(int freedom) const {
@@ -116,7 +118,8 @@ class LongWaves {
   double density_, depth_, g_;
   PlatformHydrostatics hydrostatics_;
   double volume_;
-  double omega_ = table_.lowest(), second_ = 0;
+  double omega_ = table_.lowest();
+  double second_ = 0;
 };
 
 // The force of long waves along their direction leads the crest by a quarter of a period.
@@ -179,7 +182,8 @@ double LongWaves::volume_by_waves(int freedom, double omega, bool deep) const {
 }
 
 double LongWaves::stiffness_by_waves(int freedom, double omega, bool deep) const {
-  const double k = number(omega, deep), sign = freedom == 0 ? 1 : -1;
+  const double k = number(omega, deep);
+  const double sign = freedom == 0 ? 1 : -1;
   const int turn = 4 - freedom;
   const Mat6 A = added_mass(omega);
   const double moment = sign * force(freedom, omega, k)[turn].imag() / k;
@@ -230,7 +234,8 @@ void LongWaves::note(const Issues& note) const {
         if (const Compared compared = volume(freedom, deep); compared.off() > worst.off()) worst = compared;
     return worst;
   };
-  const Compared as_given = largest_difference(false), in_deep = largest_difference(true);
+  const Compared as_given = largest_difference(false);
+  const Compared in_deep = largest_difference(true);
   const bool deep = in_deep.off() < as_given.off();
   const double heave = at.limit([&](double w) {
     return central_force(0, w, number(w, deep))[2].real() +

@@ -44,7 +44,8 @@ void check_start(const Case& c, const Line& line, const SupportBox& first, const
   const End* end = end_before(c, line, first);
   if (!end) return;
   const RigidPose pose = pose_of(c, first);
-  const Vec3 to = pose.to_space(first.at) - end_position(c, *end), along = pose.rotation * first.along;
+  const Vec3 to = pose.to_space(first.at) - end_position(c, *end);
+  const Vec3 along = pose.rotation * first.along;
   const std::string which = fmt::format("lines.{}.end_{}", line.name, end == &line.end_a ? "a" : "b");
   if (end->direction) {  // direction of the line from end A to end B
     const Vec3 given =
@@ -55,7 +56,8 @@ void check_start(const Case& c, const Line& line, const SupportBox& first, const
                    "round, or the path",
                    first.name);
   }
-  const double ahead = to.dot(along), below = to.dot(pose.rotation * first.up);
+  const double ahead = to.dot(along);
+  const double below = to.dot(pose.rotation * first.up);
   if (!(ahead > 0))
     return issue(first.key,
                  "support '{}' lies {:.4g} m behind '{}', from which the line goes overboard over it; move "
@@ -115,8 +117,8 @@ void check_supports(const Case& c, const Issues& issue) {
         check_start(c, line, b, issue);
       } else {
         const Vec3 span = support_point(c, b, b.at) - support_point(c, *before, before->at);
-        const Vec3 direction_before = pose_of(c, *before).rotation * before->along,
-                   direction = pose_of(c, b).rotation * b.along;
+        const Vec3 direction_before = pose_of(c, *before).rotation * before->along;
+        const Vec3 direction = pose_of(c, b).rotation * b.along;
         if (!(span.dot(direction_before) > 0) || !(direction.dot(direction_before) > 0))
           issue(b.key,
                 "support '{}' lies behind '{}', which the line passes before it; give supports and groups in "

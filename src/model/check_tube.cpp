@@ -17,7 +17,8 @@ namespace {
 constexpr double kRounding = 1e-9;
 
 bool radii_fit(const TubeShape& s, const Issues& issue) {
-  const std::size_t corners = s.path.size() - 2, given = s.bend_radius.size();
+  const std::size_t corners = s.path.size() - 2;
+  const std::size_t given = s.bend_radius.size();
   if (corners == 0) {
     if (given > 0) issue("bend_radius", "has no effect: a path of two points is straight");
     return given == 0;
@@ -55,8 +56,9 @@ bool legs_fit(const TubeShape& s, const Issues& issue) {
       return false;
     }
   for (std::size_t i = 0; i + 1 < s.path.size(); ++i) {
-    const double length = (s.path[i + 1] - s.path[i]).norm(), before = i > 0 ? bends[i - 1].tangent : 0,
-                 after = i < bends.size() ? bends[i].tangent : 0;
+    const double length = (s.path[i + 1] - s.path[i]).norm();
+    const double before = i > 0 ? bends[i - 1].tangent : 0;
+    const double after = i < bends.size() ? bends[i].tangent : 0;
     if (before + after <= length * (1 + kRounding)) continue;
     issue("path",
           "from point {} to point {} are {:g} m, and the bends there take {:g} m of it, "

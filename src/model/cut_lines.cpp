@@ -35,11 +35,13 @@ Section part_of(const Section& s, double from, double to) {
 Line part_of(const Line& line, double from, double to, double length) {
   Line out = line;
   out.from = from;
-  const bool first = from == 0, last = to == length;
+  const bool first = from == 0;
+  const bool last = to == length;
   out.sections.clear();
   double start = 0;
   for (const Section& s : line.sections) {
-    const double a = std::max(start, from), b = std::min(start + s.length, to);
+    const double a = std::max(start, from);
+    const double b = std::min(start + s.length, to);
     if (b - a > kSame * length)
       out.sections.push_back(b - a < s.length ? part_of(s, a - start, b - start) : s);
     start += s.length;

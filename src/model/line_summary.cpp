@@ -66,7 +66,8 @@ std::string start_text(Start s) {
 }
 
 std::string warmth_text(const Case& c, const Line& l) {
-  double lowest = l.temperature_change.front().second, highest = lowest;
+  double lowest = l.temperature_change.front().second;
+  double highest = lowest;
   for (const auto& [at, change] : l.temperature_change) {
     lowest = std::min(lowest, change);
     highest = std::max(highest, change);

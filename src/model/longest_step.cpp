@@ -87,7 +87,8 @@ double mean_period(const RowCurve::Activity& a) {
 double add_table(const TableMotion& m, const std::string& name, double lever, Shortest& to) {
   if (m.of_waves || m.time.size() < 2) return 0;
   const TableLaw law = table_law(m);
-  const RowCurve::Activity moved = law.offset.activity(), turned = law.rotation.activity();
+  const RowCurve::Activity moved = law.offset.activity();
+  const RowCurve::Activity turned = law.rotation.activity();
   const std::string subject = "the mean period of the motion table of " + name;
   if (lever > 0) {
     const double square = lever * lever;
@@ -237,8 +238,8 @@ void add_line(const Case& c, const Line& line, double speed, bool jolted, Shorte
     mass += s.length * t.mass_per_length;
     along += t.wave_time(s.length);
     if (!c.environment.water.present || speed == 0) continue;
-    const double area = 0.25 * M_PI * t.displaced() * t.displaced(),
-                 drag = 0.5 * c.environment.water.density * t.Cd_normal * t.dragged() * speed;
+    const double area = 0.25 * M_PI * t.displaced() * t.displaced();
+    const double drag = 0.5 * c.environment.water.density * t.Cd_normal * t.dragged() * speed;
     if (drag > 0)
       drags.offer((t.mass_per_length + c.environment.water.density * area * t.Ca_normal) / drag,
                   kStepsInDragTime, "the time in which drag carries line " + line.name + " along");

@@ -15,7 +15,8 @@ double edit_distance(std::string_view a, std::string_view b) {
     const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
     return lower(x) == lower(y) ? 0.5 : 1.0;
   };
-  const std::size_t n = a.size(), m = b.size();
+  const std::size_t n = a.size();
+  const std::size_t m = b.size();
   std::vector<std::vector<double>> d(n + 1, std::vector<double>(m + 1));
   for (std::size_t i = 0; i <= n; ++i) d[i][0] = static_cast<double>(i);
   for (std::size_t j = 0; j <= m; ++j) d[0][j] = static_cast<double>(j);
@@ -59,7 +60,8 @@ std::string missing_blank(std::string_view text) {
   if (colon == 0 || colon + 1 >= text.size() || text[colon] != ':') return "";
   // In paths and addresses the colon is part of the value.
   if (std::string_view(" \t,]}:/\\").find(text[colon + 1]) != std::string_view::npos) return "";
-  const std::string_view key = text.substr(0, colon), value = text.substr(colon + 1);
+  const std::string_view key = text.substr(0, colon);
+  const std::string_view value = text.substr(colon + 1);
   const std::string_view word = value.substr(0, value.find_first_of(" \t,]}"));
   return fmt::format("a blank is missing after the colon in {}: write {}",
                      quote(fmt::format("{}:{}", key, word)), quote(fmt::format("{}: {}", key, word)));

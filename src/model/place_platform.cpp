@@ -88,8 +88,10 @@ class Placing {
     if (!turned_) return;
     const Eigen::Vector2cd a(amplitude.x() * std::polar(1.0, phase.x()),
                              amplitude.y() * std::polar(1.0, phase.y()));
-    const double c = std::cos(place_.heading), s = std::sin(place_.heading);
-    const std::complex<double> x = c * a.x() - s * a.y(), y = s * a.x() + c * a.y();
+    const double c = std::cos(place_.heading);
+    const double s = std::sin(place_.heading);
+    const std::complex<double> x = c * a.x() - s * a.y();
+    const std::complex<double> y = s * a.x() + c * a.y();
     amplitude.head<2>() = Eigen::Vector2d(std::abs(x), std::abs(y));
     phase.head<2>() = Eigen::Vector2d(std::arg(x), std::arg(y));
   }

@@ -34,7 +34,8 @@ Mat6 wave_drift_damping(const BodyHydrodynamics& h, const std::vector<WaveCompon
   Mat3 sum = Mat3::Zero();
   for (const WaveComponent& w : sea) {
     const TablePlace place = frequency_place(omega, w.omega);
-    const Mat3 &low = h.drift_damping[place.low].second, &high = h.drift_damping[place.high].second;
+    const Mat3& low = h.drift_damping[place.low].second;
+    const Mat3& high = h.drift_damping[place.high].second;
     sum += w.amplitude * w.amplitude * ((1 - place.weight) * low + place.weight * high);
   }
   for (size_t i = 0; i < 3; ++i)
@@ -46,7 +47,8 @@ Coverage coverage(const WaveForceTable& table, const std::vector<WaveComponent>&
   Coverage out;
   double all = 0;
   for (const WaveComponent& w : sea) {
-    const double energy = w.amplitude * w.amplitude, direction = std::atan2(w.y, w.x) - heading;
+    const double energy = w.amplitude * w.amplitude;
+    const double direction = std::atan2(w.y, w.x) - heading;
     all += energy;
     if (!covered(table.directions(), direction)) {
       if (out.uncovered == 0) out.direction = std::remainder(direction, 2 * M_PI);

@@ -16,10 +16,11 @@ std::string platform_text(const Case& c, const Body& b) {
   const BodyMass& m = *b.mass;
   const BodyHydrodynamics& h = *m.hydrodynamics;
   const HydrodynamicData& data = *h.data;
-  const double g = c.environment.gravity, density = c.environment.water.density;
+  const double g = c.environment.gravity;
+  const double density = c.environment.water.density;
   const PlatformHydrostatics in_still_water = hydrostatics(m, density, g);
-  const double weight = m.mass * g,
-               heave = (in_still_water.buoyancy - weight) / in_still_water.stiffness(0, 0);
+  const double weight = m.mass * g;
+  const double heave = (in_still_water.buoyancy - weight) / in_still_water.stiffness(0, 0);
   std::string s =
       fmt::format("    displaced volume {:.6g} m³{}, buoyancy {:.5g} kN, weight {:.5g} kN\n",
                   in_still_water.buoyancy / (density * g), h.volume > 0 ? "" : " (that of its mass)",

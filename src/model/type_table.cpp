@@ -19,7 +19,8 @@ std::string line_type_table(const Case& c) {
   };
   const Water& water = c.environment.water;
   for (const LineType& t : c.line_types) {
-    const double g = c.environment.gravity, air = t.mass_per_length * g;
+    const double g = c.environment.gravity;
+    const double air = t.mass_per_length * g;
     const double submerged = air - water.density * g * M_PI / 4 * t.displaced() * t.displaced();
     const bool beam = t.kind == LineKind::beam;
     const std::string EI = !beam            ? "-"

@@ -27,7 +27,8 @@ constexpr double kImpactSteps = 6;
 }  // namespace
 
 bool Audit::update(const Energy& start, const Energy& e, double time, double h, double passed) {
-  const double before = error, brought_before = brought_in;
+  const double before = error;
+  const double brought_before = brought_in;
   now = e;
   brought_in = e.work - start.work - (e.potential - start.potential);
   change.kinetic = e.kinetic - start.kinetic;
@@ -89,8 +90,8 @@ bool Audit::wrong() const {
 std::string Audit::warning(bool fixed, const std::string& where,
                            const std::string& initial_velocity_key) const {
   if (!std::isfinite(error)) return advice::energy_is_no_number();
-  const double relative_gain = largest_gain.value / (kCreatedReported * size()),
-               relative_loss = largest_loss.value / (kLostReported * size());
+  const double relative_gain = largest_gain.value / (kCreatedReported * size());
+  const double relative_loss = largest_loss.value / (kLostReported * size());
   if (std::max(relative_gain, relative_loss) <= 1 && !wrong()) return "";
   const bool at_start_of_motion = worst.time <= kImpactSteps * worst.length;
   const std::string text =

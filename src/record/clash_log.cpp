@@ -138,11 +138,13 @@ void ClashLog::Now::take(const ActiveContact& t) {
 }
 
 void ClashLog::join(size_t first, size_t second, std::vector<Now>& now) {
-  Open &a = open_[first], &b = open_[second];
+  Open& a = open_[first];
+  Open& b = open_[second];
   add(a.row, b.row);
   a.force += b.force;
   a.places.insert(a.places.end(), b.places.begin(), b.places.end());
-  Now &s = now[first], &r = now[second];
+  Now& s = now[first];
+  Now& r = now[second];
   r.joined = true;
   if (r.places.empty()) return;
   if (s.places.empty())

@@ -49,7 +49,8 @@ std::vector<Clearances::Shaped> Clearances::local_shapes(int line, const Kinemat
   for (const LocalElement& local : mesh_.elements) {
     const Element& e = mesh_.element(local);
     if (e.line != line || !local.counted) continue;
-    const size_t i = local.first, j = local.second;
+    const size_t i = local.first;
+    const size_t j = local.second;
     const double radius = 0.5 * case_.line_types[e.type].contact_diameter;
     out.push_back({local.global, radius,
                    e.beam ? BezierAxis::beam(state.x[i], state.q[i] * Vec3::UnitX(), state.x[j],
@@ -82,7 +83,8 @@ Clearances::Best Clearances::to_line(const Tree& a, const Tree& b) const {
   Best best;
   best.clearance = kFar;
   if (a.boxes.empty() || b.boxes.empty()) return best;
-  const auto p = a.boxes.nodes(), q = b.boxes.nodes();
+  const auto p = a.boxes.nodes();
+  const auto q = b.boxes.nodes();
   struct Pair {
     size_t a, b;
     double lower_bound;
@@ -99,7 +101,8 @@ Clearances::Best Clearances::to_line(const Tree& a, const Tree& b) const {
     stack.pop_back();
     if (!(lower_bound < best.clearance)) continue;
     if (p[i].count == 1 && q[j].count == 1) {
-      const Shaped &x = a.elements[a.boxes.below(p[i]).front()], &y = b.elements[b.boxes.below(q[j]).front()];
+      const Shaped& x = a.elements[a.boxes.below(p[i]).front()];
+      const Shaped& y = b.elements[b.boxes.below(q[j]).front()];
       const double radii = x.radius + y.radius;
       const auto near = nearest_of(x.axis, y.axis, best.clearance + radii, kResolution * radii);
       if (!near) continue;

@@ -39,10 +39,13 @@ ContactPeaks::Peak ContactPeaks::peak(const Kinematics& state, const LocalElemen
   Vec12 f = Vec12::Zero();
   system_.element_force(state, e, f);
   const auto part = [&f](int i) { return Vec3(f.segment<3>(3 * i)); };
-  const Quat &q1 = state.q[e.first], &q2 = state.q[e.second];
+  const Quat& q1 = state.q[e.first];
+  const Quat& q2 = state.q[e.second];
   const Vec3 x1 = shape.point(0);
   // Section force and moment at the first node, and the non-contact loads along the element.
-  Vec3 force = -part(0), moment = -(q1 * part(1)), distributed = part(0) + part(2);
+  Vec3 force = -part(0);
+  Vec3 moment = -(q1 * part(1));
+  Vec3 distributed = part(0) + part(2);
   for (const auto& load : loads) {
     const AxisShape::Weights H = shape.functions(load.xi);
     force += H[0] * load.force;
@@ -57,7 +60,8 @@ ContactPeaks::Peak ContactPeaks::peak(const Kinematics& state, const LocalElemen
     for (const auto& before : loads)
       if (before.xi < place.xi) m -= (shape.point(before.xi) - shape.point(place.xi)).cross(before.force);
     const Quat q = q1.slerp(place.xi, q2);
-    const double about2 = m.dot(q * Vec3::UnitY()), about3 = m.dot(q * Vec3::UnitZ());
+    const double about2 = m.dot(q * Vec3::UnitY());
+    const double about3 = m.dot(q * Vec3::UnitZ());
     if (const double size = std::hypot(about2, about3); size > largest) {
       largest = size;
       best = {place.xi, about2, about3};

@@ -95,10 +95,11 @@ std::vector<PressedTurn> EdgeErrors::turns(const Kinematics& state, const Values
     if (beside.before < 0 || beside.after < 0) continue;
     const Vec3 F = vector_of(v.force, n) - vector_of(v.friction, n);
     if (F.isZero(0)) continue;
-    const Vec3 a = (state.x[n] - state.x[beside.before]).normalized(),
-               b = (state.x[beside.after] - state.x[n]).normalized();
+    const Vec3 a = (state.x[n] - state.x[beside.before]).normalized();
+    const Vec3 b = (state.x[beside.after] - state.x[n]).normalized();
     const double angle = angle_between(a, b);
-    const double tension = std::max({v.before[n], v.after[n], 0.0}), limit = tension * (1 - std::cos(angle));
+    const double tension = std::max({v.before[n], v.after[n], 0.0});
+    const double limit = tension * (1 - std::cos(angle));
     const Vec3 along = (a + b).normalized();
     const double tension_change =
         angle > kStraight ? std::clamp(F.dot(along) / std::max(std::cos(0.5 * angle), 1e-3), -limit, limit)
@@ -143,7 +144,8 @@ void EdgeErrors::update_worst(int line, const PressedPart& of_line, double time)
   OfLine& w = lines_[line];
   w.tension = std::max(w.tension, of_line.tension);
   passages_[line] = {of_line.passage, time};
-  SumRange inside = of_line.inside, outside = of_line.outside;
+  SumRange inside = of_line.inside;
+  SumRange outside = of_line.outside;
   inside.add(0);
   outside.add(0);
   outside.add(of_line.sum);

@@ -169,7 +169,9 @@ void ElementErrors::update_sag(const InState& s, Worst& worst) const {
       if (end == i) continue;  // on the bed
       tension = std::min(tension, std::max(pull, 0.0));
       compliance += e.length * (chord(k) - chord_sum / length).squaredNorm();
-      const double a = turn(k), b = turn(k + 1), theta = std::min(a < 0 ? b : a, b < 0 ? a : b);
+      const double a = turn(k);
+      const double b = turn(k + 1);
+      const double theta = std::min(a < 0 ? b : a, b < 0 ? a : b);
       if (e.beam || theta < 0) continue;  // cubics follow the sag
       const double more = e.length * theta * theta / 24;
       extension += more;
@@ -204,9 +206,12 @@ void ElementErrors::update_lifts(const InState& s, Worst& worst) const {
           case_.environment.gravity * advice::mass_in_water(case_, type(next), nodes[n].x.z());
       // Nodal tension is the mean of the adjacent elements. The tension of the hanging elements follows from
       // the upper node, and from it that of the elements below and of the one on the bed.
-      const At &lies = nodes[n], &low = nodes[n + side], &high = nodes[n + 2 * side];
+      const At& lies = nodes[n];
+      const At& low = nodes[n + side];
+      const At& high = nodes[n + 2 * side];
       const double hanging = high.tension - 0.5 * weight * (high.x.z() - low.x.z());
-      const double leaving = 2 * low.tension - hanging, lying = std::max(2 * lies.tension - leaving, 0.0);
+      const double leaving = 2 * low.tension - hanging;
+      const double lying = std::max(2 * lies.tension - leaving, 0.0);
       const double error = std::abs(high.tension - lying - weight * (high.x.z() - lies.x.z()));
       if (error > worst.error)
         worst = {.error = error, .arc = arc(line, n), .time = time, .length = next.length, .weight = weight};
@@ -227,8 +232,8 @@ void ElementErrors::update_bends(const InState& s, Worst& worst) const {
       const int i = side < 0 ? n - 1 : n;
       if (i < first || i >= last) continue;
       const Element& e = elements[i];
-      const double decay = std::sqrt(std::max(type(e).EI2, type(e).EI3) / values.tension),
-                   x = e.length / decay;
+      const double decay = std::sqrt(std::max(type(e).EI2, type(e).EI3) / values.tension);
+      const double x = e.length / decay;
       const bool falls = e.beam && nodes[n + side].moment < values.moment * std::exp(-0.5 * std::min(x, 1.0));
       const double error = falls ? values.moment * (at_end ? wrong_at_end(x) : wrong_inside(x)) : 0;
       if (error < smallest.error)

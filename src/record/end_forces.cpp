@@ -111,7 +111,9 @@ SectionForce EndForces::section(const Kinematics& state, int element, bool secon
   Vec12 f = Vec12::Zero();
   system_.element_force(state, e, f);
   const auto part = [&f](int i) { return Vec3(f.segment<3>(3 * i)); };
-  const size_t i = e.first, j = e.second, n = second ? j : i;
+  const size_t i = e.first;
+  const size_t j = e.second;
+  const size_t n = second ? j : i;
   SectionForce s;
   s.beam = local.element(e).beam;
   s.force = second ? part(2) : Vec3(-part(0));

@@ -33,7 +33,8 @@ void Folds::update(const Kinematics& state, std::span<const double> before, std:
     if (f.echo == 0) continue;
     const LocalElement& l = mesh_.elements[i];
     const Element& e = mesh_.element(l);
-    const auto a = static_cast<size_t>(l.first), b = static_cast<size_t>(l.second);
+    const auto a = static_cast<size_t>(l.first);
+    const auto b = static_cast<size_t>(l.second);
     const double ratio = (state.x[b] - state.x[a]).norm() / (e.length * (1 + e.free_strain));
     if (ratio < kFolded) {
       f.ratio = std::min(f.ratio, ratio);

@@ -42,7 +42,9 @@ NodeFields::NodeFields(const Subject& subject)
       peaks_(subject.model, subject.system) {
   fields_ = {{"position", "m", 3}, {"velocity", "m/s", 3}};
   const auto& all = registry_.sources();
-  const std::string tension = "effective_tension", before = tension + "_before", after = tension + "_after";
+  const std::string tension = "effective_tension";
+  const std::string before = tension + "_before";
+  const std::string after = tension + "_after";
   if (std::any_of(all.begin(), all.end(), [&](const Field& f) { return f.name == tension; }))
     for (const std::string& side : {before, after}) registry_.add(tension_of_side(side.c_str(), tension));
   fields_.insert(fields_.end(), all.begin(), all.end());
@@ -110,7 +112,8 @@ void NodeFields::correct_ends(const Kinematics& state) {
   for (const EndForces::SectionNode& p : end_forces_.places()) {
     const size_t n = p.node;
     const auto larger = [&p](auto&& value_of) {
-      const double a = value_of(p.sides[0]), b = value_of(p.sides[1]);
+      const double a = value_of(p.sides[0]);
+      const double b = value_of(p.sides[1]);
       return std::abs(a) > std::abs(b) ? a : b;
     };
     const auto put = [&](int field, double value) {
@@ -118,7 +121,8 @@ void NodeFields::correct_ends(const Kinematics& state) {
     };
     put(section_.before, p.sides[0].tension());
     put(section_.after, p.sides[1].tension());
-    const Vec3 &first = p.sides[0].direction, &second = p.sides[1].direction;
+    const Vec3& first = p.sides[0].direction;
+    const Vec3& second = p.sides[1].direction;
     put(section_.declination,
         degrees(declination(p.line_end ? p.at_line_end().direction : Vec3(first + second))));
     const double tension = larger([](const SectionForce& s) { return s.tension(); });

@@ -51,7 +51,9 @@ void NodeStatistics::add(double time, const std::vector<std::vector<double>>& va
       // A linear piece of length h with mean m and variance (v - last)²/12 is merged with the earlier ones
       // (Chan, Golub and LeVeque 1983, equation 2.1, weighted by length).
       s.covered += h;
-      const double weight = h / s.covered, off = 0.5 * (last + v) - s.mean, change = v - last;
+      const double weight = h / s.covered;
+      const double off = 0.5 * (last + v) - s.mean;
+      const double change = v - last;
       s.squares += (1 - weight) * h * off * off + h / 12 * change * change;
       s.mean += weight * off;
     }
@@ -81,7 +83,8 @@ void NodeStatistics::save(io::Checkpoint& to) const {
           std::vector<double> values;
           values.reserve(kSaved * sums.size());
           for (const Sums& s : sums) {
-            const bool any = !std::isnan(s.lowest), last = !std::isnan(s.last);
+            const bool any = !std::isnan(s.lowest);
+            const bool last = !std::isnan(s.last);
             values.insert(values.end(), {any ? s.lowest : 0, any ? s.lowest_time : 0, any ? s.highest : 0,
                                          any ? s.highest_time : 0, any ? s.mean : 0, s.squares,
                                          last ? s.last : 0, s.covered, any + 2.0 * last});

@@ -113,7 +113,9 @@ PipePlaces PipeStrength::places(const Snapshot& s) const {
     std::array<double, 2>& lies = out.seabed[t.line];
     if (!t.from_a && t.laid > 0) lies = {-HUGE_VAL, HUGE_VAL};  // lies completely
     if (!t.from_a) continue;
-    const double from = t.from_a->arc, to = t.from_b->arc, behind = mesh_.lines[t.line].length - to;
+    const double from = t.from_a->arc;
+    const double to = t.from_b->arc;
+    const double behind = mesh_.lines[t.line].length - to;
     // A line that lies up to one of its ends has a single touchdown point.
     if (to > from)
       lies = {from, to};

@@ -191,7 +191,8 @@ std::vector<io::SummaryRow> Recorder::gather_summary() {
   gather_on_first(subject_.comm(), rows, warnings);
   std::vector<int> line;
   for (const io::SummaryRow& row : rows) line.push_back(subject_.model.line_index(row.line));
-  std::vector<size_t> order(rows.size()), place(rows.size());
+  std::vector<size_t> order(rows.size());
+  std::vector<size_t> place(rows.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return line[a] < line[b]; });
   std::vector<io::SummaryRow> sorted;

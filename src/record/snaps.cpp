@@ -89,9 +89,10 @@ std::string Snaps::warning(int line, const std::string& name, double largest_ten
                            bool fixed) const {
   const Worst& w = worst_[line];
   if (!(w.tension > kSame * largest_tension)) return {};
-  const bool steps = w.angle > kResolved, elements = w.rate * w.passage > kResolved,
-             sudden = w.tension - w.from > kSuddenRise * w.tension && w.within < echo_[line],
-             crosswise = sudden && w.rate * w.across > kResolved;
+  const bool steps = w.angle > kResolved;
+  const bool elements = w.rate * w.passage > kResolved;
+  const bool sudden = w.tension - w.from > kSuddenRise * w.tension && w.within < echo_[line];
+  const bool crosswise = sudden && w.rate * w.across > kResolved;
   if (!steps && !elements && !crosswise && !(damped && sudden)) return {};
   using Cause = advice::ImpactPeak::Cause;
   return advice::impact_peak(name, {.cause = steps       ? Cause::steps

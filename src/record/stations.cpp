@@ -51,8 +51,11 @@ void Stations::fill(const Feeder& f, const std::vector<std::vector<double>>& val
   if (arcs == arcs_.end()) return;
 
   const auto arc = [&](int i) { return arcs->second[i]; };
-  int first = 0, last = span.nodes - 1;      // free nodes, or an end without feeder
-  double from = 0, to = span.length;         // m, arc lengths at the feeders
+  // Free nodes, or an end without feeder.
+  int first = 0;
+  int last = span.nodes - 1;
+  double from = 0;
+  double to = span.length;                   // m, arc lengths at the feeders
   for (const Feeder& o : feeders_->all()) {  // both, if the line is fed at both ends
     if (o.line != f.line) continue;
     const int free = o.line_end == LineEnd::B ? span.nodes - 2 - o.feed_point : o.feed_point + 1;

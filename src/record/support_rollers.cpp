@@ -37,14 +37,17 @@ std::vector<SupportCrossing> support_crossings(MPI_Comm comm, const model::Case&
   std::vector<Nearest> nearest;
   for (size_t k = 0; k < c.supports.size(); ++k) {
     const model::SupportBox& b = c.supports[k];
-    const int body = c.body_index(b.body), line = c.line_index(b.line);
+    const int body = c.body_index(b.body);
+    const int line = c.line_index(b.line);
     const RigidPose pose = body < 0 ? RigidPose{} : poses[body];
-    const Vec3 place = pose.to_space(b.at), along = pose.rotation * b.along;
+    const Vec3 place = pose.to_space(b.at);
+    const Vec3 along = pose.rotation * b.along;
     Nearest best{far, {}};
     for (const LocalElement& e : mesh.elements) {
       const Element& g = mesh.element(e);
       if (!e.counted || g.line != line) continue;
-      const Vec3 &x1 = state.x[e.first], &x2 = state.x[e.second];
+      const Vec3& x1 = state.x[e.first];
+      const Vec3& x2 = state.x[e.second];
       if (((x1 - place).dot(along) > 0) == ((x2 - place).dot(along) > 0)) continue;
       const AxisShape shape(element_axis(state, g, e.first, e.second));
       const double xi = on_plane(shape, place, along);

@@ -74,7 +74,8 @@ Touchdowns::Changes Touchdowns::changes(const std::vector<double>& gap) const {
     if (!e.counted) continue;
     const Element& g = local_.element(e);
     const size_t l = slot_[g.line];
-    const double a = gap[e.first], b = gap[e.second];
+    const double a = gap[e.first];
+    const double b = gap[e.second];
     if (lies(a) && lies(b)) out.laid[l] += g.length;
     if (lies(a) == lies(b)) continue;
     out.laid[l] += lies(a) ? zero_of_line(a, b, g.length) : zero_of_line(b, a, g.length);
@@ -123,7 +124,8 @@ std::pair<TouchdownPoint, double> Touchdowns::point(int element, const Surroundi
   const Element& e = mesh.element(element);
   const LineSpan& span = mesh.lines[e.line];
   const bool to_b = lies(around.gap[-Surrounding::kFirst].value);  // the node towards A lies
-  const int last_lying = to_b ? e.first : e.second, sign = to_b ? 1 : -1;
+  const int last_lying = to_b ? e.first : e.second;
+  const int sign = to_b ? 1 : -1;
   NodesAtChange n{};
   for (int i = 0; i < NodesAtChange::kNodes; ++i) {
     const int global = last_lying + sign * (i - 1);

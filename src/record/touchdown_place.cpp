@@ -16,7 +16,8 @@ constexpr int kMostTries = 60;  // bisections halve the bracket to round-off in 
 double zero_of_cubic(double lying, double slope, double hanging, double next_slope, double length) {
   double low = 0, high = 1;
   for (int i = 0; i < kMostTries; ++i) {
-    const double t = 0.5 * (low + high), u = 1 - t;
+    const double t = 0.5 * (low + high);
+    const double u = 1 - t;
     const double g = u * u * ((1 + 2 * t) * lying + t * length * slope) +
                      t * t * ((1 + 2 * u) * hanging - u * length * next_slope);
     (lies(g) ? low : high) = t;
@@ -26,7 +27,8 @@ double zero_of_cubic(double lying, double slope, double hanging, double next_slo
 
 // Slope of the chord of two nodes relative to the bed.
 double steepness(const Gap& a, const Gap& b) {
-  const double rise = b.value - a.value, length2 = (b.x - a.x).squaredNorm();
+  const double rise = b.value - a.value;
+  const double length2 = (b.x - a.x).squaredNorm();
   return rise / std::sqrt(std::max(length2 - rise * rise, 1e-12 * length2));
 }
 
@@ -34,11 +36,14 @@ double steepness(const Gap& a, const Gap& b) {
 // before s0 and `deep` [m] below the bed: l of deep = bend l² (1 - exp(-(behind + l) / l)), which increases
 // with l. Newton's iteration within a bracket.
 double supported_beyond(double deep, double behind, double bend) {
-  double low = std::max(0.0, -behind), high = HUGE_VAL;
+  double low = std::max(0.0, -behind);
+  double high = HUGE_VAL;
   if (!(deep > 0)) return low;
-  double l = low + std::sqrt(deep / bend), step = HUGE_VAL;
+  double l = low + std::sqrt(deep / bend);
+  double step = HUGE_VAL;
   for (int i = 0; i < kMostTries && std::abs(step) > kSame * l; ++i) {
-    const double e = std::exp(-(behind + l) / l), excess = bend * l * l * (1 - e) - deep;
+    const double e = std::exp(-(behind + l) / l);
+    const double excess = bend * l * l * (1 - e) - deep;
     (excess < 0 ? low : high) = l;
     step = -excess / (bend * (2 * l * (1 - e) - behind * e));
     const double to = l + step;
@@ -56,8 +61,10 @@ double distance_to_touchdown(const NodesAtChange& n, bool beam) {
   for (const size_t k : {size_t{2}, size_t{1}}) {
     if (k + 2 >= n.exists.size() || !n.exists[k + 2] || n.two_sided[k + 1] || lies(n.gap[k + 2].value))
       continue;
-    const double m1 = 0.5 * (n.arc[k] + n.arc[k + 1]), m2 = 0.5 * (n.arc[k + 1] + n.arc[k + 2]);
-    const double t1 = steepness(n.gap[k], n.gap[k + 1]), t2 = steepness(n.gap[k + 1], n.gap[k + 2]);
+    const double m1 = 0.5 * (n.arc[k] + n.arc[k + 1]);
+    const double m2 = 0.5 * (n.arc[k + 1] + n.arc[k + 2]);
+    const double t1 = steepness(n.gap[k], n.gap[k + 1]);
+    const double t2 = steepness(n.gap[k + 1], n.gap[k + 2]);
     const double bend = (t2 - t1) / (m2 - m1);
     if (!(bend > 0)) continue;
     const double s0 = m1 - t1 / bend;

@@ -81,7 +81,9 @@ WaterErrors::Sums WaterErrors::sums(const Kinematics& state, int parts,
     const size_t g = group_[e.line];
     if (!p.element.counted || !groups[g]) continue;
     const LinesInWater::FlowError f = water_->flow_error(state, p, parts);
-    const Vec3 &a = state.x[p.element.first], &b = state.x[p.element.second], chord = (b - a).normalized();
+    const Vec3& a = state.x[p.element.first];
+    const Vec3& b = state.x[p.element.second];
+    const Vec3 chord = (b - a).normalized();
     const double z = water_->above_still_water(0.5 * (a.z() + b.z()));
     const double weight = case_.line_types[e.type].mass_per_length * case_.environment.gravity -
                           (z < 0 ? p.section.buoyancy : 0);

@@ -46,7 +46,8 @@ Actions::Found Actions::act(const Action& a, const Kinematics& state) {
     case Action::Kind::attach: {
       if (held(node(a))) refuse(advice::holds_already());
       const LocalMesh& local = sim_.local();
-      const int n = local.find(node(a)), body = sim_.model().body_index(a.body);
+      const int n = local.find(node(a));
+      const int body = sim_.model().body_index(a.body);
       std::array<double, 8> packed{};
       if (local.owns(n)) {
         const RigidPose p = pose(a, state);

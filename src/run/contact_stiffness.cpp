@@ -46,7 +46,8 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
   if (!v.smoothing && !(v.relative_damping > 0)) v.smoothing = 2e-5 * radius;
   volume.automatic = true;
   volume.max_stiffness = std::max(largest, best.per_length);
-  const double bounce = 0.5 * contact_period(best.per_length, mass), step = c.dynamics.step;
+  const double bounce = 0.5 * contact_period(best.per_length, mass);
+  const double step = c.dynamics.step;
   const bool too_short = c.dynamics.enabled && step > 0 && bounce < 1.5 * step;
   notes.push_back(
       advice::chosen_stiffness(v.name, best.per_length, best.reason, too_short ? bounce : 0, step));

@@ -77,7 +77,8 @@ bool integrate(Simulation& sim, double end, record::Recorder& recorder, Events& 
   Dynamics& d = sim.dynamics();
   progress.begin(d.committed().s.time, end);
   const record::OutputTimes times(sim.model());
-  const double every = times.every, checkpoint_every = times.checkpoint_every;
+  const double every = times.every;
+  const double checkpoint_every = times.checkpoint_every;
   double output_at = record::next_multiple(d.committed().s.time, every);
   double checkpoint_at =
       record::next_multiple(d.committed().s.time, checkpoint_every > 0 ? checkpoint_every : every);
@@ -265,7 +266,8 @@ void print_end(Simulation& sim, const record::Recorder& recorder, const std::str
 
 int run(MPI_Comm comm, const RunOptions& options) {
   const int rank = rank_of(comm);
-  const bool prints = rank == 0 && !options.quiet, restarted = !options.restart.empty();
+  const bool prints = rank == 0 && !options.quiet;
+  const bool restarted = !options.restart.empty();
   Progress progress(prints);
   model::Case read = io::read_case(options.case_path, read_progress(progress), comm, options.changes);
   if (!options.output.empty()) read.output.file = std::filesystem::absolute(options.output).string();

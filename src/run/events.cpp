@@ -252,8 +252,8 @@ void Events::pay_out(const std::string& stage, const std::function<void(bool)>& 
   for (bool more = !remaining.empty(); more;) {
     more = false;
     for (auto& [f, length] : remaining) {
-      const double limit = sim_.feeders()->element_length(*f, f->feed_point),
-                   shift = std::clamp(length, -limit, limit);
+      const double limit = sim_.feeders()->element_length(*f, f->feed_point);
+      const double shift = std::clamp(length, -limit, limit);
       feeder_nodes.shift(*f, shift);
       more |= (length -= shift) != 0;
     }

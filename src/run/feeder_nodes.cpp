@@ -99,8 +99,8 @@ void FeederNodes::transfer_node(Feeder& f, int feed_point, double length,
 Dynamics::Moved FeederNodes::released(const Feeder& f, const Kinematics& k, const LocalElement& e) const {
   const Feeders& all = *feeders_;
   const double fraction = all.element_length(f, f.feed_point) / f.length;  // measured from the free end
-  const size_t i = f.line_end == LineEnd::B ? e.second : e.first,
-               j = f.line_end == LineEnd::B ? e.first : e.second;
+  const size_t i = f.line_end == LineEnd::B ? e.second : e.first;
+  const size_t j = f.line_end == LineEnd::B ? e.first : e.second;
   const FeedPoint feed_point = all.feed_point(f, k);
   const Feeders::Flow flow = all.flow(feed_point, k, e, f.line_end);
   const Vec3 a = k.a[i] + flow.acceleration;
@@ -112,11 +112,13 @@ Dynamics::Moved FeederNodes::released(const Feeder& f, const Kinematics& k, cons
   m.a = k.a[j] + fraction * (a - k.a[j]);
   if (f.beam) {
     // Material rates: frames rotate along the bent line, and the outgoing material moves along it.
-    const Vec3 turn = log_so3(k.q[j].conjugate() * k.q[i]),
-               flows = -(feed_point.speed / feed_point.length) * turn;
+    const Vec3 turn = log_so3(k.q[j].conjugate() * k.q[i]);
+    const Vec3 flows = -(feed_point.speed / feed_point.length) * turn;
     const double towards = (f.line_end == LineEnd::B ? 1 : -1) * flow.chord.norm();
-    const Vec3 from = towards * (k.q[j] * Vec3::UnitX()), to = towards * (k.q[i] * Vec3::UnitX());
-    const double s = fraction, r = 1 - fraction;
+    const Vec3 from = towards * (k.q[j] * Vec3::UnitX());
+    const Vec3 to = towards * (k.q[i] * Vec3::UnitX());
+    const double s = fraction;
+    const double r = 1 - fraction;
     m.x = r * r * (1 + 2 * s) * k.x[j] + s * s * (1 + 2 * r) * k.x[i] + s * r * (r * from - s * to);
     const Vec3 along = 6 * s * r * (k.x[i] - k.x[j]) + r * (r - 2 * s) * from + s * (s - 2 * r) * to;
     const Quat q = k.q[j] * exp_so3(fraction * turn);
@@ -165,17 +167,20 @@ double FeederNodes::feeder_force(const Feeder& f) {
 std::optional<Dynamics::Moved> FeederNodes::absorbed(const Feeder& f, const Kinematics& k,
                                                      double& length) const {
   const Feeders& all = *feeders_;
-  const int held = all.node(f, f.feed_point), absorbed = all.node(f, f.feed_point + 1),
-            next = all.node(f, f.feed_point + 2);
+  const int held = all.node(f, f.feed_point);
+  const int absorbed = all.node(f, f.feed_point + 1);
+  const int next = all.node(f, f.feed_point + 2);
   const LocalMesh& local = sim_.local();
-  const double lengths[2] = {f.length, all.element_length(f, f.feed_point + 1)},
-               sum = lengths[0] + lengths[1];
+  const double lengths[2] = {f.length, all.element_length(f, f.feed_point + 1)};
+  const double sum = lengths[0] + lengths[1];
   std::optional<Dynamics::Moved> moved;
   length = 0;
   const int at[3] = {local.find(held), local.find(absorbed), local.find(next)};
   const bool known = at[0] >= 0 && at[1] >= 0 && at[2] >= 0;
   if (known) {
-    const size_t i = at[0], j = at[1], n = static_cast<size_t>(at[2]);
+    const size_t i = at[0];
+    const size_t j = at[1];
+    const size_t n = static_cast<size_t>(at[2]);
     // Contribution of bending to the strain of an element's chord.
     const auto bow = [&](size_t a, size_t b) {
       if (f.line_end == LineEnd::B) std::swap(a, b);
@@ -269,7 +274,8 @@ void FeederNodes::save(io::Checkpoint& to) const {
 
 void FeederNodes::restore(const io::Checkpoint& from, const std::string& path) {
   const auto refuse = [&](const std::string& why) { return InputError(advice::cannot_continue(path, why)); };
-  size_t in_checkpoint = 0, in_case = feeders_ ? feeders_->all().size() : 0;
+  size_t in_checkpoint = 0;
+  size_t in_case = feeders_ ? feeders_->all().size() : 0;
   for (const auto& [name, value] : from.scalars)
     in_checkpoint += name.starts_with("feeder.") && name.ends_with(".feed_point");
   if (in_checkpoint != in_case) throw refuse(advice::other_number_of_feeds(in_checkpoint, in_case));

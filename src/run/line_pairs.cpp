@@ -25,7 +25,8 @@ struct BranchStart {
 
 // True if an end is held by the case, not only by a future cut.
 bool is_place(const model::Line& line, LineEnd line_end) {
-  const model::End &end_of_part = line.end(line_end), &of_given = line.as_given().end(line_end);
+  const model::End& end_of_part = line.end(line_end);
+  const model::End& of_given = line.as_given().end(line_end);
   return end_of_part.kind != model::EndKind::free && end_of_part.kind == of_given.kind &&
          end_of_part.carrier == of_given.carrier;
 }
@@ -61,7 +62,8 @@ std::vector<SharedPlace> shared_places(const model::Case& c, const Mesh& mesh) {
   std::vector<SharedPlace> out;
   for (size_t i = 0; i < places.size(); ++i)
     for (size_t j = i + 1; j < places.size() && places[j].at.x() - places[i].at.x() <= widest; ++j) {
-      const BranchStart &p = places[i], &q = places[j];
+      const BranchStart& p = places[i];
+      const BranchStart& q = places[j];
       if (p.branch.node != q.branch.node && (p.at - q.at).norm() < p.radius + q.radius)
         out.push_back({p.branch, q.branch});
     }
@@ -142,7 +144,8 @@ std::string shared_places_note(const SharedPlaces& places, const Mesh& mesh) {
   }
   if (farthest < 0) return "";
   const auto name = [&](const Branch& s) { return mesh.line_names[mesh.node(s.node).line]; };
-  const std::string one = name(places.place(farthest).one), other = name(places.place(farthest).other);
+  const std::string one = name(places.place(farthest).one);
+  const std::string other = name(places.place(farthest).other);
   return advice::separate_near_place(one, other, places.within(farthest), others);
 }
 

@@ -169,7 +169,8 @@ std::vector<double> flat(const std::vector<Vec3>& values, int nodes) {
 
 // Factor of the translations [1] and rotations [rad] of a drawn mode, m.
 double displayed_size(MPI_Comm comm, const Simulation& sim, const NaturalMode& mode) {
-  double size = sim.model().lines.empty() ? 1 : 0, turn = 0;  // m, rad
+  double size = sim.model().lines.empty() ? 1 : 0;  // m
+  double turn = 0;                                  // rad
   for (const auto& line : sim.model().lines) size = std::max(size, kDrawn * model::length_of(line));
   for (int b = 0; b < sim.bodies().size(); ++b)
     if (const int n = sim.bodies().local_node(b); n >= 0) turn = std::max(turn, mode.rotation[n].norm());

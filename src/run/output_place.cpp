@@ -71,7 +71,8 @@ OutputPlace::OutputPlace(MPI_Comm comm, const std::string& path, const std::stri
 // Checks names and folders.
 void OutputPlace::check() const {
   if (fs::is_symlink(path_)) throw InputError(advice::link_to_itself(path_));
-  const fs::path file(path_), folder = fs::absolute(file).parent_path();
+  const fs::path file(path_);
+  const fs::path folder = fs::absolute(file).parent_path();
   std::error_code e;
   if (file.extension() != ".h5") throw InputError(advice::name_must_end_in_h5(path_));
   if (!fs::exists(folder, e)) throw InputError(advice::no_folder(path_, folder.string()));
@@ -97,7 +98,8 @@ void OutputPlace::check_old() {
   check_one(xdmf, io::is_xdmf(xdmf));
   for (const std::string& name : {path_ + ".new", xdmf + ".new"}) check_one(name, !fs::is_directory(name));
   if (appends_) return;
-  const std::string kept = io::backup_name(path_), kept_xdmf = io::backup_name(xdmf);
+  const std::string kept = io::backup_name(path_);
+  const std::string kept_xdmf = io::backup_name(xdmf);
   check_one(kept, io::is_results(kept));
   check_one(kept_xdmf, io::is_xdmf(kept_xdmf));
   if (exists_name(path_)) notes_.push_back(advice::results_kept_as(path_, kept));

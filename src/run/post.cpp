@@ -45,7 +45,8 @@ int post(char** arguments) {
   // Only one of several processes is needed.
   if (const char* rank = std::getenv("OMPI_COMM_WORLD_RANK"); rank && std::string_view(rank) != "0") return 0;
   std::error_code unknown;
-  const fs::path program = fs::read_symlink("/proc/self/exe", unknown), folder = package_folder(program);
+  const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+  const fs::path folder = package_folder(program);
   if (folder.empty()) return 1;
   setenv("HAWSER", program.c_str(), 1);
   // Ctrl-C is blocked until Python can handle it.
@@ -54,7 +55,11 @@ int post(char** arguments) {
   sigaddset(&interrupt, SIGINT);
   sigprocmask(SIG_BLOCK, &interrupt, nullptr);
   // The package precedes the user's folder, which may contain modules of the same names.
-  std::string python = "python3", no_bytecode = "-B", command = "-c", from = folder.string(), start = R"(
+  std::string python = "python3";
+  std::string no_bytecode = "-B";
+  std::string command = "-c";
+  std::string from = folder.string();
+  std::string start = R"(
 import os, sys
 sys.path[0] = sys.argv.pop(1)
 def stop(*_):

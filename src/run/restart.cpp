@@ -105,7 +105,8 @@ std::string difference(const std::map<std::string, double>& in_checkpoint,
   for (const auto* side : {&in_checkpoint, &in_case})
     for (const auto& [name, number] : *side) names.insert(name);
   for (const std::string& name : names) {
-    const auto a = in_checkpoint.find(name), b = in_case.find(name);
+    const auto a = in_checkpoint.find(name);
+    const auto b = in_case.find(name);
     if (a != in_checkpoint.end() && b != in_case.end() && a->second == b->second) continue;
     if (name == "case.rotating nodes") return advice::other_beams();
     if (name.starts_with(kBending)) return advice::other_plasticity();

@@ -47,7 +47,8 @@ void compare_lines(const std::string& path, const Mesh& mesh, std::span<const in
                                        static_cast<hsize_t>(last - first));
     for (int n = first; n < last; ++n) {
       const int line = mesh.node(n).line;
-      const double in_case = mesh.node(n).arc, in_checkpoint = arc[static_cast<size_t>(n - first)];
+      const double in_case = mesh.node(n).arc;
+      const double in_checkpoint = arc[static_cast<size_t>(n - first)];
       if (std::abs(in_case - in_checkpoint) > 1e-9 * mesh.lines[line].length)
         throw other(advice::other_node(mesh.line_names[line], in_checkpoint, in_case));
     }

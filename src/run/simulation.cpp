@@ -125,7 +125,8 @@ Simulation::Simulation(MPI_Comm comm, model::Case c, std::vector<std::shared_ptr
 
 // Distributes the mesh over the ranks.
 void Simulation::distribute(MPI_Comm comm) {
-  const int rank = rank_of(comm), size = ranks_of(comm);
+  const int rank = rank_of(comm);
+  const int size = ranks_of(comm);
   const NodeRanks owner = node_owners(comm, case_, *mesh_, *bodies_, size);
   cut_ = hawser::cut_elements(*mesh_, owner);
   if (size > 1 && owner.runs().size() == 1 && !uncut_lines(case_).empty())

@@ -104,7 +104,8 @@ void find_excluded_ends(const model::Case& c, const Mesh& mesh, const std::vecto
         known != ends_of.end() && c.rides(volumes[s.volume].body))
       continue;
     const model::Line& line = c.lines[s.line];
-    const double length = mesh.lines[s.line].length, near = 1e-9 * length;
+    const double length = mesh.lines[s.line].length;
+    const double near = 1e-9 * length;
     if (s.from <= near && s.to >= length - near) continue;  // stays inside completely
     for (const LineEnd end : kLineEnds) {
       const model::End& e = line.end(end);
@@ -184,8 +185,8 @@ void find_lines_on_wrong_side(MPI_Comm comm, const model::Case& c, const LocalMe
     const auto is_same = [&](const Inside& s) { return s.line == l && s.volume == v; };
     if (std::any_of(inside.begin(), inside.end(), is_same)) continue;
     const size_t n = l;
-    const bool carries_a = carries_end(line.end_a, static_cast<size_t>(v)),
-               carries_b = carries_end(line.end_b, static_cast<size_t>(v));
+    const bool carries_a = carries_end(line.end_a, static_cast<size_t>(v));
+    const bool carries_b = carries_end(line.end_b, static_cast<size_t>(v));
     const bool under = carries_a || carries_b || chords[n].at(fraction_of(n, p.at)).z() >= p.place.z();
     warnings.push_back(
         advice::passes_volume(line, volume.name, {under, p.distance, p.at, p.place, carries_a, carries_b}));

@@ -189,7 +189,8 @@ int stiffness(MPI_Comm comm, const StiffnessOptions& o) {
   if (on_any_rank(comm, rank == 0 && !write(path, c, rows)))
     throw io::WriteError(io::cannot_write(path, std::strerror(errno)));
   if (rank == 0 && !o.quiet) {
-    const Vec3 point = start.to_space(o.at), turned = log_so3(start.rotation) / kDegree;
+    const Vec3 point = start.to_space(o.at);
+    const Vec3 turned = log_so3(start.rotation) / kDegree;
     fmt::print(
         "\nbody {} at rest: point ({:.4f}, {:.4f}, {:.4f}) m, rotation vector ({:.4f}, {:.4f}, {:.4f}) deg\n",
         c.bodies[static_cast<size_t>(body)].name, point.x(), point.y(), point.z(), turned.x(), turned.y(),

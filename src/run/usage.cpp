@@ -70,7 +70,8 @@ std::string ranks_by_mpirun(const std::string& command, const std::string& given
   const std::size_t digit = std::min(given.find_first_of("0123456789"), given.size());
   const std::string name = given.substr(0, std::min(digit, given.find('=')));
   if (!one_of(name, {"-n", "-np", "--np", "--ranks", "--n"})) return "";
-  std::string number = given.substr(digit), file = "case.yaml";
+  std::string number = given.substr(digit);
+  std::string file = "case.yaml";
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (words[i] == given && number.empty() && i + 1 < words.size()) number = words[i + 1];
     if (ends_with(words[i], {".yaml", ".yml"})) file = words[i];
@@ -112,7 +113,8 @@ std::string usage_error(const CLI::App& cli, const CLI::Error& error, const std:
   std::string text = error.what();
   if (kind == static_cast<int>(CLI::ExitCodes::ExtrasError)) {  // "The following ... not expected: one two"
     const std::string all = text.substr(std::min(text.find(": "), text.size() - 2) + 2);
-    const std::string extra = all.substr(0, all.find(' ')), option = unknown_option(command, words);
+    const std::string extra = all.substr(0, all.find(' '));
+    const std::string option = unknown_option(command, words);
     text = !option.empty() ? no_option(command, option, words)
                            : fmt::format("{} is an unexpected argument", model::quote(extra));
   } else if (kind == static_cast<int>(CLI::ExitCodes::RequiredError)) {

@@ -157,7 +157,8 @@ void broadcast(MPI_Comm comm, LoadedVolume& l) {
 // one held end, half of it around the middle of two.
 Box reach(const model::Case& c, const std::string& body_name) {
   const int b = c.body_index(body_name);
-  const model::Body space, &body = b < 0 ? space : c.bodies[b];
+  const model::Body space;
+  const model::Body& body = b < 0 ? space : c.bodies[b];
   const Quat turn = exp_so3(body.rotation).conjugate();
   const auto local = [&](const Vec3& x) { return Vec3(turn * (x - body.position)); };
   Box box;

@@ -62,7 +62,8 @@ BodyStiffness body_stiffness(System& system, const Kinematics& state, int body_n
 // With the residual f, m (m in body axes) at the centre of mass c and p = c + r: f_p = f, m_p = R m - r x f.
 // dx_c = dx_p + r x dtheta, dphi = R^T dtheta, d(R m) = dtheta x R m + R dm, dr = dtheta x r.
 BodyStiffness about_point(const BodyStiffness& s, const Vec3& r, const Mat3& R) {
-  const Vec3 force = s.f.head<3>(), moment = R * s.f.tail<3>();
+  const Vec3 force = s.f.head<3>();
+  const Vec3 moment = R * s.f.tail<3>();
   Mat6 to_centre, to_point;
   to_centre << Mat3::Identity(), hat(r), Mat3::Zero(), R.transpose();
   to_point << Mat3::Identity(), Mat3::Zero(), -hat(r), R;

@@ -212,7 +212,8 @@ int Dynamics::try_step(double h) {
 
 void Dynamics::commit() {
   // Adds the work of prescribed ends: reactions by the trapezoidal rule, mean forces by their mean.
-  const std::vector<double>&now = system_.reactions(), &mean = system_.mean_forces();
+  const std::vector<double>& now = system_.reactions();
+  const std::vector<double>& mean = system_.mean_forces();
   const LocalMesh& m = system_.mesh();
   const auto entry = [](const std::vector<double>& rows, size_t i) { return rows.empty() ? 0 : rows[i]; };
   const auto add_work = [&](const auto& force) {

@@ -25,7 +25,8 @@ void Dynamics::transfer_node(const std::function<std::optional<Moved>()>& change
   };
   prepare(control_.proposal());  // for the committed state, which has not changed
   forces();
-  std::vector<double> mean = system_.mean_forces(), all = system_.reactions();
+  std::vector<double> mean = system_.mean_forces();
+  std::vector<double> all = system_.reactions();
   const std::optional<Moved> moved = change();
   const LocalMesh& m = system_.mesh();
   int settles = -1;
@@ -83,7 +84,8 @@ void Dynamics::settle(int node) {
     system_.tangent(at, {1, 0, 0}, zero, false, J_.get());
     double going = 0;
     if (owned) {
-      const int block = m.block[static_cast<size_t>(n)], size = m.rotates(n) ? 6 : 3;
+      const int block = m.block[static_cast<size_t>(n)];
+      const int size = m.rotates(n) ? 6 : 3;
       PetscInt rows[6];
       for (int k = 0; k < size; ++k) rows[k] = 3 * m.global_block[static_cast<size_t>(block + k / 3)] + k % 3;
       Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 6, 6> K(size, size);

@@ -27,9 +27,13 @@ void alpha_trial(const LocalMesh& mesh, const TiedNodes& tied, const AlphaCoeffi
   State& s = trial.s;
   s.time = from.s.time + h;
   retract(mesh, from.s, u.data(), s);
-  const double b = 1 / (h * h * c.beta), k1 = h * (1 - c.gamma), k2 = h * c.gamma,
-               half = h * h * (0.5 - c.beta);
-  const double m1 = (1 - c.am) / (1 - c.af), m0 = c.am / (1 - c.af), d0 = c.af / (1 - c.af);
+  const double b = 1 / (h * h * c.beta);
+  const double k1 = h * (1 - c.gamma);
+  const double k2 = h * c.gamma;
+  const double half = h * h * (0.5 - c.beta);
+  const double m1 = (1 - c.am) / (1 - c.af);
+  const double m0 = c.am / (1 - c.af);
+  const double d0 = c.af / (1 - c.af);
   s.mean = alpha_mean(c);
   auto advance = [&](const double* p, const Vec3& v0, const Vec3& a0, const Vec3& true0, Vec3& v, Vec3& a,
                      Vec3& true1) {
@@ -50,8 +54,8 @@ void alpha_trial(const LocalMesh& mesh, const TiedNodes& tied, const AlphaCoeffi
   s.director_weight = m1 / k2;
   for (size_t n = 0; n < s.x.size(); ++n) {
     if (!mesh.rotates(static_cast<int>(n))) continue;
-    const Mat3 rate0 = from.s.q[n].toRotationMatrix() * hat(from.s.w[n]),
-               rate1 = s.q[n].toRotationMatrix() * hat(s.w[n]);
+    const Mat3 rate0 = from.s.q[n].toRotationMatrix() * hat(from.s.w[n]);
+    const Mat3 rate1 = s.q[n].toRotationMatrix() * hat(s.w[n]);
     trial.ad[n] = (rate1 - rate0 - k1 * from.ad[n]) / k2;
     s.directors[n] = m1 * trial.ad[n] + m0 * from.ad[n] - d0 * from.s.directors[n];
   }
@@ -91,7 +95,8 @@ void alpha_predict(const LocalMesh& mesh, const TiedNodes& tied, double h, const
 StepMean alpha_mean(const AlphaCoefficients& c) {
   // In each step the scheme multiplies the strain of an element that is far too stiff for the step by `root`.
   // It is the spectral radius; the filter cannot make it less than 1/3.
-  const double rho = c.af / (1 - c.af), root = std::max(rho, 1.0 / 3);
+  const double rho = c.af / (1 - c.af);
+  const double root = std::max(rho, 1.0 / 3);
   return {MeanWeights(c).weight(), 0.5 * root * (1 - root) / ((1 + root) * (1 + root))};
 }
 

@@ -94,7 +94,8 @@ using Question = Blocks;
 template <class Visit>
 void for_each_asked(const Question& list, const Visit& visit) {
   for (size_t i = 0; i < list.size();) {
-    const PetscInt label = list[i], n = list[i + 1];
+    const PetscInt label = list[i];
+    const PetscInt n = list[i + 1];
     for (PetscInt k = 0; k < n; ++k) visit(label, list[i + 2 + static_cast<size_t>(k)]);
     i += 2 + static_cast<size_t>(n);
   }

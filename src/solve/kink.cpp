@@ -81,7 +81,8 @@ ResidualNorms KinkSides::norms(const System& system, Vec r) const {
 }
 
 void KinkSides::combine(KSP solver, Vec r, Vec y) const {
-  std::vector<Vec> all{r}, solutions{y};
+  std::vector<Vec> all{r};
+  std::vector<Vec> solutions{y};
   std::vector<VecHandle> owned(sides_.size());
   for (size_t i = 0; i < sides_.size(); ++i) {
     all.push_back(sides_[i].r.get());

@@ -43,7 +43,9 @@ bool KinkStiffness::observe(const double* u, Vec r, double relative) {
   check(VecGetArrayRead(r, &p));
   for (size_t b = 0; b < blocks_.size(); ++b) {
     Block& k = blocks_[b];
-    const Eigen::Map<const Vec3> now(last_.data() + 3 * b), then(before.data() + 3 * b), residual(p + 3 * b);
+    const Eigen::Map<const Vec3> now(last_.data() + 3 * b);
+    const Eigen::Map<const Vec3> then(before.data() + 3 * b);
+    const Eigen::Map<const Vec3> residual(p + 3 * b);
     const Vec3 d = now - then;
     k.distance += d.norm();
     const double rise = residual.dot(d);

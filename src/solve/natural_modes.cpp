@@ -111,7 +111,8 @@ long free_components(const System& system) {
 
 // Diagonal of the bounding box of all nodes, m.
 double size_of(const System& system, const Kinematics& state) {
-  Vec3 low = Vec3::Constant(HUGE_VAL), high = -low;
+  Vec3 low = Vec3::Constant(HUGE_VAL);
+  Vec3 high = -low;
   for (size_t n = 0; n < static_cast<size_t>(system.mesh().owned); ++n) {
     low = low.cwiseMin(state.x[n]);
     high = high.cwiseMax(state.x[n]);

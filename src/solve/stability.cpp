@@ -97,7 +97,8 @@ MatHandle symmetric_blocks(Mat J) {
     const LocalBlocks blocks(s.get());
     for (int row = 0; row < blocks.rows(); ++row)
       for (const int column : blocks.columns_from(row, row)) {
-        auto above = as_block(blocks.at(row, column)), below = as_block(blocks.at(column, row));
+        auto above = as_block(blocks.at(row, column));
+        auto below = as_block(blocks.at(column, row));
         const Mat3 sum = above + below.transpose();
         above = sum;
         below = sum.transpose();
@@ -111,7 +112,8 @@ MatHandle symmetric_blocks(Mat J) {
     const LocalBlocks other(others.blocks);
     for (PetscInt row = 0; row < other.rows(); ++row)
       for (const PetscInt column : other.columns_from(row, 0)) {
-        const PetscInt to = others.columns[column], from = first / 3 + row;
+        const PetscInt to = others.columns[column];
+        const PetscInt from = first / 3 + row;
         // PETSc stores a block by columns, and this call reads it by rows, which transposes it.
         check(MatSetValuesBlocked(s.get(), 1, &to, 1, &from, other.at(row, column), ADD_VALUES));
       }

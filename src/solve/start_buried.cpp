@@ -16,7 +16,8 @@ Vec3 exit_of_soil(const model::Seabed& bed, const Vec3& from, const Vec3& to, do
   Vec3 direction(to.x() - from.x(), to.y() - from.y(), 0);
   direction = direction.norm() > 0 ? Vec3(direction.normalized()) : Vec3::UnitX();
   Vec3 x = from;
-  double low = 0, high = length;
+  double low = 0;
+  double high = length;
   for (int i = 0; i < 60; ++i) {
     const double off = 0.5 * (low + high);
     x = Vec3(from.x() + off * direction.x(), from.y() + off * direction.y(), x.z());
@@ -62,7 +63,8 @@ LineStretch stretch_of(const model::Line& line, const LineAlone& mesh, double le
   const auto arc = [&](int i) { return mesh.nodes[i].arc; };
   LineStretch out{line, {}, {}};
   model::Line& part = out.line;
-  const double from = arc(first), to = arc(last);
+  const double from = arc(first);
+  const double to = arc(last);
   part.sections.clear();
   double start = 0;
   for (model::Section s : line.sections) {
@@ -107,7 +109,8 @@ LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bo
   FedStart a, b;
   if (line.end_a.feed) a = fed_start(mesh, span, LineEnd::A, line.end_a.feed->stock);
   if (line.end_b.feed) b = fed_start(mesh, span, LineEnd::B, line.end_b.feed->stock);
-  const int first = a.inside, last = span.nodes - 1 - b.inside;
+  const int first = a.inside;
+  const int last = span.nodes - 1 - b.inside;
   LineAlone outside = alone(mesh, span);
   if (line.end_a.feed) at_feed_point(outside, first, first + 1, a.length);
   if (line.end_b.feed) at_feed_point(outside, last, last - 1, b.length);
@@ -132,7 +135,9 @@ LineStart line_start_from_soil(const model::Case& c, const model::Line& line, co
                                const Mesh& mesh, const LineSpan& span) {
   const double near = 1e-9 * span.length;
   const auto arc = [&](int i) { return mesh.node(span.first_node + i).arc; };
-  int first = 0, last = span.nodes - 1;  // first and last node that is not buried
+  // First and last node that is not buried.
+  int first = 0;
+  int last = span.nodes - 1;
   for (const model::Buried& b : line.buried) {
     if (b.from <= near)
       while (first + 1 < span.nodes && arc(first + 1) <= b.to + near) ++first;
@@ -140,10 +145,11 @@ LineStart line_start_from_soil(const model::Case& c, const model::Line& line, co
       while (last > 0 && arc(last - 1) >= b.from - near) --last;
   }
   const model::Seabed& bed = c.environment.seabed;
-  const Vec3 xa = start_pose(c, bodies, line.end_a).to_space(line.end_a.at),
-             xb = start_pose(c, bodies, line.end_b).to_space(line.end_b.at);
+  const Vec3 xa = start_pose(c, bodies, line.end_a).to_space(line.end_a.at);
+  const Vec3 xb = start_pose(c, bodies, line.end_b).to_space(line.end_b.at);
   LineStretch stretch = stretch_of(line, alone(mesh, span), span.length, first, last);
-  const double from = arc(first), to = arc(last);
+  const double from = arc(first);
+  const double to = arc(last);
   stretch.line.buried.clear();
   const auto anchor = [](const Vec3& at) {
     model::End e;

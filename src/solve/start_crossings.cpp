@@ -72,7 +72,8 @@ void raise(Rope& rope, double from, double to, double height) {
     const bool before = rope.s[i] < from;
     const double off = before ? from - rope.s[i] : rope.s[i] > to ? rope.s[i] - to : 0;
     const double room = before ? from - rope.s.front() : rope.s.back() - to;
-    const double flat = std::min(longest, 0.5 * room), slope = std::min(kSlope * height, room - flat);
+    const double flat = std::min(longest, 0.5 * room);
+    const double slope = std::min(kSlope * height, room - flat);
     double fraction = 1;
     if (off > flat) fraction = off < flat + slope ? 0.5 * (1 + std::cos(M_PI * (off - flat) / slope)) : 0;
     rope.raise[i] = std::max(rope.raise[i], fraction * height);
@@ -142,15 +143,19 @@ class Crossings {
   // The crossing of two segments in plan, if they are nearer than the sum of their radii and it is not at an
   // end of a line.
   static std::optional<std::pair<Crossing, Crossing>> crossing(Rope& one, size_t k, Rope& other, size_t l) {
-    const Vec3 u = one.at(k, 1) - one.at(k, 0), v = other.at(l, 1) - other.at(l, 0),
-               w = other.at(l, 0) - one.at(k, 0);
-    const double area = u.x() * v.y() - u.y() * v.x(), radii = one.radius[k] + other.radius[l];
+    const Vec3 u = one.at(k, 1) - one.at(k, 0);
+    const Vec3 v = other.at(l, 1) - other.at(l, 0);
+    const Vec3 w = other.at(l, 0) - one.at(k, 0);
+    const double area = u.x() * v.y() - u.y() * v.x();
+    const double radii = one.radius[k] + other.radius[l];
     if (!(std::abs(area) > kMinVertical * u.norm() * v.norm())) return std::nullopt;
-    const double s = (w.x() * v.y() - w.y() * v.x()) / area, t = (w.x() * u.y() - w.y() * u.x()) / area;
+    const double s = (w.x() * v.y() - w.y() * v.x()) / area;
+    const double t = (w.x() * u.y() - w.y() * u.x()) / area;
     if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1)) return std::nullopt;
     const auto pair = closest_points_of_segments(*one.x[k], *one.x[k + 1], *other.x[l], *other.x[l + 1]);
     if (pair.distance >= radii) return std::nullopt;
-    Crossing a{&one, k, s, one.radius[k], one.at(k, s)}, b{&other, l, t, other.radius[l], other.at(l, t)};
+    Crossing a{&one, k, s, one.radius[k], one.at(k, s)};
+    Crossing b{&other, l, t, other.radius[l], other.at(l, t)};
     // A line that ends at the other one does not cross it.
     const auto at_end = [radii](const Crossing& q) {
       return (q.x - *q.rope->x.front()).norm() < radii || (q.x - *q.rope->x.back()).norm() < radii;
@@ -176,19 +181,23 @@ class Crossings {
       if (upper_name == a.name() && lower_name == b.name()) return &a;
       if (upper_name == b.name() && lower_name == a.name()) return &b;
     }
-    const bool a_moves = a.rope->line->starts_by_itself(), b_moves = b.rope->line->starts_by_itself();
+    const bool a_moves = a.rope->line->starts_by_itself();
+    const bool b_moves = b.rope->line->starts_by_itself();
     if (!a_moves && !b_moves) return nullptr;
-    const bool a_lies = lies(a.x, a.radius), b_lies = lies(b.x, b.radius);
+    const bool a_lies = lies(a.x, a.radius);
+    const bool b_lies = lies(b.x, b.radius);
     const double rise = a.x.z() - b.x.z();
     if (a_moves != b_moves) {
-      const Crossing &moves = a_moves ? a : b, &stays = a_moves ? b : a;
+      const Crossing& moves = a_moves ? a : b;
+      const Crossing& stays = a_moves ? b : a;
       const bool room = height(stays.x) - stays.radius >= 2 * moves.radius;
       if (!room || moves.x.z() >= stays.x.z()) return &moves;
       return nullptr;
     }
     if (a_lies != b_lies) return a_lies ? &b : &a;
     if (a_lies) {
-      const bool a_all = lies_from_end_to_end(*a.rope), b_all = lies_from_end_to_end(*b.rope);
+      const bool a_all = lies_from_end_to_end(*a.rope);
+      const bool b_all = lies_from_end_to_end(*b.rope);
       if (a_all != b_all) return a_all ? &b : &a;
     } else if (std::abs(rise) > kCrossingGap * (a.radius + b.radius)) {
       return nullptr;
@@ -204,7 +213,8 @@ class Crossings {
       c_.refuse("contact.between_lines.over",
                 advice::cannot_be_over(upper_line->name(), lower_line.name(), upper_line->x));
     const Vec3 normal = upper_line->along().cross(lower_line.along()).normalized();
-    const double radii = a.radius + b.radius, slant = std::abs(normal.z());
+    const double radii = a.radius + b.radius;
+    const double slant = std::abs(normal.z());
     if (slant < kMinVertical) return;
     const double to = lower_line.x.z() + (1 + kCrossingGap) * radii / slant;
     // The slopes of both lines at the crossing are those of their elements.
@@ -257,11 +267,12 @@ std::vector<PartInVolume> parts_in(const Rope& rope, const Obstacle& volume) {
   std::vector<PartInVolume> out;
   bool inside = false;
   for (size_t i = 0; i < rope.segments(); ++i) {
-    const double length = (rope.at(i, 1) - rope.at(i, 0)).norm(), radius = rope.radius[i];
+    const double length = (rope.at(i, 1) - rope.at(i, 0)).norm();
+    const double radius = rope.radius[i];
     for (double advanced = 0; advanced < length;) {
       const Vec3 x = rope.at(i, advanced / length);
-      const double gap = volume.distance(x) - radius,
-                   s = rope.s[i] + advanced / length * (rope.s[i + 1] - rope.s[i]);
+      const double gap = volume.distance(x) - radius;
+      const double s = rope.s[i] + advanced / length * (rope.s[i + 1] - rope.s[i]);
       if (gap < 0) {
         if (!inside) out.push_back({s, s});
         PartInVolume& part = out.back();

@@ -53,7 +53,9 @@ FlexibleLine::Segment piece(const model::Case& c, const model::Line& line, const
 std::vector<Vec3> in_current(const model::Water& water, const CurrentProfile& current, FlexibleLine line,
                              const std::vector<WaterSection>& sections,
                              const std::vector<Vec3>& without_current) {
-  std::vector<Vec3> x = without_current, pull(sections.size(), Vec3::Zero()), dead;
+  std::vector<Vec3> x = without_current;
+  std::vector<Vec3> pull(sections.size(), Vec3::Zero());
+  std::vector<Vec3> dead;
   double length = 0;
   for (const auto& p : line.pieces) {
     dead.push_back(p.load);
@@ -109,12 +111,14 @@ void unfold(const Mesh& mesh, const LineSpan& span, std::vector<Vec3>& x) {
   for (int n = 0; n < span.nodes; ++n) arc.push_back(mesh.node(span.first_node + n).arc);
   for (size_t i = 1; i < last; ++i) {
     if (!folded_at(x, i)) continue;
-    size_t a = i, b = i;
+    size_t a = i;
+    size_t b = i;
     do {
       a -= a > 0;
       b += b < last;
     } while ((x[b] - x[a]).norm() < (1 - kPressed) * (arc[b] - arc[a]) && (a > 0 || b < last));
-    const Vec3 from = x[a], chord = x[b] - x[a];
+    const Vec3 from = x[a];
+    const Vec3 chord = x[b] - x[a];
     for (size_t k = a + 1; k < b; ++k) x[k] = from + (arc[k] - arc[a]) / (arc[b] - arc[a]) * chord;
     i = b;
   }

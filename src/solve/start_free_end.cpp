@@ -116,7 +116,8 @@ std::optional<std::vector<Vec3>> laid_free_end(const model::Case& c, const model
   if (!floats && !(c.environment.seabed.present && all(-1))) return {};
   const Ground ground(c.environment, floats);
   const Vec3 direction = direction_of_free_end(c, line, end, floats);
-  const double height = end.at.z() - ground.under(end.at).z(), up = height < 0 ? -1 : 1;
+  const double height = end.at.z() - ground.under(end.at).z();
+  const double up = height < 0 ? -1 : 1;
   if (floats && height > 0)  // the line hangs in the air; its weight matters only to its stretch
     for (CatenarySection& k : sections) {
       k.load.z() *= -1;
@@ -128,13 +129,15 @@ std::optional<std::vector<Vec3>> laid_free_end(const model::Case& c, const model
   const auto above = [&](double length) {
     return up * (catenary_free_b(end.at, first_of(sections, length)).end_b().z() - foot) - radius;
   };
-  double low = 0, high = arc.back();
+  double low = 0;
+  double high = arc.back();
   if (hangs && above(high) > 0) return {};
   for (int i = 0; hangs && i < kBisections; ++i) {
     const double at = 0.5 * (low + high);
     (above(at) > 0 ? low : high) = at;
   }
-  const double hanging = low, bent = hanging + 0.5 * M_PI * radius;
+  const double hanging = low;
+  const double bent = hanging + 0.5 * M_PI * radius;
   std::optional<CatenaryShape> shape;
   if (hanging > 0) shape = catenary_free_b(end.at, first_of(sections, hanging));
   const Vec3 from = shape ? shape->end_b() : end.at;

@@ -111,7 +111,8 @@ std::optional<LineStart> on_bed(const model::Case& c, const model::Line& line, c
   };
   LineStart out;
   for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
-    const double s = mesh.node(n).arc, from = b ? span.length - s : s;
+    const double s = mesh.node(n).arc;
+    const double from = b ? span.length - s : s;
     const double h = 1e-6 * span.length;
     out.x.push_back(place(from));
     // The tangent is that of the shape, because a part without tension has a direction, too.
@@ -152,7 +153,8 @@ LineStart as_previous(const model::PreviousShape& previous, const std::optional<
   if (!xb) b = a;
   LineStart out;
   for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
-    const double fraction = mesh.node(n).arc / span.length, s = fraction * previous_length;
+    const double fraction = mesh.node(n).arc / span.length;
+    const double s = fraction * previous_length;
     const VectorMotion at = spline.at(s);
     out.x.push_back(at.value + (1 - fraction) * a + fraction * b);
     if (previous.rotation.empty()) {
@@ -193,7 +195,8 @@ bool lies_slack(const model::Case& c, const std::vector<CatenarySection>& sectio
   const auto off = [&](const Vec3& x) {
     return std::abs(floats ? x.z() - c.environment.water.surface : model::height_above_bed(bed, x));
   };
-  const Vec3 &from = s.x.front(), &to = s.x.back();
+  const Vec3& from = s.x.front();
+  const Vec3& to = s.x.back();
   return length > std::hypot(to.x() - from.x(), to.y() - from.y()) + off(from) + off(to);
 }
 
@@ -291,7 +294,8 @@ RigidPose start_pose(const model::Case& c, const Bodies& bodies, const model::En
 LineStart line_start(const model::Case& c, const model::Line& line, const Bodies& bodies, const Mesh& mesh,
                      const LineSpan& span) {
   using model::EndKind, model::Start;
-  const bool a = line.end_a.kind != EndKind::free, b = line.end_b.kind != EndKind::free;
+  const bool a = line.end_a.kind != EndKind::free;
+  const bool b = line.end_b.kind != EndKind::free;
   const Vec3 xa = start_pose(c, bodies, line.end_a).to_space(line.end_a.at);
   const Vec3 xb = start_pose(c, bodies, line.end_b).to_space(line.end_b.at);
   if (line.start == Start::points) return along(line.points, mesh, span);

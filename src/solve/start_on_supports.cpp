@@ -40,7 +40,8 @@ struct Chain {
 void add_cubic(Chain& chain, const GuidePoint from, const GuidePoint& to) {
   const double d = (to.at - from.at).norm();
   for (int i = 1; i <= kPieces; ++i) {
-    const double t = static_cast<double>(i) / kPieces, u = 1 - t;
+    const double t = static_cast<double>(i) / kPieces;
+    const double u = 1 - t;
     const Vec3 x = u * u * (1 + 2 * t) * from.at + t * t * (3 - 2 * t) * to.at +
                    t * u * d * (u * from.along - t * to.along);
     const Vec3 v =
@@ -135,7 +136,8 @@ class PathOverSupports {
     double down = dip(path_.places[i].along);
     if (!(r.deep > 0) || i == 1 || lacking(down, r) > kStretched * length_) return false;
     if (!(lacking(down, r) >= 0)) {  // the line is longer than this path needs, so it leaves more steeply
-      double low = std::max(down, 1e-3), high = kSteepest;
+      double low = std::max(down, 1e-3);
+      double high = kSteepest;
       for (int k = 0; k < 100; ++k) (lacking(0.5 * (low + high), r) >= 0 ? high : low) = 0.5 * (low + high);
       down = high;
     }
@@ -145,7 +147,8 @@ class PathOverSupports {
     const Vec3 towards_end = Vec3(to_->x() - p.x(), to_->y() - p.y(), 0).normalized();
     const int pieces = 10 * kPieces;
     for (int k = 1; k <= pieces; ++k) {  // from the bed, where it is horizontal: x = a asinh(s / a)
-      const double s = sag.length * (1 - static_cast<double>(k) / pieces), t = std::asinh(s / sag.scale);
+      const double s = sag.length * (1 - static_cast<double>(k) / pieces);
+      const double t = std::asinh(s / sag.scale);
       const Vec3 x = p + (sag.wide - sag.scale * t) * towards_end;
       path_.add({Vec3(x.x(), x.y(), to_->z() + sag.scale * (std::cosh(t) - 1)),
                  (towards_end - std::sinh(t) * Vec3::UnitZ()).normalized()});
@@ -217,7 +220,8 @@ std::optional<LineStart> line_over_supports(const model::Case& c, const model::L
     const double s = std::min((supports.from_a() ? fraction : 1 - fraction) * used_length, path.length());
     size_t i = 1;
     while (i + 1 < path.places.size() && s > path.arc[i]) ++i;
-    const double d = path.arc[i] - path.arc[i - 1], t = d > 0 ? (s - path.arc[i - 1]) / d : 1;
+    const double d = path.arc[i] - path.arc[i - 1];
+    const double t = d > 0 ? (s - path.arc[i - 1]) / d : 1;
     const Vec3 along = ((1 - t) * path.places[i - 1].along + t * path.places[i].along).normalized();
     out.x.push_back((1 - t) * path.places[i - 1].at + t * path.places[i].at);
     out.tangent.push_back(supports.from_a() ? along : Vec3(-along));

@@ -113,7 +113,8 @@ void turn(const model::Case& c, const model::Line& line, const Bodies& bodies, L
 // Shape of a part of a given line.
 LineStart part_of(const StartedLine& started, const model::Line& line, int nodes) {
   LineStart shape = started.shape;
-  const auto first = started.mesh->nearest_node(0, line.from), last = first + nodes;
+  const auto first = started.mesh->nearest_node(0, line.from);
+  const auto last = first + nodes;
   const auto take = [&](auto& values) {
     values.erase(values.begin() + last, values.end());
     values.erase(values.begin(), values.begin() + first);
@@ -319,7 +320,8 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
 void tie_to_joints(const model::Case& c, const LocalMesh& mesh, StartShape& out) {
   const Mesh& g = *mesh.mesh;
   for (int n = 0; n < mesh.nodes(); ++n) {
-    const int global = mesh.global[n], frame = mesh.frame_of(n);
+    const int global = mesh.global[n];
+    const int frame = mesh.frame_of(n);
     if (frame < 0 || g.node(g.node(global).tied_to).body >= 0) continue;
     const Node& node = g.node(global);
     const LineSpan& span = g.lines[node.line];
@@ -369,7 +371,8 @@ StartShape start_shape(MPI_Comm comm, const model::Case& c, const LocalMesh& mes
     for (int i = 0; i < span.nodes; ++i) {
       const int local_node = mesh.find(span.first_node + i);
       if (local_node < 0) continue;
-      const size_t n = local_node, k = i;
+      const size_t n = local_node;
+      const size_t k = i;
       out.state.x[n] = shape.x[k];
       if (mesh.rotates(local_node)) out.state.q[n] = q[k];
     }

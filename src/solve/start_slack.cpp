@@ -29,8 +29,8 @@ Vec3 bulge(const model::Environment& sea, const Vec3& chord) {
   const Vec3 left(-chord.y(), chord.x(), 0);
   const model::Current& current = sea.water.current;
   if (sea.water.present && current.ramp == 0 && !current.profile.empty()) {
-    const double b = current.profile.front().direction,
-                 speed = current.profile.front().speed * current.time_factor.at(0);
+    const double b = current.profile.front().direction;
+    const double speed = current.profile.front().speed * current.time_factor.at(0);
     if (speed * left.dot(Vec3(std::cos(b), std::sin(b), 0)) < 0) return -left;
   }
   return left;
@@ -44,15 +44,18 @@ bool lay_slack(const model::Environment& sea, bool floats, const std::vector<dou
     return (sea.seabed.present && x.z() < bed_height(sea.seabed, x) - 1e-6 * sea.seabed.depth) ||
            (floats && x.z() > sea.water.surface);
   };
-  size_t first = 0, last = points.size() - 1;
+  size_t first = 0;
+  size_t last = points.size() - 1;
   const bool any = std::any_of(points.begin() + 1, points.end() - 1, off);
   if (!any) return false;
   while (first + 1 < last && !off(points[first + 1])) ++first;
   while (last > first + 1 && !off(points[last - 1])) --last;
-  const Vec3 from = points[first], to = points[last];
+  const Vec3 from = points[first];
+  const Vec3 to = points[last];
   Vec3 along = to - from;
   along.z() = 0;
-  const double chord = along.norm(), length = arc[last] - arc[first];
+  const double chord = along.norm();
+  const double length = arc[last] - arc[first];
   along = chord > 1e-9 * length ? Vec3(along / chord) : Vec3::UnitX();
   const Vec3 across = bulge(sea, along);
   const bool straight = length < (1 + kStraight) * chord;
@@ -66,14 +69,16 @@ bool lay_slack(const model::Environment& sea, bool floats, const std::vector<dou
     if (straight) {
       x += z * chord * along;
     } else {
-      const double radius = 0.5 * length / half, angle = half * (2 * z - 1);
+      const double radius = 0.5 * length / half;
+      const double angle = half * (2 * z - 1);
       x +=
           radius * ((std::sin(angle) + std::sin(half)) * along + (std::cos(angle) - std::cos(half)) * across);
     }
     const double level = floats ? sea.water.surface : bed_height(sea.seabed, x);
     x.z() = level;
     for (int end = 0; end < 2; ++end) {
-      const double height = end_z[end] - level, away = end ? arc[last] - arc[i] : arc[i] - arc[first];
+      const double height = end_z[end] - level;
+      const double away = end ? arc[last] - arc[i] : arc[i] - arc[first];
       const double reach = std::min(3 * std::abs(height), 0.5 * length);
       if (away < reach) x.z() += height * (1 - away / reach);
     }

@@ -127,7 +127,8 @@ double StaticSearch::sign_towards(const State& start, Vec motion) {
   for (int n = 0; n < mesh.owned; ++n) {
     if (mesh.node(n).body < 0) continue;
     const double* u = local_.data() + 3 * mesh.block[n];
-    const Vec3 x(u), turn = longest_ * Vec3(u + 3);
+    const Vec3 x(u);
+    const Vec3 turn = longest_ * Vec3(u + 3);
     along +=
         x.dot(start.x[n] - state_.x[n]) + longest_ * turn.dot(log_so3(state_.q[n].conjugate() * start.q[n]));
     square += x.squaredNorm() + turn.squaredNorm();
@@ -175,7 +176,8 @@ void StaticSearch::tangent() { system_.tangent(state_.at_rest(), weights_, zero_
 
 void StaticSearch::stiffen_by_levels() {
   residual();
-  const double stiff = system_.axial_stiffness(), load = system_.dead_load();
+  const double stiff = system_.axial_stiffness();
+  const double load = system_.dead_load();
   if (load == 0 || tangent_trusted(report_.norms)) return;
   for (double soft = kSoft * load; soft < stiff; soft *= kStiffening) {
     system_.soften(soft);

@@ -207,7 +207,8 @@ void StaticTrial::displace(int attempt, double fraction, State& s) const {
     const size_t i = n;
     const Node& node = m.node(i);
     if (node.body >= 0) continue;
-    const double L = m.mesh->lines[node.line].length, z = node.arc / L;
+    const double L = m.mesh->lines[node.line].length;
+    const double z = node.arc / L;
     const double bump =
         fraction * 0.01 * attempt * L * std::sin(M_PI * z) * (1 + 0.3 * std::sin(9 * z + attempt));
     Vec3 d = bump * Vec3(0.31, 0.52, -0.79);

@@ -64,7 +64,8 @@ bool StepControl::accurate(double h, double error) const {
 }
 
 void StepControl::after_accepted_step(double h, int iterations, double error) {
-  const bool fixed = s_.fixed > 0, may_grow = growth_wait_ == 0;
+  const bool fixed = s_.fixed > 0;
+  const bool may_grow = growth_wait_ == 0;
   const double limit = fixed ? s_.fixed : s_.longest;
   if (!may_grow) --growth_wait_;
   double factor = 1;

@@ -28,7 +28,8 @@ std::string folded_element(const System& system, const Kinematics& state) {
   const LocalMesh& mesh = system.mesh();
   for (const LocalElement& e : mesh.elements) {
     if (!mesh.element(e).beam) continue;
-    const Vec3 from = state.q[e.first] * Vec3::UnitX(), to = state.q[e.second] * Vec3::UnitX();
+    const Vec3 from = state.q[e.first] * Vec3::UnitX();
+    const Vec3 to = state.q[e.second] * Vec3::UnitX();
     const double turn = angle_between(from, to);
     if (turn > worst.turn) worst = {turn, mesh.element(e).length, mesh.global[e.first]};
   }
@@ -65,7 +66,9 @@ Verdict Dynamics::check_step() {
   const NodeValue turn = alpha_turn(system_.mesh(), local_u_);
   const int local_node = turned_over(system_.mesh(), committed_kinematics(), trial);
   double error = alpha_error(system_.mesh(), alpha_, h_, committed_, trial_, settings_.error_weight);
-  double largest_turn = turn.value, node_turned_over = local_node, beyond = system_.overstretch(trial).beyond;
+  double largest_turn = turn.value;
+  double node_turned_over = local_node;
+  double beyond = system_.overstretch(trial).beyond;
   RankMax maxima;
   for (double* number : {&error, &largest_turn, &node_turned_over, &beyond}) maxima.add(*number);
   Verdict verdict = system_.check_step(trial, control_.may_shorten(h_), std::move(maxima));

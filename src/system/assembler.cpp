@@ -15,7 +15,9 @@ namespace {
 // Multiplies three columns of a row-major matrix with `rows` rows of m entries by T from the right.
 void turn_columns(const Mat3& T, int rows, int m, double* p) {
   for (int r = 0; r < rows; ++r, p += m) {
-    const double a0 = p[0], a1 = p[1], a2 = p[2];
+    const double a0 = p[0];
+    const double a1 = p[1];
+    const double a2 = p[2];
     for (int c = 0; c < 3; ++c) p[c] = a0 * T(0, c) + a1 * T(1, c) + a2 * T(2, c);
   }
 }
@@ -35,8 +37,11 @@ inline void add4(double* p, Row a) {
 // Adds three rows of a row-major matrix of m columns to a column-major block. The last row is read with the
 // entry before it, so that no entry after the matrix is read.
 inline void add_transposed(const double* J, int m, double* to) {
-  const Row r0 = load4(J), r1 = load4(J + m), r2 = load4(J + 2 * m - 1);
-  const Row a = __builtin_shufflevector(r0, r1, 0, 4, 0, 1), b = __builtin_shufflevector(r1, r2, 1, 6, 1, 2);
+  const Row r0 = load4(J);
+  const Row r1 = load4(J + m);
+  const Row r2 = load4(J + 2 * m - 1);
+  const Row a = __builtin_shufflevector(r0, r1, 0, 4, 0, 1);
+  const Row b = __builtin_shufflevector(r1, r2, 1, 6, 1, 2);
   add4(to, __builtin_shufflevector(a, r2, 0, 1, 5, 3));
   add4(to + 4, __builtin_shufflevector(b, r0, 0, 1, 6, 3));
   to[8] += r2[3];
@@ -95,7 +100,9 @@ void Assembler::add_force(int b, double x, double y, double z) {
 
 void Assembler::add(std::span<const int> rows, std::span<const int> columns, ForceView force,
                     DerivativeView K, DerivativeView C, DerivativeView M) {
-  const int n = 3 * static_cast<int>(rows.size()), m = 3 * static_cast<int>(columns.size()), entries = n * m;
+  const int n = 3 * static_cast<int>(rows.size());
+  const int m = 3 * static_cast<int>(columns.size());
+  const int entries = n * m;
   assert(!force.data() || force.size() == n);
   assert(K.none_or_sized(n, m) && C.none_or_sized(n, m) && M.none_or_sized(n, m));
   if (const double* f = force.data(); force_ && f)
@@ -127,8 +134,8 @@ void Assembler::add(std::span<const int> rows, std::span<const int> columns, For
 void Assembler::add_tied(std::span<const int> rows, std::span<const int> columns, DerivativeView K,
                          DerivativeView C, DerivativeView M) {
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const Eigen::Index n = 3 * static_cast<Eigen::Index>(rows.size()),
-                     m = 3 * static_cast<Eigen::Index>(columns.size());
+  const Eigen::Index n = 3 * static_cast<Eigen::Index>(rows.size());
+  const Eigen::Index m = 3 * static_cast<Eigen::Index>(columns.size());
   const auto matrix_of = [n, m](DerivativeView A) { return Eigen::Map<const Matrix>(A.data(), n, m); };
   const TiedNodeForces::Unknowns row_unknowns = ties_->unknowns(rows);
   const auto [to, P, V] = ties_->unknowns(columns);
@@ -149,7 +156,8 @@ void Assembler::add_tied(std::span<const int> rows, std::span<const int> columns
 
 // Adds J to the matrix, without rows and columns of held components, which it sets to zero in J.
 void Assembler::put(std::span<const int> rows, std::span<const int> columns, double* J) {
-  const size_t n = rows.size(), m = 3 * columns.size();
+  const size_t n = rows.size();
+  const size_t m = 3 * columns.size();
   for (size_t i = 0; i < n; ++i)
     if (const unsigned char held = (*held_)[rows[i]])
       for (size_t c = 0; c < 3; ++c)
@@ -186,7 +194,8 @@ void Assembler::add_nonlocal(int row, int column, const double* J, int m) {
   double block[9];
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) block[3 * r + c] = J[r * m + c];
-  const PetscInt r = (*global_block_)[row], c = (*global_block_)[column];
+  const PetscInt r = (*global_block_)[row];
+  const PetscInt c = (*global_block_)[column];
   check(MatSetValuesBlocked(matrix_, 1, &r, 1, &c, block, ADD_VALUES));
 }
 

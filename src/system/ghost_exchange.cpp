@@ -8,7 +8,8 @@ GhostExchange::GhostExchange(MPI_Comm comm, const LocalMesh& mesh)
   if (ranks_of(comm) == 1) return;
   ListsByRank<int> wanted;  // nodes of the mesh by owner
   for (int n = mesh.owned; n < mesh.nodes(); ++n) {
-    const int node = mesh.global[n], owner = mesh.owner[node];
+    const int node = mesh.global[n];
+    const int owner = mesh.owner[node];
     wanted[owner].push_back(node);
     nodes_by_rank_[owner].receive.push_back(n);
   }

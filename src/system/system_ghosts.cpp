@@ -112,7 +112,8 @@ std::vector<std::pair<int, int>> System::pattern() const {
   };
   for (const LocalElement& e : mesh_.elements) {
     join(e.first, e.second);
-    const int first = mesh_.frame_of(e.first), second = mesh_.frame_of(e.second);
+    const int first = mesh_.frame_of(e.first);
+    const int second = mesh_.frame_of(e.second);
     if (first >= 0) {
       join(first, e.second);
       join(first, e.first);
@@ -124,7 +125,8 @@ std::vector<std::pair<int, int>> System::pattern() const {
     if (first >= 0 && second >= 0 && first != second) join(first, second);
   }
   for (const auto& [m, n] : couplings_.pairs) {
-    const int a = mesh_.find(m), b = mesh_.find(n);
+    const int a = mesh_.find(m);
+    const int b = mesh_.find(n);
     couple(a, b);
     couple(b, a);
   }
@@ -136,7 +138,8 @@ std::vector<std::pair<int, int>> System::pattern() const {
 MatHandle System::create_matrix() const {
   const std::vector<std::pair<int, int>> entries = pattern();
   const size_t rows = mesh_.owned_blocks;
-  std::vector<PetscInt> diagonal(rows, 0), off_diagonal(rows, 0);
+  std::vector<PetscInt> diagonal(rows, 0);
+  std::vector<PetscInt> off_diagonal(rows, 0);
   for (const auto& [row, column] : entries) ++(column < mesh_.owned_blocks ? diagonal : off_diagonal)[row];
 
   MatHandle A;
@@ -150,7 +153,8 @@ MatHandle System::create_matrix() const {
   // PETSc discards entries that are not written at the first assembly, but candidates may touch later.
   const double zero[9] = {};
   for (const auto& [row, column] : entries) {
-    const PetscInt r = mesh_.global_block[row], c = mesh_.global_block[column];
+    const PetscInt r = mesh_.global_block[row];
+    const PetscInt c = mesh_.global_block[column];
     check(MatSetValuesBlocked(A.get(), 1, &r, 1, &c, zero, INSERT_VALUES));
   }
   check(MatAssemblyBegin(A.get(), MAT_FINAL_ASSEMBLY));

@@ -149,7 +149,8 @@ Verdict System::check_step(const Kinematics& trial, bool impacts, RankMax togeth
   }
   // A single reduction for all quantities of a trial, unless a rank has an unresolved impact.
   double severity = static_cast<double>(worst.kind);
-  double too_deep = unresolved_impacts.too_deep ? 1 : 0, any_impact = unresolved_impacts.list.empty() ? 0 : 1;
+  double too_deep = unresolved_impacts.too_deep ? 1 : 0;
+  double any_impact = unresolved_impacts.list.empty() ? 0 : 1;
   const std::vector<int> elsewhere = lines_elsewhere(unresolved_impacts.list, local_lines_);
   double any_elsewhere = elsewhere.empty() ? 0 : 1;
   for (double* number : {&severity, &too_deep, &any_impact, &any_elsewhere}) together.add(*number);

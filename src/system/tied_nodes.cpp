@@ -50,7 +50,9 @@ void TiedNodes::rates(double t, State& out) const {
         if (s.rotation_mask != 7 && s.rotation_mask >> c & 1) out.w[n][c] = out.alpha[n][c] = 0;
       continue;
     }
-    const Vec3 x = b.to_space(s.at), v = b.velocity_at(x), a = b.acceleration_at(x);
+    const Vec3 x = b.to_space(s.at);
+    const Vec3 v = b.velocity_at(x);
+    const Vec3 a = b.acceleration_at(x);
     for (int c = 0; c < 3; ++c)
       if (s.position_mask >> c & 1) {
         out.v[n][c] = s.position_mask == 7 ? v[c] : 0;
@@ -59,7 +61,8 @@ void TiedNodes::rates(double t, State& out) const {
     if (!mesh_->rotates(s.node)) continue;
     // Rates of a rotation that follows the body, in the node's material axes.
     const Quat inv = (b.rotation * s.rotation).conjugate();
-    const Vec3 w = inv * b.angular_velocity, al = inv * b.angular_acceleration;
+    const Vec3 w = inv * b.angular_velocity;
+    const Vec3 al = inv * b.angular_acceleration;
     for (int c = 0; c < 3; ++c)
       if (s.rotation_mask >> c & 1) {
         out.w[n][c] = s.rotation_mask == 7 ? w[c] : 0;
@@ -71,7 +74,8 @@ void TiedNodes::rates(double t, State& out) const {
 void TiedNodes::move_with_frames(State& out) const {
   for (const int i : to_frames_) {
     const TiedNode& s = nodes_[i];
-    const size_t n = s.node, f = s.frame;
+    const size_t n = s.node;
+    const size_t f = s.frame;
     const Mat3 D =
         out.directors.empty() ? director_acceleration(out.q[f], out.w[f], out.alpha[f]) : out.directors[f];
     if (s.position_mask == 7) {

@@ -11,7 +11,8 @@ namespace hawser {
 AgainstBody against_body(std::span<const LineBlock> line, const FloatingFrame& body, bool turning,
                          const BlockVector& f, const BlockMatrix* K, const BlockMatrix* C) {
   using Matrix = AgainstBody::Matrix;
-  const Eigen::Index n = 3 * static_cast<Eigen::Index>(line.size()), m = n + 6;
+  const Eigen::Index n = 3 * static_cast<Eigen::Index>(line.size());
+  const Eigen::Index m = n + 6;
   const auto point = [&](const LineBlock& l) {
     return FramePoint{body.R.transpose() * (l.x - body.x), body.R};
   };
@@ -78,8 +79,8 @@ void add_against_body(Assembler& assembler, std::span<const LineBlock> line, con
   numbers[n] = body.block;
   numbers[n + 1] = body.block + 1;
   const auto add = [&](size_t first, size_t count) {
-    const Eigen::Index row = 3 * static_cast<Eigen::Index>(first),
-                       size = 3 * static_cast<Eigen::Index>(count);
+    const Eigen::Index row = 3 * static_cast<Eigen::Index>(first);
+    const Eigen::Index size = 3 * static_cast<Eigen::Index>(count);
     const auto rows = [row, size](const AgainstBody::Matrix& of) {
       return of.size() > 0 ? DerivativeView(of.middleRows(row, size)) : DerivativeView();
     };

@@ -21,7 +21,8 @@ Vec3 BedContact::line_direction(const Point& p, const Kinematics& state) const {
 }
 
 bool BedContact::locate(const Point& p, const Vec3& x, double beyond, ContactTrial& trial) const {
-  const double radius = law(p).radius, smoothing = law(p).law.normal.smoothing;
+  const double radius = law(p).radius;
+  const double smoothing = law(p).law.normal.smoothing;
   trial.point = x;
   if (!surface_) {
     trial.gap = plane_.gap(x) - radius;
@@ -131,7 +132,8 @@ void BedContact::add(const Point& p, const Vec3& residual, const Mat3* K, const 
 // from an equilibrium w > 0, and K has the stiffness S of the secant of friction F in place of a part w of
 // dF/ds, which is 0 where all friction is mobilised: w (dF/ds - S) is added.
 void BedContact::evaluate(const Kinematics& trial, Assembler& assembler) {
-  const bool needs_tangent = assembler.needs_tangent(), convex = assembler.convex();
+  const bool needs_tangent = assembler.needs_tangent();
+  const bool convex = assembler.convex();
   for (const Point& p : points_) {
     ContactTrial at;
     Mat3 stabilisation = Mat3::Zero();
@@ -151,8 +153,8 @@ void BedContact::evaluate(const Kinematics& trial, Assembler& assembler) {
       continue;
     }
     const Mat3 K = pulled.by_lift * at.normal * at.normal.transpose() + pulled.force * at.curvature -
-                   c.by_point + (friction_ == FrictionMode::contact ? stabilisation : Mat3::Zero()),
-               C = -c.by_velocity;
+                   c.by_point + (friction_ == FrictionMode::contact ? stabilisation : Mat3::Zero());
+    const Mat3 C = -c.by_velocity;
     add(p, residual, &K, trial.moves() ? &C : nullptr, assembler);
   }
 }

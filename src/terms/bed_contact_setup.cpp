@@ -25,7 +25,8 @@ BedContact::BedContact(const LocalMesh& mesh, std::shared_ptr<const Surface> sur
       double& longest = longest_element_[n];
       longest = std::max(longest, mesh.element(e).length);
     }
-  const size_t owned = mesh.owned, elements = mesh.elements.size();
+  const size_t owned = mesh.owned;
+  const size_t elements = mesh.elements.size();
   if (laws.nodes.size() != owned) throw std::invalid_argument("the seabed needs a law for each owned node");
   if (!laws.middles.empty() && laws.middles.size() != elements)
     throw std::invalid_argument("the seabed needs a law for each element, or none");
@@ -96,7 +97,8 @@ BedContact::PointLaw law_of(const Tributary& s, const model::Seabed& bed) {
 bool in_soil(const Mesh& mesh, const model::Case& c, int node) {
   const Node& n = mesh.node(node);
   if (n.body >= 0) return false;
-  const double length = mesh.lines[n.line].length, near = 1e-9 * length;
+  const double length = mesh.lines[n.line].length;
+  const double near = 1e-9 * length;
   const auto& stretches = c.lines[n.line].buried;
   return std::any_of(stretches.begin(), stretches.end(), [&](const model::Buried& b) {
     return (b.from <= near || n.arc > b.from + near) && (b.to >= length - near || n.arc < b.to - near);
@@ -128,7 +130,8 @@ class BedAtEnds {
 // without bending stiffness they do not bridge the distance between a node in contact and the next one
 // (docs/theory/seabed.md). In a partly buried element, the node outside has the bare part of its half.
 BedContact::PointLaws laws_of(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held) {
-  std::vector<Tributary> nodes(static_cast<size_t>(mesh.owned)), middles(mesh.elements.size());
+  std::vector<Tributary> nodes(static_cast<size_t>(mesh.owned));
+  std::vector<Tributary> middles(mesh.elements.size());
   std::vector<BedAtEnds> ends;
   for (size_t l = 0; l < c.lines.size(); ++l) ends.emplace_back(c, *mesh.mesh, l);
   for (size_t i = 0; i < mesh.elements.size(); ++i) {
@@ -137,12 +140,14 @@ BedContact::PointLaws laws_of(const LocalMesh& mesh, const model::Case& c, const
     const model::LineType& t = c.line_types[g.type];
     const double w = model::submerged_weight(c, t);
     const model::Line& line = c.lines[g.line];
-    const double from = mesh.mesh->node(g.first).arc, half = 0.5 * g.length;
+    const double from = mesh.mesh->node(g.first).arc;
+    const double half = 0.5 * g.length;
     const auto bare = [&](double a, double l) { return l - buried_length(line, a, a + l); };
     const bool cut = in_soil(*mesh.mesh, c, g.first) || in_soil(*mesh.mesh, c, g.second);
     for (const int node : {e.first, e.second}) {
       if (node >= mesh.owned || in_soil(*mesh.mesh, c, mesh.global[node])) continue;
-      const double start = from + (node == e.first ? 0 : half), part = bare(start, half);
+      const double start = from + (node == e.first ? 0 : half);
+      const double part = bare(start, half);
       if (!(part > 0)) continue;
       nodes[node].add(t, g.beam || cut ? part : part / 3, w, g.length);
       nodes[node].lowered = ends[g.line].lowering(from + (node == e.first ? 0 : g.length));

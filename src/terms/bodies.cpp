@@ -42,7 +42,8 @@ void Bodies::fix_placed_in_space(MPI_Comm comm, const model::Case& c, const Kine
   // Only the rank that owns the node contributes; other ranks may need the result later.
   std::vector<double> places(7 * placed.size(), 0);
   for (size_t i = 0; i < placed.size(); ++i) {
-    const int body = static_cast<int>(placed[i]), node = local_node(body);
+    const int body = static_cast<int>(placed[i]);
+    const int node = local_node(body);
     if (!mesh_->owns(node)) continue;
     const RigidBodyState s = floating_state(start, node);
     const RigidPose p = pose(body, 0.0);

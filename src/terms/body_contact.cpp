@@ -91,7 +91,8 @@ BodyContact::BodyContact(MPI_Comm comm, const model::Case& c, const LocalMesh& m
 
 void BodyContact::list_couplings(Couplings& to) const {
   for (const Pair& p : pairs_) {
-    const int a = bodies_of_volumes_[p.a].global, b = bodies_of_volumes_[p.b].global;
+    const int a = bodies_of_volumes_[p.a].global;
+    const int b = bodies_of_volumes_[p.b].global;
     if (a >= 0 && b >= 0 && (mesh_.owns_node(a) || mesh_.owns_node(b))) to.add({a, a}, {b, b});
   }
 }
@@ -102,7 +103,8 @@ void BodyContact::renumber() {
     s.block = s.node < 0 ? -1 : mesh_.block[s.node];
   }
   for (Pair& p : pairs_) {
-    const PairBody &a = bodies_of_volumes_[p.a], &b = bodies_of_volumes_[p.b];
+    const PairBody& a = bodies_of_volumes_[p.a];
+    const PairBody& b = bodies_of_volumes_[p.b];
     p.owns_body = owned(a) || owned(b);
     p.counted = a.global >= 0 ? owned(a) : owned(b);
   }
@@ -116,7 +118,8 @@ BodyFrame BodyContact::frame(size_t volume, const Kinematics& state) const {
   const PairBody& s = bodies_of_volumes_[volume];
   if (s.global < 0) {
     const RigidPose p = bodies_->pose(s.body, state.time);
-    const Mat3 R = p.rotation.toRotationMatrix(), back = R.transpose();
+    const Mat3 R = p.rotation.toRotationMatrix();
+    const Mat3 back = R.transpose();
     return {s.centre,
             p.position,
             R,
@@ -135,7 +138,8 @@ BodyContact::PairFrames BodyContact::frames_of(const Pair& pair, const Kinematic
 }
 
 bool BodyContact::near(size_t volume, const Vec3& centre, double radius, double gap) const {
-  const double reach = radius + gap, within = std::max(reach, 0.0);
+  const double reach = radius + gap;
+  const double within = std::max(reach, 0.0);
   if (squared_distance(boxes_[volume], centre) > within * within) return false;
   const auto s = volumes_[volume].surface->query(centre, within);
   return s && s->distance <= reach;
@@ -145,8 +149,9 @@ void BodyContact::contact_of_edge(const Pair& pair, const PairFrames& at, const 
                                   const SkeletonPart& e, const AxisContactMode& mode,
                                   const Slipping& friction, BodyContactPoints& points) const {
   const Surface& surface = *volumes_[pair.b].surface;
-  const double contact_distance = e.radius + pair.law.smoothing, length = (e.to - e.from).norm(),
-               weight = pair.force_factor * length;
+  const double contact_distance = e.radius + pair.law.smoothing;
+  const double length = (e.to - e.from).norm();
+  const double weight = pair.force_factor * length;
   const AxisShape shape = chord(at.A, e.from, e.to);
   const auto place = [&](double xi) { return points.place(e.place(xi)); };
   ContactQuadrature contact;
@@ -196,7 +201,8 @@ void BodyContact::contact_of_edge(const Pair& pair, const PairFrames& at, const 
 
 BodyContact::Sum BodyContact::contact(const Pair& pair, const PairFrames& at, const AxisContactMode& mode,
                                       const Slipping& friction) const {
-  const BodyFrame &A = at.A, &B = at.B;
+  const BodyFrame& A = at.A;
+  const BodyFrame& B = at.B;
   RigidPose pose;  // of the surface
   pose.position = B.to_space(Vec3::Zero());
   pose.rotation = Quat(B.R);
@@ -237,7 +243,8 @@ BodyContact::Sum BodyContact::contact(const Pair& pair, const PairFrames& at, co
     K.setZero(6, 6);
     C.setZero(6, 6);
   }
-  BlockMatrix *by_place = mode.tangent ? &K : nullptr, *by_rate = mode.tangent ? &C : nullptr;
+  BlockMatrix* by_place = mode.tangent ? &K : nullptr;
+  BlockMatrix* by_rate = mode.tangent ? &C : nullptr;
   points.to_body(f, by_place, by_rate);
   const std::array<LineBlock, 2> blocks{LineBlock{0, false, A.x, A.v, A.R}, {1, true, A.x, A.v, A.R}};
   sum.residual = against_body(blocks, {2, B.x, B.v, B.R}, !mode.convex, f, by_place, by_rate);
@@ -251,12 +258,14 @@ BodyContact::Sum BodyContact::contact(const Pair& pair, const PairFrames& at, co
 void BodyContact::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Pair& p : pairs_) {
     if (!p.owns_body) continue;
-    const PairBody &a = bodies_of_volumes_[p.a], &b = bodies_of_volumes_[p.b];
+    const PairBody& a = bodies_of_volumes_[p.a];
+    const PairBody& b = bodies_of_volumes_[p.b];
     const bool tangent = assembler.needs_tangent();
     const Sum s = contact(p, frames_of(p, trial), {trial.moves(), tangent, false}, slipping(p, trial.step));
     if (!s.active) continue;
     // Only bodies with unknowns have rows and columns.
-    const Eigen::Index first = a.global < 0 ? 6 : 0, count = a.global < 0 || b.global < 0 ? 6 : 12;
+    const Eigen::Index first = a.global < 0 ? 6 : 0;
+    const Eigen::Index count = a.global < 0 || b.global < 0 ? 6 : 12;
     const std::array<int, 4> blocks{a.block, a.block + 1, b.block, b.block + 1};
     const Eigen::VectorXd f = s.residual.f.segment(first, count);
     AgainstBody::Matrix K, C;

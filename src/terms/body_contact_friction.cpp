@@ -50,7 +50,8 @@ BodyFrictionPoints points_of(const std::vector<double>& values) {
 
 ContactStart BodyContact::start_of(const Pair& pair, const PairFrames& trial, const SkeletonPart& part,
                                    double xi, ContactRates* rates) const {
-  const Vec3 y = part.place(xi), slope = pair.frames.turn() * (part.to - part.from);
+  const Vec3 y = part.place(xi);
+  const Vec3 slope = pair.frames.turn() * (part.to - part.from);
   ContactStart s;
   s.point = pair.frames.across(y);
   if (part.from != part.to) s.tangent = slope.normalized();
@@ -87,9 +88,11 @@ double BodyContact::half_dissipation(const Pair& pair, const PairFrames& trial,
 // The forces F on A and -F on B act at z - r n. The power of a prescribed body is that of the force that
 // holds it, which is opposite to the contact force.
 double BodyContact::friction_power(const Pair& pair) const {
-  const bool by_a = bodies_of_volumes_[pair.a].global < 0, by_b = bodies_of_volumes_[pair.b].global < 0;
+  const bool by_a = bodies_of_volumes_[pair.a].global < 0;
+  const bool by_b = bodies_of_volumes_[pair.b].global < 0;
   if (!by_a && !by_b) return 0;
-  const BodyFrame &A = pair.frames.A, &B = pair.frames.B;
+  const BodyFrame& A = pair.frames.A;
+  const BodyFrame& B = pair.frames.B;
   const SkeletonParts& parts = volumes_[pair.a].skeleton.features;
   double sum = 0;
   pair.touching.each([&](int feature, std::span<const BodyFrictionPoint> touching) {
@@ -114,8 +117,10 @@ std::vector<CheckpointRecord> BodyContact::checkpoint_records(NodeRange range) c
   std::vector<CheckpointRecord> out;
   for (size_t i = 0; i < pairs_.size(); ++i) {
     const Pair& p = pairs_[i];
-    const PairBody &a = bodies_of_volumes_[p.a], &b = bodies_of_volumes_[p.b];
-    const int node = a.global >= 0 ? a.global : b.global, key = static_cast<int>(i);
+    const PairBody& a = bodies_of_volumes_[p.a];
+    const PairBody& b = bodies_of_volumes_[p.b];
+    const int node = a.global >= 0 ? a.global : b.global;
+    const int key = static_cast<int>(i);
     if (!p.counted || !range.has(node)) continue;
     out.push_back(record_of(node, key, p, kSums));
     if (!p.touching.empty()) out.push_back({node, key, values_of(p.touching), kSlip});
@@ -147,9 +152,11 @@ void BodyContact::restore(const std::vector<CheckpointRecord>& records) {
 void BodyContact::send_slip() {
   const int rank = rank_of(comm_);
   for (Pair& p : pairs_) {
-    const int a = bodies_of_volumes_[p.a].global, b = bodies_of_volumes_[p.b].global;
+    const int a = bodies_of_volumes_[p.a].global;
+    const int b = bodies_of_volumes_[p.b].global;
     if (a < 0 || b < 0) continue;
-    const int from = mesh_.owner[a], to = mesh_.owner[b];
+    const int from = mesh_.owner[a];
+    const int to = mesh_.owner[b];
     if (from == to || (rank != from && rank != to)) continue;
     if (rank == from) {
       const std::vector<double> values = values_of(p.touching);

@@ -47,9 +47,11 @@ double BodyContact::allowed_overlap(const Pair& pair) const {
 // is longer than the largest approach, as in dynamic relaxation, is therefore divided into parts of at most
 // that length, and the overlap is computed between them.
 bool BodyContact::overlaps_within_step(const Pair& pair, const Kinematics& trial) const {
-  const PairFrames &from = pair.frames, to = frames_of(pair, trial);
+  const PairFrames& from = pair.frames;
+  const PairFrames to = frames_of(pair, trial);
   const SkeletonParts& features = volumes_[pair.a].skeleton.features;
-  const Vec3 start = from.across(features.centre()), path = to.across(features.centre()) - start;
+  const Vec3 start = from.across(features.centre());
+  const Vec3 path = to.across(features.centre()) - start;
   const double length = path.norm();
   if (!(length > pair.max_approach)) return false;
   if (!near(pair.b, start + 0.5 * path, features.radius() + 0.5 * length, 0)) return false;

@@ -57,15 +57,19 @@ AxisContactPoint BodyContactPoints::add(const ContactLaw& law, const ContactStar
     depth_ = std::max(depth_, -trial.gap);
   }
   if (!(c.along_normal.force > 0)) return point;
-  const Vec3 f = -weight * c.force, touch = arm - radius * trial.normal;
+  const Vec3 f = -weight * c.force;
+  const Vec3 touch = arm - radius * trial.normal;
   force_ += f;
   moment_ += touch.cross(f);
   if (!mode_.tangent) return point;
-  const Mat3 b = hat(arm), m = hat(touch);
-  Mat3 K = -weight * c.by_point, by_turn = -K * b;
+  const Mat3 b = hat(arm);
+  const Mat3 m = hat(touch);
+  Mat3 K = -weight * c.by_point;
+  Mat3 by_turn = -K * b;
   if (radius > 0) by_turn -= weight * c.by_turn * turned_by_turn_;
   if (mode_.moves && (law.normal.damping > 0 || law.friction.blends())) {
-    const Mat3 C = -weight * c.by_velocity, Cb = C * b;
+    const Mat3 C = -weight * c.by_velocity;
+    const Mat3 Cb = C * b;
     const Mat3 by_spin = C * hat(surface_turning_);
     K -= by_spin;
     by_turn += by_spin * b - C * hat(body_turning_.cross(arm));
@@ -102,11 +106,12 @@ void BodyContactPoints::add_moving_ends(const ContactLaw& law, const ContactStar
   const ContactTrial trial = this->trial(at, z, radius);
   rates.point = slope;
   if (mode_.moves) rates.velocity = turning_.cross(slope);
-  const Vec3 f = -point.force, along = -ball_force_along(law, start, trial, turned_, rates);
-  const Vec3 touch = z - centre_ - radius * trial.normal,
-             touch_along = slope - radius * trial.curvature * slope;
-  const Vec6 by_force = (Vec6() << f, touch.cross(f)).finished(),
-             change = (Vec6() << along, touch_along.cross(f) + touch.cross(along)).finished();
+  const Vec3 f = -point.force;
+  const Vec3 along = -ball_force_along(law, start, trial, turned_, rates);
+  const Vec3 touch = z - centre_ - radius * trial.normal;
+  const Vec3 touch_along = slope - radius * trial.curvature * slope;
+  const Vec6 by_force = (Vec6() << f, touch.cross(f)).finished();
+  const Vec6 change = (Vec6() << along, touch_along.cross(f) + touch.cross(along)).finished();
   for (const MovingEnd& end : ends)
     K_ += (end.weight * by_force + end.place * change) * end.by_motion.transpose();
 }

@@ -55,7 +55,8 @@ std::optional<BodyContact::Nearest> BodyContact::nearest(const Pair& pair, const
   const Surface& surface = *volumes_[pair.b].surface;
   auto field = distance_to(surface);
   Vec3 y = Vec3::Zero();  // point of A
-  double gap = within, distance = -HUGE_VAL;
+  double gap = within;
+  double distance = -HUGE_VAL;
   volumes_[pair.a].skeleton.features.walk(
       [&](const Vec3& centre, double radius) { return near(pair.b, at.across(centre), radius, gap); },
       [&](const SkeletonPart& p) {
@@ -86,7 +87,8 @@ double BodyContact::resolved_step(const Pair& pair, const PairFrames& at, double
     return h * w <= 2 * M_PI / kStepsAPeriod * (1 + kRounding);
   };
   if (resolves_contact(max_step)) return max_step;
-  double accepted = 1e-4 * max_step, rejected = max_step;
+  double accepted = 1e-4 * max_step;
+  double rejected = max_step;
   for (int k = 0; k < kHalvings && rejected > 1.1 * accepted; ++k) {
     const double h = std::sqrt(accepted * rejected);
     (resolves_contact(h) ? accepted : rejected) = h;
@@ -96,8 +98,8 @@ double BodyContact::resolved_step(const Pair& pair, const PairFrames& at, double
 
 void BodyContact::limit_by(const Pair& p, ImpactEvents& to) const {
   const SkeletonParts& leads = volumes_[p.a].skeleton.features;
-  const double speed = fastest(p, p.frames),
-               reach = std::isfinite(to.max_step) ? speed * to.max_step : HUGE_VAL;
+  const double speed = fastest(p, p.frames);
+  const double reach = std::isfinite(to.max_step) ? speed * to.max_step : HUGE_VAL;
   if (!near(p.b, p.frames.across(leads.centre()), leads.radius(), p.law.smoothing + reach)) return;
   const double time_to_depth = speed > 0 ? std::max(p.max_approach / speed, 1e-6) : HUGE_VAL;
   to.limit(time_to_depth);  // not deeper in one step than at a first touch
@@ -161,13 +163,16 @@ void BodyContact::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
 // Tests corners, edges and balls in the frame of the other body. The radius of a corner is taken as the width
 // of the law's ramp, at least its default.
 bool BodyContact::tunnels(const Pair& pair, const Kinematics& trial) const {
-  const PairFrames &before = pair.frames, now = frames_of(pair, trial);
+  const PairFrames& before = pair.frames;
+  const PairFrames now = frames_of(pair, trial);
   auto field = distance_to(*volumes_[pair.b].surface);
-  const double smoothing = pair.law.smoothing, round = std::max(smoothing, pair.round);
+  const double smoothing = pair.law.smoothing;
+  const double round = std::max(smoothing, pair.round);
   bool through = false;
   volumes_[pair.a].skeleton.features.walk(
       [&](const Vec3& centre, double radius) {
-        const Vec3 from = before.across(centre), to = now.across(centre);
+        const Vec3 from = before.across(centre);
+        const Vec3 to = now.across(centre);
         return !through && near(pair.b, 0.5 * (from + to), radius + 0.5 * (to - from).norm(), smoothing);
       },
       [&](const SkeletonPart& p) {

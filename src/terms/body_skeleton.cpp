@@ -27,7 +27,8 @@ Triangle corners(const MeshView& m, size_t t) { return {m.corner(t, 0), m.corner
 void sharp(const MeshView& m, const std::vector<bool>& active, bool edges, std::vector<SkeletonPart>& parts) {
   std::vector<char> corner(m.vertices.size(), 0);
   for (const auto& [first, second] : sharp_edges(m, active)) {
-    const size_t a = first, b = second;
+    const size_t a = first;
+    const size_t b = second;
     if (edges) parts.push_back({m.vertices[a], m.vertices[b], 0, 1});
     corner[a] = corner[b] = 1;
   }
@@ -44,14 +45,17 @@ void faces(const Triangle& t, double piece, std::vector<SkeletonPart>& points) {
   for (int i = 0; i < n; ++i)
     for (int j = 0; i + j < n; ++j)
       for (int up = 0; up < (i + j + 1 < n ? 2 : 1); ++up) {
-        const double a = (i + (up ? 2.0 : 1.0) / 3) / n, b = (j + (up ? 2.0 : 1.0) / 3) / n;
+        const double a = (i + (up ? 2.0 : 1.0) / 3) / n;
+        const double b = (j + (up ? 2.0 : 1.0) / 3) / n;
         points.push_back(
             SkeletonPart::point(t[0] + a * (t[1] - t[0]) + b * (t[2] - t[0]), 0, area / (n * n)));
       }
 }
 
 void ring(const TorusShape& s, bool edges, std::vector<SkeletonPart>& parts) {
-  const Vec3 axis = s.axis.normalized(), u = axis.unitOrthogonal(), v = axis.cross(u);
+  const Vec3 axis = s.axis.normalized();
+  const Vec3 u = axis.unitOrthogonal();
+  const Vec3 v = axis.cross(u);
   const auto at = [&](int i) {
     const double a = 2 * M_PI * (i % kRing) / kRing;
     return Vec3(s.centre + s.radius * (std::cos(a) * u + std::sin(a) * v));
@@ -61,7 +65,8 @@ void ring(const TorusShape& s, bool edges, std::vector<SkeletonPart>& parts) {
 
 // The rims of a tube are rings of half the wall.
 void rims(const TubeShape& s, bool edges, std::vector<SkeletonPart>& parts) {
-  const TubePiece first = tube_pieces(s).front(), last = tube_pieces(s).back();
+  const TubePiece first = tube_pieces(s).front();
+  const TubePiece last = tube_pieces(s).back();
   const double half = 0.5 * s.wall_thickness;
   ring({first.from, first.direction, s.middle_radius(), half}, edges, parts);
   ring({last.point(last.length), last.tangent(last.length), s.middle_radius(), half}, edges, parts);

@@ -174,16 +174,18 @@ void AxisContact::add_to_moving_ends(const ContactLaw& law, Sample& p, const Qua
     p.rates.velocity =
         R_inverse_ * (shape_.velocity_slope(p.xi) - pose_.angular_velocity.cross(shape_.slope(p.xi)));
   if (rolls_) p.rates.roll = rolls_->ends[1].angle - rolls_->ends[0].angle;
-  const Vec3 along = contact_force_along(law, p.begin, p.trial, p.rates), slope = -(R_ * along);
+  const Vec3 along = contact_force_along(law, p.begin, p.trial, p.rates);
+  const Vec3 slope = -(R_ * along);
   const Vec3 arm_along = -p.trial.lever * (p.rates.start_tangent.cross(p.trial.normal) +
                                            p.begin.tangent.cross(p.trial.curvature * p.rates.point));
-  const double torque = p.torque(), torque_along = -(arm_along.dot(p.contact.force) + p.arm().dot(along));
+  const double torque = p.torque();
+  const double torque_along = -(arm_along.dot(p.contact.force) + p.arm().dot(along));
   const AxisShape::Weights dH = shape_.derivatives(p.xi);
   const std::array<double, 2> N{1 - p.xi, p.xi};
   for (size_t i = 0; i < 2; ++i) {
     if (!ends[i].touches) continue;
-    const double by_length = q.in_panel.length_by_end(i == 1),
-                 by_xi = span * q.in_panel.weight * q.in_panel.xi_by_end(i == 1);
+    const double by_length = q.in_panel.length_by_end(i == 1);
+    const double by_xi = span * q.in_panel.weight * q.in_panel.xi_by_end(i == 1);
     for (size_t j = 0; j < n_; ++j)
       ends[i].force[j] += L * ((by_length * p.H[j] + by_xi * dH[j]) * p.residual + by_xi * p.H[j] * slope);
     for (size_t j = 0; j < 2 && rolls_; ++j)
@@ -195,7 +197,8 @@ void AxisContact::add_to_moving_ends(const ContactLaw& law, Sample& p, const Qua
 // A roll by da moves the line's surface by arm da, so the force f on the line does the work arm . f da, and
 // the residual of the roll is -arm . f. It acts on the ends about the axes `about_`.
 void AxisContact::add_rolling(const Sample& p, const Mat3& by_point) {
-  const double w = p.weight, torque = p.torque();
+  const double w = p.weight;
+  const double torque = p.torque();
   const AxisShape::Weights& H = p.H;
   const std::array<double, 2> N{1 - p.xi, p.xi};
   const Vec3 arm = p.arm();

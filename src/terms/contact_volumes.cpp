@@ -39,7 +39,8 @@ ActiveInterval ContactVolumes::takes_part(int line, int volume, double from, dou
       std::lower_bound(excluded_ends_.begin(), excluded_ends_.end(), key,
                        [](const ExcludedEnds& l, auto k) { return std::pair(l.line, l.volume) < k; });
   if (excluded == excluded_ends_.end() || std::pair(excluded->line, excluded->volume) != key) return {};
-  const double end = mesh_.mesh->lines[line].length - excluded->end_b, span = to - from;
+  const double end = mesh_.mesh->lines[line].length - excluded->end_b;
+  const double span = to - from;
   // A single point, or an interval.
   if (!(span > 0)) return from >= excluded->end_a && from <= end ? ActiveInterval{} : ActiveInterval{1, 0};
   return {std::max(0.0, (excluded->end_a - from) / span), std::min(1.0, (end - from) / span)};

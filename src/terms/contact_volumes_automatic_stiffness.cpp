@@ -50,7 +50,8 @@ void ContactVolumes::raise_to(int volume, double stiffness) {
 void ContactVolumes::require(int volume, const NormalLaw& law, const PressedPoint& p, double step,
                              std::vector<double>& wanted) const {
   const size_t k = volume;
-  const double now = volumes_[k].settings.normal_stiffness, given = volumes_[k].settings.allowed_penetration;
+  const double now = volumes_[k].settings.normal_stiffness;
+  const double given = volumes_[k].settings.allowed_penetration;
   const double allowed = given > 0 ? given : kAllowed * p.radius;
   if (p.held) return;
   double demand = 0;

@@ -49,7 +49,8 @@ bool ContactVolumes::refresh_couplings(const Kinematics& from, double h, double 
   for (const LocalElement& e : mesh_.elements) {
     if (!e.counted) continue;
     const Element& g = mesh_.element(e);
-    const size_t a = e.first, b = e.second;
+    const size_t a = e.first;
+    const size_t b = e.second;
     const Vec3 middle = 0.5 * (from.x[a] + from.x[b]);
     for (size_t k = 0; k < volumes_.size(); ++k) {
       const ContactVolume& v = volumes_[k];

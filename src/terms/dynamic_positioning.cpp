@@ -59,9 +59,11 @@ Vec3 DynamicPositioning::offset(const Positioned& p, const Vec3& pose) {
 // a, b, c: by_place, by_speed, by_sum; L: derivative of the limits; J F is multiplied by a as well.
 DynamicPositioning::Push DynamicPositioning::push(const model::DynamicPositioning& data,
                                                   const Deviation& deviation, int alone) {
-  const Mat3 H = heading_axes(deviation.heading), J = hat(Vec3::UnitZ());
-  const Vec3 e = H.transpose() * deviation.offset, rate = H.transpose() * deviation.speed,
-             sum = H.transpose() * deviation.sum;
+  const Mat3 H = heading_axes(deviation.heading);
+  const Mat3 J = hat(Vec3::UnitZ());
+  const Vec3 e = H.transpose() * deviation.offset;
+  const Vec3 rate = H.transpose() * deviation.speed;
+  const Vec3 sum = H.transpose() * deviation.sum;
   const auto by_gains = [&](const Vec3& P, const Vec3& D, const Vec3& I) -> Vec3 {
     return P.cwiseProduct(data.proportional) + D.cwiseProduct(data.derivative) +
            I.cwiseProduct(data.integral);
@@ -70,12 +72,14 @@ DynamicPositioning::Push DynamicPositioning::push(const model::DynamicPositionin
   out.asked = -by_gains(e, rate, sum);
   Vec3 given = out.asked;
   Mat3 limit = Mat3::Identity();
-  const Eigen::Vector2d inverse_limit = data.max_force.cwiseInverse(), plane = out.asked.head<2>();
+  const Eigen::Vector2d inverse_limit = data.max_force.cwiseInverse();
+  const Eigen::Vector2d plane = out.asked.head<2>();
   const double size = plane.cwiseProduct(inverse_limit).norm();
   out.force_limited = size > kOnEllipse;
   out.moment_limited = std::abs(out.asked.z()) > data.max_moment;
   if (out.force_limited) {
-    const Eigen::Vector2d along = plane / size, across = along.cwiseProduct(inverse_limit.cwiseAbs2());
+    const Eigen::Vector2d along = plane / size;
+    const Eigen::Vector2d across = along.cwiseProduct(inverse_limit.cwiseAbs2());
     given.head<2>() = along;
     limit.topLeftCorner<2, 2>() = (Eigen::Matrix2d::Identity() - along * across.transpose()) / size;
   }
@@ -86,8 +90,8 @@ DynamicPositioning::Push DynamicPositioning::push(const model::DynamicPositionin
   if (out.force_limited && alone >= 0) {
     const int other = 1 - alone;
     const double fraction = std::clamp(plane[other] * inverse_limit[other], -1.0, 1.0);
-    const double remaining = std::sqrt(1 - fraction * fraction),
-                 end = std::copysign(1 / inverse_limit[alone], plane[alone]);
+    const double remaining = std::sqrt(1 - fraction * fraction);
+    const double end = std::copysign(1 / inverse_limit[alone], plane[alone]);
     given[other] = fraction / inverse_limit[other];
     given[alone] = remaining * end;
     limit.topLeftCorner<2, 2>().setZero();
@@ -162,7 +166,8 @@ std::vector<BodyForce> DynamicPositioning::forces_on(int body, const Kinematics&
   std::vector<BodyForce> out;
   for (const Positioned& p : list_) {
     if (p.body != body) continue;
-    const Vec3 f = push(p, state).force, force(f.x(), f.y(), 0);
+    const Vec3 f = push(p, state).force;
+    const Vec3 force(f.x(), f.y(), 0);
     out.push_back({force, (floating_state(state, p.node).q * p.arm).cross(force) + Vec3(0, 0, f.z())});
   }
   return out;
@@ -197,7 +202,8 @@ void DynamicPositioning::evaluate(const Kinematics& trial, Assembler& assembler)
     const RigidBodyState s = floating_state(trial, p.node);
     const FramePoint at{p.arm, s.q.toRotationMatrix(), Vec3::Zero()};
     const Push now = push(p, trial);
-    const Vec3 pull(-now.force.x(), -now.force.y(), 0), up = at.R.transpose().col(2);
+    const Vec3 pull(-now.force.x(), -now.force.y(), 0);
+    const Vec3 up = at.R.transpose().col(2);
     Eigen::Matrix<double, 6, 3> P = Eigen::Matrix<double, 6, 3>::Zero();
     P.topLeftCorner<2, 2>().setIdentity();
     P.col(0).tail<3>() = at.moment(Vec3::UnitX());
@@ -222,7 +228,8 @@ void DynamicPositioning::commit(const Kinematics& accepted) {
     if (!accepted.moves()) {
       const Mat3 H = heading_axes(pose.z());
       Vec3 sum = Vec3::Zero();
-      const Vec3 e = H.transpose() * offset(p, pose), given = H.transpose() * now.force;
+      const Vec3 e = H.transpose() * offset(p, pose);
+      const Vec3 given = H.transpose() * now.force;
       for (int k = 0; statics_ && k < 3; ++k)
         if (p.data.integral[k] > 0) sum[k] = -(given[k] + p.data.proportional[k] * e[k]) / p.data.integral[k];
       p.integral = H * sum;

@@ -64,13 +64,15 @@ std::array<AttachedNow, 2> EndSprings::directions(const EndSpring& s, const Kine
 void EndSprings::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const EndSpring& s : springs_) {
     const auto [tangent, direction] = directions(s, trial);
-    const Vec3 &t = tangent.x, &d = direction.x;
+    const Vec3& t = tangent.x;
+    const Vec3& d = direction.x;
     const Angle a = angle(t.cross(d).norm(), t.dot(d));
     // W(c) with c = t.d: dW = W' (d.dt + t.dd).
     Vec6 f, g;
     g << d, t;
     f = s.stiffness * a.first * g;
-    Mat6 K = s.stiffness * a.second * g * g.transpose(), exchange = Mat6::Zero();
+    Mat6 K = s.stiffness * a.second * g * g.transpose();
+    Mat6 exchange = Mat6::Zero();
     exchange.topRightCorner<3, 3>().setIdentity();
     exchange.bottomLeftCorner<3, 3>().setIdentity();
     K += s.stiffness * a.first * exchange;
@@ -103,7 +105,8 @@ void EndSprings::commit(const Kinematics& accepted) {
   if (before_.empty()) return;
   holds(accepted, now_);
   for (size_t i = 0; i < now_.size(); ++i) {
-    const Hold &a = before_[i], &b = now_[i];
+    const Hold& a = before_[i];
+    const Hold& b = now_[i];
     work_[driven_[i]] += 0.5 * (a.moment + b.moment).dot(log_so3(a.rotation.conjugate() * b.rotation));
   }
 }

@@ -36,7 +36,8 @@ double chord(const Kinematics& state, const LocalElement& e) {
 }
 
 BeamFeed feed_of_beam(const Feeder& f, const Kinematics& state, const LocalElement& e, double length) {
-  const size_t i = e.first, j = e.second;
+  const size_t i = e.first;
+  const size_t j = e.second;
   BeamSection s = f.beam_section;
   s.length = length;
   BeamReference r;
@@ -159,7 +160,8 @@ FeedPoint Feeders::feed_point(const Feeder& f, const Kinematics& state) const {
                                     f.feed.min_tension, f.feed.max_tension},
                                    f.length, h);
   FeedPoint m{fed.length, (fed.length - f.length) / h, 0, 0, fed.length_by_force};
-  const size_t i = e->first, j = e->second;
+  const size_t i = e->first;
+  const size_t j = e->second;
   const double l = chord(state, *e);
   if (!(l > 0)) return m;
   const double parts = (state.x[j] - state.x[i]).dot(state.v[j] - state.v[i]) / l;
@@ -229,8 +231,8 @@ std::vector<int> Feeders::fed_nodes() const {
 
 Feeders::Flow Feeders::flow(const FeedPoint& m, const Kinematics& state, const LocalElement& e,
                             LineEnd line_end) const {
-  const size_t i = line_end == LineEnd::B ? e.second : e.first,
-               j = line_end == LineEnd::B ? e.first : e.second;
+  const size_t i = line_end == LineEnd::B ? e.second : e.first;
+  const size_t j = line_end == LineEnd::B ? e.first : e.second;
   Flow o;
   const double rate = m.speed / m.length;
   o.chord = state.x[j] - state.x[i];
@@ -276,11 +278,13 @@ void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
       continue;
     }
     const MassShares mass = mass_shares(f.beam);
-    const double rate = m.speed / m.length, held = f.mass_per_length * m.length * mass.diagonal,
-                 off_diagonal = f.mass_per_length * m.length * mass.off_diagonal;
+    const double rate = m.speed / m.length;
+    const double held = f.mass_per_length * m.length * mass.diagonal;
+    const double off_diagonal = f.mass_per_length * m.length * mass.off_diagonal;
     // Derivatives of the acceleration by position and velocity of the free node. Those by the other node have
     // the opposite sign.
-    const double by_x = m.acceleration / m.length - 2 * rate * rate, by_v = 2 * rate;
+    const double by_x = m.acceleration / m.length - 2 * rate * rate;
+    const double by_v = 2 * rate;
     const double released = f.mass_per_length * m.speed * rate;
     Mat6 K = Mat6::Zero(), C = Mat6::Zero();
     const auto put = [](Mat6& to, int i, double value) {
@@ -313,14 +317,16 @@ void Feeders::element_force(const Kinematics& state, const LocalElement& e, Vec1
 double Feeders::power(const Feeder& f, const Kinematics& state, const LocalElement& e) const {
   const FeedPoint m = feed_point(f, state);
   if (m.speed == 0) return 0;
-  const size_t i = f.line_end == LineEnd::B ? e.second : e.first,
-               j = f.line_end == LineEnd::B ? e.first : e.second;
+  const size_t i = f.line_end == LineEnd::B ? e.second : e.first;
+  const size_t j = f.line_end == LineEnd::B ? e.first : e.second;
   const Flow o = flow(m, state, e, f.line_end);
-  const double mass = f.mass_per_length, rate = m.speed / m.length;
+  const double mass = f.mass_per_length;
+  const double rate = m.speed / m.length;
   const auto [diagonal, off_diagonal] = mass_shares(f.beam);
   const Vec3 inertia =
       mass * m.length * (diagonal * (state.a[i] + o.acceleration) + off_diagonal * state.a[j]);
-  const Vec3 &v = o.velocity, &w = state.v[j];
+  const Vec3& v = o.velocity;
+  const Vec3& w = state.v[j];
   return rate * o.chord.dot(inertia) +
          mass * m.speed *
              (1.5 * diagonal * v.squaredNorm() + (2 * off_diagonal - diagonal) * v.dot(w) +
@@ -356,7 +362,8 @@ void Feeders::commit(const Kinematics& accepted) {
   for (size_t k = 0; k < feeders_.size(); ++k) {
     Feeder& f = feeders_[k];
     const FeedPoint m = feed_point(f, accepted);
-    const double h = accepted.time - f.time, before = f.length;
+    const double h = accepted.time - f.time;
+    const double before = f.length;
     const LocalElement* e = at_feed_point(f);
     if (f.feed.has_band() && h > 0 && e) f.resting = rests(f, m, accepted, *e);
     f.length = m.length;
@@ -382,7 +389,8 @@ double Feeders::passed_through(std::span<const double> pulls, double h) const {
 // Work of the weight of the element at the feed point from the origin to its place, J.
 double Feeders::load_work(const Feeder& f, const Kinematics& state, const LocalElement& e,
                           double length) const {
-  const size_t i = e.first, j = e.second;
+  const size_t i = e.first;
+  const size_t j = e.second;
   if (!f.beam) return 0.5 * length * f.weight.dot(state.x[i] + state.x[j]);
   const MassSection s{length, f.mass_per_length};
   return beam_load_work(s, state.x[i], state.q[i], state.x[j], state.q[j], f.weight);
@@ -396,9 +404,11 @@ Energy Feeders::energy(const Kinematics& state) const {
     const LocalElement* e = at_feed_point(f);
     if (!e || !e->counted) continue;
     const FeedPoint m = feed_point(f, state);
-    const size_t i = f.line_end == LineEnd::B ? e->second : e->first,
-                 j = f.line_end == LineEnd::B ? e->first : e->second;
-    const Vec3 v = flow(m, state, *e, f.line_end).velocity, &held = state.v[i], &w = state.v[j];
+    const size_t i = f.line_end == LineEnd::B ? e->second : e->first;
+    const size_t j = f.line_end == LineEnd::B ? e->first : e->second;
+    const Vec3 v = flow(m, state, *e, f.line_end).velocity;
+    const Vec3& held = state.v[i];
+    const Vec3& w = state.v[j];
     const auto [diagonal, off_diagonal] = mass_shares(f.beam);
     out.kinetic += f.mass_per_length * m.length *
                    (0.5 * diagonal * (v.squaredNorm() - held.squaredNorm()) + off_diagonal * w.dot(v - held));

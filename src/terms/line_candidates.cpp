@@ -148,13 +148,15 @@ SweptAxis LineCandidates::at_rest(int element) const {
 
 // Bézier points of the axis, Hermite's cubic (kernels/axis_shape.hpp), after a time h at the present rates.
 std::array<Vec3, 4> LineCandidates::axis(const LocalElement& e, const Kinematics& state, double h) const {
-  const size_t i = e.first, j = e.second;
+  const size_t i = e.first;
+  const size_t j = e.second;
   const Element& element = mesh_.element(e);
   const bool moves = h > 0;
   const auto place = [&](size_t n) -> Vec3 {
     return moves ? Vec3(state.x[n] + h * state.v[n] + (0.5 * h * h) * state.a[n]) : state.x[n];
   };
-  const Vec3 a = place(i), b = place(j);
+  const Vec3 a = place(i);
+  const Vec3 b = place(j);
   if (!element.beam) return BezierAxis::straight(a, b).b;
   const double length = at_feeder(e.global) ? (b - a).norm() : element.length;
   const auto tangent = [&](size_t n) -> Vec3 {
@@ -172,7 +174,9 @@ bool LineCandidates::holds(const Kinematics& state, double h, double tau) const 
   for (size_t i = 0; i < local_.size(); ++i) {
     const SweptAxis& s = built_[i];
     const std::array<Vec3, 4> p = axis(local_[i], state, h);
-    const double skin_i = skin(s.element), limit = skin_i * skin_i, bend = 4 * tau * (1 - tau);
+    const double skin_i = skin(s.element);
+    const double limit = skin_i * skin_i;
+    const double bend = 4 * tau * (1 - tau);
     for (size_t k = 0; k < 4; ++k) {
       const Vec3 d = p[k] - s.from[k] - tau * (s.to[k] - s.from[k]) - bend * bend_[i][k];
       if (!(d.squaredNorm() <= limit)) return false;
@@ -260,10 +264,12 @@ std::vector<std::pair<int, int>> LineCandidates::search() const {
   const auto axis_of = [&](size_t i) { return i < local_count ? &built_[i] : &others[i - local_count]; };
   std::vector<std::pair<int, int>> out;
   for (const auto& [first, second] : overlapping_pairs(boxes)) {
-    const size_t i = first, j = second;
+    const size_t i = first;
+    const size_t j = second;
     if (i >= local_count) continue;  // pairs are ordered, so the second one is of another rank, too
     if (j - i <= excluded_after_[i]) continue;
-    const SweptAxis *p = axis_of(i), *q = axis_of(j);
+    const SweptAxis* p = axis_of(i);
+    const SweptAxis* q = axis_of(j);
     if (p->element > q->element) std::swap(p, q);  // so that all ranks compute identical results
     if (!excluded(*p, *q) && near(middle(*p), middle(*q))) out.emplace_back(p->element, q->element);
   }
@@ -294,7 +300,8 @@ bool LineCandidates::excluded(const SweptAxis& p, const SweptAxis& q) const {
 
 void LineCandidates::list_couplings(Couplings& to) const {
   for (const auto& [a, b] : list_) {
-    const Element &p = mesh_.mesh->element(a), &q = mesh_.mesh->element(b);
+    const Element& p = mesh_.mesh->element(a);
+    const Element& q = mesh_.mesh->element(b);
     to.add({p.first, p.second}, {q.first, q.second});
   }
 }

@@ -85,12 +85,14 @@ std::vector<std::vector<double>> exchange(MPI_Comm comm, int tag, const std::vec
 }  // namespace
 
 std::vector<SweptAxis> LineCandidates::from_others(std::span<const Box> boxes) const {
-  const int size = ranks_of(comm_), rank = rank_of(comm_);
+  const int size = ranks_of(comm_);
+  const int rank = rank_of(comm_);
   if (size == 1) return {};
   const std::vector<SweptAxis>& axes = built_;
   const std::vector<Box> chunks = chunks_of(axes, boxes);
   std::vector<Box> regions = regions_of(chunks);
-  std::vector<double> local_regions, all(kBox * kRegions * static_cast<size_t>(size));
+  std::vector<double> local_regions;
+  std::vector<double> all(kBox * kRegions * static_cast<size_t>(size));
   regions.resize(kRegions);
   for (const Box& b : regions) append(local_regions, b);
   constexpr int kNumbers = static_cast<int>(kBox * kRegions);

@@ -13,7 +13,8 @@ namespace hawser {
 namespace {
 
 MassEnds ends(const LineMass::MassElement& p, const Kinematics& k) {
-  const size_t i = p.element.first, j = p.element.second;
+  const size_t i = p.element.first;
+  const size_t j = p.element.second;
   const bool given = !k.directors.empty();
   return {k.a[i],
           k.a[j],
@@ -31,7 +32,8 @@ MassEnds ends(const LineMass::MassElement& p, const Kinematics& k) {
 }
 
 double load_work(const LineMass::MassElement& p, const Kinematics& k, const Vec3& load) {
-  const size_t i = p.element.first, j = p.element.second;
+  const size_t i = p.element.first;
+  const size_t j = p.element.second;
   if (p.beam) return beam_load_work(p.section, k.x[i], k.q[i], k.x[j], k.q[j], load);
   return 0.5 * p.section.length * load.dot(k.x[i] + k.x[j]);
 }
@@ -58,7 +60,8 @@ LineMass::Built LineMass::build(const LocalMesh& mesh, const model::Case& c) {
     p.section = {g.length, t.mass_per_length, t.rotary_inertia};
     p.load = Vec3(0, 0, -c.environment.gravity * t.mass_per_length);
     p.first_ramped = static_cast<int>(out.ramped.size());
-    const double from = mesh.mesh->node(g.first).arc, to = from + g.length;
+    const double from = mesh.mesh->node(g.first).arc;
+    const double to = from + g.length;
     for (const auto& l : c.lines[g.line].loads) {
       const double end = l.to < 0 ? mesh.mesh->lines[g.line].length : l.to;
       const double overlap = std::min(to, end) - std::max(from, l.from);
@@ -89,10 +92,12 @@ void LineMass::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const MassElement& p : pieces_) {
     if (p.idle) continue;
     const Vec3 w = load(p, trial.time);
-    const int a = mesh_.block[p.element.first], b = mesh_.block[p.element.second],
-              blocks[] = {a, a + 1, b, b + 1};
+    const int a = mesh_.block[p.element.first];
+    const int b = mesh_.block[p.element.second];
+    const int blocks[] = {a, a + 1, b, b + 1};
     if (!p.beam) {
-      const size_t i = p.element.first, j = p.element.second;
+      const size_t i = p.element.first;
+      const size_t j = p.element.second;
       Vec6 f;
       cable_mass_force(p.section, trial.a[i], trial.a[j], w, f);
       const CableMass m = cable_mass(p.section);
@@ -189,7 +194,8 @@ Energy LineMass::energy(const Kinematics& state) const {
   Energy e;
   for (const MassElement& p : pieces_) {
     if (!p.element.counted || p.idle) continue;
-    const size_t i = p.element.first, j = p.element.second;
+    const size_t i = p.element.first;
+    const size_t j = p.element.second;
     e.kinetic += p.beam ? beam_kinetic_energy(p.section, ends(p, state))
                         : cable_kinetic_energy(p.section, state.v[i], state.v[j]);
     e.potential -= load_work(p, state, p.load);

@@ -14,8 +14,11 @@ double largest_depth_of(const std::vector<LinePairContactPoint>& points) {
     if (points[i].gap < points[deepest].gap) deepest = i;
   if (points.size() < 3) return -points[deepest].gap;
   const size_t first = std::min(deepest > 0 ? deepest - 1 : 0, points.size() - 3);
-  const LinePairContactPoint &a = points[first], &b = points[first + 1], &c = points[first + 2];
-  const double ab = (b.gap - a.gap) / (b.xi - a.xi), bc = (c.gap - b.gap) / (c.xi - b.xi);
+  const LinePairContactPoint& a = points[first];
+  const LinePairContactPoint& b = points[first + 1];
+  const LinePairContactPoint& c = points[first + 2];
+  const double ab = (b.gap - a.gap) / (b.xi - a.xi);
+  const double bc = (c.gap - b.gap) / (c.xi - b.xi);
   const double curve = (bc - ab) / (c.xi - a.xi);
   const bool joined = a.to >= b.from && b.to >= c.from;
   if (!joined || !(curve > 0)) return -points[deepest].gap;
@@ -80,7 +83,8 @@ void LinePairs::prepare(const Kinematics& from, double) {
     p.trial = nullptr;
     p.range_a = p.range_b = {0, 1};
     shared_.clip(p.key.first, p.key.second, p.range_a, p.range_b);
-    const Rod &a = rods_[p.a], &b = rods_[p.b];
+    const Rod& a = rods_[p.a];
+    const Rod& b = rods_[p.b];
     p.chords = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2);
     p.clear = p.chords.distance - a.sagitta - b.sagitta - p.law.radii - p.law.normal.smoothing;
   }
@@ -104,7 +108,8 @@ bool LinePairs::met(const Pair& p, const std::vector<Rod>& moved) const {
 
 bool LinePairs::near(const Pair& p, const std::vector<Rod>& moved) const {
   if (!met(p, moved)) return false;
-  const Rod &a = moved[p.a], &b = moved[p.b];
+  const Rod& a = moved[p.a];
+  const Rod& b = moved[p.b];
   return closest_points_of_segments(a.x1, a.x2, b.x1, b.x2).distance - a.sagitta - b.sagitta <
          p.law.radii + p.law.normal.smoothing;
 }
@@ -120,7 +125,8 @@ void LinePairs::each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B
   s.convex = convex;
   for (size_t k = 0; k < kPasses; ++k) {
     const auto [swapped, target] = kPassKinds[k];
-    const int master = swapped ? pair.a : pair.b, slave = swapped ? pair.b : pair.a;
+    const int master = swapped ? pair.a : pair.b;
+    const int slave = swapped ? pair.b : pair.a;
     if (!kPassKinds[k].on_element() && !joint(segment(master), target == ProjectOn::second_end)) continue;
     s.range = swapped ? pair.range_b : pair.range_a;
     if (!(s.range[0] < s.range[1])) continue;
@@ -167,7 +173,8 @@ void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
   const std::vector<Rod> moved = rods(trial);
   for (Pair& pair : pairs_) {
     if (!near(pair, moved)) continue;
-    const PairAxis A = axis(trial, pair.a), B = axis(trial, pair.b);
+    const PairAxis A = axis(trial, pair.a);
+    const PairAxis B = axis(trial, pair.b);
     Trial& in_trial = find(pair, A, B);
     if (!in_trial.active) continue;
     const AttachedForces g = forces(pair, A, B, in_trial, mode);
@@ -197,7 +204,8 @@ void LinePairs::commit(const Kinematics& accepted) {
   const bool moves = accepted.moves();
   for (Pair& pair : pairs_) {
     if (!near(pair, moved) && !pair.points) continue;
-    const PairAxis A = axis(accepted, pair.a), B = axis(accepted, pair.b);
+    const PairAxis A = axis(accepted, pair.a);
+    const PairAxis B = axis(accepted, pair.b);
     Trial& t = find(pair, A, B);
     if (!t.evaluated || t.moves != moves || !t.a.same_motion(A.now) || !t.b.same_motion(B.now))
       forces(pair, A, B, t, {moves});
@@ -229,14 +237,16 @@ void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, 
   };
   for (size_t k = 0; k < kPasses; ++k) {
     const bool swapped = kPassKinds[k].swapped;
-    const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
-    const int a = swapped ? pair.b : pair.a, b = swapped ? pair.a : pair.b;
+    const PairAxis& slave = swapped ? B : A;
+    const PairAxis& master = swapped ? A : B;
+    const int a = swapped ? pair.b : pair.a;
+    const int b = swapped ? pair.a : pair.b;
     const double slave_weight = type_of_segment(a).radius / pair.law.radii;
     const auto add = [&](const LinePairContactPoint& h, bool step_end) {
-      const double xi = step_end ? h.xi : material_of_start(a, slave, h.xi),
-                   eta = step_end ? h.eta : material_of_start(b, master, h.eta);
-      const Vec3 between_before = slave.start.point(xi) - master.start.point(eta),
-                 between_now = slave.now.point(xi) - master.now.point(eta);
+      const double xi = step_end ? h.xi : material_of_start(a, slave, h.xi);
+      const double eta = step_end ? h.eta : material_of_start(b, master, h.eta);
+      const Vec3 between_before = slave.start.point(xi) - master.start.point(eta);
+      const Vec3 between_now = slave.now.point(xi) - master.now.point(eta);
       const Mat3 turned = slave_weight * turn(slave, xi) + (1 - slave_weight) * turn(master, eta);
       // The lever of the couple is the vector between the axes while the force acts.
       const Vec3 moved = step_end ? Vec3(turned.transpose() * between_now - between_before)
@@ -264,7 +274,8 @@ Energy LinePairs::energy(const Kinematics& state) const {
       continue;
     }
     if (!near(p, moved)) continue;
-    const PairAxis A = axis(state, p.a), B = axis(state, p.b);
+    const PairAxis A = axis(state, p.a);
+    const PairAxis B = axis(state, p.b);
     each_pass(p, A, B, false, false,
               [&](size_t, const LinePairPass& pass) { e.strain += pass.potential(pass.panels()); });
   }

@@ -51,7 +51,8 @@ std::vector<CheckpointRecord> LinePairs::checkpoint_records(NodeRange range) con
   std::map<int, int> number;  // number of records at a node
   for (const Pair& p : pairs_) {
     if (!p.points) continue;
-    const ContactSegment &a = segment(p.a), &b = segment(p.b);
+    const ContactSegment& a = segment(p.a);
+    const ContactSegment& b = segment(p.b);
     const std::array nodes{a.first, a.second, b.first, b.second};
     if (std::none_of(nodes.begin(), nodes.end(), wanted)) continue;
     CheckpointRecord r;

@@ -44,8 +44,10 @@ double LinePairs::fed_work(const Pair& pair, const PairAxis& A, const PairAxis& 
   double work = 0;
   for (size_t k = 0; k < kPasses; ++k) {
     const bool swapped = kPassKinds[k].swapped;
-    const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
-    const int a = swapped ? pair.b : pair.a, b = swapped ? pair.a : pair.b;
+    const PairAxis& slave = swapped ? B : A;
+    const PairAxis& master = swapped ? A : B;
+    const int a = swapped ? pair.b : pair.a;
+    const int b = swapped ? pair.a : pair.b;
     const auto add = [&](const LinePairContactPoint& h, bool step_end) {
       const Vec3 force = h.friction + h.damping_force * h.normal;
       work -= 0.5 * h.weight *

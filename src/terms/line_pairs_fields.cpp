@@ -22,7 +22,8 @@ void LinePairs::active_contacts(ActiveContacts& out) const {
   };
   for (const Pair& pair : pairs_) {
     if (!pair.counted || !pair.points) continue;
-    const ContactSegment &a = segment(pair.a), &b = segment(pair.b);
+    const ContactSegment& a = segment(pair.a);
+    const ContactSegment& b = segment(pair.b);
     ActiveContact t;
     t.line = a.element.line;
     t.other_line = b.element.line;
@@ -30,9 +31,12 @@ void LinePairs::active_contacts(ActiveContacts& out) const {
     t.to = t.other_to = -HUGE_VAL;
     for (size_t k = 0; k < kPasses; ++k) {
       const bool swapped = kPassKinds[k].swapped;
-      const ContactSegment &slave = swapped ? b : a, &master = swapped ? a : b;
-      double &from = swapped ? t.other_from : t.from, &to = swapped ? t.other_to : t.to;
-      double &foot_from = swapped ? t.from : t.other_from, &foot_to = swapped ? t.to : t.other_to;
+      const ContactSegment& slave = swapped ? b : a;
+      const ContactSegment& master = swapped ? a : b;
+      double& from = swapped ? t.other_from : t.from;
+      double& to = swapped ? t.other_to : t.to;
+      double& foot_from = swapped ? t.from : t.other_from;
+      double& foot_to = swapped ? t.to : t.other_to;
       const auto& points = (*pair.points)[k];
       for (const LinePairContactPoint& h : points) {
         extend(from, to, arc(slave, h.from));
@@ -84,7 +88,8 @@ void LinePairs::fields(FieldRegistry& registry) const {
         };
         for (const Pair& p : pairs_) {
           if (!p.points) continue;
-          const ContactSegment &a = segment(p.a), &b = segment(p.b);
+          const ContactSegment& a = segment(p.a);
+          const ContactSegment& b = segment(p.b);
           for (size_t k = 0; k < kPasses; ++k)
             for (const LinePairContactPoint& h : (*p.points)[k]) {
               put(kPassKinds[k].swapped ? b : a, h.xi, 1, h);

@@ -49,7 +49,8 @@ LinePairs::LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LinePairT
 LinePairLaw LinePairs::law(int segment_a, int segment_b) const {
   const auto tuned = options_.tuned.find(ordered(line_of_segment(segment_a), line_of_segment(segment_b)));
   const model::LinePairSettings& s = tuned == options_.tuned.end() ? options_.general : tuned->second;
-  const LinePairType &A = type_of_segment(segment_a), &B = type_of_segment(segment_b);
+  const LinePairType& A = type_of_segment(segment_a);
+  const LinePairType& B = type_of_segment(segment_b);
   const double diameter = A.radius + B.radius;  // the mean of the two
   LinePairLaw law;
   law.radii = A.radius + B.radius;

@@ -49,7 +49,10 @@ Verdict LinePairs::check_step(const Kinematics& trial) const {
 
 // True if an axis passes through the other, or nearly does, from the start of the step to the trial.
 bool LinePairs::tunnels(const Pair& p, const Kinematics& trial) const {
-  const AxisShape a0(start(p.a)), b0(start(p.b)), a1(ends(trial, p.a)), b1(ends(trial, p.b));
+  const AxisShape a0(start(p.a));
+  const AxisShape b0(start(p.b));
+  const AxisShape a1(ends(trial, p.a));
+  const AxisShape b1(ends(trial, p.b));
   ApproachLimits limits;
   if (trial.moves()) {
     limits.min_distance = kThrough * p.law.radii;
@@ -85,13 +88,15 @@ double LinePairs::acceleration(const Pair& p, const Kinematics& state) const {
 
 // Effective mass of the two lines, kg/m.
 double LinePairs::mass_per_length(const Pair& p) const {
-  const double a = type_of_segment(p.a).mass_per_length, b = type_of_segment(p.b).mass_per_length;
+  const double a = type_of_segment(p.a).mass_per_length;
+  const double b = type_of_segment(p.b).mass_per_length;
   return a * b / (a + b);
 }
 
 // 1/omega of the effective mass on the contact, s.
 double LinePairs::inverse_frequency(const Pair& p, double speed) const {
-  const double m = mass_per_length(p), depth = largest_depth(p);
+  const double m = mass_per_length(p);
+  const double depth = largest_depth(p);
   return std::sqrt(m / stiffness_of_impact(p.law.normal, depth, m, speed));
 }
 
@@ -105,17 +110,20 @@ double LinePairs::mass(const Pair& p) const {
 void LinePairs::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
   const std::vector<Rod> moved = rods(trial);
   for (const Pair& p : pairs_) {
-    const double slow = inverse_frequency(p, 0), ramp = p.law.normal.smoothing;
+    const double slow = inverse_frequency(p, 0);
+    const double ramp = p.law.normal.smoothing;
     if (!p.counted || clipped(p) || resolves_contact(slow, trial.step) || (!p.points && !near(p, moved)))
       continue;
-    const AxisEnds a = ends(trial, p.a), b = ends(trial, p.b);
-    const Nearest before = nearest_at_start(p),
-                  after = nearest(p, closest_points_of_segments(a.x1, a.x2, b.x1, b.x2), a, b);
+    const AxisEnds a = ends(trial, p.a);
+    const AxisEnds b = ends(trial, p.b);
+    const Nearest before = nearest_at_start(p);
+    const Nearest after = nearest(p, closest_points_of_segments(a.x1, a.x2, b.x1, b.x2), a, b);
     const double speed = std::max(std::abs(before.speed), std::abs(after.speed));
     if (!(speed * slow > 2 * ramp)) continue;
-    const double m = mass(p), k = m / (slow * slow),
-                 depth = std::max(ramp - std::min(before.gap, after.gap), 0.0),
-                 path = std::abs(after.gap - before.gap);
+    const double m = mass(p);
+    const double k = m / (slow * slow);
+    const double depth = std::max(ramp - std::min(before.gap, after.gap), 0.0);
+    const double path = std::abs(after.gap - before.gap);
     const double error =
         trial.step > kUnresolved * 2 * M_PI * slow
             ? 0.5 * m * speed * speed
@@ -139,10 +147,11 @@ double LinePairs::largest_depth(const Pair& p) const {
 void LinePairs::limit_step(const Kinematics& state, ImpactEvents& to) {
   for (const Pair& p : pairs_) {
     if (clipped(p)) continue;
-    const size_t i = p.a, j = p.b;
+    const size_t i = p.a;
+    const size_t j = p.b;
     const Nearest c = nearest_at_start(p);
-    const double ramp = p.law.normal.smoothing,
-                 clearance = std::max(c.gap - rods_[i].sagitta - rods_[j].sagitta, 0.0);
+    const double ramp = p.law.normal.smoothing;
+    const double clearance = std::max(c.gap - rods_[i].sagitta - rods_[j].sagitta, 0.0);
     if (c.speed < 0) to.limit((clearance + kDeep * p.law.radii) / -c.speed);
     if (!p.counted) continue;
     Approach a{std::max(clearance - ramp, 0.0), -c.speed, acceleration(p, state)};
@@ -154,7 +163,8 @@ void LinePairs::limit_step(const Kinematics& state, ImpactEvents& to) {
 
 // Nearest places of two lines in the accepted state.
 advice::NearestPlaces LinePairs::nearest_places(const Pair& p) const {
-  const Element &a = segment(p.a).element, &b = segment(p.b).element;
+  const Element& a = segment(p.a).element;
+  const Element& b = segment(p.b).element;
   const Mesh& m = *mesh_.mesh;
   return {m.line_names[a.line], m.line_names[b.line], arc_at(m, a, p.chords.s), arc_at(m, b, p.chords.t)};
 }
@@ -168,10 +178,13 @@ double LinePairs::stored(const Pair& pair) const {
 
 // The energy of a crossing is proportional to the depth to the power 5/2.
 advice::StepFinding LinePairs::too_soft(const Pair& p) const {
-  const double radii = p.law.radii, k = p.law.normal.stiffness, speed = -nearest_at_start(p).speed,
-               depth = largest_depth(p);
+  const double radii = p.law.radii;
+  const double k = p.law.normal.stiffness;
+  const double speed = -nearest_at_start(p).speed;
+  const double depth = largest_depth(p);
   if (!(depth > kProposed * radii)) return advice::LinesStartTooNear{nearest_places(p)};
-  const double has = stored(p), more = speed > 0 ? 0.5 * mass(p) * speed * speed : 0;
+  const double has = stored(p);
+  const double more = speed > 0 ? 0.5 * mass(p) * speed * speed : 0;
   const double wanted = k * std::pow(depth / (kProposed * radii), 2.5) * (1 + more / has);
   const bool given = options_.tuned.count(ordered(line_of_segment(p.a), line_of_segment(p.b))) > 0;
   return advice::PressedLines{.at = nearest_places(p),

@@ -9,7 +9,8 @@ namespace hawser {
 BeamSection beam_section(const Mesh& mesh, const model::Case& c, const Element& e) {
   const auto& t = c.line_types[e.type];
   const auto& stiffeners = c.lines[e.line].bend_stiffeners;
-  const double from = arc_at(mesh, e, 0), to = arc_at(mesh, e, 1);
+  const double from = arc_at(mesh, e, 0);
+  const double to = arc_at(mesh, e, 1);
   BeamSection s;
   s.length = e.length;
   s.EA = t.EA;

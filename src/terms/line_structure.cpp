@@ -24,7 +24,8 @@ CableStart scaled_start(const LineStructure::Cable& c, double h, double previous
 }  // namespace
 
 BeamEnds ends(const LineStructure::Beam& b, const Kinematics& k) {
-  const size_t i = b.element.first, j = b.element.second;
+  const size_t i = b.element.first;
+  const size_t j = b.element.second;
   BeamEnds e;
   e.x1 = k.x[i];
   e.x2 = k.x[j];
@@ -40,7 +41,8 @@ BeamEnds ends(const LineStructure::Beam& b, const Kinematics& k) {
 }
 
 CableEnds ends(const LineStructure::Cable& c, const Kinematics& k) {
-  const size_t i = c.element.first, j = c.element.second;
+  const size_t i = c.element.first;
+  const size_t j = c.element.second;
   return {k.x[i], k.x[j], k.v[i], k.v[j]};
 }
 
@@ -48,7 +50,8 @@ LineStructure::LineStructure(const LocalMesh& mesh, std::vector<Beam> beams, std
     : mesh_(mesh), beams_(std::move(beams)), cables_(std::move(cables)) {
   auto block = [&](int node) { return mesh_.block[node]; };
   for (Beam& b : beams_) {
-    const int p = block(b.element.first), q = block(b.element.second);
+    const int p = block(b.element.first);
+    const int q = block(b.element.second);
     b.blocks[0] = p;
     b.blocks[1] = p + 1;
     b.blocks[2] = q;
@@ -198,7 +201,8 @@ double LineStructure::round_off(const Kinematics& state, double h) const {
     const Vec3 t = (state.x[b.element.second] - state.x[b.element.first]).normalized();
     const double across =
         (far(state, b.element).array() * (1 - t.array().square()).max(0).sqrt()).matrix().norm();
-    const double bend = std::max(s.EI2, s.EI3), turn = 4 * std::max(bend, s.GJ);
+    const double bend = std::max(s.EI2, s.EI3);
+    const double turn = 4 * std::max(bend, s.GJ);
     sum += std::pow(eps * (bend * across / s.length + turn) / (s.length * s.length), 2);
   }
   for (const Cable& c : cables_) pull(c);

@@ -18,7 +18,8 @@ std::vector<double> turned(const double* values, size_t n, LineEnd line_end) {
 }
 
 BeamEnds positions(const LineStructure::Beam& b, const Kinematics& k) {
-  const size_t i = b.element.first, j = b.element.second;
+  const size_t i = b.element.first;
+  const size_t j = b.element.second;
   return {k.x[i], k.x[j], k.q[i], k.q[j]};
 }
 
@@ -30,7 +31,8 @@ int outwards(const FedLine& f) { return f.line_end == LineEnd::B ? -1 : 1; }
 std::vector<RememberedCell> inside(const Mesh& mesh, const FedLine& f, const std::vector<double>& values) {
   const size_t n = values.size() / (2 * kBendingPlaces);
   const int next = f.inside[0] < f.inside[1] ? f.element - outwards(f) : f.element;
-  const double first = mesh.element(f.element).length, second = first + mesh.element(next).length;
+  const double first = mesh.element(f.element).length;
+  const double second = first + mesh.element(next).length;
   std::vector<RememberedCell> out;
   for (const RememberedCell& c : remembered_cells(0, first, values.data(), n)) out.push_back(c);
   for (const RememberedCell& c : remembered_cells(first, second, values.data() + kBendingPlaces * n, n))
@@ -89,7 +91,8 @@ void LineStructure::move_plastic_history(Beam& b, const FedLine& f, double to) {
 // Stores the history of material that is hauled in and held straight inside the feeder. A cell inside takes
 // the history at its middle.
 void LineStructure::keep_hauled_in(const Beam& b, const FedLine& f) {
-  const double from = f.before, to = f.length;
+  const double from = f.before;
+  const double to = f.length;
   if (!(to < from)) return;
   const size_t n = b.section.plastic->memory();
   const std::vector<double> values = turned(plastic_history_.data() + b.memory, n, f.line_end);

@@ -27,9 +27,10 @@ bool resting(double stiffness, double depth, double mass, double speed) {
 double LineVolumeContact::static_fraction(const Pair& pair, const Kinematics& state, double force,
                                           double depth, const Vec3& normal) const {
   if (!state.moves()) return 1;
-  const size_t a = local(pair).first, b = local(pair).second;
-  const Vec3 place = 0.5 * (state.x[a] + state.x[b]),
-             velocity = 0.5 * (state.v[a] + state.v[b]) - volumes_.trial_pose(pair.volume).velocity_at(place);
+  const size_t a = local(pair).first;
+  const size_t b = local(pair).second;
+  const Vec3 place = 0.5 * (state.x[a] + state.x[b]);
+  const Vec3 velocity = 0.5 * (state.v[a] + state.v[b]) - volumes_.trial_pose(pair.volume).velocity_at(place);
   const double mass = settings(pair).mass_per_length;
   return resting(pair.laws[0].normal.stiffness, depth, mass, normal.dot(velocity))
              ? left_by_inertia(force, mass * pair.length, 0.5 * normal.dot(state.a[a] + state.a[b]))

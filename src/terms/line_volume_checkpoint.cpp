@@ -72,7 +72,8 @@ void LineVolumeContact::restore(const std::vector<CheckpointRecord>& records) {
     }
     if (r.key < 0 || r.key / 2 >= volumes())
       throw std::invalid_argument("a contact record of the checkpoint does not fit this case");
-    const int element = owner->second, volume = r.key / 2;
+    const int element = owner->second;
+    const int volume = r.key / 2;
     const auto [at, is_new] = known.insert({{element, volume}, pairs_.size()});
     if (is_new) pairs_.emplace_back();
     Pair& pair = pairs_[at->second];

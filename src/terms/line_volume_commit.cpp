@@ -35,7 +35,8 @@ void LineVolumeContact::commit(const Kinematics& accepted) {
 void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
                                 const std::vector<AxisContactPoint>& next) {
   const AxisShape& start = pair.start.shape;
-  const RigidPose &before = pair.start.pose, &after = volumes_.trial_pose(pair.volume);
+  const RigidPose& before = pair.start.pose;
+  const RigidPose& after = volumes_.trial_pose(pair.volume);
   const StepOfBody step(before, after, !volumes_.floats(pair.volume));
   const double smoothing = pair.smoothing();
   ContactWork& sum = accounts_[pair.element];
@@ -69,13 +70,15 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
   };
   for (const AxisContactPoint& p : pair.start.points) {
     const PointPath w = path_of(p.xi);
-    const double away = p.normal.dot(w.lifted), deep = std::max(smoothing - p.gap, 0.0);
+    const double away = p.normal.dot(w.lifted);
+    const double deep = std::max(smoothing - p.gap, 0.0);
     add(p, step.R0, w, away > deep ? deep / away : 1);
     sum.work -= raise * p.weight * p.potential;
   }
   for (const AxisContactPoint& p : next) {
     const PointPath w = path_of(p.xi);
-    const double came = -p.normal.dot(w.lifted), deep = smoothing - p.gap;
+    const double came = -p.normal.dot(w.lifted);
+    const double deep = smoothing - p.gap;
     add(p, step.R1, w, came > deep ? deep / came : 1);
     sum.work += raise * p.weight * p.potential;
   }

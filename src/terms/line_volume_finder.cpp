@@ -111,7 +111,8 @@ void LineVolumeFinder::update_clearance(LineVolumePair& pair, const AxisShape& s
                                         std::vector<ClearancePoint>& places) const {
   const auto by_xi = [](const ClearancePoint& a, const ClearancePoint& b) { return a.xi < b.xi; };
   std::sort(places.begin(), places.end(), by_xi);
-  double smallest_gap = std::numeric_limits<double>::infinity(), worst = 0;
+  double smallest_gap = std::numeric_limits<double>::infinity();
+  double worst = 0;
   for (const ClearancePoint& p : places)
     smallest_gap = std::min(smallest_gap, p.distance - pair.contact_distance);
   if (!(smallest_gap > 0)) return;

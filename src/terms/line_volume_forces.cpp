@@ -15,8 +15,8 @@ std::optional<AxisContact::Rolls> LineVolumeContact::rolls(const Pair& pair, con
   if (!settings(pair).rolling || shape.count() != AxisShape::kMaxPositions || !friction_on_ ||
       !pair.laws[0].friction.active())
     return std::nullopt;
-  const Quat before = pair.start.pose.rotation.conjugate(),
-             after = volumes_.trial_pose(pair.volume).rotation.conjugate();
+  const Quat before = pair.start.pose.rotation.conjugate();
+  const Quat after = volumes_.trial_pose(pair.volume).rotation.conjugate();
   AxisContact::Rolls r;
   for (size_t i = 0; i < 2; ++i)
     r.ends[i] = axis_roll(before * pair.start.shape.turn(i), after * shape.turn(i), Vec3::UnitX());
@@ -58,7 +58,8 @@ void LineVolumeContact::find_near_pairs(const Kinematics& trial) {
 void LineVolumeContact::evaluate(const Kinematics& trial, Assembler& assembler) {
   volumes_.pose_trial(trial);
   find_near_pairs(trial);
-  const bool tangent = assembler.needs_tangent(), moves = trial.moves();
+  const bool tangent = assembler.needs_tangent();
+  const bool moves = trial.moves();
   for (const Near& near : near_) {
     Pair& pair = pairs_[near.pair];
     if (pair.trial.contact.panels.empty()) continue;
@@ -75,7 +76,8 @@ void LineVolumeContact::evaluate(const Kinematics& trial, Assembler& assembler) 
     contact(pair, near.shape, {moves, tangent, assembler.convex()})
         .to_blocks(stencil, f, tangent ? &K : nullptr, tangent ? &C : nullptr);
     const LocalElement& e = local(pair);
-    const int a = mesh_.block[e.first], b = mesh_.block[e.second];
+    const int a = mesh_.block[e.first];
+    const int b = mesh_.block[e.second];
     const int blocks[4] = {a, beam ? a + 1 : b, b, b + 1};
     const size_t count = stencil.blocks;
     if (!volumes_.floats(pair.volume)) {

@@ -42,8 +42,8 @@ void LineVolumeContact::add_impact_at(const Pair& pair, const Kinematics& commit
                                       double gap, const Vec3& normal, bool last, ImpactEvents& to,
                                       double touching) const {
   const Quat back = pair.start.pose.rotation.conjugate();
-  const Vec3 velocity = back * velocity_at_start(pair, xi),
-             acceleration = back * along(committed.a, local(pair), xi);
+  const Vec3 velocity = back * velocity_at_start(pair, xi);
+  const Vec3 acceleration = back * along(committed.a, local(pair), xi);
   const Approach at{gap, -normal.dot(velocity), normal.dot(acceleration), last};
   limit_depth(pair.radius, at, to);
   const ContactSpring s = spring(pair, xi, touching);
@@ -77,7 +77,8 @@ void LineVolumeContact::predict_impacts(const Pair& pair, const Kinematics& comm
   const bool touching = std::any_of(pair.start.points.begin(), pair.start.points.end(),
                                     [&](const AxisContactPoint& h) { return !at_nodes || h.xi == xi; });
   // Weights of Simpson's rule, or of the nodes. limit_by_active_contacts() treats points in contact.
-  const double gap = p.distance - pair.contact_distance, part = at_nodes ? 0.5 : (xi == 0.5 ? 4.0 : 1.0) / 6;
+  const double gap = p.distance - pair.contact_distance;
+  const double part = at_nodes ? 0.5 : (xi == 0.5 ? 4.0 : 1.0) / 6;
   add_impact_at(pair, committed, xi, gap < 0 && touching ? 0 : part * pair.length, gap, p.normal, false, to,
                 pair.length);
 }
@@ -109,9 +110,11 @@ void LineVolumeContact::limit_ahead(Pair& pair, const Kinematics& committed, Imp
   const bool by_gap = finder_.by_gap();
   std::vector<ClearancePoint> free;
   for (size_t i = 0; i < kSamples.size(); ++i) {
-    const double xi = kSamples[i], speed = velocity_at_start(pair, xi).norm();
+    const double xi = kSamples[i];
+    const double speed = velocity_at_start(pair, xi).norm();
     // The range of the query: half the upper bound of |dx/dxi|, and the distance covered in half a second.
-    const double far = 0.5 * (start.slope_bound() + speed), within = pair.contact_distance + far;
+    const double far = 0.5 * (start.slope_bound() + speed);
+    const double within = pair.contact_distance + far;
     const ContactSpring s = spring(pair, xi, pair.length);
     const bool matters = may_limit_depth(pair.radius, clearance, speed, to) ||
                          may_impact(s.inverse_frequency, s.significant_depth, speed,
@@ -182,7 +185,8 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
                         [&](const ContactPanel& s) { return s.group == w && holds(s); }) &&
             std::none_of(contact.filled.begin(), contact.filled.end(), holds))
           continue;
-        const Vec3 x = shape.point(p.xi), leaves = shape.velocity(p.xi) - pose.velocity_at(x);
+        const Vec3 x = shape.point(p.xi);
+        const Vec3 leaves = shape.velocity(p.xi) - pose.velocity_at(x);
         add(touched, p.xi, p.weight, p.elastic_force(), p.potential, p.normal.dot(moved(p.xi)),
             (pose.rotation * p.normal).dot(leaves));
       }
@@ -192,8 +196,9 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
       const auto holds = [&](const AxisContactPoint& q) { return q.from <= p.xi && p.xi <= q.to; };
       if (!pair.in_contact(p.surface) || std::any_of(previous.begin(), previous.end(), holds)) continue;
       // In axial sliding elements begin and end contact, but the length in contact does not change.
-      const Vec3 along = (pose.rotation.conjugate() * shape.slope(p.xi)).normalized(), all = moved(p.xi),
-                 displacement = finder_.at_nodes() ? all : Vec3(all - along * along.dot(all));
+      const Vec3 along = (pose.rotation.conjugate() * shape.slope(p.xi)).normalized();
+      const Vec3 all = moved(p.xi);
+      const Vec3 displacement = finder_.at_nodes() ? all : Vec3(all - along * along.dot(all));
       const double came = -p.surface.normal.dot(displacement);
       if (!(came > pair.contact_distance - p.surface.distance)) continue;
       const NormalForce f = normal_force(pair.law(p.xi).normal, p.surface.distance - pair.radius, 0);

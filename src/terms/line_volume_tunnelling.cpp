@@ -107,7 +107,8 @@ bool LineVolumeContact::tunnels(const Pair& pair, const AxisShape& shape, const 
   if (finder_.by_gap()) return false;
   const double radius = pair.radius;
   const double min_displacement = rests ? kCreeps * radius : radius;
-  const BezierAxis from = part_of(pair, pair.start.shape, pair.start.pose), to = part_of(pair, shape, pose);
+  const BezierAxis from = part_of(pair, pair.start.shape, pair.start.pose);
+  const BezierAxis to = part_of(pair, shape, pose);
   if (from.farthest_distance(to) <= std::max(min_displacement, LineVolumeFinder::clearance_at_start(pair)))
     return false;
   if (rests && (!volumes_.has_back(pair.volume) || is_inside(pair, pair.start.shape, pair.start.pose)))

@@ -44,7 +44,8 @@ void LinesInWater::update_water(const Kinematics& state) const {
 
 WaterEnds LinesInWater::ends(const WetElement& p, const Kinematics& k, const Water& first,
                              const Water& second) const {
-  const size_t i = static_cast<size_t>(p.element.first), j = static_cast<size_t>(p.element.second);
+  const size_t i = static_cast<size_t>(p.element.first);
+  const size_t j = static_cast<size_t>(p.element.second);
   WaterEnds e;
   e.x1 = k.x[i];
   e.x2 = k.x[j];
@@ -72,9 +73,12 @@ WaterEnds LinesInWater::ends(const WetElement& p, const Kinematics& k, const Wat
 
 void LinesInWater::add_element(const WetElement& p, const Kinematics& trial, Assembler& assembler) const {
   if (p.idle) return;
-  const bool tangent = assembler.needs_tangent(), convex = assembler.convex();
-  const size_t i = static_cast<size_t>(p.element.first), j = static_cast<size_t>(p.element.second);
-  const int first = mesh_.block[i], second = mesh_.block[j];
+  const bool tangent = assembler.needs_tangent();
+  const bool convex = assembler.convex();
+  const size_t i = static_cast<size_t>(p.element.first);
+  const size_t j = static_cast<size_t>(p.element.second);
+  const int first = mesh_.block[i];
+  const int second = mesh_.block[j];
   if (p.beam) {
     const int blocks[] = {first, first + 1, second, second + 1};
     const WaterEnds e = ends(p, trial);
@@ -127,7 +131,8 @@ LinesInWater::FlowLoads LinesInWater::flow_loads(const Kinematics& state) const 
   out.force.assign(static_cast<size_t>(mesh_.element_ghost_blocks_end), Vec3::Zero());
   out.place = out.force;
   for (int n = 0; n < mesh_.element_ghosts_end; ++n) {
-    const size_t node = static_cast<size_t>(n), block = static_cast<size_t>(mesh_.block[node]);
+    const size_t node = static_cast<size_t>(n);
+    const size_t block = static_cast<size_t>(mesh_.block[node]);
     out.place[block] = state.x[node];
     if (mesh_.rotates(n)) out.place[block + 1] = state.q[node] * Vec3::UnitX();
   }
@@ -135,8 +140,8 @@ LinesInWater::FlowLoads LinesInWater::flow_loads(const Kinematics& state) const 
   const auto put = [&](const WetElement& p, const WaterForce& force) {
     const double L = p.section.length;
     for (int j = 0; j < 4; j += p.beam ? 1 : 2) {
-      const int node = j < 2 ? p.element.first : p.element.second,
-                block = mesh_.block[static_cast<size_t>(node)] + j % 2;
+      const int node = j < 2 ? p.element.first : p.element.second;
+      const int block = mesh_.block[static_cast<size_t>(node)] + j % 2;
       out.force[static_cast<size_t>(block)] += (j % 2 ? L : 1) * force.force[j];
     }
   };
@@ -243,8 +248,10 @@ double LinesInWater::round_off(const Kinematics& state, double h) const {
 void LinesInWater::element_force(const Kinematics& state, const LocalElement& e, Vec12& f) const {
   const WetElement* p = of_element(pieces_, e);
   if (!p || p->idle) return;
-  const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
-  const Water first = water(state, i), second = water(state, j);
+  const size_t i = static_cast<size_t>(e.first);
+  const size_t j = static_cast<size_t>(e.second);
+  const Water first = water(state, i);
+  const Water second = water(state, j);
   if (p->beam) {
     Vec12 force;
     beam_water_force(p->section, ends(*p, state, first, second), force);
@@ -273,7 +280,8 @@ void LinesInWater::fields(FieldRegistry& registry) const {
                  .report = Field::Report::table,
                  .order = 10},
                 [this](const Kinematics& k, std::span<double> out) {
-                  std::vector<double> weight(out.size(), 0), sum(out.size(), 0);
+                  std::vector<double> weight(out.size(), 0);
+                  std::vector<double> sum(out.size(), 0);
                   for (const WetElement& p : pieces_) {
                     const Wall& wall = walls_[static_cast<size_t>(mesh_.element(p.element).type)];
                     for (const int node : {p.element.first, p.element.second}) {

@@ -75,8 +75,10 @@ CablesInWater4 LinesInWater::motion(const CableQuad& q, const Kinematics& k) con
     const size_t n[4] = {static_cast<size_t>(node[0]), static_cast<size_t>(node[1]),
                          static_cast<size_t>(node[2]), static_cast<size_t>(node[3])};
     const auto take = [&n](const auto& vector_of_node, wide::Row* to) {
-      const Vec3 &a = vector_of_node(n[0]), &b = vector_of_node(n[1]), &c = vector_of_node(n[2]),
-                 &d = vector_of_node(n[3]);
+      const Vec3& a = vector_of_node(n[0]);
+      const Vec3& b = vector_of_node(n[1]);
+      const Vec3& c = vector_of_node(n[2]);
+      const Vec3& d = vector_of_node(n[3]);
       for (int i = 0; i < 3; ++i) to[i] = wide::Row{a[i], b[i], c[i], d[i]};
     };
     take([&](size_t i) -> const Vec3& { return k.x[i]; }, m.x[end]);
@@ -108,8 +110,8 @@ void LinesInWater::add_quad(const CableQuad& q, const Kinematics& trial, Assembl
   for (int i = 0; i < q.count; ++i) {
     const WetElement& p = pieces_[static_cast<size_t>(q.piece[i])];
     if (p.idle) continue;
-    const int a = mesh_.block[static_cast<size_t>(p.element.first)],
-              b = mesh_.block[static_cast<size_t>(p.element.second)];
+    const int a = mesh_.block[static_cast<size_t>(p.element.first)];
+    const int b = mesh_.block[static_cast<size_t>(p.element.second)];
     const bool added = wet >> i & 1 && assembler.add_weighted(a, b, f[i], J[i]);
     if (!added) add_element(p, trial, assembler);
   }

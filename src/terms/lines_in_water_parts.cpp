@@ -10,8 +10,10 @@ LinesInWater::FlowError LinesInWater::flow_error(const Kinematics& state, const 
   FlowError out;
   if (p.idle) return out;
   constexpr int kFiner = 4;
-  const size_t i = static_cast<size_t>(p.element.first), j = static_cast<size_t>(p.element.second);
-  const Water first = water(state, i), second = water(state, j);
+  const size_t i = static_cast<size_t>(p.element.first);
+  const size_t j = static_cast<size_t>(p.element.second);
+  const Water first = water(state, i);
+  const Water second = water(state, j);
   struct Cut {
     Vec3 x, v, a;
     Water water;

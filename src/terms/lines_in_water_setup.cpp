@@ -10,7 +10,9 @@ namespace hawser {
 
 WaterSection water_section(const model::Case& c, int type, double length) {
   const model::LineType& t = c.line_types[static_cast<size_t>(type)];
-  const double rho = c.environment.water.density, d = t.displaced(), A = M_PI / 4 * d * d;
+  const double rho = c.environment.water.density;
+  const double d = t.displaced();
+  const double A = M_PI / 4 * d * d;
   WaterSection s;
   s.length = length;
   s.radius = d / 2;

@@ -52,14 +52,16 @@ Links::Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::sh
 
 void Links::list_couplings(Couplings& to) const {
   for (const Link& l : list_) {
-    const int a = l.a.frame_node(*bodies_), b = l.b.frame_node(*bodies_);
+    const int a = l.a.frame_node(*bodies_);
+    const int b = l.b.frame_node(*bodies_);
     if (a >= 0 && b >= 0 && (mesh_.owns_node(a) || mesh_.owns_node(b))) to.add({a, a}, {b, b});
   }
 }
 
 void Links::renumber() {
   for (Link& l : list_) {
-    const int a = l.a.frame_node(*bodies_), b = l.b.frame_node(*bodies_);
+    const int a = l.a.frame_node(*bodies_);
+    const int b = l.b.frame_node(*bodies_);
     l.has_both = (mesh_.owns_node(a) || mesh_.owns_node(b)) && (a < 0 || mesh_.find(a) >= 0) &&
                  (b < 0 || mesh_.find(b) >= 0);
     l.counted = l.has_both && mesh_.owns_node(l.owner);

@@ -107,7 +107,8 @@ const PlatformWater::KnownForces& PlatformWater::known_forces(const Group& g, do
   const double step = g.past.empty() ? 0 : time - g.past.back().time;
   const auto entries = static_cast<Eigen::Index>(g.radiation->entries.size());
   if (!g.past.empty() && entries > 0) {
-    Eigen::ArrayXd integrals(entries), dS(entries);
+    Eigen::ArrayXd integrals(entries);
+    Eigen::ArrayXd dS(entries);
     const double* S = integrals.data();
     const std::vector<double> no_acceleration(2 * g.radiation->entries.size(), 0);
     Eigen::ArrayX2d force = Eigen::ArrayX2d::Zero(entries, 2);
@@ -210,7 +211,9 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
     if (!g.is_complete) continue;
     const size_t n = g.platforms.size();
     std::vector<PlatformMotion> motion(n);
-    Eigen::VectorXd rate(6 * n), acceleration(6 * n), F = Eigen::VectorXd::Zero(6 * static_cast<int>(n));
+    Eigen::VectorXd rate(6 * n);
+    Eigen::VectorXd acceleration(6 * n);
+    Eigen::VectorXd F = Eigen::VectorXd::Zero(6 * static_cast<int>(n));
     Eigen::MatrixXd by_rate = Eigen::MatrixXd::Zero(F.size(), F.size());
     for (size_t i = 0; i < n; ++i) {
       const Platform& p = g.platforms[i];

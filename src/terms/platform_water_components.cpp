@@ -48,7 +48,8 @@ std::vector<BodyForce> PlatformWater::forces_on(int body, const Kinematics& stat
         return {of_unknowns(hydrostatic), {}, of_unknowns(by_stiffness), {}, drift};
       }
       const Eigen::VectorXd rate = rates(g, state);
-      Eigen::VectorXd acceleration(rate.size()), force;
+      Eigen::VectorXd acceleration(rate.size());
+      Eigen::VectorXd force;
       for (size_t j = 0; j < g.platforms.size(); ++j) {
         const Platform& other = g.platforms[j];
         acceleration.segment<6>(6 * static_cast<Eigen::Index>(j)) =

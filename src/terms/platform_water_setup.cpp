@@ -19,7 +19,8 @@ PlatformWater::PlatformWater(const model::Case& c, const LocalMesh& mesh)
     : mesh_(mesh), sea_(sea_of(c)), on_body_(c.bodies.size(), false) {
   // To the fourth order the scheme's acceleration of x = exp(i omega t) is -omega² (1 + c omega² h²) x with
   //   c = 1/6 + 3 delta²,   delta = (1 - rho)/(2 (1 + rho)).
-  const double rho = c.dynamics.rho_infinity, delta = 0.5 * (1 - rho) / (1 + rho);
+  const double rho = c.dynamics.rho_infinity;
+  const double delta = 0.5 * (1 - rho) / (1 + rho);
   period_error_ = 1.0 / 6 + 3 * delta * delta;
   const auto is_owned = [&](int body) { return mesh_.owns_node(mesh_.mesh->body_node(body)); };
   model::PlatformMemories memories;

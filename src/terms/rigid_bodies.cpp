@@ -109,7 +109,8 @@ RigidPose RigidBodies::spring_rest(const Floating& f, double time) const {
 void RigidBodies::powers(const Floating& f, const Kinematics& state, double& damping, double& work) const {
   const RigidBodyState s = floating_state(state, f.node);
   const RigidPose r = spring_rest(f, state.time);
-  const Vec3 dv = s.v - r.velocity, dw = s.w - s.q.conjugate() * r.angular_velocity;
+  const Vec3 dv = s.v - r.velocity;
+  const Vec3 dw = s.w - s.q.conjugate() * r.angular_velocity;
   damping = dv.dot(f.data.damping.cwiseProduct(dv)) + dw.dot(f.data.turning_damping.cwiseProduct(dw));
   // The support supplies the power of its force on the springs and dampers at their far end.
   const Vec6 force = rigid_body(f.data, s, r).springs;
@@ -161,7 +162,8 @@ std::array<Vec3, 2> RigidBodies::force_on(int body, const Kinematics& state) con
     const bool step = by_momenta(state);
     RigidBodyResidual r = rigid_body(step ? without_momentum(f.data) : f.data, s, spring_rest(f, state.time));
     for (const Load& l : f.loads) add_load(l.at(state.time), s, r);
-    const Vec6 inertia = r.f(), momenta = step ? f.momenta.f : Vec6(Vec6::Zero());
+    const Vec6 inertia = r.f();
+    const Vec6 momenta = step ? f.momenta.f : Vec6(Vec6::Zero());
     return {inertia.head<3>() + momenta.head<3>(), s.q * inertia.tail<3>() + momenta.tail<3>()};
   }
   return {Vec3::Zero(), Vec3::Zero()};

@@ -46,7 +46,8 @@ struct SharedPlaces::Gaps {
   // stops at a local minimum.
   static double distance_from(const Rope& rope, const Rope& other, double s) {
     const size_t i = segment(rope, s);
-    const double span = rope.s[i + 1] - rope.s[i], t = span > 0 ? (s - rope.s[i]) / span : 0;
+    const double span = rope.s[i + 1] - rope.s[i];
+    const double t = span > 0 ? (s - rope.s[i]) / span : 0;
     const Vec3 p = rope.x[i] + std::min(t, 1.0) * (rope.x[i + 1] - rope.x[i]);
     const size_t last = other.s.size() - 2;
     size_t j = segment(other, s);
@@ -86,7 +87,8 @@ SharedPlaces::SharedPlaces(MPI_Comm comm, const LocalMesh& mesh, ContactRadii ra
     place.branches = p;
     place.step = (first_radius(p.one) + first_radius(p.other)) / kSteps;
     place.limit = std::min(length(p.one), length(p.other));
-    const int a = mesh.mesh->node(p.one.node).line, b = mesh.mesh->node(p.other.node).line;
+    const int a = mesh.mesh->node(p.one.node).line;
+    const int b = mesh.mesh->node(p.other.node).line;
     if (first_part_[a] == first_part_[b]) {
       const double distance = arc(p.other.node) - arc(p.one.node);
       const bool facing = distance * p.one.direction > 0 && distance * p.other.direction < 0;
@@ -128,7 +130,8 @@ std::optional<std::array<double, 2>> SharedPlaces::along(const Branch& branch, i
   const Element& e = mesh_.mesh->element(element);
   if (first_part_[e.line] != first_part_[mesh_.mesh->node(branch.node).line]) return std::nullopt;
   const double from = begin(branch);
-  const double a = branch.direction * (arc(e.first) - from), b = branch.direction * (arc(e.second) - from);
+  const double a = branch.direction * (arc(e.first) - from);
+  const double b = branch.direction * (arc(e.second) - from);
   if (std::min(a, b) < -1e-6 * e.length) return std::nullopt;
   return std::array{a, b};
 }
@@ -139,8 +142,8 @@ void SharedPlaces::clip(int element, int second, std::array<double, 2>& range,
   const Mesh& mesh = *mesh_.mesh;
   for (const int k : between(mesh.element(element).line, mesh.element(second).line))
     for (const bool swapped : {false, true}) {
-      const auto one = along(place(k).one, swapped ? second : element),
-                 other = along(place(k).other, swapped ? element : second);
+      const auto one = along(place(k).one, swapped ? second : element);
+      const auto other = along(place(k).other, swapped ? element : second);
       if (!one || !other) continue;
       const double within = this->within(k);
       if (std::min((*one)[0], (*one)[1]) >= within || std::min((*other)[0], (*other)[1]) >= within) continue;
@@ -280,8 +283,8 @@ void SharedPlaces::update(PlaceState& p, const Rope& one, const Rope& other, boo
       if (gap >= 0) break;
       nearest = std::min(nearest, gap);
     }
-    const int a = mesh_.mesh->node(p.branches.one.node).line,
-              b = mesh_.mesh->node(p.branches.other.node).line;
+    const int a = mesh_.mesh->node(p.branches.one.node).line;
+    const int b = mesh_.mesh->node(p.branches.other.node).line;
     const bool side_by_side =
         first == limit_steps && first_part_[a] != first_part_[b] && nearest > -kPressed * kSteps * p.step;
     p.within = side_by_side ? 0 : first == limit_steps ? limit_steps : free_to(first);

@@ -23,7 +23,8 @@ std::vector<SoilResistance::BuriedNode> places_of(const LocalMesh& mesh, const m
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.element(e);
     const model::Line& line = c.lines[g.line];
-    const double from = mesh.mesh->node(g.first).arc, half = 0.5 * g.length;
+    const double from = mesh.mesh->node(g.first).arc;
+    const double half = 0.5 * g.length;
     for (const bool second : {false, true}) {
       const int node = second ? e.second : e.first;
       if (node >= mesh.owned) continue;

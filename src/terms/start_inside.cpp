@@ -128,7 +128,8 @@ std::vector<OnWrongSide> nodes_on_wrong_side(const LocalMesh& mesh, const Kinema
       const Vec3 x = state.x[n];
       const std::optional<Vec3> expected = expected_place(node, v, x);
       if (!expected) continue;
-      const Vec3 from = pose.to_body(x), to = pose.to_body(*expected);
+      const Vec3 from = pose.to_body(x);
+      const Vec3 to = pose.to_body(*expected);
       Box path;
       path.add(from);
       path.add(to);
@@ -138,7 +139,8 @@ std::vector<OnWrongSide> nodes_on_wrong_side(const LocalMesh& mesh, const Kinema
         const auto p = surface.query(y, length);
         return p ? p->distance : length;
       };
-      const double first = away(from), min_step = 1e-3 * length;
+      const double first = away(from);
+      const double min_step = 1e-3 * length;
       if (!(first > 0) || !(away(to) > 0)) continue;
       for (double s = first; s < length;) {
         const double d = away(from + s / length * (to - from));

@@ -11,7 +11,8 @@ namespace {
 ActiveContacts touching(int number, int step) {
   ActiveContacts out;
   for (int i = 0; i < number; ++i) {
-    const int line = i / 30, place = i / 3;
+    const int line = i / 30;
+    const int place = i / 3;
     if (place % 2 && (place + step) % 7 == 0) continue;
     ActiveContact t;
     t.line = line;

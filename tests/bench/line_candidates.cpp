@@ -84,7 +84,8 @@ BENCHMARK(Hold)->Arg(1000)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecon
 void Uneven(benchmark::State& b) {
   std::mt19937_64 rng(2);
   std::uniform_real_distribution<double> unit(0, 1);
-  const int kind = static_cast<int>(b.range(0)), n = kind == 1 ? 1000 : 20000;
+  const int kind = static_cast<int>(b.range(0));
+  const int n = kind == 1 ? 1000 : 20000;
   const double room = kind == 0 ? 10 : kind == 1 ? 1e-3 : kind == 2 ? 54 : 34;
   std::vector<Box> boxes;
   for (int i = 0; i < n; ++i) {

@@ -27,12 +27,14 @@ void measure(benchmark::State& state, const model::Case& c, const Extremes& exac
 double seconds(std::int64_t ms) { return 1e-3 * static_cast<double>(ms); }
 
 void chain(benchmark::State& state) {
-  const int segments = static_cast<int>(state.range(0)), lines = static_cast<int>(state.range(1));
+  const int segments = static_cast<int>(state.range(0));
+  const int lines = static_cast<int>(state.range(1));
   measure(state, chains(segments, lines, seconds(state.range(2)), static_cast<int>(state.range(3))), kChain);
 }
 
 void riser(benchmark::State& state) {
-  const int segments = static_cast<int>(state.range(0)), digits = static_cast<int>(state.range(2));
+  const int segments = static_cast<int>(state.range(0));
+  const int digits = static_cast<int>(state.range(2));
   measure(state, speed::riser(segments, seconds(state.range(1)), digits), kRiser);
 }
 

@@ -52,7 +52,8 @@ void newton(benchmark::State& state) {
   const double h = 0.05;
   std::vector<double> u(3 * static_cast<size_t>(system.mesh().blocks()));
   for (size_t i = 0; i < u.size(); ++i) u[i] = 1e-3 * std::sin(static_cast<double>(i));
-  VecHandle r = system.create_vector(), du = system.create_vector();
+  VecHandle r = system.create_vector();
+  VecHandle du = system.create_vector();
   MatHandle J = system.create_matrix();
   KspHandle ksp, bare;
   for (KspHandle* k : {&ksp, &bare}) {

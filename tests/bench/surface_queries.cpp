@@ -58,7 +58,8 @@ const Case& get(int kind, bool smooth) {
   const MeshView m = c.surface->mesh();
   const int points = kind == 0 ? 20000 : 100000;
   while (static_cast<int>(c.questions.size()) < points) {
-    Vec3 x = m.vertices[gen() % m.vertices.size()], way = direction();
+    Vec3 x = m.vertices[gen() % m.vertices.size()];
+    Vec3 way = direction();
     for (int i = 0; i < 250; ++i) {
       const auto near = c.surface->query(x, 10);
       if (!near) break;

@@ -42,7 +42,8 @@ Outcome outcome(MPI_Comm comm, const char* file, double duration) {
   out.turnover = energy()[1];
   const auto* bodies = s.system().find<BodyContact>();
   out.depth = bodies ? bodies->largest_penetration() : 0;
-  const int body = static_cast<int>(c.bodies.size()) - 1, n = s.local().find(s.mesh().body_node(body));
+  const int body = static_cast<int>(c.bodies.size()) - 1;
+  const int n = s.local().find(s.mesh().body_node(body));
   if (n >= 0 && n < s.local().owned) out.place = d.committed_kinematics().x[static_cast<size_t>(n)].x();
   double all[] = {out.depth, out.place};
   MPI_Allreduce(MPI_IN_PLACE, &all[0], 1, MPI_DOUBLE, MPI_MAX, comm);
@@ -54,7 +55,8 @@ Outcome outcome(MPI_Comm comm, const char* file, double duration) {
 
 TEST(BodiesAndLines, ModuleOnSlingsMeetsItsFender) {
   const char* file = "/cases/lifted-load/lifted-load.yaml";
-  const Outcome all = outcome(PETSC_COMM_WORLD, file, 14), one = outcome(PETSC_COMM_SELF, file, 14);
+  const Outcome all = outcome(PETSC_COMM_WORLD, file, 14);
+  const Outcome one = outcome(PETSC_COMM_SELF, file, 14);
   printf(
       "module on slings: %.0f J of %.0f J not explained, %.3f m into its fender, centre at %.6f m (one rank "
       "%.6f)\n",
@@ -67,7 +69,8 @@ TEST(BodiesAndLines, ModuleOnSlingsMeetsItsFender) {
 
 TEST(BodiesAndLines, HawserLiesAlongAPontoon) {
   const char* file = "/cases/barge-hawser/barge-hawser.yaml";
-  const Outcome all = outcome(PETSC_COMM_WORLD, file, 16), one = outcome(PETSC_COMM_SELF, file, 16);
+  const Outcome all = outcome(PETSC_COMM_WORLD, file, 16);
+  const Outcome one = outcome(PETSC_COMM_SELF, file, 16);
   printf(
       "hawser along a pontoon: %.1f J of %.0f J not explained, %d steps with contact, centre at %.6f m (one "
       "rank "

@@ -113,14 +113,17 @@ void expect_same(const std::vector<io::ClashRow>& a, const std::vector<io::Clash
 }
 
 TEST(Clashes, ABarThatBounces) {
-  const double omega = std::sqrt(kStiffness / kMass), speed = std::sqrt(2 * kGravity * kFall);
+  const double omega = std::sqrt(kStiffness / kMass);
+  const double speed = std::sqrt(2 * kGravity * kFall);
   const double still = kGravity / (omega * omega);  // m, static penetration by the weight
-  const double meets = std::sqrt(2 * kFall / kGravity), flight = 2 * speed / kGravity;
+  const double meets = std::sqrt(2 * kFall / kGravity);
+  const double flight = 2 * speed / kGravity;
   const double touches = 2 / omega * (M_PI - std::atan(speed * omega / kGravity));
   const double deep = still + std::hypot(still, speed / omega);
   const double impulse = kMass * (2 * speed + kGravity * touches);
   for (const std::string method : {"line", "nodes"}) {
-    const std::string path = folder("clashes_bar_" + method), input = path + "/bar.yaml";
+    const std::string path = folder("clashes_bar_" + method);
+    const std::string input = path + "/bar.yaml";
     write_case(input, kBar, {{"METHOD", method}, {"GAP", "0.1"}});
     run_on_all({input, path + "/bounce.h5"});
     write_case(input, kBar, {{"METHOD", method}, {"GAP", "1"}});
@@ -168,7 +171,8 @@ TEST_F(Heap, OnAnyNumberOfRanks) {
   run_on_one({input, path + "/one.h5"});
   run_on_all({input, path + "/all.h5"});
   if (!first()) return;
-  const io::ClashTables one = io::read_clashes(path + "/one.h5"), all = io::read_clashes(path + "/all.h5");
+  const io::ClashTables one = io::read_clashes(path + "/one.h5");
+  const io::ClashTables all = io::read_clashes(path + "/all.h5");
   expect_same(one.ended, all.ended, 1e-6);
   expect_same(one.open, all.open, 1e-6);
   std::printf("%zu clashes ended, %zu go on\n", one.ended.size(), one.open.size());
@@ -180,7 +184,8 @@ TEST_F(Heap, OnAnyNumberOfRanks) {
   EXPECT_GE(count([](const io::ClashRow& r) { return r.line == 0 && r.other_line == 1; }), 1);
   EXPECT_GE(count([](const io::ClashRow& r) { return r.volume == 2 && r.to < 4; }), 1);
   EXPECT_GE(count([](const io::ClashRow& r) { return r.volume == 2 && r.from > 4; }), 1);
-  const Results a = read(path + "/one.h5"), b = read(path + "/all.h5");
+  const Results a = read(path + "/one.h5");
+  const Results b = read(path + "/all.h5");
   for (const std::string name : {"upper_to_lower", "lower_to_left", "hook", "still_to_lamp"})
     for (size_t c = 0; c < a.columns.at(name); ++c)
       EXPECT_LE(largest_difference(a.column(name, c), b.column(name, c)), 1e-6) << name << ' ' << c;
@@ -191,7 +196,8 @@ TEST_F(Heap, Clearances) {
   run_on_all({input, path + "/heap.h5"});
   if (!first()) return;
   const Results r = read(path + "/heap.h5");
-  const auto lamp = r.column("still_to_lamp", 0), arc = r.column("still_to_lamp", 1);
+  const auto lamp = r.column("still_to_lamp", 0);
+  const auto arc = r.column("still_to_lamp", 1);
   ASSERT_EQ(lamp.size(), r.step_times.size());
   EXPECT_NEAR(lamp.front(), 1.4, 1e-12);
   EXPECT_NEAR(arc.front(), 4.0004, 1e-4);
@@ -220,8 +226,8 @@ TEST_F(Heap, ThroughARestart) {
   run_on_all({input, path + "/half.h5", "", 0.2});
   run_on_all({input, path + "/half.h5", path + "/half.h5"});
   if (!first()) return;
-  const io::ClashTables whole = io::read_clashes(path + "/whole.h5"),
-                        half = io::read_clashes(path + "/half.h5");
+  const io::ClashTables whole = io::read_clashes(path + "/whole.h5");
+  const io::ClashTables half = io::read_clashes(path + "/half.h5");
   // The second part begins with a new list of candidate pairs, and some step lengths depend on this list.
   const double tolerance = 1e-2;
   expect_same(whole.ended, half.ended, tolerance);

@@ -17,7 +17,9 @@ TEST(ContactEnergy, ADrumTurnsUnderACable) {
               std::to_string(0.51 * std::sin(angle)) + "]";
   }
   points += ", [0.51, 0, -5]";
-  const std::string path = folder("turning_drum"), file = path + "/case.yaml", out = path + "/case.h5";
+  const std::string path = folder("turning_drum");
+  const std::string file = path + "/case.yaml";
+  const std::string out = path + "/case.h5";
   write_case(file, R"(
 hawser: 1
 environment: {gravity: 0}
@@ -41,14 +43,17 @@ output: {every: 1, histories: [{line: rope, at: end_a, name: a}]}
   run_on_all({file, out});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(out);
-  const std::vector<double> friction = named(out, r, "energy", "friction"),
-                            work = named(out, r, "energy", "brought_in"), tension = r.column("a", kTension);
+  const std::vector<double> friction = named(out, r, "energy", "friction");
+  const std::vector<double> work = named(out, r, "energy", "brought_in");
+  const std::vector<double> tension = r.column("a", kTension);
   const auto from = static_cast<size_t>(
       std::find_if(r.step_times.begin(), r.step_times.end(), [](double t) { return t >= 2; }) -
       r.step_times.begin());
   const double time = r.step_times.back() - r.step_times[from];
-  const double taken = (friction.back() - friction[from]) / time, given = (work.back() - work[from]) / time;
-  const double ratio = tension.back() / 1000, power = (tension.back() - 1000) * 0.51 * 0.5;
+  const double taken = (friction.back() - friction[from]) / time;
+  const double given = (work.back() - work[from]) / time;
+  const double ratio = tension.back() / 1000;
+  const double power = (tension.back() - 1000) * 0.51 * 0.5;
   printf("  ratio %.4f, friction %.2f W, brought in %.2f W, by the tensions %.2f W\n", ratio, taken, given,
          power);
   EXPECT_NEAR(ratio, std::exp(0.3 * std::numbers::pi), 0.01 * ratio);
@@ -59,7 +64,9 @@ output: {every: 1, histories: [{line: rope, at: end_a, name: a}]}
 // A slightly slack wire with 100 kg at its end comes taut. Damping increases the number of steps by less than
 // half; the largest tension is printed.
 TEST(ContactEnergy, AWireThatComesTautMayBeDamped) {
-  const std::string path = folder("comes_taut"), file = path + "/case.yaml", out = path + "/case.h5";
+  const std::string path = folder("comes_taut");
+  const std::string file = path + "/case.yaml";
+  const std::string out = path + "/case.h5";
   size_t undamped = 0;
   for (const std::string damping : {"0", "1e-4", "1e-3", "1e-2", "0.1", "1"}) {
     write_case(file, R"(
@@ -91,7 +98,9 @@ output: {every: 0.5, histories: [{line: wire, at: end_a, name: top}]}
 
 // A vertical chain is lowered into a heap of its own links, which touch each other with friction.
 TEST(ContactEnergy, AChainIsHeapedUp) {
-  const std::string path = folder("heap"), file = path + "/case.yaml", out = path + "/case.h5";
+  const std::string path = folder("heap");
+  const std::string file = path + "/case.yaml";
+  const std::string out = path + "/case.h5";
   write_case(file, R"(
 hawser: 1
 environment: {water: {depth: 50}, seabed: {depth: 50, damping: 1.0e4}}

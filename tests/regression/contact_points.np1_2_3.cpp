@@ -59,10 +59,10 @@ using Outputs = std::vector<std::vector<Point>>;
 
 Outputs read_points(const std::string& path) {
   const auto file = io::h5::open_read(path);
-  const auto counts = io::h5::read_array(file, io::kContactCounts),
-             pairs = io::h5::read_array(file, io::kContactPairs),
-             places = io::h5::read_array(file, io::kContactPositions),
-             forces = io::h5::read_array(file, io::kContactForces);
+  const auto counts = io::h5::read_array(file, io::kContactCounts);
+  const auto pairs = io::h5::read_array(file, io::kContactPairs);
+  const auto places = io::h5::read_array(file, io::kContactPositions);
+  const auto forces = io::h5::read_array(file, io::kContactForces);
   Outputs out;
   size_t row = 0;
   for (const double end : counts.values) {
@@ -135,15 +135,16 @@ TEST_F(ContactPoints, SumToTheForcesAndLieOnTheSurfaces) {
         double wire = 1, rope = 1;
         for (size_t n = 0; n + 1 < kRopeEnds; ++n) {
           if (n + 1 == kWireNodes) continue;
-          const Eigen::Map<const Vec3> a(&r.fields.at("position")[3 * (kNodes * k + n)]),
-              b(&r.fields.at("position")[3 * (kNodes * k + n + 1)]);
+          const Eigen::Map<const Vec3> a(&r.fields.at("position")[3 * (kNodes * k + n)]);
+          const Eigen::Map<const Vec3> b(&r.fields.at("position")[3 * (kNodes * k + n + 1)]);
           const double share = std::clamp((p.place - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
           double& nearest = n < kWireNodes ? wire : rope;
           nearest = std::min(nearest, (p.place - a - share * (b - a)).norm());
         }
         const auto& depths = r.fields.at("line_penetration");
         const auto first = depths.begin() + static_cast<std::ptrdiff_t>(kNodes * k);
-        const double half = 0.5 * *std::max_element(first, first + kNodes), chord = 3e-3;
+        const double half = 0.5 * *std::max_element(first, first + kNodes);
+        const double chord = 3e-3;
         EXPECT_LE(wire, kWire + chord) << k;
         EXPECT_GE(wire, kWire - half - chord) << k;
         EXPECT_LE(rope, kRope + chord) << k;

@@ -38,7 +38,8 @@ TEST(CrossingRisers, ClashesAreAccountedFor) {
   const Results r = read(name + ".h5");
   // Columns of the energy history: friction 3, brought in 5, error 6.
   const double friction = r.column("energy", 3).back();
-  const auto brought = r.column("energy", 5), error = r.column("energy", 6);
+  const auto brought = r.column("energy", 5);
+  const auto error = r.column("energy", 6);
   double worked = 0, most = 0;
   for (size_t i = 1; i < brought.size(); ++i) worked += std::abs(brought[i] - brought[i - 1]);
   for (const double e : error) most = std::max(most, std::abs(e));

@@ -38,7 +38,8 @@ TEST_F(EndSpringAudit, CloseAsThatOfAClampedEnd) {
     run_on_all({put("audit.yaml", hold), path + "/audit.h5"});
     if (!first()) continue;
     const Results r = read(path + "/audit.h5");
-    const double brought_in = largest(r.column("energy", 5)), error = largest(r.column("energy", 6));
+    const double brought_in = largest(r.column("energy", 5));
+    const double error = largest(r.column("energy", 6));
     printf("  %s: brought in up to %.4g J, %.4f %% of it not accounted for\n", hold, brought_in,
            100 * error / brought_in);
     EXPECT_GT(brought_in, 20);
@@ -60,7 +61,8 @@ TEST_F(EndSpringAudit, GoesOnAfterARestart) {
     const Results rest = read(path + file);
     EXPECT_EQ(rest.output_times.front(), kHalf);
     for (size_t c = 0; c < whole.columns.at("energy"); ++c) {
-      const auto there = rest.column("energy", c), here = tail(whole.column("energy", c), there);
+      const auto there = rest.column("energy", c);
+      const auto here = tail(whole.column("energy", c), there);
       EXPECT_LE(largest_difference(here, there), tolerance * largest(whole.column("energy", 2)))
           << file << " energy " << c;
     }

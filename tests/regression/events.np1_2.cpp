@@ -5,13 +5,16 @@ namespace hawser::runs::events {
 namespace {
 
 TEST(Events, WhatIsCutOffFallsFreelyAndTheRestHangs) {
-  const std::string path = folder("events-cut"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("events-cut");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, kHanging);
   run_on_all({input, file});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(file);
   ASSERT_EQ(r.fields.at("position").size(), 5u * 22 * 3);
-  const double rest = mean_of(r, "position", 0, 0, 10, 2), above = mean_of(r, "position", 0, 11, 21, 2);
+  const double rest = mean_of(r, "position", 0, 0, 10, 2);
+  const double above = mean_of(r, "position", 0, 11, 21, 2);
   EXPECT_NEAR(mean_of(r, "position", 2, 0, 10, 2), rest, 1e-8);
   for (size_t i = 3; i < 5; ++i) {
     const double t = r.output_times[i] - 0.5;
@@ -25,7 +28,8 @@ TEST(Events, WhatIsCutOffFallsFreelyAndTheRestHangs) {
 }
 
 TEST(Events, ACutGoesOnAfterARestart) {
-  const std::string path = folder("events-cut-restart"), input = path + "/case.yaml";
+  const std::string path = folder("events-cut-restart");
+  const std::string input = path + "/case.yaml";
   write_case(input, kHanging);
   expect_same_after_restarts(path, input, 1e-8);
 }
@@ -33,7 +37,8 @@ TEST(Events, ACutGoesOnAfterARestart) {
 // Of two events at one instant the second stands first in the list: a restart repeats them in their order in
 // time.
 TEST(Events, TwoOfAnInstantGoOnInTheirOrderAfterARestart) {
-  const std::string path = folder("events-order"), input = path + "/case.yaml";
+  const std::string path = folder("events-order");
+  const std::string input = path + "/case.yaml";
   write_case(input, kHanging,
              {{"end_a: free", "end_a: {anchor: [9, 0, 90]}"},
               {"  - {cut: {line: chain, at: 10}, time: 0.5}",
@@ -44,7 +49,8 @@ TEST(Events, TwoOfAnInstantGoOnInTheirOrderAfterARestart) {
 
 // A buoy in waves whose mooring is cut: a restart from that instant has the same work.
 TEST(Events, ACutInWavesGoesOnAfterARestart) {
-  const std::string path = folder("events-waves"), input = path + "/case.yaml";
+  const std::string path = folder("events-waves");
+  const std::string input = path + "/case.yaml";
   write_case(input, R"(hawser: 1
 title: A buoy in waves whose mooring is cut
 environment:
@@ -79,14 +85,17 @@ contact: {between_lines: false}
   const auto brought_in = [&](const std::string& file) {
     return named(file, read(file), "energy", "brought_in").back();
   };
-  const double whole = brought_in(path + "/whole.h5"), rest = brought_in(path + "/rest.h5");
+  const double whole = brought_in(path + "/whole.h5");
+  const double rest = brought_in(path + "/rest.h5");
   printf("brought in: %.9g J, after a restart %.3g J more\n", whole, rest - whole);
   EXPECT_NEAR(rest, whole, 1e-8 * whole);
 }
 
 // Before its cut a line moves as one without the event.
 TEST(Events, UntilItIsCutALineIsWhole) {
-  const std::string path = folder("events-whole"), input = path + "/case.yaml", other = path + "/other.yaml";
+  const std::string path = folder("events-whole");
+  const std::string input = path + "/case.yaml";
+  const std::string other = path + "/other.yaml";
   const Edits swing = {
       {"end_a: free\n    end_b: {anchor: [0, 0, 100]}",
        "end_a: {anchor: [0, 0, 100]}\n    end_b: {anchor: [12, 3, 96]}\n    loads: [{at: 7, force: "
@@ -98,8 +107,8 @@ TEST(Events, UntilItIsCutALineIsWhole) {
   run_on_all({input, path + "/cut.h5", "", 0.5});
   run_on_all({other, path + "/whole.h5", "", 0.5});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
-  const auto cut = read(path + "/cut.h5").fields.at("position"),
-             whole = read(path + "/whole.h5").fields.at("position");
+  const auto cut = read(path + "/cut.h5").fields.at("position");
+  const auto whole = read(path + "/whole.h5").fields.at("position");
   for (size_t i = 0; i < 3; ++i)
     for (size_t n = 0; n <= 20; ++n)
       for (size_t c = 0; c < 3; ++c)
@@ -109,7 +118,9 @@ TEST(Events, UntilItIsCutALineIsWhole) {
 
 // A rope between two weights moves freely under tension and is cut: the total momentum is constant.
 TEST(Events, ACutKeepsMomentum) {
-  const std::string path = folder("events-momentum"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("events-momentum");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(
       input, kHanging,
       {{"{gravity: 9.80665}", "{gravity: 0}"},
@@ -141,8 +152,9 @@ TEST(Events, ACutKeepsMomentum) {
 
 // The rope is cut when the tension at the given place reaches its limit, within 0.1 %.
 TEST(Events, ALineIsCutAtATension) {
-  const std::string path = folder("events-cut-tension"), input = path + "/case.yaml",
-                    file = path + "/whole.h5";
+  const std::string path = folder("events-cut-tension");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, R"(hawser: 1
 title: A rope that is pulled until it parts
 environment: {gravity: 0}
@@ -164,8 +176,9 @@ contact: {between_lines: false}
   run_on_all({input, file});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(file);
-  const auto T = named(file, r, "cut", "effective_tension"), x = named(file, r, "cut", "position_x"),
-             end = named(file, r, "end", "position_x");
+  const auto T = named(file, r, "cut", "effective_tension");
+  const auto x = named(file, r, "cut", "position_x");
+  const auto end = named(file, r, "end", "position_x");
   const double most = *std::max_element(T.begin(), T.end());
   printf("a line is cut at 12 kN and %.4f %% more\n", 100 * (most / 12e3 - 1));
   EXPECT_GE(most, 12e3);
@@ -178,7 +191,9 @@ contact: {between_lines: false}
 // A cantilever that is cut: statics is that of the uncut line, including torsion and moment; then its outer
 // part falls.
 TEST(Events, ABeamIsCut) {
-  const std::string path = folder("events-beam"), input = path + "/case.yaml", other = path + "/other.yaml";
+  const std::string path = folder("events-beam");
+  const std::string input = path + "/case.yaml";
+  const std::string other = path + "/other.yaml";
   const std::string text = R"(hawser: 1
 title: A cantilever that breaks
 environment: {gravity: 9.80665}
@@ -220,7 +235,9 @@ contact: {between_lines: false}
 
 // A moving body catches the end of a rope at rest: a plastic impact conserves momentum.
 TEST(Events, AnAttachmentKeepsMomentum) {
-  const std::string path = folder("events-attach"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("events-attach");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, R"(hawser: 1
 title: A body that catches a rope
 environment: {gravity: 0}
@@ -245,8 +262,10 @@ contact: {between_lines: false}
   expect_same_after_restarts(path, input, 1e-8);
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(file);
-  const auto v = named(file, r, "load", "velocity_x"), x = named(file, r, "load", "position_x");
-  const auto kinetic = named(file, r, "energy", "kinetic"), error = named(file, r, "energy", "error");
+  const auto v = named(file, r, "load", "velocity_x");
+  const auto x = named(file, r, "load", "position_x");
+  const auto kinetic = named(file, r, "energy", "kinetic");
+  const auto error = named(file, r, "energy", "error");
   for (size_t i = 2; i < 5; ++i) {
     const auto step = std::find_if(r.step_times.begin(), r.step_times.end(),
                                    [&](double t) { return t > r.output_times[i] - 1e-9; });
@@ -265,7 +284,9 @@ contact: {between_lines: false}
 
 // A falling weight is caught as soon as it is near a hook, and held at that position.
 TEST(Events, AnEndIsAttachedWhenItIsNear) {
-  const std::string path = folder("events-near"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("events-near");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, kHanging,
              {{"{cut: {line: chain, at: 10}, time: 0.5}",
                "{release: {line: chain, end: end_b}, time: 0.1}\n  - {attach: {line: chain, end: end_b, at: "
@@ -284,7 +305,8 @@ TEST(Events, AnEndIsAttachedWhenItIsNear) {
 }
 
 TEST(Events, AnEndThatIsNotWhereItIsToBeAttachedStopsTheRun) {
-  const std::string path = folder("events-far"), input = path + "/case.yaml";
+  const std::string path = folder("events-far");
+  const std::string input = path + "/case.yaml";
   write_case(input, kHanging,
              {{"{cut: {line: chain, at: 10}, time: 0.5}",
                "{attach: {line: chain, end: end_a, at: [0, 0, 79], within: 0.5}, time: 0.5}"}});
@@ -296,7 +318,8 @@ TEST(Events, AnEndThatIsNotWhereItIsToBeAttachedStopsTheRun) {
 // tolerance of the balance. The upper part recoils, slackens and hangs: its tension never exceeds 1.05 of
 // that at rest. Its warning concerns the lower part only, which whips.
 TEST(Events, ADampedWireThatIsCutGoesOn) {
-  const std::string path = folder("events-wire"), input = path + "/case.yaml";
+  const std::string path = folder("events-wire");
+  const std::string input = path + "/case.yaml";
   write_case(input, R"(hawser: 1
 line_types: {wire: {outer_diameter: 0.06, mass_per_length: 15, EA: 20 MN, bending: false, stiffness_damping: 0.01}}
 lines: {hoist: {sections: [{type: wire, length: 40, elements: 40}], end_a: {anchor: [0, 0, 20]}, end_b: {anchor: [10, 0, -18.85]}}}
@@ -322,7 +345,8 @@ dynamics: {duration: 4}
 // winch at rest, which would give a tension of 23 kN instead of 12 kN for one instant and trigger the other
 // event.
 TEST(Events, AWinchThatRunsOnCausesNoOtherEvent) {
-  const std::string path = folder("events-winch"), input = path + "/case.yaml";
+  const std::string path = folder("events-winch");
+  const std::string input = path + "/case.yaml";
   write_case(input, R"(hawser: 1
 environment: {gravity: 9.80665}
 line_types:

@@ -101,7 +101,10 @@ double apart(const std::vector<double>& here, const std::vector<double>& there, 
              double heading) {
   double most = here.empty() || here.size() != there.size() ? HUGE_VAL : 0;
   for (size_t i = 0; i + 2 < std::min(here.size(), there.size()); i += 3) {
-    const double dx = there[i] - x, dy = there[i + 1] - y, c = std::cos(heading), s = std::sin(heading);
+    const double dx = there[i] - x;
+    const double dy = there[i + 1] - y;
+    const double c = std::cos(heading);
+    const double s = std::sin(heading);
     most = std::max({most, std::abs(c * dx + s * dy - here[i]), std::abs(c * dy - s * dx - here[i + 1]),
                      std::abs(there[i + 2] - here[i + 2])});
   }
@@ -125,8 +128,9 @@ TEST_F(FarmRuns, TurnedInTurnedWavesIsTheSame) {
   }
   run_on_all({path + "/alone.yaml", path + "/alone.h5"});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
-  const Results alone = read(path + "/alone.h5"), one = read(path + "/farm.h5"),
-                two = read(path + "/farm-.h5");
+  const Results alone = read(path + "/alone.h5");
+  const Results one = read(path + "/farm.h5");
+  const Results two = read(path + "/farm-.h5");
   const auto difference = [&](const Results& r) {
     return apart(alone.fields.at("position"), r.fields.at("position"), x, y, kHeading * kDegree);
   };
@@ -134,7 +138,8 @@ TEST_F(FarmRuns, TurnedInTurnedWavesIsTheSame) {
   const double moved =
       apart(alone.fields.at("position"), turned.fields.at("position"), x, y, kHeading * kDegree);
   double tension = 0;
-  const auto &a = alone.fields.at("effective_tension"), &b = turned.fields.at("effective_tension");
+  const auto& a = alone.fields.at("effective_tension");
+  const auto& b = turned.fields.at("effective_tension");
   for (size_t i = 0; i < a.size(); ++i) tension = std::max(tension, std::abs(a[i] - b[i]));
   printf("  positions differ by %.1e m, tensions by %.1e of the largest\n", moved, tension / largest(a));
   EXPECT_LT(moved, 1e-8 * 600);
@@ -162,7 +167,8 @@ TEST_F(FarmRuns, StartsFromOtherRuns) {
   const model::Case by_name = io::read_case(farm("still.yaml", "start: {from: turned.h5}\n"));
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const auto positions = [](const std::string& file) { return read(file).fields.at("position"); };
-  const std::vector<double> alone = positions(path + "/still.h5"), there = positions(path + "/turned.h5");
+  const std::vector<double> alone = positions(path + "/still.h5");
+  const std::vector<double> there = positions(path + "/turned.h5");
   const auto of = [](const model::Case& c) {
     std::vector<double> out;
     for (const Vec3& x : c.line("T/hose").previous_shape->position)
@@ -172,7 +178,8 @@ TEST_F(FarmRuns, StartsFromOtherRuns) {
   // Of the last output. Lines are in the order of the file: the hose is the fourth, 15 nodes after three
   // lines of 21.
   const auto hose = [](const std::vector<double>& all) {
-    const size_t nodes = 3 * 21 + 15 + 7, last = all.size() - 3 * nodes;
+    const size_t nodes = 3 * 21 + 15 + 7;
+    const size_t last = all.size() - 3 * nodes;
     return std::vector<double>(all.begin() + static_cast<long>(last + 3 * 63),
                                all.begin() + static_cast<long>(last + 3 * 78));
   };
@@ -208,7 +215,8 @@ TEST_F(FarmRuns, GoesOnFromACheckpoint) {
   }
   EXPECT_NE(why.find("alone.yaml: links.spring differs from the checkpoint"), std::string::npos) << why;
   if (rank_of(MPI_COMM_WORLD) != 0) return;
-  const Results whole = read(path + "/whole.h5"), rest = read(path + "/rest.h5");
+  const Results whole = read(path + "/whole.h5");
+  const Results rest = read(path + "/rest.h5");
   const std::vector<double>& there = rest.fields.at("position");
   ASSERT_FALSE(there.empty());
   const std::vector<double> here = tail(whole.fields.at("position"), there);

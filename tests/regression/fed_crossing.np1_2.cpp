@@ -41,13 +41,15 @@ const Edits kPipe{{"bending: false, stiffness_damping: 0.02}", "EI: 2000, GJ: 20
 TEST(FedCrossing, FrictionAndEnergy) {
   const std::string path = folder("fed-crossing");
   for (const auto& [name, edits] : {std::pair{"rope", Edits{}}, {"kept", kKept}, {"pipe", kPipe}}) {
-    const std::string input = path + "/" + name + ".yaml", file = path + "/" + name + ".h5";
+    const std::string input = path + "/" + name + ".yaml";
+    const std::string file = path + "/" + name + ".h5";
     write_case(input, kCrossing, edits);
     run_on_all({input, file});
     if (rank_of(MPI_COMM_WORLD) != 0) continue;
     const Results r = read(file);
     constexpr size_t kNodes = 45, kRail = 33;
-    const auto &f = r.fields.at("line_friction_force"), &n = r.fields.at("line_contact_normal_force");
+    const auto& f = r.fields.at("line_friction_force");
+    const auto& n = r.fields.at("line_contact_normal_force");
     double off = 0, least = HUGE_VAL, most = 0;
     for (size_t i = 0; i < r.output_times.size(); ++i) {
       const double t = r.output_times[i];
@@ -61,7 +63,8 @@ TEST(FedCrossing, FrictionAndEnergy) {
       const double mu = t < 5 ? 0.3 : -0.3;
       if (t > 0.3 && std::abs(t - 5) > 0.3) off = std::max(off, std::abs(drag / (mu * pressed) - 1));
     }
-    const auto error = named(file, r, "energy", "error"), friction = named(file, r, "energy", "friction");
+    const auto error = named(file, r, "energy", "error");
+    const auto friction = named(file, r, "energy", "friction");
     printf("  %s: %.0f to %.0f N on the rail, friction off by %.1e; %.1f J of friction, error %.2f J\n", name,
            least, most, off, friction.back(), largest(error));
     EXPECT_GT(least, 50);
@@ -72,13 +75,15 @@ TEST(FedCrossing, FrictionAndEnergy) {
 }
 
 void expect_same(const std::string& a, const std::string& b) {
-  const Results whole = read(a), rest = read(b);
+  const Results whole = read(a);
+  const Results rest = read(b);
   for (const char* field : {"position", "line_friction_force"}) {
     const auto& there = rest.fields.at(field);
     EXPECT_LT(largest_difference(tail(whole.fields.at(field), there), there), 1e-6 * largest(there))
         << b << field;
   }
-  const auto e = named(a, whole, "energy", "friction"), g = named(b, rest, "energy", "friction");
+  const auto e = named(a, whole, "energy", "friction");
+  const auto g = named(b, rest, "energy", "friction");
   EXPECT_NEAR(e.back(), g.back(), 1e-6 * e.back());
 }
 
@@ -87,7 +92,8 @@ void expect_same(const std::string& a, const std::string& b) {
 TEST(FedCrossing, RestartsAndRanks) {
   const std::string path = folder("fed-crossing-again");
   for (const auto& [name, edits] : {std::pair{"rope", Edits{}}, {"kept", kKept}, {"pulled", kPulled}}) {
-    const std::string base = path + "/" + name, input = base + ".yaml";
+    const std::string base = path + "/" + name;
+    const std::string input = base + ".yaml";
     write_case(input, kCrossing, edits);
     run_on_all({input, base + ".h5"});
     for (const double stop : {2.25, 7.25}) {

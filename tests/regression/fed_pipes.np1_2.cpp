@@ -114,18 +114,23 @@ double work(const std::vector<double>& brought) {
 }
 
 TEST(FedPipes, ABendActsOnTheClamp) {
-  const std::string path = folder("fed-pipes-clamp"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("fed-pipes-clamp");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, kCantilever);
   run_on_all({input, file});
   // Reference: the same outside length in statics.
   write_case(input, kCantilever, {{"stock: 20", "stock: 17"}, {"dynamics: {duration: 80}\n", ""}});
   run_on_all({input, path + "/still.h5"});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
-  const Results r = read(file), still = read(path + "/still.h5");
-  const auto F = named(file, r, "pipe_end_a_feed", "tension"),
-             out = named(file, r, "pipe_end_a_feed", "paid_out"),
-             M = named(file, r, "clamp", "bending_moment"), z = named(file, r, "tip", "position_z");
-  const auto error = named(file, r, "energy", "error"), brought = named(file, r, "energy", "brought_in");
+  const Results r = read(file);
+  const Results still = read(path + "/still.h5");
+  const auto F = named(file, r, "pipe_end_a_feed", "tension");
+  const auto out = named(file, r, "pipe_end_a_feed", "paid_out");
+  const auto M = named(file, r, "clamp", "bending_moment");
+  const auto z = named(file, r, "tip", "position_z");
+  const auto error = named(file, r, "energy", "error");
+  const auto brought = named(file, r, "energy", "brought_in");
   // The clamp is horizontal: except for inertia, the feeder force is that of the bend alone, M²/2EI.
   double off = 0, jump = 0;
   for (size_t i = 0; i < F.size(); ++i) {
@@ -152,15 +157,18 @@ TEST(FedPipes, ABendActsOnTheClamp) {
 }
 
 TEST(FedPipes, ATensionIsKeptOverRollers) {
-  const std::string path = folder("fed-pipes-ramp"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("fed-pipes-ramp");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, kRamp);
   run_on_all({input, file});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(file);
-  const auto F = named(file, r, "pipe_end_a_feed", "tension"),
-             v = named(file, r, "pipe_end_a_feed", "feed_speed"),
-             out = named(file, r, "pipe_end_a_feed", "paid_out");
-  const auto error = named(file, r, "energy", "error"), brought = named(file, r, "energy", "brought_in");
+  const auto F = named(file, r, "pipe_end_a_feed", "tension");
+  const auto v = named(file, r, "pipe_end_a_feed", "feed_speed");
+  const auto out = named(file, r, "pipe_end_a_feed", "paid_out");
+  const auto error = named(file, r, "energy", "error");
+  const auto brought = named(file, r, "energy", "brought_in");
   double law = 0, most = -HUGE_VAL, least = HUGE_VAL;
   for (size_t i = 1; i < F.size(); ++i) {
     if (r.step_times[i] < 10) continue;
@@ -180,8 +188,9 @@ TEST(FedPipes, ATensionIsKeptOverRollers) {
 
 // Statistics at stations fixed to the feeder are those of the material that passes them, step by step.
 TEST(FedPipes, StationsStayWithTheirFeeder) {
-  const std::string path = folder("fed-pipes-stations"), input = path + "/case.yaml",
-                    file = path + "/whole.h5";
+  const std::string path = folder("fed-pipes-stations");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, kRamp, {{"duration: 24", "duration: 8"}, {"every: 2", "every: 0.02"}});
   run_on_all({input, file});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
@@ -200,7 +209,11 @@ TEST(FedPipes, StationsStayWithTheirFeeder) {
     double size = 0;
     for (const double value : v) size = std::max(size, std::abs(value));
     for (size_t i = 0; i < nodes; ++i) {
-      double least = HUGE_VAL, most = -HUGE_VAL, sum = 0, time = 0, last = std::nan("");
+      double least = HUGE_VAL;
+      double most = -HUGE_VAL;
+      double sum = 0;
+      double time = 0;
+      double last = std::nan("");
       for (size_t k = 0; k < r.output_times.size(); ++k) {
         size_t free = 1;
         while ((x[3 * (nodes * k + free)] == x[3 * nodes * k])) ++free;
@@ -237,11 +250,12 @@ TEST(FedPipes, StationsStayWithTheirFeeder) {
 }
 
 void expect_same(const std::string& a, const std::string& b, double tolerance) {
-  const Results whole = read(a), rest = read(b);
+  const Results whole = read(a);
+  const Results rest = read(b);
   const auto x = tail(whole.fields.at("position"), rest.fields.at("position"));
   EXPECT_LT(largest_difference(x, rest.fields.at("position")), tolerance) << b;
-  const auto F = named(a, whole, "pipe_end_a_feed", "tension"),
-             G = named(b, rest, "pipe_end_a_feed", "tension");
+  const auto F = named(a, whole, "pipe_end_a_feed", "tension");
+  const auto G = named(b, rest, "pipe_end_a_feed", "tension");
   ASSERT_FALSE(G.empty());
   EXPECT_NEAR(F.back(), G.back(), 1e-4 * F.back());
 }
@@ -252,8 +266,10 @@ TEST(FedPipes, GoOnAfterARestart) {
   const std::string path = folder("fed-pipes-restart");
   for (const auto& [name, text, edits] :
        {std::tuple{"clamp", kCantilever, kShort}, {"ramp", kRamp, Edits{}}}) {
-    const std::string input = path + "/" + name + ".yaml", whole = path + "/" + name + ".h5",
-                      half = path + "/" + name + "-half.h5", rest = path + "/" + name + "-rest.h5";
+    const std::string input = path + "/" + name + ".yaml";
+    const std::string whole = path + "/" + name + ".h5";
+    const std::string half = path + "/" + name + "-half.h5";
+    const std::string rest = path + "/" + name + "-rest.h5";
     write_case(input, text, edits);
     run_on_all({input, whole});
     run_on_all({input, half, "", 14});
@@ -267,8 +283,9 @@ TEST(FedPipes, AreTheSameOnAllRanks) {
   if (size_of(MPI_COMM_WORLD) == 1) GTEST_SKIP() << "one rank";
   for (const auto& [name, text, edits] :
        {std::tuple{"clamp", kCantilever, kShort}, {"ramp", kRamp, Edits{}}}) {
-    const std::string input = path + "/" + name + ".yaml", all = path + "/" + name + "-all.h5",
-                      one = path + "/" + name + "-one.h5";
+    const std::string input = path + "/" + name + ".yaml";
+    const std::string all = path + "/" + name + "-all.h5";
+    const std::string one = path + "/" + name + "-one.h5";
     write_case(input, text, edits);
     run_on_all({input, all});
     run_on_one({input, one});
@@ -279,7 +296,8 @@ TEST(FedPipes, AreTheSameOnAllRanks) {
 // The stock has no contact, although its nodes are at one point between wall and roller: ten times the stock
 // gives the same roller forces.
 TEST(FedPipes, TheStockTouchesNothing) {
-  const std::string path = folder("fed-pipes-stock"), input = path + "/case.yaml";
+  const std::string path = folder("fed-pipes-stock");
+  const std::string input = path + "/case.yaml";
   std::vector<std::vector<double>> force;
   for (const int stock : {20, 200}) {
     const std::string file = fmt::format("{}/{}.h5", path, stock);
@@ -304,18 +322,22 @@ TEST(FedPipes, TheStockTouchesNothing) {
 
 // Water does no work on the stock: the energy balance closes.
 TEST(FedPipes, EnergyUnderWater) {
-  const std::string path = folder("fed-pipes-water"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("fed-pipes-water");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, kUnderWater);
   run_on_all({input, file});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(file);
-  const auto error = named(file, r, "energy", "error"), brought = named(file, r, "energy", "brought_in");
+  const auto error = named(file, r, "energy", "error");
+  const auto brought = named(file, r, "energy", "brought_in");
   printf("  error %.3g J of %.4g J\n", largest(error), work(brought));
   EXPECT_LT(largest(error), 0.01 * work(brought));
 }
 
 TEST(FedPipes, RefuseWhatTheyCannotDo) {
-  const std::string path = folder("fed-pipes-bad"), input = path + "/case.yaml";
+  const std::string path = folder("fed-pipes-bad");
+  const std::string input = path + "/case.yaml";
   const std::vector<std::pair<Edits, std::string>> bad{
       {{{"      clamped: true\n", ""}}, "such a line must be clamped at a feeder"},
       {{{"GJ: 1.5e5", "GJ: 1.5e5, stiffness_damping: 0.01"}}, "has 'stiffness_damping'"},

@@ -82,7 +82,8 @@ std::vector<Release> releases(const std::string& input) {
         feeder_nodes.agree();
         const Feeder& f = sim.feeders()->all().front();
         const int feed_point = f.feed_point;
-        const double length = f.length, force = feeder_force();
+        const double length = f.length;
+        const double force = feeder_force();
         const auto before = energy();
         feeder_nodes.transfer_node();
         if (f.feed_point == feed_point) return true;
@@ -97,7 +98,8 @@ std::vector<Release> releases(const std::string& input) {
 // energy of its weight. For the element length required by rollers 5 m apart this is 1e-6 of the strain
 // energy of the tension in one element.
 void expect_smooth(const std::string& name, double element, size_t count, double most) {
-  const std::string path = folder(name), input = path + "/case.yaml";
+  const std::string path = folder(name);
+  const std::string input = path + "/case.yaml";
   write_case(input, kLay,
              {{"elements: 150", fmt::format("element_length: {}", element)},
               {"duration: 16", fmt::format("duration: {}", 6 + element * static_cast<double>(count) / 0.2)}});

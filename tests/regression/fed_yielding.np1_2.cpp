@@ -49,8 +49,11 @@ std::string carried() {
   std::string rows;
   char row[200];
   for (int k = 0; k <= 32; ++k) {
-    const double t = 0.25 * k, c = most * std::pow(std::sin(M_PI * t / 8), 2), turn = c * length;
-    const double along = c > 0 ? std::sin(turn) / c : length, up = c > 0 ? (1 - std::cos(turn)) / c : 0;
+    const double t = 0.25 * k;
+    const double c = most * std::pow(std::sin(M_PI * t / 8), 2);
+    const double turn = c * length;
+    const double along = c > 0 ? std::sin(turn) / c : length;
+    const double up = c > 0 ? (1 - std::cos(turn)) / c : 0;
     std::snprintf(row, sizeof row, "%s[%.2f, %.9f, 0, %.9f, 0, %.9f, 0]", k ? ", " : "", t, along - length,
                   up, -turn * 180 / M_PI);
     rows += row;
@@ -100,13 +103,16 @@ double at(const Results& r, const char* field, size_t output, size_t node) {
 }
 
 TEST(FedYielding, LeavesAClampInAnArc) {
-  const std::string path = folder("fed-yielding-arc"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("fed-yielding-arc");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, kArc);
   run_on_all({input, file});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(file);
-  const auto out = named(file, r, "pipe_end_a_feed", "paid_out"),
-             damping = named(file, r, "energy", "damping"), error = named(file, r, "energy", "error");
+  const auto out = named(file, r, "pipe_end_a_feed", "paid_out");
+  const auto damping = named(file, r, "energy", "damping");
+  const auto error = named(file, r, "energy", "error");
   // After paying out, hauling in and paying out again, all of the material that was outside has the curvature
   // of the curve.
   double off = 0, curve = 0;
@@ -124,7 +130,8 @@ TEST(FedYielding, LeavesAClampInAnArc) {
   std::vector<double> set(law.memory(), 0);
   const double first = law.bend(kBent, 0, set.data());
   law.bend(0, 0, set.data());
-  const double again = law.bend(kBent, 0, set.data()), paid = *std::max_element(out.begin(), out.end());
+  const double again = law.bend(kBent, 0, set.data());
+  const double paid = *std::max_element(out.begin(), out.end());
   printf("  residual curvature off by %.2e, curvature by %.2e; lost %.0f J of %.0f + %.0f J; energy %.2g J\n",
          off, curve, damping.back(), first * paid, again * paid, largest(error));
   EXPECT_LT(off, 0.01);
@@ -134,8 +141,9 @@ TEST(FedYielding, LeavesAClampInAnArc) {
 }
 
 TEST(FedYielding, BendsTravelWithTheMaterial) {
-  const std::string path = folder("fed-yielding-carried"), input = path + "/case.yaml",
-                    file = path + "/whole.h5";
+  const std::string path = folder("fed-yielding-carried");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, carried());
   run_on_all({input, file});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
@@ -159,20 +167,25 @@ TEST(FedYielding, BendsTravelWithTheMaterial) {
 }
 
 TEST(FedYielding, GoOnInTheMiddleOfAnElement) {
-  const std::string path = folder("fed-yielding-restart"), input = path + "/case.yaml",
-                    whole = path + "/whole.h5", half = path + "/half.h5", rest = path + "/rest.h5";
+  const std::string path = folder("fed-yielding-restart");
+  const std::string input = path + "/case.yaml";
+  const std::string whole = path + "/whole.h5";
+  const std::string half = path + "/half.h5";
+  const std::string rest = path + "/rest.h5";
   write_case(input, kArc, {{"duration: 65", "duration: 34"}});
   run_on_all({input, whole});
   for (const double time : {13.3, 29.7}) {  // while paying out; while hauling in
     run_on_all({input, half, "", time});
     run_on_all({input, rest, half});
     if (rank_of(MPI_COMM_WORLD) != 0) continue;
-    const Results a = read(whole), b = read(rest);
+    const Results a = read(whole);
+    const Results b = read(rest);
     for (const char* field : {"position", "residual_curvature", "bending_moment"}) {
-      const auto &x = a.fields.at(field), &y = b.fields.at(field);
+      const auto& x = a.fields.at(field);
+      const auto& y = b.fields.at(field);
       const size_t row = x.size() / a.output_times.size();
-      const std::vector<double> u(x.end() - static_cast<std::ptrdiff_t>(row), x.end()),
-          v(y.end() - static_cast<std::ptrdiff_t>(row), y.end());
+      const std::vector<double> u(x.end() - static_cast<std::ptrdiff_t>(row), x.end());
+      const std::vector<double> v(y.end() - static_cast<std::ptrdiff_t>(row), y.end());
       EXPECT_LT(largest_difference(u, v), 1e-7 * largest(u)) << field << " from " << time;
     }
   }
@@ -180,13 +193,16 @@ TEST(FedYielding, GoOnInTheMiddleOfAnElement) {
 
 TEST(FedYielding, AreTheSameOnAllRanks) {
   if (size_of(MPI_COMM_WORLD) == 1) GTEST_SKIP() << "one rank";
-  const std::string path = folder("fed-yielding-ranks"), input = path + "/case.yaml", all = path + "/all.h5",
-                    one = path + "/one.h5";
+  const std::string path = folder("fed-yielding-ranks");
+  const std::string input = path + "/case.yaml";
+  const std::string all = path + "/all.h5";
+  const std::string one = path + "/one.h5";
   write_case(input, kArc, {{"duration: 65", "duration: 34"}});
   run_on_all({input, all});
   run_on_one({input, one});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
-  const Results a = read(all), b = read(one);
+  const Results a = read(all);
+  const Results b = read(one);
   for (const char* field : {"position", "residual_curvature", "bending_moment"})
     EXPECT_LT(largest_difference(a.fields.at(field), b.fields.at(field)), 1e-5 * largest(b.fields.at(field)))
         << field;

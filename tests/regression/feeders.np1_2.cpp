@@ -51,7 +51,9 @@ double acceleration(double t) { return t < 2 ? 0.5 : t < 20 ? 0 : t < 24 ? -0.5 
 // falls by F²/2K, F = w L/2, K = EA (1/l + 1/(L - l)): 3/16 (w l/T)² of the energy of an element.
 TEST(Feeders, AnElementLeavesWithTheEnergyOfItsWeight) {
   constexpr double l = 2, w = 10 * kGravity, EA = 1e6;  // m, N/m, N
-  const std::string path = folder("feeders-leaves"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("feeders-leaves");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, kWeight,
              {{"EA: 1e7", "EA: 1e6"},
               {"stock: 40", "stock: 52"},
@@ -60,12 +62,15 @@ TEST(Feeders, AnElementLeavesWithTheEnergyOfItsWeight) {
   run_on_all({input, file});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(file);
-  const auto L = named(file, r, "rope_end_a_feed", "mouth_length"),
-             T = named(file, r, "rope_end_a_feed", "tension"), error = named(file, r, "energy", "error");
+  const auto L = named(file, r, "rope_end_a_feed", "mouth_length");
+  const auto T = named(file, r, "rope_end_a_feed", "tension");
+  const auto error = named(file, r, "energy", "error");
   int left = 0;
   for (size_t i = 1; i + 1 < L.size(); ++i) {
     if (L[i + 1] > L[i] - 0.5 * l) continue;
-    const double F = 0.5 * w * L[i], K = EA * (1 / l + 1 / (L[i] - l)), lost = error[i] - error[i + 1];
+    const double F = 0.5 * w * L[i];
+    const double K = EA * (1 / l + 1 / (L[i] - l));
+    const double lost = error[i] - error[i + 1];
     printf("  energy that goes: %.5f J, by hand %.5f J; of the element's %.1e\n", lost, 0.5 * F * F / K,
            lost / (0.5 * T[i] * T[i] * l / EA));
     EXPECT_NEAR(lost, 0.5 * F * F / K, 0.02 * lost);
@@ -75,15 +80,18 @@ TEST(Feeders, AnElementLeavesWithTheEnergyOfItsWeight) {
 }
 
 TEST(Feeders, LowerAndRaiseAWeight) {
-  const std::string path = folder("feeders-weight"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("feeders-weight");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, kWeight);
   run_on_all({input, file});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(file);
-  const auto out = named(file, r, "rope_end_a_feed", "paid_out"),
-             T = named(file, r, "rope_end_a_feed", "tension"),
-             end = named(file, r, "winch", "effective_tension");
-  const auto error = named(file, r, "energy", "error"), brought = named(file, r, "energy", "brought_in");
+  const auto out = named(file, r, "rope_end_a_feed", "paid_out");
+  const auto T = named(file, r, "rope_end_a_feed", "tension");
+  const auto end = named(file, r, "winch", "effective_tension");
+  const auto error = named(file, r, "energy", "error");
+  const auto brought = named(file, r, "energy", "brought_in");
   double off = 0, worst = 0;
   for (size_t i = 0; i < out.size(); ++i) {
     const double t = r.step_times[i];
@@ -105,7 +113,9 @@ TEST(Feeders, LowerAndRaiseAWeight) {
 // A node leaves at 5 m paid out, in the step that ends at an event: the motion and the energy continue
 // without a jump.
 TEST(Feeders, ANodeLeavesAtAnEvent) {
-  const std::string path = folder("feeders-event"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("feeders-event");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(
       input, kWeight,
       {{"[20, 1], [24, -1], [40, -1]", "[40, 1]"},
@@ -115,11 +125,13 @@ TEST(Feeders, ANodeLeavesAtAnEvent) {
   run_on_all({input, file});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(file);
-  const auto T = named(file, r, "rope_end_a_feed", "tension"),
-             L = named(file, r, "rope_end_a_feed", "mouth_length"), error = named(file, r, "energy", "error");
+  const auto T = named(file, r, "rope_end_a_feed", "tension");
+  const auto L = named(file, r, "rope_end_a_feed", "mouth_length");
+  const auto error = named(file, r, "energy", "error");
   double off = 0, shortest = HUGE_VAL;
   for (size_t i = 0; i < T.size(); ++i) {
-    const double t = r.step_times[i], weight = (1000 + 10 * (20 + paid(t))) * kGravity;
+    const double t = r.step_times[i];
+    const double weight = (1000 + 10 * (20 + paid(t))) * kGravity;
     if (t < 5) continue;
     off = std::max(off, std::abs(T[i] / weight - 1));
     shortest = std::min(shortest, L[i]);
@@ -159,7 +171,8 @@ CatenaryShape running(double V, double& T) {
   constexpr double m = 10, EA = 1e7, outside = 110;
   std::optional<CatenaryShape> shape;
   for (int i = 0; i < 20; ++i) {
-    const double more = m * V * V * (1 + (i > 0 ? T : 0) / EA), longer = 1 + more / EA;
+    const double more = m * V * V * (1 + (i > 0 ? T : 0) / EA);
+    const double longer = 1 + more / EA;
     shape = catenary(Vec3::Zero(), Vec3(100, 0, 0),
                      {{outside * longer, Vec3(0, 0, -m * kGravity / longer), EA * longer, Vec3::Zero(), 0}});
     T = shape->tension_a().norm() + more;
@@ -168,14 +181,17 @@ CatenaryShape running(double V, double& T) {
 }
 
 TEST(Feeders, ALineThatRunsKeepsItsShape) {
-  const std::string path = folder("feeders-running"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("feeders-running");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   for (const double V : {5.0, 10.0, 20.0}) {
     const double least = size_of(MPI_COMM_WORLD) > 1 ? 20 : 10;
     if (V < least && !std::getenv("HAWSER_FULL")) continue;  // slower runs
     // A smooth start causes little oscillation.
     std::string out, in;
     for (int i = 0; i <= 10; ++i) {
-      const double u = 0.1 * i, v = V * u * u * (3 - 2 * u);
+      const double u = 0.1 * i;
+      const double v = V * u * u * (3 - 2 * u);
       out += fmt::format("[{}, {:.6f}],", 20 * u, v);
       in += fmt::format("[{}, {:.6f}],", 20 * u, -v);
     }
@@ -183,8 +199,8 @@ TEST(Feeders, ALineThatRunsKeepsItsShape) {
     run_on_all({input, file});
     if (rank_of(MPI_COMM_WORLD) != 0) continue;
     const Results r = read(file);
-    const auto A = named(file, r, "rope_end_a_feed", "tension"),
-               B = named(file, r, "rope_end_b_feed", "tension");
+    const auto A = named(file, r, "rope_end_a_feed", "tension");
+    const auto B = named(file, r, "rope_end_b_feed", "tension");
     double at_a = 0, at_b = 0, time = 0;
     for (size_t i = 1; i < A.size(); ++i)
       if (r.step_times[i - 1] > 24) {
@@ -242,16 +258,19 @@ contact: {between_lines: false}
 )";
 
 TEST(Feeders, KeepATension) {
-  const std::string path = folder("feeders-kept"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("feeders-kept");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, kTug);
   run_on_all({input, file});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(file);
-  const auto T = named(file, r, "rope_end_a_feed", "tension"),
-             out = named(file, r, "rope_end_a_feed", "paid_out");
+  const auto T = named(file, r, "rope_end_a_feed", "tension");
+  const auto out = named(file, r, "rope_end_a_feed", "paid_out");
   double off = 0;
   for (size_t i = 1; i < T.size(); ++i) off = std::max(off, std::abs(T[i] - 1e4));
-  const auto error = named(file, r, "energy", "error"), brought = named(file, r, "energy", "brought_in");
+  const auto error = named(file, r, "energy", "error");
+  const auto brought = named(file, r, "energy", "brought_in");
   printf("  off by %.2g N, paid out %.3f m, energy %.1e\n", off, largest(out),
          largest(error) / work(brought));
   EXPECT_LT(off, 10);  // inertia of the element at the feed point
@@ -263,7 +282,9 @@ const Edits kBand{{"tension: 10 kN}", "tension: 10 kN, dead_band: [8 kN, 12 kN],
 
 // The speed law uses the tension including damping, so damping causes no peak at the edge of the band.
 TEST(Feeders, RestWithinTheirBand) {
-  const std::string path = folder("feeders-band"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("feeders-band");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   // The recorded tension contains the inertia of the element at the feed point, which the law does not use.
   // Its share increases with damping, because the speed then changes faster.
   for (const auto& [damping, tolerance] : {std::pair{"0.02", 0.025}, {"1e-4", 0.01}}) {
@@ -273,8 +294,8 @@ TEST(Feeders, RestWithinTheirBand) {
     run_on_all({input, file});
     if (rank_of(MPI_COMM_WORLD) != 0) continue;
     const Results r = read(file);
-    const auto T = named(file, r, "rope_end_a_feed", "tension"),
-               v = named(file, r, "rope_end_a_feed", "feed_speed");
+    const auto T = named(file, r, "rope_end_a_feed", "tension");
+    const auto v = named(file, r, "rope_end_a_feed", "feed_speed");
     // At the start of motion the tension is that of the band's edge or, later in the step, that of the law.
     int starts = 0;
     double off = 0, beyond = 0;
@@ -301,14 +322,16 @@ TEST(Feeders, RestWithinTheirBand) {
 }
 
 void expect_same(const std::string& a, const std::string& b, double tolerance) {
-  const Results whole = read(a), rest = read(b);
+  const Results whole = read(a);
+  const Results rest = read(b);
   const auto x = tail(whole.fields.at("position"), rest.fields.at("position"));
   EXPECT_LT(largest_difference(x, rest.fields.at("position")), tolerance) << b;
-  const auto T = named(a, whole, "rope_end_a_feed", "tension"),
-             U = named(b, rest, "rope_end_a_feed", "tension");
+  const auto T = named(a, whole, "rope_end_a_feed", "tension");
+  const auto U = named(b, rest, "rope_end_a_feed", "tension");
   ASSERT_FALSE(U.empty());
   EXPECT_NEAR(T.back(), U.back(), 1e-6 * T.back());
-  const auto e = named(a, whole, "energy", "error"), f = named(b, rest, "energy", "error");
+  const auto e = named(a, whole, "energy", "error");
+  const auto f = named(b, rest, "energy", "error");
   EXPECT_NEAR(e.back(), f.back(), 1e-3 + 1e-6 * largest(named(a, whole, "energy", "brought_in")));
 }
 
@@ -319,8 +342,10 @@ TEST(Feeders, GoOnAfterARestart) {
        {std::tuple{"weight", kWeight, Edits{{"duration: 40", "duration: 30"}}},
         {"band", kTug, kBand},
         {"kept", kTug, Edits{}}}) {
-    const std::string input = path + "/" + name + ".yaml", whole = path + "/" + name + ".h5",
-                      half = path + "/" + name + "-half.h5", rest = path + "/" + name + "-rest.h5";
+    const std::string input = path + "/" + name + ".yaml";
+    const std::string whole = path + "/" + name + ".h5";
+    const std::string half = path + "/" + name + "-half.h5";
+    const std::string rest = path + "/" + name + "-rest.h5";
     write_case(input, text, edits);
     run_on_all({input, whole});
     run_on_all({input, half, "", 17});
@@ -334,8 +359,9 @@ TEST(Feeders, AreTheSameOnAllRanks) {
   if (size_of(MPI_COMM_WORLD) == 1) GTEST_SKIP() << "one rank";
   for (const auto& [name, text, edits] :
        {std::tuple{"weight", kWeight, Edits{}}, {"band", kTug, kBand}, {"kept", kTug, Edits{}}}) {
-    const std::string input = path + "/" + name + ".yaml", all = path + "/" + name + "-all.h5",
-                      one = path + "/" + name + "-one.h5";
+    const std::string input = path + "/" + name + ".yaml";
+    const std::string all = path + "/" + name + "-all.h5";
+    const std::string one = path + "/" + name + "-one.h5";
     write_case(input, text, edits);
     run_on_all({input, all});
     run_on_one({input, one});
@@ -358,21 +384,25 @@ std::string refusal(const std::string& input, const std::string& output) {
 
 // Statics does not move the feeder: the start with a speed and damping is that of a table that begins at 0.
 TEST(Feeders, StaticsDoesNotFeed) {
-  const std::string path = folder("feeders-statics"), input = path + "/case.yaml";
+  const std::string path = folder("feeders-statics");
+  const std::string input = path + "/case.yaml";
   const std::string table = "speed_table: [[0, 0], [2, 1], [20, 1], [24, -1], [40, -1]]";
   write_case(input, kWeight, {{"duration: 40", "duration: 1"}});
   run_on_all({input, path + "/slow.h5"});
   write_case(input, kWeight, {{"duration: 40", "duration: 1"}, {table, "speed: -2"}});
   run_on_all({input, path + "/fast.h5"});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
-  const Results slow = read(path + "/slow.h5"), fast = read(path + "/fast.h5");
-  const auto &a = slow.fields.at("position"), &b = fast.fields.at("position");
+  const Results slow = read(path + "/slow.h5");
+  const Results fast = read(path + "/fast.h5");
+  const auto& a = slow.fields.at("position");
+  const auto& b = fast.fields.at("position");
   const size_t first = a.size() / slow.output_times.size();
   for (size_t i = 0; i < first; ++i) EXPECT_NEAR(a[i], b[i], 1e-9) << i;
 }
 
 TEST(Feeders, StopWhereTheStockRunsOut) {
-  const std::string path = folder("feeders-out"), input = path + "/case.yaml";
+  const std::string path = folder("feeders-out");
+  const std::string input = path + "/case.yaml";
   write_case(input, kWeight, {{"[20, 1], [24, -1], [40, -1]", "[60, 1]"}, {"duration: 40", "duration: 60"}});
   EXPECT_NE(
       refusal(input, path + "/out.h5").find("40 m are paid out by t = 41 s, and the run goes on to 60 s"),
@@ -396,7 +426,8 @@ TEST(Feeders, StopWhereTheStockRunsOut) {
 }
 
 TEST(Feeders, RefuseWhatTheyCannotDo) {
-  const std::string path = folder("feeders-bad"), input = path + "/case.yaml";
+  const std::string path = folder("feeders-bad");
+  const std::string input = path + "/case.yaml";
   const std::string table = "speed_table: [[0, 0], [2, 1], [20, 1], [24, -1], [40, -1]]";
   const std::vector<std::pair<Edits, std::string>> bad{
       {{{"stock: 40", "stock: 0"}}, "must be above 0"},

@@ -68,7 +68,9 @@ std::string attribute(const io::h5::Id& file, const std::string& set, const char
 }
 
 TEST(Field, IsShownAsDeclared) {
-  const std::string path = folder("field"), input = path + "/case.yaml", output = path + "/run.h5";
+  const std::string path = folder("field");
+  const std::string input = path + "/case.yaml";
+  const std::string output = path + "/run.h5";
   write_case(input, kWeight);
   model::Case c = io::read_case(input);
   c.output.file = output;
@@ -97,8 +99,8 @@ TEST(Field, IsShownAsDeclared) {
   const auto z = named(output, r, "weight", "position_z");
   EXPECT_EQ(named(output, r, "weight", "height"), z);
   EXPECT_LT(z.back(), z.front() - 0.1);  // the winch lowers it
-  const auto tension = named(output, r, "weight", "effective_tension"),
-             raised = named(output, r, "weight", "raised_tension");
+  const auto tension = named(output, r, "weight", "effective_tension");
+  const auto raised = named(output, r, "weight", "raised_tension");
   EXPECT_GT(largest_difference(tension, raised), 0.5);  // tension of the element's middle; 1 N in addition
   EXPECT_LT(largest_difference(tension, raised), 200);
   const auto columns = columns_of(output, "weight");

@@ -38,7 +38,9 @@ output:
 }
 
 TEST(Histories, PointsBetweenNodes) {
-  const std::string path = folder("histories"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("histories");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, case_text());
   run_on_all({input, file});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
@@ -68,8 +70,8 @@ TEST(Histories, PointsBetweenNodes) {
       EXPECT_NEAR(shown(std::string("position_") + "xyz"[k]), between(x[row + k], x[row + 3 + k]), 1e-12);
   }
   // Tensions differ between both sides of the weight; points near it have the tension of their side.
-  const double before = named(file, r, "weight", "effective_tension_before").back(),
-               after = named(file, r, "weight", "effective_tension_after").back();
+  const double before = named(file, r, "weight", "effective_tension_before").back();
+  const double after = named(file, r, "weight", "effective_tension_after").back();
   EXPECT_EQ(before, last("effective_tension_before", kWeight));
   EXPECT_EQ(after, last("effective_tension_after", kWeight));
   EXPECT_GT(after - before, 5e3);
@@ -79,7 +81,9 @@ TEST(Histories, PointsBetweenNodes) {
 // A cantilever with a force and a torque at 5 m: a point just beyond them has neither shear nor torsion, a
 // point just before them has all of both.
 TEST(Histories, PointsBesideALoad) {
-  const std::string path = folder("histories-beam"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("histories-beam");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, R"(hawser: 1
 title: A cantilever
 environment: {gravity: 0}

@@ -14,7 +14,8 @@ namespace {
 
 // Starts the program without the MPI environment of this test's job.
 pid_t start(const std::vector<std::string>& arguments) {
-  std::vector<std::string> words{std::string(HAWSER_BINARY_DIR) + "/hawser"}, env;
+  std::vector<std::string> words{std::string(HAWSER_BINARY_DIR) + "/hawser"};
+  std::vector<std::string> env;
   words.insert(words.end(), arguments.begin(), arguments.end());
   for (const char* name : {"PATH", "HOME", "TMPDIR", "LD_LIBRARY_PATH", "ASAN_OPTIONS",
                            "OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM",
@@ -58,7 +59,8 @@ void expect_beginning(const Results& whole, const Results& part) {
 }
 
 TEST(Kill, WhatWasAcceptedStaysAndTheRunGoesOn) {
-  const std::string path = folder("kill"), file = path + "/killed.h5";
+  const std::string path = folder("kill");
+  const std::string file = path + "/killed.h5";
   const std::string input =
       reel(path + "/reel.yaml", {{"length: 250, elements: 250", "length: 60, elements: 60"},
                                  {"duration: 325", "duration: 20"},

@@ -67,12 +67,14 @@ output: {every: 0.1, histories: [{line: chain, at: end_a, name: pile}]}
 
 void compare(const std::string& which, const std::string& text, const Edits& edits, size_t outputs,
              double speed) {
-  const std::string path = folder("lines_" + which), input = path + "/lines.yaml";
+  const std::string path = folder("lines_" + which);
+  const std::string input = path + "/lines.yaml";
   write_case(input, text, edits);
   run_on_one({input, path + "/one.h5"});
   run_on_all({input, path + "/all.h5"});
   if (rank_of(MPI_COMM_WORLD) > 0) return;
-  const Results one = read(path + "/one.h5"), all = read(path + "/all.h5");
+  const Results one = read(path + "/one.h5");
+  const Results all = read(path + "/all.h5");
   ASSERT_GT(one.step_times.size(), 50u);
   EXPECT_EQ(one.output_times.size(), outputs);
   EXPECT_EQ(one.output_times, all.output_times);
@@ -88,7 +90,8 @@ void compare(const std::string& which, const std::string& text, const Edits& edi
   std::printf("\n");
   for (const std::string point : {"hang-off", "pile"})
     for (size_t c = 0; one.columns.count(point) && c < one.columns.at(point); ++c) {
-      const auto a = one.column(point, c), b = all.column(point, c);
+      const auto a = one.column(point, c);
+      const auto b = all.column(point, c);
       // Values that are zero by symmetry have the round-off of the forces.
       const double round_off = 1e-13 * largest(one.series.at(point));
       EXPECT_LE(largest_difference(a, b), 1e-9 * largest(a) + round_off) << point << ' ' << c;

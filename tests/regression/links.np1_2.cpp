@@ -51,13 +51,14 @@ TEST_F(Links, HistoriesAndEnergy) {
   run_on_all({path + "/links.yaml", path + "/all.h5"});
   run_on_one({path + "/links.yaml", path + "/one.h5"});
   if (!first()) return;
-  const Results all = read(path + "/all.h5"), one = read(path + "/one.h5");
+  const Results all = read(path + "/all.h5");
+  const Results one = read(path + "/one.h5");
   // At rest the compensator and the tugger carry both loads.
-  const std::vector<double> tension = named(path + "/all.h5", all, kLinks[0], "tension"),
-                            length = named(path + "/all.h5", all, kLinks[0], "length"),
-                            speed = named(path + "/all.h5", all, kLinks[0], "speed"),
-                            sling = named(path + "/all.h5", all, kLinks[1], "tension"),
-                            sag = named(path + "/all.h5", all, kLinks[4], "tension");
+  const std::vector<double> tension = named(path + "/all.h5", all, kLinks[0], "tension");
+  const std::vector<double> length = named(path + "/all.h5", all, kLinks[0], "length");
+  const std::vector<double> speed = named(path + "/all.h5", all, kLinks[0], "speed");
+  const std::vector<double> sling = named(path + "/all.h5", all, kLinks[1], "tension");
+  const std::vector<double> sag = named(path + "/all.h5", all, kLinks[4], "tension");
   EXPECT_NEAR(sling.front(), 800 * 9.80665, 1e-5 * 800 * 9.80665);
   EXPECT_EQ(*std::min_element(sag.begin(), sag.end()), 0);
   EXPECT_GT(*std::max_element(sag.begin(), sag.end()), 100);
@@ -65,8 +66,9 @@ TEST_F(Links, HistoriesAndEnergy) {
     const double by = (length[i + 1] - length[i - 1]) / (all.step_times[i + 1] - all.step_times[i - 1]);
     EXPECT_NEAR(speed[i], by, 5e-3) << all.step_times[i];  // jumps where the tugger's spring tightens
   }
-  const double brought_in = largest(all.column("energy", 5)), error = largest(all.column("energy", 6)),
-               damping = all.column("energy", 4).back();
+  const double brought_in = largest(all.column("energy", 5));
+  const double error = largest(all.column("energy", 6));
+  const double damping = all.column("energy", 4).back();
   printf("  tension %.0f to %.0f N; damped %.0f J, brought in %.0f J, %.4f %% of it not accounted for\n",
          *std::min_element(tension.begin(), tension.end()), *std::max_element(tension.begin(), tension.end()),
          damping, brought_in, 100 * error / brought_in);
@@ -93,7 +95,8 @@ TEST_F(Links, GoOnAfterARestart) {
     for (const char* series :
          {"energy", "compensator_link", "sling_link", "fender_link", "brace_link", "sag_link"})
       for (size_t c = 0; c < whole.columns.at(series); ++c) {
-        const auto there = rest.column(series, c), here = tail(whole.column(series, c), there);
+        const auto there = rest.column(series, c);
+        const auto here = tail(whole.column(series, c), there);
         EXPECT_LE(largest_difference(here, there), tolerance * (1 + largest(whole.column(series, c))))
             << file << ' ' << series << ' ' << c;
       }

@@ -114,12 +114,16 @@ lines:
   const int ranks = ranks_of(MPI_COMM_WORLD);
   const int last = ranks - 1;
   const LocalMesh local = local_mesh(mesh, std::vector{0, 0, last, last}, rank_of(MPI_COMM_WORLD), ranks);
-  const double a = 49 * M_PI / 180, T = 1000 / std::cos(a), up = T * std::sin(a);
+  const double a = 49 * M_PI / 180;
+  const double T = 1000 / std::cos(a);
+  const double up = T * std::sin(a);
   const std::vector<Vec3> x{{-2 * std::cos(a), 0, -2 * std::sin(a)},
                             {0, 0, 0},
                             {2, 0, 0},
                             {2 + 2 * std::cos(a), 0, -2 * std::sin(a)}};
-  const std::vector<double> force{0, up, up, 0}, before{T, T, 1000, T}, after{T, 1000, T, T};
+  const std::vector<double> force{0, up, up, 0};
+  const std::vector<double> before{T, T, 1000, T};
+  const std::vector<double> after{T, 1000, T, T};
   State s;
   s.resize(static_cast<size_t>(local.nodes()));
   std::vector<double> F, none, T1, T2;
@@ -138,7 +142,8 @@ lines:
 }
 
 TEST_F(LongElements, AreReported) {
-  const std::string coarse = run("0.5", "4", ""), fine = run("0.5", "30", "");
+  const std::string coarse = run("0.5", "4", "");
+  const std::string fine = run("0.5", "30", "");
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   EXPECT_NE(coarse.find("line chain sags between the nodes of its elements of 32.7 m"), std::string::npos)
       << coarse;
@@ -157,7 +162,8 @@ TEST_F(LongElements, OfSeveralLinesAreReportedInTheirOrder) {
     y += 100;
   }
   std::string text = kChain;
-  const size_t from = text.find("  chain:\n    sections"), to = text.find("contact:");
+  const size_t from = text.find("  chain:\n    sections");
+  const size_t to = text.find("contact:");
   text.replace(from, to - from, lines);
   const std::string all = run(text.c_str(), {{"HEAVE", "0.5"}, {"STEP", ", step: 0.1"}, {"10,", "1,"}});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
@@ -181,7 +187,8 @@ TEST_F(LongElements, OfSeveralLinesAreReportedInTheirOrder) {
 }
 
 TEST_F(LongElements, SoAreLongStepsOfASnap) {
-  const std::string coarse = run("4", "20", ", step: 0.25"), fine = run("4", "20", ", step: 0.02");
+  const std::string coarse = run("4", "20", ", step: 0.25");
+  const std::string fine = run("4", "20", ", step: 0.02");
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   EXPECT_NE(coarse.find("the largest tension of line chain ("), std::string::npos) << coarse;
   EXPECT_NE(coarse.find("is due to an impact that is not resolved: "), std::string::npos) << coarse;
@@ -190,7 +197,8 @@ TEST_F(LongElements, SoAreLongStepsOfASnap) {
 
 // Drag of 733 N instead of 2.66 kN.
 TEST_F(LongElements, MissACurrentBetweenTheirNodes) {
-  const std::string coarse = run(kJet, {{"ELEMENTS", "10"}}), fine = run(kJet, {{"ELEMENTS", "200"}});
+  const std::string coarse = run(kJet, {{"ELEMENTS", "10"}});
+  const std::string fine = run(kJet, {{"ELEMENTS", "200"}});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   EXPECT_NE(
       coarse.find("line cable has elements of 9.95 m at arc length 54.73 m (45 m below the still water, "
@@ -203,7 +211,8 @@ TEST_F(LongElements, MissACurrentBetweenTheirNodes) {
 
 // Wave forces on elements of 5 m are 12 % larger than on elements of 0.5 m.
 TEST_F(LongElements, MissWavesBetweenTheirNodes) {
-  const std::string coarse = run(kRiser, {{"ELEMENTS", "21"}}), fine = run(kRiser, {{"ELEMENTS", "140"}});
+  const std::string coarse = run(kRiser, {{"ELEMENTS", "21"}});
+  const std::string fine = run(kRiser, {{"ELEMENTS", "140"}});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   EXPECT_NE(coarse.find("line pipe has elements of 5 m at arc length 97.5 m (2.5 m below the still water"),
             std::string::npos)

@@ -38,12 +38,14 @@ Inside inside(const std::string& path, const Results& r) {
   const TriangleMesh mesh = run::load_volumes(c)[0].facets->copy();
   const auto boundary = test::boundary_of(mesh);
   const auto& x = r.fields.at("position");
-  const size_t nodes = x.size() / 3 / r.output_times.size(), first = 3 * nodes * (r.output_times.size() - 1);
+  const size_t nodes = x.size() / 3 / r.output_times.size();
+  const size_t first = 3 * nodes * (r.output_times.size() - 1);
   Inside out;
   for (size_t n = 0; n < nodes; ++n) {
     const double* p = x.data() + first + 3 * n;
     // The ship moves by some centimetres: only deeper nodes count.
-    const Vec3 body(p[1], -p[0], p[2]), up = Vec3(0.0031, 0.0017, 1).normalized();
+    const Vec3 body(p[1], -p[0], p[2]);
+    const Vec3 up = Vec3(0.0031, 0.0017, 1).normalized();
     if (!(test::WindingAlong(mesh, body, up).at(0, mesh, boundary) > 0.5)) continue;
     ++out.nodes;
     out.deepest = std::max(out.deepest, p[0] + kSide);
@@ -53,8 +55,8 @@ Inside inside(const std::string& path, const Results& r) {
 
 TEST(OffloadingHose, StaysOutsideAndLiesAlongTheHull) {
   if (size_of(MPI_COMM_WORLD) == 1 && !whole()) GTEST_SKIP() << "2 ranks run it on 1, too; set HAWSER_FULL";
-  const std::string path = folder("offloading_hose"),
-                    here = hose(path + "/hose.yaml", "offloading-hose.yaml");
+  const std::string path = folder("offloading_hose");
+  const std::string here = hose(path + "/hose.yaml", "offloading-hose.yaml");
   const double before = test::cpu_seconds();
   run_on_all({here, path + "/all.h5", "", stop_at()});
   const double used = test::cpu_seconds() - before;
@@ -66,8 +68,8 @@ TEST(OffloadingHose, StaysOutsideAndLiesAlongTheHull) {
   // Nodes where the hose is within 0.15 m of the hull, along the port side and round the quarter.
   const auto hull = run::load_volumes(io::read_case(here))[0].surface;
   const auto& x = all.fields.at("position");
-  const size_t nodes = x.size() / 3 / all.output_times.size(),
-               first = 3 * nodes * (all.output_times.size() - 1);
+  const size_t nodes = x.size() / 3 / all.output_times.size();
+  const size_t first = 3 * nodes * (all.output_times.size() - 1);
   int along = 0;
   for (size_t n = 0; n < nodes; ++n) {
     const double* p = x.data() + first + 3 * n;
@@ -101,8 +103,8 @@ TEST(OffloadingHose, StaysOutsideAndLiesAlongTheHull) {
 }
 
 TEST(OffloadingHose, GoesThroughTheHullWithoutContact) {
-  const std::string path = folder("offloading_hose_no_contact"),
-                    here = hose(path + "/hose.yaml", "offloading-hose-no-contact.yaml");
+  const std::string path = folder("offloading_hose_no_contact");
+  const std::string here = hose(path + "/hose.yaml", "offloading-hose-no-contact.yaml");
   run_on_all({here, path + "/all.h5", "", stop_at()});
   if (rank_of(MPI_COMM_WORLD) > 0) return;
   const Inside in = inside(here, read(path + "/all.h5"));

@@ -40,7 +40,8 @@ int lines_of(const std::string& file) {
 }
 
 TEST(PetscOptions, AnotherJudgeOfStepsIsRefused) {
-  const std::string path = folder("petsc-judge"), input = path + "/case.yaml";
+  const std::string path = folder("petsc-judge");
+  const std::string input = path + "/case.yaml";
   write_case(input, kChain);
   for (const auto& [key, value] : {std::pair("-dynamics_ts_adapt_type", "none"),
                                    {"-dynamics_ts_type", "beuler"},
@@ -62,16 +63,18 @@ TEST(PetscOptions, AnotherJudgeOfStepsIsRefused) {
 // PETSc's monitors show iterations of statics and attempted steps; another line search for statics has no
 // effect.
 TEST(PetscOptions, MonitorsShowStaticsAndSteps) {
-  const std::string path = folder("petsc-monitors"), input = path + "/case.yaml";
+  const std::string path = folder("petsc-monitors");
+  const std::string input = path + "/case.yaml";
   write_case(input, kChain);
   run_on_all({input, path + "/plain.h5"});
   {
-    const Option statics("-statics_snes_monitor", "ascii:" + path + "/statics.txt"),
-        search("-statics_snes_linesearch_type", "bt"),
-        steps("-dynamics_ts_monitor", "ascii:" + path + "/steps.txt");
+    const Option statics("-statics_snes_monitor", "ascii:" + path + "/statics.txt");
+    const Option search("-statics_snes_linesearch_type", "bt");
+    const Option steps("-dynamics_ts_monitor", "ascii:" + path + "/steps.txt");
     run_on_all({input, path + "/shown.h5"});
   }
-  const Results plain = read(path + "/plain.h5"), shown = read(path + "/shown.h5");
+  const Results plain = read(path + "/plain.h5");
+  const Results shown = read(path + "/shown.h5");
   EXPECT_EQ(plain.fields.at("position"), shown.fields.at("position"));
   EXPECT_GE(lines_of(path + "/statics.txt"), 5);
   EXPECT_GE(lines_of(path + "/steps.txt"), static_cast<int>(plain.step_times.size()));

@@ -39,7 +39,9 @@ PipeCodes codes() {
 }
 
 TEST(PipeStrength, AtOutputsAndOverEveryStep) {
-  const std::string path = folder("pipe-strength"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("pipe-strength");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, kCase, {{"CONDITION", ""}});
   run_on_all({input, file});
   run_on_one({input, path + "/one.h5"});
@@ -63,8 +65,8 @@ TEST(PipeStrength, AtOutputsAndOverEveryStep) {
                          of("effective_tension", at, n)};
       };
       const double depth = -r.fields.at("position").at(3 * (nodes * k + n) + 2);
-      const double outside = kDensity * kGravity * std::max(depth, 0.0),
-                   inside = 2e6 + 800 * kGravity * depth;
+      const double outside = kDensity * kGravity * std::max(depth, 0.0);
+      const double inside = 2e6 + 800 * kGravity * depth;
       EXPECT_NEAR(found, by.local_buckling(loads(0), loads(k), 1, outside, inside), 1e-12) << k << " " << n;
       EXPECT_NEAR(of("api_bending_pressure", k, n),
                   by.bending_and_pressure(0.125 * of("curvature", k, n), outside, inside), 1e-12);
@@ -88,14 +90,16 @@ TEST(PipeStrength, AtOutputsAndOverEveryStep) {
 
 // The factor gamma_C of functional loads applies on the seabed only.
 TEST(PipeStrength, ConditionOnTheSeabed) {
-  const std::string path = folder("pipe-condition"), input = path + "/case.yaml";
+  const std::string path = folder("pipe-condition");
+  const std::string input = path + "/case.yaml";
   for (const auto& [name, text] :
        {std::pair("plain", ""), {"uneven", ", condition_factor: {seabed: 1.07}"}}) {
     write_case(input, kCase, {{"CONDITION", text}, {"duration: 2", "duration: 0.1"}});
     run_on_all({input, path + "/" + name + ".h5"});
   }
   if (rank_of(MPI_COMM_WORLD) != 0) return;
-  const Results plain = read(path + "/plain.h5"), uneven = read(path + "/uneven.h5");
+  const Results plain = read(path + "/plain.h5");
+  const Results uneven = read(path + "/uneven.h5");
   const PipeCodes by = codes();
   const double touchdown = named(path + "/plain.h5", plain, "touchdown", "end_a_arc_length").front();
   EXPECT_GT(touchdown, 60);
@@ -113,7 +117,8 @@ TEST(PipeStrength, ConditionOnTheSeabed) {
 }
 
 TEST(PipeStrength, BadInput) {
-  const std::string path = folder("pipe-bad"), input = path + "/case.yaml";
+  const std::string path = folder("pipe-bad");
+  const std::string input = path + "/case.yaml";
   write_case(input, kCase, {{"grade: X65, ", ""}, {"CONDITION", ""}});
   EXPECT_NE(events::error_of(input, path + "/out.h5").find("need the 'grade' of the steel as well"),
             std::string::npos);

@@ -17,8 +17,11 @@ const double kEI = 207e9 * M_PI / 64 * (std::pow(0.2, 4) - std::pow(0.18, 4));
 std::string bent() {
   std::string rows;
   for (int k = 0; k <= 32; ++k) {
-    const double t = 0.25 * k, c = kMost * std::pow(std::sin(M_PI * t / 8), 2), turn = c * kLength;
-    const double along = c > 0 ? std::sin(turn) / c : kLength, up = c > 0 ? (1 - std::cos(turn)) / c : 0;
+    const double t = 0.25 * k;
+    const double c = kMost * std::pow(std::sin(M_PI * t / 8), 2);
+    const double turn = c * kLength;
+    const double along = c > 0 ? std::sin(turn) / c : kLength;
+    const double up = c > 0 ? (1 - std::cos(turn)) / c : 0;
     char row[200];
     std::snprintf(row, sizeof row, "%s[%.2f, %.9f, 0, %.9f, 0, %.9f, 0]", k ? ", " : "", t, along - kLength,
                   up, -turn * 180 / M_PI);
@@ -50,7 +53,9 @@ contact: {between_lines: false}
 }
 
 TEST(PlasticPipe, KeepsItsBend) {
-  const std::string path = folder("plastic"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("plastic");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, bent());
   run_on_all({input, file});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
@@ -63,8 +68,9 @@ TEST(PlasticPipe, KeepsItsBend) {
   const auto first = [&](double c) { return law.at(c, 0, nullptr).m[0]; };
   // Moments by the curve of the first bend, then by Masing's rule; the residual curvature is that after
   // elastic unloading.
-  const double most = first(kMost), back = most - 2 * first(0.5 * kMost),
-               stays = kMost - most / law.initial();
+  const double most = first(kMost);
+  const double back = most - 2 * first(0.5 * kMost);
+  const double stays = kMost - most / law.initial();
   printf("  bent: %.1f kN m (%.1f); back: %.1f kN m (%.1f), %.5f 1/m stay (%.5f)\n",
          at("bending_moment", 4, 12) / 1e3, most / 1e3, at("bending_moment", 8, 12) / 1e3, -back / 1e3,
          at("residual_curvature", 4, 12), stays);
@@ -79,29 +85,35 @@ TEST(PlasticPipe, KeepsItsBend) {
 }
 
 TEST(PlasticPipe, EnergyIsAccountedFor) {
-  const std::string path = folder("plastic-energy"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("plastic-energy");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, bent());
   run_on_all({input, file});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(file);
   const auto column = [&](const char* name) { return named(file, r, "energy", name); };
-  const double in = column("brought_in").back(), taken = column("damping").back(),
-               error = column("error").back();
+  const double in = column("brought_in").back();
+  const double taken = column("damping").back();
+  const double error = column("error").back();
   printf("  brought in %.4g J, dissipated %.4g J, not accounted for %.3g J\n", in, taken, error);
   EXPECT_GT(taken, 5e4);
   EXPECT_LT(std::abs(error), 1e-2 * taken);
 }
 
 TEST(PlasticPipe, GoesOnAfterARestart) {
-  const std::string path = folder("plastic-restart"), input = path + "/case.yaml";
+  const std::string path = folder("plastic-restart");
+  const std::string input = path + "/case.yaml";
   write_case(input, bent());
   run_on_all({input, path + "/whole.h5"});
   run_on_all({input, path + "/half.h5", "", 5.0});
   run_on_all({input, path + "/rest.h5", path + "/half.h5"});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
-  const Results whole = read(path + "/whole.h5"), rest = read(path + "/rest.h5");
+  const Results whole = read(path + "/whole.h5");
+  const Results rest = read(path + "/rest.h5");
   for (const char* field : {"bending_moment", "residual_curvature"}) {
-    const auto &a = whole.fields.at(field), &b = rest.fields.at(field);
+    const auto& a = whole.fields.at(field);
+    const auto& b = rest.fields.at(field);
     double most = 0;
     for (const double v : a) most = std::max(most, std::abs(v));
     for (size_t n = 0; n < 25; ++n)

@@ -19,7 +19,8 @@ double tension_apart(const Results& a, const Results& b) {
     const auto there = b.column(point, kTension);
     apart = std::max(apart, largest_difference(tail(a.column(point, kTension), there), there));
   }
-  const auto &f = a.fields.at("effective_tension"), &g = b.fields.at("effective_tension");
+  const auto& f = a.fields.at("effective_tension");
+  const auto& g = b.fields.at("effective_tension");
   return std::max(apart, largest_difference(tail(f, g), g)) / most;
 }
 
@@ -33,7 +34,8 @@ void expect_same_steps(const Results& a, const Results& b) {
 
 void compare(const std::string& name, Edits edits, double tolerance) {
   edits.insert(edits.begin(), kFine.begin(), kFine.end());
-  const std::string path = folder(name), here = reel(path + "/reel.yaml", edits);
+  const std::string path = folder(name);
+  const std::string here = reel(path + "/reel.yaml", edits);
   run_on_one({here, path + "/one.h5", "", kEnd});
   run_on_all({here, path + "/all.h5", "", kEnd});
   run_on_all({here, path + "/half.h5", "", kHalf});
@@ -41,8 +43,10 @@ void compare(const std::string& name, Edits edits, double tolerance) {
   run_on_one({here, path + "/half_one.h5", "", kHalf});
   run_on_all({here, path + "/more.h5", path + "/half_one.h5", kEnd});
   if (rank_of(MPI_COMM_WORLD) > 0) return;
-  const Results one = read(path + "/one.h5"), all = read(path + "/all.h5"), fewer = read(path + "/fewer.h5"),
-                more = read(path + "/more.h5");
+  const Results one = read(path + "/one.h5");
+  const Results all = read(path + "/all.h5");
+  const Results fewer = read(path + "/fewer.h5");
+  const Results more = read(path + "/more.h5");
   ASSERT_GT(one.fields.at("effective_tension").size() / one.output_times.size(), 1000u);
   EXPECT_NEAR(largest(one.column("fairlead", kTension)), 670e3, 20e3);
   EXPECT_GT(largest(one.fields.at("contact_force")), 1e3);
@@ -50,8 +54,9 @@ void compare(const std::string& name, Edits edits, double tolerance) {
   // Restarted runs have the same steps, because they stopped at an output time.
   expect_same_steps(one, fewer);
   expect_same_steps(one, more);
-  const double ranks = tension_apart(one, all), down = tension_apart(all, fewer),
-               up = tension_apart(one, more);
+  const double ranks = tension_apart(one, all);
+  const double down = tension_apart(all, fewer);
+  const double up = tension_apart(one, more);
   std::printf(
       "%s, 1200 elements: tensions on 1 and %d ranks differ by %.1e of the largest; gone on with on fewer "
       "ranks %.1e, on more %.1e\n",

@@ -11,7 +11,8 @@ namespace {
 constexpr double kRadius = 8 + 0.5 * 0.2191, kEnd = 22;  // m, s
 
 TEST(ReelLay, ComesOntoTheReel) {
-  const std::string path = folder("reel-lay"), input = path + "/case.yaml";
+  const std::string path = folder("reel-lay");
+  const std::string input = path + "/case.yaml";
   std::ostringstream text;
   text << std::ifstream(HAWSER_SOURCE_DIR "/cases/reel-lay/reel-lay.yaml").rdbuf();
   write_case(input, text.str());
@@ -19,8 +20,8 @@ TEST(ReelLay, ComesOntoTheReel) {
   if (size_of(MPI_COMM_WORLD) > 1) run_on_one({input, path + "/one.h5", "", kEnd});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results all = read(path + "/all.h5");
-  const auto T = named(path + "/all.h5", all, "wire_end_b_feed", "tension"),
-             v = named(path + "/all.h5", all, "wire_end_b_feed", "feed_speed");
+  const auto T = named(path + "/all.h5", all, "wire_end_b_feed", "tension");
+  const auto v = named(path + "/all.h5", all, "wire_end_b_feed", "feed_speed");
   // Law of the winch in the mean: damping and inertia of the wire add to it where pipe and wire vibrate.
   double law = 0;
   size_t steps = 0;

@@ -9,11 +9,13 @@ namespace {
 double stop_at() { return std::getenv("HAWSER_FULL") ? 0 : 35; }
 
 void compare(const std::string& name, const Edits& edits) {
-  const std::string path = folder(name), here = reel(path + "/reel.yaml", edits);
+  const std::string path = folder(name);
+  const std::string here = reel(path + "/reel.yaml", edits);
   run_on_one({here, path + "/one.h5", "", stop_at()});
   run_on_all({here, path + "/all.h5", "", stop_at()});
   if (rank_of(MPI_COMM_WORLD) > 0) return;
-  const Results one = read(path + "/one.h5"), all = read(path + "/all.h5");
+  const Results one = read(path + "/one.h5");
+  const Results all = read(path + "/all.h5");
 
   EXPECT_GT(one.step_times.size(), 60u);
   EXPECT_EQ(one.output_times, all.output_times);
@@ -22,7 +24,8 @@ void compare(const std::string& name, const Edits& edits) {
   const double most = largest(one.column("fairlead", kTension));
   EXPECT_NEAR(most, 670e3, 20e3);  // weight of the hanging hose, 273.4 kg/m of 250 m
   for (const char* point : {"fairlead", "lower_end"}) {
-    const auto a = one.column(point, kTension), b = all.column(point, kTension);
+    const auto a = one.column(point, kTension);
+    const auto b = all.column(point, kTension);
     EXPECT_LE(largest_difference(a, b), 1e-8 * most) << point;
   }
   const double apart = expect_same_fields(one, all, 1e-8);

@@ -41,7 +41,9 @@ double centre_of_mass(const Results& r, size_t output) {
 }
 
 TEST(Release, FallsFreely) {
-  const std::string path = folder("release-fall"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("release-fall");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, kFalling);
   run_on_all({input, file});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
@@ -56,21 +58,25 @@ TEST(Release, FallsFreely) {
 }
 
 TEST(Release, GoesOnAfterARestart) {
-  const std::string path = folder("release-restart"), input = path + "/case.yaml";
+  const std::string path = folder("release-restart");
+  const std::string input = path + "/case.yaml";
   write_case(input, kFalling);
   run_on_all({input, path + "/whole.h5"});
   for (const double stop : {0.25, 0.5, 1.0}) {
     run_on_all({input, path + "/half.h5", "", stop});
     run_on_all({input, path + "/rest.h5", path + "/half.h5"});
     if (rank_of(MPI_COMM_WORLD) != 0) continue;
-    const Results whole = read(path + "/whole.h5"), rest = read(path + "/rest.h5");
+    const Results whole = read(path + "/whole.h5");
+    const Results rest = read(path + "/rest.h5");
     EXPECT_NEAR(centre_of_mass(whole, 6), centre_of_mass(rest, rest.output_times.size() - 1), 1e-9) << stop;
   }
 }
 
 // A restart after a release without this event in the case is rejected, because the end would be held again.
 TEST(Release, ARestartWithoutTheEventIsRefused) {
-  const std::string path = folder("release-other"), input = path + "/case.yaml", other = path + "/other.yaml";
+  const std::string path = folder("release-other");
+  const std::string input = path + "/case.yaml";
+  const std::string other = path + "/other.yaml";
   write_case(input, kFalling);
   write_case(other, kFalling, {{"events:\n  - {release: {line: chain, end: end_b}, time: 0.5}\n", ""}});
   run_on_all({input, path + "/half.h5", "", 0.75});
@@ -92,7 +98,9 @@ TEST(Release, ARestartWithoutTheEventIsRefused) {
 // A body with an initial velocity releases an end at t = 0: the end has zero velocity, and the rope recoils
 // as from a body at rest.
 TEST(Release, AtTheStartFromABodyThatMovesAtOnce) {
-  const std::string path = folder("release-jerk"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("release-jerk");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, R"(hawser: 1
 title: A rope that is let go of
 environment: {gravity: 0}
@@ -121,7 +129,9 @@ contact: {between_lines: false}
 // Until the wave returns from the other end, the anchor force is the initial tension and is the only force on
 // the line: its centre of mass accelerates accordingly.
 TEST(Release, AWaveRunsAlongTheLine) {
-  const std::string path = folder("release-wave"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("release-wave");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, R"(hawser: 1
 title: A rope that parts
 environment: {gravity: 0}
@@ -159,7 +169,9 @@ contact: {between_lines: false}
 
 // A load on a rope is released at its rope.
 TEST(Release, ABodyFallsFreely) {
-  const std::string path = folder("release-body"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("release-body");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, R"(hawser: 1
 title: A load that is dropped
 environment: {gravity: 9.80665}
@@ -192,7 +204,9 @@ contact: {between_lines: false}
 // The rope is released when its tension reaches the limit, within 0.1 % at any step: the largest tension is
 // the limit. The tension rises linearly, so at most two rejected steps find the time.
 TEST(Release, AtATension) {
-  const std::string path = folder("release-tension"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("release-tension");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   for (const std::string step : {"0.1", "0.07", "0.013"}) {
     write_case(input, R"(hawser: 1
 title: A rope that is pulled until it parts
@@ -218,10 +232,12 @@ contact: {between_lines: false}
     run_on_all({input, path + "/half.h5", "", 1});
     run_on_all({input, path + "/rest.h5", path + "/half.h5"});
     if (rank_of(MPI_COMM_WORLD) != 0) continue;
-    const Results r = read(file), rest = read(path + "/rest.h5");
+    const Results r = read(file);
+    const Results rest = read(path + "/rest.h5");
     EXPECT_EQ(std::vector<double>(r.step_times.end() - 20, r.step_times.end()),
               std::vector<double>(rest.step_times.end() - 20, rest.step_times.end()));
-    const auto T = named(file, r, "end", "effective_tension"), x = named(file, r, "end", "position_x");
+    const auto T = named(file, r, "end", "effective_tension");
+    const auto x = named(file, r, "end", "position_x");
     const auto again = named(path + "/rest.h5", rest, "end", "effective_tension");
     EXPECT_EQ(*std::max_element(again.begin(), again.end()), *std::max_element(T.begin(), T.end())) << step;
     const size_t parted = static_cast<size_t>(std::max_element(T.begin(), T.end()) - T.begin());

@@ -20,13 +20,15 @@ void expect_same(const Results& whole, const Results& rest, double tolerance) {
   EXPECT_EQ(tail(whole.output_times, rest.output_times), rest.output_times);
   EXPECT_EQ(tail(whole.step_times, rest.step_times), rest.step_times);
   for (const auto& [name, values] : whole.fields) {
-    const auto &there = rest.fields.at(name), here = tail(values, there);
+    const auto& there = rest.fields.at(name);
+    const auto here = tail(values, there);
     EXPECT_LE(largest_difference(here, there), tolerance * largest(here)) << name;
   }
   for (const auto& [name, values] : whole.series) {
     if (name == "energy") continue;
     for (size_t c = 0; c < whole.columns.at(name); ++c) {
-      const auto there = rest.column(name, c), here = tail(whole.column(name, c), there);
+      const auto there = rest.column(name, c);
+      const auto here = tail(whole.column(name, c), there);
       // The error of the nearly zero forces of the free end is that of the line.
       const double scale = largest(c < kTension || name == "solver" ? here : whole.column("fairlead", c));
       // Values that are zero by symmetry have the round-off of lengths of 250 m; accelerations have that of
@@ -37,7 +39,8 @@ void expect_same(const Results& whole, const Results& rest, double tolerance) {
   // The energy balance continues: friction, damping and work of the drum since the start of the run.
   const double brought_in = largest(whole.column("energy", 5));
   for (size_t c = 0; c < whole.columns.at("energy"); ++c) {
-    const auto there = rest.column("energy", c), here = tail(whole.column("energy", c), there);
+    const auto there = rest.column("energy", c);
+    const auto here = tail(whole.column("energy", c), there);
     EXPECT_LE(largest_difference(here, there), tolerance * (c == 2 ? largest(here) : brought_in))
         << "energy " << c;
   }
@@ -71,7 +74,8 @@ class Restart : public ::testing::TestWithParam<const char*> {
 TEST_P(Restart, SameRanksBitForBit) {
   run_on_all({input, path + "/rest.h5", path + "/half.h5", kEnd});
   if (!first()) return;
-  const Results whole = read(path + "/whole.h5"), rest = read(path + "/rest.h5");
+  const Results whole = read(path + "/whole.h5");
+  const Results rest = read(path + "/rest.h5");
   EXPECT_EQ(rest.output_times.front(), kHalf);
   EXPECT_GT(largest(whole.fields.at("friction_force")), 0);
   expect_same(whole, rest, 0);
@@ -84,7 +88,8 @@ TEST_P(Restart, InTheSameFile) {
   MPI_Barrier(MPI_COMM_WORLD);
   run_on_all({input, path + "/on.h5", path + "/on.h5", kEnd});
   if (!first()) return;
-  const Results whole = read(path + "/whole.h5"), on = read(path + "/on.h5");
+  const Results whole = read(path + "/whole.h5");
+  const Results on = read(path + "/on.h5");
   EXPECT_EQ(on.output_times.front(), 0);
   EXPECT_EQ(on.output_times.size(), whole.output_times.size());
   EXPECT_GT(largest(on.clash_counts), 0);
@@ -97,12 +102,13 @@ TEST_P(Restart, FromTheEnd) {
   run_on_all({input, path + "/whole.h5", path + "/whole.h5", kEnd});
   run_on_all({input, path + "/again.h5", path + "/whole.h5", kEnd});
   if (!first()) return;
-  const Results whole = read(path + "/whole.h5"), again = read(path + "/again.h5");
+  const Results whole = read(path + "/whole.h5");
+  const Results again = read(path + "/again.h5");
   EXPECT_EQ(whole.output_times.size(), 19u);
   EXPECT_EQ(again.output_times, std::vector<double>{kEnd});
   EXPECT_EQ(again.summary, whole.summary);
-  const auto &there = again.fields.at("effective_tension"),
-             here = tail(whole.fields.at("effective_tension"), there);
+  const auto& there = again.fields.at("effective_tension");
+  const auto here = tail(whole.fields.at("effective_tension"), there);
   EXPECT_EQ(here, there);
 }
 
@@ -123,8 +129,10 @@ TEST_P(Restart, FrictionHistoryMatters) {
   reel(smooth, edits);
   run_on_all({smooth, path + "/other.h5", path + "/half.h5", kEnd});
   if (!first()) return;
-  const Results whole = read(path + "/whole.h5"), other = read(path + "/other.h5");
-  const auto &a = whole.fields.at("position"), &b = other.fields.at("position");
+  const Results whole = read(path + "/whole.h5");
+  const Results other = read(path + "/other.h5");
+  const auto& a = whole.fields.at("position");
+  const auto& b = other.fields.at("position");
   EXPECT_GT(largest_difference(tail(a, b), b), 1e-6);
 }
 

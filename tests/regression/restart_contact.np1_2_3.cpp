@@ -112,12 +112,15 @@ void expect_same(const Results& whole, const Results& rest, double tolerance) {
   EXPECT_EQ(tail(whole.output_times, rest.output_times), rest.output_times);
   EXPECT_LE(largest_difference(tail(whole.step_times, rest.step_times), rest.step_times), tolerance);
   for (const auto& [name, values] : whole.fields) {
-    const auto &there = rest.fields.at(name), here = tail(values, there);
+    const auto& there = rest.fields.at(name);
+    const auto here = tail(values, there);
     EXPECT_LE(largest_difference(here, there), tolerance * std::max(largest(here), 1.0)) << name;
   }
   for (const auto& [name, values] : whole.series)
     for (size_t c = 0; c < whole.columns.at(name); ++c) {
-      const auto there = rest.column(name, c), all = whole.column(name, c), here = tail(all, there);
+      const auto there = rest.column(name, c);
+      const auto all = whole.column(name, c);
+      const auto here = tail(all, there);
       // The last six columns of a body are differences of its forces; their tolerance is relative to those.
       const bool difference = (name == "slab" || name == "block") && c + 6 >= whole.columns.at(name);
       const double scale = name == "energy" || difference ? largest(values) : std::max(largest(all), 1.0);
@@ -166,7 +169,8 @@ constexpr double kSame = 1e-7;
 // restart on one rank.
 void compare(const std::string& name, const std::string& text, const Edits& edits, double after,
              const char* force, double other_ranks) {
-  const std::string path = folder("restart_" + name), input = path + "/case.yaml";
+  const std::string path = folder("restart_" + name);
+  const std::string input = path + "/case.yaml";
   write_case(input, text, edits);
   run_on_all({input, path + "/whole.h5"});
   double half = 0;
@@ -178,7 +182,8 @@ void compare(const std::string& name, const std::string& text, const Edits& edit
   run_on_one({input, path + "/fewer.h5", path + "/half.h5"});
   run_on_all({input, path + "/half.h5", path + "/half.h5"});
   if (rank_of(MPI_COMM_WORLD) > 0) return;
-  const Results whole = read(path + "/whole.h5"), rest = read(path + "/rest.h5");
+  const Results whole = read(path + "/whole.h5");
+  const Results rest = read(path + "/rest.h5");
   std::printf("%s: stopped at %.1f s of %.1f s\n", name.c_str(), half, whole.output_times.back());
   EXPECT_EQ(rest.output_times.front(), half);
   expect_same(whole, rest, kSame);
@@ -189,7 +194,8 @@ void compare(const std::string& name, const std::string& text, const Edits& edit
 }
 
 TEST(RestartContact, BodiesWithFriction) {
-  const std::string path = folder("restart_bodies"), input = path + "/case.yaml";
+  const std::string path = folder("restart_bodies");
+  const std::string input = path + "/case.yaml";
   write_case(input, kBodies, {});
   run_on_all({input, path + "/whole.h5"});
   for (const double half : {0.0625, 0.1875}) {
@@ -205,7 +211,8 @@ TEST(RestartContact, BodiesWithFriction) {
 
 // Stopped with one wall near, with both near, and while the second comes near.
 TEST(RestartContact, InASlit) {
-  const std::string path = folder("restart_slit"), input = path + "/case.yaml";
+  const std::string path = folder("restart_slit");
+  const std::string input = path + "/case.yaml";
   write_slit(path + "/slit.obj");
   write_case(input, kSlit, {});
   run_on_all({input, path + "/whole.h5"});

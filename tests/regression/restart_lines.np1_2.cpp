@@ -136,7 +136,8 @@ class RestartLines : public ::testing::TestWithParam<Kind> {
 TEST_P(RestartLines, SameRanks) {
   run_on_all({input, path + "/rest.h5", path + "/half.h5", kEnd});
   if (!first()) return;
-  const Results whole = read(path + "/whole.h5"), rest = read(path + "/rest.h5");
+  const Results whole = read(path + "/whole.h5");
+  const Results rest = read(path + "/rest.h5");
   EXPECT_GT(largest(whole.fields.at(GetParam().field)), 1e3);
   // Friction energy increases all the time, so the friction history is not that of the rest state.
   const auto taken = whole.column("energy", 3);
@@ -160,7 +161,8 @@ TEST_P(RestartLines, OfAnotherCaseIsRefused) {
   write_case(changed, GetParam().text, {{GetParam().history, GetParam().other}});
   run_on_all({changed, path + "/other.h5", path + "/half.h5", kEnd});
   if (!first()) return;
-  const Results whole = read(path + "/whole.h5"), other = read(path + "/other.h5");
+  const Results whole = read(path + "/whole.h5");
+  const Results other = read(path + "/other.h5");
   const auto& there = other.fields.at("position");
   EXPECT_GT(largest_difference(tail(whole.fields.at("position"), there), there), 1e-6);
 }

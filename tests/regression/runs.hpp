@@ -202,7 +202,8 @@ inline std::vector<std::string> columns_of(const std::string& path, const std::s
   const auto at = io::h5::own(H5Aopen(set, "columns", H5P_DEFAULT), H5Aclose, "columns");
   const auto type = io::h5::own(H5Aget_type(at), H5Tclose, "type");
   const auto space = io::h5::own(H5Aget_space(at), H5Sclose, "space");
-  const size_t n = static_cast<size_t>(H5Sget_simple_extent_npoints(space)), width = H5Tget_size(type);
+  const size_t n = static_cast<size_t>(H5Sget_simple_extent_npoints(space));
+  const size_t width = H5Tget_size(type);
   std::string all(n * width, '\0');
   io::h5::check(H5Aread(at, type, all.data()), "columns");
   std::vector<std::string> names;

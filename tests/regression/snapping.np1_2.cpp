@@ -188,8 +188,8 @@ TEST_F(Snapping, PeaksAreThoseOfFinerMeshes) {
     return sum / 9;
   };
   const bool full = std::getenv("HAWSER_FULL");
-  const double by_default = peak(20, ""),
-               finest = full ? peak(80, ", step: 0.001") : peak(40, ", step: 0.002");
+  const double by_default = peak(20, "");
+  const double finest = full ? peak(80, ", step: 0.001") : peak(40, ", step: 0.002");
   if (!first()) return;
   printf("  largest tension: %.2f MN by default, %.2f MN with finer elements and steps\n", by_default / 1e6,
          finest / 1e6);
@@ -204,7 +204,8 @@ TEST_F(Snapping, GoesOnAfterARestart) {
   run_on_all({input, path + "/half.h5", "", 7});
   run_on_all({input, path + "/rest.h5", path + "/half.h5"});
   if (!first()) return;
-  const Results whole = read(path + "/whole.h5"), rest = read(path + "/rest.h5");
+  const Results whole = read(path + "/whole.h5");
+  const Results rest = read(path + "/rest.h5");
   const auto there = rest.column("near", 6);
   EXPECT_EQ(largest_difference(tail(whole.column("near", 6), there), there), 0);
 }

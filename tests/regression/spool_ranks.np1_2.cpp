@@ -8,7 +8,8 @@ namespace {
 bool whole() { return std::getenv("HAWSER_FULL") != nullptr; }
 
 TEST(SpoolRanks, TheSameAsOnOne) {
-  const std::string path = folder(whole() ? "spool_whole" : "spool"), input = path + "/spool.yaml";
+  const std::string path = folder(whole() ? "spool_whole" : "spool");
+  const std::string input = path + "/spool.yaml";
   const std::string source = HAWSER_SOURCE_DIR "/cases/spool/";
   std::ostringstream text;
   text << std::ifstream(source + "spool.yaml").rdbuf();
@@ -24,7 +25,8 @@ TEST(SpoolRanks, TheSameAsOnOne) {
   EXPECT_LT(largest(one.fields.at("line_penetration")), 0.02 * 0.425);
   EXPECT_GT(largest(one.fields.at("line_penetration")), 1e-5);  // the hose lies on itself
   // Energy error at every step over the work brought in.
-  const double brought = largest(one.column("energy", 5)), error = largest(one.column("energy", 6));
+  const double brought = largest(one.column("energy", 5));
+  const double error = largest(one.column("energy", 6));
   EXPECT_GT(brought, 1e4);
   EXPECT_LT(error, 0.01 * brought);
   std::printf(

@@ -41,8 +41,9 @@ contact: {between_lines: false}
 // A stage that pays out or hauls in has the equilibrium of a case with that stock, at the nodes outside in
 // both.
 void expect_another_stock(const std::string& name, const std::string& type, const std::string& end) {
-  const std::string path = folder("stages-" + name), input = path + "/case.yaml",
-                    known = path + "/known.yaml";
+  const std::string path = folder("stages-" + name);
+  const std::string input = path + "/case.yaml";
+  const std::string known = path + "/known.yaml";
   for (const auto& [from, by, to] : {std::tuple("20", "15.3", "4.7"), {"4.7", "-15.3", "20"}}) {
     write_case(input,
                line(type, end,
@@ -74,7 +75,8 @@ TEST(Stages, PayOutAPipe) {
 
 // A run continues in time from the stage with the length paid out, also from a checkpoint.
 TEST(Stages, GoOnInTime) {
-  const std::string path = folder("stages-time"), input = path + "/case.yaml";
+  const std::string path = folder("stages-time");
+  const std::string input = path + "/case.yaml";
   write_case(
       input,
       line(
@@ -95,7 +97,8 @@ TEST(Stages, GoOnInTime) {
   o.quiet = true;
   EXPECT_THROW(run::run(MPI_COMM_WORLD, o), InputError);
   if (rank_of(MPI_COMM_WORLD) != 0) return;
-  const Results whole = read(path + "/whole.h5"), rest = read(path + "/rest.h5");
+  const Results whole = read(path + "/whole.h5");
+  const Results rest = read(path + "/rest.h5");
   EXPECT_EQ(whole.output_times, (std::vector<double>{-1, 0, 0.5, 1}));
   events::expect_same_positions(whole, rest, 1e-9);
   const auto out = named(path + "/whole.h5", whole, "rope_end_a_feed", "paid_out");
@@ -119,8 +122,9 @@ contact: {between_lines: false}
 )";
 
 TEST(Stages, ScaleTheCurrent) {
-  const std::string path = folder("stages-current"), input = path + "/case.yaml",
-                    plain = path + "/plain.yaml";
+  const std::string path = folder("stages-current");
+  const std::string input = path + "/case.yaml";
+  const std::string plain = path + "/plain.yaml";
   write_case(input,
              std::string(kStreamed) +
                  "stages: [still, half, full]\nevents:\n  - {current: {factor: 0}, stage: still}\n"
@@ -143,7 +147,8 @@ TEST(Stages, ScaleTheCurrent) {
 
 // A chain is laid straight on the bed and stretched: without friction its tension is uniform.
 TEST(Stages, SwitchFriction) {
-  const std::string path = folder("stages-friction"), input = path + "/case.yaml";
+  const std::string path = folder("stages-friction");
+  const std::string input = path + "/case.yaml";
   write_case(input, R"(hawser: 1
 environment: {seabed: {depth: 10, friction: 0.6}}
 line_types:
@@ -176,7 +181,8 @@ contact: {between_lines: false}
 }
 
 TEST(Stages, BadInput) {
-  const std::string path = folder("stages-bad"), input = path + "/case.yaml";
+  const std::string path = folder("stages-bad");
+  const std::string input = path + "/case.yaml";
   const auto message = [&](const std::string& event, const std::string& more,
                            const std::string& stock = "20") {
     write_case(input,
@@ -206,7 +212,8 @@ TEST(Stages, BadInput) {
 // stiffness and is loaded by its drag only, less than a millionth of the forces; this determines the
 // tolerance.
 TEST(Stages, ReleasedOntoTheBedInACurrent) {
-  const std::string path = folder("stages-let-go"), input = path + "/case.yaml";
+  const std::string path = folder("stages-let-go");
+  const std::string input = path + "/case.yaml";
   write_case(input, R"(hawser: 1
 environment:
   water: {density: 1025, depth: 30}
@@ -230,8 +237,11 @@ events: [{release: {line: leg, end: end_b}, stage: let go}]
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(path + "/out.h5");
   const std::vector<double> last = shape(r, r.output_times.size() - 1);
-  const double *end = last.data() + last.size() - 3, x = end[0] - 50, y = end[1];
-  const double turn = std::atan2(y, x) * 180 / M_PI, away = std::hypot(x, y);
+  const double* end = last.data() + last.size() - 3;
+  const double x = end[0] - 50;
+  const double y = end[1];
+  const double turn = std::atan2(y, x) * 180 / M_PI;
+  const double away = std::hypot(x, y);
   printf("let go in a current of 40 degrees: lies %.2f m away at %.2f degrees\n", away, turn);
   EXPECT_NEAR(turn, 40, 2);
   EXPECT_NEAR(away, 62, 0.62);

@@ -251,8 +251,10 @@ TEST(StartContact, GoesOnAsItStarted) {
   run_on_all({at + "/case.yaml", at + "/first.h5", {}, 0.2});
   run_on_all({at + "/case.yaml", at + "/rest.h5", at + "/first.h5"});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
-  const Results whole = read(at + "/whole.h5"), rest = read(at + "/rest.h5");
-  const auto &a = whole.fields.at("position"), &b = rest.fields.at("position");
+  const Results whole = read(at + "/whole.h5");
+  const Results rest = read(at + "/rest.h5");
+  const auto& a = whole.fields.at("position");
+  const auto& b = rest.fields.at("position");
   ASSERT_GT(b.size(), 0U);
   const size_t last = 3 * 51;
   for (size_t i = 0; i < last; ++i) EXPECT_NEAR(a[a.size() - last + i], b[b.size() - last + i], 1e-9);

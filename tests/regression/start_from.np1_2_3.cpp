@@ -87,10 +87,12 @@ TEST_F(StartFrom, ShapeAsItWasLeft) {
               {"lines:\n", "start: {from: a.h5, time: 1}\nlines:\n"}});
   run_on_all({file, path + "/as_left.h5"});
   if (!zero()) return;
-  const Results a = read(path + "/a.h5"), b = read(path + "/as_left.h5");
+  const Results a = read(path + "/a.h5");
+  const Results b = read(path + "/as_left.h5");
   ASSERT_EQ(a.output_times.size(), 3u);
   for (const char* field : {"position", "axis_1", "axis_2"}) {
-    const auto &then = a.fields.at(field), &now = b.fields.at(field);
+    const auto& then = a.fields.at(field);
+    const auto& now = b.fields.at(field);
     const size_t n = then.size() / 3;
     double off = 0;
     for (size_t i = 0; i < n; ++i) off = std::max(off, std::abs(then[n + i] - now[i]));

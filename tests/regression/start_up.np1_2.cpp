@@ -13,8 +13,10 @@ constexpr double kTop = 10.325, kEnd = 12.5;   // m, height of the tensioner; s
 constexpr double kCompared = 4;                // s, compared between one rank and several
 
 TEST(StartUp, ATugHoldsTheHead) {
-  const std::string folder = HAWSER_SOURCE_DIR "/cases/s-lay/", path = runs::folder("start-up"),
-                    input = path + "/case.yaml", all_h5 = path + "/all.h5";
+  const std::string folder = HAWSER_SOURCE_DIR "/cases/s-lay/";
+  const std::string path = runs::folder("start-up");
+  const std::string input = path + "/case.yaml";
+  const std::string all_h5 = path + "/all.h5";
   std::ostringstream text;
   text << std::ifstream(folder + "startup.yaml").rdbuf();
   write_case(input, text.str(),
@@ -44,8 +46,10 @@ TEST(StartUp, ATugHoldsTheHead) {
 
   // At rest the tension is the target; at the head it is smaller by the weight over the height difference,
   // because there is no friction. The feeder's tension includes M²/2EI of its clamp.
-  const auto T = of("pipe_end_a_feed", "tension"), v = of("pipe_end_a_feed", "feed_speed"),
-             head = of("head", "effective_tension_before"), z = of("head", "position_z");
+  const auto T = of("pipe_end_a_feed", "tension");
+  const auto v = of("pipe_end_a_feed", "feed_speed");
+  const auto head = of("head", "effective_tension_before");
+  const auto z = of("head", "position_z");
   EXPECT_NEAR(T.front(), 150e3, 15);
   EXPECT_NEAR(head.front(), T.front() - kDry * kTop + kWet * z.front(), 150);
 
@@ -60,7 +64,8 @@ TEST(StartUp, ATugHoldsTheHead) {
   EXPECT_GT(of("pipe_end_a_feed", "paid_out").back(), 1.5);
 
   // The stern of the tug moves with the waves and keeps its mean position.
-  const auto x = of("tug", "position_x"), up = of("tug", "position_z");
+  const auto x = of("tug", "position_x");
+  const auto up = of("tug", "position_z");
   double moves = 0;
   for (size_t i = 0; i < x.size(); ++i) {
     EXPECT_NEAR(x[i], -546, 0.5);
@@ -73,7 +78,8 @@ TEST(StartUp, ATugHoldsTheHead) {
   double carried = 0;
   for (int box = 1; box <= 11; ++box) {
     const std::string name = "stinger_" + std::to_string(box);
-    const auto offset = of(name.c_str(), "offset"), height = of(name.c_str(), "height");
+    const auto offset = of(name.c_str(), "offset");
+    const auto height = of(name.c_str(), "height");
     for (size_t i = 0; i < offset.size(); ++i) {
       EXPECT_LT(std::abs(offset[i]), 1 - 0.125 + 0.003) << name;
       EXPECT_LT(height[i], 1 - 0.125) << name;
@@ -83,7 +89,8 @@ TEST(StartUp, ATugHoldsTheHead) {
   // At rest rollers and tension carry about the weight of the pipe between tensioner and head.
   EXPECT_GT(carried, 100e3);
 
-  const auto error = of("energy", "error"), in = of("energy", "brought_in");
+  const auto error = of("energy", "error");
+  const auto in = of("energy", "brought_in");
   double work = 0;
   for (size_t i = 1; i < in.size(); ++i) work += std::abs(in[i] - in[i - 1]);
   EXPECT_LT(std::abs(error.back()), 0.002 * work);

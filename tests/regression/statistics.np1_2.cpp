@@ -57,7 +57,8 @@ TEST_F(StatisticsRanks, AreThoseOfTheHistories) {
   for (const auto& [series, node] : {std::pair{"fairlead", size_t{32}}, {"middle", size_t{19}}})
     for (const char* field : {"effective_tension", "wall_tension", "declination", "utilisation"}) {
       const std::vector<double> v = named(file, r, series, field);
-      const auto low = std::min_element(v.begin(), v.end()), high = std::max_element(v.begin(), v.end());
+      const auto low = std::min_element(v.begin(), v.end());
+      const auto high = std::max_element(v.begin(), v.end());
       double mean = 0, square = 0;
       for (size_t i = 1; i < v.size(); ++i) {
         const double h = r.step_times[i] - r.step_times[i - 1];
@@ -76,7 +77,8 @@ TEST_F(StatisticsRanks, AreThoseOfTheHistories) {
       EXPECT_GT(s.at(node, 2) - s.at(node, 0), 1e-4 * std::abs(mean)) << field;
     }
   // The acceleration is that of the ship's surge, after its ramp.
-  const auto a = named(file, r, "fairlead", "acceleration_x"), x = named(file, r, "fairlead", "position_x");
+  const auto a = named(file, r, "fairlead", "acceleration_x");
+  const auto x = named(file, r, "fairlead", "position_x");
   for (size_t i = 0; i < a.size(); ++i)
     if (r.step_times[i] > 4) {
       EXPECT_NEAR(a[i], -std::pow(2 * M_PI / 6, 2) * (x[i] - 145), 1e-6);
@@ -94,8 +96,8 @@ TEST_F(StatisticsRanks, GoOnAfterARestart) {
 TEST_F(StatisticsRanks, AreTheSameOnOneRank) {
   run_on_one({input, path + "/one.h5"});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
-  const Statistics all = statistics(path + "/whole.h5", "effective_tension"),
-                   one = statistics(path + "/one.h5", "effective_tension");
+  const Statistics all = statistics(path + "/whole.h5", "effective_tension");
+  const Statistics one = statistics(path + "/one.h5", "effective_tension");
   for (size_t n = 0; n <= 32; ++n)
     for (const size_t which : {0u, 2u, 4u, 5u})
       EXPECT_NEAR(all.at(n, which), one.at(n, which), 1e-6 * one.at(32, 2)) << n << ' ' << which;
@@ -106,7 +108,8 @@ TEST_F(StatisticsRanks, BeginAtRest) {
   write_case(path + "/rest.yaml", kCase, {{"dynamics: {duration: 12}\n", ""}});
   run_on_all({path + "/rest.yaml", path + "/static.h5"});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
-  const Results still = read(path + "/static.h5"), moving = read(path + "/whole.h5");
+  const Results still = read(path + "/static.h5");
+  const Results moving = read(path + "/whole.h5");
   const auto& t = still.fields.at("effective_tension");
   const std::vector<double> first(moving.fields.at("effective_tension").begin(),
                                   moving.fields.at("effective_tension").begin() + 33);
@@ -121,10 +124,10 @@ TEST_F(StatisticsRanks, TouchdownPointsMove) {
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const std::string file = path + "/whole.h5";
   const Results r = read(file);
-  const auto arc = named(file, r, "touchdown", "end_b_arc_length"),
-             laid = named(file, r, "touchdown", "laid_length"),
-             x = named(file, r, "touchdown", "end_b_position_x"),
-             z = named(file, r, "touchdown", "end_b_position_z");
+  const auto arc = named(file, r, "touchdown", "end_b_arc_length");
+  const auto laid = named(file, r, "touchdown", "laid_length");
+  const auto x = named(file, r, "touchdown", "end_b_position_x");
+  const auto z = named(file, r, "touchdown", "end_b_position_z");
   ASSERT_EQ(arc.size(), r.step_times.size());
   const auto [least, most] = std::minmax_element(arc.begin(), arc.end());
   EXPECT_GT(*least, 60);

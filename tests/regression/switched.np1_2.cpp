@@ -8,7 +8,9 @@ namespace {
 
 // A wire is paid out from 0.5 s until 0.4 m are out, stands still, and then a tension is kept.
 TEST(Events, AWinchStartsStopsAndKeepsATension) {
-  const std::string path = folder("events-winch"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("events-winch");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, R"(hawser: 1
 title: A winch
 environment: {gravity: 9.80665}
@@ -36,9 +38,10 @@ contact: {between_lines: false}
   }
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(file);
-  const auto out = named(file, r, "wire_end_a_feed", "paid_out"),
-             v = named(file, r, "wire_end_a_feed", "feed_speed");
-  const auto error = named(file, r, "energy", "error"), in = named(file, r, "energy", "brought_in");
+  const auto out = named(file, r, "wire_end_a_feed", "paid_out");
+  const auto v = named(file, r, "wire_end_a_feed", "feed_speed");
+  const auto error = named(file, r, "energy", "error");
+  const auto in = named(file, r, "energy", "brought_in");
   for (size_t i = 0; i < out.size(); ++i) {
     const double t = r.step_times[i];
     if (t < 0.5) {
@@ -60,8 +63,9 @@ contact: {between_lines: false}
 
 // The winch hauls in until its tension is 100 kN, within 0.1 %. The stop then causes waves along the line.
 TEST(Events, AWinchStopsAtATension) {
-  const std::string path = folder("events-winch-tension"), input = path + "/case.yaml",
-                    file = path + "/whole.h5";
+  const std::string path = folder("events-winch-tension");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, R"(hawser: 1
 title: A winch that stops at a tension
 environment: {gravity: 9.80665}
@@ -118,7 +122,9 @@ double lowest(const Results& r, size_t output) {
 }
 
 TEST(Events, AVolumeIsSwitchedOn) {
-  const std::string path = folder("events-volume"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("events-volume");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, kFloor);
   run_on_all({input, file});
   expect_same_after_restarts(path, input, 1e-6);
@@ -132,7 +138,9 @@ TEST(Events, AVolumeIsSwitchedOn) {
 
 // An end inside a volume that is switched on later has its length without contact, too.
 TEST(Events, AnEndInsideAVolumeThatIsSwitchedOn) {
-  const std::string path = folder("events-inside"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("events-inside");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, kFloor,
              {{"centre: [5, 0, -1.5], size: [30, 20, 1]", "centre: [0, 0, -0.2], size: [1, 1, 1]"}});
   run_on_all({input, file});
@@ -143,7 +151,9 @@ TEST(Events, AnEndInsideAVolumeThatIsSwitchedOn) {
 // A floor is switched off: the rope on it falls, and the elastic energy of the contact is in the energy
 // balance.
 TEST(Events, AVolumeIsSwitchedOff) {
-  const std::string path = folder("events-off"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("events-off");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(
       input, kFloor,
       {{"centre: [5, 0, -1.5], size: [30, 20, 1]", "centre: [5, 0, -1.2], size: [30, 20, 1.6]"},
@@ -158,13 +168,15 @@ TEST(Events, AVolumeIsSwitchedOff) {
   const Results r = read(file);
   EXPECT_NEAR(lowest(r, 4), -0.35, 0.02);
   EXPECT_NEAR(lowest(r, 6), lowest(r, 4) - 0.5 * kGravity * 0.25, 0.02);
-  const auto error = named(file, r, "energy", "error"), in = named(file, r, "energy", "brought_in");
+  const auto error = named(file, r, "energy", "error");
+  const auto in = named(file, r, "energy", "brought_in");
   EXPECT_LT(largest(error), 0.02 * largest(in));
 }
 
 // Switching on a volume around a line is an error, because it would be an impact.
 TEST(Events, AVolumeIsNotSwitchedOnAroundALine) {
-  const std::string path = folder("events-around"), input = path + "/case.yaml";
+  const std::string path = folder("events-around");
+  const std::string input = path + "/case.yaml";
   write_case(input, kFloor,
              {{"centre: [5, 0, -1.5], size: [30, 20, 1]", "centre: [5, 0, -0.5], size: [30, 20, 3]"}});
   const std::string why = error_of(input, path + "/whole.h5");
@@ -175,7 +187,9 @@ TEST(Events, AVolumeIsNotSwitchedOnAroundALine) {
 
 // After this error the checkpoint contains none of the events of that instant.
 TEST(Events, WhatIsRefusedTakesAllOfItsInstantBack) {
-  const std::string path = folder("events-back"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("events-back");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, kFloor,
              {{"centre: [5, 0, -1.5], size: [30, 20, 1]", "centre: [5, 0, -0.5], size: [30, 20, 3]"},
               {"  - {name: on,",
@@ -192,7 +206,9 @@ TEST(Events, WhatIsRefusedTakesAllOfItsInstantBack) {
 
 // An event at a position of a body, within 1 mm, and another one after a delay.
 TEST(Events, OneAfterAnother) {
-  const std::string path = folder("events-after"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("events-after");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(
       input, kHanging,
       {{"lines:\n", "bodies:\n  ship: {position: [0, 0, 100], motion: {velocity: [0.1, 0, 0]}}\nlines:\n"},
@@ -206,7 +222,8 @@ TEST(Events, OneAfterAnother) {
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(file);
   const double rest = mean_of(r, "position", 0, 0, 10, 2);
-  const double fell = rest - mean_of(r, "position", 10, 0, 10, 2), from = 1 - std::sqrt(2 * fell / kGravity);
+  const double fell = rest - mean_of(r, "position", 10, 0, 10, 2);
+  const double from = 1 - std::sqrt(2 * fell / kGravity);
   EXPECT_GE(from, 0.3 - 1e-6);
   EXPECT_LE(from, 0.31);
   const auto z = named(file, r, "end", "position_z");
@@ -220,7 +237,8 @@ TEST(Events, OneAfterAnother) {
 // A leg released in a stage of statics falls on the bed, where many shapes are possible. One rank and two
 // find the same one, and a note reports that there are others.
 TEST(Events, ALegThatFallsInAStageLiesWhereRanksAgree) {
-  const std::string path = folder("events-fallen"), input = path + "/case.yaml";
+  const std::string path = folder("events-fallen");
+  const std::string input = path + "/case.yaml";
   write_case(input, R"(hawser: 1
 title: Two legs, one of which falls
 environment: {water: {density: 1025, depth: 100}, seabed: {depth: 100}}
@@ -236,7 +254,8 @@ events:
   run_on_all({input, path + "/all.h5"});
   run_on_one({input, path + "/one.h5"});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
-  const Results all = read(path + "/all.h5"), one = read(path + "/one.h5");
+  const Results all = read(path + "/all.h5");
+  const Results one = read(path + "/one.h5");
   EXPECT_LT(largest_difference(all.fields.at("position"), one.fields.at("position")), 1e-6);
   std::string message;
   const auto file = io::h5::open_read(path + "/all.h5");
@@ -250,7 +269,9 @@ events:
 // A weight hangs on two legs, one of which is released in a stage of statics: it then hangs vertically on the
 // other.
 TEST(Events, AStageOfStatics) {
-  const std::string path = folder("events-stage"), input = path + "/case.yaml", file = path + "/whole.h5";
+  const std::string path = folder("events-stage");
+  const std::string input = path + "/case.yaml";
+  const std::string file = path + "/whole.h5";
   write_case(input, R"(hawser: 1
 title: A weight on two legs
 environment: {gravity: 9.80665}

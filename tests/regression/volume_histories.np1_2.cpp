@@ -33,13 +33,16 @@ TEST(VolumeHistories, ForceAndMoment) {
   run_on_all({path + "/case.yaml", path + "/all.h5"});
   run_on_one({path + "/case.yaml", path + "/one.h5"});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
-  const Results all = read(path + "/all.h5"), one = read(path + "/one.h5");
+  const Results all = read(path + "/all.h5");
+  const Results one = read(path + "/one.h5");
   const auto of = [&](const char* series, const char* column) {
     return named(path + "/all.h5", all, series, column);
   };
-  const std::vector<double> deck = of("deck", "force_z"), drum = of("second", "force_z"),
-                            root = of("root", "end_force_z"), moment = of("second", "moment_y"),
-                            along = of("second", "force_x");
+  const std::vector<double> deck = of("deck", "force_z");
+  const std::vector<double> drum = of("second", "force_z");
+  const std::vector<double> root = of("root", "end_force_z");
+  const std::vector<double> moment = of("second", "moment_y");
+  const std::vector<double> along = of("second", "force_x");
   // At rest volumes and support carry the whole weight.
   EXPECT_NEAR(deck.front() + drum.front() - root.front(), 5000, 5);
   EXPECT_GT(drum.front(), 1000);

@@ -169,7 +169,8 @@ class GeometryFuzz {
     if (kind == 0) v[3] = v[2] + power(-1, 1) * (v[1] - v[0] + power(-17, -1) * vec());  // nearly parallel
     if (kind == 1) v[3] = v[2] + power(-17, 0) * vec();                                  // short
     if (kind == 2) {                                                                     // almost meeting
-      const Vec3 off = power(-17, 0) * vec(), half = vec();
+      const Vec3 off = power(-17, 0) * vec();
+      const Vec3 half = vec();
       v[2] = mix(v, 2) + off - half;
       v[3] = v[2] + 2 * half;
     }
@@ -198,8 +199,12 @@ class GeometryFuzz {
 
   // Compares distance and side with barycentric coordinates and three segments in 113 bits.
   bool triangle_is_right(const Vec3& p, const Vec3* v, double& error, double& height_error) {
-    const V q = extended(p), a = extended(v[0]), e = extended(v[1]) - a, f = extended(v[2]) - a, r = q - a,
-            n = e.cross(f);
+    const V q = extended(p);
+    const V a = extended(v[0]);
+    const V e = extended(v[1]) - a;
+    const V f = extended(v[2]) - a;
+    const V r = q - a;
+    const V n = e.cross(f);
     W best = -1;
     const auto offer = [&](const V& x) {
       const W d = (q - x).dot(q - x);
@@ -208,7 +213,8 @@ class GeometryFuzz {
     for (int i = 0; i < 3; ++i) offer(on_segment(q, extended(v[i]), extended(v[(i + 1) % 3])));
     const W nn = n.dot(n);
     if (nn > W(1e-50) * e.dot(e) * f.dot(f)) {
-      const W s = n.dot(r.cross(f)) / nn, t = n.dot(e.cross(r)) / nn;
+      const W s = n.dot(r.cross(f)) / nn;
+      const W t = n.dot(e.cross(r)) / nn;
       if (s >= 0 && t >= 0 && s + t <= 1) offer(a + s * e + t * f);
     }
     const double exact = static_cast<double>(root(best));
@@ -235,9 +241,16 @@ class GeometryFuzz {
 
   // The minimum over the unit square of parameters is inside it or on one of its edges.
   static double segment_distance(const Vec3* x) {
-    const V a0 = extended(x[0]), b0 = extended(x[2]), u = extended(x[1]) - a0, v = extended(x[3]) - b0,
-            r = a0 - b0;
-    const W a = u.dot(u), b = u.dot(v), c = v.dot(v), d = u.dot(r), e = v.dot(r);
+    const V a0 = extended(x[0]);
+    const V b0 = extended(x[2]);
+    const V u = extended(x[1]) - a0;
+    const V v = extended(x[3]) - b0;
+    const V r = a0 - b0;
+    const W a = u.dot(u);
+    const W b = u.dot(v);
+    const W c = v.dot(v);
+    const W d = u.dot(r);
+    const W e = v.dot(r);
     W best = -1;
     const auto take = [&](W s, W t) {
       s = s < 0 ? W(0) : s > 1 ? W(1) : s;

@@ -37,8 +37,12 @@ class WindingAlong {
   WindingAlong(const MeshView& mesh, const Vec3& p, const Vec3& d) : p_(p), d_(d) {
     for (const auto& t : mesh.triangles) {
       const auto v = [&](std::size_t i) { return Vec3(mesh.vertices[static_cast<std::size_t>(t[i])] - p); };
-      const Vec3 a = v(0), b = v(1), c = v(2);
-      const double x = d.dot(a.cross(b)), y = d.dot(b.cross(c)), z = d.dot(c.cross(a));
+      const Vec3 a = v(0);
+      const Vec3 b = v(1);
+      const Vec3 c = v(2);
+      const double x = d.dot(a.cross(b));
+      const double y = d.dot(b.cross(c));
+      const double z = d.dot(c.cross(a));
       if (!((x > 0 && y > 0 && z > 0) || (x < 0 && y < 0 && z < 0))) continue;
       met_.emplace_back((y * a + z * b + x * c).dot(d) / (x + y + z), x > 0 ? 1 : -1);
     }
@@ -49,9 +53,10 @@ class WindingAlong {
     double w = 0, angle = 0;
     for (const auto& [place, way] : met_) w += place > along ? way : 0;
     for (const auto& [from, to, excess] : boundary) {
-      const Vec3 a = mesh.vertices[static_cast<std::size_t>(from)] - y,
-                 b = mesh.vertices[static_cast<std::size_t>(to)] - y;
-      const double la = a.norm(), lb = b.norm();
+      const Vec3 a = mesh.vertices[static_cast<std::size_t>(from)] - y;
+      const Vec3 b = mesh.vertices[static_cast<std::size_t>(to)] - y;
+      const double la = a.norm();
+      const double lb = b.norm();
       angle -=
           2 * excess * std::atan2(a.cross(b).dot(d_), la * lb + a.dot(b) - b.dot(d_) * la - a.dot(d_) * lb);
     }
@@ -67,7 +72,8 @@ inline std::vector<std::array<int, 3>> boundary_of(const MeshView& mesh) {
   std::map<std::pair<int, int>, int> excess;
   for (const auto& t : mesh.triangles)
     for (std::size_t i = 0; i < 3; ++i) {
-      const int a = t[i], b = t[(i + 1) % 3];
+      const int a = t[i];
+      const int b = t[(i + 1) % 3];
       excess[ordered(a, b)] += a < b ? 1 : -1;
     }
   std::vector<std::array<int, 3>> out;

@@ -28,7 +28,8 @@ struct ModalMatrices {
 
 inline Eigen::MatrixXd dense_tangent(System& system, const Kinematics& state, const Weights& weights,
                                      const std::vector<int>& dof) {
-  MatHandle J = system.create_matrix(), D;
+  MatHandle J = system.create_matrix();
+  MatHandle D;
   const std::vector<double> zero(3 * static_cast<size_t>(system.mesh().blocks()), 0);
   system.tangent(state, weights, zero, false, J.get());
   check(MatConvert(J.get(), MATDENSE, MAT_INITIAL_MATRIX, D.out()));
@@ -84,7 +85,8 @@ Eigen::MatrixXd components(const ModalMatrices& m, Keep keep) {
 }
 
 inline MatHandle petsc_dense(const Eigen::MatrixXd& A) {
-  const auto n = static_cast<PetscInt>(A.rows()), m = static_cast<PetscInt>(A.cols());
+  const auto n = static_cast<PetscInt>(A.rows());
+  const auto m = static_cast<PetscInt>(A.cols());
   MatHandle out;
   check(MatCreateSeqDense(PETSC_COMM_SELF, n, m, nullptr, out.out()));
   PetscScalar* p = nullptr;
@@ -98,7 +100,8 @@ inline MatHandle petsc_dense(const Eigen::MatrixXd& A) {
 
 // Eigenvalues of B^-1 A, from LAPACK through PETSc.
 inline std::vector<std::complex<double>> eigenvalues(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
-  const MatHandle a = petsc_dense(A), b = petsc_dense(B);
+  const MatHandle a = petsc_dense(A);
+  const MatHandle b = petsc_dense(B);
   KspHandle ksp;
   check(KSPCreate(PETSC_COMM_SELF, ksp.out()));
   check(KSPSetOperators(ksp.get(), a.get(), b.get()));
@@ -108,7 +111,8 @@ inline std::vector<std::complex<double>> eigenvalues(const Eigen::MatrixXd& A, c
   check(PCSetType(pc, PCLU));
   check(KSPSetUp(ksp.get()));
   const size_t n = static_cast<size_t>(A.rows());
-  std::vector<PetscReal> re(n), im(n);
+  std::vector<PetscReal> re(n);
+  std::vector<PetscReal> im(n);
   check(KSPComputeEigenvaluesExplicitly(ksp.get(), static_cast<PetscInt>(n), re.data(), im.data()));
   std::vector<std::complex<double>> out;
   for (size_t i = 0; i < n; ++i) out.emplace_back(re[i], im[i]);
@@ -128,7 +132,8 @@ inline std::vector<double> natural_frequencies(const Eigen::MatrixXd& K, const E
 inline std::vector<std::complex<double>> oscillations(const Eigen::MatrixXd& K, const Eigen::MatrixXd& C,
                                                       const Eigen::MatrixXd& M) {
   const Eigen::Index n = K.rows();
-  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2 * n, 2 * n), B = Eigen::MatrixXd::Identity(2 * n, 2 * n);
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+  Eigen::MatrixXd B = Eigen::MatrixXd::Identity(2 * n, 2 * n);
   A.topRightCorner(n, n).setIdentity();
   A.bottomLeftCorner(n, n) = -K;
   A.bottomRightCorner(n, n) = -C;

@@ -154,7 +154,8 @@ inline Cost measure(const model::Case& c, int batches) {
         ++cost.steps;
         if (info.time < 20) return true;
         const auto& r = sim.dynamics().reactions();
-        const double T = Vec3(r[end], r[end + 1], r[end + 2]).norm(), A = Vec3(r[0], r[1], r[2]).norm();
+        const double T = Vec3(r[end], r[end + 1], r[end + 2]).norm();
+        const double A = Vec3(r[0], r[1], r[2]).norm();
         Extremes& found = cost.found;
         found.least = std::min(found.least, T);
         found.most = std::max(found.most, T);

@@ -96,7 +96,10 @@ inline TriangleMesh revolution_mesh(const std::vector<std::pair<double, double>>
     }
   for (std::size_t r = 0; r + 1 < profile.size(); ++r)
     for (int k = 0; k < facets; ++k) {
-      const int a = at(r, k), b = at(r, k + 1), c = at(r + 1, k + 1), d = at(r + 1, k);
+      const int a = at(r, k);
+      const int b = at(r, k + 1);
+      const int c = at(r + 1, k + 1);
+      const int d = at(r + 1, k);
       if (a != b) m.triangles.push_back({a, b, c});
       if (c != d) m.triangles.push_back({a, c, d});
     }
@@ -116,7 +119,8 @@ inline TriangleMesh drum_mesh(int facets, double radius, double length, int ring
 // The same cylinder between two flanges; parts "flange" and "barrel".
 inline TriangleMesh flanged_drum_mesh(int facets, double radius, double length, double flange_radius,
                                       double flange_thickness) {
-  const double h = length / 2, o = h + flange_thickness;
+  const double h = length / 2;
+  const double o = h + flange_thickness;
   TriangleMesh m = revolution_mesh({{0, -o},
                                     {flange_radius, -o},
                                     {flange_radius, -h},
@@ -157,7 +161,9 @@ inline TriangleMesh sphere_mesh(int levels, double radius = 1) {
     };
     std::vector<std::array<int, 3>> finer;
     for (const auto& t : m.triangles) {
-      const int ab = middle(t[0], t[1]), bc = middle(t[1], t[2]), ca = middle(t[2], t[0]);
+      const int ab = middle(t[0], t[1]);
+      const int bc = middle(t[1], t[2]);
+      const int ca = middle(t[2], t[0]);
       finer.insert(finer.end(), {{t[0], ab, ca}, {ab, t[1], bc}, {ca, bc, t[2]}, {ab, bc, ca}});
     }
     m.triangles = std::move(finer);

@@ -66,8 +66,11 @@ class StepTangent {
   // Largest difference of J d and fourth-order differences of the residual, over the largest component of J
   // d, on all ranks. The differences use the increments ±e d and ±2 e d.
   double error(const std::vector<double>& d, double e) {
-    const auto Jd = multiply(system_, J_.get(), d), a = residual_at(e, d), b = residual_at(-e, d),
-               p = residual_at(2 * e, d), q = residual_at(-2 * e, d);
+    const auto Jd = multiply(system_, J_.get(), d);
+    const auto a = residual_at(e, d);
+    const auto b = residual_at(-e, d);
+    const auto p = residual_at(2 * e, d);
+    const auto q = residual_at(-2 * e, d);
     double both[2] = {0, 0};
     for (size_t i = 0; i < Jd.size(); ++i) {
       both[0] = std::max(both[0], std::abs((8 * (a[i] - b[i]) - (p[i] - q[i])) / (12 * e) - Jd[i]));

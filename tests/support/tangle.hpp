@@ -68,8 +68,8 @@ class MiddleSprings final : public ForceTerm, public CouplesNodes, public Limits
     double distance, shorter;
   };
   Spring spring(const Kinematics& state, const CandidatePair& p) const {
-    const ContactSegment &a = list.segments()[static_cast<size_t>(p.a)],
-                         &b = list.segments()[static_cast<size_t>(p.b)];
+    const ContactSegment& a = list.segments()[static_cast<size_t>(p.a)];
+    const ContactSegment& b = list.segments()[static_cast<size_t>(p.b)];
     const auto x = [&](int n) { return state.x[static_cast<size_t>(n)]; };
     const auto block = [&](int n) { return mesh_.block[static_cast<size_t>(n)]; };
     Spring s{{block(a.first), block(a.second), block(b.first), block(b.second)}, {}, 0, 0};
@@ -95,7 +95,8 @@ inline model::Case tangle(int lines, int elements, double length = 1) {
     l.name = "line" + std::to_string(i);
     l.sections.push_back({c.line_types[static_cast<size_t>(i % 2)].name, length * elements, elements, 1});
     l.start = model::Start::points;
-    Vec3 at = 6 * Vec3(unit(rng), unit(rng), unit(rng)), way = Vec3(unit(rng), unit(rng), unit(rng));
+    Vec3 at = 6 * Vec3(unit(rng), unit(rng), unit(rng));
+    Vec3 way = Vec3(unit(rng), unit(rng), unit(rng));
     l.end_a = anchor(at);
     for (int k = 0; k <= elements; ++k) {
       l.points.push_back(at);

@@ -65,7 +65,8 @@ inline State state_of(const LocalMesh& mesh, const Trial& t, double step = 0,
   State before = s;
   retract(mesh, t.from, t.u.data(), before);
   for (size_t i = 0; i < s.q.size(); ++i) {
-    const Mat3 now = s.q[i].toRotationMatrix(), then = before.q[i].toRotationMatrix();
+    const Mat3 now = s.q[i].toRotationMatrix();
+    const Mat3 then = before.q[i].toRotationMatrix();
     s.directors[i] +=
         t.rates.director_weight * (now - then) * hat(t.rates.w[i]) + now * hat(s.alpha[i] - t.rates.alpha[i]);
   }
@@ -112,7 +113,8 @@ inline std::vector<double> direction(const System& system, const Trial& t, int p
   return d;
 }
 inline std::vector<double> multiply(const System& system, Mat J, const std::vector<double>& d) {
-  VecHandle x = system.create_vector(), y = system.create_vector();
+  VecHandle x = system.create_vector();
+  VecHandle y = system.create_vector();
   PetscScalar* p = nullptr;
   check(VecGetArray(x.get(), &p));
   std::copy(d.begin(), d.begin() + 3 * system.mesh().owned_blocks, p);
@@ -137,8 +139,12 @@ inline Taylor taylor(System& system, const Trial& t, const Weights& w, int direc
   for (int k = 0; k < directions; ++k) {
     const auto d = direction(system, t, 100 + k);
     const auto f = [&](double step) { return residual(system, state_of(m, t, step, &d, w), t.h); };
-    const auto Jd = multiply(system, J.get(), d), zero = f(0), a = f(e), b = f(-e), c = f(2 * e),
-               g = f(-2 * e);
+    const auto Jd = multiply(system, J.get(), d);
+    const auto zero = f(0);
+    const auto a = f(e);
+    const auto b = f(-e);
+    const auto c = f(2 * e);
+    const auto g = f(-2 * e);
     double largest = 0, size = 0, near = 0, far = 0;
     for (size_t i = 0; i < Jd.size(); ++i) {
       largest = std::max(largest, std::abs(Jd[i]));
@@ -187,7 +193,8 @@ inline void expect_tangent(System& system, const Trial& t, const std::string& wh
   }
   // Held components have rows and columns of the identity.
   const MatHandle J = tangent(system, t, {1, 3, 7, 0, 0});
-  const auto d = direction(system, t, 7, true), Jd = multiply(system, J.get(), d);
+  const auto d = direction(system, t, 7, true);
+  const auto Jd = multiply(system, J.get(), d);
   for (size_t i = 0; i < Jd.size(); ++i) EXPECT_EQ(Jd[i], d[i]) << what << ": held, row " << i;
 }
 

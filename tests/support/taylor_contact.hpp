@@ -50,7 +50,8 @@ inline TriangleMesh floor_and_wall() {
 // A point above the surface, body axes: at the distance `gap`, moved by `slip` along the surface from the
 // start of node g.
 inline Vec3 place(ContactOn on, int g, double gap, double slip) {
-  const double d = kContactRadius + gap, k = g;
+  const double d = kContactRadius + gap;
+  const double k = g;
   const double way = slip / d;  // rad, around an edge or a vertex
   switch (on) {
     case ContactOn::plane:
@@ -124,7 +125,9 @@ inline LineVolumeContact& add_contact(SuiteModel& m, const Placement& at, Contac
   // One step to the start of the trial makes the history; then the system is prepared for the trial.
   Trial& t = m.trial;
   const double t0 = t.from.time;
-  const RigidPose p0 = bodies->pose(0, t0 - t.h), p1 = bodies->pose(0, t0), p2 = bodies->pose(0, t0 + t.h);
+  const RigidPose p0 = bodies->pose(0, t0 - t.h);
+  const RigidPose p1 = bodies->pose(0, t0);
+  const RigidPose p2 = bodies->pose(0, t0 + t.h);
   State before = t.from;
   before.time = t0 - t.h;
   for (int n = 0; n < l.nodes(); ++n) {
@@ -132,7 +135,8 @@ inline LineVolumeContact& add_contact(SuiteModel& m, const Placement& at, Contac
     const NodeHistory s = kHistory[g];
     const double old = g == 1 ? 0.02 * mm : 0.5 * mm;
     before.x[static_cast<size_t>(n)] = p0.to_space(place(on, g, s.before, -old));
-    const Vec3 from = p1.to_space(place(on, g, s.before, 0)), to = p2.to_space(place(on, g, s.gap, s.slip));
+    const Vec3 from = p1.to_space(place(on, g, s.before, 0));
+    const Vec3 to = p2.to_space(place(on, g, s.gap, s.slip));
     m.put(n, from, to, p2.velocity_at(to) + s.speed * (at.rotation * noise3(g, 9)));
     t.from.v[static_cast<size_t>(n)] = p1.velocity_at(from);
     before.v[static_cast<size_t>(n)] = p0.velocity_at(before.x[static_cast<size_t>(n)]);

@@ -55,7 +55,8 @@ struct SuiteModel {
       const Vec3 straight =
           g < 4 ? Vec3(1.25 * g, 0, 0) : Vec3(0.8 * (g - 4), 3 + 0.8 * (g - 4), 0.5 * (g - 4));
       trial.from.x[i] = at.point(straight + 0.15 * noise3(g, 1));
-      const Vec3 ux = 0.1 * noise3(g, 2), ut = (Vec3(0.5, -0.4, 0.3) + 0.2 * noise3(g, 3));
+      const Vec3 ux = 0.1 * noise3(g, 2);
+      const Vec3 ut = (Vec3(0.5, -0.4, 0.3) + 0.2 * noise3(g, 3));
       double* u = trial.u.data() + 3 * l.block[i];
       Eigen::Map<Vec3>(u, 3) = at.rotation * ux;
       trial.rates.v[i] = at.rotation * noise3(g, 5);

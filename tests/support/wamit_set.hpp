@@ -40,7 +40,8 @@ struct Set {
 inline Set wamit_set() {
   Set s;
   std::set<double> omega, directions;
-  const auto added = rows_of(std::string(kSpar) + ".1"), force = rows_of(std::string(kSpar) + ".3");
+  const auto added = rows_of(std::string(kSpar) + ".1");
+  const auto force = rows_of(std::string(kSpar) + ".3");
   for (const auto& r : added)
     if (r[0] > 0) omega.insert(2 * M_PI / r[0]);
   for (const auto& r : force) directions.insert(r[1]);
@@ -50,7 +51,8 @@ inline Set wamit_set() {
     return static_cast<int>(std::lower_bound(in.begin(), in.end(), x) - in.begin());
   };
   for (const auto& r : added) {
-    const int i = static_cast<int>(r[1]) - 1, j = static_cast<int>(r[2]) - 1;
+    const int i = static_cast<int>(r[1]) - 1;
+    const int j = static_cast<int>(r[2]) - 1;
     if (r[0] == 0) s.limit[{i, j}] = r[3];
     if (!(r[0] > 0)) continue;
     const int k = place(s.omega, 2 * M_PI / r[0]);

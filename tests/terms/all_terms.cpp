@@ -52,14 +52,17 @@ void expect_situations(ContactOn on) {
     }
     return std::vector<double>();
   };
-  const auto pressed = field("contact_normal_force"), rubbed = field("friction_force");
+  const auto pressed = field("contact_normal_force");
+  const auto rubbed = field("friction_force");
   for (size_t n = 0; n < 8; ++n) {
-    const double normal = pressed[n], friction = Vec3(&rubbed[3 * n]).norm();
+    const double normal = pressed[n];
+    const double friction = Vec3(&rubbed[3 * n]).norm();
     const std::string what =
         "surface " + std::to_string(static_cast<int>(on)) + ", node " + std::to_string(n);
     EXPECT_EQ(normal > 0, n != 0 && n != 7) << what;
     if (!(normal > 0)) continue;
-    const bool slides = n == 3 || n == 4 || n == 6, ramp = n == 1 || n == 4;
+    const bool slides = n == 3 || n == 4 || n == 6;
+    const bool ramp = n == 1 || n == 4;
     if (slides)
       EXPECT_NEAR(friction, 0.3 * normal, 1e-9 * normal) << what;
     else
@@ -120,7 +123,8 @@ TEST(Suite, EvaluatingLeavesNoTrace) {
 // A system whose step was rejected and repeated has the same history as one whose step was accepted at once.
 TEST(Suite, RejectedStepsLeaveNoTraceInHistory) {
   for (const SuiteCase& c : all_cases()) {
-    const auto a = c.build(PETSC_COMM_SELF, {}), b = c.build(PETSC_COMM_SELF, {});
+    const auto a = c.build(PETSC_COMM_SELF, {});
+    const auto b = c.build(PETSC_COMM_SELF, {});
     const Trial& t = a->trial;
     const LocalMesh& mesh = a->system->mesh();
     const State end = state_of(mesh, t);
@@ -129,7 +133,8 @@ TEST(Suite, RejectedStepsLeaveNoTraceInHistory) {
     residual(*a->system, state_of(mesh, t, 3, &d), t.h);
     a->system->prepare(at_end(t.from, t.h), t.h);
     for (const auto& m : {a.get(), b.get()}) m->system->commit(at_end(end, t.h));
-    const auto ha = history(*a->system), hb = history(*b->system);
+    const auto ha = history(*a->system);
+    const auto hb = history(*b->system);
     for (size_t i = 0; i < ha.size(); ++i) expect_same(ha[i], hb[i], c.name);
     EXPECT_EQ(energies(*a->system, end, t.h), energies(*b->system, end, t.h)) << c.name;
   }
@@ -142,7 +147,8 @@ TEST(Suite, TurnsWithTheModel) {
     if (c.name == "point loads and masses" || c.name == "everything")
       continue;                                 // weight: see LoadsTurnWithTheModel
     if (c.name.starts_with("water")) continue;  // level sea: see WaterTurnsWithTheModelAboutTheVertical
-    const auto m = c.build(PETSC_COMM_SELF, {}), turned = c.build(PETSC_COMM_SELF, at);
+    const auto m = c.build(PETSC_COMM_SELF, {});
+    const auto turned = c.build(PETSC_COMM_SELF, at);
     m->system->tie({}, {});
     turned->system->tie({}, {});
     const auto [size, off] = turned_forces(*m, *turned, at.rotation);
@@ -158,7 +164,8 @@ TEST(Suite, TurnsWithTheModel) {
 TEST(Suite, WaterTurnsWithTheModelAboutTheVertical) {
   const Placement at{exp_so3({0, 0, 1.3}), Vec3(2, -1, 0)};
   for (const SuiteCase& c : water_cases()) {
-    const auto m = c.build(PETSC_COMM_SELF, {}), turned = c.build(PETSC_COMM_SELF, at);
+    const auto m = c.build(PETSC_COMM_SELF, {});
+    const auto turned = c.build(PETSC_COMM_SELF, at);
     m->system->tie({}, {});
     turned->system->tie({}, {});
     const LocalMesh& mesh = m->system->mesh();
@@ -170,7 +177,8 @@ TEST(Suite, WaterTurnsWithTheModelAboutTheVertical) {
     for (int n = 0; n < mesh.owned; ++n)
       for (int k = 0; k <= mesh.rotates(n); ++k) {
         const size_t i = 3 * static_cast<size_t>(mesh.block[static_cast<size_t>(n)] + k);
-        const Eigen::Map<const Vec3> a(f.data() + i), b(g.data() + i);
+        const Eigen::Map<const Vec3> a(f.data() + i);
+        const Eigen::Map<const Vec3> b(g.data() + i);
         EXPECT_LT((k ? Vec3(b - a) : Vec3(b - at.rotation * a)).norm(), 1e-12 * size) << c.name;
       }
   }
@@ -178,7 +186,8 @@ TEST(Suite, WaterTurnsWithTheModelAboutTheVertical) {
 
 TEST(Suite, LoadsTurnWithTheModel) {
   const Placement at{exp_so3({0.9, -1.3, 0.7}), Vec3(2, -1, 3)};
-  SuiteModel m, turned(PETSC_COMM_SELF, at);
+  SuiteModel m;
+  SuiteModel turned(PETSC_COMM_SELF, at);
   add_loads(m, {}, false);
   add_loads(turned, at, false);
   const LocalMesh& mesh = m.system->mesh();
@@ -187,7 +196,8 @@ TEST(Suite, LoadsTurnWithTheModel) {
   for (int n = 0; n < mesh.owned; ++n)
     for (int k = 0; k <= mesh.rotates(n); ++k) {
       const size_t i = 3 * static_cast<size_t>(mesh.block[static_cast<size_t>(n)] + k);
-      const Eigen::Map<const Vec3> a(f.data() + i), b(g.data() + i);
+      const Eigen::Map<const Vec3> a(f.data() + i);
+      const Eigen::Map<const Vec3> b(g.data() + i);
       EXPECT_LT((k ? Vec3(b - a) : Vec3(b - at.rotation * a)).norm(), 1e-12);
     }
 }

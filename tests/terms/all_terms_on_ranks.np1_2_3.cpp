@@ -12,8 +12,8 @@ double sum(MPI_Comm comm, double x) {
 
 // The 3 x 3 block of the matrix at a row and a column of global blocks.
 Mat3 block(Mat J, int row, int column) {
-  const PetscInt r[3] = {3 * row, 3 * row + 1, 3 * row + 2},
-                 c[3] = {3 * column, 3 * column + 1, 3 * column + 2};
+  const PetscInt r[3] = {3 * row, 3 * row + 1, 3 * row + 2};
+  const PetscInt c[3] = {3 * column, 3 * column + 1, 3 * column + 2};
   Eigen::Matrix<double, 3, 3, Eigen::RowMajor> m;
   check(MatGetValues(J, 3, r, 3, c, m.data()));
   return m;
@@ -27,16 +27,21 @@ struct Both {
 TEST(SuiteRanks, ResidualAndTangent) {
   for (const SuiteCase& c : all_cases()) {
     const Both m(c);
-    System &all = *m.all->system, &one = *m.one->system;
-    const LocalMesh &a = all.mesh(), &b = one.mesh();  // node n of `one` is mesh node n
+    System& all = *m.all->system;
+    System& one = *m.one->system;
+    const LocalMesh& a = all.mesh();
+    const LocalMesh& b = one.mesh();  // node n of `one` is mesh node n
     const double h = m.one->trial.h;
-    VecHandle ra = all.create_vector(), rb = one.create_vector();
+    VecHandle ra = all.create_vector();
+    VecHandle rb = one.create_vector();
     all.residual(at_end(state_of(a, m.all->trial), h), ra.get());
     one.residual(at_end(state_of(b, m.one->trial), h), rb.get());
-    const auto fa = rows(ra.get()), fb = rows(rb.get());
+    const auto fa = rows(ra.get());
+    const auto fb = rows(rb.get());
     const double size = one.norms(rb.get()).force_scale + one.norms(rb.get()).moment_scale;
     const Weights w{1, 3, 7, 0, 0};
-    const MatHandle Ja = tangent(all, m.all->trial, w), Jb = tangent(one, m.one->trial, w);
+    const MatHandle Ja = tangent(all, m.all->trial, w);
+    const MatHandle Jb = tangent(one, m.one->trial, w);
     double na = 0, nb = 0;
     check(MatNorm(Ja.get(), NORM_FROBENIUS, &na));
     check(MatNorm(Jb.get(), NORM_FROBENIUS, &nb));
@@ -49,8 +54,8 @@ TEST(SuiteRanks, ResidualAndTangent) {
     for (int n = 0; n < a.owned; ++n) {
       const int g = a.global[static_cast<size_t>(n)];
       for (int k = 0; k <= a.rotates(n); ++k) {
-        const size_t i = 3 * static_cast<size_t>(blocks(a, n) + k),
-                     j = 3 * static_cast<size_t>(blocks(b, g) + k);
+        const size_t i = 3 * static_cast<size_t>(blocks(a, n) + k);
+        const size_t j = 3 * static_cast<size_t>(blocks(b, g) + k);
         for (size_t r = 0; r < 3; ++r)
           EXPECT_NEAR(fa[i + r], fb[j + r], 1e-14 * size) << c.name << ", node " << g;
       }
@@ -66,7 +71,8 @@ TEST(SuiteRanks, ResidualAndTangent) {
       }
     }
     EXPECT_EQ(sum(PETSC_COMM_WORLD, compared), 40 + 10) << c.name;  // 4 + 6 pairs of beams, of cables
-    const ResidualNorms x = all.norms(ra.get()), y = one.norms(rb.get());
+    const ResidualNorms x = all.norms(ra.get());
+    const ResidualNorms y = one.norms(rb.get());
     EXPECT_NEAR(x.force, y.force, 1e-13 * size) << c.name;
     EXPECT_NEAR(x.moment, y.moment, 1e-13 * size) << c.name;
   }
@@ -81,7 +87,10 @@ TEST(SuiteRanks, TangentByDifferences) {
       return residual(*m->system, state_of(m->system->mesh(), m->trial, step, &d, w), m->trial.h);
     };
     const auto Jd = multiply(*m->system, tangent(*m->system, m->trial, w).get(), d);
-    const auto p = f(0.02), q = f(-0.02), r = f(0.04), s = f(-0.04);
+    const auto p = f(0.02);
+    const auto q = f(-0.02);
+    const auto r = f(0.04);
+    const auto s = f(-0.04);
     double off = 0, size = 0;
     for (size_t i = 0; i < Jd.size(); ++i) {
       off += std::pow((8 * (p[i] - q[i]) - (r[i] - s[i])) / 0.24 - Jd[i], 2);
@@ -94,18 +103,22 @@ TEST(SuiteRanks, TangentByDifferences) {
 TEST(SuiteRanks, EnergyAndHistory) {
   for (const SuiteCase& c : all_cases()) {
     const Both m(c);
-    System &all = *m.all->system, &one = *m.one->system;
+    System& all = *m.all->system;
+    System& one = *m.one->system;
     const double h = m.one->trial.h;
-    const State end_a = state_of(all.mesh(), m.all->trial), end_b = state_of(one.mesh(), m.one->trial);
+    const State end_a = state_of(all.mesh(), m.all->trial);
+    const State end_b = state_of(one.mesh(), m.one->trial);
     all.commit(at_end(end_a, h));
     one.commit(at_end(end_b, h));
-    const Energy x = all.energy(at_end(end_a, h)), y = one.energy(at_end(end_b, h));
+    const Energy x = all.energy(at_end(end_a, h));
+    const Energy y = one.energy(at_end(end_b, h));
     const double size = y.kinetic + y.strain + std::abs(y.potential) + 1;
     for (const auto part : {&Energy::kinetic, &Energy::strain, &Energy::potential, &Energy::friction,
                             &Energy::damping, &Energy::work})
       EXPECT_NEAR(sum(PETSC_COMM_WORLD, x.*part), y.*part, 1e-13 * size) << c.name;
     for (size_t t = 0; t < all.terms().size(); ++t) {
-      auto mine = all.terms()[t]->save(), whole = one.terms()[t]->save();
+      auto mine = all.terms()[t]->save();
+      auto whole = one.terms()[t]->save();
       const auto sums = [](const std::vector<CheckpointRecord>& records) {
         double s = 0;
         for (const auto& r : records)

@@ -41,7 +41,8 @@ TEST(ContactStiffness, Automatic) {
 // A pipe of 4 m, 200 x 10 mm: its weight of 1.84 kN bends it to a radius of at least 2 sqrt(EI/T) = 111 m, on
 // a mesh and on a drum. EA determines the tension only if the pipe has no weight.
 TEST(ContactStiffness, OfAStiffPipe) {
-  const double weight = 460, tension = 4 * weight;
+  const double weight = 460;
+  const double tension = 4 * weight;
   StiffnessDemand d{0.1, weight, tension, 1.256e9, 5.7e6, 0, 0};
   const double bend = 2 * std::sqrt(5.7e6 / tension);
   EXPECT_NEAR(bend, 111.3, 0.1);
@@ -58,7 +59,8 @@ TEST(ContactStiffness, OfAStiffPipe) {
 // The weight of a line gives a penetration of 0.5 % of its radius; 1 % of its EA, bent to its radius, gives a
 // penetration of a quarter of the radius.
 TEST(ContactStiffness, OfLinesOnLines) {
-  const double r = 0.05, s = 0.25 * r;
+  const double r = 0.05;
+  const double s = 0.25 * r;
   EXPECT_NEAR(stiffness_by_weight(60, r) * 0.005 * r, 60 * 9.80665, 1e-9);
   EXPECT_NEAR(cubic_stiffness(250e6, r) * s * s * s, 2.5e6 / r, 1e-3);
 }

@@ -43,10 +43,12 @@ std::vector<TouchCase> touch_cases() {
   const BoxShape box{{0.05, 0, 0.1}, {0.8, 1, 0.6}};
   const CapsuleShape bar{{-0.3, 0.1, 0}, {0.3, 0.1, 0}, 0.2};
   const Vec3 low(-0.35, 0, -0.2);  // on an edge of `box` that is along y
-  const Vec3 over_edge = Vec3(0.8, 0, 0.6), across = Vec3(-0.6, 0.5, 0.8).normalized();
+  const Vec3 over_edge = Vec3(0.8, 0, 0.6);
+  const Vec3 across = Vec3(-0.6, 0.5, 0.8).normalized();
   const Quat on_edge = minimal_rotation(Vec3(-1, 0, -1), -Vec3::UnitZ());  // the body stands on that edge
-  const StiffnessBasis point = StiffnessBasis::per_point, length = StiffnessBasis::per_length,
-                       area = StiffnessBasis::per_area;
+  const StiffnessBasis point = StiffnessBasis::per_point;
+  const StiffnessBasis length = StiffnessBasis::per_length;
+  const StiffnessBasis area = StiffnessBasis::per_area;
   return {
       {"ball, face", ball, kMet, point, exp_so3({1, 2, 3}), ball.centre, 0.3},
       {"ball, edge", ball, kMet, point, exp_so3({1, 2, 3}), ball.centre, 0.3, kEdge, over_edge},
@@ -167,7 +169,8 @@ struct BodyModel {
       const int node = l.find(mesh.body_node(body));
       const size_t i = static_cast<size_t>(node);
       const Vec3 at = origin + turn * c.bodies[static_cast<size_t>(body)].mass->centre;
-      const Vec3 u = 0.02 * noise3(body, 1), turned = 0.3 * noise3(body, 2);
+      const Vec3 u = 0.02 * noise3(body, 1);
+      const Vec3 turned = 0.3 * noise3(body, 2);
       trial.from.x[i] = at - u;
       trial.from.q[i] = turn * exp_so3(-turned);
       double* to = trial.u.data() + 3 * l.block[i];
@@ -192,7 +195,8 @@ void expect_momentum(const BodyModel& m, const State& s) {
   double size = 0;
   for (size_t i = 0; i < static_cast<size_t>(l.nodes()); ++i) {
     const double* of = f.data() + 3 * l.block[i];
-    const Eigen::Map<const Vec3> force(of), couple(of + 3);
+    const Eigen::Map<const Vec3> force(of);
+    const Eigen::Map<const Vec3> couple(of + 3);
     sum += force;
     moment += s.x[i].cross(force) + s.q[i] * couple;
     size += force.norm();
@@ -240,10 +244,11 @@ TEST(BodyContact, TangentsWithFriction) {
         // With damping, the lightly loaded pieces of a face slide while others stick, and one of them is
         // always between the two, where the force has a kink.
         const double damping = c.basis == StiffnessBasis::per_area && law.mobilisation_length == 1 ? 0 : 0.2;
-        BodyModel m(c, -5e-3, floats, 0.1, law, damping), smooth(c, -5e-3, floats, 0.1, {}, damping);
+        BodyModel m(c, -5e-3, floats, 0.1, law, damping);
+        BodyModel smooth(c, -5e-3, floats, 0.1, {}, damping);
         const State s = state_of(m.system->mesh(), m.trial);
-        const std::vector<double> with = residual(*m.system, s, m.trial.h),
-                                  without = residual(*smooth.system, s, m.trial.h);
+        const std::vector<double> with = residual(*m.system, s, m.trial.h);
+        const std::vector<double> without = residual(*smooth.system, s, m.trial.h);
         double change = 0, size = 0;
         for (size_t i = 0; i < with.size(); ++i) {
           change = std::max(change, std::abs(with[i] - without[i]));
@@ -266,13 +271,14 @@ TEST(BodyContact, TangentsWithFriction) {
 // The slip of a sticking contact is in the checkpoint records: a restored model has the same slip.
 TEST(BodyContact, SlipIsKept) {
   for (const TouchCase& c : touch_cases()) {
-    BodyModel first(c, -5e-3, true, 0.1, friction(0.4, 1)), second(c, -5e-3, true, 0.1, friction(0.4, 1));
+    BodyModel first(c, -5e-3, true, 0.1, friction(0.4, 1));
+    BodyModel second(c, -5e-3, true, 0.1, friction(0.4, 1));
     const State s = state_of(first.system->mesh(), first.trial);
     first.system->commit(s.after_step(first.trial.h));
     second.contact->restore(first.contact->save());
     for (BodyModel* m : {&first, &second}) m->system->prepare(s.after_step(m->trial.h), m->trial.h);
-    const std::vector<double> expected = residual(*first.system, s, first.trial.h),
-                              restored = residual(*second.system, s, second.trial.h);
+    const std::vector<double> expected = residual(*first.system, s, first.trial.h);
+    const std::vector<double> restored = residual(*second.system, s, second.trial.h);
     for (size_t i = 0; i < expected.size(); ++i)
       EXPECT_NEAR(restored[i], expected[i], 1e-12 * std::abs(expected[i])) << c.name << ", " << i;
   }
@@ -294,7 +300,8 @@ TEST(BodyContact, TangentsWithFrictionThatFalls) {
 TEST(BodyContact, WhatWasMetIsKept) {
   for (const TouchCase& c : touch_cases()) {
     if (c.name != "edge along a face") continue;
-    BodyModel deep(c, -0.1, true, 0), apart(c, 0.5, true, 0);
+    BodyModel deep(c, -0.1, true, 0);
+    BodyModel apart(c, 0.5, true, 0);
     const State s = state_of(deep.system->mesh(), deep.trial);
     deep.system->commit(s.after_step(deep.trial.h));
     deep.system->prepare(s.after_step(deep.trial.h), deep.trial.h);

@@ -47,7 +47,8 @@ TEST(ConstantPull, Field) {
   std::vector<double> values(24, 7.0);
   registry.sources()[0].fill(at_end(s, m.trial.h), values);
   for (int n = 0; n < 8; ++n) {
-    const Vec3 pull(values.data() + 3 * n), way = kPoint - s.x[static_cast<size_t>(n)];
+    const Vec3 pull(values.data() + 3 * n);
+    const Vec3 way = kPoint - s.x[static_cast<size_t>(n)];
     EXPECT_LT((pull - (n == kNode ? kTension : 0) * way.normalized()).norm(), 1e-9) << n;
   }
 }

@@ -116,7 +116,9 @@ TEST(ContactAtNodes, Energy) {
   ContactVolume v = volume(std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitZ()));
   LineVolumeContact term = at_nodes(m, v);
   m.state.x = {Vec3(0, 0, 0.2), Vec3(0, 50, 50)};
-  const double h = 1e-3, k = 1e5, c = contact_damping(0.1, 1e5, 50);
+  const double h = 1e-3;
+  const double k = 1e5;
+  const double c = contact_damping(0.1, 1e5, 50);
   // Down to 0.02 m penetration in 0.12 s, then sideways by 0.5 m at 1 m/s.
   Vec3 friction = Vec3::Zero();
   for (int i = 1; i <= 620; ++i) {
@@ -179,7 +181,8 @@ TEST(ContactAtNodes, WorkOfTheBody) {
 TEST(ContactAtNodes, HistoryGoesThroughACheckpoint) {
   Model m;
   const ContactVolume v = volume(std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitZ()));
-  LineVolumeContact term = at_nodes(m, v), copy = at_nodes(m, v);
+  LineVolumeContact term = at_nodes(m, v);
+  LineVolumeContact copy = at_nodes(m, v);
   m.state.x = {Vec3(0, 0, 0.09), Vec3(0, 1, 0.095)};
   const double h = 0.01;
   for (int i = 1; i <= 3; ++i) {

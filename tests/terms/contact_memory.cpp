@@ -97,7 +97,8 @@ std::vector<Scene> scenes() {
   const auto ball =
       std::make_shared<MeshSurface>(test::sphere_mesh(3, 2), std::vector<bool>(), MeshSurfaceOptions{true});
   TriangleMesh channel = test::u_channel_mesh();  // its slit is along x and as wide as the line
-  TriangleMesh wide = channel, wedge = channel;
+  TriangleMesh wide = channel;
+  TriangleMesh wedge = channel;
   for (Vec3& v : channel.vertices) v = Vec3(v.z() - 2, 0.21 * (v.x() - 1.5), 0.5 * (v.y() - 1));
   for (Vec3& v : wide.vertices) v = Vec3(3 * (v.z() - 2), 0.6 * (v.x() - 1.5), 0.7 * v.y());
   for (Vec3& v : wedge.vertices) v = Vec3(3 * (v.z() - 2), (0.1 + 0.25 * v.y()) * (v.x() - 1.5), 0.7 * v.y());
@@ -145,8 +146,8 @@ void go(const Scene& scene, bool beam, model::ContactMethod method) {
   Assembler nowhere;
   int touched = 0;
   for (int n = 0; n < kSteps; ++n) {
-    const State from = line_at(height(n), n * kStep, (height(n) - height(n + 1)) / kStep),
-                to = line_at(height(n + 1), (n + 1) * kStep, (height(n) - height(n + 1)) / kStep);
+    const State from = line_at(height(n), n * kStep, (height(n) - height(n + 1)) / kStep);
+    const State to = line_at(height(n + 1), (n + 1) * kStep, (height(n) - height(n + 1)) / kStep);
     LineVolumeContact fresh = make(local, bodies, v);
     fresh.restore(term.save());
     term.prepare(from.after_step(kStep), kStep);
@@ -163,18 +164,21 @@ void go(const Scene& scene, bool beam, model::ContactMethod method) {
       State trial = to;
       for (Vec3& x : trial.x) x += far * Vec3(noise(random), noise(random), noise(random));
       term.evaluate(trial.after_step(kStep), nowhere);
-      LineVolumeContact mine = term, other = fresh;
+      LineVolumeContact mine = term;
+      LineVolumeContact other = fresh;
       other.prepare(from.after_step(kStep), kStep);
       mine.commit(trial.after_step(kStep));
       other.commit(trial.after_step(kStep));
-      const auto a = mine.save(), b = other.save();
+      const auto a = mine.save();
+      const auto b = other.save();
       ASSERT_EQ(a.size(), b.size()) << scene.name << " step " << n << " off by " << far;
       for (size_t i = 0; i < a.size(); ++i)
         EXPECT_EQ(a[i].values, b[i].values) << scene.name << " step " << n;
       EXPECT_EQ(mine.active_count(), other.active_count());
     }
     fresh.prepare(from.after_step(kStep), kStep);
-    const Outcome mine = limits(term), other = limits(fresh);
+    const Outcome mine = limits(term);
+    const Outcome other = limits(fresh);
     EXPECT_EQ(mine.longest, other.longest) << scene.name << " step " << n;
     EXPECT_EQ(mine.energies, other.energies) << scene.name << " step " << n;
     term.commit(to.after_step(kStep));
@@ -209,7 +213,8 @@ TEST(ContactMemory, AsksLittle) {
   Assembler nowhere;
   int first = 0, later = 0, ahead = 0;
   for (int n = 0; n < 10; ++n) {
-    State from = line_at(2.4 - 0.002 * n, 0, 0), to = line_at(2.4 - 0.002 * (n + 1), 0, 0);
+    State from = line_at(2.4 - 0.002 * n, 0, 0);
+    State to = line_at(2.4 - 0.002 * (n + 1), 0, 0);
     for (State* s : {&from, &to})
       for (Vec3& v : s->v) v = Vec3(0, 0, -0.02);
     term.prepare(from.after_step(kStep), kStep);

@@ -78,7 +78,8 @@ TEST(CoupledBodies, AFullMatrixOfMassAndDamping) {
   c.dynamics.duration = 1;
   c.dynamics.step = 0.01;
   c.dynamics.rho_infinity = 1;
-  const Mat12 A = made_up(0.3, 1), B = made_up(5, 2);
+  const Mat12 A = made_up(0.3, 1);
+  const Mat12 B = made_up(5, 2);
   run::Simulation s(PETSC_COMM_WORLD, c);
   s.system().add(std::make_unique<Joined>(s.local(), A, B));
   Vec12 y;
@@ -98,8 +99,10 @@ TEST(CoupledBodies, AFullMatrixOfMassAndDamping) {
   const Mat12 decay = -M.inverse() * B;
   constexpr double h = 1e-3;
   for (int n = 0; n < 1000; ++n) {
-    const Vec12 k1 = decay * y, k2 = decay * (y + h / 2 * k1), k3 = decay * (y + h / 2 * k2),
-                k4 = decay * (y + h * k3);
+    const Vec12 k1 = decay * y;
+    const Vec12 k2 = decay * (y + h / 2 * k1);
+    const Vec12 k3 = decay * (y + h / 2 * k2);
+    const Vec12 k4 = decay * (y + h * k3);
     y += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
   }
   const Vec12 found = rates(s, d.committed_kinematics());

@@ -160,8 +160,9 @@ struct Roller {
 
 // The crossing lines, pressed into the rope between its nodes 2 and 3 and at node 3.
 void lay_across(State& s) {
-  const Vec3 chord = s.x[3] - s.x[2], across = Vec3(-0.3, 1, 0.1).normalized(),
-             away = chord.cross(across).normalized();
+  const Vec3 chord = s.x[3] - s.x[2];
+  const Vec3 across = Vec3(-0.3, 1, 0.1).normalized();
+  const Vec3 away = chord.cross(across).normalized();
   for (const int line : {0, 1})
     for (int k = 0; k < 4; ++k)
       s.x[static_cast<size_t>(10 + 4 * line + k)] = s.x[2] + (line ? 1.0 : 0.6) * chord + (k - 1.3) * across +
@@ -191,7 +192,9 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
     for (const Kind kind : {Kind::cable, Kind::beam}) cases.push_back({a, kind, On::roller});
   }
   for (const auto& [a, kind, on] : cases) {
-    const bool beam = kind != Kind::cable, crossed = on == On::lines, smooth = on == On::nothing;
+    const bool beam = kind != Kind::cable;
+    const bool crossed = on == On::lines;
+    const bool smooth = on == On::nothing;
     model::Case c = fed(a, speed, kind);
     if (crossed) cross(c);
     Rig r(c);
@@ -231,7 +234,8 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
     alpha_start(mesh, from);
     r.system->update_couplings(from.s.after_step(h), h);
     r.system->prepare(from.s.after_step(h), h);
-    std::vector<double> u(3 * static_cast<size_t>(mesh.blocks()), 0), d = u;
+    std::vector<double> u(3 * static_cast<size_t>(mesh.blocks()), 0);
+    std::vector<double> d = u;
     std::vector<int> moving{3, 4, 5, 6};
     for (int n = 10; n < mesh.nodes(); ++n) moving.push_back(n);
     for (const int n : moving)

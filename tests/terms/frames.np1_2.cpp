@@ -59,7 +59,8 @@ model::Case carried(model::ContactMethod method) {
     w.drag_area = {0.05, 0.08, 0.03};
     w.added_mass = {20, 30, 60};
   }
-  model::End clamped = on("buoy", {1, 0, 0.3}), sprung = on("buoy", {-1, 0.2, 0});
+  model::End clamped = on("buoy", {1, 0, 0.3});
+  model::End sprung = on("buoy", {-1, 0.2, 0});
   clamped.clamped = true;
   clamped.direction = Vec3(1, 0.1, 0.2).normalized();
   sprung.rotational_stiffness = 40;

@@ -42,11 +42,14 @@ long sum(long x) {
 // Points on the axis of an element: Hermite's cubic for a beam.
 std::vector<Vec3> points(const Mesh& mesh, const State& s, int element) {
   const Element& e = mesh.element(static_cast<size_t>(element));
-  const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
+  const size_t i = static_cast<size_t>(e.first);
+  const size_t j = static_cast<size_t>(e.second);
   std::vector<Vec3> out;
   constexpr int kPoints = 12;
   for (int k = 0; k <= kPoints; ++k) {
-    const double z = 1.0 * k / kPoints, z2 = z * z, z3 = z2 * z;
+    const double z = 1.0 * k / kPoints;
+    const double z2 = z * z;
+    const double z3 = z2 * z;
     if (!e.beam) {
       out.push_back((1 - z) * s.x[i] + z * s.x[j]);
       continue;
@@ -87,9 +90,10 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
   settings.exclusion_diameters = 3;
   settings.excluded = {{4, 1}, {2, 2}};
   const std::vector<SharedPlace> ends = {{{0}, {15}}};  // ends A of lines 0 and 1, although far apart
-  Model all(PETSC_COMM_WORLD, c, radius, 1, settings, ends),
-      one(PETSC_COMM_SELF, c, radius, 1, settings, ends);
-  State &a = all.sim.state(), &b = one.sim.state();
+  Model all(PETSC_COMM_WORLD, c, radius, 1, settings, ends);
+  Model one(PETSC_COMM_SELF, c, radius, 1, settings, ends);
+  State& a = all.sim.state();
+  State& b = one.sim.state();
   const Mesh& mesh = one.sim.mesh();
   const LocalMesh& l = all.sim.local();
   // The axes of beams are bent away from their chords.
@@ -143,7 +147,8 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
     for (int e = 0; e < mesh.elements(); ++e) axes.push_back(points(mesh, b, e));
     for (int e = 0; e < static_cast<int>(axes.size()); ++e)
       for (int o = e + 1; o < static_cast<int>(axes.size()); ++o) {
-        const Element &p = mesh.element(static_cast<size_t>(e)), &q = mesh.element(static_cast<size_t>(o));
+        const Element& p = mesh.element(static_cast<size_t>(e));
+        const Element& q = mesh.element(static_cast<size_t>(o));
         const bool never = (p.line == 1 && q.line == 4) || (p.line == 2 && q.line == 2) ||
                            (p.line == q.line && o - e - 1 < 1.5) ||
                            (p.line == 0 && q.line == 1 && e + (o - 14) < 1.5);
@@ -348,7 +353,8 @@ TEST(LineCandidates, WayThatBends) {
 // Forces, and the product of the tangent with a vector, equal those on one rank.
 TEST(LineCandidates, ResidualAndTangent) {
   const model::Case c = tangle(6, 12);
-  Model all(PETSC_COMM_WORLD, c, 0.6, 100), one(PETSC_COMM_SELF, c, 0.6, 100);
+  Model all(PETSC_COMM_WORLD, c, 0.6, 100);
+  Model one(PETSC_COMM_SELF, c, 0.6, 100);
   std::vector<std::vector<double>> r(2), y(2);
   double energy[2];
   for (int i = 0; i < 2; ++i) {
@@ -363,7 +369,9 @@ TEST(LineCandidates, ResidualAndTangent) {
       if (step < 7) move(l, s, step, 0.1);
     }
     energy[i] = m.springs->energy(s.after_step(0.1)).strain;
-    VecHandle f = system.create_vector(), w = system.create_vector(), Jw = system.create_vector();
+    VecHandle f = system.create_vector();
+    VecHandle w = system.create_vector();
+    VecHandle Jw = system.create_vector();
     MatHandle J = system.create_matrix();
     system.residual(s.after_step(0.1), f.get());
     const std::vector<double> zero(3 * static_cast<size_t>(l.blocks()), 0);
@@ -387,14 +395,15 @@ TEST(LineCandidates, ResidualAndTangent) {
   MPI_Allreduce(MPI_IN_PLACE, energy, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
   EXPECT_GT(energy[1], 1);
   EXPECT_NEAR(energy[0], energy[1], 1e-12 * energy[1]);
-  const LocalMesh &l = all.sim.local(), &g = one.sim.local();
+  const LocalMesh& l = all.sim.local();
+  const LocalMesh& g = one.sim.local();
   const double sizes[2] = {Eigen::Map<Eigen::VectorXd>(r[1].data(), static_cast<long>(r[1].size())).norm(),
                            Eigen::Map<Eigen::VectorXd>(y[1].data(), static_cast<long>(y[1].size())).norm()};
   for (int n = 0; n < l.owned; ++n)
     for (int k = 0; k < 3 * (1 + l.rotates(n)); ++k) {
-      const size_t i = static_cast<size_t>(3 * l.block[static_cast<size_t>(n)] + k),
-                   j = static_cast<size_t>(
-                       3 * g.block[static_cast<size_t>(l.global[static_cast<size_t>(n)])] + k);
+      const size_t i = static_cast<size_t>(3 * l.block[static_cast<size_t>(n)] + k);
+      const size_t j =
+          static_cast<size_t>(3 * g.block[static_cast<size_t>(l.global[static_cast<size_t>(n)])] + k);
       EXPECT_NEAR(r[0][i], r[1][j], 1e-13 * sizes[0]);
       EXPECT_NEAR(y[0][i], y[1][j], 1e-13 * sizes[1]);
     }
@@ -429,7 +438,8 @@ model::Case two_bundles() {
 
 TEST(LineCandidates, DynamicsWithARefusedStep) {
   const model::Case c = two_bundles();
-  Model all(PETSC_COMM_WORLD, c, 0.2, 2e3), one(PETSC_COMM_SELF, c, 0.2, 2e3);
+  Model all(PETSC_COMM_WORLD, c, 0.2, 2e3);
+  Model one(PETSC_COMM_SELF, c, 0.2, 2e3);
   long layouts = 0;
   int rejected = 0;
   for (Model* m : {&all, &one}) {
@@ -477,7 +487,8 @@ TEST(LineCandidates, Statics) {
     l.start = model::Start::catenary;
     l.sections[0].length = l.name > "line2" ? 10.3 : 10.1;
   }
-  Model all(PETSC_COMM_WORLD, c, 0.45, 1e4), one(PETSC_COMM_SELF, c, 0.45, 1e4);
+  Model all(PETSC_COMM_WORLD, c, 0.45, 1e4);
+  Model one(PETSC_COMM_SELF, c, 0.45, 1e4);
   for (Model* m : {&all, &one}) EXPECT_LE(m->sim.solve_statics().negative_eigenvalues, 0);
   EXPECT_GT(one.springs->energy(one.sim.state().at_rest()).strain, 0.1);
   expect_same(all, all.sim.state(), one.sim.state(), 1e-8);

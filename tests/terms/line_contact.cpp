@@ -49,9 +49,11 @@ TEST(LineContact, Situations) {
     for (const CheckpointRecord& r : records) {
       if (r.kind != 0 || r.key % 2 != 0) continue;  // once for each element
       for (size_t i = 0; i < r.values.size(); i += size) {
-        const double gap = r.values[i + gap_at], normal = r.values[i + normal_at];
+        const double gap = r.values[i + gap_at];
+        const double normal = r.values[i + normal_at];
         const Vec3 friction = Eigen::Map<const Vec3>(r.values.data() + i + friction_at);
-        const double from = r.values[i + from_at], to = r.values[i + to_at];
+        const double from = r.values[i + from_at];
+        const double to = r.values[i + to_at];
         ++(gap > -1e-3 ? ramp : full);
         moving += (from > 0 && from != 0.5) || (to < 1 && to != 0.5);
         if (c.axial != c.lateral || c.axial == 0) continue;
@@ -69,7 +71,8 @@ TEST(LineContact, Situations) {
 
 TEST(LineContact, EvaluatingLeavesNoTrace) {
   for (const LineCase& c : line_cases()) {
-    LineModel m(c), other(c);
+    LineModel m(c);
+    LineModel other(c);
     System& system = *m.system;
     const Trial& t = m.trial;
     const LocalMesh& mesh = system.mesh();
@@ -94,7 +97,8 @@ TEST(LineContact, EvaluatingLeavesNoTrace) {
     EXPECT_TRUE(equal) << c.name;
     system.commit(here.after_step(t.h));
     other.system->commit(here.after_step(t.h));
-    const auto a = m.contact->save(), b = other.contact->save();
+    const auto a = m.contact->save();
+    const auto b = other.contact->save();
     ASSERT_EQ(a.size(), b.size());
     for (size_t i = 0; i < a.size(); ++i)
       EXPECT_TRUE(a[i].node == b[i].node && a[i].key == b[i].key && a[i].values == b[i].values) << c.name;
@@ -104,7 +108,8 @@ TEST(LineContact, EvaluatingLeavesNoTrace) {
 TEST(LineContact, TurnsWithTheModel) {
   const Placement at{exp_so3({0.9, -1.3, 0.7}), Vec3(2, -1, 3)};
   for (const LineCase& c : line_cases()) {
-    LineModel m(c), turned(c, PETSC_COMM_SELF, at);
+    LineModel m(c);
+    LineModel turned(c, PETSC_COMM_SELF, at);
     // Rotations of the nodes are given in space, so those of the turned model are turned too.
     const double size = expect_turned(m, turned, at.rotation, 1e-10, c.name);
     EXPECT_GT(size, 5) << c.name;
@@ -113,7 +118,8 @@ TEST(LineContact, TurnsWithTheModel) {
 
 TEST(LineContact, HistoryGoesThroughACheckpoint) {
   for (const LineCase& c : line_cases()) {
-    LineModel m(c), copy(c);
+    LineModel m(c);
+    LineModel copy(c);
     const double h = m.trial.h;
     const State end = state_of(m.system->mesh(), m.trial);
     m.system->commit(end.after_step(h));
@@ -197,8 +203,8 @@ TEST(LineContact, StepsFollowImpacts) {
   v.settings.basis = model::StiffnessBasis::per_length;
   v.settings.normal_stiffness = 1e5;
   v.settings.smoothing = 1e-3;
-  const double followed = 2 * M_PI / 25 * std::sqrt(50 / 1e5),
-               infinite = std::numeric_limits<double>::infinity();
+  const double followed = 2 * M_PI / 25 * std::sqrt(50 / 1e5);
+  const double infinite = std::numeric_limits<double>::infinity();
   const auto longest = [&](double gap, double down, double tilt = 0, double acceleration = 0) {
     LineVolumeContact term(l, nullptr, {v}, {{0.1, 50}});
     State s(2);

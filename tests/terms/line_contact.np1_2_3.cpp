@@ -8,13 +8,15 @@ namespace {
 
 TEST(LineContactRanks, SameAsOnOne) {
   for (const LineCase& c : line_cases()) {
-    LineModel all(c, PETSC_COMM_WORLD), one(c);
+    LineModel all(c, PETSC_COMM_WORLD);
+    LineModel one(c);
     expect_same_on_ranks(all, one, {&Energy::strain, &Energy::friction, &Energy::damping, &Energy::work},
                          1e-13, c.name);
     const LocalMesh& a = all.system->mesh();
     const double h = one.trial.h;
     const State end_a = state_of(a, all.trial);
-    const auto mine = all.contact->save(), whole = one.contact->save();
+    const auto mine = all.contact->save();
+    const auto whole = one.contact->save();
     EXPECT_EQ(over_ranks(static_cast<double>(mine.size())), static_cast<double>(whole.size())) << c.name;
     for (const CheckpointRecord& r : mine)
       EXPECT_TRUE(std::any_of(whole.begin(), whole.end(),

@@ -48,13 +48,15 @@ inline constexpr double kLineRadius = 0.1, kLineStiffness = 1e5;  // m, N/m²
 
 // Position of node g in body axes at a gap [m] from the surface, moved along by `slip`, and its rotation.
 inline void place_node(Under on, int g, double gap, double slip, Vec3& x, Quat& q) {
-  const double k = g % 4, side = g < 4 ? 0 : 1.5;
+  const double k = g % 4;
+  const double side = g < 4 ? 0 : 1.5;
   x = {1.2 * k + slip, side + 0.7 * slip, kLineRadius + gap};
   q = exp_so3(Vec3(0.2, 2e-3 * noise(g, 0, 1), 3e-3 * noise(g, 1, 1)));
   // A larger distance from the floor is a smaller distance from the wall beside it: at y = -0.1 and 1.6.
   if (on == Under::corner) x.y() = g < 4 ? -gap - 4.5e-3 : 1.5 + gap + 2.4e-3;
   if (on == Under::drum) {  // about y, radius 5
-    const double r = 5 + x.z(), angle = x.x() / 5.1;
+    const double r = 5 + x.z();
+    const double angle = x.x() / 5.1;
     x = {r * std::sin(angle), x.y(), r * std::cos(angle)};
     q = exp_so3(Vec3(0, angle, 0)) * q;
   }
@@ -158,15 +160,19 @@ struct LineModel : SuiteModel {
     contact = term.get();
     system->add(std::move(term));
 
-    const double t0 = trial.from.time, h = trial.h;
-    const RigidPose p0 = bodies->pose(0, t0 - h), p1 = bodies->pose(0, t0), p2 = bodies->pose(0, t0 + h);
+    const double t0 = trial.from.time;
+    const double h = trial.h;
+    const RigidPose p0 = bodies->pose(0, t0 - h);
+    const RigidPose p1 = bodies->pose(0, t0);
+    const RigidPose p2 = bodies->pose(0, t0 + h);
     const Gaps g = gaps(what.on);
     State before = trial.from;
     before.time = t0 - h;
     for (int n = 0; n < l.nodes(); ++n) {
       const size_t i = static_cast<size_t>(n);
       const int id = l.global[i];
-      const double b = 1e-3 * g.before[id % 4], e = 1e-3 * g.trial[id % 4];
+      const double b = 1e-3 * g.before[id % 4];
+      const double e = 1e-3 * g.trial[id % 4];
       const double slip = what.far ? 0.02 + 2e-3 * noise(id, 0, 2) : 5e-4 + 2e-4 * noise(id, 0, 2);
       Vec3 x0, x1, x2;
       Quat q0, q1, q2;

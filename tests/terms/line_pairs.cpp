@@ -49,7 +49,8 @@ TEST(LinePairs, EvaluatingLeavesNoTrace) {
 TEST(LinePairs, TurnsWithTheModel) {
   const Placement at{exp_so3({0.9, -1.3, 0.7}), Vec3(2, -1, 3)};
   for (const PairCase& c : pair_cases()) {
-    PairModel m(c), turned(c, PETSC_COMM_SELF, at);
+    PairModel m(c);
+    PairModel turned(c, PETSC_COMM_SELF, at);
     expect_turned(m, turned, at.rotation, 1e-9, c.name);
   }
 }
@@ -66,7 +67,8 @@ TEST(LinePairs, ForcesBalance) {
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
     double size = 0;
     for (int n = 0; n < mesh.owned; ++n) {
-      const size_t i = static_cast<size_t>(n), b = 3 * static_cast<size_t>(mesh.block[i]);
+      const size_t i = static_cast<size_t>(n);
+      const size_t b = 3 * static_cast<size_t>(mesh.block[i]);
       const Eigen::Map<const Vec3> a(f.data() + b);
       force += a;
       moment += end.x[i].cross(a);
@@ -82,7 +84,8 @@ TEST(LinePairs, ForcesBalance) {
 
 TEST(LinePairs, HistoryGoesThroughACheckpoint) {
   for (const PairCase& c : pair_cases()) {
-    PairModel m(c), copy(c);
+    PairModel m(c);
+    PairModel copy(c);
     const double h = m.trial.h;
     const State end = state_of(m.system->mesh(), m.trial);
     m.system->commit(end.after_step(h));

@@ -8,7 +8,8 @@ namespace {
 
 TEST(LinePairsRanks, SameAsOnOne) {
   for (const PairCase& c : pair_cases()) {
-    PairModel all(c, PETSC_COMM_WORLD), one(c);
+    PairModel all(c, PETSC_COMM_WORLD);
+    PairModel one(c);
     const double size =
         expect_same_on_ranks(all, one, {&Energy::strain, &Energy::friction, &Energy::damping}, 1e-12, c.name);
     EXPECT_NEAR(over_ranks(all.contact->normal_force()), one.contact->normal_force(), 1e-12 * size) << c.name;

@@ -123,7 +123,8 @@ Step step_error(const model::Case& c) {
                                     : sim.mesh().nearest_node(c.line_index(e.line), e.arc);
     return node < 0 ? -1 : mesh.owner[static_cast<size_t>(node)];
   };
-  const int first = owner(c.links[0].end_a), second = owner(c.links[0].end_b);
+  const int first = owner(c.links[0].end_a);
+  const int second = owner(c.links[0].end_b);
   StepTangent step = StepTangent::by_chance(sim.system(), sim.state(), 0.02, 0.05, 0.2);
   return {step.worst(1e-3, 1e-3), first >= 0 && second >= 0 && first != second};
 }

@@ -97,10 +97,14 @@ TEST(PointLoads, MomentStiffness) {
       t.q[1] = s.q[1] * exp_so3(d * Vec3::Unit(k));
       return residual(system, t);
     };
-    const auto a = at(h), b = at(-h), c = at(2 * h), d = at(-2 * h);
+    const auto a = at(h);
+    const auto b = at(-h);
+    const auto c = at(2 * h);
+    const auto d = at(-2 * h);
     for (int i = 0; i < 15; ++i) {
       const size_t n = static_cast<size_t>(i);
-      const PetscInt row = i, column = 9 + k;
+      const PetscInt row = i;
+      const PetscInt column = 9 + k;
       PetscScalar value = 0;
       check(MatGetValues(J.get(), 1, &row, 1, &column, &value));
       EXPECT_NEAR(value, (8 * (a[n] - b[n]) - (c[n] - d[n])) / (12 * h), 1e-10);
@@ -113,7 +117,8 @@ TEST(PointLoads, WorkAndCheckpoint) {
   const LocalMesh local = local_mesh(mesh);
   const std::vector<NodeLoad> loads{
       {1, {10, 0, 0}, {0, 0, 6}, 0}, {0, {0, 0, 0}, {0, 0, 2}, 0}, {1, {0, 1, 0}, {0, 3, 0}, 0}};
-  PointLoads term(local, loads), copy(local, loads);
+  PointLoads term(local, loads);
+  PointLoads copy(local, loads);
   State s = moved();
   term.prepare(s.after_step(0.1), 0.1);
   const double before = term.energy(s.after_step(0.1)).potential;

@@ -142,7 +142,8 @@ void expect_suction(const Bed& shape) {
   law.radius = 0.1;
   law.law.normal.stiffness = 1e5;
   law.suction = {500, 0.01};
-  OneNode n(shape, law), copy(shape, law);
+  OneNode n(shape, law);
+  OneNode copy(shape, law);
   const auto force = [&](double gap, OneNode& of) {
     of.go({0, 0, 0.1 + gap});
     return of.bed->node_force(0).z();
@@ -236,7 +237,8 @@ TEST(SeabedFriction, PaperPathInTheLimit) {
     OneNode n(kFlat, paper());
     n.go(corners[0]);
     for (int leg = 0; leg < 4; ++leg) {
-      const Vec3 &a = corners[back ? (4 - leg) % 4 : leg], &b = corners[back ? 3 - leg : (leg + 1) % 4];
+      const Vec3& a = corners[back ? (4 - leg) % 4 : leg];
+      const Vec3& b = corners[back ? 3 - leg : (leg + 1) % 4];
       for (int i = 1; i <= 2000; ++i) n.go(a + (b - a) * i / 2000);
     }
     EXPECT_NEAR(n.work(), back ? -5.375583661 : 5.375583661, 1e-3);
@@ -267,7 +269,8 @@ TEST(SeabedFriction, CyclesAndCircles) {
     const double angle = M_PI * i / 1000;
     if (i == 2000) turn = c.work();
     const Vec3 last = c.state.x[0];
-    const Vec3 f = c.go({rho * std::cos(angle), rho * std::sin(angle), kDeep}), way = c.state.x[0] - last;
+    const Vec3 f = c.go({rho * std::cos(angle), rho * std::sin(angle), kDeep});
+    const Vec3 way = c.state.x[0] - last;
     lag = way.cross(f).z() / (way.norm() * f.norm());
   }
   EXPECT_NEAR(c.work() - turn, 153.90597961942368, 1e-3 * 153.906);
@@ -336,7 +339,9 @@ TEST(SeabedShapes, SlopesAreTheSame) {
   grid.go(above);
   mesh.go(above);
   for (int i = 0; i < 60; ++i) {
-    const double t = 0.1 * i, x = 20 * std::sin(t), y = 15 * std::cos(1.7 * t);
+    const double t = 0.1 * i;
+    const double x = 20 * std::sin(t);
+    const double y = 15 * std::cos(1.7 * t);
     const Vec3 p = Vec3(x, y, slope(x, y)) + (0.0985 + 0.01 * std::sin(3 * t)) * plane.normal;
     const Vec3 f = formula.go(p);
     const Vec3 all = formula.bed->node_force(0);
@@ -355,12 +360,15 @@ TEST(SeabedShapes, AnswersDoNotDependOnThePath) {
   OneNode walker(std::shared_ptr<const Surface>(bed), law);
   int touching = 0;
   for (int i = 0; i < 400; ++i) {
-    const double t = 0.37 * i, x = 4 + 6 * std::sin(t), y = 3 + 5 * std::cos(1.3 * t);
+    const double t = 0.37 * i;
+    const double x = 4 + 6 * std::sin(t);
+    const double y = 3 + 5 * std::cos(1.3 * t);
     const Vec3 p(x, y, bed->at(x, y).z + 0.4 * std::sin(5.1 * t));
     walker.go(p);
     OneNode fresh(std::shared_ptr<const Surface>(bed), law);
     fresh.go(p);
-    const Vec3 a = walker.bed->node_force(0), b = fresh.bed->node_force(0);
+    const Vec3 a = walker.bed->node_force(0);
+    const Vec3 b = fresh.bed->node_force(0);
     EXPECT_EQ(a, b) << i;
     touching += a.norm() > 0;
   }
@@ -417,7 +425,8 @@ TEST(SeabedHalfWay, HistoryIsWithBothNodes) {
     p.local = local_mesh(mesh, owner, rank, owner[1] + 1);
     return p;
   };
-  Part all = part({0, 0}, 0), two[] = {part({0, 1}, 0), part({0, 1}, 1)};
+  Part all = part({0, 0}, 0);
+  Part two[] = {part({0, 1}, 0), part({0, 1}, 1)};
   for (Part* p : {&all, &two[0], &two[1]})
     p->bed = std::make_unique<BedContact>(
         p->local, kFlat,

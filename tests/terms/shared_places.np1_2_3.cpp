@@ -36,7 +36,8 @@ TEST(SharedPlacesOnRanks, KnowTheSame) {
     for (int k = 0; k < places.size(); ++k) EXPECT_EQ(places.within(k), out[static_cast<size_t>(k)]);
     return out;
   };
-  const std::vector<double> all = of(PETSC_COMM_WORLD), one = of(PETSC_COMM_SELF);
+  const std::vector<double> all = of(PETSC_COMM_WORLD);
+  const std::vector<double> one = of(PETSC_COMM_SELF);
   EXPECT_EQ(all, one);
   EXPECT_GT(one[0], 0.2);
   EXPECT_GT(one[0], one[1]);  // a smaller angle gives a larger length

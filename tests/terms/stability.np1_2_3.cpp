@@ -56,10 +56,14 @@ double norm(Vec v) {
 // A row of a beam has six blocks. A preallocation of fewer makes PETSc move the whole matrix again and again.
 TEST(Stability, SymmetricPartHasThePatternOfTheTangent) {
   Tangent t(PETSC_COMM_WORLD, beam("99.9"));
-  const MatHandle blocks = symmetric_blocks(t.J.get()), rows = symmetric_part(t.J.get());
+  const MatHandle blocks = symmetric_blocks(t.J.get());
+  const MatHandle rows = symmetric_part(t.J.get());
   EXPECT_EQ(mallocs(blocks.get()), 0);
   EXPECT_EQ(mallocs(rows.get()), 0);
-  VecHandle x = t.sim.system().create_vector(), y, z, s;
+  VecHandle x = t.sim.system().create_vector();
+  VecHandle y;
+  VecHandle z;
+  VecHandle s;
   for (VecHandle* v : {&y, &z, &s}) check(VecDuplicate(x.get(), v->out()));
   check(VecSetRandom(x.get(), nullptr));
   check(MatMult(t.J.get(), x.get(), y.get()));
@@ -79,7 +83,8 @@ TEST(Stability, SymmetricPartHasThePatternOfTheTangent) {
 TEST(Stability, NegativeEigenvaluesAreTheSameOnAllRanks) {
   for (const char* length : {"99.9", "101"}) {
     const model::Case c = beam(length);
-    Tangent all(PETSC_COMM_WORLD, c), one(PETSC_COMM_SELF, c);
+    Tangent all(PETSC_COMM_WORLD, c);
+    Tangent one(PETSC_COMM_SELF, c);
     const int negative = negative_eigenvalues(one.J.get());
     EXPECT_EQ(negative > 0, std::string(length) == "101");
     EXPECT_EQ(negative_eigenvalues(one.J.get(), true), negative);

@@ -75,9 +75,10 @@ TEST(StartShape, RanksMakeTheirOwn) {
   const model::Case c = field();
   const Mesh mesh = build_mesh(c);
   const Bodies bodies(c.bodies);
-  const LocalMesh local = dealt(mesh, PETSC_COMM_WORLD), all = dealt(mesh, PETSC_COMM_SELF);
-  const StartShape mine = start_shape(PETSC_COMM_WORLD, c, local, bodies),
-                   one = start_shape(PETSC_COMM_SELF, c, all, bodies);
+  const LocalMesh local = dealt(mesh, PETSC_COMM_WORLD);
+  const LocalMesh all = dealt(mesh, PETSC_COMM_SELF);
+  const StartShape mine = start_shape(PETSC_COMM_WORLD, c, local, bodies);
+  const StartShape one = start_shape(PETSC_COMM_SELF, c, all, bodies);
   EXPECT_EQ(mine.notes, one.notes);
   ASSERT_EQ(one.notes.size(), 5u);  // three lines that lie over others, two hoses
   EXPECT_EQ(mine.any_laid, one.any_laid);
@@ -126,7 +127,8 @@ TEST(StartShape, AllRanksRefuseWhatOneDoes) {
     }
     return "";
   };
-  const std::string here = refusal(PETSC_COMM_WORLD), alone = refusal(PETSC_COMM_SELF);
+  const std::string here = refusal(PETSC_COMM_WORLD);
+  const std::string alone = refusal(PETSC_COMM_SELF);
   EXPECT_EQ(here, alone);
   EXPECT_NE(alone.find("which of the two is on top"), std::string::npos) << alone;
 }

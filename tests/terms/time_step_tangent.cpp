@@ -54,9 +54,13 @@ TEST(StepTangent, IsTheDerivativeByTheIncrements) {
       MatHandle J = system.create_matrix();
       system.tangent(to.s.after_step(h), alpha_weights(alpha, h), m.trial.u, false, J.get());
       for (int k = 0; k < 4; ++k) {
-        const auto d = direction(system, m.trial, 100 + k), Jd = multiply(system, J.get(), d);
+        const auto d = direction(system, m.trial, 100 + k);
+        const auto Jd = multiply(system, J.get(), d);
         constexpr double e = 0.01;
-        const auto a = at(e, d), b = at(-e, d), c = at(2 * e, d), g = at(-2 * e, d);
+        const auto a = at(e, d);
+        const auto b = at(-e, d);
+        const auto c = at(2 * e, d);
+        const auto g = at(-2 * e, d);
         double off = 0, size = 0;
         for (size_t i = 0; i < Jd.size(); ++i) {
           off = std::max(off, std::abs((8 * (a[i] - b[i]) - (c[i] - g[i])) / (12 * e) - Jd[i]));

@@ -23,10 +23,13 @@ inline double over_ranks(double x) {
 template <class Model>
 double expect_same_on_ranks(Model& all, Model& one, std::initializer_list<double Energy::*> parts,
                             double tolerance, const std::string& name) {
-  const LocalMesh &a = all.system->mesh(), &b = one.system->mesh();
+  const LocalMesh& a = all.system->mesh();
+  const LocalMesh& b = one.system->mesh();
   const double h = one.trial.h;
-  const State end_a = state_of(a, all.trial), end_b = state_of(b, one.trial);
-  const auto fa = residual(*all.system, end_a, h), fb = residual(*one.system, end_b, h);
+  const State end_a = state_of(a, all.trial);
+  const State end_b = state_of(b, one.trial);
+  const auto fa = residual(*all.system, end_a, h);
+  const auto fb = residual(*one.system, end_b, h);
   double size = 0;
   for (double x : fb) size = std::max(size, std::abs(x));
   for (int n = 0; n < a.owned; ++n)
@@ -46,7 +49,8 @@ double expect_same_on_ranks(Model& all, Model& one, std::initializer_list<double
 
   all.system->commit(at_end(end_a, h));
   one.system->commit(at_end(end_b, h));
-  const Energy x = all.contact->energy(at_end(end_a, h)), y = one.contact->energy(at_end(end_b, h));
+  const Energy x = all.contact->energy(at_end(end_a, h));
+  const Energy y = one.contact->energy(at_end(end_b, h));
   for (const auto part : parts)
     EXPECT_NEAR(over_ranks(x.*part), y.*part, tolerance * (std::abs(y.*part) + y.strain)) << name;
   EXPECT_EQ(over_ranks(all.contact->active_count()), one.contact->active_count()) << name;
@@ -67,7 +71,8 @@ TurnedForces turned_forces(Model& m, Model& turned, const Quat& rotation) {
   for (int n = 0; n < mesh.owned; ++n)
     for (int k = 0; k <= mesh.rotates(n); ++k) {
       const size_t i = 3 * static_cast<size_t>(mesh.block[static_cast<size_t>(n)] + k);
-      const Eigen::Map<const Vec3> a(f.data() + i), b(g.data() + i);
+      const Eigen::Map<const Vec3> a(f.data() + i);
+      const Eigen::Map<const Vec3> b(g.data() + i);
       out.size = std::max(out.size, a.norm());
       out.off = std::max(out.off, (k ? Vec3(b - a) : Vec3(b - rotation * a)).norm());
     }

@@ -163,7 +163,8 @@ TEST(Audit, WhatDissipationTakesAlongIsNoAlarm) {
     record::Audit a;
     a.update(moving(0), moving(0), 0, 0);
     for (int wave = 1; wave <= 1000; ++wave) {
-      const double made_before = wave - 1, through = drag * wave;
+      const double made_before = wave - 1;
+      const double through = drag * wave;
       Energy in = moving(100, 100 - made_before);
       in.by_water = -through + drag;
       a.update(moving(0), in, wave, 1);

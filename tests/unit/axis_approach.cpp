@@ -37,7 +37,8 @@ AxisEnds shifted(AxisEnds e, const Vec3& by) {
 double distance(const AxisShape& a, const AxisShape& b) {
   double least = HUGE_VAL, at = 0;
   for (int level = 0; level < 4; ++level) {
-    const double width = std::pow(0.02, level), middle = at;
+    const double width = std::pow(0.02, level);
+    const double middle = at;
     for (int i = -50; i <= 50; ++i) {
       const double xi = std::clamp((level ? middle : 0.5) + 0.01 * i * width, 0.0, 1.0);
       const double d = closest_point_on(b, a.point(xi)).distance;
@@ -69,7 +70,9 @@ TEST(AxisApproach, EveryChangeOfSidesIsFoundHoweverDeep) {
       // Position of the crossing in plan view.
       double x = 0.5, y = 0.5;
       for (int n = 0; n < 30; ++n) {
-        const Vec3 d = A.point(x) - B.point(y), u = A.slope(x), v = B.slope(y);
+        const Vec3 d = A.point(x) - B.point(y);
+        const Vec3 u = A.slope(x);
+        const Vec3 v = B.slope(y);
         const double det = -u.x() * v.y() + u.y() * v.x();
         x -= (-d.x() * v.y() + d.y() * v.x()) / det;
         y -= (u.x() * d.y() - u.y() * d.x()) / det;
@@ -78,8 +81,8 @@ TEST(AxisApproach, EveryChangeOfSidesIsFoundHoweverDeep) {
     }
     a = shifted(a, {0, 0, low});
     // The gap is 0.3 % to 100 % of the sum of the radii. It changes to the other side or nearly to zero.
-    const double start_gap = reach * std::pow(10, -1.25 + 1.25 * unit(random)),
-                 side = unit(random) < 0 ? -1 : 1;
+    const double start_gap = reach * std::pow(10, -1.25 + 1.25 * unit(random));
+    const double side = unit(random) < 0 ? -1 : 1;
     const AxisShape from(shifted(a, {0, 0, side * start_gap}));
     for (const double factor : {-1.0, -0.2, -0.01}) {
       ++through;
@@ -89,7 +92,9 @@ TEST(AxisApproach, EveryChangeOfSidesIsFoundHoweverDeep) {
     }
     for (const double factor : {0.7, 0.9, 1.0, 1.5}) {
       const AxisShape to(shifted(a, {0, 0, side * factor * start_gap}));
-      const double d0 = distance(from, B), d1 = distance(to, B), least = std::min(d0, d1);
+      const double d0 = distance(from, B);
+      const double d1 = distance(to, B);
+      const double least = std::min(d0, d1);
       double limit = std::min(limits.min_distance, limits.part * d0);
       if (d0 >= limits.floor) limit = std::max(limit, limits.floor);
       const Sides s = sides_kept(from, to, B, B, limits);
@@ -112,7 +117,8 @@ TEST(AxisApproach, AxesThatCrossHaveNoSide) {
   const AxisShape b(bent({0, -1, 0}, {0, 1, 0}, random));
   AxisEnds e = bent({-1, 0, 0}, {1, 0, 0}, random);
   e = shifted(e, b.point(0.4) - AxisShape(e).point(0.6));
-  const AxisShape a(e), on(shifted(e, {0, 0, 0.01}));
+  const AxisShape a(e);
+  const AxisShape on(shifted(e, {0, 0, 0.01}));
   EXPECT_EQ(sides_kept(a, on, b, b, {0.1, 0.9, 0, 1e-9}), Sides::none);
   EXPECT_EQ(sides_kept(a, on, b, b, {0.1, 0.9, 0, -1}), Sides::near);
   EXPECT_EQ(sides_kept(on, a, b, b, {0.1, 0.9, 0, 1e-9}), Sides::near);

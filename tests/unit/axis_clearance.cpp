@@ -44,7 +44,8 @@ TEST(AxisClearance, BoundsHold) {
 TEST(AxisClearance, StraightAxesAreSegments) {
   std::mt19937 random(2);
   for (int i = 0; i < 300; ++i) {
-    const BezierAxis a = random_axis(random, 0), b = random_axis(random, 0);
+    const BezierAxis a = random_axis(random, 0);
+    const BezierAxis b = random_axis(random, 0);
     const auto near = nearest_of(a, b, HUGE_VAL, 1e-3);
     ASSERT_TRUE(near);
     EXPECT_NEAR(near->distance, closest_points_of_segments(a.b[0], a.b[3], b.b[0], b.b[3]).distance, 1e-12);
@@ -57,7 +58,8 @@ TEST(AxisClearance, BentAxes) {
   std::mt19937 random(3);
   double worst = 0;
   for (int i = 0; i < 200; ++i) {
-    const BezierAxis a = random_axis(random, 0.6), b = random_axis(random, 0.6);
+    const BezierAxis a = random_axis(random, 0.6);
+    const BezierAxis b = random_axis(random, 0.6);
     const auto near = nearest_of(a, b, HUGE_VAL, 1e-3);
     ASSERT_TRUE(near);
     EXPECT_NEAR((a.point(near->xi) - b.point(near->eta)).norm(), near->distance, 1e-14);
@@ -76,7 +78,8 @@ TEST(AxisClearance, BentAxes) {
 // 3e-4 of the radius.
 TEST(AxisClearance, ParallelArcs) {
   const double k = 4.0 / 3 * (std::sqrt(2.0) - 1);
-  BezierAxis a{{Vec3(1, 0, 0), Vec3(1, k, 0), Vec3(k, 1, 0), Vec3(0, 1, 0)}}, b = a;
+  BezierAxis a{{Vec3(1, 0, 0), Vec3(1, k, 0), Vec3(k, 1, 0), Vec3(0, 1, 0)}};
+  BezierAxis b = a;
   for (Vec3& p : b.b) p.z() += 0.3;
   EXPECT_NEAR(nearest_of(a, b, 1, 1e-4)->distance, 0.3, 1e-12);
   for (Vec3& p : b.b) p = 0.5 * Vec3(p.x(), p.y(), 0);

@@ -22,8 +22,10 @@ TEST(AxisRoll, KnownTurns) {
 }
 
 TEST(AxisRoll, Derivatives) {
-  const Quat q0 = exp_so3({0.4, -1.1, 0.3}), q1 = exp_so3({0.9, -0.6, 0.1});
-  const Vec3 c = Vec3(1, 2, -1).normalized(), d(0.5, -0.7, 0.3);
+  const Quat q0 = exp_so3({0.4, -1.1, 0.3});
+  const Quat q1 = exp_so3({0.9, -0.6, 0.1});
+  const Vec3 c = Vec3(1, 2, -1).normalized();
+  const Vec3 d(0.5, -0.7, 0.3);
   const auto at = [&](double e) { return axis_roll(q0, q1 * exp_so3(e * d), c); };
   const AxisRoll r = at(0);
   constexpr double e = 1e-3;

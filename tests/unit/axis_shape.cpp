@@ -33,13 +33,14 @@ AxisEnds random_ends(unsigned seed) {
 
 // An artificial smooth force field on three points of the axis: force = A sin(x) + B v.
 Vec12 force(const AxisEnds& e, BlockMatrix* K = nullptr, BlockMatrix* C = nullptr) {
-  const Mat3 A = (Mat3() << 3, 1, -2, 0, 2, 1, 4, -1, 5).finished(),
-             B = (Mat3() << 1, 2, 0, -1, 3, 1, 0, 1, 2).finished();
+  const Mat3 A = (Mat3() << 3, 1, -2, 0, 2, 1, 4, -1, 5).finished();
+  const Mat3 B = (Mat3() << 1, 2, 0, -1, 3, 1, 0, 1, 2).finished();
   const AxisShape shape(e);
   AttachedForces g(shape.count());
   for (double z : {0.1, 0.55, 0.9}) {
     const auto H = shape.functions(z);
-    const Vec3 x = shape.point(z), p = A * x.array().sin().matrix() + B * shape.velocity(z);
+    const Vec3 x = shape.point(z);
+    const Vec3 p = A * x.array().sin().matrix() + B * shape.velocity(z);
     const Mat3 k = A * x.array().cos().matrix().asDiagonal();
     for (size_t i = 0; i < 4; ++i) {
       g.F[i] += H[i] * p;
@@ -72,7 +73,8 @@ TEST(AxisShape, TangentsAtTheNodesAreDerivatives) {
     auto at = [&](double step, bool speed) {
       AxisEnds m = e;
       const Vec3 d = step * Vec3::Unit(j % 3);
-      const bool second = j >= 6, turn = j % 6 >= 3;
+      const bool second = j >= 6;
+      const bool turn = j % 6 >= 3;
       if (speed)
         (turn ? (second ? m.w2 : m.w1) : (second ? m.v2 : m.v1)) += d;
       else if (turn)

@@ -40,7 +40,8 @@ TEST(AxisSweep, FindsWhatSamplingFinds) {
   int through = 0, clear = 0;
   for (int i = 0; i < 1500; ++i) {
     const Surface& body = *bodies[i % 3];
-    BezierAxis from = straight(Vec3(0, 0, 1.2) + vec(), Vec3(0, 0, 1.2) + vec()), to = from;
+    BezierAxis from = straight(Vec3(0, 0, 1.2) + vec(), Vec3(0, 0, 1.2) + vec());
+    BezierAxis to = from;
     const Vec3 way = 2.5 * vec();
     for (size_t k = 0; k < 4; ++k) {
       from.b[k] += 0.2 * vec();
@@ -50,8 +51,10 @@ TEST(AxisSweep, FindsWhatSamplingFinds) {
     bool must = false, may = false;
     for (int s = 0; s <= 120; ++s) {
       const double xi = s / 120.0;
-      const Vec3 y0 = from.point(xi), y1 = to.point(xi);
-      const auto d0 = body.query(y0, 1e9), d1 = body.query(y1, 1e9);
+      const Vec3 y0 = from.point(xi);
+      const Vec3 y1 = to.point(xi);
+      const auto d0 = body.query(y0, 1e9);
+      const auto d1 = body.query(y1, 1e9);
       for (int t = 1; t < 120; ++t) {
         const double d = body.query(y0 + t / 120.0 * (y1 - y0), 1e9)->distance;
         must |= d < 0.1 * kRadius && std::min(d0->distance, d1->distance) > 2 * kRadius;
@@ -75,8 +78,8 @@ TEST(AxisSweep, MissesNothingThatIsSmall) {
   bar.size = Vec3(0.02, 3, 0.01);
   const auto surface = make_surface(bar);
   for (double x = -0.4; x < 20; x += 0.37) {
-    const BezierAxis from = straight(Vec3(-20 + x, 0, 3), Vec3(x, 0.2, 4)),
-                     to = straight(Vec3(-20 + x, 0, -5), Vec3(x, 0, -2));
+    const BezierAxis from = straight(Vec3(-20 + x, 0, 3), Vec3(x, 0.2, 4));
+    const BezierAxis to = straight(Vec3(-20 + x, 0, -5), Vec3(x, 0, -2));
     EXPECT_EQ(goes_through(field_of(*surface), from, to, kRadius), x > 0) << x;
   }
 }
@@ -122,7 +125,8 @@ TEST(AxisSweep, WhatIsPressedInDoesNotComeOutBehind) {
   plate.size = Vec3(0.05, 10, 10);
   const auto surface = make_surface(plate);
   const auto found = [&](double x0, double x1, double along, bool pressed) {
-    const Vec3 from(x0, 0, 0), to(x1, along, 0);
+    const Vec3 from(x0, 0, 0);
+    const Vec3 to(x1, along, 0);
     return goes_through(field_of(*surface), straight(from, from), straight(to, to), 0.002, pressed);
   };
   for (const double x0 : {-0.0249, -0.0254, -0.02}) {

@@ -123,14 +123,17 @@ TEST(Beam, RigidMotionTurnsTheForceAndKeepsTheMoment) {
   e.x2 = R * e.x2 + Vec3(1, 2, 3);
   e.q1 = R * e.q1;
   e.q2 = R * e.q2;
-  const Vec12 a = force(t, t.e), b = force(t, e);
+  const Vec12 a = force(t, t.e);
+  const Vec12 b = force(t, e);
   EXPECT_LT((R * a.segment<3>(6) - b.segment<3>(6)).norm(), 1e-12 * a.norm());
   EXPECT_LT((a.segment<3>(9) - b.segment<3>(9)).norm(), 1e-12 * a.norm());
 }
 
 TEST(Beam, ACircularArcIsPureBending) {
   // L = 2, radius 5: moment EI/R, no tension to O(angle^4).
-  const double L = 0.5, R = 5, phi = L / R;
+  const double L = 0.5;
+  const double R = 5;
+  const double phi = L / R;
   BeamSection s{L, 1e6, 3e3, 4e3, 1e3, 0, 0};
   BeamEnds e;
   e.x1 = Vec3::Zero();

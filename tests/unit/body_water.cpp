@@ -111,10 +111,12 @@ TEST(BodyWater, RoundBodyHasNoAxes) {
   b.drag_centre.setZero();
   b.added.setConstant(4);
   b.drag.setConstant(3);
-  RigidBodyState s = state(-8), other = s;
+  RigidBodyState s = state(-8);
+  RigidBodyState other = s;
   other.q = exp_so3(Vec3(-0.4, 0.8, 1.7));
   EXPECT_LT((residual(b, s).f - residual(b, other).f).norm(), 1e-12);
-  const Vec3 u = sea(-8).velocity - s.v, a = sea(-8).acceleration;
+  const Vec3 u = sea(-8).velocity - s.v;
+  const Vec3 a = sea(-8).acceleration;
   const Vec3 force = 3 * u.norm() * u + (6 + 4) * a - 4 * s.a + 60 * Vec3::UnitZ();
   EXPECT_LT((residual(b, s).f.head<3>() + force).norm(), 1e-12);
 }

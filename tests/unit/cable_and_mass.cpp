@@ -96,7 +96,8 @@ TEST(CableMean, DampingIsThatOfTheStartOfTheStep) {
   EXPECT_EQ(damping(1.01, 0.05, 0), 0.1);  // before the first step
   const CableStart from = cable_start(s, Vec3::Zero(), Vec3(1.01, 0, 0), 0.05, 1e-3);
   const Vec3 end(1.02, 0, 0);
-  const double elastic = 300 * 0.015, damper = 300 * from.beta * 0.01 / 1e-3;
+  const double elastic = 300 * 0.015;
+  const double damper = 300 * from.beta * 0.01 / 1e-3;
   EXPECT_NEAR(cable_mean_force(s, from, {1e-3, 0}, Vec3::Zero(), end).x(), elastic + damper, 1e-9);
   const double rigid = 300 * 100 * 0.01;  // 0.1 s are more than a hundred steps
   const CableStart at_rest = cable_start(s, Vec3::Zero(), Vec3(1.01, 0, 0), 0, 1e-4);
@@ -112,7 +113,8 @@ struct Thrown {
 std::vector<Thrown> thrown(const CableSection& s, double filter) {
   Random r(21);
   std::vector<Thrown> out;
-  Vec3 x1 = Vec3::Zero(), x2 = 0.95 * s.length * Vec3::UnitX();
+  Vec3 x1 = Vec3::Zero();
+  Vec3 x2 = 0.95 * s.length * Vec3::UnitX();
   double strain_increment = 0, h = 0.1;
   for (int i = 0; i < 500; ++i) {
     const double previous_h = h;
@@ -145,11 +147,13 @@ TEST(CableMean, ItsWorkIsTheChangeOfEnergyAndWhatDampersTake) {
       for (const double filter : {0.0, 0.06}) {
         const CableSection s{1.1, 300, beta, t, t ? 0.01 : 0};
         for (const Thrown& p : thrown(s, filter)) {
-          const Vec3 S = cable_mean_force(s, p.from, p.step, p.x1, p.x2), chord = p.x2 - p.x1;
+          const Vec3 S = cable_mean_force(s, p.from, p.step, p.x1, p.x2);
+          const Vec3 chord = p.x2 - p.x1;
           const auto energy = [&](const Vec3& d) {
             return cable_stress(s, {Vec3::Zero(), d, Vec3::Zero(), Vec3::Zero()}).strain_energy;
           };
-          const double work = S.dot(chord - p.from.chord), stored = energy(chord) - energy(p.from.chord);
+          const double work = S.dot(chord - p.from.chord);
+          const double stored = energy(chord) - energy(p.from.chord);
           const CableStepResult lost = cable_step_result(s, p.from, p.step, p.x1, p.x2);
           EXPECT_GE(lost.damped, 0);
           EXPECT_GE(S.dot(chord + p.from.chord), 0);                                // no compression
@@ -199,7 +203,8 @@ TEST(CableMean, TangentIsItsDerivative) {
         Mat3 K;
         bool kink = false;
         for (int j = 0; j < 3; ++j) {
-          const Vec3 a = at(kStep * Vec3::Unit(j)), b = at(-kStep * Vec3::Unit(j));
+          const Vec3 a = at(kStep * Vec3::Unit(j));
+          const Vec3 b = at(-kStep * Vec3::Unit(j));
           K.col(j) = (a - b) / (2 * kStep);
           kink |= (a.norm() == 0) != (b.norm() == 0);
         }
@@ -224,9 +229,10 @@ TEST(CableMass, IsTheForceOfUnitAccelerations) {
   const CableMass m = cable_mass(s);
   EXPECT_NEAR(2 * (m.diagonal + m.shared), 6, 1e-12);  // mass of the element
   for (int j = 0; j < 6; ++j) {
-    Eigen::Matrix<double, 6, 1> f, expected = Eigen::Matrix<double, 6, 1>::Zero();
-    const Vec3 a1 = j < 3 ? Vec3(Vec3::Unit(j)) : Vec3(Vec3::Zero()),
-               a2 = j < 3 ? Vec3(Vec3::Zero()) : Vec3(Vec3::Unit(j - 3));
+    Eigen::Matrix<double, 6, 1> f;
+    Eigen::Matrix<double, 6, 1> expected = Eigen::Matrix<double, 6, 1>::Zero();
+    const Vec3 a1 = j < 3 ? Vec3(Vec3::Unit(j)) : Vec3(Vec3::Zero());
+    const Vec3 a2 = j < 3 ? Vec3(Vec3::Zero()) : Vec3(Vec3::Unit(j - 3));
     cable_mass_force(s, a1, a2, Vec3::Zero(), f);
     expected[j] = m.diagonal;
     expected[(j + 3) % 6] = m.shared;
@@ -248,7 +254,8 @@ TEST(BeamMass, TangentsAreDerivatives) {
       for (int j = 0; j < 12; ++j) {
         auto at = [&](double h, Vec12& out) {
           MassEnds m = e;
-          const int node = j / 6, c = j % 3;
+          const int node = j / 6;
+          const int c = j % 3;
           const bool turn = j % 6 >= 3;
           const Vec3 d = h * Vec3::Unit(c);
           if (kind == 0 && turn) (node ? m.q2 : m.q1) = (node ? m.q2 : m.q1) * exp_so3(d);

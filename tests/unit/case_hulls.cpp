@@ -70,7 +70,8 @@ TEST(CaseHulls, BesideCoefficients) {
       found += note.find("has added mass beside that of 'hydrodynamics'") != std::string::npos;
     return found;
   };
-  const model::Case plain = of(""), added = of(", Ca: 1");
+  const model::Case plain = of("");
+  const model::Case added = of(", Ca: 1");
   EXPECT_FALSE(plain.bodies[0].mass->hull->wave_pressure);
   EXPECT_EQ(plain.bodies[0].mass->members[0].added, 0);
   EXPECT_EQ(added.bodies[0].mass->members[0].added, 1);

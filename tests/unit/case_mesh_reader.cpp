@@ -128,7 +128,9 @@ TEST(CaseMeshReader, OpenMeshIsRefusedWhereClosedIsRequired) {
 
 TEST(CaseMeshReader, StlTextsAsTheyAreWritten) {
   const std::string small = tetrahedron("Left Part", "0 0 0", "1 0 0", "0 1e0 0", "+0 0 1.0", true);
-  std::string upper = small, windows, tabs = small;
+  std::string upper = small;
+  std::string windows;
+  std::string tabs = small;
   for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   for (const char c : small) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
   std::replace(tabs.begin(), tabs.end(), ' ', '\t');

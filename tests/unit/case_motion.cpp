@@ -110,7 +110,8 @@ TEST(CaseMotion, PoseAtStartIsThatOfTheWholeTable) {
       b.drift->table = t;
       b.drift->harmonic.amplitude = Vec3(1, 2, 0);
       b.drift->harmonic.phase = Vec3(1, 1, 0);
-      const RigidPose whole = model::rigid_motion(b).at(0), near = model::pose_at_start(b);
+      const RigidPose whole = model::rigid_motion(b).at(0);
+      const RigidPose near = model::pose_at_start(b);
       EXPECT_LT((whole.position - near.position).norm(), 1e-14) << from;
       EXPECT_LT((whole.velocity - near.velocity).norm(), 1e-13) << from;
       EXPECT_LT((whole.rotation.coeffs() - near.rotation.coeffs()).norm(), 1e-15) << from;

@@ -106,7 +106,10 @@ TEST(CasePositioning, GrowthOfTheLoop) {
   int unstable = 0;
   for (const double natural : {60., 90., 100., 200.})
     for (const double I : {0., 0.1, 1.}) {
-      const double w = 2 * M_PI / natural, P = kMass * w * w, D = 1.4 * kMass * w, i = I * P * w;
+      const double w = 2 * M_PI / natural;
+      const double P = kMass * w * w;
+      const double D = 1.4 * kMass * w;
+      const double i = I * P * w;
       const model::Case c = read(floating(fmt::format(
           "proportional: [{}, 0, 0], derivative: [{}, 0, 0], integral: [{}, 0, 0], filter_period: 60", P, D,
           i)));

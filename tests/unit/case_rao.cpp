@@ -41,7 +41,8 @@ dynamics: {duration: 60}
   EXPECT_LT((bodies.pose(0, 0).position - Vec3(40, -20, 3)).norm(), 1e-12);  // start of the ramp
   for (double t = 5.5; t < 60; t += 1.3) {
     const RigidPose p = bodies.pose(0, t);
-    const double h = 1e-3, now = w.at({40, -20, 0}, t).surface;
+    const double h = 1e-3;
+    const double now = w.at({40, -20, 0}, t).surface;
     EXPECT_NEAR(p.position.z() - 3, now, 2e-6) << t;
     EXPECT_NEAR(p.velocity.z(),
                 (w.at({40, -20, 0}, t + h).surface - w.at({40, -20, 0}, t - h).surface) / (2 * h), 1e-4)
@@ -131,8 +132,9 @@ dynamics: {duration: 20}
     return log_so3(bodies.pose(0, t).rotation * exp_so3(Vec3(0, 0, M_PI / 6)).conjugate()).norm();
   };
   // Propagation to 90 and to 270 deg relative to the bow.
-  const model::Case port = read(wave(120), ""), starboard = read(wave(300), mirror),
-                    blind = read(wave(300), "");
+  const model::Case port = read(wave(120), "");
+  const model::Case starboard = read(wave(300), mirror);
+  const model::Case blind = read(wave(300), "");
   EXPECT_TRUE(port.notes.empty());
   EXPECT_TRUE(starboard.notes.empty());
   EXPECT_NEAR(roll(port, 9), 1.5 * 3 * M_PI / 180, 1e-5);

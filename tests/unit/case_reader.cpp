@@ -175,7 +175,8 @@ TEST(CaseReader, DefaultsAreThoseOfTheCase) {
   EXPECT_EQ(s.dynamics.rho_infinity, d.dynamics.rho_infinity);
   EXPECT_EQ(s.dynamics.tolerance, d.dynamics.tolerance);
   EXPECT_EQ(s.dynamics.error_tolerance, d.dynamics.error_tolerance);
-  const model::Volume v, &w = s.volumes[0];
+  const model::Volume v;
+  const model::Volume& w = s.volumes[0];
   EXPECT_EQ(w.scale, v.scale);
   EXPECT_EQ(w.basis, v.basis);
   EXPECT_EQ(w.smoothing, v.smoothing);
@@ -349,7 +350,8 @@ TEST(CaseReader, ContactLaws) {
 lines:
   a: {sections: [{type: hose, length: 10, elements: 2}], end_a: {anchor: [0, 0, 0]}, end_b: free}
 )");
-  const model::Volume &deck = c.volumes[0], &wall = c.volumes[1];
+  const model::Volume& deck = c.volumes[0];
+  const model::Volume& wall = c.volumes[1];
   EXPECT_EQ(deck.basis, model::StiffnessBasis::per_area);
   ASSERT_TRUE(deck.force_table);
   EXPECT_NEAR(deck.force_table->at(0.001).force, 100, 1e-9);

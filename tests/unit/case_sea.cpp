@@ -145,7 +145,9 @@ TEST(CaseSea, SumOfWaveSystems) {
       "{height: 1, period: 20, direction_deg: -90, phase_deg: 30}}], stretching: vertical";
   const std::vector<WaveComponent> all = components(waves);
   ASSERT_EQ(all.size(), 141U);
-  const Moments first = moments(all, 0, 80), second = moments(all, 80, 60), third = moments(all, 140, 1);
+  const Moments first = moments(all, 0, 80);
+  const Moments second = moments(all, 80, 60);
+  const Moments third = moments(all, 140, 1);
   EXPECT_NEAR(first.energy, 9.0 / 16, 1e-12);
   EXPECT_NEAR(second.energy, 4.0 / 16, 1e-12);
   EXPECT_NEAR(third.energy, 1.0 / 8, 1e-12);
@@ -170,7 +172,8 @@ TEST(CaseSea, OneSystemInASumIsTheSameSea) {
        {"jonswap: {hs: 3, tp: 8, direction_deg: 20, spreading: 4, seed: 5}",
         "pierson_moskowitz: {hs: 3, tp: 8}", "spectrum: {rows: [[0.05, 0], [0.1, 9], [0.2, 0]], seed: 2}",
         "regular: {height: 2, period: 9}", "components: [{height: 2, period: 9}, {height: 1, period: 7}]"}) {
-    const std::vector<WaveComponent> alone = components(waves), in_sum = components("sum: [{" + waves + "}]");
+    const std::vector<WaveComponent> alone = components(waves);
+    const std::vector<WaveComponent> in_sum = components("sum: [{" + waves + "}]");
     ASSERT_EQ(alone.size(), in_sum.size());
     for (size_t i = 0; i < alone.size(); ++i) EXPECT_TRUE(equal(alone[i], in_sum[i])) << waves << i;
   }

@@ -94,7 +94,8 @@ TEST(CaseSupports, BoxesOfEachType) {
   expect_near(cylinder("ramp 1 left").from, Vec3(-35, -1.2, 10));
   expect_near(cylinder("ramp 1 left").to, Vec3(-35, -1.2, 11.2));
   const double a = 15. / 150;
-  const Vec3 v(-50 - 150 * std::sin(a), 0, 9 - 150 * (1 - std::cos(a))), up(-std::sin(a), 0, std::cos(a));
+  const Vec3 v(-50 - 150 * std::sin(a), 0, 9 - 150 * (1 - std::cos(a)));
+  const Vec3 up(-std::sin(a), 0, std::cos(a));
   expect_near(cylinder("ramp 3 right").from, v);
   expect_near(cylinder("ramp 3 right").to,
               v + 2 * (std::cos(M_PI / 6) * Vec3::UnitY() + std::sin(M_PI / 6) * up));
@@ -102,7 +103,8 @@ TEST(CaseSupports, BoxesOfEachType) {
   EXPECT_EQ(c.supports[3].rollers, (std::vector<std::string>{"below", "left", "right", "above"}));
   EXPECT_NEAR((cylinder("ramp 4 above").from - cylinder("ramp 4 below").from).norm(), 1.4, 1e-12);
   // A spring of 2e6 N/m at a penetration of 1 % of the pipe's radius: 4/3 k d sqrt(2 r d) for a parabola.
-  const double d = 0.00125, k = c.volumes[6].normal_stiffness;
+  const double d = 0.00125;
+  const double k = c.volumes[6].normal_stiffness;
   EXPECT_EQ(c.volumes[6].basis, model::StiffnessBasis::per_length);
   EXPECT_NEAR(4. / 3 * k * d * std::sqrt(2 * 0.325 * d), 2e6 * d, 1e-6);
   EXPECT_EQ(c.volumes[0].basis, model::StiffnessBasis::automatic);

@@ -96,7 +96,8 @@ TEST(Catenary, LooseVerticalTightAndReversed) {
   s = catenary({0, 0, 0}, {104, 0, 0}, hose);
   EXPECT_NEAR(s.tension_a().x(), 4e5, 100);
   // The line from B to A is the same as that from A to B.
-  const CatenaryShape u = catenary({0, 0, 0}, {70, 5, 30}, hose), v = catenary({70, 5, 30}, {0, 0, 0}, hose);
+  const CatenaryShape u = catenary({0, 0, 0}, {70, 5, 30}, hose);
+  const CatenaryShape v = catenary({70, 5, 30}, {0, 0, 0}, hose);
   EXPECT_LT((u.tension_a() + v.tension_b()).norm(), 1e-8 * u.tension_a().norm());
   EXPECT_LT((u.position(30) - v.position(70)).norm(), 1e-9);
   // A line that is very slack, and one that is very light.
@@ -179,8 +180,8 @@ TEST(Catenary, ChordDerivative) {
 // A line elongated by e equals one of length (1 + e) L with the same total weight and (1 + e) EA.
 TEST(Catenary, FreeStrainIsALongerLine) {
   const double e = 0.03;
-  std::vector<CatenarySection> warm{{100, {20, 0, -50}, 1e6}, {50, {0, 0, -80}, 2e6, {0, 0, -1000}}},
-      longer = warm;
+  std::vector<CatenarySection> warm{{100, {20, 0, -50}, 1e6}, {50, {0, 0, -80}, 2e6, {0, 0, -1000}}};
+  std::vector<CatenarySection> longer = warm;
   warm[0].free_strain = e;
   warm[1].free_strain = -e;
   for (CatenarySection& s : longer) {
@@ -190,7 +191,8 @@ TEST(Catenary, FreeStrainIsALongerLine) {
     s.load /= by;
   }
   for (const Vec3& b : {Vec3(120, 10, 30), Vec3(150, 0, 20)}) {
-    const CatenaryShape w = catenary({0, 0, 0}, b, warm), l = catenary({0, 0, 0}, b, longer);
+    const CatenaryShape w = catenary({0, 0, 0}, b, warm);
+    const CatenaryShape l = catenary({0, 0, 0}, b, longer);
     EXPECT_LT((w.end_b() - b).norm(), 1e-9);
     EXPECT_LT((w.tension_a() - l.tension_a()).norm(), 1e-9 * w.tension_a().norm());
     EXPECT_LT((w.position(70) - l.position(70 * (1 + e))).norm(), 1e-9);

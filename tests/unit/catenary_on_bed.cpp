@@ -106,10 +106,12 @@ TEST(CatenaryOnBed, ReferenceLines) {
        0,
        1509877.596}};
   for (const Line& l : lines) {
-    const Vec3 anchor(3, -7, -200), b = anchor + Vec3(0.6 * l.x, 0.8 * l.x, l.z);
+    const Vec3 anchor(3, -7, -200);
+    const Vec3 b = anchor + Vec3(0.6 * l.x, 0.8 * l.x, l.z);
     const auto s = catenary_on_bed(anchor, b, l.sections, l.friction);
     ASSERT_TRUE(s) << l.name;
-    const Vec3 T = s->tension_b(), A = s->tension_a();
+    const Vec3 T = s->tension_b();
+    const Vec3 A = s->tension_a();
     const double near = std::string(l.name).starts_with("OC3 ")
                             ? 1e-6
                             : 1e-8;  // the published positions of the ends are not more accurate
@@ -125,7 +127,8 @@ TEST(CatenaryOnBed, ReferenceLines) {
     for (double at = 0; at < length; at += length / 997) {
       const double h = 1e-4;
       if (at + h > length) break;
-      const Vec3 p = s->position(at), d = s->position(at + h) - p;
+      const Vec3 p = s->position(at);
+      const Vec3 d = s->position(at + h) - p;
       EXPECT_GE(p.z(), anchor.z() - 1e-9) << l.name;
       EXPECT_GT(d.norm(), h * (1 - 1e-6)) << l.name;
       EXPECT_LT(d.norm(), 1.05 * h) << l.name;
@@ -141,7 +144,8 @@ TEST(CatenaryOnBed, ClumpWeight) {
     const auto c = catenary_on_bed(Vec3::Zero(), Vec3(420, 0, 200), s, 0);
     ASSERT_TRUE(c) << weight;
     EXPECT_LT((c->position(500) - Vec3(420, 0, 200)).norm(), 1e-8) << weight;
-    const Vec3 below = c->tension(250 - 1e-6), above = c->tension(250 + 1e-6);
+    const Vec3 below = c->tension(250 - 1e-6);
+    const Vec3 above = c->tension(250 + 1e-6);
     EXPECT_NEAR(below.x(), above.x(), 1e-6 * above.x()) << weight;
     EXPECT_LE(above.z() - below.z(), weight * (1 + 1e-6)) << weight;
     if (c->grounded() < 250 - 1e-9) {
@@ -190,15 +194,16 @@ TEST(CatenaryOnBed, NothingWhereThereIsNoSuchShape) {
 TEST(CatenaryOnBed, FreeStrainIsALongerLine) {
   const double by[] = {1.002, 0.999};
   for (const double x : {770.0, 790.0}) {
-    std::vector<CatenarySection> warm{part(1200, 500, 7e8), part(900, 335, 5e8)}, longer = warm;
+    std::vector<CatenarySection> warm{part(1200, 500, 7e8), part(900, 335, 5e8)};
+    std::vector<CatenarySection> longer = warm;
     for (size_t i = 0; i < 2; ++i) {
       warm[i].free_strain = by[i] - 1;
       longer[i].length *= by[i];
       longer[i].EA *= by[i];
       longer[i].load /= by[i];
     }
-    const auto w = catenary_on_bed({0, 0, -200}, {x, 0, -14}, warm, 0.6),
-               l = catenary_on_bed({0, 0, -200}, {x, 0, -14}, longer, 0.6);
+    const auto w = catenary_on_bed({0, 0, -200}, {x, 0, -14}, warm, 0.6);
+    const auto l = catenary_on_bed({0, 0, -200}, {x, 0, -14}, longer, 0.6);
     ASSERT_TRUE(w && l);
     EXPECT_GT(w->grounded(), 10);
     EXPECT_NEAR(w->grounded() * by[0], l->grounded(), 1e-7);

@@ -26,7 +26,9 @@ void step(ClashLog& log, double time, const ActiveContacts& touches) {
 }
 
 TEST(ClashLog, PlacesNearerThanTheMergeLengthAreOne) {
-  ActiveContact a = touch(0, 0, 1, 2, 3, 0.1), b = touch(0, 0, 2.4, 3, 4, 0.2), c = touch(0, 0, 3.6, 4);
+  ActiveContact a = touch(0, 0, 1, 2, 3, 0.1);
+  ActiveContact b = touch(0, 0, 2.4, 3, 4, 0.2);
+  ActiveContact c = touch(0, 0, 3.6, 4);
   const ActiveContacts t = put_together({c, b, touch(1, 0, 1, 2), touch(0, 1, 1.5, 2.5), a}, {0.5, 0.5});
   ASSERT_EQ(t.size(), 4u);
   EXPECT_EQ(t[0].from, 1);
@@ -114,7 +116,8 @@ TEST(ClashLog, AClashThatPartsStaysOne) {
 }
 
 TEST(ClashLog, GoesOnFromItsRecord) {
-  ClashLog whole(settings()), half(settings());
+  ClashLog whole(settings());
+  ClashLog half(settings());
   const auto run = [](ClashLog& log, int from, int to) {
     for (int i = from; i < to; ++i) {
       ActiveContacts t;

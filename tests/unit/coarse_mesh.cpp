@@ -15,13 +15,15 @@ struct Sphere {
   explicit Sphere(int n) {
     for (int i = 0; i <= n; ++i)
       for (int j = 0; j < n; ++j) {
-        const double up = M_PI * i / n, round = 2 * M_PI * j / n;
+        const double up = M_PI * i / n;
+        const double round = 2 * M_PI * j / n;
         vertices.emplace_back(3 * std::sin(up) * std::cos(round), 3 * std::sin(up) * std::sin(round),
                               3 * std::cos(up));
       }
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) {
-        const int a = i * n + j, b = i * n + (j + 1) % n;
+        const int a = i * n + j;
+        const int b = i * n + (j + 1) % n;
         triangles.push_back({a, a + n, b});
         triangles.push_back({b, a + n, b + n});
       }
@@ -36,7 +38,9 @@ TEST(CoarseMesh, HasAsManyVerticesAsAskedForAndTheShape) {
   ASSERT_EQ(m.from.size(), m.triangles.size());
   double area = 0, volume = 0;
   for (const auto& [a, b, c] : m.triangles) {
-    const Vec3 &x = m.vertices.at(a), &y = m.vertices.at(b), &z = m.vertices.at(c);
+    const Vec3& x = m.vertices.at(a);
+    const Vec3& y = m.vertices.at(b);
+    const Vec3& z = m.vertices.at(c);
     area += 0.5 * (y - x).cross(z - x).norm();
     volume += x.dot(y.cross(z)) / 6;
   }
@@ -68,7 +72,8 @@ TEST(CoarseMesh, KeepsSharpEdges) {
       }
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) {
-        const int a = first + i * (n + 1) + j, b = a + n + 1;
+        const int a = first + i * (n + 1) + j;
+        const int b = a + n + 1;
         triangles.push_back({a, b, a + 1});
         triangles.push_back({a + 1, b, b + 1});
       }

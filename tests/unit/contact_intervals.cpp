@@ -33,10 +33,13 @@ TEST(ContactIntervals, FindsARollerAnywhere) {
   std::uniform_real_distribution<double> u(0, 1);
   int most = 0;
   for (int i = 0; i < 20000; ++i) {
-    const double L = 0.2 + 4 * u(random), R = 0.3 + 0.2 * u(random), c = L * (1.4 * u(random) - 0.2);
+    const double L = 0.2 + 4 * u(random);
+    const double R = 0.3 + 0.2 * u(random);
+    const double c = L * (1.4 * u(random) - 0.2);
     const double height = R * (1 - std::pow(10, -8 * u(random)));
     const double half = std::sqrt(R * R - height * height);
-    const double from = std::max(0.0, (c - half) / L), to = std::min(1.0, (c + half) / L);
+    const double from = std::max(0.0, (c - half) / L);
+    const double to = std::min(1.0, (c + half) / L);
     Gap g = circle(L, c, height, R);
     const auto found = contact_intervals(g, {L}, contact_levels(L, 0.16));
     most = std::max(most, g.calls);
@@ -87,9 +90,12 @@ TEST(ContactIntervals, HumpsComeAndGoSmoothly) {
   int filled_ever = 0, parted = 0;
   for (const double between : {0.1, 0.148, 0.35, 0.5, 0.8})
     for (const double rise : {0.0, 3e-8, -3e-8}) {  // of the humps in a step
-      double last = -1, height = R + r - 4e-4;
+      double last = -1;
+      double height = R + r - 4e-4;
       const auto humps = [&](double c) {
-        Gap a = circle(L, c, height, R + r), b = circle(L, c + between, height + 1e-4, R + r), g;
+        Gap a = circle(L, c, height, R + r);
+        Gap b = circle(L, c + between, height + 1e-4, R + r);
+        Gap g;
         g.value = [=](double xi) { return std::min(a.value(xi), b.value(xi)); };
         g.slope = [=](double xi) { return a.value(xi) < b.value(xi) ? a.slope(xi) : b.slope(xi); };
         return g;

@@ -19,7 +19,8 @@ TEST(ContactLaw, RampAndLinearPart) {
   EXPECT_DOUBLE_EQ(normal_force(law, -0.01, 0).force, 2e5 * 0.01);
   EXPECT_DOUBLE_EQ(normal_force(law, -0.05, 0).force, 2e5 * 0.05);
   for (double knot : {-0.01, 0.01}) {  // potential, force and stiffness are continuous at the knots
-    const NormalForce a = normal_force(law, knot - 1e-12, 0), b = normal_force(law, knot + 1e-12, 0);
+    const NormalForce a = normal_force(law, knot - 1e-12, 0);
+    const NormalForce b = normal_force(law, knot + 1e-12, 0);
     EXPECT_NEAR(a.potential, b.potential, 1e-8);
     EXPECT_NEAR(a.elastic, b.elastic, 1e-5);
     EXPECT_NEAR(a.by_gap, b.by_gap, 1e-4);
@@ -34,8 +35,10 @@ TEST(ContactLaw, DerivativesAndPotential) {
       const NormalForce f = normal_force(law, g, v);
       ASSERT_GT(f.force, 0);
       const auto difference = [](double a, double b, double d) { return (a - b) / (2 * d); };
-      const NormalForce gp = normal_force(law, g + h, v), gm = normal_force(law, g - h, v);
-      const NormalForce vp = normal_force(law, g, v + h), vm = normal_force(law, g, v - h);
+      const NormalForce gp = normal_force(law, g + h, v);
+      const NormalForce gm = normal_force(law, g - h, v);
+      const NormalForce vp = normal_force(law, g, v + h);
+      const NormalForce vm = normal_force(law, g, v - h);
       EXPECT_NEAR(f.by_gap, difference(gp.force, gm.force, h), 1e-6 * 2e5);
       EXPECT_NEAR(f.by_rate, difference(vp.force, vm.force, h), 1e-6 * 700);
       EXPECT_NEAR(f.elastic, -difference(gp.potential, gm.potential, h), 1e-4);
@@ -49,13 +52,15 @@ TEST(ContactLaw, GrowsWithTheDepth) {
   EXPECT_DOUBLE_EQ(normal_force(law, -0.05, 0).force, 2e5 * 0.05 + 3e9 * 0.05 * 0.05 * 0.05);
   for (double g : {-0.0100001, -0.0099999, 0.0099999, 0.004, -0.004, -0.03}) {
     const double h = 1e-8;
-    const NormalForce f = normal_force(law, g, 0), p = normal_force(law, g + h, 0),
-                      m = normal_force(law, g - h, 0);
+    const NormalForce f = normal_force(law, g, 0);
+    const NormalForce p = normal_force(law, g + h, 0);
+    const NormalForce m = normal_force(law, g - h, 0);
     EXPECT_NEAR(f.by_gap, (p.force - m.force) / (2 * h), 1e-6 * 1e6);
     EXPECT_NEAR(f.elastic, -(p.potential - m.potential) / (2 * h), 1e-4);
   }
   // A mass of 3 kg with 2 m/s stops at the depth q at which the energy is in the spring.
-  const double k = stiffness_of_impact(law, 0, 3, 2), q2 = (k - 2e5) / (3 * 3e9);
+  const double k = stiffness_of_impact(law, 0, 3, 2);
+  const double q2 = (k - 2e5) / (3 * 3e9);
   EXPECT_NEAR(2e5 * q2 / 2 + 3e9 * q2 * q2 / 4, 6, 1e-9);
   EXPECT_NEAR(stiffness_of_impact(law, 0.2, 3, 2), 2e5 + 9e9 * 0.04, 1);
 }
@@ -81,7 +86,8 @@ TEST(ContactLaw, Table) {
   double last = 0, integral = 0;
   const double h = 1e-6;
   for (double p = 0; p < 0.08; p += h) {
-    const ContactForceTable::Value v = table.at(p), w = table.at(p + h);
+    const ContactForceTable::Value v = table.at(p);
+    const ContactForceTable::Value w = table.at(p + h);
     ASSERT_GE(w.force, v.force - 1e-9);
     // In the step across a row the second derivative jumps, hence the absolute tolerance.
     ASSERT_NEAR((w.force - v.force) / h, 0.5 * (v.slope + w.slope), 20 + 1e-3 * v.slope);
@@ -136,12 +142,14 @@ struct Bounce {
 // by interpolation.
 Bounce bounce(const NormalLaw& law, double mass, double speed) {
   const double h = 1e-6;
-  double g = law.smoothing > 0 ? law.smoothing : -1e-18, v = -speed;
+  double g = law.smoothing > 0 ? law.smoothing : -1e-18;
+  double v = -speed;
   Bounce b;
   double before = 1;
   for (int i = 0; i < 1000000; ++i) {
     const auto a = [&](double gap, double rate) { return normal_force(law, gap, rate).force / mass; };
-    const double k1 = a(g, v), k2 = a(g + h / 2 * v, v + h / 2 * k1);
+    const double k1 = a(g, v);
+    const double k2 = a(g + h / 2 * v, v + h / 2 * k1);
     const double k3 = a(g + h / 2 * (v + h / 2 * k1), v + h / 2 * k2);
     const double k4 = a(g + h * (v + h / 2 * k2), v + h * k3);
     const double v0 = v;

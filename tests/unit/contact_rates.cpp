@@ -36,8 +36,10 @@ Place at(const Situation& s, double xi) {
   p.start.gap = s.before + 2e-3 * (s.before > 0) * xi;
   p.start.tangent = Vec3(0.4 + 0.2 * xi, 0.2 * xi + 0.1, 0.1 - 0.2 * xi).normalized();
   if (s.before > 0) return p;
-  const Vec3 na = Vec3(0.2, -0.1, 1).normalized(), nb = Vec3(0.3, 0.1, 1).normalized();
-  const Vec3 a = s.slip * na.cross(Vec3(1, 2, 0)), b = s.slip * nb.cross(Vec3(2, -1, 0.5));
+  const Vec3 na = Vec3(0.2, -0.1, 1).normalized();
+  const Vec3 nb = Vec3(0.3, 0.1, 1).normalized();
+  const Vec3 a = s.slip * na.cross(Vec3(1, 2, 0));
+  const Vec3 b = s.slip * nb.cross(Vec3(2, -1, 0.5));
   const SlipBetween m = slip_between(a, na, b, nb, xi, false);
   p.start.slip = m.slip;
   p.start.normal = m.normal;
@@ -118,8 +120,10 @@ TEST(ContactAlong, DerivativeOfTheForce) {
 }
 
 TEST(ContactAlong, SlipBetweenPlaces) {
-  const Vec3 na = Vec3(0.4, -0.1, 1).normalized(), nb = Vec3(-0.3, 0.5, 1).normalized();
-  const Vec3 a = na.cross(Vec3(1, 2, 0)), b = nb.cross(Vec3(2, -1, 0.5));
+  const Vec3 na = Vec3(0.4, -0.1, 1).normalized();
+  const Vec3 nb = Vec3(-0.3, 0.5, 1).normalized();
+  const Vec3 a = na.cross(Vec3(1, 2, 0));
+  const Vec3 b = nb.cross(Vec3(2, -1, 0.5));
   const auto between = [&](double t) { return slip_between(a, na, b, nb, t, true); };
   EXPECT_LT((between(0).slip - a).norm(), 1e-15);
   EXPECT_LT((between(1).slip - b).norm(), 1e-15);

@@ -27,14 +27,15 @@ TEST(DampedFriction, EnergyOfSticking) {
       const Vec3 moved = 1e-4 * Vec3(std::sin(0.07 * i), std::cos(0.031 * i), 0);
       const Coulomb<double> mu{0.4, 0.4};
       law.damping = 0;
-      const Friction<double> plain = friction<double>(law, N, slip + moved, {0, 0, 1}, {1, 0, 0}),
-                             none = damped_friction<double>(law, mu, N, slip, moved, h);
+      const Friction<double> plain = friction<double>(law, N, slip + moved, {0, 0, 1}, {1, 0, 0});
+      const Friction<double> none = damped_friction<double>(law, mu, N, slip, moved, h);
       EXPECT_LT((plain.force - none.force).norm(), 1e-12 * N);
       EXPECT_LT((plain.slip - none.slip).norm(), 1e-15);
 
       law.damping = 5;
       const Friction<double> f = damped_friction<double>(law, mu, N, slip, moved, h);
-      const double spring = k > 0 ? k : 0.4 * N / 2e-3, c = 5 * std::sqrt(spring);
+      const double spring = k > 0 ? k : 0.4 * N / 2e-3;
+      const double c = 5 * std::sqrt(spring);
       EXPECT_LE(f.force.norm(), 0.4 * N * (1 + 1e-12));
       const Vec3 stretch = f.slip - slip;
       EXPECT_LT((f.force + spring * f.slip + c / h * stretch).norm(), 1e-9 * N);

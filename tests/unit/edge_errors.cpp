@@ -35,7 +35,10 @@ lines:
                                                        type),
                                            "/nowhere/case.yaml");
   const run::Simulation sim(MPI_COMM_SELF, c);
-  const double a = before * kDegree, b = after * kDegree, T1 = 1000 / std::cos(a), T2 = 1000 / std::cos(b);
+  const double a = before * kDegree;
+  const double b = after * kDegree;
+  const double T1 = 1000 / std::cos(a);
+  const double T2 = 1000 / std::cos(b);
   State s;
   s.resize(4);
   s.x = {Vec3(-2 * std::cos(a), 0, -2 * std::sin(a)), Vec3(0, 0, 0), Vec3(2, 0, 0),
@@ -43,7 +46,8 @@ lines:
   const std::vector<double> force{0, 0, 0, friction, 0, T1 * std::sin(a), -friction, 0, T2 * std::sin(b),
                                   0, 0, 0};
   const std::vector<double> of_friction{0, 0, 0, friction, 0, 0, -friction, 0, 0, 0, 0, 0};
-  const std::vector<double> tension_before{T1, T1, 1000, T2}, tension_after{T1, 1000, T2, T2};
+  const std::vector<double> tension_before{T1, T1, 1000, T2};
+  const std::vector<double> tension_after{T1, 1000, T2, T2};
   EdgeErrors errors(MPI_COMM_SELF, c, sim.local());
   errors.update(s.at_rest(), {force, of_friction, tension_before, tension_after});
   return errors.warning(0, std::max(T1, T2));

@@ -95,7 +95,8 @@ lines:
 // from 64 elements.
 TEST(ElementErrors, SagIsWhatShorterElementsShow) {
   std::string warnings, fine;
-  const double coarse = least_tension(4, warnings), exact = least_tension(64, fine);
+  const double coarse = least_tension(4, warnings);
+  const double exact = least_tension(64, fine);
   EXPECT_EQ(fine, "");
   const size_t at = warnings.find("wrong by about ");
   ASSERT_NE(at, std::string::npos) << warnings;

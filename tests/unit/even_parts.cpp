@@ -12,8 +12,9 @@
 namespace hawser::test::even_parts_test {
 namespace {
 
-constexpr CutKind kNothing = CutKind::between_components, kLittle = CutKind::between_lines,
-                  kMuch = CutKind::within_line;
+constexpr CutKind kNothing = CutKind::between_components;
+constexpr CutKind kLittle = CutKind::between_lines;
+constexpr CutKind kMuch = CutKind::within_line;
 
 std::vector<EqualItems> row(const std::vector<double>& weight, const std::vector<CutKind>& before) {
   std::vector<EqualItems> out;
@@ -42,7 +43,8 @@ double most_even(const std::vector<double>& weight, size_t first, int parts) {
 TEST(EvenParts, AsEvenAsTheItemsAllow) {
   std::mt19937 random(7);
   for (int trial = 0; trial < 200; ++trial) {
-    const int items = 1 + static_cast<int>(random() % 8), parts = 1 + static_cast<int>(random() % 5);
+    const int items = 1 + static_cast<int>(random() % 8);
+    const int parts = 1 + static_cast<int>(random() % 5);
     std::vector<double> weight;
     for (int i = 0; i < items; ++i) weight.push_back(static_cast<double>(random() % 10));
     weight.back() += 1;

@@ -70,7 +70,8 @@ TEST(Events, ALineIsDividedWhereItIsCut) {
   EXPECT_DOUBLE_EQ(c.lines[2].point_loads.at(0).at, 15);
   EXPECT_DOUBLE_EQ(model::mean_temperature_change(c.lines[1], 0, 50), 10 + 20 * 0.45);
   // Elements of the graded section keep their lengths as far as the cut allows.
-  const model::Section &a = c.lines[0].sections[0], &b = c.lines[1].sections[0];
+  const model::Section& a = c.lines[0].sections[0];
+  const model::Section& b = c.lines[1].sections[0];
   EXPECT_EQ(a.elements + b.elements, 8);
   EXPECT_NEAR(std::pow(a.grading, 1.0 / (a.elements - 1)), std::pow(4, 1.0 / 7), 1e-12);
   EXPECT_NEAR(std::pow(b.grading, 1.0 / (b.elements - 1)), std::pow(4, 1.0 / 7), 1e-12);
@@ -97,7 +98,8 @@ TEST(Events, ALineIsDividedWhereItIsCut) {
             3u + 3u);  // three parts with the other line, and three pairs of parts
 
   const Mesh m = build_mesh(c);
-  const LineSpan &first = m.lines[0], &second = m.lines[1];
+  const LineSpan& first = m.lines[0];
+  const LineSpan& second = m.lines[1];
   EXPECT_EQ(m.node(static_cast<size_t>(second.first_node)).tied_to, first.first_node + first.nodes - 1);
   EXPECT_EQ(m.node(static_cast<size_t>(second.first_node)).pinned_to, -1);
 }

@@ -124,9 +124,11 @@ TEST_F(FarmFiles, PlacesAreTheFileMovedAndTurned) {
     for (const model::Body& b : alone.bodies) {
       const int i = farm.body_index(place + b.name);
       ASSERT_GE(i, 0) << place << b.name;
-      const RigidMotion here = model::rigid_motion(b), there = model::rigid_motion(farm.bodies[i]);
+      const RigidMotion here = model::rigid_motion(b);
+      const RigidMotion there = model::rigid_motion(farm.bodies[i]);
       for (double t = 0; t < 10; t += 0.7) {
-        const RigidPose p = here.at(t), q = there.at(t);
+        const RigidPose p = here.at(t);
+        const RigidPose q = there.at(t);
         EXPECT_LT((q.position - moved(p.position)).norm(), 1e-11) << place << b.name << " " << t;
         EXPECT_LT((q.rotation.toRotationMatrix() - (turn * p.rotation).toRotationMatrix()).norm(), 1e-12);
         EXPECT_LT((q.velocity - turn * p.velocity).norm(), 1e-12) << place << b.name << " " << t;
@@ -146,7 +148,8 @@ TEST_F(FarmFiles, PlacesAreTheFileMovedAndTurned) {
             (model::end_position(farm, m.end(end)) - moved(model::end_position(alone, l.end(end)))).norm(),
             1e-10)
             << m.name;
-        const model::End &e = l.end(end), &f = m.end(end);
+        const model::End& e = l.end(end);
+        const model::End& f = m.end(end);
         const bool anchor = e.kind == model::EndKind::anchor;
         if (!anchor) {
           EXPECT_EQ(f.carrier, place + e.carrier);
@@ -192,7 +195,8 @@ TEST_F(FarmFiles, CopiesShareMeshes) {
 TEST_F(FarmFiles, CopiesShareWhatIsTheSame) {
   std::string text = kPlatform;
   const std::string positioning = "         positioning";
-  const size_t from = text.find(positioning), to = text.find("loads:", from);
+  const size_t from = text.find(positioning);
+  const size_t to = text.find("loads:", from);
   text.replace(from, to - from, "weight: true, in_water: {volume: 1, height: 1}, ");
   write("adrift.yaml", text);
   const model::Case farm =
@@ -216,7 +220,8 @@ TEST_F(FarmFiles, AnchorsAndPointsFollowTheBed) {
       "{per_area: 1e5}}\n"
       "dynamics: {duration: 10}\n";
   const model::Case farm = read(text);
-  const model::End &one = farm.line("T1/leg 1").end_a, &two = farm.line("T2/leg 1").end_a;
+  const model::End& one = farm.line("T1/leg 1").end_a;
+  const model::End& two = farm.line("T2/leg 1").end_a;
   EXPECT_NEAR(one.at.x(), 440, 1e-10);
   EXPECT_NEAR(one.at.z(), -60 + 0.02 * 440, 1e-9);
   EXPECT_NEAR(two.at.x(), 690, 1e-10);
@@ -250,8 +255,8 @@ TEST_F(FarmFiles, PlacesByRowsListAndFile) {
   EXPECT_NEAR(rows[4].x, 10 - 800, 1e-9);
   EXPECT_NEAR(rows[4].y, 20 + 1000 + 400, 1e-9);
   EXPECT_NEAR(rows[4].heading, M_PI / 6, 1e-15);
-  const auto listed = places("heading_deg: 45, at: [[0, 0], [1000, 0, 90]]"),
-             filed = places("heading_deg: 45, file: places.csv");
+  const auto listed = places("heading_deg: 45, at: [[0, 0], [1000, 0, 90]]");
+  const auto filed = places("heading_deg: 45, file: places.csv");
   for (const auto& p : {listed, filed}) {
     ASSERT_EQ(p.size(), 2u);
     EXPECT_EQ(p[1].name, "T2");

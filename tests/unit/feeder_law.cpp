@@ -46,7 +46,8 @@ TEST(Feed, SolvesItsSpeedLaw) {
           for (const double h : {1e-3, 0.1, 10.0}) {
             const double from = 1.02;
             const Fed e = step(s, law, from, h, chord);
-            const double T = tension(s, chord, e.length), v = (e.length - from) / h;
+            const double T = tension(s, chord, e.length);
+            const double v = (e.length - from) / h;
             EXPECT_GT(e.length, 0);
             if (most > 0) {
               EXPECT_LE(std::abs(v), most * (1 + 1e-9));
@@ -82,7 +83,8 @@ TEST(Feed, LeavesItsBandWithoutAJump) {
         int rested = 0, at_edge = 0, by_law = 0, limited = 0;
         double last = 60;
         for (int i = 0; i < 2000; ++i) {
-          const double chord = 1.2 + sign * 1e-4 * i, now = T(chord);
+          const double chord = 1.2 + sign * 1e-4 * i;
+          const double now = T(chord);
           const Fed e = step(s, law, from, h, chord, strain_before);
           const double v = (e.length - from) / h;
           EXPECT_GE(sign * (now - last), -1e-9);
@@ -150,8 +152,8 @@ TEST(Feed, WorkAndEnergyAgree) {
       const CableSection s0{1 + 0.3 * u(g), 300, i % 2 ? 0.02 : 0, t, 0.01};
       CableSection s1 = s0;
       s1.length *= 1 + 0.2 * u(g);
-      const Vec3 d0 = s0.length * (1.05 + 0.1 * u(g)) * Vec3(u(g), u(g), u(g)).normalized(),
-                 d1 = s1.length * (1.05 + 0.1 * u(g)) * Vec3(u(g), u(g), u(g)).normalized();
+      const Vec3 d0 = s0.length * (1.05 + 0.1 * u(g)) * Vec3(u(g), u(g), u(g)).normalized();
+      const Vec3 d1 = s1.length * (1.05 + 0.1 * u(g)) * Vec3(u(g), u(g), u(g)).normalized();
       const CableStart from = cable_start(s0, Vec3::Zero(), d0, 0.02 * u(g), 0.1);
       const CableStep step{0.1, 0.06};
       const auto energy = [](const CableSection& s, const Vec3& d) {

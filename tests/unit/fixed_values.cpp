@@ -59,7 +59,8 @@ TEST(FixedValues, DependOnTheValueAndNotOnHowItIsWritten) {
         {", body: buoy", "", "volumes.fender.body"},
         {"stiffness: 2e5", "stiffness: 3e5", "links.spring"},
         {"at: 50", "at: 60", "links.spring"}}) {
-    Texts other = fixed(from, to), rest = base;
+    Texts other = fixed(from, to);
+    Texts rest = base;
     EXPECT_NE(other[key], rest[key]) << to;
     other.erase(key);
     rest.erase(key);

@@ -57,8 +57,9 @@ TEST(FlexibleShape, RandomCatenaries) {
       length += s.length;
       sections.push_back(s);
     }
-    const Vec3 a(3, 4, 5), way(u(g) - 0.5, u(g) - 0.5, u(g) - 0.5),
-        b = a + (0.2 + 0.78 * u(g)) * length * way.normalized();
+    const Vec3 a(3, 4, 5);
+    const Vec3 way(u(g) - 0.5, u(g) - 0.5, u(g) - 0.5);
+    const Vec3 b = a + (0.2 + 0.78 * u(g)) * length * way.normalized();
     const Made m = cut(sections, 40);
     const std::vector<Vec3> x = flexible_shape(m.line, straight(m, a, b));
     const CatenaryShape exact = catenary(a, b, sections);
@@ -85,7 +86,8 @@ TEST(FlexibleShape, TheSameFromAnyStart) {
   m.line.points[75].load = Vec3(0, 0, -3000);
   const Vec3 a(0, 0, 5), b(230, 20, -90);
   const std::vector<Vec3> x = flexible_shape(m.line, straight(m, a, b));
-  std::vector<Vec3> above = straight(m, a, b), tangle = above;
+  std::vector<Vec3> above = straight(m, a, b);
+  std::vector<Vec3> tangle = above;
   std::mt19937 g(5);
   std::uniform_real_distribution<double> u(-40, 40);
   for (size_t i = 1; i + 1 < above.size(); ++i) {

@@ -347,8 +347,10 @@ TEST(FrictionLaw, AssociatedReturnIsNearest) {
       const double on = std::pow(f.force.x() / 300, 2) + std::pow(f.force.y() / 800, 2);
       EXPECT_NEAR(on, 1, 1e-13);
       const bool by_length = law.stiffness == 0;
-      const double ka = by_length ? 300 / 0.01 : 3e4, kl = by_length ? 800 / 0.04 : 3e4;
-      const double da = 300 / ka, dl = 800 / kl;
+      const double ka = by_length ? 300 / 0.01 : 3e4;
+      const double kl = by_length ? 800 / 0.04 : 3e4;
+      const double da = 300 / ka;
+      const double dl = 800 / kl;
       const auto far = [&](double a, double l) {
         return ka * std::pow(a - trial.x(), 2) + kl * std::pow(l - trial.y(), 2);
       };
@@ -367,8 +369,8 @@ TEST(FrictionLaw, AssociatedReturnIsNearest) {
 TEST(FrictionLaw, ReturnsAgreeWhereIsotropic) {
   for (const double lateral : {0.4, 0.4 + 1e-13}) {
     const FrictionLaw law{0.4, lateral, 0, 0.01, 0.01};
-    const Friction<double> a = flat(law, 700, 0.03, -0.02),
-                           b = flat(with(law, FrictionReturn::associated), 700, 0.03, -0.02);
+    const Friction<double> a = flat(law, 700, 0.03, -0.02);
+    const Friction<double> b = flat(with(law, FrictionReturn::associated), 700, 0.03, -0.02);
     EXPECT_LT((a.force - b.force).norm(), 1e-9);
   }
 }
@@ -378,8 +380,9 @@ TEST(FrictionLaw, CoefficientsFallWithSpeed) {
   law.axial_kinetic = 0.3;
   law.lateral_kinetic = 0.2;
   law.blend_speed = 0.1;
-  const Coulomb<double> still = coulomb_at(law, 0.0), slow = coulomb_at(law, 0.01),
-                        fast = coulomb_at(law, 1e4);
+  const Coulomb<double> still = coulomb_at(law, 0.0);
+  const Coulomb<double> slow = coulomb_at(law, 0.01);
+  const Coulomb<double> fast = coulomb_at(law, 1e4);
   EXPECT_EQ(still.axial, 0.5);
   EXPECT_EQ(still.lateral, 0.6);
   EXPECT_NEAR(slow.axial, 0.3 + 0.2 / std::numbers::e, 1e-15);
@@ -451,7 +454,8 @@ TEST(FrictionLaw, IsotropicIsTheLimit) {
 }
 
 TEST(FrictionLaw, SlipTurnsWithTheNormal) {
-  const Vec3 from = Vec3(1, 2, -1).normalized(), to = Vec3(1, 1.5, 0.3).normalized();
+  const Vec3 from = Vec3(1, 2, -1).normalized();
+  const Vec3 to = Vec3(1, 1.5, 0.3).normalized();
   const Vec3 slip = 0.01 * from.cross(Vec3(0.3, -0.4, 1)).normalized();
   const Vec3 turned = transport_slip<double>(slip, from, to);
   EXPECT_NEAR(turned.dot(to), 0, 1e-16);

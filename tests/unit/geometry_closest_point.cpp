@@ -18,7 +18,8 @@ using V = Triple<W>;
 // The foot of p on the plane if its barycentric coordinates are in [0, 1]; otherwise the nearest point of the
 // three segments. In 113 bits this is practically exact.
 double reference_distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, V& best) {
-  const V v[3] = {triple<W>(a), triple<W>(b), triple<W>(c)}, q = triple<W>(p);
+  const V v[3] = {triple<W>(a), triple<W>(b), triple<W>(c)};
+  const V q = triple<W>(p);
   W squared = -1;
   const auto offer = [&](const V& x) {
     const W d = (q - x).dot(q - x);
@@ -34,10 +35,14 @@ double reference_distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec
     t = t < 0 ? W(0) : t > 1 ? W(1) : t;
     offer(v[i] + t * e);
   }
-  const V e = v[1] - v[0], f = v[2] - v[0], r = q - v[0], n = e.cross(f);
+  const V e = v[1] - v[0];
+  const V f = v[2] - v[0];
+  const V r = q - v[0];
+  const V n = e.cross(f);
   const W nn = n.dot(n);
   if (nn > W(1e-50) * e.dot(e) * f.dot(f)) {
-    const W s = n.dot(r.cross(f)) / nn, t = n.dot(e.cross(r)) / nn;
+    const W s = n.dot(r.cross(f)) / nn;
+    const W t = n.dot(e.cross(r)) / nn;
     if (s >= 0 && t >= 0 && s + t <= 1) offer(v[0] + s * e + t * f);
   }
   // Square root by Newton's method, starting from double.
@@ -89,7 +94,9 @@ TEST(GeometryClosestPoint, RandomTriangles) {
   std::uniform_real_distribution<double> u(-1, 1);
   const auto x = [&] { return Vec3(u(gen), u(gen), u(gen)); };
   for (int i = 0; i < 20000; ++i) {
-    const Vec3 a = x(), b = x(), c = x();
+    const Vec3 a = x();
+    const Vec3 b = x();
+    const Vec3 c = x();
     ASSERT_NO_FATAL_FAILURE(expect_exact(2 * x(), a, b, c));
     // Points very near to the triangle, and points far away.
     ASSERT_NO_FATAL_FAILURE(expect_exact((a + b + c) / 3 + 1e-9 * x(), a, b, c));
@@ -103,8 +110,10 @@ TEST(GeometryClosestPoint, NeedlesAndCaps) {
   const auto x = [&] { return Vec3(u(gen), u(gen), u(gen)); };
   for (double thin = 1e-1; thin > 1e-13; thin *= 0.1)
     for (int i = 0; i < 300; ++i) {
-      const Vec3 a = x(), b = x();
-      const Vec3 needle = b + thin * x(), cap = a + (0.5 + 0.4 * u(gen)) * (b - a) + thin * x();
+      const Vec3 a = x();
+      const Vec3 b = x();
+      const Vec3 needle = b + thin * x();
+      const Vec3 cap = a + (0.5 + 0.4 * u(gen)) * (b - a) + thin * x();
       for (const Vec3& c : {needle, cap}) {
         ASSERT_NO_FATAL_FAILURE(expect_exact(x(), a, b, c)) << thin;
         ASSERT_NO_FATAL_FAILURE(expect_exact((a + b + c) / 3 + thin * x(), a, b, c)) << thin;

@@ -77,11 +77,13 @@ TriangleMesh dropped(TriangleMesh m, DuplicateResult* result = nullptr) {
 
 void expect_same_distances(const TriangleMesh& m, const TriangleMesh& clean, Chance& chance, int points,
                            const std::string& what) {
-  const MeshSurface a(m, {}, {false, 0, true}), b(clean);
+  const MeshSurface a(m, {}, {false, 0, true});
+  const MeshSurface b(clean);
   const Box around = b.bounds().grown(0.3);
   for (int i = 0; i < points; ++i) {
     const Vec3 y = chance.point(around);
-    const auto p = a.query(y, 1e9), q = b.query(y, 1e9);
+    const auto p = a.query(y, 1e9);
+    const auto q = b.query(y, 1e9);
     ASSERT_TRUE(p && q) << what;
     ASSERT_NEAR(p->distance, q->distance, 1e-12) << what << " at " << y.transpose();
   }
@@ -131,7 +133,8 @@ TEST(GeometryDuplicates, FinsGo) {
     };
     // A strip from an edge of the body, outward or inward, of two triangles per row.
     const Triangle& t = clean.triangles[chance.below(clean.triangles.size())];
-    int a = t[0], b = t[1];
+    int a = t[0];
+    int b = t[1];
     const Vec3 out(0.1 * chance.point({-Vec3::Ones(), Vec3::Ones()}));
     const std::size_t rows = 1 + chance.below(3);
     for (std::size_t row = 0; row < rows; ++row) {

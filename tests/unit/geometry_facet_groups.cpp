@@ -108,7 +108,8 @@ TEST(FacetGroups, OneOfAHollowOfManySides) {
     o.smooth = curved;
     const MeshSurface s(tank, {}, o);
     for (int i = 0; i < 1000; ++i) {
-      const double a = 0.0137 * i, r = 1 - 0.05 - 0.0003 * i;
+      const double a = 0.0137 * i;
+      const double r = 1 - 0.05 - 0.0003 * i;
       const auto near = nearest_on_groups(s, Vec3(r * std::cos(a), r * std::sin(a), 0.5), 0.4);
       ASSERT_EQ(near.size(), 1u) << r << " " << a << curved;
     }
@@ -132,7 +133,8 @@ TEST(FacetGroups, BacksAreNoFacetGroups) {
       ASSERT_GT(p.normal.dot(near[0].normal), -1e-9) << y.transpose();
       ASSERT_LT(p.normal.x(), 1e-9);
     }
-    const double floor = y.y() - 1, wall = 4 - y.x();
+    const double floor = y.y() - 1;
+    const double wall = 4 - y.x();
     if (y.y() < 2) {
       ASSERT_EQ(near.size(), static_cast<size_t>((floor < reach) + (wall < reach))) << y.transpose();
     }

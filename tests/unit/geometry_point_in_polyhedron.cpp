@@ -54,7 +54,8 @@ std::vector<Shape> shapes() {
                0.25});
   const auto drum = [](const Vec3& p) {
     // Inside of the 96 facets: the facet at the angle of the point.
-    const double step = 2 * M_PI / 96, angle = (std::floor(std::atan2(p.y(), p.x()) / step) + 0.5) * step;
+    const double step = 2 * M_PI / 96;
+    const double angle = (std::floor(std::atan2(p.y(), p.x()) / step) + 0.5) * step;
     const double d = std::max(p.x() * std::cos(angle) + p.y() * std::sin(angle) - 3.6 * std::cos(step / 2),
                               std::abs(p.z()) - 2.75);
     return d > 1e-12 ? Location::outside : d < -1e-12 ? Location::inside : Location::boundary;
@@ -76,8 +77,8 @@ std::vector<Shape> shapes() {
                0.25});
   s.push_back({"hollow cube", hollow_cube_mesh(), false,
                [](const Vec3& p) {
-                 const Location outer = in_box(p, Vec3::Zero(), Vec3::Constant(3)),
-                                inner = in_box(p, Vec3::Constant(1), Vec3::Constant(2));
+                 const Location outer = in_box(p, Vec3::Zero(), Vec3::Constant(3));
+                 const Location inner = in_box(p, Vec3::Constant(1), Vec3::Constant(2));
                  if (inner == Location::boundary) return Location::boundary;
                  return inner == Location::inside ? Location::outside : outer;
                },

@@ -39,8 +39,11 @@ double in_cylinder(const Vec3& y) {
 }
 double in_capsule(const Vec3& y) { return closest_point_on_segment(y, kFrom, kTo).squared_distance - 0.49; }
 double in_torus(const Vec3& y) {  // quartic: (|r|² + R² - a²)² = 4 R² rho²
-  const Vec3 r = y - kCentre, n = kAxis.normalized();
-  const double R = 1.2, a = 0.3, q = r.squaredNorm() + R * R - a * a;
+  const Vec3 r = y - kCentre;
+  const Vec3 n = kAxis.normalized();
+  const double R = 1.2;
+  const double a = 0.3;
+  const double q = r.squaredNorm() + R * R - a * a;
   return q * q - 4 * R * R * (r.squaredNorm() - std::pow(r.dot(n), 2));
 }
 // A leg of 0.6 m along z, a quarter of a circle of 1.2 m towards x, a leg of 0.6 m along x.
@@ -53,7 +56,8 @@ double in_tube(const Vec3& y) {
     return q * q - 4 * R * R * across * across;
   };
   const auto wall = [&](double across2) { return (across2 - 0.04) * (across2 - 0.16); };
-  const double x = r.x(), z = r.z();
+  const double x = r.x();
+  const double z = r.z();
   double out = kInfinity;
   if (z >= 0 && z <= 0.6) out = std::min(out, wall(x * x + r.y() * r.y()));
   if (x >= 1.2 && x <= 1.8) out = std::min(out, wall(std::pow(z - 1.8, 2) + r.y() * r.y()));
@@ -189,7 +193,8 @@ TEST(GeometryPrimitives, NormalAndCurvatureAreDerivatives) {
       bool same = bend > 200 * h;
       for (int a = 0; a < 3 && same; ++a) {
         const Vec3 e = h * Vec3::Unit(a);
-        const auto up = surface->query(y + e, kInfinity), down = surface->query(y - e, kInfinity);
+        const auto up = surface->query(y + e, kInfinity);
+        const auto down = surface->query(y - e, kInfinity);
         // Excludes pairs of points on two sides of an edge of the surface or of the medial axis.
         same = up->triangle == s->triangle && down->triangle == s->triangle && up->feature == s->feature &&
                down->feature == s->feature && (up->point - down->point).norm() < 0.1 * bend + 20 * h;
@@ -224,7 +229,8 @@ TEST(GeometryPrimitives, DistanceGrowsNoFasterThanTheWay) {
     for (int i = 0; i < 20000; ++i) {
       const Vec3 y = sample(k, m, next);
       const Vec3 z = i % 2 ? sample(k, m, next) : Vec3(y + std::pow(10.0, -4 * (next() + 1)) * next.vec());
-      const double dy = surface->query(y, kInfinity)->distance, dz = surface->query(z, kInfinity)->distance;
+      const double dy = surface->query(y, kInfinity)->distance;
+      const double dz = surface->query(z, kInfinity)->distance;
       ASSERT_LE(std::abs(dy - dz), (y - z).norm() * (1 + 1e-14) + 1e-14) << y.transpose();
     }
   }
@@ -233,7 +239,8 @@ TEST(GeometryPrimitives, DistanceGrowsNoFasterThanTheWay) {
 // On centres, axes, diagonals and sharp edges the result is finite, reproducible, a unit normal and a true
 // nearest point.
 TEST(GeometryPrimitives, WhereThereIsNoOneNearestPoint) {
-  const Vec3 axis = (kTo - kFrom).normalized(), spin = kAxis.normalized();
+  const Vec3 axis = (kTo - kFrom).normalized();
+  const Vec3 spin = kAxis.normalized();
   const Mat3 turn = exp_so3(kTurn).toRotationMatrix();
   std::vector<Vec3> points = {kCentre, kFrom, kTo, 0.5 * (kFrom + kTo), kCentre + spin, kCentre - 0.1 * spin};
   for (const double s : {-0.3, 0.1, 0.9, 1.4}) points.push_back(kFrom + s * (kTo - kFrom));
@@ -250,7 +257,8 @@ TEST(GeometryPrimitives, WhereThereIsNoOneNearestPoint) {
     for (const Vec3& y : points)
       for (const double shift : {0.0, 1e-16, 1e-13, 1e-9}) {
         const Vec3 z = y + shift * Vec3(1, -2, 3);
-        const auto s = surface->query(z, kInfinity), again = surface->query(z, kInfinity, 3);
+        const auto s = surface->query(z, kInfinity);
+        const auto again = surface->query(z, kInfinity, 3);
         ASSERT_TRUE(s && s->curvature.allFinite() && s->point.allFinite());
         ASSERT_NEAR(s->normal.norm(), 1, 1e-14);
         ASSERT_LE(s->curvature.norm(), 1e8);

@@ -17,9 +17,16 @@ using detail::Extended;
 // Minimum over the square of parameters, from its stationary point (normal equations) and its four edges, in
 // 113 bits.
 double reference(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
-  const auto A0 = triple<Extended>(a0), B0 = triple<Extended>(b0);
-  const auto u = triple<Extended>(a1) - A0, v = triple<Extended>(b1) - B0, r = A0 - B0;
-  const Extended a = u.dot(u), b = u.dot(v), c = v.dot(v), d = u.dot(r), e = v.dot(r);
+  const auto A0 = triple<Extended>(a0);
+  const auto B0 = triple<Extended>(b0);
+  const auto u = triple<Extended>(a1) - A0;
+  const auto v = triple<Extended>(b1) - B0;
+  const auto r = A0 - B0;
+  const Extended a = u.dot(u);
+  const Extended b = u.dot(v);
+  const Extended c = v.dot(v);
+  const Extended d = u.dot(r);
+  const Extended e = v.dot(r);
   const auto clamp = [](Extended x) { return x < 0 ? Extended(0) : x > 1 ? Extended(1) : x; };
   Extended best = -1;
   const auto take = [&](Extended s, Extended t) {
@@ -34,7 +41,8 @@ double reference(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1)
   const Extended det = a * c - b * b;
   if (det > 0) {
     // t by projection, because the error of s would be amplified if the segments are nearly parallel.
-    const Extended s = (b * e - c * d) / det, t = (e + s * b) / c;
+    const Extended s = (b * e - c * d) / det;
+    const Extended t = (e + s * b) / c;
     if (s >= 0 && s <= 1 && t >= 0 && t <= 1) take(s, t);
   }
   // Square root in the range of double, for any magnitude.
@@ -88,8 +96,10 @@ TEST(GeometrySegments, AnyTwo) {
   for (int i = 0; i < 100000; ++i) {
     const Vec3 shift = i % 2 ? Vec3(100 * next.vec()) : Vec3::Zero();
     const double scale = next.power(-2, 2);
-    const Vec3 a0 = shift + next.vec(), a1 = shift + next.vec();
-    const Vec3 b0 = shift + next.vec(), b1 = b0 + scale * next.vec();
+    const Vec3 a0 = shift + next.vec();
+    const Vec3 a1 = shift + next.vec();
+    const Vec3 b0 = shift + next.vec();
+    const Vec3 b1 = b0 + scale * next.vec();
     const double error = check(a0, a1, b0, b1);
     worst = std::max(worst, error);
     ASSERT_LE(error, kTolerance) << "case " << i;
@@ -103,14 +113,18 @@ TEST(GeometrySegments, NearlyParallel) {
   Random next(2);
   for (int i = 0; i < 150000; ++i) {
     const double angle = i % 3 ? next.power(-7, -6) : next.power(-17, -3);
-    const Vec3 u = next.unit(), across = u.cross(next.unit()).normalized();
+    const Vec3 u = next.unit();
+    const Vec3 across = u.cross(next.unit()).normalized();
     const Vec3 v =
         next.power(-1, 1) * (u + angle * across + angle * next() * next.unit()) * (next.pick(2) ? 1 : -1);
     // The segments cross, both in their interior, at a distance `gap` normal to both.
     const double gap = next.pick(3) ? next.power(-12, 1) : 0;
-    const Vec3 meet = 10 * next.vec(), off = gap * u.cross(v).normalized();
-    const double s = 1.2 * next(), t = 1.2 * next();
-    const Vec3 a0 = meet + s * u, b0 = meet + t * v + off;
+    const Vec3 meet = 10 * next.vec();
+    const Vec3 off = gap * u.cross(v).normalized();
+    const double s = 1.2 * next();
+    const double t = 1.2 * next();
+    const Vec3 a0 = meet + s * u;
+    const Vec3 b0 = meet + t * v + off;
     const double error = check(a0, a0 + u, b0, b0 + v);
     ASSERT_LE(error, kTolerance) << "case " << i << " angle " << angle << " gap " << gap;
   }
@@ -122,8 +136,10 @@ TEST(GeometrySegments, OnAGrid) {
   int parallel = 0, points = 0;
   const auto corner = [&] { return Vec3(next.pick(4), next.pick(4), next.pick(3)); };
   for (int i = 0; i < 100000; ++i) {
-    const Vec3 a0 = corner(), a1 = next.pick(8) ? corner() : a0, b0 = corner(),
-               b1 = next.pick(8) ? corner() : b0;
+    const Vec3 a0 = corner();
+    const Vec3 a1 = next.pick(8) ? corner() : a0;
+    const Vec3 b0 = corner();
+    const Vec3 b1 = next.pick(8) ? corner() : b0;
     parallel += (a1 - a0).cross(b1 - b0).isZero(0);
     points += a0 == a1 || b0 == b1;
     ASSERT_LE(check(a0, a1, b0, b1), kTolerance) << "case " << i;
@@ -208,10 +224,14 @@ TEST(GeometrySegments, ExactRationals) {
 TEST(GeometrySegments, Parameters) {
   Random next(4);
   for (int i = 0; i < 100000; ++i) {
-    const Vec3 u = next.unit(), across = u.cross(next.unit()).normalized();
+    const Vec3 u = next.unit();
+    const Vec3 across = u.cross(next.unit()).normalized();
     const double angle = next.power(-6, 0);
-    const Vec3 v = std::cos(angle) * u + std::sin(angle) * across, n = u.cross(across);
-    const double s = 0.5 + 0.4 * next(), t = 0.5 + 0.4 * next(), gap = next.power(-6, 0);
+    const Vec3 v = std::cos(angle) * u + std::sin(angle) * across;
+    const Vec3 n = u.cross(across);
+    const double s = 0.5 + 0.4 * next();
+    const double t = 0.5 + 0.4 * next();
+    const double gap = next.power(-6, 0);
     const SegmentPair p =
         closest_points_of_segments(-s * u, (1 - s) * u, gap * n - t * v, gap * n + (1 - t) * v);
     ASSERT_NEAR(p.s, s, 1e-14 / angle + 1e-15 * gap / (angle * angle));
@@ -225,8 +245,12 @@ TEST(GeometrySegments, Scales) {
   Random next(5);
   for (int i = 0; i < 50000; ++i) {
     const double scale = next.pick(2) ? next.power(-150, 150) : next.pick(2) ? next.power(-80, -50) : 1;
-    const double la = next.pick(3) ? next.power(-30, 0) : 1, lb = next.pick(3) ? next.power(-200, 0) : 1;
-    const Vec3 a0 = next.vec(), b0 = next.vec(), a1 = a0 + la * next.vec(), b1 = b0 + lb * next.vec();
+    const double la = next.pick(3) ? next.power(-30, 0) : 1;
+    const double lb = next.pick(3) ? next.power(-200, 0) : 1;
+    const Vec3 a0 = next.vec();
+    const Vec3 b0 = next.vec();
+    const Vec3 a1 = a0 + la * next.vec();
+    const Vec3 b1 = b0 + lb * next.vec();
     const SegmentPair p = closest_points_of_segments(scale * a0, scale * a1, scale * b0, scale * b1);
     const double size = scale * size_of(a0, a1, b0, b1);
     ASSERT_TRUE(std::isfinite(p.distance) && p.on_a.allFinite() && p.on_b.allFinite());

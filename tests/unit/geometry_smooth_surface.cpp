@@ -27,7 +27,8 @@ class Random {
     return std::uniform_real_distribution<double>(lo, hi)(gen_);
   }
   Vec3 vec() {
-    const double x = (*this)(), y = (*this)();
+    const double x = (*this)();
+    const double y = (*this)();
     return Vec3(x, y, (*this)());
   }
   std::size_t below(std::size_t n) { return gen_() % n; }
@@ -52,7 +53,8 @@ TriangleMesh rounded_box(double radius, int steps) {
   for (int c = 0; c < 4; ++c)
     for (int i = 0; i <= steps; ++i) {
       const double a = M_PI / 2 * (c + static_cast<double>(i) / steps);
-      const double x = c == 0 || c == 3 ? 1 - radius : radius - 1, y = c < 2 ? 1 - radius : radius - 1;
+      const double x = c == 0 || c == 3 ? 1 - radius : radius - 1;
+      const double y = c < 2 ? 1 - radius : radius - 1;
       all.push_back(static_cast<int>(polygon.size()));
       polygon.emplace_back(x + radius * std::cos(a), y + radius * std::sin(a));
     }
@@ -69,8 +71,11 @@ Errors around_drum(int facets, MeshSurfaceOptions options) {
   Errors e;
   Random random(1);
   for (int i = 0; i < 20000; ++i) {
-    const double a = M_PI * random(), z = 0.8 * random(), d = 0.1 * random();
-    const Vec3 n(std::cos(a), std::sin(a), 0), t(-n.y(), n.x(), 0);
+    const double a = M_PI * random();
+    const double z = 0.8 * random();
+    const double d = 0.1 * random();
+    const Vec3 n(std::cos(a), std::sin(a), 0);
+    const Vec3 t(-n.y(), n.x(), 0);
     const auto s = drum.query((1 + d) * n + Vec3(0, 0, z), 1);
     e.distance = std::max(e.distance, std::abs(s->distance - d));
     e.normal = std::max(e.normal, angle(s->normal, n));
@@ -89,7 +94,8 @@ Errors around_drum(int facets, MeshSurfaceOptions options) {
 
 // Contact on a drum of 24 facets: the radius is right to 4e-5, and the normal has no kink.
 TEST(GeometrySmoothSurface, DrumOf24FacetsIsRound) {
-  const Errors flat = around_drum(24, {}), smooth = around_drum(24, kSmooth);
+  const Errors flat = around_drum(24, {});
+  const Errors smooth = around_drum(24, kSmooth);
   EXPECT_GT(flat.distance, 0.008);  // 1 - cos(7.5 degrees)
   EXPECT_GT(flat.jump, 14 * kDegree);
   EXPECT_LT(smooth.distance, 4e-5);
@@ -111,8 +117,10 @@ TEST(GeometrySmoothSurface, KinksByRoundingHaveNoCurvature) {
   const MeshSurface drum(m, {}, kSmooth);
   int edges = 0, vertices = 0;
   for (int i = 0; i < 20 * facets; ++i) {
-    const double a = 2 * M_PI * i / (20 * facets), d = 0.01;
-    const Vec3 n(std::cos(a), std::sin(a), 0), t(-n.y(), n.x(), 0);
+    const double a = 2 * M_PI * i / (20 * facets);
+    const double d = 0.01;
+    const Vec3 n(std::cos(a), std::sin(a), 0);
+    const Vec3 t(-n.y(), n.x(), 0);
     const auto s = drum.query((1 + d) * n, 1);
     ASSERT_TRUE(s);
     edges += is_edge(s->feature);
@@ -152,7 +160,8 @@ TEST(GeometrySmoothSurface, CreasesAndPlanesStay) {
   EXPECT_EQ(drum.sharp_edges(), 6 * 24);
   Random random(3);
   for (int i = 0; i < 3000; ++i) {
-    const double a = M_PI * random(), r = random(1.05, 1.45);
+    const double a = M_PI * random();
+    const double r = random(1.05, 1.45);
     const Vec3 n(std::cos(a), std::sin(a), 0);
     const auto face = drum.query(r * n + Vec3(0, 0, 0.96), 0.1);
     ASSERT_NEAR(face->distance, 0.04, 1e-12);
@@ -196,7 +205,8 @@ TEST(GeometrySmoothSurface, NormalAndCurvatureAreDerivatives) {
     const double h = 1e-5;
     for (int i = 0; i < 4000; ++i) {
       const auto& t = m.triangles[random.below(m.triangles.size())];
-      const double f = random(0, 1), g = random(0, 1 - f);
+      const double f = random(0, 1);
+      const double g = random(0, 1 - f);
       const auto v = [&](std::size_t k) { return m.vertices[static_cast<std::size_t>(t[k])]; };
       const Vec3 y = v(0) + f * (v(1) - v(0)) + g * (v(2) - v(0)) + random(0.01, 0.2) * random.vec();
       const auto s = surface.query(y, kInfinity);
@@ -205,8 +215,8 @@ TEST(GeometrySmoothSurface, NormalAndCurvatureAreDerivatives) {
       Mat3 hessian;
       bool same = true;
       for (int a = 0; a < 3; ++a) {
-        const auto up = surface.query(y + h * Vec3::Unit(a), kInfinity),
-                   down = surface.query(y - h * Vec3::Unit(a), kInfinity);
+        const auto up = surface.query(y + h * Vec3::Unit(a), kInfinity);
+        const auto down = surface.query(y - h * Vec3::Unit(a), kInfinity);
         same = same && up->triangle == s->triangle && down->triangle == s->triangle &&
                up->feature == s->feature && down->feature == s->feature;
         gradient[a] = (up->distance - down->distance) / (2 * h);
@@ -278,8 +288,10 @@ TEST(GeometrySmoothSurface, AskedAgainNearAPlace) {
           NearFacets near;
           surface.query_again(y, within, -1, near);
           for (const double far : {0.0, 1e-6, 1e-3, 0.01, 0.1, 1.0}) {
-            const Vec3 x = y + far * random.vec(), before = near.place;
-            const auto one = surface.query_again(x, within, -1, near), other = surface.query(x, within);
+            const Vec3 x = y + far * random.vec();
+            const Vec3 before = near.place;
+            const auto one = surface.query_again(x, within, -1, near);
+            const auto other = surface.query(x, within);
             ASSERT_EQ(one.has_value(), other.has_value()) << x.transpose();
             if (!one) continue;
             ASSERT_EQ(one->triangle, other->triangle) << x.transpose();
@@ -316,7 +328,8 @@ TEST(GeometrySmoothSurface, WhatIsFreeHoldsNoSurface) {
   for (int i = 0; i < 300; ++i) {
     const Vec3 y = random(0.3, 1.6) * random.vec().normalized();
     const auto s = rough.query(y, kInfinity);
-    const double distance = std::abs(s->distance), free = rough.free_radius(y, distance);
+    const double distance = std::abs(s->distance);
+    const double free = rough.free_radius(y, distance);
     double least = kInfinity;
     for (const Vec3& p : places) least = std::min(least, (p - y).squaredNorm());
     EXPECT_LE(free, std::sqrt(least) + 1e-12);
@@ -346,7 +359,11 @@ TEST(GeometrySmoothSurface, OneNearestPointMeansConvex) {
     const Vec3 y = (q.p[0] + q.p[1] + q.p[2]) / 3 + random(0, 1) * random.vec();
     double least = kInfinity;
     for (int k = 0; k < 200; ++k) {
-      const double u = random(0, 1), v = random(0, 1 - u), a = random(0, 1), b = random(0, 1 - a), h = 0.01;
+      const double u = random(0, 1);
+      const double v = random(0, 1 - u);
+      const double a = random(0, 1);
+      const double b = random(0, 1 - a);
+      const double h = 0.01;
       const auto at = [&](double s) { return (q.point(u + s * (a - u), v + s * (b - v)) - y).squaredNorm(); };
       least = std::min(least, at(0.5 + h) - 2 * at(0.5) + at(0.5 - h));
     }
@@ -401,8 +418,10 @@ TEST(GeometrySmoothSurface, DistanceIsContinuousAndAPotential) {
     const MeshSurface surface(m, {}, {true, 60 * kDegree});
     Random random(7);
     for (int i = 0; i < 200; ++i) {
-      const Vec3 from = 2 * random.vec(), step = 0.01 * random.vec();
-      double last = surface.query(from, kInfinity)->distance, integral = last;
+      const Vec3 from = 2 * random.vec();
+      const Vec3 step = 0.01 * random.vec();
+      double last = surface.query(from, kInfinity)->distance;
+      double integral = last;
       for (int k = 1; k <= 100; ++k) {
         const Vec3 y = from + k * step;
         const auto s = surface.query(y, kInfinity);

@@ -215,7 +215,8 @@ TEST(GeometrySpatialHash, OnlyActiveTriangles) {
 
 template <class Structure>
 void unusual_points() {
-  const TriangleMesh nothing, m = sphere_mesh(2);
+  const TriangleMesh nothing;
+  const TriangleMesh m = sphere_mesh(2);
   EXPECT_FALSE(Search<Structure>(nothing).nearest({0, 0, 0}));
   EXPECT_TRUE(Structure().empty());
   const Search<Structure> search(m);

@@ -40,7 +40,8 @@ class Points {
     if (gen_() % 2) return box_.centre() + 0.6 * box_.extent().cwiseProduct(direction());
     const auto& t = mesh_.triangles[gen_() % mesh_.triangles.size()];
     const auto v = [&](std::size_t i) { return mesh_.vertices[static_cast<std::size_t>(t[i])]; };
-    double a = unit_(gen_), b = unit_(gen_) * (1 - a);
+    double a = unit_(gen_);
+    double b = unit_(gen_) * (1 - a);
     const auto kind = gen_() % 4;
     if (kind == 0) a = b = 0;
     if (kind == 1) b = 0;
@@ -115,7 +116,8 @@ void expect_derivatives(const Surface& surface, const Vec3& y, double h, int& ch
   Mat3 hessian;
   for (int a = 0; a < 3; ++a) {
     const Vec3 e = h * Vec3::Unit(a);
-    const auto up = surface.query(y + e, kInfinity), down = surface.query(y - e, kInfinity);
+    const auto up = surface.query(y + e, kInfinity);
+    const auto down = surface.query(y - e, kInfinity);
     if (up->triangle != s->triangle || down->triangle != s->triangle || up->feature != s->feature ||
         down->feature != s->feature)
       return;
@@ -186,7 +188,8 @@ TEST(GeometrySurface, CurvatureBesideVerticesOnEdgesAndFaces) {
       m.vertices.emplace_back(x, y, z);
   for (int ring = 0; ring < 2; ++ring)
     for (int i = 0; i < 5; ++i) {
-      const int a = 5 * ring + i, b = 5 * ring + (i + 1) % 5;
+      const int a = 5 * ring + i;
+      const int b = 5 * ring + (i + 1) % 5;
       m.triangles.push_back({a, a + 5, b});
       m.triangles.push_back({b, a + 5, b + 5});
     }
@@ -258,7 +261,8 @@ TEST(GeometrySurface, PlaneAndCylinder) {
 TEST(GeometrySurface, ActivePart) {
   const TriangleMesh m = flanged_drum_mesh(24, 1, 2, 1.5, 0.2);
   const std::vector<bool> active = active_by_part(m, {"barrel"});
-  const MeshSurface barrel(m, active), whole(m);
+  const MeshSurface barrel(m, active);
+  const MeshSurface whole(m);
   // Beside the barrel both surfaces agree; beside the flange only the whole mesh has contact.
   const double across = std::cos(M_PI / 24);
   const Vec3 mid(std::cos(M_PI / 24), std::sin(M_PI / 24), 0);

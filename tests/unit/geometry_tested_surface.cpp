@@ -23,7 +23,8 @@ void compare(const TriangleMesh& mesh, SignTest test) {
   for (int i = 0; i < 3000; ++i) {
     const Vec3 y = box.lo + Vec3(unit(random), unit(random), unit(random)).cwiseProduct(box.extent());
     for (const double limit : {0.05, 100.0}) {
-      const auto a = plain->query(y, limit), b = tested.query(y, limit);
+      const auto a = plain->query(y, limit);
+      const auto b = tested.query(y, limit);
       ASSERT_EQ(a.has_value(), b.has_value()) << y.transpose();
       if (!a) continue;
       inside += a->distance < 0;
@@ -60,7 +61,8 @@ TEST(TestedSurface, TheTestDecides) {
   int other = 0;
   for (int i = 0; i < 1000; ++i) {
     const Vec3 y = box.lo + Vec3(unit(random), unit(random), unit(random)).cwiseProduct(box.extent());
-    const auto a = plain->query(y, 100), b = tested.query(y, 100);
+    const auto a = plain->query(y, 100);
+    const auto b = tested.query(y, 100);
     ASSERT_TRUE(a && b);
     EXPECT_EQ(std::abs(a->distance), std::abs(b->distance));
     if ((a->distance < 0) == (b->distance < 0)) continue;

@@ -71,11 +71,14 @@ TEST(GeometryTube, DistanceBesideTheAxis) {
   const TubeShape shape = winding();
   const auto pieces = tube_pieces(shape);
   const auto tube = make_surface(shape);
-  const double length = whole(pieces), middle = 0.28, half = 0.03;
+  const double length = whole(pieces);
+  const double middle = 0.28;
+  const double half = 0.03;
   Random next;
   for (int i = 0; i < 5000; ++i) {
     const auto [x, t] = at(pieces, 0.5 * (next() + 1) * length);
-    const Vec3 across = next.vec(), e = (across - across.dot(t) * t).normalized();
+    const Vec3 across = next.vec();
+    const Vec3 e = (across - across.dot(t) * t).normalized();
     const double rho = 0.4 * (next() + 1.01);
     const auto s = tube->query(x + rho * e, kFar);
     ASSERT_TRUE(s);
@@ -89,7 +92,8 @@ TEST(GeometryTube, DistanceBesideTheAxis) {
   }
   // Curvature along the axis, on the outer and the inner side of the first bend (radius 3 m, centre at (3, 0,
   // -1)).
-  const Vec3 out = Vec3(-1, 0, -1).normalized(), along = Vec3(1, 0, -1).normalized();
+  const Vec3 out = Vec3(-1, 0, -1).normalized();
+  const Vec3 along = Vec3(1, 0, -1).normalized();
   for (const double rho : {-0.31, -0.25, 0.25, 0.31}) {
     const auto s = tube->query(Vec3(3, 0, -1) + (3 + rho) * out, kFar);
     EXPECT_NEAR(s->distance, 0, 1e-14) << rho;
@@ -111,8 +115,10 @@ TEST(GeometryTube, TaylorExpansion) {
     const bool rim = i % 2 == 0;
     const double at_end = i % 4 == 0 ? 0 : length;
     const auto [x, t] = at(pieces, rim ? at_end : 0.5 * (next() + 1) * length);
-    const Vec3 across = next.vec(), e = (across - across.dot(t) * t).normalized();
-    const Vec3 y = x + (0.28 + 0.15 * next()) * e + (rim ? 0.15 * next() : 0) * t, way = next.vec();
+    const Vec3 across = next.vec();
+    const Vec3 e = (across - across.dot(t) * t).normalized();
+    const Vec3 y = x + (0.28 + 0.15 * next()) * e + (rim ? 0.15 * next() : 0) * t;
+    const Vec3 way = next.vec();
     const auto s = tube->query(y, kFar);
     const double bend = 1 / s->curvature.norm();
     const double h = 1e-3 * std::min(bend, 0.1);
@@ -145,11 +151,12 @@ TEST(GeometryTube, SmoothAcrossTheEndsOfPieces) {
     const auto [x, t] = at(pieces, s);
     if (i < pieces.size()) s += pieces[i].length;
     for (int k = 0; k < 200; ++k) {
-      const Vec3 across = next.vec(), e = (across - across.dot(t) * t).normalized();
+      const Vec3 across = next.vec();
+      const Vec3 e = (across - across.dot(t) * t).normalized();
       const double rho = 0.28 + (k % 2 ? 1 : -1) * (0.02 + 0.1 * std::abs(next()));
       for (const double step : {1e-9, 1e-12, 1e-15, 0.0}) {
-        const auto a = tube->query(x + rho * e - step * t, kFar),
-                   b = tube->query(x + rho * e + step * t, kFar);
+        const auto a = tube->query(x + rho * e - step * t, kFar);
+        const auto b = tube->query(x + rho * e + step * t, kFar);
         ASSERT_NEAR(a->distance, b->distance, 1e-14 + 2 * step * 1e-6) << i;
         ASSERT_LE((a->normal - b->normal).norm(), 1e-12 + 200 * step) << i;
       }
@@ -183,8 +190,8 @@ TEST(GeometryTube, NearestOfSeveralLegs) {
   EXPECT_NEAR(tube->query({-0.05, 0.25, 0}, 9)->distance, 0.0, 1e-15);  // its rim
   Random next;
   for (int i = 0; i < 20000; ++i) {
-    const Vec3 y = Vec3(2, 0.5, 0) + Vec3(4, 1.5, 1).cwiseProduct(next.vec()),
-               z = y + std::pow(10.0, -3 * (next() + 1)) * next.vec();
+    const Vec3 y = Vec3(2, 0.5, 0) + Vec3(4, 1.5, 1).cwiseProduct(next.vec());
+    const Vec3 z = y + std::pow(10.0, -3 * (next() + 1)) * next.vec();
     ASSERT_LE(std::abs(tube->query(y, kFar)->distance - tube->query(z, kFar)->distance),
               (y - z).norm() * (1 + 1e-14) + 1e-14)
         << y.transpose() << " to " << z.transpose();

@@ -58,7 +58,8 @@ TriangleMesh divided_box(double unit) {
           const int first = static_cast<int>(out.vertices.size());
           for (const Vec3& x : {corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)})
             out.vertices.push_back(x);
-          const int b = far ? 1 : 2, c = far ? 2 : 1;
+          const int b = far ? 1 : 2;
+          const int c = far ? 2 : 1;
           out.triangles.push_back({first, first + b, first + c});
           out.triangles.push_back({first, first + (far ? 2 : 3), first + (far ? 3 : 2)});
         }
@@ -70,7 +71,8 @@ TriangleMesh divided_box(double unit) {
 TriangleMesh wigley_hull() {
   constexpr int n = 40, m = 10;
   const auto at = [](int i, int j, int side) {
-    const double x = -50.0 + 100.0 * i / n, z = -6.25 * j / m;
+    const double x = -50.0 + 100.0 * i / n;
+    const double z = -6.25 * j / m;
     return Vec3(x, side * 5 * (1 - std::pow(x / 50, 2)) * (1 - std::pow(z / 6.25, 2)), z);
   };
   TriangleMesh out;
@@ -107,7 +109,8 @@ void expect_clean_again(const TriangleMesh& clean, double size) {
   EXPECT_TRUE(report.valid()) << advice::mesh_summary(report);
   EXPECT_EQ(report.components, 1);
   EXPECT_EQ(report.vertices, inspect(clean).vertices);
-  const MeshSurface surface(mesh, {}, kSmooth), reference(clean, {}, kSmooth);
+  const MeshSurface surface(mesh, {}, kSmooth);
+  const MeshSurface reference(clean, {}, kSmooth);
   EXPECT_NEAR(surface.curved(), reference.curved(), 0.02 * reference.curved());
   std::mt19937 random(3);
   std::uniform_real_distribution<double> each(-size, size);
@@ -149,7 +152,8 @@ TEST(GeometryWeld, SlitsStayAndCracksGo) {
     weld(out);
     return out;
   };
-  TriangleMesh slit = lid_raised(0.02), crack = lid_raised(0.002);
+  TriangleMesh slit = lid_raised(0.02);
+  TriangleMesh crack = lid_raised(0.002);
   EXPECT_EQ(weld_cracks(slit).welded, 0);
   EXPECT_EQ(topology(slit).open_edges, 8);
   EXPECT_EQ(weld_cracks(crack).welded, 4);
@@ -168,12 +172,14 @@ TEST(GeometryWeld, AHoleCostsNothingElsewhere) {
   });
   weld(open);
   EXPECT_EQ(topology(open).open_edges, 24);
-  const MeshSurface whole(closed, {}, kSmooth), lidless(open, {}, {true, 40 * M_PI / 180, true});
+  const MeshSurface whole(closed, {}, kSmooth);
+  const MeshSurface lidless(open, {}, {true, 40 * M_PI / 180, true});
   EXPECT_GT(lidless.curved(), 24 * 2 * 6 - 1);  // all facets of its side are curved
   std::mt19937 random(5);
   std::uniform_real_distribution<double> angle(0, 2 * M_PI), height(-1.4, 0.9), off(-0.2, 0.2);
   for (int i = 0; i < 3000; ++i) {
-    const double a = angle(random), d = i % 3 ? off(random) : 0.02 * off(random);
+    const double a = angle(random);
+    const double d = i % 3 ? off(random) : 0.02 * off(random);
     const Vec3 y((1 + d) * std::cos(a), (1 + d) * std::sin(a), height(random));
     const auto p = lidless.query(y, 1e9);
     ASSERT_NEAR(p->distance, whole.query(y, 1e9)->distance, 1e-12) << y.transpose();

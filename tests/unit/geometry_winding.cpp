@@ -18,7 +18,8 @@ using namespace hawser::test;
 class Points {
  public:
   Vec3 operator()(double size) {
-    const double x = unit_(gen_), y = unit_(gen_);
+    const double x = unit_(gen_);
+    const double y = unit_(gen_);
     return size * Vec3(x, y, unit_(gen_));
   }
   std::size_t below(std::size_t n) { return gen_() % n; }

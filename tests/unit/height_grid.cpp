@@ -54,7 +54,10 @@ TEST(HeightGrid, SplineIsTwiceDifferentiable) {
   for (const double x : {-3.0, 5.1, 17.77, 39.9, 44.0})
     for (const double y : {-2.0, 0.3, 11.25, 28.0, 33.0}) {
       const auto a = g.at(x, y);
-      const auto e = g.at(x + h, y), w = g.at(x - h, y), n = g.at(x, y + h), s = g.at(x, y - h);
+      const auto e = g.at(x + h, y);
+      const auto w = g.at(x - h, y);
+      const auto n = g.at(x, y + h);
+      const auto s = g.at(x, y - h);
       EXPECT_NEAR(a.slope.x(), (e.z - w.z) / (2 * h), 1e-8);
       EXPECT_NEAR(a.slope.y(), (n.z - s.z) / (2 * h), 1e-8);
       EXPECT_LT((a.bend.col(0) - (e.slope - w.slope) / (2 * h)).norm(), 1e-8);
@@ -102,7 +105,8 @@ TEST(HeightGrid, DistanceAndItsDerivatives) {
     EXPECT_LT((at - s->distance * s->normal - s->point).norm(), 1e-12);
     const double h = 1e-5;
     for (int i = 0; i < 3; ++i) {
-      const auto up = g.query(at + h * Vec3::Unit(i), 100), down = g.query(at - h * Vec3::Unit(i), 100);
+      const auto up = g.query(at + h * Vec3::Unit(i), 100);
+      const auto down = g.query(at - h * Vec3::Unit(i), 100);
       EXPECT_NEAR((up->distance - down->distance) / (2 * h), s->normal[i], 1e-9);
       EXPECT_LT(((up->normal - down->normal) / (2 * h) - s->curvature.col(i)).norm(), 1e-7) << at.transpose();
     }
@@ -113,14 +117,16 @@ TEST(HeightGrid, DistanceAndItsDerivatives) {
 // from point to point, from S = 3/(3 + sqrt(3)) on either side of the step: the spline is S u (1 - u) (r (1 -
 // u) - u) in the cell before it.
 TEST(HeightGrid, OvershootBesideAStep) {
-  const double r = std::sqrt(3) - 2, S = 3 / (3 + std::sqrt(3));
+  const double r = std::sqrt(3) - 2;
+  const double S = 3 / (3 + std::sqrt(3));
   double most = 0, where = 0;
   for (double u = 0; u < 1; u += 1e-5)
     if (const double z = S * u * (1 - u) * (r * (1 - u) - u); z < most) {
       most = z;
       where = u;
     }
-  const auto long_row = spaced(-300, 300, 60), short_row = spaced(0, 40, 4);
+  const auto long_row = spaced(-300, 300, 60);
+  const auto short_row = spaced(0, 40, 4);
   const auto step = [](double x) { return x > 0.1 ? -90.0 : -100.0; };
   const auto along_x = grid(long_row, short_row, [&](double x, double) { return step(x); }).overshoot();
   EXPECT_NEAR(along_x.height, -10 * most, 1e-6);

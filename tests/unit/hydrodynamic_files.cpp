@@ -104,7 +104,8 @@ void write_classic(const std::string& path, const Dimensions& dimensions, std::v
   const auto bits = [](std::string& to, std::uint64_t x, int bytes) {
     for (int shift = 8 * (bytes - 1); shift >= 0; shift -= 8) to += static_cast<char>(x >> shift & 0xff);
   };
-  const int count = version == 5 ? 8 : 4, place = version == 1 ? 4 : 8;
+  const int count = version == 5 ? 8 : 4;
+  const int place = version == 1 ? 4 : 8;
   const auto name = [&](std::string& to, const std::string& text) {
     bits(to, text.size(), count);
     to += text + std::string((4 - text.size() % 4) % 4, '\0');
@@ -247,8 +248,11 @@ void write_bemio(const std::string& path, const Set& s, bool scaled) {
     const io::h5::Id set = io::h5::reserve(file, name, H5T_IEEE_F64LE, shape);
     io::h5::check(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), name);
   };
-  const double rho = 1000, mass = scaled ? rho : 1, force = scaled ? rho * kGravity : 1;
-  const size_t n = s.omega.size(), headings = s.directions.size();
+  const double rho = 1000;
+  const double mass = scaled ? rho : 1;
+  const double force = scaled ? rho * kGravity : 1;
+  const size_t n = s.omega.size();
+  const size_t headings = s.directions.size();
   std::vector<double> added, damping, infinite, re, im, drift, stiffness;
   for (int i = 0; i < 6; ++i) {
     for (int j = 0; j < 6; ++j) {
@@ -342,7 +346,8 @@ TEST_F(HydrodynamicFiles, CapytaineHasTheCoefficientsOfWamit) {
     expect_same(data, reference);
     ASSERT_TRUE(data.origin[0] && data.weight[0]);
     EXPECT_LT((*data.origin[0] - Vec3(0.5, 0, -1)).norm(), 1e-14);
-    const double density = kDensity / 1000, weight = density * 5e6 * kGravity;
+    const double density = kDensity / 1000;
+    const double weight = density * 5e6 * kGravity;
     EXPECT_LT((*data.weight[0] - weight * Vec3(1, -2, -3)).norm(), 1e-12 * weight);
     Eigen::MatrixXd pressure = data.hydrostatic;
     pressure(3, 3) += data.weight[0]->z();
@@ -359,7 +364,8 @@ TEST_F(HydrodynamicFiles, ExcludesWhatIsNoNumber) {
   variables[5].values[5 * 36 + 4] = NAN;
   variables[7].values.back() = NAN;
   write_netcdf4(path("float.nc"), dimensions, variables);
-  const model::HydrodynamicData data = capytaine(), all = wamit();
+  const model::HydrodynamicData data = capytaine();
+  const model::HydrodynamicData all = wamit();
   EXPECT_EQ(data.omega.size(), all.omega.size() - 1);
   ASSERT_EQ(notes.size(), 2u);
   EXPECT_NE(notes[0].find("the added mass and damping of 1 frequency"), std::string::npos) << notes[0];

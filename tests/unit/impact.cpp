@@ -108,15 +108,20 @@ TEST(Impact, HasTheEnergyOfACrossing) {
   const double k = kMass / (kSlow * kSlow);
   for (const double h : {0.0015, 0.003, 0.0045})
     for (const double gap : {0.002, 0.006}) {
-      const double z = 0.5 * h / kSlow, in = (2 * h - gap) / (1 + z * z), a = k / kMass * in,
-                   v = 2 - 0.5 * h * a;
+      const double z = 0.5 * h / kSlow;
+      const double in = (2 * h - gap) / (1 + z * z);
+      const double a = k / kMass * in;
+      const double v = 2 - 0.5 * h * a;
       const double lost = 0.5 * kMass * (4 - v * v) - 0.5 * k * in * in;
       EXPECT_NEAR(impact_event(kSlow, kSignificantDepth, kMass, {gap, 2, 0})->crossed(h), in > 0 ? lost : 0,
                   1e-12)
           << h;
       // The line separates, pushed by the spring alone.
-      const double p = gap, push = k / kMass * p, out = 2 * h + 0.25 * push * h * h - p;
-      const double w = 2 + 0.5 * h * push, made = 0.5 * kMass * (w * w - 4) - 0.5 * k * p * p;
+      const double p = gap;
+      const double push = k / kMass * p;
+      const double out = 2 * h + 0.25 * push * h * h - p;
+      const double w = 2 + 0.5 * h * push;
+      const double made = 0.5 * kMass * (w * w - 4) - 0.5 * k * p * p;
       EXPECT_NEAR(impact_event(kSlow, kSignificantDepth, kMass, {-p, -2, push})->crossed(h),
                   out > 0 ? made : 0, 1e-12)
           << h;
@@ -155,7 +160,8 @@ TEST(Impact, ManySmallOnesTogetherDo) {
   EXPECT_EQ(impact_limited_step(impacts(10, kSlow), {&bears, 1}, kMost, kAlone).longest, kNever);
   expect_step(impact_limited_step(impacts(11, kSlow), {&bears, 1}, kMost, kAlone).longest, kStep);
   // Few short impacts among many longer ones: the step resolves only the longer ones.
-  std::vector<ImpactEvent> both = impacts(11, kSlow), fast = impacts(9, kSlow / 10);
+  std::vector<ImpactEvent> both = impacts(11, kSlow);
+  std::vector<ImpactEvent> fast = impacts(9, kSlow / 10);
   both.insert(both.end(), fast.begin(), fast.end());
   expect_step(impact_limited_step(both, {&bears, 1}, kMost, kAlone).longest, kStep);
   expect_step(impact_limited_step(both, {&bears, 1}, kMost, kAlone).period, 2 * M_PI * kSlow);
@@ -210,7 +216,10 @@ TEST(Impact, UnresolvedCrossings) {
 TEST(Impact, MakesNoEnergy) {
   const double w = 1 / kSlow;
   const auto bounce = [&](double start, bool cut) {
-    double x = start, v = -2, a = 0, made = 0;
+    double x = start;
+    double v = -2;
+    double a = 0;
+    double made = 0;
     for (int n = 0; n < 200 && x < 0.2; ++n) {
       const double h = cut ? std::min(kStep, longest(x, -v, a)) : 2 * M_PI / 6 * kSlow;
       // x1 = x + h (v + v1)/2, v1 = v + h (a + a1)/2, a1 = -w² x1 in contact.
@@ -245,7 +254,9 @@ TEST(Impact, StepsForManyAreNoMoreThanForFew) {
   };
   const auto fall = [](int n) {
     const double w = 1 / kSlow, end = 0.2;
-    std::vector<double> x, v, a(static_cast<size_t>(n), 0.0);
+    std::vector<double> x;
+    std::vector<double> v;
+    std::vector<double> a(static_cast<size_t>(n), 0.0);
     double phase = 0;
     for (int i = 0; i < n; ++i) {
       phase = std::fmod(phase + 0.6180339887498949, 1.0);
@@ -280,7 +291,9 @@ TEST(Impact, StepsForManyAreNoMoreThanForFew) {
       out.made += ((v[i] * v[i] + (x[i] < 0 ? w * w * x[i] * x[i] : 0)) / 4 - 1) / n;
     return out;
   };
-  const Outcome few = fall(30), many = fall(1000), more = fall(3000);
+  const Outcome few = fall(30);
+  const Outcome many = fall(1000);
+  const Outcome more = fall(3000);
   std::printf("energy of 30, 1000, 3000 impacts: %.1e, %.1e, %.1e in %d, %d, %d steps\n", few.made, many.made,
               more.made, few.steps, many.steps, more.steps);
   EXPECT_LT(std::abs(few.made), 1e-2);
@@ -295,9 +308,17 @@ TEST(Impact, StepsForManyAreNoMoreThanForFew) {
 // unless the growth of steps is limited.
 TEST(Impact, StepsGrowNoFasterThanWhatTheyHold) {
   const AlphaCoefficients c(0.8);
-  const double w = 1e3, m1 = (1 - c.am) / (1 - c.af), m0 = c.am / (1 - c.af), d0 = c.af / (1 - c.af);
+  const double w = 1e3;
+  const double m1 = (1 - c.am) / (1 - c.af);
+  const double m0 = c.am / (1 - c.af);
+  const double d0 = c.af / (1 - c.af);
   const auto most = [&](bool bounded) {
-    double x = 0, v = 1, a = 0, A = 0, h = 1 / w, worst = 0;
+    double x = 0;
+    double v = 1;
+    double a = 0;
+    double A = 0;
+    double h = 1 / w;
+    double worst = 0;
     for (int i = 0; i < 40; ++i) {
       const double end = (-w * w * (x + h * v + h * h * (0.5 - c.beta) * A) - m0 * A + d0 * a) /
                          (m1 + w * w * h * h * c.beta);
@@ -375,8 +396,14 @@ double energy_after(double rho, double w, double jump) {
   for (int phase = 0; phase < 24; ++phase) {
     StepControl control(s);
     control.restore(control.proposal(), 0, 3 * third, 0);  // the twenty resolved periods are over
-    double x = std::cos(phase * M_PI / 24) / w, v = std::sin(phase * M_PI / 24), a = -w * w * x, A = a, t = 0;
-    const double m1 = (1 - c.am) / (1 - c.af), m0 = c.am / (1 - c.af), d0 = c.af / (1 - c.af);
+    double x = std::cos(phase * M_PI / 24) / w;
+    double v = std::sin(phase * M_PI / 24);
+    double a = -w * w * x;
+    double A = a;
+    double t = 0;
+    const double m1 = (1 - c.am) / (1 - c.af);
+    const double m0 = c.am / (1 - c.af);
+    const double d0 = c.af / (1 - c.af);
     for (int i = 0; i < 60; ++i) {
       const double h = jump > 0 ? jump * third : control.next(t, 1e9, kNever);
       const double end = (-w * w * (x + h * v + h * h * (0.5 - c.beta) * A) - m0 * A + d0 * a) /
@@ -398,7 +425,8 @@ TEST(StepControl, LongerStepsAfterAnImpactMakeNoEnergy) {
   for (const auto& [rho, bound] : {std::pair(0.8, 1.005), {0.5, 1.03}, {1.0, 1 + 1e-9}})
     for (const double turns : {0.05, 0.1, 1.0 / 6, 1.0 / 3}) {
       const double w = 2 * M_PI * turns / 0.01;
-      const double grown = energy_after(rho, w, 0), jumped = energy_after(rho, w, 100);
+      const double grown = energy_after(rho, w, 0);
+      const double jumped = energy_after(rho, w, 100);
       std::printf(
           "rho %.1f, steps of 1/%.0f of its period, then 100 times as long: energy %.3f, at once %.3f\n", rho,
           1 / turns, grown, jumped);

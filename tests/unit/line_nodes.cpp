@@ -42,7 +42,8 @@ TEST(LineNodes, TheNearestGoesToThePlaceAndTheOthersFollow) {
 
 TEST(LineNodes, SectionsEndWhereTheyDid) {
   const Line line = line_of({{"chain", 10, 5}, {"wire", 12, 3, 2}});
-  const std::vector<double> plain = arcs(line, {}), moved = arcs(line, {4.6, 14});
+  const std::vector<double> plain = arcs(line, {});
+  const std::vector<double> moved = arcs(line, {4.6, 14});
   expect_near({moved.begin(), moved.begin() + 6}, {0, 2.3, 4.6, 6.4, 8.2, 10});
   EXPECT_NEAR(moved[6], 14, 1e-12);
   EXPECT_NEAR(moved[8], 22, 1e-12);

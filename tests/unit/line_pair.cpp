@@ -174,7 +174,8 @@ struct Rig {
   void each(const AxisEnds& a1, const AxisEnds& b1, const AxisEnds& sa, const AxisEnds& sb,
             const std::array<std::vector<LinePairContactPoint>, 6>& past,
             const std::function<void(size_t, const LinePairPass&)>& what) const {
-    const PairAxis A(a1, sa), B(b1, sb);
+    const PairAxis A(a1, sa);
+    const PairAxis B(b1, sb);
     for (size_t k = 0; k < 6; ++k)
       what(k, LinePairPass(k < 3 ? A : B, k < 3 ? B : A, static_cast<ProjectOn>(k % 3), settings, past[k]));
   }
@@ -185,18 +186,22 @@ struct Rig {
   // b.
   void forces(const std::vector<double>& u, const std::vector<double>& du, int pass, std::vector<double>& f,
               std::vector<double>* K, std::vector<double>* C) const {
-    const int n = unknowns(), na = a.beam ? 12 : 6;
+    const int n = unknowns();
+    const int na = a.beam ? 12 : 6;
     f.assign(static_cast<size_t>(n), 0);
     if (K) {
       K->assign(static_cast<size_t>(n * n), 0);
       C->assign(static_cast<size_t>(n * n), 0);
     }
-    const AxisEnds at = moved(a, u.data(), du.data()), bt = moved(b, u.data() + na, du.data() + na);
-    const PairAxis A(at, a0), B(bt, b0);
+    const AxisEnds at = moved(a, u.data(), du.data());
+    const AxisEnds bt = moved(b, u.data() + na, du.data() + na);
+    const PairAxis A(at, a0);
+    const PairAxis B(bt, b0);
     each(at, bt, a0, b0, history, [&](size_t k, const LinePairPass& s) {
       if (pass >= 0 && static_cast<size_t>(pass) != k) return;
       const bool swapped = k >= 3;
-      const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
+      const PairAxis& slave = swapped ? B : A;
+      const PairAxis& master = swapped ? A : B;
       AttachedForces g = no_forces(slave, master, settings.law.friction.active());
       s.add(s.panels(), K, g);
       BlockVector ff = BlockVector::Zero(n);
@@ -256,14 +261,18 @@ TEST(LinePair, Tangents) {
           for (int i = 0; i < n; ++i) dir[static_cast<size_t>(i)] = noise(i, 100 + d);
           const double e = 2e-6;
           const auto at = [&](double t, bool rate) {
-            std::vector<double> u(size), out;
+            std::vector<double> u(size);
+            std::vector<double> out;
             for (size_t i = 0; i < size; ++i) u[i] = t * dir[i];
             rate ? rig.forces(zero, u, pass, out, nullptr, nullptr)
                  : rig.forces(u, zero, pass, out, nullptr, nullptr);
             return out;
           };
           for (const bool rate : {false, true}) {
-            const auto p = at(e, rate), m = at(-e, rate), pp = at(2 * e, rate), mm = at(-2 * e, rate);
+            const auto p = at(e, rate);
+            const auto m = at(-e, rate);
+            const auto pp = at(2 * e, rate);
+            const auto mm = at(-2 * e, rate);
             double off = 0, norm = 0;
             for (int i = 0; i < n; ++i) {
               const size_t r = static_cast<size_t>(i);
@@ -380,7 +389,8 @@ TEST(LinePair, ForcesAndMomentsBalance) {
     for (int line = 0; line < 2; ++line)
       for (int node = 0; node < 2; ++node) {
         const double* p = f.data() + 12 * line + 6 * node;
-        const Eigen::Map<const Vec3> v(p), t(p + 3);
+        const Eigen::Map<const Vec3> v(p);
+        const Eigen::Map<const Vec3> t(p + 3);
         force += v;
         size += v.norm();
         moment += (node ? lines[line]->x2 : lines[line]->x1).cross(v) +
@@ -415,7 +425,8 @@ TEST(LinePair, RigidMotionLeavesTheSlipAlone) {
       for (size_t k = 0; k < 6; ++k) {
         ASSERT_EQ(next[k].size(), rig.history[k].size()) << s.name;
         for (size_t i = 0; i < next[k].size(); ++i) {
-          const LinePairContactPoint &before = rig.history[k][i], &after = next[k][i];
+          const LinePairContactPoint& before = rig.history[k][i];
+          const LinePairContactPoint& after = next[k][i];
           EXPECT_NEAR(before.slip[0], after.slip[0], 1e-10) << s.name << ", pass " << k;
           EXPECT_NEAR(before.slip[1], after.slip[1], 1e-10) << s.name << ", pass " << k;
           EXPECT_LE((turn * before.friction - after.friction).norm() / after.normal_force,

@@ -15,8 +15,9 @@ constexpr double kReach = 0.1;
 
 // x above y at the end, lines at the given angle, both straight; `way`: displacement of x relative to y.
 LinePairMotion<double> straight(double angle, const Vec3& way) {
-  const Vec3 a = 0.7 * Vec3::UnitX(), b = 1.3 * Vec3(std::cos(angle), std::sin(angle), 0),
-             away = kReach * Vec3::UnitZ();
+  const Vec3 a = 0.7 * Vec3::UnitX();
+  const Vec3 b = 1.3 * Vec3(std::cos(angle), std::sin(angle), 0);
+  const Vec3 away = kReach * Vec3::UnitZ();
   return {away, away - way, a, a, b, b};
 }
 
@@ -44,8 +45,10 @@ TEST(LinePairClosing, WhatTurnsRoundIsFinite) {
 TEST(LinePairClosing, MaterialThatComesRoundABendSlides) {
   const Vec3 z = Vec3::UnitZ(), b = Vec3::UnitY();
   for (const double turn : {0.3, 0.1, -0.1, -0.3}) {
-    const Vec3 leg(std::cos(turn), 0, std::sin(turn)), end = Vec3::UnitX();
-    const Vec3 sharp = 0.2 * leg, round = 0.2 / turn * Vec3(std::sin(turn), 0, 1 - std::cos(turn));
+    const Vec3 leg(std::cos(turn), 0, std::sin(turn));
+    const Vec3 end = Vec3::UnitX();
+    const Vec3 sharp = 0.2 * leg;
+    const Vec3 round = 0.2 / turn * Vec3(std::sin(turn), 0, 1 - std::cos(turn));
     EXPECT_NEAR(line_pair_closing<double>({kReach * z, kReach * z - round, end, leg, b, b}), 0, 1e-6);
     if (turn > 0) {
       EXPECT_LT(line_pair_closing<double>({kReach * z, kReach * z - sharp, end, leg, b, b}), 0);
@@ -58,8 +61,8 @@ TEST(LinePairClosing, MaterialThatComesRoundABendSlides) {
 TEST(LinePairClosing, WhatIsWoundUpCloses) {
   const double r = 1, turn = 0.05;
   const Vec3 x = Vec3::UnitX(), z = Vec3::UnitZ();
-  const Vec3 y_before(r * std::sin(turn), 0, -r * (1 - std::cos(turn))),
-      x_before((r + kReach) * turn, 0, kReach);
+  const Vec3 y_before(r * std::sin(turn), 0, -r * (1 - std::cos(turn)));
+  const Vec3 x_before((r + kReach) * turn, 0, kReach);
   const Vec3 lower_before(std::cos(turn), 0, -std::sin(turn));
   for (const bool swapped : {false, true}) {
     LinePairMotion<double> w{kReach * z, x_before - y_before, x, x, x, lower_before};
@@ -100,20 +103,23 @@ TEST(LinePairClosing, DerivativesOfTheLaw) {
     const double base[F::kInputs] = {0.01, 0.02, 0.1, 0.3, 1,   0.05, 0.1, -0.05, 0.02, 0.1, 0.01, -0.02,
                                      -0.2, 0.1,  0.2, 1,   0.1, 0.02, 1,   0,     -0.1, 0.2, 1.1,  0};
     for (int i = 0; i < F::kInputs; ++i) in[i] = base[i] + 0.01 * noise(100 * seed + i);
-    const F f = force(true), same = force(false);
+    const F f = force(true);
+    const F same = force(false);
     ASSERT_GT(f.along_normal.force, 0);
     EXPECT_LT((f.force - same.force).norm() + (f.couple - same.couple).norm(), 1e-12);
     for (int i = 0; i < F::kInputs; ++i) {
-      const double at = in[i], e = 1e-6;
+      const double at = in[i];
+      const double e = 1e-6;
       in[i] = at + e;
       const F p = force(false);
       in[i] = at - e;
       const F m = force(false);
       in[i] = at;
       // The couple is force x D.
-      const Vec3 away(in[F::kAway], in[F::kAway + 1], in[F::kAway + 2]),
-          by = f.by.col(i), by_away = i < F::kAlong ? Vec3(Vec3::Unit(i)) : Vec3(Vec3::Zero()),
-          couple_by = by.cross(away) + f.force.cross(by_away);
+      const Vec3 away(in[F::kAway], in[F::kAway + 1], in[F::kAway + 2]);
+      const Vec3 by = f.by.col(i);
+      const Vec3 by_away = i < F::kAlong ? Vec3(Vec3::Unit(i)) : Vec3(Vec3::Zero());
+      const Vec3 couple_by = by.cross(away) + f.force.cross(by_away);
       for (int c = 0; c < 3; ++c) {
         EXPECT_NEAR(by[c], (p.force[c] - m.force[c]) / (2 * e), 1e-5) << seed << ", " << i;
         EXPECT_NEAR(couple_by[c], (p.couple[c] - m.couple[c]) / (2 * e), 1e-5) << seed << ", " << i;

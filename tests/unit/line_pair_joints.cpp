@@ -41,7 +41,8 @@ TEST(LinePairJoints, JointsDoNotShow) {
             b.length = 4.0 / pieces;
             b.x1 = Vec3(-2 + i * b.length, 0, 0);
             b.x2 = Vec3(-2 + (i + 1) * b.length, 0, 0);
-            const PairAxis A(a, a), B(b, b);
+            const PairAxis A(a, a);
+            const PairAxis B(b, b);
             LinePairPass::Settings set;
             set.law.radii = 2 * kRadius;
             set.law.normal = {kStiffness, 1e-5, 0};
@@ -57,13 +58,15 @@ TEST(LinePairJoints, JointsDoNotShow) {
               const LinePairPass pass(k < 3 ? A : B, k < 3 ? B : A, target, set, none);
               AttachedForces g = no_forces(A, A, false);
               pass.add(pass.panels(), false, g);
-              const size_t step = beam ? 2 : 1, first = k < 3 ? 0 : static_cast<size_t>(A.now.count());
+              const size_t step = beam ? 2 : 1;
+              const size_t first = k < 3 ? 0 : static_cast<size_t>(A.now.count());
               sum += g.F[first] + g.F[first + step];
             }
           }
           return sum;
         };
-        const Vec3 one = total(1), many = total(10);
+        const Vec3 one = total(1);
+        const Vec3 many = total(10);
         worst = std::max(worst, (one - many).norm());
         mean += one.norm();
       }
@@ -81,12 +84,15 @@ TEST(LinePairJoints, ContactAtAJointIsNotMissed) {
   int deep = 0, missed = 0;
   for (int seed = 0; seed < 4000; ++seed) {
     AxisEnds b = element(true, Vec3::Zero(), Vec3(0.1, 0, 0), seed, 0.02);
-    const double over = 0.05 + 0.04 * noise(seed, 30), lean = 0.003 * (1 + noise(seed, 31));
+    const double over = 0.05 + 0.04 * noise(seed, 30);
+    const double lean = 0.003 * (1 + noise(seed, 31));
     const double z = 2 * kRadius - 2e-5 * std::abs(noise(seed, 32));
     // A point above the end of b, at the distance `over` from the first node of a.
-    const Vec3 along = Vec3(1, 0.1 * noise(seed, 33), -lean).normalized(), at(b.x2 + Vec3(0, 0, z));
+    const Vec3 along = Vec3(1, 0.1 * noise(seed, 33), -lean).normalized();
+    const Vec3 at(b.x2 + Vec3(0, 0, z));
     const AxisEnds a = element(true, at - over * along, at + (0.1 - over) * along, seed + 4000, 0.02);
-    const PairAxis A(a, a), B(b, b);
+    const PairAxis A(a, a);
+    const PairAxis B(b, b);
     LinePairPass::Settings set;
     set.law.radii = 2 * kRadius;
     set.law.normal = {kStiffness, 1e-6, 0};
@@ -96,7 +102,8 @@ TEST(LinePairJoints, ContactAtAJointIsNotMissed) {
     const auto panels = LinePairPass(A, B, ProjectOn::element, set, none).panels();
     double least = 1e300, place = 0;
     for (int i = 0; i <= 2000; ++i) {
-      const double xi = i / 2000.0, d = closest_point_on(B.now, A.now.point(xi)).distance;
+      const double xi = i / 2000.0;
+      const double d = closest_point_on(B.now, A.now.point(xi)).distance;
       if (d < least) {
         least = d;
         place = xi;

@@ -53,12 +53,15 @@ TEST(LineTypes, SteelPipe) {
 
 // By hand: 3 mm of 900 kg/m³ under 50 mm of 800 kg/m³, full of oil.
 TEST(LineTypes, CoatingsAndContents) {
-  const model::LineType bare = type_of(kPipe + "}"),
-                        t = type_of(
-                            kPipe +
-                            ", coatings: [{thickness: 3 mm, density: 900}, {thickness: 50 mm, density: "
-                            "800}]}, contents: {density: 870, pressure: 10 MPa}");
-  const double D = 0.27305, D1 = D + 0.006, D2 = D1 + 0.1, d = D - 2 * 0.0127;
+  const model::LineType bare = type_of(kPipe + "}");
+  const model::LineType t =
+      type_of(kPipe +
+              ", coatings: [{thickness: 3 mm, density: 900}, {thickness: 50 mm, density: "
+              "800}]}, contents: {density: 870, pressure: 10 MPa}");
+  const double D = 0.27305;
+  const double D1 = D + 0.006;
+  const double D2 = D1 + 0.1;
+  const double d = D - 2 * 0.0127;
   EXPECT_NEAR(t.outer_diameter, D2, 1e-12);
   EXPECT_NEAR(t.displaced(), D2, 1e-12);
   EXPECT_NEAR(t.wall_diameter, D, 1e-12);

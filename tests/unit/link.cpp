@@ -94,7 +94,8 @@ TEST(Link, TangentAgainstDifferences) {
   double worst = 0;
   for (const auto& [name, law] : laws())
     for (const double size : {0.6, 1.03, 1.35}) {
-      const Vec3 d = size * Vec3(1.4, -1.1, 0.9), w(0.5, 0.3, -0.8);
+      const Vec3 d = size * Vec3(1.4, -1.1, 0.9);
+      const Vec3 w(0.5, 0.3, -0.8);
       const LinkForce f = link_force(law, d, w);
       constexpr double e = 1e-4;
       const auto slope = [&](auto at) -> Vec3 {

@@ -143,7 +143,8 @@ lines:
 TEST(MeshTable, NodesThatAreSet) {
   Mesh mesh = build_mesh(uneven());
   const size_t before = mesh.special_nodes().size();
-  const int marked = mesh.special_nodes()[1].first, plain = marked + 1;
+  const int marked = mesh.special_nodes()[1].first;
+  const int plain = marked + 1;
   Node node = mesh.node(plain);
   node.pinned_to = 3;
   mesh.set({{plain, node}});

@@ -32,7 +32,8 @@ struct Four {
       s.added_axial = 5 + i;
       s.drag_normal = 90 + 10 * i;
       s.drag_axial = 30 + 5 * i;
-      const Vec3 middle = any(20) - Vec3(0, 0, depth), half = any(3);
+      const Vec3 middle = any(20) - Vec3(0, 0, depth);
+      const Vec3 half = any(3);
       for (int k = 0; k < 2; ++k) {
         x[i][k] = middle + (k ? half : Vec3(-half));
         v[i][k] = any(i == 3 ? 0 : 2);

@@ -75,7 +75,8 @@ TEST(Motion, TableDerivativesAndContinuity) {
   for (double t : {0.3, 1.2, 2.0, 3.3, 4.8, 6.0}) expect_derivatives(m, t, 1e-8);
   for (size_t i = 0; i < time.size(); ++i) EXPECT_NEAR((m.at(time[i]).position - offset[i]).norm(), 0, 1e-13);
   for (double knot : {1.0, 1.5, 3.0, 4.5, 5.0}) {  // C2 at the knots and at the last row
-    const RigidPose a = m.at(knot - 1e-9), b = m.at(knot + 1e-9);
+    const RigidPose a = m.at(knot - 1e-9);
+    const RigidPose b = m.at(knot + 1e-9);
     EXPECT_NEAR((a.velocity - b.velocity).norm(), 0, 1e-7);
     EXPECT_NEAR((a.acceleration - b.acceleration).norm(), 0, 1e-7);
     EXPECT_NEAR((a.angular_acceleration - b.angular_acceleration).norm(), 0, 1e-7);
@@ -125,7 +126,8 @@ TEST(Motion, CurvesBetweenRows) {
   }
   // The velocity of the monotone curve is continuous; that of the polyline jumps at a row to the value after
   // the row.
-  const RigidMotion monotone = motion(BetweenRows::monotone), linear = motion(BetweenRows::linear);
+  const RigidMotion monotone = motion(BetweenRows::monotone);
+  const RigidMotion linear = motion(BetweenRows::linear);
   for (const double row : {1.0, 2.0, 3.0, 4.5})
     EXPECT_NEAR((monotone.at(row - 1e-9).velocity - monotone.at(row + 1e-9).velocity).norm(), 0, 1e-7);
   EXPECT_EQ(linear.at(0.999).velocity.x(), 0);
@@ -154,7 +156,8 @@ TEST(Motion, DriftCarriesTheOtherMotion) {
     const RigidMotion carried({3, 1, 2}, {0.1, 0.2, -0.4}, law, 3);
     VectorMotion moved, turned;
     drift.at(7, moved, turned);
-    const RigidPose p = m.at(7), q = carried.at(7);
+    const RigidPose p = m.at(7);
+    const RigidPose q = carried.at(7);
     const Quat D = exp_so3(turned.value);
     EXPECT_LT((p.position - (Vec3(3, 1, 2) + moved.value + D * (q.position - Vec3(3, 1, 2)))).norm(), 1e-13);
     EXPECT_NEAR(std::abs((D * q.rotation).dot(p.rotation)), 1, 1e-14);
@@ -175,7 +178,9 @@ TEST(Motion, DriftCarriesTheOtherMotion) {
 }
 
 TEST(Motion, RatesAreContinuousAcrossTheSeriesSwitch) {
-  const Vec3 u = Vec3(1, -2, 0.5).normalized(), d(0.3, 0.7, -1.1), dd(-2, 0.4, 0.9);
+  const Vec3 u = Vec3(1, -2, 0.5).normalized();
+  const Vec3 d(0.3, 0.7, -1.1);
+  const Vec3 dd(-2, 0.4, 0.9);
   Vec3 w0, a0, w1, a1;
   angular_rates({(0.3 - 1e-12) * u, d, dd}, w0, a0);
   angular_rates({(0.3 + 1e-12) * u, d, dd}, w1, a1);
@@ -190,7 +195,8 @@ TEST(Motion, PointOfABody) {
   const RigidPose p = m.at(t);
   const Vec3 x = p.to_space(y);
   EXPECT_NEAR((p.to_body(x) - y).norm(), 0, 1e-14);
-  const Vec3 before = m.at(t - h).to_space(y), after = m.at(t + h).to_space(y);
+  const Vec3 before = m.at(t - h).to_space(y);
+  const Vec3 after = m.at(t + h).to_space(y);
   EXPECT_NEAR((p.velocity_at(x) - (after - before) / (2 * h)).norm(), 0, 1e-6);
   EXPECT_NEAR((p.acceleration_at(x) - (after - 2 * x + before) / (h * h)).norm(), 0, 1e-5);
 }

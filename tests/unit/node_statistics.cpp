@@ -74,7 +74,8 @@ TEST(NodeStatistics, ExcludeMissingValues) {
   s.restore(written(kept));
   s.add(3, values(4, none));
   s.add(4, values(6, none));
-  const std::vector<double> tension = s.table(0), curvature = s.table(1);
+  const std::vector<double> tension = s.table(0);
+  const std::vector<double> curvature = s.table(1);
   // 0.5 s with mean 0.5 and variance 1/12 of its square, and 1 s with mean 5 and variance 4/12.
   const double mean = (0.5 * 0.5 + 5) / 1.5;
   const double square = (0.5 * (0.25 + 1.0 / 12) + 25 + 4.0 / 12) / 1.5;

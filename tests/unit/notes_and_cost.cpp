@@ -107,9 +107,12 @@ TEST(Cost, ATrialEndsWithItsBudget) {
   const model::Case few = rod(8);
   model::Case many = rod(200);
   many.dynamics.duration = 1e4;
-  Simulation small(MPI_COMM_SELF, few), large(MPI_COMM_SELF, many), again(MPI_COMM_SELF, many);
-  const TrialRun whole = trial_run(small, few, 100), part = trial_run(large, many, 1),
-                 nothing = trial_run(again, many, 0);
+  Simulation small(MPI_COMM_SELF, few);
+  Simulation large(MPI_COMM_SELF, many);
+  Simulation again(MPI_COMM_SELF, many);
+  const TrialRun whole = trial_run(small, few, 100);
+  const TrialRun part = trial_run(large, many, 1);
+  const TrialRun nothing = trial_run(again, many, 0);
   EXPECT_EQ(whole.failure + part.failure + nothing.failure, "");
   EXPECT_EQ(whole.reached, 100);
   EXPECT_EQ(whole.longest, 0.1);
@@ -159,7 +162,8 @@ events: [{cut: {line: chain, at: 10}, )" + limit +
     const TrialRun trial = trial_run(sim, c, 100);
     EXPECT_EQ(trial.failure, "");
     EXPECT_NEAR(trial.reached, 0.1, 1e-9);
-    const Kinematics rest = sim.state().at_rest(), end = sim.dynamics().committed_kinematics();
+    const Kinematics rest = sim.state().at_rest();
+    const Kinematics end = sim.dynamics().committed_kinematics();
     double fallen = 0;  // centre of mass of the lower part: elements of equal mass
     for (size_t n = 0; n <= 10; ++n) fallen += (n % 10 == 0 ? 0.05 : 0.1) * (rest.x[n].z() - end.x[n].z());
     return fallen;

@@ -14,7 +14,8 @@ namespace {
 Mesh mesh_of(const std::vector<int>& nodes) {
   Mesh mesh;
   for (size_t l = 0; l < nodes.size(); ++l) {
-    const int line = static_cast<int>(l), first = mesh.nodes();
+    const int line = static_cast<int>(l);
+    const int first = mesh.nodes();
     mesh.lines.push_back({first, nodes[l], mesh.elements(), nodes[l] - 1, 1});
     for (int n = 0; n < nodes[l]; ++n) mesh.add(Node{.line = line});
     for (int n = 0; n + 1 < nodes[l]; ++n)
@@ -58,7 +59,8 @@ TEST(Partition, CoupledBodiesAreOnOneRank) {
     mesh.add(Node{.line = mesh.nodes() - 50, .rotates = true});
   }
   const std::vector<std::pair<int, int>> coupled{{60, 61}};
-  const NodeRanks apart = partition(mesh, 2), owner = partition(mesh, 2, coupled);
+  const NodeRanks apart = partition(mesh, 2);
+  const NodeRanks owner = partition(mesh, 2, coupled);
   EXPECT_NE(apart[60], apart[61]);
   EXPECT_EQ(owner[60], owner[61]);
   EXPECT_EQ(owner[0], owner[6 * 9]);

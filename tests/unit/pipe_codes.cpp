@@ -39,8 +39,9 @@ TEST(PipeCodes, CollapsePressureIsARootOfItsEquation) {
       s.wall = wall;
       s.fabrication = share;
       s.ovality = 0.01;
-      const double p = PipeCodes(s).collapse(), elastic = 2 * 207e9 * std::pow(wall / outer, 3) / 0.91,
-                   yields = 450e6 * share * 2 * wall / outer;
+      const double p = PipeCodes(s).collapse();
+      const double elastic = 2 * 207e9 * std::pow(wall / outer, 3) / 0.91;
+      const double yields = 450e6 * share * 2 * wall / outer;
       const auto difference = [&](double x) {
         return (x - elastic) * (x * x - yields * yields) - x * elastic * yields * 0.01 * outer / wall;
       };
@@ -53,7 +54,8 @@ TEST(PipeCodes, CollapsePressureIsARootOfItsEquation) {
 TEST(PipeCodes, PressuresAlone) {
   const PipeCodes p(sixteen());
   EXPECT_NEAR(p.local_buckling({0, 0}, p.collapse() / (1.15 * 1.04), 0), 1, 1e-12);
-  const double beta = (60 - 0.4064 / 0.021) / 90, flow = 1 - beta + beta * 535 / 450;
+  const double beta = (60 - 0.4064 / 0.021) / 90;
+  const double flow = 1 - beta + beta * 535 / 450;
   EXPECT_NEAR(p.flow_stress(), flow, 1e-12);
   for (const double share : {0.3, 0.9}) {
     const double weaker = share < 2.0 / 3 ? 1 - beta : 1 - 3 * beta * (1 - share);
@@ -91,9 +93,11 @@ TEST(PipeCodes, FunctionalAndEnvironmentalLoads) {
 
 TEST(PipeCodes, ApiRp1111) {
   PipeSteel s = sixteen();
-  const double inner = 0.4064 - 0.042, area = M_PI / 4 * (0.4064 * 0.4064 - inner * inner);
-  const double p_y = 2 * 450e6 * 0.021 / 0.4064, p_el = 2 * 207e9 * std::pow(0.021 / 0.4064, 3) / 0.91,
-               p_c = p_y * p_el / std::hypot(p_y, p_el);
+  const double inner = 0.4064 - 0.042;
+  const double area = M_PI / 4 * (0.4064 * 0.4064 - inner * inner);
+  const double p_y = 2 * 450e6 * 0.021 / 0.4064;
+  const double p_el = 2 * 207e9 * std::pow(0.021 / 0.4064, 3) / 0.91;
+  const double p_c = p_y * p_el / std::hypot(p_y, p_el);
   for (const bool expanded : {true, false})
     for (const double oval : {0.005, 0.02}) {
       s.cold_expanded = expanded;

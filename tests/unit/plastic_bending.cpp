@@ -56,7 +56,8 @@ TEST(PlasticBending, FollowsItsRowsInEveryDirection) {
 TEST(PlasticBending, IsBentBackByTwiceTheCurve) {
   const PlasticBending law(kRows);
   std::vector<double> set(law.memory(), 0);
-  const double c1 = 0.08, m1 = on_rows(kRows, c1);
+  const double c1 = 0.08;
+  const double m1 = on_rows(kRows, c1);
   law.bend(0, c1, set.data());
   for (const double c : {0.075, 0.06, 0.05, 0.0, -0.02, -0.07})
     EXPECT_NEAR(law.at(0, c, set.data()).m[1], m1 - 2 * on_rows(kRows, 0.5 * (c1 - c)), 1e-9) << c;
@@ -76,7 +77,8 @@ TEST(PlasticBending, WorkIsKeptOrDissipated) {
   std::vector<double> set(law.memory(), 0);
   double c[2] = {0, 0}, work = 0, dissipated = 0;
   for (int leg = 0; leg < 8; ++leg) {
-    const double to[2] = {path.next(0.1), path.next(0.1)}, from[2] = {c[0], c[1]};
+    const double to[2] = {path.next(0.1), path.next(0.1)};
+    const double from[2] = {c[0], c[1]};
     constexpr int kSteps = 4000;
     for (int k = 1; k <= kSteps; ++k) {
       const BendingMoment before = law.at(c[0], c[1], set.data());
@@ -102,10 +104,14 @@ TEST(PlasticBending, TangentAcrossYield) {
     Path path(seed);
     std::vector<double> set(law.memory(), 0);
     for (int k = 0; k < 5; ++k) law.bend(path.next(0.1), path.next(0.1), set.data());
-    const double c2 = path.next(0.12), c3 = path.next(0.12), d2 = path.next(1), d3 = path.next(1), h = 1e-8;
+    const double c2 = path.next(0.12);
+    const double c3 = path.next(0.12);
+    const double d2 = path.next(1);
+    const double d3 = path.next(1);
+    const double h = 1e-8;
     const BendingMoment m = law.at(c2, c3, set.data());
-    const BendingMoment a = law.at(c2 + h * d2, c3 + h * d3, set.data()),
-                        b = law.at(c2 - h * d2, c3 - h * d3, set.data());
+    const BendingMoment a = law.at(c2 + h * d2, c3 + h * d3, set.data());
+    const BendingMoment b = law.at(c2 - h * d2, c3 - h * d3, set.data());
     for (int i = 0; i < 2; ++i)
       EXPECT_NEAR((a.m[i] - b.m[i]) / (2 * h), m.K[i][0] * d2 + m.K[i][1] * d3, 1e-6 * law.initial()) << seed;
   }

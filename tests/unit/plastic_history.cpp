@@ -101,7 +101,8 @@ TEST(PlasticHistory, WorkOnElasticBends) {
   const PlasticBending p = law();
   const BeamEnds e = bent(0.79, {0, 0.0015, -0.0007}, {0, -0.003, 0.0025});
   const Values never(p.memory(), 0);
-  const BeamSection linear = section(p, false), yields = section(p, true);
+  const BeamSection linear = section(p, false);
+  const BeamSection yields = section(p, true);
   const double feeder_force = beam_feed(linear, {}, e).force - beam_feed(yields, {}, e).force;
   EXPECT_GT(feeder_force, 50);
   for (const bool second_end : {false, true})
@@ -115,7 +116,8 @@ TEST(PlasticHistory, WorkOnElasticBends) {
 TEST(PlasticHistory, WorkOnAnArcThatYielded) {
   const PlasticBending p = law();
   const BeamSection s = section(p, true);
-  const double c = 0.2, M = p.at(c, 0, nullptr).m[0];
+  const double c = 0.2;
+  const double M = p.at(c, 0, nullptr).m[0];
   const BeamEnds e = bent(0.79, {0, -0.5 * c * s.length, 0}, {0, 0.5 * c * s.length, 0});
   Values set(3 * p.memory(), 0);
   beam_bend(s, {}, e, set.data());

@@ -96,7 +96,8 @@ TEST(PlatformWaves, NewmanIsTheDoubleSumOfRoots) {
     for (const WaveComponent& a : components)
       for (const WaveComponent& b : components)
         for (int k = 0; k < 6; ++k) {
-          const double A = mean().at(a.omega, 0.3)[k].real(), B = mean().at(b.omega, 0.3)[k].real();
+          const double A = mean().at(a.omega, 0.3)[k].real();
+          const double B = mean().at(b.omega, 0.3)[k].real();
           if (A * B <= 0) continue;
           sum[k] += a.amplitude * b.amplitude * std::copysign(std::sqrt(A * B), A) *
                     std::cos((a.omega - b.omega) * t - a.phase + b.phase);
@@ -153,7 +154,8 @@ TEST(PlatformWaves, TurnsToAnotherHeading) {
     const PlatformWaves made(sea(), 2.2, table, Eigen::Vector2d::Zero(), table, {}, order);
     EXPECT_GT((turned.at(3, 1, 2).first - made.at(3, 1, 2).first).norm(), 0.1);
     turned.turn_to(2.2);
-    const auto a = turned.at(3, 1, 2), b = made.at(3, 1, 2);
+    const auto a = turned.at(3, 1, 2);
+    const auto b = made.at(3, 1, 2);
     EXPECT_LT((a.first - b.first).norm(), 1e-12);
     EXPECT_LT((a.slow - b.slow).norm(), 1e-12);
     EXPECT_LT((turned.mean_drift() - made.mean_drift()).norm(), 1e-12);

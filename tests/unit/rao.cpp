@@ -91,7 +91,8 @@ TEST(Rao, TurnsWithTheHeading) {
   abeam[1] = 2;
   abeam[3] = 0.1;
   const RaoTable t({{0.7, 0, ahead}, {0.7, M_PI / 2, abeam}, {0.7, M_PI, ahead}, {0.7, 1.5 * M_PI, abeam}});
-  const Vec3 bow(std::cos(heading), std::sin(heading), 0), port(-std::sin(heading), std::cos(heading), 0);
+  const Vec3 bow(std::cos(heading), std::sin(heading), 0);
+  const Vec3 port(-std::sin(heading), std::cos(heading), 0);
   Vec3 x, r;
   RaoMotion(t, wave(1, 0.7, heading, 0), Vec3::Zero(), heading).at(0, x, r);
   EXPECT_LT((x - bow).norm() + r.norm(), 1e-12);

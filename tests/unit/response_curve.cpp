@@ -31,7 +31,9 @@ TEST(ResponseCurve, GoesThroughItsRowsRising) {
   for (const ResponseCurve* t : {&rope, &pipe})
     for (double x = -0.9; x < 0.9; x += 0.0137) {
       const double h = 1e-6;
-      const auto v = t->at(x), a = t->at(x + h), b = t->at(x - h);
+      const auto v = t->at(x);
+      const auto a = t->at(x + h);
+      const auto b = t->at(x - h);
       EXPECT_GT(v.slope, 0);
       EXPECT_NEAR(v.slope, (a.force - b.force) / (2 * h), 2e-3 * v.slope);
       EXPECT_NEAR(v.force, (a.energy - b.energy) / (2 * h), 1e-4 * (1 + std::abs(v.force)));
@@ -126,9 +128,10 @@ TEST(ResponseCurve, BeamTangentAndEnergyBelongToItsForce) {
 
 // With linear tables an element has the same stresses, energy and tangent as without tables.
 TEST(ResponseCurve, StraightTablesChangeNothing) {
-  const ResponseCurve rope(std::vector<Row>{{0.1, 30}, {0.2, 60}}, false),
-      pipe(std::vector<Row>{{0.1, 5}, {0.2, 10}}, true);
-  BeamSection plain{1.2, 300, 50, 50, 40, 0, 0.1}, tables = plain;
+  const ResponseCurve rope(std::vector<Row>{{0.1, 30}, {0.2, 60}}, false);
+  const ResponseCurve pipe(std::vector<Row>{{0.1, 5}, {0.2, 10}}, true);
+  BeamSection plain{1.2, 300, 50, 50, 40, 0, 0.1};
+  BeamSection tables = plain;
   tables.tension = &rope;
   tables.moment = &pipe;
   BeamEnds e;
@@ -147,7 +150,8 @@ TEST(ResponseCurve, StraightTablesChangeNothing) {
   // same.
   EXPECT_LT((K - L).norm(), 1e-11 * K.norm());
   plain.beta = tables.beta = 0;
-  const BeamStress a = beam_stress(plain, {}, e), b = beam_stress(tables, {}, e);
+  const BeamStress a = beam_stress(plain, {}, e);
+  const BeamStress b = beam_stress(tables, {}, e);
   EXPECT_NEAR(a.strain_energy, b.strain_energy, 1e-12 * a.strain_energy);
   EXPECT_LT((a.moment1 - b.moment1).norm() + (a.moment2 - b.moment2).norm(), 1e-12 * a.moment1.norm());
   EXPECT_LT((a.curvature1 - b.curvature1).norm() + (a.curvature2 - b.curvature2).norm(),
@@ -164,7 +168,8 @@ TEST(ResponseCurve, CableTangentAndEnergyBelongToItsForce) {
     const test::CableEndForces f = cable_tangent(s, e, K, C);
     EXPECT_NEAR(f.tail<3>().norm(), strain > 0 ? rope.at(strain).force : 0, 1e-9);
     for (int j = 0; j < 3; ++j) {
-      test::CableState p = e, m = e;
+      test::CableState p = e;
+      test::CableState m = e;
       p.x2[j] += 1e-6;
       m.x2[j] -= 1e-6;
       const test::CableEndForces rise = cable_end_forces(s, p) - cable_end_forces(s, m);

@@ -167,7 +167,9 @@ int check_references(const std::string& folder, const std::string& xml) {
     hsize_t size = 1, wanted = 1;
     for (const auto k : numbers(m[1].str())) wanted *= k;
     if (m[6].matched) {
-      const auto start = numbers(m[6].str()), count = numbers(m[8].str()), message = numbers(m[9].str());
+      const auto start = numbers(m[6].str());
+      const auto count = numbers(m[8].str());
+      const auto message = numbers(m[9].str());
       EXPECT_EQ(start.size(), shape.size()) << m[0].str();
       EXPECT_EQ(count.size(), shape.size()) << m[0].str();
       for (size_t i = 0; i < shape.size(); ++i) {

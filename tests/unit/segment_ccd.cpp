@@ -20,7 +20,8 @@ TEST(SegmentCcd, NeverMissesAndNeverCriesWolf) {
   int met = 0, apart = 0;
   for (int i = 0; i < 3000; ++i) {
     const Vec3 push = vector(2);
-    MovingSegment a{vector(1), vector(1), {}, {}}, b{vector(1) + push, vector(1) + push, {}, {}};
+    MovingSegment a{vector(1), vector(1), {}, {}};
+    MovingSegment b{vector(1) + push, vector(1) + push, {}, {}};
     a.from1 = a.from0 + vector(1);
     a.to1 = a.to0 + vector(1);
     b.from1 = b.from0 + vector(1) - 2 * push;

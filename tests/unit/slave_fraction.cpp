@@ -10,7 +10,8 @@ namespace {
 TEST(SlaveShare, AddsUp) {
   double last = 0.5;
   for (double ratio = 1; ratio < 3; ratio *= 1.02) {
-    const double thin = slave_fraction(0.1, 0.1 * ratio), thick = slave_fraction(0.1 * ratio, 0.1);
+    const double thin = slave_fraction(0.1, 0.1 * ratio);
+    const double thick = slave_fraction(0.1 * ratio, 0.1);
     EXPECT_NEAR(thin + thick, 1, 1e-15) << ratio;
     EXPECT_GE(thin, last) << ratio;
     EXPECT_LT(thin, last + 0.04) << ratio;

@@ -34,7 +34,8 @@ TEST(SlowPose, IsExactForUniformMotion) {
       EXPECT_LT((slow.delayed.segment<3>(3 * static_cast<Eigen::Index>(n) - 3) - y[n]).norm(), 1e-7) << k;
     for (int i = 0; i < 3; ++i) {
       const size_t n = i < 2 ? 5 : 3;  // the heading is filtered by third order
-      const double order = static_cast<double>(n), drift = kC * (y[n - 1][i] - y[n][i]);
+      const double order = static_cast<double>(n);
+      const double drift = kC * (y[n - 1][i] - y[n][i]);
       EXPECT_NEAR(slow.drift[i], drift, 1e-7) << k;
       EXPECT_NEAR(slow.place[i], y[n][i] + order / kC * drift, 1e-6) << k;
       EXPECT_NEAR(slow.speed[i], drift + order * kC * (y[n - 2][i] - 2 * y[n - 1][i] + y[n][i]), 1e-7) << k;
@@ -76,7 +77,8 @@ TEST(SlowPose, DerivativesByThePose) {
   const ControllerPose start = ControllerPose::at(Vec3(1, -2, 0.5)).after(Vec3(1.3, -2.1, 0.6), 0.4, kPeriod);
   const Vec3 pose(1.1, -2.4, 0.55), change(0.2, -0.3, 0.1);
   for (const double h : {0.02, 1.0, 30.0}) {
-    const ControllerPose a = start.after(pose, h, kPeriod), b = start.after(pose + change, h, kPeriod);
+    const ControllerPose a = start.after(pose, h, kPeriod);
+    const ControllerPose b = start.after(pose + change, h, kPeriod);
     const auto by_pose = ControllerPose::derivatives(h, kPeriod);
     EXPECT_LT((b.place - a.place - by_pose.place * change).norm(), 1e-12) << h;
     EXPECT_LT((b.speed - a.speed - by_pose.speed * change).norm(), 1e-12 * (1 + by_pose.speed)) << h;

@@ -11,15 +11,16 @@ namespace {
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 
 const std::array<Vec3, 2> kArms{Vec3(0.4, -0.2, 0.3), Vec3(-0.1, 0.5, 0.2)};
-const Mat3 kField = (Mat3() << 3, 1, -2, 0, 2, 1, 4, -1, 5).finished(),
-           kDrag = (Mat3() << 1, 2, 0, -1, 3, 1, 0, 1, 2).finished();
+const Mat3 kField = (Mat3() << 3, 1, -2, 0, 2, 1, 4, -1, 5).finished();
+const Mat3 kDrag = (Mat3() << 1, 2, 0, -1, 3, 1, 0, 1, 2).finished();
 
 // Two points of a body, each in an artificial force field: force = A sin(X) + B X', and a couple A cos(X_0)
 // on the body.
 Vec6 force(const Vec6& u, const Vec6& rate, BlockMatrix* K = nullptr, BlockMatrix* C = nullptr,
            bool turning = true) {
-  const Vec3 x = Vec3(0.3, -0.2, 0.5) + u.head<3>(), v = Vec3(0.4, 0.1, -0.3) + rate.head<3>(),
-             w = Vec3(0.5, -0.6, 0.8) + rate.tail<3>();
+  const Vec3 x = Vec3(0.3, -0.2, 0.5) + u.head<3>();
+  const Vec3 v = Vec3(0.4, 0.1, -0.3) + rate.head<3>();
+  const Vec3 w = Vec3(0.5, -0.6, 0.8) + rate.tail<3>();
   const Mat3 R = (exp_so3(Vec3(0.7, -1.1, 0.9)) * exp_so3(u.tail<3>())).toRotationMatrix();
   AttachedForces g(2, true);
   Stencil s;
@@ -68,7 +69,8 @@ TEST(Stencil, MomentsAreThoseOfTheArms) {
   const Mat3 R = exp_so3(Vec3(0.7, -1.1, 0.9)).toRotationMatrix();
   Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
   for (const Vec3& a : kArms) {
-    const Vec3 X = Vec3(0.3, -0.2, 0.5) + R * a, v = Vec3(0.4, 0.1, -0.3) + R * Vec3(0.5, -0.6, 0.8).cross(a);
+    const Vec3 X = Vec3(0.3, -0.2, 0.5) + R * a;
+    const Vec3 v = Vec3(0.4, 0.1, -0.3) + R * Vec3(0.5, -0.6, 0.8).cross(a);
     const Vec3 p = kField * X.array().sin().matrix() + kDrag * v;
     sum += p;
     moment += (R * a).cross(p);

@@ -29,13 +29,15 @@ Residual residual(const StokesWave& w) {
   Residual r;
   const double c = w.omega() / w.number();
   for (int i = 0; i <= 200; ++i) {
-    const double x = w.length() * i / 200, h = 1e-5 * w.length();
+    const double x = w.length() * i / 200;
+    const double h = 1e-5 * w.length();
     const double eta = w.at({x, 0, 0}, 0).surface;
     const double slope = (8 * (w.at({x + h, 0, 0}, 0).surface - w.at({x - h, 0, 0}, 0).surface) -
                           (w.at({x + 2 * h, 0, 0}, 0).surface - w.at({x - 2 * h, 0, 0}, 0).surface)) /
                          (12 * h);
     const WaveMotion m = w.at({x, 0, eta}, 0);
-    const double u = m.velocity.x() - c, v = m.velocity.z();
+    const double u = m.velocity.x() - c;
+    const double v = m.velocity.z();
     r.flow = std::max(r.flow, std::abs(u * slope - v) / c);
     const double head = 0.5 * (u * u + v * v) + kG * (w.depth() + eta);
     r.pressure = std::max(r.pressure, std::abs(head - w.head()) / (c * c));
@@ -63,9 +65,10 @@ TEST(StokesWave, ConditionsAtTheSurfaceAreOfSixthOrder) {
           return residual(StokesWave(in));
         };
         const double H = depth > 0 && depth < 20 ? 2 : 8;
-        const Residual all = of(H), half = of(H / 2);
-        const double flow = std::log2(all.flow / half.flow),
-                     pressure = std::log2(all.pressure / half.pressure);
+        const Residual all = of(H);
+        const Residual half = of(H / 2);
+        const double flow = std::log2(all.flow / half.flow);
+        const double pressure = std::log2(all.pressure / half.pressure);
         if (current == 0 && !transport)
           printf("  depth %g m: flow %.1e (order %.2f), pressure %.1e (order %.2f)\n", depth, all.flow, flow,
                  all.pressure, pressure);
@@ -100,7 +103,8 @@ TEST(StokesWave, IsPotentialFlow) {
       EXPECT_LT((g - g.transpose()).norm(), 1e-7);
       const Mat3 of_pressure = gradient(acceleration);
       EXPECT_LT((of_pressure - of_pressure.transpose()).norm(), 1e-6);
-      const Vec3 by_time = (velocity(x, t + h) - velocity(x, t - h)) / (2 * h), v = velocity(x, t);
+      const Vec3 by_time = (velocity(x, t + h) - velocity(x, t - h)) / (2 * h);
+      const Vec3 v = velocity(x, t);
       EXPECT_LT((by_time + g * v - acceleration(x, t)).norm(), 1e-6);
       const WaveMotion part = w.at(x, t, factor, rate);
       EXPECT_LT((factor * by_time + factor * factor * g * v + rate * v - part.acceleration).norm(), 1e-6);
@@ -141,7 +145,8 @@ TEST(StokesWave, ContinuityAndTransport) {
       in.transport = transport;
       const StokesWave w(in);
       const auto flux = [&](double x, double t) {  // Simpson from the bed to the surface
-        const double top = w.at({x, 0, 0}, t).surface, step = (top + 20) / 400;
+        const double top = w.at({x, 0, 0}, t).surface;
+        const double step = (top + 20) / 400;
         double sum = 0;
         for (int i = 0; i <= 400; ++i)
           sum += (i == 0 || i == 400 ? 1 : i % 2 ? 4 : 2) * w.at({x, 0, -20 + i * step}, t).velocity.x();
@@ -149,7 +154,8 @@ TEST(StokesWave, ContinuityAndTransport) {
       };
       double mean = 0, at_a_place = 0;
       for (int i = 0; i < 64; ++i) {
-        const double t = in.period * i / 64, h = 1e-4;
+        const double t = in.period * i / 64;
+        const double h = 1e-4;
         mean += flux(3, t) / 64;
         at_a_place += w.at({3, 0, -15}, t).velocity.x() / 64;
         const double filled = (w.at({3, 0, 0}, t + h).surface - w.at({3, 0, 0}, t - h).surface) / (2 * h);
@@ -185,12 +191,14 @@ TEST(StokesWave, FentonsProgram) {
   const double surface[] = {1.1085623e-001, 2.7030818e-002, 6.3316832e-003, 2.1243859e-003, 6.2180771e-004};
   const double potential[] = {1.3411476e-001, 1.5378594e-002, 1.4247651e-003, 3.5681394e-005,
                               -2.3287527e-005};
-  const double k = w.number(), kd = k;
+  const double k = w.number();
+  const double kd = k;
   for (int j = 1; j <= 5; ++j) {
     // By projection over a period: elevation, and velocity at the bed, where cosh is 1.
     double eta = 0, u = 0;
     for (int i = 0; i < 32; ++i) {
-      const double x = 8.0 * i / 32, c = std::cos(j * k * x) / 16;
+      const double x = 8.0 * i / 32;
+      const double c = std::cos(j * k * x) / 16;
       eta += c * w.at({x, 0, 0}, 0).surface;
       u += c * w.at({x, 0, -1}, 0).velocity.x();
     }
@@ -235,11 +243,14 @@ TEST(StokesWave, Limits) {
     }
     last = off;
   }
-  const StokesWave deep(input(10, 10, 0)), deeper(input(10, 10, 5000)), far(input(10, 10, 90));
+  const StokesWave deep(input(10, 10, 0));
+  const StokesWave deeper(input(10, 10, 5000));
+  const StokesWave far(input(10, 10, 90));
   EXPECT_NEAR(deep.number(), deeper.number(), 1e-15);
   EXPECT_NEAR(deep.number(), far.number(), 1e-4);
   // omega² = g k (1 + e²/2 + e⁴/8)² on deep water.
-  const double e = 5 * deep.number(), f = 1 + e * e / 2 + e * e * e * e / 8;
+  const double e = 5 * deep.number();
+  const double f = 1 + e * e / 2 + e * e * e * e / 8;
   EXPECT_NEAR(deep.omega() * deep.omega(), kG * deep.number() * f * f, 1e-14);
   EXPECT_LT(deep.at({0, 0, -4000}, 0).velocity.norm(), 1e-7);
   EXPECT_LT((deep.at({10, 0, -30}, 1).velocity - deeper.at({10, 0, -30}, 1).velocity).norm(), 1e-12);

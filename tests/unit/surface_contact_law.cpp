@@ -56,7 +56,8 @@ std::vector<Situation> situations() {
 std::vector<ContactLaw> laws() {
   static const std::vector<ContactForceTable::Row> rows{{0.003, 1000}, {0.006, 3500}, {0.02, 30000}};
   static const ContactForceTable table(rows);
-  const NormalLaw normal{1e6, 1e-3, 2e3}, by_table{table.largest_slope(), 0, 2e3, &table};
+  const NormalLaw normal{1e6, 1e-3, 2e3};
+  const NormalLaw by_table{table.largest_slope(), 0, 2e3, &table};
   std::vector<ContactLaw> out;
   for (const NormalLaw& n : {normal, by_table}) {
     out.push_back({n, {}});

@@ -75,7 +75,8 @@ TEST_F(WamitReader, ScalesByLengthDensityAndFrequency) {
   EXPECT_NEAR(d.hydrostatic(2, 4), 0.5 * 1e4 * 8, 1e-9);
   EXPECT_NEAR(d.hydrostatic(4, 4), 6 * 1e4 * 16, 1e-9);
   ASSERT_EQ(d.excitation.size(), 1u);
-  const ComplexVec6 ahead = d.excitation[0].at(1, 0), astern = d.excitation[0].at(2, M_PI);
+  const ComplexVec6 ahead = d.excitation[0].at(1, 0);
+  const ComplexVec6 astern = d.excitation[0].at(2, M_PI);
   EXPECT_NEAR(std::abs(ahead[2] - 4e4 * Complex(3, 4)), 0, 1e-9);
   EXPECT_NEAR(std::abs(ahead[4] - 8e4 * Complex(5, 6)), 0, 1e-9);
   EXPECT_NEAR(std::abs(astern[2] - 4e4 * Complex(7, 8)), 0, 1e-9);

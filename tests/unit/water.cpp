@@ -47,7 +47,8 @@ TEST(Wetting, IsTheSegmentOfACircleAndTheCapOfABall) {
   double area = 0, cap = 0, area_sum = 0, cap_sum = 0;
   const int n = 200000;
   for (int i = 0; i < n; ++i) {
-    const double h = 2.0 / n, u = -1 + (i + 0.5) * h;
+    const double h = 2.0 / n;
+    const double u = -1 + (i + 0.5) * h;
     area += h * 2 * std::sqrt(1 - u * u) / M_PI;
     cap += h * 0.75 * (1 - u * u);
     area_sum += h * area;
@@ -70,11 +71,13 @@ TEST(Wetting, IsTheSegmentOfACircleAndTheCapOfABall) {
 // Draught over diameter of a floating hose of 0.12 t/m in air and 0.20 t/m displacement, that is 0.6 of the
 // section (OMAE2006-92155, Table 4; solution of the circular segment).
 TEST(WaterLoad, FloatingHoseSinksToItsDraught) {
-  const double d = std::sqrt(200 / 1025. * 4 / M_PI), weight = 120 * kG;
+  const double d = std::sqrt(200 / 1025. * 4 / M_PI);
+  const double weight = 120 * kG;
   EXPECT_NEAR(d, 0.4984345337, 1e-9);
   for (const bool beam : {false, true}) {
     const WaterSection s = section(10, d);
-    double low = -d, high = d;
+    double low = -d;
+    double high = d;
     for (int i = 0; i < 60; ++i) {
       const double z = 0.5 * (low + high);
       WaterEnds e;
@@ -93,7 +96,8 @@ TEST(Wetting, OfAPieceIsTheMeanOfItsSections) {
   const double rises[] = {0, 1e-8, -1e-6, 1e-3, 0.1, -0.17, 0.18, 0.5, -1.3, 4, 400};
   for (const double rise : rises)
     for (const double middle : {-0.69, -0.6, -0.1, 0.0, 0.35, 0.68, 1.2}) {
-      const double h1 = middle - 0.5 * rise, h2 = middle + 0.5 * rise;
+      const double h1 = middle - 0.5 * rise;
+      const double h2 = middle + 0.5 * rise;
       double integral = 0, fraction[2] = {}, slope[3] = {};
       const int n = 400000;
       for (int i = 0; i < n; ++i) {
@@ -108,7 +112,8 @@ TEST(Wetting, OfAPieceIsTheMeanOfItsSections) {
       }
       const PieceWetting p = piece_wetting(h1, h2, b);
       // Accuracy of the quadrature at the limits of the partly wet band.
-      const double near = 1e-9 * (1 + std::abs(rise)), edge = 2e-5;
+      const double near = 1e-9 * (1 + std::abs(rise));
+      const double edge = 2e-5;
       EXPECT_NEAR(p.integral, integral, near) << rise << " " << middle;
       EXPECT_NEAR(p.by_h1, fraction[0], 2e-8) << rise << " " << middle;
       EXPECT_NEAR(p.by_h2, fraction[1], 2e-8) << rise << " " << middle;
@@ -165,12 +170,14 @@ TEST(WaterLoad, SteepElementsDisplaceWhatIsUnderWater) {
 TEST(WaterLoad, ALeaningCylinderDisplacesWhatIsUnderWater) {
   const double radius = 0.5, length = 4;
   for (const double angle : {0.0, 0.4, 1.0, 1.4}) {
-    const Vec3 t(std::cos(angle), 0, std::sin(angle)), middle(0, 0, 0.13);
+    const Vec3 t(std::cos(angle), 0, std::sin(angle));
+    const Vec3 middle(0, 0, 0.13);
     const Vec3 across = Vec3::UnitY().cross(t);
     double exact = 0;
     for (int i = 0; i < 1000; ++i)
       for (int j = 0; j < 1000; ++j) {
-        const double along = ((i + 0.5) / 1000 - 0.5) * length, up = (2 * (j + 0.5) / 1000 - 1) * radius;
+        const double along = ((i + 0.5) / 1000 - 0.5) * length;
+        const double up = (2 * (j + 0.5) / 1000 - 1) * radius;
         const double z = (middle + along * t + up * across).z();
         exact += std::max(-z, 0.0) * 2 * std::sqrt(radius * radius - up * up) * (length / 1000) *
                  (2 * radius / 1000) * kRho * kG;
@@ -253,7 +260,8 @@ TEST(WaterLoad, ForceIsTheDerivativeOfThePotential) {
             (node ? o.motion.q2 : o.motion.q1) = (node ? e.motion.q2 : e.motion.q1) * exp_so3(d);
           return water_potential(s, o, beam);
         };
-        const double h = 1e-4, slope = (V(h) - V(-h)) / (2 * h);
+        const double h = 1e-4;
+        const double slope = (V(h) - V(-h)) / (2 * h);
         EXPECT_NEAR(f[(beam ? 6 : 3) * node + c], slope, 2e-6 * s.buoyancy * 4) << beam << node << c;
       }
   }
@@ -271,7 +279,9 @@ TEST(WaterLoad, MorisonOfASlantingLine) {
   const Vec3 v(-0.1, 0.2, 0.3), a(0.4, -0.2, 0.7);
   e.motion.v1 = e.motion.v2 = v;
   e.motion.a1 = e.motion.a2 = a;
-  const Vec3 u = Vec3(0.8, -0.5, 0) - v, un = u - u.dot(t) * t, an = a - a.dot(t) * t;
+  const Vec3 u = Vec3(0.8, -0.5, 0) - v;
+  const Vec3 un = u - u.dot(t) * t;
+  const Vec3 an = a - a.dot(t) * t;
   const double A = M_PI / 4 * 0.04;
   const Vec3 drag = 0.5 * kRho * 1.1 * 0.2 * un.norm() * un +
                     0.5 * kRho * 0.05 * M_PI * 0.2 * std::abs(u.dot(t)) * u.dot(t) * t;

@@ -69,7 +69,10 @@ TEST(Waves, SumsOverComponents) {
       for (WaveComponent& c : sea)
         if (ripples && c.omega < 2) c.amplitude *= 1e-5;
       const WaveSums sums(sea, depth);
-      const double x = -731.7, y = 412.3, t = 10795.3, bottom = depth > 0 ? depth : 400;
+      const double x = -731.7;
+      const double y = 412.3;
+      const double t = 10795.3;
+      const double bottom = depth > 0 ? depth : 400;
       double speed = 0, growth = 0, surface = 0;
       for (const WaveComponent& c : sea) {
         speed += c.amplitude * c.omega;
@@ -84,12 +87,14 @@ TEST(Waves, SumsOverComponents) {
         Vec3 u = Vec3::Zero(), a = Vec3::Zero(), u0 = Vec3::Zero(), a0 = Vec3::Zero();
         double most = 0;
         for (const WaveComponent& c : sea) {
-          const double k = c.number, angle = k * (c.x * x + c.y * y) - c.omega * t + c.phase;
+          const double k = c.number;
+          const double angle = k * (c.x * x + c.y * y) - c.omega * t + c.phase;
           const double down = depth > 0 ? std::exp(-2 * k * depth) : 0;
-          const double e = c.amplitude * c.omega * std::exp(k * z) / (1 - down),
-                       back = depth > 0 ? c.amplitude * c.omega * std::exp(-k * (2 * depth + z)) / (1 - down)
-                                        : 0;
-          const Vec3 along(c.x, c.y, 0), up(0, 0, 1);
+          const double e = c.amplitude * c.omega * std::exp(k * z) / (1 - down);
+          const double back =
+              depth > 0 ? c.amplitude * c.omega * std::exp(-k * (2 * depth + z)) / (1 - down) : 0;
+          const Vec3 along(c.x, c.y, 0);
+          const Vec3 up(0, 0, 1);
           u0 += (e + back) * std::cos(angle) * along + (e - back) * std::sin(angle) * up;
           a0 += c.omega * ((e + back) * std::sin(angle) * along - (e - back) * std::cos(angle) * up);
           if (2 * std::exp(k * z) > WaveSums::kNegligible) most = std::max(most, k);
@@ -148,8 +153,10 @@ TEST(Waves, AtTheBedUnderSwellAndShortWaves) {
   chop.amplitude = 0.3;
   chop.omega = 2 * M_PI / 2;
   for (const Stretching s : {Stretching::none, Stretching::vertical, Stretching::wheeler}) {
-    const WaveField both({swell, chop}, depth, kG, s), one({swell}, depth, kG, s);
-    const WaveMotion m = both.at({10, 0, -depth}, 3), n = one.at({10, 0, -depth}, 3);
+    const WaveField both({swell, chop}, depth, kG, s);
+    const WaveField one({swell}, depth, kG, s);
+    const WaveMotion m = both.at({10, 0, -depth}, 3);
+    const WaveMotion n = one.at({10, 0, -depth}, 3);
     EXPECT_GT(n.velocity.norm(), 1e-6);
     EXPECT_LE((m.velocity - n.velocity).norm(), 1e-12);
     EXPECT_LE((m.acceleration - n.acceleration).norm(), 1e-12);
@@ -294,7 +301,9 @@ TEST(Waves, JonswapMoments) {
 // Three hours of a sea with the default number of components: variance and mean zero-crossing period within 1
 // % of the spectrum's for any seed. The sums use rotating phasors.
 TEST(Waves, IrregularSeaOfThreeHours) {
-  const double m0 = 1.5625, T02 = 2 * M_PI * std::sqrt(m0 / 1.020684631), h = 1;
+  const double m0 = 1.5625;
+  const double T02 = 2 * M_PI * std::sqrt(m0 / 1.020684631);
+  const double h = 1;
   double worst[2] = {0, 0};
   for (int seed = 1; seed <= 20; ++seed) {
     const model::Case c = io::read_case_text(
@@ -328,7 +337,8 @@ TEST(Waves, IrregularSeaOfThreeHours) {
       rate2 += rate * rate;
     }
     EXPECT_NEAR(w.at({0, 0, 0}, n * h).surface, elevation, 1e-8);
-    const double variance = sum2 / n / m0 - 1, period = 2 * M_PI * std::sqrt(sum2 / rate2) / T02 - 1;
+    const double variance = sum2 / n / m0 - 1;
+    const double period = 2 * M_PI * std::sqrt(sum2 / rate2) / T02 - 1;
     worst[0] = std::max(worst[0], std::abs(variance));
     worst[1] = std::max(worst[1], std::abs(period));
     EXPECT_LT(std::abs(variance), 0.01) << seed;
@@ -339,7 +349,9 @@ TEST(Waves, IrregularSeaOfThreeHours) {
 
 TEST(Waves, SeedsAndSpreading) {
   const Jonswap s{3, 8, 3.3};
-  const auto a = irregular(s, 0, 50, 7), b = irregular(s, 0, 50, 7), c = irregular(s, 0, 50, 8);
+  const auto a = irregular(s, 0, 50, 7);
+  const auto b = irregular(s, 0, 50, 7);
+  const auto c = irregular(s, 0, 50, 8);
   for (size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].phase, b[i].phase);
     EXPECT_NE(a[i].phase, c[i].phase);
@@ -403,7 +415,8 @@ TEST(Waves, SpectrumByRows) {
   double m0 = 0, m1 = 0;
   for (size_t i = 1; i < rows.size(); ++i)
     for (int k = 0; k < 1000; ++k) {
-      const double z = (k + 0.5) / 1000, step = (rows[i].omega - rows[i - 1].omega) / 1000;
+      const double z = (k + 0.5) / 1000;
+      const double step = (rows[i].omega - rows[i - 1].omega) / 1000;
       const double s = rows[i - 1].density + z * (rows[i].density - rows[i - 1].density);
       m0 += step * s;
       m1 += step * s * (rows[i - 1].omega + 1000 * z * step);

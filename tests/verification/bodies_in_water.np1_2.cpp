@@ -37,7 +37,8 @@ double swing(const model::Case& c, int axis) {
 
 // A submerged sphere on a line of stiffness k = EA/L: T = 2 pi sqrt((m + Ca rho V)/k).
 TEST(BodiesInWater, SphereHeavesOnALine) {
-  const double k = 5e6 / 50, T = 2 * M_PI * std::sqrt((2000 + 0.5 * 1000) / k);
+  const double k = 5e6 / 50;
+  const double T = 2 * M_PI * std::sqrt((2000 + 0.5 * 1000) / k);
   const model::Case c =
       load("",
            "position: [0, 0, -50.1], floating: {mass: 2000, inertia: [300, 300, 300], weight: true, "
@@ -53,8 +54,8 @@ TEST(BodiesInWater, SphereHeavesOnALine) {
 // A submerged load on a line is a pendulum: T = 2 pi sqrt((m + Ca rho V) L/((m - rho V) g)).
 TEST(BodiesInWater, LoadSwingsBelowItsHook) {
   // Length of the line stretched by its load, EA 5 MN.
-  const double L = 20 * (1 + 3000 * kG / 5e6),
-               T = 2 * M_PI * std::sqrt((5000 + 1.2 * 2000) * L / ((5000 - 2000) * kG));
+  const double L = 20 * (1 + 3000 * kG / 5e6);
+  const double T = 2 * M_PI * std::sqrt((5000 + 1.2 * 2000) * L / ((5000 - 2000) * kG));
   const model::Case c =
       load("",
            "position: [0, 0, -30], floating: {mass: 5000, inertia: [3000, 3000, 3000], weight: true, "
@@ -143,7 +144,8 @@ TEST(BodiesInWater, LightBodyWithMuchAddedMassSinks) {
     Simulation s(PETSC_COMM_WORLD, c);
     Dynamics& d = s.dynamics();
     d.start(s.state());
-    const double a0 = 50 * kG / (100 + added), v = std::sqrt(2 * 50 * kG / (1000 * 0.2));
+    const double a0 = 50 * kG / (100 + added);
+    const double v = std::sqrt(2 * 50 * kG / (1000 * 0.2));
     double worst = 0;
     integrate(d, 10, 1, [&](const StepInfo& i) {
       const double sunk = -20 - from_owner(s, [&](size_t n) { return d.committed_kinematics().x[n].z(); });
@@ -189,8 +191,10 @@ TEST(BodiesInWater, HangsHalfWet) {
   const StaticsReport report = s.solve_statics();
   const double x = from_owner(s, [&](size_t n) { return s.state().x[n].x(); });
   const double z = from_owner(s, [&](size_t n) { return s.state().x[n].z(); });
-  const double wet = 0.5 - z / 3, drag = 0.5 * 1000 * 1.1 * 12 * 1.2 * 1.2 * wet;
-  const double tension = std::hypot((20000 - 6000 * wet) * kG, drag), length = std::hypot(30.7 - z, x);
+  const double wet = 0.5 - z / 3;
+  const double drag = 0.5 * 1000 * 1.1 * 12 * 1.2 * 1.2 * wet;
+  const double tension = std::hypot((20000 - 6000 * wet) * kG, drag);
+  const double length = std::hypot(30.7 - z, x);
   printf(
       "half wet on its hoist: %.3f wet, line %.5f m (its tension's %.5f m), %.5f m aside (%.5f m), %d "
       "iterations\n",
@@ -209,9 +213,10 @@ TEST(BodiesInWater, HeldInARegularWave) {
                              "weight: true, in_water: {volume: 3, height: 2, Ca: [0.6, 0.8, 1.7]}}",
                              "", "statics: false\ndynamics: {duration: 10}");
   Simulation s(PETSC_COMM_WORLD, c);
-  const double omega = 2 * M_PI / 8, k = omega * omega / kG;
-  const double across = 3000 * 1.6 * omega * omega * std::exp(-12 * k),
-               along = 3000 * 2.7 * omega * omega * std::exp(-12 * k);
+  const double omega = 2 * M_PI / 8;
+  const double k = omega * omega / kG;
+  const double across = 3000 * 1.6 * omega * omega * std::exp(-12 * k);
+  const double along = 3000 * 2.7 * omega * omega * std::exp(-12 * k);
   Vec3 most = Vec3::Zero();
   State& state = s.state();
   for (int i = 0; i < 90; ++i) {
@@ -278,7 +283,8 @@ std::string lowered() {
 
 TEST(BodiesInWater, LoweredThroughTheWaves) {
   const model::Case c = io::read_case_text(lowered(), testing::TempDir() + "in_water.yaml");
-  const Lowered all = lower(PETSC_COMM_WORLD, c), one = lower(PETSC_COMM_SELF, c);
+  const Lowered all = lower(PETSC_COMM_WORLD, c);
+  const Lowered one = lower(PETSC_COMM_SELF, c);
   printf("lowered through the waves to %.3f m: %.1f J of %.0f J not explained, ranks apart by %.1e m\n",
          all.least, all.unexplained, all.turnover, (all.place - one.place).norm());
   EXPECT_LT(std::abs(all.unexplained), 0.01 * all.turnover);
@@ -289,15 +295,18 @@ TEST(BodiesInWater, LoweredThroughTheWaves) {
 // A restart while the load is in the wave zone continues exactly: the checkpoint has the last position at
 // which the wave kinematics were evaluated.
 TEST(BodiesInWater, GoesOnAfterARestart) {
-  const std::string base = runs::folder("bodies_in_water") + "/", input = base + "case.yaml";
+  const std::string base = runs::folder("bodies_in_water") + "/";
+  const std::string input = base + "case.yaml";
   runs::write_case(input, lowered(), {{"duration: 40", "duration: 26"}});
   runs::run_on_all({input, base + "whole.h5"});
   runs::run_on_all({input, base + "half.h5", "", 20});
   runs::run_on_all({input, base + "rest.h5", base + "half.h5"});
   if (runs::rank_of(MPI_COMM_WORLD) != 0) return;
-  const runs::Results whole = runs::read(base + "whole.h5"), rest = runs::read(base + "rest.h5");
+  const runs::Results whole = runs::read(base + "whole.h5");
+  const runs::Results rest = runs::read(base + "rest.h5");
   for (const char* series : {"load", "energy"}) {
-    const auto &all = whole.series.at(series), &end = rest.series.at(series);
+    const auto& all = whole.series.at(series);
+    const auto& end = rest.series.at(series);
     const double off = runs::largest_difference(runs::tail(all, end), end);
     printf("restart: %s off by %.1e of %.1e\n", series, off, runs::largest(end));
     EXPECT_LT(off, 1e-12 * runs::largest(end)) << series;

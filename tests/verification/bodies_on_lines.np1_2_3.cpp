@@ -110,7 +110,8 @@ TEST(BodiesOnLines, CompoundPendulumOnALine) {
   const Eigen::Vector2d S = Eigen::Vector2d(m * kG * L, m * kG * d0).cwiseSqrt().cwiseInverse();
   const Eigenpairs modes = eigenpairs(S.asDiagonal() * M * S.asDiagonal());
   const double T = 2 * M_PI * std::sqrt(modes.values[1]);
-  const Eigen::Vector2d slow = S.cwiseProduct(modes.vectors.col(1)), mode = slow / slow[0];
+  const Eigen::Vector2d slow = S.cwiseProduct(modes.vectors.col(1));
+  const Eigen::Vector2d mode = slow / slow[0];
   model::Case c = load(m, {J, J, J}, {0, 0, -L - d0}, {{{0, 0, 0}, {0, 0, d0}, L}}, 1);
   // Initial velocities of the centre and the body in that mode; the line turns at 0.01 times the angular
   // frequency.

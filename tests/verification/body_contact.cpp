@@ -71,9 +71,11 @@ Bump bump(double zeta) {
   const model::Case c = floaters(zeta);
   Collision run(c);
   Dynamics& d = run.sim.dynamics();
-  const size_t a = run.node(0), b = run.node(1);
+  const size_t a = run.node(0);
+  const size_t b = run.node(1);
   Bump out;
-  const double p0 = 1e7 * 0.5 - 2.5e7 * 0.1, e0 = total(run.sim.system().energy(d.committed_kinematics()));
+  const double p0 = 1e7 * 0.5 - 2.5e7 * 0.1;
+  const double e0 = total(run.sim.system().energy(d.committed_kinematics()));
   integrate(d, 8, 8, [&](const StepInfo& i) {
     const Kinematics k = d.committed_kinematics();
     const double F = run.sim.system().find<RigidBodies>()->force_on(1, k)[0].x();
@@ -122,7 +124,8 @@ TEST(BodyContact, FloatersWithAFenderByTable) {
   c.volumes[0].normal_stiffness = table->largest_slope();
   Collision run(c);
   integrate(run.sim.dynamics(), 8, 8, [](const StepInfo&) {});
-  const double mass = 1 / (1 / 1e7 + 1 / 2.5e7), energy = 0.5 * mass * 0.6 * 0.6;
+  const double mass = 1 / (1 / 1e7 + 1 / 2.5e7);
+  const double energy = 0.5 * mass * 0.6 * 0.6;
   const double depth = run.sim.system().find<BodyContact>()->largest_penetration();
   EXPECT_NEAR(table->at(depth).potential, energy, 1e-3 * energy) << depth;
   EXPECT_LT(table->at(depth).force, 0.9 * table->largest_slope() * depth);
@@ -185,7 +188,8 @@ TEST(BodyContact, ABodyOnSpringsSwings) {
   c.dynamics.step = 0.01;
   Collision run(c);
   Dynamics& d = run.sim.dynamics();
-  const double w = std::sqrt(800.0 / 200), turn = std::sqrt(3000 / (60.0 * 200));
+  const double w = std::sqrt(800.0 / 200);
+  const double turn = std::sqrt(3000 / (60.0 * 200));
   double off = 0, angle = 0;
   integrate(d, 40, 40, [&](const StepInfo& i) {
     const Kinematics k = d.committed_kinematics();
@@ -216,7 +220,8 @@ TEST(BodyContact, TumblingBoxesKeepMomentum) {
   c.dynamics.step = 0.002;
   Collision run(c);
   Dynamics& d = run.sim.dynamics();
-  const size_t a = run.node(0), b = run.node(1);
+  const size_t a = run.node(0);
+  const size_t b = run.node(1);
   const auto angular = [&](const Kinematics& k) {
     Vec3 L = Vec3::Zero();
     for (const auto& [n, body] : {std::pair(a, 0), std::pair(b, 1)}) {
@@ -226,7 +231,8 @@ TEST(BodyContact, TumblingBoxesKeepMomentum) {
     return L;
   };
   const Kinematics k0 = d.committed_kinematics();
-  const Vec3 p0 = 3 * k0.v[a] + 5 * k0.v[b], L0 = angular(k0);
+  const Vec3 p0 = 3 * k0.v[a] + 5 * k0.v[b];
+  const Vec3 L0 = angular(k0);
   const double e0 = total(run.sim.system().energy(k0));
   double strain = 0, momentum = 0, turning = 0, energy = 0;
   integrate(d, 3, 3, [&](const StepInfo&) {

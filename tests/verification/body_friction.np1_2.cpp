@@ -27,7 +27,8 @@ constexpr double kMass = 600, kPress = 1e7;  // kg; N/m, N/m² or N/m³
 // A body on a plane inclined by `slope` [rad] towards x, its frame `height` [m] above the plane.
 std::string on_slope(double slope, double friction, const std::string& shape, const std::string& basis,
                      double height, const std::string& inertia, double duration) {
-  const double s = std::sin(slope), c = std::cos(slope);
+  const double s = std::sin(slope);
+  const double c = std::cos(slope);
   return fmt::format(R"(hawser: 1
 bodies:
   load:
@@ -68,16 +69,19 @@ double down(const Motion& m, double slope) {
 // Friction at corners and edges holds a box up to the slope arctan(mu). Above it the box slides with g (sin -
 // mu cos).
 TEST(BodyFriction, BoxOnASlope) {
-  const double mu = 0.4, limit = std::atan(mu);
+  const double mu = 0.4;
+  const double limit = std::atan(mu);
   for (const auto& [basis, count] : {std::pair("per_point", kCorners), {"per_length", kEdges}}) {
     const auto moved = [&](double slope, double duration) {
       const double height = 0.1 + gap_at_rest(slope, count);
       return down(run(on_slope(slope, mu, kBox, basis, height, kBoxInertia, duration)), slope);
     };
     EXPECT_LT(std::abs(moved(limit - 0.1 * M_PI / 180, 1)), 1e-3) << basis;
-    const double over = limit + 0.1 * M_PI / 180, slow = kGravity * (std::sin(over) - mu * std::cos(over));
+    const double over = limit + 0.1 * M_PI / 180;
+    const double slow = kGravity * (std::sin(over) - mu * std::cos(over));
     EXPECT_NEAR(moved(over, 1), 0.5 * slow, 0.3 * 0.5 * slow) << basis;
-    const double slope = 35 * M_PI / 180, a = kGravity * (std::sin(slope) - mu * std::cos(slope));
+    const double slope = 35 * M_PI / 180;
+    const double a = kGravity * (std::sin(slope) - mu * std::cos(slope));
     EXPECT_NEAR(moved(slope, 0.5), 0.125 * a, 0.005 * 0.125 * a) << basis;
   }
 }
@@ -87,7 +91,9 @@ TEST(BodyFriction, FaceOnASlope) {
   int size = 0;
   MPI_Comm_size(MPI_COMM_WORLD, &size);
   if (size > 1) GTEST_SKIP() << "long; on 1 rank";
-  const double mu = 0.4, slope = 35 * M_PI / 180, a = kGravity * (std::sin(slope) - mu * std::cos(slope));
+  const double mu = 0.4;
+  const double slope = 35 * M_PI / 180;
+  const double a = kGravity * (std::sin(slope) - mu * std::cos(slope));
   const Motion m =
       run(on_slope(slope, mu, kBox, "per_area", 0.1 + gap_at_rest(slope, 0.6), kBoxInertia, 0.03));
   EXPECT_NEAR(m.end[0].velocity.norm(), 0.03 * a, 0.04 * 0.03 * a);
@@ -109,10 +115,11 @@ TEST(BodyFriction, WorkOnASlope) {
 TEST(BodyFriction, BallsAndBarsRoll) {
   const double r = 0.5, slope = 30 * M_PI / 180, g = kGravity;
   const auto check = [&](const char* shape, const char* basis, double count, double inertia, double mu) {
-    const double share = inertia / (600 * r * r), rolling = g * std::sin(slope) / (1 + share);
+    const double share = inertia / (600 * r * r);
+    const double rolling = g * std::sin(slope) / (1 + share);
     const bool rolls = mu > std::tan(slope) * share / (1 + share);
-    const double a = rolls ? rolling : g * (std::sin(slope) - mu * std::cos(slope)),
-                 turn = rolls ? a / r : mu * g * std::cos(slope) / (share * r);
+    const double a = rolls ? rolling : g * (std::sin(slope) - mu * std::cos(slope));
+    const double turn = rolls ? a / r : mu * g * std::cos(slope) / (share * r);
     const double height = r + gap_at_rest(slope, count);
     const Motion m = run(on_slope(slope, mu, shape, basis, height, fmt::format("[60, {}, 60]", inertia), 1));
     const std::string what = fmt::format("{}, mu {}", shape, mu);
@@ -130,7 +137,11 @@ TEST(BodyFriction, BallsAndBarsRoll) {
 // = 2 zeta sqrt(k_t m), have w = sqrt(4 k_t/m) and the damping ratio 2 zeta. The friction energy is the
 // kinetic energy at the start.
 TEST(BodyFriction, WhatSticksIsDamped) {
-  const double zeta = 0.05, k = 2.5e6, speed = 0.02, w = std::sqrt(4 * k / kMass), D = 2 * zeta;
+  const double zeta = 0.05;
+  const double k = 2.5e6;
+  const double speed = 0.02;
+  const double w = std::sqrt(4 * k / kMass);
+  const double D = 2 * zeta;
   const std::string yaml = fmt::format(R"(hawser: 1
 bodies:
   load:
@@ -153,7 +164,8 @@ dynamics: {{duration: 1, max_step: 2e-4, rho_infinity: 1}}
   r.start();
   double error = 0;
   r.move(0.3, [&](const StepInfo&) {
-    const double t = r.sim.dynamics().committed_kinematics().time, wd = w * std::sqrt(1 - D * D);
+    const double t = r.sim.dynamics().committed_kinematics().time;
+    const double wd = w * std::sqrt(1 - D * D);
     const double x = speed / wd * std::exp(-D * w * t) * std::sin(wd * t);
     error = std::max(error, std::abs(r.poses()[0].position.x() - x));
   });

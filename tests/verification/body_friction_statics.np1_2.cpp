@@ -17,7 +17,9 @@ constexpr double kMass = 600, kPress = 1e7, kGravity = 9.80665;
 
 // A crate of 1 x 0.6 x 0.2 m, `gap` [m] above a plane inclined by `slope` [rad] towards x.
 std::string crate(double slope, double friction, double gap, const std::string& statics) {
-  const double s = std::sin(slope), c = std::cos(slope), height = 0.1 + gap;
+  const double s = std::sin(slope);
+  const double c = std::cos(slope);
+  const double height = 0.1 + gap;
   return fmt::format(R"(hawser: 1
 bodies:
   crate:
@@ -69,9 +71,11 @@ TEST(BodyFrictionStatics, CrateOnASlopeRests) {
 
 // Statics finds equilibrium 0.1 degrees below atan(mu), and none 0.1 degrees above it.
 TEST(BodyFrictionStatics, HoldsUpToTheAngleOfFriction) {
-  const double mu = 0.4, limit = std::atan(mu), step = 0.1 * M_PI / 180;
-  BodiesRun holds(crate(limit - step, mu, 0, kWithFriction)),
-      slides(crate(limit + step, mu, 0, kWithFriction));
+  const double mu = 0.4;
+  const double limit = std::atan(mu);
+  const double step = 0.1 * M_PI / 180;
+  BodiesRun holds(crate(limit - step, mu, 0, kWithFriction));
+  BodiesRun slides(crate(limit + step, mu, 0, kWithFriction));
   EXPECT_NO_THROW(holds.sim.solve_statics());
   try {
     slides.sim.solve_statics();
@@ -147,7 +151,9 @@ statics: {{contact_friction: true}}
 
 // Two free crates, one on the other; two ranks have one each.
 TEST(BodyFrictionStatics, StackOnASlope) {
-  const double slope = 15 * M_PI / 180, s = std::sin(slope), c = std::cos(slope);
+  const double slope = 15 * M_PI / 180;
+  const double s = std::sin(slope);
+  const double c = std::cos(slope);
   std::string yaml = fmt::format(R"(hawser: 1
 bodies:
 )");
@@ -274,10 +280,13 @@ TEST(BodyFrictionStatics, HullsThatRollAgainstEachOther) {
     const Momentum m0 = momenta();
     EXPECT_GT(m0.linear.norm(), 1e5);
     EXPECT_GT(m0.angular.norm(), 1e6);
-    const double e0 = total(r.energy()), a0 = r.audit(), p = 1e6 * 0.4;
+    const double e0 = total(r.energy());
+    const double a0 = r.audit();
+    const double p = 1e6 * 0.4;
     double most = 0, made = 0, lost = 0, strain = 0, error = 0, turning = 0;
     r.move(6, [&](const StepInfo&) {
-      const double e = total(r.energy()), a = r.audit();
+      const double e = total(r.energy());
+      const double a = r.audit();
       most = std::max(most, e - e0);
       made = std::max(made, a - a0);
       lost = std::max(lost, a0 - a);

@@ -128,8 +128,8 @@ TEST(BodyImpact, EnergyComesBackAtDefaultSteps) {
     int rank = 0, ranks = 1;
     MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
     MPI_Comm_size(PETSC_COMM_WORLD, &ranks);
-    const Outcome one = impact_event(PETSC_COMM_SELF, c),
-                  all = ranks > 1 ? impact_event(PETSC_COMM_WORLD, c) : one;
+    const Outcome one = impact_event(PETSC_COMM_SELF, c);
+    const Outcome all = ranks > 1 ? impact_event(PETSC_COMM_WORLD, c) : one;
     if (rank == 0)
       printf(
           "%s: %d steps, %d in touch, %d taken again; %.0f %% of the energy in the contact, %.2f %% off; "

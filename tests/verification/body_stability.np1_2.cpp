@@ -45,7 +45,8 @@ volumes: {{hull: {{shape: {{box: {{centre: [0, 0, 0], size: [{}, 20, 8]}}}}, bod
                run::volume_facets(volumes));
   Rest out;
   out.report = s.solve_statics();
-  const int node = s.mesh().body_node(0), n = s.local().find(node);
+  const int node = s.mesh().body_node(0);
+  const int n = s.local().find(node);
   if (s.local().owns(n)) out.turn = log_so3(s.state().q[n]);
   all_reduce(PETSC_COMM_WORLD, MPI_SUM, out.turn);
   return out;
@@ -78,7 +79,8 @@ TEST(BodyStability, UnstableUprightBoxHeels) {
 TEST(BodyStability, UnstableBoxHeelsToTheSideOfAMoment) {
   for (const double moment : {1e5, -1e5}) {
     const Rest found = rest(6.5, fmt::format(", loads: [{{moment: [{}, 0, 0]}}]", moment));
-    const double heel = found.turn.x(), t = std::tan(heel);
+    const double heel = found.turn.x();
+    const double t = std::tan(heel);
     EXPECT_NEAR((-1.0 / 6 + 25.0 / 6 * t * t) * std::sin(heel), moment / (3.2e6 * 9.81), 1e-8);
     EXPECT_GT(heel * moment, 0);
     EXPECT_EQ(found.report.negative_eigenvalues, 0);

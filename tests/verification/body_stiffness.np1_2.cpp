@@ -70,7 +70,8 @@ constexpr Mooring kMoorings[] = {{"OC3",
 model::Case moored(const Mooring& m, const Vec3& at, double turn_deg, int elements) {
   std::string lines;
   for (int i = 0; i < 3; ++i) {
-    const double angle = (m.first + 120 * i) * M_PI / 180, here = angle + turn_deg * M_PI / 180;
+    const double angle = (m.first + 120 * i) * M_PI / 180;
+    const double here = angle + turn_deg * M_PI / 180;
     lines += fmt::format(
         "  line{}: {{sections: [{{type: chain, length: {}, elements: {}}}], end_a: {{anchor: [{:.17g}, "
         "{:.17g}, {}]}}, "
@@ -133,7 +134,8 @@ TEST(BodyStiffness, TurnsWithTheMooring) {
     HeldBodies held(s);
     return about_origin(held);
   };
-  const BodyStiffness a = of(Vec3::Zero(), 0), b = of(Vec3(1000, -500, 0), 90);
+  const BodyStiffness a = of(Vec3::Zero(), 0);
+  const BodyStiffness b = of(Vec3(1000, -500, 0), 90);
   Mat6 R = Mat6::Zero();
   R.topLeftCorner<3, 3>() = R.bottomRightCorner<3, 3>() = exp_so3(Vec3(0, 0, M_PI / 2)).toRotationMatrix();
   EXPECT_LT((R * a.K * R.transpose() - b.K).cwiseAbs().maxCoeff(), 1e-6 * a.K.cwiseAbs().maxCoeff());

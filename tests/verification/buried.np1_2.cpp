@@ -59,7 +59,8 @@ lines:
     buried: [{resistance: {axial: 500, normal: 5000}, mobilisation_length: {axial: 5 mm}}]
     loads: [{at: end_b, force: [)") +
                                r.force + ", 0, 0]}]\n");
-    Simulation all(PETSC_COMM_WORLD, c), one(PETSC_COMM_SELF, c);
+    Simulation all(PETSC_COMM_WORLD, c);
+    Simulation one(PETSC_COMM_SELF, c);
     settle(all, one);
     const State& s = one.state();
     const double u = s.x[1200].x() - 1200;
@@ -106,10 +107,17 @@ lines:
 statics: false
 dynamics: {duration: 0.25, step: 5e-4, rho_infinity: 1}
 )");
-  Simulation all(PETSC_COMM_WORLD, c), one(PETSC_COMM_SELF, c);
-  const double m = 1025 * M_PI / 4 * 0.09 + weight, Q = 5000, k = Q / 0.01, q = 3000, w = std::sqrt(k / m);
-  const double yields = std::acos(1 - Q / q) / w, speed = q / k * w * std::sin(w * yields),
-               turns = yields + speed * m / (Q - q), most = Q / k + 0.5 * speed * speed * m / (Q - q);
+  Simulation all(PETSC_COMM_WORLD, c);
+  Simulation one(PETSC_COMM_SELF, c);
+  const double m = 1025 * M_PI / 4 * 0.09 + weight;
+  const double Q = 5000;
+  const double k = Q / 0.01;
+  const double q = 3000;
+  const double w = std::sqrt(k / m);
+  const double yields = std::acos(1 - Q / q) / w;
+  const double speed = q / k * w * std::sin(w * yields);
+  const double turns = yields + speed * m / (Q - q);
+  const double most = Q / k + 0.5 * speed * speed * m / (Q - q);
   const double step = 5e-4;
   const bool beam = bending != kNoBending;
   const auto swings = [&](double t) {
@@ -171,7 +179,8 @@ lines:
     buried: [{resistance: {axial: 500, normal: 1000}, mobilisation_length: {axial: 0.1 mm, normal: 0.1 mm}}]
     loads: [{at: end_b, force: [1e5, 0, 0]}]
 )");
-  Simulation all(PETSC_COMM_WORLD, c), one(PETSC_COMM_SELF, c);
+  Simulation all(PETSC_COMM_WORLD, c);
+  Simulation one(PETSC_COMM_SELF, c);
   settle(all, one);
   const State& s = one.state();
   double most = 0;
@@ -211,7 +220,8 @@ dynamics: {duration: 4, step: 0.1}
   };
   const model::Case c =
       with("[-20, 0, -215]", "buried: [{to: 25, resistance: {axial: 10 kN/m, normal: 60 kN/m}}]");
-  Simulation all(PETSC_COMM_WORLD, c), one(PETSC_COMM_SELF, c);
+  Simulation all(PETSC_COMM_WORLD, c);
+  Simulation one(PETSC_COMM_SELF, c);
   const std::vector<Vec3> laid = one.state().x;
   EXPECT_NEAR(laid[5].x(), 0, 1e-9);  // 25 m of arc length from the anchor, 15 m higher
   EXPECT_NEAR(laid[5].z(), -200, 1e-9);
@@ -233,12 +243,14 @@ dynamics: {duration: 4, step: 0.1}
     return Vec3(
         Eigen::Map<const Vec3>(r.data() + 3 * s.local().block[static_cast<size_t>(s.local().owned - 1)]));
   };
-  const double T = pull(one).norm(), T0 = pull(open).norm();
+  const double T = pull(one).norm();
+  const double T0 = pull(open).norm();
   if (first_rank()) printf("  fairlead %.1f kN, of the line from the bed on %.1f kN\n", T / 1e3, T0 / 1e3);
   EXPECT_NEAR(T, T0, 0.02 * T0);  // the exit point moves a little
   // The chain was laid from the anchor through the soil, so friction holds the part beyond the moving exit
   // point.
-  const double here = tensions(one)[30], there = tensions(open)[25];
+  const double here = tensions(one)[30];
+  const double there = tensions(open)[25];
   if (first_rank())
     printf("  125 m on along the bed %.1f kN, of that line %.1f kN\n", here / 1e3, there / 1e3);
   EXPECT_NEAR(here, there, 0.02 * T0);

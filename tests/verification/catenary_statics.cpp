@@ -48,7 +48,9 @@ void check_step(const Suspended& s) {
     for (auto start : {model::Start::automatic, model::Start::straight}) {
       const bool straight = start == model::Start::straight;
       const End e = solve(s, 40, bends, start);
-      const double H = e.H / s.H - 1, V = e.V / s.V - 1, tension = std::hypot(e.H, e.V) / T - 1;
+      const double H = e.H / s.H - 1;
+      const double V = e.V / s.V - 1;
+      const double tension = std::hypot(e.H, e.V) / T - 1;
       std::printf("%-8s %-6s from %-8s: H %+.1e, V %+.1e, tension %+.1e, %d iterations\n", s.name,
                   bends ? "beams" : "cables", straight ? "straight" : "catenary", H, V, tension,
                   e.report.iterations);

@@ -82,7 +82,8 @@ inline CircleResult circle(const CircleCase& of, int elements, double step, int 
                            double rho_infinity = 0.8) {
   model::Case c = circling_chain(of, elements, step);
   c.dynamics.rho_infinity = rho_infinity;
-  const double from = (3 + settle) * of.period, until = from + judged * of.period;
+  const double from = (3 + settle) * of.period;
+  const double until = from + judged * of.period;
   c.dynamics.duration = until;
   Simulation sim(PETSC_COMM_SELF, c);
   sim.solve_statics();

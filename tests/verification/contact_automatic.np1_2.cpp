@@ -37,8 +37,8 @@ std::string points(double radius) {
 // one end.
 std::string sling(const std::string& shape, double tension, bool loaded, const std::string& stiffness,
                   bool beam = false, double strain = 0.01) {
-  const double EA = 1 / strain * (loaded ? std::max(tension, 10 * kWeight) : tension),
-               length = M_PI * kRho + 2 * kLeg;
+  const double EA = 1 / strain * (loaded ? std::max(tension, 10 * kWeight) : tension);
+  const double length = M_PI * kRho + 2 * kLeg;
   const std::string end =
       loaded ? fmt::format("free\n    loads: [{{at: end_b, force: [0, 0, -{:.9g}]}}]", tension)
              : fmt::format("{{anchor: [-{}, 0, -{}]}}", kRho, kLeg);
@@ -247,13 +247,15 @@ TEST(Drawn, TensionGrowsAHundredfold) {
 
 // A restart continues with the stiffness that the first part has raised.
 TEST(Drawn, GoesOnFromACheckpoint) {
-  const std::string path = folder("contact_automatic_restart"), input = path + "/case.yaml";
+  const std::string path = folder("contact_automatic_restart");
+  const std::string input = path + "/case.yaml";
   write_case(input, kDrawn);
   run_on_all({input, path + "/whole.h5"});
   run_on_all({input, path + "/half.h5", "", 0.6});
   run_on_all({input, path + "/rest.h5", path + "/half.h5"});
   if (rank_of(MPI_COMM_WORLD) > 0) return;
-  const auto whole = read(path + "/whole.h5").series, rest = read(path + "/rest.h5").series;
+  const auto whole = read(path + "/whole.h5").series;
+  const auto rest = read(path + "/rest.h5").series;
   for (const auto& [name, values] : rest) {
     const auto& all = whole.at(name);
     ASSERT_GT(all.size(), values.size());

@@ -46,7 +46,8 @@ void look(Simulation& s, const Kinematics& state, Rest& r) {
   r.x.clear();
   for (const Vec3& x : state.x.first(static_cast<size_t>(s.local().owned)))
     r.x.insert(r.x.end(), x.begin(), x.end());
-  NodeField force(s, "contact_force"), friction(s, "friction_force");
+  NodeField force(s, "contact_force");
+  NodeField friction(s, "friction_force");
   r.force = force.at(state);
   r.friction = friction.at(state);
   r.total.setZero();

@@ -41,11 +41,15 @@ Rebound run(const Impact& in) {
   NodeField contact(s, "contact_normal_force");
   Rebound out;
   const double damping = 2 * in.zeta * std::sqrt(kStiffness * kMass);
-  double t0 = 0, g0 = in.height, f0 = 0, touched = -1;
+  double t0 = 0;
+  double g0 = in.height;
+  double f0 = 0;
+  double touched = -1;
   d.run(
       10, [](double t) { return t + 100; },
       [&](const StepInfo& i) {
-        const double g = d.committed().s.x[0].z() - radius, v = d.committed().s.v[0].z();
+        const double g = d.committed().s.x[0].z() - radius;
+        const double v = d.committed().s.v[0].z();
         const std::vector<double>& force = contact.at(d.committed_kinematics());
         const double f = force[0] + force[1];
         out.force = std::max(out.force, f);
@@ -134,7 +138,8 @@ TEST(Impact, Drop) {
 // The bar: E 210 GPa, A 0.01 m², 7850 kg/m³, 10 m, 1 m/s, against a wall with a spring kp.
 constexpr double kLength = 10, kAxial = 2.1e9, kBarMass = 78.5;
 constexpr int kPieces = 100;
-const double kWave = std::sqrt(kAxial / kBarMass), kImpedance = std::sqrt(kAxial * kBarMass);
+const double kWave = std::sqrt(kAxial / kBarMass);
+const double kImpedance = std::sqrt(kAxial * kBarMass);
 
 // Reference by characteristics: the end moves into the wall at v + 2 w - F/Z. w is the wave that left the end
 // as w - F/Z one return trip earlier; the free end reflects it with the same velocity.

@@ -35,7 +35,8 @@ struct Drum {
 Found solve(const Row& row, model::ContactMethod method, int elements_a_radian, const Drum& shape = {}) {
   const int facets = shape.facets;
   const double phase = shape.phase;
-  const double r = 0.1 * row.rho, leg = 8 * std::sqrt(row.EI / row.T);
+  const double r = 0.1 * row.rho;
+  const double leg = 8 * std::sqrt(row.EI / row.T);
   std::vector<Vec3> path = capstan_path(row.rho, kWrap, 0, leg);
   path.erase(path.begin());
   const double length = path_length(path);
@@ -60,19 +61,24 @@ Found solve(const Row& row, model::ContactMethod method, int elements_a_radian, 
 
   const Kinematics k = s.state().at_rest();
   const auto of = [&](const char* name) { return NodeField(s, name).at(k); };
-  const std::vector<double> curvature = of("curvature"), moment = of("bending_moment"),
-                            tension = of("effective_tension"), normal = of("contact_normal_force"),
-                            force = of("contact_force");
-  const double lift = kWrap - row.alpha, facet = 2 * M_PI / 96;
+  const std::vector<double> curvature = of("curvature");
+  const std::vector<double> moment = of("bending_moment");
+  const std::vector<double> tension = of("effective_tension");
+  const std::vector<double> normal = of("contact_normal_force");
+  const std::vector<double> force = of("contact_force");
+  const double lift = kWrap - row.alpha;
+  const double facet = 2 * M_PI / 96;
   // Average over whole facets, from the middle of one to the middle of another.
   const auto middle = [&](double angle) {
     return (std::floor((angle + phase) / facet) + 0.5) * facet - phase;
   };
-  const double from = middle(0.25 * lift), to = middle(0.75 * lift);
+  const double from = middle(0.25 * lift);
+  const double to = middle(0.75 * lift);
   Found f;
   f.iterations = report.iterations;
   f.unstable = report.negative_eigenvalues;
-  double sum = 0, start = to;
+  double sum = 0;
+  double start = to;
   int inside = 0;
   Vec3 rest = Vec3::Zero();
   for (size_t i = 1; i < k.x.size(); ++i) {
@@ -89,7 +95,8 @@ Found solve(const Row& row, model::ContactMethod method, int elements_a_radian, 
   const double pressure = facets ? sum / (row.rho * (to - from)) : sum / (inside * h);
   f.pressure.add(pressure);
   // Beyond `to` the drum exerts the pressure up to the lift-off, and P there: two components, two unknowns.
-  double low = start, high = kWrap;
+  double low = start;
+  double high = kWrap;
   for (int i = 0; i < 80; ++i) {
     const double q = 0.5 * (low + high);
     const Vec3 arc = row.rho * Vec3(std::sin(q) - std::sin(start), 0, std::cos(start) - std::cos(q));

@@ -108,7 +108,8 @@ TEST(ContactParting, StringThrownOnABar) {
 // with 2 m c v. The waves of its corners lift it off a quarter of a second later.
 TEST(ContactParting, StringReleased) {
   constexpr double speed = 2;
-  const double down = speed * kSpan / 4 / kWave, force = 2 * kMass * kWave * speed;
+  const double down = speed * kSpan / 4 / kWave;
+  const double force = 2 * kMass * kWave * speed;
   const double depth = std::pow(force / (4.0 / 3 * kStiffness * std::sqrt(4 * kRadius)), 2.0 / 3);
   for (const Bar bar : {Bar::volume, Bar::line})
     for (const double step : {0.03, 0.025, 0.02, 0.015, 0.01, 0.005}) {
@@ -156,7 +157,8 @@ double bar_on_wall(model::ContactMethod method, double stiffness, double step) {
     return e.kinetic + e.strain;
   };
   const double first = energy();
-  double least = first, made = 0;
+  double least = first;
+  double made = 0;
   d.run(
       0.3, [](double) { return 1e300; },
       [&](const StepInfo&) {
@@ -170,9 +172,9 @@ double bar_on_wall(model::ContactMethod method, double stiffness, double step) {
 TEST(ContactParting, BarThrownOnAWall) {
   using model::ContactMethod;
   for (const double step : {0.0, 0.02, 0.01, 0.005}) {
-    const double line = bar_on_wall(ContactMethod::line, 1e9, step),
-                 nodes = bar_on_wall(ContactMethod::nodes, 1e9, step),
-                 gap = bar_on_wall(ContactMethod::gap, 1e9, step);
+    const double line = bar_on_wall(ContactMethod::line, 1e9, step);
+    const double nodes = bar_on_wall(ContactMethod::nodes, 1e9, step);
+    const double gap = bar_on_wall(ContactMethod::gap, 1e9, step);
     std::printf(
         "bar on a wall, steps of %g s: energy made %.3f %%, at the nodes %.3f %%, gap springs %.3f %%\n",
         step, 100 * line, 100 * nodes, 100 * gap);

@@ -53,8 +53,11 @@ Reeled run(ContactMethod method, int elements, double duration,
 
   const model::LineType& type = c.line_types[0];
   const Vec3 load = c.lines[0].loads[0].per_length - type.mass_per_length * 9.80665 * Vec3::UnitZ();
-  const double h = kLength / elements, EI = type.EI2;
-  NodeField tension(s, "effective_tension"), normal(s, "contact_normal_force"), moment(s, "bending_moment");
+  const double h = kLength / elements;
+  const double EI = type.EI2;
+  NodeField tension(s, "effective_tension");
+  NodeField normal(s, "contact_normal_force");
+  NodeField moment(s, "bending_moment");
   const Energy e0 = s.system().energy(d.committed_kinematics());
   const double z0 = s.state().x.back().z();
   Reeled out;
@@ -67,7 +70,8 @@ Reeled run(ContactMethod method, int elements, double duration,
         ++out.steps;
         out.iterations += i.iterations;
         const Kinematics k = d.committed_kinematics();
-        const std::vector<double>&T = tension.at(k), &N = normal.at(k);
+        const std::vector<double>& T = tension.at(k);
+        const std::vector<double>& N = normal.at(k);
         // Angle along the hose from end A, which is at the drum's angle, to the last node on the barrel (the
         // next node may carry a share of an element's contact).
         const auto turn = [&](size_t n) {
@@ -186,8 +190,8 @@ TEST(Reel, TensionNoiseOfNodes) {
   const auto nodes = ContactMethod::nodes;
   const auto smooth = round_drum(kBarrel, 5.5);
   const double coarse = run(nodes, 250, 65, smooth).leaving.noise(15, 60);
-  const double faceted = run(nodes, 500, 65, nullptr, true).leaving.noise(15, 60),
-               fine = run(nodes, 500, 65, smooth).leaving.noise(15, 60);
+  const double faceted = run(nodes, 500, 65, nullptr, true).leaving.noise(15, 60);
+  const double fine = run(nodes, 500, 65, smooth).leaving.noise(15, 60);
   std::printf(
       "reel, nodes: tension noise below the drum: smooth drum, elements of 1 m %.0f N; of 0.5 m %.0f N, on "
       "facets %.0f N\n",

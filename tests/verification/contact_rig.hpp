@@ -20,7 +20,8 @@ inline std::shared_ptr<const Surface> faceted_drum(int facets, double radius, do
                                                    double phase = 0) {
   TriangleMesh m = test::drum_mesh(facets, radius, width, rings);
   for (Vec3& v : m.vertices) {
-    const double a = std::atan2(v.y(), v.x()) + phase, r = std::hypot(v.x(), v.y());
+    const double a = std::atan2(v.y(), v.x()) + phase;
+    const double r = std::hypot(v.x(), v.y());
     v = Vec3(r * std::sin(a), v.z(), r * std::cos(a));  // z to y
   }
   return std::make_shared<MeshSurface>(std::move(m));
@@ -85,7 +86,8 @@ struct Series {
       if (time[i] < from || time[i] > to) continue;
       double s0 = 0, s1 = 0, s2 = 0, y0 = 0, y1 = 0;
       for (size_t k = low; k < high; ++k) {
-        const double x = time[k] - time[i], w = step[k];
+        const double x = time[k] - time[i];
+        const double w = step[k];
         s0 += w;
         s1 += w * x;
         s2 += w * x * x;

@@ -88,7 +88,8 @@ Course throw_line(const Throw& t, unsigned seed) {
     std::vector<Vec3> p;
     for (const LocalElement& e : s.local().elements) {
       AxisEnds ends;
-      const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
+      const size_t i = static_cast<size_t>(e.first);
+      const size_t j = static_cast<size_t>(e.second);
       ends.beam = !t.cable;
       ends.length = 5;
       ends.x1 = k.x[i];

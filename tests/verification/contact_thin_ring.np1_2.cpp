@@ -26,7 +26,8 @@ void write_ring(const std::string& path, double turn) {
   const double z = kSag + kRing - kTube - kWire;
   for (int i = 0; i < kAround; ++i)
     for (int j = 0; j < kAcross; ++j) {
-      const double a = 2 * M_PI * i / kAround + turn, b = 2 * M_PI * j / kAcross;
+      const double a = 2 * M_PI * i / kAround + turn;
+      const double b = 2 * M_PI * j / kAcross;
       const double r = kRing + kTube * std::cos(b);
       f << fmt::format("v {:.12g} {:.12g} {:.12g}\n", kX + kTube * std::sin(b), r * std::cos(a),
                        z + r * std::sin(a));
@@ -63,7 +64,8 @@ lines:
   const model::Case c = io::read_case(at + "/ring.yaml");
   Simulation s(MPI_COMM_WORLD, c, run::surfaces(run::load_volumes(c, MPI_COMM_WORLD)));
   s.solve_statics();
-  const double left = std::hypot(10 + kX, kSag), right = std::hypot(10 - kX, kSag);
+  const double left = std::hypot(10 + kX, kSag);
+  const double right = std::hypot(10 - kX, kSag);
   const double tension = kEA * (left + right - kFree) / kFree;
   NodeField field(s, "effective_tension");
   double least = HUGE_VAL, most = 0;

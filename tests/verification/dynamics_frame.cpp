@@ -89,8 +89,9 @@ void show(int n, double h, double rho, const Frame& f) {
 }
 
 TEST(Dynamics, RightAngleFrame) {
-  const Frame coarse = frame(10, 0.005, 0.9, 10), fine = frame(20, 0.005, 0.9, 10),
-              finest = frame(40, 0.0025, 0.9, 30);
+  const Frame coarse = frame(10, 0.005, 0.9, 10);
+  const Frame fine = frame(20, 0.005, 0.9, 10);
+  const Frame finest = frame(40, 0.0025, 0.9, 30);
   show(10, 0.005, 0.9, coarse);
   show(20, 0.005, 0.9, fine);
   show(40, 0.0025, 0.9, finest);

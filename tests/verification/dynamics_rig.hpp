@@ -84,8 +84,8 @@ class BeamChain {
     Mesh m;
     double arc = 0;
     for (size_t i = 0; i < nodes.size(); ++i) {
-      const double before = i > 0 ? pieces[i - 1].section.length : 0,
-                   after = i < pieces.size() ? pieces[i].section.length : 0;
+      const double before = i > 0 ? pieces[i - 1].section.length : 0;
+      const double after = i < pieces.size() ? pieces[i].section.length : 0;
       m.add(Node{0, arc, 0.5 * (before + after), true});
       if (i < pieces.size()) m.add(Element{0, static_cast<int>(i), static_cast<int>(i) + 1, 0, after, true});
       arc += after;
@@ -113,7 +113,8 @@ inline Momentum momentum(System& system, const Kinematics& k) {
   mass.K = 0;
   mass.M = 1;
   system.tangent(k, mass, std::vector<double>(3 * static_cast<size_t>(mesh.blocks()), 0), false, M.get());
-  VecHandle v = system.create_vector(), p = system.create_vector();
+  VecHandle v = system.create_vector();
+  VecHandle p = system.create_vector();
   PetscScalar* a = nullptr;
   check(VecGetArray(v.get(), &a));
   for (int n = 0; n < mesh.owned; ++n) {

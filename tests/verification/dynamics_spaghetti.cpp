@@ -55,7 +55,8 @@ TEST(Dynamics, FlyingSpaghetti) {
       (i.time < 10.1 ? ends : late) = std::max(i.time < 10.1 ? ends : late, off);
       Vec3 mean = Vec3::Zero();  // of the cubic between nodes
       for (size_t e = 0; e + 1 < k.x.size(); ++e) {
-        const Vec3 t1 = k.q[e] * Vec3::UnitX(), t2 = k.q[e + 1] * Vec3::UnitX();
+        const Vec3 t1 = k.q[e] * Vec3::UnitX();
+        const Vec3 t2 = k.q[e + 1] * Vec3::UnitX();
         mean += (0.5 * (k.x[e] + k.x[e + 1]) + 0.5 / 12 * (t1 - t2)) / n;
       }
       com = std::max(com, std::abs(mean.x() - centre(i.time)));

@@ -10,7 +10,9 @@ namespace {
 // psi(t) = 6/15 [t²/2 + (15/2pi)² (cos(2 pi t/15) - 1)], from 15 s on 6 t - 45.
 RigidPose root(double t) {
   const double k = 2 * M_PI / 15;
-  double psi = 6 * t - 45, rate = 6, second = 0;
+  double psi = 6 * t - 45;
+  double rate = 6;
+  double second = 0;
   if (t < 15) {
     psi = 0.4 * (t * t / 2 + (std::cos(k * t) - 1) / (k * k));
     rate = 0.4 * (t - std::sin(k * t) / k);

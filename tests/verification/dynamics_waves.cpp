@@ -13,7 +13,11 @@ struct String {
 };
 
 String string(int elements, double h, double rho, bool beam) {
-  constexpr double T = 100, L = 10, EA = 2e4, height = 0.01, stretch = 1 + T / EA;
+  constexpr double T = 100;
+  constexpr double L = 10;
+  constexpr double EA = 2e4;
+  constexpr double height = 0.01;
+  constexpr double stretch = 1 + T / EA;
   model::LineType t = beam ? beam_type(EA, 1e-3, 1e-3, stretch) : cable_type(EA, stretch);
   t.rotary_inertia = Vec3::Constant(1e-6);
   model::Case c = one_line(t, L / stretch, elements, anchor(Vec3::Zero()), anchor({L, 0, 0}));
@@ -38,7 +42,8 @@ String string(int elements, double h, double rho, bool beam) {
   };
   String out;
   std::vector<double> crossings;
-  double before = mode(), t0 = 0;
+  double before = mode();
+  double t0 = 0;
   integrate(d, 21, 1, [&](const StepInfo& i) {
     const double now = mode();
     if (before > 0 && now <= 0) crossings.push_back(t0 + i.h * before / (before - now));
@@ -72,7 +77,9 @@ TEST(Dynamics, TautString) {
 // 7850 kg/m³, L = 10 m.
 TEST(Dynamics, StoppedBar) {
   constexpr double E = 210e9, A = 0.01, rho = 7850, L = 10, v = 1;
-  const double c = std::sqrt(E / rho), F = rho * c * A * v, back = 2 * L / c;
+  const double c = std::sqrt(E / rho);
+  const double F = rho * c * A * v;
+  const double back = 2 * L / c;
   constexpr int n = 100;
   model::LineType t = beam_type(E * A, 1e6, 1e6, rho * A);
   t.rotary_inertia = Vec3::Constant(1e-3);

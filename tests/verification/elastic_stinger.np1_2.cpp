@@ -58,14 +58,18 @@ TEST(ElasticStinger, RollersOfAStructure) {
   runs::run_on_all({base + "soft.yaml", base + "half.h5", "", 1});
   runs::run_on_all({base + "soft.yaml", base + "rest.h5", base + "half.h5"});
   if (runs::rank_of(MPI_COMM_WORLD) != 0) return;
-  const auto barge = runs::read(base + "barge.h5"), stiff = runs::read(base + "stiff.h5"),
-             soft = runs::read(base + "soft.h5"), one = runs::read(base + "soft_one.h5"),
-             rest = runs::read(base + "rest.h5");
+  const auto barge = runs::read(base + "barge.h5");
+  const auto stiff = runs::read(base + "stiff.h5");
+  const auto soft = runs::read(base + "soft.h5");
+  const auto one = runs::read(base + "soft_one.h5");
+  const auto rest = runs::read(base + "rest.h5");
   Vec3 sum = Vec3::Zero();
   double off = 0;
   for (const char* box : {"ramp_1", "ramp_2", "ramp_3"}) {
-    const std::vector<double>&a = barge.series.at(box), &b = stiff.series.at(box), &c = soft.series.at(box),
-          &d = one.series.at(box);
+    const std::vector<double>& a = barge.series.at(box);
+    const std::vector<double>& b = stiff.series.at(box);
+    const std::vector<double>& c = soft.series.at(box);
+    const std::vector<double>& d = one.series.at(box);
     ASSERT_EQ(a.size(), b.size());
     ASSERT_EQ(c.size(), d.size());
     for (size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 1e-3 * 1e4) << box << i;

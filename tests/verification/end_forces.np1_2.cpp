@@ -107,13 +107,17 @@ TEST(EndForces, BridleOfThreeLegs) {
     double worst = 0, size = 0;
     Vec3 sum = row.load;
     for (size_t i = 0; i < 3; ++i) {
-      const size_t joint = i ? 2 * i + 1 : 0, anchor = i ? 2 * i : 1;
-      const Vec3 f = at_end(row.name, "force", 0, joint), g = at_end(row.name, "force", 0, anchor);
+      const size_t joint = i ? 2 * i + 1 : 0;
+      const size_t anchor = i ? 2 * i : 1;
+      const Vec3 f = at_end(row.name, "force", 0, joint);
+      const Vec3 g = at_end(row.name, "force", 0, anchor);
       sum += f;
       size = std::max(size, f.norm());
-      const double T = exact.at_joint[i].norm(), U = exact.at_anchor[i].norm();
+      const double T = exact.at_joint[i].norm();
+      const double U = exact.at_anchor[i].norm();
       worst = std::max({worst, (f - exact.at_joint[i]).norm() / T, (g - exact.at_anchor[i]).norm() / U});
-      const size_t a = 41 * i, b = 41 * i + 40;
+      const size_t a = 41 * i;
+      const size_t b = 41 * i + 40;
       EXPECT_NEAR(r.fields.at("effective_tension")[i ? b : a], T, 1e-3 * T) << row.name << i;
       EXPECT_NEAR(r.fields.at("effective_tension")[i ? a : b], U, 1e-3 * U) << row.name << i;
       // The direction at end A is that of the cable's tension.
@@ -152,7 +156,8 @@ TEST(EndForces, BridleOfThreeLegs) {
     for (size_t c = 0; c < 3; ++c)
       EXPECT_EQ(runs::named(file, r, "knot", std::string("end_force_") + "xyz"[c])[0],
                 f[static_cast<Eigen::Index>(c)]);
-    const auto knot = r.column("knot", runs::kTension), far = r.column("far", runs::kTension);
+    const auto knot = r.column("knot", runs::kTension);
+    const auto far = r.column("far", runs::kTension);
     double most = 0;
     for (size_t k = 0; k < knot.size(); ++k) most = std::max({most, knot[k], far[k]});
     EXPECT_NEAR(r.summary[0], most, 1e-12 * most);
@@ -177,8 +182,8 @@ lines:
   const CatenaryShape exact =
       catenary(Vec3::Zero(), Vec3(50, 0, 60),
                {{40, w, 1e8, Vec3(0, 0, -2000 * kGravity)}, {60, w, 1e8, Vec3::Zero()}});
-  const double before = exact.tension(40).norm(),
-               after = (exact.tension(40) - Vec3(0, 0, -2000 * kGravity)).norm();
+  const double before = exact.tension(40).norm();
+  const double after = (exact.tension(40) - Vec3(0, 0, -2000 * kGravity)).norm();
   const auto& f = r.fields;
   if (runs::rank_of(MPI_COMM_WORLD) == 0)
     printf("  before %.1f, exactly %.1f N; after %.1f, exactly %.1f N\n",
@@ -221,13 +226,17 @@ lines:
                       ? "end_a: free\n    end_b: {anchor: [0, 0, 0], clamped: true, direction: [-1, 0, 0]}"
                       : "end_a: {anchor: [0, 0, 0], clamped: true, direction: [1, 0, 0]}\n    end_b: free"},
          {"TIP", turned ? "end_a" : "end_b"}});
-    const double g = kGravity, along = turned ? -1 : 1;
-    const Vec3 tip(900, 2500, -4000), weight(0, 0, -(80 * 4 + 50 * 6) * g);
+    const double g = kGravity;
+    const double along = turned ? -1 : 1;
+    const Vec3 tip(900, 2500, -4000);
+    const Vec3 weight(0, 0, -(80 * 4 + 50 * 6) * g);
     const Vec3 force = tip + weight;  // on the root, by the beam
     const Vec3 moment = Vec3(6000, 0, 0) + Vec3(10, 0, 0).cross(tip) +
                         Vec3(2, 0, 0).cross(Vec3(0, 0, -320 * g)) + Vec3(7, 0, 0).cross(Vec3(0, 0, -300 * g));
-    const size_t root = turned ? 1 : 0, n = turned ? 10 : 0;
-    const Vec3 F = at_end(name, "force", 0, root), M = at_end(name, "moment", 0, root);
+    const size_t root = turned ? 1 : 0;
+    const size_t n = turned ? 10 : 0;
+    const Vec3 F = at_end(name, "force", 0, root);
+    const Vec3 M = at_end(name, "moment", 0, root);
     // It deflects by 1e-5 of its length.
     EXPECT_LT((F - force).norm(), 1e-6 * force.norm());
     EXPECT_LT((M - moment).norm(), 1e-5 * moment.norm());
@@ -238,7 +247,8 @@ lines:
     const auto axis = [&](const char* of, size_t at) {
       return Vec3(Eigen::Map<const Vec3>(f.at(of).data() + 3 * at));
     };
-    const Vec3 d2 = axis("axis_2", n), d3 = axis("axis_1", n).cross(d2);
+    const Vec3 d2 = axis("axis_2", n);
+    const Vec3 d3 = axis("axis_1", n).cross(d2);
     // Section forces: of the part beyond the section on the part before it.
     const Vec3 section = along * moment;
     EXPECT_NEAR(f.at("effective_tension")[n], 900, 1e-4 * 900);
@@ -254,8 +264,8 @@ lines:
     EXPECT_NEAR(f.at("curvature")[c], there.norm() / 1e10, 0.01 * there.norm() / 1e10);
     // In the middle of the thinner part, averaged over both elements at the node.
     const size_t m = turned ? 3 : 7;
-    const Vec3 V = tip + Vec3(0, 0, -150 * g),
-               middle = Vec3(3, 0, 0).cross(tip) + Vec3(1.5, 0, 0).cross(Vec3(0, 0, -150 * g));
+    const Vec3 V = tip + Vec3(0, 0, -150 * g);
+    const Vec3 middle = Vec3(3, 0, 0).cross(tip) + Vec3(1.5, 0, 0).cross(Vec3(0, 0, -150 * g));
     EXPECT_NEAR(f.at("shear_force")[m], std::hypot(V.y(), V.z()), 1e-3 * V.norm());
     EXPECT_NEAR(f.at("bending_moment_2")[m], along * middle.dot(axis("axis_2", m)), 5e-3 * middle.norm());
     EXPECT_NEAR(f.at("bending_moment_3")[m], along * middle.dot(axis("axis_1", m).cross(axis("axis_2", m))),

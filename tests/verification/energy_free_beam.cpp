@@ -4,7 +4,8 @@ namespace hawser::test::energy_free_beam_test {
 namespace {
 
 TEST(Energy, FreeFlyingBeam) {
-  const Tumble coarse = tumble(true, 20, 100, 1, 50), fine = tumble(true, 20, 200, 1, 50);
+  const Tumble coarse = tumble(true, 20, 100, 1, 50);
+  const Tumble fine = tumble(true, 20, 200, 1, 50);
   show("free beam, 100 steps a period", 1, coarse);
   show("free beam, 200 steps a period", 1, fine);
   EXPECT_GT(coarse.strain, 0.3);  // the beam bends

@@ -38,8 +38,10 @@ inline model::Case free_line(bool beam, int elements) {
 }
 
 inline void throw_line(State& s, bool bend) {
-  const Vec3 V(0.3, -0.2, 0.4), W = bend ? Vec3(0.3, 0.2, 0.6) : Vec3(0.6, 0.9, 2);
-  const double b = kFirst, k = (std::cosh(b) - std::cos(b)) / (std::sinh(b) - std::sin(b));
+  const Vec3 V(0.3, -0.2, 0.4);
+  const Vec3 W = bend ? Vec3(0.3, 0.2, 0.6) : Vec3(0.6, 0.9, 2);
+  const double b = kFirst;
+  const double k = (std::cosh(b) - std::cos(b)) / (std::sinh(b) - std::sin(b));
   for (size_t i = 0; i < s.x.size(); ++i) {
     const double z = b * (s.x[i].x() / 10 + 0.5);
     const double shape = bend ? 1.5 * (std::cosh(z) + std::cos(z) - k * (std::sinh(z) + std::sin(z))) : 0;

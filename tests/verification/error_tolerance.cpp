@@ -44,7 +44,8 @@ int steps_of_a_wire(bool beside_a_pipe) {
 
 // A nearly motionless pipe of 1 m, 50 m away, does not lengthen the steps of a wire of 4 mm.
 TEST(ErrorTolerance, IsThatOfEachLine) {
-  const int alone = steps_of_a_wire(false), beside = steps_of_a_wire(true);
+  const int alone = steps_of_a_wire(false);
+  const int beside = steps_of_a_wire(true);
   EXPECT_GT(alone, 50);
   EXPECT_GE(beside, 0.9 * alone);
 }

@@ -85,7 +85,8 @@ TEST(FramesOfBeams, PortalUnderItsWeight) {
     const std::vector<double> m = io::h5::read_row(file, "ends/moment", 0).values;
     const double corner = w * gravity / 10 * L * L / (6 * (h / L + 2));
     for (const bool foot : {true, false}) {
-      const double found = std::abs(m[foot ? 1 : 4]), exact = foot ? 0.5 * corner : corner;
+      const double found = std::abs(m[foot ? 1 : 4]);
+      const double exact = foot ? 0.5 * corner : corner;
       printf("portal, g = %g, %s: %.8g N m, closed form %.8g N m\n", gravity, foot ? "foot" : "corner", found,
              exact);
       EXPECT_NEAR(found, exact, 1e-3 * exact + 1e-4);

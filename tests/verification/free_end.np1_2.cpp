@@ -37,14 +37,16 @@ lines:
 
 // Wet fraction of a cylinder's section with its axis at z.
 double wet(double z, double radius) {
-  const double u = std::clamp(z / radius, -1.0, 1.0), half = std::acos(u);
+  const double u = std::clamp(z / radius, -1.0, 1.0);
+  const double half = std::acos(u);
   return (half - u * std::sqrt(1 - u * u)) / M_PI;
 }
 
 // Weight [N] of a line between the heights `low` and `high`, by Simpson's rule.
 double weight_between(const model::Case& c, const std::string& type, double low, double high) {
   const model::LineType& t = c.line_type(type);
-  const double g = c.environment.gravity, d = t.displaced();
+  const double g = c.environment.gravity;
+  const double d = t.displaced();
   const double displaced = c.environment.water.present ? c.environment.water.density * M_PI / 4 * d * d : 0;
   const auto per_metre = [&](double z) { return g * (t.mass_per_length - displaced * wet(z, 0.5 * d)); };
   constexpr int kParts = 20000;
@@ -64,7 +66,8 @@ struct Rest {
 // Statics from the automatic start shape; at most so many iterations, and equal positions on one rank and on
 // all.
 Rest rest(const model::Case& c, int most_iterations = 150) {
-  Simulation all(PETSC_COMM_WORLD, c), one(PETSC_COMM_SELF, c);
+  Simulation all(PETSC_COMM_WORLD, c);
+  Simulation one(PETSC_COMM_SELF, c);
   const StaticsReport report = all.solve_statics();
   EXPECT_LE(report.iterations, most_iterations);
   EXPECT_EQ(report.negative_eigenvalues, 0);
@@ -309,7 +312,9 @@ lines:
   Simulation s(PETSC_COMM_WORLD, c);
   for (const std::string& note : s.notes()) EXPECT_EQ(note.find("direction"), std::string::npos) << note;
   s.solve_statics();
-  const double g = c.environment.gravity, air = 1000 * g, lift = 1025 * g * M_PI / 4;
+  const double g = c.environment.gravity;
+  const double air = 1000 * g;
+  const double lift = 1025 * g * M_PI / 4;
   const double shorter = (0.5 * air * 45 * 45 - 0.5 * lift * 30 * 30) / 1e10;
   const int n = s.local().find(90);
   if (n < 0 || n >= s.local().owned) return;

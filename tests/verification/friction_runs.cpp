@@ -41,7 +41,9 @@ double slides_by(model::ContactMethod method, double mu, double angle, bool acro
   slope.name = "slope";
   model::TableMotion tip;
   for (int i = 0; i <= 200; ++i) {
-    const double t = 0.1 * i, s = std::min(t / 10, 1.0), smooth = s * s * s * (10 - 15 * s + 6 * s * s);
+    const double t = 0.1 * i;
+    const double s = std::min(t / 10, 1.0);
+    const double smooth = s * s * s * (10 - 15 * s + 6 * s * s);
     tip.time.push_back(t);
     tip.offset.push_back(Vec3::Zero());
     tip.rotation.push_back(Vec3(0, angle * smooth, 0));
@@ -69,9 +71,10 @@ double slides_by(model::ContactMethod method, double mu, double angle, bool acro
 TEST(FrictionRuns, BlockOnAnIncline) {
   for (const auto method : {model::ContactMethod::nodes, model::ContactMethod::line})
     for (const bool across : {false, true}) {
-      const double mu = 0.3, limit = std::atan(mu);
-      const double below = slides_by(method, mu, 0.999 * limit, across),
-                   above = slides_by(method, mu, 1.001 * limit, across);
+      const double mu = 0.3;
+      const double limit = std::atan(mu);
+      const double below = slides_by(method, mu, 0.999 * limit, across);
+      const double above = slides_by(method, mu, 1.001 * limit, across);
       // Sliding: g (sin a - mu cos a) t²/2.
       const double free = kGravity * (std::sin(1.001 * limit) - mu * std::cos(1.001 * limit)) * 100 / 2;
       std::printf(
@@ -93,7 +96,8 @@ struct Dragged {
 // Both ends move with a body at constant speed; the middle is free.
 Dragged drag(model::ContactMethod method, const model::Friction& friction, double direction) {
   model::Case c = on_plane(method, 4, 8, friction);
-  const double sinkage = 50 * kGravity / 1e6, z = kRadius - sinkage;
+  const double sinkage = 50 * kGravity / 1e6;
+  const double z = kRadius - sinkage;
   c.lines[0].points = {{-2, 0, z}, {2, 0, z}};
   model::Body tug;
   tug.name = "tug";
@@ -118,7 +122,8 @@ Dragged drag(model::ContactMethod method, const model::Friction& friction, doubl
   d.run(
       1.5, [](double t) { return t + 100; }, [](const StepInfo&) { return true; });
   Dragged out;
-  NodeField tangential(s, "friction_force"), normal(s, "contact_normal_force");
+  NodeField tangential(s, "friction_force");
+  NodeField normal(s, "contact_normal_force");
   const auto& f = tangential.at(d.committed_kinematics());
   for (size_t i = 0; i < f.size(); i += 3) out.force += Vec3(f[i], f[i + 1], f[i + 2]);
   for (const double n : normal.at(d.committed_kinematics())) out.normal += n;
@@ -127,11 +132,14 @@ Dragged drag(model::ContactMethod method, const model::Friction& friction, doubl
 
 TEST(FrictionRuns, EllipseIsTraced) {
   const double mu_a = 0.3, mu_l = 0.8;
-  model::Friction springs{mu_a, mu_l, 0, 1e6}, lengths{mu_a, mu_l, 0.002, 0}, paper = lengths;
+  model::Friction springs{mu_a, mu_l, 0, 1e6};
+  model::Friction lengths{mu_a, mu_l, 0.002, 0};
+  model::Friction paper = lengths;
   lengths.lateral_mobilisation_length = 0.008;
   paper.lateral_mobilisation_length = 0.008;
   paper.spring = FrictionSpring::michalopoulos;
-  model::Friction nearest = springs, nearest_by_length = lengths;
+  model::Friction nearest = springs;
+  model::Friction nearest_by_length = lengths;
   nearest.back = nearest_by_length.back = FrictionReturn::associated;
   struct Row {
     const char* name;
@@ -144,9 +152,12 @@ TEST(FrictionRuns, EllipseIsTraced) {
                            Row{"lengths, associated", nearest_by_length, 3}}) {
       double worst = 0, worst_direction = 0;
       for (int i = 0; i < 8; ++i) {
-        const double a = (i + 0.2) * 2 * M_PI / 8, co = std::cos(a), si = std::sin(a);
+        const double a = (i + 0.2) * 2 * M_PI / 8;
+        const double co = std::cos(a);
+        const double si = std::sin(a);
         const Dragged g = drag(method, row.friction, a);
-        const double x = g.force.x() / (mu_a * g.normal), y = g.force.y() / (mu_l * g.normal);
+        const double x = g.force.x() / (mu_a * g.normal);
+        const double y = g.force.y() / (mu_l * g.normal);
         worst = std::max(worst, std::abs(std::hypot(x, y) - 1));
         // radial: the force is along the direction of sliding; associated: along the normal of the ellipse.
         Vec3 e;
@@ -178,15 +189,21 @@ TEST(FrictionRuns, EllipseIsTraced) {
 TEST(FrictionRuns, CapstanMobilisation) {
   constexpr double rho = 1, T1 = 1000, EA = 1e5, mu = 0.3, d = 0.002, wrap = M_PI, leg = 0.3;
   const auto reference = [&](double u0, double& T2, double& delta) {
-    double T = T1, u = u0;
+    double T = T1;
+    double u = u0;
     const int n = 20000;
     const double h = wrap * rho / n;
     const auto dT = [&](double t, double s) { return mu * t / rho * std::min(s / d, 1.0); };
     const auto du = [&](double t) { return (t - T1) / EA; };
     for (int i = 0; i < n; ++i) {
-      const double a1 = dT(T, u), b1 = du(T), a2 = dT(T + h / 2 * a1, u + h / 2 * b1),
-                   b2 = du(T + h / 2 * a1), a3 = dT(T + h / 2 * a2, u + h / 2 * b2), b3 = du(T + h / 2 * a2),
-                   a4 = dT(T + h * a3, u + h * b3), b4 = du(T + h * a3);
+      const double a1 = dT(T, u);
+      const double b1 = du(T);
+      const double a2 = dT(T + h / 2 * a1, u + h / 2 * b1);
+      const double b2 = du(T + h / 2 * a1);
+      const double a3 = dT(T + h / 2 * a2, u + h / 2 * b2);
+      const double b3 = du(T + h / 2 * a2);
+      const double a4 = dT(T + h * a3, u + h * b3);
+      const double b4 = du(T + h * a3);
       T += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
       u += h / 6 * (b1 + 2 * b2 + 2 * b3 + b4);
     }

@@ -58,17 +58,20 @@ double height(const Simulation& s, const Kinematics& k) {
 
 TEST(HeaveCompensator, Transmissibility) {
   for (const double ratio : {0.5, 1.0, 1.6, 3.0}) {
-    const double w = ratio * std::sqrt(kStiffness / kMass), period = 2 * M_PI / w;
+    const double w = ratio * std::sqrt(kStiffness / kMass);
+    const double period = 2 * M_PI / w;
     const double by = std::sqrt((std::pow(kStiffness, 2) + std::pow(kDamping * w, 2)) /
                                 (std::pow(kStiffness - kMass * w * w, 2) + std::pow(kDamping * w, 2)));
     for (const Spring spring : {Spring::linear, Spring::precharged}) {
       model::Case c = compensator(spring, period);
-      const double settled = std::ceil(80 / period) * period, end = settled + 4 * period;
+      const double settled = std::ceil(80 / period) * period;
+      const double end = settled + 4 * period;
       c.dynamics.duration = end;
       c.dynamics.step = period / 200;
       Simulation s(PETSC_COMM_SELF, c);
       s.solve_statics();
-      const double rest = height(s, s.state().at_rest()), stretch = 20 - (rest + 1) - 14;
+      const double rest = height(s, s.state().at_rest());
+      const double stretch = 20 - (rest + 1) - 14;
       const double hangs = spring == Spring::linear ? kMass * kG / kStiffness : 0;
       EXPECT_NEAR(stretch, hangs, 1e-7 * (1 + hangs));
       Dynamics& d = s.dynamics();

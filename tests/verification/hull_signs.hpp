@@ -35,7 +35,8 @@ inline Signs compare_signs(const TriangleMesh& mesh, const MeshSurface& surface,
     d.normalize();
     if (l % 2) {
       const auto& t = mesh.triangles[gen() % mesh.triangles.size()];
-      const double a = unit(gen), b = unit(gen) * (1 - a);
+      const double a = unit(gen);
+      const double b = unit(gen) * (1 - a);
       const auto v = [&](std::size_t i) { return mesh.vertices[static_cast<std::size_t>(t[i])]; };
       p = v(0) + a * (v(1) - v(0)) + b * (v(2) - v(0));
     }

@@ -50,12 +50,14 @@ void drag(const std::string& folder, const std::string& volumes, Drag& r) {
   s.solve_statics();
   Dynamics& d = s.dynamics();
   d.start(s.state());
-  NodeField force(s, "contact_force"), normal(s, "contact_normal_force");
+  NodeField force(s, "contact_force");
+  NodeField normal(s, "contact_normal_force");
   d.run(
       36, [](double t) { return t + 1000; },
       [&](const StepInfo& i) {
         // Contact on both walls: the sum of the forces' sizes exceeds the size of their resultant.
-        const auto &f = force.at(d.committed_kinematics()), &n = normal.at(d.committed_kinematics());
+        const auto& f = force.at(d.committed_kinematics());
+        const auto& n = normal.at(d.committed_kinematics());
         Vec3 left = Vec3::Zero();
         double sizes = 0;
         for (size_t k = 53; k <= 58; ++k) {

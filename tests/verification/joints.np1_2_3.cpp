@@ -82,8 +82,10 @@ TEST(Joints, DeltaLineOfMap) {
   const model::Case c = delta();
   Simulation sim(PETSC_COMM_WORLD, c);
   const StaticsReport report = sim.solve_statics();
-  const Vec3 node = place(sim, 0, true), A = reaction(sim, 0, false), B = reaction(sim, 1, true),
-             C = reaction(sim, 2, true);
+  const Vec3 node = place(sim, 0, true);
+  const Vec3 A = reaction(sim, 0, false);
+  const Vec3 B = reaction(sim, 1, true);
+  const Vec3 C = reaction(sim, 2, true);
   const Vec3 exact(31.583396712889662, 0, -77.37019188090699);
   printf("  %d iterations, joint %.2f mm off, H %+.4f %%, V at the anchor %+.4f %%, bridle %+.4f %%\n",
          report.iterations, 1e3 * (node - exact).norm(), 100 * (std::abs(A.x()) / 1501931.2036468408 - 1),
@@ -101,7 +103,8 @@ TEST(Joints, DeltaLineOfMap) {
 
 TEST(Joints, TheSameOnAnyNumberOfRanksInMotion) {
   const model::Case c = delta();
-  Simulation all(PETSC_COMM_WORLD, c), one(PETSC_COMM_SELF, c);
+  Simulation all(PETSC_COMM_WORLD, c);
+  Simulation one(PETSC_COMM_SELF, c);
   double off = 0;
   for (Simulation* s : {&all, &one}) {
     s->solve_statics();
@@ -109,15 +112,16 @@ TEST(Joints, TheSameOnAnyNumberOfRanksInMotion) {
     s->dynamics().run(
         4, [](double) { return 4.0; }, [](const StepInfo&) { return true; });
   }
-  const Kinematics a = all.dynamics().committed_kinematics(), b = one.dynamics().committed_kinematics();
+  const Kinematics a = all.dynamics().committed_kinematics();
+  const Kinematics b = one.dynamics().committed_kinematics();
   for (int n = 0; n < all.local().owned; ++n)
     off = std::max(off, (a.x[static_cast<size_t>(n)] -
                          b.x[static_cast<size_t>(all.local().global[static_cast<size_t>(n)])])
                             .norm());
   MPI_Allreduce(MPI_IN_PLACE, &off, 1, MPI_DOUBLE, MPI_MAX, PETSC_COMM_WORLD);
   EXPECT_LT(off, 1e-6);
-  const size_t leg = static_cast<size_t>(one.mesh().lines[0].nodes - 1),
-               port = static_cast<size_t>(one.mesh().lines[1].first_node);
+  const size_t leg = static_cast<size_t>(one.mesh().lines[0].nodes - 1);
+  const size_t port = static_cast<size_t>(one.mesh().lines[1].first_node);
   EXPECT_LT((b.x[leg] - b.x[port]).norm(), 1e-9);
   EXPECT_GT((b.x[leg] - c.joints[0].start).norm(), 0.1);
   printf("  %.1e m apart after 4 s\n", off);

@@ -61,7 +61,8 @@ History run(model::Case c, double from, double until) {
       [&](const StepInfo& info) {
         if (info.time < from - 1e-6) return true;
         const auto& r = sim.dynamics().reactions();
-        const double T = reaction(sim, r, true).norm(), B = reaction(sim, r, false).norm();
+        const double T = reaction(sim, r, true).norm();
+        const double B = reaction(sim, r, false).norm();
         h.time.push_back(info.time);
         h.top.push_back(T);
         h.bottom.push_back(B);
@@ -86,7 +87,8 @@ double from_curve(const Curve& curve, const History& h, double start) {
       ADD_FAILURE() << t << " s is not in the run";
       return 1e99;
     }
-    const size_t j = static_cast<size_t>(after - h.time.begin()), i = j - 1;
+    const size_t j = static_cast<size_t>(after - h.time.begin());
+    const size_t i = j - 1;
     const double s = (t + start - h.time[i]) / (h.time[j] - h.time[i]);
     sum += std::pow(1e-3 * ((1 - s) * h.top[i] + s * h.top[j]) - kN, 2);
   }
@@ -129,7 +131,8 @@ TEST(Jumper, AtRest) {
     const auto at = [&](int node) {
       return Vec3(Eigen::Map<const Vec3>(r.data() + 3 * sim.local().block[static_cast<size_t>(node)]));
     };
-    const Vec3 top = at(elements), bottom = at(0);
+    const Vec3 top = at(elements);
+    const Vec3 bottom = at(0);
     const State& s = sim.state();
     double lowest = 0;
     for (const Vec3& x : s.x) lowest = std::min(lowest, x.z());

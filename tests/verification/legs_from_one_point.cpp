@@ -34,8 +34,8 @@ std::vector<Vec3> at_rest(const std::string& text) {
 TEST(LegsFromOnePoint, AreNotPriedApart) {
   for (const double degrees : {40.0, 20.0, 6.0})
     for (const double slack : {0.001, 0.03}) {
-      const std::vector<Vec3> with = at_rest(legs(degrees, slack, "")),
-                              without = at_rest(legs(degrees, slack, "contact: {between_lines: false}\n"));
+      const std::vector<Vec3> with = at_rest(legs(degrees, slack, ""));
+      const std::vector<Vec3> without = at_rest(legs(degrees, slack, "contact: {between_lines: false}\n"));
       ASSERT_EQ(with.size(), without.size());
       double most = 0;
       for (size_t n = 0; n < with.size(); ++n) most = std::max(most, (with[n] - without[n]).norm());
@@ -46,7 +46,8 @@ TEST(LegsFromOnePoint, AreNotPriedApart) {
 // A cut event in the future does not change statics: the line has two parts, whose new ends do not exist yet.
 TEST(LegsFromOnePoint, NorWhereOneIsCutLater) {
   const char* cut = "dynamics: {duration: 2}\nevents: [{cut: {line: p, at: 25.025}, time: 1.9}]\n";
-  const std::vector<Vec3> whole = at_rest(legs(6, 0.001, "")), parts = at_rest(legs(6, 0.001, cut));
+  const std::vector<Vec3> whole = at_rest(legs(6, 0.001, ""));
+  const std::vector<Vec3> parts = at_rest(legs(6, 0.001, cut));
   ASSERT_GE(parts.size(), whole.size());
   for (size_t n = 0; n < 40; ++n) EXPECT_LT((parts[n] - whole[n]).norm(), 1e-6) << n;
 }

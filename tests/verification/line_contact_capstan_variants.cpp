@@ -34,7 +34,8 @@ Drawn draw(const Rope& r, std::shared_ptr<const Surface> drum_surface = nullptr)
   path.back() += r.beside * on_circle(1, r.wrap);
   const double length = path_length(path) / (1 + r.stretch);
   const int elements = static_cast<int>(std::ceil(16 * length));
-  const double h = length / elements, g = 9.81;
+  const double h = length / elements;
+  const double g = 9.81;
   model::LineType type = beam_type(r.EA, r.EI, 1, std::max(r.weight / g, 0.2));
   type.outer_diameter = type.contact_diameter = 2 * kLine;
   type.stiffness_damping = 1e-3;

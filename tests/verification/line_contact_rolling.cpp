@@ -92,7 +92,8 @@ TEST(LineRolling, RollsAndSlides) {
 
 // With friction at the axis the pipe stands still, or slides without rotation.
 TEST(LineRolling, WithoutIt) {
-  const Pushed held = push(100, false), slides = push(600, false);
+  const Pushed held = push(100, false);
+  const Pushed slides = push(600, false);
   print("held", held, 0);
   EXPECT_LT(held.way, 3e-3);
   EXPECT_NEAR(slides.way, 0.5 * (600 / 50.0 - 0.3 * 9.81), 0.02);

@@ -20,8 +20,11 @@ struct Thrown {
 // step 0: automatic steps of at most `longest` (0: no limit).
 Thrown throw_pipe(double stiffness, double step, double longest = 0, bool resolve = true) {
   constexpr int elements = 60;
-  const double steel = 2.07e11, r = kDiameter / 2, bore = r - kWall;
-  const double area = M_PI * (r * r - bore * bore), I = M_PI / 4 * (std::pow(r, 4) - std::pow(bore, 4));
+  const double steel = 2.07e11;
+  const double r = kDiameter / 2;
+  const double bore = r - kWall;
+  const double area = M_PI * (r * r - bore * bore);
+  const double I = M_PI / 4 * (std::pow(r, 4) - std::pow(bore, 4));
   model::LineType type = beam_type(steel * area, steel * I, 0.77 * steel * I, kMass);
   type.outer_diameter = type.contact_diameter = kDiameter;
   model::Case c = one_line(type, kSpan / (1 + kPull / (steel * area)), elements, anchor({0, 0, 0}),
@@ -54,7 +57,8 @@ Thrown throw_pipe(double stiffness, double step, double longest = 0, bool resolv
     const Energy e = s.system().energy(d.committed_kinematics());
     return e.kinetic + e.strain + e.potential;
   };
-  const double before = total(), kinetic = s.system().energy(d.committed_kinematics()).kinetic;
+  const double before = total();
+  const double kinetic = s.system().energy(d.committed_kinematics()).kinetic;
   EXPECT_NEAR(s.state().x[elements / 2].z(), sag, 1e-6) << "it does not hang over the support";
   Thrown out;
   double last = 0;

@@ -45,7 +45,8 @@ TEST(LineFurniture, BendStiffenerThatThinsOut) {
       load(c, {0, 0, -P});
       Simulation sim(PETSC_COMM_SELF, c);
       sim.solve_statics();
-      const double w = -sim.state().x.back().z(), error = w / exact - 1;
+      const double w = -sim.state().x.back().z();
+      const double error = w / exact - 1;
       printf("  %d elements: deflection %+.4f %%\n", elements, 100 * error);
       EXPECT_NEAR(w, exact, 0.03 * exact * std::pow(10.0 / elements, 2));
       if (from_b) {
@@ -85,7 +86,9 @@ TEST(LineFurniture, SpringAtAnEnd) {
       const Vec3 chord = sim.state().x.back() - sim.state().x.front();
       return std::pair(chord.dot(across), std::atan2(chord.dot(across), chord.dot(along)));
     };
-    const double EI = 1e5, small = run(EI, 0.1).first, exact = 0.1 * (L * L * L / (3 * EI) + L * L / k);
+    const double EI = 1e5;
+    const double small = run(EI, 0.1).first;
+    const double exact = 0.1 * (L * L * L / (3 * EI) + L * L / k);
     EXPECT_NEAR(small, exact, 1e-6 * exact);
     const double phi = run(1e9, 8000).second;
     EXPECT_NEAR(k * phi, 8000 * L * std::cos(phi), 1e-4 * k * phi);

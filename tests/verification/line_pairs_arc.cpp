@@ -55,10 +55,11 @@ int follow_motion(Simulation& s, double end, double longest) {
       s.system().tied_nodes().increments(last, next, u.data());
       // Initial guess: free nodes move with the ends, interpolated linearly.
       const LineSpan& l = s.mesh().lines[1];
-      const size_t a = static_cast<size_t>(l.first_node), b = a + static_cast<size_t>(l.nodes) - 1;
+      const size_t a = static_cast<size_t>(l.first_node);
+      const size_t b = a + static_cast<size_t>(l.nodes) - 1;
       const auto at = [&](size_t n) { return Eigen::Map<Vec3>(u.data() + 3 * s.local().block[n]); };
-      const Vec3 before = (last.x[b] - last.x[a]).normalized(),
-                 after = (last.x[b] + at(b) - last.x[a] - at(a)).normalized();
+      const Vec3 before = (last.x[b] - last.x[a]).normalized();
+      const Vec3 after = (last.x[b] + at(b) - last.x[a] - at(a)).normalized();
       const Quat turn = minimal_rotation(before, after);
       for (size_t n = a; n <= b; ++n) {
         const double part = static_cast<double>(n - a) / static_cast<double>(b - a);

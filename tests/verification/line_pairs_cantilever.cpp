@@ -11,7 +11,8 @@ namespace {
 // (-0.016127, -0.171522). 4C's lines are 0.114 mm thick with a penetration of 2 mm. Here they are 12 mm thick
 // and farther apart by as much, with a stiffness per length for the same penetration at the same force.
 TEST(CrossedCantilever, TipAs4C) {
-  const double radius = 0.006, thin = std::pow(4 * 8.3333333333e-18 / M_PI, 0.25);
+  const double radius = 0.006;
+  const double thin = std::pow(4 * 8.3333333333e-18 / M_PI, 0.25);
   model::Case c;
   c.environment.gravity = 0;
   model::LineType type = beam_type(10, 8.3333333333e-9, 8.3333333333e-9, 1);
@@ -30,7 +31,8 @@ TEST(CrossedCantilever, TipAs4C) {
   c.bodies = {jaw};
   model::Line cantilever = straight_line("cantilever", "beam", 1, 20, clamp({0, 0, 0}, Vec3::UnitX()), {});
   c.lines.push_back(cantilever);
-  model::End a = clamp({0, 0, -0.5}, Vec3::UnitZ()), b = clamp({0, 0, 0.5}, Vec3::UnitZ());
+  model::End a = clamp({0, 0, -0.5}, Vec3::UnitZ());
+  model::End b = clamp({0, 0, 0.5}, Vec3::UnitZ());
   for (model::End* e : {&a, &b}) {
     e->kind = model::EndKind::body;
     e->carrier = "jaw";

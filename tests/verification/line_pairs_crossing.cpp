@@ -16,7 +16,8 @@ TEST(CrossingBeams, CompliancesInSeries) {
     for (const int elements : {8, 7, 20}) {  // nodes under the crossing or beside it
       model::Case c;
       c.environment.gravity = 0;
-      model::LineType first = beam_type(1e4, 1e5, 1e5), second = beam_type(1e4, 2e5, 2e5);
+      model::LineType first = beam_type(1e4, 1e5, 1e5);
+      model::LineType second = beam_type(1e4, 2e5, 2e5);
       first.name = "first";
       second.name = "second";
       first.contact_diameter = second.contact_diameter = reach;
@@ -28,7 +29,8 @@ TEST(CrossingBeams, CompliancesInSeries) {
       Simulation s(PETSC_COMM_WORLD, c);
       ASSERT_NE(s.line_pairs(), nullptr);
       const int its = s.solve_statics().iterations;
-      const double F = s.line_pairs()->normal_force(), p = s.line_pairs()->deepest().depth;
+      const double F = s.line_pairs()->normal_force();
+      const double p = s.line_pairs()->deepest().depth;
       printf("  D %.2f m, %d elements: force %.3f N (%.3f), pressed in by %.4f mm (%.4f), %d iterations\n", D,
              elements, F, force, 1e3 * p, 1e3 * pressed, its);
       EXPECT_NEAR(F, force, 0.005 * force);

@@ -20,7 +20,8 @@ struct Draped {
 Draped drape(double stiffness, int nodes, double off, bool touch_at_all = true) {
   model::Case c;
   c.environment.gravity = 9.81;
-  model::LineType wire = beam_type(1e7, 1e4, 1e4, 20), rope = beam_type(1e7, 500, 500, 30);
+  model::LineType wire = beam_type(1e7, 1e4, 1e4, 20);
+  model::LineType rope = beam_type(1e7, 500, 500, 30);
   wire.name = "wire";
   rope.name = "rope";
   wire.contact_diameter = rope.contact_diameter = kDiameter;

@@ -27,7 +27,8 @@ Impact meet(double h, double friction) {
     line.name = l ? "second" : "first";
     line.sections.push_back({type.name, 2, 8, 1});
     line.start = model::Start::points;
-    const Vec3 along = l ? Vec3(0, 1, 0) : Vec3(1, 0, 0), middle(l ? 0.2 : 0, 0, l ? 0.11 : 0);
+    const Vec3 along = l ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
+    const Vec3 middle(l ? 0.2 : 0, 0, l ? 0.11 : 0);
     line.points = {middle - along, middle + along};
     c.lines.push_back(line);
   }

@@ -42,7 +42,8 @@ std::vector<double> heights(const Simulation& s, const State& at) {
     for (const LocalElement& e : s.local().elements) {
       const Element& g = s.mesh().element(static_cast<size_t>(e.global));
       if (g.line != line) continue;
-      const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
+      const size_t i = static_cast<size_t>(e.first);
+      const size_t j = static_cast<size_t>(e.second);
       AxisEnds ends;
       ends.length = g.length;
       ends.x1 = at.x[i];
@@ -54,13 +55,17 @@ std::vector<double> heights(const Simulation& s, const State& at) {
     }
     return out;
   };
-  const std::vector<Vec3> a = points(0), b = points(1);
+  const std::vector<Vec3> a = points(0);
+  const std::vector<Vec3> b = points(1);
   std::vector<double> out;
   for (size_t i = 0; i + 1 < a.size(); ++i)
     for (size_t j = 0; j + 1 < b.size(); ++j) {
-      const Vec3 d = b[j] - a[i], u = a[i + 1] - a[i], v = b[j + 1] - b[j];
+      const Vec3 d = b[j] - a[i];
+      const Vec3 u = a[i + 1] - a[i];
+      const Vec3 v = b[j + 1] - b[j];
       const double det = v.x() * u.y() - u.x() * v.y();
-      const double x = (v.x() * d.y() - d.x() * v.y()) / det, y = (u.x() * d.y() - d.x() * u.y()) / det;
+      const double x = (v.x() * d.y() - d.x() * v.y()) / det;
+      const double y = (u.x() * d.y() - d.x() * u.y()) / det;
       if (x >= 0 && x < 1 && y >= 0 && y < 1) out.push_back(d.z() + y * v.z() - x * u.z());
     }
   return out;

@@ -22,8 +22,10 @@ Drawn draw(double theta, double way, int elements) {
   model::LineType type = beam_type(1e9, 1e6, 1e6);
   type.contact_diameter = 2 * kRadius;
   c.line_types = {type};
-  const Vec3 along(std::cos(theta), std::sin(theta), 0), pull(std::cos(way), std::sin(way), 0);
-  const double press = 0.0015, z = 2 * kRadius - press;
+  const Vec3 along(std::cos(theta), std::sin(theta), 0);
+  const Vec3 pull(std::cos(way), std::sin(way), 0);
+  const double press = 0.0015;
+  const double z = 2 * kRadius - press;
   model::Body sledge;
   sledge.name = "sledge";
   sledge.position = Vec3(0, 0, z);
@@ -35,7 +37,8 @@ Drawn draw(double theta, double way, int elements) {
   sledge.motion = m;
   c.bodies = {sledge};
   // Clamped at both ends, so that neither line rotates about its axis.
-  model::End a = clamp({-1, 0, 0}, Vec3::UnitX()), b = clamp({1, 0, 0}, Vec3::UnitX());
+  model::End a = clamp({-1, 0, 0}, Vec3::UnitX());
+  model::End b = clamp({1, 0, 0}, Vec3::UnitX());
   c.lines.push_back(straight_line("first", "beam", 2, elements, a, b));
   for (model::End* e : {&a, &b}) {
     e->kind = model::EndKind::body;
@@ -60,7 +63,8 @@ Drawn draw(double theta, double way, int elements) {
     retract(s.local(), last, u.data(), moved);
     moved.time = i / static_cast<double>(steps);
     // The step of friction begins at the last equilibrium, not at the last iterate.
-    VecHandle du = s.system().create_vector(), res = s.system().create_vector();
+    VecHandle du = s.system().create_vector();
+    VecHandle res = s.system().create_vector();
     MatHandle J = s.system().create_matrix();
     KspHandle ksp;
     check(KSPCreate(s.system().comm(), ksp.out()));

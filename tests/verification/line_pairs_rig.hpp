@@ -34,11 +34,13 @@ inline void touch(model::Case& c, double per_length, double smoothing, double fr
 // the stiffness k per length of either (both sides in series) without smoothing: the integral of the normal
 // component of the pressure.
 inline double crossing_force(double k, double reach, double p, double theta) {
-  const double d = reach - p, most = std::sqrt(reach * reach - d * d);  // m, across the other axis
+  const double d = reach - p;
+  const double most = std::sqrt(reach * reach - d * d);  // m, across the other axis
   double sum = 0;
   const int n = 2000;
   for (int i = 0; i < n; ++i) {
-    const double q = most * (2 * (i + 0.5) / n - 1), r = std::hypot(d, q);
+    const double q = most * (2 * (i + 0.5) / n - 1);
+    const double r = std::hypot(d, q);
     sum += k * (reach - r) * d / r * 2 * most / n;
   }
   return sum / std::sin(theta);

@@ -30,10 +30,11 @@ constexpr const char* kNames[] = {"beams", "cables", "thick and light", "lengthw
 // Both ends of the rope move with a frame along the wire, or along the rope, at 0.5 m/s. step 0: automatic.
 Swept sweep(Kind kind, double mu, double step) {
   constexpr double kSpeed = 0.5, kDuration = 4, kSlides = 1;  // m/s, s, s
-  const bool cables = kind == Kind::cables, light = kind == Kind::light,
-             lengthwise = kind == Kind::lengthwise;
-  model::LineType wire = cables ? cable_type(1e8, 20) : beam_type(1e8, 5e3, 5e3, 20),
-                  rope = cables ? cable_type(1e6, 8) : beam_type(1e6, 2e2, 2e2, 8);
+  const bool cables = kind == Kind::cables;
+  const bool light = kind == Kind::light;
+  const bool lengthwise = kind == Kind::lengthwise;
+  model::LineType wire = cables ? cable_type(1e8, 20) : beam_type(1e8, 5e3, 5e3, 20);
+  model::LineType rope = cables ? cable_type(1e6, 8) : beam_type(1e6, 2e2, 2e2, 8);
   wire.name = "wire";
   rope.name = "rope";
   wire.outer_diameter = wire.contact_diameter = 0.06;
@@ -81,8 +82,8 @@ Swept sweep(Kind kind, double mu, double step) {
       kDuration, [](double t) { return t + 100; },
       [&](const StepInfo& i) {
         ++out.steps;
-        const double friction = over_ranks(s.line_pairs()->friction_force()),
-                     normal = over_ranks(s.line_pairs()->normal_force());
+        const double friction = over_ranks(s.line_pairs()->friction_force());
+        const double normal = over_ranks(s.line_pairs()->normal_force());
         if (i.time > kSlides) out.ratio.add(friction / normal, i.h);
         return true;
       });

@@ -25,7 +25,8 @@ inline bool crossed(const Mesh& mesh, const std::vector<Vec3>& from, const std::
   };
   for (int a = own(0).first; a < own(0).second; ++a)
     for (int b = own(1).first; b < own(1).second; ++b) {
-      const Element &A = mesh.element(static_cast<size_t>(a)), &B = mesh.element(static_cast<size_t>(b));
+      const Element& A = mesh.element(static_cast<size_t>(a));
+      const Element& B = mesh.element(static_cast<size_t>(b));
       SegmentPair last;
       for (int k = 0; k <= kPieces; ++k) {
         const double t = k / static_cast<double>(kPieces);
@@ -57,7 +58,8 @@ inline Throw throw_lines(unsigned seed, double step_diameters, bool cables) {
   type.contact_diameter = type.outer_diameter = kDiameter;
   type.rotary_inertia = Vec3::Constant(5 * kDiameter * kDiameter / 8);
   c.line_types = {type};
-  const double speed = 4 + 4 * std::abs(unit(random)), angle = 0.3 + 1.2 * std::abs(unit(random));
+  const double speed = 4 + 4 * std::abs(unit(random));
+  const double angle = 0.3 + 1.2 * std::abs(unit(random));
   const double gap = kDiameter * (1.05 + std::abs(unit(random)));
   for (int l = 0; l < 2; ++l) {
     model::Line line;

@@ -13,8 +13,9 @@ constexpr double kPost = 0.5, kRope = 0.01, kLoad = 1000, kTurn = 2 * M_PI, kMu 
 // r. So dT/ds = t - t r c, the normal force is T c - r dt/ds, and T grows as exp(g s) with g (1 + mu r g) =
 // mu c (1 - r c). A thin rope has exp(mu c s); on a circle this is exp(mu theta).
 double tension_ratio(double pitch) {
-  const double c = std::pow(std::cos(pitch), 2) / (kPost + kRope),
-               s = kTurn * (kPost + kRope) / std::cos(pitch), m = kMu * kRope;
+  const double c = std::pow(std::cos(pitch), 2) / (kPost + kRope);
+  const double s = kTurn * (kPost + kRope) / std::cos(pitch);
+  const double m = kMu * kRope;
   const double g = (std::sqrt(1 + 4 * m * kMu * c * (1 - kRope * c)) - 1) / (2 * m);
   return std::exp(g * s);
 }
@@ -34,16 +35,20 @@ struct Wound {
 
 // Straight legs along the tangents of the helix: a dead load pulls the first, a hook draws the other.
 Wound wind(double pitch, double duration) {
-  const double r = kPost + kRope, c = std::cos(pitch), rise = std::sin(pitch);
+  const double r = kPost + kRope;
+  const double c = std::cos(pitch);
+  const double rise = std::sin(pitch);
   const auto at = [&](double a) { return Vec3(on_circle(r, a) + Vec3(0, r * a * rise / c, 0)); };
   const auto along = [&](double a) { return Vec3(c * along_circle(a) + Vec3(0, rise, 0)); };
   std::vector<Vec3> path{at(0) - along(0)};
   for (int i = 0; i <= 200; ++i) path.push_back(at(kTurn * i / 200));
   path.push_back(path.back() + 0.5 * along(kTurn));
-  const double length = path_length(path), high = at(kTurn).y();
+  const double length = path_length(path);
+  const double high = at(kTurn).y();
   const int elements = static_cast<int>(std::ceil(20 * length));
 
-  model::LineType rope = beam_type(1e7, 1, 1), post = beam_type(1e11, 1e10, 1e10);
+  model::LineType rope = beam_type(1e7, 1, 1);
+  model::LineType post = beam_type(1e11, 1e10, 1e10);
   rope.name = "rope";
   post.name = "post";
   rope.outer_diameter = rope.contact_diameter = 2 * kRope;
@@ -85,8 +90,8 @@ Wound wind(double pitch, double duration) {
   double turned = 0;
   for (const LocalElement& e : l.elements) {
     if (!e.counted || s.mesh().element(static_cast<size_t>(e.global)).line != 0) continue;
-    const Vec3 &a = s.state().x[static_cast<size_t>(e.first)],
-               &b = s.state().x[static_cast<size_t>(e.second)];
+    const Vec3& a = s.state().x[static_cast<size_t>(e.first)];
+    const Vec3& b = s.state().x[static_cast<size_t>(e.second)];
     turned += std::remainder(std::atan2(b.z(), b.x()) - std::atan2(a.z(), a.x()), 2 * M_PI);
   }
   out.turned = over_ranks(turned);

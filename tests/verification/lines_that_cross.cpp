@@ -97,7 +97,8 @@ TEST(LinesThatCross, OrderIsAskedFor) {
                                                          two_over ? "two, one" : "one, two")),
                                       "over.yaml"));
     sim.solve_statics();
-    const double one = sim.state().x[25].z(), two = sim.state().x[51 + 25].z();
+    const double one = sim.state().x[25].z();
+    const double two = sim.state().x[51 + 25].z();
     const double radii = sim.model().line_types.front().contact_diameter;
     EXPECT_NEAR(two - one, two_over ? radii : -radii, 0.1 * radii);
   }

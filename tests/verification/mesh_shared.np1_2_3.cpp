@@ -59,7 +59,8 @@ TEST(MeshShared, AnswersAreTheSame) {
   const Host host(MPI_COMM_WORLD);
   TriangleMesh open = sphere_mesh(3);
   open.triangles.erase(open.triangles.begin() + 40, open.triangles.begin() + 43);
-  const TriangleMesh ball = sphere_mesh(4), drum = flanged_drum_mesh(48, 2, 3, 3.0, 0.3);
+  const TriangleMesh ball = sphere_mesh(4);
+  const TriangleMesh drum = flanged_drum_mesh(48, 2, 3, 3.0, 0.3);
   std::vector<bool> half(drum.triangles.size());
   for (std::size_t t = 0; t < half.size(); ++t)
     half[t] = drum.vertices[static_cast<std::size_t>(drum.triangles[t][0])].x() > 0;
@@ -135,7 +136,8 @@ int openings(const std::string& path, const std::function<void()>& work) {
 TEST(MeshShared, EachFileIsReadOnce) {
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  const std::string folder = testing::TempDir() + "read_once", path = folder + "/case.yaml";
+  const std::string folder = testing::TempDir() + "read_once";
+  const std::string path = folder + "/case.yaml";
   const auto write_stl = [](const std::string& to, const std::string& corners) {
     std::ofstream out(to);
     std::istringstream in(corners);
@@ -194,7 +196,8 @@ std::string wrong(const model::Case& c) {
 
 TEST(MeshShared, VolumesOfACase) {
   const model::Case c = io::read_case(HAWSER_SOURCE_DIR "/cases/reel/reel.yaml");
-  const auto own = run::load_volumes(c), shared = run::load_volumes(c, MPI_COMM_WORLD);
+  const auto own = run::load_volumes(c);
+  const auto shared = run::load_volumes(c, MPI_COMM_WORLD);
   ASSERT_EQ(own.size(), shared.size());
   for (std::size_t i = 0; i < own.size(); ++i) {
     EXPECT_EQ(own[i].name, shared[i].name);

@@ -53,7 +53,8 @@ TEST(Modes, TensionedBeam) {
     const model::LineType t = beam_type(EA, 1e6, 1e6, 100);
     double error[2];
     for (int i = 0; i < 2; ++i) {
-      model::End a = anchor(Vec3::Zero()), b = anchor(Vec3(L, 0, 0));
+      model::End a = anchor(Vec3::Zero());
+      model::End b = anchor(Vec3(L, 0, 0));
       if (r.clamped) {
         a = clamp(a.at, Vec3::UnitX());
         b = clamp(b.at, Vec3::UnitX());
@@ -119,12 +120,15 @@ TEST(Modes, SaggedCable) {
                     {100, {8.159295885441594, 10.931721654181933, 15.873408309379286}},
                     {400, {8.877714707158677, 15.109726606016936, 19.596175811818206}}};
   const double l = 100, H = 1e5, ratio = 0.05;  // ratio = m g l/H
-  const double m = ratio * H / (9.81 * l), w = 9.81 * m;
+  const double m = ratio * H / (9.81 * l);
+  const double w = 9.81 * m;
   const double Le = l * (1 + ratio * ratio / 8);
   const int n = 60;
   for (const auto& r : rows) {
     const double EA = r.lambda2 * H * Le / (l * ratio * ratio);
-    double low = 0.5 * l, high = 1.1 * l;  // unstretched length for which the tension is H
+    // Unstretched length for which the tension is H.
+    double low = 0.5 * l;
+    double high = 1.1 * l;
     for (int i = 0; i < 100; ++i) {
       const double L = 0.5 * (low + high);
       const double x = catenary_chord(Vec3(H, 0, -0.5 * w * L), Vec3(0, 0, -w), L, EA).x();
@@ -138,7 +142,8 @@ TEST(Modes, SaggedCable) {
     // Symmetric modes: both halves move equally, x opposite, z equal.
     Eigen::MatrixXd B = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(a.dof.size()), n - 1);
     for (int i = 1; i < n / 2; ++i) {
-      const int x = i - 1, z = n / 2 - 1 + i - 1;
+      const int x = i - 1;
+      const int z = n / 2 - 1 + i - 1;
       B(a.row(i, 0), x) = 1;
       B(a.row(n - i, 0), x) = -1;
       B(a.row(i, 2), z) = 1;

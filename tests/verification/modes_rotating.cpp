@@ -39,11 +39,14 @@ struct SteadyRotation {
     move();
     ModalMatrices m = modal_matrices(s.system(), s.state().at_rest());
     const auto n = static_cast<Eigen::Index>(m.dof.size());
-    Eigen::MatrixXd G1 = Eigen::MatrixXd::Zero(n, n), G2 = G1, G3 = G1;
+    Eigen::MatrixXd G1 = Eigen::MatrixXd::Zero(n, n);
+    Eigen::MatrixXd G2 = G1;
+    Eigen::MatrixXd G3 = G1;
     const LocalMesh& mesh = s.local();
     for (int node = 0; node < mesh.owned; ++node) {
       const int b = mesh.block[static_cast<size_t>(node)];
-      const Mat3 position = hat(Omega), rotation = hat(s.state().w[static_cast<size_t>(node)]);
+      const Mat3 position = hat(Omega);
+      const Mat3 rotation = hat(s.state().w[static_cast<size_t>(node)]);
       put(m, b, position, G1);
       put(m, b, position * position, G2);
       put(m, b, 2 * position, G3);
@@ -57,7 +60,8 @@ struct SteadyRotation {
 
   // Relative equilibrium: Newton on the residual with the accelerations of the rotation, which change little.
   int settle() {
-    VecHandle r = s.system().create_vector(), u = s.system().create_vector();
+    VecHandle r = s.system().create_vector();
+    VecHandle u = s.system().create_vector();
     MatHandle J = s.system().create_matrix();
     KspHandle ksp;
     check(KSPCreate(PETSC_COMM_WORLD, ksp.out()));
@@ -86,7 +90,8 @@ struct SteadyRotation {
   static void put(const ModalMatrices& m, int block, const Mat3& value, Eigen::MatrixXd& G) {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
-        const int r = m.row(block, i), c = m.row(block, j);
+        const int r = m.row(block, i);
+        const int c = m.row(block, j);
         if (r >= 0 && c >= 0) G(r, c) = value(i, j);
       }
   }

@@ -89,7 +89,8 @@ TEST(MooringHeave, AtRest) {
     }
     Simulation sim(PETSC_COMM_SELF, c);
     const StaticsReport report = sim.solve_statics();
-    const double T = reaction(sim, 200), A = reaction(sim, 0);
+    const double T = reaction(sim, 200);
+    const double A = reaction(sim, 0);
     printf("  %-20s %3d iterations, fairlead %+.4f %%, anchor %+.4f %%\n", r.name, report.iterations,
            100 * (T / r.fairlead - 1), 100 * (A / r.anchor - 1));
     EXPECT_NEAR(T, r.fairlead, 1e-3 * r.fairlead) << r.name;
@@ -119,7 +120,8 @@ TEST(MooringHeave, AtRestAsOrcaFlex) {
     }
     Simulation sim(PETSC_COMM_SELF, c);
     sim.solve_statics();
-    const double T = reaction(sim, 200) / 1e3, A = reaction(sim, 0) / 1e3;
+    const double T = reaction(sim, 200) / 1e3;
+    const double A = reaction(sim, 0) / 1e3;
     printf("  %-27s fairlead %.1f kN (%+.3f %%), anchor %.1f kN (%+.3f %%)\n", r.name, T,
            100 * (T / r.fairlead - 1), A, 100 * (A / r.anchor - 1));
     EXPECT_NEAR(T, r.fairlead, 2e-3 * r.fairlead) << r.name;
@@ -225,7 +227,8 @@ TEST(MooringHeave, FairleadMovesFine) {
 // step. If the bed acted at the nodes only, the smallest tension would fall by 9 % from the first step to the
 // second.
 TEST(MooringHeave, TouchdownDoesNotRing) {
-  const Heaved coarse = heave(k50, 5, 2.5, 0.05), fine = heave(k50, 5, 2.5, 0.025);
+  const Heaved coarse = heave(k50, 5, 2.5, 0.05);
+  const Heaved fine = heave(k50, 5, 2.5, 0.025);
   printf("  fairlead's least %.1f kN at steps of 0.05 s, %.1f kN at 0.025 s\n", coarse.fairlead.least,
          fine.fairlead.least);
   EXPECT_NEAR(fine.fairlead.least, coarse.fairlead.least, 0.03 * coarse.fairlead.least);

@@ -28,7 +28,8 @@ model::Case chain() {
 
 TEST(MooringRanks, TheSameOnAnyNumber) {
   const model::Case c = chain();
-  Simulation all(PETSC_COMM_WORLD, c), one(PETSC_COMM_SELF, c);
+  Simulation all(PETSC_COMM_WORLD, c);
+  Simulation one(PETSC_COMM_SELF, c);
   all.solve_statics();
   one.solve_statics();
   expect_same_positions(all, all.state().at_rest(), one.state().at_rest(), 1e-7, "statics");

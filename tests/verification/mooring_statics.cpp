@@ -86,8 +86,11 @@ void expect(const Reference& r) {
     return Vec3(Eigen::Map<const Vec3>(reactions.data() + 3 * sim.local().block[static_cast<size_t>(node)]));
   };
   const int last = sim.local().owned - 1;
-  const double H = pull(last).head<2>().norm(), V = pull(last).z(), T = std::hypot(H, V),
-               A = pull(0).head<2>().norm(), grounded = grounded_length(sim, r);
+  const double H = pull(last).head<2>().norm();
+  const double V = pull(last).z();
+  const double T = std::hypot(H, V);
+  const double A = pull(0).head<2>().norm();
+  const double grounded = grounded_length(sim, r);
   const double true_T = std::hypot(r.H, r.V);
   // The tolerance of the anchor tension is relative to itself. It is relative to the fairlead tension where
   // friction has reduced the anchor tension to zero, and for full friction, where the anchor tension is a

@@ -155,8 +155,8 @@ TEST(NaturalModes, LoadOnASling) {
   for (size_t i = 0; i < 4; ++i) {
     const NaturalMode& mode = modes[i + 1];
     EXPECT_NEAR(mode.squared, exact[i].squared, 1e-4 * exact[i].squared) << i;
-    const double end = shape_at(s, mode, 2)[exact[i].axis],
-                 centre = shape_at(s, mode, s.mesh().body_node(0))[exact[i].axis];
+    const double end = shape_at(s, mode, 2)[exact[i].axis];
+    const double centre = shape_at(s, mode, s.mesh().body_node(0))[exact[i].axis];
     EXPECT_NEAR(end, exact[i].eye * centre, 1e-3) << i;
     EXPECT_GT(std::max(std::abs(end), std::abs(centre)), 0.999) << i;
   }

@@ -26,12 +26,16 @@ class TopTerm final : public ForceTerm {
  public:
   std::string_view checkpoint_key() const override { return "top"; }
   void evaluate(const Kinematics& k, Assembler& assembler) override {
-    const Vec3 w = k.w[0], weight = top_.weight(k.q[0]), Jw = top_.inertia.cwiseProduct(w);
+    const Vec3 w = k.w[0];
+    const Vec3 weight = top_.weight(k.q[0]);
+    const Vec3 Jw = top_.inertia.cwiseProduct(w);
     // Added in three pieces, because the residual is relative to the size of the contributions.
-    const Vec3 inertia = top_.inertia.cwiseProduct(k.alpha[0]), turn = w.cross(Jw),
-               load = -top_.arm.cross(weight);
+    const Vec3 inertia = top_.inertia.cwiseProduct(k.alpha[0]);
+    const Vec3 turn = w.cross(Jw);
+    const Vec3 load = -top_.arm.cross(weight);
     const Mat3 M = top_.inertia.asDiagonal();
-    const Mat3 K = -hat(top_.arm) * hat(weight), C = hat(w) * M - hat(Jw);
+    const Mat3 K = -hat(top_.arm) * hat(weight);
+    const Mat3 C = hat(w) * M - hat(Jw);
     assembler.add(1, inertia, nullptr, nullptr, &M);
     assembler.add(1, turn, nullptr, &C);
     assembler.add(1, load, &K);
@@ -62,7 +66,10 @@ End reference(double until, int steps) {
   y << 1, 0, 0, 0, top.spin;
   const double h = until / steps;
   for (int i = 0; i < steps; ++i) {
-    const Y a = rate(y), b = rate(y + 0.5 * h * a), c = rate(y + 0.5 * h * b), d = rate(y + h * c);
+    const Y a = rate(y);
+    const Y b = rate(y + 0.5 * h * a);
+    const Y c = rate(y + 0.5 * h * b);
+    const Y d = rate(y + h * c);
     y += h / 6 * (a + 2 * b + 2 * c + d);
     y.head<4>().normalize();
   }
@@ -103,7 +110,8 @@ void expect_second_order(const char* what, double rho, std::span<const double> e
 
 TEST(Order, HeavyTop) {
   constexpr double until = 1;
-  const End exact = reference(until, 200000), check = reference(until, 100000);
+  const End exact = reference(until, 200000);
+  const End check = reference(until, 100000);
   ASSERT_LT(log_so3(exact.q.conjugate() * check.q).norm(), 1e-8);
   for (const double rho : {0.8, 1.0}) {
     std::array<double, 5> rotation{}, velocity{};

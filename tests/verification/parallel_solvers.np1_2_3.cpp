@@ -83,7 +83,8 @@ Solved solve(MPI_Comm comm, const model::Case& c, const Configure& configure) {
   system.prepare(s.state().at_rest(), 0);
   const LocalMesh& m = system.mesh();
   const MatHandle J = system.create_matrix();
-  VecHandle b = system.create_vector(), x = system.create_vector();
+  VecHandle b = system.create_vector();
+  VecHandle x = system.create_vector();
   const std::vector<double> zero(3 * static_cast<size_t>(m.blocks()), 0);
   Solved out;
   // Two solutions: the second has new values in the same pattern.
@@ -113,7 +114,8 @@ Solved solve(MPI_Comm comm, const model::Case& c, const Configure& configure) {
     check(PCShellGetName(pc, &name));
     out.solver = name;
   }
-  std::vector<double> all(3 * static_cast<size_t>(m.mesh->nodes()), 0), local;
+  std::vector<double> all(3 * static_cast<size_t>(m.mesh->nodes()), 0);
+  std::vector<double> local;
   system.gather_with_ghosts(x.get(), local);
   for (int n = 0; n < m.owned; ++n)
     for (size_t k = 0; k < 3; ++k)
@@ -176,7 +178,8 @@ TEST_F(ParallelSolvers, ALineThatMayTouchItselfIsNotCut) {
   EXPECT_FALSE(whole(shared_out(2)));
   // A line shorter than a rank's share has a rank together with others.
   c.contact.between_lines.self = true;
-  const model::Line coil = c.lines[0], other = c.lines[1];
+  const model::Line coil = c.lines[0];
+  const model::Line other = c.lines[1];
   c.lines = {coil, other, other, other, other, other};
   EXPECT_TRUE(whole(shared_out(2)));
 }
@@ -226,7 +229,9 @@ double residual_of(KSP ksp, Mat A) {
 
 // Parallel chains without contact; every rank has a piece of each. Rows are ordered by rank, chain, position.
 MatHandle chains_cut_by_all(int chains, int stretch) {
-  const int ranks = ranks_of(PETSC_COMM_WORLD), rank = rank_of(PETSC_COMM_WORLD), mine = chains * stretch;
+  const int ranks = ranks_of(PETSC_COMM_WORLD);
+  const int rank = rank_of(PETSC_COMM_WORLD);
+  const int mine = chains * stretch;
   const auto number = [=](int chain, int k) {
     return static_cast<PetscInt>((k / stretch) * mine + chain * stretch + k % stretch);
   };
@@ -240,7 +245,8 @@ MatHandle chains_cut_by_all(int chains, int stretch) {
         for (int c = 0; c < 9; ++c)
           block[c] =
               k == other ? (c % 4 == 0 ? 3.0 + 0.01 * chain : 0.2) : -std::cos(chain + k + 2.0 * other + c);
-        const PetscInt row = number(chain, k), column = number(chain, other);
+        const PetscInt row = number(chain, k);
+        const PetscInt column = number(chain, other);
         check(MatSetValuesBlocked(A.get(), 1, &row, 1, &column, block, INSERT_VALUES));
       }
   check(MatAssemblyBegin(A.get(), MAT_FINAL_ASSEMBLY));

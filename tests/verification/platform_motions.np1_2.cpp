@@ -29,7 +29,9 @@ std::string ship_files(const std::string& name) {
   const std::string stem = testing::TempDir() + name;
   if (rank_of(PETSC_COMM_WORLD) == 0) {
     std::filesystem::create_directories(std::filesystem::path(stem).parent_path());
-    std::ofstream radiation(stem + ".1"), waves(stem + ".3"), drift(stem + ".8");
+    std::ofstream radiation(stem + ".1");
+    std::ofstream waves(stem + ".3");
+    std::ofstream drift(stem + ".8");
     std::ofstream(stem + ".hst") << "3 3 200\n4 4 900\n5 5 20000\n";
     const double added[] = {80, 500, 900, 2e3, 9e4, 6e4};
     for (int k = 0; k < 6; ++k) {
@@ -40,8 +42,10 @@ std::string ship_files(const std::string& name) {
     }
     for (int i = 3; i <= 12; ++i)
       for (int b = 0; b < 12; ++b) {
-        const double T = 2 * M_PI / (0.2 * i), beta = 30 * b * M_PI / 180, c = std::cos(beta),
-                     n = std::sin(beta);
+        const double T = 2 * M_PI / (0.2 * i);
+        const double beta = 30 * b * M_PI / 180;
+        const double c = std::cos(beta);
+        const double n = std::sin(beta);
         const double force[] = {-3 * c, -9 * n, 20, 30 * n, 200 * c, 40 * n * c};
         for (int k = 0; k < 6; ++k)
           waves << fmt::format("{:.17g} {} {} 0 0 {:.17g} {:.17g}\n", T, 30 * b, k + 1, k == 2 ? force[k] : 0,
@@ -58,9 +62,11 @@ std::string ship_files(const std::string& name) {
 
 // That ship in a wave, a current and wind, on springs about a place; all rotated by an angle and moved.
 std::vector<Vec3> turned_ship(const std::string& stem, double turn_deg, double away, double follow) {
-  const double turn = turn_deg * M_PI / 180, k = 0.64 / 10;
+  const double turn = turn_deg * M_PI / 180;
+  const double k = 0.64 / 10;
   const Mat3 R = exp_so3(turn * Vec3::UnitZ()).toRotationMatrix();
-  const Vec3 place(away, -away, 0), at = place + R * Vec3(3, 1, 0);
+  const Vec3 place(away, -away, 0);
+  const Vec3 at = place + R * Vec3(3, 1, 0);
   const double phase =
       -k * (std::cos(turn + 0.4) * place.x() + std::sin(turn + 0.4) * place.y()) * 180 / M_PI;
   const std::string text = fmt::format(
@@ -206,12 +212,14 @@ dynamics: {{duration: 400, step: 0.1, rho_infinity: 1}}
 )",
       2 * M_PI / 0.9, stem);
   const auto found = motion(io::read_case_text(text, testing::TempDir() + "meets.yaml"), 400, 1);
-  const double k = 0.081, meets = 0.9 - k * 2;
-  const std::complex<double> X = 0.5 * 1e4 * std::complex<double>(12, 5),
-                             heave = X / std::complex<double>(2e6 - meets * meets * (1e6 + 1e3), meets * 1e6);
+  const double k = 0.081;
+  const double meets = 0.9 - k * 2;
+  const std::complex<double> X = 0.5 * 1e4 * std::complex<double>(12, 5);
+  const std::complex<double> heave = X / std::complex<double>(2e6 - meets * meets * (1e6 + 1e3), meets * 1e6);
   double off = 0;
   for (size_t i = 300; i < found.size(); ++i) {
-    const double t = static_cast<double>(i), exact = (heave * std::polar(1.0, meets * t)).real();
+    const double t = static_cast<double>(i);
+    const double exact = (heave * std::polar(1.0, meets * t)).real();
     off = std::max(off, std::abs(found[i][0].z() - exact));
   }
   printf("heave of a body that moves with a wave: %.4f m, off by %.2e m\n", std::abs(heave), off);
@@ -269,9 +277,11 @@ dynamics: {{duration: 13, step: 0.1}}
     const auto all = s.system().find<RigidBodies>()->force_on(0, at);
     add(all[0], all[1]);
     const auto n = static_cast<size_t>(s.local().find(s.mesh().body_node(0)));
-    const Vec3 arm = at.q[n] * Vec3(48, 0, 1), along = at.x[n] + arm - Vec3(110, 20, 3);
+    const Vec3 arm = at.q[n] * Vec3(48, 0, 1);
+    const Vec3 along = at.x[n] + arm - Vec3(110, 20, 3);
     const Vec3 start = exp_so3(Vec3(0, 0, M_PI / 12)) * Vec3(50, 0, 3) + Vec3(2, 1, 0) - Vec3(110, 20, 3);
-    const Vec3 speed = at.v[n] + at.q[n] * at.w[n].cross(Vec3(48, 0, 1)), unit = along.normalized();
+    const Vec3 speed = at.v[n] + at.q[n] * at.w[n].cross(Vec3(48, 0, 1));
+    const Vec3 unit = along.normalized();
     const double pull = 5e4 * (along.norm() - start.norm()) + 1e4 * speed.dot(unit);
     add(-pull * unit, arm.cross(-pull * unit));
   }
@@ -340,7 +350,8 @@ dynamics: {{duration: 1, step: 0.1}}
 // A ship that rotates in waves, wind and current: after a restart its slow heading, memory, loads and forces
 // by component are exactly those of the uninterrupted run.
 TEST(Platforms, RestartGoesOnWithTheSlowHeading) {
-  const std::string path = runs::folder("platform_restart"), stem = ship_files("hawser_platform_kept/ship");
+  const std::string path = runs::folder("platform_restart");
+  const std::string stem = ship_files("hawser_platform_kept/ship");
   const std::string text = fmt::format(
       R"(hawser: 1
 environment:
@@ -371,10 +382,12 @@ output: {{every: 5, checkpoint_every: 10, history_every: 0.5, histories: [{{body
   runs::run_on_all({input, path + "/half.h5", "", 10});
   runs::run_on_all({input, path + "/rest.h5", path + "/half.h5", 20});
   if (rank_of(PETSC_COMM_WORLD) != 0) return;
-  const runs::Results whole = runs::read(path + "/whole.h5"), rest = runs::read(path + "/rest.h5");
+  const runs::Results whole = runs::read(path + "/whole.h5");
+  const runs::Results rest = runs::read(path + "/rest.h5");
   ASSERT_EQ(whole.columns.at("ship"), 27u + 6 * 8);  // motion, force, seven components, remainder
   for (size_t c = 0; c < whole.columns.at("ship"); ++c) {
-    const auto there = rest.column("ship", c), here = runs::tail(whole.column("ship", c), there);
+    const auto there = rest.column("ship", c);
+    const auto here = runs::tail(whole.column("ship", c), there);
     ASSERT_GT(there.size(), 10u);
     EXPECT_EQ(here, there) << c;
   }

@@ -24,7 +24,8 @@ inline std::vector<std::vector<Vec3>> motion(const model::Case& c, double until,
   const auto keep = [&](const Kinematics& state) {
     auto& row = out.emplace_back();
     for (size_t b = 0; b < c.bodies.size(); ++b) {
-      const int node = s.mesh().body_node(static_cast<int>(b)), local = s.local().find(node);
+      const int node = s.mesh().body_node(static_cast<int>(b));
+      const int local = s.local().find(node);
       Vec3 x = s.local().owns(local) ? state.x[local] : Vec3(Vec3::Zero());
       std::vector<double> all(x.begin(), x.end());
       all_reduce(PETSC_COMM_WORLD, MPI_SUM, all);

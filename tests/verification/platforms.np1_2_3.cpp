@@ -73,10 +73,12 @@ struct Pair {
   void write(const std::filesystem::path& folder) const {
     std::filesystem::create_directories(folder);
     const int modes[3][2] = {{3, 3}, {3, 9}, {9, 9}};
-    std::ofstream radiation(stem + ".1"), stiffness(stem + ".hst");
+    std::ofstream radiation(stem + ".1");
+    std::ofstream stiffness(stem + ".hst");
     for (int e = 0; e < 3; ++e)
       for (const bool turned : {false, true}) {
-        const int i = modes[e][turned], j = modes[e][!turned];
+        const int i = modes[e][turned];
+        const int j = modes[e][!turned];
         if (turned && i == j) continue;
         radiation << fmt::format("0 {} {} {:.17g}\n", i, j, kAdded[e] / 1000);
         for (size_t k = 0; k < omega.size(); ++k)
@@ -92,7 +94,8 @@ std::vector<Eigen::Vector2d> pair_by_trapezoids(const Pair& pair, Eigen::Vector2
                                                 double every) {
   constexpr double h = 0.01;
   const RadiationMemory memory(pair.omega, pair.damping);
-  Eigen::Matrix2d M, C = Eigen::Vector2d(3000, 2000).asDiagonal();
+  Eigen::Matrix2d M;
+  Eigen::Matrix2d C = Eigen::Vector2d(3000, 2000).asDiagonal();
   M << 1000 + Pair::kAdded[0], Pair::kAdded[1], Pair::kAdded[1], 700 + Pair::kAdded[2];
   const int steps = static_cast<int>(std::lround(until / h));
   std::vector<Eigen::Matrix2d> K;
@@ -101,14 +104,15 @@ std::vector<Eigen::Vector2d> pair_by_trapezoids(const Pair& pair, Eigen::Vector2
     K.emplace_back();
     K.back() << e[0], e[1], e[1], e[2];
   }
-  std::vector<Eigen::Vector2d> v = {Eigen::Vector2d::Zero()}, out = {x};
+  std::vector<Eigen::Vector2d> v = {Eigen::Vector2d::Zero()};
+  std::vector<Eigen::Vector2d> out = {x};
   Eigen::Vector2d a = M.inverse() * (-C * x);
   for (int n = 1; n <= steps; ++n) {
     Eigen::Vector2d past = 0.5 * h * K[static_cast<size_t>(n)] * v[0];
     for (int k = 1; k < n; ++k) past += h * K[static_cast<size_t>(n - k)] * v[static_cast<size_t>(k)];
     // M a + h/2 K(0) v + past + C x = 0, with x and v by average acceleration.
-    const Eigen::Vector2d predicted_v = v.back() + 0.5 * h * a,
-                          predicted_x = x + h * v.back() + 0.25 * h * h * a;
+    const Eigen::Vector2d predicted_v = v.back() + 0.5 * h * a;
+    const Eigen::Vector2d predicted_x = x + h * v.back() + 0.25 * h * h * a;
     const Eigen::Matrix2d left = M + 0.25 * h * h * K[0] + 0.25 * h * h * C;
     const Eigen::Vector2d next = left.inverse() * (-past - 0.5 * h * K[0] * predicted_v - C * predicted_x);
     x = predicted_x + 0.25 * h * h * next;
@@ -220,7 +224,8 @@ TEST(Platforms, ModesHaveTheAddedMassOfTheirFrequency) {
   constexpr double kOmega = 0.8, kMoving = 1000 + 800 - 300 * kOmega;
   if (rank_of(PETSC_COMM_WORLD) == 0) {
     std::filesystem::create_directories(folder);
-    std::ofstream radiation(stem + ".1"), stiffness(stem + ".hst");
+    std::ofstream radiation(stem + ".1");
+    std::ofstream stiffness(stem + ".hst");
     radiation << "0 3 3 0.2\n";
     for (const double omega : {0.4, 1.2})
       radiation << fmt::format("{:.17g} 3 3 {:.17g} {:.17g}\n", 2 * M_PI / omega, (800 - 300 * omega) / 1000,
@@ -254,7 +259,8 @@ TEST(Platforms, ModesWithNegativeAddedMass) {
   constexpr double kOmega = 2.2, kMoving = 1000 - 400;
   if (rank_of(PETSC_COMM_WORLD) == 0) {
     std::filesystem::create_directories(testing::TempDir() + "hawser_negative");
-    std::ofstream radiation(stem + ".1"), stiffness(stem + ".hst");
+    std::ofstream radiation(stem + ".1");
+    std::ofstream stiffness(stem + ".hst");
     radiation << "0 3 3 0\n";
     for (const auto& [omega, added] :
          {std::pair(0.2, 800.0), {0.4, 800.0}, {1.2, 800.0}, {1.6, -1600.0}, {2.4, 0.0}, {2.8, 0.0}})

@@ -79,8 +79,13 @@ TEST(Positioning, DecaysAsAnOscillator) {
 // and integral is z' = A z + b, solved exactly by the exponential of A. At the end the integral carries the
 // force, and the energy balance closes.
 TEST(Positioning, HoldsAgainstAForceByItsIntegral) {
-  constexpr double w = 2 * M_PI / 150, P = kMass * w * w, D = 1.4 * kMass * w, I = 0.15 * P * w, F = 4e4,
-                   period = 40, c = 2 * M_PI / period;
+  constexpr double w = 2 * M_PI / 150;
+  constexpr double P = kMass * w * w;
+  constexpr double D = 1.4 * kMass * w;
+  constexpr double I = 0.15 * P * w;
+  constexpr double F = 4e4;
+  constexpr double period = 40;
+  constexpr double c = 2 * M_PI / period;
   const model::Case model =
       vessel("rotation_deg: [0, 0, 90], ",
              fmt::format("loads: [{{force: [0, {}, 0]}}], positioning: {{proportional: [{}, 7, 1e6], "
@@ -168,7 +173,11 @@ TEST(Positioning, LimitsAreAnEllipseInItsAxes) {
 // A squall exceeds the thrusters for five minutes. The integral does not grow while they are at their limit:
 // the overshoot is below a tenth of the offset.
 TEST(Positioning, DoesNotWindUp) {
-  constexpr double w = 2 * M_PI / 100, P = kMass * w * w, D = 1.4 * kMass * w, I = P * w / 10, F = 2e4;
+  constexpr double w = 2 * M_PI / 100;
+  constexpr double P = kMass * w * w;
+  constexpr double D = 1.4 * kMass * w;
+  constexpr double I = P * w / 10;
+  constexpr double F = 2e4;
   const auto past = [&](double integral) {
     const model::Case c = vessel(
         "",
@@ -253,7 +262,10 @@ TEST(Positioning, OneIntegralBesideALimit) {
   constexpr double k = 1e4, P = 1e5, X = 3e4, Y = 2e4;
   for (const bool surge : {true, false})
     for (const double sign : {1.0, -1.0}) {
-      const double ahead = sign * 8e4, across = 1.2e4, least = surge ? Y : X, most = surge ? X : Y;
+      const double ahead = sign * 8e4;
+      const double across = 1.2e4;
+      const double least = surge ? Y : X;
+      const double most = surge ? X : Y;
       const Vec3 load = surge ? Vec3(ahead, across, 0) : Vec3(across, ahead, 0);
       const model::Case c = vessel(
           "",
@@ -266,7 +278,8 @@ TEST(Positioning, OneIntegralBesideALimit) {
       Simulation s(PETSC_COMM_WORLD, c);
       s.solve_statics();
       const Vec3 rest = place(s, s.state().at_rest());
-      const double aside = across / (k + P), share = P * aside / least;
+      const double aside = across / (k + P);
+      const double share = P * aside / least;
       const double along = (ahead - std::copysign(most * std::sqrt(1 - share * share), ahead)) / k;
       EXPECT_NEAR(rest[surge ? 1 : 0], aside, 1e-6 * aside);
       EXPECT_NEAR(rest[surge ? 0 : 1], along, 1e-6 * std::abs(along));
@@ -284,7 +297,8 @@ TEST(Positioning, OneIntegralBesideALimit) {
 TEST(Positioning, ModesHaveTheProportionalPart) {
   constexpr double kArm = 10, kSway = 1e5, kYaw = 1e8, kLoad = 3.7e6;  // N/m, of surge and sway
   for (const double spring : {0., 0.7e6, 0.9e6, 1.1e6}) {
-    const double carried = spring > 0 ? 0.4 * kLoad : 0, heading = spring > 0 ? 30 : 0;
+    const double carried = spring > 0 ? 0.4 * kLoad : 0;
+    const double heading = spring > 0 ? 30 : 0;
     const Vec3 load = kLoad * (exp_so3(heading * M_PI / 180 * Vec3::UnitZ()) * Vec3::UnitX());
     Simulation s(
         PETSC_COMM_WORLD,
@@ -299,7 +313,8 @@ TEST(Positioning, ModesHaveTheProportionalPart) {
     s.solve_statics();
     s.system().find<DynamicPositioning>()->integrate_at_rest(false);
     const std::vector<NaturalMode> modes = natural_modes(s.system(), s.state().at_rest(), 3);
-    Eigen::Matrix2d K, M = Eigen::Vector2d(kMass, kInertia).asDiagonal();
+    Eigen::Matrix2d K;
+    Eigen::Matrix2d M = Eigen::Vector2d(kMass, kInertia).asDiagonal();
     K << kSway + spring, -kArm * kSway, -kArm * kSway, kArm * kArm * kSway + kYaw - kArm * carried;
     const Eigen::Vector2d coupled =
         Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d>(K, M).eigenvalues();
@@ -329,7 +344,8 @@ TEST(Positioning, TangentOfAStep) {
 
 // After a restart the motion and forces are those of one run, on 1 and 2 ranks.
 TEST(Positioning, GoesOnAfterARestart) {
-  const std::string path = runs::folder("positioning_restart"), input = path + "/vessel.yaml";
+  const std::string path = runs::folder("positioning_restart");
+  const std::string input = path + "/vessel.yaml";
   runs::write_case(input, fmt::format(R"(hawser: 1
 bodies:
   vessel:
@@ -352,11 +368,13 @@ output: {{every: 10, checkpoint_every: 20, history_every: 0.5, histories: [{{bod
   runs::run_on_all({input, path + "/rest.h5", path + "/half.h5", 40});
   runs::run_on_one({input, path + "/one.h5", "", 40});
   if (runs::rank_of(PETSC_COMM_WORLD) != 0) return;
-  const runs::Results whole = runs::read(path + "/whole.h5"), rest = runs::read(path + "/rest.h5"),
-                      one = runs::read(path + "/one.h5");
+  const runs::Results whole = runs::read(path + "/whole.h5");
+  const runs::Results rest = runs::read(path + "/rest.h5");
+  const runs::Results one = runs::read(path + "/one.h5");
   ASSERT_EQ(whole.columns.at("vessel"), 27u + 6 * 2);  // motion, force, thrusters, remainder
   for (size_t c = 0; c < whole.columns.at("vessel"); ++c) {
-    const auto there = rest.column("vessel", c), here = runs::tail(whole.column("vessel", c), there);
+    const auto there = rest.column("vessel", c);
+    const auto here = runs::tail(whole.column("vessel", c), there);
     ASSERT_GT(there.size(), 10u);
     EXPECT_EQ(here, there) << c;
     EXPECT_EQ(whole.column("vessel", c), one.column("vessel", c)) << c;

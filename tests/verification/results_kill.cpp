@@ -207,10 +207,12 @@ void expect_whole(const std::string& path, const Progress& progress) {
   ASSERT_GE(written[0], progress.outputs + 1);
   ASSERT_EQ(written[1], kSteps * written[0]);
   const auto n = static_cast<size_t>(written[0]);
-  const auto time = h5::read_array(file, "outputs/time"), x = h5::read_array(file, "fields/position");
-  const auto state = h5::read_array(file, "fields/state"), end = h5::read_array(file, "series/end_A");
-  const auto body = h5::read_array(file, "bodies/position"),
-             moved = h5::read_array(file, "volumes/drum/moved");
+  const auto time = h5::read_array(file, "outputs/time");
+  const auto x = h5::read_array(file, "fields/position");
+  const auto state = h5::read_array(file, "fields/state");
+  const auto end = h5::read_array(file, "series/end_A");
+  const auto body = h5::read_array(file, "bodies/position");
+  const auto moved = h5::read_array(file, "volumes/drum/moved");
   long wrong = 0;
   for (size_t k = 0; k < n; ++k) {
     const int out = static_cast<int>(k);
@@ -227,8 +229,10 @@ void expect_whole(const std::string& path, const Progress& progress) {
   EXPECT_EQ(wrong, 0);
 
   if (n > 0) {
-    const auto counts = h5::read_array(file, kContactCounts), pairs = h5::read_array(file, kContactPairs),
-               at = h5::read_array(file, kContactPositions), force = h5::read_array(file, kContactForces);
+    const auto counts = h5::read_array(file, kContactCounts);
+    const auto pairs = h5::read_array(file, kContactPairs);
+    const auto at = h5::read_array(file, kContactPositions);
+    const auto force = h5::read_array(file, kContactForces);
     size_t row = 0;
     for (size_t k = 0; k < n; ++k) {
       for (const ContactRow& r : contacts(static_cast<int>(k))) {
@@ -269,7 +273,8 @@ void expect_whole(const std::string& path, const Progress& progress) {
     EXPECT_LT(k, written[0]);
     const auto right = checkpoint(k);
     EXPECT_EQ(read.nodes.at("state").values, right.nodes.at("state").values);
-    const auto &found = read.records.at("friction").records, &records = right.records.at("friction").records;
+    const auto& found = read.records.at("friction").records;
+    const auto& records = right.records.at("friction").records;
     ASSERT_EQ(found.size(), records.size());
     for (size_t i = 0; i < records.size(); ++i) EXPECT_EQ(found[i].values, records[i].values);
   }

@@ -231,11 +231,13 @@ TEST(ResultsRanks, RowsInSinglePrecision) { expect_rows_of_lines(true); }
 
 TEST(ResultsRanks, FileIsTheSameAsFromOneRank) {
   for (const bool finish : {false, true}) {
-    const std::string together = temporary("together.h5"), alone = temporary("alone.h5");
+    const std::string together = temporary("together.h5");
+    const std::string alone = temporary("alone.h5");
     write_run(MPI_COMM_WORLD, together, finish);
     if (rank_of(MPI_COMM_WORLD) == 0) {
       write_run(MPI_COMM_SELF, alone, finish);
-      const std::string a = bytes_of(together), b = bytes_of(alone);
+      const std::string a = bytes_of(together);
+      const std::string b = bytes_of(alone);
       EXPECT_GT(a.size(), 10000u);
       EXPECT_TRUE(a == b) << "files differ";
     }
@@ -274,9 +276,10 @@ TEST(ResultsRanks, EveryValueIsInItsPlace) {
     // Vertex 1 is (1, 0, 0) in the body frame; about y by 0.7 rad, then moved by 7 along x.
     EXPECT_NEAR(moved.values[7 * 12 + 3], 7 + std::cos(0.7), 1e-6);
     EXPECT_NEAR(moved.values[7 * 12 + 5], -std::sin(0.7), 1e-6);
-    const auto counts = h5::read_array(file, kContactCounts),
-               places = h5::read_array(file, kContactPositions),
-               forces = h5::read_array(file, kContactForces), pairs = h5::read_array(file, kContactPairs);
+    const auto counts = h5::read_array(file, kContactCounts);
+    const auto places = h5::read_array(file, kContactPositions);
+    const auto forces = h5::read_array(file, kContactForces);
+    const auto pairs = h5::read_array(file, kContactPairs);
     size_t row = 0;
     for (int k = 0; k < 8; ++k) {
       for (int i = 0; i < kPoints * (k % 3); ++i, ++row) {
@@ -315,7 +318,8 @@ TEST(ResultsRanks, CheckpointComesBackOnAnyRanks) {
 }
 
 TEST(ResultsRanks, ResumedFileIsTheSameAsOneInOneGo) {
-  const std::string path = temporary("resumed.h5"), straight = temporary("straight.h5");
+  const std::string path = temporary("resumed.h5");
+  const std::string straight = temporary("straight.h5");
   write_run(MPI_COMM_WORLD, straight, true);
   const auto owned = owned_nodes(MPI_COMM_WORLD, 41);
   {
@@ -333,12 +337,14 @@ TEST(ResultsRanks, ResumedFileIsTheSameAsOneInOneGo) {
     file.finish({{"max effective tension", "hose", 670e3, "N", 3, 25}, {"min", "mooring/1", -1, "N", 0, 0}});
   }
   if (rank_of(MPI_COMM_WORLD) == 0) {
-    const auto a = h5::open_read(path), b = h5::open_read(straight);
+    const auto a = h5::open_read(path);
+    const auto b = h5::open_read(straight);
     for (const char* name :
          {"outputs/time", "fields/position", "fields/effective_tension", "series/time", "series/end_A",
           "series/energy", kContactCounts, kContactPairs, kContactPositions, kContactForces,
           "line_series/touchdown", "bodies/rotation", "volumes/drum/moved"}) {
-      const auto p = h5::read_array(a, name), q = h5::read_array(b, name);
+      const auto p = h5::read_array(a, name);
+      const auto q = h5::read_array(b, name);
       EXPECT_EQ(p.shape, q.shape) << name;
       EXPECT_EQ(bits(p.values), bits(q.values)) << name;
     }

@@ -40,7 +40,8 @@ BeamStress stress(Simulation& sim, size_t element) {
   const LineStructure::Beam& b = sim.line_structure().beams()[element];
   const State& s = sim.state();
   BeamEnds e;
-  const size_t i = static_cast<size_t>(b.element.first), j = static_cast<size_t>(b.element.second);
+  const size_t i = static_cast<size_t>(b.element.first);
+  const size_t j = static_cast<size_t>(b.element.second);
   e.x1 = s.x[i];
   e.x2 = s.x[j];
   e.q1 = s.q[i];
@@ -92,14 +93,18 @@ Place turn(Simulation& sim, double from, double to, int way) {
     if (mesh.node(i).arc >= from && mesh.node(i).arc <= to && (k == 0 || way * (x[i].z() - x[k].z()) > 0))
       k = i;
   // Lagrange's parabola in arc length; elements may differ in length.
-  const double a = mesh.node(k - 1).arc - mesh.node(k).arc, b = mesh.node(k + 1).arc - mesh.node(k).arc;
+  const double a = mesh.node(k - 1).arc - mesh.node(k).arc;
+  const double b = mesh.node(k + 1).arc - mesh.node(k).arc;
   const auto at = [&](int c, double s) {
-    const double da = (x[k - 1][c] - x[k][c]) / a, db = (x[k + 1][c] - x[k][c]) / b;
+    const double da = (x[k - 1][c] - x[k][c]) / a;
+    const double db = (x[k + 1][c] - x[k][c]) / b;
     const double second = (db - da) / (b - a);
     return x[k][c] + s * (da - second * a) + s * s * second;
   };
-  const double da = (x[k - 1].z() - x[k].z()) / a, db = (x[k + 1].z() - x[k].z()) / b;
-  const double second = (db - da) / (b - a), s = -(da - second * a) / (2 * second);
+  const double da = (x[k - 1].z() - x[k].z()) / a;
+  const double db = (x[k + 1].z() - x[k].z()) / b;
+  const double second = (db - da) / (b - a);
+  const double s = -(da - second * a) / (2 * second);
   return {mesh.node(k).arc + s, at(0, s), at(2, s)};
 }
 
@@ -155,9 +160,14 @@ TEST(RiserStatics, LazyWaveFromTheAutomaticStart) {
     }
     Simulation sim(PETSC_COMM_SELF, c);
     const StaticsReport report = sim.solve_statics();
-    const Vec3 A = reaction(sim, false), B = reaction(sim, true);
-    const Bend sag = largest(sim, 0, 70), hog = largest(sim, 70, 105), touchdown = largest(sim, 110);
-    const Place low = turn(sim, 40, 75, -1), high = turn(sim, 75, 105, 1), down = down_to(sim, -80, 110);
+    const Vec3 A = reaction(sim, false);
+    const Vec3 B = reaction(sim, true);
+    const Bend sag = largest(sim, 0, 70);
+    const Bend hog = largest(sim, 70, 105);
+    const Bend touchdown = largest(sim, 110);
+    const Place low = turn(sim, 40, 75, -1);
+    const Place high = turn(sim, 75, 105, 1);
+    const Place down = down_to(sim, -80, 110);
     printf("  %.1f m: %d iterations, CPU %.1f ms set up with start shape, %.1f ms statics\n", element,
            report.iterations, set_up, statics);
     printf(
@@ -295,7 +305,8 @@ TEST(RiserStatics, StiffenedCatenary) {
     Simulation sim(PETSC_COMM_SELF, c);
     const StaticsReport report = sim.solve_statics();
     const Bend bend = r.clamped ? largest(sim) : largest(sim, 59, 61);
-    const double H = std::abs(reaction(sim, false).x()), sag = -sim.state().x[120].z();
+    const double H = std::abs(reaction(sim, false).x());
+    const double sag = -sim.state().x[120].z();
     printf("  EI %.0e, %s: %d iterations, H %+.4f %%, sag %+.4f %%, moment %+.3f %%\n", r.EI,
            r.clamped ? "clamped" : "pinned", report.iterations, 100 * (H / r.H - 1), 100 * (sag / r.sag - 1),
            100 * (bend.moment / r.moment - 1));
@@ -334,7 +345,8 @@ TEST(RiserStatics, CatenaryRiserInACurrent) {
     c.lines.push_back(l);
     Simulation sim(PETSC_COMM_SELF, c);
     const StaticsReport report = sim.solve_statics();
-    const double A = reaction(sim, false).norm(), B = std::abs(reaction(sim, true).x());
+    const double A = reaction(sim, false).norm();
+    const double B = std::abs(reaction(sim, true).x());
     double least = HUGE_VAL;
     for (size_t e = 0; e < sim.line_structure().beams().size(); ++e)
       least = std::min(least, stress(sim, e).tension);
@@ -428,7 +440,8 @@ TEST(RiserStatics, ModelCableWithModules) {
       to_computed =
           std::max(to_computed, std::hypot(x.x() - computed[clamped][k][0], x.z() - computed[clamped][k][1]));
     }
-    const double rms = std::sqrt(to_measured / 6), T = reaction(sim, false).norm();
+    const double rms = std::sqrt(to_measured / 6);
+    const double T = reaction(sim, false).norm();
     printf("  %s: %d iterations, %.1f mm from what was measured, %.2f mm from shooting, tension %.5f N\n",
            clamped ? "clamped upright" : "pinned", report.iterations, 1e3 * rms, 1e3 * to_computed, T);
     EXPECT_LT(to_computed, 1e-3);

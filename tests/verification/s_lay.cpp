@@ -129,7 +129,8 @@ TEST(SLay, OverRollers) {
     // clamp is beside it.
     for (size_t i = 1; i < 3; ++i) {
       const double angle = 4 * static_cast<double>(i + 1) * M_PI / 180;
-      const double w_n = kWeight * std::cos(angle), T = r.T0 - kWeight * kRadius * (1 - std::cos(angle));
+      const double w_n = kWeight * std::cos(angle);
+      const double T = r.T0 - kWeight * kRadius * (1 - std::cos(angle));
       const double beta = 0.5 * kSpacing * std::sqrt(T / kEI);
       const double peak = (1 / kRadius + w_n / T) * beta / std::tanh(beta) - w_n / T;
       const double force = (T / kRadius + w_n) * kSpacing;
@@ -167,10 +168,13 @@ TEST(SLay, TheCase) {
   EXPECT_LT(report.norms.relative(), 1e-8);
   EXPECT_EQ(report.relaxation_steps, 0);
   const Kinematics at = sim.state().at_rest();
-  const std::vector<double> moment = test::NodeField(sim, "bending_moment").at(at),
-                            tension = test::NodeField(sim, "effective_tension").at(at);
+  const std::vector<double> moment = test::NodeField(sim, "bending_moment").at(at);
+  const std::vector<double> tension = test::NodeField(sim, "effective_tension").at(at);
   const std::vector<Vec3> forces = sim.line_volume_contact()->forces_by_volume(at);
-  const double EI = 1.62726e7, R = 151.325, s = 12 * R / 150, weight = 852.5;
+  const double EI = 1.62726e7;
+  const double R = 151.325;
+  const double s = 12 * R / 150;
+  const double weight = 852.5;
   const auto node = [&](size_t box) {
     const Vec3 x = model::support_point(c, c.supports[box - 1], c.supports[box - 1].at);
     size_t best = 0;
@@ -186,7 +190,8 @@ TEST(SLay, TheCase) {
   EXPECT_LT(off(mean, EI / R), 0.5);
   for (const size_t box : {7u, 8u}) {  // in the middle of the row, above water
     const size_t n = node(box);
-    const double w = weight * std::cos(0.08 * static_cast<double>(box - 4)), T = tension[n];
+    const double w = weight * std::cos(0.08 * static_cast<double>(box - 4));
+    const double T = tension[n];
     const double beta = 0.5 * s * std::sqrt(T / EI);
     const double peak = EI * ((1 / R + w / T) * beta / std::tanh(beta) - w / T);
     const double found = std::max({moment[n - 1], moment[n], moment[n + 1]});
@@ -236,7 +241,8 @@ TEST(SLay, RollersBetweenNodes) {
     s.peaks = false;
     const Laid nodes = laid(s);
     for (size_t i = 1; i < 4; ++i) {
-      const double shown = l.roller_kappa.at(i), at_nodes = nodes.roller_kappa.at(i);
+      const double shown = l.roller_kappa.at(i);
+      const double at_nodes = nodes.roller_kappa.at(i);
       printf("  %.1f elements, roller %zu: curvature %+.3f %%, of the nodes alone %+.3f %%\n", parts, i + 1,
              100 * (shown / expected[i] - 1), 100 * (at_nodes / expected[i] - 1));
       EXPECT_LT(off(shown, expected[i]), 0.3) << parts << " " << i;

@@ -39,10 +39,12 @@ struct Laid {
 
 inline std::string case_text(const Setting& s) {
   // Start shape: a string along the arc, a catenary to the bed, and a straight line on the bed.
-  const double phi = s.lift_off * M_PI / 180, z = kTop - kRadius + kRadius * std::cos(phi);
-  const double a = (z + kDepth) / (1 / std::cos(phi) - 1), hanging = a * std::tan(phi);
-  const double x_td = kRadius * std::sin(phi) + a * std::asinh(std::tan(phi)),
-               over = std::ceil((kRadius * phi + 20) / s.over) * s.over;
+  const double phi = s.lift_off * M_PI / 180;
+  const double z = kTop - kRadius + kRadius * std::cos(phi);
+  const double a = (z + kDepth) / (1 / std::cos(phi) - 1);
+  const double hanging = a * std::tan(phi);
+  const double x_td = kRadius * std::sin(phi) + a * std::asinh(std::tan(phi));
+  const double over = std::ceil((kRadius * phi + 20) / s.over) * s.over;
   std::string points;
   const auto add = [&](double x, double y) { points += fmt::format("[{:.9g}, 0, {:.9g}], ", x, y); };
   if (s.arc > 0) {
@@ -109,8 +111,10 @@ inline Laid laid(const Setting& s) {
     peaks.find(fields);
     peaks.fill(at, bent);
   }
-  const std::vector<double>&kappa = bent[3], T = field("effective_tension"),
-        pressed = field("contact_normal_force"), shear = field("shear_force");
+  const std::vector<double>& kappa = bent[3];
+  const std::vector<double> T = field("effective_tension");
+  const std::vector<double> pressed = field("contact_normal_force");
+  const std::vector<double> shear = field("shear_force");
   const size_t nodes = static_cast<size_t>(sim.local().owned);
   out.T0 = T.front();
   out.H = T.back();

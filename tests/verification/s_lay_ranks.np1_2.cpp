@@ -35,17 +35,23 @@ std::string messages(const std::string& path) {
 }
 
 TEST(SLayRanks, ReactionsOfAV) {
-  const std::string folder = runs::folder("s_lay_v"), path = folder + "/v.yaml";
+  const std::string folder = runs::folder("s_lay_v");
+  const std::string path = folder + "/v.yaml";
   runs::write_case(path, beam(kV, "") + "dynamics: {duration: 5, step: 0.25}\n");
   runs::run_on_all({path, folder + "/all.h5"});
   runs::run_on_one({path, folder + "/one.h5"});
   if (runs::rank_of(MPI_COMM_WORLD) != 0) return;
-  const runs::Results all = runs::read(folder + "/all.h5"), one = runs::read(folder + "/one.h5");
+  const runs::Results all = runs::read(folder + "/all.h5");
+  const runs::Results one = runs::read(folder + "/one.h5");
   double carried = 0;
   for (const char* box : {"ramp_1", "ramp_2", "ramp_3"}) {
     const auto of = [&](const char* column) { return runs::named(folder + "/all.h5", all, box, column); };
-    const std::vector<double> up = of("force_z"), left = of("left_force_z"), right = of("right_force_y"),
-                              side = of("left_force_y"), height = of("height"), offset = of("offset");
+    const std::vector<double> up = of("force_z");
+    const std::vector<double> left = of("left_force_z");
+    const std::vector<double> right = of("right_force_y");
+    const std::vector<double> side = of("left_force_y");
+    const std::vector<double> height = of("height");
+    const std::vector<double> offset = of("offset");
     ASSERT_GT(up.size(), 20u);
     carried += up.front();
     for (size_t i = 0; i < up.size(); ++i) {
@@ -73,7 +79,8 @@ TEST(SLayRanks, ReactionsOfAV) {
 }
 
 TEST(SLayRanks, OffTheEndOfARoller) {
-  const std::string folder = runs::folder("s_lay_off"), path = folder + "/off.yaml";
+  const std::string folder = runs::folder("s_lay_off");
+  const std::string path = folder + "/off.yaml";
   const std::string flat = "{at: [12], type: flat, roller_diameter: 0.4, roller_length: 2}";
   // The ends of the line are 1.5 m beside the roller, or 0.5 m within it.
   for (const bool off : {true, false}) {
@@ -95,7 +102,8 @@ TEST(SLayRanks, OffTheEndOfARoller) {
 }
 
 TEST(SLayRanks, BelowARoller) {
-  const std::string folder = runs::folder("s_lay_below"), path = folder + "/below.yaml";
+  const std::string folder = runs::folder("s_lay_below");
+  const std::string path = folder + "/below.yaml";
   runs::write_case(
       path, beam(kV, ", start: {points: [[-20, 0, 0.3586], [-10, 0, -1.2], [10, 0, -1.2], [20, 0, 0.3586]]}",
                  0.3586));

@@ -72,7 +72,8 @@ TEST(SeabedLaid, PullOut) {
                                    {"{anchor: [0, 0, -50], direction: [1, 0, 0]}", "straight"}}) {
       const Shown s = run("pull", pipe({{"FORCE", r.force}, {"END_A", a}, {"START", start}}));
       ASSERT_EQ(s.nodes(), 1201U);
-      const double u = s.x(1200) - 1200, tension = s.tension[1150];
+      const double u = s.x(1200) - 1200;
+      const double tension = s.tension[1150];
       if (runs::rank_of(MPI_COMM_WORLD) == 0)
         printf("  F %s N, end A %s: u %+.4f %%, tension %+.4f %%\n", r.force, a[0] == 'f' ? "free" : "held",
                100 * (u / r.u - 1), 100 * (tension / r.tension - 1));
@@ -93,13 +94,15 @@ TEST(SeabedLaid, Heating) {
                        {"2000", 0.2489017043064301, -350615.49150208966, 631.2851402664203},
                        {"4000", 0.2489020, -350999.99972262495, 631.2893218813451}}) {
     const std::string l = r.length;
-    const double length = std::stod(l), element = 2;
+    const double length = std::stod(l);
+    const double element = 2;
     const Shown s = run("heat", pipe({{"BENDING", "EI: 1e7, GJ: 1e7, thermal_expansion: 1.17e-5"},
                                       {"LENGTH", l},
                                       {"ELEMENTS", std::to_string(std::stoi(l) / 2)},
                                       {"START", "{points: [[0, 0, -49.951], [" + l + ", 0, -49.951]]}"},
                                       {"WARMER", "60 K"}}));
-    const double end = s.x(s.nodes() - 1) - length, middle = s.tension[s.nodes() / 2];
+    const double end = s.x(s.nodes() - 1) - length;
+    const double middle = s.tension[s.nodes() / 2];
     const auto moved = [&](size_t n) { return s.x(n) - element * static_cast<double>(n); };
     size_t n = s.nodes() - 1;
     while (moved(n - 1) > 0.005) --n;

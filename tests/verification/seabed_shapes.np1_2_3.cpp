@@ -18,7 +18,8 @@ std::vector<double> spaced(double from, double to, double step) {
 }
 
 std::shared_ptr<const HeightGrid> grid(const Heights& f, double step) {
-  const std::vector<double> x = spaced(-60, 900, step), y = spaced(-120, 120, step);
+  const std::vector<double> x = spaced(-60, 900, step);
+  const std::vector<double> y = spaced(-120, 120, step);
   std::vector<double> z;
   for (const double b : y)
     for (const double a : x) z.push_back(f(a, b));
@@ -26,7 +27,8 @@ std::shared_ptr<const HeightGrid> grid(const Heights& f, double step) {
 }
 
 std::shared_ptr<const MeshSurface> mesh(const Heights& f, double step) {
-  const std::vector<double> x = spaced(-60, 900, step), y = spaced(-120, 120, step);
+  const std::vector<double> x = spaced(-60, 900, step);
+  const std::vector<double> y = spaced(-120, 120, step);
   TriangleMesh m;
   for (const double b : y)
     for (const double a : x) m.vertices.push_back({a, b, f(a, b)});
@@ -82,8 +84,8 @@ TEST(SeabedShapes, ASlopeIsASlope) {
     other.solve_statics();
     const double at_rest = apart(other.state().x, formula.state().x);
     run(other, 8);
-    const Kinematics a = other.dynamics().committed_kinematics(),
-                     b = formula.dynamics().committed_kinematics();
+    const Kinematics a = other.dynamics().committed_kinematics();
+    const Kinematics b = formula.dynamics().committed_kinematics();
     const double later = apart({a.x.begin(), a.x.end()}, {b.x.begin(), b.x.end()});
     printf("  %s: %.1e m apart at rest, %.1e m after 8 s; %d and %d nodes lie\n", of_grid ? "grid" : "mesh",
            at_rest, later, other.bed_contact()->active_count(), formula.bed_contact()->active_count());
@@ -102,7 +104,8 @@ TEST(SeabedShapes, OnARidge) {
   model::Case c = chain({0, 0, ridge(0, 0)});
   const auto bed = grid(ridge, 5);
   c.environment.seabed.surface = bed;
-  Simulation all(PETSC_COMM_WORLD, c), one(PETSC_COMM_SELF, c);
+  Simulation all(PETSC_COMM_WORLD, c);
+  Simulation one(PETSC_COMM_SELF, c);
   all.solve_statics();
   one.solve_statics();
   expect_same_positions(all, all.state().at_rest(), one.state().at_rest(), 1e-7, "statics");

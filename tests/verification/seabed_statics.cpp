@@ -58,7 +58,8 @@ TEST(SeabedStatics, InfiniteBeamUnderAPointLoad) {
     const size_t metre = static_cast<size_t>(elements / 2 + elements / 40);
     const double at_1 = depth - 0.1 - sim.state().x[metre].z();
     const std::vector<double> moment = values(sim, "bending_moment");
-    const double M0 = moment[static_cast<size_t>(elements / 2)], M1 = moment[metre];
+    const double M0 = moment[static_cast<size_t>(elements / 2)];
+    const double M1 = moment[metre];
     printf("  %d elements: w0 %+.4f %%, w(1 m) %+.4f %%, moment %+.4f %%, at 1 m %+.4f %%\n", elements,
            100 * (w / 0.01988176822 - 1), 100 * (at_1 / 0.0174894562 - 1), 100 * (M0 / 6287.167148 - 1),
            100 * (M1 / 2258.950988 - 1));
@@ -125,12 +126,14 @@ TEST(SeabedStatics, EndLiftedOffAFoundationWithoutTension) {
       size_t i = 1;
       while (x[i].z() > -50) ++i;
       // Cubic through both nodes and their slopes.
-      const double z0 = x[i - 1].z() + 50, z1 = x[i].z() + 50;
-      const double s0 = h * (sim.state().q[i - 1] * Vec3::UnitX()).z(),
-                   s1 = h * (sim.state().q[i] * Vec3::UnitX()).z();
+      const double z0 = x[i - 1].z() + 50;
+      const double z1 = x[i].z() + 50;
+      const double s0 = h * (sim.state().q[i - 1] * Vec3::UnitX()).z();
+      const double s1 = h * (sim.state().q[i] * Vec3::UnitX()).z();
       double part = 0;
       for (double high = 1; high - part > 1e-9;) {
-        const double t = 0.5 * (part + high), u = 1 - t;
+        const double t = 0.5 * (part + high);
+        const double u = 1 - t;
         const double z = u * u * (1 + 2 * t) * z0 + t * t * (3 - 2 * t) * z1 + t * u * (u * s0 - t * s1);
         (z > 0 ? part : high) = t;
       }
@@ -230,7 +233,8 @@ TEST(SeabedStatics, Heating) {
     while (moved(n - 1) > 0.005) --n;
     const double sticks = n - (moved(n) - 0.005) / (moved(n) - moved(n - 1));
     const double slip = half * (1 - sticks / elements);
-    const double end = moved(elements), force = values(sim, "effective_tension")[0];
+    const double end = moved(elements);
+    const double force = values(sim, "effective_tension")[0];
     printf("  %g m: %+.3f %% slip, end %+.3f %%, force in the middle %+.3f %%\n", r.length,
            100 * (slip / r.slip - 1), 100 * (end / r.end - 1), 100 * (force / r.force - 1));
     EXPECT_NEAR(end, r.end, 5e-3 * r.end);

@@ -43,7 +43,9 @@ std::string anchored(const Vec3& x) {
 // Legs from a fairlead to a bed or through the air with random azimuths and slack; their ends are at one
 // point of a body, or nearer to each other than their radii.
 Set legs(Random& r) {
-  const double d = r.in(0.06, 0.3), depth = r.in(40, 120), near = r.of(2) ? 0 : r.in(0.1, 0.9) * d / 2;
+  const double d = r.in(0.06, 0.3);
+  const double depth = r.in(40, 120);
+  const double near = r.of(2) ? 0 : r.in(0.1, 0.9) * d / 2;
   const bool air = r.of(3) == 0;
   Set s{"legs",
         fmt::format(
@@ -70,7 +72,9 @@ Set legs(Random& r) {
 
 // A line whose ends are at the same place.
 Set loop(Random& r) {
-  const double d = r.in(0.02, 0.3), apart = r.of(2) ? 0 : r.in(0, 0.95) * d, length = r.in(5, 40);
+  const double d = r.in(0.02, 0.3);
+  const double apart = r.of(2) ? 0 : r.in(0, 0.95) * d;
+  const double length = r.in(5, 40);
   return {"loop",
           fmt::format(
               "hawser: 1\nline_types: {{c: {{outer_diameter: {:.6g}, mass_per_length: {:.6g}, EA: {:.6g}, "
@@ -81,7 +85,8 @@ Set loop(Random& r) {
 
 // A line to a joint, from which two or three lines lead at small angles.
 Set joint(Random& r) {
-  const double d = r.in(0.05, 0.25), h = r.in(10, 30);
+  const double d = r.in(0.05, 0.25);
+  const double h = r.in(10, 30);
   Set s{"joint",
         fmt::format(
             "hawser: 1\nline_types: {{c: {{outer_diameter: {:.6g}, mass_per_length: {:.6g}, EA: {:.6g}, "
@@ -106,9 +111,15 @@ struct Crossing {
   bool pipe_first;
 };
 Crossing crossing(Random& r) {
-  const double pipe = r.in(0.3, 1.0), d = r.in(0.05, 0.3), depth = r.in(50, 150), at = r.in(0.6, 0.9);
-  const double far = 3 * depth, angle = r.in(0.7, 2.4), axis = -depth + pipe / 2;
-  const Vec3 place(at * far, 0, axis), half(50 * std::cos(angle), 50 * std::sin(angle), 0);
+  const double pipe = r.in(0.3, 1.0);
+  const double d = r.in(0.05, 0.3);
+  const double depth = r.in(50, 150);
+  const double at = r.in(0.6, 0.9);
+  const double far = 3 * depth;
+  const double angle = r.in(0.7, 2.4);
+  const double axis = -depth + pipe / 2;
+  const Vec3 place(at * far, 0, axis);
+  const Vec3 half(50 * std::cos(angle), 50 * std::sin(angle), 0);
   Crossing c{
       {"crossing",
        fmt::format(
@@ -148,8 +159,8 @@ AtRest at_rest(const std::string& text, const std::string& name) {
 
 void expect_untouched(const Set& s, unsigned seed) {
   SCOPED_TRACE(fmt::format("{} {}", s.name, seed));
-  const AtRest with = at_rest(s.text(""), s.name),
-               without = at_rest(s.text("contact: {between_lines: false}\n"), s.name);
+  const AtRest with = at_rest(s.text(""), s.name);
+  const AtRest without = at_rest(s.text("contact: {between_lines: false}\n"), s.name);
   double off = 0, most = 0;
   for (size_t n = 0; n < with.tension.size(); ++n) {
     off = std::max(off, std::abs(with.tension[n] - without.tension[n]));

@@ -78,7 +78,8 @@ std::string fairlead(const std::string& contact, double apart = 0) {
 TEST(SharedPlaces, SlackChainsOnOneFairlead) {
   const std::string none = "contact: {between_lines: false}\n";
   for (const double apart : {0.0, 0.2}) {
-    const AtRest with = at_rest(fairlead("", apart)), without = at_rest(fairlead(none, apart));
+    const AtRest with = at_rest(fairlead("", apart));
+    const AtRest without = at_rest(fairlead(none, apart));
     expect_same(with, without, 1e-4, fmt::format("{} m apart", apart));
     if (apart > 0) continue;
     const double element = 152.0 / 60, weight = (644.8 - 1025 * M_PI / 4 * 0.324 * 0.324) * 9.80665;

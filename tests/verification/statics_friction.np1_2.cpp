@@ -24,7 +24,8 @@ Shown run(const std::string& name, const std::string& text) {
     return Shown{io::h5::read_array(file, "fields/position").values,
                  io::h5::read_array(file, "fields/effective_tension").values};
   };
-  const Shown all = shown(base + ".h5"), one = more ? shown(base + "_alone.h5") : all;
+  const Shown all = shown(base + ".h5");
+  const Shown one = more ? shown(base + "_alone.h5") : all;
   EXPECT_EQ(all.position.size(), one.position.size());
   for (size_t i = 0; i < std::min(all.position.size(), one.position.size()); ++i)
     EXPECT_NEAR(all.position[i], one.position[i], 1e-9) << name << ", number " << i;

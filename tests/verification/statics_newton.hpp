@@ -18,7 +18,8 @@ namespace hawser::test {
 // fails. residuals: those of all iterates, relative to the size of their contributions.
 inline int newton(System& system, State& state, double tolerance = 1e-12,
                   std::vector<double>* residuals = nullptr) {
-  VecHandle u = system.create_vector(), r = system.create_vector();
+  VecHandle u = system.create_vector();
+  VecHandle r = system.create_vector();
   MatHandle J = system.create_matrix();
   KspHandle ksp;
   check(KSPCreate(system.comm(), ksp.out()));

@@ -26,7 +26,10 @@ Tip tip(run::Simulation& s) {
 
 // Largest distance of a node from its place on the circle of the moment 2 pi lam EI/L, over L.
 double roll_up_error(double lam, int elements) {
-  const double L = 10, EI = 1000, angle = 2 * M_PI * lam, R = L / angle;
+  const double L = 10;
+  const double EI = 1000;
+  const double angle = 2 * M_PI * lam;
+  const double R = L / angle;
   model::LineType t = beam_type(1e7, EI, EI);
   const model::Case c = cantilever(t, L, elements, Vec3::Zero(), Vec3(0, 0, EI / R));
   run::Simulation s(PETSC_COMM_WORLD, c);
@@ -56,7 +59,9 @@ Tip elastica(double alpha, int elements) {
 // any chain of equal elements.
 TEST(Statics, RollUpByEndMoment) {
   for (double lam : {0.1, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0}) {
-    const double e10 = roll_up_error(lam, 10), e20 = roll_up_error(lam, 20), e40 = roll_up_error(lam, 40);
+    const double e10 = roll_up_error(lam, 10);
+    const double e20 = roll_up_error(lam, 20);
+    const double e40 = roll_up_error(lam, 40);
     std::printf("roll-up lam %.2f: error/L %.2e %.2e %.2e (10, 20, 40 elements), order %.2f %.2f\n", lam, e10,
                 e20, e40, order(e10, e20), order(e20, e40));
     EXPECT_LT(e20, 1e-3);
@@ -107,7 +112,8 @@ TEST(Statics, ElasticaUnderDeadTipLoad) {
 // = 4 K(k)², alpha the angle at the ends; here alpha = 60 degrees, k = 1/2.
 TEST(Statics, CompressedStraightBeamBuckles) {
   const double K = 1.6857503548125961, E = 1.4674622093394272;  // complete elliptic integrals, modulus 1/2
-  const double span = 2 * E / K - 1, force = 4 * K * K;
+  const double span = 2 * E / K - 1;
+  const double force = 4 * K * K;
   model::LineType t = beam_type(1e6, 1, 1);
   t.EI2 = 2;  // otherwise it may buckle in any plane, and one eigenvalue is zero
   model::Case c = one_line(t, 1, 40, anchor(Vec3::Zero()), anchor(Vec3(span, 0, 0)));

@@ -38,7 +38,8 @@ struct Bend {
       s->state().q[static_cast<size_t>(i)] = turn * Quat(axes);
     }
     for (LineStructure::Beam& b : s->line_structure().beams()) {
-      const size_t i = static_cast<size_t>(b.element.first), j = static_cast<size_t>(b.element.second);
+      const size_t i = static_cast<size_t>(b.element.first);
+      const size_t j = static_cast<size_t>(b.element.second);
       BeamEnds e;
       e.x1 = s->state().x[i];
       e.x2 = s->state().x[j];
@@ -195,13 +196,15 @@ TEST(Statics, FortyFiveDegreeBend) {
   BendError most8, most32;
   for (const auto& r : rows) {
     const auto error = [&](int elements) { return bend_error(elements, r.P, r.J, r.shear, r.tip, r.moment); };
-    const BendError e8 = error(8), e32 = error(32);
+    const BendError e8 = error(8);
+    const BendError e32 = error(32);
     most8 = {std::max(most8.tip, e8.tip), std::max(most8.root, e8.root)};
     most32 = {std::max(most32.tip, e32.tip), std::max(most32.root, e32.root)};
     for (const double off : {e8.tip, e8.root}) EXPECT_LT(off, 5e-3) << r.P;
     for (const double off : {e32.tip, e32.root}) EXPECT_LT(off, 1e-3) << r.P;
     if (r.P != 300 && r.P != 600 && r.P != 1000) continue;
-    const BendError e4 = error(4), e16 = error(16);
+    const BendError e4 = error(4);
+    const BendError e16 = error(16);
     std::printf(
         "45-degree bend J %.4f GA/GA0 %.3f P %4.0f: error/R %.2e %.2e %.2e (8, 16, 32), order %.2f %.2f\n",
         r.J, r.shear, r.P, e8.tip, e16.tip, e32.tip, order(e4.tip, e8.tip), order(e8.tip, e16.tip));
@@ -252,7 +255,8 @@ TEST(Statics, PrincetonBeam) {
       {13.345, 45, {-0.03045293469608, -0.01562114990597, 0.1567746177208}, 3.667140460685},
   };
   const double L = 0.508;
-  model::LineType t = beam_type(2841908.71416, 0, 3.1033382708544615), other = t;
+  model::LineType t = beam_type(2841908.71416, 0, 3.1033382708544615);
+  model::LineType other = t;
   t.EI2 = 2.428734443353508;
   t.EI3 = 36.27936354403289;
   t.GA = 903914.9854198474;
@@ -325,8 +329,9 @@ TEST(Statics, FinalStateDoesNotDependOnThePath) {
   const Vec3 exact(5.887813974723862, 2.3848868789212005, 6.857480578827238);
   const Vec3 exact_moment(-86.48007341875685, -294.3906987361934, 176.63441924171596);
   Vec3 moment;
-  const Vec3 yz = loaded_tip(Fy, Fz, 40), zy = loaded_tip(Fz, Fy, 40, &moment),
-             both = loaded_tip(0.5 * (Fy + Fz), 0.5 * (Fy + Fz), 40);
+  const Vec3 yz = loaded_tip(Fy, Fz, 40);
+  const Vec3 zy = loaded_tip(Fz, Fy, 40, &moment);
+  const Vec3 both = loaded_tip(0.5 * (Fy + Fz), 0.5 * (Fy + Fz), 40);
   const double spread = std::max({(yz - zy).norm(), (yz - both).norm(), (zy - both).norm()}) / 10;
   double e[2];
   for (int i = 0; i < 2; ++i) e[i] = (loaded_tip(Fy, Fz, 20 << i) - exact).norm() / 10;
@@ -382,8 +387,8 @@ TEST(Statics, LoadedBendTurnedOnceComesBack) {
   const int steps = 120;
   double worst = 0;
   for (int k = 1; k <= steps; ++k) {
-    const Quat turn = exp_so3(Vec3(0, 2 * M_PI * k / steps, 0)),
-               before = exp_so3(Vec3(0, 2 * M_PI * (k - 1) / steps, 0));
+    const Quat turn = exp_so3(Vec3(0, 2 * M_PI * k / steps, 0));
+    const Quat before = exp_so3(Vec3(0, 2 * M_PI * (k - 1) / steps, 0));
     Bend b(t, 8, turn * P);
     state.q[0] = (turn * before.conjugate() * state.q[0]).normalized();
     newton(b.s->system(), state);

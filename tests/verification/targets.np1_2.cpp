@@ -215,7 +215,9 @@ TEST(Targets, ThatMakeNoSense) {
 
 // The results have the length found; a restart uses it.
 TEST(Targets, ThroughTheProgram) {
-  const std::string folder = runs::folder("targets"), path = folder + "/target.yaml", file = folder + "/t.h5";
+  const std::string folder = runs::folder("targets");
+  const std::string path = folder + "/target.yaml";
+  const std::string file = folder + "/t.h5";
   runs::write_case(
       path, std::string(kTypes) +
                 "environment: {gravity: 10, water: {}}\nlines:\n  l:\n    sections: [{type: rope, "

@@ -65,7 +65,8 @@ TEST(WallTension, HangingPipe) {
       SCOPED_TRACE(testing::Message() << k.name << (beam ? ", beam" : ", cable"));
       const Shown s = shown(hanging(beam, k.more));
       ASSERT_EQ(s.wall.size(), 41U);
-      const double outside = kQuarter * 0.3 * 0.3, inside = kQuarter * k.bore * k.bore;
+      const double outside = kQuarter * 0.3 * 0.3;
+      const double inside = kQuarter * k.bore * k.bore;
       const double up = kRho * kQuarter * k.displaced * k.displaced;  // kg/m
       double most = 0;
       for (size_t n = 0; n < s.wall.size(); ++n) {
@@ -134,8 +135,10 @@ TEST(WallTension, FilledAndOvergrownRodsSink) {
     Simulation sim(PETSC_COMM_SELF, c);
     sim.dynamics().start(sim.state());
     const double lifted = kRho * kQuarter * k.displaced * k.displaced;
-    const double weight = (k.mass - lifted) * kG, drag = 0.5 * kRho * 1.2 * k.dragged;
-    const double fastest = std::sqrt(weight / drag), tau = (k.mass + lifted) / std::sqrt(weight * drag);
+    const double weight = (k.mass - lifted) * kG;
+    const double drag = 0.5 * kRho * 1.2 * k.dragged;
+    const double fastest = std::sqrt(weight / drag);
+    const double tau = (k.mass + lifted) / std::sqrt(weight * drag);
     for (const double t : {0.5, 1.0, 2.0, 4.0}) {
       sim.dynamics().run(
           t, [t](double) { return t; }, [](const StepInfo&) { return true; });

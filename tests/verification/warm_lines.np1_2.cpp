@@ -45,13 +45,19 @@ TEST(WarmLines, BetweenFixedPoints) {
     const char *name, *stiff, *bending, *warmer;
     double force, at_15;  // N; m, displacement of the node at 15 m towards end B
   };
-  const double alpha = 2e-5, EA = 1e8, rest = 2e8, flexible = 30 / EA + 10 / rest;
+  const double alpha = 2e-5;
+  const double EA = 1e8;
+  const double rest = 2e8;
+  const double flexible = 30 / EA + 10 / rest;
   const double even = -alpha * 50 * 30 / flexible;
   // 20 K at 5 m, 100 K from 25 m on: 5 m at 20 K, 20 m at 60 K on average, 5 m at 100 K up to 30 m.
-  const double sum = 5 * 20 + 20 * 60 + 5 * 100, profile = -alpha * sum / flexible;
+  const double sum = 5 * 20 + 20 * 60 + 5 * 100;
+  const double profile = -alpha * sum / flexible;
   const double to_15 = alpha * (5 * 20 + 10 * 40);
   const ResponseCurve table(std::vector<ResponseCurve::Row>{{-1, -1e8}, {1e-3, 1e5}, {2e-3, 1.5e5}}, false);
-  double low = 0, high = alpha * 400;  // strain relative to that without tension
+  // Strain relative to that without tension.
+  double low = 0;
+  double high = alpha * 400;
   while (high - low > 1e-15) {
     const double e = 0.5 * (low + high);
     (30 * (e - alpha * 400) + 10 * table.at(e).force / rest > 0 ? high : low) = e;
@@ -65,7 +71,8 @@ TEST(WarmLines, BetweenFixedPoints) {
     const runs::Results s =
         run(r.name, kBar,
             {{"STIFF", r.stiff}, {"BENDING", r.bending}, {"BENDING", r.bending}, {"WARMER", r.warmer}});
-    const auto tension = last(s, "effective_tension"), x = last(s, "position");
+    const auto tension = last(s, "effective_tension");
+    const auto x = last(s, "position");
     if (runs::rank_of(MPI_COMM_WORLD) == 0)
       printf("  %s: force %+.1e of %.1f kN\n", r.name, tension[3] / r.force - 1, r.force / 1e3);
     for (const double T : tension) EXPECT_NEAR(T, r.force, 1e-7 * std::abs(r.force)) << r.name;
@@ -87,7 +94,8 @@ TEST(WarmLines, ReleasedTheySwing) {
              {"end_b: {anchor: [40, 0, 0]}", beam ? "end_b: free" : "end_b: {anchor: [40.01, 0, 0]}"}});
     const double strain = 2e-5 * 50 + (beam ? 0 : 0.01 / 40);
     const double there = 0.5 * 1e8 * strain * strain * 30 + (beam ? 0 : 0.5 * 2e8 * 6.25e-8 * 10);
-    const auto kinetic = s.column("energy", 0), strained = s.column("energy", 1);
+    const auto kinetic = s.column("energy", 0);
+    const auto strained = s.column("energy", 1);
     EXPECT_NEAR(strained[0] + kinetic[0], there, 1e-9 * there);
     double most = 0, worst = 0;
     for (size_t i = 0; i < kinetic.size(); ++i) {
@@ -128,12 +136,14 @@ lines:
       e.emplace_back("WARMER", kelvin);
       return with(e);
     };
-    const runs::Results warm = by("200"), cold = by("0");
+    const runs::Results warm = by("200");
+    const runs::Results cold = by("0");
     const runs::Results longer =
         with({{"MASS", "249.500998003992"}, {"STIFF", "1.002e9"}, {"LENGTH", "851.7"}, {"WARMER", "0"}});
-    const double T = last(warm, "effective_tension").back(), T0 = last(longer, "effective_tension").back(),
-                 Tc = last(cold, "effective_tension").back(),
-                 apart = runs::largest_difference(last(warm, "position"), last(longer, "position"));
+    const double T = last(warm, "effective_tension").back();
+    const double T0 = last(longer, "effective_tension").back();
+    const double Tc = last(cold, "effective_tension").back();
+    const double apart = runs::largest_difference(last(warm, "position"), last(longer, "position"));
     if (runs::rank_of(MPI_COMM_WORLD) == 0)
       printf("  ends %s m apart: %.4f kN, %+.1e; cold %.1f kN; places %.1e m\n", away, T / 1e3, T / T0 - 1,
              Tc / 1e3, apart);
@@ -193,8 +203,9 @@ dynamics: {duration: 1e-3, step: 1e-3}
       const auto& x = s.fields.at("position");
       return std::vector<double>(x.begin(), x.begin() + 3 * 171);
     };
-    const auto warm = start(0, "[[0, 0], [29.9, 0], [30, 200]]"), longer = start(2e-3, "0"),
-               cold = start(0, "0");
+    const auto warm = start(0, "[[0, 0], [29.9, 0], [30, 200]]");
+    const auto longer = start(2e-3, "0");
+    const auto cold = start(0, "0");
     const double apart = runs::largest_difference(warm, longer);
     if (runs::rank_of(MPI_COMM_WORLD) == 0)
       printf("  %s: %.1e m apart, %.1e m from the cold one\n", r.name, apart,

@@ -51,7 +51,8 @@ TEST(WaterStatics, FloatingHoseAtRest) {
       c.lines[0].loads = {{Vec3(0, 0, -push)}};
       Simulation sim(PETSC_COMM_SELF, c);
       sim.solve_statics();
-      const double is = d / 2 - sim.state().x[70].z(), expected = draught + push / stiffness;
+      const double is = d / 2 - sim.state().x[70].z();
+      const double expected = draught + push / stiffness;
       if (push == 0) printf("  %s: draught %+.1e\n", beam ? "beam" : "cable", is / draught - 1);
       EXPECT_NEAR(is, expected, (push > 0 ? 1e-6 : 1e-4) * draught) << beam;
     }

@@ -71,7 +71,8 @@ TEST(WaveLoads, Pile) {
         most.force = std::max(most.force, l.force);
         most.moment = std::max(most.moment, l.moment);
       }
-      const double inertia = load(sim, -0.25 * r.period).moment, drag_only = load(sim, 0).moment;
+      const double inertia = load(sim, -0.25 * r.period).moment;
+      const double drag_only = load(sim, 0).moment;
       w.stretching = Stretching::wheeler;
       const model::Case crest = pile(r.depth, r.height / 2, w, beam, beam ? 100 : 400);
       Simulation high(PETSC_COMM_SELF, crest);
@@ -110,9 +111,10 @@ TEST(WaveLoads, PileInStokesWave) {
     for (int i = 0; i < n; ++i) {
       const double y = (i + 0.5) * (depth + top) / n;
       const WaveMotion m = field.at({0, 0, y - depth}, t);
-      const double u = m.velocity.x(), f = (0.5 * rho * Cd * D * std::abs(u) * u +
-                                            rho * Cm * M_PI / 4 * D * D * m.acceleration.x()) *
-                                           (depth + top) / n;
+      const double u = m.velocity.x();
+      const double f =
+          (0.5 * rho * Cd * D * std::abs(u) * u + rho * Cm * M_PI / 4 * D * D * m.acceleration.x()) *
+          (depth + top) / n;
       expected.force += f;
       expected.moment += f * y;
     }
@@ -177,7 +179,8 @@ TEST(WaveLoads, NeutralRodMovesWithTheWater) {
     c.dynamics.rho_infinity = 1;
     Simulation sim(PETSC_COMM_SELF, c);
     sim.dynamics().start(sim.state());
-    const double omega = 2 * M_PI / 6, k = wave_number(omega, 40, 9.80665);
+    const double omega = 2 * M_PI / 6;
+    const double k = wave_number(omega, 40, 9.80665);
     const double across = 0.01 * omega * std::cosh(k * 37) / std::sinh(k * 40);
     const double up = 0.01 * omega * std::sinh(k * 37) / std::sinh(k * 40);
     double off = 0;

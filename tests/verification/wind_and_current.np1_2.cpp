@@ -87,7 +87,8 @@ TEST(WindAndCurrent, CurrentCarriesABodyAlong) {
   const double speed = from_owner(s, [&](size_t n) { return d.committed_kinematics().v[n].norm(); });
   const double exact = U - U / (1 + k * U * kUntil / m);
   const Energy e = s.system().energy(d.committed_kinematics());
-  double work = e.work, kinetic = e.kinetic;
+  double work = e.work;
+  double kinetic = e.kinetic;
   MPI_Allreduce(MPI_IN_PLACE, &work, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
   MPI_Allreduce(MPI_IN_PLACE, &kinetic, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
   printf("a current of %.1f m/s carries a body to %.7f m/s, exact %.7f m/s; work %.6g J, kinetic %.6g J\n", U,

@@ -53,8 +53,10 @@ class BoxTree {
         for (const int i : below(n)) visit(i);
         limit = padded(squared, rounding);
       } else {
-        const int a = at + 1, b = node(a).next;
-        const double to_a = squared_distance(node(a).box, p), to_b = squared_distance(node(b).box, p);
+        const int a = at + 1;
+        const int b = node(a).next;
+        const double to_a = squared_distance(node(a).box, p);
+        const double to_b = squared_distance(node(b).box, p);
         if (std::max(to_a, to_b) <= limit) stack[depth++] = {std::max(to_a, to_b), to_a > to_b ? a : b};
         at = to_a > to_b ? b : a;
         if (std::min(to_a, to_b) <= limit) continue;

@@ -85,7 +85,8 @@ class SpatialHash {
     if (ring == 0) return 0;
     double distance = std::numeric_limits<double>::infinity();
     for (int a = 0; a < 3; ++a) {
-      const int below = at[a] - ring, above = at[a] + ring;
+      const int below = at[a] - ring;
+      const int above = at[a] + ring;
       if (below >= 0) distance = std::min(distance, p[a] - (origin_[a] + side_ * (below + 1)));
       if (above <= last_[a]) distance = std::min(distance, origin_[a] + side_ * above - p[a]);
     }

@@ -34,7 +34,8 @@ class AxisShape {
   // Inline, because contact evaluates them many times at each of its points.
   Weights functions(double xi) const {
     if (count_ == 2) return {1 - xi, xi, 0, 0};
-    const double z2 = xi * xi, z3 = z2 * xi;
+    const double z2 = xi * xi;
+    const double z3 = z2 * xi;
     return {1 - 3 * z2 + 2 * z3, xi - 2 * z2 + z3, 3 * z2 - 2 * z3, z3 - z2};
   }
   Weights derivatives(double xi) const {

@@ -22,9 +22,11 @@ struct BuriedForce {
 // -k_a s_a, limited to the resistance, and f_n = -k_n s_n in the transverse plane, limited in magnitude.
 inline BuriedForce buried_force(const BuriedSoil& soil, const Vec3& slip, const Vec3& tangent) {
   BuriedForce r;
-  const Mat3 along = tangent * tangent.transpose(), across = Mat3::Identity() - along;
+  const Mat3 along = tangent * tangent.transpose();
+  const Mat3 across = Mat3::Identity() - along;
   const auto add = [&r](double resistance, double length, const Vec3& part, const Mat3& plane) {
-    const double k = resistance / length, s = part.norm();
+    const double k = resistance / length;
+    const double s = part.norm();
     if (s <= length) {
       r.force -= k * part;
       r.slip += part;

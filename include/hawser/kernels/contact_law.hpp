@@ -33,7 +33,8 @@ struct NormalForce {
 
 // Force at the gap g [m] and rate [m/s]. The damping force is -c e rate, e = -ds/dg, for a table slope / k.
 inline NormalForce normal_force(const NormalLaw& law, double g, double rate) {
-  const double k = law.stiffness, delta = law.smoothing;
+  const double k = law.stiffness;
+  const double delta = law.smoothing;
   NormalForce r;
   if (g >= delta) return r;
   double fade = 1, fade_by_gap = 0, slope = 0;
@@ -77,7 +78,8 @@ inline NormalForce normal_force(const NormalLaw& law, double g, double rate) {
 // of depth p [m]: k + 3 k₃ max(p, q)², where the spring has absorbed the kinetic energy at the depth q,
 // k q²/2 + k₃ q⁴/4 = m u²/2.
 inline double stiffness_of_impact(const NormalLaw& law, double p, double m, double u) {
-  const double k = law.stiffness, k3 = law.cubic;
+  const double k = law.stiffness;
+  const double k3 = law.cubic;
   if (!(k3 > 0)) return k;
   // q² = (-k + sqrt(k² + 2 k₃ m u²))/k₃
   const double by_speed = 2 * m * u * u / (k + std::sqrt(k * k + 2 * k3 * m * u * u));

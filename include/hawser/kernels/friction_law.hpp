@@ -57,8 +57,10 @@ struct Friction {
 // Rotates `slip`, a tangent vector at the normal `from`, by the smallest rotation that takes `from` to `to`.
 template <class S, class U = double>
 Vector3<S> transport_slip(const Vector3<U>& slip, const Vector3<U>& from, const Vector3<S>& to) {
-  const Vector3<S> s = slip.template cast<S>(), f = from.template cast<S>();
-  const S along = s.dot(to), opening = S(1) + f.dot(to);
+  const Vector3<S> s = slip.template cast<S>();
+  const Vector3<S> f = from.template cast<S>();
+  const S along = s.dot(to);
+  const S opening = S(1) + f.dot(to);
   if (opening < 1e-9) return s - to * along;  // normals are opposite: there is no unique smallest rotation
   const Vector3<S> sum = f + to;
   const S scale = along / opening;
@@ -107,7 +109,9 @@ Friction<S> damped_friction(const FrictionLaw& law, const Coulomb<M>& mu, const 
                             const Vector3<S>& d, double h) {
   if (!(N > 0.0) || !(mu.axial > 0.0)) return {};
   using std::sqrt;
-  const S k = isotropic_stiffness(law, mu, N), damped = k + sqrt(k) * S(law.damping / h), w = k / damped;
+  const S k = isotropic_stiffness(law, mu, N);
+  const S damped = k + sqrt(k) * S(law.damping / h);
+  const S w = k / damped;
   Friction<S> r = on_spring<S>(s0 * w + d, N * mu.axial / damped, damped);
   r.slip += s0 * S(S(1) - w);
   return r;
@@ -138,7 +142,8 @@ Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, c
   }
   a /= S(sqrt(S(a.squaredNorm())));
   const Vector3<S> l = normal.cross(a);
-  const bool holds_a = mu.axial > 0.0, holds_l = mu.lateral > 0.0;
+  const bool holds_a = mu.axial > 0.0;
+  const bool holds_l = mu.lateral > 0.0;
   SlipEllipse<S> e;
   e.slip[0] = holds_a ? S(slip.dot(a)) : S(0);
   e.slip[1] = holds_l ? S(slip.dot(l)) : S(0);
@@ -159,7 +164,8 @@ Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, c
   if (k > 0) {
     r.force = r.slip * S(-k);
   } else if (law.spring == FrictionSpring::elliptic) {
-    const S ka = N * M(mu.axial / law.axial_length), kl = N * M(mu.lateral / law.lateral_length);
+    const S ka = N * M(mu.axial / law.axial_length);
+    const S kl = N * M(mu.lateral / law.lateral_length);
     r.force = a * S(-(ka * e.slip[0])) + l * S(-(kl * e.slip[1]));
   } else {
     const S s2 = e.slip[0] * e.slip[0] + e.slip[1] * e.slip[1];

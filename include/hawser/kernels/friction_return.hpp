@@ -20,7 +20,8 @@ struct SlipEllipse {
 
   // > 1: the slip is outside the ellipse.
   S square() const {
-    const S a = slip[0] / axis[0], l = slip[1] / axis[1];
+    const S a = slip[0] / axis[0];
+    const S l = slip[1] / axis[1];
     return a * a + l * l;
   }
 
@@ -62,7 +63,8 @@ struct SlipEllipse {
       double h = 0;
       slope = 0;
       for (int j = 0; j < 2; ++j) {
-        const double d = 1 / (1 + x * p[j]), v = u[j] * d;
+        const double d = 1 / (1 + x * p[j]);
+        const double v = u[j] * d;
         h += v * v;
         slope -= 2 * v * v * p[j] * d;
       }

@@ -80,7 +80,8 @@ class LinePairPass {
   enum class End { fixed, gap, first_joint, second_joint };
   struct Panel {
     double from = 0, to = 0;
-    End at_from = End::fixed, at_to = End::fixed;
+    End at_from = End::fixed;
+    End at_to = End::fixed;
   };
   std::vector<Panel> panels() const;
 

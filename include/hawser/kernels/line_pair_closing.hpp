@@ -38,11 +38,15 @@ S line_pair_closing(const LinePairMotion<S>& motion) {
   const auto quotient = [](const S& v, const S& divisor) -> S {
     return v * divisor / S(divisor * divisor + kParallel * kParallel);
   };
-  const Vector3<S> n = unit(motion.away), w = motion.away - motion.away_before, a = unit(motion.slope),
-                   b = unit(motion.along);
-  const S c = a.dot(b), wa = w.dot(a), wb = w.dot(b);
-  const S half_sum = quotient(S(0.5 * (wa + wb)), S(1 + c)),
-          half_difference = quotient(S(0.5 * (wa - wb)), S(1 - c));
+  const Vector3<S> n = unit(motion.away);
+  const Vector3<S> w = motion.away - motion.away_before;
+  const Vector3<S> a = unit(motion.slope);
+  const Vector3<S> b = unit(motion.along);
+  const S c = a.dot(b);
+  const S wa = w.dot(a);
+  const S wb = w.dot(b);
+  const S half_sum = quotient(S(0.5 * (wa + wb)), S(1 + c));
+  const S half_difference = quotient(S(0.5 * (wa - wb)), S(1 - c));
   const auto approach = [&n](const S& sliding, const Vector3<S>& before, const Vector3<S>& now) -> S {
     const Vector3<S> mean = before + now;
     // A line whose direction reverses within the step, such as one that folds onto itself, does not slide

@@ -21,7 +21,8 @@ struct Pull {
 // Pull at the lift [m] from the deepest position.
 inline Pull pull_of(const Suction& law, double lift) {
   if (!(lift > 0) || lift >= law.length) return {};
-  const double s = lift / law.length, remaining = 1 - s;
+  const double s = lift / law.length;
+  const double remaining = 1 - s;
   return {16 * law.limit * s * s * remaining * remaining,
           32 * law.limit / law.length * s * remaining * (1 - 2 * s)};
 }

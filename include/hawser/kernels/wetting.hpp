@@ -18,7 +18,9 @@ struct Wetting {
 inline Wetting circle_wetting(double u) {
   if (u >= 1) return {1, 0, u};
   if (u <= -1) return {};
-  const double c2 = 1 - u * u, c = std::sqrt(c2), a = std::asin(u);
+  const double c2 = 1 - u * u;
+  const double c = std::sqrt(c2);
+  const double a = std::asin(u);
   return {0.5 + (u * c + a) / M_PI, 2 * c / M_PI, 0.5 * u + (c - c * c2 / 3 + u * a) / M_PI};
 }
 

@@ -14,7 +14,8 @@ Value on_broken_line(const std::vector<std::pair<double, Value>>& rows, double p
   if (place >= rows.back().first) return rows.back().second;
   const auto after = std::upper_bound(rows.begin(), rows.end(), place,
                                       [](double x, const auto& row) { return x < row.first; });
-  const auto &b = *after, &a = *(after - 1);
+  const auto& b = *after;
+  const auto& a = *(after - 1);
   return a.second + (place - a.first) / (b.first - a.first) * (b.second - a.second);
 }
 

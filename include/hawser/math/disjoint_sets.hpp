@@ -45,7 +45,8 @@ class DisjointSets {
   // first chosen members. count: how many of them there are.
   template <class Chosen>
   std::vector<int> numbered(const Chosen& chosen, int& count) {
-    std::vector<int> of_smallest(next_.size(), -1), out(next_.size(), -1);
+    std::vector<int> of_smallest(next_.size(), -1);
+    std::vector<int> out(next_.size(), -1);
     count = 0;
     for (int i = 0; i < static_cast<int>(next_.size()); ++i) {
       if (!chosen(i)) continue;

@@ -76,7 +76,10 @@ inline void inverse_jacobian_coefficient(double t2, double& eta, double& eta1) {
     eta = 1.0 / 12 + t2 * (1.0 / 720 + t2 * (1.0 / 30240 + t2 * (1.0 / 1209600 + t2 / 47900160)));
     eta1 = 1.0 / 360 + t2 * (1.0 / 7560 + t2 * (1.0 / 201600 + t2 * (1.0 / 5987520)));
   } else {
-    const double t = std::sqrt(t2), h = t / 2, s = std::sin(h), cot = std::cos(h) / s;
+    const double t = std::sqrt(t2);
+    const double h = t / 2;
+    const double s = std::sin(h);
+    const double cot = std::cos(h) / s;
     eta = (1 - h * cot) / t2;
     // eta = 1/t² - cot(h)/(2t)
     eta1 = (-2 / (t2 * t) + cot / (2 * t2) + 1 / (4 * t * s * s)) / t;

@@ -62,7 +62,8 @@ struct LocalMesh {
     const auto begin = global.begin();
     const int ends[] = {0, owned, element_ghosts_end, nodes()};
     for (int r = 0; r < 3; ++r) {
-      const auto last = begin + ends[r + 1], at = std::lower_bound(begin + ends[r], last, node);
+      const auto last = begin + ends[r + 1];
+      const auto at = std::lower_bound(begin + ends[r], last, node);
       if (at != last && *at == node) return static_cast<int>(at - begin);
     }
     return -1;
@@ -82,7 +83,8 @@ bool owns_line(const LocalMesh& mesh, int line);
 
 // Unstretched arc length from end A, m; xi in [0, 1] along the element.
 inline double arc_at(const LocalMesh& mesh, const LocalElement& e, double xi) {
-  const double a = mesh.node(e.first).arc, b = mesh.node(e.second).arc;
+  const double a = mesh.node(e.first).arc;
+  const double b = mesh.node(e.second).arc;
   return a + xi * (b - a);
 }
 

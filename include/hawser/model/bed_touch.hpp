@@ -18,7 +18,8 @@ inline double bed_smoothing(const Seabed& bed, double radius, double weight, dou
 // Height of the line's axis above the bed at which the force begins, m.
 inline double touching_height(const Case& c, const LineType& t) {
   const Seabed& bed = c.environment.seabed;
-  const double radius = 0.5 * t.contact_diameter, weight = submerged_weight(c, t);
+  const double radius = 0.5 * t.contact_diameter;
+  const double weight = submerged_weight(c, t);
   const double width = bed.basis == StiffnessBasis::per_length ? 1 : t.contact_diameter;
   return radius + bed_smoothing(bed, radius, weight, bed.normal_stiffness * width);
 }

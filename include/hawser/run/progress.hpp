@@ -37,7 +37,8 @@ class Progress {
   bool prints_;
   int columns_;  // of the terminal; 0: no terminal
   double start_ = 0, duration_ = 0;
-  Clock::time_point began_ = Clock::now(), last_ = Clock::now();
+  Clock::time_point began_ = Clock::now();
+  Clock::time_point last_ = Clock::now();
   double next_fraction_ = 0.1;
   std::vector<std::string> messages_;
   void rewrite(std::string text);

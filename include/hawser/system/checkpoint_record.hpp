@@ -43,7 +43,8 @@ inline std::tuple<int, int, int> checkpoint_place(const CheckpointRecord& r) {
 
 // Nodes of the mesh from `first` to before `end`.
 struct NodeRange {
-  int first = 0, end = std::numeric_limits<int>::max();
+  int first = 0;
+  int end = std::numeric_limits<int>::max();
   bool has(int node) const { return node >= first && node < end; }
 };
 

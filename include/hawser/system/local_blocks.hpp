@@ -28,7 +28,8 @@ class LocalBlocks {
   // block is not in the pattern. `before`: the block found last in this row, or null; its successor is tried
   // first.
   double* at(int row, int column, const double* before = nullptr) const {
-    const PetscInt *from = columns_ + starts_[row], *to = columns_ + starts_[row + 1];
+    const PetscInt* from = columns_ + starts_[row];
+    const PetscInt* to = columns_ + starts_[row + 1];
     if (before) {
       const PetscInt* next = columns_ + (before - values_) / 9 + 1;
       if (next < to && *next == column) return values_ + 9 * (next - columns_);

@@ -10,7 +10,8 @@ namespace hawser {
 
 // first, second: local nodes of the element's ends.
 inline AxisEnds element_axis(const Kinematics& state, const Element& e, int first, int second) {
-  const size_t i = first, j = second;
+  const size_t i = first;
+  const size_t j = second;
   AxisEnds a;
   a.beam = e.beam;
   a.length = e.length;

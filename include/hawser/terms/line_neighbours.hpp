@@ -31,7 +31,8 @@ class LineNeighbours {
 
   // Angle [rad] between the elements before and after an owned node; 0 at an end.
   double turn(const Kinematics& state, int node) const {
-    const Vec3 in = state.x[node] - state.x[before_[node]], out = state.x[after_[node]] - state.x[node];
+    const Vec3 in = state.x[node] - state.x[before_[node]];
+    const Vec3 out = state.x[after_[node]] - state.x[node];
     return angle_between(in, out);
   }
 

@@ -26,7 +26,8 @@ bool previous_slip(const Points& points, double xi, ContactStart& s, ContactRate
     s.normal = p.normal;
     return true;
   }
-  const double gap = b->xi - a->xi, t = (xi - a->xi) / gap;
+  const double gap = b->xi - a->xi;
+  const double t = (xi - a->xi) / gap;
   const SlipBetween between = slip_between(a->slip, a->normal, b->slip, b->normal, t, rates != nullptr);
   s.slip = between.slip;
   s.normal = between.normal;

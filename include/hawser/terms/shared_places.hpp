@@ -124,8 +124,8 @@ bool SharedPlaces::any_between(int element, int second, const Visit& visit) cons
   const Mesh& mesh = *mesh_.mesh;
   for (const int k : between(mesh.element(element).line, mesh.element(second).line))
     for (const bool swapped : {false, true}) {
-      auto one = along(place(k).one, swapped ? second : element),
-           other = along(place(k).other, swapped ? element : second);
+      auto one = along(place(k).one, swapped ? second : element);
+      auto other = along(place(k).other, swapped ? element : second);
       if (!one || !other) continue;
       std::sort(one->begin(), one->end());
       std::sort(other->begin(), other->end());

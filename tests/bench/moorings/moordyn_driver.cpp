@@ -39,7 +39,8 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "see the head of this source\n");
     return 2;
   }
-  const double seconds = std::atof(argv[2]), ramp = std::atof(argv[4]);
+  const double seconds = std::atof(argv[2]);
+  const double ramp = std::atof(argv[4]);
   double step = std::atof(argv[3]);
   std::vector<double> motion;
   for (int k = 6; k < argc; ++k) motion.push_back(std::atof(argv[k]));
@@ -56,7 +57,10 @@ int main(int argc, char** argv) {
   MoorDyn_NCoupledDOF(system, &n);
   MoorDyn_GetNumberPoints(system, &points);
   MoorDyn_GetNumberLines(system, &lines);
-  std::vector<double> rest, x(n), v(n, 0.0), f(n);
+  std::vector<double> rest;
+  std::vector<double> x(n);
+  std::vector<double> v(n, 0.0);
+  std::vector<double> f(n);
   for (unsigned int i = 1; i <= points; ++i) {
     int type = 0;
     double at[3];
@@ -67,11 +71,13 @@ int main(int argc, char** argv) {
   if (rest.size() != n || MoorDyn_Init(system, rest.data(), v.data()) != 0) return 1;
   std::FILE* out = std::fopen(argv[5], "w");
   if (out == nullptr) return 1;
-  const long steps = std::lround(seconds / step), every = std::max(1L, std::lround(0.1 / step));
+  const long steps = std::lround(seconds / step);
+  const long every = std::max(1L, std::lround(0.1 / step));
   for (long i = 0; i < steps; ++i) {
     double t = static_cast<double>(i) * step;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double from = offset(t, axis), speed = (offset(t + step, axis) - from) / step;
+      const double from = offset(t, axis);
+      const double speed = (offset(t + step, axis) - from) / step;
       for (std::size_t k = axis; k < n; k += 3) {
         x[k] = rest[k] + from;
         v[k] = speed;
