@@ -214,12 +214,9 @@ std::vector<std::string> paths_of(const model::Case& c, const std::vector<int>& 
                      : std::filesystem::absolute(output);
   if (wanted.extension() != ".csv") throw InputError(advice::table_needs_csv(wanted.string(), "responses"));
   std::vector<std::string> out;
-  for (const int b : bodies) {
-    std::filesystem::path path = wanted;
-    if (bodies.size() > 1)
-      path.replace_filename(wanted.stem().string() + "-" + c.bodies[static_cast<size_t>(b)].name + ".csv");
-    out.push_back(path.string());
-  }
+  for (const int b : bodies)
+    out.push_back(bodies.size() > 1 ? table_of_body(wanted.string(), c.bodies[static_cast<size_t>(b)].name)
+                                    : wanted.string());
   return out;
 }
 

@@ -73,8 +73,8 @@ PAIR = (
      [98.0053959, 139.016913, 28.2257098, 58.4862669, -109.145057, 128.742859, 87.8219722, 137.005971, 5.51362213, 136.71163, -99.113581, -30.1464286]))
 
 
-def spar(place="[0, 0, 0]", heading=0.0, name="spar"):
-    return (f"  {name}: {{position: {place}, rotation_deg: [0, 0, {heading}], floating: {{mass: 2.8e7, centre_of_mass: [0, 0, -54], "
+def spar(place="[0, 0, 0]", heading=0.0):
+    return (f"  spar: {{position: {place}, rotation_deg: [0, 0, {heading}], floating: {{mass: 2.8e7, centre_of_mass: [0, 0, -54], "
             f"inertia: [4.5e10, 4.5e10, 1.5e9],\n    hydrodynamics: {{wamit: spar, displaced_volume: 27317.07317, follow_period: 0"
             f"{added(SPAR_DAMPING, SPAR_STIFFNESS)}}}}}}}\n")
 
@@ -145,12 +145,14 @@ class Responses(PlatformRuns):
         """Two spars at different places with different headings: each responds as if alone, relative to its own bow and to
         the crest at its origin, on 1, 2 and 3 ranks."""
         exact = self.spar_files()
-        bodies = spar("[0, 0, 0]", 30, "one") + spar("[1000, 700, 0]", -60, "two")
+        water = "hawser: 1\nenvironment: {water: {density: 1025, depth: 200}}\n"
+        write(self.folder, "platform.yaml", f"{water}bodies:\n{spar()}")
+        write(self.folder, "case.yaml", f"{water}farm: {{of: platform.yaml, at: {{one: [0, 0, 30], two: [1000, 700, -60]}}}}\n")
         for ranks in (1, 2, 3):
             for body, direction in (("one", 30), ("two", 120)):
-                found = self.responses(bodies, "--periods", "12", "--directions", "60", ranks=ranks, file=f"case-responses-{body}.csv")
+                found = self.responses(None, "--periods", "12", "--directions", "60", ranks=ranks, file=f"case-responses-{body}-spar.csv")
                 self.assertLess(off(found[12, direction], exact.at(2 * np.pi / 12, direction)), 1e-6)
-        found = self.responses(None, "--periods", "12", "--directions", "60", "--body", "two", "-o", "two.csv", file="two.csv")
+        found = self.responses(None, "--periods", "12", "--directions", "60", "--body", "two/spar", "-o", "two.csv", file="two.csv")
         self.assertEqual(list(found), [(12, 120)])
 
     def test_spar_on_chains(self):
