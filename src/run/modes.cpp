@@ -91,7 +91,7 @@ std::string freedoms(MPI_Comm comm, Simulation& sim, const NaturalMode& mode, in
   if (const int n = sim.bodies().local_node(body); n >= 0 && sim.local().owns(n)) {
     const Mat3 axes = sim.state().q[n].toRotationMatrix();
     const Vec3 turn = axes.transpose() * mode.rotation[n];
-    const Vec3 displacement = axes.transpose() * mode.shape[n] + turn.cross(m.centre);
+    const Vec3 displacement = axes.transpose() * mode.shape[n];  // of the centre of mass
     for (int k = 0; k < 3; ++k) {
       energy[k] = turns ? 0 : m.mass * displacement[k] * displacement[k];
       energy[3 + k] = m.inertia[k] * turn[k] * turn[k];

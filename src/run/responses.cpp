@@ -232,7 +232,8 @@ std::map<int, std::vector<ComplexVec6>> motions(Simulation& sim, const std::vect
       const int node = sim.bodies().local_node(b);
       const auto* of_body = &u[3 * static_cast<size_t>(sim.local().block[node])];
       const WaveReference reference = reference_of(sim, b);
-      const Mat3 H = heading_axes(reference.heading), R = sim.state().q[node].toRotationMatrix();
+      const Mat3 H = heading_axes(reference.heading);
+      const Mat3 R = sim.state().q[node].toRotationMatrix();
       const Vec3 arm = R * (at - sim.model().bodies[static_cast<size_t>(b)].mass->centre);
       const Eigen::Vector3cd turn = R * Eigen::Map<const Eigen::Vector3cd>(of_body + 3);
       const Eigen::Vector3cd moved = Eigen::Map<const Eigen::Vector3cd>(of_body) - hat(arm) * turn;

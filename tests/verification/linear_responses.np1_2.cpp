@@ -44,7 +44,8 @@ std::string coefficients() {
   const std::string stem = testing::TempDir() + "hawser_responses/float";
   if (rank_of(PETSC_COMM_WORLD) == 0) {
     std::filesystem::create_directories(std::filesystem::path(stem).parent_path());
-    std::ofstream radiation(stem + ".1"), waves(stem + ".3");
+    std::ofstream radiation(stem + ".1");
+    std::ofstream waves(stem + ".3");
     std::ofstream(stem + ".hst") << "3 3 2\n4 4 30\n5 5 40\n4 6 -1\n";
     for (const double omega : {0.5, kOmega, 1.5}) {
       for (int i = 0; i < 6; ++i) {
