@@ -95,7 +95,7 @@ def commands():
     p.set_defaults(do=make_export)
 
     p = sub.add_parser("rao", help="response amplitudes and phase lags of a body in the waves of a run against the period, as table and figure")
-    p.add_argument("results", nargs="+", metavar="RESULTS", help=of + "; several files, such as runs in waves of different periods, are combined")
+    p.add_argument("results", nargs="+", metavar="RESULTS", help=of + "; several files, such as runs in waves of different periods, are combined; or tables (.csv) to draw or convert")
     p.add_argument("--name", help="history of the body, as in output.histories (default: the first of a body)")
     p.add_argument("--at", type=responses_report.point_from, default=[0.0, 0.0, 0.0], metavar="X,Y,Z",
                    help="point of the body whose motion is used, m in its frame (default: its origin)")

@@ -1,5 +1,7 @@
-"""hawser rao: responses of a body to the waves of one or several runs, as text, table and figure."""
+"""hawser rao: responses of a body to the waves of one or several runs, as text, table and figure; figure and vessel file
+of such a table."""
 import argparse
+import csv
 from pathlib import Path
 
 import numpy as np
@@ -69,6 +71,22 @@ def table_of(found):
     return head, rows
 
 
+def read(path):
+    """Responses in a table of this command or of `hawser responses`."""
+    try:
+        with open(path, newline="", encoding="utf-8") as file:
+            head, *rows = csv.reader(file)
+        values = np.array(rows, float)
+        if head != table_of([])[0] or not rows:
+            raise ValueError
+    except OSError as fault:
+        raise Refusal(f"{path}: cannot be read: {fault.strerror}") from None
+    except ValueError:
+        raise Refusal(f"{path} is not a table of responses") from None
+    motion = values[:, 2:14:2] * np.repeat([1.0, np.pi / 180], 3) * np.exp(-1j * np.radians(values[:, 3:14:2]))
+    return [responses.Response(2 * np.pi / row[0], row[1], value, 1.0, row[14:]) for row, value in zip(values, motion)]
+
+
 def write(path, found):
     """Writes a table of responses: .csv with headings, or .rao for `motion.rao` of a body."""
     head, rows = table_of(found)
@@ -95,21 +113,22 @@ def show(found, irregular):
 
 
 def draw(found, path):
-    """Figure of amplitudes over the period with lags below; translations on the left, open circles at low coherence."""
+    """Figure of amplitudes over the period with lags below; translations on the left, open circles at low coherence; a line
+    for each direction."""
     figure, axes = plt.subplots(2, 2, figsize=(WIDE, 4.6), sharex=True, layout="constrained", height_ratios=(2, 1))
-    period = np.array([2 * np.pi / r.omega for r in found])
-    order = np.argsort(period)
-    amplitude, lag = (np.array([of(r) for r in found])[order] for of in (degrees, lags))
-    sure = np.array([r.explained for r in found])[order] >= COHERENT
-    for k, name in enumerate(FREEDOMS):
-        column = k // 3
-        if not amplitude[:, k].max() > 1e-3 * amplitude[:, 3 * column:3 * column + 3].max():
-            continue
-        for rows, values in ((0, amplitude[:, k]), (1, lag[:, k])):
-            own = axes[rows, column]
-            own.plot(period[order], np.where(sure[:, k], values, np.nan), ".-", ms=3, lw=1 if rows == 0 else 0, color=COLOURS[k % 3],
-                     label=name if rows == 0 else None)
-            own.plot(period[order], np.where(sure[:, k], np.nan, values), "o", ms=3, mfc="none", mew=0.6, color=COLOURS[k % 3])
+    most = np.max([degrees(r) for r in found], axis=0)
+    shown = [k for k in range(6) if most[k] > 1e-3 * most[k // 3 * 3:k // 3 * 3 + 3].max()]
+    for n, direction in enumerate(sorted({r.direction for r in found})):
+        rows = sorted((r for r in found if r.direction == direction), key=lambda r: -r.omega)
+        period = np.array([2 * np.pi / r.omega for r in rows])
+        amplitude, lag, explained = (np.array([of(r) for r in rows]) for of in (degrees, lags, lambda r: r.explained))
+        for k in shown:
+            sure = explained[:, k] >= COHERENT
+            for row, values in ((0, amplitude[:, k]), (1, lag[:, k])):
+                own = axes[row, k // 3]
+                own.plot(period, np.where(sure, values, np.nan), ".-", ms=3, lw=1 if row == 0 else 0, color=COLOURS[k % 3],
+                         label=FREEDOMS[k] if row == 0 and n == 0 else None)
+                own.plot(period, np.where(sure, np.nan, values), "o", ms=3, mfc="none", mew=0.6, color=COLOURS[k % 3])
     for column, unit in ((0, "m/m"), (1, "deg/m")):
         axes[0, column].set(ylabel=unit, ylim=(0, None))
         axes[1, column].set(xlabel="period [s]", ylabel="lag [deg]", ylim=(0, 360), yticks=(0, 90, 180, 270, 360))
@@ -118,7 +137,24 @@ def draw(found, path):
     plt.close(figure)
 
 
+def convert(paths, options):
+    """Figure, and vessel file if requested, of tables."""
+    if options.since is not None or options.segment or options.name or any(options.at):
+        raise Refusal(f"{paths[0]} is a table: --name, --at, --segment and --since are for results of runs")
+    found = sorted((r for path in paths for r in read(path)), key=lambda r: (r.direction, -r.omega))
+    wanted = place_for(options.output or Path(paths[0]).with_suffix(".png"), [], (".png", ".rao"), "a figure, or a table for motion.rao,", paths)
+    if wanted.suffix == ".rao":
+        write(wanted, found)
+        print(f"responses: {wanted}")
+    picture = wanted.with_suffix(".png")
+    draw(found, picture)
+    print(f"figure: {picture}")
+
+
 def make(options):
+    if all(given.endswith(".csv") for given in options.results):
+        convert(options.results, options)
+        return
     runs = [results_of(given, options.changes) for given in options.results]
     first = runs[0].path
     table = place_for(options.output or first.with_name(f"{first.stem}-rao.csv"), runs, (".csv", ".rao"), "a table of responses")

@@ -84,11 +84,10 @@ double Facets::squared_distance(int t, const Vec3& y) const {
                                             : squared_distance_to(a - y, b - y, c - y);
 }
 
-// Beyond a centre of curvature of a patch the point found may be a local minimum. The distance from the flat
-// facet minus the bulge is a lower bound.
+// Beyond a centre of curvature of a patch the point found may be a local minimum.
 double Facets::least_distance(int t, const Vec3& y) const {
   if (!curved(t) || one_nearest_point(y, patch(t))) return std::sqrt(closest(t, y).squared_distance);
-  return std::max(0.0, std::sqrt(squared_distance(t, y)) - bulge(t));
+  return distance_less_bulge(t, y);
 }
 
 FacetSearch::FacetSearch(const Facets& facets, const std::vector<bool>& chosen) : chosen_(chosen) {

@@ -1,6 +1,8 @@
 // The flat or curved facets of a mesh, and search for the nearest of a subset of them.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -49,6 +51,10 @@ class Facets {
   bool may_reach(int t, const Vec3& y, double reach) const {
     const double far = reach + bulge(t);
     return !(squared_distance(t, y) > far * far);
+  }
+  // Lower bound of the facet's distance from y by the distance of the flat facet and the bulge, m.
+  double distance_less_bulge(int t, const Vec3& y) const {
+    return std::max(0.0, std::sqrt(squared_distance(t, y)) - bulge(t));
   }
   // Lower bound of the facet's distance from y, m; the distance itself where that is certain.
   double least_distance(int t, const Vec3& y) const;

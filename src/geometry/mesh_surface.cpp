@@ -349,9 +349,10 @@ double MeshSurface::free_radius(const Vec3& y, double distance, int hint) const 
   const Facets& facets = data_->facets;
   double squared = distance * distance;
   const auto visit = [&](int t) {
-    if (!facets.curved(t) || one_nearest_point(y, facets.patch(t))) return;
-    const double lower_bound = facets.least_distance(t, y);
-    squared = std::min(squared, lower_bound * lower_bound);
+    if (!facets.curved(t)) return;
+    const double lower_bound = facets.distance_less_bulge(t, y);
+    if (lower_bound * lower_bound < squared && !one_nearest_point(y, facets.patch(t)))
+      squared = lower_bound * lower_bound;
   };
   if (facets.any_curved()) data_->active.tree().nearest(y, squared, visit);
   return data_->distance_to_closure(y, std::sqrt(squared), hint);

@@ -170,6 +170,15 @@ void PlatformWaves::add_full() {
   }
 }
 
+std::vector<ComplexVec6> PlatformWaves::first_order(double x, double y) const {
+  std::vector<ComplexVec6> out = first_;
+  for (size_t i = 0; i < components_.size(); ++i) {
+    const WaveComponent& w = components_[i];
+    out[i] *= std::polar(1.0, -w.number * (w.x * x + w.y * y) - w.phase);
+  }
+  return out;
+}
+
 PlatformWaves::Forces PlatformWaves::at(double time, double x, double y) const {
   Forces out;
   std::vector<Complex> turn(components_.size());

@@ -16,7 +16,6 @@ namespace {
 constexpr double kAllowed = 0.005;  // of the tension
 constexpr double kInside = 0.3;     // fraction of errors within the contact that counts
 constexpr double kLeft = 0.0025;    // error of elements of the recommended length
-constexpr double kAgain = 5;        // repeat the report at this multiple of the reported error
 constexpr double kOfRadius = 0.2;   // length of elements over a sharp edge, in contact radii
 constexpr double kEvenly = 0.5;     // of a turn: with both neighbours above it the line follows a smooth bend
 constexpr double kWide = 0.8;       // rad, turn of a beam within elements of length sqrt(EI/T)
@@ -199,8 +198,8 @@ void EdgeErrors::step(const Snapshot& s) {
   std::vector<Found> found;  // by the rank that owns the first node of a line
   for (const int line : pressed_) {
     OfLine& w = lines_[line];
-    if (!(w.at.error > kAgain * w.reported) || !exceeds(w, w.tension)) continue;
-    w.reported = w.at.error;
+    if (w.reported || !exceeds(w, w.tension)) continue;
+    w.reported = true;
     if (owns_line(mesh_, line)) found.push_back({line, w});
   }
   if (!on_any_rank(comm_, !found.empty())) return;

@@ -37,6 +37,31 @@ Offset numbers_of(const char* option, const std::string& text, size_t max_count)
   return out;
 }
 
+// Numbers separated by commas; InputError for anything else.
+std::vector<double> list_of(const char* option, const std::string& text) {
+  std::vector<double> out;
+  const char* at = text.c_str();
+  for (bool more = !text.empty(); more;) {
+    char* end = nullptr;
+    out.push_back(std::strtod(at, &end));
+    more = *end == ',';
+    if (end == at || !std::isfinite(out.back()) || (*end && !more))
+      throw InputError(fmt::format("{} {}: give numbers separated by commas", option, model::quote(text)));
+    at = end + 1;
+  }
+  return out;
+}
+
+void read_waves(const std::string& periods, const std::string& directions,
+                const std::vector<std::string>& point, ResponsesOptions& to) {
+  if (!point.empty()) to.at = Vec3(numbers_of("--at", point.front(), 3).data());
+  to.periods = list_of("--periods", periods);
+  for (const double period : to.periods)
+    if (!(period > 0)) throw InputError(fmt::format("--periods {:g}: give periods above 0, in s", period));
+  for (const double direction : list_of("--directions", directions))
+    to.directions.push_back(direction * M_PI / 180);
+}
+
 void read_places(const std::vector<std::string>& point, const std::vector<std::string>& offsets,
                  double direction, StiffnessOptions& to) {
   constexpr double kDegree = M_PI / 180;
@@ -69,6 +94,7 @@ CommandLine::CommandLine(const std::string& petsc_options) {
   add_run();
   add_modes();
   add_stiffness();
+  add_responses();
   add_check();
   add_printed();
   for (const auto& command : kPostCommands) cli_.add_subcommand(command.name, command.help);
@@ -159,6 +185,36 @@ void CommandLine::add_stiffness() {
     return stiffness(comm, stiffness_);
   };
   commands_.push_back({command, nullptr, work});
+}
+
+void CommandLine::add_responses() {
+  CLI::App* command = cli_.add_subcommand(
+      "responses",
+      "Responses of moored floating bodies to waves by linear equations about the static equilibrium.");
+  command->add_option("case", responses_.case_path, "Case file")->required();
+  command
+      ->add_option("--periods", periods_, "Wave periods, s (default: those of the wave forces in the files)")
+      ->option_text("T1,T2,...");
+  command
+      ->add_option("--directions", directions_,
+                   "Directions in which waves go, deg, anticlockwise from +x (default: those of the files)")
+      ->option_text("D1,D2,...");
+  command->add_option("--body", responses_.body, "Floating body to report (default: each)");
+  command
+      ->add_option("--at", point_,
+                   "Point of the body whose motion is reported, m, in its frame (default 0,0,0)")
+      ->option_text("X,Y,Z")
+      ->expected(1);
+  command->add_option(
+      "-o,--output", responses_.output,
+      "CSV file (default: <case>-responses.csv); with several bodies one each, NAME-BODY.csv");
+  command->add_flag("-q,--quiet", responses_.quiet, "Print errors only");
+  add_changes(command, responses_.changes);
+  const auto work = [this](MPI_Comm comm) {
+    read_waves(periods_, directions_, point_, responses_);
+    return responses(comm, responses_);
+  };
+  commands_.push_back({command, nullptr, work, true});
 }
 
 void CommandLine::add_check() {

@@ -91,7 +91,7 @@ std::string freedoms(MPI_Comm comm, Simulation& sim, const NaturalMode& mode, in
   if (const int n = sim.bodies().local_node(body); n >= 0 && sim.local().owns(n)) {
     const Mat3 axes = sim.state().q[n].toRotationMatrix();
     const Vec3 turn = axes.transpose() * mode.rotation[n];
-    const Vec3 displacement = axes.transpose() * mode.shape[n] + turn.cross(m.centre);
+    const Vec3 displacement = axes.transpose() * mode.shape[n];  // of the centre of mass
     for (int k = 0; k < 3; ++k) {
       energy[k] = turns ? 0 : m.mass * displacement[k] * displacement[k];
       energy[3 + k] = m.inertia[k] * turn[k] * turn[k];
@@ -170,8 +170,8 @@ std::vector<double> flat(const std::vector<Vec3>& values, int nodes) {
 
 // Factor of the translations [1] and rotations [rad] of a drawn mode, m.
 double displayed_size(MPI_Comm comm, const Simulation& sim, const NaturalMode& mode) {
-  double size = sim.model().lines.empty() ? 1 : 0;
-  double turn = 0;  // m, rad
+  double size = sim.model().lines.empty() ? 1 : 0;  // m
+  double turn = 0;                                  // rad
   for (const auto& line : sim.model().lines) size = std::max(size, kDrawn * model::length_of(line));
   for (int b = 0; b < sim.bodies().size(); ++b)
     if (const int n = sim.bodies().local_node(b); n >= 0) turn = std::max(turn, mode.rotation[n].norm());

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -46,6 +47,13 @@ void check_table(const std::string& path, std::string_view head, const std::stri
   std::string start(head.size(), ' ');
   if (file && !(file.read(start.data(), static_cast<std::streamsize>(start.size())) && start == head))
     throw InputError(advice::not_such_a_table(path, contents));
+}
+
+std::string table_of_body(const std::string& path, const std::string& body) {
+  fs::path out(path);
+  std::string name = out.stem().string() + "-" + body + out.extension().string();
+  std::replace(name.begin(), name.end(), '/', '-');
+  return out.replace_filename(name).string();
 }
 
 OutputPlace::OutputPlace(MPI_Comm comm, const std::string& path, const std::string& restart,

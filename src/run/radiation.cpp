@@ -72,8 +72,7 @@ void write_radiation(MPI_Comm comm, const model::Case& c, const std::string& pat
   for (const std::vector<int>& group : groups) {
     std::filesystem::path file = wanted;
     if (groups.size() > 1)
-      file.replace_filename(wanted.stem().string() + "-" + c.bodies[static_cast<size_t>(group.front())].name +
-                            ".csv");
+      file = table_of_body(wanted.string(), c.bodies[static_cast<size_t>(group.front())].name);
     on_root(comm, [&] { check_table(file.string(), kHead, "radiation", c.inputs); });
     const auto write = [&] {
       std::ofstream out(file, std::ios::binary);

@@ -8,15 +8,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "condensation.hpp"
 #include "hawser/advice/modes.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/handle.hpp"
 #include "hawser/base/mpi.hpp"
 #include "hawser/kernels/frame_point.hpp"
-#include "hawser/solve/linear_solver.hpp"
 #include "hawser/solve/stability.hpp"
 #include "hawser/system/depends_on_frequency.hpp"
+#include "small_motions.hpp"
 
 namespace hawser {
 namespace {
@@ -42,64 +41,6 @@ class Slepc {
 };
 
 using Solver = Handle<EPS, EPSDestroy>;
-
-MatHandle tangent(System& system, const Kinematics& state, const Weights& weights) {
-  MatHandle J = system.create_matrix();
-  const std::vector<double> zero(3 * static_cast<size_t>(system.mesh().blocks()), 0);
-  system.tangent(state, weights, zero, false, J.get());
-  return J;
-}
-
-// The symmetric part of a tangent J, with `held` instead of 1 on the diagonal of held components.
-MatHandle symmetric(const System& system, Mat J, double held) {
-  MatHandle A = symmetric_part(J);
-  const auto& is_held = system.tied_nodes().held();
-  for (int b = 0; b < system.mesh().owned_blocks; ++b)
-    for (int c = 0; c < 3; ++c) {
-      if (!(is_held[b] >> c & 1)) continue;
-      const PetscInt row = 3 * system.mesh().global_block[b] + c;
-      check(MatSetValue(A.get(), row, row, held - 1, ADD_VALUES));
-    }
-  check(MatAssemblyBegin(A.get(), MAT_FINAL_ASSEMBLY));
-  check(MatAssemblyEnd(A.get(), MAT_FINAL_ASSEMBLY));
-  check(MatSetOption(A.get(), MAT_SYMMETRIC, PETSC_TRUE));
-  return A;
-}
-
-// Adds to K, the symmetric part of the tangent J, the antisymmetric part of the bodies' rows and columns,
-// which forces without a potential cause. Returns whether there is one, beyond rounding.
-bool add_asymmetry_of_bodies(const System& system, Mat J, Mat K) {
-  constexpr double kRounding = 1e-9;  // of the largest entry
-  const BodyRows bodies = rows_of_bodies(system);
-  if (bodies.count() == 0 || bodies.count() > kMostDense) return false;
-  const Eigen::MatrixXd block = bodies.block(system, J);
-  const Eigen::MatrixXd antisymmetric = 0.5 * (block - block.transpose());
-  const double rounding = kRounding * block.cwiseAbs().maxCoeff();
-  if (antisymmetric.cwiseAbs().maxCoeff() <= rounding) return false;
-  bodies.add(antisymmetric, K);
-  check(MatSetOption(K, MAT_SYMMETRIC, PETSC_FALSE));
-  return true;
-}
-
-struct Stiffness {
-  MatHandle matrix;
-  bool is_symmetric = true;
-};
-
-// Held components get the stiffness 1 and no mass, so that their eigenvalues are infinite and do not appear
-// among the lowest.
-Stiffness stiffness_of(System& system, const Kinematics& state) {
-  const MatHandle J = tangent(system, state, {1, 0, 0});
-  Stiffness out;
-  out.matrix = symmetric(system, J.get(), 1);
-  out.is_symmetric = !add_asymmetry_of_bodies(system, J.get(), out.matrix.get());
-  return out;
-}
-
-// Mass or damping matrix, by weights.
-MatHandle without_held(System& system, const Kinematics& state, const Weights& weights) {
-  return symmetric(system, tangent(system, state, weights).get(), 0);
-}
 
 long free_components(const System& system) {
   long free = 0;
@@ -162,15 +103,6 @@ struct Eigenpair {
 void sort(std::vector<Eigenpair>& pairs) {
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const Eigenpair& a, const Eigenpair& b) { return a.squared < b.squared; });
-}
-
-// Sets up a direct solution with MUMPS.
-void solve_directly(KSP ksp) {
-  check(KSPSetType(ksp, KSPPREONLY));
-  PC pc = nullptr;
-  check(KSPGetPC(ksp, &pc));
-  check(PCSetType(pc, PCLU));
-  check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
 }
 
 // K - by M.
@@ -298,7 +230,7 @@ void settle(System& system, const Kinematics& state, Mat K, const std::vector<De
     for (int i = 0;; ++i) {
       if (i == kMaxIterations) throw SolveError(advice::modes_incomplete());
       oscillate(std::sqrt(s));
-      const MatHandle M = without_held(system, state, {0, 0, 1});
+      const MatHandle M = mass_at_rest(system, state);
       std::vector<Eigenpair> here = lowest_modes(system, K, M.get(), k + 1, is_symmetric);
       size_t m = first_oscillating(here) + k - first;
       // Where the mass is negative in some direction, there are fewer.
@@ -306,7 +238,7 @@ void settle(System& system, const Kinematics& state, Mat K, const std::vector<De
       const double change = mu - s;
       (change > 0 ? low : high) = s;
       if (std::abs(change) < kSettled * s || high - low < kSettled * s) {
-        const MatHandle C = without_held(system, state, {0, 1, 0});
+        const MatHandle C = damping_at_rest(system, state);
         // Repeated eigenvalues have any vectors of their space, so all of them are taken here.
         for (; k < modes.size() && m < here.size() && here[m].squared <= mu * (1 + kGap); ++k, ++m) {
           Vec u = here[m].vector.get();
@@ -346,8 +278,8 @@ std::vector<NaturalMode> natural_modes(System& system, const Kinematics& state, 
   const Slepc slepc;
   const size_t wanted = static_cast<size_t>(std::min<long>(count, free_components(system)));
   if (wanted == 0) return {};
-  const auto [K, is_symmetric] = stiffness_of(system, state);
-  const MatHandle M = without_held(system, state, {0, 0, 1});
+  const auto [K, is_symmetric] = stiffness_at_rest(system, state);
+  const MatHandle M = mass_at_rest(system, state);
   std::vector<Eigenpair> modes = lowest_modes(system, K.get(), M.get(), wanted, is_symmetric);
   if (modes.size() < wanted) throw SolveError(advice::fewer_modes_converged(modes.size(), wanted));
   modes.resize(wanted);

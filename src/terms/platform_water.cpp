@@ -135,9 +135,7 @@ const PlatformWater::KnownForces& PlatformWater::known_forces(const Group& g, do
   for (size_t i = 0; i < g.platforms.size(); ++i) {
     const Platform& p = g.platforms[i];
     if (p.waves.none()) continue;
-    const Vec3 place =
-        p.follow_period > 0 ? Vec3(p.slow.place + (time - g.slow_time) * p.slow.drift) : p.potential.place;
-    const Vec3 origin = place + p.axes * p.file_origin;
+    const Vec3 origin = wave_origin(g, p, time);
     const PlatformWaves::Forces f = p.waves.at(time, origin.x(), origin.y());
     const auto first = 6 * static_cast<Eigen::Index>(i);
     now.first_order.segment<6>(first) = ramp * f.first;
@@ -145,6 +143,12 @@ const PlatformWater::KnownForces& PlatformWater::known_forces(const Group& g, do
     now.second_order.segment<6>(first) = ramp * ramp * f.slow + p.waves.mean_drift();
   }
   return now;
+}
+
+Vec3 PlatformWater::wave_origin(const Group& g, const Platform& p, double time) {
+  const Vec3 place =
+      p.follow_period > 0 ? Vec3(p.slow.place + (time - g.slow_time) * p.slow.drift) : p.potential.place;
+  return place + p.axes * p.file_origin;
 }
 
 void PlatformWater::damping_and_memory(const Group& g, const KnownForces& now, const Eigen::VectorXd& rate,

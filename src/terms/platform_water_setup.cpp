@@ -12,6 +12,7 @@
 #include "hawser/model/mass_matrix.hpp"
 #include "hawser/model/waterplane.hpp"
 #include "hawser/terms/platform_water.hpp"
+#include "hawser/terms/rigid_bodies.hpp"
 
 namespace hawser {
 
@@ -65,31 +66,40 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
   p.hydrostatics.level = p.potential.place.z();
   p.added_damping = h.damping + model::wave_drift_damping(h, sea_.waves.components());
   p.added_quadratic_damping = h.quadratic_damping;
-  if (h.excitation && !sea_.waves.none())
-    p.waves =
-        platform_waves(h, heading, h.in_file.head<2>() + phase_point(of_files, sea_.density * sea_.gravity));
+  p.coefficients = m.hydrodynamics;
+  p.phase_point = h.in_file.head<2>() + phase_point(of_files, sea_.density * sea_.gravity);
+  if (h.excitation && !sea_.waves.none()) p.waves = platform_waves(p, heading);
   return p;
 }
 
-// First-order forces are interpolated with their phases at `centre`: those at an origin far from it change
+namespace {
+
+WaveForceTable of_body(const model::BodyHydrodynamics& h, const std::vector<WaveForceTable>& tables) {
+  return tables.empty() ? WaveForceTable() : tables[static_cast<size_t>(h.body) - 1];
+}
+
+}  // namespace
+
+// Wave forces are interpolated with their phases at the phase point: those at an origin far from it change
 // too much from one frequency or direction to the next.
-PlatformWaves PlatformWater::platform_waves(const model::BodyHydrodynamics& h, double heading,
-                                            const Eigen::Vector2d& centre) const {
-  const auto of_body = [&h](const std::vector<WaveForceTable>& tables) {
-    return tables.empty() ? WaveForceTable() : tables[static_cast<size_t>(h.body) - 1];
-  };
-  WaveForceTable first = of_body(h.data->excitation);
-  if (!first.none()) {
-    std::vector<double> numbers;
-    for (const double omega : first.omega())
-      numbers.push_back(wave_number(omega, sea_.waves.depth(), sea_.gravity));
-    first = first.with_phases_at(centre, numbers);
-  }
+WaveForceTable PlatformWater::first_order_table(const Platform& p) const {
+  const model::BodyHydrodynamics& h = *p.coefficients;
+  const WaveForceTable first = of_body(h, h.data->excitation);
+  if (first.none()) return first;
+  std::vector<double> numbers;
+  for (const double omega : first.omega())
+    numbers.push_back(wave_number(omega, sea_.waves.depth(), sea_.gravity));
+  return first.with_phases_at(p.phase_point, numbers);
+}
+
+PlatformWaves PlatformWater::platform_waves(const Platform& p, double heading) const {
+  const model::BodyHydrodynamics& h = *p.coefficients;
+  const WaveForceTable first = first_order_table(p);
   const std::vector<WaveComponent>& sea = sea_.waves.components();
   if (h.second_order != SecondOrder::full)
-    return {sea, heading, first, centre, of_body(h.data->drift), {}, h.second_order};
+    return {sea, heading, first, p.phase_point, of_body(h, h.data->drift), {}, h.second_order};
   const model::DifferenceForces& difference = model::difference_forces(h, sea, heading);
-  return {sea, heading, first, centre, of_body(difference.drift), difference.pairs, h.second_order};
+  return {sea, heading, first, p.phase_point, of_body(h, difference.drift), difference.pairs, h.second_order};
 }
 
 void PlatformWater::add_group(const model::Case& c, const std::vector<int>& bodies,
@@ -158,6 +168,25 @@ void PlatformWater::oscillate(double omega) {
     for (size_t i = 0; i < g.platforms.size(); ++i)
       g.harmonic_damping.block<6, 6>(6 * i, 6 * i) += g.platforms[i].added_damping;
   }
+}
+
+std::vector<DependsOnFrequency::Excitation> PlatformWater::excitation(const std::vector<WaveComponent>& waves,
+                                                                      const Kinematics& state) const {
+  std::vector<Excitation> out;
+  for (const Group& g : groups_)
+    for (const Platform& p : g.platforms) {
+      if (!p.owned || !p.coefficients->excitation) continue;
+      const WaveForceTable first = first_order_table(p);
+      if (first.none()) continue;
+      const double heading = std::atan2(p.axes(1, 0), p.axes(0, 0));
+      const PlatformWaves forces(waves, heading, first, p.phase_point, {}, {}, SecondOrder::none);
+      const Vec3 origin = wave_origin(g, p, state.time);
+      const Mat6 G = platform_motion(p.axes, p.arm, floating_state(state, p.local)).G;
+      Excitation e{p.block, forces.first_order(origin.x(), origin.y())};
+      for (ComplexVec6& F : e.by_wave) F = G.transpose() * F;
+      out.push_back(std::move(e));
+    }
+  return out;
 }
 
 }  // namespace hawser

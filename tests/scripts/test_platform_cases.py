@@ -218,7 +218,7 @@ class Cases(unittest.TestCase):
         """Started at 0.3 m/s near the hawser, the tanker is slowed down by it, and no node penetrates its hull."""
         path = self.case("kvlcc2-adrift")
         file = self.run_case(path, "--set", "bodies.tanker.position=[0, 24, 0]", "--set", "bodies.tanker.floating.velocity=[0, 0.3, 0]",
-                             "--set", "dynamics={duration: 150, step: 0.05}", "--set", "environment.wind.speed=0.1")
+                             "--set", "dynamics={duration: 150, step: 0.2}", "--set", "environment.wind.speed=0.1")
         _, ship = self.series(file, "tanker")
         _, stern = self.series(file, "at_the_stern")
         print(f"tanker: from 0.3 to {ship['velocity_y'][-1]:.3f} m/s, hawser {stern['effective_tension'][0] / 1e3:.0f} to "

@@ -268,15 +268,15 @@ class Damaged(Attack):
                     if harm is not None:
                         file[name] = harm
                         file[name].attrs.update(attributes)
-                # All tools open a file in the same way. By default every tenth damaged file is opened by one
+                # All tools open a file in the same way. By default every twentieth damaged file is opened by one
                 # of them in turn.
                 try:
                     Results(self.path)
                     turn += 1
                     if not few:
                         self.judge(f"{name} {what}")
-                    elif turn % 10 == 0:
-                        self.judge(f"{name} {what}", [self.TOOLS[turn // 10 % len(self.TOOLS)]])
+                    elif turn % 20 == 0:
+                        self.judge(f"{name} {what}", [self.TOOLS[turn // 20 % len(self.TOOLS)]])
                 except Refusal as refusal:
                     refused += 1
                     self.assertNotIn("\n", str(refusal))

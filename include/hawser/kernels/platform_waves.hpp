@@ -83,6 +83,8 @@ class PlatformWaves {
   };
   // Forces at a time [s]; x, y: position of the point of the phases of `mean` and `difference`, m.
   Forces at(double time, double x, double y) const;
+  // First-order force of each component at that point: Re(F exp(i omega t)).
+  std::vector<ComplexVec6> first_order(double x, double y) const;
 
  private:
   // Contribution to one degree of freedom: weight |sum_i amplitude_i exp(i phase_i)|².

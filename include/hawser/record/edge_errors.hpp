@@ -56,7 +56,7 @@ class EdgeErrors : public Recording {
     double turn_of_element = 0;  // rad, sum over both ends of an element there
     double sharp_turn = 0;       // rad, the same at a sharp edge; 0: the turn is even
     double tension = 0;          // N, largest so far under contact with volumes
-    double reported = 0;         // N, error already reported
+    bool reported = false;       // during the run; the end of the run reports the largest error
   };
   std::vector<PressedTurn> turns(const Kinematics& state, const Values& values) const;
   const model::LineType& type_at(int node) const;  // type of the element after the node

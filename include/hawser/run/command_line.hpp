@@ -10,6 +10,7 @@
 
 #include "hawser/run/driver.hpp"
 #include "hawser/run/modes.hpp"
+#include "hawser/run/responses.hpp"
 #include "hawser/run/stiffness.hpp"
 
 namespace hawser::run {
@@ -32,12 +33,13 @@ class CommandLine {
   CLI::App& cli() { return cli_; }
   // The command that was given. Valid after cli() has parsed the command line.
   const Command& command() const;
-  bool quiet() const { return run_.quiet || modes_.quiet || stiffness_.quiet; }
+  bool quiet() const { return run_.quiet || modes_.quiet || stiffness_.quiet || responses_.quiet; }
 
  private:
   void add_run();
   void add_modes();
   void add_stiffness();
+  void add_responses();
   void add_check();
   void add_printed();
 
@@ -49,6 +51,8 @@ class CommandLine {
   StiffnessOptions stiffness_;
   std::vector<std::string> point_, offsets_;  // numbers with commas between
   double direction_ = 0;                      // deg
+  ResponsesOptions responses_;
+  std::string periods_, directions_;  // numbers with commas between
   CheckOptions check_;
   bool quick_ = false, json_ = false, markdown_ = false;
 };

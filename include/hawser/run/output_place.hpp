@@ -22,6 +22,10 @@ void check_not_read(const std::string& kind, const std::string& path, const std:
 void check_table(const std::string& path, std::string_view head, const std::string& contents,
                  const std::vector<std::string>& inputs);
 
+// Path of the table of one of several bodies: `path` with the name of the body, in which a slash (a body of a
+// farm) becomes a dash, before its ending.
+std::string table_of_body(const std::string& path, const std::string& body);
+
 class OutputPlace {
  public:
   // A file at `path` is replaced only if it is a results file; links are followed. `restart`: the file that

@@ -24,7 +24,7 @@ inline constexpr double kFreeMotion = 4e-7;  // rad²/s²
 // The `count` lowest modes (fewer if there are no more), ascending, about `state`, which is at rest. M
 // includes the added mass of the terms. If it depends on the frequency, it is that of each mode (fixed
 // point); free and unstable modes have that of time integration. Of unsymmetric tangents (friction) only the
-// symmetric part counts, except in the unknowns of bodies, at most 50. If K is not symmetric, the squares may
+// symmetric part counts, except in the unknowns of bodies. If K is not symmetric, the squares may
 // be complex; their real part is given. Collective. Throws SolveError if the eigenvalues do not converge.
 std::vector<NaturalMode> natural_modes(System& system, const Kinematics& state, int count);
 

@@ -5,12 +5,14 @@
 #include <memory>
 #include <vector>
 
+#include "hawser/base/shared.hpp"
 #include "hawser/kernels/platform_frame.hpp"
 #include "hawser/kernels/platform_hydrostatics.hpp"
 #include "hawser/kernels/platform_waves.hpp"
 #include "hawser/kernels/slow_pose.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/hydrodynamic_data.hpp"
+#include "hawser/model/platform.hpp"
 #include "hawser/model/platform_memory.hpp"
 #include "hawser/system/depends_on_frequency.hpp"
 #include "hawser/system/force_term.hpp"
@@ -43,6 +45,9 @@ class PlatformWater final : public ForceTerm,
   // Uses the added mass and damping at `omega` [rad/s], interpolated linearly between the rows of the data; B
   // = 0 at omega = 0 and beyond the last row.
   void oscillate(double omega) override;
+  // Bodies without wave forces in their files, or with `excitation: false`, have none.
+  std::vector<Excitation> excitation(const std::vector<WaveComponent>& waves,
+                                     const Kinematics& state) const override;
   std::vector<std::string> load_components(int body) const override;
   std::vector<BodyForce> forces_on(int body, const Kinematics& state) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
@@ -67,6 +72,9 @@ class PlatformWater final : public ForceTerm,
     PlatformPotential potential;  // of the added stiffness
     Mat6 added_damping = Mat6::Zero();
     Mat6 added_quadratic_damping = Mat6::Zero();
+    Shared<model::BodyHydrodynamics> coefficients;
+    Eigen::Vector2d
+        phase_point;  // of the wave forces of the files, from their origin, m, axes of the heading
     PlatformWaves waves;
     Vec3 file_origin = Vec3::Zero();  // m, origin of the files from the body's origin, axes of the heading
     double damping_work = 0, wave_work = 0;  // J, over the accepted steps
@@ -128,9 +136,11 @@ class PlatformWater final : public ForceTerm,
   void add_group(const model::Case& c, const std::vector<int>& bodies,
                  std::shared_ptr<const model::PlatformMemory> radiation);
   Platform platform(const model::Case& c, int body) const;
-  // centre: of the waterplane from the origin of the files, m, axes of the heading.
-  PlatformWaves platform_waves(const model::BodyHydrodynamics& h, double heading,
-                               const Eigen::Vector2d& centre) const;
+  // First-order forces of a body with their phases at its phase point; none: it has none.
+  WaveForceTable first_order_table(const Platform& p) const;
+  PlatformWaves platform_waves(const Platform& p, double heading) const;
+  // Position of the origin of the files at a time for the phases of waves, m.
+  static Vec3 wave_origin(const Group& g, const Platform& p, double time);
   static void find_modes(const model::Case& c, Group& g);
   // Mass [kg and so on] added to that of a group so that its free oscillations have the correct periods in
   // steps of h [s].
