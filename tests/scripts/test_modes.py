@@ -150,8 +150,23 @@ bodies:
             self.assertEqual(found, ["sway", "heave", "surge", "yaw", "roll", "pitch"], output)
             self.assertEqual(output.count(", rotation without displacement"), 3, output)
 
-    def test_a_body_that_turns_about_its_origin_is_named_by_its_rotations(self):
-        # The springs rotate it about the origin, 5 m above the centre of mass, which moves then.
+    def test_freedoms_are_those_of_the_centre_of_mass(self):
+        # A spring along x at the origin, 5 m above the centre of mass, couples surge (omega² near 2) and pitch (near 35) weakly:
+        # by M = diag(1000, 2000), K = [[2200, 6000], [6000, 70000]] the other freedom has at most 2 % of the energy of a mode.
+        write(self.folder, "body.yaml", """\
+hawser: 1
+environment: {gravity: 0}
+bodies:
+  block:
+    floating: {mass: 1000, centre_of_mass: [0, 0, -5], inertia: [2000, 2000, 2000], stiffness: [1e3, 1e6, 1e6],
+               turning_stiffness: [1e6, 4e4, 1e6]}
+links:
+  spring: {end_a: {body: block, at: [0, 0, 0]}, end_b: {anchor: [10, 0, 0]}, stiffness: 1200, rest_length: 10}
+""")
+        output = run(HAWSER, "modes", self.folder / "body.yaml", "-n", "2").stdout
+        self.assertEqual(re.findall(r"body block: ([a-z, ]+)", output), ["surge", "pitch"], output)
+
+    def test_a_body_that_turns_about_its_centre_of_mass_is_named_by_its_rotations(self):
         write(self.folder, "body.yaml", """\
 hawser: 1
 environment: {gravity: 0}
