@@ -56,8 +56,12 @@ WaterErrors::WaterErrors(const model::Case& c, const System& system)
     shared_ = groups_.size();
     for (size_t l = 0; l < first.size(); ++l) {
       if (rank[first[l]] != wanted) continue;
-      if (first[l] == static_cast<int>(l)) groups_.emplace_back();
-      group[l] = first[l] == static_cast<int>(l) ? static_cast<int>(groups_.size()) - 1 : group[first[l]];
+      if (first[l] == static_cast<int>(l)) {
+        group[l] = static_cast<int>(groups_.size());
+        groups_.emplace_back().first = first[l];
+      }
+      group[l] = group[first[l]];
+      ++groups_[group[l]].lines;
     }
   }
   for (const int g : group) group_.push_back(g);
@@ -174,13 +178,6 @@ std::vector<Warning> WaterErrors::warnings(const std::vector<io::SummaryRow>&, c
   return out;
 }
 
-std::vector<int> WaterErrors::lines_of(int group) const {
-  std::vector<int> out;
-  for (size_t l = 0; l < group_.size(); ++l)
-    if (group_[l] == group) out.push_back(static_cast<int>(l));
-  return out;
-}
-
 std::string WaterErrors::warning(const Group& g, const Where& w) const {
   // Morison's formula does not apply to waves shorter than the line's diameter.
   const double sufficient = std::max(w.length / g.parts, std::min(w.diameter, w.length));
@@ -192,7 +189,7 @@ std::string WaterErrors::warning(const Group& g, const Where& w) const {
                                .crossed = w.crossed,
                                .in_current = water_->has_current(),
                                .in_waves = water_->has_waves(),
-                               .joined = std::ssize(lines_of(group_[w.line])),
+                               .joined = g.lines,
                                .force = g.force,
                                .error = g.error,
                                .recommended = sufficient});
@@ -218,7 +215,7 @@ std::vector<std::string> WaterErrors::warnings() const {
   for (size_t i = rank_of(comm_) == 0 ? 0 : shared_; i < groups_.size(); ++i) {
     const Group& g = groups_[i];
     if (g.error <= g.bears() || !(where[i].error > 0)) continue;
-    local.push_back({g.error / g.force, lines_of(static_cast<int>(i)).front(), i});
+    local.push_back({g.error / g.force, g.first, i});
   }
   largest_first(local);
   int count = static_cast<int>(local.size());

@@ -88,13 +88,12 @@ SharedPlaces::SharedPlaces(MPI_Comm comm, const LocalMesh& mesh, ContactRadii ra
     place.limit = std::min(length(p.one), length(p.other));
     const int a = mesh.mesh->node(p.one.node).line;
     const int b = mesh.mesh->node(p.other.node).line;
-    if (this->first_part(a) == this->first_part(b)) {
+    if (first_part_of(a) == first_part_of(b)) {
       const double distance = arc(p.other.node) - arc(p.one.node);
       const bool facing = distance * p.one.direction > 0 && distance * p.other.direction < 0;
       place.limit = std::min(place.limit, (facing ? 0.5 : 1) * std::abs(distance));
     }
-    between_[ordered(this->first_part(a), this->first_part(b))].push_back(static_cast<int>(places_.size()) -
-                                                                          1);
+    between_[ordered(first_part_of(a), first_part_of(b))].push_back(static_cast<int>(places_.size()) - 1);
   }
 }
 
@@ -103,7 +102,7 @@ double SharedPlaces::diameter(int k) const { return kSteps * places_[k].step; }
 const std::vector<int>& SharedPlaces::between(int line, int other) const {
   static const std::vector<int> none;
   if (between_.empty()) return none;
-  const auto at = between_.find(ordered(first_part(line), first_part(other)));
+  const auto at = between_.find(ordered(first_part_of(line), first_part_of(other)));
   return at == between_.end() ? none : at->second;
 }
 
@@ -128,7 +127,7 @@ double SharedPlaces::begin(const Branch& branch) const {
 
 std::optional<std::array<double, 2>> SharedPlaces::along(const Branch& branch, int element) const {
   const Element& e = mesh_.mesh->element(element);
-  if (first_part(e.line) != first_part(mesh_.mesh->node(branch.node).line)) return std::nullopt;
+  if (first_part_of(e.line) != first_part_of(mesh_.mesh->node(branch.node).line)) return std::nullopt;
   const double from = begin(branch);
   const double a = branch.direction * (arc(e.first) - from);
   const double b = branch.direction * (arc(e.second) - from);
@@ -162,14 +161,14 @@ void SharedPlaces::clip(int element, int second, std::array<double, 2>& range,
 
 // Nodes of a branch, outwards, up to and including the first one at `reach` [m] or beyond.
 std::vector<int> SharedPlaces::nodes_to(const Branch& branch, double reach) const {
-  const int given = first_part(mesh_.mesh->node(branch.node).line);
+  const int given = first_part_of(mesh_.mesh->node(branch.node).line);
   const auto [first, last] = outside(mesh_.mesh->node(branch.node).line);
   const double from = begin(branch);
   std::vector<int> out;
   for (int n = std::clamp(branch.node, first, last); n >= 0 && n < mesh_.mesh->line_nodes();
        n += branch.direction) {
     const int line = mesh_.mesh->node(n).line;
-    if (first_part(line) != given) break;
+    if (first_part_of(line) != given) break;
     const auto [a, b] = outside(line);
     if (n < a || n > b) break;
     out.push_back(n);
@@ -286,7 +285,7 @@ void SharedPlaces::update(PlaceState& p, const Rope& one, const Rope& other, boo
     const int a = mesh_.mesh->node(p.branches.one.node).line;
     const int b = mesh_.mesh->node(p.branches.other.node).line;
     const bool side_by_side =
-        first == limit_steps && first_part(a) != first_part(b) && nearest > -kPressed * kSteps * p.step;
+        first == limit_steps && first_part_of(a) != first_part_of(b) && nearest > -kPressed * kSteps * p.step;
     p.within = side_by_side ? 0 : first == limit_steps ? limit_steps : free_to(first);
   } else if (!overlaps(p.within)) {
     int first = p.within;

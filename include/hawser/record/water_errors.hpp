@@ -56,11 +56,11 @@ class WaterErrors : public Recording {
     double force = 0, weight = 0, tension = 0;  // N, largest values
     double error = 0, time = 0;                 // N, s, worst case
     int parts = 1;                              // into which an element should be cut
+    int first = 0, lines = 0;                   // first of the lines, and their number
     Where where;
     double bears() const;  // N, negligible error
   };
   std::string warning(const Group& g, const Where& w) const;
-  std::vector<int> lines_of(int group) const;  // ascending
   MPI_Comm comm_;
   const model::Case& case_;
   const LocalMesh& mesh_;

@@ -110,7 +110,7 @@ class SharedPlaces {
   MPI_Comm comm_;
   const LocalMesh& mesh_;
   ContactRadii radii_;
-  int first_part(int line) const { return first_part_.empty() ? line : first_part_[line]; }
+  int first_part_of(int line) const { return first_part_.empty() ? line : first_part_[line]; }
 
   std::vector<int> first_part_;  // of each line, see the constructor
   std::vector<double> offset_;   // m, of each line, its start along its given line; empty: no line is cut
