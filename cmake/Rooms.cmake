@@ -52,7 +52,7 @@ function(hawser_room name)
     target_link_libraries(hawser_${name} PUBLIC hawser_options ${links})
     # The kernels are compiled one by one: names of their formulas are short, and alike.
     if(NOT name STREQUAL "kernels")
-      set_target_properties(hawser_${name} PROPERTIES UNITY_BUILD ${HAWSER_UNITY} UNITY_BUILD_BATCH_SIZE 10)
+      set_target_properties(hawser_${name} PROPERTIES UNITY_BUILD ${HAWSER_UNITY} UNITY_BUILD_BATCH_SIZE 6)
     endif()
     # Rooms above base have the flags of MPI and PETSc.
     if("base" IN_LIST ARGN)

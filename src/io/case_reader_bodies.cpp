@@ -8,6 +8,7 @@
 
 #include "hawser/io/case_values.hpp"
 #include "hawser/io/hydrodynamic_files.hpp"
+#include "hawser/math/degree.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/mass_matrix.hpp"
 #include "hawser/model/wave_components.hpp"
@@ -31,7 +32,7 @@ void check_coverage(const Value& files, const std::vector<WaveForceTable>& table
                     const std::vector<WaveComponent>& sea, double heading, const std::string& key,
                     std::vector<std::string>& notes) {
   if (tables.empty() || sea.empty()) return;
-  constexpr double kDegree = M_PI / 180, kSmall = 0.01;
+  constexpr double kSmall = 0.01;
   const WaveForceTable& table = tables[static_cast<size_t>(body) - 1];
   const model::Coverage coverage = model::coverage(table, sea, heading);
   const std::string where = fmt::format(

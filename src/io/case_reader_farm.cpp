@@ -13,6 +13,7 @@
 #include "hawser/io/case_changes.hpp"
 #include "hawser/io/case_values.hpp"
 #include "hawser/io/yaml_document.hpp"
+#include "hawser/math/degree.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/farm.hpp"
 #include "hawser/model/nearest.hpp"
@@ -31,7 +32,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kHeadingUnit = M_PI / 180;  // rad, for headings in lists and files
 constexpr size_t kMostPlaces = 100'000;
 constexpr double kFarthestPlace = 1e6;  // m from the origin
 constexpr double kSamePlace = 1e-3;     // m
@@ -152,7 +152,7 @@ class Places {
   // row: x, y [m] and optionally heading [deg]; where: its line in a file of places, for messages.
   void add(const Value& v, const std::string& name, const std::vector<double>& row,
            const std::string& where = "") {
-    FarmPlace place{name, row[0], row[1], row.size() > 2 ? row[2] * kHeadingUnit : heading_};
+    FarmPlace place{name, row[0], row[1], row.size() > 2 ? row[2] * kDegree : heading_};
     if (row.size() > 2 && row[2] != 0) given_headings_.push_back(row[2]);
     if (std::max(std::abs(place.x), std::abs(place.y)) > kFarthestPlace)
       refuse(v, "{}{} is {:.4g} m from the origin; places are up to {:g} m from it", where, name,
@@ -174,7 +174,7 @@ class Places {
     part_.notes.push_back(fmt::format(
         "{}:{}: {}: headings of places are in degrees, and all of these are small, the first is "
         "{:g} deg; if radians are meant, write {:.4g}",
-        source_.file, at.line, at.where, given_headings_.front(), given_headings_.front() / kHeadingUnit));
+        source_.file, at.line, at.where, given_headings_.front(), given_headings_.front() / kDegree));
   }
 
   const Value& v_;

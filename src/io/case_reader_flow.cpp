@@ -4,6 +4,7 @@
 
 #include "hawser/io/case_values.hpp"
 #include "hawser/math/angle_gap.hpp"
+#include "hawser/math/degree.hpp"
 
 namespace hawser::io {
 
@@ -12,7 +13,6 @@ using model::Value;
 
 namespace {
 
-constexpr double kDegree = M_PI / 180;
 constexpr double kSame = 1e-6;     // deg
 constexpr double kWideGap = 60;    // deg between rows; wider gaps miss a side of the body
 constexpr double kRounded = 1e-6;  // tolerance of coefficients that should be equal or zero

@@ -9,6 +9,7 @@
 #include "hawser/advice/input_warnings.hpp"
 #include "hawser/io/case_values.hpp"
 #include "hawser/kernels/rao.hpp"
+#include "hawser/math/degree.hpp"
 #include "hawser/math/freedoms.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/body_motion.hpp"
@@ -19,7 +20,6 @@ namespace {
 
 using model::refuse;
 
-constexpr double kDegree = M_PI / 180;
 constexpr double kOneDirection = 1;  // deg, largest deviation from the only direction of a table
 constexpr double kWideGap = 100;     // deg; a wider gap between directions misses a side of the vessel
 

@@ -10,10 +10,9 @@
 #include <vector>
 
 #include "hawser/io/hydrodynamic_files.hpp"
+#include "hawser/math/degree.hpp"
 
 namespace hawser::io {
-
-inline constexpr double kRadPerDegree = M_PI / 180;
 
 inline bool rotates(int mode) { return mode % 6 >= 3; }  // modes from 0
 

@@ -201,13 +201,13 @@ void check_parts(const NumberTable& table, const NumberRow& row, size_t first, d
   const double scale = std::max(modulus, std::abs(parts));
   if (scale <= kSmall * largest || (modulus == 0 && phase == 0)) return;
   // A negative real number may have its modulus and the phase 0.
-  if (std::abs(parts - modulus * std::polar(1.0, phase * kRadPerDegree)) <= 2 * kRounded * scale) return;
+  if (std::abs(parts - modulus * std::polar(1.0, phase * kDegree)) <= 2 * kRounded * scale) return;
   if (parts.imag() == 0 && std::abs(std::abs(parts.real()) - std::abs(modulus)) <= kRounded * scale) return;
   refuse(table, row,
          fmt::format(
              "modulus {:g} and phase {:g} deg are not those of the real and imaginary part, {:g} and {:g}, "
              "which are {:.6g} and {:.4g} deg",
-             modulus, phase, parts.real(), parts.imag(), std::abs(parts), std::arg(parts) / kRadPerDegree));
+             modulus, phase, parts.real(), parts.imag(), std::abs(parts), std::arg(parts) / kDegree));
 }
 
 // Largest modulus per mode in a column of a table.
@@ -353,7 +353,7 @@ model::DifferenceForces difference_forces(const NumberTable& table, double direc
   std::vector<ComplexVec6> diagonal;
   for (size_t i = 0; i < n; ++i) diagonal.push_back(values[i * n + i]);
   sparse = std::max(sparse, sparseness(values, n));
-  return {{WaveForceTable(distinct, {direction * kRadPerDegree}, diagonal)},
+  return {{WaveForceTable(distinct, {direction * kDegree}, diagonal)},
           DifferenceForceTable(distinct, std::move(values))};
 }
 

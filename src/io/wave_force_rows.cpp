@@ -22,7 +22,7 @@ void WaveForceRows::add(double omega, double direction_deg, int mode, Complex va
   if (direction < 0) direction += 360;
   if (direction > 360 - 1e-6) direction = 0;
   const long key = std::lround(1e6 * direction);
-  directions_[key] = direction * kRadPerDegree;
+  directions_[key] = direction * kDegree;
   constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
   auto& at = values_[{omega, key}];
   at.resize(static_cast<size_t>(6 * bodies_), Complex(kAbsent));
@@ -50,7 +50,7 @@ std::vector<WaveForceTable> WaveForceRows::tables(const std::string& path) {
         if (found == values_.end())
           throw std::runtime_error(
               fmt::format("{}: has no rows at {:.6g} s for {:g} deg, though other directions have them", path,
-                          2 * M_PI / w, direction / kRadPerDegree));
+                          2 * M_PI / w, direction / kDegree));
         values.push_back(Eigen::Map<const ComplexVec6>(&found->second[static_cast<size_t>(6 * body)]));
       }
     out.emplace_back(omega, directions, std::move(values));
@@ -94,11 +94,10 @@ void WaveForceRows::complete_modes(const std::string& path) {
       if (!std::isnan(value[mode].real())) continue;
       const int m = static_cast<int>(mode);
       if (before && std::abs((*before)[mode]) > kCounts * largest[rotates(m)])
-        throw std::runtime_error(
-            fmt::format("{}: has no row {} ({}) at {:.6g} s for {:g} deg, though other periods have one: "
-                        "complete the file",
-                        path, mode + 1, modes_text(m, m), 2 * M_PI / at.first,
-                        directions_.at(at.second) / kRadPerDegree));
+        throw std::runtime_error(fmt::format(
+            "{}: has no row {} ({}) at {:.6g} s for {:g} deg, though other periods have one: "
+            "complete the file",
+            path, mode + 1, modes_text(m, m), 2 * M_PI / at.first, directions_.at(at.second) / kDegree));
       value[mode] = 0;
     }
   }

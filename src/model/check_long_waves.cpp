@@ -17,13 +17,13 @@
 
 #include "hawser/kernels/table_places.hpp"
 #include "hawser/kernels/waves.hpp"
+#include "hawser/math/degree.hpp"
 #include "hawser/math/freedoms.hpp"
 #include "hawser/model/waterplane.hpp"
 
 namespace hawser::model {
 namespace {
 
-constexpr double kDegree = M_PI / 180;
 constexpr double kGravityShare = 0.35;  // of the weight's part, by which it is recognised
 
 // A quantity by the wave forces and by the case.

@@ -3,13 +3,13 @@
 #include <cmath>
 
 #include "hawser/kernels/table_places.hpp"
+#include "hawser/math/degree.hpp"
 #include "hawser/math/freedoms.hpp"
 #include "hawser/model/platform.hpp"
 
 namespace hawser::model {
 namespace {
 
-constexpr double kDegree = M_PI / 180;
 // Linear interpolation between directions further apart than kWideGap misses a side of the body; a single
 // direction covers those within kNear.
 constexpr double kWideGap = 60 * kDegree, kNear = 15 * kDegree;

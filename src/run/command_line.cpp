@@ -10,6 +10,7 @@
 
 #include "hawser/base/error.hpp"
 #include "hawser/io/line_library.hpp"
+#include "hawser/math/degree.hpp"
 #include "hawser/model/nearest.hpp"
 #include "hawser/model/schema.hpp"
 #include "hawser/run/post.hpp"
@@ -64,7 +65,6 @@ void read_waves(const std::string& periods, const std::string& directions,
 
 void read_places(const std::vector<std::string>& point, const std::vector<std::string>& offsets,
                  double direction, StiffnessOptions& to) {
-  constexpr double kDegree = M_PI / 180;
   if (!point.empty()) to.at = Vec3(numbers_of("--at", point.front(), 3).data());
   for (const std::string& text : offsets) {
     Offset offset = numbers_of("--offset", text, 6);

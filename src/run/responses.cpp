@@ -21,6 +21,7 @@
 #include "hawser/kernels/platform_frame.hpp"
 #include "hawser/kernels/table_places.hpp"
 #include "hawser/kernels/waves.hpp"
+#include "hawser/math/degree.hpp"
 #include "hawser/math/freedoms.hpp"
 #include "hawser/math/heading.hpp"
 #include "hawser/model/body_motion.hpp"
@@ -36,7 +37,6 @@
 namespace hawser::run {
 namespace {
 
-constexpr double kPerDegree = M_PI / 180;  // rad
 constexpr std::string_view kFirstColumns = "period [s],direction [deg]";
 constexpr size_t kMostShown = 16;   // of a table on the terminal
 constexpr double kRoundOff = 1e-9;  // of the largest of the three translations, or rotations
@@ -88,7 +88,8 @@ WaveReference reference_of(Simulation& sim, int body) {
 
 // The first body with wave forces; there is one.
 int first_in_waves(const model::Case& c) {
-  return static_cast<int>(std::find_if(c.bodies.begin(), c.bodies.end(), wave_forces) - c.bodies.begin());
+  return static_cast<int>(
+      std::distance(c.bodies.begin(), std::find_if(c.bodies.begin(), c.bodies.end(), wave_forces)));
 }
 
 // Frequencies of the given periods, or of the wave forces of the first body that has them, descending. They
@@ -140,8 +141,8 @@ std::vector<WaveComponent> unit_waves(Simulation& sim, const std::vector<double>
       const model::Coverage coverage =
           model::coverage(*of_body, {out[i]}, reference_of(sim, static_cast<int>(b)).heading);
       if (coverage.uncovered > 0)
-        throw InputError(advice::direction_without_wave_forces(
-            c, c.bodies[b].name, directions[i] / kPerDegree, coverage.direction / kPerDegree));
+        throw InputError(advice::direction_without_wave_forces(c, c.bodies[b].name, directions[i] / kDegree,
+                                                               coverage.direction / kDegree));
     }
   }
   return out;
@@ -149,7 +150,7 @@ std::vector<WaveComponent> unit_waves(Simulation& sim, const std::vector<double>
 
 // Relative to the bow, deg in (-180, 180], without the rounding of a heading at rest.
 double from_bow(const WaveComponent& w, double heading) {
-  const double direction = std::remainder((std::atan2(w.y, w.x) - heading) / kPerDegree, 360);
+  const double direction = std::remainder((std::atan2(w.y, w.x) - heading) / kDegree, 360);
   const double rounded = std::round(1e6 * direction) / 1e6;
   return rounded > -180 ? rounded + 0.0 : 180;
 }
@@ -166,8 +167,8 @@ ResponseRow response_row(const WaveComponent& w, double heading, const ComplexVe
     const double largest = motion.segment<3>(k / 3 * 3).cwiseAbs().maxCoeff();
     const double size = std::abs(motion[k]);
     if (!(size > kRoundOff * largest)) continue;
-    out.amplitude[static_cast<size_t>(k)] = size / (k < 3 ? 1 : kPerDegree);
-    out.lag[static_cast<size_t>(k)] = all_round(-std::arg(motion[k])) / kPerDegree;
+    out.amplitude[static_cast<size_t>(k)] = size / (k < 3 ? 1 : kDegree);
+    out.lag[static_cast<size_t>(k)] = all_round(-std::arg(motion[k])) / kDegree;
   }
   return out;
 }

@@ -17,6 +17,7 @@
 #include "hawser/base/mpi.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/io/write_error.hpp"
+#include "hawser/math/degree.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/nearest.hpp"
@@ -71,7 +72,6 @@ std::vector<Offset> offsets_of(const StiffnessOptions& o) {
   return out;
 }
 
-constexpr double kDegree = M_PI / 180;
 constexpr std::string_view kHead = "x offset [m],y offset [m],z offset [m],rx offset [deg]";
 
 bool write(const std::string& path, const model::Case& c, const std::vector<StiffnessAtOffset>& rows) {
