@@ -113,12 +113,13 @@ def show(found, irregular):
 
 
 def draw(found, path):
-    """Figure of amplitudes over the period with lags below; translations on the left, open circles at low coherence; a line
-    for each direction."""
+    """Figure of amplitudes over the period with lags below; translations on the left, open circles at low coherence. Several
+    directions have a line each, with its direction at the largest amplitude."""
     figure, axes = plt.subplots(2, 2, figsize=(WIDE, 4.6), sharex=True, layout="constrained", height_ratios=(2, 1))
     most = np.max([degrees(r) for r in found], axis=0)
     shown = [k for k in range(6) if most[k] > 1e-3 * most[k // 3 * 3:k // 3 * 3 + 3].max()]
-    for n, direction in enumerate(sorted({r.direction for r in found})):
+    directions = sorted({r.direction for r in found})
+    for n, direction in enumerate(directions):
         rows = sorted((r for r in found if r.direction == direction), key=lambda r: -r.omega)
         period = np.array([2 * np.pi / r.omega for r in rows])
         amplitude, lag, explained = (np.array([of(r) for r in rows]) for of in (degrees, lags, lambda r: r.explained))
@@ -129,6 +130,9 @@ def draw(found, path):
                 own.plot(period, np.where(sure, values, np.nan), ".-", ms=3, lw=1 if row == 0 else 0, color=COLOURS[k % 3],
                          label=FREEDOMS[k] if row == 0 and n == 0 else None)
                 own.plot(period, np.where(sure, np.nan, values), "o", ms=3, mfc="none", mew=0.6, color=COLOURS[k % 3])
+            if len(directions) > 1:
+                top = np.argmax(amplitude[:, k])
+                axes[0, k // 3].annotate(f"{direction:g}°", (period[top], amplitude[top, k]), fontsize=5, color=COLOURS[k % 3])
     for column, unit in ((0, "m/m"), (1, "deg/m")):
         axes[0, column].set(ylabel=unit, ylim=(0, None))
         axes[1, column].set(xlabel="period [s]", ylabel="lag [deg]", ylim=(0, 360), yticks=(0, 90, 180, 270, 360))
@@ -138,17 +142,21 @@ def draw(found, path):
 
 
 def convert(paths, options):
-    """Figure, and vessel file if requested, of tables."""
+    """Figure of tables, or vessel file."""
     if options.since is not None or options.segment or options.name or any(options.at):
         raise Refusal(f"{paths[0]} is a table: --name, --at, --segment and --since are for results of runs")
     found = sorted((r for path in paths for r in read(path)), key=lambda r: (r.direction, -r.omega))
+    for one, other in zip(found, found[1:]):
+        if (one.direction, one.omega) == (other.direction, other.omega):
+            raise Refusal(f"{' and '.join(map(str, paths))}: the period {2 * np.pi / one.omega:.6g} s in the direction {one.direction:g} deg is "
+                          "there twice: give tables of one body, with other periods or directions")
     wanted = place_for(options.output or Path(paths[0]).with_suffix(".png"), [], (".png", ".rao"), "a figure, or a table for motion.rao,", paths)
     if wanted.suffix == ".rao":
         write(wanted, found)
         print(f"responses: {wanted}")
-    picture = wanted.with_suffix(".png")
-    draw(found, picture)
-    print(f"figure: {picture}")
+        return
+    draw(found, wanted)
+    print(f"figure: {wanted}")
 
 
 def make(options):

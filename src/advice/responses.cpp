@@ -41,6 +41,24 @@ std::string direction_without_wave_forces(const model::Case& c, const std::strin
       c.path, body, from_bow, direction);
 }
 
+std::string no_filter_of_thrusters(const model::Case& c, const std::string& body) {
+  return fmt::format(
+      "{}: bodies.{}.floating.positioning: responses do not include the filter of thrusters; for responses "
+      "without thrusters replace it by a soft 'stiffness', otherwise run the case in waves and use hawser "
+      "rao",
+      c.path, body);
+}
+
+std::string bodies_share_a_table(const model::Case& c) {
+  return c.path +
+         ": two bodies would have the same table, as their names differ by '/' and '-' only: choose one by "
+         "--body";
+}
+
+std::string no_memory_for_responses() {
+  return "responses: the factors of the equations do not fit into memory: use more hosts, or fewer elements";
+}
+
 std::string singular_response(double period) {
   return fmt::format(
       "responses: the equations are singular at {:.6g} s: the system resonates there without damping, or a "
@@ -52,6 +70,13 @@ std::string waves_by_coefficients_only(const std::vector<std::string>& bodies) {
   return fmt::format(
       "responses have the wave forces of coefficients only, not those on members, hulls and lines: {} would "
       "respond otherwise in a run",
+      model::enumerate(bodies, "and"));
+}
+
+std::string no_quadratic_damping(const std::vector<std::string>& bodies) {
+  return fmt::format(
+      "responses are those to low waves, without the 'quadratic_damping' of {}: near a resonance they are "
+      "too large unless the case has linear 'damping'",
       model::enumerate(bodies, "and"));
 }
 

@@ -42,7 +42,7 @@ Offset numbers_of(const char* option, const std::string& text, size_t max_count)
 std::vector<double> list_of(const char* option, const std::string& text) {
   std::vector<double> out;
   const char* at = text.c_str();
-  for (bool more = !text.empty(); more;) {
+  for (bool more = true; more;) {
     char* end = nullptr;
     out.push_back(std::strtod(at, &end));
     more = *end == ',';
@@ -53,14 +53,19 @@ std::vector<double> list_of(const char* option, const std::string& text) {
   return out;
 }
 
-void read_waves(const std::string& periods, const std::string& directions,
+// Each argument has the text of an option, or nothing if it was not given.
+void read_waves(const std::vector<std::string>& periods, const std::vector<std::string>& directions,
                 const std::vector<std::string>& point, ResponsesOptions& to) {
   if (!point.empty()) to.at = Vec3(numbers_of("--at", point.front(), 3).data());
-  to.periods = list_of("--periods", periods);
+  for (const std::string& text : periods) to.periods = list_of("--periods", text);
   for (const double period : to.periods)
     if (!(period > 0)) throw InputError(fmt::format("--periods {:g}: give periods above 0, in s", period));
-  for (const double direction : list_of("--directions", directions))
-    to.directions.push_back(direction * M_PI / 180);
+  for (const std::string& text : directions) to.directions = list_of("--directions", text);
+  for (double& direction : to.directions) {
+    if (std::abs(direction) > 360)
+      throw InputError(fmt::format("--directions {:g}: give directions from -360 to 360, in deg", direction));
+    direction *= kDegree;
+  }
 }
 
 void read_places(const std::vector<std::string>& point, const std::vector<std::string>& offsets,
@@ -194,11 +199,13 @@ void CommandLine::add_responses() {
   command->add_option("case", responses_.case_path, "Case file")->required();
   command
       ->add_option("--periods", periods_, "Wave periods, s (default: those of the wave forces in the files)")
-      ->option_text("T1,T2,...");
+      ->option_text("T1,T2,...")
+      ->expected(1);
   command
       ->add_option("--directions", directions_,
                    "Directions in which waves go, deg, anticlockwise from +x (default: those of the files)")
-      ->option_text("D1,D2,...");
+      ->option_text("D1,D2,...")
+      ->expected(1);
   command->add_option("--body", responses_.body, "Floating body to report (default: each)");
   command
       ->add_option("--at", point_,

@@ -40,9 +40,19 @@ void check_not_read(const std::string& kind, const std::string& path, const std:
       if (same_file(out, in)) throw InputError(advice::would_replace_input(kind, path, in, out));
 }
 
+void check_folder(const std::string& path) {
+  const fs::path folder = fs::absolute(path).parent_path();
+  std::error_code e;
+  if (!fs::exists(folder, e)) throw InputError(advice::no_folder(path, folder.string()));
+  if (!fs::is_directory(folder, e)) throw InputError(advice::not_a_folder(path, folder.string()));
+  if (access(folder.c_str(), W_OK | X_OK) != 0)
+    throw InputError(advice::folder_not_writable(path, folder.string()));
+}
+
 void check_table(const std::string& path, std::string_view head, const std::string& contents,
                  const std::vector<std::string>& inputs) {
   check_not_read("the table", path, {path}, inputs);
+  check_folder(path);
   std::ifstream file(path, std::ios::binary);
   std::string start(head.size(), ' ');
   if (file && !(file.read(start.data(), static_cast<std::streamsize>(start.size())) && start == head))
@@ -81,12 +91,8 @@ void OutputPlace::check() const {
   if (fs::is_symlink(path_)) throw InputError(advice::link_to_itself(path_));
   const fs::path file(path_);
   const fs::path folder = fs::absolute(file).parent_path();
-  std::error_code e;
   if (file.extension() != ".h5") throw InputError(advice::name_must_end_in_h5(path_));
-  if (!fs::exists(folder, e)) throw InputError(advice::no_folder(path_, folder.string()));
-  if (!fs::is_directory(folder, e)) throw InputError(advice::not_a_folder(path_, folder.string()));
-  if (access(folder.c_str(), W_OK | X_OK) != 0)
-    throw InputError(advice::folder_not_writable(path_, folder.string()));
+  check_folder(path_);
   const std::string longest = fs::path(io::xdmf_beside(path_) + ".new").filename().string();
   const long limit = pathconf(folder.c_str(), _PC_NAME_MAX);
   if (limit > 0 && longest.size() > static_cast<size_t>(limit))

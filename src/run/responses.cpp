@@ -10,7 +10,9 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <map>
+#include <set>
+#include <span>
+#include <tuple>
 
 #include "hawser/advice/output_files.hpp"
 #include "hawser/advice/responses.hpp"
@@ -32,7 +34,6 @@
 #include "hawser/run/run_parts.hpp"
 #include "hawser/run/volumes.hpp"
 #include "hawser/solve/linear_responses.hpp"
-#include "hawser/terms/dynamic_positioning.hpp"
 
 namespace hawser::run {
 namespace {
@@ -54,6 +55,14 @@ std::vector<std::string> bodies_with_other_wave_loads(const model::Case& c) {
   std::vector<std::string> out;
   for (const model::Body& b : c.bodies)
     if (b.mass && (!b.mass->members.empty() || (!wave_forces(b) && (b.mass->hull || b.mass->in_water))))
+      out.push_back(b.name);
+  return out;
+}
+
+std::vector<std::string> bodies_with_quadratic_damping(const model::Case& c) {
+  std::vector<std::string> out;
+  for (const model::Body& b : c.bodies)
+    if (b.mass && b.mass->hydrodynamics && !b.mass->hydrodynamics->quadratic_damping.isZero(0))
       out.push_back(b.name);
   return out;
 }
@@ -115,6 +124,18 @@ std::vector<double> frequencies(const model::Case& c, const std::vector<double>&
     out.push_back(std::clamp(omega, low, high));
   }
   std::sort(out.rbegin(), out.rend());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+// The first of directions [rad] that differ by whole turns.
+std::vector<double> distinct(const std::vector<double>& directions) {
+  constexpr double kSame = 1e-9;
+  std::vector<double> out;
+  for (const double d : directions)
+    if (std::none_of(out.begin(), out.end(),
+                     [&](double other) { return std::abs(std::remainder(d - other, 2 * M_PI)) < kSame; }))
+      out.push_back(d);
   return out;
 }
 
@@ -129,6 +150,7 @@ std::vector<WaveComponent> unit_waves(Simulation& sim, const std::vector<double>
     for (const double direction : wave_forces(c.bodies[static_cast<size_t>(first)])->directions())
       directions.push_back(direction + heading);
   }
+  directions = distinct(directions);
   std::vector<WaveComponent> out;
   for (const double omega : frequencies) {
     const double number = wave_number(omega, c.environment.water.depth, c.environment.gravity);
@@ -156,13 +178,14 @@ double from_bow(const WaveComponent& w, double heading) {
 }
 
 struct ResponseRow {
+  int body = 0;
   double period = 0, direction = 0;          // s; deg relative to the bow
   std::array<double, 6> amplitude{}, lag{};  // m/m, deg/m; deg
 };
 
 // motion: translations and rotations in axes of the heading, relative to the crest at the body.
-ResponseRow response_row(const WaveComponent& w, double heading, const ComplexVec6& motion) {
-  ResponseRow out{2 * M_PI / w.omega, from_bow(w, heading), {}, {}};
+ResponseRow response_row(int body, const WaveComponent& w, double heading, const ComplexVec6& motion) {
+  ResponseRow out{body, 2 * M_PI / w.omega, from_bow(w, heading), {}, {}};
   for (Eigen::Index k = 0; k < 6; ++k) {
     const double largest = motion.segment<3>(k / 3 * 3).cwiseAbs().maxCoeff();
     const double size = std::abs(motion[k]);
@@ -173,7 +196,7 @@ ResponseRow response_row(const WaveComponent& w, double heading, const ComplexVe
   return out;
 }
 
-bool write_responses(const std::string& path, const std::vector<ResponseRow>& rows) {
+bool write_responses(const std::string& path, std::span<const ResponseRow> rows) {
   std::string s(kFirstColumns);
   for (size_t k = 0; k < 6; ++k)
     s += fmt::format(",{0} [{1}],{0} lag [deg]", kFreedomNames[k], k < 3 ? "m/m" : "deg/m");
@@ -190,19 +213,25 @@ bool write_responses(const std::string& path, const std::vector<ResponseRow>& ro
   return !file.fail();
 }
 
-std::string response_table(const std::vector<ResponseRow>& rows) {
+// Rows of one direction, at most kMostShown.
+std::string response_table(std::span<const ResponseRow> rows) {
   std::string s = fmt::format("{:>10} {:>8}", "period [s]", "to [deg]");
   for (const char* name : kFreedomNames) s += fmt::format(" {:>8} {:>5}", name, "lag");
   s += "\n";
+  const size_t all = rows.size();
+  const auto other = [&](const ResponseRow& r) { return r.direction != rows.front().direction; };
+  rows = rows.first(static_cast<size_t>(std::find_if(rows.begin(), rows.end(), other) - rows.begin()));
   const size_t step = (rows.size() + kMostShown - 1) / kMostShown;
+  size_t shown = 0;
   for (size_t i = 0; i < rows.size(); i += step) {
     s += fmt::format("{:>10.4g} {:>8.4g}", rows[i].period, rows[i].direction);
     for (size_t k = 0; k < 6; ++k)
-      s += fmt::format(" {:>8.4g} {:>5.0f}", rows[i].amplitude[k], rows[i].lag[k]);
+      s +=
+          fmt::format(" {:>8.4g} {:>5.0f}", rows[i].amplitude[k], std::fmod(std::round(rows[i].lag[k]), 360));
     s += "\n";
+    ++shown;
   }
-  if (step > 1)
-    s += fmt::format("every {} of {} rows is shown; the table has all of them\n", step, rows.size());
+  if (shown < all) s += fmt::format("these are {} of the {} rows of the table\n", shown, all);
   return s;
 }
 
@@ -218,19 +247,20 @@ std::vector<std::string> paths_of(const model::Case& c, const std::vector<int>& 
   for (const int b : bodies)
     out.push_back(bodies.size() > 1 ? table_of_body(wanted.string(), c.bodies[static_cast<size_t>(b)].name)
                                     : wanted.string());
+  if (std::set(out.begin(), out.end()).size() < out.size()) throw InputError(advice::bodies_share_a_table(c));
   return out;
 }
 
-// Motions of the point `at` of each body that this rank owns, by wave: of its six freedoms in axes of its
-// heading, relative to the crest at its place.
-std::map<int, std::vector<ComplexVec6>> motions(Simulation& sim, const std::vector<int>& bodies,
-                                                const std::vector<WaveComponent>& waves, const Vec3& at) {
-  std::map<int, std::vector<ComplexVec6>> out;
-  for (const int b : bodies)
-    if (sim.local().owns(sim.bodies().local_node(b))) out[b].resize(waves.size());
+// Rows of the point `at` of each body, by body, direction and period, on the first rank: its six freedoms in
+// axes of its heading, relative to the crest at its place. Collective.
+std::vector<ResponseRow> rows_of(MPI_Comm comm, Simulation& sim, const std::vector<int>& bodies,
+                                 const std::vector<WaveComponent>& waves, const Vec3& at) {
+  std::vector<ResponseRow> own;
   linear_responses(sim.system(), sim.state().at_rest(), waves, [&](size_t i, const std::vector<Complex>& u) {
-    for (auto& [b, by_wave] : out) {
+    const WaveComponent& w = waves[i];
+    for (const int b : bodies) {
       const int node = sim.bodies().local_node(b);
+      if (!sim.local().owns(node)) continue;
       const auto* of_body = &u[3 * static_cast<size_t>(sim.local().block[node])];
       const WaveReference reference = reference_of(sim, b);
       const Mat3 H = heading_axes(reference.heading);
@@ -238,32 +268,40 @@ std::map<int, std::vector<ComplexVec6>> motions(Simulation& sim, const std::vect
       const Vec3 arm = R * (at - sim.model().bodies[static_cast<size_t>(b)].mass->centre);
       const Eigen::Vector3cd turn = R * Eigen::Map<const Eigen::Vector3cd>(of_body + 3);
       const Eigen::Vector3cd moved = Eigen::Map<const Eigen::Vector3cd>(of_body) - hat(arm) * turn;
-      const WaveComponent& w = waves[i];
       const double phase = w.number * (w.x * reference.place.x() + w.y * reference.place.y());
-      by_wave[i] << H.transpose() * moved, H.transpose() * turn;
-      by_wave[i] *= std::polar(1.0, phase);
+      ComplexVec6 motion;
+      motion << H.transpose() * moved, H.transpose() * turn;
+      own.push_back(response_row(b, w, reference.heading, std::polar(1.0, phase) * motion));
     }
   });
-  return out;
+  std::vector<ResponseRow> rows;
+  GatherPlan(comm, static_cast<int>(own.size())).gather_on_first(own.data(), rows);
+  std::stable_sort(rows.begin(), rows.end(), [](const ResponseRow& a, const ResponseRow& b) {
+    return std::tie(a.body, a.direction) < std::tie(b.body, b.direction);
+  });
+  return rows;
 }
 
-// Rows of a body by direction, then period, on the first rank. Collective.
-std::vector<ResponseRow> rows_of(MPI_Comm comm, Simulation& sim, int body,
-                                 const std::vector<WaveComponent>& waves,
-                                 const std::map<int, std::vector<ComplexVec6>>& found) {
-  std::vector<ComplexVec6> motion(waves.size(), ComplexVec6::Zero());
-  if (const auto own = found.find(body); own != found.end()) motion = own->second;
-  auto* numbers = reinterpret_cast<double*>(motion.data());
-  const bool root = rank_of(comm) == 0;
-  MPI_Reduce(root ? MPI_IN_PLACE : numbers, numbers, static_cast<int>(12 * motion.size()), MPI_DOUBLE,
-             MPI_SUM, 0, comm);
-  std::vector<ResponseRow> rows;
-  const double heading = reference_of(sim, body).heading;
-  for (size_t i = 0; root && i < waves.size(); ++i)
-    rows.push_back(response_row(waves[i], heading, motion[i]));
-  std::stable_sort(rows.begin(), rows.end(),
-                   [](const ResponseRow& a, const ResponseRow& b) { return a.direction < b.direction; });
-  return rows;
+// Writes and prints the table of each body, on the first rank. Returns the path that cannot be written, if
+// any.
+std::string report(const model::Case& c, const std::vector<int>& bodies,
+                   const std::vector<std::string>& paths, const std::vector<ResponseRow>& rows,
+                   const ResponsesOptions& o) {
+  if (!o.quiet)
+    fmt::print(
+        "\namplitudes in m/m and deg/m, lags in deg behind the crest at the body's origin, directions from "
+        "its "
+        "bow\n");
+  const size_t each = rows.size() / bodies.size();
+  for (size_t i = 0; i < bodies.size(); ++i) {
+    const std::span<const ResponseRow> of_body = std::span(rows).subspan(i * each, each);
+    if (!write_responses(paths[i], of_body)) return paths[i];
+    if (o.quiet) continue;
+    fmt::print("\nbody {} at ({:g}, {:g}, {:g}) in its frame:\n{}responses: {}\n",
+               c.bodies[static_cast<size_t>(bodies[i])].name, o.at.x(), o.at.y(), o.at.z(),
+               response_table(of_body), paths[i]);
+  }
+  return "";
 }
 
 }  // namespace
@@ -275,6 +313,8 @@ int responses(MPI_Comm comm, const ResponsesOptions& o) {
   if (!c.statics.enabled) throw InputError(advice::responses_need_statics(c));
   if (std::none_of(c.bodies.begin(), c.bodies.end(), wave_forces))
     throw InputError(advice::no_wave_forces(c));
+  for (const model::Body& b : c.bodies)
+    if (b.mass && b.mass->positioning) throw InputError(advice::no_filter_of_thrusters(c, b.name));
   const std::vector<int> bodies = chosen_bodies(c, o.body);
   const std::vector<std::string> paths = paths_of(c, bodies, o.output);
   const std::vector<double> omega = frequencies(c, o.periods);
@@ -289,24 +329,17 @@ int responses(MPI_Comm comm, const ResponsesOptions& o) {
   progress.print_warnings(sim.warnings());
   if (const std::vector<std::string> others = bodies_with_other_wave_loads(c); !others.empty())
     progress.print_notes({advice::waves_by_coefficients_only(others)});
+  if (const std::vector<std::string> damped = bodies_with_quadratic_damping(c); !damped.empty())
+    progress.print_notes({advice::no_quadratic_damping(damped)});
   Events events(comm, sim);
   solve_static_stages(sim, events, progress);
-  if (auto* thrusters = sim.system().find<DynamicPositioning>()) thrusters->integrate_at_rest(false);
   sim.bodies().exchange_poses(comm, sim.state().at_rest());
   const std::vector<WaveComponent> waves = unit_waves(sim, omega, o.directions);
-  const std::map<int, std::vector<ComplexVec6>> found = motions(sim, bodies, waves, o.at);
+  const std::vector<ResponseRow> rows = rows_of(comm, sim, bodies, waves, o.at);
   progress.end();
-  if (rank == 0 && !o.quiet)
-    fmt::print("\namplitudes in m/m and deg/m, lags in deg behind the crest at the body's origin\n");
-  for (size_t i = 0; i < bodies.size(); ++i) {
-    const std::vector<ResponseRow> rows = rows_of(comm, sim, bodies[i], waves, found);
-    if (on_any_rank(comm, rank == 0 && !write_responses(paths[i], rows)))
-      throw io::WriteError(io::cannot_write(paths[i], std::strerror(errno)));
-    if (rank != 0 || o.quiet) continue;
-    fmt::print("\nbody {} at ({:g}, {:g}, {:g}) in its frame:\n{}responses: {}\n",
-               c.bodies[static_cast<size_t>(bodies[i])].name, o.at.x(), o.at.y(), o.at.z(),
-               response_table(rows), paths[i]);
-  }
+  const std::string failed = rank == 0 ? report(c, bodies, paths, rows, o) : "";
+  if (on_any_rank(comm, !failed.empty()))
+    throw io::WriteError(io::cannot_write(failed, std::strerror(errno)));
   return 0;
 }
 

@@ -138,7 +138,14 @@ void linear_responses(System& system, const Kinematics& state, const std::vector
     check(KSPSolve(solver.get(), f.get(), u.get()));
     KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
     check(KSPGetConvergedReason(solver.get(), &reason));
-    if (reason < 0) throw SolveError(advice::singular_response(2 * M_PI / omega));
+    PCFailedReason failure = PC_NOERROR;
+    PC pc = nullptr;
+    check(KSPGetPC(solver.get(), &pc));
+    check(PCGetFailedReason(pc, &failure));
+    if (failure == PC_FACTOR_OUTMEMORY) throw SolveError(advice::no_memory_for_responses());
+    double size = 0;
+    check(VecNorm(u.get(), NORM_INFINITY, &size));
+    if (reason < 0 || !std::isfinite(size)) throw SolveError(advice::singular_response(2 * M_PI / omega));
     each(i, complex_values(u.get()));
   }
   oscillate(0);

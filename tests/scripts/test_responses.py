@@ -127,7 +127,7 @@ class Responses(PlatformRuns):
         exact = self.spar_files()
         found = self.responses(spar("[300, -200, 0]", 50))
         self.assertEqual(len(found), 50 * 12)
-        self.assertIn("every 38 of 600 rows is shown", self.printed)
+        self.assertIn("these are 13 of the 600 rows of the table", self.printed)
         worst = max(off(x, exact.at(2 * np.pi / period, direction % 360)) for (period, direction), x in found.items())
         print(f"spar on springs: off by {worst:.1e}")
         self.assertLess(worst, 1e-6)
@@ -154,6 +154,11 @@ class Responses(PlatformRuns):
                 self.assertLess(off(found[12, direction], exact.at(2 * np.pi / 12, direction)), 1e-6)
         found = self.responses(None, "--periods", "12", "--directions", "60", "--body", "two/spar", "-o", "two.csv", file="two.csv")
         self.assertEqual(list(found), [(12, 120)])
+        with open(self.folder / "case.yaml", "a", encoding="utf-8") as file:
+            file.write("bodies:\n" + spar("[0, 3000, 0]").replace("  spar:", "  one-spar:"))
+        done = run(HAWSER, "responses", "case.yaml", cwd=self.folder)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("two bodies would have the same table", done.stderr)
 
     def test_spar_on_chains(self):
         """The moored spar of the tutorial without quadratic damping, with chains of its mass, in a wave of 5 cm: amplitudes
@@ -177,9 +182,15 @@ class Responses(PlatformRuns):
         """`hawser rao` draws the table and writes it in the form for `motion.rao`."""
         self.spar_files()
         found = self.responses(spar())
-        done = run(HAWSER, "rao", "case-responses.csv", "-o", "spar.rao", cwd=self.folder)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertGreater((self.folder / "spar.png").stat().st_size, 10000)
+        write(self.folder, "spar.png", "of the user")
+        for words in ((), ("-o", "spar.rao")):
+            done = run(HAWSER, "rao", "case-responses.csv", *words, cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertGreater((self.folder / "case-responses.png").stat().st_size, 10000)
+        self.assertEqual((self.folder / "spar.png").read_text(), "of the user")
+        done = run(HAWSER, "rao", "case-responses.csv", "case-responses.csv", cwd=self.folder)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("is there twice", done.stderr)
         rows = np.loadtxt(self.folder / "spar.rao")
         self.assertEqual(rows.shape, (600, 14))
         for row in rows[::50]:
@@ -289,6 +300,11 @@ class Responses(PlatformRuns):
                 (spar(), "", ("--periods", "1.5"), "--periods: the coefficients are those of 2.094 to 125.7 s, not of 1.5 s"),
                 (spar(), "", ("--periods", "a"), "--periods 'a': give numbers separated by commas"),
                 (spar(), "", ("--periods", "0"), "--periods 0: give periods above 0"),
+                (spar(), "", ("--periods", ""), "--periods '': give numbers separated by commas"),
+                (spar(), "", ("--directions", "400"), "--directions 400: give directions from -360 to 360"),
+                (spar(), "", ("-o", "none/table.csv"), "there is no folder"),
+                (spar().replace("floating: {mass", "floating: {positioning: {place: [0, 0, 0], heading_deg: 0, proportional: [4e5, 4e5, 2e9], derivative: [1e7, 1e7, 8e10], filter_period: 50}, mass"), "", (),
+                 "bodies.spar.floating.positioning: responses do not include the filter of thrusters"),
                 (spar(), "", ("--directions", "0,,3"), "give numbers separated by commas"),
                 (spar(), "", ("--at", "1,2"), "give three numbers separated by commas"),
                 (spar(), "", ("-o", "table.txt"), "a table of responses is a CSV file"),
@@ -300,6 +316,10 @@ class Responses(PlatformRuns):
                 self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
                 self.assertIn(complaint, done.stderr)
                 self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+        again = self.responses(spar(), "--periods", "12,12", "--directions", "0,90,360,-270")
+        self.assertEqual(list(again), [(12, 0), (12, 90)])
+        self.responses(spar().replace("wamit: spar", "wamit: spar, quadratic_damping: [0, 0, 1e6, 0, 0, 0]"), "--periods", "9")
+        self.assertIn("note: responses are those to low waves, without the 'quadratic_damping' of spar", self.printed)
         members = "floating: {members: [{from: [0, 0, -100], to: [0, 0, -10], diameter: 1, Ca: 0}], mass"
         self.responses(spar().replace("floating: {mass", members), "--periods", "9")
         self.assertIn("note: responses have the wave forces of coefficients only, not those on members, hulls and lines: spar", self.printed)

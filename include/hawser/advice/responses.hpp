@@ -21,9 +21,16 @@ std::string period_without_coefficients(const model::Case& c, double period, dou
 std::string direction_without_wave_forces(const model::Case& c, const std::string& body, double direction,
                                           double from_bow);
 
+// A body with dynamic positioning.
+std::string no_filter_of_thrusters(const model::Case& c, const std::string& body);
+// Names of two bodies that differ by "/" and "-" only.
+std::string bodies_share_a_table(const model::Case& c);
+
 std::string singular_response(double period);
+std::string no_memory_for_responses();
 
 // Note on bodies with wave loads that are not by coefficients.
 std::string waves_by_coefficients_only(const std::vector<std::string>& bodies);
+std::string no_quadratic_damping(const std::vector<std::string>& bodies);
 
 }  // namespace hawser::advice

@@ -52,7 +52,7 @@ class CommandLine {
   std::vector<std::string> point_, offsets_;  // numbers with commas between
   double direction_ = 0;                      // deg
   ResponsesOptions responses_;
-  std::string periods_, directions_;  // numbers with commas between
+  std::vector<std::string> periods_, directions_;  // numbers with commas between
   CheckOptions check_;
   bool quick_ = false, json_ = false, markdown_ = false;
 };

@@ -17,8 +17,11 @@ namespace hawser::run {
 void check_not_read(const std::string& kind, const std::string& path, const std::vector<std::string>& written,
                     const std::vector<std::string>& read);
 
-// Throws InputError if `path` is a file that the case reads, or does not begin with `head`, as tables of
-// `contents` do; such files are not overwritten.
+// Throws InputError unless the folder of `path` exists and can be written.
+void check_folder(const std::string& path);
+
+// Throws InputError if the folder of `path` cannot be written, or `path` is a file that the case reads, or
+// does not begin with `head`, as tables of `contents` do; such files are not overwritten.
 void check_table(const std::string& path, std::string_view head, const std::string& contents,
                  const std::vector<std::string>& inputs);
 
