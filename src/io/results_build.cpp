@@ -434,13 +434,9 @@ std::vector<RowSet> row_sets(const ResultContents& c) {
     sets.push_back({kContactPositions, RowsBy::contact, of_fields, {3}, "m"});
     sets.push_back({kContactForces, RowsBy::contact, H5T_IEEE_F32LE, {3}, "N"});
   }
-  sets.push_back(
-      {"bodies/position", RowsBy::output, H5T_IEEE_F64LE, {static_cast<hsize_t>(c.bodies), 3}, "m"});
-  sets.push_back({"bodies/rotation",
-                  RowsBy::output,
-                  H5T_IEEE_F64LE,
-                  {static_cast<hsize_t>(c.bodies), 4},
-                  "quaternion w x y z"});
+  const auto bodies = static_cast<hsize_t>(c.bodies);
+  sets.push_back({"bodies/position", RowsBy::output, H5T_IEEE_F64LE, {bodies, 3}, "m"});
+  sets.push_back({"bodies/rotation", RowsBy::output, H5T_IEEE_F64LE, {bodies, 4}, "quaternion w x y z"});
   const auto volumes = volume_places(c);
   for (size_t i = 0; i < volumes.size(); ++i) {
     const VolumeMesh& v = c.volumes[i];
