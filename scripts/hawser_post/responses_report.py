@@ -113,30 +113,36 @@ def show(found, irregular):
 
 
 def draw(found, path):
-    """Figure of amplitudes over the period with lags below; translations on the left, open circles at low coherence. Several
-    directions have a line each, with its direction at the largest amplitude."""
+    """Figure of amplitudes over the period with lags below; translations on the left, open circles at low coherence. Of several
+    directions those nearest to the bow, to port, to the stern and to starboard, with a kind of line and marker each."""
     figure, axes = plt.subplots(2, 2, figsize=(WIDE, 4.6), sharex=True, layout="constrained", height_ratios=(2, 1))
     most = np.max([degrees(r) for r in found], axis=0)
     shown = [k for k in range(6) if most[k] > 1e-3 * most[k // 3 * 3:k // 3 * 3 + 3].max()]
-    directions = sorted({r.direction for r in found})
-    for n, direction in enumerate(directions):
+    every = sorted({r.direction for r in found})
+    directions = sorted({min(every, key=lambda d: abs((d - side + 180) % 360 - 180)) for side in (0, 90, 180, 270)})
+    named = set()
+    for direction, line, marker in zip(directions, ("-", "--", ":", "-."), (".", "x", "+", "1")):
         rows = sorted((r for r in found if r.direction == direction), key=lambda r: -r.omega)
         period = np.array([2 * np.pi / r.omega for r in rows])
         amplitude, lag, explained = (np.array([of(r) for r in rows]) for of in (degrees, lags, lambda r: r.explained))
         for k in shown:
+            if len(directions) > 1 and amplitude[:, k].max() < 1e-3 * most[k // 3 * 3:k // 3 * 3 + 3].max():
+                continue
             sure = explained[:, k] >= COHERENT
+            first = k not in named
+            named.add(k)
             for row, values in ((0, amplitude[:, k]), (1, lag[:, k])):
                 own = axes[row, k // 3]
-                own.plot(period, np.where(sure, values, np.nan), ".-", ms=3, lw=1 if row == 0 else 0, color=COLOURS[k % 3],
-                         label=FREEDOMS[k] if row == 0 and n == 0 else None)
+                own.plot(period, np.where(sure, values, np.nan), marker=marker, ms=3, ls=line if row == 0 else "", lw=1, color=COLOURS[k % 3],
+                         label=FREEDOMS[k] if row == 0 and first else None)
                 own.plot(period, np.where(sure, np.nan, values), "o", ms=3, mfc="none", mew=0.6, color=COLOURS[k % 3])
-            if len(directions) > 1:
-                top = np.argmax(amplitude[:, k])
-                axes[0, k // 3].annotate(f"{direction:g}°", (period[top], amplitude[top, k]), fontsize=5, color=COLOURS[k % 3])
     for column, unit in ((0, "m/m"), (1, "deg/m")):
         axes[0, column].set(ylabel=unit, ylim=(0, None))
         axes[1, column].set(xlabel="period [s]", ylabel="lag [deg]", ylim=(0, 360), yticks=(0, 90, 180, 270, 360))
         legend(axes[0, column])
+    if len(directions) > 1:
+        kinds = zip(directions, ("full lines and dots", "dashed and ×", "dotted and +", "dash-dotted and ⅄"))
+        figure.supxlabel("waves to " + ", ".join(f"{direction:g}° ({kind})" for direction, kind in kinds), fontsize=7)
     figure.savefig(path, dpi=150)
     plt.close(figure)
 

@@ -73,11 +73,12 @@ std::string waves_by_coefficients_only(const std::vector<std::string>& bodies) {
       model::enumerate(bodies, "and"));
 }
 
-std::string no_quadratic_damping(const std::vector<std::string>& bodies) {
+std::string no_quadratic_damping(const std::vector<std::string>& subjects) {
   return fmt::format(
-      "responses are those to low waves, without the 'quadratic_damping' of {}: near a resonance they are "
-      "too large unless the case has linear 'damping'",
-      model::enumerate(bodies, "and"));
+      "responses are those to low waves, without the quadratic damping and drag of {}: near natural periods, "
+      "also those of lines (hawser modes), they are too large unless there is linear damping (such as "
+      "'hydrodynamics.damping', six rows of six)",
+      model::enumerate(subjects, "and"));
 }
 
 }  // namespace hawser::advice

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <set>
 #include <span>
 #include <tuple>
@@ -59,11 +60,16 @@ std::vector<std::string> bodies_with_other_wave_loads(const model::Case& c) {
   return out;
 }
 
-std::vector<std::string> bodies_with_quadratic_damping(const model::Case& c) {
+// What has quadratic damping that is zero at rest.
+std::vector<std::string> with_quadratic_damping(const model::Case& c) {
   std::vector<std::string> out;
   for (const model::Body& b : c.bodies)
     if (b.mass && b.mass->hydrodynamics && !b.mass->hydrodynamics->quadratic_damping.isZero(0))
-      out.push_back(b.name);
+      out.push_back("body " + b.name);
+  const bool drag = std::any_of(c.line_types.begin(), c.line_types.end(),
+                                [](const model::LineType& t) { return t.Cd_normal > 0; });
+  const model::Water& water = c.environment.water;
+  if (drag && water.present && water.current.profile.empty() && !c.lines.empty()) out.push_back("lines");
   return out;
 }
 
@@ -213,25 +219,27 @@ bool write_responses(const std::string& path, std::span<const ResponseRow> rows)
   return !file.fail();
 }
 
-// Rows of one direction, at most kMostShown.
-std::string response_table(std::span<const ResponseRow> rows) {
+// Up to kMostShown rows, from the shortest to the longest period, of the direction nearest to the bow.
+std::string response_table(std::span<const ResponseRow> all) {
   std::string s = fmt::format("{:>10} {:>8}", "period [s]", "to [deg]");
   for (const char* name : kFreedomNames) s += fmt::format(" {:>8} {:>5}", name, "lag");
   s += "\n";
-  const size_t all = rows.size();
-  const auto other = [&](const ResponseRow& r) { return r.direction != rows.front().direction; };
-  rows = rows.first(static_cast<size_t>(std::find_if(rows.begin(), rows.end(), other) - rows.begin()));
-  const size_t step = (rows.size() + kMostShown - 1) / kMostShown;
-  size_t shown = 0;
-  for (size_t i = 0; i < rows.size(); i += step) {
-    s += fmt::format("{:>10.4g} {:>8.4g}", rows[i].period, rows[i].direction);
-    for (size_t k = 0; k < 6; ++k)
-      s +=
-          fmt::format(" {:>8.4g} {:>5.0f}", rows[i].amplitude[k], std::fmod(std::round(rows[i].lag[k]), 360));
+  const auto nearer = [](const ResponseRow& a, const ResponseRow& b) {
+    return std::abs(a.direction) < std::abs(b.direction);
+  };
+  const double direction = std::min_element(all.begin(), all.end(), nearer)->direction;
+  std::vector<ResponseRow> rows;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(rows),
+               [&](const ResponseRow& r) { return r.direction == direction; });
+  const size_t shown = std::min(rows.size(), kMostShown);
+  for (size_t k = 0; k < shown; ++k) {
+    const ResponseRow& r = rows[shown == 1 ? 0 : k * (rows.size() - 1) / (shown - 1)];
+    s += fmt::format("{:>10.4g} {:>8.4g}", r.period, r.direction);
+    for (size_t i = 0; i < 6; ++i)
+      s += fmt::format(" {:>8.4g} {:>5.0f}", r.amplitude[i], std::fmod(std::round(r.lag[i]), 360));
     s += "\n";
-    ++shown;
   }
-  if (shown < all) s += fmt::format("these are {} of the {} rows of the table\n", shown, all);
+  if (shown < all.size()) s += fmt::format("these are {} of the {} rows of the table\n", shown, all.size());
   return s;
 }
 
@@ -329,7 +337,7 @@ int responses(MPI_Comm comm, const ResponsesOptions& o) {
   progress.print_warnings(sim.warnings());
   if (const std::vector<std::string> others = bodies_with_other_wave_loads(c); !others.empty())
     progress.print_notes({advice::waves_by_coefficients_only(others)});
-  if (const std::vector<std::string> damped = bodies_with_quadratic_damping(c); !damped.empty())
+  if (const std::vector<std::string> damped = with_quadratic_damping(c); !damped.empty())
     progress.print_notes({advice::no_quadratic_damping(damped)});
   Events events(comm, sim);
   solve_static_stages(sim, events, progress);

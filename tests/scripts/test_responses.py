@@ -127,7 +127,7 @@ class Responses(PlatformRuns):
         exact = self.spar_files()
         found = self.responses(spar("[300, -200, 0]", 50))
         self.assertEqual(len(found), 50 * 12)
-        self.assertIn("these are 13 of the 600 rows of the table", self.printed)
+        self.assertIn("these are 16 of the 600 rows of the table", self.printed)
         worst = max(off(x, exact.at(2 * np.pi / period, direction % 360)) for (period, direction), x in found.items())
         print(f"spar on springs: off by {worst:.1e}")
         self.assertLess(worst, 1e-6)
@@ -319,7 +319,7 @@ class Responses(PlatformRuns):
         again = self.responses(spar(), "--periods", "12,12", "--directions", "0,90,360,-270")
         self.assertEqual(list(again), [(12, 0), (12, 90)])
         self.responses(spar().replace("wamit: spar", "wamit: spar, quadratic_damping: [0, 0, 1e6, 0, 0, 0]"), "--periods", "9")
-        self.assertIn("note: responses are those to low waves, without the 'quadratic_damping' of spar", self.printed)
+        self.assertIn("note: responses are those to low waves, without the quadratic damping and drag of body spar: near", self.printed)
         members = "floating: {members: [{from: [0, 0, -100], to: [0, 0, -10], diameter: 1, Ca: 0}], mass"
         self.responses(spar().replace("floating: {mass", members), "--periods", "9")
         self.assertIn("note: responses have the wave forces of coefficients only, not those on members, hulls and lines: spar", self.printed)

@@ -31,6 +31,7 @@ std::string no_memory_for_responses();
 
 // Note on bodies with wave loads that are not by coefficients.
 std::string waves_by_coefficients_only(const std::vector<std::string>& bodies);
-std::string no_quadratic_damping(const std::vector<std::string>& bodies);
+// subjects: "body NAME", "lines".
+std::string no_quadratic_damping(const std::vector<std::string>& subjects);
 
 }  // namespace hawser::advice
