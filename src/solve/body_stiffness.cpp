@@ -7,23 +7,10 @@
 #include "hawser/advice/statics.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/math/so3.hpp"
+#include "hawser/solve/linear_solver.hpp"
+#include "small_motions.hpp"
 
 namespace hawser {
-namespace {
-
-using Solver = Handle<KSP, KSPDestroy>;
-
-MatHandle tangent(System& system, const Kinematics& state) {
-  MatHandle J = system.create_matrix();
-  const std::vector<double> zero(3 * static_cast<size_t>(system.mesh().blocks()), 0);
-  Weights weights;
-  weights.K = 1;
-  weights.C = weights.M = 0;
-  system.tangent(state, weights, zero, false, J.get());
-  return J;
-}
-
-}  // namespace
 
 BodyStiffness body_stiffness(System& system, const Kinematics& state, int body_node,
                              const std::vector<TiedNode>& free, const std::vector<TiedNode>& held) {
@@ -38,19 +25,15 @@ BodyStiffness body_stiffness(System& system, const Kinematics& state, int body_n
   system.tie(free, motion);
   system.residual(state, residual.get());
   out.f = body.values(residual.get());
-  const MatHandle stiffness = tangent(system, state);
+  const MatHandle stiffness = tangent_at_rest(system, state, {1, 0, 0});
   system.tie(held, motion);
   system.residual(state, residual.get());
-  const MatHandle others = tangent(system, state);
+  const MatHandle others = tangent_at_rest(system, state, {1, 0, 0});
 
-  Solver solver;
+  KspHandle solver;
   check(KSPCreate(comm, solver.out()));
   check(KSPSetOptionsPrefix(solver.get(), "stiffness_"));
-  check(KSPSetType(solver.get(), KSPPREONLY));
-  PC pc = nullptr;
-  check(KSPGetPC(solver.get(), &pc));
-  check(PCSetType(pc, PCLU));
-  check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+  solve_directly(solver.get());
   check(KSPSetOperators(solver.get(), others.get(), others.get()));
   check(KSPSetFromOptions(solver.get()));
   const std::optional<Eigen::MatrixXd> K = condensed(body, system, stiffness.get(), solver.get());

@@ -9,14 +9,15 @@
 #include "hawser/solve/stability.hpp"
 
 namespace hawser {
-namespace {
 
-MatHandle tangent(System& system, const Kinematics& state, const Weights& weights) {
+MatHandle tangent_at_rest(System& system, const Kinematics& state, const Weights& weights) {
   MatHandle J = system.create_matrix();
   const std::vector<double> zero(3 * static_cast<size_t>(system.mesh().blocks()), 0);
   system.tangent(state, weights, zero, false, J.get());
   return J;
 }
+
+namespace {
 
 // Sets the diagonal of held components, which is 1 in a tangent.
 void set_held(const System& system, Mat A, double value) {
@@ -85,7 +86,7 @@ bool add_asymmetry_of_bodies(const System& system, Mat J, Mat K) {
 }  // namespace
 
 StiffnessAtRest stiffness_at_rest(System& system, const Kinematics& state) {
-  const MatHandle J = tangent(system, state, {1, 0, 0});
+  const MatHandle J = tangent_at_rest(system, state, {1, 0, 0});
   StiffnessAtRest out;
   out.matrix = symmetric_part(J.get());
   out.is_symmetric = !add_asymmetry_of_bodies(system, J.get(), out.matrix.get());
@@ -93,14 +94,14 @@ StiffnessAtRest stiffness_at_rest(System& system, const Kinematics& state) {
 }
 
 MatHandle mass_at_rest(System& system, const Kinematics& state) {
-  MatHandle M = symmetric_part(tangent(system, state, {0, 0, 1}).get());
+  MatHandle M = symmetric_part(tangent_at_rest(system, state, {0, 0, 1}).get());
   set_held(system, M.get(), 0);
   return M;
 }
 
 MatHandle damping_at_rest(System& system, const Kinematics& state) {
   MatHandle C;
-  check(MatConvert(tangent(system, state, {0, 1, 0}).get(), MATAIJ, MAT_INITIAL_MATRIX, C.out()));
+  check(MatConvert(tangent_at_rest(system, state, {0, 1, 0}).get(), MATAIJ, MAT_INITIAL_MATRIX, C.out()));
   set_held(system, C.get(), 0);
   return C;
 }

@@ -1,5 +1,6 @@
-// Matrices of small motions about a state at rest, for natural modes and responses to waves. All are in
-// PETSc's format of single rows (AIJ) with the pattern of the tangent. Collective.
+// Matrices of small motions about a state at rest, for natural modes and responses to waves. Those of
+// stiffness, mass and damping are in PETSc's format of single rows (AIJ) with the pattern of the tangent.
+// Collective.
 #pragma once
 
 #include <petscksp.h>
@@ -7,6 +8,10 @@
 #include "hawser/system/system.hpp"
 
 namespace hawser {
+
+// Tangent by the weights of displacement, velocity and acceleration, with 1 in the diagonal of held
+// components, in the format of the system's matrices.
+MatHandle tangent_at_rest(System& system, const Kinematics& state, const Weights& weights);
 
 struct StiffnessAtRest {
   MatHandle matrix;

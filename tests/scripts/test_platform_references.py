@@ -79,6 +79,16 @@ class PlatformRuns(unittest.TestCase):
         folder = "platforms/oc4-semi/"
         self.files({"oc4.1.gz": f"{folder}marin_semi.1.gz", "oc4.hst": f"{folder}marin_semi.hst", "oc4.3.gz": f"{folder}oc4_excitation_raft_grid.3.gz"})
 
+    def tanker(self):
+        """Copies the files of a tanker; its mass and damping by its .frc."""
+        self.files({f"tanker{e}": f"platforms/mss-tanker/tanker{e}" for e in (".1", ".3.gz", ".hst")})
+        mass = np.diag([94620210, 94620210, 94620210, 27409620280.88, 387080076077.14, 417428070207.44])
+        mass[0, 4] = mass[4, 0] = 236550525
+        mass[1, 3] = mass[3, 1] = -236550525
+        mass[2, 4] = mass[4, 2] = -371857425.3
+        damping = np.diag([4.1e5, 0, 0, 1.56e9, 0, 0])
+        return mass, damping
+
     def case(self, bodies, water="density: 1025, depth: 200", gravity=9.80665, waves="", end=""):
         names = re.findall(r"^  (\w+): {position", bodies, re.M)
         histories = ", ".join(f"{{body: {name}}}" for name in names)
@@ -231,13 +241,7 @@ class Platforms(PlatformRuns):
         and sway, so that it is not that of a rigid body: 0.3 % of the largest response of its kind, if the
         reference has the added mass that belongs to the damping. The added mass of the file, which has
         irregular frequencies with negative damping, differs: 1.5 %."""
-        folder = "platforms/mss-tanker/"
-        self.files({f"tanker{e}": f"{folder}tanker{e}" for e in (".1", ".3.gz", ".hst")})
-        mass = np.diag([94620210, 94620210, 94620210, 27409620280.88, 387080076077.14, 417428070207.44])
-        mass[0, 4] = mass[4, 0] = 236550525
-        mass[1, 3] = mass[3, 1] = -236550525
-        mass[2, 4] = mass[4, 2] = -371857425.3
-        damping = np.diag([4.1e5, 0, 0, 1.56e9, 0, 0])
+        mass, damping = self.tanker()
         ship = ("  semi: {position: [0, 0, 0], floating: {mass: 94620210, centre_of_mass: [3.93, 0, 2.5], "
                 f"mass_matrix: {{rows: {json.dumps(mass.tolist())}}},\n         hydrodynamics: {{wamit: tanker, follow_period: 0, place: [0, 0, 0], "
                 "heading_deg: 0, symmetry: port_starboard, gravity_in_stiffness: true, "

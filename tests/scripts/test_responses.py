@@ -229,13 +229,7 @@ class Responses(PlatformRuns):
         """Tanker with the mass matrix of its .frc: 1e-6 with symmetric coefficients. Those of the file differ from their
         transposes, which changes roll by 1.4e-3. The moment of the weight about the centre of buoyancy, which C46 of the
         file has, is balanced."""
-        folder = "platforms/mss-tanker/"
-        self.files({f"tanker{e}": f"{folder}tanker{e}" for e in (".1", ".3.gz", ".hst")})
-        mass = np.diag([94620210, 94620210, 94620210, 27409620280.88, 387080076077.14, 417428070207.44])
-        mass[0, 4] = mass[4, 0] = 236550525
-        mass[1, 3] = mass[3, 1] = -236550525
-        mass[2, 4] = mass[4, 2] = -371857425.3
-        damping = np.diag([4.1e5, 0, 0, 1.56e9, 0, 0])
+        mass, damping = self.tanker()
         ship = ("  semi: {position: [0, 0, 0], floating: {mass: 94620210, centre_of_mass: [3.93, 0, 2.5], "
                 f"mass_matrix: {{rows: {json.dumps(mass.tolist())}}}, loads: [{{moment: [0, {-374.607 * 1025 * 9.81}, 0]}}],\n"
                 "         hydrodynamics: {wamit: tanker, follow_period: 0, place: [0, 0, 0], heading_deg: 0, symmetry: port_starboard, "

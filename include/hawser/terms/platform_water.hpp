@@ -73,8 +73,7 @@ class PlatformWater final : public ForceTerm,
     Mat6 added_damping = Mat6::Zero();
     Mat6 added_quadratic_damping = Mat6::Zero();
     Shared<model::BodyHydrodynamics> coefficients;
-    Eigen::Vector2d
-        phase_point;  // of the wave forces of the files, from their origin, m, axes of the heading
+    Eigen::Vector2d phase_point;  // m, of the wave forces, from the origin of the files, axes of the heading
     PlatformWaves waves;
     Vec3 file_origin = Vec3::Zero();  // m, origin of the files from the body's origin, axes of the heading
     double damping_work = 0, wave_work = 0;  // J, over the accepted steps
