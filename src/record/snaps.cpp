@@ -6,11 +6,11 @@
 
 #include "hawser/advice/peaks.hpp"
 #include "hawser/base/mpi.hpp"
+#include "hawser/kernels/tension_peak.hpp"
 
 namespace hawser::record {
 namespace {
 
-const double kResolved = M_PI / 6;       // rad, phase of the wave per step or per passage of an element
 constexpr double kSuddenRise = 1.0 / 3;  // of the tension: sudden rise if larger
 constexpr double kHeld = 0.02;           // of the tension: a smaller drop does not end a rise
 constexpr double kSame = 1 - 1e-9;       // tolerance of equal tensions
@@ -89,10 +89,10 @@ std::string Snaps::warning(int line, const std::string& name, double largest_ten
                            bool fixed) const {
   const Worst& w = worst_[line];
   if (!(w.tension > kSame * largest_tension)) return {};
-  const bool steps = w.angle > kResolved;
-  const bool elements = w.rate * w.passage > kResolved;
+  const bool steps = w.angle > kResolvedPhase;
+  const bool elements = w.rate * w.passage > kResolvedPhase;
   const bool sudden = w.tension - w.from > kSuddenRise * w.tension && w.within < echo_[line];
-  const bool crosswise = sudden && w.rate * w.across > kResolved;
+  const bool crosswise = sudden && w.rate * w.across > kResolvedPhase;
   if (!steps && !elements && !crosswise && !(damped && sudden)) return {};
   using Cause = advice::ImpactPeak::Cause;
   return advice::impact_peak(name, {.cause = steps       ? Cause::steps
@@ -106,7 +106,7 @@ std::string Snaps::warning(int line, const std::string& name, double largest_ten
                                     .fraction = 1 - std::cos(w.angle),
                                     .from = w.from,
                                     .within = w.within,
-                                    .shorter = steps ? 0.5 * w.step * kResolved / w.angle : 0.5 * w.step,
+                                    .shorter = steps ? 0.5 * w.step * kResolvedPhase / w.angle : 0.5 * w.step,
                                     .fixed = fixed});
 }
 

@@ -149,11 +149,11 @@ Verdict System::check_step(const Kinematics& trial, bool impacts, RankMax togeth
   }
   // A single reduction for all quantities of a trial, unless a rank has an unresolved impact.
   double severity = static_cast<double>(worst.kind);
-  double too_deep = unresolved_impacts.too_deep ? 1 : 0;
+  double too_fast = unresolved_impacts.too_fast ? 1 : 0;
   double any_impact = unresolved_impacts.list.empty() ? 0 : 1;
   const std::vector<int> elsewhere = lines_elsewhere(unresolved_impacts.list, local_lines_);
   double any_elsewhere = elsewhere.empty() ? 0 : 1;
-  for (double* number : {&severity, &too_deep, &any_impact, &any_elsewhere}) together.add(*number);
+  for (double* number : {&severity, &too_fast, &any_impact, &any_elsewhere}) together.add(*number);
   together.reduce(comm_);
   const auto kind = static_cast<Verdict::Kind>(severity);
   if (kind != Verdict::Kind::accept) {
@@ -162,7 +162,7 @@ Verdict System::check_step(const Kinematics& trial, bool impacts, RankMax togeth
     return worst;
   }
   const Verdict not_resolved{Verdict::Kind::shorter, advice::ImpactNotResolved{}};
-  if (too_deep > 0) return not_resolved;
+  if (too_fast > 0) return not_resolved;
   if (any_impact == 0) return {};
   if (any_elsewhere > 0) {
     const std::vector<int> lines = of_all_ranks(comm_, elsewhere);

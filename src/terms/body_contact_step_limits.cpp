@@ -156,7 +156,7 @@ void BodyContact::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
     const double created = s.potential - p.potential - 0.5 * (p.elastic + s.residual.f).dot(displacement);
     if (!(std::abs(created) > kEnergyError * std::max(p.energy, s.potential))) continue;
     const double w = std::max(p.frequency, frequency(p, contact(p, now, kStiffness)));
-    if (trial.step * w > 2 * M_PI / kMaxStepsAPeriod) to.too_deep = true;
+    if (trial.step * w > 2 * M_PI / kMaxStepsAPeriod) to.too_fast = true;
   }
 }
 

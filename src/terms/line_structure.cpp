@@ -92,13 +92,18 @@ std::vector<LineStructure::Beam> beams_of(const LocalMesh& mesh, const model::Ca
   return out;
 }
 
+LineStructure::Peak peak(const model::Case& c, const Element& e) {
+  const model::LineType& t = c.line_types[e.type];
+  return {t.wave_time(e.length), t.mass_per_length * e.length * c.environment.gravity, 0};
+}
+
 std::vector<LineStructure::Cable> cables_of(const LocalMesh& mesh, const model::Case& c) {
   std::vector<LineStructure::Cable> out;
   out.reserve(static_cast<size_t>(std::count_if(mesh.elements.begin(), mesh.elements.end(),
                                                 [&](const auto& e) { return !mesh.element(e).beam; })));
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.element(e);
-    if (!g.beam) out.push_back({e, {}, cable_section(c, g)});
+    if (!g.beam) out.push_back({e, {}, cable_section(c, g), {}, peak(c, g)});
   }
   return out;
 }
@@ -315,6 +320,7 @@ void LineStructure::prepare(const Kinematics& from, double) {
   if (from.phase == Phase::start && !plastic_history_.empty()) commit_plastic(from);
   if (damped_ && !power_) power_ = beam_dissipation(from);
   last_step_ = from.last_step();
+  if (from.moves()) update_peaks(from);
   for (Cable& c : cables_) {
     const CableEnds e = ends(c, from);
     c.start = cable_start(c.section, e.x1, e.x2, c.start.strain_increment, last_step_);

@@ -12,8 +12,8 @@ size_t LineStructure::Beam::remembered() const {
 }
 
 namespace {
-// Keys by kind: none; mesh element; mesh element; feeder.
-enum Kind { kSums, kStretched, kBent, kInside };
+// Keys by kind: none; mesh element; mesh element; feeder; mesh element.
+enum Kind { kSums, kStretched, kBent, kInside, kLargest };
 
 struct Sums {
   double power = 0, damping = 0, filtered = 0;
@@ -31,6 +31,13 @@ struct KeptStrain {
     each("stretch", "1", self.strain_increment);
   }
 };
+struct LargestTension {
+  double largest = 0;
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("largest tension", "N", self.largest);
+  }
+};
 struct Bent {
   double about2 = 0, about3 = 0;
   template <class Self, class Each>
@@ -45,7 +52,8 @@ struct Bent {
 // bending of an element are stored at both nodes, so that every rank with the element finds them.
 std::vector<CheckpointKind> LineStructure::checkpoint_kinds() const {
   return {checkpoint_kind<Sums>("sums of a rank"), checkpoint_kind<KeptStrain>("axial vibration"),
-          checkpoint_kind<Bent>("plastic bending"), checkpoint_kind<Bent>("plastic bending inside a feeder")};
+          checkpoint_kind<Bent>("plastic bending"), checkpoint_kind<Bent>("plastic bending inside a feeder"),
+          checkpoint_kind<LargestTension>("largest tension")};
 }
 
 std::vector<CheckpointRecord> LineStructure::checkpoint_records(NodeRange range) const {
@@ -54,6 +62,10 @@ std::vector<CheckpointRecord> LineStructure::checkpoint_records(NodeRange range)
   const auto wanted = [&](int n) { return n < mesh_.owned && range.has(mesh_.global[n]); };
   if (wanted(0))
     out.push_back(record_of(mesh_.global[0], 0, Sums{power_.value_or(0), damping_, filtered_}, kSums));
+  for (const Cable& c : cables_)
+    for (const int n : {c.element.first, c.element.second})
+      if (wanted(n))
+        out.push_back(record_of(mesh_.global[n], c.element.global, LargestTension{c.peak.largest}, kLargest));
   for (const Cable& c : cables_)
     for (const int n : {c.element.first, c.element.second})
       if (wanted(n) && c.start.strain_increment != 0)
@@ -81,6 +93,7 @@ void LineStructure::restore(const std::vector<CheckpointRecord>& records) {
   damping_ = 0;
   filtered_ = 0;
   std::map<int, double> strain;
+  std::map<int, double> largest;
   std::map<int, const std::vector<double>*> bent;
   for (const CheckpointRecord& r : records) {
     if (r.kind == kSums) {
@@ -90,6 +103,8 @@ void LineStructure::restore(const std::vector<CheckpointRecord>& records) {
       filtered_ += s.filtered;
     } else if (r.kind == kStretched) {
       strain[r.key] = entry<KeptStrain>(r).strain_increment;
+    } else if (r.kind == kLargest) {
+      largest[r.key] = entry<LargestTension>(r).largest;
     } else if (r.kind == kBent) {
       bent[r.key] = &r.values;
     } else if (const size_t k = r.key; k < fed_.size() && fed_[k].inside.size() == r.values.size()) {
@@ -109,6 +124,8 @@ void LineStructure::restore(const std::vector<CheckpointRecord>& records) {
   for (Cable& c : cables_) {
     const auto it = strain.find(c.element.global);
     c.start.strain_increment = it == strain.end() ? 0 : it->second;
+    if (const auto peak = largest.find(c.element.global); peak != largest.end())
+      c.peak.largest = peak->second;
   }
 }
 

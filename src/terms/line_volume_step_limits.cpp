@@ -158,7 +158,7 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
       for (const QuadraturePoint& p : contact.quadrature)
         if (contact.panels[p.panel].group == w) deepest = std::max(deepest, pair.radius - p.surface.distance);
       for (const AxisContactPoint& p : pair.previous(w)) deepest_before = std::max(deepest_before, -p.gap);
-      to.too_deep = to.too_deep || sinks_too_far(pair.radius, deepest_before, deepest);
+      to.too_fast = to.too_fast || sinks_too_far(pair.radius, deepest_before, deepest);
     }
     if (resolves_contact(spring(pair, 0, pair.length).inverse_frequency, trial.step) &&
         resolves_contact(spring(pair, 1, pair.length).inverse_frequency, trial.step))

@@ -193,8 +193,9 @@ TEST_F(Snapping, PeaksAreThoseOfFinerMeshes) {
   if (!first()) return;
   printf("  largest tension: %.2f MN by default, %.2f MN with finer elements and steps\n", by_default / 1e6,
          finest / 1e6);
-  // The means scatter by 2 % each, and differ between processors by rounding.
-  EXPECT_NEAR(by_default, finest, 0.1 * finest);
+  // The means scatter by 2 % each, and differ between processors by rounding; 40 elements have 7 % less
+  // than 80.
+  EXPECT_NEAR(by_default, finest, (full ? 0.1 : 0.15) * finest);
 }
 
 TEST_F(Snapping, GoesOnAfterARestart) {

@@ -25,6 +25,7 @@ Flight fly(double rho, double step, double duration) {
   c.dynamics.enabled = true;
   c.dynamics.duration = duration;
   c.dynamics.step = step;
+  c.dynamics.resolve_impacts = false;
   c.dynamics.rho_infinity = rho;
   c.dynamics.tolerance = 1e-11;
   c.contact.between_lines.enabled = false;

@@ -74,7 +74,7 @@ struct UnresolvedImpact {
 // Impacts found at the end of a converged step that were not predicted at its start.
 struct UnresolvedImpacts {
   std::vector<UnresolvedImpact> list;
-  bool too_deep = false;  // a penetration increased in the step by more than allowed
+  bool too_fast = false;  // a penetration or tension increased in the step by more than allowed
 };
 // Error of the trapezoidal rule in the work of a contact that began or ended within a step, J: the rule
 // assumes that the force varies over the whole path. path: along the normal, m; force [N] and potential [J]:

@@ -24,8 +24,16 @@ class LineStructure final : public ForceTerm,
                             public ActsOnElements,
                             public HasAxialStiffness,
                             public ScalesResiduals,
+                            public LimitsSteps,
                             public ActsOnFedLines {
  public:
+  // For steps that resolve a snap load of a cable. Beams do not become slack, and each change of the step
+  // changes the energy of axial vibration that the steps do not resolve.
+  struct Peak {
+    double passage = 0;  // s, of an axial wave through the element
+    double largest = 0;  // N, tension so far; at least the weight of the element, within which tension varies
+    double before = 0;   // N, tension at the start of the step
+  };
   struct Beam {
     LocalElement element;
     int blocks[4] = {};  // x1, theta1, x2, theta2
@@ -40,7 +48,8 @@ class LineStructure final : public ForceTerm,
     int blocks[2] = {};
     CableSection section;
     CableStart start = {};  // state at the start of the step
-    bool idle = false;      // inside a feeder
+    Peak peak = {};
+    bool idle = false;  // inside a feeder
   };
 
   LineStructure(const LocalMesh& mesh, std::vector<Beam> beams, std::vector<Cable> cables);
@@ -61,6 +70,9 @@ class LineStructure final : public ForceTerm,
   std::vector<double> slack_length(const Kinematics& state) const;
   bool soften(double max_EA) override;
   double axial_stiffness() const override;
+  void limit_step(const Kinematics&, ImpactEvents&) override {}
+  Verdict check_step(const Kinematics&) const override { return {}; }
+  void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> checkpoint_records(NodeRange range) const override;
@@ -85,6 +97,7 @@ class LineStructure final : public ForceTerm,
   void move_plastic_history(Beam& b, const FedLine& f, double to);
   void keep_hauled_in(const Beam& b, const FedLine& f);
   double fed_work(const Kinematics& state) const;
+  void update_peaks(const Kinematics& from);
   std::vector<double> entering(const FedLine& f, double label) const;
   double beam_dissipation(const Kinematics& state) const;
   struct ElementField;
