@@ -169,6 +169,8 @@ def make(options):
     if all(given.endswith(".csv") for given in options.results):
         convert(options.results, options)
         return
+    if tables := [given for given in options.results if given.endswith(".csv")]:
+        raise Refusal(f"{tables[0]} is a table, and others are results of runs: give files of one kind")
     runs = [results_of(given, options.changes) for given in options.results]
     first = runs[0].path
     table = place_for(options.output or first.with_name(f"{first.stem}-rao.csv"), runs, (".csv", ".rao"), "a table of responses")

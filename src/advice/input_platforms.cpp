@@ -75,9 +75,8 @@ void warn_of_coefficients(const Case& c, const Body& b, std::vector<InputWarning
 void warn_of_directions(const Case& c, const Body& b, std::vector<InputWarning>& out) {
   constexpr double kWide = 60;  // deg
   const auto& h = *b.mass->hydrodynamics;
-  if (!(h.follow_period > 0) || !h.excitation || c.environment.water.waves.none()) return;
-  if (h.data->excitation.empty()) return;
-  const std::vector<double>& directions = h.data->excitation[static_cast<size_t>(h.body - 1)].directions();
+  if (!(h.follow_period > 0) || !h.wave_forces() || c.environment.water.waves.none()) return;
+  const std::vector<double>& directions = h.wave_forces()->directions();
   const double gap = directions.size() < 2 ? 0 : widest_gap(directions, 2 * M_PI).width() * 180 / M_PI;
   if (gap <= kWide) return;
   // A full circle in radians, read as degrees.

@@ -58,7 +58,9 @@ std::string third_party_file(const std::string& path, const std::string& name) {
 }
 
 std::string table_needs_csv(const std::string& path, const std::string& contents) {
-  return fmt::format("{}: a table of {} is a CSV file: give its name the ending .csv", path, contents);
+  const bool motion = contents == "responses" && path.ends_with(".rao");
+  return fmt::format("{}: a table of {} is a CSV file: give its name the ending .csv{}", path, contents,
+                     motion ? "; 'hawser rao' makes a table for motion.rao of it" : "");
 }
 
 std::string not_such_a_table(const std::string& path, const std::string& contents) {

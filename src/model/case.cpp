@@ -101,7 +101,7 @@ int Case::line_index(const std::string& name) const {
 
 const Line& Case::line(const std::string& name) const { return lines[line_index(name)]; }
 
-void Case::forget_lines(const std::vector<bool>& kept) {
+void Case::forget_lines_and_bodies(const std::vector<bool>& kept) {
   std::set<std::string> named;
   for (const Event& e : events) named.insert({e.action.line, e.action.given_line, e.cause.line});
   for (const Link& l : links) named.insert({l.end_a.line, l.end_b.line});

@@ -140,7 +140,7 @@ void check_haskind(const Case& c, const BodyHydrodynamics& h, const Issues& issu
   constexpr double kCounts = 0.1, kFar = 1.5;
   constexpr double kNone = 1e-9;  // of omega A: damping that was removed
   const HydrodynamicData& data = *h.data;
-  const WaveForceTable& table = data.excitation[static_cast<size_t>(h.body) - 1];
+  const WaveForceTable& table = *h.wave_forces();
   if (!all_round(table)) return;
   const Eigen::RowVectorXd weights = mean_weights(table.directions(), resolved_harmonics(table.directions()));
   const double g = c.environment.gravity;
@@ -187,7 +187,7 @@ void check_haskind(const Case& c, const BodyHydrodynamics& h, const Issues& issu
 void check_end_of_damping(const BodyHydrodynamics& h, const Issues& issue) {
   constexpr double kLarge = 0.2, kFurther = 1.25;
   const HydrodynamicData& data = *h.data;
-  const double beyond = data.excitation[static_cast<size_t>(h.body) - 1].highest();
+  const double beyond = h.wave_forces()->highest();
   const double end = data.omega.back();
   if (beyond < kFurther * end) return;
   const Eigen::Index row = first_row(h);
@@ -238,12 +238,11 @@ void check_size(const Case& c, const Body& b, const Issues& issue) {
 }  // namespace
 
 void check_hydrodynamic_data(const Case& c, const Body& b, const Issues& issue) {
-  if (b.mass->hydrodynamics->excitation && !b.mass->hydrodynamics->data->excitation.empty())
-    check_long_waves(c, b, issue);
+  if (b.mass->hydrodynamics->wave_forces()) check_long_waves(c, b, issue);
 }
 
 void note_hydrodynamic_data(const Case& c, const Body& b, const Issues& note) {
-  if (b.mass->hydrodynamics->excitation && !b.mass->hydrodynamics->data->excitation.empty()) {
+  if (b.mass->hydrodynamics->wave_forces()) {
     note_long_waves(c, b, note);
     check_heave_phase(c, b, note);
     check_haskind(c, *b.mass->hydrodynamics, note);

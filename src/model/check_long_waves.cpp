@@ -38,7 +38,7 @@ class LongWaves {
   LongWaves(const Case& c, const Body& b)
       : mass_(*b.mass),
         h_(*mass_.hydrodynamics),
-        table_(h_.data->excitation[static_cast<size_t>(h_.body) - 1]),
+        table_(*h_.wave_forces()),
         density_(c.environment.water.density),
         depth_(c.environment.water.depth),
         g_(c.environment.gravity),
@@ -282,8 +282,7 @@ void LongWaves::note(const Issues& note) const {
 
 bool long_enough(const Case& c, const Body& b, const LongWaves& waves) {
   constexpr double kLongWaves = 0.1;
-  const BodyHydrodynamics& h = *b.mass->hydrodynamics;
-  const double omega = h.data->excitation[static_cast<size_t>(h.body) - 1].lowest();
+  const double omega = b.mass->hydrodynamics->wave_forces()->lowest();
   return c.environment.gravity > 0 && waves.length_ratio(omega) <= kLongWaves;
 }
 

@@ -40,7 +40,7 @@ void check_platform(const Case& c, const Body& b, const Issues& issue) {
   const BodyMass& m = *b.mass;
   const BodyHydrodynamics& h = *m.hydrodynamics;
   check_afloat(c, m, "replaces 'in_water': give one of the two", issue);
-  if (m.hull && m.hull->wave_pressure && h.excitation && !h.data->excitation.empty())
+  if (m.hull && m.hull->wave_pressure && h.wave_forces())
     issue("excitation",
           "the wave forces of the files contain the pressure of the waves, which 'hull' adds again: set "
           "'wave_pressure: false' there, or 'excitation: false'");

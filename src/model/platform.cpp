@@ -21,6 +21,10 @@ constexpr double kMeshNoise = 1e-3;
 
 }  // namespace
 
+const WaveForceTable* BodyHydrodynamics::wave_forces() const {
+  return excitation && !data->excitation.empty() ? &data->excitation[static_cast<size_t>(body) - 1] : nullptr;
+}
+
 const char* BodyHydrodynamics::key() const {
   switch (format) {
     case Format::capytaine:

@@ -45,10 +45,7 @@ constexpr double kRoundOff = 1e-9;  // of the largest of the three translations,
 
 // Table of the wave forces that act on a body; null: none.
 const WaveForceTable* wave_forces(const model::Body& b) {
-  if (!b.mass || !b.mass->hydrodynamics) return nullptr;
-  const model::BodyHydrodynamics& h = *b.mass->hydrodynamics;
-  if (!h.excitation || h.data->excitation.empty()) return nullptr;
-  return &h.data->excitation[static_cast<size_t>(h.body) - 1];
+  return b.mass && b.mass->hydrodynamics ? b.mass->hydrodynamics->wave_forces() : nullptr;
 }
 
 // Bodies that waves of the case would load, but not by coefficients.

@@ -294,7 +294,7 @@ void Simulation::forget_lines_of_others() {
   for (const Inside& s : start_contact_.inside) kept[s.line] = true;
   if (const Feeders* fed = feeders())
     for (const Feeder& f : fed->all()) kept[f.line] = true;
-  case_.forget_lines(kept);
+  case_.forget_lines_and_bodies(kept);
 }
 
 DynamicsSettings Simulation::dynamics_settings() const {

@@ -84,8 +84,8 @@ WaveForceTable of_body(const model::BodyHydrodynamics& h, const std::vector<Wave
 // too much from one frequency or direction to the next.
 WaveForceTable PlatformWater::first_order_table(const Platform& p) const {
   const model::BodyHydrodynamics& h = *p.coefficients;
-  const WaveForceTable first = of_body(h, h.data->excitation);
-  if (first.none()) return first;
+  if (!h.wave_forces()) return {};
+  const WaveForceTable& first = *h.wave_forces();
   std::vector<double> numbers;
   for (const double omega : first.omega())
     numbers.push_back(wave_number(omega, sea_.waves.depth(), sea_.gravity));
@@ -175,7 +175,7 @@ std::vector<DependsOnFrequency::Excitation> PlatformWater::excitation(const std:
   std::vector<Excitation> out;
   for (const Group& g : groups_)
     for (const Platform& p : g.platforms) {
-      if (!p.owned || !p.coefficients->excitation) continue;
+      if (!p.owned) continue;
       const WaveForceTable first = first_order_table(p);
       if (first.none()) continue;
       const double heading = std::atan2(p.axes(1, 0), p.axes(0, 0));

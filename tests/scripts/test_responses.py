@@ -302,6 +302,7 @@ class Responses(PlatformRuns):
                 (spar(), "", ("--directions", "0,,3"), "give numbers separated by commas"),
                 (spar(), "", ("--at", "1,2"), "give three numbers separated by commas"),
                 (spar(), "", ("-o", "table.txt"), "a table of responses is a CSV file"),
+                (spar(), "", ("-o", "table.rao"), "'hawser rao' makes a table for motion.rao of it"),
                 (spar(), "", ("-o", "old.csv"), "the file there is not a table of responses")):
             with self.subTest(complaint=complaint):
                 write(self.folder, "old.csv", "something else\n")

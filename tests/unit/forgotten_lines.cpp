@@ -30,7 +30,7 @@ lines:
 TEST(ForgottenLines, ThoseThatTheCaseNamesStay) {
   model::Case c = farm();
   EXPECT_EQ(c.line_index("l4"), 4);  // fills the index
-  c.forget_lines({false, false, true, false, false});
+  c.forget_lines_and_bodies({false, false, true, false, false});
   EXPECT_EQ(c.lines.size(), 5u);
   for (size_t l = 0; l < 5; ++l) EXPECT_EQ(c.lines.has(l), l == 1 || l == 2) << l;
   EXPECT_EQ(c.line_index("l1"), 1);
@@ -70,7 +70,7 @@ lines:
 )";
   model::Case c = io::read_case_text(text, HAWSER_SOURCE_DIR "/tests/forgotten_lines.yaml");
   EXPECT_EQ(c.body_index("other"), 0);  // fills the index
-  c.forget_lines({false, false});
+  c.forget_lines_and_bodies({false, false});
   for (const std::string name : {"end", "taker", "linked", "shown", "wall", "jumps", "heavy"})
     EXPECT_GE(c.body_index(name), 0) << name;
   for (const std::string name : {"other", "smooth"}) EXPECT_EQ(c.body_index(name), -1) << name;

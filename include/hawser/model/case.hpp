@@ -459,7 +459,7 @@ struct Case : CaseDocument {
   // Frees the lines of which `kept` is false, except those that other objects of the case name, and bodies
   // with prescribed motion that neither the remaining lines nor other objects name; of all, their names and
   // lines in the file.
-  void forget_lines(const std::vector<bool>& kept);
+  void forget_lines_and_bodies(const std::vector<bool>& kept);
 
  private:
   NameIndex type_at_, line_at_, body_at_, joint_at_;

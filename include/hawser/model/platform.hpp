@@ -40,6 +40,8 @@ struct BodyHydrodynamics {
   Mat6 quadratic_damping = Mat6::Zero();  // factors of |v| v of the six velocities: N/(m/s)² ... N m/(rad/s)²
   std::shared_ptr<const HydrodynamicData> data;
   const char* key() const;  // key of the case file that gives the files
+  // First-order wave forces of the files that act on this body; null: none, or `excitation` is false.
+  const WaveForceTable* wave_forces() const;
 };
 
 // Dynamic positioning (model/positioning.hpp): thrusters control the low-frequency position and heading of a
