@@ -65,13 +65,6 @@ void warn_of_crossing_waves(const Case& c, const Body& b, std::vector<InputWarni
               100 * far, kFarFromMean * 180 / M_PI);
 }
 
-void warn_of_coefficients(const Case& c, const Body& b, std::vector<InputWarning>& out) {
-  std::vector<Issue> issues;
-  note_hydrodynamic_data(c, b, Issues(issues, "bodies." + b.name + ".floating.hydrodynamics"));
-  for (Issue& one : issues)
-    out.push_back({std::move(one.key), std::move(one.text), std::string(one.format), Effect::all});
-}
-
 void warn_of_directions(const Case& c, const Body& b, std::vector<InputWarning>& out) {
   constexpr double kWide = 60;  // deg
   const auto& h = *b.mass->hydrodynamics;
@@ -293,7 +286,7 @@ void warn_of_platforms(const Case& c, std::vector<InputWarning>& out) {
     if (b.mass && b.mass->positioning) warn_of_positioning(b, out);
     if (!b.mass || !b.mass->hydrodynamics) continue;
     warn_of_inertia(b, out);
-    warn_of_coefficients(c, b, out);
+    warn_of_hydrodynamics(c, b, out);
     warn_of_floating(c, b, out);
     warn_of_damping(c, b, out);
     warn_of_stiffness(b, out);

@@ -97,6 +97,11 @@ std::string curvature_warning(const model::Case& c, const Extreme& at) {
       at.line, 1 / at.value, at.arc, when_text(c, at.time), 100 * strain);
 }
 
+std::string bend_radius_without_bending(const std::string& type) {
+  return "line_types." + type +
+         ".minimum_bend_radius: a type with 'bending: false' has no curvature to compare it with";
+}
+
 std::string beyond_pipe_formulas(double pulled) {
   return fmt::format(
       "the design tension of a pipe is {:.2g} of its yield tension: DNV-ST-F101's formulas for combined "

@@ -55,6 +55,17 @@ std::string more_start_over_volumes(size_t lines) {
   return fmt::format("and {} more lines start over volumes", lines);
 }
 
+std::string not_in_other_run(const std::string& line, const std::string& file) {
+  return fmt::format("lines.{}: is not in {}, and starts by itself", line, file);
+}
+
+std::string other_length_in_run(const std::string& key, double length, double previous_length,
+                                const std::string& file) {
+  return fmt::format(
+      "{}: the line is {:g} m long and was {:g} m in {}; its shape is taken by share of the length", key,
+      length, previous_length, file);
+}
+
 std::string link_without_length() {
   return "its ends start at the same point, so that its length is 0: give it a 'rest_length', which may be "
          "0, or move its ends apart";

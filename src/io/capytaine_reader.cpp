@@ -9,6 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "hawser/advice/hydrodynamic_files.hpp"
 #include "hawser/io/input_file.hpp"
 #include "hydrodynamic_parts.hpp"
 #include "netcdf.hpp"
@@ -134,8 +135,8 @@ Freedoms freedoms(const CapytaineFile& file, HydrodynamicData& data, std::vector
   for (int mode = 0; mode < 6 * data.bodies; ++mode)
     if (std::find(f.radiating.begin(), f.radiating.end(), mode) == f.radiating.end() ||
         std::find(f.influenced.begin(), f.influenced.end(), mode) == f.influenced.end())
-      notes.push_back(fmt::format("{}: has no freedom {} of body {}, whose coefficients are then zero",
-                                  data.radiation_file, kModes[static_cast<size_t>(mode % 6)], mode / 6 + 1));
+      notes.push_back(advice::freedom_without_coefficients(
+          data.radiation_file, kModes[static_cast<size_t>(mode % 6)], mode / 6 + 1));
   return f;
 }
 
@@ -149,16 +150,6 @@ Eigen::MatrixXd matrix_of(const CapytaineFile::View& view, const Freedoms& f, in
           scale * (before.size() ? view({*before.begin(), j, i}) : view({j, i}));
     }
   return m;
-}
-
-// Entries are NaN where the panel method failed.
-void note_excluded(const std::string& path, const char* quantity, const std::vector<double>& omega,
-                   std::vector<std::string>& notes) {
-  if (!omega.empty())
-    notes.push_back(fmt::format(
-        "{}: the {} of {} frequenc{}, {:g} to {:g} rad/s, {} entries that are no numbers and {} excluded",
-        path, quantity, omega.size(), omega.size() == 1 ? "y" : "ies", omega.front(), omega.back(),
-        omega.size() == 1 ? "has" : "have", omega.size() == 1 ? "is" : "are"));
 }
 
 void read_radiation(const CapytaineFile& file, const Freedoms& f, double scale, HydrodynamicData& data,
@@ -179,7 +170,7 @@ void read_radiation(const CapytaineFile& file, const Freedoms& f, double scale, 
     }
   }
   std::sort(order.begin(), order.end(), [&](size_t a, size_t b) { return omega[a] < omega[b]; });
-  std::vector<double> excluded;
+  std::vector<double> excluded;  // entries are NaN where the panel method failed
   for (const size_t k : order) {
     if (!data.omega.empty() && omega[k] == data.omega.back())
       file.refuse(fmt::format("has omega = {:g} rad/s twice", omega[k]));
@@ -193,7 +184,8 @@ void read_radiation(const CapytaineFile& file, const Freedoms& f, double scale, 
     data.added_mass.push_back(std::move(A));
     data.damping.push_back(std::move(B));
   }
-  note_excluded(data.radiation_file, "added mass and damping", excluded, notes);
+  if (!excluded.empty())
+    notes.push_back(advice::frequencies_excluded(data.radiation_file, "added mass and damping", excluded));
   if (data.omega.size() < 2)
     file.refuse("has fewer than two finite frequencies above 0, and memory needs a range of them");
 }
@@ -267,7 +259,8 @@ void read_excitation(const CapytaineFile& file, const Freedoms& f, double scale,
           rows.add(omega[k], directions[d] * 180 / M_PI, f.influenced[i], force(k, d, i));
   }
   std::sort(excluded.begin(), excluded.end());
-  note_excluded(data.excitation_file, "wave forces", excluded, notes);
+  if (!excluded.empty())
+    notes.push_back(advice::frequencies_excluded(data.excitation_file, "wave forces", excluded));
   if (!rows.none()) data.excitation = rows.tables(data.excitation_file);
 }
 
@@ -290,8 +283,7 @@ HydrodynamicData read_capytaine(const std::string& path, const HydrodynamicForm&
   if (!(density > 0) || !(gravity > 0)) file.refuse("density and gravity are not above 0");
   const double scale = form.density / density;
   if (std::abs(gravity / form.gravity - 1) > 0.01)
-    notes.push_back(fmt::format("{}: is made with a gravity of {:g} m/s², the case has {:g}", path, gravity,
-                                form.gravity));
+    notes.push_back(advice::other_gravity(path, gravity, form.gravity));
   const Freedoms f = freedoms(file, data, notes);
   bool has_infinite = false;
   read_radiation(file, f, scale, data, has_infinite, notes);

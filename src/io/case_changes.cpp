@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "hawser/advice/case_changes.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/yaml_document.hpp"
 #include "hawser/model/nearest.hpp"
@@ -63,16 +64,12 @@ class Change {
             : key->type == Type::vec3 ? key
                                       : &key->keys[0];
     }
-    const std::string former = added          ? "not in the file"
-                               : at->line < 0 ? "set before"
-                               : at->kind == Kind::scalar
-                                   ? "in the file " + at->text
-                                   : fmt::format("given in line {} of the file", at->line);
+    const std::string note = advice::value_set(path, given_, added ? nullptr : at);
     if (value_.kind == Kind::null)
       remove(*parent, *at, path);
     else
       *at = value_;
-    return fmt::format("--set {}={} ({})", path, given_, former);
+    return note;
   }
 
  private:

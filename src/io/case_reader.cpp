@@ -11,7 +11,9 @@
 #include <iterator>
 #include <sstream>
 
+#include "hawser/advice/cut_lines.hpp"
 #include "hawser/advice/input_warnings.hpp"
+#include "hawser/advice/limits.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/mpi.hpp"
 #include "hawser/io/case_changes.hpp"
@@ -60,7 +62,9 @@ Case read_tree(model::CaseDocument document, const SectionLengths& lengths, MPI_
   Case c(std::move(document));
   read_all(*c.tree, {c.file, c.directory, comm, &c.inputs}, lengths, c);
   examine(c);
-  return model::with_cuts(std::move(c));
+  c = model::with_cuts(std::move(c));
+  for (std::string& note : advice::parts_of_cut_lines(c)) c.notes.push_back(std::move(note));
+  return c;
 }
 
 Case read_document(std::string text, const std::string& path, const ReadProgress& read_progress,
@@ -122,9 +126,7 @@ void read_things(const Value& root, const Value* start_of_case, const CaseSource
     const model::LineType& t =
         c.line_types.emplace_back(read_line_type(types.keys[i], types.items[i], c.environment));
     if (t.kind == model::LineKind::cable && t.minimum_bend_radius > 0)
-      c.notes.push_back(
-          "line_types." + t.name +
-          ".minimum_bend_radius: a type with 'bending: false' has no curvature to compare it with");
+      c.notes.push_back(advice::bend_radius_without_bending(t.name));
   }
   place_platforms(root, source, lengths, c);
   for (std::size_t i = 0; i < bodies.keys.size(); ++i) {

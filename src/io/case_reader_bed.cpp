@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "hawser/advice/bed_files.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/geometry/ground.hpp"
 #include "hawser/geometry/height_grid.hpp"
@@ -99,11 +100,9 @@ std::shared_ptr<const HeightGrid> read_grid(const Value& v, const CaseSource& so
   const OddHeights odd = odd_heights(z, std::min(smallest_step(x), smallest_step(y)));
   if (odd.count > 0) {
     const size_t row = given[odd.first];
-    const std::string heights = fmt::format(
-        "{:g} m at x {:g}, y {:g}{} is {:.3g} m from all other heights", rows[row][2], rows[row][0],
-        rows[row][1], odd.count > 1 ? fmt::format(" and in {} more places", odd.count - 1) : "", odd.gap);
-    if (odd.mark) refuse_row(row, heights + ": it is a no-data value; replace it by the height around it");
-    notes.push_back(fmt::format("{}: {}:{}: {}: is it a no-data value?", v.where, path, line[row], heights));
+    const Vec3 first(rows[row].data());
+    if (odd.mark) refuse_row(row, advice::no_data_value(first, odd.count - 1, odd.gap));
+    notes.push_back(advice::possible_no_data_value(v.where, path, line[row], first, odd.count - 1, odd.gap));
   }
   return std::make_shared<const HeightGrid>(std::move(x), std::move(y), z);
 }
@@ -207,12 +206,7 @@ class BedCheck {
   void steps() const {
     const HeightGrid::Overshoot o = grid_->overshoot();
     if (o.height < kKnownHeight) return;
-    c_.notes.push_back(fmt::format(
-        "environment.seabed.grid: the smooth surface through the heights of {} goes {:.2g} m {} "
-        "them at x {:.4g}, y "
-        "{:.4g}, beside a step or a bend, and less elsewhere; if lines come there, give more heights "
-        "across the step, or a mesh",
-        bed_.file, o.height, o.above ? "above" : "below", o.at.x(), o.at.y()));
+    c_.notes.push_back(advice::surface_beyond_heights(bed_.file, o));
   }
   // True if a place, given as a fraction of the line's length, is in the soil or at the end of a buried
   // stretch.
@@ -243,9 +237,7 @@ class BedCheck {
     if (e.kind == model::EndKind::free) return;
     const std::string key = fmt::format("lines.{}.{}", line.name, name);
     const Vec3 x = model::end_position(c_, e);
-    if (!covers(x))
-      return c_.notes.push_back(fmt::format("{}: lies beyond the edge of the bed of {}, {}", key, bed_.file,
-                                            grid_ ? "which is extrapolated there" : "where there is none"));
+    if (!covers(x)) return c_.notes.push_back(advice::end_beyond_bed(key, bed_.file, grid_ != nullptr));
     if (buried(line, &e == &line.end_a ? 0 : 1)) return reaches(line, e, x);
     const std::string where = key + (e.kind == model::EndKind::anchor  ? ".anchor"
                                      : e.kind == model::EndKind::joint ? ".joint"
@@ -256,11 +248,11 @@ class BedCheck {
     constexpr double kPart = 0.01;
     const double deep = -model::height_above_bed(bed_, x);
     place(where, x, type, std::max(deepest_start(c_, type), kPart * model::length_of(line)));
-    if (deep >= 0.5 * type.contact_diameter && deep > kRounded)
-      c_.notes.push_back(fmt::format(
-          "{}: is {:.3g} m below the seabed, so the program lowers the seabed there along {:.3g} "
-          "m of the line; move the end to the seabed, or give the length that is 'buried'",
-          where, deep, model::bed_at_end(c_, line, &e == &line.end_b ? LineEnd::B : LineEnd::A, 0).length));
+    if (deep >= 0.5 * type.contact_diameter && deep > kRounded) {
+      const LineEnd line_end = &e == &line.end_b ? LineEnd::B : LineEnd::A;
+      c_.notes.push_back(
+          advice::bed_lowered_at_end(where, deep, model::bed_at_end(c_, line, line_end, 0).length));
+    }
   }
   // A line with an automatic start shape is straight from its end in the soil to the bed.
   void reaches(const model::Line& line, const model::End& e, const Vec3& x) const {

@@ -6,9 +6,10 @@
 #include <map>
 #include <utility>
 
+#include "hawser/advice/coefficients_in_sea.hpp"
+#include "hawser/advice/hydrodynamic_files.hpp"
 #include "hawser/io/case_values.hpp"
 #include "hawser/io/hydrodynamic_files.hpp"
-#include "hawser/math/degree.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/mass_matrix.hpp"
 #include "hawser/model/wave_components.hpp"
@@ -35,26 +36,19 @@ void check_coverage(const Value& files, const std::vector<WaveForceTable>& table
   constexpr double kSmall = 0.01;
   const WaveForceTable& table = tables[static_cast<size_t>(body) - 1];
   const model::Coverage coverage = model::coverage(table, sea, heading);
-  const std::string where = fmt::format(
-      "the {} of the files have {} direction{}, {:.4g} to {:.4g} deg, none near {:.4g} deg as seen from "
-      "the bow, where {:.3g} % of the sea's energy goes",
-      quantity, table.directions().size(), table.directions().size() == 1 ? "" : "s",
-      table.directions().front() / kDegree, table.directions().back() / kDegree, coverage.direction / kDegree,
-      100 * coverage.uncovered);
-  if (coverage.uncovered > max_uncovered) model::refuse(files, where + ": add these directions to the files");
-  if (coverage.uncovered > kSmall) notes.push_back(key + ": " + where);
-  const auto beyond = [&](double energy, const char* which, double omega) {
+  if (coverage.uncovered > max_uncovered)
+    model::refuse(files, advice::directions_missing(quantity, table, coverage));
+  if (coverage.uncovered > kSmall)
+    notes.push_back(advice::directions_not_covered(key, quantity, table, coverage));
+  const auto beyond = [&](double energy, bool shorter, double omega) {
     if (!(energy > kSmall)) return;
-    const std::string text = fmt::format(
-        "{:.3g} % of the sea's energy has {} periods than the {} of the files, which end at {:.4g} s",
-        100 * energy, which, quantity, 2 * M_PI / omega);
+    const double last = 2 * M_PI / omega;
     if (sea.size() > 1 && energy > max_beyond)
-      model::refuse(files, text + ": add these periods to the files");
-    notes.push_back(key + ": " + text +
-                    " and are used there as they are at that: add these periods to the files");
+      model::refuse(files, advice::periods_missing(quantity, energy, shorter, last));
+    notes.push_back(advice::periods_not_covered(key, quantity, energy, shorter, last));
   };
-  beyond(coverage.shorter_waves, "shorter", table.highest());
-  beyond(coverage.longer_waves, "longer", table.lowest());
+  beyond(coverage.shorter_waves, true, table.highest());
+  beyond(coverage.longer_waves, false, table.lowest());
 }
 
 auto reader_of(model::BodyHydrodynamics::Format format) {
@@ -75,12 +69,7 @@ void compare_centre(const Vec3& weight, const model::BodyMass& m, const model::E
   constexpr double kSame = 0.05;
   const Vec3 centre = weight / (m.mass * e.gravity);
   if ((centre - m.centre).norm() > kSame * std::cbrt(m.mass / e.water.density))
-    notes.push_back(fmt::format(
-        "{}: the stiffness of the file has the weight at ({:.3g}, {:.3g}, {:.3g}) m from the point that its "
-        "moments are about, and 'centre_of_mass' is ({:.3g}, {:.3g}, {:.3g}): is that point the body's "
-        "origin, "
-        "at 'origin_in_file'?",
-        key, centre.x(), centre.y(), centre.z(), m.centre.x(), m.centre.y(), m.centre.z()));
+    notes.push_back(advice::weight_elsewhere(key, centre, m.centre));
 }
 
 // Rows of a period and the diagonal or full matrix of surge, sway and yaw; stored by increasing frequency.
@@ -239,19 +228,13 @@ void meet_sea(const Value& v, const CaseSource& source, model::Body& b, model::C
           check_coverage(files, of.drift, h.body, "drift forces", 0.5, 1,
                          in_mean_direction((*waves)["second_order"], sea), heading, key, c.notes);
           if (h.data->difference.size() > 1 && !sea.empty())
-            c.notes.push_back(
-                fmt::format("{}: the difference-frequency forces at {:g} deg as seen from the bow, nearest "
-                            "to the sea, are "
-                            "used; those at other directions are not",
-                            key, of.direction() * 180 / M_PI));
+            c.notes.push_back(advice::one_direction_of_difference_forces(key, of.direction()));
         } else {
           check_coverage(files, h.data->drift, h.body, "drift forces", 0.5, 1, sea, heading, key, c.notes);
         }
       }
       if (model::wave_drift_damping(h, sea).diagonal().minCoeff() < 0)
-        c.notes.push_back(key +
-                          ".wave_drift_damping: is negative in this sea, so that it excites slow motion "
-                          "instead of damping it: is its sign wrong?");
+        c.notes.push_back(advice::negative_drift_damping(key));
     }
   const Value* m = v.find("motion");
   const Value* rao = m ? m->find("rao") : nullptr;

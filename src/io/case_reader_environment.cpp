@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "hawser/advice/input_warnings.hpp"
+#include "hawser/advice/waves.hpp"
 #include "hawser/io/case_values.hpp"
 #include "hawser/model/increasing.hpp"
 #include "hawser/model/wave_components.hpp"
@@ -112,17 +113,12 @@ void check_stokes(const Value& v, const model::Environment& e, std::vector<std::
     const StokesWave wave(model::stokes_input(e));
     constexpr double kUrsellLimit = 40;  // Hedges (1995)
     if (wave.ursell() > kUrsellLimit)
-      notes.push_back(
-          fmt::format("{}: the wave is long for its depth: its Ursell number is {:.3g}, and fifth-order "
-                      "theory is valid up to {:g}",
-                      stokes.key, wave.ursell(), kUrsellLimit));
+      notes.push_back(advice::long_for_its_depth(stokes.key, wave.ursell(), kUrsellLimit));
   } catch (const std::invalid_argument& error) {
     refuse(system_keys(v, 0)["stokes"], error.what());
   }
   if (stokes.current != 0 && !e.water.current.profile.empty())
-    notes.push_back(
-        stokes.key +
-        ".current: it acts on lines in addition to 'environment.current', which does not change the wave");
+    notes.push_back(advice::current_of_wave(stokes.key));
 }
 
 // Steepness limit 2 pi Hs/(g Tp²) of DNV-RP-C205, 3.5.4, linear between 8 and 15 s.
@@ -131,11 +127,7 @@ void check_sea_steepness(const model::WaveSystem& w, double gravity, std::vector
   const double fraction = std::clamp((w.peak_period - 8) / 7, 0.0, 1.0);
   const double steepest = (1 - fraction) / 15 + fraction / 25;
   const double steepness = 2 * M_PI * w.height / (gravity * w.peak_period * w.peak_period);
-  if (steepness > steepest)
-    notes.push_back(
-        fmt::format("{}: waves of a sea of {:g} m at {:g} s would break: its steepness 2 pi hs/(g tp²) "
-                    "is {:.3g}, and seas of this period get to {:.3g}, {:.3g} m high (DNV-RP-C205)",
-                    w.key, w.height, w.peak_period, steepness, steepest, w.height * steepest / steepness));
+  if (steepness > steepest) notes.push_back(advice::sea_breaks(w, steepness, steepest));
 }
 
 // Linear theory has no breaking limit (Miche 1944).
@@ -146,10 +138,9 @@ void check_steepness(const model::WaveSystem& w, const model::Environment& e,
     const double k = wave_number(2 * M_PI / w.rows[i].period, e.water.depth, e.gravity);
     const double length = 2 * M_PI / k;
     const double highest = 0.142 * length * (e.water.depth > 0 ? std::tanh(k * e.water.depth) : 1);
-    if (w.rows[i].height > highest)
-      notes.push_back(fmt::format(
-          "{}{}: a wave of {:g} m would break: {:.3g} m long, it gets {:.3g} m high (Miche)", w.key,
-          w.kind == WaveKind::regular ? "" : fmt::format("[{}]", i), w.rows[i].height, length, highest));
+    if (!(w.rows[i].height > highest)) continue;
+    const std::string key = w.kind == WaveKind::regular ? w.key : fmt::format("{}[{}]", w.key, i);
+    notes.push_back(advice::wave_breaks(key, w.rows[i].height, length, highest));
   }
 }
 

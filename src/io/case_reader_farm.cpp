@@ -10,13 +10,13 @@
 #include <map>
 #include <set>
 
+#include "hawser/advice/farms.hpp"
 #include "hawser/io/case_changes.hpp"
 #include "hawser/io/case_values.hpp"
 #include "hawser/io/yaml_document.hpp"
 #include "hawser/math/degree.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/farm.hpp"
-#include "hawser/model/nearest.hpp"
 #include "hawser/model/packed_value.hpp"
 #include "hawser/model/place_platform.hpp"
 #include "hawser/model/radians.hpp"
@@ -171,10 +171,8 @@ class Places {
         !std::all_of(given_headings_.begin(), given_headings_.end(), model::is_in_radians))
       return;
     const Value& at = v_[v_.find("at") ? "at" : "file"];
-    part_.notes.push_back(fmt::format(
-        "{}:{}: {}: headings of places are in degrees, and all of these are small, the first is "
-        "{:g} deg; if radians are meant, write {:.4g}",
-        source_.file, at.line, at.where, given_headings_.front(), given_headings_.front() / kDegree));
+    part_.notes.push_back(
+        advice::headings_in_radians(source_.file, at.line, at.where, given_headings_.front()));
   }
 
   const Value& v_;
@@ -210,8 +208,7 @@ void note_shared_places(Farm& farm, const std::string& file) {
   for (FarmPart& part : farm.parts)
     for (const FarmPlace& place : part.places)
       if (const FarmPlace* same = known.add(place)) {
-        part.notes.push_back(fmt::format("{}: farm: {} is at the place of {}, ({:g}, {:g}); is it meant?",
-                                         file, place.name, same->name, place.x, place.y));
+        part.notes.push_back(advice::platforms_at_one_place(file, place, same->name));
         return;
       }
 }
@@ -323,12 +320,9 @@ void note_unused(const FarmPart& part, const Value& root, std::vector<std::strin
     const Value* v = part.tree->find(key);
     const Value* in_case = root.find(key);
     if (v && v->given && !(in_case && model::value_text(*in_case) == model::value_text(*v)))
-      keys.push_back(fmt::format("'{}'", key));
+      keys.push_back(key);
   }
-  if (!keys.empty())
-    notes.push_back(fmt::format("{}: {} {} not used: a farm has {} own", part.file,
-                                model::enumerate(keys, "and"), keys.size() == 1 ? "is" : "are",
-                                keys.size() == 1 ? "its" : "their"));
+  if (!keys.empty()) notes.push_back(advice::platform_keys_not_used(part.file, keys));
 }
 
 // A platform at the position of its file, in the sea of the farm. bed: receives the bed of the file.

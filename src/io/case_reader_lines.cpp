@@ -1,10 +1,9 @@
 // Entries of `lines`: elements of sections, loads, start shapes, and arc lengths relative to the line's
 // length. model/take.cpp copies all other keys, as bound in model/schema_lines.cpp.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/advice/start_shape.hpp"
 #include "hawser/io/case_values.hpp"
 #include "hawser/model/check.hpp"
 
@@ -104,15 +103,14 @@ void finish_target(const Value& v, const Value& sections, model::LengthTarget& t
 void finish_start(const Value& line, const Value* start_of_case, OtherRuns& others, model::Case& c,
                   model::Line& l) {
   const Value& start = line["start"];
-  const std::string key = "lines." + l.name;
   if (start_of_case && !start.given) {
     l.previous_shape = others.shape(*start_of_case, l.name, false);
     if (!l.previous_shape) {
-      c.notes.push_back(key + ": is not in " + (*start_of_case)["from"].text + ", and starts by itself");
+      c.notes.push_back(advice::not_in_other_run(l.name, (*start_of_case)["from"].text));
       return;
     }
     l.start = model::Start::other_run;
-    check_previous_shape(l, (*start_of_case)["from"], key, others.parted(), c.notes);
+    check_previous_shape(l, (*start_of_case)["from"], "lines." + l.name, others.parted(), c.notes);
   } else if (start.has("from")) {
     l.start = model::Start::other_run;
     l.previous_shape = others.shape(start, start.has("line") ? start["line"].text : l.name, true);

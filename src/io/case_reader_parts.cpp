@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "hawser/advice/motion_tables.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/input_file.hpp"
 #include "hawser/model/increasing.hpp"
@@ -145,50 +146,32 @@ constexpr double kOvershoot = 0.02;
 
 // Notes the largest overshoot of a spline beyond its neighbouring rows.
 void note_overshoot(const model::TableMotion& m, const std::string& key, std::vector<std::string>& notes) {
-  struct Column {
-    const std::vector<Vec3>& rows;
-    const char* names[3];
-    const char* unit;
-    double factor;
-  };
-  const Column columns[] = {{m.offset, {"x", "y", "z"}, "m", 1},
-                            {m.rotation,
-                             {"the rotation about x", "the rotation about y", "the rotation about z"},
-                             "deg",
-                             180 / std::numbers::pi}};
   RowCurve::Overshoot worst;
-  const Column* column = nullptr;
+  bool in_rotation = false;
   double worst_ratio = 0;
   size_t places = 0;
-  for (const Column& k : columns) {
-    if (k.rows.empty()) continue;
-    Vec3 lowest = k.rows.front();
+  for (const std::vector<Vec3>* rows : {&m.offset, &m.rotation}) {
+    if (rows->empty()) continue;
+    Vec3 lowest = rows->front();
     Vec3 highest = lowest;
-    for (const Vec3& x : k.rows) {
+    for (const Vec3& x : *rows) {
       lowest = lowest.cwiseMin(x);
       highest = highest.cwiseMax(x);
     }
-    for (const RowCurve::Overshoot& o : RowCurve(m.time, k.rows, m.between).overshoots(kOvershoot)) {
+    for (const RowCurve::Overshoot& o : RowCurve(m.time, *rows, m.between).overshoots(kOvershoot)) {
       ++places;
       const double span = highest[o.component] - lowest[o.component];
       const double ratio = span > 0 ? o.excess / span : 0;
       if (ratio > worst_ratio) {
         worst = o;
         worst_ratio = ratio;
-        column = &k;
+        in_rotation = rows == &m.rotation;
       }
     }
   }
-  if (!column) return;
-  const double before = m.time[worst.row];
-  const double after = m.time[worst.row + 1];
-  notes.push_back(fmt::format(
-      "{}: between its rows at {:g} and {:g} s the spline takes {} to {:.4g} {} at {:.4g} s, {:.3g} {} "
-      "({:.3g} % of what the rows span) beyond both{}; if the body does not do that, give more rows there or "
-      "'interpolation: monotone'",
-      key, before, after, column->names[worst.component], worst.value * column->factor, column->unit,
-      worst.time, worst.excess * column->factor, column->unit, 100 * worst_ratio,
-      places > 1 ? fmt::format(", and so in {} other place{}", places - 1, places > 2 ? "s" : "") : ""));
+  if (!(worst_ratio > 0)) return;
+  notes.push_back(advice::spline_beyond_rows(key, m.time[worst.row], m.time[worst.row + 1], worst,
+                                             in_rotation, worst_ratio, places - 1));
 }
 
 }  // namespace

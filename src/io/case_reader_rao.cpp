@@ -1,16 +1,15 @@
 // Vessel motion by response amplitude operators, from a file or rows in the case.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "hawser/advice/input_warnings.hpp"
+#include "hawser/advice/rao_tables.hpp"
 #include "hawser/io/case_values.hpp"
 #include "hawser/kernels/rao.hpp"
 #include "hawser/math/degree.hpp"
-#include "hawser/math/freedoms.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/wave_components.hpp"
@@ -20,8 +19,8 @@ namespace {
 
 using model::refuse;
 
-constexpr double kOneDirection = 1;  // deg, largest deviation from the only direction of a table
-constexpr double kWideGap = 100;     // deg; a wider gap between directions misses a side of the vessel
+constexpr double kOneDirection = kDegree;   // largest deviation from the only direction of a table
+constexpr double kWideGap = 100 * kDegree;  // a wider gap between directions misses a side of the vessel
 
 // True if a table declared as one side has rows of both sides.
 bool both_sides(const std::vector<RaoTable::Row>& rows) {
@@ -56,7 +55,7 @@ RaoTable read_table(const model::Value& rao, double gravity, const CaseSource& s
       row.response[k] =
           std::polar(1.0, sign * r[3 + 2 * k] * kDegree) * (r[2 + 2 * k] * (k < 3 ? 1 : kDegree));
   }
-  for (const std::string& odd : odd_rao_units(rows, gravity)) notes.push_back(rao.where + ": " + odd);
+  for (std::string& odd : advice::odd_rao_units(rao.where, rows, gravity)) notes.push_back(std::move(odd));
   if (rao["symmetry"].is("port_starboard")) {
     if (both_sides(table))
       refuse(at,
@@ -80,7 +79,7 @@ void check_gaps(const RaoTable& table, const WaveField& waves, double bow, const
   for (const WaveComponent& w : waves.components()) {
     const double to = std::atan2(w.y, w.x) - bow;
     const DirectionGap b = table.neighbours(to);
-    if (b.to - b.from <= kWideGap * kDegree * (1 + 1e-9)) continue;
+    if (b.to - b.from <= kWideGap * (1 + 1e-9)) continue;
     if (uncovered++ == 0) {
       gap = b;
       direction = to;
@@ -89,30 +88,22 @@ void check_gaps(const RaoTable& table, const WaveField& waves, double bow, const
   if (uncovered == 0) return;
   // Shifts the direction into the gap by full turns.
   direction = gap.from + std::fmod(std::fmod(direction - gap.from, 2 * M_PI) + 2 * M_PI, 2 * M_PI);
-  notes.push_back(
-      fmt::format("{}: {} as seen from the bow, and the responses there lie on straight lines between {:.4g} "
-                  "and {:.4g} deg, the table's next directions: give rows between them, or 'symmetry: "
-                  "port_starboard' if the table is that of one side",
-                  key,
-                  uncovered == 1 ? fmt::format("the wave propagates to {:.4g} deg", direction / kDegree)
-                                 : fmt::format("{} components of the sea go to {:.4g} deg and thereabouts",
-                                               uncovered, direction / kDegree),
-                  gap.from / kDegree, gap.to / kDegree));
+  notes.push_back(advice::sea_in_direction_gap(key, uncovered, direction, gap));
 }
 
 // A single direction applies to all, and the end periods apply beyond the table; notes waves for which this
 // matters.
 void check_reach(const RaoTable& table, const WaveField& waves, double bow, const std::string& key,
                  std::vector<std::string>& notes) {
-  double furthest = 0, only = 0;                                       // deg from the table's only direction
+  double furthest = 0, only = 0;                                       // rad, from the table's only direction
   double all = 0, fast = 0, slow = 0, highest = 0, lowest = HUGE_VAL;  // variance of the elevation; rad/s
   for (const WaveComponent& w : waves.components()) {
     const double to = std::atan2(w.y, w.x) - bow;
     const DirectionGap b = table.neighbours(to);
-    if (const double off = std::abs(std::remainder(to - b.from, 2 * M_PI)) / kDegree;
+    if (const double off = std::abs(std::remainder(to - b.from, 2 * M_PI));
         b.from == b.to && off > std::max(furthest, kOneDirection)) {
       furthest = off;
-      only = b.from / kDegree;
+      only = b.from;
     }
     const double energy = w.amplitude * w.amplitude;
     all += energy;
@@ -125,20 +116,14 @@ void check_reach(const RaoTable& table, const WaveField& waves, double bow, cons
       lowest = std::min(lowest, w.omega);
     }
   }
-  if (furthest > 0)
-    notes.push_back(
-        fmt::format("{}: the table has one direction, {:.4g} deg, whose responses are used for waves up to "
-                    "{:.3g} deg away from it: give rows for the directions of the sea",
-                    key, only, furthest));
-  const auto beyond = [&](double energy, const char* which, const char* end, double omega, double last) {
+  if (furthest > 0) notes.push_back(advice::only_one_direction(key, only, furthest));
+  const auto beyond = [&](double energy, bool shorter, double omega, double last) {
     if (energy > 1e-3 * all)
       notes.push_back(
-          fmt::format("{}: {:.3g} % of the sea's energy has {} periods than the table, as far as {:.3g} s, "
-                      "and there the responses of its {} one, {:.4g} s, are used: give rows there",
-                      key, 100 * energy / all, which, 2 * M_PI / omega, end, 2 * M_PI / last));
+          advice::sea_beyond_responses(key, energy / all, shorter, 2 * M_PI / omega, 2 * M_PI / last));
   };
-  beyond(fast, "shorter", "shortest", highest, table.highest());
-  beyond(slow, "longer", "longest", lowest, table.lowest());
+  beyond(fast, true, highest, table.highest());
+  beyond(slow, false, lowest, table.lowest());
 }
 
 // If the phase changes fast between rows, linear interpolation gives a false response; notes such intervals.
@@ -156,19 +141,7 @@ void check_phases(const RaoTable& table, const WaveField& waves, double bow, con
   if (turns.empty()) return;
   const auto& [t, energy] = *std::max_element(
       turns.begin(), turns.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  const double unit = t.freedom < 3 ? 1 : kDegree;
-  const char* name = t.freedom < 3 ? "m/m" : "deg/m";
-  notes.push_back(
-      fmt::format("{}: in waves to {:.4g} deg as seen from the bow the phase of {} turns by {:.3g} deg from "
-                  "{:.4g} to {:.4g} s, where "
-                  "{:.3g} % of the sea's energy is, and the straight line between these rows makes the "
-                  "amplitude fall from {:.3g} to "
-                  "{:.3g} {} there{}; if the vessel's does not, give rows between them",
-                  key, t.direction / kDegree, kFreedomNames[t.freedom], t.angle / kDegree, 2 * M_PI / t.to,
-                  2 * M_PI / t.from, 100 * energy / all, t.ends / unit, t.smallest / unit, name,
-                  turns.size() > 1 ? fmt::format(" (and so in {} other place{} of the table)",
-                                                 turns.size() - 1, turns.size() > 2 ? "s" : "")
-                                   : ""));
+  notes.push_back(advice::phase_turns_between_rows(key, t, energy / all, turns.size() - 1));
 }
 
 // True if the vessel has a constant position.

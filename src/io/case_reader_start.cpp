@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "hawser/advice/start_shape.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_values.hpp"
 #include "hawser/io/hdf5.hpp"
@@ -128,9 +129,7 @@ void check_previous_shape(const model::Line& line, const Value& at, const std::s
                         "make each part a line"
                       : "");
   if (std::abs(length - previous_length) > kSame * length)
-    notes.push_back(fmt::format(
-        "{}: the line is {:g} m long and was {:g} m in {}; its shape is taken by share of the length", key,
-        length, previous_length, line.previous_shape->file));
+    notes.push_back(advice::other_length_in_run(key, length, previous_length, line.previous_shape->file));
 }
 
 }  // namespace hawser::io

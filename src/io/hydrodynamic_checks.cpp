@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "hawser/advice/hydrodynamic_files.hpp"
 #include "hawser/kernels/radiation_memory.hpp"
-#include "hawser/math/freedoms.hpp"
 #include "hydrodynamic_parts.hpp"
 
 namespace hawser::io {
@@ -33,7 +33,7 @@ void check_sign(const HydrodynamicData& data, const Eigen::VectorXd& scale) {
       throw std::runtime_error(fmt::format(
           "{}: added mass of {} {} is negative, {:.4g}: no body can have that; does the file have the other "
           "sign?",
-          data.radiation_file, modes_text(static_cast<int>(i), static_cast<int>(i)),
+          data.radiation_file, advice::modes_text(static_cast<int>(i), static_cast<int>(i)),
           at_infinity ? "at infinite frequency" : "on average", at_infinity ? data.infinite(i, i) : mean));
   }
 }
@@ -59,11 +59,7 @@ void check_limits(const HydrodynamicData& data, bool has_infinite, const Eigen::
   }
   constexpr double kClear = 0.1;
   if (!(straight > kClear && crossed < 0.5 * straight)) return;
-  const std::string text = fmt::format(
-      "{}: added mass at zero frequency (WAMIT's period -1) belongs to the shortest waves of "
-      "the file and that at infinite frequency (period 0) to the longest: these rows are "
-      "swapped, or the first column has frequencies in place of periods",
-      data.radiation_file);
+  const std::string text = advice::frequency_limits_swapped(data.radiation_file);
   if (has_zero && has_infinite) throw std::runtime_error(text);
   notes.push_back(text);
 }
@@ -139,20 +135,12 @@ void check_ogilvie(const HydrodynamicData& data, bool has_infinite, const Eigen:
     if (given.rows < kMinRows) break;
     const OgilvieSpread other = ogilvie_spread(data, has_infinite, scale, power);
     if (!(other.about_mean < kBetter * given.about_mean)) continue;
-    notes.push_back(fmt::format(
-        "{}: with the damping {} the angular frequency, the added masses at infinite frequency that "
-        "follow from each row by Ogilvie's relation scatter {:.0f} times less: is the damping stored over "
-        "omega as its format requires (WAMIT's and BEMIO's is B/(rho omega), Capytaine's is B)?",
-        data.radiation_file, power > 0 ? "multiplied by" : "divided by",
-        given.about_mean / other.about_mean));
+    notes.push_back(
+        advice::damping_over_frequency(data.radiation_file, power > 0, given.about_mean / other.about_mean));
     return;
   }
   if (given.about_file > kApart * given.added)
-    notes.push_back(
-        fmt::format("{}: added mass and damping do not belong together: by Ogilvie's relation each frequency "
-                    "yields the added mass at infinite frequency, and these values differ by {:.0f} % of the "
-                    "range of the added mass",
-                    data.radiation_file, 100 * given.about_file / given.added));
+    notes.push_back(advice::added_mass_not_of_damping(data.radiation_file, given.about_file / given.added));
 }
 
 // Deviation of each value from linear interpolation between its neighbours, 0 if it lies between them; 0 for
@@ -181,7 +169,7 @@ void note_wild(const HydrodynamicData& data, const std::vector<Eigen::MatrixXd>&
   for (const Eigen::MatrixXd& m : matrices) scale = scale.cwiseMax(m.diagonal().cwiseAbs());
   int count = 0;
   double largest = 0;
-  std::string text;
+  advice::IsolatedValue wild;
   for (Eigen::Index i = 0; i < scale.size(); ++i)
     for (Eigen::Index j = i; j < scale.size(); ++j) {
       const double size = std::sqrt(scale[i] * scale[j]);
@@ -195,27 +183,18 @@ void note_wild(const HydrodynamicData& data, const std::vector<Eigen::MatrixXd>&
       ++count;
       if (off[worst] < largest * size) continue;
       largest = off[worst] / size;
-      text = fmt::format("{}: {} of {} at {:.5g} s, {:.4g}, is far from its neighbours, {:.4g} and {:.4g}",
-                         data.radiation_file, quantity, modes_text(static_cast<int>(i), static_cast<int>(j)),
-                         2 * M_PI / data.omega[worst], matrices[worst](i, j), matrices[worst + 1](i, j),
-                         matrices[worst - 1](i, j));
+      wild = {.quantity = quantity,
+              .i = static_cast<int>(i),
+              .j = static_cast<int>(j),
+              .period = 2 * M_PI / data.omega[worst],
+              .value = matrices[worst](i, j),
+              .at_shorter = matrices[worst + 1](i, j),
+              .at_longer = matrices[worst - 1](i, j)};
     }
-  if (count > 1) text += fmt::format(" (and {} more)", count - 1);
-  if (count > 0)
-    notes.push_back(text +
-                    ": an error of the file, or an irregular frequency of its panels: remove that period, or "
-                    "suppress irregular frequencies in the diffraction run (WAMIT's IRR)");
+  if (count > 0) notes.push_back(advice::far_from_neighbours(data.radiation_file, wild, count - 1));
 }
 
 }  // namespace
-
-std::string modes_text(int i, int j) {
-  const auto name = [&](int mode) {
-    return mode < 6 ? std::string(kFreedomNames[mode])
-                    : fmt::format("{} of body {}", kFreedomNames[mode % 6], mode / 6 + 1);
-  };
-  return i == j ? name(i) : name(i) + " and " + name(j);
-}
 
 void check_coefficients(const HydrodynamicData& data, bool has_infinite,
                         const Eigen::MatrixXd& zero_frequency, std::vector<std::string>& notes) {

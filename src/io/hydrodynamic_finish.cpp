@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "hawser/advice/hydrodynamic_files.hpp"
 #include "hawser/kernels/radiation_memory.hpp"
 #include "hawser/kernels/waves.hpp"
 #include "hydrodynamic_parts.hpp"
@@ -64,10 +65,7 @@ void estimate_infinite(HydrodynamicData& data, std::vector<std::string>& notes) 
     data.infinite.reshaped()[entry] = median(by_row);
   }
   data.infinite_estimated = true;
-  notes.push_back(
-      data.radiation_file +
-      ": has no added mass at infinite frequency (WAMIT's period 0); it is estimated from the other "
-      "frequencies by Ogilvie's relation");
+  notes.push_back(advice::infinite_frequency_estimated(data.radiation_file));
 }
 
 void make_symmetric(Eigen::MatrixXd& m) { m = (0.5 * (m + m.transpose())).eval(); }
@@ -89,10 +87,7 @@ void note_negative(const HydrodynamicData& data, std::vector<std::string>& notes
           std::max(largest, -B / (data.omega[k] * std::max(std::abs(data.added_mass[k](i, i)), 1e-300)));
     }
     if (largest > kCounts && sum < -0.5 * all)
-      notes.push_back(fmt::format(
-          "{}: the radiation damping of {} is negative at most frequencies and is taken as zero there: waves "
-          "that a body makes cannot drive it; does the file have the other sign?",
-          data.radiation_file, modes_text(static_cast<int>(i), static_cast<int>(i))));
+      notes.push_back(advice::mostly_negative_damping(data.radiation_file, static_cast<int>(i)));
   }
 }
 
@@ -127,16 +122,11 @@ void make_passive(HydrodynamicData& data, std::vector<std::string>& notes) {
     const Eigen::MatrixXd root = scale.asDiagonal() * modes.eigenvectors();
     B = root * positive.asDiagonal() * root.transpose();
   }
-  const std::string note = fmt::format(
-      "{}: radiation damping of {:.2g} % of its sum over the frequencies is "
-      "negative, most at {:.4g} s",
-      data.radiation_file, 100 * negative_area / std::max(all, 1e-300), period);
+  const double fraction = negative_area / std::max(all, 1e-300);
   if (negative_area > kMuch * all)
-    throw std::runtime_error(
-        note +
-        ": waves that a body makes cannot drive it; does the file have the other sign, or "
-        "irregular frequencies of its panels?");
-  if (negative_area > kSome * all) notes.push_back(note + "; it is excluded");
+    throw std::runtime_error(advice::too_much_negative_damping(data.radiation_file, fraction, period));
+  if (negative_area > kSome * all)
+    notes.push_back(advice::negative_damping_excluded(data.radiation_file, fraction, period));
 }
 
 // Largest asymmetry of a matrix relative to the diagonal entries of `of`.
@@ -161,11 +151,8 @@ void make_stiffness_symmetric(HydrodynamicData& data, std::vector<std::string>& 
       for (int j = 0; j < i; ++j) {
         const double scale = j == 0 ? std::sqrt(std::abs(C(0, 0)) * largest) : largest;
         if (std::abs(C(i, j) - C(j, i)) > kAsymmetry * scale)
-          notes.push_back(fmt::format(
-              "{}: the hydrostatic stiffness of {} has {:.4g} in row {} and {:.4g} in row {}, and is "
-              "symmetric: "
-              "the mean of both is used",
-              data.radiation_file, modes_text(6 * b + 2 + j, 6 * b + 2 + i), C(j, i), j + 3, C(i, j), i + 3));
+          notes.push_back(advice::asymmetric_stiffness(data.radiation_file, 6 * b + 2 + j, 6 * b + 2 + i,
+                                                       C(j, i), C(i, j)));
       }
     C = (0.5 * (C + C.transpose())).eval();
   }
@@ -184,32 +171,29 @@ void check_mirrored(const HydrodynamicForm& form, const HydrodynamicData& data) 
 void note_depth(const HydrodynamicForm& form, double depth, const HydrodynamicData& data,
                 std::vector<std::string>& notes) {
   constexpr double kFar = 0.05;
-  const auto text = [](double h) { return h > 0 ? fmt::format("{:g} m deep", h) : "infinitely deep"; };
   const double depth_in_data = std::isfinite(depth) ? depth : 0;
   const auto number = [&](double h) { return wave_number(data.omega.front(), h, form.gravity); };
   if (!(form.gravity > 0) || std::abs(number(depth_in_data) / number(form.depth) - 1) < kFar) return;
-  notes.push_back(
-      fmt::format("{}: is made for water {}, and that of the case is {}: give them the same depth",
-                  data.radiation_file, text(depth_in_data), text(form.depth)));
+  notes.push_back(advice::other_water_depth(data.radiation_file, depth_in_data, form.depth));
 }
 
 void finish_coefficients(HydrodynamicData& data, bool has_infinite, const Eigen::MatrixXd& zero_frequency,
                          std::vector<std::string>& notes) {
   constexpr double kAsymmetry = 0.05;
   double asymmetric = has_infinite ? asymmetry(data.infinite) : 0;
-  std::string worst = "at infinite frequency";
+  double period = 0;  // s, of the largest; 0: infinite frequency
   const char* quantity = "added mass";
   Eigen::VectorXd damped = Eigen::VectorXd::Zero(6 * data.bodies);
   for (const Eigen::MatrixXd& B : data.damping) damped = damped.cwiseMax(B.diagonal().cwiseAbs());
   for (size_t k = 0; k < data.omega.size(); ++k) {
     if (const double value = asymmetry(data.added_mass[k]); value > asymmetric) {
       asymmetric = value;
-      worst = fmt::format("at {:.4g} s", 2 * M_PI / data.omega[k]);
+      period = 2 * M_PI / data.omega[k];
       quantity = "added mass";
     }
     if (const double value = asymmetry(data.damping[k], damped); value > asymmetric) {
       asymmetric = value;
-      worst = fmt::format("at {:.4g} s", 2 * M_PI / data.omega[k]);
+      period = 2 * M_PI / data.omega[k];
       quantity = "damping";
     }
     make_symmetric(data.added_mass[k]);
@@ -217,10 +201,7 @@ void finish_coefficients(HydrodynamicData& data, bool has_infinite, const Eigen:
   }
   make_stiffness_symmetric(data, notes);
   if (asymmetric > kAsymmetry)
-    notes.push_back(
-        fmt::format("{}: {} differs from its transpose by up to {:.2g} % of the diagonal, "
-                    "{}; the mean of both is used",
-                    data.radiation_file, quantity, 100 * asymmetric, worst));
+    notes.push_back(advice::asymmetric_matrix(data.radiation_file, quantity, asymmetric, period));
   if (has_infinite)
     make_symmetric(data.infinite);
   else

@@ -62,7 +62,4 @@ void note_depth(const HydrodynamicForm& form, double depth, const model::Hydrody
 void check_coefficients(const model::HydrodynamicData& data, bool has_infinite,
                         const Eigen::MatrixXd& zero_frequency, std::vector<std::string>& notes);
 
-// Names such as "surge and pitch" of modes from 0.
-std::string modes_text(int i, int j);
-
 }  // namespace hawser::io

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "hawser/advice/hydrodynamic_files.hpp"
 #include "hydrodynamic_parts.hpp"
 #include "number_table.hpp"
 
@@ -81,7 +82,7 @@ void check_rows(const HydrodynamicData& data, const std::map<double, Eigen::Matr
         if (rows(i, j) || !(largest(i, j) > kCounts * std::sqrt(largest(i, i) * largest(j, j)))) continue;
         throw std::runtime_error(fmt::format(
             "{}: has no row {} {} ({}) {}, though other periods have one: complete the file",
-            data.radiation_file, i + 1, j + 1, modes_text(static_cast<int>(i), static_cast<int>(j)),
+            data.radiation_file, i + 1, j + 1, advice::modes_text(static_cast<int>(i), static_cast<int>(j)),
             std::isinf(omega) ? "at period 0 (infinite frequency)"
                               : fmt::format("at {:.6g} s", 2 * M_PI / omega)));
       }
@@ -161,7 +162,7 @@ void check_all_listed(const std::string& path, const Eigen::MatrixXi& given) {
       if (!given(i, j))
         throw std::runtime_error(fmt::format("{}: has rows of zero and no row {} {} ({}): complete the file",
                                              path, i + 1, j + 1,
-                                             modes_text(static_cast<int>(i), static_cast<int>(j))));
+                                             advice::modes_text(static_cast<int>(i), static_cast<int>(j))));
 }
 
 // C33 = rho g L², C34, C35: L³, the rest: L⁴ times Cbar.
@@ -260,11 +261,7 @@ bool read_drift(const std::string& stem, const char* ending, const HydrodynamicF
     rows.add(2 * M_PI / row.values[0], row.values[periods], mode, scale * row.values[mode_at + 3]);
   }
   data.drift = rows.tables(table.path);
-  if (!heave)
-    notes.push_back(
-        table.path +
-        ": has no rows of heave, roll and pitch, whose mean drift is then zero (the momentum of .8 shows "
-        "only that of surge, sway and yaw)");
+  if (!heave) notes.push_back(advice::no_vertical_drift(table.path));
   return true;
 }
 
@@ -284,16 +281,6 @@ double sparseness(const std::vector<ComplexVec6>& values, size_t n) {
       all += 0.5 * (std::abs(value) + std::abs(next));
     }
   return all > 0 ? differs / all : 0;
-}
-
-void note_sparse(const std::string& path, double sparseness, std::vector<std::string>& notes) {
-  constexpr double kFar = 0.5;
-  if (sparseness > kFar)
-    notes.push_back(fmt::format(
-        "{}: its periods are too sparse for 'second_order: full': forces of neighbouring periods in "
-        "surge and sway differ from the mean drift of the two by {:.0f} % of it: add periods between "
-        "them, or take 'second_order: newman'",
-        path, 100 * sparseness));
 }
 
 // F_ij = rho g L^k (re + i im) of the rows of one direction [deg]; half of the matrix is given, F_ji = conj
@@ -369,10 +356,11 @@ bool read_difference(const std::string& stem, const HydrodynamicForm& form, std:
   if (directions.empty())
     throw std::runtime_error(fmt::format(
         "{}: has no row of two waves of one direction, and 'second_order: full' needs those", table.path));
+  constexpr double kSparse = 0.5;
   double sparse = 0;
   for (const double direction : directions)
     data.difference.push_back(difference_forces(table, direction, form, largest, sparse));
-  note_sparse(table.path, sparse, notes);
+  if (sparse > kSparse) notes.push_back(advice::periods_too_sparse(table.path, sparse));
   return true;
 }
 

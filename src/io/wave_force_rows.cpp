@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "hawser/advice/hydrodynamic_files.hpp"
 #include "hydrodynamic_parts.hpp"
 
 namespace hawser::io {
@@ -73,7 +74,8 @@ void WaveForceRows::check_again(const std::string& path) const {
       throw std::runtime_error(fmt::format(
           "{}: gives mode {} ({}) at {:.6g} s for {:g} deg twice, with different values: are these "
           "rows of two runs?",
-          path, again.mode + 1, modes_text(again.mode, again.mode), 2 * M_PI / again.omega, again.direction));
+          path, again.mode + 1, advice::modes_text(again.mode, again.mode), 2 * M_PI / again.omega,
+          again.direction));
   }
 }
 
@@ -94,10 +96,11 @@ void WaveForceRows::complete_modes(const std::string& path) {
       if (!std::isnan(value[mode].real())) continue;
       const int m = static_cast<int>(mode);
       if (before && std::abs((*before)[mode]) > kCounts * largest[rotates(m)])
-        throw std::runtime_error(fmt::format(
-            "{}: has no row {} ({}) at {:.6g} s for {:g} deg, though other periods have one: "
-            "complete the file",
-            path, mode + 1, modes_text(m, m), 2 * M_PI / at.first, directions_.at(at.second) / kDegree));
+        throw std::runtime_error(
+            fmt::format("{}: has no row {} ({}) at {:.6g} s for {:g} deg, though other periods have one: "
+                        "complete the file",
+                        path, mode + 1, advice::modes_text(m, m), 2 * M_PI / at.first,
+                        directions_.at(at.second) / kDegree));
       value[mode] = 0;
     }
   }

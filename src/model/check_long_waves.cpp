@@ -9,7 +9,7 @@
 // with C44, C45 and C55 by the pressure alone: the pressure of the wave on the volume and on the waterplane,
 // by the theorem of Gauss, and the added mass times the acceleration. V, C33, C44 and C55 of two frequencies
 // differ from their limits by terms of order omega² and are extrapolated to omega = 0.
-#include "check_long_waves.hpp"
+#include "hawser/model/check_long_waves.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +23,6 @@
 
 namespace hawser::model {
 namespace {
-
-constexpr double kGravityShare = 0.35;  // of the weight's part, by which it is recognised
 
 // A quantity by the wave forces and by the case.
 struct Compared {
@@ -49,7 +47,7 @@ class LongWaves {
   double length_ratio(double omega) const { return omega * omega / g_ * std::cbrt(volume_); }
 
   void check(const Issues& issue) const;
-  void note(const Issues& note) const;
+  std::optional<LongWaveDifference> difference() const;
 
  private:
   // Direction of the table closest to the axis of surge (freedom 0) or sway (1).
@@ -110,7 +108,6 @@ class LongWaves {
     return component(freedom) != 0 && added_mass(omega_)(freedom, freedom) > 0 &&
            force(freedom, omega_, 0)[freedom] != Complex(0);
   }
-  std::string weight_hint(const Compared& stiffness) const;
 
   const BodyMass& mass_;
   const BodyHydrodynamics& h_;
@@ -192,31 +189,12 @@ double LongWaves::stiffness_by_waves(int freedom, double omega, bool deep) const
   return (moment - by_others) / component(freedom) - sign * g_ * A(turn, freedom);
 }
 
-// Whether the stiffness of the files includes weight, compared with the statement of the case.
-std::string LongWaves::weight_hint(const Compared& stiffness) const {
-  const double part = -mass_.mass * g_ * mass_.centre.z();
-  const double ratio = (stiffness.given - stiffness.by_waves) / part;
-  const bool stated = h_.gravity_in_stiffness;
-  const auto near = [ratio](double times) { return std::abs(ratio - times) < kGravityShare; };
-  if (std::abs(part) > stiffness.allowed) {
-    if (near(1) && !stated)
-      return "this is the part of the body's weight: set 'gravity_in_stiffness: true', since it acts by "
-             "itself";
-    if (near(-1) && stated)
-      return "this is the part of the body's weight, which the files do not have: remove "
-             "'gravity_in_stiffness'";
-    if (near(stated ? 1 : 2)) return "this is twice the part of the body's weight: the files have it doubled";
-  }
-  return "are the moments, the added mass and the stiffness of one length scale, about one point and in one "
-         "system of axes?";
-}
-
-void LongWaves::note(const Issues& note) const {
+std::optional<LongWaveDifference> LongWaves::difference() const {
   constexpr double kHigher = 1.4, kLongest = 0.35;
   const std::vector<double>& omega = h_.data->omega;
   const auto second =
       std::find_if(omega.begin(), omega.end(), [&](double w) { return w > kHigher * omega_; });
-  if (second == omega.end() || length_ratio(*second) > kLongest) return;
+  if (second == omega.end() || length_ratio(*second) > kLongest) return {};
   LongWaves at = *this;
   at.second_ = *second;
   const double ratio = length_ratio(*second);
@@ -242,25 +220,13 @@ void LongWaves::note(const Issues& note) const {
            w * w * (density_ * volume_ + added_mass(w)(2, 2));
   });
   const double C33 = hydrostatics_.stiffness(0, 0);
-  const std::string& file = h_.data->excitation_file;
   // Of the waterplane of a cube, a hundredth is negligible: a submerged body has none.
   const double allowed = (0.03 + 0.1 * ratio) * std::max(std::abs(C33), std::abs(heave)) +
                          0.01 * hydrostatics_.buoyancy / std::cbrt(volume_);
-  if (std::abs(heave - C33) > allowed)
-    return note(
-        h_.key(),
-        "in the longest waves the heave force of {} means a hydrostatic stiffness C33 of {:.4g} N/m, and "
-        "that of the files is {:.4g} N/m: do they belong to the same body, draught and density, and is "
-        "'length_scale' that of the files?",
-        file, heave, C33);
+  using Quantity = LongWaveDifference::Quantity;
+  if (std::abs(heave - C33) > allowed) return LongWaveDifference{Quantity::heave_stiffness, 2, heave, C33};
   if (const Compared& worst = deep ? in_deep : as_given; worst.off() > 1)
-    return note(
-        h_.key(),
-        "in the longest waves the {} force of {} is that of a displaced volume of {:.5g} m³, and the body "
-        "displaces {:.5g} m³{}: are depth of the water and 'length_scale' those of the files, and is "
-        "'displaced_volume' that of the body?",
-        kFreedomNames[worst.freedom], file, worst.by_waves, worst.given,
-        h_.volume > 0 ? "" : " (that of its mass)");
+    return LongWaveDifference{Quantity::volume, worst.freedom, worst.by_waves, worst.given};
   const double size = hydrostatics_.buoyancy * std::cbrt(volume_);
   Compared worst{0, 0, 0, 1};
   for (const int freedom : {0, 1}) {
@@ -271,13 +237,11 @@ void LongWaves::note(const Issues& note) const {
                   (0.01 + 0.1 * ratio) * std::max(std::abs(one.given), std::abs(one.by_waves));
     if (one.off() > worst.off()) worst = one;
   }
-  if (worst.off() > 1)
-    note(
-        h_.key(),
-        "in the longest waves the {0} moment of {1} means a hydrostatic stiffness C{2}{2} by the pressure of "
-        "{3:.4g} N m, and by the files it is {4:.4g} N m: {5}",
-        kFreedomNames[worst.freedom], file, worst.freedom + 1, worst.by_waves, worst.given,
-        weight_hint(worst));
+  if (!(worst.off() > 1)) return {};
+  const double of_weight = -mass_.mass * g_ * mass_.centre.z();
+  const bool counts = std::abs(of_weight) > worst.allowed;
+  return LongWaveDifference{Quantity::turning_stiffness, worst.freedom, worst.by_waves, worst.given,
+                            counts ? (worst.given - worst.by_waves) / of_weight : 0};
 }
 
 bool long_enough(const Case& c, const Body& b, const LongWaves& waves) {
@@ -293,11 +257,12 @@ void check_long_waves(const Case& c, const Body& b, const Issues& issue) {
   if (long_enough(c, b, waves)) waves.check(issue);
 }
 
-void note_long_waves(const Case& c, const Body& b, const Issues& note) {
+std::optional<LongWaveDifference> long_wave_difference(const Case& c, const Body& b) {
   // Bodies side by side accelerate the water between them, and a hull has separate hydrostatics.
-  if (b.mass->hydrodynamics->data->bodies > 1 || b.mass->hull) return;
+  if (b.mass->hydrodynamics->data->bodies > 1 || b.mass->hull) return {};
   const LongWaves waves(c, b);
-  if (long_enough(c, b, waves)) waves.note(note);
+  if (!long_enough(c, b, waves)) return {};
+  return waves.difference();
 }
 
 }  // namespace hawser::model

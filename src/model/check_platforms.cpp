@@ -5,6 +5,7 @@
 #include "hawser/math/freedoms.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/model/check.hpp"
+#include "hawser/model/check_long_waves.hpp"
 
 namespace hawser::model {
 namespace {
@@ -54,7 +55,7 @@ void check_platform(const Case& c, const Body& b, const Issues& issue) {
           "the hydrostatic stiffness C33 of heave is {:.4g} N/m, and it is rho g times the area of the "
           "waterplane, so that it cannot be negative: does the file have the other sign?",
           C33);
-  check_hydrodynamic_data(c, b, issue);
+  if (h.excitation && !h.data->excitation.empty()) check_long_waves(c, b, issue);
   check_matrices(h, issue);
 }
 

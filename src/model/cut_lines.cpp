@@ -106,10 +106,6 @@ class Cuts {
       part.given = given;
       if (k > 0) join(to.back(), part);
       to.push_back(std::move(part));
-      if (k > 0)
-        c_.notes.push_back(fmt::format(
-            "lines.{}: what is beyond its cut at {:g} m is '{}' in results, with arc lengths from there",
-            line.name, arcs_[k], names_[k]));
     }
     // The given line gets the nodes of its parts.
     given->sections.clear();

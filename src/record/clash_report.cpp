@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "hawser/advice/clashes.hpp"
 #include "hawser/base/exchange.hpp"
 #include "hawser/base/mpi.hpp"
 #include "hawser/model/check.hpp"
@@ -125,10 +126,7 @@ std::string ClashReport::table() const {
   const auto rows = log_.largest(static_cast<size_t>(c.output.clashes.rows));
   if (log_.count() == 0) return "";
   const auto open = log_.open();
-  std::string text = fmt::format("clashes: {}, {} of them still in contact{}", log_.count(), open.size(),
-                                 static_cast<long long>(rows.size()) < log_.count()
-                                     ? fmt::format("; the {} with the largest forces:\n", rows.size())
-                                     : ":\n");
+  std::string text = advice::clashes(log_.count(), open.size(), rows.size());
   if (rows.empty()) return text;
   const auto name = [&](const io::ClashRow& r) {
     const auto line = [&](int l) { return c.lines[l].name; };

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "hawser/advice/clashes.hpp"
+
 namespace hawser::record::clash_log_test {
 namespace {
 
@@ -169,6 +171,12 @@ TEST(ClashLog, TheLargestAreKept) {
   const auto most = log.largest(5);
   ASSERT_EQ(most.size(), 5u);
   for (size_t i = 0; i < 5; ++i) EXPECT_EQ(most[i].peak_force, 2999 - static_cast<double>(i));
+}
+
+TEST(ClashLog, FirstLineOfTheTable) {
+  EXPECT_EQ(advice::clashes(7, 2, 7), "clashes: 7, 2 of them still in contact:\n");
+  EXPECT_EQ(advice::clashes(7, 2, 3),
+            "clashes: 7, 2 of them still in contact; the 3 with the largest forces:\n");
 }
 
 }  // namespace

@@ -86,6 +86,13 @@ TEST(Events, ALineIsDividedWhereItIsCut) {
   EXPECT_DOUBLE_EQ(c.events[1].cause.arc, 10);
   EXPECT_EQ(c.events[2].action.line, "hose part 3");
   EXPECT_EQ(c.events[2].action.line_end, LineEnd::B);
+  ASSERT_GE(c.notes.size(), 2u);
+  EXPECT_EQ(std::vector<std::string>(c.notes.end() - 2, c.notes.end()),
+            (std::vector<std::string>{
+                "lines.hose: what is beyond its cut at 20 m is 'hose part 2' in results, with "
+                "arc lengths from there",
+                "lines.hose: what is beyond its cut at 70 m is 'hose part 3' in results, with "
+                "arc lengths from there"}));
 
   const auto& h = c.output.histories;
   EXPECT_EQ(h[0].line + h[1].line + h[2].line, "hosehose part 2hose part 3");

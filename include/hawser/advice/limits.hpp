@@ -28,6 +28,8 @@ std::string curvature_warning(const model::Case& c, const Extreme& at);
 double acceptable_penetration(const model::Case& c, const model::Line& line, const model::Volume& volume);
 // For a penetration of the volume above acceptable_penetration().
 std::string penetration_warning(const model::Case& c, const Extreme& at, const model::Volume& volume);
+// `minimum_bend_radius` of a line type without bending.
+std::string bend_radius_without_bending(const std::string& type);
 // Design tension of a pipe over its yield tension.
 std::string beyond_pipe_formulas(double pulled);
 

@@ -22,6 +22,11 @@ std::string starts_over_volume(const std::string& line, const std::string& volum
 std::string more_start_over_lines(size_t lines);
 std::string more_start_over_volumes(size_t lines);
 
+// Start shapes of another run, of a file of results; the latter with the lengths [m] here and there.
+std::string not_in_other_run(const std::string& line, const std::string& file);
+std::string other_length_in_run(const std::string& key, double length, double previous_length,
+                                const std::string& file);
+
 // A link whose ends start at the same point.
 std::string link_without_length();
 

@@ -197,8 +197,4 @@ struct OddHeights {
 };
 OddHeights odd_heights(const std::vector<double>& z, double spacing);
 
-// Columns of a response table [period, direction, six amplitudes each with its phase] that seem to be in
-// other units, one sentence each; gravity [m/s²].
-std::vector<std::string> odd_rao_units(const std::vector<std::vector<double>>& rows, double gravity);
-
 }  // namespace hawser::io

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,9 +13,8 @@ namespace hawser::model {
 inline constexpr double kArcTolerance = 1e-9;
 
 struct Issue {
-  std::string key;               // dotted, as in the file: "lines.hose.end_b"
-  std::string text;              // "is 90 m long but ..."
-  std::string_view format = {};  // of the text, a literal: the same for issues of one kind
+  std::string key;   // dotted, as in the file: "lines.hose.end_b"
+  std::string text;  // "is 90 m long but ..."
 };
 
 // Appends issues at or below a key to a list.
@@ -28,8 +26,7 @@ class Issues {
   // Formats the text as fmt::format does; key may be empty.
   template <class... Args>
   void operator()(const std::string& key, fmt::format_string<Args...> text, Args&&... args) const {
-    const fmt::string_view format = text;
-    to_.push_back({at(key), fmt::format(text, std::forward<Args>(args)...), {format.data(), format.size()}});
+    to_.push_back({at(key), fmt::format(text, std::forward<Args>(args)...)});
   }
 
  private:
@@ -56,10 +53,6 @@ void check_supports(const Case& c, const Issues& issue);
 // Checks the links between points.
 void check_links(const Case& c, const Issues& issue);
 void check_platforms(const Case& c, const Issues& issue);
-// Checks the coefficients of a body with hydrodynamics against long-wave limits.
-void check_hydrodynamic_data(const Case& c, const Body& b, const Issues& issue);
-// Notes coefficients that are implausible by themselves or for the body's size but not certainly wrong.
-void note_hydrodynamic_data(const Case& c, const Body& b, const Issues& note);
 // Held end of the line at the tensioner, before the first of its supports: the held end nearer to the first
 // box; null: no end is held.
 const End* end_before(const Case& c, const Line& line, const SupportBox& first);

@@ -1,14 +1,13 @@
-// Check of the units of a response table: periods in s, directions and phases in deg, rotations in deg/m. In
-// long waves every vessel follows the elevation and slope of the waves.
+// Check of the units of a response table: periods in s, directions and phases in deg, rotations in deg/m.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-#include "hawser/io/case_reader_parts.hpp"
+#include "hawser/advice/rao_tables.hpp"
 
-namespace hawser::io {
+namespace hawser::advice {
 namespace {
 
 constexpr double kTurn = 6.3;  // a full turn in rad, rounded
@@ -17,7 +16,8 @@ bool is_integer(double x) { return x == std::round(x); }
 
 }  // namespace
 
-std::vector<std::string> odd_rao_units(const std::vector<std::vector<double>>& rows, double gravity) {
+std::vector<std::string> odd_rao_units(const std::string& key, const std::vector<std::vector<double>>& rows,
+                                       double gravity) {
   std::vector<std::string> out;
   double longest = 0, farthest = 0, latest = 0, farthest_motion = 0, steepest = 0, phase_following = 0,
          fewest_slopes = HUGE_VAL;
@@ -43,25 +43,26 @@ std::vector<std::string> odd_rao_units(const std::vector<std::vector<double>>& r
     if (turns > 0) fewest_slopes = std::min(fewest_slopes, turns);
   }
   if (longest < 3 && rows.size() > 1)
-    out.push_back(fmt::format("the longest period is {:g} s: is the first column a frequency?", longest));
-  if (directions.size() > 1 && broken_direction && farthest < kTurn)
-    out.push_back(fmt::format("all directions are within {:g} deg: are they in rad?", farthest));
-  if (rows.size() > 2 && broken_phase && latest > 0.5 && latest < kTurn)
-    out.push_back(fmt::format("all phases are within {:g} deg: are they in rad?", latest));
-  if (farthest_motion > 20)
     out.push_back(
-        fmt::format("it moves {:g} m for each m of a wave: are translations in m/m?", farthest_motion));
+        fmt::format("{}: the longest period is {:g} s: is the first column a frequency?", key, longest));
+  if (directions.size() > 1 && broken_direction && farthest < kTurn)
+    out.push_back(fmt::format("{}: all directions are within {:g} deg: are they in rad?", key, farthest));
+  if (rows.size() > 2 && broken_phase && latest > 0.5 && latest < kTurn)
+    out.push_back(fmt::format("{}: all phases are within {:g} deg: are they in rad?", key, latest));
+  if (farthest_motion > 20)
+    out.push_back(fmt::format("{}: it moves {:g} m for each m of a wave: are translations in m/m?", key,
+                              farthest_motion));
   if (steepest > 0 && steepest < 0.05 && phase_following > 0.3)
     out.push_back(fmt::format(
-        "in waves of 10 s and more roll and pitch are {:.2g} of the wave's slope at most: are they in "
+        "{}: in waves of 10 s and more roll and pitch are {:.2g} of the wave's slope at most: are they in "
         "rad/m, not deg/m?",
-        steepest));
+        key, steepest));
   if (fewest_slopes < HUGE_VAL && fewest_slopes > 30)
     out.push_back(
-        fmt::format("in waves of 10 s and more it rolls or pitches {:.3g} times the wave's slope: are "
+        fmt::format("{}: in waves of 10 s and more it rolls or pitches {:.3g} times the wave's slope: are "
                     "rotations in deg/m?",
-                    fewest_slopes));
+                    key, fewest_slopes));
   return out;
 }
 
-}  // namespace hawser::io
+}  // namespace hawser::advice

@@ -1,20 +1,25 @@
-// Checks of a platform's coefficients against each other, its size and long-wave limits; they detect other
-// conventions and units.
+// A platform's coefficients against each other, its size and long-wave limits: other conventions and units.
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numeric>
 
-#include "check_long_waves.hpp"
+#include "hawser/advice/input_warnings.hpp"
 #include "hawser/kernels/waves.hpp"
 #include "hawser/math/angle_gap.hpp"
 #include "hawser/math/freedoms.hpp"
-#include "hawser/model/case.hpp"
-#include "hawser/model/check.hpp"
+#include "hawser/model/check_long_waves.hpp"
 #include "hawser/model/waterplane.hpp"
 
-namespace hawser::model {
+namespace hawser::advice {
+
+using namespace model;
+
 namespace {
+
+// Key of the files of a body.
+std::string key_of_files(const Body& b) {
+  return "bodies." + b.name + ".floating.hydrodynamics." + b.mass->hydrodynamics->key();
+}
 
 // First row of a body in the matrices of its files.
 Eigen::Index first_row(const BodyHydrodynamics& h) { return 6 * (static_cast<Eigen::Index>(h.body) - 1); }
@@ -100,7 +105,7 @@ class HeaveForce {
 // crest, that of damping by the velocity of the water: Im X3 = omega B33 at the centre of the waterplane. The
 // pressure on a wide waterplane has another imaginary part, which the mean over all directions does not have:
 // with the distance r from the centre, the mean of exp(-i k r cos beta) is J0(k r).
-void check_heave_phase(const Case& c, const Body& b, const Issues& issue) {
+void warn_of_heave_phase(const Case& c, const Body& b, std::vector<InputWarning>& out) {
   constexpr double kLong = 0.6, kOpposite = -0.4;
   constexpr double kWide = 0.015;    // of |X3|: the damping is above the part by the waterplane
   constexpr double kRounded = 2e-4;  // rad: it is above the rounding of phases to 0.01 deg
@@ -126,19 +131,21 @@ void check_heave_phase(const Case& c, const Body& b, const Issues& issue) {
     all += std::abs(X);
   }
   if (damped > counts * all && imaginary + error < kOpposite * damped)
-    issue(h.key(),
-          "in waves longer than {:.3g} s the heave force lags the crest, but the damping of {} requires that "
-          "it leads it: its phases in {} are conjugated (they are leads with exp(+i omega t))",
-          2 * M_PI / std::sqrt(kLong * g / size), data.radiation_file, data.excitation_file);
+    add_warning(
+        out, key_of_files(b), Effect::all,
+        "in waves longer than {:.3g} s the heave force lags the crest, but the damping of {} requires that "
+        "it leads it: its phases in {} are conjugated (they are leads with exp(+i omega t))",
+        2 * M_PI / std::sqrt(kLong * g / size), data.radiation_file, data.excitation_file);
 }
 
 // Haskind's relation between radiation damping and wave excitation,
 //   B_ii = k/(8 pi rho g c_g) int |X_i(beta)|² dbeta
 // (Newman 1977, Marine Hydrodynamics, 6.173). Takes the median of the ratios over the frequencies with
 // significant damping; wrong units of either make it differ greatly from 1.
-void check_haskind(const Case& c, const BodyHydrodynamics& h, const Issues& issue) {
+void warn_by_haskind(const Case& c, const Body& b, std::vector<InputWarning>& out) {
   constexpr double kCounts = 0.1, kFar = 1.5;
   constexpr double kNone = 1e-9;  // of omega A: damping that was removed
+  const BodyHydrodynamics& h = *b.mass->hydrodynamics;
   const HydrodynamicData& data = *h.data;
   const WaveForceTable& table = *h.wave_forces();
   if (!all_round(table)) return;
@@ -177,15 +184,17 @@ void check_haskind(const Case& c, const BodyHydrodynamics& h, const Issues& issu
     }
   }
   if (worst > kFar || worst < 1 / kFar)
-    issue(h.key(),
-          "by Haskind's relation the wave forces of {} mean {:.3g} times the radiation damping in {} of {}: "
-          "is one of them in other units (divided by density, or for another length scale)?",
-          data.excitation_file, worst, name, data.radiation_file);
+    add_warning(
+        out, key_of_files(b), Effect::all,
+        "by Haskind's relation the wave forces of {} mean {:.3g} times the radiation damping in {} of {}: "
+        "is one of them in other units (divided by density, or for another length scale)?",
+        data.excitation_file, worst, name, data.radiation_file);
 }
 
 // The damping is taken as zero beyond the last frequency; a truncated file has significant damping there.
-void check_end_of_damping(const BodyHydrodynamics& h, const Issues& issue) {
+void warn_of_end_of_damping(const Body& b, std::vector<InputWarning>& out) {
   constexpr double kLarge = 0.2, kFurther = 1.25;
+  const BodyHydrodynamics& h = *b.mass->hydrodynamics;
   const HydrodynamicData& data = *h.data;
   const double beyond = h.wave_forces()->highest();
   const double end = data.omega.back();
@@ -196,19 +205,18 @@ void check_end_of_damping(const BodyHydrodynamics& h, const Issues& issue) {
   const Vec6 last = data.damping.back().diagonal().segment<6>(row).cwiseQuotient(largest.cwiseMax(1e-300));
   Eigen::Index mode = 0;
   if (last.maxCoeff(&mode) > kLarge)
-    issue(
-        h.key(),
+    add_warning(
+        out, key_of_files(b), Effect::all,
         "the radiation damping of {} ends at {:.4g} s, where that of {} is still {:.0f} % of its largest, "
-        "and "
-        "is taken as zero in shorter waves, though the wave forces of {} go on to {:.4g} s: is the file cut "
-        "off?",
+        "and is taken as zero in shorter waves, though the wave forces of {} go on to {:.4g} s: is the file "
+        "cut off?",
         data.radiation_file, 2 * M_PI / end, kFreedomNames[mode], 100 * last[mode], data.excitation_file,
         2 * M_PI / beyond);
 }
 
 // Bounds of added mass over displaced mass and of waterplane area over size that no hull approaches; values
 // divided by density or with another length scale exceed them.
-void check_size(const Case& c, const Body& b, const Issues& issue) {
+void warn_of_size(const Case& c, const Body& b, std::vector<InputWarning>& out) {
   const BodyHydrodynamics& h = *b.mass->hydrodynamics;
   const HydrodynamicData& data = *h.data;
   const double density = c.environment.water.density;
@@ -220,35 +228,77 @@ void check_size(const Case& c, const Body& b, const Issues& issue) {
   // A body held down by lines displaces more than its mass, and a hinged body may have no translational rows.
   constexpr double kLeast = 0.02, kMost = 50;
   if ((added > 0 && added < kLeast) || (h.volume > 0 && added > kMost))
-    issue(h.key(),
-          "the largest added mass of {} is {:.3g} times the mass of the displaced water, and hulls have 0.1 "
-          "to 10: are its values divided by density, or for another length scale, or is 'mass' that of "
-          "another body?",
-          data.radiation_file, added);
+    add_warning(
+        out, key_of_files(b), Effect::all,
+        "the largest added mass of {} is {:.3g} times the mass of the displaced water, and hulls have 0.1 "
+        "to 10: are its values divided by density, or for another length scale, or is 'mass' that of "
+        "another body?",
+        data.radiation_file, added);
   const double C33 = hydrostatics(*b.mass, density, g).stiffness(0, 0);
   const double plane = C33 / (density * g) / std::pow(volume, 2.0 / 3);
   constexpr double kLargest = 100;
   if (g > 0 && plane > kLargest)
-    issue(h.key(),
-          "the hydrostatic stiffness C33, {:.3g} N/m, means a waterplane of {:.3g} m², and the body "
-          "displaces {:.3g} m³: is the stiffness multiplied by density, or for another length scale?",
-          C33, C33 / (density * g), volume);
+    add_warning(out, key_of_files(b), Effect::all,
+                "the hydrostatic stiffness C33, {:.3g} N/m, means a waterplane of {:.3g} m², and the body "
+                "displaces {:.3g} m³: is the stiffness multiplied by density, or for another length scale?",
+                C33, C33 / (density * g), volume);
+}
+
+// The contribution of the weight to a turning stiffness that the files include, against the statement of the
+// case.
+std::string hint_on_weight(const LongWaveDifference& d, bool stated) {
+  constexpr double kNear = 0.35;
+  const auto near = [&d](double times) { return std::abs(d.weight_contributions - times) < kNear; };
+  if (near(1) && !stated)
+    return "this is the part of the body's weight: set 'gravity_in_stiffness: true', since it acts by itself";
+  if (near(-1) && stated)
+    return "this is the part of the body's weight, which the files do not have: remove "
+           "'gravity_in_stiffness'";
+  if (near(stated ? 1 : 2)) return "this is twice the part of the body's weight: the files have it doubled";
+  return "are the moments, the added mass and the stiffness of one length scale, about one point and in one "
+         "system of axes?";
+}
+
+void warn_of_long_waves(const Case& c, const Body& b, std::vector<InputWarning>& out) {
+  const std::optional<LongWaveDifference> d = long_wave_difference(c, b);
+  if (!d) return;
+  const BodyHydrodynamics& h = *b.mass->hydrodynamics;
+  const std::string& file = h.data->excitation_file;
+  switch (d->quantity) {
+    case LongWaveDifference::Quantity::heave_stiffness:
+      return add_warning(
+          out, key_of_files(b), Effect::all,
+          "in the longest waves the heave force of {} means a hydrostatic stiffness C33 of {:.4g} N/m, and "
+          "that of the files is {:.4g} N/m: do they belong to the same body, draught and density, and is "
+          "'length_scale' that of the files?",
+          file, d->by_waves, d->given);
+    case LongWaveDifference::Quantity::volume:
+      return add_warning(
+          out, key_of_files(b), Effect::all,
+          "in the longest waves the {} force of {} is that of a displaced volume of {:.5g} m³, and the body "
+          "displaces {:.5g} m³{}: are depth of the water and 'length_scale' those of the files, and is "
+          "'displaced_volume' that of the body?",
+          kFreedomNames[d->freedom], file, d->by_waves, d->given, h.volume > 0 ? "" : " (that of its mass)");
+    case LongWaveDifference::Quantity::turning_stiffness:
+      return add_warning(
+          out, key_of_files(b), Effect::all,
+          "in the longest waves the {0} moment of {1} means a hydrostatic stiffness C{2}{2} by the pressure "
+          "of {3:.4g} N m, and by the files it is {4:.4g} N m: {5}",
+          kFreedomNames[d->freedom], file, d->freedom + 1, d->by_waves, d->given,
+          hint_on_weight(*d, h.gravity_in_stiffness));
+  }
 }
 
 }  // namespace
 
-void check_hydrodynamic_data(const Case& c, const Body& b, const Issues& issue) {
-  if (b.mass->hydrodynamics->wave_forces()) check_long_waves(c, b, issue);
-}
-
-void note_hydrodynamic_data(const Case& c, const Body& b, const Issues& note) {
+void warn_of_hydrodynamics(const Case& c, const Body& b, std::vector<InputWarning>& out) {
   if (b.mass->hydrodynamics->wave_forces()) {
-    note_long_waves(c, b, note);
-    check_heave_phase(c, b, note);
-    check_haskind(c, *b.mass->hydrodynamics, note);
-    check_end_of_damping(*b.mass->hydrodynamics, note);
+    warn_of_long_waves(c, b, out);
+    warn_of_heave_phase(c, b, out);
+    warn_by_haskind(c, b, out);
+    warn_of_end_of_damping(b, out);
   }
-  check_size(c, b, note);
+  warn_of_size(c, b, out);
 }
 
-}  // namespace hawser::model
+}  // namespace hawser::advice
