@@ -58,17 +58,16 @@ std::array<Vec3, 2> load_in_body(const RigidBodyLoad& load, const RigidBodyState
 
 }  // namespace
 
-// d (R^T y) = hat(R^T y) d theta for y fixed in space; d (R F) = -R hat(F) d theta for F fixed to the body.
 void add_load(const RigidBodyLoad& load, const RigidBodyState& s, RigidBodyResidual& to) {
   const auto [F, moment] = load_in_body(load, s);
   to.applied.head<3>() -= s.q * F;
   to.applied.tail<3>() -= moment;
+  const FramePoint point{load.arm, s.q.toRotationMatrix()};
   if (load.body_fixed)
-    to.K.topRightCorner<3, 3>() += s.q.toRotationMatrix() * hat(F);
+    to.K.topRightCorner<3, 3>() -= point.vector_by_turn(s.q * F);
   else
     to.K.bottomRightCorner<3, 3>() -=
-        FramePoint{load.arm, s.q.toRotationMatrix()}.moment_by_turn(load.force) +
-        hat(s.q.conjugate() * load.moment);
+        point.moment_by_turn(load.force) + point.components_by_turn(load.moment);
 }
 
 double load_potential(const RigidBodyLoad& load, const RigidBodyState& s) {
