@@ -37,7 +37,7 @@ RigidBodyState state(const Vec6& u = Vec6::Zero(), const Vec6& rate = Vec6::Zero
 RigidPose support(double t = 0) {
   RigidPose p;
   p.velocity = Vec3(0.3, -0.5, 0.1);
-  p.angular_velocity = Vec3(0.2, -0.4, 0.6);
+  p.angular_velocity = Vec3(0.2, 0.5, -0.3);
   p.position = Vec3(0.1, 0.2, -0.1) + t * p.velocity;
   p.rotation = exp_so3(Vec3(t * p.angular_velocity)) * exp_so3(Vec3(-0.2, 0.3, 0.4));
   return p;
