@@ -105,7 +105,7 @@ class BodyProportions {
     const Water& w = c_.environment.water;
     if (!w.present || m.in_water || m.hull || m.hydrodynamics) return;
     const double z = b_.position.z() - w.surface;
-    const bool held = m.stiffness.z() > 0;
+    const bool held = m.spring_stiffness().z() > 0;
     if (!m.weight && !held && z > kAbove && c_.environment.gravity > 0)
       warn("floating.weight",
            "is {:.3g} m above the water and has no weight: set 'weight: true' if gravity acts on it", z);

@@ -122,9 +122,8 @@ void warn_of_members(const Case& c, const Body& b, std::vector<InputWarning>& ou
 
 // A negative additional stiffness makes the body unstable in the horizontal plane, which has no hydrostatic
 // stiffness. In heave, roll and pitch it may reduce the hydrostatic stiffness (free surfaces of tanks).
-void warn_of_stiffness(const Body& b, std::vector<InputWarning>& out) {
+void warn_of_stiffness(const Body& b, const char* key, const Mat6& C, std::vector<InputWarning>& out) {
   constexpr double kRounded = 1e-6;
-  const Mat6& C = b.mass->hydrodynamics->stiffness;
   const double size = std::cbrt(b.mass->mass);
   Mat3 plane;
   for (int i = 0; i < 3; ++i)
@@ -133,7 +132,7 @@ void warn_of_stiffness(const Body& b, std::vector<InputWarning>& out) {
       plane(i, j) = C(kHorizontalFreedoms[i], kHorizontalFreedoms[j]) / scale;
     }
   if (eigenpairs(plane).values[0] < -kRounded * plane.cwiseAbs().maxCoeff())
-    add_warning(out, "bodies." + b.name + ".floating.hydrodynamics.stiffness", Effect::all,
+    add_warning(out, fmt::format("bodies.{}.floating.{}", b.name, key), Effect::all,
                 "pushes the body away from its position in surge, sway or yaw: a restoring stiffness has "
                 "positive diagonal entries");
 }
@@ -164,8 +163,8 @@ void warn_of_floating(const Case& c, const Body& b, std::vector<InputWarning>& o
                 "({:.3g} m, the side of a cube of its volume): the origin of the body is at the water line "
                 "unless 'origin_in_file' or 'place' state another height",
                 b.position.z(), std::abs(above), above > 0 ? "above" : "below", level, size);
-  const Eigen::Vector2d added(m.hydrodynamics->stiffness(3, 3) + m.turning_stiffness.x(),
-                              m.hydrodynamics->stiffness(4, 4) + m.turning_stiffness.y());
+  const Eigen::Vector2d added =
+      m.hydrodynamics->stiffness.diagonal().segment<2>(3) + m.spring_turning_stiffness().head<2>();
   const Eigen::Vector2d heights =
       metacentric_heights(restoring(m, in_still_water, g), weight) + added / weight;
   const bool roll = heights[0] < 0;
@@ -208,15 +207,15 @@ void warn_of_arrangement(const Case& c, const std::vector<int>& group, std::vect
 
 // A damping matrix that is not positive semidefinite: it dissipates for single velocities but adds energy for
 // some combinations.
-void warn_of_damping(const Case& c, const Body& b, std::vector<InputWarning>& out) {
+void warn_of_damping(const Case& c, const Body& b, const char* key, const Mat6& B,
+                     std::vector<InputWarning>& out) {
   constexpr double kRounded = 1e-6;
-  const Mat6& B = b.mass->hydrodynamics->damping;
   const double size = std::cbrt(b.mass->mass / c.environment.water.density);
   Vec6 scale;
   scale << 1, 1, 1, 1 / size, 1 / size, 1 / size;
   const Mat6 scaled = 0.5 * scale.asDiagonal() * (B + B.transpose()) * scale.asDiagonal();
   if (eigenpairs(scaled).values[0] < -kRounded * scaled.cwiseAbs().maxCoeff())
-    add_warning(out, "bodies." + b.name + ".floating.hydrodynamics.damping", Effect::all,
+    add_warning(out, fmt::format("bodies.{}.floating.{}", b.name, key), Effect::all,
                 "adds energy to the motion for some combination of velocities: its off-diagonal entries are "
                 "too large for the diagonal, or have the wrong sign");
 }
@@ -284,12 +283,14 @@ void warn_of_platforms(const Case& c, std::vector<InputWarning>& out) {
     if (b.mass) warn_of_fairleads(c, b, out);
     if (b.mass) warn_of_flow(b, out);
     if (b.mass && b.mass->positioning) warn_of_positioning(b, out);
+    if (b.mass) warn_of_stiffness(b, "stiffness_matrix", b.mass->stiffness_matrix, out);
+    if (b.mass) warn_of_damping(c, b, "damping_matrix", b.mass->damping_matrix, out);
     if (!b.mass || !b.mass->hydrodynamics) continue;
     warn_of_inertia(b, out);
     warn_of_hydrodynamics(c, b, out);
     warn_of_floating(c, b, out);
-    warn_of_damping(c, b, out);
-    warn_of_stiffness(b, out);
+    warn_of_damping(c, b, "hydrodynamics.damping", b.mass->hydrodynamics->damping, out);
+    warn_of_stiffness(b, "hydrodynamics.stiffness", b.mass->hydrodynamics->stiffness, out);
     warn_of_sea_of_platform(c, b, out);
     warn_of_directions(c, b, out);
     warn_of_crossing_waves(c, b, out);

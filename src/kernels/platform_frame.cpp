@@ -34,8 +34,8 @@ PlatformMotion platform_motion(const Mat3& H, const Vec3& r, const RigidBodyStat
 Mat6 platform_force_slope(const PlatformMotion& m, const Vec3& r, const Vec6& F) {
   const Mat3 Q = m.G.bottomRightCorner<3, 3>();
   Mat6 K = Mat6::Zero();
-  K.bottomRightCorner<3, 3>() =
-      FramePoint{r, Q}.moment_by_turn(F.head<3>()) + hat(Q.transpose() * F.tail<3>());
+  const FramePoint point{r, Q};
+  K.bottomRightCorner<3, 3>() = point.moment_by_turn(F.head<3>()) + point.components_by_turn(F.tail<3>());
   return K;
 }
 

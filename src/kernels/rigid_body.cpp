@@ -6,6 +6,7 @@
 
 #include "hawser/kernels/coupled_mass.hpp"
 #include "hawser/kernels/frame_point.hpp"
+#include "hawser/kernels/spring_matrices.hpp"
 #include "hawser/math/so3.hpp"
 
 namespace hawser {
@@ -44,6 +45,10 @@ RigidBodyResidual rigid_body(const RigidBodyData& b, const RigidBodyState& s, co
   r.M.topLeftCorner<3, 3>() = b.mass * Mat3::Identity();
   r.M.bottomRightCorner<3, 3>() = b.inertia;
   if (!b.coupled.isZero(0)) add_coupled_mass(b.coupled, s, r);
+  const SpringMatrixForces full = spring_matrix_forces(b.matrices, s, rest);
+  r.springs += full.f;
+  r.K += full.K;
+  r.C += full.C;
   return r;
 }
 
@@ -58,17 +63,16 @@ std::array<Vec3, 2> load_in_body(const RigidBodyLoad& load, const RigidBodyState
 
 }  // namespace
 
-// d (R^T y) = hat(R^T y) d theta for y fixed in space; d (R F) = -R hat(F) d theta for F fixed to the body.
 void add_load(const RigidBodyLoad& load, const RigidBodyState& s, RigidBodyResidual& to) {
   const auto [F, moment] = load_in_body(load, s);
   to.applied.head<3>() -= s.q * F;
   to.applied.tail<3>() -= moment;
+  const FramePoint point{load.arm, s.q.toRotationMatrix()};
   if (load.body_fixed)
-    to.K.topRightCorner<3, 3>() += s.q.toRotationMatrix() * hat(F);
+    to.K.topRightCorner<3, 3>() -= point.vector_by_turn(s.q * F);
   else
     to.K.bottomRightCorner<3, 3>() -=
-        FramePoint{load.arm, s.q.toRotationMatrix()}.moment_by_turn(load.force) +
-        hat(s.q.conjugate() * load.moment);
+        point.moment_by_turn(load.force) + point.components_by_turn(load.moment);
 }
 
 double load_potential(const RigidBodyLoad& load, const RigidBodyState& s) {
@@ -98,7 +102,8 @@ double rigid_body_kinetic(const RigidBodyData& b, const RigidBodyState& s) {
 double rigid_body_strain(const RigidBodyData& b, const RigidBodyState& s, const RigidPose& rest) {
   const Vec3 d = s.x - rest.position;
   const Vec3 phi = turned(s, rest);
-  return 0.5 * d.dot(b.stiffness.cwiseProduct(d)) + 0.5 * phi.dot(b.turning_stiffness.cwiseProduct(phi));
+  return 0.5 * d.dot(b.stiffness.cwiseProduct(d)) + 0.5 * phi.dot(b.turning_stiffness.cwiseProduct(phi)) +
+         spring_matrix_forces(b.matrices, s, rest).potential;
 }
 
 }  // namespace hawser

@@ -104,7 +104,7 @@ void Stencil::to_blocks(const AttachedForces& g, bool turning, BlockVector& f, B
       // Arm and couple, in material axes, rotate with the node.
       const FramePoint& point = row.attached->point;
       put(*K, p.block, p.block,
-          wide::load(row.couple ? Mat3(hat(point.R.transpose() * F)) : point.moment_by_turn(F)));
+          wide::load(row.couple ? point.components_by_turn(F) : point.moment_by_turn(F)));
     }
 }
 

@@ -10,19 +10,19 @@
 namespace hawser::model {
 namespace {
 
-// The stiffness matrix is symmetric and the damping matrix dissipates energy.
-void check_matrices(const BodyHydrodynamics& h, const Issues& issue) {
+void check_symmetric(const Mat6& K, const char* key, const Issues& issue) {
   constexpr double kRounded = 1e-6;
-  const Mat6& K = h.stiffness;
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < i; ++j)
       if (std::abs(K(i, j) - K(j, i)) > kRounded * K.cwiseAbs().maxCoeff())
-        issue("stiffness", "is not symmetric: row {} has {:g} in column {}, and row {} has {:g} in column {}",
-              i + 1, K(i, j), j + 1, j + 1, K(j, i), i + 1);
-  for (const auto& [key, B] : {std::pair("damping", &h.damping), {"quadratic_damping", &h.quadratic_damping}})
-    for (int i = 0; i < 6; ++i)
-      if ((*B)(i, i) < 0)
-        issue(key, "row {} has {:g} on the diagonal: damping must not be negative", i + 1, (*B)(i, i));
+        issue(key, "is not symmetric: row {} has {:g} in column {}, and row {} has {:g} in column {}", i + 1,
+              K(i, j), j + 1, j + 1, K(j, i), i + 1);
+}
+
+void check_dissipates(const Mat6& B, const char* key, const Issues& issue) {
+  for (int i = 0; i < 6; ++i)
+    if (B(i, i) < 0)
+      issue(key, "row {} has {:g} on the diagonal: damping must not be negative", i + 1, B(i, i));
 }
 
 // Checks the input required for buoyancy. twice: message for a body with 'in_water', whose buoyancy would be
@@ -55,8 +55,10 @@ void check_platform(const Case& c, const Body& b, const Issues& issue) {
           "the hydrostatic stiffness C33 of heave is {:.4g} N/m, and it is rho g times the area of the "
           "waterplane, so that it cannot be negative: does the file have the other sign?",
           C33);
-  if (h.excitation && !h.data->excitation.empty()) check_long_waves(c, b, issue);
-  check_matrices(h, issue);
+  if (h.wave_forces()) check_long_waves(c, b, issue);
+  check_symmetric(h.stiffness, "stiffness", issue);
+  check_dissipates(h.damping, "damping", issue);
+  check_dissipates(h.quadratic_damping, "quadratic_damping", issue);
 }
 
 void check_hull(const Case& c, const Body& b, const Issues& issue) {
@@ -110,8 +112,13 @@ void check_platforms(const Case& c, const Issues& issue) {
   for (const Body& b : c.bodies)
     if (b.mass && b.mass->positioning)
       check_positioning(*b.mass, issue.below("bodies." + b.name + ".floating.positioning"));
-  for (const Body& b : c.bodies)
-    if (b.mass) check_flow(c, b, issue.below("bodies." + b.name + ".floating"));
+  for (const Body& b : c.bodies) {
+    if (!b.mass) continue;
+    const Issues of_body = issue.below("bodies." + b.name + ".floating");
+    check_symmetric(b.mass->stiffness_matrix, "stiffness_matrix", of_body);
+    check_dissipates(b.mass->damping_matrix, "damping_matrix", of_body);
+    check_flow(c, b, of_body);
+  }
   for (const Body& b : c.bodies)
     if (b.mass && b.mass->hydrodynamics)
       check_platform(c, b, issue.below("bodies." + b.name + ".floating.hydrodynamics"));

@@ -183,6 +183,8 @@ void add_free_bodies(const Case& c, bool driven, Shortest& afloat, Shortest& nat
   for (const Body& b : c.bodies) {
     if (!b.mass) continue;
     oscillates(afloat, b.mass->mass, b.mass->stiffness.maxCoeff(), b.name + " on its springs");
+    if (!b.mass->stiffness_matrix.isZero())
+      has_period(afloat, modes_on_stiffness_matrix(b).back().period, b.name + " on its stiffness matrix");
     double mass = b.mass->mass;
     if (b.mass->in_water) {
       const BodyInWater& w = *b.mass->in_water;

@@ -71,21 +71,31 @@ PlatformPeriods platform_periods(const Case& c, const Body& b) {
   return {period(0), period(1), period(2)};
 }
 
+std::array<PlatformMode, 6> modes_on_stiffness_matrix(const Body& b) {
+  const Mat6 motion = motion_from_point(b.mass->centre);
+  return platform_modes(b, motion.transpose() * b.mass->stiffness_matrix * motion);
+}
+
 std::array<PlatformMode, 6> platform_modes(const Body& b, const Mat6& K) {
+  constexpr double kRounded = 1e-12;  // of the largest omega²: no stiffness
   const BodyMass& m = *b.mass;
-  const HydrodynamicData& data = *m.hydrodynamics->data;
-  const int first = 6 * (m.hydrodynamics->body - 1);
   const Mat6 motion = motion_from_point(m.centre);
   const Mat6 mass = mass_matrix_about(m, m.centre);
   std::array<PlatformMode, 6> out;
   for (int k = 0; k < 6; ++k) {
     Eigen::GeneralizedSelfAdjointEigenSolver<Mat6> modes;
     Mat6 M;
-    out[static_cast<size_t>(k)].period = settled_period(data, first, [&](const Mat6& A) {
+    const auto frequency_with = [&](const Mat6& A) {
       M = mass + motion.transpose() * A * motion;
       modes.compute(0.5 * (K + K.transpose()), 0.5 * (M + M.transpose()));
-      return std::sqrt(std::max(modes.eigenvalues()[k], 0.0));
-    });
+      const double square = modes.eigenvalues()[k];
+      return square > kRounded * modes.eigenvalues()[5] ? std::sqrt(square) : 0;
+    };
+    double& period = out[static_cast<size_t>(k)].period;
+    if (m.hydrodynamics)
+      period = settled_period(*m.hydrodynamics->data, 6 * (m.hydrodynamics->body - 1), frequency_with);
+    else if (const double omega = frequency_with(Mat6::Zero()); omega > 0)
+      period = 2 * M_PI / omega;
     const Vec6 x = modes.eigenvectors().col(k);
     Vec6 energy = x.cwiseProduct(M * x);
     for (int named = 0; named < k; ++named) energy[out[static_cast<size_t>(named)].freedom] = -HUGE_VAL;

@@ -410,6 +410,13 @@ Key floating() {
             at_least(0), or_else(kZero)),
        vec3({"turning_damping", &BodyMass::turning_damping}, turning_damping,
             "rotational dampers parallel to these springs", at_least(0), or_else(kZero)),
+       six_by_six("stiffness_matrix", &BodyMass::stiffness_matrix,
+                  "linear springs with a full, symmetric matrix between the body's origin and its pose by "
+                  "`motion` (or `position` and `rotation_deg`), in the body's axes in this pose, in addition "
+                  "to the others: six rows of six, N/m, N, N m/rad"),
+       six_by_six("damping_matrix", &BodyMass::damping_matrix,
+                  "linear dampers parallel to these springs, with a full matrix: six rows of six, N s/m, N "
+                  "s, N m s"),
        body_in_water(),
        body_hydrodynamics(),
        body_hull(),

@@ -10,10 +10,12 @@
 #include <filesystem>
 
 #include "hawser/base/count_of.hpp"
+#include "hawser/math/freedoms.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/farm.hpp"
 #include "hawser/model/longest_step.hpp"
 #include "hawser/model/notes.hpp"
+#include "hawser/model/platform_periods.hpp"
 #include "hawser/model/positioning.hpp"
 #include "hawser/model/wave_components.hpp"
 
@@ -22,18 +24,27 @@ namespace {
 
 std::string point(const Vec3& x) { return fmt::format("({:g}, {:g}, {:g})", x.x(), x.y(), x.z()); }
 
+std::string periods_on_matrix(const Body& b) {
+  std::vector<std::string> parts;
+  for (const PlatformMode& mode : modes_on_stiffness_matrix(b))
+    parts.push_back(fmt::format("{} {}", kFreedomNames[static_cast<size_t>(mode.freedom)],
+                                mode.period > 0 ? fmt::format("{:.4g} s", mode.period) : "none"));
+  return fmt::format("    periods on its stiffness matrix alone: {}\n", fmt::join(parts, ", "));
+}
+
 std::string motion_text(const Case& c, const Body& b) {
   if (b.ride) return fmt::format("rides on line {} at {:g} m", b.ride->line, b.ride->at);
   std::string s = "stands still";
   if (b.mass) {
     const BodyMass& m = *b.mass;
-    s = fmt::format("moves by its mass of {:.6g} kg, {}{}", m.mass,
-                    m.hydrodynamics ? std::string("in the sea by its hydrodynamic coefficients")
-                    : m.hull        ? std::string("with the pressure of the water on its hull")
-                    : m.in_water    ? fmt::format("in water with a volume of {:g} m³", m.in_water->volume)
-                    : m.weight && c.environment.gravity > 0 ? "with its weight"
-                                                            : "without weight",
-                    m.stiffness.isZero() && m.turning_stiffness.isZero() ? "" : ", held by springs");
+    s = fmt::format(
+        "moves by its mass of {:.6g} kg, {}{}", m.mass,
+        m.hydrodynamics ? std::string("in the sea by its hydrodynamic coefficients")
+        : m.hull        ? std::string("with the pressure of the water on its hull")
+        : m.in_water    ? fmt::format("in water with a volume of {:g} m³", m.in_water->volume)
+        : m.weight && c.environment.gravity > 0 ? "with its weight"
+                                                : "without weight",
+        m.spring_stiffness().isZero() && m.spring_turning_stiffness().isZero() ? "" : ", held by springs");
     if (b.motion.index() == 0) return s;
     s += " towards a place that ";
   }
@@ -297,6 +308,7 @@ std::string summary(const Case& c) {
     if (is_repeated(c, b.name) || is_place(c, b.name)) continue;
     s += fmt::format("  {}: at {}, {}\n", b.name, point(b.position), motion_text(c, b));
     if (b.mass && b.mass->hydrodynamics) s += platform_text(c, b);
+    if (b.mass && !b.mass->stiffness_matrix.isZero()) s += periods_on_matrix(b);
     if (b.mass) s += flow_text(c, b);
     if (b.mass && b.mass->positioning) s += positioning_text(b);
   }

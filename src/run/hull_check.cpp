@@ -51,7 +51,7 @@ void note_below_seabed(model::Case& c, const model::Volume& volume, const Loaded
 
 std::string held_by(const model::Case& c, const model::Body& b) {
   if (!line_ends_at(c, b).empty()) return "lines";
-  return b.mass->stiffness.z() > 0 ? "springs" : "";
+  return b.mass->spring_stiffness().z() > 0 ? "springs" : "";
 }
 
 template <class Case, class Visit>

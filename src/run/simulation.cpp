@@ -228,7 +228,7 @@ std::vector<std::string> Simulation::tilting_warnings() const {
   for (const int b : in_water->in_surface(state_.at_rest())) cut[static_cast<size_t>(b)] = 1;
   all_reduce(system_->comm(), MPI_SUM, cut);
   for (size_t b = 0; b < cut.size(); ++b)
-    if (cut[b] > 0 && case_.bodies[b].mass->turning_stiffness.head<2>().minCoeff() == 0)
+    if (cut[b] > 0 && case_.bodies[b].mass->spring_turning_stiffness().head<2>().minCoeff() == 0)
       out.push_back(advice::no_waterplane(case_.bodies[b].name));
   return out;
 }

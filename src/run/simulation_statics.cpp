@@ -153,7 +153,7 @@ void Simulation::note_bodies_held_without_weight() {
   if (contact_friction_in_statics() || rank_of(system_->comm()) != 0) return;
   for (size_t b = 0; b < case_.bodies.size(); ++b) {
     const model::Body& body = case_.bodies[b];
-    if (!body.mass || !body.mass->weight || body.mass->stiffness.z() > 0) continue;
+    if (!body.mass || !body.mass->weight || body.mass->spring_stiffness().z() > 0) continue;
     const StaticRest rule = static_rest(case_, static_cast<int>(b));
     if (rule.by_friction && !rule.always) notes_.push_back(advice::held_without_weight(body.name));
   }

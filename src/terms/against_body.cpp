@@ -4,24 +4,30 @@
 #include <array>
 
 #include "hawser/kernels/frame_point.hpp"
-#include "hawser/math/so3.hpp"
 
 namespace hawser {
 
-AgainstBody against_body(std::span<const LineBlock> line, const FloatingFrame& body, bool turning,
-                         const BlockVector& f, const BlockMatrix* K, const BlockMatrix* C) {
+// With the moment m of f at a position, or m = R'Q M of a moment M in the axes of a node with the rotation Q,
+// and s = sum m, both in axes of the body:
+//   f_z = -K G + (f_theta - C (v - V)_theta) on theta
+//   tau_x = -m_x - (G'K)_theta,   tau_X = sum m_x + ...,   tau_theta = -s_theta - G' f_z
+// where f and v - V turn with the body, and s is fixed in space (docs/theory/frames.md#tangent).
+AgainstBody against_body(LineBlocks line, const FloatingFrame& body, bool turning, const BlockVector& f,
+                         const BlockMatrix* K, const BlockMatrix* C) {
   using Matrix = AgainstBody::Matrix;
   const Eigen::Index n = 3 * static_cast<Eigen::Index>(line.size());
   const Eigen::Index m = n + 6;
   const auto point = [&](const LineBlock& l) {
     return FramePoint{body.R.transpose() * (l.x - body.x), body.R};
   };
+  // A node's rotation in the axes of the body: its moments turn with it.
+  const auto node = [&](const LineBlock& l) { return FramePoint{Vec3::Zero(), body.R.transpose() * l.R}; };
   Matrix G = Matrix::Zero(n, 6);
   for (size_t i = 0; i < line.size(); ++i) {
     const LineBlock& l = line[i];
     const Eigen::Index at = 3 * static_cast<Eigen::Index>(i);
     if (l.turns) {
-      G.block<3, 3>(at, 3) = l.R.transpose() * body.R;
+      G.block<3, 3>(at, 3) = node(l).R.transpose();
       continue;
     }
     G.block<3, 3>(at, 0).setIdentity();
@@ -36,24 +42,26 @@ AgainstBody against_body(std::span<const LineBlock> line, const FloatingFrame& b
     Matrix by_body = -(*K * G);
     Matrix turned = Matrix::Zero(6, n + 6);
     if (turning) {
-      Vec3 sum = Vec3::Zero();  // moment about the body, body axes
+      const FramePoint centre{Vec3::Zero(), body.R};
+      Vec3 sum = Vec3::Zero();  // moment about the body, space axes
       for (size_t i = 0; i < line.size(); ++i) {
         const LineBlock& l = line[i];
         const Eigen::Index at = 3 * static_cast<Eigen::Index>(i);
         const Vec3 fi = f.segment<3>(at);
         if (l.turns) {
-          const Mat3 Q = body.R.transpose() * l.R;
-          turned.block<3, 3>(3, at) = Q * hat(fi);
-          sum += Q * fi;
+          const FramePoint q = node(l);
+          turned.block<3, 3>(3, at) = -q.vector_by_turn(q.R * fi);
+          sum += l.R * fi;
           continue;
         }
-        by_body.block<3, 3>(at, 3) -= hat(fi) * body.R;
-        if (C) by_body.middleCols<3>(3) += C->middleCols<3>(at) * hat(l.v - body.v) * body.R;
-        turned.block<3, 3>(3, at) = body.R.transpose() * hat(fi);
-        turned.block<3, 3>(3, n) -= body.R.transpose() * hat(fi);
-        sum += point(l).moment(fi);
+        const FramePoint p = point(l);
+        by_body.block<3, 3>(at, 3) += p.vector_by_turn(fi);
+        if (C) by_body.middleCols<3>(3) -= C->middleCols<3>(at) * p.vector_by_turn(l.v - body.v);
+        turned.block<3, 3>(3, at) = -p.moment_by_position(fi);
+        turned.block<3, 3>(3, n) += p.moment_by_position(fi);
+        sum += p.arm().cross(fi);
       }
-      turned.block<3, 3>(3, n + 3) -= hat(sum);
+      turned.block<3, 3>(3, n + 3) -= centre.components_by_turn(sum);
     }
     out.K.topRightCorner(n, 6) = by_body;
     out.K.bottomRows(6) = turned;
@@ -69,8 +77,8 @@ AgainstBody against_body(std::span<const LineBlock> line, const FloatingFrame& b
 }
 
 // Every rank that owns some of the line's rows adds those; one rank adds the body's rows.
-void add_against_body(Assembler& assembler, std::span<const LineBlock> line, const FloatingFrame& body,
-                      bool counted, const BlockVector& f, const BlockMatrix* K, const BlockMatrix* C) {
+void add_against_body(Assembler& assembler, LineBlocks line, const FloatingFrame& body, bool counted,
+                      const BlockVector& f, const BlockMatrix* K, const BlockMatrix* C) {
   const AgainstBody all = against_body(line, body, !assembler.convex(), f, K, C);
   const size_t n = line.size();
   std::array<int, AgainstBody::kBlocks> numbers{};

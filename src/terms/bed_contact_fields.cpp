@@ -12,7 +12,7 @@ void BedContact::fields(FieldRegistry& registry) const {
                                 .is_support_force = true,
                                 .contact_with = advice::ContactWith::seabed},
                       .friction = {.name = "seabed_friction", .unit = "N"}},
-                     [this](const Kinematics&, const ShowPoint& show) {
+                     [this](const Kinematics&, ShowPoint show) {
                        for (const Point& p : points_)
                          for (const int node : {p.node, p.second})
                            if (p.history_index >= 0 && mesh_.owns(node))

@@ -247,7 +247,7 @@ BodyContact::Sum BodyContact::contact(const Pair& pair, const PairFrames& at, co
   BlockMatrix* by_rate = mode.tangent ? &C : nullptr;
   points.to_body(f, by_place, by_rate);
   const std::array<LineBlock, 2> blocks{LineBlock{0, false, A.x, A.v, A.R}, {1, true, A.x, A.v, A.R}};
-  sum.residual = against_body(blocks, {2, B.x, B.v, B.R}, !mode.convex, f, by_place, by_rate);
+  sum.residual = against_body(LineBlocks(blocks), {2, B.x, B.v, B.R}, !mode.convex, f, by_place, by_rate);
   const Vec12 rates = at.rates();
   for (const auto& [volume, first] : {std::pair(pair.a, 0), std::pair(pair.b, 6)})
     if (bodies_of_volumes_[volume].global < 0)

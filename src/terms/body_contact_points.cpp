@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "hawser/kernels/frame_point.hpp"
 #include "hawser/math/so3.hpp"
 
 namespace hawser {
@@ -18,7 +19,7 @@ BodyContactPoints::BodyContactPoints(const BodyFrame& body, const BodyFrame& sur
       velocity_(to_axes_ * (body.v - surface.velocity(centre_))),
       turning_(turn_ * body.w - surface.w),
       body_turning_(turn_ * body.w),
-      surface_turning_(surface.w),
+      surface_velocity_slope_(-hat(surface.w)),
       turned_(turned),
       step_(step),
       turned_by_turn_(inverse_right_jacobian(-turned)) {}
@@ -35,11 +36,11 @@ ContactTrial BodyContactPoints::trial(const SurfacePoint& at, const Vec3& z, dou
   return t;
 }
 
-// A motion (d, t) of the body, in axes of the surface, moves the point with the arm b by d + t x b, changes
-// its velocity by t x (w x b) and by the velocity of that motion, and the rotation vector phi since the start
-// of the step by J_l(phi)^-1 t. The force acts at the arm c = b - r n, where a ball touches:
-//   m = c x f,   dm = dc x f + c x df,   dc = t x b - r H (d + t x b),
-// minus t x m, because the moment is expressed in body axes.
+// Motions (d, t) of the body are in axes of the surface, so that its points have the FramePoint with R = 1:
+//   dz = d + E t,   dv = -w_s x dz + E' t,   dphi = J_l(phi)^-1 t,
+// with the angular velocity w_s of the surface and the rotation vector phi since the start of the step. The
+// force acts at the arm c = b - r n, where a ball touches: the moment is E_c' f, and in body axes the arm
+// changes by -r (n^ t + H dz).
 AxisContactPoint BodyContactPoints::add(const ContactLaw& law, const ContactStart& start,
                                         const SurfacePoint& at, const Vec3& z, double radius, double weight) {
   const Vec3 arm = z - centre_;
@@ -58,36 +59,36 @@ AxisContactPoint BodyContactPoints::add(const ContactLaw& law, const ContactStar
   }
   if (!(c.along_normal.force > 0)) return point;
   const Vec3 f = -weight * c.force;
-  const Vec3 touch = arm - radius * trial.normal;
+  const FramePoint moved{arm, Mat3::Identity(), body_turning_};
+  const FramePoint touch{arm - radius * trial.normal};
   force_ += f;
-  moment_ += touch.cross(f);
+  moment_ += touch.moment(f);
   if (!mode_.tangent) return point;
-  const Mat3 b = hat(arm);
-  const Mat3 m = hat(touch);
-  Mat3 K = -weight * c.by_point;
-  Mat3 by_turn = -K * b;
+  const Mat3 E = moved.by_turn();
+  const Mat3 to_moment = touch.by_turn().transpose();
+  const auto add_to = [&to_moment](Mat6& sum, const Mat3& by_position, const Mat3& by_turn) {
+    sum.topLeftCorner<3, 3>() += by_position;
+    sum.topRightCorner<3, 3>() += by_turn;
+    sum.bottomLeftCorner<3, 3>() += to_moment * by_position;
+    sum.bottomRightCorner<3, 3>() += to_moment * by_turn;
+  };
+  Mat3 by_position = -weight * c.by_point;
+  Mat3 by_turn = Mat3::Zero();
   if (radius > 0) by_turn -= weight * c.by_turn * turned_by_turn_;
   if (mode_.moves && (law.normal.damping > 0 || law.friction.blends())) {
-    const Mat3 C = -weight * c.by_velocity;
-    const Mat3 Cb = C * b;
-    const Mat3 by_spin = C * hat(surface_turning_);
-    K -= by_spin;
-    by_turn += by_spin * b - C * hat(body_turning_.cross(arm));
-    C_.topLeftCorner<3, 3>() += C;
-    C_.topRightCorner<3, 3>() -= Cb;
-    C_.bottomLeftCorner<3, 3>() += m * C;
-    C_.bottomRightCorner<3, 3>() -= m * Cb;
+    const Mat3 by_velocity = -weight * c.by_velocity;
+    by_position += by_velocity * surface_velocity_slope_;
+    by_turn += by_velocity * moved.velocity_by_turn();
+    add_to(C_, by_velocity, by_velocity * E);
   }
-  K_.topLeftCorner<3, 3>() += K;
-  K_.topRightCorner<3, 3>() += by_turn;
-  K_.bottomLeftCorner<3, 3>() += m * K;
-  K_.bottomRightCorner<3, 3>() += m * by_turn;
+  add_to(K_, by_position, by_turn + by_position * E);
   if (mode_.convex) return point;
-  K_.bottomRightCorner<3, 3>() += m * hat(f);  // the arm turns with the body
+  K_.bottomRightCorner<3, 3>() += touch.moment_by_turn(f);
   if (!(radius > 0)) return point;
-  const Mat3 sinks = radius * hat(f) * trial.curvature;
-  K_.bottomLeftCorner<3, 3>() += sinks;
-  K_.bottomRightCorner<3, 3>() += radius * hat(f) * hat(trial.normal) - sinks * b;
+  const Mat3 by_normal = -radius * touch.moment_by_position(f);
+  const Mat3& H = trial.curvature;
+  K_.bottomLeftCorner<3, 3>() += by_normal * H;
+  K_.bottomRightCorner<3, 3>() += by_normal * (H * E + touch.components_by_turn(trial.normal));
   return point;
 }
 

@@ -58,8 +58,9 @@ class BodyContactPoints {
   Mat3 to_axes_;  // space axes to surface axes
   Vec3 centre_;   // m, centre of the body, frame of the surface
   // In axes of the surface: velocity of the body's centre and angular velocity relative to the surface,
-  // angular velocities of the body and of the surface.
-  Vec3 velocity_, turning_, body_turning_, surface_turning_;
+  // angular velocity of the body.
+  Vec3 velocity_, turning_, body_turning_;
+  Mat3 surface_velocity_slope_;  // 1/s, of minus the velocity of the surface by position
   Vec3 turned_;
   double step_;
   Mat3 turned_by_turn_;  // derivative of turned_ by a small rotation of the body

@@ -81,7 +81,7 @@ void LinePairs::fields(FieldRegistry& registry) const {
                         .contact_with = advice::ContactWith::line},
        .friction = {.name = "line_friction_force", .unit = "N"},
        .penetration = {.name = "line_penetration", .unit = "m", .report = Field::Report::table, .order = 12}},
-      [this](const Kinematics&, const ShowPoint& show) {
+      [this](const Kinematics&, ShowPoint show) {
         const auto put = [&](const ContactSegment& s, double xi, double sign, const LinePairContactPoint& h) {
           weights_at_ends(s.element, s.first, s.second, mesh_.owned, xi,
                           [&](int node, double weight) { show(node, weight, sign * Mat3::Identity(), h); });

@@ -27,7 +27,7 @@ void LineVolumeContact::fields(FieldRegistry& registry) const {
                                       .extreme = "penetration",
                                       .report = Report::table,
                                       .order = 11}},
-                     [this](const Kinematics& state, const ShowPoint& show) {
+                     [this](const Kinematics& state, ShowPoint show) {
                        std::vector<Mat3> axes;
                        for (int v = 0; v < volumes(); ++v)
                          axes.push_back(volumes_.pose_of(v, state).rotation.toRotationMatrix());

@@ -89,8 +89,9 @@ void LineVolumeContact::evaluate(const Kinematics& trial, Assembler& assembler) 
       const size_t n = i < (beam ? 2U : 1U) ? e.first : e.second;
       line[i] = {blocks[i], beam && i % 2 == 1, trial.x[n], trial.v[n], trial.q[n].toRotationMatrix()};
     }
-    add_against_body(assembler, {line.data(), count}, volumes_.floating_frame(pair.volume, trial), e.counted,
-                     f, tangent ? &K : nullptr, tangent && moves ? &C : nullptr);
+    const LineBlocks touching = beam ? LineBlocks(std::span(line)) : LineBlocks(std::span(line).first<2>());
+    add_against_body(assembler, touching, volumes_.floating_frame(pair.volume, trial), e.counted, f,
+                     tangent ? &K : nullptr, tangent && moves ? &C : nullptr);
   }
 }
 

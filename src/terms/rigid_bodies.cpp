@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hawser/kernels/spring_matrices.hpp"
 #include "hawser/math/broken_line.hpp"
 #include "hawser/math/so3.hpp"
 
@@ -76,6 +77,7 @@ RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::share
     f.data.damping = m.damping;
     f.data.turning_stiffness = m.turning_stiffness;
     f.data.turning_damping = m.turning_damping;
+    f.data.matrices = {m.stiffness_matrix, m.damping_matrix, -m.centre};
     for (const model::BodyLoad& l : m.loads)
       f.loads.push_back({{l.force, l.moment, l.at - m.centre, l.body_fixed, l.table.empty()}, l.table});
     f.static_rest = static_rest(c, body);
@@ -111,10 +113,12 @@ void RigidBodies::powers(const Floating& f, const Kinematics& state, double& dam
   const RigidPose r = spring_rest(f, state.time);
   const Vec3 dv = s.v - r.velocity;
   const Vec3 dw = s.w - s.q.conjugate() * r.angular_velocity;
-  damping = dv.dot(f.data.damping.cwiseProduct(dv)) + dw.dot(f.data.turning_damping.cwiseProduct(dw));
+  const SpringMatrixForces full = spring_matrix_forces(f.data.matrices, s, r);
+  damping = dv.dot(f.data.damping.cwiseProduct(dv)) + dw.dot(f.data.turning_damping.cwiseProduct(dw)) +
+            full.dissipated;
   // The support supplies the power of its force on the springs and dampers at their far end.
-  const Vec6 force = rigid_body(f.data, s, r).springs;
-  work = -force.head<3>().dot(r.velocity) - (s.q * force.tail<3>()).dot(r.angular_velocity);
+  const Vec6 force = rigid_body(f.data, s, r).springs - full.f;
+  work = full.supplied - force.head<3>().dot(r.velocity) - (s.q * force.tail<3>()).dot(r.angular_velocity);
   for (const Load& l : f.loads) work += load_power(l.at(state.time), s);
 }
 
@@ -217,8 +221,9 @@ double RigidBodies::round_off(const Kinematics& state, double h) const {
   for (const Floating& f : list_) {
     const size_t n = f.node;
     const RigidBodyData d = data(f);
-    sum += std::pow(4 * eps * d.stiffness.maxCoeff() * state.x[n].norm(), 2);
-    sum += std::pow(4 * eps * d.turning_stiffness.maxCoeff(), 2);
+    const Vec6 full = d.matrices.stiffness.diagonal();
+    sum += std::pow(4 * eps * (d.stiffness + full.head<3>()).maxCoeff() * state.x[n].norm(), 2);
+    sum += std::pow(4 * eps * (d.turning_stiffness + full.tail<3>()).maxCoeff(), 2);
     if (!(h > 0)) continue;
     const double coupled = f.data.coupled.topLeftCorner<3, 3>().cwiseAbs().maxCoeff();
     sum += std::pow(4 * eps * (f.data.mass + coupled) * state.v[n].norm() / h, 2);

@@ -24,20 +24,29 @@ bool in_lines_or_links(const model::Case& c, int body) {
 bool floats_at_rest(const model::Case& c, const model::BodyMass& m) {
   if (!m.in_water && !m.hull) return false;
   const model::Water& w = c.environment.water;
-  const bool carried = m.hull || m.stiffness.z() > 0 || w.density * m.in_water->volume > m.mass;
+  const Vec3 springs = m.spring_stiffness();
+  const bool carried = m.hull || springs.z() > 0 || w.density * m.in_water->volume > m.mass;
   const bool flows = !w.current.profile.empty() && !(w.current.ramp > 0);
-  return carried && (!flows || m.stiffness.head<2>().minCoeff() > 0);
+  return carried && (!flows || springs.head<2>().minCoeff() > 0);
+}
+
+// True if springs with a matrix support the body at rest: under its weight, and in water, wind and current.
+bool rests_on_matrix(const model::BodyMass& m) {
+  const Vec3 springs = m.spring_stiffness();
+  const bool in_flow = m.wind || m.current || m.in_water || m.hull || !m.members.empty();
+  return !m.stiffness_matrix.isZero() && (!m.weight || springs.z() > 0) &&
+         (!in_flow || springs.head<2>().minCoeff() > 0);
 }
 
 }  // namespace
 
 StaticRest static_rest(const model::Case& c, int body) {
   const model::BodyMass& m = *c.bodies[body].mass;
-  const bool held_in_flow = (m.wind || m.current) && m.stiffness.head<2>().minCoeff() > 0;
+  const bool held_in_flow = (m.wind || m.current) && m.spring_stiffness().head<2>().minCoeff() > 0;
   const bool positioned = m.positioning && m.positioning->proportional.head<2>().minCoeff() > 0;
   StaticRest out;
   out.always = m.hydrodynamics || held_in_flow || positioned || !m.loads.empty() ||
-               in_lines_or_links(c, body) || floats_at_rest(c, m);
+               in_lines_or_links(c, body) || floats_at_rest(c, m) || rests_on_matrix(m);
   out.by_friction = model::has_friction_on_bodies(c, c.bodies[body].name);
   return out;
 }

@@ -82,6 +82,8 @@ bodies:
     floating:
       mass: 261800
       inertia: [2.6e6, 2.6e6, 2.6e6]
+      stiffness_matrix: [[1e4, 0, 0, 0, 1e4, 0], [0, 1e4, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [1e4, 0, 0, 0, 5e5, 0], [0, 0, 0, 0, 0, 1e5]]
+      damping_matrix: [[2e4, 0, 0, 0, 1e4, 0], [0, 1e4, 0, 0, 0, 0], [0, 0, 1e4, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 1e5, 0], [0, 0, 0, 0, 0, 1e5]]
       hydrodynamics: {wamit: )" HAWSER_SOURCE_DIR R"(/tests/data/hemisphere, length_scale: 5}
       loads: [{force: [5e4, 0, 0]}]
 lines:

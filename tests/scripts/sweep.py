@@ -115,6 +115,8 @@ bodies:
   buoy: {position: [40, 30, -5], floating: {mass: 1000, inertia: [500, 500, 500], products_of_inertia: [0, 0, 0], centre_of_mass: [0, 0, 0],
          weight: true, velocity: [0, 0, 0], angular_velocity: [0, 0, 0], stiffness: [1e4, 1e4, 1e4], damping: [100, 100, 100],
          turning_stiffness: [1e4, 1e4, 1e4], turning_damping: [100, 100, 100],
+         stiffness_matrix: [[1e4, 0, 0, 0, 10, 0], [0, 1e4, 0, 0, 0, 0], [0, 0, 1e4, 0, 0, 0], [0, 0, 0, 1e4, 0, 0], [10, 0, 0, 0, 1e4, 0], [0, 0, 0, 0, 0, 1e4]],
+         damping_matrix: [[100, 0, 0, 0, 10, 0], [0, 100, 0, 0, 0, 0], [0, 0, 100, 0, 0, 0], [0, 0, 0, 100, 0, 0], [10, 0, 0, 0, 100, 0], [0, 0, 0, 0, 0, 100]],
          in_water: {volume: 1.2, height: 1.5, centre_of_buoyancy: [0, 0, 0], drag_area: [1, 1, 1], Cd: [1, 1, 1], centre_of_drag: [0, 0, 0],
                     Ca: [0.5, 0.5, 0.5]}}}
   clump: {on: {line: riser, at: 30}}

@@ -29,6 +29,27 @@ TEST(FramePoint, DerivativesByATurn) {
   }
 }
 
+// Vectors that turn with the frame or are fixed in space, and the moment of a force at a point that moves
+// relative to the frame.
+TEST(FramePoint, DerivativesOfVectors) {
+  const FramePoint p = turned(Vec3::Zero());
+  const Vec3 a(3, -1, 2);
+  const Vec3 in_frame = p.R.transpose() * a;
+  constexpr double h = 1e-5;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 d = h * Vec3::Unit(k);
+    const auto slope = [&](const auto& of) -> Vec3 { return (of(d) - of(-d)) / (2 * h); };
+    const Vec3 turns = slope([&](const Vec3& u) -> Vec3 { return turned(u).R * in_frame; });
+    const Vec3 stays = slope([&](const Vec3& u) -> Vec3 { return turned(u).R.transpose() * a; });
+    const Vec3 moment = slope([&](const Vec3& u) {
+      return FramePoint{p.y + p.R.transpose() * u, p.R}.moment(a);
+    });
+    EXPECT_LT((p.vector_by_turn(a).col(k) - turns).norm(), 1e-9);
+    EXPECT_LT((p.components_by_turn(a).col(k) - stays).norm(), 1e-9);
+    EXPECT_LT((p.moment_by_position(a).col(k) - moment).norm(), 1e-9);
+  }
+}
+
 // The moment is that of the arm in space; the power at the point equals that on the frame.
 TEST(FramePoint, MomentAndWork) {
   const FramePoint p = turned(Vec3::Zero());

@@ -4,13 +4,23 @@
 // inertia + holding force - applied; its moments are in body axes.
 //   f = m (a + g) + k (x - x0) + c (v - v0)
 //   t = J alpha + w x J w + T(phi)^-T kr phi + cr (w - R^T W0),  phi = log(R0^T R)
-// T is the right Jacobian of the exponential, so the moment is the gradient of phi . kr phi / 2.
+// T is the right Jacobian of the exponential, so the moment is the gradient of phi . kr phi / 2. Springs and
+// dampers with full matrices (spring_matrices.hpp) add to the holding force.
 #pragma once
 
 #include "hawser/kernels/motion.hpp"
 #include "hawser/math/types.hpp"
 
 namespace hawser {
+
+// Springs and dampers with full matrices between a point of the body and the same point of the body at rest.
+struct SpringMatrices {
+  // N/m, N, N m/rad (symmetric) and N s/m, N s, N m s, in axes of the body at rest.
+  Mat6 stiffness = Mat6::Zero(), damping = Mat6::Zero();
+  Vec3 arm = Vec3::Zero();  // m, from the centre of mass to the point, body axes
+
+  bool none() const { return stiffness.isZero(0) && damping.isZero(0); }
+};
 
 struct RigidBodyData {
   double mass = 0;              // kg
@@ -19,6 +29,7 @@ struct RigidBodyData {
   Vec3 weight = Vec3::Zero();   // N, weight not carried otherwise
   Vec3 stiffness = Vec3::Zero(), damping = Vec3::Zero();                  // N/m, N s/m, space axes
   Vec3 turning_stiffness = Vec3::Zero(), turning_damping = Vec3::Zero();  // N m/rad, N m s/rad, body axes
+  SpringMatrices matrices;
 };
 
 struct RigidBodyState {

@@ -126,6 +126,8 @@ struct BodyMass {
   Vec3 angular_velocity = Vec3::Zero();  // rad/s, at t = 0, body axes
   Vec3 stiffness = Vec3::Zero(), damping = Vec3::Zero();  // N/m, N s/m: towards the prescribed `motion`
   Vec3 turning_stiffness = Vec3::Zero(), turning_damping = Vec3::Zero();  // N m/rad, N m s/rad, body axes
+  // In addition, about the body's origin in axes of the body at rest: N/m, N, N m/rad; N s/m, N s, N m s.
+  Mat6 stiffness_matrix = Mat6::Zero(), damping_matrix = Mat6::Zero();
   Shared<BodyInWater> in_water;
   Shared<BodyHydrodynamics> hydrodynamics;
   Shared<BodyHull> hull;
@@ -135,6 +137,9 @@ struct BodyMass {
   std::vector<BodyLoad> loads;
 
   Mat3 tensor() const;  // kg m², from inertia and products
+  // Of all springs, without the couplings of the matrix: N/m, N m/rad.
+  Vec3 spring_stiffness() const { return stiffness + stiffness_matrix.diagonal().head<3>(); }
+  Vec3 spring_turning_stiffness() const { return turning_stiffness + stiffness_matrix.diagonal().tail<3>(); }
 };
 
 // Attaches a body to a line node: its frame is that of the node, first axis along the line.

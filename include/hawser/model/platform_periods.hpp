@@ -19,8 +19,10 @@ struct PlatformMode {
   double period = 0;  // s; 0: none
   int freedom = 0;    // the one with the most kinetic energy of those that are not given to a longer period
 };
-// The six modes of such a body with a stiffness of all that acts on it, about its centre of mass in body
-// axes, in descending order: (K - omega² (M + A(omega))) x = 0 without damping.
+// The six modes of a body with a stiffness of all that acts on it, about its centre of mass in body axes, in
+// descending order: (K - omega² (M + A(omega))) x = 0 without damping, with A = 0 without hydrodynamics.
 std::array<PlatformMode, 6> platform_modes(const Body& b, const Mat6& K);
+// The same with its `stiffness_matrix` alone.
+std::array<PlatformMode, 6> modes_on_stiffness_matrix(const Body& b);
 
 }  // namespace hawser::model

@@ -4,10 +4,10 @@
 // body. A rigid motion of both only rotates the forces. Let u be the unknowns of the line, z = (X, theta)
 // those of the body's centre of mass (theta in body axes), and G the derivative of u by z for a line that
 // moves rigidly with the body:
-//   G = [I, -hat(r) R] for a position x = X + r,   G = [0, Q'R] for the rotation Q of a node.
+//   G = [I, E] for a position, E of its FramePoint,   G = [0, Q'R] for the rotation Q of a node.
 // The forces on the body are -G'f, and the derivatives by its unknowns are those by the line's unknowns times
-// G:
-//   f_z = -K G + (C hat(v - V) R + [-hat(f) R of positions]) on theta,   f_zdot = -C G.
+// G and those of the vectors that turn with the body (FramePoint::vector_by_turn), with a_theta = -hat(a) R:
+//   f_z = -K G + ([f_theta of positions] - C (v - V)_theta) on theta,   f_zdot = -C G.
 #pragma once
 
 #include <span>
@@ -22,6 +22,13 @@ struct LineBlock {
   bool turns = false;
   Vec3 x = Vec3::Zero(), v = Vec3::Zero();  // m, m/s, position and velocity of the node
   Mat3 R = Mat3::Identity();                // rotation of the node
+};
+
+// The blocks of an element of a line: the positions of its two nodes, and with the rotations of a beam four.
+// AgainstBody has no space for more.
+struct LineBlocks : std::span<const LineBlock> {
+  LineBlocks(std::span<const LineBlock, 2> of_cable) : span(of_cable) {}
+  LineBlocks(std::span<const LineBlock, 4> of_beam) : span(of_beam) {}
 };
 
 struct FloatingFrame {
@@ -39,12 +46,12 @@ struct AgainstBody {
 };
 // Extends f [3n], K and C [3n x 3n, or null] of n blocks of a line to the body. turning: include
 // the rotation of the forces and of their arms about the body, which may make the stiffness negative.
-AgainstBody against_body(std::span<const LineBlock> line, const FloatingFrame& body, bool turning,
-                         const BlockVector& f, const BlockMatrix* K, const BlockMatrix* C);
+AgainstBody against_body(LineBlocks line, const FloatingFrame& body, bool turning, const BlockVector& f,
+                         const BlockMatrix* K, const BlockMatrix* C);
 
-// Adds the result of against_body() to the assembler, n <= 4. counted: this rank adds the body's rows,
-// whichever rank owns the body.
-void add_against_body(Assembler& assembler, std::span<const LineBlock> line, const FloatingFrame& body,
-                      bool counted, const BlockVector& f, const BlockMatrix* K, const BlockMatrix* C);
+// Adds the result of against_body() to the assembler. counted: this rank adds the body's rows, whichever rank
+// owns the body.
+void add_against_body(Assembler& assembler, LineBlocks line, const FloatingFrame& body, bool counted,
+                      const BlockVector& f, const BlockMatrix* K, const BlockMatrix* C);
 
 }  // namespace hawser

@@ -5,14 +5,15 @@
 #include <functional>
 
 #include "hawser/kernels/contact_point.hpp"
+#include "hawser/math/function_ref.hpp"
 #include "hawser/system/field_registry.hpp"
 
 namespace hawser {
 
 // Receives a contact point for an owned node with the node's share of it. axes: rotation from the axes of the
 // point to space axes; negative for the reaction on the touched line.
-using ShowPoint = std::function<void(int node, double weight, const Mat3& axes, const ContactPoint& p)>;
-using EachPoint = std::function<void(const Kinematics& state, const ShowPoint& show)>;
+using ShowPoint = FunctionRef<void(int node, double weight, const Mat3& axes, const ContactPoint& p)>;
+using EachPoint = std::function<void(const Kinematics& state, ShowPoint show)>;
 
 // Descriptions of the output fields without their components; a field without a name is not output.
 struct ContactFields {
