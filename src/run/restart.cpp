@@ -38,8 +38,6 @@ const char *const kReaction = "reaction", *const kMeanQ = "mean_force_algorithmi
 const char* const kDirectors = "director_acceleration";
 const char* const kAlgorithmicDirectors = "algorithmic_director_acceleration";
 
-// Key, followed by the name of a volume: raised automatic contact stiffness, N/m per m.
-const std::string kStiffness = "contact.stiffness.";
 const std::string kResolvedUntil = "step.resolved until";
 const std::string kKey = "key.";        // and a dotted key: its value, by number_of()
 const char* const kKeys = "case.keys";  // how many of them there are
@@ -186,9 +184,6 @@ io::Checkpoint make_checkpoint(Simulation& simulation, record::Recorder& recorde
   double work = d.support_work();
   all_reduce(simulation.system().comm(), MPI_SUM, work);
   c.scalars["support_work"] = work;
-  const LineVolumeContact* contact = simulation.line_volume_contact();
-  for (int v = 0; contact && v < contact->volumes(); ++v)
-    c.scalars[kStiffness + contact->volume_name(v)] = contact->stiffness(v);
   recorder.save(c);
   events.save(c);
   FeederNodes(simulation).save(c);
@@ -302,11 +297,6 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   for (const auto& term : simulation.system().terms())
     if (const auto it = c.records.find(std::string(term->checkpoint_key())); it != c.records.end())
       term->restore(it->second.records);
-  LineVolumeContact* contact = simulation.line_volume_contact();
-  for (int v = 0; contact && v < contact->volumes(); ++v)
-    if (const auto it = c.scalars.find(kStiffness + contact->volume_name(v)); it != c.scalars.end())
-      contact->raise_to(v, it->second);
-  simulation.take_stiffness_raises("");  // reported by the run that raised it
 
   const int rank = rank_of(system.comm());
   Dynamics::RestartData data;
