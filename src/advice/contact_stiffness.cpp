@@ -59,11 +59,11 @@ std::string chosen_stiffness(const std::string& volume, double stiffness, const 
   return note;
 }
 
-std::string raised_stiffness(const std::string& volume, double from, double to, const std::string& when) {
+std::string raised_stiffness(const StiffnessRaise& raise, const std::string& when) {
   return fmt::format(
       "volume {}: normal stiffness raised from {:.3g} to {:.3g} N/m per m {}, so that the penetration of the "
       "line under its tension and under impacts stays within the allowed value",
-      volume, from, to, when);
+      raise.volume, raise.before, raise.after, when);
 }
 
 std::string too_deep(const TooDeep& at) {

@@ -52,8 +52,8 @@ void warn_of_span(const Case& c, const Line& line, std::vector<InputWarning>& ou
   for (const End* e : {&line.end_a, &line.end_b})
     if (e->feed) length -= e->feed->stock;
   const double loose = length + expansion_of(c, line);
-  double give = 0;
-  for (const Section& s : line.sections) give += s.length / c.line_type(s.type).EA;
+  double compliance = 0;
+  for (const Section& s : line.sections) compliance += s.length / c.line_type(s.type).EA;
   const std::string key = "lines." + line.name + ".sections";
   const Section& weakest = *std::min_element(
       line.sections.begin(), line.sections.end(),
@@ -64,7 +64,7 @@ void warn_of_span(const Case& c, const Line& line, std::vector<InputWarning>& ou
   };
   if (chord > loose && !yields_to_line(line.end_a) && !yields_to_line(line.end_b))
     warn_if_overloaded(
-        c, weakest, (chord - loose) / give, key,
+        c, weakest, (chord - loose) / compliance, key,
         fmt::format("a length of {:.6g} m over a distance of {:.6g} m between its ends", loose, chord), out);
   int elements = 0;
   for (const Section& s : line.sections) elements += s.elements;

@@ -50,8 +50,6 @@ std::string other_node(const std::string& line, double in_checkpoint, double in_
 
 std::string other_beams() { return "other nodes are of beams"; }
 
-std::string other_plasticity() { return "another 'plasticity' of line types"; }
-
 std::string other_volumes() { return "other volumes"; }
 
 std::string other_key(const std::string& key, KeyDiffers how) {

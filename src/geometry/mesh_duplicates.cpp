@@ -139,18 +139,18 @@ class Patches {
 
   // Length of a patch's rim where the other faces end (needed), and where they continue without it
   // (superfluous); without other faces neither counts.
-  struct Vote {
+  struct RimLength {
     double needed = 0, superfluous = 0;
   };
-  Vote vote(std::size_t patch, const std::vector<bool>& kept) const {
-    Vote v;
+  RimLength rim_length(std::size_t patch, const std::vector<bool>& kept) const {
+    RimLength length;
     for (const std::size_t r : rims_of_patch_[patch]) {
       int others = rims_[r].fixed_faces;
       for (const auto& [p, n] : rims_[r].patches)
         if (static_cast<std::size_t>(p) != patch && kept[static_cast<std::size_t>(p)]) others += n;
-      if (others > 0) (others % 2 == 1 ? v.needed : v.superfluous) += rims_[r].length;
+      if (others > 0) (others % 2 == 1 ? length.needed : length.superfluous) += rims_[r].length;
     }
-    return v;
+    return length;
   }
 
   // Patches that are not required or not connected are tested for the boundary of the body. Where three
@@ -161,8 +161,8 @@ class Patches {
     std::vector<std::pair<std::size_t, bool>> asked;  // and whether the rest touches it
     for (std::size_t p = 0; p < count_; ++p) {
       if (!kept[p] || rims_of_patch_[p].empty()) continue;
-      const Vote v = vote(p, kept);
-      if (v.superfluous > v.needed || v.needed == 0) asked.emplace_back(p, v.superfluous > 0);
+      const RimLength rim = rim_length(p, kept);
+      if (rim.superfluous > rim.needed || rim.needed == 0) asked.emplace_back(p, rim.superfluous > 0);
     }
     if (asked.empty()) return false;
     TriangleMesh all = once(mesh_, faces_, kept);

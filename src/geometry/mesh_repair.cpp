@@ -39,7 +39,7 @@ RepairResult repair(TriangleMesh& mesh) {
     if (all) turn_all();
     for (const int t : patch)
       if (turn[static_cast<std::size_t>(t)]) flip(mesh.triangles[static_cast<std::size_t>(t)]);
-    if (detail::front_sees_outside(mesh, tree, patch) < 0) {
+    if (detail::front_faces_inside(mesh, tree, patch)) {
       for (const int t : patch) flip(mesh.triangles[static_cast<std::size_t>(t)]);
       turn_all();
     }

@@ -15,7 +15,8 @@ Vec3 direction(int i, int n) {
   return Vec3(r * std::cos(a), r * std::sin(a), z);
 }
 
-constexpr int kRays = 9, kVoters = 15;
+constexpr int kTriangles = 15;  // most triangles of a patch from which rays start
+constexpr int kRays = 9;        // rays from each
 
 // Rays in both directions from the largest triangles of the patch. Calls with_ray(crossings, front): the
 // number of triangles the ray meets, and whether it starts at the front.
@@ -26,9 +27,9 @@ void each_ray(const MeshView& mesh, const WindingTree& tree, std::vector<int>& p
     const double y = mesh.area_vector(b).squaredNorm();
     return x != y ? x > y : a < b;
   };
-  const auto voters = std::min<std::size_t>(kVoters, patch.size());
-  std::partial_sort(patch.begin(), patch.begin() + static_cast<long>(voters), patch.end(), larger);
-  for (std::size_t k = 0; k < voters; ++k) {
+  const auto count = std::min<std::size_t>(kTriangles, patch.size());
+  std::partial_sort(patch.begin(), patch.begin() + static_cast<long>(count), patch.end(), larger);
+  for (std::size_t k = 0; k < count; ++k) {
     const int t = patch[k];
     const Vec3 n = mesh.area_vector(t);
     const Vec3 c = mesh.centroid(t);
@@ -44,11 +45,13 @@ void each_ray(const MeshView& mesh, const WindingTree& tree, std::vector<int>& p
 
 }  // namespace
 
-int front_sees_outside(const MeshView& mesh, const WindingTree& tree, std::vector<int> patch) {
-  int sum = 0;
-  each_ray(mesh, tree, patch,
-           [&](int crossings, bool front) { sum += (crossings % 2 == 0) == front ? 1 : -1; });
-  return sum;
+bool front_faces_inside(const MeshView& mesh, const WindingTree& tree, std::vector<int> patch) {
+  int excess = 0;  // rays for the front at the inside, less those for the front at the outside
+  each_ray(mesh, tree, patch, [&](int crossings, bool front) {
+    const bool to_outside = crossings % 2 == 0;
+    excess += to_outside == front ? -1 : 1;
+  });
+  return excess > 0;
 }
 
 double one_sided_visibility(const MeshView& mesh, const WindingTree& tree, std::vector<int> patch) {

@@ -8,9 +8,9 @@
 
 namespace hawser::detail {
 
-// Vote of rays from the largest triangles of the patch. > 0: its front faces the outside, because the rays
-// meet an even number of triangles.
-int front_sees_outside(const MeshView& mesh, const WindingTree& tree, std::vector<int> patch);
+// True if the front of the patch faces the inside, by most of the rays from its largest triangles: a ray
+// towards the outside meets an even number of triangles.
+bool front_faces_inside(const MeshView& mesh, const WindingTree& tree, std::vector<int> patch);
 
 // Fraction of such rays that meet nothing on one side, minus that on the other. 1: open space on one side
 // only; 0: equal on both sides, such as a fin or a wall.

@@ -46,24 +46,26 @@ Line part_of(const Line& line, double from, double to, double length) {
       out.sections.push_back(b - a < s.length ? part_of(s, a - start, b - start) : s);
     start += s.length;
   }
-  const auto outside = [&](const auto& p) { return p.at > to || (p.at <= from && !first); };
-  std::erase_if(out.masses, outside);
-  std::erase_if(out.point_loads, outside);
-  for (PointMass& m : out.masses) m.at -= from;
-  for (PointLoad& p : out.point_loads) p.at -= from;
-  for (BendStiffener& b : out.bend_stiffeners) b.at -= from;  // one across a cut belongs to both parts
-  for (auto& row : out.temperature_change) row.first -= from;
-  const auto cut = [&](double& a, double& b) {
-    a = std::max(a, from) - from;
-    b = std::min(b, to) - from;
+  // A point on one part; at a cut it belongs to the part before it.
+  const auto points = [&](auto& all) {
+    std::erase_if(all, [&](const auto& p) { return p.at > to || (p.at <= from && !first); });
+    for (auto& p : all) p.at -= from;
   };
-  for (DistributedLoad& q : out.loads) {
-    if (q.to < 0) q.to = length;
-    cut(q.from, q.to);
-  }
-  std::erase_if(out.loads, [](const DistributedLoad& q) { return !(q.from < q.to); });
-  for (Buried& b : out.buried) cut(b.from, b.to);
-  std::erase_if(out.buried, [](const Buried& b) { return !(b.from < b.to); });
+  // A range, divided between the parts.
+  const auto ranges = [&](auto& all) {
+    for (auto& r : all) {
+      r.from = std::max(r.from, from) - from;
+      r.to = std::min(r.to < 0 ? length : r.to, to) - from;
+    }
+    std::erase_if(all, [](const auto& r) { return !(r.from < r.to); });
+  };
+  points(out.masses);
+  points(out.point_loads);
+  ranges(out.loads);
+  ranges(out.buried);
+  // In all parts, because one beyond an end of a part may reach into it.
+  for (BendStiffener& b : out.bend_stiffeners) b.at -= from;
+  for (auto& row : out.temperature_change) row.first -= from;
   if (!first) out.end_a = {};
   if (!last) out.end_b = {};
   return out;
@@ -124,8 +126,10 @@ class Cuts {
     c_.joints.push_back(std::move(joint));
   }
 
-  // Assigns an arc length to the part that contains it; a cut belongs to the part before it.
-  void place(std::string& line, double& arc) const {
+  // If `line` is the line `name`, replaces it and an arc length on it by the part that contains the point; a
+  // cut belongs to the part before it.
+  void place(const std::string& name, std::string& line, double& arc) const {
+    if (line != name) return;
     std::size_t k = 0;
     while (k + 1 < names_.size() && arc > arcs_[k + 1] + kSame * arcs_.back()) ++k;
     line = names_[k];
@@ -141,15 +145,13 @@ class Cuts {
       } else if (a.line == name && a.line_end == LineEnd::B) {
         a.line = names_.back();
       }
-      if (e.cause.line == name) place(e.cause.line, e.cause.arc);
+      place(name, e.cause.line, e.cause.arc);
     }
-    for (HistoryPoint& h : c_.output.histories)
-      if (h.line == name) place(h.line, h.at);
+    for (HistoryPoint& h : c_.output.histories) place(name, h.line, h.at);
     for (Link& l : c_.links)
-      for (LinkEnd* end : {&l.end_a, &l.end_b})
-        if (end->line == name) place(end->line, end->arc);
+      for (LinkEnd* end : {&l.end_a, &l.end_b}) place(name, end->line, end->arc);
     for (Body& b : c_.bodies)
-      if (b.ride && b.ride->line == name) place(b.ride->line, b.ride->at);
+      if (b.ride) place(name, b.ride->line, b.ride->at);
     for (std::size_t k = 1; k < names_.size(); ++k) {
       if (!c_.contact.all_lines && c_.contact.takes_part(*line_of(name)))
         c_.contact.lines.push_back(names_[k]);

@@ -160,13 +160,13 @@ double taut_stiffness(const Case& c, const Body& b) {
       const End& end = line.end(line_end);
       if (end.kind != EndKind::body || end.carrier != b.name || !is_held(line.end(opposite(line_end))))
         continue;
-      double length = 0, give = 0;
+      double length = 0, compliance = 0;
       for (const Section& s : line.sections) {
         length += s.length;
-        give += s.length / c.line_type(s.type).EA;
+        compliance += s.length / c.line_type(s.type).EA;
       }
       const double chord = (end_position(c, line.end_b) - end_position(c, line.end_a)).norm();
-      if (chord > (1 - kTaut) * length) sum += 1 / give;
+      if (chord > (1 - kTaut) * length) sum += 1 / compliance;
     }
   return sum;
 }
@@ -287,13 +287,13 @@ void add_ramps(const Case& c, Shortest& to) {
 }  // namespace
 
 double slowest_period(const Case& c, const Line& line) {
-  double length = 0, loose = 0, mass = 0, bend = 0, give = 0;
+  double length = 0, loose = 0, mass = 0, bend = 0, compliance = 0;
   for (const Section& s : line.sections) {
     const LineType& t = c.line_type(s.type);
     loose += s.length * (1 + thermal_strain(t, line, length, length + s.length));
     length += s.length;
     mass += s.length * t.mass_per_length;
-    give += s.length / t.EA;
+    compliance += s.length / t.EA;
     bend += s.length * t.smallest_bending_stiffness();
   }
   if (length == 0 || mass == 0) return 0;
@@ -304,7 +304,7 @@ double slowest_period(const Case& c, const Line& line) {
   double square = kHangingChain * c.environment.gravity / length + std::pow(wave / length, 4) * bend / mass;
   if (is_held(line.end_a) && is_held(line.end_b)) {
     const double chord = (end_position(c, line.end_b) - end_position(c, line.end_a)).norm();
-    square += std::pow(M_PI / length, 2) * std::max(chord - loose, 0.0) / give / (mass / length);
+    square += std::pow(M_PI / length, 2) * std::max(chord - loose, 0.0) / compliance / (mass / length);
   }
   return square > 0 ? 2 * M_PI / std::sqrt(square) : 0;
 }

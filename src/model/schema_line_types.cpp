@@ -75,7 +75,8 @@ Key plasticity() {
             "`EI`, which need not be given, and otherwise must agree to 5 %",
             items(2))},
       "elastic-plastic bending with hysteresis, the same in all directions "
-      "([theory](../theory/plastic-bending.md))");
+      "([theory](../theory/plastic-bending.md))",
+      fixed_in_restart);
 }
 
 void bending(LineType& t, const Value& v) { t.kind = v.number != 0 ? LineKind::beam : LineKind::cable; }

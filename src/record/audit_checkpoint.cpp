@@ -1,7 +1,6 @@
 // Names of energies and audit numbers in a checkpoint.
 #include "hawser/record/audit_checkpoint.hpp"
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <type_traits>
@@ -17,9 +16,13 @@ constexpr std::pair<const char*, double Energy::*> kEnergies[] = {
     {"friction", &Energy::friction},     {"damping", &Energy::damping},  {"work", &Energy::work},
     {"unresolved", &Energy::unresolved}, {"by_water", &Energy::by_water}};
 
-// Visits each number of an audit with its name.
-template <class AnAudit, class Each>
-void numbers(AnAudit& a, Each&& each) {
+// Visits each number of an audit, and of the energies from which it counts, with its name.
+template <class AnEnergy, class AnAudit, class Each>
+void numbers(AnEnergy& start, AnAudit& a, Each&& each) {
+  for (const auto& [name, member] : kEnergies) {
+    each(std::string("audit.start.") + name, start.*member);
+    each(std::string("audit.now.") + name, a.now.*member);
+  }
   each("audit.brought_in", a.brought_in);
   each("audit.error", a.error);
   each("audit.initial_kinetic", a.initial_kinetic);
@@ -53,32 +56,26 @@ void numbers(AnAudit& a, Each&& each) {
 }  // namespace
 
 void save_audit(const Energy& start, const Audit& audit, io::Checkpoint& to) {
-  for (const auto& [name, member] : kEnergies) {
-    to.scalars[std::string("audit.start.") + name] = start.*member;
-    to.scalars[std::string("audit.now.") + name] = audit.now.*member;
-  }
-  numbers(audit,
+  numbers(start, audit,
           [&](const std::string& name, const auto& value) { to.scalars[name] = static_cast<double>(value); });
 }
 
 bool has_audit(const io::Checkpoint& c) {
-  io::Checkpoint complete;
-  save_audit({}, {}, complete);
-  return std::all_of(complete.scalars.begin(), complete.scalars.end(),
-                     [&](const auto& number) { return c.scalars.count(number.first) > 0; });
+  const Energy start{};
+  const Audit audit{};
+  bool complete = true;
+  numbers(start, audit,
+          [&](const std::string& name, const auto&) { complete = complete && c.scalars.count(name) > 0; });
+  return complete;
 }
 
 void restore_audit(const io::Checkpoint& from, Energy& start, Audit& audit) {
-  const auto get = [&](const std::string& name) { return from.scalars.at(name); };
-  for (const auto& [name, member] : kEnergies) {
-    start.*member = get(std::string("audit.start.") + name);
-    audit.now.*member = get(std::string("audit.now.") + name);
-  }
-  numbers(audit, [&]<class T>(const std::string& name, T& value) {
+  numbers(start, audit, [&]<class T>(const std::string& name, T& value) {
+    const double number = from.scalars.at(name);
     if constexpr (std::is_enum_v<T>)
-      value = static_cast<T>(static_cast<int>(get(name)));
+      value = static_cast<T>(static_cast<int>(number));
     else
-      value = static_cast<T>(get(name));
+      value = static_cast<T>(number);
   });
 }
 

@@ -39,7 +39,7 @@ std::vector<io::SummaryRow> DeepContacts::summary() {
   return {};
 }
 
-std::vector<Warning> DeepContacts::warnings(const std::vector<io::SummaryRow>& summary, const Audit&) {
+std::vector<Warning> DeepContacts::warnings(const std::vector<io::SummaryRow>& summary) {
   const model::Case& c = subject_.model;
   std::vector<Warning> out;
   for (const auto& [line, d] : of_run_) {

@@ -212,7 +212,7 @@ void EdgeErrors::step(const Snapshot& s) {
 
 std::vector<std::string> EdgeErrors::remarks() { return std::exchange(new_warnings_, {}); }
 
-std::vector<Warning> EdgeErrors::warnings(const std::vector<io::SummaryRow>& summary, const Audit&) {
+std::vector<Warning> EdgeErrors::warnings(const std::vector<io::SummaryRow>& summary) {
   std::vector<Warning> out;
   for (size_t i = 0; i < summary.size(); ++i)
     if (const io::SummaryRow& r = summary[i]; is_largest_tension(case_, r))

@@ -90,7 +90,7 @@ void ElementErrors::output(const Snapshot& s) {
   update(s.at, v);
 }
 
-std::vector<Warning> ElementErrors::warnings(const std::vector<io::SummaryRow>& summary, const Audit&) {
+std::vector<Warning> ElementErrors::warnings(const std::vector<io::SummaryRow>& summary) {
   PerLine<double> bent(mesh_, HUGE_VAL);
   for (const io::SummaryRow& r : summary)
     if (r.quantity == "max bending moment") bent[case_.line_index(r.line)] = r.value;

@@ -90,7 +90,7 @@ void LineExtremes::step(const Snapshot& s) {
       }
 }
 
-std::vector<Warning> LineExtremes::warnings(const std::vector<io::SummaryRow>& summary, const Audit&) {
+std::vector<Warning> LineExtremes::warnings(const std::vector<io::SummaryRow>& summary) {
   std::vector<Warning> out;
   for (size_t i = 0; i < summary.size(); ++i) {
     const io::SummaryRow& row = summary[i];

@@ -157,7 +157,7 @@ void PipeStrength::fill(const Snapshot& s, Values& values) {
   }
 }
 
-std::vector<Warning> PipeStrength::warnings(const std::vector<io::SummaryRow>&, const Audit&) {
+std::vector<Warning> PipeStrength::warnings(const std::vector<io::SummaryRow>&) {
   double largest = pulled_;
   all_reduce(comm_, MPI_MAX, largest);
   if (!(largest > kMaxPulled) || rank_of(comm_) != 0) return {};

@@ -1,15 +1,13 @@
-// The class Recorder: order of updates of fields, energies and recordings, and writing of the results file.
+// The class Recorder: order of updates of fields and recordings, and writing of the results file.
 #include "hawser/record/recorder.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 
-#include "hawser/advice/input_warnings.hpp"
 #include "hawser/base/mpi.hpp"
 #include "hawser/model/farm.hpp"
-#include "hawser/record/audit_checkpoint.hpp"
+#include "hawser/record/energy_audit.hpp"
 #include "hawser/record/output_times.hpp"
 #include "hawser/record/result_parts.hpp"
 #include "hawser/record/summary_rows.hpp"
@@ -25,10 +23,9 @@ constexpr double kMostRoom = 1e6;
 Recorder::Recorder(Subject subject, std::vector<io::VolumeMesh> volumes, io::RunInfo run,
                    const io::Checkpoint* from, bool append, bool write)
     : subject_(std::move(subject)),
-      feeders_(subject_.system.with<FeedsLines>()),
       touchdowns_(subject_.comm(), subject_.model, subject_.local()),
       fields_(subject_),
-      recordings_(recordings(subject_, fields_.end_forces())),
+      recordings_(recordings(subject_, fields_)),
       rows_every_(subject_.model.output.history_every) {
   io::ResultContents contents = declared(std::move(volumes), std::move(run));
   if (!write) {
@@ -84,7 +81,7 @@ io::ResultContents Recorder::declared(std::vector<io::VolumeMesh> volumes, io::R
 }
 
 Snapshot Recorder::snapshot(const Kinematics& state, const StepInfo& info) const {
-  return {subject_, touchdowns_, state, info, fields_.values(), fields_.ends(), fields_.end_forces(), audit_};
+  return {subject_, touchdowns_, state, info, fields_.values(), fields_.ends(), fields_.end_forces()};
 }
 
 void Recorder::fill(const Snapshot& s, bool all) {
@@ -101,52 +98,26 @@ void Recorder::stage(size_t place, const Kinematics& state) {
   write_output(static_cast<double>(place) - last, s, {});
 }
 
-void Recorder::start(const Kinematics& state, const Kinematics& shown) {
-  start_ = sum_of(subject_.comm(), subject_.system.energy(state));
+void Recorder::start(const Kinematics& state) {
   if (subject_.model.statics.enabled) {
-    const Snapshot s = snapshot(shown);
+    const Snapshot s = snapshot(state);
     fill(s, false);
     for (const auto& r : recordings_) r->start(s);
   }
-  step({}, state, 0, shown);
-  output(shown);
+  step({}, state);
+  output(state);
 }
 
-void Recorder::step(const StepInfo& info, const Kinematics& state, double support_work,
-                    const Kinematics& shown) {
-  const Snapshot s = snapshot(shown, info);
+void Recorder::step(const StepInfo& info, const Kinematics& state) {
+  const Snapshot s = snapshot(state, info);
   fill(s, false);
   stepped_ = true;
-  Energy local = subject_.system.energy(state);
-  local.work += support_work;
-  const Energy now = sum_of(subject_.comm(), local);
-  double passed = 0;
-  for (const FeedsLines* f : feeders_) passed += f->passed_through(fields_.end_forces().at_feeders(), info.h);
-  if (audit_.update(start_, now, info.time, info.h, passed) && info.h > 0) find_worst(s);
   for (const auto& r : recordings_) r->step(s);
   if (info.time < rows_from_ - time_tolerance(info.time)) return;
   if (rows_every_ > 0) rows_from_ = next_multiple(info.time, rows_every_);
   Rows rows;
   for (const auto& r : recordings_) r->rows(s, rows);
   file_->append_series(info.time, std::move(rows).gathered(subject_.comm()));
-}
-
-// Finds the place where the step with most created energy changed the motion most, and the force there.
-void Recorder::find_worst(const Snapshot& s) {
-  using With = Audit::Step::ContactWith;
-  fill(s, true);
-  const NodeValue change = subject_.dynamics().largest_acceleration_change();
-  int with = 0;
-  const int n = subject_.local().find(change.node);
-  if (subject_.local().owns(n))
-    for (size_t f = 0; f < s.values.size() && with == 0; ++f) {
-      const Field& field = fields_.fields()[f];
-      double size = 0;
-      for (int c = 0; c < field.components; ++c) size += std::abs(s.values[f][n * field.components + c]);
-      if (size != 0) with = static_cast<int>(field.contact_with);
-    }
-  all_reduce(subject_.comm(), MPI_MAX, with);
-  audit_.located(change.node, static_cast<With>(with));
 }
 
 void Recorder::output(const Kinematics& state) {
@@ -187,7 +158,7 @@ std::vector<io::SummaryRow> Recorder::gather_summary() {
     for (io::SummaryRow& row : r->summary()) rows.push_back(std::move(row));
   std::vector<Warning> warnings;
   for (const auto& r : recordings_)
-    for (Warning& w : r->warnings(rows, audit_)) warnings.push_back(std::move(w));
+    for (Warning& w : r->warnings(rows)) warnings.push_back(std::move(w));
   gather_on_first(subject_.comm(), rows, warnings);
   std::vector<int> line;
   for (const io::SummaryRow& row : rows) line.push_back(subject_.model.line_index(row.line));
@@ -210,19 +181,11 @@ std::vector<io::SummaryRow> Recorder::gather_summary() {
   return sorted;
 }
 
-std::string Recorder::audit_warning() const {
-  if (rank_of(subject_.comm()) != 0) return "";
-  const int node = audit_.worst.node;
-  const model::Case& c = subject_.model;
-  return audit_.warning(c.dynamics.step > 0, node < 0 ? "a body" : subject_.mesh().place(node),
-                        advice::initial_velocity_key(c));
-}
-
 std::string Recorder::finish(std::vector<std::string> messages) {
   const std::vector<io::SummaryRow> rows = gather_summary();
   const bool moved = subject_.model.dynamics.enabled;
-  if (const std::string n = audit_.note(); moved && !n.empty()) messages.push_back("note: " + n);
-  if (const std::string w = audit_warning(); moved && !w.empty()) messages.push_back("warning: " + w);
+  if (const std::string n = energy().figures().note(); moved && !n.empty()) messages.push_back("note: " + n);
+  if (const std::string w = energy().warning(); moved && !w.empty()) messages.push_back("warning: " + w);
   for (const std::string& w : warnings_) messages.push_back("warning: " + w);
   for (const auto& r : recordings_) r->write(*file_);
   file_->finish(rows, take_clashes(), messages);
@@ -238,12 +201,10 @@ std::vector<std::string> Recorder::remarks() {
 }
 
 void Recorder::save(io::Checkpoint& to) {
-  save_audit(start_, audit_, to);
   for (const auto& r : recordings_) r->save(to);
 }
 
 void Recorder::restore(const io::Checkpoint& from) {
-  restore_audit(from, start_, audit_);
   for (const auto& r : recordings_) r->restore(from);
   if (rows_every_ > 0) rows_from_ = next_multiple(from.time, rows_every_);
 }

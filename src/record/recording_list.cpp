@@ -18,8 +18,10 @@
 #include "hawser/record/deep_contacts.hpp"
 #include "hawser/record/edge_errors.hpp"
 #include "hawser/record/element_errors.hpp"
+#include "hawser/record/energy_audit.hpp"
 #include "hawser/record/histories.hpp"
 #include "hawser/record/line_extremes.hpp"
+#include "hawser/record/node_fields.hpp"
 #include "hawser/record/pipe_strength.hpp"
 #include "hawser/record/recording.hpp"
 #include "hawser/record/statistics.hpp"
@@ -33,21 +35,23 @@
 
 namespace hawser::record {
 
-std::vector<std::unique_ptr<Recording>> recordings(const Subject& s, const EndForces& forces) {
+Recordings recordings(const Subject& s, NodeFields& fields) {
   const model::Case& c = s.model;
-  std::vector<std::unique_ptr<Recording>> out;
+  Recordings out;
   const auto add = [&out](auto recording) -> auto& {
     auto& added = *recording;
-    out.push_back(std::move(recording));
+    out.all.push_back(std::move(recording));
     return added;
   };
-  add(std::make_unique<Histories>(s, forces));
+  auto energy = std::make_unique<EnergyAudit>(s, fields);
+  out.energy = energy.get();
+  add(std::make_unique<Histories>(s, fields.end_forces()));
   add(std::make_unique<Clearances>(s));
   const Utilisation& utilisation = add(std::make_unique<Utilisation>(c, s.local()));
   add(std::make_unique<ElementErrors>(s.comm(), c, s.local(), s.term<Feeders>()));
   const EdgeErrors* edges =
       c.volumes.empty() ? nullptr : &add(std::make_unique<EdgeErrors>(s.comm(), c, s.local()));
-  add(std::make_unique<TensionPeaks>(s, edges));
+  add(std::make_unique<TensionPeaks>(s, edges, energy->figures()));
   add(std::make_unique<LineExtremes>(s, utilisation));
   if (s.term<LineVolumeContact>()) add(std::make_unique<DeepContacts>(s));
   if (c.output.statistics) add(std::make_unique<Statistics>(s));
@@ -59,7 +63,7 @@ std::vector<std::unique_ptr<Recording>> recordings(const Subject& s, const EndFo
   if (c.output.touchdowns && c.environment.seabed.present) add(std::make_unique<TouchdownHistory>(s));
   add(std::make_unique<TermHistory>(s));
   add(std::make_unique<FeederHistory>(s));
-  add(std::make_unique<EnergyHistory>(s));
+  add(std::move(energy));
   add(std::make_unique<StepHistory>(s));
   return out;
 }

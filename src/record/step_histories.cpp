@@ -1,4 +1,4 @@
-// Columns and rows of the histories of touchdown, terms, feeders, energy and steps. Rank 0 adds values that
+// Columns and rows of the histories of touchdown, terms, feeders and steps. Rank 0 adds values that
 // every rank has.
 #include "hawser/record/step_histories.hpp"
 
@@ -73,22 +73,6 @@ void FeederHistory::rows(const Snapshot& s, Rows& to) {
                  {feeders_->outside(f) - f.outside_at_start, f.speed, s.end_forces.at_feeders()[k], f.length},
                  to);
   }
-}
-
-void EnergyHistory::declare(Declarations& to) {
-  io::ResultSeries energy{"energy", {}};
-  for (const char* name :
-       {"kinetic", "strain", "potential", "friction", "damping", "brought_in", "error", "unresolved"})
-    energy.columns.push_back({name, "J", 1});
-  to.contents.series.push_back(std::move(energy));
-}
-
-void EnergyHistory::rows(const Snapshot& s, Rows& to) {
-  const Energy& e = s.audit.now;
-  add_on_first(subject_,
-               {e.kinetic, e.strain, e.potential, e.friction, e.damping, s.audit.brought_in, s.audit.error,
-                e.unresolved},
-               to);
 }
 
 void StepHistory::declare(Declarations& to) {

@@ -57,7 +57,7 @@ void SupportLog::rows(const Snapshot&, Rows& to) {
   }
 }
 
-std::vector<Warning> SupportLog::warnings(const std::vector<io::SummaryRow>&, const Audit&) {
+std::vector<Warning> SupportLog::warnings(const std::vector<io::SummaryRow>&) {
   std::vector<Warning> out;
   for (const std::string& w : warnings_) out.push_back({w});
   all_reduce(subject_.comm(), MPI_MAX, loaded_);

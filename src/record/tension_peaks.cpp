@@ -6,9 +6,10 @@
 
 namespace hawser::record {
 
-TensionPeaks::TensionPeaks(const Subject& subject, const EdgeErrors* errors)
+TensionPeaks::TensionPeaks(const Subject& subject, const EdgeErrors* errors, const Audit& audit)
     : subject_(subject),
       errors_(errors),
+      audit_(audit),
       folds_(subject.model, subject.local(), subject.term<Feeders>()),
       snaps_(subject.model, subject.local()) {}
 
@@ -25,7 +26,7 @@ void TensionPeaks::step(const Snapshot& s) {
                 errors_ ? &errors_->volume_passages() : nullptr);
 }
 
-std::vector<Warning> TensionPeaks::warnings(const std::vector<io::SummaryRow>& summary, const Audit& audit) {
+std::vector<Warning> TensionPeaks::warnings(const std::vector<io::SummaryRow>& summary) {
   const model::Case& c = subject_.model;
   folds_.gather(subject_.comm());
   snaps_.gather(subject_.comm());
@@ -36,7 +37,7 @@ std::vector<Warning> TensionPeaks::warnings(const std::vector<io::SummaryRow>& s
     const int line = c.line_index(r.line);
     std::string text = folds_.warning(line, r.line, r.value);
     if (text.empty())
-      text = snaps_.warning(line, r.line, r.value, !audit.note().empty(), c.dynamics.step > 0);
+      text = snaps_.warning(line, r.line, r.value, !audit_.note().empty(), c.dynamics.step > 0);
     if (!text.empty()) out.push_back({std::move(text), i});
   }
   return out;

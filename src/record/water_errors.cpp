@@ -171,7 +171,7 @@ void WaterErrors::update(const Kinematics& state) {
     }
 }
 
-std::vector<Warning> WaterErrors::warnings(const std::vector<io::SummaryRow>&, const Audit&) {
+std::vector<Warning> WaterErrors::warnings(const std::vector<io::SummaryRow>&) {
   std::vector<Warning> out;
   for (std::string& w : warnings()) out.push_back({std::move(w)});
   if (rank_of(comm_) != 0) out.clear();

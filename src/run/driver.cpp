@@ -18,6 +18,7 @@
 #include "hawser/base/share_of_time.hpp"
 #include "hawser/io/case_json.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/record/energy_audit.hpp"
 #include "hawser/record/output_times.hpp"
 #include "hawser/record/recorder.hpp"
 #include "hawser/run/events.hpp"
@@ -95,7 +96,7 @@ bool integrate(Simulation& sim, double end, record::Recorder& recorder, Events& 
     int requests[2] = {0, 0};
     bool stop = false;
     const auto record_step = [&] {
-      recorder.step(info, d.committed_kinematics(), d.support_work());
+      recorder.step(info, d.committed_kinematics());
       print_remarks(recorder, progress);
       progress.step(info.time, info.h, info.iterations);
       // Stop requests and checkpoints due by the clock are agreed on where all ranks communicate anyway.
@@ -134,7 +135,7 @@ void print_results(const model::Case& c, const record::Recorder& recorder, const
   fmt::print("\n{}", table);
   for (const std::string& more : recorder.tables()) fmt::print("\n{}", more);
   if (c.dynamics.enabled) {
-    const record::Audit& a = recorder.audit();
+    const record::Audit& a = recorder.energy().figures();
     fmt::print("\n{}\n", advice::energy_of_run({.brought_in = a.brought_in,
                                                 .kinetic = a.change.kinetic,
                                                 .strain = a.change.strain,
@@ -145,7 +146,7 @@ void print_results(const model::Case& c, const record::Recorder& recorder, const
                                                 .percent = a.percent(),
                                                 .size = a.size()}));
     if (const std::string n = a.note(); !n.empty()) fmt::print("\nnote: {}\n", n);
-    if (const std::string w = recorder.audit_warning(); !w.empty()) fmt::print("\nwarning: {}\n", w);
+    if (const std::string w = recorder.energy().warning(); !w.empty()) fmt::print("\nwarning: {}\n", w);
   }
   for (const std::string& w : recorder.warnings()) fmt::print("\nwarning: {}\n", w);
 }
@@ -227,9 +228,8 @@ void find_equilibrium_with_outputs(Simulation& sim, Events& events, RecorderAtFi
 void start_motion(Simulation& sim, Events& events, record::Recorder& recorder, Progress& progress) {
   for (const std::string& e : events.begin()) progress.print(e);
   sim.dynamics().start(sim.state());
-  const Kinematics moving = sim.dynamics().committed_kinematics();
   // A start at rest is recorded at rest: initial velocities of motions are applied after it.
-  recorder.start(moving, sim.model().statics.enabled ? sim.state().at_rest() : moving);
+  recorder.start(sim.model().statics.enabled ? sim.state().at_rest() : sim.dynamics().committed_kinematics());
   sim.state() = State();  // dynamics has a separate copy
   recorder.checkpoint(make_checkpoint(sim, recorder, events));
 }
@@ -245,7 +245,7 @@ void start_or_resume(Simulation& sim, const std::optional<RestartFrom>& restart,
   } else if (sim.model().dynamics.enabled) {
     start_motion(sim, events, recorder, progress);
   } else {
-    recorder.start(sim.state().at_rest(), sim.state().at_rest());
+    recorder.start(sim.state().at_rest());
   }
 }
 
@@ -316,9 +316,9 @@ int run(MPI_Comm comm, const RunOptions& options) {
   const std::string table = recorder.finish(progress.messages());
   if (prints) print_end(sim, recorder, table, stopped, end);
   if (stopped) return kExitStopped;
-  if (!c.dynamics.enabled || !recorder.audit().wrong()) return 0;
+  if (!c.dynamics.enabled || !recorder.energy().figures().wrong()) return 0;
   // A nonzero exit code always has a printed reason.
-  if (rank == 0 && !prints) fmt::print(stderr, "hawser: {}\n", recorder.audit_warning());
+  if (rank == 0 && !prints) fmt::print(stderr, "hawser: {}\n", recorder.energy().warning());
   return kExitEnergy;
 }
 

@@ -194,7 +194,7 @@ BodyStiffness HeldBodies::stiffness(int body) {
 std::vector<double> HeldBodies::tensions() const {
   const Kinematics at = sim_.state().at_rest();
   std::vector<LineTension> tensions(sim_.mesh().lines.size());
-  sim_.line_structure().tensions(at, tensions);
+  for (const HasAxialStiffness* t : sim_.system().with<HasAxialStiffness>()) t->tensions(at, tensions);
   std::vector<double> out;
   for (const LineTension& t : tensions) out.push_back(t.tension);
   record::EndForces ends(sim_.system());

@@ -38,10 +38,7 @@ const char *const kReaction = "reaction", *const kMeanQ = "mean_force_algorithmi
 const char* const kDirectors = "director_acceleration";
 const char* const kAlgorithmicDirectors = "algorithmic_director_acceleration";
 
-// Key, followed by the name of a volume: raised automatic contact stiffness, N/m per m.
-const std::string kStiffness = "contact.stiffness.";
 const std::string kResolvedUntil = "step.resolved until";
-const std::string kBending = "case.plastic bending of ";
 const std::string kKey = "key.";        // and a dotted key: its value, by number_of()
 const char* const kKeys = "case.keys";  // how many of them there are
 
@@ -70,15 +67,12 @@ double number_of(const std::string& text) {
   return static_cast<double>(hash >> 11);
 }
 
-// Identity of the state and contact history: rotating nodes, order of volumes and other properties of the
-// case.
+// Identity of the state and contact history: rotating nodes, order of volumes, and values of the keys that a
+// restart must not change.
 std::map<std::string, double> signature(const Simulation& simulation) {
   std::map<std::string, double> out;
   double& beams = out["case.rotating nodes"];
   for (int n = 0; n < simulation.mesh().nodes(); ++n) beams += simulation.mesh().node(n).rotates;
-  for (const model::LineType& t : simulation.model().line_types)  // moments that distinguish curves
-    if (const PlasticBending* p = t.plastic_bending.get())
-      out[kBending + t.name] = p->at(p->last(), 0, nullptr).m[0] + p->at(0.1 * p->last(), 0, nullptr).m[0];
   const auto& volumes = simulation.model().volumes;
   for (size_t v = 0; v < volumes.size(); ++v) out["case.volume " + volumes[v].name] = static_cast<double>(v);
   double& keys = out[kKeys];
@@ -109,7 +103,6 @@ std::string difference(const std::map<std::string, double>& in_checkpoint,
     const auto b = in_case.find(name);
     if (a != in_checkpoint.end() && b != in_case.end() && a->second == b->second) continue;
     if (name == "case.rotating nodes") return advice::other_beams();
-    if (name.starts_with(kBending)) return advice::other_plasticity();
     if (name.starts_with("case.volume ")) return advice::other_volumes();
     if (!name.starts_with(kKey)) continue;
     const std::string key = name.substr(kKey.size());
@@ -191,9 +184,6 @@ io::Checkpoint make_checkpoint(Simulation& simulation, record::Recorder& recorde
   double work = d.support_work();
   all_reduce(simulation.system().comm(), MPI_SUM, work);
   c.scalars["support_work"] = work;
-  const LineVolumeContact* contact = simulation.line_volume_contact();
-  for (int v = 0; contact && v < contact->volumes(); ++v)
-    c.scalars[kStiffness + contact->volume_name(v)] = contact->stiffness(v);
   recorder.save(c);
   events.save(c);
   FeederNodes(simulation).save(c);
@@ -307,11 +297,6 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   for (const auto& term : simulation.system().terms())
     if (const auto it = c.records.find(std::string(term->checkpoint_key())); it != c.records.end())
       term->restore(it->second.records);
-  LineVolumeContact* contact = simulation.line_volume_contact();
-  for (int v = 0; contact && v < contact->volumes(); ++v)
-    if (const auto it = c.scalars.find(kStiffness + contact->volume_name(v)); it != c.scalars.end())
-      contact->raise_to(v, it->second);
-  simulation.take_stiffness_raises("");  // reported by the run that raised it
 
   const int rank = rank_of(system.comm());
   Dynamics::RestartData data;

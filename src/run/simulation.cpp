@@ -181,7 +181,6 @@ void Simulation::add_contact(const Kinematics& start, const std::vector<int>& he
   auto* contact = add<LineVolumeContact>(local(), bodies_, volumes_, contact_elements(case_, local(), held),
                                          comm, case_.contact.method);
   contact->exclude_ends(start_contact_.excluded_ends);
-  for (int v = 0; v < contact->volumes(); ++v) last_stiffness_.push_back(contact->stiffness(v));
 }
 
 // Adds bodies with mass, the water around them, and contact between bodies.
@@ -235,13 +234,9 @@ std::vector<std::string> Simulation::tilting_warnings() const {
 
 std::vector<std::string> Simulation::take_stiffness_raises(const std::string& when) {
   std::vector<std::string> out;
-  const LineVolumeContact* contact = this->line_volume_contact();
-  for (int v = 0; contact && v < contact->volumes(); ++v) {
-    double& last = last_stiffness_[v];
-    if (contact->stiffness(v) == last) continue;
-    out.push_back(advice::raised_stiffness(contact->volume_name(v), last, contact->stiffness(v), when));
-    last = contact->stiffness(v);
-  }
+  for (AdaptsStiffness* t : system_->with<AdaptsStiffness>())
+    for (const advice::StiffnessRaise& raise : t->take_raises())
+      out.push_back(advice::raised_stiffness(raise, when));
   return out;
 }
 
@@ -322,10 +317,7 @@ DynamicsSettings Simulation::dynamics_settings() const {
 }
 
 Dynamics& Simulation::dynamics() {
-  if (!dynamics_) {
-    if (LinePairs* pairs = line_pairs()) pairs->settle(false);
-    dynamics_ = std::make_unique<Dynamics>(*system_, dynamics_settings());
-  }
+  if (!dynamics_) dynamics_ = std::make_unique<Dynamics>(*system_, dynamics_settings());
   return *dynamics_;
 }
 

@@ -2,14 +2,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "hawser/advice/contact_stiffness.hpp"
 #include "hawser/advice/statics.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/mpi.hpp"
 #include "hawser/run/line_pairs.hpp"
 #include "hawser/run/simulation.hpp"
 #include "hawser/terms/bed_contact.hpp"
-#include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/static_rest.hpp"
 
 namespace hawser::run {
@@ -68,11 +66,9 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
   settings.friction = contact_friction_in_statics();
   settings.progress = std::move(progress);
   const StaticsReport report = find_equilibrium_or_rest_by_friction(settings);
-  if (auto* body_contact = system_->find<BodyContact>())
-    body_contact->check_overlap_at_rest(state_.at_rest());
   if (line_volume_contact() || line_pairs()) system_->commit(state_.at_rest());
   check_inside();
-  check_depth_at_rest();
+  for (ChecksRest* t : system_->with<ChecksRest>()) t->check_at_rest(state_.at_rest());
   note_contact_at_rest();
   note_bodies_held_without_weight();
   note_slack_lines(report.relaxation_steps > 0);
@@ -133,13 +129,6 @@ void Simulation::enable_friction_at_rest() {
   if (!lays_lines()) return;
   bed->lay(laid_, state_.at_rest(), case_.environment.seabed.full);
   bed->mobilise_at(kFirstSlip);
-}
-
-void Simulation::check_depth_at_rest() {
-  if (!line_volume_contact()) return;
-  const auto deep = line_volume_contact()->deeper_than_allowed(state_.at_rest());
-  const std::string why = first_text(system_->comm(), deep ? advice::too_deep_at_rest(*deep) : "");
-  if (!why.empty()) throw SolveError(why);
 }
 
 void Simulation::note_contact_at_rest() {

@@ -69,10 +69,10 @@ bool BodyContact::overlaps_within_step(const Pair& pair, const Kinematics& trial
   return false;
 }
 
-void BodyContact::check_overlap_at_rest(const Kinematics& state) {
+void BodyContact::check_at_rest(const Kinematics& equilibrium) {
   for (Pair& p : pairs_) p.met = 0;  // penetrations on the path to rest do not permit any in the motion
-  prepare(state, 0);
-  if (!friction_on_) check_overlap(state.time);
+  prepare(equilibrium, 0);
+  if (!friction_on_) check_overlap(equilibrium.time);
 }
 
 void BodyContact::check_overlap(double time) {

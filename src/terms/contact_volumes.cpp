@@ -20,6 +20,7 @@ ContactVolumes::ContactVolumes(const LocalMesh& mesh, std::shared_ptr<const Bodi
     boxes_.push_back(v.surface->bounds());
     committed_.push_back(v.settings.normal_stiffness);
   }
+  reported_ = committed_;
   poses_.resize(bodies_->size() + 1);
   for (int b = 0; b < bodies_->size(); ++b) poses_[b + 1] = bodies_->pose(b, 0.0);
   start_poses_ = poses_;

@@ -42,9 +42,30 @@ std::vector<double> ContactVolumes::stiffnesses() const {
   return all;
 }
 
-void ContactVolumes::raise_to(int volume, double stiffness) {
-  if (!automatic(volume)) return;
-  volumes_[volume].settings.normal_stiffness = committed_[volume] = std::max(stiffness, committed_[volume]);
+bool ContactVolumes::any_automatic() const {
+  return std::any_of(volumes_.begin(), volumes_.end(), [](const ContactVolume& v) { return v.automatic; });
+}
+
+// Statics restores the history of its start after it has raised the trial stiffness, which is not reduced.
+void ContactVolumes::restore(std::vector<double> stiffness) {
+  if (!any_automatic()) return;
+  all_reduce(comm_, MPI_MAX, stiffness);
+  for (size_t k = 0; k < volumes_.size(); ++k) {
+    if (!volumes_[k].automatic || !(stiffness[k] > committed_[k])) continue;
+    double& trial = volumes_[k].settings.normal_stiffness;
+    trial = std::max(trial, stiffness[k]);
+    committed_[k] = stiffness[k];
+    reported_[k] = stiffness[k];  // by the run that raised it
+  }
+}
+
+std::vector<advice::StiffnessRaise> ContactVolumes::take_raises() {
+  std::vector<advice::StiffnessRaise> out;
+  for (size_t k = 0; k < volumes_.size(); ++k)
+    if (committed_[k] != reported_[k])
+      out.push_back({volumes_[k].settings.name, reported_[k], committed_[k]});
+  reported_ = committed_;
+  return out;
 }
 
 void ContactVolumes::require(int volume, const NormalLaw& law, const PressedPoint& p, double step,
@@ -79,8 +100,7 @@ void ContactVolumes::require(int volume, const NormalLaw& law, const PressedPoin
 }
 
 bool ContactVolumes::raise(std::vector<double>& wanted) {
-  if (std::none_of(volumes_.begin(), volumes_.end(), [](const ContactVolume& v) { return v.automatic; }))
-    return false;
+  if (!any_automatic()) return false;
   all_reduce(comm_, MPI_MAX, wanted);
   bool more = false;
   for (size_t k = 0; k < wanted.size(); ++k) {

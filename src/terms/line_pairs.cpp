@@ -31,7 +31,7 @@ bool LinePairs::refresh_couplings(const Kinematics& from, double h) {
     shared_.set_elements_in_feeders(feeders_->inside());
     listed_ = false;
   }
-  shared_.update(from, settles_);
+  shared_.update(from, !from.moves());
   if (!candidates_.update(from, h) && listed_) return false;
   // Histories are stored by element until the new list is available.
   for (Pair& p : pairs_)

@@ -3,29 +3,44 @@
 // Both ranks of a shared element need its history, but a rank reads only the records of its own nodes.
 // Therefore the record of an element is stored at both nodes. Keys for the volume v: 2 v at the first node of
 // the element, 2 v + 1 at the second. Gap springs are stored likewise, both ends in one record. The sums of
-// an element are stored at its first node.
+// an element are stored at its first node, the automatic stiffness of each volume at the first node of the
+// mesh.
 #include <algorithm>
 #include <map>
 #include <stdexcept>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser {
 namespace {
 
-enum Kind { kPoints, kSums, kSprings };
+enum Kind { kPoints, kSums, kSprings, kStiffness };
+
+// Automatic stiffness of the volume that is the key of the record.
+struct KeptStiffness {
+  double stiffness = 0;  // N/m²
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("stiffness", "N/m²", self.stiffness);
+  }
+};
 
 }  // namespace
 
 std::vector<CheckpointKind> LineVolumeContact::checkpoint_kinds() const {
   return {checkpoint_kind<AxisContactPoint>("points that touch"),
-          checkpoint_kind<ContactWork>("sums of an element"), checkpoint_kind<GapSpring>("gap springs")};
+          checkpoint_kind<ContactWork>("sums of an element"), checkpoint_kind<GapSpring>("gap springs"),
+          checkpoint_kind<KeptStiffness>("automatic stiffness of a volume")};
 }
 
 std::vector<CheckpointRecord> LineVolumeContact::checkpoint_records(NodeRange range) const {
   std::vector<CheckpointRecord> records;
   const auto wanted = [&](int n) { return n < mesh_.owned && range.has(mesh_.global[n]); };
+  for (int v = 0; mesh_.owns_node(0) && range.has(0) && v < volumes(); ++v)
+    if (volumes_.automatic(v)) records.push_back(record_of(0, v, KeptStiffness{stiffness(v)}, kStiffness));
   for (size_t i = 0; i < accounts_.size(); ++i) {
     const LocalElement& e = mesh_.elements[i];
     if (e.counted && wanted(e.first) && !accounts_[i].empty())
@@ -61,7 +76,12 @@ void LineVolumeContact::restore(const std::vector<CheckpointRecord>& records) {
   pairs_.clear();
   near_.clear();
   accounts_.assign(accounts_.size(), {});
+  std::vector<double> stiffness(static_cast<size_t>(volumes()), 0);
   for (const CheckpointRecord& r : records) {
+    if (r.kind == kStiffness) {
+      stiffness.at(static_cast<size_t>(r.key)) = entry<KeptStiffness>(r).stiffness;
+      continue;
+    }
     const bool sums = r.kind == kSums;
     const auto& side = !sums && r.key % 2 ? before : behind;
     const auto owner = side.find(r.node);
@@ -91,6 +111,7 @@ void LineVolumeContact::restore(const std::vector<CheckpointRecord>& records) {
   std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
     return std::pair(a.element, a.volume) < std::pair(b.element, b.volume);
   });
+  volumes_.restore(std::move(stiffness));
 }
 
 }  // namespace hawser

@@ -1,10 +1,15 @@
 // The class LineVolumeContact: detects elements that pass through a volume in a step without contact at its
 // start and end, or that reach its other side. No force acted on them, so the step is repeated with a shorter
-// length; likewise if a line is deeper in a volume than the range of its law.
+// length; likewise if a line is deeper in a volume than the range of its law. At rest such a depth is an
+// error.
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
 
+#include "hawser/advice/contact_stiffness.hpp"
+#include "hawser/base/error.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/kernels/axis_sweep.hpp"
 #include "hawser/terms/axis_distance.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
@@ -47,6 +52,12 @@ Verdict LineVolumeContact::check_step(const Kinematics& trial) const {
                 .law = law, .place = place, .too_soft = pulled_in && !volumes_.automatic(pair.volume)}};
   }
   return {};
+}
+
+void LineVolumeContact::check_at_rest(const Kinematics& equilibrium) {
+  const auto deep = deeper_than_allowed(equilibrium);
+  const std::string why = first_text(volumes_.comm(), deep ? advice::too_deep_at_rest(*deep) : "");
+  if (!why.empty()) throw SolveError(why);
 }
 
 std::optional<advice::TooDeep> LineVolumeContact::deeper_than_allowed(const Kinematics& state) const {

@@ -80,11 +80,11 @@ TEST(Field, IsShownAsDeclared) {
     sim.solve_statics();
     record::Recorder recorder(sim.subject(), {}, {});
     sim.dynamics().start(sim.state());
-    recorder.start(sim.dynamics().committed_kinematics(), sim.state().at_rest());
+    recorder.start(sim.state().at_rest());
     sim.dynamics().run(
         1, [](double) { return 1.0; },
         [&](const StepInfo& info) {
-          recorder.step(info, sim.dynamics().committed_kinematics(), sim.dynamics().support_work());
+          recorder.step(info, sim.dynamics().committed_kinematics());
           return true;
         });
     recorder.output(sim.dynamics().committed_kinematics());

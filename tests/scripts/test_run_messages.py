@@ -456,6 +456,13 @@ output: {every: 5}
                                     ("harder", "1.0e6", "2.0e6", "volumes.drum.normal_stiffness differs from the checkpoint")]:
             write(self.folder, f"{name}.yaml", on_drum.replace(old, new))
             restart("drum.h5", "it holds another case", why, case=f"{name}.yaml")
+        yielding = CASE.replace("GJ: 3.0e4", "GJ: 3.0e4, plasticity: {ramberg_osgood: {yield_moment: 6000, A: 0.4, B: 12}}")
+        write(self.folder, "yielding.yaml", yielding)
+        self.assertEqual(self.hawser("run", "yielding.yaml", "-q").returncode, 0)
+        for name, text, why in [("softer", yielding.replace("A: 0.4", "A: 0.5"), "line_types.rod.plasticity differs from the checkpoint"),
+                                ("elastic", CASE, "it has line_types.rod.plasticity")]:
+            write(self.folder, f"{name}.yaml", text)
+            restart("yielding.h5", "it holds another case", why, case=f"{name}.yaml")
         write(self.folder, "rough.yaml", on_drum.replace("friction: 0.2", "friction: 0.3"))
         self.assertEqual(self.hawser("run", "rough.yaml", "-q", "-o", "new.h5", "--restart", "drum.h5").returncode, 0)
         write(self.folder, "rest.yaml", CASE.replace("dynamics: {duration: 0.2, step: 0.05}", ""))

@@ -55,7 +55,7 @@ void arc_lengths(const Key& k, const std::string& path, std::set<std::string>& t
   for (const Key& inner : k.keys) arc_lengths(inner, path + (inner.name.empty() ? "" : "." + inner.name), to);
 }
 
-// model/cut_lines.cpp renumbers these arc lengths for cut lines. A new key for an arc length must be added
+// model/cut_lines.cpp has a line for each of these arc lengths. A new key for an arc length must be added
 // there and here.
 TEST(CaseSchema, ArcLengthsAreThoseThatACutRenumbers) {
   std::set<std::string> found;

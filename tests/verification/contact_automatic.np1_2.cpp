@@ -199,7 +199,22 @@ TEST(Slings, AreNotDrawnThroughContactThatIsTooSoft) {
   }
 }
 
-// The same for beams, and for contact at the nodes.
+// One rank has the raised stiffness in its records, and all ranks continue with it. The run that raised it
+// has reported it.
+TEST(Slings, RestoreTheStiffness) {
+  const std::string text = sling(kCylinder, 5e4, true, "");
+  const auto first = simulation("first", text);
+  const double initial = first->line_volume_contact()->stiffness(0);
+  first->solve_statics();
+  const double raised = first->line_volume_contact()->stiffness(0);
+  EXPECT_GT(raised, initial);
+  const auto again = simulation("again", text);
+  again->line_volume_contact()->restore(first->line_volume_contact()->save());
+  EXPECT_EQ(again->line_volume_contact()->stiffness(0), raised);
+  EXPECT_TRUE(again->take_stiffness_raises("").empty());
+}
+
+// Beams, and contact at the nodes.
 TEST(Slings, OfBeamsAndAtNodes) {
   for (const bool beam : {false, true})
     for (const char* method : {"", "contact: {method: nodes}\n"}) {

@@ -22,8 +22,13 @@ struct StiffnessReason {
 // `step` [s] do not resolve it, else 0.
 std::string chosen_stiffness(const std::string& volume, double stiffness, const StiffnessReason& reason,
                              double bounce, double step);
-// from, to: N/m per m; when: "in statics" or the like.
-std::string raised_stiffness(const std::string& volume, double from, double to, const std::string& when);
+// A raised automatic stiffness of a volume, N/m per m.
+struct StiffnessRaise {
+  std::string volume;
+  double before = 0, after = 0;
+};
+// when: "in statics" or the like.
+std::string raised_stiffness(const StiffnessRaise& raise, const std::string& when);
 
 // For the end of statics.
 std::string too_deep_at_rest(const TooDeep& at);

@@ -26,7 +26,6 @@ std::string other_line(size_t place, const std::string& in_checkpoint, const std
 std::string other_number_of_nodes(const std::string& line, double in_checkpoint, int in_case);
 std::string other_node(const std::string& line, double in_checkpoint, double in_case);  // m, of arc length
 std::string other_beams();
-std::string other_plasticity();
 std::string other_volumes();
 enum class KeyDiffers { missing_in_checkpoint, missing_in_case, other_value };
 std::string other_key(const std::string& key, KeyDiffers how);

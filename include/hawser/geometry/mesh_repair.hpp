@@ -3,9 +3,9 @@
 //
 // No vertex is moved and no hole is filled. Duplicates must have been removed (mesh_duplicates.hpp). Patches
 // of triangles joined two by two are first made consistent (by the majority), then oriented so that their
-// front faces the outside. Rays from the triangles vote on this: an even number of crossings indicates the
-// outside (Takayama, Jacobson, Kavan & Sorkine-Hornung 2014, "A simple method for correcting facet
-// orientations in polygon meshes based on ray casting", J. Comput. Graph. Tech. 3(4), the vote by parity).
+// front faces the outside. Most of the rays from its triangles determine this: an even number of crossings
+// indicates the outside (Takayama, Jacobson, Kavan & Sorkine-Hornung 2014, "A simple method for correcting
+// facet orientations in polygon meshes based on ray casting", J. Comput. Graph. Tech. 3(4), by parity).
 // Afterwards the winding number determines the inside (winding_tree.hpp).
 #pragma once
 

@@ -20,7 +20,7 @@ class DeepContacts : public Recording {
   // No rows; exchanges the deepest contacts between the ranks.
   std::vector<io::SummaryRow> summary() override;
   // Warnings for the rows "max penetration" of lines.
-  std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
+  std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary) override;
   void save(io::Checkpoint& to) override;
   void restore(const io::Checkpoint& from) override;
 

@@ -40,7 +40,7 @@ class EdgeErrors : public Recording {
   void declare(Declarations& to) override;
   void step(const Snapshot& s) override;
   std::vector<std::string> remarks() override;
-  std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
+  std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary) override;
 
  private:
   struct Neighbours {

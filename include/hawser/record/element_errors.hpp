@@ -37,7 +37,7 @@ class ElementErrors : public Recording {
 
   void declare(Declarations& to) override;
   void output(const Snapshot& s) override;
-  std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
+  std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary) override;
 
   // One sentence per significant error of a line of this rank, relative to the largest tension [N] and moment
   // [N m] of the run.

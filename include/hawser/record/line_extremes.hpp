@@ -32,7 +32,7 @@ class LineExtremes : public Recording {
   // Grouped by line.
   std::vector<io::SummaryRow> summary() override;
   // Warnings for rows beyond the capacity of a line.
-  std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
+  std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary) override;
   void save(io::Checkpoint& to) override;
   void restore(const io::Checkpoint& from) override;
 

@@ -39,7 +39,7 @@ class PipeStrength : public Recording {
   void start(const Snapshot& s) override;
 
   // Warnings outside the range of the formulas.
-  std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
+  std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary) override;
 
   void save(io::Checkpoint& to) override;
   void restore(const io::Checkpoint& from) override;

@@ -1,4 +1,4 @@
-// Recorder of a run: node fields at outputs, the energy audit, and all recordings (recording.hpp).
+// Recorder of a run: node fields at outputs, and all recordings (recording.hpp).
 #pragma once
 
 #include <memory>
@@ -6,12 +6,10 @@
 #include <vector>
 
 #include "hawser/io/results.hpp"
-#include "hawser/record/audit.hpp"
 #include "hawser/record/node_fields.hpp"
 #include "hawser/record/recording.hpp"
 #include "hawser/record/subject.hpp"
 #include "hawser/record/touchdown.hpp"
-#include "hawser/terms/run_roles.hpp"
 
 namespace hawser::record {
 
@@ -29,13 +27,10 @@ class Recorder {
   // Equilibrium `state` of a stage of statics except the last, by its index; written as an output at a
   // negative time.
   void stage(size_t place, const Kinematics& state);
-  // The start of a run: `state`, the reference of energies, which may have velocities; `shown`, recorded as
-  // first step and output: the static equilibrium of `state` if there is one.
-  void start(const Kinematics& state, const Kinematics& shown);
+  // The start of a run, recorded as first step and output: the static equilibrium if there is one.
+  void start(const Kinematics& state);
   // Every accepted step. Collective.
-  void step(const StepInfo& info, const Kinematics& state, double support_work) {
-    step(info, state, support_work, state);
-  }
+  void step(const StepInfo& info, const Kinematics& state);
   // Writes all fields of a state; after a step it must be the state of that step.
   void output(const Kinematics& state);
   // Writes a checkpoint with the current statistics.
@@ -44,8 +39,7 @@ class Recorder {
   // text, on rank 0.
   std::string finish(std::vector<std::string> messages);
 
-  const Audit& audit() const { return audit_; }
-  std::string audit_warning() const;  // Audit::warning with the names of this case
+  const EnergyAudit& energy() const { return *recordings_.energy; }
   // Warnings since the last call to be reported before the run ends; on rank 0 at least.
   std::vector<std::string> remarks();
   // Tables of the recordings as text, on rank 0 after finish().
@@ -62,25 +56,18 @@ class Recorder {
   void restore(const io::Checkpoint& from);
   Snapshot snapshot(const Kinematics& state, const StepInfo& info = {}) const;
   void fill(const Snapshot& s, bool all);
-  void find_worst(const Snapshot& s);
   std::vector<io::SummaryRow> gather_summary();
-  void step(const StepInfo& info, const Kinematics& state, double support_work, const Kinematics& shown);
   void write_output(double time, const Snapshot& s, const io::ClashTables& clashes);
   io::ClashTables take_clashes();
 
   const Subject subject_;
-  const std::vector<FeedsLines*> feeders_;
   const Touchdowns touchdowns_;
   NodeFields fields_;
-  std::vector<std::unique_ptr<Recording>> recordings_;
+  Recordings recordings_;
   bool stepped_ = false;               // field values are those of the last step
   double rows_every_, rows_from_ = 0;  // s, for the histories; 0: every step
   std::unique_ptr<io::ResultsFile> file_;
   io::ResultContents planned_;  // contents without a file
-  // Not a recording: recordings may use it, its sums over ranks come first in a step, and it decides whether
-  // the run has failed.
-  Audit audit_;
-  Energy start_;  // energies at the original start, before all restarts
   std::vector<std::string> warnings_;
 };
 

@@ -14,7 +14,6 @@
 
 #include "hawser/io/checkpoint.hpp"
 #include "hawser/io/results.hpp"
-#include "hawser/record/audit.hpp"
 #include "hawser/record/end_forces.hpp"
 #include "hawser/record/subject.hpp"
 #include "hawser/record/touchdown.hpp"
@@ -47,14 +46,12 @@ class Rows {
 class Snapshot {
  public:
   Snapshot(const Subject& subject, const Touchdowns& touchdowns, const Kinematics& state,
-           const StepInfo& info, const Values& of_nodes, const Values& of_ends, const EndForces& forces,
-           const Audit& energies)
+           const StepInfo& info, const Values& of_nodes, const Values& of_ends, const EndForces& forces)
       : at(state),
         step(info),
         values(of_nodes),
         ends(of_ends),
         end_forces(forces),
-        audit(energies),
         subject_(subject),
         finder_(touchdowns) {}
 
@@ -62,7 +59,6 @@ class Snapshot {
   const StepInfo step;  // step that led to this state; of length 0: none
   const Values &values, &ends;
   const EndForces& end_forces;
-  const Audit& audit;
   // Poses of the bodies of the case. Collective.
   const std::vector<io::BodyPose>& poses() const {
     if (!poses_) poses_ = body_poses(subject_.bodies, subject_.system, at);
@@ -135,17 +131,26 @@ class Recording {
   // At the end of a run: rows of the summary, each on the rank that owns the first node of its line; then
   // warnings, about a row on its rank, about the whole run on one rank. `summary`: the rows of this rank.
   virtual std::vector<io::SummaryRow> summary() { return {}; }
-  virtual std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary, const Audit& audit) {
+  virtual std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary) {
     (void)summary;
-    (void)audit;
     return std::vector<Warning>();
   }
   // A table for the user after the last take_clashes(), on rank 0; empty: none.
   virtual std::string table() const { return {}; }
 };
 
-// All recordings of a case, in the order of their series in the results file. Subject and forces outlive
-// them. Collective.
-std::vector<std::unique_ptr<Recording>> recordings(const Subject& subject, const EndForces& forces);
+class EnergyAudit;
+class NodeFields;
+
+// All recordings of a case, in the order of their series in the results file.
+struct Recordings {
+  std::vector<std::unique_ptr<Recording>> all;
+  const EnergyAudit* energy = nullptr;  // one of them
+  auto begin() const { return all.begin(); }
+  auto end() const { return all.end(); }
+};
+
+// Subject and fields outlive the recordings. Collective.
+Recordings recordings(const Subject& subject, NodeFields& fields);
 
 }  // namespace hawser::record

@@ -1,4 +1,4 @@
-// Histories of single numbers at every step: touchdown points, force terms, feeders, energies and steps.
+// Histories of single numbers at every step: touchdown points, force terms, feeders and steps.
 #pragma once
 
 #include "hawser/record/recording.hpp"
@@ -43,17 +43,6 @@ class FeederHistory : public Recording {
  private:
   const Subject& subject_;
   const Feeders* feeders_;  // null: none
-};
-
-// Sums of the energy audit.
-class EnergyHistory : public Recording {
- public:
-  explicit EnergyHistory(const Subject& subject) : subject_(subject) {}
-  void declare(Declarations& to) override;
-  void rows(const Snapshot& s, Rows& to) override;
-
- private:
-  const Subject& subject_;
 };
 
 // Length and iterations of the steps.

@@ -23,7 +23,7 @@ class SupportLog : public Recording {
   void rows(const Snapshot& s, Rows& to) override;
   // Each box once when a line is first beyond the end of its rollers; then boxes that never carried their
   // line although later boxes did, and groups that never carried one.
-  std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
+  std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary) override;
 
  private:
   const Subject& subject_;

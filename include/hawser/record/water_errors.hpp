@@ -34,7 +34,7 @@ class WaterErrors : public Recording {
 
   void stage(const Snapshot& s) override { update(s.at); }
   void step(const Snapshot& s) override { update_sampled(s.at); }
-  std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
+  std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary) override;
 
  private:
   struct Where {                                   // element of this rank with the largest error

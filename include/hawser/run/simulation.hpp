@@ -115,8 +115,6 @@ class Simulation {
   // The same, by friction of contact if there is none without it.
   StaticsReport find_equilibrium_or_rest_by_friction(StaticsSettings settings);
   void enable_friction_at_rest();
-  // Throws SolveError if a line is deeper in a volume than a contact with its stiffness can hold it.
-  void check_depth_at_rest();
   void note_contact_at_rest();
   void note_bodies_held_without_weight();
   void note_slack_lines(bool relaxed);
@@ -130,8 +128,6 @@ class Simulation {
   std::vector<std::string> notes_, details_;
   std::vector<ContactVolume> volumes_;  // that lines may touch
   StartContact start_contact_;
-  // Stiffness of the contact volumes, in their basis, at the last take_stiffness_raises().
-  std::vector<double> last_stiffness_;
   int cut_ = 0;
   std::optional<bool> friction_in_statics_;  // set by a stage; none: as in the case
   bool any_laid_ = false;                    // the laid position of some line of the case is known

@@ -5,7 +5,9 @@
 
 #include <span>
 #include <utility>
+#include <vector>
 
+#include "hawser/advice/contact_stiffness.hpp"
 #include "hawser/kernels/impact.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/mesh/per_line.hpp"
@@ -69,6 +71,8 @@ class AdaptsStiffness {
   virtual bool raise_stiffness_where_blocked(const Kinematics& trial) = 0;
   // Reverts the stiffness to that of the last commit. Called before each trial of a step.
   virtual void revert_stiffness() = 0;
+  // The raises in accepted states since the last call, for messages; the same on all ranks.
+  virtual std::vector<advice::StiffnessRaise> take_raises() { return {}; }
 };
 
 // Acts on the elements of lines, so that forces at their ends can be computed.

@@ -53,6 +53,7 @@ class BodyContact final : public ForceTerm,
                           public LimitsSteps,
                           public ScalesResiduals,
                           public HasFriction,
+                          public ChecksRest,
                           public ReportsBodyForces {
  public:
   // volumes: all volumes of the case, in its order. The pairs are those of model::body_pairs. comm: all
@@ -84,9 +85,8 @@ class BodyContact final : public ForceTerm,
   // Collective.
   void restore(const std::vector<CheckpointRecord>& records) override;
 
-  // Throws SolveError if two volumes overlap far deeper than the contact of their corners and edges shows.
-  // Collective.
-  void check_overlap_at_rest(const Kinematics& state);
+  // No two volumes may overlap far deeper than the contact of their corners and edges shows.
+  void check_at_rest(const Kinematics& equilibrium) override;
   // Largest penetration over the accepted steps of the pairs that this rank counts, m.
   double largest_penetration() const;
   // Adds the active contacts of those pairs in the accepted state. Volumes have their indices in the case.

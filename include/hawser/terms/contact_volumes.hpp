@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "hawser/advice/contact_stiffness.hpp"
 #include "hawser/advice/step_findings.hpp"
 #include "hawser/geometry/surface.hpp"
 #include "hawser/mesh/local_mesh.hpp"
@@ -62,6 +63,7 @@ class ContactVolumes {
   ContactVolumes(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
                  std::vector<ContactVolume> volumes, MPI_Comm comm);
 
+  MPI_Comm comm() const { return comm_; }
   int size() const { return static_cast<int>(volumes_.size()); }
   // Settings with the stiffness of the trial.
   const model::Volume& settings(int volume) const { return at(volume).settings; }
@@ -93,11 +95,15 @@ class ContactVolumes {
   // Part of the interval [from, to] of a line's arc length [m] that takes part in contact.
   ActiveInterval takes_part(int line, int volume, double from, double to) const;
 
-  // Stiffness of the last accepted state, in the volume's basis. A checkpoint stores it so that a restart can
-  // raise an automatic stiffness to it.
+  // Stiffness of the last accepted state, in the volume's basis.
   double stiffness(int volume) const { return committed_[volume]; }
-  void raise_to(int volume, double stiffness);
   bool automatic(int volume) const { return at(volume).automatic; }
+  bool any_automatic() const;
+  // Raises each automatic stiffness to that of a checkpoint, by volume; 0 on ranks that have not read it.
+  // Collective if a volume is automatic.
+  void restore(std::vector<double> stiffness);
+  // AdaptsStiffness::take_raises.
+  std::vector<advice::StiffnessRaise> take_raises();
   // Trial stiffness of each volume, the initial value for the demands of require().
   std::vector<double> stiffnesses() const;
   void require(int volume, const NormalLaw& law, const PressedPoint& p, double step,
@@ -125,6 +131,7 @@ class ContactVolumes {
   std::shared_ptr<const Bodies> bodies_;
   std::vector<ContactVolume> volumes_;  // with the stiffness of the trial
   std::vector<double> committed_;       // stiffness
+  std::vector<double> reported_;        // stiffness at the last take_raises()
   std::vector<Box> boxes_;
   std::vector<ExcludedEnds> excluded_ends_;  // sorted by line and volume
   std::vector<RigidPose> poses_, start_poses_;

@@ -59,12 +59,10 @@ class LinePairs final : public ForceTerm,
 
   // Places that lines share, with the lengths without contact near them.
   const SharedPlaces& shared() const { return shared_; }
-  // In statics the lengths without contact at shared places follow the shape; in motion they only shrink.
-  void settle(bool settles) { settles_ = settles; }
-
   void enable_friction(bool on) override { friction_on_ = on; }
 
   std::string_view checkpoint_key() const override { return "line-line contact"; }
+  // In statics the lengths without contact at shared places follow the shape; in motion they only shrink.
   bool refresh_couplings(const Kinematics& from, double h) override;
   void list_couplings(Couplings& to) const override { candidates_.list_couplings(to); }
   void renumber() override;
@@ -221,7 +219,6 @@ class LinePairs final : public ForceTerm,
   LinePairOptions options_;
   SharedPlaces shared_;
   LineCandidates candidates_;
-  bool settles_ = true;
   std::vector<Pair> pairs_;
   std::vector<ContactSegment> segments_;                // of the pairs
   std::map<Key, std::unique_ptr<ContactPoints>> kept_;  // points by pair while the list is rebuilt

@@ -23,6 +23,7 @@ class LineVolumeContact final : public ForceTerm,
                                 public LimitsSteps,
                                 public AdaptsStiffness,
                                 public HasFriction,
+                                public ChecksRest,
                                 public ActsOnFedLines {
  public:
   // elements: one for each of mesh.elements; throws std::invalid_argument if a number or an index is wrong. A
@@ -46,12 +47,16 @@ class LineVolumeContact final : public ForceTerm,
   bool adapt_stiffness(const Kinematics& equilibrium) override;
   bool raise_stiffness_where_blocked(const Kinematics& trial) override;
   void revert_stiffness() override;
+  std::vector<advice::StiffnessRaise> take_raises() override { return volumes_.take_raises(); }
+  // No line may be deeper in a volume than a contact with its stiffness can hold it.
+  void check_at_rest(const Kinematics& equilibrium) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& state) const override;
   // contact_force, contact_normal_force and friction_force, distributed by the element's shape functions.
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> checkpoint_records(NodeRange range) const override;
+  // Collective.
   void restore(const std::vector<CheckpointRecord>& records) override;
 
   void enable_friction(bool on) override;
@@ -61,13 +66,8 @@ class LineVolumeContact final : public ForceTerm,
   void exclude_ends(std::vector<ExcludedEnds> ends) { volumes_.exclude_ends(std::move(ends)); }
   int volumes() const { return volumes_.size(); }
   const std::string& volume_name(int volume) const { return volumes_.settings(volume).name; }
-  // Stiffness in the volume's basis; if it is automatic, as raised in accepted states. raise_to() restores it
-  // when a run continues from a checkpoint.
+  // Stiffness in the volume's basis; if it is automatic, as raised in accepted states.
   double stiffness(int volume) const { return volumes_.stiffness(volume); }
-  void raise_to(int volume, double stiffness) { volumes_.raise_to(volume, stiffness); }
-  // Where a line is deeper in a volume than the range of its law; nullopt: nowhere. `state` must be the one
-  // that was evaluated last. Local.
-  std::optional<advice::TooDeep> deeper_than_allowed(const Kinematics& state) const;
   // For what this rank counts: largest penetration over the run (with the node at the nearer end of the
   // element), number of pairs of an element and a volume in contact, number of candidate pairs in the step.
   Penetration largest_penetration() const;
@@ -139,6 +139,9 @@ class LineVolumeContact final : public ForceTerm,
   bool predict_impacts_by_group(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   void limit_by_active_contacts(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   void limit_ahead(Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
+  // Where a line is deeper in a volume than the range of its law; nullopt: nowhere. `state` must be the one
+  // that was evaluated last. Local.
+  std::optional<advice::TooDeep> deeper_than_allowed(const Kinematics& state) const;
   bool tunnels(const Pair& pair, const AxisShape& shape, const RigidPose& pose, bool rests) const;
   bool is_pulled_in(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
   bool is_inside(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;

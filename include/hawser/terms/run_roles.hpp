@@ -35,6 +35,15 @@ class RestrainedInStatics {
   virtual void hold(bool on, bool friction) = 0;
 };
 
+// A term for which not every equilibrium of statics is a valid result.
+class ChecksRest {
+ public:
+  virtual ~ChecksRest() = default;
+  // Throws SolveError on all ranks if the equilibrium, the state that was evaluated last, is not valid.
+  // Collective.
+  virtual void check_at_rest(const Kinematics& equilibrium) = 0;
+};
+
 // A term that depends on the current.
 class InCurrent {
  public:
