@@ -47,12 +47,12 @@ constexpr Unit kArea[] = {{"m^2"}};
 constexpr Unit kTemperatureChange[] = {{"K"}, {"degC"}, {"°C"}};
 constexpr Unit kThermalExpansion[] = {{"1/K"}, {"1/degC"}, {"1/°C"}};
 
-struct Entry {
+struct Units {
   std::string_view name, base;
   std::span<const Unit> units;
 };
 // In the order of Dimension.
-const std::array kTable = std::to_array<Entry>({{"dimensionless number", "-", kNone},
+const std::array kTable = std::to_array<Units>({{"dimensionless number", "-", kNone},
                                                 {"length", "m", kLength},
                                                 {"time", "s", kTime},
                                                 {"mass", "kg", kMass},
@@ -86,7 +86,7 @@ constexpr auto kDimensions = [] {
 }();
 static_assert(kDimensions.back() == Dimension::thermal_expansion, "a row for each dimension");
 
-const Entry& entry(Dimension d) { return kTable[static_cast<std::size_t>(d)]; }
+const Units& entry(Dimension d) { return kTable[static_cast<std::size_t>(d)]; }
 
 // Canonical spelling: "kN m²", "kN.m2", "kN*m^2" -> "kNm^2".
 std::string canonical(std::string_view unit) {
