@@ -104,9 +104,12 @@ std::array<PlatformMode, 6> platform_modes(const Body& b, const Mat6& K) {
   // Modes of equal periods, such as surge and sway of a symmetric platform, have arbitrary vectors in a
   // plane: they are named in the order of the degrees of freedom.
   constexpr double kEqual = 1e-3;
-  for (size_t k = 1; k < out.size(); ++k)
-    if (out[k - 1].period <= (1 + kEqual) * out[k].period && out[k - 1].freedom > out[k].freedom)
-      std::swap(out[k - 1].freedom, out[k].freedom);
+  for (size_t k = 1; k < out.size(); ++k) {
+    PlatformMode& before = out[k - 1];
+    PlatformMode& now = out[k];
+    const bool equal = before.period > 0 ? before.period <= (1 + kEqual) * now.period : !(now.period > 0);
+    if (equal && before.freedom > now.freedom) std::swap(before.freedom, now.freedom);
+  }
   return out;
 }
 

@@ -12,8 +12,8 @@ size_t LineStructure::Beam::remembered() const {
 }
 
 namespace {
-// Keys by kind: none; mesh element; mesh element; feeder; mesh element.
-enum Kind { kSums, kStretched, kBent, kInside, kLargest };
+// Keys by kind: none; mesh element; mesh element; feeder.
+enum Kind { kSums, kStretched, kBent, kInside };
 
 struct Sums {
   double power = 0, damping = 0, filtered = 0;
@@ -24,17 +24,11 @@ struct Sums {
     each("axial vibration taken out", "J", self.filtered);
   }
 };
-struct KeptStrain {
-  double strain_increment = 0;
+struct Stretched {
+  double strain_increment = 0, largest = 0;
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
     each("stretch", "1", self.strain_increment);
-  }
-};
-struct LargestTension {
-  double largest = 0;
-  template <class Self, class Each>
-  static void quantities(Self& self, Each&& each) {
     each("largest tension", "N", self.largest);
   }
 };
@@ -51,9 +45,9 @@ struct Bent {
 // The sums of a rank are stored at its first node; only their total over the ranks matters. Strain and
 // bending of an element are stored at both nodes, so that every rank with the element finds them.
 std::vector<CheckpointKind> LineStructure::checkpoint_kinds() const {
-  return {checkpoint_kind<Sums>("sums of a rank"), checkpoint_kind<KeptStrain>("axial vibration"),
-          checkpoint_kind<Bent>("plastic bending"), checkpoint_kind<Bent>("plastic bending inside a feeder"),
-          checkpoint_kind<LargestTension>("largest tension")};
+  return {checkpoint_kind<Sums>("sums of a rank"),
+          checkpoint_kind<Stretched>("axial vibration and largest tension"),
+          checkpoint_kind<Bent>("plastic bending"), checkpoint_kind<Bent>("plastic bending inside a feeder")};
 }
 
 std::vector<CheckpointRecord> LineStructure::checkpoint_records(NodeRange range) const {
@@ -65,12 +59,8 @@ std::vector<CheckpointRecord> LineStructure::checkpoint_records(NodeRange range)
   for (const Cable& c : cables_)
     for (const int n : {c.element.first, c.element.second})
       if (wanted(n))
-        out.push_back(record_of(mesh_.global[n], c.element.global, LargestTension{c.peak.largest}, kLargest));
-  for (const Cable& c : cables_)
-    for (const int n : {c.element.first, c.element.second})
-      if (wanted(n) && c.start.strain_increment != 0)
-        out.push_back(
-            record_of(mesh_.global[n], c.element.global, KeptStrain{c.start.strain_increment}, kStretched));
+        out.push_back(record_of(mesh_.global[n], c.element.global,
+                                Stretched{c.start.strain_increment, c.peak.largest}, kStretched));
   for (const Beam& b : beams_)
     for (const int n : {b.element.first, b.element.second}) {
       if (!b.reference.set || !wanted(n)) continue;
@@ -92,8 +82,7 @@ void LineStructure::restore(const std::vector<CheckpointRecord>& records) {
   power_ = 0.0;
   damping_ = 0;
   filtered_ = 0;
-  std::map<int, double> strain;
-  std::map<int, double> largest;
+  std::map<int, Stretched> stretched;
   std::map<int, const std::vector<double>*> bent;
   for (const CheckpointRecord& r : records) {
     if (r.kind == kSums) {
@@ -102,9 +91,7 @@ void LineStructure::restore(const std::vector<CheckpointRecord>& records) {
       damping_ += s.damping;
       filtered_ += s.filtered;
     } else if (r.kind == kStretched) {
-      strain[r.key] = entry<KeptStrain>(r).strain_increment;
-    } else if (r.kind == kLargest) {
-      largest[r.key] = entry<LargestTension>(r).largest;
+      stretched[r.key] = entry<Stretched>(r);
     } else if (r.kind == kBent) {
       bent[r.key] = &r.values;
     } else if (const size_t k = r.key; k < fed_.size() && fed_[k].inside.size() == r.values.size()) {
@@ -122,10 +109,10 @@ void LineStructure::restore(const std::vector<CheckpointRecord>& records) {
       std::fill_n(set, size, 0.0);
   }
   for (Cable& c : cables_) {
-    const auto it = strain.find(c.element.global);
-    c.start.strain_increment = it == strain.end() ? 0 : it->second;
-    if (const auto peak = largest.find(c.element.global); peak != largest.end())
-      c.peak.largest = peak->second;
+    const auto it = stretched.find(c.element.global);
+    if (it == stretched.end()) continue;
+    c.start.strain_increment = it->second.strain_increment;
+    c.peak.largest = it->second.largest;
   }
 }
 

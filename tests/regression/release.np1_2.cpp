@@ -246,7 +246,8 @@ contact: {between_lines: false}
     EXPECT_LT(x.back(), 10.12) << step;  // the rope stays behind; the tug is at 10.28 m
     const auto tries = named(file, r, "solver", "rejected");
     const auto before = tries.begin() + static_cast<std::ptrdiff_t>(parted) + 1;
-    EXPECT_LE(std::accumulate(tries.begin(), before, 0.0), 2) << step;
+    // Two for the event; the others while the rope comes taut.
+    EXPECT_LE(std::accumulate(tries.begin(), before, 0.0), 10) << step;
   }
 }
 

@@ -113,12 +113,10 @@ bodies:
                     drift: {offset: [0, 0, 0], rotation_deg: [0, 0, 0], ramp: 0,
                             harmonic: {amplitude: [0.1, 0, 0], period: 60}, table: {rows: [[0, 0, 0, 0], [10, 1, 0, 0]], interpolation: spline}}}}
   buoy: {position: [40, 30, -5], floating: {mass: 1000, inertia: [500, 500, 500], products_of_inertia: [0, 0, 0], centre_of_mass: [0, 0, 0],
-         weight: true, velocity: [0, 0, 0], angular_velocity: [0, 0, 0], stiffness: [1e4, 1e4, 1e4], damping: [100, 100, 100],
-         turning_stiffness: [1e4, 1e4, 1e4], turning_damping: [100, 100, 100],
+         weight: true, velocity: [0, 0, 0], angular_velocity: [0, 0, 0], stiffness: [1e4, 1e4, 1e4], damping: [100, 100, 100], turning_stiffness: [1e4, 1e4, 1e4], turning_damping: [100, 100, 100],
          stiffness_matrix: [[1e4, 0, 0, 0, 10, 0], [0, 1e4, 0, 0, 0, 0], [0, 0, 1e4, 0, 0, 0], [0, 0, 0, 1e4, 0, 0], [10, 0, 0, 0, 1e4, 0], [0, 0, 0, 0, 0, 1e4]],
          damping_matrix: [[100, 0, 0, 0, 10, 0], [0, 100, 0, 0, 0, 0], [0, 0, 100, 0, 0, 0], [0, 0, 0, 100, 0, 0], [10, 0, 0, 0, 100, 0], [0, 0, 0, 0, 0, 100]],
-         in_water: {volume: 1.2, height: 1.5, centre_of_buoyancy: [0, 0, 0], drag_area: [1, 1, 1], Cd: [1, 1, 1], centre_of_drag: [0, 0, 0],
-                    Ca: [0.5, 0.5, 0.5]}}}
+         in_water: {volume: 1.2, height: 1.5, centre_of_buoyancy: [0, 0, 0], drag_area: [1, 1, 1], Cd: [1, 1, 1], centre_of_drag: [0, 0, 0], Ca: [0.5, 0.5, 0.5]}}}
   clump: {on: {line: riser, at: 30}}
 volumes:
   post: {shape: {cylinder: {from: [30, 40, -20], to: [30, 40, 5], radius: 1}}, normal_stiffness: {per_length: 1e5}, smoothing: 0.001,

@@ -324,13 +324,12 @@ lines:
     end_b: free
     start: {points: [[0, 0, 0], [3, 0, 0]]}
 statics: false
-dynamics: {duration: 20, step: 0.5, rho_infinity: 0}
+dynamics: {duration: 20, step: 0.5, rho_infinity: 0, resolve_impacts: false}
 output: {every: 5}
 """)
         result = self.hawser("run", "pendulum.yaml")
         self.assertEqual(result.returncode, 4, result.stderr)
-        self.assertRegex(result.stdout, r"warning: the steps lost \d+ J by t = [\d.]+ s, \d+\.?\d* % of the work done: they are "
-                                        r"too long for the motion; give dynamics.step: 0.12 s. Do not use the results")
+        self.assertRegex(result.stdout, r"warning: the steps lost \d+ J by t = [\d.]+ s, \d+\.?\d* % of the work done: they are too long for the motion; give dynamics.step: 0.12 s. Do not use the results")
 
     def test_impact_at_the_start(self):
         for ranks in (0, 2):
@@ -430,8 +429,7 @@ output: {every: 5}
 
     def test_restarts_that_do_not_fit(self):
         def restart(file, *parts, case="rod.yaml", ranks=0):
-            self.refused(["run", case, "-o", "new.h5", "--restart", file], f"cannot continue from {file}: ", *parts,
-                         ranks=ranks)
+            self.refused(["run", case, "-o", "new.h5", "--restart", file], f"cannot continue from {file}: ", *parts, ranks=ranks)
 
         restart("none.h5", "there is no such file")
         restart("rod.yaml", "it is not an HDF5 file")
@@ -441,10 +439,8 @@ output: {every: 5}
                                     ("longer", "length: 12", "length: 13", "a node of line rod is at"),
                                     ("other", "  rod:\n    sections", "  mast:\n    sections", "its line 1 is rod, not mast"),
                                     ("cable", ", EI: 3.0e4, GJ: 3.0e4", ", bending: false", "other nodes are of beams")]:
-            text = CASE.replace(old, new)
+            text = CASE.replace(old, new).replace(", clamped: true", "" if name == "cable" else ", clamped: true")
             self.assertNotEqual(text, CASE)
-            if name == "cable":
-                text = text.replace(", clamped: true", "")
             write(self.folder, f"{name}.yaml", text)
             restart("rod.h5", "it holds another case", why, case=f"{name}.yaml")
         on_drum = CASE.replace("lines:", "volumes:\n  drum: {shape: {cylinder: {from: [5, -1, -2], to: [5, 1, -2], radius: 0.5}},"
@@ -459,10 +455,9 @@ output: {every: 5}
         yielding = CASE.replace("GJ: 3.0e4", "GJ: 3.0e4, plasticity: {ramberg_osgood: {yield_moment: 6000, A: 0.4, B: 12}}")
         write(self.folder, "yielding.yaml", yielding)
         self.assertEqual(self.hawser("run", "yielding.yaml", "-q").returncode, 0)
-        for name, text, why in [("softer", yielding.replace("A: 0.4", "A: 0.5"), "line_types.rod.plasticity differs from the checkpoint"),
-                                ("elastic", CASE, "it has line_types.rod.plasticity")]:
-            write(self.folder, f"{name}.yaml", text)
-            restart("yielding.h5", "it holds another case", why, case=f"{name}.yaml")
+        write(self.folder, "softer.yaml", yielding.replace("A: 0.4", "A: 0.5"))
+        restart("yielding.h5", "it holds another case", "line_types.rod.plasticity differs from the checkpoint", case="softer.yaml")
+        restart("yielding.h5", "it holds another case", "it has line_types.rod.plasticity", case="rod.yaml")
         write(self.folder, "rough.yaml", on_drum.replace("friction: 0.2", "friction: 0.3"))
         self.assertEqual(self.hawser("run", "rough.yaml", "-q", "-o", "new.h5", "--restart", "drum.h5").returncode, 0)
         write(self.folder, "rest.yaml", CASE.replace("dynamics: {duration: 0.2, step: 0.05}", ""))
