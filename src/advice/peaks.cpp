@@ -30,4 +30,12 @@ std::string impact_peak(const std::string& line, const ImpactPeak& at) {
       line, at.tension / 1000, at.arc, at.time, why, at.fixed ? "step" : "max_step", at.shorter);
 }
 
+std::string other_peak(const std::string& line, const ImpactPeak& at) {
+  return fmt::format(
+      "line {} comes taut within one step of {:.2g} s (t = {:.6g} s, arc length {:.4g} m): the peak between "
+      "the steps may be {:.4g} kN, above the largest tension. If it matters, compare with dynamics.{}: "
+      "{:.2g} s",
+      line, at.step, at.time, at.arc, at.tension / 1000, at.fixed ? "step" : "max_step", at.shorter);
+}
+
 }  // namespace hawser::advice

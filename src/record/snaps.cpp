@@ -25,7 +25,11 @@ bool counts(const model::Case& c, const model::Line& line) {
 }  // namespace
 
 Snaps::Snaps(const model::Case& c, const LocalMesh& mesh)
-    : mesh_(mesh), passage_(static_cast<size_t>(mesh.owned), 0), echo_(mesh, 0), worst_(mesh) {
+    : mesh_(mesh),
+      passage_(static_cast<size_t>(mesh.owned), 0),
+      echo_(mesh, 0),
+      worst_(mesh),
+      unresolved_(mesh) {
   for (const EvenPart& part : mesh.mesh->parts())
     for (int k = 0; echo_.has(part.line) && k < part.elements; ++k)
       echo_[part.line] += 2 * c.line_types[part.shape->type].wave_time(part.element_length(k));
@@ -60,6 +64,16 @@ void Snaps::update(double time, double h, std::span<const double> on_a, std::spa
       w.rate = std::sqrt(std::max(2 * std::min(w.rise, fall) / w.tension, 0.0));
       w.node = -1;
     }
+    // The step before ended near a peak after a rise that it does not resolve. At half a step from the peak
+    // T cos(w t) the tension is T cos(w h/2).
+    if (steps && tension < b.last && b.step > passage_[n] && !resolves_peak(b.previous, b.last)) {
+      const double angle = std::acos(b.previous / b.last);
+      const double peak = b.last / std::cos(0.5 * angle);
+      if (Worst& u = unresolved_[node.line]; peak > u.tension)
+        u = {.tension = peak, .time = time - h, .arc = node.arc, .step = b.step, .angle = angle};
+    }
+    b.previous = b.last;
+    b.step = h;
     if (tension > w.tension) {
       const double rise = steps ? std::max(tension - b.last, 0.0) : 0;
       w = {.tension = tension,
@@ -83,10 +97,25 @@ void Snaps::update(double time, double h, std::span<const double> on_a, std::spa
 
 void Snaps::gather(MPI_Comm comm) {
   worst_.take_largest(comm, [](const Worst& w) { return w.tension; });
+  unresolved_.take_largest(comm, [](const Worst& w) { return w.tension; });
 }
 
 std::string Snaps::warning(int line, const std::string& name, double largest_tension, bool damped,
                            bool fixed) const {
+  const std::string largest = of_largest(line, name, largest_tension, damped, fixed);
+  if (!largest.empty()) return largest;
+  const Worst& u = unresolved_[line];
+  if (!(u.tension > largest_tension)) return {};
+  return advice::other_peak(name, {.tension = u.tension,
+                                   .time = u.time,
+                                   .arc = u.arc,
+                                   .step = u.step,
+                                   .shorter = 0.5 * u.step * kResolvedPhase / u.angle,
+                                   .fixed = fixed});
+}
+
+std::string Snaps::of_largest(int line, const std::string& name, double largest_tension, bool damped,
+                              bool fixed) const {
   const Worst& w = worst_[line];
   if (!(w.tension > kSame * largest_tension)) return {};
   const bool steps = w.angle > kResolvedPhase;

@@ -1,5 +1,6 @@
 // The class LineStructure: steps in which a cable comes taut faster than they resolve.
 #include <algorithm>
+#include <cmath>
 
 #include "hawser/kernels/tension_peak.hpp"
 #include "hawser/terms/line_structure.hpp"
@@ -7,18 +8,18 @@
 namespace hawser {
 namespace {
 
-// Tension [N] of the spring of a cable, without its damper.
-double spring_tension(const LineStructure::Cable& c, const Kinematics& state) {
+// Tension [N] of the spring of a cable, without its damper, and its slope by strain [N]; 0 if it is slack.
+ResponseCurve::Value spring(const LineStructure::Cable& c, const Kinematics& state) {
   const Vec3 chord = state.x[c.element.second] - state.x[c.element.first];
   const double strain = chord.norm() / c.section.length - 1 - c.section.free_strain;
-  return strain > 0 ? c.section.axial(strain).force : 0;
+  return strain > 0 ? c.section.axial(strain) : ResponseCurve::Value{};
 }
 
 }  // namespace
 
 void LineStructure::update_peaks(const Kinematics& from) {
   for (Cable& c : cables_) {
-    c.peak.before = spring_tension(c, from);
+    c.peak.before = spring(c, from).force;
     c.peak.largest = std::max(c.peak.largest, c.peak.before);
   }
 }
@@ -28,9 +29,11 @@ void LineStructure::update_peaks(const Kinematics& from) {
 // than the element does.
 void LineStructure::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
   for (const Cable& c : cables_) {
-    if (!c.element.counted || c.idle || trial.step <= c.peak.passage) continue;
-    const double tension = spring_tension(c, trial);
-    to.too_fast = to.too_fast || (tension > c.peak.largest && !resolves_peak(c.peak.before, tension));
+    if (!c.element.counted || c.idle) continue;
+    const ResponseCurve::Value now = spring(c, trial);
+    if (!(now.force > c.peak.largest) || resolves_peak(c.peak.before, now.force)) continue;
+    // The passage is that at the initial stiffness.
+    if (trial.step > c.peak.passage * std::sqrt(c.section.EA / now.slope)) to.too_fast = true;
   }
 }
 

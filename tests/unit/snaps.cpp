@@ -51,6 +51,33 @@ TEST(Snaps, OfTooFewSteps) {
   EXPECT_EQ(warning(1, 4, 600), "");  // a wave of 400 N on 600 N
 }
 
+// After a resolved peak of 1 kN the wire has `later` newtons at the end of a step that began slack.
+std::string later_peak(double later) {
+  const model::Case c = io::read_case_text(kSling, "/nowhere/case.yaml");
+  const run::Simulation sim(MPI_COMM_SELF, c);
+  Snaps snaps(c, sim.local());
+  const auto update = [&](double time, double h, double T) {
+    const std::vector<double> tension(3, T);
+    snaps.update(time, h, tension, tension);
+  };
+  update(0, 0, 0);
+  for (int k = 1; k <= 100; ++k) update(0.01 * k, 0.01, 1000 * std::sin(M_PI * k / 100));
+  update(1.25, 0.25, later);
+  update(1.5, 0.25, 0);
+  update(1.75, 0.25, 0);
+  return snaps.warning(0, "sling", 1000, false, true);
+}
+
+// From 0 in one step: at least a quarter of the period, so that the peak is up to 800 N/cos(pi/4).
+TEST(Snaps, BetweenLaterSteps) {
+  EXPECT_EQ(later_peak(600), "");
+  EXPECT_EQ(
+      later_peak(800),
+      "line sling comes taut within one step of 0.25 s (t = 1.25 s, arc length 0 m): the peak between "
+      "the steps may be 1.131 kN, above the largest tension. If it matters, compare with dynamics.step: "
+      "0.042 s");
+}
+
 // A peak of 3 ms: its phase is 0.35 rad in a third of a millisecond and 1.05 rad in a millisecond, the times
 // that a transverse wave needs to pass an element over a volume.
 TEST(Snaps, OfAnElementOverAVolume) {

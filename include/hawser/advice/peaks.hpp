@@ -24,5 +24,7 @@ struct ImpactPeak {
   bool fixed = false;                     // the user chose the step
 };
 std::string impact_peak(const std::string& line, const ImpactPeak& at);
+// Another peak than the largest tension, which a step does not resolve. tension: its estimate.
+std::string other_peak(const std::string& line, const ImpactPeak& at);
 
 }  // namespace hawser::advice

@@ -33,7 +33,8 @@ class Snaps {
               const PerLine<VolumePassage>* passages = nullptr);
   // Combines the ranks after the last step. Collective.
   void gather(MPI_Comm comm);
-  // Sentence if the largest tension [N] of a line is such a peak; else empty. damped: much axial vibration
+  // Sentence if the largest tension [N] of a line is such a peak, or if another peak, which a step does not
+  // resolve, may exceed it; else empty. damped: much axial vibration
   // was damped; fixed: the user chose the step. After gather(), for a line of this rank.
   std::string warning(int line, const std::string& name, double largest_tension, bool damped,
                       bool fixed) const;
@@ -50,13 +51,18 @@ class Snaps {
   };
   struct Before {
     double last = 0;            // N, at the previous step
+    double previous = 0;        // N, at the step before it
+    double step = 0;            // s, length of the previous step
     double low = 0, since = 0;  // N, s: start of the rise
   };
+  std::string of_largest(int line, const std::string& name, double largest_tension, bool damped,
+                         bool fixed) const;
   const LocalMesh& mesh_;
   std::vector<double> passage_;  // s, slower element at each owned node; 0: excluded
   std::vector<Before> before_;   // by owned node; empty: no step yet
   PerLine<double> echo_;         // s, wave along each line and back
   PerLine<Worst> worst_;
+  PerLine<Worst> unresolved_;  // the largest estimate of a peak between steps that do not resolve it
 };
 
 }  // namespace hawser::record
