@@ -77,7 +77,7 @@ def placed(lines, platform, **settings):
 
 def edges(ropes, duration, step, every, falling=False):
     """The text of the case file of ropes beside each other over the edge of one box, under 1 kN. The end of the first one
-    is pulled, and the error of its tension on the edge grows from step to step. Contacts are not reported one by one. falling: all ropes fall on the box, without statics."""
+    is pulled, and the error of its tension on the edge grows from step to step, none of which is divided. Contacts are not reported one by one. falling: all ropes fall on the box, without statics."""
     winch, held = (1.085, -0.1812), (-0.99, 0.01)  # x and z of the ends, m
     lines = []
     for k in range(ropes):
@@ -99,7 +99,7 @@ volumes: {{box: {{shape: {{box: {{centre: [-1.5, {0.5 * width:g}, -1.5], size: [
 lines:
 """ + "\n".join(lines) + f"""
 statics: {str(not falling).lower()}
-dynamics: {{duration: {duration:g}{'' if falling else f', step: {step:g}'}}}
+dynamics: {{duration: {duration:g}{'' if falling else f', step: {step:g}, resolve_impacts: false'}}}
 output: {{every: {every:g}, clashes: false}}
 """
 
