@@ -50,7 +50,7 @@ struct Clause {
     return at.place + ", a beam element folds: its ends turn against each other by more than half a turn";
   }
   std::string operator()(ImpactNotResolved) const {
-    return "an impact begins within the step, which is too long to resolve it";
+    return "an impact or a snap load begins within the step, which is too long to resolve it";
   }
   std::string operator()(ErrorTooLarge at) const {
     return fmt::format("its local error of {:.3g} m is too large", at.error);

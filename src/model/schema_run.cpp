@@ -42,7 +42,9 @@ Key dynamics() {
               or_else_note("chosen by the program")),
        boolean({"resolve_impacts", &Dynamics::resolve_impacts},
                "divides a fixed step at an impact as an automatic one: 25 steps in a period of the contact, "
-               "one of which ends at the first touch; `false`: the step stays as given",
+               "one of which ends at the first touch; also where a cable comes taut to its largest tension "
+               "so far; "
+               "`false`: the step stays as given",
                or_else("true")),
        number({"rho_infinity", &Dynamics::rho_infinity}, none,
               "spectral radius at high frequency of the generalized-alpha method; 1: no numerical damping",

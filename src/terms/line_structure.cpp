@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hawser/kernels/tension_peak.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/terms/line_sections.hpp"
 
@@ -94,7 +95,7 @@ std::vector<LineStructure::Beam> beams_of(const LocalMesh& mesh, const model::Ca
 
 LineStructure::Peak peak(const model::Case& c, const Element& e) {
   const model::LineType& t = c.line_types[e.type];
-  return {t.wave_time(e.length), t.mass_per_length * e.length * c.environment.gravity, 0};
+  return {t.wave_time(e.length), t.mass_per_length * e.length * c.environment.gravity};
 }
 
 std::vector<LineStructure::Cable> cables_of(const LocalMesh& mesh, const model::Case& c) {
@@ -188,6 +189,11 @@ double chord_strain(const Kinematics& state, const auto& e, double free_strain) 
   return d.norm() / e.section.length - 1 - free_strain;
 }
 
+// Tension [N] of the spring of a cable, without its damper, and its slope by strain [N]; 0 if it is slack.
+ResponseCurve::Value spring(const CableSection& section, double strain) {
+  return strain > 0 ? section.axial(strain) : ResponseCurve::Value{};
+}
+
 }  // namespace
 
 double LineStructure::round_off(const Kinematics& state, double h) const {
@@ -231,6 +237,20 @@ Overstretch LineStructure::overstretched(const Kinematics& state) const {
   for (const Cable& c : cables_)
     if (c.element.counted) look(c, std::max(chord_strain(state, c, c.section.free_strain), 0.0));
   return worst;
+}
+
+// Only a tension above all earlier ones of its element is a peak that counts, so that repeated snap loads of
+// equal size divide few steps. A step shorter than the wave's time through the element cannot resolve more
+// than the element does.
+void LineStructure::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
+  for (const Cable& c : cables_) {
+    if (!c.element.counted || c.idle) continue;
+    const ResponseCurve::Value now = spring(c.section, chord_strain(trial, c, c.section.free_strain));
+    if (!(now.force > c.peak.largest)) continue;
+    if (resolves_peak(spring(c.section, c.start.strain).force, now.force)) continue;
+    // The passage is that at the initial stiffness.
+    if (trial.step > c.peak.passage * std::sqrt(c.section.EA / now.slope)) to.too_fast = true;
+  }
 }
 
 void LineStructure::tensions(const Kinematics& state, std::span<LineTension> lines) const {
@@ -320,10 +340,10 @@ void LineStructure::prepare(const Kinematics& from, double) {
   if (from.phase == Phase::start && !plastic_history_.empty()) commit_plastic(from);
   if (damped_ && !power_) power_ = beam_dissipation(from);
   last_step_ = from.last_step();
-  if (from.moves()) update_peaks(from);
   for (Cable& c : cables_) {
     const CableEnds e = ends(c, from);
     c.start = cable_start(c.section, e.x1, e.x2, c.start.strain_increment, last_step_);
+    if (from.moves()) c.peak.largest = std::max(c.peak.largest, spring(c.section, c.start.strain).force);
   }
 }
 

@@ -1,5 +1,5 @@
-// The class LineStructure: checkpoint records. Sums of dissipation, strain increments of cables, plastic
-// bending of beams outside and inside feeders.
+// The class LineStructure: checkpoint records. Sums of dissipation, strain increments and
+// largest tensions of cables, plastic bending of beams outside and inside feeders.
 #include <algorithm>
 #include <map>
 

@@ -35,7 +35,7 @@ statics: {{{{enabled: {{statics}}}}}}
 dynamics: {{{{duration: {{duration}}, step: {{step}}}}}}
 output: {{{{every: {{every}}}}}}
 """
-ALONE = {"Send", "Isend", "Startall", "pread", "Memory"}  # counted on one rank without the others
+ALONE = {"Send", "Isend", "Startall", "pread", "Memory", "Allocated"}  # counted on one rank without the others
 MOTION = "motion: {harmonic: {amplitude: [1, 0, 2], period: 10}, ramp: 10}"
 
 
@@ -143,10 +143,10 @@ def on_every_rank(growth):
     return (many * at_many - few * at_few) / (many - few)
 
 
-def peak_memory(hawser, counter, ranks, case, folder):
-    """Bytes of a rank; the first one writes descriptions, too."""
+def peak_memory(hawser, counter, ranks, case, folder, measure="Memory"):
+    """Bytes of a rank, resident or, for the measure `Allocated`, allocated; the first rank writes descriptions, too."""
     counts = counted_by_rank(hawser, counter, ranks, case, folder)
-    return statistics.median(each["Memory"][1] for each in counts[1:])
+    return statistics.median(each[measure][1] for each in counts[1:])
 
 
 def cost(given, folder, lines, ranks):

@@ -54,7 +54,7 @@ class Counts(unittest.TestCase):
                 case, peaks = Path(folder) / "case.yaml", []
                 for ranks in (8, 4):
                     case.write_text(farm.farm(lines * ranks // 8, elements, 0.1, 0.1, 0.1), "utf-8")
-                    peaks.append(farm.peak_memory(HAWSER, COUNTER, ranks, case, folder))
+                    peaks.append(farm.peak_memory(HAWSER, COUNTER, ranks, case, folder, "Allocated"))
                 return peaks[0] - peaks[1]
 
             few, many, fine = of_others(2 * FEW, 3), of_others(2 * FARM, 3), of_others(2 * FEW, FINE)

@@ -102,7 +102,8 @@ TEST(BodyMatrices, Statics) {
 // Damping 2 a M: a motion in the mode phi of the velocity v is phi v exp(-a t) sin(w t)/w, w² = omega² - a².
 TEST(BodyMatrices, Decays) {
   const Modes modes(stiffness(), mass());
-  constexpr double kRate = 0.08, kSpeed = 1e-6;
+  constexpr double kRate = 0.08;
+  constexpr double kSpeed = 1e-6;
   for (const int k : {0, 3}) {
     const Vec6 shape = modes.eigenvectors().col(k) / modes.eigenvectors().col(k).norm();
     const double omega = std::sqrt(modes.eigenvalues()[k] - kRate * kRate);

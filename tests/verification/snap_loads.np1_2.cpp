@@ -57,7 +57,10 @@ model::Case falling(const model::LineType& type, double step) {
 // T = m g + sqrt((m g)² + m v² EA/L) of a mass m with the speed v on a spring. Steps of 100 ms miss
 // the half wave of 63 ms.
 TEST(SnapLoads, OfAFallingMassAreThoseOfASpring) {
-  constexpr double kMass = 100, kEA = 1e6, kSpeed = 1, kWeight = kMass * 9.81;
+  constexpr double kMass = 100;
+  constexpr double kEA = 1e6;
+  constexpr double kSpeed = 1;
+  constexpr double kWeight = kMass * 9.81;
   const double exact = kWeight + std::sqrt(kWeight * kWeight + kMass * kSpeed * kSpeed * kEA / 4);
   for (const double step : {0.0, 0.1}) {
     model::Case c = falling(cable_type(kEA, 0.01), step);
@@ -77,7 +80,10 @@ TEST(SnapLoads, OfAFallingMassAreThoseOfASpring) {
 // A wire of 2.5 kg/m hangs 1 mm slack with 100 kg at its end, and comes taut after a fall of 1.3 mm. The
 // bound is that of the mass alone.
 TEST(SnapLoads, OfASlackWireConverge) {
-  constexpr double kWeight = 981, kEA = 5e7, kLength = 3.8, kFall = 1.3e-3;
+  constexpr double kWeight = 981;
+  constexpr double kEA = 5e7;
+  constexpr double kLength = 3.8;
+  constexpr double kFall = 1.3e-3;
   const double bound = kWeight + std::sqrt(kWeight * kWeight + 2 * kWeight * kFall * kEA / kLength);
   const auto run = [](double damping, double longest) {
     model::LineType type = cable_type(kEA, 2.5);

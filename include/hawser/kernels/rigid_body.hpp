@@ -16,7 +16,8 @@ namespace hawser {
 // Springs and dampers with full matrices between a point of the body and the same point of the body at rest.
 struct SpringMatrices {
   // N/m, N, N m/rad (symmetric) and N s/m, N s, N m s, in axes of the body at rest.
-  Mat6 stiffness = Mat6::Zero(), damping = Mat6::Zero();
+  Mat6 stiffness = Mat6::Zero();
+  Mat6 damping = Mat6::Zero();
   Vec3 arm = Vec3::Zero();  // m, from the centre of mass to the point, body axes
 
   bool none() const { return stiffness.isZero(0) && damping.isZero(0); }

@@ -14,7 +14,8 @@ namespace hawser {
 
 struct SpringMatrixForces {
   Vec6 f = Vec6::Zero();  // residual on the unknowns of the body
-  Mat6 K = Mat6::Zero(), C = Mat6::Zero();
+  Mat6 K = Mat6::Zero();
+  Mat6 C = Mat6::Zero();
   double potential = 0;                 // J
   double dissipated = 0, supplied = 0;  // W, by the dampers and by the moving support
 };

@@ -127,7 +127,8 @@ struct BodyMass {
   Vec3 stiffness = Vec3::Zero(), damping = Vec3::Zero();  // N/m, N s/m: towards the prescribed `motion`
   Vec3 turning_stiffness = Vec3::Zero(), turning_damping = Vec3::Zero();  // N m/rad, N m s/rad, body axes
   // In addition, about the body's origin in axes of the body at rest: N/m, N, N m/rad; N s/m, N s, N m s.
-  Mat6 stiffness_matrix = Mat6::Zero(), damping_matrix = Mat6::Zero();
+  Mat6 stiffness_matrix = Mat6::Zero();
+  Mat6 damping_matrix = Mat6::Zero();
   Shared<BodyInWater> in_water;
   Shared<BodyHydrodynamics> hydrodynamics;
   Shared<BodyHull> hull;

@@ -115,7 +115,6 @@ class Feeders final : public ForceTerm,
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& state) const override;
   void element_force(const Kinematics& state, const LocalElement& e, Vec12& f) const override;
-  void limit_step(const Kinematics&, ImpactEvents&) override {}
   Verdict check_step(const Kinematics& trial) const override;
 
   // Motion of the material at the feeder's end of the element at the feed point: its velocity, and its

@@ -32,7 +32,6 @@ class LineStructure final : public ForceTerm,
   struct Peak {
     double passage = 0;  // s, of an axial wave through the element
     double largest = 0;  // N, tension so far; at least the weight of the element, within which tension varies
-    double before = 0;   // N, tension at the start of the step
   };
   struct Beam {
     LocalElement element;
@@ -70,8 +69,6 @@ class LineStructure final : public ForceTerm,
   std::vector<double> slack_length(const Kinematics& state) const;
   bool soften(double max_EA) override;
   double axial_stiffness() const override;
-  void limit_step(const Kinematics&, ImpactEvents&) override {}
-  Verdict check_step(const Kinematics&) const override { return {}; }
   void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
@@ -97,7 +94,6 @@ class LineStructure final : public ForceTerm,
   void move_plastic_history(Beam& b, const FedLine& f, double to);
   void keep_hauled_in(const Beam& b, const FedLine& f);
   double fed_work(const Kinematics& state) const;
-  void update_peaks(const Kinematics& from);
   std::vector<double> entering(const FedLine& f, double label) const;
   double beam_dissipation(const Kinematics& state) const;
   struct ElementField;

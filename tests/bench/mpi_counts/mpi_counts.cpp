@@ -2,12 +2,16 @@
 // this library before MPI (LD_PRELOAD). Rank r writes them to $HAWSER_MPI_COUNTS.r when MPI ends, one line
 // per function: name, calls, bytes. Bytes are those that this rank sends, or receives if it sends none. Reads
 // of this rank from files by pread(), which HDF5 uses without MPI, are counted in the same way. The line
-// `Memory` is the largest resident memory of this rank in bytes.
+// `Memory` is the largest resident memory of this rank in bytes, the line `Allocated` the largest number of
+// bytes allocated at a call on a communicator. Resident memory varies from run to run, because messages
+// arrive and free blocks are reused in another order; allocations do not.
 #include <dlfcn.h>
+#include <malloc.h>
 #include <mpi.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -22,6 +26,11 @@ struct Count {
 std::map<std::string, Count>& counts() {
   static std::map<std::string, Count> all;
   return all;
+}
+
+size_t& most_allocated() {
+  static size_t most = 0;
+  return most;
 }
 
 double size_of(int n, MPI_Datatype type) {
@@ -39,7 +48,10 @@ void add(const char* name, double bytes) {
 void add(const char* name, MPI_Comm comm, double bytes) {
   int ranks = 1;
   PMPI_Comm_size(comm, &ranks);
-  if (ranks > 1) add(name, bytes);
+  if (ranks <= 1) return;
+  add(name, bytes);
+  const struct mallinfo2 now = mallinfo2();
+  most_allocated() = std::max(most_allocated(), now.uordblks + now.hblkhd);
 }
 
 }  // namespace
@@ -119,6 +131,7 @@ int MPI_Finalize() {
   rusage use{};
   getrusage(RUSAGE_SELF, &use);
   add("Memory", 1024.0 * static_cast<double>(use.ru_maxrss));
+  add("Allocated", static_cast<double>(most_allocated()));
   if (const char* path = std::getenv("HAWSER_MPI_COUNTS"))
     if (std::FILE* out = std::fopen((std::string(path) + "." + std::to_string(rank)).c_str(), "w")) {
       for (const auto& [name, count] : counts())
