@@ -25,9 +25,7 @@ REST_OF_FILE = 100000  # bytes that a rank may read of a results file besides it
 ELEMENT = 208  # bytes of an element that ranks exchange
 FINE = 600  # elements of the lines of which the memory for a node is measured
 FARM = 2000  # lines of other ranks of which the memory for a line is measured
-# Largest memory on every rank for a line and for a node of the model, bytes. The peak memory of a rank varies by some tenths
-# of a MB from run to run, which is 0.1 kB a line here.
-MOST_OF_LINE, MOST_OF_NODE = 300, 150
+MOST_OF_LINE, MOST_OF_NODE = 150, 20  # allocations on every rank for a line and for a node of the model, bytes
 
 
 @unittest.skipIf("ASAN_OPTIONS" in os.environ, "the sanitizers must be loaded first")
