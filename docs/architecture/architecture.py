@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Draws architecture.png beside itself: architecture.py [FILE], without arguments to that place.
 
-The rooms of the program and the path of the data through them. ROOMS has every room of scripts/check-includes.
+The modules of the program and the path of the data through them. MODULES has every module of scripts/check-includes.
 """
 import sys
 from pathlib import Path
@@ -13,9 +13,9 @@ import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.patches import FancyBboxPatch  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
-FILE, ROOM, BASE, EDGE, FLOW = "#fdf3dc", "#dcebf7", "#ececec", "#555555", "#d95f02"
+FILE, MODULE, BASE, EDGE, FLOW = "#fdf3dc", "#dcebf7", "#ececec", "#555555", "#d95f02"
 # Name: (left, bottom, width, height, what it holds).
-ROOMS = {
+MODULES = {
     "run": (2.1, 6.35, 9.8, 0.62, "command line; order of a whole run; events; restart"),
     "io": (2.1, 3.1, 1.6, 2.75, "reads\ncase, meshes,\nWAMIT files;\n\nwrites HDF5,\nXDMF,\ncheckpoints"),
     "model": (4.1, 4.6, 1.55, 1.25, "what a case is:\nkeys, checks"),
@@ -31,7 +31,7 @@ ROOMS = {
     "math": (7.7, 0.95, 1.8, 0.62, "rotations"),
     "base": (9.7, 0.95, 2.2, 0.62, "MPI, PETSc"),
 }
-LOW = ("kernels", "geometry", "math", "base")  # every other room may use these
+LOW = ("kernels", "geometry", "math", "base")  # every other module may use these
 BARS = (*LOW, "run", "record")
 FILES = {  # text, left, bottom, width, height
     "case file\nmeshes\ntables\nWAMIT files": (0.1, 4.6, 1.45, 1.25),
@@ -52,9 +52,9 @@ def arrow(ax, start, end, text="", at=None, **style):
         ax.text(*at, text, color=FLOW, fontsize=8.5, ha="center", va="center")
 
 
-def rooms(ax):
-    for name, (left, bottom, width, height, text) in ROOMS.items():
-        box(ax, left, bottom, width, height, BASE if name in LOW else ROOM)
+def modules(ax):
+    for name, (left, bottom, width, height, text) in MODULES.items():
+        box(ax, left, bottom, width, height, BASE if name in LOW else MODULE)
         if name in BARS:
             ax.text(left + 0.12, bottom + height / 2, name, fontsize=11, fontweight="bold", va="center")
             ax.text(left + width - 0.12, bottom + height / 2, text, fontsize=9, ha="right", va="center")
@@ -68,7 +68,7 @@ def draw(file):
     fig, ax = plt.subplots(figsize=(11, 6.4), dpi=110)
     ax.set_xlim(0, 12), ax.set_ylim(0.1, 7.1)
     ax.axis("off")
-    rooms(ax)
+    modules(ax)
     for text, (left, bottom, width, height) in FILES.items():
         box(ax, left, bottom, width, height, FILE)
         ax.text(left + width / 2, bottom + height / 2, text, fontsize=9, ha="center", va="center")
@@ -85,7 +85,7 @@ def draw(file):
     arrow(ax, (2.9, 2.47), (2.9, 3.1), "rows of output", (3.6, 2.78))
     arrow(ax, (2.1, 3.48), (1.55, 3.48))
     arrow(ax, (0.82, 3.1), (0.82, 2.75))
-    ax.text(7, 0.48, "A room uses only rooms before it in this list (scripts/check-includes):\n" +
+    ax.text(7, 0.48, "A module uses only modules before it in this list (scripts/check-includes):\n" +
             "base, math, geometry, kernels, model, advice, mesh, state, system, terms, solve, io, record, run",
             fontsize=9, ha="center", va="center")
     ax.text(0.82, 6.66, "hawser", fontsize=15, fontweight="bold", ha="center", va="center")

@@ -61,9 +61,9 @@ std::string held_without_weight(const std::string& body) {
 
 std::string unstable_equilibria_left(int equilibria) {
   return fmt::format(
-      "statics left {} during the search (lines buckled or snapped through, or a body heeled or capsized): "
-      "the model can rest in more than one shape; check that this is the intended one, and give `start` near "
-      "it if not",
+      "the search passed through {} (lines buckled or snapped through, or a body heeled or capsized): the "
+      "model can rest in more than one shape; check that this is the intended one, and give `start` near it "
+      "if not",
       count_of(equilibria, "unstable equilibrium", "unstable equilibria"));
 }
 

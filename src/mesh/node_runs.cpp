@@ -36,7 +36,7 @@ class RunsOfNodes {
 
  private:
   std::span<const std::pair<int, Node>> special_;
-  size_t next_ = 0;  // of own_
+  size_t next_ = 0;  // of special_
   int at_ = 0;       // node
 };
 

@@ -93,7 +93,7 @@ Key motion() {
        drift(),
        number({"ramp", &Body::ramp}, time,
               "the motion starts smoothly over this time (quintic); for `rao`, the motion by waves",
-              at_least(0), or_else("0"))},
+              at_least(0), or_else_note("0; for `rao` the `ramp` of the waves"))},
       "prescribed motion; without it the body does not move",
       at_most_one_of({{{"velocity", "rotation"}, {}}, "harmonic", "table", "rao"}));
 }
@@ -192,9 +192,10 @@ Key body_hydrodynamics() {
              {"mean", SecondOrder::mean},
              {"newman", SecondOrder::newman},
              {"full", SecondOrder::full}},
-            "second-order wave forces: `mean`, the mean drift force; `newman`, slow drift by Newman's "
-            "approximation from mean drift forces (`.8`, `.7`, `.9` or `.12d`); `full`, all "
-            "difference-frequency forces (`.12d`) of the direction nearest to that of the waves",
+            "second-order wave forces by quadratic transfer functions (QTF): `mean`, the mean drift force; "
+            "`newman`, slow drift by Newman's approximation from mean drift forces (`.8`, `.7`, `.9` or "
+            "`.12d`); `full`, the difference-frequency QTF (`.12d`) of the direction nearest to that of the "
+            "waves",
             or_else("none")),
        six_by_six("stiffness", &H::stiffness,
                   "additional linear stiffness about the body's origin, for displacements from `place`: six "
@@ -394,7 +395,7 @@ Key floating() {
             "in the body's frame", or_else_note("[0, 0, 0]; with `mass_matrix` the centre that it implies")),
        boolean({"weight", &BodyMass::weight},
                "whether the weight of the body acts; `false`: it is carried by buoyancy that is not modelled",
-               or_else("false")),
+               or_else_note("true with `hydrodynamics` or `hull`, false without")),
        vec3({"velocity", &BodyMass::velocity}, velocity,
             "of the centre of mass at t = 0, axes fixed in space", or_else(kZero)),
        vec3({"angular_velocity", &BodyMass::angular_velocity}, angular_velocity, "at t = 0, axes of the body",

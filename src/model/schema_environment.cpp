@@ -275,7 +275,9 @@ Key seabed() {
               "the table is steepest and is proportional to the slope of the table elsewhere",
               at_least(0), or_else("0")),
        number({"smoothing", &Seabed::smoothing}, length, "half width of the smooth onset of the soil's force",
-              at_least(0), or_else_note("a fifth of the static penetration of the line")),
+              at_least(0),
+              or_else_note("a fifth of the static penetration of the line, at least 0.2 % of its "
+                           "contact radius")),
        map("suction",
            {number({"limit", &Seabed::suction}, none,
                    "largest suction, in the unit of `normal_stiffness` times m", above(0), required),

@@ -58,7 +58,8 @@ Key output() {
        number({"every", &Output::every}, time, "time between outputs of fields", above(0),
               or_else_note("1/100 of the run")),
        number({"checkpoint_every", &Output::checkpoint_every}, time, "time between checkpoints", above(0),
-              or_else_note("with every output of fields")),
+              or_else_note("with outputs of fields, as far as they take at most 2 % of the computing "
+                           "time; always at the end of a run")),
        list({"format", set_by<Output>(format)}, word("", {"hdf5", "xdmf"}),
             "file formats: `hdf5` is always written; `xdmf` in addition is for ParaView",
             or_else("[hdf5, xdmf]"), items(1, 2)),

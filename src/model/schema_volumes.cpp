@@ -170,10 +170,12 @@ Key stiffness() {
                    line_stiffness, "per length of line in contact", above(0)),
             number({"per_area", &Volume::normal_stiffness, set(&Volume::basis, StiffnessBasis::per_area)},
                    area_stiffness, "per projected area (length times contact diameter)", above(0)),
-            number({"allowed_penetration", &Volume::allowed_penetration}, length,
-                   "makes the stiffness automatic, for this largest penetration in statics, and twice this "
-                   "in motion except in impacts; default 0.4 % of the line's radius",
-                   above(0)),
+            number(
+                {"allowed_penetration", &Volume::allowed_penetration}, length,
+                "makes the stiffness automatic, for this largest penetration in statics, and twice this "
+                "in motion except in impacts and in short steps; without it 0.5 % of the line's radius for "
+                "the initial stiffness, which is raised where the penetration exceeds 0.4 %",
+                above(0)),
             force_rows(set_by<Volume>(force_table<Volume>)),
             word({"per", &Volume::basis},
                  {{"point", StiffnessBasis::per_point},

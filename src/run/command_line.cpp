@@ -195,7 +195,7 @@ void CommandLine::add_stiffness() {
 void CommandLine::add_responses() {
   CLI::App* command = cli_.add_subcommand(
       "responses",
-      "Responses of moored floating bodies to waves by linear equations about the static equilibrium.");
+      "Responses of moored floating bodies to waves in the frequency domain, about the static equilibrium.");
   command->add_option("case", responses_.case_path, "Case file")->required();
   command
       ->add_option("--periods", periods_, "Wave periods, s (default: those of the wave forces in the files)")

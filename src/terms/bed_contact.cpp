@@ -64,6 +64,8 @@ ContactForce BedContact::contact(const Point& p, const Kinematics& state, bool d
   if (convex) t.curvature.setZero();
   if (!touches) return {};
   if (state.moves()) t.velocity = of_nodes(p, state.v);
+  // Friction f_i = -k_i s_i of the trial slip s along and across the line, (f_a/mu_a)² + (f_l/mu_l)² <= N²:
+  // friction() in kernels/friction_law.hpp.
   if (friction_ == FrictionMode::contact && !(laid() && !laid_[index_of(p)].known()))
     return surface_contact(law(p).law, start(p), t, derivatives);
   return surface_contact({law(p).law.normal, FrictionLaw{}}, start(p), t, derivatives);

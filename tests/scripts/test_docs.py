@@ -46,14 +46,14 @@ class Docs(unittest.TestCase):
     def test_wrong_files_are_found(self):
         check_trees(self, "scripts/check-docs", SOUND, WRONG)
 
-    def test_the_architecture_has_every_room(self):
-        rooms = module("scripts/check-includes").ROOMS
+    def test_the_architecture_has_every_module(self):
+        modules = module("scripts/check-includes").MODULES
         page = (ROOT / "docs/architecture.md").read_text(encoding="utf-8")
-        table = page.partition("## Rooms")[2].partition("\n## ")[0]
-        self.assertEqual(re.findall(r"^\| (\w+) \|", table, re.M)[1:], rooms)
+        table = page.partition("## Modules")[2].partition("\n## ")[0]
+        self.assertEqual(re.findall(r"^\| (\w+) \|", table, re.M)[1:], modules)
         picture = module("docs/architecture/architecture.py")
-        self.assertEqual(sorted(picture.ROOMS), sorted(rooms))
-        self.assertIn(", ".join(rooms), (ROOT / "docs/architecture/architecture.py").read_text(encoding="utf-8"))
+        self.assertEqual(sorted(picture.MODULES), sorted(modules))
+        self.assertIn(", ".join(modules), (ROOT / "docs/architecture/architecture.py").read_text(encoding="utf-8"))
 
 
 if __name__ == "__main__":

@@ -108,7 +108,7 @@ output: {{histories: [{{body: box}}]}}
             # Upright without a moment: an unstable equilibrium that is left.
             heel, text = rest(8, ranks, moment=0)
             self.assertAlmostEqual(abs(heel), np.pi, places=5)
-            self.assertIn("note: statics left 1 unstable equilibrium", text)
+            self.assertIn("note: the search passed through 1 unstable equilibrium", text)
             self.assertNotIn("warning: the static equilibrium is unstable", text)
             heel, text = rest(6.5, ranks, moment=0)
             self.assertAlmostEqual(heel, np.arctan(0.2), places=6)

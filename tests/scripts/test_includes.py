@@ -11,7 +11,7 @@ SOUND = {
     "include/hawser/model/case.hpp": '#include "hawser/math/types.hpp"\n#include <vector>\n',
     "src/run/driver.cpp": '#include "hawser/base/error.hpp"\n#include "hawser/model/case.hpp"\n#include "local.hpp"\n',
     "src/run/local.hpp": "#include <mpi.h>\n",
-    "src/CMakeLists.txt": "hawser_room(math dep_eigen)\nhawser_room(geometry math dep_eigen)\n",
+    "src/CMakeLists.txt": "hawser_module(math dep_eigen)\nhawser_module(geometry math dep_eigen)\n",
 }
 # Planted includes, and a part of the expected complaint.
 WRONG = [
@@ -27,10 +27,10 @@ WRONG = [
     ("include/hawser/model/b.hpp", '#include "hawser/base/error.hpp"\n', "error.hpp -> petscsys.h: model knows"),
     ("src/advice/a.cpp", "#include <petscvec.h>\n", "advice knows neither PETSc nor MPI"),
     ("src/terms/a.cpp", '#include "../system/sink.hpp"\n', "nor a file beside it"),
-    ("src/terms/b.cpp", '#include "hawser/shed/tool.hpp"\n', "no such room"),
-    ("src/shed/tool.cpp", "#include <vector>\n", "not in a room"),
-    ("src/CMakeLists.txt", "hawser_room(mesh model solve dep_mpi)\n", "CMakeLists.txt:1: solve: upward"),
-    ("src/CMakeLists.txt", "hawser_room(math dep_petsc)\n", "math links nothing but Eigen"),
+    ("src/terms/b.cpp", '#include "hawser/shed/tool.hpp"\n', "no such module"),
+    ("src/shed/tool.cpp", "#include <vector>\n", "not in a module"),
+    ("src/CMakeLists.txt", "hawser_module(mesh model solve dep_mpi)\n", "CMakeLists.txt:1: solve: upward"),
+    ("src/CMakeLists.txt", "hawser_module(math dep_petsc)\n", "math links nothing but Eigen"),
 ]
 
 

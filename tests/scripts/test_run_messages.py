@@ -309,7 +309,7 @@ lines:
 """)
         result = self.hawser("run", "strut.yaml")
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertIn("note: statics left 1 unstable equilibrium during the search", result.stdout)
+        self.assertIn("note: the search passed through 1 unstable equilibrium", result.stdout)
 
     def test_wrong_energy_is_not_accepted(self):
         # A pendulum in steps of a sixth of its period, with maximum damping.

@@ -48,7 +48,7 @@ struct FlowVelocity {
   Vec3 by_height = Vec3::Zero();  // 1/s
 };
 
-// F_x, F_y [N] and M [N m], and their derivatives by c_x and c_y.
+// F_x, F_y [N] and M [N m], and their derivatives by c_x and c_y [m/s].
 struct FlowForce {
   Vec3 force = Vec3::Zero();
   Eigen::Matrix<double, 3, 2> slope = Eigen::Matrix<double, 3, 2>::Zero();
@@ -58,8 +58,8 @@ FlowForce flow_force(const BodyFlow& b, double cx, double cy);
 // Flow velocity c relative to the point, body axes, m/s.
 Vec3 relative_flow(const BodyFlow& b, const RigidBodyState& s, const Vec3& velocity);
 
-// Residual on the body's unknowns (minus force and moment), and its derivatives by increments of position and
-// material rotation (K) and by v and w (C).
+// Residual on the body's unknowns, minus force [N, space axes] and moment [N m, body axes], and its
+// derivatives by increments of position [m] and material rotation [rad] (K) and by v [m/s] and w [rad/s] (C).
 struct BodyFlowResidual {
   Vec6 f = Vec6::Zero();
   Mat6 K = Mat6::Zero(), C = Mat6::Zero();

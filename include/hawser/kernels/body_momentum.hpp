@@ -15,7 +15,7 @@ Mat6 momentum_matrix(const RigidBodyData& body);
 // The body without the inertia in N.
 RigidBodyData without_momentum(const RigidBodyData& body);
 
-// Force and moment about the centre of mass, or P and L; space axes.
+// Force [N] and moment [N m] about the centre of mass, or P [N s] and L [N m s]; space axes.
 using Wrench = Vec6;
 Wrench body_momentum(const Mat6& N, const RigidBodyState& s);
 // Rates of P and L for the accelerations of s.

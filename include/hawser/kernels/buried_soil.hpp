@@ -1,4 +1,6 @@
-// Soil around a buried piece of line: elastic-plastic springs along and across it.
+// Soil around a buried piece of line: elastic-perfectly plastic springs along and across it. See
+// docs/theory/seabed.md, "In the soil". A line whose springs all yield is the inverse catenary of Neubecker &
+// Randolph (1995): dT/ds = Q_a, T dtheta/ds = Q_n, with the resistances Q per length.
 #pragma once
 
 #include "hawser/math/types.hpp"

@@ -6,12 +6,12 @@
 
 namespace hawser {
 
-// Derivatives of ContactTrial and ContactStart by the place xi on the axis, body frame.
+// Derivatives of ContactTrial and ContactStart by the place xi on the axis (without unit), body frame.
 struct ContactRates {
-  Vec3 point = Vec3::Zero(), velocity = Vec3::Zero();  // of the trial, m and m/s per unit of xi
-  Vec3 start_point = Vec3::Zero(), start_tangent = Vec3::Zero();
-  Vec3 start_slip = Vec3::Zero(), start_normal = Vec3::Zero();
-  double start_gap = 0, roll = 0;
+  Vec3 point = Vec3::Zero(), velocity = Vec3::Zero();             // of the trial: m, m/s
+  Vec3 start_point = Vec3::Zero(), start_tangent = Vec3::Zero();  // m; of a unit vector
+  Vec3 start_slip = Vec3::Zero(), start_normal = Vec3::Zero();    // m; of a unit vector
+  double start_gap = 0, roll = 0;                                 // m, rad
 };
 
 // d force / d xi [N or N/m]. Gap and normal follow the trial's point by normal and curvature. 0 without

@@ -1,4 +1,4 @@
-// Length of line that a constant-tension winch pays out in a step.
+// Length of line that a constant-tension winch pays out in a step. See docs/theory/feeders.md.
 #pragma once
 
 #include "hawser/kernels/cable.hpp"

@@ -38,7 +38,7 @@ struct LinePairForce {
   Vec3 force = Vec3::Zero();     // N/m, on x: normal and friction; the opposite force acts on y
   Vec3 friction = Vec3::Zero();  // N/m
   Vec3 couple = Vec3::Zero();    // N, force x D; acts on the sections, distributed by the radii
-  double slip[2] = {0, 0};
+  double slip[2] = {0, 0};       // m, elastic slip that remains: along T and n x T
   bool slides = false;
   Eigen::Matrix<double, 3, kInputs> by;  // derivatives of force; filled on request
 };

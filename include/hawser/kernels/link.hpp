@@ -1,4 +1,5 @@
-// Force of a spring and a damper between two points, along the straight line between them.
+// Force of a spring and a damper between two points, along the straight line between them. See
+// docs/theory/links.md.
 #pragma once
 
 #include <memory>

@@ -43,9 +43,11 @@ struct RigidBodyState {
 // Parts of the residual, stored separately because their sum does not show the magnitude of the forces where
 // they cancel (a body in free fall or tumbling).
 struct RigidBodyResidual {
+  // N, space axes; N m, body axes.
   Vec6 inertia = Vec6::Zero();  // m a; J alpha
   Vec6 applied = Vec6::Zero();  // - W; w x J w
   Vec6 springs = Vec6::Zero();  // including dampers
+  // Derivatives of the sum by position [m] and rotation [rad, body axes], their rates and accelerations.
   Mat6 K = Mat6::Zero(), C = Mat6::Zero(), M = Mat6::Zero();
 
   Vec6 f() const { return inertia + applied + springs; }

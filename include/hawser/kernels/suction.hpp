@@ -6,7 +6,8 @@ namespace hawser {
 
 // The pull increases from zero at the deepest position to `limit` at half of `length` and decreases to zero
 // at `length`: 16 limit s²(1 - s)², s: lift divided by length. Once continuously differentiable; its total
-// work is 8/15 limit length.
+// work is 8/15 limit length. The formula is the program's own, without a published source; it is not the
+// cyclic law of Randolph & Quiggin (2009).
 struct Suction {
   double limit = 0;   // N; 0: none
   double length = 0;  // m

@@ -119,11 +119,12 @@ struct BodyMass {
   Vec3 products = Vec3::Zero();  // kg m², Ixy, Iyz, Ixz: off the diagonal
   Vec3 centre = Vec3::Zero();    // m, centre of mass, body frame
   bool centre_given = false;
-  Shared<MassMatrix> matrix;             // replaces inertia and products, which are derived from it
-  Mat6 coupled = Mat6::Zero();           // rest of `matrix` beyond mass and inertia, about the centre of mass
-  bool weight = false;                   // gravity acts; else unmodelled forces balance the weight
-  Vec3 velocity = Vec3::Zero();          // m/s, of the centre of mass at t = 0, space axes
-  Vec3 angular_velocity = Vec3::Zero();  // rad/s, at t = 0, body axes
+  Shared<MassMatrix> matrix;    // replaces inertia and products, which are derived from it
+  Mat6 coupled = Mat6::Zero();  // rest of `matrix` beyond mass and inertia, about the centre of mass
+  // Gravity acts; else unmodelled forces balance the weight. Default true with `hydrodynamics` or `hull`.
+  bool weight = false;
+  Vec3 velocity = Vec3::Zero();                           // m/s, of the centre of mass at t = 0, space axes
+  Vec3 angular_velocity = Vec3::Zero();                   // rad/s, at t = 0, body axes
   Vec3 stiffness = Vec3::Zero(), damping = Vec3::Zero();  // N/m, N s/m: towards the prescribed `motion`
   Vec3 turning_stiffness = Vec3::Zero(), turning_damping = Vec3::Zero();  // N m/rad, N m s/rad, body axes
   // In addition, about the body's origin in axes of the body at rest: N/m, N, N m/rad; N s/m, N s, N m s.
@@ -157,7 +158,7 @@ struct Body {
   Vec3 position = Vec3::Zero();  // m, of the body's origin at t = 0
   Vec3 rotation = Vec3::Zero();  // rad, rotation vector at t = 0
   Motion motion;
-  double ramp = 0;  // s, smooth start of the motion (quintic), 0: none
+  double ramp = 0;  // s, smooth start of the motion (quintic), 0: none; default of responses: of the waves
   Shared<Drift> drift;
   Shared<BodyMass> mass;  // none: the motion is prescribed
   Shared<Ride> ride;      // none: not on a line; position and rotation are relative to the node
@@ -398,7 +399,7 @@ struct Clearance {
 struct Output {
   std::string file;             // absolute path of the .h5; default <case>.h5 beside the case
   double every = 0;             // s between fields; 0: 100 outputs per run
-  double checkpoint_every = 0;  // s; 0: with every field output
+  double checkpoint_every = 0;  // s; 0: with field outputs, at most 2 % of the computing time, and at the end
   bool xdmf = true;
   bool single_precision = false;  // for fields
   std::vector<HistoryPoint> histories;

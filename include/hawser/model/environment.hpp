@@ -1,5 +1,5 @@
-// Sea, wind and seabed of a case. z up, origin at the still water level; directions are where a flow goes to,
-// anticlockwise from +x.
+// Sea, wind and seabed of a case. Units are SI, angles rad. z up, origin at the still water level; directions
+// are where a flow goes to, anticlockwise from +x.
 #pragma once
 
 #include <cstdint>

@@ -9,7 +9,8 @@
 
 namespace hawser::model {
 
-// Prescribed motions u(t) for t >= 0; u and its first two derivatives are continuous.
+// Prescribed motions u(t) for t >= 0. u and its first two derivatives are continuous, except for a table that
+// is interpolated by monotone cubics (u and u' are continuous) or linearly (u is).
 struct ConstantMotion {
   Vec3 velocity = Vec3::Zero();  // m/s
   Vec3 axis = Vec3::UnitZ();     // unit, space-fixed, through the body's position
@@ -21,7 +22,7 @@ struct HarmonicMotion {           // offset(t) = amplitude * sin(2 pi t / period
   Vec3 rotation_amplitude = Vec3::Zero();  // rad, rotation vector
   double period = 1;                       // s
   Vec3 phase = Vec3::Zero();               // rad
-  Vec3 rotation_phase = Vec3::Zero();
+  Vec3 rotation_phase = Vec3::Zero();      // rad
   bool operator==(const HarmonicMotion&) const = default;
 };
 struct TableMotion {

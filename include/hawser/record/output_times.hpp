@@ -19,7 +19,9 @@ class OutputTimes {
   explicit OutputTimes(const model::Case& c);
   double next(double t) const;  // s, after t
 
-  double every = 0, checkpoint_every = 0;  // s, interval of outputs, of checkpoints; 0: with the outputs
+  // s, interval of outputs, of checkpoints. Without an interval checkpoints are written with outputs, as far
+  // as they take at most 2 % of the computing time.
+  double every = 0, checkpoint_every = 0;
 
  private:
   std::vector<double> jumps_;

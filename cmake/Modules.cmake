@@ -1,4 +1,4 @@
-# One library a room: hawser_room(kernels math dep_eigen) makes hawser_kernels from src/kernels/*.cpp.
+# One library for each module: hawser_module(kernels math dep_eigen) makes hawser_kernels from src/kernels/*.cpp.
 add_library(hawser_options INTERFACE)
 target_include_directories(hawser_options INTERFACE ${PROJECT_SOURCE_DIR}/include)
 target_compile_features(hawser_options INTERFACE cxx_std_20)
@@ -36,7 +36,7 @@ function(hawser_header target owner)
   endif()
 endfunction()
 
-function(hawser_room name)
+function(hawser_module name)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
   set(links "")
@@ -54,7 +54,7 @@ function(hawser_room name)
     if(NOT name STREQUAL "kernels")
       set_target_properties(hawser_${name} PROPERTIES UNITY_BUILD ${HAWSER_UNITY} UNITY_BUILD_BATCH_SIZE 6)
     endif()
-    # Rooms above base have the flags of MPI and PETSc.
+    # Modules above base have the flags of MPI and PETSc.
     if("base" IN_LIST ARGN)
       hawser_header(hawser_${name} hawser_mesh)
     elseif(NOT name STREQUAL "math")
