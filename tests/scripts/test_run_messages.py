@@ -350,7 +350,7 @@ output: {every: 5}
                 self.assertIn(word, result.stdout)
         version = self.hawser("--version", ranks=2)
         self.assertEqual(version.returncode, 0)
-        self.assertRegex(version.stdout, r"\Ahawser \d+\.\d+\.\d+\n\Z")
+        self.assertRegex(version.stdout, r"\Ahawser \d+\.\d+\.\d+(\+[0-9a-f]{8,}(-modified)?)?\n\Z")
 
     def test_command_line(self):
         self.refused([], "it needs a command")
