@@ -182,14 +182,13 @@ FedPull Feeders::pull(const Feeder& f, const Kinematics& state, const LocalEleme
 }
 
 double Feeders::strain_before(const Feeder& f, const LocalElement& e) const {
-  return chord(before_.at_rest(), e) / f.length - 1 - f.cable_section.free_strain;
+  return f.cable_section.strain(chord(before_.at_rest(), e), f.length);
 }
 
 double Feeders::strain_rate(const Feeder& f, const Kinematics& state, const LocalElement& e,
                             double length) const {
   if (before_.x.size() != state.x.size()) return 0;
-  return (chord(state, e) / length - 1 - f.cable_section.free_strain - strain_before(f, e)) /
-         (state.time - f.time);
+  return (f.cable_section.strain(chord(state, e), length) - strain_before(f, e)) / (state.time - f.time);
 }
 
 CableFeed Feeders::feed_of_cable(const Feeder& f, const Kinematics& state, const LocalElement& e,
