@@ -29,7 +29,7 @@ inline CableState cable_state(const CableSection& section, const CableEnds& e) {
   const Vec3 d = e.x2 - e.x1;
   o.l = d.norm();
   o.t = o.l > 0 ? Vec3(d / o.l) : Vec3(0, 0, 0);
-  o.strain = (o.l - section.length) / section.length - section.free_strain;
+  o.strain = section.strain(o.l);
   o.dv = e.v2 - e.v1;
   o.rate = (o.t.dot(o.dv) - section.length_rate * o.l / section.length) / section.length;
   o.tension = 0;
@@ -104,7 +104,7 @@ Mean mean_of(const CableSection& section, const CableStart& start, const CableSt
   o.l = chord.norm();
   o.t = o.l > 0 ? Vec3(chord / o.l) : Vec3(0, 0, 0);
   o.n = start.length + o.l > 0 ? Vec3((start.chord + chord) / (start.length + o.l)) : Vec3(0, 0, 0);
-  const double strain = (o.l - section.length) / section.length - section.free_strain;
+  const double strain = section.strain(o.l);
   const Elastic e = elastic_mean(section, start.strain, strain);
   o.strain_increment = std::max(strain, 0.0) - std::max(start.strain, 0.0);
   o.elastic = e.mean;
@@ -134,7 +134,7 @@ CableStart cable_start(const CableSection& section, const Vec3& x1, const Vec3& 
   CableStart o;
   o.chord = x2 - x1;
   o.length = o.chord.norm();
-  o.strain = (o.length - section.length) / section.length - section.free_strain;
+  o.strain = section.strain(o.length);
   o.strain_increment = strain_increment;
   o.unstretched_length = section.length;
   if (o.strain > 0) {
@@ -173,15 +173,12 @@ CableStepResult cable_step_result(const CableSection& section, const CableStart&
   // ratio of stretched to unstretched length times the paid-out length (docs/theory/feeders.md#energy).
   // `elongation` is the first part.
   const double fed_length = section.length - start.unstretched_length;
-  const double length_ratio =
-      1 + section.free_strain +
-      0.5 * (start.strain + (m.l - section.length) / section.length - section.free_strain);
+  const double strain = section.strain(m.l);
+  const double length_ratio = 1 + section.free_strain + 0.5 * (start.strain + strain);
   const double elongation = m.l - start.length - length_ratio * fed_length;
-  const double energy =
-      fed_length == 0
-          ? 0
-          : 0.5 * (section.axial(std::max(start.strain, 0.0)).energy +
-                   section.axial(std::max(m.l / section.length - 1 - section.free_strain, 0.0)).energy);
+  const double energy = fed_length == 0 ? 0
+                                        : 0.5 * (section.axial(std::max(start.strain, 0.0)).energy +
+                                                 section.axial(std::max(strain, 0.0)).energy);
   const double fed = (energy - m.tension * length_ratio) * fed_length;
   // The element would push, so its tension is 0. The work of the spring is then counted as loss of the
   // damper, or of the filter if there is no damper.
@@ -189,8 +186,7 @@ CableStepResult cable_step_result(const CableSection& section, const CableStart&
     const double spent = -m.elastic * elongation;
     return start.beta > 0 ? CableStepResult{spent, 0, 0, fed} : CableStepResult{0, spent, 0, fed};
   }
-  return {m.damper * elongation, m.filter * elongation,
-          m.l > section.length * (1 + section.free_strain) ? m.strain_increment : 0.0, fed};
+  return {m.damper * elongation, m.filter * elongation, strain > 0 ? m.strain_increment : 0.0, fed};
 }
 
 // F = T t,  T = V'(strain) + clamp(EA beta rate, -V', V') if strain > 0, else 0

@@ -211,6 +211,7 @@ std::vector<ContactInterval> as_split_before(const std::vector<ContactInterval>&
                                              const std::vector<ContactInterval>& before,
                                              std::vector<InactiveInterval>& filled) {
   filled.clear();
+  const std::vector<InactiveInterval> inactive_before = inactive_intervals(before);
   std::vector<ContactInterval> out;
   for (const ContactInterval& s : now) {
     const bool touched =
@@ -224,7 +225,7 @@ std::vector<ContactInterval> as_split_before(const std::vector<ContactInterval>&
     } else {
       out.push_back(s);
     }
-    for (const InactiveInterval& h : inactive_intervals(before)) {
+    for (const InactiveInterval& h : inactive_before) {
       const double m = h.middle();
       if (!(out.back().from < m && m < out.back().to)) continue;
       const ContactInterval remaining{m, out.back().to, false, out.back().to_moves};

@@ -48,7 +48,7 @@ FedElement feed_step(FunctionRef<FedPull(double)> pull, const FeedLaw& law, doub
 }
 
 CableFeed cable_feed(const CableSection& s, double chord, double length, double from, double h) {
-  const double strain = chord / length - 1 - s.free_strain;
+  const double strain = s.strain(chord, length);
   if (!(strain > 0)) return {};
   const ResponseCurve::Value axial = s.axial(strain);
   const double viscous = h > 0 ? s.EA * s.beta / h : 0;

@@ -32,7 +32,7 @@ double weight(int line, int other, std::span<const double> energy_tolerance) {
 
 // Largest argument up to `limit` for which function(), increasing and summed over the ranks, is at most 1.
 template <class Function>
-double largest(double limit, const Sum& sum, const Function& function) {
+double largest(double limit, Sum sum, const Function& function) {
   constexpr int kParts = 16, kRounds = 6;
   double from = 0;
   double part = limit / kParts;
@@ -143,7 +143,7 @@ double growth_limited_step(std::span<const LineMotion> stored, std::span<const d
 }
 
 bool within_tolerance(std::span<const UnresolvedImpact> impacts, std::span<const double> energy_tolerance,
-                      const Sum& sum) {
+                      Sum sum) {
   double error = 0;
   for (const UnresolvedImpact& i : impacts) error += weight(i.line, i.other, energy_tolerance) * i.energy;
   sum({&error, 1});
@@ -151,7 +151,7 @@ bool within_tolerance(std::span<const UnresolvedImpact> impacts, std::span<const
 }
 
 StepLimit impact_limited_step(std::span<const ImpactEvent> impacts, std::span<const double> energy_tolerance,
-                              double max_step, const Sum& sum) {
+                              double max_step, Sum sum) {
   std::vector<double> weights;
   for (const ImpactEvent& s : impacts) weights.push_back(weight(s.line, s.other, energy_tolerance));
   const auto total = [&](const auto& error) {

@@ -30,12 +30,19 @@ bool hides(const Volume& v) {
   return v.basis == StiffnessBasis::per_point ? !ball : v.basis == StiffnessBasis::per_length && !bar;
 }
 
+// Lowest coefficients of a volume, at rest and sliding; without `kinetic` they are equal.
+double lowest_static(const Friction& f) { return std::min(f.axial, f.lateral); }
+double lowest_kinetic(const Friction& f) {
+  return f.blend_speed > 0 ? std::min(f.axial_kinetic, f.lateral_kinetic) : lowest_static(f);
+}
+
 // Friction of a pair; `a` is the slave.
 Friction friction_between(const Volume& a, const Volume& b) {
   Friction f = a.friction;
   const Friction& g = b.friction;
-  f.axial = f.lateral = std::min({f.axial, f.lateral, g.axial, g.lateral});
-  f.axial_kinetic = f.lateral_kinetic = std::min({f.axial, f.axial_kinetic, f.lateral_kinetic});
+  f.axial = f.lateral = std::min(lowest_static(a.friction), lowest_static(g));
+  f.axial_kinetic = f.lateral_kinetic = std::min(lowest_kinetic(a.friction), lowest_kinetic(g));
+  if (!(f.blend_speed > 0)) f.blend_speed = g.blend_speed;
   f.lateral_mobilisation_length = f.mobilisation_length;
   return f;
 }

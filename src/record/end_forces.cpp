@@ -80,8 +80,7 @@ void EndForces::evaluate_feed_points(const Kinematics& state, std::span<const Ve
     for (const Vec3* v : {&m.force, &m.moment, &m.direction}) to = std::copy(v->begin(), v->end(), to);
     *to = m.tension();
     if (f.beam && !f.beam_section.plastic) {
-      const Vec3 local_moment =
-          state.q[f.line_end == LineEnd::B ? e->second : e->first].conjugate() * m.moment;
+      const Vec3 local_moment = state.q[e->node_at(f.line_end)].conjugate() * m.moment;
       *to += 0.5 * (local_moment.y() * local_moment.y() / f.beam_section.EI2 +
                     local_moment.z() * local_moment.z() / f.beam_section.EI3);
     }

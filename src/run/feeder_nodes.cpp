@@ -99,8 +99,8 @@ void FeederNodes::transfer_node(Feeder& f, int feed_point, double length,
 Dynamics::Moved FeederNodes::released(const Feeder& f, const Kinematics& k, const LocalElement& e) const {
   const Feeders& all = *feeders_;
   const double fraction = all.element_length(f, f.feed_point) / f.length;  // measured from the free end
-  const size_t i = f.line_end == LineEnd::B ? e.second : e.first;
-  const size_t j = f.line_end == LineEnd::B ? e.first : e.second;
+  const size_t i = e.node_at(f.line_end);
+  const size_t j = e.node_at(opposite(f.line_end));
   const FeedPoint feed_point = all.feed_point(f, k);
   const Feeders::Flow flow = all.flow(feed_point, k, e, f.line_end);
   const Vec3 a = k.a[i] + flow.acceleration;

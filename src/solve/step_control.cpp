@@ -7,8 +7,7 @@
 
 namespace hawser {
 namespace {
-// The local error is proportional to the cube of the step: h_new = kSafety h (tolerance/error)^(1/3)
-// (docs/theory/time-integration.md). The other factors: docs/decisions/006-step-control.md.
+// Factors on the step: docs/decisions/006-step-control.md.
 constexpr double kSafety = 0.9, kGrow = 1.5, kShrink = 0.25;
 constexpr double kShrinkIfHard = 0.7;        // after many iterations
 constexpr double kShrinkIfInvalid = 0.5;     // after a step that was not solved or not valid
@@ -20,6 +19,12 @@ constexpr int kPatience = 5;
 // from one to the next: the contact still vibrates faster than such steps resolve, and a step that is many
 // times as long as the last one would add energy to that vibration.
 constexpr double kPartOfPeriod = 1.0 / 3, kPeriodsAfterImpact = 20;
+
+// The local error is proportional to the cube of the step: h_new = kSafety h (tolerance/error)^(1/3)
+// (docs/theory/time-integration.md), here between kShrink h and largest h.
+double factor_by_error(double tolerance, double error, double largest) {
+  return std::clamp(kSafety * std::cbrt(tolerance / error), kShrink, largest);
+}
 }  // namespace
 
 StepControl::StepControl(const StepSettings& settings) : s_(settings) {
@@ -73,9 +78,7 @@ void StepControl::after_accepted_step(double h, int iterations, double error) {
   if (!fixed) {
     if (may_grow && iterations <= s_.easy_iterations) factor = kGrow;
     if (iterations > s_.hard_iterations) factor = kShrinkIfHard;
-    // The local error is proportional to the cube of the step.
-    if (s_.error_tolerance > 0 && error > 0)
-      factor = std::clamp(kSafety * std::cbrt(s_.error_tolerance / error), kShrink, factor);
+    if (s_.error_tolerance > 0 && error > 0) factor = factor_by_error(s_.error_tolerance, error, factor);
   }
   // A step that was shortened to end at an output must not shorten the proposal.
   const double from = factor >= 1 ? std::max(h, proposal_) : h;
@@ -86,7 +89,7 @@ bool StepControl::after_rejected_step(double h, Rejection why, double error) {
   if (is_shortest(h)) return false;
   double factor = kShrinkIfInvalid;
   if (why == Rejection::inaccurate && s_.error_tolerance > 0)
-    factor = std::clamp(kSafety * std::cbrt(s_.error_tolerance / error), kShrink, kShrinkIfInaccurate);
+    factor = factor_by_error(s_.error_tolerance, error, kShrinkIfInaccurate);
   proposal_ = std::max(h * factor, s_.shortest);
   growth_wait_ = why == Rejection::invalid ? kPatience : 1;
   return true;

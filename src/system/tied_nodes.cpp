@@ -6,6 +6,31 @@
 #include "hawser/math/so3.hpp"
 
 namespace hawser {
+namespace {
+
+// Poses of bodies at one time. Consecutive nodes are often tied to the same body, which is then evaluated
+// once.
+class Poses {
+ public:
+  Poses(const BodyMotion& motion, double t) : motion_(motion), t_(t) {}
+
+  // Body -1: fixed in space.
+  const RigidPose& of(int body) {
+    static const RigidPose kInSpace{};
+    if (body < 0) return kInSpace;
+    if (body != body_) pose_ = motion_(body, t_);
+    body_ = body;
+    return pose_;
+  }
+
+ private:
+  const BodyMotion& motion_;
+  double t_;
+  int body_ = -1;
+  RigidPose pose_;
+};
+
+}  // namespace
 
 TiedNodes::TiedNodes(const LocalMesh& mesh, std::vector<TiedNode> nodes, BodyMotion motion)
     : mesh_(&mesh), nodes_(std::move(nodes)), motion_(std::move(motion)) {
@@ -19,15 +44,12 @@ TiedNodes::TiedNodes(const LocalMesh& mesh, std::vector<TiedNode> nodes, BodyMot
   }
 }
 
-RigidPose TiedNodes::pose(const TiedNode& s, double t) const {
-  return s.body < 0 ? RigidPose{} : motion_(s.body, t);
-}
-
 void TiedNodes::increments(const State& from, double t, double* u) const {
+  Poses poses(motion_, t);
   for (const TiedNode& s : nodes_) {
     const size_t n = s.node;
     double* p = u + 3 * mesh_->block[n];
-    const RigidPose b = pose(s, t);
+    const RigidPose& b = poses.of(s.body);
     const bool tied = s.frame >= 0;  // move_with_frames() moves it
     const Vec3 move = b.to_space(s.at) - from.x[n];
     for (int c = 0; c < 3; ++c)
@@ -42,9 +64,10 @@ void TiedNodes::increments(const State& from, double t, double* u) const {
 }
 
 void TiedNodes::rates(double t, State& out) const {
+  Poses poses(motion_, t);
   for (const TiedNode& s : nodes_) {
     const size_t n = s.node;
-    const RigidPose b = pose(s, t);
+    const RigidPose& b = poses.of(s.body);
     if (s.frame >= 0) {  // move_with_frames() moves it; a single held component of rotation has no rate
       for (int c = 0; c < 3; ++c)
         if (s.rotation_mask != 7 && s.rotation_mask >> c & 1) out.w[n][c] = out.alpha[n][c] = 0;

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "hawser/math/so3.hpp"
 #include "hawser/model/case.hpp"
+#include "hawser/terms/force_round_off.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 
 namespace hawser {
@@ -217,10 +217,8 @@ double BodiesInWater::dead_load() const {
 
 double BodiesInWater::round_off(const Kinematics& state, double h) const {
   if (!(h > 0)) return 0;
-  const double eps = std::numeric_limits<double>::epsilon();
   double sum = 0;
-  for (const Wet& b : list_)
-    sum += std::pow(4 * eps * b.data.added.maxCoeff() * state.v[b.node].norm() / h, 2);
+  for (const Wet& b : list_) sum += inertia_round_off(b.data.added.maxCoeff(), state.v[b.node].norm(), h);
   return sum;
 }
 

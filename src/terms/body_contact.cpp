@@ -3,7 +3,6 @@
 #include "hawser/terms/body_contact.hpp"
 
 #include <algorithm>
-#include <cfloat>
 #include <cmath>
 #include <stdexcept>
 
@@ -12,6 +11,7 @@
 #include "hawser/model/body_pairs.hpp"
 #include "hawser/terms/axis_distance.hpp"
 #include "hawser/terms/contact_laws.hpp"
+#include "hawser/terms/force_round_off.hpp"
 
 namespace hawser {
 namespace {
@@ -367,12 +367,10 @@ std::vector<BodyForce> BodyContact::forces_on(int body, const Kinematics& state)
   return {sum};
 }
 
-// The force of a spring has the round-off of positions.
 double BodyContact::round_off(const Kinematics&, double) const {
   double sum = 0;
   for (const Pair& p : pairs_)
-    if (p.counted)
-      sum += std::pow(4 * DBL_EPSILON * p.stiffness * (p.frames.A.x.norm() + p.frames.B.x.norm()), 2);
+    if (p.counted) sum += spring_round_off(p.stiffness, p.frames.A.x.norm() + p.frames.B.x.norm());
   return sum;
 }
 

@@ -182,14 +182,13 @@ FedPull Feeders::pull(const Feeder& f, const Kinematics& state, const LocalEleme
 }
 
 double Feeders::strain_before(const Feeder& f, const LocalElement& e) const {
-  return chord(before_.at_rest(), e) / f.length - 1 - f.cable_section.free_strain;
+  return f.cable_section.strain(chord(before_.at_rest(), e), f.length);
 }
 
 double Feeders::strain_rate(const Feeder& f, const Kinematics& state, const LocalElement& e,
                             double length) const {
   if (before_.x.size() != state.x.size()) return 0;
-  return (chord(state, e) / length - 1 - f.cable_section.free_strain - strain_before(f, e)) /
-         (state.time - f.time);
+  return (f.cable_section.strain(chord(state, e), length) - strain_before(f, e)) / (state.time - f.time);
 }
 
 CableFeed Feeders::feed_of_cable(const Feeder& f, const Kinematics& state, const LocalElement& e,
@@ -231,8 +230,8 @@ std::vector<int> Feeders::fed_nodes() const {
 
 Feeders::Flow Feeders::flow(const FeedPoint& m, const Kinematics& state, const LocalElement& e,
                             LineEnd line_end) const {
-  const size_t i = line_end == LineEnd::B ? e.second : e.first;
-  const size_t j = line_end == LineEnd::B ? e.first : e.second;
+  const size_t i = e.node_at(line_end);
+  const size_t j = e.node_at(opposite(line_end));
   Flow o;
   const double rate = m.speed / m.length;
   o.chord = state.x[j] - state.x[i];
@@ -241,15 +240,17 @@ Feeders::Flow Feeders::flow(const FeedPoint& m, const Kinematics& state, const L
   return o;
 }
 
-// Residual at the feeder and at the free node.
-void Feeders::force(const Feeder& f, const FeedPoint& m, const Kinematics& state, const LocalElement& e,
-                    Vec3* out) const {
-  const Flow o = flow(m, state, e, f.line_end);
+// Inertia by the acceleration relative to the feeder: residual at the feeder and at the free node.
+Feeders::Inertia Feeders::inertia(const Feeder& f, const FeedPoint& m, const Flow& o) const {
   const MassShares mass = mass_shares(f.beam);
   const double mass_of_element = f.mass_per_length * m.length;
-  out[0] = mass_of_element * mass.diagonal * o.acceleration +
-           (f.mass_per_length * m.speed * m.speed / m.length) * o.chord;
-  out[1] = mass_of_element * mass.off_diagonal * o.acceleration;
+  return {mass_of_element * mass.diagonal * o.acceleration,
+          mass_of_element * mass.off_diagonal * o.acceleration};
+}
+
+// m L'² d/L: residual at the feeder, the rate of momentum of the material that it sets in motion.
+Vec3 Feeders::momentum(const Feeder& f, const FeedPoint& m, const Flow& o) const {
+  return (f.mass_per_length * m.speed * m.speed / m.length) * o.chord;
 }
 
 void Feeders::prepare(const Kinematics& from, double) {
@@ -268,11 +269,11 @@ void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
     const LocalElement* e = at_feed_point(f);
     if (!e) continue;
     const FeedPoint m = predicted_feed_point(f, trial);
-    Vec3 out[2];
-    force(f, m, trial, *e, out);
-    const int blocks[2] = {mesh_.block[f.line_end == LineEnd::B ? e->second : e->first],
-                           mesh_.block[f.line_end == LineEnd::B ? e->first : e->second]};
-    const Vec6 r = (Vec6() << out[0], out[1]).finished();
+    const Flow o = flow(m, trial, *e, f.line_end);
+    const Inertia inert = inertia(f, m, o);
+    const int blocks[2] = {mesh_.block[e->node_at(f.line_end)],
+                           mesh_.block[e->node_at(opposite(f.line_end))]};
+    const Vec6 r = (Vec6() << inert.at_feeder + momentum(f, m, o), inert.at_free_node).finished();
     if (!assembler.needs_tangent()) {
       assembler.add(blocks, r);
       continue;
@@ -299,17 +300,16 @@ void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
 }
 
+// Without momentum(), which the feeder provides, not the line.
 void Feeders::element_force(const Kinematics& state, const LocalElement& e, Vec12& f) const {
   if (!state.moves()) return;
   for (const Feeder& feeder : feeders_) {
     if (element(feeder, feeder.feed_point) != e.global) continue;
-    Vec3 out[2];
-    force(feeder, predicted_feed_point(feeder, state), state, e, out);
-    // The feeder, not the line, provides the momentum of the material that it sets in motion.
-    const Flow o = flow(predicted_feed_point(feeder, state), state, e, feeder.line_end);
-    out[0] -= (feeder.mass_per_length * feeder.speed * feeder.speed / feeder.length) * o.chord;
-    f.head<3>() += out[feeder.line_end == LineEnd::B ? 1 : 0];
-    f.segment<3>(6) += out[feeder.line_end == LineEnd::B ? 0 : 1];
+    const FeedPoint m = predicted_feed_point(feeder, state);
+    const Inertia inert = inertia(feeder, m, flow(m, state, e, feeder.line_end));
+    const bool at_second = feeder.line_end == LineEnd::B;
+    f.head<3>() += at_second ? inert.at_free_node : inert.at_feeder;
+    f.segment<3>(6) += at_second ? inert.at_feeder : inert.at_free_node;
   }
 }
 
@@ -317,8 +317,8 @@ void Feeders::element_force(const Kinematics& state, const LocalElement& e, Vec1
 double Feeders::power(const Feeder& f, const Kinematics& state, const LocalElement& e) const {
   const FeedPoint m = feed_point(f, state);
   if (m.speed == 0) return 0;
-  const size_t i = f.line_end == LineEnd::B ? e.second : e.first;
-  const size_t j = f.line_end == LineEnd::B ? e.first : e.second;
+  const size_t i = e.node_at(f.line_end);
+  const size_t j = e.node_at(opposite(f.line_end));
   const Flow o = flow(m, state, e, f.line_end);
   const double mass = f.mass_per_length;
   const double rate = m.speed / m.length;
@@ -404,8 +404,8 @@ Energy Feeders::energy(const Kinematics& state) const {
     const LocalElement* e = at_feed_point(f);
     if (!e || !e->counted) continue;
     const FeedPoint m = feed_point(f, state);
-    const size_t i = f.line_end == LineEnd::B ? e->second : e->first;
-    const size_t j = f.line_end == LineEnd::B ? e->first : e->second;
+    const size_t i = e->node_at(f.line_end);
+    const size_t j = e->node_at(opposite(f.line_end));
     const Vec3 v = flow(m, state, *e, f.line_end).velocity;
     const Vec3& held = state.v[i];
     const Vec3& w = state.v[j];

@@ -7,7 +7,7 @@
 #include "hawser/kernels/motion.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/terms/feeders.hpp"
-#include "hawser/terms/inertia_round_off.hpp"
+#include "hawser/terms/force_round_off.hpp"
 
 namespace hawser {
 namespace {

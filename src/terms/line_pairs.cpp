@@ -125,24 +125,26 @@ void LinePairs::each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B
   s.convex = convex;
   for (size_t k = 0; k < kPasses; ++k) {
     const auto [swapped, target] = kPassKinds[k];
-    const int master = swapped ? pair.a : pair.b;
-    const int slave = swapped ? pair.b : pair.a;
+    const PassRoles pass = roles(k, pair, A, B);
+    const int master = pass.master_segment;
     if (!kPassKinds[k].on_element() && !joint(segment(master), target == ProjectOn::second_end)) continue;
     s.range = swapped ? pair.range_b : pair.range_a;
     if (!(s.range[0] < s.range[1])) continue;
-    s.slave_radius = type_of_segment(slave).radius;
+    s.slave_radius = type_of_segment(pass.slave_segment).radius;
     s.fraction = slave_fraction(s.slave_radius, type_of_segment(master).radius);
     s.swapped = swapped;
     if (!(s.fraction > 0)) continue;
-    visit(k, LinePairPass(swapped ? B : A, swapped ? A : B, target, s,
-                          pair.points ? (*pair.points)[k] : nothing));
+    visit(k, LinePairPass(pass.slave, pass.master, target, s, pair.points ? (*pair.points)[k] : nothing));
   }
 }
 
 LinePairs::Trial& LinePairs::find(Pair& pair, const PairAxis& A, const PairAxis& B) const {
   std::unique_ptr<Trial>& t = pair.trial;
   if (t && t->a.same_axis(A.now) && t->b.same_axis(B.now)) return *t;
-  t = std::make_unique<Trial>(Trial{A.now, B.now});
+  if (t)
+    t->reset(A.now, B.now);
+  else
+    t = std::make_unique<Trial>(Trial{A.now, B.now});
   each_pass(pair, A, B, false, false, [&](size_t k, const LinePairPass& pass) {
     t->panels[k] = pass.panels();
     t->active |= !t->panels[k].empty();
@@ -236,18 +238,14 @@ void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, 
     return axis.beam() ? axis.turn_at(xi) : Mat3::Identity();
   };
   for (size_t k = 0; k < kPasses; ++k) {
-    const bool swapped = kPassKinds[k].swapped;
-    const PairAxis& slave = swapped ? B : A;
-    const PairAxis& master = swapped ? A : B;
-    const int a = swapped ? pair.b : pair.a;
-    const int b = swapped ? pair.a : pair.b;
-    const double slave_weight = type_of_segment(a).radius / pair.law.radii;
+    const PassRoles pass = roles(k, pair, A, B);
+    const double slave_weight = type_of_segment(pass.slave_segment).radius / pair.law.radii;
     const auto add = [&](const LinePairContactPoint& h, bool step_end) {
-      const double xi = step_end ? h.xi : material_of_start(a, slave, h.xi);
-      const double eta = step_end ? h.eta : material_of_start(b, master, h.eta);
-      const Vec3 between_before = slave.start.point(xi) - master.start.point(eta);
-      const Vec3 between_now = slave.now.point(xi) - master.now.point(eta);
-      const Mat3 turned = slave_weight * turn(slave, xi) + (1 - slave_weight) * turn(master, eta);
+      const double xi = step_end ? h.xi : material_of_start(pass.slave_segment, pass.slave, h.xi);
+      const double eta = step_end ? h.eta : material_of_start(pass.master_segment, pass.master, h.eta);
+      const Vec3 between_before = pass.slave.start.point(xi) - pass.master.start.point(eta);
+      const Vec3 between_now = pass.slave.now.point(xi) - pass.master.now.point(eta);
+      const Mat3 turned = slave_weight * turn(pass.slave, xi) + (1 - slave_weight) * turn(pass.master, eta);
       // The lever of the couple is the vector between the axes while the force acts.
       const Vec3 moved = step_end ? Vec3(turned.transpose() * between_now - between_before)
                                   : Vec3(between_now - turned * between_before);

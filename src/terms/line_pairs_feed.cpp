@@ -43,20 +43,17 @@ double LinePairs::fed_work(const Pair& pair, const PairAxis& A, const PairAxis& 
   };
   double work = 0;
   for (size_t k = 0; k < kPasses; ++k) {
-    const bool swapped = kPassKinds[k].swapped;
-    const PairAxis& slave = swapped ? B : A;
-    const PairAxis& master = swapped ? A : B;
-    const int a = swapped ? pair.b : pair.a;
-    const int b = swapped ? pair.a : pair.b;
+    const PassRoles pass = roles(k, pair, A, B);
     const auto add = [&](const LinePairContactPoint& h, bool step_end) {
       const Vec3 force = h.friction + h.damping_force * h.normal;
       work -= 0.5 * h.weight *
-              force.dot(displacement(a, slave, h.xi, step_end) - displacement(b, master, h.eta, step_end));
+              force.dot(displacement(pass.slave_segment, pass.slave, h.xi, step_end) -
+                        displacement(pass.master_segment, pass.master, h.eta, step_end));
     };
     if (pair.points)
       for (const LinePairContactPoint& h : (*pair.points)[k]) {
         add(h, false);
-        work += h.weight * h.potential * (slave.ends.length / start(a).length - 1);
+        work += h.weight * h.potential * (pass.slave.ends.length / start(pass.slave_segment).length - 1);
       }
     for (const LinePairContactPoint& h : next[k]) add(h, true);
   }

@@ -184,9 +184,14 @@ double pull_round_off(const Kinematics& state, const auto& e, double h = 0) {
   return (1 + rates) * e.section.EA / e.section.length * eps * far(state, e.element).maxCoeff();
 }
 
-double chord_strain(const Kinematics& state, const auto& e, double free_strain) {
-  const Vec3 d = state.x[e.element.second] - state.x[e.element.first];
-  return d.norm() / e.section.length - 1 - free_strain;
+double chord_length(const Kinematics& state, const LocalElement& e) {
+  return (state.x[e.second] - state.x[e.first]).norm();
+}
+double chord_strain(const Kinematics& state, const LineStructure::Beam& b) {
+  return chord_length(state, b.element) / b.section.length - 1 - b.reference.strain;
+}
+double chord_strain(const Kinematics& state, const LineStructure::Cable& c) {
+  return c.section.strain(chord_length(state, c.element));
 }
 
 // Tension [N] of the spring of a cable, without its damper, and its slope by strain [N]; 0 if it is slack.
@@ -233,9 +238,9 @@ Overstretch LineStructure::overstretched(const Kinematics& state) const {
              e.section.EA};
   };
   for (const Beam& b : beams_)
-    if (b.element.counted && !b.idle) look(b, chord_strain(state, b, b.reference.strain));
+    if (b.element.counted && !b.idle) look(b, chord_strain(state, b));
   for (const Cable& c : cables_)
-    if (c.element.counted) look(c, std::max(chord_strain(state, c, c.section.free_strain), 0.0));
+    if (c.element.counted) look(c, std::max(chord_strain(state, c), 0.0));
   return worst;
 }
 
@@ -245,7 +250,7 @@ Overstretch LineStructure::overstretched(const Kinematics& state) const {
 void LineStructure::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
   for (const Cable& c : cables_) {
     if (!c.element.counted || c.idle) continue;
-    const ResponseCurve::Value now = spring(c.section, chord_strain(trial, c, c.section.free_strain));
+    const ResponseCurve::Value now = spring(c.section, chord_strain(trial, c));
     if (!(now.force > c.peak.largest)) continue;
     if (resolves_peak(spring(c.section, c.start.strain).force, now.force)) continue;
     // The passage is that at the initial stiffness.

@@ -99,7 +99,7 @@ Energy LineVolumeContact::energy(const Kinematics& state) const {
     const RigidPose& pose = poses[volumes_.body(p.volume)];
     if (LineVolumeFinder::certainly_clear(p, shape, pose)) continue;
     Pair pair = p;
-    for (const QuadraturePoint& point : finder_.find(pair, shape, pose).quadrature)
+    for (const QuadraturePoint& point : finder_.search(pair, shape, pose).quadrature)
       if (p.in_contact(point.surface))
         e.strain += point.weight *
                     normal_force(p.law(point.xi).normal, point.surface.distance - p.radius, 0).potential;

@@ -210,7 +210,11 @@ bool LineVolumeFinder::takes_part(const LineVolumePair& pair, double xi) const {
 
 const ContactQuadrature& LineVolumeFinder::find(LineVolumePair& pair, const AxisShape& shape,
                                                 const RigidPose& pose) const {
-  if (skip_if_clear(pair, shape, pose)) return pair.trial.contact;
+  return skip_if_clear(pair, shape, pose) ? pair.trial.contact : search(pair, shape, pose);
+}
+
+const ContactQuadrature& LineVolumeFinder::search(LineVolumePair& pair, const AxisShape& shape,
+                                                  const RigidPose& pose) const {
   const bool same = pair.trial.contact.configuration.same_configuration(shape, pose);
   if (!pair.trial.contact.configuration.same_motion(shape, pose))
     pair.trial.evaluation = LineVolumePair::Evaluation::none;

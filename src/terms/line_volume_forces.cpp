@@ -51,7 +51,7 @@ void LineVolumeContact::find_near_pairs(const Kinematics& trial) {
     const RigidPose& pose = volumes_.trial_pose(pair.volume);
     if (finder_.skip_if_clear(pair, shape, pose)) continue;
     near_.push_back({i, shape});
-    finder_.find(pair, shape, pose);
+    finder_.search(pair, shape, pose);
   }
 }
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/terms/inertia_round_off.hpp"
+#include "hawser/terms/force_round_off.hpp"
 
 namespace hawser {
 

@@ -3,10 +3,10 @@
 #include "hawser/terms/links.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "hawser/advice/start_shape.hpp"
 #include "hawser/base/mpi.hpp"
+#include "hawser/terms/force_round_off.hpp"
 
 namespace hawser {
 namespace {
@@ -146,14 +146,13 @@ Energy Links::energy(const Kinematics& state) const {
 
 // The round-off of a spring is that of a difference of positions, for a damper divided by the step.
 double Links::round_off(const Kinematics& state, double h) const {
-  const double eps = std::numeric_limits<double>::epsilon();
   double sum = 0;
   for (const Link& l : list_) {
     if (!l.counted) continue;
     const Stretched s = stretched(l, state);
     const double damper = l.law.damper ? l.law.damper->at(std::abs(s.force.speed)).slope : l.law.damping;
     const double slope = l.law.max_stiffness() + (h > 0 ? damper / h : 0);
-    sum += std::pow(4 * eps * slope * s.b.x.norm(), 2);
+    sum += spring_round_off(slope, s.b.x.norm());
   }
   return sum;
 }

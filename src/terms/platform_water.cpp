@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "hawser/kernels/motion.hpp"
 #include "hawser/math/heading.hpp"
+#include "hawser/terms/force_round_off.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 
 namespace hawser {
@@ -352,9 +352,7 @@ double PlatformWater::dead_load() const {
   return sum;
 }
 
-// Round-off of inertia forces, eps m v/h, and of restoring forces, eps k x; 4: operations in each.
 double PlatformWater::round_off(const Kinematics& state, double h) const {
-  const double eps = std::numeric_limits<double>::epsilon();
   double sum = 0;
   for (const Group& g : groups_)
     for (size_t i = 0; i < g.platforms.size(); ++i) {
@@ -365,12 +363,12 @@ double PlatformWater::round_off(const Kinematics& state, double h) const {
       stiff.segment<3>(2) += p.hydrostatics.stiffness.diagonal();
       const double stiffness = stiff.head<3>().maxCoeff();
       const double turning = stiff.tail<3>().maxCoeff();
-      sum += std::pow(4 * eps * stiffness * state.x[p.local].norm(), 2) + std::pow(4 * eps * turning, 2);
+      sum += spring_round_off(stiffness, state.x[p.local].norm()) + spring_round_off(turning, 1);
       if (!(h > 0)) continue;
       const double mass = g.added_mass.block<3, 3>(first, first).diagonal().maxCoeff();
       const double inertia = g.added_mass.block<3, 3>(first + 3, first + 3).diagonal().maxCoeff();
-      sum += std::pow(4 * eps * mass * state.v[p.local].norm() / h, 2);
-      sum += std::pow(4 * eps * inertia * state.w[p.local].norm() / h, 2);
+      sum += inertia_round_off(mass, state.v[p.local].norm(), h);
+      sum += inertia_round_off(inertia, state.w[p.local].norm(), h);
     }
   return sum;
 }

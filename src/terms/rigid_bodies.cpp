@@ -4,12 +4,11 @@
 #include "hawser/terms/rigid_bodies.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "hawser/kernels/spring_matrices.hpp"
 #include "hawser/math/broken_line.hpp"
 #include "hawser/math/so3.hpp"
+#include "hawser/terms/force_round_off.hpp"
 
 namespace hawser {
 
@@ -216,18 +215,17 @@ double RigidBodies::dead_load() const {
 
 // As for lines: accelerations have the round-off of v h divided by h², springs that of positions.
 double RigidBodies::round_off(const Kinematics& state, double h) const {
-  const double eps = std::numeric_limits<double>::epsilon();
   double sum = 0;
   for (const Floating& f : list_) {
     const size_t n = f.node;
     const RigidBodyData d = data(f);
     const Vec6 full = d.matrices.stiffness.diagonal();
-    sum += std::pow(4 * eps * (d.stiffness + full.head<3>()).maxCoeff() * state.x[n].norm(), 2);
-    sum += std::pow(4 * eps * (d.turning_stiffness + full.tail<3>()).maxCoeff(), 2);
+    sum += spring_round_off((d.stiffness + full.head<3>()).maxCoeff(), state.x[n].norm());
+    sum += spring_round_off((d.turning_stiffness + full.tail<3>()).maxCoeff(), 1);
     if (!(h > 0)) continue;
     const double coupled = f.data.coupled.topLeftCorner<3, 3>().cwiseAbs().maxCoeff();
-    sum += std::pow(4 * eps * (f.data.mass + coupled) * state.v[n].norm() / h, 2);
-    sum += std::pow(4 * eps * f.data.inertia.diagonal().maxCoeff() * state.w[n].norm() / h, 2);
+    sum += inertia_round_off(f.data.mass + coupled, state.v[n].norm(), h);
+    sum += inertia_round_off(f.data.inertia.diagonal().maxCoeff(), state.w[n].norm(), h);
   }
   return sum;
 }

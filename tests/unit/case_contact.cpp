@@ -67,6 +67,31 @@ TEST(CaseContact, FrictionBetweenBodies) {
   EXPECT_EQ(between(soft, ", friction: 0.2").shear_stiffness, 0);
 }
 
+// The lowest coefficient counts when sliding as well; a volume without `kinetic` has its coefficient at rest.
+// The corners of the crate, given second, are those of the slave, and its blend speed counts before the
+// other.
+TEST(CaseContact, KineticFrictionBetweenBodies) {
+  const auto expect = [](const std::string& slope, const std::string& load, double kinetic, double speed) {
+    const auto pairs = model::body_pairs(io::read_case_text(
+        crate(", friction: " + slope, ", friction: " + load, kCrate, "per_point"), "crate.yaml"));
+    ASSERT_EQ(pairs.size(), 1U);
+    const model::Friction& f = pairs[0].friction;
+    EXPECT_EQ(f.axial_kinetic, kinetic) << slope << load;
+    EXPECT_EQ(f.lateral_kinetic, kinetic) << slope << load;
+    EXPECT_EQ(f.blend_speed, speed) << slope << load;
+    EXPECT_LE(f.axial_kinetic, f.axial) << slope << load;
+  };
+  const std::string fast = "{axial: 0.5, kinetic: 0.2, blend_speed: 0.1}";
+  const std::string slow = "{axial: 0.5, kinetic: 0.3, blend_speed: 0.01}";
+  expect(fast, slow, 0.2, 0.01);
+  expect(slow, fast, 0.2, 0.1);
+  expect(fast, "0.5", 0.2, 0.1);
+  expect("0.5", fast, 0.2, 0.1);
+  expect("0.1", fast, 0.1, 0.1);
+  expect(fast, "0.1", 0.1, 0.1);
+  expect("{axial: 0.5, kinetic: {axial: 0.4, lateral: 0.15}, blend_speed: 1}", slow, 0.15, 0.01);
+}
+
 TEST(CaseContact, FrictionOfBodiesWithoutEffect) {
   const auto refused = [](const std::string& text) {
     try {

@@ -20,7 +20,7 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kSlow = 0.01, kSignificantDepth = 1e-3;  // s, m
 constexpr double kStep = 2 * M_PI / 25 * kSlow;           // s, 25 in a period
 
-const Sum kAlone = [](std::span<double>) {};
+constexpr auto kAlone = [](std::span<double>) {};
 constexpr double kMass = 2, kMost = 0.3;  // kg, s
 
 // Of the lines of a whole model.

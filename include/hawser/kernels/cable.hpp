@@ -18,6 +18,12 @@ struct CableSection {
   double length_by_chord = 0;
   double length_rate = 0;  // m/s, rate of `length`; paid-out line does not strain the material
 
+  // Strain beyond the free strain of an element with a chord [m], of this unstretched length or another [m].
+  // The difference of lengths has less round-off than l/L - 1.
+  double strain(double chord) const { return strain(chord, length); }
+  double strain(double chord, double unstretched_length) const {
+    return (chord - unstretched_length) / unstretched_length - free_strain;
+  }
   // Tension [N] at a strain, its slope, and the strain energy per length [N].
   ResponseCurve::Value axial(double strain) const {
     if (!tension) return {EA * strain, EA, 0.5 * EA * strain * strain};
@@ -64,7 +70,7 @@ struct CableStress {
   double dissipation = 0;    // W
 };
 
-// T = EA (e + beta e'), e = l/L - 1 - free strain, for e > 0. The damper's part is limited in magnitude to
+// T = EA (e + beta e'), e = (l - L)/L - free strain, for e > 0. The damper's part is limited in magnitude to
 // the spring's. `force` is T t as in CableForce. `slack`: fraction of the axial stiffness in k of slack
 // elements.
 Vec3 cable_force(const CableSection& section, const CableEnds& e);

@@ -3,12 +3,12 @@
 // docs/theory/contact.md, "Steps", and docs/decisions/006-step-control.md.
 #pragma once
 
-#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "hawser/math/function_ref.hpp"
 #include "hawser/math/types.hpp"
 
 namespace hawser {
@@ -119,7 +119,7 @@ struct LineMotion {
 };
 
 // Sums the numbers over all ranks, in place.
-using Sum = std::function<void(std::span<double>)>;
+using Sum = FunctionRef<void(std::span<double>)>;
 
 // State of generalized-alpha in addition to the motion: algorithmic accelerations A, m/s², which store the
 // energy factor/2 h² A.M A (docs/theory/time-integration.md, "Cables").
@@ -142,11 +142,11 @@ double growth_limited_step(std::span<const LineMotion> stored, std::span<const d
 
 // True if the total error of all ranks is within the tolerance. Collective.
 bool within_tolerance(std::span<const UnresolvedImpact> impacts, std::span<const double> energy_tolerance,
-                      const Sum& sum);
+                      Sum sum);
 
 // Longest step, at most `max_step` [s], in which the impacts of all ranks together stay within the energy
 // tolerance, and the period of the significant ones. Collective.
 StepLimit impact_limited_step(std::span<const ImpactEvent> impacts, std::span<const double> energy_tolerance,
-                              double max_step, const Sum& sum);
+                              double max_step, Sum sum);
 
 }  // namespace hawser

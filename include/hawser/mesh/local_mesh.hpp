@@ -15,6 +15,9 @@ struct LocalElement {
   int global = 0;             // index into Mesh::elements
   bool counted = false;       // this rank counts it in sums (it owns the first node)
   int copy = 0;               // index into LocalMesh::element_copies
+
+  // Local node towards an end of the line.
+  int node_at(LineEnd end) const { return end == LineEnd::B ? second : first; }
 };
 
 // Consecutive nodes with as many 3-blocks each; the first one has the given block.

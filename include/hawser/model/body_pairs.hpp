@@ -23,7 +23,8 @@ struct BodyPair {
 // is a round volume (sphere, capsule, torus), else one with a stiffness per point, per length, per area, in
 // this order. Two volumes of equal order are both slaves, except round volumes, where one is enough. Two
 // volumes with the same basis use the lower stiffness. A pair without any stiffness has stiffness 0. Friction
-// uses the lowest coefficient of both volumes, axial and lateral, and otherwise the law of `a`.
+// uses the lowest coefficients of both volumes, axial and lateral, at rest and sliding, and otherwise the law
+// of `a`; its blend speed is that of `b` if only `b` has kinetic coefficients.
 std::vector<BodyPair> body_pairs(const Case& c);
 
 // True if friction acts in a pair with a volume of this body.

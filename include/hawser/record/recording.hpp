@@ -99,19 +99,19 @@ class Recording {
   virtual ~Recording() = default;
 
   // Adds node fields computed from those before them; fill() computes their values.
-  virtual void add_fields(std::vector<Field>& fields) { (void)fields; }
+  virtual void add_fields(std::vector<Field>&) {}
   virtual void fill(const Snapshot&, Values&) {}
   // Called once, with all fields known. Collective.
-  virtual void declare(Declarations& to) { (void)to; }
+  virtual void declare(Declarations&) {}
 
   // Called with the equilibrium of each stage of statics except the last. Collective, as are the others.
-  virtual void stage(const Snapshot& s) { (void)s; }
+  virtual void stage(const Snapshot&) {}
   // Called once before the first step, with the initial equilibrium.
-  virtual void start(const Snapshot& s) { (void)s; }
-  virtual void step(const Snapshot& s) { (void)s; }
-  virtual void output(const Snapshot& s) { (void)s; }
+  virtual void start(const Snapshot&) {}
+  virtual void step(const Snapshot&) {}
+  virtual void output(const Snapshot&) {}
   // Adds the clashes for the file since the last call, at outputs and at the end; on rank 0.
-  virtual void take_clashes(io::ClashTables& to) { (void)to; }
+  virtual void take_clashes(io::ClashTables&) {}
   // Adds the points of contact of an output or stage that this rank counts.
   virtual void points(const Snapshot&, io::ContactRows&) {}
   // Adds a row for each series that it declared; after step(), for steps in histories.
@@ -119,22 +119,19 @@ class Recording {
   // Sentences for the user since start() or step(), before the run ends; on rank 0 at least.
   virtual std::vector<std::string> remarks() { return {}; }
   // Updates data that the file has once.
-  virtual void write(io::ResultsFile& file) { (void)file; }
+  virtual void write(io::ResultsFile&) {}
 
-  virtual void save(io::Checkpoint& to) { (void)to; }
-  virtual void restore(const io::Checkpoint& from) { (void)from; }
+  virtual void save(io::Checkpoint&) {}
+  virtual void restore(const io::Checkpoint&) {}
   // After restore(), if the run continues in a new file, which has nothing of the earlier steps.
   virtual void begin_file() {}
   // Adds the clashes in the file in which the run continues; on rank 0.
-  virtual void add_reported(io::ReportedClashes& to) const { (void)to; }
+  virtual void add_reported(io::ReportedClashes&) const {}
 
   // At the end of a run: rows of the summary, each on the rank that owns the first node of its line; then
   // warnings, about a row on its rank, about the whole run on one rank. `summary`: the rows of this rank.
   virtual std::vector<io::SummaryRow> summary() { return {}; }
-  virtual std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary) {
-    (void)summary;
-    return std::vector<Warning>();
-  }
+  virtual std::vector<Warning> warnings(const std::vector<io::SummaryRow>& /*summary*/) { return {}; }
   // A table for the user after the last take_clashes(), on rank 0; empty: none.
   virtual std::string table() const { return {}; }
 };

@@ -48,27 +48,21 @@ class ForceTerm {
   // the last accepted state, and h [s] the longest step that may be tried. In statics it is the state that
   // the search has reached, before every iteration, and h = 0. Several calls may precede a trial; none
   // changes the committed history. May communicate.
-  virtual void prepare(const Kinematics& from, double h) {
-    (void)from;
-    (void)h;
-  }
+  virtual void prepare(const Kinematics& /*from*/, double /*h*/) {}
 
   // Adds force and tangent at the trial state. Local and repeatable: it only reads committed history.
   virtual void evaluate(const Kinematics& trial, Assembler& assembler) = 0;
 
   // Called when a state is accepted: its history becomes the committed history. In statics that is the
   // equilibrium; with friction in dynamic relaxation, every step.
-  virtual void commit(const Kinematics& accepted) { (void)accepted; }
+  virtual void commit(const Kinematics& /*accepted*/) {}
 
   // In statics and at the start of the motion: of any state, for example a trial whose sum of strain and
   // potential the line search compares with that of another since the same prepare(). At the end of a step
   // (Kinematics::ends_step): of the accepted state only, because contact then has the energy that commit()
   // has stored.
-  virtual Energy energy(const Kinematics& state) const {
-    (void)state;
-    return Energy{};
-  }
-  virtual void fields(FieldRegistry& registry) const { (void)registry; }
+  virtual Energy energy(const Kinematics&) const { return {}; }
+  virtual void fields(FieldRegistry&) const {}
 
   // The kinds of checkpoint records of the term, the same on all ranks.
   virtual std::vector<CheckpointKind> checkpoint_kinds() const { return {}; }
@@ -81,7 +75,7 @@ class ForceTerm {
     return all;
   }
   // Restores the committed history from the records of the owned nodes, in the order of a checkpoint.
-  virtual void restore(const std::vector<CheckpointRecord>& records) { (void)records; }
+  virtual void restore(const std::vector<CheckpointRecord>&) {}
 };
 
 }  // namespace hawser

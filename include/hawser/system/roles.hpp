@@ -47,22 +47,13 @@ class LimitsSteps {
   virtual ~LimitsSteps() = default;
   // Adds the longest step from here, and the impacts, each once over all ranks. Called after prepare(). Fixed
   // steps of the user are divided by it if impacts are to be resolved.
-  virtual void limit_step(const Kinematics& committed, ImpactEvents& to) {
-    (void)committed;
-    (void)to;
-  }
+  virtual void limit_step(const Kinematics& /*committed*/, ImpactEvents&) {}
   // Checks a converged step or a trial of statics, on this rank: tunnelling, penetration beyond the range of
   // a law, outdated candidates.
-  virtual Verdict check_step(const Kinematics& trial) const {
-    (void)trial;
-    return {};
-  }
+  virtual Verdict check_step(const Kinematics& /*trial*/) const { return {}; }
   // Adds the impacts that a converged step did not resolve, each once over all ranks. Called before the step
   // is accepted. Local.
-  virtual void unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
-    (void)trial;
-    (void)to;
-  }
+  virtual void unresolved(const Kinematics& /*trial*/, UnresolvedImpacts&) {}
 };
 
 // Has a stiffness that is adapted to an equilibrium: contact raises it until the penetration is small, soil
@@ -134,11 +125,7 @@ class ScalesResiduals {
   virtual ~ScalesResiduals() = default;
   // Sum of squares of the round-off of the forces [N] and moments [N m] on this rank, in a trial of a step
   // h [s] (0: statics). No residual can be smaller.
-  virtual double round_off(const Kinematics& state, double h) const {
-    (void)state;
-    (void)h;
-    return 0.0;
-  }
+  virtual double round_off(const Kinematics&, double /*h*/) const { return 0; }
   // Sum of the magnitudes of the dead loads on this rank, N.
   virtual double dead_load() const { return 0; }
 };

@@ -47,7 +47,6 @@ class TiedNodes {
   void move_with_frames(State& s) const;
 
  private:
-  RigidPose pose(const TiedNode& s, double t) const;
   const LocalMesh* mesh_ = nullptr;
   std::vector<TiedNode> nodes_;
   BodyMotion motion_;

@@ -136,8 +136,11 @@ class Feeders final : public ForceTerm,
   double work_of_step(size_t feeder, const Kinematics& accepted, const LocalElement& e, double h,
                       double before) const;
   double load_work(const Feeder& f, const Kinematics& state, const LocalElement& e, double length) const;
-  void force(const Feeder& f, const FeedPoint& m, const Kinematics& state, const LocalElement& e,
-             Vec3* out) const;
+  struct Inertia {
+    Vec3 at_feeder, at_free_node;  // N
+  };
+  Inertia inertia(const Feeder& f, const FeedPoint& m, const Flow& o) const;
+  Vec3 momentum(const Feeder& f, const FeedPoint& m, const Flow& o) const;
 
   const LocalMesh& mesh_;
   const model::Case& case_;

@@ -131,6 +131,15 @@ class LinePairs final : public ForceTerm,
     bool active = false;
     bool evaluated = false, moves = false;  // moves: evaluated with velocities
     ContactPoints points{};
+
+    // For a search at other axes, in the same memory.
+    void reset(const AxisShape& axis_a, const AxisShape& axis_b) {
+      a = axis_a;
+      b = axis_b;
+      active = evaluated = moves = false;
+      for (auto& pass : panels) pass.clear();
+      for (auto& pass : points) pass.clear();
+    }
   };
   struct Pair {
     int a = 0, b = 0;  // indices of segments
@@ -185,6 +194,15 @@ class LinePairs final : public ForceTerm,
   AxisEnds ends(const Kinematics& state, int segment) const;
   Rod rod(const Kinematics& state, int segment) const;
   LinePairLaw law(int segment_a, int segment_b) const;
+  // Axes and segments of slave and master in a pass of a pair with the axes A and B.
+  struct PassRoles {
+    const PairAxis &slave, &master;
+    int slave_segment, master_segment;
+  };
+  static PassRoles roles(size_t pass, const Pair& pair, const PairAxis& A, const PairAxis& B) {
+    if (kPassKinds[pass].swapped) return {B, A, pair.b, pair.a};
+    return {A, B, pair.a, pair.b};
+  }
   // Calls visit(k, pass) for the passes kPassKinds[k] of a pair that may touch.
   template <class Visit>
   void each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B, bool moves, bool convex,

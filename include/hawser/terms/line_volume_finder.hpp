@@ -27,6 +27,8 @@ class LineVolumeFinder {
   // Contact of the pair in a trial. The result is stored, because residual, tangent and commit() need the
   // same one.
   const ContactQuadrature& find(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
+  // The same for a pair that is not certainly_clear(), which find() checks first.
+  const ContactQuadrature& search(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
   // True if the axis certainly does not touch. skip_if_clear() then also deletes the stored contact of the
   // pair.
   bool skip_if_clear(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
