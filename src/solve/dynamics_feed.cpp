@@ -64,7 +64,7 @@ void Dynamics::transfer_node(const std::function<std::optional<Moved>()>& change
   add(mean_.q, system_.mean_forces(), mean);
   add(mean_.f, system_.mean_forces(), mean);
   add(reactions_, system_.reactions(), all);
-  copied_ = loaded_ = false;
+  copied_ = trial_current_ = false;
   round_off_step_ = -1;
 }
 

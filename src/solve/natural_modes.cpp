@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "hawser/advice/modes.hpp"
 #include "hawser/base/error.hpp"
@@ -216,8 +217,8 @@ void settle(System& system, const Kinematics& state, Mat K, const std::vector<De
   constexpr double kSettled = 1e-9;  // relative, of omega²
   constexpr int kSecants = 10;       // after these the bracket is bisected
   constexpr int kMaxIterations = 100;
-  const auto oscillate = [&](double omega) {
-    for (DependsOnFrequency* t : terms) t->oscillate(omega);
+  const auto set_frequency = [&](std::optional<double> omega) {
+    for (DependsOnFrequency* t : terms) t->set_frequency(omega);
   };
   const VecHandle work = system.create_vector();
   const size_t first = first_oscillating(modes);
@@ -229,7 +230,7 @@ void settle(System& system, const Kinematics& state, Mat K, const std::vector<De
     double change_before = 0;
     for (int i = 0;; ++i) {
       if (i == kMaxIterations) throw SolveError(advice::modes_incomplete());
-      oscillate(std::sqrt(s));
+      set_frequency(std::sqrt(s));
       const MatHandle M = mass_at_rest(system, state);
       std::vector<Eigenpair> here = lowest_modes(system, K, M.get(), k + 1, is_symmetric);
       size_t m = first_oscillating(here) + k - first;
@@ -259,7 +260,7 @@ void settle(System& system, const Kinematics& state, Mat K, const std::vector<De
       s = next;
     }
   }
-  oscillate(0);
+  set_frequency(std::nullopt);
 }
 
 NaturalMode mode_of(const System& system, const Kinematics& state, const Eigenpair& pair) {

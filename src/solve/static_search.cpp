@@ -180,11 +180,11 @@ void StaticSearch::stiffen_by_levels() {
   const double load = system_.dead_load();
   if (load == 0 || tangent_trusted(report_.norms)) return;
   for (double soft = kSoft * load; soft < stiff; soft *= kStiffening) {
-    system_.soften(soft);
+    system_.limit_axial_stiffness(soft);
     descend(1e-4);
   }
-  if (system_.soften(stiff)) descend(1e-4);  // with yielding, from the elastic equilibrium
-  system_.soften(HUGE_VAL);
+  if (system_.limit_axial_stiffness(stiff)) descend(1e-4);  // with yielding, from the elastic equilibrium
+  system_.restore_sections();
 }
 
 void StaticSearch::descend(double tolerance) {

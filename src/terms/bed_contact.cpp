@@ -32,14 +32,14 @@ bool BedContact::locate(const Point& p, const Vec3& x, double beyond, ContactTri
   trial.gap = smoothing + beyond;
   Cache& cache = cache_[index_of(p)];
   if (cache.clear - (1 + 1e-9) * (x - cache.centre).norm() > beyond) return false;
-  const double look = std::max(2 * beyond, 0.5 * longest_element_[p.node]);
-  const auto s = surface_->query(x, contact_distance(p) + look, cache.hint);
+  const double search_range = std::max(2 * beyond, 0.5 * longest_element_[p.node]);
+  const auto s = surface_->query(x, contact_distance(p) + search_range, cache.hint);
   cache.centre = x;
   if (!s) {
     // If the bed is a mesh, x may also be below it beyond its edge. Then only the distance to the bounding
     // box is certain to be free.
     const bool endless = !std::isfinite(bounds_.hi.z());
-    cache.clear = endless ? look : std::min(look, distance(bounds_, x) - contact_distance(p));
+    cache.clear = endless ? search_range : std::min(search_range, distance(bounds_, x) - contact_distance(p));
     return false;
   }
   cache.hint = s->triangle;

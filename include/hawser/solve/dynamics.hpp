@@ -129,10 +129,10 @@ class Dynamics {
   static PetscErrorCode converged(SNES, PetscInt it, PetscReal, PetscReal, PetscReal, SNESConvergedReason*,
                                   void*);
   SNESConvergedReason judge_iteration(SNES snes, int it, double fnorm);
-  void load(Vec u);
+  void update_trial(Vec u);
   void solve_once();
-  void put(const std::vector<double>& u);
-  std::vector<double> minus_accelerations();
+  void set_increment(const std::vector<double>& u);
+  std::vector<double> accelerations();
   void match_tied_velocities(const TiedNodes& before, State& s);
   void settle(int node);
   // Kinematics of the state from which a step of h [s] begins: the end of the last step, or at the start of a
@@ -164,7 +164,7 @@ class Dynamics {
   std::vector<double> mean_history_;
   double round_off_step_ = -1;  // s, step for which System has the round-off; < 0: none
   bool copied_ = false;         // trial_ holds all values that a step does not change
-  bool loaded_ = false;         // trial_ is the state of local_u_
+  bool trial_current_ = false;  // trial_ is the state of local_u_
   bool old_tangent_ = false;    // the next iteration uses the tangent of an earlier one
   // N, the larger of the first residual of this Newton solution and of its contributions
   double first_ = 0;
