@@ -340,7 +340,7 @@ model::Case read_platform(const FarmPart& part, const CaseSource& source, const 
   p.environment = c.environment;
   p.dynamics = c.dynamics;
   p.line_types = c.line_types;
-  read_things(*part.tree, nullptr, source, lengths, false, p);
+  read_objects(*part.tree, nullptr, source, lengths, false, p);
   for (std::string& note : p.notes) note = part.file + ": " + note;
   return p;
 } catch (const model::Refusal& r) {

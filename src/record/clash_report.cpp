@@ -51,7 +51,7 @@ ActiveContact touch_at(const double* v) {
 
 }  // namespace
 
-bool ClashReport::wanted(const Subject& s) { return s.model.output.clashes.enabled && can_touch(s); }
+bool ClashReport::enabled(const Subject& s) { return s.model.output.clashes.enabled && can_touch(s); }
 
 ClashReport::ClashReport(const Subject& subject)
     : comm_(subject.comm()),

@@ -187,20 +187,20 @@ size_t complete(Mat K, Mat M, const std::vector<Eigenpair>& modes, size_t count,
 // The `count` lowest modes and those of the same frequency as the last; fewer if no more are found. The
 // inertia counts eigenvalues of symmetric matrices only.
 std::vector<Eigenpair> lowest_modes(const System& system, Mat K, Mat M, size_t count, bool is_symmetric) {
-  const long wanted = static_cast<long>(count);
+  const long requested = static_cast<long>(count);
   const long free = free_components(system);
   const int below = is_symmetric ? eigenvalues_below(K, M, kTarget) : -1;
   // A Krylov space contains the directions of a repeated eigenvalue (of equal lines) only by rounding, so
   // some may be missing at first.
-  for (long ask = std::min(wanted + kMore, free);; ask = std::min(2 * ask, free)) {
+  for (long trial_count = std::min(requested + kMore, free);; trial_count = std::min(2 * trial_count, free)) {
     std::vector<Eigenpair> modes =
-        nearest_modes(system, K, M, static_cast<int>(ask), is_symmetric, below == 0);
-    if (ask == free || std::ssize(modes) < ask) return modes;
+        nearest_modes(system, K, M, static_cast<int>(trial_count), is_symmetric, below == 0);
+    if (trial_count == free || std::ssize(modes) < trial_count) return modes;
     if (const size_t all = complete(K, M, modes, count, below); all > 0) {
       modes.resize(all);
       return modes;
     }
-    if (ask > kMaxMultiple * (wanted + kMore)) throw SolveError(advice::modes_incomplete());
+    if (trial_count > kMaxMultiple * (requested + kMore)) throw SolveError(advice::modes_incomplete());
   }
 }
 
@@ -277,13 +277,13 @@ NaturalMode mode_of(const System& system, const Kinematics& state, const Eigenpa
 
 std::vector<NaturalMode> natural_modes(System& system, const Kinematics& state, int count) {
   const Slepc slepc;
-  const size_t wanted = static_cast<size_t>(std::min<long>(count, free_components(system)));
-  if (wanted == 0) return {};
+  const size_t requested = static_cast<size_t>(std::min<long>(count, free_components(system)));
+  if (requested == 0) return {};
   const auto [K, is_symmetric] = stiffness_at_rest(system, state);
   const MatHandle M = mass_at_rest(system, state);
-  std::vector<Eigenpair> modes = lowest_modes(system, K.get(), M.get(), wanted, is_symmetric);
-  if (modes.size() < wanted) throw SolveError(advice::fewer_modes_converged(modes.size(), wanted));
-  modes.resize(wanted);
+  std::vector<Eigenpair> modes = lowest_modes(system, K.get(), M.get(), requested, is_symmetric);
+  if (modes.size() < requested) throw SolveError(advice::fewer_modes_converged(modes.size(), requested));
+  modes.resize(requested);
   if (const auto terms = system.with<DependsOnFrequency>(); !terms.empty()) {
     settle(system, state, K.get(), terms, modes, is_symmetric);
     sort(modes);

@@ -192,7 +192,7 @@ void StaticSearch::descend(double tolerance) {
   shift_ = kFirstShift;
   blocked_steps_ = 0;
   forget_progress();
-  creeps_ = false;
+  stagnates_ = false;
   least_residual_ = HUGE_VAL;
   kinks_.clear();
   iterations_before_ = report_.iterations;
@@ -200,7 +200,7 @@ void StaticSearch::descend(double tolerance) {
   if (reason >= 0) return;
   using enum advice::StaticsEnds;
   throw_no_equilibrium(failure(reason != SNES_DIVERGED_MAX_IT ? no_descent
-                               : creeps_                      ? creeps
+                               : stagnates_                   ? stagnation
                                                               : too_many_iterations));
 }
 
@@ -226,9 +226,9 @@ SNESConvergedReason StaticSearch::test_convergence(int iteration) {
     if (kinks_.norms(system_, f_.get()).small(tolerance_)) return SNES_CONVERGED_FNORM_RELATIVE;
   }
   // Relaxation, which follows, often moves a line that Newton's method hardly moves.
-  creeps_ = settings_.relaxation != RelaxationUse::never && iteration % kWatched == 0 &&
-            progress(report_.norms).creeps && !is_round_off();
-  if (creeps_ || iteration >= settings_.max_iterations) return SNES_DIVERGED_MAX_IT;
+  stagnates_ = settings_.relaxation != RelaxationUse::never && iteration % kWatched == 0 &&
+               progress(report_.norms).stagnates && !is_round_off();
+  if (stagnates_ || iteration >= settings_.max_iterations) return SNES_DIVERGED_MAX_IT;
   const bool close = tangent_trusted(report_.norms);
   use_tangent(close, close && shift_ < 1e-5 ? 0 : shift_);
   return SNES_CONVERGED_ITERATING;

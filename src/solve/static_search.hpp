@@ -118,7 +118,7 @@ class StaticSearch : StaticTrial {
   double tangent_shift_ = 0;  // shift of the tangent
   Weights weights_;
   int iterations_before_ = 0;  // iterations before this descent
-  bool creeps_ = false;        // this descent hardly moves
+  bool stagnates_ = false;     // this descent hardly moves
   int blocked_steps_ = 0;      // steps of this descent that blocking lines shortened
 };
 

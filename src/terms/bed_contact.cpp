@@ -59,7 +59,7 @@ double BedContact::gap(const Vec3& x, double max_distance) const {
 
 ContactForce BedContact::contact(const Point& p, const Kinematics& state, bool derivatives, ContactTrial& t,
                                  bool convex) const {
-  const double beyond = suction_range(law(p).suction, soil(p, state)) - law(p).law.normal.smoothing;
+  const double beyond = suction_range(law(p).suction, suction_state(p, state)) - law(p).law.normal.smoothing;
   const bool touches = locate(p, of_nodes(p, state.x), std::max(0.0, beyond), t);
   if (convex) t.curvature.setZero();
   if (!touches) return {};
@@ -145,7 +145,7 @@ void BedContact::evaluate(const Kinematics& trial, Assembler& assembler) {
         add(p, -f.force, needs_tangent ? &K : nullptr, nullptr, assembler);
     }
     const ContactForce c = contact(p, trial, needs_tangent, at, convex);
-    const Pull pulled = pull_of(law(p).suction, soil(p, trial), at.gap);
+    const Pull pulled = pull_of(law(p).suction, suction_state(p, trial), at.gap);
     if (c.along_normal.force == 0 && pulled.force == 0) continue;
     const Vec3 residual = pulled.force * at.normal - c.force;
     if (!needs_tangent) {
@@ -171,7 +171,7 @@ void BedContact::commit(const Kinematics& accepted) {
       next = PointHistory(c, at.normal);
       next.active = true;
     }
-    const SuctionState before = soil(p, accepted);
+    const SuctionState before = suction_state(p, accepted);
     if (const double pulled = pull_of(law(p).suction, before, at.gap).force; pulled > 0) {
       next.normal = at.normal;
       next.force -= pulled * at.normal;

@@ -186,7 +186,8 @@ bool BodyContact::tunnels(const Pair& pair, const Kinematics& trial) const {
 
 Verdict BodyContact::check_step(const Kinematics& trial) const {
   for (const Pair& pair : pairs_)
-    if (pair.counted && (tunnels(pair, trial) || (pair.hides && overlaps_within_step(pair, trial))))
+    if (pair.counted &&
+        (tunnels(pair, trial) || (pair.needs_overlap_check && overlaps_within_step(pair, trial))))
       return {Verdict::Kind::shorter, advice::BodyPassesBody{names_[pair.a], names_[pair.b]}};
   return {};
 }

@@ -227,7 +227,7 @@ bool LineCandidates::update(const Kinematics& committed, double h) {
 void LineCandidates::predict(const Kinematics& committed, double h) {
   built_at_ = committed.time;
   double steps = settings_.steps;
-  const auto go = [&] {
+  const auto predict_paths = [&] {
     span_ = steps * h;
     double worst = 0;
     for (size_t i = 0; i < built_.size(); ++i) {
@@ -246,11 +246,11 @@ void LineCandidates::predict(const Kinematics& committed, double h) {
     return worst;
   };
   for (size_t i = 0; i < built_.size(); ++i) built_[i].from = axis(local_[i], committed, 0);
-  double worst = go();
+  double worst = predict_paths();
   all_reduce(comm_, MPI_MAX, worst);
   if (worst > 1) {
     steps = std::max(1.0, std::floor(steps / std::sqrt(worst)));
-    go();
+    predict_paths();
   }
 }
 

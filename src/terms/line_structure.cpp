@@ -248,8 +248,8 @@ void LineStructure::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
     const ResponseCurve::Value now = spring(c.section, chord_strain(trial, c, c.section.free_strain));
     if (!(now.force > c.peak.largest)) continue;
     if (resolves_peak(spring(c.section, c.start.strain).force, now.force)) continue;
-    // The passage is that at the initial stiffness.
-    if (trial.step > c.peak.passage * std::sqrt(c.section.EA / now.slope)) to.too_fast = true;
+    // The transit time is that at the initial stiffness.
+    if (trial.step > c.peak.transit_time * std::sqrt(c.section.EA / now.slope)) to.too_fast = true;
   }
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::array<double, 2> kEnds{0, 1};  // positions along an element
 // Smallest displacement, in radii, that statics tests for tunnelling; in motion it is one radius.
-constexpr double kCreeps = 0.1;
+constexpr double kMinDisplacementInStatics = 0.1;
 
 // Part of the axis that may touch.
 BezierAxis part_of(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) {
@@ -117,7 +117,7 @@ bool LineVolumeContact::tunnels(const Pair& pair, const AxisShape& shape, const 
                                 bool rests) const {
   if (finder_.by_gap()) return false;
   const double radius = pair.radius;
-  const double min_displacement = rests ? kCreeps * radius : radius;
+  const double min_displacement = rests ? kMinDisplacementInStatics * radius : radius;
   const BezierAxis from = part_of(pair, pair.start.shape, pair.start.pose);
   const BezierAxis to = part_of(pair, shape, pose);
   if (from.farthest_distance(to) <= std::max(min_displacement, LineVolumeFinder::clearance_at_start(pair)))

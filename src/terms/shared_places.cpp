@@ -290,8 +290,8 @@ void SharedPlaces::update(PlaceState& p, const Rope& one, const Rope& other, boo
   } else if (!overlaps(p.within)) {
     int first = p.within;
     while (first > 0 && !overlaps(first - 1)) --first;
-    const int wanted = free_to(first);
-    if (wanted < p.within || settles) p.within = wanted;
+    const int proposed = free_to(first);
+    if (proposed < p.within || settles) p.within = proposed;
   } else if (settles) {
     // The branches overlap where they were clearly apart. Contact cannot have pressed them together there,
     // so the length without contact grows.

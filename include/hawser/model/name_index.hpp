@@ -30,9 +30,8 @@ class NameIndex {
       std::stable_sort(by_name_.begin(), by_name_.end(),
                        [&](int i, int j) { return name_of(i) < name_of(j); });
     }
-    const auto found =
-        std::lower_bound(by_name_.begin(), by_name_.end(), name,
-                         [&](int i, const std::string& wanted) { return name_of(i) < wanted; });
+    const auto found = std::lower_bound(by_name_.begin(), by_name_.end(), name,
+                                        [&](int i, const std::string& value) { return name_of(i) < value; });
     if (found != by_name_.end() && name_of(*found) == name) return *found;
     for (int i = 0; i < std::ssize(things); ++i)
       if (known(i) && name_of(i) == name) return i;

@@ -30,7 +30,7 @@ class LineStructure final : public ForceTerm,
   // For steps that resolve a snap load of a cable. Beams do not become slack, and each change of the step
   // changes the energy of axial vibration that the steps do not resolve.
   struct Peak {
-    double passage = 0;  // s, of an axial wave through the element
+    double transit_time = 0;  // s, of an axial wave through the element
     double largest = 0;  // N, tension so far; at least the weight of the element, within which tension varies
   };
   struct Beam {
