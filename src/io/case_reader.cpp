@@ -133,7 +133,7 @@ void read_objects(const Value& root, const Value* start_of_case, const CaseSourc
     const model::Entry v(bodies, i);
     model::take(*v, c.bodies[i]);
     finish_body(*v, source, c.bodies[i], c);
-    if (sea) meet_sea(*v, source, c.bodies[i], c);
+    if (sea) finish_body_in_sea(*v, source, c.bodies[i], c);
   }
   for (std::size_t i = 0; i < volumes; ++i) finish_volume(root["volumes"].items[i], source, c.volumes[i]);
   OtherRuns others(source);

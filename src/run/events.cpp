@@ -120,7 +120,7 @@ std::vector<double> Events::conditions(const std::vector<double>& values) const 
   return out;
 }
 
-void Events::refuse_met(const std::vector<double>& values) const {
+void Events::refuse_conditions_met(const std::vector<double>& values) const {
   const std::vector<double> g = conditions(values);
   for (size_t e = 0; e < events_.size(); ++e) {
     if (!(g[e] >= 0)) continue;
@@ -274,7 +274,7 @@ void Events::pay_out(const std::string& stage, const std::function<void(bool)>& 
 std::vector<std::string> Events::begin() {
   if (events_.empty()) return {};
   watch();
-  refuse_met(values(sim_.state().at_rest()));
+  refuse_conditions_met(values(sim_.state().at_rest()));
   return at_rest("");
 }
 

@@ -36,10 +36,10 @@ constexpr double kChordRate = 0.1;
 // True if iterations with the old tangent, which cost a fourth of those with a new one, are expected to reach
 // the tolerance. Newton's error falls as e1 = C e0²; with the old tangent it then falls as e2 = 2 C e0 e1
 // (chord method: Kelley 1995, Iterative Methods for Linear and Nonlinear Equations, section 5.4). `before`
-// and `now` are relative residuals. `was_old`: the iteration from `before` to `now` used the old tangent,
-// too.
-bool old_tangent_will_do(double before, double now, bool was_old, double tolerance) {
-  const double rate = (was_old ? 1 : 2) * now / before;
+// and `now` are relative residuals. `by_old_tangent`: the iteration from `before` to `now` used the old
+// tangent, too.
+bool old_tangent_suffices(double before, double now, bool by_old_tangent, double tolerance) {
+  const double rate = (by_old_tangent ? 1 : 2) * now / before;
   return rate < kChordRate && now * rate * rate < tolerance;
 }
 
@@ -165,7 +165,7 @@ SNESConvergedReason Dynamics::judge_iteration(SNES snes, int it, double fnorm) {
     return SNES_CONVERGED_FNORM_RELATIVE;
   if (!on_kinks && it >= settings_.max_iterations) return SNES_DIVERGED_MAX_IT;
   old_tangent_ =
-      !on_kinks && it > 0 && old_tangent_will_do(before, norms_.relative(), old_tangent_, tolerance);
+      !on_kinks && it > 0 && old_tangent_suffices(before, norms_.relative(), old_tangent_, tolerance);
   if (!old_tangent_) check(SNESSetLagJacobian(snes, kNextTangent));
   return SNES_CONVERGED_ITERATING;
 }
@@ -180,10 +180,11 @@ void Dynamics::solve_once() {
   PetscInt its = 0;
   check(SNESGetConvergedReason(snes_, &reason));
   check(SNESGetIterationNumber(snes_, &its));
-  tries_.solved = reason > 0;
-  tries_.info.iterations = std::max(tries_.info.iterations, kinks_.active() ? settings_.step.hard_iterations
-                                                            : counted_ < 0  ? static_cast<int>(its)
-                                                                            : counted_ + 1);
+  attempt_.solved = reason > 0;
+  attempt_.info.iterations =
+      std::max(attempt_.info.iterations, kinks_.active() ? settings_.step.hard_iterations
+                                         : counted_ < 0  ? static_cast<int>(its)
+                                                         : counted_ + 1);
 }
 
 int Dynamics::try_step(double h) {
@@ -198,16 +199,16 @@ int Dynamics::try_step(double h) {
   alpha_predict(system_.mesh(), system_.tied_nodes(), h, committed_, local_u_);
   set_increment(local_u_);
   system_.revert_stiffness();
-  tries_.info.iterations = 0;
+  attempt_.info.iterations = 0;
   for (int round = 0;; ++round) {
     solve_once();
-    if (!tries_.solved) break;
+    if (!attempt_.solved) break;
     update_trial(u_.get());
     if (!system_.adapt_stiffness(trial_.s.after_step(h_))) break;
-    tries_.solved = round < kMaxRaises;
-    if (!tries_.solved) break;
+    attempt_.solved = round < kMaxRaises;
+    if (!attempt_.solved) break;
   }
-  return tries_.info.iterations;
+  return attempt_.info.iterations;
 }
 
 void Dynamics::commit() {
@@ -238,9 +239,9 @@ void Dynamics::commit() {
 
 bool Dynamics::end_step() {
   commit();
-  tries_.info.time = committed_.s.time;
-  tries_.info.h = h_;
-  return observer_(tries_.info);
+  attempt_.info.time = committed_.s.time;
+  attempt_.info.h = h_;
+  return observer_(attempt_.info);
 }
 
 NodeValue Dynamics::largest_acceleration_change() const {

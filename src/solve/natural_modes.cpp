@@ -212,10 +212,11 @@ size_t first_oscillating(const std::vector<Eigenpair>& modes) {
 // Changes the modes that oscillate from those with the mass of time integration to those with the mass at
 // their own frequency: the k-th of them is at the root s of mu_k(s) = s, where mu_k(s) is the k-th eigenvalue
 // with the mass at omega = sqrt(s). Found by secants within a bracket.
-void settle(System& system, const Kinematics& state, Mat K, const std::vector<DependsOnFrequency*>& terms,
-            std::vector<Eigenpair>& modes, bool is_symmetric) {
-  constexpr double kSettled = 1e-9;  // relative, of omega²
-  constexpr int kSecants = 10;       // after these the bracket is bisected
+void iterate_frequencies(System& system, const Kinematics& state, Mat K,
+                         const std::vector<DependsOnFrequency*>& terms, std::vector<Eigenpair>& modes,
+                         bool is_symmetric) {
+  constexpr double kConverged = 1e-9;  // relative, of omega²
+  constexpr int kSecants = 10;         // after these the bracket is bisected
   constexpr int kMaxIterations = 100;
   const auto set_frequency = [&](std::optional<double> omega) {
     for (DependsOnFrequency* t : terms) t->set_frequency(omega);
@@ -238,7 +239,7 @@ void settle(System& system, const Kinematics& state, Mat K, const std::vector<De
       const double mu = m < here.size() ? here[m].squared : HUGE_VAL;
       const double change = mu - s;
       (change > 0 ? low : high) = s;
-      if (std::abs(change) < kSettled * s || high - low < kSettled * s) {
+      if (std::abs(change) < kConverged * s || high - low < kConverged * s) {
         const MatHandle C = damping_at_rest(system, state);
         // Repeated eigenvalues have any vectors of their space, so all of them are taken here.
         for (; k < modes.size() && m < here.size() && here[m].squared <= mu * (1 + kGap); ++k, ++m) {
@@ -285,7 +286,7 @@ std::vector<NaturalMode> natural_modes(System& system, const Kinematics& state, 
   if (modes.size() < requested) throw SolveError(advice::fewer_modes_converged(modes.size(), requested));
   modes.resize(requested);
   if (const auto terms = system.with<DependsOnFrequency>(); !terms.empty()) {
-    settle(system, state, K.get(), terms, modes, is_symmetric);
+    iterate_frequencies(system, state, K.get(), terms, modes, is_symmetric);
     sort(modes);
   }
   std::vector<NaturalMode> out;

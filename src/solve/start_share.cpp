@@ -84,8 +84,8 @@ FirstNotes first_notes(MPI_Comm comm, std::vector<StartNote> notes, int limit) {
     sent.insert(sent.end(), n.text.begin(), n.text.end());
   }
   std::vector<StartNote> first;
-  const std::vector<int> got = gather_all(comm, sent);
-  for (auto at = got.begin(); at != got.end();) {
+  const std::vector<int> received = gather_all(comm, sent);
+  for (auto at = received.begin(); at != received.end();) {
     StartNote& n = first.emplace_back(StartNote{at[0], at[1], std::string(at + 3, at + 3 + at[2])});
     at += 3 + static_cast<std::ptrdiff_t>(n.text.size());
   }

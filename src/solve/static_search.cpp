@@ -69,7 +69,8 @@ StaticsReport StaticSearch::run(bool skip_softening) {
     if (found.by_bodies) {
       // Every body may have to be pushed off on its own.
       const int most = kMaxEscapes * system_.mesh().mesh->body_nodes();
-      if (!found.motion || pushes_of_bodies++ == most || !leave_along(found.motion.get(), start)) break;
+      if (!found.motion || pushes_of_bodies++ == most || !push_from_equilibrium(found.motion.get(), start))
+        break;
       ++report_.escapes;
       continue;
     }
@@ -95,7 +96,7 @@ Stability StaticSearch::judge() {
   return stability(system_, state_.at_rest(), J_.get());
 }
 
-bool StaticSearch::leave_along(Vec motion, const State& start) {
+bool StaticSearch::push_from_equilibrium(Vec motion, const State& start) {
   const State equilibrium = state_;
   const double first = sign_towards(start, motion);
   for (const double sign : {first, -first}) {

@@ -177,9 +177,9 @@ bool BodyContact::tunnels(const Pair& pair, const Kinematics& trial) const {
       },
       [&](const SkeletonPart& p) {
         through =
-            through || goes_through(field, BezierAxis::straight(before.across(p.from), before.across(p.to)),
-                                    BezierAxis::straight(now.across(p.from), now.across(p.to)),
-                                    std::max(p.radius, round), true);
+            through || passes_through(field, BezierAxis::straight(before.across(p.from), before.across(p.to)),
+                                      BezierAxis::straight(now.across(p.from), now.across(p.to)),
+                                      std::max(p.radius, round), true);
       });
   return through;
 }

@@ -10,7 +10,8 @@ namespace hawser {
 namespace {
 
 constexpr int kCouplingsTag = 77;
-constexpr double kStaticsWay = 0.15;  // of the line: largest displacement in a Newton iteration of statics
+constexpr double kMaxDisplacementInStatics =
+    0.15;  // of the line: largest displacement in a Newton iteration of statics
 
 }  // namespace
 
@@ -59,8 +60,8 @@ bool ContactVolumes::refresh_couplings(const Kinematics& from, double h, double 
       const RigidPose& pose = poses[v.body + 1];
       const double speed = std::max((from.v[a] - pose.velocity_at(from.x[a])).norm(),
                                     (from.v[b] - pose.velocity_at(from.x[b])).norm());
-      const double travel =
-          h > 0 ? std::max(2 * h * speed, 0.5 * g.length) : kStaticsWay * mesh.lines[g.line].length;
+      const double travel = h > 0 ? std::max(2 * h * speed, 0.5 * g.length)
+                                  : kMaxDisplacementInStatics * mesh.lines[g.line].length;
       const double contact_distance = 1.01 * thickest + v.settings.smoothing.value_or(0);
       const double gap = distance(boxes_[k], pose.to_body(middle)) - contact_distance -
                          (from.x[b] - from.x[a]).norm() - 0.5 * g.length;

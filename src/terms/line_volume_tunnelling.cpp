@@ -126,8 +126,8 @@ bool LineVolumeContact::tunnels(const Pair& pair, const AxisShape& shape, const 
     return false;
   auto field = distance_to(volumes_.surface(pair.volume));
   const auto passes = [&](const BezierAxis& before, const BezierAxis& after) {
-    return goes_through(field, before, after,
-                        before.farthest_distance(after) > radius ? radius : min_displacement, rests);
+    return passes_through(field, before, after,
+                          before.farthest_distance(after) > radius ? radius : min_displacement, rests);
   };
   if (!finder_.at_nodes()) return passes(from, to);
   return std::any_of(kEnds.begin(), kEnds.end(), [&](double xi) {

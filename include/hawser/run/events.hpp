@@ -64,7 +64,7 @@ class Events {
   double local_tension(int node) const;
   // Excess of each waiting event's value over its condition, in units of its tolerance; >= 0: met.
   std::vector<double> conditions(const std::vector<double>& values) const;
-  void refuse_met(const std::vector<double>& values) const;
+  void refuse_conditions_met(const std::vector<double>& values) const;
   void watch();
   // Events due at a time with these values, or that begin a stage.
   std::vector<size_t> due_at(double time, const std::vector<double>& values, const std::string& stage) const;
