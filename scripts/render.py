@@ -152,7 +152,7 @@ def derived(source, script, **values):
 
 def chosen_times(available, options):
     if options.at:
-        return [min(available, key=lambda t: abs(t - wanted)) for wanted in options.at]
+        return [min(available, key=lambda t: abs(t - time)) for time in options.at]
     count = max(1, min(options.pictures, len(available)))
     if count == 1:
         return [available[-1]]

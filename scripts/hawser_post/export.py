@@ -25,8 +25,8 @@ def file_names(names):
     """Unique file names, ignoring letter case: `a_b` keeps its name, then `a b` becomes `a_b_2`."""
     found, taken = {}, set()
     for name in sorted(names, key=lambda name: file_name(name) != name):
-        wanted, k = file_name(name), 1
-        while (file := wanted if k == 1 else f"{wanted}_{k}").lower() in taken:
+        plain, k = file_name(name), 1
+        while (file := plain if k == 1 else f"{plain}_{k}").lower() in taken:
             k += 1
         taken.add(file.lower())
         found[name] = file

@@ -29,13 +29,13 @@ def smallest_tension(rig, depth, asked):
         return lay
     height = rig.rise_of_tension(depth)
     keeps, fails = smallest(lay_at, asked, rig.first_tension(), height)
-    wanted = f"the tip by {asked.clearance:g} m with a sagbend utilisation of at most {asked.utilisation:g}"
+    criteria = f"the tip by {asked.clearance:g} m with a sagbend utilisation of at most {asked.utilisation:g}"
     if keeps is None:
-        return None, (f"in {depth:g} m of water no tension up to {(fails[0] + height) / 1e3:.4g} kN clears {wanted}; "
+        return None, (f"in {depth:g} m of water no tension up to {(fails[0] + height) / 1e3:.4g} kN clears {criteria}; "
                       "use a longer or more curved stinger")
     if fails is None:
         return None, (f"in {depth:g} m of water every tension down to {(keeps[0] + height) / 1e3:.4g} kN clears "
-                      f"{wanted}, so there is no smallest one; require a larger clearance or a smaller utilisation")
+                      f"{criteria}, so there is no smallest one; require a larger clearance or a smaller utilisation")
     return keeps[1], ""
 
 

@@ -43,8 +43,8 @@ class Layout:
         fits = len(found.shape) == len(shape) and all(
             n is None or (have >= n if isinstance(n, AtLeast) else have == n) for have, n in zip(found.shape, shape))
         if not fits:
-            wanted = " x ".join("any" if n is None else f"{int(n)} or more" if isinstance(n, AtLeast) else str(n) for n in shape)
-            self.bad(name, f"is {' x '.join(map(str, found.shape)) or 'one value'}, not {wanted or 'one value'}")
+            expected = " x ".join("any" if n is None else f"{int(n)} or more" if isinstance(n, AtLeast) else str(n) for n in shape)
+            self.bad(name, f"is {' x '.join(map(str, found.shape)) or 'one value'}, not {expected or 'one value'}")
         return found
 
     def group(self, name):

@@ -156,13 +156,13 @@ def convert(paths, options):
         if (one.direction, one.omega) == (other.direction, other.omega):
             raise Refusal(f"{' and '.join(map(str, paths))}: the period {2 * np.pi / one.omega:.6g} s in the direction {one.direction:g} deg is "
                           "there twice: give tables of one body, with other periods or directions")
-    wanted = place_for(options.output or Path(paths[0]).with_suffix(".png"), [], (".png", ".rao"), "a figure, or a table for motion.rao,", paths)
-    if wanted.suffix == ".rao":
-        write(wanted, found)
-        print(f"responses: {wanted}")
+    target = place_for(options.output or Path(paths[0]).with_suffix(".png"), [], (".png", ".rao"), "a figure, or a table for motion.rao,", paths)
+    if target.suffix == ".rao":
+        write(target, found)
+        print(f"responses: {target}")
         return
-    draw(found, wanted)
-    print(f"figure: {wanted}")
+    draw(found, target)
+    print(f"figure: {target}")
 
 
 def make(options):

@@ -105,7 +105,7 @@ std::string lines_start_too_near(const NearestPlaces& at) {
 }
 
 std::string lines_too_soft(const PressedLines& at) {
-  std::string key = fmt::format("normal_stiffness: {{per_length: {:.2g}}}", rounded_up(at.wanted));
+  std::string key = fmt::format("normal_stiffness: {{per_length: {:.2g}}}", rounded_up(at.required));
   if (at.given) key = fmt::format("pairs: [{{lines: [{}, {}], {}}}]", at.at.one, at.at.other, key);
   return fmt::format(
       "{} penetrate each other by {:.3g} m, {:.0f} % of the sum of their radii, and would pass through each "
@@ -114,7 +114,7 @@ std::string lines_too_soft(const PressedLines& at) {
       places(at.at), at.depth, 100 * at.depth / at.radii, at.stiffness, at.energy, key);
 }
 
-std::string bodies_overlap(const std::string& one, const std::string& other, double depth, double met,
+std::string bodies_overlap(const std::string& one, const std::string& other, double depth, double penetration,
                            double time, const std::string& slave) {
   const std::string points = slave.empty()
                                  ? "their contact points (corners and edges)"
@@ -122,7 +122,7 @@ std::string bodies_overlap(const std::string& one, const std::string& other, dou
   return fmt::format(
       "at t = {:.6g} s {} and {} overlap by {:.3g} m, but {} penetrate by {:.3g} m at most; give them "
       "stiffnesses per_area (per_length where edges cross), or a sphere or capsule where they touch",
-      time, one, other, depth, points, met);
+      time, one, other, depth, points, penetration);
 }
 
 }  // namespace hawser::advice

@@ -26,7 +26,7 @@ std::string expected_cost(double cost, const Trial& trial) {
 }
 
 std::string expected_results(const ResultBytes& size, const std::string& folder) {
-  constexpr double kMuch = 2e9;  // bytes
+  constexpr double kLarge = 2e9;  // bytes
   const auto bytes = [](double n) {
     const char* units[] = {"kB", "MB", "GB", "TB"};
     size_t k = 0;
@@ -45,7 +45,7 @@ std::string expected_results(const ResultBytes& size, const std::string& folder)
         "\nnote: the disk of {} has {} free, and a run needs up to twice the size of its results: increase "
         "output.every, or choose another disk with -o",
         folder, bytes(size.available));
-  else if (size.total > kMuch)
+  else if (size.total > kLarge)
     s += "\nnote: fields are most of the file in most runs; output.every sets the time between them";
   return s;
 }

@@ -211,7 +211,7 @@ void warn_of_ranges(const Case& c, std::vector<InputWarning>& out) {
     if (const Value* types = part.tree->find("line_types")) Walk(out).visit(*types, "line_types");
     for (const char* kind : kPlaced) {
       const std::size_t before = out.size();
-      if (const Value* things = part.tree->find(kind)) Walk(out).visit(*things, kind);
+      if (const Value* objects = part.tree->find(kind)) Walk(out).visit(*objects, kind);
       for (std::size_t i = before; i < out.size(); ++i)
         out[i].key = placed_key(part.places.front(), out[i].key);
     }

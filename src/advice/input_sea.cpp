@@ -193,7 +193,7 @@ WaveSystem::Row leading_wave(const WaveSystem& w) {
 
 // Linear waves propagate in still water: the current neither stretches nor steepens them.
 void warn_of_waves_on_current(const Case& c, std::vector<InputWarning>& out) {
-  constexpr double kMuch = 0.1;  // of the wave speed; changes the wave length by a fifth
+  constexpr double kSignificant = 0.1;  // of the wave speed; changes the wave length by a fifth
   const Water& w = c.environment.water;
   if (!c.dynamics.enabled || w.current.profile.empty() || w.waves.stokes()) return;
   const CurrentRow& top = w.current.profile.front();
@@ -202,7 +202,7 @@ void warn_of_waves_on_current(const Case& c, std::vector<InputWarning>& out) {
     const double along = w.current.time_factor.at(0) * top.speed * std::cos(top.direction - wave.direction);
     const double omega = 2 * M_PI / wave.period;
     const double speed = omega / wave_number(omega, w.depth, c.environment.gravity);
-    if (std::abs(along) < kMuch * speed) continue;
+    if (std::abs(along) < kSignificant * speed) continue;
     add_warning(out, system.key, Effect::part,
                 "the current of {:.3g} m/s {} the waves of {:.4g} s is {:.2g} % of their speed, and linear "
                 "waves here neglect that the current makes them {}; compare with a single wave as 'stokes' "

@@ -100,10 +100,10 @@ double jump(const Case& c, const Body& b, const std::vector<EndAtBody>& ends) {
   const RigidMotion motion = rigid_motion(b);
   const double first = speed_at(ends, motion, 0);
   if (!(first > kLeastJump)) return 0;
-  constexpr int kLooks = 200;
+  constexpr int kSamples = 200;
   double largest = 0;
-  for (int i = 1; i <= kLooks; ++i)
-    largest = std::max(largest, speed_at(ends, motion, c.dynamics.duration * i / kLooks));
+  for (int i = 1; i <= kSamples; ++i)
+    largest = std::max(largest, speed_at(ends, motion, c.dynamics.duration * i / kSamples));
   return first > kJump * largest ? first : 0;
 }
 

@@ -74,10 +74,10 @@ class LineLoads {
     }
     const double up = w.present ? c_.environment.gravity * (w.density * m.volume - m.mass) : 0;
     const LineType& t = type(section_at(m.at));
-    const double bears = t.breaking_load > 0 ? t.breaking_load : t.tension_table ? HUGE_VAL : 0.1 * t.EA;
-    if (0.5 * std::abs(up) > bears)  // the tensions on both sides together
+    const double strength = t.breaking_load > 0 ? t.breaking_load : t.tension_table ? HUGE_VAL : 0.1 * t.EA;
+    if (0.5 * std::abs(up) > strength)  // the tensions on both sides together
       return warn(key, "{:.3g} kN {} is more than twice what '{}' can carry there, {:.3g} kN{}",
-                  std::abs(up) / 1000, up > 0 ? "of buoyancy" : "of weight", t.name, bears / 1000,
+                  std::abs(up) / 1000, up > 0 ? "of buoyancy" : "of weight", t.name, strength / 1000,
                   t.breaking_load > 0 ? "" : " at a strain of 10 %");
     if (m.drag_area > 0 && m.volume > 0) {
       const double size = std::pow(m.volume, 2.0 / 3);

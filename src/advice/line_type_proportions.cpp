@@ -58,10 +58,10 @@ class Proportions {
   void bending() {
     // EA of spiral ropes and hoses is reduced by their lay; benchmark rods and hulls modelled as lines reach
     // 12 times the bound. kN in place of N makes a factor of 1000.
-    constexpr double kGive = 13;
+    constexpr double kTolerance = 13;
     const double D = t_.outer_diameter;
     const double EI = 0.5 * (t_.EI2 + t_.EI3);
-    const double upper = kGive * D * D / 8;
+    const double upper = kTolerance * D * D / 8;
     const double lower = std::pow(D / 125, 2) / 16;
     if (between(EI / t_.EA, lower, upper)) return;
     const auto fits = [&](double x) { return between(x / t_.EA, lower, upper); };

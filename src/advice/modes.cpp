@@ -15,8 +15,8 @@ std::string stiffness_needs_statics(const model::Case& c) {
   return c.path + ": statics: the stiffness needs the static equilibrium, and this case has 'statics: false'";
 }
 
-std::string fewer_modes_converged(size_t count, size_t wanted) {
-  return fmt::format("modes: {} of {} eigenvalues have converged: request fewer", count, wanted);
+std::string fewer_modes_converged(size_t count, size_t requested) {
+  return fmt::format("modes: {} of {} eigenvalues have converged: request fewer", count, requested);
 }
 
 std::string modes_incomplete() {

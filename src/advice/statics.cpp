@@ -15,13 +15,14 @@
 
 namespace hawser::advice {
 
-std::string slack_at_rest(const std::string& line, double length, bool fell) {
+std::string slack_at_rest(const std::string& line, double length, bool relaxed) {
   return fmt::format(
       "lines.{}: {:.3g} m of it have no tension at rest and can rest in other positions as well; {}", line,
       length,
-      fell ? "this is one of them; give 'start' near the intended one"
-           : "rounding or the number of ranks may decide which one is found: give 'start' near the intended "
-             "one, or set 'statics: {dynamic_relaxation: always}', which lets the line fall to rest");
+      relaxed
+          ? "this is one of them; give 'start' near the intended one"
+          : "rounding or the number of ranks may decide which one is found: give 'start' near the intended "
+            "one, or set 'statics: {dynamic_relaxation: always}', which lets the line fall to rest");
 }
 
 std::string no_waterplane(const std::string& body) {
@@ -101,7 +102,7 @@ std::string no_equilibrium(StaticsEnds how, int limit, const Imbalance& at) {
                          count_of(limit, "iteration"), imbalance(at));
     case StaticsEnds::no_descent:
       return "statics: the line search finds no smaller residual: " + imbalance(at);
-    case StaticsEnds::creeps:
+    case StaticsEnds::stagnation:
       return "statics: Newton's method hardly moves the lines and does not reduce the residual: " +
              imbalance(at);
     case StaticsEnds::forces_beyond_numbers:

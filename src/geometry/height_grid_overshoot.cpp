@@ -51,8 +51,8 @@ HeightGrid::Overshoot HeightGrid::overshoot() const {
   const size_t nx = x_.size();
   const size_t ny = y_.size();
   Overshoot worst;
-  const auto look = [&](size_t first, size_t stride, const std::vector<double>& t, double Node::*slope,
-                        auto&& place) {
+  const auto scan_row = [&](size_t first, size_t stride, const std::vector<double>& t, double Node::*slope,
+                            auto&& place) {
     const auto node = [&](size_t i) -> const Node& { return nodes_[first + i * stride]; };
     for (size_t i = 0; i + 1 < t.size(); ++i) {
       const Node& p = node(i);
@@ -66,9 +66,9 @@ HeightGrid::Overshoot HeightGrid::overshoot() const {
     }
   };
   for (size_t j = 0; j < ny; ++j)
-    look(j * nx, 1, x_, &Node::x, [&](double x) { return Eigen::Vector2d(x, y_[j]); });
+    scan_row(j * nx, 1, x_, &Node::x, [&](double x) { return Eigen::Vector2d(x, y_[j]); });
   for (size_t i = 0; i < nx; ++i)
-    look(i, nx, y_, &Node::y, [&](double y) { return Eigen::Vector2d(x_[i], y); });
+    scan_row(i, nx, y_, &Node::y, [&](double y) { return Eigen::Vector2d(x_[i], y); });
   return worst;
 }
 

@@ -29,7 +29,7 @@ int parity(const std::array<int, 3>& t) {
 
 // All triangles with the same corners.
 struct Face {
-  std::size_t first, stays;  // first triangle, and the one that stays if one does
+  std::size_t first, kept_triangle;  // first triangle, and the one that is kept if one is
   int copies;
   int patch = -1;  // for an even number of copies
   bool open() const { return copies % 2 == 0; }
@@ -63,8 +63,8 @@ TriangleMesh once(const TriangleMesh& mesh, const std::vector<Face>& faces, cons
   const bool parts = mesh.part.size() == mesh.triangles.size();
   for (const Face& f : faces) {
     if (f.patch >= 0 && !kept[static_cast<std::size_t>(f.patch)]) continue;
-    out.triangles.push_back(mesh.triangles[f.stays]);
-    if (parts) out.part.push_back(mesh.part[f.stays]);
+    out.triangles.push_back(mesh.triangles[f.kept_triangle]);
+    if (parts) out.part.push_back(mesh.part[f.kept_triangle]);
   }
   return out;
 }
@@ -83,10 +83,10 @@ class Patches {
     find(topology(all));
     find_rims();
   }
-  // Patches that stay, with one copy.
+  // Patches that are kept, with one copy.
   std::vector<bool> kept() {
     std::vector<bool> kept(count_, true);
-    while (drop_some(kept)) {
+    while (drop_false_boundaries(kept)) {
     }
     return kept;
   }
@@ -113,7 +113,8 @@ class Patches {
     uses.reserve(3 * faces_.size());
     for (const Face& f : faces_)
       for (std::size_t i = 0; i < 3; ++i) {
-        const auto [a, b] = ordered(mesh_.triangles[f.stays][i], mesh_.triangles[f.stays][(i + 1) % 3]);
+        const auto [a, b] =
+            ordered(mesh_.triangles[f.kept_triangle][i], mesh_.triangles[f.kept_triangle][(i + 1) % 3]);
         uses.push_back({a, b, f.patch});
       }
     std::sort(uses.begin(), uses.end(), [](const Use& x, const Use& y) {
@@ -156,15 +157,15 @@ class Patches {
   // Patches that are not required or not connected are tested for the boundary of the body. Where three
   // duplicated sheets meet, it ends at two of them and not at the wall between. A wall in an open hull may
   // look like an end of the body to the winding number, but both its sides have equal visibility.
-  bool drop_some(std::vector<bool>& kept) const {
+  bool drop_false_boundaries(std::vector<bool>& kept) const {
     constexpr double kAttached = 0.25, kLone = 0.02, kOneSided = 0.25;
-    std::vector<std::pair<std::size_t, bool>> asked;  // and whether the rest touches it
+    std::vector<std::pair<std::size_t, bool>> candidates;  // and whether the rest touches it
     for (std::size_t p = 0; p < count_; ++p) {
       if (!kept[p] || rims_of_patch_[p].empty()) continue;
       const RimLength rim = rim_length(p, kept);
-      if (rim.superfluous > rim.needed || rim.needed == 0) asked.emplace_back(p, rim.superfluous > 0);
+      if (rim.superfluous > rim.needed || rim.needed == 0) candidates.emplace_back(p, rim.superfluous > 0);
     }
-    if (asked.empty()) return false;
+    if (candidates.empty()) return false;
     TriangleMesh all = once(mesh_, faces_, kept);
     std::vector<std::vector<int>> triangles(count_);
     int t = 0;
@@ -176,7 +177,7 @@ class Patches {
     repair(all);
     const WindingTree tree(all);
     bool dropped = false;
-    for (const auto& [p, attached] : asked) {
+    for (const auto& [p, attached] : candidates) {
       const auto& patch_triangles = triangles[p];
       if (detail::enclosing(all, tree, patch_triangles, attached ? kAttached : kLone) >= 0.5 &&
           (!attached || detail::one_sided_visibility(all, tree, patch_triangles) > kOneSided))

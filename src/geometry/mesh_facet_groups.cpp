@@ -285,7 +285,7 @@ std::vector<FacetGroup::Facet> MeshFacetGroups::around(std::span<const Vec3> axi
 }
 
 // True if the segment from p to q comes within reach of the axis.
-bool MeshFacetGroups::comes_near(std::span<const Vec3> axis, double reach, const Vec3& p, const Vec3& q) {
+bool MeshFacetGroups::within_reach(std::span<const Vec3> axis, double reach, const Vec3& p, const Vec3& q) {
   const Vec3 middle = 0.5 * (p + q);
   const double far = reach + 0.5 * (p - q).norm();
   return any_chord(axis, [&](const Vec3& a, const Vec3& b) {
@@ -309,7 +309,7 @@ void MeshFacetGroups::join(std::span<const Vec3> axis, double reach,
       const Vec3& q = facets_.corner(t, (e + 1) % 3);
       const double bent =
           facets_.curved(t) ? 0.25 * facets_.patch(t).c[static_cast<std::size_t>(e)].norm() : 0;
-      if (comes_near(axis, reach + bent, p, q)) sets.unite(k, l);
+      if (within_reach(axis, reach + bent, p, q)) sets.unite(k, l);
     }
   }
 }

@@ -45,7 +45,7 @@ class MeshFacetGroups {
   struct Near : FacetGroup::Facet {
     Vec3 normal;
   };
-  static bool comes_near(std::span<const Vec3> axis, double reach, const Vec3& p, const Vec3& q);
+  static bool within_reach(std::span<const Vec3> axis, double reach, const Vec3& p, const Vec3& q);
   bool parallel(std::span<const Vec3> axis, double reach, std::vector<Near>& out) const;
   bool bulging(std::vector<Near>& near) const;
   struct Approach;

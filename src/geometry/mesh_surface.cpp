@@ -169,18 +169,18 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
   d.normals = detail::Pseudonormals(d.facets, topo);
   if (d.winding.empty() && !d.normals.complete()) d.winding = WindingTree(d.mesh());
   d.undecided = std::move(defects.undecided);
-  // Internal facets are not part of the surface; `met`: active facets that are.
+  // Internal facets are not part of the surface; `outer_active`: active facets that are.
   std::vector<bool> outer;
-  std::vector<bool> met = active;
+  std::vector<bool> outer_active = active;
   if (d.internal > 0) {
     outer = std::move(defects.internal);
     outer.flip();
-    if (met.empty()) met.assign(outer.size(), true);
-    for (std::size_t t = 0; t < met.size(); ++t) met[t] = met[t] && outer[t];
-    if (std::find(met.begin(), met.end(), true) == met.end())
+    if (outer_active.empty()) outer_active.assign(outer.size(), true);
+    for (std::size_t t = 0; t < outer_active.size(); ++t) outer_active[t] = outer_active[t] && outer[t];
+    if (std::find(outer_active.begin(), outer_active.end(), true) == outer_active.end())
       throw std::invalid_argument("the active part of the mesh lies all within the body");
   }
-  d.active = FacetSearch(d.facets, met);
+  d.active = FacetSearch(d.facets, outer_active);
   d.partial = !active.empty();
   d.one_group = detail::MeshFacetGroups::convex(d.facets, d.normals, topo.components);
   if (d.partial) {

@@ -32,11 +32,11 @@ bool grow_patch(const MeshView& mesh, const Topology& topo, int first, std::vect
       const auto u = static_cast<std::size_t>(other);
       const bool agree =
           !same_direction(mesh.triangles[u], mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]);
-      const auto wanted = static_cast<signed char>(agree ? turn[t] : 1 - turn[t]);
+      const auto required = static_cast<signed char>(agree ? turn[t] : 1 - turn[t]);
       if (turn[u] < 0) {
-        turn[u] = wanted;
+        turn[u] = required;
         patch.push_back(other);
-      } else if (turn[u] != wanted) {
+      } else if (turn[u] != required) {
         two_sided = false;
       }
     }

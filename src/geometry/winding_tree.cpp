@@ -79,7 +79,7 @@ bool WindingTree::inside(const MeshView& mesh, const Vec3& p) const {
 }
 
 int WindingTree::crossings(const MeshView& mesh, const Vec3& p, const Vec3& u, int without) const {
-  int met = 0;
+  int crossings = 0;
   tree_.walk(
       [&](std::size_t node) {
         const Cluster& c = clusters_[node];
@@ -97,9 +97,9 @@ int WindingTree::crossings(const MeshView& mesh, const Vec3& p, const Vec3& u, i
         const double z = u.dot(c.cross(a));
         if (!((x > 0 && y > 0 && z > 0) || (x < 0 && y < 0 && z < 0))) return;
         // Ahead if the signs of the volume and of the side of passing agree.
-        met += (a.dot(b.cross(c)) > 0) == (x > 0);
+        crossings += (a.dot(b.cross(c)) > 0) == (x > 0);
       });
-  return met;
+  return crossings;
 }
 
 }  // namespace hawser

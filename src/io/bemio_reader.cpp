@@ -55,10 +55,10 @@ class BemioFile {
     h5::Shape without_ones;
     for (const hsize_t k : a.shape)
       if (k != 1) without_ones.push_back(k);
-    h5::Shape wanted;
+    h5::Shape required;
     for (const hsize_t k : shape)
-      if (k != 1) wanted.push_back(k);
-    if (without_ones != wanted)
+      if (k != 1) required.push_back(k);
+    if (without_ones != required)
       refuse(fmt::format("dataset '{}' is {}, and belongs to {} here", name, fmt::join(a.shape, " x "),
                          fmt::join(shape, " x ")));
     for (const double x : a.values)

@@ -37,7 +37,7 @@ namespace fs = std::filesystem;
 void read_all(const Value& root, const CaseSource& source, const SectionLengths& lengths, Case& c) try {
   model::take(root, c);
   finish_environment(root["environment"], source, c.environment, c.notes);
-  read_things(root, root.find("start"), source, lengths, true, c);
+  read_objects(root, root.find("start"), source, lengths, true, c);
   finish_contact(root["contact"], c.contact);
   for (std::size_t i = 0; i < c.events.size(); ++i) finish_event(root["events"].items[i], c.events[i], c);
   finish_output(root["output"], source, c);
@@ -109,8 +109,8 @@ Case read_changed(std::string text, const std::string& path, const ReadProgress&
 
 // Platforms come first because objects of the file itself may be attached to them. Entries of bodies and
 // lines are unpacked once here, for the keys that the schema binds to fields and for the others.
-void read_things(const Value& root, const Value* start_of_case, const CaseSource& source,
-                 const SectionLengths& lengths, bool sea, Case& c) {
+void read_objects(const Value& root, const Value* start_of_case, const CaseSource& source,
+                  const SectionLengths& lengths, bool sea, Case& c) {
   const Value& bodies = root["bodies"];
   const Value& lines = root["lines"];
   c.bodies.reserve(bodies.keys.size());
@@ -133,7 +133,7 @@ void read_things(const Value& root, const Value* start_of_case, const CaseSource
     const model::Entry v(bodies, i);
     model::take(*v, c.bodies[i]);
     finish_body(*v, source, c.bodies[i], c);
-    if (sea) meet_sea(*v, source, c.bodies[i], c);
+    if (sea) finish_body_in_sea(*v, source, c.bodies[i], c);
   }
   for (std::size_t i = 0; i < volumes; ++i) finish_volume(root["volumes"].items[i], source, c.volumes[i]);
   OtherRuns others(source);

@@ -122,9 +122,9 @@ std::shared_ptr<const MeshSurface> read_mesh_bed(const Value& v, const CaseSourc
                              .crease_angle = v["crease_angle_deg"].number,
                              .open = false});
     } catch (const InputError& e) {
-      source.bad(v["file"], v["file"].where, e.what());
+      source.refuse(v["file"], v["file"].where, e.what());
     } catch (const std::invalid_argument& e) {
-      source.bad(v["file"], v["file"].where, path + ": " + e.what());
+      source.refuse(v["file"], v["file"].where, path + ": " + e.what());
     }
   });
 }

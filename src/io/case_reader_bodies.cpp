@@ -212,7 +212,7 @@ void finish_body(const Value& v, const CaseSource& source, model::Body& b, model
   if (const Value* rao = m->find("rao")) read_responses(*rao, c.environment.gravity, source, c.notes);
 }
 
-void meet_sea(const Value& v, const CaseSource& source, model::Body& b, model::Case& c) {
+void finish_body_in_sea(const Value& v, const CaseSource& source, model::Body& b, model::Case& c) {
   if (const Value* f = v.find("floating"))
     if (const Value* waves = f->find("hydrodynamics")) {
       const model::BodyHydrodynamics& h = *std::as_const(b).mass->hydrodynamics;

@@ -340,7 +340,7 @@ model::Case read_platform(const FarmPart& part, const CaseSource& source, const 
   p.environment = c.environment;
   p.dynamics = c.dynamics;
   p.line_types = c.line_types;
-  read_things(*part.tree, nullptr, source, lengths, false, p);
+  read_objects(*part.tree, nullptr, source, lengths, false, p);
   for (std::string& note : p.notes) note = part.file + ": " + note;
   return p;
 } catch (const model::Refusal& r) {
@@ -388,7 +388,7 @@ void place_platforms(const Value& root, const CaseSource& source, const SectionL
         model::place_platform(read_platform(part, platform_source, changed, c, bed), bed, place, c);
       try {
         for (size_t i = 0; i < bodies.items.size(); ++i)
-          meet_sea(*model::Entry(bodies, i), platform_source, c.bodies[body + i], c);
+          finish_body_in_sea(*model::Entry(bodies, i), platform_source, c.bodies[body + i], c);
       } catch (const model::Refusal& r) {
         model::fail(part.file, r.line, model::placed_key(place, r.where), r.what());
       }

@@ -95,7 +95,7 @@ std::string CaseSource::input(const std::string& path) const {
   return named;
 }
 
-void CaseSource::bad(const Value& v, const std::string& key, const std::string& text) const {
+void CaseSource::refuse(const Value& v, const std::string& key, const std::string& text) const {
   model::fail(file, v.line, key, text);
 }
 

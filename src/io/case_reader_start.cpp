@@ -26,8 +26,8 @@ constexpr double kTogether = 1e-9;  // fraction of the length: gap between conne
 
 const OtherRuns::Run& OtherRuns::run(const Value& from, const Value* time) {
   const std::string path = source_.input(from.text);
-  const double wanted = time ? time->number : -1;
-  const auto [found, fresh] = runs_.try_emplace({path, wanted});
+  const double requested = time ? time->number : -1;
+  const auto [found, fresh] = runs_.try_emplace({path, requested});
   Run& r = found->second;
   if (!fresh) return r;
   std::error_code error;
@@ -38,14 +38,14 @@ const OtherRuns::Run& OtherRuns::run(const Value& from, const Value* time) {
     if (times.empty()) throw InputError(path + " holds no output yet");
     size_t row = times.size() - 1;
     if (time) {
-      const auto nearer = [wanted](double a, double b) {
-        return std::abs(a - wanted) < std::abs(b - wanted);
+      const auto nearer = [requested](double a, double b) {
+        return std::abs(a - requested) < std::abs(b - requested);
       };
       row = static_cast<size_t>(std::min_element(times.begin(), times.end(), nearer) - times.begin());
-      if (std::abs(times[row] - wanted) > 1e-6 * std::max(1.0, wanted))
+      if (std::abs(times[row] - requested) > 1e-6 * std::max(1.0, requested))
         missing = fmt::format(
             "{} has no output at {:g} s: of its {} outputs from {:g} to {:g} s the nearest is at {:.9g} s",
-            path, wanted, times.size(), times.front(), times.back(), times[row]);
+            path, requested, times.size(), times.front(), times.back(), times[row]);
     }
     r.path = path;
     r.time = times[row];

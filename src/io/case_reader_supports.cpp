@@ -136,10 +136,10 @@ class Group {
     const Value& e = *p.entry;
     const bool v = e["type"].is("V");
     const bool flat = e["type"].is("flat");
-    const auto only = [&](const char* key, bool wanted, const char* types) {
-      if (e.has(key) && !wanted)
+    const auto only = [&](const char* key, bool required, const char* types) {
+      if (e.has(key) && !required)
         refuse(e[key], "a support of type '{}' has none; remove it, or choose {}", e["type"].text, types);
-      if (!e.has(key) && wanted)
+      if (!e.has(key) && required)
         refuse_key(e, e.where + "." + key, "required key is missing: a support of type '{}' needs it",
                    e["type"].text);
     };

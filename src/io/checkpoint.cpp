@@ -110,7 +110,7 @@ CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& c, int nodes_tot
   for (const auto& [name, kept] : c.records) {
     long long& size = of_term.emplace_back(0);
     std::vector<int>& lengths = room.lengths.emplace_back(owned.size(), 0);
-    const auto look = [&, &kept = kept](const std::vector<CheckpointRecord>& records) {
+    const auto count_records = [&, &kept = kept](const std::vector<CheckpointRecord>& records) {
       for (const auto& r : records) {
         const auto at = std::ranges::lower_bound(owned, r.node);
         valid = valid && at != owned.end() && *at == r.node && fits(kept, r);
@@ -119,9 +119,9 @@ CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& c, int nodes_tot
         size += length_of(r);
       }
     };
-    look(kept.records);
+    count_records(kept.records);
     const int parts = checkpoint_parts(nodes_total);
-    for (int k = 0; kept.make && k < parts; ++k) look(kept.make(nodes_of_part(owned, k, parts)));
+    for (int k = 0; kept.make && k < parts; ++k) count_records(kept.make(nodes_of_part(owned, k, parts)));
   }
   room.index = describe(c, nodes_total);
   agree(comm, valid, room.index);

@@ -95,7 +95,7 @@ void note_negative(const HydrodynamicData& data, std::vector<std::string>& notes
 // makes translations and rotations comparable. Irregular frequencies of panel methods and noise of small
 // entries cause some. Large changes are refused.
 void make_passive(HydrodynamicData& data, std::vector<std::string>& notes) {
-  constexpr double kMuch = 0.3, kSome = 0.02;
+  constexpr double kRefused = 0.3, kReported = 0.02;  // fractions of the damping
   const Eigen::Index n = data.infinite.rows();
   Eigen::VectorXd scale(n);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -123,9 +123,9 @@ void make_passive(HydrodynamicData& data, std::vector<std::string>& notes) {
     B = root * positive.asDiagonal() * root.transpose();
   }
   const double fraction = negative_area / std::max(all, 1e-300);
-  if (negative_area > kMuch * all)
+  if (negative_area > kRefused * all)
     throw std::runtime_error(advice::too_much_negative_damping(data.radiation_file, fraction, period));
-  if (negative_area > kSome * all)
+  if (negative_area > kReported * all)
     notes.push_back(advice::negative_damping_excluded(data.radiation_file, fraction, period));
 }
 

@@ -27,7 +27,7 @@ namespace hawser::io {
 namespace {
 
 template <class... Args>
-[[noreturn]] void bad(const std::string& path, fmt::format_string<Args...> text, Args&&... args) {
+[[noreturn]] void refuse(const std::string& path, fmt::format_string<Args...> text, Args&&... args) {
   std::string s = path + ": " + fmt::format(text, std::forward<Args>(args)...);
   for (char& c : s)
     if (static_cast<unsigned char>(c) < 0x20) c = ' ';
@@ -66,29 +66,29 @@ void append(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above, 
 TriangleMesh import(const std::string& path, double scale) {
   namespace fs = std::filesystem;
   std::error_code error;
-  if (const std::string why = unreadable(path, "mesh", kMostMesh); !why.empty()) bad(path, "{}", why);
+  if (const std::string why = unreadable(path, "mesh", kMostMesh); !why.empty()) refuse(path, "{}", why);
   std::string extension = fs::path(path).extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (extension != ".stl" && extension != ".obj" && extension != ".ply")
-    bad(path, "meshes are read from STL, OBJ and PLY files (.stl, .obj, .ply), not from '{}'", extension);
-  if (fs::file_size(path, error) == 0 || error) bad(path, "the mesh file is empty or cannot be read");
+    refuse(path, "meshes are read from STL, OBJ and PLY files (.stl, .obj, .ply), not from '{}'", extension);
+  if (fs::file_size(path, error) == 0 || error) refuse(path, "the mesh file is empty or cannot be read");
 
   TriangleMesh mesh;
   if (extension != ".obj") {
     const auto read = extension == ".ply" ? read_ply : read_stl;
     if (const std::string problem = read(path, fs::file_size(path), scale, mesh); !problem.empty())
-      bad(path, "{}", problem);
+      refuse(path, "{}", problem);
   } else {
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate | aiProcess_SortByPType);
-    if (!scene || !scene->mRootNode) bad(path, "cannot be read as a mesh: {}", importer.GetErrorString());
+    if (!scene || !scene->mRootNode) refuse(path, "cannot be read as a mesh: {}", importer.GetErrorString());
     append(*scene, *scene->mRootNode, aiMatrix4x4(), scale, mesh);
   }
-  if (mesh.triangles.empty()) bad(path, "holds no triangles");
+  if (mesh.triangles.empty()) refuse(path, "holds no triangles");
   for (const Vec3& v : mesh.vertices) {
-    if (!v.allFinite()) bad(path, "has a vertex that is no finite number");
+    if (!v.allFinite()) refuse(path, "has a vertex that is no finite number");
     if (const double far = v.cwiseAbs().maxCoeff(); far > kFarthest)
-      bad(path, "{}", advice::vertex_too_far(far, scale));
+      refuse(path, "{}", advice::vertex_too_far(far, scale));
   }
   return mesh;
 }
@@ -103,8 +103,8 @@ void repair_mesh(const std::string& path, LoadedMesh& loaded, bool closed) {
   const RepairResult repaired = repair(loaded.mesh);
   loaded.report = inspect(loaded.mesh);
   loaded.open = !loaded.report.valid();
-  if (closed && loaded.open) bad(path, "{}", advice::mesh_cannot_be_closed(repaired));
-  if (repaired.enclosing < 0.5) bad(path, "{}", advice::mesh_encloses_nothing(report, repaired));
+  if (closed && loaded.open) refuse(path, "{}", advice::mesh_cannot_be_closed(repaired));
+  if (repaired.enclosing < 0.5) refuse(path, "{}", advice::mesh_encloses_nothing(report, repaired));
   loaded.notes.push_back(path + ": " + advice::mesh_not_clean(report, repaired));
   if (loaded.open) loaded.notes.push_back(path + ": " + advice::holes_not_filled(repaired));
 }
@@ -118,7 +118,7 @@ double rounding(const TriangleMesh& mesh) {
 
 WeldResult weld_corners(const std::string& path, TriangleMesh& mesh) {
   const WeldResult welded = weld(mesh, rounding(mesh));
-  if (mesh.triangles.empty()) bad(path, "holds only triangles without area");
+  if (mesh.triangles.empty()) refuse(path, "holds only triangles without area");
   return welded;
 }
 
@@ -136,7 +136,7 @@ void drop_double(const std::string& path, LoadedMesh& loaded) {
   if (const int flat = drop_flat_pieces(loaded.mesh, rounding(loaded.mesh)); flat > 0)
     loaded.notes.push_back(path + ": " + advice::flat_pieces_excluded(flat));
   weld(loaded.mesh);  // removes unused corners
-  if (loaded.mesh.triangles.empty()) bad(path, "{}", advice::only_flat_pieces());
+  if (loaded.mesh.triangles.empty()) refuse(path, "{}", advice::only_flat_pieces());
 }
 
 }  // namespace
@@ -159,7 +159,7 @@ LoadedMesh read_mesh(const std::string& path, double scale, bool closed) {
 
   MeshReport& report = loaded.report;
   report = inspect(mesh);
-  if (closed && !report.closed) bad(path, "{}", advice::mesh_not_closed(report));
+  if (closed && !report.closed) refuse(path, "{}", advice::mesh_not_closed(report));
   if (!report.valid()) repair_mesh(path, loaded, closed);
   report.welded = welded.welded;
   report.removed = welded.removed;

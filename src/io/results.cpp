@@ -73,13 +73,13 @@ struct ResultsFile::Impl {
   bool displayed(const VolumeMesh& v) const { return v.moves() && contents.xdmf; }
 
   // Rank 0 creates the file, all ranks open it.
-  void build(const ResultRoom& wanted, const std::string& from, const ResultLast* last = nullptr) {
+  void build(const ResultRoom& required, const std::string& from, const ResultLast* last = nullptr) {
     file.close();
     bool input = false;
     if (root()) {
       file.attempt([&] {
         try {
-          build_results(file.path(), contents, wanted, from, count, clashes, contacts, last);
+          build_results(file.path(), contents, required, from, count, clashes, contacts, last);
         } catch (const InputError&) {
           input = true;
           throw;
@@ -93,7 +93,7 @@ struct ResultsFile::Impl {
       if (input) throw InputError(e.what());
       throw;
     }
-    room = wanted;
+    room = required;
     if (last && last->summary) return;
     std::vector<std::string> names{"written"};
     for (const auto& set : row_sets(contents)) names.push_back(set.name);
@@ -104,23 +104,23 @@ struct ResultsFile::Impl {
     file.open(names);
   }
 
-  void ensure_room(long long outputs, long long steps_wanted, long long doubles = 0, long long text = 0,
+  void ensure_room(long long outputs, long long step_rows, long long doubles = 0, long long text = 0,
                    const ClashRoom& clash_rows = {}, long long contact_rows = 0) {
-    ResultRoom wanted = room;
+    ResultRoom required = room;
     const auto grow = [](long long& have, long long need, long long spare) {
       if (need > have) have = std::max(2 * have, need + spare);
     };
-    grow(wanted.outputs, outputs, 0);
-    grow(wanted.steps, steps_wanted, 0);
-    grow(wanted.slot_doubles, doubles, doubles / 2);
-    grow(wanted.slot_text, text, text);
-    grow(wanted.clashes.ended, clash_rows.ended, 0);
-    grow(wanted.clashes.open, clash_rows.open, 0);
-    grow(wanted.contacts, contact_rows, 0);
-    if (wanted.outputs != room.outputs || wanted.steps != room.steps ||
-        wanted.slot_doubles != room.slot_doubles || wanted.slot_text != room.slot_text ||
-        wanted.clashes != room.clashes || wanted.contacts != room.contacts)
-      build(wanted, file.path());
+    grow(required.outputs, outputs, 0);
+    grow(required.steps, step_rows, 0);
+    grow(required.slot_doubles, doubles, doubles / 2);
+    grow(required.slot_text, text, text);
+    grow(required.clashes.ended, clash_rows.ended, 0);
+    grow(required.clashes.open, clash_rows.open, 0);
+    grow(required.contacts, contact_rows, 0);
+    if (required.outputs != room.outputs || required.steps != room.steps ||
+        required.slot_doubles != room.slot_doubles || required.slot_text != room.slot_text ||
+        required.clashes != room.clashes || required.contacts != room.contacts)
+      build(required, file.path());
   }
 
   // Validates the rows: every rank's data are with the system before the counter is.

@@ -63,8 +63,9 @@ std::string shown(std::string_view word) {
   return "'" + s + (word.size() > 20 ? "...'" : "'");
 }
 
-std::string expected(const Words& words, std::string_view wanted, std::string_view word) {
-  return fmt::format("line {} of the STL text should have {}, not {}", words.line(), wanted, shown(word));
+std::string expected(const Words& words, std::string_view expected_text, std::string_view word) {
+  return fmt::format("line {} of the STL text should have {}, not {}", words.line(), expected_text,
+                     shown(word));
 }
 
 bool read_number(std::string_view word, double& x) {

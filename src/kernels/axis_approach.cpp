@@ -45,7 +45,7 @@ class Search {
  public:
   Search(const Moving& a, const Moving& b, const ApproachLimits& limits) : a_(a), b_(b), limits_(limits) {}
 
-  Sides look(const AxisInterval& p, const AxisInterval& q) const {
+  Sides bisect(const AxisInterval& p, const AxisInterval& q) const {
     const MovingSegment A = p.chord(a_);
     const MovingSegment B = q.chord(b_);
     const double ea = p.error(a_);
@@ -55,8 +55,8 @@ class Search {
       return Sides::kept;
     const double distance = closest_points_of_segments(A.from0, A.to0, B.from0, B.to0).distance;
     const bool finest = e == 0 || (ea >= eb ? p : q).level == kMaxHalvings;
-    const bool asked = limits_.no_side >= 0;
-    if (finest && asked && distance <= limits_.no_side + e) return Sides::none;
+    const bool test_crossing = limits_.no_side >= 0;
+    if (finest && test_crossing && distance <= limits_.no_side + e) return Sides::crossing;
     double threshold = std::min(limits_.min_distance, limits_.part * std::max(distance - e, 0.0));
     threshold = std::max(threshold, limits_.floor);
     if (e <= kChord * threshold)
@@ -65,8 +65,8 @@ class Search {
     if (finest) return Sides::near;
     Sides all = Sides::kept;
     for (const int i : {0, 1}) {
-      const Sides s = ea >= eb ? look(p.half(i), q) : look(p, q.half(i));
-      if (s == Sides::none || (s == Sides::near && !asked)) return s;
+      const Sides s = ea >= eb ? bisect(p.half(i), q) : bisect(p, q.half(i));
+      if (s == Sides::crossing || (s == Sides::near && !test_crossing)) return s;
       if (s == Sides::near) all = s;
     }
     return all;
@@ -83,16 +83,16 @@ Sides sides_kept(const AxisShape& a0, const AxisShape& a1, const AxisShape& b0, 
                  const ApproachLimits& limits) {
   const Moving a(a0, a1);
   const Moving b(b0, b1);
-  const Sides kept = Search(a, b, limits).look({}, {});
+  const Sides kept = Search(a, b, limits).bisect({}, {});
   if (kept != Sides::near || !(limits.floor > 0)) return kept;
   // Axes already nearer, by more than the error of the chords, only need to satisfy the other limits.
   const Moving start_a(a0, a0);
   const Moving start_b(b0, b0);
   const ApproachLimits below{kBelow * limits.floor, kAnyPart, 0, -1};
-  if (Search(start_a, start_b, below).look({}, {}) == Sides::kept) return kept;
+  if (Search(start_a, start_b, below).bisect({}, {}) == Sides::kept) return kept;
   ApproachLimits others = limits;
   others.floor = 0;
-  return Search(a, b, others).look({}, {});
+  return Search(a, b, others).bisect({}, {});
 }
 
 }  // namespace hawser

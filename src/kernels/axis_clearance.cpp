@@ -143,7 +143,7 @@ std::optional<AxisToSurface> nearest_to(DistanceField field, const BezierAxis& a
   AxisToSurface best;
   best.distance = within;
   bool found = false;
-  const auto look = [&](double xi) {
+  const auto sample = [&](double xi) {
     AxisSample p;
     p.xi = xi;
     Vec3 normal;
@@ -160,9 +160,9 @@ std::optional<AxisToSurface> nearest_to(DistanceField field, const BezierAxis& a
     }
     return p;
   };
-  AxisSample last = look(0);
+  AxisSample last = sample(0);
   for (int k = 1; k <= pieces; ++k) {
-    const AxisSample next = look(static_cast<double>(k) / pieces);
+    const AxisSample next = sample(static_cast<double>(k) / pieces);
     AxisSample lo = last;
     AxisSample hi = next;
     last = next;
@@ -173,7 +173,7 @@ std::optional<AxisToSurface> nearest_to(DistanceField field, const BezierAxis& a
       double xi = 0.5 * (lo.xi + hi.xi);
       if (i % 2 == 0) xi = lo.xi - lo.slope * (hi.xi - lo.xi) / (hi.slope - lo.slope);
       if (!(xi > lo.xi && xi < hi.xi)) break;
-      const AxisSample middle = look(xi);
+      const AxisSample middle = sample(xi);
       if (!middle.known) break;
       (middle.slope < 0 ? lo : hi) = middle;
       if (std::abs(middle.slope) * (hi.xi - lo.xi) < 1e-15 * (1 + std::abs(middle.distance))) break;

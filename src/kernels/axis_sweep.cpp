@@ -45,8 +45,8 @@ std::array<SweptPart, 2> halves_along(const SweptPart& p) {
 
 }  // namespace
 
-bool goes_through(DistanceField field, const BezierAxis& from, const BezierAxis& to, double radius,
-                  bool pressed) {
+bool passes_through(DistanceField field, const BezierAxis& from, const BezierAxis& to, double radius,
+                    bool pressed) {
   if (!(from.farthest_distance(to) > radius)) return false;
   std::vector<SweptPart> pieces{{{from, to}}};
   while (!pieces.empty()) {

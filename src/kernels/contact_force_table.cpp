@@ -11,15 +11,15 @@ namespace {
 
 std::vector<ContactForceTable::Row> from_nothing(std::span<const ContactForceTable::Row> rows) {
   std::vector<ContactForceTable::Row> out{{0, 0}};
-  const auto bad = [](size_t row, const char* problem) {
+  const auto refuse = [](size_t row, const char* problem) {
     throw std::invalid_argument("row " + std::to_string(row + 1) + " " + problem);
   };
   for (size_t i = 0; i < rows.size(); ++i) {
     const auto [p, f] = rows[i];
-    if (!std::isfinite(p) || !std::isfinite(f)) bad(i, "is not finite");
+    if (!std::isfinite(p) || !std::isfinite(f)) refuse(i, "is not finite");
     if (i == 0 && p == 0 && f == 0) continue;
-    if (!(p > out.back().first)) bad(i, "does not penetrate further than the one before");
-    if (f < out.back().second) bad(i, "has less force than the one before");
+    if (!(p > out.back().first)) refuse(i, "does not penetrate further than the one before");
+    if (f < out.back().second) refuse(i, "has less force than the one before");
     out.push_back(rows[i]);
   }
   if (out.size() < 2 || !(out.back().second > 0))

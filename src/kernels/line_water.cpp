@@ -174,7 +174,7 @@ double potential(const WaterSection& s, const Motion<n>& m) {
   using R = Rule<beam>;
   const Row chord = m.X[n - (beam ? 2 : 1)] - m.X[0];
   const double l = std::sqrt(dot(chord, chord));
-  const double fall = m.surface[1] - m.surface[0] - chord[2];
+  const double rise_over_axis = m.surface[1] - m.surface[0] - chord[2];
   const Band<beam> band(s, l > 0 ? chord[2] / l : 0);
   double sum = 0;
   for (int g = 0; g < R::points; ++g) {
@@ -183,7 +183,7 @@ double potential(const WaterSection& s, const Motion<n>& m) {
     double h = (1 - z) * m.surface[0] + z * m.surface[1];
     R::shape(z, N);
     for (int j = 0; j < n; ++j) h -= N[j] * m.X[j][2];
-    const PointInterval<beam> piece(g, h, fall);
+    const PointInterval<beam> piece(g, h, rise_over_axis);
     sum += R::weight[g] * piece_wetting(piece.h1, piece.h2, band.b).integral;
   }
   return s.buoyancy * s.length * sum;

@@ -84,12 +84,12 @@ struct PointInterval {
   double from = 0, to = 0;  // of the element's length, from the point
   double h1 = 0, h2 = 0;    // m, height of the surface above its ends
   PointInterval() = default;
-  // h: above the point; fall: by which that grows from one end of the element to the other
-  PointInterval(int g, double h, double fall)
+  // h: above the point; rise_over_axis: by which that grows from one end of the element to the other
+  PointInterval(int g, double h, double rise_over_axis)
       : from(Rule<beam>::edge[g] - Rule<beam>::at[g]),
         to(Rule<beam>::edge[g + 1] - Rule<beam>::at[g]),
-        h1(h + from * fall),
-        h2(h + to * fall) {}
+        h1(h + from * rise_over_axis),
+        h2(h + to * rise_over_axis) {}
 };
 
 // First derivative of t_z²/2 by the chord, with e upwards and the chord's length l = 1/`inverse`:
@@ -110,10 +110,10 @@ template <bool beam>
 struct Chord {
   static constexpr int n = Rule<beam>::shapes;
   static constexpr int last = n - (beam ? 2 : 1);
-  double inverse;  // 1/m, of its length l; 0 where that is 0
-  Row t;           // unit vector
-  Mat projector;   // P = I - t t'
-  double fall;     // m, by which the surface's height above the axis grows from one end to the other
+  double inverse;         // 1/m, of its length l; 0 where that is 0
+  Row t;                  // unit vector
+  Mat projector;          // P = I - t t'
+  double rise_over_axis;  // m, by which the surface's height above the axis grows from one end to the other
   Band<beam> band;
   Row db[n] = {};  // derivatives of b by X
 
@@ -122,7 +122,7 @@ struct Chord {
       : inverse(inverse_length(chord)),
         t(inverse * chord),
         projector(identity(1) - outer(t, t)),
-        fall(rise - chord[2]),
+        rise_over_axis(rise - chord[2]),
         band(s, t[2]) {
     if constexpr (beam) {
       db[last] = (band.kappa / band.b) * by_chord_of(t, inverse);
@@ -147,21 +147,21 @@ struct Point {
   double N[n];
   PointInterval<beam> piece;
   PieceWetting wet;
-  double fall1[n], fall2[n];    // by which h1 and h2 decrease with the heights of X
-  Row by1[n], by2[n], by_b[n];  // derivatives of dU/dh1, dU/dh2, dU/db by X: differentiate()
+  double decrease1[n], decrease2[n];  // by which h1 and h2 decrease with the heights of X
+  Row by1[n], by2[n], by_b[n];        // derivatives of dU/dh1, dU/dh2, dU/db by X: differentiate()
 
   Point(int g, const WaterSection& s, const Motion<n>& m, const Chord<beam>& c)
       : z(Rule<beam>::at[g]), w(Rule<beam>::weight[g] * s.length) {
     Rule<beam>::shape(z, N);
     double h = (1 - z) * m.surface[0] + z * m.surface[1];
     for (int j = 0; j < n; ++j) h -= N[j] * m.X[j][2];
-    piece = PointInterval<beam>(g, h, c.fall);
+    piece = PointInterval<beam>(g, h, c.rise_over_axis);
     wet = piece_wetting(piece.h1, piece.h2, c.band.b);
-    for (int j = 0; j < n; ++j) fall1[j] = fall2[j] = N[j];
-    fall1[0] -= piece.from;
-    fall1[last] += piece.from;
-    fall2[0] -= piece.to;
-    fall2[last] += piece.to;
+    for (int j = 0; j < n; ++j) decrease1[j] = decrease2[j] = N[j];
+    decrease1[0] -= piece.from;
+    decrease1[last] += piece.from;
+    decrease2[0] -= piece.to;
+    decrease2[last] += piece.to;
   }
   double fraction() const { return wet.by_h1 + wet.by_h2; }  // F
   bool partly() const { return wet.slope11 > 0 || wet.slope22 > 0; }
@@ -173,9 +173,9 @@ struct Point {
     const double b2 = -(piece.h1 * wet.slope12 + piece.h2 * wet.slope22) / b;
     const double bb = -(piece.h1 * b1 + piece.h2 * b2) / b;
     for (int k = 0; k < n; ++k) {
-      by1[k] = -(wet.slope11 * fall1[k] + wet.slope12 * fall2[k]) * unit(2) + b1 * c.db[k];
-      by2[k] = -(wet.slope12 * fall1[k] + wet.slope22 * fall2[k]) * unit(2) + b2 * c.db[k];
-      by_b[k] = -(b1 * fall1[k] + b2 * fall2[k]) * unit(2) + bb * c.db[k];
+      by1[k] = -(wet.slope11 * decrease1[k] + wet.slope12 * decrease2[k]) * unit(2) + b1 * c.db[k];
+      by2[k] = -(wet.slope12 * decrease1[k] + wet.slope22 * decrease2[k]) * unit(2) + b2 * c.db[k];
+      by_b[k] = -(b1 * decrease1[k] + b2 * decrease2[k]) * unit(2) + bb * c.db[k];
     }
   }
 };
@@ -188,7 +188,8 @@ inline void buoyancy_at(const WaterSection& s, const Chord<beam>& c, const Point
   constexpr int n = Chord<beam>::n;
   constexpr int last = Chord<beam>::last;
   const double B = p.w * s.buoyancy;
-  for (int j = 0; j < n; ++j) out.f[j][2] -= B * (p.wet.by_h1 * p.fall1[j] + p.wet.by_h2 * p.fall2[j]);
+  for (int j = 0; j < n; ++j)
+    out.f[j][2] -= B * (p.wet.by_h1 * p.decrease1[j] + p.wet.by_h2 * p.decrease2[j]);
   if (!p.partly()) return;
   // B dU/db, by Euler's theorem.
   const double G = B * (p.wet.integral - p.piece.h1 * p.wet.by_h1 - p.piece.h2 * p.wet.by_h2) / c.band.b;
@@ -197,7 +198,7 @@ inline void buoyancy_at(const WaterSection& s, const Chord<beam>& c, const Point
   if constexpr (tangent) {
     for (int k = 0; k < n; ++k) {
       for (int j = 0; j < n; ++j)
-        out.K[j][k].r[2] -= (B * p.fall1[j]) * p.by1[k] + (B * p.fall2[j]) * p.by2[k];
+        out.K[j][k].r[2] -= (B * p.decrease1[j]) * p.by1[k] + (B * p.decrease2[j]) * p.by2[k];
       if constexpr (beam) {
         const Mat by_band = outer(B * c.db[last], p.by_b[k]);
         out.K[last][k] += by_band;

@@ -116,8 +116,8 @@ std::vector<PlasticBending::Row> ramberg_osgood(double EI, double yield_moment, 
   }
   std::vector<PlasticBending::Row> out;
   for (int r = 1; r <= rows; ++r) {
-    const double wanted = sum.back() * r / rows;
-    const auto after = std::lower_bound(sum.begin(), sum.end(), wanted);
+    const double target = sum.back() * r / rows;
+    const auto after = std::lower_bound(sum.begin(), sum.end(), target);
     const double m = at[std::min<std::ptrdiff_t>(after - sum.begin(), kFine)];
     if (out.empty() || m * yield_moment > out.back().second) out.emplace_back(curvature(m), m * yield_moment);
   }

@@ -14,17 +14,18 @@ constexpr double kMinRatio = 0.1;
 
 std::vector<ResponseCurve::Row> through_zero(std::span<const ResponseCurve::Row> rows, bool odd) {
   std::vector<ResponseCurve::Row> out;
-  const auto bad = [](size_t row, const char* problem) {
+  const auto refuse = [](size_t row, const char* problem) {
     throw std::invalid_argument("row " + std::to_string(row + 1) + " " + problem);
   };
   for (size_t i = 0; i < rows.size(); ++i) {
     const auto [e, f] = rows[i];
-    if (!std::isfinite(e) || !std::isfinite(f)) bad(i, "is not finite");
-    if (odd && e < 0) bad(i, "is negative: what bends the other way is the same");
+    if (!std::isfinite(e) || !std::isfinite(f)) refuse(i, "is not finite");
+    if (odd && e < 0) refuse(i, "is negative: what bends the other way is the same");
     if (e == 0 ? f != 0 : e * f <= 0)
-      bad(i, e == 0 ? "has a force without strain" : "does not pull back: it must go through zero, rising");
-    if (i > 0 && !(e > rows[i - 1].first)) bad(i, "does not go further than the one before");
-    if (i > 0 && !(f > rows[i - 1].second)) bad(i, "has no more force than the one before");
+      refuse(i,
+             e == 0 ? "has a force without strain" : "does not pull back: it must go through zero, rising");
+    if (i > 0 && !(e > rows[i - 1].first)) refuse(i, "does not go further than the one before");
+    if (i > 0 && !(f > rows[i - 1].second)) refuse(i, "has no more force than the one before");
     if (e > 0 && (out.empty() || out.back().first < 0)) out.emplace_back(0, 0);
     out.push_back(rows[i]);
   }

@@ -43,7 +43,7 @@ void RootSearch::add(double value) {
   if (count_++ == 0) {
     return begin(value);
   }
-  Direction& w = direction_[going_];
+  Direction& w = direction_[side_];
   if ((value > 0) != (w.f > 0)) {
     bracketed_ = true;
     x_[0] = next_;
@@ -56,13 +56,13 @@ void RootSearch::add(double value) {
     f_[2] = f_[1];
     return;
   }
-  // Changes the direction if the function moves away from zero in this one.
-  const bool away = count_ == 2 && std::abs(value) > std::abs(w.f) && !direction_[1 - going_].ended;
+  // Changes the direction if the function moves away_from_root from zero in this one.
+  const bool away_from_root = count_ == 2 && std::abs(value) > std::abs(w.f) && !direction_[1 - side_].ended;
   w.x = next_;
   w.f = value;
   w.step *= w.failures > 0 ? 1 : kGrowth;
   if (w.x == w.limit) w.ended = true;
-  if (away) going_ = 1 - going_;
+  if (away_from_root) side_ = 1 - side_;
   outward();
 }
 
@@ -74,7 +74,7 @@ void RootSearch::fail() {
     return;
   }
   if (count_ == 0) return extend_range();
-  Direction& w = direction_[going_];
+  Direction& w = direction_[side_];
   w.limit = next_;
   w.step = 0.5 * (next_ - w.x);
   if (++w.failures > kMaxFailures) w.ended = true;
@@ -83,8 +83,8 @@ void RootSearch::fail() {
 
 // The search for a first value has already covered the side from which it came.
 void RootSearch::begin(double value) {
-  Direction& current = direction_[going_];
-  Direction& opposite = direction_[1 - going_];
+  Direction& current = direction_[side_];
+  Direction& opposite = direction_[1 - side_];
   if (failures_at_start_ > 0) {
     opposite.limit = current.x;
     opposite.failures = 1;
@@ -95,18 +95,18 @@ void RootSearch::begin(double value) {
     w.x = next_;
     w.f = value;
   }
-  going_ = value > 0 ? 1 : 0;
+  side_ = value > 0 ? 1 : 0;
   outward();
 }
 
 // The start has no value: search at increasing distances on both sides.
 void RootSearch::extend_range() {
   if (failures_at_start_++ > 0) {
-    direction_[going_].x = next_;
-    direction_[going_].ended = next_ == direction_[going_].limit;
+    direction_[side_].x = next_;
+    direction_[side_].ended = next_ == direction_[side_].limit;
   }
-  if (!direction_[1 - going_].ended) going_ = 1 - going_;
-  Direction& w = direction_[going_];
+  if (!direction_[1 - side_].ended) side_ = 1 - side_;
+  Direction& w = direction_[side_];
   if (w.ended) {
     exhausted_ = true;
     return;
@@ -117,8 +117,8 @@ void RootSearch::extend_range() {
 }
 
 void RootSearch::outward() {
-  if (direction_[going_].ended) going_ = 1 - going_;
-  const Direction& w = direction_[going_];
+  if (direction_[side_].ended) side_ = 1 - side_;
+  const Direction& w = direction_[side_];
   if (w.ended) {
     exhausted_ = true;
     return;

@@ -92,7 +92,7 @@ double MeshTable::arc_of(const EvenPart& part, int k) const {
 
 Node MeshTable::node_at(int n) const {
   const auto special = std::lower_bound(special_.begin(), special_.end(), n,
-                                        [](const auto& o, int wanted) { return o.first < wanted; });
+                                        [](const auto& o, int node) { return o.first < node; });
   if (special != special_.end() && special->first == n) return special->second;
   const auto at = last_not_after(parts_, n, &EvenPart::first_node);
   const EvenPart& part = *at;

@@ -10,7 +10,7 @@ class RunsOfNodes {
  public:
   explicit RunsOfNodes(const Mesh& mesh) : special_(mesh.special_nodes()) {}
   // Appends nodes up to `end` that follow from their elements, except special ones.
-  void go(int end, int line, bool rotates) {
+  void append(int end, int line, bool rotates) {
     while (at_ < end) {
       if (next_ < special_.size() && special_[next_].first == at_) {
         add_special();
@@ -49,9 +49,9 @@ std::vector<NodeRun> node_runs(const Mesh& mesh) {
     const EvenPart& p = parts[i];
     const bool goes_on = i > 0 && parts[i - 1].line == p.line;
     const bool ends = i + 1 == parts.size() || parts[i + 1].line != p.line;
-    runs.go(p.first_node + 1, p.line, p.shape->beam || (goes_on && parts[i - 1].shape->beam));
-    runs.go(p.first_node + p.elements, p.line, p.shape->beam);
-    if (ends) runs.go(p.first_node + p.elements + 1, p.line, p.shape->beam);
+    runs.append(p.first_node + 1, p.line, p.shape->beam || (goes_on && parts[i - 1].shape->beam));
+    runs.append(p.first_node + p.elements, p.line, p.shape->beam);
+    if (ends) runs.append(p.first_node + p.elements + 1, p.line, p.shape->beam);
   }
   while (runs.more()) runs.add_special();
   return std::move(runs.out);

@@ -24,7 +24,7 @@ int rank(const Volume& v) {
   return v.basis == StiffnessBasis::per_point ? 1 : v.basis == StiffnessBasis::per_length ? 2 : 3;
 }
 
-bool hides(const Volume& v) {
+bool needs_overlap_check(const Volume& v) {
   const bool bar = is_bar(v);
   const bool ball = v.shape && std::holds_alternative<SphereShape>(*v.shape);
   return v.basis == StiffnessBasis::per_point ? !ball : v.basis == StiffnessBasis::per_length && !bar;
@@ -71,7 +71,7 @@ std::vector<BodyPair> body_pairs(const Case& c) {
   const auto add = [&](std::size_t leads, std::size_t other, double stiffness, double force_factor) {
     const Volume& a = c.volumes[leads];
     const Volume& b = c.volumes[other];
-    pairs.push_back({leads, other, stiffness, force_factor, friction_between(a, b), hides(a)});
+    pairs.push_back({leads, other, stiffness, force_factor, friction_between(a, b), needs_overlap_check(a)});
   };
   for (std::size_t i = 0; i < c.volumes.size(); ++i)
     for (std::size_t j = i + 1; j < c.volumes.size(); ++j) {

@@ -32,15 +32,15 @@ double mean_temperature_change(const std::vector<std::pair<double, double>>& row
   double last = from;
   double before = on_broken_line(rows, from);
   double sum = 0;
-  const auto go = [&](double s, double value) {
+  const auto add_interval = [&](double s, double value) {
     sum += 0.5 * (s - last) * (before + value);
     last = s;
     before = value;
   };
   const auto first = std::upper_bound(rows.begin(), rows.end(), from,
                                       [](double s, const auto& row) { return s < row.first; });
-  for (auto row = first; row != rows.end() && row->first < to; ++row) go(row->first, row->second);
-  go(to, on_broken_line(rows, to));
+  for (auto row = first; row != rows.end() && row->first < to; ++row) add_interval(row->first, row->second);
+  add_interval(to, on_broken_line(rows, to));
   return to > from ? sum / (to - from) : before;
 }
 

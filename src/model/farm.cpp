@@ -162,14 +162,14 @@ struct Count {
   }
 };
 
-template <class Things, class Add>
-void count(const Case& c, const Things& things, std::vector<Count>& parts, Count& common, Add add) {
-  for (const auto& thing : things) {
-    const Placed p = find_placed(c, thing.name);
+template <class Objects, class Add>
+void count(const Case& c, const Objects& objects, std::vector<Count>& parts, Count& common, Add add) {
+  for (const auto& object : objects) {
+    const Placed p = find_placed(c, object.name);
     if (!p.part)
-      add(common, thing);
+      add(common, object);
     else if (p.place == &p.part->places.front())
-      add(parts[static_cast<std::size_t>(p.part - c.farm->parts.data())], thing);
+      add(parts[static_cast<std::size_t>(p.part - c.farm->parts.data())], object);
   }
 }
 

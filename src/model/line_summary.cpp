@@ -65,7 +65,7 @@ std::string start_text(Start s) {
   return {};
 }
 
-std::string warmth_text(const Case& c, const Line& l) {
+std::string temperature_change_text(const Case& c, const Line& l) {
   double lowest = l.temperature_change.front().second;
   double highest = lowest;
   for (const auto& [at, change] : l.temperature_change) {
@@ -113,7 +113,7 @@ std::string line_text(const Case& c, const Line& l, const std::string& name, con
                    start_text(l.start));
   if (l.target) s += "    target: " + target_text(*l.target) + "\n";
   if (!l.bend_stiffeners.empty()) s += fmt::format("    {} bend stiffeners\n", l.bend_stiffeners.size());
-  if (!l.temperature_change.empty()) s += "    " + warmth_text(c, l) + "\n";
+  if (!l.temperature_change.empty()) s += "    " + temperature_change_text(c, l) + "\n";
   if (!l.masses.empty() || !l.loads.empty() || !l.point_loads.empty())
     s += fmt::format("    {} point masses, {} distributed loads, {} point loads\n", l.masses.size(),
                      l.loads.size(), l.point_loads.size());

@@ -138,8 +138,8 @@ class Checker {
 
  private:
   template <class... Args>
-  [[noreturn]] void bad(const Value& v, const std::string& path, fmt::format_string<Args...> text,
-                        Args&&... args) const {
+  [[noreturn]] void refuse(const Value& v, const std::string& path, fmt::format_string<Args...> text,
+                           Args&&... args) const {
     fail(file_, v.line, path, fmt::format(text, std::forward<Args>(args)...));
   }
 
@@ -160,7 +160,7 @@ class Checker {
 
   [[noreturn]] void wrong_type(const Value& v, const Key& k, const std::string& path,
                                const std::string& hint = "") const {
-    bad(v, path, "expected {}, found {}{}", describe(k), kind_of_value(v), hint);
+    refuse(v, path, "expected {}, found {}{}", describe(k), kind_of_value(v), hint);
   }
 
   // k: of the number, or of the three that it belongs to.
@@ -185,26 +185,26 @@ class Checker {
                           : "");
       }
       case Quantity::Status::not_finite:
-        bad(v, path, "{} is not a finite number", quote(v.text));
+        refuse(v, path, "{} is not a finite number", quote(v.text));
       case Quantity::Status::out_of_range:
-        bad(v, path, "{} is out of range; a number is 0 or between {:g} and {:g} in size", quote(v.text),
-            kSmallest, kLargest);
+        refuse(v, path, "{} is out of range; a number is 0 or between {:g} and {:g} in size", quote(v.text),
+               kSmallest, kLargest);
       case Quantity::Status::wrong_unit: {
         if (const std::string hint = misspelt_number(q.unit); !hint.empty())
           no_number(v, k, path, integer, hint);
         if (k.unit == Dimension::none)
-          bad(v, path, "wrong unit {} in {}; this number has no unit", quote(q.unit), quote(v.text));
+          refuse(v, path, "wrong unit {} in {}; this number has no unit", quote(q.unit), quote(v.text));
         std::vector<std::string> units;
         for (const Unit& u : units_of(k.unit)) units.emplace_back(u.name);
-        bad(v, path, "wrong unit {} in {}; a {} is given in {} (a bare number is in {})", quote(q.unit),
-            quote(v.text), dimension_name(k.unit), enumerate(units), base_unit(k.unit));
+        refuse(v, path, "wrong unit {} in {}; a {} is given in {} (a bare number is in {})", quote(q.unit),
+               quote(v.text), dimension_name(k.unit), enumerate(units), base_unit(k.unit));
       }
     }
     if (integer && (q.si != std::floor(q.si) || std::abs(q.si) > 1e15)) no_number(v, k, path, integer);
     const Bounds& b = k.bounds;
     if ((b.above && !(q.si > *b.above)) || (b.at_least && !(q.si >= *b.at_least)) ||
         (b.at_most && !(q.si <= *b.at_most)))
-      bad(v, path, "{} is out of range; must be {}", quote(v.text), bounds_text(k));
+      refuse(v, path, "{} is out of range; must be {}", quote(v.text), bounds_text(k));
     v.number = q.si;
   }
 
@@ -224,8 +224,8 @@ class Checker {
 
   void check_text(Value& v, const Key& k, const std::string& path) {
     if (v.kind != Kind::scalar) wrong_type(v, k, path);
-    if (v.text.empty() && v.given) bad(v, path, "is empty; expected {}", describe(k));
-    if (v.text.find('\0') != std::string::npos) bad(v, path, "holds a zero byte");
+    if (v.text.empty() && v.given) refuse(v, path, "is empty; expected {}", describe(k));
+    if (v.text.find('\0') != std::string::npos) refuse(v, path, "holds a zero byte");
   }
 
   void check_name(Value& v, const Key& k, const std::string& path) {
@@ -240,7 +240,8 @@ class Checker {
 
   void check_name_text(const Value& v, const std::string& name, const std::string& path) const {
     if (!is_name(name))
-      bad(v, path,
+      refuse(
+          v, path,
           "{} is not a valid name; a name begins with a letter or digit and has up to 100 letters, digits, "
           "'_', '-', '+' and inner blanks{}",
           quote(name),
@@ -260,9 +261,9 @@ class Checker {
     std::vector<std::string> some(known.begin(),
                                   known.begin() + std::min<long>(12, static_cast<long>(known.size())));
     if (some.size() < known.size()) some.emplace_back("...");
-    bad(v, path, "no {} is called {}{}{}", singular(k.refers), quote(v.text), did_you_mean(v.text, known),
-        known.empty() ? fmt::format(" ({} is empty)", k.refers)
-                      : fmt::format(" (known: {})", fmt::join(some, ", ")));
+    refuse(v, path, "no {} is called {}{}{}", singular(k.refers), quote(v.text), did_you_mean(v.text, known),
+           known.empty() ? fmt::format(" ({} is empty)", k.refers)
+                         : fmt::format(" (known: {})", fmt::join(some, ", ")));
   }
 
   // Names of the entries of a top-level map of the document, and the additional names.
@@ -283,7 +284,7 @@ class Checker {
   void check_vec3(Value& v, const Key& k, const std::string& path) {
     if (v.kind != Kind::list) wrong_type(v, k, path, hint_of_no_list(v));
     if (v.items.size() != 3)
-      bad(v, path, "expected {}, found a list of {}{}", describe(k), v.items.size(), hint_of_no_commas(v));
+      refuse(v, path, "expected {}, found a list of {}{}", describe(k), v.items.size(), hint_of_no_commas(v));
     constexpr const char* kPlaces[] = {"[0]", "[1]", "[2]"};
     for (std::size_t i = 0; i < 3; ++i) {
       Value& x = v.items[i];
@@ -296,13 +297,13 @@ class Checker {
     if (v.kind != Kind::list) wrong_type(v, k, path, hint_of_no_list(v));
     const std::size_t n = v.items.size();
     if (n < k.min_items || (k.max_items > 0 && n > k.max_items))
-      bad(v, path, "expected {}, found a list of {}{}", describe(k), n, hint_of_no_commas(v));
+      refuse(v, path, "expected {}, found a list of {}{}", describe(k), n, hint_of_no_commas(v));
     for (std::size_t i = 0; i < n; ++i) check(v.items[i], k.keys[0], path + "[" + std::to_string(i) + "]");
   }
 
   void check_names(Value& v, const Key& k, const std::string& path) {
     if (v.kind != Kind::map) wrong_type(v, k, path, hint_of_no_keys(v, k));
-    if (v.items.size() < k.min_items) bad(v, path, "is empty; at least one entry is needed");
+    if (v.items.size() < k.min_items) refuse(v, path, "is empty; at least one entry is needed");
     for (std::size_t i = 0; i < v.items.size(); ++i) {
       check_name_text(v.items[i], v.keys[i], path);
       const std::string where = path + "." + v.keys[i];
@@ -328,7 +329,7 @@ class Checker {
     }
     for (const Key& c : k.keys)
       if (c.required && !v.has(c.name))
-        bad(v, prefix + c.name, "required key is missing; expected {}: {}", describe(c), c.about);
+        refuse(v, prefix + c.name, "required key is missing; expected {}: {}", describe(c), c.about);
     check_groups(v, k, path);
     for (std::size_t i = 0; i < v.keys.size(); ++i) check(v.items[i], *of_items[i], prefix + v.keys[i]);
     const auto missing = std::count_if(k.keys.begin(), k.keys.end(),
@@ -349,8 +350,8 @@ class Checker {
     std::vector<std::string> allowed;
     for (const Key& c : k.keys) allowed.push_back(c.name);
     std::sort(allowed.begin(), allowed.end());
-    bad(v.items[i], prefix + printable(v.keys[i]), "unknown key{} (allowed: {})",
-        likely_key(v, i, k, allowed), fmt::join(allowed, ", "));
+    refuse(v.items[i], prefix + printable(v.keys[i]), "unknown key{} (allowed: {})",
+           likely_key(v, i, k, allowed), fmt::join(allowed, ", "));
   }
 
   static std::string printable(const std::string& key) {
@@ -365,15 +366,15 @@ class Checker {
       for (const std::string& key : g.keys) {
         if (!v.has(key)) continue;
         if (used && used != &g)
-          bad(*v.find(key), path, "'{}' and '{}' exclude each other; {}", excluding, key, choices(k));
+          refuse(*v.find(key), path, "'{}' and '{}' exclude each other; {}", excluding, key, choices(k));
         used = &g;
         excluding = key;
       }
     if (k.groups.empty()) return;
-    if (!used && k.group_required) bad(v, path, "{}", choices(k));
+    if (!used && k.group_required) refuse(v, path, "{}", choices(k));
     if (!used) return;
     for (const std::string& key : used->needed)
-      if (!v.has(key)) bad(v, path, "'{}' requires '{}'", excluding, key);
+      if (!v.has(key)) refuse(v, path, "'{}' requires '{}'", excluding, key);
   }
 
   static std::string choices(const Key& k) {

@@ -55,7 +55,7 @@ Key friction(const Field& field) {
             number({"shear_stiffness", &Friction::shear_stiffness}, none,
                    "stiffness of the friction spring before slip, in the unit of `normal_stiffness`",
                    above(0), or_else_note("by `mobilisation_length`")),
-            word({"return", &Friction::back},
+            word({"return", &Friction::return_rule},
                  {{"radial", FrictionReturn::radial}, {"associated", FrictionReturn::associated}},
                  "return to the slip ellipse: `radial`, along the slip; `associated`, to the nearest point "
                  "in the energy norm of the friction springs",

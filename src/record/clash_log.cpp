@@ -57,7 +57,7 @@ void add(io::ClashRow& sum, const io::ClashRow& r) {
 
 }  // namespace
 
-ActiveContacts put_together(ActiveContacts touches, const Runs<double>& by_line) {
+ActiveContacts merge_contacts(ActiveContacts touches, const Runs<double>& by_line) {
   const auto key = [](const ActiveContact& t) {
     return std::tuple(pair_of(t), t.from, t.to, t.other_from, t.other_to);
   };

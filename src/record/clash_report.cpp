@@ -51,7 +51,7 @@ ActiveContact touch_at(const double* v) {
 
 }  // namespace
 
-bool ClashReport::wanted(const Subject& s) { return s.model.output.clashes.enabled && can_touch(s); }
+bool ClashReport::enabled(const Subject& s) { return s.model.output.clashes.enabled && can_touch(s); }
 
 ClashReport::ClashReport(const Subject& subject)
     : comm_(subject.comm()),
@@ -68,7 +68,7 @@ void ClashReport::step(const Snapshot& s) {
   for (ActiveContact& t : touches) t.volume = volumes_[t.volume];
   if (line_pairs_) line_pairs_->active_contacts(touches);
   if (body_contact_) body_contact_->active_contacts(touches);
-  touches = put_together(std::move(touches), settings_.merge_length);
+  touches = merge_contacts(std::move(touches), settings_.merge_length);
   steps_.insert(steps_.end(), {s.step.time, static_cast<double>(touches.size())});
   for (const ActiveContact& t : touches) put(steps_, t);
   if (++waiting_ >= kMostSteps) collect();
@@ -91,7 +91,7 @@ void ClashReport::collect() {
       a += 2;
       for (size_t i = 0; i < touching; ++i, a += kTouch) touches.push_back(touch_at(all.data() + a));
     }
-    log_.step(time, put_together(std::move(touches), settings_.merge_length));
+    log_.step(time, merge_contacts(std::move(touches), settings_.merge_length));
   }
 }
 

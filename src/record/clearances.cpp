@@ -172,8 +172,8 @@ Clearances::Best Clearances::to_volume(const std::vector<Shaped>& elements, cons
 }
 
 void Clearances::rows(const Snapshot& s, Rows& to) {
-  const auto& wanted = case_.output.clearances;
-  if (wanted.empty()) return;
+  const auto& requested = case_.output.clearances;
+  if (requested.empty()) return;
   std::vector<Best> nearest;
   std::map<int, Tree> local, global;  // of lines, of this rank and of all; each is made once
   const auto tree_of = [&](int line) -> const Tree& {
@@ -181,8 +181,8 @@ void Clearances::rows(const Snapshot& s, Rows& to) {
     if (fresh) t->second = Tree(local_shapes(line, s.at));
     return t->second;
   };
-  for (size_t k = 0; k < wanted.size(); ++k) {
-    const model::Clearance& w = wanted[k];
+  for (size_t k = 0; k < requested.size(); ++k) {
+    const model::Clearance& w = requested[k];
     const int line = case_.line_index(w.line);
     if (w.volume.empty()) {
       const int other = case_.line_index(w.other_line);
@@ -205,7 +205,7 @@ void Clearances::rows(const Snapshot& s, Rows& to) {
     }
     const Best& n = nearest[k];
     std::vector<double> row{n.clearance, n.arc, n.other_place.x()};
-    if (!wanted[k].volume.empty()) row.insert(row.end(), {n.other_place.y(), n.other_place.z()});
+    if (!requested[k].volume.empty()) row.insert(row.end(), {n.other_place.y(), n.other_place.z()});
     // No facet of the volume faces this direction.
     if (!std::isfinite(n.clearance)) std::fill(row.begin(), row.end(), std::nan(""));
     to.add(std::move(row));

@@ -104,9 +104,9 @@ std::vector<PressedTurn> EdgeErrors::turns(const Kinematics& state, const Values
         angle > kStraight ? std::clamp(F.dot(along) / std::max(std::cos(0.5 * angle), 1e-3), -limit, limit)
                           : 0;
     const int node = mesh_.global[n];
-    const double passage =
+    const double transverse_transit_time =
         tension > 0 ? beside.length * std::sqrt(type_at(node).mass_per_length / tension) : 0;
-    out.push_back({node, angle, tension_change, tension, beside.length, passage});
+    out.push_back({node, angle, tension_change, tension, beside.length, transverse_transit_time});
   }
   return out;
 }
@@ -142,7 +142,7 @@ void EdgeErrors::update(const Kinematics& state, const Values& values) {
 void EdgeErrors::update_worst(int line, const PressedPart& of_line, double time) {
   OfLine& w = lines_[line];
   w.tension = std::max(w.tension, of_line.tension);
-  passages_[line] = {of_line.passage, time};
+  passages_[line] = {of_line.transverse_transit_time, time};
   SumRange inside = of_line.inside;
   SumRange outside = of_line.outside;
   inside.add(0);

@@ -23,14 +23,14 @@ Folds::Folds(const model::Case& c, const LocalMesh& mesh, const Feeders* feeders
     const model::LineType& t = c.line_types[e.type];
     const auto line = static_cast<size_t>(e.line);
     const bool fed = !inside.empty() && inside[line][0] + inside[line][1] > 0;
-    if (!e.beam && !fed) folds_[i].echo = 2 * t.wave_time(mesh.mesh->lines[line].length);
+    if (!e.beam && !fed) folds_[i].round_trip_time = 2 * t.wave_time(mesh.mesh->lines[line].length);
   }
 }
 
 void Folds::update(const Kinematics& state, std::span<const double> before, std::span<const double> after) {
   for (size_t i = 0; i < folds_.size(); ++i) {
     Fold& f = folds_[i];
-    if (f.echo == 0) continue;
+    if (f.round_trip_time == 0) continue;
     const LocalElement& l = mesh_.elements[i];
     const Element& e = mesh_.element(l);
     const auto a = static_cast<size_t>(l.first);
@@ -45,7 +45,7 @@ void Folds::update(const Kinematics& state, std::span<const double> before, std:
       f.waves_end = 0;
     }
     if (f.waves_end == 0 || ratio <= 1) continue;
-    if (f.waves_end == HUGE_VAL) f.waves_end = state.time + f.echo;
+    if (f.waves_end == HUGE_VAL) f.waves_end = state.time + f.round_trip_time;
     const bool first = l.first < mesh_.owned;
     const double tension = first ? after[a] : before[b];
     const size_t n = first ? a : b;

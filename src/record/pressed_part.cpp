@@ -19,7 +19,7 @@ PressedPart::PressedPart(const PressedTurn& turn)
       sum(turn.tension_change),
       inside{turn.tension_change, turn.tension_change},
       tension(turn.tension),
-      passage(turn.passage) {}
+      transverse_transit_time(turn.transverse_transit_time) {}
 
 PressedPart joined(const PressedPart& a, const PressedPart& b) {
   if (!a.pressed) return b;
@@ -36,7 +36,7 @@ PressedPart joined(const PressedPart& a, const PressedPart& b) {
   out.outside = joined(a.outside, b.outside, a.sum);
   if (!touch) out.outside.add(a.sum);
   out.tension = std::max(a.tension, b.tension);
-  out.passage = std::max(a.passage, b.passage);
+  out.transverse_transit_time = std::max(a.transverse_transit_time, b.transverse_transit_time);
   return out;
 }
 

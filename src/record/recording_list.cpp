@@ -58,7 +58,7 @@ Recordings recordings(const Subject& s, NodeFields& fields) {
   add(std::make_unique<WaterErrors>(c, s.system));
   add(std::make_unique<PipeStrength>(s));
   if (can_touch(s)) add(std::make_unique<ContactPoints>(s));
-  if (ClashReport::wanted(s)) add(std::make_unique<ClashReport>(s));
+  if (ClashReport::enabled(s)) add(std::make_unique<ClashReport>(s));
   if (!c.supports.empty()) add(std::make_unique<SupportLog>(s));
   if (c.output.touchdowns && c.environment.seabed.present) add(std::make_unique<TouchdownHistory>(s));
   add(std::make_unique<TermHistory>(s));

@@ -26,20 +26,20 @@ bool counts(const model::Case& c, const model::Line& line) {
 
 Snaps::Snaps(const model::Case& c, const LocalMesh& mesh)
     : mesh_(mesh),
-      passage_(static_cast<size_t>(mesh.owned), 0),
-      echo_(mesh, 0),
+      element_transit_time_(static_cast<size_t>(mesh.owned), 0),
+      round_trip_time_(mesh, 0),
       worst_(mesh),
       unresolved_(mesh) {
   for (const EvenPart& part : mesh.mesh->parts())
-    for (int k = 0; echo_.has(part.line) && k < part.elements; ++k)
-      echo_[part.line] += 2 * c.line_types[part.shape->type].wave_time(part.element_length(k));
+    for (int k = 0; round_trip_time_.has(part.line) && k < part.elements; ++k)
+      round_trip_time_[part.line] += 2 * c.line_types[part.shape->type].wave_time(part.element_length(k));
   for (const LocalElement& l : mesh.elements) {
     const Element& e = mesh.element(l);
     const model::LineType& t = c.line_types[e.type];
     if (!counts(c, c.lines[e.line])) continue;
     for (const int n : {l.first, l.second})
       if (n < mesh.owned) {
-        double& slowest = passage_[n];
+        double& slowest = element_transit_time_[n];
         slowest = std::max(slowest, t.wave_time(e.length));
       }
   }
@@ -48,9 +48,9 @@ Snaps::Snaps(const model::Case& c, const LocalMesh& mesh)
 void Snaps::update(double time, double h, std::span<const double> on_a, std::span<const double> on_b,
                    const PerLine<VolumePassage>* passages) {
   const bool steps = h > 0 && !before_.empty();
-  before_.resize(passage_.size());
-  for (size_t n = 0; n < passage_.size(); ++n) {
-    if (passage_[n] == 0) continue;
+  before_.resize(element_transit_time_.size());
+  for (size_t n = 0; n < element_transit_time_.size(); ++n) {
+    if (element_transit_time_[n] == 0) continue;
     const Node& node = mesh_.node(n);
     Worst& w = worst_[node.line];
     Before& b = before_[n];
@@ -66,7 +66,8 @@ void Snaps::update(double time, double h, std::span<const double> on_a, std::spa
     }
     // The step before ended near a peak after a rise that it does not resolve. At half a step from the peak
     // T cos(w t) the tension is T cos(w h/2).
-    if (steps && tension < b.last && b.step > passage_[n] && !resolves_peak(b.previous, b.last)) {
+    if (steps && tension < b.last && b.step > element_transit_time_[n] &&
+        !resolves_peak(b.previous, b.last)) {
       const double angle = std::acos(b.previous / b.last);
       const double peak = b.last / std::cos(0.5 * angle);
       if (Worst& u = unresolved_[node.line]; peak > u.tension)
@@ -81,11 +82,11 @@ void Snaps::update(double time, double h, std::span<const double> on_a, std::spa
            .arc = node.arc,
            .step = h,
            .angle = std::acos(1 - rise / tension),
-           .passage = passage_[n],
+           .element_transit_time = element_transit_time_[n],
            .from = b.low,
            .within = time - b.since};
-      if (passages && time - (*passages)[node.line].time <= echo_[node.line])
-        w.across = (*passages)[node.line].passage;
+      if (passages && time - (*passages)[node.line].time <= round_trip_time_[node.line])
+        w.transverse_transit_time = (*passages)[node.line].transverse_transit_time;
       if (steps) {
         w.rise = rise / (h * h);
         w.node = static_cast<int>(n);
@@ -119,9 +120,9 @@ std::string Snaps::of_largest(int line, const std::string& name, double largest_
   const Worst& w = worst_[line];
   if (!(w.tension > kSame * largest_tension)) return {};
   const bool steps = w.angle > kResolvedPhase;
-  const bool elements = w.rate * w.passage > kResolvedPhase;
-  const bool sudden = w.tension - w.from > kSuddenRise * w.tension && w.within < echo_[line];
-  const bool crosswise = sudden && w.rate * w.across > kResolvedPhase;
+  const bool elements = w.rate * w.element_transit_time > kResolvedPhase;
+  const bool sudden = w.tension - w.from > kSuddenRise * w.tension && w.within < round_trip_time_[line];
+  const bool crosswise = sudden && w.rate * w.transverse_transit_time > kResolvedPhase;
   if (!steps && !elements && !crosswise && !(damped && sudden)) return {};
   using Cause = advice::ImpactPeak::Cause;
   return advice::impact_peak(name, {.cause = steps       ? Cause::steps

@@ -52,10 +52,10 @@ WaterErrors::WaterErrors(const model::Case& c, const System& system)
     of_group = of_group == kNone || of_group == of_line ? of_line : kSeveral;
   }
   std::vector<int> group(first.size(), -1);
-  for (const int wanted : {kSeveral, rank_of(comm_)}) {
+  for (const int rank_of_group : {kSeveral, rank_of(comm_)}) {
     shared_ = groups_.size();
     for (size_t l = 0; l < first.size(); ++l) {
-      if (rank[first[l]] != wanted) continue;
+      if (rank[first[l]] != rank_of_group) continue;
       if (first[l] == static_cast<int>(l)) {
         group[l] = static_cast<int>(groups_.size());
         groups_.emplace_back().first = first[l];
@@ -67,7 +67,7 @@ WaterErrors::WaterErrors(const model::Case& c, const System& system)
   for (const int g : group) group_.push_back(g);
 }
 
-double WaterErrors::Group::bears() const {
+double WaterErrors::Group::negligible_error() const {
   return std::max({kWarned * force, kAccurate * weight, kMatters * tension});
 }
 
@@ -158,7 +158,7 @@ void WaterErrors::update(const Kinematics& state) {
     Group& g = groups_[i];
     g.force = std::max(g.force, with_all.force[i]);
     g.weight = std::max(g.weight, with_all.weight[i]);
-    exceeds[i] = with_all.error[i] > std::max(g.error, g.bears());
+    exceeds[i] = with_all.error[i] > std::max(g.error, g.negligible_error());
   }
   const std::vector<int> parts = sufficient_parts(state, exceeds);
   for (size_t i = 0; i < n; ++i)
@@ -214,7 +214,7 @@ std::vector<std::string> WaterErrors::warnings() const {
   std::vector<Found> local;
   for (size_t i = rank_of(comm_) == 0 ? 0 : shared_; i < groups_.size(); ++i) {
     const Group& g = groups_[i];
-    if (g.error <= g.bears() || !(where[i].error > 0)) continue;
+    if (g.error <= g.negligible_error() || !(where[i].error > 0)) continue;
     local.push_back({g.error / g.force, g.first, i});
   }
   largest_first(local);

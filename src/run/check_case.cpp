@@ -147,7 +147,7 @@ int check_case(MPI_Comm comm, const CheckOptions& options) {
     starts_outside = check_start(c, mesh, bodies, surfaces(volumes));
     imbalance = print_partition(c, mesh, bodies, ranks);
     forget_file(c);
-    give_back_memory();
+    release_freed_memory();
     memory.shared = memory_now();
     memory.of_files = -file_memory_now();
   }

@@ -64,7 +64,7 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
     } else {
       sim.check_inside();
     }
-    give_back_memory();  // as in a run
+    release_freed_memory();  // as in a run
     if (on_state) on_state(sim.state().at_rest());
     if (c.dynamics.enabled) {
       std::vector<std::pair<double, double>> samples;  // CPU s, simulated time [s]

@@ -120,7 +120,7 @@ std::vector<double> Events::conditions(const std::vector<double>& values) const 
   return out;
 }
 
-void Events::refuse_met(const std::vector<double>& values) const {
+void Events::refuse_conditions_met(const std::vector<double>& values) const {
   const std::vector<double> g = conditions(values);
   for (size_t e = 0; e < events_.size(); ++e) {
     if (!(g[e] >= 0)) continue;
@@ -157,8 +157,8 @@ std::vector<size_t> Events::due_at(double time, const std::vector<double>& value
   return out;
 }
 
-void Events::happen(size_t i, const Kinematics& state, const std::string& stage,
-                    std::vector<std::string>& messages) {
+void Events::execute(size_t i, const Kinematics& state, const std::string& stage,
+                     std::vector<std::string>& messages) {
   ScheduledEvent& scheduled = events_[i];
   const Action& a = scheduled.event.action;
   scheduled.placed = actions_.act(a, state);
@@ -187,11 +187,11 @@ void Events::happen(size_t i, const Kinematics& state, const std::string& stage,
   }
 }
 
-void Events::happen(const std::vector<size_t>& now, const Kinematics& state, const std::string& stage,
-                    std::vector<std::string>& messages, const std::function<void()>& go_on) {
+void Events::execute(const std::vector<size_t>& now, const Kinematics& state, const std::string& stage,
+                     std::vector<std::string>& messages, const std::function<void()>& go_on) {
   try {
     actions_.begin();
-    for (const size_t i : now) happen(i, state, stage, messages);
+    for (const size_t i : now) execute(i, state, stage, messages);
     go_on();
   } catch (...) {
     // A checkpoint after this failure has the state before the events.
@@ -208,8 +208,8 @@ std::vector<std::string> Events::at_rest(const std::string& stage) {
   for (;;) {
     const std::vector<size_t> now = due_at(at.time, values(at), stage);
     if (now.empty()) return messages;
-    happen(now, at, stage, messages,
-           [&] { system.tie(actions_.tied(), BodyMotion(system.tied_nodes().motion())); });
+    execute(now, at, stage, messages,
+            [&] { system.tie(actions_.tied(), BodyMotion(system.tied_nodes().motion())); });
   }
 }
 
@@ -274,7 +274,7 @@ void Events::pay_out(const std::string& stage, const std::function<void(bool)>& 
 std::vector<std::string> Events::begin() {
   if (events_.empty()) return {};
   watch();
-  refuse_met(values(sim_.state().at_rest()));
+  refuse_conditions_met(values(sim_.state().at_rest()));
   return at_rest("");
 }
 
@@ -295,7 +295,7 @@ std::vector<std::string> Events::apply_due() {
       return events_[i].event.action.kind != Action::Kind::release;
     });
     const double before = changes ? energy() : 0;
-    happen(now, at, "", messages, [&] { d.retie(actions_.tied()); });
+    execute(now, at, "", messages, [&] { d.retie(actions_.tied()); });
     if (changes) d.add_support_work(energy() - before);
   }
   return messages;

@@ -140,15 +140,15 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
 std::string shared_places_note(const SharedPlaces& places, const Mesh& mesh) {
   int farthest = -1, others = 0;
   for (int k = 0; k < places.size(); ++k) {
-    if (!(places.within(k) > CandidateSettings{}.exclusion_diameters * places.diameter(k))) continue;
+    if (!(places.free_length(k) > CandidateSettings{}.exclusion_diameters * places.diameter(k))) continue;
     others += farthest >= 0;
-    if (farthest < 0 || places.within(k) > places.within(farthest)) farthest = k;
+    if (farthest < 0 || places.free_length(k) > places.free_length(farthest)) farthest = k;
   }
   if (farthest < 0) return "";
   const auto name = [&](const Branch& s) { return mesh.line_names[mesh.node(s.node).line]; };
   const std::string one = name(places.place(farthest).one);
   const std::string other = name(places.place(farthest).other);
-  return advice::separate_near_place(one, other, places.within(farthest), others);
+  return advice::separate_near_place(one, other, places.free_length(farthest), others);
 }
 
 }  // namespace hawser::run

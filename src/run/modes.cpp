@@ -219,10 +219,10 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
   Progress progress(rank == 0 && !options.quiet);
   model::Case c = io::read_case(options.case_path, read_progress(progress), comm, options.changes);
   const std::filesystem::path beside(c.path);
-  const std::string wanted = options.output.empty()
-                                 ? (beside.parent_path() / (beside.stem().string() + "-modes.h5")).string()
-                                 : std::filesystem::absolute(options.output).string();
-  const OutputPlace place(comm, wanted, "", c.inputs);
+  const std::string requested = options.output.empty()
+                                    ? (beside.parent_path() / (beside.stem().string() + "-modes.h5")).string()
+                                    : std::filesystem::absolute(options.output).string();
+  const OutputPlace place(comm, requested, "", c.inputs);
   if (!c.statics.enabled) throw InputError(advice::modes_need_statics(c));
   std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
   set_hydrostatics(c, volumes);

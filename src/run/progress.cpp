@@ -51,13 +51,13 @@ void Progress::rewrite(std::string text) {
   line_shown_ = true;
 }
 
-void Progress::busy(const std::string& text, double took) {
+void Progress::busy(const std::string& text, double seconds_spent) {
   if (!prints_) return;
   const auto now = Clock::now();
   if (columns_ > 0) {
     rewrite(text);
     replaceable_ = true;
-  } else if (took > kLong || seconds(now - last_) > kLong) {
+  } else if (seconds_spent > kLong || seconds(now - last_) > kLong) {
     std::puts(text.c_str());
     std::fflush(stdout);
   } else {

@@ -67,12 +67,12 @@ std::string table(const model::Case& c, const std::vector<int>& bodies) {
 void write_radiation(MPI_Comm comm, const model::Case& c, const std::string& path) {
   const std::vector<std::vector<int>> groups = model::radiating_groups(c);
   if (groups.empty()) throw InputError(advice::no_coefficients(c));
-  const std::filesystem::path wanted = std::filesystem::absolute(path);
-  if (wanted.extension() != ".csv") throw InputError(advice::table_needs_csv(path, "radiation"));
+  const std::filesystem::path requested = std::filesystem::absolute(path);
+  if (requested.extension() != ".csv") throw InputError(advice::table_needs_csv(path, "radiation"));
   for (const std::vector<int>& group : groups) {
-    std::filesystem::path file = wanted;
+    std::filesystem::path file = requested;
     if (groups.size() > 1)
-      file = table_of_body(wanted.string(), c.bodies[static_cast<size_t>(group.front())].name);
+      file = table_of_body(requested.string(), c.bodies[static_cast<size_t>(group.front())].name);
     on_root(comm, [&] { check_table(file.string(), kHead, "radiation", c.inputs); });
     const auto write = [&] {
       std::ofstream out(file, std::ios::binary);

@@ -244,14 +244,15 @@ std::string response_table(std::span<const ResponseRow> all) {
 std::vector<std::string> paths_of(const model::Case& c, const std::vector<int>& bodies,
                                   const std::string& output) {
   const std::filesystem::path beside(c.path);
-  const std::filesystem::path wanted =
+  const std::filesystem::path requested =
       output.empty() ? beside.parent_path() / (beside.stem().string() + "-responses.csv")
                      : std::filesystem::absolute(output);
-  if (wanted.extension() != ".csv") throw InputError(advice::table_needs_csv(wanted.string(), "responses"));
+  if (requested.extension() != ".csv")
+    throw InputError(advice::table_needs_csv(requested.string(), "responses"));
   std::vector<std::string> out;
   for (const int b : bodies)
-    out.push_back(bodies.size() > 1 ? table_of_body(wanted.string(), c.bodies[static_cast<size_t>(b)].name)
-                                    : wanted.string());
+    out.push_back(bodies.size() > 1 ? table_of_body(requested.string(), c.bodies[static_cast<size_t>(b)].name)
+                                    : requested.string());
   if (std::set(out.begin(), out.end()).size() < out.size()) throw InputError(advice::bodies_share_a_table(c));
   return out;
 }

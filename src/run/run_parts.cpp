@@ -128,7 +128,7 @@ void forget_file(model::Case& c) {
   if (c.tree) c.tree = std::make_shared<model::Value>(model::without_values(*c.tree));
 }
 
-void give_back_memory() {
+void release_freed_memory() {
 #ifdef __GLIBC__
   malloc_trim(0);
 #endif

@@ -51,11 +51,11 @@ int chosen_body(const model::Case& c, const std::string& name) {
   const std::vector<std::string> all = carriers(c);
   if (all.empty()) throw InputError(advice::no_line_tied_to_body(c));
   if (name.empty() && all.size() > 1) throw InputError(advice::lines_tied_to_bodies(c, all));
-  const std::string& wanted = name.empty() ? all.front() : name;
-  if (std::find(all.begin(), all.end(), wanted) == all.end())
-    throw InputError(advice::lines_not_tied_to(c, wanted, all));
-  const int body = c.body_index(wanted);
-  if (c.bodies[static_cast<size_t>(body)].ride) throw InputError(advice::body_rides_on_line(c, wanted));
+  const std::string& requested = name.empty() ? all.front() : name;
+  if (std::find(all.begin(), all.end(), requested) == all.end())
+    throw InputError(advice::lines_not_tied_to(c, requested, all));
+  const int body = c.body_index(requested);
+  if (c.bodies[static_cast<size_t>(body)].ride) throw InputError(advice::body_rides_on_line(c, requested));
   return body;
 }
 

@@ -248,7 +248,7 @@ std::vector<BodySkeleton> skeletons(const model::Case& c, const std::vector<Load
       out[p.a] = body_skeleton(c.volumes[p.a], *volumes[p.a].facets, volumes[p.a].active);
   for (const model::BodyPair& p : model::body_pairs(c))
     for (const size_t v : {p.a, p.b}) {
-      if (!p.hides || !out[v].faces.empty() || c.volumes[v].is_plane()) continue;
+      if (!p.needs_overlap_check || !out[v].faces.empty() || c.volumes[v].is_plane()) continue;
       watch_faces(*volumes[v].facets, volumes[v].active, out[v]);
     }
   return out;

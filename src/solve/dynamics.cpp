@@ -28,7 +28,7 @@ constexpr int kMaxRaises = 40;  // Most raises of penalty stiffness within one t
 constexpr PetscInt kKeepTangent = -1, kNextTangent = -2;
 // Growth of the residual beyond which Newton's iteration has diverged. Contact alone may raise the residual
 // by a factor of 1e4.
-constexpr double kHopeless = 1e10;
+constexpr double kDivergenceRatio = 1e10;
 // The old tangent is kept only if the residual falls by this factor in one iteration and two iterations are
 // expected to reach the tolerance. Otherwise a new tangent is cheaper.
 constexpr double kChordRate = 0.1;
@@ -36,10 +36,10 @@ constexpr double kChordRate = 0.1;
 // True if iterations with the old tangent, which cost a fourth of those with a new one, are expected to reach
 // the tolerance. Newton's error falls as e1 = C e0²; with the old tangent it then falls as e2 = 2 C e0 e1
 // (chord method: Kelley 1995, Iterative Methods for Linear and Nonlinear Equations, section 5.4). `before`
-// and `now` are relative residuals. `was_old`: the iteration from `before` to `now` used the old tangent,
-// too.
-bool old_tangent_will_do(double before, double now, bool was_old, double tolerance) {
-  const double rate = (was_old ? 1 : 2) * now / before;
+// and `now` are relative residuals. `by_old_tangent`: the iteration from `before` to `now` used the old
+// tangent, too.
+bool old_tangent_suffices(double before, double now, bool by_old_tangent, double tolerance) {
+  const double rate = (by_old_tangent ? 1 : 2) * now / before;
   return rate < kChordRate && now * rate * rate < tolerance;
 }
 
@@ -107,25 +107,25 @@ void Dynamics::prepare(double h, const State* end) {
   round_off_step_ = h;
 }
 
-void Dynamics::load(Vec u) {
-  const bool others = system_.gather_with_ghosts(u, local_u_);
-  if (loaded_ && !others) return;
+void Dynamics::update_trial(Vec u) {
+  const bool changed = system_.gather_with_ghosts(u, local_u_);
+  if (trial_current_ && !changed) return;
   alpha_trial(system_.mesh(), system_.tied_nodes(), alpha_, h_, committed_, local_u_, trial_);
-  loaded_ = true;
+  trial_current_ = true;
 }
 
-void Dynamics::put(const std::vector<double>& u) {
+void Dynamics::set_increment(const std::vector<double>& u) {
   PetscScalar* p = nullptr;
   check(VecGetArray(u_.get(), &p));
   std::copy(u.begin(), u.begin() + 3 * system_.mesh().owned_blocks, p);
   check(VecRestoreArray(u_.get(), &p));
-  loaded_ = false;
+  trial_current_ = false;
 }
 
 PetscErrorCode Dynamics::residual(SNES, Vec u, Vec r, void* self) {
   auto& d = *static_cast<Dynamics*>(self);
   return d.error_.capture([&] {
-    d.load(u);
+    d.update_trial(u);
     d.system_.residual(d.trial_.s.after_step(d.h_), r, d.mean_history_);
   });
 }
@@ -154,7 +154,7 @@ SNESConvergedReason Dynamics::judge_iteration(SNES snes, int it, double fnorm) {
   // The norms are square roots of sums of squares; the sums overflow before the residual does.
   if (!norms_.finite()) return SNES_DIVERGED_FNORM_NAN;
   if (it == 0) first_ = std::max({fnorm, norms_.force_scale, norms_.moment_scale});
-  if (fnorm > kHopeless * first_ && first_ > 0) return SNES_DIVERGED_DTOL;
+  if (fnorm > kDivergenceRatio * first_ && first_ > 0) return SNES_DIVERGED_DTOL;
   const double tolerance = settings_.tolerance;
   if (counted_ < 0 && norms_.small(std::max(tolerance, kCounted))) counted_ = it;
   if (fnorm == 0) return SNES_CONVERGED_FNORM_ABS;
@@ -165,7 +165,7 @@ SNESConvergedReason Dynamics::judge_iteration(SNES snes, int it, double fnorm) {
     return SNES_CONVERGED_FNORM_RELATIVE;
   if (!on_kinks && it >= settings_.max_iterations) return SNES_DIVERGED_MAX_IT;
   old_tangent_ =
-      !on_kinks && it > 0 && old_tangent_will_do(before, norms_.relative(), old_tangent_, tolerance);
+      !on_kinks && it > 0 && old_tangent_suffices(before, norms_.relative(), old_tangent_, tolerance);
   if (!old_tangent_) check(SNESSetLagJacobian(snes, kNextTangent));
   return SNES_CONVERGED_ITERATING;
 }
@@ -180,10 +180,11 @@ void Dynamics::solve_once() {
   PetscInt its = 0;
   check(SNESGetConvergedReason(snes_, &reason));
   check(SNESGetIterationNumber(snes_, &its));
-  tries_.solved = reason > 0;
-  tries_.info.iterations = std::max(tries_.info.iterations, kinks_.active() ? settings_.step.hard_iterations
-                                                            : counted_ < 0  ? static_cast<int>(its)
-                                                                            : counted_ + 1);
+  attempt_.solved = reason > 0;
+  attempt_.info.iterations =
+      std::max(attempt_.info.iterations, kinks_.active() ? settings_.step.hard_iterations
+                                         : counted_ < 0  ? static_cast<int>(its)
+                                                         : counted_ + 1);
 }
 
 int Dynamics::try_step(double h) {
@@ -196,18 +197,18 @@ int Dynamics::try_step(double h) {
   copied_ = true;
   alpha_mean_history(alpha_, mean_, mean_history_);
   alpha_predict(system_.mesh(), system_.tied_nodes(), h, committed_, local_u_);
-  put(local_u_);
+  set_increment(local_u_);
   system_.revert_stiffness();
-  tries_.info.iterations = 0;
+  attempt_.info.iterations = 0;
   for (int round = 0;; ++round) {
     solve_once();
-    if (!tries_.solved) break;
-    load(u_.get());
+    if (!attempt_.solved) break;
+    update_trial(u_.get());
     if (!system_.adapt_stiffness(trial_.s.after_step(h_))) break;
-    tries_.solved = round < kMaxRaises;
-    if (!tries_.solved) break;
+    attempt_.solved = round < kMaxRaises;
+    if (!attempt_.solved) break;
   }
-  return tries_.info.iterations;
+  return attempt_.info.iterations;
 }
 
 void Dynamics::commit() {
@@ -238,9 +239,9 @@ void Dynamics::commit() {
 
 bool Dynamics::end_step() {
   commit();
-  tries_.info.time = committed_.s.time;
-  tries_.info.h = h_;
-  return observer_(tries_.info);
+  attempt_.info.time = committed_.s.time;
+  attempt_.info.h = h_;
+  return observer_(attempt_.info);
 }
 
 NodeValue Dynamics::largest_acceleration_change() const {
@@ -253,9 +254,9 @@ NodeValue Dynamics::largest_acceleration_change() const {
   return largest;
 }
 
-// Solves M a = -r for -a, ghosts included: M is in J_, the residual r (internal minus external forces) in r_.
+// Solves M a = -r for a, ghosts included: M is in J_, the residual r (internal minus external forces) in r_.
 // Throws SolveError when M is singular.
-std::vector<double> Dynamics::minus_accelerations() {
+std::vector<double> Dynamics::accelerations() {
   KSP ksp = nullptr;
   check(SNESGetKSP(snes_, &ksp));
   check(KSPSetOperators(ksp, J_.get(), J_.get()));
@@ -267,6 +268,7 @@ std::vector<double> Dynamics::minus_accelerations() {
   if (reason < 0 || !std::isfinite(size)) throw SolveError(advice::no_mass(committed_.s.time));
   std::vector<double> out;
   system_.gather_with_ghosts(u_.get(), out);
+  for (double& a : out) a = -a;
   return out;
 }
 
@@ -291,11 +293,11 @@ void Dynamics::start(const State& state) {
   mean_.q = mean_.f = system_.mean_forces();
   const std::vector<double> zero(3 * static_cast<size_t>(system_.mesh().blocks()), 0);
   system_.tangent(s.at_start(h), {0, 0, 1}, zero, false, J_.get());
-  const std::vector<double> less = minus_accelerations();
+  const std::vector<double> a = accelerations();
   for (size_t i = 0; i < s.x.size(); ++i) {
-    const double* p = less.data() + 3 * system_.mesh().block[i];
-    s.a[i] -= Eigen::Map<const Vec3>(p);
-    if (system_.mesh().rotates(static_cast<int>(i))) s.alpha[i] -= Eigen::Map<const Vec3>(p + 3);
+    const double* p = a.data() + 3 * system_.mesh().block[i];
+    s.a[i] += Eigen::Map<const Vec3>(p);
+    if (system_.mesh().rotates(static_cast<int>(i))) s.alpha[i] += Eigen::Map<const Vec3>(p + 3);
   }
   system_.tied_nodes().move_with_frames(s);
   alpha_start(system_.mesh(), committed_);

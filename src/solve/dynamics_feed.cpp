@@ -10,8 +10,9 @@
 namespace hawser {
 namespace {
 
-constexpr int kMaxSettling = 8;  // Most Newton iterations in settle().
-// m and rad: a larger correction of the node in settle() is not applied; it occurs where the line is slack.
+constexpr int kMaxBalanceIterations = 8;  // Most Newton iterations in balance_node().
+// m and rad: a larger correction of the node in balance_node() is not applied; it occurs where the line is
+// slack.
 constexpr double kFarthest = 0.1;
 
 }  // namespace
@@ -29,7 +30,7 @@ void Dynamics::transfer_node(const std::function<std::optional<Moved>()>& change
   std::vector<double> all = system_.reactions();
   const std::optional<Moved> moved = change();
   const LocalMesh& m = system_.mesh();
-  int settles = -1;
+  int node_to_balance = -1;
   if (const int n = moved ? m.find(moved->node) : -1; n >= 0) {
     const size_t i = static_cast<size_t>(n);
     State& s = committed_.s;
@@ -42,9 +43,9 @@ void Dynamics::transfer_node(const std::function<std::optional<Moved>()>& change
       s.alpha[i] = committed_.aw[i] = moved->alpha;
       s.directors[i] = committed_.ad[i] = director_acceleration(moved->q, moved->w, moved->alpha);
     }
-    if (moved->free) settles = moved->node;
+    if (moved->free) node_to_balance = moved->node;
   }
-  all_reduce(system_.comm(), MPI_MAX, settles);
+  all_reduce(system_.comm(), MPI_MAX, node_to_balance);
   system_.update_ghosts(committed_.s);
   system_.update_ghosts(committed_.ax);
   if (has_directors(m)) {
@@ -55,7 +56,7 @@ void Dynamics::transfer_node(const std::function<std::optional<Moved>()>& change
   prepare(control_.proposal());  // The feed point is at another element, which can touch other bodies.
   mean.resize(mean_.q.size(), 0);
   all.resize(reactions_.size(), 0);
-  if (settles >= 0) settle(settles);
+  if (node_to_balance >= 0) balance_node(node_to_balance);
   forces();
   const auto add = [](std::vector<double>& to, const std::vector<double>& now,
                       const std::vector<double>& before) {
@@ -64,25 +65,25 @@ void Dynamics::transfer_node(const std::function<std::optional<Moved>()>& change
   add(mean_.q, system_.mean_forces(), mean);
   add(mean_.f, system_.mean_forces(), mean);
   add(reactions_, system_.reactions(), all);
-  copied_ = loaded_ = false;
+  copied_ = trial_current_ = false;
   round_off_step_ = -1;
 }
 
 // Finds the position (and rotation) at which the forces on this node alone are in balance, by Newton's
 // method. This accounts for the sag of the element that the node divides and for the part of the tension that
 // the element's own weight causes.
-void Dynamics::settle(int node) {
+void Dynamics::balance_node(int node) {
   const LocalMesh& m = system_.mesh();
   const int n = m.find(node);
   const bool owned = n >= 0 && n < m.owned;
   const std::vector<double> zero(3 * static_cast<size_t>(m.blocks()), 0);
-  for (int i = 0; i < kMaxSettling; ++i) {
+  for (int i = 0; i < kMaxBalanceIterations; ++i) {
     State s = committed_.s;
     s.mean = {};
     const Kinematics at = step_origin(s, control_.proposal());
     system_.residual(at, r_.get());
     system_.tangent(at, {1, 0, 0}, zero, false, J_.get());
-    double going = 0;
+    double change = 0;
     if (owned) {
       const int block = m.block[static_cast<size_t>(n)];
       const int size = m.rotates(n) ? 6 : 3;
@@ -98,14 +99,14 @@ void Dynamics::settle(int node) {
       const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1> step = -K.partialPivLu().solve(force);
       if (step.allFinite() && step.norm() < kFarthest) {
         committed_.s.x[static_cast<size_t>(n)] += step.head<3>();
-        going = step.norm();
+        change = step.norm();
         Quat& q = committed_.s.q[static_cast<size_t>(n)];
         if (size == 6) q = (q * exp_so3(step.tail<3>())).normalized();
       }
     }
-    all_reduce(system_.comm(), MPI_MAX, going);
+    all_reduce(system_.comm(), MPI_MAX, change);
     system_.update_ghosts(committed_.s);
-    if (going < 1e-12) break;
+    if (change < 1e-12) break;
   }
 }
 

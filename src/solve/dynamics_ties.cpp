@@ -66,11 +66,11 @@ void Dynamics::match_tied_velocities(const TiedNodes& before, State& s) {
   check(VecAXPY(r_.get(), -1, before_impact.get()));
   const std::vector<double> zero(3 * static_cast<size_t>(m.blocks()), 0);
   system_.tangent(s.at_start(h), {0, 0, 1}, zero, false, J_.get());
-  const std::vector<double> less = minus_accelerations();
+  const std::vector<double> dv = accelerations();
   for (size_t i = 0; i < s.x.size(); ++i) {
-    const double* p = less.data() + 3 * m.block[i];
-    s.v[i] -= Eigen::Map<const Vec3>(p);
-    if (m.rotates(static_cast<int>(i))) s.w[i] -= Eigen::Map<const Vec3>(p + 3);
+    const double* p = dv.data() + 3 * m.block[i];
+    s.v[i] += Eigen::Map<const Vec3>(p);
+    if (m.rotates(static_cast<int>(i))) s.w[i] += Eigen::Map<const Vec3>(p + 3);
   }
   system_.tied_nodes().rates(s.time, s);
   system_.tied_nodes().move_with_frames(s);

@@ -86,13 +86,13 @@ struct SolverIndex {
   PetscInt at = 0, first = 0, size = 0, matrix = 0;
 };
 
-// Blocks that a rank asks another one about: the label of a part, the number of its blocks, the blocks, and
-// so on.
-using Question = Blocks;
+// Blocks whose index a rank requests from another one: the label of a part, the number of its blocks, the
+// blocks, and so on.
+using BlockRequest = Blocks;
 
-// Calls visit(label, block) for each block of a question.
+// Calls visit(label, block) for each block of a request.
 template <class Visit>
-void for_each_asked(const Question& list, const Visit& visit) {
+void for_each_requested(const BlockRequest& list, const Visit& visit) {
   for (size_t i = 0; i < list.size();) {
     const PetscInt label = list[i];
     const PetscInt n = list[i + 1];
@@ -113,7 +113,7 @@ SfHandle forest(MPI_Comm comm, PetscInt roots, std::vector<PetscSFNode> leaves) 
 
 // `each` numbers for each leaf, set at its root.
 template <size_t each>
-void bring(PetscSF sf, const std::vector<double>& leaves, std::vector<double>& roots) {
+void send_to_roots(PetscSF sf, const std::vector<double>& leaves, std::vector<double>& roots) {
   const MessageType<std::array<double, each>> row;
   check(PetscSFReduceBegin(sf, row, leaves.data(), roots.data(), MPI_REPLACE));
   check(PetscSFReduceEnd(sf, row, leaves.data(), roots.data(), MPI_REPLACE));
@@ -153,10 +153,10 @@ std::map<PetscInt, InterfacePart> find_parts(MPI_Comm comm, PetscLayout layout, 
 // numbers.
 class SolvedParts {
  public:
-  // asked: questions of other ranks, by rank.
-  explicit SolvedParts(const std::map<int, Question>& asked) {
-    for (const auto& [rank, list] : asked)
-      for_each_asked(list, [&](PetscInt name, PetscInt block) { parts_[name].blocks.push_back(block); });
+  // requests: those of other ranks, by rank.
+  explicit SolvedParts(const std::map<int, BlockRequest>& requests) {
+    for (const auto& [rank, list] : requests)
+      for_each_requested(list, [&](PetscInt name, PetscInt block) { parts_[name].blocks.push_back(block); });
     for (auto& [name, part] : parts_) {
       std::sort(part.blocks.begin(), part.blocks.end());
       const auto size = static_cast<PetscInt>(part.blocks.size());
@@ -183,32 +183,34 @@ class SolvedParts {
   std::map<PetscInt, Part> parts_;
 };
 
-// Place of each shared block, as assigned by the rank that solves its part. asked: questions of other ranks.
+// Place of each shared block, as assigned by the rank that solves its part. requests: those of other ranks.
 // Collective.
 std::vector<SolverIndex> places_of_shared(MPI_Comm comm, PetscMPIInt tag, const LocalRows& local,
                                           const std::map<PetscInt, InterfacePart>& parts,
-                                          const std::map<int, Question>& asked, const SolvedParts& solved) {
-  std::map<int, std::vector<SolverIndex>> answers, places;
-  for (const auto& [rank, list] : asked)
-    for_each_asked(
-        list, [&](PetscInt name, PetscInt block) { answers[rank].push_back(solved.place(name, block)); });
-  std::map<int, std::vector<int>> rows;  // owned blocks that each rank was asked about
+                                          const std::map<int, BlockRequest>& requests,
+                                          const SolvedParts& solved) {
+  std::map<int, std::vector<SolverIndex>> replies, places;
+  for (const auto& [rank, list] : requests)
+    for_each_requested(
+        list, [&](PetscInt name, PetscInt block) { replies[rank].push_back(solved.place(name, block)); });
+  std::map<int, std::vector<int>> rows;  // owned blocks requested from each rank
   for (const auto& [name, part] : parts)
     for (const int k : part.shared) rows[part.solver].push_back(part.rows[k]);
   for (const auto& [rank, blocks] : rows) places[rank].resize(blocks.size());
-  exchange_lists(comm, tag, answers, places);
+  exchange_lists(comm, tag, replies, places);
   std::vector<SolverIndex> out(static_cast<size_t>(local.owned));
   for (const auto& [rank, blocks] : rows)
     for (size_t k = 0; k < blocks.size(); ++k) out[blocks[k]] = places[rank][k];
   return out;
 }
 
-// Questions to the ranks that solve the parts.
-std::map<int, Question> questions_on(const LocalRows& local, const std::map<PetscInt, InterfacePart>& parts) {
-  std::map<int, Question> out;
+// Requests to the ranks that solve the parts.
+std::map<int, BlockRequest> requests_for(const LocalRows& local,
+                                         const std::map<PetscInt, InterfacePart>& parts) {
+  std::map<int, BlockRequest> out;
   for (const auto& [name, part] : parts) {
     if (part.shared.empty()) continue;
-    Question& list = out[part.solver];
+    BlockRequest& list = out[part.solver];
     list.insert(list.end(), {name, static_cast<PetscInt>(part.shared.size())});
     for (const int k : part.shared) list.push_back(local.first + part.rows[k]);
   }
@@ -262,9 +264,9 @@ InterfaceParts::InterfaceParts(Mat A) {
 
   PetscMPIInt tag = 0;
   check(PetscObjectGetNewTag(reinterpret_cast<PetscObject>(A), &tag));
-  const std::map<int, Question> asked = send_lists(comm, tag, questions_on(local, parts));
-  const SolvedParts solved(asked);
-  const std::vector<SolverIndex> owned = places_of_shared(comm, tag, local, parts, asked, solved);
+  const std::map<int, BlockRequest> requests = send_lists(comm, tag, requests_for(local, parts));
+  const SolvedParts solved(requests);
+  const std::vector<SolverIndex> owned = places_of_shared(comm, tag, local, parts, requests, solved);
   const std::vector<SolverIndex> ghosts = places_of_ghosts(local, blocks.get(), owned);
 
   solved_ = solved.sizes;
@@ -277,11 +279,11 @@ InterfaceParts::InterfaceParts(Mat A) {
   matrices_ = std::move(forests.matrices);
 }
 
-void InterfaceParts::bring_shared(const std::vector<double>& shared, std::vector<double>& solved) const {
+void InterfaceParts::send_shared(const std::vector<double>& shared, std::vector<double>& solved) const {
   size_t unknowns = 0;
   for (const int size : solved_) unknowns += 3 * static_cast<size_t>(size);
   solved.assign(unknowns, 0);
-  bring<3>(shared_.get(), shared, solved);
+  send_to_roots<3>(shared_.get(), shared, solved);
 }
 
 void InterfaceParts::send_ghosts(const std::vector<double>& solved, std::vector<double>& ghosts) const {
@@ -293,12 +295,12 @@ void InterfaceParts::send_ghosts(const std::vector<double>& solved, std::vector<
   check(PetscSFBcastEnd(ghosts_.get(), row, solved.data(), ghosts.data(), MPI_REPLACE));
 }
 
-void InterfaceParts::bring_matrices(const std::vector<double>& shared_ghosts,
-                                    std::vector<double>& solved) const {
+void InterfaceParts::send_matrices(const std::vector<double>& shared_ghosts,
+                                   std::vector<double>& solved) const {
   size_t entries = 0;
   for (const int size : solved_) entries += 9 * static_cast<size_t>(size) * static_cast<size_t>(size);
   solved.assign(entries, 0);
-  bring<9>(matrices_.get(), shared_ghosts, solved);
+  send_to_roots<9>(matrices_.get(), shared_ghosts, solved);
 }
 
 }  // namespace hawser

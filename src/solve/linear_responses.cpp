@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include "hawser/advice/responses.hpp"
@@ -106,8 +107,8 @@ std::vector<Complex> complex_values(Vec u) {
 void linear_responses(System& system, const Kinematics& state, const std::vector<WaveComponent>& waves,
                       const std::function<void(size_t, const std::vector<Complex>&)>& each) {
   const std::vector<DependsOnFrequency*> terms = system.with<DependsOnFrequency>();
-  const auto oscillate = [&terms](double omega) {
-    for (DependsOnFrequency* t : terms) t->oscillate(omega);
+  const auto set_frequency = [&terms](std::optional<double> omega) {
+    for (DependsOnFrequency* t : terms) t->set_frequency(omega);
   };
   std::vector<DependsOnFrequency::Excitation> forces;
   for (const DependsOnFrequency* t : terms)
@@ -124,7 +125,7 @@ void linear_responses(System& system, const Kinematics& state, const std::vector
   for (size_t i = 0; i < waves.size(); ++i) {
     const double omega = waves[i].omega;
     if (i == 0 || omega != waves[i - 1].omega) {
-      oscillate(omega);
+      set_frequency(omega);
       check(MatZeroEntries(Z.get()));
       add(K.get(), 1, Z.get());
       add(mass_at_rest(system, state).get(), -omega * omega, Z.get());
@@ -148,7 +149,7 @@ void linear_responses(System& system, const Kinematics& state, const std::vector
     if (reason < 0 || !std::isfinite(size)) throw SolveError(advice::singular_response(2 * M_PI / omega));
     each(i, complex_values(u.get()));
   }
-  oscillate(0);
+  set_frequency(std::nullopt);
 }
 
 }  // namespace hawser

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "hawser/advice/modes.hpp"
 #include "hawser/base/error.hpp"
@@ -186,20 +187,20 @@ size_t complete(Mat K, Mat M, const std::vector<Eigenpair>& modes, size_t count,
 // The `count` lowest modes and those of the same frequency as the last; fewer if no more are found. The
 // inertia counts eigenvalues of symmetric matrices only.
 std::vector<Eigenpair> lowest_modes(const System& system, Mat K, Mat M, size_t count, bool is_symmetric) {
-  const long wanted = static_cast<long>(count);
+  const long requested = static_cast<long>(count);
   const long free = free_components(system);
   const int below = is_symmetric ? eigenvalues_below(K, M, kTarget) : -1;
   // A Krylov space contains the directions of a repeated eigenvalue (of equal lines) only by rounding, so
   // some may be missing at first.
-  for (long ask = std::min(wanted + kMore, free);; ask = std::min(2 * ask, free)) {
+  for (long trial_count = std::min(requested + kMore, free);; trial_count = std::min(2 * trial_count, free)) {
     std::vector<Eigenpair> modes =
-        nearest_modes(system, K, M, static_cast<int>(ask), is_symmetric, below == 0);
-    if (ask == free || std::ssize(modes) < ask) return modes;
+        nearest_modes(system, K, M, static_cast<int>(trial_count), is_symmetric, below == 0);
+    if (trial_count == free || std::ssize(modes) < trial_count) return modes;
     if (const size_t all = complete(K, M, modes, count, below); all > 0) {
       modes.resize(all);
       return modes;
     }
-    if (ask > kMaxMultiple * (wanted + kMore)) throw SolveError(advice::modes_incomplete());
+    if (trial_count > kMaxMultiple * (requested + kMore)) throw SolveError(advice::modes_incomplete());
   }
 }
 
@@ -211,13 +212,14 @@ size_t first_oscillating(const std::vector<Eigenpair>& modes) {
 // Changes the modes that oscillate from those with the mass of time integration to those with the mass at
 // their own frequency: the k-th of them is at the root s of mu_k(s) = s, where mu_k(s) is the k-th eigenvalue
 // with the mass at omega = sqrt(s). Found by secants within a bracket.
-void settle(System& system, const Kinematics& state, Mat K, const std::vector<DependsOnFrequency*>& terms,
-            std::vector<Eigenpair>& modes, bool is_symmetric) {
-  constexpr double kSettled = 1e-9;  // relative, of omega²
-  constexpr int kSecants = 10;       // after these the bracket is bisected
+void iterate_frequencies(System& system, const Kinematics& state, Mat K,
+                         const std::vector<DependsOnFrequency*>& terms, std::vector<Eigenpair>& modes,
+                         bool is_symmetric) {
+  constexpr double kConverged = 1e-9;  // relative, of omega²
+  constexpr int kSecants = 10;         // after these the bracket is bisected
   constexpr int kMaxIterations = 100;
-  const auto oscillate = [&](double omega) {
-    for (DependsOnFrequency* t : terms) t->oscillate(omega);
+  const auto set_frequency = [&](std::optional<double> omega) {
+    for (DependsOnFrequency* t : terms) t->set_frequency(omega);
   };
   const VecHandle work = system.create_vector();
   const size_t first = first_oscillating(modes);
@@ -229,7 +231,7 @@ void settle(System& system, const Kinematics& state, Mat K, const std::vector<De
     double change_before = 0;
     for (int i = 0;; ++i) {
       if (i == kMaxIterations) throw SolveError(advice::modes_incomplete());
-      oscillate(std::sqrt(s));
+      set_frequency(std::sqrt(s));
       const MatHandle M = mass_at_rest(system, state);
       std::vector<Eigenpair> here = lowest_modes(system, K, M.get(), k + 1, is_symmetric);
       size_t m = first_oscillating(here) + k - first;
@@ -237,7 +239,7 @@ void settle(System& system, const Kinematics& state, Mat K, const std::vector<De
       const double mu = m < here.size() ? here[m].squared : HUGE_VAL;
       const double change = mu - s;
       (change > 0 ? low : high) = s;
-      if (std::abs(change) < kSettled * s || high - low < kSettled * s) {
+      if (std::abs(change) < kConverged * s || high - low < kConverged * s) {
         const MatHandle C = damping_at_rest(system, state);
         // Repeated eigenvalues have any vectors of their space, so all of them are taken here.
         for (; k < modes.size() && m < here.size() && here[m].squared <= mu * (1 + kGap); ++k, ++m) {
@@ -259,7 +261,7 @@ void settle(System& system, const Kinematics& state, Mat K, const std::vector<De
       s = next;
     }
   }
-  oscillate(0);
+  set_frequency(std::nullopt);
 }
 
 NaturalMode mode_of(const System& system, const Kinematics& state, const Eigenpair& pair) {
@@ -276,15 +278,15 @@ NaturalMode mode_of(const System& system, const Kinematics& state, const Eigenpa
 
 std::vector<NaturalMode> natural_modes(System& system, const Kinematics& state, int count) {
   const Slepc slepc;
-  const size_t wanted = static_cast<size_t>(std::min<long>(count, free_components(system)));
-  if (wanted == 0) return {};
+  const size_t requested = static_cast<size_t>(std::min<long>(count, free_components(system)));
+  if (requested == 0) return {};
   const auto [K, is_symmetric] = stiffness_at_rest(system, state);
   const MatHandle M = mass_at_rest(system, state);
-  std::vector<Eigenpair> modes = lowest_modes(system, K.get(), M.get(), wanted, is_symmetric);
-  if (modes.size() < wanted) throw SolveError(advice::fewer_modes_converged(modes.size(), wanted));
-  modes.resize(wanted);
+  std::vector<Eigenpair> modes = lowest_modes(system, K.get(), M.get(), requested, is_symmetric);
+  if (modes.size() < requested) throw SolveError(advice::fewer_modes_converged(modes.size(), requested));
+  modes.resize(requested);
   if (const auto terms = system.with<DependsOnFrequency>(); !terms.empty()) {
-    settle(system, state, K.get(), terms, modes, is_symmetric);
+    iterate_frequencies(system, state, K.get(), terms, modes, is_symmetric);
     sort(modes);
   }
   std::vector<NaturalMode> out;

@@ -1,5 +1,5 @@
 // The loop of dynamic relaxation: the fictitious mass and its changes, implicit steps in pseudo-time, kinetic
-// damping at peaks of the kinetic energy, and the test for motion that only creeps.
+// damping at peaks of the kinetic energy, and the test for stagnation.
 #include "hawser/solve/relaxation.hpp"
 
 #include <algorithm>
@@ -19,7 +19,8 @@ namespace {
 constexpr int kMaxIterations = 12, kEasyIterations = 4;
 constexpr int kMaxOnKinks = 24;      // limit where Newton's iteration has to find kinks
 constexpr double kReduction = 1e-4;  // of the imbalance, for a step to count as solved
-constexpr double kHopeless = 1e6;    // growth of the imbalance beyond which Newton's iteration has diverged
+constexpr double kDivergenceRatio =
+    1e6;  // growth of the imbalance beyond which Newton's iteration has diverged
 constexpr double kHeavier = 4, kLighter = 0.5;
 // After this number of accepted steps in a row an earlier rejection no longer explains a failure, because the
 // mass is then lower than before that rejection.
@@ -100,7 +101,7 @@ class Relaxation : StaticTrial {
     const double force = std::max(n.force, n.moment / std::max(length_, 1e-300));
     return force / std::sqrt(nodes) / (kFirst * longest_);
   }
-  // Every kWatched steps, tried again or not: returns true if the motion only creeps. If the imbalance has
+  // Every kWatched steps, tried again or not: returns true if the iteration stagnates. If the imbalance has
   // not halved, relaxation continues without momentum if it had it, and vice versa: drag has no potential and
   // can feed a motion that kinetic damping does not end.
   bool test_progress(const RelaxationReport& report) {
@@ -108,7 +109,7 @@ class Relaxation : StaticTrial {
     if (tried % kWatched != 0) return false;
     const Progress since = progress(report.norms);
     if (!since.halved) viscous_ = !viscous_;
-    return since.creeps;
+    return since.stagnates;
   }
   // Throws SolveError if a body slides or falls without end.
   void check_bodies() const {
@@ -168,10 +169,10 @@ class Relaxation : StaticTrial {
   SNESConvergedReason test_convergence(int iteration) override {
     const ResidualNorms norms = system_.norms(r_.get());
     if (iteration == 0) {
-      hopeless_ = kHopeless * std::max(norms.relative(), 1e-6);
+      divergence_limit_ = kDivergenceRatio * std::max(norms.relative(), 1e-6);
       return SNES_CONVERGED_ITERATING;
     }
-    if (!std::isfinite(norms.force) || norms.relative() > hopeless_) return SNES_DIVERGED_DTOL;
+    if (!std::isfinite(norms.force) || norms.relative() > divergence_limit_) return SNES_DIVERGED_DTOL;
     if (norms.relative() <= goal_) return SNES_CONVERGED_FNORM_RELATIVE;
     if (!kinks_.observe(local_.data(), r_.get(), norms.relative()))
       return iteration < kMaxIterations ? SNES_CONVERGED_ITERATING : SNES_DIVERGED_MAX_IT;
@@ -215,7 +216,7 @@ class Relaxation : StaticTrial {
   KinkStiffness kinks_;
   bool viscous_ = false;  // momentum is dropped after each step
   // relative imbalance at which a step is solved, and at which it has failed
-  double goal_ = 0, hopeless_ = 0;
+  double goal_ = 0, divergence_limit_ = 0;
   const std::vector<Vec3> start_;  // places of owned nodes where relaxation began
 };
 

@@ -168,9 +168,9 @@ class Crossings {
     const model::Seabed& bed = c_.environment.seabed;
     return bed.present ? model::height_above_bed(bed, x) : HUGE_VAL;
   }
-  bool lies(const Vec3& x, double radius) const { return height(x) < 2 * radius; }
-  bool lies_from_end_to_end(const Rope& r) const {
-    return lies(*r.x.front(), r.radius.front()) && lies(*r.x.back(), r.radius[r.segments() - 1]);
+  bool is_on_bed(const Vec3& x, double radius) const { return height(x) < 2 * radius; }
+  bool is_on_bed_from_end_to_end(const Rope& r) const {
+    return is_on_bed(*r.x.front(), r.radius.front()) && is_on_bed(*r.x.back(), r.radius[r.segments() - 1]);
   }
 
   // Determines the upper one of two lines, in this order: by the case; the one that can be moved; by contact
@@ -184,20 +184,20 @@ class Crossings {
     const bool a_moves = a.rope->line->starts_by_itself();
     const bool b_moves = b.rope->line->starts_by_itself();
     if (!a_moves && !b_moves) return nullptr;
-    const bool a_lies = lies(a.x, a.radius);
-    const bool b_lies = lies(b.x, b.radius);
+    const bool a_on_bed = is_on_bed(a.x, a.radius);
+    const bool b_on_bed = is_on_bed(b.x, b.radius);
     const double rise = a.x.z() - b.x.z();
     if (a_moves != b_moves) {
       const Crossing& moves = a_moves ? a : b;
-      const Crossing& stays = a_moves ? b : a;
-      const bool room = height(stays.x) - stays.radius >= 2 * moves.radius;
-      if (!room || moves.x.z() >= stays.x.z()) return &moves;
+      const Crossing& fixed = a_moves ? b : a;
+      const bool room = height(fixed.x) - fixed.radius >= 2 * moves.radius;
+      if (!room || moves.x.z() >= fixed.x.z()) return &moves;
       return nullptr;
     }
-    if (a_lies != b_lies) return a_lies ? &b : &a;
-    if (a_lies) {
-      const bool a_all = lies_from_end_to_end(*a.rope);
-      const bool b_all = lies_from_end_to_end(*b.rope);
+    if (a_on_bed != b_on_bed) return a_on_bed ? &b : &a;
+    if (a_on_bed) {
+      const bool a_all = is_on_bed_from_end_to_end(*a.rope);
+      const bool b_all = is_on_bed_from_end_to_end(*b.rope);
       if (a_all != b_all) return a_all ? &b : &a;
     } else if (std::abs(rise) > kCrossingGap * (a.radius + b.radius)) {
       return nullptr;
@@ -294,7 +294,7 @@ std::vector<PartInVolume> parts_in(const Rope& rope, const Obstacle& volume) {
 
 // True if a part must go over the volume: there is no room for it between the volume and the bed, and the
 // path over the volume is shorter than the path round it.
-bool goes_over(const model::Case& c, const PartInVolume& s, const Obstacle& volume) {
+bool must_pass_over(const model::Case& c, const PartInVolume& s, const Obstacle& volume) {
   const model::Seabed& bed = c.environment.seabed;
   if (!bed.present) return false;
   const double down = volume.distance_out(s.deepest, -Vec3::UnitZ(), s.radius, 2 * volume.size);
@@ -333,7 +333,7 @@ std::vector<StartNote> lay_over_volumes(const model::Case& c, const Bodies& bodi
       });
       if (far) continue;
       for (const PartInVolume& s : parts_in(rope, obstacle)) {
-        if (!goes_over(c, s, obstacle)) continue;
+        if (!must_pass_over(c, s, obstacle)) continue;
         raise(rope, s.from, s.to, s.height);
         if (!rope.counted) continue;
         notes.push_back(

@@ -148,7 +148,7 @@ bool streams(const model::Case& c, const model::Line& line) {
   return pull > kStreams * weight;
 }
 
-bool goes_through(const model::Case& c, const model::Line& line, const std::vector<Vec3>& x) {
+bool crosses_bed_or_surface(const model::Case& c, const model::Line& line, const std::vector<Vec3>& x) {
   const model::Seabed& bed = c.environment.seabed;
   const model::Water& water = c.environment.water;
   double thick = 0;

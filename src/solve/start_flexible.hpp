@@ -17,7 +17,7 @@ double buoyancy(const model::Case& c, const model::LineType& t);
 CurrentProfile acting_current(const model::Case& c);
 
 // True if a line with its nodes at x goes through the bed, or through the water's surface.
-bool goes_through(const model::Case& c, const model::Line& line, const std::vector<Vec3>& x);
+bool crosses_bed_or_surface(const model::Case& c, const model::Line& line, const std::vector<Vec3>& x);
 
 // True if the drag of a current on a line is more than a small fraction of the line's weight in water.
 bool streams(const model::Case& c, const model::Line& line);

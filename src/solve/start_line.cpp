@@ -333,7 +333,7 @@ LineStart line_start(const model::Case& c, const model::Line& line, const Bodies
     }
   };
   std::optional<LineStart> shape = closed_form();
-  const bool hangs = shape && !goes_through(c, line, shape->x) && ((a && b) || !folded(shape->x));
+  const bool hangs = shape && !crosses_bed_or_surface(c, line, shape->x) && ((a && b) || !folded(shape->x));
   if (shape && a && b && line.start == Start::automatic && is_beam(c, line, sections, span.length, shape->x))
     return straight();
   if (shape && (line.start != Start::automatic || (hangs && !streams(c, line)))) return *std::move(shape);

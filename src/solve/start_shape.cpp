@@ -137,19 +137,19 @@ class Starts {
         bodies_(bodies),
         lines_(model::given_lines(c)),
         at_(lines_.size(), -1) {
-    std::vector<bool> wanted(lines_.size(), false);
+    std::vector<bool> required(lines_.size(), false);
     std::vector<int> line_of(c.lines.size());  // given line of each line
     for (size_t g = 0; g < lines_.size(); ++g)
       for (int l = lines_[g].first; l < lines_[g].first + lines_[g].parts; ++l)
         line_of[l] = static_cast<int>(g);
     for (int n = 0; n < mesh.nodes(); ++n)
-      if (mesh.node(n).body < 0) wanted[line_of[mesh.node(n).line]] = true;
+      if (mesh.node(n).body < 0) required[line_of[mesh.node(n).line]] = true;
     for (size_t l = 0; l < c.lines.size(); ++l)  // all ranks have all feeders
-      if (c.lines[l].end_a.feed || c.lines[l].end_b.feed) wanted[line_of[l]] = true;
-    if (ranks_of(comm) > 1) wanted = with_groups(c, lines_, boxes(), wanted);
+      if (c.lines[l].end_a.feed || c.lines[l].end_b.feed) required[line_of[l]] = true;
+    if (ranks_of(comm) > 1) required = with_groups(c, lines_, boxes(), required);
     on_each_rank(comm, [&] {
       for (size_t g = 0; g < lines_.size(); ++g)
-        if (wanted[g]) begin(g);
+        if (required[g]) begin(g);
     });
     std::sort(started_.begin(), started_.end(),
               [](const StartedLine& a, const StartedLine& b) { return a.number < b.number; });

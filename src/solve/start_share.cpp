@@ -56,15 +56,15 @@ void unite_joined(const model::Case& c, const std::vector<model::GivenLine>& lin
 }  // namespace
 
 std::vector<bool> with_groups(const model::Case& c, const std::vector<model::GivenLine>& lines,
-                              const std::vector<Box>& boxes, const std::vector<bool>& wanted) {
+                              const std::vector<Box>& boxes, const std::vector<bool>& required) {
   DisjointSets group(lines.size());
   unite_overlapping(boxes, group);
   unite_joined(c, lines, group);
-  std::vector<bool> group_is_wanted(lines.size(), false);  // by the first line of a group
+  std::vector<bool> group_is_required(lines.size(), false);  // by the first line of a group
   std::vector<bool> out(lines.size(), false);
   for (size_t g = 0; g < lines.size(); ++g)
-    if (wanted[g]) group_is_wanted[group.smallest(static_cast<int>(g))] = true;
-  for (size_t g = 0; g < lines.size(); ++g) out[g] = group_is_wanted[group.smallest(static_cast<int>(g))];
+    if (required[g]) group_is_required[group.smallest(static_cast<int>(g))] = true;
+  for (size_t g = 0; g < lines.size(); ++g) out[g] = group_is_required[group.smallest(static_cast<int>(g))];
   return out;
 }
 
@@ -84,8 +84,8 @@ FirstNotes first_notes(MPI_Comm comm, std::vector<StartNote> notes, int limit) {
     sent.insert(sent.end(), n.text.begin(), n.text.end());
   }
   std::vector<StartNote> first;
-  const std::vector<int> got = gather_all(comm, sent);
-  for (auto at = got.begin(); at != got.end();) {
+  const std::vector<int> received = gather_all(comm, sent);
+  for (auto at = received.begin(); at != received.end();) {
     StartNote& n = first.emplace_back(StartNote{at[0], at[1], std::string(at + 3, at + 3 + at[2])});
     at += 3 + static_cast<std::ptrdiff_t>(n.text.size());
   }

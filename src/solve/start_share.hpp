@@ -11,11 +11,11 @@
 
 namespace hawser {
 
-// True for each given line whose group contains a `wanted` line. Two lines are in one group if they share a
+// True for each given line whose group contains a `required` line. Two lines are in one group if they share a
 // joint or their boxes overlap in plan. The search replaces overlapping boxes by the box around them, which
 // can only enlarge groups. Raising a line does not change its extent in plan. O(lines log lines).
 std::vector<bool> with_groups(const model::Case& c, const std::vector<model::GivenLine>& lines,
-                              const std::vector<Box>& boxes, const std::vector<bool>& wanted);
+                              const std::vector<Box>& boxes, const std::vector<bool>& required);
 
 // A note on the start of a line. Notes are printed in the order of (first, second).
 struct StartNote {

@@ -69,7 +69,8 @@ StaticsReport StaticSearch::run(bool skip_softening) {
     if (found.by_bodies) {
       // Every body may have to be pushed off on its own.
       const int most = kMaxEscapes * system_.mesh().mesh->body_nodes();
-      if (!found.motion || pushes_of_bodies++ == most || !leave_along(found.motion.get(), start)) break;
+      if (!found.motion || pushes_of_bodies++ == most || !push_from_equilibrium(found.motion.get(), start))
+        break;
       ++report_.escapes;
       continue;
     }
@@ -95,7 +96,7 @@ Stability StaticSearch::judge() {
   return stability(system_, state_.at_rest(), J_.get());
 }
 
-bool StaticSearch::leave_along(Vec motion, const State& start) {
+bool StaticSearch::push_from_equilibrium(Vec motion, const State& start) {
   const State equilibrium = state_;
   const double first = sign_towards(start, motion);
   for (const double sign : {first, -first}) {
@@ -180,11 +181,11 @@ void StaticSearch::stiffen_by_levels() {
   const double load = system_.dead_load();
   if (load == 0 || tangent_trusted(report_.norms)) return;
   for (double soft = kSoft * load; soft < stiff; soft *= kStiffening) {
-    system_.soften(soft);
+    system_.limit_axial_stiffness(soft);
     descend(1e-4);
   }
-  if (system_.soften(stiff)) descend(1e-4);  // with yielding, from the elastic equilibrium
-  system_.soften(HUGE_VAL);
+  if (system_.limit_axial_stiffness(stiff)) descend(1e-4);  // with yielding, from the elastic equilibrium
+  system_.restore_sections();
 }
 
 void StaticSearch::descend(double tolerance) {
@@ -192,7 +193,7 @@ void StaticSearch::descend(double tolerance) {
   shift_ = kFirstShift;
   blocked_steps_ = 0;
   forget_progress();
-  creeps_ = false;
+  stagnates_ = false;
   least_residual_ = HUGE_VAL;
   kinks_.clear();
   iterations_before_ = report_.iterations;
@@ -200,7 +201,7 @@ void StaticSearch::descend(double tolerance) {
   if (reason >= 0) return;
   using enum advice::StaticsEnds;
   throw_no_equilibrium(failure(reason != SNES_DIVERGED_MAX_IT ? no_descent
-                               : creeps_                      ? creeps
+                               : stagnates_                   ? stagnation
                                                               : too_many_iterations));
 }
 
@@ -226,9 +227,9 @@ SNESConvergedReason StaticSearch::test_convergence(int iteration) {
     if (kinks_.norms(system_, f_.get()).small(tolerance_)) return SNES_CONVERGED_FNORM_RELATIVE;
   }
   // Relaxation, which follows, often moves a line that Newton's method hardly moves.
-  creeps_ = settings_.relaxation != RelaxationUse::never && iteration % kWatched == 0 &&
-            progress(report_.norms).creeps && !is_round_off();
-  if (creeps_ || iteration >= settings_.max_iterations) return SNES_DIVERGED_MAX_IT;
+  stagnates_ = settings_.relaxation != RelaxationUse::never && iteration % kWatched == 0 &&
+               progress(report_.norms).stagnates && !is_round_off();
+  if (stagnates_ || iteration >= settings_.max_iterations) return SNES_DIVERGED_MAX_IT;
   const bool close = tangent_trusted(report_.norms);
   use_tangent(close, close && shift_ < 1e-5 ? 0 : shift_);
   return SNES_CONVERGED_ITERATING;

@@ -92,7 +92,7 @@ class StaticSearch : StaticTrial {
   // Pushes bodies off an unstable equilibrium along this motion or against it, first towards the start, and
   // descends. Returns whether this has led to another equilibrium; if not, the state is the same as before.
   // Throws SolveError if relaxation finds no rest in either direction.
-  bool leave_along(Vec motion, const State& start);
+  bool push_from_equilibrium(Vec motion, const State& start);
   // -1 if the start is on the other side of the bodies than their motion, else 1.
   double sign_towards(const State& start, Vec motion);
   // Moves the state along u_ as far as the forces drive it, at most by the longest step.
@@ -118,7 +118,7 @@ class StaticSearch : StaticTrial {
   double tangent_shift_ = 0;  // shift of the tangent
   Weights weights_;
   int iterations_before_ = 0;  // iterations before this descent
-  bool creeps_ = false;        // this descent hardly moves
+  bool stagnates_ = false;     // this descent hardly moves
   int blocked_steps_ = 0;      // steps of this descent that blocking lines shortened
 };
 

@@ -16,10 +16,10 @@ namespace {
 constexpr double kBodies = 20;  // m, replaces the length of lines in limits if there are none
 constexpr double kNear = 1e-2;  // residual over its scale below which the exact tangent is tried
 constexpr int kMaxHalvings = 30;
-// A search only creeps if kWatched steps move no node by kCreep times its line (a body: the longest line) and
-// do not halve the imbalance. A slack line in a heap, or a line on the facets of a mesh, would creep without
-// reaching the tolerance.
-constexpr double kCreep = 1e-4;
+// A search stagnates if kWatched steps move no node by kStagnation times its line (a body: the longest line)
+// and do not halve the imbalance. A slack line in a heap, or a line on the facets of a mesh, would move
+// slowly without reaching the tolerance.
+constexpr double kStagnation = 1e-4;
 }  // namespace
 
 StaticTrial::StaticTrial(System& system, State& state) : system_(system), state_(state), trial_(state) {
@@ -187,7 +187,7 @@ StaticTrial::Progress StaticTrial::progress(const ResidualNorms& now) {
   const bool halved = now.relative() <= 0.5 * last_imbalance_;
   last_places_.assign(state_.x.begin(), state_.x.begin() + mesh.owned);
   last_imbalance_ = now.relative();
-  return {halved, !halved && far < kCreep};
+  return {halved, !halved && far < kStagnation};
 }
 
 void StaticTrial::push_state(int attempt) {

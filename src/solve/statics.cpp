@@ -166,7 +166,7 @@ StaticsStart::StaticsStart(System& system, const State& state) : system_(system)
 }
 
 void StaticsStart::restore(State& state) const {
-  system_.soften(HUGE_VAL);
+  system_.restore_sections();
   state = state_;
   for (size_t i = 0; i < history_.size(); ++i) system_.terms()[i]->restore(history_[i]);
   system_.update_ghosts(state);

@@ -61,7 +61,7 @@ int turned_over(const LocalMesh& mesh, const Kinematics& before, const Kinematic
 // impacts need two more, and a rotation of more than half a turn one.
 Verdict Dynamics::check_step() {
   using Kind = Verdict::Kind;
-  if (!tries_.solved) return {Kind::shorter, imbalance(system_, r_.get(), norms_)};
+  if (!attempt_.solved) return {Kind::shorter, imbalance(system_, r_.get(), norms_)};
   const Kinematics trial = trial_.s.after_step(h_);
   const NodeValue turn = alpha_turn(system_.mesh(), local_u_);
   const int local_node = turned_over(system_.mesh(), committed_kinematics(), trial);
@@ -72,8 +72,8 @@ Verdict Dynamics::check_step() {
   RankMax maxima;
   for (double* number : {&error, &largest_turn, &node_turned_over, &beyond}) maxima.add(*number);
   Verdict verdict = system_.check_step(trial, control_.may_shorten(h_), std::move(maxima));
-  tries_.info.error = error;
-  tries_.overstretched = beyond > 0;
+  attempt_.info.error = error;
+  attempt_.overstretched = beyond > 0;
   if (largest_turn > M_PI) {  // The same orientation would have another increment, in the opposite direction.
     NodeValue worst = turn;
     MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, system_.comm());
@@ -89,19 +89,19 @@ Verdict Dynamics::check_step() {
 // Length of a try from the committed state, towards the next output or the event that is searched for.
 double Dynamics::next_try() const {
   const double t = committed_.s.time;
-  return control_.next(t, std::min(next_stop_(t), t + tries_.event), tries_.allowed);
+  return control_.next(t, std::min(next_stop_(t), t + attempt_.event), attempt_.allowed);
 }
 
 double Dynamics::begin_step() {
   prepare(control_.proposal());  // The terms are prepared for the longest try; later tries are shorter.
-  tries_ = {};
+  attempt_ = {};
   // Evaluated at the committed state, before the terms have evaluated a trial.
-  if (events_) tries_.at_start = events_(committed_kinematics());
+  if (events_) attempt_.at_start = events_(committed_kinematics());
   if (control_.respects_term_limits()) {
     const StepLimit limit = system_.longest_step(committed_kinematics(),
                                                  {committed_.ax, alpha_stored(alpha_)}, control_.proposal());
     control_.limit_by_impact(committed_.s.time, limit.period);
-    tries_.allowed = limit.longest;
+    attempt_.allowed = limit.longest;
   }
   return next_try();
 }
@@ -110,30 +110,30 @@ double Dynamics::begin_step() {
 // is overstretched.
 Dynamics::Decision Dynamics::decide() {
   Verdict verdict = check_step();
-  const double error = tries_.info.error;
+  const double error = attempt_.info.error;
   const bool inaccurate = verdict.accepted() && !control_.accurate(h_, error);
   if (inaccurate) verdict = {Verdict::Kind::shorter, advice::ErrorTooLarge{error}};
   switch (verdict.kind) {
     case Verdict::Kind::accept:
       if (events_ && !control_.is_shortest(h_)) {
-        tries_.event = tries_.search.next(h_, control_.shortest_length(), events_(trial_.s.after_step(h_)),
-                                          tries_.at_start);
+        attempt_.event = attempt_.search.next(h_, control_.shortest_length(),
+                                              events_(trial_.s.after_step(h_)), attempt_.at_start);
         // The length is changed only to meet the event, not because the step failed.
-        if (tries_.event != h_) {
-          ++tries_.info.rejected;
+        if (attempt_.event != h_) {
+          ++attempt_.info.rejected;
           return {false, next_try()};
         }
       }
-      if (tries_.overstretched)
+      if (attempt_.overstretched)
         throw SolveError(
             advice::overstretched_at(trial_.s.time, *system_.overstretched(trial_.s.after_step(h_))));
-      control_.after_accepted_step(h_, tries_.info.iterations, error);
+      control_.after_accepted_step(h_, attempt_.info.iterations, error);
       return {true, control_.proposal()};
     case Verdict::Kind::prepare_again:
       // The age of a candidate list must not influence the steps, because a restart makes a new list. So the
       // step is first prepared again, once, and not shortened.
-      if (!tries_.prepared_again) {
-        tries_.prepared_again = true;
+      if (!attempt_.prepared_again) {
+        attempt_.prepared_again = true;
         prepare(h_, &trial_.s);
         return {false, next_try()};
       }
@@ -143,9 +143,9 @@ Dynamics::Decision Dynamics::decide() {
     case Verdict::Kind::stop:
       throw SolveError(first_text(system_.comm(), advice::clause(verdict.because)));
   }
-  ++tries_.info.rejected;
-  tries_.search = {};
-  tries_.event = HUGE_VAL;  // A shorter step may not reach the event.
+  ++attempt_.info.rejected;
+  attempt_.search = {};
+  attempt_.event = HUGE_VAL;  // A shorter step may not reach the event.
   const auto why = inaccurate ? StepControl::Rejection::inaccurate : StepControl::Rejection::invalid;
   if (control_.after_rejected_step(h_, why, error)) return {false, next_try()};
   const std::string because = first_text(system_.comm(), advice::clause(verdict.because));

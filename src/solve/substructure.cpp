@@ -102,7 +102,7 @@ void factorise_parts(Substructure& s) {
         const RowMajor block = s.Z[p].block<3, 3>(3 * i, 3 * static_cast<Eigen::Index>(j));
         local.insert(local.end(), block.data(), block.data() + block.size());
       }
-  s.interface->bring_matrices(local, solved);
+  s.interface->send_matrices(local, solved);
   s.small.clear();
   const double* from = solved.data();
   for (const int size : s.interface->solved()) {
@@ -150,7 +150,7 @@ void correct(Substructure& s, PetscScalar* x) {
       const PetscScalar* at = x + 3 * part.rows[static_cast<size_t>(k)];
       s.shared.insert(s.shared.end(), at, at + 3);
     }
-  s.interface->bring_shared(s.shared, s.solved);
+  s.interface->send_shared(s.shared, s.solved);
   double* values = s.solved.data();
   for (const auto& small : s.small) {
     Eigen::Map<Eigen::VectorXd> g(values, small.rows());

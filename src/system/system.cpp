@@ -248,10 +248,14 @@ double ResidualNorms::relative() const {
                   ratio(moment, 4 * round_off * arm, moment_size(*this)));
 }
 
-bool System::soften(double max_stiffness) {
-  bool other = false;
-  for (HasAxialStiffness* t : listed<HasAxialStiffness>()) other |= t->soften(max_stiffness);
-  return on_any_rank(comm_, other);
+bool System::limit_axial_stiffness(double max_stiffness) {
+  bool changed = false;
+  for (HasAxialStiffness* t : listed<HasAxialStiffness>()) changed |= t->limit_axial_stiffness(max_stiffness);
+  return on_any_rank(comm_, changed);
+}
+
+void System::restore_sections() {
+  for (HasAxialStiffness* t : listed<HasAxialStiffness>()) t->restore_sections();
 }
 
 double System::axial_stiffness() const {

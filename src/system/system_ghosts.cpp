@@ -38,13 +38,13 @@ CouplingChange System::update_couplings(const Kinematics& from, double h) {
   bool same = true;
   for (CouplesNodes* t : listed<CouplesNodes>()) same &= !t->refresh_couplings(from, h);
   if (same) return CouplingChange::unchanged;
-  Couplings wanted;
-  for (const CouplesNodes* t : listed<CouplesNodes>()) t->list_couplings(wanted);
-  with_frames(wanted);
-  wanted.sort();
-  const bool fits = all(comm_, wanted.within(couplings_));
+  Couplings required;
+  for (const CouplesNodes* t : listed<CouplesNodes>()) t->list_couplings(required);
+  with_frames(required);
+  required.sort();
+  const bool fits = all(comm_, required.within(couplings_));
   if (!fits) {
-    couplings_ = std::move(wanted);
+    couplings_ = std::move(required);
     coupled_ = !all(comm_, couplings_.pairs.empty());
     set_coupling_ghosts(mesh_, couplings_.nodes);
     exchange_ = GhostExchange(comm_, mesh_);

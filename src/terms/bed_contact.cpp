@@ -32,14 +32,14 @@ bool BedContact::locate(const Point& p, const Vec3& x, double beyond, ContactTri
   trial.gap = smoothing + beyond;
   Cache& cache = cache_[index_of(p)];
   if (cache.clear - (1 + 1e-9) * (x - cache.centre).norm() > beyond) return false;
-  const double look = std::max(2 * beyond, 0.5 * longest_element_[p.node]);
-  const auto s = surface_->query(x, contact_distance(p) + look, cache.hint);
+  const double search_range = std::max(2 * beyond, 0.5 * longest_element_[p.node]);
+  const auto s = surface_->query(x, contact_distance(p) + search_range, cache.hint);
   cache.centre = x;
   if (!s) {
     // If the bed is a mesh, x may also be below it beyond its edge. Then only the distance to the bounding
     // box is certain to be free.
     const bool endless = !std::isfinite(bounds_.hi.z());
-    cache.clear = endless ? look : std::min(look, distance(bounds_, x) - contact_distance(p));
+    cache.clear = endless ? search_range : std::min(search_range, distance(bounds_, x) - contact_distance(p));
     return false;
   }
   cache.hint = s->triangle;
@@ -59,7 +59,7 @@ double BedContact::gap(const Vec3& x, double max_distance) const {
 
 ContactForce BedContact::contact(const Point& p, const Kinematics& state, bool derivatives, ContactTrial& t,
                                  bool convex) const {
-  const double beyond = suction_range(law(p).suction, soil(p, state)) - law(p).law.normal.smoothing;
+  const double beyond = suction_range(law(p).suction, suction_state(p, state)) - law(p).law.normal.smoothing;
   const bool touches = locate(p, of_nodes(p, state.x), std::max(0.0, beyond), t);
   if (convex) t.curvature.setZero();
   if (!touches) return {};
@@ -147,7 +147,7 @@ void BedContact::evaluate(const Kinematics& trial, Assembler& assembler) {
         add(p, -f.force, needs_tangent ? &K : nullptr, nullptr, assembler);
     }
     const ContactForce c = contact(p, trial, needs_tangent, at, convex);
-    const Pull pulled = pull_of(law(p).suction, soil(p, trial), at.gap);
+    const Pull pulled = pull_of(law(p).suction, suction_state(p, trial), at.gap);
     if (c.along_normal.force == 0 && pulled.force == 0) continue;
     const Vec3 residual = pulled.force * at.normal - c.force;
     if (!needs_tangent) {
@@ -173,7 +173,7 @@ void BedContact::commit(const Kinematics& accepted) {
       next = PointHistory(c, at.normal);
       next.active = true;
     }
-    const SuctionState before = soil(p, accepted);
+    const SuctionState before = suction_state(p, accepted);
     if (const double pulled = pull_of(law(p).suction, before, at.gap).force; pulled > 0) {
       next.normal = at.normal;
       next.force -= pulled * at.normal;

@@ -10,15 +10,15 @@ PressedFriction BedContact::pressed_friction_at(const Point& p, const Vec3& x) c
   const LaidReference& from = laid_[index_of(p)];
   if (!from.known()) return {};
   FrictionLaw law = this->law(p).law.friction;
-  if (firm_ && friction_ == FrictionMode::pressed) law.stiffness = this->law(p).axial_stiffness;
+  if (full_friction_ && friction_ == FrictionMode::pressed) law.stiffness = this->law(p).axial_stiffness;
   return pressed_friction(law, from.normal_force, from.slip + (x - from.place), from.normal,
                           starts_[index_of(p)].direction, full_slip_);
 }
 
-void BedContact::lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm) {
+void BedContact::lay(const std::vector<Vec3>& places, const Kinematics& start, bool full_friction) {
   laid_.assign(points_.size(), {});
   friction_ = FrictionMode::pressed;
-  firm_ = firm;
+  full_friction_ = full_friction;
   for (const Point& p : points_) {
     LaidReference& laid = laid_[index_of(p)];
     laid.place = of_nodes(p, places);
@@ -45,7 +45,7 @@ void BedContact::press_by_contact(const Kinematics& state) {
 void BedContact::use_contact_friction(const Kinematics& state) {
   for (const Point& p : points_) {
     LaidReference& laid = laid_[index_of(p)];
-    if (!firm_ || !(laid.normal_force > 0)) continue;
+    if (!full_friction_ || !(laid.normal_force > 0)) continue;
     const Vec3 x = of_nodes(p, state.x);
     const Vec3 moved = x - laid.place;
     laid.slip = moved - laid.normal * laid.normal.dot(moved) +

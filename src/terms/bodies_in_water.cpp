@@ -229,16 +229,16 @@ std::vector<std::string> BodiesInWater::load_components(int body) const {
 
 std::vector<BodyForce> BodiesInWater::forces_on(int body, const Kinematics& state) const {
   BodyForce sum;
-  bool acts = false;
+  bool in_water = false;
   for (const Wet& b : list_) {
     if (b.body != body) continue;
-    acts = true;
+    in_water = true;
     const RigidBodyState s = body_state(b, state);
     const Flow f = all_forces(b, s, state);
     sum.force += f.force.at_centre + f.force.at_drag;
     sum.moment += (f.at.centre - s.x).cross(f.force.at_centre) + (f.at.drag - s.x).cross(f.force.at_drag);
   }
-  return acts ? std::vector<BodyForce>{sum} : std::vector<BodyForce>{};
+  return in_water ? std::vector<BodyForce>{sum} : std::vector<BodyForce>{};
 }
 
 namespace {

@@ -55,7 +55,7 @@ BodyContact::BodyContact(MPI_Comm comm, const model::Case& c, const LocalMesh& m
     pair.a = p.a;
     pair.b = p.b;
     pair.force_factor = p.force_factor;
-    pair.hides = p.hides;
+    pair.needs_overlap_check = p.needs_overlap_check;
     pair.mass = 1 / (1 / bodies_of_volumes_[p.a].mass + 1 / bodies_of_volumes_[p.b].mass);
     pair.size = boxes_[p.a].extent().maxCoeff();  // a plane is never the slave
     pair.round = std::min(kSmoothing * pair.size, kMostSmoothing);
@@ -290,7 +290,7 @@ void BodyContact::prepare(const Kinematics& from, double h) {
     p.energy = relative_energy(p, p.frames) + s.potential;
     p.damping_power = s.damping_power;
     p.work_power = s.work_power + friction_power(p);
-    if (!p.acted) store_first_forces(p, h);
+    if (!p.has_accepted_state) store_first_forces(p, h);
   }
   if (h > 0 || friction_on_) check_overlap(from.time);
 }
@@ -301,7 +301,7 @@ void BodyContact::store_first_forces(Pair& p, double h) const {
   Eighths eighths;
   if (p.counted) friction.eighths = &eighths;
   const Sum s = contact(p, p.frames, {h > 0}, friction);
-  p.acts = s.active ? Vec12(s.residual.f) : Vec12(Vec12::Zero());
+  p.residual = s.active ? Vec12(s.residual.f) : Vec12(Vec12::Zero());
   if (p.counted) p.resultants = resultants_of(p, p.frames, eighths);
 }
 
@@ -320,8 +320,8 @@ void BodyContact::commit(const Kinematics& accepted) {
     if (slips && accepted.moves())
       p.dissipated += half_dissipation(p, now, p.touching) + half_dissipation(p, now, touching);
     p.touching = std::move(touching);
-    p.acts = s.active ? Vec12(s.residual.f) : Vec12(Vec12::Zero());
-    p.acted = true;
+    p.residual = s.active ? Vec12(s.residual.f) : Vec12(Vec12::Zero());
+    p.has_accepted_state = true;
     if (!p.counted) continue;
     p.depth = std::max(p.depth, s.depth);
     p.potential = s.potential;
@@ -361,8 +361,8 @@ std::vector<BodyForce> BodyContact::forces_on(int body, const Kinematics& state)
     for (const auto& [volume, first] : {std::pair(p.a, 0), std::pair(p.b, 6)}) {
       const PairBody& carrier = bodies_of_volumes_[volume];
       if (carrier.body != body || carrier.node < 0) continue;
-      sum.force -= p.acts.segment<3>(first);
-      sum.moment -= state.q[carrier.node] * p.acts.segment<3>(first + 3);
+      sum.force -= p.residual.segment<3>(first);
+      sum.moment -= state.q[carrier.node] * p.residual.segment<3>(first + 3);
     }
   return {sum};
 }

@@ -143,7 +143,7 @@ void BodyContact::restore(const std::vector<CheckpointRecord>& records) {
     p.dissipated = kept.dissipated;
     p.work = kept.work;
     p.depth = kept.depth;
-    p.met = kept.met;
+    p.penetration_since_clear = kept.penetration_since_clear;
   }
   send_slip();
 }

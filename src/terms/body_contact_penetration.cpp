@@ -70,7 +70,8 @@ bool BodyContact::overlaps_within_step(const Pair& pair, const Kinematics& trial
 }
 
 void BodyContact::check_at_rest(const Kinematics& equilibrium) {
-  for (Pair& p : pairs_) p.met = 0;  // penetrations on the path to rest do not permit any in the motion
+  // Penetrations on the path to rest do not permit any in the motion.
+  for (Pair& p : pairs_) p.penetration_since_clear = 0;
   prepare(equilibrium, 0);
   if (!friction_on_) check_overlap(equilibrium.time);
 }
@@ -83,24 +84,24 @@ void BodyContact::check_overlap(double time) {
   bool watched = false;
   for (size_t i = 0; i < pairs_.size(); ++i) {
     Pair& p = pairs_[i];
-    watched = watched || p.hides;
+    watched = watched || p.needs_overlap_check;
     const bool again = p.other >= 0 && static_cast<size_t>(p.other) < i;  // the same two volumes
-    if (!p.hides || !p.counted || again) continue;
+    if (!p.needs_overlap_check || !p.counted || again) continue;
     const double depth = overlap_depth(p, p.frames);
     // If each volume is the slave in a pair, the penetration may show in the other pair.
     const double penetration = std::max(p.penetration, p.other < 0 ? 0 : pairs_[p.other].penetration);
-    p.met = depth > 0 ? std::max(p.met, penetration) : 0;
-    if (depth > kBeyond * p.met + allowed_overlap(p) && depth > worst.depth)
+    p.penetration_since_clear = depth > 0 ? std::max(p.penetration_since_clear, penetration) : 0;
+    if (depth > kBeyond * p.penetration_since_clear + allowed_overlap(p) && depth > worst.depth)
       worst = {depth, static_cast<int>(i)};
   }
   if (!watched) return;
   MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm_);
   if (worst.pair < 0) return;
   const Pair& p = pairs_[worst.pair];
-  double met = p.counted ? p.met : 0;
-  all_reduce(comm_, MPI_MAX, met);
+  double since_clear = p.counted ? p.penetration_since_clear : 0;
+  all_reduce(comm_, MPI_MAX, since_clear);
   const std::string slave = p.other < 0 ? names_[p.a] : "";
-  throw SolveError(advice::bodies_overlap(names_[p.a], names_[p.b], worst.depth, met, time, slave));
+  throw SolveError(advice::bodies_overlap(names_[p.a], names_[p.b], worst.depth, since_clear, time, slave));
 }
 
 }  // namespace hawser

@@ -177,16 +177,17 @@ bool BodyContact::tunnels(const Pair& pair, const Kinematics& trial) const {
       },
       [&](const SkeletonPart& p) {
         through =
-            through || goes_through(field, BezierAxis::straight(before.across(p.from), before.across(p.to)),
-                                    BezierAxis::straight(now.across(p.from), now.across(p.to)),
-                                    std::max(p.radius, round), true);
+            through || passes_through(field, BezierAxis::straight(before.across(p.from), before.across(p.to)),
+                                      BezierAxis::straight(now.across(p.from), now.across(p.to)),
+                                      std::max(p.radius, round), true);
       });
   return through;
 }
 
 Verdict BodyContact::check_step(const Kinematics& trial) const {
   for (const Pair& pair : pairs_)
-    if (pair.counted && (tunnels(pair, trial) || (pair.hides && overlaps_within_step(pair, trial))))
+    if (pair.counted &&
+        (tunnels(pair, trial) || (pair.needs_overlap_check && overlaps_within_step(pair, trial))))
       return {Verdict::Kind::shorter, advice::BodyPassesBody{names_[pair.a], names_[pair.b]}};
   return {};
 }

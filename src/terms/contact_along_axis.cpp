@@ -20,7 +20,7 @@ constexpr size_t kTurns = AttachedForces::kPositions;
 //   ds = -n . dx(s) / (n . x'(s)).
 // Positions and weights of the Gauss points depend on s, so forces have the additional derivative dF/ds ds.
 struct AxisContact::Moving {
-  bool touches = false;
+  bool moves = false;
   AxisShape::Weights H{};
   Vec3 by_axis = Vec3::Zero();                         // ds / dx(s), 1/m
   std::array<Vec3, AxisShape::kMaxPositions> force{};  // dF_j / ds
@@ -59,7 +59,7 @@ std::array<AxisContact::Moving, 2> AxisContact::moving_ends(const ContactPanel& 
     const Vec3 normal = R_ * p->normal;
     const double slope = normal.dot(shape_.slope(xi));
     if (std::abs(slope) < 1e-9 * shape_.slope_bound()) continue;
-    ends[i].touches = true;
+    ends[i].moves = true;
     ends[i].H = shape_.functions(xi);
     ends[i].by_axis = -normal / slope;
     ends[i].force.fill(Vec3::Zero());
@@ -117,7 +117,7 @@ void AxisContact::add_panel(const ContactQuadrature& contact, size_t panel, cons
   const double contact_distance = radius_ + law.normal.smoothing;
   std::array<Moving, 2> ends;
   if (mode_.tangent && !mode_.convex) ends = moving_ends(s, functions);
-  const bool ends_move = ends[0].touches || ends[1].touches;
+  const bool ends_move = ends[0].moves || ends[1].moves;
   // Points are sorted by panel.
   auto q = std::partition_point(contact.quadrature.begin(), contact.quadrature.end(),
                                 [&](const QuadraturePoint& p) { return p.panel < panel; });
@@ -138,7 +138,7 @@ void AxisContact::add_panel(const ContactQuadrature& contact, size_t panel, cons
     if (ends_move) add_to_moving_ends(law, p, *q, s.to - s.from, ends);
   }
   for (const Moving& m : ends) {
-    if (!m.touches) continue;
+    if (!m.moves) continue;
     for (size_t k = 0; k < n_; ++k) {
       for (size_t j = 0; j < 2 && rolls_; ++j)
         block_of(g_.K, kTurns + j, k) += m.H[k] * m.torque[j] * about_[j] * m.by_axis.transpose();
@@ -183,7 +183,7 @@ void AxisContact::add_to_moving_ends(const ContactLaw& law, Sample& p, const Qua
   const AxisShape::Weights dH = shape_.derivatives(p.xi);
   const std::array<double, 2> N{1 - p.xi, p.xi};
   for (size_t i = 0; i < 2; ++i) {
-    if (!ends[i].touches) continue;
+    if (!ends[i].moves) continue;
     const double by_length = q.in_panel.length_by_end(i == 1);
     const double by_xi = span * q.in_panel.weight * q.in_panel.xi_by_end(i == 1);
     for (size_t j = 0; j < n_; ++j)

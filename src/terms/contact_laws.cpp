@@ -19,7 +19,7 @@ FrictionLaw friction_law(const model::Friction& f, double factor, double diamete
   law.stiffness = f.shear_stiffness * factor;
   law.axial_length = f.mobilisation_length > 0 ? f.mobilisation_length : 0.01 * diameter;
   law.lateral_length = f.lateral_mobilisation_length > 0 ? f.lateral_mobilisation_length : law.axial_length;
-  law.back = f.back;
+  law.return_rule = f.return_rule;
   law.spring = f.spring;
   law.axial_kinetic = f.axial_kinetic;
   law.lateral_kinetic = f.lateral_kinetic;

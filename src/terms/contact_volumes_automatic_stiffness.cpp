@@ -69,7 +69,7 @@ std::vector<advice::StiffnessRaise> ContactVolumes::take_raises() {
 }
 
 void ContactVolumes::require(int volume, const NormalLaw& law, const PressedPoint& p, double step,
-                             std::vector<double>& wanted) const {
+                             std::vector<double>& required) const {
   const size_t k = volume;
   const double now = volumes_[k].settings.normal_stiffness;
   const double given = volumes_[k].settings.allowed_penetration;
@@ -96,16 +96,16 @@ void ContactVolumes::require(int volume, const NormalLaw& law, const PressedPoin
         std::max(demand, now * p.mass * std::pow(p.speed / (kImpactDepth * p.radius), 2) / law.stiffness);
   // A deeper penetration would end the run.
   if (p.depth > p.radius) demand = std::max(demand, now * std::pow(2 * p.depth / p.radius, 2));
-  wanted[k] = std::max(wanted[k], demand);
+  required[k] = std::max(required[k], demand);
 }
 
-bool ContactVolumes::raise(std::vector<double>& wanted) {
+bool ContactVolumes::raise(std::vector<double>& required) {
   if (!any_automatic()) return false;
-  all_reduce(comm_, MPI_MAX, wanted);
+  all_reduce(comm_, MPI_MAX, required);
   bool more = false;
-  for (size_t k = 0; k < wanted.size(); ++k) {
+  for (size_t k = 0; k < required.size(); ++k) {
     ContactVolume& v = volumes_[k];
-    const double stiffness = std::min(wanted[k], v.max_stiffness);
+    const double stiffness = std::min(required[k], v.max_stiffness);
     if (!v.automatic || !(stiffness > kWorthIt * v.settings.normal_stiffness)) continue;
     v.settings.normal_stiffness = stiffness;
     more = true;

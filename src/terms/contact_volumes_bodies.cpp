@@ -10,7 +10,8 @@ namespace hawser {
 namespace {
 
 constexpr int kCouplingsTag = 77;
-constexpr double kStaticsWay = 0.15;  // of the line: largest displacement in a Newton iteration of statics
+constexpr double kMaxDisplacementInStatics =
+    0.15;  // of the line: largest displacement in a Newton iteration of statics
 
 }  // namespace
 
@@ -59,23 +60,23 @@ bool ContactVolumes::refresh_couplings(const Kinematics& from, double h, double 
       const RigidPose& pose = poses[v.body + 1];
       const double speed = std::max((from.v[a] - pose.velocity_at(from.x[a])).norm(),
                                     (from.v[b] - pose.velocity_at(from.x[b])).norm());
-      const double travel =
-          h > 0 ? std::max(2 * h * speed, 0.5 * g.length) : kStaticsWay * mesh.lines[g.line].length;
+      const double travel = h > 0 ? std::max(2 * h * speed, 0.5 * g.length)
+                                  : kMaxDisplacementInStatics * mesh.lines[g.line].length;
       const double contact_distance = 1.01 * thickest + v.settings.smoothing.value_or(0);
       const double gap = distance(boxes_[k], pose.to_body(middle)) - contact_distance -
                          (from.x[b] - from.x[a]).norm() - 0.5 * g.length;
       if (gap > 2 * travel + 2 * g.length) continue;
-      const std::array<int, 3> met{g.first, g.second, bodies_->frame(v.body)};
-      wide.push_back(met);
-      missing = missing || (gap <= travel && !std::binary_search(near_.begin(), near_.end(), met));
+      const std::array<int, 3> pair{g.first, g.second, bodies_->frame(v.body)};
+      wide.push_back(pair);
+      missing = missing || (gap <= travel && !std::binary_search(near_.begin(), near_.end(), pair));
     }
   }
   if (!on_any_rank(comm_, missing)) return false;
   // The ranks of the other node and of the body have a part in the coupling.
   ListsByRank<std::array<int, 3>> of_others;
-  for (const std::array<int, 3>& met : wide)
-    for (const int owner : std::set{mesh_.owner[met[1]], mesh_.owner[met[2]]})
-      if (owner != rank_of(comm_)) of_others[owner].push_back(met);
+  for (const std::array<int, 3>& pair : wide)
+    for (const int owner : std::set{mesh_.owner[pair[1]], mesh_.owner[pair[2]]})
+      if (owner != rank_of(comm_)) of_others[owner].push_back(pair);
   near_ = std::move(wide);
   for (const auto& [rank, received] : send_lists(comm_, kCouplingsTag, of_others))
     near_.insert(near_.end(), received.begin(), received.end());

@@ -134,10 +134,10 @@ void Feeders::update(const Kinematics& state) {
 }
 
 const LocalElement* Feeders::at_feed_point(const Feeder& f) const {
-  const int wanted = element(f, f.feed_point);
-  const auto at = std::lower_bound(mesh_.elements.begin(), mesh_.elements.end(), wanted,
+  const int global = element(f, f.feed_point);
+  const auto at = std::lower_bound(mesh_.elements.begin(), mesh_.elements.end(), global,
                                    [](const LocalElement& e, int g) { return e.global < g; });
-  return at != mesh_.elements.end() && at->global == wanted ? &*at : nullptr;
+  return at != mesh_.elements.end() && at->global == global ? &*at : nullptr;
 }
 
 FeedPoint Feeders::predicted_feed_point(const Feeder& f, const Kinematics& state) const {

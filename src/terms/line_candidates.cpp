@@ -73,14 +73,14 @@ LineCandidates::LineCandidates(MPI_Comm comm, const LocalMesh& mesh, ContactRadi
   for (auto& p : settings_.excluded)
     if (p.first > p.second) std::swap(p.first, p.second);
   std::sort(settings_.excluded.begin(), settings_.excluded.end());
-  if (settings_.shared) within_.assign(settings_.shared->size(), 0);
+  if (settings_.shared) free_length_.assign(settings_.shared->size(), 0);
   gather();
 }
 
 // True if the list excludes pairs near a shared place that may touch in the present state.
 bool LineCandidates::shares_less() const {
-  for (size_t k = 0; k < within_.size(); ++k)
-    if (settings_.shared->within(static_cast<int>(k)) < within_[k]) return true;
+  for (size_t k = 0; k < free_length_.size(); ++k)
+    if (settings_.shared->free_length(static_cast<int>(k)) < free_length_[k]) return true;
   return false;
 }
 
@@ -213,8 +213,8 @@ bool LineCandidates::update(const Kinematics& committed, double h) {
   ++builds_;
   outdated_ = false;
   if (settings_.shared)
-    for (size_t k = 0; k < within_.size(); ++k)
-      within_[k] = kShared * settings_.shared->within(static_cast<int>(k));
+    for (size_t k = 0; k < free_length_.size(); ++k)
+      free_length_[k] = kShared * settings_.shared->free_length(static_cast<int>(k));
   predict(committed, h);
   std::vector<std::pair<int, int>> pairs = search();
   const bool changed = on_any_rank(comm_, pairs != list_);
@@ -227,7 +227,7 @@ bool LineCandidates::update(const Kinematics& committed, double h) {
 void LineCandidates::predict(const Kinematics& committed, double h) {
   built_at_ = committed.time;
   double steps = settings_.steps;
-  const auto go = [&] {
+  const auto predict_paths = [&] {
     span_ = steps * h;
     double worst = 0;
     for (size_t i = 0; i < built_.size(); ++i) {
@@ -246,11 +246,11 @@ void LineCandidates::predict(const Kinematics& committed, double h) {
     return worst;
   };
   for (size_t i = 0; i < built_.size(); ++i) built_[i].from = axis(local_[i], committed, 0);
-  double worst = go();
+  double worst = predict_paths();
   all_reduce(comm_, MPI_MAX, worst);
   if (worst > 1) {
     steps = std::max(1.0, std::floor(steps / std::sqrt(worst)));
-    go();
+    predict_paths();
   }
 }
 
@@ -294,7 +294,7 @@ bool LineCandidates::never(const SweptAxis& p, const SweptAxis& q) const {
 bool LineCandidates::excluded(const SweptAxis& p, const SweptAxis& q) const {
   if (never(p, q)) return true;
   return settings_.shared && settings_.shared->any_between(p.element, q.element, [&](const auto& f) {
-    return std::max(f.one[1], f.other[1]) <= within_[f.place];
+    return std::max(f.one[1], f.other[1]) <= free_length_[f.place];
   });
 }
 

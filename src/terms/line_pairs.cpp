@@ -96,8 +96,9 @@ std::vector<LinePairs::Rod> LinePairs::rods(const Kinematics& state) const {
   return out;
 }
 
-// True if the surfaces may have met since the start of the step, where their distance was at least `clear`.
-bool LinePairs::met(const Pair& p, const std::vector<Rod>& moved) const {
+// True if the surfaces may have touched since the start of the step, where their distance was at least
+// `clear`.
+bool LinePairs::may_touch(const Pair& p, const std::vector<Rod>& moved) const {
   const auto path = [&](int segment) {
     return std::max((moved[segment].x1 - rods_[segment].x1).norm(),
                     (moved[segment].x2 - rods_[segment].x2).norm()) +
@@ -107,7 +108,7 @@ bool LinePairs::met(const Pair& p, const std::vector<Rod>& moved) const {
 }
 
 bool LinePairs::near(const Pair& p, const std::vector<Rod>& moved) const {
-  if (!met(p, moved)) return false;
+  if (!may_touch(p, moved)) return false;
   const Rod& a = moved[p.a];
   const Rod& b = moved[p.b];
   return closest_points_of_segments(a.x1, a.x2, b.x1, b.x2).distance - a.sagitta - b.sagitta <

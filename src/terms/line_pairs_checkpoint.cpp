@@ -37,10 +37,10 @@ std::vector<CheckpointKind> LinePairs::checkpoint_kinds() const {
 
 std::vector<CheckpointRecord> LinePairs::checkpoint_records(NodeRange range) const {
   std::vector<CheckpointRecord> records;
-  const auto wanted = [&](int n) { return n < mesh_.owned && range.has(mesh_.global[n]); };
+  const auto in_range = [&](int n) { return n < mesh_.owned && range.has(mesh_.global[n]); };
   for (int n = 0; n < mesh_.owned; ++n) {
     const Account& a = accounts_[n];
-    if (wanted(n) && (a.friction != 0 || a.damping != 0))
+    if (in_range(n) && (a.friction != 0 || a.damping != 0))
       records.push_back(record_of(mesh_.global[n], 0, a, kSums));
   }
   if (deepest_.first >= 0 && range.has(mesh_.mesh->element(deepest_.first).first))
@@ -54,7 +54,7 @@ std::vector<CheckpointRecord> LinePairs::checkpoint_records(NodeRange range) con
     const ContactSegment& a = segment(p.a);
     const ContactSegment& b = segment(p.b);
     const std::array nodes{a.first, a.second, b.first, b.second};
-    if (std::none_of(nodes.begin(), nodes.end(), wanted)) continue;
+    if (std::none_of(nodes.begin(), nodes.end(), in_range)) continue;
     CheckpointRecord r;
     int pass = 0;
     for (const auto& points : *p.points) {
@@ -63,7 +63,7 @@ std::vector<CheckpointRecord> LinePairs::checkpoint_records(NodeRange range) con
       ++pass;
     }
     for (const int node : nodes) {
-      if (!wanted(node)) continue;
+      if (!in_range(node)) continue;
       r.node = mesh_.global[node];
       r.key = number[r.node]++;
       records.push_back(r);

@@ -34,7 +34,7 @@ Verdict LinePairs::check_step(const Kinematics& trial) const {
   const Pair* through = nullptr;
   double smallest_gap = HUGE_VAL;
   for (const Pair& p : pairs_) {
-    if (clipped(p) || !met(p, moved) || !tunnels(p, trial)) continue;
+    if (clipped(p) || !may_touch(p, moved) || !tunnels(p, trial)) continue;
     const double gap = nearest_at_start(p).gap;
     if (!through || gap < smallest_gap) {
       through = &p;
@@ -185,13 +185,13 @@ advice::StepFinding LinePairs::too_soft(const Pair& p) const {
   if (!(depth > kProposed * radii)) return advice::LinesStartTooNear{nearest_places(p)};
   const double has = stored(p);
   const double more = speed > 0 ? 0.5 * mass(p) * speed * speed : 0;
-  const double wanted = k * std::pow(depth / (kProposed * radii), 2.5) * (1 + more / has);
+  const double required = k * std::pow(depth / (kProposed * radii), 2.5) * (1 + more / has);
   const bool given = options_.tuned.count(ordered(line_of_segment(p.a), line_of_segment(p.b))) > 0;
   return advice::PressedLines{.at = nearest_places(p),
                               .depth = depth,
                               .radii = radii,
                               .stiffness = k,
-                              .wanted = wanted,
+                              .required = required,
                               .energy = has,
                               .given = given};
 }

@@ -227,7 +227,7 @@ double LineStructure::round_off(const Kinematics& state, double h) const {
 
 Overstretch LineStructure::overstretched(const Kinematics& state) const {
   Overstretch worst;
-  const auto look = [&](const auto& e, double strain) {
+  const auto update_worst = [&](const auto& e, double strain) {
     const ResponseCurve* table = e.section.tension;
     const double limit = strain > 0 ? (table ? table->last() : 0) + kStrainBeyondRows
                                     : (table ? std::min(table->first(), 0.0) : 0) - kStrainBeyondRows;
@@ -238,9 +238,9 @@ Overstretch LineStructure::overstretched(const Kinematics& state) const {
              e.section.EA};
   };
   for (const Beam& b : beams_)
-    if (b.element.counted && !b.idle) look(b, chord_strain(state, b));
+    if (b.element.counted && !b.idle) update_worst(b, chord_strain(state, b));
   for (const Cable& c : cables_)
-    if (c.element.counted) look(c, std::max(chord_strain(state, c), 0.0));
+    if (c.element.counted) update_worst(c, std::max(chord_strain(state, c), 0.0));
   return worst;
 }
 
@@ -253,13 +253,13 @@ void LineStructure::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
     const ResponseCurve::Value now = spring(c.section, chord_strain(trial, c));
     if (!(now.force > c.peak.largest)) continue;
     if (resolves_peak(spring(c.section, c.start.strain).force, now.force)) continue;
-    // The passage is that at the initial stiffness.
-    if (trial.step > c.peak.passage * std::sqrt(c.section.EA / now.slope)) to.too_fast = true;
+    // The transit time is that at the initial stiffness.
+    if (trial.step > c.peak.transit_time * std::sqrt(c.section.EA / now.slope)) to.too_fast = true;
   }
 }
 
 void LineStructure::tensions(const Kinematics& state, std::span<LineTension> lines) const {
-  const auto look = [&](const auto& e, double tension) {
+  const auto raise = [&](const auto& e, double tension) {
     const Element& g = mesh_.element(e.element);
     LineTension& line = lines[g.line];
     line.tension = std::max(line.tension, std::abs(tension));
@@ -267,8 +267,8 @@ void LineStructure::tensions(const Kinematics& state, std::span<LineTension> lin
     line.EA = std::max(line.EA, e.section.EA);
   };
   for (const Beam& b : beams_)
-    if (!b.idle) look(b, beam_stress(b.section, b.reference, ends(b, state)).tension);
-  for (const Cable& c : cables_) look(c, cable_stress(c.section, ends(c, state)).tension);
+    if (!b.idle) raise(b, beam_stress(b.section, b.reference, ends(b, state)).tension);
+  for (const Cable& c : cables_) raise(c, cable_stress(c.section, ends(c, state)).tension);
 }
 
 std::vector<double> LineStructure::slack_length(const Kinematics& state) const {
@@ -279,32 +279,37 @@ std::vector<double> LineStructure::slack_length(const Kinematics& state) const {
   return lines;
 }
 
-// Bounds are applied to the unsoftened values, so that removing a bound restores them exactly.
-bool LineStructure::soften(double max_EA) {
+// Limits are applied to the true values, which restore_sections() restores exactly.
+bool LineStructure::limit_axial_stiffness(double max_EA) {
   if (true_beams_.empty() && true_EA_.empty()) {
     for (const Beam& b : beams_) true_beams_.push_back({b.section.EA, b.section.plastic});
     for (const Cable& c : cables_) true_EA_.push_back(c.section.EA);
   }
-  const bool yields = max_EA == HUGE_VAL;
-  bool other = false;
+  bool changed = false;
   for (size_t i = 0; i < beams_.size(); ++i) {
     const auto& [EA, plastic] = true_beams_[i];
     BeamSection& s = beams_[i].section;
     s.EA = std::min(max_EA, EA);
-    s.plastic = yields ? plastic : nullptr;
-    other |= s.EA != EA || s.plastic != plastic;
+    s.plastic = nullptr;
+    changed |= s.EA != EA || s.plastic != plastic;
   }
   for (size_t i = 0; i < cables_.size(); ++i) {
     cables_[i].section.EA = std::min(max_EA, true_EA_[i]);
-    other |= cables_[i].section.EA != true_EA_[i];
+    changed |= cables_[i].section.EA != true_EA_[i];
   }
-  if (yields) {
-    true_beams_.clear();
-    true_beams_.shrink_to_fit();
-    true_EA_.clear();
-    true_EA_.shrink_to_fit();
+  return changed;
+}
+
+void LineStructure::restore_sections() {
+  for (size_t i = 0; i < true_beams_.size(); ++i) {
+    beams_[i].section.EA = true_beams_[i].first;
+    beams_[i].section.plastic = true_beams_[i].second;
   }
-  return other;
+  for (size_t i = 0; i < true_EA_.size(); ++i) cables_[i].section.EA = true_EA_[i];
+  true_beams_.clear();
+  true_beams_.shrink_to_fit();
+  true_EA_.clear();
+  true_EA_.shrink_to_fit();
 }
 
 double LineStructure::axial_stiffness() const {

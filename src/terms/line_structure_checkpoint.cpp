@@ -53,17 +53,17 @@ std::vector<CheckpointKind> LineStructure::checkpoint_kinds() const {
 std::vector<CheckpointRecord> LineStructure::checkpoint_records(NodeRange range) const {
   if (mesh_.owned == 0) return {};
   std::vector<CheckpointRecord> out;
-  const auto wanted = [&](int n) { return n < mesh_.owned && range.has(mesh_.global[n]); };
-  if (wanted(0))
+  const auto in_range = [&](int n) { return n < mesh_.owned && range.has(mesh_.global[n]); };
+  if (in_range(0))
     out.push_back(record_of(mesh_.global[0], 0, Sums{power_.value_or(0), damping_, filtered_}, kSums));
   for (const Cable& c : cables_)
     for (const int n : {c.element.first, c.element.second})
-      if (wanted(n))
+      if (in_range(n))
         out.push_back(record_of(mesh_.global[n], c.element.global,
                                 Stretched{c.start.strain_increment, c.peak.largest}, kStretched));
   for (const Beam& b : beams_)
     for (const int n : {b.element.first, b.element.second}) {
-      if (!b.reference.set || !wanted(n)) continue;
+      if (!b.reference.set || !in_range(n)) continue;
       CheckpointRecord& r = out.emplace_back(CheckpointRecord{mesh_.global[n], b.element.global, {}, kBent});
       r.values.assign(plastic_history_.data() + b.memory,
                       plastic_history_.data() + b.memory + b.remembered());
@@ -72,7 +72,7 @@ std::vector<CheckpointRecord> LineStructure::checkpoint_records(NodeRange range)
     if (fed_[k].inside.empty()) continue;
     const Element& e = mesh_.mesh->element(feeders_->fed()[k].element);
     for (const int node : {e.first, e.second})
-      if (const int n = mesh_.find(node); n >= 0 && wanted(n))
+      if (const int n = mesh_.find(node); n >= 0 && in_range(n))
         out.push_back({node, static_cast<int>(k), fed_[k].inside, kInside});
   }
   return out;

@@ -39,7 +39,7 @@ double LineVolumeContact::static_fraction(const Pair& pair, const Kinematics& st
 
 bool LineVolumeContact::adapt_stiffness(const Kinematics& equilibrium) {
   volumes_.pose_trial(equilibrium);
-  std::vector<double> wanted = volumes_.stiffnesses();
+  std::vector<double> required = volumes_.stiffnesses();
   for (Pair& pair : pairs_) {
     const bool touches = !pair.trial.contact.panels.empty() || pair.start.several_groups;
     if (!volumes_.automatic(pair.volume) || (!touches && !equilibrium.moves())) continue;
@@ -70,25 +70,25 @@ bool LineVolumeContact::adapt_stiffness(const Kinematics& equilibrium) {
       // A beam bends locally under contact, so its deepest point counts.
       at.mean_depth = shape.count() == AxisShape::kMaxPositions ? at.depth : area / pair.length;
       at.static_fraction = touches ? static_fraction(pair, equilibrium, force, at.depth, normal) : 1;
-      volumes_.require(pair.volume, pair.laws[0].normal, at, equilibrium.step, wanted);
+      volumes_.require(pair.volume, pair.laws[0].normal, at, equilibrium.step, required);
     }
   }
-  if (!volumes_.raise(wanted)) return false;
+  if (!volumes_.raise(required)) return false;
   renew_laws();
   return true;
 }
 
 bool LineVolumeContact::raise_stiffness_where_blocked(const Kinematics& trial) {
   constexpr double kStiffer = 4;
-  std::vector<double> wanted = volumes_.stiffnesses();
+  std::vector<double> required = volumes_.stiffnesses();
   for (const Pair& pair : pairs_) {
-    double& demand = wanted[pair.volume];
+    double& demand = required[pair.volume];
     const double stiffer = kStiffer * volumes_.settings(pair.volume).normal_stiffness;
     if (demand >= stiffer || !volumes_.automatic(pair.volume)) continue;
     const AxisShape shape(ends(trial, pair.element));
     if (is_pulled_in(pair, shape, volumes_.pose_of(pair.volume, trial))) demand = stiffer;
   }
-  if (!volumes_.raise(wanted)) return false;
+  if (!volumes_.raise(required)) return false;
   renew_laws();
   return true;
 }

@@ -38,22 +38,22 @@ std::vector<CheckpointKind> LineVolumeContact::checkpoint_kinds() const {
 
 std::vector<CheckpointRecord> LineVolumeContact::checkpoint_records(NodeRange range) const {
   std::vector<CheckpointRecord> records;
-  const auto wanted = [&](int n) { return n < mesh_.owned && range.has(mesh_.global[n]); };
+  const auto in_range = [&](int n) { return n < mesh_.owned && range.has(mesh_.global[n]); };
   for (int v = 0; mesh_.owns_node(0) && range.has(0) && v < volumes(); ++v)
     if (volumes_.automatic(v)) records.push_back(record_of(0, v, KeptStiffness{stiffness(v)}, kStiffness));
   for (size_t i = 0; i < accounts_.size(); ++i) {
     const LocalElement& e = mesh_.elements[i];
-    if (e.counted && wanted(e.first) && !accounts_[i].empty())
+    if (e.counted && in_range(e.first) && !accounts_[i].empty())
       records.push_back(record_of(mesh_.global[e.first], 0, accounts_[i], kSums));
   }
   const auto add = [&](const Pair& pair, Kind kind, const auto& all) {
     const LocalElement& e = local(pair);
-    if (!wanted(e.first) && !wanted(e.second)) return;
+    if (!in_range(e.first) && !in_range(e.second)) return;
     CheckpointRecord r;
     r.kind = kind;
     for (const auto& one : all) put(one, r.values);
     for (const int node : {e.first, e.second}) {
-      if (!wanted(node)) continue;
+      if (!in_range(node)) continue;
       r.node = mesh_.global[node];
       r.key = 2 * pair.volume + (node == e.second);
       records.push_back(r);

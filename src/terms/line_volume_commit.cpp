@@ -70,16 +70,16 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
   };
   for (const AxisContactPoint& p : pair.start.points) {
     const PointPath w = path_of(p.xi);
-    const double away = p.normal.dot(w.lifted);
+    const double separation = p.normal.dot(w.lifted);
     const double deep = std::max(smoothing - p.gap, 0.0);
-    add(p, step.R0, w, away > deep ? deep / away : 1);
+    add(p, step.R0, w, separation > deep ? deep / separation : 1);
     sum.work -= raise * p.weight * p.potential;
   }
   for (const AxisContactPoint& p : next) {
     const PointPath w = path_of(p.xi);
-    const double came = -p.normal.dot(w.lifted);
+    const double approach = -p.normal.dot(w.lifted);
     const double deep = smoothing - p.gap;
-    add(p, step.R1, w, came > deep ? deep / came : 1);
+    add(p, step.R1, w, approach > deep ? deep / approach : 1);
     sum.work += raise * p.weight * p.potential;
   }
 }

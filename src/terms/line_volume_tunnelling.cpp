@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::array<double, 2> kEnds{0, 1};  // positions along an element
 // Smallest displacement, in radii, that statics tests for tunnelling; in motion it is one radius.
-constexpr double kCreeps = 0.1;
+constexpr double kMinDisplacementInStatics = 0.1;
 
 // Part of the axis that may touch.
 BezierAxis part_of(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) {
@@ -117,7 +117,7 @@ bool LineVolumeContact::tunnels(const Pair& pair, const AxisShape& shape, const 
                                 bool rests) const {
   if (finder_.by_gap()) return false;
   const double radius = pair.radius;
-  const double min_displacement = rests ? kCreeps * radius : radius;
+  const double min_displacement = rests ? kMinDisplacementInStatics * radius : radius;
   const BezierAxis from = part_of(pair, pair.start.shape, pair.start.pose);
   const BezierAxis to = part_of(pair, shape, pose);
   if (from.farthest_distance(to) <= std::max(min_displacement, LineVolumeFinder::clearance_at_start(pair)))
@@ -126,8 +126,8 @@ bool LineVolumeContact::tunnels(const Pair& pair, const AxisShape& shape, const 
     return false;
   auto field = distance_to(volumes_.surface(pair.volume));
   const auto passes = [&](const BezierAxis& before, const BezierAxis& after) {
-    return goes_through(field, before, after,
-                        before.farthest_distance(after) > radius ? radius : min_displacement, rests);
+    return passes_through(field, before, after,
+                          before.farthest_distance(after) > radius ? radius : min_displacement, rests);
   };
   if (!finder_.at_nodes()) return passes(from, to);
   return std::any_of(kEnds.begin(), kEnds.end(), [&](double xi) {

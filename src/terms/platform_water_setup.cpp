@@ -147,15 +147,15 @@ Eigen::MatrixXd PlatformWater::period_mass(const Group& g, double h) const {
   return -g.modes * (error / (1 + error)).matrix().asDiagonal() * g.modes.transpose();
 }
 
-void PlatformWater::oscillate(double omega) {
+void PlatformWater::set_frequency(std::optional<double> omega) {
   for (Group& g : groups_) {
     const model::HydrodynamicData& data = *g.data;
-    if (!(omega > 0)) {
+    if (!omega) {
       g.added_mass = data.infinite(g.radiation->rows, g.radiation->rows);
       g.harmonic_damping.resize(0, 0);
       continue;
     }
-    const auto [low, high, fraction] = frequency_place(data.omega, omega);
+    const auto [low, high, fraction] = frequency_place(data.omega, *omega);
     const auto between = [&, low = low, high = high,
                           fraction = fraction](const std::vector<Eigen::MatrixXd>& matrices) {
       return Eigen::MatrixXd((1 - fraction) * matrices[low](g.radiation->rows, g.radiation->rows) +
@@ -163,8 +163,8 @@ void PlatformWater::oscillate(double omega) {
     };
     g.added_mass = between(data.added_mass);
     g.harmonic_damping = between(data.damping);
-    if (omega < data.omega.front()) g.harmonic_damping *= omega / data.omega.front();
-    if (omega > data.omega.back()) g.harmonic_damping.setZero();
+    if (*omega < data.omega.front()) g.harmonic_damping *= *omega / data.omega.front();
+    if (*omega > data.omega.back()) g.harmonic_damping.setZero();
     for (size_t i = 0; i < g.platforms.size(); ++i)
       g.harmonic_damping.block<6, 6>(6 * i, 6 * i) += g.platforms[i].added_damping;
   }

@@ -26,29 +26,29 @@ constexpr double kPressed = 0.1, kClear = 0.5;
 
 // The gap between two branches at equal lengths along them, m; negative: overlap.
 struct SharedPlaces::Gaps {
-  const Rope &one, &other;
+  const BranchPath &one, &other;
   double step = 0;
 
   double at(int k) const {
     return std::min(distance_from(one, other, k * step), distance_from(other, one, k * step));
   }
 
-  static size_t segment(const Rope& rope, double s) {
-    const auto after = std::upper_bound(rope.s.begin(), rope.s.end(), s) - rope.s.begin();
-    return static_cast<size_t>(std::clamp<std::ptrdiff_t>(after - 1, 0, std::ssize(rope.s) - 2));
+  static size_t segment(const BranchPath& path, double s) {
+    const auto after = std::upper_bound(path.s.begin(), path.s.end(), s) - path.s.begin();
+    return static_cast<size_t>(std::clamp<std::ptrdiff_t>(after - 1, 0, std::ssize(path.s) - 2));
   }
 
-  static double distance(const Rope& rope, size_t i, const Vec3& p) {
-    return std::sqrt(squared_distance_to_segment(p, rope.x[i], rope.x[i + 1])) - rope.radius[i];
+  static double distance(const BranchPath& path, size_t i, const Vec3& p) {
+    return std::sqrt(squared_distance_to_segment(p, path.x[i], path.x[i + 1])) - path.radius[i];
   }
 
-  // Smallest gap between the place s of a rope and the other rope. The search starts at equal length and
+  // Smallest gap between the place s of a path and the other path. The search starts at equal length and
   // stops at a local minimum.
-  static double distance_from(const Rope& rope, const Rope& other, double s) {
-    const size_t i = segment(rope, s);
-    const double span = rope.s[i + 1] - rope.s[i];
-    const double t = span > 0 ? (s - rope.s[i]) / span : 0;
-    const Vec3 p = rope.x[i] + std::min(t, 1.0) * (rope.x[i + 1] - rope.x[i]);
+  static double distance_from(const BranchPath& path, const BranchPath& other, double s) {
+    const size_t i = segment(path, s);
+    const double span = path.s[i + 1] - path.s[i];
+    const double t = span > 0 ? (s - path.s[i]) / span : 0;
+    const Vec3 p = path.x[i] + std::min(t, 1.0) * (path.x[i + 1] - path.x[i]);
     const size_t last = other.s.size() - 2;
     size_t j = segment(other, s);
     double smallest = distance(other, j, p);
@@ -60,7 +60,7 @@ struct SharedPlaces::Gaps {
         smallest = d;
         j = next;
       }
-    return smallest - rope.radius[i];
+    return smallest - path.radius[i];
   }
 };
 
@@ -113,22 +113,22 @@ double SharedPlaces::arc(int node) const {
 }
 
 // First and last node of a line outside feeders.
-std::array<int, 2> SharedPlaces::outside(int line) const {
+std::array<int, 2> SharedPlaces::nodes_outside_feeders(int line) const {
   const LineSpan& l = mesh_.mesh->lines[line];
   const std::array<int, 2> inside = inside_.empty() ? std::array{0, 0} : inside_[line];
   return {l.first_node + inside[0], l.first_node + l.nodes - 1 - inside[1]};
 }
 
 // Start of a branch, m along the given line.
-double SharedPlaces::begin(const Branch& branch) const {
-  const auto [first, last] = outside(mesh_.mesh->node(branch.node).line);
+double SharedPlaces::start_arc(const Branch& branch) const {
+  const auto [first, last] = nodes_outside_feeders(mesh_.mesh->node(branch.node).line);
   return arc(std::clamp(branch.node, first, last));
 }
 
 std::optional<std::array<double, 2>> SharedPlaces::along(const Branch& branch, int element) const {
   const Element& e = mesh_.mesh->element(element);
   if (first_part_of(e.line) != first_part_of(mesh_.mesh->node(branch.node).line)) return std::nullopt;
-  const double from = begin(branch);
+  const double from = start_arc(branch);
   const double a = branch.direction * (arc(e.first) - from);
   const double b = branch.direction * (arc(e.second) - from);
   if (std::min(a, b) < -1e-6 * e.length) return std::nullopt;
@@ -144,32 +144,31 @@ void SharedPlaces::clip(int element, int second, std::array<double, 2>& range,
       const auto one = along(place(k).one, swapped ? second : element);
       const auto other = along(place(k).other, swapped ? element : second);
       if (!one || !other) continue;
-      const double within = this->within(k);
-      if (std::min((*one)[0], (*one)[1]) >= within || std::min((*other)[0], (*other)[1]) >= within) continue;
-      const auto take_off = [within](const std::array<double, 2>& d,
-                                     std::array<double, 2>& distances_of_side) {
-        const double xi = std::clamp((within - d[0]) / (d[1] - d[0]), 0.0, 1.0);
+      const double length = free_length(k);
+      if (std::min((*one)[0], (*one)[1]) >= length || std::min((*other)[0], (*other)[1]) >= length) continue;
+      const auto clip_range = [length](const std::array<double, 2>& d, std::array<double, 2>& clipped) {
+        const double xi = std::clamp((length - d[0]) / (d[1] - d[0]), 0.0, 1.0);
         if (d[1] > d[0])
-          distances_of_side[0] = std::max(distances_of_side[0], xi);
+          clipped[0] = std::max(clipped[0], xi);
         else
-          distances_of_side[1] = std::min(distances_of_side[1], xi);
+          clipped[1] = std::min(clipped[1], xi);
       };
-      take_off(*one, swapped ? second_range : range);
-      take_off(*other, swapped ? range : second_range);
+      clip_range(*one, swapped ? second_range : range);
+      clip_range(*other, swapped ? range : second_range);
     }
 }
 
 // Nodes of a branch, outwards, up to and including the first one at `reach` [m] or beyond.
 std::vector<int> SharedPlaces::nodes_to(const Branch& branch, double reach) const {
   const int given = first_part_of(mesh_.mesh->node(branch.node).line);
-  const auto [first, last] = outside(mesh_.mesh->node(branch.node).line);
-  const double from = begin(branch);
+  const auto [first, last] = nodes_outside_feeders(mesh_.mesh->node(branch.node).line);
+  const double from = start_arc(branch);
   std::vector<int> out;
   for (int n = std::clamp(branch.node, first, last); n >= 0 && n < mesh_.mesh->line_nodes();
        n += branch.direction) {
     const int line = mesh_.mesh->node(n).line;
     if (first_part_of(line) != given) break;
-    const auto [a, b] = outside(line);
+    const auto [a, b] = nodes_outside_feeders(line);
     if (n < a || n > b) break;
     out.push_back(n);
     if (out.size() > 1 && std::abs(arc(n) - from) >= reach) break;
@@ -195,47 +194,47 @@ std::vector<Vec3> SharedPlaces::gather(const std::vector<int>& nodes, const Kine
   return out;
 }
 
-SharedPlaces::Rope SharedPlaces::rope(const Branch& branch, const std::vector<int>& nodes,
-                                      const std::vector<Vec3>& x) const {
-  Rope out;
+SharedPlaces::BranchPath SharedPlaces::branch_path(const Branch& branch, const std::vector<int>& nodes,
+                                                   const std::vector<Vec3>& x) const {
+  BranchPath out;
   out.x = x;
-  const double from = begin(branch);
+  const double from = start_arc(branch);
   for (size_t i = 0; i < nodes.size(); ++i) {
     out.s.push_back(std::abs(arc(nodes[i]) - from));
     const Node& n = mesh_.mesh->node(nodes[i]);
     const LineSpan& line = mesh_.mesh->lines[n.line];
     const int element = line.first_element + nodes[i] - line.first_node - (branch.direction < 0 ? 1 : 0);
-    const int within = std::clamp(element, line.first_element, line.first_element + line.elements - 1);
-    out.radius.push_back(radii_.of(mesh_.mesh->element(within)));
+    const int nearest = std::clamp(element, line.first_element, line.first_element + line.elements - 1);
+    out.radius.push_back(radii_.of(mesh_.mesh->element(nearest)));
   }
   return out;
 }
 
 void SharedPlaces::forget() {
-  for (PlaceState& p : places_) p.within = kUnknown;
+  for (PlaceState& p : places_) p.free_steps = kUnknown;
   agreed_ = false;
 }
 
 void SharedPlaces::restore(const Kept& kept) {
   if (kept.place < 0 || kept.place >= size() || kept.steps < kUnknown)
     throw std::invalid_argument("a record of places that lines share does not fit");
-  places_[kept.place].within = kept.steps;
+  places_[kept.place].free_steps = kept.steps;
 }
 
-void SharedPlaces::update(const Kinematics& state, bool settles) {
+void SharedPlaces::update(const Kinematics& state, bool in_statics) {
   if (!std::exchange(agreed_, true) && !places_.empty()) {
     std::vector<int> steps;
-    for (const PlaceState& p : places_) steps.push_back(p.within);
+    for (const PlaceState& p : places_) steps.push_back(p.free_steps);
     all_reduce(comm_, MPI_MAX, steps);
-    for (size_t k = 0; k < places_.size(); ++k) places_[k].within = steps[k];
+    for (size_t k = 0; k < places_.size(); ++k) places_[k].free_steps = steps[k];
   }
   std::vector<std::array<std::vector<int>, 2>> nodes(places_.size());
   std::vector<int> all;
   for (size_t k = 0; k < places_.size(); ++k) {
     const PlaceState& p = places_[k];
-    if (!settles && p.within == 0) continue;  // permanently apart: without `settles` the length only shrinks
+    if (!in_statics && p.free_steps == 0) continue;  // permanently apart: in motion the length only shrinks
     const double reach =
-        p.within == kUnknown ? p.limit : std::min(p.limit, (kFree * (p.within + 1) + 1) * p.step);
+        p.free_steps == kUnknown ? p.limit : std::min(p.limit, (kFree * (p.free_steps + 1) + 1) * p.step);
     nodes[k] = {nodes_to(p.branches.one, reach), nodes_to(p.branches.other, reach)};
     for (const std::vector<int>& ends_nodes : nodes[k])
       all.insert(all.end(), ends_nodes.begin(), ends_nodes.end());
@@ -244,27 +243,28 @@ void SharedPlaces::update(const Kinematics& state, bool settles) {
   const std::vector<Vec3> x = gather(all, state);
   auto next = x.begin();
   for (size_t k = 0; k < places_.size(); ++k) {
-    std::array<Rope, 2> ropes;
+    std::array<BranchPath, 2> paths;
     for (const size_t side : {0, 1}) {
       const std::vector<int>& branch_nodes = nodes[k][side];
       const SharedPlace& place = places_[k].branches;
-      ropes[side] =
-          rope(side == 0 ? place.one : place.other, branch_nodes, {next, next + std::ssize(branch_nodes)});
+      paths[side] = branch_path(side == 0 ? place.one : place.other, branch_nodes,
+                                {next, next + std::ssize(branch_nodes)});
       next += std::ssize(branch_nodes);
     }
-    if (nodes[k][0].size() > 1 && nodes[k][1].size() > 1) update(places_[k], ropes[0], ropes[1], settles);
+    if (nodes[k][0].size() > 1 && nodes[k][1].size() > 1) update(places_[k], paths[0], paths[1], in_statics);
   }
 }
 
 // All lengths are numbers of steps along the branches. If the branches overlap from the place up to
 // `first`, the length without contact is at most kFree * first.
-void SharedPlaces::update(PlaceState& p, const Rope& one, const Rope& other, bool settles) const {
+void SharedPlaces::update(PlaceState& p, const BranchPath& one, const BranchPath& other,
+                          bool in_statics) const {
   const Gaps gaps{one, other, p.step};
-  const int reach = static_cast<int>(
-      std::min({p.limit, one.s.back(), other.s.back(), (kFree * (std::max(p.within, 0) + 1) + 1) * p.step}) /
-      p.step);
+  const int reach = static_cast<int>(std::min({p.limit, one.s.back(), other.s.back(),
+                                               (kFree * (std::max(p.free_steps, 0) + 1) + 1) * p.step}) /
+                                     p.step);
   const int limit_steps = static_cast<int>(p.limit / p.step);
-  const bool unknown = p.within == kUnknown;
+  const bool unknown = p.free_steps == kUnknown;
   const int known_to = unknown ? limit_steps : std::min(limit_steps, reach);
   const auto overlaps = [&](int k) { return gaps.at(k) < 0; };
   // Length up to which the branches, first apart at `first`, stay apart, at most kFree * first.
@@ -286,24 +286,25 @@ void SharedPlaces::update(PlaceState& p, const Rope& one, const Rope& other, boo
     const int b = mesh_.mesh->node(p.branches.other.node).line;
     const bool side_by_side =
         first == limit_steps && first_part_of(a) != first_part_of(b) && nearest > -kPressed * kSteps * p.step;
-    p.within = side_by_side ? 0 : first == limit_steps ? limit_steps : free_to(first);
-  } else if (!overlaps(p.within)) {
-    int first = p.within;
+    p.free_steps = side_by_side ? 0 : first == limit_steps ? limit_steps : free_to(first);
+  } else if (!overlaps(p.free_steps)) {
+    int first = p.free_steps;
     while (first > 0 && !overlaps(first - 1)) --first;
-    const int wanted = free_to(first);
-    if (wanted < p.within || settles) p.within = wanted;
-  } else if (settles) {
+    const int proposed = free_to(first);
+    if (proposed < p.free_steps || in_statics) p.free_steps = proposed;
+  } else if (in_statics) {
     // The branches overlap where they were clearly apart. Contact cannot have pressed them together there,
     // so the length without contact grows.
-    int first = p.within;
+    int first = p.free_steps;
     while (first < known_to && overlaps(first)) ++first;
-    if (first <= p.clear) p.within = first == limit_steps ? limit_steps : free_to(first);
+    if (first <= p.clear_steps) p.free_steps = first == limit_steps ? limit_steps : free_to(first);
   }
-  if (!settles) return;
-  const int end = std::min(limit_steps, kFree * (p.within + 1) + 1);
-  p.clear = p.within;
-  while (p.clear < std::min(end, known_to) && gaps.at(p.clear) > kClear * kSteps * p.step) ++p.clear;
-  if (p.clear >= known_to) p.clear = limit_steps;
+  if (!in_statics) return;
+  const int end = std::min(limit_steps, kFree * (p.free_steps + 1) + 1);
+  p.clear_steps = p.free_steps;
+  while (p.clear_steps < std::min(end, known_to) && gaps.at(p.clear_steps) > kClear * kSteps * p.step)
+    ++p.clear_steps;
+  if (p.clear_steps >= known_to) p.clear_steps = limit_steps;
 }
 
 }  // namespace hawser

@@ -37,7 +37,7 @@ void BM_ClashStep(benchmark::State& state) {
   size_t s = 0;
   for (auto _ : state) {
     time += 0.01;
-    log.step(time, put_together(steps[s], merge));
+    log.step(time, merge_contacts(steps[s], merge));
     s = (s + 1) % steps.size();
     benchmark::DoNotOptimize(log.take());
   }

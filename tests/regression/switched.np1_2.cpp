@@ -222,8 +222,8 @@ TEST(Events, OneAfterAnother) {
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(file);
   const double rest = mean_of(r, "position", 0, 0, 10, 2);
-  const double fell = rest - mean_of(r, "position", 10, 0, 10, 2);
-  const double from = 1 - std::sqrt(2 * fell / kGravity);
+  const double drop = rest - mean_of(r, "position", 10, 0, 10, 2);
+  const double from = 1 - std::sqrt(2 * drop / kGravity);
   EXPECT_GE(from, 0.3 - 1e-6);
   EXPECT_LE(from, 0.31);
   const auto z = named(file, r, "end", "position_z");

@@ -67,9 +67,9 @@ class LinesOfOtherRanks(unittest.TestCase):
             for command, results in (((), "1.h5"), (MPI, "3.h5")):
                 done = run(*command, HAWSER, "run", "case.yaml", "-o", results, cwd=folder, timeout=600)
                 self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-                wanted = [t for t in done.stdout.splitlines() if re.match("warning: |event: |m(ax|in) |note: ", t)]
+                messages = [t for t in done.stdout.splitlines() if re.match("warning: |event: |m(ax|in) |note: ", t)]
                 # Without numbers, and without how many lines have the same error.
-                found.append(sorted(re.sub(r"(?<=\s)\(?[-+]?\d\S*|\s+|: use elements.*", " ", t) for t in wanted))
+                found.append(sorted(re.sub(r"(?<=\s)\(?[-+]?\d\S*|\s+|: use elements.*", " ", t) for t in messages))
         self.assertGreaterEqual(sum(t.startswith("warning") for t in found[0]), LEAST)
         self.assertEqual(found[0], found[1])
 

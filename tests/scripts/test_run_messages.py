@@ -24,7 +24,7 @@ output: {every: 0.1}
 """
 # Cases that the solver cannot solve: replaced parts of the case, exit code, parts of the message.
 SECTION, STEP = "elements: 8}]", "step: 0.05"
-HOPELESS = [
+UNSOLVABLE = [
     ({SECTION: SECTION + "\n    loads: [{per_length: [0, 0, 1.0e9]}]"}, "statics: {max_iterations: 3, relaxation_steps: 50}",
      ["statics", "line rod, arc length", "out of balance by"]),
     ({SECTION: SECTION + "\n    loads: [{at: 6, force: [0, 1.0e8, 0], ramp: 0.1}]", STEP: STEP + ", min_step: 0.05"}, "",
@@ -190,7 +190,7 @@ lines:
     def test_supports_that_carry_nothing(self):
         roller = "type: flat, roller_diameter: 0.4, roller_length: 2, normal_stiffness: 1.0e7}"
         low = PIPE.replace("at: [5, 10, 15], " + roller, "at: [5, 15], " + roller + "\n      - {at: [10], above_path: -3, " + roller)
-        for name, text, wanted in (
+        for name, text, expected in (
                 ("well", PIPE, []),
                 ("low", low, ["warning: support ramp 2 never carries line pipe, which passes 3 m above it and lies on supports further on: raise it by 'above_path', or remove it"]),
                 ("below", PIPE.replace("from: [0, 0, 9]", "from: [0, 0, 5]"),
@@ -199,7 +199,7 @@ lines:
             result = self.hawser("run", f"{name}.yaml")
             with self.subTest(case=name):
                 self.assertEqual(result.returncode, 0, result.stderr)
-                self.assertEqual([line for line in result.stdout.splitlines() if line.startswith("warning")], wanted)
+                self.assertEqual([line for line in result.stdout.splitlines() if line.startswith("warning")], expected)
 
     def test_failing_statics_reports_what_may_help(self):
         write(self.folder, "slack.yaml", """\
@@ -468,7 +468,7 @@ output: {every: 5}
         restart("cut.h5", "it is not a results file of hawser, or it is damaged")
 
     def test_solver_fails(self):
-        for number, (edits, more, parts) in enumerate(HOPELESS):
+        for number, (edits, more, parts) in enumerate(UNSOLVABLE):
             case = CASE
             for old, new in edits.items():
                 case = case.replace(old, new)

@@ -48,7 +48,7 @@ class SmoothArch(unittest.TestCase):
             self.assertIn("note: statics has failed; what may help: where a line slides along a volume or finds no rest on its facets, "
                           "its friction, without 'contact_friction: false'; ", smooth.stdout)
 
-    def test_descent_that_creeps(self):
+    def test_stagnating_descent(self):
         """A wire on the facets of a tube: Newton's method ends when it hardly moves the line, and its message says so. Without relaxation
         to follow it continues. A wire on rocks, where it continues after a raise of the contact stiffness, comes to rest by friction."""
         settings = lambda **keys: [a for key, value in keys.items() for a in ("--set", f"statics.{key}={value}")]

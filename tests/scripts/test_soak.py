@@ -122,16 +122,16 @@ class Soak(unittest.TestCase):
     @unittest.skipUnless(os.environ.get("HAWSER_FULL"), "long")
     def test_interrupted_like_unbroken(self):
         straight, broken = self.folder / "straight.h5", self.folder / "broken.h5"
-        took = []
+        durations = []
         for duration in (20.0, 220.0):  # durations that include the start
             self.write_case(duration)
             begun = time.monotonic()
             self.assertEqual(self.start(2, straight, False).wait(600), 0, (self.folder / "printed.txt").read_text("utf-8"))
-            took.append(time.monotonic() - begun)
+            durations.append(time.monotonic() - begun)
             straight.unlink()
         # Time for each of the two runs; the second one restarts often.
         spent = 0.3 * SECONDS
-        pace = max(took[1] - took[0], 0.1) / 200
+        pace = max(durations[1] - durations[0], 0.1) / 200
         duration = EVERY * max(50, round(spent / pace / EVERY))
         self.write_case(duration)
 

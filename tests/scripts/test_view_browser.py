@@ -33,8 +33,8 @@ class Used(Drawing):
         controls = [(role, name) for role, name in found if role in ("button", "slider", "checkbox", "combobox", "spinbutton", "application")]
         self.assertGreater(len(controls), 20)
         self.assertEqual([role for role, name in controls if not name.strip()], [])
-        for wanted in (("button", "Play"), ("slider", "Time"), ("combobox", "Colour by"), ("combobox", "Line"), ("checkbox", "Contact forces")):
-            self.assertIn(wanted, controls)
+        for expected in (("button", "Play"), ("slider", "Time"), ("combobox", "Colour by"), ("combobox", "Line"), ("checkbox", "Contact forces")):
+            self.assertIn(expected, controls)
         value, key = self.browser.value, self.browser.key
         # The Tab key reaches every control.
         reached = set()

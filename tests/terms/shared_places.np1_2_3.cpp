@@ -24,7 +24,7 @@ TEST(SharedPlacesOnRanks, KnowTheSame) {
     for (int k = 0; k < places.size(); ++k) EXPECT_NO_THROW(places.restore(places.kept(k)));
     places.update(sim.state().at_rest(), true);
     std::vector<double> out;
-    for (int k = 0; k < places.size(); ++k) out.push_back(places.within(k));
+    for (int k = 0; k < places.size(); ++k) out.push_back(places.free_length(k));
     // The records of a place that one rank saved reach the other ranks.
     std::vector<SharedPlaces::Kept> kept;
     for (int k = 0; k < places.size(); ++k)
@@ -33,7 +33,7 @@ TEST(SharedPlacesOnRanks, KnowTheSame) {
     places.forget();
     for (const auto& k : kept) places.restore(k);
     places.update(sim.state().at_rest(), false);
-    for (int k = 0; k < places.size(); ++k) EXPECT_EQ(places.within(k), out[static_cast<size_t>(k)]);
+    for (int k = 0; k < places.size(); ++k) EXPECT_EQ(places.free_length(k), out[static_cast<size_t>(k)]);
     return out;
   };
   const std::vector<double> all = of(PETSC_COMM_WORLD);

@@ -119,7 +119,7 @@ TEST(AxisApproach, AxesThatCrossHaveNoSide) {
   e = shifted(e, b.point(0.4) - AxisShape(e).point(0.6));
   const AxisShape a(e);
   const AxisShape on(shifted(e, {0, 0, 0.01}));
-  EXPECT_EQ(sides_kept(a, on, b, b, {0.1, 0.9, 0, 1e-9}), Sides::none);
+  EXPECT_EQ(sides_kept(a, on, b, b, {0.1, 0.9, 0, 1e-9}), Sides::crossing);
   EXPECT_EQ(sides_kept(a, on, b, b, {0.1, 0.9, 0, -1}), Sides::near);
   EXPECT_EQ(sides_kept(on, a, b, b, {0.1, 0.9, 0, 1e-9}), Sides::near);
 }

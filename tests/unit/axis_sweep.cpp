@@ -61,7 +61,7 @@ TEST(AxisSweep, FindsWhatSamplingFinds) {
         may |= d < 0.5 * kRadius;
       }
     }
-    const bool found = goes_through(field_of(body), from, to, kRadius);
+    const bool found = passes_through(field_of(body), from, to, kRadius);
     EXPECT_TRUE(found || !must) << i;
     EXPECT_TRUE(may || !found) << i;
     through += must;
@@ -80,7 +80,7 @@ TEST(AxisSweep, MissesNothingThatIsSmall) {
   for (double x = -0.4; x < 20; x += 0.37) {
     const BezierAxis from = straight(Vec3(-20 + x, 0, 3), Vec3(x, 0.2, 4));
     const BezierAxis to = straight(Vec3(-20 + x, 0, -5), Vec3(x, 0, -2));
-    EXPECT_EQ(goes_through(field_of(*surface), from, to, kRadius), x > 0) << x;
+    EXPECT_EQ(passes_through(field_of(*surface), from, to, kRadius), x > 0) << x;
   }
 }
 
@@ -92,8 +92,8 @@ TEST(AxisSweep, LetsPassWhatSlidesTouchesAndIsPressedIn) {
   const auto moved = [&](double z0, double z1, double along) {
     int asked = 0;
     const bool found =
-        goes_through(field_of(*surface, &asked), straight(Vec3(-1, 0, z0), Vec3(1, 0, z0)),
-                     straight(Vec3(-1 + along, along, z1), Vec3(1 + along, along, z1)), kRadius);
+        passes_through(field_of(*surface, &asked), straight(Vec3(-1, 0, z0), Vec3(1, 0, z0)),
+                       straight(Vec3(-1 + along, along, z1), Vec3(1 + along, along, z1)), kRadius);
     EXPECT_LT(asked, 600);
     return found;
   };
@@ -113,8 +113,8 @@ TEST(AxisSweep, FindsAThinBarAnywhereAlongTheAxis) {
     bar.centre = Vec3(x, 0, 0);
     const auto surface = make_surface(bar);
     const double from = kRadius, to = -0.2 * kRadius;
-    EXPECT_TRUE(goes_through(field_of(*surface), straight(Vec3(-1, 0, from), Vec3(1, 0, from)),
-                             straight(Vec3(-1, 0, to), Vec3(1, 0, to)), kRadius))
+    EXPECT_TRUE(passes_through(field_of(*surface), straight(Vec3(-1, 0, from), Vec3(1, 0, from)),
+                               straight(Vec3(-1, 0, to), Vec3(1, 0, to)), kRadius))
         << x;
   }
 }
@@ -127,7 +127,7 @@ TEST(AxisSweep, WhatIsPressedInDoesNotComeOutBehind) {
   const auto found = [&](double x0, double x1, double along, bool pressed) {
     const Vec3 from(x0, 0, 0);
     const Vec3 to(x1, along, 0);
-    return goes_through(field_of(*surface), straight(from, from), straight(to, to), 0.002, pressed);
+    return passes_through(field_of(*surface), straight(from, from), straight(to, to), 0.002, pressed);
   };
   for (const double x0 : {-0.0249, -0.0254, -0.02}) {
     EXPECT_TRUE(found(x0, 0.04, 0.1, true)) << x0;    // out on the back
@@ -144,11 +144,11 @@ TEST(AxisSweep, AWayOfARadiusGoesThroughNothing) {
   plate.size = Vec3(1, 1, 1e-3);
   const auto surface = make_surface(plate);
   int asked = 0;
-  EXPECT_FALSE(goes_through(field_of(*surface, &asked), straight(Vec3(-1, 0, 0.049), Vec3(1, 0, 0.049)),
-                            straight(Vec3(-1, 0, -0.05), Vec3(1, 0, -0.05)), kRadius));
+  EXPECT_FALSE(passes_through(field_of(*surface, &asked), straight(Vec3(-1, 0, 0.049), Vec3(1, 0, 0.049)),
+                              straight(Vec3(-1, 0, -0.05), Vec3(1, 0, -0.05)), kRadius));
   EXPECT_EQ(asked, 0);
-  EXPECT_TRUE(goes_through(field_of(*surface), straight(Vec3(-1, 0, 0.06), Vec3(1, 0, 0.06)),
-                           straight(Vec3(-1, 0, -0.06), Vec3(1, 0, -0.06)), kRadius));
+  EXPECT_TRUE(passes_through(field_of(*surface), straight(Vec3(-1, 0, 0.06), Vec3(1, 0, 0.06)),
+                             straight(Vec3(-1, 0, -0.06), Vec3(1, 0, -0.06)), kRadius));
 }
 
 }  // namespace

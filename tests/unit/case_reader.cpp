@@ -364,14 +364,14 @@ lines:
   EXPECT_EQ(f.blend_speed, 0.01);
   EXPECT_EQ(f.mobilisation_length, 0.005);
   EXPECT_EQ(f.lateral_mobilisation_length, 0.02);
-  EXPECT_EQ(f.back, FrictionReturn::associated);
+  EXPECT_EQ(f.return_rule, FrictionReturn::associated);
   EXPECT_EQ(f.spring, FrictionSpring::michalopoulos);
   EXPECT_EQ(wall.basis, model::StiffnessBasis::automatic);
   EXPECT_EQ(wall.allowed_penetration, 0.004);
   EXPECT_EQ(wall.smoothing, 0);
   EXPECT_EQ(wall.friction.lateral, 0.5);
   EXPECT_EQ(wall.friction.lateral_kinetic, 0.3);
-  EXPECT_EQ(wall.friction.back, FrictionReturn::radial);
+  EXPECT_EQ(wall.friction.return_rule, FrictionReturn::radial);
   const std::string s = model::summary(c);
   EXPECT_NE(s.find("force by a table of 2 rows up to 0.02 m"), std::string::npos) << s;
   EXPECT_NE(s.find("friction 0.5 along, 0.7 across at rest, 0.3 and 0.4 sliding"), std::string::npos) << s;

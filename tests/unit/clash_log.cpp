@@ -24,14 +24,14 @@ ActiveContact touch(int line, int volume, double from, double to, double force =
 ClashSettings settings(double gap = 0.1) { return {gap, {0.5, 0.5}}; }
 
 void step(ClashLog& log, double time, const ActiveContacts& touches) {
-  log.step(time, put_together(touches, settings().merge_length));
+  log.step(time, merge_contacts(touches, settings().merge_length));
 }
 
 TEST(ClashLog, PlacesNearerThanTheMergeLengthAreOne) {
   ActiveContact a = touch(0, 0, 1, 2, 3, 0.1);
   ActiveContact b = touch(0, 0, 2.4, 3, 4, 0.2);
   ActiveContact c = touch(0, 0, 3.6, 4);
-  const ActiveContacts t = put_together({c, b, touch(1, 0, 1, 2), touch(0, 1, 1.5, 2.5), a}, {0.5, 0.5});
+  const ActiveContacts t = merge_contacts({c, b, touch(1, 0, 1, 2), touch(0, 1, 1.5, 2.5), a}, {0.5, 0.5});
   ASSERT_EQ(t.size(), 4u);
   EXPECT_EQ(t[0].from, 1);
   EXPECT_EQ(t[0].to, 3);

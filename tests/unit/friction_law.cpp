@@ -51,8 +51,8 @@ struct PathRow {
   double U[2], f[2], origin[2], work;
 };
 
-FrictionLaw with(FrictionLaw law, FrictionReturn back) {
-  law.back = back;
+FrictionLaw with(FrictionLaw law, FrictionReturn return_rule) {
+  law.return_rule = return_rule;
   return law;
 }
 
@@ -324,10 +324,10 @@ TEST(FrictionLaw, ClosedLoopInsideStick) {
   };
   FrictionLaw springs = kPaper;
   springs.spring = FrictionSpring::elliptic;
-  for (const FrictionReturn back : {FrictionReturn::radial, FrictionReturn::associated})
+  for (const FrictionReturn return_rule : {FrictionReturn::radial, FrictionReturn::associated})
     for (const bool way : {true, false}) {
-      EXPECT_LT(std::abs(loop(with(springs, back), way)), 1e-12);
-      EXPECT_LT(std::abs(loop({0.3, 0.8, 2e4, 0, 0, back}, way)), 1e-12);
+      EXPECT_LT(std::abs(loop(with(springs, return_rule), way)), 1e-12);
+      EXPECT_LT(std::abs(loop({0.3, 0.8, 2e4, 0, 0, return_rule}, way)), 1e-12);
     }
   EXPECT_NEAR(loop(kPaper, true), 5.375583661277789, 1e-8);
   EXPECT_NEAR(loop(kPaper, false), -5.375583661277789, 1e-8);

@@ -282,8 +282,8 @@ TEST_F(HydrodynamicChecks, StiffnessThatCannotBe) {
 TEST_F(HydrodynamicChecks, RowsOfTwoRuns) {
   const auto again = [](int mode, double factor, size_t column) {
     return [=](auto& rows) {
-      const auto wanted = [=](const Row& r) { return r[0] > 4 && r[0] < 9 && is_entry(r, mode, mode); };
-      rows.push_back(*std::find_if(rows.begin(), rows.end(), wanted));
+      const auto selected = [=](const Row& r) { return r[0] > 4 && r[0] < 9 && is_entry(r, mode, mode); };
+      rows.push_back(*std::find_if(rows.begin(), rows.end(), selected));
       rows.back()[column] *= factor;
     };
   };

@@ -31,8 +31,8 @@ std::vector<double> tolerance_of(std::span<const LineMotion> lines) {
 }
 
 StepLimit limit_of(const ImpactEvent& s) {
-  const double bears = kErrorOfStep * s.energy();
-  return impact_limited_step({&s, 1}, {&bears, 1}, kMost, kAlone);
+  const double tolerance = kErrorOfStep * s.energy();
+  return impact_limited_step({&s, 1}, {&tolerance, 1}, kMost, kAlone);
 }
 
 // The whole moving line takes part in the impact.
@@ -136,9 +136,9 @@ TEST(Impact, OnlyWhatMattersCutsAStep) {
     lines[0].add(5, {-3, drift, 0});
     const auto s = impact_event(kSlow, kSignificantDepth, mass, {-0.01, 2, 0});
     lines[0].impact_energy = s->energy();
-    const auto bears = tolerance_of(lines);
-    EXPECT_NEAR(bears[0], kErrorOfStep * (45 + 2 * mass), 1e-9);  // uniform motion does not count
-    return impact_limited_step({&*s, 1}, bears, kMost, kAlone);
+    const auto tolerance = tolerance_of(lines);
+    EXPECT_NEAR(tolerance[0], kErrorOfStep * (45 + 2 * mass), 1e-9);  // uniform motion does not count
+    return impact_limited_step({&*s, 1}, tolerance, kMost, kAlone);
   };
   // 2 J per kilogram against 2e-5 of 45 J.
   EXPECT_EQ(of(0.000449, 0).longest, kNever);
@@ -156,15 +156,15 @@ TEST(Impact, ManySmallOnesTogetherDo) {
     for (ImpactEvent& s : out) s.line = 0;
     return out;
   };
-  const double bears = 0.0200001;  // tolerance for ten impacts
-  EXPECT_EQ(impact_limited_step(impacts(10, kSlow), {&bears, 1}, kMost, kAlone).longest, kNever);
-  expect_step(impact_limited_step(impacts(11, kSlow), {&bears, 1}, kMost, kAlone).longest, kStep);
+  const double tolerance = 0.0200001;  // tolerance for ten impacts
+  EXPECT_EQ(impact_limited_step(impacts(10, kSlow), {&tolerance, 1}, kMost, kAlone).longest, kNever);
+  expect_step(impact_limited_step(impacts(11, kSlow), {&tolerance, 1}, kMost, kAlone).longest, kStep);
   // Few short impacts among many longer ones: the step resolves only the longer ones.
   std::vector<ImpactEvent> both = impacts(11, kSlow);
   std::vector<ImpactEvent> fast = impacts(9, kSlow / 10);
   both.insert(both.end(), fast.begin(), fast.end());
-  expect_step(impact_limited_step(both, {&bears, 1}, kMost, kAlone).longest, kStep);
-  expect_step(impact_limited_step(both, {&bears, 1}, kMost, kAlone).period, 2 * M_PI * kSlow);
+  expect_step(impact_limited_step(both, {&tolerance, 1}, kMost, kAlone).longest, kStep);
+  expect_step(impact_limited_step(both, {&tolerance, 1}, kMost, kAlone).period, 2 * M_PI * kSlow);
 }
 
 TEST(Impact, AThousandLinesAreAsOne) {
@@ -205,8 +205,8 @@ TEST(Impact, UnresolvedCrossings) {
   EXPECT_EQ(error(0.9 * depth, 5), 0);  // in contact during the whole step
   const std::vector<UnresolvedImpact> two{
       {0, -1, e}, {1, 0, e}};  // the second impact is between its line and the first line
-  for (const auto& [bears, within] : {std::pair(1.99, false), {2.01, true}})
-    EXPECT_EQ(within_tolerance(two, std::vector<double>{bears * e, 10 * e}, kAlone), within);
+  for (const auto& [tolerance, within] : {std::pair(1.99, false), {2.01, true}})
+    EXPECT_EQ(within_tolerance(two, std::vector<double>{tolerance * e, 10 * e}, kAlone), within);
   EXPECT_TRUE(resolves_contact(kSlow, 0.25 * kStep));
   EXPECT_FALSE(resolves_contact(kSlow, 0.26 * kStep));
 }

@@ -24,9 +24,9 @@ std::vector<double> arcs(const Line& line, const std::vector<double>& places) {
   return out;
 }
 
-void expect_near(const std::vector<double>& found, const std::vector<double>& wanted) {
-  ASSERT_EQ(found.size(), wanted.size());
-  for (size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], wanted[i], 1e-12) << i;
+void expect_near(const std::vector<double>& found, const std::vector<double>& expected) {
+  ASSERT_EQ(found.size(), expected.size());
+  for (size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-12) << i;
 }
 
 TEST(LineNodes, TheNearestGoesToThePlaceAndTheOthersFollow) {

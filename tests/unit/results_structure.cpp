@@ -165,8 +165,8 @@ int check_references(const std::string& folder, const std::string& xml) {
     EXPECT_EQ(H5Tget_size(type), std::stoul(m[3].str())) << m[0].str();
     EXPECT_EQ(H5Tget_class(type), m[2].str() == "Float" ? H5T_FLOAT : H5T_INTEGER) << m[0].str();
     const auto shape = h5::shape_of(set);
-    hsize_t size = 1, wanted = 1;
-    for (const auto k : numbers(m[1].str())) wanted *= k;
+    hsize_t size = 1, expected = 1;
+    for (const auto k : numbers(m[1].str())) expected *= k;
     if (m[6].matched) {
       const auto start = numbers(m[6].str());
       const auto count = numbers(m[8].str());
@@ -181,7 +181,7 @@ int check_references(const std::string& folder, const std::string& xml) {
     } else {
       for (const auto k : shape) size *= k;
     }
-    EXPECT_EQ(size, wanted) << m[0].str();
+    EXPECT_EQ(size, expected) << m[0].str();
   }
   return n;
 }

@@ -96,8 +96,8 @@ TEST(Snaps, OfTooFewElements) {
   EXPECT_EQ(warning(4e-3, 100), "");
 }
 
-// If the steps damp axial waves, a rise within an echo, 1.79 ms, is reported as well: half of 3 ms is
-// shorter, half of 4 ms is not.
+// If the steps damp axial waves, a rise within the round trip of a wave, 1.79 ms, is reported as well: half
+// of 3 ms is shorter, half of 4 ms is not.
 TEST(Snaps, OfDampedWaves) {
   EXPECT_EQ(warning(3e-3, 100), "");
   EXPECT_NE(

@@ -61,7 +61,7 @@ std::vector<ContactLaw> laws() {
   std::vector<ContactLaw> out;
   for (const NormalLaw& n : {normal, by_table}) {
     out.push_back({n, {}});
-    for (const FrictionReturn back : {FrictionReturn::radial, FrictionReturn::associated})
+    for (const FrictionReturn return_rule : {FrictionReturn::radial, FrictionReturn::associated})
       for (const double speed : {0.0, 0.3}) {
         std::vector<FrictionLaw> f{{0.4, 0.4, 3e5, 0, 0},
                                    {0.3, 0.8, 3e5, 0, 0},
@@ -70,7 +70,7 @@ std::vector<ContactLaw> laws() {
                                    {0.3, 0.8, 0, 0.005, 0.009}};
         f.back().spring = FrictionSpring::michalopoulos;
         for (FrictionLaw& law : f) {
-          law.back = back;
+          law.return_rule = return_rule;
           law.blend_speed = speed;
           law.axial_kinetic = 0.6 * law.axial;
           law.lateral_kinetic = 0.6 * law.lateral;

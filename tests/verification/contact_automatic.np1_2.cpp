@@ -90,7 +90,7 @@ struct Held {
   double steps = 0, problem = 0;  // problem: error of the energy balance, over the work brought in
 };
 
-void look(Simulation& s, const Kinematics& state, Held& out) {
+void measure(Simulation& s, const Kinematics& state, Held& out) {
   double least = HUGE_VAL, largest = 0;
   NodeField tension(s, "effective_tension");
   for (const double t : tension.at(state)) {
@@ -114,7 +114,7 @@ Held still(const std::string& name, const std::string& text) {
   const auto s = simulation(name, text);
   s->solve_statics();
   Held out;
-  look(*s, s->state().at_rest(), out);
+  measure(*s, s->state().at_rest(), out);
   return out;
 }
 
@@ -160,7 +160,7 @@ TEST_P(Stretched, StaysOnTheBar) {
   const auto s = simulation("stretched", sling(kCylinder, 1e5, true, "", beam, strain) + method);
   s->solve_statics();
   Held out;
-  look(*s, s->state().at_rest(), out);
+  measure(*s, s->state().at_rest(), out);
   double top = -HUGE_VAL;
   for (int n = 0; n < s->local().owned; ++n) top = std::max(top, s->state().x[static_cast<size_t>(n)].z());
   EXPECT_NEAR(most(top), kRho, 0.15 * kLine);
@@ -230,7 +230,7 @@ TEST(Drawn, TensionGrowsAHundredfold) {
   const auto s = simulation("drawn", kDrawn);
   s->solve_statics();
   Held before, after;
-  look(*s, s->state().at_rest(), before);
+  measure(*s, s->state().at_rest(), before);
   Dynamics& d = s->dynamics();
   d.start(s->state());
   const Energy start = s->system().energy(d.committed_kinematics());
@@ -240,7 +240,7 @@ TEST(Drawn, TensionGrowsAHundredfold) {
         ++after.steps;
         return true;
       });
-  look(*s, d.committed_kinematics(), after);
+  measure(*s, d.committed_kinematics(), after);
   const Energy e = s->system().energy(d.committed_kinematics());
   double sums[2] = {e.work + d.support_work(), e.kinetic + e.strain - start.kinetic - start.strain +
                                                    e.friction + e.damping - start.friction - start.damping};

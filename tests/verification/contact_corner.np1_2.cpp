@@ -42,7 +42,7 @@ struct Rest {
   double deepest = 0;  // m
 };
 
-void look(Simulation& s, const Kinematics& state, Rest& r) {
+void measure(Simulation& s, const Kinematics& state, Rest& r) {
   r.x.clear();
   for (const Vec3& x : state.x.first(static_cast<size_t>(s.local().owned)))
     r.x.insert(r.x.end(), x.begin(), x.end());
@@ -62,7 +62,7 @@ std::array<Rest, 2> run(const model::Case& c, const Surfaces& surfaces) {
   std::array<Rest, 2> out;
   Simulation s(PETSC_COMM_WORLD, c, surfaces);
   if (c.statics.enabled) s.solve_statics();
-  look(s, s.state().at_rest(), out[0]);
+  measure(s, s.state().at_rest(), out[0]);
   Dynamics& d = s.dynamics();
   d.start(s.state());
   d.run(
@@ -71,7 +71,7 @@ std::array<Rest, 2> run(const model::Case& c, const Surfaces& surfaces) {
         out[1].iterations += i.iterations;
         return ++out[1].steps < 5000;
       });
-  look(s, d.committed_kinematics(), out[1]);
+  measure(s, d.committed_kinematics(), out[1]);
   return out;
 }
 

@@ -140,7 +140,7 @@ TEST(FrictionRuns, EllipseIsTraced) {
   paper.spring = FrictionSpring::michalopoulos;
   model::Friction nearest = springs;
   model::Friction nearest_by_length = lengths;
-  nearest.back = nearest_by_length.back = FrictionReturn::associated;
+  nearest.return_rule = nearest_by_length.return_rule = FrictionReturn::associated;
   struct Row {
     const char* name;
     model::Friction friction;

@@ -120,16 +120,16 @@ TEST(SharedPlaces, FollowTheAngle) {
   const auto within = [&](double angle) { return 2 * R / (2 * std::sin(angle / 2)); };
   Simulation sim(PETSC_COMM_SELF, fan(0.2));
   SharedPlaces places(PETSC_COMM_SELF, sim.local(), ContactRadii({R / 2}), {{{0}, {41}}}, {});
-  const auto at = [&](double angle, bool settles) {
+  const auto at = [&](double angle, bool in_statics) {
     State s = sim.state();
     for (size_t n = 41; n < 82; ++n) {
       const double r = length * static_cast<double>(n - 41) / 40;
       s.x[n] = Vec3(r * std::cos(angle), r * std::sin(angle), 0);
     }
-    places.update(s.at_rest(), settles);
-    const double once = places.within(0);
-    places.update(s.at_rest(), settles);
-    EXPECT_EQ(places.within(0), once) << angle;
+    places.update(s.at_rest(), in_statics);
+    const double once = places.free_length(0);
+    places.update(s.at_rest(), in_statics);
+    EXPECT_EQ(places.free_length(0), once) << angle;
     return once;
   };
   const double step = R / 4;

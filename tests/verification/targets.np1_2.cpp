@@ -49,13 +49,13 @@ CatenaryShape closed(double length) {
   return catenary(Vec3(0, 0, 0), Vec3(100, 0, 20), {{length, Vec3(0, 0, -kWeight), kEA, Vec3::Zero(), 0}});
 }
 
-// Argument at which a monotone function is `wanted`.
+// Argument at which a monotone function is `target`.
 template <class F>
-double solved(double low, double high, double wanted, F&& f) {
+double solved(double low, double high, double target, F&& f) {
   const bool increasing = f(high) > f(low);
   for (int i = 0; i < 200; ++i) {
     const double x = 0.5 * (low + high);
-    ((f(x) < wanted) == increasing ? low : high) = x;
+    ((f(x) < target) == increasing ? low : high) = x;
   }
   return 0.5 * (low + high);
 }

@@ -39,9 +39,9 @@ std::string lines_pass(const NearestPlaces& at);
 std::string lines_start_too_near(const NearestPlaces& at);
 std::string lines_too_soft(const PressedLines& at);
 
-// Bodies that overlap by `depth` [m]; met: the overlap that their corners and edges detect, m; time in s;
-// slave: the volume whose corners and edges touch, empty: both.
-std::string bodies_overlap(const std::string& one, const std::string& other, double depth, double met,
+// Bodies that overlap by `depth` [m]; penetration: that of their corners and edges, m; time in s; slave: the
+// volume whose corners and edges touch, empty: both.
+std::string bodies_overlap(const std::string& one, const std::string& other, double depth, double penetration,
                            double time, const std::string& slave);
 
 }  // namespace hawser::advice

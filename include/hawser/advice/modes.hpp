@@ -13,7 +13,7 @@ namespace hawser::advice {
 std::string modes_need_statics(const model::Case& c);
 std::string stiffness_needs_statics(const model::Case& c);
 
-std::string fewer_modes_converged(size_t count, size_t wanted);
+std::string fewer_modes_converged(size_t count, size_t requested);
 std::string modes_incomplete();
 std::string model_has_no_more_modes(size_t count);
 std::string faster_instabilities(long directions);

@@ -9,8 +9,8 @@
 
 namespace hawser::advice {
 
-// Length [m] of a line without tension at rest. fell: it came to rest by dynamic relaxation.
-std::string slack_at_rest(const std::string& line, double length, bool fell);
+// Length [m] of a line without tension at rest. relaxed: it came to rest by dynamic relaxation.
+std::string slack_at_rest(const std::string& line, double length, bool relaxed);
 // A floating body without waterplane stiffness in roll and pitch.
 std::string no_waterplane(const std::string& body);
 // Of a line.
@@ -37,7 +37,7 @@ struct LongRelaxation {
 std::string long_relaxation(const LongRelaxation& r);
 // Reason why statics ends without an equilibrium; at: place of the largest residual; limit: of Newton's
 // iterations.
-enum class StaticsEnds { forces_beyond_numbers, too_many_iterations, no_descent, creeps };
+enum class StaticsEnds { forces_beyond_numbers, too_many_iterations, no_descent, stagnation };
 std::string no_equilibrium(StaticsEnds how, int limit, const Imbalance& at);
 std::string no_rest(int steps, const Imbalance& at);
 // Statics without friction of contact failed; the model rests by this friction.

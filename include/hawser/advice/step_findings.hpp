@@ -88,10 +88,10 @@ struct LinesStartTooNear {
 };
 struct PressedLines {
   NearestPlaces at;
-  double depth = 0, radii = 0;       // m; sum of both radii
-  double stiffness = 0, wanted = 0;  // N/m per m: current and required value; the latter is rounded up
-  double energy = 0;                 // J, in the contact
-  bool given = false;                // the case gives a stiffness for this pair
+  double depth = 0, radii = 0;         // m; sum of both radii
+  double stiffness = 0, required = 0;  // N/m per m: current and required value; the latter is rounded up
+  double energy = 0;                   // J, in the contact
+  bool given = false;                  // the case gives a stiffness for this pair
 };
 
 // monostate: no finding, or another rank has it.

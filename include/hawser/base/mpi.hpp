@@ -157,7 +157,7 @@ void largest_of_ranks(MPI_Comm comm, std::vector<T>& data, const Value& value, i
   struct Ranked {
     double value;
     int order;
-    T thing;
+    T data;
   };
   const auto put_larger = [](void* in, void* inout, int* n, MPI_Datatype*) {
     const Ranked* a = static_cast<const Ranked*>(in);
@@ -166,12 +166,12 @@ void largest_of_ranks(MPI_Comm comm, std::vector<T>& data, const Value& value, i
       if (a[i].value > b[i].value || (a[i].value == b[i].value && a[i].order < b[i].order)) b[i] = a[i];
   };
   std::vector<Ranked> all;
-  for (const T& thing : data) all.push_back({value(thing), order, thing});
+  for (const T& item : data) all.push_back({value(item), order, item});
   MPI_Op larger = MPI_OP_NULL;
   MPI_Op_create(put_larger, 1, &larger);
   MPI_Allreduce(MPI_IN_PLACE, all.data(), static_cast<int>(all.size()), MessageType<Ranked>(), larger, comm);
   MPI_Op_free(&larger);
-  for (std::size_t i = 0; i < data.size(); ++i) data[i] = all[i].thing;
+  for (std::size_t i = 0; i < data.size(); ++i) data[i] = all[i].data;
 }
 template <class T, class Value>
 void largest_of_ranks(MPI_Comm comm, std::vector<T>& data, const Value& value) {

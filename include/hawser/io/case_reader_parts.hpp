@@ -41,7 +41,7 @@ struct CaseSource {
   std::string absolute(const std::string& path) const;
   // The same for a file that the case reads, which is recorded in `inputs`.
   std::string input(const std::string& path) const;
-  [[noreturn]] void bad(const model::Value& v, const std::string& key, const std::string& text) const;
+  [[noreturn]] void refuse(const model::Value& v, const std::string& key, const std::string& text) const;
 };
 
 // Text of a case file; why: receives the end of a sentence on an error, empty: none.
@@ -105,9 +105,9 @@ void finish_in_water(const model::Value& v, const model::Water& water, model::Li
 model::LineType read_line_type(const std::string& name, const model::Value& v, const model::Environment& sea);
 
 // Complete entries of `bodies` and `volumes`, and `contact`. The environment of the case must be read; its
-// notes receive warnings. meet_sea(): the parts that depend on the body's position in the waves, after
-// placement.
-void meet_sea(const model::Value& v, const CaseSource& source, model::Body& b, model::Case& c);
+// notes receive warnings. finish_body_in_sea(): the parts that depend on the body's position in the waves,
+// after placement.
+void finish_body_in_sea(const model::Value& v, const CaseSource& source, model::Body& b, model::Case& c);
 void finish_body(const model::Value& v, const CaseSource& source, model::Body& b, model::Case& c);
 void finish_volume(const model::Value& v, const CaseSource& source, model::Volume& o);
 void finish_contact(const model::Value& v, model::Contact& to);
@@ -142,9 +142,9 @@ void check_bed(model::Case& c);
 
 // Line types, bodies, volumes, lines, links and supports of a file, after the environment and the keys that
 // the schema copies. start_of_case: `start` of the case, or null. sea: bodies are at their final position, so
-// meet_sea() is called.
-void read_things(const model::Value& root, const model::Value* start_of_case, const CaseSource& source,
-                 const SectionLengths& lengths, bool sea, model::Case& c);
+// finish_body_in_sea() is called.
+void read_objects(const model::Value& root, const model::Value* start_of_case, const CaseSource& source,
+                  const SectionLengths& lengths, bool sea, model::Case& c);
 
 // `farm` of an unchecked document: its platform files, changed by --set farm.of.KEY=VALUE, and its places;
 // null without the key. change_notes: receives a note for each change.

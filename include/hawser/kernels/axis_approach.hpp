@@ -18,11 +18,11 @@ struct ApproachLimits {
   double no_side = -1;      // axes nearer than this at the start cross; < 0: not tested
 };
 
-enum class Sides { kept, near, none };
+enum class Sides { kept, near, crossing };
 
 // `kept`: all distances are above the limits. `near`: a distance is below a limit, or so close above it (a
-// quarter) that chords and search leave it open. `none`: the axes crossed at the start of the step, so that
-// neither side is the correct one.
+// quarter) that chords and search leave it open. `crossing`: the axes crossed at the start of the step, so
+// that neither side is the correct one.
 Sides sides_kept(const AxisShape& a0, const AxisShape& a1, const AxisShape& b0, const AxisShape& b1,
                  const ApproachLimits& limits);
 

@@ -13,7 +13,7 @@ namespace hawser {
 // a radius of the surface are examined in lengths of half a radius. `pressed`: also tests whether points that
 // start nearer than that, or inside, come to another side. A corner or an edge touches with the tested point
 // itself.
-bool goes_through(DistanceField field, const BezierAxis& from, const BezierAxis& to, double radius,
-                  bool pressed = false);
+bool passes_through(DistanceField field, const BezierAxis& from, const BezierAxis& to, double radius,
+                    bool pressed = false);
 
 }  // namespace hawser

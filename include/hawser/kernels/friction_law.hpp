@@ -22,7 +22,7 @@ struct FrictionLaw {
   double axial = 0, lateral = 0;                // Coulomb coefficients along and across the line, at rest
   double stiffness = 0;                         // N/m; > 0: linear springs; 0: mobilisation lengths are used
   double axial_length = 0, lateral_length = 0;  // m, mobilisation lengths, used when stiffness is 0
-  FrictionReturn back = FrictionReturn::radial;
+  FrictionReturn return_rule = FrictionReturn::radial;
   FrictionSpring spring = FrictionSpring::elliptic;
   double axial_kinetic = 0, lateral_kinetic = 0;  // coefficients at speeds far above the blend speed
   double blend_speed = 0;                         // m/s; 0: the coefficients at rest apply at every speed
@@ -154,12 +154,12 @@ Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, c
   } else {
     e.axis[0] = S(law.axial_length);
     e.axis[1] = S(law.lateral_length);
-    if (law.spring == FrictionSpring::elliptic && law.back == FrictionReturn::associated) {
+    if (law.spring == FrictionSpring::elliptic && law.return_rule == FrictionReturn::associated) {
       if (holds_a) e.stiffness[0] = S(mu.axial / law.axial_length);
       if (holds_l) e.stiffness[1] = S(mu.lateral / law.lateral_length);
     }
   }
-  r.slides = e.come_back(law.back);
+  r.slides = e.return_to_limit(law.return_rule);
   r.slip = a * e.slip[0] + l * e.slip[1];
   if (k > 0) {
     r.force = r.slip * S(-k);

@@ -26,11 +26,11 @@ struct SlipEllipse {
   }
 
   // Returns true if the slip was outside.
-  bool come_back(FrictionReturn how) {
+  bool return_to_limit(FrictionReturn rule) {
     using std::sqrt;
     const S outside = square();
     if (!(outside > 1.0)) return false;
-    if (how == FrictionReturn::radial) {
+    if (rule == FrictionReturn::radial) {
       const S shrink = S(1) / sqrt(outside);
       slip[0] *= shrink;
       slip[1] *= shrink;

@@ -40,7 +40,7 @@ class RootSearch {
     bool ended = false;
   };
   Direction direction_[2];
-  int going_ = 0, count_ = 0, failures_at_start_ = 0;  // failures_at_start_: before the first value
+  int side_ = 0, count_ = 0, failures_at_start_ = 0;  // failures_at_start_: before the first value
   bool bracketed_ = false, exhausted_ = false;
   double next_ = 0;
   double x_[3] = {}, f_[3] = {};  // bracket: newest point, other side, previous point

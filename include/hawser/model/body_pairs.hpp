@@ -16,7 +16,7 @@ struct BodyPair {
   double force_factor = 1;  // of the force: 1/2 if both volumes are slaves with their faces
   Friction friction;        // isotropic
   // True if `b` can penetrate `a` undetected: between corners, edges or balls of `a`.
-  bool hides = false;
+  bool needs_overlap_check = false;
 };
 
 // Pairs of volumes that take part in contact, on different bodies at least one of which has mass. The slave

@@ -14,7 +14,7 @@ struct Friction {
   double lateral_mobilisation_length = 0;  // m; 0: equal to the axial one
   double axial_kinetic = 0, lateral_kinetic = 0;  // coefficients at high sliding speed
   double blend_speed = 0;                         // m/s; 0: always the static coefficients
-  FrictionReturn back = FrictionReturn::radial;
+  FrictionReturn return_rule = FrictionReturn::radial;
   FrictionSpring spring = FrictionSpring::elliptic;
 };
 

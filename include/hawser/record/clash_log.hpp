@@ -18,13 +18,13 @@ struct ClashSettings {
 
 // Contacts sorted by pair and place; those of a pair closer along `line` than the merge length are merged:
 // forces and energies add, the largest penetration is kept.
-ActiveContacts put_together(ActiveContacts touches, const Runs<double>& merge_length);
+ActiveContacts merge_contacts(ActiveContacts touches, const Runs<double>& merge_length);
 
 class ClashLog {
  public:
   explicit ClashLog(ClashSettings settings) : settings_(std::move(settings)) {}
 
-  // Adds all contacts at `time` [s], later than the previous step; touches: result of put_together().
+  // Adds all contacts at `time` [s], later than the previous step; touches: result of merge_contacts().
   //
   // A contact continues the clash of its pair whose places at the last contact it overlaps or approaches
   // within the merge length. A contact that matches several joins them into the earliest. A clash whose place

@@ -22,7 +22,7 @@ namespace hawser::record {
 class ClashReport : public Recording {
  public:
   // True if the case enables the report and has any contact.
-  static bool wanted(const Subject& subject);
+  static bool enabled(const Subject& subject);
   // The subject must outlive the report.
   explicit ClashReport(const Subject& subject);
 

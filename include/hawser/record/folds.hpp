@@ -37,7 +37,7 @@ class Folds {
     // s, end of the waves from its straightening; infinite: folded and not yet straight; 0: not folded.
     double waves_end = 0;
     // s, travel time of a wave along the line and back; 0: a beam or a fed line, not observed.
-    double echo = 0;
+    double round_trip_time = 0;
   };
   using Worst = advice::FoldedPeak;
   const LocalMesh& mesh_;

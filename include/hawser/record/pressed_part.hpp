@@ -10,11 +10,11 @@ namespace hawser::record {
 
 // State of a line at a node in contact with a volume.
 struct PressedTurn {
-  int node = 0;               // node number in the mesh
-  double angle = 0;           // rad, turn of the line there
-  double tension_change = 0;  // N, change of tension
-  double tension = 0, length = 0,
-         passage = 0;  // N; m, longer adjacent element; s, travel time of a wave across it
+  int node = 0;                        // node number in the mesh
+  double angle = 0;                    // rad, turn of the line there
+  double tension_change = 0;           // N, change of tension
+  double tension = 0, length = 0;      // N; m, of the longer adjacent element
+  double transverse_transit_time = 0;  // s, of a transverse wave through it
 };
 
 struct SumRange {
@@ -34,12 +34,12 @@ struct PressedPart {
 
   bool pressed = false;
   PressedTurn first, last;
-  PressedTurn worst;                // the first of those with the largest `tension_change`
-  double before = 0, after = 0;     // rad, turns at the nodes next to `worst`; 0: no contact there
-  double sum = 0;                   // N, S at the last node
-  SumRange inside;                  // N, range of all S_k
-  SumRange outside;                 // N, range of S_k at nodes n_k followed by a free node within the part
-  double tension = 0, passage = 0;  // largest values of the turns
+  PressedTurn worst;             // the first of those with the largest `tension_change`
+  double before = 0, after = 0;  // rad, turns at the nodes next to `worst`; 0: no contact there
+  double sum = 0;                // N, S at the last node
+  SumRange inside;               // N, range of all S_k
+  SumRange outside;              // N, range of S_k at nodes n_k followed by a free node within the part
+  double tension = 0, transverse_transit_time = 0;  // largest values of the turns
 };
 
 // Joins two parts of a line, b after a.

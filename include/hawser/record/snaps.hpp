@@ -25,7 +25,8 @@ class Snaps {
   Snaps(const model::Case& c, const LocalMesh& mesh);
   // Turn of a line over a volume from one cable element to the next.
   struct VolumePassage {
-    double passage = 0, time = 0;  // s, transverse wave through the slowest of these cables; s, when
+    double transverse_transit_time = 0;  // s, of a transverse wave through the slowest of these cables
+    double time = 0;                     // s
   };
   // By owned node: effective tension towards end A and towards end B, N. After every step of h [s]; 0: at the
   // start. passages: the last contact with a volume; null: no volumes.
@@ -42,12 +43,13 @@ class Snaps {
  private:
   struct Worst {
     double tension = 0, time = 0, arc = 0;
-    double step = 0, angle = 0;    // s; rad, phase of the wave within the step before the peak
-    double passage = 0, rate = 0;  // s, wave through an element; rad/s, frequency of the peak from both sides
-    double rise = 0;               // N/s², rise before the peak
-    double from = 0, within = 0;   // N, s: tension before the monotonic rise, and its duration
-    double across = 0;             // s, transverse wave across an element over a volume; 0: none
-    int node = -1;                 // owned, until the next step is processed
+    double step = 0, angle = 0;          // s; rad, phase of the wave within the step before the peak
+    double element_transit_time = 0;     // s, of an axial wave
+    double rate = 0;                     // rad/s, frequency of the peak from both sides
+    double rise = 0;                     // N/s², rise before the peak
+    double from = 0, within = 0;         // N, s: tension before the monotonic rise, and its duration
+    double transverse_transit_time = 0;  // s, of an element over a volume; 0: none
+    int node = -1;                       // owned, until the next step is processed
   };
   struct Before {
     double last = 0;            // N, at the previous step
@@ -58,9 +60,10 @@ class Snaps {
   std::string of_largest(int line, const std::string& name, double largest_tension, bool damped,
                          bool fixed) const;
   const LocalMesh& mesh_;
-  std::vector<double> passage_;  // s, slower element at each owned node; 0: excluded
-  std::vector<Before> before_;   // by owned node; empty: no step yet
-  PerLine<double> echo_;         // s, wave along each line and back
+  std::vector<double> element_transit_time_;  // s, of an axial wave through the slower element at each owned
+                                              // node; 0: excluded
+  std::vector<Before> before_;                // by owned node; empty: no step yet
+  PerLine<double> round_trip_time_;           // s, of an axial wave along each line and back
   PerLine<Worst> worst_;
   PerLine<Worst> unresolved_;  // the largest estimate of a peak between steps that do not resolve it
 };

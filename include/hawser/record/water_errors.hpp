@@ -58,7 +58,7 @@ class WaterErrors : public Recording {
     int parts = 1;                              // into which an element should be cut
     int first = 0, lines = 0;                   // first of the lines, and their number
     Where where;
-    double bears() const;  // N, negligible error
+    double negligible_error() const;  // N
   };
   std::string warning(const Group& g, const Where& w) const;
   MPI_Comm comm_;

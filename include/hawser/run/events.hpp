@@ -64,16 +64,16 @@ class Events {
   double local_tension(int node) const;
   // Excess of each waiting event's value over its condition, in units of its tolerance; >= 0: met.
   std::vector<double> conditions(const std::vector<double>& values) const;
-  void refuse_met(const std::vector<double>& values) const;
+  void refuse_conditions_met(const std::vector<double>& values) const;
   void watch();
   // Events due at a time with these values, or that begin a stage.
   std::vector<size_t> due_at(double time, const std::vector<double>& values, const std::string& stage) const;
   // Performs these events and then calls go_on(). If one of them is impossible, none has happened.
-  void happen(const std::vector<size_t>& now, const Kinematics& state, const std::string& stage,
-              std::vector<std::string>& messages, const std::function<void()>& go_on);
+  void execute(const std::vector<size_t>& now, const Kinematics& state, const std::string& stage,
+               std::vector<std::string>& messages, const std::function<void()>& go_on);
   // Performs and reports one event, without changing the system's tied nodes.
-  void happen(size_t event, const Kinematics& state, const std::string& stage,
-              std::vector<std::string>& messages);
+  void execute(size_t event, const Kinematics& state, const std::string& stage,
+               std::vector<std::string>& messages);
   std::vector<std::string> at_rest(const std::string& stage);
   bool releases_end(const std::string& stage) const;
   void pay_out(const std::string& stage, const std::function<void(bool)>& solve);

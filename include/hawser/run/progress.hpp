@@ -15,7 +15,7 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   // Announces an operation of about `seconds`: immediately on a terminal, otherwise only if it takes long.
-  void busy(const std::string& text, double seconds);
+  void busy(const std::string& text, double seconds_spent);
   // Progress of statics; residual: relative to the forces.
   void statics(int iterations, int relaxation_steps, double residual);
   // Start of the steps: simulated times of the first and last one [s]; earlier time does not count for the

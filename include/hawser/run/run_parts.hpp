@@ -38,7 +38,7 @@ StaticsReport solve_static_stages(
 // Frees the text of a case and reduces its tree to without_values(), once the run no longer reads them.
 void forget_file(model::Case& c);
 // MPI libraries make malloc retain freed memory, which can be gigabytes.
-void give_back_memory();
+void release_freed_memory();
 io::ReadProgress read_progress(Progress& progress);  // which must live as long
 
 }  // namespace hawser::run

@@ -129,12 +129,12 @@ class Dynamics {
   static PetscErrorCode converged(SNES, PetscInt it, PetscReal, PetscReal, PetscReal, SNESConvergedReason*,
                                   void*);
   SNESConvergedReason judge_iteration(SNES snes, int it, double fnorm);
-  void load(Vec u);
+  void update_trial(Vec u);
   void solve_once();
-  void put(const std::vector<double>& u);
-  std::vector<double> minus_accelerations();
+  void set_increment(const std::vector<double>& u);
+  std::vector<double> accelerations();
   void match_tied_velocities(const TiedNodes& before, State& s);
-  void settle(int node);
+  void balance_node(int node);
   // Kinematics of the state from which a step of h [s] begins: the end of the last step, or at the start of a
   // motion its first instant. s: the committed state, or one that replaces it.
   Kinematics step_origin(const State& s, double h) const {
@@ -148,7 +148,7 @@ class Dynamics {
   AlphaState committed_, trial_;
   double h_ = 0, last_step_ = 0;
   // The step that is being tried.
-  struct Tries {
+  struct StepAttempt {
     StepInfo info;
     bool solved = false;          // Newton's iteration of the last trial converged
     double allowed = HUGE_VAL;    // s, longest step that the terms allow
@@ -157,14 +157,14 @@ class Dynamics {
     bool overstretched = false;   // an element of some rank, in the last trial
     EventSearch search;
     std::vector<double> at_start;  // values of the event functions at the start of the step
-  } tries_;
+  } attempt_;
   std::vector<double> local_u_, reactions_;
   MeanForces mean_;  // of the committed state
   // part of the mean forces at the end of the step that earlier steps determine, N
   std::vector<double> mean_history_;
   double round_off_step_ = -1;  // s, step for which System has the round-off; < 0: none
   bool copied_ = false;         // trial_ holds all values that a step does not change
-  bool loaded_ = false;         // trial_ is the state of local_u_
+  bool trial_current_ = false;  // trial_ is the state of local_u_
   bool old_tangent_ = false;    // the next iteration uses the tangent of an earlier one
   // N, the larger of the first residual of this Newton solution and of its contributions
   double first_ = 0;

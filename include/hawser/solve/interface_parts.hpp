@@ -38,12 +38,12 @@ class InterfaceParts {
 
   // Sends the values of the shared blocks of `parts`, part by part, to the ranks that solve the parts, where
   // they arrive in the order of `solved`.
-  void bring_shared(const std::vector<double>& shared, std::vector<double>& solved) const;
+  void send_shared(const std::vector<double>& shared, std::vector<double>& solved) const;
   // Returns the values of the ghosts of `parts`, part by part.
   void send_ghosts(const std::vector<double>& solved, std::vector<double>& ghosts) const;
   // Sends matrices of shared rows and ghost columns, by rows of blocks of nine numbers, to the ranks that
   // solve the parts, as entries of the matrices of `solved`; other entries are zero.
-  void bring_matrices(const std::vector<double>& shared_ghosts, std::vector<double>& solved) const;
+  void send_matrices(const std::vector<double>& shared_ghosts, std::vector<double>& solved) const;
 
  private:
   std::vector<InterfacePart> parts_;

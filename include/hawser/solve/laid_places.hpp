@@ -10,7 +10,7 @@
 namespace hawser {
 
 // starts: the positions of the start shape [m, space axes], by line and node of the line; the result has the
-// same layout. Both are empty for lines that are not wanted, and for lines joined to them. A line is laid
+// same layout. Both are empty for lines that are not required, and for lines joined to them. A line is laid
 // without tension from the end that is nearer to the bed: its nodes are at their unstretched distances in the
 // direction of the start shape. At a joint it continues from the line there. A line was laid in its start
 // shape if the case prescribes this shape and it is on the bed from end to end, or if the line has a free end

@@ -77,8 +77,8 @@ class StaticTrial {
   static constexpr int kWatched = 50;
   // Progress since the last call, from the state there.
   struct Progress {
-    bool halved = false;  // the imbalance
-    bool creeps = false;  // the imbalance has not halved, and no node has moved noticeably
+    bool halved = false;     // the imbalance
+    bool stagnates = false;  // the imbalance has not halved, and no node has moved noticeably
   };
   Progress progress(const ResidualNorms& now);
   void forget_progress() { last_imbalance_ = HUGE_VAL; }

@@ -119,9 +119,9 @@ T entry(const CheckpointRecord& record) {
 // none.
 inline const CheckpointRecord* find_record(const std::vector<CheckpointRecord>& records, int node,
                                            int key = 0, int kind = 0) {
-  const std::tuple wanted{node, kind, key};
-  const auto at = std::ranges::lower_bound(records, wanted, {}, checkpoint_place);
-  return at != records.end() && checkpoint_place(*at) == wanted ? &*at : nullptr;
+  const std::tuple place{node, kind, key};
+  const auto at = std::ranges::lower_bound(records, place, {}, checkpoint_place);
+  return at != records.end() && checkpoint_place(*at) == place ? &*at : nullptr;
 }
 
 // The only entry of that record. Throws as entry() does.

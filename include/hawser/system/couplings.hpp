@@ -21,12 +21,12 @@ struct Couplings {
       for (int j : b) pairs.emplace_back(std::min(i, j), std::max(i, j));
   }
   void sort() {
-    const auto tidy = [](auto& v) {
+    const auto sort_unique = [](auto& v) {
       std::sort(v.begin(), v.end());
       v.erase(std::unique(v.begin(), v.end()), v.end());
     };
-    tidy(nodes);
-    tidy(pairs);
+    sort_unique(nodes);
+    sort_unique(pairs);
   }
   // True if all nodes and pairs are also in `o`. Both must be sorted.
   bool within(const Couplings& o) const {

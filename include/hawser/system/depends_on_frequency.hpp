@@ -1,6 +1,7 @@
 // Role of force terms whose mass, damping and excitation in harmonic motion depend on its frequency.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,8 +20,8 @@ class DependsOnFrequency {
 
   virtual ~DependsOnFrequency() = default;
   // Sets the derivatives by acceleration and velocity at rest to those of a harmonic motion with omega
-  // [rad/s]; 0, the initial value: those of time integration.
-  virtual void oscillate(double omega) = 0;
+  // [rad/s]; nothing, the initial value: those of time integration.
+  virtual void set_frequency(std::optional<double> omega) = 0;
   // Linear forces of each of the waves on bodies in a state at rest, on the ranks that own them.
   virtual std::vector<Excitation> excitation(const std::vector<WaveComponent>& waves,
                                              const Kinematics& state) const = 0;

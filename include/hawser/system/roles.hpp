@@ -106,11 +106,12 @@ struct LineTension {
 class HasAxialStiffness {
  public:
   virtual ~HasAxialStiffness() = default;
-  // Limits the axial stiffness [N] and makes sections elastic, until the next call (HUGE_VAL: true values).
+  // Limits the axial stiffness [N] and makes sections elastic, until the next call or restore_sections().
   // Statics starts soft, because the energy of a very stiff line is badly conditioned, and elastic, because
   // yielding sections in the bends of a shape far from equilibrium would have almost no stiffness. Returns
-  // whether this changes anything on this rank.
-  virtual bool soften(double max_stiffness) = 0;
+  // whether a section of this rank differs from its true one.
+  virtual bool limit_axial_stiffness(double max_stiffness) = 0;
+  virtual void restore_sections() = 0;  // true stiffness and plastic law
   // Largest EA, N, of this rank; 0: none.
   virtual double axial_stiffness() const = 0;
   // The most overstretched element of this rank, if any.

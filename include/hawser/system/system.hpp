@@ -122,7 +122,8 @@ class System {
   const std::vector<double>& reactions() const { return force_; }
 
   // The following combine all ranks (collective); see roles.hpp.
-  bool soften(double max_stiffness);  // true on all ranks: something differs from its true value
+  bool limit_axial_stiffness(double max_stiffness);  // true on all ranks: a section differs from its true one
+  void restore_sections();
   double axial_stiffness() const;
   double dead_load() const;
   // Limit for a step of at most `max_step` [s]. Impacts limit it by the error of energy that they may cause.

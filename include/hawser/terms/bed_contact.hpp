@@ -64,10 +64,10 @@ class BedContact final : public ForceTerm, public HasFriction {
   // In statics, until the first time step, slip is counted from where the lines were laid, in two phases. In
   // the first phase (pressed) the normal force does not depend on the trial, so that friction has a
   // potential. It is the weight of the points on the bed at the start, later the contact force of the last
-  // solution. In the second phase friction has the law of motion. firm: the friction springs of the first
-  // phase are as stiff as the line's elements; the mobilised friction carries over to the second phase.
-  // places: by local node, m; NaN: not laid.
-  void lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm);
+  // solution. In the second phase friction has the law of motion. full_friction: the friction springs of
+  // the first phase are as stiff as the line's elements; the mobilised friction carries over to the second
+  // phase. places: by local node, m; NaN: not laid.
+  void lay(const std::vector<Vec3>& places, const Kinematics& start, bool full_friction);
   // For the first phase: friction is fully mobilised at this slip [m] or more, so that it increases smoothly.
   void mobilise_at(double full_slip) { full_slip_ = full_slip; }
   void press_by_contact(const Kinematics& state);
@@ -177,7 +177,7 @@ class BedContact final : public ForceTerm, public HasFriction {
                        bool convex = false) const;
   // Suction state of a point at the start of a step. Suction does not act in statics, which has no path in
   // time.
-  SuctionState soil(const Point& p, const Kinematics& state) const {
+  SuctionState suction_state(const Point& p, const Kinematics& state) const {
     return state.moves() && suction_ ? history(p).soil : SuctionState{};
   }
 
@@ -191,7 +191,7 @@ class BedContact final : public ForceTerm, public HasFriction {
   std::vector<StepStart> starts_;
   std::vector<LaidReference>
       laid_;  // in statics with friction; empty: slip and normal are those of histories_
-  bool firm_ = false;
+  bool full_friction_ = false;
   double full_slip_ = 0;
   std::vector<PointHistory> histories_;
   std::vector<int> vacant_;  // free indices in histories_

@@ -123,7 +123,7 @@ class BodyContact final : public ForceTerm,
     double max_approach = 0;            // m, largest approach allowed in a step in which the bodies may meet
     // A root of the inverse mass matrix of the twelve unknowns; zero rows for prescribed motion.
     Mat12 root = Mat12::Zero();
-    bool hides = false;                        // see model::BodyPair
+    bool needs_overlap_check = false;          // see model::BodyPair
     int other = -1;                            // index of the pair with a and b swapped; -1: none
     bool owns_body = false, counted = false;   // this rank owns one of the bodies; counts the pair
     double damping = 0, work = 0;              // J, over the accepted steps
@@ -136,14 +136,14 @@ class BodyContact final : public ForceTerm,
     double energy = 0;              // J, kinetic energy of the relative motion plus potential
     Vec12 elastic = Vec12::Zero();  // residual without damping
     PairFrames frames;
-    double penetration = 0;        // m, penetration
-    double met = 0;                // m, largest of that since the two volumes were last apart
-    double depth = 0;              // m, largest, over the accepted steps
-    ActiveContact now;             // in the accepted state
-    Vec12 acts = Vec12::Zero();    // residual there
-    bool acted = false;            // there was an accepted state, of statics or of a step
-    ContactResultants resultants;  // likewise
-    BodyFrictionPoints touching;   // likewise, where there is friction
+    double penetration = 0;              // m, penetration
+    double penetration_since_clear = 0;  // m, largest of that since the two volumes were last apart
+    double depth = 0;                    // m, largest, over the accepted steps
+    ActiveContact now;                   // in the accepted state
+    Vec12 residual = Vec12::Zero();      // there
+    bool has_accepted_state = false;     // of statics or of a step
+    ContactResultants resultants;        // likewise
+    BodyFrictionPoints touching;         // likewise, where there is friction
 
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
@@ -151,7 +151,7 @@ class BodyContact final : public ForceTerm,
       each("work", "J", self.work);
       each("friction", "J", self.dissipated);
       each("largest penetration", "m", self.depth);
-      each("since clear", "m", self.met);
+      each("since clear", "m", self.penetration_since_clear);
     }
   };
   // Contact of a pair in a state: residual for the twelve unknowns (x_A, theta_A, x_B, theta_B), positions in

@@ -107,10 +107,10 @@ class ContactVolumes {
   // Trial stiffness of each volume, the initial value for the demands of require().
   std::vector<double> stiffnesses() const;
   void require(int volume, const NormalLaw& law, const PressedPoint& p, double step,
-               std::vector<double>& wanted) const;
+               std::vector<double>& required) const;
   // Raises each automatic stiffness to the largest demand of all ranks. Returns true on all ranks if any was
   // raised. Collective if a volume is automatic.
-  bool raise(std::vector<double>& wanted);
+  bool raise(std::vector<double>& required);
   // revert_raise() resets the trial stiffness to that of the last accepted state and returns whether any
   // value changed; commit_raise() accepts it.
   bool revert_raise();

@@ -139,7 +139,7 @@ class LineCandidates {
   std::vector<SweptAxis> built_;  // of local_, at the time of the last build
   // By element of local_: offset of the path's midpoint in time from that of the straight path.
   std::vector<std::array<Vec3, 4>> bend_;
-  std::vector<double> within_;             // m, by shared place: length within which the list excludes pairs
+  std::vector<double> free_length_;        // m, by shared place: length within which the list excludes pairs
   double built_at_ = 0, span_ = 0;         // s, time of the last build; duration of the predicted paths
   std::vector<std::pair<int, int>> list_;  // pairs of Mesh::elements, sorted
   std::vector<ContactSegment> segments_;

@@ -213,7 +213,7 @@ class LinePairs final : public ForceTerm,
                         const AxisContactMode& mode) const;
   bool joint(const ContactSegment& s, int end) const;
   std::vector<Rod> rods(const Kinematics& state) const;
-  bool met(const Pair& pair, const std::vector<Rod>& moved) const;
+  bool may_touch(const Pair& pair, const std::vector<Rod>& moved) const;
   bool near(const Pair& pair, const std::vector<Rod>& moved) const;
   struct Nearest {
     double speed = 0, gap = 0;

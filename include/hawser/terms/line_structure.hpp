@@ -30,7 +30,7 @@ class LineStructure final : public ForceTerm,
   // For steps that resolve a snap load of a cable. Beams do not become slack, and each change of the step
   // changes the energy of axial vibration that the steps do not resolve.
   struct Peak {
-    double passage = 0;  // s, of an axial wave through the element
+    double transit_time = 0;  // s, of an axial wave through the element
     double largest = 0;  // N, tension so far; at least the weight of the element, within which tension varies
   };
   struct Beam {
@@ -67,7 +67,8 @@ class LineStructure final : public ForceTerm,
   void tensions(const Kinematics& state, std::span<LineTension> lines) const override;
   // Length of this rank's cables without tension, by line, m.
   std::vector<double> slack_length(const Kinematics& state) const;
-  bool soften(double max_EA) override;
+  bool limit_axial_stiffness(double max_EA) override;
+  void restore_sections() override;
   double axial_stiffness() const override;
   void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;
   void fields(FieldRegistry& registry) const override;
@@ -107,7 +108,7 @@ class LineStructure final : public ForceTerm,
   std::vector<FedBends> fed_;             // by feeder, in the order of FedLines
   bool damped_ = false, yields_ = false;  // yields_: a line type of the model bends plastically
   std::vector<double> plastic_history_;   // histories of all beams, see BeamReference::set; zero in statics
-  // Unsoftened values while elements are softened: EA [N] and plastic law of beams; EA of cables.
+  // True values while the axial stiffness is limited: EA [N] and plastic law of beams; EA of cables.
   std::vector<std::pair<double, const PlasticBending*>> true_beams_;
   std::vector<double> true_EA_;
   std::optional<double> power_;  // W, dissipated by beams at the committed state

@@ -44,7 +44,7 @@ class PlatformWater final : public ForceTerm,
   double round_off(const Kinematics& state, double h) const override;
   // Uses the added mass and damping at `omega` [rad/s], interpolated linearly between the rows of the data; B
   // = 0 at omega = 0 and beyond the last row.
-  void oscillate(double omega) override;
+  void set_frequency(std::optional<double> omega) override;
   // Bodies without wave forces in their files, or with `excitation: false`, have none.
   std::vector<Excitation> excitation(const std::vector<WaveComponent>& waves,
                                      const Kinematics& state) const override;
@@ -109,7 +109,7 @@ class PlatformWater final : public ForceTerm,
   struct Group {
     std::vector<Platform> platforms;
     std::shared_ptr<const model::PlatformMemory> radiation;  // shared by groups of equal platforms
-    Eigen::MatrixXd added_mass;                              // at the frequency of oscillate()
+    Eigen::MatrixXd added_mass;                              // at the frequency of set_frequency()
     Eigen::MatrixXd harmonic_damping;                        // at that frequency; empty: time integration
     // Modes for the stiffness of the potentials alone, 6 N by number of modes, with v . M v = 1, and their
     // omega² [1/s²]. Empty if a body has a hull, whose stiffness differs.

@@ -40,15 +40,15 @@ class SharedPlaces {
   void set_elements_in_feeders(std::vector<std::array<int, 2>> inside) { inside_ = std::move(inside); }
 
   // Updates the length without contact at each place from a committed state. The first call determines it
-  // from the state alone. Later it shrinks and, if `settles` (statics), also grows. A second call for the
+  // from the state alone. Later it shrinks and, if `in_statics`, also grows. A second call for the
   // same state changes nothing. Collective.
-  void update(const Kinematics& state, bool settles);
+  void update(const Kinematics& state, bool in_statics);
 
   int size() const { return static_cast<int>(places_.size()); }
   const SharedPlace& place(int k) const { return places_[k].branches; }
   double diameter(int k) const;  // m, mean of the two diameters at place k
   // Length without contact along either branch from place k, m.
-  double within(int k) const { return places_[k].step * std::max(places_[k].within, 0); }
+  double free_length(int k) const { return places_[k].step * std::max(places_[k].free_steps, 0); }
   // Checkpoint record of a place, stored by the rank with its first node.
   struct Kept {
     int place = 0, steps = 0;
@@ -58,7 +58,7 @@ class SharedPlaces {
       each("steps", "", self.steps);
     }
   };
-  Kept kept(int k) const { return {k, places_[k].within}; }
+  Kept kept(int k) const { return {k, places_[k].free_steps}; }
   // forget() marks the lengths of all places as unknown; restore() sets those that this rank has. The next
   // update() distributes them.
   void forget();
@@ -86,13 +86,14 @@ class SharedPlaces {
   // Lengths along the branches are counted in steps, so that the same state gives the same result.
   struct PlaceState {
     SharedPlace branches;
-    double step = 0;        // m
-    double limit = 0;       // m, largest length along either branch
-    int within = kUnknown;  // length without contact, in steps
-    int clear = 0;          // in statics: steps up to which the branches were clearly apart beyond `within`
+    double step = 0;            // m
+    double limit = 0;           // m, largest length along either branch
+    int free_steps = kUnknown;  // length without contact
+    int clear_steps =
+        0;  // in statics: length up to which the branches were clearly apart beyond `free_steps`
   };
   // Branch as a polyline.
-  struct Rope {
+  struct BranchPath {
     std::vector<double> s;  // m, from the place
     std::vector<Vec3> x;
     std::vector<double> radius;  // radius of the segment after each point
@@ -100,12 +101,13 @@ class SharedPlaces {
   struct Gaps;
 
   double arc(int node) const;
-  std::array<int, 2> outside(int line) const;
-  double begin(const Branch& branch) const;
+  std::array<int, 2> nodes_outside_feeders(int line) const;
+  double start_arc(const Branch& branch) const;
   std::vector<int> nodes_to(const Branch& branch, double reach) const;
-  Rope rope(const Branch& branch, const std::vector<int>& nodes, const std::vector<Vec3>& x) const;
+  BranchPath branch_path(const Branch& branch, const std::vector<int>& nodes,
+                         const std::vector<Vec3>& x) const;
   std::vector<Vec3> gather(const std::vector<int>& nodes, const Kinematics& state) const;
-  void update(PlaceState& place, const Rope& one, const Rope& other, bool settles) const;
+  void update(PlaceState& place, const BranchPath& one, const BranchPath& other, bool in_statics) const;
 
   MPI_Comm comm_;
   const LocalMesh& mesh_;

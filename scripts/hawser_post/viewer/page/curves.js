@@ -87,7 +87,7 @@ hawser.Curves = class {
 
   async showEnds() {
     const curves = [];
-    const wanted = this.line;
+    const line = this.line;
     for (const [k, {model, label}] of this.models.entries()) {
       const found = this.same(model);
       if (!found || model.outputs < 2) continue;
@@ -97,7 +97,7 @@ hawser.Curves = class {
                      y: Float32Array.from(ends[row], (v) => v / found.field.factor)});
       });
     }
-    if (wanted !== this.line) return;
+    if (line !== this.line) return;
     this.ends.show({title: `Ends of ${this.line.name}`, x: this.main.header.modes ? "mode" : "time [s]", y: this.unit(this.field), curves});
   }
 
@@ -127,16 +127,16 @@ hawser.Curves = class {
     }
     const [h, c] = value.split(" ").map(Number);
     const curves = [];
-    const wanted = this.main.header.histories[h];
+    const chosen = this.main.header.histories[h];
     for (const {model, label, colour} of this.models) {
-      const history = model.header.histories.find((other) => other.name === wanted.name);
-      const column = history ? history.columns.indexOf(wanted.columns[c]) : -1;
+      const history = model.header.histories.find((other) => other.name === chosen.name);
+      const column = history ? history.columns.indexOf(chosen.columns[c]) : -1;
       if (column < 0) continue;
       const block = await model.block(`series/${history.key}`);
       const row = (k) => block.values.subarray(k * block.columns, (k + 1) * block.columns);
-      curves.push({label: this.models.length > 1 ? label : wanted.labels[c], colour, x: row(0), y: Float32Array.from(row(column + 1), (v) => v / history.factors[column])});
+      curves.push({label: this.models.length > 1 ? label : chosen.labels[c], colour, x: row(0), y: Float32Array.from(row(column + 1), (v) => v / history.factors[column])});
     }
-    this.stored.show({title: wanted.name, x: "time [s]", y: this.words(wanted, c), curves});
+    this.stored.show({title: chosen.name, x: "time [s]", y: this.words(chosen, c), curves});
   }
 };
 

@@ -17,11 +17,11 @@ hawser.Player = class {
     const {model, scene} = this;
     this.output = Math.min(model.outputs - 1, Math.max(0, output));
     this.time = model.header.times[this.output];
-    const wanted = this.output;
-    await model.ready(scene.needs(), [wanted]);
-    if (wanted !== this.output || this.playing) return;
-    scene.set(wanted, 0);
-    this.onOutput(wanted);
+    const requested = this.output;
+    await model.ready(scene.needs(), [requested]);
+    if (requested !== this.output || this.playing) return;
+    scene.set(requested, 0);
+    this.onOutput(requested);
   }
 
   play(on) {

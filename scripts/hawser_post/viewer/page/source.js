@@ -110,9 +110,9 @@ hawser.Model = class {
 
   // Waits until all of `names` are loaded at these outputs.
   async ready(names, outputs) {
-    const wanted = new Set();
-    for (const what of names) for (const output of outputs) wanted.add(this.nameAt(what, output));
-    await Promise.all([...wanted].map((name) => this.block(name, Float32Array)));
+    const names_of_blocks = new Set();
+    for (const what of names) for (const output of outputs) names_of_blocks.add(this.nameAt(what, output));
+    await Promise.all([...names_of_blocks].map((name) => this.block(name, Float32Array)));
   }
 
   field(name) {
