@@ -338,43 +338,48 @@ MeshFacetGroups::Part MeshFacetGroups::describe(FacetGroup group, int nearest, c
   return part;
 }
 
-void MeshFacetGroups::find(std::span<const Vec3> axis, double reach, FacetGroups& out) const {
-  out.list.clear();
+// Facets that are connected within reach of the axis, and the nearest of them.
+struct MeshFacetGroups::Connected {
+  FacetGroup group;
+  int nearest = -1;
+  Approach at;
+};
+
+void MeshFacetGroups::find_nearest(std::span<const Vec3> axis, Connected& c) const {
+  for (const FacetGroup::Facet& facet : c.group.facets)
+    any_chord(axis, [&](const Vec3& p, const Vec3& q) {
+      const double far = c.at.distance + facet.radius;
+      if (squared_distance_to_segment(facet.centre, p, q) > far * far) return false;  // others are nearer
+      const Approach a = approach(facet.triangle, p, q);
+      if (a.distance < c.at.distance) {
+        c.at = a;
+        c.nearest = facet.triangle;
+      }
+      return c.at.distance == 0;  // none is nearer
+    });
+}
+
+// Empty if all facets are connected.
+std::vector<MeshFacetGroups::Connected> MeshFacetGroups::connected(std::span<const Vec3> axis,
+                                                                   double reach) const {
   const std::vector<FacetGroup::Facet> facets = around(axis, reach);
-  if (facets.size() < 2) return;
+  if (facets.size() < 2) return {};
   DisjointSets sets;
   join(axis, reach, facets, sets);
-  struct Candidate {
-    FacetGroup group;
-    int nearest = -1;
-    Approach at;
-  };
   int count = 0;
   const std::vector<int> number = sets.numbered(count);
-  if (count < 2) return;
-  std::vector<Candidate> candidates(static_cast<std::size_t>(count));
+  if (count < 2) return {};
+  std::vector<Connected> out(static_cast<std::size_t>(count));
   for (std::size_t k = 0; k < facets.size(); ++k)
-    candidates[static_cast<std::size_t>(number[k])].group.facets.push_back(facets[k]);
-  for (Candidate& f : candidates)
-    for (const FacetGroup::Facet& facet : f.group.facets)
-      any_chord(axis, [&](const Vec3& p, const Vec3& q) {
-        const double far = f.at.distance + facet.radius;
-        if (squared_distance_to_segment(facet.centre, p, q) > far * far) return false;  // others are nearer
-        const Approach a = approach(facet.triangle, p, q);
-        if (a.distance < f.at.distance) {
-          f.at = a;
-          f.nearest = facet.triangle;
-        }
-        return f.at.distance == 0;  // none is nearer
-      });
+    out[static_cast<std::size_t>(number[k])].group.facets.push_back(facets[k]);
+  for (Connected& c : out) find_nearest(axis, c);
   // Groups contain whole connected facets; groups that are out of reach are removed.
-  std::erase_if(candidates, [&](const Candidate& f) { return f.at.distance - bulge(f.nearest) > reach; });
-  if (candidates.size() < 2) return;
-  std::vector<Part> parts;
-  for (Candidate& f : candidates) parts.push_back(describe(std::move(f.group), f.nearest, f.at.from, axis));
-  std::stable_sort(parts.begin(), parts.end(),
-                   [](const Part& a, const Part& b) { return a.distance < b.distance; });
-  parts.front().back = false;  // the nearest one can be touched from both sides
+  std::erase_if(out, [&](const Connected& c) { return c.at.distance - bulge(c.nearest) > reach; });
+  return out;
+}
+
+// Joins parts with nearly the same direction, and those behind which the whole axis is. parts: nearest first.
+void MeshFacetGroups::merge_parallel(std::vector<Part> parts, FacetGroups& out) {
   const auto add = [](FacetGroup& to, const FacetGroup& from) {
     to.facets.insert(to.facets.end(), from.facets.begin(), from.facets.end());
   };
@@ -400,6 +405,18 @@ void MeshFacetGroups::find(std::span<const Vec3> axis, double reach, FacetGroups
   for (Part& p : facet_groups) out.list.push_back(std::move(p.group));
   if (!backs.facets.empty()) out.list.push_back(std::move(backs));
   for (FacetGroup& w : out.list) std::ranges::sort(w.facets, {}, &FacetGroup::Facet::triangle);
+}
+
+void MeshFacetGroups::find(std::span<const Vec3> axis, double reach, FacetGroups& out) const {
+  out.list.clear();
+  std::vector<Connected> candidates = connected(axis, reach);
+  if (candidates.size() < 2) return;
+  std::vector<Part> parts;
+  for (Connected& c : candidates) parts.push_back(describe(std::move(c.group), c.nearest, c.at.from, axis));
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const Part& a, const Part& b) { return a.distance < b.distance; });
+  parts.front().back = false;  // the nearest one can be touched from both sides
+  merge_parallel(std::move(parts), out);
 }
 
 }  // namespace hawser::detail

@@ -60,7 +60,11 @@ class MeshFacetGroups {
   std::vector<FacetGroup::Facet> around(std::span<const Vec3> axis, double reach) const;
   void join(std::span<const Vec3> axis, double reach, const std::vector<FacetGroup::Facet>& facets,
             DisjointSets& sets) const;
+  struct Connected;
+  void find_nearest(std::span<const Vec3> axis, Connected& c) const;
+  std::vector<Connected> connected(std::span<const Vec3> axis, double reach) const;
   Part describe(FacetGroup group, int nearest, const Vec3& from, std::span<const Vec3> axis) const;
+  static void merge_parallel(std::vector<Part> parts, FacetGroups& out);
 
   const Facets& facets_;
   const Pseudonormals& normals_;

@@ -88,13 +88,58 @@ std::array<double, 2> on_edge(int i, double s) {
   return {0, 1 - s};
 }
 
-PatchPoint closest_point_on_patch(const Vec3& y, const SmoothPatch& q) {
-  PatchPoint out;
-  auto [u, v] = flat_coordinates(q, y);
-  const Vec3 uu = -2 * q.c[0];
-  const Vec3 vv = -2 * q.c[2];
-  const Vec3 uv = q.c[1] - q.c[0] - q.c[2];
+namespace {
+
+// Foot of a point on the patch, continued beyond its edges.
+struct Foot {
+  double u = 0, v = 0;
   bool converged = false;
+
+  bool inside() const { return u >= 0 && v >= 0 && u + v <= 1; }
+};
+
+struct SecondDerivatives {
+  explicit SecondDerivatives(const SmoothPatch& q)
+      : uu(-2 * q.c[0]), vv(-2 * q.c[2]), uv(q.c[1] - q.c[0] - q.c[2]) {}
+  Vec3 uu, vv, uv;
+};
+
+// Step (du, dv) of Newton's method for the minimum of |r|²/2 with r = y - q(u, v):
+//   H (du, dv) = (r . q_u, r . q_v),   H_ij = q_i . q_j - r . q_ij.
+// Beyond a centre of curvature H is not positive: Gauss-Newton, H_ij = q_i . q_j. False: H is singular.
+bool newton_step(const SmoothPatch& q, const SecondDerivatives& second, const Vec3& r, double u, double v,
+                 double& du, double& dv) {
+  const Vec3 a = q.by_u(u, v);
+  const Vec3 b = q.by_v(u, v);
+  const double gu = r.dot(a);
+  const double gv = r.dot(b);
+  const double iuu = a.dot(a);
+  const double iuv = a.dot(b);
+  const double ivv = b.dot(b);
+  double muu = iuu - r.dot(second.uu);
+  double muv = iuv - r.dot(second.uv);
+  double mvv = ivv - r.dot(second.vv);
+  double det = muu * mvv - muv * muv;
+  if (!(muu > 0 && det > 1e-6 * (iuu * ivv - iuv * iuv))) {
+    muu = iuu;
+    muv = iuv;
+    mvv = ivv;
+    det = muu * mvv - muv * muv;
+  }
+  if (!(det > 0)) return false;
+  du = (mvv * gu - muv * gv) / det;
+  dv = (muu * gv - muv * gu) / det;
+  return true;
+}
+
+// By Newton's method from the foot on the flat triangle; far beyond the edges it stops.
+Foot foot_on_patch(const Vec3& y, const SmoothPatch& q) {
+  const SecondDerivatives second(q);
+  Foot foot;
+  auto& [u, v, converged] = foot;
+  const auto [flat_u, flat_v] = flat_coordinates(q, y);
+  u = flat_u;
+  v = flat_v;
   double squared = std::numeric_limits<double>::infinity();
   double du = 0;
   double dv = 0;
@@ -110,50 +155,22 @@ PatchPoint closest_point_on_patch(const Vec3& y, const SmoothPatch& q) {
       continue;
     }
     squared = now;
-    const Vec3 a = q.by_u(u, v);
-    const Vec3 b = q.by_v(u, v);
-    const double gu = r.dot(a);
-    const double gv = r.dot(b);
-    double muu = a.dot(a);
-    double muv = a.dot(b);
-    double mvv = b.dot(b);
-    const double iuu = muu;
-    const double iuv = muv;
-    const double ivv = mvv;
-    muu -= r.dot(uu);
-    muv -= r.dot(uv);
-    mvv -= r.dot(vv);
-    double det = muu * mvv - muv * muv;
-    // Beyond a centre of curvature the second derivative is not positive: Gauss-Newton instead.
-    if (!(muu > 0 && det > 1e-6 * (iuu * ivv - iuv * iuv))) {
-      muu = iuu;
-      muv = iuv;
-      mvv = ivv;
-      det = muu * mvv - muv * muv;
-    }
-    if (!(det > 0)) break;
-    du = (mvv * gu - muv * gv) / det;
-    dv = (muu * gv - muv * gu) / det;
+    if (!newton_step(q, second, r, u, v, du, dv)) break;
     u += du;
     v += dv;
     converged = std::max(std::abs(du), std::abs(dv)) < 1e-9;  // quadratic: the next would be rounding
     if (std::min({u, v, 1 - u - v}) < -0.5) break;
   }
-  const bool inside = u >= 0 && v >= 0 && u + v <= 1;
-  if (inside) {
-    out.point = q.point(u, v);
-    out.squared_distance = (y - out.point).squaredNorm();
-    out.u = u;
-    out.v = v;
-    if (converged) return out;
-  }
-  const double interior_squared = inside ? out.squared_distance : std::numeric_limits<double>::infinity();
-  const double b[3] = {1 - u - v, u, v};
-  const bool unreliable = !converged || std::min({b[0], b[1], b[2]}) < -0.25;
-  out.squared_distance = interior_squared;
+  return foot;
+}
+
+// Replaces `out` by the nearest point of the edges if that is nearer. Only edges near a reliable foot can
+// contain the nearest point.
+void nearest_on_edges(const Vec3& y, const SmoothPatch& q, const Foot& foot, PatchPoint& out) {
+  const double b[3] = {1 - foot.u - foot.v, foot.u, foot.v};
+  const bool unreliable = !foot.converged || std::min({b[0], b[1], b[2]}) < -0.25;
   for (int i = 0; i < 3; ++i) {
-    // The coordinate of the opposite corner is zero on edge i; only edges near the foot can contain the
-    // nearest point.
+    // The coordinate of the opposite corner is zero on edge i.
     if (!unreliable && b[(i + 2) % 3] > 1e-3) continue;
     const std::size_t j = static_cast<std::size_t>(i);
     const std::size_t k = static_cast<std::size_t>((i + 1) % 3);
@@ -166,6 +183,22 @@ PatchPoint closest_point_on_patch(const Vec3& y, const SmoothPatch& q) {
     out.u = at[0];
     out.v = at[1];
   }
+}
+
+}  // namespace
+
+PatchPoint closest_point_on_patch(const Vec3& y, const SmoothPatch& q) {
+  const Foot foot = foot_on_patch(y, q);
+  PatchPoint out;
+  out.squared_distance = std::numeric_limits<double>::infinity();
+  if (foot.inside()) {
+    out.point = q.point(foot.u, foot.v);
+    out.squared_distance = (y - out.point).squaredNorm();
+    out.u = foot.u;
+    out.v = foot.v;
+    if (foot.converged) return out;
+  }
+  nearest_on_edges(y, q, foot, out);
   return out;
 }
 

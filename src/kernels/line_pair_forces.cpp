@@ -78,7 +78,7 @@ LinePairPass::Rows LinePairPass::rows(const Point& p) const {
   return r;
 }
 
-// Derivatives of force and couple at a point.
+// Derivatives of force and couple at a point. `positions`: number of positions of both elements.
 struct LinePairPass::Slopes {
   // By the columns of K; by the position on the slave; by the rate of the gap.
   struct Of {
@@ -88,81 +88,82 @@ struct LinePairPass::Slopes {
   Of force, couple;
   Gradient eta_by = Gradient::Zero();  // of the nearest point along the master, if it moves
   double eta_by_xi = 0;
+
+  void find_eta(const Point& p, const Vec3& bend, const Rows& rows, size_t positions);
+  void find_couple(const Point& p, const Vec3& force_at_point, const Rows& rows, size_t positions);
 };
 
-// At a fixed position xi on the slave, everything depends on D = x - y and T = y' at a given eta, on the
-// rotations of the sections and on eta, which follows from D . y' = 0:
-//   d eta = ((dx - dy) . y' + D . dy') / (y' . y' - D . y'').
-// flatten: otherwise products of small matrices are function calls.
-[[gnu::flatten]] void LinePairPass::find_slopes(const Point& p, const Start& from, const LinePairForce& c,
-                                                const Rows& rows, Slopes& s) const {
+// The nearest point y has D . y' = 0, therefore
+//   d eta = ((dx - dy) . y' + D . dy') / c,   d eta/d xi = x' . y' / c,   c = y' . y' - D . y'',
+// except at an end of the master, where eta is constant. bend: y''.
+void LinePairPass::Slopes::find_eta(const Point& p, const Vec3& bend, const Rows& rows, size_t positions) {
+  const double curve = p.along.squaredNorm() - p.foot.away.dot(bend);
+  if (p.foot.inside && curve > 0) {
+    const Vec3 by_difference = p.along / curve;
+    const Vec3 by_tangent = p.foot.away / curve;
+    for (size_t m = 0; m < positions; ++m)
+      columns(eta_by, m) = (rows.factor[m] * by_difference - rows.by_eta[m] * by_tangent).transpose();
+    eta_by_xi = p.slope.dot(by_difference);
+  } else {
+    eta_by.setZero();
+    eta_by_xi = 0;
+  }
+}
+
+// couple = force x D:
+//   d couple = d force x D + force x (dx - dy - y' d eta),
+//   d couple/d xi = d force/d xi x D + force x (x' - y' d eta/d xi).
+void LinePairPass::Slopes::find_couple(const Point& p, const Vec3& force_at_point, const Rows& rows,
+                                       size_t positions) {
+  const Mat3 by_force = -hat(p.foot.away);
+  const RowMajor3 arm = hat(force_at_point);
+  couple.by_rate = by_force * force.by_rate;
+  couple.by_xi = by_force * force.by_xi + arm * (p.slope - eta_by_xi * p.along);
+  const Vec3 by_foot = arm * p.along;
+  const VectorGradient& by = force.by_positions;
+  for (int i = 0; i < 3; ++i)
+    couple.by_positions.row(i) = by_force(i, 0) * by.row(0) + by_force(i, 1) * by.row(1) +
+                                 by_force(i, 2) * by.row(2) - by_foot[i] * eta_by;
+  for (size_t m = 0; m < positions; ++m) columns(couple.by_positions, m) += rows.factor[m] * arm;
+}
+
+// Derivatives of friction along slave and master at constant D and tangents: M = D - R D_0 (theory: Friction)
+// with R = w_a R_a + w_b R_b has
+//   dM/d xi = -R x_0' - w_a dR_a/d xi D_0,   dM/d eta = R y_0' - w_b dR_b/d eta D_0;
+// the previous slip depends on xi, and the friction of new material on the state at the start of the step.
+void LinePairPass::add_friction_slopes(const Point& p, const Start& from, const LinePairForce& c, Vec3& by_xi,
+                                       Vec3& by_eta) const {
   using F = LinePairForce;
-  const bool has_friction = set_.law.friction.active();
-  const size_t na = slave_.now.count();
-  const size_t nb = master_.now.count();
+  const auto derivative_by = [&](int first_column) { return c.by.block<3, 3>(0, first_column); };
   const double xi = p.xi;
   const double eta = p.foot.eta;
-  const Vec3& nrm = p.foot.normal;
-  const Vec3& y1 = p.along;
-  const Vec3 y2 = master_.now.bend(eta);
-  const auto derivative_by = [&](int first_column) { return c.by.block<3, 3>(0, first_column); };
   const Mat3 by_moved = derivative_by(F::kMoved);
-  s.force.by_rate = c.by.col(F::kRate);
-  const Mat3 P = (Mat3::Identity() - nrm * nrm.transpose()) / p.foot.distance;
-  const RowMajor3 by_away =
-      derivative_by(F::kAway) + by_moved + s.force.by_rate * (P * p.velocity).transpose();
-
-  Vec3 by_eta = -by_away * y1 + derivative_by(F::kAlong) * y2;
-  Vec3& by_xi = s.force.by_xi;
-  by_xi = by_away * p.slope;
-  if (set_.moves) {
-    by_eta -= s.force.by_rate * nrm.dot(master_.now.velocity_slope(eta));
-    by_xi += s.force.by_rate * nrm.dot(slave_.now.velocity_slope(xi));
+  const Mat3 weighted_turn = slave_lever_ * p.Ta + master_lever_ * p.Tb;
+  const Vec3 x1_before = slave_.start.slope(xi);
+  const Vec3 y1_before = master_.start.slope(eta);
+  by_eta += by_moved *
+            (weighted_turn * y1_before - master_lever_ * ((master_.turn[1] - master_.turn[0]) * p.before));
+  by_xi +=
+      by_moved * (-weighted_turn * x1_before - slave_lever_ * ((slave_.turn[1] - slave_.turn[0]) * p.before));
+  by_xi += c.by.col(F::kSlip) * from.slip_slope[0] + c.by.col(F::kSlip + 1) * from.slip_slope[1];
+  if (from.is_new) {
+    by_eta +=
+        derivative_by(F::kAlongBefore) * master_.start.bend(eta) - derivative_by(F::kAwayBefore) * y1_before;
+    by_xi += derivative_by(F::kAwayBefore) * x1_before + derivative_by(F::kSlope) * slave_.now.bend(xi) +
+             derivative_by(F::kSlopeBefore) * slave_.start.bend(xi);
   }
-  if (has_friction) {
-    const Mat3 T = slave_lever_ * p.Ta + master_lever_ * p.Tb;
-    const Vec3 x1_before = slave_.start.slope(xi);
-    const Vec3 y1_before = master_.start.slope(eta);
-    by_eta += by_moved * (T * y1_before - master_lever_ * ((master_.turn[1] - master_.turn[0]) * p.before));
-    by_xi += by_moved * (-T * x1_before - slave_lever_ * ((slave_.turn[1] - slave_.turn[0]) * p.before));
-    by_xi += c.by.col(F::kSlip) * from.slip_slope[0] + c.by.col(F::kSlip + 1) * from.slip_slope[1];
-    if (from.is_new) {
-      by_eta += derivative_by(F::kAlongBefore) * master_.start.bend(eta) -
-                derivative_by(F::kAwayBefore) * y1_before;
-      by_xi += derivative_by(F::kAwayBefore) * x1_before + derivative_by(F::kSlope) * slave_.now.bend(xi) +
-               derivative_by(F::kSlopeBefore) * slave_.start.bend(xi);
-    }
-  }
+}
 
-  const double curve = y1.squaredNorm() - p.foot.away.dot(y2);
-  if (p.foot.inside && curve > 0) {
-    const Vec3 by_difference = y1 / curve;
-    const Vec3 by_tangent = p.foot.away / curve;
-    for (size_t m = 0; m < na + nb; ++m)
-      columns(s.eta_by, m) = (rows.factor[m] * by_difference - rows.by_eta[m] * by_tangent).transpose();
-    s.eta_by_xi = p.slope.dot(by_difference);
-  } else {
-    s.eta_by.setZero();
-    s.eta_by_xi = 0;
-  }
-  by_xi += by_eta * s.eta_by_xi;
-
+// Derivatives of the force by the rotations of the sections, dM = -w dR D_0. At a node with the share N of a
+// beam's section, dR D_0 = N dphi x (R D_0); sections of a cable rotate with its chord.
+void LinePairPass::add_section_turns(const Point& p, const Mat3& by_moved, const Rows& rows,
+                                     Slopes& s) const {
   VectorGradient& by = s.force.by_positions;
-  for (int i = 0; i < 3; ++i) by.row(i) = by_eta[i] * s.eta_by;
-  const RowMajor3 by_along = derivative_by(F::kAlong);
-  const RowMajor3 by_slope = derivative_by(F::kSlope);
-  for (size_t m = 0; m < na + nb; ++m) {
-    columns(by, m) += rows.factor[m] * by_away;
-    if (has_friction) columns(by, m) -= rows.by_eta[m] * by_along;
-    if (from.is_new) columns(by, m) += rows.by_xi[m] * by_slope;
-  }
-  if (!has_friction) return;
   for (const bool of_master : {false, true}) {
     const PairAxis& axis = of_master ? master_ : slave_;
     const size_t turn = of_master ? turn_master_ : turn_slave_;
     const size_t position = of_master ? at_master_ : at_slave_;
     if (axis.beam()) {
-      // - w N d(old turn), with d(turn) v = dphi x (turn v)
       for (size_t i = 0; i < 2; ++i)
         columns(by, turn + i) = rows.factor[turn + i] * by_moved * hat(axis.turn[i] * p.before);
     } else {
@@ -172,17 +173,51 @@ struct LinePairPass::Slopes {
       columns(by, position + 1) -= turned;
     }
   }
-  if (!rows.turn()) return;
-  // The couple is force x D.
-  const Mat3 by_force = -hat(p.foot.away);
-  const RowMajor3 arm = hat(c.force);
-  s.couple.by_rate = by_force * s.force.by_rate;
-  s.couple.by_xi = by_force * by_xi + arm * (p.slope - s.eta_by_xi * y1);
-  const Vec3 by_foot = arm * y1;
-  for (int i = 0; i < 3; ++i)
-    s.couple.by_positions.row(i) = by_force(i, 0) * by.row(0) + by_force(i, 1) * by.row(1) +
-                                   by_force(i, 2) * by.row(2) - by_foot[i] * s.eta_by;
-  for (size_t m = 0; m < na + nb; ++m) columns(s.couple.by_positions, m) += rows.factor[m] * arm;
+}
+
+// At a fixed position xi on the slave, the force depends on D = x - y and T = y' at a given eta, on the
+// rotations of the sections and on eta:
+//   d force = F_D (dx - dy) + F_T dy' + F_x' dx' + F_R dR + F_eta d eta,
+//   d force/d xi = F_xi + F_eta d eta/d xi.
+// F_D includes the parts of D in M and in the rate of the gap, n . (v_x - v_y), with dn = (I - n n') dD/|D|.
+// flatten: otherwise products of small matrices are function calls.
+[[gnu::flatten]] void LinePairPass::find_slopes(const Point& p, const Start& from, const LinePairForce& c,
+                                                const Rows& rows, Slopes& s) const {
+  using F = LinePairForce;
+  const bool has_friction = set_.law.friction.active();
+  const size_t positions = slave_.now.count() + master_.now.count();
+  const Vec3& normal = p.foot.normal;
+  const Vec3 y2 = master_.now.bend(p.foot.eta);
+  const auto derivative_by = [&](int first_column) { return c.by.block<3, 3>(0, first_column); };
+  const Mat3 by_moved = derivative_by(F::kMoved);
+  s.force.by_rate = c.by.col(F::kRate);
+  const Mat3 normal_by_away = (Mat3::Identity() - normal * normal.transpose()) / p.foot.distance;
+  const RowMajor3 by_away =
+      derivative_by(F::kAway) + by_moved + s.force.by_rate * (normal_by_away * p.velocity).transpose();
+
+  Vec3 by_eta = -by_away * p.along + derivative_by(F::kAlong) * y2;
+  Vec3& by_xi = s.force.by_xi;
+  by_xi = by_away * p.slope;
+  if (set_.moves) {
+    by_eta -= s.force.by_rate * normal.dot(master_.now.velocity_slope(p.foot.eta));
+    by_xi += s.force.by_rate * normal.dot(slave_.now.velocity_slope(p.xi));
+  }
+  if (has_friction) add_friction_slopes(p, from, c, by_xi, by_eta);
+  s.find_eta(p, y2, rows, positions);
+  by_xi += by_eta * s.eta_by_xi;
+
+  VectorGradient& by = s.force.by_positions;
+  for (int i = 0; i < 3; ++i) by.row(i) = by_eta[i] * s.eta_by;
+  const RowMajor3 by_along = derivative_by(F::kAlong);
+  const RowMajor3 by_slope = derivative_by(F::kSlope);
+  for (size_t m = 0; m < positions; ++m) {
+    columns(by, m) += rows.factor[m] * by_away;
+    if (has_friction) columns(by, m) -= rows.by_eta[m] * by_along;
+    if (from.is_new) columns(by, m) += rows.by_xi[m] * by_slope;
+  }
+  if (!has_friction) return;
+  add_section_turns(p, by_moved, rows, s);
+  if (rows.turn()) s.find_couple(p, c.force, rows, positions);
 }
 
 // Moving end of a panel, and the change of the panel's forces as its Gauss points move along. With x at xi on
@@ -233,13 +268,13 @@ LinePairPass::MovingEnd LinePairPass::moving_end(double xi, End end) const {
 // Tangent without negative stiffness: nearest points and normals are taken as constant.
 void LinePairPass::add_convex(const Point& p, const LinePairForce& c, const Rows& rows, double weight,
                               AttachedForces& g) const {
-  const Vec3& nrm = p.foot.normal;
+  const Vec3& normal = p.foot.normal;
   const Mat3 by_moved = c.by.block<3, 3>(0, LinePairForce::kMoved);
   const size_t n = g.positions;
   for (size_t r = 0; r < n; ++r)
     for (size_t m = 0; m < n; ++m)
       block_of(g.K, r, m) -= weight * rows.factor[r] * rows.factor[m] *
-                             (c.along_normal.by_gap * nrm * nrm.transpose() + by_moved);
+                             (c.along_normal.by_gap * normal * normal.transpose() + by_moved);
 }
 
 // The tangent includes moving ends.

@@ -1,5 +1,6 @@
 // Morison's equation per metre of a fully wet line, for one element (Scalar: double, Vector: wide::Row) or
-// four at once (vectors of four). Symbols as in docs/theory/water.md. Internal to the kernels.
+// four at once (Scalar: wide::Lanes4, Vector: Triple of them). Symbols as in docs/theory/water.md. Internal
+// to the kernels.
 #pragma once
 
 #include <cmath>

@@ -10,26 +10,26 @@
 namespace hawser {
 namespace {
 
-using wide::Row;
+using wide::Lanes4;
 
-using Vec = Triple<Row>;  // of four elements
-Vec lanes(const Row* p) { return {{p[0], p[1], p[2]}}; }
+using Vec = Triple<Lanes4>;  // of four elements
+Vec lanes(const Lanes4* p) { return {{p[0], p[1], p[2]}}; }
 
-constexpr auto& kAt = GaussPoints<2>::unit;
+constexpr auto& kGaussPoints = GaussPoints<2>::unit;
 
 // Symmetric matrix: xx, yy, zz, xy, xz, yz.
 struct Symmetric {
-  Row c[6];
+  Lanes4 c[6];
 };
 constexpr int kPlace[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
 
 struct Chords {
-  Row inverse;  // 1/m, of their lengths; 0 where that is 0
-  Vec t;        // unit vectors
+  Lanes4 inverse;  // 1/m, of their lengths; 0 where that is 0
+  Vec t;           // unit vectors
   explicit Chords(const CablesInWater4& m) {
     const Vec chord = lanes(m.x[1]) - lanes(m.x[0]);
-    const Row l = wide::sqrt(dot(chord, chord));
-    inverse = l > 0 ? 1 / l : Row{};
+    const Lanes4 l = wide::sqrt(dot(chord, chord));
+    inverse = l > 0 ? 1 / l : Lanes4{};
     t = inverse * chord;
   }
 };
@@ -40,7 +40,7 @@ struct Chords {
 template <bool moving>
 inline void inertia_and_buoyancy(const WaterSections4& s, const CablesInWater4& m, const Chords& c,
                                  Vec (&y)[2], Vec (&f)[2]) {
-  const Row ma = s.added_axial - s.added_normal;
+  const Lanes4 ma = s.added_axial - s.added_normal;
   for (int j = 0; j < 2; ++j) {
     const int k = 1 - j;
     y[j] = (s.length * (1. / 12)) * (5.0 * lanes(m.a[j]) + lanes(m.a[k]));
@@ -58,8 +58,8 @@ inline void inertia_and_buoyancy(const WaterSections4& s, const CablesInWater4& 
 // Sums over the two points, w = L/2 each: C_jk of N_j N_k w S, and N_j w T = by_un + by_P P of each node.
 struct DragSums {
   Symmetric C[3] = {};  // 00, 01, 11
-  Row by_un[2][3][3] = {};
-  Row by_P[2] = {};
+  Lanes4 by_un[2][3][3] = {};
+  Lanes4 by_P[2] = {};
 };
 
 // f_j = -N_j w drag.
@@ -68,11 +68,11 @@ inline void drag_at_points(const WaterSections4& s, const CablesInWater4& m, con
                            DragSums& sums) {
   const Vec& t = c.t;
   for (int g = 0; g < 2; ++g) {
-    const double N[2] = {1 - kAt[g], kAt[g]};
-    const Row w = 0.5 * s.length;
+    const double N[2] = {1 - kGaussPoints[g], kGaussPoints[g]};
+    const Lanes4 w = 0.5 * s.length;
     Vec u = -N[0] * lanes(m.v[0]) - N[1] * lanes(m.v[1]);
     if constexpr (moving) u = u + N[0] * lanes(m.velocity[0]) + N[1] * lanes(m.velocity[1]);
-    const morison_formula::Drag<Row, Vec> drag(u, t, s.drag_normal, s.drag_axial);
+    const morison_formula::Drag<Lanes4, Vec> drag(u, t, s.drag_normal, s.drag_axial);
     const Vec force = w * drag.force();
     const Vec& un = drag.across;
     for (int j = 0; j < 2; ++j) f[j] = f[j] - N[j] * force;
@@ -90,7 +90,7 @@ inline void drag_at_points(const WaterSections4& s, const CablesInWater4& m, con
         sums.C[2].c[e] += (N[1] * N[1]) * S.c[e];
       }
       const Vec first = w * drag.by_across();
-      const Row p = w * drag.by_turn();
+      const Lanes4 p = w * drag.by_turn();
       for (int j = 0; j < 2; ++j) {
         sums.by_P[j] += N[j] * p;
         for (int i = 0; i < 3; ++i)
@@ -106,15 +106,15 @@ inline void put_blocks(const WaterSections4& s, const CablesInWater4& m, const C
                        const Vec (&y)[2], const DragSums& sums, double wK, double wC, double wM,
                        std::array<Mat6, 4>& J) {
   const Vec& t = chords.t;
-  const Row ma = s.added_axial - s.added_normal;
-  const Row scale = wK * chords.inverse;
+  const Lanes4 ma = s.added_axial - s.added_normal;
+  const Lanes4 scale = wK * chords.inverse;
   for (int j = 0; j < 2; ++j) {
     // K by x2 and minus K by x1: (-T + (m_t - m_n) (t (P y)' + (t.y) P)) / l, with P = I - t t'.
-    const Row ty = dot(t, y[j]);
+    const Lanes4 ty = dot(t, y[j]);
     const Vec Py = y[j] - ty * t;
-    const Row onP = ma * ty - sums.by_P[j];
+    const Lanes4 onP = ma * ty - sums.by_P[j];
     const Vec row = ma * Py - onP * t;
-    Row chordwise[3][3];
+    Lanes4 chordwise[3][3];
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k < 3; ++k) {
         chordwise[i][k] = scale * (t.c[i] * row.c[k] - sums.by_un[j][i][k]);
@@ -122,12 +122,12 @@ inline void put_blocks(const WaterSections4& s, const CablesInWater4& m, const C
       }
     for (int n = 0; n < 2; ++n) {
       const Symmetric& c = sums.C[j + n];
-      const Row mass = (wM * (j == n ? 5. / 12 : 1. / 12)) * s.length;
-      const Row lengthwise = mass * ma;
+      const Lanes4 mass = (wM * (j == n ? 5. / 12 : 1. / 12)) * s.length;
+      const Lanes4 lengthwise = mass * ma;
       for (int i = 0; i < 3; ++i) {
-        Row entry[3];
+        Lanes4 entry[3];
         for (int k = 0; k < 3; ++k) {
-          const Row turned = n ? chordwise[i][k] : -chordwise[i][k];
+          const Lanes4 turned = n ? chordwise[i][k] : -chordwise[i][k];
           entry[k] = turned + wC * c.c[kPlace[i][k]] + (lengthwise * t.c[i]) * t.c[k];
         }
         entry[i] += mass * s.added_normal;
@@ -171,8 +171,8 @@ void WaterSections4::set(int lane, const WaterSection& s) {
 
 // A section gets wet over its radius above and below the axis; see morison_points.hpp.
 unsigned submerged(const WaterSections4& s, const CablesInWater4& m) {
-  const Row h[2] = {m.surface[0] - m.x[0][2], m.surface[1] - m.x[1][2]};
-  const Row lowest = h[0] < h[1] ? h[0] : h[1];
+  const Lanes4 h[2] = {m.surface[0] - m.x[0][2], m.surface[1] - m.x[1][2]};
+  const Lanes4 lowest = h[0] < h[1] ? h[0] : h[1];
   const auto dry = lowest < s.radius;
   unsigned wet = 0;
   for (int i = 0; i < 4; ++i) wet |= dry[i] ? 0u : 1u << i;

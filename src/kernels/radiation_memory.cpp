@@ -25,8 +25,8 @@ constexpr double kMaxPoints = 20000;
 
 double sinc(double x) { return std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x; }
 
-constexpr auto& kAt = GaussPoints<4>::unit;
-constexpr auto& kWeight = GaussPoints<4>::weight;
+constexpr auto& kGaussPoints = GaussPoints<4>::unit;
+constexpr auto& kGaussWeights = GaussPoints<4>::weight;
 
 }  // namespace
 
@@ -80,9 +80,9 @@ void RadiationMemory::tabulate() {
     const double from = static_cast<double>(p - 1) * spacing_;
     S += spacing_ * rate;
     for (int q = 0; q < 4; ++q) {
-      const Eigen::RowVectorXd K = retardation(from + kAt[q] * spacing_);
-      rate += (kWeight[q] * spacing_) * K;
-      S += (kWeight[q] * spacing_ * (1 - kAt[q]) * spacing_) * K;
+      const Eigen::RowVectorXd K = retardation(from + kGaussPoints[q] * spacing_);
+      rate += (kGaussWeights[q] * spacing_) * K;
+      S += (kGaussWeights[q] * spacing_ * (1 - kGaussPoints[q]) * spacing_) * K;
     }
     const Eigen::RowVectorXd K = retardation(static_cast<double>(p) * spacing_);
     largest_rate = largest_rate.cwiseMax(rate.cwiseAbs());

@@ -32,6 +32,24 @@ constexpr double kStatics = 60, kDynamics = 4;
 
 struct BudgetSpent {};  // thrown when statics has used its share
 
+struct Sample {
+  double cpu = 0, time = 0;  // CPU s from the start of dynamics; simulated time, s
+};
+
+// Number of steps and CPU time per simulated time of a whole run, from those of the trial.
+void extrapolate(const std::vector<Sample>& samples, TrialRun& trial) {
+  trial.reached = samples.back().time;
+  trial.moved = true;
+  const auto half = std::find_if(samples.begin(), samples.end(),
+                                 [&](const Sample& w) { return w.cpu >= 0.5 * samples.back().cpu; });
+  const Sample from = half == samples.end() - 1 ? Sample{} : *half;
+  // Steps of the initial transient, and further ones as long as those of the second half.
+  const double recent_steps = std::max(static_cast<double>(samples.end() - half), 1.0);
+  trial.steps = static_cast<double>(samples.size()) +
+                (trial.duration - trial.reached) * recent_steps / std::max(trial.reached - from.time, 1e-300);
+  trial.rate = (samples.back().cpu - from.cpu) / (samples.back().time - from.time);
+}
+
 }  // namespace
 
 double cpu_time() {
@@ -40,68 +58,81 @@ double cpu_time() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
+namespace {
+
+// A trial run under way.
+struct RunningTrial {
+  Simulation& sim;
+  const model::Case& c;
+  const std::function<void(const Kinematics&)>& on_state;
+  double end = 0;  // s, of CPU time
+  TrialRun result;
+
+  bool budget_spent() const { return cpu_time() > end; }
+  void run_statics(Events& events);
+  void run_dynamics(Events& events);
+};
+
+void RunningTrial::run_statics(Events& events) {
+  double first = 0;  // CPU s at the end of the first iteration, which includes the setup
+  const auto report = [&](const StaticsReport& now) {
+    if (now.iterations <= 1) first = cpu_time();
+    if (now.iterations <= 1 || !budget_spent()) return;
+    result.iteration = (cpu_time() - first) / (now.iterations - 1);
+    throw BudgetSpent();
+  };
+  events.solve_stages([&](bool falls) { sim.solve_statics(report, falls); });
+}
+
+void RunningTrial::run_dynamics(Events& events) {
+  std::vector<Sample> samples;
+  const record::OutputTimes times(c);
+  Dynamics& d = sim.dynamics();
+  FeederNodes feeder_nodes(sim);
+  events.begin();
+  d.start(sim.state());
+  const double at_rest = cpu_time();
+  d.run(
+      result.duration, [&](double t) { return std::min(times.next(t), events.next(t)); },
+      [&](const StepInfo& info) {
+        act_after_step(
+            events, feeder_nodes, [] {}, [](const std::string&) {});
+        if (on_state) on_state(d.committed_kinematics());
+        samples.push_back({cpu_time() - at_rest, info.time});
+        return !budget_spent();
+      });
+  extrapolate(samples, result);
+}
+
+}  // namespace
+
 TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
                    const std::function<void(const Kinematics&)>& on_state) {
-  TrialRun trial;
   const double begun = cpu_time();
-  const auto budget_spent = [&] { return cpu_time() - begun > budget; };
+  RunningTrial trial{sim, c, on_state, begun + budget, {}};
+  TrialRun& result = trial.result;
   if (c.dynamics.enabled) {
     const StepSettings step = sim.dynamics_settings().step;
-    trial.duration = c.dynamics.duration;
-    trial.longest = step.fixed > 0 ? step.fixed / record::kAutomaticSteps : step.longest;
+    result.duration = c.dynamics.duration;
+    result.longest = step.fixed > 0 ? step.fixed / record::kAutomaticSteps : step.longest;
   }
   try {
-    double first = 0;  // CPU s at the end of the first iteration, which includes the setup
     Events events(sim.system().comm(), sim);
-    if (c.statics.enabled) {
-      const auto report = [&](const StaticsReport& now) {
-        if (now.iterations <= 1) first = cpu_time();
-        if (now.iterations <= 1 || !budget_spent()) return;
-        trial.iteration = (cpu_time() - first) / (now.iterations - 1);
-        throw BudgetSpent();
-      };
-      events.solve_stages([&](bool falls) { sim.solve_statics(report, falls); });
-    } else {
+    if (c.statics.enabled)
+      trial.run_statics(events);
+    else
       sim.check_inside();
-    }
     release_freed_memory();  // as in a run
     if (on_state) on_state(sim.state().at_rest());
-    if (c.dynamics.enabled) {
-      std::vector<std::pair<double, double>> samples;  // CPU s, simulated time [s]
-      const record::OutputTimes times(c);
-      Dynamics& d = sim.dynamics();
-      FeederNodes feeder_nodes(sim);
-      events.begin();
-      d.start(sim.state());
-      const double at_rest = cpu_time();
-      d.run(
-          trial.duration, [&](double t) { return std::min(times.next(t), events.next(t)); },
-          [&](const StepInfo& info) {
-            act_after_step(
-                events, feeder_nodes, [] {}, [](const std::string&) {});
-            if (on_state) on_state(d.committed_kinematics());
-            samples.push_back({cpu_time() - at_rest, info.time});
-            return !budget_spent();
-          });
-      trial.reached = samples.back().second;
-      trial.moved = true;
-      const auto half = std::find_if(samples.begin(), samples.end(),
-                                     [&](const auto& w) { return w.first >= 0.5 * samples.back().first; });
-      const auto from = half == samples.end() - 1 ? std::pair(0.0, 0.0) : *half;
-      // Steps of the initial transient, and further ones as long as those of the second half.
-      const double recent_steps = std::max(static_cast<double>(samples.end() - half), 1.0);
-      trial.steps = static_cast<double>(samples.size()) + (trial.duration - trial.reached) * recent_steps /
-                                                              std::max(trial.reached - from.second, 1e-300);
-      trial.rate = (samples.back().first - from.first) / (samples.back().second - from.second);
-    }
+    if (c.dynamics.enabled) trial.run_dynamics(events);
   } catch (const BudgetSpent&) {
   } catch (const InputError&) {
     throw;  // an error of the case
   } catch (const std::exception& e) {
-    trial.failure = e.what();
+    result.failure = e.what();
   }
-  trial.spent = cpu_time() - begun;
-  return trial;
+  result.spent = cpu_time() - begun;
+  return result;
 }
 
 double expected_cost(const TrialRun& t) {

@@ -49,16 +49,53 @@ Vec3 DynamicPositioning::offset(const Positioned& p, const Vec3& pose) {
   return e;
 }
 
-// F = H limit(-(P H^T e + D H^T e' + I H^T s)), H: axes of the slow heading. The limits keep the direction of
-// the horizontal force A: A/q where q = |(A_x/X, A_y/Y)| > 1, with X and Y the largest forces in surge and
-// sway alone; the derivative is (1 - A (A_x/X², A_y/Y²)/q²)/q. If at rest only one of the two has an integral
-// (`alone`, 0: surge, 1: sway), its force is the remainder of the ellipse, A_x = X sqrt(1 - (A_y/Y)²), up to
-// which it increases. With d H/d heading = J H, J = hat(z):
+// The limits keep the direction of the horizontal force A: A/q where q = |(A_x/X, A_y/Y)| > 1, with X and Y
+// the largest forces in surge and sway alone; the derivative is (1 - A (A_x/X², A_y/Y²)/q²)/q. If only one of
+// the two has an integral, its force is the remainder of the ellipse, A_x = X sqrt(1 - (A_y/Y)²), up to which
+// it increases.
+DynamicPositioning::Delivered DynamicPositioning::limited(const model::DynamicPositioning& data,
+                                                          const Vec3& demand, int only_integral_axis) {
+  Delivered out;
+  out.force = demand;
+  const Eigen::Vector2d inverse_limit = data.max_force.cwiseInverse();
+  const Eigen::Vector2d plane = demand.head<2>();
+  const double size = plane.cwiseProduct(inverse_limit).norm();
+  out.force_limited = size > kOnEllipse;
+  out.moment_limited = std::abs(demand.z()) > data.max_moment;
+  if (out.force_limited) {
+    const Eigen::Vector2d along = plane / size;
+    const Eigen::Vector2d across = along.cwiseProduct(inverse_limit.cwiseAbs2());
+    out.force.head<2>() = along;
+    out.by_demand.topLeftCorner<2, 2>() = (Eigen::Matrix2d::Identity() - along * across.transpose()) / size;
+  }
+  if (out.moment_limited) {
+    out.force.z() = std::copysign(data.max_moment, demand.z());
+    out.by_demand(2, 2) = 0;
+  }
+  if (out.force_limited && only_integral_axis >= 0) {
+    const int axis = only_integral_axis;
+    const int other = 1 - axis;
+    const double fraction = std::clamp(plane[other] * inverse_limit[other], -1.0, 1.0);
+    const double remaining = std::sqrt(1 - fraction * fraction);
+    const double end = std::copysign(1 / inverse_limit[axis], plane[axis]);
+    out.force[other] = fraction / inverse_limit[other];
+    out.force[axis] = remaining * end;
+    out.by_demand.topLeftCorner<2, 2>().setZero();
+    if (remaining > 0) {
+      out.by_demand(other, other) = 1;
+      out.by_demand(axis, other) = -fraction * inverse_limit[other] / remaining * end;
+    }
+  }
+  return out;
+}
+
+// F = H limited(-(P H^T e + D H^T e' + I H^T s)), H: axes of the slow heading. With d H/d heading = J H,
+// J = hat(z), and L the derivative of the limits:
 //   dF = J F + H L (-(P a + D b + I c) H^T d(x, y, heading)
 //                   + a (P J H^T e + D J H^T e' + I J H^T s) d heading)
-// a, b, c: by_place, by_speed, by_sum; L: derivative of the limits; J F is multiplied by a as well.
-DynamicPositioning::Push DynamicPositioning::push(const model::DynamicPositioning& data,
-                                                  const Deviation& deviation, int alone) {
+// a, b, c: by_place, by_speed, by_sum; J F is multiplied by a as well.
+DynamicPositioning::Thrust DynamicPositioning::thrust(const model::DynamicPositioning& data,
+                                                      const Deviation& deviation, int only_integral_axis) {
   const Mat3 H = heading_axes(deviation.heading);
   const Mat3 J = hat(Vec3::UnitZ());
   const Vec3 e = H.transpose() * deviation.offset;
@@ -68,54 +105,27 @@ DynamicPositioning::Push DynamicPositioning::push(const model::DynamicPositionin
     return P.cwiseProduct(data.proportional) + D.cwiseProduct(data.derivative) +
            I.cwiseProduct(data.integral);
   };
-  Push out;
-  out.asked = -by_gains(e, rate, sum);
-  Vec3 given = out.asked;
-  Mat3 limit = Mat3::Identity();
-  const Eigen::Vector2d inverse_limit = data.max_force.cwiseInverse();
-  const Eigen::Vector2d plane = out.asked.head<2>();
-  const double size = plane.cwiseProduct(inverse_limit).norm();
-  out.force_limited = size > kOnEllipse;
-  out.moment_limited = std::abs(out.asked.z()) > data.max_moment;
-  if (out.force_limited) {
-    const Eigen::Vector2d along = plane / size;
-    const Eigen::Vector2d across = along.cwiseProduct(inverse_limit.cwiseAbs2());
-    given.head<2>() = along;
-    limit.topLeftCorner<2, 2>() = (Eigen::Matrix2d::Identity() - along * across.transpose()) / size;
-  }
-  if (out.moment_limited) {
-    given.z() = std::copysign(data.max_moment, out.asked.z());
-    limit(2, 2) = 0;
-  }
-  if (out.force_limited && alone >= 0) {
-    const int other = 1 - alone;
-    const double fraction = std::clamp(plane[other] * inverse_limit[other], -1.0, 1.0);
-    const double remaining = std::sqrt(1 - fraction * fraction);
-    const double end = std::copysign(1 / inverse_limit[alone], plane[alone]);
-    given[other] = fraction / inverse_limit[other];
-    given[alone] = remaining * end;
-    limit.topLeftCorner<2, 2>().setZero();
-    if (remaining > 0) {
-      limit(other, other) = 1;
-      limit(alone, other) = -fraction * inverse_limit[other] / remaining * end;
-    }
-  }
-  out.force = H * given;
+  Thrust out;
+  out.demand = -by_gains(e, rate, sum);
+  const Delivered delivered = limited(data, out.demand, only_integral_axis);
+  out.force_limited = delivered.force_limited;
+  out.moment_limited = delivered.moment_limited;
+  out.force = H * delivered.force;
   const Vec3 gain = by_gains(Vec3::Constant(deviation.by_place), Vec3::Constant(deviation.by_speed),
                              Vec3::Constant(deviation.by_sum));
-  out.by_pose = -H * limit * gain.asDiagonal() * H.transpose();
+  out.by_pose = -H * delivered.by_demand * gain.asDiagonal() * H.transpose();
   out.by_pose.col(2) +=
-      deviation.by_place * (J * out.force + H * (limit * by_gains(J * e, J * rate, J * sum)));
+      deviation.by_place * (J * out.force + H * (delivered.by_demand * by_gains(J * e, J * rate, J * sum)));
   return out;
 }
 
 // For motion about rest limits are ignored: a force at its limit has a one-sided derivative only.
-DynamicPositioning::Push DynamicPositioning::push_at_rest(const Positioned& p, const Vec3& pose) const {
+DynamicPositioning::Thrust DynamicPositioning::thrust_at_rest(const Positioned& p, const Vec3& pose) const {
   Deviation deviation;
   deviation.heading = pose.z();
   deviation.offset = offset(p, pose);
   model::DynamicPositioning data = p.data;
-  int alone = -1;
+  int only_integral_axis = -1;
   if (!integrates_) {
     deviation.sum = p.integral;
     data.max_force.setConstant(HUGE_VAL);
@@ -123,14 +133,14 @@ DynamicPositioning::Push DynamicPositioning::push_at_rest(const Positioned& p, c
   } else if (statics_) {
     for (int k = 0; k < 3; ++k)
       if (data.integral[k] > 0) data.proportional[k] *= kHeld;
-    if ((data.integral[0] > 0) != (data.integral[1] > 0)) alone = data.integral[0] > 0 ? 0 : 1;
+    if ((data.integral[0] > 0) != (data.integral[1] > 0)) only_integral_axis = data.integral[0] > 0 ? 0 : 1;
   }
-  return push(data, deviation, alone);
+  return thrust(data, deviation, only_integral_axis);
 }
 
 // The integral is continued from the last accepted state by the trapezoidal rule.
-DynamicPositioning::Push DynamicPositioning::push_in_motion(const Positioned& p, const Vec3& pose,
-                                                            double time) {
+DynamicPositioning::Thrust DynamicPositioning::thrust_in_motion(const Positioned& p, const Vec3& pose,
+                                                                double time) {
   const double h = time - p.time;
   const ControllerPose slow = h > 0 ? p.slow.after(pose, h, p.data.filter) : p.slow;
   const ControllerPose::Derivatives weights =
@@ -143,12 +153,12 @@ DynamicPositioning::Push DynamicPositioning::push_in_motion(const Positioned& p,
   deviation.by_place = weights.place;
   deviation.by_speed = weights.speed;
   deviation.by_sum = 0.5 * h * weights.place;
-  return push(p.data, deviation);
+  return thrust(p.data, deviation);
 }
 
-DynamicPositioning::Push DynamicPositioning::push(const Positioned& p, const Kinematics& state) const {
+DynamicPositioning::Thrust DynamicPositioning::thrust(const Positioned& p, const Kinematics& state) const {
   const Vec3 pose = place_and_heading(p.arm, floating_state(state, p.node));
-  return state.moves() ? push_in_motion(p, pose, state.time) : push_at_rest(p, pose);
+  return state.moves() ? thrust_in_motion(p, pose, state.time) : thrust_at_rest(p, pose);
 }
 
 void DynamicPositioning::begin(Positioned& p, const Vec3& pose, double time) {
@@ -166,22 +176,22 @@ std::vector<BodyForce> DynamicPositioning::forces_on(int body, const Kinematics&
   std::vector<BodyForce> out;
   for (const Positioned& p : list_) {
     if (p.body != body) continue;
-    const Vec3 f = push(p, state).force;
+    const Vec3 f = thrust(p, state).force;
     const Vec3 force(f.x(), f.y(), 0);
     out.push_back({force, (floating_state(state, p.node).q * p.arm).cross(force) + Vec3(0, 0, f.z())});
   }
   return out;
 }
 
-DynamicPositioning::Passed DynamicPositioning::passed(const Positioned& p, const Kinematics& state,
-                                                      const Push& push) {
+DynamicPositioning::WorkPoint DynamicPositioning::work_point(const Positioned& p, const Kinematics& state,
+                                                             const Thrust& now) {
   const RigidBodyState s = floating_state(state, p.node);
-  return {push.force, s.x + s.q * p.arm, s.q};
+  return {now.force, s.x + s.q * p.arm, s.q};
 }
 
-double DynamicPositioning::work(const Passed& from, const Passed& to) {
+double DynamicPositioning::work(const WorkPoint& from, const WorkPoint& to) {
   Vec3 displacement = to.origin - from.origin;
-  displacement.z() = log_so3(to.turned * from.turned.conjugate()).z();
+  displacement.z() = log_so3(to.rotation * from.rotation.conjugate()).z();
   return 0.5 * (from.force + to.force).dot(displacement);
 }
 
@@ -190,7 +200,7 @@ void DynamicPositioning::prepare(const Kinematics& from, double) {
   for (Positioned& p : list_) {
     const Vec3 pose = place_and_heading(p.arm, floating_state(from, p.node));
     if (from.moves() && !p.begun) begin(p, pose, from.time);
-    p.last = passed(p, from, push(p, from));
+    p.last = work_point(p, from, thrust(p, from));
   }
 }
 
@@ -201,7 +211,7 @@ void DynamicPositioning::evaluate(const Kinematics& trial, Assembler& assembler)
   for (const Positioned& p : list_) {
     const RigidBodyState s = floating_state(trial, p.node);
     const FramePoint at{p.arm, s.q.toRotationMatrix(), Vec3::Zero()};
-    const Push now = push(p, trial);
+    const Thrust now = thrust(p, trial);
     const Vec3 pull(-now.force.x(), -now.force.y(), 0);
     const Vec3 up = at.R.transpose().col(2);
     Eigen::Matrix<double, 6, 3> P = Eigen::Matrix<double, 6, 3>::Zero();
@@ -224,28 +234,31 @@ void DynamicPositioning::evaluate(const Kinematics& trial, Assembler& assembler)
 void DynamicPositioning::commit(const Kinematics& accepted) {
   for (Positioned& p : list_) {
     const Vec3 pose = place_and_heading(p.arm, floating_state(accepted, p.node));
-    const Push now = push(p, accepted);
+    const Thrust now = thrust(p, accepted);
     if (!accepted.moves()) {
       const Mat3 H = heading_axes(pose.z());
       Vec3 sum = Vec3::Zero();
       const Vec3 e = H.transpose() * offset(p, pose);
-      const Vec3 given = H.transpose() * now.force;
+      const Vec3 delivered = H.transpose() * now.force;
       for (int k = 0; statics_ && k < 3; ++k)
-        if (p.data.integral[k] > 0) sum[k] = -(given[k] + p.data.proportional[k] * e[k]) / p.data.integral[k];
+        if (p.data.integral[k] > 0)
+          sum[k] = -(delivered[k] + p.data.proportional[k] * e[k]) / p.data.integral[k];
       p.integral = H * sum;
       begin(p, pose, accepted.time);
       continue;
     }
-    p.work += work(p.last, passed(p, accepted, now));
+    p.work += work(p.last, work_point(p, accepted, now));
     const double h = accepted.time - p.time;
     const Vec3 before = offset(p, p.slow.place);
     p.slow = p.slow.after(pose, h, p.data.filter);
     p.time = accepted.time;
-    Vec3 more = 0.5 * h * (before + offset(p, p.slow.place));
-    const Vec3 asks = -p.data.integral.cwiseProduct(heading_axes(p.slow.place.z()).transpose() * more);
-    if (now.force_limited && asks.head<2>().dot(now.asked.head<2>()) > 0) more.head<2>().setZero();
-    if (now.moment_limited && asks.z() * now.asked.z() > 0) more.z() = 0;
-    p.integral += more;
+    Vec3 integral_increment = 0.5 * h * (before + offset(p, p.slow.place));
+    const Vec3 integral_demand =
+        -p.data.integral.cwiseProduct(heading_axes(p.slow.place.z()).transpose() * integral_increment);
+    if (now.force_limited && integral_demand.head<2>().dot(now.demand.head<2>()) > 0)
+      integral_increment.head<2>().setZero();
+    if (now.moment_limited && integral_demand.z() * now.demand.z() > 0) integral_increment.z() = 0;
+    p.integral += integral_increment;
   }
 }
 
@@ -254,7 +267,7 @@ Energy DynamicPositioning::energy(const Kinematics& state) const {
   Energy e;
   for (const Positioned& p : list_) {
     e.work += p.work;
-    if (!state.moves()) e.potential -= work(p.last, passed(p, state, push(p, state)));
+    if (!state.moves()) e.potential -= work(p.last, work_point(p, state, thrust(p, state)));
   }
   return e;
 }

@@ -82,6 +82,32 @@ std::vector<std::vector<double>> exchange(MPI_Comm comm, int tag, const std::vec
   return received;
 }
 
+// Numbers of the regions of all ranks, kRegions boxes each. Collective.
+std::vector<double> regions_of_ranks(MPI_Comm comm, const std::vector<Box>& regions) {
+  constexpr int kNumbers = static_cast<int>(kBox * kRegions);
+  std::vector<double> local;
+  std::vector<double> all(kBox * kRegions * static_cast<size_t>(ranks_of(comm)));
+  for (const Box& b : regions) append(local, b);
+  MPI_Allgather(local.data(), kNumbers, MPI_DOUBLE, all.data(), kNumbers, MPI_DOUBLE, comm);
+  return all;
+}
+
+// Appends the numbers of the axes that come near some of these boxes. swept: boxes of the axes.
+void append_near(std::vector<double>& to, const std::vector<SweptAxis>& axes, std::span<const Box> swept,
+                 const std::vector<Box>& boxes) {
+  const BoxTree tree(boxes);
+  for (size_t i = 0; i < axes.size() && !tree.empty(); ++i) {
+    bool reached = false;
+    tree.walk([&](size_t node) { return !reached && tree.nodes()[node].box.overlaps(swept[i]); },
+              [&](int item) { reached |= boxes[static_cast<size_t>(item)].overlaps(swept[i]); });
+    if (!reached) continue;
+    to.push_back(axes[i].element);
+    to.push_back(axes[i].skin);
+    for (const auto* end : {&axes[i].from, &axes[i].to})
+      for (const Vec3& p : *end) to.insert(to.end(), p.begin(), p.end());
+  }
+}
+
 }  // namespace
 
 std::vector<SweptAxis> LineCandidates::from_others(std::span<const Box> boxes) const {
@@ -91,12 +117,8 @@ std::vector<SweptAxis> LineCandidates::from_others(std::span<const Box> boxes) c
   const std::vector<SweptAxis>& axes = built_;
   const std::vector<Box> chunks = chunks_of(axes, boxes);
   std::vector<Box> regions = regions_of(chunks);
-  std::vector<double> local_regions;
-  std::vector<double> all(kBox * kRegions * static_cast<size_t>(size));
   regions.resize(kRegions);
-  for (const Box& b : regions) append(local_regions, b);
-  constexpr int kNumbers = static_cast<int>(kBox * kRegions);
-  MPI_Allgather(local_regions.data(), kNumbers, MPI_DOUBLE, all.data(), kNumbers, MPI_DOUBLE, comm_);
+  const std::vector<double> all_regions = regions_of_ranks(comm_, regions);
 
   // Ranks with regions that overlap those of this rank, and for each the chunks of this rank that are near.
   std::vector<int> ranks;
@@ -104,7 +126,8 @@ std::vector<SweptAxis> LineCandidates::from_others(std::span<const Box> boxes) c
   for (int r = 0; r < size; ++r) {
     if (r == rank) continue;
     const std::vector<Box> others_boxes =
-        boxes_of(std::span<const double>(all).subspan(kBox * kRegions * static_cast<size_t>(r), kNumbers));
+        boxes_of(std::span<const double>(all_regions)
+                     .subspan(kBox * kRegions * static_cast<size_t>(r), kBox * kRegions));
     if (std::none_of(regions.begin(), regions.end(),
                      [&](const Box& b) { return overlaps_any(b, others_boxes); }))
       continue;
@@ -116,19 +139,8 @@ std::vector<SweptAxis> LineCandidates::from_others(std::span<const Box> boxes) c
   const std::vector<std::vector<double>> near = exchange(comm_, kBoxTag, ranks, out);
 
   for (size_t k = 0; k < ranks.size(); ++k) {
-    const std::vector<Box> others_boxes = boxes_of(near[k]);
-    const BoxTree tree(others_boxes);
     out[k].clear();
-    for (size_t i = 0; i < axes.size() && !tree.empty(); ++i) {
-      bool reached = false;
-      tree.walk([&](size_t node) { return !reached && tree.nodes()[node].box.overlaps(boxes[i]); },
-                [&](int item) { reached |= others_boxes[static_cast<size_t>(item)].overlaps(boxes[i]); });
-      if (!reached) continue;
-      out[k].push_back(axes[i].element);
-      out[k].push_back(axes[i].skin);
-      for (const auto* end : {&axes[i].from, &axes[i].to})
-        for (const Vec3& p : *end) out[k].insert(out[k].end(), p.begin(), p.end());
-    }
+    append_near(out[k], axes, boxes, boxes_of(near[k]));
   }
   std::vector<SweptAxis> others;
   for (const std::vector<double>& axes_of_rank : exchange(comm_, kAxisTag, ranks, out))

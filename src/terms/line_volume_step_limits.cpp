@@ -21,11 +21,6 @@ Vec3 velocity_at_start(const LineVolumePair& p, double xi) {
   return p.start.shape.velocity(xi) - p.start.pose.velocity_at(p.start.shape.point(xi));
 }
 
-// Twice the depth that limit_depth() allows, so that an approach as predicted stays below it.
-bool sinks_too_far(double radius, double before, double after) {
-  return after > std::max(before, 0.0) + radius;
-}
-
 // A beam bends locally under contact, so its whole mass does not move with the contact point.
 bool straight(const AxisShape& shape) { return shape.count() < AxisShape::kMaxPositions; }
 
@@ -40,14 +35,14 @@ void LineVolumeContact::limit_step(const Kinematics& committed, ImpactEvents& to
 
 void LineVolumeContact::add_impact_at(const Pair& pair, const Kinematics& committed, double xi, double length,
                                       double gap, const Vec3& normal, bool last, ImpactEvents& to,
-                                      double touching) const {
+                                      double contact_length) const {
   const Quat back = pair.start.pose.rotation.conjugate();
   const Vec3 velocity = back * velocity_at_start(pair, xi);
   const Vec3 acceleration = back * along(committed.a, local(pair), xi);
   const Approach at{gap, -normal.dot(velocity), normal.dot(acceleration), last};
   limit_depth(pair.radius, at, to);
-  const ContactSpring s = spring(pair, xi, touching);
-  const double mass = settings(pair).mass_per_length * length * pair.length / touching;
+  const ContactSpring s = spring(pair, xi, contact_length);
+  const double mass = settings(pair).mass_per_length * length * pair.length / contact_length;
   if (local(pair).counted && length > 0)
     to.add(impact_event(s.inverse_frequency, s.significant_depth, mass, at), element(pair).line);
 }
@@ -141,7 +136,105 @@ void LineVolumeContact::limit_ahead(Pair& pair, const Kinematics& committed, Imp
   pair.cache.clearance.offer(bezier_in(pair.start.pose, start), free_radius());
 }
 
-// Adds the places that lost contact because an interval ended or became shorter, and those that gained it.
+// Contact of a pair at the end of a converged step.
+struct LineVolumeContact::EndOfStep {
+  const Pair& pair;
+  AxisShape shape;
+  const RigidPose& pose;
+  const ContactQuadrature& contact;
+  double step = 0;  // s
+
+  // Displacement of a point in the step, m, axes of the body.
+  Vec3 displacement(double xi) const {
+    return pose.to_body(shape.point(xi)) - pair.start.pose.to_body(pair.start.shape.point(xi));
+  }
+  int group_of(const QuadraturePoint& p) const { return contact.panels[p.panel].group; }
+  // m, of the element in contact with a facet group.
+  double contact_length(int group) const {
+    double sum = 0;
+    for (const QuadraturePoint& q : contact.quadrature)
+      if (group_of(q) == group && pair.in_contact(q.surface)) sum += q.weight;
+    return sum;
+  }
+};
+
+// A place on an element that lost or gained contact within the step. Force and potential are those of the
+// spring at the end of the step with contact; path and speed are along the normal.
+struct LineVolumeContact::Crossing {
+  double xi = 0;
+  double weight = 0, contact_length = 0;  // m, of the place; of all places with this facet group
+  double force = 0, potential = 0;        // N/m, J/m
+  double path = 0, speed = 0;             // m, m/s
+};
+
+void LineVolumeContact::add_crossing(const EndOfStep& end, const Crossing& c, UnresolvedImpacts& to) const {
+  const double length = finder_.at_nodes() || !straight(end.shape) ? end.pair.length : c.contact_length;
+  const ContactSpring s = spring(end.pair, c.xi, length);
+  const double error = c.weight * crossing_error(s.inverse_frequency, s.significant_depth, c.force,
+                                                 c.potential, c.path, c.speed);
+  if (error > 0) to.list.push_back({element(end.pair).line, -1, error});
+}
+
+// Adds the places that lost contact because an interval ended or became shorter.
+void LineVolumeContact::add_lost_contacts(const EndOfStep& end, UnresolvedImpacts& to) const {
+  const ContactQuadrature& contact = end.contact;
+  for (int group = 0; group < end.pair.facet_groups(); ++group) {
+    double contact_length = 0;
+    for (const AxisContactPoint& p : end.pair.previous(group)) contact_length += p.weight;
+    for (const AxisContactPoint& p : end.pair.previous(group)) {
+      const auto contains_point = [&](const auto& s) { return s.from <= p.xi && p.xi <= s.to; };
+      const auto is_contact = [&](const ContactPanel& s) { return s.group == group && contains_point(s); };
+      if (std::any_of(contact.panels.begin(), contact.panels.end(), is_contact) &&
+          std::none_of(contact.filled.begin(), contact.filled.end(), contains_point))
+        continue;
+      const Vec3 separation_velocity = end.shape.velocity(p.xi) - end.pose.velocity_at(end.shape.point(p.xi));
+      add_crossing(
+          end,
+          {p.xi, p.weight, contact_length, p.elastic_force(), p.potential,
+           p.normal.dot(end.displacement(p.xi)), (end.pose.rotation * p.normal).dot(separation_velocity)},
+          to);
+    }
+  }
+}
+
+// Adds the places that gained contact by an approach.
+void LineVolumeContact::add_new_contacts(const EndOfStep& end, UnresolvedImpacts& to) const {
+  const Pair& pair = end.pair;
+  for (const QuadraturePoint& p : end.contact.quadrature) {
+    const auto& previous = pair.previous(end.group_of(p));
+    const auto contains_point = [&](const AxisContactPoint& q) { return q.from <= p.xi && p.xi <= q.to; };
+    if (!pair.in_contact(p.surface) || std::any_of(previous.begin(), previous.end(), contains_point))
+      continue;
+    // In axial sliding elements begin and end contact, but the length in contact does not change.
+    const Vec3 along = (end.pose.rotation.conjugate() * end.shape.slope(p.xi)).normalized();
+    const Vec3 displacement = end.displacement(p.xi);
+    const Vec3 across =
+        finder_.at_nodes() ? displacement : Vec3(displacement - along * along.dot(displacement));
+    const double approach = -p.surface.normal.dot(across);
+    if (!(approach > pair.contact_distance - p.surface.distance)) continue;
+    const NormalForce f = normal_force(pair.law(p.xi).normal, p.surface.distance - pair.radius, 0);
+    add_crossing(end,
+                 {p.xi, p.weight, end.contact_length(end.group_of(p)), f.elastic, f.potential, approach,
+                  approach / end.step},
+                 to);
+  }
+}
+
+bool LineVolumeContact::sinks_too_far(const EndOfStep& end) const {
+  const double radius = end.pair.radius;
+  for (int group = 0; group < end.pair.facet_groups(); ++group) {
+    double deepest = 0;
+    double deepest_before = 0;
+    for (const QuadraturePoint& p : end.contact.quadrature)
+      if (end.group_of(p) == group) deepest = std::max(deepest, radius - p.surface.distance);
+    for (const AxisContactPoint& p : end.pair.previous(group))
+      deepest_before = std::max(deepest_before, -p.gap);
+    // Twice the depth that limit_depth() allows, so that an approach as predicted stays below it.
+    if (deepest > std::max(deepest_before, 0.0) + radius) return true;
+  }
+  return false;
+}
+
 void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
   volumes_.pose_trial(trial);
   for (Pair& pair : pairs_) {
@@ -152,62 +245,13 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
       continue;
     const AxisShape shape(ends(trial, pair.element));
     const RigidPose& pose = volumes_.trial_pose(pair.volume);
-    const ContactQuadrature& contact = finder_.find(pair, shape, pose);
-    for (int w = 0; w < pair.facet_groups(); ++w) {
-      double deepest = 0, deepest_before = 0;
-      for (const QuadraturePoint& p : contact.quadrature)
-        if (contact.panels[p.panel].group == w) deepest = std::max(deepest, pair.radius - p.surface.distance);
-      for (const AxisContactPoint& p : pair.previous(w)) deepest_before = std::max(deepest_before, -p.gap);
-      to.too_fast = to.too_fast || sinks_too_far(pair.radius, deepest_before, deepest);
-    }
+    const EndOfStep end{pair, shape, pose, finder_.find(pair, shape, pose), trial.step};
+    to.too_fast = to.too_fast || sinks_too_far(end);
     if (resolves_contact(spring(pair, 0, pair.length).inverse_frequency, trial.step) &&
         resolves_contact(spring(pair, 1, pair.length).inverse_frequency, trial.step))
       continue;
-
-    const auto add = [&](double touching, double xi, double weight, double force, double potential,
-                         double path, double speed) {
-      const ContactSpring s =
-          spring(pair, xi, finder_.at_nodes() || !straight(shape) ? pair.length : touching);
-      const double error =
-          weight * crossing_error(s.inverse_frequency, s.significant_depth, force, potential, path, speed);
-      if (error > 0) to.list.push_back({element(pair).line, -1, error});
-    };
-    const auto moved = [&](double xi) -> Vec3 {
-      return pose.to_body(shape.point(xi)) - pair.start.pose.to_body(pair.start.shape.point(xi));
-    };
-    // For the facet group in contact at the start or in the trial.
-    for (int w = 0; w < pair.facet_groups(); ++w) {
-      double touched = 0;
-      for (const AxisContactPoint& p : pair.previous(w)) touched += p.weight;
-      for (const AxisContactPoint& p : pair.previous(w)) {
-        const auto holds = [&](const auto& s) { return s.from <= p.xi && p.xi <= s.to; };
-        if (std::any_of(contact.panels.begin(), contact.panels.end(),
-                        [&](const ContactPanel& s) { return s.group == w && holds(s); }) &&
-            std::none_of(contact.filled.begin(), contact.filled.end(), holds))
-          continue;
-        const Vec3 x = shape.point(p.xi);
-        const Vec3 leaves = shape.velocity(p.xi) - pose.velocity_at(x);
-        add(touched, p.xi, p.weight, p.elastic_force(), p.potential, p.normal.dot(moved(p.xi)),
-            (pose.rotation * p.normal).dot(leaves));
-      }
-    }
-    for (const QuadraturePoint& p : contact.quadrature) {
-      const auto& previous = pair.previous(contact.panels[p.panel].group);
-      const auto holds = [&](const AxisContactPoint& q) { return q.from <= p.xi && p.xi <= q.to; };
-      if (!pair.in_contact(p.surface) || std::any_of(previous.begin(), previous.end(), holds)) continue;
-      // In axial sliding elements begin and end contact, but the length in contact does not change.
-      const Vec3 along = (pose.rotation.conjugate() * shape.slope(p.xi)).normalized();
-      const Vec3 all = moved(p.xi);
-      const Vec3 displacement = finder_.at_nodes() ? all : Vec3(all - along * along.dot(all));
-      const double came = -p.surface.normal.dot(displacement);
-      if (!(came > pair.contact_distance - p.surface.distance)) continue;
-      const NormalForce f = normal_force(pair.law(p.xi).normal, p.surface.distance - pair.radius, 0);
-      double touches = 0;
-      for (const QuadraturePoint& q : contact.quadrature)
-        if (contact.panels[q.panel].group == contact.panels[p.panel].group && pair.in_contact(q.surface))
-          touches += q.weight;
-      add(touches, p.xi, p.weight, f.elastic, f.potential, came, came / trial.step);
-    }
+    add_lost_contacts(end, to);
+    add_new_contacts(end, to);
   }
 }
 

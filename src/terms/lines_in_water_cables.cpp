@@ -74,12 +74,12 @@ CablesInWater4 LinesInWater::motion(const CableQuad& q, const Kinematics& k) con
     const int* node = end ? q.second : q.first;
     const size_t n[4] = {static_cast<size_t>(node[0]), static_cast<size_t>(node[1]),
                          static_cast<size_t>(node[2]), static_cast<size_t>(node[3])};
-    const auto take = [&n](const auto& vector_of_node, wide::Row* to) {
+    const auto take = [&n](const auto& vector_of_node, wide::Lanes4* to) {
       const Vec3& a = vector_of_node(n[0]);
       const Vec3& b = vector_of_node(n[1]);
       const Vec3& c = vector_of_node(n[2]);
       const Vec3& d = vector_of_node(n[3]);
-      for (int i = 0; i < 3; ++i) to[i] = wide::Row{a[i], b[i], c[i], d[i]};
+      for (int i = 0; i < 3; ++i) to[i] = wide::Lanes4{a[i], b[i], c[i], d[i]};
     };
     take([&](size_t i) -> const Vec3& { return k.x[i]; }, m.x[end]);
     take([&](size_t i) -> const Vec3& { return k.v[i]; }, m.v[end]);
@@ -90,7 +90,7 @@ CablesInWater4 LinesInWater::motion(const CableQuad& q, const Kinematics& k) con
     take([&](size_t i) -> const Vec3& { return water_[i].by_height; }, m.by_height[end]);
     take([&](size_t i) -> const Vec3& { return water_[i].acceleration; }, m.acceleration[end]);
     m.surface[end] =
-        wide::Row{water_[n[0]].surface, water_[n[1]].surface, water_[n[2]].surface, water_[n[3]].surface};
+        wide::Lanes4{water_[n[0]].surface, water_[n[1]].surface, water_[n[2]].surface, water_[n[3]].surface};
   }
   return m;
 }
@@ -121,7 +121,7 @@ void LinesInWater::add_quad(const CableQuad& q, const Kinematics& trial, Assembl
 // the water surface and the still water level are above the whole element.
 unsigned LinesInWater::flow_of_quad(const CableQuad& q, const Kinematics& state, WaterForce* out) const {
   CablesInWater4 m = motion(q, state);
-  for (wide::Row& s : m.surface) s = s < sea_.surface ? s : wide::all(sea_.surface);
+  for (wide::Lanes4& s : m.surface) s = s < sea_.surface ? s : wide::all(sea_.surface);
   const unsigned wet = submerged(q.sections, m);
   if (!wet) return 0;
   std::array<Vec6, 4> f;

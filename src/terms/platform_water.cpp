@@ -90,11 +90,6 @@ const double* PlatformWater::integrals_at(const Group& g, double lag, double* bu
   return buffer;
 }
 
-// F(t) = v_0 S'(t - t_0) + sum_k a_k [S(t - t_k) - S(t - t_k+1)]
-//      = v_0 S'(t - t_0) + sum_k (a_k - a_k-1) S(t - t_k),   a_-1 = a_n = 0,
-// with S the second integral of the retardation function, v_0 the first velocity of the bodies, a_k their
-// mean acceleration from t_k to t_k+1, up to t_n. The trial step adds S(t - t_n) (v - v_n)/(t - t_n). Each
-// entry of S acts on its row, and by symmetry on its column.
 const PlatformWater::KnownForces& PlatformWater::known_forces(const Group& g, double time) const {
   KnownForces& now = g.cache;
   if (g.is_cached && now.time == time) return now;
@@ -104,45 +99,56 @@ const PlatformWater::KnownForces& PlatformWater::known_forces(const Group& g, do
   now.first_order = now.second_order = Eigen::VectorXd::Zero(n);
   now.memory_damping = Eigen::MatrixXd::Zero(n, n);
   g.is_cached = true;
-  const double step = g.past.empty() ? 0 : time - g.past.back().time;
+  if (!g.past.empty() && !g.radiation->entries.empty()) memory_forces(g, now);
+  wave_forces(g, now);
+  return now;
+}
+
+// F(t) = v_0 S'(t - t_0) + sum_k a_k [S(t - t_k) - S(t - t_k+1)]
+//      = v_0 S'(t - t_0) + sum_k (a_k - a_k-1) S(t - t_k),   a_-1 = a_n = 0,
+// with S the second integral of the retardation function, v_0 the first velocity of the bodies, a_k their
+// mean acceleration from t_k to t_k+1, up to t_n. The trial step adds S(t - t_n) (v - v_n)/(t - t_n). Each
+// entry of S acts on its row, and by symmetry on its column.
+void PlatformWater::memory_forces(const Group& g, KnownForces& now) {
   const auto entries = static_cast<Eigen::Index>(g.radiation->entries.size());
-  if (!g.past.empty() && entries > 0) {
-    Eigen::ArrayXd integrals(entries);
-    Eigen::ArrayXd dS(entries);
-    const double* S = integrals.data();
-    const std::vector<double> no_acceleration(2 * g.radiation->entries.size(), 0);
-    Eigen::ArrayX2d force = Eigen::ArrayX2d::Zero(entries, 2);
-    using Accelerations = Eigen::Map<const Eigen::ArrayX2d>;
-    for (size_t k = 0; k < g.past.size(); ++k) {
-      const Accelerations before(
-          k > 0 ? &g.accelerations[k * no_acceleration.size()] : no_acceleration.data(), entries, 2);
-      const Accelerations after(
-          k + 1 < g.past.size() ? &g.accelerations[(k + 1) * no_acceleration.size()] : no_acceleration.data(),
-          entries, 2);
-      S = integrals_at(g, time - g.past[k].time, integrals.data(), k > 0 ? nullptr : dS.data());
-      force += (after - before).colwise() * Eigen::Map<const Eigen::ArrayXd>(S, entries);
-    }
-    const Eigen::VectorXd& first = g.past.front().rate;
-    for (Eigen::Index e = 0; e < entries; ++e) {
-      const auto [i, j] = g.radiation->entries[static_cast<size_t>(e)];
-      now.memory_force[i] += force(e, 0) + dS[e] * first[j];
-      if (i != j) now.memory_force[j] += force(e, 1) + dS[e] * first[i];
-      if (step > 0)
-        now.memory_damping(i, j) = now.memory_damping(j, i) = S[e] / step;  // the last S is that of this step
-    }
+  Eigen::ArrayXd buffer(entries);
+  Eigen::ArrayXd dS(entries);  // S'(t - t_0)
+  const std::vector<double> no_acceleration(2 * g.radiation->entries.size(), 0);
+  Eigen::ArrayX2d force = Eigen::ArrayX2d::Zero(entries, 2);
+  using Accelerations = Eigen::Map<const Eigen::ArrayX2d>;
+  const double* integrals_of_step = nullptr;  // S(t - t_n), by entry
+  for (size_t k = 0; k < g.past.size(); ++k) {
+    const bool is_last = k + 1 == g.past.size();
+    const Accelerations before(k > 0 ? &g.accelerations[k * no_acceleration.size()] : no_acceleration.data(),
+                               entries, 2);
+    const Accelerations after(
+        is_last ? no_acceleration.data() : &g.accelerations[(k + 1) * no_acceleration.size()], entries, 2);
+    const double* S = integrals_at(g, now.time - g.past[k].time, buffer.data(), k > 0 ? nullptr : dS.data());
+    force += (after - before).colwise() * Eigen::Map<const Eigen::ArrayXd>(S, entries);
+    if (is_last) integrals_of_step = S;
   }
-  const double ramp = sea_.wave_ramp > 0 ? quintic_ramp(time, sea_.wave_ramp).value : 1;
+  const double step = now.time - g.past.back().time;
+  const Eigen::VectorXd& first = g.past.front().rate;
+  for (Eigen::Index e = 0; e < entries; ++e) {
+    const auto [i, j] = g.radiation->entries[static_cast<size_t>(e)];
+    now.memory_force[i] += force(e, 0) + dS[e] * first[j];
+    if (i != j) now.memory_force[j] += force(e, 1) + dS[e] * first[i];
+    if (step > 0) now.memory_damping(i, j) = now.memory_damping(j, i) = integrals_of_step[e] / step;
+  }
+}
+
+void PlatformWater::wave_forces(const Group& g, KnownForces& now) const {
+  const double ramp = sea_.wave_ramp > 0 ? quintic_ramp(now.time, sea_.wave_ramp).value : 1;
   for (size_t i = 0; i < g.platforms.size(); ++i) {
     const Platform& p = g.platforms[i];
     if (p.waves.none()) continue;
-    const Vec3 origin = wave_origin(g, p, time);
-    const PlatformWaves::Forces f = p.waves.at(time, origin.x(), origin.y());
+    const Vec3 origin = wave_origin(g, p, now.time);
+    const PlatformWaves::Forces f = p.waves.at(now.time, origin.x(), origin.y());
     const auto first = 6 * static_cast<Eigen::Index>(i);
     now.first_order.segment<6>(first) = ramp * f.first;
     // Slow drift is quadratic in the height of waves. The mean drift acts in statics already and has no ramp.
     now.second_order.segment<6>(first) = ramp * ramp * f.slow + p.waves.mean_drift();
   }
-  return now;
 }
 
 Vec3 PlatformWater::wave_origin(const Group& g, const Platform& p, double time) {

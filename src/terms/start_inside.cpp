@@ -39,10 +39,83 @@ void join(std::vector<Inside>& intervals, const Mesh& mesh) {
   intervals = std::move(out);
 }
 
+namespace {
+
+// An element of a line beside a volume.
+struct ElementBeside {
+  const Mesh& mesh;
+  const Element& element;
+  const FedLine* fed;  // null: its line is not fed
+  const AxisShape& shape;
+  const Surface& surface;
+  const RigidPose& pose;
+  double radius = 0;  // m
+
+  std::optional<SurfacePoint> query(double xi, double within) const {
+    return surface.query(pose.to_body(shape.point(xi)), within);
+  }
+  // End (0 or 1) of the element at the feed point; -1: none.
+  int feed_point() const { return fed ? static_cast<int>(fed->line_end) : -1; }
+  bool is_line_end(int end) const {
+    const LineSpan& span = mesh.lines[element.line];
+    return feed_point() == end ||
+           (end ? element.second == span.first_node + span.nodes - 1 : element.first == span.first_node);
+  }
+  // Arc length, m.
+  double arc(double xi) const {
+    if (xi == feed_point()) return feed_point() ? mesh.lines[element.line].length : 0;
+    return arc_at(mesh, element, xi);
+  }
+  // Slope of the axis relative to the surface, m/m.
+  double rise(double xi) const {
+    const auto p = query(xi, radius);
+    const Vec3 slope = shape.slope(xi);
+    return p && slope.norm() > 0 ? std::abs((pose.rotation * p->normal).dot(slope)) / slope.norm() : 1;
+  }
+};
+
+Inside inside_of(const ElementBeside& e, int volume, double from, double to) {
+  constexpr int kSamples = 32;  // to find the deepest point
+  Inside s;
+  s.rise_from = e.rise(from);
+  s.rise_to = e.rise(to);
+  s.line = e.element.line;
+  s.volume = volume;
+  s.from = e.arc(from);
+  s.to = e.arc(to);
+  s.at = s.from;
+  s.place = e.shape.point(from);
+  for (int k = 0; k <= kSamples; ++k) {
+    const double xi = from + (to - from) * k / kSamples;
+    const auto p = e.query(xi, 0);
+    if (p && -p->distance > s.depth) {
+      s.depth = -p->distance;
+      s.at = e.arc(xi);
+      s.place = e.shape.point(xi);
+    }
+  }
+  return s;
+}
+
+void add_intervals(const ElementBeside& e, double length, int volume, std::vector<Inside>& out) {
+  // Twice the resolution of contact, because an interval inside a thin plate is short.
+  const auto intervals = contact_intervals(axis_distance(e.surface, e.pose, e.shape),
+                                           {e.shape.slope_bound(), 0, e.shape.bend_bound()},
+                                           contact_levels(length, e.radius) + 1);
+  for (const ContactInterval& s : intervals) out.push_back(inside_of(e, volume, s.from, s.to));
+  // Ends of the line at the surface.
+  for (const int end : {0, 1}) {
+    if (!e.is_line_end(end)) continue;
+    const auto p = e.query(end, 0.5 * e.radius);
+    if (p && p->distance >= 0) out.push_back(inside_of(e, volume, end, end));
+  }
+}
+
+}  // namespace
+
 std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& state, const Bodies& bodies,
                                    const std::vector<ContactVolume>& volumes,
                                    const std::vector<double>& radius, const Feeders* feeders) {
-  constexpr int kSamples = 32;  // per interval, to find the deepest point
   std::vector<Inside> out;
   for (size_t v = 0; v < volumes.size(); ++v) {
     if (volumes[v].off) continue;
@@ -59,54 +132,8 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& stat
       if (fed) ends.length = fed->predicted;
       const AxisShape shape(ends);
       if (distance(box, pose.to_body(shape.point(0.5))) > 0.5 * shape.slope_bound() + radius[i]) continue;
-      const auto point = [&](double xi) { return pose.to_body(shape.point(xi)); };
-      // Twice the resolution of contact, because an interval inside a thin plate is short.
-      const auto intervals =
-          contact_intervals(axis_distance(surface, pose, shape), {shape.slope_bound(), 0, shape.bend_bound()},
-                            contact_levels(ends.length, radius[i]) + 1);
-      const auto rise = [&](double xi) {
-        const auto p = surface.query(point(xi), radius[i]);
-        const Vec3 slope = shape.slope(xi);
-        return p && slope.norm() > 0 ? std::abs((pose.rotation * p->normal).dot(slope)) / slope.norm() : 1;
-      };
-      const LineSpan& span = mesh.mesh->lines[g.line];
-      const int feed_point = fed ? static_cast<int>(fed->line_end) : -1;
-      const auto is_end = [&](int end) {
-        return feed_point == end ||
-               (end ? g.second == span.first_node + span.nodes - 1 : g.first == span.first_node);
-      };
-      const auto arc = [&](double xi) {
-        if (xi == feed_point) return feed_point ? span.length : 0;
-        return arc_at(*mesh.mesh, g, xi);
-      };
-      const auto add = [&](double from, double to) {
-        Inside s;
-        s.rise_from = rise(from);
-        s.rise_to = rise(to);
-        s.line = g.line;
-        s.volume = static_cast<int>(v);
-        s.from = arc(from);
-        s.to = arc(to);
-        s.at = s.from;
-        s.place = shape.point(from);
-        for (int k = 0; k <= kSamples; ++k) {
-          const double xi = from + (to - from) * k / kSamples;
-          const auto p = surface.query(point(xi), 0);
-          if (p && -p->distance > s.depth) {
-            s.depth = -p->distance;
-            s.at = arc(xi);
-            s.place = shape.point(xi);
-          }
-        }
-        out.push_back(s);
-      };
-      for (const ContactInterval& s : intervals) add(s.from, s.to);
-      // Ends of the line at the surface.
-      for (const int end : {0, 1}) {
-        if (!is_end(end)) continue;
-        const auto p = surface.query(point(end), 0.5 * radius[i]);
-        if (p && p->distance >= 0) add(end, end);
-      }
+      add_intervals({*mesh.mesh, g, fed, shape, surface, pose, radius[i]}, ends.length, static_cast<int>(v),
+                    out);
     }
   }
   join(out, *mesh.mesh);

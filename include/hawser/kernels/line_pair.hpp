@@ -113,6 +113,9 @@ class LinePairPass {
   Rows rows(const Point& p) const;
   void find_slopes(const Point& p, const Start& from, const LinePairForce& c, const Rows& rows,
                    Slopes& s) const;
+  void add_friction_slopes(const Point& p, const Start& from, const LinePairForce& c, Vec3& by_xi,
+                           Vec3& by_eta) const;
+  void add_section_turns(const Point& p, const Mat3& by_moved, const Rows& rows, Slopes& s) const;
   MovingEnd moving_end(double xi, End end) const;
   void add_convex(const Point& p, const LinePairForce& c, const Rows& rows, double weight,
                   AttachedForces& g) const;

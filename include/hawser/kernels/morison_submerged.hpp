@@ -12,14 +12,14 @@ namespace hawser {
 
 // WaterSection of four elements.
 struct WaterSections4 {
-  wide::Row length, radius, buoyancy, displaced_mass, added_normal, added_axial, drag_normal, drag_axial;
+  wide::Lanes4 length, radius, buoyancy, displaced_mass, added_normal, added_axial, drag_normal, drag_axial;
   void set(int lane, const WaterSection& s);
 };
 
 // Components x, y, z; first and second nodes.
 struct CablesInWater4 {
-  wide::Row x[2][3], v[2][3], a[2][3];
-  wide::Row velocity[2][3], by_height[2][3], acceleration[2][3], surface[2];  // of the water
+  wide::Lanes4 x[2][3], v[2][3], a[2][3];
+  wide::Lanes4 velocity[2][3], by_height[2][3], acceleration[2][3], surface[2];  // of the water
 };
 
 // Elements that are fully wet, as bits. submerged_force() and submerged_tangent() are valid only for these;

@@ -10,6 +10,7 @@
 namespace hawser::wide {
 
 using Row = double __attribute__((vector_size(32)));
+using Lanes4 = Row;  // one quantity of four elements, in place of a vector of one
 
 inline Row load(const Vec3& v) { return Row{v[0], v[1], v[2], 0}; }
 inline Row all(double s) { return Row{s, s, s, s}; }

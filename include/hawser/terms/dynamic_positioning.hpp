@@ -37,10 +37,16 @@ class DynamicPositioning final : public ForceTerm, public AppliesExternalLoad, p
  private:
   // Forces in x and y [N] and moment about the vertical [N m] at the body's origin, and their derivative by
   // its x, y [m] and heading [rad].
-  struct Push {
-    Vec3 force = Vec3::Zero();  // space axes
-    Vec3 asked = Vec3::Zero();  // before limits, axes of the slow heading
+  struct Thrust {
+    Vec3 force = Vec3::Zero();   // space axes
+    Vec3 demand = Vec3::Zero();  // before limits, axes of the slow heading
     Mat3 by_pose = Mat3::Zero();
+    bool force_limited = false, moment_limited = false;
+  };
+  // Demand within the limits, axes of the slow heading, and its derivative by the demand.
+  struct Delivered {
+    Vec3 force = Vec3::Zero();
+    Mat3 by_demand = Mat3::Identity();
     bool force_limited = false, moment_limited = false;
   };
   // Input of the controller: offset, velocity and time integral of the offset, space axes, and their
@@ -50,10 +56,10 @@ class DynamicPositioning final : public ForceTerm, public AppliesExternalLoad, p
     Vec3 offset = Vec3::Zero(), speed = Vec3::Zero(), sum = Vec3::Zero();
     double by_place = 1, by_speed = 0, by_sum = 0;
   };
-  // Force and pose at the start of a step, for the work of the force over the step.
-  struct Passed {
+  // Force and pose at one end of a step, for the work of the force over the step.
+  struct WorkPoint {
     Vec3 force = Vec3::Zero(), origin = Vec3::Zero();
-    Quat turned = Quat::Identity();
+    Quat rotation = Quat::Identity();
   };
   struct Positioned {
     model::DynamicPositioning data;
@@ -63,15 +69,19 @@ class DynamicPositioning final : public ForceTerm, public AppliesExternalLoad, p
     Vec3 integral = Vec3::Zero();                    // time integral of the offset, space axes: m s, rad s
     double time = 0, work = 0;                       // s, J
     bool begun = false;
-    Passed last;  // at the last accepted state; in statics at the last iteration
+    WorkPoint last;  // at the last accepted state; in statics at the last iteration
   };
   static Vec3 offset(const Positioned& p, const Vec3& pose);
-  static Push push(const model::DynamicPositioning& data, const Deviation& deviation, int alone = -1);
-  Push push(const Positioned& p, const Kinematics& state) const;
-  Push push_at_rest(const Positioned& p, const Vec3& pose) const;
-  static Push push_in_motion(const Positioned& p, const Vec3& pose, double time);
-  static Passed passed(const Positioned& p, const Kinematics& state, const Push& push);
-  static double work(const Passed& from, const Passed& to);  // J, of the mean force over the displacement
+  // only_integral_axis: at rest, the one of surge (0) and sway (1) that alone has an integral part; -1: none.
+  static Delivered limited(const model::DynamicPositioning& data, const Vec3& demand, int only_integral_axis);
+  static Thrust thrust(const model::DynamicPositioning& data, const Deviation& deviation,
+                       int only_integral_axis = -1);
+  Thrust thrust(const Positioned& p, const Kinematics& state) const;
+  Thrust thrust_at_rest(const Positioned& p, const Vec3& pose) const;
+  static Thrust thrust_in_motion(const Positioned& p, const Vec3& pose, double time);
+  static WorkPoint work_point(const Positioned& p, const Kinematics& state, const Thrust& now);
+  // J, of the mean force over the displacement.
+  static double work(const WorkPoint& from, const WorkPoint& to);
   static void begin(Positioned& p, const Vec3& pose, double time);
 
   bool statics_, integrates_ = true;

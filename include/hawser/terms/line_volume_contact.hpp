@@ -111,10 +111,11 @@ class LineVolumeContact final : public ForceTerm,
   ContactLaw applied(const ContactLaw& l) const {
     return {l.normal, friction_on_ ? l.friction : FrictionLaw{}};
   }
-  // Contact spring of a point. A straight element moves as a whole on the spring of the length `touching` [m]
-  // in contact.
-  ContactSpring spring(const Pair& p, double xi, double touching) const {
-    return contact_spring(p.law(xi).normal, settings(p).mass_per_length * p.length / touching, p.radius);
+  // Contact spring of a point. A straight element moves as a whole on the spring of the length in
+  // contact [m].
+  ContactSpring spring(const Pair& p, double xi, double contact_length) const {
+    return contact_spring(p.law(xi).normal, settings(p).mass_per_length * p.length / contact_length,
+                          p.radius);
   }
 
   // Pairs of an element and a volume at the start of a step, with data from earlier steps.
@@ -128,10 +129,10 @@ class LineVolumeContact final : public ForceTerm,
   AxisContact contact(Pair& pair, const AxisShape& shape, const AxisContactMode& mode) const;
   void account(const Pair& pair, const AxisShape& shape, const std::vector<AxisContactPoint>& next);
 
-  // add_impact_at() adds the impact at xi, of `length` m of the `touching` m in contact; `last`: see
-  // Approach. predict_impacts() adds the impact with a surface that the element may reach.
+  // add_impact_at() adds the impact at xi, of `length` m of the `contact_length` m in contact; `last`:
+  // see Approach. predict_impacts() adds the impact with a surface that the element may reach.
   void add_impact_at(const Pair& pair, const Kinematics& committed, double xi, double length, double gap,
-                     const Vec3& normal, bool last, ImpactEvents& to, double touching) const;
+                     const Vec3& normal, bool last, ImpactEvents& to, double contact_length) const;
   void predict_impacts(const Pair& pair, const Kinematics& committed, double xi, const SurfacePoint& p,
                        ImpactEvents& to) const;
   // Adds the impacts with each facet group that the element may reach in the step. Returns whether there are
@@ -139,6 +140,13 @@ class LineVolumeContact final : public ForceTerm,
   bool predict_impacts_by_group(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   void limit_by_active_contacts(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   void limit_ahead(Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
+  // Parts of unresolved().
+  struct EndOfStep;
+  struct Crossing;
+  bool sinks_too_far(const EndOfStep& end) const;
+  void add_lost_contacts(const EndOfStep& end, UnresolvedImpacts& to) const;
+  void add_new_contacts(const EndOfStep& end, UnresolvedImpacts& to) const;
+  void add_crossing(const EndOfStep& end, const Crossing& c, UnresolvedImpacts& to) const;
   // Where a line is deeper in a volume than the range of its law; nullopt: nowhere. `state` must be the one
   // that was evaluated last. Local.
   std::optional<advice::TooDeep> deeper_than_allowed(const Kinematics& state) const;

@@ -146,6 +146,9 @@ class PlatformWater final : public ForceTerm,
   Eigen::MatrixXd period_mass(const Group& g, double h) const;
   Eigen::VectorXd rates(const Group& g, const Kinematics& state) const;
   const KnownForces& known_forces(const Group& g, double time) const;
+  // Parts of known_forces(): of the memory of a group with a past; of waves.
+  static void memory_forces(const Group& g, KnownForces& now);
+  void wave_forces(const Group& g, KnownForces& now) const;
   // Force of damping and memory on a group, and its derivative by the rates.
   void damping_and_memory(const Group& g, const KnownForces& now, const Eigen::VectorXd& rate,
                           Eigen::VectorXd& force, Eigen::MatrixXd* slope) const;
