@@ -220,8 +220,8 @@ void find_equilibrium_with_outputs(Simulation& sim, Events& events, RecorderAtFi
     if (recorder.exists()) finish_failed(recorder.get(), progress, e);
     throw;
   }
-  release_freed_memory();  // statics has a pair for every element and volume that may meet, motion a few of
-                           // them
+  // Statics has a pair for every element and volume that may meet, motion a few of them.
+  release_freed_memory();
 }
 
 // Starts dynamics from the static equilibrium, or from the start shape without statics; writes a checkpoint

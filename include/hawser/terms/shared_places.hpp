@@ -89,8 +89,8 @@ class SharedPlaces {
     double step = 0;            // m
     double limit = 0;           // m, largest length along either branch
     int free_steps = kUnknown;  // length without contact
-    int clear_steps =
-        0;  // in statics: length up to which the branches were clearly apart beyond `free_steps`
+    // in statics: length up to which the branches were clearly apart beyond `free_steps`
+    int clear_steps = 0;
   };
   // Branch as a polyline.
   struct BranchPath {
