@@ -8,6 +8,7 @@
 #include "hawser/base/error.hpp"
 #include "hawser/base/mpi.hpp"
 #include "hawser/terms/feeders.hpp"
+#include "hawser/terms/run_roles.hpp"
 
 namespace hawser::run {
 
@@ -95,7 +96,7 @@ void Actions::repeat(const Action& a, const Found& placed, double time) {
       sim_.enable_friction_in_statics(a.enabled);
       break;
     case Action::Kind::current:
-      sim_.scale_current(a.factor);
+      for (InCurrent* t : sim_.system().with<InCurrent>()) t->scale_current(a.factor);
       break;
     case Action::Kind::contact:
       sim_.enable_contact(a);

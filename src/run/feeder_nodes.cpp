@@ -13,6 +13,7 @@
 #include "hawser/base/mpi.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/record/end_forces.hpp"
+#include "hawser/terms/line_structure.hpp"
 
 namespace hawser::run {
 namespace {
@@ -83,7 +84,8 @@ void FeederNodes::transfer_node(Feeder& f, int feed_point, double length,
   sim_.dynamics().transfer_node(
       [&] {
         if (feed_point != f.feed_point)
-          sim_.line_structure().transfer_node(sim_.system().comm(), f.index, feed_point < f.feed_point);
+          sim_.system().find<LineStructure>()->transfer_node(sim_.system().comm(), f.index,
+                                                             feed_point < f.feed_point);
         f.feed_point = feed_point;
         f.length = length;
         if (!f.feed.speed.empty()) f.offset = length - model::fed_by(f.feed, f.time).length;

@@ -34,6 +34,7 @@
 #include "hawser/terms/feeders.hpp"
 #include "hawser/terms/hulls.hpp"
 #include "hawser/terms/line_mass.hpp"
+#include "hawser/terms/line_structure.hpp"
 #include "hawser/terms/lines_in_water.hpp"
 #include "hawser/terms/links.hpp"
 #include "hawser/terms/platform_water.hpp"
@@ -212,7 +213,6 @@ std::optional<RigidPose> Simulation::body_pose(int body, const Kinematics& state
   return record::body_pose(*bodies_, local(), body, state);
 }
 
-BedContact* Simulation::bed_contact() const { return system_->find<BedContact>(); }
 Feeders* Simulation::feeders() const { return system_->find<Feeders>(); }
 
 record::Subject Simulation::subject(std::vector<std::shared_ptr<const Surface>> surfaces) {
@@ -273,10 +273,6 @@ std::string Simulation::inside(const model::Action& action, const Kinematics& st
     if (action.enabled && model::switches(action, volumes_[v].settings))
       if (std::string where = inside(static_cast<int>(v), state); !where.empty()) return where;
   return "";
-}
-
-void Simulation::scale_current(double factor) {
-  for (InCurrent* t : system_->with<InCurrent>()) t->scale_current(factor);
 }
 
 void Simulation::forget_lines_of_others() {

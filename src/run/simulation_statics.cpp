@@ -8,6 +8,7 @@
 #include "hawser/run/line_pairs.hpp"
 #include "hawser/run/simulation.hpp"
 #include "hawser/terms/bed_contact.hpp"
+#include "hawser/terms/line_structure.hpp"
 #include "hawser/terms/static_rest.hpp"
 
 namespace hawser::run {
@@ -37,14 +38,14 @@ StaticsSettings settings_of(const model::Case& c, bool falls) {
 
 // By the case, because a rank without nodes has no friction and statics is collective.
 bool Simulation::lays_lines() const {
-  return bed_contact() && friction_in_statics_.value_or(true) && any_laid_;
+  return system_->find<BedContact>() && friction_in_statics_.value_or(true) && any_laid_;
 }
 
 // Continues from the equilibrium with soft friction, under the weight of lines that lay at the start, through
 // stiffer friction to the law of dynamics; with `full` mobilisation under the contact forces found.
 void Simulation::solve_with_contact_friction(StaticsSettings settings, StaticsReport& report) {
   settings.starts_near = true;
-  BedContact& bed = *bed_contact();
+  BedContact& bed = *system_->find<BedContact>();
   const auto solve = [&] {
     const StaticsReport more = find_equilibrium(*system_, settings, state_);
     report.iterations += more.iterations;
@@ -123,7 +124,7 @@ StaticsReport Simulation::find_restrained_equilibrium(const StaticsSettings& set
 
 // Bed friction begins in the laid position.
 void Simulation::enable_friction_at_rest() {
-  BedContact* bed = bed_contact();
+  BedContact* bed = system_->find<BedContact>();
   for (HasFriction* t : system_->with<HasFriction>())
     t->enable_friction(contact_friction_in_statics() && t != bed);
   if (!lays_lines()) return;
@@ -149,7 +150,7 @@ void Simulation::note_bodies_held_without_weight() {
 }
 
 void Simulation::note_slack_lines(bool relaxed) {
-  std::vector<double> slack = line_structure().slack_length(state_.at_rest());
+  std::vector<double> slack = system_->find<LineStructure>()->slack_length(state_.at_rest());
   all_reduce(system_->comm(), MPI_SUM, slack);
   if (rank_of(system_->comm()) != 0) return;
   for (size_t l = 0; l < slack.size(); ++l)

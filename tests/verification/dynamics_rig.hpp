@@ -10,6 +10,7 @@
 
 #include "hawser/mesh/partition.hpp"
 #include "hawser/terms/line_mass.hpp"
+#include "hawser/terms/line_structure.hpp"
 #include "support/rig.hpp"
 
 namespace hawser::test {

@@ -33,9 +33,9 @@ TEST(MooringRanks, TheSameOnAnyNumber) {
   all.solve_statics();
   one.solve_statics();
   expect_same_positions(all, all.state().at_rest(), one.state().at_rest(), 1e-7, "statics");
-  int touching = all.bed_contact()->active_count();
+  int touching = all.system().find<BedContact>()->active_count();
   MPI_Allreduce(MPI_IN_PLACE, &touching, 1, MPI_INT, MPI_SUM, PETSC_COMM_WORLD);
-  EXPECT_EQ(touching, one.bed_contact()->active_count());
+  EXPECT_EQ(touching, one.system().find<BedContact>()->active_count());
   EXPECT_GT(touching, 20);
   run(all, 6);
   run(one, 6);

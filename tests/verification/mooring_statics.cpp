@@ -65,7 +65,7 @@ double grounded_length(Simulation& sim, const Reference& r) {
   double at = 0, part = 0;
   const double w = r.parts[0].weight;
   for (std::size_t n = 1; n + 1 < nodes; ++n) {
-    const double N = sim.bed_contact()->node_force(static_cast<int>(n)).z();
+    const double N = sim.system().find<BedContact>()->node_force(static_cast<int>(n)).z();
     if (N <= 0) continue;
     at = 0.5 * (mesh.node(n - 1).arc + mesh.node(n).arc);
     part = N / w;

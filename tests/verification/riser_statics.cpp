@@ -3,6 +3,7 @@
 #include "hawser/kernels/beam.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/terms/bed_contact.hpp"
+#include "hawser/terms/line_structure.hpp"
 #include "support/cpu_time.hpp"
 #include "support/rig.hpp"
 
@@ -37,7 +38,7 @@ model::Case riser(const std::vector<Part>& parts, double D, double EA, double EI
 }
 
 BeamStress stress(Simulation& sim, size_t element) {
-  const LineStructure::Beam& b = sim.line_structure().beams()[element];
+  const LineStructure::Beam& b = sim.system().find<LineStructure>()->beams()[element];
   const State& s = sim.state();
   BeamEnds e;
   const size_t i = static_cast<size_t>(b.element.first);
@@ -62,7 +63,7 @@ struct Bend {
 };
 Bend largest(Simulation& sim, double from = 0, double to = HUGE_VAL) {
   Bend most;
-  for (size_t e = 0; e < sim.line_structure().beams().size(); ++e) {
+  for (size_t e = 0; e < sim.system().find<LineStructure>()->beams().size(); ++e) {
     const Element& g = sim.mesh().element(e);
     const BeamStress s = stress(sim, e);
     const double arc[2] = {sim.mesh().node(static_cast<size_t>(g.first)).arc,
@@ -348,7 +349,7 @@ TEST(RiserStatics, CatenaryRiserInACurrent) {
     const double A = reaction(sim, false).norm();
     const double B = std::abs(reaction(sim, true).x());
     double least = HUGE_VAL;
-    for (size_t e = 0; e < sim.line_structure().beams().size(); ++e)
+    for (size_t e = 0; e < sim.system().find<LineStructure>()->beams().size(); ++e)
       least = std::min(least, stress(sim, e).tension);
     const Bend bend = largest(sim);
     printf(

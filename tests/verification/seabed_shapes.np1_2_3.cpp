@@ -88,10 +88,12 @@ TEST(SeabedShapes, ASlopeIsASlope) {
     const Kinematics b = formula.dynamics().committed_kinematics();
     const double later = apart({a.x.begin(), a.x.end()}, {b.x.begin(), b.x.end()});
     printf("  %s: %.1e m apart at rest, %.1e m after 8 s; %d and %d nodes lie\n", of_grid ? "grid" : "mesh",
-           at_rest, later, other.bed_contact()->active_count(), formula.bed_contact()->active_count());
+           at_rest, later, other.system().find<BedContact>()->active_count(),
+           formula.system().find<BedContact>()->active_count());
     EXPECT_LT(at_rest, 1e-9 * 835);
     EXPECT_LT(later, 1e-8 * 835);
-    EXPECT_EQ(other.bed_contact()->active_count(), formula.bed_contact()->active_count());
+    EXPECT_EQ(other.system().find<BedContact>()->active_count(),
+              formula.system().find<BedContact>()->active_count());
   }
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 
+#include "hawser/terms/line_structure.hpp"
 #include "support/rig.hpp"
 
 namespace hawser::test::snap_loads_test {
@@ -26,7 +27,7 @@ Snap snap(const model::Case& c, double velocity = 0) {
       c.dynamics.duration, [&](double) { return c.dynamics.duration; },
       [&](const StepInfo&) {
         LineTension line;
-        sim.line_structure().tensions(sim.dynamics().committed_kinematics(), {&line, 1});
+        sim.system().find<LineStructure>()->tensions(sim.dynamics().committed_kinematics(), {&line, 1});
         MPI_Allreduce(MPI_IN_PLACE, &line.tension, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
         out.largest = std::max(out.largest, line.tension);
         ++out.steps;

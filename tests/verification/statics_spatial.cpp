@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "hawser/terms/line_structure.hpp"
 #include "verification/statics_newton.hpp"
 
 namespace hawser::statics_spatial_test {
@@ -37,7 +38,7 @@ struct Bend {
       axes << std::sin(a), std::cos(a), 0, std::cos(a), -std::sin(a), 0, 0, 0, -1;
       s->state().q[static_cast<size_t>(i)] = turn * Quat(axes);
     }
-    for (LineStructure::Beam& b : s->line_structure().beams()) {
+    for (LineStructure::Beam& b : s->system().find<LineStructure>()->beams()) {
       const size_t i = static_cast<size_t>(b.element.first);
       const size_t j = static_cast<size_t>(b.element.second);
       BeamEnds e;

@@ -21,12 +21,10 @@
 #include "hawser/terms/body_skeleton.hpp"
 #include "hawser/terms/hulls.hpp"
 #include "hawser/terms/line_pairs.hpp"
-#include "hawser/terms/line_structure.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser {
 class Feeders;
-class BedContact;
 }  // namespace hawser
 
 namespace hawser::run {
@@ -48,11 +46,10 @@ class Simulation {
   const LocalMesh& local() const { return system_->mesh(); }
   const Bodies& bodies() const { return *bodies_; }
   System& system() { return *system_; }
-  // Force terms for use beyond their interface; null: the case has none.
-  LineStructure& line_structure() const { return *system_->find<LineStructure>(); }
+  // Force terms that several callers use beyond their interface; null: the case has none. Others are found by
+  // System::find().
   LineVolumeContact* line_volume_contact() const { return system_->find<LineVolumeContact>(); }
   LinePairs* line_pairs() const { return system_->find<LinePairs>(); }
-  BedContact* bed_contact() const;
   Feeders* feeders() const;
   // Pose of a body of the case; for a floating body nullopt except on the rank that owns its node.
   std::optional<RigidPose> body_pose(int body, const Kinematics& state) const;
@@ -82,7 +79,6 @@ class Simulation {
   bool contact_friction_in_statics() const {
     return friction_in_statics_.value_or(case_.statics.contact_friction.value_or(false));
   }
-  void scale_current(double factor);  // multiplies the current
   // Frees what the case has of lines of other ranks, on all ranks but the first, which writes messages about
   // all lines.
   void forget_lines_of_others();
