@@ -189,6 +189,7 @@ void BodyContact::contact_of_edge(const Pair& pair, const PairFrames& at, const 
     const Vec3 z = place(q.xi);
     const AxisContactPoint point = points.add(law, start, q.surface, z, e.radius, q.weight);
     if (friction.eighths) add_resultant(pair, e.place(q.xi), z, e.radius, point, *friction.eighths);
+    if (friction.damping) add_damping_work(pair, e.place(q.xi), z, point, *friction.damping);
     if (n > 0)
       points.add_moving_ends(law, start, q.surface, z, e.radius, point, slope, rates,
                              std::span(moving).first(n));
@@ -219,6 +220,7 @@ BodyContact::Sum BodyContact::contact(const Pair& pair, const PairFrames& at, co
     const AxisContactPoint at_point =
         points.add({pair.law, friction.law}, start, *s, z, p.radius, pair.force_factor * p.weight);
     if (friction.eighths) add_resultant(pair, p.from, z, p.radius, at_point, *friction.eighths);
+    if (friction.damping) add_damping_work(pair, p.from, z, at_point, *friction.damping);
     if (!friction.points || !(at_point.normal_force > 0)) return;
     const BodyFrictionPoint touching_point{
         0, 0, 0, at_point.weight, at_point.slip, at_point.normal, at_point.friction};
@@ -234,7 +236,6 @@ BodyContact::Sum BodyContact::contact(const Pair& pair, const PairFrames& at, co
       });
   sum.active = points.active();
   sum.potential = points.potential();
-  sum.damping_power = points.damping_power();
   sum.depth = points.depth();
   if (!sum.active) return sum;
   BlockVector f = BlockVector::Zero(6);
@@ -288,7 +289,6 @@ void BodyContact::prepare(const Kinematics& from, double h) {
     p.elastic = s.active ? Vec12(contact(p, p.frames, kSprings).residual.f) : Vec12(Vec12::Zero());
     p.frequency = h > 0 ? frequency(p, s) : 0;
     p.energy = relative_energy(p, p.frames) + s.potential;
-    p.damping_power = s.damping_power;
     p.work_power = s.work_power + friction_power(p);
     if (!p.has_accepted_state) store_first_forces(p, h);
   }
@@ -316,6 +316,13 @@ void BodyContact::commit(const Kinematics& accepted) {
     Eighths eighths;
     if (slips) friction.points = &touching;
     if (p.counted) friction.eighths = &eighths;
+    DampingWork damping;
+    if (p.law.damping > 0 && accepted.moves()) {
+      damping.end = &now;
+      contact(p, p.frames, {true}, {FrictionLaw(), accepted.step, nullptr, nullptr, &damping});
+      damping.end = nullptr;
+      friction.damping = &damping;
+    }
     const Sum s = contact(p, now, {accepted.moves()}, friction);
     if (slips && accepted.moves())
       p.dissipated += half_dissipation(p, now, p.touching) + half_dissipation(p, now, touching);
@@ -330,7 +337,7 @@ void BodyContact::commit(const Kinematics& accepted) {
     p.now.depth = s.depth;
     p.resultants = resultants_of(p, now, eighths);
     if (!accepted.moves()) continue;
-    p.damping += 0.5 * accepted.step * (s.damping_power + p.damping_power);
+    p.damping += damping.sum;
     p.work += 0.5 * accepted.step * (s.work_power + p.work_power);
   }
 }
@@ -383,6 +390,16 @@ void BodyContact::active_contacts(ActiveContacts& out) const {
     t.other_volume = static_cast<int>(std::max(p.a, p.b));
     out.push_back(t);
   }
+}
+
+// Trapezoidal rule: -½ F·Δz with the damping force at either end of the step and the displacement Δz of the
+// point. The force at the start acts until the point has left contact.
+void BodyContact::add_damping_work(const Pair& pair, const Vec3& y, const Vec3& z,
+                                   const AxisContactPoint& point, DampingWork& to) const {
+  const double depth = pair.law.smoothing - point.gap;
+  const double path = to.end ? std::min(point.normal.dot(to.end->across(y) - z), depth)
+                             : point.normal.dot(z - pair.frames.across(y));
+  to.sum -= 0.5 * point.weight * point.damping_force * path;
 }
 
 void BodyContact::add_resultant(const Pair& pair, const Vec3& y, const Vec3& z, double r,

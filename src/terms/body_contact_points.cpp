@@ -53,8 +53,6 @@ AxisContactPoint BodyContactPoints::add(const ContactLaw& law, const ContactStar
   if (c.along_normal.elastic > 0) {
     active_ = true;
     potential_ += weight * c.along_normal.potential;
-    damping_power_ -=
-        weight * (c.along_normal.force - c.along_normal.elastic) * trial.normal.dot(trial.velocity);
     depth_ = std::max(depth_, -trial.gap);
   }
   if (!(c.along_normal.force > 0)) return point;

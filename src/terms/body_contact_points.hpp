@@ -45,9 +45,8 @@ class BodyContactPoints {
   void to_body(BlockVector& f, BlockMatrix* K, BlockMatrix* C) const;
 
   bool active() const { return active_; }
-  double potential() const { return potential_; }          // J
-  double damping_power() const { return damping_power_; }  // W
-  double depth() const { return depth_; }                  // m, largest penetration
+  double potential() const { return potential_; }  // J
+  double depth() const { return depth_; }          // m, largest penetration
 
  private:
   ContactTrial trial(const SurfacePoint& at, const Vec3& z, double radius) const;
@@ -66,7 +65,7 @@ class BodyContactPoints {
   Mat3 turned_by_turn_;  // derivative of turned_ by a small rotation of the body
   Vec3 force_ = Vec3::Zero(), moment_ = Vec3::Zero();
   Mat6 K_ = Mat6::Zero(), C_ = Mat6::Zero();  // by motions in axes of the surface
-  double potential_ = 0, damping_power_ = 0, depth_ = 0;
+  double potential_ = 0, depth_ = 0;
   bool active_ = false;
 };
 

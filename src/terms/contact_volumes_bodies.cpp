@@ -85,6 +85,11 @@ bool ContactVolumes::refresh_couplings(const Kinematics& from, double h, double 
   return true;
 }
 
+bool ContactVolumes::coupled(const Element& e, int volume) const {
+  const std::array<int, 3> pair{e.first, e.second, bodies_->frame(this->at(volume).body)};
+  return std::binary_search(near_.begin(), near_.end(), pair);
+}
+
 void ContactVolumes::list_couplings(Couplings& to) const {
   for (const auto& [a, b, body] : near_)
     if (mesh_.owns_node(a) || mesh_.owns_node(b) || mesh_.owns_node(body)) to.add({a, b}, {body, body});

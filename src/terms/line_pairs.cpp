@@ -251,7 +251,10 @@ void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, 
       const Vec3 moved = step_end ? Vec3(turned.transpose() * between_now - between_before)
                                   : Vec3(between_now - turned * between_before);
       sum.friction -= 0.5 * h.weight * h.friction.dot(moved);
-      sum.damping -= 0.5 * h.weight * h.damping_force * h.normal.dot(between_now - between_before);
+      // The damper of a point that separates acts until the point has left contact.
+      double path = h.normal.dot(between_now - between_before);
+      if (!step_end) path = std::min(path, pair.law.normal.smoothing - h.gap);
+      sum.damping -= 0.5 * h.weight * h.damping_force * path;
     };
     if (pair.points)
       for (const LinePairContactPoint& h : (*pair.points)[k]) add(h, false);

@@ -7,6 +7,8 @@
 //                             and C_jk, also through moving ends: contact_along_axis.cpp
 //   Stencil::to_blocks()      chain rule from points x + R y of the axis to positions x and rotations R of
 //                             the nodes; for cables the identity: kernels/stencil.cpp
+#include <limits>
+
 #include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser {
@@ -81,6 +83,13 @@ void LineVolumeContact::evaluate(const Kinematics& trial, Assembler& assembler) 
     const int blocks[4] = {a, beam ? a + 1 : b, b, b + 1};
     const size_t count = stencil.blocks;
     if (!volumes_.floats(pair.volume)) {
+      assembler.add({blocks, count}, f, K, moves ? DerivativeView(C) : DerivativeView());
+      continue;
+    }
+    if (!volumes_.coupled(mesh_.element(e), pair.volume)) {
+      // Newton's iteration has moved line or body further than the couplings reach. To PETSc such a state is
+      // outside the domain of the residual; the step is tried again with a smaller increment.
+      f.setConstant(std::numeric_limits<double>::quiet_NaN());
       assembler.add({blocks, count}, f, K, moves ? DerivativeView(C) : DerivativeView());
       continue;
     }

@@ -123,12 +123,12 @@ class BodyContact final : public ForceTerm,
     double max_approach = 0;            // m, largest approach allowed in a step in which the bodies may meet
     // A root of the inverse mass matrix of the twelve unknowns; zero rows for prescribed motion.
     Mat12 root = Mat12::Zero();
-    bool needs_overlap_check = false;          // see model::BodyPair
-    int other = -1;                            // index of the pair with a and b swapped; -1: none
-    bool owns_body = false, counted = false;   // this rank owns one of the bodies; counts the pair
-    double damping = 0, work = 0;              // J, over the accepted steps
-    double dissipated = 0;                     // J, dissipated by friction over the accepted steps
-    double damping_power = 0, work_power = 0;  // W, at the start of the step
+    bool needs_overlap_check = false;         // see model::BodyPair
+    int other = -1;                           // index of the pair with a and b swapped; -1: none
+    bool owns_body = false, counted = false;  // this rank owns one of the bodies; counts the pair
+    double damping = 0, work = 0;             // J, over the accepted steps
+    double dissipated = 0;                    // J, dissipated by friction over the accepted steps
+    double work_power = 0;                    // W, at the start of the step
     // Quantities of the committed state, for the trial step:
     double potential = 0;           // J
     double stiffness = 0;           // N/m, sum over all springs in contact
@@ -158,9 +158,9 @@ class BodyContact final : public ForceTerm,
   // space axes and rotations as material increments, and its derivatives on request.
   struct Sum {
     AgainstBody residual;
-    double potential = 0;                      // J
-    double damping_power = 0, work_power = 0;  // W; work_power: external work of prescribed motion
-    double depth = 0;                          // m, largest penetration
+    double potential = 0;   // J
+    double work_power = 0;  // W, external work of prescribed motion
+    double depth = 0;       // m, largest penetration
     bool active = false;
   };
   // kStiffness: tangent of the contact springs with their dampers, without negative stiffness; kSprings:
@@ -174,13 +174,19 @@ class BodyContact final : public ForceTerm,
   BodyFrame frame(size_t volume, const Kinematics& state) const;
   PairFrames frames_of(const Pair& pair, const Kinematics& state) const;
   using Eighths = std::array<ResultantSum, 8>;  // frame of the surface
-  // The law of friction in a step of length h [s], 0 in statics; the contact points go to `points`, and their
-  // sums to `eighths`, if given.
+  // Half of the work of the dampers over the step to `end`, or, without it, from the start of the step, J.
+  struct DampingWork {
+    const PairFrames* end = nullptr;
+    double sum = 0;
+  };
+  // The law of friction in a step of length h [s], 0 in statics; the contact points go to `points`, their
+  // sums to `eighths`, and the work of the dampers to `damping`, if given.
   struct Slipping {
     FrictionLaw law;
     double step = 0;
     BodyFrictionPoints* points = nullptr;
     Eighths* eighths = nullptr;
+    DampingWork* damping = nullptr;
   };
   Slipping slipping(const Pair& pair, double h) const {
     return {friction_on_ ? pair.friction : FrictionLaw(), h};
@@ -197,6 +203,9 @@ class BodyContact final : public ForceTerm,
   // State at the start of the step of the point xi of a feature that touches in the trial.
   ContactStart start_of(const Pair& pair, const PairFrames& trial, const SkeletonPart& part, double xi,
                         ContactRates* rates) const;
+  // Adds half of the work of the damper of the point of a's volume at y, in the frame of the surface at z.
+  void add_damping_work(const Pair& pair, const Vec3& y, const Vec3& z, const AxisContactPoint& point,
+                        DampingWork& to) const;
   // Adds a point at z, in the frame of the surface, of a part of radius r at y, in the frame of a's volume.
   void add_resultant(const Pair& pair, const Vec3& y, const Vec3& z, double r, const AxisContactPoint& point,
                      Eighths& to) const;

@@ -87,6 +87,8 @@ class ContactVolumes {
   // Returns true on all ranks if the list has changed. Collective.
   bool refresh_couplings(const Kinematics& from, double h, double thickest);
   void list_couplings(Couplings& to) const;
+  // True if the list has the element and the floating body of the volume.
+  bool coupled(const Element& e, int volume) const;
 
   // Switches contact of lines with a volume on or off. Called between steps, equally on all ranks.
   void enable(int volume, bool on) { volumes_[volume].off = !on; }
