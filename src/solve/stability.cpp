@@ -178,9 +178,9 @@ Stability stability(System& system, const Kinematics& state, Mat J) {
   // Damping decides about complex eigenvalues.
   const Eigen::ArrayXcd squared = modes.eigenvalues().array();
   const Eigen::Array<bool, Eigen::Dynamic, 1> real = squared.imag().abs() <= kReal * squared.real().abs();
-  // Zero but for rounding is a free motion: a bar that slides in slings without friction.
+  // Only eigenvalues that are positive beyond rounding show that the symmetric part is misleading.
   const double rounding = kRounding * squared.abs().maxCoeff();
-  if ((squared.abs() <= rounding || (real && squared.real() > 0)).all()) {
+  if ((real && squared.real() > rounding).all()) {
     out.negative = 0;
     return out;
   }
