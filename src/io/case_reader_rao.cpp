@@ -56,6 +56,8 @@ RaoTable read_table(const model::Value& rao, double gravity, const CaseSource& s
           std::polar(1.0, sign * r[3 + 2 * k] * kDegree) * (r[2 + 2 * k] * (k < 3 ? 1 : kDegree));
   }
   for (std::string& odd : advice::odd_rao_units(rao.where, rows, gravity)) notes.push_back(std::move(odd));
+  for (std::string& odd : advice::odd_in_long_waves(rao.where, table, gravity))
+    notes.push_back(std::move(odd));
   if (rao["symmetry"].is("port_starboard")) {
     if (both_sides(table))
       refuse(at,
