@@ -89,7 +89,7 @@ const std::vector<Slip> kSlips = {
      "would break"},
     {"vessel", "hs in cm", {kJonswap + "hs=400"}, "significant heights of seas"},
     {"vessel", "tp in ms", {kJonswap + "tp=10000"}, "peak periods of seas"},
-    {"vessel", "peak frequency for tp", {kJonswap + "tp=0.1"}, "peak periods of seas"},
+    {"vessel", "peak frequency for tp", {kJonswap + "tp=0.1"}, "is it a frequency in Hz? ('10 s')"},
     {"vessel", "gamma of another sea", {kJonswap + "gamma=33"}, "gamma"},
     {"vessel", "wave direction in radians", {kJonswap + "direction_deg=3.1416"}, "if radians are meant"},
     {"riser", "waves in statics", {"dynamics=null", "output=null"}, "they act in dynamics only"},
