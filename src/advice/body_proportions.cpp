@@ -7,6 +7,7 @@
 
 #include "hawser/advice/input_warnings.hpp"
 #include "hawser/base/count_of.hpp"
+#include "hawser/math/so3.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "unit_hint.hpp"
 
@@ -37,6 +38,7 @@ class BodyProportions {
     inertia(m);
     springs(m);
     weight(m);
+    depth(m);
   }
 
   // Plausible densities, kg/m³: an air bag has 6, a pneumatic fender 90, solid steel 7850.
@@ -115,6 +117,19 @@ class BodyProportions {
            "is {:.3g} m below the water surface and has no buoyancy, added mass or drag: add 'in_water' if "
            "water acts on it",
            -z);
+  }
+
+  // Of a body that starts in the water.
+  void depth(const BodyMass& m) {
+    const Water& w = c_.environment.water;
+    const double bottom = w.surface - w.depth;
+    if (!w.present || !(w.depth > 0) || b_.ride || b_.position.z() < bottom) return;
+    const double z = (b_.position + exp_so3(b_.rotation) * m.centre).z();
+    if (z < bottom)
+      warn("floating.centre_of_mass",
+           "is at z = {:.4g} m, below the bottom of the water at z = {:.4g} m: is it in metres, and in the "
+           "body's frame?",
+           z, bottom);
   }
 
   // Objects on a deck lift off at downward accelerations above g; no vessel exceeds the limit.
