@@ -21,6 +21,7 @@ constexpr std::complex<double> kI(0, 1);
 // Responses to waves of one direction at the two longest periods, and those of the water, for 1 m of wave.
 struct LongRow {
   double direction = 0;    // rad
+  double omega = 0;        // rad/s, of the longer wave
   double number = 0;       // 1/m, of the longer wave
   Response longest, next;  // next: its rotations in proportion to the slope of the longer wave
 };
@@ -39,8 +40,8 @@ std::vector<LongRow> long_rows(const std::vector<RaoTable::Row>& rows, double gr
       return std::abs(other.omega - second) < kSame && std::abs(other.direction - r.direction) < kSame;
     });
     if (next == rows.end()) continue;
-    LongRow& row =
-        out.emplace_back(LongRow{r.direction, slowest * slowest / gravity, r.response, next->response});
+    LongRow& row = out.emplace_back(
+        LongRow{r.direction, slowest, slowest * slowest / gravity, r.response, next->response});
     for (size_t k = 3; k < 6; ++k) row.next[k] *= slowest * slowest / (second * second);
   }
   return out;
@@ -53,13 +54,18 @@ bool steady(const LongRow& row, size_t freedom) {
   return std::abs(at_longest - row.next[freedom]) < kChange * std::abs(at_longest);
 }
 
-// Factor of all amplitudes that another definition of the amplitude has: 0.5, 2 or 1.
+// Factor of all amplitudes that another definition of the amplitude has: 0.5, 2 or 1. The heave of large
+// ships and near a resonance may be one of them by itself, but not with the surge or sway of the water.
 double common_factor(const std::vector<LongRow>& rows) {
-  constexpr double kNear = 0.06;
+  constexpr double kPeriod = 24;  // s
+  constexpr double kNear = 0.1;
+  constexpr double kLeast = 0.85, kMost = 2;  // of the horizontal amplitude, up to shallow water
+  if (!(2 * M_PI / rows.front().omega >= kPeriod)) return 1;
   for (const double factor : {0.5, 2.0}) {
     const auto has_factor = [&](const LongRow& row) {
+      const double along = std::hypot(std::abs(row.longest[0]), std::abs(row.longest[1])) / factor;
       return std::abs(std::abs(row.longest[2]) / factor - 1) < kNear &&
-             std::abs(std::abs(row.next[2]) / factor - 1) < kNear;
+             std::abs(std::abs(row.next[2]) / factor - 1) < kNear && along > kLeast && along < kMost;
     };
     if (std::all_of(rows.begin(), rows.end(), has_factor)) return factor;
   }
