@@ -1,4 +1,5 @@
 """Commands written in Python: hawser report, plot, export, rao, extremes, fatigue, pipe, lay, compare, view and new."""
+import errno
 import os
 import sys
 import traceback
@@ -16,6 +17,10 @@ try:
 except ModuleNotFoundError as missing:
     sys.exit(f"hawser: this command needs the Python module '{missing.name}': install python3-h5py python3-matplotlib "
              "python3-scipy (scripts/install-deps does)")
+
+
+# Errors of writing that have no name of a file.
+NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS)
 
 
 def make_report(options):
@@ -189,6 +194,8 @@ def main(arguments=None):
     except OSError as error:
         if error.filename:
             return failed(f"{error.filename}: cannot be written ({error.strerror})", 1)
+        if error.errno in NO_ROOM:
+            return failed(f"the output cannot be written ({os.strerror(error.errno).lower()})", 1)
         return failed(f"a results file is damaged and cannot be read ({first_line(error)})", 2)
     except Exception as error:  # internal error
         place = traceback.extract_tb(error.__traceback__)[-1]

@@ -1,11 +1,13 @@
 // Implausible bodies: densities and inertia of no material, spring periods that are too short or too long,
-// missing weight, and excessive accelerations of motions.
+// missing weight and water, and excessive accelerations of motions.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "hawser/advice/input_warnings.hpp"
+#include "hawser/base/count_of.hpp"
+#include "hawser/math/so3.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "unit_hint.hpp"
 
@@ -36,6 +38,7 @@ class BodyProportions {
     inertia(m);
     springs(m);
     weight(m);
+    depth(m);
   }
 
   // Plausible densities, kg/m³: an air bag has 6, a pneumatic fender 90, solid steel 7850.
@@ -116,6 +119,19 @@ class BodyProportions {
            -z);
   }
 
+  // Of a body that starts in the water.
+  void depth(const BodyMass& m) {
+    const Water& w = c_.environment.water;
+    const double bottom = w.surface - w.depth;
+    if (!w.present || !(w.depth > 0) || b_.ride || b_.position.z() < bottom) return;
+    const double z = (b_.position + exp_so3(b_.rotation) * m.centre).z();
+    if (z < bottom)
+      warn("floating.centre_of_mass",
+           "is at z = {:.4g} m, below the bottom of the water at z = {:.4g} m: is it in metres, and in the "
+           "body's frame?",
+           z, bottom);
+  }
+
   // Objects on a deck lift off at downward accelerations above g; no vessel exceeds the limit.
   void motion() {
     const double g = c_.environment.gravity > 0 ? c_.environment.gravity : 9.80665;
@@ -178,10 +194,50 @@ class BodyProportions {
   std::vector<InputWarning>& out_;
 };
 
+bool has_volume(const Case& c, const Body& b) {
+  return std::any_of(c.volumes.begin(), c.volumes.end(), [&](const Volume& v) { return v.body == b.name; });
+}
+
+// True for a body in the water that no force of the water acts on. A volume may be there for contact in air,
+// and a prescribed motion or a table of loads may have the effect of the waves.
+bool lacks_water(const Case& c, const Body& b) {
+  constexpr double kOrigin = 5;  // m, of a floating body, above or below the still water
+  if (!b.mass || b.motion.index() != 0 || b.drift || has_volume(c, b)) return false;
+  const BodyMass& m = *b.mass;
+  if (m.in_water || m.hydrodynamics || m.hull || m.current || !m.members.empty()) return false;
+  const auto varies = [](const BodyLoad& load) { return !load.table.empty(); };
+  if (std::any_of(m.loads.begin(), m.loads.end(), varies)) return false;
+  const double z = b.position.z() - c.environment.water.surface;
+  // With weight it hangs above the water, or has a note of its own further below.
+  return m.weight ? z <= 0 && z >= -kOrigin : z <= kOrigin;
+}
+
+// Once per case.
+void warn_of_missing_water(const Case& c, std::vector<InputWarning>& out) {
+  const Water& w = c.environment.water;
+  const auto flows = [](const CurrentRow& row) { return row.speed != 0; };
+  const bool current = std::any_of(w.current.profile.begin(), w.current.profile.end(), flows);
+  const bool waves = c.dynamics.enabled && !w.waves.none();
+  if (!current && !waves) return;
+  const Body* first = nullptr;
+  long long others = -1;
+  for (const Body& b : c.bodies) {
+    if (!lacks_water(c, b)) continue;
+    if (!first) first = &b;
+    ++others;
+  }
+  if (!first) return;
+  add_warning(out, "bodies." + first->name + ".floating", Effect::all,
+              "no force of the water acts on it{}, neither of waves nor of a current: add 'hydrodynamics', "
+              "'hull', 'members', 'in_water' or 'current' if it floats",
+              others > 0 ? fmt::format(" and {}", count_of(others, "other body", "other bodies")) : "");
+}
+
 }  // namespace
 
 void warn_of_bodies(const Case& c, std::vector<InputWarning>& out) {
   for (const Body& b : c.bodies) BodyProportions(c, b, out).run();
+  warn_of_missing_water(c, out);
 }
 
 }  // namespace hawser::advice

@@ -84,6 +84,14 @@ std::string turned_over(const std::string& body, double tilt) {
       body, tilt * 180 / M_PI);
 }
 
+std::string tilted(const std::string& body, double tilt) {
+  return fmt::format(
+      "body {} comes to rest {:.3g} deg from upright, and the hydrostatics and wave forces of its files are "
+      "linear, for angles up to about 10 deg: check its loads and their units, its lines and its centre of "
+      "mass",
+      body, tilt * 180 / M_PI);
+}
+
 std::string held_at_rest(const std::string& body, double up) {
   return fmt::format("body {} at rest: its lines and what touches it pull it {:.5g} kN {}", body,
                      std::abs(up) / 1000, up < 0 ? "down" : "up");

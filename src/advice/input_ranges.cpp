@@ -115,6 +115,14 @@ bool written_in_radians(const Value& v) {
   return q.status == Quantity::Status::ok && v.text.find('.') != std::string::npos && is_in_radians(q.si);
 }
 
+// For a number in place of a period of the kind `quantities`, whose inverse `fits`.
+std::string frequency_hint(const Value& v, std::string_view quantities,
+                           const std::function<bool(double)>& fits) {
+  const bool period = quantities.find("periods") != std::string_view::npos;
+  if (!period || !plain(v) || !fits(1 / v.number)) return "";
+  return fmt::format("; is it a frequency in Hz? ('{:.4g} s')", 1 / v.number);
+}
+
 class Walk {
  public:
   explicit Walk(std::vector<InputWarning>& out) : out_(out) {}
@@ -160,13 +168,15 @@ class Walk {
     const double size = std::abs(v.number);
     if (size >= range->lower && size <= range->upper) return;
     const auto fits = [&](double si) { return std::abs(si) >= range->lower && std::abs(si) <= range->upper; };
+    std::string hint = frequency_hint(v, range->quantities, fits);
+    if (hint.empty()) hint = unit_hint(v, key.unit, fits);
     out_.push_back(
         {where,
          fmt::format(
              "{} is {} {}, {}{}{}", plain(v) ? in_unit(v.number, key.unit) : v.text,
              size < range->lower ? "below" : "above", range->quantities,
              range->lower > 0 ? fmt::format("{} to ", in_unit(range->lower, Dimension::none)) : "at most ",
-             in_unit(range->upper, key.unit), unit_hint(v, key.unit, fits)),
+             in_unit(range->upper, key.unit), hint),
          std::string(range->quantities), Effect::all});
   }
 

@@ -8,7 +8,7 @@
 namespace hawser::advice {
 
 std::string responses_need_statics(const model::Case& c) {
-  return c.path + ": statics: responses need the static equilibrium, and this case has 'statics: false'";
+  return c.refusal("statics", "responses need the static equilibrium, and this case has 'statics: false'");
 }
 
 std::string no_wave_forces(const model::Case& c) {

@@ -33,6 +33,13 @@ std::string continuing_from(const std::string& file, double time) {
   return fmt::format("continuing from t = {:.6g} s of {}", time, file);
 }
 
+std::string ends_before_checkpoint(double time, double end) {
+  return fmt::format(
+      "its checkpoint is at t = {:.6g} s and the run ends at {:.6g} s, by 'dynamics.duration' or --stop-at: "
+      "nothing is left to compute",
+      time, end);
+}
+
 std::string nothing_left() { return "the checkpoint is at the end of the case; nothing is left to compute"; }
 
 std::string stage_of_statics(const std::string& stage) { return fmt::format("stage {} of statics", stage); }

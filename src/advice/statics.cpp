@@ -137,6 +137,13 @@ std::string body_moves_on(const std::string& place, double far) {
 
 std::string more_lines_on_bed(size_t lines) { return fmt::format("{} more lines are on the seabed", lines); }
 
+std::string lie_below_water(const std::vector<std::string>& lines, double below, double depth) {
+  return fmt::format(
+      "{}{}: at rest {:.4g} m below the bottom of the water, whose depth is {:.6g} m, since the case has no "
+      "seabed: give 'environment: {{seabed: {{depth: {:.6g}}}}}'",
+      lines.size() > 1 ? "lines " : "lines.", model::names_text(lines), below, depth, depth);
+}
+
 std::string singular_mooring() {
   return "the stiffness of the mooring is singular: a part of a line has no stiffness against some motion at "
          "rest";

@@ -74,6 +74,10 @@ void spectrum_rows(const WaveSystem& w, double gravity, std::vector<InputWarning
                        : "which would break");
 }
 
+bool has_mean_drift(const Body& b) {
+  return b.mass && b.mass->hydrodynamics && b.mass->hydrodynamics->second_order != SecondOrder::none;
+}
+
 // Ramps longer than the run, and waves without dynamics.
 void ramps_and_duration(const Case& c, std::vector<InputWarning>& out) {
   const Water& w = c.environment.water;
@@ -85,7 +89,7 @@ void ramps_and_duration(const Case& c, std::vector<InputWarning>& out) {
                   length, c.dynamics.duration, 100 * c.dynamics.duration / length);
   };
   if (!c.dynamics.enabled) {
-    if (waves)
+    if (waves && std::none_of(c.bodies.begin(), c.bodies.end(), has_mean_drift))
       add_warning(out, "environment.waves", Effect::part,
                   "they act in dynamics only, and the case has no 'dynamics'");
     return;

@@ -74,21 +74,22 @@ void compare_centre(const Vec3& weight, const model::BodyMass& m, const model::E
 
 // Rows of a period and the diagonal or full matrix of surge, sway and yaw; stored by increasing frequency.
 void read_drift_damping(const Value& v, const CaseSource& source, model::BodyHydrodynamics& h) {
-  const auto [at, rows] = read_input_rows(v, source);
+  const InputRows given = read_input_rows(v, source);
+  const auto& rows = given.rows;
   std::map<double, Mat3> by_omega;
   for (size_t i = 0; i < rows.size(); ++i) {
     const std::vector<double>& r = rows[i];
     if (r.size() != 4 && r.size() != 10)
-      model::refuse(at,
-                    "a row has 4 numbers (period, Bxx, Byy, Bzz) or 10 (period, matrix), but row {} has {}",
-                    i + 1, r.size());
-    if (!(r[0] > 0)) model::refuse(at, "a period is above 0 s, but row {} has {:g}", i + 1, r[0]);
+      refuse_rows(given,
+                  "a row has 4 numbers (period, Bxx, Byy, Bzz) or 10 (period, matrix), but row {} has {}",
+                  i + 1, r.size());
+    if (!(r[0] > 0)) refuse_rows(given, "a period is above 0 s, but row {} has {:g}", i + 1, r[0]);
     Mat3 B = Mat3::Zero();
     if (r.size() == 4)
       B.diagonal() << r[1], r[2], r[3];
     else
       B = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(&r[1]);
-    if (!by_omega.emplace(2 * M_PI / r[0], B).second) model::refuse(at, "has the period {:g} s twice", r[0]);
+    if (!by_omega.emplace(2 * M_PI / r[0], B).second) refuse_rows(given, "has the period {:g} s twice", r[0]);
   }
   h.drift_damping.assign(by_omega.begin(), by_omega.end());
 }
@@ -166,15 +167,15 @@ void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b
 // Rows of time, force and optionally moment.
 void read_load_table(const Value& table, const CaseSource& source, model::BodyLoad& load) {
   const InputRows given = read_input_rows(table, source);
-  const auto& [at, rows] = given;
-  if (rows.size() < 2) model::refuse(at, "a table of forces needs at least 2 rows, found {}", rows.size());
+  const auto& rows = given.rows;
+  if (rows.size() < 2) refuse_rows(given, "a table of forces needs at least 2 rows, found {}", rows.size());
   const size_t columns = rows.front().size();
   if (columns != 4 && columns != 7)
-    model::refuse(at, "a row has 4 numbers (t, Fx, Fy, Fz) or 7 (and Mx, My, Mz), found {}", columns);
+    refuse_rows(given, "a row has 4 numbers (t, Fx, Fy, Fz) or 7 (and Mx, My, Mz), found {}", columns);
   for (size_t i = 0; i < rows.size(); ++i) {
     const std::vector<double>& r = rows[i];
     if (r.size() != columns)
-      model::refuse(at, "row {} has {} numbers, but row 1 has {}", i + 1, r.size(), columns);
+      refuse_rows(given, "row {} has {} numbers, but row 1 has {}", i + 1, r.size(), columns);
     check_increase(given, i, "times", "s");
     Vec6 force = Vec6::Zero();
     for (size_t k = 1; k < columns; ++k) force[static_cast<Eigen::Index>(k) - 1] = r[k];

@@ -22,12 +22,13 @@ using WaveKind = model::WaveSystem::Kind;
 // Rows of time and factor, from a file or the case.
 TimeFactor read_time_factor(const Value& v, const CaseSource& source) {
   const InputRows given = read_input_rows(v, source);
-  const auto& [at, rows] = given;
-  if (rows.size() < 2) refuse(at, "a table of factors needs at least 2 rows, found {}", rows.size());
+  const auto& rows = given.rows;
+  if (rows.size() < 2) refuse_rows(given, "a table of factors needs at least 2 rows, found {}", rows.size());
   std::vector<TimeFactor::Row> out;
   for (size_t i = 0; i < rows.size(); ++i) {
     const std::vector<double>& r = rows[i];
-    if (r.size() != 2) refuse(at, "a row has 2 numbers, t and factor, but row {} has {}", i + 1, r.size());
+    if (r.size() != 2)
+      refuse_rows(given, "a row has 2 numbers, t and factor, but row {} has {}", i + 1, r.size());
     check_increase(given, i, "times", "s");
     out.emplace_back(r[0], r[1]);
   }
@@ -51,17 +52,18 @@ void finish_current(const Value& v, double water_depth, const CaseSource& source
 // Rows of a spectrum; returns its peak period [s].
 double read_spectrum(const Value& s, const CaseSource& source, model::WaveSystem& w) {
   const InputRows given = read_input_rows(s, source);
-  const auto& [at, rows] = given;
+  const auto& rows = given.rows;
   const double unit = s["frequency"].number;
   double energy = 0;
   SpectrumRow peak;
   for (size_t i = 0; i < rows.size(); ++i) {
     if (rows[i].size() != 2)
-      refuse(at, "a row has 2 numbers, frequency and density, but row {} has {}", i + 1, rows[i].size());
+      refuse_rows(given, "a row has 2 numbers, frequency and density, but row {} has {}", i + 1,
+                  rows[i].size());
     const SpectrumRow r{rows[i][0] * unit, rows[i][1] / unit};
     if (!(r.omega >= 0) || !(r.density >= 0))
-      refuse(at, "frequencies and densities must not be negative, but row {} has {:g} and {:g}", i + 1,
-             rows[i][0], rows[i][1]);
+      refuse_rows(given, "frequencies and densities must not be negative, but row {} has {:g} and {:g}",
+                  i + 1, rows[i][0], rows[i][1]);
     if (!w.spectrum.empty()) {
       const SpectrumRow& last = w.spectrum.back();
       check_increase(given, i, "frequencies", "");
@@ -70,7 +72,7 @@ double read_spectrum(const Value& s, const CaseSource& source, model::WaveSystem
     w.spectrum.push_back(r);
     if (r.density > peak.density) peak = r;
   }
-  if (!(energy > 0)) refuse(at, "the spectrum has no energy");
+  if (!(energy > 0)) refuse_rows(given, "the spectrum has no energy");
   return 2 * M_PI / std::max(peak.omega, w.spectrum.back().omega / 50);
 }
 

@@ -23,18 +23,19 @@ struct CoefficientRow {
 };
 
 std::vector<CoefficientRow> rows_of(const InputRows& given) {
-  const auto& [at, rows] = given;
-  if (rows.size() < 2) refuse(at, "a table of coefficients needs at least 2 rows, found {}", rows.size());
+  const auto& rows = given.rows;
+  if (rows.size() < 2)
+    refuse_rows(given, "a table of coefficients needs at least 2 rows, found {}", rows.size());
   std::vector<CoefficientRow> out;
   for (size_t i = 0; i < rows.size(); ++i) {
     const std::vector<double>& r = rows[i];
     if (r.size() != 4)
-      refuse(at, "a row has 4 numbers (angle, Cx, Cy, Cn), but row {} has {}", i + 1, r.size());
+      refuse_rows(given, "a row has 4 numbers (angle, Cx, Cy, Cn), but row {} has {}", i + 1, r.size());
     check_increase(given, i, "angles", "deg", kSame);
     out.push_back({r[0], Vec3(r[1], r[2], r[3])});
   }
   if (const double span = out.back().angle - out.front().angle; span > 360 + kSame)
-    refuse(at, "the rows go over {:g} deg, more than once round", span);
+    refuse_rows(given, "the rows go over {:g} deg, more than once round", span);
   return out;
 }
 
@@ -45,14 +46,14 @@ double largest(const std::vector<CoefficientRow>& rows) {
 }
 
 // Completes rows of 0 to 180 deg (or of the other side) by their mirror image.
-bool mirror(const Value& at, std::vector<CoefficientRow>& rows) {
+bool mirror(const InputRows& given, std::vector<CoefficientRow>& rows) {
   const double first = rows.front().angle;
   const double last = rows.back().angle;
   if (std::abs(last - first - 180) > kSame || std::abs(std::remainder(first, 180)) > kSame) return false;
   for (const CoefficientRow* r : {&rows.front(), &rows.back()})
     if (r->C.tail<2>().cwiseAbs().maxCoeff() > kRounded * largest(rows))
-      refuse(
-          at,
+      refuse_rows(
+          given,
           "rows of one side are mirrored for the other, so that Cy and Cn at {:g} deg are 0, found {:g} and "
           "{:g}: give rows all round, of 0 to 360 deg, of a body whose sides differ",
           r->angle, r->C.y(), r->C.z());
@@ -61,38 +62,39 @@ bool mirror(const Value& at, std::vector<CoefficientRow>& rows) {
   return true;
 }
 
-void close_round(const Value& at, std::vector<CoefficientRow>& rows) {
+void close_round(const InputRows& given, std::vector<CoefficientRow>& rows) {
   const double span = rows.back().angle - rows.front().angle;
   if (std::abs(span - 360) > kSame) return;
   const Vec3 a = rows.front().C;
   const Vec3 b = rows.back().C;
   if ((a - b).cwiseAbs().maxCoeff() > kRounded * largest(rows))
-    refuse(at, "the rows of {:g} and {:g} deg are of one direction and differ", rows.front().angle,
-           rows.back().angle);
+    refuse_rows(given, "the rows of {:g} and {:g} deg are of one direction and differ", rows.front().angle,
+                rows.back().angle);
   rows.pop_back();
 }
 
-void check_gaps(const Value& at, const std::vector<CoefficientRow>& rows) {
+void check_gaps(const InputRows& given, const std::vector<CoefficientRow>& rows) {
   std::vector<double> angles;
   for (const CoefficientRow& r : rows) angles.push_back(r.angle);
   const AngleGap gap = widest_gap(angles, 360);
   if (gap.width() > kWideGap + kSame)
-    refuse(at,
-           "there is no row between {:g} and {:g} deg: rows go all round, or from 0 to 180 deg for a body "
-           "whose sides are mirror images",
-           gap.from, gap.to);
+    refuse_rows(
+        given,
+        "there is no row between {:g} and {:g} deg: rows go all round, or from 0 to 180 deg for a body "
+        "whose sides are mirror images",
+        gap.from, gap.to);
 }
 
 // The force of a flow must be in the direction of the flow.
-void check_signs(const Value& at, const model::FlowOnBody& f) {
+void check_signs(const InputRows& given, const model::FlowOnBody& f) {
   for (const double angle : {0.0, 90.0, 180.0, 270.0}) {
     Vec3 C, slope;
     f.coefficients.at(angle * kDegree, C, slope);
     const int axis = angle == 0 || angle == 180 ? 0 : 1;
     const double along = angle < 180 ? C[axis] : -C[axis];
     if (along < 0)
-      refuse(
-          at,
+      refuse_rows(
+          given,
           "where the flow goes to {:g} deg, {}, C{} = {:g} pushes the body against it: are the angles those "
           "'{}' which it {}? Then give 'angles: {}'",
           angle,
@@ -111,13 +113,13 @@ void read_flow_on_body(const Value& v, const CaseSource& source, model::FlowOnBo
   const InputRows given = read_input_rows(v, source);
   std::vector<CoefficientRow> rows = rows_of(given);
   f.rows = static_cast<int>(rows.size());
-  f.mirrored = mirror(given.at, rows);
-  close_round(given.at, rows);
-  check_gaps(given.at, rows);
+  f.mirrored = mirror(given, rows);
+  close_round(given, rows);
+  check_gaps(given, rows);
   std::vector<FlowCoefficients::Row> out;
   for (const CoefficientRow& r : rows) out.push_back({(r.angle + (f.by_origin ? 180 : 0)) * kDegree, r.C});
   f.coefficients = FlowCoefficients(std::move(out));
-  check_signs(given.at, f);
+  check_signs(given, f);
   if (v.has("draught") && (v.has("frontal_area") || v.has("lateral_area")))
     refuse(v["draught"], "makes both areas: give it, or 'frontal_area' and 'lateral_area'");
   if (f.draught > 0) f.frontal = f.lateral = f.length * f.draught;

@@ -131,12 +131,17 @@ InputRows read_input_rows(const Value& v, const CaseSource& source) {
   return given;
 }
 
+void refuse_rows(const InputRows& given, const std::string& text) {
+  const bool in_file = given.at.kind == Value::Kind::scalar;
+  refuse(given.at, in_file ? given.at.text + ": " + text : text);
+}
+
 void check_increase(const InputRows& given, size_t i, std::string_view quantities, std::string_view unit,
                     double tolerance) {
   if (i == 0) return;
   const std::string fault =
       model::increase_fault(quantities, unit, given.rows[i - 1][0], given.rows[i][0], tolerance);
-  if (!fault.empty()) refuse(given.at, "{}: row {}", fault, i + 1);
+  if (!fault.empty()) refuse_rows(given, "{}: row {}", fault, i + 1);
 }
 
 namespace {
@@ -179,14 +184,16 @@ void note_overshoot(const model::TableMotion& m, const std::string& key, std::ve
 void read_motion_table(const Value& table, const CaseSource& source, model::TableMotion& m,
                        std::vector<std::string>& notes) {
   const InputRows given = read_input_rows(table, source);
-  const auto& [at, rows] = given;
-  if (rows.size() < 2) refuse(at, "a table of motion needs at least 2 rows, found {}", rows.size());
+  const auto& rows = given.rows;
+  if (rows.size() < 2) refuse_rows(given, "a table of motion needs at least 2 rows, found {}", rows.size());
   const std::size_t columns = rows.front().size();
   if (columns != 4 && columns != 7)
-    refuse(at, "a row of motion has 4 numbers (t, x, y, z) or 7 (and a rotation vector), found {}", columns);
+    refuse_rows(given, "a row of motion has 4 numbers (t, x, y, z) or 7 (and a rotation vector), found {}",
+                columns);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::vector<double>& r = rows[i];
-    if (r.size() != columns) refuse(at, "row {} has {} numbers, but row 1 has {}", i + 1, r.size(), columns);
+    if (r.size() != columns)
+      refuse_rows(given, "row {} has {} numbers, but row 1 has {}", i + 1, r.size(), columns);
     check_increase(given, i, "times", "s");
     m.time.push_back(r[0]);
     m.offset.emplace_back(r[1], r[2], r[3]);

@@ -33,21 +33,23 @@ bool both_sides(const std::vector<RaoTable::Row>& rows) {
 
 RaoTable read_table(const model::Value& rao, double gravity, const CaseSource& source,
                     std::vector<std::string>& notes) {
-  const auto [at, rows] = read_input_rows(rao, source);
+  const InputRows given = read_input_rows(rao, source);
+  const auto& rows = given.rows;
   const double sign = rao["phase"].is("lead") ? 1 : -1;
   std::vector<RaoTable::Row> table;
   for (size_t i = 0; i < rows.size(); ++i) {
     const std::vector<double>& r = rows[i];
     if (r.size() != 14)
-      refuse(at,
-             "a row of responses has 14 numbers (period, direction, six amplitudes each with its phase), but "
-             "row {} has {}",
-             i + 1, r.size());
-    if (!(r[0] > 0)) refuse(at, "periods must be above 0, but row {} has {:g} s", i + 1, r[0]);
+      refuse_rows(
+          given,
+          "a row of responses has 14 numbers (period, direction, six amplitudes each with its phase), but "
+          "row {} has {}",
+          i + 1, r.size());
+    if (!(r[0] > 0)) refuse_rows(given, "periods must be above 0, but row {} has {:g} s", i + 1, r[0]);
     for (size_t k = 2; k < 14; k += 2)
       if (!(r[k] >= 0))
-        refuse(at, "amplitudes must not be negative, but row {} has {:g}: turn its phase by 180 deg", i + 1,
-               r[k]);
+        refuse_rows(given, "amplitudes must not be negative, but row {} has {:g}: turn its phase by 180 deg",
+                    i + 1, r[k]);
     RaoTable::Row& row = table.emplace_back();
     row.omega = 2 * M_PI / r[0];
     row.direction = r[1] * kDegree;
@@ -56,17 +58,20 @@ RaoTable read_table(const model::Value& rao, double gravity, const CaseSource& s
           std::polar(1.0, sign * r[3 + 2 * k] * kDegree) * (r[2 + 2 * k] * (k < 3 ? 1 : kDegree));
   }
   for (std::string& odd : advice::odd_rao_units(rao.where, rows, gravity)) notes.push_back(std::move(odd));
+  for (std::string& odd : advice::odd_in_long_waves(rao.where, table, gravity))
+    notes.push_back(std::move(odd));
   if (rao["symmetry"].is("port_starboard")) {
     if (both_sides(table))
-      refuse(at,
-             "'symmetry: port_starboard' makes the other side of a table of one side (directions from 0 to "
-             "180 deg, or from 180 to 360), but the rows have directions on both");
+      refuse_rows(
+          given,
+          "'symmetry: port_starboard' makes the other side of a table of one side (directions from 0 to "
+          "180 deg, or from 180 to 360), but the rows have directions on both");
     table = with_other_side(table);
   }
   try {
     return RaoTable(std::move(table));
   } catch (const std::invalid_argument& e) {
-    refuse(at, e.what());
+    refuse_rows(given, e.what());
   }
 }
 

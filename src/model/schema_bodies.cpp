@@ -153,23 +153,28 @@ Key body_hydrodynamics() {
       {"hydrodynamics", &BodyMass::hydrodynamics},
       {text({"wamit", &H::files},
             "path, relative to the case, of WAMIT's output files without suffix: `.1` and `.hst`, and `.3` "
-            "if there are waves; each may be compressed with gzip"),
-       text({"capytaine", &H::files, set(&H::format, H::Format::capytaine)}, "NetCDF file of Capytaine"),
-       text({"bemio", &H::files, set(&H::format, H::Format::bemio)}, "HDF5 file of BEMIO"),
-       number({"length_scale", &H::length}, length, "ULEN of the WAMIT run", above(0), or_else("1")),
-       integer({"body", &H::body}, "number of the body in the files", in_range(1, 20), or_else("1")),
+            "if there are waves; each may be compressed with gzip",
+            fixed_in_restart),
+       text({"capytaine", &H::files, set(&H::format, H::Format::capytaine)}, "NetCDF file of Capytaine",
+            fixed_in_restart),
+       text({"bemio", &H::files, set(&H::format, H::Format::bemio)}, "HDF5 file of BEMIO", fixed_in_restart),
+       number({"length_scale", &H::length}, length, "ULEN of the WAMIT run", above(0), or_else("1"),
+              fixed_in_restart),
+       integer({"body", &H::body}, "number of the body in the files", in_range(1, 20), or_else("1"),
+               fixed_in_restart),
        vec3(
            {"origin_in_file", &H::in_file}, length,
            "coordinates of the body's origin (XBODY) in the files; moments in the files are about this point",
            or_else_note(
-               "[0, 0, 0]; for `capytaine` the centre of rotation, for `bemio` the centre of gravity")),
+               "[0, 0, 0]; for `capytaine` the centre of rotation, for `bemio` the centre of gravity"),
+           fixed_in_restart),
        number({"displaced_volume", &H::volume}, volume,
               "displaced volume of the body at its position in the files", above(0),
-              or_else_note("mass over the density of the water")),
+              or_else_note("mass over the density of the water"), fixed_in_restart),
        boolean({"gravity_in_stiffness", &H::gravity_in_stiffness},
                "whether the stiffness in the files includes the contribution of the body's weight (WAMIT "
                "includes it if its input has mass and centre of gravity)",
-               or_else_note("false; true for `capytaine`")),
+               or_else_note("false; true for `capytaine`"), fixed_in_restart),
        vec3({"place", &H::place}, length,
             "position of the body's origin in the case that corresponds to its position in the files; "
             "displacements count from here",
@@ -338,7 +343,8 @@ Key mass_matrix() {
               vec3({"about", &MassMatrix::about}, length,
                    "reference point of the matrix, in the body's frame", or_else(kZero))},
              "complete inertia of the body, in place of `inertia`; it need not be that of a rigid body of "
-             "`mass`, and `mass` sets the weight only ([theory](../theory/body-contact.md#a-floating-body))");
+             "`mass`, and `mass` sets the weight only ([theory](../theory/body-contact.md#a-floating-body))",
+             fixed_in_restart);
 }
 
 Key body_positioning() {
@@ -385,14 +391,15 @@ Key body_positioning() {
 Key floating() {
   return map(
       {"floating", &Body::mass},
-      {number({"mass", &BodyMass::mass}, mass, "mass", above(0), required),
+      {number({"mass", &BodyMass::mass}, mass, "mass", above(0), required, fixed_in_restart),
        vec3({"inertia", &BodyMass::inertia}, inertia,
-            "moments of inertia about the centre of mass, axes of the body", above(0)),
+            "moments of inertia about the centre of mass, axes of the body", above(0), fixed_in_restart),
        vec3({"products_of_inertia", &BodyMass::products}, inertia,
-            "Ixy, Iyz, Ixz: off-diagonal elements of the inertia matrix", or_else(kZero)),
+            "Ixy, Iyz, Ixz: off-diagonal elements of the inertia matrix", or_else(kZero), fixed_in_restart),
        mass_matrix(),
        vec3({"centre_of_mass", &BodyMass::centre, set(&BodyMass::centre_given, true)}, length,
-            "in the body's frame", or_else_note("[0, 0, 0]; with `mass_matrix` the centre that it implies")),
+            "in the body's frame", or_else_note("[0, 0, 0]; with `mass_matrix` the centre that it implies"),
+            fixed_in_restart),
        boolean({"weight", &BodyMass::weight},
                "whether the weight of the body acts; `false`: it is carried by buoyancy that is not modelled",
                or_else_note("true with `hydrodynamics` or `hull`, false without")),

@@ -199,8 +199,11 @@ Key waves() {
            or_else("wheeler")));
   keys.push_back(number({"ramp", &Waves::ramp}, time, "duration over which the waves build up smoothly",
                         at_least(0), or_else_note("the longest period, or the peak period")));
-  return map({"waves", within(&Environment::water, &Water::waves)}, std::move(keys),
-             "waves; they act in dynamics only and need `water`", either(kinds));
+  return map(
+      {"waves", within(&Environment::water, &Water::waves)}, std::move(keys),
+      "waves; they act in dynamics only and need `water`; the mean drift force of `second_order` acts in "
+      "statics too, and in full from t = 0",
+      either(kinds));
 }
 
 Key wind() {

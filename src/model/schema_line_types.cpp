@@ -15,8 +15,8 @@ Key pipe() {
   return map(
       "pipe",
       {number("outer_diameter", length, "outer diameter of the pipe wall, without coatings", above(0),
-              required),
-       number("wall_thickness", length, "thickness of the pipe wall", above(0), required),
+              required, fixed_in_restart),
+       number("wall_thickness", length, "thickness of the pipe wall", above(0), required, fixed_in_restart),
        one_of("material",
               {word("", {"steel", "titanium", "hdpe"}),
                map("", {number("E", pressure, "modulus of elasticity", above(0), required),
@@ -24,7 +24,7 @@ Key pipe() {
                         number("poisson", none, "Poisson's ratio", in_range(0, 0.5), or_else("0.3"))})},
               "material of the wall: a name of the "
               "[guide](case-file/line-types.md#pipes-hoses-and-umbilicals), or its properties",
-              or_else("steel")),
+              or_else("steel"), fixed_in_restart),
        word("grade", {"X42", "X46", "X52", "X56", "X60", "X65", "X70", "X80"},
             "steel grade of API 5L: with it the pipe is checked by [codes](reports.md#strength-of-pipes) at "
             "every step"),
@@ -44,7 +44,7 @@ Key pipe() {
             map("", {number("thickness", length, "thickness of the layer", above(0), required),
                      number("density", density, "density of the layer", above(0), required)}),
             "layers on the wall, from the inside to the outside: they add mass and diameter, no stiffness",
-            or_else("[]"))},
+            or_else("[]"), fixed_in_restart)},
       "a pipe; mass, diameters, `EA`, `EI`, `GJ` and the bore of `contents` follow from it");
 }
 
@@ -57,7 +57,8 @@ Key weight() {
               "density of the contents that these weights include; it is subtracted if `contents` are given",
               above(0), or_else_note("0: the weights are those of the empty line")),
        number("water_density", density, "density of the water for `submerged`", above(0), or_else("1025"))},
-      "weights per length of a data sheet; `mass_per_length` and `displaced_diameter` follow from them");
+      "weights per length of a data sheet; `mass_per_length` and `displaced_diameter` follow from them",
+      fixed_in_restart);
 }
 
 Key plasticity() {
@@ -100,18 +101,20 @@ Key line_types() {
   std::vector<Key> keys = {
       text("library",
            "takes the properties that are not given here from the [library](line-types.md) of chains and "
-           "ropes"),
-      number("diameter", length, "nominal diameter in the library: for a chain the bar diameter", above(0)),
-      text("grade", "chain grade in the library: `R3`, `R3S`, `R4`, `R4S` or `R5`"),
+           "ropes",
+           fixed_in_restart),
+      number("diameter", length, "nominal diameter in the library: for a chain the bar diameter", above(0),
+             fixed_in_restart),
+      text("grade", "chain grade in the library: `R3`, `R3S`, `R4`, `R4S` or `R5`", fixed_in_restart),
       pipe(),
       weight(),
       number({"outer_diameter", &LineType::outer_diameter, &LineType::contact_diameter}, length,
-             "outer diameter", above(0), or_else_note(kFromPipe)),
+             "outer diameter", above(0), or_else_note(kFromPipe), fixed_in_restart),
       number({"contact_diameter", &LineType::contact_diameter}, length, "diameter for contact", above(0),
              or_else_note("same as `outer_diameter`")),
       number({"mass_per_length", &LineType::mass_per_length}, mass_per_length,
              "mass in air, without `contents` and `marine_growth`", above(0),
-             or_else_note("none: needed unless `library`, `pipe` or `weight`")),
+             or_else_note("none: needed unless `library`, `pipe` or `weight`"), fixed_in_restart),
       boolean(
           {"bending", set_by<LineType>(bending)},
           "`false` makes a cable: it has axial stiffness only and may go slack; its nodes have no rotations",
@@ -122,7 +125,7 @@ Key line_types() {
                             "tension against strain, `[[strain, N], ...]`, increasing through zero: a "
                             "monotone cubic, elastic, linear beyond the rows",
                             required, items(1))})},
-             "axial stiffness", or_else_note(kFromPipe)),
+             "axial stiffness", or_else_note(kFromPipe), fixed_in_restart),
       one_of("EI",
              {number({"", &LineType::EI2, &LineType::EI3}, bending_stiffness, above(0)),
               list({"", set_by<LineType>(two_axes)}, number("", bending_stiffness, above(0)), items(2, 2)),
@@ -131,12 +134,13 @@ Key line_types() {
                             "the same in all directions: a monotone cubic, elastic, linear beyond the rows",
                             required, items(1))})},
              "bending stiffness, or `[EI2, EI3]` about the section's axes 2 and 3",
-             or_else_note("none: needed unless `bending: false`, `pipe` or a table of `plasticity`")),
+             or_else_note("none: needed unless `bending: false`, `pipe` or a table of `plasticity`"),
+             fixed_in_restart),
       plasticity(),
       number({"GJ", &LineType::GJ}, bending_stiffness, "torsional stiffness", above(0),
-             or_else_note(kStiffness)),
+             or_else_note(kStiffness), fixed_in_restart),
       number({"GA", &LineType::GA}, force, "shear stiffness; 0: rigid in shear (Euler-Bernoulli)",
-             at_least(0), or_else("0")),
+             at_least(0), or_else("0"), fixed_in_restart),
       vec3({"rotary_inertia", &LineType::rotary_inertia}, inertia_per_length,
            "rotary inertia per length about axes 1 (along the line), 2 and 3", at_least(0),
            or_else_note("that of a solid circular section: m d²/8, m d²/16, m d²/16; for a `pipe` that of "

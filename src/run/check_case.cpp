@@ -92,8 +92,12 @@ TrialRun print_trial(Simulation& sim, const model::Case& c, double budget) {
       for (const std::string& line : lines_on_bed(sim.model(), sim.system(), state)) fmt::print("{}\n", line);
       for (const std::string& line : platforms_held(c, sim.system(), state)) fmt::print("{}\n", line);
       for (const std::string& line : periods_on_lines(sim)) fmt::print("{}\n", line);
-      for (const std::string& w : platforms_off_start(c, sim.bodies(), state)) fmt::print("warning: {}\n", w);
-      for (const std::string& w : platforms_turned_over(sim.system().comm(), c, sim.bodies(), state))
+      const std::string below = lines_below_water(c, sim.system(), state);
+      if (!below.empty()) fmt::print("note: {}\n", below);
+      const MPI_Comm comm = sim.system().comm();
+      for (const std::string& w : platforms_off_start(comm, c, sim.bodies(), state))
+        fmt::print("warning: {}\n", w);
+      for (const std::string& w : platforms_tilted(comm, c, sim.bodies(), state))
         fmt::print("warning: {}\n", w);
     }
     water.update_sampled(state);

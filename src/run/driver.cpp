@@ -12,6 +12,7 @@
 #include <optional>
 #include <utility>
 
+#include "hawser/advice/restart.hpp"
 #include "hawser/advice/run.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/mpi.hpp"
@@ -157,6 +158,19 @@ struct RestartFrom {
   std::vector<std::string> notes;
 };
 
+bool is_over(double time, double end) { return time >= end * (1 - 1e-12); }
+
+// Refuses a run without steps if its file would begin after its end, or would replace results. At the end of
+// the case it writes a file of the last state.
+void check_end(MPI_Comm comm, const std::string& restart, double time, double end, const OutputPlace& place) {
+  if (place.appends() || !is_over(time, end)) return;
+  on_root(comm, [&] {
+    std::error_code unknown;
+    if (!is_over(end, time) || std::filesystem::exists(place.path(), unknown))
+      throw InputError(advice::cannot_continue(restart, advice::ends_before_checkpoint(time, end)));
+  });
+}
+
 // Prints notes before the start, and warnings, which a restart does not repeat.
 void print_notes(Simulation& sim, const std::vector<LoadedVolume>& volumes, const OutputPlace& place,
                  const std::optional<RestartFrom>& restart, Progress& progress) {
@@ -289,6 +303,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   std::optional<RestartFrom> restart;
   if (restarted) {
     restart.emplace(read_restart(options.restart, sim));
+    check_end(comm, options.restart, restart->checkpoint.time, end, place);
     restart->notes = compare_changes(comm, options.restart, c.changes);
   }
   print_notes(sim, volumes, place, restart, progress);
@@ -298,7 +313,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   RecorderAtFirstOutput at_first_output(sim, volumes, std::move(about), restart, place.appends(), progress);
   if (restart) {
     progress.print(advice::continuing_from(options.restart, restart->checkpoint.time));
-    if (restart->checkpoint.time >= end * (1 - 1e-12)) progress.print(advice::nothing_left());
+    if (is_over(restart->checkpoint.time, end)) progress.print(advice::nothing_left());
   } else if (c.statics.enabled) {
     find_equilibrium_with_outputs(sim, events, at_first_output, progress);
   }

@@ -11,6 +11,7 @@
 #include "hawser/kernels/hull_pressure.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/bed.hpp"
+#include "hawser/model/check.hpp"
 #include "hawser/model/waterplane.hpp"
 #include "hawser/terms/hulls.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
@@ -64,13 +65,41 @@ void for_each_hull(Case& c, const std::vector<LoadedVolume>& volumes, const Visi
 
 bool is_platform(const model::Body& b) { return b.mass && (b.mass->hull || b.mass->hydrodynamics); }
 
-// Calls `visit` with the index of each platform that has a node on this rank, and its pose at `state`.
-template <class Visit>
-void for_each_platform(const model::Case& c, const Bodies& bodies, const Kinematics& state,
-                       const Visit& visit) {
+// Attitude and height of a platform at rest. Angles in rad.
+struct PlatformAtRest {
+  int body = 0;
+  double turned = 0;   // from its initial attitude, about any horizontal axis
+  double upright = 0;  // of its vertical axis from the vertical
+  double rise = 0;     // m, from its initial position
+};
+
+// a, b: unit vectors.
+double angle_of(const Vec3& a, const Vec3& b) { return std::acos(std::clamp(a.dot(b), -1.0, 1.0)); }
+
+PlatformAtRest platform_at_rest(const model::Case& c, int body, const RigidBodyState& at) {
+  const RigidBodyState start = start_of(c.bodies[body]);
+  // The point that starts at the still water above or below the centre of mass: a heel does not lift it.
+  const Vec3 to_surface(0, 0, c.environment.water.surface - start.x.z());
+  const Vec3 moved = at.x + at.q * (start.q.conjugate() * to_surface);
+  // Upward vertical in body axes.
+  const Vec3 up = at.q.conjugate() * Vec3::UnitZ();
+  const Vec3 up_at_start = start.q.conjugate() * Vec3::UnitZ();
+  return {body, angle_of(up, up_at_start), angle_of(up, Vec3::UnitZ()),
+          moved.z() - c.environment.water.surface};
+}
+
+// Platforms of all ranks, once each, by body. Collective.
+std::vector<PlatformAtRest> platforms_at_rest(MPI_Comm comm, const model::Case& c, const Bodies& bodies,
+                                              const Kinematics& state) {
+  std::vector<PlatformAtRest> local;
   for (int b = 0; b < static_cast<int>(c.bodies.size()); ++b)
     if (const int node = bodies.local_node(b); node >= 0 && is_platform(c.bodies[b]))
-      visit(b, floating_state(state, node));
+      local.push_back(platform_at_rest(c, b, floating_state(state, node)));
+  std::map<int, PlatformAtRest> once;  // a body may be on several ranks
+  for (const PlatformAtRest& p : gather_all(comm, local)) once.emplace(p.body, p);
+  std::vector<PlatformAtRest> out;
+  for (const auto& [b, platform] : once) out.push_back(platform);
+  return out;
 }
 
 // Rise [m] of the body to the position where buoyancy balances its weight, at constant rotation: bisection
@@ -137,32 +166,26 @@ std::string hulls_text(const model::Case& c, const std::vector<LoadedVolume>& vo
   return out;
 }
 
-std::vector<std::string> platforms_off_start(const model::Case& c, const Bodies& bodies,
+std::vector<std::string> platforms_off_start(MPI_Comm comm, const model::Case& c, const Bodies& bodies,
                                              const Kinematics& equilibrium) {
   std::vector<std::string> out;
-  for_each_platform(c, bodies, equilibrium, [&](int b, const RigidBodyState& at) {
-    const model::Body& body = c.bodies[b];
-    const double rise = at.x.z() - start_of(body).x.z();
-    if (std::string text = advice::equilibrium_differs(body.name, rise); !text.empty())
+  for (const PlatformAtRest& p : platforms_at_rest(comm, c, bodies, equilibrium))
+    if (std::string text = advice::equilibrium_differs(c.bodies[p.body].name, p.rise); !text.empty())
       out.push_back(std::move(text));
-  });
   return out;
 }
 
-std::vector<std::string> platforms_turned_over(MPI_Comm comm, const model::Case& c, const Bodies& bodies,
-                                               const Kinematics& equilibrium) {
-  std::vector<std::pair<int, double>> local;  // body and tilt
-  for_each_platform(c, bodies, equilibrium, [&](int b, const RigidBodyState& at) {
-    // Between the upward vertical in body axes and that of the start.
-    const Vec3 up = at.q.conjugate() * Vec3::UnitZ();
-    const Vec3 at_start = start_of(c.bodies[b]).q.conjugate() * Vec3::UnitZ();
-    const double tilt = std::acos(std::clamp(up.dot(at_start), -1.0, 1.0));
-    if (tilt > M_PI / 2) local.emplace_back(b, tilt);
-  });
-  const std::vector<std::pair<int, double>> all = gather_all(comm, local);
-  const std::map<int, double> turned(all.begin(), all.end());  // a body may be on several ranks
+std::vector<std::string> platforms_tilted(MPI_Comm comm, const model::Case& c, const Bodies& bodies,
+                                          const Kinematics& equilibrium) {
+  constexpr double kSmall = 10 * M_PI / 180;
   std::vector<std::string> out;
-  for (const auto& [b, tilt] : turned) out.push_back(advice::turned_over(c.bodies[b].name, tilt));
+  for (const PlatformAtRest& p : platforms_at_rest(comm, c, bodies, equilibrium)) {
+    const model::Body& body = c.bodies[p.body];
+    if (p.turned > M_PI / 2)
+      out.push_back(advice::turned_over(body.name, p.turned));
+    else if (body.mass->hydrodynamics && !body.mass->hull && p.upright > kSmall)
+      out.push_back(advice::tilted(body.name, p.upright));
+  }
   return out;
 }
 

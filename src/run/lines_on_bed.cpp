@@ -1,7 +1,8 @@
 // Lengths of lines on the seabed between touchdown points; lines that differ only in position are reported
-// together.
+// together. Lines below the water.
 #include "hawser/run/lines_on_bed.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -49,6 +50,29 @@ std::vector<std::string> lines_on_bed(const model::Case& c, const System& system
   }
   if (more > 0) out.push_back(advice::more_lines_on_bed(more));
   return out;
+}
+
+std::string lines_below_water(const model::Case& c, const System& system, const Kinematics& state) {
+  constexpr double kBelow = 0.01;  // of the depth; anchors may be that far below the mean bed
+  const model::Water& water = c.environment.water;
+  if (c.environment.seabed.present || !water.present || !(water.depth > 0)) return {};
+  const LocalMesh& mesh = system.mesh();
+  std::vector<double> lowest(mesh.mesh->line_names.size(), HUGE_VAL);  // z of each line, m
+  for (int n = 0; n < mesh.owned; ++n) {
+    const auto line = static_cast<size_t>(mesh.node(n).line);
+    if (line < lowest.size()) lowest[line] = std::min(lowest[line], state.x[static_cast<size_t>(n)].z());
+  }
+  all_reduce(system.comm(), MPI_MIN, lowest);
+  std::vector<std::string> names;
+  double deepest = 0;
+  for (size_t l = 0; l < lowest.size(); ++l) {
+    const double below = water.surface - water.depth - lowest[l];
+    if (!(below > kBelow * water.depth)) continue;
+    if (const std::string name = mesh.mesh->line_names[l]; names.empty() || names.back() != name)
+      names.push_back(name);  // once for all parts of a line that events cut
+    deepest = std::max(deepest, below);
+  }
+  return names.empty() ? "" : advice::lie_below_water(names, deepest, water.depth);
 }
 
 }  // namespace hawser::run

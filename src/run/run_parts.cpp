@@ -100,9 +100,11 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
                            !sim.contact_friction_in_statics() && c.contact.has_friction(c.volumes)));
   for (const std::string& line : lines_on_bed(sim.model(), sim.system(), sim.state().at_rest()))
     progress.print(line);
+  const std::string below = lines_below_water(c, sim.system(), sim.state().at_rest());
+  if (!below.empty()) progress.print_notes({below});
   if (s.escapes > 0) progress.print("note: " + advice::unstable_equilibria_left(s.escapes));
   progress.print_warnings(sim.tilting_warnings());
-  progress.print_warnings(platforms_turned_over(sim.system().comm(), c, sim.bodies(), sim.state().at_rest()));
+  progress.print_warnings(platforms_tilted(sim.system().comm(), c, sim.bodies(), sim.state().at_rest()));
   if (s.negative_eigenvalues > 0)
     progress.print("warning: " + advice::unstable_at_rest(s.negative_eigenvalues));
   return s;
@@ -120,6 +122,9 @@ StaticsReport solve_static_stages(Simulation& sim, Events& events, Progress& pro
     if (rank_of(sim.system().comm()) == 0) progress.print("note: " + advice::statics_failed(sim.model()));
     throw;
   }
+  progress.print_warnings(model::notes_by_place(
+      sim.model(),
+      platforms_off_start(sim.system().comm(), sim.model(), sim.bodies(), sim.state().at_rest())));
   return last;
 }
 

@@ -1,6 +1,7 @@
 """The Python tools under adverse conditions: names with a meaning in YAML 1.1, outputs that are inputs, damaged
 results, Ctrl-C."""
 import contextlib
+import errno
 import io
 import json
 import os
@@ -13,6 +14,7 @@ import tempfile
 import time
 import unittest
 from pathlib import Path
+from unittest import mock
 
 from support import ROOT, run, write
 
@@ -193,6 +195,15 @@ class Overwriting(Attack):
 
     def test_export_beside_a_table_of_the_case(self):
         self.assertIn("lines.csv: cannot be written", self.refused("export", self.path, "-o", self.folder))
+
+    def test_no_room_for_the_output(self):
+        """Errors of writing, which have no name of a file; one of HDF5 without a number is of reading."""
+        for number, part in ((errno.ENOSPC, "the output cannot be written (no space left on device)"),
+                             (errno.EDQUOT, "the output cannot be written (disk quota exceeded)")):
+            with mock.patch.object(post, "make_export", side_effect=OSError(number, os.strerror(number))):
+                self.assertIn(part, self.refused("export", self.path, code=1))
+        with mock.patch.object(post, "make_export", side_effect=OSError("Can't read data (wrong checksum)")):
+            self.assertIn("a results file is damaged and cannot be read (Can't read data", self.refused("export", self.path))
 
     def test_the_program(self):
         case = self.folder / "run.yaml"

@@ -126,7 +126,7 @@ struct Afloat {
     run::Simulation s(MPI_COMM_SELF, c, run::surfaces(volumes), run::skeletons(c, volumes),
                       run::volume_facets(volumes));
     s.solve_statics();
-    return run::platforms_off_start(c, s.bodies(), s.state().at_rest());
+    return run::platforms_off_start(MPI_COMM_SELF, c, s.bodies(), s.state().at_rest());
   }
   model::Case c;
   std::vector<run::LoadedVolume> volumes;

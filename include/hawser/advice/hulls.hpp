@@ -29,12 +29,14 @@ struct HullAtStart {
 // does) or if a metacentric height is negative.
 std::string hull_at_start(const HullAtStart& hull);
 
-// For a body that statics raises by `rise` [m]: weight, buoyancy and line forces are not balanced at the
-// position in the case. Empty up to 0.1 m.
+// For a body that statics raises by `rise` [m] at the water surface: weight, buoyancy and line forces are not
+// balanced at the position in the case. Empty up to 0.1 m.
 std::string equilibrium_differs(const std::string& body, double rise);
 
 // For a body that statics turns over, by `tilt` [rad] from its initial attitude.
 std::string turned_over(const std::string& body, double tilt);
+// For a body with linear coefficients that rests `tilt` [rad] from upright.
+std::string tilted(const std::string& body, double tilt);
 
 // Vertical force on a body at rest [N, upwards] other than its weight and the water: lines and contact.
 std::string held_at_rest(const std::string& body, double up);

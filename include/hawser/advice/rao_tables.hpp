@@ -13,6 +13,10 @@ namespace hawser::advice {
 // one sentence each; gravity [m/s²]. In long waves every vessel follows the elevation and slope of the waves.
 std::vector<std::string> odd_rao_units(const std::string& key, const std::vector<std::vector<double>>& rows,
                                        double gravity);
+// Responses to the longest waves whose phases or amplitudes are those of another convention, one sentence
+// each; rows: as given, before those of the other side are added.
+std::vector<std::string> odd_in_long_waves(const std::string& key, const std::vector<RaoTable::Row>& rows,
+                                           double gravity);
 
 // Waves, the first of them to `direction` [rad, relative to the bow], between distant directions of the
 // table.

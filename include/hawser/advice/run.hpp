@@ -14,6 +14,8 @@ std::string model_size(size_t nodes, int ranks, int cut_elements);
 // One of several ranks has all nodes, because whole lines are not cut.
 std::string one_rank_has_all();
 std::string continuing_from(const std::string& file, double time);  // s
+// The run would end at `end`, at or before the checkpoint at `time`; both s.
+std::string ends_before_checkpoint(double time, double end);
 std::string nothing_left();
 
 std::string stage_of_statics(const std::string& stage);

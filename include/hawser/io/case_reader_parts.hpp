@@ -69,6 +69,13 @@ struct InputRows {
   std::vector<std::vector<double>> rows;
 };
 InputRows read_input_rows(const model::Value& v, const CaseSource& source);
+// Refuses rows; the sentence begins with the name of their file, if they have one.
+[[noreturn]] void refuse_rows(const InputRows& given, const std::string& text);
+template <class First, class... More>
+[[noreturn]] void refuse_rows(const InputRows& given, fmt::format_string<First, More...> text, First&& first,
+                              More&&... more) {
+  refuse_rows(given, fmt::format(text, std::forward<First>(first), std::forward<More>(more)...));
+}
 // Refuses row i if its first number is not more than `tolerance` above that of the row before
 // (model::increase_fault).
 void check_increase(const InputRows& given, size_t i, std::string_view quantities, std::string_view unit,

@@ -20,14 +20,15 @@ void set_hydrostatics(model::Case& c, const std::vector<LoadedVolume>& volumes);
 // case (advice::hull_at_start), one paragraph each. Empty: no hulls.
 std::string hulls_text(const model::Case& c, const std::vector<LoadedVolume>& volumes);
 
-// Messages about bodies of this rank with hulls or hydrodynamic coefficients whose rest position differs from
-// that of the case (advice::equilibrium_differs).
-std::vector<std::string> platforms_off_start(const model::Case& c, const Bodies& bodies,
+// Messages about bodies of any rank with hulls or hydrodynamic coefficients whose rest position differs from
+// that of the case (advice::equilibrium_differs). Collective.
+std::vector<std::string> platforms_off_start(MPI_Comm comm, const model::Case& c, const Bodies& bodies,
                                              const Kinematics& equilibrium);
 
-// Messages about such bodies of any rank that rest with the underside up (advice::turned_over). Collective.
-std::vector<std::string> platforms_turned_over(MPI_Comm comm, const model::Case& c, const Bodies& bodies,
-                                               const Kinematics& equilibrium);
+// Messages about such bodies of any rank that rest with the underside up (advice::turned_over), or so far
+// from upright that linear coefficients do not hold (advice::tilted). Collective.
+std::vector<std::string> platforms_tilted(MPI_Comm comm, const model::Case& c, const Bodies& bodies,
+                                          const Kinematics& equilibrium);
 
 // Vertical force on each of these bodies at rest besides its weight and the water (advice::held_at_rest). On
 // one rank.

@@ -1,0 +1,77 @@
+"""Messages about the position at rest: lines below the water of a case without a seabed, platforms that rest at another height
+or far from upright. `hawser run` and `hawser check` have the same."""
+import os
+import shutil
+import tempfile
+import unittest
+from pathlib import Path
+
+from support import ROOT, run, write
+
+HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
+
+CHAIN = """\
+hawser: 1
+environment: {water: {depth: 200}}
+line_types: {chain: {outer_diameter: 0.18, mass_per_length: 200, EA: 800 MN, bending: false}}
+lines:
+  chain: {sections: [{type: chain, length: 850, elements: 40}], end_a: {anchor: [-800, 0, -200]}, end_b: {anchor: [-20, 0, -14]}}
+"""
+
+# A hemisphere of 5 m, whose metacentre is at the centre of the sphere. Its mass is that of 300 m³ of water, and it displaces
+# 261.8 m³ at a draught of 5 m, with a waterplane of 78.54 m²: it floats 38.2/78.54 m = 0.486 m lower.
+FLOAT = """\
+hawser: 1
+environment: {gravity: 9.81, water: {density: 1000, depth: 100}}
+bodies:
+  float:
+    floating:
+      mass: 300000
+      centre_of_mass: [0, 0, -2]
+      inertia: [2.6e6, 2.6e6, 2.6e6]
+      stiffness: [1e4, 1e4, 0]
+      turning_stiffness: [0, 0, 1e6]
+      hydrodynamics: {wamit: float, length_scale: 5, displaced_volume: 261.8}
+      loads: [{moment: [0, 2e6, 0]}]
+"""
+
+
+class RestMessagesTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def texts(self, case, *changes):
+        """Output of `hawser check`, and of `hawser run` on one rank and on two."""
+        write(self.folder, "case.yaml", case)
+        settings = [word for change in changes for word in ("--set", change)]
+        for command in ((HAWSER, "check"), (HAWSER, "run"), ("mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "2", HAWSER, "run")):
+            done = run(*command, "case.yaml", *settings, cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            yield done.stdout + done.stderr
+
+    def test_line_below_the_water(self):
+        below = r"note: lines\.chain: at rest \d\d(\.\d+)? m below the bottom of the water, whose depth is 200 m, since the case has no seabed: " \
+                r"give 'environment: {seabed: {depth: 200}}'"
+        for text in self.texts(CHAIN):
+            self.assertRegex(text, below)
+        for changes in (["environment.seabed={depth: 200}"], ["lines.chain.sections[0].length=804"], ["environment.water.depth=280"]):
+            for text in self.texts(CHAIN, *changes):
+                self.assertNotIn("below the bottom of the water", text)
+
+    def test_platform_at_rest(self):
+        """The heel is asin(moment/(weight 2 m)) = 19.9 deg; a tenth of the moment heels it by 1.95 deg."""
+        for ending in ("1", "hst"):
+            shutil.copy(ROOT / f"tests/data/hemisphere.{ending}", self.folder / f"float.{ending}")
+        write(self.folder, "float.3", "5 0 3 1 0 1 0\n6 0 3 1 0 1 0\n")
+        lower = "warning: body float comes to rest 0.486 m lower than its initial position"
+        tilted = "warning: body float comes to rest 19.9 deg from upright, and the hydrostatics and wave forces of its files are linear"
+        for text in self.texts(FLOAT):
+            self.assertEqual(text.count(lower), 1, text)
+            self.assertEqual(text.count(tilted), 1, text)
+        for text in self.texts(FLOAT, "bodies.float.floating.mass=261800", "bodies.float.floating.loads[0].moment[1]=2e5"):
+            self.assertNotIn("comes to rest", text)
+
+
+if __name__ == "__main__":
+    unittest.main()
