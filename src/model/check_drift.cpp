@@ -10,13 +10,14 @@
 namespace hawser::model {
 namespace {
 
-// Tables of mean drift of a body: one, or one for each direction of full difference-frequency forces.
+// Tables of mean drift of a body: one, or one for each direction of full difference-frequency forces. None of
+// bodies side by side, which push each other away.
 std::vector<const WaveForceTable*> drift_tables(const BodyHydrodynamics& h) {
   std::vector<const WaveForceTable*> out;
   const auto add = [&](const std::vector<WaveForceTable>& of_bodies) {
     if (!of_bodies.empty()) out.push_back(&of_bodies[static_cast<size_t>(h.body) - 1]);
   };
-  if (h.second_order == SecondOrder::none) return out;
+  if (h.second_order == SecondOrder::none || h.data->bodies > 1) return out;
   add(h.data->drift);
   for (const DifferenceForces& of_direction : h.data->difference) add(of_direction.drift);
   return out;

@@ -216,8 +216,7 @@ void LongWaves::check_directions(const Issues& issue) const {
   else if (all > kClear * kClear * heave && std::max(std::abs(as_given), as_best) < kUnlike)
     issue(h_.key(),
           "in the longest waves, {:.4g} s, surge and sway of {} are not those of waves to its directions, "
-          "{:.4g} "
-          "to {:.4g} deg: are these in degrees from x, anticlockwise?",
+          "{:.4g} to {:.4g} deg: are these in degrees from x, anticlockwise?",
           2 * M_PI / omega_, h_.data->excitation_file, table_.directions().front() / kDegree,
           table_.directions().back() / kDegree);
 }

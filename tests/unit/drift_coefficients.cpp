@@ -17,7 +17,7 @@ class DriftCoefficients : public spar_files::SparFiles {
  protected:
   // Surge and sway of waves ahead and from the sides, over rho g; heave so that there is no note of its
   // absence.
-  void write_drift(double surge, double sway, const std::vector<double>& periods = {5, 10, 20, 30}) {
+  void write_drift(double surge, double sway, const std::vector<double>& periods = {2, 5, 10, 20, 30}) {
     std::string text;
     const auto row = [&](double period, int direction, int mode, double value) {
       text += fmt::format("{0} {1} {1} {2} {3} {4} {5} 0\n", period, direction, mode, std::abs(value),

@@ -64,7 +64,7 @@ TEST_F(WaveDirections, ExchangedModes) {
 // turn.
 TEST_F(WaveDirections, Radians) {
   with_directions([](double beta) { return beta * M_PI / 180; });
-  expect("spar.3: its directions, up to -3.1416, are multiples of 5 deg in radians: give them in degrees");
+  expect("spar.3: its directions, up to 5.7596, are multiples of 5 deg in radians: give them in degrees");
   with_directions([](double beta) { return std::round(10 * beta * M_PI / 180) / 10; });
   expect("are not those of waves to its directions, 0 to 5.8 deg: are these in degrees from x");
   with(".3", [](auto& rows) { std::erase_if(rows, [](const Row& r) { return r[1] != 0; }); });

@@ -1,4 +1,4 @@
-// Size and direction of mean drift forces.
+// Size and direction of mean drift forces of a body alone in its files.
 #pragma once
 
 #include <optional>
