@@ -10,7 +10,7 @@ namespace {
 
 std::string negative_damping(const std::string& file, double fraction, double period) {
   return fmt::format(
-      "{}: radiation damping of {:.2g} % of its sum over the frequencies is negative, most at {:.4g} s", file,
+      "{}: radiation damping of {:.3g} % of its sum over the frequencies is negative, most at {:.4g} s", file,
       100 * fraction, period);
 }
 

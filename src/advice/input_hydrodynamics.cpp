@@ -7,6 +7,9 @@
 #include "hawser/kernels/waves.hpp"
 #include "hawser/math/angle_gap.hpp"
 #include "hawser/math/freedoms.hpp"
+#include "hawser/model/check.hpp"
+#include "hawser/model/check_drift.hpp"
+#include "hawser/model/check_freedoms.hpp"
 #include "hawser/model/check_long_waves.hpp"
 #include "hawser/model/waterplane.hpp"
 
@@ -289,15 +292,62 @@ void warn_of_long_waves(const Case& c, const Body& b, std::vector<InputWarning>&
   }
 }
 
+void warn_of_drift(const Case& c, const Body& b, std::vector<InputWarning>& out) {
+  const BodyHydrodynamics& h = *b.mass->hydrodynamics;
+  if (const DriftSize size = drift_size(c, b); size.is_noted())
+    out.push_back({key_of_files(b), text_of(size), "drift size", Effect::all});
+  if (const std::optional<int> freedom = drift_against_waves(h))
+    add_warning(
+        out, key_of_files(b), Effect::all,
+        "the mean drift force of the files in {} is against the waves at most frequencies: does it have "
+        "the other sign, or are its directions those that waves come from?",
+        kFreedomNames[*freedom]);
+}
+
+// True if anything but radiation and the lines damps surge or sway of a body.
+bool has_viscous_damping(const BodyMass& m) {
+  const BodyHydrodynamics& h = *m.hydrodynamics;
+  const auto damps = [](const Mat6& B) { return !B.topRows<2>().isZero(0); };
+  return damps(h.damping) || damps(h.quadratic_damping) || damps(m.damping_matrix) || !m.damping.isZero(0) ||
+         !h.drift_damping.empty() || !m.members.empty() || m.current || m.positioning;
+}
+
+// A mooring makes the natural periods of surge and sway those of slow drift.
+void warn_of_slow_drift(const Case& c, const Body& b, std::vector<InputWarning>& out) {
+  const BodyHydrodynamics& h = *b.mass->hydrodynamics;
+  if (c.environment.water.waves.none() || line_ends_at(c, b).empty()) return;
+  const std::string key = "bodies." + b.name + ".floating.hydrodynamics";
+  if (h.excitation && !h.second_order_given && !h.data->unread_drift_file.empty())
+    add_warning(
+        out, key, Effect::all,
+        "mean and slow drift do not act on this moored body, although {} has their coefficients: give "
+        "'second_order: newman', or 'none' without drift",
+        h.data->unread_drift_file);
+  const bool slow = h.second_order == SecondOrder::newman || h.second_order == SecondOrder::full;
+  if (slow && !has_viscous_damping(*b.mass))
+    add_warning(
+        out, key, Effect::all,
+        "slow drift excites surge and sway on the mooring at their natural periods, where radiation has "
+        "no damping, and the body has no other: give its viscous damping, 'quadratic_damping'");
+}
+
 }  // namespace
 
 void warn_of_hydrodynamics(const Case& c, const Body& b, std::vector<InputWarning>& out) {
-  if (b.mass->hydrodynamics->wave_forces()) {
-    warn_of_long_waves(c, b, out);
-    warn_of_heave_phase(c, b, out);
-    warn_by_haskind(c, b, out);
+  const BodyHydrodynamics& h = *b.mass->hydrodynamics;
+  if (h.wave_forces()) {
+    // The other checks of a degree of freedom without values would name other causes.
+    if (const std::optional<MissingFreedom> missing = missing_freedom(c, b)) {
+      out.push_back({key_of_files(b), text_of(*missing, h), "missing freedom", Effect::all});
+    } else {
+      warn_of_long_waves(c, b, out);
+      warn_of_heave_phase(c, b, out);
+      warn_by_haskind(c, b, out);
+    }
     warn_of_end_of_damping(b, out);
   }
+  warn_of_drift(c, b, out);
+  warn_of_slow_drift(c, b, out);
   warn_of_size(c, b, out);
 }
 

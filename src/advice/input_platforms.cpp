@@ -40,7 +40,7 @@ void warn_of_sea_of_platform(const Case& c, const Body& b, std::vector<InputWarn
     add_warning(out, key, Effect::all,
                 "the current acts on lines but not on this body, which has wave coefficients only: add its "
                 "current coefficients, 'floating.current'");
-  if (w.waves.stokes() && b.mass->hydrodynamics->excitation)
+  if (w.waves.stokes() && b.mass->hydrodynamics->waves_act())
     add_warning(out, key, Effect::all,
                 "its coefficients are those of linear waves: the wave of 'stokes' acts on it as a linear "
                 "one of the same height and period");
@@ -55,7 +55,7 @@ void warn_of_sea_of_platform(const Case& c, const Body& b, std::vector<InputWarn
 void warn_of_crossing_waves(const Case& c, const Body& b, std::vector<InputWarning>& out) {
   constexpr double kMost = 0.1;  // of the energy
   const BodyHydrodynamics& h = *b.mass->hydrodynamics;
-  if (!h.excitation || h.second_order != SecondOrder::full) return;
+  if (h.second_order != SecondOrder::full) return;
   const double far = mean_direction(wave_field(c.environment).components()).far;
   if (far <= kMost) return;
   add_warning(out, "bodies." + b.name + ".floating.hydrodynamics.second_order", Effect::all,
@@ -72,13 +72,11 @@ void warn_of_directions(const Case& c, const Body& b, std::vector<InputWarning>&
   const std::vector<double>& directions = h.wave_forces()->directions();
   const double gap = directions.size() < 2 ? 0 : widest_gap(directions, 2 * M_PI).width() * 180 / M_PI;
   if (gap <= kWide) return;
-  // A full circle in radians, read as degrees.
-  const bool radians = directions.size() > 2 && directions.back() <= 2 * M_PI * M_PI / 180;
   add_warning(out, "bodies." + b.name + ".floating.hydrodynamics.follow_period", Effect::all,
               "the wave forces turn with the slow heading of the body, but the files have no direction "
-              "within {:.0f} deg: {}give files with all directions if the body yaws towards that gap, or "
+              "within {:.0f} deg: give files with all directions if the body yaws towards that gap, or "
               "'follow_period: 0'",
-              gap, radians ? "are their directions in radians? They are read as degrees; " : "");
+              gap);
 }
 
 void warn_of_hull(const Body& b, std::vector<InputWarning>& out) {

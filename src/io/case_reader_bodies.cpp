@@ -26,24 +26,23 @@ bool given(const Value& map, const char* key) {
   return v && v->given;
 }
 
-// Refuses a sea with more than the fraction `max_uncovered` of its energy in directions without rows, or an
-// irregular sea with more than `max_beyond` at longer, or shorter, periods than the table.
+// Refuses a sea with much of its energy in directions without rows, or an irregular sea with most of it at
+// longer, or shorter, periods than the table. quantity: "wave forces", "drift forces".
 void check_coverage(const Value& files, const std::vector<WaveForceTable>& tables, int body,
-                    const char* quantity, double max_uncovered, double max_beyond,
-                    const std::vector<WaveComponent>& sea, double heading, const std::string& key,
-                    std::vector<std::string>& notes) {
+                    const char* quantity, const std::vector<WaveComponent>& sea, double heading,
+                    const std::string& key, std::vector<std::string>& notes) {
   if (tables.empty() || sea.empty()) return;
-  constexpr double kSmall = 0.01;
+  constexpr double kSmall = 0.01, kMostUncovered = 0.05, kMostBeyond = 0.5;  // of the energy
   const WaveForceTable& table = tables[static_cast<size_t>(body) - 1];
   const model::Coverage coverage = model::coverage(table, sea, heading);
-  if (coverage.uncovered > max_uncovered)
+  if (coverage.uncovered > kMostUncovered)
     model::refuse(files, advice::directions_missing(quantity, table, coverage));
   if (coverage.uncovered > kSmall)
     notes.push_back(advice::directions_not_covered(key, quantity, table, coverage));
   const auto beyond = [&](double energy, bool shorter, double omega) {
     if (!(energy > kSmall)) return;
     const double last = 2 * M_PI / omega;
-    if (sea.size() > 1 && energy > max_beyond)
+    if (sea.size() > 1 && energy > kMostBeyond)
       model::refuse(files, advice::periods_missing(quantity, energy, shorter, last));
     notes.push_back(advice::periods_not_covered(key, quantity, energy, shorter, last));
   };
@@ -143,6 +142,7 @@ void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b
     }
   }
   h.data = known;
+  h.second_order_given = given(v, "second_order");
   if (const Value* damping = v.find("quadratic_damping")) {
     const auto is_row = [](const Value& row) { return row.kind == Value::Kind::list; };
     const auto rows = std::count_if(damping->items.begin(), damping->items.end(), is_row);
@@ -221,18 +221,18 @@ void finish_body_in_sea(const Value& v, const CaseSource& source, model::Body& b
       const auto& sea = source.files->sea(c.environment).components();
       const std::string key = "bodies." + b.name + ".floating.hydrodynamics";
       const Value& files = (*waves)[h.key()];
-      if (h.excitation) {
-        check_coverage(files, h.data->excitation, h.body, "wave forces", 0.05, 0.5, sea, heading, key,
-                       c.notes);
-        if (h.second_order == SecondOrder::full) {
-          const model::DifferenceForces& of = model::difference_forces(h, sea, heading);
-          check_coverage(files, of.drift, h.body, "drift forces", 0.5, 1,
-                         in_mean_direction((*waves)["second_order"], sea), heading, key, c.notes);
-          if (h.data->difference.size() > 1 && !sea.empty())
-            c.notes.push_back(advice::one_direction_of_difference_forces(key, of.direction()));
-        } else {
-          check_coverage(files, h.data->drift, h.body, "drift forces", 0.5, 1, sea, heading, key, c.notes);
-        }
+      const auto cover = [&](const std::vector<WaveForceTable>& tables, const char* quantity,
+                             const std::vector<WaveComponent>& waves_of_body) {
+        check_coverage(files, tables, h.body, quantity, waves_of_body, heading, key, c.notes);
+      };
+      if (h.excitation) cover(h.data->excitation, "wave forces", sea);
+      if (h.second_order == SecondOrder::full) {
+        const model::DifferenceForces& of = model::difference_forces(h, sea, heading);
+        cover(of.drift, "drift forces", in_mean_direction((*waves)["second_order"], sea));
+        if (h.data->difference.size() > 1 && !sea.empty())
+          c.notes.push_back(advice::one_direction_of_difference_forces(key, of.direction()));
+      } else {
+        cover(h.data->drift, "drift forces", sea);
       }
       if (model::wave_drift_damping(h, sea).diagonal().minCoeff() < 0)
         c.notes.push_back(advice::negative_drift_damping(key));

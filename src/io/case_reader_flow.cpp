@@ -85,25 +85,46 @@ void check_gaps(const InputRows& given, const std::vector<CoefficientRow>& rows)
         gap.from, gap.to);
 }
 
-// The force of a flow must be in the direction of the flow.
+// Coefficient along the axis of a flow to a multiple of 90 deg, positive with the flow.
+double along_flow(const model::FlowOnBody& f, double angle) {
+  Vec3 C, slope;
+  f.coefficients.at(angle * kDegree, C, slope);
+  const double along = std::fmod(angle, 180) == 0 ? C.x() : C.y();
+  return angle < 180 ? along : -along;
+}
+
+// The force of a flow must be in the direction of the flow. If it is so only ahead and astern, or only to the
+// sides, the table counts angles clockwise.
 void check_signs(const InputRows& given, const model::FlowOnBody& f) {
+  const auto is_against = [&](double angle) { return along_flow(f, angle) < 0; };
+  const bool ahead = is_against(0) && is_against(180);
+  const bool across = is_against(90) && is_against(270);
+  const char* other = f.by_origin ? "to" : "from";
+  if (across && !is_against(0) && !is_against(180))
+    refuse_rows(
+        given,
+        "flows from the sides, and they alone, push the body against them: do its angles go clockwise, or is "
+        "Cy positive to starboard? Then reverse the signs of Cy and Cn");
+  if (ahead && !is_against(90) && !is_against(270))
+    refuse_rows(
+        given,
+        "flows to 0 and 180 deg, and they alone, push the body against them: do its angles go clockwise, and "
+        "are they those '{}' which the flow {}? Then give 'angles: {}' and reverse the signs of Cy and Cn",
+        other, f.by_origin ? "goes" : "comes", other);
   for (const double angle : {0.0, 90.0, 180.0, 270.0}) {
-    Vec3 C, slope;
-    f.coefficients.at(angle * kDegree, C, slope);
-    const int axis = angle == 0 || angle == 180 ? 0 : 1;
-    const double along = angle < 180 ? C[axis] : -C[axis];
-    if (along < 0)
-      refuse_rows(
-          given,
-          "where the flow goes to {:g} deg, {}, C{} = {:g} pushes the body against it: are the angles those "
-          "'{}' which it {}? Then give 'angles: {}'",
-          angle,
-          angle == 0     ? "ahead"
-          : angle == 180 ? "astern"
-          : angle == 90  ? "to port"
-                         : "to starboard",
-          axis == 0 ? 'x' : 'y', C[axis], f.by_origin ? "to" : "from", f.by_origin ? "goes" : "comes",
-          f.by_origin ? "to" : "from");
+    if (!is_against(angle)) continue;
+    const bool lengthwise = angle == 0 || angle == 180;
+    refuse_rows(
+        given,
+        "where the flow goes to {:g} deg, {}, C{} = {:g} pushes the body against it: are the angles those "
+        "'{}' which it {}? Then give 'angles: {}'",
+        angle,
+        angle == 0     ? "ahead"
+        : angle == 180 ? "astern"
+        : angle == 90  ? "to port"
+                       : "to starboard",
+        lengthwise ? 'x' : 'y', angle < 180 ? along_flow(f, angle) : -along_flow(f, angle), other,
+        f.by_origin ? "goes" : "comes", other);
   }
 }
 

@@ -23,14 +23,15 @@ class WaveForceRows {
   WaveForceRows(int bodies, bool mirrored) : bodies_(bodies), mirrored_(mirrored) {}
   void add(double omega, double direction_deg, int mode, Complex value);
   bool none() const { return values_.empty(); }
-  // Tables of each body. Refuses a pair of frequency and direction without rows or without one of a
-  // significant mode.
+  // Tables of each body. Refuses directions in radians, and a pair of frequency and direction without rows or
+  // without one of a significant mode.
   std::vector<WaveForceTable> tables(const std::string& path);
 
  private:
   void add_other_side(const std::string& path);
   void complete_modes(const std::string& path);
   void check_again(const std::string& path) const;
+  void check_degrees(const std::string& path) const;
 
   // An entry given more than once: of the forces and of the moments that with the largest change.
   struct Again {

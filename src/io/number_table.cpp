@@ -9,7 +9,9 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 
 #include "hawser/io/input_file.hpp"
@@ -55,6 +57,19 @@ bool numbers_of(std::string line, std::vector<double>& to) {
   }
 }
 
+// True if a line has as many words between blanks as a row, and one of them is a number with a decimal comma.
+bool has_decimal_commas(const std::string& line, const std::vector<size_t>& columns) {
+  if (line.find(',') == std::string::npos) return false;
+  std::istringstream words(line);
+  size_t count = 0;
+  bool comma = false;
+  for (std::string word; words >> word; ++count)
+    for (size_t i = 1; i + 1 < word.size(); ++i)
+      comma = comma || (word[i] == ',' && std::isdigit(static_cast<unsigned char>(word[i - 1])) &&
+                        std::isdigit(static_cast<unsigned char>(word[i + 1])));
+  return comma && std::count(columns.begin(), columns.end(), count) > 0;
+}
+
 // Number of words of a line, and of those that begin like numbers.
 struct Words {
   size_t all = 0, numbers = 0;
@@ -75,14 +90,18 @@ Words words_of(const std::string& line) {
 
 NumberTable read_number_table(const std::string& path, const std::vector<size_t>& columns) {
   NumberTable table;
-  for (const char* ending : {"", ".gz"})
-    if (unreadable(path + ending, "table", kMostTable).empty()) {
-      table.path = path + ending;
-      break;
-    }
+  for (const char* ending : {"", ".gz"}) {
+    std::error_code error;
+    if (!std::filesystem::exists(path + ending, error)) continue;
+    table.path = path + ending;
+    break;
+  }
   if (table.path.empty()) return table;
+  if (const std::string why = unreadable(table.path, "table", kMostTable); !why.empty())
+    throw std::runtime_error(table.path + ": " + why);
   const std::string text = unpacked(table.path);
-  size_t from = 0;
+  if (is_utf16(text)) throw std::runtime_error(table.path + ": is a text in UTF-16: save it in UTF-8");
+  size_t from = mark_length(text);
   for (int line = 1; from < text.size(); ++line) {
     const size_t end = std::min(text.find('\n', from), text.size());
     NumberRow row{line, {}};
@@ -93,6 +112,9 @@ NumberTable read_number_table(const std::string& path, const std::vector<size_t>
     const auto fits = [&columns](size_t count) {
       return std::count(columns.begin(), columns.end(), count) > 0;
     };
+    if (numbers && has_decimal_commas(words, columns))
+      throw std::runtime_error(
+          fmt::format("{}:{}: its numbers have decimal commas: give them decimal points", table.path, line));
     if (numbers && fits(row.values.size())) {
       table.rows.push_back(std::move(row));
       continue;
@@ -100,9 +122,11 @@ NumberTable read_number_table(const std::string& path, const std::vector<size_t>
     // Before the first row, a line whose words are mostly numbers is a faulty row; else it is a title.
     const Words count = words_of(words);
     if (table.rows.empty() && !(fits(count.all) && 2 * count.numbers > count.all)) continue;
-    throw std::runtime_error(fmt::format("{}:{}: a row of this file has {} numbers, but this one has {}{}",
+    const bool truncated = from >= text.size() && text.back() != '\n';
+    throw std::runtime_error(fmt::format("{}:{}: a row of this file has {} numbers, but this one has {}{}{}",
                                          table.path, line, fmt::join(columns, " or "), row.values.size(),
-                                         numbers ? "" : " and something that is no number"));
+                                         numbers ? "" : " and something that is no number",
+                                         truncated ? ": is the file truncated?" : ""));
   }
   if (table.rows.empty())
     throw std::runtime_error(

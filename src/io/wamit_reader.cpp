@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -31,6 +32,17 @@ int mode_of(const NumberTable& table, const NumberRow& row, size_t column, int m
     refuse(table, row,
            fmt::format("{:g} is no mode of motion: it is a whole number from 1 to {}", mode, modes));
   return static_cast<int>(mode) - 1;
+}
+
+// False for WAMIT's periods 0 (infinite frequency) and -1 (zero frequency); refuses other negative periods.
+bool is_wave(const NumberTable& table, const NumberRow& row, size_t column) {
+  const double period = row.values[column];
+  if (period < 0 && period != -1)
+    refuse(
+        table, row,
+        fmt::format("the period is {:g} s: it is above 0 s, or 0 (infinite frequency) or -1 (zero frequency)",
+                    period));
+  return period > 0;
 }
 
 NumberTable table_of(const std::string& stem, const char* ending, const std::vector<size_t>& columns,
@@ -88,6 +100,35 @@ void check_rows(const HydrodynamicData& data, const std::map<double, Eigen::Matr
       }
 }
 
+// Refuses significant entries of a degree of freedom whose diagonal entry has no row. The length of a cube of
+// the largest added mass A makes translations and rotations comparable:
+//   |A_ij| > kCounts A l^k,   l = (A/rho)^(1/3),   k = 0 for translations, 1 for each rotation
+void check_diagonal(const HydrodynamicData& data, const std::map<double, Eigen::MatrixXi>& given,
+                    double density) {
+  constexpr double kCounts = 1e-3;
+  const Eigen::Index n = 6 * data.bodies;
+  Eigen::MatrixXd largest = data.infinite.cwiseAbs();
+  for (const Eigen::MatrixXd& A : data.added_mass) largest = largest.cwiseMax(A.cwiseAbs());
+  Eigen::MatrixXi has_rows = Eigen::MatrixXi::Zero(n, n);
+  for (const auto& [omega, rows] : given) has_rows = has_rows.cwiseMax(rows);
+  double mass = 0;
+  for (Eigen::Index i = 0; i < n; ++i)
+    if (!rotates(static_cast<int>(i))) mass = std::max(mass, largest(i, i));
+  if (!(mass > 0)) return;
+  const double length = std::cbrt(mass / density);
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const int rotations = rotates(static_cast<int>(i)) + rotates(static_cast<int>(j));
+      if (has_rows(j, j) || !(largest(i, j) > kCounts * mass * std::pow(length, rotations))) continue;
+      const auto entry = [](Eigen::Index row, Eigen::Index column) {
+        return fmt::format("{} {} ({})", row + 1, column + 1,
+                           advice::modes_text(static_cast<int>(row), static_cast<int>(column)));
+      };
+      throw std::runtime_error(fmt::format("{}: has no rows {}, although it has rows {}: complete the file",
+                                           data.radiation_file, entry(j, j), entry(i, j)));
+    }
+}
+
 // A = rho L^k Abar, B = rho omega L^k Bbar; k = 3 between translations, 5 between rotations, else 4.
 void read_radiation(const std::string& stem, const HydrodynamicForm& form, std::vector<std::string>& read,
                     HydrodynamicData& data, bool& has_infinite, Eigen::MatrixXd& zero_frequency) {
@@ -122,11 +163,12 @@ void read_radiation(const std::string& stem, const HydrodynamicForm& form, std::
       data.infinite(i, j) = added;
       at_infinity(i, j) = 1;
     }
+    const bool wave = is_wave(table, row, 0);
     if (period < 0) {
       if (zero_frequency.size() == 0) zero_frequency = none;
       zero_frequency(i, j) = added;
     }
-    if (period <= 0) continue;
+    if (!wave) continue;
     if (row.values.size() < 5)
       refuse(table, row, "a row at a period above 0 has 5 numbers (period, two modes, added mass, damping)");
     const double omega = 2 * M_PI / period;
@@ -152,6 +194,7 @@ void read_radiation(const std::string& stem, const HydrodynamicForm& form, std::
     throw std::runtime_error(table.path +
                              ": has fewer than two periods above 0, and memory needs a range of them");
   if (has_infinite) given[HUGE_VAL] = at_infinity;
+  check_diagonal(data, given, form.density);
   check_rows(data, given);
 }
 
@@ -204,6 +247,10 @@ void check_parts(const NumberTable& table, const NumberRow& row, size_t first, d
   // A negative real number may have its modulus and the phase 0.
   if (std::abs(parts - modulus * std::polar(1.0, phase * kDegree)) <= 2 * kRounded * scale) return;
   if (parts.imag() == 0 && std::abs(std::abs(parts.real()) - std::abs(modulus)) <= kRounded * scale) return;
+  if (&row == &table.rows.back())
+    refuse(table, row,
+           "the last row is incomplete, its modulus and phase are not those of its real and "
+           "imaginary part: is the file truncated?");
   refuse(table, row,
          fmt::format(
              "modulus {:g} and phase {:g} deg are not those of the real and imaginary part, {:g} and {:g}, "
@@ -231,7 +278,7 @@ void read_excitation(const std::string& stem, const HydrodynamicForm& form, std:
   WaveForceRows rows(data.bodies, form.mirrored);
   const std::vector<double> largest = largest_by_mode(table, 2, 3);
   for (const NumberRow& row : table.rows) {
-    if (!(row.values[0] > 0)) continue;
+    if (!is_wave(table, row, 0)) continue;
     const int mode = mode_of(table, row, 2, 6 * data.bodies);
     check_parts(table, row, 3, largest[static_cast<size_t>(mode + 1)]);
     const double scale = form.density * form.gravity * std::pow(form.length, 2 + rotates(mode));
@@ -253,7 +300,7 @@ bool read_drift(const std::string& stem, const char* ending, const HydrodynamicF
   bool heave = false;
   for (const NumberRow& row : table.rows) {
     if (row.values[0] != row.values[periods - 1] || row.values[periods] != row.values[periods + 1]) continue;
-    if (!(row.values[0] > 0) || row.values[mode_at] < 0) continue;
+    if (!is_wave(table, row, 0) || row.values[mode_at] < 0) continue;
     const int mode = mode_of(table, row, mode_at, 6 * data.bodies);
     check_parts(table, row, mode_at + 1, largest[static_cast<size_t>(mode + 1)]);
     heave = heave || mode % 6 == 2;
@@ -344,6 +391,17 @@ model::DifferenceForces difference_forces(const NumberTable& table, double direc
           DifferenceForceTable(distinct, std::move(values))};
 }
 
+constexpr std::array kDriftEndings = {".8", ".7", ".9", ".12d"};  // the first that exists is read
+
+// Path of the first file of second-order forces; empty: none.
+std::string drift_file(const std::string& stem) {
+  for (const std::string ending : kDriftEndings)
+    for (const char* packed : {"", ".gz"})
+      if (std::error_code error; std::filesystem::is_regular_file(stem + ending + packed, error))
+        return stem + ending + packed;
+  return "";
+}
+
 // Rows of two waves of different directions are not used.
 bool read_difference(const std::string& stem, const HydrodynamicForm& form, std::vector<std::string>& read,
                      HydrodynamicData& data, std::vector<std::string>& notes) {
@@ -376,10 +434,12 @@ HydrodynamicData read_wamit(const std::string& stem, const HydrodynamicForm& for
   read_hydrostatics(stem, form, read, data);
   check_mirrored(form, data);
   read_excitation(stem, form, read, data);
-  if (order != SecondOrder::none) {
+  if (order == SecondOrder::none) {
+    data.unread_drift_file = drift_file(stem);
+  } else {
     const bool full = order == SecondOrder::full;
     bool found = full && data.bodies == 1 && read_difference(stem, form, read, data, notes);
-    for (const char* ending : {".8", ".7", ".9", ".12d"})
+    for (const char* ending : kDriftEndings)
       found = found || (!full && read_drift(stem, ending, form, read, data, notes));
     if (!found)
       throw std::runtime_error(fmt::format("{}: 'second_order' needs {}, and there is none", stem,

@@ -36,6 +36,7 @@ void WaveForceRows::add(double omega, double direction_deg, int mode, Complex va
 
 std::vector<WaveForceTable> WaveForceRows::tables(const std::string& path) {
   check_again(path);
+  check_degrees(path);
   if (mirrored_) add_other_side(path);
   complete_modes(path);
   std::vector<double> omega, directions;
@@ -77,6 +78,27 @@ void WaveForceRows::check_again(const std::string& path) const {
           path, again.mode + 1, advice::modes_text(again.mode, again.mode), 2 * M_PI / again.omega,
           again.direction));
   }
+}
+
+// Directions of diffraction runs are multiples of 5 deg or other round numbers of degrees. Directions within
+// one revolution of radians that are all such multiples as radians, and not one of them a multiple of half a
+// degree as degrees, are in radians.
+void WaveForceRows::check_degrees(const std::string& path) const {
+  constexpr double kStep = 5 * kDegree, kRounded = 1e-3;  // rad
+  constexpr double kRoundDegrees = 0.5, kDigits = 1e-6;
+  double widest = 0;
+  for (const auto& [key, unused] : directions_) {
+    const double direction = 1e-6 * static_cast<double>(key > kRound / 2 ? key - kRound : key);
+    if (key == 0) continue;
+    if (std::abs(direction) > 2 * M_PI + kRounded || std::abs(std::remainder(direction, kStep)) > kRounded ||
+        std::abs(std::remainder(direction, kRoundDegrees)) < kDigits)
+      return;
+    if (std::abs(direction) > std::abs(widest)) widest = direction;
+  }
+  if (widest != 0)
+    throw std::runtime_error(fmt::format(
+        "{}: its directions, up to {:.5g}, are multiples of 5 deg in radians: give them in degrees", path,
+        widest));
 }
 
 // Missing rows are zero by symmetry or in waves too short to load the body; a missing row is an error if that

@@ -12,6 +12,7 @@
 #include "hawser/model/check_long_waves.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 
@@ -74,7 +75,10 @@ class LongWaves {
   // from the body's origin.
   ComplexVec6 force(int freedom, double omega, double number,
                     const Eigen::Vector2d& point = Eigen::Vector2d::Zero()) const {
-    const double beta = direction(freedom);
+    return force_to(direction(freedom), omega, number, point);
+  }
+  // The same of a wave to any direction [rad].
+  ComplexVec6 force_to(double beta, double omega, double number, const Eigen::Vector2d& point) const {
     const Eigen::Vector2d from_phases = h_.in_file.head<2>() + point;
     const double lead = number * (from_phases.x() * std::cos(beta) + from_phases.y() * std::sin(beta));
     return table_.at(omega, beta) * std::polar(1.0, lead);
@@ -93,6 +97,10 @@ class LongWaves {
   double number(double omega, bool deep) const {
     return deep ? omega * omega / g_ : wave_number(omega, depth_, g_);
   }
+  // Mass that waves along x and y accelerate with the water, kg: rho V and the added mass, with that of all
+  // bodies that radiate on this one, since the water accelerates past all of them.
+  Eigen::Matrix2d accelerated_mass() const;
+  void check_directions(const Issues& issue) const;
   void check_phase(int freedom, const Issues& issue) const;
   // V by the force of surge (0) or sway (1), m³; C44 (1) or C55 (0) by the moment across it, N m.
   double volume_by_waves(int freedom, double omega, bool deep) const;
@@ -119,6 +127,100 @@ class LongWaves {
   double second_ = 0;
 };
 
+Eigen::Matrix2d LongWaves::accelerated_mass() const {
+  const auto [low, high, fraction] = frequency_place(h_.data->omega, omega_);
+  const Eigen::Index row = 6 * (static_cast<Eigen::Index>(h_.body) - 1);
+  Eigen::Matrix2d mass = density_ * volume_ * Eigen::Matrix2d::Identity();
+  for (int other = 0; other < h_.data->bodies; ++other) {
+    const auto block = [&, row](size_t k) {
+      return Eigen::Matrix2d(h_.data->added_mass[k].block<2, 2>(row, 6 * other));
+    };
+    mass += (1 - fraction) * block(low) + fraction * block(high);
+  }
+  return mass;
+}
+
+// Directions of another convention: true directions are `turn` times those of the file.
+struct Convention {
+  Eigen::Matrix2d turn;
+  const char* forces;
+  const char* cause;
+};
+
+std::array<Convention, 6> other_conventions() {
+  const auto turn = [](double xx, double xy, double yx, double yy) {
+    Eigen::Matrix2d m;
+    m << xx, xy, yx, yy;
+    return m;
+  };
+  constexpr const char* kExchanged = "surge and sway are exchanged";
+  constexpr const char* kOpposite = "surge and sway are exchanged and against the waves";
+  constexpr const char* kTurned = "surge and sway are turned by 90 deg from its directions";
+  return {{{turn(1, 0, 0, -1), "the sway force alone is against the waves",
+            "its directions were clockwise, or y were to starboard"},
+           {turn(-1, 0, 0, 1), "the surge force alone is against the waves",
+            "its directions were clockwise and those that waves come from, or x were astern"},
+           {turn(0, 1, 1, 0), kExchanged,
+            "its directions were clockwise from y, as on a compass, or modes 1 and 2 were exchanged"},
+           {turn(0, -1, -1, 0), kOpposite, "its directions were those of a compass from which waves come"},
+           {turn(0, -1, 1, 0), kTurned, "its directions were from y"},
+           {turn(0, 1, -1, 0), kTurned, "its directions were from -y"}}};
+}
+
+// The forces over i k g of waves to all directions n, q, are those of the mass M times n. Of directions by
+// another convention they are those of M T n, with T as in `Convention`. The fit is
+//   sum q . M T n / sqrt(sum q² sum (M T n)²)
+// which is 1 for the right convention, and does not depend on the units of the forces.
+void LongWaves::check_directions(const Issues& issue) const {
+  constexpr double kCounts = 1e-3, kClear = 0.02;  // of heave
+  constexpr double kInPhase = 0.9;                 // of the square of the forces; else the phases are wrong
+  constexpr double kFits = 0.95, kDiffers = 0.02, kBetter = 0.1, kUnlike = 0.5;
+  const double k = number(omega_, false);
+  const Eigen::Vector2d centre = waterplane_centre(hydrostatics_.stiffness);
+  std::vector<Eigen::Vector2d> along, forces;
+  double all = 0, in_phase = 0, heave = 0;
+  for (const double beta : table_.directions()) {
+    const ComplexVec6 X = force_to(beta, omega_, k, centre);
+    along.emplace_back(std::cos(beta), std::sin(beta));
+    forces.emplace_back(X.head<2>().imag() / (k * g_));
+    all += X.head<2>().squaredNorm();
+    in_phase += X.head<2>().imag().squaredNorm();
+    heave += std::norm(X[2]);
+  }
+  if (!(all > kCounts * kCounts * heave) || in_phase < kInPhase * all) return;
+  const Eigen::Matrix2d mass = accelerated_mass();
+  const auto fit = [&](const Eigen::Matrix2d& turn) {
+    double product = 0, expected = 0, found = 0;
+    for (size_t d = 0; d < along.size(); ++d) {
+      const Eigen::Vector2d one = mass * turn * along[d];
+      product += one.dot(forces[d]);
+      expected += one.squaredNorm();
+      found += forces[d].squaredNorm();
+    }
+    return product / std::sqrt(expected * found);
+  };
+  const double as_given = fit(Eigen::Matrix2d::Identity());
+  const std::array<Convention, 6> others = other_conventions();
+  const Convention* best = &others.front();
+  for (const Convention& other : others)
+    if (fit(other.turn) > fit(best->turn)) best = &other;
+  // The opposite directions, with fit -as_given, are those that waves come from, which check_phase() names.
+  const double as_best = fit(best->turn);
+  const double off = 1 - std::abs(as_given);
+  if (as_best > kFits && off > kDiffers && 1 - as_best < kBetter * off)
+    issue(
+        h_.key(),
+        "in the longest waves, {:.4g} s, by the wave forces of {} {}, as if {}: directions are anticlockwise "
+        "from x to where the waves go, and y is to port",
+        2 * M_PI / omega_, h_.data->excitation_file, best->forces, best->cause);
+  else if (all > kClear * kClear * heave && std::max(std::abs(as_given), as_best) < kUnlike)
+    issue(h_.key(),
+          "in the longest waves, {:.4g} s, surge and sway of {} are not those of waves to its directions, "
+          "{:.4g} to {:.4g} deg: are these in degrees from x, anticlockwise?",
+          2 * M_PI / omega_, h_.data->excitation_file, table_.directions().front() / kDegree,
+          table_.directions().back() / kDegree);
+}
+
 // The force of long waves along their direction leads the crest by a quarter of a period.
 void LongWaves::check_phase(int freedom, const Issues& issue) const {
   constexpr double kPhase = 30 * kDegree;
@@ -143,6 +245,7 @@ void LongWaves::check_phase(int freedom, const Issues& issue) const {
 
 void LongWaves::check(const Issues& issue) const {
   const std::size_t before = issue.count();
+  check_directions(issue);
   for (const int freedom : {0, 1})
     if (issue.count() == before) check_phase(freedom, issue);
   const double C33 = hydrostatics_.stiffness(0, 0);

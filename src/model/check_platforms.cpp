@@ -5,6 +5,8 @@
 #include "hawser/math/freedoms.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/model/check.hpp"
+#include "hawser/model/check_drift.hpp"
+#include "hawser/model/check_freedoms.hpp"
 #include "hawser/model/check_long_waves.hpp"
 
 namespace hawser::model {
@@ -37,6 +39,15 @@ void check_afloat(const Case& c, const BodyMass& m, const char* twice, const Iss
           "includes the weight and buoyancy of the body, so that the weight always acts: remove 'weight'");
 }
 
+// The body must have wave forces.
+void check_wave_forces(const Case& c, const Body& b, const Issues& issue) {
+  const BodyHydrodynamics& h = *b.mass->hydrodynamics;
+  if (const auto missing = missing_freedom(c, b); missing && missing->is_refused())
+    issue(h.key(), "{}", text_of(*missing, h));
+  else
+    check_long_waves(c, b, issue);
+}
+
 void check_platform(const Case& c, const Body& b, const Issues& issue) {
   const BodyMass& m = *b.mass;
   const BodyHydrodynamics& h = *m.hydrodynamics;
@@ -55,7 +66,8 @@ void check_platform(const Case& c, const Body& b, const Issues& issue) {
           "the hydrostatic stiffness C33 of heave is {:.4g} N/m, and it is rho g times the area of the "
           "waterplane, so that it cannot be negative: does the file have the other sign?",
           C33);
-  if (h.wave_forces()) check_long_waves(c, b, issue);
+  if (h.wave_forces()) check_wave_forces(c, b, issue);
+  if (const DriftSize size = drift_size(c, b); size.is_refused()) issue(h.key(), "{}", text_of(size));
   check_symmetric(h.stiffness, "stiffness", issue);
   check_dissipates(h.damping, "damping", issue);
   check_dissipates(h.quadratic_damping, "quadratic_damping", issue);

@@ -68,7 +68,7 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
   p.added_quadratic_damping = h.quadratic_damping;
   p.coefficients = m.hydrodynamics;
   p.phase_point = h.in_file.head<2>() + phase_point(of_files, sea_.density * sea_.gravity);
-  if (h.excitation && !sea_.waves.none()) p.waves = platform_waves(p, heading);
+  if (h.waves_act() && !sea_.waves.none()) p.waves = platform_waves(p, heading);
   return p;
 }
 

@@ -283,9 +283,9 @@ class Faults(unittest.TestCase):
             row[1] = np.radians(row[1])
 
         self.assertIn("or its directions are those that waves come from", self.check(SPAR, lambda text: changed(text, 7, opposite), ending=".3"))
-        of = (SPAR[0], SPAR[1] + "}, waves: {regular: {height: 1, period: 10}", *SPAR[2:])
-        text = self.check(of, lambda text: changed(text, 7, radians), ending=".3")
-        self.assertIn("are their directions in radians?", text)
+        text = self.check(SPAR, lambda text: changed(text, 7, radians), ending=".3")
+        self.assertIn("files.3: its directions, up to ", text)
+        self.assertIn(", are multiples of 5 deg in radians: give them in degrees", text)
 
     def test_public_files(self):
         for name, of in SETS.items():

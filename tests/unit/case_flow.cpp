@@ -94,6 +94,21 @@ TEST(CaseFlow, WarningOfForcesInPlaceOfCoefficients) {
   EXPECT_NE(found[0].find("floating.wind: has a coefficient of 700"), std::string::npos) << found[0];
 }
 
+// The table of kSide by clockwise angles, to and from which the wind blows: either has only one axis against
+// the flow, so that the other word of `angles` alone is no remedy.
+TEST(CaseFlow, ClockwiseAngles) {
+  const std::string to =
+      "rows: [[0, 0.8, 0, 0], [60, 0.4, -0.7, -0.1], [120, -0.4, -0.6, 0.05], [180, -0.7, 0, 0]]";
+  expect_refused(
+      wind(to),
+      "flows from the sides, and they alone, push the body against them: do its angles go clockwise, "
+      "or is Cy positive to starboard? Then reverse the signs of Cy and Cn");
+  expect_refused(
+      wind("angles: from, " + to),
+      "flows to 0 and 180 deg, and they alone, push the body against them: do its angles go "
+      "clockwise, and are they those 'to' which the flow goes? Then give 'angles: to' and reverse");
+}
+
 TEST(CaseFlow, BadTablesGetASentence) {
   expect_refused(
       wind("rows: [[0, -0.8, 0, 0], [60, -0.4, -0.7, 0], [120, 0.4, -0.6, 0], [180, 0.7, 0, 0]]"),

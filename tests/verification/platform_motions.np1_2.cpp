@@ -125,6 +125,50 @@ TEST(Platforms, TurnedAndMovedShipsMoveEqually) {
   }
 }
 
+// Without first-order forces the drift is the same: at rest 0.5 a² rho g over the stiffness, and the mean in
+// dynamics.
+TEST(Platforms, DriftActsWithoutFirstOrderForces) {
+  const std::string stem = ship_files("hawser_platform_drift_only/ship");
+  for (const bool excitation : {true, false}) {
+    const std::string text = fmt::format(
+        R"(hawser: 1
+environment:
+  gravity: 10
+  water: {{density: 1000}}
+  waves: {{regular: {{height: 4, period: 8}}, ramp: 0.5}}
+bodies:
+  ship:
+    floating:
+      mass: 1e6
+      inertia: [1e8, 1e9, 1e9]
+      hydrodynamics:
+        wamit: {}
+        second_order: newman
+        excitation: {}
+        place: [0, 0, 0]
+        stiffness: [[2e4, 0, 0, 0, 0, 0], [0, 2e4, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e8]]
+dynamics: {{duration: 1, step: 0.1}}
+)",
+        stem, excitation);
+    Simulation s(PETSC_COMM_WORLD, io::read_case_text(text, testing::TempDir() + "drift_only.yaml"));
+    s.solve_statics();
+    EXPECT_NEAR(from_owner(s, [&](size_t n) { return s.state().x[n].x(); }), 1, 1e-6) << excitation;
+    Dynamics& d = s.dynamics();
+    d.start(s.state());
+    integrate(d, 1, 1, [](const StepInfo&) {});
+    std::vector<double> force(2, 0);  // of first order, drift
+    if (s.local().owns(s.local().find(s.mesh().body_node(0))))
+      for (const ReportsBodyForces* term : s.system().with<ReportsBodyForces>())
+        for (size_t i = 0; i < term->load_components(0).size(); ++i)
+          for (const auto& [name, at] : {std::pair("wave", 0), {"drift", 1}})
+            if (term->load_components(0)[i] == name)
+              force[static_cast<size_t>(at)] += term->forces_on(0, d.committed_kinematics())[i].force.x();
+    all_reduce(PETSC_COMM_WORLD, MPI_SUM, force);
+    EXPECT_EQ(std::abs(force[0]) > 1, excitation) << force[0];
+    EXPECT_NEAR(force[1], 2e4, 1) << excitation;
+  }
+}
+
 // A free ship with the mean drift moment -8 sin b cos b in waves to b comes to rest along the waves. The
 // surge force at rest is that of waves to 0, and the displacement is 0.5 a² rho g over the stiffness.
 TEST(Platforms, WavesTurnAShipAtRest) {

@@ -31,6 +31,7 @@ struct HydrodynamicData {
   std::vector<WaveForceTable> excitation;            // per body: N/m, N per m amplitude; empty: not given
   std::vector<WaveForceTable> drift;         // per body: N/m², N/m per squared amplitude; empty: not given
   std::vector<DifferenceForces> difference;  // of one body, by direction; empty: not given
+  std::string unread_drift_file;  // of mean drift or difference-frequency forces that `second_order` excludes
   // Per body, if the files contain them: the reference point of moments [m, axes of the files] and the moment
   // of weight m g (x, y, z) about it [N m] that is part of their hydrostatic stiffness.
   std::vector<std::optional<Vec3>> origin, weight;

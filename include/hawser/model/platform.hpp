@@ -26,7 +26,8 @@ struct BodyHydrodynamics {
   int body = 1;                 // number of the body in the files, from 1
   Vec3 in_file = Vec3::Zero();  // m, body origin in the axes of the files
   SecondOrder second_order = SecondOrder::none;
-  bool excitation = true;  // wave excitation acts
+  bool second_order_given = false;
+  bool excitation = true;  // first-order wave forces act
   bool mirrored = false;   // wave forces from the other side are mirror images of those in the files
   bool gravity_in_stiffness = false;  // the hydrostatic stiffness includes the contribution of weight
   double volume = 0;                  // m³ displaced at `place`; 0: mass over density
@@ -42,6 +43,8 @@ struct BodyHydrodynamics {
   const char* key() const;  // key of the case file that gives the files
   // First-order wave forces of the files that act on this body; null: none, or `excitation` is false.
   const WaveForceTable* wave_forces() const;
+  // Waves exert forces of first or second order on this body.
+  bool waves_act() const { return excitation || second_order != SecondOrder::none; }
 };
 
 // Dynamic positioning (model/positioning.hpp): thrusters control the low-frequency position and heading of a
