@@ -59,6 +59,21 @@ std::string chosen_stiffness(const std::string& volume, double stiffness, const 
   return note;
 }
 
+std::string settles(const SettledSupport& at) {
+  const std::string remedy =
+      at.by_smoothing ? fmt::format("'smoothing: {:.1g}'", at.remedy)
+      : at.roller     ? fmt::format("a normal_stiffness of {:.1g} N/m", at.remedy)
+                      : fmt::format("'normal_stiffness: {{allowed_penetration: {:.1g}}}'", at.remedy);
+  return fmt::format(
+      "line {} settles where it rests on volumes, by a penetration of {:.2g} m in volume {} at arc length "
+      "{:.6g} "
+      "m and by other amounts at its other supports, which changes its reaction there by {:.2g} % and the "
+      "bending moment by "
+      "{:.2g} % of the largest; give {} and the volumes beside it {}",
+      at.line, at.penetration, at.volume, at.arc, 100 * at.of_reaction, 100 * at.of_moment,
+      at.roller ? at.volume : "volumes." + at.volume, remedy);
+}
+
 std::string raised_stiffness(const StiffnessRaise& raise, const std::string& when) {
   return fmt::format(
       "volume {}: normal stiffness raised from {:.3g} to {:.3g} N/m per m {}, so that the penetration of the "

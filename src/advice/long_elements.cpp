@@ -31,8 +31,8 @@ std::string turns_on_edge(const std::string& line, const LongElements& at, doubl
                           double turn) {
   return fmt::format(
       "line {} turns by {:.0f} degrees over a volume from one straight element of {:.3g} m to the next (arc "
-      "length {:.4g} m, t = {:.4g} s), which reduces its tension there by {:.2g} N as friction would, {:.2g} "
-      "% of the largest: give its type an 'EI' of {:.2g} N m² or more (a quarter of that with elements half "
+      "length {:.4g} m, t = {:.4g} s), which changes its tension there by {:.2g} N, {:.2g} % of the "
+      "largest: give its type an 'EI' of {:.2g} N m² or more (a quarter of that with elements half "
       "as long){}, or use elements of {:.2g} m there",
       line, at.turn * 180 / M_PI, at.length, at.arc, at.time, at.error, 100 * at.error / largest, EI,
       friction_of_beam(turn), at.recommended);

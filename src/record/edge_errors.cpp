@@ -158,8 +158,10 @@ void EdgeErrors::update_worst(int line, const PressedPart& of_line, double time)
           .length = worst_turn.length};
   w.turn_of_element = worst_turn.angle + std::max(of_line.before, of_line.after);
   const bool evenly = std::min(of_line.before, of_line.after) > kEvenly * worst_turn.angle;
-  w.at.recommended = evenly ? worst_turn.length * std::sqrt(kLeft * of_line.tension / error)
-                            : kOfRadius * 0.5 * type_at(worst_turn.node).contact_diameter;
+  const double of_edge = kOfRadius * 0.5 * type_at(worst_turn.node).contact_diameter;
+  w.at.recommended = evenly || of_edge >= worst_turn.length
+                         ? worst_turn.length * std::sqrt(kLeft * of_line.tension / error)
+                         : of_edge;
   w.sharp_turn = evenly ? 0 : w.turn_of_element;
 }
 

@@ -62,7 +62,7 @@ ElementErrors::At ElementErrors::node(size_t n, const Kinematics& state, const V
   return {state.x[n],
           value(values.tension),
           std::isnan(moment) ? 0 : std::abs(moment),
-          value(values.pressed),
+          !values.pressed.empty() && values.pressed[n],
           values.supported[n],
           mesh_.node(n).two_sided};
 }
@@ -71,22 +71,25 @@ void ElementErrors::declare(Declarations& to) {
   const std::vector<Field>& fields = to.contents.fields;
   tension_ = find_field(fields, "effective_tension");
   moment_ = find_field(fields, "bending_moment");
-  pressed_ = find_field(fields, "contact_normal_force");
   for (size_t f = 0; f < fields.size(); ++f)
     if (fields[f].contact_with != advice::ContactWith::nothing)
-      touches_.emplace_back(static_cast<int>(f), fields[f].components);
+      touches_.push_back(
+          {static_cast<int>(f), fields[f].components, fields[f].contact_with == advice::ContactWith::seabed});
 }
 
 void ElementErrors::output(const Snapshot& s) {
   const auto value_of = [&](int f) {
     return f < 0 ? std::span<const double>() : std::span<const double>(s.values[f]);
   };
-  Values v{value_of(tension_), value_of(moment_), value_of(pressed_), {}};
+  Values v{value_of(tension_), value_of(moment_), {}, {}};
+  v.pressed.resize(mesh_.owned, false);
   v.supported.resize(mesh_.owned, false);
-  for (const auto& [f, components] : touches_)
-    for (size_t n = 0, c = static_cast<size_t>(components); n < v.supported.size(); ++n)
+  for (const TouchField& f : touches_)
+    for (size_t n = 0, c = static_cast<size_t>(f.components); n < v.supported.size(); ++n)
       for (size_t k = 0; k < c; ++k)
-        if (s.values[f][n * c + k] != 0) v.supported[n] = true;
+        if (s.values[f.index][n * c + k] != 0) (f.of_bed ? v.supported : v.pressed)[n] = true;
+  for (size_t n = 0; n < v.supported.size(); ++n)
+    if (v.pressed[n]) v.supported[n] = true;
   update(s.at, v);
 }
 
@@ -193,7 +196,8 @@ void ElementErrors::update_lifts(const InState& s, Worst& worst) const {
   const auto& [line, nodes, elements, first, last, time] = s;
   if (!case_.lines[&line - mesh_.mesh->lines.data()].loads.empty()) return;
   for (int n = first; n <= last; ++n) {
-    if (!nodes[n].supported || nodes[n].pressed > 0) continue;  // friction of a volume changes the tension
+    // Friction of a volume or line changes the tension, and a bend over them is no touchdown.
+    if (!nodes[n].supported || nodes[n].pressed) continue;
     for (const int side : {-1, 1}) {
       if (n + 2 * side < first || n + 2 * side > last) continue;
       if (nodes[n + side].supported || nodes[n + 2 * side].supported) continue;
@@ -258,11 +262,10 @@ std::vector<std::string> ElementErrors::warnings(int line, double largest_tensio
     sag.recommended = sag.length * std::sqrt(kRecommendedError * largest_tension / sag.error);
     out.push_back(advice::sags_between_nodes(name, sag, largest_tension));
   }
-  // The error is at most half an element's weight.
-  if (lift.error > kWarned * largest_tension) {
-    lift.recommended = 2 * kRecommendedError * largest_tension / lift.weight;
+  // The error is at most half an element's weight; a larger one has another cause.
+  lift.recommended = lift.weight > 0 ? 2 * kRecommendedError * largest_tension / lift.weight : HUGE_VAL;
+  if (lift.error > kWarned * largest_tension && lift.recommended < lift.length)
     out.push_back(advice::leaves_bed_within(name, lift, largest_tension));
-  }
   if (bend.error > kWarned * largest_moment)
     out.push_back(advice::moment_between_nodes(name, bend, largest_moment));
   return out;

@@ -27,6 +27,7 @@
 #include "hawser/record/statistics.hpp"
 #include "hawser/record/step_histories.hpp"
 #include "hawser/record/support_log.hpp"
+#include "hawser/record/support_settlement.hpp"
 #include "hawser/record/tension_peaks.hpp"
 #include "hawser/record/utilisation.hpp"
 #include "hawser/record/water_errors.hpp"
@@ -54,6 +55,7 @@ Recordings recordings(const Subject& s, NodeFields& fields) {
   add(std::make_unique<TensionPeaks>(s, edges, energy->figures()));
   add(std::make_unique<LineExtremes>(s, utilisation));
   if (s.term<LineVolumeContact>()) add(std::make_unique<DeepContacts>(s));
+  if (SupportSettlement::possible(s)) add(std::make_unique<SupportSettlement>(s));
   if (c.output.statistics) add(std::make_unique<Statistics>(s));
   add(std::make_unique<WaterErrors>(c, s.system));
   add(std::make_unique<PipeStrength>(s));

@@ -70,6 +70,21 @@ lines:
     loads: [{at: end_b, force: [984.808, 0, -173.648]}]
 )";
 
+// A rope draped over a taut wire; the turn of its elements there is no touchdown.
+const char* const kDrape = R"(hawser: 1
+line_types: {rope: {outer_diameter: 0.04, mass_per_length: 4, EA: 20 MN, bending: false}}
+lines:
+  wire:
+    sections: [{type: rope, length: 4, elements: 40}]
+    end_a: {anchor: [-2, 0, 0]}
+    end_b: {anchor: [2, 0, 0]}
+  rope:
+    sections: [{type: rope, length: 4.1, elements: 41}]
+    end_a: {anchor: [0, -1, -1.7]}
+    end_b: {anchor: [0, 1, -1.7]}
+    start: {points: [[0, -1, -1.7], [0, -0.05, 0.02], [0, 0, 0.05], [0, 0.05, 0.02], [0, 1, -1.7]]}
+)";
+
 std::string message(const std::string& path) {
   io::h5::quiet();
   const io::h5::Id file = io::h5::open_read(path);
@@ -220,6 +235,8 @@ TEST_F(LongElements, MissWavesBetweenTheirNodes) {
   EXPECT_NE(coarse.find("between whose nodes the waves are not linear"), std::string::npos) << coarse;
   EXPECT_EQ(fine, "");
 }
+
+TEST_F(LongElements, OverAnotherLineLeaveNoBed) { EXPECT_EQ(run(kDrape, {}), ""); }
 
 // Both ends have 1 kN, because only the frictionless edge acts between them. The reported error is the true
 // one.

@@ -149,6 +149,36 @@ lines:
   EXPECT_TRUE(warnings.empty()) << warnings[0];
 }
 
+// Three nodes on the bed and two above the last one, with tensions that differ by forty times the weight of
+// an element. Elements of 16 m, longer than the present ones of 10 m, are not recommended; a touch of a
+// volume or line ends the estimate.
+TEST(ElementErrors, ATensionThatIsNoErrorOfTheLiftoff) {
+  const model::Case c = io::read_case_text(R"(
+hawser: 1
+environment: {gravity: 9.80665}
+line_types: {wire: {outer_diameter: 0.05, mass_per_length: 5, EA: 1.0e15, bending: false}}
+lines:
+  wire:
+    sections: [{type: wire, length: 40, elements: 4}]
+    end_a: {anchor: [0, 0, 0]}
+    end_b: {anchor: [20, 0, 20]}
+)",
+                                           "/nowhere/case.yaml");
+  const run::Simulation sim(MPI_COMM_SELF, c);
+  State s;
+  s.resize(5);
+  s.x = {Vec3(0, 0, 0), Vec3(10, 0, 0), Vec3(20, 0, 0), Vec3(20, 0, 10), Vec3(20, 0, 20)};
+  const std::vector<double> tension{2e4, 2e4, 2e4, 1e4, 1e4};
+  const auto warnings = [&](double largest, const std::vector<bool>& pressed) {
+    ElementErrors errors(MPI_COMM_SELF, c, sim.local(), nullptr);
+    errors.update(s.at_rest(), {tension, {}, pressed, {true, true, true, false, false}});
+    return errors.warnings(0, largest, HUGE_VAL).size();
+  };
+  EXPECT_EQ(warnings(2e4, {}), 1U);
+  EXPECT_EQ(warnings(4e4, {}), 0U);
+  EXPECT_EQ(warnings(2e4, {false, false, true, false, false}), 0U);
+}
+
 // Nodal moments at intervals of 1 m of a beam under tension with decay length 1 m, exp(-|s|) about its
 // middle: the curvature of the cubic is too small by 1/16.2 of its value. At a mass the moment follows from
 // the forces.

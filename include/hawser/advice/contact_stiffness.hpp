@@ -30,6 +30,18 @@ struct StiffnessRaise {
 // when: "in statics" or the like.
 std::string raised_stiffness(const StiffnessRaise& raise, const std::string& when);
 
+// A support of a beam that settles by the penetration of contact.
+struct SettledSupport {
+  std::string line, volume;
+  double arc = 0, penetration = 0;  // m; m, negative: a gap
+  double of_reaction = 0,
+         of_moment = 0;       // error as a fraction of the reaction and of the line's largest moment
+  bool by_smoothing = false;  // cause: the smooth onset of contact
+  double remedy = 0;          // m, allowed penetration or smoothing; N/m, stiffness of a roller
+  bool roller = false;        // the volume is part of a support
+};
+std::string settles(const SettledSupport& at);
+
 // For the end of statics.
 std::string too_deep_at_rest(const TooDeep& at);
 // Clauses used by clause() of steps.hpp.

@@ -5,7 +5,6 @@
 
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "hawser/advice/long_elements.hpp"
@@ -28,7 +27,7 @@ class ElementErrors : public Recording {
   struct Values {
     std::span<const double> tension;  // N, effective
     std::span<const double> moment;   // N m, of beams
-    std::span<const double> pressed;  // N, normal force of volumes
+    std::vector<bool> pressed;        // true where volumes or lines touch the line; empty: nowhere
     std::vector<bool> supported;      // true where contact acts on the line
   };
   // For lines that the partition cuts, the ranks that share a line send a few numbers per node to the owner
@@ -50,8 +49,8 @@ class ElementErrors : public Recording {
   };
   struct At {  // node of a state
     Vec3 x = Vec3::Zero();
-    double tension = 0, moment = 0, pressed = 0;
-    bool supported = false;
+    double tension = 0, moment = 0;
+    bool pressed = false, supported = false;
     bool two_sided = false;  // Node::two_sided
   };
   struct InState {  // line in a state
@@ -79,9 +78,13 @@ class ElementErrors : public Recording {
   // Sent: local nodes of lines whose first node the other rank owns. Received: places of its nodes among the
   // nodes of cut_.
   IndicesByRank shared_;
-  PerLine<OfLine> lines_;                          // valid on the rank that owns the first node
-  int tension_ = -1, moment_ = -1, pressed_ = -1;  // indices of fields
-  std::vector<std::pair<int, int>> touches_;       // fields with components that are nonzero in contact
+  PerLine<OfLine> lines_;           // valid on the rank that owns the first node
+  int tension_ = -1, moment_ = -1;  // indices of fields
+  struct TouchField {               // field with components that are nonzero in contact
+    int index = 0, components = 1;
+    bool of_bed = false;
+  };
+  std::vector<TouchField> touches_;
 };
 
 }  // namespace hawser::record

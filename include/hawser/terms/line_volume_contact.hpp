@@ -89,6 +89,8 @@ class LineVolumeContact final : public ForceTerm,
     int volume = 0;
     double xi = 0;              // position along the element, 0 to 1
     Vec3 force = Vec3::Zero();  // N, space axes
+    double from = 0, to = 0;    // limits of its panel along the element
+    double gap = 0;             // m
   };
   std::vector<Load> loads(const Kinematics& state) const;
   AxisShape axis(const Kinematics& state, int element) const { return AxisShape(ends(state, element)); }
