@@ -202,14 +202,14 @@ bool has_volume(const Case& c, const Body& b) {
 // and a prescribed motion or a table of loads may have the effect of the waves.
 bool lacks_water(const Case& c, const Body& b) {
   constexpr double kOrigin = 5;  // m, of a floating body, above or below the still water
-  if (!b.mass || b.motion.index() != 0 || b.drift || has_volume(c, b)) return false;
+  if (!b.mass || b.motion.index() != 0 || b.drift) return false;
   const BodyMass& m = *b.mass;
   if (m.in_water || m.hydrodynamics || m.hull || m.current || !m.members.empty()) return false;
   const auto varies = [](const BodyLoad& load) { return !load.table.empty(); };
   if (std::any_of(m.loads.begin(), m.loads.end(), varies)) return false;
   const double z = b.position.z() - c.environment.water.surface;
   // With weight it hangs above the water, or has a note of its own further below.
-  return m.weight ? z <= 0 && z >= -kOrigin : z <= kOrigin;
+  return z <= (m.weight ? 0 : kOrigin) && z >= -kOrigin && !has_volume(c, b);
 }
 
 // Once per case.
@@ -228,8 +228,8 @@ void warn_of_missing_water(const Case& c, std::vector<InputWarning>& out) {
   }
   if (!first) return;
   add_warning(out, "bodies." + first->name + ".floating", Effect::all,
-              "no force of the water acts on it{}, neither of waves nor of a current: add 'hydrodynamics', "
-              "'hull', 'members', 'in_water' or 'current' if it floats",
+              "neither waves nor current act on it{}: add 'hydrodynamics', 'hull', 'members', 'in_water' or "
+              "'current' if they should",
               others > 0 ? fmt::format(" and {}", count_of(others, "other body", "other bodies")) : "");
 }
 

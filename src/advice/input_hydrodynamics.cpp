@@ -315,16 +315,19 @@ bool has_viscous_damping(const BodyMass& m) {
 // A mooring makes the natural periods of surge and sway those of slow drift.
 void warn_of_slow_drift(const Case& c, const Body& b, std::vector<InputWarning>& out) {
   const BodyHydrodynamics& h = *b.mass->hydrodynamics;
+  const bool unread = h.excitation && !h.second_order_given && !h.data->unread_drift_file.empty();
+  const bool slow = h.second_order == SecondOrder::newman || h.second_order == SecondOrder::full;
+  const bool undamped = slow && !has_viscous_damping(*b.mass);
+  if (!unread && !undamped) return;
   if (c.environment.water.waves.none() || line_ends_at(c, b).empty()) return;
   const std::string key = "bodies." + b.name + ".floating.hydrodynamics";
-  if (h.excitation && !h.second_order_given && !h.data->unread_drift_file.empty())
+  if (unread)
     add_warning(
         out, key, Effect::all,
         "mean and slow drift do not act on this moored body, although {} has their coefficients: give "
         "'second_order: newman', or 'none' without drift",
         h.data->unread_drift_file);
-  const bool slow = h.second_order == SecondOrder::newman || h.second_order == SecondOrder::full;
-  if (slow && !has_viscous_damping(*b.mass))
+  if (undamped)
     add_warning(
         out, key, Effect::all,
         "slow drift excites surge and sway on the mooring at their natural periods, where radiation has "

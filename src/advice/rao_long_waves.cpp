@@ -48,10 +48,9 @@ std::vector<LongRow> long_rows(const std::vector<RaoTable::Row>& rows, double gr
 }
 
 // Responses of a vessel near a resonance change from one period to the next.
-bool steady(const LongRow& row, size_t freedom) {
-  constexpr double kChange = 0.35;
+bool steady(const LongRow& row, size_t freedom, double change) {
   const std::complex<double> at_longest = row.longest[freedom];
-  return std::abs(at_longest - row.next[freedom]) < kChange * std::abs(at_longest);
+  return std::abs(at_longest - row.next[freedom]) < change * std::abs(at_longest);
 }
 
 // Factor of all amplitudes that another definition of the amplitude has: 0.5, 2 or 1. The heave of large
@@ -81,7 +80,7 @@ class Phase {
     const std::complex<double> response = row.longest[freedom];
     const double size = std::abs(response);
     const double reference = std::abs(water);
-    if (!(size > least * reference) || size > most * reference || !steady(row, freedom)) return;
+    if (!(size > least * reference) || size > most * reference || !steady(row, freedom, kChange)) return;
     along_ += (response * std::conj(water)).real();
     all_ += size * reference;
   }
@@ -91,7 +90,7 @@ class Phase {
   bool opposite() const { return known() && along_ < -kClear * all_; }
 
  private:
-  static constexpr double kClear = 0.5;
+  static constexpr double kClear = 0.5, kChange = 0.35;
   double along_ = 0, all_ = 0;
 };
 
@@ -101,12 +100,13 @@ struct Phases {
 
 Phases phases_of(const std::vector<LongRow>& rows, double factor) {
   constexpr double kAcross = 0.3;  // of the wave: smaller components are not evaluated
-  constexpr double kLeast = 0.75, kMost = 1.3;
+  // A spar heaves against the waves below its natural period, by amounts that change fast with the period.
+  constexpr double kLeast = 0.85, kMost = 1.15, kChange = 0.1;
   constexpr double kShallow = 3;  // surge over heave in shallow water
   Phases out;
   for (const LongRow& row : rows) {
     const double heave = std::abs(row.longest[2]) / factor;
-    if (heave < kLeast || heave > kMost || !steady(row, 2)) continue;
+    if (heave < kLeast || heave > kMost || !steady(row, 2, kChange)) continue;
     out.heave.add(row, 2, factor, 0, HUGE_VAL);
     const double c = std::cos(row.direction);
     const double s = std::sin(row.direction);

@@ -86,6 +86,7 @@ void WaveForceRows::check_again(const std::string& path) const {
 void WaveForceRows::check_degrees(const std::string& path) const {
   constexpr double kStep = 5 * kDegree, kRounded = 1e-3;  // rad
   constexpr double kRoundDegrees = 0.5, kDigits = 1e-6;
+  if (directions_.size() < 3) return;  // an odd direction may be one by chance
   double widest = 0;
   for (const auto& [key, unused] : directions_) {
     const double direction = 1e-6 * static_cast<double>(key > kRound / 2 ? key - kRound : key);

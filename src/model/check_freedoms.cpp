@@ -65,9 +65,11 @@ std::optional<MissingFreedom> missing_freedom(const Case& c, const Body& b) {
   const auto lacks_forces = [&](int freedom) {
     return largest[freedom] == 0 && is_loaded(table, freedom) && relative_added_mass(c, b, freedom) > kCounts;
   };
+  // A hinged body may have no translations at all.
   for (int freedom = 0; freedom < 3; ++freedom)
-    if (lacks_forces(freedom)) return MissingFreedom{freedom, false};
-  for (int freedom = 0; freedom < 6; ++freedom) {
+    if (lacks_forces(freedom) && !largest.head<3>().isZero(0)) return MissingFreedom{freedom, false};
+  const bool translates = has_radiation(h, 0) || has_radiation(h, 1) || has_radiation(h, 2);
+  for (int freedom = translates ? 0 : 3; freedom < 6; ++freedom) {
     const double of_kind = largest.segment<3>(freedom < 3 ? 0 : 3).maxCoeff();
     if (largest[freedom] > kCounts * of_kind && !has_radiation(h, freedom))
       return MissingFreedom{freedom, true};

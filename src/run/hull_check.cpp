@@ -76,16 +76,23 @@ struct PlatformAtRest {
 // a, b: unit vectors.
 double angle_of(const Vec3& a, const Vec3& b) { return std::acos(std::clamp(a.dot(b), -1.0, 1.0)); }
 
+// Rise [m] of a platform from its initial position. A floating body heels about its waterplane, a submerged
+// one about its centre, so it is the smaller one of the rises of the centre of mass and of the point that
+// starts at the still water above or below it.
+double rise_of(const RigidBodyState& start, const RigidBodyState& at, double surface) {
+  const double rise = at.x.z() - start.x.z();
+  const double height = surface - start.x.z();
+  const double of_surface = rise + (at.q * (start.q.conjugate() * Vec3(0, 0, height))).z() - height;
+  return std::abs(of_surface) < std::abs(rise) ? of_surface : rise;
+}
+
 PlatformAtRest platform_at_rest(const model::Case& c, int body, const RigidBodyState& at) {
   const RigidBodyState start = start_of(c.bodies[body]);
-  // The point that starts at the still water above or below the centre of mass: a heel does not lift it.
-  const Vec3 to_surface(0, 0, c.environment.water.surface - start.x.z());
-  const Vec3 moved = at.x + at.q * (start.q.conjugate() * to_surface);
   // Upward vertical in body axes.
   const Vec3 up = at.q.conjugate() * Vec3::UnitZ();
   const Vec3 up_at_start = start.q.conjugate() * Vec3::UnitZ();
   return {body, angle_of(up, up_at_start), angle_of(up, Vec3::UnitZ()),
-          moved.z() - c.environment.water.surface};
+          rise_of(start, at, c.environment.water.surface)};
 }
 
 // Platforms of all ranks, once each, by body. Collective.

@@ -317,7 +317,7 @@ void BodyContact::commit(const Kinematics& accepted) {
     if (slips) friction.points = &touching;
     if (p.counted) friction.eighths = &eighths;
     DampingWork damping;
-    if (p.law.damping > 0 && accepted.moves()) {
+    if (p.counted && p.law.damping > 0 && accepted.moves()) {
       damping.end = &now;
       contact(p, p.frames, {true}, {FrictionLaw(), accepted.step, nullptr, nullptr, &damping});
       damping.end = nullptr;
@@ -393,7 +393,8 @@ void BodyContact::active_contacts(ActiveContacts& out) const {
 }
 
 // Trapezoidal rule: -½ F·Δz with the damping force at either end of the step and the displacement Δz of the
-// point. The force at the start acts until the point has left contact.
+// point. The force at the start acts until the point has left contact. That at the end counts over the whole
+// displacement, as the step applies it.
 void BodyContact::add_damping_work(const Pair& pair, const Vec3& y, const Vec3& z,
                                    const AxisContactPoint& point, DampingWork& to) const {
   const double depth = pair.law.smoothing - point.gap;

@@ -58,7 +58,7 @@ class RestartMessages(unittest.TestCase):
 
     def test_keys_of_the_state(self):
         body, files, rope = "bodies.float.floating.", "bodies.float.floating.hydrodynamics.", "line_types.rope."
-        for key, value in ((body + "mass", "271800"), (body + "inertia[1]", "2.7e6"), (body + "centre_of_mass[2]", "-1.1"), (files + "wamit", "other"),
+        for key, value in ((body + "mass", "271800"), (body + "inertia[1]", "2.7e6"), (body + "centre_of_mass[2]", "-1.1"),
                            (files + "length_scale", "5.1"), (files + "displaced_volume", "262"), (rope + "EA", "2e6"),
                            (rope + "mass_per_length", "6"), (rope + "outer_diameter", "0.06")):
             with self.subTest(key=key):

@@ -23,7 +23,7 @@ std::vector<std::string> notes(const std::string& environment, const std::string
 }
 
 const char* const kWaves = ", waves: {regular: {height: 4, period: 10}}";
-const char* const kNone = "bodies.ship.floating: no force of the water acts on it";
+const char* const kNone = "bodies.ship.floating: neither waves nor current act on it";
 
 TEST(BodiesWithoutWater, InWavesAndCurrents) {
   for (const char* flow : {kWaves, ", current: {speed: 1}"}) {

@@ -64,6 +64,22 @@ TEST(RaoLongWaves, NoneOfAVesselThatFollowsTheWater) {
   EXPECT_EQ(notes(table(), [](Row& row) { row.response[0] = 0; }), none);
 }
 
+// A cylinder of 150 m draught with a natural period of 27 s: heave is e^(-k T)/(1 - (omega/omega_n)²) without
+// added mass, against the waves and steep in the period.
+TEST(RaoLongWaves, NoneOfASparBelowItsNaturalPeriod) {
+  std::vector<Row> rows;
+  for (const double period : {8.0, 22.5, 23.0, 23.5}) {
+    Row row;
+    row.omega = 2 * M_PI / period;
+    const double k = row.omega * row.omega / kGravity;
+    const double heave = std::exp(-k * 150) / (1 - std::pow(27 / period, 2));
+    row.response = {-kI, 0, heave, 0, kI * k, 0};
+    rows.push_back(row);
+  }
+  EXPECT_GT(std::abs(rows.back().response[2]), 0.85);
+  EXPECT_EQ(notes(rows, [](Row&) {}), std::vector<std::string>());
+}
+
 TEST(RaoLongWaves, OtherConventions) {
   const auto conjugate = [](Row& row) {
     for (std::complex<double>& r : row.response) r = std::conj(r);
