@@ -62,6 +62,10 @@ const Key* key_of(const Value& v, std::size_t item, const Key* key) {
   return at == key->keys.end() ? nullptr : &*at;
 }
 
+bool has_fixed_keys(const Key& key) {
+  return key.fixed_in_restart || std::any_of(key.keys.begin(), key.keys.end(), has_fixed_keys);
+}
+
 // line: in which the nearest entry around v is. nullopt: nothing of v is read.
 std::optional<Value> reduced(const Value& v, const Key* key, int line) {
   if (v.kind == Value::Kind::packed) return reduced(unpacked(v), key, line);
@@ -75,11 +79,14 @@ std::optional<Value> reduced(const Value& v, const Key* key, int line) {
   out.given = v.given;
   out.schema = v.schema;
   const bool in_order = v.kind == Value::Kind::list;  // items of a list are found by their numbers
+  // Packed entries have no schema until they are checked, which only fixed keys need.
+  const bool checked = key && key->type == Type::map_by_name && has_fixed_keys(key->keys[0]);
   bool any = false;
   out.items.reserve(v.items.size());
   if (!in_order) out.keys.reserve(v.items.size());
   for (std::size_t i = 0; i < v.items.size(); ++i) {
-    std::optional<Value> item = reduced(v.items[i], key_of(v, i, key), item_line);
+    const Value& entry = v.items[i];
+    std::optional<Value> item = reduced(checked ? *Entry(v, i) : entry, key_of(v, i, key), item_line);
     any |= item.has_value();
     if (!in_order && !item) continue;
     out.items.push_back(item ? std::move(*item) : Value());
