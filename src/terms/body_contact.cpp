@@ -237,6 +237,7 @@ BodyContact::Sum BodyContact::contact(const Pair& pair, const PairFrames& at, co
   sum.active = points.active();
   sum.potential = points.potential();
   sum.depth = points.depth();
+  sum.touching = points.touching();
   if (!sum.active) return sum;
   BlockVector f = BlockVector::Zero(6);
   BlockMatrix K, C;
@@ -285,6 +286,7 @@ void BodyContact::prepare(const Kinematics& from, double h) {
     const Sum s = contact(p, p.frames, kStiffness);
     p.potential = s.potential;
     p.stiffness = s.active ? s.residual.K.topLeftCorner<3, 3>().norm() : 0;
+    p.points = s.touching;
     p.penetration = s.depth;
     p.elastic = s.active ? Vec12(contact(p, p.frames, kSprings).residual.f) : Vec12(Vec12::Zero());
     p.frequency = h > 0 ? frequency(p, s) : 0;
@@ -374,10 +376,18 @@ std::vector<BodyForce> BodyContact::forces_on(int body, const Kinematics& state)
   return {sum};
 }
 
-double BodyContact::round_off(const Kinematics&, double) const {
+// Positions of contact points are rounded, which changes the forces on the springs by k times the error, and
+// their moments by that times the lever.
+double BodyContact::round_off(const Kinematics&, double h) const {
   double sum = 0;
-  for (const Pair& p : pairs_)
-    if (p.counted) sum += spring_round_off(p.stiffness, p.frames.A.x.norm() + p.frames.B.x.norm());
+  for (const Pair& p : pairs_) {
+    if (!p.counted) continue;
+    const double position = p.frames.A.x.norm() + p.frames.B.x.norm() + p.points.lever_a;
+    const double stiffness = p.stiffness + friction_stiffness(p, h);
+    sum += spring_round_off(stiffness, position);
+    if (bodies_of_volumes_[p.a].global >= 0) sum += spring_round_off(stiffness * p.points.lever_a, position);
+    if (bodies_of_volumes_[p.b].global >= 0) sum += spring_round_off(stiffness * p.points.lever_b, position);
+  }
   return sum;
 }
 

@@ -2,6 +2,8 @@
 // history in a checkpoint.
 #include <mpi.h>
 
+#include <cmath>
+
 #include "hawser/base/mpi.hpp"
 #include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/previous_slip.hpp"
@@ -83,6 +85,16 @@ double BodyContact::half_dissipation(const Pair& pair, const PairFrames& trial,
     }
   });
   return sum;
+}
+
+// k' = k_t + c_t/h, c_t = damping sqrt(k_t), of all points under their mean normal force.
+double BodyContact::friction_stiffness(const Pair& pair, double h) const {
+  const FrictionLaw law = slipping(pair, h).law;
+  if (!law.active() || !(pair.points.weight > 0)) return 0;
+  const Coulomb<double> mu{law.axial, law.lateral};
+  const double k = isotropic_stiffness(law, mu, pair.points.force / pair.points.weight);
+  const double damper = h > 0 ? law.damping * std::sqrt(k) / h : 0;
+  return pair.points.weight * (k + damper);
 }
 
 // The forces F on A and -F on B act at z - r n. The power of a prescribed body is that of the force that

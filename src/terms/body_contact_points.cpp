@@ -16,6 +16,7 @@ BodyContactPoints::BodyContactPoints(const BodyFrame& body, const BodyFrame& sur
       turn_(surface.R.transpose() * body.R),
       to_axes_(surface.R.transpose()),
       centre_(surface.to_body(body.x)),
+      surface_centre_(surface.centre),
       velocity_(to_axes_ * (body.v - surface.velocity(centre_))),
       turning_(turn_ * body.w - surface.w),
       body_turning_(turn_ * body.w),
@@ -56,6 +57,10 @@ AxisContactPoint BodyContactPoints::add(const ContactLaw& law, const ContactStar
     depth_ = std::max(depth_, -trial.gap);
   }
   if (!(c.along_normal.force > 0)) return point;
+  touching_.weight += weight;
+  touching_.force += weight * c.along_normal.force;
+  touching_.lever_a = std::max(touching_.lever_a, arm.norm());
+  touching_.lever_b = std::max(touching_.lever_b, (z - surface_centre_).norm());
   const Vec3 f = -weight * c.force;
   const FramePoint moved{arm, Mat3::Identity(), body_turning_};
   const FramePoint touch{arm - radius * trial.normal};

@@ -47,15 +47,17 @@ class BodyContactPoints {
   bool active() const { return active_; }
   double potential() const { return potential_; }  // J
   double depth() const { return depth_; }          // m, largest penetration
+  const TouchingPoints& touching() const { return touching_; }
 
  private:
   ContactTrial trial(const SurfacePoint& at, const Vec3& z, double radius) const;
 
   const BodyFrame& body_;
   const AxisContactMode mode_;
-  Mat3 turn_;     // body axes to surface axes
-  Mat3 to_axes_;  // space axes to surface axes
-  Vec3 centre_;   // m, centre of the body, frame of the surface
+  Mat3 turn_;            // body axes to surface axes
+  Mat3 to_axes_;         // space axes to surface axes
+  Vec3 centre_;          // m, centre of the body, frame of the surface
+  Vec3 surface_centre_;  // m, centre of the body of the surface, in its frame
   // In axes of the surface: velocity of the body's centre and angular velocity relative to the surface,
   // angular velocity of the body.
   Vec3 velocity_, turning_, body_turning_;
@@ -66,6 +68,7 @@ class BodyContactPoints {
   Vec3 force_ = Vec3::Zero(), moment_ = Vec3::Zero();
   Mat6 K_ = Mat6::Zero(), C_ = Mat6::Zero();  // by motions in axes of the surface
   double potential_ = 0, depth_ = 0;
+  TouchingPoints touching_;
   bool active_ = false;
 };
 

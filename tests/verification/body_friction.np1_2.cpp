@@ -175,6 +175,58 @@ dynamics: {{duration: 1, max_step: 2e-4, rho_infinity: 1}}
   EXPECT_NEAR(r.energy().friction, energy, 0.005 * energy);
 }
 
+// A ship of 2000 t is pressed on a quay by N = 100 kN at its corners, at rest on their springs, and pulled
+// along it by F < mu N. It sticks: the corners move by s = F/(4 k) against friction, and the ship turns by
+// -F b/(4 k_n l²), k_n = k a/(2 d) on the ramp of half width d at the distance a = sqrt(4 d N/(4 k)) from its
+// beginning; b: half the beam, l: half the length. Its dampers, four times 2 zeta sqrt(k m), are critical.
+// Far from the origin positions have larger rounding errors.
+TEST(BodyFriction, ShipSticksOnAQuay) {
+  const double k = 1e8;
+  const double ramp = 0.01;
+  const double push = 1e5;
+  const double pull = 2e4;
+  const double a = std::sqrt(ramp * push / k);
+  const double normal_stiffness = k * a / (2 * ramp);
+  const double slip = pull / (4 * k);
+  const double turn = -pull * 5 / (4 * normal_stiffness * 30 * 30);
+  for (const double x : {0.0, 300.0}) {
+    const std::string yaml = fmt::format(R"(hawser: 1
+bodies:
+  ship:
+    position: [{0}, {1:.15f}, 0]
+    floating:
+      mass: 2.0e6
+      inertia: [8.0e7, 8.0e7, 1.5e8]
+      stiffness: [0, 0, 2.0e6]
+      damping: [0, 0, 1.0e6]
+      turning_stiffness: [1.0e8, 1.0e8, 0]
+      turning_damping: [1.0e8, 1.0e8, 0]
+      loads: [{{force: [{2}, {3}, 0]}}]
+volumes:
+  quay: {{friction: 0.3, shape: {{box: {{centre: [{0}, -10, 0], size: [200, 20, 20]}}}}}}
+  ship:
+    body: ship
+    friction: 0.3
+    normal_stiffness: {{per_point: {4}}}
+    relative_damping: 0.5
+    shape: {{box: {{centre: [0, 0, 0], size: [60, 10, 6]}}}}
+statics: false
+dynamics: {{duration: 20}}
+)",
+                                         x, 5 + ramp - a, pull, -push, k);
+    BodiesRun r(yaml);
+    r.start();
+    int steps = 0;
+    r.move(20, [&](const StepInfo&) { ++steps; });
+    EXPECT_LT(steps, 2000) << x;
+    const RigidPose end = r.poses()[0];
+    const Vec3 corner = end.to_space(Vec3(0, -5, 0));
+    EXPECT_NEAR(corner.x() - x, slip, 0.01 * slip) << x;
+    EXPECT_NEAR(2 * end.rotation.z(), turn, 0.01 * std::abs(turn)) << x;
+    EXPECT_LT(end.velocity.norm(), 1e-7) << x;
+  }
+}
+
 // A slab slides on a free block, both pressed together by 3000 N. Momentum is constant, both end with one
 // velocity except for vibration on the friction springs, and friction dissipates the energy of the relative
 // motion.

@@ -48,6 +48,14 @@ struct BodyVolume {
   BodySkeleton skeleton;
 };
 
+// Points of a body A in contact with the surface of a body B. The levers are the largest distances of a point
+// from the positions that are the unknowns of the bodies.
+struct TouchingPoints {
+  double weight = 0;                // sum of the weights: number, length [m] or area [m²]
+  double force = 0;                 // N, sum of the normal forces
+  double lever_a = 0, lever_b = 0;  // m
+};
+
 class BodyContact final : public ForceTerm,
                           public CouplesFixedNodes,
                           public LimitsSteps,
@@ -131,7 +139,8 @@ class BodyContact final : public ForceTerm,
     double work_power = 0;                    // W, at the start of the step
     // Quantities of the committed state, for the trial step:
     double potential = 0;           // J
-    double stiffness = 0;           // N/m, sum over all springs in contact
+    double stiffness = 0;           // N/m, sum over all normal springs in contact
+    TouchingPoints points;          // in contact
     double frequency = 0;           // rad/s, highest natural frequency on the contact springs; 0: no contact
     double energy = 0;              // J, kinetic energy of the relative motion plus potential
     Vec12 elastic = Vec12::Zero();  // residual without damping
@@ -161,6 +170,7 @@ class BodyContact final : public ForceTerm,
     double potential = 0;   // J
     double work_power = 0;  // W, external work of prescribed motion
     double depth = 0;       // m, largest penetration
+    TouchingPoints touching;
     bool active = false;
   };
   // kStiffness: tangent of the contact springs with their dampers, without negative stiffness; kSprings:
@@ -213,6 +223,9 @@ class BodyContact final : public ForceTerm,
   void store_first_forces(Pair& pair, double h) const;
   // J, half of the work dissipated by friction at these points along their displacement in the step.
   double half_dissipation(const Pair& pair, const PairFrames& trial, const BodyFrictionPoints& points) const;
+  // Sum of the stiffness k' of damped_friction() over the points of the committed state, in a step of length
+  // h [s] (0: statics), N/m.
+  double friction_stiffness(const Pair& pair, double h) const;
   // Power of prescribed motion against friction at the points of the committed state, W.
   double friction_power(const Pair& pair) const;
   // Sends the slip of pairs of two floating bodies from the rank of the first body to that of the second.
