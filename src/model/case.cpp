@@ -101,6 +101,26 @@ int Case::line_index(const std::string& name) const {
 
 const Line& Case::line(const std::string& name) const { return lines[line_index(name)]; }
 
+namespace {
+
+// The entries of a map that are not empty: of bodies those with values that a restart compares.
+Value entries_with_values(const Value& map) {
+  Value out;
+  if (map.kind != Value::Kind::map) return out;
+  out.kind = map.kind;
+  out.line = map.line;
+  out.given = map.given;
+  out.schema = map.schema;
+  for (std::size_t i = 0; i < map.items.size(); ++i) {
+    if (map.items[i].items.empty()) continue;
+    out.keys.push_back(map.keys[i]);
+    out.items.push_back(map.items[i]);
+  }
+  return out;
+}
+
+}  // namespace
+
 void Case::forget_lines_and_bodies(const std::vector<bool>& kept) {
   std::set<std::string> named;
   for (const Event& e : events) named.insert({e.action.line, e.action.given_line, e.cause.line});
@@ -131,11 +151,13 @@ void Case::forget_lines_and_bodies(const std::vector<bool>& kept) {
   body_at_ = {};
   if (!tree) return;
   const auto rest = std::make_shared<Value>(*tree);
-  for (std::size_t i = 0; i < rest->keys.size(); ++i)
-    if (rest->keys[i] == "lines" || rest->keys[i] == "bodies") {
-      Value none;
-      std::swap(rest->items[i], none);  // assigning it would keep the capacity of the text
-    }
+  for (std::size_t i = 0; i < rest->keys.size(); ++i) {
+    const bool of_bodies = rest->keys[i] == "bodies";
+    if (!of_bodies && rest->keys[i] != "lines") continue;
+    Value all;
+    std::swap(rest->items[i], all);  // assigning it would keep the capacity of the text
+    if (of_bodies) rest->items[i] = entries_with_values(all);
+  }
   tree = rest;
 }
 

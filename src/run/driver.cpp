@@ -163,10 +163,10 @@ bool is_over(double time, double end) { return time >= end * (1 - 1e-12); }
 // Refuses a run without steps if its file would begin after its end, or would replace results. At the end of
 // the case it writes a file of the last state.
 void check_end(MPI_Comm comm, const std::string& restart, double time, double end, const OutputPlace& place) {
-  if (!is_over(time, end)) return;
+  if (place.appends() || !is_over(time, end)) return;
   on_root(comm, [&] {
     std::error_code unknown;
-    if (!is_over(end, time) || (!place.appends() && std::filesystem::exists(place.path(), unknown)))
+    if (!is_over(end, time) || std::filesystem::exists(place.path(), unknown))
       throw InputError(advice::cannot_continue(restart, advice::ends_before_checkpoint(time, end)));
   });
 }
