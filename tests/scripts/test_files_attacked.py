@@ -82,7 +82,8 @@ class TwoRuns(Attack):
                     self.assertRegex(result.stderr, r"\Ahawser: cannot write the results to \S+/long.h5: another run is writing "
                                                     rf"them \({who}\); wait for its end, or give this one another file with -o\n\Z")
                 # Only reading is allowed.
-                self.succeed("long.yaml", "-q", "--restart", "long.h5", "-o", "other.h5", "--stop-at", "0.001")
+                result = self.hawser("long.yaml", "-q", "--restart", "long.h5", "-o", "other.h5", "--stop-at", "0.001")
+                self.assertIn("and the run ends at 0.001 s", result.stderr)
                 os.kill(int(who.split()[1]), signal.SIGTERM)
                 first.wait()
                 self.assertFalse(lock.exists())
