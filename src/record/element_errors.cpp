@@ -149,7 +149,10 @@ void ElementErrors::update(const Kinematics& state, const Values& values) {
 // The curve within a straight element is longer by theta²/24 of its length, with theta the turn across the
 // element. The line has this additional slack; its effect on the tension follows from the shape.
 void ElementErrors::update_sag(const InState& s, Worst& worst) const {
-  const auto& [line, nodes, elements, first, last, time] = s;
+  const std::span<const At> nodes = s.nodes;
+  const std::span<const Element> elements = s.elements;
+  const int first = s.first;
+  const int last = s.last;
   const auto chord = [&](int i) { return Vec3((nodes[i + 1].x - nodes[i].x).normalized()); };
   // Turn at a node caused by the loads of the line alone; -1: other loads act.
   const auto turn = [&](int n) {
@@ -180,7 +183,7 @@ void ElementErrors::update_sag(const InState& s, Worst& worst) const {
       extension += more;
       if (more <= largest) continue;
       largest = more;
-      candidate = {0, arc(line, k) + 0.5 * e.length, time, theta, e.length};
+      candidate = {0, arc(s.line, k) + 0.5 * e.length, s.time, theta, e.length};
     }
     i = std::max(end, i + 1);
   }

@@ -83,7 +83,8 @@ void PlatformWater::tabulate_lags(Group& g) {
 const double* PlatformWater::integrals_at(const Group& g, double lag, double* buffer, double* dS) {
   const size_t n = g.radiation->entries.size();
   const double m = std::round(lag / g.lag_step);
-  if (!dS && m < static_cast<double>(g.lags.size() / n) &&
+  const size_t tabulated = g.lags.size() / n;
+  if (!dS && m < static_cast<double>(tabulated) &&
       std::abs(lag - m * g.lag_step) <= lag_tolerance(g.radiation->memory))
     return &g.lags[static_cast<size_t>(m) * n];
   g.radiation->memory.integrals(lag, buffer, dS);
@@ -116,7 +117,7 @@ void PlatformWater::memory_forces(const Group& g, KnownForces& now) {
   const std::vector<double> no_acceleration(2 * g.radiation->entries.size(), 0);
   Eigen::ArrayX2d force = Eigen::ArrayX2d::Zero(entries, 2);
   using Accelerations = Eigen::Map<const Eigen::ArrayX2d>;
-  const double* integrals_of_step = nullptr;  // S(t - t_n), by entry
+  const double* integrals_of_step = buffer.data();  // S(t - t_n), by entry
   for (size_t k = 0; k < g.past.size(); ++k) {
     const bool is_last = k + 1 == g.past.size();
     const Accelerations before(k > 0 ? &g.accelerations[k * no_acceleration.size()] : no_acceleration.data(),

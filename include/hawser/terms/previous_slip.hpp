@@ -21,9 +21,10 @@ bool previous_slip(const Points& points, double xi, ContactStart& s, ContactRate
   const Point* a = after != points.begin() ? &*(after - 1) : nullptr;
   if (a && b && a->from != b->from && a->to != b->from) (xi <= a->to ? b : a) = nullptr;
   if (!a || !b) {
-    const Point& p = a ? *a : *b;
-    s.slip = p.slip;
-    s.normal = p.normal;
+    const Point* p = a ? a : b;
+    if (!p) return false;
+    s.slip = p->slip;
+    s.normal = p->normal;
     return true;
   }
   const double gap = b->xi - a->xi;
