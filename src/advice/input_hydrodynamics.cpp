@@ -24,9 +24,6 @@ std::string key_of_files(const Body& b) {
   return "bodies." + b.name + ".floating.hydrodynamics." + b.mass->hydrodynamics->key();
 }
 
-// First row of a body in the matrices of its files.
-Eigen::Index first_row(const BodyHydrodynamics& h) { return 6 * (static_cast<Eigen::Index>(h.body) - 1); }
-
 // True if the table has directions all round.
 bool all_round(const WaveForceTable& table) {
   constexpr double kGap = M_PI / 3 * (1 + 1e-6);
@@ -158,7 +155,7 @@ void warn_by_haskind(const Case& c, const Body& b, std::vector<InputWarning>& ou
   double worst = 1;
   const char* name = nullptr;
   for (Eigen::Index mode = 0; mode < 3; ++mode) {
-    const Eigen::Index row = first_row(h) + mode;
+    const Eigen::Index row = h.first_row() + mode;
     double largest = 0;
     for (const Eigen::MatrixXd& B : data.damping) largest = std::max(largest, B(row, row));
     std::vector<double> ratios;
@@ -202,7 +199,7 @@ void warn_of_end_of_damping(const Body& b, std::vector<InputWarning>& out) {
   const double beyond = h.wave_forces()->highest();
   const double end = data.omega.back();
   if (beyond < kFurther * end) return;
-  const Eigen::Index row = first_row(h);
+  const Eigen::Index row = h.first_row();
   Vec6 largest = Vec6::Zero();
   for (const Eigen::MatrixXd& B : data.damping) largest = largest.cwiseMax(B.diagonal().segment<6>(row));
   const Vec6 last = data.damping.back().diagonal().segment<6>(row).cwiseQuotient(largest.cwiseMax(1e-300));
@@ -224,10 +221,10 @@ void warn_of_size(const Case& c, const Body& b, std::vector<InputWarning>& out) 
   const HydrodynamicData& data = *h.data;
   const double density = c.environment.water.density;
   const double g = c.environment.gravity;
-  const double volume = h.volume > 0 ? h.volume : b.mass->mass / density;
+  const double volume = displaced_volume(*b.mass, density);
   double added = 0;
   for (const Eigen::MatrixXd& A : data.added_mass)
-    added = std::max(added, A.diagonal().segment<3>(first_row(h)).maxCoeff() / (density * volume));
+    added = std::max(added, A.diagonal().segment<3>(h.first_row()).maxCoeff() / (density * volume));
   // A body held down by lines displaces more than its mass, and a hinged body may have no translational rows.
   constexpr double kLeast = 0.02, kMost = 50;
   if ((added > 0 && added < kLeast) || (h.volume > 0 && added > kMost))

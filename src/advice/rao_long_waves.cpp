@@ -28,7 +28,8 @@ struct LongRow {
 
 // Table rows at the two longest periods, by direction. Empty: one period only, or no long waves.
 std::vector<LongRow> long_rows(const std::vector<RaoTable::Row>& rows, double gravity) {
-  double slowest = HUGE_VAL, second = HUGE_VAL;  // rad/s
+  double slowest = HUGE_VAL;  // rad/s
+  double second = HUGE_VAL;
   for (const RaoTable::Row& r : rows) slowest = std::min(slowest, r.omega);
   for (const RaoTable::Row& r : rows)
     if (r.omega > slowest + kSame) second = std::min(second, r.omega);

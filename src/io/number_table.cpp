@@ -88,14 +88,15 @@ Words words_of(const std::string& line) {
 
 }  // namespace
 
+std::string number_table_path(const std::string& path) {
+  for (const char* ending : {"", ".gz"})
+    if (std::error_code error; std::filesystem::exists(path + ending, error)) return path + ending;
+  return "";
+}
+
 NumberTable read_number_table(const std::string& path, const std::vector<size_t>& columns) {
   NumberTable table;
-  for (const char* ending : {"", ".gz"}) {
-    std::error_code error;
-    if (!std::filesystem::exists(path + ending, error)) continue;
-    table.path = path + ending;
-    break;
-  }
+  table.path = number_table_path(path);
   if (table.path.empty()) return table;
   if (const std::string why = unreadable(table.path, "table", kMostTable); !why.empty())
     throw std::runtime_error(table.path + ": " + why);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -395,10 +394,8 @@ constexpr std::array kDriftEndings = {".8", ".7", ".9", ".12d"};  // the first t
 
 // Path of the first file of second-order forces; empty: none.
 std::string drift_file(const std::string& stem) {
-  for (const std::string ending : kDriftEndings)
-    for (const char* packed : {"", ".gz"})
-      if (std::error_code error; std::filesystem::is_regular_file(stem + ending + packed, error))
-        return stem + ending + packed;
+  for (const char* ending : kDriftEndings)
+    if (std::string path = number_table_path(stem + ending); !path.empty()) return path;
   return "";
 }
 

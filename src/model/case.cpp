@@ -104,7 +104,7 @@ const Line& Case::line(const std::string& name) const { return lines[line_index(
 namespace {
 
 // The entries of a map that are not empty: of bodies those with values that a restart compares.
-Value entries_with_values(const Value& map) {
+Value entries_with_values(Value map) {
   Value out;
   if (map.kind != Value::Kind::map) return out;
   out.kind = map.kind;
@@ -113,8 +113,8 @@ Value entries_with_values(const Value& map) {
   out.schema = map.schema;
   for (std::size_t i = 0; i < map.items.size(); ++i) {
     if (map.items[i].items.empty()) continue;
-    out.keys.push_back(map.keys[i]);
-    out.items.push_back(map.items[i]);
+    out.keys.push_back(std::move(map.keys[i]));
+    out.items.push_back(std::move(map.items[i]));
   }
   return out;
 }
@@ -156,7 +156,7 @@ void Case::forget_lines_and_bodies(const std::vector<bool>& kept) {
     if (!of_bodies && rest->keys[i] != "lines") continue;
     Value all;
     std::swap(rest->items[i], all);  // assigning it would keep the capacity of the text
-    if (of_bodies) rest->items[i] = entries_with_values(all);
+    if (of_bodies) rest->items[i] = entries_with_values(std::move(all));
   }
   tree = rest;
 }

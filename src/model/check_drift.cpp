@@ -31,7 +31,7 @@ DriftSize drift_size(const Case& c, const Body& b) {
   const double g = c.environment.gravity;
   DriftSize out;
   if (!(g > 0)) return out;
-  const double volume = h.volume > 0 ? h.volume : b.mass->mass / density;
+  const double volume = displaced_volume(*b.mass, density);
   const double waterplane = hydrostatics(*b.mass, density, g).stiffness(0, 0) / (density * g);
   out.width = std::max(std::cbrt(volume), 2 * std::sqrt(std::max(waterplane, 0.0) / M_PI));
   for (const WaveForceTable* table : drift_tables(h))

@@ -12,10 +12,6 @@
 namespace hawser::model {
 namespace {
 
-Eigen::Index row_of(const BodyHydrodynamics& h, int freedom) {
-  return 6 * (static_cast<Eigen::Index>(h.body) - 1) + freedom;
-}
-
 // Largest size of each wave force, N/m and N.
 Vec6 largest_forces(const WaveForceTable& table) {
   Vec6 largest = Vec6::Zero();
@@ -26,7 +22,7 @@ Vec6 largest_forces(const WaveForceTable& table) {
 
 bool has_radiation(const BodyHydrodynamics& h, int freedom) {
   const HydrodynamicData& data = *h.data;
-  const Eigen::Index row = row_of(h, freedom);
+  const Eigen::Index row = h.first_row() + freedom;
   const auto is_given = [row](const Eigen::MatrixXd& m) { return m(row, row) != 0; };
   return is_given(data.infinite) || std::any_of(data.added_mass.begin(), data.added_mass.end(), is_given) ||
          std::any_of(data.damping.begin(), data.damping.end(), is_given);
@@ -48,8 +44,8 @@ bool is_loaded(const WaveForceTable& table, int freedom) {
 double relative_added_mass(const Case& c, const Body& b, int freedom) {
   const BodyHydrodynamics& h = *b.mass->hydrodynamics;
   const double density = c.environment.water.density;
-  const double volume = h.volume > 0 ? h.volume : b.mass->mass / density;
-  const Eigen::Index row = row_of(h, freedom);
+  const double volume = displaced_volume(*b.mass, density);
+  const Eigen::Index row = h.first_row() + freedom;
   double largest = 0;
   for (const Eigen::MatrixXd& A : h.data->added_mass) largest = std::max(largest, A(row, row));
   return largest / (density * std::pow(volume, freedom < 3 ? 1 : 5.0 / 3));
@@ -80,7 +76,7 @@ std::optional<MissingFreedom> missing_freedom(const Case& c, const Body& b) {
 }
 
 std::string text_of(const MissingFreedom& missing, const BodyHydrodynamics& h) {
-  const auto mode = row_of(h, missing.freedom) + 1;
+  const auto mode = h.first_row() + missing.freedom + 1;
   const HydrodynamicData& data = *h.data;
   return missing.in_radiation
              ? fmt::format(

@@ -87,11 +87,13 @@ class LongWaves {
   ComplexVec6 central_force(int freedom, double omega, double number) const {
     return force(freedom, omega, number, waterplane_centre(hydrostatics_.stiffness));
   }
-  Mat6 added_mass(double omega) const {
-    const Eigen::Index row = 6 * (static_cast<Eigen::Index>(h_.body) - 1);
+  Mat6 added_mass(double omega) const { return added_mass(omega, h_.first_row()); }
+  // Of the body that has the rows from `first` on: its acceleration pushes this body.
+  Mat6 added_mass(double omega, Eigen::Index first) const {
+    const Eigen::Index row = h_.first_row();
     const auto [low, high, fraction] = frequency_place(h_.data->omega, omega);
     const std::vector<Eigen::MatrixXd>& A = h_.data->added_mass;
-    return (1 - fraction) * A[low].block<6, 6>(row, row) + fraction * A[high].block<6, 6>(row, row);
+    return (1 - fraction) * A[low].block<6, 6>(row, first) + fraction * A[high].block<6, 6>(row, first);
   }
   // In the depth of the case, or infinitely deep.
   double number(double omega, bool deep) const {
@@ -128,15 +130,9 @@ class LongWaves {
 };
 
 Eigen::Matrix2d LongWaves::accelerated_mass() const {
-  const auto [low, high, fraction] = frequency_place(h_.data->omega, omega_);
-  const Eigen::Index row = 6 * (static_cast<Eigen::Index>(h_.body) - 1);
   Eigen::Matrix2d mass = density_ * volume_ * Eigen::Matrix2d::Identity();
-  for (int other = 0; other < h_.data->bodies; ++other) {
-    const auto block = [&, row](size_t k) {
-      return Eigen::Matrix2d(h_.data->added_mass[k].block<2, 2>(row, 6 * other));
-    };
-    mass += (1 - fraction) * block(low) + fraction * block(high);
-  }
+  for (int other = 0; other < h_.data->bodies; ++other)
+    mass += added_mass(omega_, 6 * other).topLeftCorner<2, 2>();
   return mass;
 }
 
@@ -178,7 +174,9 @@ void LongWaves::check_directions(const Issues& issue) const {
   const double k = number(omega_, false);
   const Eigen::Vector2d centre = waterplane_centre(hydrostatics_.stiffness);
   std::vector<Eigen::Vector2d> along, forces;
-  double all = 0, in_phase = 0, heave = 0;
+  double all = 0;
+  double in_phase = 0;
+  double heave = 0;
   for (const double beta : table_.directions()) {
     const ComplexVec6 X = force_to(beta, omega_, k, centre);
     along.emplace_back(std::cos(beta), std::sin(beta));
@@ -190,7 +188,9 @@ void LongWaves::check_directions(const Issues& issue) const {
   if (!(all > kCounts * kCounts * heave) || in_phase < kInPhase * all) return;
   const Eigen::Matrix2d mass = accelerated_mass();
   const auto fit = [&](const Eigen::Matrix2d& turn) {
-    double product = 0, expected = 0, found = 0;
+    double product = 0;
+    double expected = 0;
+    double found = 0;
     for (size_t d = 0; d < along.size(); ++d) {
       const Eigen::Vector2d one = mass * turn * along[d];
       product += one.dot(forces[d]);

@@ -37,9 +37,14 @@ const char* BodyHydrodynamics::key() const {
   return "wamit";
 }
 
+double displaced_volume(const BodyMass& m, double density) {
+  const double given = m.hydrodynamics->volume;
+  return given > 0 ? given : m.mass / density;
+}
+
 PlatformHydrostatics hydrostatics(const BodyMass& m, double density, double gravity) {
   const BodyHydrodynamics& h = *m.hydrodynamics;
-  const int first = 6 * (h.body - 1);
+  const Eigen::Index first = h.first_row();
   Mat6 C = h.data->hydrostatic.block<6, 6>(first, first);
   if (h.gravity_in_stiffness) {
     const auto body = static_cast<size_t>(h.body) - 1;

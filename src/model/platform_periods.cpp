@@ -32,7 +32,7 @@ double frequency(const Mat3& C, const Mat3& M, int freedom) {
 }
 
 // Between the rows; beyond them as there.
-Mat6 added_mass(const HydrodynamicData& data, int first, double omega) {
+Mat6 added_mass(const HydrodynamicData& data, Eigen::Index first, double omega) {
   const auto [low, high, fraction] = frequency_place(data.omega, omega);
   const auto block = [&](size_t row) { return Mat6(data.added_mass[row].block<6, 6>(first, first)); };
   return (1 - fraction) * block(low) + fraction * block(high);
@@ -41,7 +41,7 @@ Mat6 added_mass(const HydrodynamicData& data, int first, double omega) {
 // s, natural period with the added mass at its frequency; 0: none. frequency_with(A): rad/s, with the added
 // mass A of the body whose rows of the matrices begin at `first`.
 template <class FrequencyWith>
-double settled_period(const HydrodynamicData& data, int first, const FrequencyWith& frequency_with) {
+double settled_period(const HydrodynamicData& data, Eigen::Index first, const FrequencyWith& frequency_with) {
   double omega = frequency_with(Mat6(data.infinite.block<6, 6>(first, first)));
   constexpr int kIterations = 50;
   for (int i = 0; i < kIterations && omega > 0; ++i) {
@@ -62,9 +62,8 @@ PlatformPeriods platform_periods(const Case& c, const Body& b) {
   const Mat3 C = about_waterplane_centre(restoring(m, in_still_water, g));
   const Mat6 motion = motion_from_point(waterplane_centre(in_still_water.stiffness));
   const Mat6 mass = mass_matrix_about(m, Vec3::Zero());
-  const int first = 6 * (h.body - 1);
   const auto period = [&](int freedom) {
-    return settled_period(*h.data, first, [&](const Mat6& A) {
+    return settled_period(*h.data, h.first_row(), [&](const Mat6& A) {
       return frequency(C, mass_upright(motion.transpose() * (mass + A) * motion), freedom);
     });
   };
@@ -93,7 +92,7 @@ std::array<PlatformMode, 6> platform_modes(const Body& b, const Mat6& K) {
     };
     double& period = out[static_cast<size_t>(k)].period;
     if (m.hydrodynamics)
-      period = settled_period(*m.hydrodynamics->data, 6 * (m.hydrodynamics->body - 1), frequency_with);
+      period = settled_period(*m.hydrodynamics->data, m.hydrodynamics->first_row(), frequency_with);
     else if (const double omega = frequency_with(Mat6::Zero()); omega > 0)
       period = 2 * M_PI / omega;
     const Vec6 x = modes.eigenvectors().col(k);

@@ -36,7 +36,7 @@ std::string platform_text(const Case& c, const Body& b) {
                      above > 0 ? "above" : "below");
   const Eigen::Vector2d heights = metacentric_heights(restoring(m, in_still_water, g), weight);
   s += fmt::format("    metacentric heights {:.4g} m (roll), {:.4g} m (pitch)\n", heights[0], heights[1]);
-  const int first = 6 * (h.body - 1);
+  const Eigen::Index first = h.first_row();
   std::string added;
   for (int k = 0; k < 6; ++k)
     added += fmt::format("{}{:.4g}", k > 0 ? ", " : "", data.infinite(first + k, first + k));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 #include <utility>
 
@@ -36,13 +37,6 @@ double smallest_gap(std::span<const LineVolumeContact::Load> points) {
   return curvature > 0 ? at->gap - slope * slope / (4 * curvature) : at->gap;
 }
 
-// Half width of the smooth onset of contact, m (docs/theory/contact.md).
-double smoothing_of(const model::Volume& v, double radius) {
-  if (v.force_table) return 0;
-  const bool automatic = v.basis == model::StiffnessBasis::automatic && !(v.relative_damping > 0);
-  return v.smoothing.value_or((automatic ? 2e-5 : 2e-3) * radius);
-}
-
 }  // namespace
 
 bool SupportSettlement::possible(const Subject& s) {
@@ -67,14 +61,13 @@ Vec3 SupportSettlement::Support::displacement() const {
 }
 
 // Of an automatic stiffness all penetration counts; a given one is that of the support, and only the
-// difference (d + g)²/4d of its smooth onset d at the gap g counts, by which the axis is above that of the
-// linear law.
+// difference (d + g)²/4d of its smooth onset d at the gap g = -depth counts, by which the axis is above that
+// of the linear law.
 double SupportSettlement::settlement(const Support& s) const {
-  const model::Volume& v = subject_.model.volumes[s.volume];
-  if (v.basis == model::StiffnessBasis::automatic) return s.depth;
-  const double smooth = smoothing_of(v, s.radius);
-  if (!(smooth > 0) || s.depth >= smooth) return 0;
-  return -(smooth - s.depth) * (smooth - s.depth) / (4 * smooth);
+  if (subject_.model.volumes[s.volume].basis == model::StiffnessBasis::automatic) return s.depth;
+  const double d = s.smoothing;
+  if (!(d > 0) || s.depth >= d) return 0;
+  return -(d - s.depth) * (d - s.depth) / (4 * d);
 }
 
 SupportSettlement::Support SupportSettlement::support(const Kinematics& state,
@@ -91,6 +84,7 @@ SupportSettlement::Support SupportSettlement::support(const Kinematics& state,
             .EI = type.smallest_bending_stiffness()};
   for (const LineVolumeContact::Load& l : loads) s.force += l.force - along.dot(l.force) * along;
   s.depth = -smallest_gap(loads);
+  s.smoothing = loads.front().smoothing;
   s.pressed = s.force.norm();
   s.work = s.pressed * settlement(s);
   return s;
@@ -122,7 +116,10 @@ std::vector<SupportSettlement::Support> SupportSettlement::chain(std::span<const
       continue;
     }
     Support& joined = out.back();
-    if (s.pressed > joined.pressed) joined.volume = s.volume;
+    if (s.pressed > joined.pressed) {
+      joined.volume = s.volume;
+      joined.smoothing = s.smoothing;
+    }
     joined.to = std::max(joined.to, s.to);
     joined.force += s.force;
     joined.pressed += s.pressed;
@@ -173,7 +170,7 @@ void SupportSettlement::find_worst(std::span<const Support> chain, double larges
                               .of_moment = of_moment,
                               .by_smoothing = !automatic || s.depth < 0,
                               .roller = v.roller};
-    at.remedy = (at.by_smoothing ? smoothing_of(v, s.radius) : (high - low).norm()) * kRemaining / worst;
+    at.remedy = (at.by_smoothing ? s.smoothing : (high - low).norm()) * kRemaining / worst;
     // The force of a roller is proportional to the penetration to the power 3/2.
     if (at.roller && !at.by_smoothing)
       at.remedy = reaction / at.remedy * std::sqrt(kRollerDepth * s.radius / at.remedy);
@@ -185,21 +182,22 @@ void SupportSettlement::start(const Snapshot& s) {
   const LocalMesh& mesh = subject_.local();
   std::vector<Support> all = gather_all(subject_.comm(), supports_of_rank(s.at));
   if (all.empty()) return;
-  std::vector<double> moment(subject_.mesh().lines.size(), 0);
+  std::map<int, size_t> place;  // by line with supports, in `moments`
+  for (const Support& of_line : all) place.try_emplace(of_line.line, place.size());
+  std::vector<double> moments(place.size(), 0);  // N m, largest of the line
   for (size_t n = 0; moment_ >= 0 && n < static_cast<size_t>(mesh.owned); ++n) {
-    const double value = s.values[moment_][n];
-    const int line = mesh.node(static_cast<int>(n)).line;
-    if (line < std::ssize(moment) && !std::isnan(value))
-      moment[line] = std::max(moment[line], std::abs(value));
+    const auto at = place.find(mesh.node(static_cast<int>(n)).line);
+    if (at != place.end())
+      moments[at->second] = std::fmax(moments[at->second], std::abs(s.values[moment_][n]));
   }
-  all_reduce(subject_.comm(), MPI_MAX, moment);
+  all_reduce(subject_.comm(), MPI_MAX, moments);
   if (rank_of(subject_.comm()) != 0) return;
   std::sort(all.begin(), all.end(), [](const Support& a, const Support& b) {
     return std::tie(a.line, a.from, a.to, a.volume) < std::tie(b.line, b.from, b.to, b.volume);
   });
   for (auto first = all.begin(); first != all.end();) {
     const auto last = std::find_if(first, all.end(), [&](const Support& o) { return o.line != first->line; });
-    find_worst(chain({first, last}), moment[first->line]);
+    find_worst(chain({first, last}), moments[place[first->line]]);
     first = last;
   }
 }

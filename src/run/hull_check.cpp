@@ -9,6 +9,7 @@
 #include "hawser/advice/hulls.hpp"
 #include "hawser/base/mpi.hpp"
 #include "hawser/kernels/hull_pressure.hpp"
+#include "hawser/math/angle_between.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
@@ -73,9 +74,6 @@ struct PlatformAtRest {
   double rise = 0;     // m, from its initial position
 };
 
-// a, b: unit vectors.
-double angle_of(const Vec3& a, const Vec3& b) { return std::acos(std::clamp(a.dot(b), -1.0, 1.0)); }
-
 // Rise [m] of a platform from its initial position. A floating body heels about its waterplane, a submerged
 // one about its centre, so it is the smaller one of the rises of the centre of mass and of the point that
 // starts at the still water above or below it.
@@ -91,7 +89,7 @@ PlatformAtRest platform_at_rest(const model::Case& c, int body, const RigidBodyS
   // Upward vertical in body axes.
   const Vec3 up = at.q.conjugate() * Vec3::UnitZ();
   const Vec3 up_at_start = start.q.conjugate() * Vec3::UnitZ();
-  return {body, angle_of(up, up_at_start), angle_of(up, Vec3::UnitZ()),
+  return {body, angle_between(up, up_at_start), angle_between(up, Vec3::UnitZ()),
           rise_of(start, at, c.environment.water.surface)};
 }
 

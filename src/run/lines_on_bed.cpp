@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "hawser/advice/statics.hpp"
@@ -57,21 +58,21 @@ std::string lines_below_water(const model::Case& c, const System& system, const 
   const model::Water& water = c.environment.water;
   if (c.environment.seabed.present || !water.present || !(water.depth > 0)) return {};
   const LocalMesh& mesh = system.mesh();
-  std::vector<double> lowest(mesh.mesh->line_names.size(), HUGE_VAL);  // z of each line, m
+  std::set<int> lines;  // of this rank, below the bottom
+  double deepest = 0;   // m
   for (int n = 0; n < mesh.owned; ++n) {
-    const auto line = static_cast<size_t>(mesh.node(n).line);
-    if (line < lowest.size()) lowest[line] = std::min(lowest[line], state.x[static_cast<size_t>(n)].z());
-  }
-  all_reduce(system.comm(), MPI_MIN, lowest);
-  std::vector<std::string> names;
-  double deepest = 0;
-  for (size_t l = 0; l < lowest.size(); ++l) {
-    const double below = water.surface - water.depth - lowest[l];
-    if (!(below > kBelow * water.depth)) continue;
-    if (const std::string name = mesh.mesh->line_names[l]; names.empty() || names.back() != name)
-      names.push_back(name);  // once for all parts of a line that events cut
+    const Node& node = mesh.node(n);
+    const double below = water.surface - water.depth - state.x[static_cast<size_t>(n)].z();
+    if (node.line >= std::ssize(mesh.mesh->lines) || !(below > kBelow * water.depth)) continue;
+    lines.insert(node.line);
     deepest = std::max(deepest, below);
   }
+  const std::vector<int> all = gather_all(system.comm(), std::vector<int>(lines.begin(), lines.end()));
+  all_reduce(system.comm(), MPI_MAX, deepest);
+  std::vector<std::string> names;
+  for (const int line : std::set<int>(all.begin(), all.end()))
+    if (const std::string name = mesh.mesh->line_names[line]; names.empty() || names.back() != name)
+      names.push_back(name);  // once for all parts of a line that events cut
   return names.empty() ? "" : advice::lie_below_water(names, deepest, water.depth);
 }
 

@@ -103,7 +103,7 @@ std::vector<LineVolumeContact::Load> LineVolumeContact::loads(const Kinematics& 
     for (const AxisContactPoint& p : pair.start.points)
       out.push_back({pair.element, pair.volume, p.xi,
                      p.weight * (volumes_.pose_of(pair.volume, state).rotation * p.force), p.from, p.to,
-                     p.gap});
+                     p.gap, pair.smoothing()});
   return out;
 }
 

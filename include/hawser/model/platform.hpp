@@ -41,6 +41,8 @@ struct BodyHydrodynamics {
   Mat6 quadratic_damping = Mat6::Zero();  // factors of |v| v of the six velocities: N/(m/s)² ... N m/(rad/s)²
   std::shared_ptr<const HydrodynamicData> data;
   const char* key() const;  // key of the case file that gives the files
+  // First row of this body in the matrices of the files.
+  Eigen::Index first_row() const { return 6 * (static_cast<Eigen::Index>(body) - 1); }
   // First-order wave forces of the files that act on this body; null: none, or `excitation` is false.
   const WaveForceTable* wave_forces() const;
   // Waves exert forces of first or second order on this body.
@@ -72,6 +74,9 @@ struct BodyLoad {
   bool body_fixed = false;                     // body axes; else space axes
 };
 
+// Volume of water that a body with hydrodynamics displaces at `place`, m³: the given one, or that of its
+// mass.
+double displaced_volume(const BodyMass& body, double density);
 // Hydrostatics of the pressure alone, about the body origin, with the water level at 0; weight acts
 // separately. Files with gravity include -m g zG in C44 and C55, m g xG in C46 and m g yG in C56 (WAMIT
 // manual 7, section 4.2). The body needs hydrodynamics; density [kg/m³] of water, gravity [m/s²].

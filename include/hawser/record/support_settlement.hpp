@@ -32,6 +32,7 @@ class SupportSettlement : public Recording {
     Vec3 force = Vec3::Zero();     // N, on the line and normal to it
     double pressed = 0, work = 0;  // sums of |force| and of |force| times settlement, N and N m
     double depth = 0;              // m, largest penetration; negative: smallest gap
+    double smoothing = 0;          // m, half width of the smooth onset of contact
 
     Vec3 displacement() const;
   };

@@ -91,6 +91,7 @@ class LineVolumeContact final : public ForceTerm,
     Vec3 force = Vec3::Zero();  // N, space axes
     double from = 0, to = 0;    // limits of its panel along the element
     double gap = 0;             // m
+    double smoothing = 0;       // m, of the normal law
   };
   std::vector<Load> loads(const Kinematics& state) const;
   AxisShape axis(const Kinematics& state, int element) const { return AxisShape(ends(state, element)); }
