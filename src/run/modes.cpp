@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numeric>
 
 #include "hawser/advice/modes.hpp"
@@ -145,10 +144,10 @@ std::string row(MPI_Comm comm, Simulation& sim, int number, const NaturalMode& m
 }
 
 io::ResultContents contents(MPI_Comm comm, const Simulation& sim, const std::vector<LoadedVolume>& volumes,
-                            const ModesOptions& o, int count) {
+                            const ModesOptions& options, int count) {
   const model::Case& c = sim.model();
   io::ResultContents out;
-  out.run = run_info(comm, c, o.options_text);
+  out.run = run_info(comm, c, options.options_text);
   out.line_nodes = record::nodes_of_lines(sim.mesh());
   out.line_labels = record::result_line_labels(c, sim.mesh());
   out.volumes = volume_meshes(c, volumes);
@@ -189,14 +188,14 @@ State moved(const State& at, const NaturalMode& mode, double size) {
   return out;
 }
 
-void write(MPI_Comm comm, Simulation& sim, const std::vector<LoadedVolume>& volumes, const ModesOptions& o,
-           const std::string& path, const std::vector<NaturalMode>& modes,
+void write(MPI_Comm comm, Simulation& sim, const std::vector<LoadedVolume>& volumes,
+           const ModesOptions& options, const std::string& path, const std::vector<NaturalMode>& modes,
            const std::vector<std::string>& messages) {
   const int rank = rank_of(comm);
   const LocalMesh& local = sim.local();
   std::vector<int> owned(local.global.begin(), local.global.begin() + local.owned);
   io::ResultsFile file = io::ResultsFile::create(
-      comm, path, contents(comm, sim, volumes, o, static_cast<int>(modes.size())), std::move(owned));
+      comm, path, contents(comm, sim, volumes, options, static_cast<int>(modes.size())), std::move(owned));
   const std::vector<Vec3> zero(static_cast<size_t>(local.owned), Vec3::Zero());
   file.write_output(0, {flat(sim.state().x, local.owned), flat(zero, local.owned)},
                     record::body_poses(sim.bodies(), sim.system(), sim.state().at_rest()));
@@ -218,11 +217,7 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
   const int rank = rank_of(comm);
   Progress progress(rank == 0 && !options.quiet);
   model::Case c = io::read_case(options.case_path, read_progress(progress), comm, options.changes);
-  const std::filesystem::path beside(c.path);
-  const std::string requested = options.output.empty()
-                                    ? (beside.parent_path() / (beside.stem().string() + "-modes.h5")).string()
-                                    : std::filesystem::absolute(options.output).string();
-  const OutputPlace place(comm, requested, "", c.inputs);
+  const OutputPlace place(comm, path_of_output(c.path, options.output, "-modes.h5"), "", c.inputs);
   if (!c.statics.enabled) throw InputError(advice::modes_need_statics(c));
   std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
   set_hydrostatics(c, volumes);

@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -11,6 +13,7 @@
 #include "hawser/base/error.hpp"
 #include "hawser/base/mpi.hpp"
 #include "hawser/io/old_results.hpp"
+#include "hawser/io/write_error.hpp"
 #include "hawser/io/xml_text.hpp"
 
 namespace hawser::run {
@@ -64,6 +67,25 @@ std::string table_of_body(const std::string& path, const std::string& body) {
   std::string name = out.stem().string() + "-" + body + out.extension().string();
   std::replace(name.begin(), name.end(), '/', '-');
   return out.replace_filename(name).string();
+}
+
+std::string path_of_output(const std::string& case_path, const std::string& output,
+                           const std::string& ending) {
+  if (!output.empty()) return fs::absolute(output).string();
+  const fs::path beside(case_path);
+  return (beside.parent_path() / (beside.stem().string() + ending)).string();
+}
+
+void write_table(MPI_Comm comm, const std::string& path, const std::string& text) {
+  std::string failure;
+  if (rank_of(comm) == 0) {
+    std::ofstream file(path, std::ios::binary);
+    file << text;
+    file.close();
+    if (file.fail()) failure = io::cannot_write(path, std::strerror(errno));
+  }
+  failure = first_text(comm, failure);
+  if (!failure.empty()) throw io::WriteError(failure);
 }
 
 OutputPlace::OutputPlace(MPI_Comm comm, const std::string& path, const std::string& restart,

@@ -3,17 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <string_view>
 
 #include "hawser/advice/modes.hpp"
 #include "hawser/advice/output_files.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/mpi.hpp"
-#include "hawser/io/write_error.hpp"
 #include "hawser/model/platform.hpp"
 #include "hawser/model/platform_memory.hpp"
 #include "hawser/run/output_place.hpp"
@@ -26,7 +22,7 @@ constexpr std::string_view kHead = "quantity,t [s] or omega [rad/s]";
 // Points of K(t) per period of the highest frequency.
 constexpr double kPointsPerPeriod = 6;
 
-std::string table(const model::Case& c, const std::vector<int>& bodies) {
+std::string radiation_csv(const model::Case& c, const std::vector<int>& bodies) {
   const model::HydrodynamicData& data =
       *c.bodies[static_cast<size_t>(bodies.front())].mass->hydrodynamics->data;
   const model::PlatformMemory radiation = model::platform_memory(c, bodies);
@@ -74,15 +70,9 @@ void write_radiation(MPI_Comm comm, const model::Case& c, const std::string& pat
     if (groups.size() > 1)
       file = table_of_body(requested.string(), c.bodies[static_cast<size_t>(group.front())].name);
     on_root(comm, [&] { check_table(file.string(), kHead, "radiation", c.inputs); });
-    const auto write = [&] {
-      std::ofstream out(file, std::ios::binary);
-      out << table(c, group);
-      out.close();
-      return !out.fail();
-    };
-    if (on_any_rank(comm, rank_of(comm) == 0 && !write()))
-      throw io::WriteError(io::cannot_write(file.string(), std::strerror(errno)));
-    if (rank_of(comm) == 0) fmt::print("radiation table: {}\n", file.string());
+    const bool root = rank_of(comm) == 0;
+    write_table(comm, file.string(), root ? radiation_csv(c, group) : "");
+    if (root) fmt::print("radiation table: {}\n", file.string());
   }
 }
 

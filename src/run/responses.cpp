@@ -5,11 +5,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <set>
 #include <span>
@@ -20,7 +17,6 @@
 #include "hawser/base/error.hpp"
 #include "hawser/base/mpi.hpp"
 #include "hawser/io/case_reader.hpp"
-#include "hawser/io/write_error.hpp"
 #include "hawser/kernels/platform_frame.hpp"
 #include "hawser/kernels/table_places.hpp"
 #include "hawser/kernels/waves.hpp"
@@ -199,7 +195,7 @@ ResponseRow response_row(int body, const WaveComponent& w, double heading, const
   return out;
 }
 
-bool write_responses(const std::string& path, std::span<const ResponseRow> rows) {
+std::string responses_csv(std::span<const ResponseRow> rows) {
   std::string s(kFirstColumns);
   for (size_t k = 0; k < 6; ++k)
     s += fmt::format(",{0} [{1}],{0} lag [deg]", kFreedomNames[k], k < 3 ? "m/m" : "deg/m");
@@ -210,10 +206,7 @@ bool write_responses(const std::string& path, std::span<const ResponseRow> rows)
     for (size_t k = 0; k < 6; ++k) s += fmt::format(",{:.10g},{:.10g}", r.amplitude[k], r.lag[k]);
     s += ",1,1,1,1,1,1\n";
   }
-  std::ofstream file(path, std::ios::binary);
-  file << s;
-  file.close();
-  return !file.fail();
+  return s;
 }
 
 // Up to kMostShown rows, from the shortest to the longest period, of the direction nearest to the bow.
@@ -243,16 +236,13 @@ std::string response_table(std::span<const ResponseRow> all) {
 // Path of the table of each body.
 std::vector<std::string> paths_of(const model::Case& c, const std::vector<int>& bodies,
                                   const std::string& output) {
-  const std::filesystem::path beside(c.path);
-  const std::filesystem::path requested =
-      output.empty() ? beside.parent_path() / (beside.stem().string() + "-responses.csv")
-                     : std::filesystem::absolute(output);
-  if (requested.extension() != ".csv")
-    throw InputError(advice::table_needs_csv(requested.string(), "responses"));
+  const std::string requested = path_of_output(c.path, output, "-responses.csv");
+  if (std::filesystem::path(requested).extension() != ".csv")
+    throw InputError(advice::table_needs_csv(requested, "responses"));
   std::vector<std::string> out;
   for (const int b : bodies)
-    out.push_back(bodies.size() > 1 ? table_of_body(requested.string(), c.bodies[static_cast<size_t>(b)].name)
-                                    : requested.string());
+    out.push_back(bodies.size() > 1 ? table_of_body(requested, c.bodies[static_cast<size_t>(b)].name)
+                                    : requested);
   if (std::set(out.begin(), out.end()).size() < out.size()) throw InputError(advice::bodies_share_a_table(c));
   return out;
 }
@@ -288,42 +278,40 @@ std::vector<ResponseRow> rows_of(MPI_Comm comm, Simulation& sim, const std::vect
   return rows;
 }
 
-// Writes and prints the table of each body, on the first rank. Returns the path that cannot be written, if
-// any.
-std::string report(const model::Case& c, const std::vector<int>& bodies,
-                   const std::vector<std::string>& paths, const std::vector<ResponseRow>& rows,
-                   const ResponsesOptions& o) {
-  if (!o.quiet)
+// Writes and prints the table of each body from the rows of the first rank. Collective.
+void report(MPI_Comm comm, const model::Case& c, const std::vector<int>& bodies,
+            const std::vector<std::string>& paths, const std::vector<ResponseRow>& rows,
+            const ResponsesOptions& options) {
+  const bool root = rank_of(comm) == 0;
+  const bool prints = root && !options.quiet;
+  if (prints)
     fmt::print(
         "\namplitudes in m/m and deg/m, lags in deg behind the crest at the body's origin, directions from "
-        "its "
-        "bow\n");
+        "its bow\n");
   const size_t each = rows.size() / bodies.size();
   for (size_t i = 0; i < bodies.size(); ++i) {
     const std::span<const ResponseRow> of_body = std::span(rows).subspan(i * each, each);
-    if (!write_responses(paths[i], of_body)) return paths[i];
-    if (o.quiet) continue;
+    write_table(comm, paths[i], root ? responses_csv(of_body) : "");
+    if (!prints) continue;
     fmt::print("\nbody {} at ({:g}, {:g}, {:g}) in its frame:\n{}responses: {}\n",
-               c.bodies[static_cast<size_t>(bodies[i])].name, o.at.x(), o.at.y(), o.at.z(),
+               c.bodies[static_cast<size_t>(bodies[i])].name, options.at.x(), options.at.y(), options.at.z(),
                response_table(of_body), paths[i]);
   }
-  return "";
 }
 
 }  // namespace
 
-int responses(MPI_Comm comm, const ResponsesOptions& o) {
-  const int rank = rank_of(comm);
-  Progress progress(rank == 0 && !o.quiet);
-  model::Case c = io::read_case(o.case_path, read_progress(progress), comm, o.changes);
+int responses(MPI_Comm comm, const ResponsesOptions& options) {
+  Progress progress(rank_of(comm) == 0 && !options.quiet);
+  model::Case c = io::read_case(options.case_path, read_progress(progress), comm, options.changes);
   if (!c.statics.enabled) throw InputError(advice::responses_need_statics(c));
   if (std::none_of(c.bodies.begin(), c.bodies.end(), wave_forces))
     throw InputError(advice::no_wave_forces(c));
   for (const model::Body& b : c.bodies)
     if (b.mass && b.mass->positioning) throw InputError(advice::no_filter_of_thrusters(c, b.name));
-  const std::vector<int> bodies = chosen_bodies(c, o.body);
-  const std::vector<std::string> paths = paths_of(c, bodies, o.output);
-  const std::vector<double> omega = frequencies(c, o.periods);
+  const std::vector<int> bodies = chosen_bodies(c, options.body);
+  const std::vector<std::string> paths = paths_of(c, bodies, options.output);
+  const std::vector<double> omega = frequencies(c, options.periods);
   on_root(comm, [&] {
     for (const std::string& path : paths) check_table(path, kFirstColumns, "responses", c.inputs);
   });
@@ -340,12 +328,10 @@ int responses(MPI_Comm comm, const ResponsesOptions& o) {
   Events events(comm, sim);
   solve_static_stages(sim, events, progress);
   sim.bodies().exchange_poses(comm, sim.state().at_rest());
-  const std::vector<WaveComponent> waves = unit_waves(sim, omega, o.directions);
-  const std::vector<ResponseRow> rows = rows_of(comm, sim, bodies, waves, o.at);
+  const std::vector<WaveComponent> waves = unit_waves(sim, omega, options.directions);
+  const std::vector<ResponseRow> rows = rows_of(comm, sim, bodies, waves, options.at);
   progress.end();
-  const std::string failed = rank == 0 ? report(c, bodies, paths, rows, o) : "";
-  if (on_any_rank(comm, !failed.empty()))
-    throw io::WriteError(io::cannot_write(failed, std::strerror(errno)));
+  report(comm, c, bodies, paths, rows, options);
   return 0;
 }
 

@@ -4,11 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <string_view>
 
 #include "hawser/advice/modes.hpp"
@@ -16,7 +13,6 @@
 #include "hawser/base/error.hpp"
 #include "hawser/base/mpi.hpp"
 #include "hawser/io/case_reader.hpp"
-#include "hawser/io/write_error.hpp"
 #include "hawser/math/degree.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/check.hpp"
@@ -59,22 +55,23 @@ int chosen_body(const model::Case& c, const std::string& name) {
   return body;
 }
 
-std::vector<Offset> offsets_of(const StiffnessOptions& o) {
+// Rest, then the given offsets, then those in equal steps. Components that are zero but for rounding are 0.
+std::vector<Offset> offsets_of(const StiffnessOptions& options) {
   std::vector<Offset> out{Offset{}};
-  out.insert(out.end(), o.offsets.begin(), o.offsets.end());
-  for (int k = 1; o.to > 0 && k <= o.steps; ++k) {
-    const double distance = o.to * k / o.steps;
+  out.insert(out.end(), options.offsets.begin(), options.offsets.end());
+  for (int k = 1; options.to > 0 && k <= options.steps; ++k) {
+    const double distance = options.to * k / options.steps;
     const auto part = [distance](double component) {
       return std::abs(component) < 1e-15 ? 0 : distance * component;
     };
-    out.push_back({part(std::cos(o.direction)), part(std::sin(o.direction)), 0, 0, 0, 0});
+    out.push_back({part(std::cos(options.direction)), part(std::sin(options.direction)), 0, 0, 0, 0});
   }
   return out;
 }
 
 constexpr std::string_view kHead = "x offset [m],y offset [m],z offset [m],rx offset [deg]";
 
-bool write(const std::string& path, const model::Case& c, const std::vector<StiffnessAtOffset>& rows) {
+std::string stiffness_csv(const model::Case& c, const std::vector<StiffnessAtOffset>& rows) {
   std::string s(kHead);
   s += ",ry offset [deg],rz offset [deg],Fx [N],Fy [N],Fz [N],Mx [N m],My [N m],Mz [N m]";
   for (int i = 1; i <= 6; ++i)
@@ -92,10 +89,7 @@ bool write(const std::string& path, const model::Case& c, const std::vector<Stif
     for (const double t : r.tensions) row += fmt::format(",{:.10g}", t);
     s += row + "\n";
   }
-  std::ofstream file(path, std::ios::binary);
-  file << s;
-  file.close();
-  return !file.fail();
+  return s;
 }
 
 std::string matrix_text(const Mat6& K) {
@@ -120,7 +114,7 @@ std::string matrix_text(const Mat6& K) {
 // In kN; rounding errors relative to the tension are 0.
 double in_kN(double x, double tension) { return std::abs(x) < 1e-9 * tension ? 0 : x / 1000; }
 
-std::string table(const model::Case& c, const std::vector<StiffnessAtOffset>& rows) {
+std::string offset_table(const model::Case& c, const std::vector<StiffnessAtOffset>& rows) {
   std::string s = fmt::format("{:>10} {:>10} {:>12} {:>12} {:>12} {:>14}  {}\n", "x [m]", "y [m]", "Fx [kN]",
                               "Fy [kN]", "Fz [kN]", "tension [kN]", "of line");
   for (const StiffnessAtOffset& r : rows) {
@@ -143,17 +137,60 @@ model::Case with_mass(model::Case c, int body) {
   return c;
 }
 
+// The rest pose displaced by an offset, which is that of `point`, about which the body rotates.
+RigidPose displaced(const RigidPose& rest, const Offset& offset, const Vec3& point) {
+  RigidPose out = rest;
+  out.position += Vec3(offset.data());
+  out.rotation = (exp_so3(Vec3(offset.data() + 3)) * rest.rotation).normalized();
+  out.position += rest.rotation * point - out.rotation * point;
+  return out;
+}
+
+// Forces, stiffness and tensions at rest and at each offset, with the body held there. Collective.
+std::vector<StiffnessAtOffset> at_offsets(HeldBodies& held, const model::Case& c, int body,
+                                          const StiffnessOptions& options) {
+  const RigidPose rest = held.pose(body);
+  const Vec3& centre = c.bodies[static_cast<size_t>(body)].mass->centre;
+  std::vector<StiffnessAtOffset> rows;
+  for (const Offset& offset : offsets_of(options)) {
+    const RigidPose pose = displaced(rest, offset, options.at);
+    if (!rows.empty()) held.put(body, pose);
+    const Vec3 arm = pose.rotation * (options.at - centre);
+    const BodyStiffness at_point = about_point(held.stiffness(body), arm, pose.rotation.toRotationMatrix());
+    rows.push_back({offset, -at_point.f, at_point.K, held.tensions()});
+  }
+  return rows;
+}
+
+// Prints the pose at rest, forces and stiffness there, and the table over the offsets.
+void print_stiffness(const model::Case& c, int body, const RigidPose& rest, const Vec3& reference_point,
+                     const std::vector<StiffnessAtOffset>& rows) {
+  const Vec3 point = rest.to_space(reference_point);
+  const Vec3 turned = log_so3(rest.rotation) / kDegree;
+  fmt::print(
+      "\nbody {} at rest: point ({:.4f}, {:.4f}, {:.4f}) m, rotation vector ({:.4f}, {:.4f}, {:.4f}) deg\n",
+      c.bodies[static_cast<size_t>(body)].name, point.x(), point.y(), point.z(), turned.x(), turned.y(),
+      turned.z());
+  const double largest = *std::max_element(rows.front().tensions.begin(), rows.front().tensions.end());
+  Vec6 f = rows.front().force;
+  for (double& x : f) x = in_kN(x, largest);
+  fmt::print(
+      "forces of its lines about this point: force ({:.5g}, {:.5g}, {:.5g}) kN, moment ({:.5g}, {:.5g}, "
+      "{:.5g}) kN m\n",
+      f[0], f[1], f[2], f[3], f[4], f[5]);
+  fmt::print("stiffness of the lines [N/m, N/rad; N, N m/rad]:\n{}", matrix_text(rows.front().K));
+  if (rows.size() > 1)
+    fmt::print("\noffsets, with the other degrees of freedom held:\n{}", offset_table(c, rows));
+}
+
 }  // namespace
 
-int stiffness(MPI_Comm comm, const StiffnessOptions& o) {
-  const int rank = rank_of(comm);
-  Progress progress(rank == 0 && !o.quiet);
-  model::Case c = io::read_case(o.case_path, read_progress(progress), comm, o.changes);
-  const int body = chosen_body(c, o.body);
-  const std::filesystem::path beside(c.path);
-  const std::string path = o.output.empty()
-                               ? (beside.parent_path() / (beside.stem().string() + "-stiffness.csv")).string()
-                               : std::filesystem::absolute(o.output).string();
+int stiffness(MPI_Comm comm, const StiffnessOptions& options) {
+  const bool root = rank_of(comm) == 0;
+  Progress progress(root && !options.quiet);
+  model::Case c = io::read_case(options.case_path, read_progress(progress), comm, options.changes);
+  const int body = chosen_body(c, options.body);
+  const std::string path = path_of_output(c.path, options.output, "-stiffness.csv");
   if (std::filesystem::path(path).extension() != ".csv")
     throw InputError(advice::table_needs_csv(path, "stiffnesses"));
   on_root(comm, [&] { check_table(path, kHead, "stiffnesses", c.inputs); });
@@ -170,41 +207,12 @@ int stiffness(MPI_Comm comm, const StiffnessOptions& o) {
   if (!floats) hold_body(sim, body);
   solve_static_stages(sim, events, progress);
   HeldBodies held(sim);
-  const RigidPose start = held.pose(body);
-
-  std::vector<StiffnessAtOffset> rows;
-  for (const Offset& offset : offsets_of(o)) {
-    RigidPose displaced = start;
-    displaced.position += Vec3(offset.data());
-    displaced.rotation = (exp_so3(Vec3(offset.data() + 3)) * start.rotation).normalized();
-    // Offsets are those of the reference point, about which the body rotates.
-    displaced.position += start.rotation * o.at - displaced.rotation * o.at;
-    if (!rows.empty()) held.put(body, displaced);
-    const BodyStiffness s = held.stiffness(body);
-    const Vec3 arm = displaced.rotation * (o.at - c.bodies[static_cast<size_t>(body)].mass->centre);
-    const BodyStiffness at_point = about_point(s, arm, displaced.rotation.toRotationMatrix());
-    rows.push_back({offset, -at_point.f, at_point.K, held.tensions()});
-  }
+  const RigidPose rest = held.pose(body);
+  const std::vector<StiffnessAtOffset> rows = at_offsets(held, c, body, options);
   progress.end();
-  if (on_any_rank(comm, rank == 0 && !write(path, c, rows)))
-    throw io::WriteError(io::cannot_write(path, std::strerror(errno)));
-  if (rank == 0 && !o.quiet) {
-    const Vec3 point = start.to_space(o.at);
-    const Vec3 turned = log_so3(start.rotation) / kDegree;
-    fmt::print(
-        "\nbody {} at rest: point ({:.4f}, {:.4f}, {:.4f}) m, rotation vector ({:.4f}, {:.4f}, {:.4f}) deg\n",
-        c.bodies[static_cast<size_t>(body)].name, point.x(), point.y(), point.z(), turned.x(), turned.y(),
-        turned.z());
-    const double largest = *std::max_element(rows.front().tensions.begin(), rows.front().tensions.end());
-    Vec6 f = rows.front().force;
-    for (double& x : f) x = in_kN(x, largest);
-    fmt::print(
-        "forces of its lines about this point: force ({:.5g}, {:.5g}, {:.5g}) kN, moment ({:.5g}, {:.5g}, "
-        "{:.5g}) "
-        "kN m\n",
-        f[0], f[1], f[2], f[3], f[4], f[5]);
-    fmt::print("stiffness of the lines [N/m, N/rad; N, N m/rad]:\n{}", matrix_text(rows.front().K));
-    if (rows.size() > 1) fmt::print("\noffsets, with the other degrees of freedom held:\n{}", table(c, rows));
+  write_table(comm, path, root ? stiffness_csv(c, rows) : "");
+  if (root && !options.quiet) {
+    print_stiffness(c, body, rest, options.at, rows);
     fmt::print("\nstiffness table: {}\n", path);
   }
   return 0;

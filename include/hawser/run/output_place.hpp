@@ -29,6 +29,14 @@ void check_table(const std::string& path, std::string_view head, const std::stri
 // farm) becomes a dash, before its ending.
 std::string table_of_body(const std::string& path, const std::string& body);
 
+// Path of the file that a command writes: `output`, or if it is empty the name of the case with `ending`,
+// beside the case file.
+std::string path_of_output(const std::string& case_path, const std::string& output,
+                           const std::string& ending);
+
+// Writes `text` of rank 0 to the file. Throws WriteError on all ranks if that fails. Collective.
+void write_table(MPI_Comm comm, const std::string& path, const std::string& text);
+
 class OutputPlace {
  public:
   // A file at `path` is replaced only if it is a results file; links are followed. `restart`: the file that
