@@ -33,25 +33,21 @@ struct Slot {
   std::uint64_t sum = 0;   // of the array and the index
 };
 
-std::string place_of(long long sequence) { return sequence % 2 ? "checkpoint/1/" : "checkpoint/0/"; }
-
 // Header and index of a slot.
 Slot read_slot(hid_t file, const std::string& place) {
   Slot slot;
-  if (!h5::exists(file, place + "header")) return slot;
-  std::array<std::uint64_t, 4> header{};
-  h5::read_part(h5::open_dataset(file, place + "header"), H5T_NATIVE_UINT64, 0, header.size(), header.data());
-  const h5::Id index = h5::open_dataset(file, place + "index");
-  const hsize_t size = header[1];
-  const hsize_t length = header[2];
-  if (size > h5::shape_of(h5::open_dataset(file, place + "values")).at(0) ||
-      length > h5::shape_of(index).at(0))
+  if (!h5::exists(file, place + "/header")) return slot;
+  CheckpointHeader header;
+  h5::read_part(h5::open_dataset(file, place + "/header"), H5T_NATIVE_UINT64, 0, 4, &header);
+  const h5::Id index = h5::open_dataset(file, place + "/index");
+  if (header.size > h5::shape_of(h5::open_dataset(file, place + "/values")).at(0) ||
+      header.text > h5::shape_of(index).at(0))
     return slot;
-  slot = {std::string(length, '\0'), static_cast<long long>(header[0]), static_cast<long long>(size),
-          header[3]};
-  h5::read_part(index, H5T_NATIVE_CHAR, 0, length, slot.index.data());
+  slot = {std::string(header.text, '\0'), static_cast<long long>(header.sequence),
+          static_cast<long long>(header.size), header.sum};
+  h5::read_part(index, H5T_NATIVE_CHAR, 0, header.text, slot.index.data());
   // A sequence number is valid only in its own slot.
-  if (slot.sequence < 0 || place_of(slot.sequence) != place) slot.sequence = 0;
+  if (slot.sequence < 0 || checkpoint_slot(slot.sequence) != place) slot.sequence = 0;
   return slot;
 }
 
@@ -77,7 +73,7 @@ bool complete(MPI_Comm comm, hid_t file, const Slot& slot) {
   on_each(comm, [&] {
     for (long long at = rank * part_of_rank; at < end; at += kPiece) {
       const long long count = std::min(kPiece, end - at);
-      const std::vector<double> values = h5::read_part(file, place_of(slot.sequence) + "values",
+      const std::vector<double> values = h5::read_part(file, checkpoint_slot(slot.sequence) + "/values",
                                                        static_cast<hsize_t>(at), static_cast<hsize_t>(count));
       sum += checkpoint_sum(at, values.data(), count);
     }
@@ -90,7 +86,8 @@ bool complete(MPI_Comm comm, hid_t file, const Slot& slot) {
 std::optional<Slot> newest(MPI_Comm comm, hid_t file) {
   std::array<Slot, 2> slots;
   on_each(comm, [&] {
-    if (rank_of(comm) == 0) slots = {read_slot(file, place_of(0)), read_slot(file, place_of(1))};
+    if (rank_of(comm) == 0)
+      slots = {read_slot(file, checkpoint_slot(0)), read_slot(file, checkpoint_slot(1))};
   });
   if (slots[0].sequence < slots[1].sequence) std::swap(slots[0], slots[1]);
   for (Slot& slot : slots) {
@@ -221,7 +218,7 @@ Checkpoint read_checkpoint(MPI_Comm comm, const std::string& path, int nodes_tot
   Checkpoint checkpoint;
   try {
     on_each(comm, [&] {
-      const h5::Id values = h5::open_dataset(file, place_of(slot->sequence) + "values");
+      const h5::Id values = h5::open_dataset(file, checkpoint_slot(slot->sequence) + "/values");
       checkpoint = unpack_checkpoint(slot->index, slot->size, nodes_total, owned, [&](const RowRun& run) {
         std::vector<double> part(static_cast<size_t>(run.count));
         h5::read_part(values, H5T_NATIVE_DOUBLE, static_cast<hsize_t>(run.first),

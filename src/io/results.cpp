@@ -46,10 +46,8 @@ struct ResultsFile::Impl {
   std::vector<int> ends;                    // owned; number 2 l is end A of line l, 2 l + 1 its end B
   std::vector<RowRun> end_runs, line_runs;  // line_runs: of lines whose first node is owned
   ResultRoom room;
-  ResultCount count;
+  ValidRows written;
   long long sequence = 0;  // of the newest checkpoint
-  long long clashes = 0;   // that had ended at the last output
-  long long contacts = 0;  // points of the outputs in the file
 
   std::string xdmf_path;
   std::optional<XdmfWriter> xdmf;  // on rank 0
@@ -79,7 +77,7 @@ struct ResultsFile::Impl {
     if (root()) {
       file.attempt([&] {
         try {
-          build_results(file.path(), contents, required, from, count, clashes, contacts, last);
+          build_results(file.path(), contents, required, from, written, last);
         } catch (const InputError&) {
           input = true;
           throw;
@@ -99,8 +97,8 @@ struct ResultsFile::Impl {
     for (const auto& set : row_sets(contents)) names.push_back(set.name);
     if (contents.clashes) names.insert(names.end(), {kClashesEnded, kClashesOpen});
     if (room.slot_doubles)
-      for (const char* slot : {"checkpoint/0/", "checkpoint/1/"})
-        for (const char* part : {"header", "index", "values"}) names.push_back(std::string(slot) + part);
+      for (long long k = 0; k < kCheckpointSlots; ++k)
+        for (const char* part : {"/header", "/index", "/values"}) names.push_back(checkpoint_slot(k) + part);
     file.open(names);
   }
 
@@ -128,7 +126,7 @@ struct ResultsFile::Impl {
     file.agree();
     if (root()) file.write_alone("written", result_count_type(), &next);
     file.agree();
-    count = next;
+    written.count = next;
     int due = root() && Clock::now() - last_flush > kFlushEvery;
     MPI_Bcast(&due, 1, MPI_INT, 0, file.comm());
     if (!due) return;
@@ -146,15 +144,16 @@ struct ResultsFile::Impl {
     if (n > 0)
       for (const int k : owners)
         if (k != 1) throw std::logic_error("results: a series must come from exactly one rank");
-    ensure_room(count.outputs, count.steps + n);
+    ensure_room(written.count.outputs, written.count.steps + n);
     if (n == 0) return 0;
-    file.write_rows("series/time", H5T_NATIVE_DOUBLE, count.steps, n, root(), step_times.data());
+    const long long row = written.count.steps;
+    file.write_rows("series/time", H5T_NATIVE_DOUBLE, row, n, root(), step_times.data());
     const auto places = series_places(contents);
     for (size_t s = 0; s < places.size(); ++s)
       if (contents.series[s].by_line)
-        file.write_runs(places[s], H5T_NATIVE_DOUBLE, count.steps, line_runs, steps[s].data(), n);
+        file.write_runs(places[s], H5T_NATIVE_DOUBLE, row, line_runs, steps[s].data(), n);
       else
-        file.write_rows(places[s], H5T_NATIVE_DOUBLE, count.steps, n, of_this_rank[s], steps[s].data());
+        file.write_rows(places[s], H5T_NATIVE_DOUBLE, row, n, of_this_rank[s], steps[s].data());
     return n;
   }
 
@@ -178,12 +177,12 @@ struct ResultsFile::Impl {
     std::vector<long long> counts;
     for (const ClashTables& t : tables) {
       all.insert(all.end(), t.ended.begin(), t.ended.end());
-      counts.push_back(clashes + static_cast<long long>(all.size()));
+      counts.push_back(written.clashes + static_cast<long long>(all.size()));
       counts.push_back(static_cast<long long>(t.open.size()));
     }
     const long long n = static_cast<long long>(tables.size());
     std::vector<RowRun> ended, open;
-    if (root() && rows.ended) ended.push_back({clashes, rows.ended});
+    if (root() && rows.ended) ended.push_back({written.clashes, rows.ended});
     if (root() && rows.open) open.push_back({0, rows.open});
     if (rows.ended) file.write_runs(kClashesEnded, type, -1, ended, all.data());
     if (rows.open) file.write_runs(kClashesOpen, type, (row + n - 1) % 2, open, tables.back().open.data());
@@ -223,7 +222,7 @@ struct ResultsFile::Impl {
   void write(const WaitingOutputs& w, std::span<const std::vector<double>> nodes,
              std::span<const std::vector<double>> at_ends) {
     const long long n = static_cast<long long>(w.times.size());
-    const long long row = count.outputs;
+    const long long row = written.count.outputs;
     ClashRoom rows{0, 0};
     if (contents.clashes) {
       size_t ended = 0;
@@ -231,8 +230,8 @@ struct ResultsFile::Impl {
       rows = rows_of(ended, w.clashes.back().open.size());
     }
     ContactPlaces points;
-    if (contents.contact_points) points = contact_places(file.comm(), w.contacts, contacts);
-    ensure_room(row + n, 0, 0, 0, {clashes + rows.ended, rows.open}, points.last);
+    if (contents.contact_points) points = contact_places(file.comm(), w.contacts, written.contacts);
+    ensure_room(row + n, 0, 0, 0, {written.clashes + rows.ended, rows.open}, points.last);
     const long long rows_of_steps = write_steps(w.times.back());
     file.write_rows("outputs/time", H5T_NATIVE_DOUBLE, row, n, root(), w.times.data());
     for (size_t i = 0; i < nodes.size(); ++i)
@@ -248,9 +247,9 @@ struct ResultsFile::Impl {
         file.write_rows(places[i] + "/moved", H5T_NATIVE_FLOAT, row, n, root(), w.moved[i].data());
     if (contents.clashes) write_clashes(row, w.clashes, rows);
     if (contents.contact_points) write_contacts(file, row, w.contacts, points);
-    commit({row + n, count.steps + rows_of_steps});
-    clashes += rows.ended;
-    contacts = points.last;
+    commit({row + n, written.count.steps + rows_of_steps});
+    written.clashes += rows.ended;
+    written.contacts = points.last;
     forget_steps(rows_of_steps);
     if (root())
       for (const double t : w.times) xdmf->add(t);
@@ -313,55 +312,49 @@ ResultsFile ResultsFile::create(MPI_Comm comm, const std::string& path, ResultCo
   return ResultsFile(std::move(impl));
 }
 
+namespace {
+
+// Capacity of a file that continues with the contents.
+ResultRoom room_after(const EarlierRows& earlier, const ResultContents& c) {
+  constexpr long long kFewestClashes = 64;
+  const ValidRows& kept = earlier.kept;
+  return {std::max<long long>(c.expected_outputs, kept.count.outputs + 1),
+          std::max<long long>(c.expected_steps, kept.count.steps + 1),
+          earlier.slot_doubles,
+          earlier.slot_text,
+          {std::max(kFewestClashes, 2 * kept.clashes), std::max(kFewestClashes, 2 * earlier.open_clashes)},
+          std::max(contact_room(c), 2 * kept.contacts)};
+}
+
+}  // namespace
+
 ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultContents contents,
                                 std::vector<int> owned, double time, long long sequence,
                                 const ReportedClashes& reported) {
-  ResultProgress progress;
-  const int rank = rank_of(comm);
-  std::string error;
-  // Tolerance for rounding: a step ends at the output time up to the last bits.
-  const double last = time + 1e-9 * std::max(std::abs(time), 1.0);
-  long long outputs = 0, steps = 0;
-  if (rank == 0) {
+  EarlierResults earlier;
+  on_root(comm, [&] {
     try {
-      progress = read_progress(path);
-      outputs = rows_until(path, "outputs/time", progress.output_times, last);
-      steps = rows_until(path, "series/time", progress.step_times, last);
+      earlier = read_earlier(path, time, reported);
     } catch (const std::exception& e) {
-      error = e.what();
+      throw InputError(e.what());
     }
-  }
-  int failed = !error.empty();
-  MPI_Bcast(&failed, 1, MPI_INT, 0, comm);
-  if (failed) throw InputError(rank == 0 ? error : "cannot read " + path);
-  const ResultRoom& had = progress.room;
-  long long n[7] = {
-      outputs, steps, had.slot_doubles, had.slot_text, 0, static_cast<long long>(reported.open.size()), 0};
-  // A failed run has also written clashes that ended after its last output; older checkpoints do not contain
-  // which clashes are in another file.
-  if (n[0] > 0 && !progress.clashes.empty()) n[4] = std::min(reported.ended, progress.clashes[n[0] - 1]);
-  if (n[0] > 0 && !progress.contacts.empty()) n[6] = progress.contacts[n[0] - 1];
-  MPI_Bcast(n, 7, MPI_LONG_LONG, 0, comm);
-  progress.output_times.resize(n[0]);
-  MPI_Bcast(progress.output_times.data(), static_cast<int>(n[0]), MPI_DOUBLE, 0, comm);
+  });
+  const EarlierRows& rows = earlier.rows;
+  static_assert(is_plain_data<EarlierRows>);
+  MPI_Bcast(&earlier.rows, sizeof earlier.rows, MPI_BYTE, 0, comm);
+  const long long outputs = rows.kept.count.outputs;
+  earlier.output_times.resize(outputs);
+  MPI_Bcast(earlier.output_times.data(), static_cast<int>(outputs), MPI_DOUBLE, 0, comm);
 
   auto impl = std::make_unique<Impl>(comm, path, std::move(contents), std::move(owned));
   auto& m = *impl;
-  m.count = {n[0], n[1]};
-  if (m.root())
-    for (const double t : progress.output_times) m.xdmf->add(t);
+  m.written = rows.kept;
   m.sequence = sequence;
-  m.clashes = n[4];
-  m.contacts = n[6];
+  if (m.root())
+    for (const double t : earlier.output_times) m.xdmf->add(t);
   const ClashTables clashes{{}, reported.open};
-  const ResultLast kept{clashes};
-  m.build({std::max<long long>(m.contents.expected_outputs, n[0] + 1),
-           std::max<long long>(m.contents.expected_steps, n[1] + 1),
-           n[2],
-           n[3],
-           {std::max<long long>(64, 2 * n[4]), std::max<long long>(64, 2 * n[5])},
-           std::max(contact_room(m.contents), 2 * n[6])},
-          path, &kept);
+  const ResultLast last{clashes};
+  m.build(room_after(rows, m.contents), path, &last);
   m.save_xdmf(true);
   return ResultsFile(std::move(impl));
 }
@@ -436,20 +429,21 @@ void ResultsFile::write_checkpoint(Checkpoint checkpoint) {
   m.ensure_room(0, 0, need.size, text);
   // Uses the slot without the newest checkpoint; its header, written last, makes it the newest.
   const long long sequence = m.sequence + 1;
-  const std::string slot = sequence % 2 ? "checkpoint/1/" : "checkpoint/0/";
+  const std::string slot = checkpoint_slot(sequence);
   std::vector<RowRun> index;
   if (m.root()) index.push_back({0, text});
-  m.file.write_runs(slot + "index", H5T_NATIVE_CHAR, -1, index, need.index.data());
-  const auto sum =
-      write_checkpoint_array(m.file.comm(), std::move(checkpoint), need, nodes, m.owned,
-                             [&](const std::vector<RowRun>& runs, const std::vector<double>& values) {
-                               m.file.write_runs(slot + "values", H5T_NATIVE_DOUBLE, -1, runs, values.data());
-                             });
+  m.file.write_runs(slot + "/index", H5T_NATIVE_CHAR, -1, index, need.index.data());
+  const auto sum = write_checkpoint_array(
+      m.file.comm(), std::move(checkpoint), need, nodes, m.owned,
+      [&](const std::vector<RowRun>& runs, const std::vector<double>& values) {
+        m.file.write_runs(slot + "/values", H5T_NATIVE_DOUBLE, -1, runs, values.data());
+      });
   m.file.agree();
-  const std::uint64_t header[4] = {static_cast<std::uint64_t>(sequence),
-                                   static_cast<std::uint64_t>(need.size), static_cast<std::uint64_t>(text),
-                                   checkpoint_sum(need.index, sequence, need.size) + sum};
-  m.file.write_rows(slot + "header", H5T_NATIVE_UINT64, 0, 4, m.root(), header);
+  const CheckpointHeader header{.sequence = static_cast<std::uint64_t>(sequence),
+                                .size = static_cast<std::uint64_t>(need.size),
+                                .text = static_cast<std::uint64_t>(text),
+                                .sum = checkpoint_sum(need.index, sequence, need.size) + sum};
+  m.file.write_rows(slot + "/header", H5T_NATIVE_UINT64, 0, 4, m.root(), &header);
   m.file.agree();
   m.sequence = sequence;
 }
@@ -467,23 +461,23 @@ void ResultsFile::finish(const std::vector<SummaryRow>& summary, const ClashTabl
   auto& m = *impl_;
   m.write_waiting();
   const long long steps = m.write_steps();
-  m.commit({m.count.outputs, m.count.steps + steps});
+  m.commit({m.written.count.outputs, m.written.count.steps + steps});
   m.forget_steps(steps);
   ClashRoom rows{0, 0};
   if (m.contents.clashes) rows = m.rows_of(clashes.ended.size(), clashes.open.size());
   const ResultLast end{clashes, &summary, &messages};
-  m.build({std::max<long long>(m.count.outputs, 1),
-           std::max<long long>(m.count.steps, 1),
+  m.build({std::max<long long>(m.written.count.outputs, 1),
+           std::max<long long>(m.written.count.steps, 1),
            m.room.slot_doubles,
            m.room.slot_text,
-           {m.clashes + rows.ended, rows.open},
-           m.contacts},
+           {m.written.clashes + rows.ended, rows.open},
+           m.written.contacts},
           m.file.path(), &end);
   m.save_xdmf(true);
 }
 
 long long ResultsFile::outputs() const { return written() + std::ssize(impl_->waiting.times); }
-long long ResultsFile::written() const { return impl_->count.outputs; }
+long long ResultsFile::written() const { return impl_->written.count.outputs; }
 const ResultContents& ResultsFile::contents() const { return impl_->contents; }
 const std::string& ResultsFile::path() const { return impl_->file.path(); }
 std::string ResultsFile::xdmf_path() const { return impl_->xdmf_path; }

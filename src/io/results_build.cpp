@@ -1,4 +1,4 @@
-// Datasets of a results file, copying into a file with more capacity, and atomic replacement of the old file.
+// Datasets of a results file, and atomic replacement of the old file.
 #include "hawser/io/results_build.hpp"
 
 #include <fcntl.h>
@@ -9,7 +9,6 @@
 #include <array>
 #include <cerrno>
 #include <cstddef>
-#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <limits>
@@ -20,6 +19,7 @@
 #include "hawser/io/old_results.hpp"
 #include "hawser/io/write_error.hpp"
 #include "hawser/io/xdmf.hpp"
+#include "results_copy.hpp"
 
 namespace hawser::io {
 
@@ -59,18 +59,30 @@ void write_waves(hid_t file, const ResultWaves& w) {
   write_all(file, "waves/ramp", H5T_IEEE_F64LE, {1}, &w.ramp, H5T_NATIVE_DOUBLE);
 }
 
-void write_description(hid_t file, const ResultContents& c) {
+void write_run(hid_t file, const RunInfo& run) {
   const h5::Id root = h5::own(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose, "HDF5 root");
   h5::text_attribute(root, "hawser_results", "1");
-  h5::text_attribute(root, "version", c.run.version);
-  h5::text_attribute(root, "case_path", c.run.case_path);
-  h5::text_attribute(root, "date", c.run.date);
-  h5::int_attribute(root, "ranks", c.run.ranks);
-  h5::write_text(file, "case", c.run.case_text);
-  h5::write_text(file, "case_read", c.run.case_read);
-  h5::write_text(file, "options", c.run.options);
-  h5::write_text(file, "set", c.run.changes);
+  h5::text_attribute(root, "version", run.version);
+  h5::text_attribute(root, "case_path", run.case_path);
+  h5::text_attribute(root, "date", run.date);
+  h5::int_attribute(root, "ranks", run.ranks);
+  h5::write_text(file, "case", run.case_text);
+  h5::write_text(file, "case_read", run.case_read);
+  h5::write_text(file, "options", run.options);
+  h5::write_text(file, "set", run.changes);
+}
 
+// One cell of type 2 (polyline) per line: type, count, nodes (XDMF mixed topology).
+std::vector<int> line_cells(const std::vector<int>& first, const std::vector<int>& nodes) {
+  std::vector<int> mixed;
+  for (size_t l = 0; l < nodes.size(); ++l) {
+    mixed.insert(mixed.end(), {2, nodes[l]});
+    for (int i = 0; i < nodes[l]; ++i) mixed.push_back(first[l] + i);
+  }
+  return mixed;
+}
+
+void write_lines(hid_t file, const ResultContents& c) {
   h5::group(file, "lines");
   std::vector<std::string> names;
   std::vector<int> first, nodes, line_of, number;
@@ -96,18 +108,11 @@ void write_description(hid_t file, const ResultContents& c) {
   std::vector<int> ranks = c.ranks;
   ranks.resize(line_of.size());
   write_ints(file, "nodes/rank", ranks);
-  // One cell of type 2 (polyline) per line: type, count, nodes (XDMF mixed topology).
-  std::vector<int> mixed;
-  for (size_t l = 0; l < nodes.size(); ++l) {
-    mixed.insert(mixed.end(), {2, nodes[l]});
-    for (int i = 0; i < nodes[l]; ++i) mixed.push_back(first[l] + i);
-  }
-  write_ints(file, "lines/cells", mixed);
+  write_ints(file, "lines/cells", line_cells(first, nodes));
   write_all(file, "nodes/arc_length", H5T_IEEE_F64LE, {arc.size()}, arc.data(), H5T_NATIVE_DOUBLE);
+}
 
-  write_waves(file, c.waves);
-  h5::group(file, "bodies");
-  h5::write_texts(file, "bodies/name", c.body_names);
+void write_volumes(hid_t file, const ResultContents& c) {
   h5::group(file, "volumes");
   const auto places = volume_places(c);
   for (size_t i = 0; i < c.volumes.size(); ++i) {
@@ -126,12 +131,14 @@ void write_description(hid_t file, const ResultContents& c) {
   }
 }
 
-hsize_t rows_in(const RowSet& s, long long outputs, long long steps, long long contacts,
-                const ResultContents& c) {
-  if (s.rows_by == RowsBy::node) return static_cast<hsize_t>(c.nodes_total());
-  return static_cast<hsize_t>(s.rows_by == RowsBy::step      ? steps
-                              : s.rows_by == RowsBy::contact ? contacts
-                                                             : outputs);
+// The order determines the places of the datasets in the file.
+void write_description(hid_t file, const ResultContents& c) {
+  write_run(file, c.run);
+  write_lines(file, c);
+  write_waves(file, c.waves);
+  h5::group(file, "bodies");
+  h5::write_texts(file, "bodies/name", c.body_names);
+  write_volumes(file, c);
 }
 
 // Labels of fields for external tools.
@@ -154,7 +161,7 @@ void write_row_sets(hid_t file, const ResultContents& c, const ResultRoom& room)
   if (std::any_of(c.series.begin(), c.series.end(), [](const ResultSeries& s) { return s.by_line; }))
     h5::group(file, "line_series");
   for (const auto& s : row_sets(c)) {
-    h5::Shape shape{rows_in(s, room.outputs, room.steps, room.contacts, c)};
+    h5::Shape shape{rows_in(s, c, {room.outputs, room.steps}, room.contacts)};
     shape.insert(shape.end(), s.tail.begin(), s.tail.end());
     const h5::Id set = h5::reserve(file, s.name, s.type, shape);
     if (!s.unit.empty()) h5::text_attribute(set, "unit", s.unit);
@@ -191,10 +198,11 @@ void write_row_sets(hid_t file, const ResultContents& c, const ResultRoom& room)
 void write_slots(hid_t file, const ResultRoom& room) {
   if (room.slot_doubles == 0) return;
   h5::group(file, "checkpoint");
-  for (const std::string slot : {"checkpoint/0", "checkpoint/1"}) {
+  for (long long k = 0; k < kCheckpointSlots; ++k) {
+    const std::string slot = checkpoint_slot(k);
     h5::group(file, slot);
-    const std::uint64_t empty[4] = {};
-    write_all(file, slot + "/header", H5T_STD_U64LE, {4}, empty, H5T_NATIVE_UINT64);
+    const CheckpointHeader empty;
+    write_all(file, slot + "/header", H5T_STD_U64LE, {4}, &empty, H5T_NATIVE_UINT64);
     h5::reserve(file, slot + "/index", H5T_STD_I8LE, {static_cast<hsize_t>(room.slot_text)});
     h5::reserve(file, slot + "/values", H5T_IEEE_F64LE, {static_cast<hsize_t>(room.slot_doubles)});
   }
@@ -239,97 +247,6 @@ void write_summary(hid_t file, const std::vector<SummaryRow>& rows) {
     put(rows[i].arc_length);
   }
   write_all(file, "summary", type, {rows.size()}, bytes.data(), type);
-}
-
-// Copies the first n rows, in pieces that fit the processor's cache.
-void copy_rows(hid_t from, hid_t to, hid_t type, hsize_t n) {
-  h5::Shape count = h5::shape_of(to);
-  h5::Shape start(count.size(), 0);
-  hsize_t row = H5Tget_size(type);
-  for (size_t i = 1; i < count.size(); ++i) row *= count[i];
-  if (row == 0) return;
-  const hsize_t piece = std::max<hsize_t>((hsize_t{256} << 10) / row, 1);
-  std::vector<char> buffer(std::min(piece, std::max<hsize_t>(n, 1)) * row);
-  for (; start[0] < n; start[0] += piece) {
-    count[0] = std::min(piece, n - start[0]);
-    const h5::Id memory =
-        h5::own(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose, "copy");
-    const auto select = [&](hid_t set) {
-      h5::Id space = h5::own(H5Dget_space(set), H5Sclose, "copy");
-      h5::check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
-                "copy");
-      return space;
-    };
-    const h5::Id source_rows = select(from);
-    const h5::Id target_rows = select(to);
-    h5::check(H5Dread(from, type, memory, source_rows, H5P_DEFAULT, buffer.data()),
-              "copy of earlier results");
-    h5::check(H5Dwrite(to, type, memory, target_rows, H5P_DEFAULT, buffer.data()), "copy of earlier results");
-  }
-}
-
-// `newest_checkpoint`: copy only the newest one, at the end of the run if it is complete.
-void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, const ResultRoom& room,
-                  const ResultCount& kept, long long clashes, long long contacts, bool newest_checkpoint) {
-  const h5::Id from = h5::open_read(path);
-  const auto differs = [&](const std::string& part) {
-    return InputError(path + " cannot be continued: the case does not match its " + part);
-  };
-  std::vector<std::string> names;
-  for (const auto& line : c.line_labels) names.push_back(line.name);
-  if (!h5::exists(from, "lines/name") || h5::read_texts(from, "lines/name") != names) throw differs("lines");
-  // Compared with the case, not with the new file, which may be incomplete on a full disk.
-  std::vector<double> arc;
-  for (const auto& line : c.line_labels) arc.insert(arc.end(), line.arc.begin(), line.arc.end());
-  if (h5::read_array(from, "nodes/arc_length").values != arc) throw differs("nodes");
-  for (const std::string group : {"series", "line_series"}) {
-    if (!h5::exists(from, group)) continue;
-    for (const std::string& name : h5::members(from, group))
-      if (!h5::exists(to, group + "/" + name))
-        throw InputError(
-            "{} cannot be continued: the case no longer has its history or clearance {}, which would be "
-            "lost; keep it, or go on in another file with -o",
-            path, name);
-  }
-  for (const auto& s : row_sets(c)) {
-    // Statistics are restored from the checkpoint.
-    if (s.rows_by == RowsBy::node && !h5::exists(from, s.name)) continue;
-    if (!h5::exists(from, s.name)) throw differs(s.name);
-    const h5::Id old = h5::open_dataset(from, s.name);
-    const h5::Id created = h5::open_dataset(to, s.name);
-    const h5::Shape shape = h5::shape_of(old);
-    if (!std::equal(shape.begin() + 1, shape.end(), s.tail.begin(), s.tail.end()))
-      throw InputError(
-          "{} cannot be continued: its {} has other columns than this case and this version of hawser write; "
-          "go on in another file with -o",
-          path, s.name);
-    copy_rows(old, created, s.type, rows_in(s, kept.outputs, kept.steps, contacts, c));
-  }
-  if (c.clashes) copy_clash_tables(from, to, clashes);
-  if (room.slot_doubles == 0) return;
-  const auto header_of = [&from](const std::string& slot) {
-    std::array<std::uint64_t, 4> h{};  // the first number is the sequence; 0: the slot is empty
-    if (h5::exists(from, slot))
-      h5::check(H5Dread(h5::open_dataset(from, slot + "/header"), H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL,
-                        H5P_DEFAULT, h.data()),
-                "checkpoint");
-    return h;
-  };
-  const std::string slots[] = {"checkpoint/0", "checkpoint/1"};
-  const bool second = header_of(slots[1])[0] > header_of(slots[0])[0];
-  for (const std::string& slot : slots) {
-    if (newest_checkpoint && slot != slots[second]) continue;
-    const auto h = header_of(slot);
-    if (h[0] == 0 || h[1] > static_cast<hsize_t>(room.slot_doubles) ||
-        h[2] > static_cast<hsize_t>(room.slot_text))
-      continue;
-    const auto copy = [&](const char* part, hid_t type, hsize_t n) {
-      copy_rows(h5::open_dataset(from, slot + part), h5::open_dataset(to, slot + part), type, n);
-    };
-    copy("/index", H5T_NATIVE_CHAR, h[2]);
-    copy("/values", H5T_NATIVE_DOUBLE, h[1]);
-    copy("/header", H5T_NATIVE_UINT64, 4);
-  }
 }
 
 // Flushes the file before renaming it, and the folder after.
@@ -454,9 +371,22 @@ std::vector<RowSet> row_sets(const ResultContents& c) {
   return sets;
 }
 
+hsize_t rows_in(const RowSet& s, const ResultContents& c, const ResultCount& count, long long contacts) {
+  switch (s.rows_by) {
+    case RowsBy::output:
+      return static_cast<hsize_t>(count.outputs);
+    case RowsBy::step:
+      return static_cast<hsize_t>(count.steps);
+    case RowsBy::contact:
+      return static_cast<hsize_t>(contacts);
+    case RowsBy::node:
+      break;
+  }
+  return static_cast<hsize_t>(c.nodes_total());
+}
+
 void build_results(const std::string& path, const ResultContents& contents, const ResultRoom& room,
-                   const std::string& from, const ResultCount& kept, long long clashes, long long contacts,
-                   const ResultLast* last) {
+                   const std::string& from, const ValidRows& kept, const ResultLast* last) {
   const std::string new_path = path + ".new";
   std::remove(new_path.c_str());  // a link would write elsewhere
   try {
@@ -464,7 +394,7 @@ void build_results(const std::string& path, const ResultContents& contents, cons
     {
       const h5::Id type = result_count_type();
       const h5::Id count = h5::reserve(file, "written", type, {1});
-      h5::check(H5Dwrite(count, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &kept), "counter");
+      h5::check(H5Dwrite(count, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &kept.count), "counter");
       h5::text_attribute(count, "meaning", "rows that hold results: outputs (fields), steps (series)");
     }
     write_description(file, contents);
@@ -475,13 +405,17 @@ void build_results(const std::string& path, const ResultContents& contents, cons
       for (const auto& v : contents.volumes) volumes.push_back(v.name);
       make_clash_tables(file, room.clashes, volumes);
     }
+    // At the end of a run, if it is complete, only the newest checkpoint is of use.
+    const bool ends = last && last->summary;
     if (!from.empty())
-      copy_earlier(from, file, contents, room, kept, clashes, contacts, last && last->summary);
-    if (last && last->summary) write_summary(file, *last->summary);
+      copy_earlier(from, file, contents, room, kept,
+                   ends ? CopiedCheckpoints::newest : CopiedCheckpoints::all);
+    if (ends) write_summary(file, *last->summary);
     const std::vector<std::string>& messages =
         last && last->messages ? *last->messages : contents.run.messages;
     if (!messages.empty()) h5::write_texts(file, "messages", messages);
-    if (last && contents.clashes) write_last_clashes(file, last->clashes, clashes, kept.outputs - 1);
+    if (last && contents.clashes)
+      write_last_clashes(file, last->clashes, kept.clashes, kept.count.outputs - 1);
     h5::check(H5Fflush(file, H5F_SCOPE_LOCAL), "cannot write " + new_path);
   } catch (const InputError&) {
     std::remove(new_path.c_str());

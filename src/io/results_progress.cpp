@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "hawser/base/error.hpp"
 #include "hawser/io/contact_rows.hpp"
 #include "hawser/io/hdf5.hpp"
@@ -64,11 +67,34 @@ ResultProgress read_progress(const std::string& path) {
   };
   p.clashes = rows_at(kClashCounts, 2, kClashesEnded, "clashes");
   p.contacts = rows_at(kContactCounts, 1, kContactPairs, "points of contact");
-  if (!h5::exists(file, "checkpoint/1")) return p;
-  p.room.slot_doubles =
-      static_cast<long long>(h5::shape_of(h5::open_dataset(file, "checkpoint/0/values"))[0]);
-  p.room.slot_text = static_cast<long long>(h5::shape_of(h5::open_dataset(file, "checkpoint/0/index"))[0]);
+  if (!h5::exists(file, checkpoint_slot(kCheckpointSlots - 1))) return p;
+  const auto length = [&](const char* part) {
+    return static_cast<long long>(h5::shape_of(h5::open_dataset(file, checkpoint_slot(0) + part))[0]);
+  };
+  p.room.slot_doubles = length("/values");
+  p.room.slot_text = length("/index");
   return p;
+}
+
+EarlierResults read_earlier(const std::string& path, double time, const ReportedClashes& reported) {
+  // Tolerance for rounding: a step ends at the output time up to the last bits.
+  const double last = time + 1e-9 * std::max(std::abs(time), 1.0);
+  ResultProgress progress = read_progress(path);
+  EarlierResults out;
+  EarlierRows& rows = out.rows;
+  const long long outputs = rows_until(path, "outputs/time", progress.output_times, last);
+  rows.kept.count = {outputs, rows_until(path, "series/time", progress.step_times, last)};
+  // A failed run has also written clashes that ended after its last output; older checkpoints do not contain
+  // which clashes are in another file.
+  if (outputs > 0 && !progress.clashes.empty())
+    rows.kept.clashes = std::min(reported.ended, progress.clashes[outputs - 1]);
+  if (outputs > 0 && !progress.contacts.empty()) rows.kept.contacts = progress.contacts[outputs - 1];
+  rows.open_clashes = std::ssize(reported.open);
+  rows.slot_doubles = progress.room.slot_doubles;
+  rows.slot_text = progress.room.slot_text;
+  progress.output_times.resize(outputs);
+  out.output_times = std::move(progress.output_times);
+  return out;
 }
 
 }  // namespace hawser::io

@@ -3,6 +3,7 @@
 
 #include <mpi.h>
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -50,6 +51,21 @@ Checkpoint read_checkpoint(MPI_Comm comm, const std::string& path, int nodes_tot
 // --- What results.cpp stores: the checkpoint as one array of doubles with a text that says what is where.
 
 constexpr int kCheckpointRecordHead = 4;  // numbers of a record before its values
+
+// Groups of a results file that hold checkpoints in turn: that with this sequence number, and all, each with
+// the datasets header, index and values.
+inline std::string checkpoint_slot(long long sequence) {
+  return sequence % 2 ? "checkpoint/1" : "checkpoint/0";
+}
+inline constexpr long long kCheckpointSlots = 2;
+
+// Header of a slot, written last, which makes its checkpoint the newest: four numbers of the file.
+struct CheckpointHeader {
+  std::uint64_t sequence = 0;  // 0: the slot is empty
+  std::uint64_t size = 0;      // numbers of the array
+  std::uint64_t text = 0;      // characters of the index
+  std::uint64_t sum = 0;       // of the array and the index
+};
 
 struct CheckpointRoom {
   std::string index;   // same on all ranks

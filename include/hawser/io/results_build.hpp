@@ -35,6 +35,14 @@ struct ResultCount {
 };
 h5::Id result_count_type();
 
+// Rows that a file has or takes over from an earlier one: those that the counter validates, and those of the
+// tables that grow with them.
+struct ValidRows {
+  ResultCount count;
+  long long clashes = 0;   // that had ended at the last output
+  long long contacts = 0;  // points of contact of the outputs
+};
+
 // Throws std::logic_error where contents contradict themselves. writes: this rank has the data that only rank
 // 0 writes.
 void check_contents(const ResultContents& contents, bool writes);
@@ -49,6 +57,9 @@ struct RowSet {
   std::string unit;
 };
 std::vector<RowSet> row_sets(const ResultContents& contents);
+// Number of rows of a set if there are so many of each kind.
+hsize_t rows_in(const RowSet& set, const ResultContents& contents, const ResultCount& count,
+                long long contacts);
 std::string field_place(const ResultField& field);
 std::string statistics_place(const ResultField& field);
 
@@ -59,12 +70,10 @@ hsize_t numbers_in_row(const ResultSeries& series);
 std::vector<std::string> volume_places(const ResultContents& contents);
 std::vector<std::string> series_places(const ResultContents& contents);
 
-// Write `path` anew. `from`: an earlier file whose first `kept` rows, ended `clashes`, `contacts` and newest
-// checkpoint are taken over, or empty; one at `path` is then kept (back_up_results). Serial. Throws
-// InputError if the contents of `from` differ, std::runtime_error if the disk fails; the file at `path` is
-// then unchanged.
+// Writes `path` anew. `from`: an earlier file whose first `kept` rows and checkpoints are taken over, or
+// empty; one at `path` is then kept (back_up_results). Serial. Throws InputError if the contents of `from`
+// differ, std::runtime_error if the disk fails; the file at `path` is then unchanged.
 void build_results(const std::string& path, const ResultContents& contents, const ResultRoom& room,
-                   const std::string& from, const ResultCount& kept, long long clashes, long long contacts,
-                   const ResultLast* last);
+                   const std::string& from, const ValidRows& kept, const ResultLast* last);
 
 }  // namespace hawser::io

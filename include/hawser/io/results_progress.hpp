@@ -23,4 +23,17 @@ ResultProgress read_progress(const std::string& path);
 long long rows_until(const std::string& path, const std::string& name, const std::vector<double>& times,
                      double last);
 
+// What a run that continues a file takes over from it. Plain data, so that rank 0 can send it.
+struct EarlierRows {
+  ValidRows kept;
+  long long open_clashes = 0;                 // at the last kept output
+  long long slot_doubles = 0, slot_text = 0;  // capacity of a checkpoint
+};
+struct EarlierResults {
+  EarlierRows rows;
+  std::vector<double> output_times;  // s, of the kept outputs
+};
+// Those up to `time` [s]; reported: as in ResultsFile::resume(). Serial. Throws as the functions above.
+EarlierResults read_earlier(const std::string& path, double time, const ReportedClashes& reported);
+
 }  // namespace hawser::io
