@@ -36,10 +36,10 @@
 namespace hawser::run {
 namespace {
 
-constexpr double kTrial = 4;  // CPU s, of the trial run
-constexpr double kLeast = 1;  // CPU s of it, reserved for dynamics if a search used the rest
+constexpr double kTrialTime = 4;  // CPU s, with the search for lengths
+constexpr double kReserved = 1;   // CPU s of it, for the trial run if the search used the rest
 
-struct TrialOver {};  // thrown when a search has used its share of the trial run
+struct TrialOver {};  // thrown when the search has used the time of the trial
 
 // Prints the start contact of lines and volumes; false if a line starts inside and statics must move it out.
 // Throws InputError without statics. On one rank.
@@ -49,16 +49,14 @@ bool check_start(const model::Case& c, const Mesh& mesh, const Bodies& bodies,
   if (volumes.empty()) return true;
   const LocalMesh local = local_mesh(mesh, NodeRanks::all_of(mesh.nodes()), 0, 1);
   const StartShape shape = start_shape(MPI_COMM_SELF, c, local, bodies, surfaces);
-  const Kinematics at = shape.state.at_rest();
   const Feeders feeders(local, c);
-  const StartContact start = start_contact(MPI_COMM_SELF, c, local, at, bodies, &feeders, volumes);
+  const PlacedLines lines{MPI_COMM_SELF, c, local, bodies, &feeders, shape.state.at_rest()};
+  const StartContact start = start_contact(lines, volumes);
   for (const auto& n : start.notes) fmt::print("note: {}\n", n);
   for (const auto& w : start.warnings) fmt::print("warning: {}\n", w);
   if (start.inside.empty()) return true;
   std::fflush(stdout);
-  if (!c.statics.enabled)
-    throw InputError(c.path + ": " +
-                     still_inside(MPI_COMM_SELF, c, local, at, bodies, &feeders, volumes, start));
+  if (!c.statics.enabled) throw InputError(c.path + ": " + still_inside(lines, volumes, start));
   return false;
 }
 
@@ -107,11 +105,88 @@ TrialRun print_trial(Simulation& sim, const model::Case& c, double budget) {
   return tried;
 }
 
+// Meets the targets of the case; false if that takes longer than the trial.
+bool meet_targets_in_trial(model::Case& c, const std::vector<LoadedVolume>& volumes, Progress& progress) {
+  const double begun = cpu_time();
+  try {
+    c = with_targets_met(MPI_COMM_SELF, c, volumes, progress, "", [begun] {
+      if (cpu_time() - begun > kTrialTime) throw TrialOver();
+    });
+    return true;
+  } catch (const TrialOver&) {
+    progress.end();
+    return false;
+  }
+}
+
+struct StartReport {
+  bool starts_outside = true;  // no line starts inside a volume
+  double imbalance = 1;        // of the partition
+};
+
+// Prints start contact and partition. Then frees what only they need of the case and measures the memory that
+// all ranks of a run have.
+StartReport print_start(model::Case& c, const std::vector<LoadedVolume>& volumes, int ranks,
+                        MemoryUse& memory) {
+  const Mesh mesh = build_mesh(c);
+  const Bodies bodies(c.bodies);
+  StartReport out;
+  out.starts_outside = check_start(c, mesh, bodies, surfaces(volumes));
+  out.imbalance = print_partition(c, mesh, bodies, ranks);
+  forget_file(c);
+  release_freed_memory();
+  memory.shared = memory_now();
+  memory.of_files = -file_memory_now();
+  return out;
+}
+
+// Prints everything of a case that was read, on one rank. ranks: those of the run that is planned.
+void print_check(model::Case c, const std::vector<LoadedVolume>& volumes, const CheckOptions& options,
+                 int ranks, Progress& progress) {
+  const double begun = cpu_time();
+  const bool met = !options.trial || meet_targets_in_trial(c, volumes, progress);
+  const double searched = cpu_time() - begun;
+  fmt::print("{}", model::summary(c));
+  print_volumes(c, volumes);
+  if (!met) {
+    fmt::print("{}\n", advice::lengths_not_found_in_trial(kTrialTime));
+    return;
+  }
+  MemoryUse memory{.read = peak_memory()};
+  io::RunInfo about = run_info(MPI_COMM_SELF, c, "");
+  const StartReport start = print_start(c, volumes, ranks, memory);
+  const double peak_before = peak_memory();
+  std::vector<BodySkeleton> of_bodies = skeletons(c, volumes);
+  Simulation sim(MPI_COMM_SELF, std::move(c), surfaces(volumes), std::move(of_bodies),
+                 volume_facets(volumes));
+  const model::Case& checked = sim.model();
+  if (options.verbose)
+    for (const std::string& d : sim.details()) fmt::print("detail: {}\n", d);
+  fmt::print("{}\n", advice::case_is_valid(start.starts_outside));
+  std::fflush(stdout);
+  record::Recorder recorder(sim.subject(surfaces(volumes)), volume_meshes(checked, volumes), std::move(about),
+                            nullptr, false, false);
+  TrialRun tried;
+  double checkpoint = planned_numbers(sim, recorder);
+  if (options.trial) {
+    tried = print_trial(sim, checked, std::max(kTrialTime - searched, kReserved));
+    // The search for neighbours and the partition may have taken more than all that follows.
+    memory.moved = tried.moved;
+    memory.measured = peak_memory() > peak_before ? peak_memory() : memory_now();
+    memory.of_files += file_memory_now();
+    fmt::print("{}\n", memory_sentence(memory, start.imbalance, ranks));
+    if (tried.moved)
+      checkpoint = io::checkpoint_numbers(make_checkpoint(sim, recorder, Events(MPI_COMM_SELF, sim)));
+  }
+  const io::ResultsSize size =
+      io::results_size(recorder.contents(), record::expected_rows(checked, tried.steps, checkpoint));
+  fmt::print("{}\n", size_sentence(size, std::filesystem::path(checked.output.file).parent_path().string()));
+}
+
 }  // namespace
 
 int check_case(MPI_Comm comm, const CheckOptions& options) {
   const int rank = rank_of(comm);
-  const int ranks = options.ranks > 0 ? options.ranks : ranks_of(comm);
   Progress progress(rank == 0);
   model::Case c = io::read_case(options.case_path, read_progress(progress), comm, options.changes);
   if (!options.radiation.empty()) {
@@ -124,63 +199,7 @@ int check_case(MPI_Comm comm, const CheckOptions& options) {
   set_hydrostatics(c, volumes);
   if (rank != 0) return 0;
   progress.end();
-  const double begun = cpu_time();
-  bool met = true;
-  if (options.trial) try {
-      c = with_targets_met(MPI_COMM_SELF, c, volumes, progress, "", [begun] {
-        if (cpu_time() - begun > kTrial) throw TrialOver();
-      });
-    } catch (const TrialOver&) {
-      met = false;
-      progress.end();
-    }
-  const double searched = cpu_time() - begun;
-  fmt::print("{}", model::summary(c));
-  print_volumes(c, volumes);
-  if (!met) {
-    fmt::print("{}\n", advice::lengths_not_found_in_trial(kTrial));
-    return 0;
-  }
-  MemoryUse memory{.read = peak_memory()};
-  io::RunInfo about = run_info(MPI_COMM_SELF, c, "");
-  bool starts_outside = true;
-  double imbalance = 1;
-  {
-    const Mesh mesh = build_mesh(c);
-    const Bodies bodies(c.bodies);
-    starts_outside = check_start(c, mesh, bodies, surfaces(volumes));
-    imbalance = print_partition(c, mesh, bodies, ranks);
-    forget_file(c);
-    release_freed_memory();
-    memory.shared = memory_now();
-    memory.of_files = -file_memory_now();
-  }
-  const double before = peak_memory();
-  std::vector<BodySkeleton> of_bodies = skeletons(c, volumes);
-  Simulation sim(MPI_COMM_SELF, std::move(c), surfaces(volumes), std::move(of_bodies),
-                 volume_facets(volumes));
-  const model::Case& checked = sim.model();
-  if (options.verbose)
-    for (const std::string& d : sim.details()) fmt::print("detail: {}\n", d);
-  fmt::print("{}\n", advice::case_is_valid(starts_outside));
-  std::fflush(stdout);
-  record::Recorder recorder(sim.subject(surfaces(volumes)), volume_meshes(checked, volumes), std::move(about),
-                            nullptr, false, false);
-  TrialRun tried;
-  double checkpoint = planned_numbers(sim, recorder);
-  if (options.trial) {
-    tried = print_trial(sim, checked, std::max(kTrial - searched, kLeast));
-    // The search for neighbours and the partition may have taken more than all that follows.
-    memory.moved = tried.moved;
-    memory.measured = peak_memory() > before ? peak_memory() : memory_now();
-    memory.of_files += file_memory_now();
-    fmt::print("{}\n", memory_sentence(memory, imbalance, ranks));
-    if (tried.moved)
-      checkpoint = io::checkpoint_numbers(make_checkpoint(sim, recorder, Events(MPI_COMM_SELF, sim)));
-  }
-  const io::ResultsSize size =
-      io::results_size(recorder.contents(), record::expected_rows(checked, tried.steps, checkpoint));
-  fmt::print("{}\n", size_sentence(size, std::filesystem::path(checked.output.file).parent_path().string()));
+  print_check(std::move(c), volumes, options, options.ranks > 0 ? options.ranks : ranks_of(comm), progress);
   return 0;
 }
 

@@ -169,7 +169,7 @@ void Simulation::add_contact(const Kinematics& start, const std::vector<int>& he
     if (volume.settings.basis == model::StiffnessBasis::automatic)
       choose_stiffness(case_, *mesh_, volume, notes_);
   bodies_->exchange_poses(comm, start);
-  start_contact_ = start_contact(comm, case_, local(), start, *bodies_, feeders(), volumes_);
+  start_contact_ = start_contact(placed_lines(start), volumes_);
   notes_.insert(notes_.end(), start_contact_.notes.begin(), start_contact_.notes.end());
   if (!case_.supports.empty()) {
     std::vector<RigidPose> poses;
@@ -240,10 +240,13 @@ std::vector<std::string> Simulation::take_stiffness_raises(const std::string& wh
   return out;
 }
 
+PlacedLines Simulation::placed_lines(const Kinematics& state) const {
+  return {system_->comm(), case_, local(), *bodies_, feeders(), state};
+}
+
 void Simulation::check_inside() const {
   bodies_->exchange_poses(system_->comm(), state_.at_rest());
-  const std::string wrong = still_inside(system_->comm(), case_, local(), state_.at_rest(), *bodies_,
-                                         feeders(), volumes_, start_contact_);
+  const std::string wrong = still_inside(placed_lines(state_.at_rest()), volumes_, start_contact_);
   if (!wrong.empty()) throw InputError(case_.path + ": " + wrong);
 }
 
@@ -251,13 +254,13 @@ std::string Simulation::inside(int volume, const Kinematics& state) const {
   ContactVolume v = volumes_[volume];
   v.off = false;
   std::vector<ExcludedEnds> excluded_ends;
-  for (ExcludedEnds l : start_contact_.excluded_ends)
-    if (l.volume == volume) {
-      l.volume = 0;
-      excluded_ends.push_back(l);
+  for (ExcludedEnds ends : start_contact_.excluded_ends)
+    if (ends.volume == volume) {
+      ends.volume = 0;
+      excluded_ends.push_back(ends);
     }
   bodies_->exchange_poses(system_->comm(), state);
-  return inside_text(system_->comm(), case_, local(), state, *bodies_, feeders(), v, excluded_ends);
+  return inside_text(placed_lines(state), v, excluded_ends);
 }
 
 void Simulation::enable_contact(const model::Action& action) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr size_t kMostReported = 5;  // sentences of one kind
 // Fraction of the initial depth; less deep stretches are on the surface, pressed in by their own contact.
-constexpr double kLeft = 0.1;
+constexpr double kOnSurface = 0.1;
 
 // Contact radius of the elements of this rank; 0: no contact.
 std::vector<double> radii(const model::Case& c, const LocalMesh& mesh) {
@@ -35,12 +35,11 @@ double clearance(const model::Case& c, const model::Line& line, LineEnd end, dou
   return c.line_type(s.type).contact_diameter / std::max(rise, kAlong);
 }
 
-std::vector<Inside> all_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
-                               const Kinematics& state, const Bodies& bodies, const Feeders* feeders,
-                               const std::vector<ContactVolume>& volumes) {
+std::vector<Inside> all_inside(const PlacedLines& lines, const std::vector<ContactVolume>& volumes) {
   std::vector<Inside> out =
-      gather_all(comm, inside_volumes(mesh, state, bodies, volumes, radii(c, mesh), feeders));
-  join(out, *mesh.mesh);
+      gather_all(lines.comm, inside_volumes(lines.mesh, lines.state, lines.bodies, volumes,
+                                            radii(lines.c, lines.mesh), lines.feeders));
+  join(out, *lines.mesh.mesh);
   return out;
 }
 
@@ -62,13 +61,13 @@ void remove_excluded(std::vector<Inside>& inside, const std::vector<ExcludedEnds
   std::vector<Inside> out;
   for (Inside s : inside) {
     const double length = mesh.lines[s.line].length;
-    const auto l = std::find_if(excluded_ends.begin(), excluded_ends.end(), [&](const ExcludedEnds& o) {
-      return o.line == s.line && o.volume == s.volume;
-    });
-    if (l != excluded_ends.end()) {
-      if (s.to <= l->end_a || s.from >= length - l->end_b) continue;
-      s.from = std::max(s.from, l->end_a);
-      s.to = std::min(s.to, length - l->end_b);
+    const auto excluded = std::find_if(
+        excluded_ends.begin(), excluded_ends.end(),
+        [&](const ExcludedEnds& ends) { return ends.line == s.line && ends.volume == s.volume; });
+    if (excluded != excluded_ends.end()) {
+      if (s.to <= excluded->end_a || s.from >= length - excluded->end_b) continue;
+      s.from = std::max(s.from, excluded->end_a);
+      s.to = std::min(s.to, length - excluded->end_b);
     }
     if (s.depth > 0 && s.from < s.to) out.push_back(s);
   }
@@ -80,10 +79,10 @@ void find_excluded_ends(const model::Case& c, const Mesh& mesh, const std::vecto
                         StartContact& start) {
   std::map<std::pair<int, int>, ExcludedEnds> ends_of;
   const auto entry = [&ends_of](int line, int volume) -> ExcludedEnds& {
-    ExcludedEnds& l = ends_of[{line, volume}];
-    l.line = line;
-    l.volume = volume;
-    return l;
+    ExcludedEnds& ends = ends_of[{line, volume}];
+    ends.line = line;
+    ends.volume = volume;
+    return ends;
   };
   for (size_t l = 0; l < c.lines.size(); ++l)
     for (const LineEnd end : kLineEnds) {
@@ -119,7 +118,7 @@ void find_excluded_ends(const model::Case& c, const Mesh& mesh, const std::vecto
           advice::excluded_at_end(line, end, volumes[s.volume].settings.name, s.depth, reach));
     }
   }
-  for (const auto& [key, l] : ends_of) start.excluded_ends.push_back(l);
+  for (const auto& [key, ends] : ends_of) start.excluded_ends.push_back(ends);
 }
 
 // Ends of a line with automatic start shape, m in space.
@@ -128,6 +127,20 @@ struct Chord {
   Vec3 a = Vec3::Zero(), b = Vec3::Zero();
   Vec3 at(double fraction) const { return a + fraction * (b - a); }
 };
+
+// By line; not known if the line does not start by itself between held ends, or has no contact.
+std::vector<Chord> chords_of(const model::Case& c) {
+  std::vector<Chord> chords(c.lines.size());
+  for (size_t l = 0; l < c.lines.size(); ++l) {
+    const model::Line& line = c.lines[l];
+    if (!line.starts_by_itself()) continue;
+    if (line.given || !c.contact.takes_part(line) || line.end_a.kind == model::EndKind::free ||
+        line.end_b.kind == model::EndKind::free)
+      continue;
+    chords[l] = {true, model::end_position(c, line.end_a), model::end_position(c, line.end_b)};
+  }
+  return chords;
+}
 
 // For each line and volume, the node nearest to the volume; at equal distance the first from end A. Sorted by
 // line and volume.
@@ -143,23 +156,15 @@ std::vector<OnWrongSide> nearest_nodes(const std::vector<OnWrongSide>& nodes) {
   return out;
 }
 
-// Lines on the wrong side of a volume: the straight line between their ends passes it on the other side; or
-// below a volume of the body to which an upper end is attached. A line may leave the hull of its body on any
-// side.
-void find_lines_on_wrong_side(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
-                              const Kinematics& state, const Bodies& bodies,
-                              const std::vector<ContactVolume>& volumes, const std::vector<Inside>& inside,
-                              StartContact& start) {
-  std::vector<Chord> chords(c.lines.size());
-  for (size_t l = 0; l < c.lines.size(); ++l) {
-    const model::Line& line = c.lines[l];
-    if (!line.starts_by_itself()) continue;
-    if (line.given || !c.contact.takes_part(line) || line.end_a.kind == model::EndKind::free ||
-        line.end_b.kind == model::EndKind::free)
-      continue;
-    chords[l] = {true, model::end_position(c, line.end_a), model::end_position(c, line.end_b)};
-  }
-  const auto fraction_of = [&](size_t line, double arc) { return arc / mesh.mesh->lines[line].length; };
+// Warnings of lines on the wrong side of a volume: the straight line between their ends passes it on the
+// other side; or below a volume of the body to which an upper end is attached. A line may leave the hull of
+// its body on any side.
+std::vector<std::string> lines_on_wrong_side(const PlacedLines& lines,
+                                             const std::vector<ContactVolume>& volumes,
+                                             const std::vector<Inside>& inside) {
+  const model::Case& c = lines.c;
+  const std::vector<Chord> chords = chords_of(c);
+  const auto fraction_of = [&](size_t line, double arc) { return arc / lines.mesh.mesh->lines[line].length; };
   const auto carries_end = [&](const model::End& e, size_t v) {
     return e.kind == model::EndKind::body && e.carrier == volumes[v].settings.body;
   };
@@ -175,8 +180,9 @@ void find_lines_on_wrong_side(MPI_Comm comm, const model::Case& c, const LocalMe
     return Vec3(x.x(), x.y(), top);
   };
   std::vector<std::string> warnings;
-  const std::vector<OnWrongSide> local = nodes_on_wrong_side(mesh, state, bodies, volumes, expected_place);
-  for (const OnWrongSide& p : nearest_nodes(gather_all(comm, nearest_nodes(local)))) {
+  const std::vector<OnWrongSide> local =
+      nodes_on_wrong_side(lines.mesh, lines.state, lines.bodies, volumes, expected_place);
+  for (const OnWrongSide& p : nearest_nodes(gather_all(lines.comm, nearest_nodes(local)))) {
     const int l = p.line;
     const int v = p.volume;
     const model::Line& line = c.lines[l];
@@ -192,7 +198,7 @@ void find_lines_on_wrong_side(MPI_Comm comm, const model::Case& c, const LocalMe
         advice::passes_volume(line, volume.name, {under, p.distance, p.at, p.place, carries_a, carries_b}));
   }
   shorten(warnings, advice::more_lines_on_wrong_side);
-  start.warnings.insert(start.warnings.end(), warnings.begin(), warnings.end());
+  return warnings;
 }
 
 }  // namespace
@@ -209,53 +215,54 @@ std::vector<ContactVolume> volumes_of_lines(const model::Case& c,
   return out;
 }
 
-std::string inside_text(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& state,
-                        const Bodies& bodies, const Feeders* feeders, const ContactVolume& volume,
+std::string inside_text(const PlacedLines& lines, const ContactVolume& volume,
                         const std::vector<ExcludedEnds>& excluded_ends) {
-  std::vector<Inside> inside = all_inside(comm, c, mesh, state, bodies, feeders, {volume});
-  remove_excluded(inside, excluded_ends, *mesh.mesh);
+  const Mesh& mesh = *lines.mesh.mesh;
+  std::vector<Inside> inside = all_inside(lines, {volume});
+  remove_excluded(inside, excluded_ends, mesh);
   if (inside.empty()) return "";
-  return advice::line_inside(mesh.mesh->line_names[inside.front().line],
-                             inside_volume(inside.front(), *mesh.mesh));
+  return advice::line_inside(mesh.line_names[inside.front().line], inside_volume(inside.front(), mesh));
 }
 
-StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
-                           const Kinematics& state, const Bodies& bodies, const Feeders* feeders,
-                           const std::vector<ContactVolume>& volumes) {
+StartContact start_contact(const PlacedLines& start, const std::vector<ContactVolume>& volumes) {
+  const model::Case& c = start.c;
+  const Mesh& mesh = *start.mesh.mesh;
   StartContact out;
   if (volumes.empty()) return out;
   std::vector<ContactVolume> switched_on = volumes;
   for (ContactVolume& v : switched_on) v.off = false;
-  out.inside = all_inside(comm, c, mesh, state, bodies, feeders, switched_on);
+  out.inside = all_inside(start, switched_on);
   // Ends are excluded from contact with inactive volumes as well; other stretches inside are checked again
   // when the volume is switched on.
-  find_excluded_ends(c, *mesh.mesh, volumes, out);
+  find_excluded_ends(c, mesh, volumes, out);
   std::erase_if(out.inside, [&](const Inside& s) { return volumes[s.volume].off; });
   const std::vector<Inside> all = out.inside;
-  remove_excluded(out.inside, out.excluded_ends, *mesh.mesh);
+  remove_excluded(out.inside, out.excluded_ends, mesh);
   for (const Inside& s : out.inside)
-    out.warnings.push_back(advice::starts_inside(c.lines[s.line], volumes[s.volume].settings.name,
-                                                 inside_volume(s, *mesh.mesh)));
+    out.warnings.push_back(
+        advice::starts_inside(c.lines[s.line], volumes[s.volume].settings.name, inside_volume(s, mesh)));
   shorten(out.notes, advice::more_ends_excluded);
   shorten(out.warnings, advice::more_stretches_inside);
-  find_lines_on_wrong_side(comm, c, mesh, state, bodies, volumes, all, out);
+  for (std::string& warning : lines_on_wrong_side(start, volumes, all))
+    out.warnings.push_back(std::move(warning));
   return out;
 }
 
-std::string still_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& state,
-                         const Bodies& bodies, const Feeders* feeders,
-                         const std::vector<ContactVolume>& volumes, const StartContact& start) {
+std::string still_inside(const PlacedLines& lines, const std::vector<ContactVolume>& volumes,
+                         const StartContact& start) {
   if (start.inside.empty()) return "";
-  std::vector<Inside> now = all_inside(comm, c, mesh, state, bodies, feeders, volumes);
-  remove_excluded(now, start.excluded_ends, *mesh.mesh);
-  for (const Inside& s : now) {
-    const bool before = std::any_of(start.inside.begin(), start.inside.end(), [&](const Inside& o) {
-      return o.line == s.line && o.volume == s.volume && o.from <= s.to && s.from <= o.to &&
-             s.depth > kLeft * o.depth;
-    });
-    if (!before) continue;
-    return advice::stays_inside(c.lines[s.line], volumes[s.volume].settings.name,
-                                inside_volume(s, *mesh.mesh), c.statics.enabled);
+  const model::Case& c = lines.c;
+  const Mesh& mesh = *lines.mesh.mesh;
+  std::vector<Inside> inside = all_inside(lines, volumes);
+  remove_excluded(inside, start.excluded_ends, mesh);
+  for (const Inside& s : inside) {
+    const auto was_inside = [&](const Inside& before) {
+      return before.line == s.line && before.volume == s.volume && before.from <= s.to &&
+             s.from <= before.to && s.depth > kOnSurface * before.depth;
+    };
+    if (std::none_of(start.inside.begin(), start.inside.end(), was_inside)) continue;
+    return advice::stays_inside(c.lines[s.line], volumes[s.volume].settings.name, inside_volume(s, mesh),
+                                c.statics.enabled);
   }
   return "";
 }

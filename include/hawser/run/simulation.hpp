@@ -102,6 +102,7 @@ class Simulation {
                    const std::vector<std::shared_ptr<const Surface>>& surfaces);
   void add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces, std::vector<BodySkeleton> skeletons,
                   const VolumeFacets& facets);
+  PlacedLines placed_lines(const Kinematics& state) const;
   std::string inside(int volume, const Kinematics& state) const;
   bool lays_lines() const;  // statics has bed friction
   void solve_with_contact_friction(StaticsSettings settings, StaticsReport& report);

@@ -22,21 +22,27 @@ struct StartContact {
 std::vector<ContactVolume> volumes_of_lines(const model::Case& c,
                                             const std::vector<std::shared_ptr<const Surface>>& surfaces);
 
-// For the start shape `state`; feeders: null if there are none. The same on all ranks. Collective.
-StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
-                           const Kinematics& state, const Bodies& bodies, const Feeders* feeders,
-                           const std::vector<ContactVolume>& volumes);
+// The lines of a case in a state, on this rank.
+struct PlacedLines {
+  MPI_Comm comm;
+  const model::Case& c;
+  const LocalMesh& mesh;
+  const Bodies& bodies;
+  const Feeders* feeders;  // null: there are none
+  Kinematics state;
+};
+
+// For the start shape. The same on all ranks. Collective.
+StartContact start_contact(const PlacedLines& start, const std::vector<ContactVolume>& volumes);
 
 // Description of the part of a line inside a volume that lines are about to touch; empty: none.
 // excluded_ends: stretches without contact with it, as volume 0. The same on all ranks. Collective.
-std::string inside_text(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& state,
-                        const Bodies& bodies, const Feeders* feeders, const ContactVolume& volume,
+std::string inside_text(const PlacedLines& lines, const ContactVolume& volume,
                         const std::vector<ExcludedEnds>& excluded_ends);
 
-// Sentence on stretches that were inside at the start and still are in `state`; empty: none. The same on
-// all ranks. Collective.
-std::string still_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& state,
-                         const Bodies& bodies, const Feeders* feeders,
-                         const std::vector<ContactVolume>& volumes, const StartContact& start);
+// Sentence on stretches that were inside at the start and still are; empty: none. The same on all ranks.
+// Collective.
+std::string still_inside(const PlacedLines& lines, const std::vector<ContactVolume>& volumes,
+                         const StartContact& start);
 
 }  // namespace hawser::run
