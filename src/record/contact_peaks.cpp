@@ -83,10 +83,13 @@ void ContactPeaks::fill(const Kinematics& state, std::vector<std::vector<double>
     if (EI_[i][0] <= 0 || EI_[i][1] <= 0) continue;
     const LocalElement& e = mesh.elements[i];
     const AxisShape shape = contact_->axis(state, static_cast<int>(i));
-    for (const bool second : {false, true}) {
-      const int node = second ? e.second : e.first;
+    for (const LineEnd end : kLineEnds) {
+      const int node = e.node_at(end);
       if (node >= mesh.owned) continue;
-      const Peak p = peak(state, e, shape, loads_of_element, second ? 0.5 : 0, second ? HUGE_VAL : 0.5);
+      // The half of the element beside the node.
+      const double from = end == LineEnd::B ? 0.5 : 0;
+      const double to = end == LineEnd::B ? HUGE_VAL : 0.5;
+      const Peak p = peak(state, e, shape, loads_of_element, from, to);
       const auto value = [&](int field) -> double& { return values[field][node]; };
       const double size = std::hypot(p.about2, p.about3);
       if (size <= value(moment_)) continue;

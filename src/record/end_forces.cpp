@@ -20,8 +20,8 @@ EndForces::EndForces(const System& system, const Feeders* feeders) : system_(sys
   std::vector<int> at(static_cast<size_t>(local.owned), -1);
   for (size_t i = 0; i < local.elements.size(); ++i) {
     const LocalElement& e = local.elements[i];
-    for (const bool second : {false, true}) {
-      const int node = second ? e.second : e.first;
+    for (const LineEnd end_of_element : kLineEnds) {
+      const int node = e.node_at(end_of_element);
       if (node >= local.owned) continue;
       const int global = local.global[node];
       const Node& g = mesh.node(global);
@@ -35,7 +35,7 @@ EndForces::EndForces(const System& system, const Feeders* feeders) : system_(sys
         places_.push_back({node, g.line, line_end, -1, -1, {}});
       }
       SectionNode& p = places_[at[node]];
-      (second ? p.before : p.after) = static_cast<int>(i);
+      (end_of_element == LineEnd::B ? p.before : p.after) = static_cast<int>(i);
     }
   }
   std::sort(places_.begin(), places_.end(),
@@ -53,8 +53,8 @@ int EndForces::end_at(int node) const {
 
 void EndForces::evaluate(const Kinematics& state, std::span<const Vec3> support_forces) {
   for (SectionNode& p : places_) {
-    if (p.before >= 0) p.sides[0] = section(state, p.before, true, support_forces);
-    if (p.after >= 0) p.sides[1] = section(state, p.after, false, support_forces);
+    if (p.before >= 0) p.sides[0] = section(state, p.before, LineEnd::B, support_forces);
+    if (p.after >= 0) p.sides[1] = section(state, p.after, LineEnd::A, support_forces);
     if (p.before < 0) p.sides[0] = p.sides[1];
     if (p.after < 0) p.sides[1] = p.sides[0];
   }
@@ -74,8 +74,7 @@ void EndForces::evaluate_feed_points(const Kinematics& state, std::span<const Ve
     const Feeder& f = feeders[k];
     const LocalElement* e = feeders_->at_feed_point(f);
     if (!e || !e->counted) continue;
-    const SectionForce m =
-        section(state, static_cast<int>(e - elements.data()), f.line_end == LineEnd::B, support_forces);
+    const SectionForce m = section(state, static_cast<int>(e - elements.data()), f.line_end, support_forces);
     double* to = all.data() + kNumbers * k;
     for (const Vec3* v : {&m.force, &m.moment, &m.direction}) to = std::copy(v->begin(), v->end(), to);
     *to = m.tension();
@@ -103,7 +102,7 @@ void EndForces::evaluate_feed_points(const Kinematics& state, std::span<const Ve
 //   n = -f, m = -R c at the first node,  n = f, m = R c at the second.
 // Tension N = n.t with the tangent t = R e_x of a beam. A cable has t = n/|n| where it hangs freely and is
 // taut, n.d > max(|f_2 - f_1|/2, |n|)/2 with the direction d of the chord, else t = d.
-SectionForce EndForces::section(const Kinematics& state, int element, bool second,
+SectionForce EndForces::section(const Kinematics& state, int element, LineEnd end,
                                 std::span<const Vec3> support_forces) const {
   const LocalMesh& local = system_.mesh();
   const LocalElement& e = local.elements[element];
@@ -112,6 +111,7 @@ SectionForce EndForces::section(const Kinematics& state, int element, bool secon
   const auto part = [&f](int i) { return Vec3(f.segment<3>(3 * i)); };
   const size_t i = e.first;
   const size_t j = e.second;
+  const bool second = end == LineEnd::B;
   const size_t n = second ? j : i;
   SectionForce s;
   s.beam = local.element(e).beam;

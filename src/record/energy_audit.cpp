@@ -39,7 +39,7 @@ void EnergyAudit::step(const Snapshot& s) {
 // Finds the place where the step with most created energy changed the motion most, and the force there.
 void EnergyAudit::find_worst(const Snapshot& s) {
   using With = Audit::Step::ContactWith;
-  fields_.fill(s.at, true);
+  fields_.fill(s.at, FieldsFilled::all);
   const NodeValue change = subject_.dynamics().largest_acceleration_change();
   int with = 0;
   const int n = subject_.local().find(change.node);

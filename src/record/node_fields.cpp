@@ -71,7 +71,7 @@ void NodeFields::begin(const std::set<std::string>& every_step) {
                      in_every_step(section_.wall) && std::ranges::all_of(of_beams, in_every_step);
 }
 
-void NodeFields::fill(const Kinematics& state, bool all) {
+void NodeFields::fill(const Kinematics& state, FieldsFilled which) {
   const size_t owned = subject_.local().owned;
   for (size_t n = 0; n < owned; ++n)
     for (size_t k = 0; k < 3; ++k) {
@@ -79,7 +79,7 @@ void NodeFields::fill(const Kinematics& state, bool all) {
       values_[1][3 * n + k] = state.v[n][static_cast<Eigen::Index>(k)];
     }
   for (size_t f = 0; f < every_step_.size(); ++f)
-    if (all || every_step_[f]) fill_field(f, state);
+    if (which == FieldsFilled::all || every_step_[f]) fill_field(f, state);
   correct_ends(state);
 }
 

@@ -20,15 +20,15 @@ constexpr double kMostRoom = 1e6;
 
 }  // namespace
 
-Recorder::Recorder(Subject subject, std::vector<io::VolumeMesh> volumes, io::RunInfo run,
-                   const io::Checkpoint* from, bool append, bool write)
+Recorder::Recorder(Subject subject, std::vector<io::VolumeMesh> volumes, io::RunInfo run, RecorderFile use,
+                   const io::Checkpoint* from)
     : subject_(std::move(subject)),
       touchdowns_(subject_.comm(), subject_.model, subject_.local()),
       fields_(subject_),
       recordings_(recordings(subject_, fields_)),
       rows_every_(subject_.model.output.history_every) {
   io::ResultContents contents = declared(std::move(volumes), std::move(run));
-  if (!write) {
+  if (use == RecorderFile::none) {
     planned_ = std::move(contents);
     return;
   }
@@ -36,6 +36,7 @@ Recorder::Recorder(Subject subject, std::vector<io::VolumeMesh> volumes, io::Run
   std::vector<int> owned(local.global.begin(), local.global.begin() + local.owned);
   const std::string& path = subject_.model.output.file;
   if (from) restore(*from);
+  const bool append = use == RecorderFile::append;
   io::ReportedClashes reported;
   for (const auto& r : recordings_)
     if (append)
@@ -84,15 +85,15 @@ Snapshot Recorder::snapshot(const Kinematics& state, const StepInfo& info) const
   return {subject_, touchdowns_, state, info, fields_.values(), fields_.ends(), fields_.end_forces()};
 }
 
-void Recorder::fill(const Snapshot& s, bool all) {
-  fields_.fill(s.at, all);
+void Recorder::fill(const Snapshot& s, FieldsFilled which) {
+  fields_.fill(s.at, which);
   for (const auto& r : recordings_) r->fill(s, fields_.values());
 }
 
 // Stages have no time: the last has 0, each one before it a second less.
 void Recorder::stage(size_t place, const Kinematics& state) {
   const Snapshot s = snapshot(state);
-  fill(s, true);
+  fill(s, FieldsFilled::all);
   for (const auto& r : recordings_) r->stage(s);
   const double last = static_cast<double>(subject_.model.stages.size()) - 1;
   write_output(static_cast<double>(place) - last, s, {});
@@ -101,7 +102,7 @@ void Recorder::stage(size_t place, const Kinematics& state) {
 void Recorder::start(const Kinematics& state) {
   if (subject_.model.statics.enabled) {
     const Snapshot s = snapshot(state);
-    fill(s, false);
+    fill(s, FieldsFilled::every_step);
     for (const auto& r : recordings_) r->start(s);
   }
   step({}, state);
@@ -110,7 +111,7 @@ void Recorder::start(const Kinematics& state) {
 
 void Recorder::step(const StepInfo& info, const Kinematics& state) {
   const Snapshot s = snapshot(state, info);
-  fill(s, false);
+  fill(s, FieldsFilled::every_step);
   stepped_ = true;
   for (const auto& r : recordings_) r->step(s);
   if (info.time < rows_from_ - time_tolerance(info.time)) return;
@@ -122,7 +123,7 @@ void Recorder::step(const StepInfo& info, const Kinematics& state) {
 
 void Recorder::output(const Kinematics& state) {
   const Snapshot s = snapshot(state);
-  if (!stepped_ || !fields_.complete(state)) fill(s, true);
+  if (!stepped_ || !fields_.complete(state)) fill(s, FieldsFilled::all);
   for (const auto& r : recordings_) r->output(s);
   write_output(state.time, s, take_clashes());
 }

@@ -165,7 +165,7 @@ void print_check(model::Case c, const std::vector<LoadedVolume>& volumes, const 
   fmt::print("{}\n", advice::case_is_valid(start.starts_outside));
   std::fflush(stdout);
   record::Recorder recorder(sim.subject(surfaces(volumes)), volume_meshes(checked, volumes), std::move(about),
-                            nullptr, false, false);
+                            record::RecorderFile::none);
   TrialRun tried;
   double checkpoint = planned_numbers(sim, recorder);
   if (options.trial) {

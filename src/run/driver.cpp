@@ -209,7 +209,9 @@ class RecorderAtFirstOutput {
     if (recorder_) return *recorder_;
     run_info_.messages = progress_.messages();
     return recorder_.emplace(sim_.subject(surfaces(volumes_)), volume_meshes(sim_.model(), volumes_),
-                             std::move(run_info_), restart_ ? &restart_->checkpoint : nullptr, appends_);
+                             std::move(run_info_),
+                             appends_ ? record::RecorderFile::append : record::RecorderFile::create,
+                             restart_ ? &restart_->checkpoint : nullptr);
   }
 
  private:

@@ -53,7 +53,8 @@ class EndForces {
   int end_at(int node) const;
 
  private:
-  SectionForce section(const Kinematics& state, int element, bool second,
+  // At the node of an element towards an end of its line.
+  SectionForce section(const Kinematics& state, int element, LineEnd end,
                        std::span<const Vec3> support_forces) const;
 
   void evaluate_feed_points(const Kinematics& state, std::span<const Vec3> support_forces);

@@ -14,6 +14,9 @@
 
 namespace hawser::record {
 
+// Fields that a recording needs after every step, or those of outputs as well.
+enum class FieldsFilled { every_step, all };
+
 class NodeFields {
  public:
   // The subject must outlive the object.
@@ -25,10 +28,10 @@ class NodeFields {
   void begin(const std::set<std::string>& every_step);
   const std::vector<io::ResultField>& end_fields() const { return end_fields_; }
 
-  // all: including fields needed only at outputs. Collective.
-  void fill(const Kinematics& state, bool all);
-  // After fill() of the same state without `all`: computes the remaining fields. False: nothing was done,
-  // because a complete fill() is needed.
+  // Collective.
+  void fill(const Kinematics& state, FieldsFilled which);
+  // After fill() of the same state with those of every step: computes the remaining fields. False: nothing
+  // was done, because a complete fill() is needed.
   bool complete(const Kinematics& state);
 
   Values& values() { return values_; }  // by field and owned node

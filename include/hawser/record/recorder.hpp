@@ -13,13 +13,15 @@
 
 namespace hawser::record {
 
+// File of a Recorder: a new one, that of the checkpoint from which the run continues, or none, after which
+// only contents() and save() may follow.
+enum class RecorderFile { create, append, none };
+
 class Recorder {
  public:
-  // Starts a new results file. `from`: the checkpoint from which the run continues, if any; `append`: in the
-  // file of the checkpoint, else in a new one. write: false creates no file, and only contents() and save()
-  // may follow.
+  // from: the checkpoint from which the run continues; null: none.
   Recorder(Subject subject, std::vector<io::VolumeMesh> volumes, io::RunInfo run,
-           const io::Checkpoint* from = nullptr, bool append = false, bool write = true);
+           RecorderFile use = RecorderFile::create, const io::Checkpoint* from = nullptr);
 
   // Contents of the file, or of the file that would be written.
   const io::ResultContents& contents() const { return file_ ? file_->contents() : planned_; }
@@ -55,7 +57,7 @@ class Recorder {
   io::ResultContents declared(std::vector<io::VolumeMesh> volumes, io::RunInfo run);
   void restore(const io::Checkpoint& from);
   Snapshot snapshot(const Kinematics& state, const StepInfo& info = {}) const;
-  void fill(const Snapshot& s, bool all);
+  void fill(const Snapshot& s, FieldsFilled which);
   std::vector<io::SummaryRow> gather_summary();
   void write_output(double time, const Snapshot& s, const io::ClashTables& clashes);
   io::ClashTables take_clashes();
