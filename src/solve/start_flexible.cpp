@@ -161,49 +161,74 @@ bool crosses_bed_or_surface(const model::Case& c, const model::Line& line, const
   return x.size() > 2 && std::any_of(x.begin() + 1, x.end() - 1, through);
 }
 
-std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, const Mesh& mesh,
-                                 const LineSpan& span, const std::vector<Vec3>& x, const Vec3& direction) {
+namespace {
+
+// The line in pieces of elements, and what belongs to its points or pieces.
+struct LineInPieces {
+  FlexibleLine line;
+  std::vector<double> arc{0};       // m, of the points
+  std::vector<Vec3> places;         // m, of the points before
+  std::vector<WaterSection> drags;  // of the pieces
+};
+
+// Ends, bed and water. With a measured bed the shape is lifted onto it afterwards. A grounded line needs a
+// plane at about the correct height here, along which it can be laid.
+FlexibleLine without_pieces(const model::Case& c, const model::Line& line, const std::vector<Vec3>& x,
+                            const Vec3& direction) {
   const model::Seabed& bed = c.environment.seabed;
-  const model::Water& water = c.environment.water;
   FlexibleLine f;
   f.held_a = line.end_a.kind != model::EndKind::free;
   f.held_b = line.end_b.kind != model::EndKind::free;
-  // With a measured bed the shape is lifted onto it afterwards. A grounded line needs a plane at about the
-  // correct height here, along which it can be laid.
   const Vec3& held = f.held_a ? x.front() : x.back();
   const double height = bed.present && bed.surface ? model::height_above_bed(bed, held) : 0;
   f.bed = bed.present && (!bed.surface || (!direction.isZero(0) && std::isfinite(height)));
   f.bed_point = Vec3(0, 0, bed.surface ? held.z() - height : -bed.depth);
   f.bed_normal = model::bed_normal(bed);
-  f.water = water.present;
-  f.surface = water.surface;
+  f.water = c.environment.water.present;
+  f.surface = c.environment.water.surface;
+  return f;
+}
 
-  std::vector<double> s{0};
-  std::vector<Vec3> places{x.front()};
-  std::vector<WaterSection> drags;
-  const int stride = (span.elements + kMaxPieces - 1) / kMaxPieces;
+int elements_of_piece(const LineSpan& span) { return (span.elements + kMaxPieces - 1) / kMaxPieces; }
+
+LineInPieces in_pieces(const model::Case& c, const model::Line& line, const Mesh& mesh, const LineSpan& span,
+                       const std::vector<Vec3>& x, const Vec3& direction) {
+  const model::Seabed& bed = c.environment.seabed;
+  LineInPieces out;
+  FlexibleLine& f = out.line;
+  f = without_pieces(c, line, x, direction);
+  out.places = {x.front()};
+  const int stride = elements_of_piece(span);
   double thick = 0;
   for (int e = 0; e < span.elements; e += stride) {
     const int last = std::min(e + stride, span.elements);
     f.pieces.push_back(piece(c, line, mesh, span.first_element + e, span.first_element + last));
     thick = std::max(thick, 2 * f.pieces.back().radius);
     const auto& t = c.line_types[mesh.element(span.first_element + e).type];
+    std::vector<double>& s = out.arc;
     s.push_back(mesh.node(span.first_node + last).arc);
     // Per length of the piece, like its weight.
-    const double per =
-        0.5 * water.density * t.dragged() * (s.back() - s[s.size() - 2]) / f.pieces.back().length;
-    WaterSection& drag = drags.emplace_back();
+    const double per = 0.5 * c.environment.water.density * t.dragged() * (s.back() - s[s.size() - 2]) /
+                       f.pieces.back().length;
+    WaterSection& drag = out.drags.emplace_back();
     drag.drag_normal = per * t.Cd_normal;
     drag.drag_axial = per * t.Cd_axial * M_PI;
-    places.push_back(x[last]);
+    out.places.push_back(x[last]);
   }
   f.bed_stiffness =
       bed.basis == model::StiffnessBasis::per_length ? bed.normal_stiffness : bed.normal_stiffness * thick;
-  f.points.resize(s.size());
+  f.points.resize(out.arc.size());
+  return out;
+}
+
+// Adds masses and point loads at the nearest points.
+void add_point_loads(const model::Case& c, const model::Line& line, LineInPieces& to) {
+  const model::Water& water = c.environment.water;
+  const std::vector<double>& s = to.arc;
   const auto nearest = [&](double at) -> FlexibleLine::Point& {
     const auto next = std::lower_bound(s.begin(), s.end() - 1, at);
     const bool back = next != s.begin() && at - *(next - 1) < *next - at;
-    return f.points[next - s.begin() - (back ? 1 : 0)];
+    return to.line.points[next - s.begin() - (back ? 1 : 0)];
   };
   for (const auto& m : line.masses) {
     FlexibleLine::Point& p = nearest(m.at);
@@ -212,17 +237,27 @@ std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, 
   }
   for (const auto& p : line.point_loads)
     if (p.ramp == 0) nearest(p.at).load += p.force;
+}
 
+}  // namespace
+
+std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, const Mesh& mesh,
+                                 const LineSpan& span, const std::vector<Vec3>& x, const Vec3& direction) {
+  LineInPieces parts = in_pieces(c, line, mesh, span, x, direction);
+  add_point_loads(c, line, parts);
+  const FlexibleLine& f = parts.line;
   FlexibleLine pulled = f;
   double weight = 0;
   for (const auto& p : f.pieces) weight += p.length * std::abs(p.load.z() + p.buoyancy);
   for (auto& p : pulled.pieces) p.load += kPull * weight / span.length * direction;
-  std::vector<Vec3> shape = flexible_shape(pulled, std::move(places));
+  std::vector<Vec3> shape = flexible_shape(pulled, std::move(parts.places));
   if (const CurrentProfile current = acting_current(c); !current.none())
-    shape = in_current(water, current, f, drags, shape);
+    shape = in_current(c.environment.water, current, f, parts.drags, shape);
   std::vector<Vec3> out;
   for (int n = 0; n < span.nodes; ++n)
-    out.push_back(stride == 1 ? shape[n] : interpolated(s, shape, mesh.node(span.first_node + n).arc));
+    out.push_back(elements_of_piece(span) == 1
+                      ? shape[n]
+                      : interpolated(parts.arc, shape, mesh.node(span.first_node + n).arc));
   out.front() = x.front();
   out.back() = f.held_b ? x.back() : out.back();
   if (!f.held_a) out.front() = shape.front();

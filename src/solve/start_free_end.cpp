@@ -21,11 +21,11 @@ Vec3 level(const Vec3& v) { return {v.x(), v.y(), 0}; }
 // The surface on which a line lies: the bed or the water's surface.
 class Ground {
  public:
-  Ground(const model::Environment& sea, bool floats) : sea_(sea), floats_(floats) {}
+  Ground(const model::Environment& sea, LiesOn which) : sea_(sea), which_(which) {}
 
   // Moves x vertically to the ground; beyond the edge of the bed x is returned.
   Vec3 under(Vec3 x) const {
-    if (floats_) return {x.x(), x.y(), sea_.water.surface};
+    if (which_ == LiesOn::water_surface) return {x.x(), x.y(), sea_.water.surface};
     const model::Seabed& bed = sea_.seabed;
     if (!bed.surface) return {x.x(), x.y(), x.z() - model::height_above_bed(bed, x) / std::cos(bed.slope)};
     Vec3 y = x;
@@ -47,7 +47,7 @@ class Ground {
  private:
   static constexpr int kMaxDrops = 50;  // on a steep bed the nearest point is far from the one below
   const model::Environment& sea_;
-  bool floats_;
+  LiesOn which_;
 };
 
 std::vector<CatenarySection> first_of(const std::vector<CatenarySection>& sections, double length) {
@@ -70,6 +70,23 @@ Vec3 normal_at(const Surface& bed, const Vec3& x) {
   return nearest ? nearest->normal : Vec3(Vec3::UnitZ());
 }
 
+// Length of the part between the held end and the bend, which begins `radius` above the ground at the height
+// `foot`; up: -1 if the line rises to the ground, else 1. None: the whole line is shorter.
+std::optional<double> hanging_length(const HeldEnd& end, const std::vector<CatenarySection>& sections,
+                                     double length, double up, double foot, double radius) {
+  const auto above = [&](double hanging) {
+    return up * (catenary_free_b(end.at, first_of(sections, hanging)).end_b().z() - foot) - radius;
+  };
+  double low = 0;
+  double high = length;
+  if (above(high) > 0) return std::nullopt;
+  for (int i = 0; i < kBisections; ++i) {
+    const double at = 0.5 * (low + high);
+    (above(at) > 0 ? low : high) = at;
+  }
+  return low;
+}
+
 // Radius r of the bend where a hanging line begins to lie. The moment EI/r is that of the weight w r at an
 // arm r, so r³ = EI/w.
 double bend(const model::Case& c, const model::Line& line, const std::vector<CatenarySection>& sections) {
@@ -83,11 +100,12 @@ double bend(const model::Case& c, const model::Line& line, const std::vector<Cat
 
 }  // namespace
 
-Vec3 direction_of_free_end(const model::Case& c, const model::Line& line, const HeldEnd& end, bool floats) {
+Vec3 direction_of_free_end(const model::Case& c, const model::Line& line, const HeldEnd& end, LiesOn ground) {
+  const bool floats = ground == LiesOn::water_surface;
   const model::Water& water = c.environment.water;
   const model::Seabed& bed = c.environment.seabed;
   Vec3 pull = Vec3::Zero(), u = Vec3::Zero(), normal = Vec3::UnitZ(), by_depth;
-  const Vec3 below = floats ? end.at : Ground(c.environment, false).under(end.at);
+  const Vec3 below = floats ? end.at : Ground(c.environment, LiesOn::bed).under(end.at);
   if (const CurrentProfile current = acting_current(c); !current.none())
     current.at(floats ? 0.0 : water.surface - below.z(), u, by_depth);
   if (!floats && bed.present) normal = bed.surface ? normal_at(*bed.surface, below) : model::bed_normal(bed);
@@ -106,16 +124,11 @@ Vec3 direction_of_free_end(const model::Case& c, const model::Line& line, const 
 std::optional<std::vector<Vec3>> laid_free_end(const model::Case& c, const model::Line& line,
                                                const HeldEnd& end, std::vector<CatenarySection> sections,
                                                const std::vector<double>& arc) {
-  const auto all = [&](double sign) {
-    return std::all_of(sections.begin(), sections.end(), [sign](const CatenarySection& k) {
-      return sign * k.load.z() > 0 && sign * k.end_load.z() >= 0;
-    });
-  };
-  const model::Water& water = c.environment.water;
-  const bool floats = water.present && all(1);
-  if (!floats && !(c.environment.seabed.present && all(-1))) return {};
-  const Ground ground(c.environment, floats);
-  const Vec3 direction = direction_of_free_end(c, line, end, floats);
+  const std::optional<LiesOn> where = comes_to_lie(c, sections);
+  if (!where) return {};
+  const bool floats = *where == LiesOn::water_surface;
+  const Ground ground(c.environment, *where);
+  const Vec3 direction = direction_of_free_end(c, line, end, *where);
   const double height = end.at.z() - ground.under(end.at).z();
   const double up = height < 0 ? -1 : 1;
   if (floats && height > 0)  // the line hangs in the air; its weight matters only to its stretch
@@ -126,17 +139,10 @@ std::optional<std::vector<Vec3>> laid_free_end(const model::Case& c, const model
   const bool hangs = floats ? height != 0 : height > 0;
   const double radius = hangs ? std::min(bend(c, line, sections), kMaxBend * std::abs(height)) : 0;
   const double foot = ground.under(end.at + radius * direction).z();
-  const auto above = [&](double length) {
-    return up * (catenary_free_b(end.at, first_of(sections, length)).end_b().z() - foot) - radius;
-  };
-  double low = 0;
-  double high = arc.back();
-  if (hangs && above(high) > 0) return {};
-  for (int i = 0; hangs && i < kBisections; ++i) {
-    const double at = 0.5 * (low + high);
-    (above(at) > 0 ? low : high) = at;
-  }
-  const double hanging = low;
+  const std::optional<double> reaches =
+      hangs ? hanging_length(end, sections, arc.back(), up, foot, radius) : std::optional<double>(0);
+  if (!reaches) return {};
+  const double hanging = *reaches;
   const double bent = hanging + 0.5 * M_PI * radius;
   std::optional<CatenaryShape> shape;
   if (hanging > 0) shape = catenary_free_b(end.at, first_of(sections, hanging));

@@ -8,6 +8,7 @@
 
 #include "hawser/kernels/catenary.hpp"
 #include "hawser/model/case.hpp"
+#include "hawser/solve/start_slack.hpp"
 
 namespace hawser {
 
@@ -21,7 +22,7 @@ struct HeldEnd {
 // Horizontal unit vector from the held end, along which the line lies: down a sloping bed or with the
 // current, whichever pulls more; else in the direction of the held end; else away from the body that holds
 // it; else along x.
-Vec3 direction_of_free_end(const model::Case& c, const model::Line& line, const HeldEnd& end, bool floats);
+Vec3 direction_of_free_end(const model::Case& c, const model::Line& line, const HeldEnd& end, LiesOn ground);
 
 // Positions at the arc lengths `arc` [m] from the held end of a line of `sections`, which count from there,
 // too: vertically down (or up) to the ground with the stretch of the hanging part, round a bend with the

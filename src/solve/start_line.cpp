@@ -179,39 +179,35 @@ LineStart through(std::vector<Vec3> x) {
   return out;
 }
 
-// True if the whole line sinks (or floats) and is longer than the path from one end to the bed (or the
-// surface), along it, and up to the other end. Its middle then lies there without tension, and equilibrium
-// does not determine where.
-bool lies_slack(const model::Case& c, const std::vector<CatenarySection>& sections, const LineStart& s,
-                double length, bool& floats) {
+// Where the middle of a line lies without tension, so that equilibrium does not determine its place: the
+// whole line sinks (or floats) and is longer than the path from one end to the bed (or the surface), along
+// it, and up to the other end. None: nowhere, or on a measured bed.
+std::optional<LiesOn> lies_slack(const model::Case& c, const std::vector<CatenarySection>& sections,
+                                 const LineStart& s, double length) {
   const model::Seabed& bed = c.environment.seabed;
-  const auto all = [&](double sign) {
-    return std::all_of(sections.begin(), sections.end(), [sign](const CatenarySection& k) {
-      return sign * k.load.z() > 0 && sign * k.end_load.z() >= 0;
-    });
-  };
-  floats = c.environment.water.present && all(1);
-  if (!floats && (!bed.present || bed.surface || !all(-1))) return false;
+  const std::optional<LiesOn> where = comes_to_lie(c, sections);
+  if (!where || (*where == LiesOn::bed && bed.surface)) return std::nullopt;
+  const bool floats = *where == LiesOn::water_surface;
   const auto off = [&](const Vec3& x) {
     return std::abs(floats ? x.z() - c.environment.water.surface : model::height_above_bed(bed, x));
   };
   const Vec3& from = s.x.front();
   const Vec3& to = s.x.back();
-  return length > std::hypot(to.x() - from.x(), to.y() - from.y()) + off(from) + off(to);
+  if (length > std::hypot(to.x() - from.x(), to.y() - from.y()) + off(from) + off(to)) return where;
+  return std::nullopt;
 }
 
 // Replaces the part of a catenary under the bed, or the part of a floating line above the surface, by an arc.
 // Returns whether there was such a part.
 bool lay(const model::Case& c, const std::vector<CatenarySection>& sections, const Mesh& mesh,
          const LineSpan& span, LineStart& s) {
-  bool floats = false;
   std::vector<double> arc{0};  // arc lengths without tension
   for (int e = span.first_element; e < span.first_element + span.elements; ++e) {
     const Element& g = mesh.element(e);
     arc.push_back(arc.back() + (1 + g.free_strain) * g.length);
   }
-  if (!lies_slack(c, sections, s, arc.back(), floats)) return false;
-  if (!lay_slack(c.environment, floats, arc, s.x)) return false;
+  const std::optional<LiesOn> where = lies_slack(c, sections, s, arc.back());
+  if (!where || !lay_slack(c.environment, *where, arc, s.x)) return false;
   for (Vec3& t : s.tangent) t.setZero();  // repair() computes them
   return true;
 }
@@ -245,7 +241,7 @@ LineStart lay_free(const model::Case& c, const model::Line& line, const Bodies& 
     if (!a) std::reverse(laid->begin(), laid->end());
     return through(*std::move(laid));
   }
-  return through(flexible_start(c, line, mesh, span, x, direction_of_free_end(c, line, end, false)));
+  return through(flexible_start(c, line, mesh, span, x, direction_of_free_end(c, line, end, LiesOn::bed)));
 }
 
 double smallest_bending_stiffness(const model::Case& c, const model::Line& line) {

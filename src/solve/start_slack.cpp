@@ -38,8 +38,20 @@ Vec3 bulge(const model::Environment& sea, const Vec3& chord) {
 
 }  // namespace
 
-bool lay_slack(const model::Environment& sea, bool floats, const std::vector<double>& arc,
+std::optional<LiesOn> comes_to_lie(const model::Case& c, const std::vector<CatenarySection>& sections) {
+  const auto all = [&](double sign) {
+    return std::all_of(sections.begin(), sections.end(), [sign](const CatenarySection& k) {
+      return sign * k.load.z() > 0 && sign * k.end_load.z() >= 0;
+    });
+  };
+  if (c.environment.water.present && all(1)) return LiesOn::water_surface;
+  if (c.environment.seabed.present && all(-1)) return LiesOn::bed;
+  return std::nullopt;
+}
+
+bool lay_slack(const model::Environment& sea, LiesOn ground, const std::vector<double>& arc,
                std::vector<Vec3>& points) {
+  const bool floats = ground == LiesOn::water_surface;
   const auto off = [&](const Vec3& x) {
     return (sea.seabed.present && x.z() < bed_height(sea.seabed, x) - 1e-6 * sea.seabed.depth) ||
            (floats && x.z() > sea.water.surface);
