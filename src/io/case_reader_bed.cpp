@@ -44,68 +44,104 @@ double smallest_step(const std::vector<double>& t) {
   return smallest;
 }
 
-std::shared_ptr<const HeightGrid> read_grid(const Value& v, const CaseSource& source,
-                                            std::vector<std::string>& notes) {
-  const std::string path = source.input(v["file"].text);
-  std::vector<int> line;
-  const std::vector<std::vector<double>> rows = read_rows(path, v["file"], &line);
-  const auto refuse_row = [&](size_t row, const std::string& text) {
-    refuse(v["file"], "{}:{}: {}", path, line[row], text);
-  };
-  std::vector<double> x, y;
-  for (size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i].size() != 3)
-      refuse_row(i, fmt::format("a row of a seabed grid has 3 numbers, x, y and z, but this one has {}",
-                                rows[i].size()));
-    for (const double coordinate : rows[i])
-      if (!(std::abs(coordinate) <= kFarthest))
-        refuse_row(i, fmt::format("{:g} m is beyond {:g} m from the origin; is it in other units than "
-                                  "metres, or a no-data value?",
-                                  coordinate, kFarthest));
-    x.push_back(rows[i][0]);
-    y.push_back(rows[i][1]);
+// Reads `grid: {file}`: rows of x, y and z, in any order.
+class GridReader {
+ public:
+  GridReader(const Value& v, const CaseSource& source)
+      : v_(v), path_(source.input(v["file"].text)), file_(read_rows(path_, v["file"])) {}
+
+  std::shared_ptr<const HeightGrid> read(std::vector<std::string>& notes) {
+    check_rows();
+    find_coordinates();
+    place_heights();
+    refuse_missing();
+    check_odd_heights(notes);
+    return std::make_shared<const HeightGrid>(std::move(x_), std::move(y_), z_);
   }
-  if (rows.empty()) refuse(v["file"], path + ": the file has no rows");
-  x = distinct(std::move(x));
-  y = distinct(std::move(y));
-  if (x.size() < 2 || y.size() < 2)
-    refuse(v["file"], "{}: a grid has two columns and two rows at least, but there {} x and {} y", path,
-           x.size() == 1 ? "is 1" : fmt::format("are {}", x.size()), y.size());
-  constexpr double kSparse = 100;
-  if (static_cast<double>(x.size()) * static_cast<double>(y.size()) >
-      kSparse * static_cast<double>(rows.size()))
-    refuse(v["file"],
-           "{}: {} rows with {} different x and {} different y are no grid: a grid has a height for every x "
-           "and every y; scattered points make a mesh",
-           path, rows.size(), x.size(), y.size());
-  const double up = v["depths"].number != 0 ? -1 : 1;
-  std::vector<double> z(x.size() * y.size());
-  std::vector<int> given(z.size(), -1);
-  for (size_t i = 0; i < rows.size(); ++i) {
-    const size_t k = place(y, rows[i][1]) * x.size() + place(x, rows[i][0]);
-    if (given[k] >= 0)
-      refuse_row(i, fmt::format("x {:g}, y {:g} is there twice, first in line {}", rows[i][0], rows[i][1],
-                                line[given[k]]));
-    given[k] = static_cast<int>(i);
-    z[k] = up * rows[i][2];
+
+ private:
+  [[noreturn]] void refuse_row(size_t row, const std::string& text) const {
+    refuse(v_["file"], "{}:{}: {}", path_, file_.lines[row], text);
   }
-  const auto missing = std::find(given.begin(), given.end(), -1);
-  if (missing != given.end()) {
-    const size_t k = missing - given.begin();
-    refuse(v["file"],
+
+  void check_rows() const {
+    for (size_t i = 0; i < file_.rows.size(); ++i) {
+      const std::vector<double>& row = file_.rows[i];
+      if (row.size() != 3)
+        refuse_row(i, fmt::format("a row of a seabed grid has 3 numbers, x, y and z, but this one has {}",
+                                  row.size()));
+      for (const double coordinate : row)
+        if (!(std::abs(coordinate) <= kFarthest))
+          refuse_row(i, fmt::format("{:g} m is beyond {:g} m from the origin; is it in other units than "
+                                    "metres, or a no-data value?",
+                                    coordinate, kFarthest));
+    }
+    if (file_.rows.empty()) refuse(v_["file"], path_ + ": the file has no rows");
+  }
+
+  void find_coordinates() {
+    const std::vector<std::vector<double>>& rows = file_.rows;
+    for (const std::vector<double>& row : rows) {
+      x_.push_back(row[0]);
+      y_.push_back(row[1]);
+    }
+    x_ = distinct(std::move(x_));
+    y_ = distinct(std::move(y_));
+    if (x_.size() < 2 || y_.size() < 2)
+      refuse(v_["file"], "{}: a grid has two columns and two rows at least, but there {} x and {} y", path_,
+             x_.size() == 1 ? "is 1" : fmt::format("are {}", x_.size()), y_.size());
+    constexpr double kSparse = 100;  // places of the grid for each row
+    if (static_cast<double>(x_.size()) * static_cast<double>(y_.size()) >
+        kSparse * static_cast<double>(rows.size()))
+      refuse(v_["file"],
+             "{}: {} rows with {} different x and {} different y are no grid: a grid has a height for every "
+             "x and every y; scattered points make a mesh",
+             path_, rows.size(), x_.size(), y_.size());
+  }
+
+  void place_heights() {
+    const double up = v_["depths"].number != 0 ? -1 : 1;
+    z_.resize(x_.size() * y_.size());
+    given_.assign(z_.size(), -1);
+    for (size_t i = 0; i < file_.rows.size(); ++i) {
+      const std::vector<double>& row = file_.rows[i];
+      const size_t k = place(y_, row[1]) * x_.size() + place(x_, row[0]);
+      if (given_[k] >= 0)
+        refuse_row(i, fmt::format("x {:g}, y {:g} is there twice, first in line {}", row[0], row[1],
+                                  file_.lines[given_[k]]));
+      given_[k] = static_cast<int>(i);
+      z_[k] = up * row[2];
+    }
+  }
+
+  void refuse_missing() const {
+    const auto missing = std::find(given_.begin(), given_.end(), -1);
+    if (missing == given_.end()) return;
+    const size_t k = missing - given_.begin();
+    refuse(v_["file"],
            "{}: there is no height at x {:g}, y {:g} ({} of {} places are missing); a grid has one for every "
            "x and every y",
-           path, x[k % x.size()], y[k / x.size()], std::count(given.begin(), given.end(), -1), given.size());
+           path_, x_[k % x_.size()], y_[k / x_.size()], std::count(given_.begin(), given_.end(), -1),
+           given_.size());
   }
-  const OddHeights odd = odd_heights(z, std::min(smallest_step(x), smallest_step(y)));
-  if (odd.count > 0) {
-    const size_t row = given[odd.first];
-    const Vec3 first(rows[row].data());
+
+  void check_odd_heights(std::vector<std::string>& notes) const {
+    const OddHeights odd = odd_heights(z_, std::min(smallest_step(x_), smallest_step(y_)));
+    if (odd.count == 0) return;
+    const size_t row = given_[odd.first];
+    const Vec3 first(file_.rows[row].data());
     if (odd.mark) refuse_row(row, advice::no_data_value(first, odd.count - 1, odd.gap));
-    notes.push_back(advice::possible_no_data_value(v.where, path, line[row], first, odd.count - 1, odd.gap));
+    notes.push_back(
+        advice::possible_no_data_value(v_.where, path_, file_.lines[row], first, odd.count - 1, odd.gap));
   }
-  return std::make_shared<const HeightGrid>(std::move(x), std::move(y), z);
-}
+
+  const Value& v_;
+  const std::string path_;
+  const FileRows file_;
+  std::vector<double> x_, y_;  // m, ascending
+  std::vector<double> z_;      // m, by y, then x
+  std::vector<int> given_;     // row of the file for each of z_; -1: none
+};
 
 std::shared_ptr<const MeshSurface> read_mesh_bed(const Value& v, const CaseSource& source) {
   const std::string path = source.input(v["file"].text);
@@ -135,7 +171,7 @@ void read_bed_surface(const Value& v, const CaseSource& source, model::Seabed& b
                       std::vector<std::string>& notes) {
   double low = 0, high = 0;
   if (const Value* g = v.find("grid")) {
-    const auto grid = read_grid(*g, source, notes);
+    const auto grid = GridReader(*g, source).read(notes);
     low = grid->lowest();
     high = grid->highest();
     bed.surface = grid;

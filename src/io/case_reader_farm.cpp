@@ -114,8 +114,7 @@ class Places {
       in_rows(*rows);
     } else {
       const Value& file = v_["file"];
-      std::vector<int> lines;
-      const std::vector<std::vector<double>> given = read_rows(source_.input(file.text), file, &lines);
+      const auto [given, lines] = read_rows(source_.input(file.text), file);
       if (given.empty()) refuse(file, "{}: the file has no rows", file.text);
       for (size_t i = 0; i < given.size(); ++i) {
         if (given[i].size() != 2 && given[i].size() != 3)

@@ -49,13 +49,12 @@ std::string_view table_hint(const std::string& word, bool at_start) {
 
 }  // namespace
 
-std::vector<std::vector<double>> read_rows(const std::string& path, const Value& at,
-                                           std::vector<int>* lines) {
+FileRows read_rows(const std::string& path, const Value& at) {
   if (const std::string why = unreadable(path, "table", kMostTable); !why.empty())
     refuse(at, path + ": " + why);
   std::ifstream in(path);
   if (!in) refuse(at, path + ": cannot be read");
-  std::vector<std::vector<double>> rows;
+  FileRows out;
   std::string line;
   for (int n = 1; std::getline(in, line); ++n) {
     if (n == 1) {
@@ -75,14 +74,14 @@ std::vector<std::vector<double>> read_rows(const std::string& path, const Value&
                model::quote(w), model::kSmallest, model::kLargest);
       if (q.status != model::Quantity::Status::ok)
         refuse(at, "{}:{}: {} is no finite number{}", path, n, model::quote(w),
-               table_hint(w, rows.empty() && row.empty()));
+               table_hint(w, out.rows.empty() && row.empty()));
       row.push_back(q.si);
     }
     if (row.empty()) continue;
-    rows.push_back(std::move(row));
-    if (lines) lines->push_back(n);
+    out.rows.push_back(std::move(row));
+    out.lines.push_back(n);
   }
-  return rows;
+  return out;
 }
 
 std::string CaseSource::absolute(const std::string& path) const {
@@ -121,7 +120,7 @@ InputRows read_input_rows(const Value& v, const CaseSource& source) {
   const bool from_file = v.has("file");
   InputRows given{v[from_file ? "file" : "rows"], {}};
   if (from_file) {
-    given.rows = read_rows(source.input(given.at.text), given.at);
+    given.rows = read_rows(source.input(given.at.text), given.at).rows;
     return given;
   }
   for (const Value& r : given.at.items) {

@@ -132,10 +132,14 @@ class Group {
     }
   }
 
-  void box(const PlacedSupport& p) {
-    const Value& e = *p.entry;
-    const bool v = e["type"].is("V");
-    const bool flat = e["type"].is("flat");
+  enum class Shape { V, flat, U, box };
+  static Shape shape_of(const Value& e) {
+    const Value& type = e["type"];
+    return type.is("V") ? Shape::V : type.is("flat") ? Shape::flat : type.is("box") ? Shape::box : Shape::U;
+  }
+
+  // Refuses keys that a support of this type has not, or needs.
+  static void check_keys(const Value& e, Shape shape) {
     const auto only = [&](const char* key, bool required, const char* types) {
       if (e.has(key) && !required)
         refuse(e[key], "a support of type '{}' has none; remove it, or choose {}", e["type"].text, types);
@@ -143,9 +147,14 @@ class Group {
         refuse_key(e, e.where + "." + key, "required key is missing: a support of type '{}' needs it",
                    e["type"].text);
     };
-    only("angle_deg", v, "type 'V'");
-    only("side_height", !v && !flat, "type 'U' or 'box'");
+    only("angle_deg", shape == Shape::V, "type 'V'");
+    only("side_height", shape == Shape::U || shape == Shape::box, "type 'U' or 'box'");
+  }
 
+  void box(const PlacedSupport& p) {
+    const Value& e = *p.entry;
+    const Shape shape = shape_of(e);
+    check_keys(e, shape);
     SupportBox b;
     b.name = fmt::format("{} {}", name_, ++count_);
     b.key = e.where;
@@ -155,7 +164,7 @@ class Group {
     b.up = p.at.up;
     const double r = 0.5 * e["roller_diameter"].number;
     const double length = e["roller_length"].number;
-    const double angle = v ? e["angle_deg"].number : 0;
+    const double angle = shape == Shape::V ? e["angle_deg"].number : 0;
     if (const double needed = (r + radius_) * std::tan(angle); length < needed)
       refuse(e["roller_length"],
              "is {:g} m, but a line of radius {:g} m lies {:.3g} m along the rollers of a V of {:.3g} deg: "
@@ -164,41 +173,58 @@ class Group {
     b.rise = (r + radius_) / std::cos(angle);
     b.at = p.at.at + b.rise * b.up;
     if (const Value* lines = v_.find("on")) b.body = carry(b, *lines);
-    b.half_width = v ? length * std::cos(angle) : 0.5 * length;
+    b.half_width = shape == Shape::V ? length * std::cos(angle) : 0.5 * length;
     b.first = c_.volumes.size();
+    if (shape == Shape::V)
+      add_rollers_of_V(p, b);
+    else
+      add_rollers_around(p, shape, b);
+    c_.supports.push_back(std::move(b));
+  }
+
+  void add_roller(SupportBox& b, const Value& e, const char* name, const Vec3& from, const Vec3& to) {
+    b.rollers.emplace_back(name);
+    c_.volumes.push_back(volume(b, e, CylinderShape{from, to, 0.5 * e["roller_diameter"].number}));
+  }
+
+  void add_rollers_of_V(const PlacedSupport& p, SupportBox& b) {
+    const Value& e = *p.entry;
+    const double length = e["roller_length"].number;
+    const double angle = e["angle_deg"].number;
     const Vec3 left = b.left();
     const Vec3 base = p.at.at;
-    const auto roller = [&](const char* name, const Vec3& from, const Vec3& to) {
-      b.rollers.emplace_back(name);
-      c_.volumes.push_back(volume(b, e, CylinderShape{from, to, r}));
-    };
-    if (v) {
-      for (const double side : {1., -1.})
-        roller(side > 0 ? "left" : "right", base,
-               base + length * (std::cos(angle) * side * left + std::sin(angle) * b.up));
-    } else {
-      roller("below", base + 0.5 * length * left, base - 0.5 * length * left);
-      if (!flat) {
-        const bool closed = e["type"].is("box");
-        const double height = e["side_height"].number;
-        const double top = height + 2 * r;
-        for (const double side : {1., -1.}) {
-          const Vec3 foot = base + side * (0.5 * length + r) * left;
-          roller(side > 0 ? "left" : "right", foot, foot + (closed ? top : r + height) * b.up);
-        }
-        if (closed && height < 2 * radius_)
-          refuse(e["side_height"],
-                 "a clear height of {:g} m is less than the contact diameter of line '{}', {:g} m", height,
-                 line_.name, 2 * radius_);
-        if (closed)
-          roller("above", base + 0.5 * length * left + top * b.up, base - 0.5 * length * left + top * b.up);
-      }
-      if (!flat && length < 2 * radius_)
-        refuse(e["roller_length"],
-               "a clear width of {:g} m is less than the contact diameter of line '{}', {:g} m", length,
-               line_.name, 2 * radius_);
+    for (const double side : {1., -1.})
+      add_roller(b, e, side > 0 ? "left" : "right", base,
+                 base + length * (std::cos(angle) * side * left + std::sin(angle) * b.up));
+  }
+
+  // A roller below the line, with two beside it for a U, and one above for a box.
+  void add_rollers_around(const PlacedSupport& p, Shape shape, SupportBox& b) {
+    const Value& e = *p.entry;
+    const double r = 0.5 * e["roller_diameter"].number;
+    const double length = e["roller_length"].number;
+    const Vec3 left = b.left();
+    const Vec3 base = p.at.at;
+    add_roller(b, e, "below", base + 0.5 * length * left, base - 0.5 * length * left);
+    if (shape == Shape::flat) return;
+    const bool closed = shape == Shape::box;
+    const double height = e["side_height"].number;
+    const double top = height + 2 * r;
+    for (const double side : {1., -1.}) {
+      const Vec3 foot = base + side * (0.5 * length + r) * left;
+      add_roller(b, e, side > 0 ? "left" : "right", foot, foot + (closed ? top : r + height) * b.up);
     }
-    c_.supports.push_back(std::move(b));
+    if (closed && height < 2 * radius_)
+      refuse(e["side_height"],
+             "a clear height of {:g} m is less than the contact diameter of line '{}', {:g} m", height,
+             line_.name, 2 * radius_);
+    if (closed)
+      add_roller(b, e, "above", base + 0.5 * length * left + top * b.up,
+                 base - 0.5 * length * left + top * b.up);
+    if (length < 2 * radius_)
+      refuse(e["roller_length"],
+             "a clear width of {:g} m is less than the contact diameter of line '{}', {:g} m", length,
+             line_.name, 2 * radius_);
   }
 
   // Adds a body that carries box b, attached to the nearest point of the lines of a structure, each straight

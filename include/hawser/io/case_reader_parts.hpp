@@ -59,9 +59,12 @@ struct SizeLimits {
 std::string other_units(double size, const SizeLimits& limits, const model::Case& c);
 
 // Rows of numbers of a text file, separated by blanks or commas; `#` starts a comment. Refuses an unreadable
-// file. lines: receives the line number of each row, from 1.
-std::vector<std::vector<double>> read_rows(const std::string& path, const model::Value& at,
-                                           std::vector<int>* lines = nullptr);
+// file.
+struct FileRows {
+  std::vector<std::vector<double>> rows;
+  std::vector<int> lines;  // line of each row in the file, from 1
+};
+FileRows read_rows(const std::string& path, const model::Value& at);
 
 // Rows given in a map (`rows`) or in a text file (`file`), and the value that gives them.
 struct InputRows {
