@@ -166,8 +166,7 @@ double FeederNodes::feeder_force(const Feeder& f) {
 
 // The first free node enters the feeder. The bend there becomes straight; the unstretched length keeps the
 // mean strain of the two elements.
-std::optional<Dynamics::Moved> FeederNodes::absorbed(const Feeder& f, const Kinematics& k,
-                                                     double& length) const {
+FeederNodes::Absorbed FeederNodes::absorbed(const Feeder& f, const Kinematics& k) const {
   const Feeders& all = *feeders_;
   const int held = all.node(f, f.feed_point);
   const int absorbed = all.node(f, f.feed_point + 1);
@@ -175,8 +174,7 @@ std::optional<Dynamics::Moved> FeederNodes::absorbed(const Feeder& f, const Kine
   const LocalMesh& local = sim_.local();
   const double lengths[2] = {f.length, all.element_length(f, f.feed_point + 1)};
   const double sum = lengths[0] + lengths[1];
-  std::optional<Dynamics::Moved> moved;
-  length = 0;
+  Absorbed out;
   const int at[3] = {local.find(held), local.find(absorbed), local.find(next)};
   const bool known = at[0] >= 0 && at[1] >= 0 && at[2] >= 0;
   if (known) {
@@ -191,17 +189,16 @@ std::optional<Dynamics::Moved> FeederNodes::absorbed(const Feeder& f, const Kine
     const double strain = ((k.x[j] - k.x[i]).norm() + lengths[0] * bow(i, j) + (k.x[n] - k.x[j]).norm() +
                            lengths[1] * bow(j, n)) /
                           sum;
-    length = (k.x[n] - k.x[i]).norm() / (strain - bow(i, n));
-    moved = {absorbed, k.x[i], k.v[i], k.a[i], k.q[i], k.w[i], k.alpha[i], false};
+    out.length = (k.x[n] - k.x[i]).norm() / (strain - bow(i, n));
+    out.moved = {absorbed, k.x[i], k.v[i], k.a[i], k.q[i], k.w[i], k.alpha[i], false};
   }
-  length = of_all(sim_.system().comm(), known, length);
-  return moved;
+  out.length = of_all(sim_.system().comm(), known, out.length);
+  return out;
 }
 
 void FeederNodes::absorb_node(Feeder& f) {
-  double length = 0;
-  const std::optional<Dynamics::Moved> moved = absorbed(f, sim_.dynamics().committed_kinematics(), length);
-  transfer_node(f, f.feed_point + 1, length, moved);
+  const Absorbed node = absorbed(f, sim_.dynamics().committed_kinematics());
+  transfer_node(f, f.feed_point + 1, node.length, node.moved);
 }
 
 void FeederNodes::refuse_all_out(const Feeder& f, double time) const {
@@ -247,8 +244,7 @@ void FeederNodes::shift(Feeder& f, double paid_out) {
       set(f.feed_point - 1, f.length - mesh_length);
     } else {
       const double next = all.element_length(f, f.feed_point + 1);
-      double length = 0;
-      put(absorbed(f, state.at_rest(), length));
+      put(absorbed(f, state.at_rest()).moved);
       set(f.feed_point + 1, f.length + next);
     }
   }

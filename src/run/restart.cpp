@@ -259,9 +259,10 @@ std::vector<std::string> compare_changes(MPI_Comm comm, const std::string& path,
   return notes;
 }
 
-void restore(const io::Checkpoint& c, Simulation& simulation) {
-  const LocalMesh& m = simulation.local();
-  const System& system = simulation.system();
+namespace {
+
+// Positions, rotations and rates of a checkpoint, ghosts included. Collective.
+AlphaState restored_state(const io::Checkpoint& c, const LocalMesh& m, const System& system) {
   AlphaState s;
   s.s.resize(m.nodes());
   s.s.time = c.time;
@@ -285,20 +286,20 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
     system.update_ghosts(s.aw);
     system.update_ghosts(s.ad);
   }
+  return s;
+}
 
-  const auto rows = [&](const char* name) {
-    std::vector<double> out(3 * static_cast<size_t>(m.blocks()), 0);
-    const auto& r = c.nodes.at(name).values;
-    for (size_t n = 0; n < owned; ++n)
-      for (size_t k = 0; k < (m.rotates(static_cast<int>(n)) ? 6u : 3u); ++k)
-        out[3 * static_cast<size_t>(m.block[n]) + k] = r[6 * n + k];
-    return out;
-  };
-  for (const auto& term : simulation.system().terms())
-    if (const auto it = c.records.find(std::string(term->checkpoint_key())); it != c.records.end())
-      term->restore(it->second.records);
+// Values by block from those stored by node; zero at ghosts.
+std::vector<double> restored_rows(const io::Checkpoint& c, const LocalMesh& m, const char* name) {
+  std::vector<double> out(3 * static_cast<size_t>(m.blocks()), 0);
+  const auto& r = c.nodes.at(name).values;
+  for (size_t n = 0; n < static_cast<size_t>(m.owned); ++n)
+    for (size_t k = 0; k < (m.rotates(static_cast<int>(n)) ? 6u : 3u); ++k)
+      out[3 * static_cast<size_t>(m.block[n]) + k] = r[6 * n + k];
+  return out;
+}
 
-  const int rank = rank_of(system.comm());
+Dynamics::RestartData restored_data(const io::Checkpoint& c, const Simulation& simulation, int rank) {
   Dynamics::RestartData data;
   // The case may request shorter steps than before.
   const StepSettings step = simulation.dynamics_settings().step;
@@ -308,8 +309,22 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   data.step_resolved_until = c.scalars.at(kResolvedUntil);
   data.last_step = c.scalars.at("step.last");
   data.support_work = rank == 0 ? c.scalars.at("support_work") : 0;
-  data.mean = {rows(kMeanQ), rows(kMeanF)};
-  simulation.dynamics().resume(s, rows(kReaction), data);
+  data.mean = {restored_rows(c, simulation.local(), kMeanQ), restored_rows(c, simulation.local(), kMeanF)};
+  return data;
+}
+
+}  // namespace
+
+void restore(const io::Checkpoint& c, Simulation& simulation) {
+  const LocalMesh& m = simulation.local();
+  const System& system = simulation.system();
+  const AlphaState state = restored_state(c, m, system);
+  for (const auto& term : system.terms())
+    if (const auto it = c.records.find(std::string(term->checkpoint_key())); it != c.records.end())
+      term->restore(it->second.records);
+  const Dynamics::RestartData data = restored_data(c, simulation, rank_of(system.comm()));
+  const std::vector<double> reactions = restored_rows(c, m, kReaction);
+  simulation.dynamics().resume(state, reactions, data);
 }
 
 }  // namespace hawser::run

@@ -29,9 +29,11 @@ class FeederNodes {
 
  private:
   Dynamics::Moved released(const Feeder& f, const Kinematics& k, const LocalElement& e) const;
-  // The absorbed node on the ranks that have it, and the length [m] of the element at the feed point
-  // afterwards.
-  std::optional<Dynamics::Moved> absorbed(const Feeder& f, const Kinematics& k, double& length) const;
+  struct Absorbed {
+    std::optional<Dynamics::Moved> moved;  // the node, on the ranks that have it
+    double length = 0;                     // m, of the element at the feed point afterwards
+  };
+  Absorbed absorbed(const Feeder& f, const Kinematics& k) const;
   void refuse_all_out(const Feeder& f, double time) const;
   void refuse_all_in(const Feeder& f, double time) const;
   void release_node(Feeder& f);
