@@ -26,9 +26,9 @@
 namespace hawser::run {
 namespace {
 
-// Typical numbers for statics that does not end in the trial, from the cases in cases/: iterations of
-// statics, and per step of dynamics; steps are the longest ones.
-constexpr double kStatics = 60, kDynamics = 4;
+// Typical numbers for statics that does not end in the trial, from the cases in cases/; steps are the longest
+// ones.
+constexpr double kIterationsOfStatics = 60, kIterationsPerStep = 4;
 
 struct BudgetSpent {};  // thrown when statics has used its share
 
@@ -81,7 +81,7 @@ void RunningTrial::run_statics(Events& events) {
     result.iteration = (cpu_time() - first) / (now.iterations - 1);
     throw BudgetSpent();
   };
-  events.solve_stages([&](bool falls) { sim.solve_statics(report, falls); });
+  events.solve_stages([&](StartsFrom from) { sim.solve_statics(report, from); });
 }
 
 void RunningTrial::run_dynamics(Events& events) {
@@ -137,7 +137,8 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
 
 double expected_cost(const TrialRun& t) {
   if (t.iteration > 0)
-    return t.iteration * (kStatics + kDynamics * t.duration / (record::kAutomaticSteps * t.longest));
+    return t.iteration *
+           (kIterationsOfStatics + kIterationsPerStep * t.duration / (record::kAutomaticSteps * t.longest));
   return t.spent + t.rate * (t.duration - t.reached);
 }
 

@@ -223,22 +223,22 @@ bool Events::releases_end(const std::string& stage) const {
   });
 }
 
-void Events::solve_stages(const std::function<void(bool)>& solve,
+void Events::solve_stages(const std::function<void(StartsFrom)>& solve,
                           const std::function<void(const std::string&)>& report,
                           const std::function<void(size_t)>& rested) {
   const std::vector<std::string>& stages = sim_.model().stages;
-  if (stages.empty()) solve(false);
+  if (stages.empty()) solve(StartsFrom::rest);
   for (size_t k = 0; k < stages.size(); ++k) {
     report(advice::stage_of_statics(stages[k]));
     for (const std::string& e : at_rest(stages[k])) report(e);
-    solve(k > 0 && releases_end(stages[k]));
+    solve(k > 0 && releases_end(stages[k]) ? StartsFrom::release : StartsFrom::rest);
     pay_out(stages[k], solve);
     rested(k);
   }
 }
 
 // Pays out element by element, all feeders of the stage together, each from the equilibrium before.
-void Events::pay_out(const std::string& stage, const std::function<void(bool)>& solve) {
+void Events::pay_out(const std::string& stage, const std::function<void(StartsFrom)>& solve) {
   std::map<Feeder*, double> remaining;  // m
   for (const ScheduledEvent& scheduled : events_) {
     const Action& a = scheduled.event.action;
@@ -261,7 +261,7 @@ void Events::pay_out(const std::string& stage, const std::function<void(bool)>& 
       if (more)
         sim_.solve_statics();
       else
-        solve(false);
+        solve(StartsFrom::rest);
     } catch (const SolveError& e) {
       const auto& [f, length] = *std::max_element(
           remaining.begin(), remaining.end(),

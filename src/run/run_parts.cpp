@@ -77,7 +77,7 @@ model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<Loa
 
 namespace {
 
-StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
+StaticsReport solve_one(Simulation& sim, Progress& progress, StartsFrom from) {
   constexpr int kManySteps = 500;  // of dynamic relaxation; more is unusual
   const model::Case& c = sim.model();
   const size_t before = sim.notes().size();
@@ -93,7 +93,7 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
         reported = true;
         progress.print("note: " + advice::long_relaxation(relaxation));
       },
-      falls);
+      from);
   progress.print_notes({sim.notes().begin() + static_cast<std::ptrdiff_t>(before), sim.notes().end()});
   progress.print(
       advice::statics_done(s.iterations, s.relaxation_steps,
@@ -116,7 +116,7 @@ StaticsReport solve_static_stages(Simulation& sim, Events& events, Progress& pro
                                   const std::function<void(size_t)>& on_equilibrium) {
   StaticsReport last;
   try {
-    events.solve_stages([&](bool falls) { last = solve_one(sim, progress, falls); },
+    events.solve_stages([&](StartsFrom from) { last = solve_one(sim, progress, from); },
                         [&](const std::string& text) { progress.print(text); }, on_equilibrium);
   } catch (const SolveError&) {
     if (rank_of(sim.system().comm()) == 0) progress.print("note: " + advice::statics_failed(sim.model()));

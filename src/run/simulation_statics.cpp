@@ -19,17 +19,17 @@ namespace {
 // stiffness beyond the mobilisation length.
 constexpr double kFirstSlip = 0.1;
 
-RelaxationUse relaxation_use(model::Relaxation given, bool falls) {
+RelaxationUse relaxation_use(model::Relaxation given, StartsFrom from) {
   if (given == model::Relaxation::always) return RelaxationUse::always;
   if (given == model::Relaxation::never) return RelaxationUse::never;
-  return falls ? RelaxationUse::first : RelaxationUse::when_newton_fails;
+  return from == StartsFrom::release ? RelaxationUse::first : RelaxationUse::when_newton_fails;
 }
 
-StaticsSettings settings_of(const model::Case& c, bool falls) {
+StaticsSettings settings_of(const model::Case& c, StartsFrom from) {
   StaticsSettings settings;
   settings.tolerance = c.statics.tolerance;
   settings.max_iterations = c.statics.max_iterations;
-  settings.relaxation = relaxation_use(c.statics.relaxation, falls);
+  settings.relaxation = relaxation_use(c.statics.relaxation, from);
   settings.relaxation_steps = c.statics.relaxation_steps;
   return settings;
 }
@@ -62,8 +62,8 @@ void Simulation::solve_with_contact_friction(StaticsSettings settings, StaticsRe
   solve();
 }
 
-StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)> progress, bool falls) {
-  StaticsSettings settings = settings_of(case_, falls);
+StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)> progress, StartsFrom from) {
+  StaticsSettings settings = settings_of(case_, from);
   settings.friction = contact_friction_in_statics();
   settings.progress = std::move(progress);
   const StaticsReport report = find_equilibrium_or_rest_by_friction(settings);

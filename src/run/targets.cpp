@@ -128,7 +128,7 @@ MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<L
       MetTargets out{io::with_lengths(c, lengths, comm), {}};
       Simulation sim(comm, out.model, surfaces(volumes), skeletons(out.model, volumes),
                      volume_facets(volumes));
-      Events(comm, sim).solve_stages([&](bool falls) { sim.solve_statics(progress, falls); });
+      Events(comm, sim).solve_stages([&](StartsFrom from) { sim.solve_statics(progress, from); });
       searches.update(at_rest(comm, sim));
       if (tried) tried(advice::length_trial(trial, searches.worst().now(c)));
       if (searches.met()) {

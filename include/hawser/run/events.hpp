@@ -20,11 +20,11 @@ class Events {
   Events(MPI_Comm comm, Simulation& simulation);
 
   // Statics of the case in its stages, or in one step without stages. `solve` finds an equilibrium from the
-  // previous one; falls: something was released and has to fall first. `report` receives the events of each
+  // previous one. `report` receives the events of each
   // stage, one sentence each; `rested` is called with the index of each stage after its equilibrium. Throws
   // SolveError if a stage cannot begin. Collective.
   void solve_stages(
-      const std::function<void(bool falls)>& solve,
+      const std::function<void(StartsFrom)>& solve,
       const std::function<void(const std::string&)>& report = [](const std::string&) {},
       const std::function<void(size_t)>& rested = [](size_t) {});
 
@@ -76,7 +76,7 @@ class Events {
                std::vector<std::string>& messages);
   std::vector<std::string> at_rest(const std::string& stage);
   bool releases_end(const std::string& stage) const;
-  void pay_out(const std::string& stage, const std::function<void(bool)>& solve);
+  void pay_out(const std::string& stage, const std::function<void(StartsFrom)>& solve);
 
   MPI_Comm comm_;
   Simulation& sim_;

@@ -34,6 +34,10 @@ struct WrongPlaces : InputError {
   using InputError::InputError;
 };
 
+// Where statics starts: near rest, or where something was released, which comes to rest by dynamic
+// relaxation.
+enum class StartsFrom { rest, release };
+
 class Simulation {
  public:
   // surfaces: one for each volume of the case, in its order; skeletons: likewise, for contact of bodies with
@@ -86,9 +90,9 @@ class Simulation {
   // Throws InputError if a line that starts inside a volume is still inside. Collective.
   void check_inside() const;
   // Static equilibrium of the state: first without friction, then with friction relative to the laid
-  // position. Throws InputError as check_inside(). progress: called occasionally, on all ranks. falls:
-  // something was released and comes to rest by dynamic relaxation first.
-  StaticsReport solve_statics(std::function<void(const StaticsReport&)> progress = {}, bool falls = false);
+  // position. Throws InputError as check_inside(). progress: called occasionally, on all ranks.
+  StaticsReport solve_statics(std::function<void(const StaticsReport&)> progress = {},
+                              StartsFrom from = StartsFrom::rest);
   DynamicsSettings dynamics_settings() const;
 
  private:
