@@ -52,50 +52,62 @@ Vec3 roll_pitch_yaw(const Quat& q, double start) {
 
 }  // namespace
 
-void Histories::declare(Declarations& to) {
-  const std::vector<io::ResultField>& fields = to.contents.fields;
+void Histories::find_shown(const std::vector<Field>& fields) {
   for (size_t f = 0; f < fields.size(); ++f) {
     if (fields[f].history == Field::History::yes) shown_.push_back(f);
     if (fields[f].history == Field::History::after_end_columns) shown_last_.push_back(f);
   }
   section_ = SectionFields::find(fields);
-  const auto add = [&fields](io::ResultSeries& series, const std::vector<size_t>& which) {
-    for (const size_t f : which) series.columns.push_back(fields[f]);
-  };
-  const model::Case& c = subject_.model;
-  for (const auto& h : c.output.histories) {
-    io::ResultSeries series{h.name, kBody};
-    Point p;
+}
+
+Histories::Point Histories::body_history(const std::string& body, io::ResultSeries& series) const {
+  Point p;
+  p.body = subject_.model.body_index(body);
+  series.columns = kBody;
+  for (const std::string& component : load_components(p.body)) {
+    series.columns.push_back({component + "_force", "N", 3});
+    series.columns.push_back({component + "_moment", "N m", 3});
+  }
+  return p;
+}
+
+Histories::Point Histories::line_history(const model::HistoryPoint& history, Declarations& to,
+                                         io::ResultSeries& series) const {
+  const std::vector<io::ResultField>& fields = to.contents.fields;
+  const int line = subject_.model.line_index(history.line);
+  const LineSpan& span = subject_.mesh().lines[line];
+  Point p = point_of(line, history.at);
+  const double arc = std::clamp(history.at, 0.0, span.length);
+  const bool at_end = std::min(arc, span.length - arc) <= kSamePlace * span.length;
+  if (at_end && p.nodes[0] >= 0) p.end = ends_.end_at(p.nodes[0]);
+  for (const Field& f : fields)
+    if (f.history != Field::History::no) to.every_step.insert(f.name);
+  std::vector<io::ResultField>& columns = series.columns;
+  columns = {{"position", "m", 3}, {"velocity", "m/s", 3}};
+  for (const size_t f : shown_) columns.push_back(fields[f]);
+  if (at_end)
+    for (const io::ResultField& f : to.contents.end_fields)
+      columns.push_back({"end_" + f.name, f.unit, f.components});
+  for (const size_t f : shown_last_) columns.push_back(fields[f]);
+  columns.push_back({"acceleration", "m/s2", 3});
+  if (at_end)
+    for (const char* angle : {"end_declination", "end_azimuth"}) columns.push_back({angle, "deg", 1});
+  return p;
+}
+
+void Histories::declare(Declarations& to) {
+  find_shown(to.contents.fields);
+  for (const auto& h : subject_.model.output.histories) {
+    io::ResultSeries series{h.name, {}};
+    Point& p = points_.emplace_back();
     if (!h.body.empty()) {
-      p.body = c.body_index(h.body);
-      for (const std::string& component : load_components(p.body)) {
-        series.columns.push_back({component + "_force", "N", 3});
-        series.columns.push_back({component + "_moment", "N m", 3});
-      }
+      p = body_history(h.body, series);
     } else if (!h.volume.empty()) {
       p.volume = h.volume;
       series.columns = kVolume;
     } else {
-      const int line = c.line_index(h.line);
-      const LineSpan& span = subject_.mesh().lines[line];
-      p = point_of(line, h.at);
-      const double arc = std::clamp(h.at, 0.0, span.length);
-      const bool at_end = std::min(arc, span.length - arc) <= kSamePlace * span.length;
-      if (at_end && p.nodes[0] >= 0) p.end = ends_.end_at(p.nodes[0]);
-      for (const Field& f : fields)
-        if (f.history != Field::History::no) to.every_step.insert(f.name);
-      series.columns = {{"position", "m", 3}, {"velocity", "m/s", 3}};
-      add(series, shown_);
-      if (at_end)
-        for (const io::ResultField& f : to.contents.end_fields)
-          series.columns.push_back({"end_" + f.name, f.unit, f.components});
-      add(series, shown_last_);
-      series.columns.push_back({"acceleration", "m/s2", 3});
-      if (at_end)
-        for (const char* angle : {"end_declination", "end_azimuth"})
-          series.columns.push_back({angle, "deg", 1});
+      p = line_history(h, to, series);
     }
-    points_.push_back(p);
     size_t& columns = columns_.emplace_back(0);
     for (const io::ResultField& f : series.columns) columns += static_cast<size_t>(f.components);
     to.contents.series.push_back(std::move(series));

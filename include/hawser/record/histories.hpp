@@ -34,6 +34,10 @@ class Histories : public Recording {
     std::array<int, 2> places{-1, -1};  // of its nodes in the end forces; -1: none
     bool shared = false;                // several ranks contribute to its row
   };
+  void find_shown(const std::vector<Field>& fields);
+  // Point and columns of a history.
+  Point body_history(const std::string& body, io::ResultSeries& series) const;
+  Point line_history(const model::HistoryPoint& history, Declarations& to, io::ResultSeries& series) const;
   Point point_of(int line, double arc) const;
   std::vector<double> node_row(const Point& p, size_t side, const Snapshot& s) const;
   std::vector<double> line_row(const Point& p, const Snapshot& s) const;
