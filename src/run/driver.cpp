@@ -35,7 +35,7 @@
 namespace hawser::run {
 namespace {
 
-constexpr double kCheckpoints = 0.02;  // fraction of the time, unless given by the case
+constexpr double kCheckpointShare = 0.02;  // of the time, unless the case gives their interval
 
 // Set by SIGINT, SIGTERM and SIGUSR1, which mpirun forwards to all ranks: the run ends at the next output
 // with everything on disk. A second signal ends it immediately.
@@ -68,67 +68,120 @@ void finish_failed(record::Recorder& recorder, const Progress& progress, const S
   recorder.finish(std::move(messages));
 }
 
+// What a run does after each accepted step: records it, executes events, and writes outputs and checkpoints
+// that are due. Collective.
+class StepObserver {
+ public:
+  // end: s, of the run.
+  StepObserver(Simulation& sim, double end, record::Recorder& recorder, Events& events,
+               FeederNodes& feeder_nodes, Progress& progress)
+      : sim_(sim),
+        dynamics_(sim.dynamics()),
+        end_(end),
+        recorder_(recorder),
+        events_(events),
+        feeder_nodes_(feeder_nodes),
+        progress_(progress),
+        comm_(sim.system().comm()),
+        rank_(rank_of(comm_)),
+        times_(sim.model()),
+        output_at_(record::next_multiple(dynamics_.committed().s.time, times_.every)),
+        checkpoint_at_(record::next_multiple(dynamics_.committed().s.time, checkpoint_interval())) {}
+
+  // Returns whether the run continues.
+  bool observe(const StepInfo& info) {
+    const double slack = record::time_tolerance(info.time);
+    const bool last = info.time >= end_ - slack;
+    const Due due{info.time >= output_at_ - slack || last, info.time >= checkpoint_at_ - slack || last};
+    Requests requests;
+    // Outputs have the state before the events, checkpoints the state after them.
+    act_after_step(
+        events_, feeder_nodes_, [&] { requests = record_step(info, due); },
+        [&](const std::string& e) { progress_.print(e); });
+    if (due.checkpoint || requests.stop) {
+      if (last || requests.stop || times_.checkpoint_every > 0 || requests.checkpoint) save_state();
+      checkpoint_at_ = times_.checkpoint_every > 0 ? record::next_multiple(info.time, times_.checkpoint_every)
+                                                   : output_at_;
+    }
+    stopped_ = requests.stop && !last;
+    return !requests.stop;
+  }
+
+  void save_state() {
+    checkpoints_.spend([&] { recorder_.checkpoint(make_checkpoint(sim_, recorder_, events_)); });
+  }
+
+  // s, of the next output, checkpoint or event after `time`.
+  double next_stop(double time) const { return std::min(times_.next(time), events_.next(time)); }
+
+  bool stopped() const { return stopped_; }  // early, by a signal, on all ranks
+
+ private:
+  struct Due {
+    bool output, checkpoint;
+  };
+  // What any rank requests: to stop, or a checkpoint by the clock.
+  struct Requests {
+    bool stop = false, checkpoint = false;
+  };
+
+  double checkpoint_interval() const {
+    return times_.checkpoint_every > 0 ? times_.checkpoint_every : times_.every;
+  }
+
+  Requests record_step(const StepInfo& info, const Due& due) {
+    recorder_.step(info, dynamics_.committed_kinematics());
+    print_remarks(recorder_, progress_);
+    progress_.step(info.time, info.h, info.iterations);
+    // Stop requests and checkpoints due by the clock are agreed on where all ranks communicate anyway.
+    int requests[2] = {0, 0};
+    if (due.output || due.checkpoint) {
+      requests[0] = stop_requested;
+      requests[1] = rank_ == 0 && checkpoints_.due();
+      all_reduce(comm_, MPI_MAX, requests);
+    }
+    const Requests out{requests[0] != 0, requests[1] != 0};
+    if (due.output || out.stop) {
+      recorder_.output(dynamics_.committed_kinematics());
+      output_at_ = record::next_multiple(info.time, times_.every);
+    }
+    return out;
+  }
+
+  Simulation& sim_;
+  Dynamics& dynamics_;
+  const double end_;
+  record::Recorder& recorder_;
+  Events& events_;
+  FeederNodes& feeder_nodes_;
+  Progress& progress_;
+  const MPI_Comm comm_;
+  const int rank_;
+  const record::OutputTimes times_;
+  double output_at_, checkpoint_at_;  // s
+  ShareOfTime checkpoints_{kCheckpointShare};
+  bool stopped_ = false;
+};
+
 // Time steps of a run up to `end` [s], with outputs, checkpoints and events. True: stopped early by a signal,
 // on all ranks. Throws SolveError with everything on disk. Collective.
 bool integrate(Simulation& sim, double end, record::Recorder& recorder, Events& events,
                FeederNodes& feeder_nodes, Progress& progress) {
   const LoggedPart logged("dynamics");
   for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, request_stop);
-  const MPI_Comm comm = sim.system().comm();
-  const int rank = rank_of(comm);
   Dynamics& d = sim.dynamics();
   progress.begin(d.committed().s.time, end);
-  const record::OutputTimes times(sim.model());
-  const double every = times.every;
-  const double checkpoint_every = times.checkpoint_every;
-  double output_at = record::next_multiple(d.committed().s.time, every);
-  double checkpoint_at =
-      record::next_multiple(d.committed().s.time, checkpoint_every > 0 ? checkpoint_every : every);
-  ShareOfTime checkpoints(kCheckpoints);
-  const auto save_state = [&] {
-    checkpoints.spend([&] { recorder.checkpoint(make_checkpoint(sim, recorder, events)); });
-  };
-  bool stopped = false;
-  const auto observer = [&](const StepInfo& info) {
-    const double slack = record::time_tolerance(info.time);
-    const bool last = info.time >= end - slack;
-    const bool output = info.time >= output_at - slack || last;
-    const bool save = info.time >= checkpoint_at - slack || last;
-    int requests[2] = {0, 0};
-    bool stop = false;
-    const auto record_step = [&] {
-      recorder.step(info, d.committed_kinematics());
-      print_remarks(recorder, progress);
-      progress.step(info.time, info.h, info.iterations);
-      // Stop requests and checkpoints due by the clock are agreed on where all ranks communicate anyway.
-      if (output || save) {
-        requests[0] = stop_requested;
-        requests[1] = rank == 0 && checkpoints.due();
-        all_reduce(comm, MPI_MAX, requests);
-      }
-      stop = requests[0] != 0;
-      if (!output && !stop) return;
-      recorder.output(d.committed_kinematics());
-      output_at = record::next_multiple(info.time, every);
-    };
-    // Outputs have the state before the events, checkpoints the state after them.
-    act_after_step(events, feeder_nodes, record_step, [&](const std::string& e) { progress.print(e); });
-    if (save || stop) {
-      if (last || stop || checkpoint_every > 0 || requests[1]) save_state();
-      checkpoint_at = checkpoint_every > 0 ? record::next_multiple(info.time, checkpoint_every) : output_at;
-    }
-    stopped = stop && !last;
-    return !stop;
-  };
+  StepObserver observer(sim, end, recorder, events, feeder_nodes, progress);
   try {
     d.run(
-        end, [&](double t) { return std::min(times.next(t), events.next(t)); }, observer);
+        end, [&](double t) { return observer.next_stop(t); },
+        [&](const StepInfo& info) { return observer.observe(info); });
   } catch (const SolveError& e) {
-    save_state();
+    observer.save_state();
     finish_failed(recorder, progress, e);
     throw;
   }
-  return stopped;
+  return observer.stopped();
 }
 
 // Prints the final results; `table`: of extremes.
