@@ -79,8 +79,7 @@ class BodyProportions {
     const double off = small < lower ? small : large;
     warn("floating.inertia",
          "a radius of gyration of {:.2g} m is {} for a body of {:.4g} kg (a steel ball has {:.2g} m): are "
-         "mass and "
-         "inertia in kg and kg m²?",
+         "mass and inertia in kg and kg m²?",
          off, off == small ? "none" : "too much", m.mass, std::sqrt(0.4) * ball);
   }
 

@@ -66,10 +66,8 @@ std::string settles(const SettledSupport& at) {
                       : fmt::format("'normal_stiffness: {{allowed_penetration: {:.1g}}}'", at.remedy);
   return fmt::format(
       "line {} settles where it rests on volumes, by a penetration of {:.2g} m in volume {} at arc length "
-      "{:.6g} "
-      "m and by other amounts at its other supports, which changes its reaction there by {:.2g} % and the "
-      "bending moment by "
-      "{:.2g} % of the largest; give {} and the volumes beside it {}",
+      "{:.6g} m and by other amounts at its other supports, which changes its reaction there by {:.2g} % and "
+      "the bending moment by {:.2g} % of the largest; give {} and the volumes beside it {}",
       at.line, at.penetration, at.volume, at.arc, 100 * at.of_reaction, 100 * at.of_moment,
       at.roller ? at.volume : "volumes." + at.volume, remedy);
 }

@@ -106,8 +106,7 @@ void warn_of_members(const Case& c, const Body& b, std::vector<InputWarning>& ou
     if (reach > kReach * size)
       add_warning(out, fmt::format("bodies.{}.floating.members[{}]", b.name, i), Effect::all,
                   "reaches {:.4g} m from the centre of mass, and a cube of the body's volume has sides of "
-                  "{:.3g} m: are "
-                  "its ends in metres, and in the body's frame?",
+                  "{:.3g} m: are its ends in metres, and in the body's frame?",
                   reach, size);
     if (!m.hydrodynamics) continue;
     if (member.added > 0 || member.axial_added > 0)

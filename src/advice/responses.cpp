@@ -36,8 +36,7 @@ std::string direction_without_wave_forces(const model::Case& c, const std::strin
                                           double from_bow) {
   return fmt::format(
       "{}: the files of body {} have no wave forces near {:.4g} deg as seen from its bow, for waves to "
-      "{:.4g} "
-      "deg from +x: give others with --directions, or add this direction to the files",
+      "{:.4g} deg from +x: give others with --directions, or add this direction to the files",
       c.path, body, from_bow, direction);
 }
 

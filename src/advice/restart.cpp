@@ -73,9 +73,8 @@ std::string not_fed_in_checkpoint(const std::string& end) { return end + " is no
 
 std::string changed_by_set(const std::string& text, const std::vector<std::string>& changes) {
   return fmt::format(
-      "{} (the case is changed by --set {}; a continued run may have another duration, other motions, "
-      "waves, loads, friction, steps and outputs, but not other lines, lengths, elements, links or volumes, "
-      "nor "
+      "{} (the case is changed by --set {}; a continued run may have another duration, other motions, waves, "
+      "loads, friction, steps and outputs, but not other lines, lengths, elements, links or volumes, nor "
       "another mass or stiffness)",
       text, fmt::join(changes, " --set "));
 }

@@ -80,8 +80,7 @@ std::string long_relaxation(const LongRelaxation& r) {
   if (r.line_pairs)
     ways.emplace_back(
         "if folds of slack lines touch one another, 'contact: {between_lines: false}' excludes that contact "
-        "and "
-        "may help");
+        "and may help");
   if (r.slides_freely)
     ways.emplace_back(
         "if a line slides along a volume, 'friction' of that volume with 'statics: {contact_friction: true}' "

@@ -8,8 +8,7 @@ namespace hawser::advice {
 std::string long_for_its_depth(const std::string& key, double ursell, double limit) {
   return fmt::format(
       "{}: the wave is long for its depth: its Ursell number is {:.3g}, and fifth-order theory is valid up "
-      "to "
-      "{:g}",
+      "to {:g}",
       key, ursell, limit);
 }
 
